@@ -1,0 +1,13 @@
+# Flags shared by every target. Contraction is off so that a kernel gives the same bits whatever the
+# compiler fuses; kernels that want fused multiply-add ask for it by name.
+add_library(arenite_options INTERFACE)
+target_compile_options(arenite_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -ffp-contract=off)
+if(ARENITE_WERROR)
+  target_compile_options(arenite_options INTERFACE -Werror)
+endif()
+if(ARENITE_SANITIZE)
+  target_compile_options(arenite_options INTERFACE -fsanitize=${ARENITE_SANITIZE} -fno-omit-frame-pointer -g)
+  target_link_options(arenite_options INTERFACE -fsanitize=${ARENITE_SANITIZE})
+endif()
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")

@@ -1,0 +1,34 @@
+#pragma once
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace arenite {
+
+/// One thing that is wrong with the input: where it is, what is wrong, and how to mend it.
+struct Problem {
+  std::string file;     ///< as the user named it; empty if there is none
+  int line = 0;         ///< 1-based; 0 if unknown
+  int column = 0;       ///< 1-based; 0 if unknown
+  std::string message;  ///< one sentence with the mend
+};
+
+/// "file:line:column: message", leaving out what is unknown.
+std::string to_string(const Problem& problem);
+
+/// Bad input: every problem found in one pass. `main` prints them and exits with status 2.
+class InputError : public std::exception {
+ public:
+  explicit InputError(std::vector<Problem> problems);
+  explicit InputError(std::string message) : InputError({Problem{{}, 0, 0, std::move(message)}}) {}
+  InputError(std::string file, int line, std::string message)
+      : InputError({Problem{std::move(file), line, 0, std::move(message)}}) {}
+  const std::vector<Problem>& problems() const { return problems_; }
+  const char* what() const noexcept override { return text_.c_str(); }
+
+ private:
+  std::vector<Problem> problems_;
+  std::string text_;
+};
+
+}  // namespace arenite

@@ -1,0 +1,58 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dem/parameters.hpp"
+#include "model/packing.hpp"
+#include "model/result.hpp"
+
+namespace arenite::dem {
+
+/// Largest steps that the sample in hand allows, s.
+struct StepBounds {
+  double stiffness = 0;   ///< from the largest eigenfrequency bound of a grain's contacts
+  double damping = 0;     ///< from the largest damping rate (dashpots, sliding viscosity with rotation)
+  double largest() const { return stiffness < damping ? stiffness : damping; }
+};
+
+/// A sample that moves: the object with two doors' worth of set-up (lists, sorted records). Grains keep the
+/// caller's order at the border whatever the order inside. Same input, same kernel: same bits for any thread count.
+class Engine {
+ public:
+  /// Throws InputError for a step beyond the bounds, naming the step that would do.
+  Engine(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration);
+  ~Engine();
+  Engine(Engine&&) noexcept;
+  Engine& operator=(Engine&&) noexcept;
+
+  void set_gravity(Vec2 g);                    ///< m/s^2
+  void set_drives(const WallDrives& drives);   ///< from the next step on
+  void set_drag(double rate);                  ///< 1/s
+
+  void advance(std::int64_t steps);
+
+  double time() const;
+  std::int64_t step() const;
+  double time_step() const;
+  StepBounds bounds() const;
+  std::string kernel() const;                  ///< name of the kernel in use
+
+  const Domain& domain() const;                ///< wall positions, velocities and forces now
+  Packing packing() const;                     ///< grains and contacts now, in the caller's order; contacts sorted by (i, j)
+  Energies energies() const;                   ///< dissipation and work only if track_energy
+  Equilibrium equilibrium() const;
+  std::uint64_t state_hash() const;            ///< of every bit that decides the future
+
+  /// The whole state as bytes, and back: an engine built from the same start and parameters and then restored goes on
+  /// with the same bits as if it had never stopped.
+  std::vector<std::uint8_t> save() const;
+  void restore(const std::vector<std::uint8_t>& bytes);
+
+ private:
+  struct Machine;
+  std::unique_ptr<Machine> machine_;
+};
+
+}  // namespace arenite::dem

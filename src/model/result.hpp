@@ -1,0 +1,70 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/packing.hpp"
+
+namespace arenite {
+
+/// Energies of a sample, J. Closed when kinetic + elastic + adhesive = work_walls + work_gravity + work_drive
+/// - dissipated_* + what was there at the start.
+struct Energies {
+  double kinetic = 0;               ///< translation and rotation of grains, motion of servo walls
+  double elastic = 0;               ///< springs, normal and tangential
+  double adhesive = 0;              ///< potential of the adhesion, <= 0
+  double dissipated_normal = 0;     ///< by normal dashpots
+  double dissipated_friction = 0;   ///< by sliding and tangential viscosity
+  double dissipated_drag = 0;       ///< by global drag and by the walls' servo damping
+  double dissipated_breakage = 0;   ///< lost when a bond breaks for good
+  double work_walls = 0;            ///< done on the sample by walls or by a moving periodic cell
+  double work_gravity = 0;
+};
+
+/// How far a state is from rest.
+struct Equilibrium {
+  double unbalanced_ratio = 0;  ///< mean resultant force on a grain (forces, weight) over the mean contact force
+  double kinetic_ratio = 0;     ///< kinetic over elastic energy
+  double mobilisation = 0;      ///< mean |F_t|/F_n of contacts with F_n > 0
+  double wall_speed = 0;        ///< fastest wall, m/s
+};
+
+/// One stored state of a stage.
+struct Frame {
+  double time = 0;              ///< s since the start of the run
+  std::int64_t step = 0;
+  std::string label;            ///< "increment 3 of 10", "cycle 2 maximum"
+  Packing packing;
+  Energies energies;
+  Equilibrium equilibrium;
+};
+
+/// Scalars sampled often while a stage runs; all columns have one length. Columns have fixed names, e.g. "time",
+/// "bottom_position", "bottom_force", "kinetic", "unbalanced_ratio"; units beside them.
+struct History {
+  struct Column { std::string name, unit; std::vector<double> values; };
+  std::vector<Column> columns;
+};
+
+/// What every output carries, so that a number can be traced to what made it.
+struct Provenance {
+  std::string version;          ///< of Arenite
+  std::string stage;            ///< "load", "texture", ...
+  std::string input_hash;       ///< of everything that the result depends on; names the file
+  std::string recipe;           ///< resolved recipe, TOML
+  std::uint64_t seed = 0;
+  std::string kernel;           ///< "portable", "avx2", "avx512"
+  std::vector<std::pair<std::string, std::string>> options;
+};
+
+/// The result of one stage: one file in the store.
+struct StageResult {
+  Provenance provenance;
+  std::string name;             ///< stage's name in the recipe
+  bool converged = true;        ///< equilibrium was reached in every increment
+  std::string outcome;          ///< one sentence
+  std::vector<Frame> frames;    ///< in time order; the last is the state handed on
+  History history;
+};
+
+}  // namespace arenite
