@@ -1,0 +1,39 @@
+# make demo: set up, build, run thesis sample 8 and say where the report is. make test: set up, build, run every test.
+BUILD ?= build
+JOBS ?= $(shell nproc)
+CMAKE_FLAGS ?=
+COMMON = cmake -S . -B $(BUILD) -G Ninja $(CMAKE_FLAGS)
+
+.PHONY: demo test build bench peers fuzz clean
+
+demo:
+	@scripts/setup run
+	@$(COMMON) -DARENITE_TESTS=OFF >/dev/null
+	@ninja -C $(BUILD) -j $(JOBS) arenite
+	@$(BUILD)/arenite run examples/01-thesis-sample-08/recipe.toml --out out/demo --threads $(JOBS)
+
+build:
+	@scripts/setup run
+	@$(COMMON) -DARENITE_TESTS=OFF >/dev/null
+	@ninja -C $(BUILD) -j $(JOBS)
+
+test:
+	@scripts/setup run test
+	@$(COMMON) -DARENITE_TESTS=ON >/dev/null
+	@ninja -C $(BUILD) -j $(JOBS)
+	@ctest --test-dir $(BUILD) -j $(JOBS) --output-on-failure
+
+bench:
+	@scripts/setup run bench
+	@$(COMMON) -DARENITE_BENCH=ON >/dev/null
+	@ninja -C $(BUILD) -j $(JOBS)
+	@for b in $(BUILD)/bench/*; do [ -x $$b ] && [ -f $$b ] && $$b || true; done
+
+peers:
+	@scripts/setup run bench
+	@$(COMMON) -DARENITE_BENCH=ON >/dev/null
+	@ninja -C $(BUILD) -j $(JOBS)
+	@bench/peers/run $(BUILD)
+
+clean:
+	@rm -rf $(BUILD) out
