@@ -1,0 +1,47 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace arenite::dem {
+
+/// When an increment counts as done.
+struct RestCriterion {
+  double unbalanced = 1e-4;            ///< unbalanced force ratio
+  double kinetic = 1e-6;               ///< kinetic over elastic energy
+  double mobilisation = -1;            ///< mean |F_t|/F_n below this as well; < 0: not asked
+  std::int64_t max_steps = 20'000'000; ///< of one increment; then the stage ends with exit status 3
+};
+
+/// What one side does in a stage. A force (or pressure) is reached from its present value in `increments` equal steps.
+struct SideDrive {
+  enum class Kind { fixed, velocity, force, pressure };
+  Kind kind = Kind::fixed;
+  double value = 0;                    ///< m/s inward, N, or Pa
+};
+
+/// Force cycles on one side after the ramp, e.g. 6-60 kN (T 3.2.1); each half cycle is a ramp to rest.
+struct Cycles {
+  std::string side;                    ///< "left", "right", "bottom", "top"
+  double min = 0, max = 0;             ///< N
+  std::int64_t count = 0;
+  std::int64_t increments = 5;         ///< a half cycle
+};
+
+/// One stage of loading.
+struct Stage {
+  std::string name;
+  bool gravity = false;                ///< 9.81 m/s^2 downwards
+  std::array<SideDrive, 4> side;       ///< in the order of model/domain.hpp
+  std::int64_t increments = 1;
+  std::optional<double> duration;      ///< s; for stages driven by velocity, which do not end at rest
+  std::optional<Cycles> cycles;
+  RestCriterion rest;
+  std::optional<double> friction;      ///< mu during this stage only (e.g. 0 to densify)
+  double drag = 0;                     ///< 1/s, during this stage only
+  bool glue = false;                   ///< adhesion acts from this stage on
+  std::int64_t frames = 1;             ///< states stored for stages with a duration; increments store one each
+};
+
+}  // namespace arenite::dem
