@@ -1,0 +1,119 @@
+#include "io/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+
+#include "core/error.hpp"
+
+namespace arenite::io {
+namespace fs = std::filesystem;
+namespace {
+
+std::string reason(int error, const fs::path& folder) {
+  switch (error) {
+    case ENOENT: return fmt::format("there is no folder {}; create it or write elsewhere", folder.string());
+    case ENOTDIR: return fmt::format("{} is not a folder; write elsewhere", folder.string());
+    case EACCES:
+    case EPERM: return fmt::format("no permission to write in {}; change it or write elsewhere", folder.string());
+    case EROFS: return fmt::format("{} is read-only; write elsewhere", folder.string());
+    case ENOSPC:
+    case EDQUOT: return "the disk is full; free some space and try again";
+    case EFBIG: return "the file would pass the size limit of this session (ulimit -f); raise it or store less";
+    case ENAMETOOLONG: return "the name is too long; choose a shorter one";
+    default: return fmt::format("{}; check the disk or write elsewhere", std::strerror(error));
+  }
+}
+
+[[noreturn]] void refuse(const fs::path& path, int error) {
+  throw InputError(path.string(), 0, "cannot be written: " + reason(error, path.has_parent_path() ? path.parent_path() : "."));
+}
+
+/// The file beside the target, open and locked; removed again unless it was renamed.
+class Beside {
+ public:
+  explicit Beside(const fs::path& target) : target_(target), name_(target.parent_path() / ("." + target.filename().string() + ".tmp")) {
+    while (!open_locked()) {
+    }
+    if (::ftruncate(descriptor_, 0) != 0) fail();
+  }
+  Beside(const Beside&) = delete;
+  Beside& operator=(const Beside&) = delete;
+  ~Beside() {
+    if (!renamed_) ::unlink(name_.c_str());
+    ::close(descriptor_);
+  }
+
+  void write(std::string_view bytes) {
+    while (!bytes.empty()) {
+      const ssize_t n = ::write(descriptor_, bytes.data(), bytes.size());
+      if (n < 0 && errno == EINTR) continue;
+      if (n < 0) fail();
+      bytes.remove_prefix(static_cast<std::size_t>(n));
+    }
+  }
+
+  void rename_to_target() {
+    if (::fsync(descriptor_) != 0) fail();
+    if (::rename(name_.c_str(), target_.c_str()) != 0) fail();
+    renamed_ = true;
+    flush_folder();
+  }
+
+ private:
+  /// False if another process renamed the file away while we waited for its lock: then ours is the other's result.
+  bool open_locked() {
+    descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) refuse(target_, errno);
+    while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+    }
+    struct stat opened{}, named{};
+    if (::fstat(descriptor_, &opened) == 0 && ::stat(name_.c_str(), &named) == 0 && opened.st_ino == named.st_ino) return true;
+    ::close(descriptor_);
+    return false;
+  }
+
+  /// The rename itself must survive a power cut; some file systems cannot flush a folder, which is no fault of the file.
+  void flush_folder() const {
+    const int folder = ::open(target_.has_parent_path() ? target_.parent_path().c_str() : ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder < 0) return;
+    ::fsync(folder);
+    ::close(folder);
+  }
+
+  [[noreturn]] void fail() const { refuse(target_, errno); }
+
+  fs::path target_, name_;
+  int descriptor_ = -1;
+  bool renamed_ = false;
+};
+
+/// Behind a symbolic link the file it points to is replaced, not the link.
+fs::path behind_link(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_symlink(path, error)) return path;
+  const fs::path target = fs::canonical(path, error);
+  return error ? path : target;
+}
+
+}  // namespace
+
+void write_atomically(const fs::path& path, std::string_view bytes) {
+  const fs::path target = behind_link(path);
+  std::error_code error;
+  const auto status = fs::status(target, error);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw InputError(path.string(), 0, fmt::format("cannot be written: it is {}; give the name of a file",
+                                                   fs::is_directory(status) ? "a folder" : "not a regular file"));
+  Beside beside(target);
+  beside.write(bytes);
+  beside.rename_to_target();
+}
+
+}  // namespace arenite::io
