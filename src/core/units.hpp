@@ -1,0 +1,64 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace arenite {
+
+/// Integer exponents of the base units kg, m, s, K.
+struct Dimension {
+  int mass = 0, length = 0, time = 0, temperature = 0;
+  constexpr bool operator==(const Dimension&) const = default;
+};
+constexpr Dimension operator*(Dimension a, Dimension b) {
+  return {a.mass + b.mass, a.length + b.length, a.time + b.time, a.temperature + b.temperature};
+}
+constexpr Dimension operator/(Dimension a, Dimension b) {
+  return {a.mass - b.mass, a.length - b.length, a.time - b.time, a.temperature - b.temperature};
+}
+
+namespace dimension {
+inline constexpr Dimension none{}, mass{1, 0, 0, 0}, length{0, 1, 0, 0}, time{0, 0, 1, 0}, temperature{0, 0, 0, 1};
+inline constexpr Dimension area = length * length, volume = area * length, frequency = none / time;
+inline constexpr Dimension velocity = length / time, acceleration = velocity / time, density = mass / volume;
+inline constexpr Dimension force = mass * acceleration, pressure = force / area, energy = force * length;
+inline constexpr Dimension stiffness = force / length, damping = force / velocity;
+inline constexpr Dimension thermoelastic_factor = temperature / pressure;
+}  // namespace dimension
+
+/// A unit such as "kN/mm": SI value = number * factor * 10^decade. The decade is kept apart so that "16.4 mm" is the
+/// double nearest to 0.0164, with no rounding of its own.
+struct Unit {
+  double factor = 1;
+  int decade = 0;
+  Dimension dimension;
+};
+
+/// A number with its unit, in SI.
+struct Quantity {
+  double value = 0;
+  Dimension dimension;
+  bool has_unit = false;  ///< false for a bare number
+};
+
+/// Reads products, quotients and powers of units with SI prefixes: "kN/mm", "kg/m^3", "N s/m", "K/MPa", "%", "1/s".
+/// Throws InputError (without place) for what it does not know, offering the nearest known unit.
+Unit parse_unit(std::string_view text);
+
+/// Reads "27.35 kN/mm". Throws InputError (without place) for anything that is not one finite number and a unit.
+Quantity parse_quantity(std::string_view text);
+
+/// The SI value of a quantity that must have `wanted` as its dimension; a bare number is refused unless the dimension
+/// is none. `unit` is the unit that messages suggest (default: the SI unit). Throws InputError without place.
+double parse_si(std::string_view text, Dimension wanted, std::string_view unit = {});
+
+/// The value written in `unit`, shortest text that reads back as the same double: format_quantity(0.0164, "mm") =
+/// "16.4 mm". An empty unit gives the bare number. For units that are powers of ten of SI.
+std::string format_quantity(double si_value, std::string_view unit);
+
+/// The SI unit in its usual spelling ("N/m", "Pa", "kg/m^3"); empty for no dimension.
+std::string si_unit(Dimension dimension);
+
+/// What such a quantity is called ("a length", "a force"), or its SI unit in words where it has no name.
+std::string describe(Dimension dimension);
+
+}  // namespace arenite

@@ -1,0 +1,111 @@
+#include "core/units.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "core/error.hpp"
+
+namespace arenite {
+namespace {
+
+std::string refusal(std::string_view text, Dimension wanted, std::string_view unit = {}) {
+  try {
+    parse_si(text, wanted, unit);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Units, QuantitiesOfTheThesisReadAsTheNearestDouble) {
+  EXPECT_EQ(parse_si("27.35 kN/mm", dimension::stiffness), 27.35e6);
+  EXPECT_EQ(parse_si("0.0150 K/MPa", dimension::thermoelastic_factor), 0.0150e-6);
+  EXPECT_EQ(parse_si("16.4 mm", dimension::length), 0.0164);
+  EXPECT_EQ(parse_si("1410 kg/m^3", dimension::density), 1410.0);
+  EXPECT_EQ(parse_si("1.41 g/cm³", dimension::density), 1410.0);
+  EXPECT_EQ(parse_si("100 N", dimension::force), 100.0);
+  EXPECT_EQ(parse_si("3 Hz", dimension::frequency), 3.0);
+  EXPECT_EQ(parse_si("30 %", dimension::none), 0.3);
+  EXPECT_EQ(parse_si("30%", dimension::none), 0.3);
+  EXPECT_EQ(parse_si("0.3", dimension::none), 0.3);
+}
+
+TEST(Units, ProductsQuotientsAndPowersCombine) {
+  EXPECT_EQ(parse_si("5 N s/m", dimension::damping), 5.0);
+  EXPECT_EQ(parse_si("5 N*s/m", dimension::damping), 5.0);
+  EXPECT_EQ(parse_si("5 N·s/m", dimension::damping), 5.0);
+  EXPECT_EQ(parse_si("2 kg m s^-2", dimension::force), 2.0);
+  EXPECT_EQ(parse_si("2 kg*m/s^2", dimension::force), 2.0);
+  EXPECT_EQ(parse_si("2 J/(m m)", dimension::stiffness), 2.0);
+  EXPECT_EQ(parse_si("7 1/s", dimension::frequency), 7.0);
+  EXPECT_EQ(parse_si("7 /s", dimension::frequency), 7.0);
+  EXPECT_EQ(parse_si("3 min", dimension::time), 180.0);
+  EXPECT_EQ(parse_si("12 µm", dimension::length), 12e-6);
+  EXPECT_EQ(parse_si("-1.5e-3 km", dimension::length), -1.5);
+  EXPECT_NEAR(parse_si("180 deg", dimension::none), 3.14159265358979, 1e-14);
+}
+
+TEST(Units, BareNumberForADimensionSaysWhichUnitToWrite) {
+  EXPECT_EQ(refusal("350", dimension::length, "mm"),
+            "\"350\" has no unit; write it with its unit, for example \"350 mm\"");
+  EXPECT_NE(refusal("350", dimension::force).find("\"350 N\""), std::string::npos);
+}
+
+TEST(Units, WrongDimensionNamesBoth) {
+  EXPECT_EQ(refusal("50 mm", dimension::force, "kN"),
+            "\"50 mm\" is a length (m), but a force (N) is needed; write it in kN");
+  EXPECT_EQ(refusal("1 m^4", dimension::force), "\"1 m^4\" is a quantity in m^4, but a force (N) is needed; write it in N");
+  EXPECT_EQ(refusal("1 mm", dimension::none), "\"1 mm\" is a length (m), but a number without unit is needed");
+}
+
+TEST(Units, UnknownUnitOffersTheNearest) {
+  EXPECT_EQ(refusal("5 kNn", dimension::force), "unknown unit \"kNn\"; did you mean kN?");
+  EXPECT_EQ(refusal("5 mpa", dimension::pressure), "unknown unit \"mpa\"; did you mean mPa?");
+  EXPECT_EQ(refusal("5 hz", dimension::frequency), "unknown unit \"hz\"; did you mean Hz?");
+  EXPECT_NE(refusal("5 furlongs", dimension::length).find("unknown unit \"furlongs\""), std::string::npos);
+}
+
+TEST(Units, WhatIsNoQuantityIsRefusedWithAReason) {
+  EXPECT_NE(refusal("", dimension::length).find("does not start with a number"), std::string::npos);
+  EXPECT_NE(refusal("mm", dimension::length).find("does not start with a number"), std::string::npos);
+  EXPECT_NE(refusal("nan mm", dimension::length).find("not a finite number"), std::string::npos);
+  EXPECT_NE(refusal("inf mm", dimension::length).find("not a finite number"), std::string::npos);
+  EXPECT_NE(refusal("1e999 mm", dimension::length).find("beyond the range"), std::string::npos);
+  EXPECT_NE(refusal("27,35 kN", dimension::force).find("decimal point"), std::string::npos);
+  EXPECT_NE(refusal("5 N/m s", dimension::force).find("brackets"), std::string::npos);
+  EXPECT_NE(refusal("5 m^", dimension::area).find("power"), std::string::npos);
+  EXPECT_NE(refusal("5 m^99", dimension::area).find("power"), std::string::npos);
+  EXPECT_NE(refusal("5 (m", dimension::length).find("bracket"), std::string::npos);
+  EXPECT_NE(refusal("5 m)", dimension::length).find("unexpected"), std::string::npos);
+  EXPECT_NE(refusal("5 m/", dimension::length).find("missing"), std::string::npos);
+}
+
+TEST(Units, WrittenQuantitiesAreShortAndReadable) {
+  EXPECT_EQ(format_quantity(0.0164, "mm"), "16.4 mm");
+  EXPECT_EQ(format_quantity(27.35e6, "kN/mm"), "27.35 kN/mm");
+  EXPECT_EQ(format_quantity(0.35, "mm"), "350 mm");
+  EXPECT_EQ(format_quantity(0.0150e-6, "K/MPa"), "0.015 K/MPa");
+  EXPECT_EQ(format_quantity(50e3, "N"), "50000 N");
+  EXPECT_EQ(format_quantity(0, "mm"), "0 mm");
+  EXPECT_EQ(format_quantity(-1e-9, "m"), "-1e-9 m");
+  EXPECT_EQ(format_quantity(0.1, ""), "0.1");
+}
+
+TEST(Units, WritingAndReadingGivesTheSameBits) {
+  EXPECT_TRUE(rc::check("any finite double in any decimal unit", [] {
+    const auto bits = *rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>());
+    double value = 0;
+    std::memcpy(&value, &bits, sizeof value);
+    RC_PRE(std::isfinite(value) && (value == 0 || std::abs(value) > 1e-290) && std::abs(value) < 1e290);
+    const std::string unit = *rc::gen::element<std::string>("mm", "kN/mm", "K/MPa", "kg/m^3", "N s/m", "1/s", "MPa");
+    const double back = parse_si(format_quantity(value, unit), parse_unit(unit).dimension);
+    RC_ASSERT(std::memcmp(&back, &value, sizeof value) == 0 || (value == 0 && back == 0));
+  }));
+}
+
+}  // namespace
+}  // namespace arenite
