@@ -9,26 +9,12 @@
 #include "dem/parameters.hpp"
 #include "dem/stage.hpp"
 #include "model/material.hpp"
+#include "packing/population.hpp"
 
 namespace arenite::study {
 
-/// A size law of one population; diameters in m.
-struct SizeLaw {
-  enum class Kind { fixed, uniform, normal, list };
-  Kind kind = Kind::fixed;
-  double diameter = 0;                 ///< fixed
-  double min = 0, max = 0;             ///< uniform; cut of normal
-  double mean = 0, deviation = 0;      ///< normal
-  std::vector<double> values;          ///< list: one a grain, or drawn from in turn
-};
-
-/// Grains of one material and size law; count, or share of `packing.grains`.
-struct Population {
-  std::string material;
-  std::optional<std::int64_t> count;
-  std::optional<double> ratio;         ///< share by number, relative to the other ratios
-  SizeLaw size;
-};
+using packing::Population;
+using packing::SizeLaw;
 
 struct Frame {
   double width = 0, height = 0;        ///< m
@@ -41,7 +27,7 @@ struct PackingParameters {
   Method method = Method::random;
   std::int64_t grains = 0;             ///< total, where populations give ratios
   std::string file;                    ///< CSV of centres, radii, materials
-  double solid_fraction = 0.5;         ///< of the random filling, before settling
+  double solid_fraction = 0.78;        ///< of the random filling; loading stages compact it further
 };
 
 /// A glued region: grains whose centre lies inside are in zone `zone`.
