@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,8 @@ class Engine {
   void set_gravity(Vec2 g);                    ///< m/s^2
   void set_drives(const WallDrives& drives);   ///< from the next step on
   void set_drag(double rate);                  ///< 1/s
+  void set_friction(std::optional<double> mu); ///< for grains and walls; nullopt: what the parameters say
+  void set_glue(bool on);                      ///< adhesion acts; for bonds that break for good: pairs that touch now are bonded
 
   void advance(std::int64_t steps);
 

@@ -14,7 +14,7 @@ struct RestCriterion {
   std::int64_t max_steps = 20'000'000; ///< of one increment; then the stage ends with exit status 3
 };
 
-/// What one side does in a stage. A force (or pressure) is reached from its present value in `increments` equal steps.
+/// What one side does in a stage. A force is reached from its present value in `increments` equal steps; a pressure acts in full at once.
 struct SideDrive {
   enum class Kind { fixed, velocity, force, pressure };
   Kind kind = Kind::fixed;

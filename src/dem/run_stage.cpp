@@ -1,0 +1,230 @@
+#include "dem/run_stage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace arenite::dem {
+
+namespace {
+
+constexpr double standard_gravity = 9.81;       // m/s^2
+constexpr std::int64_t check_interval = 200;    // steps between two looks at equilibrium
+constexpr std::size_t history_rows = 4096;      // beyond this every second row is dropped
+
+bool is_ramped(const SideDrive& drive) { return drive.kind == SideDrive::Kind::force; }
+
+int side_index(const std::string& name) {
+  for (int side = 0; side < 4; ++side)
+    if (name == side_names[side]) return side;
+  return bottom;
+}
+
+/// Length of sample that a side's pressure acts on, m.
+double loaded_length(const Domain& domain, int side) { return side < 2 ? domain.height() : domain.width(); }
+
+/// The drives of `stage` with a share of the way from the start's forces done; pressures act in full from the start.
+Increment on_the_ramp(const Stage& stage, const std::array<double, 4>& start, double share, std::string label) {
+  Increment increment{stage.side, std::move(label)};
+  for (int side = 0; side < 4; ++side) {
+    auto& drive = increment.side[side];
+    if (is_ramped(drive)) drive.value = start[side] + share * (drive.value - start[side]);
+  }
+  return increment;
+}
+
+void add_half_cycle(std::vector<Increment>& increments, const Stage& stage, const Cycles& cycles, double from, double to,
+                    const std::string& label) {
+  for (std::int64_t k = 1; k <= cycles.increments; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(cycles.increments);
+    Increment increment{stage.side, k == cycles.increments ? label : fmt::format("{}, {} of {}", label, k, cycles.increments)};
+    increment.side[side_index(cycles.side)] = {SideDrive::Kind::force, from + share * (to - from)};
+    increments.push_back(std::move(increment));
+  }
+}
+
+WallDrives drives_for(const Increment& increment, const Domain& domain) {
+  WallDrives drives;
+  for (int side = 0; side < 4; ++side) {
+    const auto& drive = increment.side[side];
+    const Vec2 inward = inward_normal(side);
+    switch (drive.kind) {
+      case SideDrive::Kind::fixed: drives[side] = {WallDrive::Kind::fixed, 0}; break;
+      case SideDrive::Kind::velocity: drives[side] = {WallDrive::Kind::velocity, drive.value * (inward.x + inward.y)}; break;
+      case SideDrive::Kind::force: drives[side] = {WallDrive::Kind::force, drive.value}; break;
+      case SideDrive::Kind::pressure:
+        drives[side] = {WallDrive::Kind::force, drive.value * loaded_length(domain, side) * domain.thickness};
+        break;
+    }
+  }
+  return drives;
+}
+
+/// Largest departure of a force-driven wall from its aim, relative to the aim.
+double load_error(const WallDrives& drives, const Domain& domain) {
+  double worst = 0;
+  for (int side = 0; side < 4; ++side)
+    if (drives[side].kind == WallDrive::Kind::force && drives[side].value > 0)
+      worst = std::max(worst, std::abs(domain.wall[side].force - drives[side].value) / drives[side].value);
+  return worst;
+}
+
+bool is_at_rest(const Equilibrium& now, const RestCriterion& rest, double wall_error) {
+  return now.unbalanced_ratio < rest.unbalanced && now.kinetic_ratio < rest.kinetic && wall_error < 10 * rest.unbalanced &&
+         (rest.mobilisation < 0 || now.mobilisation < rest.mobilisation);
+}
+
+void append(History& history, const char* name, const char* unit, double value) {
+  auto it = std::find_if(history.columns.begin(), history.columns.end(), [&](const auto& c) { return c.name == name; });
+  if (it == history.columns.end()) it = history.columns.insert(it, {name, unit, {}});
+  it->values.push_back(value);
+}
+
+void sample(History& history, const Engine& engine, const Equilibrium& now, std::int64_t increment) {
+  append(history, "time", "s", engine.time());
+  append(history, "increment", "1", static_cast<double>(increment + 1));
+  for (int side = 0; side < 4; ++side) {
+    const auto& wall = engine.domain().wall[side];
+    append(history, fmt::format("{}_position", side_names[side]).c_str(), "m", wall.position);
+    append(history, fmt::format("{}_force", side_names[side]).c_str(), "N", wall.force);
+    append(history, fmt::format("{}_shear_force", side_names[side]).c_str(), "N", wall.shear_force);
+  }
+  const Energies energies = engine.energies();
+  append(history, "kinetic", "J", energies.kinetic);
+  append(history, "elastic", "J", energies.elastic);
+  append(history, "adhesive", "J", energies.adhesive);
+  append(history, "dissipated_normal", "J", energies.dissipated_normal);
+  append(history, "dissipated_friction", "J", energies.dissipated_friction);
+  append(history, "dissipated_drag", "J", energies.dissipated_drag);
+  append(history, "dissipated_breakage", "J", energies.dissipated_breakage);
+  append(history, "work_walls", "J", energies.work_walls);
+  append(history, "work_gravity", "J", energies.work_gravity);
+  append(history, "unbalanced_ratio", "1", now.unbalanced_ratio);
+  append(history, "kinetic_ratio", "1", now.kinetic_ratio);
+  append(history, "mobilisation", "1", now.mobilisation);
+  append(history, "wall_speed", "m/s", now.wall_speed);
+}
+
+/// Keeps the history short however long the stage: when it is full, every second row goes and sampling halves.
+void thin(StageRun& run) {
+  auto& columns = run.result.history.columns;
+  if (columns.empty() || columns.front().values.size() < history_rows) return;
+  for (auto& column : columns) {
+    for (std::size_t k = 0; 2 * k < column.values.size(); ++k) column.values[k] = column.values[2 * k];
+    column.values.resize((column.values.size() + 1) / 2);
+  }
+  run.sample_every *= 2;
+}
+
+void store_frame(const Engine& engine, const Equilibrium& now, std::string label, StageResult& result) {
+  result.frames.push_back({engine.time(), engine.step(), std::move(label), engine.packing(), engine.energies(), now});
+}
+
+std::string describe(const Equilibrium& now, double wall_error) {
+  return fmt::format("unbalanced force ratio {:.1e}, kinetic over elastic energy {:.1e}, wall forces within {:.1e} of their aim",
+                     now.unbalanced_ratio, now.kinetic_ratio, wall_error);
+}
+
+std::int64_t steps_of(const Stage& stage, const Engine& engine) {
+  return static_cast<std::int64_t>(std::ceil(*stage.duration / engine.time_step()));
+}
+
+void continue_for_a_time(Engine& engine, const Stage& stage, StageRun& run) {
+  const std::int64_t total = steps_of(stage, engine);
+  const std::int64_t frames = std::max<std::int64_t>(1, stage.frames);
+  const std::int64_t next_frame = total * static_cast<std::int64_t>(run.result.frames.size() + 1) / frames;
+  engine.set_drives(drives_for(on_the_ramp(stage, run.force_at_start, 1, ""), engine.domain()));
+  const std::int64_t steps = std::min(check_interval, next_frame - run.steps_in_increment);
+  engine.advance(steps);
+  run.steps_in_increment += steps;
+  const Equilibrium now = engine.equilibrium();
+  if (run.checks++ % run.sample_every == 0) sample(run.result.history, engine, now, 0);
+  thin(run);
+  if (run.steps_in_increment < next_frame) return;
+  const auto k = run.result.frames.size() + 1;
+  store_frame(engine, now, frames == 1 ? std::string("end") : fmt::format("{} of {}", k, frames), run.result);
+  if (static_cast<std::int64_t>(k) < frames) return;
+  run.finished = true;
+  run.result.outcome = fmt::format("{:g} s passed; {}", *stage.duration, describe(now, 0));
+}
+
+void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
+  const auto increments = increments_of(stage, run.force_at_start);
+  const auto& increment = increments[static_cast<std::size_t>(run.increment)];
+  const WallDrives drives = drives_for(increment, engine.domain());
+  engine.set_drives(drives);
+  engine.advance(check_interval);
+  run.steps_in_increment += check_interval;
+
+  const Equilibrium now = engine.equilibrium();
+  const double wall_error = load_error(drives, engine.domain());
+  const bool at_rest = is_at_rest(now, stage.rest, wall_error);
+  const bool given_up = !at_rest && run.steps_in_increment >= stage.rest.max_steps;
+  if (run.checks++ % run.sample_every == 0 || at_rest) sample(run.result.history, engine, now, run.increment);
+  thin(run);
+  if (!at_rest && !given_up) return;
+
+  store_frame(engine, now, increment.label, run.result);
+  run.result.converged = run.result.converged && at_rest;
+  if (given_up)
+    run.result.outcome = fmt::format("no equilibrium in {} within {} steps: {}", increment.label, run.steps_in_increment, describe(now, wall_error));
+  run.steps_in_increment = 0;
+  run.finished = given_up || ++run.increment == static_cast<std::int64_t>(increments.size());
+  if (run.finished && !given_up) run.result.outcome = fmt::format("equilibrium: {}", describe(now, wall_error));
+}
+
+}  // namespace
+
+std::vector<Increment> increments_of(const Stage& stage, const std::array<double, 4>& force_at_start) {
+  std::vector<Increment> increments;
+  const bool ramps = std::any_of(stage.side.begin(), stage.side.end(), is_ramped);
+  const std::int64_t n = ramps ? std::max<std::int64_t>(1, stage.increments) : 1;
+  for (std::int64_t k = 1; k <= n; ++k)
+    increments.push_back(on_the_ramp(stage, force_at_start, static_cast<double>(k) / static_cast<double>(n),
+                                     n == 1 ? std::string("rest") : fmt::format("increment {} of {}", k, n)));
+  if (!stage.cycles) return increments;
+  const auto& cycles = *stage.cycles;
+  const auto& driven = stage.side[side_index(cycles.side)];
+  double from = driven.kind == SideDrive::Kind::force ? driven.value : force_at_start[side_index(cycles.side)];
+  for (std::int64_t c = 1; c <= cycles.count; ++c)
+    for (const auto& [aim, name] : {std::pair{cycles.max, "maximum"}, std::pair{cycles.min, "minimum"}}) {
+      add_half_cycle(increments, stage, cycles, from, aim, fmt::format("cycle {} {}", c, name));
+      from = aim;
+    }
+  return increments;
+}
+
+StageRun begin_stage(Engine& engine, const Stage& stage) {
+  engine.set_gravity(stage.gravity ? Vec2{0, -standard_gravity} : Vec2{});
+  engine.set_friction(stage.friction);
+  engine.set_drag(stage.drag);
+  engine.set_glue(stage.glue);
+  StageRun run;
+  run.result.name = stage.name;
+  for (int side = 0; side < 4; ++side) run.force_at_start[side] = engine.domain().wall[side].force;
+  return run;
+}
+
+void continue_stage(Engine& engine, const Stage& stage, StageRun& run) {
+  if (stage.duration) continue_for_a_time(engine, stage, run);
+  else continue_to_rest(engine, stage, run);
+}
+
+double share_done(const Stage& stage, const StageRun& run) {
+  if (run.finished) return 1;
+  const auto& columns = run.result.history.columns;
+  const auto last = [&](const char* name) {
+    const auto it = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.name == name; });
+    return it == columns.end() || it->values.empty() ? 1.0 : it->values.back();
+  };
+  if (stage.duration) {
+    const double frames = static_cast<double>(std::max<std::int64_t>(1, stage.frames));
+    return std::min(1.0, static_cast<double>(run.result.frames.size()) / frames);
+  }
+  const double total = static_cast<double>(increments_of(stage, run.force_at_start).size());
+  const double within = std::clamp(std::log(last("unbalanced_ratio")) / std::log(stage.rest.unbalanced), 0.0, 0.95);
+  return (static_cast<double>(run.increment) + within) / total;
+}
+
+}  // namespace arenite::dem

@@ -1,0 +1,47 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dem/engine.hpp"
+#include "dem/stage.hpp"
+#include "model/result.hpp"
+
+namespace arenite::dem {
+
+/// One step of a stage's loading: what every side aims at when the increment is over.
+struct Increment {
+  std::array<SideDrive, 4> side;
+  std::string label;
+};
+
+/// The increments of a stage, in order. Forces go from what acts at the start (N; compression positive) to their values
+/// in equal steps, pressures act in full at once; cycles follow, each half cycle a ramp of its own.
+std::vector<Increment> increments_of(const Stage& stage, const std::array<double, 4>& force_at_start);
+
+/// A stage under way: everything besides the engine's own state that decides how it goes on, so that a checkpoint of
+/// both resumes with the same bits.
+struct StageRun {
+  std::array<double, 4> force_at_start{};   ///< N
+  std::int64_t increment = 0;               ///< the one under way
+  std::int64_t steps_in_increment = 0;
+  std::int64_t sample_every = 1;            ///< checks between two rows of the history
+  std::int64_t checks = 0;
+  bool finished = false;
+  StageResult result;                       ///< frames and history so far
+};
+
+/// Sets gravity, friction, drag and glue of the stage and notes the walls' forces.
+StageRun begin_stage(Engine& engine, const Stage& stage);
+
+/// Goes on for one check interval: moves the sample, looks whether the increment is at rest (or its time is over),
+/// stores a frame at its end and takes up the next. Sets `run.finished` after the last, or when an increment cannot
+/// come to rest within `rest.max_steps` (result.converged is then false and result.outcome says what was reached).
+void continue_stage(Engine& engine, const Stage& stage, StageRun& run);
+
+/// Share of the stage that is done, 0 to 1, for a progress bar: increments, and within one how far its unbalanced
+/// ratio has come down on a logarithmic scale.
+double share_done(const Stage& stage, const StageRun& run);
+
+}  // namespace arenite::dem
