@@ -1,1 +1,77 @@
-int main() { return 0; }
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "commands.hpp"
+#include "core/error.hpp"
+#include "core/nearest.hpp"
+#include "core/version.hpp"
+
+namespace {
+
+using namespace arenite;
+
+void overview() {
+  std::puts("Arenite: micromechanics of composite and cemented granular materials\n\nusage: arenite COMMAND [...]\n");
+  for (const auto& command : app::commands()) std::printf("  %-11s %s\n", command.name, command.sentence);
+  std::puts("\n`arenite COMMAND --help` tells more; start with `arenite init composite`.");
+}
+
+/// Refuses an unknown first word with the nearest command, which CLI11 does not offer.
+bool unknown_command(const std::string& word) {
+  if (word.starts_with('-')) return false;
+  std::vector<std::string> names;
+  for (const auto& command : app::commands()) {
+    if (word == command.name) return false;
+    names.emplace_back(command.name);
+  }
+  const std::string near = nearest(word, names);
+  std::fprintf(stderr, "arenite: unknown command \"%s\"; %s\n", word.c_str(),
+               near.empty() ? "`arenite` lists the commands" : ("did you mean `arenite " + near + "`?").c_str());
+  return true;
+}
+
+int run(int argc, char** argv) {
+  int status = app::done;
+  CLI::App program("Micromechanics of composite and cemented granular materials", "arenite");
+  program.set_version_flag("--version", std::string("arenite ") + version);
+  program.require_subcommand(0, 1);
+  for (const auto& command : app::commands()) {
+    command.add(*program.add_subcommand(command.name, command.sentence), status);
+  }
+  if (argc > 1 && unknown_command(argv[1])) return app::bad_input;
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? app::done : app::bad_input;
+  }
+  if (program.get_subcommands().empty()) overview();
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int status = app::other_failure;
+  try {
+    status = run(argc, argv);
+  } catch (const InputError& error) {
+    for (const auto& problem : error.problems()) std::fprintf(stderr, "%s\n", to_string(problem).c_str());
+    status = app::bad_input;
+  } catch (const std::bad_alloc&) {
+    std::fputs("arenite: the memory does not suffice; ask for fewer grains or stored states\n", stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "arenite: %s\n", error.what());
+  }
+  // A full disk behind a redirected output shows only when the last bytes leave.
+  if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
+    std::fprintf(stderr, "arenite: the output could not be written (%s); make room or write elsewhere\n",
+                 std::strerror(errno));
+    return app::bad_input;
+  }
+  return status;
+}

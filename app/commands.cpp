@@ -1,0 +1,25 @@
+#include "commands.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace arenite::app {
+
+const std::vector<Command>& commands() {
+  static const std::vector<Command> list{
+      {"doctor", "Say what this installation can do: versions, kernels, threads, helpers found", add_doctor},
+      {"completion", "Print the completion script of a shell", add_completion},
+      {"man", "Print the manual page (roff)", add_man},
+  };
+  return list;
+}
+
+void add_recipe_arguments(CLI::App& command, RecipeArguments& arguments) {
+  command.add_option("recipe", arguments.file, "Recipe to read (TOML)")->required()->type_name("RECIPE.toml");
+  command
+      .add_option("--set", arguments.overrides,
+                  "Change one key of the recipe, e.g. seed=7 or stages.0.bottom.force=\"60 kN\"; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE");
+}
+
+}  // namespace arenite::app

@@ -1,0 +1,37 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace arenite::app {
+
+/// Exit statuses of the program.
+enum Status : int { done = 0, other_failure = 1, bad_input = 2, not_converged = 3 };
+
+/// One command of the program. `add` gives the (already named) sub-command its arguments and a callback that does the
+/// work, prints its result on stdout, and sets `status` where the end is not `done`. Callbacks let InputError through:
+/// main prints it and exits with `bad_input`.
+struct Command {
+  const char* name;
+  const char* sentence;
+  void (*add)(CLI::App& command, int& status);
+};
+
+/// All commands, in the order of the help.
+const std::vector<Command>& commands();
+
+/// A recipe and changes to it, as `run` and `check` take them.
+struct RecipeArguments {
+  std::string file;
+  std::vector<std::string> overrides;  ///< key=value
+};
+void add_recipe_arguments(CLI::App& command, RecipeArguments& arguments);
+
+void add_doctor(CLI::App& command, int& status);
+void add_completion(CLI::App& command, int& status);
+void add_man(CLI::App& command, int& status);
+
+}  // namespace arenite::app

@@ -1,0 +1,67 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "commands.hpp"
+#include "core/version.hpp"
+#include "program_tree.hpp"
+
+namespace arenite::app {
+namespace {
+
+/// Text in roff: its special characters are escaped.
+std::string roff(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\\') {
+      result += "\\e";
+    } else if (c == '-') {
+      result += "\\-";
+    } else if ((c == '.' || c == '\'') && (result.empty() || result.back() == '\n')) {
+      result += std::string("\\&") + c;
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+std::string usage(const CommandText& command) {
+  std::string line = "arenite " + command.name;
+  for (const auto& argument : command.arguments) {
+    if (argument.names.empty()) line += argument.required ? " " + argument.value : " [" + argument.value + "]";
+  }
+  return line + " [OPTIONS]";
+}
+
+std::string section(const CommandText& command) {
+  std::string text = fmt::format(".SS {}\n{}.\n", roff(usage(command)), roff(command.sentence));
+  for (const auto& argument : command.arguments) {
+    std::string label = fmt::format("{}", fmt::join(argument.names, ", "));
+    if (!argument.value.empty()) label += (label.empty() ? "" : " ") + argument.value;
+    text += fmt::format(".TP\n.B {}\n{}", roff(label), roff(argument.sentence));
+    if (!argument.choices.empty()) text += fmt::format(" (one of: {})", roff(fmt::format("{}", fmt::join(argument.choices, ", "))));
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_man(CLI::App& command, int&) {
+  command.footer("To read it: arenite man | man -l -");
+  command.callback([&command] {
+    fmt::print(".TH ARENITE 1 \"\" \"arenite {}\" \"User commands\"\n", roff(version));
+    fmt::print(".SH NAME\narenite \\- micromechanics of composite and cemented granular materials\n");
+    fmt::print(".SH SYNOPSIS\n.B arenite\n.I COMMAND\n[...]\n.SH COMMANDS\n");
+    for (const auto& each : program_tree(command)) fmt::print("{}", section(each));
+    fmt::print(
+        ".SH EXIT STATUS\n"
+        ".TP\n.B 0\nDone.\n"
+        ".TP\n.B 2\nBad input: each problem is one line on stderr, with its place and how to mend it.\n"
+        ".TP\n.B 3\nNot converged, or a claim failed; what was reached is said and kept.\n"
+        ".TP\n.B 1\nAnything else.\n");
+  });
+}
+
+}  // namespace arenite::app
