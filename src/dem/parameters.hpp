@@ -38,6 +38,7 @@ struct ContactParameters {
   FrictionCap friction_cap = FrictionCap::raised_by_adhesion;
   /// Pairs (indices) glued one by one; if empty, every two grains whose zone is > 0 are.
   std::vector<std::pair<std::int32_t, std::int32_t>> glued_pairs;
+  bool operator==(const ContactParameters&) const = default;
 };
 
 struct IntegrationParameters {
@@ -49,6 +50,7 @@ struct IntegrationParameters {
   bool track_energy = false;        ///< account for dissipation and work every step (slower)
   std::string kernel = "auto";      ///< "auto", "portable", "avx2", "avx512"
   int threads = 1;
+  bool operator==(const IntegrationParameters&) const = default;
 };
 
 /// What drives one wall (or, for periodic sides, one edge of the cell) during an increment.

@@ -12,6 +12,7 @@ struct RestCriterion {
   double kinetic = 1e-6;               ///< kinetic over elastic energy
   double mobilisation = -1;            ///< mean |F_t|/F_n below this as well; < 0: not asked
   std::int64_t max_steps = 20'000'000; ///< of one increment; then the stage ends with exit status 3
+  bool operator==(const RestCriterion&) const = default;
 };
 
 /// What one side does in a stage. A force is reached from its present value in `increments` equal steps; a pressure acts in full at once.
@@ -19,6 +20,7 @@ struct SideDrive {
   enum class Kind { fixed, velocity, force, pressure };
   Kind kind = Kind::fixed;
   double value = 0;                    ///< m/s inward, N, or Pa
+  bool operator==(const SideDrive&) const = default;
 };
 
 /// Force cycles on one side after the ramp, e.g. 6-60 kN (T 3.2.1); each half cycle is a ramp to rest.
@@ -27,6 +29,7 @@ struct Cycles {
   double min = 0, max = 0;             ///< N
   std::int64_t count = 0;
   std::int64_t increments = 5;         ///< a half cycle
+  bool operator==(const Cycles&) const = default;
 };
 
 /// One stage of loading.
@@ -42,6 +45,7 @@ struct Stage {
   double drag = 0;                     ///< 1/s, during this stage only
   bool glue = false;                   ///< adhesion acts from this stage on
   std::int64_t frames = 1;             ///< states stored for stages with a duration; increments store one each
+  bool operator==(const Stage&) const = default;
 };
 
 }  // namespace arenite::dem

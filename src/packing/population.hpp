@@ -17,6 +17,7 @@ struct SizeLaw {
   double min = 0, max = 0;             ///< uniform; cut of normal
   double mean = 0, deviation = 0;      ///< normal
   std::vector<double> values;          ///< list: taken in turn, from the start again when used up
+  bool operator==(const SizeLaw&) const = default;
 };
 
 /// Grains of one material and size law; a count, or a share by number of a total.
@@ -25,6 +26,7 @@ struct Population {
   std::optional<std::int64_t> count;
   std::optional<double> ratio;         ///< relative to the other populations' ratios
   SizeLaw size;
+  bool operator==(const Population&) const = default;
 };
 
 /// Grains of all populations, in random order, at rest at the origin: radius, material and id are set. Populations

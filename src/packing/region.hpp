@@ -15,6 +15,7 @@ struct Region {
   double radius = 0;                   ///< circle
   double width = 0, height = 0;        ///< rectangle
   std::optional<std::int64_t> count;   ///< the nearest grains to (x, y), that many, instead of a shape
+  bool operator==(const Region&) const = default;
 };
 
 /// Puts the grains of the region into zone 1, all others into zone 0; returns how many are in it.
