@@ -1,0 +1,57 @@
+#pragma once
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace arenite::test {
+
+/// What a command left behind.
+struct Outcome {
+  int status = -1;  ///< exit status; 128 + signal if it was killed
+  std::string out, err;
+};
+
+inline std::string slurp(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// A folder of its own that is gone with the test.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "arenite-test-XXXXXX").string();
+    path_ = mkdtemp(pattern.data());
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Runs a shell line, e.g. shell(program + " check x.toml").
+inline Outcome shell(const std::string& line) {
+  const TemporaryFolder folder;
+  const auto out = folder / "out", err = folder / "err";
+  const int raw = std::system(("( " + line + " ) >" + out.string() + " 2>" + err.string() + " </dev/null").c_str());
+  const int status = WIFEXITED(raw) ? WEXITSTATUS(raw) : 128 + WTERMSIG(raw);
+  return {status, slurp(out), slurp(err)};
+}
+
+/// Runs the program under test with these arguments.
+inline Outcome arenite(const std::string& arguments) { return shell(std::string(ARENITE_BINARY) + " " + arguments); }
+
+}  // namespace arenite::test
