@@ -16,7 +16,7 @@ struct Options {
   std::optional<double> load_axis;     ///< direction of the load for signed anisotropies, rad from x; unset: the direction
                                        ///< of greatest compression of the sample's own stress
   int rattler_contacts = 2;            ///< a grain with fewer force-bearing contacts than this is a rattler
-  Vec2 gravity;                        ///< m/s^2; for the balance of stress and walls only
+  Vec2 gravity;                        ///< m/s^2; for the balance of grains and walls only
   std::uint64_t seed = 1;              ///< of the places of windows
   int rev_sizes = 20, rev_places = 50; ///< windows of the REV study
 };

@@ -1,0 +1,60 @@
+#include "texture/statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+namespace arenite::texture {
+namespace {
+
+struct Statistic {
+  const char* name;
+  void (*measure)(const View&, Texture&);
+};
+
+/// Every statistic that there is. Grain stress comes first, because the normalised stress builds on it.
+constexpr Statistic statistics[] = {
+    {"grain stress", measure_grain_stress},
+    {"solid fraction", measure_solid_fraction},
+    {"representative elementary volume", measure_rev},
+    {"coordination", measure_coordination},
+    {"fabric", measure_fabric},
+    {"fabric against force threshold", measure_threshold},
+    {"forces", measure_forces},
+    {"stress", measure_stress},
+    {"normalised stress", measure_sigma_norm},
+    {"local order", measure_local_order},
+    {"quality", measure_quality},
+};
+
+void describe_sample(const View& view, Texture& texture) {
+  texture.grains = view.packing.grains.size();
+  for (std::size_t c = 0; c < view.pairs().size(); ++c) ++(view.pairs().is_wall(c) ? texture.wall_contacts : texture.contacts);
+  texture.considered_grains = view.grains.size();
+  texture.considered_contacts = view.contacts.size();
+  texture.window = view.window;
+  texture.mean_diameter = view.mean_diameter;
+  texture.load_axis_deg = view.load_axis * 180 / std::numbers::pi;
+  texture.per_grain.considered = view.considered;
+  texture.per_grain.rattler = view.rattler;
+  if (!view.has_box)
+    texture.notes.push_back("The box is not known, so solid fraction, REV and the stress of the assembly are left out and no border is cut off.");
+  if (!view.has_thickness)
+    texture.notes.push_back("The out-of-plane length is not known, so stresses in Pa are left out.");
+  const bool walled = view.has_box && !(view.packing.domain.periodic_x && view.packing.domain.periodic_y);
+  if (walled && view.options.border > 0 && view.window.border == 0)
+    texture.notes.push_back(fmt::format("The sample is too small to leave out {:g} mean diameters along its walls, so it is taken whole.",
+                                        view.options.border));
+}
+
+}  // namespace
+
+Texture measure(const Packing& packing, const Options& options) {
+  Texture texture;
+  const View view(packing, options);
+  describe_sample(view, texture);
+  for (const Statistic& statistic : statistics) statistic.measure(view, texture);
+  return texture;
+}
+
+}  // namespace arenite::texture
