@@ -1,0 +1,17 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace arenite::io {
+
+/// "02-compact-<hash>.h5": place in the loading (from 1), the stage's name in the recipe with what a file name should
+/// not hold replaced by "-", and the hash of what made it. So a folder's names sort in the order of the loading.
+std::string stage_file_name(int place, std::string_view stage, std::string_view hash);
+
+/// The stage files of a result in the order of the loading: `result` itself if it is a file, else the *.h5 files in that
+/// folder by name. Throws InputError if there is none.
+std::vector<std::filesystem::path> stage_files(const std::filesystem::path& result);
+
+}  // namespace arenite::io

@@ -1,0 +1,12 @@
+#pragma once
+#include "io/hdf5_file.hpp"
+#include "model/result.hpp"
+
+namespace arenite::io {
+
+/// A stage's result as groups below `at`, and back: what stage files and checkpoints have in common. Reading throws
+/// InputError where a group is incomplete or its indices point nowhere.
+void write_result(const Hdf5Group& at, const StageResult& result);
+StageResult read_result(const Hdf5Group& at);
+
+}  // namespace arenite::io
