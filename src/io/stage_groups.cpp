@@ -229,6 +229,7 @@ void write_result(const Hdf5Group& at, const StageResult& result) {
   const auto history = at.create_group("history");
   for (const auto& column : result.history.columns) history.write(column.name, column.values, column.unit);
   at.write_text("texture", result.texture_json);
+  at.write("continuation", result.continuation);
 }
 
 StageResult read_result(const Hdf5Group& at) {
@@ -245,6 +246,7 @@ StageResult read_result(const Hdf5Group& at) {
   const auto history = at.group("history");
   for (const auto& name : history.names()) result.history.columns.push_back({name, history.unit(name), history.doubles(name)});
   result.texture_json = at.text("texture");
+  result.continuation = at.bytes("continuation");
   return result;
 }
 

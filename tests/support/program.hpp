@@ -7,6 +7,8 @@
 #include <sstream>
 #include <string>
 
+#include "support/temporary_folder.hpp"
+
 namespace arenite::test {
 
 /// What a command left behind.
@@ -21,26 +23,6 @@ inline std::string slurp(const std::filesystem::path& path) {
   text << file.rdbuf();
   return text.str();
 }
-
-/// A folder of its own that is gone with the test.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "arenite-test-XXXXXX").string();
-    path_ = mkdtemp(pattern.data());
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// Runs a shell line, e.g. shell(program + " check x.toml").
 inline Outcome shell(const std::string& line) {

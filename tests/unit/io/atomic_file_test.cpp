@@ -11,7 +11,7 @@
 
 #include "core/error.hpp"
 #include "io/read_file.hpp"
-#include "unit/io/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace {
 using arenite::InputError;
@@ -54,7 +54,7 @@ TEST(AtomicFile, WritesAllBytesAndNothingElse) {
   EXPECT_EQ(read_file(folder / "x"), bytes);
   write_atomically(folder / "x", "");
   EXPECT_EQ(read_file(folder / "x"), "");
-  EXPECT_EQ(folder.count(), 1u);
+  EXPECT_EQ(folder.count(), 1);
 }
 
 TEST(AtomicFile, FullDiskLeavesTheOldFileAndNoRemains) {
@@ -67,7 +67,7 @@ TEST(AtomicFile, FullDiskLeavesTheOldFileAndNoRemains) {
   }
   EXPECT_NE(said.find("size limit"), std::string::npos) << said;
   EXPECT_EQ(read_file(folder / "x"), "old");
-  EXPECT_EQ(folder.count(), 1u);
+  EXPECT_EQ(folder.count(), 1);
 }
 
 TEST(AtomicFile, AKilledWriterLeavesTheOldFileAndItsRemainsAreTakenOver) {
@@ -87,10 +87,10 @@ TEST(AtomicFile, AKilledWriterLeavesTheOldFileAndItsRemainsAreTakenOver) {
   ::waitpid(child, &status, 0);
   ASSERT_TRUE(WIFSIGNALED(status));
   EXPECT_EQ(read_file(folder / "x"), "old");
-  ASSERT_EQ(folder.count(), 2u) << "the killed writer should have left its unfinished file for this test to mean something";
+  ASSERT_EQ(folder.count(), 2) << "the killed writer should have left its unfinished file for this test to mean something";
   write_atomically(folder / "x", "new");
   EXPECT_EQ(read_file(folder / "x"), "new");
-  EXPECT_EQ(folder.count(), 1u);
+  EXPECT_EQ(folder.count(), 1);
 }
 
 TEST(AtomicFile, ProcessesThatWriteTheSameFileNeverMixTheirBytes) {
@@ -111,7 +111,7 @@ TEST(AtomicFile, ProcessesThatWriteTheSameFileNeverMixTheirBytes) {
   }
   const std::string bytes = read_file(folder / "x");
   EXPECT_EQ(bytes, std::string(50'000, bytes.at(0)));
-  EXPECT_EQ(folder.count(), 1u);
+  EXPECT_EQ(folder.count(), 1);
 }
 
 TEST(AtomicFile, SaysWhatIsWrongAndHowToMendIt) {

@@ -7,7 +7,7 @@
 #include "io/read_file.hpp"
 #include "io/stage_file.hpp"
 #include "unit/io/sample_results.hpp"
-#include "unit/io/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace {
 using namespace arenite;

@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
-#include "unit/io/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace {
 using namespace arenite;

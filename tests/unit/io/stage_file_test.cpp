@@ -12,7 +12,7 @@
 #include "io/columns.hpp"
 #include "io/read_file.hpp"
 #include "unit/io/sample_results.hpp"
-#include "unit/io/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace {
 using namespace arenite;
@@ -98,6 +98,7 @@ std::string bits_of(const StageResult& r) {
     bits.add(value);
   }
   bits.add(std::int64_t{r.converged});
+  bits.add(r.continuation);
   for (const auto& f : r.frames) add(bits, f);
   for (const auto& column : r.history.columns) {
     bits.add(column.name);
@@ -153,6 +154,7 @@ StageResult any_result() {
   r.name = any_text();
   r.outcome = any_text();
   r.texture_json = any_text();
+  r.continuation = *rc::gen::arbitrary<std::vector<std::uint8_t>>();
   r.converged = *rc::gen::arbitrary<bool>();
   const auto n = *rc::gen::inRange<std::size_t>(0, 6);
   Packing sample;
