@@ -1,0 +1,72 @@
+#include "dem/coefficients.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace arenite::dem {
+
+double damping_ratio(double restitution) {
+  const double l = std::log(restitution);
+  return -2.0 * l / std::sqrt(std::numbers::pi * std::numbers::pi + l * l);
+}
+
+double effective_radius(EffectiveRadius kind, double radius_i, double radius_j) {
+  switch (kind) {
+    case EffectiveRadius::sum: return radius_i + radius_j;
+    case EffectiveRadius::geometric_mean: return 2.0 * std::sqrt(radius_i * radius_j);
+    case EffectiveRadius::four_reduced: break;
+  }
+  return 4.0 * radius_i * radius_j / (radius_i + radius_j);
+}
+
+namespace {
+
+/// Series rule: two springs of 2k each, one after the other, so that like grains keep k.
+double in_series(double a, double b) { return 1.0 / (1.0 / (2.0 * a) + 1.0 / (2.0 * b)); }
+
+}  // namespace
+
+CoefficientTable::CoefficientTable(const Materials& materials, const Grains& grains, const ContactParameters& contact)
+    : count_(materials.size()), damping_ratio_(damping_ratio(contact.restitution)), contact_(contact) {
+  double stiffest = 0;
+  for (const int m : grains.material) stiffest = std::max(stiffest, materials[static_cast<std::size_t>(m)].stiffness);
+  for (std::size_t a = 0; a < count_; ++a) {
+    const double ka = materials[a].stiffness;
+    for (std::size_t b = 0; b < count_; ++b) {
+      const double kb = materials[b].stiffness;
+      const bool series = contact.stiffness_rule == StiffnessRule::series;
+      pair_.push_back(series ? in_series(ka, kb) : a == b ? ka : ka * kb / (ka + kb));
+    }
+    switch (contact.wall_stiffness) {
+      case WallStiffness::stiffest: wall_.push_back(stiffest); break;
+      case WallStiffness::grain: wall_.push_back(ka); break;
+      case WallStiffness::series: wall_.push_back(in_series(ka, stiffest)); break;
+    }
+  }
+}
+
+double CoefficientTable::damping(double stiffness, double reduced_mass) const {
+  return contact_.normal_damping.value_or(damping_ratio_ * std::sqrt(reduced_mass * stiffness));
+}
+
+Coefficients CoefficientTable::pair(int material_i, int material_j, double mass_i, double mass_j, double radius_i,
+                                    double radius_j, bool glued) const {
+  Coefficients c;
+  c.stiffness = pair_[index(material_i, material_j)];
+  c.damping = damping(c.stiffness, mass_i * mass_j / (mass_i + mass_j));
+  c.viscosity = contact_.sliding_viscosity.value_or(c.damping);
+  if (glued)
+    c.strength = contact_.surface_energy * std::sqrt(effective_radius(contact_.effective_radius, radius_i, radius_j));
+  return c;
+}
+
+Coefficients CoefficientTable::wall(int material, double mass) const {
+  Coefficients c;
+  c.stiffness = wall_[static_cast<std::size_t>(material)];
+  c.damping = damping(c.stiffness, mass);
+  c.viscosity = contact_.sliding_viscosity.value_or(c.damping);
+  return c;
+}
+
+}  // namespace arenite::dem

@@ -1,0 +1,108 @@
+#include "dem/engine.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "dem/bounds.hpp"
+#include "dem/forces.hpp"
+#include "dem/integrators/verlet.hpp"
+#include "dem/measure.hpp"
+#include "dem/neighbours.hpp"
+#include "dem/setup.hpp"
+#include "dem/walls.hpp"
+
+namespace arenite::dem {
+
+struct Engine::Machine {
+  Sample sample;
+};
+
+Engine::Engine(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration)
+    : machine_(new Machine{make_sample(start, contact, integration)}) {}
+Engine::~Engine() = default;
+Engine::Engine(Engine&&) noexcept = default;
+Engine& Engine::operator=(Engine&&) noexcept = default;
+
+namespace {
+
+/// Brings the integrated velocities to the time of the positions, so that a change of load acts from now on.
+void synchronise(Sample& s) {
+  if (s.lag == 0) return;
+  std::array<double, 4> rate;
+  for (std::size_t side = 0; side < 4; ++side) rate[side] = wall_rate(s, side);
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const Motion v = motion_of(s, k);
+    s.vx[k] = v.vx;
+    s.vy[k] = v.vy;
+    s.omega[k] = v.omega;
+  }
+  for (std::size_t side = 0; side < 4; ++side) s.wall[side].rate = rate[side];
+  s.lag = 0;
+}
+
+}  // namespace
+
+void Engine::set_gravity(Vec2 g) {
+  Sample& s = machine_->sample;
+  if (g.x == s.gravity.x && g.y == s.gravity.y) return;
+  synchronise(s);
+  s.gravity = g;
+}
+
+void Engine::set_drag(double rate) {
+  Sample& s = machine_->sample;
+  if (rate == s.drag) return;
+  if (!(rate >= 0)) throw InputError(fmt::format("drag {} 1/s must be >= 0", rate));
+  synchronise(s);
+  s.drag = rate;
+}
+
+void Engine::set_friction(std::optional<double> mu) {
+  if (mu && !(*mu >= 0)) throw InputError(fmt::format("friction {} must be a number >= 0", *mu));
+  apply_friction(machine_->sample, mu);
+}
+
+void Engine::set_glue(bool acts) {
+  Sample& s = machine_->sample;
+  if (acts == s.glue) return;
+  s.glue = acts;
+  renew_strengths(s);
+}
+
+void Engine::set_drives(const WallDrives& drives) {
+  Sample& s = machine_->sample;
+  bool changed = false;
+  for (std::size_t side = 0; side < 4; ++side)
+    changed |= drives[side].kind != s.wall[side].drive.kind || drives[side].value != s.wall[side].drive.value;
+  if (!changed) return;
+  synchronise(s);
+  apply_drives(s, drives);
+}
+
+void Engine::advance(std::int64_t steps) {
+  Sample& s = machine_->sample;
+  const double extrapolation = s.integration.integrator == IntegratorKind::leapfrog ? 0.0 : 1.0;
+  for (std::int64_t n = 0; n < steps; ++n) {
+    verlet_sweep(s, extrapolation);
+    if (list_is_stale(s))
+      rebuild_list(s);
+    else
+      refresh_ghosts(s);
+    compute_forces(s);
+  }
+}
+
+double Engine::time() const { return static_cast<double>(machine_->sample.step) * machine_->sample.dt; }
+std::int64_t Engine::step() const { return machine_->sample.step; }
+double Engine::time_step() const { return machine_->sample.dt; }
+StepBounds Engine::bounds() const { return step_bounds(machine_->sample); }
+std::string Engine::kernel() const { return "portable"; }
+const Domain& Engine::domain() const { return machine_->sample.domain; }
+Packing Engine::packing() const { return packing_of(machine_->sample); }
+Energies Engine::energies() const { return energies_of(machine_->sample); }
+Equilibrium Engine::equilibrium() const { return equilibrium_of(machine_->sample); }
+std::uint64_t Engine::state_hash() const { return 0; }
+std::vector<std::uint8_t> Engine::save() const { return {}; }
+void Engine::restore(const std::vector<std::uint8_t>&) {}
+
+}  // namespace arenite::dem

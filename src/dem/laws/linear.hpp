@@ -1,0 +1,29 @@
+#pragma once
+#include "dem/laws/lane.hpp"
+
+namespace arenite::dem {
+
+/// Linear spring and dashpot, F_n = k h + alpha_n dh/dt (T eq. 1.20 with the signs of section 2.1).
+struct Linear {
+  /// Conservative force at overlap h; `curvature` = 1/R* is not used.
+  template <class V>
+  V elastic(V h, V stiffness, V /*curvature*/) const {
+    return stiffness * h;
+  }
+  /// Dashpot at approach rate dh/dt.
+  template <class V>
+  V viscous(V /*h*/, V approach, V damping, V /*curvature*/) const {
+    return damping * approach;
+  }
+  /// Potential of `elastic`, 0 at h = 0.
+  template <class V>
+  V energy(V h, V stiffness, V /*curvature*/) const {
+    return V(0.5) * stiffness * h * h;
+  }
+  /// Largest d elastic/dh on [0, h].
+  double tangent(double /*h*/, double stiffness, double /*curvature*/) const { return stiffness; }
+  /// Factor of the dashpot that `viscous` reaches at overlap h.
+  double damping_factor(double /*h*/, double /*curvature*/) const { return 1; }
+};
+
+}  // namespace arenite::dem

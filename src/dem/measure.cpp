@@ -1,0 +1,148 @@
+#include "dem/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "dem/forces.hpp"
+#include "dem/kinematics.hpp"
+#include "dem/walls.hpp"
+
+namespace arenite::dem {
+
+namespace {
+
+struct Body {
+  double ax, ay, alpha;
+};
+
+Body acceleration_of(const Sample& s, std::size_t k) {
+  const Load load = contact_load(s.list, k);
+  const DiskRecord& d = s.record[k];
+  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
+  return {load.fx / d.mass + s.gravity.x - s.drag * (d.vx - mx.at(d.x)),
+          load.fy / d.mass + s.gravity.y - s.drag * (d.vy - my.at(d.y)),
+          s.integration.rotations ? load.torque / inertia(d) : 0.0};
+}
+
+void add_contacts(const Sample& s, Packing& out) {
+  struct Row {
+    std::int32_t i, j;
+    std::size_t slot;
+    bool swapped;
+  };
+  std::vector<Row> rows;
+  for (std::size_t p = 0; p < s.list.size(); ++p) {
+    if (!(slot_kinematics(s, p).overlap > 0)) continue;
+    const std::int32_t a = s.record[static_cast<std::size_t>(s.list.i[p])].grain;
+    const std::int32_t b = s.list.j[p] < 0 ? s.list.j[p] : s.record[static_cast<std::size_t>(s.list.owner[p])].grain;
+    const bool swapped = b >= 0 && b < a;
+    rows.push_back(swapped ? Row{b, a, p, true} : Row{a, b, p, false});
+  }
+  std::sort(rows.begin(), rows.end(), [](const Row& p, const Row& q) { return p.i != q.i ? p.i < q.i : p.j < q.j; });
+  for (const Row& row : rows) {
+    const Kinematics c = slot_kinematics(s, row.slot);
+    const Vec2 f{s.list.fx[row.slot], s.list.fy[row.slot]};
+    const double fn = dot(f, c.normal), ft = dot(f, perpendicular(c.normal));
+    if (row.swapped)
+      out.contacts.add(row.i, row.j, -c.normal, fn, ft, c.arm_j, c.arm_i);
+    else
+      out.contacts.add(row.i, row.j, c.normal, fn, ft, c.arm_i, c.arm_j);
+    out.contacts.overlap.back() = c.overlap;
+    out.contacts.sliding_velocity.back() = c.sliding;
+    out.contacts.glued.back() = s.list.strength[row.slot] > 0 ? 1 : 0;
+  }
+}
+
+}  // namespace
+
+Motion motion_of(const Sample& s, std::size_t k) {
+  if (s.lag == 0) return {s.vx[k], s.vy[k], s.omega[k]};
+  const Body a = acceleration_of(s, k);
+  return {s.vx[k] + s.lag * a.ax, s.vy[k] + s.lag * a.ay, s.omega[k] + s.lag * a.alpha};
+}
+
+double wall_rate(const Sample& s, std::size_t side) {
+  return s.wall[side].rate + s.lag * wall_acceleration(s, side, s.domain.wall[side].velocity);
+}
+
+Packing packing_of(const Sample& s) {
+  Packing out;
+  out.materials = s.start.materials;
+  out.domain = s.domain;
+  out.grains = s.start.grains;
+  for (std::size_t side = 0; side < 4; ++side) out.domain.wall[side].velocity = wall_rate(s, side);
+  const AffineMotion mx = affine_x(out.domain), my = affine_y(out.domain);
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const DiskRecord& d = s.record[k];
+    const auto g = static_cast<std::size_t>(d.grain);
+    const Motion v = motion_of(s, k);
+    out.grains.x[g] = d.x;
+    out.grains.y[g] = d.y;
+    out.grains.angle[g] = s.angle[k];
+    out.grains.vx[g] = v.vx + mx.at(d.x);
+    out.grains.vy[g] = v.vy + my.at(d.y);
+    out.grains.omega[g] = v.omega;
+  }
+  out.contacts = {};
+  add_contacts(s, out);
+  return out;
+}
+
+Energies energies_of(const Sample& s) {
+  Energies e = s.tally;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const Motion v = motion_of(s, k);
+    const DiskRecord& d = s.record[k];
+    e.kinetic += 0.5 * d.mass * (v.vx * v.vx + v.vy * v.vy) + 0.5 * inertia(d) * v.omega * v.omega;
+  }
+  for (std::size_t side = 0; side < 4; ++side)
+    if (s.wall[side].drive.kind == WallDrive::Kind::force) {
+      const double v = wall_rate(s, side);
+      e.kinetic += 0.5 * s.wall[side].mass * v * v;
+    }
+  std::visit([&](const auto& normal, const auto& adhesion, const auto& friction) {
+    const ContactList& list = s.list;
+    for (std::size_t p = 0; p < list.size(); ++p) {
+      const Kinematics c = slot_kinematics(s, p);
+      if (!(c.overlap > 0)) continue;
+      e.elastic += normal.energy(c.overlap, list.stiffness[p], c.curvature) +
+                   friction.energy(c.sliding, list.stiffness[p], list.memory[p]);
+      e.adhesive += adhesion.energy(c.overlap, list.strength[p]);
+    }
+  }, s.laws.normal, s.laws.adhesion, s.laws.friction);
+  return e;
+}
+
+Equilibrium equilibrium_of(const Sample& s) {
+  Equilibrium q;
+  double resultant = 0, normal_sum = 0, mobilised = 0;
+  std::size_t contacts = 0, pressed = 0;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const Load load = contact_load(s.list, k);
+    const double m = s.record[k].mass;
+    resultant += std::hypot(load.fx + m * s.gravity.x, load.fy + m * s.gravity.y);
+  }
+  for (std::size_t p = 0; p < s.list.size(); ++p) {
+    const Kinematics c = slot_kinematics(s, p);
+    if (!(c.overlap > 0)) continue;
+    const Vec2 f{s.list.fx[p], s.list.fy[p]};
+    const double fn = dot(f, c.normal), ft = dot(f, perpendicular(c.normal));
+    normal_sum += std::abs(fn);
+    ++contacts;
+    if (fn > 0) {
+      mobilised += std::abs(ft) / fn;
+      ++pressed;
+    }
+  }
+  const Energies e = energies_of(s);
+  if (s.count > 0 && resultant > 0)
+    q.unbalanced_ratio = normal_sum > 0 ? resultant / static_cast<double>(s.count) / (normal_sum / static_cast<double>(contacts))
+                                        : std::numeric_limits<double>::infinity();
+  if (e.kinetic > 0) q.kinetic_ratio = e.elastic > 0 ? e.kinetic / e.elastic : std::numeric_limits<double>::infinity();
+  if (pressed > 0) q.mobilisation = mobilised / static_cast<double>(pressed);
+  for (std::size_t side = 0; side < 4; ++side) q.wall_speed = std::max(q.wall_speed, std::abs(wall_rate(s, side)));
+  return q;
+}
+
+}  // namespace arenite::dem

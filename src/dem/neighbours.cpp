@@ -1,0 +1,362 @@
+#include "dem/neighbours.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace arenite::dem {
+
+AffineMotion affine_x(const Domain& domain) {
+  if (!domain.periodic_x) return {};
+  const auto& a = domain.wall[left];
+  const auto& b = domain.wall[right];
+  return {a.position, a.velocity, (b.velocity - a.velocity) / (b.position - a.position)};
+}
+
+AffineMotion affine_y(const Domain& domain) {
+  if (!domain.periodic_y) return {};
+  const auto& a = domain.wall[bottom];
+  const auto& b = domain.wall[top];
+  return {a.position, a.velocity, (b.velocity - a.velocity) / (b.position - a.position)};
+}
+
+namespace {
+
+/// Cells of at least `size`, row by row, over a rectangle; points outside belong to the border cells.
+struct CellGrid {
+  double x0, y0, inverse_x, inverse_y;
+  std::int32_t columns, rows;
+
+  CellGrid(double left, double bottom, double right, double top, double size)
+      : x0(left), y0(bottom) {
+    columns = std::clamp(static_cast<std::int32_t>((right - left) / size), 1, 4096);
+    rows = std::clamp(static_cast<std::int32_t>((top - bottom) / size), 1, 4096);
+    inverse_x = columns / (right - left);
+    inverse_y = rows / (top - bottom);
+  }
+  std::int32_t column(double x) const {
+    return static_cast<std::int32_t>(std::clamp((x - x0) * inverse_x, 0.0, columns - 1.0));
+  }
+  std::int32_t row(double y) const {
+    return static_cast<std::int32_t>(std::clamp((y - y0) * inverse_y, 0.0, rows - 1.0));
+  }
+  std::int32_t cell(double x, double y) const { return row(y) * columns + column(x); }
+  std::size_t size() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
+};
+
+CellGrid grid_of(const Sample& s) {
+  const auto& w = s.domain.wall;
+  const double cell = reach_of(s);
+  return {w[left].position, w[bottom].position, w[right].position, w[top].position, cell};
+}
+
+void check_places(const Sample& s) {
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const auto& d = s.record[k];
+    const char* fault = nullptr;
+    if (!std::isfinite(d.x + d.y + d.vx + d.vy + d.omega)) fault = " has a coordinate or velocity that is not finite";
+    for (int side = 0; side < 4 && !fault; ++side) {
+      const auto& wall = s.domain.wall[static_cast<std::size_t>(side)];
+      const double place = side < bottom ? d.x : d.y;
+      const double inside = (side % 2 == 0) ? place - wall.position : wall.position - place;
+      if (wall.present && inside < 0) fault = " has left the frame through a wall";
+    }
+    if (fault) {
+      const auto id = s.start.grains.id[static_cast<std::size_t>(d.grain)];
+      throw std::runtime_error("grain " + std::to_string(id) + fault + " at step " + std::to_string(s.step) +
+                               "; a smaller time step or a gentler load is needed");
+    }
+  }
+}
+
+/// A grain that crosses a periodic edge goes on at the opposite one; its own velocity is without the affine motion and
+/// does not change, the seen velocity is renewed by the caller's next refresh.
+void wrap(Sample& s) {
+  const auto& w = s.domain.wall;
+  const double width = s.domain.width(), height = s.domain.height();
+  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
+  for (std::size_t k = 0; k < s.count; ++k) {
+    auto& d = s.record[k];
+    if (s.domain.periodic_y) {
+      const double n = std::floor((d.y - w[bottom].position) / height);
+      const double y = d.y - n * height;
+      d.vy += my.at(y) - my.at(d.y);
+      d.y = y;
+      d.x -= n * s.domain.tilt;
+    }
+    if (s.domain.periodic_x) {
+      const double x = d.x - std::floor((d.x - w[left].position) / width) * width;
+      d.vx += mx.at(x) - mx.at(d.x);
+      d.x = x;
+    }
+  }
+}
+
+template <class T>
+void permute(std::vector<T>& values, const std::vector<std::int32_t>& order) {
+  if (values.empty()) return;
+  std::vector<T> old(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(order.size()));
+  for (std::size_t k = 0; k < order.size(); ++k) values[k] = old[static_cast<std::size_t>(order[k])];
+}
+
+void sort_by_cell(Sample& s) {
+  const CellGrid grid = grid_of(s);
+  std::vector<std::int32_t> first(grid.size() + 1, 0), cell(s.count), order(s.count);
+  for (std::size_t k = 0; k < s.count; ++k) {
+    cell[k] = grid.cell(s.record[k].x, s.record[k].y);
+    ++first[static_cast<std::size_t>(cell[k]) + 1];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  for (std::size_t k = 0; k < s.count; ++k)
+    order[static_cast<std::size_t>(first[static_cast<std::size_t>(cell[k])]++)] = static_cast<std::int32_t>(k);
+  s.record.resize(s.count);
+  permute(s.record, order);
+  for (auto* a : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha}) permute(*a, order);
+  for (auto& a : s.higher) permute(a, order);
+}
+
+/// Images to the right and above only: every pair across an edge then occurs once, as (disk, ghost).
+void make_ghosts(Sample& s) {
+  s.ghost.clear();
+  s.record.resize(s.count);
+  const double reach = reach_of(s);
+  const auto& w = s.domain.wall;
+  const double width = s.domain.width(), height = s.domain.height();
+  const int up = s.domain.periodic_y ? 1 : 0, across = s.domain.periodic_x ? 1 : 0;
+  for (int iy = 0; iy <= up; ++iy)
+    for (int ix = iy == 0 ? 1 : -across; ix <= across; ++ix)
+      for (std::size_t k = 0; k < s.count; ++k) {
+        const double x = s.record[k].x + ix * width + iy * s.domain.tilt, y = s.record[k].y + iy * height;
+        const bool near_x = !s.domain.periodic_x ||
+                            (x > w[left].position - reach && x < w[right].position + reach);
+        if (near_x && y < w[top].position + reach) s.ghost.push_back({static_cast<std::int32_t>(k), ix, iy});
+      }
+  s.record.resize(s.count + s.ghost.size());
+  refresh_ghosts(s);
+}
+
+/// Disks sorted into cells: those of cell c are item[first[c]] .. item[first[c + 1] - 1].
+struct Cells {
+  std::vector<std::int32_t> first, item;
+  Cells(const CellGrid& grid, const std::vector<DiskRecord>& record, std::size_t begin, std::size_t end)
+      : first(grid.size() + 1, 0), item(end - begin) {
+    for (std::size_t k = begin; k < end; ++k) ++first[static_cast<std::size_t>(grid.cell(record[k].x, record[k].y)) + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::int32_t> next = first;
+    for (std::size_t k = begin; k < end; ++k)
+      item[static_cast<std::size_t>(next[static_cast<std::size_t>(grid.cell(record[k].x, record[k].y))]++)] =
+          static_cast<std::int32_t>(k);
+  }
+};
+
+void add_slot(ContactList& list, std::int32_t i, std::int32_t j, std::int32_t owner, const Coefficients& c) {
+  list.i.push_back(i);
+  list.j.push_back(j);
+  list.owner.push_back(owner);
+  list.stiffness.push_back(c.stiffness);
+  list.damping.push_back(c.damping);
+  list.viscosity.push_back(c.viscosity);
+  list.strength.push_back(c.strength);
+}
+
+bool is_glued(const Sample& s, std::int32_t a, std::int32_t b) {
+  if (!s.glue || s.contact.adhesion == Adhesion::none) return false;
+  const auto& zone = s.start.grains.zone;
+  const auto& glued = s.contact.glued_pairs;  // keys sorted by the engine: low index first
+  const std::pair<std::int32_t, std::int32_t> pair{std::min(a, b), std::max(a, b)};
+  const bool named = glued.empty() ? zone[static_cast<std::size_t>(a)] > 0 && zone[static_cast<std::size_t>(b)] > 0
+                                   : std::binary_search(glued.begin(), glued.end(), pair);
+  return named && !std::binary_search(s.broken_pairs.begin(), s.broken_pairs.end(), pair_key(a, b));
+}
+
+void list_pairs(Sample& s) {
+  const CellGrid grid = grid_of(s);
+  const std::size_t n = s.count;
+  const Cells inner(grid, s.record, 0, n), images(grid, s.record, n, s.record.size());
+  ContactList& list = s.list;
+  std::vector<std::int32_t> near;
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto& a = s.record[k];
+    const std::int32_t column = grid.column(a.x), row = grid.row(a.y);
+    near.clear();
+    const auto take = [&](const Cells& cells) {
+      for (std::int32_t r = std::max(row - 1, 0); r <= std::min(row + 1, grid.rows - 1); ++r)
+        for (std::int32_t c = std::max(column - 1, 0); c <= std::min(column + 1, grid.columns - 1); ++c) {
+          const auto cell = static_cast<std::size_t>(r * grid.columns + c);
+          for (std::int32_t q = cells.first[cell]; q < cells.first[cell + 1]; ++q) {
+            const std::int32_t j = cells.item[static_cast<std::size_t>(q)];
+            const auto& b = s.record[static_cast<std::size_t>(j)];
+            const double dx = a.x - b.x, dy = a.y - b.y, reach = a.radius + b.radius + s.skin;
+            if (j > static_cast<std::int32_t>(k) && dx * dx + dy * dy < reach * reach) near.push_back(j);
+          }
+        }
+    };
+    take(inner);
+    if (!s.ghost.empty()) take(images);
+    std::sort(near.begin(), near.end());
+    for (const std::int32_t j : near) {
+      const auto& b = s.record[static_cast<std::size_t>(j)];
+      const std::int32_t owner = j < static_cast<std::int32_t>(n) ? j : s.ghost[static_cast<std::size_t>(j) - n].source;
+      add_slot(list, static_cast<std::int32_t>(k), j, owner,
+               s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius,
+                                   is_glued(s, a.grain, b.grain)));
+    }
+    list.first[k + 1] = static_cast<std::int32_t>(list.size());
+  }
+  list.pairs = list.size();
+}
+
+void list_walls(Sample& s) {
+  ContactList& list = s.list;
+  list.wall_first[0] = static_cast<std::int32_t>(list.size());
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const auto& d = s.record[k];
+    for (int side = 0; side < 4; ++side) {
+      const auto& wall = s.domain.wall[static_cast<std::size_t>(side)];
+      if (!wall.present) continue;
+      const double place = side < bottom ? d.x : d.y;
+      const double distance = (side % 2 == 0) ? place - wall.position : wall.position - place;
+      if (distance < d.radius + s.skin)
+        add_slot(list, static_cast<std::int32_t>(k), wall_partner(side), -1, s.coefficients.wall(d.material, d.mass));
+    }
+    list.wall_first[k + 1] = static_cast<std::int32_t>(list.size());
+  }
+}
+
+void index_incoming(Sample& s) {
+  ContactList& list = s.list;
+  list.incoming_first.assign(s.count + 1, 0);
+  for (std::size_t p = 0; p < list.pairs; ++p) ++list.incoming_first[static_cast<std::size_t>(list.owner[p]) + 1];
+  std::partial_sum(list.incoming_first.begin(), list.incoming_first.end(), list.incoming_first.begin());
+  list.incoming.resize(list.pairs);
+  std::vector<std::int32_t> next = list.incoming_first;
+  for (std::size_t p = 0; p < list.pairs; ++p)
+    list.incoming[static_cast<std::size_t>(next[static_cast<std::size_t>(list.owner[p])]++)] =
+        static_cast<std::int32_t>(p);
+}
+
+/// What a contact carries over a rebuild, keyed by the grains (or grain and wall) that it joins. A periodic cell is at
+/// least two reaches wide, so no pair meets twice.
+struct Carried {
+  std::uint64_t key;
+  double memory;
+  std::uint8_t bond;
+};
+
+std::uint64_t slot_key(const Sample& s, std::size_t p) {
+  const std::int32_t a = s.record[static_cast<std::size_t>(s.list.i[p])].grain;
+  return pair_key(a, s.list.j[p] < 0 ? s.list.j[p] : s.record[static_cast<std::size_t>(s.list.owner[p])].grain);
+}
+
+std::vector<Carried> carried(const Sample& s) {
+  std::vector<Carried> all;
+  for (std::size_t p = 0; p < s.list.size(); ++p)
+    if (s.list.memory[p] != 0 || s.list.bond[p] != never_touched)
+      all.push_back({slot_key(s, p), s.list.memory[p], s.list.bond[p]});
+  std::sort(all.begin(), all.end(), [](const Carried& p, const Carried& q) { return p.key < q.key; });
+  return all;
+}
+
+void restore_carried(Sample& s, const std::vector<Carried>& all) {
+  if (all.empty()) return;
+  for (std::size_t p = 0; p < s.list.size(); ++p) {
+    const std::uint64_t key = slot_key(s, p);
+    const auto found = std::lower_bound(all.begin(), all.end(), key,
+                                        [](const Carried& c, std::uint64_t k) { return c.key < k; });
+    if (found == all.end() || found->key != key) continue;
+    s.list.memory[p] = found->memory;
+    s.list.bond[p] = found->bond;
+  }
+}
+
+}  // namespace
+
+void refresh_ghosts(Sample& s) {
+  const double width = s.domain.width(), height = s.domain.height();
+  const double stretch_x = s.domain.periodic_x ? s.domain.wall[right].velocity - s.domain.wall[left].velocity : 0;
+  const double stretch_y = s.domain.periodic_y ? s.domain.wall[top].velocity - s.domain.wall[bottom].velocity : 0;
+  for (std::size_t g = 0; g < s.ghost.size(); ++g) {
+    const Ghost& ghost = s.ghost[g];
+    DiskRecord& d = s.record[s.count + g];
+    d = s.record[static_cast<std::size_t>(ghost.source)];
+    d.x += ghost.shift_x * width + ghost.shift_y * s.domain.tilt;
+    d.y += ghost.shift_y * height;
+    d.vx += ghost.shift_x * stretch_x;
+    d.vy += ghost.shift_y * stretch_y;
+  }
+}
+
+void list_contacts(Sample& s) {
+  make_ghosts(s);
+  s.list = ContactList{};
+  s.list.first.assign(s.count + 1, 0);
+  s.list.wall_first.assign(s.count + 1, 0);
+  list_pairs(s);
+  list_walls(s);
+  index_incoming(s);
+  for (auto* a : {&s.list.fx, &s.list.fy, &s.list.torque_i, &s.list.torque_j, &s.list.memory})
+    a->assign(s.list.size(), 0.0);
+  s.list.bond.assign(s.list.size(), never_touched);
+}
+
+void renew_strengths(Sample& s) {
+  ContactList& list = s.list;
+  for (std::size_t p = 0; p < list.pairs; ++p) {
+    const auto& a = s.record[static_cast<std::size_t>(list.i[p])];
+    const auto& b = s.record[static_cast<std::size_t>(list.j[p])];
+    list.strength[p] = s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius,
+                                           is_glued(s, a.grain, b.grain)).strength;
+  }
+}
+
+void rebuild_list(Sample& s) {
+  check_places(s);
+  const auto kept = carried(s);
+  wrap(s);
+  sort_by_cell(s);
+  s.listed_x.resize(s.count);
+  s.listed_y.resize(s.count);
+  for (std::size_t k = 0; k < s.count; ++k) {
+    s.listed_x[k] = s.record[k].x;
+    s.listed_y[k] = s.record[k].y;
+  }
+  s.listed_domain = s.domain;
+  ++s.builds;
+  list_contacts(s);
+  restore_carried(s, kept);
+}
+
+bool list_is_stale(const Sample& s) {
+  double slack = s.skin;
+  double scale_x = 1, scale_y = 1, from_x = 0, from_y = 0, to_x = 0, to_y = 0;
+  for (std::size_t side = 0; side < 4; ++side) {
+    const bool periodic = side < bottom ? s.domain.periodic_x : s.domain.periodic_y;
+    const double moved = std::abs(s.domain.wall[side].position - s.listed_domain.wall[side].position);
+    if (!periodic && moved > 0.5 * s.skin) return true;
+  }
+  const double reach = reach_of(s);
+  if (s.domain.periodic_x) {
+    scale_x = s.domain.width() / s.listed_domain.width();
+    from_x = s.listed_domain.wall[left].position;
+    to_x = s.domain.wall[left].position;
+    slack -= reach * std::abs(scale_x - 1);
+  }
+  if (s.domain.periodic_y) {
+    scale_y = s.domain.height() / s.listed_domain.height();
+    from_y = s.listed_domain.wall[bottom].position;
+    to_y = s.domain.wall[bottom].position;
+    slack -= reach * std::abs(scale_y - 1);
+  }
+  if (slack <= 0) return true;
+  const double limit = 0.25 * slack * slack;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const double dx = s.record[k].x - (to_x + scale_x * (s.listed_x[k] - from_x));
+    const double dy = s.record[k].y - (to_y + scale_y * (s.listed_y[k] - from_y));
+    if (!(dx * dx + dy * dy <= limit)) return true;  // also true for NaN
+  }
+  return false;
+}
+
+}  // namespace arenite::dem

@@ -1,0 +1,24 @@
+#pragma once
+#include "dem/sample.hpp"
+
+namespace arenite::dem {
+
+/// Sorts the disks by cell, wraps them into a periodic cell, makes the ghosts and lists every pair (and wall) closer
+/// than the skin. What touching pairs remember is kept. Throws std::runtime_error, naming grain and step, if a grain
+/// has left the walls or a coordinate is not finite.
+void rebuild_list(Sample& sample);
+
+/// Lists the pairs at the records' present order and places without sorting; what rebuild_list does at its end, and
+/// what a restored sample needs.
+void list_contacts(Sample& sample);
+
+/// Decides anew which listed pairs attract, after glue was switched on or off.
+void renew_strengths(Sample& sample);
+
+/// True if the list may miss a contact: a disk or a wall has moved too far since the list was built.
+bool list_is_stale(const Sample& sample);
+
+/// Copies the sources of ghosts to their images (positions and seen velocities).
+void refresh_ghosts(Sample& sample);
+
+}  // namespace arenite::dem

@@ -1,0 +1,109 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "dem/coefficients.hpp"
+#include "dem/laws/laws.hpp"
+#include "dem/parameters.hpp"
+#include "model/packing.hpp"
+#include "model/result.hpp"
+
+namespace arenite::dem {
+
+/// What the pair loop reads of a disk: one cache line. Velocities are those that the forces see.
+struct alignas(64) DiskRecord {
+  double x = 0, y = 0, vx = 0, vy = 0, omega = 0, radius = 0, mass = 0;
+  std::int32_t material = 0;
+  std::int32_t grain = 0;  ///< the caller's index
+};
+static_assert(sizeof(DiskRecord) == 64);
+
+/// The periodic image of a disk, kept as a record behind the disks': `shift` counts cells.
+struct Ghost {
+  std::int32_t source = 0;
+  std::int32_t shift_x = 0, shift_y = 0;
+};
+
+/// Candidate contacts and what they carry. Slots 0 .. pairs-1 join two disks (i < j, sorted by i; j may be a ghost);
+/// the slots behind them join a disk i with wall `side` (j = wall_partner(side)), sorted by i.
+struct ContactList {
+  std::size_t pairs = 0;
+  std::vector<std::int32_t> i, j;
+  std::vector<std::int32_t> owner;          ///< the disk that takes the reaction: j, or the source of the ghost j
+  std::vector<double> stiffness, damping, viscosity, strength;
+  std::vector<double> fx, fy, torque_i, torque_j;  ///< force on i, N; torques, N m; all 0 where apart
+  std::vector<double> memory;               ///< of the friction law
+  std::vector<std::uint8_t> bond;           ///< of glued pairs: see BondState
+  /// Slots by disk, each in a fixed order: as i the range first[k] .. first[k + 1], as owner and at walls by index.
+  std::vector<std::int32_t> first, incoming_first, incoming, wall_first;
+
+  std::size_t size() const { return i.size(); }
+};
+
+/// A bond that breaks for good is `broken` once its contact has opened.
+enum BondState : std::uint8_t { never_touched = 0, touching = 1, broken = 2 };
+
+/// One wall, or one edge of a periodic cell, as a body that moves along its axis.
+struct WallBody {
+  WallDrive drive;
+  double mass = 0, impedance = 0;  ///< of a force-controlled wall, kg and N s/m (see walls.cpp)
+  double rate = 0;                 ///< integrated velocity (half a step behind under Verlet), m/s along +x or +y
+  double acceleration = 0;
+  std::array<double, 4> higher{};  ///< Gear's further derivatives
+};
+
+/// Everything that decides the future, and the set-up that follows from it. Disks are kept in an inner order that
+/// follows the cells; `record[k].grain` leads back to the caller's.
+struct Sample {
+  Packing start;                   ///< as given: materials, ids, zones; its contacts are dropped after the start
+  ContactParameters contact;
+  IntegrationParameters integration;
+  CoefficientTable coefficients;
+  ContactLaws laws;
+  double dt = 0;
+  double friction = 0, wall_friction = 0, drag = 0;
+  Vec2 gravity;
+  bool glue = true;
+
+  Domain domain;
+  std::array<WallBody, 4> wall;
+  std::int64_t step = 0;
+  double lag = 0;                  ///< how far the integrated velocities are behind the positions, s: 0 or dt/2
+
+  std::size_t count = 0;           ///< disks; the records behind them are ghosts
+  std::vector<DiskRecord> record;
+  std::vector<double> vx, vy, omega, angle;      ///< integrated velocities, less the affine motion of a periodic cell
+  std::vector<double> ax, ay, alpha;             ///< last accelerations
+  std::array<std::vector<double>, 9> higher;     ///< Gear: third to fifth derivatives of x, y, angle
+  std::vector<Ghost> ghost;
+  ContactList list;
+  double skin = 0, largest_radius = 0;
+  std::vector<double> listed_x, listed_y;        ///< where the disks were when the list was built
+  Domain listed_domain;
+  std::int64_t builds = 0;
+  std::vector<std::uint64_t> broken_pairs;       ///< sorted keys of bonds broken for good
+
+  Energies tally;                  ///< dissipation and work so far
+};
+
+/// Key of an unordered pair of grains (caller's indices).
+inline std::uint64_t pair_key(std::int32_t a, std::int32_t b) {
+  const auto low = static_cast<std::uint32_t>(a < b ? a : b), high = static_cast<std::uint32_t>(a < b ? b : a);
+  return (std::uint64_t{low} << 32) | high;
+}
+
+/// Affine motion of a periodic cell, one direction each: velocity at x is `at_edge + gradient (x - edge)`.
+struct AffineMotion {
+  double edge = 0, at_edge = 0, gradient = 0;
+  double at(double x) const { return at_edge + gradient * (x - edge); }
+};
+AffineMotion affine_x(const Domain& domain);
+AffineMotion affine_y(const Domain& domain);
+
+/// Centres of touching disks, or of disks in the list, are never farther apart, m.
+inline double reach_of(const Sample& s) { return 2.0 * s.largest_radius + s.skin; }
+
+inline double inertia(const DiskRecord& d) { return 0.5 * d.mass * d.radius * d.radius; }
+
+}  // namespace arenite::dem

@@ -1,0 +1,171 @@
+#include "dem/setup.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "dem/bounds.hpp"
+#include "dem/forces.hpp"
+#include "dem/neighbours.hpp"
+#include "dem/walls.hpp"
+
+namespace arenite::dem {
+
+namespace {
+
+class Problems {
+ public:
+  template <class... T>
+  void unless(bool good, fmt::format_string<T...> text, T&&... values) {
+    if (!good) found_.push_back({{}, 0, 0, fmt::format(text, std::forward<T>(values)...)});
+  }
+  void raise() const {
+    if (!found_.empty()) throw InputError(found_);
+  }
+
+ private:
+  std::vector<Problem> found_;
+};
+
+bool positive(double v) { return std::isfinite(v) && v > 0; }
+bool not_negative(double v) { return std::isfinite(v) && v >= 0; }
+
+void check_parameters(Problems& problems, const Packing& start, const ContactParameters& contact,
+                      const IntegrationParameters& integration) {
+  problems.unless(contact.restitution > 0 && contact.restitution <= 1,
+                  "restitution {} must be above 0 and at most 1", contact.restitution);
+  problems.unless(not_negative(contact.friction), "friction {} must be a number >= 0", contact.friction);
+  problems.unless(not_negative(contact.wall_friction.value_or(0)), "wall friction {} must be a number >= 0",
+                  contact.wall_friction.value_or(0));
+  problems.unless(not_negative(contact.normal_damping.value_or(0)), "normal damping {} N s/m must be >= 0",
+                  contact.normal_damping.value_or(0));
+  problems.unless(not_negative(contact.sliding_viscosity.value_or(0)), "sliding viscosity {} N s/m must be >= 0",
+                  contact.sliding_viscosity.value_or(0));
+  problems.unless(positive(contact.tangential_stiffness_ratio), "tangential stiffness ratio {} must be above 0",
+                  contact.tangential_stiffness_ratio);
+  problems.unless(not_negative(contact.surface_energy), "surface energy {} N/m must be >= 0", contact.surface_energy);
+  problems.unless(positive(integration.safety), "safety {} must be above 0", integration.safety);
+  problems.unless(not_negative(integration.drag), "drag {} 1/s must be >= 0", integration.drag);
+  problems.unless(integration.threads >= 1, "threads {} must be 1 or more", integration.threads);
+  const auto n = static_cast<std::int32_t>(start.grains.size());
+  for (const auto& [a, b] : contact.glued_pairs)
+    problems.unless(a >= 0 && b >= 0 && a < n && b < n && a != b,
+                    "glued pair ({}, {}) must name two of the {} grains", a, b, n);
+}
+
+void check_packing(Problems& problems, const Packing& start) {
+  const Domain& domain = start.domain;
+  problems.unless(start.grains.size() > 0, "the packing has no grains");
+  problems.unless(positive(domain.width()) && positive(domain.height()), "the frame must have a width and a height above 0");
+  problems.unless(positive(domain.thickness), "thickness {} m must be above 0", domain.thickness);
+  for (const auto& m : start.materials) {
+    problems.unless(positive(m.density), "density {} kg/m^3 of material \"{}\" must be above 0", m.density, m.name);
+    problems.unless(positive(m.stiffness), "stiffness {} N/m of material \"{}\" must be above 0", m.stiffness, m.name);
+  }
+  const Grains& g = start.grains;
+  for (std::size_t k = 0; k < g.size(); ++k) {
+    problems.unless(positive(g.radius[k]), "radius {} m of grain {} must be above 0", g.radius[k], g.id[k]);
+    problems.unless(std::isfinite(g.x[k] + g.y[k] + g.vx[k] + g.vy[k] + g.omega[k]),
+                    "grain {} has a coordinate or velocity that is not a number", g.id[k]);
+    problems.unless(g.material[k] >= 0 && static_cast<std::size_t>(g.material[k]) < start.materials.size(),
+                    "material {} of grain {} is not among the {} materials", g.material[k], g.id[k],
+                    start.materials.size());
+    const auto& w = domain.wall;
+    const bool in_x = (!w[left].present || g.x[k] >= w[left].position) && (!w[right].present || g.x[k] <= w[right].position);
+    const bool in_y = (!w[bottom].present || g.y[k] >= w[bottom].position) && (!w[top].present || g.y[k] <= w[top].position);
+    problems.unless(in_x && in_y, "the centre of grain {} is outside of the frame", g.id[k]);
+  }
+}
+
+void place_disks(Sample& s) {
+  const Grains& g = s.start.grains;
+  s.count = g.size();
+  s.record.resize(s.count);
+  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
+  for (auto* a : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha}) a->assign(s.count, 0.0);
+  double sum = 0;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const double r = g.radius[k];
+    const double mass = s.start.materials[static_cast<std::size_t>(g.material[k])].density * std::numbers::pi * r * r *
+                        s.domain.thickness;
+    s.record[k] = {g.x[k], g.y[k], g.vx[k], g.vy[k], g.omega[k], r, mass, g.material[k], static_cast<std::int32_t>(k)};
+    s.vx[k] = g.vx[k] - mx.at(g.x[k]);
+    s.vy[k] = g.vy[k] - my.at(g.y[k]);
+    s.omega[k] = s.integration.rotations ? g.omega[k] : 0.0;
+    s.record[k].omega = s.omega[k];
+    s.angle[k] = g.angle[k];
+    s.largest_radius = std::max(s.largest_radius, r);
+    sum += r;
+  }
+  s.skin = 0.15 * sum / static_cast<double>(s.count);
+}
+
+void check_cell(const Sample& s) {
+  Problems problems;
+  const double needed = 2.0 * reach_of(s);
+  problems.unless(!s.domain.periodic_x || s.domain.width() >= needed,
+                  "a periodic cell {} m wide is too narrow for its grains; {} m would do", s.domain.width(), needed);
+  problems.unless(!s.domain.periodic_y || s.domain.height() >= needed,
+                  "a periodic cell {} m high is too low for its grains; {} m would do", s.domain.height(), needed);
+  problems.raise();
+}
+
+void choose_step(Sample& s) {
+  const StepBounds bounds = step_bounds(s);
+  const auto& asked = s.integration.time_step;
+  s.dt = asked.value_or(std::min(s.integration.safety * shortest_contact_time(s), bounds.largest()));
+  if (!positive(s.dt)) throw InputError(fmt::format("time step {} s must be above 0", s.dt));
+  if (s.dt > bounds.largest())
+    throw InputError(fmt::format("time step {:.4g} s is beyond what this sample and integrator allow ({}); {:.4g} s would do",
+                                 s.dt, bounds.damping < bounds.stiffness ? "damping" : "stiffness",
+                                 0.999 * bounds.largest()));
+}
+
+/// The periodic sides have no walls; their `wall` entries are the edges of the cell.
+void clear_periodic_walls(Domain& domain) {
+  if (domain.periodic_x) domain.wall[left].present = domain.wall[right].present = false;
+  if (domain.periodic_y) domain.wall[bottom].present = domain.wall[top].present = false;
+  for (auto& wall : domain.wall) wall.velocity = wall.force = wall.shear_force = 0;
+}
+
+}  // namespace
+
+void apply_friction(Sample& s, std::optional<double> override_mu) {
+  const bool slippery = s.contact.friction_law == FrictionLaw::none;
+  s.friction = slippery ? 0.0 : override_mu.value_or(s.contact.friction);
+  s.wall_friction = slippery ? 0.0 : override_mu.value_or(s.contact.wall_friction.value_or(s.contact.friction));
+}
+
+Sample make_sample(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration) {
+  Problems problems;
+  check_parameters(problems, start, contact, integration);
+  check_packing(problems, start);
+  problems.raise();
+
+  Sample s;
+  s.start = start;
+  s.contact = contact;
+  s.integration = integration;
+  s.coefficients = CoefficientTable(start.materials, start.grains, contact);
+  for (auto& [a, b] : s.contact.glued_pairs)
+    if (b < a) std::swap(a, b);
+  std::sort(s.contact.glued_pairs.begin(), s.contact.glued_pairs.end());
+  apply_friction(s, std::nullopt);
+  s.drag = integration.drag;
+  s.domain = start.domain;
+  clear_periodic_walls(s.domain);
+  place_disks(s);
+  check_cell(s);
+  s.laws = choose_laws(contact, 0.0, false);
+  choose_step(s);
+  tune_servo(s);
+  rebuild_list(s);
+  compute_forces(s);  // with springs that do not move yet
+  s.laws = choose_laws(contact, s.dt, integration.integrator == IntegratorKind::leapfrog);
+  return s;
+}
+
+}  // namespace arenite::dem

@@ -1,0 +1,30 @@
+#pragma once
+#include "dem/sample.hpp"
+
+namespace arenite::dem {
+
+/// Gives force-controlled walls (or edges of a periodic cell) their mass and impedance from the sample.
+///
+/// A force-controlled wall obeys m q'' = F_target - F_grains - c q', q its way into the sample.
+/// A sample of mass M that is as stiff as a crystal of its grains carries waves with the impedance Z = sqrt(K M),
+/// K = k W/H: a wall damped by c = Z swallows the waves that reach it, so the sample comes to rest in about one passage
+/// instead of ringing. c is Z times the share of the target that the grains carry already (at most 1), so that a wall
+/// that touches nothing yet is not braked. m is M/20, or a few layers of grains where that is more: light
+/// beside the sample, heavy enough that no wall is the stiffest oscillator, so it never limits the time step.
+void tune_servo(Sample& sample);
+
+/// Changes the drives: a wall that becomes fixed or velocity-driven takes its velocity at once, one that becomes
+/// force-controlled goes on from the velocity that it has.
+void apply_drives(Sample& sample, const WallDrives& drives);
+
+/// Acceleration of wall `side` from the present forces, m/s^2 along +x or +y; 0 unless force-controlled. `velocity` is
+/// along +x or +y.
+double wall_acceleration(const Sample& sample, std::size_t side, double velocity);
+
+/// Damping coefficient c of the wall now, N s/m; 0 unless force-controlled.
+double servo_damping(const Sample& sample, std::size_t side);
+
+/// +1 if the wall's way into the sample is along +x or +y.
+constexpr double inward_sign(std::size_t side) { return side % 2 == 0 ? 1.0 : -1.0; }
+
+}  // namespace arenite::dem
