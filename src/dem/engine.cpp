@@ -62,10 +62,10 @@ void Engine::set_friction(std::optional<double> mu) {
   apply_friction(machine_->sample, mu);
 }
 
-void Engine::set_glue(bool acts) {
+void Engine::set_glue(bool on) {
   Sample& s = machine_->sample;
-  if (acts == s.glue) return;
-  s.glue = acts;
+  if (on == s.glue) return;
+  s.glue = on;
   renew_strengths(s);
 }
 
