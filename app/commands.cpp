@@ -6,6 +6,8 @@ namespace arenite::app {
 
 const std::vector<Command>& commands() {
   static const std::vector<Command> list{
+      {"init", "Write a commented recipe to start from", add_init},
+      {"check", "Check a recipe and print it as it was understood", add_check},
       {"doctor", "Say what this installation can do: versions, kernels, threads, helpers found", add_doctor},
       {"completion", "Print the completion script of a shell", add_completion},
       {"man", "Print the manual page (roff)", add_man},

@@ -30,6 +30,8 @@ struct RecipeArguments {
 };
 void add_recipe_arguments(CLI::App& command, RecipeArguments& arguments);
 
+void add_init(CLI::App& command, int& status);
+void add_check(CLI::App& command, int& status);
 void add_doctor(CLI::App& command, int& status);
 void add_completion(CLI::App& command, int& status);
 void add_man(CLI::App& command, int& status);

@@ -1,0 +1,135 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace arenite {
+
+/// Name and meaning of one parameter.
+struct Key {
+  std::string_view name;
+  std::string_view sentence;
+  bool required = false;
+};
+
+/// Allowed values, SI.
+struct Range {
+  double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
+  bool min_excluded = false;
+  bool contains(double value) const { return (min_excluded ? value > min : value >= min) && value <= max; }
+};
+namespace range {
+inline constexpr Range any{};
+inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true};
+inline constexpr Range not_negative{0, std::numeric_limits<double>::infinity(), false};
+constexpr Range between(double min, double max) { return {min, max, false}; }
+constexpr Range above(double min, double max) { return {min, max, true}; }
+}  // namespace range
+
+/// "above 0 mm", "between 0 and 1"; empty for any value.
+std::string to_string(const Range& range, std::string_view unit);
+
+struct IntegerRange {
+  std::int64_t min = std::numeric_limits<std::int64_t>::min(), max = std::numeric_limits<std::int64_t>::max();
+};
+std::string to_string(const IntegerRange& range);
+
+/// One word that a choice can take, with what it means.
+struct Word {
+  std::string_view word, sentence;
+};
+
+/// One form of a tagged value: a bare word ("fixed"), or, with a unit, `{ force = "50 kN" }`.
+struct Form {
+  std::string_view word, unit, sentence;
+  Range range;
+};
+
+class ParameterVisitor;
+using Visit = std::function<void(ParameterVisitor&)>;
+
+/// A list or a table of named sections, whatever holds it.
+struct Elements {
+  std::function<std::size_t()> size;
+  std::function<void(std::size_t)> resize;
+  std::function<void(ParameterVisitor&, std::size_t)> visit;
+  std::function<std::string&(std::size_t)> name;  ///< empty for a list
+};
+
+/// Declares parameters: a struct's declaration calls one function a key, and what that does is up to the visitor:
+/// read a recipe, print the resolved one, document the keys. Each key is thus declared once. Values are in SI; `unit`
+/// is how the value is written and says its dimension.
+class ParameterVisitor {
+ public:
+  virtual ~ParameterVisitor() = default;
+
+  virtual void number(const Key& key, std::optional<double>& value, std::string_view unit, const Range& range) = 0;
+  virtual void integer(const Key& key, std::optional<std::int64_t>& value, const IntegerRange& range) = 0;
+  virtual void flag(const Key& key, bool& value) = 0;
+  virtual void text(const Key& key, std::string& value) = 0;
+  /// A text that names a file; relative to the folder of the recipe.
+  virtual void file(const Key& key, std::string& value) = 0;
+  virtual void numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) = 0;
+  virtual void pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) = 0;
+  virtual void choice(const Key& key, int& index, const std::vector<Word>& words) = 0;
+  /// One of several forms, some with a quantity: "fixed" or { force = "50 kN" }.
+  virtual void tagged(const Key& key, int& form, double& value, const std::vector<Form>& forms) = 0;
+
+  /// A sub-table. `inside` is called on it if it is there (reading), or if `present` (writing).
+  virtual void section(const Key& key, bool& present, const Visit& inside) = 0;
+  /// A list of sub-tables ([[key]]), or sub-tables with names ([key.NAME]).
+  virtual void sections(const Key& key, const Elements& elements) = 0;
+
+  /// Keys that exist only if `active`; documentation shows them all, and reading says why one does not belong.
+  virtual void when(bool active, std::string_view condition, const Visit& inside) = 0;
+
+  /// A check over several keys of the table at hand: false is a problem at the first of `keys` that is there. Keys
+  /// that were wrong by themselves silence it.
+  virtual void require(bool, std::initializer_list<std::string_view>, const std::string&) {}
+  /// Whether the text gives this key; only a reader knows.
+  virtual bool given(std::string_view) const { return false; }
+
+  void number(const Key& key, double& value, std::string_view unit, const Range& range) {
+    std::optional<double> holder = value;
+    number(key, holder, unit, range);
+    if (holder) value = *holder;
+  }
+  void integer(const Key& key, std::int64_t& value, const IntegerRange& range) {
+    std::optional<std::int64_t> holder = value;
+    integer(key, holder, range);
+    if (holder) value = *holder;
+  }
+  /// The words stand in the order of the enumeration.
+  template <class Enum>
+    requires std::is_enum_v<Enum>
+  void choice(const Key& key, Enum& value, const std::vector<Word>& words) {
+    int index = static_cast<int>(value);
+    choice(key, index, words);
+    value = static_cast<Enum>(index);
+  }
+  void section(const Key& key, const Visit& inside) {
+    bool present = true;
+    section(key, present, inside);
+  }
+  template <class T>
+  void optional_section(const Key& key, std::optional<T>& value, const std::function<void(ParameterVisitor&, T&)>& inside) {
+    T holder = value.value_or(T{});
+    bool present = value.has_value();
+    section(key, present, [&](ParameterVisitor& visitor) { inside(visitor, holder); });
+    value = present ? std::optional<T>(std::move(holder)) : std::nullopt;
+  }
+  template <class T>
+  void list(const Key& key, std::vector<T>& values, const std::function<void(ParameterVisitor&, T&)>& inside) {
+    sections(key, {[&] { return values.size(); }, [&](std::size_t n) { values.resize(n); },
+                   [&](ParameterVisitor& visitor, std::size_t i) { inside(visitor, values[i]); }, {}});
+  }
+};
+
+}  // namespace arenite

@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace arenite::study {
+
+/// Where something stands in the recipe, or which override it came from.
+struct Place {
+  int line = 0, column = 0;  ///< 1-based; 0 if it came from an override
+  std::string override_text; ///< "--set key=value"; empty for the file itself
+};
+
+struct Entry;
+
+/// A recipe as it was written: a tree of tables, arrays and values that keep their places. Nothing is checked yet.
+struct Node {
+  enum class Kind { flag, integer, real, text, array, table, date };
+  Kind kind = Kind::table;
+  bool flag = false;
+  std::int64_t integer = 0;
+  double real = 0;
+  std::string text;
+  std::vector<Node> items;     ///< array
+  std::vector<Entry> entries;  ///< table, in the order of the text
+  Place place;
+
+  const Entry* find(std::string_view key) const;
+};
+
+struct Entry {
+  std::string key;
+  Place place;  ///< of the key
+  Node value;
+};
+
+/// Reads TOML. Throws InputError with line and column for what is not TOML.
+Node read_document(std::string_view text, const std::string& file_name);
+
+/// Puts "key=value" into the tree; the key is dotted, items of arrays are counted from 0, and a value that is not TOML
+/// by itself is text (frame.width=350 mm). Throws InputError for a key that leads nowhere.
+void apply_override(Node& root, const std::string& assignment);
+
+}  // namespace arenite::study

@@ -1,0 +1,352 @@
+#include "study/recipe_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/nearest.hpp"
+#include "core/units.hpp"
+
+namespace arenite::study {
+namespace {
+
+const char* kind_name(const Node& node) {
+  switch (node.kind) {
+    case Node::Kind::flag: return "true or false";
+    case Node::Kind::integer:
+    case Node::Kind::real: return "a number";
+    case Node::Kind::text: return "a text";
+    case Node::Kind::array: return "a list";
+    case Node::Kind::table: return "a table";
+    case Node::Kind::date: return "a date";
+  }
+  return "something else";
+}
+
+bool is_number(const Node& node) { return node.kind == Node::Kind::integer || node.kind == Node::Kind::real; }
+double number_in(const Node& node) {
+  return node.kind == Node::Kind::integer ? static_cast<double>(node.integer) : node.real;
+}
+
+std::string as_written(const Node& node) {
+  if (node.kind == Node::Kind::text) return "\"" + node.text + "\"";
+  return node.kind == Node::Kind::integer ? std::to_string(node.integer) : format_quantity(node.real, "");
+}
+
+std::string list_of(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
+
+/// Notes which keys a declaration would read, without reading.
+class KeyNames : public ParameterVisitor {
+ public:
+  using ParameterVisitor::choice;
+  using ParameterVisitor::integer;
+  using ParameterVisitor::number;
+  using ParameterVisitor::section;
+  void number(const Key& key, std::optional<double>&, std::string_view, const Range&) override { note(key); }
+  void integer(const Key& key, std::optional<std::int64_t>&, const IntegerRange&) override { note(key); }
+  void flag(const Key& key, bool&) override { note(key); }
+  void text(const Key& key, std::string&) override { note(key); }
+  void file(const Key& key, std::string&) override { note(key); }
+  void numbers(const Key& key, std::vector<double>&, std::string_view, const Range&) override { note(key); }
+  void pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>&) override { note(key); }
+  void choice(const Key& key, int&, const std::vector<Word>&) override { note(key); }
+  void tagged(const Key& key, int&, double&, const std::vector<Form>&) override { note(key); }
+  void section(const Key& key, bool&, const Visit&) override { note(key); }
+  void sections(const Key& key, const Elements&) override { note(key); }
+  void when(bool, std::string_view, const Visit& inside) override { inside(*this); }
+
+  std::vector<std::string> names;
+
+ private:
+  void note(const Key& key) { names.emplace_back(key.name); }
+};
+
+}  // namespace
+
+RecipeReader::RecipeReader(const Node& table, std::string path, Reading& reading)
+    : table_(table), path_(std::move(path)), reading_(reading) {}
+
+std::string RecipeReader::path_of(std::string_view name) const {
+  return path_.empty() ? std::string(name) : fmt::format("{}.{}", path_, name);
+}
+
+void RecipeReader::problem(const Place& place, const std::string& path, const std::string& message) {
+  const bool from_override = !place.override_text.empty();
+  reading_.problems.push_back({from_override ? place.override_text : reading_.file_name, place.line, place.column,
+                               path.empty() ? message : fmt::format("{}: {}", path, message)});
+}
+
+void RecipeReader::refuse(const Key& key, const Node& value, const std::string& message) {
+  failed_.emplace(key.name);
+  problem(value.place, path_of(key.name), message);
+}
+
+/// The value of a key, or nothing; a required one that is not there is a problem.
+const Node* RecipeReader::take(const Key& key, const std::string& example) {
+  known_.emplace(key.name);
+  if (const Entry* entry = table_.find(key.name)) return &entry->value;
+  if (key.required) {
+    failed_.emplace(key.name);
+    problem(table_.place, path_of(key.name), fmt::format("is missing; write for example {}", example));
+  }
+  return nullptr;
+}
+
+std::optional<double> RecipeReader::read_number(const Node& node, const std::string& path, std::string_view unit,
+                                                const Range& range) {
+  const Dimension wanted = unit.empty() ? dimension::none : parse_unit(unit).dimension;
+  double value = 0;
+  if (node.kind == Node::Kind::text) {
+    try {
+      value = parse_si(node.text, wanted, unit);
+    } catch (const InputError& error) {
+      problem(node.place, path, error.what());
+      return std::nullopt;
+    }
+  } else if (!is_number(node)) {
+    const std::string example = unit.empty() ? "0.5" : fmt::format("\"1 {}\"", unit);
+    problem(node.place, path, fmt::format("is {}, but must be a number, such as {}", kind_name(node), example));
+    return std::nullopt;
+  } else if (value = number_in(node); !std::isfinite(value)) {
+    problem(node.place, path, "must be a finite number");
+    return std::nullopt;
+  } else if (wanted != dimension::none) {
+    problem(node.place, path, fmt::format("{0} has no unit; write it with its unit, for example \"{0} {1}\"",
+                                          as_written(node), unit));
+    return std::nullopt;
+  }
+  if (range.contains(value)) return value;
+  problem(node.place, path, fmt::format("{} is out of range; it must be {}", as_written(node), to_string(range, unit)));
+  return std::nullopt;
+}
+
+void RecipeReader::number(const Key& key, std::optional<double>& value, std::string_view unit, const Range& range) {
+  const Node* node = take(key, unit.empty() ? fmt::format("{} = 1", key.name) : fmt::format("{} = \"1 {}\"", key.name, unit));
+  if (!node) return;
+  const auto read = read_number(*node, path_of(key.name), unit, range);
+  if (read) value = read;
+  else failed_.emplace(key.name);
+}
+
+void RecipeReader::integer(const Key& key, std::optional<std::int64_t>& value, const IntegerRange& range) {
+  const Node* node = take(key, fmt::format("{} = 1", key.name));
+  if (!node) return;
+  const bool is_whole = node->kind == Node::Kind::real && std::floor(node->real) == node->real && std::abs(node->real) < 1e15;
+  if (node->kind != Node::Kind::integer && !is_whole) {
+    return refuse(key, *node, is_number(*node) ? fmt::format("{} is not a whole number", as_written(*node))
+                                                 : fmt::format("is {}, but must be a whole number", kind_name(*node)));
+  }
+  const std::int64_t read = is_whole ? static_cast<std::int64_t>(node->real) : node->integer;
+  if (read < range.min || read > range.max) {
+    return refuse(key, *node, fmt::format("{} is out of range; it must be {}", read, to_string(range)));
+  }
+  value = read;
+}
+
+void RecipeReader::flag(const Key& key, bool& value) {
+  const Node* node = take(key, fmt::format("{} = true", key.name));
+  if (!node) return;
+  if (node->kind != Node::Kind::flag) {
+    return refuse(key, *node, fmt::format("is {}, but must be true or false (without quotes)", kind_name(*node)));
+  }
+  value = node->flag;
+}
+
+void RecipeReader::text(const Key& key, std::string& value) {
+  const Node* node = take(key, fmt::format("{} = \"...\"", key.name));
+  if (!node) return;
+  if (node->kind != Node::Kind::text) return refuse(key, *node, fmt::format("is {}, but must be a text in quotes", kind_name(*node)));
+  value = node->text;
+}
+
+void RecipeReader::file(const Key& key, std::string& value) {
+  text(key, value);
+  const Entry* entry = table_.find(key.name);
+  if (!entry || !reading_.look_for_files || failed_.count(key.name) > 0) return;
+  std::error_code error;
+  const auto place = std::filesystem::path(reading_.folder) / value;
+  if (!std::filesystem::is_regular_file(place, error)) {
+    refuse(key, entry->value, fmt::format("there is no file \"{}\"; its place counts from the recipe's folder", value));
+  }
+}
+
+void RecipeReader::numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) {
+  const Node* node = take(key, unit.empty() ? fmt::format("{} = [1, 2]", key.name)
+                                            : fmt::format("{0} = [\"1 {1}\", \"2 {1}\"]", key.name, unit));
+  if (!node) return;
+  if (node->kind != Node::Kind::array) return refuse(key, *node, fmt::format("is {}, but must be a list", kind_name(*node)));
+  values.clear();
+  for (std::size_t i = 0; i < node->items.size(); ++i) {
+    const auto read = read_number(node->items[i], fmt::format("{}.{}", path_of(key.name), i), unit, range);
+    if (read) values.push_back(*read);
+    else failed_.emplace(key.name);
+  }
+}
+
+void RecipeReader::pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) {
+  const Node* node = take(key, fmt::format("{} = [[0, 1], [1, 2]]", key.name));
+  if (!node) return;
+  if (node->kind != Node::Kind::array) return refuse(key, *node, fmt::format("is {}, but must be a list of pairs", kind_name(*node)));
+  values.clear();
+  for (const auto& item : node->items) {
+    const auto is_index = [](const Node& n) { return n.kind == Node::Kind::integer && n.integer >= 0 && n.integer <= INT32_MAX; };
+    if (item.kind != Node::Kind::array || item.items.size() != 2 || !is_index(item.items[0]) || !is_index(item.items[1]) ||
+        item.items[0].integer == item.items[1].integer) {
+      refuse(key, item, "each pair must be two different grain indices from 0, such as [0, 1]");
+      continue;
+    }
+    values.emplace_back(static_cast<std::int32_t>(item.items[0].integer), static_cast<std::int32_t>(item.items[1].integer));
+  }
+}
+
+void RecipeReader::choice(const Key& key, int& index, const std::vector<Word>& words) {
+  std::vector<std::string> names;
+  for (const auto& word : words) names.emplace_back(word.word);
+  const Node* node = take(key, fmt::format("{} = \"{}\"", key.name, names.front()));
+  if (!node) return;
+  if (node->kind != Node::Kind::text) {
+    return refuse(key, *node, fmt::format("is {}, but must be one of: {}", kind_name(*node), list_of(names)));
+  }
+  const auto found = std::find(names.begin(), names.end(), node->text);
+  if (found == names.end()) {
+    const std::string near = nearest(node->text, names);
+    return refuse(key, *node, fmt::format("unknown word \"{}\"; {}it must be one of: {}", node->text,
+                                          near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near), list_of(names)));
+  }
+  index = static_cast<int>(found - names.begin());
+}
+
+void RecipeReader::tagged(const Key& key, int& form, double& value, const std::vector<Form>& forms) {
+  std::vector<std::string> bare, with_quantity, ways;
+  for (const auto& each : forms) {
+    (each.unit.empty() ? bare : with_quantity).emplace_back(each.word);
+    ways.push_back(each.unit.empty() ? fmt::format("\"{}\"", each.word) : fmt::format("{{ {} = \"1 {}\" }}", each.word, each.unit));
+  }
+  const Node* node = take(key, fmt::format("{} = {}", key.name, ways.front()));
+  if (!node) return;
+  if (node->kind == Node::Kind::text) {
+    for (std::size_t i = 0; i < forms.size(); ++i) {
+      if (!forms[i].unit.empty() || node->text != forms[i].word) continue;
+      form = static_cast<int>(i);
+      value = 0;
+      return;
+    }
+    const std::string near = nearest(node->text, bare);
+    return refuse(key, *node, fmt::format("unknown word \"{}\"; {}", node->text,
+                                          near.empty() ? "write one of: " + list_of(ways) : fmt::format("did you mean \"{}\"?", near)));
+  }
+  if (node->kind != Node::Kind::table || node->entries.size() != 1) {
+    return refuse(key, *node, "must be one of: " + list_of(ways));
+  }
+  const Entry& entry = node->entries.front();
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    if (forms[i].unit.empty() || entry.key != forms[i].word) continue;
+    const auto read = read_number(entry.value, path_of(key.name) + "." + entry.key, forms[i].unit, forms[i].range);
+    if (!read) return void(failed_.emplace(key.name));
+    form = static_cast<int>(i);
+    value = *read;
+    return;
+  }
+  failed_.emplace(key.name);
+  const std::string near = nearest(entry.key, with_quantity);
+  problem(entry.place, path_of(key.name) + "." + entry.key,
+          near.empty() ? "unknown key; write one of: " + list_of(ways) : fmt::format("unknown key; did you mean {}?", near));
+}
+
+void RecipeReader::section(const Key& key, bool& present, const Visit& inside) {
+  known_.emplace(key.name);
+  const Entry* entry = table_.find(key.name);
+  if (!entry && key.required) {
+    failed_.emplace(key.name);
+    problem(table_.place, path_of(key.name), fmt::format("the section [{}] is missing: {}", path_of(key.name), key.sentence));
+  }
+  present = entry != nullptr;
+  if (!entry) return;
+  if (entry->value.kind != Node::Kind::table) {
+    return refuse(key, entry->value, fmt::format("is {}, but must be a section [{}]", kind_name(entry->value), path_of(key.name)));
+  }
+  const std::size_t problems_before = reading_.problems.size();
+  RecipeReader reader(entry->value, path_of(key.name), reading_);
+  inside(reader);
+  reader.refuse_unknown_keys();
+  if (reading_.problems.size() > problems_before) failed_.emplace(key.name);
+}
+
+void RecipeReader::sections(const Key& key, const Elements& elements) {
+  known_.emplace(key.name);
+  const bool named = static_cast<bool>(elements.name);
+  const std::string path = path_of(key.name);
+  const std::string heading = named ? fmt::format("[{}.NAME]", path) : fmt::format("[[{}]]", path);
+  const Entry* entry = table_.find(key.name);
+  const std::size_t count = !entry ? 0 : named ? entry->value.entries.size() : entry->value.items.size();
+  if (entry && entry->value.kind != (named ? Node::Kind::table : Node::Kind::array)) {
+    return refuse(key, entry->value, fmt::format("is {}, but must be sections {}", kind_name(entry->value), heading));
+  }
+  if (count == 0 && key.required) {
+    failed_.emplace(key.name);
+    problem(entry ? entry->value.place : table_.place, path, fmt::format("no section {} is given: {}", heading, key.sentence));
+  }
+  std::vector<std::pair<std::string, const Node*>> nodes;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (named) nodes.emplace_back(entry->value.entries[i].key, &entry->value.entries[i].value);
+    else nodes.emplace_back(std::to_string(i), &entry->value.items[i]);
+  }
+  // Named sections have no order of their own: sorted, the same recipe gives the same indices however it is written.
+  if (named) std::sort(nodes.begin(), nodes.end());
+  elements.resize(nodes.size());
+  const std::size_t problems_before = reading_.problems.size();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (named) elements.name(i) = nodes[i].first;
+    const std::string place = path + "." + nodes[i].first;
+    if (nodes[i].second->kind != Node::Kind::table) {
+      problem(nodes[i].second->place, place, fmt::format("is {}, but must be a section {}", kind_name(*nodes[i].second), heading));
+      continue;
+    }
+    RecipeReader reader(*nodes[i].second, place, reading_);
+    elements.visit(reader, i);
+    reader.refuse_unknown_keys();
+  }
+  if (reading_.problems.size() > problems_before) failed_.emplace(key.name);
+}
+
+void RecipeReader::when(bool active, std::string_view condition, const Visit& inside) {
+  if (active) return inside(*this);
+  KeyNames names;
+  inside(names);
+  for (const auto& name : names.names) {
+    const auto [place, is_new] = conditional_.emplace(name, condition);
+    if (!is_new) place->second += fmt::format(" or {}", condition);
+  }
+}
+
+void RecipeReader::require(bool holds, std::initializer_list<std::string_view> keys, const std::string& message) {
+  if (holds) return;
+  for (const auto key : keys) {
+    if (failed_.count(key) > 0) return;
+  }
+  for (const auto key : keys) {
+    const Entry* entry = table_.find(key);
+    if (entry) return problem(entry->value.place, path_of(key), message);
+  }
+  problem(table_.place, keys.size() == 0 ? path_ : path_of(*keys.begin()), message);
+}
+
+void RecipeReader::refuse_unknown_keys() {
+  std::vector<std::string> names(known_.begin(), known_.end());
+  for (const auto& entry : table_.entries) {
+    if (known_.count(entry.key) > 0) continue;
+    if (const auto found = conditional_.find(entry.key); found != conditional_.end()) {
+      problem(entry.place, path_of(entry.key), fmt::format("this key goes with {} only; leave it out or change that", found->second));
+      continue;
+    }
+    const std::string near = nearest(entry.key, names);
+    problem(entry.place, path_of(entry.key),
+            near.empty() ? fmt::format("unknown key; the keys here are: {}", list_of(names))
+                         : fmt::format("unknown key; did you mean {}?", near));
+  }
+}
+
+}  // namespace arenite::study

@@ -1,0 +1,63 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/parameters.hpp"
+#include "study/recipe_document.hpp"
+
+namespace arenite::study {
+
+/// What all readers of one recipe share.
+struct Reading {
+  std::string file_name;
+  std::string folder;               ///< where files that the recipe names are looked for
+  bool look_for_files = false;
+  std::vector<Problem> problems;
+};
+
+/// Reads one table of a recipe into what the declarations name; sub-tables get readers of their own. Problems are
+/// collected; whatever is wrong keeps its default.
+class RecipeReader : public ParameterVisitor {
+ public:
+  RecipeReader(const Node& table, std::string path, Reading& reading);
+
+  using ParameterVisitor::choice;
+  using ParameterVisitor::integer;
+  using ParameterVisitor::number;
+  using ParameterVisitor::section;
+  void number(const Key& key, std::optional<double>& value, std::string_view unit, const Range& range) override;
+  void integer(const Key& key, std::optional<std::int64_t>& value, const IntegerRange& range) override;
+  void flag(const Key& key, bool& value) override;
+  void text(const Key& key, std::string& value) override;
+  void file(const Key& key, std::string& value) override;
+  void numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) override;
+  void pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) override;
+  void choice(const Key& key, int& index, const std::vector<Word>& words) override;
+  void tagged(const Key& key, int& form, double& value, const std::vector<Form>& forms) override;
+  void section(const Key& key, bool& present, const Visit& inside) override;
+  void sections(const Key& key, const Elements& elements) override;
+  void when(bool active, std::string_view condition, const Visit& inside) override;
+  void require(bool holds, std::initializer_list<std::string_view> keys, const std::string& message) override;
+
+  /// Call when all keys were visited: what is left over is unknown.
+  void refuse_unknown_keys();
+
+ private:
+  const Node* take(const Key& key, const std::string& example);
+  std::string path_of(std::string_view name) const;
+  void problem(const Place& place, const std::string& path, const std::string& message);
+  void refuse(const Key& key, const Node& value, const std::string& message);
+  std::optional<double> read_number(const Node& node, const std::string& path, std::string_view unit, const Range& range);
+
+  const Node& table_;
+  std::string path_;
+  Reading& reading_;
+  std::set<std::string, std::less<>> known_, failed_;
+  std::map<std::string, std::string, std::less<>> conditional_;  ///< keys that do not exist now, and when they do
+};
+
+}  // namespace arenite::study

@@ -1,0 +1,40 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "study/recipe.hpp"
+
+namespace arenite::study {
+
+struct Record;
+using RecordTable = std::vector<Record>;
+
+/// One declared key with what it holds, ready to be written as TOML or documented.
+struct Record {
+  enum class Kind { value, section, sections };
+  Kind kind = Kind::value;
+  std::string name, sentence;
+  bool required = false;
+  std::string condition;                ///< `law = "normal"`, if the key exists only then
+  std::optional<std::string> literal;   ///< value in TOML; nothing if it is not set
+  std::string form;                     ///< a literal with dots for what is to be filled in
+  std::string allowed;                  ///< "above 0 mm"
+  std::vector<std::pair<std::string, std::string>> words;  ///< of a choice, with their meaning
+  bool present = true;                  ///< of a section
+  std::vector<RecordTable> tables;      ///< section: one; sections: one each
+  std::vector<std::string> table_names; ///< of sections with names
+  bool named = false;
+};
+
+/// The keys of this recipe that exist in it.
+RecordTable record_of(const Recipe& recipe);
+
+/// Every key there is, with its default, one table for each list.
+RecordTable record_of_all_keys();
+
+/// A TOML key: bare where that is allowed, else quoted.
+std::string toml_key(const std::string& name);
+
+}  // namespace arenite::study

@@ -1,0 +1,42 @@
+#include "study/recipe_templates.hpp"
+
+#include "model/domain.hpp"
+
+namespace arenite::study {
+namespace {
+
+Stage loading(std::string name, int side, double force, std::int64_t increments, bool gravity) {
+  Stage stage;
+  stage.name = std::move(name);
+  stage.gravity = gravity;
+  stage.side[static_cast<std::size_t>(side)] = {SideDrive::Kind::force, force};
+  stage.increments = increments;
+  return stage;
+}
+
+/// Sample #8 of the thesis: T Tables 2.1, 2.2 and 3.2, loaded as in T 3.3.
+Recipe composite() {
+  Recipe recipe;
+  recipe.title = "Composite of POM and HDPE cylinders, sample 8 of the thesis";
+  recipe.seed = 8;
+  recipe.frame.width = 0.35;
+  recipe.frame.thickness = 0.06;
+  recipe.materials = {{"HDPE", 950, 6.43e6, 0.0258e-6}, {"POM", 1410, 27.35e6, 0.0150e-6}};
+  recipe.populations = {{"POM", 334, {}, {}}, {"HDPE", 371, {}, {}}};
+  recipe.populations[0].size.diameter = 0.0164;
+  recipe.populations[1].size.diameter = 0.0105;
+  recipe.contact.friction_law = dem::FrictionLaw::cundall_strack;
+  recipe.stages = {loading("settle", bottom, 2'000, 1, true), loading("compact", bottom, 50'000, 10, true)};
+  return recipe;
+}
+
+}  // namespace
+
+const std::vector<RecipeTemplate>& recipe_templates() {
+  static const std::vector<RecipeTemplate> list{
+      {"composite", "two materials in a rigid frame, compacted by the lower wall", composite},
+  };
+  return list;
+}
+
+}  // namespace arenite::study

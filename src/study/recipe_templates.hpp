@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "study/recipe.hpp"
+
+namespace arenite::study {
+
+/// A recipe to start from.
+struct RecipeTemplate {
+  const char* name;
+  const char* sentence;
+  Recipe (*make)();
+};
+
+/// All of them; a new one is one row.
+const std::vector<RecipeTemplate>& recipe_templates();
+
+}  // namespace arenite::study
