@@ -90,8 +90,8 @@ class ParameterVisitor {
   /// Keys that exist only if `active`; documentation shows them all, and reading says why one does not belong.
   virtual void when(bool active, std::string_view condition, const Visit& inside) = 0;
 
-  /// A check over several keys of the table at hand: false is a problem at the first of `keys` that is there. Keys
-  /// that were wrong by themselves silence it.
+  /// A check over several keys of the table at hand: false is a problem of the first of `keys`, placed at the first that
+  /// is there. Keys that were wrong by themselves silence it.
   virtual void require(bool, std::initializer_list<std::string_view>, const std::string&) {}
   /// Whether the text gives this key; only a reader knows.
   virtual bool given(std::string_view) const { return false; }

@@ -58,6 +58,48 @@ Node converted(const toml::node& node) {
   return result;
 }
 
+constexpr std::size_t deepest = 16;  // parts of a dotted key; the deepest of a recipe has five
+
+/// The position behind the string that opens at `at`; the end of the text if it is not closed.
+std::size_t behind_string(std::string_view text, std::size_t at) {
+  const std::string_view quote = text.substr(at, 1);
+  const std::string triple(3, quote.front());
+  const bool many_lines = text.substr(at).starts_with(triple);
+  const std::string_view closing = many_lines ? std::string_view(triple) : quote;
+  for (at += closing.size(); at < text.size(); ++at) {
+    if (text[at] == '\\' && quote == "\"") ++at;
+    else if (text.substr(at).starts_with(closing)) return at + closing.size();
+    else if (text[at] == '\n' && !many_lines) return at;
+  }
+  return text.size();
+}
+
+/// toml++ builds a.b.c by recursion without a bound, so a key of very many parts would exhaust the stack.
+void refuse_deep_keys(std::string_view text, const std::string& file_name) {
+  int line = 1;
+  std::size_t dots = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '"' || c == '\'') {
+      const std::size_t end = behind_string(text, at);
+      line += static_cast<int>(std::count(text.begin() + static_cast<std::ptrdiff_t>(at),
+                                          text.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
+      at = end - 1;
+      continue;
+    }
+    if (c == '#') at = std::min(text.find('\n', at), text.size()) - 1;
+    if (c == '\n') ++line;
+    if (c == '.') ++dots;
+    else if (std::string_view("\n=,[]{}#").find(c) != std::string_view::npos) dots = 0;
+    if (dots >= deepest) throw InputError(file_name, line, "no key of a recipe has so many parts; check the dots in this line");
+  }
+}
+
+std::string lower_first(std::string text) {
+  if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] - 'A' + 'a');
+  return text;
+}
+
 /// toml++ says "Error while parsing key-value pair: expected ..."; only what comes after the colon helps.
 std::string reason_in(std::string_view description) {
   constexpr std::string_view opening = "Error while parsing ";
@@ -65,10 +107,11 @@ std::string reason_in(std::string_view description) {
     const auto colon = description.find(": ");
     if (colon != std::string_view::npos) {
       const auto what = description.substr(opening.size(), colon - opening.size());
-      return fmt::format("the {} cannot be read: {}", what, description.substr(colon + 2));
+      const auto reason = description.substr(colon + 2);
+      return fmt::format("the {} cannot be read: {}", what, reason.substr(0, reason.find(" (TOML_")));
     }
   }
-  return std::string(description);
+  return lower_first(std::string(description));
 }
 
 void set_place(Node& node, const Place& place) {
@@ -80,8 +123,6 @@ void set_place(Node& node, const Place& place) {
   }
 }
 
-constexpr int deepest = 16;  // parts of a dotted key; the deepest of a recipe has five
-
 std::string trimmed(std::string text) {
   text.erase(0, text.find_first_not_of(" \t"));
   text.erase(text.find_last_not_of(" \t") + 1);
@@ -90,9 +131,10 @@ std::string trimmed(std::string text) {
 
 Node value_of(const std::string& text) {
   try {
+    refuse_deep_keys(text, {});
     const toml::table table = toml::parse("value = " + text);
     if (table.size() == 1) return converted(*table.get("value"));
-  } catch (const toml::parse_error&) {
+  } catch (const std::exception&) {
     // Not TOML by itself: then it is text without its quotes.
   }
   Node node;
@@ -112,6 +154,19 @@ std::size_t item_index(const std::string& word, const Node& array, const std::st
     leads_nowhere(assignment, fmt::format("\"{}\" is not one of the {} items, counted from 0", word, array.items.size()));
   }
   return index;
+}
+
+/// The parts of a dotted key.
+std::vector<std::string> words_of(const std::string& key, const std::string& assignment) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin <= key.size();) {
+    const std::size_t end = std::min(key.find('.', begin), key.size());
+    words.push_back(trimmed(key.substr(begin, end - begin)));
+    if (words.back().empty()) leads_nowhere(assignment, "a part of the key is empty");
+    if (words.size() > deepest) leads_nowhere(assignment, "no key of a recipe is so deep");
+    begin = end + 1;
+  }
+  return words;
 }
 
 /// The value under `word`; made where there is none, and turned into a table where `word` needs one.
@@ -140,6 +195,7 @@ const Entry* Node::find(std::string_view key) const {
 }
 
 Node read_document(std::string_view text, const std::string& file_name) {
+  refuse_deep_keys(text, file_name);
   try {
     return converted(toml::parse(text));
   } catch (const toml::parse_error& error) {
@@ -156,16 +212,7 @@ void apply_override(Node& root, const std::string& assignment) {
   }
   const Place place{0, 0, "--set " + assignment};
   Node* node = &root;
-  int depth = 0;
-  const std::string key = assignment.substr(0, equals);
-  for (std::size_t begin = 0; begin <= key.size();) {
-    const std::size_t end = std::min(key.find('.', begin), key.size());
-    const std::string word = trimmed(key.substr(begin, end - begin));
-    if (++depth > deepest) leads_nowhere(assignment, "no key of a recipe is so deep");
-    if (word.empty()) leads_nowhere(assignment, "a part of the key is empty");
-    node = &step_into(*node, word, place, assignment);
-    begin = end + 1;
-  }
+  for (const auto& word : words_of(assignment.substr(0, equals), assignment)) node = &step_into(*node, word, place, assignment);
   Node value = value_of(assignment.substr(equals + 1));
   set_place(value, place);
   *node = std::move(value);

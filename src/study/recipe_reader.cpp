@@ -36,6 +36,24 @@ std::string as_written(const Node& node) {
   return node.kind == Node::Kind::integer ? std::to_string(node.integer) : format_quantity(node.real, "");
 }
 
+/// A sentence as a part of another.
+std::string as_phrase(std::string_view sentence) {
+  std::string phrase(sentence);
+  if (phrase.size() > 1 && phrase[0] >= 'A' && phrase[0] <= 'Z') phrase[0] = static_cast<char>(phrase[0] - 'A' + 'a');
+  if (phrase.ends_with('.')) phrase.pop_back();
+  return phrase;
+}
+
+/// The entry of a table that must hold just one; of several, an override wins over the file.
+const Entry* only_entry(const Node& table) {
+  if (table.entries.size() == 1) return &table.entries.front();
+  const Entry* last = nullptr;
+  for (const auto& entry : table.entries) {
+    if (!entry.place.override_text.empty()) last = &entry;
+  }
+  return last;
+}
+
 std::string list_of(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
 
 /// Notes which keys a declaration would read, without reading.
@@ -238,10 +256,9 @@ void RecipeReader::tagged(const Key& key, int& form, double& value, const std::v
     return refuse(key, *node, fmt::format("unknown word \"{}\"; {}", node->text,
                                           near.empty() ? "write one of: " + list_of(ways) : fmt::format("did you mean \"{}\"?", near)));
   }
-  if (node->kind != Node::Kind::table || node->entries.size() != 1) {
-    return refuse(key, *node, "must be one of: " + list_of(ways));
-  }
-  const Entry& entry = node->entries.front();
+  const Entry* only = node->kind == Node::Kind::table ? only_entry(*node) : nullptr;
+  if (!only) return refuse(key, *node, "must be one of: " + list_of(ways));
+  const Entry& entry = *only;
   for (std::size_t i = 0; i < forms.size(); ++i) {
     if (forms[i].unit.empty() || entry.key != forms[i].word) continue;
     const auto read = read_number(entry.value, path_of(key.name) + "." + entry.key, forms[i].unit, forms[i].range);
@@ -261,7 +278,7 @@ void RecipeReader::section(const Key& key, bool& present, const Visit& inside) {
   const Entry* entry = table_.find(key.name);
   if (!entry && key.required) {
     failed_.emplace(key.name);
-    problem(table_.place, path_of(key.name), fmt::format("the section [{}] is missing: {}", path_of(key.name), key.sentence));
+    problem(table_.place, path_of(key.name), fmt::format("is missing; add the section [{}] ({})", path_of(key.name), as_phrase(key.sentence)));
   }
   present = entry != nullptr;
   if (!entry) return;
@@ -287,7 +304,7 @@ void RecipeReader::sections(const Key& key, const Elements& elements) {
   }
   if (count == 0 && key.required) {
     failed_.emplace(key.name);
-    problem(entry ? entry->value.place : table_.place, path, fmt::format("no section {} is given: {}", heading, key.sentence));
+    problem(entry ? entry->value.place : table_.place, path, fmt::format("is missing; add a section {} ({})", heading, as_phrase(key.sentence)));
   }
   std::vector<std::pair<std::string, const Node*>> nodes;
   for (std::size_t i = 0; i < count; ++i) {
@@ -327,11 +344,11 @@ void RecipeReader::require(bool holds, std::initializer_list<std::string_view> k
   for (const auto key : keys) {
     if (failed_.count(key) > 0) return;
   }
+  const std::string path = keys.size() == 0 ? path_ : path_of(*keys.begin());
   for (const auto key : keys) {
-    const Entry* entry = table_.find(key);
-    if (entry) return problem(entry->value.place, path_of(key), message);
+    if (const Entry* entry = table_.find(key)) return problem(entry->value.place, path, message);
   }
-  problem(table_.place, keys.size() == 0 ? path_ : path_of(*keys.begin()), message);
+  problem(table_.place, path, message);
 }
 
 void RecipeReader::refuse_unknown_keys() {
