@@ -1,0 +1,253 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "support.hpp"
+
+namespace arenite::verification {
+namespace {
+
+using dem::Adhesion;
+using dem::EffectiveRadius;
+using dem::Engine;
+
+// The thesis's glue (Table 2.3) and, for the weak cases, a tenth of it; per cylinder of 60 mm.
+constexpr double glue = 1.060e6;
+
+/// T 2.1 between two glued disks: F = k h - gamma sqrt(r_eff h).
+struct Bond {
+  double k, gamma, r_eff;
+  double force(double h) const { return k * h - gamma * std::sqrt(r_eff * h); }
+  double energy(double h) const { return 0.5 * k * h * h - 2.0 / 3 * gamma * std::sqrt(r_eff) * std::pow(h, 1.5); }
+  double pull_off() const { return r_eff * gamma * gamma / (4 * k); }
+  double pull_off_overlap() const { return r_eff * gamma * gamma / (4 * k * k); }
+  double equilibrium() const { return r_eff * gamma * gamma / (k * k); }
+};
+
+constexpr double ra = 8.2e-3, rb = 6.2e-3;
+const Bond bond{k_pom, glue, 4 * ra * rb / (ra + rb)};
+
+dem::ContactParameters glued(Adhesion kind, double restitution = 1) {
+  dem::ContactParameters law = frictionless(restitution);
+  if (restitution == 1) law.normal_damping = 0;
+  law.adhesion = kind;
+  law.surface_energy = glue;
+  return law;
+}
+
+/// Two glued disks with overlap h, each moving with half of the speed of separation (by mass).
+Packing pair(double h, double separation_speed = 0, std::uint8_t zone_b = 1) {
+  Packing p = box(1, 1);
+  add(p, {{0.5, 0.5}, ra, pom, {}, 0, 1});
+  add(p, {{0.5 + ra + rb - h, 0.5}, rb, pom, {}, 0, zone_b});
+  const double m = reduced(mass(p, 0), mass(p, 1));
+  p.grains.vx[0] = -separation_speed * m / mass(p, 0);
+  p.grains.vx[1] = separation_speed * m / mass(p, 1);
+  return p;
+}
+double pair_mass() {
+  const Packing p = pair(0);
+  return reduced(mass(p, 0), mass(p, 1));
+}
+double overlap(const Packing& p) { return ra + rb - norm(p.grains.centre(1) - p.grains.centre(0)); }
+double fine_step() { return contact_time(pair_mass(), k_pom) / 1000; }
+
+TEST(Adhesion, ForceIsKhMinusGammaRootRh) {
+  for (const double share : {0.01, 0.25, 0.5, 1.0, 3.0}) {
+    const double h = share * bond.equilibrium();
+    Engine engine(pair(h), glued(Adhesion::geometrical), with_step(fine_step()));
+    const Packing p = engine.packing();
+    ASSERT_EQ(p.contacts.size(), 1u);
+    EXPECT_EQ(p.contacts.glued[0], 1);
+    EXPECT_NEAR(p.contacts.fn[0], bond.force(h), 1e-9 * bond.pull_off());
+  }
+}
+
+TEST(Adhesion, EffectiveRadiusIsFourReducedByDefaultAndTheOthersOnRequest) {
+  const std::pair<EffectiveRadius, double> options[] = {{EffectiveRadius::four_reduced, 4 * ra * rb / (ra + rb)},
+                                                        {EffectiveRadius::sum, ra + rb},
+                                                        {EffectiveRadius::geometric_mean, 2 * std::sqrt(ra * rb)}};
+  const double h = 1e-5;
+  for (const auto& [option, r_eff] : options) {
+    dem::ContactParameters law = glued(Adhesion::geometrical);
+    law.effective_radius = option;
+    Engine engine(pair(h), law, with_step(fine_step()));
+    const double expected = k_pom * h - glue * std::sqrt(r_eff * h);
+    EXPECT_NEAR(engine.packing().contacts.fn.at(0), expected, 1e-9 * std::abs(expected));
+  }
+}
+
+TEST(Adhesion, ActsOnlyBetweenTwoGluedGrains) {
+  const double h = 1e-5;
+  Engine engine(pair(h, 0, 0), glued(Adhesion::geometrical), with_step(fine_step()));
+  EXPECT_NEAR(engine.packing().contacts.fn.at(0), k_pom * h, 1e-9 * k_pom * h);
+  EXPECT_EQ(engine.packing().contacts.glued.at(0), 0);
+
+  dem::ContactParameters by_pair = glued(Adhesion::geometrical);
+  by_pair.glued_pairs = {{0, 1}};
+  Packing p = pair(h, 0, 0);
+  p.grains.zone[0] = 0;
+  Engine named(p, by_pair, with_step(fine_step()));
+  EXPECT_NEAR(named.packing().contacts.fn.at(0), bond.force(h), 1e-9 * bond.pull_off());
+}
+
+TEST(Adhesion, PullOffForceIsRGammaSquaredOver4kAtItsOverlap) {
+  // Torn apart faster than the bond can hold; the largest tension passed and the overlap there are the closed forms'.
+  const double escape = std::sqrt(2 * -bond.energy(bond.equilibrium()) / pair_mass());
+  Engine engine(pair(bond.equilibrium(), 1.5 * escape), glued(Adhesion::geometrical), with_step(fine_step()));
+  double tension = 0, where = 0;
+  for (int step = 0; step < 20000; ++step) {
+    engine.advance(1);
+    const Packing p = engine.packing();
+    if (p.contacts.size() == 0) break;
+    if (p.contacts.fn[0] < tension) {
+      tension = p.contacts.fn[0];
+      where = p.contacts.overlap[0];
+    }
+  }
+  EXPECT_NEAR(-tension, bond.pull_off(), 1e-5 * bond.pull_off());
+  EXPECT_NEAR(where, bond.pull_off_overlap(), 1.5 * escape * fine_step());
+}
+
+TEST(Adhesion, ADampedPairRestsAtTheOverlapOfZeroForce) {
+  for (const auto kind : {Adhesion::geometrical, Adhesion::geometrical_breaking}) {
+    Engine engine(pair(0.6 * bond.equilibrium()), glued(kind, 0.2), with_step(fine_step()));
+    engine.advance(60000);
+    // Positions of half a metre stop moving when a step's way is below their last bit: 1e-13 m.
+    EXPECT_NEAR(overlap(engine.packing()), bond.equilibrium(), 1e-8 * bond.equilibrium());
+  }
+}
+
+TEST(Adhesion, EscapeSpeedIsThatOfTheBondEnergyAndTheRestIsKept) {
+  // E(h_eq) = -k h_eq^2/6. The force falls as sqrt(h) at the end, so a step costs (dt/T)^(3/2) of the energy there.
+  const double depth = k_pom * bond.equilibrium() * bond.equilibrium() / 6;
+  EXPECT_NEAR(depth, -bond.energy(bond.equilibrium()), 1e-12 * depth);
+  const double escape = std::sqrt(2 * depth / pair_mass());
+  for (const auto integrator : integrators)
+    for (const double share : {0.99, 1.01, 1.25}) {
+      SCOPED_TRACE(std::string(name(integrator)) + ", " + std::to_string(share));
+      Engine engine(pair(bond.equilibrium(), share * escape), glued(Adhesion::geometrical),
+                    with_step(fine_step(), integrator));
+      double farthest = bond.equilibrium();
+      for (int part = 0; part < 400; ++part) {
+        engine.advance(100);
+        farthest = std::min(farthest, overlap(engine.packing()));
+      }
+      if (share < 1) {
+        EXPECT_GT(farthest, 0);
+      } else {
+        const Packing p = engine.packing();
+        EXPECT_EQ(p.contacts.size(), 0u);
+        const double speed = p.grains.vx[1] - p.grains.vx[0], expected = escape * std::sqrt(share * share - 1);
+        EXPECT_NEAR(speed, expected, 2e-3 * escape);
+      }
+    }
+}
+
+/// Two glued disks that hang: A is wedged between the side walls by a spring of friction, B hangs below it by the bond.
+struct Hanging {
+  Packing p = box(2 * ra - 2e-5, 0.2);
+  explicit Hanging(double h) {
+    add(p, {{ra - 1e-5, 0.1}, ra, pom, {}, 0, 1});
+    add(p, {{ra - 1e-5, 0.1 - ra - rb + h}, rb, pom, {}, 0, 1});
+  }
+};
+
+TEST(Adhesion, CarriesAWeightJustBelowThePullOffForceAndDropsOneJustAbove) {
+  for (const double share : {0.98, 1.02}) {
+    Hanging hanging(bond.equilibrium());
+    dem::ContactParameters law = glued(Adhesion::geometrical, 0.2);
+    law.friction_law = dem::FrictionLaw::cundall_strack;
+    law.friction = 0;
+    law.wall_friction = 1e6;
+    Engine engine(hanging.p, law, with_step(contact_time(pair_mass(), k_pom) / 50));
+    engine.set_drag(2e4);
+    const double g = share * bond.pull_off() / mass(hanging.p, 1);
+    for (int part = 1; part <= 200; ++part) {
+      engine.set_gravity({0, -g * part / 200});
+      engine.advance(200);
+    }
+    engine.advance(20000);
+    const Packing now = engine.packing();
+    EXPECT_EQ(find_contact(now, 0, 1).has_value(), share < 1) << share;
+    if (const auto c = find_contact(now, 0, 1)) {
+      EXPECT_NEAR(now.contacts.fn[*c], -share * bond.pull_off(), 1e-3 * bond.pull_off());
+    }
+  }
+}
+
+/// Torn apart and thrown together again by the side walls.
+Packing after_return(Adhesion kind) {
+  const double escape = std::sqrt(2 * -bond.energy(bond.equilibrium()) / pair_mass());
+  Packing p = pair(bond.equilibrium(), 2 * escape);
+  p.domain.wall[left].position = p.grains.x[0] - ra - 1e-4;
+  p.domain.wall[right].position = p.grains.x[1] + rb + 1e-4;
+  dem::ContactParameters law = glued(kind, 0.9);
+  Engine engine(p, law, with_step(contact_time(pair_mass(), k_pom) / 200));
+  bool apart = false;
+  for (int part = 0; part < 400; ++part) {
+    engine.advance(500);
+    const Packing now = engine.packing();
+    apart = apart || !find_contact(now, 0, 1);
+    if (apart && find_contact(now, 0, 1) && kind == Adhesion::geometrical) {
+      engine.advance(100000);
+      break;
+    }
+  }
+  EXPECT_TRUE(apart);
+  return engine.packing();
+}
+
+TEST(Adhesion, ReversibleBondsFormAgainAndBrokenOnesDoNot) {
+  const Packing reversible = after_return(Adhesion::geometrical);
+  const auto c = find_contact(reversible, 0, 1);
+  ASSERT_TRUE(c.has_value());
+  EXPECT_EQ(reversible.contacts.glued[*c], 1);
+  EXPECT_NEAR(reversible.contacts.overlap[*c], bond.equilibrium(), 1e-3 * bond.equilibrium());
+
+  const Packing broken = after_return(Adhesion::geometrical_breaking);
+  if (const auto d = find_contact(broken, 0, 1)) {
+    EXPECT_EQ(broken.contacts.glued[*d], 0);
+    EXPECT_GE(broken.contacts.fn[*d], -1e-6 * bond.pull_off());
+  }
+}
+
+TEST(Adhesion, EnergyIsBalancedWhenABondBreaksForGood) {
+  const double depth = -bond.energy(bond.equilibrium());
+  const double escape = std::sqrt(2 * depth / pair_mass());
+  dem::IntegrationParameters how = with_step(fine_step());
+  how.track_energy = true;
+  Engine engine(pair(bond.equilibrium(), 1.5 * escape), glued(Adhesion::geometrical_breaking), how);
+  const Energies start = engine.energies();
+  EXPECT_NEAR(start.elastic + start.adhesive, -depth, 1e-9 * depth);
+  engine.advance(20000);
+  EXPECT_EQ(engine.packing().contacts.size(), 0u);
+  const Energies end = engine.energies();
+  EXPECT_GE(end.dissipated_breakage, -1e-9 * depth);
+  EXPECT_NEAR(end.elastic + end.adhesive, 0, 1e-12 * depth);
+  EXPECT_NEAR(end.kinetic + end.dissipated_breakage, start.kinetic - depth, 1e-3 * depth);
+}
+
+TEST(Adhesion, RaisesTheFrictionCapByThePullOffForceAndLowersItAsPrinted) {
+  // At h_eq the normal force is zero, so the cap is mu |F_c|; as printed it is negative, that is none.
+  for (const auto cap : {dem::FrictionCap::raised_by_adhesion, dem::FrictionCap::as_printed})
+    for (const double h : {bond.equilibrium(), 3 * bond.equilibrium()}) {
+      dem::ContactParameters law = glued(Adhesion::geometrical);
+      law.friction_law = dem::FrictionLaw::regularised_coulomb;
+      law.friction = 0.3;
+      law.sliding_viscosity = 100;
+      law.friction_cap = cap;
+      Packing p = pair(h);
+      p.grains.vy[0] = 1000;  // far beyond what the viscosity would carry
+      Engine engine(p, law, with_step(fine_step()));
+      const Packing now = engine.packing();
+      const double raised = cap == dem::FrictionCap::raised_by_adhesion ? bond.pull_off() : -bond.pull_off();
+      const double expected = std::max(0.0, 0.3 * (bond.force(h) + raised));
+      EXPECT_NEAR(std::abs(now.contacts.ft.at(0)), expected, 1e-9 * bond.pull_off());
+      EXPECT_LE(now.contacts.force_on_i(0).y, 0);
+    }
+}
+
+}  // namespace
+}  // namespace arenite::verification
