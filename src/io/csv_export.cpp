@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "io/columns.hpp"
+#include "io/export_frame.hpp"
+
+namespace arenite::io {
+namespace {
+
+using Text = std::back_insert_iterator<std::string>;
+
+/// "name [unit]"; a number without unit is its name alone.
+std::string title(const std::string& name, const std::string& unit) { return unit == "1" ? name : name + " [" + unit + "]"; }
+
+/// Shortest decimal that reads back as the same double; an empty cell where nothing is known.
+void cell(std::string& text, double value) {
+  text += ',';
+  if (!std::isnan(value)) fmt::format_to(Text(text), "{}", value);
+}
+
+/// A cell of text, quoted where CSV asks for it.
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  return out + '"';
+}
+
+std::string grain_table(const ExportFrame& from) {
+  const Packing& packing = from.frame->packing;
+  const Grains& g = packing.grains;
+  std::string text = "id,x [m],y [m],radius [m],material,zone,angle [rad],vx [m/s],vy [m/s],omega [rad/s]";
+  for (const auto& field : from.fields) text += "," + title(field.name, field.unit);
+  text += '\n';
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    fmt::format_to(Text(text), "{},{},{},{},{},{}", g.id[i], g.x[i], g.y[i], g.radius[i],
+                   quoted(packing.materials[static_cast<std::size_t>(g.material[i])].name), int{g.zone[i]});
+    for (const double v : {g.angle[i], g.vx[i], g.vy[i], g.omega[i]}) cell(text, v);
+    for (const auto& field : from.fields) cell(text, field.values[i]);
+    text += '\n';
+  }
+  return text;
+}
+
+/// The normal in these tables points from i to j, so it is the opposite of ours; fn and ft stay as they are.
+std::string contact_table(const ExportFrame& from) {
+  const Packing& packing = from.frame->packing;
+  const Contacts& c = packing.contacts;
+  const double mean = mean_compressive_force(c);
+  std::string text = "i,j,fn [N],ft [N],nx,ny,type,strong,glued,arm_i [m],arm_j [m],overlap [m],sliding_velocity [m/s]\n";
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    const auto name = [&](std::int32_t grain) { return packing.grains.id[static_cast<std::size_t>(grain)]; };
+    fmt::format_to(Text(text), "{},", name(c.i[k]));
+    if (c.is_wall(k)) text += side_names[static_cast<std::size_t>(c.wall_side(k))];
+    else fmt::format_to(Text(text), "{}", name(c.j[k]));
+    for (const double v : {c.fn[k], c.ft[k], 0 - c.nx[k], 0 - c.ny[k]}) cell(text, v);
+    fmt::format_to(Text(text), ",{},{},{}", contact_type(packing, k), c.fn[k] > mean ? 1 : 0, int{c.glued[k]});
+    for (const double v : {c.arm_i[k], c.arm_j[k], c.overlap[k], c.sliding_velocity[k]}) cell(text, v);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<NamedBytes> csv_frame(const ExportFrame& frame) {
+  return {{fmt::format("grains_{:04}.csv", frame.number), grain_table(frame)},
+          {fmt::format("contacts_{:04}.csv", frame.number), contact_table(frame)}};
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,55 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "model/result.hpp"
+
+namespace arenite::io {
+
+/// A quantity of every grain that was derived from a frame (its stress, its number of contacts), to be written beside
+/// what the frame holds. NaN where it is not known.
+struct GrainField {
+  std::string name, unit;
+  std::vector<double> values;
+};
+
+/// One state of the loading, as every export format gets it.
+struct ExportFrame {
+  int number = 0;               ///< place in the loading, from 0
+  std::string stage;            ///< name of the stage it belongs to
+  const Frame* frame = nullptr;
+  std::vector<GrainField> fields;
+};
+
+struct NamedBytes {
+  std::string name, bytes;
+};
+
+/// A format: what it makes of one frame. Files of the same name from successive frames are joined into one; `index`
+/// (or nullptr) makes the files that list all frames by their times.
+struct ExportFormat {
+  const char* name;
+  const char* sentence;
+  std::vector<NamedBytes> (*of_frame)(const ExportFrame&);
+  std::vector<NamedBytes> (*index)(const std::vector<double>& times);
+};
+
+/// All formats: one file and one row each.
+const std::vector<ExportFormat>& export_formats();
+
+/// Mean normal force of the contacts between grains that push; a contact above it is strong. 0 without such contacts.
+double mean_compressive_force(const Contacts& contacts);
+
+/// The contact's kind: -1 with a wall, else the place of the pair of materials in 00, 01, .., 0m, 11, 12, .. .
+int contact_type(const Packing& packing, std::size_t contact);
+
+/// The centre of j, or of its periodic image, as seen from i; for a wall the contact point.
+Vec2 far_end(const Packing& packing, std::size_t contact);
+
+std::vector<NamedBytes> vtk_frame(const ExportFrame& frame);
+std::vector<NamedBytes> vtk_index(const std::vector<double>& times);
+std::vector<NamedBytes> lammps_frame(const ExportFrame& frame);
+std::vector<NamedBytes> extxyz_frame(const ExportFrame& frame);
+std::vector<NamedBytes> csv_frame(const ExportFrame& frame);
+
+}  // namespace arenite::io

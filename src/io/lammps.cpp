@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "io/columns.hpp"
+#include "io/export_frame.hpp"
+
+namespace arenite::io {
+namespace {
+
+using Text = std::back_insert_iterator<std::string>;
+
+/// Edges of the box as LAMMPS writes them; a tilted cell gives the bounds of its bounding box and xy.
+std::string header(const ExportFrame& from, const char* what, std::size_t count) {
+  const Domain& domain = from.frame->packing.domain;
+  const double x0 = domain.wall[left].position, x1 = domain.wall[right].position;
+  const double half = 0.5 * domain.thickness, tilt = domain.tilt;
+  const char* x = domain.periodic_x ? "pp" : "ff";
+  const char* y = domain.periodic_y ? "pp" : "ff";
+  std::string text = from.number == 0 ? "ITEM: UNITS\nsi\n" : "";
+  fmt::format_to(Text(text), "ITEM: TIME\n{}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF {}\n{}\n", from.frame->time, from.frame->step, what, count);
+  if (tilt == 0)
+    fmt::format_to(Text(text), "ITEM: BOX BOUNDS {} {} pp\n{} {}\n{} {}\n{} {}\n", x, y, x0, x1, domain.wall[bottom].position,
+                   domain.wall[top].position, -half, half);
+  else
+    fmt::format_to(Text(text), "ITEM: BOX BOUNDS xy xz yz {} {} pp\n{} {} {}\n{} {} 0\n{} {} 0\n", x, y, x0 + std::min(tilt, 0.0),
+                   x1 + std::max(tilt, 0.0), tilt, domain.wall[bottom].position, domain.wall[top].position, -half, half);
+  return text;
+}
+
+std::string grain_dump(const ExportFrame& from) {
+  const Grains& g = from.frame->packing.grains;
+  std::string text = header(from, "ATOMS", g.size());
+  text += "ITEM: ATOMS id type x y z radius vx vy vz omegaz angle zone";
+  for (const auto& field : from.fields) text += " " + field.name;
+  text += '\n';
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    fmt::format_to(Text(text), "{} {} {} {} 0 {} {} {} 0 {} {} {}", g.id[i], g.material[i] + 1, g.x[i], g.y[i], g.radius[i], g.vx[i], g.vy[i],
+                   g.omega[i], g.angle[i], int{g.zone[i]});
+    for (const auto& field : from.fields) fmt::format_to(Text(text), " {}", field.values[i]);
+    text += '\n';
+  }
+  return text;
+}
+
+/// Contacts between grains only: a row names two grains, which OVITO joins by a bond, and LAMMPS knows no walls here.
+/// The force (fx, fy) acts on the first grain, as in LAMMPS's pair/local.
+std::string contact_dump(const ExportFrame& from) {
+  const Packing& packing = from.frame->packing;
+  const Contacts& c = packing.contacts;
+  const double mean = mean_compressive_force(c);
+  std::string rows;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    if (c.is_wall(k)) continue;
+    const Vec2 f = c.force_on_i(k);
+    fmt::format_to(Text(rows), "{} {} {} {} 0 {} {} {} {}", packing.grains.id[static_cast<std::size_t>(c.i[k])],
+                   packing.grains.id[static_cast<std::size_t>(c.j[k])], f.x, f.y, contact_type(packing, k), c.fn[k] > mean ? 1 : 0, int{c.glued[k]},
+                   c.arm_i[k] + c.arm_j[k]);
+    for (const auto& column : contact_columns) fmt::format_to(Text(rows), " {}", (c.*column.member)[k]);
+    rows += '\n';
+    ++count;
+  }
+  std::string text = header(from, "ENTRIES", count);
+  text += "ITEM: ENTRIES id1 id2 fx fy fz type strong glued dist";
+  for (const auto& column : contact_columns) text += std::string(" ") + column.name;
+  return text + '\n' + rows;
+}
+
+}  // namespace
+
+std::vector<NamedBytes> lammps_frame(const ExportFrame& frame) {
+  return {{"grains.dump", grain_dump(frame)}, {"contacts.dump", contact_dump(frame)}};
+}
+
+}  // namespace arenite::io

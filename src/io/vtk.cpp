@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "io/columns.hpp"
+#include "io/export_frame.hpp"
+#include "io/vtp.hpp"
+
+namespace arenite::io {
+namespace {
+
+/// z, x and y of a plane vector as VTK wants them: three components, the last 0.
+std::vector<double> in_space(const std::vector<double>& x, const std::vector<double>& y) {
+  std::vector<double> values(3 * x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    values[3 * k] = x[k];
+    values[3 * k + 1] = y[k];
+  }
+  return values;
+}
+
+VtkPolyData grains_of(const ExportFrame& from) {
+  const Grains& grains = from.frame->packing.grains;
+  VtkPolyData data;
+  data.time = from.frame->time;
+  data.points = in_space(grains.x, grains.y);
+  data.point_arrays = {{"id", grains.id},       {"radius", grains.radius},
+                       {"material", grains.material}, {"zone", grains.zone},
+                       {"velocity", in_space(grains.vx, grains.vy), 3}, {"angle", grains.angle}, {"omega", grains.omega}};
+  for (const auto& field : from.fields) data.point_arrays.push_back({field.name, field.values});
+  return data;
+}
+
+VtkPolyData contacts_of(const ExportFrame& from) {
+  const Packing& packing = from.frame->packing;
+  const Contacts& contacts = packing.contacts;
+  const double mean = mean_compressive_force(contacts);
+  VtkPolyData data;
+  data.time = from.frame->time;
+  data.cells = VtkPolyData::Cells::lines;
+  std::vector<double> force_at_ends;
+  std::vector<std::int64_t> id_i, id_j;
+  std::vector<std::int32_t> type;
+  std::vector<std::uint8_t> strong;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const auto i = static_cast<std::size_t>(contacts.i[c]);
+    const Vec2 a = packing.grains.centre(i), b = far_end(packing, c);
+    data.points.insert(data.points.end(), {a.x, a.y, 0, b.x, b.y, 0});
+    force_at_ends.insert(force_at_ends.end(), 2, contacts.fn[c]);
+    id_i.push_back(packing.grains.id[i]);
+    id_j.push_back(contacts.is_wall(c) ? contacts.j[c] : packing.grains.id[static_cast<std::size_t>(contacts.j[c])]);
+    type.push_back(contact_type(packing, c));
+    strong.push_back(contacts.fn[c] > mean ? 1 : 0);
+  }
+  data.point_arrays = {{"fn", force_at_ends}};  // on points as well: ParaView's tubes take their radius from there
+  data.cell_arrays = {{"i", id_i}, {"j", id_j}, {"type", type}, {"strong", strong}, {"glued", contacts.glued}};
+  for (const auto& column : contact_columns) data.cell_arrays.push_back({column.name, contacts.*column.member});
+  return data;
+}
+
+/// Four lines, in the order of the sides; `present` is 0 where a side is the edge of a periodic cell.
+VtkPolyData walls_of(const ExportFrame& from) {
+  const Domain& domain = from.frame->packing.domain;
+  const double x0 = domain.wall[left].position, x1 = domain.wall[right].position;
+  const double y0 = domain.wall[bottom].position, y1 = domain.wall[top].position;
+  VtkPolyData data;
+  data.time = from.frame->time;
+  data.cells = VtkPolyData::Cells::lines;
+  const double t = domain.tilt;
+  data.points = {x0, y0, 0, x0 + t, y1, 0, x1, y0, 0, x1 + t, y1, 0, x0, y0, 0, x1, y0, 0, x0 + t, y1, 0, x1 + t, y1, 0};
+  std::vector<std::uint8_t> present;
+  std::vector<double> force, shear_force, velocity;
+  for (const Wall& wall : domain.wall) {
+    present.push_back(wall.present ? 1 : 0);
+    force.push_back(wall.force);
+    shear_force.push_back(wall.shear_force);
+    velocity.push_back(wall.velocity);
+  }
+  data.cell_arrays = {{"side", std::vector<std::int32_t>{left, right, bottom, top}}, {"present", present}, {"force", force},
+                      {"shear_force", shear_force}, {"velocity", velocity}};
+  return data;
+}
+
+std::string numbered(const char* what, int number) { return fmt::format("{}_{:04}.vtp", what, number); }
+
+constexpr const char* parts[] = {"grains", "contacts", "walls"};
+
+}  // namespace
+
+std::vector<NamedBytes> vtk_frame(const ExportFrame& frame) {
+  return {{numbered("grains", frame.number), vtp_bytes(grains_of(frame))},
+          {numbered("contacts", frame.number), vtp_bytes(contacts_of(frame))},
+          {numbered("walls", frame.number), vtp_bytes(walls_of(frame))}};
+}
+
+/// loading.pvd opens everything; grains.pvd, contacts.pvd and walls.pvd one thing each, which filters like better.
+std::vector<NamedBytes> vtk_index(const std::vector<double>& times) {
+  std::vector<VtkListed> all;
+  std::vector<NamedBytes> files;
+  for (int part = 0; part < 3; ++part) {
+    std::vector<VtkListed> one;
+    for (std::size_t f = 0; f < times.size(); ++f) {
+      one.push_back({times[f], 0, numbered(parts[part], static_cast<int>(f))});
+      all.push_back({times[f], part, numbered(parts[part], static_cast<int>(f))});
+    }
+    files.push_back({fmt::format("{}.pvd", parts[part]), pvd_bytes(one)});
+  }
+  files.push_back({"loading.pvd", pvd_bytes(all)});
+  return files;
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,36 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace arenite::io {
+
+/// One array of a VTK file: a value of `components` numbers for every point or cell.
+struct VtkArray {
+  std::string name;
+  std::variant<std::vector<double>, std::vector<std::int32_t>, std::vector<std::int64_t>, std::vector<std::uint8_t>> values;
+  int components = 1;
+};
+
+/// Points with either one vertex each or straight lines between pairs of them: all that disks, contacts and walls need.
+struct VtkPolyData {
+  enum class Cells { vertices, lines };  ///< a vertex per point; a line per two successive points
+  Cells cells = Cells::vertices;
+  std::vector<double> points;            ///< x, y, z of each, m
+  std::vector<VtkArray> point_arrays, cell_arrays;
+  double time = 0;                       ///< s; stored as TimeValue
+};
+
+/// The bytes of a .vtp file (VTK XML PolyData, appended raw data, zlib), as ParaView and VTK >= 6 read them.
+std::string vtp_bytes(const VtkPolyData& data);
+
+/// The bytes of a .pvd file: which files belong together at which time (s).
+struct VtkListed {
+  double time = 0;
+  int part = 0;
+  std::string file;
+};
+std::string pvd_bytes(const std::vector<VtkListed>& files);
+
+}  // namespace arenite::io
