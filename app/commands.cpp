@@ -8,6 +8,8 @@ const std::vector<Command>& commands() {
   static const std::vector<Command> list{
       {"init", "Write a commented recipe to start from", add_init},
       {"check", "Check a recipe and print it as it was understood", add_check},
+      {"show", "Summarise a result: what, when, outcome, walls, energies, texture", add_show},
+      {"export", "Write a result for ParaView, OVITO, LAMMPS tools or as tables", add_export},
       {"doctor", "Say what this installation can do: versions, kernels, threads, helpers found", add_doctor},
       {"completion", "Print the completion script of a shell", add_completion},
       {"man", "Print the manual page (roff)", add_man},

@@ -11,7 +11,7 @@
 #include "io/atomic_file.hpp"
 #include "io/columns.hpp"
 #include "io/read_file.hpp"
-#include "unit/io/sample_results.hpp"
+#include "support/sample_results.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace {

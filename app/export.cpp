@@ -1,0 +1,50 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "commands.hpp"
+#include "study/export_result.hpp"
+
+namespace arenite::app {
+namespace {
+
+struct Arguments {
+  std::string result, format, out;
+  bool last = false;
+};
+
+/// The folder of the result, or of its file, and in it one named after the format.
+std::filesystem::path default_folder(const Arguments& a) {
+  const std::filesystem::path result(a.result);
+  return (std::filesystem::is_directory(result) ? result : result.parent_path()) / a.format;
+}
+
+void write_export(const Arguments& a) {
+  for (const auto& format : io::export_formats()) {
+    if (a.format != format.name) continue;
+    const auto folder = a.out.empty() ? default_folder(a) : std::filesystem::path(a.out);
+    const auto files = study::export_result(a.result, format, folder, a.last);
+    fmt::print("{} files in {}, the last is {}\n", files.size(), folder.string(), files.back().filename().string());
+  }
+}
+
+}  // namespace
+
+void add_export(CLI::App& command, int&) {
+  const auto arguments = std::make_shared<Arguments>();
+  std::vector<std::string> names;
+  std::string sentences = "Format";
+  for (const auto& format : io::export_formats()) {
+    names.emplace_back(format.name);
+    sentences += fmt::format("; {}: {}", format.name, format.sentence);
+  }
+  command.add_option("result", arguments->result, "Stage file (.h5) or folder of a run")->required()->type_name("RESULT");
+  command.add_option("--to", arguments->format, sentences)->required()->check(CLI::IsMember(names));
+  command.add_option("--out", arguments->out, "Folder to write to; default: one named after the format, beside the result")->type_name("DIR");
+  command.add_flag("--last", arguments->last, "Only the last state, not the whole loading");
+  command.callback([arguments] { write_export(*arguments); });
+}
+
+}  // namespace arenite::app

@@ -1,0 +1,170 @@
+#include "report/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/run_folder.hpp"
+#include "io/stage_file.hpp"
+#include "texture/texture.hpp"
+
+namespace arenite::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json provenance(const Provenance& p) {
+  Json options = Json::object();
+  for (const auto& [key, value] : p.options) options[key] = value;
+  return {{"version", p.version}, {"stage", p.stage}, {"input_hash", p.input_hash}, {"seed", p.seed},
+          {"kernel", p.kernel},   {"options", options}, {"recipe", p.recipe}};
+}
+
+Json walls(const Domain& domain) {
+  Json j = Json::object();
+  for (std::size_t side = 0; side < domain.wall.size(); ++side) {
+    const Wall& wall = domain.wall[side];
+    if (!wall.present) continue;
+    j[side_names[side]] = {{"position_m", wall.position}, {"velocity_m_s", wall.velocity}, {"force_N", wall.force},
+                           {"shear_force_N", wall.shear_force}};
+  }
+  return j;
+}
+
+Json energies(const Energies& e) {
+  return {{"kinetic", e.kinetic}, {"elastic", e.elastic}, {"adhesive", e.adhesive},
+          {"dissipated_normal", e.dissipated_normal}, {"dissipated_friction", e.dissipated_friction},
+          {"dissipated_drag", e.dissipated_drag}, {"dissipated_breakage", e.dissipated_breakage},
+          {"work_walls", e.work_walls}, {"work_gravity", e.work_gravity}};
+}
+
+Json state(const Frame& frame) {
+  const Equilibrium& q = frame.equilibrium;
+  return {{"label", frame.label}, {"time_s", frame.time}, {"step", frame.step}, {"walls", walls(frame.packing.domain)},
+          {"equilibrium", {{"unbalanced_ratio", q.unbalanced_ratio}, {"kinetic_ratio", q.kinetic_ratio},
+                           {"mobilisation", q.mobilisation}, {"wall_speed_m_s", q.wall_speed}}},
+          {"energies_J", energies(frame.energies)}};
+}
+
+/// "0.842 +- 0.003" of a {"value", "error"}; empty where it is not known.
+std::string estimate(const Json& at, const char* name) {
+  if (!at.contains(name) || !at[name].contains("value") || !at[name]["value"].is_number()) return {};
+  const double value = at[name]["value"];
+  const Json& error = at[name]["error"];
+  return error.is_number() ? fmt::format("{:.4g} +- {:.2g}", value, error.get<double>()) : fmt::format("{:.4g}", value);
+}
+
+/// Lines "name  value", the values in one column.
+class Lines {
+ public:
+  void heading(const std::string& text) { text_ += "\n" + text + "\n"; }
+  void add(const std::string& name, const std::string& value) {
+    if (!value.empty()) text_ += fmt::format("  {:<24} {}\n", name, value);
+  }
+  std::string text() && { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
+void describe_state(Lines& lines, const Frame& frame) {
+  lines.heading(fmt::format("Last state: {} (t = {:.6g} s, step {})", frame.label, frame.time, frame.step));
+  const Domain& d = frame.packing.domain;
+  for (std::size_t side = 0; side < d.wall.size(); ++side)
+    if (d.wall[side].present)
+      lines.add(fmt::format("{} wall", side_names[side]), fmt::format("at {:.6g} m, force {:.5g} N, along it {:.5g} N", d.wall[side].position,
+                                                                      d.wall[side].force, d.wall[side].shear_force));
+  if (d.periodic_x || d.periodic_y)
+    lines.add("periodic cell", fmt::format("{:.6g} m x {:.6g} m, tilt {:.6g} m", d.width(), d.height(), d.tilt));
+  lines.add("unbalanced force ratio", fmt::format("{:.2e}", frame.equilibrium.unbalanced_ratio));
+  lines.add("kinetic/elastic energy", fmt::format("{:.2e}", frame.equilibrium.kinetic_ratio));
+  lines.add("mean |Ft|/Fn", fmt::format("{:.3f}", frame.equilibrium.mobilisation));
+  const Json energy = energies(frame.energies);
+  for (const auto& [name, value] : energy.items())
+    if (value.get<double>() != 0) {
+      std::string words = name;
+      std::replace(words.begin(), words.end(), '_', ' ');
+      lines.add(words + (name.starts_with("work") ? "" : " energy"), fmt::format("{:.5g} J", value.get<double>()));
+    }
+}
+
+void describe_sets(Lines& lines, const Json& at, const char* group, const char* unit_free_name) {
+  if (at.contains(group))
+    for (const auto& [name, set] : at[group].items()) lines.add(fmt::format("{} {}", unit_free_name, name), estimate(set, "beta"));
+}
+
+void describe_texture(Lines& lines, const Json& t) {
+  lines.heading("Texture");
+  lines.add("grains, contacts", fmt::format("{}, {}", t.value("grains", 0), t.value("contacts", 0)));
+  lines.add("solid fraction", estimate(t, "solid_fraction"));
+  if (t.contains("coordination"))
+    for (const auto& [name, value] : t["coordination"].items())
+      if (value.contains("value")) lines.add("coordination " + name, estimate(t["coordination"], name.c_str()));
+  if (t.contains("fabric")) {
+    lines.add("anisotropy a_c", estimate(t["fabric"], "a_c"));
+    lines.add("its direction, deg", estimate(t["fabric"], "theta_c_deg"));
+  }
+  if (t.contains("stress") && t["stress"].contains("value")) {
+    const Json& s = t["stress"]["value"];
+    if (s[0][0].is_number())
+      lines.add("stress xx, xy, yx, yy", fmt::format("{:.5g}, {:.5g}, {:.5g}, {:.5g} Pa (tension positive)", s[0][0].get<double>(),
+                                                     s[0][1].get<double>(), s[1][0].get<double>(), s[1][1].get<double>()));
+  }
+  if (t.contains("force")) {
+    lines.add("mean normal force, N", estimate(t["force"], "mean_N"));
+    lines.add("share above the mean", estimate(t["force"], "strong_share"));
+    lines.add("force tail beta", estimate(t["force"], "beta"));
+    describe_sets(lines, t["force"], "by_type", "force tail beta");
+  }
+  if (t.contains("sigma_norm")) {
+    lines.add("sigma_norm P0", estimate(t["sigma_norm"], "P0"));
+    lines.add("sigma_norm tail beta", estimate(t["sigma_norm"], "beta"));
+    describe_sets(lines, t["sigma_norm"], "by_material", "sigma_norm tail beta");
+  }
+  if (t.contains("notes"))
+    for (const auto& note : t["notes"]) lines.add("note", note.get<std::string>());
+}
+
+}  // namespace
+
+Summary::Summary(const std::filesystem::path& result) {
+  for (const auto& file : io::stage_files(result)) {
+    Stage stage{file.filename().string(), io::read_stage(file), 0};
+    stage.states = stage.result.frames.size();
+    if (stage.states > 1) stage.result.frames.erase(stage.result.frames.begin(), stage.result.frames.end() - 1);
+    stages_.push_back(std::move(stage));
+  }
+  const StageResult& last = stages_.back().result;
+  texture_ = last.texture_json;
+  if (texture_.empty()) texture_ = last.frames.empty() ? "{}" : texture::to_json(texture::measure(last.frames.back().packing));
+}
+
+std::string Summary::json() const {
+  Json j = Json::parse(texture_);
+  j["provenance"] = provenance(stages_.back().result.provenance);
+  for (const Stage& stage : stages_) {
+    Json one{{"name", stage.result.name}, {"file", stage.file}, {"input_hash", stage.result.provenance.input_hash},
+             {"converged", stage.result.converged}, {"outcome", stage.result.outcome}, {"states", stage.states}};
+    if (!stage.result.frames.empty()) one["last_state"] = state(stage.result.frames.back());
+    j["stages"].push_back(one);
+  }
+  return j.dump(2) + "\n";
+}
+
+std::string Summary::text() const {
+  const StageResult& last = stages_.back().result;
+  Lines lines;
+  lines.heading("Stages");
+  for (const Stage& stage : stages_)
+    lines.add(stage.result.name, fmt::format("{}{} ({} states, {})", stage.result.converged ? "" : "NOT AT REST: ", stage.result.outcome,
+                                             stage.states, stage.file));
+  if (!last.frames.empty()) describe_state(lines, last.frames.back());
+  describe_texture(lines, Json::parse(texture_));
+  return fmt::format("Made by Arenite {}, kernel {}, seed {}; input {}\n", last.provenance.version, last.provenance.kernel,
+                     last.provenance.seed, last.provenance.input_hash) +
+         std::move(lines).text();
+}
+
+}  // namespace arenite::report

@@ -1,0 +1,80 @@
+#include "study/export_result.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+#include "io/run_folder.hpp"
+#include "io/stage_file.hpp"
+#include "study/derived_fields.hpp"
+
+namespace arenite::study {
+namespace fs = std::filesystem;
+namespace {
+
+/// Collects files and writes each when it cannot grow any more.
+class ExportFolder {
+ public:
+  explicit ExportFolder(fs::path folder) : folder_(std::move(folder)) {
+    std::error_code error;
+    fs::create_directory(folder_, error);
+    if (error) throw InputError(folder_.string(), 0, "cannot be made: " + error.message() + "; give another --out");
+  }
+
+  /// Files of one frame: those of the frame before that are not among them are complete.
+  void add(std::vector<io::NamedBytes> files) {
+    const auto named = [](auto& list, const std::string& name) {
+      return std::find_if(list.begin(), list.end(), [&](const auto& f) { return f.name == name; });
+    };
+    for (auto& old : growing_) {
+      const auto next = named(files, old.name);
+      if (next == files.end()) {
+        write(old);
+      } else {
+        old.bytes += next->bytes;
+        next->bytes = std::move(old.bytes);
+      }
+    }
+    growing_ = std::move(files);
+  }
+
+  std::vector<fs::path> finish() {
+    for (const auto& file : growing_) write(file);
+    return std::move(written_);
+  }
+
+ private:
+  void write(const io::NamedBytes& file) {
+    io::write_atomically(folder_ / file.name, file.bytes);
+    written_.push_back(folder_ / file.name);
+  }
+
+  fs::path folder_;
+  std::vector<io::NamedBytes> growing_;
+  std::vector<fs::path> written_;
+};
+
+}  // namespace
+
+std::vector<fs::path> export_result(const fs::path& result, const io::ExportFormat& format, const fs::path& folder, bool last_only) {
+  auto files = io::stage_files(result);
+  if (last_only) files.erase(files.begin(), files.end() - 1);
+  std::optional<ExportFolder> out;
+  std::vector<double> times;
+  for (const auto& file : files) {
+    StageResult stage = io::read_stage(file);
+    if (!out) out.emplace(folder);  // after the first readable file, so that a bad one leaves no empty folder
+    if (last_only && stage.frames.size() > 1) stage.frames.erase(stage.frames.begin(), stage.frames.end() - 1);
+    for (const Frame& frame : stage.frames) {
+      if (!times.empty() && frame.time == times.back()) continue;
+      out->add(format.of_frame({static_cast<int>(times.size()), stage.name, &frame, derived_fields(frame.packing)}));
+      times.push_back(frame.time);
+    }
+  }
+  if (times.empty()) throw InputError(result.string(), 0, "holds no state to export; run the recipe to its end first");
+  if (format.index) out->add(format.index(times));
+  return out->finish();
+}
+
+}  // namespace arenite::study

@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include "io/atomic_file.hpp"
+#include "io/read_file.hpp"
+#include "io/stage_file.hpp"
+#include "support/program.hpp"
+#include "support/sample_results.hpp"
+
+namespace {
+using namespace arenite;
+using test::arenite;
+using test::shell;
+using test::TemporaryFolder;
+
+std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
+
+/// The distribution's Python, which has h5py and VTK.
+std::string python(const std::string& script) { return "/usr/bin/python3 " ARENITE_SOURCE_DIR "/tests/commands/" + script + " "; }
+
+class Export : public testing::Test {
+ protected:
+  Export() { io::write_stage(file, test::two_frames(6)); }
+  TemporaryFolder folder;
+  const std::filesystem::path file = folder / "01-compact.h5";
+};
+
+TEST_F(Export, VtkItselfReadsBackEveryValueAndTime) {
+  const auto done = arenite("export " + file.string() + " --to vtk");
+  ASSERT_EQ(done.status, 0) << done.err;
+  const auto read = shell(python("compare_vtk.py") + file.string() + " " + (folder / "vtk").string());
+  EXPECT_EQ(read.status, 0) << read.err;
+  EXPECT_EQ(read.out, "checked 2 states\n");
+}
+
+TEST_F(Export, TextFormatsHoldWhatTheStageFileHolds) {
+  for (const std::string format : {"lammps", "extxyz", "csv"}) {
+    const auto out = folder / ("as " + format);
+    const auto done = arenite("export " + file.string() + " --to " + format + " --out " + quoted(out));
+    ASSERT_EQ(done.status, 0) << done.err;
+    const auto read = shell(python("compare_tables.py") + file.string() + " " + quoted(out) + " " + format);
+    EXPECT_EQ(read.status, 0) << format << read.err;
+  }
+}
+
+TEST_F(Export, AFolderOfStagesIsOneLoadingAndASharedStateIsWrittenOnce) {
+  auto next = test::two_frames(6);
+  next.frames[0] = test::two_frames(6).frames[1];
+  next.frames[1].time = 1.5;
+  io::write_stage(folder / "02-shear.h5", next);
+  const auto done = arenite("export " + folder.path().string() + " --to vtk");
+  ASSERT_EQ(done.status, 0) << done.err;
+  const std::string list = io::read_file(folder / "vtk/grains.pvd");
+  for (const std::string time : {"0.125", "0.375", "1.5"}) EXPECT_NE(list.find("timestep=\"" + time + "\""), std::string::npos) << list;
+  EXPECT_TRUE(std::filesystem::exists(folder / "vtk/walls_0002.vtp"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "vtk/walls_0003.vtp"));
+}
+
+TEST_F(Export, LastWritesOnlyTheLastState) {
+  ASSERT_EQ(arenite("export " + file.string() + " --to csv --last").status, 0);
+  EXPECT_EQ(folder.count(), 2);
+  EXPECT_TRUE(std::filesystem::exists(folder / "csv/grains_0000.csv"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "csv/grains_0001.csv"));
+}
+
+TEST_F(Export, SameResultGivesTheSameBytes) {
+  for (const std::string format : {"vtk", "lammps", "extxyz", "csv"}) {
+    for (const std::string where : {"a", "b"})
+      ASSERT_EQ(arenite("export " + file.string() + " --to " + format + " --out " + (folder / (where + format)).string()).status, 0);
+    EXPECT_EQ(shell("diff -r " + (folder / ("a" + format)).string() + " " + (folder / ("b" + format)).string()).status, 0);
+  }
+}
+
+TEST_F(Export, BadInputIsOneSentenceAndLeavesNothing) {
+  io::write_atomically(folder / "cut.h5", io::read_file(file).substr(0, 2000));
+  const auto cut = arenite("export " + (folder / "cut.h5").string() + " --to vtk --out " + (folder / "new").string());
+  EXPECT_EQ(cut.status, 2);
+  EXPECT_NE(cut.err.find("cut short"), std::string::npos) << cut.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "new"));
+  EXPECT_EQ(arenite("export " + file.string() + " --to povray").status, 2);
+  const auto nowhere = arenite("export " + file.string() + " --to vtk --out " + (folder / "no/such").string());
+  EXPECT_EQ(nowhere.status, 2);
+  EXPECT_NE(nowhere.err.find("give another --out"), std::string::npos) << nowhere.err;
+}
+
+TEST_F(Export, AFullDiskIsSaidAndNoFileIsCut) {
+  const auto full = shell("ulimit -f 1; " ARENITE_BINARY " export " + file.string() + " --to lammps");
+  EXPECT_EQ(full.status, 2) << full.err;
+  EXPECT_NE(full.err.find("size limit"), std::string::npos) << full.err;
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "lammps"));
+}
+
+}  // namespace
