@@ -1,13 +1,16 @@
 #include "dem/engine.hpp"
 
 #include <fmt/format.h>
+#include <xxhash.h>
 
 #include "core/error.hpp"
 #include "dem/bounds.hpp"
 #include "dem/forces.hpp"
+#include "dem/integrators/gear.hpp"
 #include "dem/integrators/verlet.hpp"
 #include "dem/measure.hpp"
 #include "dem/neighbours.hpp"
+#include "dem/save.hpp"
 #include "dem/setup.hpp"
 #include "dem/walls.hpp"
 
@@ -25,19 +28,53 @@ Engine& Engine::operator=(Engine&&) noexcept = default;
 
 namespace {
 
-/// Brings the integrated velocities to the time of the positions, so that a change of load acts from now on.
+/// Brings the integrated velocities (and Gear's places) to the present, so that a change of load acts from now on.
 void synchronise(Sample& s) {
-  if (s.lag == 0) return;
-  std::array<double, 4> rate;
-  for (std::size_t side = 0; side < 4; ++side) rate[side] = wall_rate(s, side);
+  s.ledger.open = false;
+  if (s.lag == 0 && !s.settled) return;
+  std::array<double, 4> rate, place;
+  for (std::size_t side = 0; side < 4; ++side) {
+    rate[side] = wall_rate(s, side);
+    place[side] = wall_place(s, side);
+  }
   for (std::size_t k = 0; k < s.count; ++k) {
     const Motion v = motion_of(s, k);
+    const Vec2 x = place_of(s, k);
     s.vx[k] = v.vx;
     s.vy[k] = v.vy;
     s.omega[k] = v.omega;
+    s.record[k].x = x.x;
+    s.record[k].y = x.y;
   }
-  for (std::size_t side = 0; side < 4; ++side) s.wall[side].rate = rate[side];
+  for (std::size_t side = 0; side < 4; ++side) {
+    s.wall[side].rate = rate[side];
+    s.domain.wall[side].position = place[side];
+  }
   s.lag = 0;
+  s.settled = false;
+}
+
+double servo_energy(const Sample& s) {
+  double sum = 0;
+  for (std::size_t side = 0; side < 4; ++side)
+    if (s.wall[side].drive.kind == WallDrive::Kind::force)
+      sum += 0.5 * s.wall[side].mass * s.wall[side].rate * s.wall[side].rate;
+  return sum;
+}
+
+template <class Sweep>
+void run(Sample& s, std::int64_t steps, Sweep&& sweep) {
+  const bool tracked = s.integration.track_energy;
+  if (tracked && !s.ledger.open) open_ledger(s);
+  for (std::int64_t n = 0; n < steps; ++n) {
+    sweep(s);
+    if (list_is_stale(s))
+      rebuild_list(s);
+    else
+      refresh_ghosts(s);
+    compute_forces(s);
+    if (tracked) book_step(s);
+  }
 }
 
 }  // namespace
@@ -65,8 +102,12 @@ void Engine::set_friction(std::optional<double> mu) {
 void Engine::set_glue(bool on) {
   Sample& s = machine_->sample;
   if (on == s.glue) return;
+  // What bonds gain or lose by decree is booked with their breakage.
+  const double before = adhesive_energy(s);
   s.glue = on;
-  renew_strengths(s);
+  bond_touching_pairs(s);
+  if (s.integration.track_energy) s.tally.dissipated_breakage += before - adhesive_energy(s);
+  s.ledger.open = false;
 }
 
 void Engine::set_drives(const WallDrives& drives) {
@@ -76,19 +117,21 @@ void Engine::set_drives(const WallDrives& drives) {
     changed |= drives[side].kind != s.wall[side].drive.kind || drives[side].value != s.wall[side].drive.value;
   if (!changed) return;
   synchronise(s);
+  const double before = servo_energy(s);
   apply_drives(s, drives);
+  if (s.integration.track_energy) s.tally.dissipated_drag += before - servo_energy(s);
 }
 
 void Engine::advance(std::int64_t steps) {
   Sample& s = machine_->sample;
-  const double extrapolation = s.integration.integrator == IntegratorKind::leapfrog ? 0.0 : 1.0;
-  for (std::int64_t n = 0; n < steps; ++n) {
-    verlet_sweep(s, extrapolation);
-    if (list_is_stale(s))
-      rebuild_list(s);
-    else
-      refresh_ghosts(s);
-    compute_forces(s);
+  if (steps <= 0) return;
+  switch (s.integration.integrator) {
+    case IntegratorKind::velocity_verlet: return run(s, steps, [](Sample& sample) { verlet_sweep(sample, 1.0); });
+    case IntegratorKind::leapfrog: return run(s, steps, [](Sample& sample) { verlet_sweep(sample, 0.0); });
+    case IntegratorKind::gear5:
+      if (!s.settled) gear_start(s);
+      s.settled = true;
+      return run(s, steps, gear_sweep);
   }
 }
 
@@ -101,8 +144,11 @@ const Domain& Engine::domain() const { return machine_->sample.domain; }
 Packing Engine::packing() const { return packing_of(machine_->sample); }
 Energies Engine::energies() const { return energies_of(machine_->sample); }
 Equilibrium Engine::equilibrium() const { return equilibrium_of(machine_->sample); }
-std::uint64_t Engine::state_hash() const { return 0; }
-std::vector<std::uint8_t> Engine::save() const { return {}; }
-void Engine::restore(const std::vector<std::uint8_t>&) {}
+std::uint64_t Engine::state_hash() const {
+  const auto bytes = save();
+  return XXH3_64bits(bytes.data(), bytes.size());
+}
+std::vector<std::uint8_t> Engine::save() const { return save_sample(machine_->sample); }
+void Engine::restore(const std::vector<std::uint8_t>& bytes) { restore_sample(machine_->sample, bytes); }
 
 }  // namespace arenite::dem

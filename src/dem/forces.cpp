@@ -9,17 +9,22 @@ namespace arenite::dem {
 
 namespace {
 
-/// A bond that breaks for good: alive from the first touch to the first opening.
-void follow_bond(Sample& s, std::size_t p, bool touching_now) {
-  auto& bond = s.list.bond[p];
-  if (touching_now) {
-    bond = touching;
-  } else if (bond == touching) {
-    bond = broken;
-    s.list.strength[p] = 0;
-    const auto key = pair_key(s.record[static_cast<std::size_t>(s.list.i[p])].grain,
-                              s.record[static_cast<std::size_t>(s.list.owner[p])].grain);
-    s.broken_pairs.insert(std::lower_bound(s.broken_pairs.begin(), s.broken_pairs.end(), key), key);
+/// Ends the bonds that break for good where their contact has opened; the energy of the tangential spring is lost.
+template <class F>
+void end_open_bonds(Sample& s, const F& friction) {
+  for (std::size_t p = 0; p < s.list.pairs; ++p) {
+    if (!(s.list.strength[p] > 0)) continue;
+    auto& bond = s.list.bond[p];
+    if (slot_kinematics(s, p).overlap > 0) {
+      bond = touching;
+    } else if (bond == touching) {
+      bond = never_touched;
+      s.list.strength[p] = 0;
+      s.live_bonds.erase(std::lower_bound(s.live_bonds.begin(), s.live_bonds.end(), slot_key(s, p)));
+      const double lost = friction.energy(0.0, s.list.stiffness[p], s.list.memory[p]);
+      s.tally.dissipated_breakage += lost;
+      s.tally.dissipated_friction -= lost;
+    }
   }
 }
 
@@ -27,10 +32,8 @@ template <class N, class A, class F>
 void evaluate(Sample& s, const N& normal, const A& adhesion, const F& friction) {
   ContactList& list = s.list;
   const double floor = s.contact.attractive_dashpot ? -std::numeric_limits<double>::infinity() : 0.0;
-  const bool breaking = s.contact.adhesion == Adhesion::geometrical_breaking;
   for (std::size_t p = 0; p < list.size(); ++p) {
     const Kinematics c = slot_kinematics(s, p);
-    if (breaking && list.strength[p] > 0) follow_bond(s, p, c.overlap > 0);
     if (!(c.overlap > 0)) {
       list.fx[p] = list.fy[p] = list.torque_i[p] = list.torque_j[p] = list.memory[p] = 0;
       continue;
@@ -92,6 +95,7 @@ void sum_wall_forces(Sample& s) {
 
 void compute_forces(Sample& s) {
   std::visit([&](const auto& normal, const auto& adhesion, const auto& friction) {
+    if (!s.live_bonds.empty()) end_open_bonds(s, friction);
     evaluate(s, normal, adhesion, friction);
   }, s.laws.normal, s.laws.adhesion, s.laws.friction);
   sum_wall_forces(s);

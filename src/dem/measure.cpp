@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 #include "dem/forces.hpp"
+#include "dem/integrators/gear.hpp"
 #include "dem/kinematics.hpp"
 #include "dem/walls.hpp"
 
 namespace arenite::dem {
 
 namespace {
+
+bool is_gear(const Sample& s) { return s.integration.integrator == IntegratorKind::gear5; }
 
 struct Body {
   double ax, ay, alpha;
@@ -57,13 +60,47 @@ void add_contacts(const Sample& s, Packing& out) {
 }  // namespace
 
 Motion motion_of(const Sample& s, std::size_t k) {
+  if (is_gear(s)) {
+    if (!s.settled) return {s.vx[k], s.vy[k], s.omega[k]};
+    const Body a = acceleration_of(s, k);
+    const double share = 0.5 * gear_velocity_share * s.dt;
+    return {s.vx[k] + share * (a.ax - s.ax[k]), s.vy[k] + share * (a.ay - s.ay[k]),
+            s.omega[k] + share * (a.alpha - s.alpha[k])};
+  }
   if (s.lag == 0) return {s.vx[k], s.vy[k], s.omega[k]};
   const Body a = acceleration_of(s, k);
   return {s.vx[k] + s.lag * a.ax, s.vy[k] + s.lag * a.ay, s.omega[k] + s.lag * a.alpha};
 }
 
+Vec2 place_of(const Sample& s, std::size_t k) {
+  const Vec2 place{s.record[k].x, s.record[k].y};
+  if (!is_gear(s) || !s.settled) return place;
+  const Body a = acceleration_of(s, k);
+  return place + 0.5 * gear_position_share * s.dt * s.dt * Vec2{a.ax - s.ax[k], a.ay - s.ay[k]};
+}
+
 double wall_rate(const Sample& s, std::size_t side) {
-  return s.wall[side].rate + s.lag * wall_acceleration(s, side, s.domain.wall[side].velocity);
+  const WallBody& body = s.wall[side];
+  const double a = wall_acceleration(s, side, s.domain.wall[side].velocity);
+  if (is_gear(s)) return s.settled ? body.rate + 0.5 * gear_velocity_share * s.dt * (a - body.acceleration) : body.rate;
+  return body.rate + s.lag * a;
+}
+
+double wall_place(const Sample& s, std::size_t side) {
+  const double place = s.domain.wall[side].position;
+  if (!is_gear(s) || !s.settled) return place;
+  const double a = wall_acceleration(s, side, s.domain.wall[side].velocity);
+  return place + 0.5 * gear_position_share * s.dt * s.dt * (a - s.wall[side].acceleration);
+}
+
+double adhesive_energy(const Sample& s) {
+  double sum = 0;
+  std::visit([&](const auto& adhesion) {
+    for (std::size_t p = 0; p < s.list.pairs; ++p)
+      if (const Kinematics c = slot_kinematics(s, p); c.overlap > 0)
+        sum += adhesion.energy(c.overlap, s.list.strength[p]);
+  }, s.laws.adhesion);
+  return sum;
 }
 
 Packing packing_of(const Sample& s) {
@@ -71,14 +108,18 @@ Packing packing_of(const Sample& s) {
   out.materials = s.start.materials;
   out.domain = s.domain;
   out.grains = s.start.grains;
-  for (std::size_t side = 0; side < 4; ++side) out.domain.wall[side].velocity = wall_rate(s, side);
+  for (std::size_t side = 0; side < 4; ++side) {
+    out.domain.wall[side].velocity = wall_rate(s, side);
+    out.domain.wall[side].position = wall_place(s, side);
+  }
   const AffineMotion mx = affine_x(out.domain), my = affine_y(out.domain);
   for (std::size_t k = 0; k < s.count; ++k) {
     const DiskRecord& d = s.record[k];
     const auto g = static_cast<std::size_t>(d.grain);
     const Motion v = motion_of(s, k);
-    out.grains.x[g] = d.x;
-    out.grains.y[g] = d.y;
+    const Vec2 place = place_of(s, k);
+    out.grains.x[g] = place.x;
+    out.grains.y[g] = place.y;
     out.grains.angle[g] = s.angle[k];
     out.grains.vx[g] = v.vx + mx.at(d.x);
     out.grains.vy[g] = v.vy + my.at(d.y);
@@ -101,16 +142,16 @@ Energies energies_of(const Sample& s) {
       const double v = wall_rate(s, side);
       e.kinetic += 0.5 * s.wall[side].mass * v * v;
     }
-  std::visit([&](const auto& normal, const auto& adhesion, const auto& friction) {
+  e.adhesive = adhesive_energy(s);
+  std::visit([&](const auto& normal, const auto& friction) {
     const ContactList& list = s.list;
     for (std::size_t p = 0; p < list.size(); ++p) {
       const Kinematics c = slot_kinematics(s, p);
       if (!(c.overlap > 0)) continue;
       e.elastic += normal.energy(c.overlap, list.stiffness[p], c.curvature) +
                    friction.energy(c.sliding, list.stiffness[p], list.memory[p]);
-      e.adhesive += adhesion.energy(c.overlap, list.strength[p]);
     }
-  }, s.laws.normal, s.laws.adhesion, s.laws.friction);
+  }, s.laws.normal, s.laws.friction);
   return e;
 }
 

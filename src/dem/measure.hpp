@@ -17,12 +17,15 @@ struct Motion {
 };
 Motion motion_of(const Sample& sample, std::size_t k);
 
+/// Place of inner disk k: Gear's records hold the predicted one, which this corrects.
+Vec2 place_of(const Sample& sample, std::size_t k);
+
 /// Velocity of a wall at the time of its position.
 double wall_rate(const Sample& sample, std::size_t side);
 
-/// Elastic (normal and tangential) and adhesive energy of one slot, J.
-struct StoredEnergy {
-  double normal = 0, tangential = 0, adhesive = 0;
-};
+double wall_place(const Sample& sample, std::size_t side);
+
+/// Energy of the adhesion, J, <= 0.
+double adhesive_energy(const Sample& sample);
 
 }  // namespace arenite::dem

@@ -161,14 +161,23 @@ void add_slot(ContactList& list, std::int32_t i, std::int32_t j, std::int32_t ow
   list.strength.push_back(c.strength);
 }
 
-bool is_glued(const Sample& s, std::int32_t a, std::int32_t b) {
-  if (!s.glue || s.contact.adhesion == Adhesion::none) return false;
+/// The pair was declared glued: by name, or by its zones where no pair is named.
+bool is_named(const Sample& s, std::int32_t a, std::int32_t b) {
   const auto& zone = s.start.grains.zone;
-  const auto& glued = s.contact.glued_pairs;  // keys sorted by the engine: low index first
-  const std::pair<std::int32_t, std::int32_t> pair{std::min(a, b), std::max(a, b)};
-  const bool named = glued.empty() ? zone[static_cast<std::size_t>(a)] > 0 && zone[static_cast<std::size_t>(b)] > 0
-                                   : std::binary_search(glued.begin(), glued.end(), pair);
-  return named && !std::binary_search(s.broken_pairs.begin(), s.broken_pairs.end(), pair_key(a, b));
+  const auto& glued = s.contact.glued_pairs;  // sorted, low index first
+  if (glued.empty()) return zone[static_cast<std::size_t>(a)] > 0 && zone[static_cast<std::size_t>(b)] > 0;
+  return std::binary_search(glued.begin(), glued.end(), std::pair{std::min(a, b), std::max(a, b)});
+}
+
+bool is_glued(const Sample& s, std::int32_t a, std::int32_t b) {
+  if (!s.glue) return false;
+  switch (s.contact.adhesion) {
+    case Adhesion::none: return false;
+    case Adhesion::geometrical: return is_named(s, a, b);
+    case Adhesion::geometrical_breaking:
+      return std::binary_search(s.live_bonds.begin(), s.live_bonds.end(), pair_key(a, b));
+  }
+  return false;
 }
 
 void list_pairs(Sample& s) {
@@ -237,19 +246,6 @@ void index_incoming(Sample& s) {
         static_cast<std::int32_t>(p);
 }
 
-/// What a contact carries over a rebuild, keyed by the grains (or grain and wall) that it joins. A periodic cell is at
-/// least two reaches wide, so no pair meets twice.
-struct Carried {
-  std::uint64_t key;
-  double memory;
-  std::uint8_t bond;
-};
-
-std::uint64_t slot_key(const Sample& s, std::size_t p) {
-  const std::int32_t a = s.record[static_cast<std::size_t>(s.list.i[p])].grain;
-  return pair_key(a, s.list.j[p] < 0 ? s.list.j[p] : s.record[static_cast<std::size_t>(s.list.owner[p])].grain);
-}
-
 std::vector<Carried> carried(const Sample& s) {
   std::vector<Carried> all;
   for (std::size_t p = 0; p < s.list.size(); ++p)
@@ -257,18 +253,6 @@ std::vector<Carried> carried(const Sample& s) {
       all.push_back({slot_key(s, p), s.list.memory[p], s.list.bond[p]});
   std::sort(all.begin(), all.end(), [](const Carried& p, const Carried& q) { return p.key < q.key; });
   return all;
-}
-
-void restore_carried(Sample& s, const std::vector<Carried>& all) {
-  if (all.empty()) return;
-  for (std::size_t p = 0; p < s.list.size(); ++p) {
-    const std::uint64_t key = slot_key(s, p);
-    const auto found = std::lower_bound(all.begin(), all.end(), key,
-                                        [](const Carried& c, std::uint64_t k) { return c.key < k; });
-    if (found == all.end() || found->key != key) continue;
-    s.list.memory[p] = found->memory;
-    s.list.bond[p] = found->bond;
-  }
 }
 
 }  // namespace
@@ -283,7 +267,7 @@ void refresh_ghosts(Sample& s) {
     d = s.record[static_cast<std::size_t>(ghost.source)];
     d.x += ghost.shift_x * width + ghost.shift_y * s.domain.tilt;
     d.y += ghost.shift_y * height;
-    d.vx += ghost.shift_x * stretch_x;
+    d.vx += ghost.shift_x * stretch_x + ghost.shift_y * s.domain.tilt * stretch_x / width;
     d.vy += ghost.shift_y * stretch_y;
   }
 }
@@ -301,7 +285,30 @@ void list_contacts(Sample& s) {
   s.list.bond.assign(s.list.size(), never_touched);
 }
 
-void renew_strengths(Sample& s) {
+void carry_into(Sample& s, const std::vector<Carried>& all) {
+  if (all.empty()) return;
+  for (std::size_t p = 0; p < s.list.size(); ++p) {
+    const std::uint64_t key = slot_key(s, p);
+    const auto found = std::lower_bound(all.begin(), all.end(), key,
+                                        [](const Carried& c, std::uint64_t k) { return c.key < k; });
+    if (found == all.end() || found->key != key) continue;
+    s.list.memory[p] = found->memory;
+    s.list.bond[p] = found->bond;
+  }
+}
+
+void bond_touching_pairs(Sample& s) {
+  s.live_bonds.clear();
+  if (s.glue && s.contact.adhesion == Adhesion::geometrical_breaking) {
+    for (std::size_t p = 0; p < s.list.pairs; ++p) {
+      const auto& a = s.record[static_cast<std::size_t>(s.list.i[p])];
+      const auto& b = s.record[static_cast<std::size_t>(s.list.j[p])];
+      const double reach = (1 + 1e-6) * (a.radius + b.radius);
+      const Vec2 d{a.x - b.x, a.y - b.y};
+      if (dot(d, d) < reach * reach && is_named(s, a.grain, b.grain)) s.live_bonds.push_back(slot_key(s, p));
+    }
+    std::sort(s.live_bonds.begin(), s.live_bonds.end());
+  }
   ContactList& list = s.list;
   for (std::size_t p = 0; p < list.pairs; ++p) {
     const auto& a = s.record[static_cast<std::size_t>(list.i[p])];
@@ -325,35 +332,23 @@ void rebuild_list(Sample& s) {
   s.listed_domain = s.domain;
   ++s.builds;
   list_contacts(s);
-  restore_carried(s, kept);
+  carry_into(s, kept);
 }
 
 bool list_is_stale(const Sample& s) {
-  double slack = s.skin;
-  double scale_x = 1, scale_y = 1, from_x = 0, from_y = 0, to_x = 0, to_y = 0;
   for (std::size_t side = 0; side < 4; ++side) {
     const bool periodic = side < bottom ? s.domain.periodic_x : s.domain.periodic_y;
     const double moved = std::abs(s.domain.wall[side].position - s.listed_domain.wall[side].position);
     if (!periodic && moved > 0.5 * s.skin) return true;
   }
-  const double reach = reach_of(s);
-  if (s.domain.periodic_x) {
-    scale_x = s.domain.width() / s.listed_domain.width();
-    from_x = s.listed_domain.wall[left].position;
-    to_x = s.domain.wall[left].position;
-    slack -= reach * std::abs(scale_x - 1);
-  }
-  if (s.domain.periodic_y) {
-    scale_y = s.domain.height() / s.listed_domain.height();
-    from_y = s.listed_domain.wall[bottom].position;
-    to_y = s.domain.wall[bottom].position;
-    slack -= reach * std::abs(scale_y - 1);
-  }
+  const CellFrame then = cell_frame(s.listed_domain), now = cell_frame(s.domain);
+  const double slack = s.skin - reach_of(s) * (std::abs(now.width / then.width - 1) * s.domain.periodic_x +
+                                               std::abs(now.height / then.height - 1) * s.domain.periodic_y);
   if (slack <= 0) return true;
   const double limit = 0.25 * slack * slack;
   for (std::size_t k = 0; k < s.count; ++k) {
-    const double dx = s.record[k].x - (to_x + scale_x * (s.listed_x[k] - from_x));
-    const double dy = s.record[k].y - (to_y + scale_y * (s.listed_y[k] - from_y));
+    const double dx = s.record[k].x - now.x_from(then, s.listed_x[k]);
+    const double dy = s.record[k].y - now.y_from(then, s.listed_y[k]);
     if (!(dx * dx + dy * dy <= limit)) return true;  // also true for NaN
   }
   return false;

@@ -12,8 +12,20 @@ void rebuild_list(Sample& sample);
 /// what a restored sample needs.
 void list_contacts(Sample& sample);
 
-/// Decides anew which listed pairs attract, after glue was switched on or off.
-void renew_strengths(Sample& sample);
+/// Decides anew which listed pairs attract, after glue was switched on or off. Where bonds break for good, the glued
+/// pairs that touch now (to a millionth of their radii) are the bonds there are.
+void bond_touching_pairs(Sample& sample);
+
+/// What a contact carries over a rebuild of the list, keyed by the grains (or grain and wall) that it joins. A periodic
+/// cell is at least two reaches wide, so no pair meets twice.
+struct Carried {
+  std::uint64_t key;
+  double memory;
+  std::uint8_t bond;
+};
+
+/// Gives the listed contacts what they carry; `all` is sorted by key.
+void carry_into(Sample& sample, const std::vector<Carried>& all);
 
 /// True if the list may miss a contact: a disk or a wall has moved too far since the list was built.
 bool list_is_stale(const Sample& sample);

@@ -5,6 +5,7 @@
 
 #include "dem/coefficients.hpp"
 #include "dem/laws/laws.hpp"
+#include "dem/ledger.hpp"
 #include "dem/parameters.hpp"
 #include "model/packing.hpp"
 #include "model/result.hpp"
@@ -41,8 +42,8 @@ struct ContactList {
   std::size_t size() const { return i.size(); }
 };
 
-/// A bond that breaks for good is `broken` once its contact has opened.
-enum BondState : std::uint8_t { never_touched = 0, touching = 1, broken = 2 };
+/// A bond that breaks for good is gone once its contact has opened again.
+enum BondState : std::uint8_t { never_touched = 0, touching = 1 };
 
 /// One wall, or one edge of a periodic cell, as a body that moves along its axis.
 struct WallBody {
@@ -82,15 +83,23 @@ struct Sample {
   std::vector<double> listed_x, listed_y;        ///< where the disks were when the list was built
   Domain listed_domain;
   std::int64_t builds = 0;
-  std::vector<std::uint64_t> broken_pairs;       ///< sorted keys of bonds broken for good
+  std::vector<std::uint64_t> live_bonds;         ///< sorted keys of bonds, where these break for good
 
   Energies tally;                  ///< dissipation and work so far
+  Ledger ledger;                   ///< only if track_energy
+  bool settled = false;            ///< the integrator has its starting values
 };
 
 /// Key of an unordered pair of grains (caller's indices).
 inline std::uint64_t pair_key(std::int32_t a, std::int32_t b) {
   const auto low = static_cast<std::uint32_t>(a < b ? a : b), high = static_cast<std::uint32_t>(a < b ? b : a);
   return (std::uint64_t{low} << 32) | high;
+}
+
+inline std::uint64_t slot_key(const Sample& s, std::size_t slot) {
+  const std::int32_t a = s.record[static_cast<std::size_t>(s.list.i[slot])].grain;
+  const std::int32_t j = s.list.j[slot];
+  return pair_key(a, j < 0 ? j : s.record[static_cast<std::size_t>(s.list.owner[slot])].grain);
 }
 
 /// Affine motion of a periodic cell, one direction each: velocity at x is `at_edge + gradient (x - edge)`.
@@ -100,6 +109,22 @@ struct AffineMotion {
 };
 AffineMotion affine_x(const Domain& domain);
 AffineMotion affine_y(const Domain& domain);
+
+/// Where the periodic cell is; maps a place that moves with the cell from an earlier frame. The identity where nothing
+/// is periodic.
+struct CellFrame {
+  bool periodic_x = false, periodic_y = false;
+  double left_edge = 0, bottom_edge = 0, width = 1, height = 1;
+  double x_from(const CellFrame& old, double x) const {
+    return periodic_x ? left_edge + (x - old.left_edge) * (width / old.width) : x;
+  }
+  double y_from(const CellFrame& old, double y) const {
+    return periodic_y ? bottom_edge + (y - old.bottom_edge) * (height / old.height) : y;
+  }
+};
+inline CellFrame cell_frame(const Domain& d) {
+  return {d.periodic_x, d.periodic_y, d.wall[left].position, d.wall[bottom].position, d.width(), d.height()};
+}
 
 /// Centres of touching disks, or of disks in the list, are never farther apart, m.
 inline double reach_of(const Sample& s) { return 2.0 * s.largest_radius + s.skin; }

@@ -124,6 +124,26 @@ void choose_step(Sample& s) {
                                  0.999 * bounds.largest()));
 }
 
+/// Friction springs as the packing's contacts left them, so that a stage goes on with the friction that it found.
+std::vector<Carried> springs_of(const Packing& start, const Sample& s) {
+  std::vector<Carried> springs;
+  if (s.contact.friction_law != FrictionLaw::cundall_strack) return springs;
+  const Contacts& c = start.contacts;
+  std::vector<const DiskRecord*> disk(s.count);
+  for (std::size_t k = 0; k < s.count; ++k) disk[static_cast<std::size_t>(s.record[k].grain)] = &s.record[k];
+  for (std::size_t q = 0; q < c.size(); ++q) {
+    const DiskRecord& a = *disk.at(static_cast<std::size_t>(c.i[q]));
+    const double stiffness = c.is_wall(q) ? s.coefficients.wall_stiffness(a.material)
+                                          : s.coefficients.pair_stiffness(
+                                                a.material, disk.at(static_cast<std::size_t>(c.j[q]))->material);
+    if (c.ft[q] != 0 && std::isfinite(c.ft[q]))
+      springs.push_back({pair_key(c.i[q], c.j[q]), -c.ft[q] / (s.contact.tangential_stiffness_ratio * stiffness),
+                         never_touched});
+  }
+  std::sort(springs.begin(), springs.end(), [](const Carried& p, const Carried& q) { return p.key < q.key; });
+  return springs;
+}
+
 /// The periodic sides have no walls; their `wall` entries are the edges of the cell.
 void clear_periodic_walls(Domain& domain) {
   if (domain.periodic_x) domain.wall[left].present = domain.wall[right].present = false;
@@ -159,12 +179,16 @@ Sample make_sample(const Packing& start, const ContactParameters& contact, const
   clear_periodic_walls(s.domain);
   place_disks(s);
   check_cell(s);
-  s.laws = choose_laws(contact, 0.0, false);
+  const double lead = integration.integrator == IntegratorKind::leapfrog ? 1.0 : 0.5;
+  s.laws = choose_laws(contact, 0.0, 0.0);
   choose_step(s);
   tune_servo(s);
   rebuild_list(s);
-  compute_forces(s);  // with springs that do not move yet
-  s.laws = choose_laws(contact, s.dt, integration.integrator == IntegratorKind::leapfrog);
+  carry_into(s, springs_of(start, s));
+  bond_touching_pairs(s);
+  s.laws = choose_laws(contact, 0.0, (1.0 - lead) * s.dt);  // the springs do not move before the first step
+  compute_forces(s);
+  s.laws = choose_laws(contact, lead * s.dt, (1.0 - lead) * s.dt);
   return s;
 }
 

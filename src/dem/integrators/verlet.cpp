@@ -23,8 +23,7 @@ void move_walls(Sample& s, double kick, double ahead) {
 void verlet_sweep(Sample& s, double extrapolation) {
   const double dt = s.dt, kick = s.lag + 0.5 * dt, ahead = extrapolation * 0.5 * dt;
   const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
-  const double old_left = s.domain.wall[left].position, old_bottom = s.domain.wall[bottom].position;
-  const double old_width = s.domain.width(), old_height = s.domain.height();
+  const CellFrame before = cell_frame(s.domain);
   const double turning = s.integration.rotations ? 1.0 : 0.0;
   for (std::size_t k = 0; k < s.count; ++k) {
     const Load load = contact_load(s.list, k);
@@ -38,20 +37,18 @@ void verlet_sweep(Sample& s, double extrapolation) {
     s.omega[k] += kick * s.alpha[k];
   }
   move_walls(s, kick, ahead);
-  const double grow_x = s.domain.periodic_x ? s.domain.width() / old_width : 1.0;
-  const double grow_y = s.domain.periodic_y ? s.domain.height() / old_height : 1.0;
-  const double shift_x = s.domain.periodic_x ? s.domain.wall[left].position - grow_x * old_left : 0.0;
-  const double shift_y = s.domain.periodic_y ? s.domain.wall[bottom].position - grow_y * old_bottom : 0.0;
+  const CellFrame after = cell_frame(s.domain);
   const AffineMotion nx = affine_x(s.domain), ny = affine_y(s.domain);
   for (std::size_t k = 0; k < s.count; ++k) {
     DiskRecord& d = s.record[k];
-    d.x = shift_x + grow_x * d.x + dt * s.vx[k];
-    d.y = shift_y + grow_y * d.y + dt * s.vy[k];
+    d.x = after.x_from(before, d.x) + dt * s.vx[k];
+    d.y = after.y_from(before, d.y) + dt * s.vy[k];
     s.angle[k] += dt * s.omega[k];
     d.vx = s.vx[k] + ahead * s.ax[k] + nx.at(d.x);
     d.vy = s.vy[k] + ahead * s.ay[k] + ny.at(d.y);
     d.omega = s.omega[k] + ahead * s.alpha[k];
   }
+  if (s.domain.periodic_x) s.domain.tilt *= after.width / before.width;
   s.lag = 0.5 * dt;
   ++s.step;
 }

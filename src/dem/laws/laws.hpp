@@ -86,8 +86,7 @@ inline ContactForce<V> contact_force(const N& normal, const A& adhesion, const F
   return {fn, friction.tangential(c.sliding, c.viscosity, cap, c.stiffness, memory)};
 }
 
-/// The choices that the parameters ask for; a step of zero length leaves Cundall-Strack springs as they are.
-/// With `mid_step_velocities` the forces see velocities of the middle of the step.
-ContactLaws choose_laws(const ContactParameters& contact, double time_step, bool mid_step_velocities);
+/// The choices that the parameters ask for; `lead` and `lag` are those of CundallStrack, s.
+ContactLaws choose_laws(const ContactParameters& contact, double lead, double lag);
 
 }  // namespace arenite::dem

@@ -1,0 +1,50 @@
+#pragma once
+#include <array>
+#include <vector>
+
+namespace arenite::dem {
+
+struct Sample;
+
+/// Work done on the sample in a step (J), or the power (W), by class of force.
+struct WorkTerms {
+  double dashpots = 0, friction = 0, drag = 0, gravity = 0, walls = 0, servo = 0;
+};
+
+/// Forces by class and velocities at one time: what the work of a step is made of. Grains by the caller's index.
+struct Snapshot {
+  struct Disk {
+    double vx = 0, vy = 0, omega = 0;
+    double mass = 0;
+    double dash_x = 0, dash_y = 0;               ///< normal dashpots
+    double slip_x = 0, slip_y = 0, slip_torque = 0;  ///< tangential forces
+    double drag_x = 0, drag_y = 0;
+  };
+  /// Along +x or +y: force of the sample on the wall, all of it and by class; force of the drive; servo damping.
+  struct Edge {
+    double rate = 0, force = 0, dash = 0, slip = 0, drive = 0, damping = 0;
+    bool servo = false;
+  };
+  std::vector<Disk> disk;
+  std::array<Edge, 4> edge;
+  double springs = 0;                            ///< energy of the tangential springs, J
+};
+
+/// Account of dissipation and work. Closed by the scheme's own identity where there is one: under Verlet the kinetic
+/// energy of a step changes by exactly (dt/4)(F_n + F_n+1).(v_n + v_n+1), so each class of force is given that share.
+/// Under Gear the powers are integrated by the Adams-Moulton rule of fourth order. What friction takes from the motion
+/// and its springs do not store is dissipated.
+struct Ledger {
+  bool open = false;                             ///< `last` belongs to the present state
+  Snapshot last;
+  std::array<WorkTerms, 3> powers{};             ///< Gear: now, one and two steps ago
+  int known = 0;                                 ///< how many of them are
+};
+
+/// Takes the present state as the start of the next step, after the drives, gravity or drag have changed.
+void open_ledger(Sample& sample);
+
+/// Books the step that has just been made.
+void book_step(Sample& sample);
+
+}  // namespace arenite::dem

@@ -1,0 +1,169 @@
+#include "dem/save.hpp"
+
+#include <cstring>
+#include <string>
+#include <type_traits>
+
+#include "core/error.hpp"
+#include "dem/neighbours.hpp"
+
+namespace arenite::dem {
+
+namespace {
+
+constexpr std::uint64_t mark = 0x31302d6d65642d61;  // "a-dem-01"; changes with what `transfer` lists
+
+class Writer {
+ public:
+  template <class T>
+  void operator()(T& value) {
+    static_assert(std::is_arithmetic_v<T>);
+    const auto* raw = reinterpret_cast<const std::uint8_t*>(&value);
+    bytes.insert(bytes.end(), raw, raw + sizeof(T));
+  }
+  template <class T>
+  void operator()(std::vector<T>& values) {
+    std::uint64_t size = values.size();
+    (*this)(size);
+    const auto* raw = reinterpret_cast<const std::uint8_t*>(values.data());
+    bytes.insert(bytes.end(), raw, raw + size * sizeof(T));
+  }
+  std::vector<std::uint8_t> bytes;
+};
+
+class Reader {
+ public:
+  explicit Reader(const std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
+  template <class T>
+  void operator()(T& value) {
+    static_assert(std::is_arithmetic_v<T>);
+    take(&value, sizeof(T));
+  }
+  template <class T>
+  void operator()(std::vector<T>& values) {
+    std::uint64_t size = 0;
+    (*this)(size);
+    if (size > (bytes_.size() - at_) / sizeof(T)) fail();
+    values.resize(size);
+    take(values.data(), size * sizeof(T));
+  }
+  bool at_end() const { return at_ == bytes_.size(); }
+  [[noreturn]] static void fail() {
+    throw InputError("the stored state is cut short or damaged; run the stage again from its start");
+  }
+
+ private:
+  void take(void* target, std::size_t size) {
+    if (size > bytes_.size() - at_) fail();
+    if (size > 0) std::memcpy(target, bytes_.data() + at_, size);
+    at_ += size;
+  }
+  const std::vector<std::uint8_t>& bytes_;
+  std::size_t at_ = 0;
+};
+
+template <class Archive>
+void transfer(Archive& a, Wall& wall) {
+  for (auto* v : {&wall.position, &wall.velocity, &wall.force, &wall.shear_force}) a(*v);
+}
+
+template <class Archive>
+void transfer(Archive& a, WallBody& body) {
+  auto kind = static_cast<std::int32_t>(body.drive.kind);
+  a(kind);
+  body.drive.kind = static_cast<WallDrive::Kind>(kind);
+  for (auto* v : {&body.drive.value, &body.mass, &body.impedance, &body.rate, &body.acceleration}) a(*v);
+  for (auto& v : body.higher) a(v);
+}
+
+template <class Archive>
+void transfer(Archive& a, Energies& e) {
+  for (auto* v : {&e.kinetic, &e.elastic, &e.adhesive, &e.dissipated_normal, &e.dissipated_friction, &e.dissipated_drag,
+                  &e.dissipated_breakage, &e.work_walls, &e.work_gravity})
+    a(*v);
+}
+
+/// One list of members for both ways.
+template <class Archive>
+void transfer(Archive& a, Sample& s) {
+  std::uint8_t glue = s.glue, settled = s.settled, open = s.ledger.open;
+  a(s.step), a(s.lag), a(s.friction), a(s.wall_friction), a(s.drag), a(s.gravity.x), a(s.gravity.y), a(glue), a(settled), a(open);
+  s.glue = glue != 0;
+  s.settled = settled != 0;
+  s.ledger.open = open != 0;
+  for (auto& wall : s.domain.wall) transfer(a, wall);
+  a(s.domain.tilt);
+  for (auto& wall : s.listed_domain.wall) transfer(a, wall);
+  a(s.listed_domain.tilt), a(s.skin), a(s.builds);
+  for (auto& body : s.wall) transfer(a, body);
+  for (auto* v : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha, &s.listed_x, &s.listed_y}) a(*v);
+  for (auto& v : s.higher) a(v);
+  a(s.live_bonds);
+  transfer(a, s.tally);
+  a(s.ledger.known);
+  for (auto& w : s.ledger.powers)
+    for (auto* v : {&w.dashpots, &w.friction, &w.drag, &w.gravity, &w.walls, &w.servo}) a(*v);
+}
+
+/// The slots' contents; their number follows from the list.
+template <class Archive>
+void transfer(Archive& a, ContactList& list) {
+  for (auto* v : {&list.strength, &list.fx, &list.fy, &list.torque_i, &list.torque_j, &list.memory}) a(*v);
+  a(list.bond);
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> save_sample(const Sample& sample) {
+  Writer write;
+  auto& s = const_cast<Sample&>(sample);  // the writer does not change what it is given
+  std::uint64_t header[3] = {mark, s.count, 0};
+  std::memcpy(&header[2], &s.dt, sizeof s.dt);
+  for (auto& v : header) write(v);
+  std::vector<DiskRecord> disks(s.record.begin(), s.record.begin() + static_cast<std::ptrdiff_t>(s.count));
+  write(disks);
+  transfer(write, s);
+  transfer(write, s.list);
+  return std::move(write.bytes);
+}
+
+void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
+  Reader read(bytes);
+  Sample s = sample;
+  std::uint64_t header[3] = {}, step = 0;
+  for (auto& v : header) read(v);
+  std::memcpy(&step, &s.dt, sizeof step);
+  if (header[0] != mark) Reader::fail();
+  if (header[1] != s.count || header[2] != step)
+    throw InputError("the stored state belongs to another sample or time step (" + std::to_string(header[1]) +
+                     " grains; here " + std::to_string(s.count) + ")");
+  read(s.record);
+  if (s.record.size() != s.count) Reader::fail();
+  transfer(read, s);
+  if (s.vx.size() != s.count || s.listed_x.size() != s.count) Reader::fail();
+
+  // The list as it was built: disks and frame put back to where they were then.
+  const std::vector<DiskRecord> disks = s.record;
+  const Domain domain = s.domain;
+  s.domain = s.listed_domain;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    s.record[k].x = s.listed_x[k];
+    s.record[k].y = s.listed_y[k];
+  }
+  list_contacts(s);
+  const std::size_t slots = s.list.size();
+  transfer(read, s.list);
+  if (s.list.fx.size() != slots || s.list.memory.size() != slots || !read.at_end()) Reader::fail();
+  s.domain = domain;
+  std::copy(disks.begin(), disks.end(), s.record.begin());
+  refresh_ghosts(s);
+  if (s.ledger.open) {  // a snapshot of the same state has the same bits; Gear's powers are older
+    const Ledger stored = s.ledger;
+    open_ledger(s);
+    s.ledger.powers = stored.powers;
+    s.ledger.known = stored.known;
+  }
+  sample = std::move(s);
+}
+
+}  // namespace arenite::dem
