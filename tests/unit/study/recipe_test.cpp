@@ -326,6 +326,12 @@ TEST(BadRecipe, KeysOfEndlessDepthAreRefusedBeforeTheyAreBuilt) {
   EXPECT_TRUE(problems("title = \"" + std::string(100, '.') + "\" # " + std::string(100, '.') + "\n" + smallest).empty());
 }
 
+TEST(BadRecipe, OtherScriptsStayWithinQuotes) {
+  EXPECT_EQ(problems("title = \"Körner\"\n\xcc\xaa\n").at(0).find("r.toml:2:1: this is not TOML;"), 0u);
+  EXPECT_EQ(problems("title = \xc2\xa7\n").at(0).find("r.toml:1:9: this is not TOML;"), 0u);
+  EXPECT_EQ(parsed("title = \"\"\"ä \\\n §\"\"\" # ß\n" + smallest).title, "ä §");
+}
+
 TEST(RecipeOverride, ChangesKeysOfTheTopOfSectionsAndOfLists) {
   const Recipe recipe = parsed(smallest, {"seed=7", "frame.width=\"400 mm\"", "stages.0.bottom.force=60 kN", "contact.friction=0.5",
                                           "populations.0.count = 12", "stages.0.top={pressure = \"1 kPa\"}", "title=two words"});
