@@ -6,6 +6,7 @@ namespace arenite::app {
 
 const std::vector<Command>& commands() {
   static const std::vector<Command> list{
+      {"run", "Run a recipe: packing, loading stage by stage, results and page", add_run},
       {"init", "Write a commented recipe to start from", add_init},
       {"check", "Check a recipe and print it as it was understood", add_check},
       {"show", "Summarise a result: what, when, outcome, walls, energies, texture", add_show},

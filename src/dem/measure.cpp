@@ -155,8 +155,22 @@ Energies energies_of(const Sample& s) {
   return e;
 }
 
+/// Kinetic energy of the grains that carry force between at least two contacts. Rattlers fly on for ever where nothing
+/// slows them, and say nothing about rest.
+double kinetic_energy_of_bearing_grains(const Sample& s, const std::vector<int>& pressed_contacts) {
+  double sum = 0;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    if (pressed_contacts[k] < 2) continue;
+    const Motion v = motion_of(s, k);
+    const DiskRecord& d = s.record[k];
+    sum += 0.5 * d.mass * (v.vx * v.vx + v.vy * v.vy) + 0.5 * inertia(d) * v.omega * v.omega;
+  }
+  return sum;
+}
+
 Equilibrium equilibrium_of(const Sample& s) {
   Equilibrium q;
+  std::vector<int> pressed_contacts(s.count, 0);
   double resultant = 0, normal_sum = 0, mobilised = 0;
   std::size_t contacts = 0, pressed = 0;
   for (std::size_t k = 0; k < s.count; ++k) {
@@ -174,13 +188,15 @@ Equilibrium equilibrium_of(const Sample& s) {
     if (fn > 0) {
       mobilised += std::abs(ft) / fn;
       ++pressed;
+      ++pressed_contacts[static_cast<std::size_t>(s.list.i[p])];
+      if (s.list.j[p] >= 0) ++pressed_contacts[static_cast<std::size_t>(s.list.owner[p])];
     }
   }
-  const Energies e = energies_of(s);
   if (s.count > 0 && resultant > 0)
     q.unbalanced_ratio = normal_sum > 0 ? resultant / static_cast<double>(s.count) / (normal_sum / static_cast<double>(contacts))
                                         : std::numeric_limits<double>::infinity();
-  if (e.kinetic > 0) q.kinetic_ratio = e.elastic > 0 ? e.kinetic / e.elastic : std::numeric_limits<double>::infinity();
+  const double kinetic = kinetic_energy_of_bearing_grains(s, pressed_contacts), elastic = energies_of(s).elastic;
+  if (kinetic > 0) q.kinetic_ratio = elastic > 0 ? kinetic / elastic : std::numeric_limits<double>::infinity();
   if (pressed > 0) q.mobilisation = mobilised / static_cast<double>(pressed);
   for (std::size_t side = 0; side < 4; ++side) q.wall_speed = std::max(q.wall_speed, std::abs(wall_rate(s, side)));
   return q;

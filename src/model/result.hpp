@@ -25,7 +25,7 @@ struct Energies {
 /// How far a state is from rest.
 struct Equilibrium {
   double unbalanced_ratio = 0;  ///< mean resultant force on a grain (forces, weight) over the mean contact force
-  double kinetic_ratio = 0;     ///< kinetic over elastic energy
+  double kinetic_ratio = 0;     ///< kinetic over elastic energy; grains with fewer than two pressed contacts left out
   double mobilisation = 0;      ///< mean |F_t|/F_n of contacts with F_n > 0
   double wall_speed = 0;        ///< fastest wall, m/s
 };

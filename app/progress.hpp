@@ -1,0 +1,27 @@
+#pragma once
+#include <chrono>
+#include <string>
+
+#include "study/run.hpp"
+
+namespace arenite::app {
+
+/// Shows where a run stands: on a terminal one line that is rewritten, with a bar and the time left; elsewhere a plain
+/// line when a stage begins or ends and at most one every ten seconds. Writes to stderr, so that stdout stays clean.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool quiet);
+  ~ProgressLine();
+  void show(const study::Progress& progress);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void begin_stage(const study::Progress& progress);
+  std::string text(const study::Progress& progress) const;
+  bool quiet_, terminal_, open_ = false;
+  std::size_t stage_ = static_cast<std::size_t>(-1);
+  double share_at_start_ = 0;
+  Clock::time_point stage_began_, last_shown_;
+};
+
+}  // namespace arenite::app

@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "core/error.hpp"
+#include "packing/fill.hpp"
+#include "packing/population.hpp"
+#include "packing/region.hpp"
+#include "study/run.hpp"
+
+namespace arenite::study {
+
+namespace {
+
+using Method = PackingParameters::Method;
+
+Domain frame_of(const FrameParameters& frame) {
+  Domain domain;
+  domain.thickness = frame.thickness;
+  domain.periodic_x = frame.periodic_x;
+  domain.periodic_y = frame.periodic_y;
+  for (int side = 0; side < 4; ++side) domain.wall[side].present = !(side < 2 ? frame.periodic_x : frame.periodic_y);
+  domain.wall[right].position = frame.width;
+  domain.wall[top].position = frame.height;
+  return domain;
+}
+
+std::string describe(const packing::RelaxReport& report) {
+  return fmt::format("largest overlap {:.2g} of the radii before, {:.2g} after relaxation; largest move {:.3g} mm in {} iterations",
+                     report.overlap_before, report.overlap_after, 1e3 * report.largest_move, report.iterations);
+}
+
+std::string fill(const Recipe& recipe, Packing& packing) {
+  auto& grains = packing.grains;
+  packing.grains = packing::draw_grains(recipe.populations, recipe.materials, recipe.packing.grains, recipe.seed);
+  packing.domain = packing::box_for(grains, recipe.frame.width, recipe.packing.solid_fraction, recipe.frame.periodic_x,
+                                    recipe.frame.periodic_y, recipe.frame.thickness);
+  if (recipe.packing.method == Method::random)
+    return "random filling: " + describe(packing::fill_at_random(grains, packing.domain, recipe.seed));
+  packing.domain.wall[top].position = packing::fill_lattice(grains, packing.domain);
+  return "triangular lattice";
+}
+
+std::string read(const Recipe& recipe, Packing& packing) {
+  const auto path = std::filesystem::path(recipe.source_file).parent_path() / recipe.packing.file;
+  packing.domain = frame_of(recipe.frame);
+  throw InputError(path.string(), 0, "grains from a file are not read yet");
+  return "read from file: " + describe(packing::relax(packing.grains, packing.domain, 1e-3));
+}
+
+}  // namespace
+
+StageResult make_packing(const Recipe& recipe) {
+  StageResult result;
+  result.name = "packing";
+  Frame frame;
+  frame.label = "start";
+  frame.packing.materials = recipe.materials;
+  result.outcome = recipe.packing.method == Method::file ? read(recipe, frame.packing) : fill(recipe, frame.packing);
+  if (recipe.glued) packing::mark_region(frame.packing.grains, frame.packing.domain, *recipe.glued);
+  result.frames.push_back(std::move(frame));
+  return result;
+}
+
+}  // namespace arenite::study

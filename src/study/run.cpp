@@ -1,0 +1,180 @@
+#include "study/run.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <optional>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/version.hpp"
+#include "dem/run_stage.hpp"
+#include "io/atomic_file.hpp"
+#include "io/checkpoint.hpp"
+#include "io/run_folder.hpp"
+#include "io/stage_file.hpp"
+#include "study/stage_keys.hpp"
+#include "texture/texture.hpp"
+
+namespace arenite::study {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Creates a folder and those above it; refuses with the system's reason.
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError(folder.string(), 0, fmt::format("this folder cannot be made ({}); choose another with --out", error.message()));
+}
+
+/// A run's folder: stage files of this recipe on top, those of other versions of it under earlier/, from where they
+/// come back when they are wanted again.
+class Folder {
+ public:
+  Folder(fs::path out, const std::vector<std::string>& names) : out_(std::move(out)) {
+    make_folder(out_);
+    const std::set<std::string> wanted(names.begin(), names.end());
+    std::vector<fs::path> others;
+    for (const auto& entry : fs::directory_iterator(out_))
+      if (entry.path().extension() == ".h5" && !wanted.contains(entry.path().filename().string())) others.push_back(entry.path());
+    for (const auto& path : others) put_aside(path);
+    for (const auto& name : names)
+      if (fs::exists(out_ / "earlier" / name)) fs::rename(out_ / "earlier" / name, out_ / name);
+  }
+  fs::path operator/(const std::string& name) const { return out_ / name; }
+
+ private:
+  void put_aside(const fs::path& path) const {
+    make_folder(out_ / "earlier");
+    fs::rename(path, out_ / "earlier" / path.filename());
+  }
+  fs::path out_;
+};
+
+Provenance provenance_of(const Recipe& recipe, const std::string& stage, const std::string& hash, const std::string& kernel) {
+  Provenance p;
+  p.version = version;
+  p.stage = stage;
+  p.input_hash = hash;
+  p.recipe = to_toml(recipe);
+  p.seed = recipe.seed;
+  p.kernel = kernel;
+  return p;
+}
+
+void measure_last_frame(StageResult& result) {
+  if (!result.frames.empty()) result.texture_json = texture::to_json(texture::measure(result.frames.back().packing));
+}
+
+io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run, const std::string& key) {
+  io::Checkpoint checkpoint;
+  checkpoint.key = key;
+  checkpoint.blobs["engine"] = engine.save();
+  for (int side = 0; side < 4; ++side) checkpoint.numbers[fmt::format("force_at_start {}", side_names[side])] = run.force_at_start[side];
+  checkpoint.integers = {{"increment", run.increment}, {"steps_in_increment", run.steps_in_increment},
+                         {"sample_every", run.sample_every}, {"checks", run.checks}};
+  checkpoint.partial = run.result;
+  return checkpoint;
+}
+
+void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::StageRun& run) {
+  engine.restore(checkpoint.blobs.at("engine"));
+  for (int side = 0; side < 4; ++side) run.force_at_start[side] = checkpoint.numbers.at(fmt::format("force_at_start {}", side_names[side]));
+  run.increment = checkpoint.integers.at("increment");
+  run.steps_in_increment = checkpoint.integers.at("steps_in_increment");
+  run.sample_every = checkpoint.integers.at("sample_every");
+  run.checks = checkpoint.integers.at("checks");
+  run.result = checkpoint.partial;
+}
+
+/// Runs one stage to its end, or until asked to stop (then nothing is returned, and the checkpoint is on disk).
+std::optional<StageResult> load(dem::Engine& engine, const dem::Stage& stage, const std::string& key, const fs::path& checkpoint_file,
+                                const RunOptions& options, Progress progress) {
+  using clock = std::chrono::steady_clock;
+  dem::StageRun run = dem::begin_stage(engine, stage);
+  if (const auto checkpoint = io::read_checkpoint(checkpoint_file, key)) restore_from(*checkpoint, engine, run);
+  auto saved = clock::now();
+  while (!run.finished) {
+    dem::continue_stage(engine, stage, run);
+    progress.share = dem::share_done(stage, run);
+    progress.unbalanced_ratio = engine.equilibrium().unbalanced_ratio;
+    progress.step = engine.step();
+    options.progress(progress);
+    const bool stop = options.asked_to_stop();
+    if (!run.finished && (stop || std::chrono::duration<double>(clock::now() - saved).count() >= options.checkpoint_seconds)) {
+      io::write_checkpoint(checkpoint_file, to_checkpoint(engine, run, key));
+      saved = clock::now();
+      if (stop) return std::nullopt;
+    }
+  }
+  run.result.continuation = engine.save();
+  return std::move(run.result);
+}
+
+StageResult packing_stage(const Recipe& recipe, const fs::path& file, const std::string& hash, const RunOptions& options, Progress progress) {
+  progress.reused = fs::exists(file);
+  if (!progress.reused) {
+    auto result = make_packing(recipe);
+    result.provenance = provenance_of(recipe, "packing", hash, "");
+    measure_last_frame(result);
+    io::write_stage(file, result);
+  }
+  progress.share = 1;
+  options.progress(progress);
+  return io::read_stage(file);
+}
+
+}  // namespace
+
+RunOutcome run(const Recipe& recipe, const RunOptions& options) {
+  const std::string packing_hash = packing_key(recipe);
+  Progress progress{0, recipe.stages.size() + 1, "packing", 0, 0, 0, false};
+
+  // Which kernel runs is known only on this machine, and the bits depend on it, so the stages' names do too.
+  const std::string kernel = recipe.integration.kernel;
+  std::vector<std::string> hashes{packing_hash}, names{io::stage_file_name(1, "packing", packing_hash)};
+  for (std::size_t s = 0; s < recipe.stages.size(); ++s) {
+    hashes.push_back(stage_key(recipe, s, packing_hash, kernel));
+    names.push_back(io::stage_file_name(static_cast<int>(s) + 2, recipe.stages[s].name, hashes.back()));
+  }
+  const Folder folder(options.out, names);
+
+  RunOutcome outcome;
+  outcome.files.push_back(folder / names[0]);
+  outcome.stages.push_back(packing_stage(recipe, outcome.files[0], packing_hash, options, progress));
+  io::write_atomically(folder / "recipe.toml", to_toml(recipe));
+  const Packing& start = outcome.stages[0].frames.back().packing;
+  std::optional<dem::Engine> engine;
+  for (std::size_t s = 0; s < recipe.stages.size(); ++s) {
+    const fs::path file = folder / names[s + 1];
+    progress.stage = s + 1;
+    progress.name = recipe.stages[s].name;
+    progress.reused = fs::exists(file);
+    if (!progress.reused) {
+      if (!engine) engine.emplace(start, recipe.contact, recipe.integration);
+      if (s > 0) engine->restore(outcome.stages.back().continuation);
+      auto result = load(*engine, recipe.stages[s], hashes[s + 1], folder / "run.checkpoint", options, progress);
+      if (!result) {
+        outcome.interrupted = true;
+        return outcome;
+      }
+      result->provenance = provenance_of(recipe, recipe.stages[s].name, hashes[s + 1], engine->kernel());
+      measure_last_frame(*result);
+      io::write_stage(file, *result);
+      fs::remove(folder / "run.checkpoint");
+      outcome.stages.push_back(std::move(*result));
+    } else {
+      outcome.stages.push_back(io::read_stage(file));
+      progress.share = 1;
+      options.progress(progress);
+    }
+    outcome.files.push_back(file);
+    outcome.converged = outcome.stages.back().converged;
+    if (!outcome.converged) break;
+  }
+  return outcome;
+}
+
+}  // namespace arenite::study

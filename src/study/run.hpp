@@ -1,0 +1,44 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "model/result.hpp"
+#include "study/recipe.hpp"
+
+namespace arenite::study {
+
+/// Where a run stands, for a bar or a log.
+struct Progress {
+  std::size_t stage = 0, stages = 0;  ///< 0 is the packing
+  std::string name;                   ///< of the stage
+  double share = 0;                   ///< of the stage, 0 to 1
+  double unbalanced_ratio = 0;
+  std::int64_t step = 0;
+  bool reused = false;                ///< the stage's file was there already
+};
+
+struct RunOptions {
+  std::filesystem::path out;
+  std::function<void(const Progress&)> progress = [](const Progress&) {};
+  std::function<bool()> asked_to_stop = [] { return false; };  ///< true: checkpoint and leave
+  double checkpoint_seconds = 30;     ///< between two checkpoints
+};
+
+struct RunOutcome {
+  bool converged = true;
+  bool interrupted = false;           ///< asked to stop; the next run goes on from the checkpoint
+  std::vector<std::filesystem::path> files;  ///< one a stage, in order
+  std::vector<StageResult> stages;
+};
+
+/// Runs a recipe: packing, then its stages one after the other; every stage ends as one file in `options.out`, named by
+/// the hash of all that it depends on. A stage whose file is there is read, not computed again; a run that was killed
+/// goes on from its last checkpoint and ends with the same bytes. A stage that finds no equilibrium ends the run.
+[[nodiscard]] RunOutcome run(const Recipe& recipe, const RunOptions& options);
+
+/// The grains in their box before any loading: drawn, placed and relaxed, or read from a file (recipe's [packing]).
+StageResult make_packing(const Recipe& recipe);
+
+}  // namespace arenite::study

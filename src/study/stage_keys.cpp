@@ -1,0 +1,46 @@
+#include "study/stage_keys.hpp"
+
+#include <filesystem>
+
+#include "core/hash.hpp"
+#include "io/read_file.hpp"
+
+namespace arenite::study {
+
+namespace {
+
+// Raised when the same recipe gives other bits: a mended law, another order of a sum.
+constexpr std::int64_t packing_version = 1;
+constexpr std::int64_t loading_version = 1;
+
+Recipe without_what_changes_no_bit(Recipe recipe) {
+  recipe.title.clear();
+  recipe.source_file.clear();
+  recipe.integration.threads = 1;
+  recipe.integration.kernel = "auto";
+  return recipe;
+}
+
+}  // namespace
+
+std::string packing_key(const Recipe& recipe) {
+  Recipe part = without_what_changes_no_bit(recipe);
+  part.stages.clear();
+  part.contact = {};
+  part.integration = {};
+  HashBuilder hash;
+  hash.add("packing version", packing_version).add("recipe", to_toml(part));
+  if (recipe.packing.method == PackingParameters::Method::file)
+    hash.add("file", content_hash(io::read_file(std::filesystem::path(recipe.source_file).parent_path() / recipe.packing.file)));
+  return hash.hex();
+}
+
+std::string stage_key(const Recipe& recipe, std::size_t s, const std::string& packing_hash, const std::string& kernel) {
+  Recipe part = without_what_changes_no_bit(recipe);
+  part.stages.resize(s + 1);
+  HashBuilder hash;
+  hash.add("loading version", loading_version).add("packing", packing_hash).add("kernel", kernel).add("recipe", to_toml(part));
+  return hash.hex();
+}
+
+}  // namespace arenite::study

@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "core/random.hpp"
+#include "support/program.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace arenite {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const recipe = R"(
+title = "small sample"
+seed = 3
+[materials.POM]
+density = "1410 kg/m^3"
+stiffness = "27.35 kN/mm"
+[[populations]]
+material = "POM"
+count = 60
+size = { law = "uniform", min = "10 mm", max = "16 mm" }
+[frame]
+width = "100 mm"
+thickness = "60 mm"
+[packing]
+method = "random"
+[contact]
+friction_law = "cundall_strack"
+[integration]
+integrator = "velocity_verlet"
+[[stages]]
+name = "prepare"
+top = { force = "100 N" }
+[[stages]]
+name = "load"
+gravity = true
+increments = 3
+bottom = { force = "5 kN" }
+)";
+
+fs::path write_recipe(const test::TemporaryFolder& folder) {
+  const auto path = folder / "recipe.toml";
+  std::ofstream(path) << recipe;
+  return path;
+}
+
+/// Bytes of every stage file of a run's folder, by name.
+std::map<std::string, std::string> results(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".h5") files[entry.path().filename().string()] = test::slurp(entry.path());
+  return files;
+}
+
+std::string run_line(const fs::path& recipe_file, const fs::path& out, const std::string& more) {
+  return "run " + recipe_file.string() + " --quiet --out " + out.string() + " " + more;
+}
+
+TEST(Resume, KilledAtRandomMomentsTheRunEndsWithTheSameBytes) {
+  const test::TemporaryFolder folder;
+  const auto file = write_recipe(folder);
+  const auto began = std::chrono::steady_clock::now();
+  ASSERT_EQ(test::arenite(run_line(file, folder / "whole", "")).status, 0);
+  const double whole = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  const auto expected = results(folder / "whole");
+  ASSERT_EQ(expected.size(), 3u);
+
+  RandomStream moments(1, Purpose::test);
+  int kills = 0;
+  for (int attempt = 0; attempt < 6; ++attempt) {
+    const auto out = folder / ("killed" + std::to_string(attempt));
+    test::Outcome outcome;
+    // Every life gets a random share of the whole run's time; checkpoints at every look keep what it won.
+    for (int life = 0; life < 200; ++life) {
+      const double seconds = whole * moments.uniform(0.1, 0.7);
+      outcome = test::shell("timeout -s KILL " + std::to_string(seconds) + " " + ARENITE_BINARY + " " +
+                            run_line(file, out, "--checkpoint-every 0"));
+      if (outcome.status == 0) break;
+      ++kills;
+    }
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(results(out), expected) << "after " << kills << " kills";
+    EXPECT_FALSE(fs::exists(out / "run.checkpoint"));
+  }
+  EXPECT_GT(kills, 5);
+}
+
+TEST(Resume, NothingIsComputedTwice) {
+  const test::TemporaryFolder folder;
+  const auto file = write_recipe(folder);
+  const auto out = folder / "out";
+  ASSERT_EQ(test::arenite("run " + file.string() + " --out " + out.string()).status, 0);
+  const auto first = results(out);
+  const auto again = test::arenite("run " + file.string() + " --out " + out.string());
+  EXPECT_EQ(again.status, 0);
+  EXPECT_NE(again.err.find("2/2 load"), std::string::npos) << again.err;
+  EXPECT_EQ(again.err.find("step"), std::string::npos) << again.err;
+  EXPECT_EQ(results(out), first);
+}
+
+TEST(Resume, AChangedLaterStageKeepsTheEarlierOnes) {
+  const test::TemporaryFolder folder;
+  const auto file = write_recipe(folder);
+  const auto out = folder / "out";
+  ASSERT_EQ(test::arenite(run_line(file, out, "")).status, 0);
+  const auto first = results(out);
+  ASSERT_EQ(test::arenite(run_line(file, out, "--set 'stages.1.bottom.force=6 kN'")).status, 0);
+  const auto second = results(out);
+  ASSERT_EQ(second.size(), 3u);
+  int kept = 0;
+  for (const auto& [name, bytes] : second) kept += first.contains(name);
+  EXPECT_EQ(kept, 2);
+  ASSERT_EQ(test::arenite(run_line(file, out, "")).status, 0);
+  EXPECT_EQ(results(out), first);
+}
+
+TEST(Resume, ThreadsChangeNoByte) {
+  const test::TemporaryFolder folder;
+  const auto file = write_recipe(folder);
+  ASSERT_EQ(test::arenite(run_line(file, folder / "one", "--threads 1")).status, 0);
+  ASSERT_EQ(test::arenite(run_line(file, folder / "two", "--threads 2")).status, 0);
+  EXPECT_EQ(results(folder / "one"), results(folder / "two"));
+}
+
+}  // namespace
+}  // namespace arenite
