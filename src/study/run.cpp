@@ -136,7 +136,7 @@ RunOutcome run(const Recipe& recipe, const RunOptions& options) {
   const std::string kernel = recipe.integration.kernel;
   std::vector<std::string> hashes{packing_hash}, names{io::stage_file_name(1, "packing", packing_hash)};
   for (std::size_t s = 0; s < recipe.stages.size(); ++s) {
-    hashes.push_back(stage_key(recipe, s, packing_hash, kernel));
+    hashes.push_back(stage_key(recipe, s, packing_hash));
     names.push_back(io::stage_file_name(static_cast<int>(s) + 2, recipe.stages[s].name, hashes.back()));
   }
   const Folder folder(options.out, names);

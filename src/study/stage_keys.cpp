@@ -35,11 +35,11 @@ std::string packing_key(const Recipe& recipe) {
   return hash.hex();
 }
 
-std::string stage_key(const Recipe& recipe, std::size_t s, const std::string& packing_hash, const std::string& kernel) {
+std::string stage_key(const Recipe& recipe, std::size_t s, const std::string& packing_hash) {
   Recipe part = without_what_changes_no_bit(recipe);
   part.stages.resize(s + 1);
   HashBuilder hash;
-  hash.add("loading version", loading_version).add("packing", packing_hash).add("kernel", kernel).add("recipe", to_toml(part));
+  hash.add("loading version", loading_version).add("packing", packing_hash).add("recipe", to_toml(part));
   return hash.hex();
 }
 

@@ -9,8 +9,8 @@ namespace arenite::study {
 /// Hash of all that the packing depends on: its part of the recipe, the seed, and the bytes of the file it is read from.
 std::string packing_key(const Recipe& recipe);
 
-/// Hash of all that stage `s` (0-based) depends on: the packing, laws, integration, the stages up to it, the kernel.
-/// What changes no bit (title, number of threads, later stages) is not in it.
-std::string stage_key(const Recipe& recipe, std::size_t s, const std::string& packing_hash, const std::string& kernel);
+/// Hash of all that stage `s` (0-based) depends on: the packing, laws, integration, the stages up to it.
+/// What changes no bit (title, number of threads, kernel, later stages) is not in it.
+std::string stage_key(const Recipe& recipe, std::size_t s, const std::string& packing_hash);
 
 }  // namespace arenite::study
