@@ -53,10 +53,11 @@ void add_contacts(const Sample& s, Snapshot& shot) {
 Snapshot take(const Sample& s) {
   Snapshot shot;
   shot.disk.resize(s.count);
+  const bool is_gear = s.integration.integrator == IntegratorKind::gear5;
   const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
   for (std::size_t k = 0; k < s.count; ++k) {
     const DiskRecord& d = s.record[k];
-    const Motion v = motion_of(s, k);
+    const Motion v = is_gear ? motion_of(s, k) : Motion{s.vx[k], s.vy[k], s.omega[k]};
     auto& disk = shot.disk[static_cast<std::size_t>(d.grain)];
     disk.vx = v.vx;
     disk.vy = v.vy;
@@ -76,7 +77,7 @@ Snapshot take(const Sample& s) {
   }
   for (std::size_t side = 0; side < 4; ++side) {
     auto& edge = shot.edge[side];
-    edge.rate = wall_rate(s, side);
+    edge.rate = is_gear ? wall_rate(s, side) : s.wall[side].rate;
     edge.force = -inward_sign(side) * s.domain.wall[side].force;
     edge.servo = s.wall[side].drive.kind == WallDrive::Kind::force;
     if (edge.servo) {
@@ -87,12 +88,12 @@ Snapshot take(const Sample& s) {
   return shot;
 }
 
-/// Sums of force times velocity, both added up over the two times. With one time given twice: 4 times the power.
+/// Sums of the mean force over the two times, times the velocities of the second.
 WorkTerms products(const Sample& s, const Snapshot& p, const Snapshot& q) {
   WorkTerms w;
   for (std::size_t k = 0; k < q.disk.size(); ++k) {
     const auto &a = p.disk[k], &b = q.disk[k];
-    const double vx = a.vx + b.vx, vy = a.vy + b.vy, omega = a.omega + b.omega;
+    const double vx = 0.5 * b.vx, vy = 0.5 * b.vy, omega = 0.5 * b.omega;
     w.dashpots += (a.dash_x + b.dash_x) * vx + (a.dash_y + b.dash_y) * vy;
     w.friction += (a.slip_x + b.slip_x) * vx + (a.slip_y + b.slip_y) * vy;
     if (s.integration.rotations) w.friction += (a.slip_torque + b.slip_torque) * omega;
@@ -101,7 +102,7 @@ WorkTerms products(const Sample& s, const Snapshot& p, const Snapshot& q) {
   }
   for (std::size_t side = 0; side < 4; ++side) {
     const auto &a = p.edge[side], &b = q.edge[side];
-    const double rate = a.rate + b.rate;
+    const double rate = 0.5 * b.rate;
     w.dashpots += (a.dash + b.dash) * rate;
     w.friction += (a.slip + b.slip) * rate;
     w.walls += b.servo ? (a.drive + b.drive) * rate : -(a.force + b.force) * rate;
@@ -144,7 +145,7 @@ void open_ledger(Sample& s) {
   Ledger& ledger = s.ledger;
   ledger.last = take(s);
   ledger.powers = {};
-  add(ledger.powers[0], 0.25, products(s, ledger.last, ledger.last));
+  add(ledger.powers[0], 1, products(s, ledger.last, ledger.last));
   ledger.known = 1;
   ledger.open = true;
 }
@@ -155,12 +156,12 @@ void book_step(Sample& s) {
   WorkTerms work;
   if (s.integration.integrator == IntegratorKind::gear5) {
     WorkTerms power;
-    add(power, 0.25, products(s, now, now));
+    add(power, 1, products(s, now, now));
     work = integrate(ledger, power, s.dt);
     ledger.powers = {power, ledger.powers[0], ledger.powers[1]};
     ledger.known = ledger.known < 3 ? ledger.known + 1 : 3;
   } else {
-    add(work, 0.25 * s.dt, products(s, ledger.last, now));
+    add(work, s.dt, products(s, ledger.last, now));
   }
   s.tally.dissipated_normal -= work.dashpots;
   s.tally.dissipated_friction -= work.friction + (now.springs - ledger.last.springs);

@@ -118,6 +118,9 @@ struct CellFrame {
   double x_from(const CellFrame& old, double x) const {
     return periodic_x ? left_edge + (x - old.left_edge) * (width / old.width) : x;
   }
+  /// Relative growth since an earlier frame.
+  double growth_x(const CellFrame& old) const { return periodic_x ? width / old.width - 1 : 0; }
+  double growth_y(const CellFrame& old) const { return periodic_y ? height / old.height - 1 : 0; }
   double y_from(const CellFrame& old, double y) const {
     return periodic_y ? bottom_edge + (y - old.bottom_edge) * (height / old.height) : y;
   }

@@ -31,6 +31,7 @@ void gear_sweep(Sample& s) {
   const double dt = s.dt, half = 0.5 * dt * dt, rate = 1.0 / dt, bend = 1.0 / half;
   const double turning = s.integration.rotations ? 1.0 : 0.0;
   const CellFrame before = cell_frame(s.domain);
+  CellFrame after;
   const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
   const auto accelerations = [&](std::size_t k) {
     const Load load = contact_load(s.list, k);
@@ -38,13 +39,15 @@ void gear_sweep(Sample& s) {
     return Load{load.fx / d.mass + s.gravity.x - s.drag * (d.vx - mx.at(d.x)),
                 load.fy / d.mass + s.gravity.y - s.drag * (d.vy - my.at(d.y)), turning * load.torque / inertia(d)};
   };
+  // A way made during the step is carried along by a growing cell for what is left of it.
   const auto advance = [&](std::size_t k, std::size_t axis, double& place, double& velocity, double& acceleration,
-                           double now) {
+                           double now, double growth) {
     auto* h = &s.higher[3 * axis];
     Nordsieck q{place, dt * velocity, half * acceleration, h[0][k], h[1][k], h[2][k]};
     q.correct(half * (now - acceleration));
+    const double carried = growth * (q.q1 / 2 + q.q2 / 3 + q.q3 / 4 + q.q4 / 5 + q.q5 / 6);
     q.predict();
-    place = q.q0;
+    place = q.q0 + carried;
     velocity = rate * q.q1;
     acceleration = bend * q.q2;
     h[0][k] = q.q3;
@@ -54,14 +57,14 @@ void gear_sweep(Sample& s) {
   std::vector<Load> now(s.count);
   for (std::size_t k = 0; k < s.count; ++k) now[k] = accelerations(k);
   move_walls(s);
-  const CellFrame after = cell_frame(s.domain);
+  after = cell_frame(s.domain);
   const AffineMotion nx = affine_x(s.domain), ny = affine_y(s.domain);
   for (std::size_t k = 0; k < s.count; ++k) {
     DiskRecord& d = s.record[k];
     double x = 0, y = 0;  // ways made in the step
-    advance(k, 0, x, s.vx[k], s.ax[k], now[k].fx);
-    advance(k, 1, y, s.vy[k], s.ay[k], now[k].fy);
-    advance(k, 2, s.angle[k], s.omega[k], s.alpha[k], now[k].torque);
+    advance(k, 0, x, s.vx[k], s.ax[k], now[k].fx, after.growth_x(before));
+    advance(k, 1, y, s.vy[k], s.ay[k], now[k].fy, after.growth_y(before));
+    advance(k, 2, s.angle[k], s.omega[k], s.alpha[k], now[k].torque, 0);
     d.x = after.x_from(before, d.x) + x;
     d.y = after.y_from(before, d.y) + y;
     d.vx = s.vx[k] + nx.at(d.x);
