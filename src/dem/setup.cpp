@@ -181,9 +181,9 @@ Sample make_sample(const Packing& start, const ContactParameters& contact, const
   check_cell(s);
   const double lead = integration.integrator == IntegratorKind::leapfrog ? 1.0 : 0.5;
   s.laws = choose_laws(contact, 0.0, 0.0);
-  choose_step(s);
   tune_servo(s);
   rebuild_list(s);
+  choose_step(s);
   carry_into(s, springs_of(start, s));
   bond_touching_pairs(s);
   s.laws = choose_laws(contact, 0.0, (1.0 - lead) * s.dt);  // the springs do not move before the first step
