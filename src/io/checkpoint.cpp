@@ -6,8 +6,7 @@
 namespace arenite::io {
 
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
-  const Hdf5Builder file(false);
-  const auto root = file.root();
+  const Hdf5Writer root(false);
   root.set("key", checkpoint.key);
   const auto blobs = root.create_group("blobs");
   for (const auto& [name, bytes] : checkpoint.blobs) blobs.write(name, bytes);
@@ -16,12 +15,12 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
   const auto integers = root.create_group("integers");
   for (const auto& [name, value] : checkpoint.integers) integers.set(name, value);
   write_result(root.create_group("partial"), checkpoint.partial);
-  write_sealed(path, "checkpoint", file.bytes());
+  write_sealed(path, "checkpoint", root.bytes());
 }
 
 std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& path, const std::string& key) {
   if (!std::filesystem::exists(path)) return std::nullopt;
-  const auto root = open_hdf5(read_sealed(path, "checkpoint"), path.string());
+  const Hdf5Reader root(read_sealed(path, "checkpoint"), path.string());
   Checkpoint checkpoint;
   checkpoint.key = root.label("key");
   if (checkpoint.key != key) return std::nullopt;

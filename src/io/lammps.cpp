@@ -45,7 +45,8 @@ std::string grain_dump(const ExportFrame& from) {
 }
 
 /// Contacts between grains only: a row names two grains, which OVITO joins by a bond, and LAMMPS knows no walls here.
-/// The force (fx, fy) acts on the first grain, as in LAMMPS's pair/local.
+/// As in LAMMPS's pair/local of a granular style, the normal force (fx, fy) and the tangential one (p1, p2) act on the
+/// first grain; so `arenite measure` reads it back.
 std::string contact_dump(const ExportFrame& from) {
   const Packing& packing = from.frame->packing;
   const Contacts& c = packing.contacts;
@@ -54,16 +55,16 @@ std::string contact_dump(const ExportFrame& from) {
   std::size_t count = 0;
   for (std::size_t k = 0; k < c.size(); ++k) {
     if (c.is_wall(k)) continue;
-    const Vec2 f = c.force_on_i(k);
-    fmt::format_to(Text(rows), "{} {} {} {} 0 {} {} {} {}", packing.grains.id[static_cast<std::size_t>(c.i[k])],
-                   packing.grains.id[static_cast<std::size_t>(c.j[k])], f.x, f.y, contact_type(packing, k), c.fn[k] > mean ? 1 : 0, int{c.glued[k]},
+    const Vec2 n = c.normal(k), normal = c.fn[k] * n, tangential = c.ft[k] * perpendicular(n);
+    fmt::format_to(Text(rows), "{} {} {} {} 0 {} {} 0 {} {} {} {}", packing.grains.id[static_cast<std::size_t>(c.i[k])],
+                   packing.grains.id[static_cast<std::size_t>(c.j[k])], normal.x, normal.y, tangential.x, tangential.y, contact_type(packing, k), c.fn[k] > mean ? 1 : 0, int{c.glued[k]},
                    c.arm_i[k] + c.arm_j[k]);
     for (const auto& column : contact_columns) fmt::format_to(Text(rows), " {}", (c.*column.member)[k]);
     rows += '\n';
     ++count;
   }
   std::string text = header(from, "ENTRIES", count);
-  text += "ITEM: ENTRIES id1 id2 fx fy fz type strong glued dist";
+  text += "ITEM: ENTRIES patom1 patom2 fx fy fz p1 p2 p3 type strong glued dist";
   for (const auto& column : contact_columns) text += std::string(" ") + column.name;
   return text + '\n' + rows;
 }

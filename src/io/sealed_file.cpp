@@ -57,10 +57,10 @@ void check_seal(std::string_view bytes, std::string_view kind, const std::filesy
   if (format > file_format)
     refuse(fmt::format("was written by a newer Arenite (file format {}, this one reads up to {}); update Arenite", format, file_format));
   if (after(head, "\nbytes ") != std::to_string(bytes.size()))
-    refuse(fmt::format("has not the length it was written with ({} bytes are here): it was cut short or added to; make it again with \"arenite run\"",
+    refuse(fmt::format("has not the length it was written with ({} bytes are here): it was cut short or added to; remove it and make it again with \"arenite run\"",
                        bytes.size()));
   if (after(head, "\nxxh3 ") != content_hash(bytes.substr(seal_size)))
-    refuse("was changed or damaged after it was written (its checksum differs); make it again with \"arenite run\"");
+    refuse("was changed or damaged after it was written (its checksum differs); remove it and make it again with \"arenite run\"");
 }
 
 void write_sealed(const std::filesystem::path& path, std::string_view kind, std::string bytes) {

@@ -6,13 +6,13 @@
 namespace arenite::io {
 
 void write_stage(const std::filesystem::path& path, const StageResult& result) {
-  const Hdf5Builder file;
-  write_result(file.root(), result);
+  const Hdf5Writer file;
+  write_result(file, result);
   write_sealed(path, "result", file.bytes());
 }
 
 StageResult read_stage(const std::filesystem::path& path) {
-  return read_result(open_hdf5(read_sealed(path, "result"), path.string()));
+  return read_result(Hdf5Reader(read_sealed(path, "result"), path.string()));
 }
 
 }  // namespace arenite::io

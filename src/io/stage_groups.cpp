@@ -41,16 +41,16 @@ constexpr std::array<Scalar<Material>, 3> material_scalars{{{"density [kg/m^3]",
                                                             {"thermoelastic_factor [K/Pa]", &Material::thermoelastic_factor}}};
 
 template <class Owner, std::size_t n>
-void write_scalars(const Hdf5Group& at, const std::array<Scalar<Owner>, n>& scalars, const Owner& from) {
+void write_scalars(const Hdf5Writer& at, const std::array<Scalar<Owner>, n>& scalars, const Owner& from) {
   for (const auto& s : scalars) at.set(s.name, from.*s.member);
 }
 
 template <class Owner, std::size_t n>
-void read_scalars(const Hdf5Group& at, const std::array<Scalar<Owner>, n>& scalars, Owner& into) {
+void read_scalars(const Hdf5Reader& at, const std::array<Scalar<Owner>, n>& scalars, Owner& into) {
   for (const auto& s : scalars) into.*s.member = at.number(s.name);
 }
 
-void write_materials(const Hdf5Group& at, const Materials& materials) {
+void write_materials(const Hdf5Writer& at, const Materials& materials) {
   const auto group = at.create_group("materials");
   for (std::size_t m = 0; m < materials.size(); ++m) {
     const auto one = group.create_group(fmt::format("{:02}", m));
@@ -59,7 +59,7 @@ void write_materials(const Hdf5Group& at, const Materials& materials) {
   }
 }
 
-Materials read_materials(const Hdf5Group& at) {
+Materials read_materials(const Hdf5Reader& at) {
   Materials materials;
   for (const auto& name : at.names()) {
     const auto one = at.group(name);
@@ -78,7 +78,7 @@ bool same(const Materials& a, const Materials& b) {
   });
 }
 
-void write_domain(const Hdf5Group& at, const Domain& domain) {
+void write_domain(const Hdf5Writer& at, const Domain& domain) {
   const auto group = at.create_group("domain");
   group.set("periodic_x", std::int64_t{domain.periodic_x});
   group.set("periodic_y", std::int64_t{domain.periodic_y});
@@ -91,7 +91,7 @@ void write_domain(const Hdf5Group& at, const Domain& domain) {
   }
 }
 
-Domain read_domain(const Hdf5Group& group) {
+Domain read_domain(const Hdf5Reader& group) {
   Domain domain;
   domain.periodic_x = group.integer("periodic_x") != 0;
   domain.periodic_y = group.integer("periodic_y") != 0;
@@ -106,7 +106,7 @@ Domain read_domain(const Hdf5Group& group) {
 }
 
 /// Arrays of a frame's grains; those that equal the sample's (of the first frame) are left to /grains.
-void write_grains(const Hdf5Group& at, const Grains& grains, const Grains* sample) {
+void write_grains(const Hdf5Writer& at, const Grains& grains, const Grains* sample) {
   const auto group = at.create_group("grains");
   if (!sample || grains.id != sample->id) group.write("id", grains.id);
   if (!sample || grains.radius != sample->radius) group.write("radius", grains.radius, "m");
@@ -116,8 +116,8 @@ void write_grains(const Hdf5Group& at, const Grains& grains, const Grains* sampl
   for (const auto& column : grain_state_columns) group.write(column.name, grains.*column.member, column.unit);
 }
 
-Grains read_grains(const Hdf5Group& group, const Hdf5Group& sample) {
-  const auto holder = [&](const char* name) -> const Hdf5Group& { return group.has(name) ? group : sample; };
+Grains read_grains(const Hdf5Reader& group, const Hdf5Reader& sample) {
+  const auto holder = [&](const char* name) -> const Hdf5Reader& { return group.has(name) ? group : sample; };
   Grains grains;
   grains.id = holder("id").int64s("id");
   grains.radius = holder("radius").doubles("radius");
@@ -132,7 +132,7 @@ Grains read_grains(const Hdf5Group& group, const Hdf5Group& sample) {
   return grains;
 }
 
-void write_contacts(const Hdf5Group& at, const Contacts& contacts) {
+void write_contacts(const Hdf5Writer& at, const Contacts& contacts) {
   const auto group = at.create_group("contacts");
   group.write("i", contacts.i);
   group.write("j", contacts.j);
@@ -140,7 +140,7 @@ void write_contacts(const Hdf5Group& at, const Contacts& contacts) {
   group.write("glued", contacts.glued);
 }
 
-Contacts read_contacts(const Hdf5Group& group, const Grains& grains) {
+Contacts read_contacts(const Hdf5Reader& group, const Grains& grains) {
   Contacts contacts;
   contacts.i = group.int32s("i");
   contacts.j = group.int32s("j");
@@ -158,7 +158,7 @@ Contacts read_contacts(const Hdf5Group& group, const Grains& grains) {
   return contacts;
 }
 
-void write_frame(const Hdf5Group& at, const Frame& frame, const Packing& sample) {
+void write_frame(const Hdf5Writer& at, const Frame& frame, const Packing& sample) {
   at.set("time [s]", frame.time);
   at.set("step", frame.step);
   at.set("label", frame.label);
@@ -170,7 +170,7 @@ void write_frame(const Hdf5Group& at, const Frame& frame, const Packing& sample)
   write_scalars(at.create_group("equilibrium"), equilibrium_scalars, frame.equilibrium);
 }
 
-Frame read_frame(const Hdf5Group& at, const Materials& materials, const Hdf5Group& sample) {
+Frame read_frame(const Hdf5Reader& at, const Materials& materials, const Hdf5Reader& sample) {
   Frame frame;
   frame.time = at.number("time [s]");
   frame.step = at.integer("step");
@@ -187,7 +187,7 @@ Frame read_frame(const Hdf5Group& at, const Materials& materials, const Hdf5Grou
   return frame;
 }
 
-void write_provenance(const Hdf5Group& at, const Provenance& provenance) {
+void write_provenance(const Hdf5Writer& at, const Provenance& provenance) {
   const auto group = at.create_group("provenance");
   group.set("version", provenance.version);
   group.set("stage", provenance.stage);
@@ -199,7 +199,7 @@ void write_provenance(const Hdf5Group& at, const Provenance& provenance) {
   for (const auto& [key, value] : provenance.options) options.set(key, value);
 }
 
-Provenance read_provenance(const Hdf5Group& group) {
+Provenance read_provenance(const Hdf5Reader& group) {
   Provenance provenance;
   provenance.version = group.label("version");
   provenance.stage = group.label("stage");
@@ -214,7 +214,7 @@ Provenance read_provenance(const Hdf5Group& group) {
 
 }  // namespace
 
-void write_result(const Hdf5Group& at, const StageResult& result) {
+void write_result(const Hdf5Writer& at, const StageResult& result) {
   write_provenance(at, result.provenance);
   const auto outcome = at.create_group("outcome");
   outcome.set("name", result.name);
@@ -232,7 +232,7 @@ void write_result(const Hdf5Group& at, const StageResult& result) {
   at.write("continuation", result.continuation);
 }
 
-StageResult read_result(const Hdf5Group& at) {
+StageResult read_result(const Hdf5Reader& at) {
   StageResult result;
   result.provenance = read_provenance(at.group("provenance"));
   const auto outcome = at.group("outcome");

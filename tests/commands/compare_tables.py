@@ -50,10 +50,12 @@ def check_lammps(file):
         local = columns(c, "ENTRIES")
         assert int(c["NUMBER OF ENTRIES"][0][0]) == pairs.sum()
         np.testing.assert_array_equal(local["fn"], frame["contacts/fn"][:][pairs])
-        np.testing.assert_array_equal(local["id1"], file["grains/id"][:][frame["contacts/i"][:][pairs]])
-        nx, ny = local["nx"], local["ny"]
-        np.testing.assert_allclose(local["fx"] * nx + local["fy"] * ny, local["fn"], rtol=1e-12)
-        np.testing.assert_allclose(-local["fx"] * ny + local["fy"] * nx, local["ft"], rtol=1e-12)
+        np.testing.assert_array_equal(local["patom1"], file["grains/id"][:][frame["contacts/i"][:][pairs]])
+        nx, ny = local["nx"], local["ny"]  # towards the first grain, on which both forces act
+        np.testing.assert_array_equal(local["fx"], local["fn"] * nx)
+        np.testing.assert_array_equal(local["fy"], local["fn"] * ny)
+        np.testing.assert_array_equal(local["p1"], -local["ft"] * ny)
+        np.testing.assert_array_equal(local["p2"], local["ft"] * nx)
 
 
 def check_extxyz(file):

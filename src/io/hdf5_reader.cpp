@@ -1,0 +1,137 @@
+#include "io/hdf5_reader.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "io/hdf5_handle.hpp"
+
+namespace arenite::io {
+namespace {
+
+std::string without_padding(std::string text) {
+  text.resize(text.find_last_not_of('\0') + 1);
+  return text;
+}
+
+template <class T>
+std::vector<T> read_array(const Hdf5Reader& at, hid_t group, const std::string& name) {
+  const auto set = own(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!set) at.refuse(fmt::format("has no array \"{}\"", name));
+  const auto space = own(H5Dget_space(*set), H5Sclose);
+  hsize_t count = 0;
+  if (!space || H5Sget_simple_extent_ndims(*space) != 1 || H5Sget_simple_extent_dims(*space, &count, nullptr) < 0)
+    at.refuse(fmt::format("holds \"{}\", which is not a one-dimensional array", name));
+  std::vector<T> values(count);
+  if (count > 0 && H5Dread(*set, native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+    at.refuse(fmt::format("holds an array \"{}\" that cannot be read", name));
+  return values;
+}
+
+Hdf5Handle open_attribute(const Hdf5Reader& at, hid_t owner, const std::string& name) {
+  auto attribute = own(H5Aopen(owner, name.c_str(), H5P_DEFAULT), H5Aclose);
+  if (!attribute) at.refuse(fmt::format("has no attribute \"{}\"", name));
+  return attribute;
+}
+
+template <class T>
+T read_number(const Hdf5Reader& at, hid_t owner, const std::string& name) {
+  const auto attribute = open_attribute(at, owner, name);
+  const auto space = own(H5Aget_space(*attribute), H5Sclose);
+  T value{};
+  if (!space || H5Sget_simple_extent_npoints(*space) != 1 || H5Aread(*attribute, native_type<T>(), &value) < 0)
+    at.refuse(fmt::format("has an attribute \"{}\" that is not one number", name));
+  return value;
+}
+
+/// Length of a fixed-length text type; refuses any other type.
+std::size_t text_length(const Hdf5Reader& at, const Hdf5Handle& type, const std::string& name) {
+  if (!type || H5Tget_class(*type) != H5T_STRING || H5Tis_variable_str(*type) != 0)
+    at.refuse(fmt::format("holds \"{}\", which is not text", name));
+  return H5Tget_size(*type);
+}
+
+std::string read_text_attribute(const Hdf5Reader& at, hid_t owner, const std::string& name) {
+  const auto attribute = open_attribute(at, owner, name);
+  const auto type = own(H5Aget_type(*attribute), H5Tclose);
+  std::string text(text_length(at, type, name), '\0');
+  if (H5Aread(*attribute, *type, text.data()) < 0) at.refuse(fmt::format("has an attribute \"{}\" that cannot be read", name));
+  return without_padding(std::move(text));
+}
+
+/// The file lives as long as one of its groups; HDF5 copies the bytes.
+Hdf5Handle open_root(std::string bytes, const std::string& file) {
+  const auto access = memory_properties();
+  done(H5Pset_file_image(*access, bytes.data(), bytes.size()));
+  bytes = {};
+  const auto id = own(H5Fopen(unused_name().c_str(), H5F_ACC_RDONLY, *access), H5Fclose);
+  auto root = id ? own(H5Gopen2(*id, "/", H5P_DEFAULT), H5Gclose) : nullptr;
+  if (!root) throw InputError(file, 0, "is not a readable HDF5 file; remove it and make it again with \"arenite run\"");
+  return root;
+}
+
+}  // namespace
+
+Hdf5Reader::Hdf5Reader(std::string bytes, std::string file) : Hdf5Reader(open_root(std::move(bytes), file), file, "") {}
+
+Hdf5Reader::Hdf5Reader(Handle group, std::string file, std::string place)
+    : id_(std::move(group)), file_(std::move(file)), place_(std::move(place)) {}
+
+bool Hdf5Reader::has(const std::string& name) const { return H5Lexists(*id_, name.c_str(), H5P_DEFAULT) > 0; }
+
+Hdf5Reader Hdf5Reader::group(const std::string& name) const {
+  auto id = own(H5Gopen2(*id_, name.c_str(), H5P_DEFAULT), H5Gclose);
+  if (!id) refuse(fmt::format("has no group \"{}\"", name));
+  return {std::move(id), file_, place_ + "/" + name};
+}
+
+std::vector<std::string> Hdf5Reader::names() const {
+  std::vector<std::string> found;
+  const auto note = [](hid_t, const char* name, const H5L_info_t*, void* into) -> herr_t {
+    static_cast<std::vector<std::string>*>(into)->emplace_back(name);
+    return 0;
+  };
+  if (H5Literate(*id_, H5_INDEX_CRT_ORDER, H5_ITER_INC, nullptr, note, &found) < 0) refuse("cannot be listed");
+  return found;
+}
+
+std::vector<std::string> Hdf5Reader::attribute_names() const {
+  std::vector<std::string> found;
+  const auto note = [](hid_t, const char* name, const H5A_info_t*, void* into) -> herr_t {
+    static_cast<std::vector<std::string>*>(into)->emplace_back(name);
+    return 0;
+  };
+  if (H5Aiterate2(*id_, H5_INDEX_CRT_ORDER, H5_ITER_INC, nullptr, note, &found) < 0) refuse("cannot be listed");
+  return found;
+}
+
+std::vector<double> Hdf5Reader::doubles(const std::string& name) const { return read_array<double>(*this, *id_, name); }
+std::vector<std::int32_t> Hdf5Reader::int32s(const std::string& name) const { return read_array<std::int32_t>(*this, *id_, name); }
+std::vector<std::int64_t> Hdf5Reader::int64s(const std::string& name) const { return read_array<std::int64_t>(*this, *id_, name); }
+std::vector<std::uint8_t> Hdf5Reader::bytes(const std::string& name) const { return read_array<std::uint8_t>(*this, *id_, name); }
+
+std::string Hdf5Reader::unit(const std::string& name) const {
+  const auto set = own(H5Dopen2(*id_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!set) refuse(fmt::format("has no array \"{}\"", name));
+  return read_text_attribute(*this, *set, "unit");
+}
+
+std::string Hdf5Reader::text(const std::string& name) const {
+  const auto set = own(H5Dopen2(*id_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!set) refuse(fmt::format("has no text \"{}\"", name));
+  const auto type = own(H5Dget_type(*set), H5Tclose);
+  std::string text(text_length(*this, type, name), '\0');
+  if (H5Dread(*set, *type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
+    refuse(fmt::format("holds a text \"{}\" that cannot be read", name));
+  return without_padding(std::move(text));
+}
+
+double Hdf5Reader::number(const std::string& name) const { return read_number<double>(*this, *id_, name); }
+std::int64_t Hdf5Reader::integer(const std::string& name) const { return read_number<std::int64_t>(*this, *id_, name); }
+std::uint64_t Hdf5Reader::natural(const std::string& name) const { return read_number<std::uint64_t>(*this, *id_, name); }
+std::string Hdf5Reader::label(const std::string& name) const { return read_text_attribute(*this, *id_, name); }
+
+void Hdf5Reader::refuse(const std::string& message) const {
+  throw InputError(file_, 0, fmt::format("{} {}; remove the file and make it again with \"arenite run\"", place_.empty() ? "/" : place_, message));
+}
+
+}  // namespace arenite::io

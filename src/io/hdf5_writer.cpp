@@ -1,0 +1,134 @@
+#include "io/hdf5_writer.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "io/hdf5_handle.hpp"
+#include "io/sealed_file.hpp"
+
+namespace arenite::io {
+namespace {
+
+/// UTF-8 text of fixed length; HDF5 knows none of length 0, so an empty one is one NUL, which reading drops.
+Hdf5Handle text_type(std::size_t length) {
+  auto type = made(H5Tcopy(H5T_C_S1), H5Tclose);
+  done(H5Tset_size(*type, length == 0 ? 1 : length));
+  done(H5Tset_strpad(*type, H5T_STR_NULLPAD));
+  done(H5Tset_cset(*type, H5T_CSET_UTF8));
+  return type;
+}
+
+std::string padded(std::string_view text) { return text.empty() ? std::string(1, '\0') : std::string(text); }
+
+Hdf5Handle scalar() { return made(H5Screate(H5S_SCALAR), H5Sclose); }
+
+/// Members keep the order in which they were written, and carry no time of writing.
+Hdf5Handle group_properties() {
+  auto properties = made(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
+  done(H5Pset_obj_track_times(*properties, false));
+  done(H5Pset_link_creation_order(*properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
+  done(H5Pset_attr_creation_order(*properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
+  return properties;
+}
+
+Hdf5Handle dataset_properties(hsize_t bytes, hsize_t count, bool compress) {
+  constexpr hsize_t worth_it = 4096, largest_chunk = 131'072;
+  auto properties = made(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  done(H5Pset_obj_track_times(*properties, false));
+  if (!compress || bytes < worth_it) return properties;
+  const hsize_t chunk = std::min(count, largest_chunk);
+  done(H5Pset_chunk(*properties, 1, &chunk));
+  done(H5Pset_shuffle(*properties));
+  done(H5Pset_deflate(*properties, 2));
+  return properties;
+}
+
+void write_attribute(hid_t owner, const std::string& name, hid_t stored, hid_t native, const void* value) {
+  const auto space = scalar();
+  const auto attribute = made(H5Acreate2(owner, name.c_str(), stored, *space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  done(H5Awrite(*attribute, native, value));
+}
+
+void write_text_attribute(hid_t owner, const std::string& name, std::string_view text) {
+  const auto type = text_type(text.size());
+  write_attribute(owner, name, *type, *type, padded(text).data());
+}
+
+template <class T>
+void write_array(hid_t group, const std::string& name, const std::vector<T>& values, const std::string& unit, bool compress) {
+  const hsize_t count = values.size();
+  const auto space = made(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  const auto properties = dataset_properties(count * sizeof(T), count, compress);
+  const auto set = made(H5Dcreate2(group, name.c_str(), stored_type<T>(), *space, H5P_DEFAULT, *properties, H5P_DEFAULT), H5Dclose);
+  if (count > 0) done(H5Dwrite(*set, native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+  write_text_attribute(*set, "unit", unit);
+}
+
+/// The file; it stays open as long as a group of it is.
+Hdf5Handle new_root() {
+  const auto access = memory_properties();
+  const auto creation = made(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  done(H5Pset_userblock(*creation, seal_size));
+  done(H5Pset_obj_track_times(*creation, false));
+  done(H5Pset_link_creation_order(*creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
+  done(H5Pset_attr_creation_order(*creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
+  const auto file = made(H5Fcreate(unused_name().c_str(), H5F_ACC_TRUNC, *creation, *access), H5Fclose);
+  return made(H5Gopen2(*file, "/", H5P_DEFAULT), H5Gclose);
+}
+
+}  // namespace
+
+Hdf5Writer::Hdf5Writer(bool compress) : Hdf5Writer(new_root(), compress) {}
+
+Hdf5Writer::Hdf5Writer(Handle group, bool compress) : id_(std::move(group)), compress_(compress) {}
+
+Hdf5Writer Hdf5Writer::create_group(const std::string& name) const {
+  auto id = made(H5Gcreate2(*id_, name.c_str(), H5P_DEFAULT, *group_properties(), H5P_DEFAULT), H5Gclose);
+  return {std::move(id), compress_};
+}
+
+void Hdf5Writer::write(const std::string& name, const std::vector<double>& values, const std::string& unit) const {
+  write_array(*id_, name, values, unit, compress_);
+}
+void Hdf5Writer::write(const std::string& name, const std::vector<std::int32_t>& values, const std::string& unit) const {
+  write_array(*id_, name, values, unit, compress_);
+}
+void Hdf5Writer::write(const std::string& name, const std::vector<std::int64_t>& values, const std::string& unit) const {
+  write_array(*id_, name, values, unit, compress_);
+}
+void Hdf5Writer::write(const std::string& name, const std::vector<std::uint8_t>& values, const std::string& unit) const {
+  write_array(*id_, name, values, unit, compress_);
+}
+
+void Hdf5Writer::write_text(const std::string& name, std::string_view text) const {
+  const auto type = text_type(text.size());
+  const auto space = scalar();
+  const auto properties = dataset_properties(0, 0, false);
+  const auto set = made(H5Dcreate2(*id_, name.c_str(), *type, *space, H5P_DEFAULT, *properties, H5P_DEFAULT), H5Dclose);
+  done(H5Dwrite(*set, *type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded(text).data()));
+}
+
+void Hdf5Writer::set(const std::string& name, double value) const {
+  write_attribute(*id_, name, stored_type<double>(), native_type<double>(), &value);
+}
+void Hdf5Writer::set(const std::string& name, std::int64_t value) const {
+  write_attribute(*id_, name, stored_type<std::int64_t>(), native_type<std::int64_t>(), &value);
+}
+void Hdf5Writer::set(const std::string& name, std::uint64_t value) const {
+  write_attribute(*id_, name, stored_type<std::uint64_t>(), native_type<std::uint64_t>(), &value);
+}
+void Hdf5Writer::set(const std::string& name, std::string_view text) const { write_text_attribute(*id_, name, text); }
+
+std::string Hdf5Writer::bytes() const {
+  const auto file = made(H5Iget_file_id(*id_), H5Fclose);
+  done(H5Fflush(*file, H5F_SCOPE_GLOBAL));
+  // An image that HDF5 copies for us lacks the user block, so only its size is asked; the memory that the file lives in
+  // has the block, and beyond the end of the file room to grow.
+  void** memory = nullptr;
+  const ssize_t size = H5Fget_file_image(*file, nullptr, 0);
+  done(H5Fget_vfd_handle(*file, H5P_DEFAULT, reinterpret_cast<void**>(&memory)));
+  if (size <= 0) throw std::runtime_error("HDF5 refused to build a file in memory");
+  return {static_cast<const char*>(*memory), seal_size + static_cast<std::size_t>(size)};
+}
+
+}  // namespace arenite::io
