@@ -14,8 +14,8 @@ void add_contacts(const Sample& s, Snapshot& shot) {
   const double width = s.domain.width(), height = s.domain.height();
   std::visit([&](const auto& normal, const auto& adhesion, const auto& friction) {
     for (std::size_t p = 0; p < list.size(); ++p) {
-      if (list.fx[p] == 0 && list.fy[p] == 0) continue;
       const Kinematics c = slot_kinematics(s, p);
+      if (!(c.overlap > 0)) continue;  // a clipped contact has no force, but its dashpot eats what its spring gives
       const Vec2 f{list.fx[p], list.fy[p]}, t = perpendicular(c.normal);
       const double spring = normal.elastic(c.overlap, list.stiffness[p], c.curvature) -
                             adhesion.attraction(c.overlap, list.strength[p]);

@@ -1,0 +1,222 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <optional>
+#include <regex>
+#include <string>
+
+#include "core/error.hpp"
+#include "support.hpp"
+
+namespace arenite::verification {
+namespace {
+
+using dem::Engine;
+using dem::IntegratorKind;
+
+dem::ContactParameters damped(double restitution) {
+  dem::ContactParameters law;
+  law.restitution = restitution;
+  return law;
+}
+
+/// The number of seconds that a refusal offers; nothing if the step was not refused.
+std::optional<double> offered(const Packing& start, const dem::ContactParameters& law, IntegratorKind kind) {
+  try {
+    Engine engine(start, law, with_step(1, kind));
+  } catch (const InputError& refusal) {
+    const std::string text = refusal.what();
+    const std::regex seconds(R"(([0-9.]+(e[-+]?[0-9]+)?) ?s\b)");
+    double least = 1;
+    for (std::sregex_iterator it(text.begin(), text.end(), seconds), end; it != end; ++it)
+      least = std::min(least, std::stod((*it)[1]));
+    EXPECT_LT(least, 1) << text;
+    return least;
+  }
+  return std::nullopt;
+}
+
+TEST(StepBound, AStepBeyondItIsRefusedAndTheOneOfferedIsAcceptedAndStable) {
+  for (const auto kind : integrators)
+    for (const double e : {0.9, 0.05}) {
+      SCOPED_TRACE(std::string(name(kind)) + ", e = " + std::to_string(e));
+      const Packing start = shaken_lattice(6, 6, 1, false, 0.5);
+      const auto dt = offered(start, damped(e), kind);
+      ASSERT_TRUE(dt.has_value());
+      dem::IntegrationParameters how = with_step(*dt, kind);
+      ASSERT_NO_THROW(Engine(start, damped(e), how));
+      Engine engine(start, damped(e), how);
+      EXPECT_NEAR(engine.bounds().largest(), *dt, 0.05 * *dt);
+      EXPECT_THROW(Engine(start, damped(e), with_step(1.1 * engine.bounds().largest(), kind)), InputError);
+      engine.advance(20000);
+      // Stable: what moves at the end is slower than what moved at the start.
+      EXPECT_LT(engine.energies().kinetic + engine.energies().elastic, [&] {
+        double sum = 0;
+        for (std::size_t i = 0; i < start.grains.size(); ++i)
+          sum += 0.5 * mass(start, i) * dot(velocity(start, i), velocity(start, i)) +
+                 0.5 * disk_inertia(start, i) * start.grains.omega[i] * start.grains.omega[i];
+        return sum;
+      }());
+    }
+}
+
+TEST(StepBound, IsNeverLooserThanTheClosedFormOfOneDiskOnAWall) {
+  // omega dt < 2 for Verlet and leapfrog; damping lowers it.
+  Packing p = box(0.1, 0.1);
+  add(p, {{0.05, 6.2e-3 - 1e-5}, 6.2e-3});
+  const double omega = std::sqrt(k_pom / mass(p, 0));
+  for (const auto kind : integrators) {
+    Engine engine(p, frictionless(0.5), with_step(1e-9, kind));
+    EXPECT_LE(engine.bounds().stiffness, 2 / omega) << name(kind);
+    EXPECT_GE(engine.bounds().stiffness, 0.02 / omega) << name(kind);
+  }
+}
+
+/// Largest rates of a sample's own contacts: of the springs, omega, and of the dashpots with sliding viscosity, lambda.
+struct Rates {
+  double omega, lambda;
+};
+Rates true_rates(const Packing& p, const dem::ContactParameters& law) {
+  const auto n = static_cast<Eigen::Index>(3 * p.grains.size());
+  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n), c = k;
+  Eigen::VectorXd inverse_root_mass(n);
+  for (std::size_t i = 0; i < p.grains.size(); ++i) {
+    const auto q = static_cast<Eigen::Index>(3 * i);
+    inverse_root_mass[q] = inverse_root_mass[q + 1] = 1 / std::sqrt(mass(p, i));
+    inverse_root_mass[q + 2] = 1 / std::sqrt(disk_inertia(p, i));
+  }
+  for (std::size_t contact = 0; contact < p.contacts.size(); ++contact) {
+    const auto i = static_cast<std::size_t>(p.contacts.i[contact]);
+    const bool wall = p.contacts.is_wall(contact);
+    const auto j = wall ? i : static_cast<std::size_t>(p.contacts.j[contact]);
+    const Vec2 e = p.contacts.normal(contact), t = perpendicular(e);
+    Eigen::VectorXd normal = Eigen::VectorXd::Zero(n), tangential = normal;
+    const auto enter = [&](std::size_t grain, double sign, double arm) {
+      const auto q = static_cast<Eigen::Index>(3 * grain);
+      normal[q] = sign * e.x;
+      normal[q + 1] = sign * e.y;
+      tangential[q] = sign * t.x;
+      tangential[q + 1] = sign * t.y;
+      tangential[q + 2] = -arm;
+    };
+    enter(i, 1, p.contacts.arm_i[contact]);
+    if (!wall) enter(j, -1, p.contacts.arm_j[contact]);
+    const double stiffness = p.contacts.fn[contact] / p.contacts.overlap[contact];
+    const double m = wall ? mass(p, i) : reduced(mass(p, i), mass(p, j));
+    const double alpha = 2 * damping_ratio(law.restitution) * std::sqrt(stiffness * m);
+    k += stiffness * (normal * normal.transpose() + 0.8 * tangential * tangential.transpose());
+    c += alpha * (normal * normal.transpose() + tangential * tangential.transpose());
+  }
+  const auto largest = [&](const Eigen::MatrixXd& a) {
+    const Eigen::MatrixXd scaled = inverse_root_mass.asDiagonal() * a * inverse_root_mass.asDiagonal();
+    return scaled.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff();
+  };
+  return {std::sqrt(largest(k)), largest(c)};
+}
+
+TEST(StepBound, IsBelowTheTrueLimitOfCompressedSamplesOfUnequalGrains) {
+  for (const auto rule : {dem::StiffnessRule::thesis, dem::StiffnessRule::series})
+    for (const std::uint64_t seed : {1u, 2u}) {
+      Packing p = shaken_lattice(7, 7, seed);
+      for (std::size_t i = 0; i < p.grains.size(); i += 3) p.grains.radius[i] *= 0.8;
+      const double d = 2 * p.grains.radius[0];  // small light grains in the corner, held by two walls
+      p.grains.x[0] = p.grains.y[0] = 0.49 * d;
+      p.grains.material[0] = hdpe;
+      dem::ContactParameters law;
+      law.restitution = 0.5;
+      law.friction_law = dem::FrictionLaw::cundall_strack;
+      law.stiffness_rule = rule;
+      Engine engine(p, law, with_step(shortest_contact_time() / 30));
+      engine.set_drives({moved(2), moved(-2), moved(2), moved(-2)});
+      engine.advance(1500);
+      engine.set_drives({});
+      engine.advance(20000);
+      Packing rest = engine.packing();  // at rest, so that f_n/h is the stiffness
+      for (std::size_t i = 0; i < rest.grains.size(); ++i) rest.grains.vx[i] = rest.grains.vy[i] = rest.grains.omega[i] = 0;
+      const Packing still = Engine(rest, law, with_step(1e-8)).packing();
+      EXPECT_GT(still.contacts.size(), 60u);
+      const Rates rates = true_rates(still, law);
+      // Velocity Verlet that sees v at the end of the step: (omega dt)^2/4 + lambda dt = 1 at the limit, were both in one mode.
+      const double limit = 2 / (rates.lambda + std::hypot(rates.lambda, rates.omega));
+      EXPECT_LE(engine.bounds().stiffness, 2 / rates.omega);
+      EXPECT_LE(engine.bounds().largest(), limit);
+      EXPECT_GE(engine.bounds().largest(), 0.3 * limit);  // and of use
+    }
+}
+
+/// Largest growth a step of Gear's fifth-order scheme (six values) on x'' = -lambda x', z = lambda dt.
+double gear_growth(double z) {
+  constexpr double c[6] = {3.0 / 16, 251.0 / 360, 1, 11.0 / 18, 1.0 / 6, 1.0 / 60};
+  Eigen::Matrix<double, 6, 6> predict = Eigen::Matrix<double, 6, 6>::Zero();
+  for (int i = 0; i < 6; ++i) {
+    double binomial = 1;
+    for (int j = i; j < 6; ++j) {
+      predict(i, j) = binomial;
+      binomial *= (j + 1.0) / (j + 1 - i);
+    }
+  }
+  Eigen::Matrix<double, 1, 6> residual = -predict.row(2);  // in Nordsieck scaling: dt^2 x''/2 = -z/2 (dt x')
+  residual -= 0.5 * z * predict.row(1);
+  Eigen::Matrix<double, 6, 6> step = predict;
+  for (int i = 0; i < 6; ++i) step.row(i) += c[i] * residual;
+  // Uniform motion's own root, 1, is no growth: position neither decays nor feeds back.
+  return step.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+TEST(StepBound, GearsDampingBoundIsWhereItBlowsUp) {
+  double low = 0.01, high = 1;
+  for (int i = 0; i < 60; ++i) (gear_growth(0.5 * (low + high)) > 1 + 1e-12 ? high : low) = 0.5 * (low + high);
+  EXPECT_NEAR(low, 0.164, 1e-3);
+
+  Packing p = box(1, 1);
+  add(p, {{0.5, 0.5}, 6.2e-3, pom, {1, 0}});
+  const double rate = 1e5;  // so strong that no spring bounds the step
+  for (const double share : {0.97, 1.03}) {
+    dem::IntegrationParameters how = with_step(share * low / rate, IntegratorKind::gear5);
+    how.drag = 1e-3;
+    Engine engine(p, elastic(), how);
+    bool lost = false;  // the engine notices a grain outside of the frame
+    try {
+      engine.set_drag(rate);
+      engine.advance(4000);
+    } catch (const std::exception&) {
+      lost = true;
+    }
+    const double speed = norm(velocity(engine.packing(), 0));
+    if (share < 1) {
+      EXPECT_FALSE(lost);
+      EXPECT_LT(speed, 1e-3);
+    } else {
+      EXPECT_TRUE(lost || !(speed < 1e3)) << speed;
+    }
+  }
+}
+
+TEST(StepBound, GearRefusesADashpotThatItCannotCarryAndVerletTakesIt) {
+  Packing p = box(0.1, 0.1);
+  add(p, {{0.05, 6.2e-3 - 1e-5}, 6.2e-3});
+  const double m = mass(p, 0), omega = std::sqrt(k_pom / m), dt = 0.12 / omega;
+  dem::ContactParameters law = elastic();
+  EXPECT_NO_THROW(Engine(p, law, with_step(dt, IntegratorKind::gear5)));
+  law.normal_damping = 0.3 * m * omega;  // six such contacts: lambda dt = 0.22
+  EXPECT_THROW(Engine(p, law, with_step(dt, IntegratorKind::gear5)), InputError);
+  EXPECT_NO_THROW(Engine(p, law, with_step(dt, IntegratorKind::velocity_verlet)));
+}
+
+TEST(StepBound, WithoutAStepGivenItIsTheShareAskedForOfTheShortestContactTime) {
+  Packing p = box(1, 1);
+  add(p, {{0.2, 0.2}, 6.2e-3, pom});
+  add(p, {{0.3, 0.2}, 6.2e-3, pom});
+  add(p, {{0.4, 0.2}, 5.25e-3, hdpe});
+  dem::IntegrationParameters how;
+  how.safety = 0.05;
+  const Engine engine(p, frictionless(0.9), how);
+  // Between the time of the lightest pair and of the lightest grain with half its mass on the stiffest spring.
+  const double shortest = contact_time(0.5 * mass(p, 2), k_pom), longest = contact_time(mass(p, 0), k_pom);
+  EXPECT_GE(engine.time_step(), 0.05 * shortest * (1 - 1e-12));
+  EXPECT_LE(engine.time_step(), 0.05 * longest);
+}
+
+}  // namespace
+}  // namespace arenite::verification
