@@ -35,5 +35,17 @@ peers:
 	@ninja -C $(BUILD) -j $(JOBS)
 	@bench/peers/run $(BUILD)
 
+# Every fuzz target for FUZZ_SECONDS; inputs that reach new code gather in build-fuzz/found.
+FUZZ_SECONDS ?= 60
+fuzz:
+	@scripts/setup run test
+	@cmake --preset fuzz >/dev/null
+	@cmake --build --preset fuzz -j $(JOBS)
+	@cd build-fuzz && for f in tests/fuzz/fuzz_*; do \
+	  what=$${f##*fuzz_}; mkdir -p found/$$what; \
+	  $$f -max_total_time=$(FUZZ_SECONDS) -max_len=4096 -dict=../tests/fuzz/$$what.dict -artifact_prefix=found/ \
+	    found/$$what ../tests/fuzz/corpus/$$what 2>&1 | tail -2 || exit 1; \
+	done
+
 clean:
 	@rm -rf $(BUILD) out

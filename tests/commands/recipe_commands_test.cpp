@@ -1,0 +1,140 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+#include "support/program.hpp"
+
+namespace {
+using arenite::test::arenite;
+using arenite::test::shell;
+using arenite::test::slurp;
+using arenite::test::TemporaryFolder;
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::ptrdiff_t lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+
+TEST(Check, PrintsTheResolvedRecipeWhichChecksAsTheSame) {
+  const TemporaryFolder folder;
+  const auto recipe = (folder / "a.toml").string(), resolved = (folder / "b.toml").string();
+  ASSERT_EQ(arenite("init composite " + recipe).status, 0);
+  const auto first = arenite("check " + recipe);
+  EXPECT_EQ(first.status, 0) << first.err;
+  EXPECT_TRUE(contains(first.out, "restitution = 0.1\n"));
+  std::ofstream(resolved) << first.out;
+  const auto second = arenite("check " + resolved);
+  EXPECT_EQ(second.status, 0) << second.err;
+  EXPECT_EQ(second.out, first.out);
+}
+
+TEST(Check, OverridesMayBeRepeatedAndStandBeforeTheRecipe) {
+  const TemporaryFolder folder;
+  const auto recipe = (folder / "a.toml").string();
+  ASSERT_EQ(arenite("init composite " + recipe).status, 0);
+  const auto changed = arenite("check --set seed=77 --set 'stages.1.bottom.force=60 kN' " + recipe);
+  EXPECT_EQ(changed.status, 0) << changed.err;
+  EXPECT_TRUE(contains(changed.out, "seed = 77\n"));
+  EXPECT_TRUE(contains(changed.out, "bottom = { force = \"60 kN\" }\n"));
+}
+
+TEST(Check, BadRecipeGivesOneLineAProblemOnStderrAndStatusTwo) {
+  const TemporaryFolder folder;
+  const auto recipe = (folder / "a.toml").string();
+  ASSERT_EQ(arenite("init composite " + recipe).status, 0);
+  const auto refused = arenite("check " + recipe + " --set frame.width=350 --set sed=3 --set 'contact.friction=-1'");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.out, "");
+  EXPECT_EQ(lines_of(refused.err), 3) << refused.err;
+  EXPECT_TRUE(contains(refused.err, "did you mean seed?"));
+}
+
+TEST(Check, WhatIsNoFileIsBadInput) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "empty.toml").flush();
+  for (const auto& file : {(folder / "none.toml").string(), folder.path().string(), (folder / "empty.toml").string()}) {
+    const auto refused = arenite("check " + file);
+    EXPECT_EQ(refused.status, 2) << file;
+    EXPECT_EQ(lines_of(refused.err), 1) << refused.err;
+    EXPECT_TRUE(contains(refused.err, file)) << refused.err;
+  }
+}
+
+TEST(Init, RefusesToOverwriteAndLeavesTheFileAsItIs) {
+  const TemporaryFolder folder;
+  const auto recipe = folder / "a.toml";
+  std::ofstream(recipe) << "mine";
+  const auto refused = arenite("init composite " + recipe.string());
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(lines_of(refused.err), 1);
+  EXPECT_EQ(slurp(recipe), "mine");
+}
+
+TEST(Init, FolderThatIsNotThereIsBadInputAndNothingIsLeft) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(arenite("init composite " + (folder / "none/a.toml").string()).status, 2);
+  EXPECT_EQ(folder.count(), 0);
+}
+
+TEST(Output, FullDiskBehindStdoutIsReported) {
+  for (const char* command : {"init composite", "check --keys", "man", ""}) {
+    const auto full = shell(std::string(ARENITE_BINARY) + " " + command + " > /dev/full");
+    EXPECT_EQ(full.status, 2) << command;
+    EXPECT_EQ(lines_of(full.err), 1) << full.err;
+  }
+}
+
+TEST(CommandLine, WithoutArgumentsEveryCommandHasItsLine) {
+  const auto overview = arenite("");
+  EXPECT_EQ(overview.status, 0);
+  for (const char* command : {"init", "check", "doctor", "completion", "man"}) {
+    EXPECT_TRUE(contains(overview.out, std::string("\n  ") + command + " ")) << command;
+    EXPECT_EQ(arenite(std::string(command) + " --help").status, 0) << command;
+  }
+}
+
+TEST(CommandLine, UnknownCommandOffersTheNearestAndUnknownOptionIsBadInput) {
+  const auto slip = arenite("chekc");
+  EXPECT_EQ(slip.status, 2);
+  EXPECT_TRUE(contains(slip.err, "did you mean `arenite check`?")) << slip.err;
+  EXPECT_EQ(arenite("check --frobnicate x.toml").status, 2);
+  EXPECT_EQ(arenite("check").status, 2);
+  EXPECT_EQ(arenite("--version").status, 0);
+}
+
+TEST(Doctor, NamesVersionsKernelsAndThreads) {
+  const auto report = arenite("doctor");
+  EXPECT_EQ(report.status, 0);
+  for (const char* line : {"arenite ", "kernels ", "threads ", "HDF5 "}) EXPECT_TRUE(contains(report.out, line)) << line;
+}
+
+TEST(Completion, ScriptsAreAcceptedByTheirShellAndKnowEveryCommand) {
+  const auto bash = arenite("completion bash");
+  EXPECT_EQ(bash.status, 0);
+  const std::string load = "source <(" + std::string(ARENITE_BINARY) + " completion bash); ";
+  const auto words = [&](const std::string& line, int word) {
+    return shell("bash -c '" + load + "COMP_WORDS=(" + line + "); COMP_CWORD=" + std::to_string(word) +
+                 "; _arenite; echo \"${COMPREPLY[@]}\"'").out;
+  };
+  EXPECT_EQ(words("arenite che", 1), "check\n");
+  EXPECT_TRUE(contains(words("arenite check --", 2), "--set"));
+  EXPECT_EQ(words("arenite completion z", 2), "zsh\n");
+  for (const char* shell_name : {"zsh", "fish"}) {
+    const auto script = arenite(std::string("completion ") + shell_name);
+    EXPECT_EQ(script.status, 0);
+    for (const char* command : {"init", "check", "doctor"}) EXPECT_TRUE(contains(script.out, command)) << shell_name;
+  }
+  EXPECT_EQ(arenite("completion tcsh").status, 2);
+}
+
+TEST(Man, PageHasEveryCommandOfTheOverview) {
+  const auto page = arenite("man");
+  EXPECT_EQ(page.status, 0);
+  EXPECT_TRUE(contains(page.out, ".TH ARENITE 1"));
+  for (const char* command : {"check RECIPE.toml", "init template", "doctor", "completion shell"}) {
+    EXPECT_TRUE(contains(page.out, std::string(".SS arenite ") + command)) << command;
+  }
+}
+
+}  // namespace
