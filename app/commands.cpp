@@ -13,7 +13,7 @@ const std::vector<Command>& commands() {
       {"export", "Write a result for ParaView, OVITO, LAMMPS tools or as tables", add_export},
       {"doctor", "Say what this installation can do: versions, kernels, threads, helpers found", add_doctor},
       {"completion", "Print the completion script of a shell", add_completion},
-      {"man", "Print the manual page (roff)", add_man},
+      {"man", "Print the manual page, or the reference of all recipe keys", add_man},
   };
   return list;
 }

@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <memory>
+
 #include "commands.hpp"
 #include "core/version.hpp"
 #include "program_tree.hpp"
+#include "study/recipe.hpp"
 
 namespace arenite::app {
 namespace {
@@ -46,21 +49,28 @@ std::string section(const CommandText& command) {
   return text;
 }
 
+void print_page(const std::vector<CommandText>& tree) {
+  fmt::print(".TH ARENITE 1 \"\" \"arenite {}\" \"User commands\"\n", roff(version));
+  fmt::print(".SH NAME\narenite \\- micromechanics of composite and cemented granular materials\n");
+  fmt::print(".SH SYNOPSIS\n.B arenite\n.I COMMAND\n[...]\n.SH COMMANDS\n");
+  for (const auto& command : tree) fmt::print("{}", section(command));
+  fmt::print(
+      ".SH EXIT STATUS\n"
+      ".TP\n.B 0\nDone.\n"
+      ".TP\n.B 2\nBad input: each problem is one line on stderr, with its place and how to mend it.\n"
+      ".TP\n.B 3\nNot converged, or a claim failed; what was reached is said and kept.\n"
+      ".TP\n.B 1\nAnything else.\n");
+}
+
 }  // namespace
 
 void add_man(CLI::App& command, int&) {
-  command.footer("To read it: arenite man | man -l -");
-  command.callback([&command] {
-    fmt::print(".TH ARENITE 1 \"\" \"arenite {}\" \"User commands\"\n", roff(version));
-    fmt::print(".SH NAME\narenite \\- micromechanics of composite and cemented granular materials\n");
-    fmt::print(".SH SYNOPSIS\n.B arenite\n.I COMMAND\n[...]\n.SH COMMANDS\n");
-    for (const auto& each : program_tree(command)) fmt::print("{}", section(each));
-    fmt::print(
-        ".SH EXIT STATUS\n"
-        ".TP\n.B 0\nDone.\n"
-        ".TP\n.B 2\nBad input: each problem is one line on stderr, with its place and how to mend it.\n"
-        ".TP\n.B 3\nNot converged, or a claim failed; what was reached is said and kept.\n"
-        ".TP\n.B 1\nAnything else.\n");
+  const auto keys = std::make_shared<bool>(false);
+  command.add_flag("--keys", *keys, "Print the reference of all keys of a recipe instead (Markdown)");
+  command.footer("To read the page: arenite man | man -l -");
+  command.callback([&command, keys] {
+    if (*keys) fmt::print("{}", study::key_reference());
+    else print_page(program_tree(command));
   });
 }
 

@@ -68,7 +68,7 @@ std::string key_reference() {
       "errors, all of them reported at once with their places. `arenite check RECIPE.toml` prints the recipe as it was\n"
       "understood, `arenite init composite` a commented one to start from, and `--set stages.0.bottom.force=\"60 kN\"` changes a\n"
       "key for one run (items of lists are counted from 0).\n\n"
-      "This page is generated from the declarations that the program reads recipes with: `arenite check --keys`.\n\n"
+      "This page is generated from the declarations that the program reads recipes with: `arenite man --keys`.\n\n"
       "## Top of the file\n\n";
   RecordTable values;
   for (const auto& record : root) {

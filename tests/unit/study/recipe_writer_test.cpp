@@ -154,7 +154,7 @@ TEST(KeyReference, PageInTheDocsIsCurrent) {
   std::ifstream in(ARENITE_SOURCE_DIR "/docs/recipe.md", std::ios::binary);
   std::ostringstream page;
   page << in.rdbuf();
-  EXPECT_EQ(page.str(), key_reference()) << "write it anew: build/arenite check --keys > docs/recipe.md";
+  EXPECT_EQ(page.str(), key_reference()) << "write it anew: build/arenite man --keys > docs/recipe.md";
 }
 
 }  // namespace
