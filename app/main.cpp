@@ -67,7 +67,8 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::fputs("arenite: the memory does not suffice; ask for fewer grains or stored states\n", stderr);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "arenite: %s\n", error.what());
+    // fmt throws where stdio would only note that stdout cannot be written; that is told below.
+    if (!std::ferror(stdout)) std::fprintf(stderr, "arenite: %s\n", error.what());
   }
   // A full disk behind a redirected output shows only when the last bytes leave.
   if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
