@@ -1,0 +1,113 @@
+#include "io/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "io/table.hpp"
+#include "model/domain.hpp"
+
+namespace arenite::io {
+namespace {
+
+/// One column of numbers: where it is and its factor to SI.
+struct Field {
+  std::optional<std::size_t> index;
+  double factor = 1;
+  explicit operator bool() const { return index.has_value(); }
+};
+
+Field find_field(const Table& table, std::initializer_list<std::string_view> names, Dimension dimension, double by_default,
+                 Problems& problems) {
+  Field field{table.find(names), by_default};
+  if (!field || table.columns[*field.index].unit.empty()) return field;
+  try {
+    field.factor = unit_factor(table.columns[*field.index].unit, dimension);
+  } catch (const InputError& error) {
+    problems.add(1, fmt::format("column {}: {}", table.columns[*field.index].name, error.problems().front().message));
+  }
+  return field;
+}
+
+double number(const Table& table, const Table::Row& row, const Field& field, Problems& problems) {
+  return number_or_problem(row.cells[*field.index], table.columns[*field.index].name, field.factor, row.line, problems);
+}
+
+void require(bool found, const char* column, const char* kind, Problems& problems) {
+  if (!found) problems.add(1, fmt::format("there is no column \"{}\"; {}", column, kind));
+}
+
+std::optional<int> wall_by_name(std::string_view cell) {
+  for (int side = 0; side < 4; ++side)
+    if (cell == side_names[static_cast<std::size_t>(side)]) return side;
+  return std::nullopt;
+}
+
+}  // namespace
+
+RawGrains read_grains_csv(std::string_view text, const std::string& columns, const UnitFactors& units, Problems& problems) {
+  const Table table = read_table(text, columns, problems);
+  RawGrains grains;
+  if (table.columns.empty()) return grains;
+  const auto id = table.find({"id", "grain"});
+  const Field x = find_field(table, {"x"}, dimension::length, units.length, problems);
+  const Field y = find_field(table, {"y"}, dimension::length, units.length, problems);
+  const Field radius = find_field(table, {"radius", "r"}, dimension::length, units.length, problems);
+  const Field diameter = find_field(table, {"diameter", "d"}, dimension::length, units.length, problems);
+  const auto material = table.find({"material"});
+  constexpr const char* kind = "grains need id, x, y, radius and may have material";
+  require(x.index.has_value(), "x", kind, problems);
+  require(y.index.has_value(), "y", kind, problems);
+  require(radius || diameter, "radius", kind, problems);
+  if (!x || !y || (!radius && !diameter)) return grains;
+  for (const auto& row : table.rows) {
+    RawGrain grain;
+    grain.line = row.line;
+    grain.id = id ? integer_or_problem(row.cells[*id], "id", row.line, problems) : static_cast<std::int64_t>(grains.rows.size());
+    grain.centre = {number(table, row, x, problems), number(table, row, y, problems)};
+    grain.radius = radius ? number(table, row, radius, problems) : 0.5 * number(table, row, diameter, problems);
+    if (material) grain.material = row.cells[*material];
+    grains.rows.push_back(std::move(grain));
+  }
+  return grains;
+}
+
+RawContacts read_contacts_csv(std::string_view text, const std::string& columns, const UnitFactors& units, Problems& problems) {
+  const Table table = read_table(text, columns, problems);
+  RawContacts contacts;
+  if (table.columns.empty()) return contacts;
+  const auto i = table.find({"i", "id1"}), j = table.find({"j", "id2"});
+  const Field fn = find_field(table, {"fn"}, dimension::force, units.force, problems);
+  const Field ft = find_field(table, {"ft"}, dimension::force, units.force, problems);
+  const Field fx = find_field(table, {"fx"}, dimension::force, units.force, problems);
+  const Field fy = find_field(table, {"fy"}, dimension::force, units.force, problems);
+  const Field nx = find_field(table, {"nx"}, dimension::none, 1, problems);
+  const Field ny = find_field(table, {"ny"}, dimension::none, 1, problems);
+  constexpr const char* kind = "contacts need i, j, fn, ft (or fx, fy for the force on j) and may have nx, ny";
+  require(i.has_value(), "i", kind, problems);
+  require(j.has_value(), "j", kind, problems);
+  const bool vector = fx && fy && !fn;
+  require(fn || vector, "fn", kind, problems);
+  if (nx && !ny) problems.add(1, "there is a column nx but no ny; give both or neither");
+  if (!i || !j || (!fn && !vector)) return contacts;
+  for (const auto& row : table.rows) {
+    RawContact contact;
+    contact.line = row.line;
+    contact.i = integer_or_problem(row.cells[*i], "i", row.line, problems);
+    if (const auto wall = wall_by_name(row.cells[*j]))
+      contact.wall = *wall;
+    else
+      contact.j = integer_or_problem(row.cells[*j], "j", row.line, problems);
+    if (vector) {
+      contact.force_on_j = Vec2{number(table, row, fx, problems), number(table, row, fy, problems)};
+    } else {
+      contact.fn = number(table, row, fn, problems);
+      if (ft) contact.ft = number(table, row, ft, problems);
+    }
+    if (nx && ny) contact.normal = Vec2{number(table, row, nx, problems), number(table, row, ny, problems)};
+    contacts.rows.push_back(std::move(contact));
+  }
+  return contacts;
+}
+
+}  // namespace arenite::io

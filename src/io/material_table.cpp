@@ -1,0 +1,106 @@
+#include "io/material_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "core/nearest.hpp"
+#include "io/read_file.hpp"
+#include "io/table.hpp"
+
+namespace arenite::io {
+namespace {
+
+/// What a label that is only a number is called, so that "1-2" does not have to be read as a pair.
+std::string readable(const std::string& label) {
+  if (label.empty()) return "grain";
+  return to_integer(label) ? "type" + label : label;
+}
+
+struct Property {
+  const char* column;
+  Dimension dimension;
+  double Material::*member;
+};
+constexpr Property properties[] = {
+    {"density", dimension::density, &Material::density},
+    {"stiffness", dimension::stiffness, &Material::stiffness},
+    {"thermoelastic_factor", dimension::thermoelastic_factor, &Material::thermoelastic_factor},
+};
+
+Material read_material(const Table& table, const Table::Row& row, const std::string& label, Problems& problems) {
+  const auto name = table.find({"name"});
+  Material material;
+  material.name = name ? std::string(row.cells[*name]) : readable(label);
+  for (const Property& property : properties) {
+    const auto column = table.find({property.column});
+    if (!column) continue;
+    double factor = 1;
+    try {
+      if (!table.columns[*column].unit.empty()) factor = unit_factor(table.columns[*column].unit, property.dimension);
+    } catch (const InputError& error) {
+      problems.add(1, fmt::format("column {}: {}", property.column, error.problems().front().message));
+    }
+    material.*property.member = number_or_problem(row.cells[*column], property.column, factor, row.line, problems);
+  }
+  return material;
+}
+
+/// Reads the table: labels with their materials, or the label of every grain.
+struct MaterialTable {
+  std::vector<std::string> labels;
+  Materials materials;
+  std::unordered_map<std::int64_t, std::string> of_grain;
+};
+
+MaterialTable read_material_table(const std::filesystem::path& file) {
+  Problems problems(file.string());
+  const std::string text = read_file(file);
+  const Table table = read_table(text, {}, problems);
+  const auto label = table.find({"material"}), id = table.find({"id", "grain"});
+  if (!label) problems.add(1, "there is no column \"material\"; give material,name,density [kg/m^3],stiffness [N/m] or id,material");
+  MaterialTable result;
+  for (const auto& row : table.rows) {
+    if (!label) break;
+    const std::string name(row.cells[*label]);
+    if (id) {
+      result.of_grain[integer_or_problem(row.cells[*id], "id", row.line, problems)] = name;
+      continue;
+    }
+    if (std::find(result.labels.begin(), result.labels.end(), name) != result.labels.end())
+      problems.add(row.line, fmt::format("material \"{}\" appears twice; keep one row", name));
+    result.labels.push_back(name);
+    result.materials.push_back(read_material(table, row, name, problems));
+  }
+  problems.raise();
+  return result;
+}
+
+}  // namespace
+
+void assign_materials(const RawGrains& raw, const std::optional<std::filesystem::path>& file, Packing& packing, Problems& problems) {
+  MaterialTable table;
+  if (file) table = read_material_table(*file);
+  const bool closed = !table.labels.empty();  // then a label that is not in the table is a slip
+  packing.materials = table.materials;
+  for (std::size_t g = 0; g < raw.rows.size(); ++g) {
+    std::string label = raw.rows[g].material;
+    if (const auto it = table.of_grain.find(raw.rows[g].id); it != table.of_grain.end()) label = it->second;
+    auto it = std::find(table.labels.begin(), table.labels.end(), label);
+    if (it == table.labels.end()) {
+      if (closed) {
+        const std::string near = nearest(label, table.labels);
+        problems.add(raw.rows[g].line, fmt::format("material \"{}\" is not in {}; {}", label, file->string(),
+                                                   near.empty() ? "add it there" : fmt::format("did you mean \"{}\"?", near)));
+        continue;
+      }
+      table.labels.push_back(label);
+      packing.materials.push_back({readable(label), 0, 0, 0});
+      it = table.labels.end() - 1;
+    }
+    packing.grains.material[g] = static_cast<std::int32_t>(it - table.labels.begin());
+  }
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,38 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/packing.hpp"
+
+namespace arenite::io {
+
+/// What the files of a sample do not say themselves. SI.
+struct SampleOptions {
+  std::string format = "auto";         ///< name of a format (sample_formats), or "auto": by content
+  std::string grain_columns, contact_columns;  ///< for files without header: "id,x,y,-,radius"
+  double length_unit = 1, force_unit = 1;      ///< factors to SI of columns without unit
+  std::optional<Vec2> box;             ///< width, height, m
+  std::optional<Vec2> origin;          ///< lower left corner, m; default: the origin if all centres fit, else around them
+  double tilt = 0;                     ///< m
+  bool periodic_x = false, periodic_y = false;
+  std::optional<double> thickness;     ///< m
+  std::optional<std::filesystem::path> materials;  ///< table of material, name, density, stiffness, or of id, material
+  bool merge_doubled = false;          ///< a contact listed twice is taken once, with the mean of its forces
+};
+
+/// Grains and contacts from anybody's files.
+struct Sample {
+  Packing packing;                     ///< thickness 0 and box of no area where they are not known
+  std::size_t doubled_rows = 0;        ///< rows merged into earlier ones
+  std::vector<std::string> notes;
+};
+
+/// Names of the formats that can be read, for help texts: "csv", "lammps", "yade", "mercury".
+std::vector<std::string> sample_formats();
+
+/// Reads and checks both files. Throws InputError with every problem found, up to 20 a file.
+Sample read_sample(const std::filesystem::path& grains, const std::filesystem::path& contacts, const SampleOptions& options);
+
+}  // namespace arenite::io

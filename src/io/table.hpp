@@ -1,0 +1,60 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/units.hpp"
+#include "io/problems.hpp"
+
+namespace arenite::io {
+
+/// Text cut into rows of cells. Separator: comma, semicolon or tab if the first row has one, else blanks. Lines that
+/// start with # and empty lines are skipped. Cells point into the text, which must outlive the table.
+struct Table {
+  struct Row {
+    int line = 0;
+    std::vector<std::string_view> cells;
+  };
+  struct Column {
+    std::string name;                  ///< lower case
+    std::string unit;                  ///< "mm" from "x [mm]", "x (mm)" or a row of units below the header; or empty
+  };
+  std::vector<Column> columns;         ///< from the header; empty if there is none
+  std::vector<Row> rows;               ///< of data
+
+  /// Index of the first column that has one of these names.
+  std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const;
+};
+
+/// Reads a table whose first row is a header; `columns` replaces a missing header ("id,x,y,-,radius"). Ragged rows,
+/// an empty file and a header that is missing or says a column twice go to `problems`.
+Table read_table(std::string_view text, const std::string& columns, Problems& problems);
+
+/// Cells separated by blanks.
+std::vector<std::string_view> split_blanks(std::string_view line);
+
+/// The lines of a text without their ends, one after the other.
+class Lines {
+ public:
+  explicit Lines(std::string_view text, int first_line = 1) : rest_(text), number_(first_line - 1) {}
+  bool next(std::string_view& line);
+  int number() const { return number_; }  ///< of the last line given, 1-based
+
+ private:
+  std::string_view rest_;
+  int number_;
+};
+
+/// A whole finite number; empty otherwise ("nan" and "inf" are not numbers here).
+std::optional<double> to_number(std::string_view cell);
+std::optional<std::int64_t> to_integer(std::string_view cell);
+
+/// Factor to SI of a unit that must have this dimension. Throws InputError without place.
+double unit_factor(std::string_view unit, Dimension dimension);
+
+/// `value` as a number in SI, or a problem at that line that names the column.
+double number_or_problem(std::string_view cell, const std::string& column, double factor, int line, Problems& problems);
+std::int64_t integer_or_problem(std::string_view cell, const std::string& column, int line, Problems& problems);
+
+}  // namespace arenite::io
