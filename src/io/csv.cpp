@@ -33,6 +33,14 @@ double number(const Table& table, const Table::Row& row, const Field& field, Pro
   return number_or_problem(row.cells[*field.index], table.columns[*field.index].name, field.factor, row.line, problems);
 }
 
+/// Says so where SI was assumed, since a factor of 1000 is easily overlooked.
+void note_assumed_unit(const Table& table, const Field& field, bool chosen, const char* what, const char* si, const char* option,
+                       std::vector<std::string>& notes) {
+  if (field && !chosen && table.columns[*field.index].unit.empty())
+    notes.push_back(fmt::format("The file names no unit of {}, so {} was taken; {} or a header such as \"{} [...]\" says otherwise.",
+                                what, si, option, table.columns[*field.index].name));
+}
+
 void require(bool found, const char* column, const char* kind, Problems& problems) {
   if (!found) problems.add(1, fmt::format("there is no column \"{}\"; {}", column, kind));
 }
@@ -60,6 +68,7 @@ RawGrains read_grains_csv(std::string_view text, const std::string& columns, con
   require(y.index.has_value(), "y", kind, problems);
   require(radius || diameter, "radius", kind, problems);
   if (!x || !y || (!radius && !diameter)) return grains;
+  note_assumed_unit(table, x, units.length_chosen, "length", "m", "--length-unit", grains.notes);
   for (const auto& row : table.rows) {
     RawGrain grain;
     grain.line = row.line;
@@ -90,6 +99,7 @@ RawContacts read_contacts_csv(std::string_view text, const std::string& columns,
   require(fn || vector, "fn", kind, problems);
   if (nx && !ny) problems.add(1, "there is a column nx but no ny; give both or neither");
   if (!i || !j || (!fn && !vector)) return contacts;
+  note_assumed_unit(table, fn ? fn : fx, units.force_chosen, "force", "N", "--force-unit", contacts.notes);
   for (const auto& row : table.rows) {
     RawContact contact;
     contact.line = row.line;

@@ -87,6 +87,7 @@ void assign_materials(const RawGrains& raw, const std::optional<std::filesystem:
   for (std::size_t g = 0; g < raw.rows.size(); ++g) {
     std::string label = raw.rows[g].material;
     if (const auto it = table.of_grain.find(raw.rows[g].id); it != table.of_grain.end()) label = it->second;
+    if (label.empty() && table.labels.size() == 1) label = table.labels.front();
     auto it = std::find(table.labels.begin(), table.labels.end(), label);
     if (it == table.labels.end()) {
       if (closed) {

@@ -8,9 +8,10 @@
 
 namespace arenite::io {
 
-/// Unit of a quantity as a factor to SI.
+/// Units of columns that name none, as factors to SI; whether anybody chose them.
 struct UnitFactors {
   double length = 1, force = 1;
+  bool length_chosen = false, force_chosen = false;
 };
 
 /// A grain as its file gives it, in SI; `line` says where.

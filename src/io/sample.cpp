@@ -90,7 +90,8 @@ std::vector<std::string> sample_formats() {
 
 Sample read_sample(const std::filesystem::path& grains_path, const std::filesystem::path& contacts_path, const SampleOptions& options) {
   const std::string grains_text = read_file(grains_path), contacts_text = read_file(contacts_path);
-  const UnitFactors units{options.length_unit, options.force_unit};
+  const UnitFactors units{options.length_unit.value_or(1), options.force_unit.value_or(1), options.length_unit.has_value(),
+                          options.force_unit.has_value()};
   Problems grain_problems(grains_path.string()), contact_problems(contacts_path.string());
 
   const Format& format = format_of(grains_text, options);

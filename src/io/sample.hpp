@@ -12,7 +12,7 @@ namespace arenite::io {
 struct SampleOptions {
   std::string format = "auto";         ///< name of a format (sample_formats), or "auto": by content
   std::string grain_columns, contact_columns;  ///< for files without header: "id,x,y,-,radius"
-  double length_unit = 1, force_unit = 1;      ///< factors to SI of columns without unit
+  std::optional<double> length_unit, force_unit;  ///< factors to SI of columns without unit; else SI is taken, with a note
   std::optional<Vec2> box;             ///< width, height, m
   std::optional<Vec2> origin;          ///< lower left corner, m; default: the origin if all centres fit, else around them
   double tilt = 0;                     ///< m

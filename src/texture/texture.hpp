@@ -184,4 +184,7 @@ Texture measure(const Packing& packing, const Options& options = {});
 /// distributions, REV and the rows by grain.
 std::string to_json(const Texture& texture, bool curves = false);
 
+/// The main statistics as lines of text, value +- error.
+std::string to_text(const Texture& texture);
+
 }  // namespace arenite::texture

@@ -8,17 +8,6 @@
 namespace arenite::texture {
 namespace {
 
-/// A point moved into the periodic cell; unchanged along sides that are not periodic.
-Vec2 wrapped(const Domain& d, Vec2 p) {
-  if (d.periodic_y) {
-    const double n = std::floor((p.y - d.wall[bottom].position) / d.height());
-    p.y -= n * d.height();
-    p.x -= n * d.tilt;
-  }
-  if (d.periodic_x) p.x -= std::floor((p.x - d.wall[left].position) / d.width()) * d.width();
-  return p;
-}
-
 Window inner_window(const Domain& d, double border, bool has_box) {
   Window w;
   if (!has_box) return w;
@@ -133,6 +122,16 @@ geometry::Rectangle box_of(const Domain& d) {
   return {d.wall[left].position, d.wall[right].position, d.wall[bottom].position, d.wall[top].position};
 }
 
+Vec2 wrapped(const Domain& d, Vec2 p) {
+  if (d.periodic_y) {
+    const double n = std::floor((p.y - d.wall[bottom].position) / d.height());
+    p.y -= n * d.height();
+    p.x -= n * d.tilt;
+  }
+  if (d.periodic_x) p.x -= std::floor((p.x - d.wall[left].position) / d.width()) * d.width();
+  return p;
+}
+
 double covered_area(const Domain& domain, Vec2 centre, double radius, const geometry::Rectangle& window) {
   if (!domain.periodic_x && !domain.periodic_y) return geometry::disk_window_area(centre, radius, window);
   double area = 0;
@@ -183,7 +182,7 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
   std::size_t pushing = 0;
   for (std::size_t c = 0; c < pairs().size(); ++c) {
     const Vec2 point = contact_point(c);
-    contact_block.push_back(cut ? blocks.block_of(wrapped(domain, point)) : static_cast<int>(c));
+    contact_block.push_back(cut ? blocks.block_of(point) : static_cast<int>(c));
     if (pairs().is_wall(c) || !inside(point)) continue;
     contacts.push_back(c);
     if (pairs().fn[c] > 0) {
@@ -196,7 +195,8 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
 }
 
 Vec2 View::contact_point(std::size_t c) const {
-  return packing.grains.centre(static_cast<std::size_t>(pairs().i[c])) - pairs().arm_i[c] * pairs().normal(c);
+  const Vec2 centre = packing.grains.centre(static_cast<std::size_t>(pairs().i[c]));
+  return wrapped(packing.domain, centre - pairs().arm_i[c] * pairs().normal(c));
 }
 
 std::string View::material_name(int m) const {

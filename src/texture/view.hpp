@@ -28,7 +28,7 @@ struct View {
   double load_axis = 0;                ///< rad
 
   const Contacts& pairs() const { return packing.contacts; }
-  Vec2 contact_point(std::size_t c) const;
+  Vec2 contact_point(std::size_t c) const;  ///< in the periodic cell
   bool strong(std::size_t c) const { return pairs().fn[c] > mean_force; }
   int material(std::size_t grain) const { return packing.grains.material[grain]; }
   std::string material_name(int m) const;
@@ -41,6 +41,9 @@ ByName<Items> contacts_by_type(const View& view);
 
 /// Named sets of considered grains: "all", by material, by zone ("dry", "glued") where there are zones.
 ByName<Items> grains_by_type(const View& view);
+
+/// A point moved into the periodic cell; unchanged along sides that are not periodic.
+Vec2 wrapped(const Domain& domain, Vec2 point);
 
 /// Area of a disk inside a rectangle, periodic images of the disk included.
 double covered_area(const Domain& domain, Vec2 centre, double radius, const geometry::Rectangle& window);

@@ -1,0 +1,139 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <numbers>
+#include <string>
+
+#include "commands.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "io/sample.hpp"
+#include "io/table.hpp"
+#include "texture/texture.hpp"
+
+namespace arenite::app {
+namespace {
+
+struct MeasureArguments {
+  std::string grains, contacts, format = "auto", length_unit, force_unit, box, origin, periodic, thickness, materials, doubled = "error";
+  std::string grain_columns, contact_columns;
+  texture::Options texture;
+  double load_axis_deg = -1;
+  bool json = false, curves = false;
+};
+
+/// Rethrows an error without place as one of an option.
+template <class Read>
+auto option_value(const char* option, Read read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    throw InputError(std::string(option) + ": " + error.problems().front().message);
+  }
+}
+
+/// "350 mm" or a bare number in the length unit.
+double length_of(const std::string& text, double unit) {
+  if (const auto number = io::to_number(text)) return *number * unit;
+  return parse_si(text, dimension::length, "mm");
+}
+
+std::vector<double> lengths_of(const char* option, const std::string& text, double unit, std::size_t least, std::size_t most) {
+  std::vector<double> values;
+  for (const auto& part : CLI::detail::split(text, ','))
+    values.push_back(option_value(option, [&] { return length_of(CLI::detail::trim_copy(part), unit); }));
+  if (values.size() < least || values.size() > most)
+    throw InputError(std::string(option) + ": expected " + (least == most ? "" : "two or ") + (most == 3 ? "three" : "two") +
+                     " lengths separated by commas, for example \"350 mm,350 mm\"");
+  return values;
+}
+
+io::SampleOptions sample_options(const MeasureArguments& a) {
+  io::SampleOptions o;
+  o.format = a.format;
+  o.grain_columns = a.grain_columns;
+  o.contact_columns = a.contact_columns;
+  if (!a.length_unit.empty()) o.length_unit = option_value("--length-unit", [&] { return io::unit_factor(a.length_unit, dimension::length); });
+  if (!a.force_unit.empty()) o.force_unit = option_value("--force-unit", [&] { return io::unit_factor(a.force_unit, dimension::force); });
+  const double unit = o.length_unit.value_or(1);
+  if (!a.box.empty()) {
+    const auto box = lengths_of("--box", a.box, unit, 2, 3);
+    if (!(box[0] > 0) || !(box[1] > 0)) throw InputError("--box: width and height must be positive");
+    o.box = Vec2{box[0], box[1]};
+    if (box.size() == 3) o.tilt = box[2];
+  }
+  if (!a.origin.empty()) {
+    const auto corner = lengths_of("--origin", a.origin, unit, 2, 2);
+    o.origin = Vec2{corner[0], corner[1]};
+  }
+  o.periodic_x = a.periodic.find('x') != std::string::npos;
+  o.periodic_y = a.periodic.find('y') != std::string::npos;
+  if (!a.thickness.empty()) {
+    o.thickness = option_value("--thickness", [&] { return length_of(a.thickness, unit); });
+    if (!(*o.thickness > 0)) throw InputError("--thickness: the length of the cylinders must be positive");
+  }
+  if (!a.materials.empty()) o.materials = a.materials;
+  o.merge_doubled = a.doubled == "merge";
+  return o;
+}
+
+void measure(const MeasureArguments& a) {
+  const io::Sample sample = io::read_sample(a.grains, a.contacts, sample_options(a));
+  texture::Options options = a.texture;
+  if (a.load_axis_deg >= 0) options.load_axis = a.load_axis_deg * std::numbers::pi / 180;
+  texture::Texture t = texture::measure(sample.packing, options);
+  t.quality.doubled_rows = sample.doubled_rows;
+  t.notes.insert(t.notes.begin(), sample.notes.begin(), sample.notes.end());
+  if (sample.doubled_rows > 0)
+    t.notes.insert(t.notes.begin(), std::to_string(sample.doubled_rows) + " rows repeat a contact and were merged with it.");
+  const std::string text = a.json ? texture::to_json(t, a.curves) + "\n" : texture::to_text(t);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+void add_units(CLI::App& command, MeasureArguments& a) {
+  command.add_option("--length-unit", a.length_unit, "Unit of lengths whose column names none, e.g. mm; default m")->type_name("UNIT");
+  command.add_option("--force-unit", a.force_unit, "Unit of forces whose column names none, e.g. kN; default N")->type_name("UNIT");
+}
+
+void add_frame(CLI::App& command, MeasureArguments& a) {
+  command.add_option("--box", a.box, "Width and height of the sample, and tilt of a sheared periodic cell; \"350 mm,350 mm\"")->type_name("LX,LY[,tilt]");
+  command.add_option("--origin", a.origin, "Lower left corner of the box; default 0,0, or around the centres where these lie elsewhere")->type_name("X,Y");
+  command.add_flag("--periodic{xy}", a.periodic, "Opposite sides are joined; --periodic=x or --periodic=y for one direction");
+  command.add_option("--thickness", a.thickness, "Out-of-plane length of the cylinders, e.g. \"60 mm\"; stresses need it")->type_name("LENGTH");
+  command.add_option("--materials", a.materials, "Table of material,name,density,... or of id,material")->type_name("FILE");
+}
+
+void add_reading(CLI::App& command, MeasureArguments& a) {
+  std::vector<std::string> formats = io::sample_formats();
+  formats.insert(formats.begin(), "auto");
+  command.add_option("--format", a.format, "Format of the files; auto looks at their first line")->check(CLI::IsMember(formats))->type_name("NAME");
+  command.add_option("--grain-columns", a.grain_columns, "Columns of a table of grains without header, e.g. \"id,x,y,-,radius\"")->type_name("NAMES");
+  command.add_option("--columns", a.contact_columns, "Columns of contacts without header, e.g. \"i,j,-,ft [N],fn [N]\"")->type_name("NAMES");
+  command.add_option("--doubled", a.doubled, "What to do with a contact listed twice: error, or merge (taken once, mean of its forces)")
+      ->check(CLI::IsMember({"error", "merge"}))->type_name("WAY");
+}
+
+void add_statistics(CLI::App& command, MeasureArguments& a) {
+  command.add_option("--border", a.texture.border, "Strip left out along walls, in mean diameters; default 2.5")->check(CLI::NonNegativeNumber)->type_name("NUMBER");
+  command.add_option("--load-axis", a.load_axis_deg, "Direction of the load for signed anisotropies, degrees from x; default: greatest compression")
+      ->check(CLI::Range(0.0, 180.0))->type_name("DEGREES");
+  command.add_option("--seed", a.texture.seed, "Seed of the random places of windows; default 1")->type_name("NUMBER");
+  command.add_flag("--json", a.json, "Print all statistics as JSON, each as value and error");
+  command.add_flag("--curves", a.curves, "With --json: also histograms, distributions, and values by grain");
+}
+
+}  // namespace
+
+void add_measure(CLI::App& command, int&) {
+  const auto a = std::make_shared<MeasureArguments>();
+  command.add_option("grains", a->grains, "Grains: table id,x,y,radius[,material], LAMMPS dump, YADE text, MercuryDPM .data")->required()->type_name("GRAINS");
+  command.add_option("contacts", a->contacts, "Contacts: table i,j,fn,ft[,nx,ny] (force on j is fn n + ft t, n from i to j), LAMMPS local dump, "
+                                              "YADE interactions, MercuryDPM .fstat")->required()->type_name("CONTACTS");
+  add_statistics(command, *a);
+  add_frame(command, *a);
+  add_units(command, *a);
+  add_reading(command, *a);
+  command.callback([a] { measure(*a); });
+}
+
+}  // namespace arenite::app
