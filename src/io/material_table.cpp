@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <unordered_map>
 
 #include "core/nearest.hpp"
@@ -77,6 +78,19 @@ MaterialTable read_material_table(const std::filesystem::path& file) {
   return result;
 }
 
+/// The materials of all grains where each is a number, in rising order; empty if any is a name.
+std::set<std::int64_t> numbers_of(const RawGrains& raw, const std::unordered_map<std::int64_t, std::string>& of_grain) {
+  std::set<std::int64_t> numbers;
+  for (const RawGrain& grain : raw.rows) {
+    const auto it = of_grain.find(grain.id);
+    const std::string& label = it == of_grain.end() ? grain.material : it->second;
+    const auto number = to_integer(label);
+    if (!number || std::to_string(*number) != label) return {};
+    numbers.insert(*number);
+  }
+  return numbers;
+}
+
 }  // namespace
 
 void assign_materials(const RawGrains& raw, const std::optional<std::filesystem::path>& file, Packing& packing, Problems& problems) {
@@ -84,6 +98,12 @@ void assign_materials(const RawGrains& raw, const std::optional<std::filesystem:
   if (file) table = read_material_table(*file);
   const bool closed = !table.labels.empty();  // then a label that is not in the table is a slip
   packing.materials = table.materials;
+  if (!closed) {  // numbered types in the order of their numbers, names in the order of their first grain
+    for (std::int64_t type : numbers_of(raw, table.of_grain)) {
+      table.labels.push_back(std::to_string(type));
+      packing.materials.push_back({readable(table.labels.back()), 0, 0, 0});
+    }
+  }
   for (std::size_t g = 0; g < raw.rows.size(); ++g) {
     std::string label = raw.rows[g].material;
     if (const auto it = table.of_grain.find(raw.rows[g].id); it != table.of_grain.end()) label = it->second;
