@@ -249,5 +249,30 @@ TEST(Adhesion, RaisesTheFrictionCapByThePullOffForceAndLowersItAsPrinted) {
     }
 }
 
+TEST(Adhesion, CanBeSetLaterAndBreakingBondsThenJoinOnlyThePairsThatTouch) {
+  Packing p = pair(bond.equilibrium());
+  add(p, {{0.5, 0.5 - ra - rb - 1e-5}, rb, pom, {0, 0.05}, 0, 1});  // comes near from below, touches after the glue is set
+  for (const auto kind : {Adhesion::geometrical, Adhesion::geometrical_breaking}) {
+    Engine engine(p, glued(kind), with_step(fine_step()));
+    engine.set_glue(false);
+    engine.advance(2);
+    EXPECT_NEAR(engine.packing().contacts.fn.at(0), k_pom * bond.equilibrium(), 1e-2 * bond.pull_off());
+    engine.set_glue(true);
+    engine.advance(2);
+    EXPECT_NEAR(engine.packing().contacts.fn.at(0), 0, 1e-2 * bond.pull_off());
+    double tension = 0;
+    for (int part = 0; part < 3000; ++part) {
+      engine.advance(10);
+      const Packing now = engine.packing();
+      if (const auto c = find_contact(now, 0, 2)) tension = std::min(tension, now.contacts.fn[*c]);
+    }
+    if (kind == Adhesion::geometrical) {
+      EXPECT_NEAR(tension, -bond.pull_off(), 1e-2 * bond.pull_off());
+    } else {
+      EXPECT_EQ(tension, 0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace arenite::verification

@@ -150,5 +150,40 @@ TEST(Box, StressOfTheContactsIsThatOfTheWalls) {
   EXPECT_NEAR(s.yy * p.domain.width() * p.domain.thickness, 3000, 3000e-5);
 }
 
+TEST(Box, APeriodicFillingRestsWithItsWholeWeightOnTheBottom) {
+  Packing start = shaken_lattice(8, 6, 2, true);
+  start.domain.periodic_y = false;
+  for (const int side : {bottom, top}) start.domain.wall[static_cast<std::size_t>(side)].present = true;
+  start.domain.wall[top].position *= 1.1;
+  Engine engine(start, rough(FrictionLaw::cundall_strack), with_step(shortest_contact_time() / 20));
+  engine.set_gravity({0, -3000});
+  engine.set_drag(300);
+  ASSERT_TRUE(settle(engine, 1e-7, 1e-14)) << engine.equilibrium().unbalanced_ratio;
+  const Packing p = engine.packing();
+  const double w = weight(p) / gravity * 3000;
+  EXPECT_NEAR(p.domain.wall[bottom].force, w, 1e-5 * w);
+  EXPECT_NEAR(p.domain.wall[bottom].shear_force, 0, 1e-5 * w);
+  EXPECT_EQ(p.domain.wall[top].force, 0);
+}
+
+TEST(Equilibrium, MeasuresAreThoseOfTheirDefinitionsOnOneDisk) {
+  // Held between bottom and top with the same overlap while it slides and weighs.
+  const double h = 1e-5, mu = 0.2, speed = 0.3, fn = k_pom * h;
+  Packing p = box(0.1, 2 * (6.2e-3 - h));
+  add(p, {{0.05, 6.2e-3 - h}, 6.2e-3, pom, {speed, 0}});
+  const double m = mass(p, 0), g = 0.7 * fn / m;
+  dem::ContactParameters law = elastic();
+  law.friction_law = FrictionLaw::regularised_coulomb;
+  law.friction = mu;
+  law.sliding_viscosity = 1e3;
+  Engine engine(p, law, with_step(1e-9));
+  engine.set_gravity({0, -g});
+  const Equilibrium e = engine.equilibrium();
+  EXPECT_NEAR(e.mobilisation, mu, 1e-9);
+  EXPECT_NEAR(e.kinetic_ratio, 0.5 * m * speed * speed / (fn * fn / k_pom), 1e-9 * e.kinetic_ratio);
+  // The resultant of weight and two friction forces over the mean normal force.
+  EXPECT_NEAR(e.unbalanced_ratio, std::hypot(0.7, 2 * mu), 1e-9);
+}
+
 }  // namespace
 }  // namespace arenite::verification

@@ -177,7 +177,8 @@ TEST(Symmetry, APeriodicCellDoesNotKnowWhereItsEdgesAre) {
 }
 
 TEST(Symmetry, AUniformMotionThroughThePeriodicEdgesChangesNothing) {
-  const Packing start = sample(true);
+  Packing start = sample(true);
+  for (double& r : start.grains.radius) r *= 1.01;  // contacts that last, with their springs, cross the edges
   Packing drifting = start;
   const Vec2 drift{25, -80};  // m/s: a good part of the cell during the run
   for (std::size_t i = 0; i < start.grains.size(); ++i) {
