@@ -1,0 +1,43 @@
+#include "report/page.hpp"
+
+#include <stdexcept>
+#include <string_view>
+
+#include "io/atomic_file.hpp"
+#include "report/number_block.hpp"
+#include "report/page_document.hpp"
+#include "report/page_template.hpp"
+
+namespace arenite::report {
+namespace {
+
+void replace_once(std::string& text, std::string_view mark, const std::string& with) {
+  const std::size_t at = text.find(mark);
+  if (at == std::string::npos) throw std::logic_error("the page's template lacks " + std::string(mark));
+  text.replace(at, mark.size(), with);
+}
+
+std::string html_text(std::string_view plain) {
+  std::string text;
+  for (const char c : plain) {
+    if (c == '<') text += "&lt;";
+    else if (c == '&') text += "&amp;";
+    else text += c;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string page(const PageData& data) {
+  const PageDocument document = page_document(data);
+  std::string text(page_template());
+  replace_once(text, "__TITLE__", html_text(data.title));
+  replace_once(text, "__DOCUMENT__", packed_text({reinterpret_cast<const std::uint8_t*>(document.json.data()), document.json.size()}));
+  replace_once(text, "__NUMBERS__", document.numbers);
+  return text;
+}
+
+void write_page(const std::filesystem::path& path, const PageData& data) { io::write_atomically(path, page(data)); }
+
+}  // namespace arenite::report

@@ -1,0 +1,33 @@
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "model/result.hpp"
+#include "texture/texture.hpp"
+
+namespace arenite::report {
+
+/// The texture of one stored state.
+struct FrameTexture {
+  std::size_t stage = 0, frame = 0;  ///< positions in the list of stages and in its frames
+  texture::Texture texture;
+};
+
+/// What the page shows: the stages of one run in their order, and the texture of some of their states. The figures show
+/// the texture of the state that the slider is on, or else that of the last state that has one.
+struct PageData {
+  std::string title;
+  std::vector<const StageResult*> stages;
+  std::vector<FrameTexture> textures;
+};
+
+/// The page as one HTML text: script, styles and data inside, no request to anywhere. States whose number of grains
+/// differs from the last one's are left out.
+std::string page(const PageData& data);
+
+/// Writes the page, all or nothing. Throws InputError when the system refuses.
+void write_page(const std::filesystem::path& path, const PageData& data);
+
+}  // namespace arenite::report

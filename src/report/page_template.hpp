@@ -1,0 +1,10 @@
+#pragma once
+#include <string_view>
+
+namespace arenite::report {
+
+/// The page without its data, built from web/ when Arenite is built (cmake/web.cmake): HTML with script and styles
+/// inside and the marks __TITLE__, __DOCUMENT__ and __NUMBERS__, once each.
+std::string_view page_template();
+
+}  // namespace arenite::report

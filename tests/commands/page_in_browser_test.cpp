@@ -1,0 +1,15 @@
+#include <gtest/gtest.h>
+
+#include "report/page.hpp"
+#include "support/page_sample.hpp"
+#include "support/program.hpp"
+
+using namespace arenite;
+
+TEST(Page, IsPaintedAndAnswersInABrowserFromTheDisk) {
+  const test::TemporaryFolder folder;
+  const test::PageSample sample;
+  report::write_page(folder / "page.html", sample.data);
+  const auto outcome = test::shell("node " ARENITE_SOURCE_DIR "/web/test/page.test.mjs " + (folder / "page.html").string());
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}

@@ -1,0 +1,50 @@
+#include "report/page_document.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/page_sample.hpp"
+
+using namespace arenite;
+using Json = nlohmann::json;
+
+TEST(PageDocument, HoldsEveryFrameWithItsTexture) {
+  const test::PageSample sample(60);
+  const Json document = Json::parse(report::page_document(sample.data).json);
+  ASSERT_EQ(document["frames"].size(), 5u);
+  for (const Json& frame : document["frames"]) {
+    EXPECT_EQ(frame["x"]["n"], 60);
+    EXPECT_TRUE(frame["texture"]["coordination"].contains("all"));
+    EXPECT_FALSE(frame["texture"].contains("by_grain"));
+  }
+}
+
+TEST(PageDocument, LeavesOutFramesWithAnotherNumberOfGrains) {
+  test::PageSample sample(60);
+  sample.stage.frames[1].packing.grains.resize(59);
+  sample.stage.frames[1].packing.contacts = {};
+  const Json document = Json::parse(report::page_document(sample.data).json);
+  EXPECT_EQ(document["frames"].size(), 4u);
+}
+
+TEST(PageDocument, NumbersWallsAfterTheGrains) {
+  const test::PageSample sample(60);
+  const Packing& last = sample.stage.frames.back().packing;
+  ASSERT_GT(std::count_if(last.contacts.j.begin(), last.contacts.j.end(), [](int j) { return j < 0; }), 0);
+  const Json document = Json::parse(report::page_document(sample.data).json);
+  EXPECT_EQ(document["frames"][4]["contacts"]["j"]["n"], last.contacts.size());
+  EXPECT_EQ(document["frames"][4]["domain"]["walls"][2]["force"], last.domain.wall[bottom].force);
+}
+
+TEST(PageDocument, KeepsAboutAThousandRowsOfALongHistoryAndItsLast) {
+  test::PageSample sample(60);
+  for (auto& column : sample.stage.history.columns) column.values.assign(4096, 1.0);
+  const Json document = Json::parse(report::page_document(sample.data).json);
+  EXPECT_LE(document["stages"][0]["history"][0]["values"]["n"], 1001);
+  EXPECT_GE(document["stages"][0]["history"][0]["values"]["n"], 500);
+}
+
+TEST(PageDocument, OfAnEmptyRunHasNoFrames) {
+  EXPECT_TRUE(Json::parse(report::page_document({"nothing", {}, {}}).json)["frames"].empty());
+}

@@ -1,0 +1,48 @@
+import { h, rich, s } from "../dom.js";
+import { fileName, savePng, saveSvg, svgText } from "../save.js";
+import { themeOf } from "../theme.js";
+import { text } from "../text.js";
+
+/** A figure in its frame: title, key, drawing, caption and the buttons that save it. It follows the slider, the theme
+    and the room it has. */
+export function figureCard(figure, sample, state) {
+  const drawing = h("div", { class: "drawing" }), keys = h("div", { class: "keys" });
+  const name = () => fileName(sample.title, figure.id);
+  const theme = () => themeOf(state.get("theme"));
+  const picture = () => drawing.querySelector("svg");
+  const asPng = () => {
+    const { width, height } = picture().viewBox.baseVal;
+    return savePng(name(), svgText(picture(), theme()), width, height, 3);
+  };
+  const card = h("figure", { class: `card figure${figure.wide ? " wide" : ""}`, "data-figure": figure.id },
+    h("figcaption", { class: "title" }, h("h3", {}, rich(figure.title)),
+      h("span", { class: "saves" },
+        h("button", { class: "save", "data-save": "svg", title: "Save this figure as SVG", onclick: () => saveSvg(name(), picture(), theme()) }, "SVG"),
+        h("button", { class: "save", "data-save": "png", title: "Save this figure as PNG", onclick: asPng }, "PNG"))),
+    keys, drawing, h("p", { class: "caption" }, rich(figure.caption)));
+  let drawn = "";
+  const draw = (force) => {
+    const width = Math.floor(drawing.clientWidth);
+    if (width < 50) return;
+    const texture = sample.texture(state.get("frame"));
+    const about = { sample, state, texture, theme: theme(), width };
+    const what = `${width} ${state.get("theme")} ${figure.follows ? state.get("frame") : texture?.frame}`;
+    if (what === drawn && !force) return;
+    drawn = what;
+    const there = !texture || figure.when(texture, sample);
+    keys.replaceChildren(...(there && figure.key ? figure.key(about).map(entry) : []));
+    drawing.replaceChildren(there ? figure.draw(about) : h("p", { class: "nothing" }, "This state is too small for it."));
+  };
+  new ResizeObserver(() => draw(false)).observe(drawing);
+  state.watch(["theme", "frame"], () => draw(false));
+  return card;
+}
+
+function entry({ name, colour, values, dash = null }) {
+  const numbers = values.map(([symbol, estimate]) => {
+    const { value, error } = text.withError(estimate.value, estimate.error);
+    return [" ", h("span", { class: "estimate" }, rich(symbol), ` ${value}`, error && h("small", {}, ` \u00b1 ${error}`))];
+  });
+  const line = s("svg", { width: 18, height: 8, viewBox: "0 0 18 8" }, s("line", { x1: 1, x2: 17, y1: 4, y2: 4, stroke: colour, "stroke-width": 2.5, "stroke-dasharray": dash, "stroke-linecap": dash ? null : "round" }));
+  return h("span", { class: "entry" }, line, h("b", {}, name), numbers);
+}

@@ -1,0 +1,74 @@
+import * as Plot from "@observablehq/plot";
+import { richSvg, s } from "../dom.js";
+
+/** A chart in the page's manner: thin grid, no frame, labels along the axes, symbols with subscripts. */
+export function chart(theme, { width, height = 250, x = {}, y = {}, marks, ...rest }) {
+  const svg = Plot.plot({
+    width, height, marginLeft: 50, marginRight: 14, marginTop: 12, marginBottom: 42,
+    style: { fontFamily: theme.font, fontSize: "11.5px", background: "none", color: theme.soft },
+    x: { labelAnchor: "center", labelArrow: "none", labelOffset: 36, tickSize: 0, tickPadding: 7, ...x },
+    y: { labelAnchor: "center", labelArrow: "none", labelOffset: 44, tickSize: 0, tickPadding: 7, ticks: 5, ...y },
+    ...rest,
+    marks: [
+      Plot.gridY({ stroke: theme.rule, strokeOpacity: 1, ticks: rest.gridTicks ?? (y.type === "log" ? decades(y.domain) : 5) }),
+      ...marks,
+    ],
+  });
+  svg.removeAttribute("class");
+  svg.querySelectorAll("style").forEach((style) => style.remove());
+  svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+  return richSvg(svg);
+}
+
+export function decades([low, high]) {
+  const list = [];
+  for (let k = Math.ceil(Math.log10(low) - 1e-9); k <= Math.log10(high) + 1e-9; ++k) list.push(10 ** k);
+  return list;
+}
+
+const raised = (k) => String(k).replace(/./g, (c) => "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"["-0123456789".indexOf(c)]);
+
+/** A logarithmic y axis with powers of ten. */
+export function logAxis(label, domain) {
+  return { type: "log", domain, label, ticks: decades(domain), tickFormat: (v) => {
+    const k = Math.round(Math.log10(v));
+    return k === 0 ? "1" : k === -1 ? "0.1" : `10${raised(k)}`;
+  } };
+}
+
+/** Two charts side by side as one SVG, or one below the other where there is little room. */
+export function sideBySide(width, draw, gap = 18) {
+  const narrow = width < 560;
+  const part = narrow ? width : (width - gap) / draw.length;
+  const parts = draw.map((f) => f(part));
+  const heights = parts.map((p) => p.viewBox.baseVal.height);
+  const height = narrow ? heights.reduce((a, b) => a + b, 0) : Math.max(...heights);
+  const whole = s("svg", { viewBox: `0 0 ${width} ${height}`, width, height });
+  let x = 0, y = 0;
+  parts.forEach((p, k) => {
+    p.setAttribute("x", x);
+    p.setAttribute("y", y);
+    if (narrow) y += heights[k];
+    else x += part + gap;
+    whole.append(p);
+  });
+  const style = parts[0].getAttribute("style");
+  if (style) whole.setAttribute("style", style);
+  for (const name of ["font-family", "font-size", "fill", "text-anchor"])
+    if (parts[0].hasAttribute(name)) whole.setAttribute(name, parts[0].getAttribute(name));
+  return whole;
+}
+
+/** Points of a texture's curve as objects; those without a value are left out. */
+export function points(curve, more = {}) {
+  return curve.x.map((x, k) => ({ x, y: curve.y[k], error: curve.error?.[k] ?? null, ...more }))
+    .filter((p) => p.x !== null && p.y !== null);
+}
+
+/** A function sampled between two ends. */
+export function sampled(from, to, f, more = {}, count = 80) {
+  return Array.from({ length: count + 1 }, (_, k) => {
+    const x = from + ((to - from) * k) / count;
+    return { x, y: f(x), ...more };
+  });
+}

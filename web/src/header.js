@@ -1,0 +1,26 @@
+import { h } from "./dom.js";
+import { text } from "./text.js";
+
+export function header(sample, state) {
+  const button = h("button", { class: "theme", onclick: () => state.set({ theme: state.get("theme") === "dark" ? "light" : "dark" }) });
+  const refresh = () => {
+    const dark = state.get("theme") === "dark";
+    button.textContent = dark ? "\u2600\ufe0e" : "\u263e\ufe0e";
+    button.setAttribute("aria-label", dark ? "Light colours" : "Dark colours");
+    button.title = button.getAttribute("aria-label");
+  };
+  state.watch(["theme"], refresh);
+  refresh();
+  return h("header", {}, h("div", {}, h("h1", {}, sample.title), h("p", {}, subtitle(sample).join("  \u00b7  "))), button);
+}
+
+function subtitle(sample) {
+  const frame = sample.frame(sample.frameCount - 1), box = sample.box(frame);
+  const counts = sample.materials.map((material, m) => {
+    const count = sample.material.reduce((sum, other) => sum + (other === m), 0);
+    return `${text.count(count)} ${material.name}`;
+  });
+  const size = `${text.number(1e3 * (box.right - box.left), 4)} \u00d7 ${text.number(1e3 * (box.top - box.bottom), 4)}\u202fmm`;
+  const force = Math.max(...frame.domain.walls.map((wall) => wall.force));
+  return [...counts, size, ...(force > 0 ? [`${text.quantity(force, "N")} on the frame`] : [])];
+}

@@ -1,0 +1,78 @@
+import { bytes } from "../theme.js";
+
+const widthPerForce = 0.16;  // of the mean radius, at F = <F>
+const widest = 1.1;          // of the mean radius
+
+/** Width of the chain of a contact force, m: proportional to |F_n| up to a cap. */
+export function chainWidth(sample, frame, fn) {
+  return sample.meanRadius * Math.min(widest, widthPerForce * Math.abs(fn) / (frame.meanForce || 1));
+}
+
+export function isShown(state, sample, frame, c) {
+  const { fn, type } = frame.contacts;
+  if (!state.get("types").has(type[c])) return false;
+  const strength = state.get("strength");
+  if (strength === "all") return true;
+  if (strength === "tensile") return fn[c] < 0;
+  return (fn[c] > frame.meanForce) === (strength === "strong");
+}
+
+export function chainColour(theme, frame, fn) {
+  if (fn < 0) return theme.tension;
+  return fn > frame.meanForce ? theme.strong : theme.weak;
+}
+
+/** The segments of one contact: centre to centre, or centre to wall; through a periodic side it is drawn at both. */
+export function segmentsOf(sample, frame, c) {
+  const { i, j } = frame.contacts;
+  const a = i[c], b = j[c];
+  const x = frame.x[a], y = frame.y[a];
+  if (b >= sample.count) {
+    const side = b - sample.count;
+    // Ends short of the wall by half the chain's width, so that the round end touches it.
+    const inwards = side % 2 === 0 ? 1 : -1;
+    const position = frame.domain.walls[side].position + (inwards * chainWidth(sample, frame, frame.contacts.fn[c])) / 2;
+    return [side < 2 ? [x, y, position, y] : [x, y, x, position]];
+  }
+  const straight = [frame.x[b] - x, frame.y[b] - y];
+  const [dx, dy] = nearestImage(sample.box(frame), frame.domain, straight);
+  if (dx === straight[0] && dy === straight[1]) return [[x, y, frame.x[b], frame.y[b]]];
+  return [[x, y, x + dx, y + dy], [frame.x[b] - dx, frame.y[b] - dy, frame.x[b], frame.y[b]]];
+}
+
+function nearestImage(box, domain, [dx, dy]) {
+  const [periodicX, periodicY] = domain.periodic;
+  if (periodicY) {
+    const n = Math.round(dy / (box.top - box.bottom));
+    if (n) { dy -= n * (box.top - box.bottom); dx -= n * domain.tilt; }
+  }
+  if (periodicX) {
+    const n = Math.round(dx / (box.right - box.left));
+    if (n) dx -= n * (box.right - box.left);
+  }
+  return [dx, dy];
+}
+
+/** The shown contacts, weakest first, so that the strong lie on top. */
+export function shownContacts(state, sample, frame) {
+  const { fn } = frame.contacts;
+  const shown = [];
+  for (let c = 0; c < fn.length; ++c) if (fn[c] !== 0 && isShown(state, sample, frame, c)) shown.push(c);
+  return shown.sort((p, q) => Math.abs(fn[p]) - Math.abs(fn[q]));
+}
+
+/** Segments for the graphics card: ends relative to `origin`, widths, colours. */
+export function chainBuffers(state, sample, frame, theme, origin) {
+  const ends = [], width = [], colour = [];
+  for (const c of shownContacts(state, sample, frame)) {
+    const fn = frame.contacts.fn[c];
+    const [r, g, b] = bytes(chainColour(theme, frame, fn));
+    const alpha = fn > 0 && fn <= frame.meanForce ? 190 : 240;
+    for (const [ax, ay, bx, by] of segmentsOf(sample, frame, c)) {
+      ends.push(ax - origin.x, ay - origin.y, bx - origin.x, by - origin.y);
+      width.push(chainWidth(sample, frame, fn));
+      colour.push(r, g, b, alpha);
+    }
+  }
+  return { ends: new Float32Array(ends), width: new Float32Array(width), colour: new Uint8Array(colour), count: width.length };
+}

@@ -1,0 +1,83 @@
+import { richSvg, s } from "../dom.js";
+import { materialColour } from "../theme.js";
+import { text } from "../text.js";
+import { chainWidth } from "./chains.js";
+import { colourings } from "./colouring.js";
+
+export const legendHeight = 46;
+
+/** The strip below the packing: what the colours mean, how thick which force is, and a bar of known length. */
+export function legend(sample, frame, camera, theme, state, width) {
+  const group = s("g", { "font-family": theme.font, "font-size": 11.5, fill: theme.soft });
+  group.append(colourKey(sample, frame, theme, state.get("colour"), width));
+  const bar = scaleBar(camera, theme, width);
+  group.append(bar.shape);
+  if (state.get("chains") && sample.frameCount) group.append(chainKey(sample, frame, camera, theme, width - bar.width - 28, frame.contacts));
+  return richSvg(group);
+}
+
+function colourKey(sample, frame, theme, mode, width) {
+  const scale = colourings[mode].scale(sample);
+  if (scale) return ramp(scale, theme, Math.min(190, width * 0.34));
+  if (mode !== "material") return s("g", {}, dot(6, 15, theme.weak), label(18, 15, "outside"), dot(82, 15, theme.materialLine[2]), label(94, 15, "inside the region"));
+  const key = s("g");
+  let x = 6;
+  sample.materials.forEach((material, m) => {
+    const count = sample.material.reduce((sum, other) => sum + (other === m), 0);
+    const name = `${material.name} (${text.count(count)})`;
+    key.append(dot(x, 15, materialColour(theme, m), theme), label(x + 12, 15, name));
+    x += 34 + 6.4 * name.length;
+  });
+  return key;
+}
+
+function dot(x, y, fill, theme) {
+  return s("circle", { cx: x, cy: y, r: 6, fill, stroke: theme?.ink, "stroke-opacity": 0.3 });
+}
+
+function label(x, y, words, anchor = null) {
+  return s("text", { x, y, dy: "0.35em", "text-anchor": anchor }, words);
+}
+
+function ramp(scale, theme, length) {
+  const group = s("g");
+  const steps = 48, map = theme[scale.map];
+  for (let k = 0; k < steps; ++k)
+    group.append(s("rect", { x: (k * length) / steps, y: 18, width: length / steps + 0.6, height: 9, fill: map((k + 0.5) / steps) }));
+  const middle = (scale.low + scale.high) / 2;
+  group.append(label(0, 8, scale.title), label(0, 37, text.number(scale.low, 3)),
+    label(length / 2, 37, text.number(middle, 3), "middle"),
+    label(length, 37, (scale.open ? "\u2265\u202f" : "") + text.number(scale.high, 3), "end"));
+  return group;
+}
+
+function scaleBar(camera, theme, width) {
+  const wanted = 90 / camera.scale;
+  const power = 10 ** Math.floor(Math.log10(wanted));
+  const length = [5, 2, 1].map((f) => f * power).find((l) => l <= wanted) ?? power;
+  const pixels = length * camera.scale;
+  const right = width - 2;
+  const shape = s("g", {},
+    s("path", { d: `M${right - pixels},12 v6 h${pixels} v-6`, fill: "none", stroke: theme.ink, "stroke-width": 1.25 }),
+    label(right - pixels / 2, 29, text.quantity(length, "m", 1).replace("0.0", "0.0"), "middle"));
+  return { shape, width: pixels };
+}
+
+function chainKey(sample, frame, camera, theme, right, contacts) {
+  const group = s("g");
+  const entries = [
+    { name: "weak", colour: theme.weak, force: 0.5 },
+    { name: "strong", colour: theme.strong, force: 3 },
+  ];
+  if (contacts.fn.some((f) => f < 0)) entries.push({ name: "tension", colour: theme.tension, force: 1 });
+  let x = right;
+  for (const { name, colour, force } of entries.reverse()) {
+    const words = 6.4 * name.length + 8;
+    group.append(label(x - words, 15, name));
+    const stroke = Math.max(1.1, Math.min(9, chainWidth(sample, frame, force * frame.meanForce) * camera.scale));
+    group.append(s("line", { x1: x - words - 32, x2: x - words - 10, y1: 15, y2: 15, stroke: colour, "stroke-width": stroke, "stroke-linecap": "round" }));
+    x -= words + 46;
+  }
+  group.append(label(right - 2, 35, "thickness \u221d |F_{n}|,  strong: F_{n} > \u27e8F_{n}\u27e9 = " + text.quantity(frame.meanForce, "N"), "end"));
+  return group;
+}

@@ -1,0 +1,51 @@
+import { s } from "../dom.js";
+import { text } from "../text.js";
+import { chainWidth, segmentsOf } from "./chains.js";
+
+const thick = 5;
+
+/** What lies over the grains as vectors: walls with the forces on them, and the outline of what the pointer is on. */
+export function overlay(sample, frame, camera, theme, { walls, picked }) {
+  const group = s("g", { "font-family": theme.font, "font-size": 11.5 });
+  if (walls) group.append(...wallShapes(sample, frame, camera, theme));
+  if (picked) group.append(...outline(sample, frame, camera, theme, picked));
+  return group;
+}
+
+function wallShapes(sample, frame, camera, theme) {
+  const box = sample.box(frame);
+  const [left, top] = camera.toScreen(box.left, box.top);
+  const [right, bottom] = camera.toScreen(box.right, box.bottom);
+  const middleX = (left + right) / 2, middleY = (top + bottom) / 2;
+  const places = [
+    { rect: [left - thick, top - thick, thick, bottom - top + 2 * thick], at: [left - thick - 9, middleY], turn: -90 },
+    { rect: [right, top - thick, thick, bottom - top + 2 * thick], at: [right + thick + 9, middleY], turn: 90 },
+    { rect: [left - thick, bottom, right - left + 2 * thick, thick], at: [middleX, bottom + thick + 9], turn: 0 },
+    { rect: [left - thick, top - thick, right - left + 2 * thick, thick], at: [middleX, top - thick - 9], turn: 0 },
+  ];
+  return frame.domain.walls.flatMap((wall, side) => {
+    const { rect: [x, y, width, height], at, turn } = places[side];
+    if (!wall.present) {
+      return [s("rect", { x, y, width, height, fill: "none", stroke: theme.wall, "stroke-dasharray": "4 4", "stroke-width": 1 })];
+    }
+    return [
+      s("rect", { x, y, width, height, rx: 1.5, fill: theme.wall, class: "wall" }),
+      s("text", {
+        x: at[0], y: at[1], dy: "0.35em", "text-anchor": "middle", fill: theme.soft,
+        transform: turn ? `rotate(${turn} ${at[0]} ${at[1]})` : null,
+      }, text.quantity(wall.force, "N")),
+    ];
+  });
+}
+
+function outline(sample, frame, camera, theme, { grain, contact }) {
+  if (grain !== undefined) {
+    const [cx, cy] = camera.toScreen(frame.x[grain], frame.y[grain]);
+    return [s("circle", { cx, cy, r: sample.radius[grain] * camera.scale + 1, fill: "none", stroke: theme.ink, "stroke-width": 2 })];
+  }
+  const width = Math.max(3, chainWidth(sample, frame, frame.contacts.fn[contact]) * camera.scale) + 3;
+  return segmentsOf(sample, frame, contact).map(([ax, ay, bx, by]) => {
+    const [x1, y1] = camera.toScreen(ax, ay), [x2, y2] = camera.toScreen(bx, by);
+    return s("line", { x1, y1, x2, y2, stroke: theme.accent, "stroke-width": width, "stroke-linecap": "round", opacity: 0.75 });
+  });
+}

@@ -1,0 +1,58 @@
+import { chainWidth, isShown, segmentsOf } from "./chains.js";
+
+/** Finds the grain or the contact at a point of the plane. Grains are kept in square cells of the largest diameter. */
+export class Picker {
+  constructor(sample, frame) {
+    this.sample = sample;
+    this.frame = frame;
+    const { x, y } = frame;
+    this.cell = 2 * sample.radius.reduce((most, r) => Math.max(most, r), 0) || 1;
+    this.left = x.reduce((least, v) => Math.min(least, v), Infinity);
+    this.bottom = y.reduce((least, v) => Math.min(least, v), Infinity);
+    this.cells = new Map();
+    for (let g = 0; g < sample.count; ++g) {
+      const key = this.#key(this.#column(x[g]), this.#row(y[g]));
+      if (!this.cells.has(key)) this.cells.set(key, []);
+      this.cells.get(key).push(g);
+    }
+  }
+
+  #column(x) { return Math.floor((x - this.left) / this.cell); }
+  #row(y) { return Math.floor((y - this.bottom) / this.cell); }
+  #key(column, row) { return column * 65536 + row; }
+
+  #near(x, y) {
+    const near = [];
+    for (let column = this.#column(x) - 1; column <= this.#column(x) + 1; ++column)
+      for (let row = this.#row(y) - 1; row <= this.#row(y) + 1; ++row)
+        near.push(...(this.cells.get(this.#key(column, row)) ?? []));
+    return near;
+  }
+
+  grain(x, y) {
+    const { frame, sample } = this;
+    return this.#near(x, y).find((g) => Math.hypot(frame.x[g] - x, frame.y[g] - y) <= sample.radius[g]) ?? null;
+  }
+
+  /** The shown contact whose chain lies within `reach` (m) of the point; the strongest of them. */
+  contact(x, y, reach, state) {
+    const { frame, sample } = this;
+    const { start, list } = sample.contactsByGrain(frame);
+    let found = null;
+    for (const g of this.#near(x, y)) {
+      for (let k = start[g]; k < start[g + 1]; ++k) {
+        const c = list[k], fn = Math.abs(frame.contacts.fn[c]);
+        if (fn === 0 || !isShown(state, sample, frame, c) || (found !== null && fn <= Math.abs(frame.contacts.fn[found]))) continue;
+        const half = chainWidth(sample, frame, fn) / 2;
+        if (segmentsOf(sample, frame, c).some((segment) => distance(segment, x, y) <= Math.max(half, reach))) found = c;
+      }
+    }
+    return found;
+  }
+}
+
+function distance([ax, ay, bx, by], x, y) {
+  const dx = bx - ax, dy = by - ay;
+  const t = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
+  return Math.hypot(x - ax - t * dx, y - ay - t * dy);
+}

@@ -1,0 +1,69 @@
+import createRegl from "regl";
+import { bytes } from "../theme.js";
+import { chainBuffers } from "./chains.js";
+import { grainColours } from "./colouring.js";
+import { diskDrawing } from "./disks.js";
+import { segmentDrawing } from "./segments.js";
+
+const unit = (colour) => bytes(colour).map((v) => v / 255);
+
+/** The packing on the graphics card. `update` uploads what a change of state touches, `draw` paints one picture. */
+export class Scene {
+  constructor(canvas, sample) {
+    this.sample = sample;
+    this.regl = createRegl({
+      canvas,
+      extensions: ["ANGLE_instanced_arrays"],
+      attributes: { antialias: false, alpha: false, preserveDrawingBuffer: true },
+    });
+    const corner = this.regl.buffer([[-1, -1], [1, -1], [-1, 1], [1, 1]]);
+    this.disks = diskDrawing(this.regl, corner);
+    this.segments = segmentDrawing(this.regl, corner);
+    const box = sample.box(sample.frame(sample.frameCount - 1));
+    // Positions go to the card relative to the middle of the box, where float32 is finest.
+    this.origin = { x: (box.left + box.right) / 2, y: (box.bottom + box.top) / 2 };
+    const dynamic = () => this.regl.buffer({ usage: "dynamic", length: 4 });
+    this.grains = {
+      centre: dynamic(), angle: dynamic(), colour: dynamic(), radius: this.regl.buffer(sample.radius),
+      ring: this.regl.buffer(Uint8Array.from(sample.zone, (z) => (z > 0 ? 255 : 0))),
+    };
+    this.chains = { ends: dynamic(), width: dynamic(), colour: dynamic(), count: 0 };
+  }
+
+  updatePositions(frame) {
+    const centre = new Float32Array(2 * this.sample.count);
+    for (let g = 0; g < this.sample.count; ++g) {
+      centre[2 * g] = frame.x[g] - this.origin.x;
+      centre[2 * g + 1] = frame.y[g] - this.origin.y;
+    }
+    this.grains.centre({ data: centre, usage: "dynamic" });
+    this.grains.angle({ data: frame.angle, usage: "dynamic" });
+  }
+
+  updateColours(frame, mode, theme) {
+    this.grains.colour({ data: grainColours(this.sample, frame, mode, theme), usage: "dynamic" });
+  }
+
+  updateChains(state, frame, theme) {
+    const { ends, width, colour, count } = chainBuffers(state, this.sample, frame, theme, this.origin);
+    this.chains.count = count;
+    if (count === 0) return;
+    this.chains.ends({ data: ends, usage: "dynamic" });
+    this.chains.width({ data: width, usage: "dynamic" });
+    this.chains.colour({ data: colour, usage: "dynamic" });
+  }
+
+  draw(camera, pixelRatio, theme, { chains, marks }) {
+    const pixelsPerMetre = camera.scale * pixelRatio;
+    const view = {
+      middle: [camera.x - this.origin.x, camera.y - this.origin.y],
+      perMetre: [2 * camera.scale / camera.width, 2 * camera.scale / camera.height],
+      pixelsPerMetre,
+      background: unit(theme.card), ink: unit(theme.ink), fade: chains ? 0.5 : 0, marks: marks ? 1 : 0,
+    };
+    this.regl.poll();
+    this.regl.clear({ color: [...unit(theme.card), 1] });
+    this.disks({ ...view, ...this.grains, count: this.sample.count });
+    if (chains && this.chains.count) this.segments({ ...view, ...this.chains });
+  }
+}

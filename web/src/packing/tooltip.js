@@ -1,0 +1,56 @@
+import { h, rich } from "../dom.js";
+import { materialColour, pairColour } from "../theme.js";
+import { text } from "../text.js";
+
+/** The numbers of a grain or a contact, in a small table that follows the pointer. */
+export class Tooltip {
+  constructor(holder) {
+    this.holder = holder;
+    this.box = h("div", { class: "tooltip", role: "status", hidden: true });
+    holder.append(this.box);
+  }
+
+  hide() { this.box.hidden = true; }
+
+  show(picked, sample, frame, theme, [px, py]) {
+    const { title, colour, rows } = picked.grain !== undefined
+      ? grainNumbers(picked.grain, sample, frame, theme) : contactNumbers(picked.contact, sample, frame, theme);
+    this.box.replaceChildren(
+      h("p", {}, h("span", { class: "dot", style: `background:${colour}` }), title),
+      h("dl", {}, rows.map(([name, value]) => [h("dt", {}, rich(name)), h("dd", {}, value)])));
+    this.box.hidden = false;
+    const width = this.box.offsetWidth, height = this.box.offsetHeight;
+    const left = px + 18 + width > this.holder.clientWidth ? px - width - 14 : px + 18;
+    this.box.style.left = `${Math.max(2, left)}px`;
+    this.box.style.top = `${Math.max(2, Math.min(py + 14, this.holder.clientHeight - height - 2))}px`;
+  }
+}
+
+function grainNumbers(g, sample, frame, theme) {
+  const rows = [
+    ["diameter", text.millimetres(2 * sample.radius[g])],
+    ["\u03c3_{hyd}", text.quantity(-frame.pressure[g], "Pa")],
+    ["\u03c3_{norm}", text.number(frame.sigmaNorm[g])],
+    ["contacts z", String(sample.coordination(frame, g))],
+  ];
+  if (sample.zone[g]) rows.push(["zone", String(sample.zone[g])]);
+  return { title: `Grain ${sample.id[g]}, ${sample.name(g)}`, colour: materialColour(theme, sample.material[g]), rows };
+}
+
+function contactNumbers(c, sample, frame, theme) {
+  const { i, j, fn, ft, type, glued } = frame.contacts;
+  const kind = sample.types[type[c]];
+  const sides = ["left", "right", "bottom", "top"];
+  const partner = kind.wall ? `${sides[j[c] - sample.count]} wall` : String(sample.id[j[c]]);
+  const rows = [
+    ["F_{n}", text.quantity(fn[c], "N")],
+    ["F_{t}", text.quantity(ft[c], "N")],
+    ["F_{n}/\u27e8F_{n}\u27e9", text.number(fn[c] / frame.meanForce)],
+    ["|F_{t}|/F_{n}", text.number(Math.abs(ft[c] / fn[c]), 2)],
+  ];
+  if (glued[c]) rows.push(["bond", "glued"]);
+  return {
+    title: `Contact ${sample.id[i[c]]}\u2013${partner}${kind.wall ? "" : `, ${kind.label}`}`,
+    colour: pairColour(theme, kind), rows,
+  };
+}

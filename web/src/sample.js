@@ -1,0 +1,151 @@
+import { text } from "./text.js";
+
+const arrays = { f4: Float32Array, u1: Uint8Array, u2: Uint16Array, u4: Uint32Array, i4: Int32Array };
+
+async function inflate(base64) {
+  const packed = Uint8Array.from(atob(base64.trim()), (c) => c.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/** The bytes of equal rank lie side by side in the block; here they go back to where they belong. */
+function unpack(block, { at, n, as }) {
+  const width = arrays[as].BYTES_PER_ELEMENT;
+  const bytes = new Uint8Array(n * width);
+  for (let rank = 0; rank < width; ++rank)
+    for (let k = 0; k < n; ++k) bytes[k * width + rank] = block[at + rank * n + k];
+  return new arrays[as](bytes.buffer);
+}
+
+/** The data of the page: grains, materials, stages and frames; arrays of a frame are unpacked when first asked for. */
+export class Sample {
+  #block;
+  #frames = new Map();
+
+  static async load() {
+    const about = JSON.parse(new TextDecoder().decode(await inflate(document.getElementById("document").textContent)));
+    return new Sample(about, await inflate(document.getElementById("numbers").textContent));
+  }
+
+  constructor(about, block) {
+    this.#block = block;
+    this.about = about;
+    this.title = about.title;
+    this.materials = about.materials ?? [];
+    this.stages = about.stages.map((stage) => ({ ...stage, history: this.#history(stage.history) }));
+    this.frameCount = about.frames.length;
+    this.count = about.grains?.count ?? 0;
+    if (about.grains)
+      for (const name of ["id", "radius", "material", "zone"]) this[name] = this.#array(about.grains[name]);
+    this.types = contactTypes(this.materials);
+    this.meanRadius = this.count ? this.radius.reduce((sum, r) => sum + r, 0) / this.count : 1;
+    this.hasZones = this.count > 0 && this.zone.some((z) => z > 0);
+  }
+
+  #array(reference) { return unpack(this.#block, reference); }
+
+  #history(columns) {
+    return Object.fromEntries(columns.map(({ name, unit, values }) => [name, { unit, values: this.#array(values) }]));
+  }
+
+  frame(k) {
+    if (!this.#frames.has(k)) {
+      if (this.#frames.size > 24) this.#frames.clear();
+      this.#frames.set(k, this.#unpackFrame(k));
+    }
+    return this.#frames.get(k);
+  }
+
+  #unpackFrame(k) {
+    const about = this.about.frames[k];
+    const frame = { ...about, index: k };
+    for (const name of ["x", "y", "angle", "pressure"]) frame[name] = this.#array(about[name]);
+    frame.contacts = {};
+    for (const [name, reference] of Object.entries(about.contacts)) frame.contacts[name] = this.#array(reference);
+    frame.contacts.type = this.#typesOf(frame.contacts);
+    frame.texture = about.texture ?? null;
+    frame.meanForce = frame.texture?.force?.mean_N?.value ?? meanOfPositive(frame.contacts.fn);
+    frame.sigmaNorm = this.#sigmaNorm(frame);
+    return frame;
+  }
+
+  /** The texture that belongs to a frame: its own, or else that of the nearest frame that has one. */
+  texture(k) {
+    const known = this.about.frames.map((frame, f) => (frame.texture ? f : -1)).filter((f) => f >= 0);
+    if (known.length === 0) return null;
+    const nearest = known.reduce((best, f) => (Math.abs(f - k) < Math.abs(best - k) ? f : best));
+    return { ...this.about.frames[nearest].texture, frame: nearest };
+  }
+
+  /** Hydrostatic stress of each grain over the mean of the grains that the texture considers (of all without texture). */
+  #sigmaNorm(frame) {
+    if (frame.texture?.grain_sigma_norm) return this.#array(frame.texture.grain_sigma_norm);
+    const average = mean(frame.pressure) || 1;
+    return frame.pressure.map((p) => p / average);
+  }
+
+  #typesOf({ i, j }) {
+    const code = new Uint8Array(i.length);
+    const wall = this.types.length - 1;
+    const table = this.materials.map(() => []);
+    this.types.forEach((type, t) => {
+      if (!type.wall) table[type.a][type.b] = table[type.b][type.a] = t;
+    });
+    for (let c = 0; c < i.length; ++c)
+      code[c] = j[c] >= this.count ? wall : table[this.material[i[c]]][this.material[j[c]]];
+    return code;
+  }
+
+  /** Contacts of each grain as a list in rows: contacts of grain g are list[start[g]] .. list[start[g + 1] - 1]. */
+  contactsByGrain(frame) {
+    if (frame.byGrain) return frame.byGrain;
+    const { i, j } = frame.contacts;
+    const start = new Uint32Array(this.count + 1);
+    for (let c = 0; c < i.length; ++c) {
+      ++start[i[c] + 1];
+      if (j[c] < this.count) ++start[j[c] + 1];
+    }
+    for (let g = 0; g < this.count; ++g) start[g + 1] += start[g];
+    const list = new Uint32Array(start[this.count]);
+    const next = start.slice();
+    for (let c = 0; c < i.length; ++c) {
+      list[next[i[c]]++] = c;
+      if (j[c] < this.count) list[next[j[c]]++] = c;
+    }
+    return (frame.byGrain = { start, list });
+  }
+
+  coordination(frame, grain) {
+    const { start } = this.contactsByGrain(frame);
+    return start[grain + 1] - start[grain];
+  }
+
+  /** Rectangle of the frame: what the walls or the periodic cell enclose. */
+  box(frame) {
+    const [left, right, bottom, top] = frame.domain.walls.map((wall) => wall.position);
+    return { left, right, bottom, top };
+  }
+
+  name(grain) { return text.material(this.materials[this.material[grain]]); }
+}
+
+function contactTypes(materials) {
+  const types = [];
+  materials.forEach((_, a) => types.push({ a, b: a }));
+  let mixed = 0;
+  materials.forEach((_, a) => materials.forEach((__, b) => { if (a < b) types.push({ a, b, mixed: mixed++ }); }));
+  for (const type of types) {
+    type.label = `${materials[type.a].name}\u2013${materials[type.b].name}`;
+    type.key = `${materials[type.a].name}-${materials[type.b].name}`;
+  }
+  types.push({ wall: true, label: "walls", key: "wall" });
+  return types;
+}
+
+function mean(values) {
+  return values.length ? values.reduce((sum, v) => sum + v, 0) / values.length : 0;
+}
+
+function meanOfPositive(values) {
+  return mean(values.filter((v) => v > 0));
+}

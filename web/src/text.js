@@ -1,0 +1,51 @@
+const minus = (text) => text.replace("-", "\u2212");
+
+/** Numbers and names as they are written on the page. */
+export const text = {
+  /** With `digits` significant digits and a true minus sign. */
+  number(value, digits = 3) {
+    if (value === null || value === undefined || !Number.isFinite(value)) return "\u2013";
+    if (value === 0) return "0";
+    const size = Math.abs(value);
+    if (size >= 1e5 || size < 1e-3) {
+      const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
+      return minus(`${mantissa}\u00b710${superscript(Number(exponent))}`);
+    }
+    const decimals = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));
+    return minus(value.toFixed(decimals));
+  },
+
+  /** A quantity in SI with the prefix that suits it: 15000 N is "15.0 kN". */
+  quantity(value, unit, digits = 3) {
+    if (!Number.isFinite(value)) return "\u2013";
+    const { factor, prefix } = prefixOf(Math.abs(value), unit);
+    return `${text.number(value / factor, digits)}\u202f${prefix}${unit}`;
+  },
+
+  /** { value, error } as text, both to the place that the error's two leading digits reach. */
+  withError(value, error) {
+    if (!Number.isFinite(value)) return { value: "\u2013", error: "" };
+    if (!(error > 0)) return { value: text.number(value, 4), error: "" };
+    const decimals = Math.min(8, Math.max(0, 1 - Math.floor(Math.log10(error))));
+    return { value: minus(value.toFixed(decimals)), error: error.toFixed(decimals) };
+  },
+
+  count(value) { return value.toLocaleString("en-US").replaceAll(",", "\u202f"); },
+
+  millimetres(value, digits = 3) { return `${text.number(value * 1e3, digits)}\u202fmm`; },
+
+  material(material) { return material?.name ?? "?"; },
+};
+
+function superscript(exponent) {
+  return String(exponent).replace(/./g, (c) => "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"["-0123456789".indexOf(c)]);
+}
+
+const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "\u00b5"], [1e-9, "n"]];
+
+/** The prefix under which a number of this size is written. */
+export function prefixOf(size, unit) {
+  if (!(size > 0) || !["N", "Pa", "J", "m", "s", "N/m", "W"].includes(unit)) return { factor: 1, prefix: "" };
+  const [factor, prefix] = prefixes.find(([f]) => size >= f * 0.9995) ?? prefixes.at(-1);
+  return { factor, prefix };
+}

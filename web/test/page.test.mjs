@@ -1,0 +1,211 @@
+// Opens a page from the disk and asserts what is painted. Usage: node page.test.mjs PAGE.html
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { difference, painted, watch, withBrowser } from "./browser.mjs";
+
+const file = resolve(process.argv[2]);
+const tests = [];
+const test = (name, run) => tests.push({ name, run });
+
+const click = (page, group, value) => page.click(`[data-choice="${group}"] [data-value="${value}"]`);
+const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+/** Place of grain g on the page, its radius in pixels, and its material. */
+const grain = (page, g) => page.evaluate((k) => {
+  const { view, sample } = window.arenite, box = view.canvas.getBoundingClientRect();
+  const [x, y] = view.camera.toScreen(view.frame.x[k], view.frame.y[k]);
+  return { x: x + box.left, y: y + box.top, radius: sample.radius[k] * view.camera.scale, material: sample.material[k], id: sample.id[k] };
+}, g);
+
+/** Middle of the strongest chain between two grains of these types, and what it says. */
+const chain = (page, pick) => page.evaluate((which) => {
+  const { view, sample } = window.arenite, box = view.canvas.getBoundingClientRect(), { frame } = view;
+  const { i, j, fn } = frame.contacts;
+  const inside = [...fn.keys()].filter((c) => j[c] < sample.count && (which === "tension" ? fn[c] < 0 : fn[c] > 0));
+  const c = inside.reduce((best, k) => (Math.abs(fn[k]) > Math.abs(fn[best]) ? k : best));
+  const [x, y] = view.camera.toScreen((frame.x[i[c]] + frame.x[j[c]]) / 2, (frame.y[i[c]] + frame.y[j[c]]) / 2);
+  return { x: x + box.left, y: y + box.top, ids: [sample.id[i[c]], sample.id[j[c]]], fn: fn[c] };
+}, pick);
+
+const rgb = (hex) => [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16));
+const light = { page: rgb("#f6f5f2"), card: rgb("#ffffff"), materials: [rgb("#5b8fc9"), rgb("#f0b44c")], strong: rgb("#14191f"), tension: rgb("#d81b60") };
+
+test("grains carry their material's colour", async (page) => {
+  await click(page, "chains", "off");
+  await settle(page);
+  const picture = await painted(page);
+  for (const g of [0, 1, 2, 3, 40, 41, 150, 151]) {
+    const { x, y, material } = await grain(page, g);
+    assert.ok(difference(await picture(x, y), light.materials[material]) <= 2, `grain ${g}: ${await picture(x, y)}`);
+  }
+});
+
+test("the space between the wall and the page is empty", async (page) => {
+  const box = await page.locator("canvas.grains").boundingBox();
+  assert.ok(difference(await (await painted(page))(box.x + 3, box.y + 3), light.card) <= 1);
+});
+
+test("another colouring paints other colours", async (page) => {
+  const { x, y } = await grain(page, 0);
+  const before = await (await painted(page))(x, y);
+  for (const mode of ["stress", "size"]) {
+    await click(page, "colour", mode);
+    await settle(page);
+    assert.ok(difference(await (await painted(page))(x, y), before) > 30, `mode ${mode} looks as before`);
+  }
+  await click(page, "colour", "material");
+  await settle(page);
+  assert.ok(difference(await (await painted(page))(x, y), before) <= 2);
+});
+
+test("force chains are painted, tension in its own colour, and the filters hide them", async (page) => {
+  await click(page, "chains", "all");
+  await settle(page);
+  const strong = await chain(page, "push"), pull = await chain(page, "tension");
+  let picture = await painted(page);
+  assert.ok(difference(await picture(strong.x, strong.y), light.strong) < 40, `strong: ${await picture(strong.x, strong.y)}`);
+  const [r, g, b] = await picture(pull.x, pull.y);
+  assert.ok(r > g + 50 && b > g, `tension: ${[r, g, b]}`);
+  await click(page, "chains", "weak");
+  await settle(page);
+  picture = await painted(page);
+  assert.ok(difference(await picture(strong.x, strong.y), light.strong) > 80, "a strong chain is left among the weak");
+  await click(page, "chains", "strong");
+  const types = await page.locator(".types button[data-type]").all();
+  for (const button of types) if ((await button.getAttribute("data-type")) !== "wall") await page.click(`.types button[data-type="${await button.getAttribute("data-type")}"]`);
+  await settle(page);
+  picture = await painted(page);
+  assert.ok(difference(await picture(strong.x, strong.y), light.strong) > 80, "a type that is switched off is still drawn");
+  for (const type of await page.locator(".types button[data-type]").evaluateAll((all) => all.filter((b) => b.ariaPressed === "false").map((b) => b.dataset.type)))
+    await page.click(`.types button[data-type="${type}"]`);
+  await click(page, "chains", "all");
+});
+
+test("hovering tells a grain's and a contact's numbers", async (page) => {
+  const strong = await chain(page, "push");
+  await page.mouse.move(strong.x, strong.y);
+  const contact = await page.locator(".tooltip").innerText();
+  for (const id of strong.ids) assert.ok(contact.includes(String(id)), contact);
+  assert.match(contact, /Fn/);
+  await click(page, "chains", "off");
+  const { x, y, id, radius } = await grain(page, 20);
+  await page.mouse.move(x + 0.3 * radius, y);
+  const words = await page.locator(".tooltip").innerText();
+  assert.ok(words.includes(`Grain ${id}`), words);
+  assert.match(words, /diameter\s+1[06]\.\d+/);
+  assert.match(words, /contacts z/);
+  await page.mouse.move(2, 2);
+  assert.equal(await page.locator(".tooltip").isVisible(), false);
+  await click(page, "chains", "all");
+});
+
+test("the wheel zooms about the pointer and a double click shows all again", async (page) => {
+  const before = await grain(page, 20);
+  await page.mouse.move(before.x, before.y);
+  await page.mouse.wheel(0, -400);
+  await settle(page);
+  const after = await grain(page, 20);
+  assert.ok(after.radius > 1.5 * before.radius, `${before.radius} -> ${after.radius}`);
+  assert.ok(Math.hypot(after.x - before.x, after.y - before.y) < 1);
+  await page.mouse.dblclick(before.x, before.y);
+  await settle(page);
+  assert.ok(Math.abs((await grain(page, 20)).radius - before.radius) < 1e-6);
+  await page.mouse.move(2, 2);
+});
+
+test("the slider moves the grains and the numbers with it", async (page) => {
+  const slider = page.locator(".timeline input");
+  const state = async () => ({ place: await grain(page, 5), words: await page.locator(".timeline output").innerText(), tiles: await page.locator(".headlines").innerText() });
+  const last = await state();
+  await slider.focus();
+  await page.keyboard.press("Home");
+  await settle(page);
+  const first = await state();
+  assert.notEqual(first.words, last.words);
+  assert.notEqual(first.tiles, last.tiles);
+  assert.ok(Math.hypot(first.place.x - last.place.x, first.place.y - last.place.y) > 1, "no grain moved");
+  await page.keyboard.press("End");
+  await settle(page);
+});
+
+test("the dark theme darkens page and packing", async (page) => {
+  assert.ok(difference(await (await painted(page))(2, 400), light.page) <= 2);
+  await page.click("button.theme");
+  await settle(page);
+  const picture = await painted(page);
+  assert.ok(Math.max(...await picture(2, 400)) < 40);
+  const box = await page.locator("canvas.grains").boundingBox();
+  assert.ok(Math.max(...await picture(box.x + 3, box.y + 3)) < 50);
+  await page.click("button.theme");
+  await settle(page);
+});
+
+test("every figure is drawn and saved as a whole SVG", async (page) => {
+  const names = await page.locator("[data-figure]").evaluateAll((all) => all.map((f) => f.dataset.figure));
+  for (const wanted of ["fabric", "sigma-norm", "forces", "coordination", "rev", "threshold", "wall-forces", "energies"])
+    assert.ok(names.includes(wanted), `${wanted} is missing from ${names}`);
+  for (const name of names) {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.click(`[data-figure="${name}"] [data-save="svg"]`)]);
+    const source = readFileSync(await download.path(), "utf8");
+    const { fault, shapes, lost } = await page.evaluate((text) => {
+      const parsed = new DOMParser().parseFromString(text, "image/svg+xml");
+      return { fault: parsed.querySelector("parsererror")?.textContent ?? null, shapes: parsed.querySelectorAll("path, rect, circle, line").length, lost: /NaN|undefined|var\(--/.exec(text)?.[0] ?? null };
+    }, source);
+    assert.equal(fault, null, name);
+    assert.ok(shapes > 5, `${name} holds ${shapes} shapes`);
+    assert.equal(lost, null, `${name} holds ${lost}`);
+  }
+});
+
+test("the packing is saved as SVG with every grain and as PNG at twice the size", async (page) => {
+  const save = async (label) => {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.click(`.packing .save:has-text("${label}")`)]);
+    return readFileSync(await download.path());
+  };
+  const count = await page.evaluate(() => {
+    window.scrollTo(0, 0);
+    return window.arenite.sample.count;
+  });
+  await settle(page);
+  const svg = (await save("SVG")).toString("utf8");
+  assert.ok(svg.match(/<circle/g).length >= count);
+  assert.ok(svg.match(/<line/g).length > count / 2);
+  const png = await save("PNG");
+  const width = await page.evaluate(() => window.arenite.view.camera.width);
+  assert.equal(png.readUInt32BE(16), Math.round(2 * width));
+});
+
+test("on a narrow screen everything stands in one column and nothing is cut off", async (page) => {
+  await page.setViewportSize({ width: 420, height: 900 });
+  await settle(page);
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  assert.ok(wide <= 420, `the page is ${wide} px wide`);
+});
+
+const failures = await withBrowser({ viewport: { width: 1400, height: 900 }, colorScheme: "light" }, async (context) => {
+  const page = await context.newPage(), seen = watch(page);
+  page.setDefaultTimeout(10000);
+  await page.goto(pathToFileURL(file).href);
+  await page.waitForSelector("html[data-ready]");
+  await page.waitForTimeout(200);
+  const failed = [];
+  for (const { name, run } of tests) {
+    try {
+      await run(page);
+      console.log(`ok    ${name}`);
+    } catch (error) {
+      failed.push(name);
+      console.log(`FAIL  ${name}\n${error.stack}`);
+    }
+  }
+  if (seen.errors.length) failed.push(`errors in the console: ${seen.errors.join("; ")}`);
+  if (seen.requests.length) failed.push(`requests: ${seen.requests.join("; ")}`);
+  return failed;
+});
+
+if (failures.length) {
+  console.log(`${failures.length} failed:\n  ${failures.join("\n  ")}`);
+  process.exit(1);
+}
