@@ -132,8 +132,6 @@ RunOutcome run(const Recipe& recipe, const RunOptions& options) {
   const std::string packing_hash = packing_key(recipe);
   Progress progress{0, recipe.stages.size() + 1, "packing", 0, 0, 0, false};
 
-  // Which kernel runs is known only on this machine, and the bits depend on it, so the stages' names do too.
-  const std::string kernel = recipe.integration.kernel;
   std::vector<std::string> hashes{packing_hash}, names{io::stage_file_name(1, "packing", packing_hash)};
   for (std::size_t s = 0; s < recipe.stages.size(); ++s) {
     hashes.push_back(stage_key(recipe, s, packing_hash));
