@@ -5,6 +5,12 @@
 
 namespace arenite::dem {
 
+namespace {
+
+constexpr double yielding_inertial_number = 0.01;
+
+}  // namespace
+
 void tune_servo(Sample& s) {
   double mass = 0, stiffness = 0;
   for (std::size_t k = 0; k < s.count; ++k) {
@@ -16,6 +22,7 @@ void tune_servo(Sample& s) {
   const double aspect = s.domain.width() / s.domain.height();
   for (std::size_t side = 0; side < 4; ++side) {
     s.wall[side].mass = mass * std::max(0.05, std::min(1.0, 2.0 / layers));
+    s.wall[side].sample_mass = mass;
     s.wall[side].impedance = std::sqrt(mass * stiffness * (side < bottom ? 1.0 / aspect : aspect));
   }
 }
@@ -37,7 +44,9 @@ double servo_damping(const Sample& s, std::size_t side) {
   if (body.drive.kind != WallDrive::Kind::force) return 0;
   const double carried = std::max(s.domain.wall[side].force, 0.0);
   const double share = carried >= body.drive.value ? 1.0 : carried / body.drive.value;
-  return body.impedance * share;
+  const double length = side < bottom ? s.domain.width() : s.domain.height();
+  const double yielding = std::sqrt(std::max(body.drive.value, 0.0) * body.sample_mass / length) / yielding_inertial_number;
+  return std::min(body.impedance, yielding) * share;
 }
 
 double wall_acceleration(const Sample& s, std::size_t side, double velocity) {
