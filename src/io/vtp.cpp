@@ -18,7 +18,7 @@ void append_number(std::string& bytes, std::uint64_t n) { bytes.append(reinterpr
 /// VTK's compressed block: number of blocks, size of a block, size of the last one if it is shorter, compressed sizes,
 /// then the blocks.
 std::string compressed(const char* data, std::size_t size) {
-  constexpr std::size_t block = 1 << 20;
+  constexpr std::size_t block = 1 << 16;
   const std::size_t blocks = (size + block - 1) / block;
   std::string header, body;
   append_number(header, blocks);

@@ -32,6 +32,36 @@ TEST_F(Export, VtkItselfReadsBackEveryValueAndTime) {
   EXPECT_EQ(read.out, "checked 2 states\n");
 }
 
+TEST_F(Export, VtkReadsArraysOfMoreThanOneCompressedBlock) {
+  io::write_stage(file, test::two_frames(6000));
+  ASSERT_EQ(arenite("export " + file.string() + " --to vtk").status, 0);
+  const auto read = shell(python("compare_vtk.py") + file.string() + " " + (folder / "vtk").string());
+  EXPECT_EQ(read.status, 0) << read.err;
+}
+
+TEST_F(Export, LammpsItselfReadsTheDumpAtItsStep) {
+  ASSERT_EQ(arenite("export " + file.string() + " --to lammps").status, 0);
+  std::ofstream(folder / "in") << "units si\ndimension 2\natom_style sphere\nboundary f f p\nregion b block 0 1 0 1 -0.1 0.1\ncreate_box 2 b\n"
+                                  "read_dump lammps/grains.dump 2000 x y vx vy box yes add yes\n"
+                                  "write_dump all custom out.dump type x y vy modify sort id format float %.17g\n";
+  const auto run = shell("cd " + folder.path().string() + " && lmp -in in -log none");
+  ASSERT_EQ(run.status, 0) << run.out << run.err;
+  const auto grains = test::two_frames(6).frames[1].packing.grains;
+  std::istringstream dump(io::read_file(folder / "out.dump"));
+  std::string line;
+  while (std::getline(dump, line) && !line.starts_with("ITEM: ATOMS")) {
+  }
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    int type = 0;
+    double x = 0, y = 0, vy = 0;
+    dump >> type >> x >> y >> vy;
+    EXPECT_EQ(type, grains.material[i] + 1);
+    EXPECT_EQ(x, grains.x[i]);
+    EXPECT_EQ(y, grains.y[i]);
+    EXPECT_EQ(vy, grains.vy[i]);
+  }
+}
+
 TEST_F(Export, TextFormatsHoldWhatTheStageFileHolds) {
   for (const std::string format : {"lammps", "extxyz", "csv"}) {
     const auto out = folder / ("as " + format);
