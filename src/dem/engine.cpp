@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "dem/bounds.hpp"
 #include "dem/forces.hpp"
+#include "dem/kernels/kernel.hpp"
 #include "dem/integrators/gear.hpp"
 #include "dem/integrators/verlet.hpp"
 #include "dem/measure.hpp"
@@ -19,6 +20,8 @@ namespace arenite::dem {
 struct Engine::Machine {
   Sample sample;
 };
+
+std::string kernel_name(const std::string& asked) { return find_kernel(asked).name; }
 
 Engine::Engine(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration)
     : machine_(new Machine{make_sample(start, contact, integration)}) {}
@@ -62,9 +65,16 @@ double servo_energy(const Sample& s) {
   return sum;
 }
 
+bool has_driven_edge(const Sample& s) {
+  for (std::size_t side = 0; side < 4; ++side)
+    if (!s.domain.wall[side].present && s.wall[side].drive.kind == WallDrive::Kind::force) return true;
+  return false;
+}
+
 template <class Sweep>
 void run(Sample& s, std::int64_t steps, Sweep&& sweep) {
   const bool tracked = s.integration.track_energy;
+  const bool edges = tracked || has_driven_edge(s);
   if (tracked && !s.ledger.open) open_ledger(s);
   for (std::int64_t n = 0; n < steps; ++n) {
     sweep(s);
@@ -73,8 +83,10 @@ void run(Sample& s, std::int64_t steps, Sweep&& sweep) {
     else
       refresh_ghosts(s);
     compute_forces(s);
+    if (edges) sum_edge_forces(s);
     if (tracked) book_step(s);
   }
+  sum_edge_forces(s);
 }
 
 }  // namespace
@@ -139,7 +151,7 @@ double Engine::time() const { return static_cast<double>(machine_->sample.step) 
 std::int64_t Engine::step() const { return machine_->sample.step; }
 double Engine::time_step() const { return machine_->sample.dt; }
 StepBounds Engine::bounds() const { return step_bounds(machine_->sample); }
-std::string Engine::kernel() const { return "portable"; }
+std::string Engine::kernel() const { return machine_->sample.kernel->name; }
 const Domain& Engine::domain() const { return machine_->sample.domain; }
 Packing Engine::packing() const { return packing_of(machine_->sample); }
 Energies Engine::energies() const { return energies_of(machine_->sample); }

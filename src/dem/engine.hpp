@@ -18,6 +18,10 @@ struct StepBounds {
   double largest() const { return stiffness < damping ? stiffness : damping; }
 };
 
+/// The kernel that `asked` means on this machine ("auto": the widest it has). All kernels give the same bits. InputError
+/// for one that is unknown or that the processor lacks.
+std::string kernel_name(const std::string& asked);
+
 /// A sample that moves: the object with two doors' worth of set-up (lists, sorted records). Grains keep the
 /// caller's order at the border whatever the order inside. Same input, same kernel: same bits for any thread count.
 class Engine {

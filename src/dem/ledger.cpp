@@ -16,7 +16,7 @@ void add_contacts(const Sample& s, Snapshot& shot) {
     for (std::size_t p = 0; p < list.size(); ++p) {
       const Kinematics c = slot_kinematics(s, p);
       if (!(c.overlap > 0)) continue;  // a clipped contact has no force, but its dashpot eats what its spring gives
-      const Vec2 f{list.fx[p], list.fy[p]}, t = perpendicular(c.normal);
+      const Vec2 f{list.force[p].fx, list.force[p].fy}, t = perpendicular(c.normal);
       const double spring = normal.elastic(c.overlap, list.stiffness[p], c.curvature) -
                             adhesion.attraction(c.overlap, list.strength[p]);
       const Vec2 dash = (dot(f, c.normal) - spring) * c.normal, slip = dot(f, t) * t;
@@ -26,14 +26,14 @@ void add_contacts(const Sample& s, Snapshot& shot) {
       a.dash_y += dash.y;
       a.slip_x += slip.x;
       a.slip_y += slip.y;
-      a.slip_torque += list.torque_i[p];
+      a.slip_torque += list.force[p].torque_i;
       if (list.j[p] >= 0) {
         auto& b = shot.disk[static_cast<std::size_t>(s.record[static_cast<std::size_t>(list.owner[p])].grain)];
         b.dash_x -= dash.x;
         b.dash_y -= dash.y;
         b.slip_x -= slip.x;
         b.slip_y -= slip.y;
-        b.slip_torque += list.torque_j[p];
+        b.slip_torque += list.force[p].torque_j;
       } else {
         const auto side = static_cast<std::size_t>(-1 - list.j[p]);
         shot.edge[side].dash -= side < bottom ? dash.x : dash.y;

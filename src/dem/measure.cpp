@@ -45,7 +45,7 @@ void add_contacts(const Sample& s, Packing& out) {
   std::sort(rows.begin(), rows.end(), [](const Row& p, const Row& q) { return p.i != q.i ? p.i < q.i : p.j < q.j; });
   for (const Row& row : rows) {
     const Kinematics c = slot_kinematics(s, row.slot);
-    const Vec2 f{s.list.fx[row.slot], s.list.fy[row.slot]};
+    const Vec2 f{s.list.force[row.slot].fx, s.list.force[row.slot].fy};
     const double fn = dot(f, c.normal), ft = dot(f, perpendicular(c.normal));
     if (row.swapped)
       out.contacts.add(row.i, row.j, -c.normal, fn, ft, c.arm_j, c.arm_i);
@@ -181,7 +181,7 @@ Equilibrium equilibrium_of(const Sample& s) {
   for (std::size_t p = 0; p < s.list.size(); ++p) {
     const Kinematics c = slot_kinematics(s, p);
     if (!(c.overlap > 0)) continue;
-    const Vec2 f{s.list.fx[p], s.list.fy[p]};
+    const Vec2 f{s.list.force[p].fx, s.list.force[p].fy};
     const double fn = dot(f, c.normal), ft = dot(f, perpendicular(c.normal));
     normal_sum += std::abs(fn);
     ++contacts;

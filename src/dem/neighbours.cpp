@@ -212,14 +212,12 @@ void list_pairs(Sample& s) {
                s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius,
                                    is_glued(s, a.grain, b.grain)));
     }
-    list.first[k + 1] = static_cast<std::int32_t>(list.size());
   }
   list.pairs = list.size();
 }
 
 void list_walls(Sample& s) {
   ContactList& list = s.list;
-  list.wall_first[0] = static_cast<std::int32_t>(list.size());
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];
     for (int side = 0; side < 4; ++side) {
@@ -230,20 +228,30 @@ void list_walls(Sample& s) {
       if (distance < d.radius + s.skin)
         add_slot(list, static_cast<std::int32_t>(k), wall_partner(side), -1, s.coefficients.wall(d.material, d.mass));
     }
-    list.wall_first[k + 1] = static_cast<std::int32_t>(list.size());
   }
 }
 
-void index_incoming(Sample& s) {
+/// Fills list.group and list.first, see there.
+void group_slots(Sample& s) {
   ContactList& list = s.list;
-  list.incoming_first.assign(s.count + 1, 0);
-  for (std::size_t p = 0; p < list.pairs; ++p) ++list.incoming_first[static_cast<std::size_t>(list.owner[p]) + 1];
-  std::partial_sum(list.incoming_first.begin(), list.incoming_first.end(), list.incoming_first.begin());
-  list.incoming.resize(list.pairs);
-  std::vector<std::int32_t> next = list.incoming_first;
-  for (std::size_t p = 0; p < list.pairs; ++p)
-    list.incoming[static_cast<std::size_t>(next[static_cast<std::size_t>(list.owner[p])]++)] =
-        static_cast<std::int32_t>(p);
+  const auto none = static_cast<std::int32_t>(list.size());
+  const auto groups = [](std::int32_t slots) { return 4 * std::max((slots + 3) / 4, 1); };
+  std::vector<std::int32_t> used(2 * s.count + 1, 0);
+  for (std::size_t p = 0; p < list.size(); ++p) {
+    ++used[2 * static_cast<std::size_t>(list.i[p])];
+    if (list.owner[p] >= 0) ++used[2 * static_cast<std::size_t>(list.owner[p]) + 1];
+  }
+  list.first.assign(2 * s.count + 1, 0);
+  for (std::size_t q = 0; q < 2 * s.count; ++q) list.first[q + 1] = list.first[q] + groups(used[q]);
+  list.group.assign(static_cast<std::size_t>(list.first.back()), none);
+  std::vector<std::int32_t> next = list.first;
+  const auto put = [&](std::size_t q, std::size_t p) {
+    list.group[static_cast<std::size_t>(next[q]++)] = static_cast<std::int32_t>(p);
+  };
+  for (std::size_t p = 0; p < list.size(); ++p) {
+    put(2 * static_cast<std::size_t>(list.i[p]), p);
+    if (list.owner[p] >= 0) put(2 * static_cast<std::size_t>(list.owner[p]) + 1, p);
+  }
 }
 
 std::vector<Carried> carried(const Sample& s) {
@@ -275,13 +283,11 @@ void refresh_ghosts(Sample& s) {
 void list_contacts(Sample& s) {
   make_ghosts(s);
   s.list = ContactList{};
-  s.list.first.assign(s.count + 1, 0);
-  s.list.wall_first.assign(s.count + 1, 0);
   list_pairs(s);
   list_walls(s);
-  index_incoming(s);
-  for (auto* a : {&s.list.fx, &s.list.fy, &s.list.torque_i, &s.list.torque_j, &s.list.memory})
-    a->assign(s.list.size(), 0.0);
+  group_slots(s);
+  s.list.force.assign(s.list.size() + 1, SlotForce{});
+  s.list.memory.assign(s.list.size(), 0.0);
   s.list.bond.assign(s.list.size(), never_touched);
 }
 

@@ -12,6 +12,8 @@
 
 namespace arenite::dem {
 
+struct Kernel;
+
 /// What the pair loop reads of a disk: one cache line. Velocities are those that the forces see.
 struct alignas(64) DiskRecord {
   double x = 0, y = 0, vx = 0, vy = 0, omega = 0, radius = 0, mass = 0;
@@ -26,6 +28,12 @@ struct Ghost {
   std::int32_t shift_x = 0, shift_y = 0;
 };
 
+/// Force of a contact on i, N, and its torques on i and j, N m; all 0 where apart.
+struct alignas(32) SlotForce {
+  double fx = 0, fy = 0, torque_i = 0, torque_j = 0;
+};
+inline bool acts(const SlotForce& f) { return f.fx != 0 || f.fy != 0; }
+
 /// Candidate contacts and what they carry. Slots 0 .. pairs-1 join two disks (i < j, sorted by i; j may be a ghost);
 /// the slots behind them join a disk i with wall `side` (j = wall_partner(side)), sorted by i.
 struct ContactList {
@@ -33,11 +41,13 @@ struct ContactList {
   std::vector<std::int32_t> i, j;
   std::vector<std::int32_t> owner;          ///< the disk that takes the reaction: j, or the source of the ghost j
   std::vector<double> stiffness, damping, viscosity, strength;
-  std::vector<double> fx, fy, torque_i, torque_j;  ///< force on i, N; torques, N m; all 0 where apart
+  std::vector<SlotForce> force;             ///< one more than slots: the last stays 0
   std::vector<double> memory;               ///< of the friction law
   std::vector<std::uint8_t> bond;           ///< of glued pairs: see BondState
-  /// Slots by disk, each in a fixed order: as i the range first[k] .. first[k + 1], as owner and at walls by index.
-  std::vector<std::int32_t> first, incoming_first, incoming, wall_first;
+  /// Slots by disk, in groups of four that are filled up with the slot whose force stays 0, so that most disks have as
+  /// many groups as their neighbours and the processor guesses the loops' ends right. Those where disk k is i, pairs
+  /// before walls, are group[first[2k]] to group[first[2k + 1]]; those where it owns the reaction go on to first[2k + 2].
+  std::vector<std::int32_t> group, first;
 
   std::size_t size() const { return i.size(); }
 };
@@ -63,6 +73,7 @@ struct Sample {
   IntegrationParameters integration;
   CoefficientTable coefficients;
   ContactLaws laws;
+  const Kernel* kernel = nullptr;  ///< the inner loops in use
   double dt = 0;
   double friction = 0, wall_friction = 0, drag = 0;
   Vec2 gravity;

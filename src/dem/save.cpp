@@ -108,7 +108,8 @@ void transfer(Archive& a, Sample& s) {
 /// The slots' contents; their number follows from the list.
 template <class Archive>
 void transfer(Archive& a, ContactList& list) {
-  for (auto* v : {&list.strength, &list.fx, &list.fy, &list.torque_i, &list.torque_j, &list.memory}) a(*v);
+  for (auto* v : {&list.strength, &list.memory}) a(*v);
+  a(list.force);
   a(list.bond);
 }
 
@@ -153,7 +154,7 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   list_contacts(s);
   const std::size_t slots = s.list.size();
   transfer(read, s.list);
-  if (s.list.fx.size() != slots || s.list.memory.size() != slots || !read.at_end()) Reader::fail();
+  if (s.list.force.size() != slots + 1 || s.list.memory.size() != slots || !read.at_end()) Reader::fail();
   s.domain = domain;
   std::copy(disks.begin(), disks.end(), s.record.begin());
   refresh_ghosts(s);

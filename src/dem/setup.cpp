@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "dem/bounds.hpp"
 #include "dem/forces.hpp"
+#include "dem/kernels/kernel.hpp"
 #include "dem/neighbours.hpp"
 #include "dem/walls.hpp"
 
@@ -169,6 +170,7 @@ Sample make_sample(const Packing& start, const ContactParameters& contact, const
   s.start = start;
   s.contact = contact;
   s.integration = integration;
+  s.kernel = &find_kernel(integration.kernel);
   s.coefficients = CoefficientTable(start.materials, start.grains, contact);
   for (auto& [a, b] : s.contact.glued_pairs)
     if (b < a) std::swap(a, b);
@@ -188,6 +190,7 @@ Sample make_sample(const Packing& start, const ContactParameters& contact, const
   bond_touching_pairs(s);
   s.laws = choose_laws(contact, 0.0, (1.0 - lead) * s.dt);  // the springs do not move before the first step
   compute_forces(s);
+  sum_edge_forces(s);
   s.laws = choose_laws(contact, lead * s.dt, (1.0 - lead) * s.dt);
   return s;
 }

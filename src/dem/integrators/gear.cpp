@@ -108,7 +108,7 @@ class Start {
     set_springs(-lag, 0);
     evaluate(0);
     const std::vector<double> springs = s.list.memory;
-    const std::vector<double> fx = s.list.fx, fy = s.list.fy;
+    const std::vector<SlotForce> force = s.list.force;
     const std::vector<double> now = accelerations();
     for (std::size_t q = 0; q < path.size(); ++q) path[q].bend = now[q];
     const double h = 0.5 * s.dt;
@@ -121,7 +121,7 @@ class Start {
         set_springs(t, 0);
         evaluate(t);
         a[n] = accelerations();
-        mark_changes(fx, fy, rough);
+        mark_changes(force, rough);
       }
       for (std::size_t q = 0; q < path.size(); ++q) {
         const bool smooth = q / 3 >= s.count || !rough[q / 3];
@@ -160,6 +160,7 @@ class Start {
     if (s.domain.periodic_x) s.domain.tilt *= after.width / before.width;
     refresh_ghosts(s);
     compute_forces(s);
+    sum_edge_forces(s);
   }
 
   std::vector<double> accelerations() const {
@@ -178,9 +179,9 @@ class Start {
   }
 
   /// A contact that carries force at one time of the span and none at the other is no smooth path.
-  void mark_changes(const std::vector<double>& fx, const std::vector<double>& fy, std::vector<std::uint8_t>& rough) const {
-    for (std::size_t p = 0; p < fx.size(); ++p) {
-      const bool before = fx[p] != 0 || fy[p] != 0, now = s.list.fx[p] != 0 || s.list.fy[p] != 0;
+  void mark_changes(const std::vector<SlotForce>& force, std::vector<std::uint8_t>& rough) const {
+    for (std::size_t p = 0; p < s.list.size(); ++p) {
+      const bool before = acts(force[p]), now = acts(s.list.force[p]);
       if (before == now) continue;
       rough[static_cast<std::size_t>(s.list.i[p])] = 1;
       if (s.list.owner[p] >= 0) rough[static_cast<std::size_t>(s.list.owner[p])] = 1;

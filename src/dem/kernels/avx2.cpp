@@ -1,0 +1,7 @@
+#include "dem/kernels/pair_loop.hpp"
+
+namespace arenite::dem {
+
+constinit const Kernel avx2_kernel = make_kernel<4>("avx2");
+
+}  // namespace arenite::dem

@@ -1,0 +1,7 @@
+#include "dem/kernels/pair_loop.hpp"
+
+namespace arenite::dem {
+
+constinit const Kernel avx512_kernel = make_kernel<8>("avx512");
+
+}  // namespace arenite::dem

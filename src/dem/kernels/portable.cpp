@@ -1,0 +1,7 @@
+#include "dem/kernels/pair_loop.hpp"
+
+namespace arenite::dem {
+
+constinit const Kernel portable_kernel = make_kernel<2>("portable");
+
+}  // namespace arenite::dem
