@@ -23,7 +23,7 @@ ArgumentText argument_text(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   text.choices = choices_in(type);
   if (option.get_items_expected_max() > 0) {
-    text.value = text.choices.empty() ? type : type.substr(0, type.find(':'));
+    text.value = type.substr(0, type.find(':'));
     if (text.names.empty() && (text.value.empty() || text.value == "TEXT")) text.value = option.get_single_name();
   }
   text.sentence = option.get_description();

@@ -1,0 +1,83 @@
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "io/assemble.hpp"
+#include "io/csv.hpp"
+#include "io/lammps_dump.hpp"
+#include "io/mercury_text.hpp"
+#include "io/yade_text.hpp"
+
+namespace {
+
+using namespace arenite;
+
+/// Two files in one: the text before and after a line of "=====".
+struct Files {
+  std::string_view grains, contacts;
+};
+Files cut(std::string_view text) {
+  constexpr std::string_view line = "\n=====\n";
+  const std::size_t at = text.find(line);
+  if (at == std::string_view::npos) return {text, {}};
+  return {text.substr(0, at + 1), text.substr(at + line.size())};
+}
+
+/// What came through without an error must be a packing with all its invariants.
+void examine(const Packing& packing) {
+  const Grains& grains = packing.grains;
+  const Contacts& contacts = packing.contacts;
+  for (std::size_t g = 0; g < grains.size(); ++g) {
+    if (!std::isfinite(grains.x[g]) || !std::isfinite(grains.y[g]) || !(grains.radius[g] > 0)) std::abort();
+  }
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const auto n = static_cast<std::int32_t>(grains.size());
+    if (contacts.i[c] < 0 || contacts.i[c] >= n || contacts.j[c] >= n || contacts.j[c] < -4) std::abort();
+    if (!std::isfinite(contacts.fn[c]) || !std::isfinite(contacts.ft[c])) std::abort();
+    if (!(std::abs(std::hypot(contacts.nx[c], contacts.ny[c]) - 1) < 1e-6)) std::abort();
+  }
+}
+
+void read(char format, const Files& files) {
+  io::Problems grain_problems("grains"), contact_problems("contacts");
+  const io::UnitFactors units;
+  io::RawGrains grains;
+  io::RawContacts contacts;
+  if (format == 'l') {
+    grains = io::read_lammps_atoms(files.grains, units, grain_problems);
+    contacts = io::read_lammps_pairs(files.contacts, "", units, contact_problems);
+  } else if (format == 'y') {
+    grains = io::read_yade_spheres(files.grains, units, grain_problems);
+    contacts = io::read_yade_interactions(files.contacts, grains, units, contact_problems);
+  } else if (format == 'm') {
+    grains = io::read_mercury_data(files.grains, units, grain_problems);
+    contacts = io::read_mercury_fstat(files.contacts, units, contact_problems);
+  } else {
+    grains = io::read_grains_csv(files.grains, format == 'h' ? "id,x,y,radius" : "", units, grain_problems);
+    contacts = io::read_contacts_csv(files.contacts, format == 'h' ? "i,j,fn,ft" : "", units, contact_problems);
+  }
+  io::SampleOptions options;
+  options.merge_doubled = true;
+  io::Sample sample;
+  io::place_box(grains, grain_problems);
+  io::assemble(grains, contacts, options, sample, grain_problems, contact_problems);
+  examine(sample.packing);
+}
+
+}  // namespace
+
+/// Any bytes are grains and contacts or an InputError. The first letter says the format: c table, h table without
+/// header, l LAMMPS, y YADE, m MercuryDPM.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  try {
+    read(text.front(), cut(text.substr(1)));
+  } catch (const InputError& error) {
+    if (error.problems().empty()) std::abort();
+  }
+  return 0;
+}
