@@ -7,7 +7,9 @@
 
 #include "commands.hpp"
 #include "progress.hpp"
+#include "report/page.hpp"
 #include "study/run.hpp"
+#include "texture/texture.hpp"
 
 namespace arenite::app {
 
@@ -33,6 +35,23 @@ fs::path default_folder(const fs::path& recipe) {
   return fs::path("out") / (absolute.stem() == "recipe" ? absolute.parent_path().filename() : absolute.stem());
 }
 
+/// States whose texture is measured for the page: all of them in a small sample, the last of each stage in a large one.
+bool shows_texture(const StageResult& stage, std::size_t frame) {
+  constexpr std::size_t small = 10'000;
+  return frame + 1 == stage.frames.size() || stage.frames[frame].packing.grains.size() <= small;
+}
+
+void write_page(const fs::path& path, const std::string& title, const std::vector<StageResult>& stages) {
+  report::PageData data;
+  data.title = title;
+  for (std::size_t s = 0; s < stages.size(); ++s) {
+    data.stages.push_back(&stages[s]);
+    for (std::size_t f = 0; f < stages[s].frames.size(); ++f)
+      if (shows_texture(stages[s], f)) data.textures.push_back({s, f, texture::measure(stages[s].frames[f].packing)});
+  }
+  report::write_page(path, data);
+}
+
 int execute(const Arguments& arguments) {
   auto recipe = study::read_recipe(arguments.recipe.file, arguments.recipe.overrides);
   if (arguments.threads > 0) recipe.integration.threads = arguments.threads;
@@ -56,6 +75,9 @@ int execute(const Arguments& arguments) {
     return other_failure;
   }
   for (const auto& stage : outcome.stages) fmt::print("{:<12} {}\n", stage.name, stage.outcome);
+  const auto page = options.out / "report.html";
+  write_page(page, recipe.title, outcome.stages);
+  fmt::print("\nresults: {0}\npage:    {1}   (open it in a browser)\nnumbers: arenite show {0}\n", options.out.string(), page.string());
   return outcome.converged ? done : not_converged;
 }
 

@@ -2,8 +2,7 @@
 
 #include <filesystem>
 
-#include "core/error.hpp"
-#include "core/error.hpp"
+#include "io/placed_grains.hpp"
 #include "packing/fill.hpp"
 #include "packing/population.hpp"
 #include "packing/region.hpp"
@@ -45,7 +44,7 @@ std::string fill(const Recipe& recipe, Packing& packing) {
 std::string read(const Recipe& recipe, Packing& packing) {
   const auto path = std::filesystem::path(recipe.source_file).parent_path() / recipe.packing.file;
   packing.domain = frame_of(recipe.frame);
-  throw InputError(path.string(), 0, "grains from a file are not read yet");
+  packing.grains = io::read_placed_grains(path, recipe.materials, packing.domain);
   return "read from file: " + describe(packing::relax(packing.grains, packing.domain, 1e-3));
 }
 
