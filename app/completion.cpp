@@ -117,7 +117,7 @@ std::string fish(const std::vector<CommandText>& tree) {
 
 void add_completion(CLI::App& command, int&) {
   const auto shell = std::make_shared<std::string>();
-  command.add_option("shell", *shell, "Shell to complete in")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  command.add_option("shell", *shell, "Shell to complete in")->required()->type_name("SHELL")->check(CLI::IsMember({"bash", "zsh", "fish"}));
   command.footer("For bash: source <(arenite completion bash)");
   command.callback([&command, shell] {
     const auto tree = program_tree(command);

@@ -9,7 +9,9 @@
 #include <thread>
 
 #include "commands.hpp"
+#include "core/error.hpp"
 #include "core/version.hpp"
+#include "dem/kernels/kernel.hpp"
 
 namespace arenite::app {
 namespace {
@@ -32,14 +34,17 @@ std::string find_program(const std::string& name) {
   return {};
 }
 
-std::string vector_extensions() {
+/// The kernels that run here, and which of them "auto" means.
+std::string kernels() {
   std::string found;
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) found += " avx2";
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) found += " avx512";
-#endif
-  return "portable" + found;
+  for (const char* name : {"portable", "avx2", "avx512"}) {
+    try {
+      found += fmt::format("{}{}", found.empty() ? "" : ", ", dem::find_kernel(name).name);
+    } catch (const InputError&) {
+      // Not on this processor.
+    }
+  }
+  return fmt::format("{} (auto: {})", found, dem::find_kernel("auto").name);
 }
 
 void report(const char* what, const std::string& state) { fmt::print("{:<12} {}\n", what, state); }
@@ -55,7 +60,7 @@ void add_doctor(CLI::App& command, int&) {
   command.callback([] {
     report("arenite", version);
     report("compiler", __VERSION__);
-    report("kernels", vector_extensions() + " (this processor)");
+    report("kernels", kernels());
     report("threads", std::to_string(std::thread::hardware_concurrency()));
     report("HDF5", hdf5_version());
     report("zlib", zlibVersion());

@@ -30,7 +30,7 @@ void add_init(CLI::App& command, int&) {
   const auto arguments = std::make_shared<InitArguments>();
   std::vector<std::string> names;
   for (const auto& each : study::recipe_templates()) names.emplace_back(each.name);
-  command.add_option("template", arguments->name, "Kind of sample")->required()->check(CLI::IsMember(names));
+  command.add_option("template", arguments->name, "Kind of sample")->required()->type_name("TEMPLATE")->check(CLI::IsMember(names));
   command.add_option("file", arguments->file, "File to write, which must not exist; without it the recipe is printed")
       ->type_name("FILE");
   command.callback([arguments] {

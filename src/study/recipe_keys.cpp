@@ -16,8 +16,8 @@ using Visitor = ParameterVisitor;
 void declare(Visitor& v, FrameParameters& frame) {
   v.number({"width", "Inner width of the frame, or of the periodic cell.", true}, frame.width, "mm", range::positive);
   std::optional<double> height = frame.height > 0 ? std::optional(frame.height) : std::nullopt;
-  v.number({"height", "Inner height at the start; unless given, the one that packing.solid_fraction asks for."}, height,
-           "mm", range::positive);
+  v.number({"height", "Inner height where grains are read from a file; fillings take the one that packing.solid_fraction asks for."},
+           height, "mm", range::positive);
   frame.height = height.value_or(0);
   v.number({"thickness", "Length of the cylinders, out of the plane.", true}, frame.thickness, "mm", range::positive);
   v.flag({"periodic_x", "Left and right side are one: no walls there."}, frame.periodic_x);
@@ -311,6 +311,7 @@ void require_grains(Visitor& v, const Recipe& recipe) {
             "is missing; say which grains there are in [[populations]], or read them with packing.method = \"file\"");
   v.require(!from_file || populations.empty(), {"populations", "packing"},
             "the grains come from packing.file; leave out [[populations]], or choose another packing.method");
+  v.require(!from_file || recipe.frame.height > 0, {"frame"}, "grains from a file need a height; write height = \"... mm\"");
   const bool shares = std::any_of(populations.begin(), populations.end(), [](const auto& p) { return p.ratio.has_value(); });
   std::int64_t counted = 0;
   for (const auto& population : populations) counted += population.count.value_or(0);

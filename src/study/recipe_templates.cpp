@@ -14,7 +14,7 @@ Stage loading(std::string name, int side, double force, std::int64_t increments,
   return stage;
 }
 
-/// Sample #8 of the thesis: T Tables 2.1, 2.2 and 3.2, loaded as in T 3.3.
+/// Sample #8 of the thesis (T Tables 2.1, 2.2, 3.2): 100 N on the upper wall, then gravity and 50 kN on the lower one.
 Recipe composite() {
   Recipe recipe;
   recipe.title = "Composite of POM and HDPE cylinders, sample 8 of the thesis";
@@ -26,7 +26,8 @@ Recipe composite() {
   recipe.populations[0].size.diameter = 0.0164;
   recipe.populations[1].size.diameter = 0.0105;
   recipe.contact.friction_law = dem::FrictionLaw::cundall_strack;
-  recipe.stages = {loading("settle", bottom, 2'000, 1, true), loading("compact", bottom, 50'000, 10, true)};
+  recipe.integration.track_energy = true;
+  recipe.stages = {loading("prepare", top, 100, 1, false), loading("load", bottom, 50'000, 10, true)};
   return recipe;
 }
 

@@ -365,6 +365,7 @@ TEST(RecipeFile, WhatCannotBeReadIsOneSentence) {
   const auto file = folder / "from_file.toml";
   std::string text = smallest.substr(0, smallest.find("[[populations]]")) + smallest.substr(smallest.find("[[stages]]"));
   text += "[packing]\nmethod = \"file\"\nfile = \"grains.csv\"\n";
+  text = replaced(text, "[frame]\n", "[frame]\nheight = \"350 mm\"\n");
   std::ofstream(file) << text;
   std::filesystem::remove(folder / "grains.csv");
   try {
@@ -372,7 +373,7 @@ TEST(RecipeFile, WhatCannotBeReadIsOneSentence) {
     FAIL() << "the grains' file is missing";
   } catch (const InputError& error) {
     ASSERT_EQ(error.problems().size(), 1u);
-    EXPECT_EQ(error.problems()[0].line, 12);
+    EXPECT_EQ(error.problems()[0].line, 13);
     EXPECT_EQ(error.problems()[0].message, "packing.file: there is no file \"grains.csv\"; its place counts from the recipe's folder");
   }
   std::ofstream(folder / "grains.csv") << "id,x,y,radius\n";
