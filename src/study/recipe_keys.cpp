@@ -1,9 +1,11 @@
 #include "study/recipe_keys.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "core/error.hpp"
 #include "core/nearest.hpp"
 #include "core/units.hpp"
 #include "model/domain.hpp"
@@ -174,8 +176,13 @@ void declare(Visitor& v, dem::IntegrationParameters& integration) {
   v.number({"drag", "Global viscous drag, as a rate: the force on a grain is -drag m v."}, integration.drag, "1/s",
            range::not_negative);
   v.flag({"track_energy", "Account for dissipation and work at every step (slower)."}, integration.track_energy);
+  // A name from elsewhere (--kernel) comes here without having been read, so it may be none of these.
   static const std::vector<std::string> kernels{"auto", "portable", "avx2", "avx512"};
-  int kernel = static_cast<int>(std::find(kernels.begin(), kernels.end(), integration.kernel) - kernels.begin());
+  const auto found = std::find(kernels.begin(), kernels.end(), integration.kernel);
+  if (found == kernels.end()) {
+    throw InputError(fmt::format("there is no kernel \"{}\"; take one of: {}", integration.kernel, fmt::join(kernels, ", ")));
+  }
+  int kernel = static_cast<int>(found - kernels.begin());
   v.choice({"kernel", "Machine code of the contact loop."}, kernel,
            {{"auto", "the fastest of this processor"},
             {"portable", "the same bits on every x86-64 processor"},

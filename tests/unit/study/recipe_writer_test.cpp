@@ -122,6 +122,12 @@ TEST(ResolvedRecipe, IsCompleteAndCarriesUnits) {
   }
 }
 
+TEST(ResolvedRecipe, KernelThatDoesNotExistIsRefused) {
+  Recipe recipe = recipe_templates().front().make();
+  recipe.integration.kernel = "avx1024";
+  EXPECT_THROW(to_toml(recipe), InputError);
+}
+
 TEST(RecipeTemplate, EveryTemplateIsAValidRecipeAsPrinted) {
   for (const auto& each : recipe_templates()) {
     Recipe expected = each.make();
