@@ -54,6 +54,20 @@ const Entry* only_entry(const Node& table) {
   return last;
 }
 
+/// The form that a quantity without its tag could be meant for, by its dimension.
+std::string tag_of_quantity(const std::string& text, const std::vector<Form>& forms) {
+  for (const auto& form : forms) {
+    if (form.unit.empty()) continue;
+    try {
+      parse_si(text, parse_unit(form.unit).dimension);
+      return std::string(form.word);
+    } catch (const InputError&) {
+      // Of another dimension, or no quantity.
+    }
+  }
+  return {};
+}
+
 std::string list_of(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
 
 /// Notes which keys a declaration would read, without reading.
@@ -252,9 +266,10 @@ void RecipeReader::tagged(const Key& key, int& form, double& value, const std::v
       value = 0;
       return;
     }
-    const std::string near = nearest(node->text, bare);
-    return refuse(key, *node, fmt::format("unknown word \"{}\"; {}", node->text,
-                                          near.empty() ? "write one of: " + list_of(ways) : fmt::format("did you mean \"{}\"?", near)));
+    const std::string near = nearest(node->text, bare), tag = tag_of_quantity(node->text, forms);
+    return refuse(key, *node, !tag.empty()    ? fmt::format("write {{ {} = \"{}\" }}", tag, node->text)
+                              : near.empty() ? fmt::format("unknown word \"{}\"; write one of: {}", node->text, list_of(ways))
+                                             : fmt::format("unknown word \"{}\"; did you mean \"{}\"?", node->text, near));
   }
   const Entry* only = node->kind == Node::Kind::table ? only_entry(*node) : nullptr;
   if (!only) return refuse(key, *node, "must be one of: " + list_of(ways));

@@ -245,6 +245,14 @@ TEST(BadRecipe, PopulationOfAnUnknownMaterialOffersTheNearest) {
             Lines{"r.toml:8:12: populations.0.material: there is no section [materials.PON]; did you mean \"POM\"?"});
 }
 
+TEST(BadRecipe, QuantityWithoutItsTagIsOfferedWithIt) {
+  const std::string drive = "{ force = \"50 kN\" }";
+  EXPECT_EQ(problems(replaced(smallest, drive, "\"50 kN\"")), Lines{"r.toml:13:10: stages.0.bottom: write { force = \"50 kN\" }"});
+  EXPECT_EQ(problems(replaced(smallest, drive, "\"5 kPa\"")), Lines{"r.toml:13:10: stages.0.bottom: write { pressure = \"5 kPa\" }"});
+  EXPECT_EQ(problems(replaced(smallest, drive, "\"fixd\"")),
+            Lines{"r.toml:13:10: stages.0.bottom: unknown word \"fixd\"; did you mean \"fixed\"?"});
+}
+
 TEST(BadRecipe, ForceOnAPeriodicSideIsRefused) {
   EXPECT_EQ(problems(replaced(smallest, "thickness", "periodic_y = true\nthickness")),
             Lines{"r.toml:14:10: stages.0.bottom: a periodic side has no wall to press; leave it fixed, move it, or set "
