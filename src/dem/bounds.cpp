@@ -12,15 +12,20 @@ namespace arenite::dem {
 
 namespace {
 
-/// Hertz contacts stiffen without end; their bounds are taken at this h/R* at least.
-constexpr double hertz_overlap = 0.02;
-
-double tangent_stiffness(const Sample& s, double stiffness) {
-  return std::visit([&](const auto& law) { return law.tangent(hertz_overlap, stiffness, 1.0); }, s.laws.normal);
+/// Hertz contacts stiffen without end; bounds hold for h/R* up to this, or the largest there is.
+double reference_overlap(const Sample& s) {
+  double largest = 0.02;
+  for (std::size_t p = 0; p < s.list.size(); ++p)
+    if (const Kinematics c = slot_kinematics(s, p); c.overlap > 0) largest = std::max(largest, c.overlap * c.curvature);
+  return largest;
 }
 
-double damping_factor(const Sample& s) {
-  return std::visit([](const auto& law) { return law.damping_factor(hertz_overlap, 1.0); }, s.laws.normal);
+double tangent_stiffness(const Sample& s, double overlap, double stiffness) {
+  return std::visit([&](const auto& law) { return law.tangent(overlap, stiffness, 1.0); }, s.laws.normal);
+}
+
+double damping_factor(const Sample& s, double overlap) {
+  return std::visit([&](const auto& law) { return law.damping_factor(overlap, 1.0); }, s.laws.normal);
 }
 
 double stiffness_ratio(const Sample& s) {
@@ -38,11 +43,11 @@ struct Rates {
 
 /// Six contacts with equals, the triangular lattice: translation reaches omega^2 = 6 k/m, rotation in one sense
 /// 2 z k_t r^2/I = 24 k_t/m; dashpots alike.
-Rates lattice_rates(const Sample& s, const DiskRecord& d) {
+Rates lattice_rates(const Sample& s, const DiskRecord& d, double overlap) {
   const Coefficients c = s.coefficients.pair(d.material, d.material, d.mass, d.mass, d.radius, d.radius, false);
-  const double k = tangent_stiffness(s, c.stiffness);
+  const double k = tangent_stiffness(s, overlap, c.stiffness);
   const double turning = s.integration.rotations ? 24.0 : 6.0;
-  const double normal_damping = 6.0 * damping_factor(s) * c.damping;
+  const double normal_damping = 6.0 * damping_factor(s, overlap) * c.damping;
   return {std::max(6.0 * k, turning * stiffness_ratio(s) * k) / d.mass,
           std::max(normal_damping, slides(s) ? turning * c.viscosity : 0.0) / d.mass};
 }
@@ -127,11 +132,12 @@ Rates network_rates(const Sample& s) {
 }  // namespace
 
 double shortest_contact_time(const Sample& s) {
+  const double overlap = reference_overlap(s);
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];
-    const double pair = 0.5 * d.mass / tangent_stiffness(s, s.coefficients.pair_stiffness(d.material, d.material));
-    const double wall = d.mass / tangent_stiffness(s, s.coefficients.wall_stiffness(d.material));
+    const double pair = 0.5 * d.mass / tangent_stiffness(s, overlap, s.coefficients.pair_stiffness(d.material, d.material));
+    const double wall = d.mass / tangent_stiffness(s, overlap, s.coefficients.wall_stiffness(d.material));
     shortest = std::min(shortest, std::numbers::pi * std::sqrt(std::min(pair, wall)));
   }
   return shortest;
@@ -139,24 +145,23 @@ double shortest_contact_time(const Sample& s) {
 
 StepBounds step_bounds(const Sample& s) {
   Rates r = network_rates(s);
+  const double overlap = reference_overlap(s);
   for (std::size_t k = 0; k < s.count; ++k) {
-    const Rates grain = lattice_rates(s, s.record[k]);
+    const Rates grain = lattice_rates(s, s.record[k], overlap);
     r.frequency_squared = std::max(r.frequency_squared, grain.frequency_squared);
     r.damping = std::max(r.damping, grain.damping);
   }
   const double omega = std::sqrt(r.frequency_squared), lambda = r.damping + s.drag;
   constexpr double margin = 0.9;
   StepBounds bounds;
-  if (s.integration.integrator == IntegratorKind::gear5) {
-    bounds.stiffness = margin * 0.4 / omega;
-    bounds.damping = margin * 0.164 / lambda;
-  } else {
-    // The growing mode flips sign every step: (omega dt)^2/4 + q lambda dt = 1 with q = 1 where forces see the velocity
-    // at the end of the step and q = 1/2 where they see that of its middle.
-    const double q = s.integration.integrator == IntegratorKind::velocity_verlet ? lambda : 0.5 * lambda;
-    bounds.stiffness = margin * 2.0 / omega;
-    bounds.damping = margin * 2.0 / (q + std::sqrt(q * q + omega * omega));
-  }
+  // Combined bounds have the form p (omega dt)^2 + q lambda dt = 1. Verlet: the growing mode flips sign every step,
+  // p = 1/4, q = 1 where forces see the velocity at the end of the step and 1/2 where they see that of its middle. Gear:
+  // fitted to the eigenvalues of its step, q = 1/0.163, p = 1.57; without damping it grows from omega dt = 0.33 on.
+  double p = 0.25, q = 1, undamped = 2;
+  if (s.integration.integrator == IntegratorKind::leapfrog) q = 0.5;
+  if (s.integration.integrator == IntegratorKind::gear5) p = 1.57, q = 1 / 0.163, undamped = 0.33;
+  bounds.stiffness = margin * undamped / omega;
+  bounds.damping = margin * 2.0 / (q * lambda + std::sqrt(q * q * lambda * lambda + 4 * p * omega * omega));
   return bounds;
 }
 

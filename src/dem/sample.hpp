@@ -58,7 +58,7 @@ enum BondState : std::uint8_t { never_touched = 0, touching = 1 };
 /// One wall, or one edge of a periodic cell, as a body that moves along its axis.
 struct WallBody {
   WallDrive drive;
-  double sample_mass = 0;                ///< kg
+  double sample_mass = 0;          ///< kg
   double mass = 0, impedance = 0;  ///< of a force-controlled wall, kg and N s/m (see walls.cpp)
   double rate = 0;                 ///< integrated velocity (half a step behind under Verlet), m/s along +x or +y
   double acceleration = 0;

@@ -59,11 +59,12 @@ TEST(DampingBound, CountsTheTurningOfALattice) {
   // All disks turning alike is damped at 2 z gamma_s r^2/I = 24 gamma_s/m.
   const Packing p = triangular(8, 8);
   ContactParameters contact;
-  contact.sliding_viscosity = 100;
+  contact.sliding_viscosity = 10000;
   contact.normal_damping = 1;
-  const double m = 1410 * std::numbers::pi * 0.25e-4 * 0.06, rate = 24 * 100 / m;
-  const double gear = Engine(p, contact, with_step(IntegratorKind::gear5, 1e-9)).bounds().damping;
-  EXPECT_NEAR(gear, 0.164 / rate, 0.15 * 0.164 / rate);
+  const double m = 1410 * std::numbers::pi * 0.25e-4 * 0.06, rate = 24 * 10000 / m;
+  const double gear = Engine(p, contact, with_step(IntegratorKind::gear5, 1e-10)).bounds().damping;
+  EXPECT_LT(gear, 0.164 / rate);
+  EXPECT_GT(gear, 0.8 * 0.164 / rate);
 }
 
 }  // namespace
