@@ -19,7 +19,7 @@ struct MeasureArguments {
   std::string grain_columns, contact_columns;
   texture::Options texture;
   double load_axis_deg = -1;
-  bool json = false, curves = false;
+  bool json = false, curves = false, y_down = false;
 };
 
 /// Rethrows an error without place as one of an option.
@@ -73,6 +73,7 @@ io::SampleOptions sample_options(const MeasureArguments& a) {
     if (!(*o.thickness > 0)) throw InputError("--thickness: the length of the cylinders must be positive");
   }
   if (!a.materials.empty()) o.materials = a.materials;
+  o.y_down = a.y_down;
   o.merge_doubled = a.doubled == "merge";
   return o;
 }
@@ -109,6 +110,7 @@ void add_reading(CLI::App& command, MeasureArguments& a) {
   command.add_option("--format", a.format, "Format of the files; auto looks at their first line")->check(CLI::IsMember(formats))->type_name("NAME");
   command.add_option("--grain-columns", a.grain_columns, "Columns of a table of grains without header, e.g. \"id,x,y,-,radius\"")->type_name("NAMES");
   command.add_option("--columns", a.contact_columns, "Columns of contacts without header, e.g. \"i,j,-,ft [N],fn [N]\"")->type_name("NAMES");
+  command.add_flag("--y-down", a.y_down, "y counts image rows, which point down; it is turned round, fn and ft are kept");
   command.add_option("--doubled", a.doubled, "What to do with a contact listed twice: error, or merge (taken once, mean of its forces)")
       ->check(CLI::IsMember({"error", "merge"}))->type_name("WAY");
 }

@@ -29,7 +29,8 @@ Domain domain_of(const RawGrains& grains, const SampleOptions& options) {
   return d;
 }
 
-Index add_grains(const RawGrains& raw, const Domain& domain, bool has_box, Grains& grains, Problems& problems) {
+/// `closed`: the user gave the box, so that a centre outside is a slip.
+Index add_grains(const RawGrains& raw, const Domain& domain, bool closed, Grains& grains, Problems& problems) {
   Index index;
   grains.resize(raw.rows.size());
   if (raw.rows.empty()) problems.add(0, "there are no grains; give one row a grain");
@@ -41,7 +42,7 @@ Index add_grains(const RawGrains& raw, const Domain& domain, bool has_box, Grain
       problems.add(row.line, fmt::format("the radius of grain {} is {:g} m; a radius must be positive", row.id, row.radius));
     const bool outside_x = !domain.periodic_x && (row.centre.x < domain.wall[left].position || row.centre.x > domain.wall[right].position);
     const bool outside_y = !domain.periodic_y && (row.centre.y < domain.wall[bottom].position || row.centre.y > domain.wall[top].position);
-    if (has_box && (outside_x || outside_y))
+    if (closed && (outside_x || outside_y))
       problems.add(row.line, fmt::format("grain {} lies outside the box; correct its centre, --box or --origin", row.id));
     grains.id[g] = row.id;
     grains.x[g] = row.centre.x;
@@ -75,7 +76,7 @@ std::optional<Geometry> grain_geometry(const Packing& p, const RawContact& row, 
   } else if (distance == 0) {
     problems.add(row.line, fmt::format("grains {} and {} have the same centre; correct it or give nx, ny", row.i, row.j));
     return std::nullopt;
-  } else if (distance > far_apart * (ri + rj)) {
+  } else if (ri > 0 && rj > 0 && distance > far_apart * (ri + rj)) {
     problems.add(row.line, fmt::format("grains {} and {} are {:.3g} times the sum of their radii apart; correct the row, or give "
                                        "--box and --periodic or nx, ny if they touch across a periodic side",
                                        row.i, row.j, distance / (ri + rj)));
@@ -205,7 +206,7 @@ void assemble(const RawGrains& grains, const RawContacts& contacts, const Sample
   if (grain_problems.any()) raise();
   Packing& packing = sample.packing;
   packing.domain = domain_of(grains, options);
-  const Index index = add_grains(grains, packing.domain, grains.has_box, packing.grains, grain_problems);
+  const Index index = add_grains(grains, packing.domain, options.box.has_value(), packing.grains, grain_problems);
   assign_materials(grains, options.materials, packing, grain_problems);
   if (!unreadable) add_contacts(contacts, index, grains.has_box, options, sample, contact_problems);
   raise();

@@ -1,5 +1,7 @@
 #include "io/sample.hpp"
 
+#include <utility>
+
 #include "io/assemble.hpp"
 #include "io/csv.hpp"
 #include "io/lammps_dump.hpp"
@@ -66,6 +68,21 @@ const Format& format_of(std::string_view grains, const SampleOptions& options) {
   return csv;
 }
 
+/// Image rows point down; from here on y points up.
+void turn_rows_up(RawGrains& grains) {
+  for (RawGrain& g : grains.rows) g.centre.y = -g.centre.y;
+  std::swap(grains.box_low.y, grains.box_high.y);
+  grains.box_low.y = -grains.box_low.y;
+  grains.box_high.y = -grains.box_high.y;
+  grains.tilt = -grains.tilt;
+}
+void turn_rows_up(RawContacts& contacts) {
+  for (RawContact& c : contacts.rows) {
+    if (c.normal) c.normal->y = -c.normal->y;
+    if (c.force_on_j) c.force_on_j->y = -c.force_on_j->y;
+  }
+}
+
 void apply_box(const SampleOptions& options, RawGrains& grains, Problems& problems) {
   grains.periodic_x |= options.periodic_x;
   grains.periodic_y |= options.periodic_y;
@@ -96,9 +113,11 @@ Sample read_sample(const std::filesystem::path& grains_path, const std::filesyst
 
   const Format& format = format_of(grains_text, options);
   RawGrains grains = format.grains(grains_text, options, units, grain_problems);
+  if (options.y_down) turn_rows_up(grains);
   if (!grain_problems.any()) apply_box(options, grains, grain_problems);
   const bool own = format.is_contacts(first_line(contacts_text)) || options.format == format.name;
   RawContacts contacts = (own ? format : csv).contacts(contacts_text, grains, options, units, contact_problems);
+  if (options.y_down) turn_rows_up(contacts);
 
   Sample sample;
   assemble(grains, contacts, options, sample, grain_problems, contact_problems);

@@ -19,6 +19,7 @@ struct SampleOptions {
   bool periodic_x = false, periodic_y = false;
   std::optional<double> thickness;     ///< m
   std::optional<std::filesystem::path> materials;  ///< table of material, name, density, stiffness, or of id, material
+  bool y_down = false;                 ///< y counts image rows, which point down: it is turned round, fn and ft kept
   bool merge_doubled = false;          ///< a contact listed twice is taken once, with the mean of its forces
 };
 

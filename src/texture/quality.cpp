@@ -59,6 +59,11 @@ void measure_quality(const View& view, Texture& texture) {
   if (quality.negative_forces > 0)
     texture.notes.push_back(fmt::format("{} of {} normal forces pull; in a sample without cohesion that is an error of measurement.",
                                         quality.negative_forces, view.contacts.size()));
+  double largest = 0;
+  for (const std::size_t c : view.contacts) largest = std::max(largest, view.pairs().fn[c]);
+  if (largest > 50 * view.mean_force && view.mean_force > 0)
+    texture.notes.push_back(fmt::format("The largest force is {:.3g} times the mean, so a few rows decide the mean and all that hangs on it.",
+                                        largest / view.mean_force));
   if (quality.median_imbalance > 0.1)
     texture.notes.push_back(fmt::format("Grains are not in balance: the median resultant is {:.2g} of the mean force, so stresses "
                                         "depend on where moments are taken.", quality.median_imbalance));

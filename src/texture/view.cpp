@@ -154,7 +154,8 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
   const Grains& all = packing.grains;
   has_box = domain.width() > 0 && domain.height() > 0;
   has_thickness = domain.thickness > 0;
-  for (const double r : all.radius) mean_diameter += 2 * r / static_cast<double>(all.size());
+  for (const double r : all.radius) mean_diameter += 2 * r;
+  if (all.size() > 0) mean_diameter /= static_cast<double>(all.size());
 
   window = inner_window(domain, options.border * mean_diameter, has_box);
   const auto inside = [&](Vec2 q) {

@@ -1,0 +1,208 @@
+#include "io/sample.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "core/error.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace arenite::io {
+namespace {
+
+/// Two files in a folder of their own, and what reading them says.
+class Files {
+ public:
+  Files(const std::string& grains, const std::string& contacts) {
+    std::ofstream(grains_) << grains;
+    std::ofstream(contacts_) << contacts;
+  }
+  Sample read(const SampleOptions& options = {}) const { return read_sample(grains_, contacts_, options); }
+  /// All problems as "name:line: message", one a line; empty if there are none.
+  std::string problems(const SampleOptions& options = {}) const {
+    try {
+      read(options);
+    } catch (const InputError& error) {
+      std::string text;
+      for (Problem p : error.problems()) {
+        p.file = std::filesystem::path(p.file).filename().string();
+        text += to_string(p) + "\n";
+      }
+      return text;
+    }
+    return {};
+  }
+  std::filesystem::path operator/(const std::string& name) const { return folder_ / name; }
+
+ private:
+  test::TemporaryFolder folder_;
+  std::filesystem::path grains_ = folder_ / "grains.csv", contacts_ = folder_ / "contacts.csv";
+};
+
+const std::string two_grains = "id,x,y,radius\n7,0,0,1\n9,1.9,0,1\n";
+
+void expect_part(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << "\"" << part << "\" is not in:\n" << text;
+}
+
+TEST(SampleCsv, TurnsTheFilesForceOnJIntoTheModelsForceOnI) {
+  const Sample s = Files(two_grains, "i,j,fn,ft\n7,9,10,2\n").read();
+  const Contacts& c = s.packing.contacts;
+  ASSERT_EQ(c.size(), 1u);
+  // n from i to j is +x, t is +y: the force on grain 9 is (10, 2), on grain 7 (-10, -2).
+  EXPECT_DOUBLE_EQ(c.force_on_i(0).x, -10);
+  EXPECT_DOUBLE_EQ(c.force_on_i(0).y, -2);
+  EXPECT_DOUBLE_EQ(c.nx[0], -1);
+  EXPECT_DOUBLE_EQ(c.arm_i[0], 0.95);  // the point halves the overlap
+  EXPECT_EQ(s.packing.grains.id[1], 9);
+}
+
+TEST(SampleCsv, ReadsUnitsFromTheHeaderARowOfUnitsOrOptions) {
+  const auto radius = [](const std::string& grains, const SampleOptions& o = {}) {
+    return Files(grains, "i,j,fn,ft\n").read(o).packing.grains.radius.at(0);
+  };
+  SampleOptions millimetres;
+  millimetres.length_unit = 1e-3;
+  EXPECT_DOUBLE_EQ(radius("id,x [mm],y [mm],radius [mm]\n1,0,0,16.4\n"), 0.0164);
+  EXPECT_DOUBLE_EQ(radius("id; x (mm); y (mm); radius (mm)\n1; 0; 0; 16.4\n"), 0.0164);
+  EXPECT_DOUBLE_EQ(radius("id,x,y,radius\n-,mm,mm,mm\n1,0,0,16.4\n"), 0.0164);
+  EXPECT_DOUBLE_EQ(radius("id x y radius\n1 0 0 16.4\n", millimetres), 0.0164);
+  EXPECT_DOUBLE_EQ(radius("id,x,y,diameter [cm]\n1,0,0,3.28\n"), 0.0164);
+  EXPECT_DOUBLE_EQ(radius("# a comment\n\nid,x,y,radius [mm]\r\n1,0,0,16.4\r\n", millimetres), 0.0164);
+}
+
+TEST(SampleCsv, SaysWhereItAssumedAUnit) {
+  const Sample assumed = Files(two_grains, "i,j,fn [kN],ft [kN]\n7,9,10,2\n").read();
+  ASSERT_EQ(assumed.notes.size(), 1u);
+  expect_part(assumed.notes[0], "--length-unit");
+  EXPECT_DOUBLE_EQ(assumed.packing.contacts.fn[0], 1e4);
+}
+
+TEST(SampleCsv, ReportsEveryProblemOfBothFilesInOnePassWithItsLine) {
+  const std::string text = Files("id,x,y,radius\n1,0,0,1\n2,1.9,zero,1\n", "i,j,fn,ft\n1,2,nan,0\n1,2\n").problems();
+  expect_part(text, "grains.csv:3: y is \"zero\", which is not a finite number");
+  const std::string checked = Files("id,x,y,radius\n1,0,0,-3\n2,1.9,0,1\n2,3.8,0,1\n",
+                                    "i,j,fn,ft\n1,2,5,0\n2,1,5,0\n1,44,5,0\n1,1,5,0\n").problems();
+  expect_part(checked, "grains.csv:2: the radius of grain 1 is -3 m; a radius must be positive");
+  expect_part(checked, "grains.csv:4: grain 2 appears twice");
+  expect_part(checked, "contacts.csv:3: the contact of 2 and 1 is already in line 2");
+  expect_part(checked, "contacts.csv:4: this contact names grain 44, which is not among the grains");
+  expect_part(checked, "contacts.csv:5: grain 1 cannot touch itself");
+}
+
+TEST(SampleCsv, RefusesWhatIsNoTable) {
+  expect_part(Files("", "i,j,fn,ft\n").problems(), "grains.csv: the file is empty");
+  expect_part(Files("id,x,y,radius\n", "i,j,fn,ft\n").problems(), "there are no grains");
+  expect_part(Files("1,0,0,1\n2,0,0,1\n", "i,j,fn,ft\n").problems(), "grains.csv:1: the first row must name the columns");
+  expect_part(Files("id,x,y\n1,0,0\n", "i,j,fn,ft\n").problems(), "there is no column \"radius\"");
+  expect_part(Files(two_grains, "i,j,fn,ft\n7,9,1\n").problems(), "contacts.csv:2: this row has 3 cells, but there are 4 columns");
+  expect_part(Files("id,x [kN],y,radius\n1,0,0,1\n", "i,j,fn,ft\n").problems(), "\"kN\" is not a length");
+  expect_part(Files("id,x [mn],y,radius\n1,0,0,1\n", "i,j,fn,ft\n").problems(), "mn");
+}
+
+TEST(SampleCsv, CountsProblemsBeyondTwenty) {
+  std::string grains = "id,x,y,radius\n";
+  for (int k = 0; k < 50; ++k) grains += std::to_string(k) + ",0,inf,1\n";
+  const std::string text = Files(grains, "i,j,fn,ft\n").problems();
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 21);
+  expect_part(text, "and 30 more problems");
+}
+
+TEST(SampleCsv, MergesRowsThatRepeatAContactOnlyWhenAsked) {
+  SampleOptions merge;
+  merge.merge_doubled = true;
+  const Sample s = Files(two_grains, "i,j,fn,ft\n7,9,10,2\n9,7,12,4\n").read(merge);
+  EXPECT_EQ(s.doubled_rows, 1u);
+  ASSERT_EQ(s.packing.contacts.size(), 1u);
+  EXPECT_DOUBLE_EQ(s.packing.contacts.fn[0], 11);  // fn and ft keep their signs when i and j change places
+  EXPECT_DOUBLE_EQ(s.packing.contacts.ft[0], 3);
+}
+
+TEST(SampleCsv, JoinsGrainsAcrossPeriodicSidesWithTilt) {
+  SampleOptions o;
+  o.box = Vec2{10, 10};
+  o.tilt = 2;
+  o.periodic_x = o.periodic_y = true;
+  // Grain 2 is above the cell's middle; its image below is shifted by -tilt: (3.4 - 2, 9.6 - 10) = (1.4, -0.4).
+  const Sample s = Files("id,x,y,radius\n1,1,0.2,0.5\n2,3.4,9.6,0.5\n", "i,j,fn,ft\n1,2,1,0\n").read(o);
+  EXPECT_NEAR(s.packing.contacts.nx[0], -0.4 / std::hypot(0.4, 0.6), 1e-12);
+  EXPECT_NEAR(s.packing.contacts.ny[0], 0.6 / std::hypot(0.4, 0.6), 1e-12);
+  EXPECT_NEAR(s.packing.contacts.arm_i[0] + s.packing.contacts.arm_j[0], std::hypot(0.4, 0.6), 1e-12);
+}
+
+TEST(SampleCsv, RefusesAGrainOutsideTheBoxAndAContactOfFarGrains) {
+  SampleOptions o;
+  o.box = Vec2{2, 2};
+  o.origin = Vec2{0, 0};
+  expect_part(Files("id,x,y,radius\n1,1,1,0.5\n2,5,1,0.5\n", "i,j,fn,ft\n").problems(o), "grains.csv:3: grain 2 lies outside the box");
+  expect_part(Files("id,x,y,radius\n1,1,1,0.5\n2,5,1,0.5\n", "i,j,fn,ft\n1,2,1,0\n").problems(), "4 times the sum of their radii apart");
+}
+
+TEST(SampleCsv, NamesWallsByTheirSide) {
+  SampleOptions o;
+  o.box = Vec2{4, 4};
+  const Sample s = Files("id,x,y,radius\n1,1,0.9,1\n", "i,j,fn,ft\n1,bottom,10,1\n").read(o);
+  EXPECT_TRUE(s.packing.contacts.is_wall(0));
+  EXPECT_EQ(s.packing.contacts.wall_side(0), bottom);
+  EXPECT_DOUBLE_EQ(s.packing.contacts.force_on_i(0).y, 10);  // the wall pushes up
+  EXPECT_DOUBLE_EQ(s.packing.contacts.arm_i[0], 0.9);
+}
+
+TEST(SampleCsv, TakesMaterialsFromATableInItsOrder) {
+  const Files files("id,x,y,radius,material\n1,0,0,1,HDPE\n2,3,0,1,POM\n", "i,j,fn,ft\n");
+  std::ofstream(files / "materials.csv") << "material,density [kg/m^3],stiffness [kN/mm]\nPOM,1410,27.35\nHDPE,950,6.43\n";
+  SampleOptions o;
+  o.materials = files / "materials.csv";
+  const Packing p = files.read(o).packing;
+  EXPECT_EQ(p.materials.at(0).name, "POM");
+  EXPECT_DOUBLE_EQ(p.materials.at(0).stiffness, 27.35e6);
+  EXPECT_EQ(p.grains.material[0], 1);
+  std::ofstream(files / "materials.csv") << "material\nPOM\nHDPF\n";
+  expect_part(files.problems(o), "did you mean \"HDPF\"?");
+}
+
+const std::string mercury_data =
+    "1 0 0 0 4 2\n9 9 0 0 9 0 0 0\n"  // an earlier time step
+    "3 0.5 0 0 4 2\n1 1 0 0 1 0 0 0\n2.9 1 0 0 1 0 0 0\n1 1.8 0 0 0.1 0 0 1\n";
+const std::string mercury_fstat =
+    "# 0.5 0\n# 0 0 0 4 2 0\n# 1 1 0 0 0 0\n"
+    "0.5 0 1 1.95 1 0 0.1 0 10 3 -1 0 0 0 1 0\n"   // force on 0: (-10, 3)
+    "0.5 1 0 1.95 1 0 0.1 0 10 3 1 0 0 0 -1 0\n"   // the same contact, for grain 1
+    "0.5 0 -1 0 1 0 0 0 7 1 -1 0 0 0 -1 0\n";      // left wall: MercuryDPM turns n and t round, force on 0: (7, 1)
+
+TEST(SampleMercury, ReadsTheLastStepContactsOnceAndWalls) {
+  const Sample s = Files(mercury_data, mercury_fstat).read();
+  const Packing& p = s.packing;
+  ASSERT_EQ(p.grains.size(), 3u);
+  ASSERT_EQ(p.contacts.size(), 2u);
+  EXPECT_EQ(s.doubled_rows, 0u);  // the format lists both ways
+  EXPECT_NEAR(p.contacts.force_on_i(0).x, -10, 1e-12);
+  EXPECT_NEAR(p.contacts.force_on_i(0).y, 3, 1e-12);
+  EXPECT_EQ(p.contacts.wall_side(1), left);
+  EXPECT_NEAR(p.contacts.force_on_i(1).x, 7, 1e-12);
+  EXPECT_NEAR(p.contacts.force_on_i(1).y, 1, 1e-12);
+  EXPECT_EQ(p.domain.width(), 4);
+  EXPECT_EQ(p.materials.size(), 2u);
+}
+
+TEST(SampleMercury, SaysWhereAFileIsCutOff) {
+  expect_part(Files("3 0.5 0 0 4 2\n1 1 0 0 1 0 0 0\n", mercury_fstat).problems(), "grains.csv:1: 3 grains are announced, but 1 follow");
+}
+
+TEST(SampleLammps, SaysWhereAFileIsCutOffOrLacksAColumn) {
+  const std::string start = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp pp\n0 4\n0 4\n-1 1\n";
+  const std::string pairs = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n0\nITEM: ENTRIES index c_p[1] c_p[2] c_f[1] c_f[2] c_f[3] c_f[4]\n";
+  expect_part(Files(start + "ITEM: ATOMS id type x y radius\n1 1 0 0 1\n", pairs).problems(), "grains.csv:9: the dump announces 2 rows, but 1 follow");
+  expect_part(Files(start + "ITEM: ATOMS id type x y\n1 1 0 0\n2 1 1 1\n", pairs).problems(), "there is no column \"radius\"; dump id type x y radius");
+}
+
+TEST(SampleOptionsGiven, PeriodicSidesNeedTheCell) {
+  SampleOptions o;
+  o.periodic_x = true;
+  expect_part(Files(two_grains, "i,j,fn,ft\n").problems(o), "periodic sides need the size of the cell");
+}
+
+}  // namespace
+}  // namespace arenite::io
