@@ -11,6 +11,11 @@
 
 namespace arenite::study {
 
+/// What kind of value was written, for messages: "a number".
+const char* kind_name(const Node& node);
+/// "a, b, c".
+std::string list_of(const std::vector<std::string>& words);
+
 /// What all readers of one recipe share.
 struct Reading {
   std::string file_name;
