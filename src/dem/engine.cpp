@@ -78,6 +78,7 @@ void run(Sample& s, std::int64_t steps, Sweep&& sweep) {
   if (tracked && !s.ledger.open) open_ledger(s);
   for (std::int64_t n = 0; n < steps; ++n) {
     sweep(s);
+    follow_drift(s);
     if (list_is_stale(s))
       rebuild_list(s);
     else

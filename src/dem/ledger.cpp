@@ -82,7 +82,7 @@ Snapshot take(const Sample& s) {
     edge.servo = s.wall[side].drive.kind == WallDrive::Kind::force;
     if (edge.servo) {
       edge.drive = inward_sign(side) * s.wall[side].drive.value;
-      edge.damping = -servo_damping(s, side) * s.domain.wall[side].velocity;
+      edge.damping = servo_braking(s, side, s.domain.wall[side].velocity);
     }
   }
   return shot;

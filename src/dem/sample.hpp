@@ -60,6 +60,7 @@ struct WallBody {
   WallDrive drive;
   double sample_mass = 0;          ///< kg
   double mass = 0, impedance = 0;  ///< of a force-controlled wall, kg and N s/m (see walls.cpp)
+  double drift = 0;                ///< slow mean of the velocity of a force-controlled wall, m/s along +x or +y
   double rate = 0;                 ///< integrated velocity (half a step behind under Verlet), m/s along +x or +y
   double acceleration = 0;
   std::array<double, 4> higher{};  ///< Gear's further derivatives

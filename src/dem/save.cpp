@@ -72,7 +72,7 @@ void transfer(Archive& a, WallBody& body) {
   auto kind = static_cast<std::int32_t>(body.drive.kind);
   a(kind);
   body.drive.kind = static_cast<WallDrive::Kind>(kind);
-  for (auto* v : {&body.drive.value, &body.mass, &body.impedance, &body.sample_mass, &body.rate, &body.acceleration}) a(*v);
+  for (auto* v : {&body.drive.value, &body.mass, &body.impedance, &body.sample_mass, &body.drift, &body.rate, &body.acceleration}) a(*v);
   for (auto& v : body.higher) a(v);
 }
 

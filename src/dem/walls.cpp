@@ -7,6 +7,11 @@ namespace arenite::dem {
 
 namespace {
 
+/// A wall moves at a given speed: the others have to follow, not to come to rest.
+bool is_steady(const WallDrives& drives) {
+  return std::any_of(drives.begin(), drives.end(), [](const auto& d) { return d.kind == WallDrive::Kind::velocity; });
+}
+
 constexpr double yielding_inertial_number = 0.01;
 
 }  // namespace
@@ -28,20 +33,24 @@ void tune_servo(Sample& s) {
 }
 
 void apply_drives(Sample& s, const WallDrives& drives) {
+  const bool steady = is_steady(drives);
   for (std::size_t side = 0; side < 4; ++side) {
     WallBody& body = s.wall[side];
     body.drive = drives[side];
+    if (!steady) body.drift = 0;
     if (drives[side].kind == WallDrive::Kind::force) continue;
     body.rate = drives[side].kind == WallDrive::Kind::velocity ? drives[side].value : 0.0;
     body.acceleration = 0;
+    body.drift = 0;
     body.higher = {};
     s.domain.wall[side].velocity = body.rate;
   }
 }
 
+namespace {
+
 double servo_damping(const Sample& s, std::size_t side) {
   const WallBody& body = s.wall[side];
-  if (body.drive.kind != WallDrive::Kind::force) return 0;
   const double carried = std::max(s.domain.wall[side].force, 0.0);
   const double share = carried >= body.drive.value ? 1.0 : carried / body.drive.value;
   const double length = side < bottom ? s.domain.width() : s.domain.height();
@@ -49,11 +58,29 @@ double servo_damping(const Sample& s, std::size_t side) {
   return std::min(body.impedance, yielding) * share;
 }
 
+}  // namespace
+
+double servo_braking(const Sample& s, std::size_t side, double velocity) {
+  if (s.wall[side].drive.kind != WallDrive::Kind::force) return 0;
+  return -servo_damping(s, side) * (velocity - s.wall[side].drift);
+}
+
+void follow_drift(Sample& s) {
+  const WallDrives drives{s.wall[left].drive, s.wall[right].drive, s.wall[bottom].drive, s.wall[top].drive};
+  if (!is_steady(drives)) return;
+  for (std::size_t side = 0; side < 4; ++side) {
+    WallBody& body = s.wall[side];
+    if (body.drive.kind != WallDrive::Kind::force) continue;
+    const double passages = 10.0 * body.sample_mass / body.impedance;
+    body.drift += s.dt / passages * (s.domain.wall[side].velocity - body.drift);
+  }
+}
+
 double wall_acceleration(const Sample& s, std::size_t side, double velocity) {
   const WallBody& body = s.wall[side];
   if (body.drive.kind != WallDrive::Kind::force) return 0;
   const double push = body.drive.value - s.domain.wall[side].force;
-  return (inward_sign(side) * push - servo_damping(s, side) * velocity) / body.mass;
+  return (inward_sign(side) * push + servo_braking(s, side, velocity)) / body.mass;
 }
 
 }  // namespace arenite::dem

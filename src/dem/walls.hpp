@@ -5,7 +5,10 @@ namespace arenite::dem {
 
 /// Gives force-controlled walls (or edges of a periodic cell) their mass and impedance from the sample.
 ///
-/// A force-controlled wall obeys m q'' = F_target - F_grains - c q', q its way into the sample.
+/// A force-controlled wall obeys m q'' = F_target - F_grains - c (q' - w), q its way into the sample, w the slow mean of
+/// q', w' = (q' - w)/tau, while another wall is driven by velocity, else 0: what rings is braked, what follows a steady
+/// deformation is not, so a sample that is sheared at constant speed feels the target alone. tau is ten passages of a
+/// wave, 10 M/Z.
 /// A sample of mass M that is as stiff as a crystal of its grains carries waves with the impedance Z = sqrt(K M),
 /// K = k W/H: a wall damped by c = Z swallows the waves that reach it, so the sample comes to rest in about one passage
 /// instead of ringing. But a loose sample under a small force F yields rather than rings, and then Z would brake it:
@@ -24,8 +27,11 @@ void apply_drives(Sample& sample, const WallDrives& drives);
 /// along +x or +y.
 double wall_acceleration(const Sample& sample, std::size_t side, double velocity);
 
-/// Damping coefficient c of the wall now, N s/m; 0 unless force-controlled.
-double servo_damping(const Sample& sample, std::size_t side);
+/// Braking force on a force-controlled wall at this velocity, N along +x or +y; 0 unless force-controlled.
+double servo_braking(const Sample& sample, std::size_t side, double velocity);
+
+/// Lets the walls' drift follow their velocity over the step just made.
+void follow_drift(Sample& sample);
 
 /// +1 if the wall's way into the sample is along +x or +y.
 constexpr double inward_sign(std::size_t side) { return side % 2 == 0 ? 1.0 : -1.0; }

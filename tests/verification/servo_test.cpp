@@ -84,6 +84,16 @@ TEST(Servo, CyclesFrom6To60KiloNewtonComeBackToTheSameStateInAnElasticFrictionle
     EXPECT_LT(norm(last.grains.centre(i) - first.grains.centre(i)), 1e-6 * travelled);
 }
 
+TEST(Servo, HoldsItsForceWhileTheOppositeWallPushesTheSampleAlong) {
+  Engine engine(crystal(), frictionless(0.1), with_step(crystal_step()));
+  engine.set_drives(bottom_pressed(5000));
+  ASSERT_TRUE(settle(engine));
+  engine.set_drives({dem::WallDrive{}, dem::WallDrive{}, pressed(5000), moved(-0.2)});
+  engine.advance(40000);
+  EXPECT_NEAR(engine.domain().wall[bottom].force, 5000, 5);
+  EXPECT_NEAR(engine.domain().wall[bottom].velocity, -0.2, 2e-4);
+}
+
 TEST(Servo, AWallDrivenByVelocityMovesByItExactly) {
   Engine engine(crystal(), frictionless(0.1), with_step(crystal_step()));
   engine.set_drives({moved(-0.2), moved(0.3), moved(-0.4), moved(0.5)});
