@@ -44,6 +44,10 @@ Index add_grains(const RawGrains& raw, const Domain& domain, bool closed, Grains
     const bool outside_y = !domain.periodic_y && (row.centre.y < domain.wall[bottom].position || row.centre.y > domain.wall[top].position);
     if (closed && (outside_x || outside_y))
       problems.add(row.line, fmt::format("grain {} lies outside the box; correct its centre, --box or --origin", row.id));
+    if (row.zone < 0 || row.zone > 255)
+      problems.add(row.line, fmt::format("the zone of grain {} is {}; zones are numbers from 0 to 255", row.id, row.zone));
+    else
+      grains.zone[g] = static_cast<std::uint8_t>(row.zone);
     grains.id[g] = row.id;
     grains.x[g] = row.centre.x;
     grains.y[g] = row.centre.y;

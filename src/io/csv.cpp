@@ -24,7 +24,7 @@ Field find_field(const Table& table, std::initializer_list<std::string_view> nam
   try {
     field.factor = unit_factor(table.columns[*field.index].unit, dimension);
   } catch (const InputError& error) {
-    problems.add(1, fmt::format("column {}: {}", table.columns[*field.index].name, error.problems().front().message));
+    problems.add(table.header_line, fmt::format("column {}: {}", table.columns[*field.index].name, error.problems().front().message));
   }
   return field;
 }
@@ -41,8 +41,8 @@ void note_assumed_unit(const Table& table, const Field& field, bool chosen, cons
                                 what, si, option, table.columns[*field.index].name));
 }
 
-void require(bool found, const char* column, const char* kind, Problems& problems) {
-  if (!found) problems.add(1, fmt::format("there is no column \"{}\"; {}", column, kind));
+void require(const Table& table, bool found, const char* column, const char* kind, Problems& problems) {
+  if (!found) problems.add(table.header_line, fmt::format("there is no column \"{}\"; {}", column, kind));
 }
 
 std::optional<int> wall_by_name(std::string_view cell) {
@@ -62,11 +62,11 @@ RawGrains read_grains_csv(std::string_view text, const std::string& columns, con
   const Field y = find_field(table, {"y"}, dimension::length, units.length, problems);
   const Field radius = find_field(table, {"radius", "r"}, dimension::length, units.length, problems);
   const Field diameter = find_field(table, {"diameter", "d"}, dimension::length, units.length, problems);
-  const auto material = table.find({"material"});
-  constexpr const char* kind = "grains need id, x, y, radius and may have material";
-  require(x.index.has_value(), "x", kind, problems);
-  require(y.index.has_value(), "y", kind, problems);
-  require(radius || diameter, "radius", kind, problems);
+  const auto material = table.find({"material"}), zone = table.find({"zone"});
+  constexpr const char* kind = "grains need id, x, y, radius and may have material, zone";
+  require(table, x.index.has_value(), "x", kind, problems);
+  require(table, y.index.has_value(), "y", kind, problems);
+  require(table, radius || diameter, "radius", kind, problems);
   if (!x || !y || (!radius && !diameter)) return grains;
   note_assumed_unit(table, x, units.length_chosen, "length", "m", "--length-unit", grains.notes);
   for (const auto& row : table.rows) {
@@ -76,6 +76,7 @@ RawGrains read_grains_csv(std::string_view text, const std::string& columns, con
     grain.centre = {number(table, row, x, problems), number(table, row, y, problems)};
     grain.radius = radius ? number(table, row, radius, problems) : 0.5 * number(table, row, diameter, problems);
     if (material) grain.material = row.cells[*material];
+    if (zone) grain.zone = integer_or_problem(row.cells[*zone], "zone", row.line, problems);
     grains.rows.push_back(std::move(grain));
   }
   return grains;
@@ -93,11 +94,11 @@ RawContacts read_contacts_csv(std::string_view text, const std::string& columns,
   const Field nx = find_field(table, {"nx"}, dimension::none, 1, problems);
   const Field ny = find_field(table, {"ny"}, dimension::none, 1, problems);
   constexpr const char* kind = "contacts need i, j, fn, ft (or fx, fy for the force on j) and may have nx, ny";
-  require(i.has_value(), "i", kind, problems);
-  require(j.has_value(), "j", kind, problems);
+  require(table, i.has_value(), "i", kind, problems);
+  require(table, j.has_value(), "j", kind, problems);
   const bool vector = fx && fy && !fn;
-  require(fn || vector, "fn", kind, problems);
-  if (nx && !ny) problems.add(1, "there is a column nx but no ny; give both or neither");
+  require(table, fn || vector, "fn", kind, problems);
+  if (nx && !ny) problems.add(table.header_line, "there is a column nx but no ny; give both or neither");
   if (!i || !j || (!fn && !vector)) return contacts;
   note_assumed_unit(table, fn ? fn : fx, units.force_chosen, "force", "N", "--force-unit", contacts.notes);
   for (const auto& row : table.rows) {

@@ -7,7 +7,7 @@
 
 namespace arenite::io {
 
-/// Grains from a table with columns id, x, y, radius (or diameter) and perhaps material. Units in the header win over
+/// Grains from a table with columns id, x, y, radius (or diameter) and perhaps material and zone. Units in the header win over
 /// `units`. `columns` stands for a missing header. What is wrong goes to `problems`.
 RawGrains read_grains_csv(std::string_view text, const std::string& columns, const UnitFactors& units, Problems& problems);
 

@@ -41,7 +41,7 @@ Material read_material(const Table& table, const Table::Row& row, const std::str
     try {
       if (!table.columns[*column].unit.empty()) factor = unit_factor(table.columns[*column].unit, property.dimension);
     } catch (const InputError& error) {
-      problems.add(1, fmt::format("column {}: {}", property.column, error.problems().front().message));
+      problems.add(table.header_line, fmt::format("column {}: {}", property.column, error.problems().front().message));
     }
     material.*property.member = number_or_problem(row.cells[*column], property.column, factor, row.line, problems);
   }
@@ -60,7 +60,7 @@ MaterialTable read_material_table(const std::filesystem::path& file) {
   const std::string text = read_file(file);
   const Table table = read_table(text, {}, problems);
   const auto label = table.find({"material"}), id = table.find({"id", "grain"});
-  if (!label) problems.add(1, "there is no column \"material\"; give material,name,density [kg/m^3],stiffness [N/m] or id,material");
+  if (!label) problems.add(table.header_line, "there is no column \"material\"; give material,name,density [kg/m^3],stiffness [N/m] or id,material");
   MaterialTable result;
   for (const auto& row : table.rows) {
     if (!label) break;

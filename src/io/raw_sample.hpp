@@ -20,6 +20,7 @@ struct RawGrain {
   Vec2 centre;
   double radius = 0;
   std::string material;                ///< as written; empty if the file has none
+  std::int64_t zone = 0;               ///< 0: none; 1: glued
   int line = 0;
 };
 

@@ -22,15 +22,24 @@ std::string lower(std::string_view s) {
   return result;
 }
 
+/// Without the quotes around a cell; a doubled quote inside stays as it is written.
+std::string_view unquoted(std::string_view cell) {
+  return cell.size() >= 2 && cell.front() == '"' && cell.back() == '"' ? cell.substr(1, cell.size() - 2) : cell;
+}
+
+/// Cuts at separators that are not inside quotes.
 std::vector<std::string_view> split(std::string_view line, char separator) {
   if (separator == ' ') return split_blanks(line);
   std::vector<std::string_view> cells;
-  for (;;) {
-    const auto end = line.find(separator);
-    cells.push_back(trimmed(line.substr(0, end)));
-    if (end == std::string_view::npos) return cells;
-    line.remove_prefix(end + 1);
+  std::size_t start = 0;
+  bool quoted = false;
+  for (std::size_t at = 0; at <= line.size(); ++at) {
+    if (at < line.size() && line[at] == '"') quoted = !quoted;
+    if (at < line.size() && (quoted || line[at] != separator)) continue;
+    cells.push_back(unquoted(trimmed(line.substr(start, at - start))));
+    start = at + 1;
   }
+  return cells;
 }
 
 char separator_of(std::string_view line) {
@@ -41,7 +50,6 @@ char separator_of(std::string_view line) {
 
 /// "x [mm]", "x (mm)" -> x, mm.
 Table::Column column_of(std::string_view cell) {
-  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
   const auto open = cell.find_first_of("[(");
   const bool closed = open != std::string_view::npos && (cell.back() == ']' || cell.back() == ')');
   if (!closed) return {lower(trimmed(cell)), {}};
@@ -115,6 +123,7 @@ Table read_table(std::string_view text, const std::string& columns, Problems& pr
     if (separator == 0) separator = separator_of(line);
     Table::Row row{lines.number(), split(line, separator)};
     if (table.columns.empty()) {
+      table.header_line = row.line;
       for (const std::string_view cell : row.cells) table.columns.push_back(column_of(cell));
       check_header(table, row.line, problems);
       if (to_number(row.cells.front()))

@@ -9,7 +9,8 @@
 
 namespace arenite::io {
 
-/// Text cut into rows of cells. Separator: comma, semicolon or tab if the first row has one, else blanks. Lines that
+/// Text cut into rows of cells. Separator: comma, semicolon or tab if the first row has one, else
+/// blanks. A cell may stand in double quotes. Lines that
 /// start with # and empty lines are skipped. Cells point into the text, which must outlive the table.
 struct Table {
   struct Row {
@@ -21,6 +22,7 @@ struct Table {
     std::string unit;                  ///< "mm" from "x [mm]", "x (mm)" or a row of units below the header; or empty
   };
   std::vector<Column> columns;         ///< from the header; empty if there is none
+  int header_line = 0;                 ///< 0 if columns were given
   std::vector<Row> rows;               ///< of data
 
   /// Index of the first column that has one of these names.

@@ -73,6 +73,13 @@ TEST(SampleCsv, ReadsUnitsFromTheHeaderARowOfUnitsOrOptions) {
   EXPECT_DOUBLE_EQ(radius("# a comment\n\nid,x,y,radius [mm]\r\n1,0,0,16.4\r\n", millimetres), 0.0164);
 }
 
+TEST(SampleCsv, ReadsQuotedCellsAndZones) {
+  const Packing p = Files("id,x,y,radius,material,zone\n1,0,0,1,\"POM, black\",1\n2,3,0,1,HDPE,0\n", "i,j,fn,ft\n").read().packing;
+  EXPECT_EQ(p.materials.at(0).name, "POM, black");
+  EXPECT_EQ(p.grains.zone[0], 1);
+  EXPECT_EQ(p.grains.zone[1], 0);
+}
+
 TEST(SampleCsv, SaysWhereItAssumedAUnit) {
   const Sample assumed = Files(two_grains, "i,j,fn [kN],ft [kN]\n7,9,10,2\n").read();
   ASSERT_EQ(assumed.notes.size(), 1u);
@@ -99,6 +106,7 @@ TEST(SampleCsv, RefusesWhatIsNoTable) {
   expect_part(Files("id,x,y\n1,0,0\n", "i,j,fn,ft\n").problems(), "there is no column \"radius\"");
   expect_part(Files(two_grains, "i,j,fn,ft\n7,9,1\n").problems(), "contacts.csv:2: this row has 3 cells, but there are 4 columns");
   expect_part(Files("id,x [kN],y,radius\n1,0,0,1\n", "i,j,fn,ft\n").problems(), "\"kN\" is not a length");
+  expect_part(Files("# from the laboratory\nid,x [kN],y,radius\n1,0,0,1\n", "i,j,fn,ft\n").problems(), "grains.csv:2: column x");
   expect_part(Files("id,x [mn],y,radius\n1,0,0,1\n", "i,j,fn,ft\n").problems(), "mn");
 }
 
