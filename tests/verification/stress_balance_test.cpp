@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support.hpp"
+#include "texture/texture.hpp"
+
+namespace arenite::verification {
+namespace {
+
+/// 8 x 8 disks of two sizes and materials with friction, pressed from below under their weight until they rest.
+Packing pressed_sample() {
+  const double cell = 13e-3;
+  Packing p = box(8 * cell, 8 * cell);
+  RandomStream random(5, Purpose::test);
+  for (int r = 0; r < 8; ++r)
+    for (int c = 0; c < 8; ++c) {
+      const bool small = random.below(2) == 1;
+      const double radius = small ? 5.25e-3 : 6.2e-3;
+      add(p, {{(c + 0.5) * cell + random.uniform(-2e-4, 2e-4), (r + 0.5) * cell}, radius, small ? hdpe : pom});
+    }
+  dem::ContactParameters law;
+  law.friction_law = dem::FrictionLaw::cundall_strack;
+  dem::Engine engine(p, law, {});
+  engine.set_gravity({0, -gravity});
+  engine.set_drag(30);
+  engine.set_drives({dem::WallDrive{}, dem::WallDrive{}, pressed(5000), dem::WallDrive{}});
+  EXPECT_TRUE(settle(engine, 1e-6, 1e-8, 800)) << engine.equilibrium().unbalanced_ratio << " " << engine.equilibrium().kinetic_ratio;
+  return engine.packing();
+}
+
+double largest_difference(const Tensor2& a, const Tensor2& b) {
+  return std::max({std::abs(a.xx - b.xx), std::abs(a.xy - b.xy), std::abs(a.yx - b.yx), std::abs(a.yy - b.yy)});
+}
+
+TEST(StressBalance, OfContactsGrainsAndWallsAgreeAtRest) {
+  texture::Options options;
+  options.gravity = {0, -gravity};
+  const texture::Stress stress = texture::measure(pressed_sample(), options).stress;
+  const double size = stress.pressure;
+  EXPECT_GT(size, 1e5);
+  EXPECT_LT(largest_difference(stress.whole.value, stress.grains), 1e-12 * size);
+  EXPECT_LT(largest_difference(stress.whole.value, stress.walls), 1e-5 * size);  // the residual, times the distance across
+  EXPECT_NEAR(stress.whole.value.xy, stress.whole.value.yx, 1e-5 * size);        // no torque is left on any grain
+}
+
+TEST(StressBalance, NeedsTheWeight) {
+  const texture::Stress stress = texture::measure(pressed_sample()).stress;
+  EXPECT_GT(largest_difference(stress.whole.value, stress.walls), 1e-3 * stress.pressure);
+}
+
+}  // namespace
+}  // namespace arenite::verification
