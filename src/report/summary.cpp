@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "io/run_folder.hpp"
@@ -48,20 +47,20 @@ Json state(const Frame& frame) {
           {"energies_J", energies(frame.energies)}};
 }
 
-/// "0.842 +- 0.003" of a {"value", "error"}; empty where it is not known.
-std::string estimate(const Json& at, const char* name) {
-  if (!at.contains(name) || !at[name].contains("value") || !at[name]["value"].is_number()) return {};
-  const double value = at[name]["value"];
-  const Json& error = at[name]["error"];
-  return error.is_number() ? fmt::format("{:.4g} +- {:.2g}", value, error.get<double>()) : fmt::format("{:.4g}", value);
-}
-
 /// Lines "name  value", the values in one column.
 class Lines {
  public:
   void heading(const std::string& text) { text_ += "\n" + text + "\n"; }
   void add(const std::string& name, const std::string& value) {
-    if (!value.empty()) text_ += fmt::format("  {:<24} {}\n", name, value);
+    if (!value.empty()) text_ += fmt::format("  {:<34} {}\n", name, value);
+  }
+  /// Lines that are laid out already.
+  void block(std::string_view lines) {
+    while (!lines.empty()) {
+      const auto length = std::min(lines.find('\n'), lines.size());
+      text_ += fmt::format("  {}\n", lines.substr(0, length));
+      lines.remove_prefix(std::min(length + 1, lines.size()));
+    }
   }
   std::string text() && { return std::move(text_); }
 
@@ -90,43 +89,6 @@ void describe_state(Lines& lines, const Frame& frame) {
     }
 }
 
-void describe_sets(Lines& lines, const Json& at, const char* group, const char* unit_free_name) {
-  if (at.contains(group))
-    for (const auto& [name, set] : at[group].items()) lines.add(fmt::format("{} {}", unit_free_name, name), estimate(set, "beta"));
-}
-
-void describe_texture(Lines& lines, const Json& t) {
-  lines.heading("Texture");
-  lines.add("grains, contacts", fmt::format("{}, {}", t.value("grains", 0), t.value("contacts", 0)));
-  lines.add("solid fraction", estimate(t, "solid_fraction"));
-  if (t.contains("coordination"))
-    for (const auto& [name, value] : t["coordination"].items())
-      if (value.contains("value")) lines.add("coordination " + name, estimate(t["coordination"], name.c_str()));
-  if (t.contains("fabric")) {
-    lines.add("anisotropy a_c", estimate(t["fabric"], "a_c"));
-    lines.add("its direction, deg", estimate(t["fabric"], "theta_c_deg"));
-  }
-  if (t.contains("stress") && t["stress"].contains("value")) {
-    const Json& s = t["stress"]["value"];
-    if (s[0][0].is_number())
-      lines.add("stress xx, xy, yx, yy", fmt::format("{:.5g}, {:.5g}, {:.5g}, {:.5g} Pa (tension positive)", s[0][0].get<double>(),
-                                                     s[0][1].get<double>(), s[1][0].get<double>(), s[1][1].get<double>()));
-  }
-  if (t.contains("force")) {
-    lines.add("mean normal force, N", estimate(t["force"], "mean_N"));
-    lines.add("share above the mean", estimate(t["force"], "strong_share"));
-    lines.add("force tail beta", estimate(t["force"], "beta"));
-    describe_sets(lines, t["force"], "by_type", "force tail beta");
-  }
-  if (t.contains("sigma_norm")) {
-    lines.add("sigma_norm P0", estimate(t["sigma_norm"], "P0"));
-    lines.add("sigma_norm tail beta", estimate(t["sigma_norm"], "beta"));
-    describe_sets(lines, t["sigma_norm"], "by_material", "sigma_norm tail beta");
-  }
-  if (t.contains("notes"))
-    for (const auto& note : t["notes"]) lines.add("note", note.get<std::string>());
-}
-
 }  // namespace
 
 Summary::Summary(const std::filesystem::path& result) {
@@ -136,13 +98,13 @@ Summary::Summary(const std::filesystem::path& result) {
     if (stage.states > 1) stage.result.frames.erase(stage.result.frames.begin(), stage.result.frames.end() - 1);
     stages_.push_back(std::move(stage));
   }
-  const StageResult& last = stages_.back().result;
-  texture_ = last.texture_json;
-  if (texture_.empty()) texture_ = last.frames.empty() ? "{}" : texture::to_json(texture::measure(last.frames.back().packing));
 }
 
 std::string Summary::json() const {
-  Json j = Json::parse(texture_);
+  const StageResult& last = stages_.back().result;
+  std::string texture = last.texture_json;
+  if (texture.empty() && !last.frames.empty()) texture = texture::to_json(texture::measure(last.frames.back().packing));
+  Json j = texture.empty() ? Json::object() : Json::parse(texture);
   j["provenance"] = provenance(stages_.back().result.provenance);
   for (const Stage& stage : stages_) {
     Json one{{"name", stage.result.name}, {"file", stage.file}, {"input_hash", stage.result.provenance.input_hash},
@@ -157,11 +119,17 @@ std::string Summary::text() const {
   const StageResult& last = stages_.back().result;
   Lines lines;
   lines.heading("Stages");
-  for (const Stage& stage : stages_)
-    lines.add(stage.result.name, fmt::format("{}{} ({} states, {})", stage.result.converged ? "" : "NOT AT REST: ", stage.result.outcome,
-                                             stage.states, stage.file));
+  for (const Stage& stage : stages_) {
+    lines.add(stage.result.name, (stage.result.converged ? "" : "NOT AT REST: ") + stage.result.outcome);
+    lines.add("", fmt::format("{} {} in {}", stage.states, stage.states == 1 ? "state" : "states", stage.file));
+  }
   if (!last.frames.empty()) describe_state(lines, last.frames.back());
-  describe_texture(lines, Json::parse(texture_));
+  lines.heading("Texture of the last state");
+  if (!last.frames.empty()) {
+    texture::Options options;
+    options.rev_sizes = 0;  // the text does not show the REV study, which takes longest
+    lines.block(texture::to_text(texture::measure(last.frames.back().packing, options)));
+  }
   return fmt::format("Made by Arenite {}, kernel {}, seed {}; input {}\n", last.provenance.version, last.provenance.kernel,
                      last.provenance.seed, last.provenance.input_hash) +
          std::move(lines).text();

@@ -8,7 +8,7 @@
 namespace arenite::report {
 
 /// A result in a few numbers: what made it, how every stage ended, and the last state with its walls, equilibrium,
-/// energies and texture. The texture is the one stored with the result, or measured now if none is.
+/// energies and texture. The JSON's texture is the one stored with the result, or measured now if none is.
 class Summary {
  public:
   /// Reads a stage file or the stage files of a run's folder. Throws InputError for anything else.
@@ -24,7 +24,6 @@ class Summary {
     std::size_t states = 0;
   };
   std::vector<Stage> stages_;
-  std::string texture_;       ///< JSON; "{}" if there is no state
 };
 
 }  // namespace arenite::report

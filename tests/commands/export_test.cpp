@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "io/atomic_file.hpp"
 #include "io/read_file.hpp"
 #include "io/stage_file.hpp"
@@ -70,6 +72,42 @@ TEST_F(Export, TextFormatsHoldWhatTheStageFileHolds) {
     const auto read = shell(python("compare_tables.py") + file.string() + " " + quoted(out) + " " + format);
     EXPECT_EQ(read.status, 0) << format << read.err;
   }
+}
+
+/// Every number of `a` that `b` has under the same name, too, is the same to rounding; returns how many there are.
+std::size_t compare_numbers(const nlohmann::json& a, const nlohmann::json& b, const std::string& place) {
+  if (a.is_number() && b.is_number()) {
+    const double x = a, y = b;
+    EXPECT_NEAR(x, y, 1e-9 * std::max(std::abs(x), std::abs(y)) + 1e-12) << place;
+    return 1;
+  }
+  std::size_t count = 0;
+  if (a.is_object() && b.is_object())
+    for (const auto& [key, value] : a.items())
+      if (b.contains(key)) count += compare_numbers(value, b[key], place + "/" + key);
+  if (a.is_array() && b.is_array() && a.size() == b.size())
+    for (std::size_t k = 0; k < a.size(); ++k) count += compare_numbers(a[k], b[k], place + "/" + std::to_string(k));
+  return count;
+}
+
+TEST_F(Export, MeasureReadsTheTablesAndTheDumpsAndFindsTheTextureThatShowTells) {
+  auto result = test::two_frames(6);
+  result.texture_json.clear();
+  result.frames.pop_back();
+  io::write_stage(file, result);
+  const auto shown = nlohmann::json::parse(arenite("show --json " + file.string()).out);
+  ASSERT_EQ(arenite("export --last --to csv " + file.string()).status, 0);
+  const auto tables = arenite("measure --json --box 0.13,0.05 --origin=-0.01,0 --thickness 0.06 " + (folder / "csv/grains_0000.csv").string() + " " +
+                              (folder / "csv/contacts_0000.csv").string());
+  ASSERT_EQ(tables.status, 0) << tables.err;
+  EXPECT_GT(compare_numbers(shown, nlohmann::json::parse(tables.out), "tables"), 60u);
+  ASSERT_EQ(arenite("export --last --to lammps " + file.string()).status, 0);
+  const auto dumps = arenite("measure --json --thickness 0.06 " + (folder / "lammps/grains.dump").string() + " " + (folder / "lammps/contacts.dump").string());
+  ASSERT_EQ(dumps.status, 0) << dumps.err;
+  const auto read = nlohmann::json::parse(dumps.out);  // a local dump has no walls, so what these decide differs
+  using Pointer = nlohmann::json::json_pointer;
+  for (const char* part : {"/solid_fraction", "/coordination/all", "/fabric/a_c", "/fabric/phi", "/force"})
+    EXPECT_GT(compare_numbers(shown[Pointer(part)], read[Pointer(part)], part), 0u) << part;
 }
 
 TEST_F(Export, AFolderOfStagesIsOneLoadingAndASharedStateIsWrittenOnce) {

@@ -36,7 +36,7 @@ TEST(Show, JsonHasProvenanceStagesAndTheTextureOfTheLastState) {
   EXPECT_EQ(j["grains"], 6);
   EXPECT_EQ(j["contacts"], 5);
   EXPECT_NEAR(j["coordination"]["all"]["value"], 2.0 * 5 / 6, 1e-12);
-  EXPECT_NEAR(j["force"]["mean_N"]["value"], 30, 1e-9);
+  EXPECT_NEAR(j["force"]["mean_N"]["value"], 110, 1e-9);
   for (const char* field : {"solid_fraction", "fabric", "stress", "sigma_norm"}) EXPECT_TRUE(j.contains(field)) << field;
 }
 

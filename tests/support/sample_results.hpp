@@ -34,9 +34,12 @@ inline Packing row_of_grains(int n, double shift = 0) {
     grains.vx[i] = 1e-3 * k;
     grains.vy[i] = -2e-3 * k;
     grains.omega[i] = 3e-3 * k;
-    if (i > 0)
-      packing.contacts.add(static_cast<std::int32_t>(i) - 1, static_cast<std::int32_t>(i), {-1, 0}, 10.0 * k, 0.1 * k, 0.01, 0.01);
-    packing.contacts.add(static_cast<std::int32_t>(i), wall_partner(bottom), {0, 1}, 5.0 + k, -0.25, 0.01, 0);
+    if (i > 0) {
+      const Vec2 branch = grains.centre(i - 1) - grains.centre(i);
+      const double half = 0.5 * norm(branch);
+      packing.contacts.add(static_cast<std::int32_t>(i) - 1, static_cast<std::int32_t>(i), 0.5 / half * branch, 10.0 * k * k, 0.1 * k, half, half);
+    }
+    packing.contacts.add(static_cast<std::int32_t>(i), wall_partner(bottom), {0, 1}, 5.0 + k, -0.25, grains.y[i] - packing.domain.wall[bottom].position, 0);
   }
   if (packing.contacts.size() > 0) packing.contacts.overlap[0] = 1e-4;
   return packing;
