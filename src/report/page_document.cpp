@@ -1,7 +1,8 @@
 #include "report/page_document.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <fmt/format.h>
+
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -131,10 +132,18 @@ const texture::Texture* texture_of(const PageData& data, std::size_t stage, std:
   return nullptr;
 }
 
+/// Six significant digits: more than a figure or a standard error can use, and a third of the bytes.
+void shorten(Json& value) {
+  if (value.is_number_float()) value = std::strtod(fmt::format("{:.6g}", value.get<double>()).c_str(), nullptr);
+  else if (value.is_structured())
+    for (Json& part : value) shorten(part);
+}
+
 /// The statistics as texture writes them; the rows by grain go into the block.
 Json texture_json(const texture::Texture& texture, NumberBlock& block) {
   Json out = Json::parse(texture::to_json(texture, true));
   out.erase("by_grain");
+  shorten(out);
   const texture::PerGrain& rows = texture.per_grain;
   out["window"] = {{"known", texture.window.known}, {"x", {texture.window.x_min, texture.window.x_max}},
                    {"y", {texture.window.y_min, texture.window.y_max}}};

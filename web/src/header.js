@@ -16,10 +16,7 @@ export function header(sample, state) {
 
 function subtitle(sample) {
   const frame = sample.frame(sample.frameCount - 1), box = sample.box(frame);
-  const counts = sample.materials.map((material, m) => {
-    const count = sample.material.reduce((sum, other) => sum + (other === m), 0);
-    return `${text.count(count)} ${material.name}`;
-  });
+  const counts = sample.materials.map((material, m) => `${text.count(sample.materialCounts[m])} ${material.name}`);
   const size = `${text.number(1e3 * (box.right - box.left), 4)} \u00d7 ${text.number(1e3 * (box.top - box.bottom), 4)}\u202fmm`;
   const force = Math.max(...frame.domain.walls.map((wall) => wall.force));
   return [...counts, size, ...(force > 0 ? [`${text.quantity(force, "N")} on the frame`] : [])];

@@ -1,62 +1,95 @@
 import { h, rich } from "./dom.js";
 import { prefixOf, text } from "./text.js";
 
-/** The rows of the table of numbers: [group, name, symbol, estimate, unit, scale]. */
-function rowsOf(t, sample) {
-  const rows = [];
-  const add = (group, name, symbol, estimate, unit = "", scale = 1) => {
-    if (estimate === undefined || estimate === null) return;
-    const { value, error } = typeof estimate === "number" ? { value: estimate, error: null } : estimate;
-    if (value === null || value === undefined) return;
-    rows.push({ group, name, symbol, value: value * scale, error: error === null || error === undefined ? null : error * Math.abs(scale), unit });
-  };
-  const bySize = (group, name, symbol, estimate, unit, sign = 1) => {
-    if (!estimate) return;
-    const { factor, prefix } = prefixOf(Math.abs(estimate.value ?? estimate), unit);
-    add(group, name, symbol, estimate, prefix + unit, sign / factor);
-  };
-  add("Structure", "grains considered", "N_{p}", t.considered?.grains);
-  add("Structure", "contacts considered", "N_{c}", t.considered?.contacts);
-  add("Structure", "solid fraction", "\u03c6", t.solid_fraction);
-  add("Structure", "local order", "\u03c8_{6}", t.local_order?.psi6);
+const plain = (name) => name.replace("-", "\u2013");
+
+/** An estimate times `scale`, as text: "0.124 ± 0.029". */
+function written(estimate, scale = 1, digits = 4) {
+  if (estimate === undefined || estimate === null) return "";
+  if (typeof estimate === "number") return Number.isInteger(estimate) && scale === 1 ? text.count(estimate) : text.number(estimate * scale, digits);
+  const { value, error } = text.withError(estimate.value * scale, estimate.error * Math.abs(scale));
+  return [value, error && h("small", {}, ` \u00b1 ${error}`)];
+}
+
+/** The prefix that suits the largest of some estimates: { scale, unit }. */
+function inUnit(estimates, unit) {
+  const largest = Math.max(0, ...estimates.filter(Boolean).map((e) => Math.abs(e.value ?? e)));
+  const { factor, prefix } = prefixOf(largest, unit);
+  return { scale: 1 / factor, unit: prefix + unit };
+}
+
+/** A table with a row a set and a column a statistic; `columns` = [{ head, unit, of, scale }]. */
+function grid(title, sets, columns) {
+  const shown = columns.filter(({ of }) => sets.some(([, set]) => of(set) !== undefined && of(set) !== null));
+  return h("table", {}, h("caption", {}, title),
+    h("thead", {}, h("tr", {}, h("th"), shown.map(({ head, unit }) => h("th", {}, rich(head), unit && h("small", {}, `, ${unit}`))))),
+    h("tbody", {}, sets.map(([name, set]) => h("tr", {}, h("td", {}, plain(name)), shown.map(({ of, scale, digits }) => h("td", {}, written(of(set), scale, digits)))))));
+}
+
+/** A table of single numbers; rows = [name, symbol, estimate, unit, scale]. */
+function list(title, rows) {
+  const known = rows.filter(([, , estimate]) => estimate !== undefined && estimate !== null);
+  if (known.length === 0) return null;
+  return h("table", {}, h("caption", {}, title), h("tbody", {}, known.map(([name, symbol, estimate, unit = "", scale = 1]) =>
+    h("tr", {}, h("td", {}, name, symbol && [" ", h("span", { class: "symbol" }, rich(symbol))]), h("td", {}, written(estimate, scale), unit && h("small", {}, `\u202f${unit}`))))));
+}
+
+function structure(t) {
+  return list("Structure", [
+    ["grains", "N_{p}", t.considered?.grains], ["contacts", "N_{c}", t.considered?.contacts],
+    ["solid fraction", "\u03c6", t.solid_fraction], ["local order", "\u03c8_{6}", t.local_order?.psi6],
+    ["rattlers", "", t.coordination?.rattlers, "%", 100],
+  ]);
+}
+
+function coordination(t, sample) {
   const z = t.coordination ?? {};
-  add("Coordination", "all grains", "z", z.all);
-  add("Coordination", "without rattlers", "z", z.without_rattlers);
-  for (const m of sample.materials) if (sample.materials.length > 1) add("Coordination", `${m.name}\u2013any`, "z", z[`${m.name}-ANY`]);
-  for (const [name, value] of Object.entries(z)) if (/^[^ ]+-(?!ANY)[^ ]+$/.test(name)) add("Coordination", name.replace("-", "\u2013"), "z", value);
-  add("Coordination", "rattlers", "", z.rattlers, "%", 100);
-  const f = t.fabric;
-  if (f) {
-    for (const [name, set] of [["all", f], ...Object.entries(f.sets ?? {}).filter(([n]) => !/ (strong|weak)$/.test(n))]) {
-      add("Fabric", name.replace("-", "\u2013"), "a_{c}", set.a_c);
-      add("Fabric", name.replace("-", "\u2013"), "\u03b8_{c}", set.theta_c_deg, "\u00b0");
-    }
-    add("Fabric", "mechanical, all", "a_{n}", f.a_n);
-  }
+  const names = sample.materials.length > 1 ? Object.keys(z).filter((name) => name.includes("-")) : [];
+  return list("Coordination z", [["all", "", z.all], ["without rattlers", "", z.without_rattlers],
+    ...names.sort((a, b) => b.endsWith("-ANY") - a.endsWith("-ANY")).map((name) => [plain(name).replace("ANY", "any"), "", z[name]])]);
+}
+
+function fabric({ fabric: f }) {
+  if (!f?.a_c) return null;
+  const sets = [["all", f], ...Object.entries(f.sets ?? {}).filter(([name]) => !/ (strong|weak)$/.test(name))];
+  return grid("Fabric", sets, [
+    { head: "N_{c}", of: (s) => s.contacts }, { head: "a_{c}", of: (s) => s.a_c }, { head: "noise", digits: 2, of: (s) => s.a_c_noise },
+    { head: "\u03b8_{c}", unit: "\u00b0", of: (s) => s.theta_c_deg }, { head: "a_{n}", of: (s) => s.a_n },
+  ]);
+}
+
+function stress(t) {
   const d = t.stress_details ?? {};
-  const sigma = t.stress;
-  if (sigma) for (const [symbol, i, j] of [["\u03c3_{xx}", 0, 0], ["\u03c3_{yy}", 1, 1], ["\u03c3_{xy}", 0, 1]])
-    bySize("Stress", "of the assembly", symbol, { value: sigma.value[i][j], error: sigma.error?.[i]?.[j] }, "Pa");
-  bySize("Stress", "pressure", "p", d.pressure_Pa, "Pa");
-  bySize("Stress", "deviator", "q", d.deviator_Pa, "Pa");
-  add("Stress", "strong share of the pressure", "", d.strong_share_of_pressure, "%", 100);
-  add("Stress", "strong share of the deviator", "", d.strong_share_of_deviator, "%", 100);
-  for (const [name, set] of [["all", t.sigma_norm], ...Object.entries(t.sigma_norm?.by_material ?? {})]) {
-    if (!set) continue;
-    bySize("Grain stress", name, "\u27e8\u03c3_{hyd}\u27e9", set.mean_Pa, "Pa");
-    add("Grain stress", name, "P_{0}", set.P0, "%", 100);
-    add("Grain stress", name, "\u03b2", set.beta);
-  }
-  for (const [name, set] of [["all", t.force], ...Object.entries(t.force?.by_type ?? {})]) {
-    if (!set) continue;
-    const label = name.replace("-", "\u2013");
-    bySize("Contact forces", label, "\u27e8F_{n}\u27e9", set.mean_N, "N");
-    add("Contact forces", label, "share above the mean", set.strong_share, "%", 100);
-    add("Contact forces", label, "\u03b1", set.alpha);
-    add("Contact forces", label, "\u03b2", set.beta);
-  }
-  add("Contact forces", "check", "\u03b2\u00b2/[(1\u2212\u03b1)(2\u2212\u03b1)]", t.force?.beta2_over_product);
-  return rows;
+  const part = (i, j) => t.stress && { value: t.stress.value[i][j], error: t.stress.error?.[i]?.[j] };
+  const { scale, unit } = inUnit([part(0, 0), part(1, 1)], "Pa");
+  return list("Stress of the assembly", [
+    ["", "\u03c3_{xx}", part(0, 0), unit, scale], ["", "\u03c3_{yy}", part(1, 1), unit, scale], ["", "\u03c3_{xy}", part(0, 1), unit, scale],
+    ["pressure", "p", d.pressure_Pa, unit, scale], ["deviator", "q", d.deviator_Pa, unit, scale],
+    ["axis of compression", "", d.axis_of_compression_deg, "\u00b0"],
+    ["strong share of p", "", d.strong_share_of_pressure, "%", 100], ["strong share of q", "", d.strong_share_of_deviator, "%", 100],
+  ]);
+}
+
+function sets(all, parts) { return all ? [["all", all], ...Object.entries(parts ?? {})] : []; }
+
+function grainStress({ sigma_norm: s }) {
+  const rows = sets(s, s?.by_material);
+  if (rows.length === 0) return null;
+  const { scale, unit } = inUnit(rows.map(([, set]) => set.mean_Pa), "Pa");
+  return grid("Stress of grains", rows, [
+    { head: "\u27e8\u03c3_{hyd}\u27e9", unit, scale, of: (d) => d.mean_Pa }, { head: "P_{0}", unit: "%", scale: 100, of: (d) => d.P0 },
+    { head: "\u03b2", of: (d) => d.beta }, { head: "max \u03c3_{norm}", digits: 3, of: (d) => d.maximum },
+  ]);
+}
+
+function forces({ force: f }) {
+  const rows = sets(f, f?.by_type);
+  if (rows.length === 0) return null;
+  const { scale, unit } = inUnit(rows.map(([, set]) => set.mean_N), "N");
+  return grid("Contact forces", rows, [
+    { head: "\u27e8F_{n}\u27e9", unit, scale, of: (d) => d.mean_N }, { head: "above mean", unit: "%", scale: 100, of: (d) => d.strong_share },
+    { head: "\u03b1", of: (d) => d.alpha }, { head: "\u03b2", of: (d) => d.beta }, { head: "\u03b2\u00b2/(1\u2212\u03b1)(2\u2212\u03b1)", of: (d) => d.beta2_over_product },
+  ]);
 }
 
 /** The six numbers that one asks for first. */
@@ -68,12 +101,13 @@ export function headlines(sample, state) {
     const tiles = [
       ["solid fraction", "\u03c6", t.solid_fraction, 1, ""],
       ["coordination", "z", t.coordination?.all, 1, ""],
-      ["fabric anisotropy", "a_{c}", t.fabric?.a_c, 1, ""],
-      ["grains above the mean stress", "P_{0}", t.sigma_norm?.P0, 100, "%"],
-      ["strong contacts", "", t.force?.strong_share, 100, "%"],
+      ["anisotropy", "a_{c}", t.fabric?.a_c, 1, ""],
       ["mean force", "\u27e8F_{n}\u27e9", t.force?.mean_N, null, "N"],
-    ].filter(([, , estimate]) => estimate);
+      ["strong contacts", "", t.force?.strong_share, 100, "%"],
+      ["grains above mean", "P_{0}", t.sigma_norm?.P0, 100, "%"],
+    ];
     box.replaceChildren(...tiles.map(([name, symbol, estimate, scale, unit]) => {
+      if (!estimate) return h("div", { class: "tile" }, h("p", {}, name, symbol && [" ", h("i", {}, rich(symbol))]), h("strong", {}, "\u2013"));
       const { factor, prefix } = scale === null ? prefixOf(estimate.value, unit) : { factor: 1 / scale, prefix: "" };
       const { value, error } = text.withError(estimate.value / factor, estimate.error / factor);
       return h("div", { class: "tile" }, h("p", {}, name, symbol && [" ", h("i", {}, rich(symbol))]),
@@ -87,28 +121,15 @@ export function headlines(sample, state) {
 
 /** Every number with its standard error and unit, for the state that is shown. */
 export function numbersTable(sample, state) {
-  const body = h("div", { class: "columns" });
+  const body = h("div", { class: "tables" }), notes = h("ul", { class: "notes" });
   const refresh = () => {
-    const t = sample.texture(state.get("frame"));
-    const rows = t ? rowsOf(t, sample) : [];
-    const groups = [...new Set(rows.map((r) => r.group))];
-    body.replaceChildren(...groups.map((group) => h("table", {},
-      h("caption", {}, group),
-      h("tbody", {}, rows.filter((r) => r.group === group).map((row) => {
-        const { value, error } = row.error > 0 ? text.withError(row.value, row.error) : { value: Number.isInteger(row.value) ? text.count(row.value) : text.number(row.value, 4), error: "" };
-        return h("tr", {}, h("td", {}, row.name), h("td", { class: "symbol" }, rich(row.symbol)), h("td", { class: "value" }, value),
-          h("td", { class: "error" }, error && `\u00b1 ${error}`), h("td", { class: "unit" }, row.unit));
-      })))));
+    const t = sample.texture(state.get("frame")) ?? {};
+    const column = (...tables) => h("div", {}, tables.filter(Boolean));
+    body.replaceChildren(column(structure(t), coordination(t, sample)), column(fabric(t), forces(t)), column(grainStress(t), stress(t)));
+    notes.replaceChildren(...(t.notes ?? []).map((note) => h("li", {}, note)));
   };
   state.watch(["frame"], refresh);
   refresh();
-  return h("section", { class: "card numbers" }, h("div", { class: "title" }, h("h3", {}, "Numbers")), body, notes(sample, state));
-}
-
-function notes(sample, state) {
-  const list = h("ul", { class: "notes" });
-  const refresh = () => list.replaceChildren(...(sample.texture(state.get("frame"))?.notes ?? []).map((note) => h("li", {}, note)));
-  state.watch(["frame"], refresh);
-  refresh();
-  return list;
+  return h("section", { class: "card numbers" }, h("div", { class: "title" }, h("h3", {}, "Numbers")), body,
+    h("p", { class: "caption" }, rich("With standard errors, from grains away from the walls. a_{c}, \u03b8_{c}: contact directions; noise: a_{c} of as many random directions; a_{n}: normal forces.")), notes);
 }

@@ -39,6 +39,7 @@ export class Sample {
       for (const name of ["id", "radius", "material", "zone"]) this[name] = this.#array(about.grains[name]);
     this.types = contactTypes(this.materials);
     this.meanRadius = this.count ? this.radius.reduce((sum, r) => sum + r, 0) / this.count : 1;
+    this.materialCounts = this.materials.map((_, m) => (this.count ? this.material.reduce((sum, other) => sum + (other === m), 0) : 0));
     this.hasZones = this.count > 0 && this.zone.some((z) => z > 0);
   }
 
@@ -63,6 +64,7 @@ export class Sample {
     frame.contacts = {};
     for (const [name, reference] of Object.entries(about.contacts)) frame.contacts[name] = this.#array(reference);
     frame.contacts.type = this.#typesOf(frame.contacts);
+    frame.hasTension = frame.contacts.fn.some((force) => force < 0);
     frame.texture = about.texture ?? null;
     frame.meanForce = frame.texture?.force?.mean_N?.value ?? meanOfPositive(frame.contacts.fn);
     frame.sigmaNorm = this.#sigmaNorm(frame);

@@ -1,5 +1,5 @@
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
@@ -50,6 +50,19 @@ export async function painted(page) {
     const at = 4 * (row * width + column);
     return [data[at], data[at + 1], data[at + 2]];
   }, [Math.round(x), Math.round(y)]);
+}
+
+/** Clicks and returns the bytes of the file that is saved. Headless Chromium loses about one download of a blob in sixty
+    without a word, so a click may be repeated. */
+export async function saved(page, selector) {
+  for (let attempt = 1; ; ++attempt) {
+    try {
+      const [download] = await Promise.all([page.waitForEvent("download", { timeout: 5000 }), page.click(selector)]);
+      return readFileSync(await download.path());
+    } catch (error) {
+      if (attempt === 3) throw error;
+    }
+  }
 }
 
 export const difference = (a, b) => Math.max(...a.map((v, k) => Math.abs(v - b[k])));

@@ -1,9 +1,8 @@
 // Opens a page from the disk and asserts what is painted. Usage: node page.test.mjs PAGE.html
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { difference, painted, watch, withBrowser } from "./browser.mjs";
+import { difference, painted, saved, watch, withBrowser } from "./browser.mjs";
 
 const file = resolve(process.argv[2]);
 const tests = [];
@@ -147,8 +146,7 @@ test("every figure is drawn and saved as a whole SVG", async (page) => {
   for (const wanted of ["fabric", "sigma-norm", "forces", "coordination", "rev", "threshold", "wall-forces", "energies"])
     assert.ok(names.includes(wanted), `${wanted} is missing from ${names}`);
   for (const name of names) {
-    const [download] = await Promise.all([page.waitForEvent("download"), page.click(`[data-figure="${name}"] [data-save="svg"]`)]);
-    const source = readFileSync(await download.path(), "utf8");
+    const source = (await saved(page, `[data-figure="${name}"] [data-save="svg"]`)).toString("utf8");
     const { fault, shapes, lost } = await page.evaluate((text) => {
       const parsed = new DOMParser().parseFromString(text, "image/svg+xml");
       return { fault: parsed.querySelector("parsererror")?.textContent ?? null, shapes: parsed.querySelectorAll("path, rect, circle, line").length, lost: /NaN|undefined|var\(--/.exec(text)?.[0] ?? null };
@@ -160,10 +158,7 @@ test("every figure is drawn and saved as a whole SVG", async (page) => {
 });
 
 test("the packing is saved as SVG with every grain and as PNG at twice the size", async (page) => {
-  const save = async (label) => {
-    const [download] = await Promise.all([page.waitForEvent("download"), page.click(`.packing .save:has-text("${label}")`)]);
-    return readFileSync(await download.path());
-  };
+  const save = (label) => saved(page, `.packing .save:has-text("${label}")`);
   const count = await page.evaluate(() => {
     window.scrollTo(0, 0);
     return window.arenite.sample.count;
@@ -197,7 +192,7 @@ const failures = await withBrowser({ viewport: { width: 1400, height: 900 }, col
       console.log(`ok    ${name}`);
     } catch (error) {
       failed.push(name);
-      console.log(`FAIL  ${name}\n${error.stack}`);
+      console.log(`FAIL  ${name}\n      ${error.message}`);
     }
   }
   if (seen.errors.length) failed.push(`errors in the console: ${seen.errors.join("; ")}`);

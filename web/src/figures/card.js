@@ -31,7 +31,10 @@ export function figureCard(figure, sample, state) {
     drawn = what;
     const there = !texture || figure.when(texture, sample);
     keys.replaceChildren(...(there && figure.key ? figure.key(about).map(entry) : []));
-    drawing.replaceChildren(there ? figure.draw(about) : h("p", { class: "nothing" }, "This state is too small for it."));
+    const before = drawing.clientHeight;
+    drawing.replaceChildren((there && figure.draw(about)) || h("p", { class: "nothing" }, "Nothing of this kind in this state."));
+    drawing.style.minHeight = picture() ? "" : `${before}px`;  // the page does not jump while the slider passes by
+    card.querySelectorAll(".save").forEach((button) => { button.disabled = !picture(); });
   };
   new ResizeObserver(() => draw(false)).observe(drawing);
   state.watch(["theme", "frame"], () => draw(false));
@@ -44,5 +47,5 @@ function entry({ name, colour, values, dash = null }) {
     return [" ", h("span", { class: "estimate" }, rich(symbol), ` ${value}`, error && h("small", {}, ` \u00b1 ${error}`))];
   });
   const line = s("svg", { width: 18, height: 8, viewBox: "0 0 18 8" }, s("line", { x1: 1, x2: 17, y1: 4, y2: 4, stroke: colour, "stroke-width": 2.5, "stroke-dasharray": dash, "stroke-linecap": dash ? null : "round" }));
-  return h("span", { class: "entry" }, line, h("b", {}, name), numbers);
+  return h("span", { class: "entry" }, line, h("b", {}, rich(name)), numbers);
 }

@@ -4,18 +4,17 @@ import { chart, logAxis } from "./chart.js";
 
 const sides = ["bottom", "top", "left", "right"];
 
-/** All stages one after the other; a row is { t, stage } with one value a column. */
-function timeline(sample, names) {
-  return names.map((name) => ({
-    name,
-    rows: sample.stages.flatMap((stage) => {
-      const time = stage.history.time?.values, values = stage.history[name]?.values;
-      return time && values ? Array.from(values, (y, k) => ({ x: time[k], y })) : [];
-    }),
-  })).filter(({ rows }) => rows.length > 1);
+const stageOf = (sample, state) => sample.stages[sample.about.frames[state.get("frame")].stage];
+
+/** The columns of these names of one stage: { name, rows: [{ x: time since the stage began, s; y }] }. */
+function columns(stage, names) {
+  const time = stage.history.time?.values;
+  if (!time || time.length < 2) return [];
+  return names.filter((name) => stage.history[name])
+    .map((name) => ({ name, rows: Array.from(stage.history[name].values, (y, k) => ({ x: time[k] - time[0], y })) }));
 }
 
-const has = (sample, names) => timeline(sample, names).length > 0;
+const anyStageHas = (sample, names) => sample.stages.some((stage) => columns(stage, names).length > 0);
 
 function lineColours(theme) {
   return [theme.materialLine[0], theme.materialLine[1], theme.mixedLine[0], theme.materialLine[3], theme.mixedLine[1], theme.weak, theme.strong];
@@ -24,22 +23,25 @@ function lineColours(theme) {
 const dashes = [null, "6 3", null, "6 3"];
 
 function now(sample, state, theme) {
-  const { time } = sample.about.frames[state.get("frame")];
-  return Plot.ruleX([time], { stroke: theme.accent, strokeWidth: 1.25 });
+  const start = stageOf(sample, state).history.time.values[0];
+  return Plot.ruleX([Math.max(0, sample.about.frames[state.get("frame")].time - start)], { stroke: theme.accent, strokeWidth: 1.25 });
 }
+
+const timeAxis = (sample, state) => ({ label: `time in \u201c${stageOf(sample, state).name}\u201d, s`, ticks: 5 });
 
 export const wallForces = {
   id: "wall-forces", title: "Forces on the walls", follows: true,
   caption: "Normal force of the grains on each wall over the loading; vertical line: the state shown.",
-  when: (texture, sample) => has(sample, sides.map((side) => `${side}_force`)),
+  when: (texture, sample) => anyStageHas(sample, sides.map((side) => `${side}_force`)),
   key: ({ theme }) => sides.map((name, k) => ({ name, colour: lineColours(theme)[k], dash: dashes[k], values: [] })),
   draw({ sample, state, theme, width }) {
-    const lines = timeline(sample, sides.map((side) => `${side}_force`));
+    const lines = columns(stageOf(sample, state), sides.map((side) => `${side}_force`));
+    if (lines.length === 0) return null;
     const largest = Math.max(...lines.flatMap(({ rows }) => rows.map((r) => Math.abs(r.y))));
     const { factor, prefix } = prefixOf(largest, "N");
     return chart(theme, {
       width, height: 254,
-      x: { label: "time, s" }, y: { label: `force, ${prefix}N` },
+      x: timeAxis(sample, state), y: { label: `force, ${prefix}N` },
       marks: [now(sample, state, theme), ...lines.map(({ rows, name }) => {
         const k = sides.findIndex((side) => name.startsWith(side));
         return Plot.line(rows, { x: "x", y: (r) => r.y / factor, stroke: lineColours(theme)[k], strokeWidth: 1.6, strokeDasharray: dashes[k] });
@@ -50,59 +52,82 @@ export const wallForces = {
 
 const stored = [["elastic", "elastic"], ["kinetic", "kinetic"], ["dissipated_friction", "friction"], ["dissipated_normal", "dashpots"], ["dissipated_drag", "drag"], ["work_walls", "work of walls"], ["work_gravity", "work of gravity"]];
 
-function energyLines(sample) {
-  return timeline(sample, stored.map(([name]) => name)).map((line) => ({ ...line, label: stored.find(([name]) => name === line.name)[1], rows: line.rows.filter((r) => r.y > 0) }))
+function energyLines(stage) {
+  return columns(stage, stored.map(([name]) => name))
+    .map((line) => ({ label: stored.find(([name]) => name === line.name)[1], rows: line.rows.filter((r) => r.y > 0) }))
     .filter((line) => line.rows.length > 1);
 }
 
 export const energies = {
   id: "energies", title: "Energies", follows: true,
   caption: "Stored and dissipated energy and work, logarithmic; only what is positive can be shown.",
-  when: (texture, sample) => energyLines(sample).length > 0,
-  key: ({ sample, theme }) => energyLines(sample).map(({ label }, k) => ({ name: label, colour: lineColours(theme)[k], values: [] })),
+  when: (texture, sample) => sample.stages.some((stage) => energyLines(stage).length > 0),
+  key: ({ sample, state, theme }) => energyLines(stageOf(sample, state)).map(({ label }, k) => ({ name: label, colour: lineColours(theme)[k], values: [] })),
   draw({ sample, state, theme, width }) {
-    const lines = energyLines(sample);
+    const lines = energyLines(stageOf(sample, state));
+    if (lines.length === 0) return null;
     const high = Math.max(...lines.flatMap(({ rows }) => rows.map((r) => r.y)));
-    const domain = [10 ** (Math.ceil(Math.log10(high)) - 9), 10 ** Math.ceil(Math.log10(high))];
+    const domain = [10 ** (Math.ceil(Math.log10(high)) - 7), 10 ** Math.ceil(Math.log10(high))];
     return chart(theme, {
       width, height: 254,
-      x: { label: "time, s" }, y: { ...logAxis("energy, J", domain), clamp: true },
+      x: timeAxis(sample, state), y: { ...logAxis("energy, J", domain), clamp: true },
       marks: [now(sample, state, theme), ...lines.map(({ rows }, k) => Plot.line(rows.filter((r) => r.y >= domain[0]), { x: "x", y: "y", stroke: lineColours(theme)[k], strokeWidth: 1.5 }))],
+    });
+  },
+};
+
+const restMeasures = [["unbalanced_ratio", "unbalanced force ratio"], ["kinetic_ratio", "kinetic/elastic energy"], ["mobilisation", "mean |F_{t}|/F_{n}"]];
+
+export const approach = {
+  id: "rest", title: "Approach to rest", follows: true,
+  caption: "How far the sample is from equilibrium while it is loaded; every increment ends at rest.",
+  when: (texture, sample) => anyStageHas(sample, ["unbalanced_ratio"]),
+  key: ({ theme }) => restMeasures.map(([, name], k) => ({ name, colour: lineColours(theme)[k], values: [] })),
+  draw({ sample, state, theme, width }) {
+    const lines = columns(stageOf(sample, state), restMeasures.map(([name]) => name))
+      .map(({ name, rows }) => ({ k: restMeasures.findIndex(([known]) => known === name), rows: rows.filter((r) => r.y > 0 && r.y < 1e3) }));
+    if (lines.every(({ rows }) => rows.length < 2)) return null;
+    const all = lines.flatMap(({ rows }) => rows.map((r) => r.y));
+    const domain = [10 ** Math.max(-10, Math.floor(Math.log10(Math.min(...all)))), 10 ** Math.ceil(Math.log10(Math.max(...all)))];
+    return chart(theme, {
+      width, height: 254,
+      x: timeAxis(sample, state), y: logAxis("ratio", domain),
+      marks: [now(sample, state, theme), ...lines.map(({ rows, k }) => Plot.line(rows.filter((r) => r.y >= domain[0]), { x: "x", y: "y", stroke: lineColours(theme)[k], strokeWidth: 1.3 }))],
     });
   },
 };
 
 export const travel = {
   id: "travel", title: "Load against travel", follows: true,
-  caption: "Force on the wall that moved farthest against its travel into the sample; dots: stored states.",
-  when: (texture, sample) => movingWall(sample) !== null,
+  caption: "Force on the wall that moves farthest in this stage against its travel into the sample; dots: stored states.",
+  when: (texture, sample) => sample.stages.some((stage) => movingWall(stage)),
   draw({ sample, state, theme, width }) {
-    const { side, inward } = movingWall(sample);
-    const position = timeline(sample, [`${side}_position`])[0].rows, force = timeline(sample, [`${side}_force`])[0].rows;
-    const { factor, prefix } = prefixOf(Math.max(...force.map((r) => Math.abs(r.y))), "N");
-    const start = position[0].y;
-    const rows = position.map((r, k) => ({ x: 1e3 * inward * (r.y - start), y: force[k].y / factor }));
-    const index = ["left", "right", "bottom", "top"].indexOf(side);
-    const states = sample.about.frames.map((frame, k) => ({
-      x: 1e3 * inward * (frame.domain.walls[index].position - start), y: frame.domain.walls[index].force / factor, here: k === state.get("frame"),
-    }));
+    const stage = stageOf(sample, state), moving = movingWall(stage);
+    if (!moving) return null;
+    const { side, inward } = moving;
+    const { values: position } = stage.history[`${side}_position`], { values: force } = stage.history[`${side}_force`];
+    const { factor, prefix } = prefixOf(force.reduce((most, f) => Math.max(most, Math.abs(f)), 0), "N");
+    const point = (x, f) => ({ x: 1e3 * inward * (x - position[0]), y: f / factor });
+    const wall = ["left", "right", "bottom", "top"].indexOf(side);
+    const states = sample.about.frames.map((frame, k) => ({ frame, k })).filter(({ frame }) => sample.stages[frame.stage] === stage)
+      .map(({ frame: { domain: { walls } }, k }) => ({ ...point(walls[wall].position, walls[wall].force), here: k === state.get("frame") }));
     return chart(theme, {
       width, height: 254,
       x: { label: `travel of the ${side} wall, mm` }, y: { label: `force, ${prefix}N` },
       marks: [
-        Plot.line(rows, { x: "x", y: "y", stroke: theme.weak, strokeWidth: 1, strokeOpacity: 0.8 }),
+        Plot.line(Array.from(position, (x, k) => point(x, force[k])), { x: "x", y: "y", stroke: theme.weak, strokeWidth: 1.1 }),
         Plot.dot(states, { x: "x", y: "y", fill: (d) => (d.here ? theme.accent : theme.strong), r: (d) => (d.here ? 5 : 3) }),
       ],
     });
   },
 };
 
-function movingWall(sample) {
+function movingWall(stage) {
   let best = null;
   for (const [side, inward] of [["left", 1], ["right", -1], ["bottom", 1], ["top", -1]]) {
-    const rows = timeline(sample, [`${side}_position`])[0]?.rows;
-    if (!rows || !timeline(sample, [`${side}_force`]).length) continue;
-    const way = Math.abs(rows.at(-1).y - rows[0].y);
+    const position = stage.history[`${side}_position`]?.values;
+    if (!position || position.length < 2 || !stage.history[`${side}_force`]) continue;
+    const way = Math.abs(position.at(-1) - position[0]);
     if (way > (best?.way ?? 1e-9)) best = { side, inward, way };
   }
   return best;

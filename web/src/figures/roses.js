@@ -12,9 +12,8 @@ export const roses = {
   when: (texture) => texture.fabric?.sectors,
   draw({ sample, texture, theme, width }) {
     const list = sets(sample, texture, theme);
-    const columns = width >= 620 ? Math.min(list.length, 6) : 3;
-    const perRow = Math.min(columns, list.length > 3 && width < 900 ? 3 : columns);
-    const cell = width / perRow, radius = Math.min(0.5 * cell - 26, 86), height = 2 * radius + 78;
+    const perRow = Math.min(list.length, width >= 1000 ? 6 : width >= 380 ? 3 : 2);
+    const cell = width / perRow, radius = Math.min(0.5 * cell - 18, 88), height = 2 * radius + 96;
     const rows = Math.ceil(list.length / perRow);
     const svg = s("svg", { viewBox: `0 0 ${width} ${rows * height}`, width, height: rows * height, "font-family": theme.font, "font-size": 11.5, fill: theme.soft });
     list.forEach((set, k) => {

@@ -27,13 +27,13 @@ export const coordination = {
   draw({ sample, texture, theme, width }) {
     const rows = coordinationRows(sample, texture, theme);
     const whiskers = rows.map((r) => ({ ...r, low: r.y - r.error, high: r.y + r.error, note: text.withError(r.y, r.error) }));
-    const top = Math.max(...whiskers.map((r) => r.high)) * 1.24;
+    const top = Math.max(...whiskers.map((r) => r.high)) * (width < 420 ? 1.55 : 1.3);
     return chart(theme, {
       width, height: 34 * rows.length + 52, marginLeft: 92, gridTicks: [],
-      x: { label: "z", domain: [0, top], grid: false },
+      x: { label: "z", domain: [0, top], ticks: 5 },
       y: { label: null, domain: rows.map((r) => r.label), padding: 0.34, ticks: undefined },
       marks: [
-        Plot.gridX({ stroke: theme.rule, strokeOpacity: 1, ticks: 6 }),
+        Plot.gridX({ stroke: theme.rule, strokeOpacity: 1, ticks: 5 }),
         Plot.barX(whiskers, { x: "y", y: "label", fill: "colour", fillOpacity: 0.82, rx: 1.5 }),
         Plot.ruleY(whiskers, { x1: "low", x2: "high", y: "label", stroke: theme.ink, strokeWidth: 1.5 }),
         Plot.text(whiskers, { x: "high", y: "label", dx: 7, textAnchor: "start", fill: theme.ink, text: (r) => r.note.value + (r.note.error && ` \u00b1 ${r.note.error}`) }),
@@ -67,7 +67,7 @@ export const rev = {
     const whole = texture.solid_fraction?.value;
     return chart(theme, {
       width, height: 254,
-      x: { label: "window, % of the area", domain: [0, 100] },
+      x: { label: "window, % of the area", domain: [0, 100], ticks: 5 },
       y: { label: "solid fraction", nice: true, zero: false },
       marks: [
         Plot.areaY(rows, { x: "x", y1: "under", y2: "over", fill: theme.strong, fillOpacity: 0.09 }),
@@ -80,23 +80,23 @@ export const rev = {
 };
 
 export const threshold = {
-  id: "threshold", title: "Anisotropy against force threshold",
-  caption: "a_{c} signed against the axis of compression, of contacts above and below a threshold \u03be\u27e8F\u27e9; bands: what random directions would give.",
+  id: "threshold", title: "Anisotropy by force",
+  caption: "a_{c} signed against the axis of compression, of the contacts above and below a force threshold; bands: what random directions would give.",
   when: (texture) => texture.fabric?.threshold,
+  key: ({ theme }) => [
+    { name: "F > \u03be\u27e8F\u27e9", colour: theme.strong, values: [] }, { name: "F < \u03be\u27e8F\u27e9", colour: theme.accent, values: [] },
+  ],
   draw({ texture, theme, width }) {
     const { force, a_c_above: above, noise_above: noiseAbove, a_c_below: below, noise_below: noiseBelow } = texture.fabric.threshold;
     const rows = (values, noise) => force.map((x, k) => ({ x, y: values[k], noise: noise[k] })).filter((r) => r.y !== null && r.noise !== null && r.noise < 0.6);
-    const sets = [{ name: "F > \u03be\u27e8F\u27e9", colour: theme.strong, rows: rows(above, noiseAbove) }, { name: "F < \u03be\u27e8F\u27e9", colour: theme.accent, rows: rows(below, noiseBelow) }];
-    const ends = sets.filter((set) => set.rows.length).map((set, k) => ({ ...set.rows.at(k === 0 ? -1 : 0), name: set.name, colour: set.colour, anchor: k === 0 ? "end" : "start" }));
+    const sets = [{ colour: theme.strong, rows: rows(above, noiseAbove) }, { colour: theme.accent, rows: rows(below, noiseBelow) }];
     return chart(theme, {
       width, height: 254,
       x: { label: "\u03be" }, y: { label: "a_{c}", nice: true },
       marks: [
-        ...sets.map(({ rows: list, colour }) => Plot.areaY(list, { x: "x", y1: (r) => -r.noise, y2: "noise", fill: colour, fillOpacity: 0.08 })),
+        ...sets.map(({ rows: list, colour }) => Plot.areaY(list, { x: "x", y1: (r) => -r.noise, y2: "noise", fill: colour, fillOpacity: 0.1 })),
         Plot.ruleY([0], { stroke: theme.soft }),
         ...sets.map(({ rows: list, colour }) => Plot.line(list, { x: "x", y: "y", stroke: colour, strokeWidth: 1.75 })),
-        Plot.text(ends, { x: "x", y: "y", text: "name", fill: "colour", textAnchor: "end", dy: -10, filter: (e) => e.anchor === "end" }),
-        Plot.text(ends, { x: "x", y: "y", text: "name", fill: "colour", textAnchor: "start", dy: 12, filter: (e) => e.anchor === "start" }),
       ],
     });
   },

@@ -63,16 +63,18 @@ export function shownContacts(state, sample, frame) {
 
 /** Segments for the graphics card: ends relative to `origin`, widths, colours. */
 export function chainBuffers(state, sample, frame, theme, origin) {
-  const ends = [], width = [], colour = [];
-  for (const c of shownContacts(state, sample, frame)) {
-    const fn = frame.contacts.fn[c];
-    const [r, g, b] = bytes(chainColour(theme, frame, fn));
-    const alpha = fn > 0 && fn <= frame.meanForce ? 190 : 240;
+  const shown = shownContacts(state, sample, frame);
+  const ends = new Float32Array(8 * shown.length), width = new Float32Array(2 * shown.length), colour = new Uint8Array(8 * shown.length);
+  const paints = new Map();
+  let count = 0;
+  for (const c of shown) {
+    const fn = frame.contacts.fn[c], name = chainColour(theme, frame, fn);
+    if (!paints.has(name)) paints.set(name, [...bytes(name), name === theme.weak ? 190 : 240]);
     for (const [ax, ay, bx, by] of segmentsOf(sample, frame, c)) {
-      ends.push(ax - origin.x, ay - origin.y, bx - origin.x, by - origin.y);
-      width.push(chainWidth(sample, frame, fn));
-      colour.push(r, g, b, alpha);
+      ends.set([ax - origin.x, ay - origin.y, bx - origin.x, by - origin.y], 4 * count);
+      width[count] = chainWidth(sample, frame, fn);
+      colour.set(paints.get(name), 4 * count++);
     }
   }
-  return { ends: new Float32Array(ends), width: new Float32Array(width), colour: new Uint8Array(colour), count: width.length };
+  return { ends: ends.subarray(0, 4 * count), width: width.subarray(0, count), colour: colour.subarray(0, 4 * count), count };
 }

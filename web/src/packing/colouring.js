@@ -1,5 +1,8 @@
 import { bytes, materialColour } from "../theme.js";
 
+/** How far grains fade towards the background while force chains lie over them. */
+export const fadeUnderChains = (mode) => (mode === "material" ? 0.5 : 0.3);
+
 /** How grains may be coloured. A member gives: label; `scale(sample)` = { low, high, symbol, unit } or null where the
     colours are names; `colour(sample, frame, theme)` = function from a grain to a colour. A new one is one more row. */
 export const colourings = {

@@ -12,7 +12,7 @@ export function legend(sample, frame, camera, theme, state, width) {
   group.append(colourKey(sample, frame, theme, state.get("colour"), width));
   const bar = scaleBar(camera, theme, width);
   group.append(bar.shape);
-  if (state.get("chains") && sample.frameCount) group.append(chainKey(sample, frame, camera, theme, width - bar.width - 28, frame.contacts));
+  if (state.get("chains") && frame.meanForce > 0) group.append(chainKey(sample, frame, camera, theme, width - bar.width - 28));
   return richSvg(group);
 }
 
@@ -23,8 +23,7 @@ function colourKey(sample, frame, theme, mode, width) {
   const key = s("g");
   let x = 6;
   sample.materials.forEach((material, m) => {
-    const count = sample.material.reduce((sum, other) => sum + (other === m), 0);
-    const name = `${material.name} (${text.count(count)})`;
+    const name = `${material.name} (${text.count(sample.materialCounts[m])})`;
     key.append(dot(x, 15, materialColour(theme, m), theme), label(x + 12, 15, name));
     x += 34 + 6.4 * name.length;
   });
@@ -52,24 +51,24 @@ function ramp(scale, theme, length) {
 }
 
 function scaleBar(camera, theme, width) {
-  const wanted = 90 / camera.scale;
+  const wanted = 110 / camera.scale;
   const power = 10 ** Math.floor(Math.log10(wanted));
   const length = [5, 2, 1].map((f) => f * power).find((l) => l <= wanted) ?? power;
   const pixels = length * camera.scale;
   const right = width - 2;
   const shape = s("g", {},
     s("path", { d: `M${right - pixels},12 v6 h${pixels} v-6`, fill: "none", stroke: theme.ink, "stroke-width": 1.25 }),
-    label(right - pixels / 2, 29, text.quantity(length, "m", 1).replace("0.0", "0.0"), "middle"));
+    label(right - pixels / 2, 29, text.quantity(length, "m", 1), "middle"));
   return { shape, width: pixels };
 }
 
-function chainKey(sample, frame, camera, theme, right, contacts) {
+function chainKey(sample, frame, camera, theme, right) {
   const group = s("g");
   const entries = [
     { name: "weak", colour: theme.weak, force: 0.5 },
     { name: "strong", colour: theme.strong, force: 3 },
   ];
-  if (contacts.fn.some((f) => f < 0)) entries.push({ name: "tension", colour: theme.tension, force: 1 });
+  if (frame.hasTension) entries.push({ name: "tension", colour: theme.tension, force: 1 });
   let x = right;
   for (const { name, colour, force } of entries.reverse()) {
     const words = 6.4 * name.length + 8;

@@ -23,6 +23,7 @@ function wallShapes(sample, frame, camera, theme) {
     { rect: [left - thick, bottom, right - left + 2 * thick, thick], at: [middleX, bottom + thick + 9], turn: 0 },
     { rect: [left - thick, top - thick, right - left + 2 * thick, thick], at: [middleX, top - thick - 9], turn: 0 },
   ];
+  const loaded = frame.domain.walls.some((wall) => wall.force !== 0);
   return frame.domain.walls.flatMap((wall, side) => {
     const { rect: [x, y, width, height], at, turn } = places[side];
     if (!wall.present) {
@@ -30,11 +31,11 @@ function wallShapes(sample, frame, camera, theme) {
     }
     return [
       s("rect", { x, y, width, height, rx: 1.5, fill: theme.wall, class: "wall" }),
-      s("text", {
+      loaded && s("text", {
         x: at[0], y: at[1], dy: "0.35em", "text-anchor": "middle", fill: theme.soft,
         transform: turn ? `rotate(${turn} ${at[0]} ${at[1]})` : null,
       }, text.quantity(wall.force, "N")),
-    ];
+    ].filter(Boolean);
   });
 }
 

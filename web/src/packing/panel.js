@@ -37,7 +37,7 @@ function choice(name, key, state, options) {
 
 /** Chains off, all, strong, weak, tensile in one row: "off" hides them, the rest say which are drawn. */
 function chainControls(sample, state) {
-  const tensile = sample.about.frames.length > 0 && sample.frame(sample.frameCount - 1).contacts.fn.some((f) => f < 0);
+  const tensile = sample.about.frames.length > 0 && sample.frame(sample.frameCount - 1).hasTension;
   const options = [["off", "Off"], ["all", "All"], ["strong", "Strong"], ["weak", "Weak"], ...(tensile ? [["tensile", "Tensile"]] : [])];
   const pick = (value) => state.set(value === "off" ? { chains: false } : { chains: true, strength: value });
   const buttons = options.map(([value, label]) => h("button", { "data-value": value, onclick: () => pick(value) }, label));
@@ -62,7 +62,7 @@ function typeFilter(sample, state) {
         "data-type": type.key, "aria-pressed": String(shown.has(t)), disabled: !state.get("chains"),
         onclick: () => state.set({ types: toggled(shown, t) }),
       }, h("span", { class: "dot", style: `background:${pairColour(theme, type)}` }), `${type.label} `, h("small", {}, text.count(count)));
-    }), h("button", { class: "marks", "aria-pressed": String(state.get("marks")), title: "Mark how far each grain has turned", onclick: () => state.set({ marks: !state.get("marks") }) }, "rotation"));
+    }), h("button", { class: "marks", "aria-pressed": String(state.get("marks")), title: "Mark how far each grain has turned", onclick: () => state.set({ marks: !state.get("marks") }) }, "Rotation"));
   };
   state.watch(["types", "theme", "frame", "chains", "marks"], refresh);
   refresh();

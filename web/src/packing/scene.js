@@ -1,7 +1,7 @@
 import createRegl from "regl";
 import { bytes } from "../theme.js";
 import { chainBuffers } from "./chains.js";
-import { grainColours } from "./colouring.js";
+import { fadeUnderChains, grainColours } from "./colouring.js";
 import { diskDrawing } from "./disks.js";
 import { segmentDrawing } from "./segments.js";
 
@@ -53,13 +53,14 @@ export class Scene {
     this.chains.colour({ data: colour, usage: "dynamic" });
   }
 
-  draw(camera, pixelRatio, theme, { chains, marks }) {
+  draw(camera, pixelRatio, theme, state) {
+    const chains = state.get("chains");
     const pixelsPerMetre = camera.scale * pixelRatio;
     const view = {
       middle: [camera.x - this.origin.x, camera.y - this.origin.y],
       perMetre: [2 * camera.scale / camera.width, 2 * camera.scale / camera.height],
       pixelsPerMetre,
-      background: unit(theme.card), ink: unit(theme.ink), fade: chains ? 0.5 : 0, marks: marks ? 1 : 0,
+      background: unit(theme.card), ink: unit(theme.ink), fade: chains ? fadeUnderChains(state.get("colour")) : 0, marks: state.get("marks") ? 1 : 0,
     };
     this.regl.poll();
     this.regl.clear({ color: [...unit(theme.card), 1] });

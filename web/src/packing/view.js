@@ -80,7 +80,7 @@ export class PackingView {
     if (this.stale.has("colours")) this.scene.updateColours(frame, state.get("colour"), theme);
     if (this.stale.has("chains")) this.scene.updateChains(state, frame, theme);
     this.stale.clear();
-    this.scene.draw(this.camera, this.pixelRatio, theme, { chains: state.get("chains"), marks: state.get("marks") });
+    this.scene.draw(this.camera, this.pixelRatio, theme, state);
     this.#drawOverlay();
     this.key.setAttribute("viewBox", `0 0 ${this.camera.width} ${legendHeight}`);
     this.key.replaceChildren(legend(this.sample, frame, this.camera, theme, state, this.camera.width));
@@ -166,7 +166,7 @@ export class PackingView {
     const ratio = Math.max(2, this.pixelRatio), height = camera.height + legendHeight + 8;
     const size = [this.canvas.width, this.canvas.height];
     Object.assign(this.canvas, { width: Math.round(camera.width * ratio), height: Math.round(camera.height * ratio) });
-    this.scene.draw(camera, ratio, theme, { chains: state.get("chains"), marks: state.get("marks") });
+    this.scene.draw(camera, ratio, theme, state);
     const over = s("svg", { xmlns: "http://www.w3.org/2000/svg", width: camera.width, height, viewBox: `0 0 ${camera.width} ${height}` },
       overlay(this.sample, this.frame, camera, theme, { walls: true }),
       s("g", { transform: `translate(0 ${camera.height + 4})` }, legend(this.sample, this.frame, camera, theme, state, camera.width)));
