@@ -19,12 +19,13 @@ namespace arenite::dem {
 
 struct Engine::Machine {
   Sample sample;
+  Team team;
 };
 
 std::string kernel_name(const std::string& asked) { return find_kernel(asked).name; }
 
 Engine::Engine(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration)
-    : machine_(new Machine{make_sample(start, contact, integration)}) {}
+    : machine_(new Machine{make_sample(start, contact, integration), Team(integration.threads)}) {}
 Engine::~Engine() = default;
 Engine::Engine(Engine&&) noexcept = default;
 Engine& Engine::operator=(Engine&&) noexcept = default;
@@ -71,19 +72,25 @@ bool has_driven_edge(const Sample& s) {
   return false;
 }
 
+/// See integrators/verlet.hpp.
+template <int extrapolation>
+bool verlet(Sample& s, const Team& team) {
+  return verlet_sweep(s, extrapolation, team);
+}
+
 template <class Sweep>
-void run(Sample& s, std::int64_t steps, Sweep&& sweep) {
+void run(Sample& s, const Team& team, std::int64_t steps, Sweep&& sweep) {
   const bool tracked = s.integration.track_energy;
   const bool edges = tracked || has_driven_edge(s);
   if (tracked && !s.ledger.open) open_ledger(s);
   for (std::int64_t n = 0; n < steps; ++n) {
-    sweep(s);
+    const bool near = sweep(s, team);
     follow_drift(s);
-    if (list_is_stale(s))
-      rebuild_list(s);
-    else
+    if (near)
       refresh_ghosts(s);
-    compute_forces(s);
+    else
+      rebuild_list(s);
+    compute_forces(s, team);
     if (edges) sum_edge_forces(s);
     if (tracked) book_step(s);
   }
@@ -137,14 +144,15 @@ void Engine::set_drives(const WallDrives& drives) {
 
 void Engine::advance(std::int64_t steps) {
   Sample& s = machine_->sample;
+  const Team& team = machine_->team;
   if (steps <= 0) return;
   switch (s.integration.integrator) {
-    case IntegratorKind::velocity_verlet: return run(s, steps, [](Sample& sample) { verlet_sweep(sample, 1.0); });
-    case IntegratorKind::leapfrog: return run(s, steps, [](Sample& sample) { verlet_sweep(sample, 0.0); });
+    case IntegratorKind::velocity_verlet: return run(s, team, steps, verlet<1>);
+    case IntegratorKind::leapfrog: return run(s, team, steps, verlet<0>);
     case IntegratorKind::gear5:
       if (!s.settled) gear_start(s);
       s.settled = true;
-      return run(s, steps, gear_sweep);
+      return run(s, team, steps, gear_sweep);
   }
 }
 
@@ -153,6 +161,9 @@ std::int64_t Engine::step() const { return machine_->sample.step; }
 double Engine::time_step() const { return machine_->sample.dt; }
 StepBounds Engine::bounds() const { return step_bounds(machine_->sample); }
 std::string Engine::kernel() const { return machine_->sample.kernel->name; }
+std::size_t Engine::grain_count() const { return machine_->sample.count; }
+std::int64_t Engine::list_builds() const { return machine_->sample.builds; }
+double Engine::skin() const { return machine_->sample.skin; }
 const Domain& Engine::domain() const { return machine_->sample.domain; }
 Packing Engine::packing() const { return packing_of(machine_->sample); }
 Energies Engine::energies() const { return energies_of(machine_->sample); }

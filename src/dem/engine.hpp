@@ -46,6 +46,10 @@ class Engine {
   StepBounds bounds() const;
   std::string kernel() const;                  ///< name of the kernel in use
 
+  std::size_t grain_count() const;
+  std::int64_t list_builds() const;            ///< how often the contact list has been built
+  double skin() const;                         ///< surface gap within which pairs are listed, m
+
   const Domain& domain() const;                ///< wall positions, velocities and forces now
   Packing packing() const;                     ///< grains and contacts now, in the caller's order; contacts sorted by (i, j)
   Energies energies() const;                   ///< dissipation and work only if track_energy

@@ -33,14 +33,14 @@ double lowest_force(const Sample& s) {
   return s.contact.attractive_dashpot ? -std::numeric_limits<double>::infinity() : 0.0;
 }
 
-void evaluate_pairs(Sample& s) {
+void evaluate_pairs(Sample& s, const Team& team) {
   ContactList& list = s.list;
   const PairTask task{s.record.data(),         list.i.data(),         list.j.data(),        list.stiffness.data(),
                       list.damping.data(),     list.viscosity.data(), list.strength.data(), list.memory.data(),
                       list.force.data(),       s.friction,            lowest_force(s),
                       s.contact.arms == Arms::contact_point ? 0.5 : 0.0};
   const auto loop = s.kernel->pairs[s.laws.normal.index()][s.laws.adhesion.index()][s.laws.friction.index()];
-  loop(task, s.laws, 0, list.pairs);
+  team.for_ranges(list.pairs, [&](std::size_t begin, std::size_t end) { loop(task, s.laws, begin, end); });
 }
 
 template <class N, class A, class F>
@@ -79,12 +79,12 @@ void sum_wall_forces(Sample& s) {
 
 }  // namespace
 
-void compute_forces(Sample& s) {
+void compute_forces(Sample& s, const Team& team) {
   std::visit([&](const auto& normal, const auto& adhesion, const auto& friction) {
     if (!s.live_bonds.empty()) end_open_bonds(s, friction);
     evaluate_walls(s, normal, adhesion, friction);
   }, s.laws.normal, s.laws.adhesion, s.laws.friction);
-  evaluate_pairs(s);
+  evaluate_pairs(s, team);
   sum_wall_forces(s);
 }
 

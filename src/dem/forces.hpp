@@ -1,11 +1,12 @@
 #pragma once
+#include "core/threads.hpp"
 #include "dem/sample.hpp"
 
 namespace arenite::dem {
 
 /// Forces of all listed contacts from the records (whose ghosts are fresh), into the list's slots; then the forces of
 /// the walls. Springs of the friction law move on by one step.
-void compute_forces(Sample& sample);
+void compute_forces(Sample& sample, const Team& team = Team());
 
 /// Forces of the edges of a periodic cell, the means over all its cuts: (1/W) sum f_x l_x. Not part of compute_forces,
 /// because only driven edges and readers need them.

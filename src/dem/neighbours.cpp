@@ -341,23 +341,15 @@ void rebuild_list(Sample& s) {
   carry_into(s, kept);
 }
 
-bool list_is_stale(const Sample& s) {
+double list_leeway(const Sample& s) {
   for (std::size_t side = 0; side < 4; ++side) {
     const bool periodic = side < bottom ? s.domain.periodic_x : s.domain.periodic_y;
     const double moved = std::abs(s.domain.wall[side].position - s.listed_domain.wall[side].position);
-    if (!periodic && moved > 0.5 * s.skin) return true;
+    if (!periodic && moved > 0.5 * s.skin) return 0;
   }
   const CellFrame then = cell_frame(s.listed_domain), now = cell_frame(s.domain);
-  const double slack = s.skin - reach_of(s) * (std::abs(now.width / then.width - 1) * s.domain.periodic_x +
-                                               std::abs(now.height / then.height - 1) * s.domain.periodic_y);
-  if (slack <= 0) return true;
-  const double limit = 0.25 * slack * slack;
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const double dx = s.record[k].x - now.x_from(then, s.listed_x[k]);
-    const double dy = s.record[k].y - now.y_from(then, s.listed_y[k]);
-    if (!(dx * dx + dy * dy <= limit)) return true;  // also true for NaN
-  }
-  return false;
+  return 0.5 * (s.skin - reach_of(s) * (std::abs(now.width / then.width - 1) * now.periodic_x +
+                                        std::abs(now.height / then.height - 1) * now.periodic_y));
 }
 
 }  // namespace arenite::dem

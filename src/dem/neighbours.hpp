@@ -27,8 +27,9 @@ struct Carried {
 /// Gives the listed contacts what they carry; `all` is sorted by key.
 void carry_into(Sample& sample, const std::vector<Carried>& all);
 
-/// True if the list may miss a contact: a disk or a wall has moved too far since the list was built.
-bool list_is_stale(const Sample& sample);
+/// How far a disk may be from its place in the list, less the affine motion of the cell, before the list may miss a
+/// contact, m; 0 or less if the walls or the cell have moved too far for that.
+double list_leeway(const Sample& sample);
 
 /// Copies the sources of ghosts to their images (positions and seen velocities).
 void refresh_ghosts(Sample& sample);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dem/coefficients.hpp"
+#include "dem/kernels/kernel.hpp"
 #include "dem/laws/laws.hpp"
 #include "dem/ledger.hpp"
 #include "dem/parameters.hpp"
@@ -11,8 +12,6 @@
 #include "model/result.hpp"
 
 namespace arenite::dem {
-
-struct Kernel;
 
 /// What the pair loop reads of a disk: one cache line. Velocities are those that the forces see.
 struct alignas(64) DiskRecord {
@@ -115,11 +114,7 @@ inline std::uint64_t slot_key(const Sample& s, std::size_t slot) {
   return pair_key(a, j < 0 ? j : s.record[static_cast<std::size_t>(s.list.owner[slot])].grain);
 }
 
-/// Affine motion of a periodic cell, one direction each: velocity at x is `at_edge + gradient (x - edge)`.
-struct AffineMotion {
-  double edge = 0, at_edge = 0, gradient = 0;
-  double at(double x) const { return at_edge + gradient * (x - edge); }
-};
+/// Affine motion of a periodic cell, one direction each.
 AffineMotion affine_x(const Domain& domain);
 AffineMotion affine_y(const Domain& domain);
 

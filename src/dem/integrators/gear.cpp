@@ -1,6 +1,8 @@
 #include "dem/integrators/gear.hpp"
 
 #include "dem/forces.hpp"
+#include "dem/integrators/disk_sweep.hpp"
+#include "dem/integrators/nordsieck.hpp"
 #include "dem/neighbours.hpp"
 #include "dem/walls.hpp"
 
@@ -15,7 +17,7 @@ void move_walls(Sample& s) {
     WallBody& body = s.wall[side];
     Wall& wall = s.domain.wall[side];
     const double a = wall_acceleration(s, side, wall.velocity);
-    Nordsieck q{wall.position, dt * body.rate, half * body.acceleration, body.higher[0], body.higher[1], body.higher[2]};
+    Nordsieck<double> q{wall.position, dt * body.rate, half * body.acceleration, body.higher[0], body.higher[1], body.higher[2]};
     q.correct(half * (a - body.acceleration));
     q.predict();
     wall.position = q.q0;
@@ -27,52 +29,10 @@ void move_walls(Sample& s) {
 
 }  // namespace
 
-void gear_sweep(Sample& s) {
-  const double dt = s.dt, half = 0.5 * dt * dt, rate = 1.0 / dt, bend = 1.0 / half;
-  const double turning = s.integration.rotations ? 1.0 : 0.0;
-  const CellFrame before = cell_frame(s.domain);
-  CellFrame after;
-  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
-  const auto accelerations = [&](std::size_t k) {
-    const Load load = contact_load(s.list, k);
-    const DiskRecord& d = s.record[k];
-    return Load{load.fx / d.mass + s.gravity.x - s.drag * (d.vx - mx.at(d.x)),
-                load.fy / d.mass + s.gravity.y - s.drag * (d.vy - my.at(d.y)), turning * load.torque / inertia(d)};
-  };
-  // A way made during the step is carried along by a growing cell for what is left of it.
-  const auto advance = [&](std::size_t k, std::size_t axis, double& place, double& velocity, double& acceleration,
-                           double now, double growth) {
-    auto* h = &s.higher[3 * axis];
-    Nordsieck q{place, dt * velocity, half * acceleration, h[0][k], h[1][k], h[2][k]};
-    q.correct(half * (now - acceleration));
-    const double carried = growth * (q.q1 / 2 + q.q2 / 3 + q.q3 / 4 + q.q4 / 5 + q.q5 / 6);
-    q.predict();
-    place = q.q0 + carried;
-    velocity = rate * q.q1;
-    acceleration = bend * q.q2;
-    h[0][k] = q.q3;
-    h[1][k] = q.q4;
-    h[2][k] = q.q5;
-  };
-  std::vector<Load> now(s.count);
-  for (std::size_t k = 0; k < s.count; ++k) now[k] = accelerations(k);
+bool gear_sweep(Sample& s, const Team& team) {
+  DiskSweep sweep(s);
   move_walls(s);
-  after = cell_frame(s.domain);
-  const AffineMotion nx = affine_x(s.domain), ny = affine_y(s.domain);
-  for (std::size_t k = 0; k < s.count; ++k) {
-    DiskRecord& d = s.record[k];
-    double x = 0, y = 0;  // ways made in the step
-    advance(k, 0, x, s.vx[k], s.ax[k], now[k].fx, after.growth_x(before));
-    advance(k, 1, y, s.vy[k], s.ay[k], now[k].fy, after.growth_y(before));
-    advance(k, 2, s.angle[k], s.omega[k], s.alpha[k], now[k].torque, 0);
-    d.x = after.x_from(before, d.x) + x;
-    d.y = after.y_from(before, d.y) + y;
-    d.vx = s.vx[k] + nx.at(d.x);
-    d.vy = s.vy[k] + ny.at(d.y);
-    d.omega = s.omega[k];
-  }
-  if (s.domain.periodic_x) s.domain.tilt *= after.width / before.width;
-  ++s.step;
+  return sweep.run(s.kernel->gear, team);
 }
 
 namespace {

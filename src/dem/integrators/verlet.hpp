@@ -1,4 +1,5 @@
 #pragma once
+#include "core/threads.hpp"
 #include "dem/sample.hpp"
 
 namespace arenite::dem {
@@ -11,6 +12,7 @@ namespace arenite::dem {
 /// LAMMPS's velocity Verlet has it: of first order in the damping, stable up to twice the step.
 ///
 /// Takes the forces at t_n in the sample to positions and seen velocities at t_{n+1}; walls and affine motion too.
-void verlet_sweep(Sample& sample, double extrapolation);
+/// False if the contact list has become stale.
+bool verlet_sweep(Sample& sample, double extrapolation, const Team& team);
 
 }  // namespace arenite::dem

@@ -50,19 +50,29 @@ ARENITE_INLINE Pack<W> second_numbers(typename Pack<W>::Raw a, typename Pack<W>:
 /// Reads two neighbouring doubles at address(0), ..., address(W - 1) into one pack each.
 template <int W, class Address>
 ARENITE_INLINE void gather(Address&& address, Pack<W>& first, Pack<W>& second) {
-  const auto even = every_second<W>(0, address), odd = every_second<W>(1, address);
-  first = first_numbers<W>(even, odd);
-  second = second_numbers<W>(even, odd);
+  if constexpr (W == 1) {
+    first = Pack<W>(address(0)[0]);
+    second = Pack<W>(address(0)[1]);
+  } else {
+    const auto even = every_second<W>(0, address), odd = every_second<W>(1, address);
+    first = first_numbers<W>(even, odd);
+    second = second_numbers<W>(even, odd);
+  }
 }
 
 /// The inverse of gather.
 template <int W, class Address>
 ARENITE_INLINE void scatter(Address&& address, Pack<W> first, Pack<W> second) {
-  const auto even = first_numbers<W>(first.raw, second.raw).raw, odd = second_numbers<W>(first.raw, second.raw).raw;
+  if constexpr (W == 1) {
+    address(0)[0] = first.raw[0];
+    address(0)[1] = second.raw[0];
+  } else {
+    const auto even = first_numbers<W>(first.raw, second.raw).raw, odd = second_numbers<W>(first.raw, second.raw).raw;
 #pragma GCC unroll 4
-  for (int k = 0; k < W; k += 2) {
-    std::memcpy(address(k), reinterpret_cast<const double*>(&even) + k, sizeof(Piece));
-    std::memcpy(address(k + 1), reinterpret_cast<const double*>(&odd) + k, sizeof(Piece));
+    for (int k = 0; k < W; k += 2) {
+      std::memcpy(address(k), reinterpret_cast<const double*>(&even) + k, sizeof(Piece));
+      std::memcpy(address(k + 1), reinterpret_cast<const double*>(&odd) + k, sizeof(Piece));
+    }
   }
 }
 

@@ -11,6 +11,11 @@ namespace arenite::dem {
 template <int W>
 struct RawPack;
 template <>
+struct RawPack<1> {
+  typedef double Numbers __attribute__((vector_size(8)));
+  typedef std::int64_t Bits __attribute__((vector_size(8)));
+};
+template <>
 struct RawPack<2> {
   typedef double Numbers __attribute__((vector_size(16)));
   typedef std::int64_t Bits __attribute__((vector_size(16)));
@@ -51,6 +56,7 @@ struct Pack {
   ARENITE_INLINE friend Pack operator*(Pack a, Pack b) { return a.raw * b.raw; }
   ARENITE_INLINE friend Pack operator/(Pack a, Pack b) { return a.raw / b.raw; }
   ARENITE_INLINE friend Bits operator>(Pack a, Pack b) { return a.raw > b.raw; }
+  ARENITE_INLINE friend Bits operator<=(Pack a, Pack b) { return a.raw <= b.raw; }
   ARENITE_INLINE friend Pack min(Pack a, Pack b) { return b.raw < a.raw ? b.raw : a.raw; }
   ARENITE_INLINE friend Pack max(Pack a, Pack b) { return a.raw < b.raw ? b.raw : a.raw; }
   ARENITE_INLINE friend Pack select(Bits condition, Pack yes, Pack no) { return condition ? yes.raw : no.raw; }

@@ -56,32 +56,6 @@ ARENITE_INLINE void pair_batch(const PairTask& t, const N& normal, const A& adhe
              zero - arm_j * ft);
 }
 
-/// The last slots, fewer than W: their last one fills the batch up.
-template <int W, class N, class A, class F>
-ARENITE_INLINE void last_pairs(const PairTask& t, const N& normal, const A& adhesion, const F& friction,
-                               std::size_t begin, std::size_t end) {
-  std::int32_t i[W], j[W];
-  double stiffness[W], damping[W], viscosity[W], strength[W], memory[W];
-  SlotForce force[W];
-  for (std::size_t k = 0; k < W; ++k) {
-    const std::size_t p = begin + k < end ? begin + k : end - 1;
-    i[k] = t.i[p];
-    j[k] = t.j[p];
-    stiffness[k] = t.stiffness[p];
-    damping[k] = t.damping[p];
-    viscosity[k] = t.viscosity[p];
-    strength[k] = t.strength[p];
-    memory[k] = t.memory[p];
-  }
-  const PairTask batch{t.record, i,      j,     stiffness,  damping, viscosity,
-                       strength, memory, force, t.friction, t.floor, t.arm_share};
-  pair_batch<W>(batch, normal, adhesion, friction, 0);
-  for (std::size_t k = 0; begin + k < end; ++k) {
-    t.force[begin + k] = force[k];
-    t.memory[begin + k] = memory[k];
-  }
-}
-
 /// `flatten` compiles the laws into the loop: as calls they would double its time.
 template <int W, class N, class A, class F>
 __attribute__((flatten)) void pair_loop(const PairTask& task, const ContactLaws& laws, std::size_t begin,
@@ -91,19 +65,7 @@ __attribute__((flatten)) void pair_loop(const PairTask& task, const ContactLaws&
   const F friction = *std::get_if<F>(&laws.friction);
   std::size_t p = begin;
   for (; p + W <= end; p += W) pair_batch<W>(task, normal, adhesion, friction, p);
-  if (p < end) last_pairs<W>(task, normal, adhesion, friction, p, end);
-}
-
-/// All combinations of the laws, in the order of their variants.
-template <int W>
-constexpr Kernel make_kernel(const char* name) {
-  return {name,
-          {{{pair_loop<W, Linear, NoAdhesion, RegularisedCoulomb>, pair_loop<W, Linear, NoAdhesion, CundallStrack>},
-            {pair_loop<W, Linear, GeometricalAdhesion, RegularisedCoulomb>,
-             pair_loop<W, Linear, GeometricalAdhesion, CundallStrack>}},
-           {{pair_loop<W, Hertz, NoAdhesion, RegularisedCoulomb>, pair_loop<W, Hertz, NoAdhesion, CundallStrack>},
-            {pair_loop<W, Hertz, GeometricalAdhesion, RegularisedCoulomb>,
-             pair_loop<W, Hertz, GeometricalAdhesion, CundallStrack>}}}};
+  for (; p < end; ++p) pair_batch<1>(task, normal, adhesion, friction, p);
 }
 
 }  // namespace arenite::dem

@@ -1,4 +1,4 @@
-#include "dem/kernels/pair_loop.hpp"
+#include "dem/kernels/make_kernel.hpp"
 
 namespace arenite::dem {
 

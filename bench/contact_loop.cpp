@@ -1,0 +1,73 @@
+// Speed of the engine that `arenite run` uses, its list checked every step. Counters: Mps, million particle-steps per
+// CPU second and core; steps_per_build of the contact list. The label is the hash of the state reached.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <ctime>
+
+#include "samples.hpp"
+
+namespace {
+
+using namespace arenite;
+
+dem::Engine engine_of(const Packing& packing, dem::IntegratorKind integrator, int threads = 1) {
+  dem::IntegrationParameters integration;
+  integration.integrator = integrator;
+  integration.threads = threads;
+  integration.safety = 0.05;
+  return dem::Engine(packing, bench::contact_parameters(), integration);
+}
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// Advances by `steps` an iteration, calling `before_each` first.
+template <class Prepare>
+void measure(benchmark::State& state, dem::Engine& engine, std::int64_t steps, Prepare&& before_each) {
+  engine.advance(100);
+  const auto builds = engine.list_builds();
+  const auto first = engine.step();
+  double seconds = 0;
+  for (auto _ : state) {
+    before_each();
+    const double start = cpu_seconds();
+    engine.advance(steps);
+    seconds += cpu_seconds() - start;
+  }
+  const auto done = static_cast<double>(engine.step() - first);
+  state.counters["Mps"] = 1e-6 * done * static_cast<double>(engine.grain_count()) / seconds;
+  const auto built = static_cast<double>(engine.list_builds() - builds);
+  state.counters["steps_per_build"] = built > 0 ? done / built : 0;
+  state.SetLabel(fmt::format("{} {:016x}", engine.kernel(), engine.state_hash()));
+}
+
+void at_rest(benchmark::State& state, const Packing& (*packing)(), dem::IntegratorKind integrator, int threads) {
+  dem::Engine engine = engine_of(packing(), integrator, threads);
+  measure(state, engine, 2'000'000 / static_cast<std::int64_t>(engine.grain_count()), [] {});
+}
+
+/// Walls that close and open so fast that the list is rebuilt about every 20 steps.
+void compaction(benchmark::State& state, dem::IntegratorKind integrator) {
+  dem::Engine engine = engine_of(bench::walls_4000(), integrator);
+  double speed = 0.5 * engine.skin() / (20 * engine.time_step());
+  measure(state, engine, 200, [&] {
+    using Kind = dem::WallDrive::Kind;
+    engine.set_drives({{{Kind::velocity, speed}, {Kind::velocity, -speed}, {Kind::velocity, speed}, {Kind::velocity, -speed}}});
+    speed = -speed;
+  });
+}
+
+constexpr auto verlet = dem::IntegratorKind::velocity_verlet, gear = dem::IntegratorKind::gear5;
+#define ARENITE_CASE(name, ...) BENCHMARK_CAPTURE(__VA_ARGS__)->Name(name)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()
+ARENITE_CASE("walls_4000/verlet", at_rest, a, bench::walls_4000, verlet, 1);
+ARENITE_CASE("walls_4000/gear", at_rest, b, bench::walls_4000, gear, 1);
+ARENITE_CASE("walls_4000/verlet/two_threads", at_rest, c, bench::walls_4000, verlet, 2)->UseRealTime();
+ARENITE_CASE("walls_4000/gear/two_threads", at_rest, d, bench::walls_4000, gear, 2)->UseRealTime();
+ARENITE_CASE("periodic_100000/verlet", at_rest, e, bench::periodic_100000, verlet, 1);
+ARENITE_CASE("periodic_100000/gear", at_rest, f, bench::periodic_100000, gear, 1);
+ARENITE_CASE("compaction_4000/verlet", compaction, g, verlet);
+ARENITE_CASE("compaction_4000/gear", compaction, h, gear);
+
+}  // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,111 @@
+#include "samples.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/random.hpp"
+
+namespace arenite::bench {
+
+namespace {
+
+constexpr double stiffness = 1e7;          // N/m
+constexpr double target_pressure = 1e-3;   // P L/k
+
+/// Disks on a jittered square lattice in mixed order, solid fraction 0.6.
+Packing loose(std::size_t n, bool periodic) {
+  Packing p;
+  p.materials = {{"grain", 1000.0, stiffness, 0.0}};
+  const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(n))));
+  p.grains.resize(n);
+  RandomStream size(1, Purpose::radius), place(1, Purpose::position), order(1, Purpose::order);
+  double area = 0;
+  for (auto& r : p.grains.radius) {
+    r = size.uniform(4e-3, 8e-3);
+    area += std::numbers::pi * r * r;
+  }
+  const double width = std::sqrt(area / 0.6), pitch = width / static_cast<double>(side);
+  std::vector<std::size_t> site(side * side);
+  for (std::size_t k = 0; k < site.size(); ++k) site[k] = k;
+  for (std::size_t k = site.size() - 1; k > 0; --k) std::swap(site[k], site[order.below(k + 1)]);
+  for (std::size_t k = 0; k < n; ++k) {
+    p.grains.x[k] = (static_cast<double>(site[k] % side) + place.uniform(0.45, 0.55)) * pitch;
+    p.grains.y[k] = (static_cast<double>(site[k] / side) + place.uniform(0.45, 0.55)) * pitch;
+  }
+  p.domain.wall[right].position = p.domain.wall[top].position = width;
+  p.domain.periodic_x = p.domain.periodic_y = periodic;
+  return p;
+}
+
+double pressure(const dem::Engine& engine) {
+  const Domain& d = engine.domain();
+  return 0.5 * ((d.wall[left].force + d.wall[right].force) / (2 * d.height()) +
+                (d.wall[bottom].force + d.wall[top].force) / (2 * d.width()));
+}
+
+dem::WallDrives closing(double speed) {
+  using Kind = dem::WallDrive::Kind;
+  return {{{Kind::velocity, speed}, {Kind::velocity, -speed}, {Kind::velocity, speed}, {Kind::velocity, -speed}}};
+}
+
+Packing jammed(std::size_t n, bool periodic) {
+  dem::IntegrationParameters integration;
+  integration.drag = 20;
+  dem::Engine engine(loose(n, periodic), contact_parameters(), integration);
+  engine.set_friction(0.02);
+  const double fast = 0.06 * engine.domain().width() / (15000 * engine.time_step());
+  for (double speed = fast; speed > 0.02 * fast; speed *= 0.5) {  // ever slower; what is too much opens again
+    const double sign = pressure(engine) < target_pressure * stiffness ? 1.0 : -1.0;
+    engine.set_drives(closing(sign * speed));
+    while (sign * (target_pressure * stiffness - pressure(engine)) > 0) engine.advance(50);
+  }
+  engine.set_drives({});
+  engine.set_friction(std::nullopt);
+  engine.advance(10000);
+  return engine.packing();
+}
+
+Packing tiled(const Packing& cell, int times) {
+  Packing p = cell;
+  p.grains = {};
+  p.contacts = {};
+  const std::size_t n = cell.grains.size();
+  p.grains.resize(n * static_cast<std::size_t>(times * times));
+  const double width = cell.domain.width(), height = cell.domain.height();
+  std::size_t k = 0;
+  for (int row = 0; row < times; ++row)
+    for (int column = 0; column < times; ++column)
+      for (std::size_t q = 0; q < n; ++q, ++k) {
+        p.grains.x[k] = cell.grains.x[q] + column * width;
+        p.grains.y[k] = cell.grains.y[q] + row * height;
+        p.grains.radius[k] = cell.grains.radius[q];
+      }
+  p.domain.wall[right].position = p.domain.wall[left].position + times * width;
+  p.domain.wall[top].position = p.domain.wall[bottom].position + times * height;
+  return p;
+}
+
+}  // namespace
+
+dem::ContactParameters contact_parameters() {
+  dem::ContactParameters contact;
+  contact.restitution = 0.3;
+  return contact;
+}
+
+const Packing& walls_4000() {
+  static const Packing packing = jammed(4000, false);
+  return packing;
+}
+
+const Packing& periodic_4000() {
+  static const Packing packing = jammed(4000, true);
+  return packing;
+}
+
+const Packing& periodic_100000() {
+  static const Packing packing = tiled(periodic_4000(), 5);
+  return packing;
+}
+
+}  // namespace arenite::bench

@@ -1,0 +1,18 @@
+#pragma once
+#include "dem/engine.hpp"
+
+namespace arenite::bench {
+
+/// The case of the comparison with LAMMPS: radii 4 to 8 mm, one material, linear law, mu = 0.3, coordination about 4.
+dem::ContactParameters contact_parameters();
+
+/// 4000 disks between four walls, compacted by the engine at mu = 0 to P/k = 1e-3 and brought to rest with friction.
+const Packing& walls_4000();
+
+/// 4000 disks in a periodic cell, made in the same way.
+const Packing& periodic_4000();
+
+/// The periodic sample five by five times, 100 000 disks.
+const Packing& periodic_100000();
+
+}  // namespace arenite::bench

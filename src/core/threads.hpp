@@ -1,0 +1,43 @@
+#pragma once
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+namespace arenite {
+
+/// The seam for threads: a team that does one thing after another on all its members at once. Steps of a simulation
+/// last some tens of microseconds, so members wait for the next thing in a loop, and only sleep when none comes for
+/// much longer than that.
+class Team {
+ public:
+  explicit Team(int size = 1);
+  ~Team();
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+
+  int size() const { return static_cast<int>(members_.size()) + 1; }
+
+  /// Calls work(begin, end) for the ranges into which 0 .. n-1 is cut, one a member, and returns when all are done.
+  /// Cuts are at multiples of eight and depend on n and the size only. `work` must not throw.
+  template <class Work>
+  void for_ranges(std::size_t n, Work&& work) const {
+    if (members_.empty()) return work(std::size_t{0}, n);
+    run([](void* what, std::size_t begin, std::size_t end) { (*static_cast<std::remove_reference_t<Work>*>(what))(begin, end); },
+        &work, n);
+  }
+
+ private:
+  using Call = void (*)(void*, std::size_t, std::size_t);
+  struct Shared;
+
+  void run(Call call, void* what, std::size_t n) const;
+  static void serve(Shared& shared, int member);
+
+  std::unique_ptr<Shared> shared_;
+  std::vector<std::thread> members_;
+};
+
+}  // namespace arenite
