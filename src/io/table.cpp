@@ -57,7 +57,8 @@ Table::Column column_of(std::string_view cell) {
 }
 
 bool is_unit(std::string_view cell) {
-  if (cell.empty() || cell == "-" || cell == "1") return true;
+  if (cell.empty() || cell == "-") return true;
+  if (to_number(cell)) return false;
   try {
     parse_unit(cell);
     return true;
@@ -66,10 +67,8 @@ bool is_unit(std::string_view cell) {
   }
 }
 
-bool is_unit_row(const Table::Row& row) {
-  const bool has_number = std::any_of(row.cells.begin(), row.cells.end(), [](std::string_view c) { return c != "1" && to_number(c); });
-  return !has_number && std::all_of(row.cells.begin(), row.cells.end(), is_unit);
-}
+/// A row of units holds no number at all: "1" is a number, "-" stands for no unit.
+bool is_unit_row(const Table::Row& row) { return std::all_of(row.cells.begin(), row.cells.end(), is_unit); }
 
 void check_header(const Table& table, int line, Problems& problems) {
   for (std::size_t a = 0; a < table.columns.size(); ++a)
@@ -138,7 +137,7 @@ Table read_table(std::string_view text, const std::string& columns, Problems& pr
     }
     if (first_row && is_unit_row(row)) {
       for (std::size_t c = 0; c < row.cells.size(); ++c)
-        if (table.columns[c].unit.empty() && row.cells[c] != "-" && row.cells[c] != "1") table.columns[c].unit = row.cells[c];
+        if (table.columns[c].unit.empty() && row.cells[c] != "-") table.columns[c].unit = row.cells[c];
     } else {
       table.rows.push_back(std::move(row));
     }

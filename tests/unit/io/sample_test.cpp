@@ -73,6 +73,10 @@ TEST(SampleCsv, ReadsUnitsFromTheHeaderARowOfUnitsOrOptions) {
   EXPECT_DOUBLE_EQ(radius("# a comment\n\nid,x,y,radius [mm]\r\n1,0,0,16.4\r\n", millimetres), 0.0164);
 }
 
+TEST(SampleCsv, DoesNotTakeARowOfOnesForUnits) {
+  EXPECT_EQ(Files("id,x,y,radius\n1,1,1,1\n", "i,j,fn,ft\n").read().packing.grains.size(), 1u);
+}
+
 TEST(SampleCsv, ReadsQuotedCellsAndZones) {
   const Packing p = Files("id,x,y,radius,material,zone\n1,0,0,1,\"POM, black\",1\n2,3,0,1,HDPE,0\n", "i,j,fn,ft\n").read().packing;
   EXPECT_EQ(p.materials.at(0).name, "POM, black");
