@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <vector>
+
+#include "support/program.hpp"
+
+namespace {
+using arenite::test::arenite;
+using arenite::test::TemporaryFolder;
+
+using Row = std::map<std::string, std::string>;
+
+std::vector<std::string> fields(const std::string& line) {
+  std::vector<std::string> list;
+  std::istringstream stream(line);
+  for (std::string field; std::getline(stream, field, ',');) list.push_back(field);
+  return list;
+}
+
+/// Rows of a CSV with a line of names and one of units.
+std::vector<Row> rows(const std::string& csv) {
+  std::istringstream stream(csv);
+  std::string line;
+  std::getline(stream, line);
+  const auto names = fields(line);
+  std::getline(stream, line);
+  std::vector<Row> table;
+  while (std::getline(stream, line)) {
+    const auto values = fields(line);
+    EXPECT_EQ(values.size(), names.size()) << line;
+    Row row;
+    for (std::size_t i = 0; i < names.size(); ++i) row[names[i]] = values[i];
+    table.push_back(row);
+  }
+  return table;
+}
+double number(const Row& row, const char* name) { return std::stod(row.at(name)); }
+
+TEST(BiaxialExample, ADenseSampleShearsAtTheSidePressureMobilisesFrictionAndDilates) {
+  const TemporaryFolder folder;
+  const std::string out = (folder / "out").string();
+  const auto run = arenite("run " ARENITE_SOURCE_DIR "/examples/05-biaxial-test/recipe.toml --quiet --set packing.grains=200 "
+                           "--set 'frame.width=\"90 mm\"' --set 'stages.1.duration=\"0.12 s\"' --set stages.1.frames=12 --out " + out);
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto shown = arenite("show " + out + " --states");
+  ASSERT_EQ(shown.status, 0) << shown.err;
+
+  std::vector<Row> shear;
+  for (const Row& row : rows(shown.out)) {
+    if (row.at("stage") == "densify") {
+      EXPECT_NEAR(number(row, "p"), 50e3, 1e3);
+      EXPECT_LT(number(row, "q_over_p"), 0.1);
+      EXPECT_LT(number(row, "mobilisation"), 1e-6);  // friction is off
+    }
+    if (row.at("stage") == "shear") shear.push_back(row);
+  }
+  ASSERT_EQ(shear.size(), 12u);
+  double side = 0, strong = 0, weak = 0, share = 0, peak = 0;
+  for (std::size_t i = 2; i < shear.size(); ++i) {
+    const double x = number(shear[i], "strain_x"), y = number(shear[i], "strain_y");
+    EXPECT_NEAR(number(shear[i], "volume_strain"), 1 - (1 - x) * (1 - y), 1e-5);
+    side += (number(shear[i], "p") - number(shear[i], "q")) / 10;
+    strong += number(shear[i], "a_c_strong") / 10;
+    weak += number(shear[i], "a_c_weak") / 10;
+    share += number(shear[i], "strong_share") / 10;
+    peak = std::max(peak, number(shear[i], "q_over_p"));
+  }
+  EXPECT_NEAR(side, 50e3, 0.15 * 50e3);  // the smaller principal stress is the pressure on the side, but for fluctuations
+  EXPECT_GT(peak, 0.25);                 // below the sine of what mu = 0.5 and dilation allow, above that of smooth grains
+  EXPECT_LT(peak, 0.75);
+  EXPECT_LT(number(shear.back(), "volume_strain"), -0.003);  // dense: dilates
+  EXPECT_GT(strong, weak + 0.2);         // strong contacts lean to the compression
+  EXPECT_NEAR(share, 0.42, 0.06);
+}
+
+TEST(Course, ExcludesJson) { EXPECT_EQ(arenite("show x.h5 --states --json").status, 2); }
+
+}  // namespace
