@@ -63,7 +63,7 @@ TEST(IntegratorOrder, UndampedOscillationConvergesWithTheStepSquaredOrBetter) {
   const OnTheWall disk;
   const double end = 2.3 * 2 * pi / disk.omega;
   for (const auto kind : integrators) {
-    const Convergence c = converge(disk.start, elastic(), kind, end, 100, disk.g,
+    const Convergence c = converge(disk.start, elastic(), kind, end, 150, disk.g,
                                    [&](const Packing& p) { return disk.error(p, 0, end); });
     expect_convergence(c, least_order(kind), 0.02, kind);
   }
