@@ -60,8 +60,6 @@ void declare(ParameterVisitor& v, dem::IntegrationParameters& integration) {
   v.number({"safety", "Time step as a share of the shortest contact time, pi sqrt(m_eff/k)."}, integration.safety, "",
            range::above(0, 1));
   v.flag({"rotations", "Grains turn; false: they only move."}, integration.rotations);
-  v.number({"drag", "Global viscous drag, as a rate: the force on a grain is -drag m v."}, integration.drag, "1/s",
-           range::not_negative);
   v.flag({"track_energy", "Account for dissipation and work at every step (slower)."}, integration.track_energy);
   // A name from elsewhere (--kernel) comes here without having been read, so it may be none of these.
   static const std::vector<std::string> kernels{"auto", "portable", "avx2", "avx512"};

@@ -84,7 +84,7 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
             {1, 1'000'000});
   v.number({"friction", "Coefficient mu during this stage only, for example 0 to densify."}, stage.friction, "",
            range::not_negative);
-  v.number({"drag", "Additional viscous drag during this stage only, as a rate."}, stage.drag, "1/s", range::not_negative);
+  v.number({"drag", "Viscous drag during this stage, as a rate: the force on a grain is -drag m v."}, stage.drag, "1/s", range::not_negative);
   v.flag({"glue", "Adhesion acts from this stage on."}, stage.glue);
   v.require(!stage.glue || recipe.contact.adhesion != dem::Adhesion::none, {"glue"},
             "there is nothing to glue with; set contact.adhesion and contact.surface_energy");

@@ -38,7 +38,7 @@ void write_rows(std::string& text, const RecordTable& table) {
                           cell(record.sentence));
       continue;
     }
-    const std::string form = record.words.empty() ? (record.literal ? *record.literal : record.form)
+    const std::string form = record.words.empty() ? (record.literal && !record.required ? *record.literal : record.form == "..." ? std::string("1") : record.form)
                                                   : record.words.front().first;
     text += fmt::format("| `{}` | {} | {} | {} |\n", record.name, in_code(form), default_of(record), meaning_of(record));
   }
