@@ -93,6 +93,24 @@ TEST(Engine, AServoWallReachesItsForceAndStopsThere) {
   EXPECT_LT(engine.equilibrium().unbalanced_ratio, 1e-2);
 }
 
+TEST(Engine, AServoWallHoldsItsForceWhileItGivesWay) {
+  const Packing p = crowd(12, 12, 3, 0.0122);
+  ContactParameters contact;
+  contact.restitution = 0.3;
+  Engine engine(p, contact, {});
+  WallDrives drives;
+  drives[bottom] = drives[left] = {WallDrive::Kind::force, 4000};
+  engine.set_drives(drives);
+  engine.advance(20000);
+  drives[top] = {WallDrive::Kind::velocity, -0.1};
+  drives[right] = {WallDrive::Kind::velocity, -0.1};
+  engine.set_drives(drives);
+  engine.advance(40000);
+  EXPECT_NEAR(engine.domain().wall[bottom].velocity, -0.1, 0.02);
+  EXPECT_NEAR(engine.domain().wall[bottom].force, 4000, 200);
+  EXPECT_NEAR(engine.domain().wall[left].force, 4000, 200);
+}
+
 TEST(Engine, AStepBeyondTheBoundsIsRefusedWithTheStepThatWouldDo) {
   const Packing p = crowd(4, 4, 1);
   IntegrationParameters integration;
