@@ -34,8 +34,8 @@ struct Snapshot {
 /// Account of dissipation and work, closed by the scheme's own identity where there is one. Under Verlet a step changes
 /// sum m v^2/2 - (dt^2/8) m a^2 by exactly (F_n + F_n+1)/2 times the way made, so each class of force is given that
 /// share of the work; of a linear spring that is the change of its energy, so what stays open is the second term (0 at
-/// rest) and the steps in which a contact opens or closes. Under Gear the powers are integrated by the Adams-Moulton rule of fourth order. What friction takes from the motion
-/// and its springs do not store is dissipated.
+/// rest) and the steps in which a contact opens or closes. Under Gear the powers are integrated by the Adams-Moulton
+/// rule of fourth order. What friction takes from the motion and its springs do not store is dissipated.
 struct Ledger {
   bool open = false;                             ///< `last` belongs to the present state
   Snapshot last;

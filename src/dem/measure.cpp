@@ -193,7 +193,7 @@ Equilibrium equilibrium_of(const Sample& s) {
     }
   }
   if (s.count > 0 && resultant > 0)
-    q.unbalanced_ratio = normal_sum > 0 ? resultant / static_cast<double>(s.count) / (normal_sum / static_cast<double>(contacts))
+    q.unbalanced_ratio = normal_sum > 0 ? (resultant / static_cast<double>(s.count)) * static_cast<double>(contacts) / normal_sum
                                         : std::numeric_limits<double>::infinity();
   const double kinetic = kinetic_energy_of_bearing_grains(s, pressed_contacts), elastic = energies_of(s).elastic;
   if (kinetic > 0) q.kinetic_ratio = elastic > 0 ? kinetic / elastic : std::numeric_limits<double>::infinity();

@@ -11,7 +11,7 @@ namespace arenite::dem {
 
 namespace {
 
-constexpr std::uint64_t mark = 0x31302d6d65642d61;  // "a-dem-01"; changes with what `transfer` lists
+constexpr std::uint64_t mark = 0x32302d6d65642d61;  // "a-dem-02"; changes with what `transfer` lists
 
 class Writer {
  public:
@@ -72,7 +72,9 @@ void transfer(Archive& a, WallBody& body) {
   auto kind = static_cast<std::int32_t>(body.drive.kind);
   a(kind);
   body.drive.kind = static_cast<WallDrive::Kind>(kind);
-  for (auto* v : {&body.drive.value, &body.mass, &body.impedance, &body.sample_mass, &body.drift, &body.rate, &body.acceleration}) a(*v);
+  for (auto* v : {&body.drive.value, &body.mass, &body.impedance, &body.sample_mass, &body.drift, &body.rate,
+                  &body.acceleration})
+    a(*v);
   for (auto& v : body.higher) a(v);
 }
 
