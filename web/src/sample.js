@@ -64,9 +64,11 @@ export class Sample {
     frame.contacts = {};
     for (const [name, reference] of Object.entries(about.contacts)) frame.contacts[name] = this.#array(reference);
     frame.contacts.type = this.#typesOf(frame.contacts);
-    frame.hasTension = frame.contacts.fn.some((force) => force < 0);
     frame.texture = about.texture ?? null;
     frame.meanForce = frame.texture?.force?.mean_N?.value ?? meanOfPositive(frame.contacts.fn);
+    // At rest the dashpots leave traces of pull that mean nothing.
+    frame.tensile = -1e-3 * frame.meanForce;
+    frame.hasTension = frame.contacts.fn.some((force) => force < frame.tensile);
     frame.sigmaNorm = this.#sigmaNorm(frame);
     return frame;
   }

@@ -12,7 +12,7 @@ const light = {
   mixedLine: ["#3c8d7a", "#8a6bb0", "#6f7f2f", "#a8563d"],
   strong: "#14191f", weak: "#7c868f", tension: "#d81b60", fit: "#1b2026", accent: "#a4522a",
   stress: (t) => interpolateMagma(0.99 - 0.87 * t),
-  size: (t) => interpolateViridis(0.97 - 0.9 * t),
+  size: (t) => interpolateViridis(0.92 - 0.74 * t),
 };
 
 const dark = {
@@ -23,7 +23,7 @@ const dark = {
   mixedLine: ["#62bfa8", "#b196dc", "#a8b65c", "#dc8d74"],
   strong: "#f6f2e9", weak: "#87919b", tension: "#ff5c98", fit: "#e9eaea", accent: "#e08a5c",
   stress: (t) => interpolateMagma(0.14 + 0.85 * t),
-  size: (t) => interpolateViridis(0.12 + 0.86 * t),
+  size: (t) => interpolateViridis(0.2 + 0.74 * t),
 };
 
 const preference = window.matchMedia("(prefers-color-scheme: dark)");

@@ -36,9 +36,9 @@ export function logAxis(label, domain) {
   } };
 }
 
-/** Two charts side by side as one SVG, or one below the other where there is little room. */
+/** Charts side by side as one SVG, or one below the other where there is little room. */
 export function sideBySide(width, draw, gap = 18) {
-  const narrow = width < 560;
+  const narrow = width < 270 * draw.length;
   const part = narrow ? width : (width - gap) / draw.length;
   const parts = draw.map((f) => f(part));
   const heights = parts.map((p) => p.viewBox.baseVal.height);

@@ -13,12 +13,12 @@ export function isShown(state, sample, frame, c) {
   if (!state.get("types").has(type[c])) return false;
   const strength = state.get("strength");
   if (strength === "all") return true;
-  if (strength === "tensile") return fn[c] < 0;
+  if (strength === "tensile") return fn[c] < frame.tensile;
   return (fn[c] > frame.meanForce) === (strength === "strong");
 }
 
 export function chainColour(theme, frame, fn) {
-  if (fn < 0) return theme.tension;
+  if (fn < frame.tensile) return theme.tension;
   return fn > frame.meanForce ? theme.strong : theme.weak;
 }
 
@@ -69,7 +69,7 @@ export function chainBuffers(state, sample, frame, theme, origin) {
   let count = 0;
   for (const c of shown) {
     const fn = frame.contacts.fn[c], name = chainColour(theme, frame, fn);
-    if (!paints.has(name)) paints.set(name, [...bytes(name), name === theme.weak ? 190 : 240]);
+    if (!paints.has(name)) paints.set(name, [...bytes(name), name === theme.weak ? 190 : 255]);
     for (const [ax, ay, bx, by] of segmentsOf(sample, frame, c)) {
       ends.set([ax - origin.x, ay - origin.y, bx - origin.x, by - origin.y], 4 * count);
       width[count] = chainWidth(sample, frame, fn);

@@ -38,7 +38,8 @@ export function diskDrawing(regl, corner) {
         float along = dot(place, axis), across = abs(dot(place, vec2(-axis.y, axis.x)));
         float spoke = clamp(0.04 * size + 0.5 - across, 0.0, 1.0) * clamp(along - 0.1 * size, 0.0, 1.0)
                     * clamp(0.8 * size - along, 0.0, 1.0);
-        colour = mix(colour, ink, marks * 0.75 * spoke);
+        vec3 mark = vec3(dot(body, vec3(0.3, 0.59, 0.11)) > 0.4 ? 0.1 : 0.95);
+        colour = mix(colour, mark, marks * 0.8 * spoke);
         gl_FragColor = vec4(colour, cover * fill.a);
       }`,
     attributes: {

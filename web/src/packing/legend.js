@@ -4,15 +4,14 @@ import { text } from "../text.js";
 import { chainWidth } from "./chains.js";
 import { colourings } from "./colouring.js";
 
-export const legendHeight = 46;
+export const legendHeight = 62;
 
 /** The strip below the packing: what the colours mean, how thick which force is, and a bar of known length. */
 export function legend(sample, frame, camera, theme, state, width) {
   const group = s("g", { "font-family": theme.font, "font-size": 11.5, fill: theme.soft });
   group.append(colourKey(sample, frame, theme, state.get("colour"), width));
-  const bar = scaleBar(camera, theme, width);
-  group.append(bar.shape);
-  if (state.get("chains") && frame.meanForce > 0) group.append(chainKey(sample, frame, camera, theme, width - bar.width - 28));
+  group.append(scaleBar(camera, theme, width));
+  if (state.get("chains") && frame.meanForce > 0) group.append(chainKey(sample, frame, camera, theme));
   return richSvg(group);
 }
 
@@ -24,7 +23,7 @@ function colourKey(sample, frame, theme, mode, width) {
   let x = 6;
   sample.materials.forEach((material, m) => {
     const name = `${material.name} (${text.count(sample.materialCounts[m])})`;
-    key.append(dot(x, 15, materialColour(theme, m), theme), label(x + 12, 15, name));
+    key.append(dot(x + 1, 15, materialColour(theme, m), theme), label(x + 13, 15, name));
     x += 34 + 6.4 * name.length;
   });
   return key;
@@ -56,27 +55,24 @@ function scaleBar(camera, theme, width) {
   const length = [5, 2, 1].map((f) => f * power).find((l) => l <= wanted) ?? power;
   const pixels = length * camera.scale;
   const right = width - 2;
-  const shape = s("g", {},
-    s("path", { d: `M${right - pixels},12 v6 h${pixels} v-6`, fill: "none", stroke: theme.ink, "stroke-width": 1.25 }),
-    label(right - pixels / 2, 29, text.quantity(length, "m", 1), "middle"));
-  return { shape, width: pixels };
+  return s("g", {},
+    s("path", { d: `M${right - pixels},10 v6 h${pixels} v-6`, fill: "none", stroke: theme.ink, "stroke-width": 1.25 }),
+    label(right - pixels / 2, 27, text.quantity(length, "m", 1), "middle"));
 }
 
-function chainKey(sample, frame, camera, theme, right) {
+function chainKey(sample, frame, camera, theme) {
   const group = s("g");
   const entries = [
     { name: "weak", colour: theme.weak, force: 0.5 },
     { name: "strong", colour: theme.strong, force: 3 },
   ];
   if (frame.hasTension) entries.push({ name: "tension", colour: theme.tension, force: 1 });
-  let x = right;
-  for (const { name, colour, force } of entries.reverse()) {
-    const words = 6.4 * name.length + 8;
-    group.append(label(x - words, 15, name));
-    const stroke = Math.max(1.1, Math.min(9, chainWidth(sample, frame, force * frame.meanForce) * camera.scale));
-    group.append(s("line", { x1: x - words - 32, x2: x - words - 10, y1: 15, y2: 15, stroke: colour, "stroke-width": stroke, "stroke-linecap": "round" }));
-    x -= words + 46;
+  let x = 3;
+  for (const { name, colour, force } of entries) {
+    const stroke = Math.max(1.2, Math.min(9, chainWidth(sample, frame, force * frame.meanForce) * camera.scale));
+    group.append(s("line", { x1: x, x2: x + 20, y1: 53, y2: 53, stroke: colour, "stroke-width": stroke, "stroke-linecap": "round" }), label(x + 29, 53, name));
+    x += 46 + 6.4 * name.length;
   }
-  group.append(label(right - 2, 35, "thickness \u221d |F_{n}|,  strong: F_{n} > \u27e8F_{n}\u27e9 = " + text.quantity(frame.meanForce, "N"), "end"));
+  group.append(label(x + 2, 53, "thickness \u221d F_{n};  strong: F_{n} > \u27e8F_{n}\u27e9 = " + text.quantity(frame.meanForce, "N")));
   return group;
 }
