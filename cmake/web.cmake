@@ -5,6 +5,12 @@ if(NOT NPM OR NOT NODE)
   message(FATAL_ERROR "The page is built with Node.js 18 or newer and npm, and they were not found: "
                       "install them (Debian: apt-get install nodejs npm) and configure again.")
 endif()
+execute_process(COMMAND ${NODE} --version OUTPUT_VARIABLE node_version OUTPUT_STRIP_TRAILING_WHITESPACE)
+string(REGEX REPLACE "^v" "" node_version "${node_version}")
+if(node_version VERSION_LESS 18)
+  message(FATAL_ERROR "The page is built with Node.js 18 or newer, and ${NODE} is ${node_version}: install a newer one "
+                      "or name it with -DNODE=PATH.")
+endif()
 
 set(web ${CMAKE_SOURCE_DIR}/web)
 set(web_installed ${web}/node_modules/.package-lock.json)
@@ -32,3 +38,4 @@ add_custom_command(
   DEPENDS ${page_html} ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
   COMMENT "Embedding the page")
 target_sources(arenite_core PRIVATE ${page_source})
+add_dependencies(arenite_core web)

@@ -13,3 +13,8 @@ TEST(Page, IsPaintedAndAnswersInABrowserFromTheDisk) {
   const auto outcome = test::shell("node " ARENITE_SOURCE_DIR "/web/test/page.test.mjs " + (folder / "page.html").string());
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
+
+TEST(Page, PartsWriteNumbersAndPlacesAsTheirTestsSay) {
+  const auto outcome = test::shell("node --test " ARENITE_SOURCE_DIR "/web/test/parts.test.mjs");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}

@@ -26,19 +26,19 @@ const dark = {
   size: (t) => interpolateViridis(0.2 + 0.74 * t),
 };
 
-const preference = window.matchMedia("(prefers-color-scheme: dark)");
+const preference = () => window.matchMedia("(prefers-color-scheme: dark)");
 
 export const themeOf = (name) => (name === "dark" ? dark : light);
 
 /** The reader's system decides until the button is pressed. */
 export function followTheme(state) {
   const apply = () => { document.documentElement.dataset.theme = state.get("theme"); };
-  preference.addEventListener("change", () => state.set({ theme: preference.matches ? "dark" : "light" }));
+  preference().addEventListener("change", () => state.set({ theme: preferredTheme() }));
   state.watch(["theme"], apply);
   apply();
 }
 
-export const preferredTheme = () => (preference.matches ? "dark" : "light");
+export const preferredTheme = () => (preference().matches ? "dark" : "light");
 
 const at = (list, k) => list[k % list.length];
 

@@ -67,7 +67,8 @@ export const energies = {
     const lines = energyLines(stageOf(sample, state));
     if (lines.length === 0) return null;
     const high = Math.max(...lines.flatMap(({ rows }) => rows.map((r) => r.y)));
-    const domain = [10 ** (Math.ceil(Math.log10(high)) - 7), 10 ** Math.ceil(Math.log10(high))];
+    const low = Math.max(Math.min(...lines.flatMap(({ rows }) => rows.map((r) => r.y))), 1e-7 * high);
+    const domain = [10 ** Math.floor(Math.log10(low)), 10 ** Math.ceil(Math.log10(high))];
     return chart(theme, {
       width, height: 254,
       x: timeAxis(sample, state), y: { ...logAxis("energy, J", domain), clamp: true },

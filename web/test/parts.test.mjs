@@ -1,0 +1,100 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { chainWidth, segmentsOf } from "../src/packing/chains.js";
+import { Camera } from "../src/packing/camera.js";
+import { State } from "../src/state.js";
+import { prefixOf, text } from "../src/text.js";
+
+test("a value and its error end at the error's second digit", () => {
+  assert.deepEqual(text.withError(0.123456, 0.02891), { value: "0.123", error: "0.029" });
+  assert.deepEqual(text.withError(98.63, 6.72), { value: "98.6", error: "6.7" });
+  assert.deepEqual(text.withError(1281.4, 50.2), { value: "1281", error: "50" });
+  assert.deepEqual(text.withError(-1.2345, 0.01), { value: "\u22121.234", error: "0.010" });
+});
+
+test("a value without an error keeps four digits and says no error", () => {
+  assert.deepEqual(text.withError(3.14159, null), { value: "3.142", error: "" });
+  assert.deepEqual(text.withError(null, null), { value: "\u2013", error: "" });
+});
+
+test("quantities take the prefix that suits them", () => {
+  assert.equal(text.quantity(50000, "N"), "50.0\u202fkN");
+  assert.equal(text.quantity(-1.876e6, "Pa"), "\u22121.88\u202fMPa");
+  assert.equal(text.quantity(0.02, "m", 1), "20\u202fmm");
+  assert.equal(text.quantity(0, "N"), "0\u202fN");
+  assert.equal(text.quantity(12, "%"), "12.0\u202f%");
+  assert.deepEqual(prefixOf(999.9, "N"), { factor: 1000, prefix: "k" });
+});
+
+test("very large and very small numbers are written with a power of ten", () => {
+  assert.equal(text.number(1.5e-7, 2), "1.5\u00b710\u207b\u2077");
+  assert.equal(text.number(2.5e6, 2), "2.5\u00b710\u2076");
+});
+
+function camera() {
+  const c = new Camera();
+  c.resize(600, 400);
+  c.fit({ left: 0, right: 0.35, bottom: 0.01, top: 0.36 }, 20);
+  return c;
+}
+
+test("a fitted box stands in the middle with its margin", () => {
+  const c = camera();
+  const [, top] = c.toScreen(0, 0.36), [, bottom] = c.toScreen(0, 0.01);
+  assert.ok(Math.abs(top - 20) < 1e-9 && Math.abs(bottom - 380) < 1e-9);
+});
+
+test("screen and plane are each other's inverse", () => {
+  const [x, y] = camera().toWorld(...camera().toScreen(0.123, 0.045));
+  assert.ok(Math.abs(x - 0.123) < 1e-12 && Math.abs(y - 0.045) < 1e-12);
+});
+
+test("zooming keeps the point under the pointer", () => {
+  const c = camera(), before = c.toWorld(137, 88);
+  c.zoom(137, 88, 3.7);
+  const after = c.toWorld(137, 88);
+  assert.ok(Math.hypot(after[0] - before[0], after[1] - before[1]) < 1e-12);
+});
+
+test("a state tells only those who watch what changed", () => {
+  const state = new State({ a: 1, b: 2 }), told = [];
+  state.watch(["a"], () => told.push("a"));
+  state.watch(["b"], () => told.push("b"));
+  state.set({ a: 1, b: 3 });
+  assert.deepEqual(told, ["b"]);
+});
+
+/** Two grains at the left and the right edge of a cell 1 m wide that touch through its periodic side, and one at a wall. */
+function cell(periodic) {
+  const sample = { count: 2, meanRadius: 0.1, box: () => ({ left: 0, right: 1, bottom: 0, top: 1 }) };
+  const frame = {
+    x: [0.05, 0.95], y: [0.5, 0.5], meanForce: 2, contacts: { i: [0, 1], j: [1, 2 + 1], fn: [4, 2] },
+    domain: { periodic: [periodic, false], tilt: 0, walls: [{ position: 0 }, { position: 1 }, { position: 0 }, { position: 1 }] },
+  };
+  return { sample, frame };
+}
+
+const near = (a, b) => a.forEach((v, k) => assert.ok(Math.abs(v - b[k]) < 1e-12, `${a} is not ${b}`));
+
+test("a chain through a periodic side is drawn at both sides, by the nearest image", () => {
+  const { sample, frame } = cell(true);
+  const [first, second, ...more] = segmentsOf(sample, frame, 0);
+  near(first, [0.05, 0.5, -0.05, 0.5]);
+  near(second, [1.05, 0.5, 0.95, 0.5]);
+  assert.equal(more.length, 0);
+});
+
+test("without periodic sides a chain goes from centre to centre", () => {
+  const { sample, frame } = cell(false);
+  near(segmentsOf(sample, frame, 0)[0], [0.05, 0.5, 0.95, 0.5]);
+});
+
+test("a chain to a wall is level and its round end touches the wall", () => {
+  const { sample, frame } = cell(false);
+  near(segmentsOf(sample, frame, 1)[0], [0.95, 0.5, 1 - chainWidth(sample, frame, 2) / 2, 0.5]);
+});
+
+test("the width of a chain is proportional to its force", () => {
+  const { sample, frame } = cell(false);
+  assert.ok(Math.abs(chainWidth(sample, frame, 4) - 2 * chainWidth(sample, frame, 2)) < 1e-15);
+});
