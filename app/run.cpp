@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 struct Arguments {
   RecipeArguments recipe;
   std::string out, kernel;
-  int threads = 0;
+  int threads = 1;
   bool quiet = false;
   double checkpoint_seconds = 30;
 };
@@ -41,21 +41,22 @@ bool shows_texture(const StageResult& stage, std::size_t frame) {
   return frame + 1 == stage.frames.size() || stage.frames[frame].packing.grains.size() <= small;
 }
 
-void write_page(const fs::path& path, const std::string& title, const std::vector<StageResult>& stages) {
+void write_page(const fs::path& path, const study::Recipe& recipe, const std::vector<StageResult>& stages) {
   report::PageData data;
-  data.title = title;
+  data.title = recipe.title;
   for (std::size_t s = 0; s < stages.size(); ++s) {
     data.stages.push_back(&stages[s]);
     for (std::size_t f = 0; f < stages[s].frames.size(); ++f)
-      if (shows_texture(stages[s], f)) data.textures.push_back({s, f, texture::measure(stages[s].frames[f].packing)});
+      if (shows_texture(stages[s], f)) data.textures.push_back({s, f, texture::measure(stages[s].frames[f].packing, study::texture_options(recipe, s))});
   }
   report::write_page(path, data);
 }
 
 int execute(const Arguments& arguments) {
-  auto recipe = study::read_recipe(arguments.recipe.file, arguments.recipe.overrides);
-  if (arguments.threads > 0) recipe.integration.threads = arguments.threads;
-  if (!arguments.kernel.empty()) recipe.integration.kernel = arguments.kernel;
+  auto overrides = arguments.recipe.overrides;
+  if (!arguments.kernel.empty()) overrides.push_back("integration.kernel=" + arguments.kernel);
+  auto recipe = study::read_recipe(arguments.recipe.file, overrides);
+  recipe.integration.threads = arguments.threads;
 
   study::RunOptions options;
   options.out = arguments.out.empty() ? default_folder(arguments.recipe.file) : fs::path(arguments.out);
@@ -76,7 +77,7 @@ int execute(const Arguments& arguments) {
   }
   for (const auto& stage : outcome.stages) fmt::print("{:<12} {}\n", stage.name, stage.outcome);
   const auto page = options.out / "report.html";
-  write_page(page, recipe.title, outcome.stages);
+  write_page(page, recipe, outcome.stages);
   fmt::print("\nresults: {0}\npage:    {1}   (open it in a browser)\nnumbers: arenite show {0}\n", options.out.string(), page.string());
   return outcome.converged ? done : not_converged;
 }
@@ -87,7 +88,7 @@ void add_run(CLI::App& command, int& status) {
   auto arguments = std::make_shared<Arguments>();
   add_recipe_arguments(command, arguments->recipe);
   command.add_option("--out", arguments->out, "Folder of the results (default: out/NAME)")->type_name("DIR");
-  command.add_option("--threads", arguments->threads, "Threads (default: what the recipe says)")->check(CLI::PositiveNumber)->type_name("N");
+  command.add_option("--threads", arguments->threads, "Threads; they change no bit of the results")->check(CLI::PositiveNumber)->type_name("N");
   command.add_option("--kernel", arguments->kernel, "Kernel of the contact loop: auto, portable, avx2, avx512")->type_name("NAME");
   command.add_option("--checkpoint-every", arguments->checkpoint_seconds, "Seconds between two checkpoints")->check(CLI::NonNegativeNumber)->type_name("S");
   command.add_flag("--quiet", arguments->quiet, "No progress");

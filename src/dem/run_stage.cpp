@@ -9,7 +9,6 @@ namespace arenite::dem {
 
 namespace {
 
-constexpr double standard_gravity = 9.81;       // m/s^2
 constexpr std::int64_t check_interval = 200;    // steps between two looks at equilibrium
 constexpr std::size_t history_rows = 4096;      // beyond this every second row is dropped
 

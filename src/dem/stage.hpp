@@ -6,6 +6,8 @@
 
 namespace arenite::dem {
 
+inline constexpr double standard_gravity = 9.81;  ///< m/s^2
+
 /// When an increment counts as done.
 struct RestCriterion {
   double unbalanced = 1e-4;            ///< unbalanced force ratio

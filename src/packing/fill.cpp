@@ -22,15 +22,8 @@ double disk_area(const Grains& grains) {
 
 }  // namespace
 
-Domain box_for(const Grains& grains, double width, double solid_fraction, bool periodic_x, bool periodic_y, double thickness) {
-  Domain domain;
-  domain.thickness = thickness;
-  domain.periodic_x = periodic_x;
-  domain.periodic_y = periodic_y;
-  for (int side = 0; side < 4; ++side) domain.wall[side].present = !(side < 2 ? periodic_x : periodic_y);
-  domain.wall[right].position = width;
-  domain.wall[top].position = disk_area(grains) / (solid_fraction * width);
-  return domain;
+double height_for(const Grains& grains, double width, double solid_fraction) {
+  return disk_area(grains) / (solid_fraction * width);
 }
 
 RelaxReport fill_at_random(Grains& grains, const Domain& domain, std::uint64_t seed) {
@@ -43,7 +36,8 @@ RelaxReport fill_at_random(Grains& grains, const Domain& domain, std::uint64_t s
   const auto report = relax(grains, domain);
   if (report.overlap_after > 0.01)
     throw InputError(fmt::format("a random filling at solid fraction {:.3f} jams with overlaps of {:.1f} % of the radii; "
-                                 "lower packing.solid_fraction to 0.80 or less and let a loading stage compact it",
+                                 "give it room (packing.solid_fraction of 0.80 or less, or a larger frame.height) and let a "
+                                 "loading stage compact it",
                                  disk_area(grains) / domain.area(), 100 * report.overlap_after));
   return report;
 }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "core/error.hpp"
 #include "io/placed_grains.hpp"
 #include "packing/fill.hpp"
 #include "packing/population.hpp"
@@ -33,11 +34,18 @@ std::string describe(const packing::RelaxReport& report) {
 std::string fill(const Recipe& recipe, Packing& packing) {
   auto& grains = packing.grains;
   packing.grains = packing::draw_grains(recipe.populations, recipe.materials, recipe.packing.grains, recipe.seed);
-  packing.domain = packing::box_for(grains, recipe.frame.width, recipe.packing.solid_fraction, recipe.frame.periodic_x,
-                                    recipe.frame.periodic_y, recipe.frame.thickness);
-  if (recipe.packing.method == Method::random)
+  packing.domain = frame_of(recipe.frame);
+  double& height = packing.domain.wall[top].position;
+  const bool height_given = recipe.frame.height > 0;
+  if (recipe.packing.method == Method::random) {
+    if (!height_given) height = packing::height_for(grains, recipe.frame.width, recipe.packing.solid_fraction);
     return "random filling: " + describe(packing::fill_at_random(grains, packing.domain, recipe.seed));
-  packing.domain.wall[top].position = packing::fill_lattice(grains, packing.domain);
+  }
+  const double filled = packing::fill_lattice(grains, packing.domain);
+  if (!height_given) height = filled;
+  if (filled > height * (1 + 1e-12))
+    throw InputError(fmt::format("the lattice is {:g} mm high and the frame only {:g} mm; raise frame.height or leave it out",
+                                 1e3 * filled, 1e3 * height));
   return "triangular lattice";
 }
 

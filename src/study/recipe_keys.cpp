@@ -14,7 +14,7 @@ using Visitor = ParameterVisitor;
 void declare(Visitor& v, FrameParameters& frame) {
   v.number({"width", "Inner width of the frame, or of the periodic cell.", true}, frame.width, "mm", range::positive);
   std::optional<double> height = frame.height > 0 ? std::optional(frame.height) : std::nullopt;
-  v.number({"height", "Inner height where grains are read from a file; fillings take the one that packing.solid_fraction asks for."},
+  v.number({"height", "Inner height at the start; if not given, fillings take the one that packing.solid_fraction asks for."},
            height, "mm", range::positive);
   frame.height = height.value_or(0);
   v.number({"thickness", "Length of the cylinders, out of the plane.", true}, frame.thickness, "mm", range::positive);

@@ -14,7 +14,6 @@
 #include "io/run_folder.hpp"
 #include "io/stage_file.hpp"
 #include "study/stage_keys.hpp"
-#include "texture/texture.hpp"
 
 namespace arenite::study {
 
@@ -64,8 +63,8 @@ Provenance provenance_of(const Recipe& recipe, const std::string& stage, const s
   return p;
 }
 
-void measure_last_frame(StageResult& result) {
-  if (!result.frames.empty()) result.texture_json = texture::to_json(texture::measure(result.frames.back().packing));
+void measure_last_frame(StageResult& result, const texture::Options& options) {
+  if (!result.frames.empty()) result.texture_json = texture::to_json(texture::measure(result.frames.back().packing, options));
 }
 
 io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run, const std::string& key) {
@@ -118,7 +117,7 @@ StageResult packing_stage(const Recipe& recipe, const fs::path& file, const std:
   if (!progress.reused) {
     auto result = make_packing(recipe);
     result.provenance = provenance_of(recipe, "packing", hash, "");
-    measure_last_frame(result);
+    measure_last_frame(result, texture_options(recipe, 0));
     io::write_stage(file, result);
   }
   progress.share = 1;
@@ -127,6 +126,12 @@ StageResult packing_stage(const Recipe& recipe, const fs::path& file, const std:
 }
 
 }  // namespace
+
+texture::Options texture_options(const Recipe& recipe, std::size_t stage) {
+  texture::Options options;
+  if (stage > 0 && recipe.stages[stage - 1].gravity) options.gravity = {0, -dem::standard_gravity};
+  return options;
+}
 
 RunOutcome run(const Recipe& recipe, const RunOptions& options) {
   const std::string packing_hash = packing_key(recipe);
@@ -159,7 +164,7 @@ RunOutcome run(const Recipe& recipe, const RunOptions& options) {
         return outcome;
       }
       result->provenance = provenance_of(recipe, recipe.stages[s].name, hashes[s + 1], engine->kernel());
-      measure_last_frame(*result);
+      measure_last_frame(*result, texture_options(recipe, s + 1));
       io::write_stage(file, *result);
       fs::remove(folder / "run.checkpoint");
       outcome.stages.push_back(std::move(*result));

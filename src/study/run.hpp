@@ -6,6 +6,7 @@
 
 #include "model/result.hpp"
 #include "study/recipe.hpp"
+#include "texture/texture.hpp"
 
 namespace arenite::study {
 
@@ -37,6 +38,9 @@ struct RunOutcome {
 /// the hash of all that it depends on. A stage whose file is there is read, not computed again; a run that was killed
 /// goes on from its last checkpoint and ends with the same bytes. A stage that finds no equilibrium ends the run.
 [[nodiscard]] RunOutcome run(const Recipe& recipe, const RunOptions& options);
+
+/// How the texture of a stage's states is measured; stage 0 is the packing.
+texture::Options texture_options(const Recipe& recipe, std::size_t stage);
 
 /// The grains in their box before any loading: drawn, placed and relaxed, or read from a file (recipe's [packing]).
 StageResult make_packing(const Recipe& recipe);

@@ -22,6 +22,14 @@ Grains disks(std::int64_t n, double min_diameter, double max_diameter) {
   return draw_grains({p}, {{"A", 1000, 1e6, 0}}, 0, 1);
 }
 
+Domain box_for(const Grains& grains, double width, double solid_fraction, bool periodic) {
+  Domain domain;
+  domain.periodic_x = domain.periodic_y = periodic;
+  domain.wall[right].position = width;
+  domain.wall[top].position = height_for(grains, width, solid_fraction);
+  return domain;
+}
+
 /// Largest overlap over the mean radius of the pair, walls included, by comparing all with all.
 double largest_overlap(const Grains& g, const Domain& d) {
   double worst = 0;
@@ -39,7 +47,7 @@ double largest_overlap(const Grains& g, const Domain& d) {
 TEST(Fill, RandomFillingLeavesNoOverlapAndTheAskedSolidFraction) {
   for (const bool periodic : {false, true}) {
     auto g = disks(600, 0.008, 0.016);
-    const auto box = box_for(g, 0.3, 0.78, periodic, periodic, 0.06);
+    const auto box = box_for(g, 0.3, 0.78, periodic);
     const auto report = fill_at_random(g, box, 4);
     EXPECT_LE(largest_overlap(g, box), 1.0001e-4);
     EXPECT_LE(report.overlap_after, 1e-4);
@@ -52,7 +60,7 @@ TEST(Fill, RandomFillingLeavesNoOverlapAndTheAskedSolidFraction) {
 
 TEST(Fill, SameSeedSameBytes) {
   auto a = disks(200, 0.01, 0.02), b = a, c = a;
-  const auto box = box_for(a, 0.3, 0.75, false, false, 1);
+  const auto box = box_for(a, 0.3, 0.75, false);
   fill_at_random(a, box, 9);
   fill_at_random(b, box, 9);
   fill_at_random(c, box, 10);
@@ -63,7 +71,7 @@ TEST(Fill, SameSeedSameBytes) {
 
 TEST(Fill, AnImpossibleSolidFractionIsRefusedWithTheMend) {
   auto g = disks(100, 0.01, 0.012);
-  const auto box = box_for(g, 0.12, 0.95, false, false, 1);
+  const auto box = box_for(g, 0.12, 0.95, false);
   try {
     fill_at_random(g, box, 1);
     FAIL() << "a solid fraction of 0.95 was accepted";
@@ -91,7 +99,7 @@ TEST(Fill, SmallOverlapsOfMeasuredCentresAreRelaxedAndReported) {
 
 TEST(Fill, LatticeRowsTouchAndStayInside) {
   auto g = disks(50, 0.0105, 0.0105 + 1e-15);
-  auto box = box_for(g, 0.0105 * 8, 0.9, false, false, 1);
+  auto box = box_for(g, 0.0105 * 8, 0.9, false);
   const double height = fill_lattice(g, box);
   box.wall[top].position = height;
   EXPECT_LE(largest_overlap(g, box), 1e-9);
