@@ -57,7 +57,9 @@ struct PageSample {
     }
     double area = 0;
     for (const double r : grains.radius) area += 3.14159265 * r * r;
-    Domain domain = packing::box_for(grains, std::sqrt(area / 0.72), 0.72, false, false, 0.06);
+    Domain domain;
+    domain.thickness = 0.06;
+    domain.wall[right].position = domain.wall[top].position = std::sqrt(area / 0.72);
     packing::fill_at_random(grains, domain, 7);
     const double lowest = domain.height() * (1 - 0.72 / 0.845), step = (domain.height() * (1 - 0.72 / 0.9) - lowest) / 4;
     History history{{{"time", "s", {}}, {"bottom_position", "m", {}}, {"bottom_force", "N", {}}, {"top_force", "N", {}},
