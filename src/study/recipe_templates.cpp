@@ -26,6 +26,7 @@ Recipe composite() {
   recipe.populations[0].size.diameter = 0.0164;
   recipe.populations[1].size.diameter = 0.0105;
   recipe.contact.friction_law = dem::FrictionLaw::cundall_strack;
+  recipe.contact.restitution = 0.5;
   recipe.integration.track_energy = true;
   recipe.stages = {loading("prepare", top, 100, 1, false), loading("load", bottom, 50'000, 10, true)};
   return recipe;
