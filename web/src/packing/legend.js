@@ -11,7 +11,7 @@ export function legend(sample, frame, camera, theme, state, width) {
   const group = s("g", { "font-family": theme.font, "font-size": 11.5, fill: theme.soft });
   group.append(colourKey(sample, frame, theme, state.get("colour"), width));
   group.append(scaleBar(camera, theme, width));
-  if (state.get("chains") && frame.meanForce > 0) group.append(chainKey(sample, frame, camera, theme));
+  if (state.get("chains") && frame.meanForce > 0) group.append(chainKey(sample, frame, camera, theme, width));
   return richSvg(group);
 }
 
@@ -60,7 +60,7 @@ function scaleBar(camera, theme, width) {
     label(right - pixels / 2, 27, text.quantity(length, "m", 1), "middle"));
 }
 
-function chainKey(sample, frame, camera, theme) {
+function chainKey(sample, frame, camera, theme, width) {
   const group = s("g");
   const entries = [
     { name: "weak", colour: theme.weak, force: 0.5 },
@@ -73,6 +73,7 @@ function chainKey(sample, frame, camera, theme) {
     group.append(s("line", { x1: x, x2: x + 20, y1: 53, y2: 53, stroke: colour, "stroke-width": stroke, "stroke-linecap": "round" }), label(x + 29, 53, name));
     x += 46 + 6.4 * name.length;
   }
-  group.append(label(x + 2, 53, "thickness \u221d F_{n};  strong: F_{n} > \u27e8F_{n}\u27e9 = " + text.quantity(frame.meanForce, "N")));
+  const mean = `F_{n} > \u27e8F_{n}\u27e9 = ${text.quantity(frame.meanForce, "N")}`;
+  group.append(label(x + 2, 53, width < 480 ? mean : `thickness \u221d F_{n};  strong: ${mean}`));
   return group;
 }
