@@ -16,15 +16,15 @@ ARENITE_INLINE Piece load_piece(const double* p) {
   return a;
 }
 
-/// Pieces of every second of W records, side by side: those of records first, first + 2, ...
-template <int W, class Address>
-ARENITE_INLINE typename Pack<W>::Raw every_second(int first, Address&& address) {
+/// piece(first), piece(first + 2), ..., of W records, side by side.
+template <int W, class PieceOf>
+ARENITE_INLINE typename Pack<W>::Raw every_second(int first, PieceOf&& piece) {
   if constexpr (W == 2) {
-    return load_piece(address(first));
+    return piece(first);
   } else if constexpr (W == 4) {
-    return __builtin_shufflevector(load_piece(address(first)), load_piece(address(first + 2)), 0, 1, 2, 3);
+    return __builtin_shufflevector(piece(first), piece(first + 2), 0, 1, 2, 3);
   } else {
-    const auto low = every_second<4>(first, address), high = every_second<4>(first + 4, address);
+    const auto low = every_second<4>(first, piece), high = every_second<4>(first + 4, piece);
 #ifdef __AVX512F__  // the shuffle below as one instruction; GCC 12 makes six of it
     return _mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(low), high, 1);
 #else
@@ -47,17 +47,23 @@ ARENITE_INLINE Pack<W> second_numbers(typename Pack<W>::Raw a, typename Pack<W>:
   if constexpr (W == 8) return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
 }
 
-/// Reads two neighbouring doubles at address(0), ..., address(W - 1) into one pack each.
-template <int W, class Address>
-ARENITE_INLINE void gather(Address&& address, Pack<W>& first, Pack<W>& second) {
+/// Sorts piece(0), ..., piece(W - 1) into a pack of their first and one of their second numbers.
+template <int W, class PieceOf>
+ARENITE_INLINE void sort_pieces(PieceOf&& piece, Pack<W>& first, Pack<W>& second) {
   if constexpr (W == 1) {
-    first = Pack<W>(address(0)[0]);
-    second = Pack<W>(address(0)[1]);
+    first = Pack<W>(piece(0)[0]);
+    second = Pack<W>(piece(0)[1]);
   } else {
-    const auto even = every_second<W>(0, address), odd = every_second<W>(1, address);
+    const auto even = every_second<W>(0, piece), odd = every_second<W>(1, piece);
     first = first_numbers<W>(even, odd);
     second = second_numbers<W>(even, odd);
   }
+}
+
+/// Reads two neighbouring doubles at address(0), ..., address(W - 1) into one pack each.
+template <int W, class Address>
+ARENITE_INLINE void gather(Address&& address, Pack<W>& first, Pack<W>& second) {
+  sort_pieces<W>([&](int k) { return load_piece(address(k)); }, first, second);
 }
 
 /// The inverse of gather.

@@ -58,8 +58,9 @@ ARENITE_INLINE void pair_batch(const PairTask& t, const N& normal, const A& adhe
 
 /// `flatten` compiles the laws into the loop: as calls they would double its time.
 template <int W, class N, class A, class F>
-__attribute__((flatten)) void pair_loop(const PairTask& task, const ContactLaws& laws, std::size_t begin,
+__attribute__((flatten)) void pair_loop(const PairTask& given, const ContactLaws& laws, std::size_t begin,
                                         std::size_t end) {
+  const PairTask task = given;  // a copy that no store can reach stays in registers
   const N normal = *std::get_if<N>(&laws.normal);
   const A adhesion = *std::get_if<A>(&laws.adhesion);
   const F friction = *std::get_if<F>(&laws.friction);

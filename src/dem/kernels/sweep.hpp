@@ -21,15 +21,16 @@ struct LoadPack {
   Pack<W> fx, fy, torque;
 
   ARENITE_INLINE LoadPack(const SweepTask& t, std::size_t k) {
-    alignas(32) double load[W][4];
+    Pack<4> load[W];
+#pragma GCC unroll 8
     for (std::size_t n = 0; n < W; ++n) {
       const Pack<4> own = sum_of_groups(t, 2 * (k + n)), reaction = sum_of_groups(t, 2 * (k + n) + 1);
       const Pack<4> turned = __builtin_shufflevector(reaction.raw, reaction.raw, 0, 1, 3, 2);
-      Pack<4>(__builtin_shufflevector((own - reaction).raw, (own + turned).raw, 0, 1, 6, 7)).store(load[n]);
+      load[n] = __builtin_shufflevector((own - reaction).raw, (own + turned).raw, 0, 1, 6, 7);
     }
     Pack<W> spare;
-    gather<W>([&](int n) { return load[n]; }, fx, fy);
-    gather<W>([&](int n) { return load[n] + 2; }, torque, spare);
+    sort_pieces<W>([&](int n) { return Piece(__builtin_shufflevector(load[n].raw, load[n].raw, 0, 1)); }, fx, fy);
+    sort_pieces<W>([&](int n) { return Piece(__builtin_shufflevector(load[n].raw, load[n].raw, 2, 3)); }, torque, spare);
   }
 };
 
@@ -69,7 +70,8 @@ ARENITE_INLINE typename Pack<W>::Bits place(const SweepTask& t, std::size_t k, c
 
 /// W disks at a time by Batch<W>, the last ones singly.
 template <int W, template <int> class Batch>
-__attribute__((flatten)) bool sweep(const SweepTask& t, std::size_t begin, std::size_t end) {
+__attribute__((flatten)) bool sweep(const SweepTask& task, std::size_t begin, std::size_t end) {
+  const SweepTask t = task;  // a copy that no store can reach stays in registers
   auto near = Pack<W>(0.0) <= Pack<W>(0.0);
   bool last_near = true;
   std::size_t k = begin;
