@@ -51,7 +51,7 @@ void at_rest(benchmark::State& state, const Packing& (*packing)(), dem::Integrat
 /// Walls that close and open so fast that the list is rebuilt about every 20 steps.
 void compaction(benchmark::State& state, dem::IntegratorKind integrator) {
   dem::Engine engine = engine_of(bench::walls_4000(), integrator);
-  double speed = 0.5 * engine.skin() / (20 * engine.time_step());
+  double speed = 0.5 * engine.skin() / (27 * engine.time_step());
   measure(state, engine, 200, [&] {
     using Kind = dem::WallDrive::Kind;
     engine.set_drives({{{Kind::velocity, speed}, {Kind::velocity, -speed}, {Kind::velocity, speed}, {Kind::velocity, -speed}}});

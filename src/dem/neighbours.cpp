@@ -180,40 +180,68 @@ bool is_glued(const Sample& s, std::int32_t a, std::int32_t b) {
   return false;
 }
 
+/// Partners of disk k that come after it: disks are sorted by cell, so they are the rest of its cell and the next one,
+/// and three cells of the row above.
+void find_near_disks(const Sample& s, const CellGrid& grid, const Cells& cells, std::size_t k,
+                     std::vector<std::int32_t>& near) {
+  const auto& a = s.record[k];
+  const std::int32_t row = grid.row(a.y), column = grid.column(a.x);
+  const std::int32_t from = std::max(column - 1, 0), to = std::min(column + 1, grid.columns - 1);
+  const auto look_at = [&](std::int32_t begin, std::int32_t end) {
+    for (std::int32_t j = begin; j < end; ++j) {
+      const auto& b = s.record[static_cast<std::size_t>(j)];
+      const double dx = a.x - b.x, dy = a.y - b.y, reach = a.radius + b.radius + s.skin;
+      if (dx * dx + dy * dy < reach * reach) near.push_back(j);
+    }
+  };
+  const auto first_of = [&](std::int32_t r, std::int32_t c) {
+    return cells.first[static_cast<std::size_t>(r) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(c)];
+  };
+  look_at(static_cast<std::int32_t>(k) + 1, first_of(row, to + 1));
+  if (row + 1 < grid.rows) look_at(first_of(row + 1, from), first_of(row + 1, to + 1));
+}
+
+/// Ghosts near disk k, in any cell around its own.
+void find_near_ghosts(const Sample& s, const CellGrid& grid, const Cells& ghosts, std::size_t k,
+                      std::vector<std::int32_t>& near) {
+  const auto& a = s.record[k];
+  const std::int32_t row = grid.row(a.y), column = grid.column(a.x);
+  const auto begin = static_cast<std::ptrdiff_t>(near.size());
+  for (std::int32_t r = std::max(row - 1, 0); r <= std::min(row + 1, grid.rows - 1); ++r)
+    for (std::int32_t c = std::max(column - 1, 0); c <= std::min(column + 1, grid.columns - 1); ++c) {
+      const auto cell = static_cast<std::size_t>(r * grid.columns + c);
+      for (std::int32_t q = ghosts.first[cell]; q < ghosts.first[cell + 1]; ++q) {
+        const std::int32_t j = ghosts.item[static_cast<std::size_t>(q)];
+        const auto& b = s.record[static_cast<std::size_t>(j)];
+        const double dx = a.x - b.x, dy = a.y - b.y, reach = a.radius + b.radius + s.skin;
+        if (dx * dx + dy * dy < reach * reach) near.push_back(j);
+      }
+    }
+  std::sort(near.begin() + begin, near.end());
+}
+
 void list_pairs(Sample& s) {
   const CellGrid grid = grid_of(s);
   const std::size_t n = s.count;
   const Cells inner(grid, s.record, 0, n), images(grid, s.record, n, s.record.size());
-  ContactList& list = s.list;
+  // Ghosts lie beyond the right and the upper edge.
+  const double reach = reach_of(s), right_zone = s.domain.wall[right].position - reach,
+               upper_zone = s.domain.wall[top].position - reach;
   std::vector<std::int32_t> near;
   for (std::size_t k = 0; k < n; ++k) {
     const auto& a = s.record[k];
-    const std::int32_t column = grid.column(a.x), row = grid.row(a.y);
     near.clear();
-    const auto take = [&](const Cells& cells) {
-      for (std::int32_t r = std::max(row - 1, 0); r <= std::min(row + 1, grid.rows - 1); ++r)
-        for (std::int32_t c = std::max(column - 1, 0); c <= std::min(column + 1, grid.columns - 1); ++c) {
-          const auto cell = static_cast<std::size_t>(r * grid.columns + c);
-          for (std::int32_t q = cells.first[cell]; q < cells.first[cell + 1]; ++q) {
-            const std::int32_t j = cells.item[static_cast<std::size_t>(q)];
-            const auto& b = s.record[static_cast<std::size_t>(j)];
-            const double dx = a.x - b.x, dy = a.y - b.y, reach = a.radius + b.radius + s.skin;
-            if (j > static_cast<std::int32_t>(k) && dx * dx + dy * dy < reach * reach) near.push_back(j);
-          }
-        }
-    };
-    take(inner);
-    if (!s.ghost.empty()) take(images);
-    std::sort(near.begin(), near.end());
+    find_near_disks(s, grid, inner, k, near);
+    if (!s.ghost.empty() && (a.x > right_zone || a.y > upper_zone)) find_near_ghosts(s, grid, images, k, near);
     for (const std::int32_t j : near) {
       const auto& b = s.record[static_cast<std::size_t>(j)];
       const std::int32_t owner = j < static_cast<std::int32_t>(n) ? j : s.ghost[static_cast<std::size_t>(j) - n].source;
-      add_slot(list, static_cast<std::int32_t>(k), j, owner,
+      add_slot(s.list, static_cast<std::int32_t>(k), j, owner,
                s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius,
                                    is_glued(s, a.grain, b.grain)));
     }
   }
-  list.pairs = list.size();
+  s.list.pairs = s.list.size();
 }
 
 void list_walls(Sample& s) {
@@ -282,7 +310,7 @@ void refresh_ghosts(Sample& s) {
 
 void list_contacts(Sample& s) {
   make_ghosts(s);
-  s.list = ContactList{};
+  s.list.clear();
   list_pairs(s);
   list_walls(s);
   group_slots(s);

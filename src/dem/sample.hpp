@@ -49,6 +49,11 @@ struct ContactList {
   std::vector<std::int32_t> group, first;
 
   std::size_t size() const { return i.size(); }
+  /// Takes all slots out; what is of one length with them and is not filled slot by slot is left to be assigned anew.
+  void clear() {
+    for (auto* a : {&i, &j, &owner}) a->clear();
+    for (auto* a : {&stiffness, &damping, &viscosity, &strength}) a->clear();
+  }
 };
 
 /// A bond that breaks for good is gone once its contact has opened again.
