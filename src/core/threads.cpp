@@ -27,16 +27,13 @@ struct Team::Shared {
 
 namespace {
 
-/// Waits in a loop for about 0.1 ms, offers the processor to others for some ms, then goes to sleep.
+/// Waits in a loop for about 0.05 ms, longer than members ever wait for each other within a step, then goes to sleep:
+/// whoever is late by more has lost its processor, and may need this one.
 template <class T>
 void wait_while(const std::atomic<T>& value, T old) {
-  for (int turn = 0; turn < 3000; ++turn) {
+  for (int turn = 0; turn < 2000; ++turn) {
     if (value.load(std::memory_order_acquire) != old) return;
     _mm_pause();
-  }
-  for (int turn = 0; turn < 1000; ++turn) {
-    if (value.load(std::memory_order_acquire) != old) return;
-    std::this_thread::yield();
   }
   value.wait(old, std::memory_order_acquire);
 }
