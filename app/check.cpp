@@ -8,10 +8,15 @@
 namespace arenite::app {
 
 void add_check(CLI::App& command, int&) {
-  const auto arguments = std::make_shared<RecipeArguments>();
-  add_recipe_arguments(command, *arguments);
+  struct Arguments {
+    std::string recipe;
+    std::vector<std::string> overrides;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  command.add_option("recipe", arguments->recipe, "Recipe to read (TOML)")->required()->type_name("RECIPE.toml");
+  add_overrides(command, arguments->overrides);
   command.callback([arguments] {
-    std::fputs(study::to_toml(study::read_recipe(arguments->file, arguments->overrides)).c_str(), stdout);
+    std::fputs(study::to_toml(study::read_recipe(arguments->recipe, arguments->overrides)).c_str(), stdout);
   });
 }
 

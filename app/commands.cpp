@@ -19,10 +19,9 @@ const std::vector<Command>& commands() {
   return list;
 }
 
-void add_recipe_arguments(CLI::App& command, RecipeArguments& arguments) {
-  command.add_option("recipe", arguments.file, "Recipe to read (TOML)")->required()->type_name("RECIPE.toml");
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
   command
-      .add_option("--set", arguments.overrides,
+      .add_option("--set", overrides,
                   "Change one key of the recipe, e.g. seed=7 or stages.0.bottom.force=\"60 kN\"; may be repeated")
       ->allow_extra_args(false)
       ->type_name("KEY=VALUE");

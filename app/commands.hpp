@@ -23,12 +23,8 @@ struct Command {
 /// All commands, in the order of the help.
 const std::vector<Command>& commands();
 
-/// A recipe and changes to it, as `run` and `check` take them.
-struct RecipeArguments {
-  std::string file;
-  std::vector<std::string> overrides;  ///< key=value
-};
-void add_recipe_arguments(CLI::App& command, RecipeArguments& arguments);
+/// Changes to a recipe, key=value, as `run` and `check` take them.
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides);
 
 void add_init(CLI::App& command, int& status);
 void add_check(CLI::App& command, int& status);

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <memory>
@@ -18,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Arguments {
-  RecipeArguments recipe;
+  std::vector<std::string> recipes, overrides;
   std::string out, kernel;
   int threads = 1;
   bool quiet = false;
@@ -29,10 +30,16 @@ volatile std::sig_atomic_t stop_requested = 0;
 
 void request_stop(int) { stop_requested = 1; }
 
-/// "out/NAME": the recipe's folder if the file is called recipe.toml, its own name otherwise.
-fs::path default_folder(const fs::path& recipe) {
+/// A recipe's folder if its file is called recipe.toml, the file's own name otherwise.
+fs::path name_of(const fs::path& recipe) {
   const auto absolute = fs::absolute(recipe);
-  return fs::path("out") / (absolute.stem() == "recipe" ? absolute.parent_path().filename() : absolute.stem());
+  return absolute.stem() == "recipe" ? absolute.parent_path().filename() : absolute.stem();
+}
+
+/// --out itself for one recipe, a folder each below it for several; out/NAME if it is not given.
+fs::path folder_for(const std::string& recipe, const Arguments& arguments) {
+  if (arguments.out.empty()) return fs::path("out") / name_of(recipe);
+  return arguments.recipes.size() == 1 ? fs::path(arguments.out) : fs::path(arguments.out) / name_of(recipe);
 }
 
 /// States whose texture is measured for the page: all of them in a small sample, the last of each stage in a large one.
@@ -52,19 +59,11 @@ void write_page(const fs::path& path, const study::Recipe& recipe, const std::ve
   report::write_page(path, data);
 }
 
-int execute(const Arguments& arguments) {
-  auto overrides = arguments.recipe.overrides;
-  if (!arguments.kernel.empty()) overrides.push_back("integration.kernel=" + arguments.kernel);
-  auto recipe = study::read_recipe(arguments.recipe.file, overrides);
-  recipe.integration.threads = arguments.threads;
-
+Status run_one(const study::Recipe& recipe, const fs::path& folder, const Arguments& arguments) {
   study::RunOptions options;
-  options.out = arguments.out.empty() ? default_folder(arguments.recipe.file) : fs::path(arguments.out);
+  options.out = folder;
   options.checkpoint_seconds = arguments.checkpoint_seconds;
   options.asked_to_stop = [] { return stop_requested != 0; };
-  std::signal(SIGTERM, request_stop);
-  std::signal(SIGINT, request_stop);
-
   study::RunOutcome outcome;
   {
     ProgressLine line(arguments.quiet);
@@ -72,22 +71,42 @@ int execute(const Arguments& arguments) {
     outcome = study::run(recipe, options);
   }
   if (outcome.interrupted) {
-    fmt::print(stderr, "stopped; the same command goes on from the checkpoint in {}\n", options.out.string());
+    fmt::print(stderr, "stopped; the same command goes on from the checkpoint in {}\n", folder.string());
     return other_failure;
   }
   for (const auto& stage : outcome.stages) fmt::print("{:<12} {}\n", stage.name, stage.outcome);
-  const auto page = options.out / "report.html";
+  const auto page = folder / "report.html";
   write_page(page, recipe, outcome.stages);
-  fmt::print("\nresults: {0}\npage:    {1}   (open it in a browser)\nnumbers: arenite show {0}\n", options.out.string(), page.string());
+  fmt::print("\nresults: {0}\npage:    {1}   (open it in a browser)\nnumbers: arenite show {0}\n", folder.string(), page.string());
   return outcome.converged ? done : not_converged;
+}
+
+/// All recipes are read before the first is run, so that a slip in the last shows at once.
+int execute(const Arguments& arguments) {
+  auto overrides = arguments.overrides;
+  if (!arguments.kernel.empty()) overrides.push_back("integration.kernel=" + arguments.kernel);
+  std::vector<study::Recipe> recipes;
+  for (const auto& file : arguments.recipes) {
+    recipes.push_back(study::read_recipe(file, overrides));
+    recipes.back().integration.threads = arguments.threads;
+  }
+  std::signal(SIGTERM, request_stop);
+  std::signal(SIGINT, request_stop);
+  int status = done;
+  for (std::size_t r = 0; r < recipes.size() && stop_requested == 0; ++r) {
+    if (recipes.size() > 1) fmt::print("{}{}\n", r == 0 ? "" : "\n", recipes[r].title);
+    status = std::max<int>(status, run_one(recipes[r], folder_for(arguments.recipes[r], arguments), arguments));
+  }
+  return status;
 }
 
 }  // namespace
 
 void add_run(CLI::App& command, int& status) {
   auto arguments = std::make_shared<Arguments>();
-  add_recipe_arguments(command, arguments->recipe);
-  command.add_option("--out", arguments->out, "Folder of the results (default: out/NAME)")->type_name("DIR");
+  command.add_option("recipe", arguments->recipes, "Recipe to run (TOML); several are run one after the other")->required()->type_name("RECIPE.toml");
+  add_overrides(command, arguments->overrides);
+  command.add_option("--out", arguments->out, "Folder of the results, of several recipes a folder each below it (default: out/NAME)")->type_name("DIR");
   command.add_option("--threads", arguments->threads, "Threads; they change no bit of the results")->check(CLI::PositiveNumber)->type_name("N");
   command.add_option("--kernel", arguments->kernel, "Kernel of the contact loop: auto, portable, avx2, avx512")->type_name("NAME");
   command.add_option("--checkpoint-every", arguments->checkpoint_seconds, "Seconds between two checkpoints")->check(CLI::NonNegativeNumber)->type_name("S");

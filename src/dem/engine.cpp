@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "dem/bounds.hpp"
 #include "dem/forces.hpp"
@@ -24,8 +26,18 @@ struct Engine::Machine {
 
 std::string kernel_name(const std::string& asked) { return find_kernel(asked).name; }
 
+namespace {
+
+/// Threads that pay: two of them meet several times a step, which costs as much as some hundred disks.
+int useful_threads(int asked, std::size_t disks) {
+  constexpr std::size_t fewest_disks = 1000;
+  return static_cast<int>(std::clamp<std::size_t>(disks / fewest_disks, 1, static_cast<std::size_t>(asked)));
+}
+
+}  // namespace
+
 Engine::Engine(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration)
-    : machine_(new Machine{make_sample(start, contact, integration), Team(integration.threads)}) {}
+    : machine_(new Machine{make_sample(start, contact, integration), Team(useful_threads(integration.threads, start.grains.size()))}) {}
 Engine::~Engine() = default;
 Engine::Engine(Engine&&) noexcept = default;
 Engine& Engine::operator=(Engine&&) noexcept = default;

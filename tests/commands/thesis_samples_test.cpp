@@ -81,5 +81,26 @@ TEST(ThesisSamples, Sample12StressesSmallGrainsThoughLargeOnesCarryTheForces) {
   EXPECT_GT(value(force["POM-POM"]["mean_N"]), value(force["HDPE-HDPE"]["mean_N"]));
 }
 
+TEST(ThesisSamples, SeveralRecipesOfOneCommandGetAFolderEach) {
+  const TemporaryFolder folder;
+  const std::string samples = std::string(ARENITE_SOURCE_DIR) + "/examples/04-thesis-samples/", out = (folder / "out").string();
+  const Outcome run = arenite("run " + samples + "sample-10.toml " + samples + "sample-11.toml --quiet --out " + out +
+                              " --set stages.1.increments=1 --set 'stages.1.bottom.force=1 kN' --set 'frame.thickness=50 mm'");
+  EXPECT_EQ(run.status, 0) << run.err;
+  for (const char* name : {"sample-10", "sample-11"}) EXPECT_TRUE(std::filesystem::exists(folder / "out" / name / "report.html")) << name;
+  EXPECT_NE(run.out.find("118 POM"), std::string::npos);
+}
+
+TEST(ThesisSamples, AllTwelveAreRecipesWithTheTablesNumbers) {
+  int grains = 0;
+  for (int n = 1; n <= 12; ++n) {
+    const Outcome checked = arenite("check " + std::string(ARENITE_SOURCE_DIR) + "/examples/04-thesis-samples/sample-" + (n < 10 ? "0" : "") + std::to_string(n) + ".toml");
+    ASSERT_EQ(checked.status, 0) << checked.err;
+    for (std::size_t at = checked.out.find("count = "); at != std::string::npos; at = checked.out.find("count = ", at + 1))
+      grains += std::stoi(checked.out.substr(at + 8));
+  }
+  EXPECT_EQ(grains, 1235 + 1235 + 1242 + 934 + 986 + 1050 + 660 + 705 + 847 + 255 + 395 + 552);
+}
+
 }  // namespace
 }  // namespace arenite::test
