@@ -68,4 +68,9 @@ void ProgressLine::show(const study::Progress& progress) {
   std::fflush(stderr);
 }
 
+void ProgressLine::notice(const std::string& sentence) {
+  std::fprintf(stderr, "%s%s\n", open_ ? "\n" : "", sentence.c_str());
+  open_ = false;
+}
+
 }  // namespace arenite::app

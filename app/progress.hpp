@@ -13,6 +13,8 @@ class ProgressLine {
   explicit ProgressLine(bool quiet);
   ~ProgressLine();
   void show(const study::Progress& progress);
+  /// A line of its own, shown even if the progress is not.
+  void notice(const std::string& sentence);
 
  private:
   using Clock = std::chrono::steady_clock;

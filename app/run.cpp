@@ -68,6 +68,7 @@ Status run_one(const study::Recipe& recipe, const fs::path& folder, const Argume
   {
     ProgressLine line(arguments.quiet);
     options.progress = [&](const study::Progress& progress) { line.show(progress); };
+    options.notice = [&](const std::string& sentence) { line.notice(sentence); };
     outcome = study::run(recipe, options);
   }
   if (outcome.interrupted) {

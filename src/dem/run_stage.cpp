@@ -120,9 +120,14 @@ void store_frame(const Engine& engine, const Equilibrium& now, std::string label
   result.frames.push_back({engine.time(), engine.step(), std::move(label), engine.packing(), engine.energies(), now});
 }
 
-std::string describe(const Equilibrium& now, double wall_error) {
-  return fmt::format("unbalanced force ratio {:.1e}, kinetic over elastic energy {:.1e}, wall forces within {:.1e} of their aim",
-                     now.unbalanced_ratio, now.kinetic_ratio, wall_error);
+std::string describe(const Equilibrium& now) {
+  return fmt::format("unbalanced force ratio {:.1e}, kinetic over elastic energy {:.1e}", now.unbalanced_ratio, now.kinetic_ratio);
+}
+
+/// The same with what the pressing sides still lack, relative to their aim; nothing on that where none presses.
+std::string describe(const Equilibrium& now, const WallDrives& drives, const Domain& domain) {
+  const bool presses = std::any_of(drives.begin(), drives.end(), [](const WallDrive& d) { return d.kind == WallDrive::Kind::force; });
+  return describe(now) + (presses ? fmt::format(", forces on the sides within {:.1e} of their aim", load_error(drives, domain)) : "");
 }
 
 std::int64_t steps_of(const Stage& stage, const Engine& engine) {
@@ -145,7 +150,7 @@ void continue_for_a_time(Engine& engine, const Stage& stage, StageRun& run) {
   store_frame(engine, now, frames == 1 ? std::string("end") : fmt::format("{} of {}", k, frames), run.result);
   if (static_cast<std::int64_t>(k) < frames) return;
   run.finished = true;
-  run.result.outcome = fmt::format("{:g} s passed; {}", *stage.duration, describe(now, 0));
+  run.result.outcome = fmt::format("{:g} s passed; {}", *stage.duration, describe(now));
 }
 
 void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
@@ -167,10 +172,11 @@ void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
   store_frame(engine, now, increment.label, run.result);
   run.result.converged = run.result.converged && at_rest;
   if (given_up)
-    run.result.outcome = fmt::format("no equilibrium in {} within {} steps: {}", increment.label, run.steps_in_increment, describe(now, wall_error));
+    run.result.outcome = fmt::format("no equilibrium within {} steps{} (rest.max_steps): {}", run.steps_in_increment,
+                                     increments.size() > 1 ? " of " + increment.label : "", describe(now, drives, engine.domain()));
   run.steps_in_increment = 0;
   run.finished = given_up || ++run.increment == static_cast<std::int64_t>(increments.size());
-  if (run.finished && !given_up) run.result.outcome = fmt::format("equilibrium: {}", describe(now, wall_error));
+  if (run.finished && !given_up) run.result.outcome = fmt::format("equilibrium: {}", describe(now, drives, engine.domain()));
 }
 
 }  // namespace

@@ -44,7 +44,8 @@ void seal(std::string& bytes, std::string_view kind) {
 
 void check_seal(std::string_view bytes, std::string_view kind, const std::filesystem::path& path) {
   const auto refuse = [&path](std::string message) { throw InputError(path.string(), 0, std::move(message)); };
-  if (bytes.empty()) refuse(fmt::format("is empty; a {} of Arenite is written by \"arenite run\"", kind));
+  const auto damaged = [&path](std::string message) { throw DamagedFile(path.string(), 0, std::move(message)); };
+  if (bytes.empty()) damaged(fmt::format("is empty; a {} of Arenite is written by \"arenite run\"", kind));
   const auto head = bytes.substr(0, seal_size);
   if (head.starts_with(hdf5_signature)) refuse(fmt::format("is an HDF5 file of another program, not a {} of Arenite", kind));
   const std::string beginning = fmt::format("arenite {} format ", kind);
@@ -57,10 +58,10 @@ void check_seal(std::string_view bytes, std::string_view kind, const std::filesy
   if (format > file_format)
     refuse(fmt::format("was written by a newer Arenite (file format {}, this one reads up to {}); update Arenite", format, file_format));
   if (after(head, "\nbytes ") != std::to_string(bytes.size()))
-    refuse(fmt::format("has not the length it was written with ({} bytes are here): it was cut short or added to; remove it and make it again with \"arenite run\"",
-                       bytes.size()));
+    damaged(fmt::format("has not the length it was written with ({} bytes are here): it was cut short or added to; remove it and make it again with \"arenite run\"",
+                        bytes.size()));
   if (after(head, "\nxxh3 ") != content_hash(bytes.substr(seal_size)))
-    refuse("was changed or damaged after it was written (its checksum differs); remove it and make it again with \"arenite run\"");
+    damaged("was changed or damaged after it was written (its checksum differs); remove it and make it again with \"arenite run\"");
 }
 
 void write_sealed(const std::filesystem::path& path, std::string_view kind, std::string bytes) {

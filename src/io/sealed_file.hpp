@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/error.hpp"
+
 namespace arenite::io {
 
 /// Our HDF5 files begin with a user block of text (HDF5 allows one, and every reader skips it): what the file is, its
@@ -12,16 +14,22 @@ namespace arenite::io {
 inline constexpr std::size_t seal_size = 512;
 inline constexpr int file_format = 1;
 
+/// A file of ours that is empty, cut short or changed: what it held is lost, but whoever can make it again may.
+class DamagedFile : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// Seals `bytes` and writes them to `path`, all or nothing.
 void write_sealed(const std::filesystem::path& path, std::string_view kind, std::string bytes);
 
-/// Reads the bytes of a whole file of that kind; InputError for any other.
+/// Reads the bytes of a whole file of that kind; InputError for any other, DamagedFile for one that is no longer whole.
 std::string read_sealed(const std::filesystem::path& path, std::string_view kind);
 
 /// Puts the seal into the first 512 bytes, which HDF5 left free. `kind` is "result" or "checkpoint".
 void seal(std::string& bytes, std::string_view kind);
 
-/// Throws InputError naming `path` unless `bytes` are one whole file of that kind.
+/// Throws InputError (DamagedFile for one that is no longer whole) naming `path` unless `bytes` are one whole file of that kind.
 void check_seal(std::string_view bytes, std::string_view kind, const std::filesystem::path& path);
 
 }  // namespace arenite::io

@@ -27,8 +27,8 @@ Domain frame_of(const FrameParameters& frame) {
 }
 
 std::string describe(const packing::RelaxReport& report) {
-  return fmt::format("largest overlap {:.2g} of the radii before, {:.2g} after relaxation; largest move {:.3g} mm in {} iterations",
-                     report.overlap_before, report.overlap_after, 1e3 * report.largest_move, report.iterations);
+  return fmt::format("relaxed in {} iterations, largest move {:.3g} mm, largest overlap left {:.2g} % of the mean radius of two grains",
+                     report.iterations, 1e3 * report.largest_move, 100 * report.overlap_after);
 }
 
 std::string fill(const Recipe& recipe, Packing& packing) {
@@ -39,7 +39,7 @@ std::string fill(const Recipe& recipe, Packing& packing) {
   const bool height_given = recipe.frame.height > 0;
   if (recipe.packing.method == Method::random) {
     if (!height_given) height = packing::height_for(grains, recipe.frame.width, recipe.packing.solid_fraction);
-    return "random filling: " + describe(packing::fill_at_random(grains, packing.domain, recipe.seed));
+    return "random filling, " + describe(packing::fill_at_random(grains, packing.domain, recipe.seed));
   }
   const double filled = packing::fill_lattice(grains, packing.domain);
   if (!height_given) height = filled;
@@ -53,7 +53,8 @@ std::string read(const Recipe& recipe, Packing& packing) {
   const auto path = std::filesystem::path(recipe.source_file).parent_path() / recipe.packing.file;
   packing.domain = frame_of(recipe.frame);
   packing.grains = io::read_placed_grains(path, recipe.materials, packing.domain);
-  return "read from file: " + describe(packing::relax(packing.grains, packing.domain, 1e-3));
+  const auto report = packing::relax(packing.grains, packing.domain, 1e-3);
+  return fmt::format("read from file with overlaps up to {:.2g} %, {}", 100 * report.overlap_before, describe(report));
 }
 
 }  // namespace

@@ -33,17 +33,25 @@ void declare(Visitor& v, Cycles& cycles) {
   v.integer({"increments", "Increments of each half cycle."}, cycles.increments, {1, 1'000'000});
 }
 
+bool presses(const SideDrive& drive) { return drive.kind == SideDrive::Kind::force || drive.kind == SideDrive::Kind::pressure; }
+
+/// A force on an edge of a periodic cell moves that edge and strains the cell; with the opposite edge free as well, the
+/// cell would drift.
+void require_one_pressing_edge(Visitor& v, const Stage& stage, std::size_t first, bool periodic) {
+  const SideDrive &one = stage.side[first], &other = stage.side[first + 1];
+  const char *name = side_names[first], *opposite = side_names[first + 1];
+  const bool both_at_work = (presses(one) && other.kind != SideDrive::Kind::fixed) || (presses(other) && one.kind != SideDrive::Kind::fixed);
+  v.require(!periodic || !both_at_work, {opposite, name},
+            fmt::format("of the two periodic edges {0} and {1} one presses and the other holds; leave {0} = \"fixed\"", name, opposite));
+}
+
 void require_usable_sides(Visitor& v, const Stage& stage, const FrameParameters& frame) {
   using Kind = SideDrive::Kind;
-  bool moves = false;
-  for (int side = 0; side < 4; ++side) {
-    const auto kind = stage.side[static_cast<std::size_t>(side)].kind;
-    const bool periodic = side < 2 ? frame.periodic_x : frame.periodic_y;
-    v.require(!periodic || (kind != Kind::force && kind != Kind::pressure), {side_names[static_cast<std::size_t>(side)]},
-              fmt::format("a periodic side has no wall to press; leave it fixed, move it, or set frame.periodic_{} = false",
-                          side < 2 ? "x" : "y"));
-    moves = moves || kind == Kind::velocity;
-  }
+  require_one_pressing_edge(v, stage, left, frame.periodic_x);
+  require_one_pressing_edge(v, stage, bottom, frame.periodic_y);
+  v.require(!stage.gravity || !frame.periodic_y, {"gravity"},
+            "grains would fall for ever through periodic sides; set frame.periodic_y = false");
+  const bool moves = std::any_of(stage.side.begin(), stage.side.end(), [](const SideDrive& drive) { return drive.kind == Kind::velocity; });
   v.require(!moves || stage.duration, {"duration", "left", "right", "bottom", "top"},
             "a stage with a moving side never comes to rest; give it a duration, for example duration = \"1 s\"");
   if (!stage.cycles) return;
@@ -73,8 +81,8 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
     v.tagged({side_names[side], "What this side does."}, form, drive.value,
              {{"fixed", "", "stays where it is", range::any},
               {"velocity", "mm/s", "moves inward at this speed", range::any},
-              {"force", "kN", "presses on the sample, reached in the stage's increments", range::not_negative},
-              {"pressure", "kPa", "presses on the sample, acting in full at once", range::not_negative}});
+              {"force", "kN", "presses on the sample, reached in the stage's increments; of two periodic edges one presses and one is fixed", range::not_negative},
+              {"pressure", "kPa", "presses on the sample, acting in full at once; of two periodic edges one presses and one is fixed", range::not_negative}});
     drive.kind = static_cast<SideDrive::Kind>(form);
   }
   v.integer({"increments", "Equal steps in which forces are reached, each ending at rest."}, stage.increments, {1, 1'000'000});

@@ -12,6 +12,7 @@
 #include "io/atomic_file.hpp"
 #include "io/checkpoint.hpp"
 #include "io/run_folder.hpp"
+#include "io/sealed_file.hpp"
 #include "io/stage_file.hpp"
 #include "study/stage_keys.hpp"
 
@@ -88,12 +89,30 @@ void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::St
   run.result = checkpoint.partial;
 }
 
+/// What `read` gives; nothing, and a notice, if its file is damaged.
+template <class Read>
+auto unless_damaged(const fs::path& file, const RunOptions& options, const char* instead, Read read) -> std::optional<decltype(read())> {
+  try {
+    return read();
+  } catch (const io::DamagedFile&) {
+    options.notice(fmt::format("{}: is empty, cut short or changed; {}", file.string(), instead));
+    return std::nullopt;
+  }
+}
+
+/// The stage in `file`; nothing if there is none, or a damaged one.
+std::optional<StageResult> stored_stage(const fs::path& file, const RunOptions& options) {
+  if (!fs::exists(file)) return std::nullopt;
+  return unless_damaged(file, options, "this stage is computed again", [&] { return io::read_stage(file); });
+}
+
 /// Runs one stage to its end, or until asked to stop (then nothing is returned, and the checkpoint is on disk).
 std::optional<StageResult> load(dem::Engine& engine, const dem::Stage& stage, const std::string& key, const fs::path& checkpoint_file,
                                 const RunOptions& options, Progress progress) {
   using clock = std::chrono::steady_clock;
   dem::StageRun run = dem::begin_stage(engine, stage);
-  if (const auto checkpoint = io::read_checkpoint(checkpoint_file, key)) restore_from(*checkpoint, engine, run);
+  const auto checkpoint = unless_damaged(checkpoint_file, options, "the stage begins anew", [&] { return io::read_checkpoint(checkpoint_file, key); });
+  if (checkpoint && *checkpoint) restore_from(**checkpoint, engine, run);
   auto saved = clock::now();
   while (!run.finished) {
     dem::continue_stage(engine, stage, run);
@@ -113,16 +132,18 @@ std::optional<StageResult> load(dem::Engine& engine, const dem::Stage& stage, co
 }
 
 StageResult packing_stage(const Recipe& recipe, const fs::path& file, const std::string& hash, const RunOptions& options, Progress progress) {
-  progress.reused = fs::exists(file);
-  if (!progress.reused) {
+  auto stored = stored_stage(file, options);
+  progress.reused = stored.has_value();
+  if (!stored) {
     auto result = make_packing(recipe);
     result.provenance = provenance_of(recipe, "packing", hash, "");
     measure_last_frame(result, texture_options(recipe, 0));
     io::write_stage(file, result);
+    stored = io::read_stage(file);
   }
   progress.share = 1;
   options.progress(progress);
-  return io::read_stage(file);
+  return std::move(*stored);
 }
 
 }  // namespace
@@ -154,8 +175,9 @@ RunOutcome run(const Recipe& recipe, const RunOptions& options) {
     const fs::path file = folder / names[s + 1];
     progress.stage = s + 1;
     progress.name = recipe.stages[s].name;
-    progress.reused = fs::exists(file);
-    if (!progress.reused) {
+    auto stored = stored_stage(file, options);
+    progress.reused = stored.has_value();
+    if (!stored) {
       if (!engine) engine.emplace(start, recipe.contact, recipe.integration);
       if (s > 0) engine->restore(outcome.stages.back().continuation);
       auto result = load(*engine, recipe.stages[s], hashes[s + 1], folder / "run.checkpoint", options, progress);
@@ -169,7 +191,7 @@ RunOutcome run(const Recipe& recipe, const RunOptions& options) {
       fs::remove(folder / "run.checkpoint");
       outcome.stages.push_back(std::move(*result));
     } else {
-      outcome.stages.push_back(io::read_stage(file));
+      outcome.stages.push_back(std::move(*stored));
       progress.share = 1;
       options.progress(progress);
     }

@@ -23,6 +23,7 @@ struct Progress {
 struct RunOptions {
   std::filesystem::path out;
   std::function<void(const Progress&)> progress = [](const Progress&) {};
+  std::function<void(const std::string&)> notice = [](const std::string&) {};  ///< a sentence the user should see
   std::function<bool()> asked_to_stop = [] { return false; };  ///< true: checkpoint and leave
   double checkpoint_seconds = 30;     ///< between two checkpoints
 };
@@ -36,7 +37,7 @@ struct RunOutcome {
 
 /// Runs a recipe: packing, then its stages one after the other; every stage ends as one file in `options.out`, named by
 /// the hash of all that it depends on. A stage whose file is there is read, not computed again; a run that was killed
-/// goes on from its last checkpoint and ends with the same bytes. A stage that finds no equilibrium ends the run.
+/// goes on from its last checkpoint and ends with the same bytes. A damaged file counts as none, with a notice. A stage that finds no equilibrium ends the run.
 [[nodiscard]] RunOutcome run(const Recipe& recipe, const RunOptions& options);
 
 /// How the texture of a stage's states is measured; stage 0 is the packing.

@@ -253,10 +253,19 @@ TEST(BadRecipe, QuantityWithoutItsTagIsOfferedWithIt) {
             Lines{"r.toml:13:10: stages.0.bottom: unknown word \"fixd\"; did you mean \"fixed\"?"});
 }
 
-TEST(BadRecipe, ForceOnAPeriodicSideIsRefused) {
-  EXPECT_EQ(problems(replaced(smallest, "thickness", "periodic_y = true\nthickness")),
-            Lines{"r.toml:14:10: stages.0.bottom: a periodic side has no wall to press; leave it fixed, move it, or set "
-                  "frame.periodic_y = false"});
+TEST(BadRecipe, OfTwoPeriodicEdgesOnlyOnePresses) {
+  const auto periodic = replaced(smallest, "thickness", "periodic_y = true\nthickness");
+  EXPECT_EQ(problems(periodic), Lines{});
+  EXPECT_EQ(problems(periodic + "top = { pressure = \"5 kPa\" }\n"),
+            Lines{"r.toml:15:7: stages.0.top: of the two periodic edges bottom and top one presses and the other holds; leave "
+                  "bottom = \"fixed\""});
+  EXPECT_EQ(problems(periodic + "top = { velocity = \"1 mm/s\" }\nduration = \"1 s\"\n").size(), 1u);
+  EXPECT_EQ(problems(smallest + "top = { pressure = \"5 kPa\" }\n"), Lines{}) << "two walls may press on a sample between them";
+}
+
+TEST(BadRecipe, GravityNeedsAFloor) {
+  EXPECT_EQ(problems(replaced(smallest, "thickness", "periodic_y = true\nthickness") + "gravity = true\n"),
+            Lines{"r.toml:15:11: stages.0.gravity: grains would fall for ever through periodic sides; set frame.periodic_y = false"});
 }
 
 TEST(BadRecipe, CyclesNeedAKnownSideUnderForce) {

@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/program.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using arenite::test::arenite;
+using arenite::test::slurp;
+using arenite::test::TemporaryFolder;
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// A loose filling of 60 disks of two sizes, and what its frame and stages say.
+std::string recipe(const std::string& frame, const std::string& stages) {
+  return "title = \"A small sample\"\n[frame]\nwidth = \"120 mm\"\nthickness = \"60 mm\"\n" + frame +
+         "[materials.POM]\ndensity = \"1410 kg/m^3\"\nstiffness = \"27.35 kN/mm\"\n"
+         "[[populations]]\nmaterial = \"POM\"\ncount = 60\nsize = { law = \"uniform\", min = \"10 mm\", max = \"16 mm\" }\n"
+         "[contact]\nrestitution = 0.5\nfriction_law = \"cundall_strack\"\n" + stages;
+}
+
+std::string write(const TemporaryFolder& folder, const std::string& text) {
+  const auto file = folder / "recipe.toml";
+  std::ofstream(file) << text;
+  return file.string();
+}
+
+TEST(PeriodicCell, PressureOnBothDirectionsEndsAtRestWithTheStressAsked) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, recipe("periodic_x = true\nperiodic_y = true\n",
+                                         "[[stages]]\nname = \"isotropic\"\nright = { pressure = \"100 kPa\" }\ntop = { pressure = \"100 kPa\" }\n"
+                                         "[[stages]]\nname = \"biaxial\"\nleft = { pressure = \"100 kPa\" }\ntop = { pressure = \"140 kPa\" }\n"));
+  const auto out = (folder / "out").string();
+  const auto run = arenite("run " + file + " --quiet --out " + out);
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "biaxial      equilibrium")) << run.out;
+  const auto shown = nlohmann::json::parse(arenite("show --json " + out).out);
+  const auto& stress = shown.at("stress").at("value");
+  EXPECT_NEAR(stress[0][0].get<double>(), -100e3, 500);
+  EXPECT_NEAR(stress[1][1].get<double>(), -140e3, 700);
+  EXPECT_NEAR(stress[0][1].get<double>(), stress[1][0].get<double>(), 100) << "no couple acts on the cell";
+}
+
+/// The stage file of `out` whose name contains `stage`.
+fs::path stage_file(const fs::path& out, const std::string& stage) {
+  for (const auto& entry : fs::directory_iterator(out))
+    if (contains(entry.path().filename().string(), stage) && entry.path().extension() == ".h5") return entry.path();
+  return {};
+}
+
+TEST(DamagedStageFile, IsComputedAgainWithANoticeAndTheSameBytes) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nrest = { max_steps = 400 }\n"));
+  const auto out = folder / "out";
+  ASSERT_EQ(arenite("run " + file + " --quiet --out " + out.string()).status, 3);
+  for (const std::string stage : {"packing", "load"}) {
+    const auto path = stage_file(out, stage);
+    const std::string whole = slurp(path);
+    std::string changed = whole;
+    changed[changed.size() / 2] ^= 1;
+    for (const auto& bytes : {std::string(), whole.substr(0, whole.size() / 2), changed}) {
+      std::ofstream(path, std::ios::binary) << bytes;
+      const auto shown = arenite("show " + path.string());
+      EXPECT_EQ(shown.status, 2) << "only who can make it again may pass over it";
+      const auto again = arenite("run " + file + " --quiet --out " + out.string());
+      EXPECT_EQ(again.status, 3) << again.err;
+      EXPECT_TRUE(again.err.starts_with(path.string() + ": ") && contains(again.err, "computed again")) << again.err;
+      EXPECT_EQ(std::count(again.err.begin(), again.err.end(), '\n'), 1) << again.err;
+      EXPECT_EQ(slurp(path), whole);
+    }
+  }
+}
+
+TEST(StageWithoutEquilibrium, EndsWithStatusThreeAndSaysWhatItReached) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nrest = { max_steps = 400 }\n"
+                                             "[[stages]]\nname = \"more\"\ntop = { force = \"2 kN\" }\n"));
+  const auto run = arenite("run " + file + " --quiet --out " + (folder / "out").string());
+  EXPECT_EQ(run.status, 3) << run.err;
+  EXPECT_TRUE(contains(run.out, "no equilibrium within 400 steps (rest.max_steps): unbalanced force ratio")) << run.out;
+  EXPECT_FALSE(contains(run.out, "more")) << "no stage starts from one that is not at rest";
+}
+
+TEST(StageOverATime, SpeaksOfForcesOnSidesOnlyWhereItMeasuresThem) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, recipe("", "[[stages]]\nname = \"shove\"\ntop = { velocity = \"10 mm/s\" }\nduration = \"1 ms\"\n"));
+  const auto run = arenite("run " + file + " --quiet --out " + (folder / "out").string());
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "0.001 s passed; unbalanced force ratio")) << run.out;
+  EXPECT_FALSE(contains(run.out, "aim")) << run.out;
+}
+
+}  // namespace
