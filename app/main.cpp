@@ -36,6 +36,13 @@ bool unknown_command(const std::string& word) {
   return true;
 }
 
+/// What is wrong with the command line, as one sentence; CLI11 adds a second one.
+std::string complaint(const CLI::App& program, const CLI::Error& error) {
+  const auto used = program.get_subcommands();
+  const std::string command = used.empty() ? "arenite" : "arenite " + used.front()->get_name();
+  return command + ": " + error.what() + "; `" + command + " --help` tells what it takes";
+}
+
 int run(int argc, char** argv) {
   int status = app::done;
   CLI::App program("Micromechanics of composite and cemented granular materials", "arenite");
@@ -48,7 +55,9 @@ int run(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? app::done : app::bad_input;
+    if (error.get_exit_code() == 0) return program.exit(error);
+    std::fprintf(stderr, "%s\n", complaint(program, error).c_str());
+    return app::bad_input;
   }
   if (program.get_subcommands().empty()) overview();
   return status;

@@ -116,7 +116,7 @@ void add_reading(CLI::App& command, MeasureArguments& a) {
 }
 
 void add_statistics(CLI::App& command, MeasureArguments& a) {
-  command.add_option("--border", a.texture.border, "Strip left out along walls, in mean diameters; default 2.5")->check(CLI::NonNegativeNumber)->type_name("NUMBER");
+  command.add_option("--border", a.texture.border, "Strip left out along walls, in mean diameters; default 2.5")->check(CLI::Range(0.0, 1000.0).description(""))->type_name("NUMBER");
   command.add_option("--load-axis", a.load_axis_deg, "Direction of the load for signed anisotropies, degrees from x; default: greatest compression")
       ->check(CLI::Range(0.0, 180.0))->type_name("DEGREES");
   command.add_option("--seed", a.texture.seed, "Seed of the random places of windows; default 1")->type_name("NUMBER");

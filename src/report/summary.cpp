@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/error.hpp"
 #include "io/run_folder.hpp"
 #include "io/stage_file.hpp"
+#include "study/recipe.hpp"
+#include "study/run.hpp"
 #include "texture/texture.hpp"
 
 namespace arenite::report {
@@ -14,10 +17,32 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The recipe that made a result; one without title or stages for results of another version, whose keys may differ.
+study::Recipe recipe_of(const Provenance& p) {
+  try {
+    return study::parse_recipe(p.recipe, "recipe");
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+/// How the stage measured its states.
+texture::Options texture_options(const Provenance& p) {
+  const study::Recipe recipe = recipe_of(p);
+  const auto at = std::find_if(recipe.stages.begin(), recipe.stages.end(), [&](const auto& stage) { return stage.name == p.stage; });
+  return study::texture_options(recipe, at == recipe.stages.end() ? 0 : static_cast<std::size_t>(at - recipe.stages.begin()) + 1);
+}
+
+std::string made_by(const Provenance& p) {
+  const std::string title = recipe_of(p).title;
+  return fmt::format("{}{}Made by Arenite {}, {}{}seed {}; input {}\n", title, title.empty() ? "" : "\n", p.version,
+                     p.kernel.empty() ? "" : "kernel ", p.kernel.empty() ? "" : p.kernel + ", ", p.seed, p.input_hash);
+}
+
 Json provenance(const Provenance& p) {
   Json options = Json::object();
   for (const auto& [key, value] : p.options) options[key] = value;
-  return {{"version", p.version}, {"stage", p.stage}, {"input_hash", p.input_hash}, {"seed", p.seed},
+  return {{"title", recipe_of(p).title}, {"version", p.version}, {"stage", p.stage}, {"input_hash", p.input_hash}, {"seed", p.seed},
           {"kernel", p.kernel},   {"options", options}, {"recipe", p.recipe}};
 }
 
@@ -80,13 +105,12 @@ void describe_state(Lines& lines, const Frame& frame) {
   lines.add("unbalanced force ratio", fmt::format("{:.2e}", frame.equilibrium.unbalanced_ratio));
   lines.add("kinetic/elastic energy", fmt::format("{:.2e}", frame.equilibrium.kinetic_ratio));
   lines.add("mean |Ft|/Fn", fmt::format("{:.3f}", frame.equilibrium.mobilisation));
-  const Json energy = energies(frame.energies);
-  for (const auto& [name, value] : energy.items())
-    if (value.get<double>() != 0) {
-      std::string words = name;
-      std::replace(words.begin(), words.end(), '_', ' ');
-      lines.add(words + (name.starts_with("work") ? "" : " energy"), fmt::format("{:.5g} J", value.get<double>()));
-    }
+  const Energies& e = frame.energies;
+  for (const auto& [name, value] : {std::pair{"kinetic energy", e.kinetic}, {"elastic energy", e.elastic}, {"adhesive energy", e.adhesive},
+                                    {"dissipated by dashpots", e.dissipated_normal}, {"dissipated by friction", e.dissipated_friction},
+                                    {"dissipated by drag, walls' brakes", e.dissipated_drag}, {"dissipated by broken bonds", e.dissipated_breakage},
+                                    {"work of the sides", e.work_walls}, {"work of gravity", e.work_gravity}})
+    if (value != 0) lines.add(name, fmt::format("{:.5g} J", value));
 }
 
 }  // namespace
@@ -103,7 +127,7 @@ Summary::Summary(const std::filesystem::path& result) {
 std::string Summary::json() const {
   const StageResult& last = stages_.back().result;
   std::string texture = last.texture_json;
-  if (texture.empty() && !last.frames.empty()) texture = texture::to_json(texture::measure(last.frames.back().packing));
+  if (texture.empty() && !last.frames.empty()) texture = texture::to_json(texture::measure(last.frames.back().packing, texture_options(last.provenance)));
   Json j = texture.empty() ? Json::object() : Json::parse(texture);
   j["provenance"] = provenance(stages_.back().result.provenance);
   for (const Stage& stage : stages_) {
@@ -126,13 +150,11 @@ std::string Summary::text() const {
   if (!last.frames.empty()) describe_state(lines, last.frames.back());
   lines.heading("Texture of the last state");
   if (!last.frames.empty()) {
-    texture::Options options;
+    texture::Options options = texture_options(last.provenance);
     options.rev_sizes = 0;  // the text does not show the REV study, which takes longest
     lines.block(texture::to_text(texture::measure(last.frames.back().packing, options)));
   }
-  return fmt::format("Made by Arenite {}, kernel {}, seed {}; input {}\n", last.provenance.version, last.provenance.kernel,
-                     last.provenance.seed, last.provenance.input_hash) +
-         std::move(lines).text();
+  return made_by(last.provenance) + std::move(lines).text();
 }
 
 }  // namespace arenite::report

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "texture/texture.hpp"
@@ -7,30 +8,54 @@
 namespace arenite::texture {
 namespace {
 
+/// "value +- error" with two digits of the error, and the value to the same place.
 std::string with_error(const Estimate& e, double scale = 1) {
-  if (std::isfinite(e.error)) return fmt::format("{:.4g} +- {:.2g}", e.value * scale, e.error * scale);
-  return fmt::format("{:.4g}", e.value * scale);
+  const double value = e.value * scale, error = e.error * scale;
+  if (!std::isfinite(error)) return fmt::format("{:.4g}", value);
+  if (error < 1e-4 || error >= 1e5 || std::abs(value) >= 1e6) return fmt::format("{:.4g} +- {:.2g}", value, error);
+  const int places = std::max(0, 1 - static_cast<int>(std::floor(std::log10(error))));
+  return fmt::format("{:.{}f} +- {:.{}f}", value, places, error, places);
 }
 
+/// Unit in which stresses of this size are read easily.
+struct StressUnit {
+  const char* name;
+  double scale;
+};
+
+StressUnit stress_unit(double size) {
+  if (size >= 1e5) return {"MPa", 1e-6};
+  if (size >= 1e2) return {"kPa", 1e-3};
+  return {"Pa", 1};
+}
+
+/// Rows "name  value", the values in one column, then notes.
 class Lines {
  public:
-  void put(std::string_view name, const std::string& value) { text_ += fmt::format("{:<34} {}\n", name, value); }
-  void put(std::string_view name, const Estimate& e, std::string_view unit = "", double scale = 1) {
-    if (std::isfinite(e.value)) put(name, with_error(e, scale) + (unit.empty() ? "" : " ") + std::string(unit));
+  void put(std::string name, std::string value) { rows_.emplace_back(std::move(name), std::move(value)); }
+  void put(const std::string& name, const Estimate& e, const std::string& unit = "", double scale = 1) {
+    if (std::isfinite(e.value)) put(name, with_error(e, scale) + (unit.empty() ? "" : " ") + unit);
   }
-  void add(std::string_view line) { text_ += std::string(line) + "\n"; }
-  const std::string& text() const { return text_; }
+  void note(const std::string& text) { notes_ += "note: " + text + "\n"; }
+  std::string text() const {
+    std::size_t width = 34;
+    for (const auto& [name, value] : rows_) width = std::max(width, name.size());
+    std::string text;
+    for (const auto& [name, value] : rows_) text += fmt::format("{:<{}} {}\n", name, width, value);
+    return text + notes_;
+  }
 
  private:
-  std::string text_;
+  std::vector<std::pair<std::string, std::string>> rows_;
+  std::string notes_;
 };
 
 void put_fabric(Lines& lines, const std::string& name, const Fabric& f) {
   lines.put("a_c, theta_c (" + name + ")", fmt::format("{}, {} deg; random directions give {:.2g}", with_error(f.a_c), with_error(f.theta_c_deg), f.noise));
 }
 
-void put_distribution(Lines& lines, const std::string& what, const Distribution& d, const char* unit) {
-  lines.put("mean " + what, d.mean, unit);
+void put_distribution(Lines& lines, const std::string& what, const Distribution& d, const char* unit, double scale = 1) {
+  lines.put("mean " + what, d.mean, unit, scale);
   lines.put("share above the mean, " + what, d.share_above);
   lines.put("beta of the strong tail, " + what, d.tail.beta);
 }
@@ -43,14 +68,12 @@ bool adds_to_all(const std::string& name, std::size_t count, std::size_t all) {
 
 void put_stress(Lines& lines, const Stress& s) {
   if (!std::isfinite(s.whole.value.xx)) return;
-  const double size = std::abs(s.pressure) + s.deviator;
-  const double scale = size >= 1e5 ? 1e-6 : size >= 1e2 ? 1e-3 : 1;
-  const char* unit = size >= 1e5 ? " MPa" : size >= 1e2 ? " kPa" : " Pa";
+  const auto [unit, scale] = stress_unit(std::abs(s.pressure) + s.deviator);
   const auto& v = s.whole.value;
   const auto& e = s.whole.error;
-  lines.put("stress xx, yy (tension positive)", with_error({v.xx, e.xx}, scale) + ", " + with_error({v.yy, e.yy}, scale) + unit);
-  lines.put("stress xy, yx", with_error({v.xy, e.xy}, scale) + ", " + with_error({v.yx, e.yx}, scale) + unit);
-  lines.put("pressure, deviator, axis", fmt::format("{:.4g}, {:.4g}{}, {:.3g} deg", s.pressure * scale, s.deviator * scale, unit, s.axis_deg));
+  lines.put("stress xx, yy (tension positive)", with_error({v.xx, e.xx}, scale) + ", " + with_error({v.yy, e.yy}, scale) + " " + unit);
+  lines.put("stress xy, yx", with_error({v.xy, e.xy}, scale) + ", " + with_error({v.yx, e.yx}, scale) + " " + unit);
+  lines.put("pressure, deviator, axis", fmt::format("{:.4g}, {:.4g} {}, {:.3g} deg", s.pressure * scale + 0.0, s.deviator * scale, unit, s.axis_deg));
 }
 
 }  // namespace
@@ -68,13 +91,17 @@ std::string to_text(const Texture& t) {
     if (adds_to_all(name, forces.count, t.force.compressive.front().second.count))
       put_distribution(lines, name == "all" ? "force" : "force " + name, forces, "N");
   put_stress(lines, t.stress);
-  lines.put("strong contacts' share of p, q", with_error(t.stress.strong_pressure_share) + ", " + with_error(t.stress.strong_deviator_share));
+  if (std::isfinite(t.stress.strong_pressure_share.value))
+    lines.put("strong contacts' share of p, q", with_error(t.stress.strong_pressure_share) + ", " + with_error(t.stress.strong_deviator_share));
   for (const auto& [name, stress] : t.sigma_norm.sets)
-    if (adds_to_all(name, stress.count, t.considered_grains)) put_distribution(lines, name == "all" ? "sigma_hyd" : "sigma_hyd " + name, stress, "Pa");
+    if (adds_to_all(name, stress.count, t.considered_grains)) {
+      const auto [unit, scale] = stress_unit(std::abs(stress.mean.value));
+      put_distribution(lines, name == "all" ? "sigma_hyd" : "sigma_hyd " + name, stress, unit, scale);
+    }
   lines.put("psi_6", t.order.psi6);
   lines.put("median imbalance of grains", Estimate{t.quality.median_imbalance, unknown}, "of the mean force");
   lines.put("largest |F_t|/F_n", Estimate{t.quality.friction_ratio_max, unknown});
-  for (const auto& note : t.notes) lines.add("note: " + note);
+  for (const auto& note : t.notes) lines.note(note);
   return lines.text();
 }
 

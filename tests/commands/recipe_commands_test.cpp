@@ -22,7 +22,7 @@ TEST(Check, PrintsTheResolvedRecipeWhichChecksAsTheSame) {
   ASSERT_EQ(arenite("init composite " + recipe).status, 0);
   const auto first = arenite("check " + recipe);
   EXPECT_EQ(first.status, 0) << first.err;
-  EXPECT_TRUE(contains(first.out, "restitution = 0.1\n"));
+  EXPECT_TRUE(contains(first.out, "restitution = 0.5\n"));
   std::ofstream(resolved) << first.out;
   const auto second = arenite("check " + resolved);
   EXPECT_EQ(second.status, 0) << second.err;

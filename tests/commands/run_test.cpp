@@ -96,4 +96,16 @@ TEST(StageOverATime, SpeaksOfForcesOnSidesOnlyWhereItMeasuresThem) {
   EXPECT_FALSE(contains(run.out, "aim")) << run.out;
 }
 
+TEST(Show, BeginsWithTheTitleAndLeavesOutWhatASampleWithoutContactsHasNot) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nrest = { max_steps = 400 }\n"));
+  const auto out = folder / "out";
+  ASSERT_EQ(arenite("run " + file + " --quiet --out " + out.string()).status, 3);
+  const auto shown = arenite("show " + stage_file(out, "packing").string());
+  EXPECT_TRUE(shown.out.starts_with("A small sample\nMade by Arenite ")) << shown.out;
+  EXPECT_FALSE(contains(shown.out, "nan")) << shown.out;
+  const auto json = nlohmann::json::parse(arenite("show --json " + out.string()).out);
+  EXPECT_EQ(json.at("provenance").at("title"), "A small sample");
+}
+
 }  // namespace

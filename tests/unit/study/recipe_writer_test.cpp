@@ -116,7 +116,7 @@ TEST(ResolvedRecipe, CommentedRecipeSaysTheSame) {
 
 TEST(ResolvedRecipe, IsCompleteAndCarriesUnits) {
   const std::string text = to_toml(recipe_templates().front().make());
-  for (const char* line : {"width = \"350 mm\"", "stiffness = \"27.35 kN/mm\"", "diameter = \"16.4 mm\"", "restitution = 0.1",
+  for (const char* line : {"width = \"350 mm\"", "stiffness = \"27.35 kN/mm\"", "diameter = \"16.4 mm\"", "restitution = 0.5",
                            "integrator = \"velocity_verlet\"", "bottom = { force = \"50 kN\" }", "top = \"fixed\""}) {
     EXPECT_NE(text.find(std::string("\n") + line + "\n"), std::string::npos) << line;
   }
