@@ -26,7 +26,7 @@ void write_export(const Arguments& a) {
     if (a.format != format.name) continue;
     const auto folder = a.out.empty() ? default_folder(a) : std::filesystem::path(a.out);
     const auto files = study::export_result(a.result, format, folder, a.last);
-    fmt::print("{} files in {}, the last is {}\n", files.size(), folder.string(), files.back().filename().string());
+    fmt::print("{} {} in {}, the last is {}\n", files.size(), files.size() == 1 ? "file" : "files", folder.string(), files.back().filename().string());
   }
 }
 

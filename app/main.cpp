@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string>
 
@@ -72,6 +73,9 @@ int main(int argc, char** argv) {
     status = run(argc, argv);
   } catch (const InputError& error) {
     for (const auto& problem : error.problems()) std::fprintf(stderr, "%s\n", to_string(problem).c_str());
+    status = app::bad_input;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::fprintf(stderr, "%s: %s; check its permissions\n", error.path1().c_str(), error.code().message().c_str());
     status = app::bad_input;
   } catch (const std::bad_alloc&) {
     std::fputs("arenite: the memory does not suffice; ask for fewer grains or stored states\n", stderr);

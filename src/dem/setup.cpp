@@ -120,7 +120,7 @@ void choose_step(Sample& s) {
   s.dt = asked.value_or(std::min(s.integration.safety * shortest_contact_time(s), bounds.largest()));
   if (!positive(s.dt)) throw InputError(fmt::format("time step {} s must be above 0", s.dt));
   if (s.dt > bounds.largest())
-    throw InputError(fmt::format("time step {:.4g} s is beyond what this sample and integrator allow ({}); {:.4g} s would do",
+    throw InputError(fmt::format("integration.time_step of {:.4g} s is beyond what this sample and integrator allow ({}); {:.4g} s would do",
                                  s.dt, bounds.damping < bounds.stiffness ? "damping" : "stiffness",
                                  0.999 * bounds.largest()));
 }

@@ -187,6 +187,8 @@ void place_box(RawGrains& grains, Problems& problems) {
                                   high.*axis - low.*axis, name, size.*axis));
     grains.box_low.*axis = 0.5 * (low.*axis + high.*axis) - 0.5 * size.*axis;
     grains.box_high.*axis = grains.box_low.*axis + size.*axis;
+    grains.notes.push_back(fmt::format("The centres do not lie between 0 and the box's {:g} m along {}, so the box was laid around them, from {:g} m; "
+                                       "--origin places it.", size.*axis, name, grains.box_low.*axis));
   };
   place(&Vec2::x, grains.periodic_x, "x");
   place(&Vec2::y, grains.periodic_y, "y");

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/error.hpp"
 #include "io/assemble.hpp"
 #include "io/csv.hpp"
 #include "io/lammps_dump.hpp"
@@ -97,6 +98,13 @@ void apply_box(const SampleOptions& options, RawGrains& grains, Problems& proble
     problems.add(0, "periodic sides need the size of the cell; give --box LX,LY[,tilt]");
 }
 
+/// The text of a file; one with zero bytes is no text in any encoding that is read here.
+std::string read_text(const std::filesystem::path& path) {
+  std::string text = read_file(path);
+  if (text.find('\0') == std::string::npos) return text;
+  throw InputError(path.string(), 0, "is no text file; results (.h5) are for `arenite show`, or for `arenite export --to csv`, whose tables can be measured");
+}
+
 }  // namespace
 
 std::vector<std::string> sample_formats() {
@@ -106,7 +114,7 @@ std::vector<std::string> sample_formats() {
 }
 
 Sample read_sample(const std::filesystem::path& grains_path, const std::filesystem::path& contacts_path, const SampleOptions& options) {
-  const std::string grains_text = read_file(grains_path), contacts_text = read_file(contacts_path);
+  const std::string grains_text = read_text(grains_path), contacts_text = read_text(contacts_path);
   const UnitFactors units{options.length_unit.value_or(1), options.force_unit.value_or(1), options.length_unit.has_value(),
                           options.force_unit.has_value()};
   Problems grain_problems(grains_path.string()), contact_problems(contacts_path.string());

@@ -13,13 +13,23 @@ namespace arenite::study {
 namespace fs = std::filesystem;
 namespace {
 
-/// Collects files and writes each when it cannot grow any more.
+/// Collects files and writes each when it cannot grow any more. Unless it gets to its end, what it wrote goes again: half
+/// of a loading looks like a whole one.
 class ExportFolder {
  public:
   explicit ExportFolder(fs::path folder) : folder_(std::move(folder)) {
     std::error_code error;
-    fs::create_directory(folder_, error);
+    made_ = fs::create_directories(folder_, error);
     if (error) throw InputError(folder_.string(), 0, "cannot be made: " + error.message() + "; give another --out");
+  }
+
+  ExportFolder(const ExportFolder&) = delete;
+  ExportFolder& operator=(const ExportFolder&) = delete;
+  ~ExportFolder() {
+    if (finished_) return;
+    std::error_code ignored;
+    for (const auto& path : written_) fs::remove(path, ignored);
+    if (made_) fs::remove(folder_, ignored);
   }
 
   /// Files of one frame: those of the frame before that are not among them are complete.
@@ -41,6 +51,7 @@ class ExportFolder {
 
   std::vector<fs::path> finish() {
     for (const auto& file : growing_) write(file);
+    finished_ = true;
     return std::move(written_);
   }
 
@@ -51,6 +62,7 @@ class ExportFolder {
   }
 
   fs::path folder_;
+  bool made_ = false, finished_ = false;
   std::vector<io::NamedBytes> growing_;
   std::vector<fs::path> written_;
 };

@@ -154,7 +154,9 @@ texture::Options texture_options(const Recipe& recipe, std::size_t stage) {
   return options;
 }
 
-RunOutcome run(const Recipe& recipe, const RunOptions& options) {
+namespace {
+
+RunOutcome run_in_folder(const Recipe& recipe, const RunOptions& options) {
   const std::string packing_hash = packing_key(recipe);
   Progress progress{0, recipe.stages.size() + 1, "packing", 0, 0, 0, false};
 
@@ -188,7 +190,6 @@ RunOutcome run(const Recipe& recipe, const RunOptions& options) {
       result->provenance = provenance_of(recipe, recipe.stages[s].name, hashes[s + 1], engine->kernel());
       measure_last_frame(*result, texture_options(recipe, s + 1));
       io::write_stage(file, *result);
-      fs::remove(folder / "run.checkpoint");
       outcome.stages.push_back(std::move(*result));
     } else {
       outcome.stages.push_back(std::move(*stored));
@@ -199,7 +200,27 @@ RunOutcome run(const Recipe& recipe, const RunOptions& options) {
     outcome.converged = outcome.stages.back().converged;
     if (!outcome.converged) break;
   }
+  // At the very end, since a run may be killed between writing its last file and this.
+  std::error_code error;
+  fs::remove(folder / "run.checkpoint", error);
   return outcome;
+}
+
+}  // namespace
+
+RunOutcome run(const Recipe& recipe, const RunOptions& options) {
+  const bool was_there = fs::exists(options.out);
+  try {
+    dem::kernel_name(recipe.integration.kernel);
+    return run_in_folder(recipe, options);
+  } catch (const InputError& error) {
+    std::error_code ignored;
+    if (!was_there) fs::remove(options.out, ignored);  // only if nothing is in it
+    auto problems = error.problems();
+    for (auto& problem : problems)
+      if (problem.file.empty()) problem.file = recipe.source_file;
+    throw InputError(std::move(problems));
+  }
 }
 
 }  // namespace arenite::study

@@ -83,7 +83,9 @@ std::string to_text(const Texture& t) {
   lines.put("grains, contacts, wall contacts", fmt::format("{}, {}, {}", t.grains, t.contacts, t.wall_contacts));
   lines.put("considered grains, contacts", fmt::format("{}, {}", t.considered_grains, t.considered_contacts));
   lines.put("solid fraction", t.solid_fraction);
-  for (const auto& [name, z] : t.coordination.mean) lines.put("coordination, " + name, z);
+  const bool one_material = t.coordination.doubled.size() < 2;  // then the pairs only repeat "all"
+  for (const auto& [name, z] : t.coordination.mean)
+    if (!one_material || name.starts_with("all")) lines.put("coordination, " + name, z);
   lines.put("rattlers", t.coordination.rattlers);
   for (const auto& [name, fabric] : t.fabric)
     if (name == "strong" || name == "weak" || adds_to_all(name, fabric.contacts, t.considered_contacts)) put_fabric(lines, name, fabric);

@@ -108,4 +108,39 @@ TEST(Show, BeginsWithTheTitleAndLeavesOutWhatASampleWithoutContactsHasNot) {
   EXPECT_EQ(json.at("provenance").at("title"), "A small sample");
 }
 
+TEST(RunThatCannotStart, IsOneLineWithItsPlaceAndLeavesNoFolder) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, recipe("height = \"20 mm\"\n", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\n"));
+  const auto out = folder / "out";
+  const auto refused = arenite("run " + file + " --quiet --out " + out.string());
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_TRUE(refused.err.starts_with(file + ": the grains cover ") && contains(refused.err, "frame.height")) << refused.err;
+  EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  EXPECT_FALSE(fs::exists(out));
+  const auto late = arenite("run " + file + " --quiet --out " + out.string() + " --set 'frame.height=200 mm' --set 'integration.time_step=1 s'");
+  EXPECT_EQ(late.status, 2);
+  EXPECT_TRUE(late.err.starts_with(file + ": integration.time_step of 1 s is beyond") && contains(late.err, " would do\n")) << late.err;
+}
+
+TEST(CommandLine, ThatCannotBeReadIsOneLine) {
+  for (const char* line : {"run", "run x.toml --threads 0", "run x.toml --thread 2", "export x --to xls", "init"}) {
+    const auto refused = arenite(line);
+    EXPECT_EQ(refused.status, 2) << line;
+    EXPECT_TRUE(refused.err.starts_with("arenite ") && contains(refused.err, " --help`")) << refused.err;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  }
+}
+
+TEST(ExportThatCannotEnd, TakesBackWhatItWrote) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nincrements = 2\nrest = { unbalanced = 0.01, kinetic = 0.01 }\n"));
+  const auto out = (folder / "out").string();
+  ASSERT_EQ(arenite("run " + file + " --quiet --out " + out).status, 0);
+  // In units of 512 bytes: the loose packing's tables fit below the limit, those of the loaded states do not.
+  const auto refused = arenite::test::shell("ulimit -f 18; " + std::string(ARENITE_BINARY) + " export " + out + " --to csv --out " + out + "/csv");
+  EXPECT_EQ(refused.status, 2) << refused.out;
+  EXPECT_TRUE(contains(refused.err, "csv: ") || contains(refused.err, ".csv: cannot be written: ")) << refused.err;
+  EXPECT_FALSE(fs::exists(out + "/csv"));
+}
+
 }  // namespace
