@@ -36,7 +36,7 @@ RelaxReport fill_at_random(Grains& grains, const Domain& domain, std::uint64_t s
   constexpr double densest = 0.9069;  // equal disks in a triangular lattice
   const double asked = disk_area(grains) / domain.area();
   if (asked > densest)
-    throw InputError(fmt::format("the grains cover {:.3g} times the area of the frame and cannot fit; take fewer or smaller ones, or leave frame.height out", asked));
+    throw InputError(fmt::format("the grains cover {:.3g} times the area of the frame and cannot fit; take fewer, or leave frame.height out with a packing.solid_fraction of 0.80 or less", asked));
   const auto report = relax(grains, domain);
   if (report.overlap_after > 0.01)
     throw InputError(fmt::format("a random filling at solid fraction {:.3f} jams with overlaps of {:.1f} % of the radii; "
