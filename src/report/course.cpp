@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "io/run_folder.hpp"
@@ -102,7 +103,7 @@ std::string course_csv(const std::filesystem::path& result) {
   std::string text = names + "\n" + units + "\n";
   for (const CoursePoint& p : course(stages)) {
     text += fmt::format("{},{}", p.stage, p.label);
-    for (const Column& column : columns) text += fmt::format(",{:.6g}", p.*column.member);
+    for (const Column& column : columns) text += std::isfinite(p.*column.member) ? fmt::format(",{:.6g}", p.*column.member + 0.0) : ",";
     text += "\n";
   }
   return text;

@@ -79,7 +79,7 @@ TEST(Init, FolderThatIsNotThereIsBadInputAndNothingIsLeft) {
 
 TEST(Output, FullDiskBehindStdoutIsReported) {
   for (const char* command : {"init composite", "man --keys", "man", ""}) {
-    const auto full = shell(std::string(ARENITE_BINARY) + " " + command + " > /dev/full");
+    const auto full = shell(std::string(ARENITE_BINARY " ").append(command).append(" > /dev/full"));
     EXPECT_EQ(full.status, 2) << command;
     EXPECT_EQ(lines_of(full.err), 1) << full.err;
   }

@@ -34,6 +34,6 @@ inline Outcome shell(const std::string& line) {
 }
 
 /// Runs the program under test with these arguments.
-inline Outcome arenite(const std::string& arguments) { return shell(std::string(ARENITE_BINARY) + " " + arguments); }
+inline Outcome arenite(const std::string& arguments) { return shell(std::string(ARENITE_BINARY " ").append(arguments)); }
 
 }  // namespace arenite::test
