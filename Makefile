@@ -1,6 +1,7 @@
 # make demo: set up, build, run thesis sample 8 and say where the report is. make test: set up, build, run every test.
 BUILD ?= build
 JOBS ?= $(shell nproc)
+
 CMAKE_FLAGS ?=
 COMMON = cmake -S . -B $(BUILD) -G Ninja $(CMAKE_FLAGS)
 
@@ -38,7 +39,7 @@ peers:
 # Every fuzz target for FUZZ_SECONDS; inputs that reach new code gather in build-fuzz/found.
 FUZZ_SECONDS ?= 60
 fuzz:
-	@scripts/setup run test
+	@scripts/setup run fuzz
 	@cmake --preset fuzz >/dev/null
 	@cmake --build --preset fuzz -j $(JOBS)
 	@cd build-fuzz && for f in tests/fuzz/fuzz_*; do \

@@ -5,12 +5,10 @@ find_package(CLI11 2.1 REQUIRED)
 find_package(Eigen3 3.4 REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(HDF5 REQUIRED COMPONENTS C)
-find_package(PkgConfig REQUIRED)
-pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
 find_library(XXHASH_LIBRARY xxhash REQUIRED)
 
 add_library(arenite_dependencies INTERFACE)
 target_include_directories(arenite_dependencies SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})
 target_link_libraries(arenite_dependencies INTERFACE
   Threads::Threads fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11 Eigen3::Eigen
-  ZLIB::ZLIB ${HDF5_LIBRARIES} PkgConfig::HWY ${XXHASH_LIBRARY})
+  ZLIB::ZLIB ${HDF5_LIBRARIES} ${XXHASH_LIBRARY})
