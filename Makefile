@@ -1,7 +1,6 @@
 # make demo: set up, build, run thesis sample 8 and say where the report is. make test: set up, build, run every test.
 BUILD ?= build
 JOBS ?= $(shell nproc)
-
 CMAKE_FLAGS ?=
 COMMON = cmake -S . -B $(BUILD) -G Ninja $(CMAKE_FLAGS)
 
