@@ -6,9 +6,11 @@ find_package(Eigen3 3.4 REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(HDF5 REQUIRED COMPONENTS C)
 find_library(XXHASH_LIBRARY xxhash REQUIRED)
+find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
+find_library(AMD_LIBRARY amd REQUIRED)
 
 add_library(arenite_dependencies INTERFACE)
 target_include_directories(arenite_dependencies SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})
 target_link_libraries(arenite_dependencies INTERFACE
   Threads::Threads fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11 Eigen3::Eigen
-  ZLIB::ZLIB ${HDF5_LIBRARIES} ${XXHASH_LIBRARY})
+  ZLIB::ZLIB ${HDF5_LIBRARIES} ${XXHASH_LIBRARY} ${CHOLMOD_LIBRARY} ${AMD_LIBRARY} ${CMAKE_DL_LIBS})

@@ -1,0 +1,24 @@
+#include <array>
+#include <cmath>
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+#include "peridynamics/kernels/kernels.hpp"
+
+#if defined(__AVX2__) && defined(__FMA__)
+#include "peridynamics/kernels/lanes_avx2.hpp"
+#include "peridynamics/kernels/stencil.hpp"
+#include "peridynamics/kernels/passes.hpp"
+
+namespace arenite::peridynamics {
+extern const Kernels* const avx2_kernels;
+namespace { const Kernels table = table_of("avx2"); }
+const Kernels* const avx2_kernels = &table;
+}  // namespace arenite::peridynamics
+#else
+namespace arenite::peridynamics {
+extern const Kernels* const avx2_kernels;
+const Kernels* const avx2_kernels = nullptr;
+}  // namespace arenite::peridynamics
+#endif

@@ -1,0 +1,116 @@
+#include "peridynamics/solvers/couplings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace arenite::peridynamics {
+
+namespace {
+
+constexpr int cell = Pieces::cell;
+
+std::array<Hats, cell * cell> make_hats() {
+  std::array<Hats, cell * cell> hats;
+  for (unsigned y = 0; y < cell; ++y)
+    for (unsigned x = 0; x < cell; ++x) {
+      const double s = x / static_cast<double>(cell), t = y / static_cast<double>(cell);
+      hats[y * cell + x] = Hats{(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t};
+    }
+  return hats;
+}
+
+const std::array<Hats, cell * cell> all_hats = make_hats();
+
+/// What one node's bonds to one piece sum to: block times hats of the other ends.
+struct Reach {
+  std::int32_t q;
+  std::array<Hats, 3> sum;
+};
+
+struct CouplingSum {
+  const Bonds& bonds;
+  const Pieces& pieces;
+  std::array<std::array<std::array<double, 3>, 4>, bonds_per_node> blocks{};
+  std::vector<Coupling> self, cross;
+  std::vector<std::int32_t> latest;  ///< of each piece's couplings, the newest; they form a chain
+  std::vector<std::int32_t> next;
+
+  CouplingSum(const Bonds& b, const Pieces& p) : bonds(b), pieces(p), latest(p.owner.size(), -1) {
+    for (unsigned d = 0; d < bonds_per_node; ++d)
+      for (unsigned t = 1; t < 4; ++t) {
+        const Offset e = half_bonds[d];
+        const double k = bonds.modulus(t) / std::pow(length(e), 3);
+        blocks[d][t] = {k * e.x * e.x, k * e.x * e.y, k * e.y * e.y};
+      }
+    self.resize(p.owner.size());
+    for (std::int32_t k = 0; k < p.count(); ++k) self[static_cast<std::size_t>(k)] = {k, k, {}};
+    cross.reserve(6 * p.owner.size());
+  }
+
+  Coupling& between(std::int32_t p, std::int32_t q) {
+    for (std::int32_t c = latest[static_cast<std::size_t>(p)]; c >= 0; c = next[static_cast<std::size_t>(c)])
+      if (cross[static_cast<std::size_t>(c)].q == q) return cross[static_cast<std::size_t>(c)];
+    next.push_back(latest[static_cast<std::size_t>(p)]);
+    latest[static_cast<std::size_t>(p)] = static_cast<std::int32_t>(cross.size());
+    cross.push_back({p, q, {}});
+    return cross.back();
+  }
+
+  void add_node(std::ptrdiff_t i, int x, int y, const std::array<double, 3>& diagonal) {
+    const std::int32_t p = pieces.of_node[i];
+    const std::uint32_t word = bonds.words[i];
+    std::array<Reach, bonds_per_node> reach;
+    unsigned reached = 1;
+    reach[0] = {p, {}};
+    unsigned at = 0;
+    for (unsigned d = 0; d < bonds_per_node; ++d) {
+      const unsigned type = word >> (2 * d) & 3u;
+      if (type == no_bond) continue;
+      const Offset e = half_bonds[d];
+      const std::int32_t q = pieces.of_node[i + bonds.step(static_cast<int>(d))];
+      if (q < 0) continue;
+      if (reach[at].q != q) {
+        for (at = 0; at < reached && reach[at].q != q;) ++at;
+        if (at == reached) reach[reached++] = {q, {}};
+      }
+      const Hats& other = all_hats[static_cast<unsigned>(((y + e.y) & (cell - 1)) * cell + ((x + e.x) & (cell - 1)))];
+      for (unsigned c = 0; c < 3; ++c) reach[at].sum[c] += blocks[d][type][c] * other;
+    }
+    const Hats& own = all_hats[static_cast<unsigned>(y * cell + x)];
+    Coupling& within = self[static_cast<std::size_t>(p)];
+    for (unsigned c = 0; c < 3; ++c) {
+      // The bonds inside a piece appear as they are and transposed; half of the diagonal goes to each.
+      const Hats row = 0.5 * diagonal[c] * own - reach[0].sum[c];
+      for (unsigned a = 0; a < 4; ++a) within.block[c][a] += own[a] * row;
+    }
+    for (unsigned k = 1; k < reached; ++k) {
+      Coupling& to = between(p, reach[k].q);
+      for (unsigned c = 0; c < 3; ++c)
+        for (unsigned a = 0; a < 4; ++a) to.block[c][a] -= own[a] * reach[k].sum[c];
+    }
+  }
+};
+
+}  // namespace
+
+const Hats& hats_at(int x, int y) { return all_hats[static_cast<unsigned>(y * cell + x)]; }
+
+std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const BlockDiagonal<double>& diagonal) {
+  const Grid& grid = bonds.grid;
+  CouplingSum sum(bonds, pieces);
+  for (int y0 = 0; y0 < grid.height; y0 += cell)
+    for (int x0 = 0; x0 < grid.width; x0 += cell)
+      for (int y = y0; y < std::min(y0 + cell, grid.height); ++y)
+        for (int x = x0; x < std::min(x0 + cell, grid.width); ++x) {
+          const std::ptrdiff_t i = grid.index(x, y);
+          if (pieces.of_node[i] >= 0) sum.add_node(i, x - x0, y - y0, {diagonal.xx[i], diagonal.xy[i], diagonal.yy[i]});
+        }
+  for (Coupling& within : sum.self)
+    for (auto& block : within.block)
+      for (unsigned a = 0; a < 4; ++a)
+        for (unsigned b = 0; b <= a; ++b) block[a][b] = block[b][a] = block[a][b] + block[b][a];
+  sum.self.insert(sum.self.end(), sum.cross.begin(), sum.cross.end());
+  return std::move(sum.self);
+}
+
+}  // namespace arenite::peridynamics

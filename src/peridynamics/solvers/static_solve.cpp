@@ -1,0 +1,97 @@
+#include "peridynamics/solvers/static_solve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace arenite::peridynamics {
+
+struct StaticSolver::State {
+  std::vector<std::uint8_t> prescribed;
+  TwoLevel preconditioner;
+  Field<double> r, p, f;
+  Field<float> rough, z;
+
+  State(const Bonds& bonds, Pieces pieces, std::vector<std::uint8_t> rows)
+      : prescribed(std::move(rows)), preconditioner(bonds, std::move(pieces), prescribed),
+        r(bonds.grid.padded_size()), p(bonds.grid.padded_size()), f(bonds.grid.padded_size()),
+        rough(bonds.grid.padded_size()), z(bonds.grid.padded_size()) {}
+
+  /// |f(u)| with u zero but where it is prescribed.
+  double reference(const Bonds& bonds, const Field<double>& u) {
+    clear(p);
+    const Grid& grid = bonds.grid;
+    for (int y = 0; y < grid.height; ++y) {
+      const auto rows = prescribed[static_cast<std::size_t>(y)];
+      if (rows & x_prescribed) std::copy_n(u.x.data() + grid.row(y), grid.width, p.x.data() + grid.row(y));
+      if (rows & y_prescribed) std::copy_n(u.y.data() + grid.row(y), grid.width, p.y.data() + grid.row(y));
+    }
+    kernels().force(bonds, prescribed.data(), plane(std::as_const(p)), plane(f));
+    clear(p);
+    const double square = norm2(bonds, f);
+    clear(f);
+    return std::sqrt(square);
+  }
+
+  static void clear(Field<double>& a) {
+    std::fill_n(a.x.data(), a.x.size(), 0.0);
+    std::fill_n(a.y.data(), a.y.size(), 0.0);
+  }
+
+  static double norm2(const Bonds& bonds, const Field<double>& a) {
+    double sum = 0;
+    for (int y = 0; y < bonds.grid.height; ++y)
+      for (std::ptrdiff_t i = bonds.grid.row(y), end = i + bonds.grid.width; i < end; ++i) sum += a.x[i] * a.x[i] + a.y[i] * a.y[i];
+    return sum;
+  }
+};
+
+StaticSolver::StaticSolver(const Bonds& bonds, Pieces pieces, std::vector<std::uint8_t> prescribed)
+    : state_(std::make_unique<State>(bonds, std::move(pieces), std::move(prescribed))) {}
+StaticSolver::~StaticSolver() = default;
+
+StaticReport StaticSolver::solve(const Bonds& bonds, Field<double>& u, double tolerance, int max_iterations) {
+  State& s = *state_;
+  const Kernels& k = kernels();
+  StaticReport report;
+  report.coarse_unknowns = s.preconditioner.coarse().unknowns();
+  report.repairs = s.preconditioner.coarse().repairs();
+  report.loose_nodes = s.preconditioner.loose_nodes();
+  const double reference = s.reference(bonds, u);
+  if (!(reference > 0)) {
+    report.converged = std::isfinite(reference);
+    return report;
+  }
+  const auto fresh_residual = [&] { k.force(bonds, s.prescribed.data(), plane(std::as_const(u)), plane(s.r)); };
+  const auto move = [&](double alpha) {
+    return std::sqrt(k.conjugate_step(bonds, alpha, plane(std::as_const(s.p)), plane(std::as_const(s.f)), plane(u), plane(s.r),
+                                      s.preconditioner.inverse(), s.preconditioner.first_step(), plane(s.rough), plane(s.z))) / reference;
+  };
+  // The residual that the recurrence carries is replaced by a fresh one at the end; if the two differ, a second pass
+  // starts from there.
+  for (int pass = 0; pass < 2 && !report.converged; ++pass) {
+    fresh_residual();
+    report.residual = move(0);
+    if (pass == 0) report.history.push_back(report.residual);
+    double last = 0;
+    while (report.residual > tolerance && report.iterations < max_iterations) {
+      s.preconditioner.apply(bonds, s.rough, s.z);
+      const double rz = k.dot(bonds, plane(std::as_const(s.rough)), plane(std::as_const(s.z)));
+      if (!(rz > 0) || !std::isfinite(rz)) break;
+      k.direct(bonds, last > 0 ? rz / last : 0.0, plane(std::as_const(s.z)), plane(s.p));
+      last = rz;
+      const double curvature = -k.force(bonds, s.prescribed.data(), plane(std::as_const(s.p)), plane(s.f));
+      if (!(curvature > 0)) break;
+      report.residual = move(rz / curvature);
+      ++report.iterations;
+      report.history.push_back(report.residual);
+    }
+    fresh_residual();
+    report.residual = std::sqrt(State::norm2(bonds, s.r)) / reference;
+    report.converged = report.residual <= 1.01 * tolerance;
+    if (report.iterations >= max_iterations) break;
+  }
+  return report;
+}
+
+}  // namespace arenite::peridynamics
