@@ -34,6 +34,8 @@ struct Kernels {
   void (*residual)(const Bonds&, Plane<const float> z, Plane<const float> r, Plane<float> out);
   /// older := u + a (u - older) + b f(u): one step of damped motion; then `older` is the newer. Returns sum f . f.
   double (*stormer)(const Bonds&, const std::uint8_t* prescribed, Plane<const double> u, Plane<double> older, double a, double b);
+  /// older := u + a (u - older) + b D^-1 f(u); then `older` is the newer. Returns sum f . D^-1 f.
+  double (*relax)(const Bonds&, Plane<const double> u, Plane<double> older, BlockPlane inverse, double a, double b);
 
   /// u += alpha p, r += alpha f, rough := r in single precision, z := b D^-1 r; returns r . r.
   double (*conjugate_step)(const Bonds&, double alpha, Plane<const double> p, Plane<const double> f, Plane<double> u, Plane<double> r,

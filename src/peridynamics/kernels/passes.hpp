@@ -53,6 +53,20 @@ double stormer(const Bonds& bonds, const std::uint8_t* prescribed, Plane<const d
   return sum.sum();
 }
 
+double relax(const Bonds& bonds, Plane<const double> u, Plane<double> older, BlockPlane inverse, double a, double b) {
+  using V = Doubles;
+  const V va = V::all(a), vb = V::all(b);
+  Doubles sum = Doubles::all(0);
+  Stencil<V>(bonds, u).sweep([](int) {}, [&](std::ptrdiff_t i, Force<V> own, Force<V> g) {
+    const V xx = load_rough(inverse.xx + i), xy = load_rough(inverse.xy + i), yy = load_rough(inverse.yy + i);
+    const V dx = fma(xx, g.x, xy * g.y), dy = fma(xy, g.x, yy * g.y);
+    sum = fma(dx, g.x, fma(dy, g.y, sum));
+    fma(vb, dx, fma(va, own.x - V::load(older.x + i), own.x)).store(older.x + i);
+    fma(vb, dy, fma(va, own.y - V::load(older.y + i), own.y)).store(older.y + i);
+  });
+  return sum.sum();
+}
+
 /// All nodes of a grid, pads between the rows included: these hold zeros and stay so.
 struct Span { std::ptrdiff_t begin, end; };
 Span span_of(const Grid& grid) { return {grid.row(0), grid.row(grid.height)}; }
@@ -100,7 +114,7 @@ void direct(const Bonds& bonds, double beta, Plane<const float> z, Plane<double>
 }
 
 constexpr Kernels table_of(const char* name) {
-  return {name, force<Doubles>, force<Floats>, chebyshev, residual, stormer, conjugate_step, dot, direct};
+  return {name, force<Doubles>, force<Floats>, chebyshev, residual, stormer, relax, conjugate_step, dot, direct};
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "peridynamics/solvers/reference.hpp"
+
 namespace arenite::peridynamics {
 
 struct StaticSolver::State {
@@ -17,32 +19,15 @@ struct StaticSolver::State {
         r(bonds.grid.padded_size()), p(bonds.grid.padded_size()), f(bonds.grid.padded_size()),
         rough(bonds.grid.padded_size()), z(bonds.grid.padded_size()) {}
 
-  /// |f(u)| with u zero but where it is prescribed.
-  double reference(const Bonds& bonds, const Field<double>& u) {
-    clear(p);
+  void add_to_residual(const Bonds& bonds, const Field<double>& body) {
     const Grid& grid = bonds.grid;
     for (int y = 0; y < grid.height; ++y) {
       const auto rows = prescribed[static_cast<std::size_t>(y)];
-      if (rows & x_prescribed) std::copy_n(u.x.data() + grid.row(y), grid.width, p.x.data() + grid.row(y));
-      if (rows & y_prescribed) std::copy_n(u.y.data() + grid.row(y), grid.width, p.y.data() + grid.row(y));
+      for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) {
+        if (!(rows & x_prescribed)) r.x[i] += body.x[i];
+        if (!(rows & y_prescribed)) r.y[i] += body.y[i];
+      }
     }
-    kernels().force(bonds, prescribed.data(), plane(std::as_const(p)), plane(f));
-    clear(p);
-    const double square = norm2(bonds, f);
-    clear(f);
-    return std::sqrt(square);
-  }
-
-  static void clear(Field<double>& a) {
-    std::fill_n(a.x.data(), a.x.size(), 0.0);
-    std::fill_n(a.y.data(), a.y.size(), 0.0);
-  }
-
-  static double norm2(const Bonds& bonds, const Field<double>& a) {
-    double sum = 0;
-    for (int y = 0; y < bonds.grid.height; ++y)
-      for (std::ptrdiff_t i = bonds.grid.row(y), end = i + bonds.grid.width; i < end; ++i) sum += a.x[i] * a.x[i] + a.y[i] * a.y[i];
-    return sum;
   }
 };
 
@@ -50,19 +35,24 @@ StaticSolver::StaticSolver(const Bonds& bonds, Pieces pieces, std::vector<std::u
     : state_(std::make_unique<State>(bonds, std::move(pieces), std::move(prescribed))) {}
 StaticSolver::~StaticSolver() = default;
 
-StaticReport StaticSolver::solve(const Bonds& bonds, Field<double>& u, double tolerance, int max_iterations) {
+StaticReport StaticSolver::solve(const Bonds& bonds, Field<double>& u, double tolerance, int max_iterations, const Field<double>* body) {
   State& s = *state_;
   const Kernels& k = kernels();
   StaticReport report;
   report.coarse_unknowns = s.preconditioner.coarse().unknowns();
   report.repairs = s.preconditioner.coarse().repairs();
   report.loose_nodes = s.preconditioner.loose_nodes();
-  const double reference = s.reference(bonds, u);
+  const double reference = residual_reference(bonds, s.prescribed, u, s.p, s.f);
+  set_zero(s.p);
+  set_zero(s.f);
   if (!(reference > 0)) {
     report.converged = std::isfinite(reference);
     return report;
   }
-  const auto fresh_residual = [&] { k.force(bonds, s.prescribed.data(), plane(std::as_const(u)), plane(s.r)); };
+  const auto fresh_residual = [&] {
+    k.force(bonds, s.prescribed.data(), plane(std::as_const(u)), plane(s.r));
+    if (body) s.add_to_residual(bonds, *body);
+  };
   const auto move = [&](double alpha) {
     return std::sqrt(k.conjugate_step(bonds, alpha, plane(std::as_const(s.p)), plane(std::as_const(s.f)), plane(u), plane(s.r),
                                       s.preconditioner.inverse(), s.preconditioner.first_step(), plane(s.rough), plane(s.z))) / reference;
@@ -87,7 +77,7 @@ StaticReport StaticSolver::solve(const Bonds& bonds, Field<double>& u, double to
       report.history.push_back(report.residual);
     }
     fresh_residual();
-    report.residual = std::sqrt(State::norm2(bonds, s.r)) / reference;
+    report.residual = std::sqrt(square_norm(bonds.grid, s.r)) / reference;
     report.converged = report.residual <= 1.01 * tolerance;
     if (report.iterations >= max_iterations) break;
   }

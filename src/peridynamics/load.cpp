@@ -1,0 +1,200 @@
+#include "peridynamics/load.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
+#include "peridynamics/node_stress.hpp"
+#include "peridynamics/solvers/dynamics.hpp"
+#include "peridynamics/solvers/reference.hpp"
+#include "peridynamics/solvers/static_solve.hpp"
+
+namespace arenite::peridynamics {
+
+namespace {
+
+/// A sample with what carries, ready to be solved.
+struct Specimen {
+  const PhaseMap& map;
+  const LoadOptions& options;
+  Bonds bonds;
+  std::vector<std::uint8_t> prescribed;
+  Pieces pieces;
+  Buffer<Tie> tie;
+  Support support;
+  Vec2 top_displacement;
+
+  Specimen(const PhaseMap& m, const LoadOptions& o) : map(m), options(o), bonds(make_bonds(m, o.stiffness)) {
+    prescribed.assign(static_cast<std::size_t>(map.height), nothing_prescribed);
+    prescribed.front() = o.lower == LowerEdge::sliding ? y_prescribed : both_prescribed;
+    prescribed.back() = both_prescribed;
+    pieces = cut_into_pieces(map, bonds, prescribed);
+    support = prune(bonds, pieces, prescribed, tie);
+    const double travel = o.strain * gauge();
+    top_displacement = o.loading == Loading::shear ? Vec2{travel, 0} : Vec2{0, o.loading == Loading::tension ? travel : -travel};
+  }
+
+  double gauge() const { return (map.height - 1) * map.dx; }
+
+  /// Uniform strain where the sample carries; the clamp's displacement where it hangs on one only.
+  Field<double> first_guess() const {
+    const Grid& grid = bonds.grid;
+    Field<double> u(grid.padded_size());
+    for (int y = 0; y < grid.height; ++y)
+      for (int x = 0; x < grid.width; ++x) {
+        if (map.phase[map.index(x, y)] == Phase::empty) continue;
+        const std::ptrdiff_t i = grid.index(x, y);
+        double share = static_cast<double>(y) / (grid.height - 1);
+        if (!prescribed[static_cast<std::size_t>(y)] && tie[i] != Tie::both) share = tie[i] == Tie::above ? 1 : 0;
+        u.x[i] = share * top_displacement.x;
+        u.y[i] = share * top_displacement.y;
+      }
+    return u;
+  }
+
+  Field<double> force(const Field<double>& u) const {
+    Field<double> f(bonds.grid.padded_size());
+    const std::vector<std::uint8_t> none(prescribed.size(), nothing_prescribed);
+    if (options.exact_stretch) exact_force(bonds, map.dx, u, f);
+    else kernels().force(bonds, none.data(), plane(u), plane(f));
+    return f;
+  }
+};
+
+/// Equilibrium under P's stretch: the linearised solve, again and again, with what it leaves out as a body force.
+StaticReport solve_exact(const Specimen& s, StaticSolver& solver, Field<double>& u, int max_iterations) {
+  const auto n = s.bonds.grid.padded_size();
+  Field<double> body(n), linear(n);
+  const double reference = residual_reference(s.bonds, s.prescribed, u, body, linear);
+  const std::vector<std::uint8_t> none(s.prescribed.size(), nothing_prescribed);
+  StaticReport total = solver.solve(s.bonds, u, s.options.tolerance, max_iterations);
+  for (int round = 0; round < 20 && total.converged; ++round) {
+    exact_force(s.bonds, s.map.dx, u, body);
+    kernels().force(s.bonds, none.data(), plane(std::as_const(u)), plane(linear));
+    double square = 0;
+    for (int y = 0; y < s.bonds.grid.height; ++y) {
+      const auto rows = s.prescribed[static_cast<std::size_t>(y)];
+      for (std::ptrdiff_t i = s.bonds.grid.row(y), end = i + s.bonds.grid.width; i < end; ++i) {
+        if (!(rows & x_prescribed)) square += body.x[i] * body.x[i];
+        if (!(rows & y_prescribed)) square += body.y[i] * body.y[i];
+        body.x[i] -= linear.x[i];
+        body.y[i] -= linear.y[i];
+      }
+    }
+    total.residual = std::sqrt(square) / reference;
+    if (total.residual <= s.options.tolerance) return total;
+    const StaticReport more = solver.solve(s.bonds, u, 0.1 * s.options.tolerance, max_iterations, &body);
+    total.iterations += more.iterations;
+    total.history.insert(total.history.end(), more.history.begin(), more.history.end());
+  }
+  total.converged = false;
+  return total;
+}
+
+StaticReport find_equilibrium(Specimen& s, Field<double>& u) {
+  const LoadOptions& o = s.options;
+  if (o.method == Method::static_solve) {
+    const int most = o.max_iterations > 0 ? o.max_iterations : 50;
+    StaticSolver solver(s.bonds, std::move(s.pieces), s.prescribed);
+    return o.exact_stretch ? solve_exact(s, solver, u, most) : solver.solve(s.bonds, u, o.tolerance, most);
+  }
+  const Dynamics dynamics{s.bonds, s.prescribed, s.map.dx, o.exact_stretch, o.tolerance, o.max_iterations > 0 ? o.max_iterations : 1'000'000};
+  return o.method == Method::relaxation ? adaptive_relaxation(dynamics, u) : damped_dynamics(dynamics, u);
+}
+
+Vec2 row_sum(const Grid& grid, const Field<double>& f, int y) {
+  Vec2 sum;
+  for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) sum += Vec2{f.x[i], f.y[i]};
+  return sum;
+}
+
+/// Mean slope of a displacement along an axis, by least squares over the carrying nodes of the middle half.
+double slope(const Specimen& s, const Buffer<double>& u, bool along_x) {
+  const Grid& grid = s.bonds.grid;
+  double n = 0, sp = 0, spp = 0, su = 0, spu = 0;
+  for (int y = grid.height / 4; y < grid.height - grid.height / 4; ++y)
+    for (int x = grid.width / 4; x < grid.width - grid.width / 4; ++x) {
+      const std::ptrdiff_t i = grid.index(x, y);
+      if (s.tie[i] != Tie::both) continue;
+      const double p = along_x ? x : y;
+      n += 1;
+      sp += p;
+      spp += p * p;
+      su += u[i];
+      spu += p * u[i];
+    }
+  const double spread = n * spp - sp * sp;
+  return spread > 0 ? (n * spu - sp * su) / spread : 0;
+}
+
+void judge(const Specimen& s, const Field<double>& u, LoadResult& result) {
+  LoadReport& r = result.report;
+  const Field<double> f = s.force(u);
+  r.top_force = -row_sum(s.bonds.grid, f, s.map.height - 1);
+  r.bottom_force = -row_sum(s.bonds.grid, f, 0);
+  const bool shear = s.options.loading == Loading::shear;
+  const double force = shear ? r.top_force.x : r.top_force.y;
+  double sum = 0;
+  for (const double stress : shear ? result.field.xy : result.field.yy) sum += stress;
+  if (force != 0) r.identity_defect = sum * s.map.dx * s.map.dx / (force * s.gauge()) - 1;
+  r.modulus = std::abs(force) / (s.map.width * s.map.dx * s.options.strain);
+  const double axial = shear ? 0 : slope(s, u.y, false);
+  if (axial != 0) r.poisson = -slope(s, u.x, true) / axial;
+}
+
+std::string sentence_of(const LoadReport& r, const LoadOptions& o) {
+  std::string text;
+  switch (r.ending) {
+    case Ending::empty: return "the map is all void: there is nothing to load";
+    case Ending::severed:
+      text = fmt::format("nothing ties the bottom row to the top row: {} nodes hang on the lower clamp, {} on the upper; no stress", r.support.held_below, r.support.held_above);
+      break;
+    case Ending::solved: text = fmt::format("equilibrium to a relative residual of {:.1e} in {} iterations", r.residual, r.iterations); break;
+    case Ending::not_converged:
+      text = fmt::format("no equilibrium: relative residual {:.1e} after {} iterations, {:.0e} was asked for", r.residual, r.iterations, o.tolerance);
+      break;
+  }
+  if (r.support.floating > 0) text += fmt::format("; {} floating nodes in {} islands without stress", r.support.floating, r.support.islands);
+  if (r.ending != Ending::severed && r.support.held_below + r.support.held_above > 0)
+    text += fmt::format("; {} nodes held on one side only, without stress", r.support.held_below + r.support.held_above);
+  if (r.loose_nodes > 0) text += fmt::format("; {} nodes hang on a hinge", r.loose_nodes);
+  return text;
+}
+
+void check(const LoadOptions& o) {
+  if (!(o.strain > 0) || !(o.strain < 1)) throw InputError(fmt::format("the strain is {:g}; give one between 0 and 1 (the loading says its direction)", o.strain));
+  if (!(o.tolerance > 0) || !(o.tolerance < 1)) throw InputError(fmt::format("the tolerance of the residual is {:g}; give one between 0 and 1", o.tolerance));
+}
+
+}  // namespace
+
+LoadResult load(const PhaseMap& map, const LoadOptions& options) {
+  check(options);
+  Specimen s(map, options);
+  LoadResult result;
+  LoadReport& r = result.report;
+  r.support = s.support;
+  Field<double> u = s.first_guess();
+  if (s.support.carrying > 0) {
+    StaticReport solved = find_equilibrium(s, u);
+    r.ending = solved.converged ? Ending::solved : Ending::not_converged;
+    r.iterations = solved.iterations;
+    r.residual = solved.residual;
+    r.history = std::move(solved.history);
+    r.loose_nodes = solved.loose_nodes;
+    r.coarse_unknowns = solved.coarse_unknowns;
+    r.repairs = solved.repairs;
+  } else {
+    const bool any = std::any_of(map.phase.begin(), map.phase.end(), [](Phase p) { return p != Phase::empty; });
+    r.ending = any ? Ending::severed : Ending::empty;
+  }
+  result.field = node_stress(s.bonds, map.dx, u, options.exact_stretch);
+  if (s.support.carrying > 0) judge(s, u, result);
+  r.sentence = sentence_of(r, options);
+  return result;
+}
+
+}  // namespace arenite::peridynamics
