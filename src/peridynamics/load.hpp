@@ -23,7 +23,7 @@ enum class Method {
 };
 
 struct LoadOptions {
-  Stiffness stiffness;
+  Stiffness stiffness{};
   Loading loading = Loading::tension;
   LowerEdge lower = LowerEdge::fixed;
   Method method = Method::static_solve;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <type_traits>
 
 #include "peridynamics/bonds.hpp"
 
@@ -10,7 +11,10 @@ enum Prescribed : std::uint8_t { nothing_prescribed = 0, x_prescribed = 1, y_pre
 
 /// Plain pointers to one padded plane field.
 template <class T>
-struct Plane { T *x, *y; };
+struct Plane {
+  T *x, *y;
+  operator Plane<const T>() const requires(!std::is_const_v<T>) { return {x, y}; }
+};
 
 template <class T>
 Plane<T> plane(Field<T>& f) { return {f.x.data(), f.y.data()}; }

@@ -91,7 +91,7 @@ StaticReport damped_dynamics(const Dynamics& s, Field<double>& u) {
       s, u,
       [&](Field<double>& now, Field<double>& older, Field<double>& f) {
         if (!s.exact_stretch) {
-          kernels().stormer(s.bonds, s.prescribed.data(), plane(std::as_const(now)), plane(older), a, b);
+          kernels().stormer(s.bonds, s.prescribed.data(), plane(now), plane(older), a, b);
           return;
         }
         form_force(s, now, f);
@@ -115,7 +115,7 @@ StaticReport adaptive_relaxation(const Dynamics& s, Field<double>& u) {
       velocity.y[i] = now.y[i] - older.y[i];
       kinetic += velocity.x[i] * (diagonal.xx[i] * velocity.x[i] + 2 * diagonal.xy[i] * velocity.y[i]) + diagonal.yy[i] * velocity.y[i] * velocity.y[i];
     }
-    const double elastic = -kernels().force(s.bonds, s.prescribed.data(), plane(std::as_const(velocity)), plane(f));
+    const double elastic = -kernels().force(s.bonds, s.prescribed.data(), plane(velocity), plane(f));
     const double frequency = kinetic > 0 ? std::sqrt(std::max(0.0, elastic / kinetic)) : 0;
     const double half = frequency * dt;  // critical damping c = 2 omega, times dt/2
     a = (1 - half) / (1 + half);
@@ -125,7 +125,7 @@ StaticReport adaptive_relaxation(const Dynamics& s, Field<double>& u) {
       s, u,
       [&](Field<double>& now, Field<double>& older, Field<double>& f) {
         if (!s.exact_stretch) {
-          kernels().relax(s.bonds, plane(std::as_const(now)), plane(older), blocks, a, b);
+          kernels().relax(s.bonds, plane(now), plane(older), blocks, a, b);
           return;
         }
         form_force(s, now, f);

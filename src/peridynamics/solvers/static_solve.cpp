@@ -50,11 +50,11 @@ StaticReport StaticSolver::solve(const Bonds& bonds, Field<double>& u, double to
     return report;
   }
   const auto fresh_residual = [&] {
-    k.force(bonds, s.prescribed.data(), plane(std::as_const(u)), plane(s.r));
+    k.force(bonds, s.prescribed.data(), plane(u), plane(s.r));
     if (body) s.add_to_residual(bonds, *body);
   };
   const auto move = [&](double alpha) {
-    return std::sqrt(k.conjugate_step(bonds, alpha, plane(std::as_const(s.p)), plane(std::as_const(s.f)), plane(u), plane(s.r),
+    return std::sqrt(k.conjugate_step(bonds, alpha, plane(s.p), plane(s.f), plane(u), plane(s.r),
                                       s.preconditioner.inverse(), s.preconditioner.first_step(), plane(s.rough), plane(s.z))) / reference;
   };
   // The residual that the recurrence carries is replaced by a fresh one at the end; if the two differ, a second pass
@@ -66,11 +66,11 @@ StaticReport StaticSolver::solve(const Bonds& bonds, Field<double>& u, double to
     double last = 0;
     while (report.residual > tolerance && report.iterations < max_iterations) {
       s.preconditioner.apply(bonds, s.rough, s.z);
-      const double rz = k.dot(bonds, plane(std::as_const(s.rough)), plane(std::as_const(s.z)));
+      const double rz = k.dot(bonds, plane(s.rough), plane(s.z));
       if (!(rz > 0) || !std::isfinite(rz)) break;
-      k.direct(bonds, last > 0 ? rz / last : 0.0, plane(std::as_const(s.z)), plane(s.p));
+      k.direct(bonds, last > 0 ? rz / last : 0.0, plane(s.z), plane(s.p));
       last = rz;
-      const double curvature = -k.force(bonds, s.prescribed.data(), plane(std::as_const(s.p)), plane(s.f));
+      const double curvature = -k.force(bonds, s.prescribed.data(), plane(s.p), plane(s.f));
       if (!(curvature > 0)) break;
       report.residual = move(rz / curvature);
       ++report.iterations;

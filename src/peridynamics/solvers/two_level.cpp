@@ -34,15 +34,15 @@ TwoLevel::TwoLevel(const Bonds& bonds, Pieces pieces, const std::vector<std::uin
 void TwoLevel::apply(const Bonds& bonds, const Field<float>& r, Field<float>& z) {
   const Kernels& k = kernels();
   const auto step = [&](Coefficient c) {
-    k.chebyshev(bonds, plane(std::as_const(z)), plane(other_), plane(r), inverse_.plane(), c.a, c.b);
+    k.chebyshev(bonds, plane(z), plane(other_), plane(r), inverse_.plane(), c.a, c.b);
     std::swap(z, other_);
   };
   // From zero the first step has no force: the caller has taken it. The second looks back at zero.
   std::fill_n(other_.x.data(), other_.x.size(), 0.0f);
   std::fill_n(other_.y.data(), other_.y.size(), 0.0f);
   for (unsigned s = 1; s < degree; ++s) step(coefficient_[s]);
-  k.residual(bonds, plane(std::as_const(z)), plane(r), plane(residual_));
-  coarse_.correct(plane(std::as_const(residual_)), plane(z));
+  k.residual(bonds, plane(z), plane(r), plane(residual_));
+  coarse_.correct(plane(residual_), plane(z));
   for (const Coefficient c : coefficient_) step(c);
 }
 

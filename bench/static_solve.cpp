@@ -1,0 +1,81 @@
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+
+#include <ctime>
+#include <map>
+
+#include "../tests/support/cemented_sample.hpp"
+#include "peridynamics/load.hpp"
+
+namespace {
+
+using namespace arenite;
+using namespace arenite::peridynamics;
+
+double cpu_seconds() {
+  timespec t;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double peak_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+/// Nodes a side, size ratio times 100, half-width of the bridges times 100 (1000 and more fills all pores).
+const PhaseMap& sample(const benchmark::State& state) {
+  static std::map<std::array<std::int64_t, 3>, PhaseMap> made;
+  const std::array<std::int64_t, 3> key{state.range(0), state.range(1), state.range(2)};
+  if (!made.contains(key)) {
+    made.clear();
+    test::CementedSample s;
+    s.nodes = static_cast<int>(key[0]);
+    s.size_ratio = static_cast<double>(key[1]) / 100;
+    s.bridge = static_cast<double>(key[2]) / 100;
+    made[key] = test::cemented_sample(s);
+  }
+  return made[key];
+}
+
+void run(benchmark::State& state, const LoadOptions& options) {
+  const PhaseMap& map = sample(state);
+  LoadReport report;
+  const double start = cpu_seconds();
+  for (auto _ : state) {
+    const LoadResult result = load(map, options);
+    report = result.report;
+  }
+  state.counters["cpu_seconds"] = (cpu_seconds() - start) / static_cast<double>(state.iterations());
+  state.counters["solver_iterations"] = report.iterations;
+  state.counters["residual"] = report.residual;
+  state.counters["identity"] = report.identity_defect;
+  state.counters["peak_MB"] = peak_megabytes();
+  state.counters["S_m"] = test::matrix_saturation(map);
+  if (report.ending != Ending::solved) state.SkipWithError(report.sentence.c_str());
+}
+
+/// The whole of `load`: bonds, pieces, coarse factor, iterations, stresses.
+void static_solve(benchmark::State& state) { run(state, {}); }
+
+void adaptive_relaxation(benchmark::State& state) {
+  LoadOptions options;
+  options.method = Method::relaxation;
+  options.tolerance = 1e-8;  // leaves the error in stress of the static solve's 1e-6
+  run(state, options);
+}
+
+void samples(benchmark::internal::Benchmark* b) {
+  for (const int gamma : {100, 250, 500})
+    for (const int bridge : {20, 40, 80, 1000}) b->Args({1024, gamma, bridge});
+  b->ArgNames({"nodes", "gamma", "bridge"})->Unit(benchmark::kMillisecond)->Iterations(1);
+}
+
+}  // namespace
+
+BENCHMARK(static_solve)->Apply(samples);
+BENCHMARK(static_solve)->Args({2048, 250, 40})->Args({4096, 250, 40})->ArgNames({"nodes", "gamma", "bridge"})->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK(adaptive_relaxation)->Args({1024, 250, 40})->ArgNames({"nodes", "gamma", "bridge"})->Unit(benchmark::kMillisecond)->Iterations(1);
+
+BENCHMARK_MAIN();
