@@ -160,6 +160,13 @@ struct Pull {
       if (event == 0) result.modulus = unit_force / (map.width * map.dx);
       now.released += now.elastic - elastic(now.strain);
       now.elastic = elastic(now.strain);
+      if (now.strain * unit_force <= options.end_stress * result.strength * map.width * map.dx && event > 0) {
+        now.stress = now.strain * unit_force / (map.width * map.dx);
+        now.broken = result.broken.size();
+        result.curve.push_back(now);
+        result.ending = prepare() ? Ending::dropped : Ending::severed;
+        return;
+      }
       const double largest = largest_ratio();
       const double next = largest > 0 ? 1 / largest : options.max_strain;
       if (next > now.strain) {
@@ -173,10 +180,6 @@ struct Pull {
       result.curve.push_back(now);
       result.strength = std::max(result.strength, now.stress);
       if (now.work > 0) result.energy_defect = std::max(result.energy_defect, std::abs(now.work - now.elastic - now.released) / now.work);
-      if (now.stress <= options.end_stress * result.strength) {
-        result.ending = prepare() ? Ending::dropped : Ending::severed;
-        return;
-      }
       if (now.strain >= options.max_strain || event >= options.max_events) {
         result.ending = now.strain >= options.max_strain ? Ending::strain_reached : Ending::events_reached;
         return;

@@ -160,7 +160,12 @@ std::string sentence_of(const LoadReport& r, const LoadOptions& o) {
   if (r.support.floating > 0) text += fmt::format("; {} floating nodes in {} islands without stress", r.support.floating, r.support.islands);
   if (r.ending != Ending::severed && r.support.held_below + r.support.held_above > 0)
     text += fmt::format("; {} nodes held on one side only, without stress", r.support.held_below + r.support.held_above);
-  if (r.loose_nodes > 0) text += fmt::format("; {} nodes hang on a hinge", r.loose_nodes);
+  if (!r.hinges.empty()) {
+    const auto carrying = std::find_if(r.hinges.begin(), r.hinges.end(), [](const Hinge& h) { return h.carries; });
+    const Hinge& h = carrying != r.hinges.end() ? *carrying : r.hinges.front();
+    text += fmt::format("; {} hinges, one at node ({}, {}) with {} nodes behind it", r.hinges.size(), h.x, h.y, h.nodes);
+    if (h.carries) text += ": the load passes it";
+  }
   return text;
 }
 
@@ -187,6 +192,8 @@ LoadResult load(const PhaseMap& map, const LoadOptions& options) {
     r.loose_nodes = solved.loose_nodes;
     r.coarse_unknowns = solved.coarse_unknowns;
     r.repairs = solved.repairs;
+    const bool suspicious = !solved.converged || solved.loose_nodes > 0 || (options.method == Method::static_solve && solved.iterations > 25);
+    if (options.look_for_hinges || suspicious) r.hinges = find_hinges(s.bonds);
   } else {
     const bool any = std::any_of(map.phase.begin(), map.phase.end(), [](Phase p) { return p != Phase::empty; });
     r.ending = any ? Ending::severed : Ending::empty;

@@ -5,6 +5,7 @@
 #include "model/phase_map.hpp"
 #include "model/stress_field.hpp"
 #include "peridynamics/bonds.hpp"
+#include "peridynamics/hinges.hpp"
 #include "peridynamics/support.hpp"
 
 namespace arenite::peridynamics {
@@ -28,10 +29,12 @@ struct LoadOptions {
   LowerEdge lower = LowerEdge::fixed;
   Method method = Method::static_solve;
   double strain = 1e-4;             ///< displacement of the top row over the distance of the two rows
-  double tolerance = 1e-6;          ///< of the residual, relative to that of the displaced row alone
+  double tolerance = 1e-6;          ///< of the residual, relative to that of uniform strain
   int max_iterations = 0;           ///< 0: 50 for the static solve, a million steps otherwise
   /// P's stretch (|xi + eta| - |xi|)/|xi| along the turned bond; otherwise the linearised one.
   bool exact_stretch = false;
+  /// Look for hinges in any case; otherwise only where the solve hints at one (a loose node, or many iterations).
+  bool look_for_hinges = false;
 };
 
 enum class Ending {
@@ -49,6 +52,7 @@ struct LoadReport {
   double residual = 0;
   std::vector<double> history;      ///< of relative residuals
   std::size_t loose_nodes = 0;      ///< that no bond holds in some direction
+  std::vector<Hinge> hinges;        ///< that were found, if they were looked for
   std::int32_t coarse_unknowns = 0;
   int repairs = 0;
   Vec2 top_force, bottom_force;     ///< of the clamps on the sample per unit thickness, N/m

@@ -56,7 +56,10 @@ Support prune(Bonds& bonds, Pieces& pieces, const std::vector<std::uint8_t>& pre
       const std::uint32_t word = bonds.words[i];
       if (!word) continue;
       const std::int32_t own = parts.of(i, y);
-      for (int d = 0; d < bonds_per_node; ++d) {
+      // Where all bonds are whole and alike the nearest ones tell what hangs together.
+      const auto kind = bonds.group[static_cast<std::ptrdiff_t>(y) * grid.groups + (i - grid.row(y)) / Grid::lanes];
+      const bool inside = kind != Bonds::mixed;
+      for (int d = 0; d < (inside ? 4 : bonds_per_node); d += inside ? 3 : 1) {
         if (!(word >> (2 * d) & 3u)) continue;
         const std::int32_t other = parts.of(i + bonds.step(d), y + half_bonds[static_cast<unsigned>(d)].y);
         if (other != own) join(own, other);

@@ -207,6 +207,9 @@ TEST(Ending, NodeOnASingleBondIsAHingeAndTheRestIsSolved) {
   const auto result = load(map, {});
   EXPECT_EQ(result.report.ending, Ending::solved) << result.report.sentence;
   EXPECT_EQ(result.report.loose_nodes, 1u);
+  ASSERT_EQ(result.report.hinges.size(), 1u);
+  EXPECT_EQ(result.report.hinges[0].x, 39);
+  EXPECT_EQ(result.report.hinges[0].nodes, 1u);
   EXPECT_LT(std::abs(result.report.identity_defect), 1e-5);
   expect_finite(result);
 }
@@ -214,11 +217,14 @@ TEST(Ending, NodeOnASingleBondIsAHingeAndTheRestIsSolved) {
 TEST(Ending, HalvesJoinedByAHingeStillCarryAPull) {
   // Two blocks that meet in a single node: free to turn, yet in line with the pull.
   PhaseMap map = test::homogeneous_sample(41, 61);
-  put(map, 0, 41, 26, 35, Phase::empty);
-  for (int y = 26; y < 35; ++y) map.phase[map.index(20, y)] = Phase::matrix;
-  const auto result = load(map, {});
+  put(map, 0, 41, 29, 34, Phase::empty);
+  map.phase[map.index(20, 31)] = Phase::matrix;
+  LoadOptions options;
+  options.look_for_hinges = true;
+  const auto result = load(map, options);
   EXPECT_EQ(result.report.ending, Ending::solved) << result.report.sentence;
   EXPECT_GT(result.report.modulus, 0);
+  EXPECT_NE(result.report.sentence.find("the load passes it"), std::string::npos) << result.report.sentence;
   expect_finite(result);
 }
 

@@ -27,6 +27,27 @@ struct Reach {
   std::array<Hats, 3> sum;
 };
 
+/// Sums of block times hats over the 14 half bonds of a node whose bonds all stay in its cell, for unit modulus.
+struct InnerSums {
+  static constexpr int low = 2, high = cell - horizon;   ///< such nodes: low <= x < high, y < high
+  std::array<std::array<Hats, 3>, cell * cell> at{};
+  InnerSums() {
+    for (int y = 0; y < high; ++y)
+      for (int x = low; x < high; ++x)
+        for (const Offset e : half_bonds) {
+          const Hats& other = all_hats[static_cast<unsigned>((y + e.y) * cell + x + e.x)];
+          const double k = 1 / std::pow(length(e), 3);
+          auto& sum = at[static_cast<unsigned>(y * cell + x)];
+          sum[0] += k * e.x * e.x * other;
+          sum[1] += k * e.x * e.y * other;
+          sum[2] += k * e.y * e.y * other;
+        }
+  }
+  static bool holds(int x, int y) { return x >= low && x < high && y < high; }
+};
+
+const InnerSums inner_sums;
+
 struct CouplingSum {
   const Bonds& bonds;
   const Pieces& pieces;
@@ -54,6 +75,17 @@ struct CouplingSum {
     latest[static_cast<std::size_t>(p)] = static_cast<std::int32_t>(cross.size());
     cross.push_back({p, q, {}});
     return cross.back();
+  }
+
+  /// A node deep inside one grain and one cell: its bonds are all alike and reach its own piece only.
+  void add_inner_node(std::ptrdiff_t i, int x, int y, double modulus, const std::array<double, 3>& diagonal) {
+    const Hats& own = all_hats[static_cast<unsigned>(y * cell + x)];
+    const auto& sums = inner_sums.at[static_cast<unsigned>(y * cell + x)];
+    Coupling& within = self[static_cast<std::size_t>(pieces.of_node[i])];
+    for (unsigned c = 0; c < 3; ++c) {
+      const Hats row = 0.5 * diagonal[c] * own - modulus * sums[c];
+      for (unsigned a = 0; a < 4; ++a) within.block[c][a] += own[a] * row;
+    }
   }
 
   void add_node(std::ptrdiff_t i, int x, int y, const std::array<double, 3>& diagonal) {
@@ -103,7 +135,13 @@ std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const 
       for (int y = y0; y < std::min(y0 + cell, grid.height); ++y)
         for (int x = x0; x < std::min(x0 + cell, grid.width); ++x) {
           const std::ptrdiff_t i = grid.index(x, y);
-          if (pieces.of_node[i] >= 0) sum.add_node(i, x - x0, y - y0, {diagonal.xx[i], diagonal.xy[i], diagonal.yy[i]});
+          if (pieces.of_node[i] < 0) continue;
+          const std::array<double, 3> own{diagonal.xx[i], diagonal.xy[i], diagonal.yy[i]};
+          const bool inside = bonds.group[static_cast<std::ptrdiff_t>(y) * grid.groups + x / Grid::lanes] == particle_bond;
+          if (inside && InnerSums::holds(x - x0, y - y0) && pieces.of_node[i + horizon * grid.stride] >= 0)
+            sum.add_inner_node(i, x - x0, y - y0, bonds.modulus(particle_bond), own);
+          else
+            sum.add_node(i, x - x0, y - y0, own);
         }
   for (Coupling& within : sum.self)
     for (auto& block : within.block)

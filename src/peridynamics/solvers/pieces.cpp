@@ -73,8 +73,10 @@ Pieces cut_into_pieces(const PhaseMap& map, const Bonds& bonds, const std::vecto
         for (int x = 0; x < wide; ++x) {
           const std::ptrdiff_t i = grid.index(x0 + x, y0 + y);
           if (owner[i] < 0) continue;
+          // Deep inside a grain the two nearest neighbours already tie all nodes together.
+          const bool inside = bonds.group[static_cast<std::ptrdiff_t>(y0 + y) * grid.groups + (x0 + x) / Grid::lanes] == particle_bond;
           const std::uint32_t word = bonds.words[i];
-          for (int d = 0; d < bonds_per_node; ++d) {
+          for (int d = 0; d < (inside ? 4 : bonds_per_node); d += inside ? 3 : 1) {
             const Offset e = half_bonds[static_cast<unsigned>(d)];
             if (!(word >> (2 * d) & 3u) || static_cast<unsigned>(x + e.x) >= static_cast<unsigned>(wide) || y + e.y >= high) continue;
             if (owner[i + bonds.step(d)] == owner[i]) sets.unite(static_cast<std::int16_t>(y * cell + x), static_cast<std::int16_t>((y + e.y) * cell + x + e.x));

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/vec2.hpp"
+
 namespace arenite::peridynamics {
 
 double square_norm(const Grid& grid, const Field<double>& a) {
@@ -20,11 +22,17 @@ void set_zero(Field<double>& a) {
 
 double residual_reference(const Bonds& bonds, const std::vector<std::uint8_t>& prescribed, const Field<double>& u, Field<double>& work, Field<double>& f) {
   const Grid& grid = bonds.grid;
-  set_zero(work);
+  const auto clamp = [&](int y) {
+    Vec2 moved;
+    for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i)
+      if (std::abs(u.x[i]) + std::abs(u.y[i]) > std::abs(moved.x) + std::abs(moved.y)) moved = {u.x[i], u.y[i]};
+    return moved;
+  };
+  const Vec2 top = clamp(grid.height - 1);
   for (int y = 0; y < grid.height; ++y) {
-    const auto rows = prescribed[static_cast<std::size_t>(y)];
-    if (rows & x_prescribed) std::copy_n(u.x.data() + grid.row(y), grid.width, work.x.data() + grid.row(y));
-    if (rows & y_prescribed) std::copy_n(u.y.data() + grid.row(y), grid.width, work.y.data() + grid.row(y));
+    const double share = static_cast<double>(y) / (grid.height - 1);
+    std::fill_n(work.x.data() + grid.row(y), grid.width, share * top.x);
+    std::fill_n(work.y.data() + grid.row(y), grid.width, share * top.y);
   }
   kernels().force(bonds, prescribed.data(), plane(work), plane(f));
   return std::sqrt(square_norm(grid, f));

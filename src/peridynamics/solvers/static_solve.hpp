@@ -27,7 +27,7 @@ class StaticSolver {
   ~StaticSolver();
 
   /// On entry `u` holds the prescribed displacements and a first guess, on return the field at equilibrium. Residuals
-  /// are relative to that of the prescribed displacements alone.
+  /// are relative to that of uniform strain (reference.hpp).
   /// `body`, if given, is a force on every node beside that of the bonds.
   StaticReport solve(const Bonds& bonds, Field<double>& u, double tolerance, int max_iterations, const Field<double>* body = nullptr);
 
