@@ -171,6 +171,7 @@ std::string sentence_of(const LoadReport& r, const LoadOptions& o) {
 
 void check(const LoadOptions& o) {
   if (!(o.strain > 0) || !(o.strain < 1)) throw InputError(fmt::format("the strain is {:g}; give one between 0 and 1 (the loading says its direction)", o.strain));
+  if (o.loading == Loading::shear && o.lower == LowerEdge::sliding) throw InputError("a lower edge that slides carries no shear; fix it, or choose tension or compression");
   if (!(o.tolerance > 0) || !(o.tolerance < 1)) throw InputError(fmt::format("the tolerance of the residual is {:g}; give one between 0 and 1", o.tolerance));
 }
 

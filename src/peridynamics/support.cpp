@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "peridynamics/kernels/kernels.hpp"
+
 namespace arenite::peridynamics {
 
 namespace {
@@ -32,7 +34,7 @@ struct Parts {
   const std::vector<std::uint8_t>& prescribed;
   int middle() const { return bonds.grid.height / 2; }
   std::int32_t of(std::ptrdiff_t i, int y) const {
-    if (y < 0 || y >= bonds.grid.height || !prescribed[static_cast<std::size_t>(y)]) return pieces.of_node[i];
+    if (y < 0 || y >= bonds.grid.height || prescribed[static_cast<std::size_t>(y)] != both_prescribed) return pieces.of_node[i];
     return pieces.count() + (y > middle());
   }
 };
@@ -46,6 +48,10 @@ Support prune(Bonds& bonds, Pieces& pieces, const std::vector<std::uint8_t>& pre
   Sets sets(static_cast<std::size_t>(above) + 1);
   // The clamps themselves never join parts: a part tied to both is known by its own ties.
   std::vector<std::uint8_t> ties(static_cast<std::size_t>(above) + 1, 0);
+  for (int y = 0; y < grid.height; ++y)
+    if (prescribed[static_cast<std::size_t>(y)] == y_prescribed)
+      for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i)
+        if (pieces.of_node[i] >= 0) ties[static_cast<std::size_t>(pieces.of_node[i])] |= 1;
   const auto join = [&](std::int32_t a, std::int32_t b) {
     if (a < below && b < below) sets.unite(a, b);
     else if (a < below) ties[static_cast<std::size_t>(a)] |= b == below ? 1 : 2;
@@ -98,7 +104,7 @@ Support prune(Bonds& bonds, Pieces& pieces, const std::vector<std::uint8_t>& pre
   kept.of_node = std::move(pieces.of_node);
   pieces = std::move(kept);
   const auto carries = [&](std::ptrdiff_t i, int y) {
-    return y >= 0 && y < grid.height && (prescribed[static_cast<std::size_t>(y)] || tie[i] == Tie::both);
+    return y >= 0 && y < grid.height && (prescribed[static_cast<std::size_t>(y)] == both_prescribed || tie[i] == Tie::both);
   };
   for (int y = 0; y < grid.height; ++y)
     for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) {

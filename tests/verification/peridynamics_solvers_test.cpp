@@ -145,6 +145,23 @@ TEST(LowerEdge, SlidingEdgeCarriesNoShearAndIsSofter) {
   ASSERT_EQ(slid.report.ending, Ending::solved) << slid.report.sentence;
   EXPECT_NEAR(slid.report.bottom_force.x, 0, 1e-8 * slid.report.top_force.y);
   EXPECT_LT(slid.report.modulus, fixed);
+  EXPECT_LE(loaded(map, options, 1e-6).report.iterations, 20);
+}
+
+TEST(Tolerance, OfAMillionthLeavesAMillionthInTheStresses) {
+  const PhaseMap map = cemented(256, 0.4, 2.5);
+  const auto exact = loaded(map, {}), solved = loaded(map, {}, 1e-6);
+  double square = 0;
+  for (std::size_t i = 0; i < map.size(); ++i) square += std::pow(exact.field.yy[i] - solved.field.yy[i], 2);
+  EXPECT_LT(std::sqrt(square / static_cast<double>(map.size())), 1e-6 * mean(exact.field.yy));
+}
+
+TEST(Robustness, StiffGrainsAsManyIterations) {
+  LoadOptions options;
+  options.stiffness.particle = 100;
+  const auto result = loaded(cemented(256, 0.2, 2.5), options, 1e-6);
+  EXPECT_EQ(result.report.ending, Ending::solved) << result.report.sentence;
+  EXPECT_LE(result.report.iterations, 20);
 }
 
 TEST(Robustness, LittleCementFewIterations) {
@@ -242,6 +259,10 @@ TEST(Options, NonsenseIsRefused) {
   const PhaseMap map = test::homogeneous_sample(20, 20);
   LoadOptions options;
   options.strain = -1;
+  EXPECT_THROW(load(map, options), InputError);
+  options = {};
+  options.loading = Loading::shear;
+  options.lower = LowerEdge::sliding;
   EXPECT_THROW(load(map, options), InputError);
   options = {};
   options.tolerance = 0;

@@ -17,10 +17,10 @@ std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t a) {
 
 }  // namespace
 
-CoarseSpace::CoarseSpace(const Bonds& bonds, Pieces pieces, const BlockDiagonal<double>& diagonal) : grid_(bonds.grid), pieces_(std::move(pieces)) {
-  const auto sums = couplings(bonds, pieces_, diagonal);
+CoarseSpace::CoarseSpace(const Bonds& bonds, Pieces pieces, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed) : grid_(bonds.grid), pieces_(std::move(pieces)) {
+  const auto sums = couplings(bonds, pieces_, diagonal, prescribed);
   number_corners(sums);
-  list_runs();
+  list_runs(prescribed);
   BlockMatrix matrix = assemble(sums);
   // A piece of few nodes carries more functions than it has freedoms, and a hat may vanish on all of its nodes: a trace
   // of stiffness on the diagonal keeps these apart and is too small to slow anything down.
@@ -80,10 +80,12 @@ BlockMatrix CoarseSpace::assemble(const std::vector<Coupling>& couplings) const 
   auto at = begin;
   each([&](const Coupling& c, int a, int b, std::int32_t m, std::int32_t n) {
     const auto ua = static_cast<unsigned>(a), ub = static_cast<unsigned>(b);
+    const double xx = c.block[0][ua][ub], xy = c.block[1][ua][ub], yy = c.block[2][ua][ub], yx = c.block[3][ua][ub];
+    Entry& entry = entries[static_cast<std::size_t>(at[static_cast<std::size_t>(std::min(m, n))]++)];
     // Two corners of different pieces may share a coarse node: then the block and its transpose both land on the diagonal.
-    const double twice = m == n && c.p != c.q ? 2 : 1;
-    const double xx = twice * c.block[0][ua][ub], xy = twice * c.block[1][ua][ub], yy = twice * c.block[2][ua][ub];
-    entries[static_cast<std::size_t>(at[static_cast<std::size_t>(std::min(m, n))]++)] = {std::max(m, n), {xx, xy, xy, yy}};
+    if (m == n && c.p != c.q) entry = {m, {2 * xx, xy + yx, xy + yx, 2 * yy}};
+    else if (m >= n) entry = {m, {xx, yx, xy, yy}};
+    else entry = {n, {xx, xy, yx, yy}};
   });
   BlockMatrix matrix;
   matrix.column_begin.assign(1, 0);
@@ -116,7 +118,7 @@ BlockMatrix CoarseSpace::assemble(const std::vector<Coupling>& couplings) const 
   return matrix;
 }
 
-void CoarseSpace::list_runs() {
+void CoarseSpace::list_runs(const std::vector<std::uint8_t>& prescribed) {
   for (int y = 0; y < grid_.height; ++y)
     for (int x = 0; x < grid_.width;) {
       const std::ptrdiff_t i = grid_.index(x, y);
@@ -124,7 +126,7 @@ void CoarseSpace::list_runs() {
       const int end = std::min(grid_.width, (x / cell + 1) * cell);
       int length = 1;
       while (x + length < end && pieces_.of_node[i + length] == piece) ++length;
-      if (piece >= 0) runs_.push_back({i, piece, static_cast<std::int16_t>(x % cell), static_cast<std::int16_t>(y % cell), static_cast<std::int16_t>(length)});
+      if (piece >= 0) runs_.push_back({i, piece, static_cast<std::int16_t>(x % cell), static_cast<std::int16_t>(y % cell), static_cast<std::int16_t>(length), prescribed[static_cast<std::size_t>(y)] == y_prescribed});
       x += length;
     }
 }
@@ -141,6 +143,7 @@ void CoarseSpace::correct(Plane<const float> r, Plane<float> z) {
       y0 += ry[k];
       y1 += s * ry[k];
     }
+    if (run.slides) y0 = y1 = 0;
     const auto from = static_cast<float>(run.x), t = static_cast<float>(run.y);
     x1 += from * x0;
     y1 += from * y0;
@@ -171,8 +174,8 @@ void CoarseSpace::correct(Plane<const float> r, Plane<float> z) {
   for (const Run& run : runs_) {
     const float* m = &moments_[8 * static_cast<std::size_t>(run.piece)];
     const auto from = static_cast<float>(run.x), t = static_cast<float>(run.y);
-    const float gx = m[1] + t * m[3], gy = m[5] + t * m[7];
-    const float ax = m[0] + t * m[2] + from * gx, ay = m[4] + t * m[6] + from * gy;
+    const float gx = m[1] + t * m[3], gy = run.slides ? 0 : m[5] + t * m[7];
+    const float ax = m[0] + t * m[2] + from * gx, ay = run.slides ? 0 : m[4] + t * m[6] + from * gy;
     float *zx = z.x + run.begin, *zy = z.y + run.begin;
     for (int k = 0; k < run.length; ++k) {
       const auto s = static_cast<float>(k);

@@ -13,7 +13,7 @@ namespace arenite::peridynamics {
 /// and adds the answer.
 class CoarseSpace {
  public:
-  CoarseSpace(const Bonds& bonds, Pieces pieces, const BlockDiagonal<double>& diagonal);
+  CoarseSpace(const Bonds& bonds, Pieces pieces, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed);
 
   /// z += P (P^T A P)^-1 P^T r.
   void correct(Plane<const float> r, Plane<float> z);
@@ -29,10 +29,11 @@ class CoarseSpace {
     std::ptrdiff_t begin;
     std::int32_t piece;
     std::int16_t x, y, length;   ///< of the first node, in its cell
+    bool slides;                 ///< moves along x only
   };
   void number_corners(const std::vector<Coupling>& couplings);
   BlockMatrix assemble(const std::vector<Coupling>& couplings) const;
-  void list_runs();
+  void list_runs(const std::vector<std::uint8_t>& prescribed);
 
   Grid grid_;
   Pieces pieces_;

@@ -77,6 +77,25 @@ struct CouplingSum {
     return cross.back();
   }
 
+  /// A node that only slides along x; the bonds between it and the rows above all start here.
+  void add_sliding_node(std::ptrdiff_t i, int x, int y, double diagonal_xx) {
+    const std::int32_t p = pieces.of_node[i];
+    const Hats& own = all_hats[static_cast<unsigned>(y * cell + x)];
+    for (unsigned a = 0; a < 4; ++a) self[static_cast<std::size_t>(p)].block[0][a] += own[a] * (0.5 * diagonal_xx * own);
+    for (unsigned d = 0; d < bonds_per_node; ++d) {
+      const unsigned type = bonds.words[i] >> (2 * d) & 3u;
+      const Offset e = half_bonds[d];
+      const std::int32_t q = pieces.of_node[i + bonds.step(static_cast<int>(d))];
+      if (type == no_bond || q < 0) continue;
+      const Hats& other = all_hats[static_cast<unsigned>(((y + e.y) & (cell - 1)) * cell + ((x + e.x) & (cell - 1)))];
+      Coupling& to = q == p ? self[static_cast<std::size_t>(p)] : between(p, q);
+      for (unsigned a = 0; a < 4; ++a) {
+        to.block[0][a] -= own[a] * blocks[d][type][0] * other;
+        if (e.y > 0) to.block[1][a] -= own[a] * blocks[d][type][1] * other;
+      }
+    }
+  }
+
   /// A node deep inside one grain and one cell: its bonds are all alike and reach its own piece only.
   void add_inner_node(std::ptrdiff_t i, int x, int y, double modulus, const std::array<double, 3>& diagonal) {
     const Hats& own = all_hats[static_cast<unsigned>(y * cell + x)];
@@ -127,7 +146,7 @@ struct CouplingSum {
 
 const Hats& hats_at(int x, int y) { return all_hats[static_cast<unsigned>(y * cell + x)]; }
 
-std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const BlockDiagonal<double>& diagonal) {
+std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed) {
   const Grid& grid = bonds.grid;
   CouplingSum sum(bonds, pieces);
   for (int y0 = 0; y0 < grid.height; y0 += cell)
@@ -135,7 +154,7 @@ std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const 
       for (int y = y0; y < std::min(y0 + cell, grid.height); ++y)
         for (int x = x0; x < std::min(x0 + cell, grid.width); ++x) {
           const std::ptrdiff_t i = grid.index(x, y);
-          if (pieces.of_node[i] < 0) continue;
+          if (pieces.of_node[i] < 0 || prescribed[static_cast<std::size_t>(y)]) continue;
           const std::array<double, 3> own{diagonal.xx[i], diagonal.xy[i], diagonal.yy[i]};
           const bool inside = bonds.group[static_cast<std::ptrdiff_t>(y) * grid.groups + x / Grid::lanes] == particle_bond;
           if (inside && InnerSums::holds(x - x0, y - y0) && pieces.of_node[i + horizon * grid.stride] >= 0)
@@ -143,10 +162,20 @@ std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const 
           else
             sum.add_node(i, x - x0, y - y0, own);
         }
+  for (auto* list : {&sum.self, &sum.cross})
+    for (Coupling& c : *list) c.block[3] = c.block[1];
+  for (int y = 0; y < grid.height; ++y)
+    if (prescribed[static_cast<std::size_t>(y)] == y_prescribed)
+      for (int x = 0; x < grid.width; ++x)
+        if (const std::ptrdiff_t i = grid.index(x, y); pieces.of_node[i] >= 0) sum.add_sliding_node(i, x % cell, y % cell, diagonal.xx[i]);
   for (Coupling& within : sum.self)
-    for (auto& block : within.block)
-      for (unsigned a = 0; a < 4; ++a)
-        for (unsigned b = 0; b <= a; ++b) block[a][b] = block[b][a] = block[a][b] + block[b][a];
+    for (unsigned a = 0; a < 4; ++a)
+      for (unsigned b = 0; b < 4; ++b) {
+        if (b <= a)
+          for (const unsigned c : {0u, 2u}) within.block[c][a][b] = within.block[c][b][a] = within.block[c][a][b] + within.block[c][b][a];
+        within.block[1][a][b] += within.block[3][b][a];
+        within.block[3][b][a] = within.block[1][a][b];
+      }
   sum.self.insert(sum.self.end(), sum.cross.begin(), sum.cross.end());
   return std::move(sum.self);
 }

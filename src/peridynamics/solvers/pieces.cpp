@@ -57,7 +57,7 @@ Pieces cut_into_pieces(const PhaseMap& map, const Bonds& bonds, const std::vecto
   const Grid& grid = bonds.grid;
   auto owner = owners(map, grid);
   for (int y = 0; y < grid.height; ++y)
-    if (prescribed[static_cast<std::size_t>(y)]) std::fill_n(owner.data() + grid.row(y), grid.width, -1);
+    if (prescribed[static_cast<std::size_t>(y)] == both_prescribed) std::fill_n(owner.data() + grid.row(y), grid.width, -1);
 
   Pieces pieces;
   pieces.of_node = Buffer<std::int32_t>(grid.padded_size());

@@ -14,7 +14,7 @@ struct Pieces {
   static constexpr int cell = 16;       ///< nodes a side
   static constexpr std::int32_t none = -1;
 
-  Buffer<std::int32_t> of_node;         ///< padded; none for void and for nodes in prescribed rows
+  Buffer<std::int32_t> of_node;         ///< padded; none for void and for rows with both components prescribed
   std::vector<std::int32_t> owner;      ///< of each piece
   std::vector<std::int32_t> cell_x, cell_y;
   std::vector<std::int32_t> nodes;      ///< how many each holds

@@ -18,7 +18,7 @@ TwoLevel::TwoLevel(const Bonds& bonds, Pieces pieces, const std::vector<std::uin
 
 TwoLevel::TwoLevel(const Bonds& bonds, Pieces pieces, const std::vector<std::uint8_t>& prescribed, const BlockDiagonal<double>& diagonal)
     : inverse_(inverse_diagonal(bonds, diagonal, prescribed)),
-      coarse_(bonds, std::move(pieces), diagonal),
+      coarse_(bonds, std::move(pieces), diagonal, prescribed),
       other_(bonds.grid.padded_size()),
       residual_(bonds.grid.padded_size()) {
   const double centre = (highest + lowest) / 2, half = (highest - lowest) / 2;

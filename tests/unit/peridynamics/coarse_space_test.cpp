@@ -40,9 +40,10 @@ TEST(Pieces, EveryPieceHasOneOwnerAndOneCellAndHoldsTogether) {
   EXPECT_EQ(nodes, s.pieces.nodes);
 }
 
-TEST(Couplings, EnergyOfHatsIsTheEnergyOfBonds) {
-  const Prepared s(0.4);
-  const auto sums = couplings(s.bonds, s.pieces, block_diagonal(s.bonds));
+void expect_energy_of_bonds(Prepared s, Prescribed bottom) {
+  s.prescribed.front() = bottom;
+  s.pieces = cut_into_pieces(s.map, s.bonds, s.prescribed);
+  const auto sums = couplings(s.bonds, s.pieces, block_diagonal(s.bonds), s.prescribed);
   RandomStream random(1, Purpose::test);
   std::vector<double> corner(8 * s.pieces.owner.size());
   for (double& c : corner) c = random.uniform(-1, 1);
@@ -55,7 +56,7 @@ TEST(Couplings, EnergyOfHatsIsTheEnergyOfBonds) {
       const Hats& h = hats_at(x % Pieces::cell, y % Pieces::cell);
       for (unsigned a = 0; a < 4; ++a) {
         u.x[i] += h[a] * corner[8 * static_cast<std::size_t>(p) + 2 * a];
-        u.y[i] += h[a] * corner[8 * static_cast<std::size_t>(p) + 2 * a + 1];
+        if (!s.prescribed[static_cast<std::size_t>(y)]) u.y[i] += h[a] * corner[8 * static_cast<std::size_t>(p) + 2 * a + 1];
       }
     }
   const double wanted = -kernels().force(s.bonds, s.prescribed.data(), plane(u), plane(f));
@@ -65,15 +66,18 @@ TEST(Couplings, EnergyOfHatsIsTheEnergyOfBonds) {
       for (unsigned b = 0; b < 4; ++b) {
         const double* p = &corner[8 * static_cast<std::size_t>(c.p) + 2 * a];
         const double* q = &corner[8 * static_cast<std::size_t>(c.q) + 2 * b];
-        energy += (c.p == c.q ? 1 : 2) * (c.block[0][a][b] * p[0] * q[0] + c.block[1][a][b] * (p[0] * q[1] + p[1] * q[0]) + c.block[2][a][b] * p[1] * q[1]);
+        energy += (c.p == c.q ? 1 : 2) * (c.block[0][a][b] * p[0] * q[0] + c.block[1][a][b] * p[0] * q[1] + c.block[3][a][b] * p[1] * q[0] + c.block[2][a][b] * p[1] * q[1]);
       }
   EXPECT_NEAR(energy / wanted, 1, 1e-12);
 }
 
+TEST(Couplings, EnergyOfHatsIsTheEnergyOfBonds) { expect_energy_of_bonds(Prepared(0.4), both_prescribed); }
+TEST(Couplings, EnergyOfHatsIsTheEnergyOfBondsOnASlidingEdge) { expect_energy_of_bonds(Prepared(0.4), y_prescribed); }
+
 TEST(CoarseSpace, CorrectionLeavesNothingOfAFieldThatItHolds) {
   // Rigid motion and strain of the whole sample lie in the space: r = -f(u) must give u back, but for what the clamped rows take.
   const Prepared s(1000);
-  CoarseSpace coarse(s.bonds, cut_into_pieces(s.map, s.bonds, s.prescribed), block_diagonal(s.bonds));
+  CoarseSpace coarse(s.bonds, cut_into_pieces(s.map, s.bonds, s.prescribed), block_diagonal(s.bonds), s.prescribed);
   EXPECT_EQ(coarse.repairs(), 0);
   Field<float> u(s.bonds.grid.padded_size()), r(s.bonds.grid.padded_size()), z(s.bonds.grid.padded_size());
   for (int y = 1; y < s.map.height - 1; ++y)
