@@ -42,7 +42,8 @@ Buffer<std::int32_t> padded_labels(const PhaseMap& map, const Grid& grid) {
 }
 
 void check_stiffness(const Stiffness& s) {
-  for (const auto& [name, value] : {std::pair{"matrix", s.matrix}, std::pair{"interface", s.interface}, std::pair{"particle", s.particle}})
+  for (const auto& [name, value] :
+       {std::pair{"matrix", s.matrix}, std::pair{"interface", s.interface}, std::pair{"particle", s.particle}})
     if (!(value > 0) || !std::isfinite(value))
       throw InputError(fmt::format("the Young modulus of {} bonds is {:g} Pa; give a positive one", name, value));
 }
@@ -53,12 +54,15 @@ Bonds make_bonds(const PhaseMap& map, const Stiffness& stiffness) {
   check(map);
   check_stiffness(stiffness);
   if (std::min(map.width, map.height) < 2 * horizon + 1)
-    throw InputError(fmt::format("a phase map of {} x {} nodes is narrower than the horizon of a node; give at least {} nodes each way", map.width, map.height, 2 * horizon + 1));
+    throw InputError(fmt::format(
+        "a phase map of {} x {} nodes is narrower than the horizon of a node; give at least {} nodes each way",
+        map.width, map.height, 2 * horizon + 1));
   Bonds bonds;
   bonds.grid = Grid(map.width, map.height);
   const Grid& grid = bonds.grid;
   bonds.scale = nominal_micromodulus * (stiffness.calibrated ? calibration_factor() : 1.0) * stiffness.matrix;
-  bonds.relative = {0.0f, 1.0f, static_cast<float>(stiffness.interface / stiffness.matrix), static_cast<float>(stiffness.particle / stiffness.matrix)};
+  bonds.relative = {0.0f, 1.0f, static_cast<float>(stiffness.interface / stiffness.matrix),
+                    static_cast<float>(stiffness.particle / stiffness.matrix)};
   bonds.words = Buffer<std::uint32_t>(grid.padded_size());
   bonds.group = Buffer<std::uint8_t>(static_cast<std::size_t>(grid.groups) * static_cast<std::size_t>(grid.height));
 

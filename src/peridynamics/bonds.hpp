@@ -27,19 +27,21 @@ struct Bonds {
   enum Group : std::uint8_t { empty = 0, mixed = 4 };  // 1..3: all of that BondType
 
   Grid grid;
-  Buffer<std::uint32_t> words;          ///< padded
-  Buffer<std::uint8_t> group;           ///< grid.groups a row, not padded
-  std::array<float, 4> relative{};      ///< modulus by type over `scale`
-  double scale = 0;                     ///< micromodulus factor times the modulus of reference, Pa
+  Buffer<std::uint32_t> words;      ///< padded
+  Buffer<std::uint8_t> group;       ///< grid.groups a row, not padded
+  std::array<float, 4> relative{};  ///< modulus by type over `scale`
+  double scale = 0;                 ///< micromodulus factor times the modulus of reference, Pa
 
   unsigned type(std::ptrdiff_t node, int d) const { return words[node] >> (2 * d) & 3u; }
-  std::ptrdiff_t step(int d) const { return half_bonds[static_cast<unsigned>(d)].x + half_bonds[static_cast<unsigned>(d)].y * grid.stride; }
+  std::ptrdiff_t step(int d) const {
+    return half_bonds[static_cast<unsigned>(d)].x + half_bonds[static_cast<unsigned>(d)].y * grid.stride;
+  }
   /// Force over e (e . du)/|e|^3 of a bond of this type, Pa.
   double modulus(unsigned t) const { return scale * static_cast<double>(relative[t]); }
 };
 
-/// Bonds of a sample. Throws InputError for a map narrower than a node's neighbourhood (7 nodes) or a modulus that is not
-/// positive. Moduli are held relative to the matrix's in single precision (exact for ratios such as 4 or 100).
+/// Bonds of a sample. Throws InputError for a map narrower than a node's neighbourhood (7 nodes) or a modulus that is
+/// not positive. Moduli are held relative to the matrix's in single precision (exact for ratios such as 4 or 100).
 Bonds make_bonds(const PhaseMap& map, const Stiffness& stiffness);
 
 /// Marks groups anew after bonds were broken in rows [first, last].

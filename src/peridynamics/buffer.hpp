@@ -20,14 +20,17 @@ class Buffer {
     if (bytes_ >= (std::size_t{1} << 21)) madvise(p, bytes_, MADV_HUGEPAGE);
     data_ = static_cast<T*>(p);
   }
-  Buffer(Buffer&& b) noexcept : data_(std::exchange(b.data_, nullptr)), size_(std::exchange(b.size_, 0)), bytes_(b.bytes_) {}
+  Buffer(Buffer&& b) noexcept
+      : data_(std::exchange(b.data_, nullptr)), size_(std::exchange(b.size_, 0)), bytes_(b.bytes_) {}
   Buffer& operator=(Buffer&& b) noexcept {
     std::swap(data_, b.data_);
     std::swap(size_, b.size_);
     std::swap(bytes_, b.bytes_);
     return *this;
   }
-  ~Buffer() { if (data_) munmap(data_, bytes_); }
+  ~Buffer() {
+    if (data_) munmap(data_, bytes_);
+  }
 
   T* data() { return data_; }
   const T* data() const { return data_; }

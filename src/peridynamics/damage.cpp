@@ -19,22 +19,6 @@ namespace {
 
 void break_bond(Bonds& bonds, std::ptrdiff_t i, int d) { bonds.words[i] &= ~(3u << (2 * d)); }
 
-bool crosses(const Cut& cut, Vec2 a, Vec2 b) {
-  const auto side = [](Vec2 p, Vec2 q, Vec2 r) { return cross(q - p, r - p); };
-  return side(cut.from, cut.to, a) * side(cut.from, cut.to, b) < 0 && side(a, b, cut.from) * side(a, b, cut.to) <= 0;
-}
-
-void make_cut(Bonds& bonds, const Cut& cut) {
-  const Grid& grid = bonds.grid;
-  for (int y = 0; y < grid.height; ++y)
-    for (int x = 0; x < grid.width; ++x)
-      for (int d = 0; d < bonds_per_node; ++d) {
-        const Offset e = half_bonds[static_cast<unsigned>(d)];
-        const Vec2 a{static_cast<double>(x), static_cast<double>(y)};
-        if (crosses(cut, a, a + Vec2{static_cast<double>(e.x), static_cast<double>(e.y)})) break_bond(bonds, grid.index(x, y), d);
-      }
-}
-
 /// A sample under a pull; `u` is its equilibrium at unit strain.
 struct Pull {
   const PhaseMap& map;
@@ -45,17 +29,18 @@ struct Pull {
   std::optional<StaticSolver> solver;
   Field<double> u, f;
   DamageResult result;
-  double unit_force = 0;       ///< of the clamp at unit strain, N/m
-  double unit_energy = 0;      ///< of all bonds at unit strain, J/m
+  double unit_force = 0;   ///< of the clamp at unit strain, N/m
+  double unit_energy = 0;  ///< of all bonds at unit strain, J/m
 
   Pull(const PhaseMap& m, const DamageOptions& o) : map(m), options(o), bonds(make_bonds(m, o.stiffness)) {
     const Toughness& k = o.toughness;
     for (const double value : {k.matrix, k.interface, k.particle})
-      if (!(value > 0) || !std::isfinite(value)) throw InputError(fmt::format("a toughness is {:g} Pa m^0.5; give a positive one", value));
-    critical = {0, critical_stretch(k.matrix, o.stiffness.matrix, m.dx), critical_stretch(k.interface, o.stiffness.interface, m.dx),
+      if (!(value > 0) || !std::isfinite(value))
+        throw InputError(fmt::format("a toughness is {:g} Pa m^0.5; give a positive one", value));
+    critical = {0, critical_stretch(k.matrix, o.stiffness.matrix, m.dx),
+                critical_stretch(k.interface, o.stiffness.interface, m.dx),
                 critical_stretch(k.particle, o.stiffness.particle, m.dx)};
-    for (const Cut& cut : o.cuts) make_cut(bonds, cut);
-    classify_groups(bonds, 0, map.height - 1);
+    make_cuts(bonds, o.cuts);
     prescribed.assign(static_cast<std::size_t>(map.height), nothing_prescribed);
     prescribed.front() = prescribed.back() = both_prescribed;
     u = Field<double>(bonds.grid.padded_size());
@@ -114,7 +99,8 @@ struct Pull {
           if (t == no_bond) continue;
           const Offset e = half_bonds[static_cast<unsigned>(d)];
           const std::ptrdiff_t j = i + bonds.step(d);
-          const double stretch = (e.x * (u.x[j] - u.x[i]) + e.y * (u.y[j] - u.y[i])) / ((e.x * e.x + e.y * e.y) * map.dx);
+          const double stretch =
+              (e.x * (u.x[j] - u.x[i]) + e.y * (u.y[j] - u.y[i])) / ((e.x * e.x + e.y * e.y) * map.dx);
           visit(i, x, y, d, stretch / critical[t]);
         }
       }
@@ -135,7 +121,8 @@ struct Pull {
       if (ratio < limit) return;
       const unsigned t = bonds.type(i, d);
       const double stretch = strain * ratio * critical[t];
-      energy += bonds.modulus(t) * map.dx * map.dx * length(half_bonds[static_cast<unsigned>(d)]) * stretch * stretch / 2;
+      energy +=
+          bonds.modulus(t) * map.dx * map.dx * length(half_bonds[static_cast<unsigned>(d)]) * stretch * stretch / 2;
       break_bond(bonds, i, d);
       result.broken.push_back({x, y, static_cast<std::uint8_t>(d), static_cast<std::uint8_t>(t), strain});
       low = std::min(low, y);
@@ -179,7 +166,9 @@ struct Pull {
       now.broken = result.broken.size();
       result.curve.push_back(now);
       result.strength = std::max(result.strength, now.stress);
-      if (now.work > 0) result.energy_defect = std::max(result.energy_defect, std::abs(now.work - now.elastic - now.released) / now.work);
+      if (now.work > 0)
+        result.energy_defect =
+            std::max(result.energy_defect, std::abs(now.work - now.elastic - now.released) / now.work);
       if (now.strain >= options.max_strain || event >= options.max_events) {
         result.ending = now.strain >= options.max_strain ? Ending::strain_reached : Ending::events_reached;
         return;
@@ -191,7 +180,8 @@ struct Pull {
 
 std::string sentence_of(const DamageResult& r) {
   using Ending = DamageResult::Ending;
-  const std::string so_far = fmt::format("strength {:.6g} Pa, {} bonds broken in {} solves", r.strength, r.broken.size(), r.solves);
+  const std::string so_far =
+      fmt::format("strength {:.6g} Pa, {} bonds broken in {} solves", r.strength, r.broken.size(), r.solves);
   switch (r.ending) {
     case Ending::severed: return "the sample came apart; " + so_far;
     case Ending::dropped: return "the stress fell to the share at which the pull ends; " + so_far;
@@ -205,7 +195,9 @@ std::string sentence_of(const DamageResult& r) {
 
 }  // namespace
 
-double critical_stretch(double toughness, double young, double dx) { return toughness / young * std::sqrt(4 * std::numbers::pi / (9 * horizon * dx)); }
+double critical_stretch(double toughness, double young, double dx) {
+  return toughness / young * std::sqrt(4 * std::numbers::pi / (9 * horizon * dx));
+}
 
 DamageResult pull_to_failure(const PhaseMap& map, const DamageOptions& options) {
   Pull pull(map, options);

@@ -2,10 +2,10 @@
 #include <string>
 #include <vector>
 
-#include "core/vec2.hpp"
 #include "model/phase_map.hpp"
 #include "model/stress_field.hpp"
 #include "peridynamics/bonds.hpp"
+#include "peridynamics/cut.hpp"
 
 namespace arenite::peridynamics {
 
@@ -14,48 +14,53 @@ struct Toughness {
   double matrix = 1, interface = 1, particle = 3.5;
 };
 
-/// Stretch at which a bond of Young modulus E and toughness K breaks: sqrt(4 pi G/(9 E h)), G = K^2/E, h = 3 dx, plane stress.
+/// Stretch at which a bond of Young modulus E and toughness K breaks: sqrt(4 pi G/(9 E h)), G = K^2/E, h = 3 dx, plane
+/// stress.
 double critical_stretch(double toughness, double young, double dx);
-
-/// A straight cut through all bonds that cross it, in nodes: a notch without width.
-struct Cut { Vec2 from, to; };
 
 struct DamageOptions {
   Stiffness stiffness{};
   Toughness toughness{};
   std::vector<Cut> cuts{};
-  double tolerance = 1e-6;     ///< of each static solve
-  double max_strain = 1;       ///< the pull ends here,
-  double end_stress = 0.1;     ///< or when the stress has fallen to this share of the largest,
-  int max_events = 10'000;     ///< or after so many rounds of breaking
+  double tolerance = 1e-6;  ///< of each static solve
+  double max_strain = 1;    ///< the pull ends here,
+  double end_stress = 0.1;  ///< or when the stress has fallen to this share of the largest,
+  int max_events = 10'000;  ///< or after so many rounds of breaking
   /// Bonds within this share of the most overstretched break in the same round.
   double band = 0.05;
 };
 
 /// One state of the pull: before a round of breaking, so that loads climb and drop as the machine would see them.
 struct DamageState {
-  double strain = 0, stress = 0;       ///< stress of the top row, Pa
-  double work = 0;                     ///< done by the clamp so far; all energies per unit thickness, J/m
+  double strain = 0, stress = 0;  ///< stress of the top row, Pa
+  double work = 0;                ///< done by the clamp so far; all energies per unit thickness, J/m
   double elastic = 0;
-  double released = 0;                 ///< elastic energy lost when bonds broke at fixed displacement
-  double bond_energy = 0;              ///< of that, what the broken bonds held when they broke; the rest would fly off as waves
+  double released = 0;     ///< elastic energy lost when bonds broke at fixed displacement
+  double bond_energy = 0;  ///< of that, what the broken bonds held when they broke; the rest would fly off as waves
   std::size_t broken = 0;
 };
 
 struct BrokenBond {
-  std::int32_t x, y;      ///< node that it started from
-  std::uint8_t direction; ///< index into half_bonds
-  std::uint8_t type;      ///< BondType
-  double strain;          ///< of the sample when it broke
+  std::int32_t x, y;       ///< node that it started from
+  std::uint8_t direction;  ///< index into half_bonds
+  std::uint8_t type;       ///< BondType
+  double strain;           ///< of the sample when it broke
 };
 
 struct DamageResult {
-  enum class Ending { severed, dropped, strain_reached, events_reached, not_converged, no_path } ending = Ending::no_path;
+  enum class Ending {
+    severed,
+    dropped,
+    strain_reached,
+    events_reached,
+    not_converged,
+    no_path
+  } ending = Ending::no_path;
   std::string sentence;
   std::vector<DamageState> curve;
-  std::vector<BrokenBond> broken;      ///< in order
-  double strength = 0;                 ///< largest stress, Pa
-  double modulus = 0;                  ///< of the whole sample, Pa
+  std::vector<BrokenBond> broken;  ///< in order
+  double strength = 0;             ///< largest stress, Pa
+  double modulus = 0;              ///< of the whole sample, Pa
   /// Largest |work - elastic - released| over the work: work from the clamp's force, energies from the bonds.
   double energy_defect = 0;
   int solves = 0, iterations = 0;

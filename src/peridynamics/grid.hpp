@@ -7,9 +7,9 @@ namespace arenite::peridynamics {
 /// so that no loop asks where the sample ends, and to whole groups of 8 nodes, so that loops run in full lanes.
 struct Grid {
   static constexpr int lanes = 8;
-  int width = 0, height = 0;   ///< nodes of the sample
-  int groups = 0;              ///< groups of 8 nodes a row
-  std::ptrdiff_t stride = 0;   ///< nodes from one row to the next
+  int width = 0, height = 0;  ///< nodes of the sample
+  int groups = 0;             ///< groups of 8 nodes a row
+  std::ptrdiff_t stride = 0;  ///< nodes from one row to the next
 
   Grid() = default;
   Grid(int w, int h) : width(w), height(h), groups((w + lanes - 1) / lanes), stride((groups + 2) * lanes) {

@@ -10,7 +10,7 @@ namespace {
 /// Depth-first walk without recursion: a sample is a million nodes deep. The lower clamp is where it starts; the upper
 /// clamp is a node of its own, tied to every node of the top row.
 struct Walk {
-  static constexpr std::ptrdiff_t upper_clamp = 0;   ///< a place in the padding
+  static constexpr std::ptrdiff_t upper_clamp = 0;  ///< a place in the padding
   static constexpr int bonds_of_node = 2 * bonds_per_node;
   const Bonds& bonds;
   struct Visit {
@@ -19,7 +19,7 @@ struct Walk {
     std::int32_t behind = 1;  ///< nodes of the branch
     std::int32_t next = 0;    ///< tie to follow next
     std::int32_t parent = -1;
-    bool top = false;         ///< the branch holds the upper clamp
+    bool top = false;  ///< the branch holds the upper clamp
   };
   std::vector<Visit> visits;
   std::map<std::ptrdiff_t, Hinge> hinges;
@@ -39,7 +39,8 @@ struct Walk {
     return false;
   }
 
-  /// Where tie k of a node leads, -1 where it has none: the 14 bonds that start there, the 14 that end there, the clamp.
+  /// Where tie k of a node leads, -1 where it has none: the 14 bonds that start there, the 14 that end there, the
+  /// clamp.
   std::ptrdiff_t tied(std::ptrdiff_t i, int k) const {
     const int top = bonds.grid.height - 1;
     if (i == upper_clamp) return has_bonds(bonds.grid.index(k, top)) ? bonds.grid.index(k, top) : -1;
@@ -65,7 +66,8 @@ struct Walk {
     p.top = p.top || c.top;
     if (c.low < p.order || parent == upper_clamp || child == upper_clamp) return;
     const int y = row_of(parent);
-    Hinge& h = hinges.try_emplace(parent, Hinge{static_cast<std::int32_t>(parent - bonds.grid.row(y)), y, 0, false}).first->second;
+    Hinge& h = hinges.try_emplace(parent, Hinge{static_cast<std::int32_t>(parent - bonds.grid.row(y)), y, 0, false})
+                   .first->second;
     h.nodes += static_cast<std::size_t>(c.behind);
     h.carries = h.carries || c.top;
   }

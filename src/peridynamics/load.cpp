@@ -34,7 +34,8 @@ struct Specimen {
     pieces = cut_into_pieces(map, bonds, prescribed);
     support = prune(bonds, pieces, prescribed, tie);
     const double travel = o.strain * gauge();
-    top_displacement = o.loading == Loading::shear ? Vec2{travel, 0} : Vec2{0, o.loading == Loading::tension ? travel : -travel};
+    top_displacement =
+        o.loading == Loading::shear ? Vec2{travel, 0} : Vec2{0, o.loading == Loading::tension ? travel : -travel};
   }
 
   double gauge() const { return (map.height - 1) * map.dx; }
@@ -101,7 +102,8 @@ StaticReport find_equilibrium(Specimen& s, Field<double>& u) {
     StaticSolver solver(s.bonds, std::move(s.pieces), s.prescribed);
     return o.exact_stretch ? solve_exact(s, solver, u, most) : solver.solve(s.bonds, u, o.tolerance, most);
   }
-  const Dynamics dynamics{s.bonds, s.prescribed, s.map.dx, o.exact_stretch, o.tolerance, o.max_iterations > 0 ? o.max_iterations : 1'000'000};
+  const Dynamics dynamics{s.bonds,         s.prescribed, s.map.dx,
+                          o.exact_stretch, o.tolerance,  o.max_iterations > 0 ? o.max_iterations : 1'000'000};
   return o.method == Method::relaxation ? adaptive_relaxation(dynamics, u) : damped_dynamics(dynamics, u);
 }
 
@@ -150,29 +152,41 @@ std::string sentence_of(const LoadReport& r, const LoadOptions& o) {
   switch (r.ending) {
     case Ending::empty: return "the map is all void: there is nothing to load";
     case Ending::severed:
-      text = fmt::format("nothing ties the bottom row to the top row: {} nodes hang on the lower clamp, {} on the upper; no stress", r.support.held_below, r.support.held_above);
+      text = fmt::format(
+          "nothing ties the bottom row to the top row: {} nodes hang on the lower clamp, {} on the upper; no stress",
+          r.support.held_below, r.support.held_above);
       break;
-    case Ending::solved: text = fmt::format("equilibrium to a relative residual of {:.1e} in {} iterations", r.residual, r.iterations); break;
+    case Ending::solved:
+      text = fmt::format("equilibrium to a relative residual of {:.1e} in {} iterations", r.residual, r.iterations);
+      break;
     case Ending::not_converged:
-      text = fmt::format("no equilibrium: relative residual {:.1e} after {} iterations, {:.0e} was asked for", r.residual, r.iterations, o.tolerance);
+      text = fmt::format("no equilibrium: relative residual {:.1e} after {} iterations, {:.0e} was asked for",
+                         r.residual, r.iterations, o.tolerance);
       break;
   }
-  if (r.support.floating > 0) text += fmt::format("; {} floating nodes in {} islands without stress", r.support.floating, r.support.islands);
+  if (r.support.floating > 0)
+    text += fmt::format("; {} floating nodes in {} islands without stress", r.support.floating, r.support.islands);
   if (r.ending != Ending::severed && r.support.held_below + r.support.held_above > 0)
-    text += fmt::format("; {} nodes held on one side only, without stress", r.support.held_below + r.support.held_above);
+    text +=
+        fmt::format("; {} nodes held on one side only, without stress", r.support.held_below + r.support.held_above);
   if (!r.hinges.empty()) {
     const auto carrying = std::find_if(r.hinges.begin(), r.hinges.end(), [](const Hinge& h) { return h.carries; });
     const Hinge& h = carrying != r.hinges.end() ? *carrying : r.hinges.front();
-    text += fmt::format("; {} hinges, one at node ({}, {}) with {} nodes behind it", r.hinges.size(), h.x, h.y, h.nodes);
+    text +=
+        fmt::format("; {} hinges, one at node ({}, {}) with {} nodes behind it", r.hinges.size(), h.x, h.y, h.nodes);
     if (h.carries) text += ": the load passes it";
   }
   return text;
 }
 
 void check(const LoadOptions& o) {
-  if (!(o.strain > 0) || !(o.strain < 1)) throw InputError(fmt::format("the strain is {:g}; give one between 0 and 1 (the loading says its direction)", o.strain));
-  if (o.loading == Loading::shear && o.lower == LowerEdge::sliding) throw InputError("a lower edge that slides carries no shear; fix it, or choose tension or compression");
-  if (!(o.tolerance > 0) || !(o.tolerance < 1)) throw InputError(fmt::format("the tolerance of the residual is {:g}; give one between 0 and 1", o.tolerance));
+  if (!(o.strain > 0) || !(o.strain < 1))
+    throw InputError(
+        fmt::format("the strain is {:g}; give one between 0 and 1 (the loading says its direction)", o.strain));
+  if (o.loading == Loading::shear && o.lower == LowerEdge::sliding)
+    throw InputError("a lower edge that slides carries no shear; fix it, or choose tension or compression");
+  if (!(o.tolerance > 0) || !(o.tolerance < 1))
+    throw InputError(fmt::format("the tolerance of the residual is {:g}; give one between 0 and 1", o.tolerance));
 }
 
 }  // namespace
@@ -193,7 +207,8 @@ LoadResult load(const PhaseMap& map, const LoadOptions& options) {
     r.loose_nodes = solved.loose_nodes;
     r.coarse_unknowns = solved.coarse_unknowns;
     r.repairs = solved.repairs;
-    const bool suspicious = !solved.converged || solved.loose_nodes > 0 || (options.method == Method::static_solve && solved.iterations > 25);
+    const bool suspicious = !solved.converged || solved.loose_nodes > 0 ||
+                            (options.method == Method::static_solve && solved.iterations > 25);
     if (options.look_for_hinges || suspicious) r.hinges = find_hinges(s.bonds);
   } else {
     const bool any = std::any_of(map.phase.begin(), map.phase.end(), [](Phase p) { return p != Phase::empty; });

@@ -50,7 +50,8 @@ void add_linear(const Bonds& bonds, double dx, const Field<double>& u, StressSum
       const auto& modulus = k[static_cast<unsigned>(d)];
       for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) {
         const std::ptrdiff_t j = i + step;
-        const double tension = modulus[bonds.words[i] >> (2 * d) & 3u] * (ex * (u.x[j] - u.x[i]) + ey * (u.y[j] - u.y[i]));
+        const double tension =
+            modulus[bonds.words[i] >> (2 * d) & 3u] * (ex * (u.x[j] - u.x[i]) + ey * (u.y[j] - u.y[i]));
         s.xx[i] += ex * ex * tension;
         s.xx[j] += ex * ex * tension;
         s.yy[i] += ey * ey * tension;
@@ -84,7 +85,9 @@ StressField node_stress(const Bonds& bonds, double dx, const Field<double>& u, b
   field.dx = dx;
   const auto compact = [&](const Buffer<double>& padded) {
     std::vector<double> values(static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height));
-    for (int y = 0; y < grid.height; ++y) std::copy_n(padded.data() + grid.row(y), grid.width, values.begin() + static_cast<std::ptrdiff_t>(y) * grid.width);
+    for (int y = 0; y < grid.height; ++y)
+      std::copy_n(padded.data() + grid.row(y), grid.width,
+                  values.begin() + static_cast<std::ptrdiff_t>(y) * grid.width);
     return values;
   };
   field.ux = compact(u.x);

@@ -34,7 +34,8 @@ struct Parts {
   const std::vector<std::uint8_t>& prescribed;
   int middle() const { return bonds.grid.height / 2; }
   std::int32_t of(std::ptrdiff_t i, int y) const {
-    if (y < 0 || y >= bonds.grid.height || prescribed[static_cast<std::size_t>(y)] != both_prescribed) return pieces.of_node[i];
+    if (y < 0 || y >= bonds.grid.height || prescribed[static_cast<std::size_t>(y)] != both_prescribed)
+      return pieces.of_node[i];
     return pieces.count() + (y > middle());
   }
 };
@@ -72,7 +73,8 @@ Support prune(Bonds& bonds, Pieces& pieces, const std::vector<std::uint8_t>& pre
       }
     }
   std::vector<std::uint8_t> whole(ties.size(), 0);
-  for (std::int32_t p = 0; p < below; ++p) whole[static_cast<std::size_t>(sets.find(p))] |= ties[static_cast<std::size_t>(p)];
+  for (std::int32_t p = 0; p < below; ++p)
+    whole[static_cast<std::size_t>(sets.find(p))] |= ties[static_cast<std::size_t>(p)];
 
   Support support;
   std::vector<std::int32_t> number(static_cast<std::size_t>(below), Pieces::none);
@@ -81,7 +83,10 @@ Support prune(Bonds& bonds, Pieces& pieces, const std::vector<std::uint8_t>& pre
     const auto k = static_cast<std::size_t>(p), root = static_cast<std::size_t>(sets.find(p));
     ties[k] = whole[root];
     support.islands += root == k && whole[root] == 0;
-    (whole[root] == 3 ? support.carrying : whole[root] == 2 ? support.held_above : whole[root] == 1 ? support.held_below : support.floating) += static_cast<std::size_t>(pieces.nodes[k]);
+    (whole[root] == 3   ? support.carrying
+     : whole[root] == 2 ? support.held_above
+     : whole[root] == 1 ? support.held_below
+                        : support.floating) += static_cast<std::size_t>(pieces.nodes[k]);
     if (whole[root] != 3) continue;
     number[k] = kept.count();
     kept.owner.push_back(pieces.owner[k]);
@@ -104,14 +109,16 @@ Support prune(Bonds& bonds, Pieces& pieces, const std::vector<std::uint8_t>& pre
   kept.of_node = std::move(pieces.of_node);
   pieces = std::move(kept);
   const auto carries = [&](std::ptrdiff_t i, int y) {
-    return y >= 0 && y < grid.height && (prescribed[static_cast<std::size_t>(y)] == both_prescribed || tie[i] == Tie::both);
+    return y >= 0 && y < grid.height &&
+           (prescribed[static_cast<std::size_t>(y)] == both_prescribed || tie[i] == Tie::both);
   };
   for (int y = 0; y < grid.height; ++y)
     for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) {
       std::uint32_t& word = bonds.words[i];
       if (!word) continue;
       for (int d = 0; d < bonds_per_node; ++d)
-        if (!carries(i, y) || !carries(i + bonds.step(d), y + half_bonds[static_cast<unsigned>(d)].y)) word &= ~(3u << (2 * d));
+        if (!carries(i, y) || !carries(i + bonds.step(d), y + half_bonds[static_cast<unsigned>(d)].y))
+          word &= ~(3u << (2 * d));
     }
   classify_groups(bonds, 0, grid.height - 1);
   return support;

@@ -9,11 +9,11 @@ namespace arenite::peridynamics {
 /// What of a sample hangs together between its two clamps; counts are nodes that are not void.
 struct Support {
   std::size_t solid = 0;
-  std::size_t carrying = 0;        ///< tied to both clamps
-  std::size_t held_below = 0;      ///< tied to the lower clamp only: moves with it, without stress
-  std::size_t held_above = 0;      ///< tied to the upper clamp only
-  std::size_t floating = 0;        ///< tied to neither: left where it is, without stress
-  int islands = 0;                 ///< separate parts among the floating
+  std::size_t carrying = 0;    ///< tied to both clamps
+  std::size_t held_below = 0;  ///< tied to the lower clamp only: moves with it, without stress
+  std::size_t held_above = 0;  ///< tied to the upper clamp only
+  std::size_t floating = 0;    ///< tied to neither: left where it is, without stress
+  int islands = 0;             ///< separate parts among the floating
 };
 
 /// Which clamp a node moves with where it carries nothing.

@@ -18,8 +18,9 @@ TEST(CriticalStretch, FollowsFromToughness) {
 /// Toughness that breaks bonds at strains where the linearised stretch holds.
 constexpr Toughness weak{1e-5, 1e-5, 3.5e-5};
 
-/// A wide strip cracked halfway from the left at mid-height, clamped along both long edges: far from the tip on the right
-/// it is strained uniformly without lateral contraction, so a crack that runs frees C_1111 strain^2/2 times the height.
+/// A wide strip cracked halfway from the left at mid-height, clamped along both long edges: far from the tip on the
+/// right it is strained uniformly without lateral contraction, so a crack that runs frees C_1111 strain^2/2 times the
+/// height.
 double running_strain_over_griffith(int height) {
   const PhaseMap map = test::homogeneous_sample(6 * height, height);
   DamageOptions options;
@@ -31,7 +32,8 @@ double running_strain_over_griffith(int height) {
   double strain = 0;
   for (const auto& state : result.curve) strain = std::max(strain, state.strain);
   const double micromodulus = nominal_micromodulus * calibration_factor();
-  const double stretch = critical_stretch(weak.matrix, 1, map.dx), toughness = crack_energy_axis(micromodulus) * stretch * stretch * map.dx;
+  const double stretch = critical_stretch(weak.matrix, 1, map.dx),
+               toughness = crack_energy_axis(micromodulus) * stretch * stretch * map.dx;
   const double griffith = std::sqrt(2 * toughness / (lattice_moduli(micromodulus).c1111 * (height - 1) * map.dx));
   return strain / griffith;
 }
@@ -52,7 +54,8 @@ TEST(Damage, PlateBreaksAlongItsNotch) {
   options.cuts = {{{-1, 23.5}, {24, 23.5}}};
   options.end_stress = 1e-3;
   const auto result = pull_to_failure(map, options);
-  EXPECT_TRUE(result.ending == DamageResult::Ending::severed || result.ending == DamageResult::Ending::dropped) << result.sentence;
+  EXPECT_TRUE(result.ending == DamageResult::Ending::severed || result.ending == DamageResult::Ending::dropped)
+      << result.sentence;
   EXPECT_GT(result.broken.size(), 24u * 10);
   std::size_t astray = 0;  // a few give at the corners of the clamps, where the plate may not contract
   for (const auto& bond : result.broken) astray += std::abs(bond.y + half_bonds[bond.direction].y / 2.0 - 23.5) > 4;
@@ -64,7 +67,8 @@ TEST(Damage, PlateBreaksAlongItsNotch) {
 TEST(Damage, CementedPackingBreaksInMatrixAndInterfaceNotInGrains) {
   const PhaseMap map = test::cemented_sample({.nodes = 64, .size_ratio = 2, .bridge = 0.4});
   const auto result = pull_to_failure(map, {.toughness = weak});
-  EXPECT_TRUE(result.ending == DamageResult::Ending::severed || result.ending == DamageResult::Ending::dropped) << result.sentence;
+  EXPECT_TRUE(result.ending == DamageResult::Ending::severed || result.ending == DamageResult::Ending::dropped)
+      << result.sentence;
   std::size_t in_grains = 0;
   for (const auto& bond : result.broken) in_grains += bond.type == particle_bond;
   EXPECT_LT(in_grains, result.broken.size() / 10);

@@ -13,7 +13,9 @@
 
 namespace arenite::peridynamics {
 extern const Kernels* const avx2_kernels;
-namespace { const Kernels table = table_of("avx2"); }
+namespace {
+const Kernels table = table_of("avx2");
+}
 const Kernels* const avx2_kernels = &table;
 }  // namespace arenite::peridynamics
 #else

@@ -17,15 +17,21 @@ struct Plane {
 };
 
 template <class T>
-Plane<T> plane(Field<T>& f) { return {f.x.data(), f.y.data()}; }
+Plane<T> plane(Field<T>& f) {
+  return {f.x.data(), f.y.data()};
+}
 template <class T>
-Plane<const T> plane(const Field<T>& f) { return {f.x.data(), f.y.data()}; }
+Plane<const T> plane(const Field<T>& f) {
+  return {f.x.data(), f.y.data()};
+}
 
 /// Symmetric 2 x 2 block of a node, the inverse of its diagonal stiffness.
-struct BlockPlane { const float *xx, *xy, *yy; };
+struct BlockPlane {
+  const float *xx, *xy, *yy;
+};
 
-/// The passes over all nodes that take the time, compiled once for each kind of machine. `f(u)` is the force of the bonds
-/// on a node, linearised stretch; in rows with prescribed displacement the force of that component is not formed.
+/// The passes over all nodes that take the time, compiled once for each kind of machine. `f(u)` is the force of the
+/// bonds on a node, linearised stretch; in rows with prescribed displacement the force of that component is not formed.
 struct Kernels {
   const char* name;
 
@@ -33,17 +39,19 @@ struct Kernels {
   double (*force)(const Bonds&, const std::uint8_t* prescribed, Plane<const double> u, Plane<double> f);
   double (*force_float)(const Bonds&, const std::uint8_t* prescribed, Plane<const float> u, Plane<float> f);
   /// older := z + a (z - older) + b D^-1 (r + f(z)): one Chebyshev step; then `older` is the newer.
-  void (*chebyshev)(const Bonds&, Plane<const float> z, Plane<float> older, Plane<const float> r, BlockPlane inverse, float a, float b);
+  void (*chebyshev)(const Bonds&, Plane<const float> z, Plane<float> older, Plane<const float> r, BlockPlane inverse,
+                    float a, float b);
   /// out := r + f(z).
   void (*residual)(const Bonds&, Plane<const float> z, Plane<const float> r, Plane<float> out);
   /// older := u + a (u - older) + b f(u): one step of damped motion; then `older` is the newer. Returns sum f . f.
-  double (*stormer)(const Bonds&, const std::uint8_t* prescribed, Plane<const double> u, Plane<double> older, double a, double b);
+  double (*stormer)(const Bonds&, const std::uint8_t* prescribed, Plane<const double> u, Plane<double> older, double a,
+                    double b);
   /// older := u + a (u - older) + b D^-1 f(u); then `older` is the newer. Returns sum f . D^-1 f.
   double (*relax)(const Bonds&, Plane<const double> u, Plane<double> older, BlockPlane inverse, double a, double b);
 
   /// u += alpha p, r += alpha f, rough := r in single precision, z := b D^-1 r; returns r . r.
-  double (*conjugate_step)(const Bonds&, double alpha, Plane<const double> p, Plane<const double> f, Plane<double> u, Plane<double> r,
-                           BlockPlane inverse, float b, Plane<float> rough, Plane<float> z);
+  double (*conjugate_step)(const Bonds&, double alpha, Plane<const double> p, Plane<const double> f, Plane<double> u,
+                           Plane<double> r, BlockPlane inverse, float b, Plane<float> rough, Plane<float> z);
   double (*dot)(const Bonds&, Plane<const float> a, Plane<const float> b);
   /// p := z + beta p.
   void (*direct)(const Bonds&, double beta, Plane<const float> z, Plane<double> p);

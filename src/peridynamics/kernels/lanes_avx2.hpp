@@ -24,7 +24,9 @@ struct Doubles {
     __m128 v;
     explicit Table(const float* four) : v(_mm_loadu_ps(four)) {}
     template <int shift>
-    Doubles find(Words w) const { return {_mm256_cvtps_pd(_mm_permutevar_ps(v, shift == 0 ? w : _mm_srli_epi32(w, shift)))}; }
+    Doubles find(Words w) const {
+      return {_mm256_cvtps_pd(_mm_permutevar_ps(v, shift == 0 ? w : _mm_srli_epi32(w, shift)))};
+    }
   };
   friend Doubles operator+(Doubles a, Doubles b) { return {_mm256_add_pd(a.v, b.v)}; }
   friend Doubles operator-(Doubles a, Doubles b) { return {_mm256_sub_pd(a.v, b.v)}; }
@@ -47,7 +49,9 @@ struct Floats {
     __m256 v;
     explicit Table(const float* four) : v(_mm256_broadcast_ps(reinterpret_cast<const __m128*>(four))) {}
     template <int shift>
-    Floats find(Words w) const { return {_mm256_permutevar_ps(v, shift == 0 ? w : _mm256_srli_epi32(w, shift))}; }
+    Floats find(Words w) const {
+      return {_mm256_permutevar_ps(v, shift == 0 ? w : _mm256_srli_epi32(w, shift))};
+    }
   };
   friend Floats operator+(Floats a, Floats b) { return {_mm256_add_ps(a.v, b.v)}; }
   friend Floats operator-(Floats a, Floats b) { return {_mm256_sub_ps(a.v, b.v)}; }

@@ -20,7 +20,9 @@ struct PortableTable {
 struct Doubles {
   using Scalar = double;
   static constexpr int lanes = 2;
-  struct Words { std::uint32_t w[lanes]; };
+  struct Words {
+    std::uint32_t w[lanes];
+  };
   using Table = PortableTable<Doubles>;
   using V = double __attribute__((vector_size(16)));
   V v;
@@ -44,7 +46,9 @@ struct Doubles {
 struct Floats {
   using Scalar = float;
   static constexpr int lanes = 4;
-  struct Words { std::uint32_t w[lanes]; };
+  struct Words {
+    std::uint32_t w[lanes];
+  };
   using Table = PortableTable<Floats>;
   using V = float __attribute__((vector_size(16)));
   V v;

@@ -1,8 +1,8 @@
 // The 28-neighbour force, row by row. Included after one of the lanes headers, inside its target.
 //
-// Each bond is worked out once, by the node that it starts from: a first pass over a row of a tile writes the tensions of
-// its 14 half bonds a node, a second adds up, for each node, those that start there less those that end there. Tensions
-// live in a ring of as many rows as the bonds reach, which stays in the nearest cache.
+// Each bond is worked out once, by the node that it starts from: a first pass over a row of a tile writes the tensions
+// of its 14 half bonds a node, a second adds up, for each node, those that start there less those that end there.
+// Tensions live in a ring of as many rows as the bonds reach, which stays in the nearest cache.
 #include <array>
 #include <cmath>
 
@@ -18,7 +18,9 @@ constexpr std::array<int, 4> reach_count{3, 5, 5, 1};
 constexpr std::array<int, bonds_per_node> place{0, 1, 2, 0, 0, 0, 1, 1, 2, 2, 3, 4, 3, 4};
 
 template <class V>
-struct Force { V x, y; };
+struct Force {
+  V x, y;
+};
 
 /// p . u for the primitive direction of half bond d.
 template <int d, class V>
@@ -39,7 +41,8 @@ class Stencil {
  public:
   using T = typename V::Scalar;
   static constexpr int lanes = V::lanes;
-  static constexpr int tile = 1024 * 4 / static_cast<int>(sizeof(T));   ///< nodes: long rows for the prefetchers, a ring of 140 kB
+  static constexpr int tile =
+      1024 * 4 / static_cast<int>(sizeof(T));  ///< nodes: long rows for the prefetchers, a ring of 140 kB
   static constexpr int pitch = tile + 2 * lanes;
 
   Stencil(const Bonds& bonds, Plane<const T> u) : grid_(bonds.grid), words_(bonds.words.data()), u_(u), bonds_(bonds) {}
@@ -56,21 +59,26 @@ class Stencil {
       for (int y = 0; y < grid_.height; ++y) {
         pull(grid_.index(x, y), nodes, {slot(0, 0), slot(1, y), slot(2, y), slot(3, y)});
         row(y);
-        add(grid_.index(x, y), nodes, {slot(0, 0), slot(1, y), slot(2, y), slot(3, y)}, {slot(0, 0), slot(1, y + 1), slot(2, y + 1), slot(3, y + 1)}, then);
+        add(grid_.index(x, y), nodes, {slot(0, 0), slot(1, y), slot(2, y), slot(3, y)},
+            {slot(0, 0), slot(1, y + 1), slot(2, y + 1), slot(3, y + 1)}, then);
       }
     }
   }
 
  private:
   /// Tensions of one row, by reach of the bonds.
-  struct Rows { T *r0, *r1, *r2, *r3; };
+  struct Rows {
+    T *r0, *r1, *r2, *r3;
+  };
   template <int d>
   static T* in(const Rows& rows) {
     constexpr int reach = half_bonds[d].y;
     T* const base = reach == 0 ? rows.r0 : reach == 1 ? rows.r1 : reach == 2 ? rows.r2 : rows.r3;
     return base + place[d] * pitch;
   }
-  T* slot(int reach, int y) { return ring_ + pitch * (reach == 0 ? 0 : reach == 1 ? 3 + 5 * (y % 2) : reach == 2 ? 13 + 5 * (y % 3) : 28 + y % 4); }
+  T* slot(int reach, int y) {
+    return ring_ + pitch * (reach == 0 ? 0 : reach == 1 ? 3 + 5 * (y % 2) : reach == 2 ? 13 + 5 * (y % 3) : 28 + y % 4);
+  }
 
   /// Tensions of the bonds that start in a row of the tile and, for bonds into it, one vector on either side.
   [[gnu::always_inline]] void pull(std::ptrdiff_t first, int nodes, const Rows rows) const {
@@ -111,17 +119,21 @@ class Stencil {
   }
 
   template <class Then>
-  [[gnu::always_inline]] void add(std::ptrdiff_t first, int nodes, const Rows starting, const Rows ending, const Then& then) const {
+  [[gnu::always_inline]] void add(std::ptrdiff_t first, int nodes, const Rows starting, const Rows ending,
+                                  const Then& then) const {
     const double root2 = std::sqrt(2.0), root5 = std::sqrt(5.0), scale = bonds_.scale;
     const V axis1 = all(scale), axis2 = all(scale / 2), axis3 = all(scale / 3), two = V::all(2);
-    const V diagonal1 = all(scale / (2 * root2)), diagonal2 = all(scale / (4 * root2)), knight = all(scale / (5 * root5));
+    const V diagonal1 = all(scale / (2 * root2)), diagonal2 = all(scale / (4 * root2)),
+            knight = all(scale / (5 * root5));
     const Plane<const T> u = u_;
     for (std::ptrdiff_t k = 0; k < nodes; k += lanes) {
       const auto net = [&]<int d>() __attribute__((always_inline)) {
         return V::load(in<d>(starting) + k + lanes) - V::load(in<d>(ending) + k + lanes - half_bonds[d].x);
       };
-      V x = fma(axis3, net.template operator()<2>(), fma(axis2, net.template operator()<1>(), axis1 * net.template operator()<0>()));
-      V y = fma(axis3, net.template operator()<5>(), fma(axis2, net.template operator()<4>(), axis1 * net.template operator()<3>()));
+      V x = fma(axis3, net.template operator()<2>(),
+                fma(axis2, net.template operator()<1>(), axis1 * net.template operator()<0>()));
+      V y = fma(axis3, net.template operator()<5>(),
+                fma(axis2, net.template operator()<4>(), axis1 * net.template operator()<3>()));
       const V rising = fma(diagonal2, net.template operator()<7>(), diagonal1 * net.template operator()<6>());
       const V falling = fma(diagonal2, net.template operator()<9>(), diagonal1 * net.template operator()<8>());
       const V a = net.template operator()<10>(), b = net.template operator()<11>();

@@ -70,12 +70,14 @@ Cholesky::Cholesky(const BlockMatrix& m) : state_(std::make_unique<State>()) {
   for (int c = 0; c < m.columns(); ++c)
     for (int s = 0; s < 2; ++s) {
       begin[2 * c + s] = k;
-      for (int j = m.column_begin[static_cast<std::size_t>(c)]; j < m.column_begin[static_cast<std::size_t>(c) + 1]; ++j)
+      for (int j = m.column_begin[static_cast<std::size_t>(c)]; j < m.column_begin[static_cast<std::size_t>(c) + 1];
+           ++j)
         for (int r = 0; r < 2; ++r) {
           const int scalar_row = 2 * m.row[static_cast<std::size_t>(j)] + r;
           if (scalar_row < 2 * c + s) continue;
           row[k] = scalar_row;
-          value[k++] = m.value[4 * static_cast<std::size_t>(j) + 2 * static_cast<std::size_t>(s) + static_cast<std::size_t>(r)];
+          value[k++] =
+              m.value[4 * static_cast<std::size_t>(j) + 2 * static_cast<std::size_t>(s) + static_cast<std::size_t>(r)];
         }
     }
   begin[n] = k;
@@ -95,7 +97,9 @@ Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 
 bool Cholesky::positive() const { return state_->positive; }
 
-std::size_t Cholesky::factor_bytes() const { return state_->factor->xsize * sizeof(double) + state_->factor->ssize * sizeof(int); }
+std::size_t Cholesky::factor_bytes() const {
+  return state_->factor->xsize * sizeof(double) + state_->factor->ssize * sizeof(int);
+}
 
 void Cholesky::solve(std::vector<double>& b) {
   cholmod_dense right{};
@@ -104,7 +108,8 @@ void Cholesky::solve(std::vector<double>& b) {
   right.x = b.data();
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;
-  cholmod_solve2(CHOLMOD_A, state_->factor, &right, nullptr, &state_->x, nullptr, &state_->y, &state_->e, &state_->common);
+  cholmod_solve2(CHOLMOD_A, state_->factor, &right, nullptr, &state_->x, nullptr, &state_->y, &state_->e,
+                 &state_->common);
   std::memcpy(b.data(), state_->x->x, b.size() * sizeof(double));
 }
 

@@ -9,7 +9,7 @@ namespace arenite::peridynamics {
 /// first in each column.
 struct BlockMatrix {
   std::vector<std::int32_t> column_begin, row;
-  std::vector<double> value;            ///< 4 a block: (0,0), (1,0), (0,1), (1,1)
+  std::vector<double> value;  ///< 4 a block: (0,0), (1,0), (0,1), (1,1)
   std::int32_t columns() const { return static_cast<std::int32_t>(column_begin.size()) - 1; }
 };
 

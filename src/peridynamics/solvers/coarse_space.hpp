@@ -13,7 +13,8 @@ namespace arenite::peridynamics {
 /// and adds the answer.
 class CoarseSpace {
  public:
-  CoarseSpace(const Bonds& bonds, Pieces pieces, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed);
+  CoarseSpace(const Bonds& bonds, Pieces pieces, const BlockDiagonal<double>& diagonal,
+              const std::vector<std::uint8_t>& prescribed);
 
   /// z += P (P^T A P)^-1 P^T r.
   void correct(Plane<const float> r, Plane<float> z);
@@ -28,8 +29,8 @@ class CoarseSpace {
   struct Run {
     std::ptrdiff_t begin;
     std::int32_t piece;
-    std::int16_t x, y, length;   ///< of the first node, in its cell
-    bool slides;                 ///< moves along x only
+    std::int16_t x, y, length;  ///< of the first node, in its cell
+    bool slides;                ///< moves along x only
   };
   void number_corners(const std::vector<Coupling>& couplings);
   BlockMatrix assemble(const std::vector<Coupling>& couplings) const;
@@ -38,11 +39,11 @@ class CoarseSpace {
   Grid grid_;
   Pieces pieces_;
   std::int32_t nodes_ = 0;
-  std::vector<std::int32_t> corner_;     ///< coarse node of corner a of piece p at 4 p + a
+  std::vector<std::int32_t> corner_;  ///< coarse node of corner a of piece p at 4 p + a
   std::vector<Run> runs_;
   std::optional<Cholesky> factor_;
-  std::vector<double> load_;             ///< right side and solution, 2 a coarse node
-  std::vector<float> moments_;           ///< 8 a piece
+  std::vector<double> load_;    ///< right side and solution, 2 a coarse node
+  std::vector<float> moments_;  ///< 8 a piece
   int repairs_ = 0;
 };
 

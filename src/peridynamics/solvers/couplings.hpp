@@ -20,7 +20,8 @@ struct Coupling {
 
 /// Galerkin sums over all bonds, in double: couplings of every piece with itself (first, in order of pieces) and of
 /// pairs of pieces that bonds join. In a bottom row that slides, hats move nodes along x only.
-std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed);
+std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const BlockDiagonal<double>& diagonal,
+                                const std::vector<std::uint8_t>& prescribed);
 
 /// Hats at the node (x, y) of a cell.
 const Hats& hats_at(int x, int y);

@@ -11,7 +11,7 @@ namespace arenite::peridynamics {
 
 namespace {
 
-constexpr std::int64_t look_every = 20;   ///< steps between two looks at the residual and the damping
+constexpr std::int64_t look_every = 20;  ///< steps between two looks at the residual and the damping
 
 Field<double> copy_of(const Field<double>& u) {
   Field<double> c(u.x.size());
@@ -36,7 +36,8 @@ void form_force(const Dynamics& s, const Field<double>& u, Field<double>& f) {
 }
 
 /// older := u + a (u - older) + b M f, M a 2 x 2 block a node, or the unit matrix where `inverse` is null.
-void plain_step(const Grid& grid, const Field<double>& u, Field<double>& older, const Field<double>& f, const BlockPlane* inverse, double a, double b) {
+void plain_step(const Grid& grid, const Field<double>& u, Field<double>& older, const Field<double>& f,
+                const BlockPlane* inverse, double a, double b) {
   for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; ++i) {
     double fx = f.x[i], fy = f.y[i];
     if (inverse) {
@@ -113,7 +114,8 @@ StaticReport adaptive_relaxation(const Dynamics& s, Field<double>& u) {
     for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; ++i) {
       velocity.x[i] = now.x[i] - older.x[i];
       velocity.y[i] = now.y[i] - older.y[i];
-      kinetic += velocity.x[i] * (diagonal.xx[i] * velocity.x[i] + 2 * diagonal.xy[i] * velocity.y[i]) + diagonal.yy[i] * velocity.y[i] * velocity.y[i];
+      kinetic += velocity.x[i] * (diagonal.xx[i] * velocity.x[i] + 2 * diagonal.xy[i] * velocity.y[i]) +
+                 diagonal.yy[i] * velocity.y[i] * velocity.y[i];
     }
     const double elastic = -kernels().force(s.bonds, s.prescribed.data(), plane(velocity), plane(f));
     const double frequency = kinetic > 0 ? std::sqrt(std::max(0.0, elastic / kinetic)) : 0;

@@ -18,7 +18,9 @@ Buffer<std::int32_t> owners(const PhaseMap& map, const Grid& grid) {
   for (int y = 0; y < grid.height; ++y)
     for (int x = 0; x < grid.width; ++x) {
       const auto i = map.index(x, y);
-      owner[grid.index(x, y)] = map.phase[i] == Phase::particle ? map.grain[i] : map.phase[i] == Phase::matrix ? unowned : -1;
+      owner[grid.index(x, y)] = map.phase[i] == Phase::particle ? map.grain[i]
+                                : map.phase[i] == Phase::matrix ? unowned
+                                                                : -1;
     }
   std::vector<std::ptrdiff_t> front;
   const std::array<std::ptrdiff_t, 4> sides{1, -1, grid.stride, -grid.stride};
@@ -41,7 +43,8 @@ Buffer<std::int32_t> owners(const PhaseMap& map, const Grid& grid) {
 struct CellSets {
   std::array<std::int16_t, Pieces::cell * Pieces::cell> parent;
   std::int16_t find(std::int16_t a) {
-    while (parent[static_cast<unsigned>(a)] != a) a = parent[static_cast<unsigned>(a)] = parent[static_cast<unsigned>(parent[static_cast<unsigned>(a)])];
+    while (parent[static_cast<unsigned>(a)] != a)
+      a = parent[static_cast<unsigned>(a)] = parent[static_cast<unsigned>(parent[static_cast<unsigned>(a)])];
     return a;
   }
   void unite(std::int16_t a, std::int16_t b) {
@@ -57,7 +60,8 @@ Pieces cut_into_pieces(const PhaseMap& map, const Bonds& bonds, const std::vecto
   const Grid& grid = bonds.grid;
   auto owner = owners(map, grid);
   for (int y = 0; y < grid.height; ++y)
-    if (prescribed[static_cast<std::size_t>(y)] == both_prescribed) std::fill_n(owner.data() + grid.row(y), grid.width, -1);
+    if (prescribed[static_cast<std::size_t>(y)] == both_prescribed)
+      std::fill_n(owner.data() + grid.row(y), grid.width, -1);
 
   Pieces pieces;
   pieces.of_node = Buffer<std::int32_t>(grid.padded_size());
@@ -74,12 +78,17 @@ Pieces cut_into_pieces(const PhaseMap& map, const Bonds& bonds, const std::vecto
           const std::ptrdiff_t i = grid.index(x0 + x, y0 + y);
           if (owner[i] < 0) continue;
           // Deep inside a grain the two nearest neighbours already tie all nodes together.
-          const bool inside = bonds.group[static_cast<std::ptrdiff_t>(y0 + y) * grid.groups + (x0 + x) / Grid::lanes] == particle_bond;
+          const bool inside =
+              bonds.group[static_cast<std::ptrdiff_t>(y0 + y) * grid.groups + (x0 + x) / Grid::lanes] == particle_bond;
           const std::uint32_t word = bonds.words[i];
           for (int d = 0; d < (inside ? 4 : bonds_per_node); d += inside ? 3 : 1) {
             const Offset e = half_bonds[static_cast<unsigned>(d)];
-            if (!(word >> (2 * d) & 3u) || static_cast<unsigned>(x + e.x) >= static_cast<unsigned>(wide) || y + e.y >= high) continue;
-            if (owner[i + bonds.step(d)] == owner[i]) sets.unite(static_cast<std::int16_t>(y * cell + x), static_cast<std::int16_t>((y + e.y) * cell + x + e.x));
+            if (!(word >> (2 * d) & 3u) || static_cast<unsigned>(x + e.x) >= static_cast<unsigned>(wide) ||
+                y + e.y >= high)
+              continue;
+            if (owner[i + bonds.step(d)] == owner[i])
+              sets.unite(static_cast<std::int16_t>(y * cell + x),
+                         static_cast<std::int16_t>((y + e.y) * cell + x + e.x));
           }
         }
       for (int y = 0; y < high; ++y)

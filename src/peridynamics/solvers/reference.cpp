@@ -20,7 +20,8 @@ void set_zero(Field<double>& a) {
   std::fill_n(a.y.data(), a.y.size(), 0.0);
 }
 
-double residual_reference(const Bonds& bonds, const std::vector<std::uint8_t>& prescribed, const Field<double>& u, Field<double>& work, Field<double>& f) {
+double residual_reference(const Bonds& bonds, const std::vector<std::uint8_t>& prescribed, const Field<double>& u,
+                          Field<double>& work, Field<double>& f) {
   const Grid& grid = bonds.grid;
   const auto clamp = [&](int y) {
     Vec2 moved;

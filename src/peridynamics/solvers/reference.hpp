@@ -14,6 +14,7 @@ void set_zero(Field<double>& a);
 /// What residuals are relative to: |f(u)| of the sample strained uniformly between its clamps. (The displaced row alone
 /// would give some fifty times more, and a tolerance that says little about stresses.) `u` holds the prescribed
 /// displacements, `work` and `f` are overwritten. Zero only where nothing is displaced or no strain leaves a force.
-double residual_reference(const Bonds& bonds, const std::vector<std::uint8_t>& prescribed, const Field<double>& u, Field<double>& work, Field<double>& f);
+double residual_reference(const Bonds& bonds, const std::vector<std::uint8_t>& prescribed, const Field<double>& u,
+                          Field<double>& work, Field<double>& f);
 
 }  // namespace arenite::peridynamics

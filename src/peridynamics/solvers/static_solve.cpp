@@ -15,9 +15,13 @@ struct StaticSolver::State {
   Field<float> rough, z;
 
   State(const Bonds& bonds, Pieces pieces, std::vector<std::uint8_t> rows)
-      : prescribed(std::move(rows)), preconditioner(bonds, std::move(pieces), prescribed),
-        r(bonds.grid.padded_size()), p(bonds.grid.padded_size()), f(bonds.grid.padded_size()),
-        rough(bonds.grid.padded_size()), z(bonds.grid.padded_size()) {}
+      : prescribed(std::move(rows)),
+        preconditioner(bonds, std::move(pieces), prescribed),
+        r(bonds.grid.padded_size()),
+        p(bonds.grid.padded_size()),
+        f(bonds.grid.padded_size()),
+        rough(bonds.grid.padded_size()),
+        z(bonds.grid.padded_size()) {}
 
   void add_to_residual(const Bonds& bonds, const Field<double>& body) {
     const Grid& grid = bonds.grid;
@@ -35,7 +39,8 @@ StaticSolver::StaticSolver(const Bonds& bonds, Pieces pieces, std::vector<std::u
     : state_(std::make_unique<State>(bonds, std::move(pieces), std::move(prescribed))) {}
 StaticSolver::~StaticSolver() = default;
 
-StaticReport StaticSolver::solve(const Bonds& bonds, Field<double>& u, double tolerance, int max_iterations, const Field<double>* body) {
+StaticReport StaticSolver::solve(const Bonds& bonds, Field<double>& u, double tolerance, int max_iterations,
+                                 const Field<double>* body) {
   State& s = *state_;
   const Kernels& k = kernels();
   StaticReport report;
@@ -55,7 +60,9 @@ StaticReport StaticSolver::solve(const Bonds& bonds, Field<double>& u, double to
   };
   const auto move = [&](double alpha) {
     return std::sqrt(k.conjugate_step(bonds, alpha, plane(s.p), plane(s.f), plane(u), plane(s.r),
-                                      s.preconditioner.inverse(), s.preconditioner.first_step(), plane(s.rough), plane(s.z))) / reference;
+                                      s.preconditioner.inverse(), s.preconditioner.first_step(), plane(s.rough),
+                                      plane(s.z))) /
+           reference;
   };
   // The residual that the recurrence carries is replaced by a fresh one at the end; if the two differ, a second pass
   // starts from there.

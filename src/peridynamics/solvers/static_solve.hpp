@@ -11,11 +11,11 @@ namespace arenite::peridynamics {
 struct StaticReport {
   bool converged = false;
   int iterations = 0;
-  double residual = 0;                 ///< relative, of the field that is handed back, worked out anew
-  std::vector<double> history;         ///< relative residual after each iteration, the start first
+  double residual = 0;          ///< relative, of the field that is handed back, worked out anew
+  std::vector<double> history;  ///< relative residual after each iteration, the start first
   std::int32_t coarse_unknowns = 0;
-  int repairs = 0;                     ///< CoarseSpace::repairs
-  std::size_t loose_nodes = 0;         ///< nodes that can move freely in some direction
+  int repairs = 0;              ///< CoarseSpace::repairs
+  std::size_t loose_nodes = 0;  ///< nodes that can move freely in some direction
 };
 
 /// Linearised equilibrium by conjugate gradients with the two-level preconditioner. The object keeps its set-up for
@@ -29,7 +29,8 @@ class StaticSolver {
   /// On entry `u` holds the prescribed displacements and a first guess, on return the field at equilibrium. Residuals
   /// are relative to that of uniform strain (reference.hpp).
   /// `body`, if given, is a force on every node beside that of the bonds.
-  StaticReport solve(const Bonds& bonds, Field<double>& u, double tolerance, int max_iterations, const Field<double>* body = nullptr);
+  StaticReport solve(const Bonds& bonds, Field<double>& u, double tolerance, int max_iterations,
+                     const Field<double>* body = nullptr);
 
  private:
   struct State;

@@ -7,8 +7,8 @@ namespace arenite::peridynamics {
 
 namespace {
 
-/// The part of the spectrum of D^-1 A that the smoother deals with. No bond network exceeds 2: a bond's energy is at most
-/// twice that of its two ends held apart.
+/// The part of the spectrum of D^-1 A that the smoother deals with. No bond network exceeds 2: a bond's energy is at
+/// most twice that of its two ends held apart.
 constexpr double lowest = 0.1, highest = 2.0;
 
 }  // namespace
@@ -16,7 +16,8 @@ constexpr double lowest = 0.1, highest = 2.0;
 TwoLevel::TwoLevel(const Bonds& bonds, Pieces pieces, const std::vector<std::uint8_t>& prescribed)
     : TwoLevel(bonds, std::move(pieces), prescribed, block_diagonal(bonds)) {}
 
-TwoLevel::TwoLevel(const Bonds& bonds, Pieces pieces, const std::vector<std::uint8_t>& prescribed, const BlockDiagonal<double>& diagonal)
+TwoLevel::TwoLevel(const Bonds& bonds, Pieces pieces, const std::vector<std::uint8_t>& prescribed,
+                   const BlockDiagonal<double>& diagonal)
     : inverse_(inverse_diagonal(bonds, diagonal, prescribed)),
       coarse_(bonds, std::move(pieces), diagonal, prescribed),
       other_(bonds.grid.padded_size()),

@@ -23,9 +23,12 @@ class TwoLevel {
   static constexpr int degree = 4;
 
  private:
-  TwoLevel(const Bonds& bonds, Pieces pieces, const std::vector<std::uint8_t>& prescribed, const BlockDiagonal<double>& diagonal);
+  TwoLevel(const Bonds& bonds, Pieces pieces, const std::vector<std::uint8_t>& prescribed,
+           const BlockDiagonal<double>& diagonal);
 
-  struct Coefficient { float a, b; };
+  struct Coefficient {
+    float a, b;
+  };
 
   InverseDiagonal inverse_;
   CoarseSpace coarse_;

@@ -10,7 +10,8 @@
 namespace arenite::peridynamics {
 namespace {
 
-/// Nodes reached from the bottom row (clamped as one) when node `without` is taken away; the upper clamp joins its nodes.
+/// Nodes reached from the bottom row (clamped as one) when node `without` is taken away; the upper clamp joins its
+/// nodes.
 std::size_t reached(const Bonds& bonds, std::ptrdiff_t without, bool& top) {
   const Grid& g = bonds.grid;
   std::set<std::ptrdiff_t> joined;  // nodes with any bond
@@ -41,9 +42,7 @@ std::size_t reached(const Bonds& bonds, std::ptrdiff_t without, bool& top) {
   return seen.size();
 }
 
-TEST(Hinges, SolidPlateHasNone) {
-  EXPECT_TRUE(find_hinges(make_bonds(test::homogeneous_sample(20, 20), {})).empty());
-}
+TEST(Hinges, SolidPlateHasNone) { EXPECT_TRUE(find_hinges(make_bonds(test::homogeneous_sample(20, 20), {})).empty()); }
 
 TEST(Hinges, EveryHingeCutsOffWhatItSaysAndNoOtherNodeCutsAnything) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {

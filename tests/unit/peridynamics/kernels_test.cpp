@@ -41,7 +41,8 @@ Field<double> force_by_law(const Bonds& bonds, const Field<double>& u) {
       for (int d = 0; d < bonds_per_node; ++d) {
         const Offset e = half_bonds[static_cast<unsigned>(d)];
         const std::ptrdiff_t j = i + bonds.step(d);
-        const double t = bonds.modulus(bonds.type(i, d)) * (e.x * (u.x[j] - u.x[i]) + e.y * (u.y[j] - u.y[i])) / std::pow(length(e), 3);
+        const double t = bonds.modulus(bonds.type(i, d)) * (e.x * (u.x[j] - u.x[i]) + e.y * (u.y[j] - u.y[i])) /
+                         std::pow(length(e), 3);
         f.x[i] += t * e.x;
         f.y[i] += t * e.y;
         f.x[j] -= t * e.x;
@@ -158,7 +159,8 @@ TEST_P(EveryKernel, ChebyshevAndResidualAndMotionAreForceAndArithmetic) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Machine, EveryKernel, testing::Values("portable", "avx2"), [](const auto& p) { return std::string(p.param); });
+INSTANTIATE_TEST_SUITE_P(Machine, EveryKernel, testing::Values("portable", "avx2"),
+                         [](const auto& p) { return std::string(p.param); });
 
 TEST(Kernels, UnknownNameIsNull) { EXPECT_EQ(kernels("abacus"), nullptr); }
 
