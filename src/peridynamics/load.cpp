@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "peridynamics/node_stress.hpp"
 #include "peridynamics/solvers/dynamics.hpp"
-#include "peridynamics/solvers/reference.hpp"
+#include "peridynamics/solvers/exact_stretch.hpp"
 #include "peridynamics/solvers/static_solve.hpp"
 
 namespace arenite::peridynamics {
@@ -65,42 +65,13 @@ struct Specimen {
   }
 };
 
-/// Equilibrium under P's stretch: the linearised solve, again and again, with what it leaves out as a body force.
-StaticReport solve_exact(const Specimen& s, StaticSolver& solver, Field<double>& u, int max_iterations) {
-  const auto n = s.bonds.grid.padded_size();
-  Field<double> body(n), linear(n);
-  const double reference = residual_reference(s.bonds, s.prescribed, u, body, linear);
-  const std::vector<std::uint8_t> none(s.prescribed.size(), nothing_prescribed);
-  StaticReport total = solver.solve(s.bonds, u, s.options.tolerance, max_iterations);
-  for (int round = 0; round < 20 && total.converged; ++round) {
-    exact_force(s.bonds, s.map.dx, u, body);
-    kernels().force(s.bonds, none.data(), plane(u), plane(linear));
-    double square = 0;
-    for (int y = 0; y < s.bonds.grid.height; ++y) {
-      const auto rows = s.prescribed[static_cast<std::size_t>(y)];
-      for (std::ptrdiff_t i = s.bonds.grid.row(y), end = i + s.bonds.grid.width; i < end; ++i) {
-        if (!(rows & x_prescribed)) square += body.x[i] * body.x[i];
-        if (!(rows & y_prescribed)) square += body.y[i] * body.y[i];
-        body.x[i] -= linear.x[i];
-        body.y[i] -= linear.y[i];
-      }
-    }
-    total.residual = std::sqrt(square) / reference;
-    if (total.residual <= s.options.tolerance) return total;
-    const StaticReport more = solver.solve(s.bonds, u, 0.1 * s.options.tolerance, max_iterations, &body);
-    total.iterations += more.iterations;
-    total.history.insert(total.history.end(), more.history.begin(), more.history.end());
-  }
-  total.converged = false;
-  return total;
-}
-
 StaticReport find_equilibrium(Specimen& s, Field<double>& u) {
   const LoadOptions& o = s.options;
   if (o.method == Method::static_solve) {
     const int most = o.max_iterations > 0 ? o.max_iterations : 50;
     StaticSolver solver(s.bonds, std::move(s.pieces), s.prescribed);
-    return o.exact_stretch ? solve_exact(s, solver, u, most) : solver.solve(s.bonds, u, o.tolerance, most);
+    return o.exact_stretch ? solve_exact_stretch(s.bonds, s.map.dx, s.prescribed, solver, u, o.tolerance, most)
+                           : solver.solve(s.bonds, u, o.tolerance, most);
   }
   const Dynamics dynamics{s.bonds,         s.prescribed, s.map.dx,
                           o.exact_stretch, o.tolerance,  o.max_iterations > 0 ? o.max_iterations : 1'000'000};

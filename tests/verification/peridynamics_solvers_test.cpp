@@ -224,6 +224,19 @@ TEST(Ending, NodeOnASingleBondIsAHingeAndTheRestIsSolved) {
   expect_finite(result);
 }
 
+TEST(Ending, HingeUnderThePapersStretchStaysWhereItIs) {
+  PhaseMap map = test::homogeneous_sample(60, 60);
+  put(map, 40, 60, 20, 40, Phase::empty);
+  map.phase[map.index(41, 31)] = Phase::matrix;
+  map.phase[map.index(44, 31)] = Phase::matrix;  // on one bond, which the pull turns
+  LoadOptions options;
+  options.exact_stretch = true;
+  const auto result = load(map, options);
+  EXPECT_EQ(result.report.ending, Ending::solved) << result.report.sentence;
+  EXPECT_LT(std::abs(result.field.uy[map.index(44, 31)]), 60 * map.dx * options.strain * 10);
+  expect_finite(result);
+}
+
 TEST(Ending, HalvesJoinedByAHingeStillCarryAPull) {
   // Two blocks that meet in a single node: free to turn, yet in line with the pull.
   PhaseMap map = test::homogeneous_sample(41, 61);
