@@ -25,7 +25,7 @@ std::string reason(int error, const fs::path& folder) {
     case EROFS: return fmt::format("{} is read-only; write elsewhere", folder.string());
     case ENOSPC:
     case EDQUOT: return "the disk is full; free some space and try again";
-    case EFBIG: return "the file would pass the size limit of this session (ulimit -f); raise it or store less";
+    case EFBIG: return "the file would pass the size limit of this shell (ulimit -f); raise it or store less";
     case ENAMETOOLONG: return "the name is too long; choose a shorter one";
     default: return fmt::format("{}; check the disk or write elsewhere", std::strerror(error));
   }
