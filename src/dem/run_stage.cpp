@@ -142,7 +142,7 @@ void continue_for_a_time(Engine& engine, const Stage& stage, StageRun& run) {
   const std::int64_t steps = std::min(check_interval, next_frame - run.steps_in_increment);
   engine.advance(steps);
   run.steps_in_increment += steps;
-  const Equilibrium now = engine.equilibrium();
+  const Equilibrium now = run.latest = engine.equilibrium();
   if (run.checks++ % run.sample_every == 0) sample(run.result.history, engine, now, 0);
   thin(run);
   if (run.steps_in_increment < next_frame) return;
@@ -161,7 +161,7 @@ void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
   engine.advance(check_interval);
   run.steps_in_increment += check_interval;
 
-  const Equilibrium now = engine.equilibrium();
+  const Equilibrium now = run.latest = engine.equilibrium();
   const double wall_error = load_error(drives, engine.domain());
   const bool at_rest = is_at_rest(now, stage.rest, wall_error);
   const bool given_up = !at_rest && run.steps_in_increment >= stage.rest.max_steps;
@@ -218,17 +218,12 @@ void continue_stage(Engine& engine, const Stage& stage, StageRun& run) {
 
 double share_done(const Stage& stage, const StageRun& run) {
   if (run.finished) return 1;
-  const auto& columns = run.result.history.columns;
-  const auto last = [&](const char* name) {
-    const auto it = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.name == name; });
-    return it == columns.end() || it->values.empty() ? 1.0 : it->values.back();
-  };
   if (stage.duration) {
     const double frames = static_cast<double>(std::max<std::int64_t>(1, stage.frames));
     return std::min(1.0, static_cast<double>(run.result.frames.size()) / frames);
   }
   const double total = static_cast<double>(increments_of(stage, run.force_at_start).size());
-  const double within = std::clamp(std::log(last("unbalanced_ratio")) / std::log(stage.rest.unbalanced), 0.0, 0.95);
+  const double within = std::clamp(std::log(run.latest.unbalanced_ratio) / std::log(stage.rest.unbalanced), 0.0, 0.95);
   return (static_cast<double>(run.increment) + within) / total;
 }
 

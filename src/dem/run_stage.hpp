@@ -29,6 +29,7 @@ struct StageRun {
   std::int64_t sample_every = 1;            ///< checks between two rows of the history
   std::int64_t checks = 0;
   bool finished = false;
+  Equilibrium latest;                       ///< what the last look at the sample found
   StageResult result;                       ///< frames and history so far
 };
 

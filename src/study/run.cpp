@@ -117,7 +117,7 @@ std::optional<StageResult> load(dem::Engine& engine, const dem::Stage& stage, co
   while (!run.finished) {
     dem::continue_stage(engine, stage, run);
     progress.share = dem::share_done(stage, run);
-    progress.unbalanced_ratio = engine.equilibrium().unbalanced_ratio;
+    progress.unbalanced_ratio = run.latest.unbalanced_ratio;
     progress.step = engine.step();
     options.progress(progress);
     const bool stop = options.asked_to_stop();
