@@ -1,0 +1,29 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "model/phase_map.hpp"
+
+namespace arenite::raster {
+
+/// Pores are connected sets of nodes that are not grain, voids of nodes that are neither grain nor matrix (P III).
+enum class Cavity { pore, void_ };
+
+/// Rules of the flood fill; results are reported with them.
+struct CavityRules {
+  bool eight_connected = false;      ///< otherwise the four nearest nodes are neighbours
+  int fewest_nodes = 5;              ///< smaller ones are specks of the raster and left out
+  bool leave_out_border = true;      ///< those that touch the edge of the map are cut
+  bool operator==(const CavityRules&) const = default;
+};
+
+struct Cavities {
+  CavityRules rules;
+  std::vector<std::int32_t> label;   ///< one a node: index of its cavity, -1 outside or left out
+  std::vector<std::int64_t> nodes;   ///< one a cavity that counts, in order of their first node
+  std::size_t specks = 0, cut = 0;   ///< left out as too small, as touching the border
+};
+
+Cavities find_cavities(const PhaseMap& map, Cavity kind, const CavityRules& rules = {});
+
+}  // namespace arenite::raster
