@@ -21,7 +21,7 @@ int cells_along(double length, double cell) {
   return std::max(1, static_cast<int>(std::min(length / cell, 30000.0)));
 }
 
-Cells sort_into_cells(std::span<const double> x, std::span<const double> y, const Rectangle& box, double cell) {
+Cells sort_into_cells(std::span<const double> x, std::span<const double> y, const Box& box, double cell) {
   Cells cells{cells_along(box.width, cell), cells_along(box.height, cell), {}, {}};
   const auto n = x.size();
   std::vector<std::int32_t> of(n);
@@ -52,7 +52,7 @@ int neighbours_along(int c, int n, bool periodic, int (&out)[3]) {
 }  // namespace
 
 std::vector<Pair> close_pairs(std::span<const double> x, std::span<const double> y, std::span<const double> radius,
-                              const Rectangle& box, double gap) {
+                              const Box& box, double gap) {
   std::vector<Pair> pairs;
   if (x.empty()) return pairs;
   const double largest = *std::max_element(radius.begin(), radius.end());

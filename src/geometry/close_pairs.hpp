@@ -3,13 +3,9 @@
 #include <span>
 #include <vector>
 
-namespace arenite::geometry {
+#include "geometry/box.hpp"
 
-/// A rectangle from (x0, y0); a direction may be periodic.
-struct Rectangle {
-  double x0 = 0, y0 = 0, width = 0, height = 0;
-  bool periodic_x = false, periodic_y = false;
-};
+namespace arenite::geometry {
 
 struct Pair {
   std::int32_t i, j;  ///< i < j
@@ -18,6 +14,6 @@ struct Pair {
 /// Every pair of disks whose surface gap (nearest image) is at most `gap`, sorted by (i, j). Cells are as wide as the
 /// largest disk plus the gap, so the cost is linear in the number of disks unless sizes differ by orders.
 std::vector<Pair> close_pairs(std::span<const double> x, std::span<const double> y, std::span<const double> radius,
-                              const Rectangle& box, double gap);
+                              const Box& box, double gap);
 
 }  // namespace arenite::geometry

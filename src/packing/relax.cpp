@@ -30,7 +30,7 @@ struct Relaxation {
   }
 
   void list_pairs() {
-    const geometry::Rectangle box{domain.wall[left].position, domain.wall[bottom].position, domain.width(), domain.height(),
+    const geometry::Box box{domain.wall[left].position, domain.wall[bottom].position, domain.width(), domain.height(),
                                   domain.periodic_x, domain.periodic_y};
     pairs = geometry::close_pairs(grains.x, grains.y, grains.radius, box, skin);
     listed_at.resize(grains.size());

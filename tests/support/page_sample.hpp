@@ -15,7 +15,7 @@ namespace arenite::test {
 /// equilibrium, so squeezing the box and relaxing gives true states of loading in a moment.
 inline Contacts elastic_contacts(const Grains& grains, const Domain& domain, double stiffness) {
   Contacts contacts;
-  const geometry::Rectangle box{0, domain.wall[bottom].position, domain.width(), domain.height()};
+  const geometry::Box box{0, domain.wall[bottom].position, domain.width(), domain.height()};
   for (const auto& [i, j] : geometry::close_pairs(grains.x, grains.y, grains.radius, box, 0)) {
     const Vec2 d = grains.centre(static_cast<std::size_t>(i)) - grains.centre(static_cast<std::size_t>(j));
     const double ri = grains.radius[static_cast<std::size_t>(i)], rj = grains.radius[static_cast<std::size_t>(j)];

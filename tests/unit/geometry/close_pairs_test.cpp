@@ -11,7 +11,7 @@ namespace arenite::geometry {
 namespace {
 
 std::vector<Pair> by_brute_force(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& r,
-                                 const Rectangle& box, double gap) {
+                                 const Box& box, double gap) {
   std::vector<Pair> pairs;
   for (int i = 0; i < static_cast<int>(x.size()); ++i)
     for (int j = i + 1; j < static_cast<int>(x.size()); ++j) {
@@ -32,7 +32,7 @@ bool same(const std::vector<Pair>& a, const std::vector<Pair>& b) {
 RC_GTEST_PROP(ClosePairs, AreThoseThatComparingAllWithAllFinds, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
   const auto n = *rc::gen::inRange(0, 120);
-  const Rectangle box{-1, 2, *rc::gen::element(3.0, 10.0, 40.0), *rc::gen::element(3.0, 8.0, 30.0),
+  const Box box{-1, 2, *rc::gen::element(3.0, 10.0, 40.0), *rc::gen::element(3.0, 8.0, 30.0),
                       *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
   RandomStream random(seed, Purpose::test);
   std::vector<double> x, y, r;
