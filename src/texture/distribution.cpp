@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace arenite::texture {
 namespace {
@@ -18,44 +17,6 @@ double share_beyond(const Items& items, const std::vector<double>& value, double
   double above = 0;
   for (const std::size_t i : items) above += value[i] / mean > 1;
   return above / static_cast<double>(items.size());
-}
-
-struct Line {
-  double slope = unknown, slope_error = unknown, r2 = unknown;
-};
-
-Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
-  const double n = static_cast<double>(x.size());
-  if (x.size() < 3) return {};
-  double mx = 0, my = 0, xx = 0, xy = 0, yy = 0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    mx += x[k] / n;
-    my += y[k] / n;
-  }
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    xx += (x[k] - mx) * (x[k] - mx);
-    xy += (x[k] - mx) * (y[k] - my);
-    yy += (y[k] - my) * (y[k] - my);
-  }
-  if (xx <= 0 || yy <= 0) return {};
-  const double slope = xy / xx, residual = std::max(0.0, yy - slope * xy);
-  return {slope, std::sqrt(residual / (n - 2) / xx), 1 - residual / yy};
-}
-
-/// Vuong's comparison of two fits of the excesses y > 0: exponential of rate beta, half-Gaussian of the same data.
-void compare_with_half_gaussian(const std::vector<double>& y, double beta, ExponentialTail& tail) {
-  double variance = 0;
-  const double n = static_cast<double>(y.size());
-  for (const double v : y) variance += v * v / n;
-  double sum = 0, squares = 0;
-  for (const double v : y) {
-    const double lead = (std::log(beta) - beta * v) - (0.5 * std::log(2 / (std::numbers::pi * variance)) - v * v / (2 * variance));
-    sum += lead;
-    squares += lead * lead;
-  }
-  const double spread = std::sqrt(std::max(0.0, squares - sum * sum / n));
-  tail.likelihood_ratio = sum;
-  if (spread > 0) tail.p_value = 0.5 * std::erfc(sum / spread / std::numbers::sqrt2);
 }
 
 Curve density(const std::vector<double>& sorted) {
@@ -97,28 +58,6 @@ void relate(Distribution& d) {
 }
 
 }  // namespace
-
-ExponentialTail exponential_tail(const std::vector<double>& sorted) {
-  ExponentialTail tail;
-  const auto first = std::upper_bound(sorted.begin(), sorted.end(), 1.0);
-  std::vector<double> excess, logarithm;
-  double sum = 0;
-  const double n = static_cast<double>(sorted.size());
-  for (auto it = first; it != sorted.end(); ++it) {
-    excess.push_back(*it - 1);
-    logarithm.push_back(std::log((static_cast<double>(sorted.end() - it) - 0.5) / n));
-    sum += excess.back();
-  }
-  tail.count = excess.size();
-  if (tail.count < 2) return tail;
-  const double count = static_cast<double>(tail.count), beta = count / sum;
-  tail.beta = {beta, beta / std::sqrt(count)};
-  const Line line = fit_line(excess, logarithm);
-  tail.line_beta = {-line.slope, line.slope_error};
-  tail.line_r2 = line.r2;
-  compare_with_half_gaussian(excess, beta, tail);
-  return tail;
-}
 
 PowerLaw weak_power_law(const std::vector<double>& sorted) {
   PowerLaw law;

@@ -6,9 +6,7 @@
 
 namespace arenite::texture {
 
-/// Exponential tail of x beyond 1: maximum likelihood, straight line through ln of the cumulative, and the likelihood
-/// ratio against a half-Gaussian (Vuong's test). `sorted` rises; shares refer to all of its values.
-ExponentialTail exponential_tail(const std::vector<double>& sorted);
+using statistics::exponential_tail;
 
 /// Power law k x^-alpha of 0 < x < 1 by maximum likelihood.
 PowerLaw weak_power_law(const std::vector<double>& sorted);

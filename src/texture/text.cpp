@@ -1,54 +1,16 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
+#include "statistics/text.hpp"
 #include "texture/texture.hpp"
 
 namespace arenite::texture {
 namespace {
 
-/// "value +- error" with two digits of the error, and the value to the same place.
-std::string with_error(const Estimate& e, double scale = 1) {
-  const double value = e.value * scale, error = e.error * scale;
-  if (!std::isfinite(error)) return fmt::format("{:.4g}", value);
-  if (error < 1e-4 || error >= 1e5 || std::abs(value) >= 1e6) return fmt::format("{:.4g} +- {:.2g}", value, error);
-  const int places = std::max(0, 1 - static_cast<int>(std::floor(std::log10(error))));
-  return fmt::format("{:.{}f} +- {:.{}f}", value, places, error, places);
-}
-
-/// Unit in which stresses of this size are read easily.
-struct StressUnit {
-  const char* name;
-  double scale;
-};
-
-StressUnit stress_unit(double size) {
-  if (size >= 1e5) return {"MPa", 1e-6};
-  if (size >= 1e2) return {"kPa", 1e-3};
-  return {"Pa", 1};
-}
-
-/// Rows "name  value", the values in one column, then notes.
-class Lines {
- public:
-  void put(std::string name, std::string value) { rows_.emplace_back(std::move(name), std::move(value)); }
-  void put(const std::string& name, const Estimate& e, const std::string& unit = "", double scale = 1) {
-    if (std::isfinite(e.value)) put(name, with_error(e, scale) + (unit.empty() ? "" : " ") + unit);
-  }
-  void note(const std::string& text) { notes_ += "note: " + text + "\n"; }
-  std::string text() const {
-    std::size_t width = 34;
-    for (const auto& [name, value] : rows_) width = std::max(width, name.size());
-    std::string text;
-    for (const auto& [name, value] : rows_) text += fmt::format("{:<{}} {}\n", name, width, value);
-    return text + notes_;
-  }
-
- private:
-  std::vector<std::pair<std::string, std::string>> rows_;
-  std::string notes_;
-};
+using statistics::Lines;
+using statistics::stress_unit;
+using statistics::with_error;
 
 void put_fabric(Lines& lines, const std::string& name, const Fabric& f) {
   lines.put("a_c, theta_c (" + name + ")", fmt::format("{}, {} deg; random directions give {:.2g}", with_error(f.a_c), with_error(f.theta_c_deg), f.noise));

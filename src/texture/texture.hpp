@@ -6,9 +6,18 @@
 #include <vector>
 
 #include "model/packing.hpp"
-#include "texture/estimate.hpp"
+#include "statistics/estimate.hpp"
+#include "statistics/exponential_tail.hpp"
 
 namespace arenite::texture {
+
+using statistics::ByName;
+using statistics::Curve;
+using statistics::Estimate;
+using statistics::ExponentialTail;
+using statistics::TensorEstimate;
+using statistics::find;
+using statistics::unknown;
 
 /// Choices that the definitions leave open (science: T 1.2, 3.2.4, 4.3.1).
 struct Options {
@@ -70,16 +79,6 @@ struct Fabric {
 struct ThresholdCurve {
   std::vector<double> threshold;       ///< F/<F>
   std::vector<double> below, below_noise, above, above_noise;  ///< NaN where fewer than 10 contacts are left
-};
-
-/// Exponential tail beyond the mean, x > 1: P = P_0 exp(beta (1 - x)).
-struct ExponentialTail {
-  std::size_t count = 0;
-  Estimate beta;                       ///< maximum likelihood; error beta/sqrt(n)
-  Estimate line_beta;                  ///< straight line through ln of the cumulative
-  double line_r2 = unknown;
-  double likelihood_ratio = unknown;   ///< ln L(exponential) - ln L(half-Gaussian)
-  double p_value = unknown;            ///< that the exponential's lead is chance (Vuong's test, one-sided)
 };
 
 /// Power law of the weak values, x < 1: pdf k x^-alpha.

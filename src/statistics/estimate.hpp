@@ -7,13 +7,13 @@
 
 #include "core/vec2.hpp"
 
-namespace arenite::texture {
+namespace arenite::statistics {
 
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// A statistic and its standard error; NaN where it is not known. Errors of means over grains and contacts come from
-/// leaving out one block of the window at a time (jackknife over blocks, see blocks.hpp), which holds for neighbours
-/// that are not independent; errors of maximum-likelihood fits are those of the likelihood.
+/// A statistic and its standard error; NaN where it is not known. Errors of means over grains, contacts and nodes come
+/// from leaving out one block of the sample at a time (jackknife.hpp), which holds for neighbours that are not
+/// independent; those of maximum-likelihood fits to grains and contacts are those of the likelihood.
 struct Estimate {
   double value = unknown, error = unknown;
 };
@@ -41,4 +41,4 @@ const T* find(const ByName<T>& values, std::string_view name) {
   return nullptr;
 }
 
-}  // namespace arenite::texture
+}  // namespace arenite::statistics
