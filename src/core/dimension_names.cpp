@@ -30,6 +30,7 @@ constexpr std::array named_dimensions{
     NamedDimension{dimension::stiffness, "a force per length", "N/m"},
     NamedDimension{dimension::damping, "a damping coefficient", "N s/m"},
     NamedDimension{dimension::thermoelastic_factor, "a thermoelastic factor", "K/Pa"},
+    NamedDimension{dimension::toughness, "a fracture toughness", "Pa m^0.5"},
 };
 
 const NamedDimension* find_name(Dimension d) {
@@ -44,7 +45,7 @@ const NamedDimension* find_name(Dimension d) {
 std::string si_unit(Dimension dimension) {
   if (const auto* named = find_name(dimension)) return std::string(named->unit);
   std::string text;
-  const std::array<std::pair<const char*, int>, 4> bases{
+  const std::array<std::pair<const char*, double>, 4> bases{
       {{"kg", dimension.mass}, {"m", dimension.length}, {"s", dimension.time}, {"K", dimension.temperature}}};
   for (const auto& [symbol, power] : bases) {
     if (power == 0) continue;

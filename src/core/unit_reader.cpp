@@ -81,8 +81,9 @@ Unit find_unit(std::string_view symbol) {
   unknown_unit(symbol);
 }
 
-Unit raised(Unit unit, int power) {
-  return {std::pow(unit.factor, power), unit.decade * power,
+Unit raised(Unit unit, double power) {
+  const double decade = unit.decade * power, whole = std::trunc(decade);
+  return {std::pow(unit.factor, power) * std::pow(10, decade - whole), static_cast<int>(whole),
           {unit.dimension.mass * power, unit.dimension.length * power, unit.dimension.time * power,
            unit.dimension.temperature * power}};
 }
@@ -92,7 +93,7 @@ Unit operator*(const Unit& a, const Unit& b) {
 }
 
 /// Recursive descent over: expression = factor {("*" | "·" | " " | "/") factor}; factor = (symbol | "(" expression
-/// ")") ["^" integer | superscript].
+/// ")") ["^" power | superscript]; a power is a whole number or ends in .5.
 class UnitReader {
  public:
   explicit UnitReader(std::string_view text) : text_(text), rest_(text) {}
@@ -167,16 +168,16 @@ class UnitReader {
     return found;
   }
 
-  int power() {
+  double power() {
     if (take("²")) return 2;
     if (take("³")) return 3;
     skip_spaces();
     if (!take("^")) return 1;
     skip_spaces();
-    int value = 0;
-    const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
-    if (error != std::errc{} || std::abs(value) > largest_power) {
-      fail(fmt::format("the power must be a whole number from -{0} to {0}", largest_power));
+    double value = 0;
+    const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value, std::chars_format::fixed);
+    if (error != std::errc{} || std::abs(value) > largest_power || std::trunc(2 * value) != 2 * value) {
+      fail(fmt::format("the power must be a whole number from -{0} to {0}, or a half such as 0.5", largest_power));
     }
     rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
     return value;

@@ -4,9 +4,9 @@
 
 namespace arenite {
 
-/// Integer exponents of the base units kg, m, s, K.
+/// Exponents of the base units kg, m, s, K; whole numbers and halves, which a double holds exactly.
 struct Dimension {
-  int mass = 0, length = 0, time = 0, temperature = 0;
+  double mass = 0, length = 0, time = 0, temperature = 0;
   constexpr bool operator==(const Dimension&) const = default;
 };
 constexpr Dimension operator*(Dimension a, Dimension b) {
@@ -23,6 +23,7 @@ inline constexpr Dimension velocity = length / time, acceleration = velocity / t
 inline constexpr Dimension force = mass * acceleration, pressure = force / area, energy = force * length;
 inline constexpr Dimension stiffness = force / length, damping = force / velocity;
 inline constexpr Dimension thermoelastic_factor = temperature / pressure;
+inline constexpr Dimension toughness{1, -0.5, -2, 0};
 }  // namespace dimension
 
 /// A unit such as "kN/mm": SI value = number * factor * 10^decade. The decade is kept apart so that "16.4 mm" is the
@@ -40,7 +41,8 @@ struct Quantity {
   bool has_unit = false;  ///< false for a bare number
 };
 
-/// Reads products, quotients and powers of units with SI prefixes: "kN/mm", "kg/m^3", "N s/m", "K/MPa", "%", "1/s".
+/// Reads products, quotients and powers of units with SI prefixes: "kN/mm", "kg/m^3", "N s/m", "K/MPa", "%", "1/s",
+/// "MPa m^0.5".
 /// Throws InputError (without place) for what it does not know, offering the nearest known unit.
 Unit parse_unit(std::string_view text);
 

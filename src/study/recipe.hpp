@@ -5,11 +5,18 @@
 #include <string_view>
 #include <vector>
 
+#include "cement/cement.hpp"
 #include "dem/parameters.hpp"
 #include "dem/stage.hpp"
 #include "model/material.hpp"
+#include "packing/bidisperse.hpp"
 #include "packing/population.hpp"
 #include "packing/region.hpp"
+#include "peridynamics/damage.hpp"
+#include "peridynamics/load.hpp"
+#include "raster/cavities.hpp"
+#include "raster/raster.hpp"
+#include "stress/stress.hpp"
 
 namespace arenite::study {
 
@@ -26,7 +33,7 @@ struct FrameParameters {
 };
 
 struct PackingParameters {
-  enum class Method { random, lattice, file };
+  enum class Method { random, lattice, file, poisson };
   Method method = Method::random;
   std::int64_t grains = 0;             ///< total, where populations give ratios
   std::string file;                    ///< CSV of centres, radii, materials
@@ -38,6 +45,65 @@ using dem::Cycles;
 using dem::RestCriterion;
 using dem::SideDrive;
 using dem::Stage;
+
+/// Two size classes for packing.method = "poisson", and the materials that they are made of.
+struct BidisperseSection {
+  packing::BidisperseParameters law;
+  std::string large = "large", small = "small";
+  bool operator==(const BidisperseSection&) const = default;
+};
+
+/// The binding matrix of the packing at the end of its stages.
+struct CementSection {
+  cement::CementParameters law;        ///< its gap is not used,
+  std::optional<double> gap;           ///< but this one, m; if not given, 0.075 mean large radii (P's 3 dx)
+  bool operator==(const CementSection&) const = default;
+};
+
+/// The nodes that the cemented packing is brought to, and the rules of its pores.
+struct RasterSection {
+  std::int64_t nodes = 1024;           ///< a side
+  std::optional<double> crop;          ///< side of the square, m; if not given, 25.6 mean large radii, or what fits
+  raster::CavityRules cavities;
+  bool operator==(const RasterSection&) const = default;
+};
+
+/// Moduli of the bonds, Pa; what is not given follows P Table I.
+struct StiffnessSection {
+  double matrix = 1e9;
+  std::optional<double> interface, particle;  ///< E_i = E_m, E_p = 4 E_m
+  bool calibrated = true;
+  bool operator==(const StiffnessSection&) const = default;
+  peridynamics::Stiffness resolved() const;
+};
+
+/// Fracture toughness of the bonds, Pa m^0.5; what is not given follows P Table I.
+struct ToughnessSection {
+  double matrix = 1e5;
+  std::optional<double> interface, particle;  ///< K_i = K_m, K_p = 3.5 K_m
+  bool operator==(const ToughnessSection&) const = default;
+  peridynamics::Toughness resolved() const;
+};
+
+/// One loading of the cemented sample by peridynamics.
+struct Load {
+  enum class Axis { y, x };
+  std::string name;
+  peridynamics::Loading loading = peridynamics::Loading::tension;
+  Axis axis = Axis::y;
+  peridynamics::LowerEdge lower = peridynamics::LowerEdge::fixed;
+  peridynamics::Method method = peridynamics::Method::static_solve;
+  double strain = 1e-4, tolerance = 1e-6;
+  std::int64_t max_iterations = 0;
+  bool exact_stretch = false;
+  bool moduli = false;                 ///< load it along both axes and in shear, too
+  bool failure = false;                ///< pull until it breaks
+  double max_strain = 0.1, end_stress = 0.1;
+  StiffnessSection stiffness;
+  ToughnessSection toughness;
+  stress::StressOptions statistics;
+  bool operator==(const Load&) const = default;
+};
 
 /// What a recipe says, checked and in SI. The declaration of every key (name, unit, range, sentence) is in
 /// study/recipe_keys.cpp; reading, checks, the resolved recipe and docs/recipe.md follow from it.
@@ -53,6 +119,11 @@ struct Recipe {
   dem::IntegrationParameters integration;
   std::optional<Region> glued;
   std::vector<Stage> stages;
+  std::optional<BidisperseSection> bidisperse;
+  std::optional<CementSection> cement;
+  std::optional<RasterSection> raster;
+  std::vector<Load> loads;
+  bool has_field() const { return cement || raster || !loads.empty(); }  ///< goes on to cement, raster and loads
   bool operator==(const Recipe&) const = default;
 };
 

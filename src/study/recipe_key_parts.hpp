@@ -11,5 +11,11 @@ void declare(ParameterVisitor& visitor, dem::IntegrationParameters& integration)
 void declare_materials(ParameterVisitor& visitor, Materials& materials);
 void declare(ParameterVisitor& visitor, Population& population, const Recipe& recipe);
 void declare(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
+void declare_bidisperse(ParameterVisitor& visitor, Recipe& recipe);
+void declare(ParameterVisitor& visitor, Load& load, const Recipe& recipe);
+/// Cement, raster and loads: what comes after loading by discrete elements.
+void declare_second_road(ParameterVisitor& visitor, Recipe& recipe);
+/// Letters, digits, _ and -: what names of stages and loads are made of.
+bool is_plain_name(const std::string& name);
 
 }  // namespace arenite::study

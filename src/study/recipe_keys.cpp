@@ -11,12 +11,14 @@ namespace {
 
 using Visitor = ParameterVisitor;
 
-void declare(Visitor& v, FrameParameters& frame) {
-  v.number({"width", "Inner width of the frame, or of the periodic cell.", true}, frame.width, "mm", range::positive);
-  std::optional<double> height = frame.height > 0 ? std::optional(frame.height) : std::nullopt;
-  v.number({"height", "Inner height at the start; if not given, fillings take the one that packing.solid_fraction asks for."},
-           height, "mm", range::positive);
-  frame.height = height.value_or(0);
+void declare(Visitor& v, FrameParameters& frame, PackingParameters::Method method) {
+  v.when(method != PackingParameters::Method::poisson, "packing.method other than \"poisson\", which makes its own box", [&](Visitor& inner) {
+    inner.number({"width", "Inner width of the frame, or of the periodic cell.", true}, frame.width, "mm", range::positive);
+    std::optional<double> height = frame.height > 0 ? std::optional(frame.height) : std::nullopt;
+    inner.number({"height", "Inner height at the start; if not given, fillings take the one that packing.solid_fraction asks for."},
+                 height, "mm", range::positive);
+    frame.height = height.value_or(0);
+  });
   v.number({"thickness", "Length of the cylinders, out of the plane.", true}, frame.thickness, "mm", range::positive);
   v.flag({"periodic_x", "Left and right side are one: no walls there."}, frame.periodic_x);
   v.flag({"periodic_y", "Bottom and top side are one: no walls there."}, frame.periodic_y);
@@ -27,8 +29,9 @@ void declare(Visitor& v, PackingParameters& packing) {
   v.choice({"method", "How the grains get their first places."}, packing.method,
            {{"random", "at random, then relaxed until overlaps vanish"},
             {"lattice", "stacked row on row as a triangular lattice"},
-            {"file", "as a CSV of centres, radii and materials says"}});
-  v.when(packing.method != Method::file, "method = \"random\" or \"lattice\"", [&](Visitor& inner) {
+            {"file", "as a CSV of centres, radii and materials says"},
+            {"poisson", "two size classes by fast Poisson disk sampling, as [bidisperse] says"}});
+  v.when(packing.method == Method::random || packing.method == Method::lattice, "method = \"random\" or \"lattice\"", [&](Visitor& inner) {
     inner.integer({"grains", "Total number of grains, where populations give ratios."}, packing.grains, {0, 100'000'000});
   });
   v.when(packing.method == Method::random, "method = \"random\"", [&](Visitor& inner) {
@@ -62,9 +65,11 @@ void declare(Visitor& v, Region& region, const FrameParameters& frame) {
 void require_grains(Visitor& v, const Recipe& recipe) {
   using Method = PackingParameters::Method;
   const auto& populations = recipe.populations;
-  const bool from_file = recipe.packing.method == Method::file;
-  v.require(from_file || !populations.empty(), {"populations", "packing"},
+  const bool from_file = recipe.packing.method == Method::file, sampled = recipe.packing.method == Method::poisson;
+  v.require(from_file || sampled || !populations.empty(), {"populations", "packing"},
             "is missing; say which grains there are in [[populations]], or read them with packing.method = \"file\"");
+  v.require(!sampled || populations.empty(), {"populations", "packing"},
+            "the grains come from [bidisperse]; leave out [[populations]], or choose another packing.method");
   v.require(!from_file || populations.empty(), {"populations", "packing"},
             "the grains come from packing.file; leave out [[populations]], or choose another packing.method");
   v.require(!from_file || recipe.frame.height > 0, {"frame"}, "grains from a file need a height; write height = \"... mm\"");
@@ -83,11 +88,13 @@ void declare(ParameterVisitor& v, Recipe& recipe) {
   v.integer({"seed", "Seed of all random numbers: the same seed gives the same sample."}, seed,
             {0, std::numeric_limits<std::int64_t>::max()});
   recipe.seed = static_cast<std::uint64_t>(seed);
-  v.section({"frame", "The frame that holds the grains.", true}, [&](Visitor& inner) { declare(inner, recipe.frame); });
+  v.section({"packing", "How the grains are put into the frame."}, [&](Visitor& inner) { declare(inner, recipe.packing); });
+  v.section({"frame", "The frame that holds the grains.", true},
+            [&](Visitor& inner) { declare(inner, recipe.frame, recipe.packing.method); });
   declare_materials(v, recipe.materials);
+  declare_bidisperse(v, recipe);
   v.list<Population>({"populations", "Grains of one material and one size law."}, recipe.populations,
                      [&](Visitor& inner, Population& population) { declare(inner, population, recipe); });
-  v.section({"packing", "How the grains are put into the frame."}, [&](Visitor& inner) { declare(inner, recipe.packing); });
   require_grains(v, recipe);
   v.section({"contact", "Forces between grains, and between grains and walls."},
             [&](Visitor& inner) { declare(inner, recipe.contact); });
@@ -98,6 +105,7 @@ void declare(ParameterVisitor& v, Recipe& recipe) {
             "there is nothing to glue with; set contact.adhesion and contact.surface_energy");
   v.list<Stage>({"stages", "Loading, stage after stage; each starts where the one before ended.", true}, recipe.stages,
                 [&](Visitor& inner, Stage& stage) { declare(inner, stage, recipe); });
+  declare_second_road(v, recipe);
 }
 
 }  // namespace arenite::study

@@ -60,13 +60,13 @@ void require_usable_sides(Visitor& v, const Stage& stage, const FrameParameters&
             fmt::format("cycles need a side under force; write {} = {{ force = \"...\" }} in this stage", stage.cycles->side));
 }
 
+}  // namespace
+
 bool is_plain_name(const std::string& name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   });
 }
-
-}  // namespace
 
 void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.text({"name", "Name of the stage, used for its file: letters, digits, _ and -.", true}, stage.name);

@@ -32,11 +32,36 @@ Recipe composite() {
   return recipe;
 }
 
+/// One sample of the paper (P II): gamma = 2.5, theta = 1.4, eta = 0.4, pressed to k_n/P = 10^4, then pulled.
+Recipe cemented() {
+  Recipe recipe;
+  recipe.title = "Cemented disks of two sizes, pulled";
+  recipe.packing.method = PackingParameters::Method::poisson;
+  recipe.bidisperse.emplace();
+  recipe.bidisperse->law.large_radius = 1e-3;
+  recipe.frame.thickness = 0.01;
+  recipe.materials = {{"large", 2500, 1e6, 0}, {"small", 2500, 1e6, 0}};
+  recipe.contact.friction_law = dem::FrictionLaw::cundall_strack;
+  recipe.contact.friction = 0.3;
+  recipe.contact.restitution = 0.5;
+  Stage compact;
+  compact.name = "compact";
+  compact.side[right] = compact.side[top] = {SideDrive::Kind::pressure, 1e4};
+  recipe.stages = {compact};
+  recipe.cement.emplace();
+  recipe.raster.emplace();
+  Load tension;
+  tension.name = "tension";
+  recipe.loads = {tension};
+  return recipe;
+}
+
 }  // namespace
 
 const std::vector<RecipeTemplate>& recipe_templates() {
   static const std::vector<RecipeTemplate> list{
       {"composite", "two materials in a rigid frame, compacted by the lower wall", composite},
+      {"cemented", "two sizes of grains bound by a matrix, pulled, with the stress in every node", cemented},
   };
   return list;
 }

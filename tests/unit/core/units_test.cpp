@@ -62,6 +62,16 @@ TEST(Units, WrongDimensionNamesBoth) {
   EXPECT_EQ(refusal("1 mm", dimension::none), "\"1 mm\" is a length (m), but a number without unit is needed");
 }
 
+TEST(Units, HalfPowersSpeakOfToughness) {
+  EXPECT_EQ(parse_si("2.5 MPa m^0.5", dimension::toughness), 2.5e6);
+  EXPECT_NEAR(parse_si("1 MPa mm^0.5", dimension::toughness), 31622.7766, 1e-4);
+  EXPECT_EQ(parse_si("4 m^0.5", parse_unit("km^0.5").dimension), 4);
+  EXPECT_EQ(format_quantity(2.5e6, "MPa m^0.5"), "2.5 MPa m^0.5");
+  EXPECT_EQ(refusal("1 MPa", dimension::toughness),
+            "\"1 MPa\" is a pressure (Pa), but a fracture toughness (Pa m^0.5) is needed; write it in Pa m^0.5");
+  EXPECT_NE(refusal("1 m^0.3", dimension::toughness).find("or a half"), std::string::npos);
+}
+
 TEST(Units, UnknownUnitOffersTheNearest) {
   EXPECT_EQ(refusal("5 kNn", dimension::force), "unknown unit \"kNn\"; did you mean kN?");
   EXPECT_EQ(refusal("5 mpa", dimension::pressure), "unknown unit \"mpa\"; did you mean mPa?");
@@ -79,6 +89,7 @@ TEST(Units, WhatIsNoQuantityIsRefusedWithAReason) {
   EXPECT_NE(refusal("5 N/m s", dimension::force).find("brackets"), std::string::npos);
   EXPECT_NE(refusal("5 m^", dimension::area).find("power"), std::string::npos);
   EXPECT_NE(refusal("5 m^99", dimension::area).find("power"), std::string::npos);
+  EXPECT_NE(refusal("5 m^nan", dimension::area).find("power"), std::string::npos);
   EXPECT_NE(refusal("5 (m", dimension::length).find("bracket"), std::string::npos);
   EXPECT_NE(refusal("5 m)", dimension::length).find("unexpected"), std::string::npos);
   EXPECT_NE(refusal("5 m/", dimension::length).find("missing"), std::string::npos);

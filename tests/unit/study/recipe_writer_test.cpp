@@ -58,6 +58,61 @@ Stage any_stage(int index, bool has_adhesion) {
   return stage;
 }
 
+CementSection any_cement() {
+  using Kind = cement::CementParameters::Kind;
+  CementSection cement;
+  cement.gap = maybe(any_number(1e-4));
+  cement.law.kind = any_of<Kind>(5);
+  const bool is_free = cement.law.kind != Kind::none && cement.law.kind != Kind::full;
+  if (is_free) cement.law.saturation = maybe(any_number(0.3));
+  if (cement.law.kind == Kind::bridges) cement.law.full_width = *rc::gen::arbitrary<bool>();
+  if (cement.law.saturation) return cement;
+  if (cement.law.kind == Kind::bridges) cement.law.width = any_number(0.2);
+  if (cement.law.kind == Kind::coating) cement.law.thickness = any_number(1e-4);
+  if (cement.law.kind == Kind::menisci) cement.law.volume = any_number(1e-8);
+  return cement;
+}
+
+RasterSection any_raster() {
+  return {*rc::gen::inRange(7, 4000), maybe(any_number(0.02)), {*rc::gen::arbitrary<bool>(), *rc::gen::inRange(1, 9), *rc::gen::arbitrary<bool>()}};
+}
+
+Load any_load(int index) {
+  Load load;
+  load.name = "load-" + std::to_string(index);
+  load.axis = any_of<Load::Axis>(2);
+  load.tolerance = any_number(1e-7);
+  load.stiffness = {any_number(1e9), maybe(any_number(1e9)), maybe(any_number(1e9)), *rc::gen::arbitrary<bool>()};
+  load.statistics = {*rc::gen::inRange(0, 9), *rc::gen::arbitrary<bool>()};
+  load.failure = *rc::gen::arbitrary<bool>();
+  if (load.failure) {
+    load.max_strain = any_number(0.1);
+    load.end_stress = any_number(0.1);
+    load.toughness = {any_number(1e5), maybe(any_number(1e5)), maybe(any_number(1e5))};
+    return load;
+  }
+  load.loading = any_of<peridynamics::Loading>(3);
+  if (load.loading != peridynamics::Loading::shear) load.lower = any_of<peridynamics::LowerEdge>(2);
+  load.strain = any_number(1e-3);
+  load.method = any_of<peridynamics::Method>(3);
+  load.exact_stretch = *rc::gen::arbitrary<bool>();
+  load.moduli = *rc::gen::arbitrary<bool>();
+  load.max_iterations = *rc::gen::inRange(0, 1000);
+  return load;
+}
+
+/// Two size classes instead of populations.
+void sample_two_classes(Recipe& recipe) {
+  recipe.packing = {};
+  recipe.packing.method = PackingParameters::Method::poisson;
+  recipe.frame.width = recipe.frame.height = 0;
+  recipe.populations.clear();
+  recipe.bidisperse = BidisperseSection{
+      {any_number(1e-3), any_number(1), any_number(1), any_number(0.1), any_number(0.5), *rc::gen::arbitrary<bool>(),
+       *rc::gen::arbitrary<bool>(), any_number(100), *rc::gen::inRange(1, 100)},
+      "B c", "A"};
+}
+
 Recipe any_recipe() {
   Recipe recipe;
   recipe.source_file = "r.toml";
@@ -91,6 +146,10 @@ Recipe any_recipe() {
   const bool has_adhesion = contact.adhesion != dem::Adhesion::none;
   if (has_adhesion) recipe.glued = maybe(Region{Region::Shape::rectangle, 0.1, 0.1, 0, any_number(0.01), any_number(0.01), {}});
   for (int i = 0; i < *rc::gen::inRange(1, 4); ++i) recipe.stages.push_back(any_stage(i, has_adhesion));
+  if (*rc::gen::arbitrary<bool>()) sample_two_classes(recipe);
+  recipe.cement = maybe(any_cement());
+  recipe.raster = maybe(any_raster());
+  for (int i = 0; i < *rc::gen::inRange(0, 3); ++i) recipe.loads.push_back(any_load(i));
   return recipe;
 }
 
