@@ -28,12 +28,14 @@ std::string unused_name();
 /// How numbers lie in the file (lowest byte first on every machine), and how in memory.
 template <class T> hid_t stored_type();
 template <> inline hid_t stored_type<double>() { return H5T_IEEE_F64LE; }
+template <> inline hid_t stored_type<float>() { return H5T_IEEE_F32LE; }
 template <> inline hid_t stored_type<std::int32_t>() { return H5T_STD_I32LE; }
 template <> inline hid_t stored_type<std::int64_t>() { return H5T_STD_I64LE; }
 template <> inline hid_t stored_type<std::uint64_t>() { return H5T_STD_U64LE; }
 template <> inline hid_t stored_type<std::uint8_t>() { return H5T_STD_U8LE; }
 template <class T> hid_t native_type();
 template <> inline hid_t native_type<double>() { return H5T_NATIVE_DOUBLE; }
+template <> inline hid_t native_type<float>() { return H5T_NATIVE_FLOAT; }
 template <> inline hid_t native_type<std::int32_t>() { return H5T_NATIVE_INT32; }
 template <> inline hid_t native_type<std::int64_t>() { return H5T_NATIVE_INT64; }
 template <> inline hid_t native_type<std::uint64_t>() { return H5T_NATIVE_UINT64; }

@@ -27,6 +27,21 @@ std::vector<T> read_array(const Hdf5Reader& at, hid_t group, const std::string& 
   return values;
 }
 
+template <class T>
+std::vector<T> read_grid(const Hdf5Reader& at, hid_t group, const std::string& name, int rows, int columns) {
+  const auto set = own(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!set) at.refuse(fmt::format("has no array \"{}\"", name));
+  const auto space = own(H5Dget_space(*set), H5Sclose);
+  hsize_t size[2] = {0, 0};
+  if (!space || H5Sget_simple_extent_ndims(*space) != 2 || H5Sget_simple_extent_dims(*space, size, nullptr) < 0 ||
+      size[0] != static_cast<hsize_t>(rows) || size[1] != static_cast<hsize_t>(columns))
+    at.refuse(fmt::format("holds \"{}\", which is not an array of {} rows and {} columns", name, rows, columns));
+  std::vector<T> values(size[0] * size[1]);
+  if (!values.empty() && H5Dread(*set, native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+    at.refuse(fmt::format("holds an array \"{}\" that cannot be read", name));
+  return values;
+}
+
 Hdf5Handle open_attribute(const Hdf5Reader& at, hid_t owner, const std::string& name) {
   auto attribute = own(H5Aopen(owner, name.c_str(), H5P_DEFAULT), H5Aclose);
   if (!attribute) at.refuse(fmt::format("has no attribute \"{}\"", name));
@@ -108,6 +123,17 @@ std::vector<double> Hdf5Reader::doubles(const std::string& name) const { return 
 std::vector<std::int32_t> Hdf5Reader::int32s(const std::string& name) const { return read_array<std::int32_t>(*this, *id_, name); }
 std::vector<std::int64_t> Hdf5Reader::int64s(const std::string& name) const { return read_array<std::int64_t>(*this, *id_, name); }
 std::vector<std::uint8_t> Hdf5Reader::bytes(const std::string& name) const { return read_array<std::uint8_t>(*this, *id_, name); }
+
+std::vector<double> Hdf5Reader::image(const std::string& name, int rows, int columns) const {
+  const auto single = read_grid<float>(*this, *id_, name, rows, columns);
+  return {single.begin(), single.end()};
+}
+std::vector<std::int32_t> Hdf5Reader::image_of_int32s(const std::string& name, int rows, int columns) const {
+  return read_grid<std::int32_t>(*this, *id_, name, rows, columns);
+}
+std::vector<std::uint8_t> Hdf5Reader::image_of_bytes(const std::string& name, int rows, int columns) const {
+  return read_grid<std::uint8_t>(*this, *id_, name, rows, columns);
+}
 
 std::string Hdf5Reader::unit(const std::string& name) const {
   const auto set = own(H5Dopen2(*id_, name.c_str(), H5P_DEFAULT), H5Dclose);

@@ -21,6 +21,10 @@ class Hdf5Reader {
   std::vector<std::int32_t> int32s(const std::string& name) const;
   std::vector<std::int64_t> int64s(const std::string& name) const;
   std::vector<std::uint8_t> bytes(const std::string& name) const;
+  /// Two-dimensional arrays of this shape, row after row.
+  std::vector<double> image(const std::string& name, int rows, int columns) const;
+  std::vector<std::int32_t> image_of_int32s(const std::string& name, int rows, int columns) const;
+  std::vector<std::uint8_t> image_of_bytes(const std::string& name, int rows, int columns) const;
   std::string unit(const std::string& name) const;   ///< of an array
   std::string text(const std::string& name) const;   ///< written by write_text
   double number(const std::string& name) const;      ///< attribute

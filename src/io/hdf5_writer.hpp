@@ -21,6 +21,11 @@ class Hdf5Writer {
   void write(const std::string& name, const std::vector<std::int32_t>& values, const std::string& unit = "1") const;
   void write(const std::string& name, const std::vector<std::int64_t>& values, const std::string& unit = "1") const;
   void write(const std::string& name, const std::vector<std::uint8_t>& values, const std::string& unit = "1") const;
+  /// Two-dimensional arrays, row after row. Numbers of a field are stored in single precision.
+  struct Shape { int rows = 0, columns = 0; };
+  void write_image(const std::string& name, const std::vector<double>& values, Shape shape, const std::string& unit) const;
+  void write_image(const std::string& name, const std::vector<std::int32_t>& values, Shape shape) const;
+  void write_image(const std::string& name, const std::vector<std::uint8_t>& values, Shape shape) const;
   void write_text(const std::string& name, std::string_view text) const;   ///< any length, UTF-8
   void set(const std::string& name, double value) const;                   ///< attribute
   void set(const std::string& name, std::int64_t value) const;

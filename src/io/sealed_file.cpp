@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <fstream>
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
@@ -67,6 +68,15 @@ void check_seal(std::string_view bytes, std::string_view kind, const std::filesy
 void write_sealed(const std::filesystem::path& path, std::string_view kind, std::string bytes) {
   seal(bytes, kind);
   write_atomically(path, bytes);
+}
+
+std::string sealed_kind(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  constexpr std::string_view ours = "arenite ", then = " format ";
+  if (!std::getline(file, line) || !line.starts_with(ours)) return {};
+  const auto end = line.find(then, ours.size());
+  return end == std::string::npos ? std::string() : line.substr(ours.size(), end - ours.size());
 }
 
 std::string read_sealed(const std::filesystem::path& path, std::string_view kind) {

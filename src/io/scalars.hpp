@@ -1,0 +1,26 @@
+#pragma once
+#include <array>
+
+#include "io/hdf5_reader.hpp"
+#include "io/hdf5_writer.hpp"
+
+namespace arenite::io {
+
+/// A number of a struct, stored as an attribute of this name.
+template <class Owner>
+struct Scalar {
+  const char* name;
+  double Owner::*member;
+};
+
+template <class Owner, std::size_t n>
+void write_scalars(const Hdf5Writer& at, const std::array<Scalar<Owner>, n>& scalars, const Owner& from) {
+  for (const auto& s : scalars) at.set(s.name, from.*s.member);
+}
+
+template <class Owner, std::size_t n>
+void read_scalars(const Hdf5Reader& at, const std::array<Scalar<Owner>, n>& scalars, Owner& into) {
+  for (const auto& s : scalars) into.*s.member = at.number(s.name);
+}
+
+}  // namespace arenite::io
