@@ -6,21 +6,17 @@
 #include "model/stress_field.hpp"
 #include "peridynamics/bonds.hpp"
 #include "peridynamics/cut.hpp"
+#include "peridynamics/loading.hpp"
+#include "peridynamics/overstretch.hpp"
+#include "peridynamics/watch.hpp"
 
 namespace arenite::peridynamics {
-
-/// Fracture toughness of the bond types, Pa m^0.5 (P Table I: K_p = 3.5 K_m, K_i = K_m; K_m sets the load scale).
-struct Toughness {
-  double matrix = 1, interface = 1, particle = 3.5;
-};
-
-/// Stretch at which a bond of Young modulus E and toughness K breaks: sqrt(4 pi G/(9 E h)), G = K^2/E, h = 3 dx, plane
-/// stress.
-double critical_stretch(double toughness, double young, double dx);
 
 struct DamageOptions {
   Stiffness stiffness{};
   Toughness toughness{};
+  Loading loading = Loading::tension;
+  LowerEdge lower = LowerEdge::fixed;
   std::vector<Cut> cuts{};
   double tolerance = 1e-6;  ///< of each static solve
   double max_strain = 1;    ///< the pull ends here,
@@ -28,11 +24,12 @@ struct DamageOptions {
   int max_events = 10'000;  ///< or after so many rounds of breaking
   /// Bonds within this share of the most overstretched break in the same round.
   double band = 0.05;
+  Watch watch{};
 };
 
 /// One state of the pull: before a round of breaking, so that loads climb and drop as the machine would see them.
 struct DamageState {
-  double strain = 0, stress = 0;  ///< stress of the top row, Pa
+  double strain = 0, stress = 0;  ///< of the top row along its way (loading.hpp), Pa: positive while it is resisted
   double work = 0;                ///< done by the clamp so far; all energies per unit thickness, J/m
   double elastic = 0;
   double released = 0;     ///< elastic energy lost when bonds broke at fixed displacement
@@ -54,11 +51,13 @@ struct DamageResult {
     strain_reached,
     events_reached,
     not_converged,
+    stopped,
     no_path
   } ending = Ending::no_path;
   std::string sentence;
   std::vector<DamageState> curve;
   std::vector<BrokenBond> broken;  ///< in order
+  StressField at_strength;         ///< the field when the stress was largest; size 0 if nothing carried
   double strength = 0;             ///< largest stress, Pa
   double modulus = 0;              ///< of the whole sample, Pa
   /// Largest |work - elastic - released| over the work: work from the clamp's force, energies from the bonds.
@@ -66,8 +65,14 @@ struct DamageResult {
   int solves = 0, iterations = 0;
 };
 
-/// Pulls the top row up, quasi-statically, breaking bonds as they reach the critical stretch of their type. Loads are
-/// found, not stepped: between two breaks the response is linear, so the next break is known exactly.
+/// How a pull ended and what came of it, in words.
+std::string sentence_of(const DamageResult& result);
+
+/// Moves the top row, quasi-statically, breaking bonds as they reach the critical stretch of their type. Loads are
+/// found, not stepped: between two breaks the response is linear, so the next break is known exactly. Bonds break in
+/// stretch only, under compression and shear too; broken faces do not touch again. Under compression a sample splits
+/// into columns, which carry on: bound such a run by its strain or its rounds. Throws InputError for a map or
+/// options that make no sense.
 DamageResult pull_to_failure(const PhaseMap& map, const DamageOptions& options);
 
 }  // namespace arenite::peridynamics

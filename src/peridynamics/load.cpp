@@ -28,14 +28,10 @@ struct Specimen {
   Vec2 top_displacement;
 
   Specimen(const PhaseMap& m, const LoadOptions& o) : map(m), options(o), bonds(make_bonds(m, o.stiffness)) {
-    prescribed.assign(static_cast<std::size_t>(map.height), nothing_prescribed);
-    prescribed.front() = o.lower == LowerEdge::sliding ? y_prescribed : both_prescribed;
-    prescribed.back() = both_prescribed;
+    prescribed = prescribed_rows(map.height, o.loading, o.lower);
     pieces = cut_into_pieces(map, bonds, prescribed);
     support = prune(bonds, pieces, prescribed, tie);
-    const double travel = o.strain * gauge();
-    top_displacement =
-        o.loading == Loading::shear ? Vec2{travel, 0} : Vec2{0, o.loading == Loading::tension ? travel : -travel};
+    top_displacement = o.strain * gauge() * direction_of(o.loading);
   }
 
   double gauge() const { return (map.height - 1) * map.dx; }
@@ -70,11 +66,12 @@ StaticReport find_equilibrium(Specimen& s, Field<double>& u) {
   if (o.method == Method::static_solve) {
     const int most = o.max_iterations > 0 ? o.max_iterations : 50;
     StaticSolver solver(s.bonds, std::move(s.pieces), s.prescribed);
-    return o.exact_stretch ? solve_exact_stretch(s.bonds, s.map.dx, s.prescribed, solver, u, o.tolerance, most)
-                           : solver.solve(s.bonds, u, o.tolerance, most);
+    return o.exact_stretch
+               ? solve_exact_stretch(s.bonds, s.map.dx, s.prescribed, solver, u, o.tolerance, most, o.watch)
+               : solver.solve(s.bonds, u, o.tolerance, most, o.watch);
   }
-  const Dynamics dynamics{s.bonds,         s.prescribed, s.map.dx,
-                          o.exact_stretch, o.tolerance,  o.max_iterations > 0 ? o.max_iterations : 1'000'000};
+  const int most = o.max_iterations > 0 ? o.max_iterations : 1'000'000;
+  const Dynamics dynamics{s.bonds, s.prescribed, s.map.dx, o.exact_stretch, o.tolerance, most, o.watch};
   return o.method == Method::relaxation ? adaptive_relaxation(dynamics, u) : damped_dynamics(dynamics, u);
 }
 
@@ -130,6 +127,9 @@ std::string sentence_of(const LoadReport& r, const LoadOptions& o) {
     case Ending::solved:
       text = fmt::format("equilibrium to a relative residual of {:.1e} in {} iterations", r.residual, r.iterations);
       break;
+    case Ending::stopped:
+      text = fmt::format("stopped at a relative residual of {:.1e} after {} iterations", r.residual, r.iterations);
+      break;
     case Ending::not_converged:
       text = fmt::format("no equilibrium: relative residual {:.1e} after {} iterations, {:.0e} was asked for",
                          r.residual, r.iterations, o.tolerance);
@@ -154,8 +154,6 @@ void check(const LoadOptions& o) {
   if (!(o.strain > 0) || !(o.strain < 1))
     throw InputError(
         fmt::format("the strain is {:g}; give one between 0 and 1 (the loading says its direction)", o.strain));
-  if (o.loading == Loading::shear && o.lower == LowerEdge::sliding)
-    throw InputError("a lower edge that slides carries no shear; fix it, or choose tension or compression");
   if (!(o.tolerance > 0) || !(o.tolerance < 1))
     throw InputError(fmt::format("the tolerance of the residual is {:g}; give one between 0 and 1", o.tolerance));
 }
@@ -171,14 +169,14 @@ LoadResult load(const PhaseMap& map, const LoadOptions& options) {
   Field<double> u = s.first_guess();
   if (s.support.carrying > 0) {
     StaticReport solved = find_equilibrium(s, u);
-    r.ending = solved.converged ? Ending::solved : Ending::not_converged;
+    r.ending = solved.converged ? Ending::solved : solved.stopped ? Ending::stopped : Ending::not_converged;
     r.iterations = solved.iterations;
     r.residual = solved.residual;
     r.history = std::move(solved.history);
     r.loose_nodes = solved.loose_nodes;
     r.coarse_unknowns = solved.coarse_unknowns;
     r.repairs = solved.repairs;
-    const bool suspicious = !solved.converged || solved.loose_nodes > 0 ||
+    const bool suspicious = r.ending == Ending::not_converged || solved.loose_nodes > 0 ||
                             (options.method == Method::static_solve && solved.iterations > 25);
     if (options.look_for_hinges || suspicious) r.hinges = find_hinges(s.bonds);
   } else {

@@ -1,20 +1,15 @@
 #pragma once
 #include <string>
 
-#include "core/vec2.hpp"
 #include "model/phase_map.hpp"
 #include "model/stress_field.hpp"
 #include "peridynamics/bonds.hpp"
 #include "peridynamics/hinges.hpp"
+#include "peridynamics/loading.hpp"
 #include "peridynamics/support.hpp"
+#include "peridynamics/watch.hpp"
 
 namespace arenite::peridynamics {
-
-/// How the top row of nodes is moved against the bottom row: up, down, or to the right.
-enum class Loading { tension, compression, shear };
-
-/// What holds the bottom row: both components fixed, or free to slide along x (the top row is always held in x).
-enum class LowerEdge { fixed, sliding };
 
 /// Ways to the field at equilibrium.
 enum class Method {
@@ -35,11 +30,13 @@ struct LoadOptions {
   bool exact_stretch = false;
   /// Look for hinges in any case; otherwise only where the solve hints at one (a loose node, or many iterations).
   bool look_for_hinges = false;
+  Watch watch{};
 };
 
 enum class Ending {
   solved,
   not_converged,  ///< the tolerance was not reached; the field is the last one
+  stopped,        ///< the watch asked for it; the field is the last one
   severed,        ///< nothing ties the two clamps: no stress anywhere
   empty           ///< all void
 };

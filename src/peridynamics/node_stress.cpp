@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/vec2.hpp"
+#include "peridynamics/each_bond.hpp"
 
 namespace arenite::peridynamics {
 
@@ -13,22 +14,13 @@ namespace {
 /// Force on the first node of every bond, N/m, handed to `visit(i, j, e, force)`.
 template <class Visit>
 void each_exact_bond(const Bonds& bonds, double dx, const Field<double>& u, const Visit& visit) {
-  const Grid& grid = bonds.grid;
-  for (int y = 0; y < grid.height; ++y)
-    for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) {
-      const std::uint32_t word = bonds.words[i];
-      if (!word) continue;
-      for (int d = 0; d < bonds_per_node; ++d) {
-        const unsigned t = word >> (2 * d) & 3u;
-        if (t == no_bond) continue;
-        const Offset e = half_bonds[static_cast<unsigned>(d)];
-        const std::ptrdiff_t j = i + bonds.step(d);
-        const double l = length(e) * dx;
-        const Vec2 now{e.x * dx + u.x[j] - u.x[i], e.y * dx + u.y[j] - u.y[i]};
-        const double lnow = norm(now);
-        visit(i, j, e, (bonds.modulus(t) * dx * (lnow - l) / (l * lnow)) * now);
-      }
-    }
+  each_bond(bonds, [&](const Bond& b) {
+    const Offset e = b.step();
+    const double l = length(e) * dx;
+    const Vec2 now{e.x * dx + u.x[b.j] - u.x[b.i], e.y * dx + u.y[b.j] - u.y[b.i]};
+    const double lnow = norm(now);
+    visit(b.i, b.j, e, (bonds.modulus(b.type) * dx * (lnow - l) / (l * lnow)) * now);
+  });
 }
 
 /// Sums over the half bonds that start at a node, and those that end there, bond by bond in rows.

@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
 #include "peridynamics/damage.hpp"
 #include "peridynamics/lattice.hpp"
+#include "peridynamics/load.hpp"
 #include "support/cemented_sample.hpp"
 #include "support/homogeneous_sample.hpp"
 
@@ -73,6 +76,99 @@ TEST(Damage, CementedPackingBreaksInMatrixAndInterfaceNotInGrains) {
   for (const auto& bond : result.broken) in_grains += bond.type == particle_bond;
   EXPECT_LT(in_grains, result.broken.size() / 10);
   EXPECT_LT(result.energy_defect, 1e-4);
+}
+
+/// Largest stretch of any bond of a homogeneous sample.
+double largest_stretch(const StressField& field) {
+  double largest = 0;
+  for (int y = 0; y < field.height; ++y)
+    for (int x = 0; x < field.width; ++x)
+      for (const Offset e : half_bonds) {
+        if (x + e.x < 0 || x + e.x >= field.width || y + e.y >= field.height) continue;
+        const auto i = static_cast<std::size_t>(x + field.width * y),
+                   j = static_cast<std::size_t>(x + e.x + field.width * (y + e.y));
+        largest = std::max(largest, (e.x * (field.ux[j] - field.ux[i]) + e.y * (field.uy[j] - field.uy[i])) /
+                                        ((e.x * e.x + e.y * e.y) * field.dx));
+      }
+  return largest;
+}
+
+TEST(Damage, FirstBondBreaksWhereTheElasticFieldReachesItsStretch) {
+  const PhaseMap map = test::homogeneous_sample(48, 24);
+  const double critical = critical_stretch(weak.matrix, 1, map.dx);
+  for (const Loading loading : {Loading::tension, Loading::compression, Loading::shear}) {
+    DamageOptions options{.toughness = weak, .loading = loading};
+    options.max_events = 1;
+    const auto result = pull_to_failure(map, options);
+    const auto elastic = load(map, {.loading = loading, .strain = 1e-4, .tolerance = 1e-9});
+    EXPECT_NEAR(result.curve.front().strain * largest_stretch(elastic.field) / 1e-4 / critical, 1, 1e-5);
+    EXPECT_NEAR(result.curve.front().stress / (elastic.report.modulus * result.curve.front().strain), 1, 1e-5);
+  }
+}
+
+TEST(Damage, BondsBreakAcrossTheLargestStretchUnderEveryLoading) {
+  const PhaseMap map = test::cemented_sample({.nodes = 64, .size_ratio = 2, .bridge = 0.4});
+  double strength[3];
+  for (const Loading loading : {Loading::tension, Loading::compression, Loading::shear}) {
+    const auto result = pull_to_failure(map, {.toughness = weak, .loading = loading, .max_events = 150});
+    EXPECT_LT(result.energy_defect, 1e-4);
+    EXPECT_GE(result.curve.back().released, result.curve.back().bond_energy * (1 - 1e-6));
+    double along = 0, across = 0, rising = 0;  // means of the broken bonds' directions
+    for (const auto& bond : result.broken) {
+      const Offset e = half_bonds[bond.direction];
+      const double l2 = e.x * e.x + e.y * e.y, n = static_cast<double>(result.broken.size());
+      along += e.y * e.y / l2 / n;
+      across += e.x * e.x / l2 / n;
+      rising += 2 * e.x * e.y / l2 / n;
+    }
+    switch (loading) {
+      case Loading::tension: EXPECT_GT(along, 0.6); break;
+      case Loading::compression: EXPECT_GT(across, 0.6); break;
+      case Loading::shear: EXPECT_GT(rising, 0.1); break;
+    }
+    strength[static_cast<int>(loading)] = result.strength;
+  }
+  EXPECT_GT(strength[1], 2 * strength[0]) << "what breaks in stretch only is stronger under compression";
+}
+
+TEST(Damage, HandsBackTheFieldOfTheLargestStress) {
+  const PhaseMap map = test::cemented_sample({.nodes = 64, .size_ratio = 2, .bridge = 0.4});
+  for (const Loading loading : {Loading::tension, Loading::compression}) {
+    const auto result = pull_to_failure(map, {.toughness = weak, .loading = loading, .max_events = 60});
+    double mean = 0;
+    for (const double s : result.at_strength.yy) mean += s / static_cast<double>(map.size());
+    // The identity: sum sigma_yy V = F (y_top - y_bottom).
+    const double sign = loading == Loading::tension ? 1 : -1;
+    EXPECT_NEAR(sign * mean * map.height / (map.height - 1) / result.strength, 1, 1e-4);
+  }
+}
+
+TEST(Damage, WatchSeesTheShareGrowAndMayStop) {
+  const PhaseMap map = test::cemented_sample({.nodes = 64, .size_ratio = 2, .bridge = 0.4});
+  double share = 0;
+  std::size_t broken = 0;
+  DamageOptions options{.toughness = weak};
+  options.watch = [&](const Progress& p) {
+    EXPECT_GE(p.share, share);
+    share = p.share;
+    broken = p.broken;
+    return p.broken < 50;
+  };
+  const auto result = pull_to_failure(map, options);
+  EXPECT_EQ(result.ending, DamageResult::Ending::stopped) << result.sentence;
+  EXPECT_EQ(result.broken.size(), broken);
+  EXPECT_GE(broken, 50u);
+  EXPECT_GT(share, 0);
+  EXPECT_LE(share, 1);
+}
+
+TEST(Damage, NonsenseIsRefused) {
+  const PhaseMap map = test::homogeneous_sample(20, 20);
+  EXPECT_THROW(pull_to_failure(map, {.toughness = {0, 1, 1}}), InputError);
+  EXPECT_THROW(pull_to_failure(map, {.loading = Loading::shear, .lower = LowerEdge::sliding}), InputError);
+  EXPECT_THROW(pull_to_failure(map, {.max_strain = 0}), InputError);
+  EXPECT_THROW(pull_to_failure(map, {.end_stress = 1}), InputError);
+  EXPECT_THROW(pull_to_failure(map, {.band = -0.1}), InputError);
 }
 
 TEST(Damage, SampleWithoutAPathIsNamed) {

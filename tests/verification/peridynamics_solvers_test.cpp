@@ -261,6 +261,29 @@ TEST(Ending, TooFewStepsIsToldWithWhatWasReached) {
   expect_finite(result);
 }
 
+TEST(SolveWatch, SeesEveryWayGoOnAndMayStopIt) {
+  const PhaseMap map = cemented(64);
+  for (const Method method : {Method::static_solve, Method::relaxation, Method::damped})
+    for (const bool exact : {false, true}) {
+      LoadOptions options;
+      options.method = method;
+      options.exact_stretch = exact;
+      double share = 0;
+      int calls = 0;
+      options.watch = [&](const Progress& p) {
+        EXPECT_GE(p.share, share);
+        EXPECT_LE(p.share, 1);
+        share = p.share;
+        return ++calls < 4;
+      };
+      const auto result = loaded(map, options);
+      EXPECT_EQ(result.report.ending, Ending::stopped) << result.report.sentence;
+      EXPECT_EQ(calls, 4);
+      EXPECT_GT(share, 0);
+      expect_finite(result);
+    }
+}
+
 TEST(LoadOptions, NonsenseIsRefused) {
   const PhaseMap map = test::homogeneous_sample(20, 20);
   LoadOptions options;

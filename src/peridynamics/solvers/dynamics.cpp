@@ -61,6 +61,7 @@ StaticReport step_to_rest(const Dynamics& s, Field<double>& u, const Step& step,
     report.converged = std::isfinite(reference);
     return report;
   }
+  Reporter reporter(s.watch, s.tolerance);
   for (std::int64_t n = 0;; ++n) {
     if (n % look_every == 0 || n >= s.max_steps) {
       form_force(s, u, f);
@@ -69,6 +70,10 @@ StaticReport step_to_rest(const Dynamics& s, Field<double>& u, const Step& step,
       report.iterations = static_cast<int>(n);
       report.converged = report.residual <= s.tolerance;
       if (report.converged || n >= s.max_steps || !std::isfinite(report.residual)) return report;
+      if (!reporter.goes_on(report.iterations, report.residual)) {
+        report.stopped = true;
+        return report;
+      }
       look(u, older, f);
     }
     step(u, older, f);

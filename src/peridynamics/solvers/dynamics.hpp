@@ -14,6 +14,7 @@ struct Dynamics {
   bool exact_stretch;
   double tolerance;  ///< relative residual, as in the static solve
   std::int64_t max_steps;
+  const Watch& watch;
 };
 
 /// P II.C: m u'' = f - nu u', unit mass, viscosity 0.9 of the critical sqrt(2 m k) of the softest bond, central

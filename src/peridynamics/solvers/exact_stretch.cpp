@@ -35,13 +35,17 @@ void copy(const Field<double>& from, Field<double>& to) {
 }  // namespace
 
 StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vector<std::uint8_t>& prescribed,
-                                 StaticSolver& solver, Field<double>& u, double tolerance, int max_iterations) {
+                                 StaticSolver& solver, Field<double>& u, double tolerance, int max_iterations,
+                                 const Watch& watch) {
   const Grid& grid = bonds.grid;
   Field<double> body(grid.padded_size()), linear(grid.padded_size()), best(grid.padded_size());
   const double reference = residual_reference(bonds, prescribed, u, body, linear);
   const auto diagonal = block_diagonal(bonds);
-  StaticReport total = solver.solve(bonds, u, tolerance, max_iterations);
+  StaticReport total = solver.solve(bonds, u, tolerance, max_iterations, watch);
   if (!(reference > 0) || !total.converged) return total;
+  const Watch later = [&](const Progress& p) {
+    return !watch || watch({1, total.iterations + p.iterations, total.residual, 0, 0, 0});
+  };
   double least = HUGE_VAL;
   for (int round = 0; round < 20; ++round) {
     exact_force(bonds, dx, u, body);
@@ -57,9 +61,14 @@ StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vecto
       body.x[i] -= linear.x[i];
       body.y[i] -= linear.y[i];
     }
-    const StaticReport more = solver.solve(bonds, u, 0.1 * tolerance, max_iterations, &body);
+    const StaticReport more = solver.solve(bonds, u, 0.1 * tolerance, max_iterations, later, &body);
     total.iterations += more.iterations;
     total.history.insert(total.history.end(), more.history.begin(), more.history.end());
+    if (more.stopped) {
+      total.stopped = true;
+      total.converged = false;
+      return total;
+    }
   }
   copy(best, u);
   total.residual = least;

@@ -10,6 +10,7 @@ namespace arenite::peridynamics {
 /// error falls by about the strain in each round. Forces that turn a loose node about its hinge are left out: linearly
 /// nothing resists them. Ends with the best field found where rounds stop helping.
 StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vector<std::uint8_t>& prescribed,
-                                 StaticSolver& solver, Field<double>& u, double tolerance, int max_iterations);
+                                 StaticSolver& solver, Field<double>& u, double tolerance, int max_iterations,
+                                 const Watch& watch = {});
 
 }  // namespace arenite::peridynamics

@@ -40,7 +40,7 @@ StaticSolver::StaticSolver(const Bonds& bonds, Pieces pieces, std::vector<std::u
 StaticSolver::~StaticSolver() = default;
 
 StaticReport StaticSolver::solve(const Bonds& bonds, Field<double>& u, double tolerance, int max_iterations,
-                                 const Field<double>* body) {
+                                 const Watch& watch, const Field<double>* body) {
   State& s = *state_;
   const Kernels& k = kernels();
   StaticReport report;
@@ -66,12 +66,17 @@ StaticReport StaticSolver::solve(const Bonds& bonds, Field<double>& u, double to
   };
   // The residual that the recurrence carries is replaced by a fresh one at the end; if the two differ, a second pass
   // starts from there.
-  for (int pass = 0; pass < 2 && !report.converged; ++pass) {
+  Reporter reporter(watch, tolerance);
+  for (int pass = 0; pass < 2 && !report.converged && !report.stopped; ++pass) {
     fresh_residual();
     report.residual = move(0);
     if (pass == 0) report.history.push_back(report.residual);
     double last = 0;
     while (report.residual > tolerance && report.iterations < max_iterations) {
+      if (!reporter.goes_on(report.iterations, report.residual)) {
+        report.stopped = true;
+        break;
+      }
       s.preconditioner.apply(bonds, s.rough, s.z);
       const double rz = k.dot(bonds, plane(s.rough), plane(s.z));
       if (!(rz > 0) || !std::isfinite(rz)) break;

@@ -4,12 +4,14 @@
 #include <vector>
 
 #include "peridynamics/solvers/two_level.hpp"
+#include "peridynamics/watch.hpp"
 
 namespace arenite::peridynamics {
 
 /// How a static solve ended.
 struct StaticReport {
   bool converged = false;
+  bool stopped = false;  ///< the watch asked for it
   int iterations = 0;
   double residual = 0;          ///< relative, of the field that is handed back, worked out anew
   std::vector<double> history;  ///< relative residual after each iteration, the start first
@@ -30,7 +32,7 @@ class StaticSolver {
   /// are relative to that of uniform strain (reference.hpp).
   /// `body`, if given, is a force on every node beside that of the bonds.
   StaticReport solve(const Bonds& bonds, Field<double>& u, double tolerance, int max_iterations,
-                     const Field<double>* body = nullptr);
+                     const Watch& watch = {}, const Field<double>* body = nullptr);
 
  private:
   struct State;

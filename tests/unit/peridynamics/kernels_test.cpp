@@ -110,6 +110,33 @@ TEST_P(EveryKernel, UniformStrainLeavesNoForceInside) {
     }
 }
 
+TEST_P(EveryKernel, TurnedSampleHasTurnedForces) {
+  const PhaseMap map = sample();
+  const int n = map.width;
+  PhaseMap turned = map;  // node (x, y) goes to (n - 1 - y, x)
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x) {
+      turned.phase[map.index(n - 1 - y, x)] = map.phase[map.index(x, y)];
+      turned.grain[map.index(n - 1 - y, x)] = map.grain[map.index(x, y)];
+    }
+  const Bonds bonds = make_bonds(map, {}), other = make_bonds(turned, {});
+  const std::vector<std::uint8_t> open(static_cast<std::size_t>(n), 0);
+  const auto u = random_field<double>(bonds, map);
+  Field<double> v(bonds.grid.padded_size()), f(bonds.grid.padded_size()), g(bonds.grid.padded_size());
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x) {
+      v.x[bonds.grid.index(n - 1 - y, x)] = -u.y[bonds.grid.index(x, y)];
+      v.y[bonds.grid.index(n - 1 - y, x)] = u.x[bonds.grid.index(x, y)];
+    }
+  k().force(bonds, open.data(), plane(u), plane(f));
+  k().force(other, open.data(), plane(v), plane(g));
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x) {
+      ASSERT_NEAR(g.x[bonds.grid.index(n - 1 - y, x)], -f.y[bonds.grid.index(x, y)], 1e-13);
+      ASSERT_NEAR(g.y[bonds.grid.index(n - 1 - y, x)], f.x[bonds.grid.index(x, y)], 1e-13);
+    }
+}
+
 TEST_P(EveryKernel, PrescribedComponentsGetNoForce) {
   const PhaseMap map = sample();
   const Bonds bonds = make_bonds(map, {});
