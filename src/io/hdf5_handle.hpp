@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-// Only the two files that speak HDF5 include this one.
+// Only the files that speak HDF5 include this one.
 namespace arenite::io {
 
 /// An HDF5 identifier that closes itself.

@@ -1,0 +1,84 @@
+#include "io/grey_pixels.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <limits>
+
+#include "core/error.hpp"
+
+namespace arenite::io {
+namespace {
+
+template <class T>
+std::int64_t sample(const std::uint8_t* samples, std::size_t i) {
+  T value;
+  std::memcpy(&value, samples + i * sizeof(T), sizeof(T));
+  return value;
+}
+
+[[noreturn]] void refuse_colour(const PixelLayout& layout, int x, int row) {
+  throw InputError(layout.file, 0,
+                   fmt::format("is in colour (pixel {}, {}), and a colour is no phase; save it as greyscale with one "
+                               "value a phase",
+                               x, row));
+}
+
+std::int64_t shown(const PixelLayout& layout, std::int64_t index, int x, int row) {
+  if (index >= static_cast<std::int64_t>(layout.palette.size()))
+    throw InputError(layout.file, 0, fmt::format("is damaged: pixel {}, {} is not in its palette; copy it again", x, row));
+  const auto& entry = layout.palette[static_cast<std::size_t>(index)];
+  if (entry[0] != entry[1] || entry[1] != entry[2]) refuse_colour(layout, x, row);
+  return entry[0];
+}
+
+template <class T>
+void take(const PixelLayout& layout, const std::uint8_t* samples, int row, std::int32_t* out) {
+  const auto per_pixel = static_cast<std::size_t>(layout.samples);
+  constexpr auto most = std::int64_t{std::numeric_limits<T>::max()};
+  for (int x = 0; x < layout.width; ++x) {
+    const std::size_t first = static_cast<std::size_t>(x) * per_pixel;
+    std::int64_t value = sample<T>(samples, first);
+    if (layout.colour && (sample<T>(samples, first + 1) != value || sample<T>(samples, first + 2) != value))
+      refuse_colour(layout, x, row);
+    if (layout.opacity && sample<T>(samples, first + per_pixel - 1) != most)
+      throw InputError(layout.file, 0, fmt::format("is transparent at pixel {}, {}; save it without transparency", x, row));
+    if (!layout.palette.empty()) value = shown(layout, value, x, row);
+    if (layout.inverted) value = most - value;
+    if (value > std::numeric_limits<std::int32_t>::max())
+      throw InputError(layout.file, 0, fmt::format("holds the value {} at pixel {}, {}; values go up to 2147483647", value, x, row));
+    out[x] = static_cast<std::int32_t>(value);
+  }
+}
+
+}  // namespace
+
+void check_size(const std::string& file, std::int64_t width, std::int64_t height, const ImageChoice& choice) {
+  if (width <= 0 || height <= 0)
+    throw InputError(file, 0, fmt::format("holds a picture of {} x {} pixels; give one with at least one each way", width, height));
+  constexpr auto most = std::int64_t{std::numeric_limits<std::int32_t>::max()};
+  if (width > most || height > most || width > choice.most_pixels / height)
+    throw InputError(file, 0, fmt::format("holds a picture of {} x {} pixels, and {} million can be read; cut out the part that matters",
+                                          width, height, static_cast<double>(choice.most_pixels) / 1e6));
+}
+
+std::int64_t chosen_slice(const std::string& file, std::int64_t count, const ImageChoice& choice) {
+  if (count <= 0) throw InputError(file, 0, "holds no picture; give a file with at least one");
+  if (!choice.slice && count > 1)
+    throw InputError(file, 0, fmt::format("is a stack of {} slices; choose one with --slice 0 to {}", count, count - 1));
+  const std::int64_t slice = choice.slice.value_or(0);
+  if (slice < 0 || slice >= count)
+    throw InputError(file, 0, fmt::format("has no slice {}; its slices are numbered from 0 to {}", slice, count - 1));
+  return slice;
+}
+
+void take_row(const PixelLayout& layout, const std::uint8_t* samples, int row, Image& image) {
+  std::int32_t* out = image.value.data() + image.index(0, row);
+  switch (layout.bits) {
+    case 8: layout.is_signed ? take<std::int8_t>(layout, samples, row, out) : take<std::uint8_t>(layout, samples, row, out); break;
+    case 16: layout.is_signed ? take<std::int16_t>(layout, samples, row, out) : take<std::uint16_t>(layout, samples, row, out); break;
+    default: layout.is_signed ? take<std::int32_t>(layout, samples, row, out) : take<std::uint32_t>(layout, samples, row, out);
+  }
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,103 @@
+#include "io/hdf5_image.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "core/error.hpp"
+#include "io/grey_pixels.hpp"
+#include "io/hdf5_handle.hpp"
+
+namespace arenite::io {
+namespace {
+
+/// The bytes as an open file.
+Hdf5Handle open(const std::string& bytes, const std::string& file) {
+  const auto access = memory_properties();
+  std::string copy = bytes;  // HDF5 wants bytes that it could change
+  done(H5Pset_file_image(*access, copy.data(), copy.size()));
+  auto id = own(H5Fopen(unused_name().c_str(), H5F_ACC_RDONLY, *access), H5Fclose);
+  if (!id) throw InputError(file, 0, "is an HDF5 file that is cut short or damaged; copy it again");
+  return id;
+}
+
+bool holds_whole_numbers(hid_t set) {
+  const auto type = own(H5Dget_type(set), H5Tclose);
+  return type && (H5Tget_class(*type) == H5T_INTEGER || H5Tget_class(*type) == H5T_ENUM);
+}
+
+std::vector<hsize_t> shape_of(hid_t set) {
+  const auto space = own(H5Dget_space(set), H5Sclose);
+  const int rank = space ? H5Sget_simple_extent_ndims(*space) : 0;
+  if (rank != 2 && rank != 3) return {};
+  std::vector<hsize_t> shape(static_cast<std::size_t>(rank));
+  H5Sget_simple_extent_dims(*space, shape.data(), nullptr);
+  return shape;
+}
+
+/// Names of the datasets that can be pictures.
+std::vector<std::string> pictures(hid_t file) {
+  std::vector<std::string> found;
+  const auto note = [](hid_t root, const char* name, const H5O_info_t* info, void* into) -> herr_t {
+    if (info->type != H5O_TYPE_DATASET) return 0;
+    const auto set = own(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose);
+    if (set && holds_whole_numbers(*set) && !shape_of(*set).empty()) static_cast<std::vector<std::string>*>(into)->emplace_back(name);
+    return 0;
+  };
+  H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, note, &found, H5O_INFO_BASIC);
+  return found;
+}
+
+std::string chosen_dataset(hid_t id, const std::string& file, const ImageChoice& choice) {
+  if (!choice.dataset.empty()) return choice.dataset;
+  const auto found = pictures(id);
+  if (found.size() == 1) return found.front();
+  if (found.empty()) throw InputError(file, 0, "holds no dataset of whole numbers with two or three dimensions; give a file with one");
+  throw InputError(file, 0, fmt::format("holds {} datasets that can be meant; choose one with --dataset: {}", found.size(), fmt::join(found, ", ")));
+}
+
+Image convert(const std::vector<std::int64_t>& values, const std::string& file, int width, int height) {
+  Image image{width, height, {}};
+  image.value.reserve(values.size());
+  for (const std::int64_t v : values) {
+    if (v < std::numeric_limits<std::int32_t>::min() || v > std::numeric_limits<std::int32_t>::max())
+      throw InputError(file, 0, fmt::format("holds the value {}; values go from -2147483648 to 2147483647", v));
+    image.value.push_back(static_cast<std::int32_t>(v));
+  }
+  return image;
+}
+
+}  // namespace
+
+Image read_hdf5_image(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
+  const auto id = open(bytes, file);
+  const std::string name = chosen_dataset(*id, file, choice);
+  const auto set = own(H5Dopen2(*id, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!set) throw InputError(file, 0, fmt::format("has no dataset \"{}\"; it has: {}", name, fmt::join(pictures(*id), ", ")));
+  const auto shape = shape_of(*set);
+  if (shape.empty() || !holds_whole_numbers(*set))
+    throw InputError(file, 0, fmt::format("holds \"{}\", which is not a table of whole numbers with two or three dimensions; "
+                                          "choose another with --dataset", name));
+  const bool stack = shape.size() == 3;
+  const auto extent = [&](std::size_t axis) {
+    return static_cast<std::int64_t>(std::min<hsize_t>(shape[axis], std::numeric_limits<std::int64_t>::max()));
+  };
+  const std::int64_t slice = chosen_slice(file, stack ? extent(0) : 1, choice);
+  const std::int64_t height = extent(stack ? 1 : 0), width = extent(stack ? 2 : 1);
+  check_size(file, width, height, choice);
+  const std::array<hsize_t, 3> start{static_cast<hsize_t>(slice), 0, 0};
+  const std::array<hsize_t, 3> count{1, static_cast<hsize_t>(height), static_cast<hsize_t>(width)};
+  const std::size_t skip = stack ? 0 : 1;
+  const auto there = own(H5Dget_space(*set), H5Sclose), here = made(H5Screate_simple(2, count.data() + 1, nullptr), H5Sclose);
+  std::vector<std::int64_t> values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  if (!there || H5Sselect_hyperslab(*there, H5S_SELECT_SET, start.data() + skip, nullptr, count.data() + skip, nullptr) < 0 ||
+      H5Dread(*set, native_type<std::int64_t>(), *here, *there, H5P_DEFAULT, values.data()) < 0)
+    throw InputError(file, 0, fmt::format("holds a dataset \"{}\" that cannot be read; copy the file again", name));
+  return convert(values, file, static_cast<int>(width), static_cast<int>(height));
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,54 @@
+#include "io/image.hpp"
+
+#include <iterator>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "io/hdf5_image.hpp"
+#include "io/png_image.hpp"
+#include "io/read_file.hpp"
+#include "io/tiff_image.hpp"
+
+namespace arenite::io {
+namespace {
+
+using namespace std::string_view_literals;
+
+struct Format {
+  const char* name;
+  bool (*is)(std::string_view bytes);
+  Image (*read)(const std::string& bytes, const std::string& file, const ImageChoice& choice);
+};
+
+constexpr Format formats[] = {
+    {"png", [](std::string_view b) { return b.starts_with("\x89PNG\r\n\x1a\n"sv); }, read_png},
+    {"tiff",
+     [](std::string_view b) {
+       return b.starts_with("II*\0"sv) || b.starts_with("MM\0*"sv) || b.starts_with("II+\0"sv) || b.starts_with("MM\0+"sv);
+     },
+     read_tiff},
+    {"hdf5", [](std::string_view b) { return b.starts_with("\x89HDF\r\n\x1a\n"sv); }, read_hdf5_image},
+};
+
+}  // namespace
+
+std::vector<std::string> image_formats() {
+  std::vector<std::string> names;
+  for (const Format& format : formats) names.emplace_back(format.name);
+  return names;
+}
+
+Image decode_image(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
+  for (const Format& format : formats)
+    if (format.is(bytes)) return format.read(bytes, file, choice);
+  if (bytes.empty()) throw InputError(file, 0, "is empty; copy it again");
+  if (bytes.starts_with("\xff\xd8\xff"sv))
+    throw InputError(file, 0, "is a JPEG picture, which blurs values across edges; save the phases as PNG or TIFF");
+  throw InputError(file, 0, "is neither PNG, TIFF nor HDF5; save the picture as one of these");
+}
+
+Image read_image(const std::filesystem::path& path, const ImageChoice& choice) {
+  return decode_image(read_file(path), path.string(), choice);
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,98 @@
+#pragma once
+#include <tiffio.h>
+#include <zlib.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+
+/// Pictures of every kind, sound and broken, written byte by byte.
+namespace arenite::test {
+
+/// What an InputError says; empty if there was none.
+inline std::string complaint(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+inline std::string big_endian(std::uint32_t v) {
+  return {static_cast<char>(v >> 24), static_cast<char>(v >> 16), static_cast<char>(v >> 8), static_cast<char>(v)};
+}
+
+inline std::string png_chunk(const std::string& type, const std::string& data) {
+  const std::string body = type + data;
+  const auto sum = crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()));
+  return big_endian(static_cast<std::uint32_t>(data.size())) + body + big_endian(static_cast<std::uint32_t>(sum));
+}
+
+enum PngKind : char { grey = 0, colour = 2, palette = 3, grey_alpha = 4, colour_alpha = 6 };
+
+/// A PNG file of rows of packed samples, each without its leading filter byte.
+inline std::string png(std::uint32_t width, std::uint32_t height, char bits, PngKind kind, const std::vector<std::string>& rows,
+                       const std::string& colours = "") {
+  std::string raw;
+  for (const std::string& row : rows) raw += '\0' + row;
+  uLongf size = compressBound(static_cast<uLong>(raw.size()));
+  std::string packed(size, '\0');
+  compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(raw.data()), static_cast<uLong>(raw.size()));
+  packed.resize(size);
+  const std::string header = big_endian(width) + big_endian(height) + std::string{bits, static_cast<char>(kind), 0, 0, 0};
+  return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", header) + (colours.empty() ? "" : png_chunk("PLTE", colours)) +
+         png_chunk("IDAT", packed) + png_chunk("IEND", "");
+}
+
+inline std::string grey_png(std::uint32_t width, std::uint32_t height, const std::string& pixels) {
+  std::vector<std::string> rows;
+  for (std::size_t y = 0; y < height; ++y) rows.push_back(pixels.substr(y * width, width));
+  return png(width, height, 8, grey, rows);
+}
+
+struct TiffPage {
+  std::uint32_t width = 0, height = 0;
+  std::uint16_t bits = 8, samples = 1, photometric = PHOTOMETRIC_MINISBLACK, format = SAMPLEFORMAT_UINT, compression = COMPRESSION_NONE;
+  std::uint32_t tile = 0;           ///< side of square tiles; 0: strips
+  std::vector<std::uint8_t> bytes;  ///< of all rows, or of all tiles one after the other
+};
+
+/// Writes a TIFF file with one directory a page, samples in this machine's order.
+inline void write_tiff(const std::filesystem::path& path, std::vector<TiffPage> pages) {
+  TIFF* tiff = TIFFOpen(path.c_str(), "w");
+  for (TiffPage& page : pages) {
+    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, page.width);
+    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, page.height);
+    TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, page.bits);
+    TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, page.samples);
+    TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, page.photometric);
+    TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, page.format);
+    TIFFSetField(tiff, TIFFTAG_COMPRESSION, page.compression);
+    TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+    if (page.photometric == PHOTOMETRIC_PALETTE) {
+      std::vector<std::uint16_t> ramp;
+      for (std::uint32_t i = 0; i < 1u << page.bits; ++i) ramp.push_back(static_cast<std::uint16_t>((i * 10 % 256) << 8));
+      TIFFSetField(tiff, TIFFTAG_COLORMAP, ramp.data(), ramp.data(), ramp.data());
+    }
+    if (page.tile > 0) {
+      TIFFSetField(tiff, TIFFTAG_TILEWIDTH, page.tile);
+      TIFFSetField(tiff, TIFFTAG_TILELENGTH, page.tile);
+      const auto size = static_cast<std::size_t>(TIFFTileSize(tiff));
+      for (std::size_t t = 0; t < page.bytes.size() / size; ++t)
+        TIFFWriteEncodedTile(tiff, static_cast<std::uint32_t>(t), page.bytes.data() + t * size, static_cast<tmsize_t>(size));
+    } else {
+      TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, 2);
+      const std::size_t row = page.bytes.size() / page.height;
+      for (std::uint32_t y = 0; y < page.height; ++y) TIFFWriteScanline(tiff, page.bytes.data() + y * row, y, 0);
+    }
+    TIFFWriteDirectory(tiff);
+  }
+  TIFFClose(tiff);
+}
+
+}  // namespace arenite::test
