@@ -1,11 +1,15 @@
 #pragma once
+#include <cstddef>
 #include <optional>
 
+#include "geometry/rectangle.hpp"
 #include "model/cement.hpp"
 #include "model/packing.hpp"
 
 /// Matrix between grains (P II.B).
 namespace arenite::cement {
+
+using Window = geometry::Rectangle;
 
 struct CementParameters {
   enum class Kind { none, bridges, full, coating, menisci };
@@ -20,13 +24,29 @@ struct CementParameters {
   bool operator==(const CementParameters&) const = default;
 };
 
-/// The matrix of a packing. With a saturation asked for, the free parameter of the kind is found on the exact area inside
-/// `window` (see exact_areas); throws InputError where no value reaches it, naming what can be reached.
-struct Window { double x_min = 0, x_max = 0, y_min = 0, y_max = 0; };
-Cement make_cement(const Packing& packing, const CementParameters& parameters, const Window& window);
+/// Areas inside a window by geometry, without a raster, m^2: grains and matrix, each overlap once.
+struct Areas {
+  double window = 0, particle = 0, matrix = 0;
+  /// S_m: matrix over what is not grain; 0 where all is grain.
+  double saturation() const { return window > particle ? matrix / (window - particle) : 0; }
+};
 
-/// Areas inside a window by geometry, without a raster, m^2: grains (overlaps once) and matrix.
-struct Areas { double window = 0, particle = 0, matrix = 0; };
+struct CementReport {
+  Areas areas;                       ///< exact, in the window
+  double saturation = 0;             ///< S_m of these
+  double saturation_error = 0;       ///< S_m less the one asked for; 0 where none was
+  double parameter = 0;              ///< width, thickness (m) or volume (m^2) used; 0 for none and full
+  std::size_t joints = 0;            ///< bridges or menisci made, in the whole packing
+  std::size_t ruptured = 0;          ///< menisci too small to span their gap, so not there
+  std::size_t capped = 0;            ///< menisci that hold less than asked: their arcs are straight and can hold no more
+};
+
+/// The matrix of a packing; walls hold none, periodic sides do. With a saturation asked for, the free parameter of the kind
+/// is found on the exact area inside `window`. Throws InputError for senseless parameters, and where no parameter
+/// reaches the saturation, naming the range that can be reached.
+Cement make_cement(const Packing& packing, const CementParameters& parameters, const Window& window, CementReport& report);
+
+/// Exact areas of grains and matrix in a window; throws InputError for a window without area.
 Areas exact_areas(const Packing& packing, const Cement& cement, const Window& window);
 
 }  // namespace arenite::cement

@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
-#include <string>
 #include <vector>
 
+#include "geometry/rectangle.hpp"
 #include "model/cement.hpp"
 #include "model/packing.hpp"
 #include "model/phase_map.hpp"
@@ -17,17 +17,28 @@ struct RasterParameters {
 };
 
 struct RasterReport {
-  double x_min = 0, y_min = 0;       ///< lower left corner of the crop in the packing's coordinates, m
-  double side = 0;                   ///< m
+  geometry::Rectangle window;        ///< the crop in the packing's coordinates, m
+  double dx = 0;                     ///< distance between nodes, m
   double particle_area = 0, matrix_area = 0;              ///< counted, m^2
+  double exact_particle_area = 0, exact_matrix_area = 0;  ///< by geometry, m^2
   double particle_area_error = 0, matrix_area_error = 0;  ///< counted over exact, less one; 0 where there is none
-  int thinnest_bridge = 0;           ///< fewest nodes across a bridge or meniscus that lies in the crop; 0: one is lost
-  std::size_t bridges = 0, lost_bridges = 0;              ///< in the crop; those without a node of matrix though they have area
-  std::int32_t smallest_grain = 0;   ///< nodes across the smallest whole grain
+  /// Bridges and menisci the middle of whose gap lies in the crop. `thinnest` is the fewest nodes that one of them has on a
+  /// line of the lattice across its gap, its grains' included (0: a gap without a node); lost are those without
+  /// a node of matrix though grains leave some of their area bare: `lost_area`, m^2.
+  std::size_t joints = 0, lost_joints = 0;
+  int thinnest_joint = 0;            ///< 0 also where there are none
+  double lost_area = 0;
+  int smallest_grain = 0;            ///< nodes across the smallest grain that lies in the crop as a whole; 0: none does
+  std::vector<std::int32_t> grain_of_label;  ///< index in the packing, one a label of the map
 };
 
-/// The nodes of the crop by phase and by grain. `grain_class` of the map is that of each grain that has a node, from
-/// `class_of_grain` (one a grain of the packing; empty: none).
+/// The centred square that is cropped, in the packing's coordinates; throws InputError if it does not fit into the sample.
+geometry::Rectangle crop_window(const Packing& packing, double crop);
+
+/// The nodes of the crop, at the middles of its cells, by phase and by grain. Where grains overlap a node goes to the one
+/// with the smaller power distance (distance^2 - radius^2), of equals to the first. Labels number the grains that have a
+/// node in the packing's order; their class is from `class_of_grain` (one a grain of the packing; empty: none).
+/// Periodic images carry their grain's label. A mirrored sample gives the mirrored map.
 PhaseMap rasterise(const Packing& packing, const Cement& cement, const RasterParameters& parameters,
                    const std::vector<GrainClass>& class_of_grain, RasterReport& report);
 

@@ -1,0 +1,50 @@
+#pragma once
+#include <array>
+
+#include "core/vec2.hpp"
+#include "geometry/rectangle.hpp"
+
+namespace arenite::geometry {
+
+/// A shape bounded by straight lines and arcs: a disk; a convex quadrilateral; or one that a circle has hollowed along
+/// the edge from corner 2 to corner 3, whose ends lie on that circle.
+struct Outline {
+  enum class Kind { disk, quadrilateral, hollow };
+  Kind kind = Kind::disk;
+  std::array<Vec2, 4> corner{};  ///< counter-clockwise (quadrilateral, hollow)
+  Vec2 centre;                   ///< of the circle (disk, hollow)
+  double radius = 0;             ///< of the circle
+
+  static Outline disk(Vec2 centre, double radius) { return {Kind::disk, {}, centre, radius}; }
+};
+
+/// True inside and on the boundary.
+bool contains(const Outline& outline, Vec2 point);
+
+/// The smallest upright rectangle around it.
+Rectangle bounds(const Outline& outline);
+
+/// A piece of a boundary, from `a` to `b` with the inside on its left; an arc turns by `sweep` about `centre` (positive:
+/// counter-clockwise), a line has radius 0.
+struct Edge {
+  Vec2 a, b, centre;
+  double radius = 0, from = 0, sweep = 0;
+  bool straight() const { return radius == 0; }
+  Vec2 at(double t) const;       ///< t from 0 to 1
+  Vec2 outward(double t) const;  ///< unit normal there, to the outside
+  /// Integral of (x dy - y dx)/2 along the part from t0 to t1 (Green): summed round a shape it gives the area.
+  double area_under(double t0, double t1) const;
+};
+
+struct Edges {
+  std::array<Edge, 4> edge;
+  int count = 0;
+  const Edge* begin() const { return edge.data(); }
+  const Edge* end() const { return edge.data() + count; }
+};
+
+Edges edges(const Outline& outline);
+Edge straight_edge(Vec2 a, Vec2 b);
+Rectangle bounds(const Edge& edge);
+
+}  // namespace arenite::geometry

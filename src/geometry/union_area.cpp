@@ -1,0 +1,144 @@
+#include "geometry/union_area.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/covered_parts.hpp"
+
+namespace arenite::geometry {
+namespace {
+
+/// Outlines that touch the window, sorted into cells by the rectangles around them.
+class Index {
+ public:
+  Index(std::span<const Outline> outlines, const Rectangle& window) : window_(window) {
+    double extent = 0;
+    for (const auto& o : outlines) {
+      const Rectangle box = bounds(o);
+      if (!overlap(box, window)) continue;
+      outline.push_back(o);
+      boxes.push_back(box);
+      extent += std::max(box.width(), box.height());
+    }
+    const double cell = outline.empty() ? 1 : extent / static_cast<double>(outline.size());
+    nx_ = cells_along(window.width(), cell);
+    ny_ = cells_along(window.height(), cell);
+    fill();
+    seen_.assign(outline.size(), -1);
+  }
+
+  std::vector<Outline> outline;
+  std::vector<Rectangle> boxes;
+
+  /// Outlines whose rectangle meets `box`, each once, in the order of cells.
+  void find(const Rectangle& box, std::vector<std::int32_t>& found) {
+    found.clear();
+    ++query_;
+    visit(box, [&](int cell) {
+      for (auto k = start_[cell]; k < start_[cell + 1]; ++k) {
+        const auto o = member_[k];
+        if (seen_[o] == query_) continue;
+        seen_[o] = query_;
+        if (overlap(boxes[o], box)) found.push_back(o);
+      }
+    });
+  }
+
+ private:
+  static int cells_along(double length, double cell) {
+    return static_cast<int>(std::clamp(std::ceil(length / cell), 1.0, 2000.0));
+  }
+  template <class Cell>
+  void visit(const Rectangle& box, Cell&& cell) const {
+    const auto at = [](double v, double low, double length, int n) {
+      return static_cast<int>(std::clamp(std::floor((v - low) / length * n), 0.0, n - 1.0));
+    };
+    const int x0 = at(box.x_min, window_.x_min, window_.width(), nx_), x1 = at(box.x_max, window_.x_min, window_.width(), nx_);
+    const int y0 = at(box.y_min, window_.y_min, window_.height(), ny_), y1 = at(box.y_max, window_.y_min, window_.height(), ny_);
+    for (int y = y0; y <= y1; ++y)
+      for (int x = x0; x <= x1; ++x) cell(y * nx_ + x);
+  }
+  void fill() {
+    start_.assign(static_cast<std::size_t>(nx_) * ny_ + 1, 0);
+    for (const auto& box : boxes) visit(box, [&](int cell) { ++start_[cell + 1]; });
+    for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
+    member_.resize(start_.back());
+    auto next = start_;
+    for (std::size_t o = 0; o < boxes.size(); ++o)
+      visit(boxes[o], [&](int cell) { member_[next[cell]++] = static_cast<std::int32_t>(o); });
+  }
+
+  Rectangle window_;
+  int nx_ = 1, ny_ = 1;
+  std::int64_t query_ = 0;
+  std::vector<std::int32_t> start_, member_;
+  std::vector<std::int64_t> seen_;
+};
+
+/// How far off an edge its sides are looked at.
+double step_of(const Rectangle& box) { return 1e-9 * std::max(box.width(), box.height()); }
+
+double uncovered_area_under(const Edge& edge, std::vector<Part>& covered) {
+  merge(covered);
+  double sum = 0, from = 0;
+  for (const Part& part : covered) {
+    if (part.from > from) sum += edge.area_under(from, part.from);
+    from = part.to;
+  }
+  return from < 1 ? sum + edge.area_under(from, 1) : sum;
+}
+
+bool is_inside(const Rectangle& a, const Rectangle& window) {
+  return a.x_min > window.x_min && a.x_max < window.x_max && a.y_min > window.y_min && a.y_max < window.y_max;
+}
+
+}  // namespace
+
+double union_area(std::span<const Outline> outlines, const Rectangle& window) {
+  // About the window's middle, so that a far origin costs no digits.
+  const Vec2 middle{0.5 * (window.x_min + window.x_max), 0.5 * (window.y_min + window.y_max)};
+  std::vector<Outline> moved(outlines.begin(), outlines.end());
+  for (auto& o : moved) {
+    o.centre -= middle;
+    for (auto& c : o.corner) c -= middle;
+  }
+  const Rectangle w{window.x_min - middle.x, window.x_max - middle.x, window.y_min - middle.y, window.y_max - middle.y};
+  Index index(moved, w);
+  std::vector<std::int32_t> near;
+  std::vector<Part> covered;
+  double area = 0;
+  for (std::size_t o = 0; o < index.outline.size(); ++o) {
+    const auto self = static_cast<std::int32_t>(o);
+    index.find(index.boxes[o], near);
+    const double step = step_of(index.boxes[o]);
+    for (const Edge& edge : edges(index.outline[o])) {
+      if (edge.straight() && edge.a.x == edge.b.x && edge.a.y == edge.b.y) continue;
+      const Rectangle box = bounds(edge);
+      covered.clear();
+      if (!is_inside(box, w)) add_parts_outside(edge, w, step, covered);
+      for (const auto other : near) {
+        if (other == self || !overlap(index.boxes[other], box)) continue;
+        add_covered_parts(edge, index.outline[other], other < self ? CoveredSide::either : CoveredSide::outside, step,
+                          covered);
+        if (!covered.empty() && covered.back().from == 0 && covered.back().to == 1) break;
+      }
+      area += uncovered_area_under(edge, covered);
+    }
+  }
+  const Vec2 corner[4] = {{w.x_min, w.y_min}, {w.x_max, w.y_min}, {w.x_max, w.y_max}, {w.x_min, w.y_max}};
+  for (int k = 0; k < 4; ++k) {
+    const Edge side = straight_edge(corner[k], corner[(k + 1) & 3]);
+    const Rectangle box = bounds(side);
+    index.find(box, near);
+    covered.clear();
+    for (const auto other : near)
+      add_covered_parts(side, index.outline[other], CoveredSide::inside, step_of(index.boxes[other]), covered);
+    merge(covered);
+    for (const Part& part : covered) area += side.area_under(part.from, part.to);
+  }
+  return area;
+}
+
+}  // namespace arenite::geometry
