@@ -1,0 +1,64 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "statistics/estimate.hpp"
+
+namespace arenite::statistics {
+
+/// Many values of a field, each in a block of the sample (all numbers below `blocks`).
+struct BlockedSample {
+  std::vector<double> x;
+  std::vector<std::uint16_t> block;      ///< as long as x
+  int blocks = 1;
+};
+
+/// Equal bins: bin k holds low + k width <= x < low + (k + 1) width.
+struct Bins {
+  double low = 0, width = 0;
+  std::size_t count = 0;
+
+  double edge(std::size_t k) const { return low + static_cast<double>(k) * width; }
+  double centre(std::size_t k) const { return low + (static_cast<double>(k) + 0.5) * width; }
+};
+
+/// How many values lie in each bin, below the first and above the last.
+struct Counts {
+  std::vector<double> in;
+  double below = 0, above = 0;
+
+  double total() const;
+};
+
+/// Counts of all values and of each block.
+struct BlockCounts {
+  Bins bins;
+  Counts all;
+  std::vector<Counts> block;
+
+  Counts without(std::size_t b) const;
+};
+
+/// Bins for a pdf: 0.8 n^0.4 of them (10 to 200) between the 0.01 % and the 99.99 % quantile, and as many of the same
+/// width as reach the extremes, but not farther than twice that range beyond. No bins where all values are equal.
+Bins pdf_bins(std::size_t n, double minimum, double low_quantile, double high_quantile, double maximum);
+
+BlockCounts count(const BlockedSample& sample, const Bins& bins);
+
+/// Share of the values above x, straight within a bin.
+double share_above(const Bins& bins, const Counts& counts, double x);
+
+/// The inverse: the value below which a share p lies.
+double quantile(const Bins& bins, const Counts& counts, double p);
+
+/// Probability density in every bin; values outside the bins count in the total.
+std::vector<double> density(const Bins& bins, const Counts& counts);
+
+/// The density as a curve against the middles of the bins, with errors by leaving out one block at a time.
+Curve pdf(const BlockCounts& counts);
+
+/// Values at the shares p (rising) of all values, by rank: the value of index floor(p n).
+std::vector<double> exact_quantiles(std::vector<double> values, const std::vector<double>& p);
+
+}  // namespace arenite::statistics

@@ -1,0 +1,68 @@
+#include "statistics/correlation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "statistics/jackknife.hpp"
+
+namespace arenite::statistics {
+
+std::vector<double> ranks(const std::vector<double>& values) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::vector<double> rank(values.size());
+  for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
+    while (last < order.size() && values[order[last]] == values[order[first]]) ++last;
+    for (std::size_t k = first; k < last; ++k) rank[order[k]] = 0.5 * static_cast<double>(first + 1 + last);
+  }
+  return rank;
+}
+
+double pearson(const std::vector<double>& x, const std::vector<double>& y) {
+  const double n = static_cast<double>(x.size());
+  double mx = 0, my = 0, xx = 0, xy = 0, yy = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    mx += x[k] / n;
+    my += y[k] / n;
+  }
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    xx += (x[k] - mx) * (x[k] - mx);
+    xy += (x[k] - mx) * (y[k] - my);
+    yy += (y[k] - my) * (y[k] - my);
+  }
+  return xx > 0 && yy > 0 ? xy / std::sqrt(xx * yy) : unknown;
+}
+
+double spearman(const std::vector<double>& x, const std::vector<double>& y) { return pearson(ranks(x), ranks(y)); }
+
+Relation relate(const std::vector<double>& x, const std::vector<double>& y) {
+  if (x.size() != y.size())
+    throw InputError(fmt::format("a correlation of {} values with {} has no pairs; give as many of one as of the other", x.size(), y.size()));
+  std::vector<double> a, b;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    if (std::isfinite(x[k]) && std::isfinite(y[k])) {
+      a.push_back(x[k]);
+      b.push_back(y[k]);
+    }
+  Relation relation;
+  relation.count = a.size();
+  relation.line = fit_line(a, b);
+  std::vector<std::vector<double>> replicates;
+  for (std::size_t k = 0; k < a.size() && a.size() > 2; ++k) {
+    std::vector<double> p = a, q = b;
+    p.erase(p.begin() + static_cast<std::ptrdiff_t>(k));
+    q.erase(q.begin() + static_cast<std::ptrdiff_t>(k));
+    replicates.push_back({pearson(p, q), spearman(p, q)});
+  }
+  const auto e = with_errors({pearson(a, b), spearman(a, b)}, replicates);
+  relation.pearson = e[0];
+  relation.spearman = e[1];
+  return relation;
+}
+
+}  // namespace arenite::statistics

@@ -1,0 +1,160 @@
+#include "statistics/q_gaussian.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "statistics/jackknife.hpp"
+
+namespace arenite::statistics {
+namespace {
+
+constexpr double lowest_q = -2, highest_q = 2.95;
+
+/// Centre, ln beta, q.
+using Parameters = std::array<double, 3>;
+
+double log_gamma_quotient(double a, double b) { return std::lgamma(a) - std::lgamma(b); }
+
+/// ln C_q, the integral of the density's shape for beta = 1.
+double log_normalisation(double q) {
+  const double log_root_pi = 0.5 * std::log(std::numbers::pi), e = q - 1;
+  if (std::abs(e) < 1e-6) return log_root_pi;
+  if (e > 0) return log_root_pi - 0.5 * std::log(e) + log_gamma_quotient((3 - q) / (2 * e), 1 / e);
+  return std::log(2.0) + log_root_pi - std::log(3 - q) - 0.5 * std::log(-e) + log_gamma_quotient(-1 / e, (3 - q) / (-2 * e));
+}
+
+/// One set of parameters, ready for many x.
+class Density {
+ public:
+  explicit Density(const Parameters& p)
+      : centre_(p[0]), beta_(std::exp(p[1])), e_(p[2] - 1), height_(std::exp(0.5 * p[1] - log_normalisation(p[2]))) {}
+  double operator()(double x) const {
+    const double d2 = beta_ * (x - centre_) * (x - centre_);
+    if (std::abs(e_) < 1e-6) return height_ * std::exp(-d2);
+    const double base = 1 + e_ * d2;
+    return base > 0 ? height_ * std::exp(-std::log(base) / e_) : 0;
+  }
+
+ private:
+  double centre_, beta_, e_, height_;
+};
+
+struct Points {
+  std::vector<double> x, y;
+};
+
+double cost(const Points& points, const Parameters& p) {
+  const Density f(p);
+  double sum = 0;
+  for (std::size_t k = 0; k < points.x.size(); ++k) sum += (points.y[k] - f(points.x[k])) * (points.y[k] - f(points.x[k]));
+  return sum;
+}
+
+/// Solves (A + lambda diag A) d = g for a symmetric 3 x 3 A by Cramer's rule; false where A is singular.
+bool solve(const std::array<double, 9>& normal, double lambda, const Parameters& g, Parameters& d) {
+  std::array<double, 9> a = normal;
+  for (std::size_t k = 0; k < 3; ++k) a[4 * k] *= 1 + lambda;
+  const auto determinant = [](const std::array<double, 9>& m) {
+    return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
+  };
+  const double whole = determinant(a);
+  if (!(std::abs(whole) > 0) || !std::isfinite(whole)) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::array<double, 9> m = a;
+    for (std::size_t row = 0; row < 3; ++row) m[3 * row + k] = g[row];
+    d[k] = determinant(m) / whole;
+  }
+  return true;
+}
+
+/// Normal matrix and right-hand side of a Gauss-Newton step.
+void linearise(const Points& points, const Parameters& p, std::array<double, 9>& normal, Parameters& g) {
+  normal = {};
+  g = {};
+  const Density f(p);
+  const double h = 1e-5;
+  const auto shifted = [&](std::size_t k, double by) {
+    Parameters s = p;
+    s[k] += by;
+    return Density(s);
+  };
+  const std::array<double, 3> step{h * std::exp(-0.5 * p[1]), h, h};
+  const std::array<Density, 3> up{shifted(0, step[0]), shifted(1, step[1]), shifted(2, step[2])};
+  const std::array<Density, 3> down{shifted(0, -step[0]), shifted(1, -step[1]), shifted(2, -step[2])};
+  for (std::size_t i = 0; i < points.x.size(); ++i) {
+    const double x = points.x[i], rest = points.y[i] - f(x);
+    Parameters slope;
+    for (std::size_t k = 0; k < 3; ++k) slope[k] = (up[k](x) - down[k](x)) / (2 * step[k]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      g[k] += slope[k] * rest;
+      for (std::size_t l = 0; l < 3; ++l) normal[3 * k + l] += slope[k] * slope[l];
+    }
+  }
+}
+
+/// Levenberg-Marquardt; false if it does not settle within the bounds of q.
+bool minimise(const Points& points, Parameters& p, int iterations) {
+  double lambda = 1e-3, now = cost(points, p);
+  for (int iteration = 0; iteration < iterations; ++iteration) {
+    std::array<double, 9> normal;
+    Parameters g, d;
+    linearise(points, p, normal, g);
+    double before = now;
+    for (bool better = false; !better; lambda *= 10) {
+      if (lambda > 1e9 || !solve(normal, lambda, g, d)) return p[2] > lowest_q && p[2] < highest_q;
+      Parameters trial{p[0] + d[0], p[1] + std::clamp(d[1], -1.0, 1.0), std::clamp(p[2] + std::clamp(d[2], -0.3, 0.3), lowest_q, highest_q)};
+      const double then = cost(points, trial);
+      better = then < now;
+      if (!better) continue;
+      now = then;
+      p = trial;
+      lambda /= 100;
+    }
+    if (before - now <= 1e-12 * now) break;
+  }
+  return p[2] > lowest_q && p[2] < highest_q;
+}
+
+Points points_of(const Bins& bins, const Counts& counts) {
+  Points points{{}, density(bins, counts)};
+  for (std::size_t k = 0; k < bins.count; ++k) points.x.push_back(bins.centre(k));
+  return points;
+}
+
+double r2_of(const Points& points, const Parameters& p) {
+  double mean = 0, variance = 0;
+  for (const double y : points.y) mean += y / static_cast<double>(points.y.size());
+  for (const double y : points.y) variance += (y - mean) * (y - mean);
+  return 1 - cost(points, p) / variance;
+}
+
+}  // namespace
+
+double q_gaussian_density(double x, double centre, double beta, double q) { return Density({centre, std::log(beta), q})(x); }
+
+QGaussian fit_q_gaussian(const BlockCounts& counts, const std::vector<double>& replicate_mean) {
+  QGaussian fit;
+  if (counts.bins.count < 10) return fit;
+  const Points points = points_of(counts.bins, counts.all);
+  const auto peak = std::max_element(points.y.begin(), points.y.end());
+  Parameters p{points.x[static_cast<std::size_t>(peak - points.y.begin())], std::log(std::numbers::pi * *peak * *peak), 1.2};
+  if (!minimise(points, p, 100)) return fit;
+  std::vector<std::vector<double>> replicates;
+  for (std::size_t b = 0; b < counts.block.size(); ++b) {
+    const Counts rest = counts.without(b);
+    Parameters r = p;
+    if (!(rest.total() > 0) || !minimise(points_of(counts.bins, rest), r, 4)) continue;
+    const double m = replicate_mean[b];
+    replicates.push_back({r[2], std::exp(r[1]) * m * m, r[0] / m});
+  }
+  const auto estimates = with_errors({p[2], std::exp(p[1]), p[0]}, replicates);
+  fit.q = estimates[0];
+  fit.beta = estimates[1];
+  fit.centre = estimates[2];
+  fit.r2 = r2_of(points, p);
+  return fit;
+}
+
+}  // namespace arenite::statistics
