@@ -90,6 +90,16 @@ double uncovered_area_under(const Edge& edge, std::vector<Part>& covered) {
   return from < 1 ? sum + edge.area_under(from, 1) : sum;
 }
 
+/// A line whose ends lie in a disk lies in it; half the edges of bridges end here.
+bool is_in_a_disk(const Edge& edge, const Index& index, const std::vector<std::int32_t>& near) {
+  if (!edge.straight()) return false;
+  for (const auto o : near) {
+    const Outline& outline = index.outline[o];
+    if (outline.kind == Outline::Kind::disk && contains(outline, edge.a) && contains(outline, edge.b)) return true;
+  }
+  return false;
+}
+
 bool is_inside(const Rectangle& a, const Rectangle& window) {
   return a.x_min > window.x_min && a.x_max < window.x_max && a.y_min > window.y_min && a.y_max < window.y_max;
 }
@@ -115,6 +125,7 @@ double union_area(std::span<const Outline> outlines, const Rectangle& window) {
     const double step = step_of(index.boxes[o]);
     for (const Edge& edge : edges(index.outline[o])) {
       if (edge.straight() && edge.a.x == edge.b.x && edge.a.y == edge.b.y) continue;
+      if (is_in_a_disk(edge, index, near)) continue;
       const Rectangle box = bounds(edge);
       covered.clear();
       if (!is_inside(box, w)) add_parts_outside(edge, w, step, covered);

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -21,9 +22,20 @@ struct Cavities {
   CavityRules rules;
   std::vector<std::int32_t> label;   ///< one a node: index of its cavity, -1 outside or left out
   std::vector<std::int64_t> nodes;   ///< one a cavity that counts, in order of their first node
-  std::size_t specks = 0, cut = 0;   ///< left out as too small, as touching the border
+  std::size_t specks = 0, cut = 0;   ///< left out as too small, as touching the border (whatever their size)
 };
 
+/// Throws InputError for a negative least size.
 Cavities find_cavities(const PhaseMap& map, Cavity kind, const CavityRules& rules = {});
+
+/// What runs through a map from side to side. Solid is grain and matrix together. Where voids are 4-connected solid is
+/// 8-connected and the other way round, so that just one of a void from left to right and a solid from bottom to top
+/// is there. Bonds of the solver reach further than neighbours: a solid that does not connect may still carry a little.
+struct Percolation {
+  bool solid_bottom_top = false, solid_left_right = false;
+  bool void_bottom_top = false, void_left_right = false;
+};
+
+Percolation find_percolation(const PhaseMap& map, bool eight_connected_voids = false);
 
 }  // namespace arenite::raster

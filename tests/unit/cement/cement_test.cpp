@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include "core/error.hpp"
 #include "support/disks.hpp"
@@ -122,6 +123,55 @@ TEST(Menisci, HoldTheVolumeAskedFor) {
         EXPECT_EQ(report.joints, 1u);
         EXPECT_NEAR(report.areas.matrix, volume, 1e-11) << gap << " " << ratio;
       }
+}
+
+TEST(Menisci, BetweenTouchingEqualDisksHaveTheClosedFormsArea) {
+  // Rhombus of the centres of both disks and both arcs, less the four sectors.
+  const double arc = 0.25, height = std::sqrt((1 + arc) * (1 + arc) - 1), angle = std::atan(height);
+  const double volume = 2 * (height - angle - (pi / 2 - angle) * arc * arc);
+  CementReport report;
+  const Cement cement = make_cement(disks({{-1, 0, 1}, {1, 0, 1}}, 10), menisci(0.01, volume), wide, report);
+  EXPECT_NEAR(cement.menisci.at(0).radius, arc, 1e-10);
+}
+
+TEST(Menisci, RuptureWhereTheArcsMeetAndEndAtStraightTangents) {
+  const double gap = 0.1;
+  const Packing two = disks({{0, 0, 1}, {2 + gap, 0, 1}}, 10);
+  // Arcs that meet in the middle of the gap: (1 + R)^2 = (1 + gap/2)^2 + R^2.
+  const double a = 1 + gap / 2, arc = (a * a - 1) / 2, angle = std::atan(arc / a);
+  const double least = 2 * (a * arc - angle - (pi / 2 - angle) * arc * arc), most = 2 * (2 * a) - pi;
+  EXPECT_EQ(made(two, menisci(0.2, least * (1 - 1e-9))).ruptured, 1u);
+  EXPECT_EQ(made(two, menisci(0.2, least * (1 - 1e-9))).areas.matrix, 0);
+  EXPECT_EQ(made(two, menisci(0.2, least * (1 + 1e-9))).joints, 1u);
+  EXPECT_NEAR(matrix(two, menisci(0.2, least * (1 + 1e-6))), least, 1e-5 * least);
+  EXPECT_EQ(made(two, menisci(0.2, most * (1 - 1e-9))).capped, 0u);
+  EXPECT_NEAR(matrix(two, menisci(0.2, most * (1 - 1e-9))), most, 1e-7);
+  EXPECT_EQ(made(two, menisci(0.2, 2 * most)).capped, 1u);
+  EXPECT_NEAR(matrix(two, menisci(0.2, 2 * most)), most, 1e-12);
+}
+
+TEST(Saturation, OutOfReachNamesWhatIsInReach) {
+  const Packing two = disks({{-1, 0, 1}, {1, 0, 1}}, 10);
+  CementReport report;
+  try {
+    make_cement(two, with_saturation(bridges(0.1, 0), 0.9), {-2, 2, -2, 2}, report);
+    FAIL() << "a bridge between two disks cannot fill the corners of the window";
+  } catch (const InputError& error) {
+    const double most = (4 - pi) / (16 - 2 * pi);
+    EXPECT_NE(std::string(error.what()).find(std::to_string(most).substr(0, 5)), std::string::npos) << error.what();
+  }
+}
+
+TEST(Cement, BadInputIsNamed) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const Packing two = disks({{-1, 0, 1}, {1, 0, 1}}, 10);
+  for (const auto& p : {bridges(-1, 0.4), bridges(nan, 0.4), bridges(0.1, -0.1), bridges(0.1, 1.01), bridges(0.1, 2.01, true),
+                        coating(-1), coating(nan), menisci(0.1, -1), with_saturation(bridges(0.1, 0), 0),
+                        with_saturation(coating(0), 1.1), with_saturation(of_kind(Kind::none), 0.5)})
+    EXPECT_THROW(made(two, p), InputError);
+  EXPECT_THROW(made(two, bridges(0.1, 0.4), {0, 0, 0, 1}), InputError);
+  EXPECT_THROW(made(disks({{0, 0, -1}}, 10), bridges(0.1, 0.4)), InputError);
+  EXPECT_THROW(made(disks({{nan, 0, 1}}, 10), bridges(0.1, 0.4)), InputError);
 }
 
 TEST(Saturation, IsFoundForEveryKindThatCanChooseIt) {
