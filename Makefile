@@ -34,6 +34,7 @@ peers:
 	@$(COMMON) -DARENITE_BENCH=ON >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS)
 	@bench/peers/run $(BUILD)
+	@bench/peers/peridynamics $(BUILD)
 
 # Every fuzz target for FUZZ_SECONDS; inputs that reach new code gather in build-fuzz/found.
 FUZZ_SECONDS ?= 60

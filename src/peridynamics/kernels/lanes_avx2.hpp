@@ -13,11 +13,6 @@ struct Doubles {
   static Doubles load(const double* p) { return {_mm256_loadu_pd(p)}; }
   static Doubles all(double c) { return {_mm256_set1_pd(c)}; }
   void store(double* p) const { _mm256_storeu_pd(p, v); }
-  double sum() const {
-    alignas(32) double p[4];
-    _mm256_store_pd(p, v);
-    return (p[0] + p[1]) + (p[2] + p[3]);
-  }
   static Words words(const std::uint32_t* p) { return _mm_loadu_si128(reinterpret_cast<const __m128i*>(p)); }
   /// Modulus by bond type: one of four floats, looked up by two bits of each word.
   struct Table {
@@ -60,13 +55,25 @@ struct Floats {
   friend Floats fnma(Floats a, Floats b, Floats c) { return {_mm256_fnmadd_ps(a.v, b.v, c.v)}; }
 };
 
-/// sum + a b, eight products of floats added up as four doubles.
-inline Doubles add_product(Floats a, Floats b, Doubles sum) {
-  const auto low = [](Floats f) { return _mm256_cvtps_pd(_mm256_castps256_ps128(f.v)); };
-  const auto high = [](Floats f) { return _mm256_cvtps_pd(_mm256_extractf128_ps(f.v, 1)); };
-  return {_mm256_fmadd_pd(low(a), low(b), _mm256_fmadd_pd(high(a), high(b), sum.v))};
-}
-inline Doubles add_product(Doubles a, Doubles b, Doubles sum) { return fma(a, b, sum); }
+/// A sum of products a b of the two components of a plane field, in four lanes of doubles.
+class Sum {
+ public:
+  void add(Doubles ax, Doubles bx, Doubles ay, Doubles by) { v_ = fma(ax, bx, fma(ay, by, v_)); }
+  void add(Floats ax, Floats bx, Floats ay, Floats by) {
+    add(low(ax), low(bx), low(ay), low(by));
+    add(high(ax), high(bx), high(ay), high(by));
+  }
+  double value() const {
+    alignas(32) double p[4];
+    _mm256_store_pd(p, v_.v);
+    return (p[0] + p[1]) + (p[2] + p[3]);
+  }
+
+ private:
+  static Doubles low(Floats f) { return {_mm256_cvtps_pd(_mm256_castps256_ps128(f.v))}; }
+  static Doubles high(Floats f) { return {_mm256_cvtps_pd(_mm256_extractf128_ps(f.v, 1))}; }
+  Doubles v_ = Doubles::all(0);
+};
 
 inline void store_rough(Doubles a, float* p) { _mm_storeu_ps(p, _mm256_cvtpd_ps(a.v)); }
 inline Doubles load_rough(const float* p) { return {_mm256_cvtps_pd(_mm_loadu_ps(p))}; }

@@ -33,7 +33,6 @@ struct Doubles {
   }
   static Doubles all(double c) { return {V{c, c}}; }
   void store(double* p) const { std::memcpy(p, &v, sizeof v); }
-  double sum() const { return v[0] + v[1]; }
   static Words words(const std::uint32_t* p) { return {{p[0], p[1]}}; }
   friend Doubles operator+(Doubles a, Doubles b) { return {a.v + b.v}; }
   friend Doubles operator-(Doubles a, Doubles b) { return {a.v - b.v}; }
@@ -67,12 +66,22 @@ struct Floats {
   friend Floats fnma(Floats a, Floats b, Floats c) { return {c.v - a.v * b.v}; }
 };
 
-/// sum + a b, four products of floats added up as two doubles.
-inline Doubles add_product(Floats a, Floats b, Doubles sum) {
-  const auto product = [&](int i) { return static_cast<double>(a.v[i]) * static_cast<double>(b.v[i]); };
-  return {sum.v + Doubles::V{product(0) + product(2), product(1) + product(3)}};
-}
-inline Doubles add_product(Doubles a, Doubles b, Doubles sum) { return fma(a, b, sum); }
+/// A sum of products a b of the two components of a plane field.
+class Sum {
+ public:
+  void add(Doubles ax, Doubles bx, Doubles ay, Doubles by) { v_ = fma(ax, bx, fma(ay, by, v_)); }
+  void add(Floats ax, Floats bx, Floats ay, Floats by) {
+    add(pair(ax, 0), pair(bx, 0), pair(ay, 0), pair(by, 0));
+    add(pair(ax, 2), pair(bx, 2), pair(ay, 2), pair(by, 2));
+  }
+  double value() const { return v_.v[0] + v_.v[1]; }
+
+ private:
+  static Doubles pair(Floats f, int i) {
+    return {Doubles::V{static_cast<double>(f.v[i]), static_cast<double>(f.v[i + 1])}};
+  }
+  Doubles v_ = Doubles::all(0);
+};
 
 inline void store_rough(Doubles a, float* p) {
   p[0] = static_cast<float>(a.v[0]);

@@ -9,16 +9,31 @@ Force<V> freedom(std::uint8_t prescribed) {
 
 template <class V, class T = typename V::Scalar>
 double force(const Bonds& bonds, const std::uint8_t* prescribed, Plane<const T> u, Plane<T> f) {
-  Doubles sum = Doubles::all(0);
+  Sum sum;
   Force<V> open{};
   Stencil<V>(bonds, u).sweep([&](int y) { open = freedom<V>(prescribed[y]); },
                              [&](std::ptrdiff_t i, Force<V> own, Force<V> g) {
                                g = {open.x * g.x, open.y * g.y};
+                               __builtin_prefetch(f.x + i + bonds.grid.stride, 1);
+                               __builtin_prefetch(f.y + i + bonds.grid.stride, 1);
                                g.x.store(f.x + i);
                                g.y.store(f.y + i);
-                               sum = add_product(own.x, g.x, add_product(own.y, g.y, sum));
+                               sum.add(own.x, g.x, own.y, g.y);
                              });
-  return sum.sum();
+  return sum.value();
+}
+
+double imbalance(const Bonds& bonds, const std::uint8_t* prescribed, Plane<const double> u, Plane<float> r) {
+  Sum sum;
+  Force<Doubles> open{};
+  Stencil<Doubles>(bonds, u).sweep([&](int y) { open = freedom<Doubles>(prescribed[y]); },
+                                   [&](std::ptrdiff_t i, Force<Doubles>, Force<Doubles> g) {
+                                     g = {open.x * g.x, open.y * g.y};
+                                     store_rough(g.x, r.x + i);
+                                     store_rough(g.y, r.y + i);
+                                     sum.add(g.x, g.x, g.y, g.y);
+                                   });
+  return sum.value();
 }
 
 void chebyshev(const Bonds& bonds, Plane<const float> z, Plane<float> older, Plane<const float> r, BlockPlane inverse,
@@ -48,32 +63,32 @@ double stormer(const Bonds& bonds, const std::uint8_t* prescribed, Plane<const d
                double b) {
   using V = Doubles;
   const V va = V::all(a), vb = V::all(b);
-  Doubles sum = Doubles::all(0);
+  Sum sum;
   Force<V> open{};
   Stencil<V>(bonds, u).sweep([&](int y) { open = freedom<V>(prescribed[y]); },
                              [&](std::ptrdiff_t i, Force<V> own, Force<V> g) {
                                g = {open.x * g.x, open.y * g.y};
-                               sum = fma(g.x, g.x, fma(g.y, g.y, sum));
+                               sum.add(g.x, g.x, g.y, g.y);
                                fma(vb, g.x, fma(va, own.x - V::load(older.x + i), own.x)).store(older.x + i);
                                fma(vb, g.y, fma(va, own.y - V::load(older.y + i), own.y)).store(older.y + i);
                              });
-  return sum.sum();
+  return sum.value();
 }
 
 double relax(const Bonds& bonds, Plane<const double> u, Plane<double> older, BlockPlane inverse, double a, double b) {
   using V = Doubles;
   const V va = V::all(a), vb = V::all(b);
-  Doubles sum = Doubles::all(0);
+  Sum sum;
   Stencil<V>(bonds, u).sweep([](int) {},
                              [&](std::ptrdiff_t i, Force<V> own, Force<V> g) {
                                const V xx = load_rough(inverse.xx + i), xy = load_rough(inverse.xy + i),
                                        yy = load_rough(inverse.yy + i);
                                const V dx = fma(xx, g.x, xy * g.y), dy = fma(xy, g.x, yy * g.y);
-                               sum = fma(dx, g.x, fma(dy, g.y, sum));
+                               sum.add(dx, g.x, dy, g.y);
                                fma(vb, dx, fma(va, own.x - V::load(older.x + i), own.x)).store(older.x + i);
                                fma(vb, dy, fma(va, own.y - V::load(older.y + i), own.y)).store(older.y + i);
                              });
-  return sum.sum();
+  return sum.value();
 }
 
 /// All nodes of a grid, pads between the rows included: these hold zeros and stay so.
@@ -82,51 +97,48 @@ struct Span {
 };
 Span span_of(const Grid& grid) { return {grid.row(0), grid.row(grid.height)}; }
 
-double conjugate_step(const Bonds& bonds, double alpha, Plane<const double> p, Plane<const double> f, Plane<double> u,
-                      Plane<double> r, BlockPlane inverse, float b, Plane<float> rough, Plane<float> z) {
-  const Doubles step = Doubles::all(alpha);
-  const Floats vb = Floats::all(b);
-  Doubles sum = Doubles::all(0);
+double conjugate_step(const Bonds& bonds, float alpha, Plane<const float> p, Plane<const float> f, Plane<double> u,
+                      Plane<float> r, BlockPlane inverse, float b, Plane<float> z) {
+  const Floats step = Floats::all(alpha), vb = Floats::all(b);
+  const Doubles long_step = Doubles::all(static_cast<double>(alpha));
+  Sum sum;
   const Span span = span_of(bonds.grid);
-  const auto component = [&](const double* pp, const double* ff, double* uu, double* rr, float* out) {
-    fma(step, Doubles::load(pp), Doubles::load(uu)).store(uu);
-    const Doubles now = fma(step, Doubles::load(ff), Doubles::load(rr));
-    now.store(rr);
-    store_rough(now, out);
-    sum = fma(now, now, sum);
+  const auto component = [&](std::ptrdiff_t i, const float* pp, const float* ff, double* uu, float* rr) {
+    for (std::ptrdiff_t j = i; j < i + Floats::lanes; j += Doubles::lanes)
+      fma(long_step, load_rough(pp + j), Doubles::load(uu + j)).store(uu + j);
+    const Floats now = fma(step, Floats::load(ff + i), Floats::load(rr + i));
+    now.store(rr + i);
+    return now;
   };
   for (std::ptrdiff_t i = span.begin; i < span.end; i += Floats::lanes) {
-    for (std::ptrdiff_t j = i; j < i + Floats::lanes; j += Doubles::lanes) {
-      component(p.x + j, f.x + j, u.x + j, r.x + j, rough.x + j);
-      component(p.y + j, f.y + j, u.y + j, r.y + j, rough.y + j);
-    }
-    const Floats rx = Floats::load(rough.x + i), ry = Floats::load(rough.y + i), xy = Floats::load(inverse.xy + i);
+    const Floats rx = component(i, p.x, f.x, u.x, r.x), ry = component(i, p.y, f.y, u.y, r.y);
+    sum.add(rx, rx, ry, ry);
+    const Floats xy = Floats::load(inverse.xy + i);
     (vb * fma(Floats::load(inverse.xx + i), rx, xy * ry)).store(z.x + i);
     (vb * fma(xy, rx, Floats::load(inverse.yy + i) * ry)).store(z.y + i);
   }
-  return sum.sum();
+  return sum.value();
 }
 
 double dot(const Bonds& bonds, Plane<const float> a, Plane<const float> b) {
-  Doubles sum = Doubles::all(0);
+  Sum sum;
   const Span span = span_of(bonds.grid);
   for (std::ptrdiff_t i = span.begin; i < span.end; i += Floats::lanes)
-    sum = add_product(Floats::load(a.x + i), Floats::load(b.x + i),
-                      add_product(Floats::load(a.y + i), Floats::load(b.y + i), sum));
-  return sum.sum();
+    sum.add(Floats::load(a.x + i), Floats::load(b.x + i), Floats::load(a.y + i), Floats::load(b.y + i));
+  return sum.value();
 }
 
-void direct(const Bonds& bonds, double beta, Plane<const float> z, Plane<double> p) {
-  const Doubles keep = Doubles::all(beta);
+void direct(const Bonds& bonds, float beta, Plane<const float> z, Plane<float> p) {
+  const Floats keep = Floats::all(beta);
   const Span span = span_of(bonds.grid);
-  for (std::ptrdiff_t i = span.begin; i < span.end; i += Doubles::lanes) {
-    fma(keep, Doubles::load(p.x + i), load_rough(z.x + i)).store(p.x + i);
-    fma(keep, Doubles::load(p.y + i), load_rough(z.y + i)).store(p.y + i);
+  for (std::ptrdiff_t i = span.begin; i < span.end; i += Floats::lanes) {
+    fma(keep, Floats::load(p.x + i), Floats::load(z.x + i)).store(p.x + i);
+    fma(keep, Floats::load(p.y + i), Floats::load(z.y + i)).store(p.y + i);
   }
 }
 
 constexpr Kernels table_of(const char* name) {
-  return {name, force<Doubles>, force<Floats>, chebyshev, residual, stormer, relax, conjugate_step, dot, direct};
+  return {name, force<Doubles>, force<Floats>, imbalance, chebyshev, residual, stormer, relax, conjugate_step, dot, direct};
 }
 
 }  // namespace

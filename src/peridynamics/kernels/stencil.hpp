@@ -42,7 +42,7 @@ class Stencil {
   using T = typename V::Scalar;
   static constexpr int lanes = V::lanes;
   static constexpr int tile =
-      1024 * 4 / static_cast<int>(sizeof(T));  ///< nodes: long rows for the prefetchers, a ring of 140 kB
+      4096 / static_cast<int>(sizeof(T));
   static constexpr int pitch = tile + 2 * lanes;
 
   Stencil(const Bonds& bonds, Plane<const T> u) : grid_(bonds.grid), words_(bonds.words.data()), u_(u), bonds_(bonds) {}
@@ -53,8 +53,8 @@ class Stencil {
   /// `row(y)` is called before each row of a tile.
   template <class Row, class Then>
   [[gnu::always_inline]] void sweep(const Row& row, const Then& then) {
-    for (int x = 0; x < grid_.groups * Grid::lanes; x += tile) {
-      const int nodes = std::min(tile, grid_.groups * Grid::lanes - x);
+    for (int x = 0; x < grid_.row_vectors() * Grid::vector; x += tile) {
+      const int nodes = std::min(tile, grid_.row_vectors() * Grid::vector - x);
       std::memset(ring_, 0, sizeof ring_);
       for (int y = 0; y < grid_.height; ++y) {
         pull(grid_.index(x, y), nodes, {slot(0, 0), slot(1, y), slot(2, y), slot(3, y)});
@@ -89,6 +89,9 @@ class Stencil {
     const T* const uy = u_.y + first - lanes;
     const std::uint32_t* const words = words_ + first - lanes;
     for (std::ptrdiff_t k = 0; k < nodes + 2 * lanes; k += lanes) {
+      __builtin_prefetch(ux + k + 4 * stride);  // the row that the next one will be the first to ask for
+      __builtin_prefetch(uy + k + 4 * stride);
+      __builtin_prefetch(words + k + stride);
       const auto word = V::words(words + k);
       const V x = V::load(ux + k), y = V::load(uy + k);
       const auto one = [&]<int d>(V own) __attribute__((always_inline)) {

@@ -8,11 +8,19 @@
 
 namespace arenite::peridynamics {
 
+namespace {
+
+void set_zero(Field<float>& a) {
+  std::fill_n(a.x.data(), a.x.size(), 0.0f);
+  std::fill_n(a.y.data(), a.y.size(), 0.0f);
+}
+
+}  // namespace
+
 struct StaticSolver::State {
   std::vector<std::uint8_t> prescribed;
   TwoLevel preconditioner;
-  Field<double> r, p, f;
-  Field<float> rough, z;
+  Field<float> r, p, f, z;
 
   State(const Bonds& bonds, Pieces pieces, std::vector<std::uint8_t> rows)
       : prescribed(std::move(rows)),
@@ -20,18 +28,27 @@ struct StaticSolver::State {
         r(bonds.grid.padded_size()),
         p(bonds.grid.padded_size()),
         f(bonds.grid.padded_size()),
-        rough(bonds.grid.padded_size()),
         z(bonds.grid.padded_size()) {}
 
-  void add_to_residual(const Bonds& bonds, const Field<double>& body) {
+  /// r := residual of u, worked out anew in double; returns its norm.
+  double fresh_residual(const Bonds& bonds, const Field<double>& u, const Field<double>* body) {
+    const double square = kernels().imbalance(bonds, prescribed.data(), plane(u), plane(r));
+    if (!body) return std::sqrt(square);
     const Grid& grid = bonds.grid;
     for (int y = 0; y < grid.height; ++y) {
       const auto rows = prescribed[static_cast<std::size_t>(y)];
       for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) {
-        if (!(rows & x_prescribed)) r.x[i] += body.x[i];
-        if (!(rows & y_prescribed)) r.y[i] += body.y[i];
+        if (!(rows & x_prescribed)) r.x[i] += static_cast<float>(body->x[i]);
+        if (!(rows & y_prescribed)) r.y[i] += static_cast<float>(body->y[i]);
       }
     }
+    return std::sqrt(square_norm(grid, r));
+  }
+
+  /// u and r move along p, and z becomes the first step of the preconditioner; returns the norm of r.
+  double move(const Bonds& bonds, double alpha, Field<double>& u) {
+    return std::sqrt(kernels().conjugate_step(bonds, static_cast<float>(alpha), plane(p), plane(f), plane(u), plane(r),
+                                              preconditioner.inverse(), preconditioner.first_step(), plane(z)));
   }
 };
 
@@ -47,52 +64,43 @@ StaticReport StaticSolver::solve(const Bonds& bonds, Field<double>& u, double to
   report.coarse_unknowns = s.preconditioner.coarse().unknowns();
   report.repairs = s.preconditioner.coarse().repairs();
   report.loose_nodes = s.preconditioner.loose_nodes();
-  const double reference = residual_reference(bonds, s.prescribed, u, s.p, s.f);
-  set_zero(s.p);
-  set_zero(s.f);
+  const double reference = residual_reference(bonds, s.prescribed, u, s.z, s.r);
   if (!(reference > 0)) {
     report.converged = std::isfinite(reference);
     return report;
   }
-  const auto fresh_residual = [&] {
-    k.force(bonds, s.prescribed.data(), plane(u), plane(s.r));
-    if (body) s.add_to_residual(bonds, *body);
+  // Directions and residuals are kept in single precision. Each time the residual has come down by `trusted` it is
+  // worked out anew from the field, which is kept in double; the direction goes on.
+  constexpr double trusted = 1e-2;
+  const auto renew = [&] {
+    report.residual = s.fresh_residual(bonds, u, body) / reference;
+    s.move(bonds, 0, u);
+    return report.residual;
   };
-  const auto move = [&](double alpha) {
-    return std::sqrt(k.conjugate_step(bonds, alpha, plane(s.p), plane(s.f), plane(u), plane(s.r),
-                                      s.preconditioner.inverse(), s.preconditioner.first_step(), plane(s.rough),
-                                      plane(s.z))) /
-           reference;
-  };
-  // The residual that the recurrence carries is replaced by a fresh one at the end; if the two differ, a second pass
-  // starts from there.
+  set_zero(s.p);
+  set_zero(s.f);
+  double renewed = renew(), last = 0;
+  report.history.push_back(renewed);
   Reporter reporter(watch, tolerance);
-  for (int pass = 0; pass < 2 && !report.converged && !report.stopped; ++pass) {
-    fresh_residual();
-    report.residual = move(0);
-    if (pass == 0) report.history.push_back(report.residual);
-    double last = 0;
-    while (report.residual > tolerance && report.iterations < max_iterations) {
-      if (!reporter.goes_on(report.iterations, report.residual)) {
-        report.stopped = true;
-        break;
-      }
-      s.preconditioner.apply(bonds, s.rough, s.z);
-      const double rz = k.dot(bonds, plane(s.rough), plane(s.z));
-      if (!(rz > 0) || !std::isfinite(rz)) break;
-      k.direct(bonds, last > 0 ? rz / last : 0.0, plane(s.z), plane(s.p));
-      last = rz;
-      const double curvature = -k.force(bonds, s.prescribed.data(), plane(s.p), plane(s.f));
-      if (!(curvature > 0)) break;
-      report.residual = move(rz / curvature);
-      ++report.iterations;
-      report.history.push_back(report.residual);
+  while (report.residual > tolerance && report.iterations < max_iterations) {
+    if (!reporter.goes_on(report.iterations, report.residual)) {
+      report.stopped = true;
+      break;
     }
-    fresh_residual();
-    report.residual = std::sqrt(square_norm(bonds.grid, s.r)) / reference;
-    report.converged = report.residual <= 1.01 * tolerance;
-    if (report.iterations >= max_iterations) break;
+    s.preconditioner.apply(bonds, s.r, s.z);
+    const double rz = k.dot(bonds, plane(s.r), plane(s.z));
+    if (!(rz > 0) || !std::isfinite(rz)) break;
+    k.direct(bonds, static_cast<float>(last > 0 ? rz / last : 0.0), plane(s.z), plane(s.p));
+    last = rz;
+    const double curvature = -k.force_float(bonds, s.prescribed.data(), plane(s.p), plane(s.f));
+    if (!(curvature > 0)) break;
+    report.residual = s.move(bonds, rz / curvature, u) / reference;
+    ++report.iterations;
+    if (report.residual <= std::max(tolerance, trusted * renewed)) renewed = renew();
+    report.history.push_back(report.residual);
   }
+  report.residual = s.fresh_residual(bonds, u, body) / reference;
+  report.converged = !report.stopped && report.residual <= 1.01 * tolerance;
   return report;
 }
 

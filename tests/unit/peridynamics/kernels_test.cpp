@@ -186,7 +186,79 @@ TEST_P(EveryKernel, ChebyshevAndResidualAndMotionAreForceAndArithmetic) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Machine, EveryKernel, testing::Values("portable", "avx2"),
+TEST_P(EveryKernel, StepOfConjugateGradientsIsItsArithmetic) {
+  const PhaseMap map = sample();
+  const Bonds bonds = make_bonds(map, {});
+  const auto n = bonds.grid.padded_size();
+  const std::vector<std::uint8_t> open(static_cast<std::size_t>(map.height), 0);
+  const auto p = random_field<float>(bonds, map);
+  auto u = random_field<double>(bonds, map);
+  Field<float> f(n), r(n), z(n), q(n);
+  Field<double> exact(n);
+  Buffer<float> xx(n), xy(n), yy(n);
+  for (std::ptrdiff_t i = bonds.grid.row(0); i < bonds.grid.row(map.height); ++i) {
+    xx[i] = 0.5f;
+    xy[i] = 0.125f;
+    yy[i] = 0.25f;
+    f.x[i] = 3 * p.y[i];
+    f.y[i] = -p.x[i];
+  }
+  k().force(bonds, open.data(), plane(u), plane(exact));
+  const double square = k().imbalance(bonds, open.data(), plane(u), plane(r));
+  double wanted = 0, moved = 0, both = 0;
+  for (std::ptrdiff_t i = bonds.grid.row(0); i < bonds.grid.row(map.height); ++i) {
+    ASSERT_EQ(r.x[i], static_cast<float>(exact.x[i]));
+    ASSERT_EQ(r.y[i], static_cast<float>(exact.y[i]));
+    wanted += exact.x[i] * exact.x[i] + exact.y[i] * exact.y[i];
+  }
+  EXPECT_NEAR(square / wanted, 1, 1e-12);
+  const Field<double> before = random_field<double>(bonds, map);
+  const double after = k().conjugate_step(bonds, 0.5f, plane(p), plane(f), plane(u), plane(r),
+                                          {xx.data(), xy.data(), yy.data()}, 2.0f, plane(z));
+  for (std::ptrdiff_t i = bonds.grid.row(0); i < bonds.grid.row(map.height); ++i) {
+    ASSERT_EQ(u.x[i], before.x[i] + 0.5 * static_cast<double>(p.x[i]));
+    ASSERT_NEAR(r.y[i], exact.y[i] - 0.5 * p.x[i], 1e-6);
+    ASSERT_NEAR(z.x[i], 2 * (0.5f * r.x[i] + 0.125f * r.y[i]), 1e-6);
+    ASSERT_NEAR(z.y[i], 2 * (0.125f * r.x[i] + 0.25f * r.y[i]), 1e-6);
+    moved += static_cast<double>(r.x[i]) * r.x[i] + static_cast<double>(r.y[i]) * r.y[i];
+    both += static_cast<double>(r.x[i]) * z.x[i] + static_cast<double>(r.y[i]) * z.y[i];
+  }
+  EXPECT_NEAR(after / moved, 1, 1e-12);
+  EXPECT_NEAR(k().dot(bonds, plane(r), plane(z)) / both, 1, 1e-12);
+  k().direct(bonds, -0.5f, plane(z), plane(q));
+  for (std::ptrdiff_t i = bonds.grid.row(0); i < bonds.grid.row(map.height); ++i) ASSERT_EQ(q.x[i], z.x[i]);
+  k().direct(bonds, -0.5f, plane(p), plane(q));
+  for (std::ptrdiff_t i = bonds.grid.row(0); i < bonds.grid.row(map.height); ++i)
+    ASSERT_NEAR(q.y[i], p.y[i] - 0.5f * z.y[i], 1e-6);
+}
+
+TEST(Kernels, WidestVectorsGiveTheSameBits) {
+  const Kernels *narrow = kernels("avx2"), *wide = kernels("avx512");
+  if (!narrow || !wide) GTEST_SKIP() << "this machine cannot run both";
+  const PhaseMap map = sample();
+  const Bonds bonds = make_bonds(map, {});
+  const auto n = bonds.grid.padded_size();
+  const std::vector<std::uint8_t> open(static_cast<std::size_t>(map.height), 0);
+  const auto u = random_field<double>(bonds, map);
+  const auto v = random_field<float>(bonds, map);
+  Field<double> f(n), g(n);
+  Field<float> a(n), b(n);
+  EXPECT_EQ(narrow->force(bonds, open.data(), plane(u), plane(f)), wide->force(bonds, open.data(), plane(u), plane(g)));
+  EXPECT_EQ(narrow->force_float(bonds, open.data(), plane(v), plane(a)),
+            wide->force_float(bonds, open.data(), plane(v), plane(b)));
+  EXPECT_EQ(narrow->dot(bonds, plane(a), plane(v)), wide->dot(bonds, plane(b), plane(v)));
+  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(n); ++i) {
+    ASSERT_EQ(f.x[i], g.x[i]);
+    ASSERT_EQ(f.y[i], g.y[i]);
+    ASSERT_EQ(a.x[i], b.x[i]);
+    ASSERT_EQ(a.y[i], b.y[i]);
+  }
+  EXPECT_EQ(narrow->stormer(bonds, open.data(), plane(u), plane(f), 0.5, 0.25),
+            wide->stormer(bonds, open.data(), plane(u), plane(g), 0.5, 0.25));
+  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(n); ++i) ASSERT_EQ(f.y[i], g.y[i]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Machine, EveryKernel, testing::Values("portable", "avx2", "avx512"),
                          [](const auto& p) { return std::string(p.param); });
 
 TEST(Kernels, UnknownNameIsNull) { EXPECT_EQ(kernels("abacus"), nullptr); }
