@@ -21,12 +21,13 @@ Counts BlockCounts::without(std::size_t b) const {
   return rest;
 }
 
-Bins pdf_bins(std::size_t n, double minimum, double low_quantile, double high_quantile, double maximum) {
-  const double range = high_quantile - low_quantile;
-  if (!(range > 1e-12 * std::max(std::abs(minimum), std::abs(maximum)))) return {};
-  const double width = range / std::clamp(std::round(0.8 * std::pow(static_cast<double>(n), 0.4)), 10.0, 200.0);
-  const double first = std::floor(std::max(minimum, low_quantile - 2 * range) / width);
-  const double last = std::floor(std::min(maximum, high_quantile + 2 * range) / width) + 1;
+Bins pdf_bins(std::size_t n, const Spread& s) {
+  const double range = s.high - s.low, core = 5.5 * (s.upper_quarter - s.lower_quarter);
+  if (!(range > 1e-12 * std::max(std::abs(s.minimum), std::abs(s.maximum)))) return {};
+  const double number = std::clamp(std::round(0.8 * std::pow(static_cast<double>(n), 0.4)), 10.0, 200.0);
+  const double width = std::max((core > 0 ? std::min(range, core) : range) / number, range / 1000);
+  const double first = std::floor(std::max(s.minimum, s.low - 2 * range) / width);
+  const double last = std::floor(std::min(s.maximum, s.high + 2 * range) / width) + 1;
   return {first * width, width, static_cast<std::size_t>(last - first)};
 }
 

@@ -40,9 +40,15 @@ struct BlockCounts {
   Counts without(std::size_t b) const;
 };
 
-/// Bins for a pdf: 0.8 n^0.4 of them (10 to 200) between the 0.01 % and the 99.99 % quantile, and as many of the same
-/// width as reach the extremes, but not farther than twice that range beyond. No bins where all values are equal.
-Bins pdf_bins(std::size_t n, double minimum, double low_quantile, double high_quantile, double maximum);
+/// Extremes and quantiles of a sample: 0.01 %, 25 %, 75 %, 99.99 %.
+struct Spread {
+  double minimum = 0, low = 0, lower_quarter = 0, upper_quarter = 0, high = 0, maximum = 0;
+};
+
+/// Bins for a pdf. Their width is 1/N of low..high, or of 5.5 times lower..upper quarter (the same for a Gaussian)
+/// where that is finer, but not below 1/1000 of low..high; N = 0.8 n^0.4, 10 to 200. They reach the extremes, but not
+/// farther than twice low..high beyond. No bins where all values are equal.
+Bins pdf_bins(std::size_t n, const Spread& spread);
 
 BlockCounts count(const BlockedSample& sample, const Bins& bins);
 

@@ -52,7 +52,7 @@ double cost(const Points& points, const Parameters& p) {
   return sum;
 }
 
-/// Solves (A + lambda diag A) d = g for a symmetric 3 x 3 A by Cramer's rule; false where A is singular.
+/// Solves (A + lambda diag A) d = g for a 3 x 3 A by Cramer's rule; false where A is singular.
 bool solve(const std::array<double, 9>& normal, double lambda, const Parameters& g, Parameters& d) {
   std::array<double, 9> a = normal;
   for (std::size_t k = 0; k < 3; ++k) a[4 * k] *= 1 + lambda;
@@ -69,39 +69,54 @@ bool solve(const std::array<double, 9>& normal, double lambda, const Parameters&
   return true;
 }
 
-/// Normal matrix and right-hand side of a Gauss-Newton step.
-void linearise(const Points& points, const Parameters& p, std::array<double, 9>& normal, Parameters& g) {
-  normal = {};
-  g = {};
-  const Density f(p);
-  const double h = 1e-5;
+/// Slope of the density by each parameter at every point.
+std::vector<Parameters> slopes(const Points& points, const Parameters& p) {
+  const std::array<double, 3> step{1e-5 * std::exp(-0.5 * p[1]), 1e-5, 1e-5};
   const auto shifted = [&](std::size_t k, double by) {
     Parameters s = p;
     s[k] += by;
     return Density(s);
   };
-  const std::array<double, 3> step{h * std::exp(-0.5 * p[1]), h, h};
-  const std::array<Density, 3> up{shifted(0, step[0]), shifted(1, step[1]), shifted(2, step[2])};
-  const std::array<Density, 3> down{shifted(0, -step[0]), shifted(1, -step[1]), shifted(2, -step[2])};
-  for (std::size_t i = 0; i < points.x.size(); ++i) {
-    const double x = points.x[i], rest = points.y[i] - f(x);
-    Parameters slope;
-    for (std::size_t k = 0; k < 3; ++k) slope[k] = (up[k](x) - down[k](x)) / (2 * step[k]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      g[k] += slope[k] * rest;
-      for (std::size_t l = 0; l < 3; ++l) normal[3 * k + l] += slope[k] * slope[l];
-    }
+  std::vector<Parameters> result(points.x.size());
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Density up = shifted(k, step[k]), down = shifted(k, -step[k]);
+    for (std::size_t i = 0; i < points.x.size(); ++i) result[i][k] = (up(points.x[i]) - down(points.x[i])) / (2 * step[k]);
   }
+  return result;
+}
+
+std::array<double, 9> normal_matrix(const std::vector<Parameters>& slope) {
+  std::array<double, 9> normal{};
+  for (const Parameters& s : slope)
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t l = 0; l < 3; ++l) normal[3 * k + l] += s[k] * s[l];
+  return normal;
+}
+
+/// Slopes times what the density leaves of y.
+Parameters gradient(const std::vector<Parameters>& slope, const std::vector<double>& rest) {
+  Parameters g{};
+  for (std::size_t i = 0; i < slope.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) g[k] += slope[i][k] * rest[i];
+  return g;
+}
+
+std::vector<double> residuals(const Points& points, const Parameters& p) {
+  const Density f(p);
+  std::vector<double> rest;
+  for (std::size_t i = 0; i < points.x.size(); ++i) rest.push_back(points.y[i] - f(points.x[i]));
+  return rest;
 }
 
 /// Levenberg-Marquardt; false if it does not settle within the bounds of q.
 bool minimise(const Points& points, Parameters& p, int iterations) {
   double lambda = 1e-3, now = cost(points, p);
   for (int iteration = 0; iteration < iterations; ++iteration) {
-    std::array<double, 9> normal;
-    Parameters g, d;
-    linearise(points, p, normal, g);
-    double before = now;
+    const std::vector<Parameters> slope = slopes(points, p);
+    const std::array<double, 9> normal = normal_matrix(slope);
+    const Parameters g = gradient(slope, residuals(points, p));
+    const double before = now;
+    Parameters d;
     for (bool better = false; !better; lambda *= 10) {
       if (lambda > 1e9 || !solve(normal, lambda, g, d)) return p[2] > lowest_q && p[2] < highest_q;
       Parameters trial{p[0] + d[0], p[1] + std::clamp(d[1], -1.0, 1.0), std::clamp(p[2] + std::clamp(d[2], -0.3, 0.3), lowest_q, highest_q)};
@@ -115,6 +130,21 @@ bool minimise(const Points& points, Parameters& p, int iterations) {
     if (before - now <= 1e-12 * now) break;
   }
   return p[2] > lowest_q && p[2] < highest_q;
+}
+
+/// Half the second derivatives of the cost, by differences of its gradient: unlike the normal matrix they hold where the
+/// density is not a good one.
+std::array<double, 9> curvature(const Points& points, const Parameters& p) {
+  std::array<double, 9> result{};
+  for (std::size_t l = 0; l < 3; ++l) {
+    const double h = l == 0 ? 1e-4 * std::exp(-0.5 * p[1]) : 1e-4;
+    Parameters up = p, down = p;
+    up[l] += h;
+    down[l] -= h;
+    const Parameters g = gradient(slopes(points, up), residuals(points, up)), f = gradient(slopes(points, down), residuals(points, down));
+    for (std::size_t k = 0; k < 3; ++k) result[3 * k + l] = (f[k] - g[k]) / (2 * h);
+  }
+  return result;
 }
 
 Points points_of(const Bins& bins, const Counts& counts) {
@@ -141,13 +171,17 @@ QGaussian fit_q_gaussian(const BlockCounts& counts, const std::vector<double>& r
   const auto peak = std::max_element(points.y.begin(), points.y.end());
   Parameters p{points.x[static_cast<std::size_t>(peak - points.y.begin())], std::log(std::numbers::pi * *peak * *peak), 1.2};
   if (!minimise(points, p, 100)) return fit;
+  const std::vector<Parameters> slope = slopes(points, p);
+  const std::array<double, 9> half_hessian = curvature(points, p);
   std::vector<std::vector<double>> replicates;
   for (std::size_t b = 0; b < counts.block.size(); ++b) {
     const Counts rest = counts.without(b);
-    Parameters r = p;
-    if (!(rest.total() > 0) || !minimise(points_of(counts.bins, rest), r, 4)) continue;
+    if (!(rest.total() > 0)) continue;
     const double m = replicate_mean[b];
-    replicates.push_back({r[2], std::exp(r[1]) * m * m, r[0] / m});
+    std::vector<double> change = density(counts.bins, rest);  // one Newton step away from the fit to all
+    for (std::size_t k = 0; k < change.size(); ++k) change[k] -= points.y[k];
+    Parameters d{};
+    if (solve(half_hessian, 0, gradient(slope, change), d)) replicates.push_back({p[2] + d[2], std::exp(p[1] + d[1]) * m * m, (p[0] + d[0]) / m});
   }
   const auto estimates = with_errors({p[2], std::exp(p[1]), p[0]}, replicates);
   fit.q = estimates[0];

@@ -16,7 +16,7 @@ struct QGaussian {
 double q_gaussian_density(double x, double centre, double beta, double q);
 
 /// Least squares on the pdf, all bins alike (Levenberg-Marquardt from the pdf's peak): always the same path, no random
-/// start. Errors by leaving out one block at a time; `replicate_mean` as in fit_tail, by which beta and centre are set
+/// start. Errors by leaving out one block at a time (one Newton step from the fit to all); `replicate_mean` as in fit_tail, by which beta and centre are set
 /// right. Unknown where there are fewer than 10 bins or where the best q lies outside -2..2.95.
 QGaussian fit_q_gaussian(const BlockCounts& counts, const std::vector<double>& replicate_mean);
 

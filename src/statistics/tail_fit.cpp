@@ -63,7 +63,10 @@ TailRange tail_range(const Bins& bins, const Counts& counts) {
   if (bins.count == 0) return {};
   const std::vector<double> f = density(bins, counts);
   const auto smooth = [&](std::size_t k) {
-    return (f[k] + (k > 0 ? f[k - 1] : 0) + (k + 1 < bins.count ? f[k + 1] : 0)) / 3;
+    const std::size_t from = k > 0 ? k - 1 : 0, to = std::min(k + 2, bins.count);
+    double sum = 0;
+    for (std::size_t j = from; j < to; ++j) sum += f[j];
+    return sum / static_cast<double>(to - from);
   };
   double peak = 0;
   for (std::size_t k = 0; k < bins.count; ++k) peak = std::max(peak, smooth(k));

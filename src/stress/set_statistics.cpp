@@ -100,9 +100,11 @@ void describe_moments(const Scaled& s, const Normaliser& normaliser, Distributio
   d.excess_kurtosis = e[5];
 }
 
+/// Rounding must not put the nodes of a uniform stress above their mean.
 double share_beyond(const std::vector<double>& x, double threshold) {
   double above = 0;
-  for (const double v : x) above += v > threshold;
+  const double limit = threshold + 1e-12 * std::abs(threshold);
+  for (const double v : x) above += v > limit;
   return above / static_cast<double>(x.size());
 }
 
@@ -158,7 +160,8 @@ Distribution describe(const std::string& name, BlockedSample& sigma, const Norma
   const double r = s.unit / normaliser.value;
   d.minimum = std::min(*low * r, *high * r);
   d.maximum = std::max(*low * r, *high * r);
-  const BlockCounts counts = statistics::count(sigma, statistics::pdf_bins(d.count, *low, quantiles.front(), quantiles.back(), *high));
+  const statistics::Spread spread{*low, quantiles.front(), quantiles[4], quantiles[6], quantiles.back(), *high};
+  const BlockCounts counts = statistics::count(sigma, statistics::pdf_bins(d.count, spread));
   describe_ranks(s, counts, quantiles, normaliser, d);
   if (counts.bins.count == 0) {
     notes.push_back(fmt::format("{} is the same in every node: it has no distribution", name));
