@@ -93,6 +93,18 @@ TEST(TailFit, NeighboursThatAreAlikeDoNotFeignPrecision) {
   EXPECT_LT(ratio, 6);
 }
 
+TEST(TailFit, ScatterOfTheMeanGoesIntoTheErrorOfTheSlope) {
+  const BlockedSample sample = drawn(200000, 10, [](RandomStream& r) { return -std::log(1 - r.uniform()); });
+  const BlockCounts counts = counted(sample);
+  std::vector<double> mean(36);
+  for (std::size_t b = 0; b < 36; ++b) mean[b] = b % 2 ? 1.01 : 0.99;
+  const TailFit alone = fit_tail(sample, counts, held), with = fit_tail(sample, counts, mean);
+  const double part = 0.01 * std::sqrt(35.0) * with.slope.value;
+  EXPECT_NEAR(with.slope.error, std::hypot(alone.slope.error, part), 0.15 * with.slope.error);
+  EXPECT_GT(with.slope.error, 2 * alone.slope.error);
+  EXPECT_EQ(with.slope.value, alone.slope.value);
+}
+
 TEST(TailFit, IsUnknownWithoutATail) {
   const BlockedSample uniform = drawn(100000, 8, [](RandomStream& r) { return r.uniform(0.5, 1.5); });
   EXPECT_FALSE(std::isfinite(fit_tail(uniform, counted(uniform), held).slope.value));

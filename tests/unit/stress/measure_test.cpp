@@ -39,7 +39,7 @@ bool counts(const PhaseMap& map, const StressOptions& options, int x, int y) {
 }
 
 TEST(NodeStress, OptionsLeaveOutWhatABruteSearchDoes) {
-  const PhaseMap map = disks();
+  const PhaseMap map = disks(96, 16);  // grains touch
   const StressField field = noisy(map);
   for (const int rows : {0, 4, 9})
     for (const bool surface : {false, true}) {
