@@ -14,6 +14,13 @@ namespace {
 
 using namespace std::string_view_literals;
 
+/// HDF5 files may begin with 512, 1024, 2048 .. bytes of the user's.
+bool is_hdf5(std::string_view bytes) {
+  for (std::size_t at = 0; at < bytes.size(); at = at == 0 ? 512 : 2 * at)
+    if (bytes.substr(at).starts_with("\x89HDF\r\n\x1a\n"sv)) return true;
+  return false;
+}
+
 struct Format {
   const char* name;
   bool (*is)(std::string_view bytes);
@@ -27,7 +34,7 @@ constexpr Format formats[] = {
        return b.starts_with("II*\0"sv) || b.starts_with("MM\0*"sv) || b.starts_with("II+\0"sv) || b.starts_with("MM\0+"sv);
      },
      read_tiff},
-    {"hdf5", [](std::string_view b) { return b.starts_with("\x89HDF\r\n\x1a\n"sv); }, read_hdf5_image},
+    {"hdf5", is_hdf5, read_hdf5_image},
 };
 
 }  // namespace

@@ -19,7 +19,8 @@ struct LabelledMap {
   std::vector<std::string> notes;  ///< one sentence each: what was guessed, how grains were found
 };
 
-/// Throws InputError as io::read_phase_map and imaging::label_grains do.
+/// A file of Arenite's own gives its map as it is, to which nothing of `options` may be added. Throws InputError as
+/// io::read_phase_map, io::read_field and imaging::label_grains do.
 LabelledMap read_foreign_map(const std::filesystem::path& path, const ForeignMapOptions& options);
 
 }  // namespace arenite::study
