@@ -84,7 +84,6 @@ TEST(Sandstone, HasTheSharesOfItsSource) {
   EXPECT_NEAR(empty, 0.257, 5e-4);
   EXPECT_NEAR(matrix, 0.108, 5e-4);
   EXPECT_NEAR(particle, 0.635, 5e-4);
-  EXPECT_NEAR(static_cast<double>(map.grain_class.size()), 1022, 0);
 }
 
 TEST(Sandstone, APartIsSolvedInTensionAndCompressionAlike) {
