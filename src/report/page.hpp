@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/field_result.hpp"
 #include "model/result.hpp"
 #include "texture/texture.hpp"
 
@@ -15,12 +16,21 @@ struct FrameTexture {
   texture::Texture texture;
 };
 
+/// A cemented sample or its stresses under load. `statistics_json` are those of the node stresses with their curves, as
+/// stress::to_json writes them; without it the densities are counted from the nodes on the page.
+struct FieldPageData {
+  const FieldResult* result = nullptr;
+  std::string statistics_json{};
+};
+
 /// What the page shows: the stages of one run in their order, and the texture of some of their states. The figures show
-/// the texture of the state that the slider is on, or else that of the last state that has one.
+/// the texture of the state that the slider is on, or else that of the last state that has one. Results on a raster
+/// follow, each on a tab of its own; either of the two may be missing.
 struct PageData {
   std::string title;
   std::vector<const StageResult*> stages;
   std::vector<FrameTexture> textures;
+  std::vector<FieldPageData> fields{};
 };
 
 /// The page as one HTML text: script, styles and data inside, no request to anywhere. States whose number of grains

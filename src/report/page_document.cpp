@@ -1,26 +1,12 @@
 #include "report/page_document.hpp"
 
-#include <fmt/format.h>
-
-#include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "report/number_block.hpp"
+#include "report/document_parts.hpp"
+#include "report/field_document.hpp"
 
 namespace arenite::report {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr std::size_t history_rows = 1000;  // about as many as a figure has pixels across
-
-Json reference(const NumberRef& ref) { return {{"at", ref.offset}, {"n", ref.count}, {"as", ref.type}}; }
-
-template <class T>
-std::vector<std::uint32_t> unsigned_copy(const std::vector<T>& values) {
-  return {values.begin(), values.end()};
-}
 
 Json materials_of(const Materials& materials) {
   Json list = Json::array();
@@ -92,29 +78,6 @@ Json frame_of(const Frame& frame, std::size_t stage, NumberBlock& block) {
   return out;
 }
 
-/// Every k-th row and the last one.
-std::vector<double> thinned(const std::vector<double>& values) {
-  const std::size_t stride = (values.size() + history_rows - 1) / history_rows;
-  std::vector<double> kept;
-  for (std::size_t k = 0; k < values.size(); k += stride) kept.push_back(values[k]);
-  if (!values.empty() && (values.size() - 1) % stride != 0) kept.push_back(values.back());
-  return kept;
-}
-
-Json history_of(const History& history, NumberBlock& block) {
-  Json columns = Json::array();
-  for (const History::Column& column : history.columns)
-    columns.push_back({{"name", column.name}, {"unit", column.unit}, {"values", reference(block.add_reals(thinned(column.values)))}});
-  return columns;
-}
-
-Json provenance_of(const Provenance& p) {
-  Json options = Json::object();
-  for (const auto& [name, value] : p.options) options[name] = value;
-  return {{"version", p.version}, {"stage", p.stage}, {"input_hash", p.input_hash}, {"seed", p.seed},
-          {"kernel", p.kernel}, {"recipe", p.recipe}, {"options", options}};
-}
-
 Json stage_of(const StageResult& stage, NumberBlock& block) {
   return {{"name", stage.name}, {"converged", stage.converged}, {"outcome", stage.outcome},
           {"history", history_of(stage.history, block)}, {"provenance", provenance_of(stage.provenance)}};
@@ -130,13 +93,6 @@ const texture::Texture* texture_of(const PageData& data, std::size_t stage, std:
   for (const FrameTexture& t : data.textures)
     if (t.stage == stage && t.frame == frame) return &t.texture;
   return nullptr;
-}
-
-/// Six significant digits: more than a figure or a standard error can use, and a third of the bytes.
-void shorten(Json& value) {
-  if (value.is_number_float()) value = std::strtod(fmt::format("{:.6g}", value.get<double>()).c_str(), nullptr);
-  else if (value.is_structured())
-    for (Json& part : value) shorten(part);
 }
 
 /// The statistics as texture writes them; the rows by grain go into the block.
@@ -175,6 +131,7 @@ PageDocument page_document(const PageData& data) {
   }
   document["stages"] = std::move(stages);
   document["frames"] = std::move(frames);
+  if (!data.fields.empty()) add_fields(document, data.fields, block);
   return {document.dump(), block.text()};
 }
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "report/page.hpp"
+#include "support/field_page_sample.hpp"
 #include "support/page_sample.hpp"
 #include "support/program.hpp"
 
@@ -11,6 +12,14 @@ TEST(Page, IsPaintedAndAnswersInABrowserFromTheDisk) {
   const test::PageSample sample;
   report::write_page(folder / "page.html", sample.data);
   const auto outcome = test::shell("node " ARENITE_SOURCE_DIR "/web/test/page.test.mjs " + (folder / "page.html").string());
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}
+
+TEST(Page, OfACementedSampleIsPaintedAndAnswersInABrowser) {
+  const test::TemporaryFolder folder;
+  const test::FieldPageSample sample;
+  report::write_page(folder / "page.html", sample.data);
+  const auto outcome = test::shell("node " ARENITE_SOURCE_DIR "/web/test/field_page.test.mjs " + (folder / "page.html").string());
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 

@@ -1,7 +1,8 @@
 import { h } from "./dom.js";
 import { text } from "./text.js";
 
-export function header(sample, state) {
+/** Title, what the page is about in a line, and the button for the colours. */
+export function header(title, sample, fields, state) {
   const button = h("button", { class: "theme", onclick: () => state.set({ theme: state.get("theme") === "dark" ? "light" : "dark" }) });
   const refresh = () => {
     const dark = state.get("theme") === "dark";
@@ -11,7 +12,7 @@ export function header(sample, state) {
   };
   state.watch(["theme"], refresh);
   refresh();
-  return h("header", {}, h("div", {}, h("h1", {}, sample.title), h("p", {}, subtitle(sample).join("  \u00b7  "))), button);
+  return h("header", {}, h("div", {}, h("h1", {}, title), h("p", {}, (fields.length ? rasterSubtitle(fields.at(-1).map) : subtitle(sample)).join("  \u00b7  "))), button);
 }
 
 function subtitle(sample) {
@@ -20,4 +21,9 @@ function subtitle(sample) {
   const size = `${text.number(1e3 * (box.right - box.left), 4)} \u00d7 ${text.number(1e3 * (box.top - box.bottom), 4)}\u202fmm`;
   const force = Math.max(...frame.domain.walls.map((wall) => wall.force));
   return [...counts, size, ...(force > 0 ? [`${text.quantity(force, "N")} on the frame`] : [])];
+}
+
+function rasterSubtitle({ about: { full: [width, height], dx }, grainClass }) {
+  const size = `${text.number(1e3 * width * dx, 4)} \u00d7 ${text.number(1e3 * height * dx, 4)}\u202fmm`;
+  return [`${text.count(width)} \u00d7 ${text.count(height)} nodes`, size, ...(grainClass.length ? [`${text.count(grainClass.length)} grains`] : [])];
 }

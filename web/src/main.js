@@ -1,46 +1,38 @@
+import { loadData } from "./block.js";
 import { h } from "./dom.js";
-import { figureCard } from "./figures/card.js";
-import { figures } from "./figures/index.js";
+import { FieldResult, PhaseMap } from "./field/result.js";
+import { fieldSection } from "./field/section.js";
 import { header } from "./header.js";
-import { headlines, numbersTable } from "./numbers.js";
-import { packingPanel } from "./packing/panel.js";
+import { packingSection } from "./packing/section.js";
 import { provenance } from "./provenance.js";
 import { Sample } from "./sample.js";
 import { State } from "./state.js";
+import { tabs } from "./tabs.js";
 import { followTheme, preferredTheme } from "./theme.js";
 
-function begin(sample) {
-  return new State({
-    theme: preferredTheme(),
-    frame: sample.frameCount - 1,
-    playing: false,
-    colour: "material",
-    chains: true,
-    strength: "all",
-    types: new Set(sample.types.keys()),
-    marks: false,
-  });
+/** The packing if there is one, then every result on a raster. */
+function partsOf(sample, fields, state) {
+  const packing = sample.frameCount > 0 ? [{ name: "packing", title: "Packing", make: () => packingSection(sample, state) }] : [];
+  return [...packing, ...fields.map((result, k) => ({ name: `field-${k}`, title: titleOf(result), make: () => fieldSection(result, state) }))];
 }
 
-function figureGrid(sample, state) {
-  const texture = sample.texture(state.get("frame"));
-  const drawable = figures.filter((figure) => figure.when(texture ?? {}, sample));
-  return h("div", { class: "figures" }, drawable.map((figure) => figureCard(figure, sample, state)));
-}
+const titleOf = ({ name }) => name[0].toUpperCase() + name.slice(1);
 
 async function main() {
   const page = document.getElementById("page");
   try {
-    const sample = await Sample.load();
-    if (sample.frameCount === 0) throw new Error("this result holds no state of a packing");
-    const state = begin(sample);
+    const { about, block } = await loadData();
+    const sample = new Sample(about, block);
+    const maps = (about.maps ?? []).map((map) => new PhaseMap(map, block));
+    const fields = (about.fields ?? []).map((field) => new FieldResult(field, maps, block, about.title));
+    const state = new State({ theme: preferredTheme(), tab: fields.length ? `field-${fields.length - 1}` : "packing" });
+    const parts = partsOf(sample, fields, state);
+    if (parts.length === 0) throw new Error("this result holds no state of a packing");
     followTheme(state);
-    const { panel, view } = packingPanel(sample, state);
-    page.replaceChildren(header(sample, state), 
-      h("main", {}, panel, h("div", { class: "results" }, headlines(sample, state), figureGrid(sample, state))),
-      numbersTable(sample, state), provenance(sample));
+    const { element, made } = tabs(parts, state);
+    page.replaceChildren(header(about.title, sample, fields, state), ...[element].flat().filter(Boolean), provenance([...sample.stages, ...fields.map((field) => field.about)]));
+    window.arenite = { state, made, ...made.get("packing"), get field() { return made.get(state.get("tab")); } };
     document.documentElement.dataset.ready = "true";
-    window.arenite = { sample, state, view };
   } catch (error) {
     page.replaceChildren(h("p", { class: "failure" }, `The page cannot be drawn: ${error.message}.`));
     throw error;

@@ -1,13 +1,13 @@
 import { h } from "./dom.js";
 
 /** What made the numbers: version, seed, kernel, hashes, how each stage ended, and the resolved recipe. */
-export function provenance(sample) {
-  const last = sample.stages.at(-1)?.provenance ?? {};
+export function provenance(stages) {
+  const last = stages.at(-1)?.provenance ?? {};
   const facts = [["Arenite", last.version], ["seed", last.seed], ["kernel", last.kernel], ...Object.entries(last.options ?? {})]
     .filter(([, value]) => value !== undefined && value !== "");
   return h("footer", {},
     h("dl", { class: "facts" }, facts.map(([name, value]) => h("div", {}, h("dt", {}, name), h("dd", {}, String(value))))),
-    h("table", {}, h("tbody", {}, sample.stages.map((stage) => h("tr", { class: stage.converged ? null : "unfinished" },
+    h("table", {}, h("tbody", {}, stages.map((stage) => h("tr", { class: stage.converged ? null : "unfinished" },
       h("td", {}, stage.name), h("td", {}, stage.outcome), h("td", { class: "hash" }, stage.provenance.input_hash))))),
     last.recipe ? h("details", {}, h("summary", {}, "Resolved recipe"), h("pre", {}, last.recipe)) : null);
 }

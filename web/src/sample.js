@@ -1,38 +1,17 @@
+import { columnsOf, unpack } from "./block.js";
 import { text } from "./text.js";
-
-const arrays = { f4: Float32Array, u1: Uint8Array, u2: Uint16Array, u4: Uint32Array, i4: Int32Array };
-
-async function inflate(base64) {
-  const packed = Uint8Array.from(atob(base64.trim()), (c) => c.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
-/** The bytes of equal rank lie side by side in the block; here they go back to where they belong. */
-function unpack(block, { at, n, as }) {
-  const width = arrays[as].BYTES_PER_ELEMENT;
-  const bytes = new Uint8Array(n * width);
-  for (let rank = 0; rank < width; ++rank)
-    for (let k = 0; k < n; ++k) bytes[k * width + rank] = block[at + rank * n + k];
-  return new arrays[as](bytes.buffer);
-}
 
 /** The data of the page: grains, materials, stages and frames; arrays of a frame are unpacked when first asked for. */
 export class Sample {
   #block;
   #frames = new Map();
 
-  static async load() {
-    const about = JSON.parse(new TextDecoder().decode(await inflate(document.getElementById("document").textContent)));
-    return new Sample(about, await inflate(document.getElementById("numbers").textContent));
-  }
-
   constructor(about, block) {
     this.#block = block;
     this.about = about;
     this.title = about.title;
     this.materials = about.materials ?? [];
-    this.stages = about.stages.map((stage) => ({ ...stage, history: this.#history(stage.history) }));
+    this.stages = about.stages.map((stage) => ({ ...stage, history: columnsOf(block, stage.history) }));
     this.frameCount = about.frames.length;
     this.count = about.grains?.count ?? 0;
     if (about.grains)
@@ -44,10 +23,6 @@ export class Sample {
   }
 
   #array(reference) { return unpack(this.#block, reference); }
-
-  #history(columns) {
-    return Object.fromEntries(columns.map(({ name, unit, values }) => [name, { unit, values: this.#array(values) }]));
-  }
 
   frame(k) {
     if (!this.#frames.has(k)) {

@@ -3,6 +3,15 @@ import { interpolateMagma, interpolateViridis } from "d3-scale-chromatic";
 const families = 'Inter, ui-sans-serif, system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", "Noto Sans", ' +
   '"Liberation Sans", Arial, sans-serif';
 
+/** Colours between equally spaced stops: a function from 0..1 to "rgb(...)". */
+function between(stops) {
+  const parts = stops.map((stop) => bytes(stop));
+  return (t) => {
+    const at = Math.min(1, Math.max(0, t)) * (parts.length - 1), k = Math.min(parts.length - 2, Math.floor(at));
+    return `rgb(${parts[k].map((v, c) => Math.round(v + (at - k) * (parts[k + 1][c] - v))).join(", ")})`;
+  };
+}
+
 // Blue and amber stay apart for every kind of colour blindness; the rest follow Okabe and Ito.
 const light = {
   name: "light", font: families,
@@ -13,6 +22,10 @@ const light = {
   strong: "#14191f", weak: "#7c868f", tension: "#d81b60", fit: "#1b2026", accent: "#a4522a",
   stress: (t) => interpolateMagma(0.99 - 0.87 * t),
   size: (t) => interpolateViridis(0.92 - 0.74 * t),
+  diverging: between(["#11305e", "#22589b", "#5d94c9", "#a9cbe2", "#efeadc", "#f3c089", "#e0803f", "#b54a1a", "#6f210b"]),
+  kind: ["#cf5d49", "#f4d27a", "#6e9fd0", "#2c5d9e", "#a6cbe9"], kindLine: ["#cf5d49", "#c28a00", "#4179b5", "#1f4e8f", "#5aa3dc"],
+  field: { empty: "#ffffff", aside: "#d4d5d2", outline: "#14191f" },
+  crack: [null, "#7a1fa2", "#0b0d10", "#00796b"], cross: { pull: "#14191f", push: "#d81b60" },
 };
 
 const dark = {
@@ -24,6 +37,10 @@ const dark = {
   strong: "#f6f2e9", weak: "#87919b", tension: "#ff5c98", fit: "#e9eaea", accent: "#e08a5c",
   stress: (t) => interpolateMagma(0.14 + 0.85 * t),
   size: (t) => interpolateViridis(0.2 + 0.74 * t),
+  diverging: between(["#b9dcff", "#7db4ea", "#4580bd", "#2a4c70", "#25292e", "#6b4022", "#b4642a", "#ec9a4c", "#ffdba6"]),
+  kind: ["#a94433", "#d8b04a", "#5e92c6", "#2a5793", "#8fbbe0"], kindLine: ["#d9705c", "#e5b84a", "#6ea8e6", "#4f83d1", "#a5d3f5"],
+  field: { empty: "#0a0c0e", aside: "#31373d", outline: "#0a0c0e" },
+  crack: [null, "#e29bff", "#ffffff", "#63e0c8"], cross: { pull: "#ffffff", push: "#ff5c98" },
 };
 
 const preference = () => window.matchMedia("(prefers-color-scheme: dark)");
@@ -55,4 +72,10 @@ export const materialLine = (theme, m) => at(theme.materialLine, m);
 export function bytes(colour) {
   if (colour.startsWith("#")) return [1, 3, 5].map((k) => parseInt(colour.slice(k, k + 2), 16));
   return colour.match(/\d+/g).slice(0, 3).map(Number);
+}
+
+/** A colour as one 32-bit number whose bytes are red, green, blue, 255. */
+export function packed(colour) {
+  const [r, g, b] = bytes(colour);
+  return (255 << 24 | b << 16 | g << 8 | r) >>> 0;
 }

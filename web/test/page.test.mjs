@@ -1,15 +1,12 @@
 // Opens a page from the disk and asserts what is painted. Usage: node page.test.mjs PAGE.html
 import assert from "node:assert/strict";
-import { resolve } from "node:path";
-import { pathToFileURL } from "node:url";
-import { difference, painted, saved, watch, withBrowser } from "./browser.mjs";
+import { difference, painted, saved } from "./browser.mjs";
+import { rgb, runTests, settle } from "./run.mjs";
 
-const file = resolve(process.argv[2]);
 const tests = [];
 const test = (name, run) => tests.push({ name, run });
 
 const click = (page, group, value) => page.click(`[data-choice="${group}"] [data-value="${value}"]`);
-const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
 /** Place of grain g on the page, its radius in pixels, and its material. */
 const grain = (page, g) => page.evaluate((k) => {
@@ -28,7 +25,6 @@ const chain = (page, pick) => page.evaluate((which) => {
   return { x: x + box.left, y: y + box.top, ids: [sample.id[i[c]], sample.id[j[c]]], fn: fn[c] };
 }, pick);
 
-const rgb = (hex) => [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16));
 const light = { page: rgb("#f6f5f2"), card: rgb("#ffffff"), materials: [rgb("#5b8fc9"), rgb("#f0b44c")], strong: rgb("#14191f"), tension: rgb("#d81b60") };
 
 test("grains carry their material's colour", async (page) => {
@@ -179,28 +175,4 @@ test("on a narrow screen everything stands in one column and nothing is cut off"
   assert.ok(wide <= 420, `the page is ${wide} px wide`);
 });
 
-const failures = await withBrowser({ viewport: { width: 1400, height: 900 }, colorScheme: "light" }, async (context) => {
-  const page = await context.newPage(), seen = watch(page);
-  page.setDefaultTimeout(10000);
-  await page.goto(pathToFileURL(file).href);
-  await page.waitForSelector("html[data-ready]");
-  await page.waitForTimeout(200);
-  const failed = [];
-  for (const { name, run } of tests) {
-    try {
-      await run(page);
-      console.log(`ok    ${name}`);
-    } catch (error) {
-      failed.push(name);
-      console.log(`FAIL  ${name}\n      ${error.message}`);
-    }
-  }
-  if (seen.errors.length) failed.push(`errors in the console: ${seen.errors.join("; ")}`);
-  if (seen.requests.length) failed.push(`requests: ${seen.requests.join("; ")}`);
-  return failed;
-});
-
-if (failures.length) {
-  console.log(`${failures.length} failed:\n  ${failures.join("\n  ")}`);
-  process.exit(1);
-}
+await runTests(process.argv[2], tests);

@@ -1,4 +1,5 @@
 import { h, rich, s } from "../dom.js";
+import { choice } from "../choice.js";
 import { fileName, savePng, saveSvg, svgText } from "../save.js";
 import { themeOf } from "../theme.js";
 import { text } from "../text.js";
@@ -7,7 +8,7 @@ import { text } from "../text.js";
     and the room it has. */
 export function figureCard(figure, sample, state) {
   const drawing = h("div", { class: "drawing" }), keys = h("div", { class: "keys" });
-  const name = () => fileName(sample.title, figure.id);
+  const name = () => fileName(sample.title, sample.resultName ?? "", figure.id);
   const theme = () => themeOf(state.get("theme"));
   const picture = () => drawing.querySelector("svg");
   const asPng = () => {
@@ -17,16 +18,18 @@ export function figureCard(figure, sample, state) {
   const card = h("figure", { class: `card figure${figure.wide ? " wide" : ""}`, "data-figure": figure.id },
     h("figcaption", { class: "title" }, h("h3", {}, rich(figure.title)),
       h("span", { class: "saves" },
+        Object.entries(figure.choices ?? {}).map(([key, [label, options]]) => choice(label, key, state, options)),
         h("button", { class: "save", "data-save": "svg", title: "Save this figure as SVG", onclick: () => saveSvg(name(), picture(), theme()) }, "SVG"),
         h("button", { class: "save", "data-save": "png", title: "Save this figure as PNG", onclick: asPng }, "PNG"))),
     keys, drawing, h("p", { class: "caption" }, rich(figure.caption)));
+  const follows = figure.follows === true ? ["frame"] : figure.follows ?? [];
   let drawn = "";
   const draw = (force) => {
     const width = Math.floor(drawing.clientWidth);
     if (width < 50) return;
     const texture = sample.texture(state.get("frame"));
     const about = { sample, state, texture, theme: theme(), width };
-    const what = `${width} ${state.get("theme")} ${figure.follows ? state.get("frame") : texture?.frame}`;
+    const what = [width, state.get("theme"), texture?.frame, ...follows.map((key) => state.get(key))].join(" ");
     if (what === drawn && !force) return;
     drawn = what;
     const there = !texture || figure.when(texture, sample);
@@ -37,7 +40,7 @@ export function figureCard(figure, sample, state) {
     card.querySelectorAll(".save").forEach((button) => { button.disabled = !picture(); });
   };
   new ResizeObserver(() => draw(false)).observe(drawing);
-  state.watch(["theme", "frame"], () => draw(false));
+  state.watch(["theme", "frame", ...follows], () => draw(false));
   return card;
 }
 

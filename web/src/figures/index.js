@@ -1,10 +1,17 @@
+import { convergence } from "./convergence.js";
 import { course } from "./course.js";
+import { stressDensities } from "./densities.js";
 import { forceDistribution, stressDistribution } from "./distributions.js";
+import { brokenBonds, energyBalance, stressStrain } from "./failure.js";
 import { approach, energies, travel, wallForces } from "./history.js";
 import { roses } from "./roses.js";
 import { contactNumbers, coordination, rev, threshold } from "./structure.js";
 
-/** Every figure of the page, in the order of the page. A member gives: id, title, caption, `when(texture, sample)` (is
+/** Every figure of a packing, in the order of the page. A member gives: id, title, caption, `when(texture, sample)` (is
     there anything to draw), `draw({ sample, state, texture, theme, width })` -> SVG; `key` (entries above the drawing),
-    `wide` (takes a whole row), `follows` (redrawn at every frame). A new figure is one more row. */
+    `wide` (takes a whole row), `follows` (redrawn at every frame, or when one of these keys of the state changes), `choices`
+    (keys of the state with their options, beside the title). A new figure is one more row. */
 export const figures = [roses, stressDistribution, forceDistribution, coordination, contactNumbers, rev, threshold, course, wallForces, travel, energies, approach];
+
+/** Every figure of a cemented sample or its field, likewise; `sample` is its FieldResult and there is no texture. */
+export const fieldFigures = [stressStrain, brokenBonds, energyBalance, stressDensities, convergence];

@@ -1,6 +1,7 @@
 import { richSvg, s } from "../dom.js";
 import { materialColour } from "../theme.js";
 import { text } from "../text.js";
+import { scaleBar } from "../scale_bar.js";
 import { chainWidth } from "./chains.js";
 import { colourings } from "./colouring.js";
 
@@ -47,17 +48,6 @@ function ramp(scale, theme, length) {
     label(length / 2, 37, text.number(middle, 3), "middle"),
     label(length, 37, (scale.open ? "\u2265\u202f" : "") + text.number(scale.high, 3), "end"));
   return group;
-}
-
-function scaleBar(camera, theme, width) {
-  const wanted = 110 / camera.scale;
-  const power = 10 ** Math.floor(Math.log10(wanted));
-  const length = [5, 2, 1].map((f) => f * power).find((l) => l <= wanted) ?? power;
-  const pixels = length * camera.scale;
-  const right = width - 2;
-  return s("g", {},
-    s("path", { d: `M${right - pixels},10 v6 h${pixels} v-6`, fill: "none", stroke: theme.ink, "stroke-width": 1.25 }),
-    label(right - pixels / 2, 27, text.quantity(length, "m", 1), "middle"));
 }
 
 function chainKey(sample, frame, camera, theme, width) {

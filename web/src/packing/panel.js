@@ -1,4 +1,5 @@
-import { h, rich } from "../dom.js";
+import { choice } from "../choice.js";
+import { h } from "../dom.js";
 import { pairColour, themeOf } from "../theme.js";
 import { text } from "../text.js";
 import { colourings } from "./colouring.js";
@@ -24,15 +25,6 @@ export function packingPanel(sample, state) {
     view.element,
     timeline(sample, state));
   return { panel, view };
-}
-
-function choice(name, key, state, options) {
-  const buttons = options.map(([value, label]) =>
-    h("button", { "data-value": value, onclick: () => state.set({ [key]: value }) }, rich(label)));
-  const refresh = () => buttons.forEach((b) => b.setAttribute("aria-pressed", b.dataset.value === state.get(key)));
-  state.watch([key], refresh);
-  refresh();
-  return h("div", { class: "choice", role: "group", "aria-label": name, "data-choice": key }, h("span", { class: "name" }, name), h("div", { class: "segments" }, buttons));
 }
 
 /** Chains off, all, strong, weak, tensile in one row: "off" hides them, the rest say which are drawn. */

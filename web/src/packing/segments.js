@@ -1,4 +1,5 @@
-/** Draws segments with round ends and a width in metres; what would be thinner than a hairline is drawn fainter. */
+/** Draws segments with round ends and a width in metres; what would be thinner than a hairline is drawn fainter.
+    A hairline of 1 pixel or more (half its width) keeps dots in sight from afar. */
 export function segmentDrawing(regl, corner) {
   return regl({
     vert: `
@@ -8,11 +9,10 @@ export function segmentDrawing(regl, corner) {
       attribute float width;
       attribute vec4 colour;
       uniform vec2 middle, perMetre;
-      uniform float pixelsPerMetre;
+      uniform float pixelsPerMetre, hairline;
       varying vec2 place;
       varying vec4 paint;
       varying float halfLength, halfWidth;
-      const float hairline = 0.55;
       void main() {
         vec2 span = ends.zw - ends.xy;
         float length_ = max(length(span), 1e-12);
@@ -22,7 +22,7 @@ export function segmentDrawing(regl, corner) {
         halfWidth = max(wanted, hairline);
         place = corner * vec2(halfLength + halfWidth + 1.0, halfWidth + 1.0);
         vec2 offset = (along * place.x + vec2(-along.y, along.x) * place.y) / pixelsPerMetre;
-        paint = vec4(colour.rgb, colour.a * clamp(wanted / hairline, 0.35, 1.0));
+        paint = vec4(colour.rgb, colour.a * max(step(1.0, hairline), clamp(wanted / hairline, 0.35, 1.0)));
         gl_Position = vec4((0.5 * (ends.xy + ends.zw) - middle + offset) * perMetre, 0.0, 1.0);
       }`,
     frag: `
@@ -44,6 +44,7 @@ export function segmentDrawing(regl, corner) {
     },
     uniforms: {
       middle: regl.prop("middle"), perMetre: regl.prop("perMetre"), pixelsPerMetre: regl.prop("pixelsPerMetre"),
+      hairline: (_, { hairline = 0.55 }) => hairline,
     },
     primitive: "triangle strip",
     count: 4,

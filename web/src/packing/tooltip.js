@@ -13,8 +13,13 @@ export class Tooltip {
   hide() { this.box.hidden = true; }
 
   show(picked, sample, frame, theme, [px, py]) {
-    const { title, colour, rows } = picked.grain !== undefined
+    const numbers = picked.grain !== undefined
       ? grainNumbers(picked.grain, sample, frame, theme) : contactNumbers(picked.contact, sample, frame, theme);
+    this.write(numbers, [px, py]);
+  }
+
+  /** Rows = [name, value]; beside the point, inside the holder. */
+  write({ title, colour, rows }, [px, py]) {
     this.box.replaceChildren(
       h("p", {}, h("span", { class: "dot", style: `background:${colour}` }), title),
       h("dl", {}, rows.map(([name, value]) => [h("dt", {}, rich(name)), h("dd", {}, value)])));

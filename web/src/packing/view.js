@@ -1,4 +1,5 @@
 import { h, s } from "../dom.js";
+import { gestures } from "../gestures.js";
 import { fileName, savePng, saveSvg } from "../save.js";
 import { themeOf } from "../theme.js";
 import { Camera } from "./camera.js";
@@ -92,38 +93,8 @@ export class PackingView {
   }
 
   #listen() {
-    const place = (event) => {
-      const box = this.canvas.getBoundingClientRect();
-      return [event.clientX - box.left, event.clientY - box.top];
-    };
-    let held = null;
-    this.canvas.addEventListener("wheel", (event) => {
-      event.preventDefault();
-      this.camera.zoom(...place(event), Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.0016)));
-      this.#unpick();
-      this.#soon();
-    }, { passive: false });
-    this.canvas.addEventListener("pointerdown", (event) => {
-      held = place(event);
-      this.canvas.setPointerCapture(event.pointerId);
-    });
-    this.canvas.addEventListener("pointermove", (event) => {
-      const now = place(event);
-      if (!held) return this.#pick(now);
-      this.camera.pan(now[0] - held[0], now[1] - held[1]);
-      held = now;
-      this.#unpick();
-      this.#soon();
-    });
-    for (const name of ["pointerup", "pointercancel"]) this.canvas.addEventListener(name, () => { held = null; });
-    this.canvas.addEventListener("pointerleave", () => { if (!held) this.#unpick(); });
-    this.canvas.addEventListener("dblclick", () => this.reset());
-    this.canvas.addEventListener("keydown", (event) => {
-      const factor = { "+": 1.25, "=": 1.25, "-": 0.8 }[event.key];
-      if (factor) this.camera.zoom(this.camera.width / 2, this.camera.height / 2, factor);
-      else if (event.key === "0") this.camera.fit(this.#extent(), margin);
-      else return;
-      this.#soon();
+    gestures(this.canvas, this.camera, {
+      moved: () => this.#soon(), hover: (place) => this.#pick(place), leave: () => this.#unpick(), reset: () => this.reset(),
     });
   }
 

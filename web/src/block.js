@@ -1,0 +1,29 @@
+const arrays = { f4: Float32Array, u1: Uint8Array, u2: Uint16Array, u4: Uint32Array, i4: Int32Array };
+
+async function inflate(base64) {
+  const text = atob(base64.trim());
+  const packed = new Uint8Array(text.length);
+  for (let k = 0; k < text.length; ++k) packed[k] = text.charCodeAt(k);
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/** The page's data: what the document says, and the block of numbers that it refers to. */
+export async function loadData() {
+  const document_ = await inflate(document.getElementById("document").textContent);
+  return { about: JSON.parse(new TextDecoder().decode(document_)), block: await inflate(document.getElementById("numbers").textContent) };
+}
+
+/** The bytes of equal rank lie side by side in the block; here they go back to where they belong. */
+export function unpack(block, { at, n, as }) {
+  const width = arrays[as].BYTES_PER_ELEMENT;
+  const bytes = new Uint8Array(n * width);
+  for (let rank = 0; rank < width; ++rank)
+    for (let k = 0; k < n; ++k) bytes[k * width + rank] = block[at + rank * n + k];
+  return new arrays[as](bytes.buffer);
+}
+
+/** Columns of a history by name: { unit, values }. */
+export function columnsOf(block, columns) {
+  return Object.fromEntries(columns.map(({ name, unit, values }) => [name, { unit, values: unpack(block, values) }]));
+}

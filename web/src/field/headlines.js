@@ -1,0 +1,40 @@
+import { h, rich } from "../dom.js";
+import { prefixOf, text } from "../text.js";
+import { classes } from "./result.js";
+
+/** The numbers that one asks for first: of the sample always, of its response where it was loaded. */
+export function fieldHeadlines(result) {
+  const { map } = result, [empty, matrix, particle] = map.about.nodes, all = empty + matrix + particle;
+  const percent = (share) => [text.number(100 * share, 3), "%"];
+  const tiles = [["grains", "\u03c1_{p}", percent(particle / all)], ["matrix in the pores", "S_{m}", percent(matrix / Math.max(1, all - particle))], ["void", "\u03c1_{v}", percent(empty / all)]];
+  if (result.steps > 1) tiles.push(...failure(result));
+  else if (result.loaded) tiles.push(...response(result));
+  return h("div", { class: "headlines" }, tiles.map(([name, symbol, [value, unit]]) =>
+    h("div", { class: "tile" }, h("p", {}, name, symbol && [" ", h("i", {}, rich(symbol))]), h("strong", {}, value, unit && h("small", {}, `\u202f${unit}`)))));
+}
+
+function quantity(value, unit) {
+  const { factor, prefix } = prefixOf(Math.abs(value), unit);
+  return [text.number(value / factor, 4), prefix + unit];
+}
+
+function response(result) {
+  const { components } = result.about;
+  const mean = (kind) => {
+    const { grainClass } = result.map, { nodes, yy } = result.grains;
+    let sum = 0, count = 0;
+    for (let g = 0; g < nodes.length; ++g) if (classes.particle + grainClass[g] === kind) [sum, count] = [sum + nodes[g] * yy[g], count + nodes[g]];
+    return count ? sum / count / result.mean : NaN;
+  };
+  const known = [["in large grains", classes.large], ["in small grains", classes.small], ["in grains", classes.particle]]
+    .map(([name, kind]) => [name, "\u27e8\u03c3_{yy}\u27e9/\u27e8\u03c3_{yy}\u27e9_{all}", [text.number(mean(kind), 3), ""]]).filter(([, , [value]]) => value !== "\u2013");
+  const largest = ["most \u03c3_{yy} over mean", "", [text.number(components.yy.most / result.mean, 3), ""]];
+  return [["mean stress", "\u27e8\u03c3_{yy}\u27e9", quantity(result.mean, "Pa")], ...known, [largest[0].replace("\u03c3_{yy} ", "stress "), "\u03c3_{yy}", largest[2]]].slice(0, 3);
+}
+
+function failure(result) {
+  const stress = Array.from(result.curve.stress.values), strain = result.curve.strain.values;
+  const peak = stress.indexOf(Math.max(...stress));
+  return [["strength", "", quantity(stress[peak], "Pa")], ["strain there", "", [text.number(1e3 * strain[peak], 3), "\u2030"]],
+    ["broken bonds", "", [text.count(result.cracks ? result.cracks.x.length : 0), ""]]];
+}

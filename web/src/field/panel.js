@@ -1,0 +1,87 @@
+import { choice, toggle } from "../choice.js";
+import { h, rich } from "../dom.js";
+import { text } from "../text.js";
+import { cavityKinds } from "./cavities.js";
+import { available, components } from "./components.js";
+import { Picture } from "./picture.js";
+import { stepSlider } from "./steps.js";
+import { FieldView } from "./view.js";
+
+/** The card with the sample: what to paint on the nodes, how, the picture, and for a pull to failure the slider. */
+export function fieldPanel(result, state, title) {
+  const view = new FieldView(result, state), picture = new Picture(view, title);
+  const panel = h("section", { class: "card packing sample", "aria-label": "Sample" },
+    h("div", { class: "controls" },
+      choice("Show", "show", state, shows(result)), only(state, "show", "field", componentChoice(result, state)),
+      h("span", { class: "saves" },
+        h("button", { class: "save", title: "Save the picture as SVG", onclick: () => picture.saveSvg() }, "SVG"),
+        h("button", { class: "save", title: "Save the picture as PNG", onclick: () => picture.savePng() }, "PNG"))),
+    h("div", { class: "controls second" }, scaleControls(state), cavityControls(result, state)),
+    h("div", { class: "controls second" }, fieldOverlays(state), overlays(result, state)),
+    view.element, note(result), result.steps > 1 ? stepSlider(result, state) : null);
+  return { panel, view };
+}
+
+function shows(result) {
+  const cavities = Object.entries(cavityKinds).filter(([kind]) => result.map.cavities?.[kind]?.nodes.length > 0);
+  return [["phases", "Phases"], ...(result.loaded ? [["field", "Field"]] : []), ...cavities];
+}
+
+/** Shows an element only while a key of the state has a value. */
+function only(state, key, value, element) {
+  const refresh = () => { element.hidden = state.get(key) !== value; };
+  state.watch([key], refresh);
+  refresh();
+  return element;
+}
+
+function componentChoice(result, state) {
+  return choice("", "component", state, available(result).map((name) => [name, components[name].symbol]));
+}
+
+function scaleControls(state) {
+  return only(state, "show", "field", h("div", { class: "controls" },
+    choice("Centre", "around", state, [["mean", "Mean"], ["zero", "0"], ["ends", "None"]]),
+    choice("", "law", state, [["linear", "Linear"], ["symlog", "Symlog"]]),
+    choice("Clip", "clip", state, [["all", "0"], ["0.1", "0.1"], ["1", "1"], ["5", "5\u202f%"]])));
+}
+
+function fieldOverlays(state) {
+  return only(state, "show", "field", h("div", { class: "controls" }, choice("", "by", state, [["node", "Nodes"], ["grain", "Grain means"]]), thresholdControl(state)));
+}
+
+/** Stress chains: what is below so many times the mean steps back. */
+function thresholdControl(state) {
+  const output = h("output");
+  const slider = h("input", { type: "range", min: 0, max: 4, step: 0.1, "aria-label": "Least stress over the mean", oninput: (event) => state.set({ threshold: Number(event.target.value) }) });
+  const refresh = () => {
+    slider.value = state.get("threshold");
+    slider.disabled = !state.get("chains");
+    slider.style.setProperty("--done", `${25 * state.get("threshold")}%`);
+    output.replaceChildren(...rich(`${text.number(state.get("threshold"), 2)}\u2009\u00d7\u2009mean`));
+  };
+  state.watch(["threshold", "chains"], refresh);
+  refresh();
+  return h("div", { class: "choice threshold" }, toggle("Chains", "chains", state, "Only what carries more than so many times the mean"), h("div", { class: "track" }, slider), output);
+}
+
+function cavityControls(result, state) {
+  const element = choice("Colours", "cavities", state, [["any", "Any"], ["size", "By size"]]);
+  const refresh = () => { element.hidden = !(state.get("show") in cavityKinds); };
+  state.watch(["show"], refresh);
+  refresh();
+  return element;
+}
+
+function overlays(result, state) {
+  return h("div", { class: "choice overlays" },
+    toggle("Outlines", "outlines", state, "Lines between grains, matrix and void"),
+    result.loaded && toggle("Crosses", "crosses", state, "Crosses of the mean principal stresses of every grain; close up: of its nodes"),
+    result.cracks && toggle("Broken bonds", "cracks", state, "A dot at every bond that is broken at this step"));
+}
+
+function note({ map }) {
+  const { stride, about: { full: [width, height] } } = map;
+  if (stride === 1) return null;
+  return h("p", { class: "caption note" }, `The map has ${text.count(width)} \u00d7 ${text.count(height)} nodes: every ${stride}${stride === 2 ? "nd" : stride === 3 ? "rd" : "th"} in both directions is drawn; means and tables are of all.`);
+}

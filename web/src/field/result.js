@@ -1,0 +1,117 @@
+import { columnsOf, unpack } from "../block.js";
+import { components } from "./components.js";
+import { decodeField } from "./decode.js";
+
+export const classes = { empty: 0, matrix: 1, particle: 2, small: 3, large: 4 };
+
+/** A raster of the sample: phase, grain label (0: none) and class of every node. */
+export class PhaseMap {
+  constructor(about, block) {
+    Object.assign(this, { about, width: about.width, height: about.height, stride: about.stride });
+    this.spacing = about.dx * about.stride;
+    this.label = unpack(block, about.label);
+    const phase = unpack(block, about.phase);
+    this.grainClass = unpack(block, about.grain_class);
+    this.kind = new Uint8Array(phase.length);
+    for (let k = 0; k < phase.length; ++k)
+      this.kind[k] = phase[k] < 2 ? phase[k] : classes.particle + (this.grainClass[this.label[k] - 1] ?? 0);
+    this.counts = [0, 0, 0, 0, 0];
+    for (const kind of this.kind) ++this.counts[kind];
+  }
+
+  get size() { return this.kind.length; }
+  get box() { return { left: 0, bottom: 0, right: this.width * this.spacing, top: this.height * this.spacing }; }
+  share(kind) { return this.counts[kind] / this.size; }
+  kindOfGrain(g) { return classes.particle + this.grainClass[g]; }
+
+  /** Index of the node at a point of the plane, or null. */
+  nodeAt(x, y) {
+    const column = Math.floor(x / this.spacing), row = Math.floor(y / this.spacing);
+    return column >= 0 && row >= 0 && column < this.width && row < this.height ? column + this.width * row : null;
+  }
+
+  /** Middle of a node of the page; it stands for stride x stride nodes of the whole map. */
+  placeOf(node) {
+    return [(node % this.width + 0.5) * this.spacing, (Math.floor(node / this.width) + 0.5) * this.spacing];
+  }
+}
+
+/** A result on a raster: fields are decoded when first asked for. */
+export class FieldResult {
+  #block;
+  #values = new Map();
+
+  constructor(about, maps, block, title) {
+    this.#block = block;
+    Object.assign(this, { about, title, name: about.name, map: maps[about.map], numbers: about.numbers, statistics: about.statistics });
+    this.convergence = columnsOf(block, about.convergence);
+    this.curve = columnsOf(block, about.curve);
+    this.steps = this.curve.strain?.values.length ?? 0;
+    this.grains = Object.fromEntries(Object.entries(about.grains).map(([name, ref]) => [name, unpack(block, ref)]));
+    this.cracks = about.cracks ? Object.fromEntries(["x", "y", "type", "strain"].map((name) => [name, unpack(block, about.cracks[name])])) : null;
+    /** Mean stress sigma_yy over the nodes that are not void; what sizes are compared with. */
+    this.mean = about.components.yy?.mean ?? null;
+  }
+
+  get resultName() { return this.name; }
+
+  /** Figures ask for the texture of a packing; a field has none. */
+  texture() { return null; }
+
+  get loaded() { return this.about.components.yy !== undefined; }
+
+  /** Size that "strong" is measured by: the mean of sigma_yy, or of the largest component under shear. */
+  get scale() {
+    return Math.max(...["yy", "xx", "xy"].map((name) => Math.abs(this.about.components[name]?.mean ?? 0))) || 1;
+  }
+
+  has(name) {
+    const { stored, needs = [stored] } = components[name];
+    return needs.every((part) => this.about.components[part]);
+  }
+
+  values(name) {
+    if (!this.#values.has(name)) this.#values.set(name, this.#make(name));
+    return this.#values.get(name);
+  }
+
+  #make(name) {
+    const { stored, needs, from } = components[name];
+    if (stored) {
+      const about = this.about.components[stored];
+      return decodeField(this.map.width, unpack(this.#block, about.residual), about);
+    }
+    const parts = needs.map((part) => this.values(part));
+    return Float32Array.from(parts[0], (_, k) => from(...parts.map((part) => part[k])));
+  }
+
+  /** Mean stress of grain g (from 0), Pa. */
+  stressOfGrain(g) {
+    const { xx, yy, xy } = this.grains;
+    return { xx: xx[g], yy: yy[g], xy: xy[g] };
+  }
+
+  /** Radius of the disk of the grain's area, m. */
+  radiusOfGrain(g) { return Math.sqrt(this.grains.nodes[g] / Math.PI) * this.map.about.dx; }
+
+  /** Rectangle around the nodes of grain g. */
+  boxOfGrain(g) {
+    if (!this.boxes) this.boxes = boxes(this.map, this.grains.nodes.length);
+    const [left, bottom, right, top] = this.boxes.subarray(4 * g, 4 * g + 4), d = this.map.spacing;
+    return { left: left * d, bottom: bottom * d, right: (right + 1) * d, top: (top + 1) * d };
+  }
+}
+
+function boxes({ label, width }, grains) {
+  const list = new Int32Array(4 * grains);
+  for (let g = 0; g < grains; ++g) list.set([1e9, 1e9, -1, -1], 4 * g);
+  for (let k = 0; k < label.length; ++k) {
+    if (label[k] === 0) continue;
+    const at = 4 * (label[k] - 1), x = k % width, y = Math.floor(k / width);
+    list[at] = Math.min(list[at], x);
+    list[at + 1] = Math.min(list[at + 1], y);
+    list[at + 2] = Math.max(list[at + 2], x);
+    list[at + 3] = Math.max(list[at + 3], y);
+  }
+  return list;
+}

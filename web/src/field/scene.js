@@ -1,0 +1,58 @@
+import createRegl from "regl";
+import { segmentDrawing } from "../packing/segments.js";
+import { bytes } from "../theme.js";
+import { rasterDrawing } from "./raster.js";
+
+const unit = (colour) => bytes(colour).map((v) => v / 255);
+const crackRadius = 1.5;  // pixels of the screen at least
+
+/** The raster on the graphics card, with crosses and cracks over it. */
+export class FieldScene {
+  constructor(canvas, map) {
+    this.map = map;
+    const regl = this.regl = createRegl({ canvas, attributes: { antialias: false, alpha: false, preserveDrawingBuffer: true }, extensions: ["ANGLE_instanced_arrays"] });
+    this.raster = rasterDrawing(regl);
+    this.segments = segmentDrawing(regl, regl.buffer([[-1, -1], [1, -1], [-1, 1], [1, 1]]));
+    const { box, width, height } = map;
+    this.size = [box.right, box.top];
+    // Positions go to the card relative to the middle, where float32 is finest.
+    this.origin = { x: box.right / 2, y: box.top / 2 };
+    this.paint = regl.texture({ width, height, min: "linear", mag: "linear" });
+    this.label = regl.texture({ width, height, data: labelBytes(map) });
+    this.layers = Object.fromEntries(["crosses", "cracks"].map((name) => [name, { count: 0, ...Object.fromEntries(["ends", "width", "colour"].map((part) => [part, regl.buffer({ usage: "dynamic", length: 4 })])) }]));
+  }
+
+  setPaint(rgba) { this.paint({ width: this.map.width, height: this.map.height, data: rgba, min: "linear", mag: "linear" }); }
+
+  setLayer(name, { ends, width, colour, count }) {
+    const layer = this.layers[name];
+    layer.count = count;
+    if (count === 0) return;
+    layer.ends({ data: ends, usage: "dynamic" });
+    layer.width({ data: width, usage: "dynamic" });
+    layer.colour({ data: colour, usage: "dynamic" });
+  }
+
+  draw(camera, pixelRatio, theme, { outline, chosen, fade }) {
+    const pixelsPerMetre = camera.scale * pixelRatio;
+    const perMetre = [2 * camera.scale / camera.width, 2 * camera.scale / camera.height];
+    const pixelsPerNode = pixelsPerMetre * this.map.spacing;
+    this.regl.poll();
+    this.regl.clear({ color: [...unit(theme.card), 1] });
+    this.raster({
+      middle: [camera.x, camera.y], perMetre, size: this.size, nodes: [this.map.width, this.map.height], paint: this.paint, label: this.label,
+      background: unit(theme.card), ink: unit(theme.field.outline), pixelsPerNode, chosen: chosen ?? 0, fade,
+      outline: outline ? Math.min(0.75, 0.2 + 0.25 * pixelsPerNode) : 0,
+    });
+    const view = { middle: [camera.x - this.origin.x, camera.y - this.origin.y], perMetre, pixelsPerMetre };
+    for (const [name, layer] of Object.entries(this.layers))
+      if (layer.count) this.segments({ ...view, ...layer, ...(name === "cracks" ? { hairline: crackRadius * pixelRatio } : {}) });
+  }
+}
+
+/** Grain labels in three bytes, so that the card can tell grains apart; void and matrix stand apart from each other too. */
+function labelBytes({ label, kind }) {
+  const out = new Uint32Array(label.length);
+  for (let k = 0; k < label.length; ++k) out[k] = label[k] > 0 ? label[k] : kind[k] === 0 ? 0xfffffe : 0xffffff;
+  return new Uint8Array(out.buffer);
+}

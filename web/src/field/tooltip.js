@@ -1,0 +1,38 @@
+import { text } from "../text.js";
+import { principal } from "./components.js";
+import { classes } from "./result.js";
+
+export const kindNames = ["void", "matrix", "grain", "small grain", "large grain"];
+
+/** The numbers of the node under the pointer, and of the grain that it belongs to. */
+export function nodeNumbers(result, node, theme, which) {
+  const { map } = result, kind = map.kind[node], [x, y] = map.placeOf(node);
+  const g = map.label[node] - 1;
+  const rows = [["x, y", `${text.number(1e3 * x, 4)}, ${text.number(1e3 * y, 4)}\u202fmm`]];
+  if (kind !== classes.empty && result.loaded) rows.push(...stressRows(result, node));
+  const cavities = map.cavities?.[which];
+  if (cavities && cavities.label[node] > 0) rows.push(["size", `${text.count(cavities.nodes[cavities.label[node] - 1])} nodes`]);
+  if (g >= 0) rows.push(...grainRows(result, g));
+  return { title: g >= 0 ? `${name(kind)} ${g + 1}` : name(kind), colour: theme.kind[kind], rows };
+}
+
+const name = (kind) => kindNames[kind][0].toUpperCase() + kindNames[kind].slice(1);
+
+function stressRows(result, node) {
+  const at = (component) => result.values(component)[node];
+  const [xx, yy, xy] = ["xx", "yy", "xy"].map(at);
+  const { first, angle } = principal(xx, yy, xy);
+  const rows = [
+    ["\u03c3_{yy}", text.quantity(yy, "Pa")], ["\u03c3_{xx}", text.quantity(xx, "Pa")], ["\u03c3_{xy}", text.quantity(xy, "Pa")],
+    ["\u03c3_{1}", `${text.quantity(first, "Pa")} at ${Math.round((angle * 180) / Math.PI)}\u00b0`],
+    ["\u03c3_{yy}/\u27e8\u03c3_{yy}\u27e9", text.number(yy / result.mean)],
+  ];
+  if (result.has("ux") && result.has("uy")) rows.push(["u_{x}, u_{y}", `${text.quantity(at("ux"), "m")}, ${text.quantity(at("uy"), "m")}`]);
+  return rows;
+}
+
+function grainRows(result, g) {
+  const rows = [["grain\u2019s diameter", text.quantity(2 * result.radiusOfGrain(g), "m")]];
+  if (result.loaded) rows.push(["grain\u2019s mean \u03c3_{yy}", text.quantity(result.stressOfGrain(g).yy, "Pa")]);
+  return rows;
+}

@@ -1,0 +1,22 @@
+import * as Plot from "@observablehq/plot";
+import { chart, logAxis } from "./chart.js";
+
+export const convergence = {
+  id: "convergence", title: "Convergence of the solver",
+  caption: "Residual relative to that of uniform strain, after every iteration.",
+  when: (_, result) => (result.convergence.residual?.values.length ?? 0) > 1,
+  draw({ sample, theme, width }) {
+    const { residual, iteration } = sample.convergence;
+    const rows = Array.from(residual.values, (y, k) => ({ x: iteration?.values[k] ?? k, y })).filter(({ y }) => y > 0);
+    const values = rows.map(({ y }) => y);
+    const domain = [10 ** Math.floor(Math.log10(Math.min(...values))), 10 ** Math.ceil(Math.log10(Math.max(...values)))];
+    return chart(theme, {
+      width, height: 254,
+      x: { label: "iteration", ticks: 6, tickFormat: (v) => (Number.isInteger(v) ? String(v) : "") }, y: logAxis("residual", domain),
+      marks: [
+        Plot.line(rows, { x: "x", y: "y", stroke: theme.materialLine[0], strokeWidth: 1.6 }),
+        rows.length < 200 ? Plot.dot(rows, { x: "x", y: "y", fill: theme.materialLine[0], r: 2.6 }) : null,
+      ],
+    });
+  },
+};

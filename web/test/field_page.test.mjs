@@ -1,0 +1,235 @@
+// Opens a page of a cemented sample, its load and its pull to failure, and asserts what is painted.
+// Usage: node field_page.test.mjs PAGE.html
+import assert from "node:assert/strict";
+import { difference, painted, saved } from "./browser.mjs";
+import { rgb, runTests, settle } from "./run.mjs";
+
+const tests = [];
+const test = (name, run) => tests.push({ name, run });
+
+const light = { kind: ["#cf5d49", "#f4d27a", "#6e9fd0", "#2c5d9e", "#a6cbe9"].map(rgb), card: rgb("#ffffff"), empty: rgb("#ffffff"), aside: rgb("#d4d5d2"), crack: [null, "#7a1fa2", "#0b0d10", "#00796b"].map((c) => c && rgb(c)) };
+
+const set = (page, changes) => page.evaluate((values) => window.arenite.field.state.set(values), changes);
+const tab = async (page, title) => {
+  await page.click(`.tabs button:text-is("${title}")`);
+  await settle(page);
+};
+
+/** Nodes inside of which nothing else is for three nodes around, some of each kind: place on the page, kind, numbers. */
+const places = (page, kinds) => page.evaluate((wanted) => {
+  const { view, result } = window.arenite.field, { map } = result, box = view.canvas.getBoundingClientRect();
+  const found = [], missing = new Map(wanted.map((kind) => [kind, 4]));
+  for (let tries = 0; tries < 200000 && [...missing.values()].some((n) => n > 0); ++tries) {
+    const x = 3 + ((tries * 7919) % (map.width - 6)), y = 3 + ((tries * 104729) % (map.height - 6)), node = x + map.width * y, kind = map.kind[node];
+    if (!(missing.get(kind) > 0)) continue;
+    const reach = kind < 2 ? 1 : 2;
+    let even = true;
+    for (let j = -reach; j <= reach; ++j) for (let i = -reach; i <= reach; ++i) even &&= map.label[node + i + map.width * j] === map.label[node] && map.kind[node + i + map.width * j] === kind;
+    if (!even) continue;
+    missing.set(kind, missing.get(kind) - 1);
+    const [px, py] = view.camera.toScreen(...map.placeOf(node));
+    found.push({ x: px + box.left, y: py + box.top, kind, node, label: map.label[node], yy: result.loaded ? result.values("yy")[node] : null });
+  }
+  return found;
+}, kinds);
+
+/** Those on grains in one piece: at periodic sides a grain may lie at both edges. */
+const whole = (page, list) => page.evaluate((all) => all.filter(({ label }) => {
+  const { result } = window.arenite.field, { left, right, bottom, top } = result.boxOfGrain(label - 1);
+  return Math.max(right - left, top - bottom) < 3 * result.radiusOfGrain(label - 1);
+}), list);
+
+test("a row of tabs leads to the sample, its load and its pull", async (page) => {
+  assert.deepEqual(await page.locator(".tabs button").allInnerTexts(), ["Cement", "Tension", "Failure"]);
+});
+
+test("nodes carry their phase's colour", async (page) => {
+  await tab(page, "Cement");
+  await set(page, { outlines: false });
+  await settle(page);
+  const picture = await painted(page), some = await places(page, [0, 3, 4]);
+  assert.ok(some.length >= 10, `${some.length} places`);
+  for (const { x, y, kind } of some) assert.ok(difference(await picture(x, y), light.kind[kind]) <= 3, `kind ${kind}: ${await picture(x, y)}`);
+  const box = await page.locator("canvas.nodes:visible").boundingBox();
+  assert.ok(difference(await picture(box.x + 2, box.y + 2), light.card) <= 1);
+});
+
+test("a sample that was not loaded offers no field", async (page) => {
+  assert.equal(await page.locator('section.sample:visible [data-choice="show"] [data-value="field"]').count(), 0);
+});
+
+test("stress is painted by the scale: low blue, high orange, void empty", async (page) => {
+  await tab(page, "Tension");
+  await set(page, { show: "field", component: "yy", around: "mean", outlines: false });
+  await settle(page);
+  const picture = await painted(page), mean = await page.evaluate(() => window.arenite.field.result.mean);
+  let low = 0, high = 0;
+  for (const { x, y, kind, yy } of await places(page, [0, 3, 4])) {
+    const [r, , b] = await picture(x, y);
+    if (kind === 0) assert.ok(difference(await picture(x, y), light.empty) <= 2, "void");
+    else if (yy < 0.75 * mean) { ++low; assert.ok(b > r, `low stress is ${await picture(x, y)}`); }
+    else if (yy > 1.25 * mean) { ++high; assert.ok(r > b, `high stress is ${await picture(x, y)}`); }
+  }
+  assert.ok(low + high > 0);
+});
+
+test("every component, centre, law and clip paints its own picture", async (page) => {
+  const shot = async () => {
+    await settle(page);
+    const box = await page.locator("canvas.nodes:visible").boundingBox();
+    return (await page.screenshot({ clip: box })).toString("base64");
+  };
+  const seen = new Map();
+  for (const component of ["yy", "xx", "xy", "hydrostatic", "principal", "ux", "uy", "travel"]) {
+    await set(page, { component });
+    seen.set(component, await shot());
+  }
+  await set(page, { component: "yy" });
+  for (const changes of [{ around: "zero" }, { around: "ends" }, { law: "symlog" }, { clip: "5" }, { by: "grain" }, { chains: true, threshold: 1.5 }, { crosses: true }, { outlines: true }]) {
+    const before = await page.evaluate((keys) => Object.fromEntries(keys.map((k) => [k, window.arenite.field.state.get(k)])), Object.keys(changes));
+    await set(page, changes);
+    seen.set(JSON.stringify(changes), await shot());
+    await set(page, before);
+  }
+  assert.equal(new Set(seen.values()).size, seen.size, `${seen.size} states gave ${new Set(seen.values()).size} pictures`);
+});
+
+test("values come to the page within a thousandth of their range", async (page) => {
+  const { least, most, about } = await page.evaluate(() => {
+    const { result } = window.arenite.field, values = result.values("yy");
+    let [low, high] = [Infinity, -Infinity];
+    values.forEach((v, k) => { if (result.map.kind[k] !== 0) [low, high] = [Math.min(low, v), Math.max(high, v)]; });
+    return { least: low, most: high, about: result.about.components.yy };
+  });
+  for (const [got, wanted] of [[least, about.least], [most, about.most]])
+    assert.ok(Math.abs(got - wanted) <= 1e-3 * (about.most - about.least), `${got} is not ${wanted}`);
+});
+
+test("what carries less than the threshold steps back", async (page) => {
+  await set(page, { chains: true, threshold: 1 });
+  await settle(page);
+  const picture = await painted(page), mean = await page.evaluate(() => window.arenite.field.result.mean);
+  for (const { x, y, kind, yy } of await places(page, [3, 4])) {
+    const aside = difference(await picture(x, y), light.aside) <= 4;
+    if (kind && Math.abs(yy / mean) < 0.6) assert.ok(aside, `weak: ${await picture(x, y)}`);
+  }
+  await set(page, { chains: false });
+});
+
+test("the colour bar says what lies beyond its ends", async (page) => {
+  await set(page, { clip: "5" });
+  await settle(page);
+  assert.match(await page.locator(".field-key:visible").textContent(), /\u202f% \u25b8/);
+  await set(page, { clip: "all" });
+  await settle(page);
+  assert.doesNotMatch(await page.locator(".field-key:visible").textContent(), /%/);
+  await set(page, { clip: "0.1" });
+});
+
+test("hovering tells a node's numbers, a click shows its grain close up, Escape shows all", async (page) => {
+  const [large] = await whole(page, await places(page, [4]));
+  await page.mouse.move(large.x, large.y);
+  const words = await page.locator(".tooltip:visible").innerText();
+  assert.match(words, /Large grain/);
+  assert.match(words, /\u03c3yy[\s\S]*Pa/);
+  const before = await page.evaluate(() => window.arenite.field.view.camera.scale);
+  await page.mouse.click(large.x, large.y);
+  await settle(page);
+  assert.ok(await page.evaluate(() => window.arenite.field.view.camera.scale) > 2 * before);
+  assert.match(await page.locator(".close-up:visible").innerText(), /mean \u03c3/);
+  await page.keyboard.press("Escape");
+  await settle(page);
+  assert.ok(Math.abs(await page.evaluate(() => window.arenite.field.view.camera.scale) - before) < 1e-6 * before);
+  assert.equal(await page.locator(".close-up:visible").count(), 0);
+});
+
+test("zoomed in, a node is a square of one colour", async (page) => {
+  const node = await page.evaluate(() => {
+    const { label, width, height } = window.arenite.field.result.map, middle = (width >> 1) + width * (height >> 1);
+    return Array.from(label.keys()).slice(middle).find((k) => label[k] > 0 && label[k] === label[k - 1] && label[k] === label[k + width]);
+  });
+  const { x, y } = await page.evaluate((k) => {
+    const { view, result } = window.arenite.field, box = view.canvas.getBoundingClientRect(), [px, py] = view.camera.toScreen(...result.map.placeOf(k));
+    return { x: Math.round(px + box.left), y: Math.round(py + box.top) };
+  }, node);
+  await page.mouse.move(x, y);
+  await page.mouse.wheel(0, -2400);
+  await settle(page);
+  const place = await page.evaluate((k) => {
+    const { view, result } = window.arenite.field, box = view.canvas.getBoundingClientRect(), [px, py] = view.camera.toScreen(...result.map.placeOf(k));
+    return { x: px + box.left, y: py + box.top, size: result.map.spacing * view.camera.scale };
+  }, node);
+  assert.ok(place.size > 30, `${place.size} px a node`);
+  await page.mouse.move(2, 2);
+  await settle(page);
+  const picture = await painted(page), middle = await picture(place.x, place.y);
+  for (const [i, j] of [[-0.4, -0.4], [0.4, -0.4], [0.4, 0.4]])
+    assert.deepEqual(await picture(place.x + i * place.size, place.y + j * place.size), middle);
+  await page.evaluate(() => window.arenite.field.view.reset());
+  await settle(page);
+});
+
+test("cracks appear in the order of the pull, by type, with the slider", async (page) => {
+  await tab(page, "Failure");
+  const slider = page.locator(".timeline:visible input");
+  await slider.focus();
+  await page.keyboard.press("Home");
+  await settle(page);
+  const first = await page.locator('[data-figure="stress-strain"]:visible .drawing').innerHTML();
+  const none = await page.evaluate(() => window.arenite.field.view.broken);
+  await page.keyboard.press("End");
+  await settle(page);
+  const all = await page.evaluate(() => window.arenite.field.view.broken);
+  assert.ok(all > none, `${none} -> ${all}`);
+  assert.notEqual(await page.locator('[data-figure="stress-strain"]:visible .drawing').innerHTML(), first);
+  const crack = await page.evaluate(() => {
+    const { view, result } = window.arenite.field, box = view.canvas.getBoundingClientRect();
+    const [x, y] = view.camera.toScreen(result.cracks.x[0], result.cracks.y[0]);
+    return { x: x + box.left, y: y + box.top, type: result.cracks.type[0] };
+  });
+  const picture = await painted(page);
+  assert.ok(difference(await picture(crack.x, crack.y), light.crack[crack.type]) <= 30, `${await picture(crack.x, crack.y)}`);
+});
+
+test("every figure is drawn and saved as a whole SVG", async (page) => {
+  for (const [title, wanted] of [["Tension", ["stress-pdf", "convergence"]], ["Failure", ["stress-strain", "broken-bonds", "energy-balance"]]]) {
+    await tab(page, title);
+    const names = await page.locator("[data-figure]:visible").evaluateAll((all) => all.map((f) => f.dataset.figure));
+    for (const name of wanted) assert.ok(names.includes(name), `${name} is missing from ${names}`);
+    for (const name of names) {
+      const source = (await saved(page, `[data-figure="${name}"] [data-save="svg"]:visible`)).toString("utf8");
+      assert.ok(source.match(/<(path|rect|circle|line)/g).length > 5, `${name} is bare`);
+      assert.doesNotMatch(source, /NaN|undefined|var\(--/, name);
+    }
+  }
+});
+
+test("the picture is saved as SVG with its nodes inside and as PNG at twice the size", async (page) => {
+  await tab(page, "Tension");
+  await page.evaluate(() => window.scrollTo(0, 0));
+  const svg = (await saved(page, '.sample:visible .save:has-text("SVG")')).toString("utf8");
+  assert.match(svg, /<image[^>]*href="data:image\/png;base64,[A-Za-z0-9+/=]{2000,}"/);
+  assert.doesNotMatch(svg.replace(/base64,[^"]*/, ""), /NaN|undefined/);
+  const png = await saved(page, '.sample:visible .save:has-text("PNG")');
+  assert.equal(png.readUInt32BE(16), Math.round(2 * await page.evaluate(() => window.arenite.field.view.camera.width)));
+});
+
+test("the dark theme darkens page and field", async (page) => {
+  await page.click("button.theme");
+  await settle(page);
+  const picture = await painted(page), [hole] = await places(page, [0]);
+  assert.ok(Math.max(...await picture(2, 400)) < 40);
+  assert.ok(Math.max(...await picture(hole.x, hole.y)) < 60, `void: ${await picture(hole.x, hole.y)}`);
+  await page.click("button.theme");
+});
+
+test("on a narrow screen everything stands in one column and nothing is cut off", async (page) => {
+  await page.setViewportSize({ width: 420, height: 900 });
+  for (const title of ["Cement", "Tension", "Failure"]) {
+    await tab(page, title);
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    assert.ok(wide <= 420, `${title} is ${wide} px wide`);
+  }
+});
+
+await runTests(process.argv[2], tests);

@@ -1,0 +1,35 @@
+import { resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { watch, withBrowser } from "./browser.mjs";
+
+export const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+export const rgb = (hex) => [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16));
+
+/** Opens a page from the disk, runs the tests on it one after the other, and leaves with their verdict; an error in the
+    console or a request to anybody is a failure. */
+export async function runTests(file, tests) {
+  const failures = await withBrowser({ viewport: { width: 1400, height: 900 }, colorScheme: "light" }, async (context) => {
+    const page = await context.newPage(), seen = watch(page);
+    page.setDefaultTimeout(20000);
+    await page.goto(pathToFileURL(resolve(file)).href);
+    await page.waitForSelector("html[data-ready]", { timeout: 60000 });
+    await page.waitForTimeout(200);
+    const failed = [];
+    for (const { name, run } of tests) {
+      try {
+        await run(page);
+        console.log(`ok    ${name}`);
+      } catch (error) {
+        failed.push(name);
+        console.log(`FAIL  ${name}\n      ${error.message}`);
+      }
+    }
+    if (seen.errors.length) failed.push(`errors in the console: ${seen.errors.join("; ")}`);
+    if (seen.requests.length) failed.push(`requests: ${seen.requests.join("; ")}`);
+    return failed;
+  });
+  if (failures.length === 0) return;
+  console.log(`${failures.length} failed:\n  ${failures.join("\n  ")}`);
+  process.exit(1);
+}
