@@ -4,8 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "imaging/label_grains.hpp"
+#include "io/phase_map_image.hpp"
 #include "peridynamics/load.hpp"
-#include "study/foreign_map.hpp"
 
 namespace {
 using namespace arenite;
@@ -13,18 +14,21 @@ using namespace arenite::peridynamics;
 
 const std::string examples = ARENITE_SOURCE_DIR "/examples/";
 
-study::LabelledMap electrode(int slice) {
-  study::ForeignMapOptions options;
-  options.reading.phases = io::parse_phase_table("0=void,85=particle,170=matrix");
-  options.reading.image.slice = slice;
-  options.labelling.way = imaging::Labelling::watershed;
-  return study::read_foreign_map(examples + "30-electrode/electrode.tiff", options);
+PhaseMap electrode(int slice, imaging::Labelling way = imaging::Labelling::watershed) {
+  io::PhaseMapOptions options;
+  options.phases = io::parse_phase_table("0=void,85=particle,170=matrix");
+  options.image.slice = slice;
+  PhaseMap map = io::read_phase_map(examples + "30-electrode/electrode.tiff", options).map;
+  imaging::label_grains(map, {way, 1});
+  return map;
 }
-study::LabelledMap sandstone(std::optional<io::Crop> crop) {
-  study::ForeignMapOptions options;
-  options.reading.phases = io::parse_phase_table("0=void,1=particle,2=matrix");
-  options.reading.crop = crop;
-  return study::read_foreign_map(examples + "31-sandstone/OffshoreMiocene_20_1_mask.png", options);
+PhaseMap sandstone(std::optional<io::Crop> crop) {
+  io::PhaseMapOptions options;
+  options.phases = io::parse_phase_table("0=void,1=particle,2=matrix");
+  options.crop = crop;
+  PhaseMap map = io::read_phase_map(examples + "31-sandstone/OffshoreMiocene_20_1_mask.png", options).map;
+  imaging::label_grains(map, {});
+  return map;
 }
 
 /// Shares of void, matrix, particle.
@@ -54,30 +58,27 @@ TEST(Electrode, HasTheSharesOfItsSourceInEverySlice) {
   // Of the volume, by the source: pore 44.99, particle 40.05, binder 14.96 %; a slice scatters about them.
   std::array<double, 3> mean{};
   for (int slice = 0; slice < 256; slice += 8)
-    for (std::size_t p = 0; const double share : shares(electrode(slice).map)) mean[p++] += share / 32;
+    for (std::size_t p = 0; const double share : shares(electrode(slice))) mean[p++] += share / 32;
   EXPECT_NEAR(mean[0], 0.4499, 2e-3);
   EXPECT_NEAR(mean[1], 0.1496, 2e-3);
   EXPECT_NEAR(mean[2], 0.4005, 2e-3);
 }
 
 TEST(Electrode, TouchingParticlesComeApart) {
-  study::ForeignMapOptions options;
-  options.reading.phases = io::parse_phase_table("0=void,85=particle,170=matrix");
-  options.reading.image.slice = 64;
-  const auto together = study::read_foreign_map(examples + "30-electrode/electrode.tiff", options), apart = electrode(64);
-  EXPECT_GT(apart.map.grain_class.size(), together.map.grain_class.size() + 10);
-  EXPECT_LT(apart.map.grain_class.size(), 2 * together.map.grain_class.size());
+  const PhaseMap together = electrode(64, imaging::Labelling::components), apart = electrode(64);
+  EXPECT_GT(apart.grain_class.size(), together.grain_class.size() + 10);
+  EXPECT_LT(apart.grain_class.size(), 2 * together.grain_class.size());
 }
 
 TEST(Electrode, SlicesAreSolvedInTension) {
   for (const int slice : {0, 64, 128, 255}) {
     SCOPED_TRACE(slice);
-    expect_equilibrium(electrode(slice).map, Loading::tension);
+    expect_equilibrium(electrode(slice), Loading::tension);
   }
 }
 
 TEST(Sandstone, HasTheSharesOfItsSource) {
-  const auto map = sandstone({}).map;
+  const auto map = sandstone({});
   EXPECT_EQ(map.width, 4980);
   EXPECT_EQ(map.height, 2640);
   const auto [empty, matrix, particle] = shares(map);
@@ -87,7 +88,7 @@ TEST(Sandstone, HasTheSharesOfItsSource) {
 }
 
 TEST(Sandstone, APartIsSolvedInTensionAndCompressionAlike) {
-  const auto map = sandstone(io::Crop{1900, 700, 512, 512}).map;
+  const auto map = sandstone(io::Crop{1900, 700, 512, 512});
   expect_equilibrium(map, Loading::tension);
   expect_equilibrium(map, Loading::compression);
 }
