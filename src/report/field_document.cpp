@@ -4,9 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "core/error.hpp"
+#include "report/cavity_document.hpp"
 #include "report/field_codes.hpp"
 #include "report/grain_means.hpp"
 #include "report/thinned_map.hpp"
+#include "stress/stress.hpp"
 
 namespace arenite::report {
 namespace {
@@ -25,7 +28,8 @@ Json map_of(const PhaseMap& map, const Thinning& kept, NumberBlock& block) {
           {"full", {map.width, map.height}}, {"nodes", nodes},
           {"phase", reference(block.add_indices(unsigned_copy(kept.of(map.phase))))},
           {"label", reference(block.add_indices(label))},
-          {"grain_class", reference(block.add_indices(unsigned_copy(map.grain_class)))}};
+          {"grain_class", reference(block.add_indices(unsigned_copy(map.grain_class)))},
+          {"cavities", cavities_of(map, kept, block)}};
 }
 
 /// One component on the page's nodes, with mean and extremes over all nodes of the map that are not void.
@@ -90,13 +94,27 @@ Json parsed(const std::string& text) {
   return json;
 }
 
+/// The densities that the page draws, measured here unless they are given; empty where there is nothing to measure.
+Json statistics_of(const FieldPageData& data) {
+  if (!data.statistics_json.empty()) return parsed(data.statistics_json);
+  if (data.result->field.size() == 0) return Json::object();
+  stress::StressOptions options;
+  options.components = {stress::Component::yy, stress::Component::xx, stress::Component::xy, stress::Component::hydrostatic};
+  try {
+    return parsed(stress::to_json(stress::measure(data.result->map, data.result->field, options), true));
+  } catch (const InputError& error) {
+    return {{"notes", {error.what()}}};  // a sample without any stress has a page too
+  }
+}
+
 Json field_of(const FieldPageData& data, std::size_t map, const Thinning& kept, NumberBlock& block) {
   const FieldResult& r = *data.result;
   Json out{{"name", r.name}, {"converged", r.converged}, {"outcome", r.outcome}, {"provenance", provenance_of(r.provenance)},
            {"map", map}, {"components", components_of(r, kept, block)},
            {"grains", grains_of(grain_means(r.map, r.field), block)},
            {"convergence", history_of(r.convergence, block)}, {"curve", history_of(r.curve, block)},
-           {"numbers", parsed(r.numbers_json)}, {"statistics", parsed(data.statistics_json)}};
+           {"numbers", parsed(r.numbers_json)}, {"statistics", statistics_of(data)}};
+  out["statistics"].erase("grains");
   if (!r.cracks.empty()) out["cracks"] = cracks_of(r.cracks, block);
   return out;
 }

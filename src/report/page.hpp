@@ -17,7 +17,7 @@ struct FrameTexture {
 };
 
 /// A cemented sample or its stresses under load. `statistics_json` are those of the node stresses with their curves, as
-/// stress::to_json writes them; without it the densities are counted from the nodes on the page.
+/// stress::to_json writes them; without it they are measured for the page.
 struct FieldPageData {
   const FieldResult* result = nullptr;
   std::string statistics_json{};

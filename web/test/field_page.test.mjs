@@ -58,6 +58,28 @@ test("a sample that was not loaded offers no field", async (page) => {
   assert.equal(await page.locator('section.sample:visible [data-choice="show"] [data-value="field"]').count(), 0);
 });
 
+test("voids have a colour each, by chance or by size, and grains step back", async (page) => {
+  const colours = [];
+  for (const cavities of ["any", "size"]) {
+    await set(page, { show: "voids", cavities, outlines: false });
+    await settle(page);
+    const picture = await painted(page);
+    for (const { x, y } of await places(page, [3, 4])) assert.ok(difference(await picture(x, y), rgb("#d3d7da")) <= 3, `grain: ${await picture(x, y)}`);
+    const hole = await page.evaluate(() => {
+      const { view, result: { map } } = window.arenite.field, box = view.canvas.getBoundingClientRect(), { label, nodes } = map.cavities.voids;
+      const largest = 1 + nodes.indexOf(nodes.reduce((a, b) => Math.max(a, b))), inside = (k) => label[k] === largest;
+      const node = label.findIndex((l, k) => l === largest && [1, -1, map.width, -map.width].every((step) => inside(k + step)));
+      const [px, py] = view.camera.toScreen(...map.placeOf(node));
+      return { x: px + box.left, y: py + box.top };
+    });
+    const [r, g, b] = await picture(hole.x, hole.y);
+    assert.ok(Math.max(r, g, b) - Math.min(r, g, b) > 30 || Math.max(r, g, b) < 90, `void: ${[r, g, b]}`);
+    colours.push([r, g, b].join(" "));
+  }
+  assert.notEqual(colours[0], colours[1]);
+  await set(page, { show: "phases" });
+});
+
 test("stress is painted by the scale: low blue, high orange, void empty", async (page) => {
   await tab(page, "Tension");
   await set(page, { show: "field", component: "yy", around: "mean", outlines: false });
@@ -191,8 +213,18 @@ test("cracks appear in the order of the pull, by type, with the slider", async (
   assert.ok(difference(await picture(crack.x, crack.y), light.crack[crack.type]) <= 30, `${await picture(crack.x, crack.y)}`);
 });
 
+test("densities over the mean of the phase carry their fits", async (page) => {
+  await tab(page, "Tension");
+  const dashed = () => page.locator('[data-figure="stress-pdf"]:visible .drawing [stroke-dasharray="6 3"]').count();
+  assert.equal(await dashed(), 0);
+  await page.click('[data-figure="stress-pdf"] [data-choice="norm"]:visible [data-value="own"]');
+  await settle(page);
+  assert.ok(await dashed() >= 2, `${await dashed()} tails`);
+  await page.click('[data-figure="stress-pdf"] [data-choice="norm"]:visible [data-value="sample"]');
+});
+
 test("every figure is drawn and saved as a whole SVG", async (page) => {
-  for (const [title, wanted] of [["Tension", ["stress-pdf", "convergence"]], ["Failure", ["stress-strain", "broken-bonds", "energy-balance"]]]) {
+  for (const [title, wanted] of [["Tension", ["stress-pdf", "cavities", "convergence"]], ["Failure", ["stress-strain", "broken-bonds", "energy-balance"]]]) {
     await tab(page, title);
     const names = await page.locator("[data-figure]:visible").evaluateAll((all) => all.map((f) => f.dataset.figure));
     for (const name of wanted) assert.ok(names.includes(name), `${name} is missing from ${names}`);

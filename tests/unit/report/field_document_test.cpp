@@ -40,6 +40,32 @@ TEST(FieldDocument, GivesTheMeanOverWhatIsNotVoid) {
   EXPECT_NEAR(document["fields"][1]["components"]["yy"]["mean"], sum / static_cast<double>(count), 1e-9 * sum);
 }
 
+TEST(FieldDocument, MeasuresTheDensitiesUnlessTheyAreGiven) {
+  const Json document = Json::parse(report::page_document(sample().data).json);
+  EXPECT_TRUE(document["fields"][0]["statistics"].empty());
+  EXPECT_TRUE(document["fields"][1]["statistics"]["sigma_yy"]["sets"]["all"].contains("pdf"));
+  report::PageData given = sample().data;
+  given.fields = {{&sample().load, R"({"sigma_yy": 3})"}};
+  EXPECT_EQ(Json::parse(report::page_document(given).json)["fields"][0]["statistics"]["sigma_yy"], 3);
+}
+
+TEST(FieldDocument, OfASampleWithoutAnyStressSaysWhyNothingWasMeasured) {
+  FieldResult severed = sample().load;
+  for (auto* values : {&severed.field.xx, &severed.field.yy, &severed.field.xy}) values->assign(values->size(), 0);
+  const Json document = Json::parse(report::page_document({"severed", {}, {}, {{&severed, {}}}}).json);
+  EXPECT_EQ(document["fields"][0]["statistics"]["notes"].size(), 1u);
+}
+
+TEST(FieldDocument, HoldsVoidsAndPoresOfTheMap) {
+  const Json document = Json::parse(report::page_document(sample().data).json);
+  for (const char* kind : {"voids", "pores"}) {
+    const Json& cavities = document["maps"][0]["cavities"][kind];
+    EXPECT_EQ(cavities["label"]["n"], 96 * 96);
+    EXPECT_GT(cavities["nodes"]["n"], 0);
+    EXPECT_GT(cavities["volumes"]["mean"]["value"], 0);
+  }
+}
+
 TEST(FieldDocument, HoldsCracksAndTheCurveOfAPull) {
   const Json document = Json::parse(report::page_document(sample().data).json);
   const Json& pull = document["fields"][2];

@@ -45,11 +45,11 @@ function phaseKey({ map }, theme, room) {
 }
 
 function cavityKey({ map }, theme, state, length) {
-  const { nodes, rules, specks, cut } = map.cavities[state.get("show")];
-  const words = `${text.count(nodes.length)} counted; grey: ${text.count(cut)} cut by the edge, ${text.count(specks)} below ${rules.fewest_nodes} nodes`;
+  const { nodes, fewest_nodes: fewest, specks, cut } = map.cavities[state.get("show")];
+  const words = `${text.count(nodes.length)} counted; grey: ${text.count(cut)} cut by the edge, ${text.count(specks)} below ${fewest} nodes`;
   const group = s("g", {}, label(0, state.get("cavities") === "size" ? 66 : 11, words));
   if (state.get("cavities") !== "size") return group;
-  group.append(label(0, 11, "nodes, logarithmic"), bar(theme.stress, 0, 24, length, 11), label(0, 46, text.count(rules.fewest_nodes)),
+  group.append(label(0, 11, "nodes, logarithmic"), bar(theme.stress, 0, 24, length, 11), label(0, 46, text.count(fewest)),
     label(length, 46, text.count(nodes.reduce((a, b) => Math.max(a, b), 0)), "end"));
   return group;
 }

@@ -15,6 +15,7 @@ export class PhaseMap {
     this.kind = new Uint8Array(phase.length);
     for (let k = 0; k < phase.length; ++k)
       this.kind[k] = phase[k] < 2 ? phase[k] : classes.particle + (this.grainClass[this.label[k] - 1] ?? 0);
+    this.cavities = cavitiesOf(about.cavities ?? {}, block);
     this.counts = [0, 0, 0, 0, 0];
     for (const kind of this.kind) ++this.counts[kind];
   }
@@ -34,6 +35,11 @@ export class PhaseMap {
   placeOf(node) {
     return [(node % this.width + 0.5) * this.spacing, (Math.floor(node / this.width) + 0.5) * this.spacing];
   }
+}
+
+/** Voids and pores by kind: label and nodes unpacked, the rest as it is. */
+function cavitiesOf(about, block) {
+  return Object.fromEntries(Object.entries(about).map(([kind, c]) => [kind, { ...c, label: unpack(block, c.label), nodes: unpack(block, c.nodes) }]));
 }
 
 /** A result on a raster: fields are decoded when first asked for. */

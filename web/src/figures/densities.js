@@ -1,92 +1,84 @@
 import * as Plot from "@observablehq/plot";
-import { components } from "../field/components.js";
-import { chart, decades, logAxis, sideBySide } from "./chart.js";
+import { text } from "../text.js";
+import { chart, logAxis, points, sampled, sideBySide } from "./chart.js";
 
-const clampRows = 4;  // at the lower and the upper edge, where the sample is held
+const keys = { yy: "sigma_yy", xx: "sigma_xx", xy: "sigma_xy", hydrostatic: "sigma_hyd" };
+const symbols = { sigma_yy: "\u03c3_{yy}", sigma_xx: "\u03c3_{xx}", sigma_xy: "\u03c3_{xy}", sigma_hyd: "\u03c3_{hyd}" };
+const order = ["all", "large", "small", "particle", "matrix"];
 
-export const phaseSets = [
-  { kind: null, name: "all" }, { kind: 4, name: "large" }, { kind: 3, name: "small" }, { kind: 2, name: "grains" }, { kind: 1, name: "matrix" },
-];
-
-export function setColour(theme, kind) {
-  return kind === null ? theme.strong : theme.kindLine[kind];
+function setColour(theme, name) {
+  return name === "all" ? theme.strong : theme.kindLine[{ matrix: 1, particle: 2, small: 3, large: 4 }[name]];
 }
 
-/** Densities of a component over nodes of each phase: [{ kind, name, mean, count, points: [{ x, y, error }] }], x in units
-    of the sample's mean, or of the set's own. */
-export function densities(result, component, own) {
-  const { map } = result, values = result.values(component);
-  const rows = Math.max(1, Math.ceil(clampRows / map.stride)), from = rows * map.width, to = map.size - from;
-  return phaseSets.map((set) => {
-    const kept = [];
-    for (let k = from; k < to; ++k) if (set.kind === null ? map.kind[k] !== 0 : map.kind[k] === set.kind) kept.push(values[k]);
-    return { ...set, kept };
-  }).filter(({ kept }) => kept.length > 50).map(({ kept, ...set }) => {
-    const mean = kept.reduce((sum, v) => sum + v, 0) / kept.length;
-    const unit = own ? mean : result.scale;
-    return { ...set, mean, count: kept.length, ...histogram(kept, unit) };
-  });
-}
-
-/** Bins as wide as 2 IQR/n^(1/3) says, not below a hundredth of the unit; the tails beyond one count in 1e5 left out. */
-function histogram(values, unit) {
-  const x = Float64Array.from(values, (v) => v / unit).sort(), n = x.length, at = (share) => x[Math.round(share * (n - 1))];
-  const width = Math.max(0.01, (2 * (at(0.75) - at(0.25))) / Math.cbrt(n));
-  const low = Math.floor(at(2e-5) / width) * width, bins = Math.min(4000, Math.ceil((at(1 - 2e-5) - low) / width) + 1);
-  const counts = new Array(bins).fill(0);
-  for (const v of x) {
-    const k = Math.floor((v - low) / width);
-    if (k >= 0 && k < bins) ++counts[k];
-  }
-  const points = counts.map((c, k) => ({ x: low + (k + 0.5) * width, y: c / (n * width), n: c })).filter(({ n: c }) => c > 0);
-  return { points, from: at(0.002), to: at(0.998), deviation: deviation(x) };
-}
-
-function deviation(x) {
-  const mean = x.reduce((s, v) => s + v, 0) / x.length;
-  return Math.sqrt(x.reduce((s, v) => s + (v - mean) ** 2, 0) / x.length);
-}
-
-const cached = (result, component, own) => {
-  const key = `${component} ${own}`;
-  result.densities ??= new Map();
-  if (!result.densities.has(key)) result.densities.set(key, densities(result, component, own));
-  return result.densities.get(key);
-};
-
-function of(sample, state) {
-  const name = state.get("component"), shown = components[name].unit === "Pa" ? name : "yy";
-  const own = state.get("norm") === "own" && shown === "yy";
-  return { name: shown, own, sets: cached(sample, shown, own) };
+/** The statistics of the component that the picture shows, or of sigma_yy; its sets, particles only where they have no
+    classes; over the mean of the sample or of each set. */
+function of({ statistics }, state, theme) {
+  const wanted = keys[state.get("component")], name = statistics[wanted] ? wanted : "sigma_yy";
+  const { sets, normalised_by: by } = statistics[name];
+  const own = state.get("norm") === "own" && Object.values(sets).some((d) => d.own_pdf);
+  const shown = order.filter((set) => sets[set]?.pdf && !(set === "particle" && (sets.large || sets.small)) && (!own || sets[set].own_pdf));
+  return { symbol: symbols[name], by, own, sets: shown.map((set) => ({ set, colour: setColour(theme, set), d: sets[set], curve: own ? sets[set].own_pdf : sets[set].pdf })) };
 }
 
 export const stressDensities = {
   id: "stress-pdf", title: "Stress of nodes by phase", wide: true, follows: ["component", "norm"],
-  caption: "Probability density of the component that the picture shows, over the mean \u27e8\u03c3_{yy}\u27e9 of the sample (or, on demand, \u03c3_{yy} over the mean of each phase); the four clamped rows at both ends left out.",
+  caption: "Probability density of the component that the picture shows, over the mean of the sample or of the phase, without the clamped rows. Over the mean of the phase, left, dotted: q-Gaussian fits; right, dashed: tails exp(\u2212s\u2009x) by maximum likelihood where the density falls from 0.1 to 0.001 of its peak.",
   choices: { norm: ["Over the mean of", [["sample", "the sample"], ["own", "the phase"]]] },
-  when: (_, result) => result.loaded,
-  key: ({ sample, state, theme }) => of(sample, state).sets.map(({ kind, name, mean, deviation: spread }) =>
-    ({ name, colour: setColour(theme, kind), values: [["mean", { value: mean / sample.scale }], ["s.d.", { value: spread }]] })),
+  when: (_, { statistics }) => Object.values(statistics?.sigma_yy?.sets ?? {}).some((d) => d.pdf),
+  key: ({ sample, state, theme }) => {
+    const { own, sets } = of(sample, state, theme);
+    return sets.map(({ set, colour, d }) => ({ name: set, colour, values: (own
+      ? [["s", d.tail?.slope], ["q", d.q_gaussian?.q]] : [["mean", set === "all" ? null : d.mean_over_sample_mean], ["var", d.variance]]).filter(([, v]) => v) }));
+  },
   draw({ sample, state, theme, width }) {
-    const { name, own, sets } = of(sample, state);
-    const label = `${components[name].symbol} / \u27e8\u03c3_{yy}\u27e9${own ? " of the phase" : ""}`;
-    return sideBySide(width, [false, true].map((semilog) => (part) => densityChart(theme, sets, { label, semilog, width: part })));
+    const { symbol, by, own, sets } = of(sample, state, theme);
+    if (sets.length === 0) return null;
+    const label = `${symbol} / ${by === "mean" ? `\u27e8${symbol}\u27e9${own ? " of the phase" : ""}` : "r.m.s."}`;
+    return sideBySide(width, [false, true].map((semilog) => (part) => densityChart(theme, sets, { label, semilog, own, width: part })));
   },
 };
 
-function densityChart(theme, sets, { label, semilog, width }) {
-  const most = Math.max(...sets.flatMap(({ points }) => points.map((p) => p.y)));
-  const domain = [10 ** Math.floor(Math.log10(most * 2e-5)), 10 ** Math.ceil(Math.log10(most))];
-  const ends = semilog ? [Math.min(...sets.map(({ points }) => points[0].x)), Math.max(...sets.map(({ points }) => points.at(-1).x))]
-    : [Math.min(...sets.map(({ from }) => from)), Math.max(...sets.map(({ to }) => to))];
-  const lines = sets.map(({ kind, points }) => ({ colour: setColour(theme, kind), wide: kind === null ? 2.2 : 1.5, rows: points.filter((p) => p.x >= ends[0] && p.x <= ends[1] && (!semilog || p.y >= domain[0])) }));
+function densityChart(theme, sets, { label, semilog, own, width }) {
+  const lines = sets.map(({ set, colour, d, curve }) => ({ set, colour, d, rows: points(curve).filter((p) => p.y > 0) }));
+  const most = Math.max(...lines.flatMap(({ rows }) => rows.map((p) => p.y)));
+  const least = most * (semilog ? 2e-5 : 6e-3), seen = lines.flatMap(({ rows }) => rows.filter((p) => p.y >= least).map((p) => p.x));
+  const ends = [Math.min(...seen), Math.max(...seen)];
+  const domain = semilog ? [10 ** Math.floor(Math.log10(least)), 10 ** Math.ceil(Math.log10(most))] : [0, 1.05 * most];
+  const inside = (list) => list.filter((p) => p.x >= ends[0] && p.x <= ends[1] && p.y >= domain[0] && p.y <= domain[1]);
+  const fits = own ? lines.map(({ d, colour }) => ({ colour, rows: inside(semilog ? tail(d) : qGaussian(d, ends)) })) : [];
   return chart(theme, {
     width, height: 270,
-    x: { label, domain: ends, ticks: Math.max(3, Math.round(width / 90)) },
-    y: semilog ? { ...logAxis("probability density", domain), tickFormat: logAxis("", domain).tickFormat, ticks: decades(domain) } : { label: "probability density", domain: [0, 1.04 * most] },
+    x: { label, domain: ends, ticks: Math.max(3, Math.round(width / 90)), tickFormat: (v) => text.number(v, 2).replace(/\.0$/, "") },
+    y: semilog ? logAxis("probability density", domain) : { label: "probability density", domain },
     marks: [
       Plot.ruleX([1], { stroke: theme.soft, strokeDasharray: "2 3" }),
-      ...lines.map(({ rows, colour, wide }) => Plot.line(rows, { x: "x", y: "y", stroke: colour, strokeWidth: wide, curve: semilog ? "linear" : "basis" })),
+      ...lines.map(({ set, rows, colour }) => Plot.line(inside(rows), { x: "x", y: "y", stroke: colour, strokeWidth: set === "all" ? 2.1 : 1.5, strokeOpacity: fits.length ? 0.55 : 1 })),
+      ...fits.map(({ colour, rows }) => Plot.line(rows, { x: "x", y: "y", stroke: colour, strokeWidth: 1.8, strokeDasharray: semilog ? "6 3" : "1.5 3" })),
     ],
   });
+}
+
+/** The fitted fall-off, holding as many nodes between its ends as were counted there. */
+function tail({ tail: t, count }) {
+  if (!t?.slope || t.low === undefined || t.high === undefined) return [];
+  const s = t.slope.value, amplitude = ((t.count / count) * s) / (Math.exp(-s * t.low) - Math.exp(-s * t.high));
+  return sampled(t.low, t.high, (x) => amplitude * Math.exp(-s * x));
+}
+
+/** The shape 1 + (q - 1) beta (x - centre)^2 to the power -1/(q - 1), scaled so that its sum over the line is 1. */
+function qGaussian({ q_gaussian: g }, [from, to]) {
+  if (!g?.q || !g.beta || !g.centre) return [];
+  const [q, beta, centre] = [g.q.value, g.beta.value, g.centre.value];
+  const shape = (x) => {
+    const square = beta * (x - centre) ** 2;
+    return Math.abs(q - 1) < 1e-6 ? Math.exp(-square) : Math.max(0, 1 + (q - 1) * square) ** (-1 / (q - 1));
+  };
+  // Substituting x = centre + tan(t)/sqrt(beta) brings the whole line into (-pi/2, pi/2).
+  const n = 4000;
+  let sum = 0;
+  for (let k = 0; k < n; ++k) {
+    const t = ((k + 0.5) / n - 0.5) * Math.PI;
+    sum += (shape(centre + Math.tan(t) / Math.sqrt(beta)) * Math.PI) / n / Math.cos(t) ** 2 / Math.sqrt(beta);
+  }
+  return sampled(from, to, (x) => shape(x) / sum, {}, 240);
 }

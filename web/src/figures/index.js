@@ -1,4 +1,5 @@
 import { convergence } from "./convergence.js";
+import { cavityVolumes } from "./cavity_volumes.js";
 import { course } from "./course.js";
 import { stressDensities } from "./densities.js";
 import { forceDistribution, stressDistribution } from "./distributions.js";
@@ -14,4 +15,4 @@ import { contactNumbers, coordination, rev, threshold } from "./structure.js";
 export const figures = [roses, stressDistribution, forceDistribution, coordination, contactNumbers, rev, threshold, course, wallForces, travel, energies, approach];
 
 /** Every figure of a cemented sample or its field, likewise; `sample` is its FieldResult and there is no texture. */
-export const fieldFigures = [stressStrain, brokenBonds, energyBalance, stressDensities, convergence];
+export const fieldFigures = [stressStrain, brokenBonds, energyBalance, stressDensities, cavityVolumes, convergence];

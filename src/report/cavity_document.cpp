@@ -1,0 +1,51 @@
+#include "report/cavity_document.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "raster/cavities.hpp"
+#include "raster/cavity_statistics.hpp"
+
+namespace arenite::report {
+namespace {
+
+/// Mean radius of the large grains, or of all without classes, m; 0 where there are no grains.
+double large_radius(const PhaseMap& map) {
+  std::vector<double> nodes(map.grain_class.size());
+  for (const auto g : map.grain)
+    if (g >= 0) ++nodes[static_cast<std::size_t>(g)];
+  double sum[2] = {}, count[2] = {};
+  for (std::size_t g = 0; g < nodes.size(); ++g) {
+    if (nodes[g] == 0) continue;
+    const std::size_t large = map.grain_class[g] == GrainClass::large;
+    sum[large] += std::sqrt(nodes[g] / std::numbers::pi) * map.dx;
+    ++count[large];
+  }
+  if (count[1] > 0) return sum[1] / count[1];
+  return count[0] > 0 ? sum[0] / count[0] : 0;
+}
+
+Json statistics_of(const raster::CavityStatistics& s) {
+  return {{"mean", {{"value", s.mean}, {"error", s.mean_error}}}, {"deviation", {{"value", s.deviation}, {"error", s.deviation_error}}},
+          {"cv", {{"value", s.cv}, {"error", s.cv_error}}},
+          {"edge", s.density.edge}, {"density", s.density.density}, {"error", s.density.error}};
+}
+
+Json kind_of(const PhaseMap& map, raster::Cavity kind, double radius, const Thinning& kept, NumberBlock& block) {
+  const raster::Cavities cavities = raster::find_cavities(map, kind);
+  std::vector<std::uint32_t> label(kept.node.size());
+  for (std::size_t k = 0; k < label.size(); ++k) label[k] = static_cast<std::uint32_t>(cavities.label[kept.node[k]] + 1);
+  Json out{{"label", reference(block.add_indices(label))}, {"nodes", reference(block.add_indices(unsigned_copy(cavities.nodes)))},
+           {"specks", cavities.specks}, {"cut", cavities.cut}, {"fewest_nodes", cavities.rules.fewest_nodes}};
+  if (radius > 0 && !cavities.nodes.empty()) out["volumes"] = statistics_of(raster::cavity_statistics(cavities, map.dx, radius));
+  return out;
+}
+
+}  // namespace
+
+Json cavities_of(const PhaseMap& map, const Thinning& kept, NumberBlock& block) {
+  const double radius = large_radius(map);
+  return {{"voids", kind_of(map, raster::Cavity::void_, radius, kept, block)}, {"pores", kind_of(map, raster::Cavity::pore, radius, kept, block)}};
+}
+
+}  // namespace arenite::report

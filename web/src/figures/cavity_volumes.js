@@ -1,0 +1,35 @@
+import * as Plot from "@observablehq/plot";
+import { text } from "../text.js";
+import { chart, logAxis } from "./chart.js";
+
+const kinds = [["pores", "pores", 0], ["voids", "voids", 1]];
+
+function sets({ map }, theme) {
+  return kinds.filter(([kind]) => map.cavities[kind]?.volumes).map(([kind, name, k]) =>
+    ({ name: `${name} ${text.count(map.cavities[kind].nodes.length)}`, colour: theme.materialLine[k], ...map.cavities[kind].volumes }));
+}
+
+export const cavityVolumes = {
+  id: "cavities", title: "Single pores and voids",
+  caption: "Probability density of the volume of a single pore (not grain) and void (not grain, not matrix) over that of a mean large grain, with counting errors. Those cut by the edge and specks of the raster left out.",
+  when: (_, result) => kinds.some(([kind]) => result.map.cavities[kind]?.volumes?.density.filter((d) => d > 0).length > 2),
+  key: ({ sample, theme }) => sets(sample, theme).map(({ name, colour, mean, cv }) => ({ name, colour, values: [["mean", { value: mean.value }], ["c.v.", { value: cv.value }]] })),
+  draw({ sample, theme, width }) {
+    const lines = sets(sample, theme).map((set) => ({ ...set, rows: rowsOf(set) }));
+    const all = lines.flatMap(({ rows }) => rows), y = all.map((r) => r.y);
+    const domain = [10 ** Math.floor(Math.log10(Math.min(...y))), 10 ** Math.ceil(Math.log10(Math.max(...y)))];
+    const xAxis = logAxis("V / (\u03c0 r_{L}\u00b2)", [Math.min(...all.map((r) => r.low)), Math.max(...all.map((r) => r.high))]);
+    return chart(theme, {
+      width, height: 254, x: xAxis, y: logAxis("probability density", domain),
+      marks: lines.flatMap(({ rows, colour }) => [
+        Plot.ruleX(rows, { x: "x", y1: (r) => Math.max(domain[0], r.y - r.error), y2: (r) => r.y + r.error, stroke: colour, strokeOpacity: 0.5 }),
+        Plot.line(rows, { x: "x", y: "y", stroke: colour, strokeWidth: 1.5 }), Plot.dot(rows, { x: "x", y: "y", fill: colour, r: 2.2 }),
+      ]),
+    });
+  },
+};
+
+/** Bins that hold any, at their geometric middle. */
+function rowsOf({ edge, density, error }) {
+  return density.map((y, k) => ({ x: Math.sqrt(edge[k] * edge[k + 1]), y, error: error[k], low: edge[k], high: edge[k + 1] })).filter(({ x, y }) => y > 0 && x > 0);
+}
