@@ -43,7 +43,9 @@ std::string ProgressLine::text(const study::Progress& progress) const {
   std::string line = fmt::format("{}/{} {:<12}", progress.stage, progress.stages - 1, progress.name);
   if (progress.reused) return line + " was there already";
   line += fmt::format(" {} {:3.0f} %", bar(progress.share), 100 * progress.share);
-  if (progress.step > 0) line += fmt::format("  step {}  unbalanced {:.1e}", progress.step, progress.unbalanced_ratio);
+  if (progress.step > 0)
+    line += fmt::format("  {} {}  {} {:.1e}", progress.field ? "iteration" : "step", progress.step, progress.field ? "residual" : "unbalanced",
+                        progress.unbalanced_ratio);
   const double elapsed = std::chrono::duration<double>(Clock::now() - stage_began_).count();
   const double gained = progress.share - share_at_start_;
   if (progress.share >= 1) return line + fmt::format("  {} in all", duration(elapsed));

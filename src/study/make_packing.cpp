@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "core/error.hpp"
 #include "io/placed_grains.hpp"
+#include "packing/bidisperse.hpp"
 #include "packing/fill.hpp"
 #include "packing/population.hpp"
 #include "packing/region.hpp"
@@ -57,6 +59,35 @@ std::string read(const Recipe& recipe, Packing& packing) {
   return fmt::format("read from file with overlaps up to {:.2g} %, {}", 100 * report.overlap_before, describe(report));
 }
 
+/// The classes get the materials that [bidisperse] names for them.
+std::string sample(const Recipe& recipe, Packing& packing) {
+  const BidisperseSection& classes = *recipe.bidisperse;
+  packing.domain = frame_of(recipe.frame);
+  const auto report = packing::sample_bidisperse(packing, classes.law, recipe.seed);
+  const auto index_of = [&](const std::string& name) {
+    const auto at = std::find_if(recipe.materials.begin(), recipe.materials.end(), [&](const Material& m) { return m.name == name; });
+    return static_cast<std::int32_t>(at - recipe.materials.begin());
+  };
+  const std::int32_t material[] = {index_of(classes.large), index_of(classes.small)};
+  for (auto& m : packing.grains.material) m = material[m];
+  packing.materials = recipe.materials;
+  const std::string left_out = report.left_out > 0 ? fmt::format(", {} small disks left out for it", report.left_out) : "";
+  return fmt::format("{} large and {} small disks sampled in two steps, mean radii {:.4g} and {:.4g} mm; theta {:.4g} (asked {:g}, error {:+.1g} %) "
+                     "with a gap of {:.3g} mm between large ones{}; solid fraction {:.3f}",
+                     report.large, report.small, 1e3 * report.mean_large, 1e3 * report.mean_small, report.volume_ratio,
+                     classes.law.volume_ratio, 100 * report.volume_ratio_error, 1e3 * report.gap, left_out, report.solid_fraction);
+}
+
+std::string fill_by_method(const Recipe& recipe, Packing& packing) {
+  switch (recipe.packing.method) {
+    case Method::file: return read(recipe, packing);
+    case Method::poisson: return sample(recipe, packing);
+    case Method::random:
+    case Method::lattice: break;
+  }
+  return fill(recipe, packing);
+}
+
 }  // namespace
 
 StageResult make_packing(const Recipe& recipe) {
@@ -65,7 +96,7 @@ StageResult make_packing(const Recipe& recipe) {
   Frame frame;
   frame.label = "start";
   frame.packing.materials = recipe.materials;
-  result.outcome = recipe.packing.method == Method::file ? read(recipe, frame.packing) : fill(recipe, frame.packing);
+  result.outcome = fill_by_method(recipe, frame.packing);
   if (recipe.glued) packing::mark_region(frame.packing.grains, frame.packing.domain, *recipe.glued);
   result.frames.push_back(std::move(frame));
   return result;

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <optional>
-#include <set>
 
 #include "core/error.hpp"
 #include "core/version.hpp"
@@ -12,57 +11,17 @@
 #include "io/atomic_file.hpp"
 #include "io/checkpoint.hpp"
 #include "io/run_folder.hpp"
-#include "io/sealed_file.hpp"
 #include "io/stage_file.hpp"
+#include "study/field_stages.hpp"
+#include "study/result_folder.hpp"
 #include "study/stage_keys.hpp"
+#include "study/stored.hpp"
 
 namespace arenite::study {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Creates a folder and those above it; refuses with the system's reason.
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw InputError(folder.string(), 0, fmt::format("this folder cannot be made ({}); choose another with --out", error.message()));
-}
-
-/// A run's folder: stage files of this recipe on top, those of other versions of it under earlier/, from where they
-/// come back when they are wanted again.
-class Folder {
- public:
-  Folder(fs::path out, const std::vector<std::string>& names) : out_(std::move(out)) {
-    make_folder(out_);
-    const std::set<std::string> wanted(names.begin(), names.end());
-    std::vector<fs::path> others;
-    for (const auto& entry : fs::directory_iterator(out_))
-      if (entry.path().extension() == ".h5" && !wanted.contains(entry.path().filename().string())) others.push_back(entry.path());
-    for (const auto& path : others) put_aside(path);
-    for (const auto& name : names)
-      if (fs::exists(out_ / "earlier" / name)) fs::rename(out_ / "earlier" / name, out_ / name);
-  }
-  fs::path operator/(const std::string& name) const { return out_ / name; }
-
- private:
-  void put_aside(const fs::path& path) const {
-    make_folder(out_ / "earlier");
-    fs::rename(path, out_ / "earlier" / path.filename());
-  }
-  fs::path out_;
-};
-
-Provenance provenance_of(const Recipe& recipe, const std::string& stage, const std::string& hash, const std::string& kernel) {
-  Provenance p;
-  p.version = version;
-  p.stage = stage;
-  p.input_hash = hash;
-  p.recipe = to_toml(recipe);
-  p.seed = recipe.seed;
-  p.kernel = kernel;
-  return p;
-}
 
 void measure_last_frame(StageResult& result, const texture::Options& options) {
   if (!result.frames.empty()) result.texture_json = texture::to_json(texture::measure(result.frames.back().packing, options));
@@ -87,17 +46,6 @@ void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::St
   run.sample_every = checkpoint.integers.at("sample_every");
   run.checks = checkpoint.integers.at("checks");
   run.result = checkpoint.partial;
-}
-
-/// What `read` gives; nothing, and a notice, if its file is damaged.
-template <class Read>
-auto unless_damaged(const fs::path& file, const RunOptions& options, const char* instead, Read read) -> std::optional<decltype(read())> {
-  try {
-    return read();
-  } catch (const io::DamagedFile&) {
-    options.notice(fmt::format("{}: is empty, cut short or changed; {}", file.string(), instead));
-    return std::nullopt;
-  }
 }
 
 /// The stage in `file`; nothing if there is none, or a damaged one.
@@ -148,6 +96,17 @@ StageResult packing_stage(const Recipe& recipe, const fs::path& file, const std:
 
 }  // namespace
 
+Provenance provenance_of(const Recipe& recipe, const std::string& stage, const std::string& hash, const std::string& kernel) {
+  Provenance p;
+  p.version = version;
+  p.stage = stage;
+  p.input_hash = hash;
+  p.recipe = to_toml(recipe);
+  p.seed = recipe.seed;
+  p.kernel = kernel;
+  return p;
+}
+
 texture::Options texture_options(const Recipe& recipe, std::size_t stage) {
   texture::Options options;
   if (stage > 0 && recipe.stages[stage - 1].gravity) options.gravity = {0, -dem::standard_gravity};
@@ -156,25 +115,31 @@ texture::Options texture_options(const Recipe& recipe, std::size_t stage) {
 
 namespace {
 
-RunOutcome run_in_folder(const Recipe& recipe, const RunOptions& options) {
-  const std::string packing_hash = packing_key(recipe);
-  Progress progress{0, recipe.stages.size() + 1, "packing", 0, 0, 0, false};
-
-  std::vector<std::string> hashes{packing_hash}, names{io::stage_file_name(1, "packing", packing_hash)};
-  for (std::size_t s = 0; s < recipe.stages.size(); ++s) {
-    hashes.push_back(stage_key(recipe, s, packing_hash));
-    names.push_back(io::stage_file_name(static_cast<int>(s) + 2, recipe.stages[s].name, hashes.back()));
+/// Names of all files of a run in their order, and the hashes in them.
+struct Plan {
+  std::vector<std::string> hashes, names;
+  explicit Plan(const Recipe& recipe) {
+    const std::string packing = packing_key(recipe);
+    add("packing", packing);
+    for (std::size_t s = 0; s < recipe.stages.size(); ++s) add(recipe.stages[s].name, stage_key(recipe, s, packing));
+    if (!recipe.has_field()) return;
+    const std::string cement = cement_key(recipe, hashes.back());
+    add("cement", cement);
+    for (const Load& load : recipe.loads) add(load.name, load_key(load, cement));
   }
-  const Folder folder(options.out, names);
+  void add(const std::string& stage, std::string hash) {
+    names.push_back(io::stage_file_name(static_cast<int>(names.size()) + 1, stage, hash));
+    hashes.push_back(std::move(hash));
+  }
+};
 
-  RunOutcome outcome;
-  outcome.files.push_back(folder / names[0]);
-  outcome.stages.push_back(packing_stage(recipe, outcome.files[0], packing_hash, options, progress));
-  io::write_atomically(folder / "recipe.toml", to_toml(recipe));
-  const Packing& start = outcome.stages[0].frames.back().packing;
+/// All stages of loading by discrete elements; true if the run may go on.
+bool run_stages(const Recipe& recipe, const Plan& plan, const ResultFolder& folder, const RunOptions& options, Progress& progress,
+                RunOutcome& outcome) {
+  const Packing start = outcome.stages[0].frames.back().packing;
   std::optional<dem::Engine> engine;
   for (std::size_t s = 0; s < recipe.stages.size(); ++s) {
-    const fs::path file = folder / names[s + 1];
+    const fs::path file = folder / plan.names[s + 1];
     progress.stage = s + 1;
     progress.name = recipe.stages[s].name;
     auto stored = stored_stage(file, options);
@@ -182,12 +147,12 @@ RunOutcome run_in_folder(const Recipe& recipe, const RunOptions& options) {
     if (!stored) {
       if (!engine) engine.emplace(start, recipe.contact, recipe.integration);
       if (s > 0) engine->restore(outcome.stages.back().continuation);
-      auto result = load(*engine, recipe.stages[s], hashes[s + 1], folder / "run.checkpoint", options, progress);
+      auto result = load(*engine, recipe.stages[s], plan.hashes[s + 1], folder / "run.checkpoint", options, progress);
       if (!result) {
         outcome.interrupted = true;
-        return outcome;
+        return false;
       }
-      result->provenance = provenance_of(recipe, recipe.stages[s].name, hashes[s + 1], engine->kernel());
+      result->provenance = provenance_of(recipe, recipe.stages[s].name, plan.hashes[s + 1], engine->kernel());
       measure_last_frame(*result, texture_options(recipe, s + 1));
       io::write_stage(file, *result);
       outcome.stages.push_back(std::move(*result));
@@ -198,8 +163,26 @@ RunOutcome run_in_folder(const Recipe& recipe, const RunOptions& options) {
     }
     outcome.files.push_back(file);
     outcome.converged = outcome.stages.back().converged;
-    if (!outcome.converged) break;
+    if (!outcome.converged) return false;
   }
+  return true;
+}
+
+RunOutcome run_in_folder(const Recipe& recipe, const RunOptions& options) {
+  const Plan plan(recipe);
+  Progress progress{0, plan.names.size(), "packing", 0, 0, 0, false, false};
+  const ResultFolder folder(options.out, plan.names);
+
+  RunOutcome outcome;
+  outcome.files.push_back(folder / plan.names[0]);
+  outcome.stages.push_back(packing_stage(recipe, outcome.files[0], plan.hashes[0], options, progress));
+  io::write_atomically(folder / "recipe.toml", to_toml(recipe));
+  if (run_stages(recipe, plan, folder, options, progress, outcome) && recipe.has_field()) {
+    const std::size_t first = recipe.stages.size() + 1;
+    run_fields(recipe, {plan.hashes.begin() + static_cast<std::ptrdiff_t>(first), plan.hashes.end()},
+               {plan.names.begin() + static_cast<std::ptrdiff_t>(first), plan.names.end()}, folder, options, progress, outcome);
+  }
+  if (outcome.interrupted) return outcome;
   // At the very end, since a run may be killed between writing its last file and this.
   std::error_code error;
   fs::remove(folder / "run.checkpoint", error);

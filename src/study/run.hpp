@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/field_result.hpp"
 #include "model/result.hpp"
 #include "study/recipe.hpp"
 #include "texture/texture.hpp"
@@ -18,6 +19,7 @@ struct Progress {
   double unbalanced_ratio = 0;
   std::int64_t step = 0;
   bool reused = false;                ///< the stage's file was there already
+  bool field = false;                 ///< `step` counts iterations and `unbalanced_ratio` is a residual
 };
 
 struct RunOptions {
@@ -33,11 +35,13 @@ struct RunOutcome {
   bool interrupted = false;           ///< asked to stop; the next run goes on from the checkpoint
   std::vector<std::filesystem::path> files;  ///< one a stage, in order
   std::vector<StageResult> stages;
+  std::vector<FieldResult> fields;    ///< the cemented sample and its loads, after the stages
 };
 
 /// Runs a recipe: packing, then its stages one after the other; every stage ends as one file in `options.out`, named by
 /// the hash of all that it depends on. A stage whose file is there is read, not computed again; a run that was killed
-/// goes on from its last checkpoint and ends with the same bytes. A damaged file counts as none, with a notice. A stage that finds no equilibrium ends the run.
+/// goes on from its last checkpoint and ends with the same bytes. A damaged file counts as none, with a notice. A stage that
+/// finds no equilibrium ends the run; loads of the cemented sample are independent of each other, and the next is tried.
 [[nodiscard]] RunOutcome run(const Recipe& recipe, const RunOptions& options);
 
 /// How the texture of a stage's states is measured; stage 0 is the packing.

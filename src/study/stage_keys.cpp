@@ -12,6 +12,8 @@ namespace {
 // Raised when the same recipe gives other bits: a mended law, another order of a sum.
 constexpr std::int64_t packing_version = 1;
 constexpr std::int64_t loading_version = 2;
+constexpr std::int64_t cement_version = 1;
+constexpr std::int64_t load_version = 1;
 
 Recipe without_what_changes_no_bit(Recipe recipe) {
   recipe.title.clear();
@@ -21,10 +23,17 @@ Recipe without_what_changes_no_bit(Recipe recipe) {
   return recipe;
 }
 
+Recipe without_field(Recipe recipe) {
+  recipe.cement.reset();
+  recipe.raster.reset();
+  recipe.loads.clear();
+  return recipe;
+}
+
 }  // namespace
 
 std::string packing_key(const Recipe& recipe) {
-  Recipe part = without_what_changes_no_bit(recipe);
+  Recipe part = without_field(without_what_changes_no_bit(recipe));
   part.stages.clear();
   part.contact = {};
   part.integration = {};
@@ -36,10 +45,27 @@ std::string packing_key(const Recipe& recipe) {
 }
 
 std::string stage_key(const Recipe& recipe, std::size_t s, const std::string& packing_hash) {
-  Recipe part = without_what_changes_no_bit(recipe);
+  Recipe part = without_field(without_what_changes_no_bit(recipe));
   part.stages.resize(s + 1);
   HashBuilder hash;
   hash.add("loading version", loading_version).add("packing", packing_hash).add("recipe", to_toml(part));
+  return hash.hex();
+}
+
+std::string cement_key(const Recipe& recipe, const std::string& last_stage_hash) {
+  Recipe part;
+  part.cement = recipe.cement.value_or(CementSection{{cement::CementParameters::Kind::none}, {}});
+  part.raster = recipe.raster.value_or(RasterSection{});
+  HashBuilder hash;
+  hash.add("cement version", cement_version).add("packing", last_stage_hash).add("recipe", to_toml(part));
+  return hash.hex();
+}
+
+std::string load_key(const Load& load, const std::string& cement_hash) {
+  Recipe part;
+  part.loads = {load};
+  HashBuilder hash;
+  hash.add("load version", load_version).add("sample", cement_hash).add("recipe", to_toml(part));
   return hash.hex();
 }
 

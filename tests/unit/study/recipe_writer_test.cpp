@@ -109,7 +109,7 @@ void sample_two_classes(Recipe& recipe) {
   recipe.populations.clear();
   recipe.bidisperse = BidisperseSection{
       {any_number(1e-3), any_number(1), any_number(1), any_number(0.1), any_number(0.5), *rc::gen::arbitrary<bool>(),
-       *rc::gen::arbitrary<bool>(), any_number(100), *rc::gen::inRange(1, 100)},
+       *rc::gen::arbitrary<bool>(), any_number(100), *rc::gen::inRange(1, 100), *rc::gen::arbitrary<bool>(), any_number(0.01)},
       "B c", "A"};
 }
 

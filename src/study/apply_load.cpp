@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/error.hpp"
+#include "stress/stress.hpp"
+#include "study/cropped_packing.hpp"
+#include "study/field_numbers.hpp"
+#include "study/field_stages.hpp"
+
+namespace arenite::study {
+namespace {
+
+/// The sample with its axis of loading upright.
+FieldResult upright(const FieldResult& sample, Load::Axis axis) {
+  FieldResult result = sample;
+  if (axis == Load::Axis::y) return result;
+  result.map = transposed(sample.map);
+  result.packing = transposed(sample.packing);
+  return result;
+}
+
+peridynamics::LoadOptions load_options(const Load& load, const peridynamics::Watch& watch) {
+  peridynamics::LoadOptions options;
+  options.stiffness = load.stiffness.resolved();
+  options.loading = load.loading;
+  options.lower = load.lower;
+  options.method = load.method;
+  options.strain = load.strain;
+  options.tolerance = load.tolerance;
+  options.max_iterations = static_cast<int>(load.max_iterations);
+  options.exact_stretch = load.exact_stretch;
+  options.watch = watch;
+  return options;
+}
+
+History convergence_of(const std::vector<double>& residuals) {
+  std::vector<double> iteration;
+  for (std::size_t k = 0; k < residuals.size(); ++k) iteration.push_back(static_cast<double>(k));
+  return {{{"iteration", "1", std::move(iteration)}, {"residual", "1", residuals}}};
+}
+
+History curve_of(const std::vector<peridynamics::DamageState>& states) {
+  History curve{{{"strain", "1", {}}, {"stress", "Pa", {}}, {"work", "J/m", {}}, {"elastic", "J/m", {}}, {"released", "J/m", {}}, {"broken", "1", {}}}};
+  for (const auto& s : states) {
+    const double row[] = {s.strain, s.stress, s.work, s.elastic, s.released, static_cast<double>(s.broken)};
+    for (std::size_t c = 0; c < curve.columns.size(); ++c) curve.columns[c].values.push_back(row[c]);
+  }
+  return curve;
+}
+
+std::vector<Crack> cracks_of(const std::vector<peridynamics::BrokenBond>& broken, double dx) {
+  std::vector<Crack> cracks;
+  for (const auto& bond : broken) {
+    const auto step = peridynamics::half_bonds[bond.direction];
+    cracks.push_back({static_cast<float>((bond.x + 0.5 + 0.5 * step.x) * dx), static_cast<float>((bond.y + 0.5 + 0.5 * step.y) * dx), bond.type,
+                      bond.strain});
+  }
+  return cracks;
+}
+
+void measure_stress(const Load& load, FieldResult& result) {
+  if (result.field.size() == 0) return;
+  try {
+    result.numbers_json = with_stress(result.numbers_json, stress::to_json(stress::measure(result.map, result.field, load.statistics)));
+  } catch (const InputError& error) {
+    result.numbers_json = with_note(result.numbers_json, fmt::format("no statistics of stress: {}", error.what()));
+  }
+}
+
+std::optional<FieldResult> pull_apart(const Load& load, FieldResult result, const peridynamics::Watch& watch) {
+  using Ending = peridynamics::DamageResult::Ending;
+  peridynamics::DamageOptions options;
+  options.stiffness = load.stiffness.resolved();
+  options.toughness = load.toughness.resolved();
+  options.loading = load.loading;
+  options.lower = load.lower;
+  options.tolerance = load.tolerance;
+  options.max_strain = load.max_strain;
+  options.end_stress = load.end_stress;
+  options.watch = watch;
+  auto pulled = peridynamics::pull_to_failure(result.map, options);
+  if (pulled.ending == Ending::stopped) return std::nullopt;
+  result.converged = pulled.ending == Ending::severed || pulled.ending == Ending::dropped || pulled.ending == Ending::strain_reached;
+  result.outcome = pulled.sentence;
+  result.curve = curve_of(pulled.curve);
+  result.cracks = cracks_of(pulled.broken, result.map.dx);
+  result.numbers_json = with_failure(result.numbers_json, load, pulled);
+  result.field = std::move(pulled.at_strength);
+  return result;
+}
+
+}  // namespace
+
+std::optional<FieldResult> apply_load(const Load& load, const FieldResult& sample, const peridynamics::Watch& watch) {
+  FieldResult result = upright(sample, load.axis);
+  result.name = load.name;
+  if (load.failure) {
+    auto pulled = pull_apart(load, std::move(result), watch);
+    if (pulled) measure_stress(load, *pulled);
+    return pulled;
+  }
+  const auto options = load_options(load, watch);
+  auto loaded = peridynamics::load(result.map, options);
+  if (loaded.report.ending == peridynamics::Ending::stopped) return std::nullopt;
+  result.converged = loaded.report.ending == peridynamics::Ending::solved;
+  result.outcome = loaded.report.sentence;
+  result.convergence = convergence_of(loaded.report.history);
+  std::optional<peridynamics::EffectiveModuli> moduli;
+  if (load.moduli && result.converged) {
+    moduli = peridynamics::effective_moduli(result.map, options);
+    for (const auto& report : moduli->reports) {
+      if (report.ending == peridynamics::Ending::stopped) return std::nullopt;
+      result.converged = result.converged && report.ending == peridynamics::Ending::solved;
+    }
+  }
+  result.numbers_json = with_load(result.numbers_json, load, loaded.report, moduli);
+  result.field = std::move(loaded.field);
+  measure_stress(load, result);
+  return result;
+}
+
+}  // namespace arenite::study
