@@ -9,6 +9,7 @@ const std::vector<Command>& commands() {
       {"run", "Run a recipe: packing, loading stage by stage, results and page", add_run},
       {"init", "Write a commented recipe to start from", add_init},
       {"check", "Check a recipe and print it as it was understood", add_check},
+      {"load", "Load anybody's phase map by peridynamics: moduli, stresses by phase, failure", add_load},
       {"show", "Summarise a result: what, when, outcome, walls, energies, texture", add_show},
       {"export", "Write a result for ParaView, OVITO, LAMMPS tools or as tables", add_export},
       {"measure", "Measure the texture of grains and contacts from anybody's files", add_measure},

@@ -24,16 +24,22 @@ void write_new(const std::string& file, const std::string& text) {
   std::printf("%s written; now `arenite run %s`\n", file.c_str(), file.c_str());
 }
 
+void list_templates() {
+  for (const auto& each : study::recipe_templates()) std::printf("%-11s %s\n", each.name, each.sentence);
+  std::puts("\n`arenite init NAME recipe.toml` writes one.");
+}
+
 }  // namespace
 
 void add_init(CLI::App& command, int&) {
   const auto arguments = std::make_shared<InitArguments>();
   std::vector<std::string> names;
   for (const auto& each : study::recipe_templates()) names.emplace_back(each.name);
-  command.add_option("template", arguments->name, "Kind of sample")->required()->type_name("TEMPLATE")->check(CLI::IsMember(names));
+  command.add_option("template", arguments->name, "Kind of sample; without it the kinds are listed")->type_name("TEMPLATE")->check(CLI::IsMember(names));
   command.add_option("file", arguments->file, "File to write, which must not exist; without it the recipe is printed")
       ->type_name("FILE");
   command.callback([arguments] {
+    if (arguments->name.empty()) return list_templates();
     for (const auto& each : study::recipe_templates()) {
       if (arguments->name != each.name) continue;
       const std::string text = study::to_commented_toml(each.make());

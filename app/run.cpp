@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 
 #include "commands.hpp"
 #include "progress.hpp"
 #include "report/page.hpp"
+#include "stop_signal.hpp"
 #include "study/run.hpp"
 #include "texture/texture.hpp"
 
@@ -25,10 +25,6 @@ struct Arguments {
   bool quiet = false;
   double checkpoint_seconds = 30;
 };
-
-volatile std::sig_atomic_t stop_requested = 0;
-
-void request_stop(int) { stop_requested = 1; }
 
 /// A recipe's folder if its file is called recipe.toml, the file's own name otherwise.
 fs::path name_of(const fs::path& recipe) {
@@ -48,7 +44,8 @@ bool shows_texture(const StageResult& stage, std::size_t frame) {
   return frame + 1 == stage.frames.size() || stage.frames[frame].packing.grains.size() <= small;
 }
 
-void write_page(const fs::path& path, const study::Recipe& recipe, const std::vector<StageResult>& stages) {
+void write_page(const fs::path& path, const study::Recipe& recipe, const study::RunOutcome& outcome) {
+  const auto& stages = outcome.stages;
   report::PageData data;
   data.title = recipe.title;
   for (std::size_t s = 0; s < stages.size(); ++s) {
@@ -56,6 +53,7 @@ void write_page(const fs::path& path, const study::Recipe& recipe, const std::ve
     for (std::size_t f = 0; f < stages[s].frames.size(); ++f)
       if (shows_texture(stages[s], f)) data.textures.push_back({s, f, texture::measure(stages[s].frames[f].packing, study::texture_options(recipe, s))});
   }
+  for (const FieldResult& field : outcome.fields) data.fields.push_back({&field, ""});
   report::write_page(path, data);
 }
 
@@ -63,7 +61,7 @@ Status run_one(const study::Recipe& recipe, const fs::path& folder, const Argume
   study::RunOptions options;
   options.out = folder;
   options.checkpoint_seconds = arguments.checkpoint_seconds;
-  options.asked_to_stop = [] { return stop_requested != 0; };
+  options.asked_to_stop = stop_requested;
   study::RunOutcome outcome;
   {
     ProgressLine line(arguments.quiet);
@@ -76,8 +74,9 @@ Status run_one(const study::Recipe& recipe, const fs::path& folder, const Argume
     return other_failure;
   }
   for (const auto& stage : outcome.stages) fmt::print("{:<12} {}\n", stage.name, stage.outcome);
+  for (const auto& field : outcome.fields) fmt::print("{:<12} {}\n", field.name, field.outcome);
   const auto page = folder / "report.html";
-  write_page(page, recipe, outcome.stages);
+  write_page(page, recipe, outcome);
   fmt::print("\nresults: {0}\npage:    {1}   (open it in a browser)\nnumbers: arenite show {0}\n", folder.string(), page.string());
   return outcome.converged ? done : not_converged;
 }
@@ -91,10 +90,9 @@ int execute(const Arguments& arguments) {
     recipes.push_back(study::read_recipe(file, overrides));
     recipes.back().integration.threads = arguments.threads;
   }
-  std::signal(SIGTERM, request_stop);
-  std::signal(SIGINT, request_stop);
+  watch_for_signals();
   int status = done;
-  for (std::size_t r = 0; r < recipes.size() && stop_requested == 0; ++r) {
+  for (std::size_t r = 0; r < recipes.size() && !stop_requested(); ++r) {
     if (recipes.size() > 1) fmt::print("{}{}\n", r == 0 ? "" : "\n", recipes[r].title);
     status = std::max<int>(status, run_one(recipes[r], folder_for(arguments.recipes[r], arguments), arguments));
   }

@@ -6,10 +6,10 @@ namespace arenite::io {
 
 const std::vector<ExportFormat>& export_formats() {
   static const std::vector<ExportFormat> formats{
-      {"vtk", "ParaView: grains, contacts and walls (.vtp) with their times (.pvd)", vtk_frame, vtk_index},
-      {"lammps", "OVITO and LAMMPS tools: dump custom of grains, dump local of contacts", lammps_frame, nullptr},
-      {"extxyz", "OVITO and ASE: extended XYZ of grains", extxyz_frame, nullptr},
-      {"csv", "Tables of grains and contacts that `arenite measure` reads, too", csv_frame, nullptr},
+      {"vtk", "ParaView: grains, contacts and walls (.vtp) with their times (.pvd); fields on nodes (.vti)", vtk_frame, vtk_index, vti_field},
+      {"lammps", "OVITO and LAMMPS tools: dump custom of grains, dump local of contacts", lammps_frame, nullptr, nullptr},
+      {"extxyz", "OVITO and ASE: extended XYZ of grains", extxyz_frame, nullptr, nullptr},
+      {"csv", "Tables of grains and contacts that `arenite measure` reads, too; of nodes and mean stresses of grains", csv_frame, nullptr, csv_field},
   };
   return formats;
 }

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "model/field_result.hpp"
 #include "model/result.hpp"
 
 namespace arenite::io {
@@ -21,6 +22,12 @@ struct ExportFrame {
   std::vector<GrainField> fields;
 };
 
+/// A result on nodes, as export formats get it.
+struct ExportField {
+  const FieldResult* result = nullptr;
+  std::vector<GrainField> fields;  ///< of the grains of the map, one value a label
+};
+
 struct NamedBytes {
   std::string name, bytes;
 };
@@ -32,6 +39,7 @@ struct ExportFormat {
   const char* sentence;
   std::vector<NamedBytes> (*of_frame)(const ExportFrame&);
   std::vector<NamedBytes> (*index)(const std::vector<double>& times);
+  std::vector<NamedBytes> (*of_field)(const ExportField&);  ///< nullptr: holds grains only
 };
 
 /// All formats: one file and one row each.
@@ -51,5 +59,7 @@ std::vector<NamedBytes> vtk_index(const std::vector<double>& times);
 std::vector<NamedBytes> lammps_frame(const ExportFrame& frame);
 std::vector<NamedBytes> extxyz_frame(const ExportFrame& frame);
 std::vector<NamedBytes> csv_frame(const ExportFrame& frame);
+std::vector<NamedBytes> vti_field(const ExportField& field);
+std::vector<NamedBytes> csv_field(const ExportField& field);
 
 }  // namespace arenite::io

@@ -39,6 +39,7 @@ std::string compressed(const char* data, std::size_t size) {
 
 template <class T> constexpr const char* vtk_type = nullptr;
 template <> constexpr const char* vtk_type<double> = "Float64";
+template <> constexpr const char* vtk_type<float> = "Float32";
 template <> constexpr const char* vtk_type<std::int32_t> = "Int32";
 template <> constexpr const char* vtk_type<std::int64_t> = "Int64";
 template <> constexpr const char* vtk_type<std::uint8_t> = "UInt8";
@@ -56,7 +57,7 @@ std::string escaped(const std::string& text) {
 }
 
 /// The file in two parts that grow together: the XML and the data that it points into.
-class VtpWriter {
+class VtkWriter {
  public:
   template <class... Arguments>
   void line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
@@ -104,7 +105,7 @@ class VtpWriter {
 std::string vtp_bytes(const VtkPolyData& data) {
   const std::size_t points = data.points.size() / 3;
   const bool lines = data.cells == VtkPolyData::Cells::lines;
-  VtpWriter file;
+  VtkWriter file;
   file.line("<?xml version=\"1.0\"?>");
   file.line("<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">");
   file.line("<PolyData>");
@@ -121,6 +122,18 @@ std::string vtp_bytes(const VtkPolyData& data) {
   file.cells("Strips", 0, 1);
   file.cells("Polys", 0, 1);
   file.line("</Piece>\n</PolyData>");
+  return file.finish();
+}
+
+std::string vti_bytes(const VtkImage& image) {
+  const std::string extent = fmt::format("0 {} 0 {} 0 0", image.width - 1, image.height - 1);
+  VtkWriter file;
+  file.line("<?xml version=\"1.0\"?>");
+  file.line("<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">");
+  file.line("<ImageData WholeExtent=\"{0}\" Origin=\"{1} {1} 0\" Spacing=\"{2} {2} {2}\">", extent, image.dx / 2, image.dx);
+  file.line("<Piece Extent=\"{}\">", extent);
+  file.arrays("PointData", image.point_arrays);
+  file.line("</Piece>\n</ImageData>");
   return file.finish();
 }
 

@@ -9,7 +9,7 @@ namespace arenite::io {
 /// One array of a VTK file: a value of `components` numbers for every point or cell.
 struct VtkArray {
   std::string name;
-  std::variant<std::vector<double>, std::vector<std::int32_t>, std::vector<std::int64_t>, std::vector<std::uint8_t>> values;
+  std::variant<std::vector<double>, std::vector<float>, std::vector<std::int32_t>, std::vector<std::int64_t>, std::vector<std::uint8_t>> values;
   int components = 1;
 };
 
@@ -24,6 +24,16 @@ struct VtkPolyData {
 
 /// The bytes of a .vtp file (VTK XML PolyData, appended raw data, zlib), as ParaView and VTK >= 6 read them.
 std::string vtp_bytes(const VtkPolyData& data);
+
+/// Values at the nodes of a square lattice, row after row; the first node lies at (dx/2, dx/2).
+struct VtkImage {
+  int width = 0, height = 0;
+  double dx = 1;                         ///< m
+  std::vector<VtkArray> point_arrays;
+};
+
+/// The bytes of a .vti file (VTK XML ImageData, appended raw data, zlib).
+std::string vti_bytes(const VtkImage& image);
 
 /// The bytes of a .pvd file: which files belong together at which time (s).
 struct VtkListed {

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/error.hpp"
 #include "io/run_folder.hpp"
+#include "io/sealed_file.hpp"
 #include "io/stage_file.hpp"
 #include "texture/texture.hpp"
 
@@ -94,7 +96,9 @@ std::vector<CoursePoint> course(const std::vector<StageResult>& stages) {
 
 std::string course_csv(const std::filesystem::path& result) {
   std::vector<StageResult> stages;
-  for (const auto& file : io::stage_files(result)) stages.push_back(io::read_stage(file));
+  for (const auto& file : io::stage_files(result))
+    if (io::sealed_kind(file) != "field") stages.push_back(io::read_stage(file));
+  if (stages.empty()) throw InputError(result.string(), 0, "holds fields on nodes, which have no course; leave out --states");
   std::string names = "stage,label", units = ",";
   for (const Column& column : columns) {
     names += fmt::format(",{}", column.name);

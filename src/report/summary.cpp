@@ -6,8 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "io/field_file.hpp"
 #include "io/run_folder.hpp"
+#include "io/sealed_file.hpp"
 #include "io/stage_file.hpp"
+#include "report/field_text.hpp"
 #include "study/recipe.hpp"
 #include "study/run.hpp"
 #include "texture/texture.hpp"
@@ -113,10 +116,22 @@ void describe_state(Lines& lines, const Frame& frame) {
     if (value != 0) lines.add(name, fmt::format("{:.5g} J", value));
 }
 
+/// As stored, or measured now.
+Json last_texture(const StageResult& last) {
+  std::string texture = last.texture_json;
+  if (texture.empty() && !last.frames.empty()) texture = texture::to_json(texture::measure(last.frames.back().packing, texture_options(last.provenance)));
+  return texture.empty() ? Json::object() : Json::parse(texture);
+}
+
 }  // namespace
 
 Summary::Summary(const std::filesystem::path& result) {
   for (const auto& file : io::stage_files(result)) {
+    if (io::sealed_kind(file) == "field") {
+      FieldResult field = io::read_field(file);
+      fields_.push_back({file.filename().string(), field.name, field.outcome, field.numbers_json, field.converged, field.provenance});
+      continue;
+    }
     Stage stage{file.filename().string(), io::read_stage(file), 0};
     stage.states = stage.result.frames.size();
     if (stage.states > 1) stage.result.frames.erase(stage.result.frames.begin(), stage.result.frames.end() - 1);
@@ -125,28 +140,35 @@ Summary::Summary(const std::filesystem::path& result) {
 }
 
 std::string Summary::json() const {
-  const StageResult& last = stages_.back().result;
-  std::string texture = last.texture_json;
-  if (texture.empty() && !last.frames.empty()) texture = texture::to_json(texture::measure(last.frames.back().packing, texture_options(last.provenance)));
-  Json j = texture.empty() ? Json::object() : Json::parse(texture);
-  j["provenance"] = provenance(stages_.back().result.provenance);
+  const Json texture = stages_.empty() ? Json::object() : last_texture(stages_.back().result);
+  Json j = fields_.empty() ? texture : Json::parse(fields_.back().numbers_json);
+  if (!fields_.empty() && !stages_.empty()) j["texture"] = texture;
+  j["provenance"] = provenance(fields_.empty() ? stages_.back().result.provenance : fields_.back().provenance);
   for (const Stage& stage : stages_) {
     Json one{{"name", stage.result.name}, {"file", stage.file}, {"input_hash", stage.result.provenance.input_hash},
              {"converged", stage.result.converged}, {"outcome", stage.result.outcome}, {"states", stage.states}};
     if (!stage.result.frames.empty()) one["last_state"] = state(stage.result.frames.back());
     j["stages"].push_back(one);
   }
+  for (const Field& field : fields_)
+    j["stages"].push_back({{"name", field.name}, {"file", field.file}, {"input_hash", field.provenance.input_hash},
+                           {"converged", field.converged}, {"outcome", field.outcome}, {"numbers", Json::parse(field.numbers_json)}});
   return j.dump(2) + "\n";
 }
 
 std::string Summary::text() const {
-  const StageResult& last = stages_.back().result;
   Lines lines;
   lines.heading("Stages");
   for (const Stage& stage : stages_) {
     lines.add(stage.result.name, (stage.result.converged ? "" : "NOT AT REST: ") + stage.result.outcome);
     lines.add("", fmt::format("{} {} in {}", stage.states, stage.states == 1 ? "state" : "states", stage.file));
   }
+  for (const Field& field : fields_) {
+    lines.add(field.name, (field.converged ? "" : "NOT SOLVED: ") + field.outcome);
+    lines.add("", field.file);
+  }
+  if (!fields_.empty()) return made_by(fields_.back().provenance) + std::move(lines).text() + field_text(fields_.back().numbers_json);
+  const StageResult& last = stages_.back().result;
   if (!last.frames.empty()) describe_state(lines, last.frames.back());
   lines.heading("Texture of the last state");
   if (!last.frames.empty()) {
@@ -155,6 +177,18 @@ std::string Summary::text() const {
     lines.block(texture::to_text(texture::measure(last.frames.back().packing, options)));
   }
   return made_by(last.provenance) + std::move(lines).text();
+}
+
+std::string field_summary(const FieldResult& result) {
+  return fmt::format("{}{}: {}\n", result.name, result.converged ? "" : " NOT SOLVED", result.outcome) + field_text(result.numbers_json);
+}
+
+std::string field_json(const FieldResult& result) {
+  Json j = Json::parse(result.numbers_json);
+  j["provenance"] = provenance(result.provenance);
+  j["converged"] = result.converged;
+  j["outcome"] = result.outcome;
+  return j.dump(2) + "\n";
 }
 
 }  // namespace arenite::report

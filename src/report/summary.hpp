@@ -3,19 +3,20 @@
 #include <string>
 #include <vector>
 
-#include "model/result.hpp"
+#include "model/field_result.hpp"
 
 namespace arenite::report {
 
 /// A result in a few numbers: what made it, how every stage ended, and the last state with its walls, equilibrium,
-/// energies and texture. The JSON's texture is the one stored with the result, or measured now if none is.
+/// energies and texture. The JSON's texture is the one stored with the result, or measured now if none is. Where the run went
+/// on to nodes, the numbers are those of the last result on them.
 class Summary {
  public:
   /// Reads a stage file or the stage files of a run's folder. Throws InputError for anything else.
   explicit Summary(const std::filesystem::path& result);
 
   std::string text() const;   ///< for people
-  std::string json() const;   ///< for programs: the texture's fields with "provenance" and "stages" beside them
+  std::string json() const;   ///< for programs: the texture's fields, or a field's numbers with "texture", and "provenance" and "stages" beside them
 
  private:
   struct Stage {
@@ -23,7 +24,17 @@ class Summary {
     StageResult result;       ///< with its last frame only
     std::size_t states = 0;
   };
+  struct Field {
+    std::string file, name, outcome, numbers_json;
+    bool converged = true;
+    Provenance provenance;
+  };
   std::vector<Stage> stages_;
+  std::vector<Field> fields_;  ///< after the stages
 };
+
+/// One field by itself, as text for people and as JSON.
+std::string field_summary(const FieldResult& result);
+std::string field_json(const FieldResult& result);
 
 }  // namespace arenite::report

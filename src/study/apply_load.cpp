@@ -61,8 +61,10 @@ std::vector<Crack> cracks_of(const std::vector<peridynamics::BrokenBond>& broken
 
 void measure_stress(const Load& load, FieldResult& result) {
   if (result.field.size() == 0) return;
+  stress::StressOptions options = load.statistics;
+  if (load.loading == peridynamics::Loading::shear) options.components = {stress::Component::xy};
   try {
-    result.numbers_json = with_stress(result.numbers_json, stress::to_json(stress::measure(result.map, result.field, load.statistics)));
+    result.numbers_json = with_stress(result.numbers_json, stress::to_json(stress::measure(result.map, result.field, options)));
   } catch (const InputError& error) {
     result.numbers_json = with_note(result.numbers_json, fmt::format("no statistics of stress: {}", error.what()));
   }

@@ -67,11 +67,11 @@ double reference_radius(const Recipe& recipe, const Packing& packing) {
 }
 
 FieldResult make_cemented_sample(const Recipe& recipe, const Packing& packing) {
-  const RasterSection section = recipe.raster.value_or(RasterSection{});
+  const RasterSection section = recipe.raster_or_default();
   const auto materials = class_materials(recipe, packing);
   const double radius = reference_radius(recipe, packing);
   SampleReports reports;
-  reports.section = recipe.cement.value_or(CementSection{{cement::CementParameters::Kind::none}, {}});
+  reports.section = recipe.cement_or_none();
   reports.gap = reports.section.gap.value_or(gap_over_radius * radius);
   auto law = reports.section.law;
   law.gap = reports.gap;

@@ -1,5 +1,6 @@
 #include "study/derived_fields.hpp"
 
+#include "stress/grains.hpp"
 #include "texture/texture.hpp"
 
 namespace arenite::study {
@@ -33,6 +34,22 @@ std::vector<io::GrainField> derived_fields(const Packing& packing) {
     fields.push_back({"sigma_yx", "Pa", component(rows.sigma, &Tensor2::yx)});
     fields.push_back({"sigma_yy", "Pa", component(rows.sigma, &Tensor2::yy)});
   }
+  return fields;
+}
+
+std::vector<io::GrainField> derived_fields(const FieldResult& result) {
+  const bool loaded = result.field.size() > 0;
+  StressField none;
+  if (!loaded)
+    for (auto* component : {&none.ux, &none.uy, &none.xx, &none.yy, &none.xy}) component->assign(result.map.size(), 0.0);
+  const auto rows = stress::measure_grains(result.map, loaded ? result.field : none, 0, 1);
+  std::vector<double> x, y;
+  for (const Vec2& centre : rows.centre) x.push_back(centre.x), y.push_back(centre.y);
+  std::vector<io::GrainField> fields{{"nodes", "1", as_doubles(rows.nodes)}, {"whole", "1", as_doubles(rows.whole)}, {"x", "m", x}, {"y", "m", y}};
+  if (!loaded) return fields;
+  fields.push_back({"sigma_xx", "Pa", component(rows.stress, &Tensor2::xx)});
+  fields.push_back({"sigma_yy", "Pa", component(rows.stress, &Tensor2::yy)});
+  fields.push_back({"sigma_xy", "Pa", component(rows.stress, &Tensor2::xy)});
   return fields;
 }
 

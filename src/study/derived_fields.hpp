@@ -9,4 +9,7 @@ namespace arenite::study {
 /// length sigma_hyd and the components of sigma (Pa, tension positive).
 std::vector<io::GrainField> derived_fields(const Packing& packing);
 
+/// The same of the grains of a map: nodes, whole (no node on the edge), centre and, under load, mean stresses.
+std::vector<io::GrainField> derived_fields(const FieldResult& result);
+
 }  // namespace arenite::study

@@ -1,11 +1,15 @@
 #include "study/export_result.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "io/field_file.hpp"
 #include "io/run_folder.hpp"
+#include "io/sealed_file.hpp"
 #include "io/stage_file.hpp"
 #include "study/derived_fields.hpp"
 
@@ -49,6 +53,11 @@ class ExportFolder {
     growing_ = std::move(files);
   }
 
+  /// Files that do not grow.
+  void write_now(const std::vector<io::NamedBytes>& files) {
+    for (const auto& file : files) write(file);
+  }
+
   std::vector<fs::path> finish() {
     for (const auto& file : growing_) write(file);
     finished_ = true;
@@ -74,7 +83,20 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
   if (last_only) files.erase(files.begin(), files.end() - 1);
   std::optional<ExportFolder> out;
   std::vector<double> times;
+  bool has_field = false;
   for (const auto& file : files) {
+    if (io::sealed_kind(file) == "field") {
+      if (!format.of_field) {
+        if (files.size() == 1)
+          throw InputError(file.string(), 0, fmt::format("holds a field on nodes, and {} holds grains only; choose vtk or csv", format.name));
+        continue;
+      }
+      const FieldResult field = io::read_field(file);
+      if (!out) out.emplace(folder);
+      has_field = true;
+      out->write_now(format.of_field({&field, derived_fields(field)}));
+      continue;
+    }
     StageResult stage = io::read_stage(file);
     if (!out) out.emplace(folder);  // after the first readable file, so that a bad one leaves no empty folder
     if (last_only && stage.frames.size() > 1) stage.frames.erase(stage.frames.begin(), stage.frames.end() - 1);
@@ -84,8 +106,8 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
       times.push_back(frame.time);
     }
   }
-  if (times.empty()) throw InputError(result.string(), 0, "holds no state to export; run the recipe to its end first");
-  if (format.index) out->add(format.index(times));
+  if (times.empty() && !has_field) throw InputError(result.string(), 0, "holds no state to export; run the recipe to its end first");
+  if (format.index && !times.empty()) out->add(format.index(times));
   return out->finish();
 }
 

@@ -1,8 +1,12 @@
 #include "study/field_numbers.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "raster/cavity_statistics.hpp"
+#include "raster/phase_fractions.hpp"
 
 namespace arenite::study {
 namespace {
@@ -22,38 +26,31 @@ const char* const parameter_names[] = {"", "width", "", "thickness_m", "volume_m
 const char* const loadings[] = {"tension", "compression", "shear"};
 const char* const methods[] = {"static_solve", "relaxation", "damped"};
 
-/// Sizes of pores or voids: mean with its error over them, scatter, and what the rules left out.
-Json sizes(const raster::Cavities& cavities, double node_area, double unit_area) {
-  const double per_node = node_area / (unit_area > 0 ? unit_area : 1);
-  double sum = 0, squares = 0;
-  for (const auto n : cavities.nodes) sum += static_cast<double>(n);
-  const auto count = static_cast<double>(cavities.nodes.size());
-  const double mean = sum / count;
-  for (const auto n : cavities.nodes) squares += (static_cast<double>(n) - mean) * (static_cast<double>(n) - mean);
-  const double deviation = std::sqrt(squares / (count - 1));
-  Json j{{"count", cavities.nodes.size()}};
-  const std::string suffix = unit_area > 0 ? "" : "_m2";
-  if (count > 0) j["mean" + suffix] = estimate({mean * per_node, deviation * per_node / std::sqrt(count)});
-  if (count > 1) {
-    j["deviation" + suffix] = deviation * per_node;
-    j["cv"] = deviation / mean;
+/// Volumes of pores or voids over pi radius^2 with their density, and what the rules left out.
+Json volumes(const PhaseMap& map, raster::Cavity kind, const raster::CavityRules& rules, double radius) {
+  const auto s = raster::cavity_statistics(find_cavities(map, kind, rules), map.dx, radius);
+  Json j{{"count", s.count}};
+  if (s.count > 0) j["mean"] = estimate({s.mean, s.mean_error});
+  if (s.count > 1) {
+    j["deviation"] = estimate({s.deviation, s.deviation_error});
+    j["cv"] = estimate({s.cv, s.cv_error});
+    j["pdf"] = {{"edge", s.density.edge}, {"density", s.density.density}, {"error", s.density.error}};
   }
-  j["specks"] = cavities.specks;
-  j["at_border"] = cavities.cut;
+  j["specks"] = s.specks;
+  j["at_border"] = s.cut;
   return j;
 }
 
+bool has_classes(const PhaseMap& map) {
+  return std::any_of(map.grain_class.begin(), map.grain_class.end(), [](GrainClass c) { return c != GrainClass::none; });
+}
+
 Json phases(const PhaseMap& map) {
-  std::array<std::size_t, 3> count{}, by_class{};
-  for (std::size_t i = 0; i < map.size(); ++i) {
-    ++count[static_cast<std::size_t>(map.phase[i])];
-    if (map.grain[i] >= 0) ++by_class[static_cast<std::size_t>(map.grain_class[static_cast<std::size_t>(map.grain[i])])];
-  }
-  const auto share = [&](std::size_t n) { return static_cast<double>(n) / static_cast<double>(map.size()); };
-  Json j{{"particle", share(count[2])}, {"matrix", share(count[1])}, {"void", share(count[0])}};
-  if (by_class[0] < count[2]) {
-    j["large"] = share(by_class[static_cast<std::size_t>(GrainClass::large)]);
-    j["small"] = share(by_class[static_cast<std::size_t>(GrainClass::small)]);
+  const auto f = raster::phase_fractions(map);
+  Json j{{"particle", f.particle}, {"matrix", f.matrix}, {"void", f.empty}};
+  if (has_classes(map)) {
+    j["large"] = f.large;
+    j["small"] = f.small;
   }
   return j;
 }
@@ -62,7 +59,7 @@ Json grains(const PhaseMap& map) {
   std::array<std::size_t, 3> count{};
   for (const GrainClass each : map.grain_class) ++count[static_cast<std::size_t>(each)];
   Json j{{"all", map.grain_class.size()}};
-  if (count[0] < map.grain_class.size()) {
+  if (has_classes(map)) {
     j["large"] = count[static_cast<std::size_t>(GrainClass::large)];
     j["small"] = count[static_cast<std::size_t>(GrainClass::small)];
   }
@@ -119,15 +116,17 @@ std::string map_numbers(const PhaseMap& map, const raster::CavityRules& rules, d
   j["map"] = {{"width", map.width}, {"height", map.height}, {"dx_m", map.dx}};
   j["grains"] = grains(map);
   j["phases"] = phases(map);
-  const double particle = j["phases"]["particle"], matrix = j["phases"]["matrix"];
-  j["solid_fraction"] = particle;
-  if (particle < 1) j["S_m"] = matrix / (1 - particle);
-  const double unit = M_PI * reference_radius * reference_radius, node = map.dx * map.dx;
+  const auto fractions = raster::phase_fractions(map);
+  j["solid_fraction"] = fractions.particle;
+  j["S_m"] = fractions.saturation;
+  if (fractions.small > 0) j["volume_ratio"] = fractions.large / fractions.small;
+  const auto through = raster::find_percolation(map, rules.eight_connected);
+  j["percolates"] = {{"solid_bottom_top", through.solid_bottom_top}, {"solid_left_right", through.solid_left_right},
+                     {"void_bottom_top", through.void_bottom_top}, {"void_left_right", through.void_left_right}};
   j["cavity_rules"] = {{"neighbours", rules.eight_connected ? 8 : 4}, {"fewest_nodes", rules.fewest_nodes},
-                       {"leave_out_border", rules.leave_out_border}};
-  if (reference_radius > 0) j["cavity_rules"]["volumes_over_m2"] = unit;
-  j["pores"] = sizes(find_cavities(map, raster::Cavity::pore, rules), node, unit);
-  j["voids"] = sizes(find_cavities(map, raster::Cavity::void_, rules), node, unit);
+                       {"leave_out_border", rules.leave_out_border}, {"volumes_over_pi_radius_m_squared", reference_radius}};
+  j["pores"] = volumes(map, raster::Cavity::pore, rules, reference_radius);
+  j["voids"] = volumes(map, raster::Cavity::void_, rules, reference_radius);
   return j.dump();
 }
 

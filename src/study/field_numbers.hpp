@@ -23,8 +23,7 @@ struct SampleReports {
   std::optional<texture::GapCoordination> coordination;      ///< where there are two classes
 };
 
-/// Size, phases, S_m, grains, pores and voids of any map. Volumes of pores and voids are over pi reference_radius^2, or in
-/// m^2 without one (0).
+/// Size, phases, S_m, grains, pores and voids of any map. Volumes of pores and voids are over pi reference_radius^2.
 std::string map_numbers(const PhaseMap& map, const raster::CavityRules& rules, double reference_radius);
 
 /// The same with what cement, raster and coordination say.

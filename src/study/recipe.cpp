@@ -37,6 +37,12 @@ Recipe read_from(std::string_view text, Reading& reading, const std::vector<std:
 
 }  // namespace
 
+CementSection Recipe::cement_or_none() const {
+  CementSection none;
+  none.law.kind = cement::CementParameters::Kind::none;
+  return cement.value_or(none);
+}
+
 Recipe read_recipe(const std::string& file, const std::vector<std::string>& overrides) {
   Reading reading{file, std::filesystem::path(file).parent_path().string(), true, {}};
   return read_from(io::read_file(file), reading, overrides);

@@ -123,6 +123,9 @@ struct Recipe {
   std::optional<CementSection> cement;
   std::optional<RasterSection> raster;
   std::vector<Load> loads;
+  /// The sections, or what stands for them where they are not given: no cement, and P's raster.
+  CementSection cement_or_none() const;
+  RasterSection raster_or_default() const { return raster.value_or(RasterSection{}); }
   bool has_field() const { return cement || raster || !loads.empty(); }  ///< goes on to cement, raster and loads
   bool operator==(const Recipe&) const = default;
 };

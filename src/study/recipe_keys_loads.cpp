@@ -29,6 +29,9 @@ void declare(Visitor& v, stress::StressOptions& statistics) {
   v.integer({"clamp_rows", "Rows of nodes left out at the lower and the upper edge."}, rows, {0, 10'000});
   statistics.clamp_rows = static_cast<int>(rows);
   v.flag({"leave_out_surface", "Leave out nodes with a neighbour of another phase or grain."}, statistics.leave_out_surface);
+  v.flag({"leave_out_unloaded", "Leave out nodes without any stress: parts that nothing ties to both edges."}, statistics.leave_out_unloaded);
+  v.flag({"mean_over_area", "The sample's mean counts the void as zero stress; otherwise it is that of particles and matrix."},
+         statistics.mean_over_area);
 }
 
 void require_own_name(Visitor& v, const Load& load, const Recipe& recipe) {

@@ -113,7 +113,7 @@ std::string to_commented_toml(const Recipe& recipe) {
   }
   write_commented_table(text, values, all, true, true);
   for (const auto& record : root) {
-    if (record.kind == Record::Kind::value) continue;
+    if (record.kind == Record::Kind::value || record.tables.empty()) continue;
     text += "\n# " + record.sentence + "\n";
     for (std::size_t i = 0; i < record.tables.size(); ++i) {
       if (i > 0) text += "\n";

@@ -54,8 +54,8 @@ std::string stage_key(const Recipe& recipe, std::size_t s, const std::string& pa
 
 std::string cement_key(const Recipe& recipe, const std::string& last_stage_hash) {
   Recipe part;
-  part.cement = recipe.cement.value_or(CementSection{{cement::CementParameters::Kind::none}, {}});
-  part.raster = recipe.raster.value_or(RasterSection{});
+  part.cement = recipe.cement_or_none();
+  part.raster = recipe.raster_or_default();
   HashBuilder hash;
   hash.add("cement version", cement_version).add("packing", last_stage_hash).add("recipe", to_toml(part));
   return hash.hex();

@@ -83,7 +83,10 @@ Load any_load(int index) {
   load.axis = any_of<Load::Axis>(2);
   load.tolerance = any_number(1e-7);
   load.stiffness = {any_number(1e9), maybe(any_number(1e9)), maybe(any_number(1e9)), *rc::gen::arbitrary<bool>()};
-  load.statistics = {*rc::gen::inRange(0, 9), *rc::gen::arbitrary<bool>()};
+  load.statistics.clamp_rows = *rc::gen::inRange(0, 9);
+  load.statistics.leave_out_surface = *rc::gen::arbitrary<bool>();
+  load.statistics.leave_out_unloaded = *rc::gen::arbitrary<bool>();
+  load.statistics.mean_over_area = *rc::gen::arbitrary<bool>();
   load.failure = *rc::gen::arbitrary<bool>();
   if (load.failure) {
     load.max_strain = any_number(0.1);

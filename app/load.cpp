@@ -1,0 +1,203 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <sstream>
+
+#include "commands.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "imaging/label_grains.hpp"
+#include "io/field_file.hpp"
+#include "io/phase_map_image.hpp"
+#include "io/run_folder.hpp"
+#include "io/sealed_file.hpp"
+#include "report/page.hpp"
+#include "report/summary.hpp"
+#include "stop_signal.hpp"
+#include "study/field_stages.hpp"
+#include "study/load_map.hpp"
+
+namespace arenite::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string map, phases, labels = "components", crop, dataset, label_dataset, dx, loading = "tension", axis = "y", lower = "fixed";
+  std::string method = "static_solve", stiffness, toughness, out;
+  std::int64_t slice = -1, label_slice = -1;
+  double smoothing = 1;
+  study::Load load;
+  bool json = false, quiet = false;
+};
+
+/// "matrix=1 GPa,particle=4 GPa": each into its place.
+void read_by_type(const std::string& text, const char* option, Dimension dimension, const char* unit, double& matrix,
+                  std::optional<double>& interface, std::optional<double>& particle) {
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    const auto equals = part.find('=');
+    const std::string name = part.substr(0, equals);
+    if (equals == std::string::npos || (name != "matrix" && name != "interface" && name != "particle"))
+      throw InputError(fmt::format("{0}: \"{1}\" is not of the form matrix=1 {2},interface=1 {2},particle=4 {2}", option, part, unit));
+    double value = 0;
+    try {
+      value = parse_si(part.substr(equals + 1), dimension, unit);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}: {}", option, name, error.what()));
+    }
+    if (!(value > 0)) throw InputError(fmt::format("{}: {} is {}; it must be above 0", option, name, part.substr(equals + 1)));
+    if (name == "matrix") matrix = value;
+    else (name == "interface" ? interface : particle) = value;
+  }
+}
+
+int place(const std::string& word, std::initializer_list<const char*> words) {
+  int k = 0;
+  for (const char* each : words) {
+    if (word == each) return k;
+    ++k;
+  }
+  return 0;
+}
+
+study::Load load_of(const Arguments& a) {
+  study::Load load = a.load;
+  load.name = load.failure ? "failure" : a.loading;
+  load.loading = static_cast<peridynamics::Loading>(place(a.loading, {"tension", "compression", "shear"}));
+  load.axis = static_cast<study::Load::Axis>(place(a.axis, {"y", "x"}));
+  load.lower = static_cast<peridynamics::LowerEdge>(place(a.lower, {"fixed", "sliding"}));
+  load.method = static_cast<peridynamics::Method>(place(a.method, {"static_solve", "relaxation", "damped"}));
+  read_by_type(a.stiffness, "--stiffness", dimension::pressure, "GPa", load.stiffness.matrix, load.stiffness.interface, load.stiffness.particle);
+  read_by_type(a.toughness, "--toughness", dimension::toughness, "MPa m^0.5", load.toughness.matrix, load.toughness.interface,
+               load.toughness.particle);
+  if (load.failure && a.dx.empty() && io::sealed_kind(a.map) != "field")
+    throw InputError("a crack needs a length; give the size of a pixel, for example --dx \"25 um\"");
+  return load;
+}
+
+bool is_file_of_labels(const std::string& labels) { return labels != "components" && labels != "watershed" && labels != "none"; }
+
+io::PhaseMapOptions map_options(const Arguments& a) {
+  io::PhaseMapOptions options;
+  if (a.slice >= 0) options.image.slice = a.slice;
+  options.image.dataset = a.dataset;
+  if (!a.phases.empty()) options.phases = io::parse_phase_table(a.phases);
+  if (!a.crop.empty()) options.crop = io::parse_crop(a.crop);
+  if (!a.dx.empty()) options.dx = parse_si(a.dx, dimension::length, "um");
+  if (!(options.dx > 0)) throw InputError(fmt::format("--dx is {}; give a length above 0", a.dx));
+  if (is_file_of_labels(a.labels)) options.labels = a.labels;
+  if (a.label_slice >= 0) options.label_image.slice = a.label_slice;
+  options.label_image.dataset = a.label_dataset;
+  return options;
+}
+
+/// One label for all particles.
+void label_alike(PhaseMap& map) {
+  map.grain_class = {GrainClass::none};
+  for (std::size_t i = 0; i < map.size(); ++i) map.grain[i] = map.phase[i] == Phase::particle ? 0 : -1;
+}
+
+PhaseMap read_map(const Arguments& a) {
+  if (io::sealed_kind(a.map) == "field") return io::read_field(a.map).map;
+  auto read = io::read_phase_map(a.map, map_options(a));
+  for (const auto& note : read.notes) fmt::print(stderr, "{}: {}\n", a.map, note);
+  if (read.labelled) return std::move(read.map);
+  if (a.labels == "none") label_alike(read.map);
+  else imaging::label_grains(read.map, {a.labels == "watershed" ? imaging::Labelling::watershed : imaging::Labelling::components, a.smoothing});
+  return std::move(read.map);
+}
+
+/// All that the field depends on beside the map's bytes and the load.
+std::string asked_of(const Arguments& a) {
+  return fmt::format("phases {}; labels {}; smoothing {}; crop {}; slice {}; dataset {}; label slice {}; label dataset {}; dx {}", a.phases, a.labels,
+                     a.smoothing, a.crop, a.slice, a.dataset, a.label_slice, a.label_dataset, a.dx);
+}
+
+void store(const Arguments& a, const FieldResult& result) {
+  const fs::path folder(a.out);
+  study::make_folder(folder);
+  const fs::path file = folder / io::stage_file_name(1, result.name, result.provenance.input_hash);
+  io::write_field(file, result);
+  report::PageData data;
+  data.title = fmt::format("{} of {}", result.name, fs::path(a.map).filename().string());
+  data.fields.push_back({&result, ""});
+  report::write_page(folder / "report.html", data);
+  if (!a.json) fmt::print("\nresult: {}\npage:   {}\n", file.string(), (folder / "report.html").string());
+}
+
+int execute(const Arguments& a) {
+  const study::Load load = load_of(a);
+  const auto name_the_map = [&](const InputError& error) {
+    auto problems = error.problems();
+    for (auto& problem : problems)
+      if (problem.file.empty()) problem.file = a.map;
+    return InputError(std::move(problems));
+  };
+  try {
+    const FieldResult sample = study::sample_of_map(read_map(a));
+    watch_for_signals();
+    auto result = study::apply_load(load, sample, [](const peridynamics::Progress&) { return !stop_requested(); });
+    if (!result) {
+      fmt::print(stderr, "stopped; nothing was stored\n");
+      return other_failure;
+    }
+    study::sign(*result, a.map, asked_of(a), load);
+    fmt::print("{}", a.json ? report::field_json(*result) : report::field_summary(*result));
+    if (!a.out.empty()) store(a, *result);
+    return result->converged ? done : not_converged;
+  } catch (const InputError& error) {
+    throw name_the_map(error);
+  }
+}
+
+void add_reading(CLI::App& command, Arguments& a) {
+  command.add_option("--phases", a.phases, "Which grey value is what, e.g. \"0=void,85=particle,170=matrix\"; a picture of two values needs none")
+      ->type_name("TABLE");
+  command.add_option("--labels", a.labels, "Grains: components (particles that hang together; default), watershed (cut at necks), none (all one "
+                                           "grain), or a picture whose values number them")->type_name("WAY");
+  command.add_option("--smoothing", a.smoothing, "Of the watershed: depth of a neck that is not cut, pixels; default 1")->type_name("NUMBER");
+  command.add_option("--crop", a.crop, "Part of the picture, pixels from its upper left corner")->type_name("X,Y,WIDTH,HEIGHT");
+  command.add_option("--slice", a.slice, "Slice of a stack, from 0")->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40).description(""))->type_name("N");
+  command.add_option("--dataset", a.dataset, "Dataset of an HDF5 file that holds several")->type_name("NAME");
+  command.add_option("--label-slice", a.label_slice, "Slice of the labels, from 0")->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40).description(""))->type_name("N");
+  command.add_option("--label-dataset", a.label_dataset, "Dataset of the labels")->type_name("NAME");
+  command.add_option("--dx", a.dx, "Side of a pixel, e.g. \"25 um\"; without it lengths count in pixels")->type_name("LENGTH");
+}
+
+void add_loading(CLI::App& command, Arguments& a) {
+  study::Load& load = a.load;
+  command.add_option("--loading", a.loading, "How the top row is moved")->check(CLI::IsMember({"tension", "compression", "shear"}));
+  command.add_option("--axis", a.axis, "Axis from the bottom row to the top row; x loads the map turned")->check(CLI::IsMember({"y", "x"}));
+  command.add_option("--lower", a.lower, "What holds the bottom row")->check(CLI::IsMember({"fixed", "sliding"}));
+  command.add_option("--method", a.method, "Way to the field at equilibrium")->check(CLI::IsMember({"static_solve", "relaxation", "damped"}));
+  command.add_option("--strain", load.strain, "Displacement of the top row over the height; default 1e-4")->type_name("NUMBER");
+  command.add_option("--tolerance", load.tolerance, "Relative residual at equilibrium; default 1e-6")->type_name("NUMBER");
+  command.add_option("--stiffness", a.stiffness, "Young's moduli of bonds, e.g. \"matrix=1 GPa,particle=4 GPa\" (the default; interface as the matrix)")
+      ->type_name("MODULI");
+  command.add_flag("--exact-stretch", load.exact_stretch, "Stretch of the turned bond, not linearised");
+  command.add_flag("--moduli", load.moduli, "Load along both axes and in shear, too, for the moduli of the sample");
+  command.add_flag("--failure", load.failure, "Pull until it breaks; needs --dx");
+  command.add_option("--toughness", a.toughness, "Of bonds, e.g. \"matrix=0.1 MPa m^0.5\" (the default; interface alike, particle 3.5 times it)")
+      ->type_name("TOUGHNESS");
+  command.add_option("--max-strain", load.max_strain, "A pull to failure ends here at the latest; default 0.1")->type_name("NUMBER");
+  command.add_option("--clamp-rows", load.statistics.clamp_rows, "Rows at both edges that the statistics leave out; default 4")->type_name("N");
+  command.add_flag("--leave-out-surface", load.statistics.leave_out_surface, "Statistics without nodes that border another phase or grain");
+}
+
+}  // namespace
+
+void add_load(CLI::App& command, int& status) {
+  const auto a = std::make_shared<Arguments>();
+  command.add_option("map", a->map, "Phase map: PNG, TIFF or HDF5 picture of grey values, or a field of ours (.h5)")->required()->type_name("PHASEMAP");
+  add_reading(command, *a);
+  add_loading(command, *a);
+  command.add_flag("--json", a->json, "Print all numbers as JSON");
+  command.add_option("--out", a->out, "Folder for the field (.h5) and its page; without it nothing is stored")->type_name("DIR");
+  command.callback([a, &status] { status = execute(*a); });
+}
+
+}  // namespace arenite::app

@@ -1,0 +1,18 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "model/field_result.hpp"
+#include "raster/cavities.hpp"
+#include "study/recipe.hpp"
+
+namespace arenite::study {
+
+/// A sample for apply_load from anybody's phase map: its phases, pores and voids as numbers, their volumes over the mean
+/// area of a grain. Throws InputError unless the map is sound.
+FieldResult sample_of_map(PhaseMap map, const raster::CavityRules& rules = {});
+
+/// Name and provenance for a load of a map that no recipe made: `source` is the file, `asked` the options in words.
+void sign(FieldResult& result, const std::filesystem::path& source, const std::string& asked, const Load& load);
+
+}  // namespace arenite::study
