@@ -11,7 +11,10 @@
 #include "dem/kernels/kernel.hpp"
 #include "dem/integrators/gear.hpp"
 #include "dem/integrators/verlet.hpp"
+#include "dem/masses.hpp"
 #include "dem/measure.hpp"
+#include "dem/bonds.hpp"
+#include "dem/ghosts.hpp"
 #include "dem/neighbours.hpp"
 #include "dem/save.hpp"
 #include "dem/setup.hpp"
@@ -101,12 +104,12 @@ void run(Sample& s, const Team& team, std::int64_t steps, Sweep&& sweep) {
     if (near)
       refresh_ghosts(s);
     else
-      rebuild_list(s);
+      rebuild_list(s, team);
     compute_forces(s, team);
-    if (edges) sum_edge_forces(s);
+    if (edges) sum_edge_forces(s, team);
     if (tracked) book_step(s);
   }
-  sum_edge_forces(s);
+  sum_edge_forces(s, team);
 }
 
 }  // namespace
@@ -124,6 +127,23 @@ void Engine::set_drag(double rate) {
   if (!(rate >= 0)) throw InputError(fmt::format("drag {} 1/s must be >= 0", rate));
   synchronise(s);
   s.drag = rate;
+}
+
+void Engine::set_masses(Masses masses) {
+  Sample& s = machine_->sample;
+  if (masses == s.masses) return;
+  synchronise(s);
+  const double before = energies_of(s).kinetic;
+  give_masses(s, masses);
+  if (s.dt > step_bounds(s).largest())
+    throw InputError(fmt::format("with even masses integration.time_step of {:.4g} s is beyond what this sample allows; {:.4g} s would do",
+                                 s.dt, 0.999 * step_bounds(s).largest()));
+  if (s.integration.track_energy) s.tally.dissipated_drag += before - energies_of(s).kinetic;
+}
+
+void Engine::set_inertial_number(double number) {
+  if (!(number > 0)) throw InputError(fmt::format("inertial number {} must be above 0", number));
+  machine_->sample.inertial_number = number;
 }
 
 void Engine::set_friction(std::optional<double> mu) {
@@ -175,7 +195,9 @@ StepBounds Engine::bounds() const { return step_bounds(machine_->sample); }
 std::string Engine::kernel() const { return machine_->sample.kernel->name; }
 std::size_t Engine::grain_count() const { return machine_->sample.count; }
 std::int64_t Engine::list_builds() const { return machine_->sample.builds; }
+double Engine::critical_drag() const { return dem::critical_drag(machine_->sample); }
 double Engine::skin() const { return machine_->sample.skin; }
+const IntegrationParameters& Engine::integration() const { return machine_->sample.integration; }
 const Domain& Engine::domain() const { return machine_->sample.domain; }
 Packing Engine::packing() const { return packing_of(machine_->sample); }
 Energies Engine::energies() const { return energies_of(machine_->sample); }

@@ -35,6 +35,8 @@ class Engine {
   void set_gravity(Vec2 g);                    ///< m/s^2
   void set_drives(const WallDrives& drives);   ///< from the next step on
   void set_drag(double rate);                  ///< 1/s
+  void set_masses(Masses masses);              ///< the grains' own, or even ones for a compaction (masses.hpp); never with gravity
+  void set_inertial_number(double number);     ///< how fast the sample yields to its force-controlled sides (walls.hpp)
   void set_friction(std::optional<double> mu); ///< for grains and walls; nullopt: what the parameters say
   void set_glue(bool on);                      ///< adhesion acts; for bonds that break for good: pairs that touch now are bonded
 
@@ -48,8 +50,10 @@ class Engine {
 
   std::size_t grain_count() const;
   std::int64_t list_builds() const;            ///< how often the contact list has been built
+  double critical_drag() const;                ///< that damps the slowest wave of a crystal of this size critically, 1/s
   double skin() const;                         ///< surface gap within which pairs are listed, m
 
+  const IntegrationParameters& integration() const;  ///< as given
   const Domain& domain() const;                ///< wall positions, velocities and forces now
   Packing packing() const;                     ///< grains and contacts now, in the caller's order; contacts sorted by (i, j)
   Energies energies() const;                   ///< dissipation and work only if track_energy

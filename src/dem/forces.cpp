@@ -33,21 +33,20 @@ double lowest_force(const Sample& s) {
   return s.contact.attractive_dashpot ? -std::numeric_limits<double>::infinity() : 0.0;
 }
 
-void evaluate_pairs(Sample& s, const Team& team) {
+PairTask pair_task(Sample& s) {
   ContactList& list = s.list;
-  const PairTask task{s.record.data(),         list.i.data(),         list.j.data(),        list.stiffness.data(),
-                      list.damping.data(),     list.viscosity.data(), list.strength.data(), list.memory.data(),
-                      list.force.data(),       s.friction,            lowest_force(s),
-                      s.contact.arms == Arms::contact_point ? 0.5 : 0.0};
-  const auto loop = s.kernel->pairs[s.laws.normal.index()][s.laws.adhesion.index()][s.laws.friction.index()];
-  team.for_ranges(list.pairs, [&](std::size_t begin, std::size_t end) { loop(task, s.laws, begin, end); });
+  return {s.record.data(),         list.i.data(),         list.j.data(),        list.stiffness.data(),
+          list.damping.data(),     list.viscosity.data(), list.strength.data(), list.memory.data(),
+          list.force.data(),       s.friction,            lowest_force(s),
+          s.contact.arms == Arms::contact_point ? 0.5 : 0.0};
 }
 
+/// Wall slots begin .. end-1, counted from the first.
 template <class N, class A, class F>
-void evaluate_walls(Sample& s, const N& normal, const A& adhesion, const F& friction) {
+void evaluate_walls(Sample& s, const N& normal, const A& adhesion, const F& friction, std::size_t begin, std::size_t end) {
   ContactList& list = s.list;
   const double floor = lowest_force(s);
-  for (std::size_t p = list.pairs; p < list.size(); ++p) {
+  for (std::size_t p = list.pairs + begin; p < list.pairs + end; ++p) {
     SlotForce& force = list.force[p];
     const Kinematics c = slot_kinematics(s, p);
     if (!(c.overlap > 0)) {
@@ -61,6 +60,22 @@ void evaluate_walls(Sample& s, const N& normal, const A& adhesion, const F& fric
     force = {f.normal * c.normal.x - f.tangential * c.normal.y, f.normal * c.normal.y + f.tangential * c.normal.x,
              -c.arm_i * f.tangential, 0};
   }
+}
+
+/// A wall slot, computed alone, takes as long as this many pairs.
+constexpr std::size_t pairs_of_a_wall = 4;
+
+/// All slots in one go of the team: pairs, then walls.
+template <class N, class A, class F>
+void evaluate(Sample& s, const Team& team, const N& normal, const A& adhesion, const F& friction) {
+  const PairTask task = pair_task(s);
+  const auto loop = s.kernel->pairs[s.laws.normal.index()][s.laws.adhesion.index()][s.laws.friction.index()];
+  const std::size_t pairs = s.list.pairs, walls = s.list.size() - pairs;
+  team.for_ranges(pairs + pairs_of_a_wall * walls, [&](std::size_t begin, std::size_t end) {
+    if (begin < pairs) loop(task, s.laws, begin, std::min(end, pairs));
+    if (end > pairs)
+      evaluate_walls(s, normal, adhesion, friction, (std::max(begin, pairs) - pairs) / pairs_of_a_wall, (end - pairs) / pairs_of_a_wall);
+  });
 }
 
 /// The force that the grains exert on a wall is the opposite of the wall's on them.
@@ -82,18 +97,41 @@ void sum_wall_forces(Sample& s) {
 void compute_forces(Sample& s, const Team& team) {
   std::visit([&](const auto& normal, const auto& adhesion, const auto& friction) {
     if (!s.live_bonds.empty()) end_open_bonds(s, friction);
-    evaluate_walls(s, normal, adhesion, friction);
+    evaluate(s, team, normal, adhesion, friction);
   }, s.laws.normal, s.laws.adhesion, s.laws.friction);
-  evaluate_pairs(s, team);
   sum_wall_forces(s);
 }
 
-void sum_edge_forces(Sample& s) {
-  if (!s.domain.periodic_x && !s.domain.periodic_y) return;
+namespace {
+
+/// Vector from j (or the plane of the wall) to i.
+Vec2 branch_of(const Sample& s, std::size_t slot) {
+  const std::int32_t j = s.list.j[slot];
+  if (j < 0) return slot_kinematics(s, slot).branch;
+  const DiskRecord &a = s.record[static_cast<std::size_t>(s.list.i[slot])], &b = s.record[static_cast<std::size_t>(j)];
+  return {a.x - b.x, a.y - b.y};
+}
+
+/// Sum over all contacts of force times branch; by blocks of slots, so that it does not depend on the number of threads.
+Tensor2 sum_of_moments(const Sample& s, const Team& team) {
+  constexpr std::size_t slots_of_block = 512;
   const ContactList& list = s.list;
+  std::vector<Tensor2> blocks((list.size() + slots_of_block - 1) / slots_of_block);
+  team.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin; block < end; ++block)
+      for (std::size_t p = block * slots_of_block; p < std::min(list.size(), (block + 1) * slots_of_block); ++p)
+        if (acts(list.force[p])) blocks[block] += outer({list.force[p].fx, list.force[p].fy}, branch_of(s, p));
+  });
   Tensor2 sum;
-  for (std::size_t p = 0; p < list.size(); ++p)
-    if (acts(list.force[p])) sum += outer({list.force[p].fx, list.force[p].fy}, slot_kinematics(s, p).branch);
+  for (const Tensor2& block : blocks) sum += block;
+  return sum;
+}
+
+}  // namespace
+
+void sum_edge_forces(Sample& s, const Team& team) {
+  if (!s.domain.periodic_x && !s.domain.periodic_y) return;
+  const Tensor2 sum = sum_of_moments(s, team);
   auto& w = s.domain.wall;
   if (s.domain.periodic_x) {
     w[left].force = w[right].force = sum.xx / s.domain.width();

@@ -10,7 +10,7 @@ void compute_forces(Sample& sample, const Team& team = Team());
 
 /// Forces of the edges of a periodic cell, the means over all its cuts: (1/W) sum f_x l_x. Not part of compute_forces,
 /// because only driven edges and readers need them.
-void sum_edge_forces(Sample& sample);
+void sum_edge_forces(Sample& sample, const Team& team = Team());
 
 /// Sum of a disk's contact forces (x, y) and torque, its slots in a fixed order.
 struct Load {

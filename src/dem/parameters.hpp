@@ -16,7 +16,12 @@ enum class WallStiffness { stiffest, grain, series };
 enum class Arms { contact_point, full_radius };
 enum class EffectiveRadius { four_reduced, sum, geometric_mean };
 enum class FrictionCap { raised_by_adhesion, as_printed }; ///< mu (F_n + |F_c|), or T (1.28) with F_c printed negative
+enum class Masses { own, even };                   ///< see dem/masses.hpp
 enum class IntegratorKind { velocity_verlet, leapfrog, gear5 };
+
+/// How fast a sample yields to a force on its sides, as a share of sqrt(F H/M): F the force, H the way to the other side,
+/// M the mass.
+inline constexpr double default_inertial_number = 0.01;
 
 /// Everything that decides the force between two grains or a grain and a wall. SI units.
 struct ContactParameters {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
+
 namespace arenite::dem {
 
 namespace {
@@ -203,7 +205,10 @@ std::vector<Increment> increments_of(const Stage& stage, const std::array<double
 StageRun begin_stage(Engine& engine, const Stage& stage) {
   engine.set_gravity(stage.gravity ? Vec2{0, -standard_gravity} : Vec2{});
   engine.set_friction(stage.friction);
-  engine.set_drag(stage.drag);
+  if (stage.gravity && stage.masses == Masses::even) throw InputError("grains with even masses cannot weigh; leave gravity or masses out");
+  engine.set_masses(stage.masses);
+  engine.set_inertial_number(stage.inertial_number);
+  engine.set_drag(engine.integration().drag + stage.drag + stage.critical_drag * engine.critical_drag());
   engine.set_glue(stage.glue);
   StageRun run;
   run.result.name = stage.name;

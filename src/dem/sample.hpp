@@ -49,10 +49,10 @@ struct ContactList {
   std::vector<std::int32_t> group, first;
 
   std::size_t size() const { return i.size(); }
-  /// Takes all slots out; what is of one length with them and is not filled slot by slot is left to be assigned anew.
-  void clear() {
-    for (auto* a : {&i, &j, &owner}) a->clear();
-    for (auto* a : {&stiffness, &damping, &viscosity, &strength}) a->clear();
+  /// What group_slots and list_contacts fill is not touched.
+  void resize(std::size_t slots) {
+    for (auto* a : {&i, &j, &owner}) a->resize(slots);
+    for (auto* a : {&stiffness, &damping, &viscosity, &strength}) a->resize(slots);
   }
 };
 
@@ -81,6 +81,8 @@ struct Sample {
   const Kernel* kernel = nullptr;  ///< the inner loops in use
   double dt = 0;
   double friction = 0, wall_friction = 0, drag = 0;
+  Masses masses = Masses::own;
+  double inertial_number = default_inertial_number;  ///< of the servo, see walls.hpp
   Vec2 gravity;
   bool glue = true;
 
@@ -95,7 +97,7 @@ struct Sample {
   std::vector<double> ax, ay, alpha;             ///< last accelerations
   std::array<std::vector<double>, 9> higher;     ///< Gear: third to fifth derivatives of x, y, angle
   std::vector<Ghost> ghost;
-  ContactList list;
+  ContactList list, former;        ///< `former`: the list before the last rebuild, kept for its memory
   double skin = 0, largest_radius = 0;
   std::vector<double> listed_x, listed_y;        ///< where the disks were when the list was built
   Domain listed_domain;
@@ -122,6 +124,10 @@ inline std::uint64_t slot_key(const Sample& s, std::size_t slot) {
 /// Affine motion of a periodic cell, one direction each.
 AffineMotion affine_x(const Domain& domain);
 AffineMotion affine_y(const Domain& domain);
+
+/// Homogeneous motion between the walls, or of the periodic cell, along x and y; where two walls are absent, none.
+AffineMotion carrier_x(const Domain& domain);
+AffineMotion carrier_y(const Domain& domain);
 
 /// Where the periodic cell is; maps a place that moves with the cell from an earlier frame. The identity where nothing
 /// is periodic.

@@ -5,13 +5,14 @@
 #include <type_traits>
 
 #include "core/error.hpp"
+#include "dem/ghosts.hpp"
 #include "dem/neighbours.hpp"
 
 namespace arenite::dem {
 
 namespace {
 
-constexpr std::uint64_t mark = 0x32302d6d65642d61;  // "a-dem-02"; changes with what `transfer` lists
+constexpr std::uint64_t mark = 0x33302d6d65642d61;  // "a-dem-03"; changes with what `transfer` lists
 
 class Writer {
  public:
@@ -89,6 +90,9 @@ void transfer(Archive& a, Energies& e) {
 template <class Archive>
 void transfer(Archive& a, Sample& s) {
   std::uint8_t glue = s.glue, settled = s.settled, open = s.ledger.open;
+  auto masses = static_cast<std::int32_t>(s.masses);
+  a(masses), a(s.inertial_number);
+  s.masses = static_cast<Masses>(masses);
   a(s.step), a(s.lag), a(s.friction), a(s.wall_friction), a(s.drag), a(s.gravity.x), a(s.gravity.y), a(glue), a(settled), a(open);
   s.glue = glue != 0;
   s.settled = settled != 0;

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/error.hpp"
 #include "dem/bounds.hpp"
+#include "dem/bonds.hpp"
+#include "dem/carried.hpp"
 #include "dem/forces.hpp"
 #include "dem/kernels/kernel.hpp"
+#include "dem/masses.hpp"
 #include "dem/neighbours.hpp"
 #include "dem/walls.hpp"
 
@@ -90,9 +92,8 @@ void place_disks(Sample& s) {
   double sum = 0;
   for (std::size_t k = 0; k < s.count; ++k) {
     const double r = g.radius[k];
-    const double mass = s.start.materials[static_cast<std::size_t>(g.material[k])].density * std::numbers::pi * r * r *
-                        s.domain.thickness;
-    s.record[k] = {g.x[k], g.y[k], g.vx[k], g.vy[k], g.omega[k], r, mass, g.material[k], static_cast<std::int32_t>(k)};
+    s.record[k] = {g.x[k], g.y[k], g.vx[k], g.vy[k], g.omega[k], r, 0, g.material[k], static_cast<std::int32_t>(k)};
+    s.record[k].mass = own_mass(s, k);
     s.vx[k] = g.vx[k] - mx.at(g.x[k]);
     s.vy[k] = g.vy[k] - my.at(g.y[k]);
     s.omega[k] = s.integration.rotations ? g.omega[k] : 0.0;

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "dem/parameters.hpp"
+
 namespace arenite::dem {
 
 inline constexpr double standard_gravity = 9.81;  ///< m/s^2
@@ -44,7 +46,10 @@ struct Stage {
   std::optional<Cycles> cycles;
   RestCriterion rest;
   std::optional<double> friction;      ///< mu during this stage only (e.g. 0 to densify)
-  double drag = 0;                     ///< 1/s, during this stage only
+  double drag = 0;                     ///< 1/s, during this stage only, on top of the integration's
+  double critical_drag = 0;            ///< drag as a multiple of Engine::critical_drag; added to `drag`
+  Masses masses = Masses::own;
+  double inertial_number = default_inertial_number;
   bool glue = false;                   ///< adhesion acts from this stage on
   std::int64_t frames = 1;             ///< states stored for stages with a duration; increments store one each
   bool operator==(const Stage&) const = default;

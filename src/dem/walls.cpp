@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace arenite::dem {
 
@@ -11,8 +12,6 @@ namespace {
 bool is_steady(const WallDrives& drives) {
   return std::any_of(drives.begin(), drives.end(), [](const auto& d) { return d.kind == WallDrive::Kind::velocity; });
 }
-
-constexpr double yielding_inertial_number = 0.01;
 
 }  // namespace
 
@@ -30,6 +29,11 @@ void tune_servo(Sample& s) {
     s.wall[side].sample_mass = mass;
     s.wall[side].impedance = std::sqrt(mass * stiffness * (side < bottom ? 1.0 / aspect : aspect));
   }
+}
+
+double critical_drag(const Sample& s) {
+  const WallBody& slower = s.wall[left].impedance < s.wall[bottom].impedance ? s.wall[left] : s.wall[bottom];
+  return std::numbers::pi * slower.impedance / slower.sample_mass;
 }
 
 void apply_drives(Sample& s, const WallDrives& drives) {
@@ -54,7 +58,7 @@ double servo_damping(const Sample& s, std::size_t side) {
   const double carried = std::max(s.domain.wall[side].force, 0.0);
   const double share = carried >= body.drive.value ? 1.0 : carried / body.drive.value;
   const double length = side < bottom ? s.domain.width() : s.domain.height();
-  const double yielding = std::sqrt(std::max(body.drive.value, 0.0) * body.sample_mass / length) / yielding_inertial_number;
+  const double yielding = std::sqrt(std::max(body.drive.value, 0.0) * body.sample_mass / length) / s.inertial_number;
   return std::min(body.impedance, yielding) * share;
 }
 

@@ -92,7 +92,16 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
             {1, 1'000'000});
   v.number({"friction", "Coefficient mu during this stage only, for example 0 to densify."}, stage.friction, "",
            range::not_negative);
-  v.number({"drag", "Viscous drag during this stage, as a rate: the force on a grain is -drag m v."}, stage.drag, "1/s", range::not_negative);
+  v.number({"drag", "Viscous drag during this stage, as a rate: the force on a grain is -drag m v, v relative to the homogeneous motion between the sides."},
+           stage.drag, "1/s", range::not_negative);
+  v.number({"critical_drag", "More drag, as a share of the rate that damps the slowest wave of a crystal of this size critically. About 0.2 brings a jammed packing of any size to rest soonest; it hinders rearrangement, so compact without it first."},
+           stage.critical_drag, "", range::not_negative);
+  v.choice({"masses", "Masses that the grains move with in this stage. States of rest do not depend on them."}, stage.masses,
+           {{"own", "their own"},
+            {"even", "such that k/m of all grains is that of the fastest: a sample of unlike sizes compacts in far fewer steps; not with gravity"}});
+  v.require(!stage.gravity || stage.masses == dem::Masses::own, {"masses", "gravity"}, "grains weigh by their own masses; leave gravity or masses out");
+  v.number({"inertial_number", "How fast the sample yields to a side under force or pressure, as a share of sqrt(force times width over mass): larger compacts faster and overshoots more; 1 suits a compaction at P/k of 1e-3 or less."},
+           stage.inertial_number, "", range::positive);
   v.flag({"glue", "Adhesion acts from this stage on."}, stage.glue);
   v.require(!stage.glue || recipe.contact.adhesion != dem::Adhesion::none, {"glue"},
             "there is nothing to glue with; set contact.adhesion and contact.surface_energy");

@@ -62,6 +62,40 @@ TEST(Stiffness, DampingFollowsFromTheRestitutionOfEachPair) {
   }
 }
 
+TEST(Stiffness, FrictionOfAWallTurnsADiskByTheArmToThePlane) {
+  // Whatever the friction force f: m dv = f dt and I d omega = -arm f dt (right wall: t points down).
+  const double r = 8.2e-3, deep = 0.1 * r;
+  for (const bool full : {false, true}) {
+    Packing p = box(1, 1);
+    add(p, {{1 - r + deep, 0.5}, r, pom, {0, 0.3}});
+    dem::ContactParameters law;
+    law.arms = full ? dem::Arms::full_radius : dem::Arms::contact_point;
+    const double dt = contact_time(mass(p, 0), k_pom) / 1e5;
+    Engine engine(p, law, with_step(dt));
+    engine.advance(10);
+    const Packing now = engine.packing();
+    const double slowed = mass(p, 0) * (now.grains.vy[0] - 0.3), turned = disk_inertia(p, 0) * now.grains.omega[0];
+    ASSERT_LT(slowed, 0);
+    EXPECT_NEAR(std::abs(turned / slowed), full ? r : r - deep, 1e-5 * r);
+  }
+}
+
+TEST(Stiffness, ADiskRollsOnAWallAboutThePointOnThePlane) {
+  const double r = 8.2e-3, deep = 0.1 * r, spin = 20;
+  for (const bool full : {false, true}) {
+    const double arm = full ? r : r - deep;
+    const auto force = [&](double speed) {
+      Packing p = box(1, 1);
+      add(p, {{1 - r + deep, 0.5}, r, pom, {0, speed}, spin});
+      dem::ContactParameters law;
+      law.arms = full ? dem::Arms::full_radius : dem::Arms::contact_point;
+      law.friction = 100;  // far from the cap
+      return std::abs(Engine(p, law, with_step(1e-8)).packing().contacts.ft.at(0));
+    };
+    EXPECT_LT(force(-spin * arm), 1e-9 * force(-spin * (arm - 0.01 * r)));
+  }
+}
+
 TEST(Stiffness, ContactPointHalvesTheOverlapAndLiesOnTheWall) {
   Packing p = box(1, 1);
   add(p, {{8.2e-3 - h, 0.5}, 8.2e-3});

@@ -52,6 +52,9 @@ Stage any_stage(int index, bool has_adhesion) {
   stage.frames = *rc::gen::inRange(1, 100);
   stage.friction = maybe(any_number(0.1));
   stage.drag = any_number(1);
+  stage.critical_drag = any_number(1);
+  stage.masses = stage.gravity ? dem::Masses::own : any_of<dem::Masses>(2);
+  stage.inertial_number = any_number(1e-2);
   stage.glue = has_adhesion && *rc::gen::arbitrary<bool>();
   if (stage.side[bottom].kind == SideDrive::Kind::force) stage.cycles = maybe(Cycles{"bottom", any_number(1), any_number(10), 3, 7});
   stage.rest = {any_number(1e-5), any_number(1e-7), maybe(any_number(1e-2)).value_or(-1), 1'000'000};
