@@ -7,14 +7,18 @@
 #include "commands.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "io/field_file.hpp"
 #include "io/sample.hpp"
+#include "io/sealed_file.hpp"
 #include "io/table.hpp"
+#include "stress/stress.hpp"
 #include "texture/texture.hpp"
 
 namespace arenite::app {
 namespace {
 
 struct MeasureArguments {
+  stress::StressOptions stress;
   std::string grains, contacts, format = "auto", length_unit, force_unit, box, origin, periodic, thickness, materials, doubled = "error";
   std::string grain_columns, contact_columns;
   texture::Options texture;
@@ -115,6 +119,24 @@ void add_reading(CLI::App& command, MeasureArguments& a) {
       ->check(CLI::IsMember({"error", "merge"}))->type_name("WAY");
 }
 
+/// The stresses of a stored field, measured anew.
+void measure_field(const MeasureArguments& a) {
+  const FieldResult field = io::read_field(a.grains);
+  if (field.field.size() == 0) throw InputError(a.grains, 0, "is a sample without load: it has no stresses; give the file of a load");
+  stress::StressOptions options = a.stress;
+  options.components = {stress::Component::yy, stress::Component::xx, stress::Component::xy, stress::Component::hydrostatic};
+  const auto statistics = stress::measure(field.map, field.field, options);
+  std::fputs((a.json ? stress::to_json(statistics, a.curves) + "\n" : stress::to_text(statistics)).c_str(), stdout);
+}
+
+void add_field_statistics(CLI::App& command, MeasureArguments& a) {
+  command.add_option("--clamp-rows", a.stress.clamp_rows, "Of a field: rows left out at the lower and the upper edge; default 4")
+      ->check(CLI::Range(0, 1 << 20).description(""))->type_name("N");
+  command.add_flag("--leave-out-surface", a.stress.leave_out_surface, "Of a field: without nodes that border another phase or grain");
+  command.add_flag("--leave-out-unloaded", a.stress.leave_out_unloaded, "Of a field: without nodes that carry no stress at all");
+  command.add_flag("--mean-over-area", a.stress.mean_over_area, "Of a field: the sample's mean counts the void as zero stress");
+}
+
 void add_statistics(CLI::App& command, MeasureArguments& a) {
   command.add_option("--border", a.texture.border, "Strip left out along walls, in mean diameters; default 2.5")->check(CLI::Range(0.0, 1000.0).description(""))->type_name("NUMBER");
   command.add_option("--load-axis", a.load_axis_deg, "Direction of the load for signed anisotropies, degrees from x; default: greatest compression")
@@ -128,14 +150,19 @@ void add_statistics(CLI::App& command, MeasureArguments& a) {
 
 void add_measure(CLI::App& command, int&) {
   const auto a = std::make_shared<MeasureArguments>();
-  command.add_option("grains", a->grains, "Grains: table id,x,y,radius[,material], LAMMPS dump, YADE text, MercuryDPM .data")->required()->type_name("GRAINS");
+  command.add_option("grains", a->grains, "Grains: table id,x,y,radius[,material], LAMMPS dump, YADE text, MercuryDPM .data; or the file of a load (.h5) for its stresses")->required()->type_name("GRAINS");
   command.add_option("contacts", a->contacts, "Contacts: table i,j,fn,ft[,nx,ny] (force on j is fn n + ft t, n from i to j), LAMMPS local dump, "
-                                              "YADE interactions, MercuryDPM .fstat")->required()->type_name("CONTACTS");
+                                              "YADE interactions, MercuryDPM .fstat; none for a field")->type_name("CONTACTS");
   add_statistics(command, *a);
   add_frame(command, *a);
   add_units(command, *a);
   add_reading(command, *a);
-  command.callback([a] { measure(*a); });
+  add_field_statistics(command, *a);
+  command.callback([a] {
+    if (io::sealed_kind(a->grains) == "field") return measure_field(*a);
+    if (a->contacts.empty()) throw CLI::RequiredError("contacts");
+    measure(*a);
+  });
 }
 
 }  // namespace arenite::app

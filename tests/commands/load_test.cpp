@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/program.hpp"
+
+namespace {
+using namespace arenite;
+using test::arenite;
+using test::TemporaryFolder;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+/// A picture made by an expression of Python over x and y (y down), read back as PNG by anybody.
+std::string picture(const fs::path& file, int width, int height, const std::string& value) {
+  const auto made = test::shell("/usr/bin/python3 -c \"import h5py, numpy as np; y, x = np.mgrid[0:" + std::to_string(height) + ", 0:" + std::to_string(width) +
+                                "]; h5py.File('" + file.string() + "', 'w')['map'] = np.where(" + value + ").astype(np.uint8)\"");
+  EXPECT_EQ(made.status, 0) << made.err;
+  return file.string();
+}
+
+std::string layers(const fs::path& file) { return picture(file, 60, 60, "(x // 10) % 2 == 0, 1, 2"); }
+
+TEST(Load, LayersInParallelHaveTheMeanModulus) {
+  const TemporaryFolder folder;
+  const std::string map = layers(folder / "map.h5");
+  const auto loaded = arenite("load " + map + " --phases 1=particle,2=matrix --stiffness 'matrix=1 GPa,particle=4 GPa,interface=1 GPa' --json");
+  ASSERT_EQ(loaded.status, 0) << loaded.err;
+  const Json j = Json::parse(loaded.out);
+  EXPECT_NEAR(j["modulus_Pa"].get<double>(), 2.5e9, 0.25e9);
+  EXPECT_EQ(j["grains"]["all"], 3);
+  EXPECT_EQ(j["load"]["ending"], "solved");
+  const auto across = arenite("load " + map + " --phases 1=particle,2=matrix --axis x --json");
+  ASSERT_EQ(across.status, 0) << across.err;
+  EXPECT_LT(Json::parse(across.out)["modulus_Pa"].get<double>(), 0.9 * j["modulus_Pa"].get<double>());
+}
+
+TEST(Load, StoresFieldAndPageAndMeasuresThemAgain) {
+  const TemporaryFolder folder;
+  const auto loaded = arenite("load " + layers(folder / "map.h5") + " --phases 1=particle,2=matrix --moduli --out " + (folder / "out").string());
+  ASSERT_EQ(loaded.status, 0) << loaded.err;
+  EXPECT_NE(loaded.out.find("apparent modulus"), std::string::npos);
+  EXPECT_TRUE(fs::exists(folder / "out/report.html"));
+  const auto shown = arenite("show --json " + (folder / "out").string());
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  EXPECT_EQ(Json::parse(shown.out)["provenance"]["options"]["map"], "map.h5");
+  fs::path file;
+  for (const auto& entry : fs::directory_iterator(folder / "out"))
+    if (entry.path().extension() == ".h5") file = entry.path();
+  const auto measured = arenite("measure " + file.string() + " --json --clamp-rows 10 --leave-out-surface");
+  ASSERT_EQ(measured.status, 0) << measured.err;
+  EXPECT_EQ(Json::parse(measured.out)["options"]["clamp_rows"], 10);
+  EXPECT_EQ(arenite("load " + file.string() + " --loading shear").status, 0);
+}
+
+TEST(Load, SeveredAndEmptySamplesEndWithStatus3AndAName) {
+  const TemporaryFolder folder;
+  const auto cut = arenite("load " + picture(folder / "cut.h5", 40, 60, "(y > 25) & (y < 35), 0, 1") + " --phases 0=void,1=particle --json");
+  EXPECT_EQ(cut.status, 3) << cut.err;
+  const Json j = Json::parse(cut.out);
+  EXPECT_EQ(j["load"]["ending"], "severed");
+  EXPECT_FALSE(j.contains("modulus_Pa"));
+  EXPECT_EQ(cut.out.find("nan"), std::string::npos);
+}
+
+TEST(Load, SlipsAreOneSentenceEach) {
+  const TemporaryFolder folder;
+  const std::string map = layers(folder / "map.h5"), thin = picture(folder / "thin.h5", 4, 4, "x < 2, 1, 2");
+  const std::string of_one = picture(folder / "one.h5", 40, 40, "x < 90, 0, 1");
+  for (const auto& [arguments, words] : std::vector<std::pair<std::string, std::string>>{
+           {map, "1"},
+           {map + " --phases 1=particle", "2"},
+           {map + " --phases 1=particle,2=glue", "glue"},
+           {of_one + " --phases 0=void", "one"},
+           {thin + " --phases 1=particle,2=matrix", "7"},
+           {map + " --phases 1=particle,2=matrix --stiffness 'matrix=-1 GPa'", "above 0"},
+           {map + " --phases 1=particle,2=matrix --stiffness 'matrix=1 kN'", "a pressure"},
+           {map + " --phases 1=particle,2=matrix --stiffness soft", "not of the form"},
+           {map + " --phases 1=particle,2=matrix --failure", "--dx"},
+           {map + " --phases 1=particle,2=matrix --loading shear --lower sliding", "carries no shear"},
+           {map + " --phases 1=particle,2=matrix --strain -1", "strain"},
+           {map + " --phases 1=particle,2=matrix --crop 50,50,20,20", "crop"},
+           {map + " --phases 1=particle,2=matrix --dx '0 um'", "above 0"},
+           {(folder / "none.png").string(), "none.png"}}) {
+    const auto refused = arenite("load " + arguments + " --out " + (folder / "out").string());
+    EXPECT_EQ(refused.status, 2) << arguments << refused.out;
+    EXPECT_NE(refused.err.find(words), std::string::npos) << arguments << "\n" << refused.err;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    EXPECT_FALSE(fs::exists(folder / "out")) << arguments;
+  }
+}
+
+}  // namespace
