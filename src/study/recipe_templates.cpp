@@ -14,6 +14,15 @@ Stage loading(std::string name, int side, double force, std::int64_t increments,
   return stage;
 }
 
+/// Pressed from all sides, with masses that make the steps few.
+Stage pressed(std::string name, double pressure) {
+  Stage stage;
+  stage.name = std::move(name);
+  stage.side.fill({SideDrive::Kind::pressure, pressure});
+  stage.masses = dem::Masses::even;
+  return stage;
+}
+
 /// Sample #8 of the thesis (T Tables 2.1, 2.2, 3.2): 100 N on the upper wall, then gravity and 50 kN on the lower one.
 Recipe composite() {
   Recipe recipe;
@@ -44,10 +53,12 @@ Recipe cemented() {
   recipe.contact.friction_law = dem::FrictionLaw::cundall_strack;
   recipe.contact.friction = 0.3;
   recipe.contact.restitution = 0.5;
-  Stage compact;
-  compact.name = "compact";
-  compact.side[right] = compact.side[top] = {SideDrive::Kind::pressure, 1e4};
-  recipe.stages = {compact};
+  recipe.stages = {pressed("compact", 1e4), pressed("rest", 1e4)};
+  recipe.stages[0].inertial_number = 0.1;
+  recipe.stages[0].rest.unbalanced = 0.01;
+  recipe.stages[0].rest.kinetic = 0.05;
+  recipe.stages[1].critical_drag = 0.2;
+  recipe.stages[1].rest.kinetic = 1e-5;
   recipe.cement.emplace();
   recipe.raster.emplace();
   Load tension;

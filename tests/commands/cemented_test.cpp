@@ -30,7 +30,7 @@ TEST(Cemented, ExampleGoesFromSamplingToStressesByPhase) {
   const TemporaryFolder folder;
   const auto ran = arenite(run(folder / "out"));
   ASSERT_EQ(ran.status, 0) << ran.err;
-  for (const char* stage : {"packing", "compact", "cement", "tension"}) EXPECT_FALSE(file_of(folder / "out", stage).empty()) << stage;
+  for (const char* stage : {"packing", "compact", "rest", "cement", "tension"}) EXPECT_FALSE(file_of(folder / "out", stage).empty()) << stage;
   EXPECT_TRUE(fs::exists(folder / "out/report.html"));
   const Json j = shown(folder / "out");
   EXPECT_EQ(j["map"]["width"], 160);
@@ -48,8 +48,8 @@ TEST(Cemented, ExampleGoesFromSamplingToStressesByPhase) {
   // Strain 1e-4: the mean stress over the whole area is the modulus times it.
   EXPECT_NEAR(j["stress"]["sigma_yy"]["mean_over_area_Pa"]["value"].get<double>(), 1e-4 * j["modulus_Pa"].get<double>(),
               0.1 * 1e-4 * j["modulus_Pa"].get<double>());
-  ASSERT_EQ(j["stages"].size(), 4u);
-  EXPECT_EQ(j["stages"][2]["name"], "cement");
+  ASSERT_EQ(j["stages"].size(), 5u);
+  EXPECT_EQ(j["stages"][3]["name"], "cement");
   EXPECT_TRUE(j.contains("texture"));
   const auto text = arenite("show " + (folder / "out").string());
   ASSERT_EQ(text.status, 0) << text.err;
@@ -75,7 +75,7 @@ TEST(Cemented, StoredStagesAreReusedAndDamagedOnesMadeAgainWithTheSameBytes) {
   EXPECT_EQ(j["load"]["strain"], 2e-4);
 }
 
-TEST(Cemented, ASeveredSampleIsNamedWithStatus3) {
+TEST(Cemented, APackingThatDoesNotComeToRestIsNotCemented) {
   const TemporaryFolder folder;
   const auto ran = arenite(run(folder / "out", "--set cement.kind=none --set stages.0.rest.max_steps=1 --set raster.nodes=400"));
   // One step of compaction cannot come to rest: the packing is as loose as it was sampled, and the run ends there.
