@@ -54,7 +54,7 @@ Snapshot take(const Sample& s) {
   Snapshot shot;
   shot.disk.resize(s.count);
   const bool is_gear = s.integration.integrator == IntegratorKind::gear5;
-  const AffineMotion mx = carrier_x(s.domain), my = carrier_y(s.domain);
+  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
   for (std::size_t k = 0; k < s.count; ++k) {
     const DiskRecord& d = s.record[k];
     const Motion v = is_gear ? motion_of(s, k) : Motion{s.vx[k], s.vy[k], s.omega[k]};

@@ -22,7 +22,7 @@ struct Body {
 Body acceleration_of(const Sample& s, std::size_t k) {
   const Load load = contact_load(s.list, k);
   const DiskRecord& d = s.record[k];
-  const AffineMotion mx = carrier_x(s.domain), my = carrier_y(s.domain);
+  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
   return {load.fx / d.mass + s.gravity.x - s.drag * (d.vx - mx.at(d.x)),
           load.fy / d.mass + s.gravity.y - s.drag * (d.vy - my.at(d.y)),
           s.integration.rotations ? load.torque / inertia(d) : 0.0};

@@ -125,10 +125,6 @@ inline std::uint64_t slot_key(const Sample& s, std::size_t slot) {
 AffineMotion affine_x(const Domain& domain);
 AffineMotion affine_y(const Domain& domain);
 
-/// Homogeneous motion between the walls, or of the periodic cell, along x and y; where two walls are absent, none.
-AffineMotion carrier_x(const Domain& domain);
-AffineMotion carrier_y(const Domain& domain);
-
 /// Where the periodic cell is; maps a place that moves with the cell from an earlier frame. The identity where nothing
 /// is periodic.
 struct CellFrame {

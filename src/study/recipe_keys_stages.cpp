@@ -92,8 +92,7 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
             {1, 1'000'000});
   v.number({"friction", "Coefficient mu during this stage only, for example 0 to densify."}, stage.friction, "",
            range::not_negative);
-  v.number({"drag", "Viscous drag during this stage, as a rate: the force on a grain is -drag m v, v relative to the homogeneous motion between the sides."},
-           stage.drag, "1/s", range::not_negative);
+  v.number({"drag", "Viscous drag during this stage, as a rate: the force on a grain is -drag m v."}, stage.drag, "1/s", range::not_negative);
   v.number({"critical_drag", "More drag, as a share of the rate that damps the slowest wave of a crystal of this size critically. About 0.2 brings a jammed packing of any size to rest soonest; it hinders rearrangement, so compact without it first."},
            stage.critical_drag, "", range::not_negative);
   v.choice({"masses", "Masses that the grains move with in this stage. States of rest do not depend on them."}, stage.masses,

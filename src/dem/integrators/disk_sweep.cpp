@@ -30,8 +30,6 @@ DiskSweep::DiskSweep(Sample& s)
   for (std::size_t n = 0; n < s.higher.size(); ++n) task.higher[n] = s.higher[n].data();
   task.x.gravity = s.gravity.x;
   task.y.gravity = s.gravity.y;
-  task.x.carrier = carrier_x(s.domain);
-  task.y.carrier = carrier_y(s.domain);
   task.x.before = affine_x(s.domain);
   task.y.before = affine_y(s.domain);
 }

@@ -126,7 +126,7 @@ class Start {
 
   std::vector<double> accelerations() const {
     std::vector<double> a;
-    const AffineMotion mx = carrier_x(s.domain), my = carrier_y(s.domain);
+    const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
     for (std::size_t k = 0; k < s.count; ++k) {
       const Load load = contact_load(s.list, k);
       const DiskRecord& d = s.record[k];

@@ -44,7 +44,6 @@ struct Stretch {
 struct SweepAxis {
   double gravity = 0;           ///< m/s^2
   AffineMotion before, after;   ///< of the cell, at the start and the end of the step
-  AffineMotion carrier;         ///< what drag holds on to, at the start of the step
   Stretch moved, listed;        ///< the cell's change in the step, and since the list was built
   double growth = 0;            ///< of the cell in the step, relative
 };

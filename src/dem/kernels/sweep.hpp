@@ -49,8 +49,8 @@ struct MotionPack {
     gather<W>([=](int n) { return &d[n].omega; }, omega, radius);
     gather<W>([=](int n) { return &d[n].mass; }, mass, spare);
     const V inverse = V(1.0) / mass;
-    ax = load.fx * inverse + V(t.x.gravity) - V(t.drag) * (vx - t.x.carrier.at(x));
-    ay = load.fy * inverse + V(t.y.gravity) - V(t.drag) * (vy - t.y.carrier.at(y));
+    ax = load.fx * inverse + V(t.x.gravity) - V(t.drag) * (vx - t.x.before.at(x));
+    ay = load.fy * inverse + V(t.y.gravity) - V(t.drag) * (vy - t.y.before.at(y));
     alpha = V(t.turning) * load.torque / (V(0.5) * mass * radius * radius);
   }
 };

@@ -148,23 +148,5 @@ TEST(CriticalDrag, IsPiOverThePassageOfAWave) {
   EXPECT_NEAR(engine.packing().grains.vx[0], std::exp(-rate * engine.time()), 1e-6);
 }
 
-TEST(Drag, HoldsOnToTheHomogeneousMotionBetweenTheSides) {
-  Packing p = empty_frame(2, 2);
-  add_grain(p, 0.5, 1.5, 0.005);
-  add_grain(p, 1.5, 1.2, 0.005);
-  IntegrationParameters integration;
-  integration.drag = 1e4;
-  Engine engine(p, springy(0.5), integration);
-  using Kind = WallDrive::Kind;
-  engine.set_drives({{{Kind::velocity, 1.0}, {Kind::velocity, -3.0}, {}, {Kind::velocity, -2.0}}});
-  while (engine.time() < 0.01) engine.advance(10);
-  const Packing now = engine.packing();
-  const auto& wall = now.domain.wall;
-  for (std::size_t k = 0; k < 2; ++k) {
-    EXPECT_NEAR(now.grains.vx[k], 1 - 4 * (now.grains.x[k] - wall[left].position) / now.domain.width(), 1e-3);
-    EXPECT_NEAR(now.grains.vy[k], -2 * now.grains.y[k] / now.domain.height(), 1e-3);
-  }
-}
-
 }  // namespace
 }  // namespace arenite::dem
