@@ -54,7 +54,7 @@ void require_usable_sides(Visitor& v, const Stage& stage, const FrameParameters&
   const bool moves = std::any_of(stage.side.begin(), stage.side.end(), [](const SideDrive& drive) { return drive.kind == Kind::velocity; });
   v.require(!moves || stage.duration, {"duration", "left", "right", "bottom", "top"},
             "a stage with a moving side never comes to rest; give it a duration, for example duration = \"1 s\"");
-  if (!stage.cycles) return;
+  if (!stage.cycles || stage.cycles->side.empty()) return;  // empty: no section at all, which the reader reports
   const auto side = std::find(side_names.begin(), side_names.end(), stage.cycles->side) - side_names.begin();
   v.require(stage.side[static_cast<std::size_t>(side)].kind == Kind::force, {"cycles", side_names[static_cast<std::size_t>(side)]},
             fmt::format("cycles need a side under force; write {} = {{ force = \"...\" }} in this stage", stage.cycles->side));

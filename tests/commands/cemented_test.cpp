@@ -77,7 +77,7 @@ TEST(Cemented, StoredStagesAreReusedAndDamagedOnesMadeAgainWithTheSameBytes) {
 
 TEST(Cemented, APackingThatDoesNotComeToRestIsNotCemented) {
   const TemporaryFolder folder;
-  const auto ran = arenite(run(folder / "out", "--set cement.kind=none --set stages.0.rest.max_steps=1 --set raster.nodes=400"));
+  const auto ran = arenite(run(folder / "out", "--set stages.0.rest.max_steps=1 --set raster.nodes=400"));
   // One step of compaction cannot come to rest: the packing is as loose as it was sampled, and the run ends there.
   EXPECT_EQ(ran.status, 3) << ran.err;
   EXPECT_TRUE(file_of(folder / "out", "cement").empty());
@@ -137,7 +137,7 @@ TEST(Cemented, ThesisSampleInThreeLoadings) {
 TEST(Cemented, SlipsAreOneSentenceEachAndLeaveNothing) {
   const TemporaryFolder folder;
   for (const auto& [slip, words] : std::vector<std::pair<std::string, std::string>>{
-           {"--set bidisperse.volume_ratio=90", "can be reached"},
+           {"--set bidisperse.volume_ratio=90", "out of reach"},
            {"--set bidisperse.size_ratio=0.5", "out of range"},
            {"--set 'raster.crop=\"80 mm\"'", "sample"},
            {"--set 'loads.0.stiffness.matrix=\"-1 GPa\"'", "above 0"},

@@ -132,7 +132,7 @@ TEST(Man, PageHasEveryCommandOfTheOverview) {
   const auto page = arenite("man");
   EXPECT_EQ(page.status, 0);
   EXPECT_TRUE(contains(page.out, ".TH ARENITE 1"));
-  for (const char* command : {"check RECIPE.toml", "init TEMPLATE", "doctor", "completion SHELL"}) {
+  for (const char* command : {"check RECIPE.toml", "init [TEMPLATE]", "doctor", "completion SHELL"}) {
     EXPECT_TRUE(contains(page.out, std::string(".SS arenite ") + command)) << command;
   }
 }

@@ -123,7 +123,7 @@ TEST(RunThatCannotStart, IsOneLineWithItsPlaceAndLeavesNoFolder) {
 }
 
 TEST(CommandLine, ThatCannotBeReadIsOneLine) {
-  for (const char* line : {"run", "run x.toml --threads 0", "run x.toml --thread 2", "export x --to xls", "init"}) {
+  for (const char* line : {"run", "run x.toml --threads 0", "run x.toml --thread 2", "export x --to xls", "init granite"}) {
     const auto refused = arenite(line);
     EXPECT_EQ(refused.status, 2) << line;
     EXPECT_TRUE(refused.err.starts_with("arenite ") && contains(refused.err, " --help`")) << refused.err;
