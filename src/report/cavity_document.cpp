@@ -10,7 +10,7 @@ namespace arenite::report {
 namespace {
 
 /// Mean radius of the large grains, or of all without classes, m; 0 where there are no grains.
-double large_radius(const PhaseMap& map) {
+double mean_large_radius(const PhaseMap& map) {
   std::vector<double> nodes(map.grain_class.size());
   for (const auto g : map.grain)
     if (g >= 0) ++nodes[static_cast<std::size_t>(g)];
@@ -31,8 +31,16 @@ Json statistics_of(const raster::CavityStatistics& s) {
           {"edge", s.density.edge}, {"density", s.density.density}, {"error", s.density.error}};
 }
 
-Json kind_of(const PhaseMap& map, raster::Cavity kind, double radius, const Thinning& kept, NumberBlock& block) {
-  const raster::Cavities cavities = raster::find_cavities(map, kind);
+raster::CavityRules rules_of(const Json& said) {
+  raster::CavityRules rules;
+  rules.eight_connected = said.value("neighbours", 4) == 8;
+  rules.fewest_nodes = said.value("fewest_nodes", rules.fewest_nodes);
+  rules.leave_out_border = said.value("leave_out_border", rules.leave_out_border);
+  return rules;
+}
+
+Json kind_of(const PhaseMap& map, raster::Cavity kind, const raster::CavityRules& rules, double radius, const Thinning& kept, NumberBlock& block) {
+  const raster::Cavities cavities = raster::find_cavities(map, kind, rules);
   std::vector<std::uint32_t> label(kept.node.size());
   for (std::size_t k = 0; k < label.size(); ++k) label[k] = static_cast<std::uint32_t>(cavities.label[kept.node[k]] + 1);
   Json out{{"label", reference(block.add_indices(label))}, {"nodes", reference(block.add_indices(unsigned_copy(cavities.nodes)))},
@@ -43,9 +51,12 @@ Json kind_of(const PhaseMap& map, raster::Cavity kind, double radius, const Thin
 
 }  // namespace
 
-Json cavities_of(const PhaseMap& map, const Thinning& kept, NumberBlock& block) {
-  const double radius = large_radius(map);
-  return {{"voids", kind_of(map, raster::Cavity::void_, radius, kept, block)}, {"pores", kind_of(map, raster::Cavity::pore, radius, kept, block)}};
+Json cavities_of(const PhaseMap& map, const Json& numbers, const Thinning& kept, NumberBlock& block) {
+  const Json said = numbers.value("cavity_rules", Json::object());
+  const raster::CavityRules rules = rules_of(said);
+  const double radius = said.contains("reference_radius_m") ? said["reference_radius_m"].get<double>() : mean_large_radius(map);
+  return {{"voids", kind_of(map, raster::Cavity::void_, rules, radius, kept, block)},
+          {"pores", kind_of(map, raster::Cavity::pore, rules, radius, kept, block)}};
 }
 
 }  // namespace arenite::report

@@ -19,7 +19,7 @@ bool same_map(const PhaseMap& a, const PhaseMap& b) {
          a.grain_class == b.grain_class;
 }
 
-Json map_of(const PhaseMap& map, const Thinning& kept, NumberBlock& block) {
+Json map_of(const PhaseMap& map, const Json& numbers, const Thinning& kept, NumberBlock& block) {
   std::vector<std::uint32_t> label(kept.node.size());
   for (std::size_t k = 0; k < label.size(); ++k) label[k] = static_cast<std::uint32_t>(map.grain[kept.node[k]] + 1);
   std::array<std::size_t, 3> nodes{};
@@ -29,7 +29,7 @@ Json map_of(const PhaseMap& map, const Thinning& kept, NumberBlock& block) {
           {"phase", reference(block.add_indices(unsigned_copy(kept.of(map.phase))))},
           {"label", reference(block.add_indices(label))},
           {"grain_class", reference(block.add_indices(unsigned_copy(map.grain_class)))},
-          {"cavities", cavities_of(map, kept, block)}};
+          {"cavities", cavities_of(map, numbers, kept, block)}};
 }
 
 /// One component on the page's nodes, with mean and extremes over all nodes of the map that are not void.
@@ -131,7 +131,7 @@ void add_fields(Json& document, const std::vector<FieldPageData>& fields, Number
     while (at < known.size() && !same_map(*known[at], map)) ++at;
     if (at == known.size()) {
       known.push_back(&map);
-      maps.push_back(map_of(map, kept, block));
+      maps.push_back(map_of(map, parsed(data.result->numbers_json), kept, block));
     }
     list.push_back(field_of(data, at, kept, block));
   }

@@ -124,7 +124,7 @@ std::string map_numbers(const PhaseMap& map, const raster::CavityRules& rules, d
   j["percolates"] = {{"solid_bottom_top", through.solid_bottom_top}, {"solid_left_right", through.solid_left_right},
                      {"void_bottom_top", through.void_bottom_top}, {"void_left_right", through.void_left_right}};
   j["cavity_rules"] = {{"neighbours", rules.eight_connected ? 8 : 4}, {"fewest_nodes", rules.fewest_nodes},
-                       {"leave_out_border", rules.leave_out_border}, {"volumes_over_pi_radius_m_squared", reference_radius}};
+                       {"leave_out_border", rules.leave_out_border}, {"reference_radius_m", reference_radius}};
   j["pores"] = volumes(map, raster::Cavity::pore, rules, reference_radius);
   j["voids"] = volumes(map, raster::Cavity::void_, rules, reference_radius);
   return j.dump();

@@ -52,9 +52,9 @@ Recipe cemented() {
   recipe.materials = {{"large", 2500, 1e6, 0}, {"small", 2500, 1e6, 0}};
   recipe.contact.friction_law = dem::FrictionLaw::cundall_strack;
   recipe.contact.friction = 0.3;
-  recipe.contact.restitution = 0.5;
+  recipe.contact.restitution = 0.7;
   recipe.stages = {pressed("compact", 1e4), pressed("rest", 1e4)};
-  recipe.stages[0].inertial_number = 0.1;
+  recipe.stages[0].inertial_number = 1;
   recipe.stages[0].rest.unbalanced = 0.01;
   recipe.stages[0].rest.kinetic = 0.05;
   recipe.stages[1].critical_drag = 0.2;

@@ -4,8 +4,12 @@ import { prefixOf, text } from "../text.js";
 const units = [["_MPa", "MPa"], ["_Pa", "Pa"], ["_m2", "m\u00b2"], ["_J_m", "J/m"], ["_N_m", "N/m"], ["_N", "N"], ["_m", "m"], ["_s", "s"], ["_deg", "\u00b0"], ["_percent", "%"], ["_MB", "MB"]];
 const hidden = new Set(["provenance", "stages", "notes", "curves", "pdf", "cumulative", "histogram", "recipe"]);
 
+/** Symbols whose index looks like a unit. */
+const symbols = /^(S_m|Z_[ls]{1,2})$/;
+
 /** Name and unit of a key of the numbers: "mean_Pa" is "mean" in Pa. */
 function named(key) {
+  if (symbols.test(key)) return { name: key.replace(/_(.*)/, "_{$1}"), unit: "" };
   const [ending, unit] = units.find(([end]) => key.endsWith(end)) ?? ["", ""];
   return { name: key.slice(0, key.length - ending.length).replaceAll("_", " "), unit };
 }
@@ -40,7 +44,7 @@ function list(title, group) {
 /** Groups that have their keys in common become the rows of one table. */
 function grid(title, groups) {
   const keys = [...new Set(groups.flatMap(([, group]) => leaves(group).map(([key]) => key)))];
-  return h("table", {}, h("caption", {}, title),
+  return h("table", { class: "wide" }, h("caption", {}, title),
     h("thead", {}, h("tr", {}, h("th"), keys.map((key) => h("th", {}, rich(named(key).name))))),
     h("tbody", {}, groups.map(([name, group]) => h("tr", {}, h("td", {}, name.replaceAll("_", " ")),
       keys.map((key) => h("td", {}, isLeaf(group[key]) ? written(group[key], named(key).unit) : ""))))));
@@ -67,11 +71,14 @@ function label(title, key) {
   return words[0].toUpperCase() + words.slice(1);
 }
 
+const isWide = (table) => table.classList.contains("wide");
+
 /** Every number of a result, as `arenite show --json` gives it, in tables. */
 export function resultNumbers(result) {
   const all = tables("Result", result.numbers ?? {}).filter(Boolean);
   if (all.length === 0) return null;
   const notes = result.numbers.notes ?? [];
   return h("section", { class: "card numbers" }, h("div", { class: "title" }, h("h3", {}, "Numbers")),
-    h("div", { class: "tables flowing" }, all), h("ul", { class: "notes" }, notes.map((note) => h("li", {}, note))));
+    all.filter(isWide).map((table) => h("div", { class: "scroller" }, table)),
+    h("div", { class: "tables flowing" }, all.filter((table) => !isWide(table))), h("ul", { class: "notes" }, notes.map((note) => h("li", {}, note))));
 }

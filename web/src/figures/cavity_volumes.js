@@ -11,7 +11,7 @@ function sets({ map }, theme) {
 
 export const cavityVolumes = {
   id: "cavities", title: "Single pores and voids",
-  caption: "Probability density of the volume of a single pore (not grain) and void (not grain, not matrix) over that of a mean large grain, with counting errors. Those cut by the edge and specks of the raster left out.",
+  caption: "Probability density of the volume of a single pore (not grain) and void (not grain, not matrix) over that of a large grain of nominal radius (reference radius in the table), with counting errors. Those cut by the edge and specks of the raster are left out as the table says.",
   when: (_, result) => kinds.some(([kind]) => result.map.cavities[kind]?.volumes?.density.filter((d) => d > 0).length > 2),
   key: ({ sample, theme }) => sets(sample, theme).map(({ name, colour, mean, cv }) => ({ name, colour, values: [["mean", { value: mean.value }], ["c.v.", { value: cv.value }]] })),
   draw({ sample, theme, width }) {
