@@ -61,10 +61,13 @@ struct Specimen {
   }
 };
 
+/// Iterations after which a static solve is given up: 50 for the six decades of the usual tolerance, more for more.
+int usual_cap(double tolerance) { return static_cast<int>(std::ceil(50 * std::max(1.0, std::log10(tolerance) / -6))); }
+
 StaticReport find_equilibrium(Specimen& s, Field<double>& u) {
   const LoadOptions& o = s.options;
   if (o.method == Method::static_solve) {
-    const int most = o.max_iterations > 0 ? o.max_iterations : 50;
+    const int most = o.max_iterations > 0 ? o.max_iterations : usual_cap(o.tolerance);
     StaticSolver solver(s.bonds, std::move(s.pieces), s.prescribed);
     return o.exact_stretch
                ? solve_exact_stretch(s.bonds, s.map.dx, s.prescribed, solver, u, o.tolerance, most, o.watch)

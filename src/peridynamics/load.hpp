@@ -25,7 +25,7 @@ struct LoadOptions {
   Method method = Method::static_solve;
   double strain = 1e-4;     ///< displacement of the top row over the distance of the two rows
   double tolerance = 1e-6;  ///< of the residual, relative to that of uniform strain
-  int max_iterations = 0;   ///< 0: 50 for the static solve, a million steps otherwise
+  int max_iterations = 0;   ///< 0: a million steps; for the static solve 50, more for tolerances below 1e-6
   /// P's stretch (|xi + eta| - |xi|)/|xi| along the turned bond; otherwise the linearised one.
   bool exact_stretch = false;
   /// Look for hinges in any case; otherwise only where the solve hints at one (a loose node, or many iterations).
