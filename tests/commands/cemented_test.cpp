@@ -139,7 +139,6 @@ TEST(Cemented, SlipsAreOneSentenceEachAndLeaveNothing) {
   for (const auto& [slip, words] : std::vector<std::pair<std::string, std::string>>{
            {"--set bidisperse.volume_ratio=90", "out of reach"},
            {"--set bidisperse.size_ratio=0.5", "out of range"},
-           {"--set 'raster.crop=\"80 mm\"'", "sample"},
            {"--set 'loads.0.stiffness.matrix=\"-1 GPa\"'", "above 0"},
            {"--set 'loads.0.stiffness.matrix=\"1 kN\"'", "a pressure"},
            {"--set loads.0.loading=twist", "unknown word"},
@@ -148,12 +147,33 @@ TEST(Cemented, SlipsAreOneSentenceEachAndLeaveNothing) {
            {"--set loads.0.failure=true --set loads.0.loading=shear", "tension only"},
            {"--set bidisperse.small=large", "a material of its own"},
            {"--set 'frame.width=\"3 mm\"'", "goes with"},
-           {"--set cement.kind=coating", "width"}}) {
+           {"--set cement.kind=coating", "cement.thickness: is missing"},
+           {"--set cement.kind=full --set cement.saturation=0.5", "goes with"}}) {
     const auto refused = arenite(run(folder / "none", slip));
     EXPECT_EQ(refused.status, 2) << slip;
     EXPECT_NE(refused.err.find(words), std::string::npos) << slip << "\n" << refused.err;
     EXPECT_TRUE(refused.out.empty());
+    EXPECT_FALSE(fs::exists(folder / "none")) << slip;
   }
+}
+
+TEST(Cemented, FullCementLeavesNoVoid) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(arenite(run(folder / "out", "--set cement.kind=full")).status, 0);
+  const Json j = shown(folder / "out");
+  EXPECT_EQ(j["phases"]["void"], 0);
+  EXPECT_EQ(j["S_m"], 1);
+  EXPECT_EQ(j["voids"]["count"], 0);
+  EXPECT_GT(j["modulus_Pa"].get<double>(), 1e9);
+  EXPECT_LT(j["modulus_Pa"].get<double>(), 4e9);
+}
+
+TEST(Cemented, ACropBeyondTheSampleIsRefusedWithItsSize) {
+  const TemporaryFolder folder;
+  const auto refused = arenite(run(folder / "out", "--set 'raster.crop=\"80 mm\"'"));
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  EXPECT_TRUE(file_of(folder / "out", "cement").empty());
 }
 
 TEST(Cemented, SaturationOutOfReachSaysWhatCanBeReached) {
@@ -161,6 +181,7 @@ TEST(Cemented, SaturationOutOfReachSaysWhatCanBeReached) {
   const auto refused = arenite(run(folder / "out", "--set cement.saturation=0.9999 --set 'cement.gap=\"0 mm\"'"));
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  EXPECT_NE(refused.err.find("saturation"), std::string::npos) << refused.err;
 }
 
 TEST(Init, TemplatesAreListedAndCemented) {
