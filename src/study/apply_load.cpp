@@ -79,6 +79,7 @@ std::optional<FieldResult> pull_apart(const Load& load, FieldResult result, cons
   options.lower = load.lower;
   options.tolerance = load.tolerance;
   options.max_strain = load.max_strain;
+  options.band = load.band;
   options.end_stress = load.end_stress;
   options.watch = watch;
   auto pulled = peridynamics::pull_to_failure(result.map, options);

@@ -99,6 +99,7 @@ struct Load {
   bool moduli = false;                 ///< load it along both axes and in shear, too
   bool failure = false;                ///< pull until it breaks
   double max_strain = 0.1, end_stress = 0.1;
+  double band = 0.05;                  ///< bonds within this share of the most overstretched break in one round
   StiffnessSection stiffness;
   ToughnessSection toughness;
   stress::StressOptions statistics;

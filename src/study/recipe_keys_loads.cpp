@@ -55,8 +55,7 @@ void declare(ParameterVisitor& v, Load& load, const Recipe& recipe) {
            {{"fixed", "nothing moves"}, {"sliding", "free along the row"}});
   v.require(load.loading != Loading::shear || load.lower == peridynamics::LowerEdge::fixed, {"lower", "loading"},
             "a lower edge that slides carries no shear; fix it, or choose tension or compression");
-  v.flag({"failure", "Pull until it breaks: bonds break at the critical stretch of their type, load by load."}, load.failure);
-  v.require(!load.failure || load.loading == Loading::tension, {"loading", "failure"}, "failure is found in tension only");
+  v.flag({"failure", "Load until it breaks: bonds break at the critical stretch of their type, load by load. In compression a sample splits and goes on carrying; max_strain ends it."}, load.failure);
   v.when(!load.failure, "failure = false", [&](Visitor& inner) {
     inner.number({"strain", "Displacement of the top row over the height."}, load.strain, "", range::above(0, 0.5));
     inner.choice({"method", "Way to the field at equilibrium."}, load.method,
@@ -73,6 +72,8 @@ void declare(ParameterVisitor& v, Load& load, const Recipe& recipe) {
   v.when(load.failure, "failure = true", [&](Visitor& inner) {
     inner.number({"max_strain", "The pull ends at this strain,"}, load.max_strain, "", range::above(0, 1));
     inner.number({"end_stress", "or when the stress has fallen to this share of the largest."}, load.end_stress, "", range::above(0, 1));
+    inner.number({"band", "Bonds within this share of the most overstretched break in one round: larger is faster and coarser."}, load.band, "",
+                 range::between(0, 1));
     inner.section({"toughness", "At which stretch bonds break."}, [&](Visitor& section) { declare(section, load.toughness); });
   });
   v.section({"stiffness", "Young's moduli of the bonds by type."}, [&](Visitor& inner) { declare(inner, load.stiffness); });

@@ -118,6 +118,20 @@ TEST(Cemented, FailureExampleBreaks) {
   EXPECT_TRUE(io::read_file(folder / "csv/failure_curve.csv").starts_with("strain,stress [Pa],work [J/m]"));
 }
 
+TEST(Cemented, BreaksInShearAndSplitsInCompression) {
+  const TemporaryFolder folder;
+  for (const char* loading : {"shear", "compression"}) {
+    const auto ran = arenite("run " ARENITE_SOURCE_DIR "/examples/08-failure/recipe.toml --quiet --set bidisperse.box_area=30 --set raster.nodes=48 "
+                             "--set 'raster.crop=\"5 mm\"' --set loads.0.band=0.2 --set loads.0.max_strain=4e-3 --set loads.0.loading=" +
+                             std::string(loading) + " --out " + (folder / loading).string());
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    const Json j = shown(folder / loading);
+    EXPECT_GT(j["strength_Pa"].get<double>(), 0) << loading;
+    EXPECT_GT(j["failure"]["broken"]["matrix"].get<int>() + j["failure"]["broken"]["interface"].get<int>(), 0) << loading;
+    EXPECT_LT(j["failure"]["energy_defect"].get<double>(), 1e-3) << loading;
+  }
+}
+
 TEST(Cemented, ThesisSampleInThreeLoadings) {
   const TemporaryFolder folder;
   const auto ran = arenite("run " ARENITE_SOURCE_DIR "/examples/09-cemented-thesis-sample/recipe.toml --quiet --set populations.0.count=40 "
@@ -144,7 +158,6 @@ TEST(Cemented, SlipsAreOneSentenceEachAndLeaveNothing) {
            {"--set loads.0.loading=twist", "unknown word"},
            {"--set loads.0.loading=shear --set loads.0.lower=sliding", "carries no shear"},
            {"--set loads.0.name=compact", "names must differ"},
-           {"--set loads.0.failure=true --set loads.0.loading=shear", "tension only"},
            {"--set bidisperse.small=large", "a material of its own"},
            {"--set 'frame.width=\"3 mm\"'", "goes with"},
            {"--set cement.kind=coating", "cement.thickness: is missing"},

@@ -94,6 +94,7 @@ Load any_load(int index) {
   if (load.failure) {
     load.max_strain = any_number(0.1);
     load.end_stress = any_number(0.1);
+    load.band = any_number(0.1);
     load.toughness = {any_number(1e5), maybe(any_number(1e5)), maybe(any_number(1e5))};
     return load;
   }
