@@ -116,6 +116,11 @@ std::string field_text(const std::string& numbers_json) {
   if (j.contains("stress"))
     for (const auto& [name, part] : j["stress"].items())
       if (name.starts_with("sigma_")) describe_component(lines, name, part);
+  if (j.contains("grain_stress_against_contacts")) {
+    lines.heading("Mean stresses of grains against those from contact forces");
+    for (const char* component : {"sigma_yy", "sigma_hyd"})
+      lines.add(fmt::format("correlation, {}", component), fmt::format("/grain_stress_against_contacts/{}/all/correlation", component));
+  }
   if (j.contains("notes"))
     for (const auto& note : j["notes"]) lines.raw("  " + note.get<std::string>());
   return std::move(lines).text();

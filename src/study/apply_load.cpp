@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "core/error.hpp"
@@ -7,6 +8,7 @@
 #include "study/cropped_packing.hpp"
 #include "study/field_numbers.hpp"
 #include "study/field_stages.hpp"
+#include "texture/texture.hpp"
 
 namespace arenite::study {
 namespace {
@@ -59,12 +61,26 @@ std::vector<Crack> cracks_of(const std::vector<peridynamics::BrokenBond>& broken
   return cracks;
 }
 
+/// Stresses of the grains of the map from the contact forces of the packing, in the order of the labels; empty without.
+std::vector<Tensor2> contact_stresses(const FieldResult& result) {
+  if (result.packing.contacts.size() == 0) return {};
+  texture::Options options;
+  options.rev_sizes = 0;
+  auto sigma = texture::measure(result.packing, options).per_grain.sigma;
+  sigma.resize(std::min(sigma.size(), result.map.grain_class.size()));
+  return sigma;
+}
+
 void measure_stress(const Load& load, FieldResult& result) {
   if (result.field.size() == 0) return;
   stress::StressOptions options = load.statistics;
   if (load.loading == peridynamics::Loading::shear) options.components = {stress::Component::xy};
   try {
-    result.numbers_json = with_stress(result.numbers_json, stress::to_json(stress::measure(result.map, result.field, options)));
+    const auto statistics = stress::measure(result.map, result.field, options);
+    result.numbers_json = with_stress(result.numbers_json, stress::to_json(statistics));
+    const auto contacts = contact_stresses(result);
+    if (contacts.size() == result.map.grain_class.size() && load.loading != peridynamics::Loading::shear)
+      result.numbers_json = with_agreement(result.numbers_json, stress::compare(result.map, statistics.grains, contacts));
   } catch (const InputError& error) {
     result.numbers_json = with_note(result.numbers_json, fmt::format("no statistics of stress: {}", error.what()));
   }

@@ -16,7 +16,8 @@ using Json = nlohmann::ordered_json;
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 Json estimate(const statistics::Estimate& e) {
-  Json j{{"value", number(e.value)}};
+  Json j = Json::object();
+  j["value"] = number(e.value);
   if (std::isfinite(e.error)) j["error"] = e.error;
   return j;
 }
@@ -206,6 +207,20 @@ std::string with_failure(const std::string& numbers, const Load& load, const per
 std::string with_stress(const std::string& numbers, const std::string& stress_json) {
   Json j = Json::parse(numbers);
   j["stress"] = Json::parse(stress_json);
+  return j.dump();
+}
+
+std::string with_agreement(const std::string& numbers, const stress::GrainComparison& comparison) {
+  Json j = Json::parse(numbers);
+  const auto add = [&](const char* component, const stress::ByName<stress::Agreement>& sets) {
+    for (const auto& [name, a] : sets) {
+      Json& one = j["grain_stress_against_contacts"][component][name];
+      one = {{"grains", a.grains}, {"correlation", estimate(a.correlation)}, {"slope", estimate(a.slope)}};
+      if (std::isfinite(a.rms)) one["rms"] = a.rms;
+    }
+  };
+  add("sigma_yy", comparison.yy);
+  add("sigma_hyd", comparison.hydrostatic);
   return j.dump();
 }
 

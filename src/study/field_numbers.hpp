@@ -8,6 +8,7 @@
 #include "peridynamics/moduli.hpp"
 #include "raster/cavities.hpp"
 #include "raster/raster.hpp"
+#include "stress/grains.hpp"
 #include "study/recipe.hpp"
 #include "texture/gap_coordination.hpp"
 
@@ -36,6 +37,8 @@ std::string with_failure(const std::string& numbers, const Load& load, const per
 
 /// JSON of stress::to_json added as "stress"; `note` instead where there is none.
 std::string with_stress(const std::string& numbers, const std::string& stress_json);
+/// How mean stresses of grains agree with those from the contact forces that pressed the packing.
+std::string with_agreement(const std::string& numbers, const stress::GrainComparison& comparison);
 std::string with_note(const std::string& numbers, const std::string& note);
 
 }  // namespace arenite::study

@@ -13,7 +13,7 @@ namespace {
 constexpr std::int64_t packing_version = 1;
 constexpr std::int64_t loading_version = 3;
 constexpr std::int64_t cement_version = 1;
-constexpr std::int64_t load_version = 1;
+constexpr std::int64_t load_version = 2;
 
 Recipe without_what_changes_no_bit(Recipe recipe) {
   recipe.title.clear();

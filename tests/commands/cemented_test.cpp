@@ -48,6 +48,9 @@ TEST(Cemented, ExampleGoesFromSamplingToStressesByPhase) {
   // Strain 1e-4: the mean stress over the whole area is the modulus times it.
   EXPECT_NEAR(j["stress"]["sigma_yy"]["mean_over_area_Pa"]["value"].get<double>(), 1e-4 * j["modulus_Pa"].get<double>(),
               0.1 * 1e-4 * j["modulus_Pa"].get<double>());
+  const double correlation = j["grain_stress_against_contacts"]["sigma_yy"]["all"]["correlation"]["value"];
+  EXPECT_GT(correlation, 0);
+  EXPECT_LE(correlation, 1);
   ASSERT_EQ(j["stages"].size(), 5u);
   EXPECT_EQ(j["stages"][3]["name"], "cement");
   EXPECT_TRUE(j.contains("texture"));
