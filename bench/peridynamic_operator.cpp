@@ -1,20 +1,14 @@
 #include <benchmark/benchmark.h>
 
-#include <ctime>
-
 #include "../tests/support/cemented_sample.hpp"
 #include "peridynamics/kernels/kernels.hpp"
+#include "process_use.hpp"
 
 namespace {
 
 using namespace arenite;
 using namespace arenite::peridynamics;
-
-double cpu_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
+using bench::cpu_seconds;
 
 /// Size ratio times 100 and bridge width times 100 as arguments; 1000 and more fills all pores.
 PhaseMap sample(const benchmark::State& state) {

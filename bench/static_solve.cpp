@@ -1,28 +1,17 @@
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
 
-#include <ctime>
 #include <map>
 
 #include "../tests/support/cemented_sample.hpp"
 #include "peridynamics/load.hpp"
+#include "process_use.hpp"
 
 namespace {
 
 using namespace arenite;
 using namespace arenite::peridynamics;
-
-double cpu_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-double peak_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
+using bench::cpu_seconds;
+using bench::peak_megabytes;
 
 /// Nodes a side, size ratio times 100, half-width of the bridges times 100 (1000 and more fills all pores).
 const PhaseMap& sample(const benchmark::State& state) {

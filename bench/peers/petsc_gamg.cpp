@@ -3,36 +3,25 @@
 //
 //   petsc_gamg NODES GAMMA BRIDGE     bridge: half-width over the radius, 10 and more fills all pores
 #include <petscksp.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <stdexcept>
 #include <vector>
 
 #include "../../tests/support/cemented_sample.hpp"
 #include "peridynamics/load.hpp"
+#include "../process_use.hpp"
 
 namespace {
 
 using namespace arenite;
 using namespace arenite::peridynamics;
-
-double cpu_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-double peak_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
+using bench::cpu_seconds;
+using bench::peak_megabytes;
 
 void must(PetscErrorCode code) {
   if (code) throw std::runtime_error("PETSc failed");

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "statistics/jackknife.hpp"
+#include "statistics/second_moments.hpp"
 
 namespace arenite::statistics {
 
@@ -24,18 +25,8 @@ std::vector<double> ranks(const std::vector<double>& values) {
 }
 
 double pearson(const std::vector<double>& x, const std::vector<double>& y) {
-  const double n = static_cast<double>(x.size());
-  double mx = 0, my = 0, xx = 0, xy = 0, yy = 0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    mx += x[k] / n;
-    my += y[k] / n;
-  }
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    xx += (x[k] - mx) * (x[k] - mx);
-    xy += (x[k] - mx) * (y[k] - my);
-    yy += (y[k] - my) * (y[k] - my);
-  }
-  return xx > 0 && yy > 0 ? xy / std::sqrt(xx * yy) : unknown;
+  const SecondMoments m = second_moments(x, y);
+  return m.xx > 0 && m.yy > 0 ? m.xy / std::sqrt(m.xx * m.yy) : unknown;
 }
 
 double spearman(const std::vector<double>& x, const std::vector<double>& y) { return pearson(ranks(x), ranks(y)); }

@@ -1,0 +1,22 @@
+#pragma once
+#include <sys/resource.h>
+
+#include <ctime>
+
+namespace arenite::bench {
+
+/// CPU time of the whole process so far, all threads, s.
+inline double cpu_seconds() {
+  timespec t;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// Most memory that the process has held, MB.
+inline double peak_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+}  // namespace arenite::bench
