@@ -1,0 +1,56 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace arenite {
+
+/// What the pixels of a film are.
+enum class FilmQuantity : std::uint8_t { digital_level, kelvin, unknown };
+
+/// What a film says about itself; a text is empty and a number 0 where it does not say.
+struct FilmInfo {
+  int width = 0, height = 0;        ///< pixels
+  std::int64_t frames = 0;
+  double frame_rate = 0;            ///< Hz
+  double integration = 0;           ///< s
+  int bits = 0;                     ///< significant bits of a digital level
+  bool floating = false;            ///< pixels are stored as float, not as 16-bit whole numbers
+  FilmQuantity quantity = FilmQuantity::unknown;
+  std::string format, camera, lens, filter;
+  double emissivity = 0, ambient = 0;        ///< -, K
+  double band_low = 0, band_high = 0;        ///< m
+  std::vector<double> time;         ///< s after the first frame, one a frame, where frames are stamped; else empty
+
+  std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+};
+
+/// Frames of a film in memory, one after the other, each row by row from the top left. One of the two arrays is
+/// filled: `level` where pixels are 16-bit whole numbers, `value` where they are floating.
+struct FrameBlock {
+  std::int64_t first = 0;           ///< number of the first frame, from 0
+  std::size_t frames = 0;
+  std::vector<std::uint16_t> level;
+  std::vector<float> value;
+};
+
+/// A film that is read part by part: its frames need never be in memory together.
+class FilmSource {
+ public:
+  virtual ~FilmSource() = default;
+  virtual const FilmInfo& info() const = 0;
+  /// Frames first .. first + count - 1 into `block`, whose memory is used again. Throws InputError for a damaged file.
+  virtual void read(std::int64_t first, std::size_t count, FrameBlock& block) = 0;
+};
+
+/// A film in memory: what a virtual camera draws, and what tests look at.
+struct Film : FilmSource {
+  FilmInfo about;
+  std::vector<std::uint16_t> level; ///< frames x height x width, or
+  std::vector<float> value;         ///< the same in floating numbers
+  const FilmInfo& info() const override { return about; }
+  void read(std::int64_t first, std::size_t count, FrameBlock& block) override;
+};
+
+}  // namespace arenite

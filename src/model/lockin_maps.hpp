@@ -1,0 +1,31 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+namespace arenite {
+
+/// How the size of a swing is told: half of it (the amplitude of its cosine) or all of it (from smallest to largest).
+enum class SwingConvention { half, full };
+
+/// What a lock-in finds in every pixel of a film, in the film's unit (digital level or K), rows from the top. A swing
+/// at the load frequency f is a_1 cos(2 pi f t - phase); `in_phase` is a_1 cos(phase - reference): signed, positive where
+/// the pixel warms when the load rises.
+struct LockinMaps {
+  int width = 0, height = 0;
+  double frequency = 0;             ///< refined, Hz
+  double frequency_error = 0;       ///< standard error, Hz
+  double reference_phase = 0;       ///< rad
+  std::size_t frames = 0;           ///< used
+  SwingConvention convention = SwingConvention::half;  ///< of every amplitude below
+  std::vector<float> mean;          ///< at the middle of the film
+  std::vector<float> drift;         ///< slope of the mean, unit/s
+  std::vector<float> amplitude, phase;  ///< -, rad
+  std::vector<float> in_phase, quadrature;
+  std::vector<float> standard_error;    ///< of in_phase, from the residual and the normal matrix
+  std::vector<float> second_harmonic;   ///< amplitude at 2 f
+  std::vector<float> residual;      ///< root mean square of what the fit leaves (noise, slip, plasticity)
+
+  std::size_t size() const { return mean.size(); }
+};
+
+}  // namespace arenite
