@@ -6,6 +6,7 @@ find_package(Eigen3 3.4 REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(PNG 1.6 REQUIRED)
 find_package(TIFF 4.5 REQUIRED)
+find_package(JPEG REQUIRED)
 find_package(HDF5 REQUIRED COMPONENTS C)
 find_library(XXHASH_LIBRARY xxhash REQUIRED)
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
@@ -15,4 +16,4 @@ add_library(arenite_dependencies INTERFACE)
 target_include_directories(arenite_dependencies SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})
 target_link_libraries(arenite_dependencies INTERFACE
   Threads::Threads fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11 Eigen3::Eigen
-  ZLIB::ZLIB PNG::PNG TIFF::TIFF ${HDF5_LIBRARIES} ${XXHASH_LIBRARY} ${CHOLMOD_LIBRARY} ${AMD_LIBRARY} ${CMAKE_DL_LIBS})
+  ZLIB::ZLIB PNG::PNG TIFF::TIFF JPEG::JPEG ${HDF5_LIBRARIES} ${XXHASH_LIBRARY} ${CHOLMOD_LIBRARY} ${AMD_LIBRARY} ${CMAKE_DL_LIBS})

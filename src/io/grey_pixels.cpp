@@ -24,12 +24,25 @@ std::int64_t sample(const std::uint8_t* samples, std::size_t i) {
                                x, row));
 }
 
+/// The value of a pixel of these colours.
+std::int64_t seen(const PixelLayout& layout, std::int64_t red, std::int64_t green, std::int64_t blue, int x, int row) {
+  if (red == green && green == blue) return red;
+  switch (layout.channel) {
+    case Channel::red: return red;
+    case Channel::green: return green;
+    case Channel::blue: return blue;
+    case Channel::mean: return (red + green + blue + 1) / 3;
+    case Channel::grey: return (299 * red + 587 * green + 114 * blue + 500) / 1000;
+    case Channel::none: break;
+  }
+  refuse_colour(layout, x, row);
+}
+
 std::int64_t shown(const PixelLayout& layout, std::int64_t index, int x, int row) {
   if (index >= static_cast<std::int64_t>(layout.palette.size()))
     throw InputError(layout.file, 0, fmt::format("is damaged: pixel {}, {} is not in its palette; copy it again", x, row));
   const auto& entry = layout.palette[static_cast<std::size_t>(index)];
-  if (entry[0] != entry[1] || entry[1] != entry[2]) refuse_colour(layout, x, row);
-  return entry[0];
+  return seen(layout, entry[0], entry[1], entry[2], x, row);
 }
 
 template <class T>
@@ -39,8 +52,7 @@ void take(const PixelLayout& layout, const std::uint8_t* samples, int row, std::
   for (int x = 0; x < layout.width; ++x) {
     const std::size_t first = static_cast<std::size_t>(x) * per_pixel;
     std::int64_t value = sample<T>(samples, first);
-    if (layout.colour && (sample<T>(samples, first + 1) != value || sample<T>(samples, first + 2) != value))
-      refuse_colour(layout, x, row);
+    if (layout.colour) value = seen(layout, value, sample<T>(samples, first + 1), sample<T>(samples, first + 2), x, row);
     if (layout.opacity && sample<T>(samples, first + per_pixel - 1) != most)
       throw InputError(layout.file, 0, fmt::format("is transparent at pixel {}, {}; save it without transparency", x, row));
     if (!layout.palette.empty()) value = shown(layout, value, x, row);

@@ -15,6 +15,7 @@ struct PixelLayout {
   int bits = 8;      ///< of a sample: 8, 16 or 32
   int samples = 1;   ///< of a pixel; the first is grey or an index of the palette, or the first three are a colour
   bool colour = false, opacity = false, inverted = false, is_signed = false;  ///< opacity: the last sample
+  Channel channel = Channel::none;  ///< what is taken of a colour; none: colour is refused
   std::vector<std::array<std::uint16_t, 3>> palette;  ///< empty: none
 
   std::size_t bytes_a_row() const {

@@ -2,9 +2,12 @@
 
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "core/error.hpp"
+#include "core/nearest.hpp"
 #include "io/hdf5_image.hpp"
+#include "io/jpeg_image.hpp"
 #include "io/png_image.hpp"
 #include "io/read_file.hpp"
 #include "io/tiff_image.hpp"
@@ -34,10 +37,28 @@ constexpr Format formats[] = {
        return b.starts_with("II*\0"sv) || b.starts_with("MM\0*"sv) || b.starts_with("II+\0"sv) || b.starts_with("MM\0+"sv);
      },
      read_tiff},
+    {"jpeg", [](std::string_view b) { return b.starts_with("\xff\xd8\xff"sv); }, read_jpeg},
     {"hdf5", is_hdf5, read_hdf5_image},
 };
 
+constexpr std::pair<const char*, Channel> channels[] = {{"red", Channel::red},   {"green", Channel::green}, {"blue", Channel::blue},
+                                                        {"mean", Channel::mean}, {"grey", Channel::grey}};
+
 }  // namespace
+
+std::vector<std::string> channel_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, channel] : channels) names.emplace_back(name);
+  return names;
+}
+
+Channel parse_channel(const std::string& name) {
+  for (const auto& [known, channel] : channels)
+    if (name == known) return channel;
+  const std::string near = nearest(name, channel_names());
+  throw InputError("there is no channel \"" + name + "\"" +
+                   (near.empty() ? "; choose red, green, blue, mean or grey" : "; did you mean \"" + near + "\"?"));
+}
 
 std::vector<std::string> image_formats() {
   std::vector<std::string> names;
@@ -49,9 +70,7 @@ Image decode_image(const std::string& bytes, const std::string& file, const Imag
   for (const Format& format : formats)
     if (format.is(bytes)) return format.read(bytes, file, choice);
   if (bytes.empty()) throw InputError(file, 0, "is empty; copy it again");
-  if (bytes.starts_with("\xff\xd8\xff"sv))
-    throw InputError(file, 0, "is a JPEG picture, which blurs values across edges; save the phases as PNG or TIFF");
-  throw InputError(file, 0, "is neither PNG, TIFF nor HDF5; save the picture as one of these");
+  throw InputError(file, 0, "is neither PNG, TIFF, JPEG nor HDF5; save the picture as one of these");
 }
 
 Image read_image(const std::filesystem::path& path, const ImageChoice& choice) {

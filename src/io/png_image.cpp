@@ -69,8 +69,9 @@ bool read_rows(Decoder& d, png_bytepp rows) {
   throw InputError(file, 0, std::string("is a PNG picture that is cut short or damaged (") + d.message + "); copy it again");
 }
 
-PixelLayout layout_of(const Decoder& d, const std::string& file) {
+PixelLayout layout_of(const Decoder& d, const std::string& file, Channel channel) {
   PixelLayout layout;
+  layout.channel = channel;
   const int type = png_get_color_type(d.png, d.info);
   layout.file = file;
   layout.width = static_cast<int>(png_get_image_width(d.png, d.info));
@@ -93,7 +94,7 @@ Image read_png(const std::string& bytes, const std::string& file, const ImageCho
   if (!read_header(d)) refuse(d, file);
   check_size(file, png_get_image_width(d.png, d.info), png_get_image_height(d.png, d.info), choice);
   chosen_slice(file, 1, choice);
-  const PixelLayout layout = layout_of(d, file);
+  const PixelLayout layout = layout_of(d, file, choice.channel);
   const std::size_t stride = std::max<std::size_t>(png_get_rowbytes(d.png, d.info), layout.bytes_a_row());
   std::vector<std::uint8_t> samples(stride * static_cast<std::size_t>(layout.height));
   std::vector<png_bytep> rows;

@@ -83,8 +83,9 @@ void take_palette(TIFF* tiff, int bits, PixelLayout& layout) {
   for (int i = 0; i < 1 << bits; ++i) layout.palette.push_back({to_byte(red[i]), to_byte(green[i]), to_byte(blue[i])});
 }
 
-PixelLayout layout_of(TIFF* tiff, const Source& source, int bits) {
+PixelLayout layout_of(TIFF* tiff, const Source& source, int bits, Channel channel) {
   PixelLayout layout;
+  layout.channel = channel;
   layout.file = source.file;
   layout.width = static_cast<int>(field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH));
   layout.height = static_cast<int>(field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH));
@@ -165,7 +166,7 @@ Band make_band(TIFF* tiff, const Source& source, const PixelLayout& layout, int 
 Image read_page(TIFF* tiff, const Source& source, const ImageChoice& choice) {
   check_size(source.file, field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH), field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH), choice);
   const int bits = field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE);
-  PixelLayout layout = layout_of(tiff, source, bits);
+  PixelLayout layout = layout_of(tiff, source, bits, choice.channel);
   Band band = make_band(tiff, source, layout, bits, choice);
   Image image{layout.width, layout.height, {}};
   image.value.resize(image.size());

@@ -18,6 +18,7 @@ io::PhaseMapOptions options_of(unsigned way) {
   io::PhaseMapOptions options;
   options.image.most_pixels = most_pixels;
   if ((way & 1) != 0) options.image.slice = way >> 4;
+  options.image.channel = static_cast<io::Channel>((way >> 4) % 6);
   if ((way & 2) != 0) options.phases = {{0, Phase::empty}, {85, Phase::particle}, {170, Phase::matrix}, {255, Phase::matrix}};
   if ((way & 4) != 0) options.crop = io::Crop{1, 0, 3, 2};
   return options;
@@ -41,7 +42,7 @@ void label_and_examine(io::ForeignMap& read) {
 }  // namespace
 
 /// Any bytes are a picture or an InputError, and any picture is a phase map or an InputError. The first byte chooses
-/// slice, table, crop and labels (the picture itself); the rest is the file.
+/// slice or channel, table, crop and labels (the picture itself); the rest is the file.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const io::PhaseMapOptions options = options_of(data[0]);

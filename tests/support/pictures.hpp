@@ -3,6 +3,11 @@
 #include <zlib.h>
 
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+#include <jpeglib.h>
+
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -53,6 +58,36 @@ inline std::string grey_png(std::uint32_t width, std::uint32_t height, const std
   std::vector<std::string> rows;
   for (std::size_t y = 0; y < height; ++y) rows.push_back(pixels.substr(y * width, width));
   return png(width, height, 8, grey, rows);
+}
+
+/// A JPEG file of best quality: 1 (grey), 3 (red, green, blue) or 4 (inks) samples a pixel.
+inline std::string jpeg(unsigned width, unsigned height, int samples, const std::string& pixels, bool progressive = false) {
+  jpeg_compress_struct to{};
+  jpeg_error_mgr errors{};
+  to.err = jpeg_std_error(&errors);
+  jpeg_create_compress(&to);
+  unsigned char* memory = nullptr;
+  unsigned long size = 0;
+  jpeg_mem_dest(&to, &memory, &size);
+  to.image_width = width;
+  to.image_height = height;
+  to.input_components = samples;
+  to.in_color_space = samples == 1 ? JCS_GRAYSCALE : samples == 3 ? JCS_RGB : JCS_CMYK;
+  jpeg_set_defaults(&to);
+  jpeg_set_quality(&to, 100, TRUE);
+  for (int c = 0; c < to.num_components; ++c) to.comp_info[c].h_samp_factor = to.comp_info[c].v_samp_factor = 1;
+  if (progressive) jpeg_simple_progression(&to);
+  jpeg_start_compress(&to, TRUE);
+  std::string copy = pixels;
+  while (to.next_scanline < height) {
+    auto* row = reinterpret_cast<JSAMPROW>(copy.data() + std::size_t{to.next_scanline} * width * static_cast<unsigned>(samples));
+    jpeg_write_scanlines(&to, &row, 1);
+  }
+  jpeg_finish_compress(&to);
+  const std::string bytes(reinterpret_cast<const char*>(memory), size);
+  jpeg_destroy_compress(&to);
+  std::free(memory);
+  return bytes;
 }
 
 struct TiffPage {

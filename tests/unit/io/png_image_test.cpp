@@ -41,6 +41,25 @@ TEST(PngImage, TakesColourThatIsGreyAndOpacityThatIsFull) {
   EXPECT_NE(refusal(png(2, 1, 8, grey_alpha, {"\7\xff\x9\xfe"})).find("transparent at pixel 1, 0"), std::string::npos);
 }
 
+TEST(PngImage, TakesTheChannelThatIsChosenOfAColour) {
+  const auto value = [](io::Channel channel, const std::string& bytes) { return decode(bytes, {.channel = channel}).value; };
+  const std::string pixels = png(2, 1, 8, colour, {std::string("\x0a\x14\x3f\x07\x07\x07", 6)});
+  EXPECT_EQ(value(io::Channel::red, pixels), (Values{10, 7}));
+  EXPECT_EQ(value(io::Channel::green, pixels), (Values{20, 7}));
+  EXPECT_EQ(value(io::Channel::blue, pixels), (Values{63, 7}));
+  EXPECT_EQ(value(io::Channel::mean, pixels), (Values{31, 7}));
+  EXPECT_EQ(value(io::Channel::grey, pixels), (Values{22, 7}));  // 2.99 + 11.74 + 7.182
+  EXPECT_EQ(value(io::Channel::green, png(1, 1, 8, palette, {std::string("\1", 1)}, std::string("\0\0\0\xff\x05\0", 6))), (Values{5}));
+  EXPECT_EQ(value(io::Channel::blue, grey_png(1, 1, "a")), (Values{'a'}));
+}
+
+TEST(Channel, HasANameOrIsRefused) {
+  for (const std::string& name : io::channel_names()) EXPECT_NE(io::parse_channel(name), io::Channel::none);
+  EXPECT_EQ(io::parse_channel("blue"), io::Channel::blue);
+  EXPECT_EQ(complaint([] { io::parse_channel("gren"); }), "there is no channel \"gren\"; did you mean \"green\"?");
+  EXPECT_EQ(complaint([] { io::parse_channel("infrared"); }), "there is no channel \"infrared\"; choose red, green, blue, mean or grey");
+}
+
 TEST(PngImage, RefusesAFileCutShortAtAnyByte) {
   const std::string whole = grey_png(5, 4, std::string(20, '\x55'));
   for (std::size_t n = 8; n < whole.size(); ++n) {
@@ -62,7 +81,7 @@ TEST(PngImage, RefusesSizesOfNothingAndOfTooMuch) {
 
 TEST(Image, SaysWhatIsNoPicture) {
   EXPECT_NE(refusal("").find("is empty"), std::string::npos);
-  EXPECT_NE(refusal("id,x,y\n").find("neither PNG, TIFF nor HDF5"), std::string::npos);
+  EXPECT_NE(refusal("id,x,y\n").find("neither PNG, TIFF, JPEG nor HDF5"), std::string::npos);
   EXPECT_NE(refusal("\xff\xd8\xff\xe0").find("JPEG"), std::string::npos);
   EXPECT_NE(complaint([] { io::read_image("/nowhere.png"); }).find("no such file"), std::string::npos);
 }
