@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <cmath>
+
+#include "camera/camera.hpp"
+
+namespace arenite::camera {
+namespace {
+
+constexpr double reference_temperature = 296;
+
+/// N(T0 + theta) near T0 by its Taylor polynomial: theta is below a kelvin or so.
+struct Exitance {
+  double value, slope, half_curvature;
+  double operator()(double theta) const { return value + theta * (slope + theta * half_curvature); }
+};
+
+Exitance exitance_near(const Parameters& p, double emissivity) {
+  const auto& around = p.surroundings;
+  const double unit = radiometry::photon_exitance(p.band, reference_temperature);
+  const double slope = radiometry::photon_exitance_slope(p.band, reference_temperature) / unit;
+  if (!around.radiometry) return {1 + slope * (around.temperature - reference_temperature), slope, 0};
+  const double t = around.temperature, h = 0.01;
+  const auto slope_at = [&](double at) { return radiometry::photon_exitance_slope(p.band, at); };
+  const double mirrored = (1 - emissivity) * radiometry::photon_exitance(p.band, around.ambient);
+  return {(emissivity * radiometry::photon_exitance(p.band, t) + mirrored) / unit, emissivity * slope_at(t) / unit,
+          emissivity * (slope_at(t + h) - slope_at(t - h)) / (4 * h) / unit};
+}
+
+/// Points of the scene on a grid finer than the pixels, row by row from the top.
+struct Canvas {
+  int width, height;
+  double step, left, top;           ///< of the first point, m
+  std::vector<float> light;
+  double x(int c) const { return left + c * step; }
+  double y(int r) const { return top - r * step; }
+};
+
+Vec2 middle_of(const Scene& scene) {
+  const auto& wall = scene.low.wall;
+  return {0.5 * (wall[left].position + wall[right].position), 0.5 * (wall[bottom].position + wall[top].position)};
+}
+
+/// The canvas reaches beyond the picture by what the lens brings in.
+Canvas canvas_for(const Scene& scene, const Optics& optics, int margin) {
+  const int n = static_cast<int>(optics.supersampling);
+  Canvas canvas{static_cast<int>(optics.width) * n + 2 * margin, static_cast<int>(optics.height) * n + 2 * margin, optics.pixel / n, 0, 0, {}};
+  const Vec2 middle = middle_of(scene);
+  canvas.left = middle.x - 0.5 * (canvas.width - 1) * canvas.step;
+  canvas.top = middle.y + 0.5 * (canvas.height - 1) * canvas.step;
+  canvas.light.resize(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height));
+  return canvas;
+}
+
+void paint_frame(Canvas& canvas, const Scene& scene, double s, float background, float frame) {
+  double edge[4];
+  for (int side = 0; side < 4; ++side)
+    edge[side] = scene.low.wall[side].position + s * (scene.high.wall[side].position - scene.low.wall[side].position);
+  for (int r = 0; r < canvas.height; ++r) {
+    const double y = canvas.y(r);
+    float* row = canvas.light.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(canvas.width);
+    for (int c = 0; c < canvas.width; ++c) {
+      const double x = canvas.x(c);
+      const bool inside = x > edge[left] && x < edge[right] && y > edge[bottom] && y < edge[top];
+      row[c] = inside ? background : frame;
+    }
+  }
+}
+
+/// Calls paint(point of the canvas, offset from the centre) for every point in the disk.
+template <class Paint>
+void each_point(const Canvas& canvas, Vec2 centre, double radius, Paint paint) {
+  const auto clamped = [](double v, int n) { return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(n))); };
+  const int r0 = clamped(std::ceil((canvas.top - centre.y - radius) / canvas.step), canvas.height);
+  const int r1 = clamped(std::floor((canvas.top - centre.y + radius) / canvas.step) + 1, canvas.height);
+  for (int r = r0; r < r1; ++r) {
+    const double dy = canvas.y(r) - centre.y;
+    const double half = std::sqrt(std::max(0.0, radius * radius - dy * dy));
+    const int c0 = clamped(std::ceil((centre.x - half - canvas.left) / canvas.step), canvas.width);
+    const int c1 = clamped(std::floor((centre.x + half - canvas.left) / canvas.step) + 1, canvas.width);
+    for (int c = c0; c < c1; ++c)
+      paint(static_cast<std::size_t>(r) * static_cast<std::size_t>(canvas.width) + static_cast<std::size_t>(c), canvas.x(c) - centre.x, dy);
+  }
+}
+
+Vec2 place_of(const Scene& scene, const Parameters& p, std::size_t i, double s) {
+  return p.motion ? scene.grains.centre(i) + s * scene.travel[i] : scene.grains.centre(i);
+}
+
+/// What the lens' blur and the mean over a pixel make of a point, sampled along one axis of the canvas.
+std::vector<float> pixel_response(const Optics& optics, int& margin) {
+  const int n = static_cast<int>(optics.supersampling);
+  const double sigma = optics.blur * n;
+  margin = static_cast<int>(std::ceil(5 * sigma));
+  std::vector<double> taps(static_cast<std::size_t>(2 * margin + n), 0.0);
+  double sum = 0;
+  for (int point = 0; point < n; ++point) {
+    for (int k = -margin; k <= margin; ++k) {
+      const double g = sigma > 0 ? std::exp(-0.5 * k * k / (sigma * sigma)) : 1.0;
+      taps[static_cast<std::size_t>(point + k + margin)] += g;
+      sum += g;
+    }
+  }
+  std::vector<float> response;
+  for (const double t : taps) response.push_back(static_cast<float>(t / sum));
+  return response;
+}
+
+std::vector<float> through_lens(const Canvas& canvas, const Optics& optics, const std::vector<float>& response) {
+  const int n = static_cast<int>(optics.supersampling), width = static_cast<int>(optics.width), height = static_cast<int>(optics.height);
+  std::vector<float> rows(static_cast<std::size_t>(canvas.height) * static_cast<std::size_t>(width));
+  for (int r = 0; r < canvas.height; ++r) {
+    for (int c = 0; c < width; ++c) {
+      const float* at = canvas.light.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(canvas.width) + c * n;
+      float sum = 0;
+      for (std::size_t k = 0; k < response.size(); ++k) sum += response[k] * at[k];
+      rows[static_cast<std::size_t>(r) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c)] = sum;
+    }
+  }
+  std::vector<float> picture(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.0f);
+  for (int r = 0; r < height; ++r) {
+    float* out = picture.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(width);
+    for (std::size_t k = 0; k < response.size(); ++k) {
+      const float* in = rows.data() + (static_cast<std::size_t>(r * n) + k) * static_cast<std::size_t>(width);
+      for (int c = 0; c < width; ++c) out[c] += response[k] * in[c];
+    }
+  }
+  return picture;
+}
+
+void darken_corners(std::vector<float>& picture, const Optics& optics) {
+  if (optics.vignetting <= 0) return;
+  const double cx = 0.5 * (static_cast<double>(optics.width) - 1), cy = 0.5 * (static_cast<double>(optics.height) - 1);
+  for (std::size_t i = 0; i < picture.size(); ++i) {
+    const auto w = static_cast<std::size_t>(optics.width);
+    const double dx = static_cast<double>(i % w) - cx, dy = static_cast<double>(i / w) - cy;
+    picture[i] *= static_cast<float>(1 - optics.vignetting * (dx * dx + dy * dy) / (cx * cx + cy * cy));
+  }
+}
+
+}  // namespace
+
+std::vector<float> expose(const Scene& scene, const Parameters& p, double s) {
+  int margin = 0;
+  const auto response = pixel_response(p.optics, margin);
+  Canvas canvas = canvas_for(scene, p.optics, margin);
+  const auto& around = p.surroundings;
+  paint_frame(canvas, scene, p.motion ? s : 0, static_cast<float>(exitance_near(p, around.background_emissivity)(0)),
+              static_cast<float>(exitance_near(p, around.frame_emissivity)(0)));
+  std::vector<Exitance> exitance;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m)
+    exitance.push_back(exitance_near(p, m < around.emissivity.size() ? around.emissivity[m] : 0.9));
+  for (std::size_t i = 0; i < scene.grains.size(); ++i) {
+    const auto m = static_cast<std::size_t>(scene.grains.material[i]);
+    const double warming = -scene.materials[m].thermoelastic_factor * s;
+    each_point(canvas, place_of(scene, p, i, s), scene.grains.radius[i], [&](std::size_t at, double x, double y) {
+      canvas.light[at] = static_cast<float>(exitance[m](warming * static_cast<double>(scene.swing[i].at(x, y))));
+    });
+  }
+  auto picture = through_lens(canvas, p.optics, response);
+  darken_corners(picture, p.optics);
+  return picture;
+}
+
+std::vector<float> optical_picture(const Scene& scene, const Parameters& p, const std::vector<double>& brightness) {
+  int margin = 0;
+  const auto response = pixel_response(p.optics, margin);
+  Canvas canvas = canvas_for(scene, p.optics, margin);
+  paint_frame(canvas, scene, 0, 0.5f, 0.35f);
+  for (std::size_t i = 0; i < scene.grains.size(); ++i) {
+    const auto grey = static_cast<float>(brightness[static_cast<std::size_t>(scene.grains.material[i])]);
+    each_point(canvas, scene.grains.centre(i), scene.grains.radius[i], [&](std::size_t at, double, double) { canvas.light[at] = grey; });
+  }
+  return through_lens(canvas, p.optics, response);
+}
+
+}  // namespace arenite::camera

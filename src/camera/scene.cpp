@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "camera/camera.hpp"
+#include "core/error.hpp"
+#include "elasticity/disk_field.hpp"
+
+namespace arenite::camera {
+namespace {
+
+/// The grains of a packing as disks under their contact forces.
+std::vector<elasticity::Disk> loaded_disks(const Packing& packing, double arc) {
+  std::vector<elasticity::Disk> disks(packing.grains.size());
+  for (std::size_t i = 0; i < disks.size(); ++i) {
+    disks[i].radius = packing.grains.radius[i];
+    disks[i].length = packing.domain.thickness;
+    disks[i].traction = arc > 0 ? elasticity::Traction::elliptic : elasticity::Traction::point;
+  }
+  const auto& contacts = packing.contacts;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Vec2 n = contacts.normal(c);
+    disks[static_cast<std::size_t>(contacts.i[c])].forces.push_back({n, contacts.fn[c], contacts.ft[c], arc});
+    if (!contacts.is_wall(c)) disks[static_cast<std::size_t>(contacts.j[c])].forces.push_back({-n, contacts.fn[c], contacts.ft[c], arc});
+  }
+  return disks;
+}
+
+Patch patch_of(const elasticity::Disk* low, const elasticity::Disk& high, double cell) {
+  Patch patch;
+  patch.cells = 2 * static_cast<int>(std::ceil(high.radius / cell)) + 2;
+  patch.cell = cell;
+  patch.value.assign(static_cast<std::size_t>(patch.cells) * static_cast<std::size_t>(patch.cells), 0.0f);
+  const double first = -0.5 * (patch.cells - 1) * cell;
+  for (int r = 0; r < patch.cells; ++r) {
+    for (int c = 0; c < patch.cells; ++c) {
+      Vec2 at{first + c * cell, first + r * cell};
+      const double away = norm(at);
+      if (away > high.radius + 1.5 * cell) continue;
+      // Cells beyond the rim hold what its nearest point has, so that what lies between cells can be read off.
+      if (away > high.radius - 0.71 * cell) at = (high.radius - 0.71 * cell) / away * at;
+      const double swing = elasticity::square_mean(high, at, cell) - (low ? elasticity::square_mean(*low, at, cell) : 0.0);
+      patch.value[static_cast<std::size_t>(r) * static_cast<std::size_t>(patch.cells) + static_cast<std::size_t>(c)] = static_cast<float>(swing);
+    }
+  }
+  return patch;
+}
+
+void require_factors(const Packing& packing) {
+  for (const auto m : packing.grains.material)
+    if (packing.materials[static_cast<std::size_t>(m)].thermoelastic_factor <= 0)
+      throw InputError(fmt::format("material {}: its thermoelastic factor is not known; set thermoelastic_factor = \"... K/MPa\" in the recipe",
+                                   packing.materials[static_cast<std::size_t>(m)].name));
+}
+
+Scene make_scene(const Packing* low, const Packing& high, const Parameters& p) {
+  require_factors(high);
+  const Packing& start = low ? *low : high;
+  Scene scene{start.grains, {}, {}, start.domain, high.domain, high.materials};
+  const auto pressed = loaded_disks(high, p.contact_arc);
+  const auto released = low ? loaded_disks(*low, p.contact_arc) : std::vector<elasticity::Disk>{};
+  const double cell = p.optics.pixel / static_cast<double>(p.optics.supersampling);
+  for (std::size_t i = 0; i < pressed.size(); ++i) {
+    scene.travel.push_back(high.grains.centre(i) - start.grains.centre(i));
+    scene.swing.push_back(patch_of(low ? &released[i] : nullptr, pressed[i], cell));
+  }
+  return scene;
+}
+
+}  // namespace
+
+float Patch::at(double x, double y) const {
+  const double u = std::clamp(x / cell + 0.5 * (cells - 1), 0.0, cells - 1.001), v = std::clamp(y / cell + 0.5 * (cells - 1), 0.0, cells - 1.001);
+  const auto c = static_cast<std::size_t>(u), r = static_cast<std::size_t>(v), n = static_cast<std::size_t>(cells);
+  const auto fx = static_cast<float>(u - static_cast<double>(c)), fy = static_cast<float>(v - static_cast<double>(r));
+  const float* at = value.data() + r * n + c;
+  return (1 - fy) * ((1 - fx) * at[0] + fx * at[1]) + fy * ((1 - fx) * at[n] + fx * at[n + 1]);
+}
+
+Scene scene_between(const Packing& low, const Packing& high, const Parameters& parameters) {
+  if (low.grains.radius != high.grains.radius || low.grains.material != high.grains.material)
+    throw InputError(fmt::format("the two states do not hold the same grains ({} and {}); take them from one run", low.grains.size(), high.grains.size()));
+  return make_scene(&low, high, parameters);
+}
+
+Scene scene_of_state(const Packing& state, const Parameters& parameters) { return make_scene(nullptr, state, parameters); }
+
+}  // namespace arenite::camera
