@@ -1,11 +1,13 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "commands.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "study/film_recipe.hpp"
 #include "study/recipe_templates.hpp"
 
 namespace arenite::app {
@@ -15,17 +17,31 @@ struct InitArguments {
   std::string name, file;
 };
 
-void write_new(const std::string& file, const std::string& text) {
+void write_new(const std::string& file, const std::string& text, const std::string& command) {
   std::error_code error;
   if (std::filesystem::exists(file, error)) {
     throw InputError(file, 0, "is there already and is left as it is; give another name");
   }
   io::write_atomically(file, text);
-  std::printf("%s written; now `arenite run %s`\n", file.c_str(), file.c_str());
+  std::printf("%s written; now `arenite %s %s`\n", file.c_str(), command.c_str(), file.c_str());
+}
+
+struct Template {
+  std::string name, sentence, command;  ///< the command that takes the recipe
+  std::function<std::string()> text;
+};
+
+std::vector<Template> all_templates() {
+  std::vector<Template> list;
+  for (const auto& each : study::recipe_templates())
+    list.push_back({each.name, each.sentence, "run", [&each] { return study::to_commented_toml(each.make()); }});
+  list.push_back({"film", "an infrared film of a loaded packing, to stresses of grains and contact forces", "film FILM --recipe",
+                  [] { return study::to_commented_toml(study::film_template()); }});
+  return list;
 }
 
 void list_templates() {
-  for (const auto& each : study::recipe_templates()) std::printf("%-11s %s\n", each.name, each.sentence);
+  for (const auto& each : all_templates()) std::printf("%-11s %s\n", each.name.c_str(), each.sentence.c_str());
   std::puts("\n`arenite init NAME recipe.toml` writes one.");
 }
 
@@ -34,17 +50,16 @@ void list_templates() {
 void add_init(CLI::App& command, int&) {
   const auto arguments = std::make_shared<InitArguments>();
   std::vector<std::string> names;
-  for (const auto& each : study::recipe_templates()) names.emplace_back(each.name);
+  for (const auto& each : all_templates()) names.push_back(each.name);
   command.add_option("template", arguments->name, "Kind of sample; without it the kinds are listed")->type_name("TEMPLATE")->check(CLI::IsMember(names));
   command.add_option("file", arguments->file, "File to write, which must not exist; without it the recipe is printed")
       ->type_name("FILE");
   command.callback([arguments] {
     if (arguments->name.empty()) return list_templates();
-    for (const auto& each : study::recipe_templates()) {
+    for (const auto& each : all_templates()) {
       if (arguments->name != each.name) continue;
-      const std::string text = study::to_commented_toml(each.make());
-      if (arguments->file.empty()) std::fputs(text.c_str(), stdout);
-      else write_new(arguments->file, text);
+      if (arguments->file.empty()) std::fputs(each.text().c_str(), stdout);
+      else write_new(arguments->file, each.text(), each.command);
     }
   });
 }

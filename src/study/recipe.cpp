@@ -1,38 +1,25 @@
 #include "study/recipe.hpp"
 
-#include <algorithm>
 #include <filesystem>
 
-#include "core/error.hpp"
 #include "io/read_file.hpp"
 #include "study/recipe_keys.hpp"
 #include "study/recipe_reader.hpp"
+#include "study/recipe_record.hpp"
 
 namespace arenite::study {
 namespace {
 
+/// The declaration of a recipe of which a visitor sees, or sets, the keys.
+Visit declaration_of(Recipe& recipe) {
+  return [&recipe](ParameterVisitor& visitor) { declare(visitor, recipe); };
+}
+
 Recipe read_from(std::string_view text, Reading& reading, const std::vector<std::string>& overrides) {
-  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    throw InputError(reading.file_name, 0, "the recipe is empty; `arenite init composite` writes one to start from");
-  }
-  Node root = read_document(text, reading.file_name);
-  for (const auto& assignment : overrides) {
-    try {
-      apply_override(root, assignment);
-    } catch (const InputError& error) {
-      reading.problems.insert(reading.problems.end(), error.problems().begin(), error.problems().end());
-    }
-  }
   Recipe recipe;
   recipe.source_file = reading.file_name;
-  RecipeReader reader(root, "", reading);
-  declare(reader, recipe);
-  reader.refuse_unknown_keys();
-  if (reading.problems.empty()) return recipe;
-  std::stable_sort(reading.problems.begin(), reading.problems.end(), [](const Problem& a, const Problem& b) {
-    return a.line != b.line ? a.line < b.line : a.column < b.column;
-  });
-  throw InputError(std::move(reading.problems));
+  read_declared(text, reading, overrides, "composite", declaration_of(recipe));
+  return recipe;
 }
 
 }  // namespace
@@ -51,6 +38,29 @@ Recipe read_recipe(const std::string& file, const std::vector<std::string>& over
 Recipe parse_recipe(std::string_view text, const std::string& file_name, const std::vector<std::string>& overrides) {
   Reading reading{file_name, {}, false, {}};
   return read_from(text, reading, overrides);
+}
+
+std::string to_toml(const Recipe& recipe) {
+  Recipe copy = recipe;
+  return write_toml(record_of(declaration_of(copy)));
+}
+
+std::string to_commented_toml(const Recipe& recipe) {
+  Recipe copy = recipe, defaults;
+  return write_commented_toml(record_of(declaration_of(copy)), record_of_all_keys(declaration_of(defaults)));
+}
+
+std::string key_reference() {
+  Recipe defaults;
+  return "# The recipe\n\n"
+         "A recipe is a TOML file. Quantities are texts with their unit (`\"27.35 kN/mm\"`, `\"350 mm\"`, `\"30 %\"`); units are\n"
+         "products, quotients and powers of m, g, s, K, N, Pa, J, W, Hz, bar, t, min, h, deg and % with the SI prefixes, and any\n"
+         "unit of the right dimension will do. A bare number where a unit is needed, an unknown key and a value out of range are\n"
+         "errors, all of them reported at once with their places. `arenite check RECIPE.toml` prints the recipe as it was\n"
+         "understood, `arenite init composite` a commented one to start from, and `--set stages.0.bottom.force=\"60 kN\"` changes a\n"
+         "key for one run (items of lists are counted from 0).\n\n"
+         "This page is generated from the declarations that the program reads recipes with: `arenite man --keys`.\n\n" +
+         write_key_tables(record_of_all_keys(declaration_of(defaults)));
 }
 
 }  // namespace arenite::study

@@ -183,4 +183,27 @@ void RecipeReader::refuse_unknown_keys() {
   }
 }
 
+void read_declared(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from,
+                   const Visit& declare) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    throw InputError(reading.file_name, 0, fmt::format("the recipe is empty; `arenite init {}` writes one to start from", start_from));
+  }
+  Node root = read_document(text, reading.file_name);
+  for (const auto& assignment : overrides) {
+    try {
+      apply_override(root, assignment);
+    } catch (const InputError& error) {
+      reading.problems.insert(reading.problems.end(), error.problems().begin(), error.problems().end());
+    }
+  }
+  RecipeReader reader(root, "", reading);
+  declare(reader);
+  reader.refuse_unknown_keys();
+  if (reading.problems.empty()) return;
+  std::stable_sort(reading.problems.begin(), reading.problems.end(), [](const Problem& a, const Problem& b) {
+    return a.line != b.line ? a.line < b.line : a.column < b.column;
+  });
+  throw InputError(std::move(reading.problems));
+}
+
 }  // namespace arenite::study

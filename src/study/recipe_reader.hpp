@@ -65,4 +65,9 @@ class RecipeReader : public ParameterVisitor {
   std::map<std::string, std::string, std::less<>> conditional_;  ///< keys that do not exist now, and when they do
 };
 
+/// Reads all keys that a declaration visits from TOML, `overrides` applied first. Throws InputError with every problem
+/// found, in the order of the text; for an empty one it names the template that `arenite init` writes.
+void read_declared(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from,
+                   const Visit& declare);
+
 }  // namespace arenite::study

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "core/units.hpp"
-#include "study/recipe_keys.hpp"
 
 namespace arenite::study {
 namespace {
@@ -132,19 +131,17 @@ class Recorder : public ParameterVisitor {
 
 }  // namespace
 
-RecordTable record_of(const Recipe& recipe) {
-  Recipe copy = recipe;
+RecordTable record_of(const Visit& declare) {
   RecordTable table;
   Recorder recorder(table, false);
-  declare(recorder, copy);
+  declare(recorder);
   return table;
 }
 
-RecordTable record_of_all_keys() {
-  Recipe defaults;
+RecordTable record_of_all_keys(const Visit& declare) {
   RecordTable table;
   Recorder recorder(table, true);
-  declare(recorder, defaults);
+  declare(recorder);
   return table;
 }
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "study/recipe.hpp"
+#include "core/parameters.hpp"
 
 namespace arenite::study {
 
@@ -28,11 +28,20 @@ struct Record {
   bool named = false;
 };
 
-/// The keys of this recipe that exist in it.
-RecordTable record_of(const Recipe& recipe);
+/// The keys that a declaration visits, as they are set.
+RecordTable record_of(const Visit& declare);
 
-/// Every key there is, with its default, one table for each list.
-RecordTable record_of_all_keys();
+/// Every key there is in it, one table for each list.
+RecordTable record_of_all_keys(const Visit& declare);
+
+/// The keys that are set, as TOML.
+std::string write_toml(const RecordTable& root);
+
+/// The same for people: explained, and keys that are as in `all` as comments.
+std::string write_commented_toml(const RecordTable& root, const RecordTable& all);
+
+/// Tables of all keys (Markdown).
+std::string write_key_tables(const RecordTable& all);
 
 /// A TOML key: bare where that is allowed, else quoted.
 std::string toml_key(const std::string& name);

@@ -58,24 +58,14 @@ void write_section(std::string& text, const Record& record, const std::string& p
 
 }  // namespace
 
-std::string key_reference() {
-  const RecordTable root = record_of_all_keys();
-  std::string text =
-      "# The recipe\n\n"
-      "A recipe is a TOML file. Quantities are texts with their unit (`\"27.35 kN/mm\"`, `\"350 mm\"`, `\"30 %\"`); units are\n"
-      "products, quotients and powers of m, g, s, K, N, Pa, J, W, Hz, bar, t, min, h, deg and % with the SI prefixes, and any\n"
-      "unit of the right dimension will do. A bare number where a unit is needed, an unknown key and a value out of range are\n"
-      "errors, all of them reported at once with their places. `arenite check RECIPE.toml` prints the recipe as it was\n"
-      "understood, `arenite init composite` a commented one to start from, and `--set stages.0.bottom.force=\"60 kN\"` changes a\n"
-      "key for one run (items of lists are counted from 0).\n\n"
-      "This page is generated from the declarations that the program reads recipes with: `arenite man --keys`.\n\n"
-      "## Top of the file\n\n";
+std::string write_key_tables(const RecordTable& all) {
+  std::string text = "## Top of the file\n\n";
   RecordTable values;
-  for (const auto& record : root) {
+  for (const auto& record : all) {
     if (record.kind == Record::Kind::value) values.push_back(record);
   }
   write_rows(text, values);
-  for (const auto& record : root) {
+  for (const auto& record : all) {
     if (record.kind != Record::Kind::value) write_section(text, record, "");
   }
   return text;

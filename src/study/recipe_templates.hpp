@@ -13,7 +13,7 @@ struct RecipeTemplate {
   Recipe (*make)();
 };
 
-/// All of them; a new one is one row.
+/// All of packings; a new one is one row.
 const std::vector<RecipeTemplate>& recipe_templates();
 
 }  // namespace arenite::study

@@ -88,8 +88,7 @@ void write_commented_table(std::string& text, const RecordTable& table, const Re
 
 }  // namespace
 
-std::string to_toml(const Recipe& recipe) {
-  const RecordTable root = record_of(recipe);
+std::string write_toml(const RecordTable& root) {
   std::string text;
   for (const auto& record : root) {
     if (record.kind == Record::Kind::value) {
@@ -104,8 +103,7 @@ std::string to_toml(const Recipe& recipe) {
   return text;
 }
 
-std::string to_commented_toml(const Recipe& recipe) {
-  const RecordTable root = record_of(recipe), all = record_of_all_keys();
+std::string write_commented_toml(const RecordTable& root, const RecordTable& all) {
   std::string text;
   RecordTable values;
   for (const auto& record : root) {

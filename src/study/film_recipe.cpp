@@ -1,0 +1,68 @@
+#include "study/film_recipe.hpp"
+
+#include <filesystem>
+
+#include "io/read_file.hpp"
+#include "study/film_recipe_keys.hpp"
+#include "study/recipe_reader.hpp"
+#include "study/recipe_record.hpp"
+
+namespace arenite::study {
+namespace {
+
+Visit declaration_of(FilmRecipe& recipe) {
+  return [&recipe](ParameterVisitor& visitor) { declare(visitor, recipe); };
+}
+
+FilmRecipe read_from(std::string_view text, Reading& reading, const std::vector<std::string>& overrides) {
+  FilmRecipe recipe;
+  recipe.source_file = reading.file_name;
+  read_declared(text, reading, overrides, "film", declaration_of(recipe));
+  return recipe;
+}
+
+}  // namespace
+
+FilmRecipe read_film_recipe(const std::string& file, const std::vector<std::string>& overrides) {
+  Reading reading{file, std::filesystem::path(file).parent_path().string(), true, {}};
+  return read_from(io::read_file(file), reading, overrides);
+}
+
+FilmRecipe parse_film_recipe(std::string_view text, const std::string& file_name, const std::vector<std::string>& overrides) {
+  Reading reading{file_name, {}, false, {}};
+  return read_from(text, reading, overrides);
+}
+
+std::string to_toml(const FilmRecipe& recipe) {
+  FilmRecipe copy = recipe;
+  return write_toml(record_of(declaration_of(copy)));
+}
+
+std::string to_commented_toml(const FilmRecipe& recipe) {
+  FilmRecipe copy = recipe, defaults;
+  return write_commented_toml(record_of(declaration_of(copy)), record_of_all_keys(declaration_of(defaults)));
+}
+
+std::string film_key_reference() {
+  FilmRecipe defaults;
+  return "# The recipe of a film\n\n"
+         "What `arenite film` and `arenite camera` are told beside the film itself. It is written as every recipe\n"
+         "([recipe.md](recipe.md)): TOML, quantities with their units, every problem reported at once. `arenite init film` writes a\n"
+         "commented one to start from. This page is generated: `arenite man --film-keys`.\n\n" +
+         write_key_tables(record_of_all_keys(declaration_of(defaults)));
+}
+
+FilmRecipe film_template() {
+  FilmRecipe recipe;
+  recipe.title = "Cylinders of POM and HDPE, cycled between 6 and 60 kN at 3 Hz";
+  recipe.materials = {{"HDPE", 0.0258e-6, 0.9, 0.9}, {"POM", 0.0150e-6, 0.1, 0.9}};
+  recipe.frame.width = recipe.frame.height = 0.35;
+  recipe.frame.thickness = 0.06;
+  recipe.frame.load_swing = 54e3;
+  recipe.picture.pixel = 1.6e-3;
+  recipe.temperature.from = TemperatureSection::From::film;
+  recipe.lockin.frequency = 3;
+  return recipe;
+}
+
+}  // namespace arenite::study

@@ -1,0 +1,115 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "camera/camera.hpp"
+
+namespace arenite::study {
+
+/// A material as a camera sees it.
+struct FilmMaterial {
+  std::string name;
+  double thermoelastic_factor = 0;  ///< A, K/Pa
+  double brightness = 0;            ///< in the picture that grains are found in; only the order counts
+  double emissivity = 0.9;
+  bool operator==(const FilmMaterial&) const = default;
+};
+
+/// The frame that holds the grains; walls are contact partners and carry the load.
+struct FilmFrame {
+  double width = 0, height = 0, thickness = 0;  ///< m
+  std::optional<double> left, top;  ///< its inner upper left corner in the picture, pixels; centred if not given
+  double load_swing = 0;            ///< force on the lower wall, largest less smallest, N; 0: not known
+  bool operator==(const FilmFrame&) const = default;
+};
+
+struct PictureSection {
+  double pixel = 0;                 ///< m
+  std::string grains;               ///< CSV of hand-made positions; empty: found by program
+  std::string optical;              ///< picture of an ordinary camera for materials; empty: the film's own frames
+  double optical_pixel = 0;         ///< m; 0: as `pixel`
+  std::vector<double> radii;        ///< size classes, m; empty: found
+  bool operator==(const PictureSection&) const = default;
+};
+
+struct CorrectionSection {
+  std::string cold, warm;           ///< films of an even plate, for offsets, and gains
+  double cold_temperature = 0, warm_temperature = 0;  ///< K
+  bool bad_pixels = true;
+  bool operator==(const CorrectionSection&) const = default;
+};
+
+struct TemperatureSection {
+  enum class From { plates, radiometry, curve, film };
+  From from = From::plates;
+  std::string curve;                ///< CSV of level and temperature
+  double emissivity = 0.9, ambient = 296;  ///< radiometry
+  bool operator==(const TemperatureSection&) const = default;
+};
+
+struct LockinSection {
+  enum class Method { least_squares, nearest_bin };
+  double frequency = 0;             ///< Hz
+  Method method = Method::least_squares;
+  std::int64_t drift = 2, harmonics = 2;
+  bool motion = true;               ///< grains' motion is fitted and taken out
+  bool operator==(const LockinSection&) const = default;
+};
+
+struct ForcesSection {
+  enum class From { pixels, means, none };
+  From from = From::pixels;
+  double central_share = 0.5;       ///< of a grain's area, for its mean
+  double blur = 0.5;                ///< of the lens, pixels
+  double friction = 0.3;
+  bool state = false;               ///< the film shows a state (from no load) and no swing: the friction cone holds
+  bool operator==(const ForcesSection&) const = default;
+};
+
+/// A simulation of the same packing, from the positions found.
+struct TwinSection {
+  std::string recipe;               ///< of the packing
+  std::string low, high;            ///< stages whose ends are the smallest and the largest load
+  bool operator==(const TwinSection&) const = default;
+};
+
+/// Which states a virtual camera films, and how.
+struct CameraSection {
+  std::string low, high;            ///< stages; without `low` the swing is from no load
+  camera::Parameters parameters;
+  std::int64_t plate_frames = 100;  ///< in each film of an even plate
+  double plate_cold = 291, plate_warm = 301;  ///< K
+};
+
+/// What `arenite film` and `arenite camera` are told; one file may serve both.
+struct FilmRecipe {
+  std::string title;
+  std::uint64_t seed = 1;
+  std::string source_file;
+  std::vector<FilmMaterial> materials;
+  FilmFrame frame;
+  PictureSection picture;
+  CorrectionSection correction;
+  TemperatureSection temperature;
+  LockinSection lockin;
+  ForcesSection forces;
+  std::optional<TwinSection> twin;
+  std::optional<CameraSection> camera;
+};
+
+/// As read_recipe (study/recipe.hpp), for films.
+FilmRecipe read_film_recipe(const std::string& file, const std::vector<std::string>& overrides = {});
+FilmRecipe parse_film_recipe(std::string_view text, const std::string& file_name, const std::vector<std::string>& overrides = {});
+std::string to_toml(const FilmRecipe& recipe);
+std::string to_commented_toml(const FilmRecipe& recipe);
+
+/// Documentation of every key (Markdown).
+std::string film_key_reference();
+
+/// The recipe that `arenite init film` writes.
+FilmRecipe film_template();
+
+}  // namespace arenite::study

@@ -1,0 +1,70 @@
+#include "study/film_recipe.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "core/error.hpp"
+
+namespace arenite::study {
+namespace {
+
+std::vector<Problem> problems_of(const std::string& text) {
+  try {
+    parse_film_recipe(text, "film.toml");
+  } catch (const InputError& error) {
+    return error.problems();
+  }
+  return {};
+}
+
+TEST(FilmRecipe, TemplateReadsBackWhateverWayItIsWritten) {
+  const FilmRecipe recipe = film_template();
+  const std::string resolved = to_toml(recipe);
+  EXPECT_EQ(to_toml(parse_film_recipe(resolved, "film.toml")), resolved);
+  EXPECT_EQ(to_toml(parse_film_recipe(to_commented_toml(recipe), "film.toml")), resolved);
+}
+
+TEST(FilmRecipe, CameraReadsBack) {
+  FilmRecipe recipe = film_template();
+  recipe.camera.emplace();
+  recipe.camera->high = "high";
+  recipe.camera->parameters.detector.netd = 0.01;
+  const FilmRecipe read = parse_film_recipe(to_toml(recipe), "film.toml");
+  ASSERT_TRUE(read.camera);
+  EXPECT_DOUBLE_EQ(read.camera->parameters.detector.netd, 0.01);
+  EXPECT_EQ(to_toml(read), to_toml(recipe));
+}
+
+TEST(FilmRecipe, EveryProblemIsReportedInOnePass) {
+  const auto problems = problems_of(
+      "[materials.POM]\nthermoelastic_factor = \"0.015 K\"\n[frame]\nwidth = 350\nheight = \"350 mm\"\nthickness = \"60 mm\"\n"
+      "[picture]\npixels = \"1.6 mm\"\n[lockin]\nfrequency = \"-3 Hz\"\n");
+  ASSERT_GE(problems.size(), 5u);
+  EXPECT_EQ(problems[0].line, 2);
+}
+
+TEST(FilmRecipe, PlatesNeedTheirTemperatures) {
+  FilmRecipe recipe = film_template();
+  recipe.temperature.from = TemperatureSection::From::plates;
+  const auto problems = problems_of(to_toml(recipe));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].message.find("correction.cold"), std::string::npos);
+}
+
+TEST(FilmRecipe, EmptyOneNamesTheTemplate) {
+  const auto problems = problems_of(" \n");
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].message.find("arenite init film"), std::string::npos);
+}
+
+TEST(FilmRecipe, ReferencePageIsUpToDate) {
+  std::ifstream file(ARENITE_SOURCE_DIR "/docs/film-recipe.md");
+  std::ostringstream page;
+  page << file.rdbuf();
+  EXPECT_EQ(page.str(), film_key_reference()) << "write it anew: build/arenite man --film-keys > docs/film-recipe.md";
+}
+
+}  // namespace
+}  // namespace arenite::study
