@@ -29,7 +29,7 @@ std::string read_sealed(const std::filesystem::path& path, std::string_view kind
 /// The kind that a file says it is, from its first line; empty if it is none of ours or cannot be read.
 std::string sealed_kind(const std::filesystem::path& path);
 
-/// Puts the seal into the first 512 bytes, which HDF5 left free. `kind` is "result", "field" or "checkpoint".
+/// Puts the seal into the first 512 bytes, which HDF5 left free. `kind` is "result", "field", "film" or "checkpoint".
 void seal(std::string& bytes, std::string_view kind);
 
 /// Throws InputError (DamagedFile for one that is no longer whole) naming `path` unless `bytes` are one whole file of that kind.

@@ -5,8 +5,20 @@
 
 namespace arenite::texture {
 
+namespace {
+
+void take_measured(const View& view, PerGrain& rows) {
+  rows.sigma_hyd = view.options.grain_sigma_hyd;
+  double mean = 0;
+  for (const std::size_t g : view.grains) mean += rows.sigma_hyd[g] / static_cast<double>(view.grains.size());
+  for (const double value : rows.sigma_hyd) rows.sigma_norm.push_back(mean != 0 ? value / mean : 0);
+}
+
+}  // namespace
+
 /// Stress of every grain over its own volume (T eq. 1.11). The normalised stress needs no length, since it cancels.
 void measure_grain_stress(const View& view, Texture& texture) {
+  if (!view.options.grain_sigma_hyd.empty()) return take_measured(view, texture.per_grain);
   const Grains& grains = view.packing.grains;
   const std::vector<Tensor2> moments = grain_moments(view.packing);
   PerGrain& rows = texture.per_grain;

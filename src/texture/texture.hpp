@@ -28,6 +28,7 @@ struct Options {
   Vec2 gravity;                        ///< m/s^2; for the balance of grains and walls only
   std::uint64_t seed = 1;              ///< of the places of windows
   int rev_sizes = 20, rev_places = 50; ///< windows of the REV study
+  std::vector<double> grain_sigma_hyd; ///< stress of every grain as a laboratory measured it, Pa; empty: that of its contacts
 };
 
 /// Where the statistics are taken: the box without the border, or all grains where there is no box.
