@@ -42,6 +42,10 @@ class FilmSource {
   virtual const FilmInfo& info() const = 0;
   /// Frames first .. first + count - 1 into `block`, whose memory is used again. Throws InputError for a damaged file.
   virtual void read(std::int64_t first, std::size_t count, FrameBlock& block) = 0;
+  /// All frames, one after the other, where they are in memory already: they are looked at there and not copied. Null
+  /// for films that are read, and for pixels of the other kind.
+  virtual const std::uint16_t* levels_in_memory() const { return nullptr; }
+  virtual const float* values_in_memory() const { return nullptr; }
 };
 
 /// A film in memory: what a virtual camera draws, and what tests look at.
@@ -51,6 +55,8 @@ struct Film : FilmSource {
   std::vector<float> value;         ///< the same in floating numbers
   const FilmInfo& info() const override { return about; }
   void read(std::int64_t first, std::size_t count, FrameBlock& block) override;
+  const std::uint16_t* levels_in_memory() const override { return level.empty() ? nullptr : level.data(); }
+  const float* values_in_memory() const override { return value.empty() ? nullptr : value.data(); }
 };
 
 }  // namespace arenite

@@ -16,13 +16,15 @@ struct LockinMaps {
   double frequency_error = 0;       ///< standard error, Hz
   double reference_phase = 0;       ///< rad
   std::size_t frames = 0;           ///< used
+  int drift_order = 0, harmonics = 1;  ///< that were fitted
   SwingConvention convention = SwingConvention::half;  ///< of every amplitude below
   std::vector<float> mean;          ///< at the middle of the film
   std::vector<float> drift;         ///< slope of the mean, unit/s
   std::vector<float> amplitude, phase;  ///< -, rad
   std::vector<float> in_phase, quadrature;
   std::vector<float> standard_error;    ///< of in_phase, from the residual and the normal matrix
-  std::vector<float> second_harmonic;   ///< amplitude at 2 f
+  std::vector<float> noise_floor;       ///< amplitude that noise alone shows on the mean, sqrt(pi/2) standard errors
+  std::vector<float> second_harmonic;   ///< amplitude at 2 f; empty where it was not fitted
   std::vector<float> residual;      ///< root mean square of what the fit leaves (noise, slip, plasticity)
 
   std::size_t size() const { return mean.size(); }

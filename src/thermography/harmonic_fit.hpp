@@ -1,0 +1,34 @@
+#pragma once
+#include <Eigen/Dense>
+#include <cstddef>
+
+#include "thermography/segment_sums.hpp"
+
+namespace arenite::thermography {
+
+/// Least squares of drift and harmonics of one frequency, the same for all pixels, as numbers by which the sums of
+/// segments are multiplied. Functions fitted: Legendre polynomials of x = (t - middle)/half the film's time, then
+/// cos(h w t), sin(h w t) of every harmonic h, then, if asked for, x cos(w t), x sin(w t), which show a frequency that
+/// is off. The film is projected on the same functions with x and the phase of a small w - w_0 constant within a
+/// segment: what is of the fitted form is found exactly, with a standard error larger than that of plain least squares by
+/// less than a per cent.
+struct HarmonicFit {
+  double frequency = 0;             ///< Hz
+  std::size_t drift = 0;            ///< polynomials, order + 1
+  std::size_t harmonics = 0;
+  double middle = 0, half = 0;      ///< s
+  Eigen::MatrixXd coefficient;      ///< transposed: (segments x planes) x functions
+  Eigen::MatrixXd covariance;       ///< of the fitted numbers over the variance of the noise
+  Eigen::MatrixXd normal;           ///< sums of products of the fitted functions
+
+  std::size_t size() const { return static_cast<std::size_t>(coefficient.cols()); }
+  /// Column of cos of the first harmonic; sin is next to it.
+  std::size_t first_harmonic() const { return drift; }
+};
+
+HarmonicFit harmonic_fit(const SegmentSums& sums, double frequency, int drift_order, bool with_beat);
+
+/// Legendre polynomials P_0 .. P_order at x and their slopes.
+void legendre(double x, std::size_t count, double* value, double* slope = nullptr);
+
+}  // namespace arenite::thermography

@@ -1,0 +1,20 @@
+#include "thermography/kernels/kernels.hpp"
+
+#if defined(__AVX2__) && defined(__FMA__)
+#include "thermography/kernels/lanes_avx2.hpp"
+#include "thermography/kernels/lanes_one.hpp"
+#include "thermography/kernels/passes.hpp"
+
+namespace arenite::thermography {
+extern const Kernels* const avx2_kernels;
+namespace {
+const Kernels table = table_of("avx2");
+}
+const Kernels* const avx2_kernels = &table;
+}  // namespace arenite::thermography
+#else
+namespace arenite::thermography {
+extern const Kernels* const avx2_kernels;
+const Kernels* const avx2_kernels = nullptr;
+}  // namespace arenite::thermography
+#endif

@@ -1,0 +1,49 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace arenite::thermography {
+
+/// Frames one after the other and what they are weighed with. Of every pixel, d = value - reference is taken, which is
+/// small and, for digital levels, exact in single precision.
+template <class T>
+struct WeighedFrames {
+  const T* frames;        ///< first frame; the next is `pixels` further
+  std::size_t pixels;     ///< of a frame
+  std::size_t count;      ///< frames
+  const float* weights;   ///< count x functions
+  std::size_t functions;  ///< 2, 4, 6 or 8
+  const float* reference; ///< one a pixel
+};
+
+/// Sums are kept in chunks of so many pixels, all sums of a chunk one after the other.
+constexpr std::size_t chunk = 32;
+
+/// Sums of all segments of a film: of pixel p, plane k of segment s is at
+/// sums[s stride + p / chunk * chunk * planes + k chunk + p % chunk].
+struct SegmentView {
+  const float* sums;
+  std::size_t segments, stride, planes;
+};
+
+/// The passes over pixels that take the time, compiled once for each kind of machine. Pixels begin .. end - 1 are done,
+/// where `begin` is a multiple of `chunk`.
+struct Kernels {
+  const char* name;
+  /// Plane 0 += d, plane 1 + k += weight_k d, plane 1 + functions += d^2 over all frames; a chunk has functions + 3
+  /// planes, the last of which stays as it is.
+  void (*add_levels)(const WeighedFrames<std::uint16_t>&, float* sums, std::size_t begin, std::size_t end);
+  void (*add_values)(const WeighedFrames<float>&, float* sums, std::size_t begin, std::size_t end);
+  /// out[m stride + p - begin] = sum over segments and planes of coefficient[m][s][k] sums, for m = 0 .. rows - 1.
+  void (*combine)(const SegmentView&, const double* coefficient, std::size_t rows, double* out, std::size_t stride, std::size_t begin,
+                  std::size_t end);
+  /// out[p - begin] = sum over all frames of (d + last plane)^2, where segment s has frames[s] frames.
+  void (*power)(const SegmentView&, const double* frames, double* out, std::size_t begin, std::size_t end);
+};
+
+/// The kernels for this machine; "portable", "avx2" or "avx512" asks for one by name, nullptr if it cannot run here.
+/// "avx2" and "avx512" give the same bits, "portable" rounds products and sums apart.
+const Kernels& kernels();
+const Kernels* kernels(const char* name);
+
+}  // namespace arenite::thermography

@@ -1,0 +1,116 @@
+// The passes of kernels.hpp for Floats and Doubles of some width; included once for each kind of machine.
+
+namespace {
+
+using arenite::thermography::Kernels;
+using arenite::thermography::SegmentView;
+using arenite::thermography::WeighedFrames;
+using arenite::thermography::chunk;
+
+/// Frames whose share goes into sums that stay in registers; as many streams as a machine fetches ahead.
+constexpr std::size_t group = 16;
+/// Pixels whose sums stay in the second cache from group to group, in long runs of every frame.
+constexpr std::size_t tile = 8192;
+
+/// `n` neighbouring vectors at once, so that a weight is fetched once for all; `sums` are those of the first.
+template <class V, int n, int functions, class T>
+inline void add_group(const WeighedFrames<T>& f, std::size_t first, std::size_t count, float* sums, std::size_t p) {
+  V sum[functions + 2][n], reference[n];
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < functions + 2; ++k) sum[k][i] = V::load(sums + static_cast<std::size_t>(k) * chunk + static_cast<std::size_t>(i) * V::lanes);
+    reference[i] = V::load(f.reference + p + static_cast<std::size_t>(i) * V::lanes);
+  }
+  const T* value = f.frames + first * f.pixels + p;
+  const float* weight = f.weights + first * functions;
+  const std::size_t ahead = first + count + group <= f.count ? group * f.pixels : 0;
+#pragma GCC unroll 4
+  for (std::size_t j = 0; j < count; ++j, value += f.pixels, weight += functions) {
+    __builtin_prefetch(value + ahead, 0, 2);
+    V d[n];
+    for (int i = 0; i < n; ++i) {
+      d[i] = V::load(value + static_cast<std::size_t>(i) * V::lanes) - reference[i];
+      sum[0][i] = sum[0][i] + d[i];
+      sum[functions + 1][i] = fma(d[i], d[i], sum[functions + 1][i]);
+    }
+    for (int k = 0; k < functions; ++k) {
+      const V w = V::all(weight[k]);
+      for (int i = 0; i < n; ++i) sum[k + 1][i] = fma(w, d[i], sum[k + 1][i]);
+    }
+  }
+  for (int k = 0; k < functions + 2; ++k)
+    for (int i = 0; i < n; ++i) sum[k][i].store(sums + static_cast<std::size_t>(k) * chunk + static_cast<std::size_t>(i) * V::lanes);
+}
+
+template <int functions, class T>
+void add_frames(const WeighedFrames<T>& f, float* sums, std::size_t begin, std::size_t end) {
+  constexpr std::size_t step = 2 * Floats::lanes;
+  for (std::size_t from = begin; from < end; from += tile) {
+    const std::size_t to = from + tile < end ? from + tile : end;
+    for (std::size_t first = 0; first < f.count; first += group) {
+      const std::size_t count = first + group < f.count ? group : f.count - first;
+      const auto of = [&](std::size_t p) { return sums + p / chunk * chunk * (functions + 3) + p % chunk; };
+      std::size_t p = from;
+      for (; p + step <= to; p += step) add_group<Floats, 2, functions>(f, first, count, of(p), p);
+      for (; p < to; ++p) add_group<One<float>, 1, functions>(f, first, count, of(p), p);
+    }
+  }
+}
+
+template <class T>
+void add(const WeighedFrames<T>& f, float* sums, std::size_t begin, std::size_t end) {
+  if (f.functions == 2) add_frames<2>(f, sums, begin, end);
+  else if (f.functions == 4) add_frames<4>(f, sums, begin, end);
+  else if (f.functions == 6) add_frames<6>(f, sums, begin, end);
+  else add_frames<8>(f, sums, begin, end);
+}
+
+template <class V, int rows>
+inline void combine_at(const SegmentView& s, std::size_t p, const double* coefficient, double* out, std::size_t stride) {
+  V sum[rows];
+  for (int m = 0; m < rows; ++m) sum[m] = V::all(0);
+  const std::size_t count = s.segments * s.planes;
+  const float* plane = s.sums + p / chunk * chunk * s.planes + p % chunk;
+  for (std::size_t q = 0; q < count; plane += s.stride)
+    for (std::size_t k = 0; k < s.planes; ++k, ++q) {
+      const V d = V::load(plane + k * chunk);
+      for (int m = 0; m < rows; ++m) sum[m] = fma(V::all(coefficient[static_cast<std::size_t>(m) * count + q]), d, sum[m]);
+    }
+  for (int m = 0; m < rows; ++m) sum[m].store(out + static_cast<std::size_t>(m) * stride);
+}
+
+template <int rows>
+void combine_rows(const SegmentView& s, const double* coefficient, double* out, std::size_t stride, std::size_t begin, std::size_t end) {
+  std::size_t p = begin;
+  for (; p + Doubles::lanes <= end; p += Doubles::lanes) combine_at<Doubles, rows>(s, p, coefficient, out + (p - begin), stride);
+  for (; p < end; ++p) combine_at<One<double>, rows>(s, p, coefficient, out + (p - begin), stride);
+}
+
+void combine(const SegmentView& s, const double* coefficient, std::size_t rows, double* out, std::size_t stride, std::size_t begin,
+             std::size_t end) {
+  const std::size_t count = s.segments * s.planes;
+  std::size_t m = 0;
+  for (; m + 8 <= rows; m += 8) combine_rows<8>(s, coefficient + m * count, out + m * stride, stride, begin, end);
+  for (; m + 4 <= rows; m += 4) combine_rows<4>(s, coefficient + m * count, out + m * stride, stride, begin, end);
+  for (; m < rows; ++m) combine_rows<1>(s, coefficient + m * count, out + m * stride, stride, begin, end);
+}
+
+template <class V>
+inline void power_at(const SegmentView& s, std::size_t p, const double* frames, double* out) {
+  V sum = V::all(0);
+  const float* plane = s.sums + p / chunk * chunk * s.planes + p % chunk;
+  for (std::size_t q = 0; q < s.segments; ++q, plane += s.stride) {
+    const V level = V::load(plane), squares = V::load(plane + (s.planes - 2) * chunk), step = V::load(plane + (s.planes - 1) * chunk);
+    sum = fma(fma(V::all(frames[q]), step, level + level), step, sum + squares);
+  }
+  sum.store(out);
+}
+
+void power(const SegmentView& s, const double* frames, double* out, std::size_t begin, std::size_t end) {
+  std::size_t p = begin;
+  for (; p + Doubles::lanes <= end; p += Doubles::lanes) power_at<Doubles>(s, p, frames, out + (p - begin));
+  for (; p < end; ++p) power_at<One<double>>(s, p, frames, out + (p - begin));
+}
+
+Kernels table_of(const char* name) { return {name, add<std::uint16_t>, add<float>, combine, power}; }
+
+}  // namespace

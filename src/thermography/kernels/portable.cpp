@@ -1,0 +1,13 @@
+#include "thermography/kernels/kernels.hpp"
+#include "thermography/kernels/lanes_one.hpp"
+
+namespace {
+using Floats = One<float>;
+using Doubles = One<double>;
+}  // namespace
+#include "thermography/kernels/passes.hpp"
+
+namespace arenite::thermography {
+extern const Kernels portable_kernels;
+const Kernels portable_kernels = table_of("portable");
+}  // namespace arenite::thermography
