@@ -1,0 +1,70 @@
+#pragma once
+#include <vector>
+
+#include "core/vec2.hpp"
+#include "model/contact_forces.hpp"
+#include "model/packing.hpp"
+
+namespace arenite::inference {
+
+/// A signed picture of the thermoelastic swing (of LockinMaps::in_phase, made a full swing), rows from the top.
+struct SwingPicture {
+  int width = 0, height = 0;
+  double pixel = 0;                 ///< side of a pixel, m
+  Vec2 first;                       ///< centre of the pixel in column 0 and row 0 (top left), m, y up
+  std::vector<float> value;         ///< K: warming when the load rises
+  std::vector<float> error;         ///< standard error, K; a pixel without a positive one is left out
+};
+
+/// Normal force that the grains exert on a wall, of the same swing or state.
+struct WallLoad {
+  int side = 0;                     ///< model/domain.hpp
+  double force = 0, error = 0;      ///< N, compression positive
+};
+
+/// What the forces obey beside the data. A single state has f = x_1 (n + mu t) + x_2 (n - mu t) with x >= 0. The swing
+/// between two states lies in no cone in general; where the small load is the share r of the large one at every contact,
+/// it lies in that of mu (1 + r)/(1 - r).
+enum class Inequality { none, cone };
+
+struct ForceOptions {
+  double blur = 0.5;                ///< standard deviation of the lens's Gaussian, pixels
+  double rim_margin = 0.5;          ///< pixels whose centre is nearer to the rim are left out, pixels
+  double contact_margin = 2.5;      ///< nearer than this to a contact point (pixels) the fields' error grows with the cube of the
+                                    ///< distance's inverse (unknown spread of the force); pixels nearer than half of it are left out
+  double model_error = 0.02;        ///< standard error of the fields themselves, share of a grain's signal: a first guess
+  bool fit_model_error = true;      ///< the guess is mended until data and fit differ as their errors say
+  double position_error = 0.1;      ///< standard error of grain centres, pixels; 0: centres are taken as exact
+  double balance_error = 1e-2;      ///< standard error of a grain's balance, share of the mean contact force
+  double prior = 10;                ///< elastic regularisation: standard deviation of a contact's force about the elastic
+                                    ///< solution, in mean contact forces
+  Inequality inequality = Inequality::none;
+  double friction = 0.5;            ///< mu of the cone
+  Vec2 gravity;                     ///< m/s^2; zero for a swing, where weights cancel
+  double spurious_below = 3;        ///< a contact may be absent where |fn| is below so many standard errors
+  int iterations = 3;               ///< of forces and centres together
+};
+
+/// Grains as found (domain with thickness and periodicity), and proposed contacts, whose forces are not read. Normals of
+/// contacts between grains follow from the centres. `factor` is A of every material, K/Pa; -1 K/Pa stands for a
+/// picture of sigma_kk itself, in Pa. Means do not read it.
+struct ForceProblem {
+  const Packing& packing;
+  std::vector<double> factor;
+  std::vector<WallLoad> walls;
+};
+
+/// Forces from pixels: least squares of every pixel's warming (superposed Flamant fields with the term that frees the
+/// rim, seen through lens and pixel) with the balance of every grain, wall loads and, weakly, the smallest elastic energy;
+/// centres are refined with the forces. Standard errors hold the errors of pixels, fields and centres; they know of no cone.
+/// Throws InputError where a factor is missing, grains overlap by more than a fifth of the smaller diameter, or no pixel
+/// sees a contact.
+InferredForces infer_from_pixels(const ForceProblem& problem, const SwingPicture& picture, const ForceOptions& options);
+
+/// Forces from the mean stresses of grains alone: sum of fn = 2 pi R L p (p = -sigma_hyd, Pa), with balance and wall loads.
+/// `sigma_hyd` and its standard `error`, one a grain; a grain without a positive error tells nothing. Where that leaves
+/// forces undetermined (`null_space`), they are those of the smallest elastic energy.
+InferredForces infer_from_means(const ForceProblem& problem, const std::vector<double>& sigma_hyd, const std::vector<double>& error,
+                                const ForceOptions& options);
+
+}  // namespace arenite::inference
