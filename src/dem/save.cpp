@@ -2,8 +2,8 @@
 
 #include <cstring>
 #include <string>
-#include <type_traits>
 
+#include "core/bytes.hpp"
 #include "core/error.hpp"
 #include "dem/ghosts.hpp"
 #include "dem/neighbours.hpp"
@@ -13,55 +13,6 @@ namespace arenite::dem {
 namespace {
 
 constexpr std::uint64_t mark = 0x33302d6d65642d61;  // "a-dem-03"; changes with what `transfer` lists
-
-class Writer {
- public:
-  template <class T>
-  void operator()(T& value) {
-    static_assert(std::is_arithmetic_v<T>);
-    const auto* raw = reinterpret_cast<const std::uint8_t*>(&value);
-    bytes.insert(bytes.end(), raw, raw + sizeof(T));
-  }
-  template <class T>
-  void operator()(std::vector<T>& values) {
-    std::uint64_t size = values.size();
-    (*this)(size);
-    const auto* raw = reinterpret_cast<const std::uint8_t*>(values.data());
-    bytes.insert(bytes.end(), raw, raw + size * sizeof(T));
-  }
-  std::vector<std::uint8_t> bytes;
-};
-
-class Reader {
- public:
-  explicit Reader(const std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
-  template <class T>
-  void operator()(T& value) {
-    static_assert(std::is_arithmetic_v<T>);
-    take(&value, sizeof(T));
-  }
-  template <class T>
-  void operator()(std::vector<T>& values) {
-    std::uint64_t size = 0;
-    (*this)(size);
-    if (size > (bytes_.size() - at_) / sizeof(T)) fail();
-    values.resize(size);
-    take(values.data(), size * sizeof(T));
-  }
-  bool at_end() const { return at_ == bytes_.size(); }
-  [[noreturn]] static void fail() {
-    throw InputError("the stored state is cut short or damaged; run the stage again from its start");
-  }
-
- private:
-  void take(void* target, std::size_t size) {
-    if (size > bytes_.size() - at_) fail();
-    if (size > 0) std::memcpy(target, bytes_.data() + at_, size);
-    at_ += size;
-  }
-  const std::vector<std::uint8_t>& bytes_;
-  std::size_t at_ = 0;
-};
 
 template <class Archive>
 void transfer(Archive& a, Wall& wall) {
@@ -122,7 +73,7 @@ void transfer(Archive& a, ContactList& list) {
 }  // namespace
 
 std::vector<std::uint8_t> save_sample(const Sample& sample) {
-  Writer write;
+  ByteWriter write;
   auto& s = const_cast<Sample&>(sample);  // the writer does not change what it is given
   std::uint64_t header[3] = {mark, s.count, 0};
   std::memcpy(&header[2], &s.dt, sizeof s.dt);
@@ -135,19 +86,19 @@ std::vector<std::uint8_t> save_sample(const Sample& sample) {
 }
 
 void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
-  Reader read(bytes);
+  ByteReader read(bytes);
   Sample s = sample;
   std::uint64_t header[3] = {}, step = 0;
   for (auto& v : header) read(v);
   std::memcpy(&step, &s.dt, sizeof step);
-  if (header[0] != mark) Reader::fail();
+  if (header[0] != mark) ByteReader::fail();
   if (header[1] != s.count || header[2] != step)
     throw InputError("the stored state belongs to another sample or time step (" + std::to_string(header[1]) +
                      " grains; here " + std::to_string(s.count) + ")");
   read(s.record);
-  if (s.record.size() != s.count) Reader::fail();
+  if (s.record.size() != s.count) ByteReader::fail();
   transfer(read, s);
-  if (s.vx.size() != s.count || s.listed_x.size() != s.count) Reader::fail();
+  if (s.vx.size() != s.count || s.listed_x.size() != s.count) ByteReader::fail();
 
   // The list as it was built: disks and frame put back to where they were then.
   const std::vector<DiskRecord> disks = s.record;
@@ -160,7 +111,7 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   list_contacts(s);
   const std::size_t slots = s.list.size();
   transfer(read, s.list);
-  if (s.list.force.size() != slots + 1 || s.list.memory.size() != slots || !read.at_end()) Reader::fail();
+  if (s.list.force.size() != slots + 1 || s.list.memory.size() != slots || !read.at_end()) ByteReader::fail();
   s.domain = domain;
   std::copy(disks.begin(), disks.end(), s.record.begin());
   refresh_ghosts(s);
