@@ -8,6 +8,7 @@
 #include "peridynamics/cut.hpp"
 #include "peridynamics/loading.hpp"
 #include "peridynamics/overstretch.hpp"
+#include "peridynamics/pull_state.hpp"
 #include "peridynamics/watch.hpp"
 
 namespace arenite::peridynamics {
@@ -25,23 +26,11 @@ struct DamageOptions {
   /// Bonds within this share of the most overstretched break in the same round.
   double band = 0.05;
   Watch watch{};
-};
-
-/// One state of the pull: before a round of breaking, so that loads climb and drop as the machine would see them.
-struct DamageState {
-  double strain = 0, stress = 0;  ///< of the top row along its way (loading.hpp), Pa: positive while it is resisted
-  double work = 0;                ///< done by the clamp so far; all energies per unit thickness, J/m
-  double elastic = 0;
-  double released = 0;     ///< elastic energy lost when bonds broke at fixed displacement
-  double bond_energy = 0;  ///< of that, what the broken bonds held when they broke; the rest would fly off as waves
-  std::size_t broken = 0;
-};
-
-struct BrokenBond {
-  std::int32_t x, y;       ///< node that it started from
-  std::uint8_t direction;  ///< index into half_bonds
-  std::uint8_t type;       ///< BondType
-  double strain;           ///< of the sample when it broke
+  /// Called before each round of breaking and, with that round's state, where the watch stopped the work.
+  KeepPull keep{};
+  /// Goes on from here, a state of a pull of the same map with the same options: the result has the same bits as that
+  /// of a pull in one piece.
+  const PullState* resume = nullptr;
 };
 
 struct DamageResult {
@@ -72,7 +61,7 @@ std::string sentence_of(const DamageResult& result);
 /// found, not stepped: between two breaks the response is linear, so the next break is known exactly. Bonds break in
 /// stretch only, under compression and shear too; broken faces do not touch again. Under compression a sample splits
 /// into columns, which carry on: bound such a run by its strain or its rounds. Throws InputError for a map or
-/// options that make no sense.
+/// options that make no sense and for a state of a map of another size.
 DamageResult pull_to_failure(const PhaseMap& map, const DamageOptions& options);
 
 }  // namespace arenite::peridynamics

@@ -86,7 +86,7 @@ void measure_stress(const Load& load, FieldResult& result) {
   }
 }
 
-std::optional<FieldResult> pull_apart(const Load& load, FieldResult result, const peridynamics::Watch& watch) {
+std::optional<FieldResult> pull_apart(const Load& load, FieldResult result, const peridynamics::Watch& watch, const PullCheckpoint& checkpoint) {
   using Ending = peridynamics::DamageResult::Ending;
   peridynamics::DamageOptions options;
   options.stiffness = load.stiffness.resolved();
@@ -98,6 +98,8 @@ std::optional<FieldResult> pull_apart(const Load& load, FieldResult result, cons
   options.band = load.band;
   options.end_stress = load.end_stress;
   options.watch = watch;
+  options.keep = checkpoint.keep;
+  if (checkpoint.resume) options.resume = &*checkpoint.resume;
   auto pulled = peridynamics::pull_to_failure(result.map, options);
   if (pulled.ending == Ending::stopped) return std::nullopt;
   result.converged = pulled.ending == Ending::severed || pulled.ending == Ending::dropped || pulled.ending == Ending::strain_reached;
@@ -111,11 +113,12 @@ std::optional<FieldResult> pull_apart(const Load& load, FieldResult result, cons
 
 }  // namespace
 
-std::optional<FieldResult> apply_load(const Load& load, const FieldResult& sample, const peridynamics::Watch& watch) {
+std::optional<FieldResult> apply_load(const Load& load, const FieldResult& sample, const peridynamics::Watch& watch,
+                                      const PullCheckpoint& checkpoint) {
   FieldResult result = upright(sample, load.axis);
   result.name = load.name;
   if (load.failure) {
-    auto pulled = pull_apart(load, std::move(result), watch);
+    auto pulled = pull_apart(load, std::move(result), watch, checkpoint);
     if (pulled) measure_stress(load, *pulled);
     return pulled;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/field_result.hpp"
+#include "peridynamics/pull_state.hpp"
 #include "peridynamics/watch.hpp"
 #include "study/recipe.hpp"
 #include "study/result_folder.hpp"
@@ -28,8 +29,15 @@ double reference_radius(const Recipe& recipe, const Packing& packing);
 /// saturation out of reach and a crop wider than the sample.
 FieldResult make_cemented_sample(const Recipe& recipe, const Packing& packing);
 
+/// How a pull to failure is kept on its way and where it goes on from; other loads take no notice.
+struct PullCheckpoint {
+  peridynamics::KeepPull keep{};
+  std::optional<peridynamics::PullState> resume{};
+};
+
 /// Loads a cemented sample. An unfinished field has `converged` false and says why; nothing if the watch stopped it.
-std::optional<FieldResult> apply_load(const Load& load, const FieldResult& sample, const peridynamics::Watch& watch);
+std::optional<FieldResult> apply_load(const Load& load, const FieldResult& sample, const peridynamics::Watch& watch,
+                                      const PullCheckpoint& checkpoint = {});
 
 /// Does, or reads from the store, the cemented sample and all loads; appends to `outcome`. Names and hashes begin with
 /// those of the cemented sample.

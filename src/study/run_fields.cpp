@@ -1,5 +1,7 @@
+#include <chrono>
 #include <filesystem>
 
+#include "io/checkpoint.hpp"
 #include "io/field_file.hpp"
 #include "study/field_stages.hpp"
 #include "study/stored.hpp"
@@ -43,6 +45,23 @@ bool add_field(const fs::path& file, const std::string& stage, const std::string
   return true;
 }
 
+/// Where a killed pull stood, and how this one is kept: every few seconds, and when it is asked to stop.
+PullCheckpoint checkpoint_of(const fs::path& file, const std::string& key, const RunOptions& options) {
+  using clock = std::chrono::steady_clock;
+  PullCheckpoint checkpoint;
+  const auto stored = unless_damaged(file, options, "the pull begins anew", [&] { return io::read_checkpoint(file, key); });
+  if (stored && *stored) checkpoint.resume = peridynamics::pull_state_of((*stored)->blobs.at("pull"));
+  checkpoint.keep = [&options, file, key, saved = clock::now()](const auto& state) mutable {
+    if (!options.asked_to_stop() && std::chrono::duration<double>(clock::now() - saved).count() < options.checkpoint_seconds) return;
+    io::Checkpoint c;
+    c.key = key;
+    c.blobs["pull"] = to_bytes(state());
+    io::write_checkpoint(file, c);
+    saved = clock::now();
+  };
+  return checkpoint;
+}
+
 }  // namespace
 
 void run_fields(const Recipe& recipe, const std::vector<std::string>& hashes, const std::vector<std::string>& names,
@@ -63,7 +82,10 @@ void run_fields(const Recipe& recipe, const std::vector<std::string>& hashes, co
       return !options.asked_to_stop();
     };
     if (!add_field(folder / names[l + 1], load.name, hashes[l + 1], recipe, options, progress, outcome,
-                   [&] { return apply_load(load, outcome.fields.front(), watch); }))
+                   [&] {
+                     const auto checkpoint = load.failure ? checkpoint_of(folder / "run.checkpoint", hashes[l + 1], options) : PullCheckpoint{};
+                     return apply_load(load, outcome.fields.front(), watch, checkpoint);
+                   }))
       return;
   }
 }

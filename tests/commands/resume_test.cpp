@@ -61,19 +61,19 @@ std::string run_line(const fs::path& recipe_file, const fs::path& out, const std
   return "run " + recipe_file.string() + " --quiet --out " + out.string() + " " + more;
 }
 
-TEST(Resume, KilledAtRandomMomentsTheRunEndsWithTheSameBytes) {
+/// Kills runs of a recipe at random moments until some were killed several times, and looks for the whole run's bytes.
+void kill_at_random_moments(const fs::path& file, std::size_t files, int ended, int killed) {
   const test::TemporaryFolder folder;
-  const auto file = write_recipe(folder);
   using clock = std::chrono::steady_clock;
   const auto began = clock::now();
   ASSERT_EQ(test::arenite(run_line(file, folder / "whole", "")).status, 0);
   double whole = std::chrono::duration<double>(clock::now() - began).count();
   const auto expected = results(folder / "whole");
-  ASSERT_EQ(expected.size(), 3u);
+  ASSERT_EQ(expected.size(), files);
 
   RandomStream moments(1, Purpose::test);
   int kills = 0;
-  for (int attempt = 0; attempt < 40 && (attempt < 6 || kills <= 5); ++attempt) {
+  for (int attempt = 0; attempt < 40 && (attempt < ended || kills <= killed); ++attempt) {
     const auto out = folder / ("killed" + std::to_string(attempt));
     test::Outcome outcome;
     // Every life gets a random share of the whole run's time; checkpoints at every look keep what it won.
@@ -91,7 +91,63 @@ TEST(Resume, KilledAtRandomMomentsTheRunEndsWithTheSameBytes) {
     EXPECT_EQ(results(out), expected) << "after " << kills << " kills";
     EXPECT_FALSE(fs::exists(out / "run.checkpoint"));
   }
-  EXPECT_GT(kills, 5);
+  EXPECT_GT(kills, killed);
+}
+
+TEST(Resume, KilledAtRandomMomentsTheRunEndsWithTheSameBytes) {
+  const test::TemporaryFolder folder;
+  kill_at_random_moments(write_recipe(folder), 3, 6, 5);
+}
+
+/// A few cemented disks in tension and pulled apart: most of the run's time goes into the pull.
+const char* const pulled = R"(
+title = "small cemented sample"
+seed = 1
+[packing]
+method = "poisson"
+[bidisperse]
+large_radius = "1 mm"
+size_ratio = 2
+volume_ratio = 1.6
+box_area = 25
+[frame]
+thickness = "10 mm"
+[materials.large]
+density = "2500 kg/m^3"
+stiffness = "1 kN/mm"
+[materials.small]
+density = "2500 kg/m^3"
+stiffness = "1 kN/mm"
+[contact]
+friction_law = "cundall_strack"
+friction = 0.3
+restitution = 0.7
+[[stages]]
+name = "compact"
+left = { pressure = "10 kPa" }
+right = { pressure = "10 kPa" }
+bottom = { pressure = "10 kPa" }
+top = { pressure = "10 kPa" }
+masses = "even"
+inertial_number = 1
+rest = { unbalanced = 0.01, kinetic = 0.05 }
+[cement]
+kind = "bridges"
+saturation = 0.6
+[raster]
+nodes = 48
+[[loads]]
+name = "tension"
+[[loads]]
+name = "failure"
+failure = true
+band = 0.1
+)";
+
+TEST(Resume, KilledAtRandomMomentsAPullToFailureEndsWithTheSameBytes) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "recipe.toml") << pulled;
+  kill_at_random_moments(folder / "recipe.toml", 5, 2, 5);
 }
 
 TEST(Resume, NothingIsComputedTwice) {

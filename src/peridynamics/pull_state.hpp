@@ -1,0 +1,53 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace arenite::peridynamics {
+
+/// One state of the pull: before a round of breaking, so that loads climb and drop as the machine would see them.
+struct DamageState {
+  double strain = 0, stress = 0;  ///< of the top row along its way (loading.hpp), Pa: positive while it is resisted
+  double work = 0;                ///< done by the clamp so far; all energies per unit thickness, J/m
+  double elastic = 0;
+  double released = 0;     ///< elastic energy lost when bonds broke at fixed displacement
+  double bond_energy = 0;  ///< of that, what the broken bonds held when they broke; the rest would fly off as waves
+  std::size_t broken = 0;
+};
+
+struct BrokenBond {
+  std::int32_t x, y;       ///< node that it started from
+  std::uint8_t direction;  ///< index into half_bonds
+  std::uint8_t type;       ///< BondType
+  double strain;           ///< of the sample when it broke
+};
+
+/// Where a pull stands before a round of breaking: all that decides how it goes on, beside its map and options. Arrays by
+/// node are padded (grid.hpp); displacements are m at unit strain.
+struct PullState {
+  std::int32_t width = 0, height = 0;  ///< nodes of the map
+  std::int64_t rounds = 0;             ///< of breaking so far
+  std::int64_t solves = 0, iterations = 0;
+  std::vector<std::uint32_t> words;    ///< Bonds::words as they are,
+  std::vector<std::uint32_t> words_at_setup;  ///< and when the solver was set up, which it is still
+  std::vector<double> ux, uy;          ///< the last equilibrium: the next solve starts from it
+  DamageState now;
+  std::vector<DamageState> curve;
+  std::vector<BrokenBond> broken;
+  double strength = 0, modulus = 0, energy_defect = 0;  ///< so far, as in DamageResult
+  double share = 0;                    ///< Progress::share
+  /// Bonds and equilibrium when the stress was largest; empty before the first round.
+  std::vector<std::uint32_t> strongest_words;
+  std::vector<double> strongest_ux, strongest_uy;
+  double strongest_strain = 0;
+};
+
+/// Is handed a way to the state; a caller that wants it asks for it (copying it takes time).
+using KeepPull = std::function<void(const std::function<PullState()>& state)>;
+
+/// The state as bytes and back. Throws InputError if the bytes are not a whole state.
+std::vector<std::uint8_t> to_bytes(const PullState& state);
+PullState pull_state_of(const std::vector<std::uint8_t>& bytes);
+
+}  // namespace arenite::peridynamics
