@@ -25,12 +25,12 @@ Index index(std::size_t i) { return static_cast<Index>(i); }
 void functions_at(const HarmonicFit& fit, double t, bool with_beat, VectorXd& phi) {
   const double x = (t - fit.middle) / fit.half, angle = 2 * std::numbers::pi * fit.frequency * t;
   legendre(x, fit.drift, phi.data());
-  for (std::size_t h = 0; h < fit.harmonics; ++h) {
-    phi[index(fit.drift + 2 * h)] = std::cos(static_cast<double>(h + 1) * angle);
-    phi[index(fit.drift + 2 * h + 1)] = std::sin(static_cast<double>(h + 1) * angle);
+  for (std::size_t h = 1; h <= fit.harmonics; ++h) {
+    phi[index(fit.harmonic(h))] = std::cos(static_cast<double>(h) * angle);
+    phi[index(fit.harmonic(h) + 1)] = std::sin(static_cast<double>(h) * angle);
   }
   if (!with_beat) return;
-  const Index last = phi.size() - 2, cosine = index(fit.drift);
+  const Index last = phi.size() - 2, cosine = index(fit.harmonic(1));
   phi[last] = x * phi[cosine];
   phi[last + 1] = x * phi[cosine + 1];
 }
@@ -43,15 +43,15 @@ void projection(const HarmonicFit& fit, double centre, bool with_beat, MatrixXd&
   legendre(x, fit.drift, p.data());
   r.block(0, 0, index(fit.drift), 1) = p;
   const auto turn = [&](Index row, std::size_t h, double size) {
-    const double angle = 2 * std::numbers::pi * fit.frequency * static_cast<double>(h + 1) * centre;
-    const Index column = index(1 + 2 * h);
+    const double angle = 2 * std::numbers::pi * fit.frequency * static_cast<double>(h) * centre;
+    const Index column = index(2 * h - 1);
     r(row, column) = size * std::cos(angle);
     r(row, column + 1) = -size * std::sin(angle);
     r(row + 1, column) = size * std::sin(angle);
     r(row + 1, column + 1) = size * std::cos(angle);
   };
-  for (std::size_t h = 0; h < fit.harmonics; ++h) turn(index(fit.drift + 2 * h), h, 1);
-  if (with_beat) turn(r.rows() - 2, 0, x);
+  for (std::size_t h = 1; h <= fit.harmonics; ++h) turn(index(fit.harmonic(h)), h, 1);
+  if (with_beat) turn(r.rows() - 2, 1, x);
 }
 
 }  // namespace

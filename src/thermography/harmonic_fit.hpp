@@ -8,7 +8,7 @@ namespace arenite::thermography {
 
 /// Least squares of drift and harmonics of one frequency, the same for all pixels, as numbers by which the sums of
 /// segments are multiplied. Functions fitted: Legendre polynomials of x = (t - middle)/half the film's time, then
-/// cos(h w t), sin(h w t) of every harmonic h, then, if asked for, x cos(w t), x sin(w t), which show a frequency that
+/// cos(h w t), sin(h w t) of every harmonic h, the highest first, then, if asked for, x cos(w t), x sin(w t), which show a frequency that
 /// is off. The film is projected on the same functions with x and the phase of a small w - w_0 constant within a
 /// segment: what is of the fitted form is found exactly, with a standard error larger than that of plain least squares by
 /// less than a per cent.
@@ -22,8 +22,8 @@ struct HarmonicFit {
   Eigen::MatrixXd normal;           ///< sums of products of the fitted functions
 
   std::size_t size() const { return static_cast<std::size_t>(coefficient.cols()); }
-  /// Column of cos of the first harmonic; sin is next to it.
-  std::size_t first_harmonic() const { return drift; }
+  /// Column of cos of harmonic h; sin is next to it.
+  std::size_t harmonic(std::size_t h) const { return drift + 2 * (harmonics - h); }
 };
 
 HarmonicFit harmonic_fit(const SegmentSums& sums, double frequency, int drift_order, bool with_beat);

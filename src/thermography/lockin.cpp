@@ -40,12 +40,11 @@ int possible_harmonics(const std::vector<double>& time, const LockinOptions& o) 
 }
 
 void refuse_constant(const SegmentSums& s) {
-  const std::size_t planes = s.planes();
   const SegmentView view = s.view();
   for (std::size_t p = 0; p < s.pixels; ++p)
     for (std::size_t k = 0; k < s.segments(); ++k) {
-      const float* plane = view.sums + k * view.stride + p / chunk * chunk * planes + p % chunk;
-      if (plane[(planes - 2) * chunk] > 0 || std::abs(plane[(planes - 1) * chunk]) > 0) return;
+      const float *squares = view.sums + view.at(p, k, s.functions + 1), *step = squares + chunk;
+      if (*squares > 0 || std::abs(*step) > 0) return;
     }
   throw InputError("every pixel of the film is constant in time (or is no number); a lock-in needs a film of a loaded sample");
 }
@@ -63,7 +62,7 @@ void fill(const SegmentSums& s, const HarmonicFit& fit, const Team& team, Lockin
   resize(maps, s.pixels, second);
   for (auto& each : swing) each.resize(s.pixels);
   const double factor = maps.convention == SwingConvention::full ? 2 : 1;
-  const auto a = static_cast<Eigen::Index>(fit.first_harmonic());
+  const auto a = static_cast<Eigen::Index>(fit.harmonic(1));
   const double spread = std::sqrt((fit.covariance(a, a) + fit.covariance(a + 1, a + 1)) / 2);
   std::vector<double> value(fit.drift), slope(fit.drift);
   legendre(0, fit.drift, value.data(), slope.data());
@@ -75,7 +74,7 @@ void fill(const SegmentSums& s, const HarmonicFit& fit, const Team& team, Lockin
       const auto number = [&](std::size_t m) { return pixels.value[m * PixelFit::run + i]; };
       double mean = static_cast<double>(s.base[p]), drift = 0;
       for (std::size_t j = 0; j < fit.drift; ++j) mean += value[j] * number(j), drift += slope[j] * number(j);
-      const double c = number(fit.drift), sn = number(fit.drift + 1), noise = std::sqrt(pixels.variance[i]);
+      const double c = number(fit.harmonic(1)), sn = number(fit.harmonic(1) + 1), noise = std::sqrt(pixels.variance[i]);
       maps.mean[p] = static_cast<float>(mean);
       maps.drift[p] = static_cast<float>(drift / fit.half);
       swing[0][p] = factor * c;
@@ -86,7 +85,7 @@ void fill(const SegmentSums& s, const HarmonicFit& fit, const Team& team, Lockin
       maps.noise_floor[p] = static_cast<float>(std::sqrt(std::numbers::pi / 2) * factor * spread * noise);
       maps.residual[p] = static_cast<float>(noise);
       if (!second) continue;
-      const double c2 = number(fit.drift + 2), s2 = number(fit.drift + 3);
+      const double c2 = number(fit.harmonic(2)), s2 = number(fit.harmonic(2) + 1);
       maps.second_harmonic[p] = static_cast<float>(factor * std::sqrt(c2 * c2 + s2 * s2));
     }
   });
@@ -103,7 +102,7 @@ void project(LockinMaps& maps, const std::vector<double>& cosine, const std::vec
 LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<double> time, int harmonics) {
   const Team team(o.threads);
   const SegmentSums sums = sum_segments(film, std::move(time), o.frequency, harmonics, o.drift_order, team, o.progress);
-  if (sums.sums.empty()) return {};
+  if (!sums.sums) return {};
   refuse_constant(sums);
   const FrequencyFit found = o.refine ? refine_frequency(sums, o.drift_order, team) : FrequencyFit{o.frequency, 0};
   LockinMaps maps;

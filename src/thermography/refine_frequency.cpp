@@ -38,51 +38,49 @@ class Newton {
  public:
   Newton(const SegmentSums& sums, int drift_order, const Team& team) : s_(sums), drift_(drift_order), team_(team) {}
 
-  Step step(double frequency) {
+  /// Looks at one run of pixels in `every`.
+  Step step(double frequency, std::size_t every) {
     const HarmonicFit fit = harmonic_fit(s_, frequency, drift_, true);
-    if (weight_.empty()) weigh(fit);
-    std::vector<BeatSums> part((s_.pixels + PixelFit::run - 1) / PixelFit::run);
-    for_runs(s_, team_, [&](std::size_t run, std::size_t begin, std::size_t count) { part[run] = beat_of(fit, begin, count); });
+    if (typical_ < 0) typical_ = typical_variance(fit, every);
+    std::vector<BeatSums> part(runs());
+    for_runs(s_, team_, [&](std::size_t run, std::size_t begin, std::size_t count) {
+      if (run % every == 0) part[run] = beat_of(fit, begin, count);
+    });
     BeatSums all;
     for (const auto& each : part) all += each;
     return solve(fit, all);
   }
 
+  std::size_t runs() const { return (s_.pixels + PixelFit::run - 1) / PixelFit::run; }
+
  private:
-  /// Noise of every pixel, and weights that follow its inverse but do not run away where a pixel is all but dead.
-  void weigh(const HarmonicFit& fit) {
-    variance_.resize(s_.pixels);
-    for_runs(s_, team_, [&](std::size_t, std::size_t begin, std::size_t count) {
-      PixelFit pixels;
+  double typical_variance(const HarmonicFit& fit, std::size_t every) const {
+    std::vector<double> variance;
+    PixelFit pixels;
+    for (std::size_t begin = 0; begin < s_.pixels; begin += every * PixelFit::run) {
+      const std::size_t count = std::min(PixelFit::run, s_.pixels - begin);
       fit_pixels_with_variance(s_, fit, begin, count, pixels);
-      for (std::size_t i = 0; i < count; ++i) variance_[begin + i] = static_cast<float>(pixels.variance[i]);
-    });
-    std::vector<float> sorted;
-    for (const float v : variance_)
-      if (std::isfinite(v)) sorted.push_back(v);
-    float typical = 0;
-    if (!sorted.empty()) {
-      std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
-      typical = sorted[sorted.size() / 2];
+      for (std::size_t i = 0; i < count; ++i)
+        if (std::isfinite(pixels.variance[i])) variance.push_back(pixels.variance[i]);
     }
-    weight_.resize(s_.pixels);
-    for (std::size_t p = 0; p < s_.pixels; ++p) {
-      if (!std::isfinite(variance_[p])) weight_[p] = 0;
-      else weight_[p] = typical > 0 ? 2 * typical / (variance_[p] + typical) : 1;
-    }
+    if (variance.empty()) return 0;
+    const auto middle = variance.begin() + static_cast<std::ptrdiff_t>(variance.size() / 2);
+    std::nth_element(variance.begin(), middle, variance.end());
+    return *middle;
   }
 
+  /// Weights follow the inverse of the noise but do not run away where a pixel is all but dead.
   BeatSums beat_of(const HarmonicFit& fit, std::size_t begin, std::size_t count) const {
-    PixelFit swing, beat;
-    fit_pixels(s_, fit, fit.first_harmonic(), 2, begin, count, swing);
-    fit_pixels(s_, fit, fit.size() - 2, 2, begin, count, beat);
+    PixelFit pixels;
+    fit_pixels_with_variance(s_, fit, begin, count, pixels);
+    const double* c = pixels.value.data() + fit.harmonic(1) * PixelFit::run;
+    const double *s = c + PixelFit::run, *p = s + PixelFit::run, *q = p + PixelFit::run;
     BeatSums sum;
     for (std::size_t i = 0; i < count; ++i) {
-      const double w = static_cast<double>(weight_[begin + i]);
-      if (w == 0) continue;
-      const double c = swing.value[i], s = swing.value[PixelFit::run + i], p = beat.value[i], q = beat.value[PixelFit::run + i];
-      const double power = c * c + s * s;
-      sum += {w * power, w * (p * p + q * q), w * (s * p - c * q), w * w * power * static_cast<double>(variance_[begin + i])};
+      const double variance = pixels.variance[i];
+      if (!std::isfinite(variance)) continue;
+      const double w = typical_ > 0 ? 2 * typical_ / (variance + typical_) : 1, power = c[i] * c[i] + s[i] * s[i];
+      sum += {w * power, w * (p[i] * p[i] + q[i] * q[i]), w * (s[i] * p[i] - c[i] * q[i]), w * w * power * variance};
     }
     return sum;
   }
@@ -90,7 +88,7 @@ class Newton {
   /// Noise swings, too, but does not beat more than it swings: that share is taken from the power before dividing by it.
   Step solve(const HarmonicFit& fit, const BeatSums& all) const {
     if (!(all.swing > 0)) return {};
-    const auto a = static_cast<Eigen::Index>(fit.first_harmonic()), b = static_cast<Eigen::Index>(fit.size()) - 2;
+    const auto a = static_cast<Eigen::Index>(fit.harmonic(1)), b = static_cast<Eigen::Index>(fit.size()) - 2;
     const double swing_noise = fit.covariance(a, a) + fit.covariance(a + 1, a + 1);
     const double beat_noise = fit.covariance(b, b) + fit.covariance(b + 1, b + 1);
     const double noise = (all.beat - all.cross * all.cross / all.swing) * swing_noise / beat_noise;
@@ -101,7 +99,7 @@ class Newton {
   const SegmentSums& s_;
   int drift_;
   const Team& team_;
-  std::vector<float> weight_, variance_;
+  double typical_ = -1;
 };
 
 }  // namespace
@@ -109,16 +107,18 @@ class Newton {
 FrequencyFit refine_frequency(const SegmentSums& sums, int drift_order, const Team& team) {
   const double time = sums.time.back() - sums.time.front();
   const double reach = std::max(0.02 * sums.frequency, 2 / time);
-  const double start = segments_in_step(sums, reach);
   Newton newton(sums, drift_order, team);
-  FrequencyFit result{start, 0};
+  FrequencyFit result{segments_in_step(sums, reach), 0};
+  std::size_t every = newton.runs() >= 64 ? 8 : 1;
   for (int turns = 0; turns < 12; ++turns) {
-    const Step step = newton.step(result.frequency);
+    const Step step = newton.step(result.frequency, every);
     result.error = step.error;
     if (!std::isfinite(step.error)) break;
     const double change = std::clamp(step.frequency, -0.25 / time, 0.25 / time);
     result.frequency += change;
-    if (std::abs(change) < std::max(1e-2 * step.error, 1e-13 * result.frequency)) break;
+    const bool converged = std::abs(change) < std::max(1e-2 * step.error, 1e-13 * result.frequency);
+    if (every == 1 && (converged || std::abs(change) < 1e-4 / time)) break;
+    if (converged || std::abs(change) < 0.03 / time) every = 1;
   }
   if (std::isfinite(result.error) && std::abs(result.frequency - sums.frequency) < reach && result.error < 0.25 / time) return result;
   return {sums.frequency, std::numeric_limits<double>::infinity()};

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t block_bytes = std::size_t{8} << 20;
 
 std::size_t segment_count(std::size_t frames, double cycles, int drift_order) {
-  const auto by_cycles = static_cast<std::size_t>(std::clamp(cycles / 8, 16.0, 64.0));
+  const auto by_cycles = static_cast<std::size_t>(std::clamp(cycles / 16, 16.0, 64.0));
   const auto needed = 4 * static_cast<std::size_t>(drift_order + 1);
   return std::min(frames, std::max(needed, std::min(frames / 8, by_cycles)));
 }
@@ -42,23 +42,27 @@ struct Pass {
 
   /// Frames first .. first + count - 1, all within segment k.
   void add(const T* frames, std::size_t first, std::size_t count, std::size_t k) {
-    float* sums = s.sums.data() + k * (s.sums.size() / s.segments());
+    float* sums = s.sums.get() + s.view().at(0, k, 0);
+    const std::size_t stride = s.segments() * s.planes() * chunk;
     const bool opens = first == s.first[k];
     const WeighedFrames<T> weighed{frames, s.pixels, count, s.weights.data() + first * s.functions, s.functions, reference.data()};
     const std::size_t chunks = (s.pixels + chunk - 1) / chunk;
     team.for_ranges(chunks, [&](std::size_t from, std::size_t to) {
       const std::size_t begin = from * chunk, end = std::min(to * chunk, s.pixels);
-      if (opens) refer(frames, sums, first == 0, begin, end);
-      if constexpr (sizeof(T) == 2) kernels().add_levels(weighed, sums, begin, end);
-      else kernels().add_values(weighed, sums, begin, end);
+      if (opens) refer(frames, k, begin, end);
+      if constexpr (sizeof(T) == 2) kernels().add_levels(weighed, sums, stride, begin, end);
+      else kernels().add_values(weighed, sums, stride, begin, end);
     });
   }
 
-  void refer(const T* frame, float* sums, bool film_opens, std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p) {
-      reference[p] = static_cast<float>(frame[p]);
-      if (film_opens) s.base[p] = reference[p];
-      sums[p / chunk * chunk * s.planes() + (s.planes() - 1) * chunk + p % chunk] = reference[p] - s.base[p];
+  void refer(const T* frame, std::size_t k, std::size_t begin, std::size_t end) {
+    const SegmentView view = s.view();
+    for (std::size_t p = begin; p < end; ++p) reference[p] = static_cast<float>(frame[p]);
+    if (k == 0) std::copy(reference.begin() + static_cast<std::ptrdiff_t>(begin), reference.begin() + static_cast<std::ptrdiff_t>(end), s.base.begin() + static_cast<std::ptrdiff_t>(begin));
+    for (std::size_t from = begin; from < end; from += chunk) {
+      float* plane = s.sums.get() + view.at(from, k, 0);
+      std::fill_n(plane, s.planes() * chunk, 0.f);
+      for (std::size_t p = from; p < std::min(from + chunk, end); ++p) plane[(s.planes() - 1) * chunk + p - from] = reference[p] - s.base[p];
     }
   }
 };
@@ -97,10 +101,10 @@ SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double freq
   cut(s, segment_count(s.time.size(), frequency * (s.time.back() - s.time.front()), drift_order));
   weigh(s);
   s.base.resize(s.pixels);
-  s.sums.resize(s.segments() * ((s.pixels + chunk - 1) / chunk * chunk * s.planes()));
+  s.sums.reset(new float[s.view().at((s.pixels + chunk - 1) / chunk * chunk, 0, 0)]);
   const bool done = film.info().floating ? pass_over(s, team, film, film.values_in_memory(), progress)
                                          : pass_over(s, team, film, film.levels_in_memory(), progress);
-  if (!done) s.sums.clear();
+  if (!done) s.sums.reset();
   return s;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/threads.hpp"
@@ -25,17 +26,17 @@ struct SegmentSums {
   std::vector<float> weights;       ///< frames x functions
   std::size_t pixels = 0;
   std::vector<float> base;          ///< first frame
-  std::vector<float> sums;          ///< see SegmentView; planes 1, functions, squares, first frame less the film's first
+  std::unique_ptr<float[]> sums;    ///< see SegmentView; planes 1, functions, squares, first frame less the film's first
 
   std::size_t segments() const { return centre.size(); }
   std::size_t planes() const { return functions + 3; }
   double frames_of(std::size_t segment) const { return static_cast<double>(first[segment + 1] - first[segment]); }
-  SegmentView view() const { return {sums.data(), segments(), sums.size() / segments(), planes()}; }
+  SegmentView view() const { return {sums.get(), segments(), planes()}; }
 };
 
 /// One pass over the film with `harmonics` (1 to 4) of `frequency`; a film in memory is not copied. Every segment is
 /// short against the drift polynomial of this order and, where the film allows it, against the beat of a frequency that
-/// is 1e-2 off. Empty sums if `progress` stopped it.
+/// is 1e-2 off. No sums if `progress` stopped it.
 SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double frequency, int harmonics, int drift_order, const Team& team,
                          const Progress& progress);
 

@@ -30,9 +30,9 @@ Eigen::MatrixXd own_fit(const SegmentSums& s, std::size_t k) {
 /// Swing of one pixel in every segment, over its spread, so that a wild pixel does not speak for all.
 bool swings_of(const SegmentSums& s, const std::vector<Eigen::MatrixXd>& fits, std::size_t p, Eigen::VectorXcd& swing) {
   const SegmentView view = s.view();
-  const float* plane = view.sums + p / chunk * chunk * view.planes + p % chunk;
+  const float* plane = view.sums + view.at(p, 0, 0);
   double spread = 0;
-  for (std::size_t k = 0; k < s.segments(); ++k, plane += view.stride) {
+  for (std::size_t k = 0; k < s.segments(); ++k, plane += view.planes * chunk) {
     std::complex<double> z = 0;
     for (std::size_t m = 0; m <= s.functions; ++m) {
       const auto v = static_cast<double>(plane[m * chunk]);

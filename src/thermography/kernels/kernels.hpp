@@ -19,23 +19,27 @@ struct WeighedFrames {
 /// Sums are kept in chunks of so many pixels, all sums of a chunk one after the other.
 constexpr std::size_t chunk = 32;
 
-/// Sums of all segments of a film: of pixel p, plane k of segment s is at
-/// sums[s stride + p / chunk * chunk * planes + k chunk + p % chunk].
+/// Sums of all segments of a film, chunk by chunk so that a fit reads them in one run.
 struct SegmentView {
   const float* sums;
-  std::size_t segments, stride, planes;
+  std::size_t segments, planes;
+
+  /// Where pixel p has plane k of segment s.
+  std::size_t at(std::size_t p, std::size_t s, std::size_t k) const {
+    return ((p / chunk * segments + s) * planes + k) * chunk + p % chunk;
+  }
 };
 
 /// The passes over pixels that take the time, compiled once for each kind of machine. Pixels begin .. end - 1 are done,
 /// where `begin` is a multiple of `chunk`.
 struct Kernels {
   const char* name;
-  /// Plane 0 += d, plane 1 + k += weight_k d, plane 1 + functions += d^2 over all frames; a chunk has functions + 3
-  /// planes, the last of which stays as it is.
-  void (*add_levels)(const WeighedFrames<std::uint16_t>&, float* sums, std::size_t begin, std::size_t end);
-  void (*add_values)(const WeighedFrames<float>&, float* sums, std::size_t begin, std::size_t end);
-  /// out[m stride + p - begin] = sum over segments and planes of coefficient[m][s][k] sums, for m = 0 .. rows - 1.
-  void (*combine)(const SegmentView&, const double* coefficient, std::size_t rows, double* out, std::size_t stride, std::size_t begin,
+  /// Plane 0 += d, plane 1 + k += weight_k d, plane 1 + functions += d^2 over all frames, for the segment whose plane 0 of
+  /// pixel 0 is at `sums`; the next chunk is `stride` further.
+  void (*add_levels)(const WeighedFrames<std::uint16_t>&, float* sums, std::size_t stride, std::size_t begin, std::size_t end);
+  void (*add_values)(const WeighedFrames<float>&, float* sums, std::size_t stride, std::size_t begin, std::size_t end);
+  /// out[m apart + p - begin] = sum over segments and planes of coefficient[m][s][k] sums, for m = 0 .. rows - 1.
+  void (*combine)(const SegmentView&, const double* coefficient, std::size_t rows, double* out, std::size_t apart, std::size_t begin,
                   std::size_t end);
   /// out[p - begin] = sum over all frames of (d + last plane)^2, where segment s has frames[s] frames.
   void (*power)(const SegmentView&, const double* frames, double* out, std::size_t begin, std::size_t end);

@@ -42,13 +42,13 @@ inline void add_group(const WeighedFrames<T>& f, std::size_t first, std::size_t 
 }
 
 template <int functions, class T>
-void add_frames(const WeighedFrames<T>& f, float* sums, std::size_t begin, std::size_t end) {
+void add_frames(const WeighedFrames<T>& f, float* sums, std::size_t stride, std::size_t begin, std::size_t end) {
   constexpr std::size_t step = 2 * Floats::lanes;
   for (std::size_t from = begin; from < end; from += tile) {
     const std::size_t to = from + tile < end ? from + tile : end;
     for (std::size_t first = 0; first < f.count; first += group) {
       const std::size_t count = first + group < f.count ? group : f.count - first;
-      const auto of = [&](std::size_t p) { return sums + p / chunk * chunk * (functions + 3) + p % chunk; };
+      const auto of = [&](std::size_t p) { return sums + p / chunk * stride + p % chunk; };
       std::size_t p = from;
       for (; p + step <= to; p += step) add_group<Floats, 2, functions>(f, first, count, of(p), p);
       for (; p < to; ++p) add_group<One<float>, 1, functions>(f, first, count, of(p), p);
@@ -57,48 +57,48 @@ void add_frames(const WeighedFrames<T>& f, float* sums, std::size_t begin, std::
 }
 
 template <class T>
-void add(const WeighedFrames<T>& f, float* sums, std::size_t begin, std::size_t end) {
-  if (f.functions == 2) add_frames<2>(f, sums, begin, end);
-  else if (f.functions == 4) add_frames<4>(f, sums, begin, end);
-  else if (f.functions == 6) add_frames<6>(f, sums, begin, end);
-  else add_frames<8>(f, sums, begin, end);
+void add(const WeighedFrames<T>& f, float* sums, std::size_t stride, std::size_t begin, std::size_t end) {
+  if (f.functions == 2) add_frames<2>(f, sums, stride, begin, end);
+  else if (f.functions == 4) add_frames<4>(f, sums, stride, begin, end);
+  else if (f.functions == 6) add_frames<6>(f, sums, stride, begin, end);
+  else add_frames<8>(f, sums, stride, begin, end);
 }
 
 template <class V, int rows>
-inline void combine_at(const SegmentView& s, std::size_t p, const double* coefficient, double* out, std::size_t stride) {
+inline void combine_at(const SegmentView& s, std::size_t p, const double* coefficient, double* out, std::size_t apart) {
   V sum[rows];
   for (int m = 0; m < rows; ++m) sum[m] = V::all(0);
   const std::size_t count = s.segments * s.planes;
-  const float* plane = s.sums + p / chunk * chunk * s.planes + p % chunk;
-  for (std::size_t q = 0; q < count; plane += s.stride)
-    for (std::size_t k = 0; k < s.planes; ++k, ++q) {
-      const V d = V::load(plane + k * chunk);
-      for (int m = 0; m < rows; ++m) sum[m] = fma(V::all(coefficient[static_cast<std::size_t>(m) * count + q]), d, sum[m]);
-    }
-  for (int m = 0; m < rows; ++m) sum[m].store(out + static_cast<std::size_t>(m) * stride);
+  const float* plane = s.sums + s.at(p, 0, 0);
+  for (std::size_t q = 0; q < count; ++q, plane += chunk) {
+    if constexpr (V::lanes > 1) __builtin_prefetch(plane + count * chunk);
+    const V d = V::load(plane);
+    for (int m = 0; m < rows; ++m) sum[m] = fma(V::all(coefficient[static_cast<std::size_t>(m) * count + q]), d, sum[m]);
+  }
+  for (int m = 0; m < rows; ++m) sum[m].store(out + static_cast<std::size_t>(m) * apart);
 }
 
 template <int rows>
-void combine_rows(const SegmentView& s, const double* coefficient, double* out, std::size_t stride, std::size_t begin, std::size_t end) {
+void combine_rows(const SegmentView& s, const double* coefficient, double* out, std::size_t apart, std::size_t begin, std::size_t end) {
   std::size_t p = begin;
-  for (; p + Doubles::lanes <= end; p += Doubles::lanes) combine_at<Doubles, rows>(s, p, coefficient, out + (p - begin), stride);
-  for (; p < end; ++p) combine_at<One<double>, rows>(s, p, coefficient, out + (p - begin), stride);
+  for (; p + Doubles::lanes <= end; p += Doubles::lanes) combine_at<Doubles, rows>(s, p, coefficient, out + (p - begin), apart);
+  for (; p < end; ++p) combine_at<One<double>, rows>(s, p, coefficient, out + (p - begin), apart);
 }
 
-void combine(const SegmentView& s, const double* coefficient, std::size_t rows, double* out, std::size_t stride, std::size_t begin,
+void combine(const SegmentView& s, const double* coefficient, std::size_t rows, double* out, std::size_t apart, std::size_t begin,
              std::size_t end) {
   const std::size_t count = s.segments * s.planes;
   std::size_t m = 0;
-  for (; m + 8 <= rows; m += 8) combine_rows<8>(s, coefficient + m * count, out + m * stride, stride, begin, end);
-  for (; m + 4 <= rows; m += 4) combine_rows<4>(s, coefficient + m * count, out + m * stride, stride, begin, end);
-  for (; m < rows; ++m) combine_rows<1>(s, coefficient + m * count, out + m * stride, stride, begin, end);
+  for (; m + 8 <= rows; m += 8) combine_rows<8>(s, coefficient + m * count, out + m * apart, apart, begin, end);
+  for (; m + 4 <= rows; m += 4) combine_rows<4>(s, coefficient + m * count, out + m * apart, apart, begin, end);
+  for (; m < rows; ++m) combine_rows<1>(s, coefficient + m * count, out + m * apart, apart, begin, end);
 }
 
 template <class V>
 inline void power_at(const SegmentView& s, std::size_t p, const double* frames, double* out) {
   V sum = V::all(0);
-  const float* plane = s.sums + p / chunk * chunk * s.planes + p % chunk;
-  for (std::size_t q = 0; q < s.segments; ++q, plane += s.stride) {
+  const float* plane = s.sums + s.at(p, 0, 0);
+  for (std::size_t q = 0; q < s.segments; ++q, plane += s.planes * chunk) {
     const V level = V::load(plane), squares = V::load(plane + (s.planes - 2) * chunk), step = V::load(plane + (s.planes - 1) * chunk);
     sum = fma(fma(V::all(frames[q]), step, level + level), step, sum + squares);
   }

@@ -45,15 +45,15 @@ TEST(LockIn, KernelsAgree) {
   for (auto& w : weights) w = static_cast<float>(random.uniform(-1, 1));
   const std::size_t size = 4 * chunk * 9;
   std::vector<float> expected(size);
-  kernels("portable")->add_levels({level.data(), pixels, frames, weights.data(), 6, reference.data()}, expected.data(), 0, pixels);
+  kernels("portable")->add_levels({level.data(), pixels, frames, weights.data(), 6, reference.data()}, expected.data(), 9 * chunk, 0, pixels);
   double exact = 0;
   for (std::size_t n = 0; n < frames; ++n) exact += static_cast<double>(weights[n * 6 + 2]) * (static_cast<double>(level[n * pixels + 70]) - 7000);
   EXPECT_NEAR(expected[2 * chunk * 9 + 3 * chunk + 6], exact, 1e-2);
   for (const char* name : {"avx2", "avx512"})
     if (const Kernels* k = kernels(name)) {
       std::vector<float> levels(size), values(size);
-      k->add_levels({level.data(), pixels, frames, weights.data(), 6, reference.data()}, levels.data(), 0, pixels);
-      k->add_values({value.data(), pixels, frames, weights.data(), 6, reference.data()}, values.data(), 0, pixels);
+      k->add_levels({level.data(), pixels, frames, weights.data(), 6, reference.data()}, levels.data(), 9 * chunk, 0, pixels);
+      k->add_values({value.data(), pixels, frames, weights.data(), 6, reference.data()}, values.data(), 9 * chunk, 0, pixels);
       EXPECT_EQ(levels, values) << name;
       for (std::size_t i = 0; i < size; ++i) EXPECT_NEAR(levels[i], expected[i], 1e-6f * 4e6f) << name << " " << i;
     }
