@@ -35,8 +35,18 @@ std::string reason(int error, const fs::path& folder) {
   throw InputError(path.string(), 0, "cannot be written: " + reason(error, path.has_parent_path() ? path.parent_path() : "."));
 }
 
+/// Behind a symbolic link the file it points to is replaced, not the link.
+fs::path behind_link(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_symlink(path, error)) return path;
+  const fs::path target = fs::canonical(path, error);
+  return error ? path : target;
+}
+
+}  // namespace
+
 /// The file beside the target, open and locked; removed again unless it was renamed.
-class Beside {
+class AtomicFile::Beside {
  public:
   explicit Beside(const fs::path& target) : target_(target), name_(target.parent_path() / ("." + target.filename().string() + ".tmp")) {
     while (!open_locked()) {
@@ -58,6 +68,18 @@ class Beside {
       bytes.remove_prefix(static_cast<std::size_t>(n));
     }
   }
+
+  void overwrite(std::uint64_t offset, std::string_view bytes) {
+    while (!bytes.empty()) {
+      const ssize_t n = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+      if (n < 0 && errno == EINTR) continue;
+      if (n < 0) fail();
+      bytes.remove_prefix(static_cast<std::size_t>(n));
+      offset += static_cast<std::uint64_t>(n);
+    }
+  }
+
+  const fs::path& name() const { return name_; }
 
   void rename_to_target() {
     if (::fsync(descriptor_) != 0) fail();
@@ -94,26 +116,26 @@ class Beside {
   bool renamed_ = false;
 };
 
-/// Behind a symbolic link the file it points to is replaced, not the link.
-fs::path behind_link(const fs::path& path) {
-  std::error_code error;
-  if (!fs::is_symlink(path, error)) return path;
-  const fs::path target = fs::canonical(path, error);
-  return error ? path : target;
-}
-
-}  // namespace
-
-void write_atomically(const fs::path& path, std::string_view bytes) {
+AtomicFile::AtomicFile(const fs::path& path) {
   const fs::path target = behind_link(path);
   std::error_code error;
   const auto status = fs::status(target, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw InputError(path.string(), 0, fmt::format("cannot be written: it is {}; give the name of a file",
                                                    fs::is_directory(status) ? "a folder" : "not a regular file"));
-  Beside beside(target);
-  beside.write(bytes);
-  beside.rename_to_target();
+  beside_ = std::make_unique<Beside>(target);
+}
+
+AtomicFile::~AtomicFile() = default;
+void AtomicFile::write(std::string_view bytes) { beside_->write(bytes); }
+void AtomicFile::overwrite(std::uint64_t offset, std::string_view bytes) { beside_->overwrite(offset, bytes); }
+void AtomicFile::commit() { beside_->rename_to_target(); }
+const fs::path& AtomicFile::beside() const { return beside_->name(); }
+
+void write_atomically(const fs::path& path, std::string_view bytes) {
+  AtomicFile file(path);
+  file.write(bytes);
+  file.commit();
 }
 
 }  // namespace arenite::io

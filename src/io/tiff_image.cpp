@@ -1,79 +1,16 @@
 #include "io/tiff_image.hpp"
 
 #include <fmt/format.h>
-#include <tiffio.h>
-
 #include <algorithm>
-#include <cstdarg>
-#include <cstdio>
 #include <cstring>
-#include <memory>
 #include <vector>
 
 #include "core/error.hpp"
 #include "io/grey_pixels.hpp"
+#include "io/tiff_handle.hpp"
 
 namespace arenite::io {
 namespace {
-
-/// Bytes in memory as libtiff's file, and the first complaint about them.
-struct Source {
-  const std::string& bytes;
-  std::string file;
-  std::uint64_t at = 0;
-  std::string complaint;
-
-  [[noreturn]] void refuse(const std::string& message) const { throw InputError(file, 0, message); }
-  [[noreturn]] void refuse_damaged() const {
-    refuse("is a TIFF picture that is cut short or damaged" + (complaint.empty() ? "" : " (" + complaint + ")") + "; copy it again");
-  }
-};
-
-tmsize_t read_bytes(thandle_t handle, void* to, tmsize_t count) {
-  auto& source = *static_cast<Source*>(handle);
-  const auto size = std::uint64_t{source.bytes.size()};
-  const std::uint64_t there = source.at < size ? std::min<std::uint64_t>(size - source.at, static_cast<std::uint64_t>(count)) : 0;
-  if (there > 0) std::memcpy(to, source.bytes.data() + source.at, there);
-  source.at += there;
-  return static_cast<tmsize_t>(there);
-}
-
-toff_t seek(thandle_t handle, toff_t offset, int whence) {
-  auto& source = *static_cast<Source*>(handle);
-  source.at = offset + (whence == SEEK_CUR ? source.at : whence == SEEK_END ? source.bytes.size() : 0);
-  return source.at;
-}
-
-int complain(TIFF*, void* user, const char*, const char* format, va_list arguments) {
-  auto& source = *static_cast<Source*>(user);
-  char text[200] = {};
-  std::vsnprintf(text, sizeof(text), format, arguments);
-  if (source.complaint.empty()) source.complaint = text;
-  return 1;
-}
-
-using Tiff = std::unique_ptr<TIFF, void (*)(TIFF*)>;
-
-Tiff open(Source& source) {
-  const std::unique_ptr<TIFFOpenOptions, void (*)(TIFFOpenOptions*)> options(TIFFOpenOptionsAlloc(), TIFFOpenOptionsFree);
-  constexpr tmsize_t most_at_once = tmsize_t{1} << 30;  // what a tag asks for, not what the picture needs
-  TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), most_at_once);
-  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), complain, &source);
-  TIFFOpenOptionsSetWarningHandlerExtR(options.get(), [](TIFF*, void*, const char*, const char*, va_list) { return 1; }, nullptr);
-  // "m": no mapping into memory, for the bytes are there already.
-  return {TIFFClientOpenExt(
-              "picture", "rm", &source, read_bytes, [](thandle_t, void*, tmsize_t) -> tmsize_t { return 0; }, seek,
-              [](thandle_t) { return 0; }, [](thandle_t h) -> toff_t { return static_cast<Source*>(h)->bytes.size(); }, nullptr,
-              nullptr, options.get()),
-          TIFFClose};
-}
-
-template <class T>
-T field(TIFF* tiff, std::uint32_t tag) {
-  T value = 0;
-  TIFFGetFieldDefaulted(tiff, tag, &value);
-  return value;
-}
 
 void take_palette(TIFF* tiff, int bits, PixelLayout& layout) {
   std::uint16_t *red = nullptr, *green = nullptr, *blue = nullptr;
@@ -83,21 +20,21 @@ void take_palette(TIFF* tiff, int bits, PixelLayout& layout) {
   for (int i = 0; i < 1 << bits; ++i) layout.palette.push_back({to_byte(red[i]), to_byte(green[i]), to_byte(blue[i])});
 }
 
-PixelLayout layout_of(TIFF* tiff, const Source& source, int bits, Channel channel) {
+PixelLayout layout_of(TIFF* tiff, const TiffSource& source, int bits, Channel channel) {
   PixelLayout layout;
   layout.channel = channel;
-  layout.file = source.file;
-  layout.width = static_cast<int>(field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH));
-  layout.height = static_cast<int>(field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH));
+  layout.file = source.file();
+  layout.width = static_cast<int>(tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH));
+  layout.height = static_cast<int>(tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH));
   layout.bits = std::max(bits, 8);
-  layout.samples = field<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL);
-  const auto format = field<std::uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT);
+  layout.samples = tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL);
+  const auto format = tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT);
   layout.is_signed = format == SAMPLEFORMAT_INT;
   if (format != SAMPLEFORMAT_UINT && format != SAMPLEFORMAT_INT && format != SAMPLEFORMAT_VOID)
     source.refuse("holds numbers with fractions; save it with whole numbers, one value a phase");
   if (bits != 1 && bits != 2 && bits != 4 && bits != 8 && bits != 16 && bits != 32)
     source.refuse(fmt::format("has {} bits a sample; save it as greyscale with 8 or 16", bits));
-  const auto meaning = field<std::uint16_t>(tiff, TIFFTAG_PHOTOMETRIC);
+  const auto meaning = tiff_field<std::uint16_t>(tiff, TIFFTAG_PHOTOMETRIC);
   layout.colour = meaning == PHOTOMETRIC_RGB;
   layout.inverted = meaning == PHOTOMETRIC_MINISWHITE;
   if (meaning > PHOTOMETRIC_PALETTE) source.refuse("is in colour; save it as greyscale with one value a phase");
@@ -106,9 +43,9 @@ PixelLayout layout_of(TIFF* tiff, const Source& source, int bits, Channel channe
   layout.opacity = layout.samples == needed + 1;
   if (layout.samples < needed || layout.samples > needed + 1 || (layout.samples > 1 && (bits < 8 || layout.is_signed)))
     source.refuse(fmt::format("has {} samples a pixel; save it as greyscale with one value a phase", layout.samples));
-  if (layout.samples > 1 && field<std::uint16_t>(tiff, TIFFTAG_PLANARCONFIG) != PLANARCONFIG_CONTIG)
+  if (layout.samples > 1 && tiff_field<std::uint16_t>(tiff, TIFFTAG_PLANARCONFIG) != PLANARCONFIG_CONTIG)
     source.refuse("holds its colours one after the other; save it as greyscale with one value a phase");
-  if (field<std::uint16_t>(tiff, TIFFTAG_ORIENTATION) != ORIENTATION_TOPLEFT)
+  if (tiff_field<std::uint16_t>(tiff, TIFFTAG_ORIENTATION) != ORIENTATION_TOPLEFT)
     source.refuse("is stored turned or mirrored; save it upright (orientation 1)");
   return layout;
 }
@@ -131,8 +68,8 @@ struct Band {
   std::vector<std::uint8_t> bytes;
 };
 
-void read_tiles(TIFF* tiff, const Source& source, int width, int y, Band& band) {
-  const auto tile_width = field<std::uint32_t>(tiff, TIFFTAG_TILEWIDTH);
+void read_tiles(TIFF* tiff, const TiffSource& source, int width, int y, Band& band) {
+  const auto tile_width = tiff_field<std::uint32_t>(tiff, TIFFTAG_TILEWIDTH);
   const auto across = static_cast<std::size_t>(TIFFTileRowSize(tiff));
   std::vector<std::uint8_t> tile(static_cast<std::size_t>(TIFFTileSize(tiff)));
   for (std::uint32_t x = 0, column = 0; x < static_cast<std::uint32_t>(width); x += tile_width, ++column) {
@@ -143,16 +80,16 @@ void read_tiles(TIFF* tiff, const Source& source, int width, int y, Band& band) 
   }
 }
 
-Band make_band(TIFF* tiff, const Source& source, const PixelLayout& layout, int bits, const ImageChoice& choice) {
+Band make_band(TIFF* tiff, const TiffSource& source, const PixelLayout& layout, int bits, const ImageChoice& choice) {
   Band band;
   const std::size_t needed = (layout.bytes_a_row() * static_cast<std::size_t>(bits) / static_cast<std::size_t>(layout.bits)) + 1;
   if (TIFFIsTiled(tiff) == 0) {
     band.count = 1;
     band.stride = std::max(needed, static_cast<std::size_t>(TIFFScanlineSize(tiff)));
   } else {
-    const auto wide = field<std::uint32_t>(tiff, TIFFTAG_TILEWIDTH), high = field<std::uint32_t>(tiff, TIFFTAG_TILELENGTH);
+    const auto wide = tiff_field<std::uint32_t>(tiff, TIFFTAG_TILEWIDTH), high = tiff_field<std::uint32_t>(tiff, TIFFTAG_TILELENGTH);
     if (wide == 0 || high == 0 || TIFFTileSize(tiff) <= 0) source.refuse_damaged();
-    check_size(source.file, std::int64_t{wide} + layout.width, high, choice);
+    check_size(source.file(), std::int64_t{wide} + layout.width, high, choice);
     if (TIFFTileRowSize(tiff) * 8 < tmsize_t{wide} * layout.samples * bits || wide * static_cast<unsigned>(bits) % 8 != 0)
       source.refuse_damaged();
     band.count = static_cast<int>(high);
@@ -163,9 +100,9 @@ Band make_band(TIFF* tiff, const Source& source, const PixelLayout& layout, int 
   return band;
 }
 
-Image read_page(TIFF* tiff, const Source& source, const ImageChoice& choice) {
-  check_size(source.file, field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH), field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH), choice);
-  const int bits = field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE);
+Image read_page(TIFF* tiff, const TiffSource& source, const ImageChoice& choice) {
+  check_size(source.file(), tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH), tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH), choice);
+  const int bits = tiff_field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE);
   PixelLayout layout = layout_of(tiff, source, bits, choice.channel);
   Band band = make_band(tiff, source, layout, bits, choice);
   Image image{layout.width, layout.height, {}};
@@ -193,8 +130,8 @@ Image read_page(TIFF* tiff, const Source& source, const ImageChoice& choice) {
 }  // namespace
 
 Image read_tiff(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
-  Source source{bytes, file, 0, {}};
-  const Tiff tiff = open(source);
+  TiffSource source(bytes_kept(bytes, file));
+  const Tiff tiff = open_tiff(source);
   if (!tiff) source.refuse_damaged();
   const auto slice = chosen_slice(file, std::int64_t{TIFFNumberOfDirectories(tiff.get())}, choice);
   if (TIFFSetDirectory(tiff.get(), static_cast<tdir_t>(slice)) != 1) source.refuse_damaged();

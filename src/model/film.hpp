@@ -13,7 +13,7 @@ enum class FilmQuantity : std::uint8_t { digital_level, kelvin, unknown };
 struct FilmInfo {
   int width = 0, height = 0;        ///< pixels
   std::int64_t frames = 0;
-  double frame_rate = 0;            ///< Hz
+  double frame_rate = 0;            ///< Hz, that the camera was set to; where frames are stamped, `time` counts
   double integration = 0;           ///< s
   int bits = 0;                     ///< significant bits of a digital level
   bool floating = false;            ///< pixels are stored as float, not as 16-bit whole numbers
@@ -22,6 +22,7 @@ struct FilmInfo {
   double emissivity = 0, ambient = 0;        ///< -, K
   double band_low = 0, band_high = 0;        ///< m
   std::vector<double> time;         ///< s after the first frame, one a frame, where frames are stamped; else empty
+  std::vector<std::string> remarks; ///< what a user should know about this film, each a sentence
 
   std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 };

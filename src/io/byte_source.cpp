@@ -1,0 +1,99 @@
+#include "io/byte_source.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "core/error.hpp"
+
+namespace arenite::io {
+namespace {
+
+class FileBytes : public ByteSource {
+ public:
+  explicit FileBytes(const std::filesystem::path& path) : path_(path), name_(path.string()) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (!std::filesystem::exists(status)) throw InputError(name_, 0, "there is no such file; check its name");
+    if (!std::filesystem::is_regular_file(status)) throw InputError(name_, 0, "is not a regular file; give the name of a file");
+    descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor_ < 0) refuse();
+    const off_t end = ::lseek(descriptor_, 0, SEEK_END);
+    if (end < 0) refuse();
+    size_ = static_cast<std::uint64_t>(end);
+  }
+  FileBytes(const FileBytes&) = delete;
+  FileBytes& operator=(const FileBytes&) = delete;
+  ~FileBytes() override {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+  std::uint64_t size() const override { return size_; }
+  const std::string& name() const override { return name_; }
+  const std::filesystem::path* path() const override { return &path_; }
+  std::size_t read(std::uint64_t at, std::size_t count, void* to) const override {
+    std::size_t there = 0;
+    while (there < count) {
+      const ssize_t n = ::pread(descriptor_, static_cast<char*>(to) + there, count - there, static_cast<off_t>(at + there));
+      if (n < 0 && errno == EINTR) continue;
+      if (n < 0) refuse();
+      if (n == 0) break;
+      there += static_cast<std::size_t>(n);
+    }
+    return there;
+  }
+
+ private:
+  [[noreturn]] void refuse() const {
+    throw InputError(name_, 0, std::string("cannot be read: ") + std::strerror(errno) + "; check its permissions and the disk");
+  }
+
+  std::filesystem::path path_;
+  std::string name_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
+
+class KeptBytes : public ByteSource {
+ public:
+  KeptBytes(std::string_view bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {}
+  std::uint64_t size() const override { return bytes_.size(); }
+  const std::string& name() const override { return name_; }
+  const std::filesystem::path* path() const override { return nullptr; }
+  std::size_t read(std::uint64_t at, std::size_t count, void* to) const override {
+    if (at >= bytes_.size()) return 0;
+    return bytes_.copy(static_cast<char*>(to), count, static_cast<std::size_t>(at));
+  }
+
+ private:
+  std::string_view bytes_;
+  std::string name_;
+};
+
+struct Memory {
+  std::string memory;
+};
+
+/// The base that holds the bytes is made first.
+class MemoryBytes : Memory, public KeptBytes {
+ public:
+  MemoryBytes(std::string bytes, std::string name) : Memory{std::move(bytes)}, KeptBytes(memory, std::move(name)) {}
+};
+
+}  // namespace
+
+std::string ByteSource::text(std::uint64_t at, std::size_t count) const {
+  const std::uint64_t left = at < size() ? size() - at : 0;
+  std::string bytes(static_cast<std::size_t>(std::min<std::uint64_t>(count, left)), '\0');
+  bytes.resize(read(at, bytes.size(), bytes.data()));
+  return bytes;
+}
+
+Bytes open_bytes(const std::filesystem::path& path) { return std::make_shared<FileBytes>(path); }
+Bytes bytes_in_memory(std::string bytes, std::string name) { return std::make_shared<MemoryBytes>(std::move(bytes), std::move(name)); }
+Bytes bytes_kept(std::string_view bytes, std::string name) { return std::make_shared<KeptBytes>(bytes, std::move(name)); }
+
+}  // namespace arenite::io

@@ -1,0 +1,187 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "io/film_formats.hpp"
+#include "io/film_notes.hpp"
+#include "io/film_times.hpp"
+#include "io/hdf5_handle.hpp"
+#include "io/plain_film.hpp"
+
+namespace arenite::io {
+namespace {
+
+Hdf5Handle open(const ByteSource& bytes) {
+  const auto in_memory = memory_properties();
+  if (bytes.path() != nullptr) {
+    const auto access = made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    done(H5Pset_file_locking(*access, false, true));  // a film on a disk that only lets itself be read
+    return own(H5Fopen(bytes.path()->c_str(), H5F_ACC_RDONLY, *access), H5Fclose);
+  }
+  std::string copy = bytes.text(0, bytes.size());
+  done(H5Pset_file_image(*in_memory, copy.data(), copy.size()));
+  return own(H5Fopen(unused_name().c_str(), H5F_ACC_RDONLY, *in_memory), H5Fclose);
+}
+
+std::vector<std::int64_t> shape_of(hid_t set) {
+  const auto space = own(H5Dget_space(set), H5Sclose);
+  const int rank = space ? H5Sget_simple_extent_ndims(*space) : 0;
+  if (rank <= 0 || rank > H5S_MAX_RANK) return {};
+  std::vector<hsize_t> shape(static_cast<std::size_t>(rank));
+  H5Sget_simple_extent_dims(*space, shape.data(), nullptr);
+  std::vector<std::int64_t> result;
+  for (const hsize_t n : shape) result.push_back(static_cast<std::int64_t>(std::min<hsize_t>(n, std::numeric_limits<std::int64_t>::max())));
+  return result;
+}
+
+H5T_class_t class_of(hid_t set) {
+  const auto type = own(H5Dget_type(set), H5Tclose);
+  return type ? H5Tget_class(*type) : H5T_NO_CLASS;
+}
+
+bool can_be_film(hid_t set) { return shape_of(set).size() == 3 && (class_of(set) == H5T_INTEGER || class_of(set) == H5T_FLOAT); }
+
+std::vector<std::string> films_in(hid_t file) {
+  std::vector<std::string> found;
+  const auto note = [](hid_t root, const char* name, const H5O_info_t* info, void* into) -> herr_t {
+    if (info->type != H5O_TYPE_DATASET) return 0;
+    const auto set = own(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose);
+    if (set && can_be_film(*set)) static_cast<std::vector<std::string>*>(into)->emplace_back(name);
+    return 0;
+  };
+  H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, note, &found, H5O_INFO_BASIC);
+  return found;
+}
+
+/// The first of these attributes that is one number.
+double number_attribute(hid_t at, std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    if (H5Aexists(at, name) <= 0) continue;
+    const auto attribute = own(H5Aopen(at, name, H5P_DEFAULT), H5Aclose);
+    const auto space = attribute ? own(H5Aget_space(*attribute), H5Sclose) : Hdf5Handle{};
+    double value = 0;
+    if (space && H5Sget_simple_extent_npoints(*space) == 1 && H5Aread(*attribute, H5T_NATIVE_DOUBLE, &value) >= 0 && value > 0) return value;
+  }
+  return 0;
+}
+
+/// An attribute that is a text of fixed length.
+std::string text_attribute(hid_t at, const char* name) {
+  if (H5Aexists(at, name) <= 0) return {};
+  const auto attribute = own(H5Aopen(at, name, H5P_DEFAULT), H5Aclose);
+  const auto type = attribute ? own(H5Aget_type(*attribute), H5Tclose) : Hdf5Handle{};
+  const auto space = attribute ? own(H5Aget_space(*attribute), H5Sclose) : Hdf5Handle{};
+  if (!type || !space || H5Tget_class(*type) != H5T_STRING || H5Tis_variable_str(*type) != 0 || H5Sget_simple_extent_npoints(*space) != 1) return {};
+  const std::size_t size = H5Tget_size(*type);
+  if (size == 0 || size > 65536) return {};
+  std::string text(size, '\0');
+  if (H5Aread(*attribute, *type, text.data()) < 0) return {};
+  return text.substr(0, text.find('\0'));
+}
+
+/// One number a frame, in the group of the film.
+std::vector<double> times_beside(hid_t file, const std::string& film, std::int64_t frames) {
+  const std::string group = film.substr(0, film.rfind('/') == std::string::npos ? 0 : film.rfind('/') + 1);
+  for (const char* name : {"time", "times", "timestamps"}) {
+    const auto set = own(H5Dopen2(file, (group + name).c_str(), H5P_DEFAULT), H5Dclose);
+    if (!set || shape_of(*set) != std::vector<std::int64_t>{frames} || frames > 100'000'000) continue;
+    if (class_of(*set) != H5T_INTEGER && class_of(*set) != H5T_FLOAT) continue;
+    std::vector<double> time(static_cast<std::size_t>(frames));
+    if (H5Dread(*set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, time.data()) >= 0) return time;
+  }
+  return {};
+}
+
+bool is_whole(hid_t set, std::size_t most_bytes) {
+  const auto type = own(H5Dget_type(set), H5Tclose);
+  return type && H5Tget_class(*type) == H5T_INTEGER && H5Tget_sign(*type) == H5T_SGN_NONE && H5Tget_size(*type) <= most_bytes;
+}
+
+class Hdf5Film : public FilmSource {
+ public:
+  Hdf5Film(const Bytes& bytes, const FilmChoice& choice) : file_(bytes->name()), id_(open(*bytes)) {
+    if (!id_) throw InputError(file_, 0, "is an HDF5 file that is cut short or damaged; copy it again");
+    const std::string name = chosen(choice);
+    set_ = own(H5Dopen2(*id_, name.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!set_ || !can_be_film(*set_))
+      throw InputError(file_, 0, fmt::format("has no dataset \"{}\" of frames x height x width; it has: {}", name, fmt::join(films_in(*id_), ", ")));
+    const auto shape = shape_of(*set_);
+    check_film_size(file_, shape[2], shape[1], shape[0], choice);
+    check_storage(choice);
+    info_.format = "hdf5";
+    info_.frames = shape[0];
+    info_.height = static_cast<int>(shape[1]);
+    info_.width = static_cast<int>(shape[2]);
+    info_.floating = !is_whole(*set_, 2);
+    if (!info_.floating) info_.bits = is_whole(*set_, 1) ? 8 : 16;
+    take_notes(text_attribute(*set_, "notes"), info_);
+    for (const hid_t at : {static_cast<hid_t>(*set_), static_cast<hid_t>(*id_)}) {
+      if (info_.frame_rate == 0) info_.frame_rate = number_attribute(at, {"frame_rate", "frame_rate_Hz", "fps"});
+      if (info_.integration == 0) info_.integration = number_attribute(at, {"integration", "integration_s"});
+    }
+    if (!choice.frame_rate) take_stamps(info_, times_beside(*id_, name, info_.frames));
+    take_choice(info_, choice);
+    FrameBlock last;  // what is cut short lacks it
+    read(info_.frames - 1, 1, last);
+  }
+
+  const FilmInfo& info() const override { return info_; }
+
+  void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
+    prepare(info_, first, count, block);
+    if (count == 0) return;
+    const std::array<hsize_t, 3> start{static_cast<hsize_t>(first), 0, 0};
+    const std::array<hsize_t, 3> size{count, static_cast<hsize_t>(info_.height), static_cast<hsize_t>(info_.width)};
+    const auto there = own(H5Dget_space(*set_), H5Sclose), here = made(H5Screate_simple(3, size.data(), nullptr), H5Sclose);
+    void* to = info_.floating ? static_cast<void*>(block.value.data()) : block.level.data();
+    if (!there || H5Sselect_hyperslab(*there, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr) < 0 ||
+        H5Dread(*set_, info_.floating ? H5T_NATIVE_FLOAT : H5T_NATIVE_UINT16, *here, *there, H5P_DEFAULT, to) < 0)
+      throw InputError(file_, 0, fmt::format("holds frames from {} on that cannot be read; copy it again", first));
+  }
+
+ private:
+  std::string chosen(const FilmChoice& choice) const {
+    if (!choice.dataset.empty()) return choice.dataset;
+    const auto found = films_in(*id_);
+    if (found.size() == 1) return found.front();
+    if (found.empty()) throw InputError(file_, 0, "holds no dataset of numbers with three dimensions (frames x height x width); give a film");
+    throw InputError(file_, 0, fmt::format("holds {} datasets that can be films; choose one with --dataset: {}", found.size(), fmt::join(found, ", ")));
+  }
+
+  /// A chunk is read as a whole, so it must be of a sensible size, and all must be in this file.
+  void check_storage(const FilmChoice& choice) const {
+    const auto creation = own(H5Dget_create_plist(*set_), H5Pclose);
+    if (!creation || H5Pget_external_count(*creation) > 0 || H5Pget_layout(*creation) == H5D_VIRTUAL)
+      throw InputError(file_, 0, "holds a film whose frames are in other files; copy them into one");
+    if (H5Pget_layout(*creation) != H5D_CHUNKED) return;
+    std::array<hsize_t, 3> chunk{};
+    if (H5Pget_chunk(*creation, 3, chunk.data()) != 3) throw InputError(file_, 0, "is an HDF5 file that is damaged; copy it again");
+    double numbers = 1;
+    for (const hsize_t n : chunk) numbers *= static_cast<double>(n);
+    if (numbers > std::max(2.0 * static_cast<double>(choice.most_pixels), 1e6))
+      throw InputError(file_, 0, fmt::format("is stored in chunks of {} x {} x {} numbers; store it a few frames a chunk", chunk[0], chunk[1], chunk[2]));
+  }
+
+  std::string file_;
+  Hdf5Handle id_, set_;
+  FilmInfo info_;
+};
+
+}  // namespace
+
+bool is_hdf5_film(std::string_view head) {
+  using namespace std::string_view_literals;
+  for (std::size_t at = 0; at < head.size(); at = at == 0 ? 512 : 2 * at)  // the user's bytes may come first
+    if (head.substr(at).starts_with("\x89HDF\r\n\x1a\n"sv)) return true;
+  return false;
+}
+
+FilmPointer open_hdf5_film(const Bytes& bytes, const FilmChoice& choice) { return std::make_unique<Hdf5Film>(bytes, choice); }
+
+}  // namespace arenite::io
