@@ -7,7 +7,6 @@ namespace arenite::report {
 namespace {
 
 constexpr double fine = 16384;  // codes over half the range, linear
-constexpr double tails = 500;   // codes over the middle's half width, companded
 
 std::int32_t median_prediction(const std::vector<std::int32_t>& code, int width, int x, int y) {
   const auto at = static_cast<std::size_t>(x) + static_cast<std::size_t>(width) * static_cast<std::size_t>(y);
@@ -20,7 +19,7 @@ std::int32_t median_prediction(const std::vector<std::int32_t>& code, int width,
   return std::clamp(left + below - corner, low, high);
 }
 
-Coding coding_of(std::vector<double> sample, bool companded) {
+Coding coding_of(std::vector<double> sample, bool companded, double levels) {
   if (sample.empty()) return {};
   const auto at = [&](double share) {
     const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(sample.size() - 1));
@@ -30,7 +29,7 @@ Coding coding_of(std::vector<double> sample, bool companded) {
   const double low = at(companded ? 0.001 : 0), high = at(companded ? 0.999 : 1);
   const double half = (high - low) / 2;
   // A field of one value has no range to divide.
-  return {companded, (low + high) / 2, half > 0 ? half : std::max(1e-300, std::abs(low)), companded ? tails : fine};
+  return {companded, (low + high) / 2, half > 0 ? half : std::max(1e-300, std::abs(low)), companded ? levels : fine};
 }
 
 }  // namespace
@@ -41,11 +40,11 @@ double Coding::decoded(std::int32_t code) const {
 }
 
 CodedField code_field(int width, int height, const std::vector<double>& values, const std::vector<std::uint8_t>& known,
-                      bool companded) {
+                      bool companded, double levels) {
   std::vector<double> sample;
   for (std::size_t k = 0; k < values.size(); ++k)
     if (known[k] && std::isfinite(values[k])) sample.push_back(values[k]);
-  CodedField out{coding_of(std::move(sample), companded), std::vector<std::uint32_t>(values.size())};
+  CodedField out{coding_of(std::move(sample), companded, levels), std::vector<std::uint32_t>(values.size())};
   const Coding& c = out.coding;
   std::vector<std::int32_t> code(values.size());
   std::size_t k = 0;

@@ -20,10 +20,10 @@ struct CodedField {
   std::vector<std::uint32_t> residual;
 };
 
-/// `known` says which nodes count. Companded: between the quantiles 0.001 and 0.999 every value comes back to 1e-3
-/// of half their distance, beyond them to 1e-3 of the distance from the middle. Otherwise to 3e-5 of the whole range.
+/// `known` says which nodes count. Companded: between the quantiles 0.001 and 0.999 every value comes back to 0.5/levels
+/// of half their distance, beyond them to 0.5/levels of the distance from the middle. Otherwise to 3e-5 of the whole range.
 CodedField code_field(int width, int height, const std::vector<double>& values, const std::vector<std::uint8_t>& known,
-                      bool companded);
+                      bool companded, double levels = 500);
 
 /// The codes behind the residuals, as the page finds them.
 std::vector<std::int32_t> codes_of(int width, int height, const std::vector<std::uint32_t>& residual);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/field_result.hpp"
+#include "model/film_result.hpp"
 #include "model/result.hpp"
 #include "texture/texture.hpp"
 
@@ -23,14 +24,22 @@ struct FieldPageData {
   std::string statistics_json{};
 };
 
+/// What a film of a loaded packing gave. `options` say which grains count in the statistics of grain stresses, which are
+/// measured for the page, of the film and of its twin alike.
+struct FilmPageData {
+  const FilmResult* result = nullptr;
+  texture::Options options{};
+};
+
 /// What the page shows: the stages of one run in their order, and the texture of some of their states. The figures show
 /// the texture of the state that the slider is on, or else that of the last state that has one. Results on a raster
-/// follow, each on a tab of its own; either of the two may be missing.
+/// follow, then films, each on a tab of its own; any of the three may be missing.
 struct PageData {
   std::string title;
   std::vector<const StageResult*> stages;
   std::vector<FrameTexture> textures;
   std::vector<FieldPageData> fields{};
+  std::vector<FilmPageData> films{};
 };
 
 /// The page as one HTML text: script, styles and data inside, no request to anywhere. States whose number of grains

@@ -4,6 +4,7 @@
 
 #include "report/document_parts.hpp"
 #include "report/field_document.hpp"
+#include "report/film_document.hpp"
 
 namespace arenite::report {
 namespace {
@@ -132,6 +133,7 @@ PageDocument page_document(const PageData& data) {
   document["stages"] = std::move(stages);
   document["frames"] = std::move(frames);
   if (!data.fields.empty()) add_fields(document, data.fields, block);
+  if (!data.films.empty()) add_films(document, data.films, block);
   return {document.dump(), block.text()};
 }
 

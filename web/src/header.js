@@ -2,7 +2,7 @@ import { h } from "./dom.js";
 import { text } from "./text.js";
 
 /** Title, what the page is about in a line, and the button for the colours. */
-export function header(title, sample, fields, state) {
+export function header(title, sample, fields, films, state) {
   const button = h("button", { class: "theme", onclick: () => state.set({ theme: state.get("theme") === "dark" ? "light" : "dark" }) });
   const refresh = () => {
     const dark = state.get("theme") === "dark";
@@ -12,7 +12,17 @@ export function header(title, sample, fields, state) {
   };
   state.watch(["theme"], refresh);
   refresh();
-  return h("header", {}, h("div", {}, h("h1", {}, title), h("p", {}, (fields.length ? rasterSubtitle(fields.at(-1).map) : subtitle(sample)).join("  \u00b7  "))), button);
+  return h("header", {}, h("div", {}, h("h1", {}, title), h("p", {}, subtitleOf(sample, fields, films).join("  \u00b7  "))), button);
+}
+
+function subtitleOf(sample, fields, films) {
+  if (films.length) return filmSubtitle(films.at(-1));
+  return fields.length ? rasterSubtitle(fields.at(-1).map) : subtitle(sample);
+}
+
+function filmSubtitle({ count, about: { film: { camera, width, height, frames, frame_rate: rate, pixel } } }) {
+  return [camera, `${width} \u00d7 ${height} pixels`, frames > 0 && `${text.count(frames)} frames${rate > 0 ? ` at ${text.number(rate, 4)}\u202fHz` : ""}`,
+    pixel > 0 && `${text.millimetres(pixel)} a pixel`, count > 0 && `${text.count(count)} grains`].filter(Boolean);
 }
 
 function subtitle(sample) {

@@ -2,6 +2,8 @@ import { loadData } from "./block.js";
 import { h } from "./dom.js";
 import { FieldResult, PhaseMap } from "./field/result.js";
 import { fieldSection } from "./field/section.js";
+import { FilmResult } from "./film/result.js";
+import { filmSection } from "./film/section.js";
 import { header } from "./header.js";
 import { packingSection } from "./packing/section.js";
 import { provenance } from "./provenance.js";
@@ -10,10 +12,11 @@ import { State } from "./state.js";
 import { tabs } from "./tabs.js";
 import { followTheme, preferredTheme } from "./theme.js";
 
-/** The packing if there is one, then every result on a raster. */
-function partsOf(sample, fields, state) {
+/** The packing if there is one, then every result on a raster, then every film. */
+function partsOf(sample, fields, films, state) {
   const packing = sample.frameCount > 0 ? [{ name: "packing", title: "Packing", make: () => packingSection(sample, state) }] : [];
-  return [...packing, ...fields.map((result, k) => ({ name: `field-${k}`, title: titleOf(result), make: () => fieldSection(result, state) }))];
+  return [...packing, ...fields.map((result, k) => ({ name: `field-${k}`, title: titleOf(result), make: () => fieldSection(result, state) })),
+    ...films.map((film, k) => ({ name: `film-${k}`, title: titleOf(film), make: () => filmSection(film, state) }))];
 }
 
 const titleOf = ({ name }) => name[0].toUpperCase() + name.slice(1);
@@ -25,13 +28,15 @@ async function main() {
     const sample = new Sample(about, block);
     const maps = (about.maps ?? []).map((map) => new PhaseMap(map, block));
     const fields = (about.fields ?? []).map((field) => new FieldResult(field, maps, block, about.title));
-    const state = new State({ theme: preferredTheme(), tab: fields.length ? `field-${fields.length - 1}` : "packing" });
-    const parts = partsOf(sample, fields, state);
+    const films = (about.films ?? []).map((film) => new FilmResult(film, block, about.title));
+    const last = films.length ? `film-${films.length - 1}` : fields.length ? `field-${fields.length - 1}` : "packing";
+    const state = new State({ theme: preferredTheme(), tab: last });
+    const parts = partsOf(sample, fields, films, state);
     if (parts.length === 0) throw new Error("this result holds no state of a packing");
     followTheme(state);
     const { element, made } = tabs(parts, state);
-    page.replaceChildren(header(about.title, sample, fields, state), ...[element].flat().filter(Boolean), provenance([...sample.stages, ...fields.map((field) => field.about)]));
-    window.arenite = { state, made, ...made.get("packing"), get field() { return made.get(state.get("tab")); } };
+    page.replaceChildren(header(about.title, sample, fields, films, state), ...[element].flat().filter(Boolean), provenance([...sample.stages, ...[...fields, ...films].map((result) => result.about)]));
+    window.arenite = { state, made, ...made.get("packing"), get field() { return made.get(state.get("tab")); }, get film() { return made.get(state.get("tab")); } };
     document.documentElement.dataset.ready = "true";
   } catch (error) {
     page.replaceChildren(h("p", { class: "failure" }, `The page cannot be drawn: ${error.message}.`));

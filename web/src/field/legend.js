@@ -1,10 +1,10 @@
+import { bar, colourBar } from "../colour_bar.js";
 import { richSvg, s } from "../dom.js";
 import { scaleBar } from "../scale_bar.js";
-import { prefixOf, text } from "../text.js";
+import { text } from "../text.js";
 import { components } from "./components.js";
 import { byType, crackTypes } from "./cracks.js";
 import { mapOf, scaleOf } from "./paint.js";
-import { histogram } from "./scale.js";
 import { kindNames } from "./tooltip.js";
 
 export const legendHeight = 92;
@@ -13,13 +13,19 @@ export const legendHeight = 92;
 export function legend(result, camera, theme, state, width, broken) {
   const group = s("g", { "font-family": theme.font, "font-size": 11.5, fill: theme.soft });
   const scale = scaleOf(result, state), room = Math.max(150, Math.min(420, width - 150));
-  if (scale) group.append(colourBar(result, scale, theme, room));
+  if (scale) group.append(scaleKey(scale, theme, room));
   else if (state.get("show") === "phases") group.append(phaseKey(result, theme, width - 130));
   else group.append(cavityKey(result, theme, state, room));
   if (broken > 0) group.append(crackKey(result, theme, broken));
   else if (state.get("crosses") && result.loaded) group.append(crossKey(theme, width));
   group.append(scaleBar(camera, theme, width));
   return richSvg(group);
+}
+
+function scaleKey(scale, theme, length) {
+  const { symbol, unit } = components[scale.name], largest = Math.max(Math.abs(scale.low), Math.abs(scale.high));
+  const mean = scale.name === "yy" || scale.mean > 0.02 * largest ? scale.mean : null;
+  return colourBar({ title: symbol, unit, scale, palette: mapOf(theme, scale), theme, length, mean });
 }
 
 const label = (x, y, words, anchor = null, more = {}) => s("text", { x, y, dy: "0.35em", "text-anchor": anchor, ...more }, words);
@@ -52,53 +58,6 @@ function cavityKey({ map }, theme, state, length) {
   group.append(label(0, 11, "nodes, logarithmic"), bar(theme.stress, 0, 24, length, 11), label(0, 46, text.count(fewest)),
     label(length, 46, text.count(nodes.reduce((a, b) => Math.max(a, b), 0)), "end"));
   return group;
-}
-
-function bar(palette, x, y, length, height) {
-  const steps = 96;
-  return s("g", {}, Array.from({ length: steps }, (_, k) =>
-    s("rect", { x: x + (k * length) / steps, y, width: length / steps + 0.6, height, fill: palette((k + 0.5) / steps) })));
-}
-
-/** The bar with the histogram of the values on it, round numbers below, and what lies beyond its ends. */
-function colourBar(result, scale, theme, length) {
-  const { symbol, unit } = components[scale.name];
-  const top = 24, height = 24, bins = Math.round(length / 3);
-  const counts = histogram(scale.order, scale, bins), most = Math.max(1, ...counts);
-  const peaks = counts.map((n, k) => `L${(k * length) / bins},${top + height - (n / most) * (height - 2)}h${length / bins}`).join("");
-  const largest = Math.max(Math.abs(scale.low), Math.abs(scale.high)), { factor, prefix } = prefixOf(largest, unit);
-  const group = s("g", {}, label(0, 8, `${symbol}, ${prefix}${unit}`, null, { fill: theme.ink }), bar(mapOf(theme, scale), 0, top, length, height),
-    s("path", { d: `M0,${top + height}${peaks}V${top + height}Z`, fill: theme.card, "fill-opacity": 0.55, stroke: theme.ink, "stroke-width": 0.6, "stroke-opacity": 0.6 }));
-  const share = (v) => (v < 5e-5 ? "" : `${text.number(100 * v, 2)}\u202f%`);
-  const [below, above] = [share(scale.below), share(scale.above)];
-  if (below) group.append(label(82, 8, `\u25c2 ${below}`));
-  if (above) group.append(label(length, 8, `${above} \u25b8`, "end"));
-  for (const v of ticks(scale, length)) {
-    const x = scale.of(v) * length;
-    group.append(s("line", { x1: x, x2: x, y1: top + height, y2: top + height + 4, stroke: theme.soft }), label(Math.min(length - 6, Math.max(6, x)), top + height + 12, text.number(v / factor, 2), "middle"));
-  }
-  if (scale.name === "yy" || scale.mean > 0.02 * largest) {
-    const x = scale.of(scale.mean) * length;
-    group.append(s("path", { d: `M${x},${top - 1}l-3.5,-5h7Z`, fill: theme.accent }), length > 280 ? label(x + 7, top - 5, "mean", null, { fill: theme.accent, "font-size": 10.5 }) : "");
-  }
-  return group;
-}
-
-/** Round values, at least 36 pixels apart. */
-function ticks(scale, length) {
-  const candidates = new Set([0]);
-  if (scale.symlog) {
-    const reach = Math.max(Math.abs(scale.low), Math.abs(scale.high));
-    for (let p = Math.ceil(Math.log10(reach)); p > Math.log10(reach) - 3; --p) for (const f of [1, 3]) for (const sign of [1, -1]) candidates.add(sign * f * 10 ** p);
-  } else {
-    const wanted = ((scale.high - scale.low) * 62) / length, power = 10 ** Math.floor(Math.log10(wanted));
-    const step = [1, 2, 5, 10].map((f) => f * power).find((v) => v >= wanted);
-    for (let k = Math.ceil(scale.low / step); k * step <= scale.high; ++k) candidates.add(k * step);
-  }
-  const kept = [];
-  for (const v of [...candidates].filter((c) => c >= scale.low && c <= scale.high).sort((a, b) => Math.abs(a) > Math.abs(b) && a !== 0 && b !== 0 ? -1 : a === 0 ? -1 : 1))
-    if (kept.every((other) => Math.abs(scale.of(other) - scale.of(v)) * length >= 36)) kept.push(v);
-  return kept;
 }
 
 function crackKey(result, theme, broken) {

@@ -1,0 +1,191 @@
+#include "report/film_document.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "report/field_codes.hpp"
+#include "report/film_stresses.hpp"
+#include "statistics/json.hpp"
+
+namespace arenite::report {
+namespace {
+
+/// Steps of a map's codes over its middle half width. Maps of pure noise need no finer ones, and noise does not deflate.
+constexpr double finest = 2000, fine = 500, coarse = 125;
+
+struct MapColumn {
+  const char* name;
+  std::vector<float> LockinMaps::*member;
+  double levels;
+};
+
+constexpr std::array map_columns{MapColumn{"amplitude", &LockinMaps::amplitude, fine},
+                                 MapColumn{"phase", &LockinMaps::phase, coarse},
+                                 MapColumn{"in_phase", &LockinMaps::in_phase, fine},
+                                 MapColumn{"second_harmonic", &LockinMaps::second_harmonic, coarse},
+                                 MapColumn{"standard_error", &LockinMaps::standard_error, coarse},
+                                 MapColumn{"residual", &LockinMaps::residual, coarse}};
+
+/// One map, rows from the top; where pixels have no value, "holes" lists them.
+Json map_of(int width, int height, const std::vector<float>& values, double levels, NumberBlock& block) {
+  std::vector<std::uint8_t> known(values.size());
+  std::vector<std::uint32_t> holes;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    known[k] = std::isfinite(values[k]);
+    if (!known[k]) holes.push_back(static_cast<std::uint32_t>(k));
+  }
+  const CodedField coded = code_field(width, height, {values.begin(), values.end()}, known, true, levels);
+  const Coding& c = coded.coding;
+  Json out{{"law", "sinh"}, {"centre", c.centre}, {"width", c.width}, {"levels", c.levels},
+           {"residual", reference(block.add_indices(coded.residual))}};
+  if (!holes.empty()) out["holes"] = reference(block.add_indices(holes));
+  return out;
+}
+
+Json maps_of(const FilmResult& r, NumberBlock& block) {
+  Json all = Json::object();
+  const std::size_t pixels = r.film.pixels();
+  const auto add = [&](const char* name, const std::vector<float>& values, double levels) {
+    if (pixels > 0 && values.size() == pixels) all[name] = map_of(r.film.width, r.film.height, values, levels, block);
+  };
+  add("picture", r.picture, finest);
+  for (const MapColumn& column : map_columns) add(column.name, r.maps.*column.member, column.levels);
+  return all;
+}
+
+Json film_of(const FilmResult& r) {
+  const FilmInfo& f = r.film;
+  return {{"width", f.width}, {"height", f.height}, {"frames", f.frames}, {"frame_rate", f.frame_rate}, {"integration", f.integration},
+          {"format", f.format}, {"camera", f.camera}, {"unit", f.quantity == FilmQuantity::digital_level ? "DL" : "K"},
+          {"pixel", r.pixel}, {"used", r.maps.frames}, {"frequency", r.maps.frequency}, {"frequency_error", r.maps.frequency_error},
+          {"reference_phase", r.maps.reference_phase}, {"swing", r.maps.convention == SwingConvention::full ? "full" : "half"}};
+}
+
+/// Circles in the picture: as they were found, or else from their places in metres.
+PictureGrains circles_of(const FilmResult& r) {
+  const Grains& grains = r.packing.grains;
+  if (r.grains.size() == grains.size() || !(r.pixel > 0)) return r.grains;
+  PictureGrains out;
+  for (std::size_t g = 0; g < grains.size(); ++g) {
+    out.x.push_back((grains.x[g] - r.origin.x) / r.pixel);
+    out.y.push_back((r.origin.y - grains.y[g]) / r.pixel);
+    out.radius.push_back(grains.radius[g] / r.pixel);
+  }
+  return out;
+}
+
+/// Way of each grain from the smallest to the largest load along one axis, pixels: the load goes as cos(2 pi f t - phase).
+std::vector<double> way(const std::vector<double>& cosine, const std::vector<double>& sine, double phase) {
+  std::vector<double> out;
+  for (std::size_t g = 0; g < cosine.size(); ++g) out.push_back(2 * (cosine[g] * std::cos(phase) + sine[g] * std::sin(phase)));
+  return out;
+}
+
+Json grains_of(const FilmResult& r, const FilmStresses& stresses, NumberBlock& block) {
+  const Grains& grains = r.packing.grains;
+  const PictureGrains circles = circles_of(r);
+  Json out{{"count", circles.size() == grains.size() ? grains.size() : 0}};
+  const auto reals = [&](const char* name, const std::vector<double>& values) {
+    if (!values.empty() && values.size() == grains.size()) out[name] = reference(block.add_reals(values));
+  };
+  out["id"] = reference(block.add_integers(std::vector<std::int32_t>(grains.id.begin(), grains.id.end())));
+  out["material"] = reference(block.add_indices(unsigned_copy(grains.material)));
+  reals("x", circles.x);
+  reals("y", circles.y);
+  reals("radius", circles.radius);
+  reals("position_error", circles.position_error);
+  reals("radius_error", circles.radius_error);
+  reals("temperature", r.swing.temperature);
+  reals("sigma_hyd", r.swing.sigma_hyd);
+  reals("error", r.swing.error);
+  reals("motion_x", way(r.motion.cos_x, r.motion.sin_x, r.maps.reference_phase));
+  reals("motion_y", way(r.motion.cos_y, r.motion.sin_y, r.maps.reference_phase));
+  reals("motion_error", r.motion.error);
+  if (!stresses.considered.empty()) out["considered"] = reference(block.add_indices(unsigned_copy(stresses.considered)));
+  return out;
+}
+
+Json contacts_of(const FilmResult& r, NumberBlock& block) {
+  const Contacts& contacts = r.packing.contacts;
+  const auto grains = static_cast<std::uint32_t>(r.packing.grains.size());
+  std::vector<std::uint32_t> partner(contacts.size());
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    partner[c] = contacts.is_wall(c) ? grains + static_cast<std::uint32_t>(contacts.wall_side(c)) : static_cast<std::uint32_t>(contacts.j[c]);
+  Json out{{"count", contacts.size()}, {"i", reference(block.add_indices(unsigned_copy(contacts.i)))}, {"j", reference(block.add_indices(partner))}};
+  const auto reals = [&](const char* name, const std::vector<double>& values) {
+    if (values.size() == contacts.size()) out[name] = reference(block.add_reals(values));
+  };
+  reals("nx", contacts.nx);
+  reals("ny", contacts.ny);
+  reals("fn", contacts.fn);
+  reals("ft", contacts.ft);
+  reals("fn_error", r.fn_error);
+  reals("ft_error", r.ft_error);
+  if (r.absent.size() == contacts.size()) out["absent"] = reference(block.add_indices(unsigned_copy(r.absent)));
+  return out;
+}
+
+/// The frame's inner sides in pixels: left, right, bottom, top; y down.
+Json frame_of(const FilmResult& r) {
+  const Domain& domain = r.packing.domain;
+  if (!(r.pixel > 0) || !(domain.area() > 0)) return nullptr;
+  const auto column = [&](double x) { return (x - r.origin.x) / r.pixel; };
+  const auto row = [&](double y) { return (r.origin.y - y) / r.pixel; };
+  return {column(domain.wall[left].position), column(domain.wall[right].position), row(domain.wall[bottom].position), row(domain.wall[top].position)};
+}
+
+Json parsed(const std::string& text) {
+  Json json = text.empty() ? Json::object() : Json::parse(text);
+  shorten(json);
+  return json;
+}
+
+Json stresses_of(const FilmStresses& stresses, NumberBlock& block) {
+  Json all = Json::object();
+  for (const GrainStresses& s : stresses.sources)
+    all[s.source] = {{"mean", statistics::number(s.mean)}, {"sigma_hyd", reference(block.add_reals(s.sigma_hyd))},
+                     {"sigma_norm", reference(block.add_reals(s.sigma_norm))}, {"statistics", parsed(s.statistics_json)}};
+  return all;
+}
+
+/// What relates the twin's swing and state to the film's swing.
+Json agreement_of(const Packing& packing, const FilmStresses& stresses) {
+  Json all = Json::object();
+  if (stresses.sources.empty() || stresses.sources[0].source != "film") return all;
+  for (std::size_t k = 1; k < stresses.sources.size(); ++k)
+    for (const Agreement& a : agreement(packing, stresses.sources[0], stresses.sources[k])) {
+      Json& to = all[stresses.sources[k].source][a.set];
+      to = {{"count", a.relation.count}};
+      statistics::put(to, "correlation", a.relation.pearson);
+      statistics::put(to, "slope", statistics::Estimate{a.relation.line.slope, a.relation.line.slope_error});
+      statistics::put(to, "rms_Pa", a.rms);
+      statistics::put(to, "rms_norm", a.rms_norm);
+    }
+  shorten(all);
+  return all;
+}
+
+Json one_film(const FilmPageData& data, NumberBlock& block) {
+  const FilmResult& r = *data.result;
+  const FilmStresses stresses = film_stresses(r, data.options);
+  std::vector<std::uint32_t> bad;
+  for (std::size_t k = 0; k < r.bad.size(); ++k)
+    if (r.bad[k]) bad.push_back(static_cast<std::uint32_t>(k));
+  Json materials = Json::array();
+  for (const Material& m : r.packing.materials) materials.push_back({{"name", m.name}});
+  return {{"name", r.name}, {"converged", r.converged}, {"outcome", r.outcome}, {"provenance", provenance_of(r.provenance)},
+          {"film", film_of(r)}, {"maps", maps_of(r, block)}, {"bad", reference(block.add_indices(bad))}, {"materials", materials},
+          {"grains", grains_of(r, stresses, block)}, {"contacts", contacts_of(r, block)}, {"frame", frame_of(r)},
+          {"stresses", stresses_of(stresses, block)}, {"agreement", agreement_of(r.packing, stresses)}, {"numbers", parsed(r.numbers_json)}};
+}
+
+}  // namespace
+
+void add_films(Json& document, const std::vector<FilmPageData>& films, NumberBlock& block) {
+  Json list = Json::array();
+  for (const FilmPageData& data : films) list.push_back(one_film(data, block));
+  document["films"] = std::move(list);
+}
+
+}  // namespace arenite::report

@@ -1,0 +1,178 @@
+#pragma once
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "core/random.hpp"
+#include "elasticity/disk_field.hpp"
+#include "report/page.hpp"
+#include "support/page_sample.hpp"
+
+namespace arenite::test {
+
+/// What a film of a frame with disks of two materials might have given: warming as the closed form has it, with noise;
+/// forces and grain stresses are the true ones with errors as large as they say. Some contacts are not there; two
+/// pixels are bad.
+struct FilmPageSample {
+  FilmResult film;
+  report::PageData data;
+
+  explicit FilmPageSample(std::size_t grains = 260, double pixel = 1.6e-3) {
+    const PageSample run(grains);
+    truth_ = run.stage.frames[3].packing;
+    film.name = "film";
+    film.outcome = "Every grain of the frame was found.";
+    film.provenance = {"0.1.0", "film", "89ab0123456789ab", "title = \"<film> of a frame\"\n", 5, "portable", {}};
+    film.pixel = pixel;
+    place_camera();
+    draw_maps();
+    find_grains();
+    infer_forces();
+    film.numbers_json = R"({"frequency_Hz": {"value": 3.0002, "error": 0.0001}, "noise_mK": 1.1, "grains": )" + std::to_string(grains) +
+                        R"(, "forces": {"residual": 1.02, "null_space": 0}})";
+    data.title = "A film of <two> materials in a frame";
+    data.films = {{&film, {}}};
+  }
+
+  FilmPageSample(const FilmPageSample&) = delete;
+  FilmPageSample& operator=(const FilmPageSample&) = delete;
+
+ private:
+  static constexpr double noise_ = 1.2e-3;                   // K, of a half swing
+  static constexpr double factor_[2] = {0.015e-6, 0.0258e-6};  // K/Pa
+  Packing truth_;
+  RandomStream random_{11, Purpose::test, 77};
+
+  void place_camera() {
+    const Domain& box = truth_.domain;
+    constexpr int border = 6;  // pixels around the frame
+    film.film.width = static_cast<int>(std::ceil(box.width() / film.pixel)) + 2 * border;
+    film.film.height = static_cast<int>(std::ceil(box.height() / film.pixel)) + 2 * border;
+    film.film.frames = 1480;
+    film.film.frame_rate = 148;
+    film.film.integration = 1.5e-3;
+    film.film.format = "ptw";
+    film.film.camera = "JADE III";
+    film.film.quantity = FilmQuantity::kelvin;
+    film.origin = {box.wall[left].position - (border - 0.5) * film.pixel, box.wall[top].position + (border - 0.5) * film.pixel};
+  }
+
+  std::vector<elasticity::Disk> disks() const {
+    std::vector<elasticity::Disk> all;
+    for (const double r : truth_.grains.radius) all.push_back({r, truth_.domain.thickness, {}, elasticity::Traction::point});
+    const Contacts& c = truth_.contacts;
+    for (std::size_t k = 0; k < c.size(); ++k) {
+      all[static_cast<std::size_t>(c.i[k])].forces.push_back({c.normal(k), c.fn[k], c.ft[k], 0});
+      if (!c.is_wall(k)) all[static_cast<std::size_t>(c.j[k])].forces.push_back({-1 * c.normal(k), c.fn[k], c.ft[k], 0});
+    }
+    return all;
+  }
+
+  /// Mean over four points of a pixel: {picture, half swing}, K.
+  std::pair<double, double> seen(const std::vector<elasticity::Disk>& all, Vec2 pixel) const {
+    double warmth = 0, swing = 0;
+    for (const Vec2 part : {Vec2{-0.25, -0.25}, Vec2{0.25, -0.25}, Vec2{-0.25, 0.25}, Vec2{0.25, 0.25}}) {
+      const Vec2 at = pixel + film.pixel * part;
+      warmth += 294.2 / 4;
+      for (std::size_t g = 0; g < all.size(); ++g) {
+        const Vec2 x = at - truth_.grains.centre(g);
+        if (norm(x) >= all[g].radius) continue;
+        const int m = truth_.grains.material[g];
+        warmth += (m == 0 ? 0.9 : 2.1) / 4;
+        swing -= factor_[m] * elasticity::sigma_kk(all[g], x) / 8;
+      }
+    }
+    return {warmth, swing};
+  }
+
+  void draw_maps() {
+    const auto all = disks();
+    LockinMaps& maps = film.maps;
+    maps.width = film.film.width;
+    maps.height = film.film.height;
+    maps.frequency = 3.0002;
+    maps.frequency_error = 1e-4;
+    maps.reference_phase = 0.7;
+    maps.frames = 1480;
+    const auto real = [](double v) { return static_cast<float>(v); };
+    for (int row = 0; row < maps.height; ++row)
+      for (int column = 0; column < maps.width; ++column) {
+        const auto [warmth, swing] = seen(all, film.origin + Vec2{column * film.pixel, -row * film.pixel});
+        const double cosine = swing + noise_ * random_.normal(), sine = noise_ * random_.normal();
+        film.picture.push_back(real(warmth + 0.02 * random_.normal()));
+        maps.mean.push_back(film.picture.back());
+        maps.in_phase.push_back(real(cosine));
+        maps.quadrature.push_back(real(sine));
+        maps.amplitude.push_back(real(std::hypot(cosine, sine)));
+        maps.phase.push_back(real(std::remainder(maps.reference_phase + std::atan2(sine, cosine), 2 * std::numbers::pi)));
+        maps.residual.push_back(real(0.022 * (1 + 0.03 * random_.normal()) + 0.02 * std::abs(swing)));
+        maps.standard_error.push_back(maps.residual.back() / 18);
+        maps.second_harmonic.push_back(real(std::hypot(noise_ * random_.normal(), noise_ * random_.normal())));
+      }
+    film.bad.assign(film.picture.size(), 0);
+    film.bad[pixel_at(20, 9)] = film.bad[pixel_at(21, 9)] = 1;
+  }
+
+  std::size_t pixel_at(int column, int row) const { return static_cast<std::size_t>(column + film.film.width * row); }
+
+  void find_grains() {
+    const Grains& grains = truth_.grains;
+    const auto all = disks();
+    for (std::size_t g = 0; g < grains.size(); ++g) {
+      film.grains.x.push_back((grains.x[g] - film.origin.x) / film.pixel);
+      film.grains.y.push_back((film.origin.y - grains.y[g]) / film.pixel);
+      film.grains.radius.push_back(grains.radius[g] / film.pixel);
+      film.grains.position_error.push_back(0.06);
+      film.grains.radius_error.push_back(0.05);
+      const double low = grains.y[g] / truth_.domain.wall[top].position - 1;
+      film.motion.cos_x.push_back(0.02 * random_.normal());
+      film.motion.sin_x.push_back(0);
+      film.motion.cos_y.push_back(0.8 * low);
+      film.motion.sin_y.push_back(0);
+      film.motion.error.push_back(0.02);
+      const double sigma = elasticity::mean_sigma_kk(all[g]) / 2, error = 0.02e6 + 0.03 * std::abs(sigma);
+      film.swing.sigma_hyd.push_back(sigma + error * random_.normal());
+      film.swing.temperature.push_back(-2 * factor_[grains.material[g]] * film.swing.sigma_hyd.back());
+      film.swing.error.push_back(error);
+      film.swing.pixels.push_back(40);
+      film.twin.swing.push_back(sigma * (1 + 0.18 * random_.normal()) - 0.05e6 * std::abs(random_.normal()));
+      film.twin.state.push_back(1.15 * film.twin.swing.back() * (1 + 0.1 * random_.normal()) - 0.04e6);
+    }
+  }
+
+  /// The true forces with their errors, and one contact in twenty that is not there.
+  void infer_forces() {
+    film.packing = truth_;
+    double mean = 0;
+    for (const double fn : truth_.contacts.fn) mean += fn / static_cast<double>(truth_.contacts.size());
+    Contacts& c = film.packing.contacts;
+    const Grains& grains = film.packing.grains;
+    const std::size_t there = c.size();
+    for (std::size_t k = 0; k < there / 20; ++k) {
+      const auto g = static_cast<std::int32_t>(k), other = nearest(grains, k);
+      const Vec2 d = grains.centre(k) - grains.centre(static_cast<std::size_t>(other));
+      c.add(g, other, (1 / norm(d)) * d, 0, 0, grains.radius[k], grains.radius[static_cast<std::size_t>(other)]);
+    }
+    for (std::size_t k = 0; k < c.size(); ++k) {
+      film.fn_error.push_back(0.05 * mean + 0.02 * c.fn[k]);
+      film.ft_error.push_back(0.06 * mean);
+      c.fn[k] += film.fn_error[k] * random_.normal();
+      c.ft[k] += film.ft_error[k] * random_.normal();
+      film.absent.push_back(std::abs(c.fn[k]) < 3 * film.fn_error[k]);
+    }
+  }
+
+  /// The nearest grain beyond those that touch.
+  static std::int32_t nearest(const Grains& grains, std::size_t g) {
+    std::size_t best = g;
+    double least = INFINITY;
+    for (std::size_t other = 0; other < grains.size(); ++other) {
+      const double gap = norm(grains.centre(g) - grains.centre(other)) - grains.radius[g] - grains.radius[other];
+      if (other != g && gap > 0 && gap < least) best = other, least = gap;
+    }
+    return static_cast<std::int32_t>(best);
+  }
+};
+
+}  // namespace arenite::test

@@ -1,0 +1,95 @@
+import { s } from "../dom.js";
+import { materialLine } from "../theme.js";
+
+const widthPerForce = 0.2, widest = 1.2;  // of the mean radius, at the mean force
+
+/** Top of the scale of sigma_norm: all but a few grains lie below, in the film and its twin alike. */
+export function stressTop(film) {
+  if (film.stressTop) return film.stressTop;
+  const highs = Object.values(film.stresses).map(({ sigma_norm: values }) => {
+    const sorted = values.filter(Number.isFinite).sort();
+    return sorted[Math.floor(0.99 * (sorted.length - 1))] ?? 1;
+  });
+  return (film.stressTop = Math.max(1, Math.ceil(2 * Math.max(...highs)) / 2));
+}
+
+export function stressColour(film, theme, value) {
+  return Number.isFinite(value) ? theme.stress(Math.min(1, Math.max(0, value / stressTop(film)))) : theme.field.aside;
+}
+
+/** Width of a contact's bar in pixels of the film. */
+export const barWidth = (film, fn) => film.meanRadius * Math.min(widest, (widthPerForce * Math.abs(fn)) / (film.meanForce || 1));
+
+/** What lies over the map, in the film's own pixels (column, row): frame, grains, forces, motion. Lines that are no
+    measure keep their width on the screen. */
+export function overlay(film, state, theme) {
+  const group = s("g", { fill: "none" });
+  if (state.get("grains") !== "off") group.append(frame(film, theme), grains(film, state.get("grains"), theme));
+  if (state.get("forces") && film.hasForces) group.append(forces(film, theme));
+  if (state.get("motion") && film.grains.motion_x) group.append(motion(film, theme));
+  return group;
+}
+
+const thin = { "vector-effect": "non-scaling-stroke" };
+const at = (v) => Number(v).toFixed(3);
+
+function frame({ frame: sides }, theme) {
+  if (!sides) return "";
+  const [left, right, bottom, top] = sides;
+  return s("rect", { x: at(left), y: at(top), width: at(right - left), height: at(bottom - top), stroke: theme.wall, "stroke-width": 1.25, ...thin });
+}
+
+/** Rims with a pale line around them, so that they are seen on any map; or disks filled by their stress. */
+function grains(film, how, theme) {
+  const { x, y, radius, material } = film.grains, group = s("g");
+  for (let g = 0; g < film.count; ++g) {
+    const circle = (attributes) => s("circle", { cx: at(x[g]), cy: at(y[g]), r: at(radius[g]), ...thin, ...attributes });
+    if (how === "stress") group.append(circle({ fill: stressColour(film, theme, film.stresses.film?.sigma_norm[g]), stroke: theme.ink, "stroke-width": 0.8, "stroke-opacity": 0.45 }));
+    else group.append(circle({ stroke: theme.card, "stroke-width": 3, "stroke-opacity": 0.55 }), circle({ stroke: how === "material" ? materialLine(theme, material[g]) : theme.strong, "stroke-width": how === "material" ? 2 : 1.2 }));
+  }
+  return group;
+}
+
+/** A bar as thick as its force is large, on a pale one thicker by the standard error; what may not be there is dashed. */
+function forces(film, theme) {
+  const { fn, fn_error: error } = film.contacts, group = s("g", { "stroke-linecap": "round" });
+  const order = Array.from(fn.keys()).filter((c) => Number.isFinite(fn[c])).sort((a, b) => Math.abs(fn[a]) - Math.abs(fn[b]));
+  for (const c of order) {
+    const [x1, y1, x2, y2] = film.endsOf(c).map(at), colour = fn[c] < 0 ? theme.tension : theme.strong;
+    const line = (attributes) => s("line", { x1, y1, x2, y2, stroke: colour, ...attributes });
+    if (film.isUncertain(c)) group.append(line({ stroke: theme.card, "stroke-width": 3, "stroke-opacity": 0.5, ...thin }), line({ "stroke-width": 1.3, "stroke-dasharray": "3 4", ...thin }));
+    else group.append(line({ "stroke-width": at(barWidth(film, Math.abs(fn[c]) + (error?.[c] ?? 0))), "stroke-opacity": 0.3 }), line({ "stroke-width": at(barWidth(film, fn[c])) }));
+  }
+  return group;
+}
+
+/** How much longer than the true way arrows are drawn: the longest is about a grain. */
+export function magnification(film) {
+  const longest = film.grains.motion_x.reduce((most, v, g) => Math.max(most, Math.hypot(v, film.grains.motion_y[g])), 0);
+  const wanted = (1.6 * film.meanRadius) / (longest || 1), power = 10 ** Math.floor(Math.log10(wanted));
+  return [5, 2, 1].map((f) => f * power).find((v) => v <= wanted) ?? power;
+}
+
+function motion(film, theme) {
+  const { x, y, motion_x: mx, motion_y: my } = film.grains, group = s("g", { stroke: theme.accent, fill: theme.accent }), k = magnification(film);
+  for (let g = 0; g < film.count; ++g) {
+    const dx = k * mx[g], dy = k * my[g], size = Math.hypot(dx, dy);
+    if (!(size > 0.15)) continue;
+    const [tx, ty] = [x[g] + dx, y[g] + dy], head = Math.min(0.5 * size, 0.35 * film.meanRadius), ux = dx / size, uy = dy / size;
+    const wing = (side) => `${at(tx - head * (ux - side * 0.5 * uy))},${at(ty - head * (uy + side * 0.5 * ux))}`;
+    group.append(s("line", { x1: at(x[g]), y1: at(y[g]), x2: at(tx - 0.8 * head * ux), y2: at(ty - 0.8 * head * uy), "stroke-width": 1.6, ...thin }),
+      s("path", { d: `M${at(tx)},${at(ty)}L${wing(1)}L${wing(-1)}Z`, stroke: "none" }));
+  }
+  return group;
+}
+
+/** The outline of what the pointer is on. */
+export function outline(film, { grain = null, contact = null, pixel = null }, theme, large) {
+  const group = s("g", { fill: "none", stroke: theme.accent });
+  if (contact !== null) {
+    const [x1, y1, x2, y2] = film.endsOf(contact).map(at);
+    group.append(s("line", { x1, y1, x2, y2, "stroke-width": at(Math.max(0.4, barWidth(film, film.contacts.fn[contact]))), "stroke-opacity": 0.8 }));
+  } else if (grain !== null) group.append(s("circle", { cx: at(film.grains.x[grain]), cy: at(film.grains.y[grain]), r: at(film.grains.radius[grain]), "stroke-width": 2.2, ...thin }));
+  if (pixel !== null && large) group.append(s("rect", { x: (pixel % film.width) - 0.5, y: Math.floor(pixel / film.width) - 0.5, width: 1, height: 1, stroke: theme.accent, "stroke-width": 1.6, ...thin }));
+  return group;
+}

@@ -1,0 +1,79 @@
+import { unpack } from "../block.js";
+import { decodeField } from "../field/decode.js";
+import { maps } from "./maps.js";
+
+const arraysOf = (about, block) => Object.fromEntries(Object.entries(about ?? {}).map(([name, value]) => [name, value?.at === undefined ? value : unpack(block, value)]));
+
+/** A film of a loaded packing: maps are decoded when first asked for; grains in pixels, y down. */
+export class FilmResult {
+  #block;
+  #values = new Map();
+
+  constructor(about, block, title) {
+    this.#block = block;
+    Object.assign(this, { about, title, name: about.name, numbers: about.numbers, materials: about.materials, frame: about.frame });
+    this.width = about.film.width;
+    this.height = about.film.height;
+    this.grains = arraysOf(about.grains, block);
+    this.contacts = arraysOf(about.contacts, block);
+    this.bad = unpack(block, about.bad);
+    this.stresses = Object.fromEntries(Object.entries(about.stresses).map(([name, s]) => [name, { ...s, sigma_hyd: unpack(block, s.sigma_hyd), sigma_norm: unpack(block, s.sigma_norm) }]));
+    this.meanForce = meanOf(this.contacts.fn ?? [], (force, c) => force > 0 && !this.isUncertain(c));
+    this.meanRadius = meanOf(this.grains.radius ?? [], () => true) || 1;
+  }
+
+  get resultName() { return this.name; }
+
+  /** Figures ask for the texture of a packing; a film has none. */
+  texture() { return null; }
+
+  get count() { return this.grains.count; }
+  get hasForces() { return this.contacts.count > 0 && this.contacts.fn?.some((force) => force !== 0); }
+  get hasTwin() { return Boolean(this.stresses.film && (this.stresses.twin_swing || this.stresses.twin_state)); }
+  get box() { return { left: -0.5, right: this.width - 0.5, bottom: 0.5 - this.height, top: 0.5 }; }
+  unitOf(map) { return maps[map].unit === "K" ? this.about.film.unit : maps[map].unit; }
+
+  /** A contact that may not be there, or whose force is not larger than twice its standard error. */
+  isUncertain(c) {
+    const { fn, fn_error: error, absent } = this.contacts;
+    return Boolean(absent?.[c]) || (error !== undefined && Math.abs(fn[c]) < 2 * error[c]);
+  }
+
+  /** Where a contact's bar goes in the picture: centre to centre, or centre to the rim at a wall. */
+  endsOf(c) {
+    const { i, j, nx, ny } = this.contacts, { x, y, radius } = this.grains;
+    const a = i[c], b = j[c];
+    return b < this.count ? [x[a], y[a], x[b], y[b]] : [x[a], y[a], x[a] - radius[a] * nx[c], y[a] + radius[a] * ny[c]];
+  }
+
+  /** Number of the pixel under a point (column, row), or null. */
+  pixelAt(x, y) {
+    const column = Math.round(x), row = Math.round(y);
+    return column >= 0 && row >= 0 && column < this.width && row < this.height ? column + this.width * row : null;
+  }
+
+  grainAt(x, y) {
+    for (let g = 0; g < this.count; ++g) if (Math.hypot(this.grains.x[g] - x, this.grains.y[g] - y) <= this.grains.radius[g]) return g;
+    return null;
+  }
+
+  /** Values as a map shows them; NaN where a pixel has none. */
+  values(name) {
+    if (!this.#values.has(name)) this.#values.set(name, this.#decoded(name));
+    return this.#values.get(name);
+  }
+
+  #decoded(name) {
+    const { stored, of } = maps[name], about = this.about.maps[stored];
+    if (name !== stored && !of) return this.values(stored);
+    const values = decodeField(this.width, unpack(this.#block, about.residual), about);
+    if (about.holes) for (const k of unpack(this.#block, about.holes)) values[k] = NaN;
+    return of ? values.map((v) => of(v, this)) : values;
+  }
+}
+
+function meanOf(values, counts) {
+  let sum = 0, n = 0;
+  values.forEach((v, k) => { if (counts(v, k)) [sum, n] = [sum + v, n + 1]; });
+  return n ? sum / n : 0;
+}

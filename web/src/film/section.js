@@ -1,0 +1,38 @@
+import { h } from "../dom.js";
+import { figureCard } from "../figures/card.js";
+import { resultNumbers } from "../field/numbers.js";
+import { filmFigures } from "../figures/film.js";
+import { State } from "../state.js";
+import { filmHeadlines } from "./headlines.js";
+import { available } from "./maps.js";
+import { filmPanel } from "./panel.js";
+
+/** What the reader may choose on the section of a film. */
+function begin(film, page) {
+  const known = available(film), map = ["in_phase", "amplitude", "picture"].find((name) => known.includes(name)) ?? known[0];
+  return new State({
+    theme: page.get("theme"), map, law: "linear", clip: "1", grains: film.count ? "rims" : "off", forces: false, motion: false,
+    component: "fn", twin: film.stresses.twin_swing ? "swing" : "state", over: "mean",
+  });
+}
+
+/** A film with its figures and tables: { element, state, view, film }. */
+export function filmSection(film, page) {
+  const state = begin(film, page);
+  page.watch(["theme"], () => state.set({ theme: page.get("theme") }));
+  const { panel, view } = filmPanel(film, state);
+  const cards = filmFigures.filter((figure) => figure.when({}, film)).map((figure) => figureCard(figure, film, state));
+  const element = h("div", {}, h("main", {}, panel, h("div", { class: "results" }, filmHeadlines(film), h("div", { class: "figures" }, cards), missing(film))), resultNumbers(film));
+  return { element, state, view, film };
+}
+
+/** What cannot be shown, and why. */
+function missing(film) {
+  const sentences = [
+    !film.count && "No grains were found in this film, so stresses and forces are not shown.",
+    film.count > 0 && !film.stresses.film && "Stresses of the grains were not measured.",
+    film.count > 0 && !film.hasForces && "Contact forces were not inferred.",
+    film.stresses.film && !film.hasTwin && "No simulation of the same grains stands beside this film.",
+  ].filter(Boolean);
+  return sentences.length ? h("p", { class: "caption missing" }, sentences.join(" ")) : null;
+}

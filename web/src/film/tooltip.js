@@ -1,0 +1,47 @@
+import { materialColour } from "../theme.js";
+import { text } from "../text.js";
+import { maps, wrapped } from "./maps.js";
+
+/** A value and its standard error in the unit that suits the value: "12.3 ± 0.4 kPa". */
+export function quantityWithError(value, error, unit) {
+  const whole = text.quantity(value, unit), [, word] = whole.split("\u202f");
+  if (!(error > 0) || word === undefined) return whole;
+  const factor = value / Number(whole.split("\u202f")[0].replace("\u2212", "-")), power = 10 ** (3 * Math.round(Math.log10(Math.abs(factor)) / 3));
+  const { value: v, error: e } = text.withError(value / power, error / power);
+  return `${v} \u00b1 ${e}\u202f${word}`;
+}
+
+/** The numbers of the pixel under the pointer, and of the grain that it lies in. */
+export function pixelNumbers(film, pixel, grain, theme) {
+  const column = pixel % film.width, row = Math.floor(pixel / film.width), unit = film.about.film.unit;
+  const rows = Object.entries(maps).filter(([name, { stored }]) => name !== "bad" && film.about.maps[stored]).map(([name, { label, cyclic }]) => {
+    const value = film.values(name)[pixel];
+    if (name === "picture") return [label.toLowerCase(), Number.isFinite(value) ? `${value.toFixed(unit === "K" ? 3 : 0)}\u202f${unit}` : "\u2013"];
+    return [label.toLowerCase(), cyclic ? `${text.number(wrapped(value), 3)}\u00b0` : text.quantity(value, unit)];
+  });
+  if (film.bad.includes(pixel)) rows.push(["replaced", "bad pixel"]);
+  const place = `column ${column}, row ${row}`;
+  if (grain === null) return { title: place[0].toUpperCase() + place.slice(1), colour: theme.weak, rows };
+  return { title: `Grain ${film.grains.id[grain]}${nameOf(film, grain)}`, colour: materialColour(theme, film.grains.material[grain]), rows: [...grainRows(film, grain), ["pixel", `${column}, ${row}`], ...rows] };
+}
+
+const nameOf = (film, grain) => (film.materials[film.grains.material[grain]] ? `, ${film.materials[film.grains.material[grain]].name}` : "");
+
+function grainRows(film, g) {
+  const { radius, sigma_hyd: sigma, error, motion_x: mx, motion_y: my } = film.grains, { pixel } = film.about.film;
+  const rows = [["radius", `${text.number(radius[g], 3)}\u202fpx${pixel > 0 ? `, ${text.millimetres(radius[g] * pixel)}` : ""}`]];
+  if (sigma) rows.push(["\u03c3_{hyd}", quantityWithError(sigma[g], error?.[g], "Pa")]);
+  if (film.stresses.film) rows.push(["\u03c3_{norm}", text.number(film.stresses.film.sigma_norm[g])]);
+  if (film.stresses.twin_swing) rows.push(["its twin\u2019s", text.quantity(film.stresses.twin_swing.sigma_hyd[g], "Pa")]);
+  if (mx) rows.push(["motion x, y", `${text.number(mx[g], 2)}, ${text.number(-my[g], 2)}\u202fpx`]);
+  return rows;
+}
+
+export function contactNumbers(film, c, theme) {
+  const { i, j, fn, ft, fn_error: fe, ft_error: te, absent } = film.contacts, { id } = film.grains;
+  const partner = j[c] < film.count ? `${id[j[c]]}` : `${["left", "right", "lower", "upper"][j[c] - film.count]} wall`;
+  const rows = [["F_{n}", quantityWithError(fn[c], fe?.[c], "N")], ["F_{t}", quantityWithError(ft[c], te?.[c], "N")]];
+  if (fe) rows.push(["F_{n}/s.e.", text.number(fn[c] / fe[c], 3)]);
+  if (absent?.[c]) rows.push(["may be absent", "yes"]);
+  return { title: `Contact ${id[i[c]]}\u2009\u2013\u2009${partner}`, colour: fn[c] < 0 ? theme.tension : theme.strong, rows };
+}
