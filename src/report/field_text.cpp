@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "statistics/text.hpp"
+
 namespace arenite::report {
 namespace {
 
@@ -17,8 +19,7 @@ std::string shown(const Json& j) {
   if (j.is_string()) return j.get<std::string>();
   if (!j.is_object() || !j.contains("value") || j["value"].is_null()) return {};
   const double value = j["value"];
-  return j.contains("error") && j["error"].is_number() ? fmt::format("{:.5g} +- {:.2g}", value, j["error"].get<double>())
-                                                        : fmt::format("{:.5g}", value);
+  return j.contains("error") && j["error"].is_number() ? statistics::with_error({value, j["error"]}) : fmt::format("{:.5g}", value);
 }
 
 class Lines {

@@ -8,7 +8,8 @@
 /// Statistics as lines of text.
 namespace arenite::statistics {
 
-/// "value +- error" with two digits of the error, and the value to the same place.
+/// "value +- error" with two digits of the error, and the value to the same place. The value alone where the error is
+/// not known, or is that of rounding (at most 1e-12 of the value).
 std::string with_error(const Estimate& e, double scale = 1);
 
 /// Unit in which stresses of this size are read easily.
