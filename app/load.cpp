@@ -117,14 +117,14 @@ std::string asked_of(const Arguments& a) {
                      a.smoothing, a.crop, a.slice, a.dataset, a.label_slice, a.label_dataset, a.dx);
 }
 
-void store(const Arguments& a, const FieldResult& result) {
+void store(const Arguments& a, const study::Load& load, const FieldResult& result) {
   const fs::path folder(a.out);
   study::make_folder(folder);
   const fs::path file = folder / io::stage_file_name(1, result.name, result.provenance.input_hash);
   io::write_field(file, result);
   report::PageData data;
   data.title = fmt::format("{} of {}", result.name, fs::path(a.map).filename().string());
-  data.fields.push_back({&result, ""});
+  data.fields.push_back({&result, load.statistics});
   report::write_page(folder / "report.html", data);
   if (!a.json) fmt::print("\nresult: {}\npage:   {}\n", file.string(), (folder / "report.html").string());
 }
@@ -147,7 +147,7 @@ int execute(const Arguments& a) {
     }
     study::sign(*result, a.map, asked_of(a), load);
     fmt::print("{}", a.json ? report::field_json(*result) : report::field_summary(*result));
-    if (!a.out.empty()) store(a, *result);
+    if (!a.out.empty()) store(a, load, *result);
     return result->converged ? done : not_converged;
   } catch (const InputError& error) {
     throw name_the_map(error);

@@ -53,7 +53,8 @@ void write_page(const fs::path& path, const study::Recipe& recipe, const study::
     for (std::size_t f = 0; f < stages[s].frames.size(); ++f)
       if (shows_texture(stages[s], f)) data.textures.push_back({s, f, texture::measure(stages[s].frames[f].packing, study::texture_options(recipe, s))});
   }
-  for (const FieldResult& field : outcome.fields) data.fields.push_back({&field, ""});
+  for (std::size_t f = 0; f < outcome.fields.size(); ++f)  // the cemented sample, then its loads
+    data.fields.push_back({&outcome.fields[f], f > 0 ? recipe.loads[f - 1].statistics : stress::StressOptions{}});
   report::write_page(path, data);
 }
 

@@ -94,11 +94,10 @@ Json parsed(const std::string& text) {
   return json;
 }
 
-/// The densities that the page draws, measured here unless they are given; empty where there is nothing to measure.
+/// The densities that the page draws; empty where there is nothing to measure.
 Json statistics_of(const FieldPageData& data) {
-  if (!data.statistics_json.empty()) return parsed(data.statistics_json);
   if (data.result->field.size() == 0) return Json::object();
-  stress::StressOptions options;
+  stress::StressOptions options = data.statistics;
   options.components = {stress::Component::yy, stress::Component::xx, stress::Component::xy, stress::Component::hydrostatic};
   try {
     return parsed(stress::to_json(stress::measure(data.result->map, data.result->field, options), true));

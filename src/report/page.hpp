@@ -7,6 +7,7 @@
 #include "model/field_result.hpp"
 #include "model/film_result.hpp"
 #include "model/result.hpp"
+#include "stress/stress.hpp"
 #include "texture/texture.hpp"
 
 namespace arenite::report {
@@ -17,11 +18,11 @@ struct FrameTexture {
   texture::Texture texture;
 };
 
-/// A cemented sample or its stresses under load. `statistics_json` are those of the node stresses with their curves, as
-/// stress::to_json writes them; without it they are measured for the page.
+/// A cemented sample or its stresses under load. The densities of the node stresses are measured for the page by
+/// `statistics`: those of the load make them agree with its numbers. All components are shown, whichever it names.
 struct FieldPageData {
   const FieldResult* result = nullptr;
-  std::string statistics_json{};
+  stress::StressOptions statistics{};
 };
 
 /// What a film of a loaded packing gave. `options` say which grains count in the statistics of grain stresses, which are

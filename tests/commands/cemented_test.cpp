@@ -4,6 +4,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/read_file.hpp"
+#include "support/document_of_page.hpp"
 #include "support/program.hpp"
 
 namespace {
@@ -28,10 +29,13 @@ fs::path file_of(const fs::path& folder, const std::string& stage) {
 
 TEST(Cemented, ExampleGoesFromSamplingToStressesByPhase) {
   const TemporaryFolder folder;
-  const auto ran = arenite(run(folder / "out"));
+  const auto ran = arenite(run(folder / "out", "--set loads.0.statistics.clamp_rows=8"));
   ASSERT_EQ(ran.status, 0) << ran.err;
   for (const char* stage : {"packing", "compact", "rest", "cement", "tension"}) EXPECT_FALSE(file_of(folder / "out", stage).empty()) << stage;
   EXPECT_TRUE(fs::exists(folder / "out/report.html"));
+  const Json loaded = test::document_of_page(folder / "out/report.html")["fields"][1];
+  EXPECT_EQ(loaded["statistics"]["options"]["clamp_rows"], 8);
+  EXPECT_EQ(loaded["statistics"]["sigma_yy"]["sample_mean_Pa"], loaded["numbers"]["stress"]["sigma_yy"]["sample_mean_Pa"]);
   const Json j = shown(folder / "out");
   EXPECT_EQ(j["map"]["width"], 160);
   EXPECT_NEAR(j["map"]["dx_m"].get<double>(), 8e-3 / 160, 1e-12);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "support/document_of_page.hpp"
 #include "support/program.hpp"
 
 namespace {
@@ -51,6 +52,19 @@ TEST(Load, StoresFieldAndPageAndMeasuresThemAgain) {
   ASSERT_EQ(measured.status, 0) << measured.err;
   EXPECT_EQ(Json::parse(measured.out)["options"]["clamp_rows"], 10);
   EXPECT_EQ(arenite("load " + file.string() + " --loading shear").status, 0);
+}
+
+TEST(Load, PageMeasuresStressesAsTheNumbersDo) {
+  const TemporaryFolder folder;
+  const auto loaded = arenite("load " + layers(folder / "map.h5") + " --phases 1=particle,2=matrix --clamp-rows 8 --leave-out-surface --out " + (folder / "out").string());
+  ASSERT_EQ(loaded.status, 0) << loaded.err;
+  const Json field = test::document_of_page(folder / "out/report.html")["fields"][0];
+  const Json &page = field["statistics"], &numbers = field["numbers"]["stress"];
+  EXPECT_EQ(page["options"]["clamp_rows"], 8);
+  EXPECT_EQ(page["options"], numbers["options"]);
+  for (const char* name : {"sample_mean_Pa", "mean_over_area_Pa"}) EXPECT_EQ(page["sigma_yy"][name], numbers["sigma_yy"][name]) << name;
+  for (const char* set : {"all", "matrix"})
+    for (const char* name : {"count", "mean_Pa", "variance"}) EXPECT_EQ(page["sigma_yy"]["sets"][set][name], numbers["sigma_yy"]["sets"][set][name]) << name;
 }
 
 TEST(Load, SeveredAndEmptySamplesEndWithStatus3AndAName) {

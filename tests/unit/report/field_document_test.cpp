@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/page_document.hpp"
+#include "study/field_stages.hpp"
 #include "support/field_page_sample.hpp"
 
 using namespace arenite;
@@ -40,13 +41,46 @@ TEST(FieldDocument, GivesTheMeanOverWhatIsNotVoid) {
   EXPECT_NEAR(document["fields"][1]["components"]["yy"]["mean"], sum / static_cast<double>(count), 1e-9 * sum);
 }
 
-TEST(FieldDocument, MeasuresTheDensitiesUnlessTheyAreGiven) {
+TEST(FieldDocument, MeasuresDensitiesAsTheLoadsStatisticsAsk) {
   const Json document = Json::parse(report::page_document(sample().data).json);
   EXPECT_TRUE(document["fields"][0]["statistics"].empty());
-  EXPECT_TRUE(document["fields"][1]["statistics"]["sigma_yy"]["sets"]["all"].contains("pdf"));
-  report::PageData given = sample().data;
-  given.fields = {{&sample().load, R"({"sigma_yy": 3})"}};
-  EXPECT_EQ(Json::parse(report::page_document(given).json)["fields"][0]["statistics"]["sigma_yy"], 3);
+  report::PageData asked = sample().data;
+  asked.fields = {{&sample().load, {}}};
+  asked.fields[0].statistics.clamp_rows = 8;
+  asked.fields[0].statistics.leave_out_surface = true;
+  const Json statistics = Json::parse(report::page_document(asked).json)["fields"][0]["statistics"];
+  EXPECT_EQ(statistics["options"]["clamp_rows"], 8);
+  EXPECT_LT(statistics["sigma_yy"]["sets"]["all"]["count"], document["fields"][1]["statistics"]["sigma_yy"]["sets"]["all"]["count"]);
+  for (const char* component : {"sigma_yy", "sigma_xx", "sigma_xy", "sigma_hyd"})
+    EXPECT_TRUE(statistics[component]["sets"]["all"].contains("pdf")) << component;
+}
+
+/// The numbers of `some` are all in `whole`, and equal there.
+void expect_holds(const Json& whole, const Json& some, const std::string& path = "") {
+  for (const auto& [name, value] : some.items()) {
+    const std::string at = path + "/" + name;
+    if (name == "notes") continue;
+    ASSERT_TRUE(whole.contains(name)) << at;
+    if (value.is_structured()) expect_holds(whole[name], value, at);
+    else EXPECT_EQ(whole[name], value) << at;
+  }
+}
+
+TEST(FieldDocument, AgreesWithTheNumbersThatALoadIsStoredWith) {
+  study::Load load;
+  load.name = "tension";
+  load.statistics.clamp_rows = 8;
+  const auto result = study::apply_load(load, sample().cement, {});
+  ASSERT_TRUE(result);
+  const auto field_of = [&](const stress::StressOptions& statistics) {
+    return Json::parse(report::page_document({"one", {}, {}, {{&*result, statistics}}}).json)["fields"][0];
+  };
+  Json field = field_of(load.statistics);
+  Json numbers = field["numbers"]["stress"];
+  ASSERT_GT(numbers["sigma_yy"]["sets"]["all"]["count"], 1000);
+  numbers.erase("grains");  // the page has its own
+  expect_holds(field["statistics"], numbers);
+  EXPECT_NE(field_of({})["statistics"]["sigma_yy"]["sets"]["all"]["count"], numbers["sigma_yy"]["sets"]["all"]["count"]);
 }
 
 TEST(FieldDocument, OfASampleWithoutAnyStressSaysWhyNothingWasMeasured) {
