@@ -1,77 +1,38 @@
-import { h, s } from "../dom.js";
-import { gestures } from "../gestures.js";
-import { Camera } from "../packing/camera.js";
-import { Tooltip } from "../packing/tooltip.js";
+import { CanvasView } from "../canvas_view.js";
+import { s } from "../dom.js";
 import { fileName, savePng, saveSvg, svgText } from "../save.js";
-import { themeOf } from "../theme.js";
 import { legend, legendHeight } from "./legend.js";
 import { barWidth, outline, overlay } from "./overlay.js";
 import { painted } from "./paint.js";
 import { contactNumbers, pixelNumbers } from "./tooltip.js";
 
-const margin = 6, veil = 0.72, largePixel = 6;
+const label = "The film: wheel zooms, dragging moves, double click shows all";
+const veil = 0.72, largePixel = 6;
 
 /** The picture of a film: the map on a canvas, grains and forces over it as vectors, legend and what the pointer does. The
     camera looks on (column, -row). */
-export class FilmView {
+export class FilmView extends CanvasView {
   constructor(film, state) {
-    Object.assign(this, { film, state, camera: new Camera(), picked: null });
-    this.canvas = h("canvas", { class: "film", tabindex: 0, "aria-label": "The film: wheel zooms, dragging moves, double click shows all" });
+    super(state, { name: "film", label, margin: 6, key: "key field-key", legendHeight, parts: ["map", "lines"] });
+    this.film = film;
     this.lines = s("g");
     this.mark = s("g");
-    this.over = s("svg", { class: "over" }, this.lines, this.mark);
-    this.stage = h("div", { class: "stage" }, this.canvas, this.over);
-    this.key = s("svg", { class: "key field-key" });
-    this.element = h("div", { class: "view" }, this.stage, this.key);
-    this.tooltip = new Tooltip(this.stage);
-    gestures(this.canvas, this.camera, { moved: () => this.#soon(), hover: (place) => this.#pick(place), leave: () => this.#unpick(), reset: () => this.reset() });
-    new ResizeObserver(() => this.#resize()).observe(this.stage);
-    state.watch(["map", "law", "clip", "theme"], () => this.#refresh({ map: true }));
-    state.watch(["grains", "forces", "motion", "theme"], () => this.#refresh({ lines: true }));
-    this.stale = { map: true, lines: true };
+    this.over.append(this.lines, this.mark);
+    this.listen();
+    state.watch(["map", "law", "clip", "theme"], () => this.refresh("map"));
+    state.watch(["grains", "forces", "motion", "theme"], () => this.refresh("lines"));
   }
 
-  get theme() { return themeOf(this.state.get("theme")); }
+  get extent() { return this.film.box; }
   get veil() { return this.state.get("grains") === "stress" ? veil : 0; }
 
-  #refresh(parts) {
-    Object.assign(this.stale, parts);
-    this.#unpick();
-    this.#soon();
+  update(stale) {
+    const { film, state, theme } = this;
+    if (stale.has("map")) this.picture = painted(film, state, theme);
+    if (stale.has("lines")) this.lines.replaceChildren(overlay(film, state, theme));
   }
 
-  #soon() {
-    this.waiting ??= requestAnimationFrame(() => {
-      this.waiting = null;
-      this.#draw();
-    });
-  }
-
-  #resize() {
-    const { clientWidth: width, clientHeight: height } = this.stage;
-    if (width === 0 || height === 0) return;
-    const fitted = this.camera.fitted || !this.sized;
-    this.sized = true;
-    this.camera.resize(width, height);
-    this.pixelRatio = window.devicePixelRatio || 1;
-    Object.assign(this.canvas, { width: Math.round(width * this.pixelRatio), height: Math.round(height * this.pixelRatio) });
-    if (fitted) this.camera.fit(this.film.box, margin);
-    this.#draw();
-  }
-
-  #draw() {
-    if (!this.sized) return;
-    const { film, state, theme, camera } = this;
-    if (this.stale.map) this.picture = painted(film, state, theme);
-    if (this.stale.lines) this.lines.replaceChildren(overlay(film, state, theme));
-    this.stale = {};
-    this.#drawMap();
-    this.over.setAttribute("viewBox", `0 0 ${camera.width} ${camera.height}`);
-    this.lines.setAttribute("transform", this.transform);
-    this.#drawMark();
-    this.key.setAttribute("viewBox", `0 0 ${camera.width} ${legendHeight}`);
-    this.key.replaceChildren(legend(film, camera, theme, state, camera.width));
-  }
+  legend() { return legend(this.film, this.camera, this.theme, this.state, this.camera.width); }
 
   /** From the film's pixels to the screen's. */
   get transform() {
@@ -85,7 +46,7 @@ export class FilmView {
     return { x, y, width: this.film.width * this.camera.scale, height: this.film.height * this.camera.scale };
   }
 
-  #drawMap() {
+  paint() {
     const context = this.canvas.getContext("2d"), { theme, pixelRatio: ratio } = this, { x, y, width, height } = this.place;
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.fillStyle = theme.card;
@@ -97,24 +58,19 @@ export class FilmView {
     context.globalAlpha = 1;
   }
 
-  #drawMark() {
-    this.mark.setAttribute("transform", this.transform);
+  drawOverlay() {
+    for (const layer of [this.lines, this.mark]) layer.setAttribute("transform", this.transform);
     this.mark.replaceChildren(this.picked ? outline(this.film, this.picked, this.theme, this.camera.scale >= largePixel) : "");
   }
 
-  reset() {
-    this.camera.fit(this.film.box, margin);
-    this.#soon();
-  }
-
-  #pick(place) {
+  pick(place) {
     const [x, down] = this.camera.toWorld(...place), y = -down, { film, theme } = this;
     const pixel = film.pixelAt(x, y);
-    if (pixel === null) return this.#unpick();
+    if (pixel === null) return this.unpick();
     const contact = this.state.get("forces") && film.hasForces ? this.#contactAt(x, y) : null;
     const grain = contact === null ? film.grainAt(x, y) : null;
     this.picked = { pixel: contact === null ? pixel : null, grain: this.state.get("grains") === "off" ? null : grain, contact };
-    this.#drawMark();
+    this.drawOverlay();
     this.tooltip.write(contact === null ? pixelNumbers(film, pixel, grain, theme) : contactNumbers(film, contact, theme), place);
   }
 
@@ -127,13 +83,6 @@ export class FilmView {
       if (distance(this.film.endsOf(c), x, y) <= Math.max(reach, barWidth(this.film, fn[c]) / 2)) found = c;
     }
     return found;
-  }
-
-  #unpick() {
-    if (!this.picked) return;
-    this.picked = null;
-    this.tooltip.hide();
-    this.#drawMark();
   }
 
   get name() { return fileName(this.film.title, this.film.name, this.state.get("map")); }
