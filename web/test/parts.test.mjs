@@ -14,6 +14,7 @@ test("a value and its error end at the error's second digit", () => {
 
 test("a value without an error keeps four digits and says no error", () => {
   assert.deepEqual(text.withError(3.14159, null), { value: "3.142", error: "" });
+  assert.deepEqual(text.withError(1, 7e-16), { value: "1.000", error: "" });
   assert.deepEqual(text.withError(null, null), { value: "\u2013", error: "" });
 });
 
