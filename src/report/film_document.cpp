@@ -11,8 +11,9 @@
 namespace arenite::report {
 namespace {
 
-/// Steps of a map's codes over its middle half width. Maps of pure noise need no finer ones, and noise does not deflate.
-constexpr double finest = 2000, fine = 500, coarse = 125;
+/// Steps of a map's codes over its middle half width: noise does not deflate, so maps of nothing else have coarse ones; a
+/// phase comes to a tenth of a degree.
+constexpr double picture_steps = 2000, phase_steps = 1000, fine = 500, coarse = 125;
 
 struct MapColumn {
   const char* name;
@@ -21,7 +22,7 @@ struct MapColumn {
 };
 
 constexpr std::array map_columns{MapColumn{"amplitude", &LockinMaps::amplitude, fine},
-                                 MapColumn{"phase", &LockinMaps::phase, coarse},
+                                 MapColumn{"phase", &LockinMaps::phase, phase_steps},
                                  MapColumn{"in_phase", &LockinMaps::in_phase, fine},
                                  MapColumn{"second_harmonic", &LockinMaps::second_harmonic, coarse},
                                  MapColumn{"standard_error", &LockinMaps::standard_error, coarse},
@@ -49,7 +50,7 @@ Json maps_of(const FilmResult& r, NumberBlock& block) {
   const auto add = [&](const char* name, const std::vector<float>& values, double levels) {
     if (pixels > 0 && values.size() == pixels) all[name] = map_of(r.film.width, r.film.height, values, levels, block);
   };
-  add("picture", r.picture, finest);
+  add("picture", r.picture, picture_steps);
   for (const MapColumn& column : map_columns) add(column.name, r.maps.*column.member, column.levels);
   return all;
 }

@@ -2,6 +2,7 @@
 
 #include "report/page.hpp"
 #include "support/field_page_sample.hpp"
+#include "support/film_page_sample.hpp"
 #include "support/page_sample.hpp"
 #include "support/program.hpp"
 
@@ -20,6 +21,14 @@ TEST(Page, OfACementedSampleIsPaintedAndAnswersInABrowser) {
   const test::FieldPageSample sample;
   report::write_page(folder / "page.html", sample.data);
   const auto outcome = test::shell("node " ARENITE_SOURCE_DIR "/web/test/field_page.test.mjs " + (folder / "page.html").string());
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}
+
+TEST(Page, OfAFilmIsPaintedAndAnswersInABrowser) {
+  const test::TemporaryFolder folder;
+  const test::FilmPageSample sample;
+  report::write_page(folder / "page.html", sample.data);
+  const auto outcome = test::shell("node " ARENITE_SOURCE_DIR "/web/test/film_page.test.mjs " + (folder / "page.html").string());
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 

@@ -13,9 +13,9 @@ namespace arenite::test {
 
 /// What a film of a frame with disks of two materials might have given: warming as the closed form has it, with noise;
 /// forces and grain stresses are the true ones with errors as large as they say. Some contacts are not there; two
-/// pixels are bad.
+/// pixels are bad. Beside it the maps alone, as of a film without grains.
 struct FilmPageSample {
-  FilmResult film;
+  FilmResult film, maps_only;
   report::PageData data;
 
   explicit FilmPageSample(std::size_t grains = 260, double pixel = 1.6e-3) {
@@ -32,7 +32,12 @@ struct FilmPageSample {
     film.numbers_json = R"({"frequency_Hz": {"value": 3.0002, "error": 0.0001}, "noise_mK": 1.1, "grains": )" + std::to_string(grains) +
                         R"(, "forces": {"residual": 1.02, "null_space": 0}})";
     data.title = "A film of <two> materials in a frame";
-    data.films = {{&film, {}}};
+    maps_only.name = "maps";
+    maps_only.outcome = "Locked in at the load frequency.";
+    maps_only.film = film.film;
+    maps_only.maps = film.maps;
+    maps_only.maps.second_harmonic.clear();
+    data.films = {{&maps_only, {}}, {&film, {}}};
   }
 
   FilmPageSample(const FilmPageSample&) = delete;
@@ -107,7 +112,7 @@ struct FilmPageSample {
         maps.amplitude.push_back(real(std::hypot(cosine, sine)));
         maps.phase.push_back(real(std::remainder(maps.reference_phase + std::atan2(sine, cosine), 2 * std::numbers::pi)));
         maps.residual.push_back(real(0.022 * (1 + 0.03 * random_.normal()) + 0.02 * std::abs(swing)));
-        maps.standard_error.push_back(maps.residual.back() / 18);
+        maps.standard_error.push_back(real(maps.residual.back() / 18 * (1 + 0.05 * random_.normal())));
         maps.second_harmonic.push_back(real(std::hypot(noise_ * random_.normal(), noise_ * random_.normal())));
       }
     film.bad.assign(film.picture.size(), 0);

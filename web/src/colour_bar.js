@@ -23,10 +23,10 @@ export function colourBar({ title, unit, scale, palette, theme, length, mean = n
     s("path", { d: `M0,${top + height}${peaks}V${top + height}Z`, fill: theme.card, "fill-opacity": 0.55, stroke: theme.ink, "stroke-width": 0.6, "stroke-opacity": 0.6 }));
   const share = (v) => (v < 5e-5 ? "" : `${text.number(100 * v, 2)}\u202f%`);
   const [below, above] = [share(scale.below), share(scale.above)];
-  const shown = head.replace(/_\{([^}]*)\}/g, "$1").length;
-  if (below) group.append(label(Math.max(82, 12 + 6 * shown), 8, `\u25c2 ${below}`));
-  if (above) group.append(label(length, 8, `${above} \u25b8`, "end"));
-  const places = at ?? ticks(scale, length), write = at || scale.symlog ? (v) => text.number(v / factor, at ? 3 : 2) : evenly(places, factor);
+  const headEnd = Math.max(82, 12 + 6 * head.replace(/_\{([^}]*)\}/g, "$1").length), beside = headEnd + (below ? 60 : 0) + (above ? 60 : 0) > length;
+  if (below) group.append(beside ? label(length + 6, 37, `\u25c2 ${below}`) : label(headEnd, 8, `\u25c2 ${below}`));
+  if (above) group.append(beside ? label(length + 6, below ? 52 : 37, `\u25b8 ${above}`) : label(length, 8, `${above} \u25b8`, "end"));
+  const places = at ?? ticks(scale, length), write = scale.symlog ? (v) => text.number(v / factor, 2) : evenly(places, factor);
   for (const v of places) {
     const x = scale.of(v) * length;
     group.append(s("line", { x1: x, x2: x, y1: top + height, y2: top + height + 4, stroke: theme.soft }), label(within(x, write(v), length), top + height + 12, write(v), "middle"));
@@ -47,7 +47,8 @@ function within(x, words, length) {
 /** All with as many decimals as their distance needs. */
 function evenly(places, factor) {
   const order = [...places].sort((a, b) => a - b), step = Math.min(...order.slice(1).map((v, k) => v - order[k])) / factor;
-  const decimals = Number.isFinite(step) ? Math.min(6, Math.max(0, Math.ceil(-Math.log10(step) - 1e-9))) : 2;
+  if (!Number.isFinite(step)) return (v) => text.number(v / factor, 2);
+  const decimals = Math.min(6, Math.max(0, Math.ceil(-Math.log10(step) - 1e-9)));
   return (v) => (v === 0 ? "0" : (v / factor).toFixed(decimals).replace("-", "\u2212"));
 }
 

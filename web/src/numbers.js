@@ -19,7 +19,7 @@ function inUnit(estimates, unit) {
 }
 
 /** A table with a row a set and a column a statistic; `columns` = [{ head, unit, of, scale }]. */
-function grid(title, sets, columns) {
+export function grid(title, sets, columns) {
   const shown = columns.filter(({ of }) => sets.some(([, set]) => of(set) !== undefined && of(set) !== null));
   return h("table", {}, h("caption", {}, title),
     h("thead", {}, h("tr", {}, h("th"), shown.map(({ head, unit }) => h("th", {}, rich(head), unit && h("small", {}, `, ${unit}`))))),

@@ -1,7 +1,7 @@
 import { h, rich } from "../dom.js";
 import { prefixOf, text } from "../text.js";
 
-const units = [["_MPa", "MPa"], ["_Pa", "Pa"], ["_m2", "m\u00b2"], ["_J_m", "J/m"], ["_N_m", "N/m"], ["_N", "N"], ["_m", "m"], ["_s", "s"], ["_deg", "\u00b0"], ["_percent", "%"], ["_MB", "MB"]];
+const units = [["_MPa", "MPa"], ["_Pa", "Pa"], ["_m2", "m\u00b2"], ["_J_m", "J/m"], ["_N_m", "N/m"], ["_N", "N"], ["_m", "m"], ["_s", "s"], ["_deg", "\u00b0"], ["_percent", "%"], ["_MB", "MB"], ["_mK", "mK"], ["_K", "K"], ["_Hz", "Hz"], ["_px", "px"]];
 const hidden = new Set(["provenance", "stages", "notes", "curves", "pdf", "cumulative", "histogram", "recipe"]);
 
 /** Symbols whose index looks like a unit. */

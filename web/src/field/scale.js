@@ -44,12 +44,16 @@ function share(order, limit, including = false) {
   return order.length ? from / order.length : 0;
 }
 
-/** How many of the values fall into each of `bins` equal parts of the scale; what lies beyond is left out. */
+/** How many of the values fall into each of `bins` equal parts of the scale, each shared between the two whose middles are
+    next to it (or coded values would make a comb); what lies beyond is left out. */
 export function histogram(order, scale, bins) {
   const counts = new Array(bins).fill(0);
   for (const v of order) {
-    const k = Math.floor(scale.of(v) * bins);
-    if (k >= 0 && k < bins) ++counts[k];
+    const at = scale.of(v) * bins;
+    if (!(at >= 0 && at < bins)) continue;
+    const k = Math.floor(at - 0.5), part = at - 0.5 - k;
+    counts[Math.max(0, k)] += 1 - part;
+    counts[Math.min(bins - 1, k + 1)] += part;
   }
   return counts;
 }

@@ -5,7 +5,7 @@ import { chart, logAxis, points, sampled, sideBySide } from "./chart.js";
 const ends = (sets) => Math.max(2.5, ...sets.map(({ d }) => d.maximum ?? 0)) * 1.03;
 
 /** Share above x and its tail P_0 exp(beta (1 - x)), one line a set. */
-function cumulativeChart(theme, sets, { x, y, semilog, width }) {
+export function cumulativeChart(theme, sets, { x, y, semilog, width, height = 262 }) {
   const top = ends(sets);
   const least = Math.min(...sets.map(({ d }) => 1 / d.count)) * 0.7;
   const shown = (list) => (semilog ? list.filter((p) => p.y >= least) : list);
@@ -15,7 +15,7 @@ function cumulativeChart(theme, sets, { x, y, semilog, width }) {
     return { colour, name, line: shown(sampled(1, top, (v) => share * Math.exp(d.beta.value * (1 - v)))) };
   });
   return chart(theme, {
-    width, height: 262,
+    width, height,
     x: { label: x, domain: [0, top] },
     y: semilog ? logAxis(y, [10 ** Math.floor(Math.log10(least) + 0.25), 1]) : { label: y, domain: [0, 1] },
     marks: [

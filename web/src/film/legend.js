@@ -3,7 +3,7 @@ import { richSvg, s } from "../dom.js";
 import { scaleBar } from "../scale_bar.js";
 import { text } from "../text.js";
 import { materialLine } from "../theme.js";
-import { maps } from "./maps.js";
+import { faintBelow, maps } from "./maps.js";
 import { barWidth, magnification, stressTop } from "./overlay.js";
 import { scaleOf } from "./paint.js";
 
@@ -35,19 +35,26 @@ export function stressKey(film, theme, length) {
     [0, 1, top].map((v) => label(at(v), 46, `${v === top ? "\u2265\u202f" : ""}${v}`, { "text-anchor": v === 0 ? null : v === top ? "end" : "middle" })));
 }
 
-/** What is drawn over the map, in one row. */
+/** What is drawn over the map, as far as one row holds it. */
 function lineKey(film, camera, theme, state) {
   const group = s("g", { transform: "translate(0 81)" });
-  let x = maps[state.get("map")].marks && state.get("grains") !== "stress" ? 148 : 1;
+  const bare = state.get("grains") === "stress", { marks, cyclic } = maps[state.get("map")];
+  let x = marks && !bare ? 148 : 1;
   const add = (shape, words) => {
+    const wide = 27 + 6.2 * words.replace(/[_{}]/g, "").length;
+    if (x + wide > camera.width) return;
     group.append(shape(x), label(x + 27, 0, words));
-    x += 42 + 6.2 * words.replace(/[_{}]/g, "").length;
+    x += wide + 15;
   };
+  if (cyclic && !bare) {
+    group.append(label(x, 0, `pale: below ${faintBelow} standard errors`));
+    x += 190;
+  }
   if (state.get("grains") === "material")
     film.materials.forEach(({ name }, m) => add((at) => s("circle", { cx: at + 13, cy: 0, r: 5.5, fill: "none", stroke: materialLine(theme, m), "stroke-width": 2 }), name));
   if (state.get("forces") && film.hasForces) {
     const stroke = Math.min(10, Math.max(1, barWidth(film, film.meanForce) * camera.scale));
-    add((at) => s("line", { x1: at + 2, x2: at + 20, y1: 0, y2: 0, stroke: theme.strong, "stroke-width": stroke, "stroke-linecap": "round" }), `\u27e8F_{n}\u27e9 = ${text.quantity(film.meanForce, "N")}`);
+    add((at) => s("line", { x1: at + 5, x2: at + 17, y1: 0, y2: 0, stroke: theme.strong, "stroke-width": stroke, "stroke-linecap": "round" }), `\u27e8F_{n}\u27e9 = ${text.quantity(film.meanForce, "N")}`);
     add((at) => s("line", { x1: at, x2: at + 22, y1: 0, y2: 0, stroke: theme.strong, "stroke-width": 1.3, "stroke-dasharray": "3 4" }), "may be absent");
   }
   if (state.get("motion") && film.grains.motion_x)

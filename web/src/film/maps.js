@@ -7,8 +7,8 @@ const convention = (film) => `${film.about.film.swing} swing`;
 
 /** What may be painted on the pixels of a film. A member gives: label; `stored` (a map of the document); `title(film)`;
     `unit` ("K" stands for the film's own); `palette` (a name in the theme); `around` (what the scale is centred on, of
-    field/scale.js); `of(value, film)` where what is shown is not what is stored; `cyclic` where colours come back. A
-    new one is one more row. */
+    field/scale.js); `of(value, film)` where what is shown is not what is stored; `cyclic` where colours come back, and
+    are pale where the amplitude is not told from noise. A new one is one more row. */
 export const maps = {
   picture: { label: "Picture", stored: "picture", title: () => "Picture at the smallest load", unit: "K", palette: "grey", around: "ends" },
   amplitude: { label: "Amplitude", stored: "amplitude", title: (film) => `Amplitude (${convention(film)})`, unit: "K", palette: "stress", around: "ends" },
@@ -20,7 +20,16 @@ export const maps = {
   second_harmonic: { label: "2\u2009f", stored: "second_harmonic", title: () => "Amplitude at twice the frequency", unit: "K", palette: "stress", around: "ends" },
   standard_error: { label: "Noise", stored: "standard_error", title: () => "Standard error of the signed swing", unit: "K", palette: "size", around: "ends" },
   residual: { label: "Residual", stored: "residual", title: () => "Left by the fit (r.m.s.)", unit: "K", palette: "size", around: "ends" },
-  bad: { label: "Bad pixels", stored: "picture", title: () => "Picture at the smallest load", unit: "K", palette: "grey", around: "ends", when: (film) => film.bad.length > 0, marks: true },
+  bad: { label: "Bad", stored: "picture", title: () => "Picture at the smallest load", unit: "K", palette: "grey", around: "ends", when: (film) => film.bad.length > 0, marks: true },
 };
 
 export const available = (film) => Object.keys(maps).filter((name) => film.about.maps[maps[name].stored] && (maps[name].when?.(film) ?? true));
+
+export const faintBelow = 3;  // standard errors
+
+/** Whether a pixel's amplitude is lost in noise, so that its phase says nothing. */
+export function faintness(film) {
+  if (!film.about.maps.amplitude || !film.about.maps.standard_error) return null;
+  const amplitude = film.values("amplitude"), error = film.values("standard_error");
+  return (k) => amplitude[k] < faintBelow * error[k];
+}

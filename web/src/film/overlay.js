@@ -1,7 +1,7 @@
 import { s } from "../dom.js";
 import { materialLine } from "../theme.js";
 
-const widthPerForce = 0.2, widest = 1.2;  // of the mean radius, at the mean force
+const widthPerForce = 0.16, widest = 1.1;  // of the mean radius, at the mean force
 
 /** Top of the scale of sigma_norm: all but a few grains lie below, in the film and its twin alike. */
 export function stressTop(film) {
@@ -39,13 +39,16 @@ function frame({ frame: sides }, theme) {
   return s("rect", { x: at(left), y: at(top), width: at(right - left), height: at(bottom - top), stroke: theme.wall, "stroke-width": 1.25, ...thin });
 }
 
-/** Rims with a pale line around them, so that they are seen on any map; or disks filled by their stress. */
+/** Rims, all of them on pale lines so that they are seen on any map; or disks filled by their stress. */
 function grains(film, how, theme) {
   const { x, y, radius, material } = film.grains, group = s("g");
-  for (let g = 0; g < film.count; ++g) {
-    const circle = (attributes) => s("circle", { cx: at(x[g]), cy: at(y[g]), r: at(radius[g]), ...thin, ...attributes });
-    if (how === "stress") group.append(circle({ fill: stressColour(film, theme, film.stresses.film?.sigma_norm[g]), stroke: theme.ink, "stroke-width": 0.8, "stroke-opacity": 0.45 }));
-    else group.append(circle({ stroke: theme.card, "stroke-width": 3, "stroke-opacity": 0.55 }), circle({ stroke: how === "material" ? materialLine(theme, material[g]) : theme.strong, "stroke-width": how === "material" ? 2 : 1.2 }));
+  const circles = (attributes) => {
+    for (let g = 0; g < film.count; ++g) group.append(s("circle", { cx: at(x[g]), cy: at(y[g]), r: at(radius[g]), ...thin, ...attributes(g) }));
+  };
+  if (how === "stress") circles((g) => ({ fill: stressColour(film, theme, film.stresses.film?.sigma_norm[g]), stroke: theme.ink, "stroke-width": 0.8, "stroke-opacity": 0.45 }));
+  else {
+    circles(() => ({ stroke: theme.card, "stroke-width": 3, "stroke-opacity": 0.5 }));
+    circles((g) => (how === "material" ? { stroke: materialLine(theme, material[g]), "stroke-width": 2 } : { stroke: theme.strong, "stroke-width": 1.2 }));
   }
   return group;
 }

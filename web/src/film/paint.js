@@ -1,6 +1,6 @@
 import { clips, makeScale } from "../field/scale.js";
-import { packed } from "../theme.js";
-import { maps } from "./maps.js";
+import { bytes, packed } from "../theme.js";
+import { faintness, maps } from "./maps.js";
 
 const shades = 512;
 const circle = { low: -180, high: 180, centre: null, symlog: false, below: 0, above: 0, of: (v) => (v + 180) / 360, value: (t) => 360 * t - 180 };
@@ -22,10 +22,18 @@ export function painted(film, state, theme) {
   Object.assign(canvas, { width: film.width, height: film.height });
   const name = state.get("map"), scale = scaleOf(film, state), values = film.values(name), palette = theme[maps[name].palette];
   const table = Uint32Array.from({ length: shades }, (_, k) => packed(palette((k + 0.5) / shades))), none = packed(theme.field.aside);
+  const faint = maps[name].cyclic && faintness(film), pale = faint && table.map((_, k) => packed(mixed(palette((k + 0.5) / shades), theme.card)));
   const out = new Uint32Array(values.length);
-  for (let k = 0; k < out.length; ++k)
-    out[k] = Number.isNaN(values[k]) ? none : table[Math.min(shades - 1, Math.max(0, Math.floor(scale.of(values[k]) * shades)))];
+  for (let k = 0; k < out.length; ++k) {
+    const shade = Math.min(shades - 1, Math.max(0, Math.floor(scale.of(values[k]) * shades)));
+    out[k] = Number.isNaN(values[k]) ? none : faint && faint(k) ? pale[shade] : table[shade];
+  }
   if (maps[name].marks) for (const k of film.bad) out[k] = packed(theme.badPixel);
   canvas.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(out.buffer), film.width, film.height), 0, 0);
   return canvas;
+}
+
+function mixed(colour, background) {
+  const to = bytes(background);
+  return `rgb(${bytes(colour).map((v, c) => Math.round(to[c] + 0.2 * (v - to[c]))).join(", ")})`;
 }

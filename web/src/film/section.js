@@ -4,6 +4,7 @@ import { resultNumbers } from "../field/numbers.js";
 import { filmFigures } from "../figures/film.js";
 import { State } from "../state.js";
 import { filmHeadlines } from "./headlines.js";
+import { comparisonNumbers } from "./numbers.js";
 import { available } from "./maps.js";
 import { filmPanel } from "./panel.js";
 
@@ -22,7 +23,7 @@ export function filmSection(film, page) {
   page.watch(["theme"], () => state.set({ theme: page.get("theme") }));
   const { panel, view } = filmPanel(film, state);
   const cards = filmFigures.filter((figure) => figure.when({}, film)).map((figure) => figureCard(figure, film, state));
-  const element = h("div", {}, h("main", {}, panel, h("div", { class: "results" }, filmHeadlines(film), h("div", { class: "figures" }, cards), missing(film))), resultNumbers(film));
+  const element = h("div", {}, h("main", {}, panel, h("div", { class: "results" }, filmHeadlines(film), h("div", { class: "figures" }, cards), missing(film))), [comparisonNumbers(film), resultNumbers(film)]);
   return { element, state, view, film };
 }
 

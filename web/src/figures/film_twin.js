@@ -1,0 +1,77 @@
+import * as Plot from "@observablehq/plot";
+import { s } from "../dom.js";
+import { materialLine } from "../theme.js";
+import { prefixOf, text } from "../text.js";
+import { chart } from "./chart.js";
+import { cumulativeChart } from "./distributions.js";
+import { known } from "./film_grains.js";
+
+/** The two to compare, as pressures over their means or in Pa: { rows, factor, prefix, about }. */
+function pairs(film, state, theme) {
+  const twin = film.stresses[`twin_${state.get("twin")}`], own = film.stresses.film, norm = state.get("over") === "mean";
+  if (!twin) return null;
+  const { factor, prefix } = norm ? { factor: 1, prefix: "" } : prefixOf(Math.max(Math.abs(own.mean), Math.abs(twin.mean)), "Pa");
+  const value = (source, g) => (norm ? source.sigma_norm[g] : -source.sigma_hyd[g] / factor);
+  const unit = norm ? Math.abs(own.mean) : factor, rows = [];
+  for (let g = 0; g < film.count; ++g) {
+    const row = { x: value(twin, g), y: value(own, g), error: (film.grains.error?.[g] || 0) / unit, colour: materialLine(theme, film.grains.material[g]) };
+    if (Number.isFinite(row.x) && Number.isFinite(row.y)) rows.push(row);
+  }
+  return { rows, factor, prefix, norm, about: film.about.agreement[`twin_${state.get("twin")}`] ?? {} };
+}
+
+const inOrder = ({ value, error }) => {
+  const t = text.withError(value, error);
+  return t.value + (t.error && ` \u00b1 ${t.error}`);
+};
+
+export const againstTwin = {
+  id: "film-twin", title: "Film against simulation", follows: ["twin", "over"],
+  caption: "Every grain with the film\u2019s standard error; line: both the same. State: at the largest load, with what grains carry at the smallest, which no film shows.",
+  choices: { twin: ["", [["swing", "Swing"], ["state", "State"]]], over: ["", [["mean", "\u03c3_{norm}"], ["unit", "Pa"]]] },
+  when: (_, film) => film.hasTwin,
+  key: ({ sample, state, theme }) => {
+    const about = sample.about.agreement[`twin_${state.get("twin")}`] ?? {};
+    return sample.materials.map(({ name }, m) => ({ name, colour: materialLine(theme, m), values: about[name]?.correlation ? [["r", about[name].correlation]] : [] }));
+  },
+  draw({ sample, state, theme, width }) {
+    const data = pairs(sample, state, theme);
+    if (!data || data.rows.length === 0) return null;
+    const { rows, prefix, norm, factor, about: { all } } = data;
+    const most = 1.04 * Math.max(...rows.flatMap((r) => [r.x, r.y])), least = Math.min(0, ...rows.flatMap((r) => [r.x, r.y]));
+    const label = norm ? "\u03c3_{norm}" : `\u2212\u03c3_{hyd}, ${prefix}Pa`, domain = [least, most];
+    const height = Math.round(Math.min(380, Math.max(240, width - 10)));
+    const svg = chart(theme, {
+      width, height, x: { label: `simulation, ${label}`, domain, ticks: 5 }, y: { label: `film, ${label}`, domain },
+      marks: [
+        Plot.line([[least, least], [most, most]], { stroke: theme.fit, strokeWidth: 1.2, strokeDasharray: "6 3" }),
+        Plot.ruleX(rows, { x: "x", y1: (r) => r.y - r.error, y2: (r) => r.y + r.error, stroke: "colour", strokeOpacity: 0.35, clip: true }),
+        Plot.dot(rows, { x: "x", y: "y", fill: "colour", fillOpacity: 0.8, r: rows.length > 300 ? 1.6 : 2.2 }),
+      ],
+    });
+    return all?.correlation ? withCorner(svg, theme, [`r = ${inOrder(all.correlation)}`, `r.m.s. difference ${norm ? text.number(all.rms_norm, 2) : text.number(all.rms_Pa / factor, 2)}${norm ? "" : `\u202f${prefix}Pa`}`]) : svg;
+  },
+};
+
+/** Lines of text in the upper left corner, on a patch of the card's colour. */
+function withCorner(svg, theme, lines) {
+  const wide = 12 + 6 * Math.max(...lines.map((line) => line.length));
+  svg.append(s("rect", { x: 54, y: 13, width: wide, height: 16 * lines.length + 6, rx: 4, fill: theme.card, "fill-opacity": 0.85 }),
+    s("g", { "text-anchor": "start", "font-family": theme.font, fill: theme.ink }, lines.map((line, k) => s("text", { x: 60, y: 28 + 16 * k }, line))));
+  return svg;
+}
+
+const setColours = (theme) => ({ film: theme.strong, twin_swing: theme.accent, twin_state: theme.mixedLine[1] });
+
+function sets(film, theme) {
+  const colours = setColours(theme);
+  return known(film).map(([name]) => ({ name: name.replace("twin_", ""), d: film.stresses[name].statistics, colour: colours[name] })).filter(({ d }) => d.cumulative && d.count > 1);
+}
+
+export const stressTails = {
+  id: "film-tails", title: "Tails of \u03c3_{norm}",
+  caption: "Share of grains above \u03c3_{norm}, away from the border. Dashed: P_{0} exp[\u03b2(1 \u2212 \u03c3_{norm})], maximum likelihood.",
+  when: (_, film) => known(film).some(([name]) => film.stresses[name].statistics.cumulative),
+  key: ({ sample, theme }) => sets(sample, theme).map(({ name, colour, d }) => ({ name, colour, values: [["P_{0}", d.P0], ["\u03b2", d.beta]].filter(([, v]) => v) })),
+  draw: ({ sample, theme, width }) => cumulativeChart(theme, sets(sample, theme), { x: "\u03c3_{norm}", y: "P(\u03c3_{norm})", semilog: true, width, height: 330 }),
+};
