@@ -117,10 +117,4 @@ double mean_sigma_kk(const Disk& disk) {
   return -inward_sum(disk) / (std::numbers::pi * disk.radius * disk.length);
 }
 
-Response point_response(double radius, double length, Vec2 normal, Vec2 x) {
-  const Vec2 rho = x + radius * normal;
-  const double scale = 1 / (std::numbers::pi * length), inverse = 2 / dot(rho, rho);
-  return {scale * (1 / radius - inverse * dot(normal, rho)), -scale * inverse * dot(perpendicular(normal), rho)};
-}
-
 }  // namespace arenite::elasticity

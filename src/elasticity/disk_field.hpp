@@ -1,4 +1,5 @@
 #pragma once
+#include <numbers>
 #include <vector>
 
 #include "core/vec2.hpp"
@@ -55,6 +56,10 @@ double mean_sigma_kk(const Disk& disk);
 struct Response {
   double fn = 0, ft = 0;
 };
-Response point_response(double radius, double length, Vec2 normal, Vec2 x);
+inline Response point_response(double radius, double length, Vec2 normal, Vec2 x) {
+  const Vec2 rho = x + radius * normal;
+  const double scale = 1 / (std::numbers::pi * length), inverse = 2 / dot(rho, rho);
+  return {scale * (1 / radius - inverse * dot(normal, rho)), -scale * inverse * dot(perpendicular(normal), rho)};
+}
 
 }  // namespace arenite::elasticity

@@ -78,14 +78,19 @@ void add_walls(NormalEquations& equations, const Unknowns& unknowns, const Conta
   }
 }
 
-void add_energy(NormalEquations& equations, const Unknowns& unknowns, const Packing& packing, double prior) {
+std::vector<double> compliances(const Packing& packing) {
+  const std::size_t n = packing.contacts.size();
+  std::vector<double> out(n);
   double mean = 0;
-  for (std::size_t c = 0; c < unknowns.contacts; ++c) mean += stiffness(packing, c) / static_cast<double>(unknowns.contacts);
-  for (std::size_t c = 0; c < unknowns.contacts; ++c) {
-    const double weight = mean / (stiffness(packing, c) * prior * prior);
-    equations.add_diagonal(static_cast<int>(2 * c), weight, 0);
-    equations.add_diagonal(static_cast<int>(2 * c + 1), weight, 0);
-  }
+  for (std::size_t c = 0; c < n; ++c) mean += stiffness(packing, c) / static_cast<double>(n);
+  for (std::size_t c = 0; c < n; ++c) out[c] = mean / stiffness(packing, c);
+  return out;
+}
+
+void add_energy(NormalEquations& equations, const Unknowns& unknowns, const Packing& packing, double prior) {
+  const std::vector<double> compliance = compliances(packing);
+  for (int u = 0; u < static_cast<int>(2 * unknowns.contacts); ++u)
+    equations.add_diagonal(u, compliance[static_cast<std::size_t>(u / 2)] / (prior * prior), 0);
 }
 
 std::vector<double> imbalances(const Packing& packing, const std::vector<std::vector<Touch>>& touches, const std::vector<double>& force, Vec2 gravity) {

@@ -31,7 +31,10 @@ void add_balance(NormalEquations& equations, const Unknowns& unknowns, const Pac
 
 void add_walls(NormalEquations& equations, const Unknowns& unknowns, const Contacts& contacts, const std::vector<WallLoad>& walls);
 
-/// Elastic energy of the contacts: sum of (f/(prior unit))^2 times the mean stiffness over the contact's.
+/// Mean stiffness over each contact's (springs in series): what its squared force counts in the elastic energy.
+std::vector<double> compliances(const Packing& packing);
+
+/// Elastic energy of the contacts: sum of compliance (f/(prior unit))^2.
 void add_energy(NormalEquations& equations, const Unknowns& unknowns, const Packing& packing, double prior);
 
 /// |sum of forces on a grain, weight included|, N.

@@ -36,8 +36,9 @@ struct ForceOptions {
   bool fit_model_error = true;      ///< the guess is mended until data and fit differ as their errors say
   double position_error = 0.1;      ///< standard error of grain centres, pixels; 0: centres are taken as exact
   double balance_error = 1e-2;      ///< standard error of a grain's balance, share of the mean contact force
-  double prior = 10;                ///< elastic regularisation: standard deviation of a contact's force about the elastic
-                                    ///< solution, in mean contact forces
+  double prior = 0;                 ///< elastic regularisation: standard deviation of a contact's force about the elastic
+                                    ///< solution, in mean contact forces; 0: 10 (next to nothing) for pixels, and for means
+                                    ///< what makes them likeliest (MacKay's evidence)
   Inequality inequality = Inequality::none;
   double friction = 0.5;            ///< mu of the cone
   Vec2 gravity;                     ///< m/s^2; zero for a swing, where weights cancel

@@ -47,6 +47,19 @@ int null_space(const ForceProblem& problem, const Touches& touches, const std::v
   return equations.small_eigenvalues(1e-9);
 }
 
+/// MacKay's fixed point: the mean square of deviations from the elastic solution over the number of those directions
+/// that the data tell.
+double likelier_prior(double prior, const std::vector<double>& x, const std::vector<double>& elastic, const std::vector<double>& compliance,
+                      const NormalEquations& equations) {
+  const std::vector<double> variance = equations.inverse_diagonal();
+  double told = 0, energy = 0;
+  for (std::size_t u = 0; u < x.size(); ++u) {
+    told += 1 - variance[u] * compliance[u / 2] / (prior * prior);
+    energy += compliance[u / 2] * (x[u] - elastic[u]) * (x[u] - elastic[u]);
+  }
+  return told > 1 ? std::clamp(std::sqrt(energy / told), 0.03, 10.0) : prior;
+}
+
 }  // namespace
 
 InferredForces infer_from_means(const ForceProblem& problem, const std::vector<double>& sigma_hyd, const std::vector<double>& error,
@@ -63,12 +76,24 @@ InferredForces infer_from_means(const ForceProblem& problem, const std::vector<d
     if (known(error[g])) sum += std::abs(normal_sum(packing, g, sigma_hyd[g]));
   if (!(sum > 0)) throw InputError("no grain has a mean stress with a standard error");
   const Unknowns unknowns{packing.contacts.size(), centres.size(), sum / static_cast<double>(2 * packing.contacts.size()), 0};
-  const std::vector<double> none(2 * unknowns.contacts, 0.0);
-  NormalEquations equations(unknowns.count());
-  add_means(equations, unknowns, packing, touches, sigma_hyd, error);
-  add_balance(equations, unknowns, packing, touches, none, options.gravity, options.balance_error * unknowns.force);
-  add_walls(equations, unknowns, packing.contacts, problem.walls);
-  add_energy(equations, unknowns, packing, options.prior);
+  const std::vector<double> none(2 * unknowns.contacts, 0.0), blind(error.size(), 0.0);
+  const auto equations_with = [&](double prior, const std::vector<double>& errors) {
+    NormalEquations equations(unknowns.count());
+    add_means(equations, unknowns, packing, touches, sigma_hyd, errors);
+    add_balance(equations, unknowns, packing, touches, none, options.gravity, options.balance_error * unknowns.force);
+    add_walls(equations, unknowns, packing.contacts, problem.walls);
+    add_energy(equations, unknowns, packing, prior);
+    return equations;
+  };
+  double prior = options.prior > 0 ? options.prior : 1;
+  if (options.prior <= 0) {
+    const std::vector<double> elastic = equations_with(prior, blind).solve(), compliance = compliances(packing);
+    for (int round = 0; round < 4; ++round) {
+      const NormalEquations tried = equations_with(prior, error);
+      prior = likelier_prior(prior, tried.solve(), elastic, compliance, tried);
+    }
+  }
+  const NormalEquations equations = equations_with(prior, error);
   std::vector<double> force = options.inequality == Inequality::cone
                                   ? equations.solve_in_cone(static_cast<int>(unknowns.contacts), options.friction)
                                   : equations.solve();

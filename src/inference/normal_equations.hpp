@@ -20,7 +20,7 @@ class NormalEquations {
   void add_diagonal(int unknown, double weight, double right);
 
   /// The minimum. With a cone, unknowns 2 c and 2 c + 1 (c < contacts) are fn and ft of a contact and obey
-  /// |ft| <= mu fn; found by block principal pivoting (Portugal, Judice and Vicente 1994).
+  /// |ft| <= mu fn; found by an interior-point method (Mehrotra 1992).
   std::vector<double> solve() const;
   std::vector<double> solve_in_cone(int contacts, double mu) const;
   /// Diagonal of the inverse of H, by Takahashi's recurrence on the factor's pattern.

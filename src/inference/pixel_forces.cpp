@@ -175,9 +175,9 @@ InferredForces infer_from_pixels(const ForceProblem& problem, const SwingPicture
     rows.add_to(equations, unknowns);
     add_balance(equations, unknowns, packing, placed.touches, placed.force, options.gravity, options.balance_error * unknowns.force);
     add_walls(equations, unknowns, packing.contacts, problem.walls);
-    add_energy(equations, unknowns, packing, options.prior);
+    add_energy(equations, unknowns, packing, options.prior > 0 ? options.prior : 10);
     add_positions(equations, unknowns, placed, position_error);
-    const std::vector<double> x = options.inequality == Inequality::cone
+    const std::vector<double> x = options.inequality == Inequality::cone && iteration == options.iterations
                                       ? equations.solve_in_cone(static_cast<int>(unknowns.contacts), options.friction)
                                       : equations.solve();
     take(placed, packing, unknowns, x);
@@ -188,6 +188,7 @@ InferredForces infer_from_pixels(const ForceProblem& problem, const SwingPicture
     }
     InferredForces out = finish(problem, options, equations, unknowns, placed.touches, placed.force);
     out.residual = std::sqrt(misfit);
+    for (const auto& of_grain : pixels) out.pixels += of_grain.size();
     out.iterations = iteration;
     return out;
   }
