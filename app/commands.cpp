@@ -10,7 +10,7 @@ const std::vector<Command>& commands() {
       {"init", "Write a commented recipe to start from", add_init},
       {"check", "Check a recipe and print it as it was understood", add_check},
       {"load", "Load anybody's phase map by peridynamics: moduli, stresses by phase, failure", add_load},
-      {"show", "Summarise a result: what, when, outcome, walls, energies, texture", add_show},
+      {"show", "Summarise a result (what, when, outcome, walls, energies, texture) or a film", add_show},
       {"export", "Write a result for ParaView, OVITO, LAMMPS tools or as tables", add_export},
       {"measure", "Measure the texture of grains and contacts from anybody's files", add_measure},
       {"doctor", "Say what this installation can do: versions, kernels, threads, helpers found", add_doctor},

@@ -4,7 +4,9 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "io/film.hpp"
 #include "report/course.hpp"
+#include "report/film_summary.hpp"
 #include "report/summary.hpp"
 
 namespace arenite::app {
@@ -12,11 +14,18 @@ namespace arenite::app {
 void add_show(CLI::App& command, int&) {
   const auto result = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
-  command.add_option("result", *result, "Stage file (.h5) or folder of a run")->required()->type_name("RESULT");
-  command.add_flag("--json", *json, "Print everything as JSON: provenance, stages, texture of the last state");
+  command.add_option("result", *result, "Stage file (.h5) or folder of a run, or a film: a file, a folder of frames, or a name with *")->required()->type_name("RESULT");
+  command.add_flag("--json", *json, "Print everything as JSON: provenance, stages, texture of the last state; or what a film says about itself");
   const auto states = std::make_shared<bool>(false);
   command.add_flag("--states", *states, "Print one row a stored state as CSV: strains, stress and texture along the loading")->excludes("--json");
-  command.callback([result, json, states] {
+  const auto choice = std::make_shared<io::FilmChoice>();
+  command.add_option("--dataset", choice->dataset, "Dataset of an HDF5 film, where several can be meant")->type_name("NAME");
+  command.callback([result, json, states, choice] {
+    if (!*states && io::looks_like_film(*result)) {
+      const report::FilmSummary film(*io::open_film(*result, *choice));
+      std::fputs((*json ? film.json() : film.text()).c_str(), stdout);
+      return;
+    }
     if (*states) {
       std::fputs(report::course_csv(*result).c_str(), stdout);
       return;

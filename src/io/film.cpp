@@ -1,7 +1,10 @@
 #include "io/film.hpp"
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "io/film_formats.hpp"
+#include "io/sealed_file.hpp"
 
 namespace arenite::io {
 namespace {
@@ -73,9 +76,14 @@ std::unique_ptr<FilmSource> open_film(const std::filesystem::path& path, const F
 
 bool looks_like_film(const std::filesystem::path& path) {
   std::error_code error;
+  const auto is_ours = [](const auto& entry) { return entry.path().extension() == ".h5"; };
+  if (std::filesystem::is_directory(path, error)) {
+    const std::filesystem::directory_iterator entries(path, error), end;
+    return std::none_of(entries, end, is_ours);
+  }
   if (!std::filesystem::is_regular_file(path, error)) return path.filename().string().find('*') != std::string::npos;
-  const Format* format = format_of(*open_bytes(path));
-  return format == nullptr ? !sidecar_of(path).empty() : format->open != open_hdf5_film;
+  if (!sealed_kind(path).empty()) return false;
+  return format_of(*open_bytes(path)) != nullptr || !sidecar_of(path).empty();
 }
 
 }  // namespace arenite::io

@@ -29,7 +29,8 @@ std::unique_ptr<FilmSource> open_film(const std::filesystem::path& path, const F
 /// The same from bytes.
 std::unique_ptr<FilmSource> open_film(const Bytes& bytes, const FilmChoice& choice = {});
 
-/// Whether a file begins like a film: one of the formats with a mark of their own, HDF5 aside.
+/// Whether this is to be read as a film: a file in one of these formats that is no result of ours, a pattern, or a folder
+/// without results.
 bool looks_like_film(const std::filesystem::path& path);
 
 }  // namespace arenite::io

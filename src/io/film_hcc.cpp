@@ -68,8 +68,10 @@ FilmPointer open_hcc(const Bytes& bytes, const FilmChoice& choice) {
   info.integration = 1e-8 * number_at<std::uint32_t>(header, 24);
   info.bits = std::min<int>(number_at<std::uint8_t>(header, 225), 16);
   if (const auto serial = number_at<std::uint32_t>(header, 248); serial != 0) info.camera = fmt::format("Telops {}", serial);
+  check_film_size(bytes->name(), info.width, info.height, 1, choice);
   PlainLayout layout;
   layout.offset = number_at<std::uint16_t>(header, 4);
+  if (layout.offset < needed) throw InputError(bytes->name(), 0, fmt::format("says that its headers have {} bytes, too few; copy it again", layout.offset));
   layout.stride = layout.offset + 2 * info.pixels();
   take_scale(header, info, layout);
   if (!std::isfinite(layout.shift)) throw InputError(bytes->name(), 0, "has a scale that is not a number; copy it again");

@@ -25,6 +25,7 @@ Hdf5Handle open(const ByteSource& bytes) {
     return own(H5Fopen(bytes.path()->c_str(), H5F_ACC_RDONLY, *access), H5Fclose);
   }
   std::string copy = bytes.text(0, bytes.size());
+  if (copy.empty()) return nullptr;
   done(H5Pset_file_image(*in_memory, copy.data(), copy.size()));
   return own(H5Fopen(unused_name().c_str(), H5F_ACC_RDONLY, *in_memory), H5Fclose);
 }

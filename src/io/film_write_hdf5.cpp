@@ -49,8 +49,9 @@ class Hdf5FilmWriter : public FilmWriter {
   /// Grows frame by frame; no times are stored, so that the same film gives the same bytes.
   void create_set() {
     constexpr std::size_t chunk_pixels = std::size_t{1} << 18;
+    const hsize_t announced = info_.frames > 0 ? static_cast<hsize_t>(info_.frames) : H5S_UNLIMITED;
     const std::array<hsize_t, 3> size{0, height(), width()}, most{H5S_UNLIMITED, height(), width()},
-        chunk{std::max<hsize_t>(1, chunk_pixels / info_.pixels()), height(), width()};
+        chunk{std::clamp<hsize_t>(chunk_pixels / info_.pixels(), 1, announced), height(), width()};
     const auto space = made(H5Screate_simple(3, size.data(), most.data()), H5Sclose);
     const auto creation = made(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     done(H5Pset_chunk(*creation, 3, chunk.data()));

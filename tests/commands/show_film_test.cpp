@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/films.hpp"
+#include "support/program.hpp"
+
+namespace {
+using namespace arenite;
+using test::arenite;
+using test::TemporaryFolder;
+using Json = nlohmann::json;
+
+TEST(ShowFilm, JsonOfARealFilm) {
+  const auto shown = arenite("show " + test::infrared("PyradiSampleMWIR.ptw").string() + " --json");
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  const Json j = Json::parse(shown.out);
+  EXPECT_EQ(j["width"], 69);
+  EXPECT_EQ(j["height"], 64);
+  EXPECT_EQ(j["frames"], 100);
+  EXPECT_EQ(j["frame_rate_Hz"], 100.0);
+  EXPECT_EQ(j["integration_s"], 0.0005);
+  EXPECT_EQ(j["camera"], "Jade");
+  EXPECT_EQ(j["bits"], 14);
+  EXPECT_EQ(j["format"], "ptw");
+  EXPECT_EQ(j["quantity"], "digital_level");
+  EXPECT_NEAR(j["duration_s"].get<double>(), 2.96977, 1e-5);
+  EXPECT_EQ(j["dropped_frames"], 198);
+  EXPECT_EQ(j["pixels"]["saturated"], 0);
+}
+
+TEST(ShowFilm, TextNamesWhatIsMissingAndDoubtful) {
+  const TemporaryFolder folder;
+  Film film = test::counted(6, 4, 9);
+  for (std::size_t i = 0; i < film.level.size(); ++i) film.level[i] = i % 24 == 3 ? 16383 : static_cast<std::uint16_t>(i % 24 == 4 ? 7 : i);
+  test::spill(folder / "a.ptw", test::ptw(film, 0.02));
+  const auto shown = arenite("show " + (folder / "a.ptw").string());
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  for (const char* words : {"ptw film of 9 frames, 6 x 4 pixels, 14 bit", "frame rate    100 Hz", "every 20 ms (stamped)", "8 frames of the camera's, evenly",
+                            "2 pixels never change", "1 pixels reach the top"})
+    EXPECT_NE(shown.out.find(words), std::string::npos) << words << "\n" << shown.out;
+}
+
+TEST(ShowFilm, ADamagedFilmIsOneSentenceAndStatusTwo) {
+  const TemporaryFolder folder;
+  test::spill(folder / "a.ptw", test::ptw(test::counted()).substr(0, 5000));
+  const auto shown = arenite("show " + (folder / "a.ptw").string() + " --json");
+  EXPECT_EQ(shown.status, 2);
+  EXPECT_EQ(shown.out, "");
+  EXPECT_NE(shown.err.find("a.ptw: is cut short: it announces 3 frames of 5 x 4 pixels and holds 1; copy it again"), std::string::npos) << shown.err;
+}
+
+TEST(ShowFilm, FoldersOfFramesAreFilms) {
+  const TemporaryFolder folder;
+  for (int f = 0; f < 3; ++f) test::spill(folder / ("f" + std::to_string(f) + ".csv"), "1,2\n3," + std::to_string(f) + "\n");
+  EXPECT_EQ(Json::parse(arenite("show --json " + folder.path().string()).out)["frames"], 3);
+  EXPECT_EQ(Json::parse(arenite("show --json '" + (folder / "f*.csv").string() + "'").out)["frames"], 3);
+}
+
+}  // namespace

@@ -1,0 +1,46 @@
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "core/error.hpp"
+#include "io/film_formats.hpp"
+#include "io/film_times.hpp"
+
+namespace {
+
+using namespace arenite;
+
+/// Small enough that a run is quick; the rule is the same for any limit.
+constexpr std::int64_t most_pixels = 1 << 14;
+
+void examine(FilmSource& film) {
+  const FilmInfo& info = film.info();
+  if (info.width <= 0 || info.height <= 0 || info.frames <= 0 || static_cast<std::int64_t>(info.pixels()) > most_pixels) std::abort();
+  if (!info.time.empty() && static_cast<std::int64_t>(info.time.size()) != info.frames) std::abort();
+  for (std::size_t i = 1; i < info.time.size(); ++i)
+    if (!(info.time[i] > info.time[i - 1])) std::abort();
+  io::frame_times(info);
+  FrameBlock block;
+  const auto few = std::min<std::int64_t>(info.frames, 4);
+  for (const std::int64_t first : {std::int64_t{0}, info.frames - few}) {
+    film.read(first, static_cast<std::size_t>(few), block);
+    const std::size_t pixels = static_cast<std::size_t>(few) * info.pixels();
+    if (block.level.size() + block.value.size() != pixels || block.value.empty() == info.floating) std::abort();
+  }
+}
+
+}  // namespace
+
+/// Any bytes are a film or an InputError. ARENITE_FILM_OPEN is the reader of one format, or open_film for all of them.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  io::FilmChoice choice;
+  choice.most_pixels = most_pixels;
+  try {
+    examine(*io::ARENITE_FILM_OPEN(io::bytes_in_memory(std::string(reinterpret_cast<const char*>(data), size), "film"), choice));
+  } catch (const InputError& error) {
+    if (error.problems().empty()) std::abort();
+  }
+  return 0;
+}
