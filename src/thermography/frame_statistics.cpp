@@ -52,10 +52,11 @@ FrameStatistics frame_statistics(FilmSource& film, std::size_t most_frames) {
 }
 
 Doubtful doubtful(const FrameStatistics& s, int bits) {
+  constexpr std::size_t least_frames = 8;  // fewer agree by chance
   Doubtful found;
   const float top = bits > 0 && bits <= 16 ? static_cast<float>((1 << bits) - 1) : INFINITY;
   for (std::size_t i = 0; i < s.mean.size(); ++i) {
-    if (s.frames > 1 && s.least[i] == s.most[i]) ++found.constant;
+    if (s.frames >= least_frames && s.least[i] == s.most[i]) ++found.constant;
     if (s.most[i] >= top) ++found.saturated;
   }
   return found;

@@ -19,7 +19,7 @@ struct FrameStatistics {
 /// Of at most `most_frames` frames from the first on, 0 for all; read some at a time.
 FrameStatistics frame_statistics(FilmSource& film, std::size_t most_frames = 0);
 
-/// Pixels that never change, and those that reached the top of the camera's range (2^bits - 1), if the film says it.
+/// Pixels that never change in eight frames or more, and those that reached the top of the camera's range (2^bits - 1), if the film says it.
 struct Doubtful {
   std::size_t constant = 0, saturated = 0;
 };
