@@ -1,0 +1,29 @@
+#pragma once
+#include "model/grain_swing.hpp"
+#include "model/picture_grains.hpp"
+#include "thermography/phase_pictures.hpp"
+
+namespace arenite::thermography {
+
+struct GrainMotionOptions {
+  double rim = 2.5;                 ///< pixels inside and outside the rim that show where a grain is
+  double largest = 8;               ///< pixels; a larger amplitude is not believed
+  int iterations = 12;              ///< at most
+  int threads = 1;
+};
+
+/// How every grain moves at the load frequency. A grain that moves by u(t) changes the level of a resting pixel by
+/// -u . grad(picture), most of all at its rim, where grains differ in emissivity from what is behind them. A few pixels on
+/// both sides of the rim, but none in other grains, are followed through the pictures of all phases with the motion
+/// found so far; what still swings in them is fitted by -du . grad(picture) and a smooth thermoelastic part inside the
+/// grain, until nothing is left to add. All grains first move together by an affine map, so that none loses itself.
+/// `grains` are at their mean places; grains that show no contrast get that affine motion, with an error of infinity.
+GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& grains, const GrainMotionOptions& options = {});
+
+/// Lock-in maps whose pixels inside a grain follow it: the pictures are resampled where the grain is at every phase, and
+/// mean, swing and second harmonic fitted anew. Other pixels stay as they are in `maps`. The reference phase is found
+/// anew on the inner pixels of grains unless `reference_phase` tells it. Standard errors are those of a resting pixel.
+LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, const PictureGrains& grains, const GrainMotion& motion,
+                         std::optional<double> reference_phase = {}, int threads = 1);
+
+}  // namespace arenite::thermography

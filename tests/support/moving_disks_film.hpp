@@ -1,0 +1,75 @@
+#pragma once
+#include <cmath>
+#include <numbers>
+
+#include "core/random.hpp"
+#include "model/film.hpp"
+#include "model/picture_grains.hpp"
+
+namespace arenite::test {
+
+/// Disks of two emissivities before a background, at rest in one half of their cycle and away in the other: disk i moves
+/// by (1 - cos)/2 of a travel that grows down the picture and differs from disk to disk. They warm by
+/// thermal (1 + tilt x/R), K, with the load. Rims are blurred as by a lens.
+struct MovingDisks {
+  int width = 90, height = 70;
+  std::size_t frames = 400;
+  double rate = 148, frequency = 3;
+  double noise = 0.020;
+  double travel = 3;                ///< pixels, full swing of the lowest disk
+  double apart = 0.3;               ///< pixels, by which disks differ
+  double thermal = 0.05, tilt = 0.5;
+  double contrast = 1.5;            ///< K
+  double radius = 4.6;
+  std::uint64_t seed = 7;
+
+  PictureGrains grains() const {
+    PictureGrains g;
+    RandomStream random(seed, Purpose::test, 1);
+    const double step = 2 * radius + 0.1;
+    for (int row = 0; row < static_cast<int>((height - 12) / (step * 0.87)); ++row)
+      for (int k = 0; k < static_cast<int>((width - 12 - step / 2) / step); ++k) {
+        g.x.push_back(8 + radius + step * (k + 0.5 * (row % 2)) + 0.05 * random.normal());
+        g.y.push_back(6 + radius + step * 0.87 * row + 0.05 * random.normal());
+        g.radius.push_back(radius);
+        g.material.push_back(static_cast<std::int32_t>(random.below(2)));
+        g.position_error.push_back(0.02);
+      }
+    return g;
+  }
+
+  double amplitude_x(std::size_t i) const { return -0.5 * apart * std::sin(2.0 * static_cast<double>(i)); }
+  double amplitude_y(const PictureGrains& g, std::size_t i) const { return 0.5 * (travel * g.y[i] / height + apart * std::sin(1.3 * static_cast<double>(i))); }
+  double warming(const PictureGrains& g, std::size_t i, double x) const { return thermal * (1 + 0.5 * std::sin(static_cast<double>(i))) * (1 + tilt * (x - g.x[i]) / radius); }
+
+  /// u(t) = amplitude s, warming s/2 with s = -cos(2 pi f t): the load is largest when cos is -1.
+  Film draw() const {
+    const PictureGrains g = grains();
+    Film film;
+    film.about.width = width;
+    film.about.height = height;
+    film.about.frames = static_cast<std::int64_t>(frames);
+    film.about.frame_rate = rate;
+    film.about.floating = true;
+    film.about.quantity = FilmQuantity::kelvin;
+    film.value.reserve(film.about.pixels() * frames);
+    for (std::size_t n = 0; n < frames; ++n) {
+      const double s = -std::cos(2 * std::numbers::pi * frequency * static_cast<double>(n) / rate);
+      std::vector<double> frame(film.about.pixels(), 294);
+      for (std::size_t i = 0; i < g.size(); ++i) {
+        const double dx = amplitude_x(i) * s, dy = amplitude_y(g, i) * s, reach = radius + 3;
+        for (int row = std::max(0, static_cast<int>(g.y[i] + dy - reach)); row < std::min<double>(height, g.y[i] + dy + reach); ++row)
+          for (int column = std::max(0, static_cast<int>(g.x[i] + dx - reach)); column < std::min<double>(width, g.x[i] + dx + reach); ++column) {
+            const double x = column - dx, y = row - dy, out = std::hypot(x - g.x[i], y - g.y[i]) - radius;
+            const double inside = 0.5 * std::erfc(out / 0.8);
+            frame[static_cast<std::size_t>(row * width + column)] += inside * (contrast * (g.material[i] ? 1 : 0.6) + 0.5 * s * warming(g, i, x));
+          }
+      }
+      RandomStream random(seed, Purpose::test, 100 + n);
+      for (const double v : frame) film.value.push_back(static_cast<float>(v + noise * random.normal()));
+    }
+    return film;
+  }
+};
+
+}  // namespace arenite::test

@@ -1,0 +1,94 @@
+#include "thermography/grain_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../support/moving_disks_film.hpp"
+#include "thermography/grain_means.hpp"
+
+namespace arenite::thermography {
+namespace {
+
+struct Seen {
+  PictureGrains grains;
+  LockinMaps still, moving;
+  GrainMotion motion;
+  double worst_motion = 0, rms_motion = 0;
+};
+
+Seen look(const test::MovingDisks& disks) {
+  Seen seen;
+  Film film = disks.draw();
+  seen.grains = disks.grains();
+  LockinOptions o;
+  o.frequency = disks.frequency;
+  seen.still = lock_in(film, o);
+  const PhasePictures pictures = phase_pictures(film, seen.still, o);
+  seen.motion = grain_motion(pictures, seen.grains);
+  seen.moving = follow_grains(pictures, seen.still, seen.grains, seen.motion);
+  for (std::size_t i = 0; i < seen.grains.size(); ++i) {
+    const double off = std::hypot(std::hypot(seen.motion.cos_x[i] + disks.amplitude_x(i), seen.motion.cos_y[i] + disks.amplitude_y(seen.grains, i)),
+                                  std::hypot(seen.motion.sin_x[i], seen.motion.sin_y[i]));
+    seen.worst_motion = std::max(seen.worst_motion, off);
+    seen.rms_motion += off * off / static_cast<double>(seen.grains.size());
+  }
+  seen.rms_motion = std::sqrt(seen.rms_motion);
+  return seen;
+}
+
+/// Root mean square error of the grains' full temperature swings, K.
+double error_of_means(const test::MovingDisks& disks, const Seen& seen, const LockinMaps& maps) {
+  GrainMeanOptions o;
+  o.factor = {1e-8, 1e-8};
+  const GrainSwing swing = grain_means(maps, seen.grains, o);
+  double sum = 0;
+  for (std::size_t i = 0; i < swing.size(); ++i) sum += std::pow(swing.temperature[i] - disks.warming(seen.grains, i, seen.grains.x[i]), 2);
+  return std::sqrt(sum / static_cast<double>(swing.size()));
+}
+
+TEST(GrainMotion, IsFoundAndTakenOut) {
+  test::MovingDisks disks;  // up to 3 pixels between the two loads
+  const Seen seen = look(disks);
+  ASSERT_GT(seen.grains.size(), 40u);
+  EXPECT_LT(seen.rms_motion, 0.025);
+  EXPECT_LT(seen.worst_motion, 0.08);
+  const double before = error_of_means(disks, seen, seen.still), after = error_of_means(disks, seen, seen.moving);
+  EXPECT_LT(after, 1.7e-3);  // noise alone: 20 mK sqrt(8/400) over some 30 pixels: 0.5 mK
+  EXPECT_GT(before, 3 * after);
+}
+
+TEST(GrainMotion, OfGrainsAtRestIsNone) {
+  test::MovingDisks disks;
+  disks.travel = disks.apart = 0;
+  const Seen seen = look(disks);
+  EXPECT_LT(seen.rms_motion, 0.012);
+  EXPECT_NEAR(seen.moving.in_phase[35 * 90 + 45], seen.still.in_phase[35 * 90 + 45], 4e-3);
+}
+
+TEST(GrainMotion, GrainsWithoutContrastHaveNone) {
+  test::MovingDisks disks;
+  disks.contrast = 0, disks.thermal = 0.01;
+  disks.frames = 200;
+  const Seen seen = look(disks);
+  for (std::size_t i = 0; i < seen.grains.size(); ++i) EXPECT_LT(std::hypot(seen.motion.cos_x[i], seen.motion.cos_y[i]), 8.5);
+  EXPECT_GT(seen.motion.error[5], 0.05);
+}
+
+TEST(PhasePictures, HoldAllFramesAtTheirPhases) {
+  test::MovingDisks disks;
+  disks.frames = 300;
+  Film film = disks.draw();
+  LockinOptions o;
+  o.frequency = 3;
+  const PhasePictures pictures = phase_pictures(film, lock_in(film, o), o, 24);
+  double frames = 0;
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    frames += pictures.frames[k];
+    EXPECT_GT(std::hypot(pictures.cosine[k], pictures.sine[k]), 0.99);
+  }
+  EXPECT_EQ(frames, 300);
+}
+
+}  // namespace
+}  // namespace arenite::thermography
