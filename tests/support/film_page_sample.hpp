@@ -13,9 +13,9 @@ namespace arenite::test {
 
 /// What a film of a frame with disks of two materials might have given: warming as the closed form has it, with noise;
 /// forces and grain stresses are the true ones with errors as large as they say. Some contacts are not there; two
-/// pixels are bad. Beside it the maps alone, as of a film without grains.
+/// pixels are bad. Beside it the maps alone, as of a film without grains, and the grains' stresses alone.
 struct FilmPageSample {
-  FilmResult film, maps_only;
+  FilmResult film, maps_only, stresses_only;
   report::PageData data;
 
   explicit FilmPageSample(std::size_t grains = 260, double pixel = 1.6e-3) {
@@ -37,7 +37,15 @@ struct FilmPageSample {
     maps_only.film = film.film;
     maps_only.maps = film.maps;
     maps_only.maps.second_harmonic.clear();
-    data.films = {{&maps_only, {}}, {&film, {}}};
+    stresses_only.name = "stresses";
+    stresses_only.outcome = "Stresses of grains alone.";
+    stresses_only.film = film.film;
+    stresses_only.pixel = pixel;
+    stresses_only.origin = film.origin;
+    stresses_only.packing = film.packing;
+    stresses_only.packing.contacts = {};
+    stresses_only.swing = film.swing;
+    data.films = {{&maps_only, {}}, {&stresses_only, {}}, {&film, {}}};
   }
 
   FilmPageSample(const FilmPageSample&) = delete;

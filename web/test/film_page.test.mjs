@@ -39,8 +39,9 @@ const contacts = (page) => page.evaluate(() => {
 const brightness = (colour) => (colour[0] + colour[1] + colour[2]) / 3;
 
 test("every film has its tab, and the last one is open", async (page) => {
-  assert.deepEqual(await page.locator(".tabs button").allInnerTexts(), ["Maps", "Film"]);
+  assert.deepEqual(await page.locator(".tabs button").allInnerTexts(), ["Maps", "Stresses", "Film"]);
   assert.match(await page.locator("header p").innerText(), /JADE III.*1\u202f480 frames at 148.*260 grains/);
+  assert.match(await page.locator(".headlines:visible").innerText(), /load frequency[\s\S]*3\.00020 \u00b1 0\.00010\u202fHz[\s\S]*correlation with twin/);
 });
 
 test("the picture is bright where grains are warm, and its pixels come back in kelvin", async (page) => {
@@ -160,6 +161,17 @@ test("forces are bars as thick as they are large, and what may be absent is dash
   widths.forEach((w, k) => { if (fn[k] < 3 * mean) assert.ok(Math.abs(w - per * fn[k]) < 0.01 * w + 2e-3, `${w} for ${fn[k]} N`); });
 });
 
+test("a bar to a wall ends at the wall", async (page) => {
+  const off = await page.evaluate(() => {
+    const { film } = window.arenite.film, { i, j } = film.contacts, sides = film.frame;
+    return Array.from(i.keys()).filter((c) => j[c] >= film.count).map((c) => {
+      const [, , x, y] = film.endsOf(c), side = j[c] - film.count;
+      return Math.abs((side < 2 ? x : y) - sides[side]);
+    });
+  });
+  assert.ok(off.length > 20 && Math.max(...off) < 1, `${off.length} walls, off by up to ${Math.max(...off)} pixels`);
+});
+
 test("hovering tells a pixel's and a grain's numbers, or a contact's with its error", async (page) => {
   await show(page, { grains: "rims" });
   const [grain] = (await grains(page)).slice(40), place = await onPage(page, grain.x, grain.y);
@@ -274,6 +286,14 @@ test("a film of maps alone says what it cannot show", async (page) => {
   await tab(page, "Film");
 });
 
+test("stresses of grains alone have their figures, and what is missing is said", async (page) => {
+  await tab(page, "Stresses");
+  assert.deepEqual(await page.locator("[data-figure]:visible").evaluateAll((all) => all.map((f) => f.dataset.figure)), ["film-tails", "film-stresses"]);
+  assert.match(await page.locator(".missing:visible").innerText(), /forces were not inferred.*No simulation/);
+  assert.equal(await page.locator('[data-figure="film-stresses"]:visible circle').count(), 260);
+  await tab(page, "Film");
+});
+
 test("the dark theme darkens page and map", async (page) => {
   await show(page, { map: "in_phase" });
   await page.click("button.theme");
@@ -286,7 +306,7 @@ test("the dark theme darkens page and map", async (page) => {
 
 test("on a narrow screen everything stands in one column and nothing is cut off", async (page) => {
   await page.setViewportSize({ width: 420, height: 900 });
-  for (const title of ["Maps", "Film"]) {
+  for (const title of ["Maps", "Stresses", "Film"]) {
     await tab(page, title);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     assert.ok(wide <= 420, `${title} is ${wide} px wide`);

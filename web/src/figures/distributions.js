@@ -17,7 +17,7 @@ export function cumulativeChart(theme, sets, { x, y, semilog, width, height = 26
   return chart(theme, {
     width, height,
     x: { label: x, domain: [0, top] },
-    y: semilog ? logAxis(y, [10 ** Math.floor(Math.log10(least) + 0.25), 1]) : { label: y, domain: [0, 1] },
+    y: semilog ? logAxis(y, [Math.min(least, 10 ** Math.floor(Math.log10(least) + 0.25)), 1]) : { label: y, domain: [0, 1] },
     marks: [
       Plot.ruleX([1], { stroke: theme.soft, strokeDasharray: "2 3" }),
       Plot.line(data, { x: "x", y: "y", z: "name", stroke: "colour", strokeWidth: 1.1, strokeOpacity: 0.35 }),

@@ -4,6 +4,9 @@ import { course } from "./course.js";
 import { stressDensities } from "./densities.js";
 import { forceDistribution, stressDistribution } from "./distributions.js";
 import { brokenBonds, energyBalance, stressStrain } from "./failure.js";
+import { certainty, rankedForces } from "./film_forces.js";
+import { rankedStresses, stressMaps } from "./film_grains.js";
+import { againstTwin, stressTails } from "./film_twin.js";
 import { approach, energies, travel, wallForces } from "./history.js";
 import { roses } from "./roses.js";
 import { contactNumbers, coordination, rev, threshold } from "./structure.js";
@@ -16,3 +19,6 @@ export const figures = [roses, stressDistribution, forceDistribution, coordinati
 
 /** Every figure of a cemented sample or its field, likewise; `sample` is its FieldResult and there is no texture. */
 export const fieldFigures = [stressStrain, brokenBonds, energyBalance, stressDensities, cavityVolumes, convergence];
+
+/** Every figure of a film, likewise; `sample` is its FilmResult. */
+export const filmFigures = [stressMaps, againstTwin, stressTails, rankedForces, certainty, rankedStresses];

@@ -4,17 +4,15 @@ import { prefixOf, text } from "../text.js";
 /** The numbers that one asks for first. */
 export function filmHeadlines(film) {
   const { film: about, agreement } = film.about, { contacts } = film;
-  const tiles = [["load frequency", "f", quantity(about.frequency, about.frequency_error, "Hz")]];
+  const tiles = about.frequency > 0 ? [["load frequency", "f", quantity(about.frequency, about.frequency_error, "Hz")]] : [];
   if (film.about.maps.standard_error) tiles.push(["noise of a pixel", "", quantity(median(film.values("standard_error")), 0, about.unit)]);
   if (film.count) tiles.push(["grains", "N_{p}", [text.count(film.count)]]);
-  if (film.stresses.film) tiles.push(["mean stress", "\u27e8\u03c3_{hyd}\u27e9", quantity(film.stresses.film.mean, 0, "Pa")]);
-  if (film.hasForces) {
-    const sure = Array.from(contacts.fn.keys()).filter((c) => !film.isUncertain(c)).length;
-    tiles.push(["mean force", "\u27e8F_{n}\u27e9", quantity(film.meanForce, 0, "N")], ["contacts, of proposed", "", [text.count(sure), `of ${text.count(contacts.fn.length)}`]]);
-  }
-  const r = agreement?.twin_swing?.all?.correlation;
-  if (r) tiles.push(["correlation with twin", "", quantity(r.value, r.error, "")]);
-  else if (tiles.length < 6) tiles.push(["frames", "", [text.count(about.used || about.frames)]], ["pixels", "", [`${about.width}\u202f\u00d7\u202f${about.height}`]]);
+  if (film.stresses.film?.mean) tiles.push(["stress", "\u27e8\u03c3_{hyd}\u27e9", quantity(film.stresses.film.mean, 0, "Pa")]);
+  if (film.hasForces) tiles.push(["force", "\u27e8F_{n}\u27e9", quantity(film.meanForce, 0, "N")]);
+  const r = agreement.twin_swing?.all?.correlation, sure = film.hasForces ? Array.from(contacts.fn.keys()).filter((c) => !film.isUncertain(c)).length : 0;
+  if (r) tiles.push(["correlation with twin", "r", quantity(r.value, r.error, "")]);
+  if (film.hasForces) tiles.push(["sure contacts", "", [text.count(sure), `of ${text.count(contacts.fn.length)}`]]);
+  tiles.push(["frames", "", [text.count(about.used || about.frames)]], ["pixels", "", [`${about.width}\u202f\u00d7\u202f${about.height}`]]);
   return h("div", { class: "headlines" }, tiles.slice(0, tiles.length >= 6 ? 6 : 3).map(([name, symbol, [value, unit, error]]) =>
     h("div", { class: "tile" }, h("p", {}, name, symbol && [" ", h("i", {}, rich(symbol))]), h("strong", {}, value, (error || unit) && h("small", {}, error && ` \u00b1 ${error}`, unit && `\u202f${unit}`)))));
 }

@@ -2,6 +2,7 @@ import { s } from "../dom.js";
 import { materialLine } from "../theme.js";
 
 const widthPerForce = 0.16, widest = 1.1;  // of the mean radius, at the mean force
+const bright = 0.4;  // pixels of the film, around bars
 
 /** Top of the scale of sigma_norm: all but a few grains lie below, in the film and its twin alike. */
 export function stressTop(film) {
@@ -53,15 +54,24 @@ function grains(film, how, theme) {
   return group;
 }
 
-/** A bar as thick as its force is large, on a pale one thicker by the standard error; what may not be there is dashed. */
+/** A bar as thick as its force is large, on a pale one thicker by the standard error, with a margin of the card's colour
+    so that it is seen on any map; what may not be there is dashed. */
 function forces(film, theme) {
   const { fn, fn_error: error } = film.contacts, group = s("g", { "stroke-linecap": "round" });
   const order = Array.from(fn.keys()).filter((c) => Number.isFinite(fn[c])).sort((a, b) => Math.abs(fn[a]) - Math.abs(fn[b]));
-  for (const c of order) {
-    const [x1, y1, x2, y2] = film.endsOf(c).map(at), colour = fn[c] < 0 ? theme.tension : theme.strong;
-    const line = (attributes) => s("line", { x1, y1, x2, y2, stroke: colour, ...attributes });
-    if (film.isUncertain(c)) group.append(line({ stroke: theme.card, "stroke-width": 3, "stroke-opacity": 0.5, ...thin }), line({ "stroke-width": 1.3, "stroke-dasharray": "3 4", ...thin }));
-    else group.append(line({ "stroke-width": at(barWidth(film, Math.abs(fn[c]) + (error?.[c] ?? 0))), "stroke-opacity": 0.3 }), line({ "stroke-width": at(barWidth(film, fn[c])) }));
+  const line = (c, attributes) => {
+    const [x1, y1, x2, y2] = film.endsOf(c).map(at);
+    group.append(s("line", { x1, y1, x2, y2, stroke: fn[c] < 0 ? theme.tension : theme.strong, ...attributes }));
+  };
+  const thickness = (c) => barWidth(film, Math.abs(fn[c]) + (error?.[c] || 0)), sure = order.filter((c) => !film.isUncertain(c));
+  for (const c of sure) line(c, { stroke: theme.card, "stroke-opacity": 0.45, "stroke-width": at(thickness(c) + bright) });
+  for (const c of order.filter((k) => film.isUncertain(k))) {
+    line(c, { stroke: theme.card, "stroke-width": 3, "stroke-opacity": 0.5, ...thin });
+    line(c, { "stroke-width": 1.3, "stroke-dasharray": "3 4", ...thin });
+  }
+  for (const c of sure) {
+    line(c, { "stroke-width": at(thickness(c)), "stroke-opacity": 0.3 });
+    line(c, { "stroke-width": at(barWidth(film, fn[c])) });
   }
   return group;
 }

@@ -1,7 +1,7 @@
 import { h } from "../dom.js";
 import { figureCard } from "../figures/card.js";
 import { resultNumbers } from "../field/numbers.js";
-import { filmFigures } from "../figures/film.js";
+import { filmFigures } from "../figures/index.js";
 import { State } from "../state.js";
 import { filmHeadlines } from "./headlines.js";
 import { comparisonNumbers } from "./numbers.js";
@@ -21,7 +21,7 @@ function begin(film, page) {
 export function filmSection(film, page) {
   const state = begin(film, page);
   page.watch(["theme"], () => state.set({ theme: page.get("theme") }));
-  const { panel, view } = filmPanel(film, state);
+  const { panel, view } = available(film).length ? filmPanel(film, state) : { panel: h("section", { class: "card" }, h("p", { class: "nothing" }, "This film has no maps.")), view: null };
   const cards = filmFigures.filter((figure) => figure.when({}, film)).map((figure) => figureCard(figure, film, state));
   const element = h("div", {}, h("main", {}, panel, h("div", { class: "results" }, filmHeadlines(film), h("div", { class: "figures" }, cards), missing(film))), [comparisonNumbers(film), resultNumbers(film)]);
   return { element, state, view, film };
