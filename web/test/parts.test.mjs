@@ -1,5 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { histogram, makeScale } from "../src/field/scale.js";
+import { wrapped } from "../src/film/maps.js";
+import { quantityWithError } from "../src/film/tooltip.js";
 import { chainWidth, segmentsOf } from "../src/packing/chains.js";
 import { Camera } from "../src/packing/camera.js";
 import { State } from "../src/state.js";
@@ -98,4 +101,21 @@ test("a chain to a wall is level and its round end touches the wall", () => {
 test("the width of a chain is proportional to its force", () => {
   const { sample, frame } = cell(false);
   assert.ok(Math.abs(chainWidth(sample, frame, 4) - 2 * chainWidth(sample, frame, 2)) < 1e-15);
+});
+
+test("an angle comes into half a turn to both sides", () => {
+  for (const [angle, wanted] of [[0, 0], [190, -170], [-190, 170], [180, 180], [-180, 180], [725, 5]]) assert.equal(wrapped(angle), wanted);
+});
+
+test("a quantity and its error share the prefix of the larger one", () => {
+  assert.equal(quantityWithError(3600, 170, "N"), "3.60 \u00b1 0.17\u202fkN");
+  assert.equal(quantityWithError(0, 120, "N"), "0 \u00b1 120\u202fN");
+  assert.equal(quantityWithError(-1e5, 0, "Pa"), "\u2212100\u202fkPa");
+});
+
+test("a histogram counts what lies within its scale, and evenly coded values make no comb", () => {
+  const values = Float32Array.from({ length: 2001 }, (_, k) => Math.round((k - 1000) / 8) / 125), order = values.sort();
+  const counts = histogram(order, makeScale(order, { around: "ends", symlog: false, clip: 0, mean: 0 }), 140);
+  assert.ok(Math.abs(counts.reduce((a, b) => a + b, 0) - 2001) < 12);
+  for (const n of counts.slice(2, -2)) assert.ok(Math.abs(n - 2001 / 140) < 0.2 * (2001 / 140), `${n}`);
 });

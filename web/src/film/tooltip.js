@@ -1,14 +1,12 @@
 import { materialColour } from "../theme.js";
-import { text } from "../text.js";
+import { prefixOf, text } from "../text.js";
 import { maps, wrapped } from "./maps.js";
 
-/** A value and its standard error in the unit that suits the value: "12.3 ± 0.4 kPa". */
+/** A value and its standard error in the unit that suits the larger one: "3.60 ± 0.17 kN". */
 export function quantityWithError(value, error, unit) {
-  const whole = text.quantity(value, unit), [, word] = whole.split("\u202f");
-  if (!(error > 0) || word === undefined) return whole;
-  const factor = value / Number(whole.split("\u202f")[0].replace("\u2212", "-")), power = 10 ** (3 * Math.round(Math.log10(Math.abs(factor)) / 3));
-  const { value: v, error: e } = text.withError(value / power, error / power);
-  return `${v} \u00b1 ${e}\u202f${word}`;
+  if (!(error > 0)) return text.quantity(value, unit);
+  const { factor, prefix } = prefixOf(Math.max(Math.abs(value), error), unit), { value: v, error: e } = text.withError(value / factor, error / factor);
+  return `${v}${e && ` \u00b1 ${e}`}\u202f${prefix}${unit}`;
 }
 
 /** The numbers of the pixel under the pointer, and of the grain that it lies in. */
