@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "model/image.hpp"
+#include "model/picture_grains.hpp"
+
+namespace arenite::imaging {
+
+/// Whether grains are brighter than what is between them.
+enum class GrainContrast : std::uint8_t { found, bright, dark };
+
+struct CircleOptions {
+  std::vector<double> radii = {}; ///< of the size classes, pixels; empty: found
+  double smallest = 2.5, largest = 0;  ///< radii looked for where none are given, pixels; 0: half the picture's smaller side
+  GrainContrast contrast = GrainContrast::found;
+  std::size_t materials = 0;      ///< classes of brightness; 0: found
+  double least_score = 0.5;       ///< share of the rim that must show
+};
+
+/// What was found besides the grains.
+struct CircleReport {
+  bool bright = true;
+  double blur = 0;                ///< standard deviation of lens and pixel, pixels
+  double noise = 0;               ///< of the picture near rims, in its unit
+  std::vector<double> class_radius, class_spread;         ///< pixels; smallest class first
+  std::vector<std::size_t> class_members;
+  std::vector<double> material_brightness, material_spread;  ///< darkest first
+  std::vector<std::size_t> material_members;
+  double largest_overlap = 0;     ///< of two circles, pixels
+  std::size_t overlapping = 0;    ///< pairs that overlap by more than three standard errors and 2 % of the smaller radius
+};
+
+struct FoundCircles {
+  PictureGrains grains;           ///< row by row: by y, then x
+  CircleReport report;
+};
+
+/// Grains of a picture, touching or not, of radii from about 3 pixels on: circles whose rims show edges are taken best
+/// first as long as they do not overlap, fitted together (DiskModel), taken away, and what the rest still shows is taken in
+/// turn, until nothing is left. Sizes and brightnesses are parted into classes (statistics::cluster). No grains: empty.
+/// Throws InputError for an empty picture, values that are no numbers, or one value everywhere.
+FoundCircles find_circles(const FloatImage& image, const CircleOptions& options = {});
+
+}  // namespace arenite::imaging
