@@ -31,6 +31,7 @@ void add_check(CLI::App& command, int& status);
 void add_show(CLI::App& command, int& status);
 void add_export(CLI::App& command, int& status);
 void add_run(CLI::App& command, int& status);
+void add_study(CLI::App& command, int& status);
 void add_load(CLI::App& command, int& status);
 void add_measure(CLI::App& command, int& status);
 void add_doctor(CLI::App& command, int& status);

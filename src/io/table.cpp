@@ -52,8 +52,8 @@ char separator_of(std::string_view line) {
 Table::Column column_of(std::string_view cell) {
   const auto open = cell.find_first_of("[(");
   const bool closed = open != std::string_view::npos && (cell.back() == ']' || cell.back() == ')');
-  if (!closed) return {lower(trimmed(cell)), {}};
-  return {lower(trimmed(cell.substr(0, open))), std::string(trimmed(cell.substr(open + 1, cell.size() - open - 2)))};
+  const auto name = trimmed(closed ? cell.substr(0, open) : cell);
+  return {lower(name), std::string(closed ? trimmed(cell.substr(open + 1, cell.size() - open - 2)) : ""), std::string(name)};
 }
 
 bool is_unit(std::string_view cell) {

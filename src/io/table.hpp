@@ -20,6 +20,7 @@ struct Table {
   struct Column {
     std::string name;                  ///< lower case
     std::string unit;                  ///< "mm" from "x [mm]", "x (mm)" or a row of units below the header; or empty
+    std::string written;               ///< the name as it was written
   };
   std::vector<Column> columns;         ///< from the header; empty if there is none
   int header_line = 0;                 ///< 0 if columns were given

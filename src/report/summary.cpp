@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The recipe that made a result; one without title or stages for results of another version, whose keys may differ.
+/// The recipe that made a result; one without stages for results of another version and for packings, whose keys may differ.
 study::Recipe recipe_of(const Provenance& p) {
   try {
     return study::parse_recipe(p.recipe, "recipe");
@@ -37,7 +37,7 @@ texture::Options texture_options(const Provenance& p) {
 }
 
 std::string made_by(const Provenance& p) {
-  const std::string title = recipe_of(p).title;
+  const std::string title = study::title_in(p.recipe);
   return fmt::format("{}{}Made by Arenite {}, {}{}seed {}; input {}\n", title, title.empty() ? "" : "\n", p.version,
                      p.kernel.empty() ? "" : "kernel ", p.kernel.empty() ? "" : p.kernel + ", ", p.seed, p.input_hash);
 }
@@ -45,7 +45,7 @@ std::string made_by(const Provenance& p) {
 Json provenance(const Provenance& p) {
   Json options = Json::object();
   for (const auto& [key, value] : p.options) options[key] = value;
-  return {{"title", recipe_of(p).title}, {"version", p.version}, {"stage", p.stage}, {"input_hash", p.input_hash}, {"seed", p.seed},
+  return {{"title", study::title_in(p.recipe)}, {"version", p.version}, {"stage", p.stage}, {"input_hash", p.input_hash}, {"seed", p.seed},
           {"kernel", p.kernel},   {"options", options}, {"recipe", p.recipe}};
 }
 
@@ -136,6 +136,25 @@ Summary::Summary(const std::filesystem::path& result) {
     stage.states = stage.result.frames.size();
     if (stage.states > 1) stage.result.frames.erase(stage.result.frames.begin(), stage.result.frames.end() - 1);
     stages_.push_back(std::move(stage));
+  }
+}
+
+Summary::Summary(const study::RunOutcome& outcome) {
+  for (std::size_t s = 0; s < outcome.stages.size(); ++s) {
+    const StageResult& result = outcome.stages[s];
+    Stage stage{outcome.files[s].filename().string(), {}, result.frames.size()};
+    stage.result.provenance = result.provenance;
+    stage.result.name = result.name;
+    stage.result.converged = result.converged;
+    stage.result.outcome = result.outcome;
+    stage.result.texture_json = result.texture_json;
+    if (!result.frames.empty()) stage.result.frames.push_back(result.frames.back());
+    stages_.push_back(std::move(stage));
+  }
+  for (std::size_t f = 0; f < outcome.fields.size(); ++f) {
+    const FieldResult& field = outcome.fields[f];
+    fields_.push_back({outcome.files[outcome.stages.size() + f].filename().string(), field.name, field.outcome, field.numbers_json,
+                       field.converged, field.provenance});
   }
 }
 

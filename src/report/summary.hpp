@@ -5,6 +5,10 @@
 
 #include "model/field_result.hpp"
 
+namespace arenite::study {
+struct RunOutcome;
+}
+
 namespace arenite::report {
 
 /// A result in a few numbers: what made it, how every stage ended, and the last state with its walls, equilibrium,
@@ -14,6 +18,8 @@ class Summary {
  public:
   /// Reads a stage file or the stage files of a run's folder. Throws InputError for anything else.
   explicit Summary(const std::filesystem::path& result);
+  /// The same of a run that has just ended.
+  explicit Summary(const study::RunOutcome& outcome);
 
   std::string text() const;   ///< for people
   std::string json() const;   ///< for programs: the texture's fields, or a field's numbers with "texture", and "provenance" and "stages" beside them

@@ -10,6 +10,7 @@
 #include "study/recipe.hpp"
 #include "study/result_folder.hpp"
 #include "study/run.hpp"
+#include "study/stage_keys.hpp"
 
 /// The second half of a run: cement, raster, loads (P II.B to IV).
 namespace arenite::study {
@@ -39,9 +40,8 @@ struct PullCheckpoint {
 std::optional<FieldResult> apply_load(const Load& load, const FieldResult& sample, const peridynamics::Watch& watch,
                                       const PullCheckpoint& checkpoint = {});
 
-/// Does, or reads from the store, the cemented sample and all loads; appends to `outcome`. Names and hashes begin with
-/// those of the cemented sample.
-void run_fields(const Recipe& recipe, const std::vector<std::string>& hashes, const std::vector<std::string>& names,
-                const ResultFolder& folder, const RunOptions& options, Progress progress, RunOutcome& outcome);
+/// Does, or reads from the store, the cemented sample and all loads; appends to `outcome`.
+void run_fields(const Recipe& recipe, const std::vector<PlannedStage>& plan, const ResultFolder& folder, const RunOptions& options,
+                Progress progress, RunOutcome& outcome);
 
 }  // namespace arenite::study

@@ -1,5 +1,8 @@
 #include "study/recipe.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <filesystem>
 
 #include "io/read_file.hpp"
@@ -18,7 +21,15 @@ Visit declaration_of(Recipe& recipe) {
 Recipe read_from(std::string_view text, Reading& reading, const std::vector<std::string>& overrides) {
   Recipe recipe;
   recipe.source_file = reading.file_name;
-  read_declared(text, reading, overrides, "composite", declaration_of(recipe));
+  Node root = read_tree(text, reading, overrides, "composite");
+  const auto sweep = std::find_if(root.entries.begin(), root.entries.end(), [](const Entry& entry) { return entry.key == "sweep"; });
+  if (sweep != root.entries.end()) {
+    reading.problems.push_back({reading.file_name, sweep->place.line, sweep->place.column,
+                                fmt::format("sweep: this recipe is a study of many runs; `arenite study plan {0}` shows them, "
+                                            "`arenite study run {0}` runs them", reading.file_name)});
+    root.entries.erase(sweep);
+  }
+  read_declared(root, reading, declaration_of(recipe));
   return recipe;
 }
 
@@ -28,6 +39,14 @@ CementSection Recipe::cement_or_none() const {
   CementSection none;
   none.law.kind = cement::CementParameters::Kind::none;
   return cement.value_or(none);
+}
+
+Recipe recipe_from(const Node& root, const std::string& file) {
+  Reading reading{file, std::filesystem::path(file).parent_path().string(), true, {}};
+  Recipe recipe;
+  recipe.source_file = file;
+  read_declared(root, reading, declaration_of(recipe));
+  return recipe;
 }
 
 Recipe read_recipe(const std::string& file, const std::vector<std::string>& overrides) {
@@ -50,6 +69,16 @@ std::string to_commented_toml(const Recipe& recipe) {
   return write_commented_toml(record_of(declaration_of(copy)), record_of_all_keys(declaration_of(defaults)));
 }
 
+std::string title_in(const std::string& text) {
+  try {
+    const Node root = read_document(text, {});
+    const Entry* title = root.find("title");
+    return title && title->value.kind == Node::Kind::text ? title->value.text : "";
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 std::string key_reference() {
   Recipe defaults;
   return "# The recipe\n\n"
@@ -58,7 +87,8 @@ std::string key_reference() {
          "unit of the right dimension will do. A bare number where a unit is needed, an unknown key and a value out of range are\n"
          "errors, all of them reported at once with their places. `arenite check RECIPE.toml` prints the recipe as it was\n"
          "understood, `arenite init composite` a commented one to start from, and `--set stages.0.bottom.force=\"60 kN\"` changes a\n"
-         "key for one run (items of lists are counted from 0).\n\n"
+         "key for one run (items of lists are counted from 0). A section [sweep] makes many runs of one recipe:\n"
+         "[studies.md](studies.md).\n\n"
          "This page is generated from the declarations that the program reads recipes with: `arenite man --keys`.\n\n" +
          write_key_tables(record_of_all_keys(declaration_of(defaults)));
 }

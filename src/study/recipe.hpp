@@ -135,6 +135,11 @@ struct Recipe {
 /// applied before anything is checked. Throws InputError with all problems found, each with its place.
 Recipe read_recipe(const std::string& file, const std::vector<std::string>& overrides = {});
 
+struct Node;
+/// The same from a tree that was read already (recipe_document.hpp) and has no [sweep]; `file` is what problems are
+/// reported under, and files that the recipe names are looked for beside it.
+Recipe recipe_from(const Node& root, const std::string& file);
+
 /// The same from text in memory; `file_name` is what problems are reported under. Files that the recipe names are not
 /// looked for.
 Recipe parse_recipe(std::string_view text, const std::string& file_name, const std::vector<std::string>& overrides = {});
@@ -145,6 +150,9 @@ std::string to_toml(const Recipe& recipe);
 
 /// The same for people: sections and keys are explained, and keys at their default are there as comments.
 std::string to_commented_toml(const Recipe& recipe);
+
+/// The title that a recipe's text gives, whether or not the rest is a whole recipe; empty if it gives none.
+std::string title_in(const std::string& text);
 
 /// Documentation of every key (Markdown), generated from the declarations.
 std::string key_reference();

@@ -183,8 +183,7 @@ void RecipeReader::refuse_unknown_keys() {
   }
 }
 
-void read_declared(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from,
-                   const Visit& declare) {
+Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     throw InputError(reading.file_name, 0, fmt::format("the recipe is empty; `arenite init {}` writes one to start from", start_from));
   }
@@ -196,6 +195,10 @@ void read_declared(std::string_view text, Reading& reading, const std::vector<st
       reading.problems.insert(reading.problems.end(), error.problems().begin(), error.problems().end());
     }
   }
+  return root;
+}
+
+void read_declared(const Node& root, Reading& reading, const Visit& declare) {
   RecipeReader reader(root, "", reading);
   declare(reader);
   reader.refuse_unknown_keys();
@@ -204,6 +207,11 @@ void read_declared(std::string_view text, Reading& reading, const std::vector<st
     return a.line != b.line ? a.line < b.line : a.column < b.column;
   });
   throw InputError(std::move(reading.problems));
+}
+
+void read_declared(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from,
+                   const Visit& declare) {
+  read_declared(read_tree(text, reading, overrides, start_from), reading, declare);
 }
 
 }  // namespace arenite::study

@@ -70,4 +70,8 @@ class RecipeReader : public ParameterVisitor {
 void read_declared(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from,
                    const Visit& declare);
 
+/// The two halves of it: the tree that a text and its overrides make (problems of overrides are collected), and a tree read.
+Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from);
+void read_declared(const Node& root, Reading& reading, const Visit& declare);
+
 }  // namespace arenite::study

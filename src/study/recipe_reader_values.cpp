@@ -26,7 +26,7 @@ const Entry* only_entry(const Node& table) {
   if (table.entries.size() == 1) return &table.entries.front();
   const Entry* last = nullptr;
   for (const auto& entry : table.entries) {
-    if (!entry.place.override_text.empty()) last = &entry;
+    if (entry.place.wins) last = &entry;
   }
   return last;
 }

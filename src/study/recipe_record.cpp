@@ -8,9 +8,8 @@
 #include "core/units.hpp"
 
 namespace arenite::study {
-namespace {
 
-std::string quoted(std::string_view text) {
+std::string toml_text(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') {
@@ -24,8 +23,10 @@ std::string quoted(std::string_view text) {
   return result + "\"";
 }
 
+namespace {
+
 std::string number_literal(double value, std::string_view unit) {
-  return unit.empty() ? format_quantity(value, unit) : quoted(format_quantity(value, unit));
+  return unit.empty() ? format_quantity(value, unit) : toml_text(format_quantity(value, unit));
 }
 
 std::string number_form(std::string_view unit) { return unit.empty() ? "..." : fmt::format("\"... {}\"", unit); }
@@ -52,7 +53,7 @@ class Recorder : public ParameterVisitor {
   void flag(const Key& key, bool& value) override { add(key, "...").literal = value ? "true" : "false"; }
   void text(const Key& key, std::string& value) override {
     Record& record = add(key, "\"...\"");
-    if (!value.empty() || key.required) record.literal = quoted(value);
+    if (!value.empty() || key.required) record.literal = toml_text(value);
   }
   void file(const Key& key, std::string& value) override { text(key, value); }
   void numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) override {
@@ -70,17 +71,17 @@ class Recorder : public ParameterVisitor {
   }
   void choice(const Key& key, int& index, const std::vector<Word>& words) override {
     Record& record = add(key, "\"...\"");
-    for (const auto& word : words) record.words.emplace_back(quoted(word.word), word.sentence);
+    for (const auto& word : words) record.words.emplace_back(toml_text(word.word), word.sentence);
     record.literal = record.words[static_cast<std::size_t>(index)].first;
   }
   void tagged(const Key& key, int& form, double& value, const std::vector<Form>& forms) override {
     Record& record = add(key, "...");
     for (const auto& each : forms) {
       record.words.emplace_back(
-          each.unit.empty() ? quoted(each.word) : fmt::format("{{ {} = {} }}", each.word, number_form(each.unit)), each.sentence);
+          each.unit.empty() ? toml_text(each.word) : fmt::format("{{ {} = {} }}", each.word, number_form(each.unit)), each.sentence);
     }
     const Form& chosen = forms[static_cast<std::size_t>(form)];
-    record.literal = chosen.unit.empty() ? quoted(chosen.word)
+    record.literal = chosen.unit.empty() ? toml_text(chosen.word)
                                          : fmt::format("{{ {} = {} }}", chosen.word, number_literal(value, chosen.unit));
   }
   void section(const Key& key, bool& present, const Visit& inside) override {
@@ -149,7 +150,7 @@ std::string toml_key(const std::string& name) {
   const bool is_bare = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   });
-  return is_bare ? name : quoted(name);
+  return is_bare ? name : toml_text(name);
 }
 
 }  // namespace arenite::study

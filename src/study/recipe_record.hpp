@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -42,6 +43,9 @@ std::string write_commented_toml(const RecordTable& root, const RecordTable& all
 
 /// Tables of all keys (Markdown).
 std::string write_key_tables(const RecordTable& all);
+
+/// A TOML text in its quotes.
+std::string toml_text(std::string_view text);
 
 /// A TOML key: bare where that is allowed, else quoted.
 std::string toml_key(const std::string& name);

@@ -6,15 +6,12 @@
 #include <optional>
 
 #include "core/error.hpp"
-#include "core/version.hpp"
 #include "dem/run_stage.hpp"
 #include "io/atomic_file.hpp"
 #include "io/checkpoint.hpp"
-#include "io/run_folder.hpp"
 #include "io/stage_file.hpp"
 #include "study/field_stages.hpp"
 #include "study/result_folder.hpp"
-#include "study/stage_keys.hpp"
 #include "study/stored.hpp"
 
 namespace arenite::study {
@@ -48,12 +45,6 @@ void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::St
   run.result = checkpoint.partial;
 }
 
-/// The stage in `file`; nothing if there is none, or a damaged one.
-std::optional<StageResult> stored_stage(const fs::path& file, const RunOptions& options) {
-  if (!fs::exists(file)) return std::nullopt;
-  return unless_damaged(file, options, "this stage is computed again", [&] { return io::read_stage(file); });
-}
-
 /// Runs one stage to its end, or until asked to stop (then nothing is returned, and the checkpoint is on disk).
 std::optional<StageResult> load(dem::Engine& engine, const dem::Stage& stage, const std::string& key, const fs::path& checkpoint_file,
                                 const RunOptions& options, Progress progress) {
@@ -79,33 +70,26 @@ std::optional<StageResult> load(dem::Engine& engine, const dem::Stage& stage, co
   return std::move(run.result);
 }
 
-StageResult packing_stage(const Recipe& recipe, const fs::path& file, const std::string& hash, const RunOptions& options, Progress progress) {
-  auto stored = stored_stage(file, options);
+std::optional<StageResult> packing_stage(const Recipe& recipe, const fs::path& file, const PlannedStage& stage, const RunOptions& options,
+                                         Progress progress) {
+  Claim claim(options, stage);
+  auto stored = stored_or_claimed(file, options, stage, claim, io::read_stage);
+  if (claim.stopped) return std::nullopt;
   progress.reused = stored.has_value();
   if (!stored) {
     auto result = make_packing(recipe);
-    result.provenance = provenance_of(recipe, "packing", hash, "");
     measure_last_frame(result, texture_options(recipe, 0));
+    result.provenance = provenance_of(recipe, 0, stage, "");
     io::write_stage(file, result);
+    claim.computed(file);
     stored = io::read_stage(file);
   }
   progress.share = 1;
   options.progress(progress);
-  return std::move(*stored);
+  return stored;
 }
 
 }  // namespace
-
-Provenance provenance_of(const Recipe& recipe, const std::string& stage, const std::string& hash, const std::string& kernel) {
-  Provenance p;
-  p.version = version;
-  p.stage = stage;
-  p.input_hash = hash;
-  p.recipe = to_toml(recipe);
-  p.seed = recipe.seed;
-  p.kernel = kernel;
-  return p;
-}
 
 texture::Options texture_options(const Recipe& recipe, std::size_t stage) {
   texture::Options options;
@@ -115,52 +99,41 @@ texture::Options texture_options(const Recipe& recipe, std::size_t stage) {
 
 namespace {
 
-/// Names of all files of a run in their order, and the hashes in them.
-struct Plan {
-  std::vector<std::string> hashes, names;
-  explicit Plan(const Recipe& recipe) {
-    const std::string packing = packing_key(recipe);
-    add("packing", packing);
-    for (std::size_t s = 0; s < recipe.stages.size(); ++s) add(recipe.stages[s].name, stage_key(recipe, s, packing));
-    if (!recipe.has_field()) return;
-    const std::string cement = cement_key(recipe, hashes.back());
-    add("cement", cement);
-    for (const Load& load : recipe.loads) add(load.name, load_key(load, cement));
-  }
-  void add(const std::string& stage, std::string hash) {
-    names.push_back(io::stage_file_name(static_cast<int>(names.size()) + 1, stage, hash));
-    hashes.push_back(std::move(hash));
-  }
-};
-
 /// All stages of loading by discrete elements; true if the run may go on.
-bool run_stages(const Recipe& recipe, const Plan& plan, const ResultFolder& folder, const RunOptions& options, Progress& progress,
-                RunOutcome& outcome) {
+bool run_stages(const Recipe& recipe, const std::vector<PlannedStage>& plan, const ResultFolder& folder, const RunOptions& options,
+                Progress& progress, RunOutcome& outcome) {
   const Packing start = outcome.stages[0].frames.back().packing;
   std::optional<dem::Engine> engine;
   for (std::size_t s = 0; s < recipe.stages.size(); ++s) {
-    const fs::path file = folder / plan.names[s + 1];
+    const PlannedStage& stage = plan[s + 1];
+    const fs::path file = folder / stage.file;
     progress.stage = s + 1;
-    progress.name = recipe.stages[s].name;
-    auto stored = stored_stage(file, options);
-    progress.reused = stored.has_value();
-    if (!stored) {
+    progress.name = stage.name;
+    Claim claim(options, stage);
+    auto result = stored_or_claimed(file, options, stage, claim, io::read_stage);
+    progress.reused = result.has_value();
+    if (!result && !claim.stopped) {
       if (!engine) engine.emplace(start, recipe.contact, recipe.integration);
       if (s > 0) engine->restore(outcome.stages.back().continuation);
-      auto result = load(*engine, recipe.stages[s], plan.hashes[s + 1], folder / "run.checkpoint", options, progress);
-      if (!result) {
-        outcome.interrupted = true;
-        return false;
+      result = load(*engine, recipe.stages[s], stage.hash, claim.checkpoint(folder / "run.checkpoint"), options, progress);
+      if (result) {
+        measure_last_frame(*result, texture_options(recipe, s + 1));
+        result->provenance = provenance_of(recipe, s + 1, stage, engine->kernel());
+        io::write_stage(file, *result);
+        claim.computed(file);
+      } else {
+        claim.interrupted();
       }
-      result->provenance = provenance_of(recipe, recipe.stages[s].name, plan.hashes[s + 1], engine->kernel());
-      measure_last_frame(*result, texture_options(recipe, s + 1));
-      io::write_stage(file, *result);
-      outcome.stages.push_back(std::move(*result));
-    } else {
-      outcome.stages.push_back(std::move(*stored));
+    }
+    if (!result) {
+      outcome.interrupted = true;
+      return false;
+    }
+    if (progress.reused) {
       progress.share = 1;
       options.progress(progress);
     }
+    outcome.stages.push_back(std::move(*result));
     outcome.files.push_back(file);
     outcome.converged = outcome.stages.back().converged;
     if (!outcome.converged) return false;
@@ -169,19 +142,20 @@ bool run_stages(const Recipe& recipe, const Plan& plan, const ResultFolder& fold
 }
 
 RunOutcome run_in_folder(const Recipe& recipe, const RunOptions& options) {
-  const Plan plan(recipe);
-  Progress progress{0, plan.names.size(), "packing", 0, 0, 0, false, false};
-  const ResultFolder folder(options.out, plan.names);
+  const std::vector<PlannedStage> plan = plan_of(recipe);
+  std::vector<std::string> names;
+  for (const PlannedStage& stage : plan) names.push_back(stage.file);
+  Progress progress{0, plan.size(), "packing", 0, 0, 0, false, false};
+  const ResultFolder folder(options.out, names);
 
   RunOutcome outcome;
-  outcome.files.push_back(folder / plan.names[0]);
-  outcome.stages.push_back(packing_stage(recipe, outcome.files[0], plan.hashes[0], options, progress));
+  auto packing = packing_stage(recipe, folder / names[0], plan[0], options, progress);
+  outcome.interrupted = !packing;
+  if (!packing) return outcome;
+  outcome.files.push_back(folder / names[0]);
+  outcome.stages.push_back(std::move(*packing));
   io::write_atomically(folder / "recipe.toml", to_toml(recipe));
-  if (run_stages(recipe, plan, folder, options, progress, outcome) && recipe.has_field()) {
-    const std::size_t first = recipe.stages.size() + 1;
-    run_fields(recipe, {plan.hashes.begin() + static_cast<std::ptrdiff_t>(first), plan.hashes.end()},
-               {plan.names.begin() + static_cast<std::ptrdiff_t>(first), plan.names.end()}, folder, options, progress, outcome);
-  }
+  if (run_stages(recipe, plan, folder, options, progress, outcome) && recipe.has_field()) run_fields(recipe, plan, folder, options, progress, outcome);
   if (outcome.interrupted) return outcome;
   // At the very end, since a run may be killed between writing its last file and this.
   std::error_code error;

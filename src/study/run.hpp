@@ -22,12 +22,15 @@ struct Progress {
   bool field = false;                 ///< `step` counts iterations and `unbalanced_ratio` is a residual
 };
 
+class Store;
+
 struct RunOptions {
   std::filesystem::path out;
   std::function<void(const Progress&)> progress = [](const Progress&) {};
   std::function<void(const std::string&)> notice = [](const std::string&) {};  ///< a sentence the user should see
   std::function<bool()> asked_to_stop = [] { return false; };  ///< true: checkpoint and leave
   double checkpoint_seconds = 30;     ///< between two checkpoints
+  const Store* store = nullptr;       ///< stages that are there are taken from it, and what is computed is put there
 };
 
 struct RunOutcome {
@@ -40,7 +43,8 @@ struct RunOutcome {
 
 /// Runs a recipe: packing, then its stages one after the other; every stage ends as one file in `options.out`, named by
 /// the hash of all that it depends on. A stage whose file is there is read, not computed again; a run that was killed
-/// goes on from its last checkpoint and ends with the same bytes. A damaged file counts as none, with a notice. A stage that
+/// goes on from its last checkpoint and ends with the same bytes. Of runs that share a store and want the same stage at once,
+/// one computes it and the others wait. A damaged file counts as none, with a notice. A stage that
 /// finds no equilibrium ends the run; loads of the cemented sample are independent of each other, and the next is tried.
 [[nodiscard]] RunOutcome run(const Recipe& recipe, const RunOptions& options);
 

@@ -11,31 +11,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<FieldResult> stored_field(const fs::path& file, const RunOptions& options) {
-  if (!fs::exists(file)) return std::nullopt;
-  return unless_damaged(file, options, "this stage is computed again", [&] { return io::read_field(file); });
-}
-
 /// Reads a result, or makes, writes and reads it: what follows sees the same numbers either way. False if it was stopped.
+/// `make` is told where its checkpoint lies.
 template <class Make>
-bool add_field(const fs::path& file, const std::string& stage, const std::string& hash, const Recipe& recipe, const RunOptions& options,
+bool add_field(const fs::path& file, std::size_t s, const PlannedStage& stage, const Recipe& recipe, const RunOptions& options,
                Progress& progress, RunOutcome& outcome, Make make) {
   ++progress.stage;
-  progress.name = stage;
+  progress.name = stage.name;
   progress.share = 0;
   progress.step = 0;
-  auto stored = stored_field(file, options);
+  Claim claim(options, stage);
+  auto stored = stored_or_claimed(file, options, stage, claim, io::read_field);
   progress.reused = stored.has_value();
-  if (!stored) {
+  if (!stored && !claim.stopped) {
     options.progress(progress);
-    auto result = make();
-    if (!result) {
-      outcome.interrupted = true;
-      return false;
+    auto result = make(claim.checkpoint(file.parent_path() / "run.checkpoint"));
+    if (!result) claim.interrupted();
+    if (result) {
+      result->provenance = provenance_of(recipe, s, stage, "");
+      io::write_field(file, *result);
+      claim.computed(file);
+      stored = io::read_field(file);
     }
-    result->provenance = provenance_of(recipe, stage, hash, "");
-    io::write_field(file, *result);
-    stored = io::read_field(file);
+  }
+  if (!stored) {
+    outcome.interrupted = true;
+    return false;
   }
   progress.share = 1;
   options.progress(progress);
@@ -64,16 +65,18 @@ PullCheckpoint checkpoint_of(const fs::path& file, const std::string& key, const
 
 }  // namespace
 
-void run_fields(const Recipe& recipe, const std::vector<std::string>& hashes, const std::vector<std::string>& names,
-                const ResultFolder& folder, const RunOptions& options, Progress progress, RunOutcome& outcome) {
+void run_fields(const Recipe& recipe, const std::vector<PlannedStage>& plan, const ResultFolder& folder, const RunOptions& options,
+                Progress progress, RunOutcome& outcome) {
+  const std::size_t first = recipe.stages.size() + 1;
   progress.stage = recipe.stages.size();
   progress.field = true;
   const Packing& packing = outcome.stages.back().frames.back().packing;
-  if (!add_field(folder / names[0], "cement", hashes[0], recipe, options, progress, outcome,
-                 [&] { return std::optional(make_cemented_sample(recipe, packing)); }))
+  if (!add_field(folder / plan[first].file, first, plan[first], recipe, options, progress, outcome,
+                 [&](const fs::path&) { return std::optional(make_cemented_sample(recipe, packing)); }))
     return;
   for (std::size_t l = 0; l < recipe.loads.size(); ++l) {
     const Load& load = recipe.loads[l];
+    const PlannedStage& stage = plan[first + 1 + l];
     const auto watch = [&](const peridynamics::Progress& p) {
       progress.share = std::min(p.share, 0.999);
       progress.step = p.iterations;
@@ -81,11 +84,11 @@ void run_fields(const Recipe& recipe, const std::vector<std::string>& hashes, co
       options.progress(progress);
       return !options.asked_to_stop();
     };
-    if (!add_field(folder / names[l + 1], load.name, hashes[l + 1], recipe, options, progress, outcome,
-                   [&] {
-                     const auto checkpoint = load.failure ? checkpoint_of(folder / "run.checkpoint", hashes[l + 1], options) : PullCheckpoint{};
-                     return apply_load(load, outcome.fields.front(), watch, checkpoint);
-                   }))
+    const auto make = [&](const fs::path& kept) {
+      const auto checkpoint = load.failure ? checkpoint_of(kept, stage.hash, options) : PullCheckpoint{};
+      return apply_load(load, outcome.fields.front(), watch, checkpoint);
+    };
+    if (!add_field(folder / stage.file, first + 1 + l, stage, recipe, options, progress, outcome, make))
       return;
   }
 }

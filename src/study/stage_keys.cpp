@@ -1,9 +1,12 @@
 #include "study/stage_keys.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "core/hash.hpp"
 #include "io/read_file.hpp"
+#include "io/run_folder.hpp"
 
 namespace arenite::study {
 
@@ -68,5 +71,40 @@ std::string load_key(const Load& load, const std::string& cement_hash) {
   hash.add("load version", load_version).add("sample", cement_hash).add("recipe", to_toml(part));
   return hash.hex();
 }
+
+std::vector<PlannedStage> plan_of(const Recipe& recipe) {
+  std::vector<PlannedStage> plan;
+  const auto add = [&plan](const std::string& name, std::string hash, bool field) {
+    std::string file = io::stage_file_name(static_cast<int>(plan.size()) + 1, name, hash);
+    plan.push_back({name, std::move(hash), std::move(file), field});
+  };
+  const std::string packing = packing_key(recipe);
+  add("packing", packing, false);
+  for (std::size_t s = 0; s < recipe.stages.size(); ++s) add(recipe.stages[s].name, stage_key(recipe, s, packing), false);
+  if (!recipe.has_field()) return plan;
+  const std::string cement = cement_key(recipe, plan.back().hash);
+  add("cement", cement, true);
+  for (const Load& load : recipe.loads) add(load.name, load_key(load, cement), true);
+  return plan;
+}
+
+Recipe part_of(const Recipe& recipe, std::size_t s) {
+  if (s > recipe.stages.size()) {
+    Recipe part = recipe;
+    const std::size_t load = s - recipe.stages.size() - 1;  // 0: the cemented sample, before all loads
+    part.loads.clear();
+    if (load > 0) part.loads.push_back(recipe.loads[load - 1]);
+    return part;
+  }
+  Recipe part = without_field(recipe);
+  part.stages.resize(s);
+  if (s == 0) {
+    part.contact = {};
+    part.integration = {};
+  }
+  return part;
+}
+
+std::string key_versions() { return fmt::format("{} {} {} {}", packing_version, loading_version, cement_version, load_version); }
 
 }  // namespace arenite::study

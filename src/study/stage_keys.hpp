@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "study/recipe.hpp"
 
@@ -18,5 +19,22 @@ std::string cement_key(const Recipe& recipe, const std::string& last_stage_hash)
 
 /// Hash of all that a load depends on: the cemented sample and the load itself, but not its name's place among others.
 std::string load_key(const Load& load, const std::string& cement_hash);
+
+/// One stage of a run: the packing, a loading, the cemented sample, or a load of it.
+struct PlannedStage {
+  std::string name, hash, file;        ///< file: its name in the run's folder
+  bool field = false;                  ///< cemented sample or load
+  bool operator==(const PlannedStage&) const = default;
+};
+
+/// All stages of a run in their order, packing first.
+std::vector<PlannedStage> plan_of(const Recipe& recipe);
+
+/// The recipe as far as stage `s` of the plan depends on it, and its title: what the stage's file carries, so that it has the
+/// same bytes whichever of the runs that share it made it.
+Recipe part_of(const Recipe& recipe, std::size_t s);
+
+/// Changes when the same recipe gets other keys.
+std::string key_versions();
 
 }  // namespace arenite::study

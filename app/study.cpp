@@ -1,0 +1,139 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "commands.hpp"
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+#include "report/summary.hpp"
+#include "stop_signal.hpp"
+#include "study/collect.hpp"
+#include "study/result_folder.hpp"
+#include "study_parts.hpp"
+
+namespace arenite::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t cores() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+study::StudyFolder folder_of(const StudyArguments& arguments) {
+  const auto recipe = fs::absolute(arguments.recipe);
+  const fs::path name = recipe.stem() == "recipe" ? recipe.parent_path().filename() : recipe.stem();
+  return study::StudyFolder(arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out), arguments.store);
+}
+
+/// "2/4": the second of four.
+void read_shard(const std::string& text, study::StudyOptions& options) {
+  if (text.empty()) return;
+  const auto slash = text.find('/');
+  std::size_t part = 0;
+  const auto whole = [](std::string_view digits, std::size_t& value) {
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return error == std::errc{} && end == digits.data() + digits.size();
+  };
+  const std::string_view view(text);
+  if (slash == std::string::npos || !whole(view.substr(0, slash), part) || !whole(view.substr(slash + 1), options.shards) || part < 1 || part > options.shards)
+    throw InputError(fmt::format("--shard {}: write which part of how many, from 1, for example 2/4", text));
+  options.shard = part - 1;
+}
+
+int run_command(const StudyArguments& arguments, const study::Study& study, const study::StudyFolder& folder) {
+  study::StudyOptions options;
+  options.jobs = arguments.jobs;
+  options.threads = arguments.threads;
+  read_shard(arguments.shard, options);
+  options.retry = arguments.retry;
+  options.keep_fields = arguments.keep == "all";
+  options.checkpoint_seconds = arguments.checkpoint_seconds;
+  options.numbers = [](const study::RunOutcome& outcome) { return report::Summary(outcome).json(); };
+  options.asked_to_stop = stop_requested;
+  options.notice = [](const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); };
+  watch_for_signals();
+  study::StudyOutcome outcome;
+  {
+    StudyLine line(arguments.quiet);
+    options.progress = [&](const study::StudyProgress& progress) { line.show(progress); };
+    outcome = study::run_study(study, folder, options);
+  }
+  fmt::print("{}", status_text(study, folder));
+  if (outcome.interrupted) {
+    fmt::print(stderr, "stopped; the same command goes on with the {} runs that are left\n", outcome.left);
+    return other_failure;
+  }
+  fmt::print("\nresults: {0}\nnumbers: arenite study collect {1} --out {0}\n", folder.out.string(), arguments.recipe);
+  return outcome.not_done > 0 ? not_converged : done;
+}
+
+int collect_command(const StudyArguments& arguments, const study::Study& study, const study::StudyFolder& folder) {
+  auto table = study::collect(study, folder);
+  std::string name = "numbers";
+  if (!arguments.by.empty()) {
+    table = study::averaged(table, arguments.by);
+    for (const auto& key : arguments.by) name += "-by-" + key;
+  }
+  for (const auto& [ending, text] : {std::pair(".csv", table.csv()), std::pair(".json", table.json())}) {
+    const fs::path file = folder.out / (name + ending);
+    io::write_atomically(file, text);
+    fmt::print("{}\n", file.string());
+  }
+  return done;
+}
+
+int execute(const StudyArguments& arguments) {
+  const study::StudyFolder folder = folder_of(arguments);
+  if (arguments.what == "plan") {
+    fmt::print("{}", plan_text(study::read_study(arguments.recipe, arguments.overrides), folder, arguments.jobs));
+    return done;
+  }
+  if (arguments.what == "script") {
+    if (!arguments.slurm) throw InputError("arenite study script: say for which scheduler; --slurm is the one it knows");
+    const auto study = study::read_study(arguments.recipe, arguments.overrides);  // so that slips show here
+    study::make_folder(folder.out);
+    fmt::print("{}", slurm_script(arguments, folder));
+    return done;
+  }
+  if (arguments.what != "run" && !fs::exists(folder.out))
+    throw InputError(folder.out.string(), 0, fmt::format("there is no such study; `arenite study run {}` makes it, or say where it is with --out", arguments.recipe));
+  // Slips of the recipe leave no folder.
+  if (!fs::exists(folder.out)) static_cast<void>(study::read_study(arguments.recipe, arguments.overrides));
+  study::make_folder(folder.out);
+  const study::Study study = study::read_study(arguments.recipe, arguments.overrides, folder.out);
+  if (arguments.what == "run") return run_command(arguments, study, folder);
+  if (arguments.what == "collect") return collect_command(arguments, study, folder);
+  fmt::print("{}", status_text(study, folder));
+  return done;
+}
+
+}  // namespace
+
+void add_study(CLI::App& command, int& status) {
+  auto a = std::make_shared<StudyArguments>();
+  a->jobs = cores();
+  command.add_option("what", a->what, "What to do: show the runs, run them, say how they stand, gather their numbers, write a script for a cluster")
+      ->required()->type_name("WHAT")->check(CLI::IsMember({"plan", "run", "status", "collect", "script"}));
+  command.add_option("recipe", a->recipe, "Recipe with a section [sweep] (TOML)")->required()->type_name("RECIPE.toml");
+  add_overrides(command, a->overrides);
+  command.add_option("--out", a->out, "Folder of the study (default: out/NAME)")->type_name("DIR");
+  command.add_option("--store", a->store, "Folder of stages that runs share (default: store in the study's folder)")->type_name("DIR");
+  command.add_option("--jobs", a->jobs, "Runs at once, each in a process of its own (default: all cores)")->check(CLI::Range(1, 4096).description(""))->type_name("J");
+  command.add_option("--threads", a->threads, "Threads in each run; they change no bit of the results")->check(CLI::Range(1, 1024).description(""))->type_name("N");
+  command.add_option("--shard", a->shard, "run: do one part of the runs only, e.g. 2/4")->type_name("I/N");
+  command.add_flag("--retry", a->retry, "run: do failed runs again");
+  command.add_option("--keep", a->keep, "run: keep all files, or of cemented samples and loads only their numbers")->type_name("WHAT")->check(CLI::IsMember({"all", "numbers"}));
+  command.add_option("--checkpoint-every", a->checkpoint_seconds, "run: seconds between two checkpoints of a run")->check(CLI::Range(0.0, 1e9).description(""))->type_name("S");
+  command.add_flag("--quiet", a->quiet, "run: no progress");
+  command.add_option("--by", a->by, "collect: means over runs with equal values of this swept key; may be repeated")->allow_extra_args(false)->type_name("KEY");
+  command.add_flag("--slurm", a->slurm, "script: for Slurm");
+  command.add_option("--tasks", a->tasks, "script: tasks of the array, each doing its part of the runs")->check(CLI::Range(1, 100000).description(""))->type_name("N");
+  command.add_option("--time", a->time, "script: wall time of a task")->type_name("H:MM:SS");
+  command.callback([a, &status] { status = execute(*a); });
+}
+
+}  // namespace arenite::app

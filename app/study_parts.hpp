@@ -1,0 +1,41 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "study/run_study.hpp"
+
+namespace arenite::app {
+
+/// What `arenite study` was given.
+struct StudyArguments {
+  std::string what, recipe, out, store, shard, keep = "all", time = "1:00:00";
+  std::vector<std::string> overrides, by;
+  std::size_t jobs = 1, tasks = 4;
+  int threads = 1;
+  double checkpoint_seconds = 30;
+  bool retry = false, quiet = false, slurm = false;
+};
+
+/// "12 s", "5 min", "3.2 h".
+std::string duration_text(double seconds);
+/// Runs, hashes, shared stages, time.
+std::string plan_text(const study::Study& study, const study::StudyFolder& folder, std::size_t jobs);
+/// How many runs stand where, what sharing saved, and why runs failed.
+std::string status_text(const study::Study& study, const study::StudyFolder& folder);
+/// A script for Slurm that runs the study as an array of tasks.
+std::string slurm_script(const StudyArguments& arguments, const study::StudyFolder& folder);
+
+/// One line on stderr about a study at work: rewritten on a terminal, one every ten seconds elsewhere.
+class StudyLine {
+ public:
+  explicit StudyLine(bool quiet);
+  ~StudyLine();
+  void show(const study::StudyProgress& progress);
+
+ private:
+  bool quiet_, terminal_, open_ = false;
+  std::string last_;
+  double shown_at_ = -1e9;
+};
+
+}  // namespace arenite::app

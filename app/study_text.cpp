@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+
+#include "study/store.hpp"
+#include "study_parts.hpp"
+
+namespace arenite::app {
+namespace {
+
+using study::RunState;
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+std::string counted(std::size_t n, const char* one, const char* many) { return fmt::format("{} {}", n, n == 1 ? one : many); }
+
+/// Every stage by its name, in the order of the runs.
+std::string stage_lines(const study::Study& study, const study::StudyFolder& folder) {
+  struct Stage {
+    std::size_t wanted = 0, there = 0;
+    std::set<std::string> different;
+  };
+  std::vector<std::string> order;
+  std::map<std::string, Stage> stages;
+  std::error_code error;
+  for (const auto& run : study.runs)
+    for (const auto& planned : run.stages) {
+      Stage& stage = stages[planned.name];
+      if (stage.wanted++ == 0) order.push_back(planned.name);
+      if (stage.different.insert(planned.hash).second) stage.there += std::filesystem::exists(study::stored_file(folder.store, planned.hash), error);
+    }
+  std::string text = fmt::format("{:<16} {:>8} {:>10} {:>14}\n", "stage", "wanted", "different", "in the store");
+  for (const auto& name : order) {
+    const Stage& stage = stages[name];
+    text += fmt::format("{:<16} {:>8} {:>10} {:>14}\n", name, stage.wanted, stage.different.size(), stage.there);
+  }
+  return text;
+}
+
+std::string saved_line(const study::StudyFolder& folder) {
+  const auto account = study::read_account(folder.store);
+  if (account.computed + account.reused == 0) return {};
+  return fmt::format("store: {} computed in {} of CPU, {} taken from it instead of computed, which saved {} of CPU\n",
+                     counted(account.computed, "stage", "stages"), duration_text(account.seconds_computed), account.reused, duration_text(account.seconds_saved));
+}
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+  if (seconds < 10) return fmt::format("{:.1f} s", seconds);
+  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+std::string plan_text(const study::Study& study, const study::StudyFolder& folder, std::size_t jobs) {
+  std::string text = study.title.empty() ? "" : study.title + "\n\n";
+  text += "run               values\n";
+  for (const auto& run : study.runs) text += fmt::format("{}  {}\n", run.name, study::describe(run));
+  const auto runs = study::shard_of(study, 0, 1);
+  text += fmt::format("\n{}", counted(study.runs.size(), "run", "runs"));
+  if (runs.size() < study.runs.size()) text += fmt::format(", {} of them different", runs.size());
+  text += "\n\n" + stage_lines(study, folder) + "\n";
+  const double seconds = study::seconds_of_missing(study, runs, folder);
+  if (std::isnan(seconds)) text += "time: not known yet, since no stage of some names was measured; it will be when the first run has ended\n";
+  else if (seconds == 0) text += "time: all stages are there\n";
+  else text += fmt::format("time: about {} of CPU are left, {} with {} at once\n", duration_text(seconds), duration_text(seconds / static_cast<double>(jobs)), counted(jobs, "run", "runs"));
+  return text;
+}
+
+std::string status_text(const study::Study& study, const study::StudyFolder& folder) {
+  const auto states = study::read_states(folder);
+  std::map<RunState::Kind, std::size_t> count;
+  std::set<std::string> seen;
+  std::string failures;
+  for (const auto& run : study.runs) {
+    if (!seen.insert(run.name).second) continue;
+    const auto at = states.find(run.name);
+    const RunState state = at == states.end() ? RunState{} : at->second;
+    ++count[state.kind];
+    if (state.kind == RunState::Kind::failed || state.kind == RunState::Kind::unfinished)
+      failures += fmt::format("{}  {} ({}): {}\n", run.name, study::word_for(state.kind), study::describe(run), state.reason);
+  }
+  std::string text = fmt::format("{}:", counted(seen.size(), "run", "runs"));
+  const char* separator = " ";
+  for (const auto kind : {RunState::Kind::done, RunState::Kind::running, RunState::Kind::waiting, RunState::Kind::unfinished, RunState::Kind::failed})
+    if (count[kind] > 0) text += fmt::format("{}{} {}", std::exchange(separator, ", "), count[kind], study::word_for(kind));
+  text += "\n" + saved_line(folder);
+  if (!failures.empty()) text += "\n" + failures + "`--retry` does these again\n";
+  return text;
+}
+
+StudyLine::StudyLine(bool quiet) : quiet_(quiet), terminal_(isatty(fileno(stderr)) != 0) {}
+
+StudyLine::~StudyLine() {
+  if (open_) std::fputc('\n', stderr);
+}
+
+void StudyLine::show(const study::StudyProgress& p) {
+  if (quiet_) return;
+  std::string line = fmt::format("{} of {} done", p.done, p.runs);
+  if (p.not_done > 0) line += fmt::format(", {} failed", p.not_done);
+  if (p.running > 0) line += fmt::format(", {} running", p.running);
+  const bool ended = p.done + p.not_done == p.runs;
+  if (!ended && !std::isnan(p.seconds_left)) line += fmt::format(", about {} left", duration_text(p.seconds_left));
+  if (line == last_ || (!ended && now() - shown_at_ < (terminal_ ? 0.2 : 10.0))) return;
+  last_ = line;
+  shown_at_ = now();
+  std::fprintf(stderr, terminal_ ? "\r\033[K%s" : "%s\n", line.c_str());
+  open_ = terminal_;
+  std::fflush(stderr);
+}
+
+}  // namespace arenite::app

@@ -1,0 +1,199 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <map>
+
+#include "core/random.hpp"
+#include "support/program.hpp"
+#include "support/small_study.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using arenite::test::arenite;
+using arenite::test::shell;
+using arenite::test::slurp;
+using arenite::test::small_cemented_recipe;
+using arenite::test::small_study;
+using arenite::test::TemporaryFolder;
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::string write(const TemporaryFolder& folder, const std::string& text) {
+  const auto file = folder / "study.toml";
+  std::ofstream(file) << text;
+  return file.string();
+}
+
+/// Bytes of every file of every run.
+std::map<std::string, std::string> results(const fs::path& study) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(study / "runs"))
+    if (entry.is_regular_file()) files[fs::relative(entry.path(), study).string()] = slurp(entry.path());
+  return files;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++n;
+  return n;
+}
+
+/// All lines of a store's account.
+std::string account(const fs::path& study) {
+  std::string text;
+  for (const auto& entry : fs::directory_iterator(study / "store" / "account")) text += slurp(entry.path());
+  return text;
+}
+
+std::string study_line(const std::string& what, const std::string& recipe, const fs::path& out, const std::string& more = "") {
+  return "study " + what + " " + recipe + " --out " + out.string() + " " + more;
+}
+
+TEST(Study, TheSamePackingUnderSeveralCementsIsMadeOnceAndTheResultsAreThoseOfSingleRuns) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, small_study);
+  const auto out = folder / "out";
+  const auto run = arenite(study_line("run", file, out, "--quiet --jobs 3"));
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "6 runs: 6 done\n")) << run.out;
+  EXPECT_TRUE(contains(run.out, "16 stages computed")) << run.out;
+  EXPECT_TRUE(contains(run.out, "8 taken from it instead of computed")) << run.out;
+  for (const auto& [stage, made] : {std::pair("packing", 2u), {"prepare", 2u}, {"cement", 6u}, {"tension", 6u}}) {
+    std::size_t computed = 0;
+    std::istringstream lines(account(out));
+    for (std::string line; std::getline(lines, line);) computed += line.starts_with("computed") && contains(line, stage);
+    EXPECT_EQ(computed, made) << stage;
+  }
+  const auto one = folder / "single.toml";
+  std::ofstream(one) << small_cemented_recipe;
+  ASSERT_EQ(arenite("run " + one.string() + " --quiet --set seed=4 --set cement.width=0.4 --out " + (folder / "single").string()).status, 0);
+  const auto files = results(out);
+  EXPECT_EQ(files.size(), 6u * 7);
+  int compared = 0;
+  for (const auto& entry : fs::directory_iterator(folder / "single"))
+    if (entry.path().extension() == ".h5")
+      for (const auto& [name, bytes] : files)
+        if (name.ends_with(entry.path().filename().string())) ++compared, EXPECT_TRUE(bytes == slurp(entry.path())) << name;
+  EXPECT_EQ(compared, 3 + 3 + 1 + 1) << "packing and loading of three runs, cement and load of one";
+}
+
+TEST(Study, KilledAtRandomMomentsItEndsWithTheSameBytes) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, small_study);
+  using clock = std::chrono::steady_clock;
+  const auto began = clock::now();
+  ASSERT_EQ(arenite(study_line("run", file, folder / "whole", "--quiet --jobs 2")).status, 0);
+  const double whole = std::chrono::duration<double>(clock::now() - began).count();
+  const auto expected = results(folder / "whole");
+  ::arenite::RandomStream moments(1, ::arenite::Purpose::test);
+  int kills = 0;
+  for (int life = 0; life < 200; ++life) {
+    const double seconds = whole * moments.uniform(0.1, 0.5);
+    const auto outcome = shell("timeout -s KILL " + std::to_string(seconds) + " " ARENITE_BINARY " " +
+                               study_line("run", file, folder / "killed", "--quiet --jobs 2 --checkpoint-every 0"));
+    if (outcome.status == 0) break;
+    ++kills;
+  }
+  ASSERT_EQ(arenite(study_line("run", file, folder / "killed", "--quiet")).status, 0);
+  EXPECT_GT(kills, 0);
+  EXPECT_EQ(results(folder / "killed"), expected) << "after " << kills << " kills";
+}
+
+TEST(Study, AskedToStopItLeavesAndGoesOnLater) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, small_study);
+  const auto out = folder / "out";
+  const auto stopped = shell("timeout -s TERM 0.05 " ARENITE_BINARY " " + study_line("run", file, out, "--quiet --jobs 1") + "; echo $?");
+  if (!contains(stopped.out, "124\n")) GTEST_SKIP() << "this machine ran the study before it could be stopped";
+  EXPECT_TRUE(contains(stopped.err, "stopped; the same command goes on with the ")) << stopped.err;
+  EXPECT_TRUE(shell("pgrep -f " + out.string()).out.empty()) << "no process stays behind";
+  ASSERT_EQ(arenite(study_line("run", file, out, "--quiet")).status, 0);
+  EXPECT_TRUE(contains(arenite(study_line("status", file, out)).out, "6 runs: 6 done\n"));
+}
+
+TEST(Study, ShardsDoTheirPartsAtOnceAndTogetherTheWhole) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, small_study);
+  ASSERT_EQ(arenite(study_line("run", file, folder / "whole", "--quiet")).status, 0);
+  const std::string program = ARENITE_BINARY " ", out = folder / "shards";
+  const auto both = shell(program + study_line("run", file, out, "--quiet --jobs 1 --shard 1/2") + " & " + program +
+                          study_line("run", file, out, "--quiet --jobs 1 --shard 2/2") + " && wait $!");
+  EXPECT_EQ(both.status, 0) << both.err;
+  EXPECT_EQ(results(out), results(folder / "whole"));
+  for (const std::string shard : {"0/2", "3/2", "2", "1/x"}) EXPECT_EQ(arenite(study_line("run", file, out, "--shard " + shard)).status, 2) << shard;
+}
+
+TEST(Study, AFailingRunIsListedWithItsReasonAndStopsNoOther) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, small_cemented_recipe + "[sweep.grid]\n\"raster.crop\" = [\"80 mm\", \"5 m\"]\n\"stages.0.rest.max_steps\" = [20, 100000]\n");
+  const auto out = folder / "out";
+  const auto run = arenite(study_line("run", file, out, "--quiet"));
+  EXPECT_EQ(run.status, 3) << run.err;
+  EXPECT_TRUE(contains(run.out, "4 runs: 1 done, 2 unfinished, 1 failed\n")) << run.out;
+  EXPECT_TRUE(contains(run.out, "failed (raster.crop = \"5 m\", stages.0.rest.max_steps = 100000): ")) << run.out;
+  EXPECT_TRUE(contains(run.out, "unfinished (raster.crop = \"80 mm\", stages.0.rest.max_steps = 20): prepare: ")) << run.out;
+  const auto computed = count(account(out), "computed");
+  EXPECT_EQ(arenite(study_line("run", file, out, "--quiet")).status, 3) << "failed runs are done again on demand only";
+  EXPECT_EQ(count(account(out), "reused") + computed, count(account(out), "\n"));
+  const auto journal_lines = [&] { std::size_t n = 0; for (const auto& e : fs::directory_iterator(out / "journal")) n += count(slurp(e.path()), "running"); return n; };
+  EXPECT_EQ(journal_lines(), 4u);
+  EXPECT_EQ(arenite(study_line("run", file, out, "--quiet --retry")).status, 3);
+  EXPECT_EQ(journal_lines(), 7u);
+}
+
+TEST(Study, NumbersCanBeKeptWithoutTheFieldsTheyCameFrom) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, small_study);
+  ASSERT_EQ(arenite(study_line("run", file, folder / "all", "--quiet")).status, 0);
+  ASSERT_EQ(arenite(study_line("run", file, folder / "few", "--quiet --keep numbers")).status, 0);
+  std::size_t left = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder / "few")) {
+    left += entry.path().extension() == ".h5";
+    EXPECT_FALSE(contains(entry.path().string(), "cement") || contains(entry.path().string(), "tension")) << entry.path();
+  }
+  EXPECT_EQ(left, 6u * 2 + 4) << "packings and loadings stay, in runs and store";
+  for (const std::string study : {"all", "few"}) ASSERT_EQ(arenite(study_line("collect", file, folder / study)).status, 0);
+  EXPECT_EQ(slurp(folder / "all" / "numbers.csv"), slurp(folder / "few" / "numbers.csv"));
+  EXPECT_TRUE(contains(slurp(folder / "all" / "numbers.csv"), "run,status,cement.width,seed,"));
+  EXPECT_EQ(count(slurp(folder / "all" / "numbers.csv"), "\n"), 7u);
+  ASSERT_EQ(arenite(study_line("collect", file, folder / "all", "--by cement.width")).status, 0);
+  EXPECT_EQ(count(slurp(folder / "all" / "numbers-by-cement.width.csv"), "\n"), 4u);
+}
+
+TEST(Study, ThePlanTellsRunsSharedStagesAndTimeWithoutTouchingTheDisk) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, small_study);
+  const auto out = folder / "out";
+  const auto before = arenite(study_line("plan", file, out));
+  EXPECT_EQ(before.status, 0);
+  EXPECT_TRUE(contains(before.out, "cement.width = 0.4, seed = 4\n")) << before.out;
+  EXPECT_TRUE(contains(before.out, "packing                 6          2              0\n")) << before.out;
+  EXPECT_TRUE(contains(before.out, "time: not known yet")) << before.out;
+  EXPECT_FALSE(fs::exists(out));
+  ASSERT_EQ(arenite(study_line("run", file, out, "--quiet --shard 1/2")).status, 0);
+  EXPECT_TRUE(contains(arenite(study_line("plan", file, out)).out, "time: about ")) << "costs of the first half estimate the second";
+  ASSERT_EQ(arenite(study_line("run", file, out, "--quiet --shard 2/2")).status, 0);
+  EXPECT_TRUE(contains(arenite(study_line("plan", file, out)).out, "time: all stages are there\n"));
+}
+
+TEST(Study, WhereARecipeIsOneRunOrManyTheOtherCommandIsNamed) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, small_study);
+  for (const std::string command : {"run ", "check "}) {
+    const auto refused = arenite(command + file);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_TRUE(contains(refused.err, "study.toml:27:2: sweep: this recipe is a study of many runs; `arenite study plan ")) << refused.err;
+  }
+  const auto single = write(folder, small_cemented_recipe);
+  const auto refused = arenite(study_line("run", single, folder / "out"));
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_TRUE(contains(refused.err, "has no section [sweep], so it is one run: `arenite run ")) << refused.err;
+  EXPECT_FALSE(fs::exists(folder / "out"));
+  EXPECT_EQ(arenite(study_line("status", single, folder / "out")).status, 2);
+  EXPECT_EQ(arenite("study script " + file + " --out " + (folder / "out").string()).status, 2) << "for which scheduler?";
+}
+
+}  // namespace
