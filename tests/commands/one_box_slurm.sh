@@ -10,7 +10,13 @@ free_port() { python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); p
 
 stop() {
   for daemon in slurmd slurmctld munged; do
-    [ -s "$folder/$daemon.pid" ] && kill "$(cat "$folder/$daemon.pid")" 2>/dev/null
+    [ -s "$folder/$daemon.pid" ] || continue
+    process=$(cat "$folder/$daemon.pid")
+    kill "$process" 2>/dev/null
+    for _ in $(seq 50); do
+      kill -0 "$process" 2>/dev/null || break
+      sleep 0.1
+    done
   done
   return 0
 }
@@ -33,7 +39,7 @@ SlurmdUser=root
 SlurmctldPort=$(free_port)
 SlurmdPort=$(free_port)
 AuthType=auth/munge
-AuthInfo=socket=$folder/munge.socket,cred_expire=2
+AuthInfo=socket=$folder/munge.socket,cred_expire=5
 CredType=cred/munge
 StateSaveLocation=$folder/state
 SlurmdSpoolDir=$folder/spool

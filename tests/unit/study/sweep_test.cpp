@@ -1,3 +1,5 @@
+#include "core/units.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "core/units.hpp"
 #include "study/study.hpp"
 #include "support/small_study.hpp"
 #include "support/temporary_folder.hpp"
@@ -150,20 +151,19 @@ TEST(Sweep, NamesFollowFromWhatARunDependsOnAndFromNothingElse) {
 
 TEST(Sweep, EveryProblemIsFoundInOnePassWithItsPlace) {
   EXPECT_EQ(problems("[sweep]\nreplicate = 2\n[sweep.grid]\n\"cement.width\" = 0.1\n[[sweep.list]]\nseed = 1\n[sweep.latin_hypercube]\nruns = 5\n\"contact.friction\" = \"0.5 .. 0.1\"\n"),
-            (Lines{"r.toml:27:1: sweep.replicate: unknown key; did you mean replicates?",
-                   "r.toml:29:18: sweep.grid.cement.width: must be a list of the values that the key takes, for example [1, 1.25, 1.67]",
-                   "r.toml:34:22: sweep.latin_hypercube.contact.friction: \"0.5\" is not below \"0.1\"; begin with the smaller end"}));
+            (Lines{"r.toml:29:1: sweep.replicate: unknown key; did you mean replicates?",
+                   "r.toml:31:18: sweep.grid.cement.width: must be a list of the values that the key takes, for example [1, 1.25, 1.67]",
+                   "r.toml:36:22: sweep.latin_hypercube.contact.friction: \"0.5\" is not below \"0.1\"; begin with the smaller end"}));
   EXPECT_EQ(problems("[sweep]\nreplicates = 2\n[sweep.grid]\nseed = [1, 2]\n\"cement.width\" = [0.1]\n[[sweep.list]]\ncement.width = 0.2\n"),
-            (Lines{"r.toml:29:9: sweep: seed: replicates give each run its seed; leave out one of the two",
-                   "r.toml:29:12: sweep: seed: replicates give each run its seed; leave out one of the two",
-                   "r.toml:32:16: sweep: cement.width: is swept in two ways; leave it in one of them"}));
+            (Lines{"r.toml:31:9: sweep: seed: replicates give each run its seed; leave out one of the two",
+                   "r.toml:34:16: sweep: cement.width: is swept in two ways; leave it in one of them"}));
   EXPECT_EQ(problems("[sweep]\n").size(), 1u);
 }
 
 TEST(Sweep, AnInvalidRunIsNamedWithItsValuesAndEachProblemIsToldOnce) {
   EXPECT_EQ(problems("[sweep.grid]\n\"cement.width\" = [0.1, -1]\n\"frame.widht\" = [\"100 mm\"]\n\"contact.friction\" = [0.1, 0.2]\n"),
-            (Lines{"r.toml:27:24: cement.width: -1 is out of range; it must be above 0 (run with cement.width = -1, frame.widht = \"100 mm\", contact.friction = 0.1, and 1 more)",
-                   "r.toml:28:18: frame.widht: unknown key; did you mean width?"}));
+            (Lines{"r.toml:29:24: cement.width: -1 is out of range; it must be above 0, up to 2 (run with cement.width = -1, frame.widht = \"100 mm\", contact.friction = 0.1, and 1 more)",
+                   "r.toml:30:18: frame.widht: unknown key; did you mean width?"}));
 }
 
 TEST(Sweep, RunsAreReadBackFromTheirTableUntilAnInputChanges) {
