@@ -1,8 +1,9 @@
 #include <benchmark/benchmark.h>
 
-#include <cstdlib>
 #include <filesystem>
 
+#include "core/hash.hpp"
+#include "io/atomic_file.hpp"
 #include "study/study_folder.hpp"
 
 // What `arenite study status` reads: the table of runs and the journal of a study of many runs.
@@ -29,13 +30,17 @@ void StatusOfRuns(benchmark::State& state) {
   study::Study study = study_of(runs);
   {
     const io::AppendLog journal(folder.journal());
-    for (const auto& run : study.runs) note_state(journal, run.name, {study::RunState::Kind::running, 0, {}});
-    for (const auto& run : study.runs) note_state(journal, run.name, {study::RunState::Kind::done, 1.25, {}});
+    for (const auto& run : study.runs) study::note_state(journal, run.name, {study::RunState::Kind::running, 0, {}});
+    for (const auto& run : study.runs) study::note_state(journal, run.name, {study::RunState::Kind::done, 1.25, {}});
   }
+  io::write_atomically(path / "recipe.toml", "seed = 1\n");
+  study.file = path / "recipe.toml";
+  study.inputs = {{study.file, content_hash("seed = 1\n")}};
   study::write_runs(path / "runs.tsv", study);
   for (auto _ : state) {
     study::Study read;
-    static_cast<void>(study::read_runs(path / "runs.tsv", read));
+    read.file = study.file;
+    if (!study::read_runs(path / "runs.tsv", read)) state.SkipWithError("the table of runs is not read");
     benchmark::DoNotOptimize(study::read_states(folder).size());
   }
   std::filesystem::remove_all(path);
