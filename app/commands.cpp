@@ -11,6 +11,7 @@ const std::vector<Command>& commands() {
       {"init", "Write a commented recipe to start from", add_init},
       {"check", "Check a recipe and print it as it was understood", add_check},
       {"load", "Load anybody's phase map by peridynamics: moduli, stresses by phase, failure", add_load},
+      {"lockin", "Lock in a film of a cyclically loaded sample: signed swing, errors and warnings of every pixel", add_lockin},
       {"show", "Summarise a result (what, when, outcome, walls, energies, texture) or a film", add_show},
       {"export", "Write a result for ParaView, OVITO, LAMMPS tools or as tables", add_export},
       {"measure", "Measure the texture of grains and contacts from anybody's files", add_measure},

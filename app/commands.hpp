@@ -33,6 +33,7 @@ void add_export(CLI::App& command, int& status);
 void add_run(CLI::App& command, int& status);
 void add_study(CLI::App& command, int& status);
 void add_load(CLI::App& command, int& status);
+void add_lockin(CLI::App& command, int& status);
 void add_measure(CLI::App& command, int& status);
 void add_doctor(CLI::App& command, int& status);
 void add_completion(CLI::App& command, int& status);

@@ -40,7 +40,8 @@ void ProgressLine::begin_stage(const study::Progress& progress) {
 }
 
 std::string ProgressLine::text(const study::Progress& progress) const {
-  std::string line = fmt::format("{}/{} {:<12}", progress.stage, progress.stages - 1, progress.name);
+  std::string line = progress.stages > 1 ? fmt::format("{}/{} ", progress.stage, progress.stages - 1) : "";
+  line += fmt::format("{:<12}", progress.name);
   if (progress.reused) return line + " was there already";
   line += fmt::format(" {} {:3.0f} %", bar(progress.share), 100 * progress.share);
   if (progress.step > 0)

@@ -69,6 +69,7 @@ std::unique_ptr<FilmSource> open_film(const std::filesystem::path& path, const F
   const bool pattern = path.filename().string().find('*') != std::string::npos && !std::filesystem::exists(path, error);
   if (pattern || std::filesystem::is_directory(path, error)) return open_series(path, choice);
   const Bytes bytes = open_bytes(path);
+  if (!sealed_kind(path).empty()) throw InputError(path.string(), 0, "is a result of Arenite, not a film; look at it with \"arenite show\"");
   const Format* format = format_of(*bytes);
   const std::filesystem::path sidecar = format != nullptr && format->marked ? std::filesystem::path() : sidecar_of(path);
   return open_film(sidecar.empty() ? bytes : open_bytes(sidecar), choice);

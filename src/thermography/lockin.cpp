@@ -139,6 +139,11 @@ double reference_phase(const std::vector<double>& cosine, const std::vector<doub
 
 double diffusion_length(double diffusivity, double frequency) { return std::sqrt(diffusivity / (std::numbers::pi * frequency)); }
 
+double swing_lost_to_diffusion(double diffusion_length, double pixel) {
+  const double wave = std::numbers::pi * diffusion_length / pixel;
+  return 1 - 1 / std::hypot(1.0, wave * wave / 2);
+}
+
 LockinMaps lock_in(FilmSource& film, const LockinOptions& options) {
   check(options);
   std::vector<double> time = frame_times(film.info(), options.frame_rate);

@@ -40,4 +40,8 @@ double reference_phase(const std::vector<double>& cosine, const std::vector<doub
 /// pixel and a grain. `diffusivity` in m^2/s, `frequency` in Hz.
 double diffusion_length(double diffusivity, double frequency);
 
+/// Share of its swing that the finest detail of a picture loses to heat that diffuses within a cycle: stripes of two
+/// pixels' length swing by 1/|1 + i D k^2/(2 pi f)| of what they would. Same unit for both lengths.
+double swing_lost_to_diffusion(double diffusion_length, double pixel);
+
 }  // namespace arenite::thermography

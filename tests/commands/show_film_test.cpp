@@ -24,7 +24,7 @@ TEST(ShowFilm, JsonOfARealFilm) {
   EXPECT_EQ(j["bits"], 14);
   EXPECT_EQ(j["format"], "ptw");
   EXPECT_EQ(j["quantity"], "digital_level");
-  EXPECT_NEAR(j["duration_s"].get<double>(), 2.96977, 1e-5);
+  EXPECT_NEAR(j["duration_s"].get<double>(), 2.969785, 1e-6);
   EXPECT_EQ(j["dropped_frames"], 198);
   EXPECT_EQ(j["pixels"]["saturated"], 0);
 }

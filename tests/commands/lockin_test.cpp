@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/film_writer.hpp"
+#include "support/program.hpp"
+#include "support/swinging_film.hpp"
+
+namespace {
+using namespace arenite;
+using test::arenite;
+using test::TemporaryFolder;
+using Json = nlohmann::json;
+
+std::string film_in(const TemporaryFolder& folder, double noise = 0.1) {
+  test::SwingingFilm swing;
+  swing.noise = noise;
+  Film film = swing.draw();
+  io::write_film(folder / "film.h5", film);
+  return (folder / "film.h5").string() + " --frame-rate 148Hz";
+}
+
+TEST(LockInCommand, PrintsNumbersAndWritesMaps) {
+  const TemporaryFolder folder;
+  const auto done = arenite("lockin " + film_in(folder) + " --frequency 3.001Hz --json --out " + (folder / "maps").string());
+  ASSERT_EQ(done.status, 0) << done.err;
+  const Json j = Json::parse(done.out);
+  EXPECT_NEAR(j["frequency_Hz"].get<double>(), 3, 5 * j["frequency_error_Hz"].get<double>());
+  EXPECT_EQ(j["swing"], "half");
+  EXPECT_NEAR(j["median"]["amplitude"].get<double>(), 1.22, 0.01);
+  for (const char* name : {"in_phase.tif", "residual.tif", "second_harmonic.tif", "noise_floor.tif"}) EXPECT_TRUE(std::filesystem::exists(folder / "maps" / name)) << name;
+  const auto full = arenite("lockin " + film_in(folder) + " --frequency 3Hz --json --convention full --nearest-bin");
+  ASSERT_EQ(full.status, 0) << full.err;
+  EXPECT_EQ(Json::parse(full.out)["method"], "nearest_bin");
+  EXPECT_EQ(Json::parse(full.out)["swing"], "full");
+}
+
+TEST(LockInCommand, SaysWhetherTheSwingIsAdiabatic) {
+  const TemporaryFolder folder;
+  const std::string lockin = "lockin " + film_in(folder) + " --frequency 3Hz --no-refinement --json --diffusivity '0.1 mm^2/s' --pixel ";
+  const auto coarse = arenite(lockin + "1.6mm"), fine = arenite(lockin + "0.3mm");
+  ASSERT_EQ(coarse.status, 0) << coarse.err;
+  EXPECT_EQ(coarse.err, "");
+  EXPECT_NEAR(Json::parse(coarse.out)["diffusion_length_m"].get<double>(), 0.103006e-3, 1e-9);
+  EXPECT_EQ(Json::parse(coarse.out)["adiabatic"], true);
+  EXPECT_NE(fine.err.find("0.343 pixels far within a cycle"), std::string::npos) << fine.err;
+  EXPECT_EQ(fine.status, 0);
+  EXPECT_EQ(Json::parse(fine.out)["adiabatic"], false);
+  EXPECT_NEAR(Json::parse(fine.out)["swing_lost_in_finest_detail"].get<double>(), 1 - 1 / std::sqrt(1 + std::pow(0.5818, 2)), 1e-3);
+}
+
+TEST(LockInCommand, RefusesInOneSentence) {
+  const TemporaryFolder folder;
+  const std::string film = film_in(folder);
+  for (const char* frequency : {"80Hz", "0.05Hz", "0Hz", "3K"}) {
+    const auto refused = arenite("lockin " + film + " --frequency " + frequency + " --out " + (folder / "none").string());
+    EXPECT_EQ(refused.status, 2) << frequency;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "none"));
+  }
+  for (const char* slip : {" --pixel 0mm", " --diffusivity 1mm", " --reference-phase x"}) EXPECT_EQ(arenite("lockin " + film + " --frequency 3Hz" + slip).status, 2) << slip;
+  test::SwingingFilm tiny;
+  Film of_one = tiny.draw();
+  std::fill(of_one.value.begin(), of_one.value.end(), 1.f);
+  io::write_film(folder / "still.npy", of_one);
+  const auto still = arenite("lockin " + (folder / "still.npy").string() + " --frame-rate 148Hz --frequency 3Hz");
+  EXPECT_EQ(still.status, 2);
+  EXPECT_NE(still.err.find("still.npy: every pixel of the film is constant"), std::string::npos) << still.err;
+}
+
+}  // namespace
