@@ -2,8 +2,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +12,7 @@
 #include "io/film_notes.hpp"
 #include "io/film_times.hpp"
 #include "io/hdf5_handle.hpp"
+#include "io/hdf5_numbers.hpp"
 #include "io/plain_film.hpp"
 
 namespace arenite::io {
@@ -48,6 +49,9 @@ H5T_class_t class_of(hid_t set) {
 
 bool can_be_film(hid_t set) { return shape_of(set).size() == 3 && (class_of(set) == H5T_INTEGER || class_of(set) == H5T_FLOAT); }
 
+/// A plain number, or a text of this many bytes, that is there as a whole.
+bool is_whole(hid_t attribute, std::size_t bytes) { return H5Aget_storage_size(attribute) == bytes; }
+
 std::vector<std::string> films_in(hid_t file) {
   std::vector<std::string> found;
   const auto note = [](hid_t root, const char* name, const H5O_info_t* info, void* into) -> herr_t {
@@ -66,8 +70,10 @@ double number_attribute(hid_t at, std::initializer_list<const char*> names) {
     if (H5Aexists(at, name) <= 0) continue;
     const auto attribute = own(H5Aopen(at, name, H5P_DEFAULT), H5Aclose);
     const auto space = attribute ? own(H5Aget_space(*attribute), H5Sclose) : Hdf5Handle{};
+    const auto type = attribute ? own(H5Aget_type(*attribute), H5Tclose) : Hdf5Handle{};
     double value = 0;
-    if (space && H5Sget_simple_extent_npoints(*space) == 1 && H5Aread(*attribute, H5T_NATIVE_DOUBLE, &value) >= 0 && value > 0) return value;
+    if (!space || !type || !sample_of(*type).known || !is_whole(*attribute, bytes_of(sample_of(*type).sample))) continue;
+    if (H5Sget_simple_extent_npoints(*space) == 1 && H5Aread(*attribute, H5T_NATIVE_DOUBLE, &value) >= 0 && value > 0) return value;
   }
   return 0;
 }
@@ -80,28 +86,37 @@ std::string text_attribute(hid_t at, const char* name) {
   const auto space = attribute ? own(H5Aget_space(*attribute), H5Sclose) : Hdf5Handle{};
   if (!type || !space || H5Tget_class(*type) != H5T_STRING || H5Tis_variable_str(*type) != 0 || H5Sget_simple_extent_npoints(*space) != 1) return {};
   const std::size_t size = H5Tget_size(*type);
-  if (size == 0 || size > 65536) return {};
+  if (size == 0 || size > 65536 || !is_whole(*attribute, size)) return {};
   std::string text(size, '\0');
   if (H5Aread(*attribute, *type, text.data()) < 0) return {};
   return text.substr(0, text.find('\0'));
 }
 
+/// Numbers of a chunk, which is read as a whole.
+double most_in_chunk(const FilmChoice& choice) { return std::max(2.0 * static_cast<double>(choice.most_pixels), 1e6); }
+
+PlainLayout layout_of(const Hdf5Sample& type) {
+  PlainLayout layout;
+  layout.sample = type.sample;
+  layout.big_endian = type.big_endian;
+  return layout;
+}
+
 /// One number a frame, in the group of the film.
-std::vector<double> times_beside(hid_t file, const std::string& film, std::int64_t frames) {
+std::vector<double> times_beside(hid_t file, const Bytes& bytes, const std::string& film, std::int64_t frames) {
   const std::string group = film.substr(0, film.rfind('/') == std::string::npos ? 0 : film.rfind('/') + 1);
   for (const char* name : {"time", "times", "timestamps"}) {
     const auto set = own(H5Dopen2(file, (group + name).c_str(), H5P_DEFAULT), H5Dclose);
     if (!set || shape_of(*set) != std::vector<std::int64_t>{frames} || frames > 100'000'000) continue;
     if (class_of(*set) != H5T_INTEGER && class_of(*set) != H5T_FLOAT) continue;
+    Hdf5Numbers numbers(set, group + name, bytes, 1e8);
+    std::string stored;
+    numbers.read(0, static_cast<hsize_t>(frames), stored);
     std::vector<double> time(static_cast<std::size_t>(frames));
-    if (H5Dread(*set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, time.data()) >= 0) return time;
+    take_numbers(layout_of(numbers.type()), stored.data(), time.size(), time.data());
+    return time;
   }
   return {};
-}
-
-bool is_whole(hid_t set, std::size_t most_bytes) {
-  const auto type = own(H5Dget_type(set), H5Tclose);
-  return type && H5Tget_class(*type) == H5T_INTEGER && H5Tget_sign(*type) == H5T_SGN_NONE && H5Tget_size(*type) <= most_bytes;
 }
 
 class Hdf5Film : public FilmSource {
@@ -114,19 +129,20 @@ class Hdf5Film : public FilmSource {
       throw InputError(file_, 0, fmt::format("has no dataset \"{}\" of frames x height x width; it has: {}", name, fmt::join(films_in(*id_), ", ")));
     const auto shape = shape_of(*set_);
     check_film_size(file_, shape[2], shape[1], shape[0], choice);
-    check_storage(choice);
+    numbers_.emplace(set_, name, bytes, most_in_chunk(choice));
+    const Hdf5Sample& type = numbers_->type();
     info_.format = "hdf5";
     info_.frames = shape[0];
     info_.height = static_cast<int>(shape[1]);
     info_.width = static_cast<int>(shape[2]);
-    info_.floating = !is_whole(*set_, 2);
-    if (!info_.floating) info_.bits = is_whole(*set_, 1) ? 8 : 16;
+    info_.floating = !is_level(type.sample);
+    if (!info_.floating) info_.bits = static_cast<int>(8 * bytes_of(type.sample));
     take_notes(text_attribute(*set_, "notes"), info_);
     for (const hid_t at : {static_cast<hid_t>(*set_), static_cast<hid_t>(*id_)}) {
       if (info_.frame_rate == 0) info_.frame_rate = number_attribute(at, {"frame_rate", "frame_rate_Hz", "fps"});
       if (info_.integration == 0) info_.integration = number_attribute(at, {"integration", "integration_s"});
     }
-    if (!choice.frame_rate) take_stamps(info_, times_beside(*id_, name, info_.frames));
+    if (!choice.frame_rate) take_stamps(info_, times_beside(*id_, bytes, name, info_.frames));
     take_choice(info_, choice);
     FrameBlock last;  // what is cut short lacks it
     read(info_.frames - 1, 1, last);
@@ -137,13 +153,9 @@ class Hdf5Film : public FilmSource {
   void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
     prepare(info_, first, count, block);
     if (count == 0) return;
-    const std::array<hsize_t, 3> start{static_cast<hsize_t>(first), 0, 0};
-    const std::array<hsize_t, 3> size{count, static_cast<hsize_t>(info_.height), static_cast<hsize_t>(info_.width)};
-    const auto there = own(H5Dget_space(*set_), H5Sclose), here = made(H5Screate_simple(3, size.data(), nullptr), H5Sclose);
-    void* to = info_.floating ? static_cast<void*>(block.value.data()) : block.level.data();
-    if (!there || H5Sselect_hyperslab(*there, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr) < 0 ||
-        H5Dread(*set_, info_.floating ? H5T_NATIVE_FLOAT : H5T_NATIVE_UINT16, *here, *there, H5P_DEFAULT, to) < 0)
-      throw InputError(file_, 0, fmt::format("holds frames from {} on that cannot be read; copy it again", first));
+    numbers_->read(static_cast<hsize_t>(first), count, stored_);
+    take_pixels(layout_of(numbers_->type()), stored_.data(), count * info_.pixels(), info_.floating ? nullptr : block.level.data(),
+                info_.floating ? block.value.data() : nullptr);
   }
 
  private:
@@ -151,26 +163,14 @@ class Hdf5Film : public FilmSource {
     if (!choice.dataset.empty()) return choice.dataset;
     const auto found = films_in(*id_);
     if (found.size() == 1) return found.front();
-    if (found.empty()) throw InputError(file_, 0, "holds no dataset of numbers with three dimensions (frames x height x width); give a film");
+    if (found.empty()) throw InputError(file_, 0, "is an HDF5 file of another program and holds no dataset of numbers with three dimensions (frames x height x width); give a film");
     throw InputError(file_, 0, fmt::format("holds {} datasets that can be films; choose one with --dataset: {}", found.size(), fmt::join(found, ", ")));
-  }
-
-  /// A chunk is read as a whole, so it must be of a sensible size, and all must be in this file.
-  void check_storage(const FilmChoice& choice) const {
-    const auto creation = own(H5Dget_create_plist(*set_), H5Pclose);
-    if (!creation || H5Pget_external_count(*creation) > 0 || H5Pget_layout(*creation) == H5D_VIRTUAL)
-      throw InputError(file_, 0, "holds a film whose frames are in other files; copy them into one");
-    if (H5Pget_layout(*creation) != H5D_CHUNKED) return;
-    std::array<hsize_t, 3> chunk{};
-    if (H5Pget_chunk(*creation, 3, chunk.data()) != 3) throw InputError(file_, 0, "is an HDF5 file that is damaged; copy it again");
-    double numbers = 1;
-    for (const hsize_t n : chunk) numbers *= static_cast<double>(n);
-    if (numbers > std::max(2.0 * static_cast<double>(choice.most_pixels), 1e6))
-      throw InputError(file_, 0, fmt::format("is stored in chunks of {} x {} x {} numbers; store it a few frames a chunk", chunk[0], chunk[1], chunk[2]));
   }
 
   std::string file_;
   Hdf5Handle id_, set_;
+  std::optional<Hdf5Numbers> numbers_;
+  std::string stored_;  ///< bytes of the frames that are read
   FilmInfo info_;
 };
 

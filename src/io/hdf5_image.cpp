@@ -4,13 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <vector>
 
 #include "core/error.hpp"
 #include "io/grey_pixels.hpp"
 #include "io/hdf5_handle.hpp"
+#include "io/hdf5_numbers.hpp"
 
 namespace arenite::io {
 namespace {
@@ -89,14 +89,14 @@ Image read_hdf5_image(const std::string& bytes, const std::string& file, const I
   const std::int64_t slice = chosen_slice(file, stack ? extent(0) : 1, choice);
   const std::int64_t height = extent(stack ? 1 : 0), width = extent(stack ? 2 : 1);
   check_size(file, width, height, choice);
-  const std::array<hsize_t, 3> start{static_cast<hsize_t>(slice), 0, 0};
-  const std::array<hsize_t, 3> count{1, static_cast<hsize_t>(height), static_cast<hsize_t>(width)};
-  const std::size_t skip = stack ? 0 : 1;
-  const auto there = own(H5Dget_space(*set), H5Sclose), here = made(H5Screate_simple(2, count.data() + 1, nullptr), H5Sclose);
+  Hdf5Numbers numbers(set, name, bytes_kept(bytes, file), std::max(2.0 * static_cast<double>(choice.most_pixels), 1e6));
+  std::string stored;
+  numbers.read(stack ? static_cast<hsize_t>(slice) : 0, stack ? 1 : static_cast<hsize_t>(height), stored);
+  PlainLayout layout;
+  layout.sample = numbers.type().sample;
+  layout.big_endian = numbers.type().big_endian;
   std::vector<std::int64_t> values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  if (!there || H5Sselect_hyperslab(*there, H5S_SELECT_SET, start.data() + skip, nullptr, count.data() + skip, nullptr) < 0 ||
-      H5Dread(*set, native_type<std::int64_t>(), *here, *there, H5P_DEFAULT, values.data()) < 0)
-    throw InputError(file, 0, fmt::format("holds a dataset \"{}\" that cannot be read; copy the file again", name));
+  take_numbers(layout, stored.data(), values.size(), values.data());
   return convert(values, file, static_cast<int>(width), static_cast<int>(height));
 }
 

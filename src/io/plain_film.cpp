@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 #include "core/error.hpp"
 
@@ -33,10 +35,13 @@ template <class Out>
 void each_pixel(const PlainLayout& layout, const char* from, std::size_t count, Out&& out) {
   switch (layout.sample) {
     case Sample::u8: return convert<std::uint8_t>(from, count, false, out);
+    case Sample::i8: return convert<std::int8_t>(from, count, false, out);
     case Sample::u16: return convert<std::uint16_t>(from, count, layout.big_endian, out);
     case Sample::i16: return convert<std::int16_t>(from, count, layout.big_endian, out);
     case Sample::u32: return convert<std::uint32_t>(from, count, layout.big_endian, out);
     case Sample::i32: return convert<std::int32_t>(from, count, layout.big_endian, out);
+    case Sample::u64: return convert<std::uint64_t>(from, count, layout.big_endian, out);
+    case Sample::i64: return convert<std::int64_t>(from, count, layout.big_endian, out);
     case Sample::f32: return convert<float>(from, count, layout.big_endian, out);
     case Sample::f64: return convert<double>(from, count, layout.big_endian, out);
   }
@@ -87,12 +92,15 @@ class PlainFilm : public FilmSource {
 
 std::size_t bytes_of(Sample sample) {
   switch (sample) {
-    case Sample::u8: return 1;
+    case Sample::u8:
+    case Sample::i8: return 1;
     case Sample::u16:
     case Sample::i16: return 2;
     case Sample::u32:
     case Sample::i32:
     case Sample::f32: return 4;
+    case Sample::u64:
+    case Sample::i64:
     case Sample::f64: return 8;
   }
   return 0;
@@ -105,6 +113,18 @@ void take_pixels(const PlainLayout& layout, const char* from, std::size_t count,
       value[i] = static_cast<float>(layout.scale * static_cast<double>(v) + layout.shift);
     });
   each_pixel(layout, from, count, [&](std::size_t i, auto v) { value[i] = static_cast<float>(v); });
+}
+
+void take_numbers(const PlainLayout& layout, const char* from, std::size_t count, double* value) {
+  each_pixel(layout, from, count, [&](std::size_t i, auto v) { value[i] = static_cast<double>(v); });
+}
+
+void take_numbers(const PlainLayout& layout, const char* from, std::size_t count, std::int64_t* value) {
+  constexpr auto most = std::numeric_limits<std::int64_t>::max();
+  each_pixel(layout, from, count, [&](std::size_t i, auto v) {
+    if constexpr (std::is_same_v<decltype(v), std::uint64_t>) value[i] = static_cast<std::int64_t>(std::min<std::uint64_t>(v, most));
+    else if constexpr (std::is_integral_v<decltype(v)>) value[i] = static_cast<std::int64_t>(v);
+  });
 }
 
 void check_film_size(const std::string& file, std::int64_t width, std::int64_t height, std::int64_t frames, const FilmChoice& choice) {

@@ -10,7 +10,7 @@
 namespace arenite::io {
 
 /// How a pixel is stored.
-enum class Sample : std::uint8_t { u8, u16, i16, u32, i32, f32, f64 };
+enum class Sample : std::uint8_t { u8, i8, u16, i16, u32, i32, u64, i64, f32, f64 };
 std::size_t bytes_of(Sample sample);
 inline bool is_level(Sample sample) { return sample == Sample::u8 || sample == Sample::u16; }
 
@@ -41,6 +41,11 @@ std::unique_ptr<FilmSource> plain_film(Bytes bytes, FilmInfo info, const PlainLa
 
 /// Makes `count` pixels of their bytes into levels or values, whichever `block` is for.
 void take_pixels(const PlainLayout& layout, const char* from, std::size_t count, std::uint16_t* level, float* value);
+
+/// The same for any numbers in doubles.
+void take_numbers(const PlainLayout& layout, const char* from, std::size_t count, double* value);
+/// And for whole ones; those above the largest std::int64_t become that.
+void take_numbers(const PlainLayout& layout, const char* from, std::size_t count, std::int64_t* value);
 
 /// Throws std::out_of_range unless the film has these frames, and gives the block its size.
 void prepare(const FilmInfo& info, std::int64_t first, std::size_t count, FrameBlock& block);

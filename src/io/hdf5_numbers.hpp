@@ -1,0 +1,67 @@
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "io/byte_source.hpp"
+#include "io/hdf5_handle.hpp"
+#include "io/hdf5_unpack.hpp"
+#include "io/plain_film.hpp"
+
+namespace arenite::io {
+
+/// How numbers of an HDF5 type lie in a file.
+struct Hdf5Sample {
+  Sample sample = Sample::u16;
+  bool big_endian = false;
+  bool known = false;  ///< false for a type that is no plain number of 1 to 8 bytes
+  bool whole = false;
+};
+Hdf5Sample sample_of(hid_t type);
+
+/// A table of numbers in an HDF5 file of anybody's. HDF5's own copying of numbers trusts sizes that a damaged file may
+/// have wrong, so HDF5 is asked only what the table is and where its chunks are; their bytes are checked, unpacked and
+/// put in place here.
+class Hdf5Numbers {
+ public:
+  /// Rank 1 to 3. InputError for a table that is damaged or stored in a way that is not read; `most` numbers a chunk.
+  Hdf5Numbers(Hdf5Handle set, const std::string& name, Bytes file, double most);
+
+  const std::vector<hsize_t>& shape() const { return shape_; }
+  const Hdf5Sample& type() const { return type_; }
+  /// Bytes of slabs first .. first + count - 1 along the first axis, as they are stored. InputError for damage.
+  void read(hsize_t first, hsize_t count, std::string& to);
+
+ private:
+  using Place = std::array<hsize_t, 3>;
+  [[noreturn]] void refuse(const std::string& what) const;
+  void look_at_piece(double bytes);
+  void look_at_chunks(hid_t creation, double most);
+  void look_at_filters(hid_t creation);
+  void read_compact();
+  void read_chunks(hsize_t first, hsize_t count, std::string& to);
+  const std::string& chunk_at(const Place& at);
+  void copy_chunk(const Place& at, hsize_t first, hsize_t count, std::string& to);
+  std::size_t size_of_number() const { return bytes_of(type_.sample); }
+  std::size_t slab() const { return static_cast<std::size_t>(extent_[1] * extent_[2]) * size_of_number(); }
+
+  Hdf5Handle set_;
+  std::string name_;
+  Bytes file_;
+  std::vector<hsize_t> shape_;
+  Place extent_{1, 1, 1};  ///< the shape, filled up with 1 at the end
+  Hdf5Sample type_;
+  H5D_layout_t layout_ = H5D_CONTIGUOUS;
+  std::uint64_t begin_ = 0;     ///< of a table in one piece
+  std::string compact_;         ///< a table that is kept beside its description
+  Place chunk_{1, 1, 1};
+  std::size_t chunk_bytes_ = 0;
+  bool whole_at_edges_ = true;  ///< chunks that reach over the edge are packed as others
+  std::vector<Hdf5Filter> filters_;
+  std::string fill_;            ///< the number in what was never written
+  Place held_at_{};
+  bool held_ = false;
+  std::string chunk_held_;      ///< the chunk that was read last
+};
+
+}  // namespace arenite::io
