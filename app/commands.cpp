@@ -15,6 +15,7 @@ const std::vector<Command>& commands() {
       {"show", "Summarise a result (what, when, outcome, walls, energies, texture) or a film", add_show},
       {"export", "Write a result for ParaView, OVITO, LAMMPS tools or as tables", add_export},
       {"measure", "Measure the texture of grains and contacts from anybody's files", add_measure},
+      {"identify", "Find contact stiffness, thermoelastic factor or surface energy in a laboratory's records", add_identify},
       {"doctor", "Say what this installation can do: versions, kernels, threads, helpers found", add_doctor},
       {"completion", "Print the completion script of a shell", add_completion},
       {"man", "Print the manual page, or the reference of all recipe keys", add_man},

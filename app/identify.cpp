@@ -1,0 +1,152 @@
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "commands.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "study/identify.hpp"
+
+namespace arenite::app {
+namespace {
+
+using statistics::Measured;
+
+struct Arguments {
+  std::string what, file, stated;
+  std::string preload = "1 kN", branch = "loading", length;                                  // stiffness
+  std::string k, radius, effective_radius = "four_reduced";                                  // adhesion
+  std::string section, young, poisson, temperature_swing = "full", load_swing = "full";      // factor
+  std::string responsivity, amplification = "1", emissivity = "1", reference = "296 K", surface = "296 K", band = "3.6 um,5.1 um";
+  bool through_origin = false, json = false;
+};
+
+double si(const char* option, const std::string& text, Dimension dimension, const char* unit, bool zero_allowed = false) {
+  double value = 0;
+  try {
+    value = parse_si(text, dimension, unit);
+  } catch (const InputError& error) {
+    throw InputError(std::string(option) + ": " + error.problems().front().message);
+  }
+  if (!(value > 0) && !(zero_allowed && value == 0)) throw InputError(std::string(option) + ": \"" + text + "\" must be " + (zero_allowed ? "0 or above" : "above 0"));
+  return value;
+}
+
+/// "27.35 kN/mm" or, with a standard error, "27.35 +- 0.40 kN/mm".
+Measured measured(const char* option, const std::string& text, Dimension dimension, const char* unit) {
+  const auto sign = text.find("+-");
+  if (sign == std::string::npos) return {si(option, text, dimension, unit)};
+  const std::string error = CLI::detail::trim_copy(text.substr(sign + 2));
+  const auto unit_at = error.find(' ');
+  const std::string behind = unit_at == std::string::npos ? "" : error.substr(unit_at);
+  return {si(option, CLI::detail::trim_copy(text.substr(0, sign)) + behind, dimension, unit), si(option, error, dimension, unit, true)};
+}
+
+/// Two lengths of "a,b", or twice the one.
+std::pair<double, double> two_lengths(const char* option, const std::string& text, const char* unit) {
+  const auto comma = text.find(',');
+  const double first = si(option, CLI::detail::trim_copy(text.substr(0, comma)), dimension::length, unit);
+  return {first, comma == std::string::npos ? first : si(option, CLI::detail::trim_copy(text.substr(comma + 1)), dimension::length, unit)};
+}
+
+/// "151.4 mm^2" or "30.9 mm x 4.9 mm".
+double section(const std::string& text) {
+  const auto times = text.find(" x ");
+  if (times == std::string::npos) return si("--section", text, dimension::area, "mm^2");
+  return si("--section", CLI::detail::trim_copy(text.substr(0, times)), dimension::length, "mm") * si("--section", CLI::detail::trim_copy(text.substr(times + 3)), dimension::length, "mm");
+}
+
+identify::Identification stiffness(const Arguments& a) {
+  study::StiffnessRequest request;
+  request.curve = {si("--preload", a.preload, dimension::force, "kN", true), a.branch == "unloading" ? identify::Branch::unloading : identify::Branch::loading};
+  if (!a.length.empty()) request.length = si("--length", a.length, dimension::length, "mm");
+  request.stated = a.stated;
+  return study::identify_stiffness(a.file, request);
+}
+
+identify::Identification adhesion(const Arguments& a) {
+  study::AdhesionRequest request;
+  if (!a.k.empty()) request.stiffness = measured("--k", a.k, dimension::stiffness, "kN/mm");
+  if (!a.radius.empty()) request.radii = two_lengths("--radius", a.radius, "mm");
+  if (a.effective_radius == "sum") request.effective_radius = identify::EffectiveRadius::sum;
+  if (a.effective_radius == "geometric_mean") request.effective_radius = identify::EffectiveRadius::geometric_mean;
+  request.stated = a.stated;
+  return study::identify_adhesion(a.file, request);
+}
+
+identify::Identification factor(const Arguments& a) {
+  study::FactorRequest request;
+  if (!a.section.empty()) request.section = section(a.section);
+  if (!a.young.empty()) request.young = measured("--young", a.young, dimension::pressure, "GPa");
+  if (!a.poisson.empty()) request.poisson = measured("--poisson", a.poisson, dimension::none, "");
+  if (request.poisson && !(request.poisson->value < 1)) throw InputError("--poisson: must be below 1");
+  if (a.temperature_swing == "half") request.temperature_swing = study::Swing::half;
+  if (a.load_swing == "half") request.stress_swing = study::Swing::half;
+  request.through_origin = a.through_origin;
+  if (!a.responsivity.empty()) {
+    identify::Detector d;
+    d.responsivity = measured("--responsivity", a.responsivity, dimension::temperature, "K");
+    d.amplification = measured("--amplification", a.amplification, dimension::none, "");
+    d.emissivity = measured("--emissivity", a.emissivity, dimension::none, "");
+    if (d.emissivity.value > 1) throw InputError("--emissivity: must be at most 1");
+    d.reference = si("--responsivity-at", a.reference, dimension::temperature, "K");
+    d.surface = si("--surface-at", a.surface, dimension::temperature, "K");
+    const auto [low, high] = two_lengths("--band", a.band, "um");
+    if (!(high > low)) throw InputError("--band: give two wavelengths, the shorter one first, for example \"3.6 um,5.1 um\"");
+    d.band = {low, high};
+    request.detector = d;
+  }
+  request.stated = a.stated;
+  return study::identify_factor(a.file, request);
+}
+
+void add_mechanical(CLI::App& command, Arguments& a) {
+  command.add_option("--preload", a.preload, "Stiffness: force beyond which a record counts; default \"1 kN\"")->type_name("FORCE");
+  command.add_option("--branch", a.branch, "Stiffness: part of a record's cycles that is fitted; default loading")->check(CLI::IsMember({"loading", "unloading"}))->type_name("BRANCH");
+  command.add_option("--length", a.length, "Stiffness: length of the cylinders, e.g. \"60 mm\", for the stiffness of a unit of length")->type_name("LENGTH");
+  command.add_option("--k", a.k, "Adhesion: contact stiffness of the pair, e.g. \"27.35 kN/mm\" or \"27.35 +- 0.40 kN/mm\"")->type_name("STIFFNESS");
+  command.add_option("--radius", a.radius, "Adhesion: radius of both cylinders, or of each: \"6.2 mm,8.2 mm\"")->type_name("R[,R]");
+  command.add_option("--effective-radius", a.effective_radius, "Adhesion: r_eff of unequal radii: 4 r_i r_j/(r_i + r_j) (default), r_i + r_j or 2 sqrt(r_i r_j)")
+      ->check(CLI::IsMember({"four_reduced", "sum", "geometric_mean"}))->type_name("NAME");
+}
+
+void add_thermal(CLI::App& command, Arguments& a) {
+  command.add_option("--section", a.section, "Factor: section that carries the force, \"30.9 mm x 4.9 mm\" or \"151.4 mm^2\"")->type_name("AREA");
+  command.add_option("--young", a.young, "Factor from strains: modulus of the specimen, e.g. \"2.8 +- 0.1 GPa\"")->type_name("MODULUS");
+  command.add_option("--poisson", a.poisson, "Factor from strains: Poisson's ratio, e.g. \"0.35 +- 0.02\"")->type_name("NUMBER");
+  command.add_option("--temperature-swing", a.temperature_swing, "Factor: temperatures and signals are full swings (default) or half, the amplitude of a sine")
+      ->check(CLI::IsMember({"full", "half"}))->type_name("SWING");
+  command.add_option("--load-swing", a.load_swing, "Factor: stresses, forces and strains are full swings (default) or half; force_max and force_min always give the full one")
+      ->check(CLI::IsMember({"full", "half"}))->type_name("SWING");
+  command.add_flag("--through-origin", a.through_origin, "Factor: hold the line to the origin");
+}
+
+void add_detector(CLI::App& command, Arguments& a) {
+  command.add_option("--responsivity", a.responsivity, "Factor: detector's D in K a level, for the constant A' = D R F/(T eps A) of a raw signal")->type_name("K");
+  command.add_option("--responsivity-at", a.reference, "Temperature that D holds at; default \"296 K\"")->type_name("TEMPERATURE");
+  command.add_option("--surface-at", a.surface, "Temperature of the specimen; default \"296 K\"")->type_name("TEMPERATURE");
+  command.add_option("--amplification", a.amplification, "Amplification factor F of the signal; default 1")->type_name("NUMBER");
+  command.add_option("--emissivity", a.emissivity, "Emissivity of the specimen; default 1")->type_name("NUMBER");
+  command.add_option("--band", a.band, "Wavelengths that the detector sees; default \"3.6 um,5.1 um\"")->type_name("LOW,HIGH");
+}
+
+}  // namespace
+
+void add_identify(CLI::App& command, int&) {
+  const auto a = std::make_shared<Arguments>();
+  command.add_option("what", a->what, "What to find")->required()->check(CLI::IsMember({"stiffness", "factor", "adhesion"}))->type_name("WHAT");
+  command.add_option("file", a->file, "Records or a table as CSV, with units in its header: displacement and force; stress or strain and temperature; or values by group")->required()->type_name("FILE");
+  add_mechanical(command, *a);
+  add_thermal(command, *a);
+  add_detector(command, *a);
+  command.add_option("--stated", a->stated, "Table of what a source states for the same groups, to compare with")->type_name("FILE");
+  command.add_flag("--json", a->json, "Print JSON in SI: value, error, confidence_95");
+  command.callback([a] {
+    const auto found = a->what == "stiffness" ? stiffness(*a) : a->what == "adhesion" ? adhesion(*a) : factor(*a);
+    std::fputs((a->json ? identify::to_json(found) + "\n" : identify::to_text(found)).c_str(), stdout);
+  });
+}
+
+}  // namespace arenite::app

@@ -1,0 +1,33 @@
+#pragma once
+#include "identify/curve.hpp"
+#include "statistics/measured.hpp"
+
+namespace arenite::identify {
+
+/// The radius in F_n = -gamma sqrt(r_eff h). Equal cylinders, as the thesis pulled apart, do not tell these three apart.
+enum class EffectiveRadius { four_reduced, sum, geometric_mean };
+
+/// r_eff, m: 4 r_i r_j/(r_i + r_j), r_i + r_j or 2 sqrt(r_i r_j), each 2 r for equal radii r.
+double effective_radius(EffectiveRadius kind, double radius_i, double radius_j);
+
+/// Separation force of a pull-off record, N: the peak of the force y (tension positive) over displacement or time x (T Fig. 2.12).
+/// Its error is the scatter of up to ten points before the peak about their straight line, unknown where there are fewer
+/// than five. Throws InputError with file and line if the record holds no tension or fewer than three points.
+struct PullOff {
+  statistics::Measured force;
+  bool separated = true;   ///< false where the record ends before the force has fallen to half of its peak
+};
+PullOff pull_off(const Curve& curve);
+
+/// Surface energy gamma = sqrt(4 k F_c/r_eff), N/m, from the separation force (T eq. 1.25), k of the pair in N/m.
+statistics::Measured surface_energy(const statistics::Measured& separation_force, const statistics::Measured& stiffness, double effective_radius);
+
+/// What geometrical adhesion then does at rest.
+struct Threshold {
+  double force = 0;         ///< F_c = r_eff gamma^2/(4 k): the greatest tension, N
+  double overlap = 0;       ///< h_c = r_eff gamma^2/(4 k^2): where it acts, m
+  double free_overlap = 0;  ///< h_eq = r_eff gamma^2/k^2: where no force acts, m
+};
+Threshold threshold(double surface_energy, double stiffness, double effective_radius);
+
+}  // namespace arenite::identify

@@ -1,0 +1,54 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "statistics/measured.hpp"
+
+namespace arenite::identify {
+
+/// What a source states for the same quantity, SI, and half of the last digit it is printed with.
+struct Stated {
+  double value = 0, half_digit = 0;
+};
+
+/// One identified quantity.
+struct Finding {
+  std::string name;                 ///< "surface_energy", as in JSON
+  std::string unit;                 ///< in which it is shown, "kN/mm"
+  double scale = 1;                 ///< of one such unit, SI
+  statistics::Measured value;       ///< SI
+  std::optional<Stated> stated = {};
+};
+
+/// True if the value rounds to what is stated.
+bool agrees(const Finding& finding);
+
+/// Quantities of one test, of one specimen.
+struct Test {
+  std::string name;
+  std::vector<Finding> findings;
+};
+
+/// Quantities of tests alike: one diameter, one glue, one material.
+struct Group {
+  std::string name;
+  std::size_t count = 0;            ///< of values or points that it rests on
+  std::vector<Finding> findings;
+  std::vector<Test> tests = {};
+};
+
+struct Identification {
+  std::string kind, file;           ///< "stiffness", "adhesion", "factor"
+  std::vector<Group> groups;
+  std::optional<Group> all = {};    ///< over all groups, where that has a meaning
+  std::vector<std::string> notes = {};
+};
+
+/// Lines "name  value +- error unit (95 %: low to high)".
+std::string to_text(const Identification& i);
+
+/// Everything in SI; a quantity is {value, error, confidence_95: [low, high], unit}.
+std::string to_json(const Identification& i);
+
+}  // namespace arenite::identify

@@ -1,0 +1,34 @@
+#pragma once
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "statistics/estimate.hpp"
+
+namespace arenite::statistics {
+
+/// A measured quantity: value, standard error (NaN: not known), and the degrees of freedom that the error was found with
+/// (infinite: the error is known for certain).
+struct Measured {
+  double value = unknown, error = unknown;
+  double freedom = std::numeric_limits<double>::infinity();
+};
+
+/// Ends of an interval that covers the true value in 95 of 100 cases, by Student's t; NaN where the error is not known.
+struct Interval {
+  double low = unknown, high = unknown;
+};
+Interval confidence_95(const Measured& m);
+
+/// Mean of values alike, its standard error from their scatter, n - 1 degrees of freedom. One value has no error.
+Measured mean_of(const std::vector<double>& values);
+
+/// Product of independent quantities to powers: relative errors add in squares, degrees of freedom after Welch and
+/// Satterthwaite. Quantities whose error is not known add none; if that holds for all, the product's is not known.
+Measured product(const std::vector<std::pair<Measured, double>>& factors);
+
+/// How often groups that are alike would have means as far apart as these (analysis of variance), NaN where fewer than
+/// two groups or no scatter tell.
+double chance_of_equal_means(const std::vector<std::vector<double>>& groups);
+
+}  // namespace arenite::statistics
