@@ -107,7 +107,8 @@ void put_slope(Group& group, Identification& found, const Finding& finding, cons
   if (range.low > 0 || range.high < 0) found.notes.push_back(fmt::format("{}: the line misses the origin beyond its error; see whether the response is linear in the load", group.name));
 }
 
-void put_direct(Group& group, const FactorRequest& request, const Measured& factor) {
+/// `factor` by value: it may stand in the group that grows.
+void put_direct(Group& group, const FactorRequest& request, const Measured factor) {
   if (!request.detector) return;
   const auto& d = *request.detector;
   group.findings.push_back({"signal_constant_direct", "MPa", 1e6, identify::direct_constant(d, identify::printed_correction(d), factor)});
