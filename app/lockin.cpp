@@ -3,25 +3,20 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "film_maps.hpp"
 #include "io/film.hpp"
-#include "io/film_writer.hpp"
 #include "progress.hpp"
 #include "stop_signal.hpp"
-#include "study/result_folder.hpp"
 
 namespace arenite::app {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Arguments {
   std::string film, frequency, out, dataset, convention = "half", format = "tiff", frame_rate, diffusivity = "0.1 mm^2/s", pixel;
@@ -29,28 +24,10 @@ struct Arguments {
   bool nearest_bin = false, no_refinement = false, json = false, quiet = false;
 };
 
-double median(std::vector<float> map) {
-  std::erase_if(map, [](float v) { return !std::isfinite(v); });
-  if (map.empty()) return std::nan("");
-  const auto middle = map.begin() + static_cast<std::ptrdiff_t>(map.size() / 2);
-  std::nth_element(map.begin(), middle, map.end());
-  return static_cast<double>(*middle);
-}
-
-void write_map(const fs::path& file, const LockinMaps& maps, const std::vector<float>& map) {
-  Film film;
-  film.about.width = maps.width;
-  film.about.height = maps.height;
-  film.about.frames = 1;
-  film.about.floating = true;
-  film.value = map;
-  io::write_film(file, film);
-}
-
-std::vector<std::pair<const char*, const std::vector<float>*>> named(const LockinMaps& m) {
-  return {{"mean", &m.mean}, {"drift", &m.drift}, {"amplitude", &m.amplitude}, {"phase", &m.phase}, {"in_phase", &m.in_phase},
-          {"quadrature", &m.quadrature}, {"standard_error", &m.standard_error}, {"noise_floor", &m.noise_floor},
-          {"second_harmonic", &m.second_harmonic}, {"residual", &m.residual}};
+FilmMaps maps_of(const LockinMaps& m) {
+  return {m.width, m.height, {{"mean", &m.mean}, {"drift", &m.drift}, {"amplitude", &m.amplitude}, {"phase", &m.phase}, {"in_phase", &m.in_phase},
+                              {"quadrature", &m.quadrature}, {"standard_error", &m.standard_error}, {"noise_floor", &m.noise_floor},
+                              {"second_harmonic", &m.second_harmonic}, {"residual", &m.residual}}};
 }
 
 std::string unit_of(const FilmInfo& film) { return film.quantity == FilmQuantity::kelvin ? "K" : "level"; }
@@ -88,7 +65,7 @@ nlohmann::json numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& 
   j["unit"] = unit_of(film);
   j["reference_phase_rad"] = m.reference_phase;
   j["reference"] = a.options.reference_phase ? "given" : "found on the film; its sign is the one with which pixels warm on the mean";
-  for (const auto& [name, map] : named(m))
+  for (const auto& [name, map] : maps_of(m).named)
     if (!map->empty()) j["median"][name] = median(*map);
   j["diffusion_length_m"] = heat.length;
   if (heat.pixel > 0) {
@@ -147,11 +124,7 @@ int execute(Arguments& a) {
     fmt::print(stderr, "stopped; nothing was stored\n");
     return other_failure;
   }
-  if (!a.out.empty()) {
-    study::make_folder(a.out);
-    for (const auto& [name, map] : named(maps))
-      if (!map->empty()) write_map(fs::path(a.out) / fmt::format("{}.{}", name, a.format == "hdf5" ? "h5" : a.format == "npy" ? "npy" : "tif"), maps, *map);
-  }
+  if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps));
   const Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds())
     fmt::print(stderr, "heat diffuses {:.3g} pixels far within a cycle, not far less than one: the finest detail of the swing is not adiabatic; raise the load frequency\n",

@@ -51,6 +51,29 @@ TEST(LockInCommand, SaysWhetherTheSwingIsAdiabatic) {
   EXPECT_NEAR(Json::parse(fine.out)["swing_lost_in_finest_detail"].get<double>(), 1 - 1 / std::sqrt(1 + std::pow(0.5818, 2)), 1e-3);
 }
 
+TEST(StepCommand, MeasuresTheJumpAndWritesMaps) {
+  const TemporaryFolder folder;
+  test::SwingingFilm still;
+  still.amplitude = 0;
+  still.drift = 0.2;
+  still.noise = 0.05;
+  Film film = still.draw();
+  for (std::size_t i = 400 * 45; i < film.value.size(); ++i) film.value[i] += 0.75F;
+  io::write_film(folder / "film.npy", film);
+  const std::string step = "step " + (folder / "film.npy").string() + " --frame-rate 148Hz --json";
+  const auto found = arenite(step + " --out " + (folder / "maps").string()), given = arenite(step + " --time 2.7s --rise 0.02s --window 1s");
+  ASSERT_EQ(found.status, 0) << found.err;
+  EXPECT_NEAR(Json::parse(found.out)["time_s"].get<double>(), 399.5 / 148, 1e-6);
+  EXPECT_NEAR(Json::parse(found.out)["median"]["jump"].get<double>(), 0.75, 0.01);
+  EXPECT_TRUE(std::filesystem::exists(folder / "maps" / "jump.tif"));
+  ASSERT_EQ(given.status, 0) << given.err;
+  EXPECT_EQ(Json::parse(given.out)["time"], "given");
+  const auto refused = arenite(step + " --time 9s --out " + (folder / "none").string());
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("film.npy: the step at 9 s is not within the film"), std::string::npos) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "none"));
+}
+
 TEST(LockInCommand, RefusesInOneSentence) {
   const TemporaryFolder folder;
   const std::string film = film_in(folder);

@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace arenite::app {
+
+/// Maps of a film, one number a pixel, with the names of their files.
+struct FilmMaps {
+  int width = 0, height = 0;
+  std::vector<std::pair<const char*, const std::vector<float>*>> named;  ///< empty maps are left out
+};
+
+/// Writes every map into the folder, which is made: NAME.tif, NAME.npy or NAME.h5 for the formats tiff, npy, hdf5.
+void write_maps(const std::string& folder, const std::string& format, const FilmMaps& maps);
+
+/// Of the finite numbers; NaN if there is none.
+double median(std::vector<float> map);
+
+}  // namespace arenite::app

@@ -1,0 +1,101 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "film_maps.hpp"
+#include "io/film.hpp"
+#include "progress.hpp"
+#include "stop_signal.hpp"
+#include "thermography/step_load.hpp"
+
+namespace arenite::app {
+namespace {
+
+struct Arguments {
+  std::string film, time, rise = "0 s", window, out, dataset, format = "tiff", frame_rate;
+  thermography::StepOptions options;
+  bool json = false, quiet = false;
+};
+
+FilmMaps maps_of(const thermography::StepMaps& m) {
+  return {m.width, m.height, {{"jump", &m.jump}, {"standard_error", &m.standard_error}, {"level", &m.level}, {"drift_before", &m.drift_before},
+                              {"drift_after", &m.drift_after}, {"residual", &m.residual}}};
+}
+
+void tell(const thermography::StepMaps& m, const Arguments& a, const FilmInfo& film) {
+  const std::string unit = film.quantity == FilmQuantity::kelvin ? "K" : "level";
+  if (!a.json) {
+    fmt::print("step             {:.6g} s after the first frame{}\n", m.time, a.time.empty() ? ", found on the film" : "");
+    fmt::print("frames           {} before, {} after, of {} x {} pixels\n", m.before, m.after, m.width, m.height);
+    fmt::print("jump             {:.4g} {} (median)\nstandard error   {:.4g} {} (median)\nresidual         {:.4g} {} (median)\n", median(m.jump), unit,
+               median(m.standard_error), unit, median(m.residual), unit);
+    return;
+  }
+  nlohmann::json j{{"time_s", m.time}, {"time", a.time.empty() ? "found on the film" : "given"}, {"frames_before", m.before}, {"frames_after", m.after},
+                   {"width", m.width}, {"height", m.height}, {"drift_order", m.drift_order}, {"unit", unit}};
+  for (const auto& [name, map] : maps_of(m).named) j["median"][name] = median(*map);
+  fmt::print("{}\n", j.dump(2));
+}
+
+int execute(Arguments& a) {
+  thermography::StepOptions& o = a.options;
+  if (!a.time.empty()) o.time = parse_si(a.time, dimension::time, "s");
+  o.rise = parse_si(a.rise, dimension::time, "s");
+  if (!a.window.empty()) o.window = parse_si(a.window, dimension::time, "s");
+  io::FilmChoice choice;
+  choice.dataset = a.dataset;
+  if (!a.frame_rate.empty()) choice.frame_rate = parse_si(a.frame_rate, dimension::frequency, "Hz");
+  const auto film = io::open_film(a.film, choice);
+  watch_for_signals();
+  thermography::StepMaps maps;
+  try {
+    ProgressLine line(a.quiet || a.json);
+    o.progress = [&](double share) {
+      study::Progress progress;
+      progress.stages = 1;
+      progress.name = "frames";
+      progress.share = share;
+      line.show(progress);
+      return !stop_requested();
+    };
+    maps = thermography::step_load(*film, o);
+  } catch (const InputError& error) {
+    auto problems = error.problems();
+    for (auto& problem : problems)
+      if (problem.file.empty()) problem.file = a.film;
+    throw InputError(std::move(problems));
+  }
+  if (maps.size() == 0) {
+    fmt::print(stderr, "stopped; nothing was stored\n");
+    return other_failure;
+  }
+  if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps));
+  tell(maps, a, film->info());
+  return done;
+}
+
+}  // namespace
+
+void add_step(CLI::App& command, int& status) {
+  const auto a = std::make_shared<Arguments>();
+  command.add_option("film", a->film, "Film of a sample whose load steps once")->required()->type_name("FILM");
+  command.add_option("--time", a->time, "Of the middle of the step after the first frame, e.g. \"2.5 s\"; without it found on the film")->type_name("TIME");
+  command.add_option("--rise", a->rise, "That the load takes; frames within are left out; default 0 s")->type_name("TIME");
+  command.add_option("--window", a->window, "Before and after the step that is used; default all of the film")->type_name("TIME");
+  command.add_option("--drift", a->options.drift_order, "Order of the polynomial that pixels drift by on each side; default 1")->type_name("N");
+  command.add_option("--out", a->out, "Folder for the maps; without it nothing is stored")->type_name("DIR");
+  command.add_option("--format", a->format, "Of the maps")->check(CLI::IsMember({"tiff", "npy", "hdf5"}));
+  command.add_option("--frame-rate", a->frame_rate, "Instead of what the film says")->type_name("FREQUENCY");
+  command.add_option("--dataset", a->dataset, "Dataset of an HDF5 file that holds several")->type_name("NAME");
+  command.add_option("--threads", a->options.threads, "Threads; default 1")->check(CLI::Range(1, 256).description(""))->type_name("N");
+  command.add_flag("--json", a->json, "Print all numbers as JSON");
+  command.add_flag("--quiet", a->quiet, "No progress");
+  command.callback([a, &status] { status = execute(*a); });
+}
+
+}  // namespace arenite::app
