@@ -19,12 +19,12 @@ void take_stamps(FilmInfo& info, std::vector<double> stamp) {
       stamp[i] += 86400;
     }
   }
+  const double start = stamp[0];
+  for (double& t : stamp) t -= start;  // before they are compared: rounding may make equal what was not
   if (std::all_of(stamp.begin(), stamp.end(), [&](double t) { return t == stamp[0]; })) return;
   for (std::size_t i = 1; i < stamp.size(); ++i)
-    if (stamp[i] <= stamp[i - 1])
+    if (!(stamp[i] > stamp[i - 1]) || !std::isfinite(stamp[i]))
       return info.remarks.push_back(fmt::format("The time stamp of frame {} is not after that of the frame before; stamps are left aside.", i));
-  const double start = stamp[0];
-  for (double& t : stamp) t -= start;
   info.time = std::move(stamp);
 }
 
