@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -13,6 +13,7 @@
 #include "io/film_times.hpp"
 #include "io/hdf5_handle.hpp"
 #include "io/hdf5_numbers.hpp"
+#include "io/own_process.hpp"
 #include "io/plain_film.hpp"
 
 namespace arenite::io {
@@ -27,6 +28,7 @@ Hdf5Handle open(const ByteSource& bytes) {
   }
   std::string copy = bytes.text(0, bytes.size());
   if (copy.empty()) return nullptr;
+  done(H5Pset_libver_bounds(*in_memory, H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST));
   done(H5Pset_file_image(*in_memory, copy.data(), copy.size()));
   return own(H5Fopen(unused_name().c_str(), H5F_ACC_RDONLY, *in_memory), H5Fclose);
 }
@@ -119,31 +121,63 @@ std::vector<double> times_beside(hid_t file, const Bytes& bytes, const std::stri
   return {};
 }
 
+std::string chosen(hid_t file, const std::string& name, const FilmChoice& choice) {
+  if (!choice.dataset.empty()) return choice.dataset;
+  const auto found = films_in(file);
+  if (found.size() == 1) return found.front();
+  if (found.empty()) throw InputError(name, 0, "is an HDF5 file of another program and holds no dataset of numbers with three dimensions (frames x height x width); give a film");
+  throw InputError(name, 0, fmt::format("holds {} datasets that can be films; choose one with --dataset: {}", found.size(), fmt::join(found, ", ")));
+}
+
+Hdf5Handle opened(const Bytes& bytes) {
+  auto id = open(*bytes);
+  if (!id) throw InputError(bytes->name(), 0, "is an HDF5 file that is cut short or damaged; copy it again");
+  return id;
+}
+
+Hdf5Handle film_in(const Hdf5Handle& file, const Bytes& bytes, const std::string& name) {
+  auto set = own(H5Dopen2(*file, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!set || !can_be_film(*set))
+    throw InputError(bytes->name(), 0, fmt::format("has no dataset \"{}\" of frames x height x width; it has: {}", name, fmt::join(films_in(*file), ", ")));
+  return set;
+}
+
+/// What the file says of its film.
+struct Facts {
+  std::string name, notes;
+  std::vector<std::int64_t> shape;
+  Sample sample = Sample::u16;
+  bool big_endian = false;
+  double frame_rate = 0, integration = 0;
+  std::vector<double> time;
+};
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Facts, name, notes, shape, sample, big_endian, frame_rate, integration, time)
+
+Facts look(const Bytes& bytes, const FilmChoice& choice) {
+  Facts facts;
+  const auto file = opened(bytes);
+  facts.name = chosen(*file, bytes->name(), choice);
+  const auto set = film_in(file, bytes, facts.name);
+  facts.shape = shape_of(*set);
+  check_film_size(bytes->name(), facts.shape[2], facts.shape[1], facts.shape[0], choice);
+  const Hdf5Numbers numbers(set, facts.name, bytes, most_in_chunk(choice));
+  facts.sample = numbers.type().sample;
+  facts.big_endian = numbers.type().big_endian;
+  facts.notes = text_attribute(*set, "notes");
+  for (const hid_t at : {static_cast<hid_t>(*set), static_cast<hid_t>(*file)}) {
+    if (facts.frame_rate == 0) facts.frame_rate = number_attribute(at, {"frame_rate", "frame_rate_Hz", "fps"});
+    if (facts.integration == 0) facts.integration = number_attribute(at, {"integration", "integration_s"});
+  }
+  if (!choice.frame_rate) facts.time = times_beside(*file, bytes, facts.name, facts.shape[0]);
+  return facts;
+}
+
+/// HDF5 trusts what it reads: it is used in a process of its own, which a damaged file may bring down.
 class Hdf5Film : public FilmSource {
  public:
-  Hdf5Film(const Bytes& bytes, const FilmChoice& choice) : file_(bytes->name()), id_(open(*bytes)) {
-    if (!id_) throw InputError(file_, 0, "is an HDF5 file that is cut short or damaged; copy it again");
-    const std::string name = chosen(choice);
-    set_ = own(H5Dopen2(*id_, name.c_str(), H5P_DEFAULT), H5Dclose);
-    if (!set_ || !can_be_film(*set_))
-      throw InputError(file_, 0, fmt::format("has no dataset \"{}\" of frames x height x width; it has: {}", name, fmt::join(films_in(*id_), ", ")));
-    const auto shape = shape_of(*set_);
-    check_film_size(file_, shape[2], shape[1], shape[0], choice);
-    numbers_.emplace(set_, name, bytes, most_in_chunk(choice));
-    const Hdf5Sample& type = numbers_->type();
-    info_.format = "hdf5";
-    info_.frames = shape[0];
-    info_.height = static_cast<int>(shape[1]);
-    info_.width = static_cast<int>(shape[2]);
-    info_.floating = !is_level(type.sample);
-    if (!info_.floating) info_.bits = static_cast<int>(8 * bytes_of(type.sample));
-    take_notes(text_attribute(*set_, "notes"), info_);
-    for (const hid_t at : {static_cast<hid_t>(*set_), static_cast<hid_t>(*id_)}) {
-      if (info_.frame_rate == 0) info_.frame_rate = number_attribute(at, {"frame_rate", "frame_rate_Hz", "fps"});
-      if (info_.integration == 0) info_.integration = number_attribute(at, {"integration", "integration_s"});
-    }
-    if (!choice.frame_rate) take_stamps(info_, times_beside(*id_, bytes, name, info_.frames));
-    take_choice(info_, choice);
+  Hdf5Film(const Bytes& bytes, const FilmChoice& choice) : bytes_(bytes), most_(most_in_chunk(choice)) {
+    H5open();  // once, for all processes that follow
+    take(told([&] { return look(bytes, choice); }), choice);
     FrameBlock last;  // what is cut short lacks it
     read(info_.frames - 1, 1, last);
   }
@@ -152,25 +186,67 @@ class Hdf5Film : public FilmSource {
 
   void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
     prepare(info_, first, count, block);
-    if (count == 0) return;
-    numbers_->read(static_cast<hsize_t>(first), count, stored_);
-    take_pixels(layout_of(numbers_->type()), stored_.data(), count * info_.pixels(), info_.floating ? nullptr : block.level.data(),
-                info_.floating ? block.value.data() : nullptr);
+    const std::size_t pixels = info_.pixels(), at_once = std::max<std::size_t>(1, most_at_once / (pixels * bytes_of(layout_.sample)));
+    for (std::size_t n = 0; n < count; n += at_once) {
+      const std::size_t part = std::min(at_once, count - n), size = part * pixels * bytes_of(layout_.sample);
+      const std::string stored = in_own_process(bytes_->name(), [&] { return frames(static_cast<hsize_t>(first) + n, part); }, size, room());
+      if (stored.size() != size) refuse();
+      take_pixels(layout_, stored.data(), part * pixels, info_.floating ? nullptr : block.level.data() + n * pixels,
+                  info_.floating ? block.value.data() + n * pixels : nullptr);
+    }
   }
 
  private:
-  std::string chosen(const FilmChoice& choice) const {
-    if (!choice.dataset.empty()) return choice.dataset;
-    const auto found = films_in(*id_);
-    if (found.size() == 1) return found.front();
-    if (found.empty()) throw InputError(file_, 0, "is an HDF5 file of another program and holds no dataset of numbers with three dimensions (frames x height x width); give a film");
-    throw InputError(file_, 0, fmt::format("holds {} datasets that can be films; choose one with --dataset: {}", found.size(), fmt::join(found, ", ")));
+  static constexpr std::size_t most_at_once = std::size_t{32} << 20, most_told = std::size_t{2} << 30;  // bytes
+
+  [[noreturn]] void refuse() const { throw InputError(bytes_->name(), 0, "is an HDF5 file that is cut short or damaged; copy it again"); }
+  /// A file in memory is copied by HDF5.
+  std::size_t room() const { return bytes_->path() != nullptr ? 0 : 3 * static_cast<std::size_t>(bytes_->size()); }
+
+  template <class Work>
+  Facts told(const Work& work) const {
+    const auto packed = [&] {
+      const auto bytes = nlohmann::json::to_cbor(nlohmann::json(work()));
+      return std::string(bytes.begin(), bytes.end());
+    };
+    try {
+      return nlohmann::json::from_cbor(in_own_process(bytes_->name(), packed, most_told, room())).template get<Facts>();
+    } catch (const nlohmann::json::exception&) {
+      refuse();
+    }
   }
 
-  std::string file_;
-  Hdf5Handle id_, set_;
-  std::optional<Hdf5Numbers> numbers_;
-  std::string stored_;  ///< bytes of the frames that are read
+  void take(const Facts& facts, const FilmChoice& choice) {
+    if (facts.shape.size() != 3 || bytes_of(facts.sample) == 0) refuse();
+    check_film_size(bytes_->name(), facts.shape[2], facts.shape[1], facts.shape[0], choice);
+    name_ = facts.name;
+    layout_.sample = facts.sample;
+    layout_.big_endian = facts.big_endian;
+    info_.format = "hdf5";
+    info_.frames = facts.shape[0];
+    info_.height = static_cast<int>(facts.shape[1]);
+    info_.width = static_cast<int>(facts.shape[2]);
+    info_.floating = !is_level(facts.sample);
+    if (!info_.floating) info_.bits = static_cast<int>(8 * bytes_of(facts.sample));
+    take_notes(facts.notes, info_);
+    if (info_.frame_rate == 0) info_.frame_rate = facts.frame_rate;
+    if (info_.integration == 0) info_.integration = facts.integration;
+    if (!choice.frame_rate) take_stamps(info_, facts.time);
+    take_choice(info_, choice);
+  }
+
+  /// In the process of its own.
+  std::string frames(hsize_t first, hsize_t count) const {
+    const auto file = opened(bytes_);
+    std::string stored;
+    Hdf5Numbers(film_in(file, bytes_, name_), name_, bytes_, most_).read(first, count, stored);
+    return stored;
+  }
+
+  Bytes bytes_;
+  double most_;
+  std::string name_;
+  PlainLayout layout_;
   FilmInfo info_;
 };
 
