@@ -37,6 +37,8 @@ void add_lockin(CLI::App& command, int& status);
 void add_step(CLI::App& command, int& status);
 void add_measure(CLI::App& command, int& status);
 void add_identify(CLI::App& command, int& status);
+void add_film(CLI::App& command, int& status);
+void add_camera(CLI::App& command, int& status);
 void add_doctor(CLI::App& command, int& status);
 void add_completion(CLI::App& command, int& status);
 void add_man(CLI::App& command, int& status);

@@ -31,6 +31,7 @@ struct Canvas {
   int width, height;
   double step, left, top;           ///< of the first point, m
   std::vector<float> light;
+  std::vector<float> depth;         ///< of the point in the grain that is seen there, m^2: power distance, below 0
   double x(int c) const { return left + c * step; }
   double y(int r) const { return top - r * step; }
 };
@@ -43,11 +44,12 @@ Vec2 middle_of(const Scene& scene) {
 /// The canvas reaches beyond the picture by what the lens brings in.
 Canvas canvas_for(const Scene& scene, const Optics& optics, int margin) {
   const int n = static_cast<int>(optics.supersampling);
-  Canvas canvas{static_cast<int>(optics.width) * n + 2 * margin, static_cast<int>(optics.height) * n + 2 * margin, optics.pixel / n, 0, 0, {}};
+  Canvas canvas{static_cast<int>(optics.width) * n + 2 * margin, static_cast<int>(optics.height) * n + 2 * margin, optics.pixel / n, 0, 0, {}, {}};
   const Vec2 middle = middle_of(scene);
   canvas.left = middle.x - 0.5 * (canvas.width - 1) * canvas.step;
   canvas.top = middle.y + 0.5 * (canvas.height - 1) * canvas.step;
   canvas.light.resize(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height));
+  canvas.depth.assign(canvas.light.size(), 0.0f);
   return canvas;
 }
 
@@ -66,9 +68,10 @@ void paint_frame(Canvas& canvas, const Scene& scene, double s, float background,
   }
 }
 
-/// Calls paint(point of the canvas, offset from the centre) for every point in the disk.
+/// Calls paint(point of the canvas, offset from the centre) for every point in the disk. Grains that press on each other are
+/// parted by a straight line: a point in both belongs to the one whose rim is further away.
 template <class Paint>
-void each_point(const Canvas& canvas, Vec2 centre, double radius, Paint paint) {
+void each_point(Canvas& canvas, Vec2 centre, double radius, Paint paint) {
   const auto clamped = [](double v, int n) { return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(n))); };
   const int r0 = clamped(std::ceil((canvas.top - centre.y - radius) / canvas.step), canvas.height);
   const int r1 = clamped(std::floor((canvas.top - centre.y + radius) / canvas.step) + 1, canvas.height);
@@ -77,8 +80,14 @@ void each_point(const Canvas& canvas, Vec2 centre, double radius, Paint paint) {
     const double half = std::sqrt(std::max(0.0, radius * radius - dy * dy));
     const int c0 = clamped(std::ceil((centre.x - half - canvas.left) / canvas.step), canvas.width);
     const int c1 = clamped(std::floor((centre.x + half - canvas.left) / canvas.step) + 1, canvas.width);
-    for (int c = c0; c < c1; ++c)
-      paint(static_cast<std::size_t>(r) * static_cast<std::size_t>(canvas.width) + static_cast<std::size_t>(c), canvas.x(c) - centre.x, dy);
+    for (int c = c0; c < c1; ++c) {
+      const auto at = static_cast<std::size_t>(r) * static_cast<std::size_t>(canvas.width) + static_cast<std::size_t>(c);
+      const double dx = canvas.x(c) - centre.x;
+      const auto power = static_cast<float>(dx * dx + dy * dy - radius * radius);
+      if (power >= canvas.depth[at]) continue;
+      canvas.depth[at] = power;
+      paint(at, dx, dy);
+    }
   }
 }
 

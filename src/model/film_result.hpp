@@ -32,11 +32,11 @@ struct FilmResult {
   Vec2 origin;                      ///< centre of the upper left pixel, m; x right, y up
   std::vector<float> picture;       ///< mean of the frames at the smallest load, K
   std::vector<std::uint8_t> bad;    ///< 1 for pixels that were replaced
-  LockinMaps maps;                  ///< in the grains' own frames where motion was taken out
+  LockinMaps maps;                  ///< where motion was taken out, with the grains as they are at the largest load
   PictureGrains grains;             ///< at the smallest load
   GrainMotion motion;               ///< empty where none was fitted
   GrainSwing swing;
-  Packing packing;                  ///< in metres at the middle of the swing; forces are those of the swing
+  Packing packing;                  ///< in metres at the largest load; forces are those of the swing
   std::vector<double> fn_error, ft_error;  ///< N, one a contact
   std::vector<std::uint8_t> absent; ///< 1 for contacts that may not be there
   FilmTwin twin;

@@ -4,44 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "statistics/text.hpp"
+#include "report/number_lines.hpp"
 
 namespace arenite::report {
 namespace {
 
 using Json = nlohmann::json;
-
-/// "0.842 +- 0.003"; empty where it is not known.
-std::string shown(const Json& j) {
-  if (j.is_number_integer()) return j.dump();
-  if (j.is_number()) return fmt::format("{:.5g}", j.get<double>());
-  if (j.is_boolean()) return j.get<bool>() ? "yes" : "no";
-  if (j.is_string()) return j.get<std::string>();
-  if (!j.is_object() || !j.contains("value") || j["value"].is_null()) return {};
-  const double value = j["value"];
-  return j.contains("error") && j["error"].is_number() ? statistics::with_error({value, j["error"]}) : fmt::format("{:.5g}", value);
-}
-
-class Lines {
- public:
-  explicit Lines(const Json& root) : root_(root) {}
-
-  void heading(const std::string& text) { text_ += "\n" + text + "\n"; }
-  /// The value at a path such as "/phases/particle", if it is there.
-  void add(const std::string& name, const std::string& path, const char* unit = "") {
-    const Json::json_pointer at(path);
-    if (!root_.contains(at)) return;
-    const std::string value = shown(root_[at]);
-    if (!value.empty()) text_ += fmt::format("  {:<34} {}{}{}\n", name, value, *unit ? " " : "", unit);
-  }
-  void raw(const std::string& line) { text_ += line + "\n"; }
-  bool has(const std::string& path) const { return root_.contains(Json::json_pointer(path)); }
-  std::string text() && { return std::move(text_); }
-
- private:
-  const Json& root_;
-  std::string text_;
-};
+using Lines = NumberLines;
 
 void describe_sample(Lines& lines) {
   lines.heading("Sample on the nodes");

@@ -7,10 +7,12 @@
 
 #include "core/error.hpp"
 #include "io/field_file.hpp"
+#include "io/film_result_file.hpp"
 #include "io/run_folder.hpp"
 #include "io/sealed_file.hpp"
 #include "io/stage_file.hpp"
 #include "report/field_text.hpp"
+#include "report/film_text.hpp"
 #include "study/recipe.hpp"
 #include "study/run.hpp"
 #include "texture/texture.hpp"
@@ -132,6 +134,10 @@ Summary::Summary(const std::filesystem::path& result) {
       fields_.push_back({file.filename().string(), field.name, field.outcome, field.numbers_json, field.converged, field.provenance});
       continue;
     }
+    if (io::sealed_kind(file) == "film") {
+      films_.push_back(io::read_film_result(file));
+      continue;
+    }
     Stage stage{file.filename().string(), io::read_stage(file), 0};
     stage.states = stage.result.frames.size();
     if (stage.states > 1) stage.result.frames.erase(stage.result.frames.begin(), stage.result.frames.end() - 1);
@@ -159,6 +165,7 @@ Summary::Summary(const study::RunOutcome& outcome) {
 }
 
 std::string Summary::json() const {
+  if (!films_.empty()) return film_json(films_.back());
   const Json texture = stages_.empty() ? Json::object() : last_texture(stages_.back().result);
   Json j = fields_.empty() ? texture : Json::parse(fields_.back().numbers_json);
   if (!fields_.empty() && !stages_.empty()) j["texture"] = texture;
@@ -176,6 +183,7 @@ std::string Summary::json() const {
 }
 
 std::string Summary::text() const {
+  if (!films_.empty()) return made_by(films_.back().provenance) + film_text(films_.back());
   Lines lines;
   lines.heading("Stages");
   for (const Stage& stage : stages_) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/field_result.hpp"
+#include "model/film_result.hpp"
 
 namespace arenite::study {
 struct RunOutcome;
@@ -13,7 +14,7 @@ namespace arenite::report {
 
 /// A result in a few numbers: what made it, how every stage ended, and the last state with its walls, equilibrium,
 /// energies and texture. The JSON's texture is the one stored with the result, or measured now if none is. Where the run went
-/// on to nodes, the numbers are those of the last result on them.
+/// on to nodes, the numbers are those of the last result on them; of a film, they are the film's.
 class Summary {
  public:
   /// Reads a stage file or the stage files of a run's folder. Throws InputError for anything else.
@@ -37,6 +38,7 @@ class Summary {
   };
   std::vector<Stage> stages_;
   std::vector<Field> fields_;  ///< after the stages
+  std::vector<FilmResult> films_;
 };
 
 /// One field by itself, as text for people and as JSON.

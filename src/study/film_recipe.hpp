@@ -23,6 +23,7 @@ struct FilmFrame {
   double width = 0, height = 0, thickness = 0;  ///< m
   std::optional<double> left, top;  ///< its inner upper left corner in the picture, pixels; centred if not given
   double load_swing = 0;            ///< force on the lower wall, largest less smallest, N; 0: not known
+  double travel = 0;                ///< of the lower wall, upwards, from the smallest to the largest load, m
   bool operator==(const FilmFrame&) const = default;
 };
 
@@ -55,6 +56,7 @@ struct LockinSection {
   double frequency = 0;             ///< Hz
   Method method = Method::least_squares;
   std::int64_t drift = 2, harmonics = 2;
+  std::optional<double> phase;      ///< when the load is largest, cycles after the first frame; found on the film if not given
   bool motion = true;               ///< grains' motion is fitted and taken out
   bool operator==(const LockinSection&) const = default;
 };

@@ -22,6 +22,7 @@ void declare(Visitor& v, FilmFrame& frame) {
   v.number({"left", "Column of the frame's inner left side in the film; unless given, the frame is in the middle."}, frame.left, "", range::any);
   v.number({"top", "Row of its inner upper side, from the top."}, frame.top, "", range::any);
   v.number({"load_swing", "Force on the lower wall, largest less smallest; 0: not known."}, frame.load_swing, "kN", range::not_negative);
+  v.number({"travel", "Way of the lower wall, upwards, from the smallest to the largest load."}, frame.travel, "mm", range::any);
 }
 
 void declare(Visitor& v, PictureSection& picture) {
@@ -63,8 +64,10 @@ void declare(Visitor& v, LockinSection& lockin) {
   v.number({"frequency", "Of the load; it is refined on the film.", true}, lockin.frequency, "Hz", range::positive);
   v.choice({"method", "How a swing is found in the film."}, lockin.method,
            {{"least_squares", "drift and harmonics fitted to every pixel"}, {"nearest_bin", "plain Fourier transform, as in the thesis"}});
-  v.integer({"drift", "Order of the polynomial that slow changes follow."}, lockin.drift, {0, 6});
-  v.integer({"harmonics", "Multiples of the load frequency that are fitted."}, lockin.harmonics, {1, 8});
+  v.integer({"drift", "Order of the polynomial that slow changes follow."}, lockin.drift, {0, 8});
+  v.integer({"harmonics", "Multiples of the load frequency that are fitted."}, lockin.harmonics, {1, 4});
+  v.number({"phase", "When the load is largest, in cycles after the first frame; unless given, it is found on the film."}, lockin.phase, "",
+           range::between(-1, 1));
   v.flag({"motion", "Motion of the grains is fitted and taken out."}, lockin.motion);
 }
 

@@ -57,7 +57,7 @@ void declare(ParameterVisitor& v, CameraSection& camera) {
   v.number({"band_high", "Longest wavelength."}, camera.parameters.band.high, "um", range::positive);
   v.require(camera.parameters.band.high > camera.parameters.band.low, {"band_high", "band_low"}, "must be above band_low");
   v.flag({"motion", "Grains move between their places in the two states."}, camera.parameters.motion);
-  v.number({"contact_arc", "Half angle over which a contact presses on a grain; 0: a point."}, camera.parameters.contact_arc, "deg", range::between(0, 0.8));
+  v.number({"contact_arc", "Half angle over which a contact presses on a grain, rad; 0: a point."}, camera.parameters.contact_arc, "", range::between(0, 0.8));
   v.integer({"plate_frames", "Frames in each of the two films of an even plate."}, camera.plate_frames, {1, 1'000'000});
   v.number({"plate_cold", "Temperature of the first plate."}, camera.plate_cold, "K", range::positive);
   v.number({"plate_warm", "Temperature of the second plate."}, camera.plate_warm, "K", range::positive);

@@ -57,21 +57,21 @@ std::vector<double> joined(const std::vector<std::vector<double>>& parts) {
 }  // namespace
 
 LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, const PictureGrains& grains, const GrainMotion& motion,
-                         std::optional<double> told_phase, int threads) {
+                         const PictureGrains& shown, std::optional<double> told_phase, int threads) {
   LockinMaps result = maps;
   const double factor = maps.convention == SwingConvention::full ? 2 : 1, spread = factor * std::sqrt(2 / static_cast<double>(maps.frames));
-  const std::vector<std::int32_t> owner = owners(grains, maps.width, maps.height);
+  const std::vector<std::int32_t> owner = owners(shown, maps.width, maps.height);
   std::vector<std::vector<double>> cosine(grains.size()), sine(grains.size());
   const auto follow = [&](std::size_t i) {
     const SwingOfPixels fit(pictures, motion.cos_x[i], motion.sin_x[i], motion.cos_y[i], motion.sin_y[i]);
-    const double x = grains.x[i], y = grains.y[i], r = grains.radius[i];
+    const double x = shown.x[i], y = shown.y[i], r = shown.radius[i];
     const auto first = [](double v) { return std::max(0, static_cast<int>(std::ceil(v))); };
     for (int row = first(y - r); row <= std::min(maps.height - 1, static_cast<int>(std::floor(y + r))); ++row)
       for (int column = first(x - r); column <= std::min(maps.width - 1, static_cast<int>(std::floor(x + r))); ++column) {
         const double out = std::hypot(column - x, row - y);
         const auto p = static_cast<std::size_t>(row) * static_cast<std::size_t>(maps.width) + static_cast<std::size_t>(column);
         if (out > r || owner[p] != static_cast<std::int32_t>(i)) continue;
-        const Followed f = fit.follow(pictures, column, row);
+        const Followed f = fit.follow(pictures, column + grains.x[i] - x, row + grains.y[i] - y);
         put(result, p, f, factor, spread);
         if (out > 0.7 * r) continue;
         cosine[i].push_back(f.cosine);

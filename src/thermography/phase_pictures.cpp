@@ -85,4 +85,13 @@ PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const Loc
   return result;
 }
 
+std::vector<float> picture_of(const PhasePictures& pictures, std::size_t k) {
+  std::vector<float> values;
+  values.reserve(pictures.pixels());
+  for (int row = 0; row < pictures.height; ++row)
+    for (int column = 0; column < pictures.width; ++column)
+      values.push_back(static_cast<float>(Resampled(pictures.width, pictures.height, column, row).of(pictures.picture(k))));
+  return values;
+}
+
 }  // namespace arenite::thermography

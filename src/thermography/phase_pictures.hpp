@@ -27,4 +27,7 @@ struct PhasePictures {
 /// have no picture. Empty if `options.progress` stopped it.
 PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const LockinOptions& options, std::size_t parts = 48);
 
+/// One of the pictures itself, rows from the top.
+std::vector<float> picture_of(const PhasePictures& pictures, std::size_t k);
+
 }  // namespace arenite::thermography

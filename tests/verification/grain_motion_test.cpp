@@ -26,7 +26,7 @@ Seen look(const test::MovingDisks& disks) {
   seen.still = lock_in(film, o);
   const PhasePictures pictures = phase_pictures(film, seen.still, o);
   seen.motion = grain_motion(pictures, seen.grains);
-  seen.moving = follow_grains(pictures, seen.still, seen.grains, seen.motion);
+  seen.moving = follow_grains(pictures, seen.still, seen.grains, seen.motion, seen.grains);
   for (std::size_t i = 0; i < seen.grains.size(); ++i) {
     const double off = std::hypot(std::hypot(seen.motion.cos_x[i] + disks.amplitude_x(i), seen.motion.cos_y[i] + disks.amplitude_y(seen.grains, i)),
                                   std::hypot(seen.motion.sin_x[i], seen.motion.sin_y[i]));

@@ -1,0 +1,58 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.hpp"
+#include "io/film_writer.hpp"
+#include "progress.hpp"
+#include "stop_signal.hpp"
+#include "study/shoot_film.hpp"
+
+namespace arenite::app {
+namespace {
+
+struct Arguments {
+  std::string result, recipe, out = "out/film", format = "ptw";
+  std::vector<std::string> overrides;
+  bool quiet = false;
+};
+
+int execute(const Arguments& a) {
+  const auto recipe = study::read_film_recipe(a.recipe, a.overrides);
+  watch_for_signals();
+  std::vector<std::filesystem::path> files;
+  {
+    ProgressLine line(a.quiet);
+    study::ShootOptions options;
+    options.out = a.out;
+    options.format = a.format;
+    options.progress = [&](double share) {
+      line.show({1, 2, "film", share, 0, 0, false, false});
+      return !stop_requested();
+    };
+    files = study::shoot_film(recipe, a.result, options);
+  }
+  if (files.empty()) {
+    fmt::print(stderr, "stopped; the film is not written\n");
+    return other_failure;
+  }
+  for (const auto& file : files) fmt::print("{}\n", file.string());
+  fmt::print("\nnow `arenite film {} --recipe {}`\n", files.front().string(), files.back().string());
+  return done;
+}
+
+}  // namespace
+
+void add_camera(CLI::App& command, int& status) {
+  const auto a = std::make_shared<Arguments>();
+  command.add_option("result", a->result, "Folder of a run, or a stage file (.h5), whose states are filmed")->required()->type_name("RESULT");
+  command.add_option("--recipe", a->recipe, "Recipe of the film with its [camera] (TOML)")->required()->type_name("RECIPE.toml");
+  add_overrides(command, a->overrides);
+  command.add_option("--out", a->out, "Folder of the film, its plates and its recipe (default: out/film)")->type_name("DIR");
+  command.add_option("--format", a->format, "Format of the films")->check(CLI::IsMember(io::film_formats_to_write()));
+  command.add_flag("--quiet", a->quiet, "No progress");
+  command.callback([a, &status] { status = execute(*a); });
+}
+
+}  // namespace arenite::app

@@ -1,0 +1,98 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "commands.hpp"
+#include "progress.hpp"
+#include "report/film_text.hpp"
+#include "report/page.hpp"
+#include "stop_signal.hpp"
+#include "study/film_road.hpp"
+
+namespace arenite::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string film, recipe, out;
+  std::vector<std::string> overrides;
+  int threads = 1;
+  bool json = false, quiet = false;
+};
+
+/// The packing with the forces that were inferred, as a stage that the page draws like simulated ones.
+StageResult measured_stage(const FilmResult& film) {
+  StageResult stage;
+  stage.name = "measured swing";
+  stage.provenance = film.provenance;
+  stage.outcome = film.outcome;
+  Frame frame;
+  frame.label = "swing between the smallest and the largest load";
+  frame.packing = film.packing;
+  stage.frames.push_back(std::move(frame));
+  return stage;
+}
+
+void write_page(const fs::path& path, const std::string& title, const study::FilmOutcome& outcome) {
+  const StageResult stage = measured_stage(outcome.result);
+  report::PageData data;
+  data.title = title;
+  data.films.push_back({&outcome.result, {}});
+  if (!outcome.result.packing.grains.x.empty()) {
+    data.stages.push_back(&stage);
+    texture::Options options;
+    options.grain_sigma_hyd = outcome.result.swing.sigma_hyd;
+    data.textures.push_back({0, 0, texture::measure(stage.frames[0].packing, options)});
+  }
+  for (const StageResult& twin : outcome.twin) {
+    data.stages.push_back(&twin);
+    if (!twin.frames.empty())
+      data.textures.push_back({data.stages.size() - 1, twin.frames.size() - 1, texture::measure(twin.frames.back().packing)});
+  }
+  report::write_page(path, data);
+}
+
+int execute(const Arguments& a) {
+  const auto recipe = study::read_film_recipe(a.recipe, a.overrides);
+  const fs::path folder = a.out.empty() ? fs::path("out") / fs::path(a.film).stem() : fs::path(a.out);
+  watch_for_signals();
+  study::FilmOutcome outcome;
+  {
+    ProgressLine line(a.quiet);
+    study::FilmRunOptions options;
+    options.out = folder;
+    options.threads = a.threads;
+    options.asked_to_stop = stop_requested;
+    options.progress = [&](const study::Progress& progress) { line.show(progress); };
+    options.notice = [&](const std::string& sentence) { line.notice(sentence); };
+    outcome = study::run_film(a.film, recipe, options);
+  }
+  if (outcome.interrupted) {
+    fmt::print(stderr, "stopped; what the twin had computed is kept in {}\n", folder.string());
+    return other_failure;
+  }
+  const fs::path page = folder / "report.html";
+  write_page(page, recipe.title.empty() ? fs::path(a.film).filename().string() : recipe.title, outcome);
+  fmt::print("{}", a.json ? report::film_json(outcome.result) : report::film_text(outcome.result));
+  if (!a.json) fmt::print("\nresult: {}\npage:   {}   (open it in a browser)\n", outcome.file.string(), page.string());
+  return outcome.result.converged ? done : not_converged;
+}
+
+}  // namespace
+
+void add_film(CLI::App& command, int& status) {
+  const auto a = std::make_shared<Arguments>();
+  command.add_option("film", a->film, "Film of a cyclically loaded packing: .ptw, .sfmov, .hcc, TIFF, .npy, HDF5, text or raw frames")->required()->type_name("FILM");
+  command.add_option("--recipe", a->recipe, "Recipe of the film (TOML); `arenite init film` writes one")->required()->type_name("RECIPE.toml");
+  add_overrides(command, a->overrides);
+  command.add_option("--out", a->out, "Folder of the result, the twin and the page (default: out/NAME)")->type_name("DIR");
+  command.add_option("--threads", a->threads, "Threads; they change no bit of the results")->check(CLI::Range(1, 1024).description(""))->type_name("N");
+  command.add_flag("--json", a->json, "Print all numbers as JSON");
+  command.add_flag("--quiet", a->quiet, "No progress");
+  command.callback([a, &status] { status = execute(*a); });
+}
+
+}  // namespace arenite::app

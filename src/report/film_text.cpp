@@ -1,0 +1,82 @@
+#include "report/film_text.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "report/number_lines.hpp"
+
+namespace arenite::report {
+namespace {
+
+using Json = nlohmann::json;
+
+void describe_film(NumberLines& lines, const FilmResult& r) {
+  lines.heading("Film");
+  lines.add("camera", "/film/camera");
+  lines.add("format", "/film/format");
+  lines.add("frames", "/film/frames");
+  lines.add("frames in a second", "/film/frame_rate_Hz", "Hz");
+  lines.add("pixels that were replaced", "/film/bad_pixels");
+  lines.heading(fmt::format("Lock-in ({} swings)", r.maps.convention == SwingConvention::full ? "full" : "half"));
+  lines.add("frequency of the load", "/lockin/frequency_Hz", "Hz");
+  lines.add("phase of the load", "/lockin/reference_phase_deg", "deg");
+  lines.add("standard error of a pixel", "/lockin/standard_error_K", "K");
+  lines.add("residual of a frame", "/lockin/residual_K", "K");
+  lines.add("second harmonic", "/lockin/second_harmonic_K", "K");
+}
+
+void describe_grains(NumberLines& lines, const FilmResult& r) {
+  lines.heading("Grains");
+  lines.add("all", "/grains/all");
+  for (const Material& m : r.packing.materials) lines.add(m.name, "/grains/" + m.name);
+  lines.add("error of a centre", "/grains/position_error_pixels", "pixels");
+  lines.add("travel, median", "/motion/median_travel_pixels", "pixels");
+  lines.add("travel, largest", "/motion/largest_travel_pixels", "pixels");
+  if (!lines.has("/texture/sigma_norm")) return;
+  lines.heading("Swing of the grains' stress over its mean");
+  lines.add("P_0, share above the mean", "/texture/sigma_norm/P0");
+  lines.add("beta of the tail", "/texture/sigma_norm/beta");
+}
+
+void describe_forces(NumberLines& lines) {
+  if (!lines.has("/forces/proposed")) return;
+  lines.heading("Contact forces (swing)");
+  lines.add("contacts proposed", "/forces/proposed");
+  lines.add("of these perhaps absent", "/forces/absent");
+  lines.add("mean normal force", "/forces/mean_N", "N");
+  lines.add("share above the mean", "/forces/share_above_mean");
+  lines.add("standard error, normal", "/forces/fn_error_N", "N");
+  lines.add("standard error, tangential", "/forces/ft_error_N", "N");
+}
+
+void describe_twin(NumberLines& lines) {
+  if (!lines.has("/twin")) return;
+  lines.heading("Simulation beside the film");
+  for (const auto& [what, words] : {std::pair{"swing", "swing"}, {"state", "state at the largest load"}}) {
+    lines.add(fmt::format("{}: correlation", words), fmt::format("/twin/{}/all/correlation", what));
+    lines.add(fmt::format("{}: rms of sigma_norm", words), fmt::format("/twin/{}/all/rms_sigma_norm", what));
+  }
+}
+
+}  // namespace
+
+std::string film_text(const FilmResult& r) {
+  const Json numbers = Json::parse(r.numbers_json);
+  NumberLines lines(numbers);
+  describe_film(lines, r);
+  describe_grains(lines, r);
+  describe_forces(lines);
+  describe_twin(lines);
+  return r.outcome + "\n" + std::move(lines).text();
+}
+
+std::string film_json(const FilmResult& r) {
+  auto j = nlohmann::ordered_json::parse(r.numbers_json);
+  const Provenance& p = r.provenance;
+  j["provenance"] = {{"version", p.version}, {"stage", p.stage}, {"input_hash", p.input_hash}, {"recipe", p.recipe}};
+  j["outcome"] = r.outcome;
+  return j.dump(2) + "\n";
+}
+
+}  // namespace arenite::report

@@ -1,0 +1,24 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/film.hpp"
+#include "study/film_recipe.hpp"
+#include "thermography/correction.hpp"
+
+namespace arenite::study {
+
+/// What is done to a film before it is looked at, as its recipe says.
+struct FilmCorrection {
+  thermography::Correction correction;
+  std::vector<std::uint8_t> bad;    ///< 1 for pixels that are replaced
+  bool kelvin = false;              ///< what comes out are temperatures
+  std::vector<std::string> notes;   ///< what a user should know: constant or saturated pixels
+};
+
+/// Reads plates and curve, and looks at the film's first frames for bad pixels. Throws InputError for plates of another size
+/// and films that do not hold what [temperature] says.
+FilmCorrection make_correction(const FilmRecipe& recipe, FilmSource& film);
+
+}  // namespace arenite::study

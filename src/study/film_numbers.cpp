@@ -1,0 +1,138 @@
+#include "study/film_numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "statistics/correlation.hpp"
+#include "statistics/json.hpp"
+#include "texture/texture.hpp"
+
+namespace arenite::study {
+namespace {
+
+using statistics::Json;
+
+double median(std::vector<double> values) {
+  if (values.empty()) return statistics::unknown;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double median_of(const std::vector<float>& values) { return median({values.begin(), values.end()}); }
+
+Json film_of(const FilmResult& r) {
+  return {{"format", r.film.format}, {"camera", r.film.camera}, {"width", r.film.width}, {"height", r.film.height}, {"frames", r.film.frames},
+          {"frame_rate_Hz", r.film.frame_rate}, {"pixel_m", r.pixel},
+          {"bad_pixels", std::count(r.bad.begin(), r.bad.end(), std::uint8_t{1})}};
+}
+
+Json lockin_of(const FilmResult& r) {
+  const LockinMaps& m = r.maps;
+  Json j{{"swing", m.convention == SwingConvention::full ? "full" : "half"}, {"frames", m.frames}};
+  statistics::put(j, "frequency_Hz", statistics::Estimate{m.frequency, m.frequency_error});
+  statistics::put(j, "reference_phase_deg", m.reference_phase * 180 / std::numbers::pi);
+  statistics::put(j, "standard_error_K", median_of(m.standard_error));
+  statistics::put(j, "residual_K", median_of(m.residual));
+  if (!m.second_harmonic.empty()) statistics::put(j, "second_harmonic_K", median_of(m.second_harmonic));
+  return j;
+}
+
+Json grains_of(const FilmResult& r) {
+  Json j{{"all", r.packing.grains.size()}};
+  for (std::size_t m = 0; m < r.packing.materials.size(); ++m)
+    j[r.packing.materials[m].name] =
+        std::count(r.packing.grains.material.begin(), r.packing.grains.material.end(), static_cast<std::int32_t>(m));
+  if (!r.grains.position_error.empty()) statistics::put(j, "position_error_pixels", median(r.grains.position_error));
+  return j;
+}
+
+Json motion_of(const FilmResult& r) {
+  std::vector<double> travel;
+  for (std::size_t i = 0; i < r.motion.size(); ++i)
+    travel.push_back(2 * std::hypot(r.motion.cos_x[i], r.motion.sin_x[i], std::hypot(r.motion.cos_y[i], r.motion.sin_y[i])));
+  Json j = Json::object();
+  if (travel.empty()) return j;
+  statistics::put(j, "median_travel_pixels", median(travel));
+  statistics::put(j, "largest_travel_pixels", *std::max_element(travel.begin(), travel.end()));
+  statistics::put(j, "standard_error_pixels", median(r.motion.error));
+  return j;
+}
+
+Json forces_of(const FilmResult& r) {
+  const Contacts& contacts = r.packing.contacts;
+  if (contacts.size() == 0) return Json::object();
+  double sum = 0;
+  std::size_t between = 0, above = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (contacts.is_wall(c) || (!r.absent.empty() && r.absent[c])) continue;
+    sum += contacts.fn[c];
+    ++between;
+  }
+  const double mean = between > 0 ? sum / static_cast<double>(between) : statistics::unknown;
+  for (std::size_t c = 0; c < contacts.size(); ++c) above += !contacts.is_wall(c) && !(!r.absent.empty() && r.absent[c]) && contacts.fn[c] > mean;
+  Json j{{"proposed", contacts.size()}, {"absent", std::count(r.absent.begin(), r.absent.end(), std::uint8_t{1})}, {"between_grains", between}};
+  statistics::put(j, "mean_N", mean);
+  statistics::put(j, "share_above_mean", static_cast<double>(above) / static_cast<double>(std::max<std::size_t>(between, 1)));
+  statistics::put(j, "fn_error_N", median(r.fn_error));
+  statistics::put(j, "ft_error_N", median(r.ft_error));
+  return j;
+}
+
+Json agreement_of(const FilmResult& r, const std::vector<double>& twin, const std::vector<std::uint8_t>& considered) {
+  Json j = Json::object();
+  const auto add = [&](const std::string& name, const std::vector<std::uint8_t>& counts) {
+    const Agreement a = agreement(r.swing.sigma_hyd, twin, counts);
+    if (a.grains < 3) return;
+    j[name] = {{"grains", a.grains}, {"correlation", a.correlation}, {"rms_sigma_norm", a.rms_sigma_norm}, {"slope", a.slope}};
+  };
+  add("all", considered);
+  for (std::size_t m = 0; m < r.packing.materials.size(); ++m) {
+    auto counts = considered;
+    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = counts[i] && r.packing.grains.material[i] == static_cast<std::int32_t>(m);
+    add(r.packing.materials[m].name, counts);
+  }
+  return j;
+}
+
+}  // namespace
+
+Agreement agreement(const std::vector<double>& one, const std::vector<double>& other, const std::vector<std::uint8_t>& counts) {
+  std::vector<double> a, b;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    if (!counts[i] || !std::isfinite(one[i]) || !std::isfinite(other[i])) continue;
+    a.push_back(one[i]);
+    b.push_back(other[i]);
+  }
+  Agreement result;
+  result.grains = a.size();
+  if (a.size() < 2) return result;
+  double mean_a = 0, mean_b = 0, ab = 0, bb = 0, square = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    mean_a += a[i] / static_cast<double>(a.size());
+    mean_b += b[i] / static_cast<double>(a.size());
+    ab += a[i] * b[i];
+    bb += b[i] * b[i];
+  }
+  for (std::size_t i = 0; i < a.size(); ++i) square += std::pow(a[i] / mean_a - b[i] / mean_b, 2);
+  result.correlation = statistics::pearson(a, b);
+  result.rms_sigma_norm = std::sqrt(square / static_cast<double>(a.size()));
+  result.slope = ab / bb;
+  return result;
+}
+
+std::string film_numbers(const FilmResult& r) {
+  Json j{{"film", film_of(r)}, {"lockin", lockin_of(r)}, {"grains", grains_of(r)}, {"motion", motion_of(r)}, {"forces", forces_of(r)}};
+  if (r.swing.size() == 0) return j.dump();
+  texture::Options options;
+  options.rev_sizes = 0;
+  options.grain_sigma_hyd = r.swing.sigma_hyd;
+  const auto texture = texture::measure(r.packing, options);
+  j["texture"] = Json::parse(texture::to_json(texture));
+  if (!r.twin.empty())
+    j["twin"] = {{"swing", agreement_of(r, r.twin.swing, texture.per_grain.considered)}, {"state", agreement_of(r, r.twin.state, texture.per_grain.considered)}};
+  return j.dump();
+}
+
+}  // namespace arenite::study

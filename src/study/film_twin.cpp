@@ -1,0 +1,76 @@
+#include "study/film_twin.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+#include "study/film_place.hpp"
+#include "study/result_folder.hpp"
+
+namespace arenite::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The grains at the smallest load as a table that recipes read; lengths count from the frame's lower left corner.
+std::string table_of(const FilmResult& film) {
+  const Grains grains = in_metres(film.grains, {film.origin, film.pixel});
+  std::string text = "id,x [m],y [m],radius [m],material\n";
+  for (std::size_t i = 0; i < grains.size(); ++i)
+    text += fmt::format("{},{},{},{},{}\n", grains.id[i], grains.x[i], grains.y[i], grains.radius[i],
+                        film.packing.materials[static_cast<std::size_t>(grains.material[i])].name);
+  return text;
+}
+
+bool has_stage(const Recipe& recipe, const std::string& name) {
+  return std::any_of(recipe.stages.begin(), recipe.stages.end(), [&](const Stage& s) { return s.name == name; });
+}
+
+Recipe twin_recipe(const FilmRecipe& recipe, const fs::path& grains) {
+  const auto file = fs::path(recipe.source_file).parent_path() / recipe.twin->recipe;
+  Recipe twin = read_recipe(file.string());
+  for (const auto& name : {recipe.twin->low, recipe.twin->high})
+    if (!has_stage(twin, name)) throw InputError(file.string(), 0, fmt::format("has no stage \"{}\", which [twin] of {} names", name, recipe.source_file));
+  twin.source_file = file.string();
+  twin.populations.clear();
+  twin.packing.method = PackingParameters::Method::file;
+  twin.packing.file = fs::absolute(grains).string();
+  twin.frame.width = recipe.frame.width;
+  twin.frame.height = recipe.frame.height;
+  return twin;
+}
+
+std::vector<double> stresses_of(const StageResult& stage) {
+  texture::Options options;
+  options.rev_sizes = 0;
+  return texture::measure(stage.frames.back().packing, options).per_grain.sigma_hyd;
+}
+
+}  // namespace
+
+TwinRun run_twin(const FilmRecipe& recipe, const FilmResult& film, const RunOptions& options) {
+  make_folder(options.out);
+  const fs::path grains = options.out / "grains.csv";
+  io::write_atomically(grains, table_of(film));
+  auto outcome = run(twin_recipe(recipe, grains), options);
+  TwinRun twin;
+  twin.converged = outcome.converged;
+  twin.interrupted = outcome.interrupted;
+  const StageResult *low = nullptr, *high = nullptr;
+  for (const StageResult& stage : outcome.stages) {
+    if (stage.name == recipe.twin->low) low = &stage;
+    if (stage.name == recipe.twin->high) high = &stage;
+    twin.outcome = stage.outcome;
+  }
+  if (low && high) {
+    const auto released = stresses_of(*low);
+    twin.stresses.state = stresses_of(*high);
+    for (std::size_t i = 0; i < released.size(); ++i) twin.stresses.swing.push_back(twin.stresses.state[i] - released[i]);
+  }
+  twin.stages = std::move(outcome.stages);
+  return twin;
+}
+
+}  // namespace arenite::study

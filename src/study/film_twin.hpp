@@ -1,0 +1,25 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "model/film_result.hpp"
+#include "study/film_recipe.hpp"
+#include "study/run.hpp"
+
+namespace arenite::study {
+
+/// What came of the simulation beside a film.
+struct TwinRun {
+  FilmTwin stresses;                ///< empty if it was stopped or did not come to rest
+  std::vector<StageResult> stages;
+  std::string outcome;
+  bool converged = true, interrupted = false;
+};
+
+/// Simulates the grains that were found in a film, from their places at the smallest load, by the recipe that [twin] names:
+/// its packing is replaced, its frame, laws and stages are kept. Results go to `options.out`, as those of `run`. Throws
+/// InputError for a recipe without the stages that [twin] names or without the grains' materials.
+TwinRun run_twin(const FilmRecipe& recipe, const FilmResult& film, const RunOptions& options);
+
+}  // namespace arenite::study

@@ -1,0 +1,127 @@
+#include "study/find_grains.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "imaging/circles.hpp"
+#include "io/placed_grains.hpp"
+#include "study/optical_materials.hpp"
+
+namespace arenite::study {
+namespace {
+
+imaging::CircleOptions circle_options(const FilmRecipe& recipe, double pixel, std::size_t materials) {
+  imaging::CircleOptions options;
+  for (const double r : recipe.picture.radii) options.radii.push_back(r / pixel);
+  options.materials = materials;
+  return options;
+}
+
+void keep(PictureGrains& grains, const std::vector<std::uint8_t>& kept) {
+  const auto filter = [&](auto& values) {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (kept[i]) values[n++] = values[i];
+    values.resize(n);
+  };
+  for (auto* values : {&grains.x, &grains.y, &grains.radius, &grains.position_error, &grains.radius_error, &grains.brightness, &grains.score})
+    if (!values->empty()) filter(*values);
+  for (auto* values : {&grains.material, &grains.size_class})
+    if (!values->empty()) filter(*values);
+}
+
+/// Screws and edges of the frame look round, too.
+void keep_inside(const FilmRecipe& recipe, const FilmPlace& place, PictureGrains& grains) {
+  std::vector<std::uint8_t> kept;
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    const Vec2 c = place.metres(grains.x[i], grains.y[i]);
+    const double deep = 0.5 * grains.radius[i] * place.pixel;
+    kept.push_back(c.x > deep && c.x < recipe.frame.width - deep && c.y > deep && c.y < recipe.frame.height - deep);
+  }
+  keep(grains, kept);
+}
+
+/// Of two circles that overlap by more than load can press them, the one whose rim shows less is no grain.
+void drop_overlapping(PictureGrains& grains) {
+  std::vector<std::uint8_t> kept(grains.size(), 1);
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double overlap = grains.radius[i] + grains.radius[j] - std::hypot(grains.x[i] - grains.x[j], grains.y[i] - grains.y[j]);
+      if (overlap > 0.3 * std::min(grains.radius[i], grains.radius[j])) kept[grains.score[i] < grains.score[j] ? i : j] = 0;
+    }
+  }
+  keep(grains, kept);
+}
+
+double quantile(std::vector<double> values, double share) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// A pore between three grains may have a round rim, but it is as dark as what is behind the grains.
+void drop_pores(const std::vector<float>& frame, bool bright, PictureGrains& grains) {
+  const std::vector<double> levels(frame.begin(), frame.end());
+  const double behind = quantile(levels, bright ? 0.02 : 0.98), halfway = 0.5 * (behind + quantile(grains.brightness, 0.5));
+  std::vector<std::uint8_t> kept;
+  for (const double b : grains.brightness) kept.push_back(bright ? b > halfway : b < halfway);
+  keep(grains, kept);
+}
+
+/// Grains of one class have one radius, which their mean tells better than each by itself.
+void take_class_radii(imaging::FoundCircles& found) {
+  auto& grains = found.grains;
+  for (std::size_t i = 0; i < grains.size(); ++i)
+    if (grains.size_class[i] >= 0) grains.radius[i] = found.report.class_radius[static_cast<std::size_t>(grains.size_class[i])];
+}
+
+void name_classes(const FilmRecipe& recipe, const std::string& where, std::size_t classes, PictureGrains& grains) {
+  const auto order = by_brightness(recipe.materials);
+  if (order.size() == 1) {
+    grains.material.assign(grains.size(), 0);
+    return;
+  }
+  if (classes != order.size())
+    throw InputError(fmt::format("grains in {} have {} {} of brightness, and the recipe {} materials; give an optical picture (picture.optical) or a list "
+                                 "of the grains (picture.grains)", where, classes, classes == 1 ? "kind" : "kinds", order.size()));
+  for (auto& m : grains.material) m = m < 0 ? 0 : order[static_cast<std::size_t>(m)];
+}
+
+PictureGrains read_list(const FilmRecipe& recipe, const FilmPlace& place) {
+  const auto file = std::filesystem::path(recipe.source_file).parent_path() / recipe.picture.grains;
+  const Grains read = io::read_placed_grains(file, materials_of(recipe), frame_at(recipe, 0));
+  PictureGrains grains;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    grains.x.push_back(place.column(read.x[i]));
+    grains.y.push_back(place.row(read.y[i]));
+    grains.radius.push_back(read.radius[i] / place.pixel);
+    grains.position_error.push_back(0.3);
+    grains.material.push_back(read.material[i]);
+  }
+  return grains;
+}
+
+}  // namespace
+
+PictureGrains find_film_grains(const FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film, const std::vector<float>& frame,
+                               std::vector<std::string>& notes) {
+  if (!recipe.picture.grains.empty()) return read_list(recipe, place);
+  const bool optical = !recipe.picture.optical.empty();
+  auto found = imaging::find_circles({film.width, film.height, frame}, circle_options(recipe, place.pixel, optical ? 1 : recipe.materials.size()));
+  const std::size_t all = found.grains.size();
+  take_class_radii(found);
+  keep_inside(recipe, place, found.grains);
+  drop_overlapping(found.grains);
+  if (found.grains.size() > 0) drop_pores(frame, found.report.bright, found.grains);
+  if (found.grains.size() < all) notes.push_back(fmt::format("{} circles are left out that lie outside the frame, in another one or in a pore", all - found.grains.size()));
+  if (found.grains.size() == 0) throw InputError("the film shows no grains inside the frame; give a list of the grains (picture.grains), or correct [frame]");
+  if (optical) take_optical_materials(recipe, film.width, film.height, found.grains, notes);
+  else name_classes(recipe, "the film", found.report.material_members.size(), found.grains);
+  return std::move(found.grains);
+}
+
+}  // namespace arenite::study

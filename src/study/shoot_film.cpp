@@ -1,0 +1,139 @@
+#include "study/shoot_film.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+#include "io/film_writer.hpp"
+#include "io/run_folder.hpp"
+#include "io/sealed_file.hpp"
+#include "io/stage_file.hpp"
+#include "study/result_folder.hpp"
+
+namespace arenite::study {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr int optical_finer = 4;  ///< pixels of the optical picture along a side of one of the film
+
+/// Last states of a run's stages by the stages' names.
+std::map<std::string, Packing> last_states(const fs::path& result) {
+  std::map<std::string, Packing> states;
+  for (const auto& file : io::stage_files(result)) {
+    if (io::sealed_kind(file) != "result") continue;
+    auto stage = io::read_stage(file);
+    if (!stage.frames.empty()) states[stage.name] = std::move(stage.frames.back().packing);
+  }
+  return states;
+}
+
+const Packing& state_named(const std::map<std::string, Packing>& states, const std::string& name, const fs::path& result) {
+  const auto at = states.find(name);
+  if (at != states.end()) return at->second;
+  std::vector<std::string> names;
+  for (const auto& [each, packing] : states) names.push_back(each);
+  throw InputError(result.string(), 0, fmt::format("has no stage \"{}\"; those there are: {}", name, fmt::join(names, ", ")));
+}
+
+/// Factors and emissivities as the recipe gives them, in the order of the packing's materials.
+void take_materials(Packing& packing, const FilmRecipe& recipe, camera::Parameters& p, std::vector<double>& brightness) {
+  p.surroundings.emissivity.clear();
+  brightness.clear();
+  for (Material& material : packing.materials) {
+    const auto same = [&](const FilmMaterial& m) { return m.name == material.name; };
+    const auto at = std::find_if(recipe.materials.begin(), recipe.materials.end(), same);
+    if (at == recipe.materials.end())
+      throw InputError(recipe.source_file, 0, fmt::format("there is no section [materials.{0}], which grains of the sample are made of; add it", material.name));
+    material.thermoelastic_factor = at->thermoelastic_factor;
+    p.surroundings.emissivity.push_back(at->emissivity);
+    brightness.push_back(at->brightness);
+  }
+}
+
+double load_on_bottom(const Packing& packing) { return packing.domain.wall[bottom].force; }
+
+/// What a laboratory would know of this film.
+FilmRecipe laboratory_recipe(const FilmRecipe& recipe, const Packing* low, const Packing& high, const std::string& ending) {
+  FilmRecipe lab = recipe;
+  const Domain& start = low ? low->domain : high.domain;
+  const CameraSection& shot = *recipe.camera;
+  lab.camera.reset();
+  lab.frame = {start.width(), start.height(), start.thickness, {}, {}, load_on_bottom(high) - (low ? load_on_bottom(*low) : 0.0),
+               shot.parameters.motion ? high.domain.wall[bottom].position - start.wall[bottom].position : 0};
+  lab.picture.pixel = shot.parameters.optics.pixel;
+  lab.picture.optical = "optical.tif";
+  lab.picture.optical_pixel = lab.picture.pixel / optical_finer;
+  lab.correction = {"cold." + ending, "warm." + ending, shot.plate_cold, shot.plate_warm, true};
+  lab.temperature.from = TemperatureSection::From::plates;
+  lab.temperature.ambient = shot.parameters.surroundings.ambient;
+  lab.lockin.frequency = shot.parameters.timing.load_frequency;
+  lab.lockin.phase = 0.5;
+  lab.forces.blur = shot.parameters.optics.blur;
+  lab.forces.state = low == nullptr;
+  return lab;
+}
+
+/// Copies a film frame by frame; false if it was stopped.
+bool write(const fs::path& file, FilmSource& film, const std::function<bool(double)>& progress) {
+  const FilmInfo& info = film.info();
+  const auto writer = io::create_film(file, info);
+  FrameBlock block;
+  constexpr std::int64_t together = 32;
+  for (std::int64_t k = 0; k < info.frames; k += together) {
+    film.read(k, static_cast<std::size_t>(std::min(together, info.frames - k)), block);
+    writer->append(block);
+    if (!progress(static_cast<double>(k) / static_cast<double>(info.frames))) return false;
+  }
+  writer->finish();
+  return true;
+}
+
+/// The sample in an ordinary camera with finer pixels.
+void write_optical(const fs::path& file, const camera::Scene& scene, camera::Parameters p, const std::vector<double>& brightness) {
+  p.optics.width *= optical_finer;
+  p.optics.height *= optical_finer;
+  p.optics.pixel /= optical_finer;
+  p.optics.supersampling = 4;
+  const auto picture = camera::optical_picture(scene, p, brightness);
+  Film film;
+  film.about.width = static_cast<int>(p.optics.width);
+  film.about.height = static_cast<int>(p.optics.height);
+  film.about.frames = 1;
+  film.about.bits = 16;
+  for (const float grey : picture) film.level.push_back(static_cast<std::uint16_t>(std::lround(std::clamp(grey, 0.0f, 1.0f) * 65535)));
+  io::write_film(file, film);
+}
+
+}  // namespace
+
+std::vector<fs::path> shoot_film(const FilmRecipe& recipe, const fs::path& result, const ShootOptions& options) {
+  if (!recipe.camera) throw InputError(recipe.source_file, 0, "there is no section [camera]; add it with high = \"NAME\" of the stage that is filmed");
+  const CameraSection& shot = *recipe.camera;
+  auto states = last_states(result);
+  Packing high = state_named(states, shot.high, result);
+  std::optional<Packing> low;
+  if (!shot.low.empty()) low = state_named(states, shot.low, result);
+  camera::Parameters p = shot.parameters;
+  std::vector<double> brightness;
+  if (low) take_materials(*low, recipe, p, brightness);
+  take_materials(high, recipe, p, brightness);
+  const auto scene = low ? camera::scene_between(*low, high, p) : camera::scene_of_state(high, p);
+
+  make_folder(options.out);
+  const auto named = [&](const std::string& name) { return options.out / (name + "." + options.format); };
+  const auto quietly = [&](double) { return options.progress(0); };
+  if (!write(named("cold"), *camera::uniform_film(p, shot.plate_cold, shot.plate_frames, recipe.seed), quietly)) return {};
+  if (!write(named("warm"), *camera::uniform_film(p, shot.plate_warm, shot.plate_frames, recipe.seed), quietly)) return {};
+  write_optical(options.out / "optical.tif", scene, p, brightness);
+  if (!write(named("film"), *camera::film(scene, p, recipe.seed), options.progress)) return {};
+  io::write_atomically(options.out / "film.toml", to_toml(laboratory_recipe(recipe, low ? &*low : nullptr, high, options.format)));
+  return {named("film"), named("cold"), named("warm"), options.out / "optical.tif", options.out / "film.toml"};
+}
+
+}  // namespace arenite::study
