@@ -35,6 +35,7 @@ void add_study(CLI::App& command, int& status);
 void add_load(CLI::App& command, int& status);
 void add_lockin(CLI::App& command, int& status);
 void add_step(CLI::App& command, int& status);
+void add_grains(CLI::App& command, int& status);
 void add_measure(CLI::App& command, int& status);
 void add_identify(CLI::App& command, int& status);
 void add_film(CLI::App& command, int& status);

@@ -3,13 +3,14 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "imaging/blurred_step.hpp"
 
 namespace arenite::imaging {
 namespace {
 
 constexpr double least_radius = 1.0, longest_step = 0.5;  // pixels
-constexpr double cut = 2.5;                               // residuals beyond so many standard deviations count less
+constexpr double settled = 1e-3, at_rest = 5e-3;          // pixels a step
 
 double median_of(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -18,15 +19,14 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
-/// Huber's weight of a residual.
-double weight_of(double residual, double noise) {
-  const double size = std::abs(residual), most = cut * noise;
-  return size <= most || size == 0 ? 1 : most / size;
+double distance(const DiskModel::Disk& disk, int x, int y) {
+  const double dx = x - disk.x, dy = y - disk.y;
+  return std::sqrt(dx * dx + dy * dy);
 }
 
 }  // namespace
 
-DiskModel::DiskModel(const FloatImage& image, double blur) : image_(image), blur_(blur) { refresh(); }
+DiskModel::DiskModel(const FloatImage& image, double blur, bool bright) : image_(image), bright_(bright), blur_(blur) { refresh(); }
 
 DiskModel::Window DiskModel::window(const Disk& disk) const {
   const double reach = disk.radius + 3 * blur_ + 1.5;
@@ -36,15 +36,19 @@ DiskModel::Window DiskModel::window(const Disk& disk) const {
 
 /// C of a pixel; `edge` = dC/dr, (nx, ny) = direction from the centre.
 double DiskModel::cover(const Disk& disk, int x, int y, double& edge, double& nx, double& ny) const {
-  const double dx = x - disk.x, dy = y - disk.y, q = std::hypot(dx, dy);
-  nx = q > 0 ? dx / q : 0;
-  ny = q > 0 ? dy / q : 0;
+  const double dx = x - disk.x, dy = y - disk.y, q = std::sqrt(dx * dx + dy * dy);
   const double u = (disk.radius - q - blur_ * blur_ / (2 * std::max(q, blur_))) / blur_;
-  edge = 0;
-  if (u > 5) return 1;
-  if (u < -5) return 0;
-  edge = std::exp(-0.5 * u * u) / (blur_ * std::sqrt(2 * std::numbers::pi));
-  return 0.5 * std::erfc(-u / std::numbers::sqrt2);
+  edge = nx = ny = 0;
+  if (u > BlurredStep::reach) return 1;
+  if (u < -BlurredStep::reach) return 0;
+  if (q > 0) {
+    nx = dx / q;
+    ny = dy / q;
+  }
+  double density;
+  const double share = BlurredStep::at(u, density);
+  edge = density / blur_;
+  return share;
 }
 
 void DiskModel::spread(const Disk& disk, double sign) {
@@ -65,7 +69,7 @@ double DiskModel::left(std::size_t pixel) const {
 }
 
 void DiskModel::add(const Circle& circle) {
-  Disk disk{circle.x, circle.y, circle.radius, 0, 0, 0};
+  Disk disk{circle.x, circle.y, circle.radius, 0, 0, 0, longest_step};
   std::vector<double> inside;
   const Window w = window(disk);
   for (int y = w.y0; y <= w.y1; ++y)
@@ -91,53 +95,9 @@ void DiskModel::refresh() {
   covered_.assign(image_.size(), 0.0F);
   light_ = background_ = covered_;
   for (const Disk& disk : disks_) spread(disk, 1);
-  node_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0.0);
+  start_background();
   for (int i = 0; i < 4; ++i) fit_background();
   measure_noise();
-}
-
-double DiskModel::background(double x, double y) const {
-  const double u = std::max(0.0, x / spacing_), v = std::max(0.0, y / spacing_);
-  const int c = std::min(static_cast<int>(u), columns_ - 2), r = std::min(static_cast<int>(v), rows_ - 2);
-  const double a = u - c, b = v - r;
-  const auto at = [&](int i, int j) { return node_[static_cast<std::size_t>(i + columns_ * j)]; };
-  return (1 - b) * ((1 - a) * at(c, r) + a * at(c + 1, r)) + b * ((1 - a) * at(c, r + 1) + a * at(c + 1, r + 1));
-}
-
-void DiskModel::draw_background() {
-  for (int y = 0; y < image_.height; ++y)
-    for (int x = 0; x < image_.width; ++x) background_[image_.index(x, y)] = static_cast<float>(background(x, y));
-}
-
-/// One lumped least-squares step of every node on the pixels near disks, as far as these do not cover them.
-void DiskModel::fit_background() {
-  std::vector<char> near(image_.size(), disks_.empty() ? 1 : 0);
-  for (const Disk& disk : disks_) {
-    const Window w = window(disk);
-    for (int y = w.y0; y <= w.y1; ++y) std::fill_n(near.begin() + static_cast<std::ptrdiff_t>(image_.index(w.x0, y)), w.x1 - w.x0 + 1, 1);
-  }
-  std::vector<double> top(node_.size(), 0.0), bottom(node_.size(), 1e-12);
-  double all_top = 0, all_bottom = 1e-12;
-  for (int y = 0; y < image_.height; ++y)
-    for (int x = 0; x < image_.width; ++x) {
-      const std::size_t at = image_.index(x, y);
-      const double free = std::clamp(1.0 - static_cast<double>(covered_[at]), 0.0, 1.0);
-      if (near[at] == 0 || free < 0.02) continue;
-      const double gap = left(at), w = noise_ > 0 ? weight_of(gap, noise_) : 1;
-      const int c = x / spacing_, r = y / spacing_;
-      const double a = static_cast<double>(x) / spacing_ - c, b = static_cast<double>(y) / spacing_ - r;
-      const double share[4] = {(1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b};
-      for (int k = 0; k < 4; ++k) {
-        const auto n = static_cast<std::size_t>(c + k % 2 + columns_ * (r + k / 2));
-        top[n] += w * share[k] * free * gap;
-        bottom[n] += w * share[k] * free * free;
-      }
-      all_top += w * free * gap;
-      all_bottom += w * free * free;
-    }
-  const double few = 0.02 * all_bottom / static_cast<double>(node_.size());  // a node that sees little follows all
-  for (std::size_t n = 0; n < node_.size(); ++n) node_[n] += (top[n] + few * all_top / all_bottom) / (bottom[n] + few);
-  draw_background();
 }
 
 /// One damped step of a disk; its size in pixels.
@@ -148,15 +108,15 @@ double DiskModel::step(Disk& disk) {
   Eigen::Vector4d right = Eigen::Vector4d::Zero();
   for (int y = w.y0; y <= w.y1; ++y)
     for (int x = w.x0; x <= w.x1; ++x) {
-      const double far = std::hypot(x - disk.x, y - disk.y);
-      if (far < deep) continue;
+      const double dx = x - disk.x, dy = y - disk.y;
+      if (deep > 0 && dx * dx + dy * dy < deep * deep) continue;
       double edge, nx, ny;
       const double c = cover(disk, x, y, edge, nx, ny);
       if (c < 1e-5) continue;
       const std::size_t at = image_.index(x, y);
       const double contrast = disk.level - static_cast<double>(background_[at]), gap = left(at);
       const Eigen::Vector4d j(contrast * edge * nx, contrast * edge * ny, contrast * edge, c);
-      const double weight = weight_of(gap, noise_);
+      const double weight = huber_weight(gap, noise_);
       normal += weight * j * j.transpose();
       right += weight * gap * j;
     }
@@ -193,10 +153,10 @@ void DiskModel::fit_blur() {
         cover(disk, x, y, edge, nx, ny);
         if (edge == 0) continue;
         const std::size_t at = image_.index(x, y);
-        const double q = std::hypot(x - disk.x, y - disk.y);
+        const double q = distance(disk, x, y);
         const double slope = -(disk.level - static_cast<double>(background_[at])) * edge *
                              ((disk.radius - q) / blur_ + blur_ / (2 * std::max(q, blur_)));
-        const double gap = left(at), weight = weight_of(gap, noise_);
+        const double gap = left(at), weight = huber_weight(gap, noise_);
         top += weight * slope * gap;
         bottom += weight * slope * slope;
       }
@@ -216,19 +176,25 @@ void DiskModel::measure_noise() {
     const Window w = window(disk);
     for (int y = w.y0; y <= w.y1; ++y)
       for (int x = w.x0; x <= w.x1; ++x)
-        if (std::abs(std::hypot(x - disk.x, y - disk.y) - disk.radius) < 2 * blur_) size.push_back(std::abs(left(image_.index(x, y))));
+        if (std::abs(distance(disk, x, y) - disk.radius) < 2 * blur_) size.push_back(std::abs(left(image_.index(x, y))));
   }
   noise_ = median_of(std::move(size)) / 0.6744897501960817;
 }
 
-void DiskModel::fit(int sweeps) {
+void DiskModel::fit(int sweeps, int between) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
+    const bool all = sweep % between == 0;
     double most = 0;
-    for (Disk& disk : disks_) most = std::max(most, step(disk));
+    for (Disk& disk : disks_) {
+      if (!all && disk.moved < at_rest) continue;
+      disk.moved = step(disk);
+      most = std::max(most, disk.moved);
+    }
+    if (!all) continue;
     fit_background();
     fit_blur();
     measure_noise();
-    if (most < 1e-3) break;
+    if (most < settled) break;
   }
 }
 

@@ -19,13 +19,14 @@ class DiskModel {
   struct Disk {
     double x = 0, y = 0, radius = 0, level = 0;
     double prior_radius = 0, prior_error = 0;  ///< what is known of the radius; no prior where the error is 0
+    double moved = 1;                          ///< by the last step, pixels
   };
   /// Errors of a disk's parameters.
   struct Errors {
     double position = 0, radius = 0, level = 0;
   };
 
-  DiskModel(const FloatImage& image, double blur);
+  DiskModel(const FloatImage& image, double blur, bool bright);
 
   void add(const Circle& circle);
   void remove(const std::vector<char>& which);
@@ -35,7 +36,8 @@ class DiskModel {
   double noise() const { return noise_; }       ///< robust standard deviation of what the fit leaves near rims
   double background(double x, double y) const;
   void refresh();                               ///< net, coverage and levels anew from the disks
-  void fit(int sweeps);
+  /// Steps of all disks, in every `between`-th sweep; in the others only of those that still move.
+  void fit(int sweeps, int between = 1);
   FloatImage residual() const;                  ///< picture minus model
   /// From the normal matrix of each disk and those that touch its pixels, held against the noise.
   std::vector<Errors> errors() const;
@@ -62,12 +64,20 @@ class DiskModel {
   void measure_noise();
   void draw_background();
 
+  double background_weight(double gap) const;
+  std::vector<char> near_disks() const;
+  void start_background();
+
   const FloatImage& image_;
+  bool bright_;
   std::vector<Disk> disks_;
   double blur_, noise_ = 0;
   int spacing_ = 32, columns_ = 0, rows_ = 0;
   std::vector<double> node_;                    ///< background at the net's nodes
   std::vector<float> background_, covered_, light_;
 };
+
+/// Huber's weight of a residual: those beyond 2.5 standard deviations count less.
+double huber_weight(double residual, double noise);
 
 }  // namespace arenite::imaging

@@ -4,22 +4,26 @@
 #include <cmath>
 #include <utility>
 
+#include "imaging/disk_selection.hpp"
+
 namespace arenite::imaging {
 namespace {
 
-constexpr int most_rounds = 12;
+constexpr int most_rounds = 20, most_passes = 8;
 constexpr double first_blur = 0.7;            // pixels
-constexpr double overlap_of_candidates = 0.3; // of the smaller radius: centres are known to a pixel only
-constexpr double least_explained = 0.75;      // of a disk's squares; the rest is noise, marks, neighbours that are not found yet
-constexpr double rim_of_usual = 0.8;           // of the median disk's
-constexpr double least_contrast = 0.2;        // of the usual contrast
-constexpr double least_area = 0.005;          // share of all disks' area that a size needs
+constexpr double overlap_of_candidates = 0.45;  // of the smaller radius: centres are known to a pixel only, and the neighbours
+                                                // of a disk that is not found yet are drawn towards it
+
+double square(double v) { return v * v; }
+
+/// Centres of two disks that are nearer are not both believed.
+double least_distance(double a, double b) { return a + b - overlap_of_candidates * std::min(a, b); }
 
 /// The search's state: the model, and for each disk the radius at which its rim was seen.
 class Rounds {
  public:
   Rounds(const FloatImage& image, bool bright, const CircleOptions& options)
-      : image_(image), bright_(bright), options_(options), model_(image, first_blur) {
+      : image_(image), bright_(bright), options_(options), model_(image, first_blur, bright) {
     for (const double r : options.radii) {
       classes_.mean.push_back(r);
       classes_.spread.push_back(0.003 * r);
@@ -49,19 +53,19 @@ class Rounds {
   void more_rounds() {
     for (int round = 1; round < most_rounds && !model_.disks().empty(); ++round) {
       const std::size_t before = model_.disks().size();
-      if (add(search_rims(model_.residual(), range(round)), round) == 0) break;
+      if (add(candidates(round), round) == 0) break;
       settle(10);
-      settle(10);
+      settle(5);
       if (model_.disks().size() <= before) break;
     }
   }
 
   DiskSearch finish() {
-    for (int pass = 0; pass < 3; ++pass) {
+    for (int pass = 0; pass < most_passes; ++pass) {
       more_rounds();
       model_.fit(20);
       const std::size_t before = model_.disks().size();
-      prune(rim_of_usual);
+      prune(true);
       if (model_.disks().size() == before) break;
     }
     find_classes();
@@ -78,6 +82,27 @@ class Rounds {
     o.smallest = std::max(o.smallest, 1.2);
     o.least = round == 0 ? 0.15 : 0.2;
     return o;
+  }
+
+  /// Pixels where a further centre would not collide with the disks found so far.
+  std::vector<char> open_pixels(double smallest) const {
+    std::vector<char> open(image_.size(), 1);
+    const double radius = classes_.size() > 0 ? classes_.mean.front() : smallest;
+    for (const auto& disk : model_.disks()) {
+      const double away = least_distance(radius, disk.radius);
+      const int x0 = std::max(0, static_cast<int>(disk.x - away)), x1 = std::min(image_.width - 1, static_cast<int>(disk.x + away) + 1);
+      for (int y = std::max(0, static_cast<int>(disk.y - away)); y <= std::min(image_.height - 1, static_cast<int>(disk.y + away) + 1); ++y)
+        for (int x = x0; x <= x1; ++x)
+          if (square(x - disk.x) + square(y - disk.y) < square(away)) open[image_.index(x, y)] = 0;
+    }
+    return open;
+  }
+
+  std::vector<Circle> candidates(int round) const {
+    RimOptions how = range(round);
+    const std::vector<char> open = open_pixels(how.smallest);
+    how.open = open;
+    return search_rims(model_.residual(), how);
   }
 
   /// How much smaller than the fitted radius a ring of this radius was seen, from the disks found so far.
@@ -100,8 +125,7 @@ class Rounds {
 
   bool collides(double x, double y, double radius) const {
     for (const auto& disk : model_.disks()) {
-      const double smaller = std::min(radius, disk.radius);
-      if (std::hypot(x - disk.x, y - disk.y) < radius + disk.radius - overlap_of_candidates * smaller) return true;
+      if (square(x - disk.x) + square(y - disk.y) < square(least_distance(radius, disk.radius))) return true;
     }
     return false;
   }
@@ -140,7 +164,7 @@ class Rounds {
   void settle(int sweeps) {
     set_priors();
     model_.refresh();
-    model_.fit(sweeps);
+    model_.fit(sweeps, 5);
     prune();
     find_classes();
   }
@@ -167,7 +191,7 @@ class Rounds {
     }
     std::vector<double> logs;
     for (const auto& disk : model_.disks()) logs.push_back(std::log(disk.radius));
-    const std::size_t few = std::max<std::size_t>(2, logs.size() / 50);
+    const std::size_t few = logs.size() < 10 ? 1 : std::max<std::size_t>(2, logs.size() / 50);
     classes_ = statistics::cluster(logs, {.most = 5, .separation = 4, .floor = 0.015, .least_members = few});
     for (std::size_t c = 0; c < classes_.size(); ++c) {
       classes_.mean[c] = std::exp(classes_.mean[c]);
@@ -175,59 +199,10 @@ class Rounds {
     }
   }
 
-  /// Contrast of the median disk by area.
-  static double usual_contrast(const std::vector<DiskModel::Disk>& disks, const std::vector<DiskModel::Evidence>& evidence) {
-    std::vector<std::pair<double, double>> contrast_area;
-    double area = 0;
-    for (std::size_t k = 0; k < disks.size(); ++k) {
-      contrast_area.emplace_back(std::abs(evidence[k].contrast), disks[k].radius * disks[k].radius);
-      area += contrast_area.back().second;
-    }
-    std::sort(contrast_area.begin(), contrast_area.end());
-    double below = 0;
-    for (const auto& [contrast, part] : contrast_area)
-      if ((below += part) >= 0.5 * area) return contrast;
-    return 0;
-  }
-
-  /// Marks dirt and spots: a size that makes up next to nothing of the area found.
-  void mark_specks(std::vector<char>& out) const {
-    if (!options_.radii.empty()) return;
+  void prune(bool strict = false) {
+    const std::vector<char> out = refuted_disks(model_, options_, strict);
     const auto& disks = model_.disks();
-    double area = 0;
-    for (const auto& disk : disks) area += disk.radius * disk.radius;
-    for (std::size_t k = 0; k < disks.size(); ++k) {
-      double alike = 0;
-      for (const auto& disk : disks)
-        if (std::abs(std::log(disk.radius / disks[k].radius)) < 0.25) alike += disk.radius * disk.radius;
-      if (alike < least_area * area) out[k] = 1;
-    }
-  }
-
-  /// Takes out what the picture does not bear out: no contrast, little rim (also against the median's), not flat, or on top
-  /// of a better disk.
-  void prune(double of_usual = 0) {
-    const auto evidence = model_.evidence();
-    const auto& disks = model_.disks();
-    std::vector<char> out(disks.size(), 0);
-    mark_specks(out);
-    const double usual = usual_contrast(disks, evidence);
-    std::vector<double> rims;
-    for (const auto& e : evidence) rims.push_back(e.rim);
-    std::sort(rims.begin(), rims.end());
-    const double least_rim = rims.empty() ? 0 : std::max(options_.least_score, of_usual * rims[rims.size() / 2]);
-    for (std::size_t k = 0; k < disks.size(); ++k) {
-      const auto& e = evidence[k];
-      if (e.rim < least_rim || e.explained < least_explained || std::abs(e.contrast) < std::max(least_contrast * usual, 3 * model_.noise() / disks[k].radius)) out[k] = 1;
-      if (options_.radii.empty() && disks[k].radius < 0.9 * options_.smallest) out[k] = 1;
-    }
-    for (std::size_t a = 0; a < disks.size(); ++a)
-      for (std::size_t b = a + 1; b < disks.size(); ++b) {
-        const double gap = std::hypot(disks[a].x - disks[b].x, disks[a].y - disks[b].y) - disks[a].radius - disks[b].radius;
-        if (out[a] != 0 || out[b] != 0 || gap > -overlap_of_candidates * std::min(disks[a].radius, disks[b].radius)) continue;
-        out[evidence[a].explained * evidence[a].rim < evidence[b].explained * evidence[b].rim ? a : b] = 1;
-      }
-    for (std::size_t k = 0; of_usual > 0 && k < out.size(); ++k)
+    for (std::size_t k = 0; strict && k < out.size(); ++k)
       if (out[k] != 0) refused_.push_back({disks[k].x, disks[k].y, disks[k].radius, 0});
     model_.remove(out);
     std::size_t kept = 0;

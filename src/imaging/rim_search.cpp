@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "imaging/open_pixels.hpp"
 #include "imaging/smooth.hpp"
 
 namespace arenite::imaging {
@@ -63,20 +64,20 @@ std::vector<RingPixel> ring_of(double radius, int& reach) {
   return ring;
 }
 
-FloatImage scores_at(const Slope& slope, double radius, float noise) {
+FloatImage scores_at(const Slope& slope, double radius, float noise, const std::vector<Run>& runs) {
   int reach = 0;
   const std::vector<RingPixel> ring = ring_of(radius, reach);
   const int w = slope.x.width, h = slope.x.height;
   FloatImage usual = blurred(slope.square, 1.5 * radius), score{w, h, std::vector<float>(slope.x.size())};
   for (float& v : usual.value) v = 1 / (1.5F * std::sqrt(v) + noise);
-  for (int y = 0; y < h; ++y) {
-    float* sum = score.value.data() + score.index(0, y);
-    const float* scale = usual.value.data() + usual.index(0, y);
+  for (const Run& run : runs) {
+    float* sum = score.value.data() + score.index(0, run.y);
+    const float* scale = usual.value.data() + usual.index(0, run.y);
     for (const RingPixel& pixel : ring) {
-      if (y + pixel.y < 0 || y + pixel.y >= h) continue;  // no slope outside the picture
-      const std::size_t row = slope.x.index(0, y + pixel.y);
+      if (run.y + pixel.y < 0 || run.y + pixel.y >= h) continue;  // no slope outside the picture
+      const std::size_t row = slope.x.index(0, run.y + pixel.y);
       const float *gx = slope.x.value.data() + row, *gy = slope.y.value.data() + row;
-      const int from = std::max(0, -pixel.x), to = std::min(w, w - pixel.x);
+      const int from = std::max(run.first, -pixel.x), to = std::min(run.last + 1, w - pixel.x);
       for (int x = from; x < to; ++x)
         sum[x] += pixel.weight * std::min(1.0F, std::max(most_against, (gx[x + pixel.x] * pixel.ux + gy[x + pixel.x] * pixel.uy) * scale[x]));
     }
@@ -131,17 +132,19 @@ bool is_summit(const FloatImage& before, const FloatImage& here, const FloatImag
 }
 
 /// Summits at one level of the pyramid, whose pixels are `scale` wide.
-void search_level(const FloatImage& image, double first, double last, double scale, const RimOptions& options, std::vector<Circle>& found) {
+void search_level(const FloatImage& image, double first, double last, double scale, std::span<const char> open, const RimOptions& options,
+                  std::vector<Circle>& found) {
+  const std::vector<Run> runs = runs_of(open, image.width, image.height);
   const Slope slope = slope_of(image, options.bright);
   const float noise = static_cast<float>(noise_level(image)) + texture * steepest(slope) + 1e-30F;
   std::vector<double> radii;
   for (double r = first / step; r < last * step * step; r *= step) radii.push_back(r);
-  FloatImage before = scores_at(slope, radii[0], noise), here = scores_at(slope, radii[1], noise);
+  FloatImage before = scores_at(slope, radii[0], noise, runs), here = scores_at(slope, radii[1], noise, runs);
   for (std::size_t k = 1; k + 1 < radii.size(); ++k) {
-    FloatImage after = scores_at(slope, radii[k + 1], noise);
+    FloatImage after = scores_at(slope, radii[k + 1], noise, runs);
     for (int y = 1; y + 1 < image.height; ++y)
       for (int x = 1; x + 1 < image.width; ++x)
-        if (here.value[here.index(x, y)] > static_cast<float>(options.least) && is_summit(before, here, after, x, y))
+        if ((open.empty() || open[here.index(x, y)] != 0) && here.value[here.index(x, y)] > static_cast<float>(options.least) && is_summit(before, here, after, x, y))
           found.push_back({(x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5, radii[k] * scale, here.value[here.index(x, y)]});
     before = std::move(here);
     here = std::move(after);
@@ -192,9 +195,11 @@ std::vector<Circle> search_rims(const FloatImage& image, const RimOptions& optio
   std::vector<Circle> found;
   double first = options.smallest;
   std::vector<std::vector<Circle>> of_level(levels.size());
+  std::vector<char> open(options.open.begin(), options.open.end());
   for (std::size_t k = 0; k < levels.size(); ++k) {
+    if (k > 0 && !open.empty()) open = halved_open(open, levels[k - 1].width, levels[k - 1].height);
     const double scale = std::ldexp(1.0, static_cast<int>(k)), last = std::min(options.largest / scale, coarse);
-    if (first < last) search_level(levels[k], first, last, scale, options, of_level[k]);
+    if (first < last) search_level(levels[k], first, last, scale, open, options, of_level[k]);
     first = std::max(last, first) / 2;
   }
   for (std::size_t k = levels.size(); k-- > 0;) {

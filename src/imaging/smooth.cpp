@@ -16,6 +16,14 @@ std::vector<float> gaussian(double sigma) {
   return kernel;
 }
 
+/// to[x] += sum over k of kernel[k] from[x + k].
+void add_weighted(const std::vector<float>& kernel, const float* from, float* to, int n) {
+  for (std::size_t k = 0; k < kernel.size(); ++k) {
+    const float weight = kernel[k];
+    for (int x = 0; x < n; ++x) to[x] += weight * from[static_cast<std::size_t>(x) + k];
+  }
+}
+
 }  // namespace
 
 FloatImage blurred(const FloatImage& image, double sigma) {
@@ -23,12 +31,12 @@ FloatImage blurred(const FloatImage& image, double sigma) {
   const std::vector<float> kernel = gaussian(sigma);
   const int reach = static_cast<int>(kernel.size() / 2), w = image.width, h = image.height;
   FloatImage rows{w, h, std::vector<float>(image.size())}, result = rows;
-  for (int y = 0; y < h; ++y)
-    for (int x = 0; x < w; ++x) {
-      float sum = 0;
-      for (int i = -reach; i <= reach; ++i) sum += kernel[static_cast<std::size_t>(i + reach)] * image.value[image.index(std::clamp(x + i, 0, w - 1), y)];
-      rows.value[rows.index(x, y)] = sum;
-    }
+  std::vector<float> row(static_cast<std::size_t>(w + 2 * reach));  // continued by its ends
+  for (int y = 0; y < h; ++y) {
+    const float* from = image.value.data() + image.index(0, y);
+    for (int x = 0; x < w + 2 * reach; ++x) row[static_cast<std::size_t>(x)] = from[std::clamp(x - reach, 0, w - 1)];
+    add_weighted(kernel, row.data(), rows.value.data() + rows.index(0, y), w);
+  }
   for (int y = 0; y < h; ++y)
     for (int i = -reach; i <= reach; ++i) {
       const float k = kernel[static_cast<std::size_t>(i + reach)];

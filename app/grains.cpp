@@ -1,0 +1,147 @@
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "commands.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "io/atomic_file.hpp"
+#include "io/table.hpp"
+#include "report/found_grains.hpp"
+#include "study/grain_picture.hpp"
+#include "study/result_folder.hpp"
+
+namespace arenite::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string picture, radii, pixel, materials, channel = "grey", contrast = "found", origin, out, dataset;
+  std::int64_t frame = -1;
+  double least_score = 0.5;
+  bool mean = false, json = false;
+};
+
+std::vector<std::string> parts_of(const std::string& text) {
+  std::vector<std::string> parts;
+  for (const auto& part : CLI::detail::split(text, ',')) parts.push_back(CLI::detail::trim_copy(part));
+  return parts;
+}
+
+/// Rethrows an error of a value as one of its option.
+template <class Read>
+auto option_value(const char* option, Read read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    throw InputError(std::string(option) + ": " + error.problems().front().message);
+  }
+}
+
+double pixel_of(const Arguments& a) {
+  if (a.pixel.empty()) return 0;
+  const double pixel = option_value("--pixel", [&] { return parse_si(a.pixel, dimension::length, "mm"); });
+  if (!(pixel > 0)) throw InputError("--pixel: the width of a pixel on the sample must be positive, for example \"1.6 mm\"");
+  return pixel;
+}
+
+/// Radii in pixels, from lengths or bare numbers of pixels.
+std::vector<double> radii_of(const Arguments& a, double pixel) {
+  std::vector<double> radii;
+  if (a.radii.empty()) return radii;
+  for (const std::string& part : parts_of(a.radii)) {
+    const auto number = io::to_number(part);
+    if (!number && pixel == 0) throw InputError("--radii: \"" + part + "\" needs the width of a pixel; give --pixel, for example --pixel \"1.6 mm\"");
+    radii.push_back(number ? *number : option_value("--radii", [&] { return parse_si(part, dimension::length, "mm"); }) / pixel);
+    if (!(radii.back() >= 1)) throw InputError("--radii: \"" + part + "\" is less than a pixel; such grains cannot be found");
+  }
+  return radii;
+}
+
+/// Where x and y count from: the picture's lower left corner, or the pixel that was given.
+Vec2 corner_of(const Arguments& a, const FloatImage& image) {
+  if (a.origin.empty()) return {-0.5, image.height - 0.5};
+  const auto parts = parts_of(a.origin);
+  const auto column = parts.size() == 2 ? io::to_number(parts[0]) : std::nullopt, row = parts.size() == 2 ? io::to_number(parts[1]) : std::nullopt;
+  if (!column || !row) throw InputError("--origin: expected column and row of a pixel, counted from the upper left, for example 50,228");
+  return {*column, *row};
+}
+
+imaging::CircleOptions circle_options(const Arguments& a, double pixel, const std::vector<std::string>& materials) {
+  imaging::CircleOptions options;
+  options.radii = radii_of(a, pixel);
+  options.materials = materials.size();
+  options.least_score = a.least_score;
+  if (a.contrast != "found") options.contrast = a.contrast == "bright" ? imaging::GrainContrast::bright : imaging::GrainContrast::dark;
+  return options;
+}
+
+imaging::FoundCircles find(const FloatImage& image, const imaging::CircleOptions& options) {
+  imaging::FoundCircles found = imaging::find_circles(image, options);
+  if (found.grains.size() == 0)
+    throw InputError("no grains were found; give their radii by --radii, --contrast bright or dark, or a lower --least-score");
+  if (found.report.material_members.size() < options.materials)
+    throw InputError("--materials names " + std::to_string(options.materials) + " materials, but the grains show only " +
+                     std::to_string(found.report.material_members.size()) + " brightnesses; name fewer, or give another --channel");
+  return found;
+}
+
+void store(const Arguments& a, const report::FoundGrains& grains, const FloatImage& image) {
+  const fs::path folder(a.out);
+  study::make_folder(folder);
+  io::write_png(folder / "grains.png", report::grains_overlay(image, grains.found.grains));
+  io::write_atomically(folder / "grains.json", report::grains_json(grains));
+  io::write_atomically(folder / "grains.csv", report::grains_csv(grains));
+  if (!a.json) std::printf("\ntable:   %s\npicture: %s\n", (folder / "grains.csv").c_str(), (folder / "grains.png").c_str());
+}
+
+void find_grains(const Arguments& a) {
+  const double pixel = pixel_of(a);
+  const std::vector<std::string> materials = a.materials.empty() ? std::vector<std::string>() : parts_of(a.materials);
+  const imaging::CircleOptions options = circle_options(a, pixel, materials);
+  study::PictureChoice choice;
+  if (a.frame >= 0) choice.frame = a.frame;
+  choice.channel = io::parse_channel(a.channel);
+  choice.dataset = a.dataset;
+  const study::GrainPicture picture = study::read_grain_picture(a.picture, choice);
+  const Vec2 corner = corner_of(a, picture.image);
+  try {
+    const imaging::FoundCircles found = find(picture.image, options);
+    const report::FoundGrains grains{found, pixel, corner, materials, a.picture, picture.image.width, picture.image.height, picture.frames, picture.replaced};
+    std::fputs((a.json ? report::grains_json(grains) : report::grains_text(grains)).c_str(), stdout);
+    if (!a.out.empty()) store(a, grains, picture.image);
+  } catch (const InputError& error) {
+    auto problems = error.problems();
+    for (auto& problem : problems)
+      if (problem.file.empty()) problem.file = a.picture;
+    throw InputError(std::move(problems));
+  }
+}
+
+}  // namespace
+
+void add_grains(CLI::App& command, int&) {
+  const auto a = std::make_shared<Arguments>();
+  command.add_option("picture", a->picture, "Picture (PNG, JPEG, TIFF, HDF5) or film of the grains")->required()->type_name("IMAGE");
+  const auto frame = command.add_option("--frame", a->frame, "Frame of a film, or slice of a stack, from 0; default: the mean of all frames")
+                         ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40).description(""))->type_name("N");
+  command.add_flag("--mean", a->mean, "Mean of all frames of a film (the default)")->excludes(frame);
+  command.add_option("--radii", a->radii, "Sizes that occur, e.g. \"5.25 mm,8.2 mm\", or in pixels \"3.3,5.1\"; without it they are found")->type_name("LENGTHS");
+  command.add_option("--pixel", a->pixel, "Width of a pixel on the sample, e.g. \"1.6 mm\"; without it lengths are in pixels")->type_name("LENGTH");
+  command.add_option("--materials", a->materials, "Names by brightness, darkest first, e.g. POM,HDPE; without it classes are found")->type_name("NAMES");
+  command.add_option("--channel", a->channel, "What of a coloured pixel counts; default grey")->check(CLI::IsMember(io::channel_names()))->type_name("NAME");
+  command.add_option("--contrast", a->contrast, "Grains are bright or dark against what is around them; default: found")
+      ->check(CLI::IsMember({"found", "bright", "dark"}))->type_name("WAY");
+  command.add_option("--least-score", a->least_score, "Share of a grain's rim that must show; default 0.5")->check(CLI::Range(0.0, 1.0).description(""))->type_name("NUMBER");
+  command.add_option("--origin", a->origin, "Pixel that x and y count from, column and row from the upper left; default: the picture's lower left corner")->type_name("COLUMN,ROW");
+  command.add_option("--dataset", a->dataset, "Dataset of an HDF5 file that holds several")->type_name("NAME");
+  command.add_option("--out", a->out, "Folder for the table (grains.csv), the picture with circles (grains.png) and all numbers (grains.json)")->type_name("DIR");
+  command.add_flag("--json", a->json, "Print everything as JSON, grain by grain");
+  command.callback([a] { find_grains(*a); });
+}
+
+}  // namespace arenite::app

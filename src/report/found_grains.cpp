@@ -1,0 +1,81 @@
+#include "report/found_grains.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace arenite::report {
+namespace {
+
+std::string material_name(const FoundGrains& g, std::int32_t k) {
+  const auto at = static_cast<std::size_t>(k);
+  if (k < 0) return "";
+  if (at < g.materials.size()) return g.materials[at];
+  return g.found.report.material_members.size() > 1 ? fmt::format("class{}", k + 1) : std::string();
+}
+
+double median(std::vector<double> x) {
+  if (x.empty()) return 0;
+  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
+  std::nth_element(x.begin(), middle, x.end());
+  return *middle;
+}
+
+/// Length in the table's unit.
+double length(const FoundGrains& g, double pixels) { return g.pixel > 0 ? pixels * g.pixel * 1e3 : pixels; }
+
+}  // namespace
+
+std::string grains_csv(const FoundGrains& g) {
+  const char* unit = g.pixel > 0 ? "mm" : "px";
+  const PictureGrains& p = g.found.grains;
+  const bool named = !g.materials.empty() || g.found.report.material_members.size() > 1;
+  std::string out = fmt::format("id,x,y,radius{},position_error,radius_error,brightness,score\n-,{u},{u},{u}{},{u},{u},-,-\n", named ? ",material" : "",
+                                named ? ",-" : "", fmt::arg("u", unit));
+  for (std::size_t k = 0; k < p.size(); ++k)
+    out += fmt::format("{},{:.4f},{:.4f},{:.4f}{},{:.4f},{:.4f},{:.6g},{:.3f}\n", k, length(g, p.x[k] - g.corner.x), length(g, g.corner.y - p.y[k]),
+                       length(g, p.radius[k]), named ? "," + material_name(g, p.material[k]) : "", length(g, p.position_error[k]),
+                       length(g, p.radius_error[k]), p.brightness[k], p.score[k]);
+  return out;
+}
+
+std::string grains_text(const FoundGrains& g) {
+  const imaging::CircleReport& r = g.found.report;
+  std::string out = fmt::format("{} grains in {} x {} pixels, {} than what is around them\n", g.found.grains.size(), g.width, g.height, r.bright ? "brighter" : "darker");
+  const auto line = [&](const char* name, const std::string& value) { out += fmt::format("{:<14}{}\n", name, value); };
+  if (g.frames > 1) line("picture", fmt::format("mean of {} frames", g.frames));
+  if (g.replaced > 0) line("bad pixels", fmt::format("{} replaced by good neighbours", g.replaced));
+  for (std::size_t c = 0; c < r.class_radius.size(); ++c)
+    line("size", fmt::format("radius {:.2f} pixels{}: {} grains", r.class_radius[c], g.pixel > 0 ? fmt::format(" = {:.3g} mm", length(g, r.class_radius[c])) : "", r.class_members[c]));
+  for (std::size_t m = 0; m < r.material_brightness.size(); ++m) {
+    const std::string name = material_name(g, static_cast<std::int32_t>(m));
+    line("material", fmt::format("{}{}brightness {:.5g} +- {:.2g}: {} grains", name, name.empty() ? "" : ", ", r.material_brightness[m], r.material_spread[m], r.material_members[m]));
+  }
+  line("errors", fmt::format("{:.3f} pixels of a centre, {:.3f} of a radius (medians)", median(g.found.grains.position_error), median(g.found.grains.radius_error)));
+  line("lens and pixel", fmt::format("blur {:.2f} pixels, noise {:.3g}", r.blur, r.noise));
+  if (r.overlapping > 0) line("overlaps", fmt::format("{} pairs beyond their errors, {:.2f} pixels at most", r.overlapping, r.largest_overlap));
+  return out;
+}
+
+std::string grains_json(const FoundGrains& g) {
+  using Json = nlohmann::ordered_json;
+  const imaging::CircleReport& r = g.found.report;
+  const PictureGrains& p = g.found.grains;
+  Json j{{"file", g.file}, {"width", g.width}, {"height", g.height}, {"frames", g.frames}, {"bad_pixels_replaced", g.replaced},
+         {"pixel_m", g.pixel > 0 ? Json(g.pixel) : Json(nullptr)}, {"corner_px", {g.corner.x, g.corner.y}}, {"grains", p.size()}, {"bright", r.bright},
+         {"blur_px", r.blur}, {"noise", r.noise}, {"overlapping_pairs", r.overlapping}, {"largest_overlap_px", r.largest_overlap},
+         {"median_position_error_px", median(p.position_error)}, {"median_radius_error_px", median(p.radius_error)}};
+  j["sizes"] = Json::array();
+  for (std::size_t c = 0; c < r.class_radius.size(); ++c)
+    j["sizes"].push_back({{"radius_px", r.class_radius[c]}, {"spread_px", r.class_spread[c]}, {"grains", r.class_members[c]}});
+  j["materials"] = Json::array();
+  for (std::size_t m = 0; m < r.material_brightness.size(); ++m)
+    j["materials"].push_back({{"name", material_name(g, static_cast<std::int32_t>(m))}, {"brightness", r.material_brightness[m]},
+                              {"spread", r.material_spread[m]}, {"grains", r.material_members[m]}});
+  j["by_grain"] = {{"column_px", p.x}, {"row_px", p.y}, {"radius_px", p.radius}, {"position_error_px", p.position_error},
+                   {"radius_error_px", p.radius_error}, {"brightness", p.brightness}, {"score", p.score}, {"material", p.material}, {"size", p.size_class}};
+  return j.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace arenite::report
