@@ -43,7 +43,7 @@ std::string grains_csv(const FoundGrains& g) {
 std::string grains_text(const FoundGrains& g) {
   const imaging::CircleReport& r = g.found.report;
   std::string out = fmt::format("{} grains in {} x {} pixels, {} than what is around them\n", g.found.grains.size(), g.width, g.height, r.bright ? "brighter" : "darker");
-  const auto line = [&](const char* name, const std::string& value) { out += fmt::format("{:<14}{}\n", name, value); };
+  const auto line = [&](const char* name, const std::string& value) { out += fmt::format("{:<16}{}\n", name, value); };
   if (g.frames > 1) line("picture", fmt::format("mean of {} frames", g.frames));
   if (g.replaced > 0) line("bad pixels", fmt::format("{} replaced by good neighbours", g.replaced));
   for (std::size_t c = 0; c < r.class_radius.size(); ++c)
