@@ -11,6 +11,7 @@
 #include "io/film_formats.hpp"
 #include "io/film_notes.hpp"
 #include "io/film_times.hpp"
+#include "io/hdf5_attributes.hpp"
 #include "io/hdf5_handle.hpp"
 #include "io/hdf5_numbers.hpp"
 #include "io/own_process.hpp"
@@ -51,9 +52,6 @@ H5T_class_t class_of(hid_t set) {
 
 bool can_be_film(hid_t set) { return shape_of(set).size() == 3 && (class_of(set) == H5T_INTEGER || class_of(set) == H5T_FLOAT); }
 
-/// A plain number, or a text of this many bytes, that is there as a whole.
-bool is_whole(hid_t attribute, std::size_t bytes) { return H5Aget_storage_size(attribute) == bytes; }
-
 std::vector<std::string> films_in(hid_t file) {
   std::vector<std::string> found;
   const auto note = [](hid_t root, const char* name, const H5O_info_t* info, void* into) -> herr_t {
@@ -64,34 +62,6 @@ std::vector<std::string> films_in(hid_t file) {
   };
   H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, note, &found, H5O_INFO_BASIC);
   return found;
-}
-
-/// The first of these attributes that is one number.
-double number_attribute(hid_t at, std::initializer_list<const char*> names) {
-  for (const char* name : names) {
-    if (H5Aexists(at, name) <= 0) continue;
-    const auto attribute = own(H5Aopen(at, name, H5P_DEFAULT), H5Aclose);
-    const auto space = attribute ? own(H5Aget_space(*attribute), H5Sclose) : Hdf5Handle{};
-    const auto type = attribute ? own(H5Aget_type(*attribute), H5Tclose) : Hdf5Handle{};
-    double value = 0;
-    if (!space || !type || !sample_of(*type).known || !is_whole(*attribute, bytes_of(sample_of(*type).sample))) continue;
-    if (H5Sget_simple_extent_npoints(*space) == 1 && H5Aread(*attribute, H5T_NATIVE_DOUBLE, &value) >= 0 && value > 0) return value;
-  }
-  return 0;
-}
-
-/// An attribute that is a text of fixed length.
-std::string text_attribute(hid_t at, const char* name) {
-  if (H5Aexists(at, name) <= 0) return {};
-  const auto attribute = own(H5Aopen(at, name, H5P_DEFAULT), H5Aclose);
-  const auto type = attribute ? own(H5Aget_type(*attribute), H5Tclose) : Hdf5Handle{};
-  const auto space = attribute ? own(H5Aget_space(*attribute), H5Sclose) : Hdf5Handle{};
-  if (!type || !space || H5Tget_class(*type) != H5T_STRING || H5Tis_variable_str(*type) != 0 || H5Sget_simple_extent_npoints(*space) != 1) return {};
-  const std::size_t size = H5Tget_size(*type);
-  if (size == 0 || size > 65536 || !is_whole(*attribute, size)) return {};
-  std::string text(size, '\0');
-  if (H5Aread(*attribute, *type, text.data()) < 0) return {};
-  return text.substr(0, text.find('\0'));
 }
 
 /// Numbers of a chunk, which is read as a whole.
