@@ -110,6 +110,7 @@ void write_film(const Hdf5Writer& at, const FilmResult& r) {
   group.set("frame_rate [1/s]", r.film.frame_rate);
   group.set("integration [s]", r.film.integration);
   group.set("format", r.film.format);
+  group.set("unit", r.film.quantity == FilmQuantity::digital_level ? "level" : "K");
   group.set("camera", r.film.camera);
   group.set("pixel [m]", r.pixel);
   group.set("origin_x [m]", r.origin.x);
@@ -126,6 +127,7 @@ void read_film(const Hdf5Reader& group, FilmResult& r) {
   r.film.frame_rate = group.number("frame_rate [1/s]");
   r.film.integration = group.number("integration [s]");
   r.film.format = group.label("format");
+  r.film.quantity = group.label("unit") == "level" ? FilmQuantity::digital_level : FilmQuantity::kelvin;
   r.film.camera = group.label("camera");
   r.pixel = group.number("pixel [m]");
   r.origin = {group.number("origin_x [m]"), group.number("origin_y [m]")};

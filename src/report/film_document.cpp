@@ -63,11 +63,12 @@ Json film_of(const FilmResult& r) {
           {"reference_phase", r.maps.reference_phase}, {"swing", r.maps.convention == SwingConvention::full ? "full" : "half"}};
 }
 
-/// Circles in the picture: as they were found, or else from their places in metres.
+/// Circles where the maps show the grains: from their places in metres, with the errors that they were found with.
 PictureGrains circles_of(const FilmResult& r) {
   const Grains& grains = r.packing.grains;
-  if (r.grains.size() == grains.size() || !(r.pixel > 0)) return r.grains;
-  PictureGrains out;
+  if (!(r.pixel > 0)) return r.grains;
+  PictureGrains out = r.grains.size() == grains.size() ? r.grains : PictureGrains{};
+  out.x.clear(), out.y.clear(), out.radius.clear();
   for (std::size_t g = 0; g < grains.size(); ++g) {
     out.x.push_back((grains.x[g] - r.origin.x) / r.pixel);
     out.y.push_back((r.origin.y - grains.y[g]) / r.pixel);

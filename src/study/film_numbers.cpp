@@ -20,7 +20,13 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-double median_of(const std::vector<float>& values) { return median({values.begin(), values.end()}); }
+/// Of the pixels that have a value.
+double median_of(const std::vector<float>& values) {
+  std::vector<double> known;
+  for (const float v : values)
+    if (std::isfinite(v)) known.push_back(static_cast<double>(v));
+  return median(std::move(known));
+}
 
 Json film_of(const FilmResult& r) {
   return {{"format", r.film.format}, {"camera", r.film.camera}, {"width", r.film.width}, {"height", r.film.height}, {"frames", r.film.frames},

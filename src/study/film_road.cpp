@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <limits>
 #include <numbers>
 
 #include "core/error.hpp"
@@ -31,10 +34,20 @@ namespace {
 namespace fs = std::filesystem;
 constexpr double turn = 2 * std::numbers::pi;
 
+/// Adds the bytes of a file that need not fit into memory.
+void add_file(HashBuilder& hash, const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string part(std::size_t{8} << 20, '\0');
+  while (file.read(part.data(), static_cast<std::streamsize>(part.size())) || file.gcount() > 0)
+    hash.add("part", content_hash(part.substr(0, static_cast<std::size_t>(file.gcount()))));
+}
+
 /// Hash of the film and of all files that its recipe names, and of the recipe.
 std::string film_key(const fs::path& film, const FilmRecipe& recipe) {
   HashBuilder hash;
-  hash.add("recipe", to_toml(recipe)).add("film", content_hash(io::read_file(film)));
+  hash.add("recipe", to_toml(recipe));
+  if (fs::is_regular_file(film)) add_file(hash, film);
+  else hash.add("film", film.string());
   const auto add = [&](const char* name, const std::string& file) {
     if (!file.empty()) hash.add(name, content_hash(io::read_file(fs::path(recipe.source_file).parent_path() / file)));
   };
@@ -62,6 +75,7 @@ class Road {
     const auto made = make_correction(recipe_, source_);
     for (const auto& note : made.notes) options_.notice(note);
     r.bad = made.bad;
+    r.film.quantity = made.kelvin ? FilmQuantity::kelvin : FilmQuantity::digital_level;
     thermography::CorrectedFilm film(source_, made.correction);
     return lock_in(film, r) && find(film, r) && measure(r);
   }
@@ -135,6 +149,22 @@ class Road {
     std::optional<double> phase;
     if (recipe_.lockin.phase) phase = turn * *recipe_.lockin.phase;
     r.maps = thermography::follow_grains(pictures, r.maps, middle, r.motion, loaded_, phase, options_.threads);
+    forget_outside(r.maps);
+  }
+
+  /// Where rims sweep over a pixel it shows their motion and no warming.
+  void forget_outside(LockinMaps& maps) const {
+    std::vector<std::uint8_t> inside(maps.size(), 0);
+    for (std::size_t i = 0; i < loaded_.size(); ++i) {
+      const double x = loaded_.x[i], y = loaded_.y[i], radius = loaded_.radius[i];
+      for (int row = std::max(0, static_cast<int>(y - radius)); row <= std::min(maps.height - 1, static_cast<int>(y + radius)); ++row)
+        for (int column = std::max(0, static_cast<int>(x - radius)); column <= std::min(maps.width - 1, static_cast<int>(x + radius)); ++column)
+          if (std::hypot(column - x, row - y) <= radius)
+            inside[static_cast<std::size_t>(row) * static_cast<std::size_t>(maps.width) + static_cast<std::size_t>(column)] = 1;
+    }
+    for (auto* map : {&maps.amplitude, &maps.phase, &maps.in_phase, &maps.quadrature, &maps.second_harmonic, &maps.standard_error, &maps.residual})
+      for (std::size_t p = 0; p < map->size(); ++p)
+        if (!inside[p]) (*map)[p] = std::numeric_limits<float>::quiet_NaN();
   }
 
   bool measure(FilmResult& r) {
