@@ -16,6 +16,7 @@
 #include "io/film_result_file.hpp"
 #include "io/read_file.hpp"
 #include "io/run_folder.hpp"
+#include "study/film_checks.hpp"
 #include "study/film_correction.hpp"
 #include "study/film_forces.hpp"
 #include "study/film_numbers.hpp"
@@ -66,8 +67,20 @@ class Road {
   Road(const FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& source)
       : recipe_(recipe), options_(options), source_(source), place_(place_of(recipe, source.info())) {}
 
-  /// False if it was stopped.
-  bool run(FilmResult& r) {
+  /// False if it was stopped. What is wrong with the film is said with the film's name.
+  bool run(FilmResult& r, const std::string& name) {
+    try {
+      return walk(r);
+    } catch (const InputError& error) {
+      auto problems = error.problems();
+      for (auto& problem : problems)
+        if (problem.file.empty()) problem.file = name;
+      throw InputError(std::move(problems));
+    }
+  }
+
+ private:
+  bool walk(FilmResult& r) {
     r.film = source_.info();
     r.film.time.clear();
     r.pixel = place_.pixel;
@@ -80,7 +93,6 @@ class Road {
     return lock_in(film, r) && find(film, r) && measure(r);
   }
 
- private:
   thermography::LockinOptions lockin_options(const char* name, std::size_t stage) const {
     thermography::LockinOptions o;
     o.frequency = recipe_.lockin.frequency;
@@ -100,7 +112,9 @@ class Road {
     const auto options = lockin_options("lock-in", 1);
     r.maps = recipe_.lockin.method == LockinSection::Method::nearest_bin ? thermography::nearest_bin_transform(film, options)
                                                                          : thermography::lock_in(film, options);
-    return r.maps.size() > 0;
+    if (r.maps.size() == 0) return false;
+    refuse_without_load(r.maps, recipe_.lockin.frequency);
+    return true;
   }
 
   static std::size_t nearest_picture(const thermography::PhasePictures& pictures, double phase) {
@@ -218,11 +232,12 @@ FilmOutcome run_film(const fs::path& film, const FilmRecipe& recipe, const FilmR
   FilmOutcome outcome;
   const auto source = io::open_film(film);
   const std::string key = film_key(film, recipe);
+  if (recipe.twin) read_twin_recipe(recipe);
   outcome.file = options.out / io::stage_file_name(1, "film", key);
   FilmResult& r = outcome.result;
   r.name = "film";
   Road road(recipe, options, *source);
-  if (!road.run(r)) {
+  if (!road.run(r, film.string())) {
     outcome.interrupted = true;
     return outcome;
   }

@@ -26,8 +26,8 @@ struct FilmOutcome {
 };
 
 /// The whole road from a film to stresses of grains, contact forces and the simulation beside it; the result is one file
-/// in `options.out`, named by the hash of all that it depends on, and read from there if it is there already. Throws
-/// InputError for what the recipe and the film do not allow.
+/// in `options.out`, named by the hash of all that it depends on. Throws InputError for what the recipe and the film do
+/// not allow.
 FilmOutcome run_film(const std::filesystem::path& film, const FilmRecipe& recipe, const FilmRunOptions& options);
 
 }  // namespace arenite::study

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "study/film_checks.hpp"
 #include "study/film_place.hpp"
 #include "study/result_folder.hpp"
 
@@ -24,16 +22,8 @@ std::string table_of(const FilmResult& film) {
   return text;
 }
 
-bool has_stage(const Recipe& recipe, const std::string& name) {
-  return std::any_of(recipe.stages.begin(), recipe.stages.end(), [&](const Stage& s) { return s.name == name; });
-}
-
 Recipe twin_recipe(const FilmRecipe& recipe, const fs::path& grains) {
-  const auto file = fs::path(recipe.source_file).parent_path() / recipe.twin->recipe;
-  Recipe twin = read_recipe(file.string());
-  for (const auto& name : {recipe.twin->low, recipe.twin->high})
-    if (!has_stage(twin, name)) throw InputError(file.string(), 0, fmt::format("has no stage \"{}\", which [twin] of {} names", name, recipe.source_file));
-  twin.source_file = file.string();
+  Recipe twin = read_twin_recipe(recipe);
   twin.populations.clear();
   twin.packing.method = PackingParameters::Method::file;
   twin.packing.file = fs::absolute(grains).string();

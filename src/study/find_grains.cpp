@@ -94,6 +94,7 @@ void name_classes(const FilmRecipe& recipe, const std::string& where, std::size_
 PictureGrains read_list(const FilmRecipe& recipe, const FilmPlace& place) {
   const auto file = std::filesystem::path(recipe.source_file).parent_path() / recipe.picture.grains;
   const Grains read = io::read_placed_grains(file, materials_of(recipe), frame_at(recipe, 0));
+  if (read.size() == 0) throw InputError(file.string(), 0, "lists no grains; give every grain a row");
   PictureGrains grains;
   for (std::size_t i = 0; i < read.size(); ++i) {
     grains.x.push_back(place.column(read.x[i]));

@@ -37,6 +37,7 @@ const Packing& state_named(const std::map<std::string, Packing>& states, const s
   const auto at = states.find(name);
   if (at != states.end()) return at->second;
   std::vector<std::string> names;
+  if (states.empty()) throw InputError(result.string(), 0, "holds no simulated states; give the folder of an `arenite run`");
   for (const auto& [each, packing] : states) names.push_back(each);
   throw InputError(result.string(), 0, fmt::format("has no stage \"{}\"; those there are: {}", name, fmt::join(names, ", ")));
 }

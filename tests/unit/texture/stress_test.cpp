@@ -30,6 +30,25 @@ TEST(Stress, OfTwoDisksBetweenWallsIsTheirForceOverTheWall) {
   EXPECT_NEAR(t.per_grain.sigma_norm[0], 1, 1e-14);
 }
 
+TEST(Stress, OfGrainsAsALaboratoryMeasuredItTakesThePlaceOfThatOfContacts) {
+  Packing p = test::empty_box(0.04, 0.02, 0.06);
+  test::add_grain(p, {0.01, 0.01}, 0.01);
+  test::add_grain(p, {0.03, 0.01}, 0.01, 1);
+  Options options;
+  options.border = 0;
+  options.grain_sigma_hyd = {-1e6, -3e6};
+  const Texture without_contacts = measure(p, options);
+  test::add_contact(p, 0, 1, 100);
+  const Texture t = measure(p, options);
+  EXPECT_EQ(t.per_grain.sigma_hyd, options.grain_sigma_hyd);
+  EXPECT_DOUBLE_EQ(t.per_grain.sigma_norm[0], 0.5);
+  EXPECT_DOUBLE_EQ(t.per_grain.sigma_norm[1], 1.5);
+  EXPECT_EQ(without_contacts.per_grain.sigma_norm, t.per_grain.sigma_norm);
+  // The stress of the sample as a whole stays that of its contacts.
+  EXPECT_LT(t.stress.whole.value.xx, 0);
+  EXPECT_GT(t.stress.whole.value.xx, -1e6);
+}
+
 TEST(Stress, OfAGrainUnderItsWeightIsBalancedByTheWallBelow) {
   Packing p = test::empty_box(1, 1, 0.5);
   test::add_grain(p, {0.5, 0.2}, 0.2);

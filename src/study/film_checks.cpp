@@ -1,0 +1,46 @@
+#include "study/film_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/error.hpp"
+
+namespace arenite::study {
+
+double swing_over_noise(const LockinMaps& maps) {
+  double sum = 0;
+  std::size_t known = 0;
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    const double share = static_cast<double>(maps.amplitude[i]) / static_cast<double>(maps.standard_error[i]);
+    if (!std::isfinite(share)) continue;
+    sum += share * share;
+    ++known;
+  }
+  return known > 0 ? sum / static_cast<double>(known) : 0;
+}
+
+void refuse_without_load(const LockinMaps& maps, double told_frequency) {
+  // Pixels' noise is theirs alone, so its mean over a film's thousands of pixels is within a few hundredths of 2, also at the
+  // best of the frequencies that the refinement tried. A film whose load shows less than this tells nothing of single grains.
+  constexpr double noise_alone = 2, least = 1.25 * noise_alone;
+  if (swing_over_noise(maps) < least)
+    throw InputError(fmt::format("nothing but noise swings at {:g} Hz; give the frequency of the load (lockin.frequency), or a film of a loaded sample",
+                                 told_frequency));
+}
+
+Recipe read_twin_recipe(const FilmRecipe& recipe) {
+  const auto file = (std::filesystem::path(recipe.source_file).parent_path() / recipe.twin->recipe).string();
+  Recipe twin = read_recipe(file);
+  twin.source_file = file;
+  for (const auto& name : {recipe.twin->low, recipe.twin->high}) {
+    const auto named = [&](const Stage& stage) { return stage.name == name; };
+    if (std::none_of(twin.stages.begin(), twin.stages.end(), named))
+      throw InputError(file, 0, fmt::format("has no stage \"{}\", which [twin] of {} names", name, recipe.source_file));
+  }
+  return twin;
+}
+
+}  // namespace arenite::study

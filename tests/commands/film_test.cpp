@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "study/film_numbers.hpp"
+#include "support/virtual_film.hpp"
+
+namespace {
+using namespace arenite;
+using test::VirtualFilm;
+using Json = nlohmann::json;
+
+Vec2 lower_left(const Packing& p) { return {p.domain.wall[left].position, p.domain.wall[bottom].position}; }
+
+TEST(FilmCommand, GivesBackTheStressesOfTheSimulationThatWasFilmed) {
+  const VirtualFilm virtual_film;
+  ASSERT_EQ(virtual_film.filmed.status, 0) << virtual_film.simulated.err << virtual_film.filmed.err;
+  for (const char* name : {"film.ptw", "cold.ptw", "warm.ptw", "optical.tif", "film.toml"}) EXPECT_TRUE(std::filesystem::exists(virtual_film.at("film") / name)) << name;
+  const auto done = virtual_film.film("--json");
+  ASSERT_EQ(done.status, 0) << done.err;
+  EXPECT_TRUE(std::filesystem::file_size(virtual_film.at("result/report.html")) > 100'000);
+  const Json j = Json::parse(done.out);
+  EXPECT_EQ(j["grains"]["POM"], 20);
+  EXPECT_EQ(j["grains"]["HDPE"], 22);
+  EXPECT_EQ(j["lockin"]["swing"], "full");
+  EXPECT_NEAR(j["lockin"]["frequency_Hz"]["value"].get<double>(), 3.003, 5 * j["lockin"]["frequency_Hz"]["error"].get<double>());
+  EXPECT_GT(j["motion"]["largest_travel_pixels"].get<double>(), 1.5);
+
+  const Packing low = virtual_film.state("low"), high = virtual_film.state("high");
+  const FilmResult film = virtual_film.result();
+  const Vec2 corner = lower_left(low);
+  const auto match = test::nearest_of(film.packing.grains, high.grains, corner);
+  EXPECT_EQ(std::set<std::size_t>(match.begin(), match.end()).size(), 42u);
+  const auto released = test::stress_by_forces(low), loaded = test::stress_by_forces(high);
+  std::vector<double> swing;
+  double off_at_low = 0, off_at_high = 0;
+  int away = 0;
+  for (std::size_t i = 0; i < match.size(); ++i) {
+    swing.push_back(loaded[match[i]] - released[match[i]]);
+    EXPECT_EQ(film.packing.materials[static_cast<std::size_t>(film.packing.grains.material[i])].name,
+              high.materials[static_cast<std::size_t>(high.grains.material[match[i]])].name);
+    const Vec2 found = film.origin + Vec2{film.grains.x[i] * film.pixel, -film.grains.y[i] * film.pixel}, moved = film.packing.grains.centre(i);
+    off_at_low += std::pow(norm(low.grains.centre(match[i]) - corner - found) / film.pixel, 2) / 42;
+    const double border = 0.010;
+    if (moved.x < border || moved.x > 0.095 - border || moved.y < high.domain.wall[bottom].position - corner.y + border || moved.y > low.domain.height() - border) continue;
+    off_at_high += std::pow(norm(high.grains.centre(match[i]) - corner - moved) / film.pixel, 2);
+    ++away;
+  }
+  EXPECT_LT(std::sqrt(off_at_low), 0.1);
+  EXPECT_GT(away, 20);
+  EXPECT_LT(std::sqrt(off_at_high / away), 0.1);
+  const auto agreement = study::agreement(film.swing.sigma_hyd, swing, std::vector<std::uint8_t>(42, 1));
+  EXPECT_EQ(agreement.grains, 42u);
+  EXPECT_GT(agreement.correlation, 0.98);
+  EXPECT_LT(agreement.rms_sigma_norm, 0.05);
+  EXPECT_NEAR(agreement.slope, 1, 0.03);
+}
+
+TEST(FilmCommand, SameSeedSameBytes) {
+  const VirtualFilm virtual_film;
+  ASSERT_EQ(virtual_film.camera("again").status, 0);
+  ASSERT_EQ(virtual_film.camera("other", "--set seed=9").status, 0);
+  for (const char* name : {"film.ptw", "cold.ptw", "warm.ptw", "optical.tif", "film.toml"})
+    EXPECT_TRUE(test::slurp(virtual_film.at("film") / name) == test::slurp(virtual_film.at("again") / name)) << name;
+  EXPECT_FALSE(test::slurp(virtual_film.at("film/film.ptw")) == test::slurp(virtual_film.at("other/film.ptw")));
+}
+
+TEST(FilmCommand, ThreadsChangeNoBitOfTheResult) {
+  const VirtualFilm virtual_film;
+  ASSERT_EQ(virtual_film.film("--threads 1").status, 0);
+  const auto file = io::stage_files(virtual_film.at("result")).front();
+  const std::string alone = test::slurp(file);
+  std::filesystem::remove(file);
+  ASSERT_EQ(virtual_film.film("--threads 3").status, 0);
+  EXPECT_TRUE(alone == test::slurp(file));
+}
+
+/// One sentence that holds `words`, exit 2, and no folder of results.
+void expect_refused(const VirtualFilm& of, const test::Outcome& outcome, const std::string& words) {
+  EXPECT_EQ(outcome.status, 2) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  std::vector<std::string> sentences;
+  std::istringstream lines(outcome.err);
+  for (std::string line; std::getline(lines, line);)
+    if (line.find(words) != std::string::npos) sentences.push_back(line);
+  ASSERT_EQ(sentences.size(), 1u) << outcome.err;
+  EXPECT_TRUE(outcome.err.ends_with(sentences.front() + "\n")) << outcome.err;
+  for (const char* name : {"result", "none"}) EXPECT_FALSE(std::filesystem::exists(of.at(name))) << name;
+}
+
+TEST(FilmCommand, RefusesWhatTheFilmDoesNotShow) {
+  const VirtualFilm of("--set camera.high='\"low\"'");
+  ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
+  expect_refused(of, of.film(), "film.ptw: nothing but noise swings at 3 Hz");
+  expect_refused(of, of.film("--set lockin.frequency='\"80 Hz\"'"), "film.ptw: the load frequency of 80 Hz is at or above the Nyquist frequency");
+  expect_refused(of, of.film("--set lockin.frequency='\"0.2 Hz\"'"), "film.ptw: the film of 2.027 s holds 0.404 cycles");
+  const auto cold = [&](const std::string& to) { std::filesystem::copy_file(of.at("film/cold.ptw"), of.at(to)); };
+  std::filesystem::create_directory(of.at("plate"));
+  cold("plate/film.ptw");
+  expect_refused(of, of.film("--set lockin.frequency='\"30 Hz\"'", "plate"), "film.ptw: nothing but noise swings at 30 Hz");
+  ASSERT_EQ(of.camera("wide", "--set camera.width=80").status, 0);
+  expect_refused(of, of.film("--set correction.warm='\"../wide/warm.ptw\"'"), "warm.ptw: has frames of 80 x 96 pixels, and the film of 96 x 96");
+}
+
+TEST(FilmCommand, RefusesRecipesThatDoNotFit) {
+  const VirtualFilm of;
+  ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
+  of.edit("no-factor.toml", "thermoelastic_factor = \"0.015 K/MPa\"\n", "");
+  expect_refused(of, of.film("", "film", "no-factor.toml"), "materials.POM.thermoelastic_factor: is missing");
+  of.edit("twin.toml", "[picture]", "[twin]\nrecipe = \"" + VirtualFilm::example("sample.toml") + "\"\nlow = \"none\"\nhigh = \"high\"\n\n[picture]");
+  expect_refused(of, of.film("", "film", "twin.toml"), "sample.toml: has no stage \"none\", which [twin] of ");
+  std::ofstream(of.at("film/none.csv")) << "id,x [mm],y [mm],radius [mm],material\n";
+  expect_refused(of, of.film("--set picture.grains='\"none.csv\"'"), "none.csv: lists no grains");
+  of.edit("empty.toml", "[frame]", "[frame]\nleft = 200.0");
+  expect_refused(of, of.film("", "film", "empty.toml"), "film.ptw: the film shows no grains inside the frame");
+}
+
+TEST(CameraCommand, RefusesInOneSentence) {
+  const VirtualFilm of;
+  const auto none = [&](const std::string& overrides) { return of.camera("none", overrides); };
+  expect_refused(of, none("--set camera.high='\"nowhere\"'"), "states: has no stage \"nowhere\"; those there are: compact, high, low, packing, prepare");
+  std::string text = test::slurp(VirtualFilm::example("camera.toml"));
+  const auto pom = text.find("[materials.POM]");
+  std::ofstream(of.at("no-pom.toml")) << text.erase(pom, text.find("[frame]") - pom);
+  const std::string tail = " --quiet --out " + of.at("none").string();
+  expect_refused(of, test::arenite("camera " + of.states() + " --recipe " + of.at("no-pom.toml").string() + tail), "there is no section [materials.POM]");
+  expect_refused(of, test::arenite("camera " + of.states() + " --recipe " + of.at("film/film.toml").string() + tail), "there is no section [camera]");
+  expect_refused(of, test::arenite("camera " + of.at("film").string() + " --recipe " + VirtualFilm::example("camera.toml") + tail), "film: holds no stage file");
+}
+
+}  // namespace
