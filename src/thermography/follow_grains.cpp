@@ -5,6 +5,7 @@
 
 #include "core/threads.hpp"
 #include "thermography/grain_motion.hpp"
+#include "thermography/grain_scene.hpp"
 #include "thermography/rim_pixels.hpp"
 
 namespace arenite::thermography {
@@ -57,13 +58,16 @@ std::vector<double> joined(const std::vector<std::vector<double>>& parts) {
 }  // namespace
 
 LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, const PictureGrains& grains, const GrainMotion& motion,
-                         const PictureGrains& shown, std::optional<double> told_phase, int threads) {
+                         const PictureGrains& shown, std::optional<double> told_phase, int threads, double blur) {
   LockinMaps result = maps;
   const double factor = maps.convention == SwingConvention::full ? 2 : 1, spread = factor * std::sqrt(2 / static_cast<double>(maps.frames));
+  const GrainScene scene = grain_scene(pictures, grains, motion, blur, threads);
+  const PhasePictures rest = without_scene(pictures, scene, grains, motion, blur, threads);
   const std::vector<std::int32_t> owner = owners(shown, maps.width, maps.height);
   std::vector<std::vector<double>> cosine(grains.size()), sine(grains.size());
   const auto follow = [&](std::size_t i) {
-    const SwingOfPixels fit(pictures, motion.cos_x[i], motion.sin_x[i], motion.cos_y[i], motion.sin_y[i]);
+    const SwingOfPixels fit(rest, motion.cos_x[i], motion.sin_x[i], motion.cos_y[i], motion.sin_y[i]);
+    const GrainScene::Level level = scene.grain[i];
     const double x = shown.x[i], y = shown.y[i], r = shown.radius[i];
     const auto first = [](double v) { return std::max(0, static_cast<int>(std::ceil(v))); };
     for (int row = first(y - r); row <= std::min(maps.height - 1, static_cast<int>(std::floor(y + r))); ++row)
@@ -71,7 +75,8 @@ LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, 
         const double out = std::hypot(column - x, row - y);
         const auto p = static_cast<std::size_t>(row) * static_cast<std::size_t>(maps.width) + static_cast<std::size_t>(column);
         if (out > r || owner[p] != static_cast<std::int32_t>(i)) continue;
-        const Followed f = fit.follow(pictures, column + grains.x[i] - x, row + grains.y[i] - y);
+        Followed f = fit.follow(rest, column + grains.x[i] - x, row + grains.y[i] - y);
+        f.mean += level.mean, f.cosine += level.cosine, f.sine += level.sine;
         put(result, p, f, factor, spread);
         if (out > 0.7 * r) continue;
         cosine[i].push_back(f.cosine);

@@ -21,12 +21,13 @@ struct MovingDisks {
   double thermal = 0.05, tilt = 0.5;
   double contrast = 1.5;            ///< K
   double radius = 4.6;
+  double gap = 0.1;                 ///< pixels between neighbours
   std::uint64_t seed = 7;
 
   PictureGrains grains() const {
     PictureGrains g;
     RandomStream random(seed, Purpose::test, 1);
-    const double step = 2 * radius + 0.1;
+    const double step = 2 * radius + gap;
     for (int row = 0; row < static_cast<int>((height - 12) / (step * 0.87)); ++row)
       for (int k = 0; k < static_cast<int>((width - 12 - step / 2) / step); ++k) {
         g.x.push_back(8 + radius + step * (k + 0.5 * (row % 2)) + 0.05 * random.normal());
