@@ -162,7 +162,7 @@ class Road {
     }
     std::optional<double> phase;
     if (recipe_.lockin.phase) phase = turn * *recipe_.lockin.phase;
-    r.maps = thermography::follow_grains(pictures, r.maps, middle, r.motion, loaded_, phase, options_.threads);
+    r.maps = thermography::follow_grains(pictures, r.maps, middle, r.motion, loaded_, phase, options_.threads, recipe_.forces.blur);
     forget_outside(r.maps);
   }
 

@@ -67,7 +67,6 @@ LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, 
   std::vector<std::vector<double>> cosine(grains.size()), sine(grains.size());
   const auto follow = [&](std::size_t i) {
     const SwingOfPixels fit(rest, motion.cos_x[i], motion.sin_x[i], motion.cos_y[i], motion.sin_y[i]);
-    const GrainScene::Level level = scene.grain[i];
     const double x = shown.x[i], y = shown.y[i], r = shown.radius[i];
     const auto first = [](double v) { return std::max(0, static_cast<int>(std::ceil(v))); };
     for (int row = first(y - r); row <= std::min(maps.height - 1, static_cast<int>(std::floor(y + r))); ++row)
@@ -76,7 +75,7 @@ LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, 
         const auto p = static_cast<std::size_t>(row) * static_cast<std::size_t>(maps.width) + static_cast<std::size_t>(column);
         if (out > r || owner[p] != static_cast<std::int32_t>(i)) continue;
         Followed f = fit.follow(rest, column + grains.x[i] - x, row + grains.y[i] - y);
-        f.mean += level.mean, f.cosine += level.cosine, f.sine += level.sine;
+        f.mean += scene.grain[i];
         put(result, p, f, factor, spread);
         if (out > 0.7 * r) continue;
         cosine[i].push_back(f.cosine);

@@ -89,28 +89,19 @@ std::vector<Chord> chords_of(const PictureGrains& g, std::size_t i) {
   return chords;
 }
 
-std::vector<double> levels_in(const PhasePictures& pictures, std::size_t k, const GrainScene& scene) {
-  std::vector<double> level;
-  for (const auto& g : scene.grain) level.push_back(g.mean + g.cosine * pictures.cosine[k] + g.sine * pictures.sine[k]);
-  return level;
-}
-
 /// Mean over the grain's inner pixels, at least the one in its middle.
-GrainScene::Level inner_level(const PhasePictures& pictures, const PictureGrains& g, const GrainMotion& m, std::size_t i) {
+double inner_level(const PhasePictures& pictures, const PictureGrains& g, const GrainMotion& m, std::size_t i) {
   const SwingOfPixels fit(pictures, m.cos_x[i], m.sin_x[i], m.cos_y[i], m.sin_y[i]);
   const double inner = std::max(0.5, std::min(0.8 * g.radius[i], g.radius[i] - 2.5));
-  GrainScene::Level level;
-  double n = 0;
+  double sum = 0, n = 0;
   const int reach = static_cast<int>(inner);
   for (int dy = -reach; dy <= reach; ++dy)
     for (int dx = -reach; dx <= reach; ++dx) {
       if (dx * dx + dy * dy > inner * inner) continue;
-      const Followed f = fit.follow(pictures, g.x[i] + dx, g.y[i] + dy);
-      level.mean += f.mean, level.cosine += f.cosine, level.sine += f.sine;
+      sum += fit.follow(pictures, g.x[i] + dx, g.y[i] + dy).mean;
       n += 1;
     }
-  level.mean /= n, level.cosine /= n, level.sine /= n;
-  return level;
+  return sum / n;
 }
 
 }  // namespace
@@ -153,12 +144,12 @@ double background_level(const PhasePictures& pictures, const GrainScene& scene, 
   constexpr float least = 0.5f, most = 0.98f;
   const PictureGrains there = grains_in(pictures, 0, grains, motion);
   const std::vector<float> open = draw_disks(there, std::vector<double>(grains.size(), 0.0), 1, blur, pictures.width, pictures.height);
-  const std::vector<float> disks = draw_disks(there, levels_in(pictures, 0, scene), 0, blur, pictures.width, pictures.height);
+  const std::vector<float> disks = draw_disks(there, scene.grain, 0, blur, pictures.width, pictures.height);
   const std::vector<float> seen = picture_of(pictures, 0);
   std::vector<std::pair<double, double>> pores;  // level and weight
   for (std::size_t p = 0; p < seen.size(); ++p)
     if (open[p] > least && open[p] < most) pores.emplace_back(static_cast<double>((seen[p] - disks[p]) / open[p]), static_cast<double>(open[p] * open[p]));
-  return median(pores, scene.grain.empty() ? 0 : scene.grain.front().mean);
+  return median(pores, scene.grain.empty() ? 0 : scene.grain.front());
 }
 
 }  // namespace
@@ -178,7 +169,7 @@ PhasePictures without_scene(const PhasePictures& pictures, const GrainScene& sce
   PhasePictures rest = pictures;
   Team(threads).for_ranges(8 * rest.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin / 8; k < end / 8; ++k) {
-      std::vector<float> drawn = draw_disks(grains_in(rest, k, grains, motion), levels_in(rest, k, scene), scene.background, blur, rest.width, rest.height);
+      std::vector<float> drawn = draw_disks(grains_in(rest, k, grains, motion), scene.grain, scene.background, blur, rest.width, rest.height);
       spline_coefficients(drawn.data(), rest.width, rest.height);
       float* coefficient = rest.spline.data() + k * rest.pixels();
       for (std::size_t p = 0; p < drawn.size(); ++p) coefficient[p] -= drawn[p];

@@ -7,10 +7,9 @@
 
 namespace arenite::thermography {
 
-/// Levels of evenly bright disks before an even background: what a film would show if no grain were warmer here than there.
+/// Levels of evenly bright disks before an even background: what a film would show if nothing warmed under the load.
 struct GrainScene {
-  struct Level { double mean = 0, cosine = 0, sine = 0; };
-  std::vector<Level> grain;         ///< of every grain, swinging with the load
+  std::vector<double> grain;        ///< mean of every grain
   double background = 0;
 };
 
