@@ -38,8 +38,8 @@ Contacts touching_at_either_load(const FilmRecipe& recipe, const FilmResult& r) 
 inference::ForceOptions force_options(const FilmRecipe& recipe, const PictureGrains& grains) {
   inference::ForceOptions options;
   options.blur = recipe.forces.blur;
-  // Rims sweep over what is behind them; a pixel further in shows the grain alone.
-  options.rim_margin = recipe.lockin.motion ? 1 : 0.5;
+  // Rims sweep over what is behind them; pixels further in are still good to some mK.
+  options.rim_margin = recipe.lockin.motion ? 1.5 : 0.5;
   options.friction = recipe.forces.friction;
   options.inequality = recipe.forces.state ? inference::Inequality::cone : inference::Inequality::none;
   options.position_error = place_error(grains);
