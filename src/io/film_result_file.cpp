@@ -170,6 +170,7 @@ FilmResult read_film_result(const std::filesystem::path& path) {
   result.packing = read_packing(at.group("packing"));
   const std::size_t grains = result.packing.grains.size(), contacts = result.packing.contacts.size();
   result.grains = read_columns(at.group("grains"), grain_columns, grains);
+  result.grains.material = result.packing.grains.material;
   result.motion = read_columns(at.group("motion"), motion_columns, grains);
   result.swing = read_columns(at.group("swing"), swing_columns, grains);
   result.twin = read_columns(at.group("twin"), twin_columns, grains);

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
@@ -16,6 +17,7 @@
 #include "io/film_result_file.hpp"
 #include "io/read_file.hpp"
 #include "io/run_folder.hpp"
+#include "io/sealed_file.hpp"
 #include "study/film_checks.hpp"
 #include "study/film_correction.hpp"
 #include "study/film_forces.hpp"
@@ -226,6 +228,17 @@ std::string sentence_of(const FilmResult& r) {
   return fmt::format("{} grains and {} contacts at {:.6g} Hz", r.packing.grains.size(), r.packing.contacts.size(), r.maps.frequency);
 }
 
+/// What the store has of this film; nothing for a file that is missing or damaged.
+std::optional<FilmResult> stored(const fs::path& file, const FilmRunOptions& options) {
+  if (!fs::exists(file)) return std::nullopt;
+  try {
+    return io::read_film_result(file);
+  } catch (const io::DamagedFile&) {
+    options.notice(fmt::format("{}: is empty, cut short or changed; the film is measured again", file.string()));
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 FilmOutcome run_film(const fs::path& film, const FilmRecipe& recipe, const FilmRunOptions& options) {
@@ -235,6 +248,11 @@ FilmOutcome run_film(const fs::path& film, const FilmRecipe& recipe, const FilmR
   if (recipe.twin) read_twin_recipe(recipe);
   outcome.file = options.out / io::stage_file_name(1, "film", key);
   FilmResult& r = outcome.result;
+  if (auto known = stored(outcome.file, options)) {
+    r = std::move(*known);
+    outcome.interrupted = recipe.twin && !add_twin(recipe, options, outcome);
+    return outcome;
+  }
   r.name = "film";
   Road road(recipe, options, *source);
   if (!road.run(r, film.string())) {
