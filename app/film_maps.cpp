@@ -24,12 +24,4 @@ void write_maps(const std::string& folder, const std::string& format, const Film
   }
 }
 
-double median(std::vector<float> map) {
-  std::erase_if(map, [](float v) { return !std::isfinite(v); });
-  if (map.empty()) return std::nan("");
-  const auto middle = map.begin() + static_cast<std::ptrdiff_t>(map.size() / 2);
-  std::nth_element(map.begin(), middle, map.end());
-  return static_cast<double>(*middle);
-}
-
 }  // namespace arenite::app

@@ -14,7 +14,4 @@ struct FilmMaps {
 /// Writes every map into the folder, which is made: NAME.tif, NAME.npy or NAME.h5 for the formats tiff, npy, hdf5.
 void write_maps(const std::string& folder, const std::string& format, const FilmMaps& maps);
 
-/// Of the finite numbers; NaN if there is none.
-double median(std::vector<float> map);
-
 }  // namespace arenite::app

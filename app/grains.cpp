@@ -10,6 +10,7 @@
 #include "core/units.hpp"
 #include "io/atomic_file.hpp"
 #include "io/table.hpp"
+#include "option_value.hpp"
 #include "report/found_grains.hpp"
 #include "study/grain_picture.hpp"
 #include "study/result_folder.hpp"
@@ -30,16 +31,6 @@ std::vector<std::string> parts_of(const std::string& text) {
   std::vector<std::string> parts;
   for (const auto& part : CLI::detail::split(text, ',')) parts.push_back(CLI::detail::trim_copy(part));
   return parts;
-}
-
-/// Rethrows an error of a value as one of its option.
-template <class Read>
-auto option_value(const char* option, Read read) {
-  try {
-    return read();
-  } catch (const InputError& error) {
-    throw InputError(std::string(option) + ": " + error.problems().front().message);
-  }
 }
 
 double pixel_of(const Arguments& a) {
@@ -115,10 +106,7 @@ void find_grains(const Arguments& a) {
     std::fputs((a.json ? report::grains_json(grains) : report::grains_text(grains)).c_str(), stdout);
     if (!a.out.empty()) store(a, grains, picture.image);
   } catch (const InputError& error) {
-    auto problems = error.problems();
-    for (auto& problem : problems)
-      if (problem.file.empty()) problem.file = a.picture;
-    throw InputError(std::move(problems));
+    throw in_file(error, a.picture);
   }
 }
 

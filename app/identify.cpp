@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "option_value.hpp"
 #include "study/identify.hpp"
 
 namespace arenite::app {
@@ -24,12 +25,7 @@ struct Arguments {
 };
 
 double si(const char* option, const std::string& text, Dimension dimension, const char* unit, bool zero_allowed = false) {
-  double value = 0;
-  try {
-    value = parse_si(text, dimension, unit);
-  } catch (const InputError& error) {
-    throw InputError(std::string(option) + ": " + error.problems().front().message);
-  }
+  const double value = option_value(option, [&] { return parse_si(text, dimension, unit); });
   if (!(value > 0) && !(zero_allowed && value == 0)) throw InputError(std::string(option) + ": \"" + text + "\" must be " + (zero_allowed ? "0 or above" : "above 0"));
   return value;
 }

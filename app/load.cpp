@@ -131,12 +131,6 @@ void store(const Arguments& a, const study::Load& load, const FieldResult& resul
 
 int execute(const Arguments& a) {
   const study::Load load = load_of(a);
-  const auto name_the_map = [&](const InputError& error) {
-    auto problems = error.problems();
-    for (auto& problem : problems)
-      if (problem.file.empty()) problem.file = a.map;
-    return InputError(std::move(problems));
-  };
   try {
     const FieldResult sample = study::sample_of_map(read_map(a));
     watch_for_signals();
@@ -150,7 +144,7 @@ int execute(const Arguments& a) {
     if (!a.out.empty()) store(a, load, *result);
     return result->converged ? done : not_converged;
   } catch (const InputError& error) {
-    throw name_the_map(error);
+    throw in_file(error, a.map);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "core/error.hpp"
+#include "core/median.hpp"
 #include "core/units.hpp"
 #include "film_maps.hpp"
 #include "io/film.hpp"
@@ -66,7 +67,7 @@ nlohmann::json numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& 
   j["reference_phase_rad"] = m.reference_phase;
   j["reference"] = a.options.reference_phase ? "given" : "found on the film; its sign is the one with which pixels warm on the mean";
   for (const auto& [name, map] : maps_of(m).named)
-    if (!map->empty()) j["median"][name] = median(*map);
+    if (!map->empty()) j["median"][name] = median_of_finite(*map);
   j["diffusion_length_m"] = heat.length;
   if (heat.pixel > 0) {
     j["adiabatic"] = heat.holds();
@@ -81,10 +82,10 @@ void print(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const 
   if (m.frequency_error > 0 && std::isfinite(m.frequency_error)) fmt::print(" +- {:.1e}", m.frequency_error);
   else if (m.frequency_error > 0) fmt::print(" as given: the film shows no swing that tells it");
   fmt::print("\nframes           {} of {} x {} pixels\n", m.frames, m.width, m.height);
-  fmt::print("amplitude        {:.4g} {} ({} swing, median)\n", median(m.amplitude), unit, m.convention == SwingConvention::full ? "full" : "half");
-  fmt::print("standard error   {:.4g} {} (median)\nnoise floor      {:.4g} {} (median)\n", median(m.standard_error), unit, median(m.noise_floor), unit);
-  if (!m.second_harmonic.empty()) fmt::print("second harmonic  {:.4g} {} (median)\n", median(m.second_harmonic), unit);
-  fmt::print("residual         {:.4g} {} (median)\n", median(m.residual), unit);
+  fmt::print("amplitude        {:.4g} {} ({} swing, median)\n", median_of_finite(m.amplitude), unit, m.convention == SwingConvention::full ? "full" : "half");
+  fmt::print("standard error   {:.4g} {} (median)\nnoise floor      {:.4g} {} (median)\n", median_of_finite(m.standard_error), unit, median_of_finite(m.noise_floor), unit);
+  if (!m.second_harmonic.empty()) fmt::print("second harmonic  {:.4g} {} (median)\n", median_of_finite(m.second_harmonic), unit);
+  fmt::print("residual         {:.4g} {} (median)\n", median_of_finite(m.residual), unit);
   fmt::print("reference phase  {:.6g} rad{}\n", m.reference_phase, a.options.reference_phase ? "" : ", found on the film up to its sign: pixels warm on the mean");
   fmt::print("diffusion length {:.4g} mm", 1e3 * heat.length);
   if (heat.pixel > 0) fmt::print(", {:.3g} pixels: the finest detail loses {:.2g} % of its swing", heat.length / heat.pixel, 100 * heat.lost());
@@ -105,20 +106,10 @@ int execute(Arguments& a) {
   LockinMaps maps;
   try {
     ProgressLine line(a.quiet || a.json);
-    o.progress = [&](double share) {
-      study::Progress progress;
-      progress.stages = 1;
-      progress.name = "frames";
-      progress.share = share;
-      line.show(progress);
-      return !stop_requested();
-    };
+    o.progress = frames_progress(line);
     maps = a.nearest_bin ? thermography::nearest_bin_transform(*film, o) : thermography::lock_in(*film, o);
   } catch (const InputError& error) {
-    auto problems = error.problems();
-    for (auto& problem : problems)
-      if (problem.file.empty()) problem.file = a.film;
-    throw InputError(std::move(problems));
+    throw in_file(error, a.film);
   }
   if (maps.size() == 0) {
     fmt::print(stderr, "stopped; nothing was stored\n");

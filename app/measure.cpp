@@ -11,6 +11,7 @@
 #include "io/sample.hpp"
 #include "io/sealed_file.hpp"
 #include "io/table.hpp"
+#include "option_value.hpp"
 #include "stress/stress.hpp"
 #include "texture/texture.hpp"
 
@@ -25,16 +26,6 @@ struct MeasureArguments {
   double load_axis_deg = -1;
   bool json = false, curves = false, y_down = false;
 };
-
-/// Rethrows an error without place as one of an option.
-template <class Read>
-auto option_value(const char* option, Read read) {
-  try {
-    return read();
-  } catch (const InputError& error) {
-    throw InputError(std::string(option) + ": " + error.problems().front().message);
-  }
-}
 
 /// "350 mm" or a bare number in the length unit.
 double length_of(const std::string& text, double unit) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "stop_signal.hpp"
+
 namespace arenite::app {
 
 namespace {
@@ -74,6 +76,17 @@ void ProgressLine::show(const study::Progress& progress) {
 void ProgressLine::notice(const std::string& sentence) {
   std::fprintf(stderr, "%s%s\n", open_ ? "\n" : "", sentence.c_str());
   open_ = false;
+}
+
+std::function<bool(double share)> frames_progress(ProgressLine& line) {
+  return [&line](double share) {
+    study::Progress progress;
+    progress.stages = 1;
+    progress.name = "frames";
+    progress.share = share;
+    line.show(progress);
+    return !stop_requested();
+  };
 }
 
 }  // namespace arenite::app

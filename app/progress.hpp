@@ -1,5 +1,6 @@
 #pragma once
 #include <chrono>
+#include <functional>
 #include <string>
 
 #include "study/run.hpp"
@@ -25,5 +26,9 @@ class ProgressLine {
   double share_at_start_ = 0;
   Clock::time_point stage_began_, last_shown_;
 };
+
+/// For work that reads a film and tells only its share: shows it, and false when the user asks to stop. The line must
+/// outlive it.
+std::function<bool(double share)> frames_progress(ProgressLine& line);
 
 }  // namespace arenite::app

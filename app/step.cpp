@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "core/error.hpp"
+#include "core/median.hpp"
 #include "core/units.hpp"
 #include "film_maps.hpp"
 #include "io/film.hpp"
@@ -32,13 +33,13 @@ void tell(const thermography::StepMaps& m, const Arguments& a, const FilmInfo& f
   if (!a.json) {
     fmt::print("step             {:.6g} s after the first frame{}\n", m.time, a.time.empty() ? ", found on the film" : "");
     fmt::print("frames           {} before, {} after, of {} x {} pixels\n", m.before, m.after, m.width, m.height);
-    fmt::print("jump             {:.4g} {} (median)\nstandard error   {:.4g} {} (median)\nresidual         {:.4g} {} (median)\n", median(m.jump), unit,
-               median(m.standard_error), unit, median(m.residual), unit);
+    fmt::print("jump             {:.4g} {} (median)\nstandard error   {:.4g} {} (median)\nresidual         {:.4g} {} (median)\n", median_of_finite(m.jump), unit,
+               median_of_finite(m.standard_error), unit, median_of_finite(m.residual), unit);
     return;
   }
   nlohmann::json j{{"time_s", m.time}, {"time", a.time.empty() ? "found on the film" : "given"}, {"frames_before", m.before}, {"frames_after", m.after},
                    {"width", m.width}, {"height", m.height}, {"drift_order", m.drift_order}, {"unit", unit}};
-  for (const auto& [name, map] : maps_of(m).named) j["median"][name] = median(*map);
+  for (const auto& [name, map] : maps_of(m).named) j["median"][name] = median_of_finite(*map);
   fmt::print("{}\n", j.dump(2));
 }
 
@@ -55,20 +56,10 @@ int execute(Arguments& a) {
   thermography::StepMaps maps;
   try {
     ProgressLine line(a.quiet || a.json);
-    o.progress = [&](double share) {
-      study::Progress progress;
-      progress.stages = 1;
-      progress.name = "frames";
-      progress.share = share;
-      line.show(progress);
-      return !stop_requested();
-    };
+    o.progress = frames_progress(line);
     maps = thermography::step_load(*film, o);
   } catch (const InputError& error) {
-    auto problems = error.problems();
-    for (auto& problem : problems)
-      if (problem.file.empty()) problem.file = a.film;
-    throw InputError(std::move(problems));
+    throw in_file(error, a.film);
   }
   if (maps.size() == 0) {
     fmt::print(stderr, "stopped; nothing was stored\n");

@@ -13,4 +13,11 @@ InputError::InputError(std::vector<Problem> problems) : problems_(std::move(prob
   for (const auto& problem : problems_) text_ += (text_.empty() ? "" : "\n") + to_string(problem);
 }
 
+InputError in_file(const InputError& error, const std::string& file) {
+  auto problems = error.problems();
+  for (auto& problem : problems)
+    if (problem.file.empty()) problem.file = file;
+  return InputError(std::move(problems));
+}
+
 }  // namespace arenite

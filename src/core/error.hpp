@@ -31,4 +31,7 @@ class InputError : public std::exception {
   std::string text_;
 };
 
+/// The same problems, those without a file as problems of `file`: for who knows the name where the finder did not.
+InputError in_file(const InputError& error, const std::string& file);
+
 }  // namespace arenite

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/median.hpp"
 
 namespace arenite::identify {
 namespace {
@@ -66,9 +67,7 @@ void check_valleys(const Curve& curve, const std::vector<double>& f, const std::
 double noise_of(const Curve& curve, const std::vector<std::size_t>& points) {
   std::vector<double> bends;
   for (std::size_t k = 2; k < points.size(); ++k) bends.push_back(std::abs(curve.x[points[k]] - 2 * curve.x[points[k - 1]] + curve.x[points[k - 2]]));
-  const auto middle = bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 2);
-  std::nth_element(bends.begin(), middle, bends.end());
-  return *middle / (0.6745 * std::sqrt(6.0));
+  return median(std::move(bends)) / (0.6745 * std::sqrt(6.0));
 }
 
 /// The displacement must go one way, but for noise.

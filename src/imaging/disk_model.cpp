@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/median.hpp"
 #include "imaging/blurred_step.hpp"
 
 namespace arenite::imaging {
@@ -11,13 +12,6 @@ namespace {
 
 constexpr double least_radius = 1.0, longest_step = 0.5;  // pixels
 constexpr double settled = 1e-3, at_rest = 5e-3;          // pixels a step
-
-double median_of(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double distance(const DiskModel::Disk& disk, int x, int y) {
   const double dx = x - disk.x, dy = y - disk.y;
@@ -75,7 +69,7 @@ void DiskModel::add(const Circle& circle) {
   for (int y = w.y0; y <= w.y1; ++y)
     for (int x = w.x0; x <= w.x1; ++x)
       if (std::hypot(x - disk.x, y - disk.y) < std::max(0.75, 0.6 * disk.radius)) inside.push_back(static_cast<double>(image_.value[image_.index(x, y)]));
-  disk.level = median_of(std::move(inside));
+  disk.level = median(std::move(inside));
   disks_.push_back(disk);
 }
 
@@ -89,7 +83,7 @@ void DiskModel::remove(const std::vector<char>& which) {
 void DiskModel::refresh() {
   std::vector<double> radii;
   for (const Disk& disk : disks_) radii.push_back(disk.radius);
-  spacing_ = std::clamp(static_cast<int>(12 * median_of(radii)), 32, 4096);
+  spacing_ = std::clamp(static_cast<int>(12 * median(radii)), 32, 4096);
   columns_ = image_.width / spacing_ + 2;
   rows_ = image_.height / spacing_ + 2;
   covered_.assign(image_.size(), 0.0F);
@@ -178,7 +172,7 @@ void DiskModel::measure_noise() {
       for (int x = w.x0; x <= w.x1; ++x)
         if (std::abs(distance(disk, x, y) - disk.radius) < 2 * blur_) size.push_back(std::abs(left(image_.index(x, y))));
   }
-  noise_ = median_of(std::move(size)) / 0.6744897501960817;
+  noise_ = median(std::move(size)) / 0.6744897501960817;
 }
 
 void DiskModel::fit(int sweeps, int between) {

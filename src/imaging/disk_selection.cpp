@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/median.hpp"
+
 namespace arenite::imaging {
 namespace {
 
@@ -16,13 +18,6 @@ constexpr double most_overlap = 0.3;      // of the smaller radius, in disks tha
 
 using Disks = std::vector<DiskModel::Disk>;
 using Evidence = std::vector<DiskModel::Evidence>;
-
-double median_of(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Contrast of the median disk by area.
 double usual_contrast(const Disks& disks, const Evidence& evidence) {
@@ -75,9 +70,9 @@ std::vector<char> refuted_disks(const DiskModel& model, const CircleOptions& opt
     unexplained.push_back(1 - e.explained);
   }
   const double usual = usual_contrast(disks, evidence);
-  const double least_rim = std::max(options.least_score, strict ? rim_of_usual * median_of(rims) : 0.0);
+  const double least_rim = std::max(options.least_score, strict ? rim_of_usual * median(rims) : 0.0);
   double most_unexplained = 1 - least_explained;
-  if (strict) most_unexplained = std::min(most_unexplained, std::max(few_unexplained, unexplained_of_usual * median_of(unexplained)));
+  if (strict) most_unexplained = std::min(most_unexplained, std::max(few_unexplained, unexplained_of_usual * median(unexplained)));
   for (std::size_t k = 0; k < disks.size(); ++k) {
     const double least = std::max(least_contrast * usual, 3 * model.noise() / disks[k].radius);
     if (rims[k] < least_rim || unexplained[k] > most_unexplained || std::abs(evidence[k].contrast) < least) out[k] = 1;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "core/median.hpp"
 #include "imaging/registration_search.hpp"
 
 namespace arenite::imaging {
@@ -35,9 +36,7 @@ double distance(const PictureGrains& from, const PictureGrains& to, const Simila
 void leave_out(const PictureGrains& from, const PictureGrains& to, const Similarity& t, RegistrationSearch::Pairs& pairs) {
   std::vector<double> away;
   for (const auto& pair : pairs) away.push_back(distance(from, to, t, pair));
-  auto sorted = away;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
-  const double most = outlier * std::max(sorted[sorted.size() / 2] / rayleigh_median, 1e-9 * mean_radius(to));
+  const double most = outlier * std::max(median(away) / rayleigh_median, 1e-9 * mean_radius(to));
   std::size_t kept = 0;
   for (std::size_t k = 0; k < pairs.size(); ++k)
     if (away[k] <= most) pairs[kept++] = pairs[k];

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/median.hpp"
+
 namespace arenite::imaging {
 namespace {
 
@@ -79,10 +81,7 @@ double noise_level(const FloatImage& image) {
       const float* c = b + image.width;
       size.push_back(std::abs(a[0] - 2 * a[1] + a[2] - 2 * (b[0] - 2 * b[1] + b[2]) + c[0] - 2 * c[1] + c[2]));
     }
-  if (size.empty()) return 0;
-  const auto middle = size.begin() + static_cast<std::ptrdiff_t>(size.size() / 2);
-  std::nth_element(size.begin(), middle, size.end());
-  return *middle / (6 * 0.6744897501960817);  // weights' root sum of squares; a normal's median size
+  return median(std::move(size)) / (6 * 0.6744897501960817);  // weights' root sum of squares; a normal's median size
 }
 
 }  // namespace arenite::imaging

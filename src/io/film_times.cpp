@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/median.hpp"
+
 namespace arenite::io {
 
 void take_stamps(FilmInfo& info, std::vector<double> stamp) {
@@ -38,10 +40,7 @@ FrameTimes frame_times(const FilmInfo& info) {
   }
   std::vector<double> step(info.time.size() - 1);
   for (std::size_t i = 0; i < step.size(); ++i) step[i] = info.time[i + 1] - info.time[i];
-  std::vector<double> sorted = step;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  times.interval = *middle;
+  times.interval = median(step);
   times.duration = info.time.back() - info.time.front();
   const double unit = set > 0 ? set : times.interval;
   for (std::size_t i = 0; i < step.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/median.hpp"
 #include "io/film_times.hpp"
 
 namespace arenite::report {
@@ -17,13 +18,6 @@ const char* name_of(FilmQuantity quantity) {
     case FilmQuantity::unknown: return "unknown";
   }
   return "";
-}
-
-double median(std::vector<float> x) {
-  if (x.empty()) return 0;
-  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
-  std::nth_element(x.begin(), middle, x.end());
-  return static_cast<double>(*middle);
 }
 
 struct Levels {

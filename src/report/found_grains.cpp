@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/median.hpp"
+
 namespace arenite::report {
 namespace {
 
@@ -13,13 +15,6 @@ std::string material_name(const FoundGrains& g, std::int32_t k) {
   if (k < 0) return "";
   if (at < g.materials.size()) return g.materials[at];
   return g.found.report.material_members.size() > 1 ? fmt::format("class{}", k + 1) : std::string();
-}
-
-double median(std::vector<double> x) {
-  if (x.empty()) return 0;
-  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
-  std::nth_element(x.begin(), middle, x.end());
-  return *middle;
 }
 
 /// Length in the table's unit.

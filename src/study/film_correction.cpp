@@ -49,13 +49,6 @@ double emissivity_of(const FilmRecipe& recipe) {
   return alike && !materials.empty() ? materials.front().emissivity : recipe.temperature.emissivity;
 }
 
-double median_level(const FrameStatistics& statistics) {
-  auto level = statistics.mean;
-  const auto middle = level.begin() + static_cast<std::ptrdiff_t>(level.size() / 2);
-  std::nth_element(level.begin(), middle, level.end());
-  return static_cast<double>(*middle);
-}
-
 thermography::LevelCurve curve_for(const FilmRecipe& recipe, const FilmInfo& film, const std::optional<FrameStatistics>& cold,
                                    const std::optional<FrameStatistics>& warm, const FrameStatistics& first) {
   const auto& t = recipe.temperature;
@@ -64,7 +57,7 @@ thermography::LevelCurve curve_for(const FilmRecipe& recipe, const FilmInfo& fil
     case From::plates:
       return thermography::curve_by_plates(band_of(film), {thermography::plate_level(*cold), recipe.correction.cold_temperature},
                                            {thermography::plate_level(*warm), recipe.correction.warm_temperature}, surface, range_of(film));
-    case From::radiometry: return thermography::curve_by_radiometry(band_of(film), {median_level(first), t.ambient}, surface, range_of(film));
+    case From::radiometry: return thermography::curve_by_radiometry(band_of(film), {thermography::plate_level(first), t.ambient}, surface, range_of(film));
     case From::curve: {
       std::vector<thermography::LevelPoint> points;
       const auto curve = io::read_calibration_curve(beside(recipe, t.curve).string());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/median.hpp"
 #include "statistics/correlation.hpp"
 #include "statistics/json.hpp"
 #include "texture/texture.hpp"
@@ -13,20 +14,7 @@ namespace {
 
 using statistics::Json;
 
-double median(std::vector<double> values) {
-  if (values.empty()) return statistics::unknown;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// Of the pixels that have a value.
-double median_of(const std::vector<float>& values) {
-  std::vector<double> known;
-  for (const float v : values)
-    if (std::isfinite(v)) known.push_back(static_cast<double>(v));
-  return median(std::move(known));
-}
+double median_or_unknown(std::vector<double> values) { return median(std::move(values), statistics::unknown); }
 
 Json film_of(const FilmResult& r) {
   return {{"format", r.film.format}, {"camera", r.film.camera}, {"width", r.film.width}, {"height", r.film.height}, {"frames", r.film.frames},
@@ -39,9 +27,9 @@ Json lockin_of(const FilmResult& r) {
   Json j{{"swing", m.convention == SwingConvention::full ? "full" : "half"}, {"frames", m.frames}};
   statistics::put(j, "frequency_Hz", statistics::Estimate{m.frequency, m.frequency_error});
   statistics::put(j, "reference_phase_deg", m.reference_phase * 180 / std::numbers::pi);
-  statistics::put(j, "standard_error_K", median_of(m.standard_error));
-  statistics::put(j, "residual_K", median_of(m.residual));
-  if (!m.second_harmonic.empty()) statistics::put(j, "second_harmonic_K", median_of(m.second_harmonic));
+  statistics::put(j, "standard_error_K", median_of_finite(m.standard_error));
+  statistics::put(j, "residual_K", median_of_finite(m.residual));
+  if (!m.second_harmonic.empty()) statistics::put(j, "second_harmonic_K", median_of_finite(m.second_harmonic));
   return j;
 }
 
@@ -50,7 +38,7 @@ Json grains_of(const FilmResult& r) {
   for (std::size_t m = 0; m < r.packing.materials.size(); ++m)
     j[r.packing.materials[m].name] =
         std::count(r.packing.grains.material.begin(), r.packing.grains.material.end(), static_cast<std::int32_t>(m));
-  if (!r.grains.position_error.empty()) statistics::put(j, "position_error_pixels", median(r.grains.position_error));
+  if (!r.grains.position_error.empty()) statistics::put(j, "position_error_pixels", median_or_unknown(r.grains.position_error));
   return j;
 }
 
@@ -60,9 +48,9 @@ Json motion_of(const FilmResult& r) {
     travel.push_back(2 * std::hypot(r.motion.cos_x[i], r.motion.sin_x[i], std::hypot(r.motion.cos_y[i], r.motion.sin_y[i])));
   Json j = Json::object();
   if (travel.empty()) return j;
-  statistics::put(j, "median_travel_pixels", median(travel));
+  statistics::put(j, "median_travel_pixels", median_or_unknown(travel));
   statistics::put(j, "largest_travel_pixels", *std::max_element(travel.begin(), travel.end()));
-  statistics::put(j, "standard_error_pixels", median(r.motion.error));
+  statistics::put(j, "standard_error_pixels", median_or_unknown(r.motion.error));
   return j;
 }
 
@@ -81,8 +69,8 @@ Json forces_of(const FilmResult& r) {
   Json j{{"proposed", contacts.size()}, {"absent", std::count(r.absent.begin(), r.absent.end(), std::uint8_t{1})}, {"between_grains", between}};
   statistics::put(j, "mean_N", mean);
   statistics::put(j, "share_above_mean", static_cast<double>(above) / static_cast<double>(std::max<std::size_t>(between, 1)));
-  statistics::put(j, "fn_error_N", median(r.fn_error));
-  statistics::put(j, "ft_error_N", median(r.ft_error));
+  statistics::put(j, "fn_error_N", median_or_unknown(r.fn_error));
+  statistics::put(j, "ft_error_N", median_or_unknown(r.ft_error));
   return j;
 }
 

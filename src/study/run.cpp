@@ -173,10 +173,7 @@ RunOutcome run(const Recipe& recipe, const RunOptions& options) {
   } catch (const InputError& error) {
     std::error_code ignored;
     if (!was_there) fs::remove(options.out, ignored);  // only if nothing is in it
-    auto problems = error.problems();
-    for (auto& problem : problems)
-      if (problem.file.empty()) problem.file = recipe.source_file;
-    throw InputError(std::move(problems));
+    throw in_file(error, recipe.source_file);
   }
 }
 

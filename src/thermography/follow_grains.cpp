@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 
 #include "core/threads.hpp"
@@ -49,6 +50,13 @@ std::vector<std::int32_t> owners(const PictureGrains& grains, int width, int hei
   return owner;
 }
 
+/// Where rims sweep over a pixel it shows their motion and no warming.
+void forget_outside(LockinMaps& maps, const std::vector<std::int32_t>& owner) {
+  for (auto* map : {&maps.amplitude, &maps.phase, &maps.in_phase, &maps.quadrature, &maps.second_harmonic, &maps.standard_error, &maps.residual})
+    for (std::size_t p = 0; p < map->size(); ++p)
+      if (owner[p] < 0) (*map)[p] = std::numeric_limits<float>::quiet_NaN();
+}
+
 std::vector<double> joined(const std::vector<std::vector<double>>& parts) {
   std::vector<double> all;
   for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
@@ -88,6 +96,7 @@ LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, 
   if (told_phase) result.reference_phase = *told_phase;
   else if (grains.size() > 0) result.reference_phase = reference_phase(joined(cosine), joined(sine));
   project(result);
+  forget_outside(result, owner);
   return result;
 }
 

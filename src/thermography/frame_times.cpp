@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/median.hpp"
 
 namespace arenite::thermography {
 
@@ -29,9 +30,7 @@ double nyquist_frequency(const std::vector<double>& time) {
   std::vector<double> step;
   for (std::size_t n = 1; n < time.size(); ++n) step.push_back(time[n] - time[n - 1]);
   if (step.empty()) return 0;
-  const auto middle = step.begin() + static_cast<std::ptrdiff_t>(step.size() / 2);
-  std::nth_element(step.begin(), middle, step.end());
-  return 0.5 / *middle;
+  return 0.5 / median(std::move(step));
 }
 
 }  // namespace arenite::thermography

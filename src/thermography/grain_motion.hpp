@@ -24,7 +24,7 @@ GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& gra
 /// mean, swing and second harmonic fitted anew. Rims are too sharp for pixels to be resampled beside them: a drawing of even
 /// disks before an even background, seen through a lens of this `blur` (standard deviation, pixels), is taken off before and
 /// the grain's own mean added after. `grains` are at their mean places; `shown` are the same grains where the maps are to show
-/// them, there or, say, where they are at the largest load. Other pixels stay as they are in `maps`. The reference phase is
+/// them, there or, say, where they are at the largest load. Of pixels in no grain mean and drift stay, swings have no value. The reference phase is
 /// found anew on the inner pixels of grains unless `reference_phase` tells it. Standard errors are those of a resting pixel.
 LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, const PictureGrains& grains, const GrainMotion& motion,
                          const PictureGrains& shown, std::optional<double> reference_phase = {}, int threads = 1, double blur = 0.5);

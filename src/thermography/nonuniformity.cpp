@@ -6,16 +6,11 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/median.hpp"
 
 namespace arenite::thermography {
 
-double plate_level(const FrameStatistics& plate) {
-  std::vector<float> sorted = plate.mean;
-  if (sorted.empty()) return 0;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  return *middle;
-}
+double plate_level(const FrameStatistics& plate) { return median(plate.mean); }
 
 void correct_offsets(const FrameStatistics& plate, Correction& correction) {
   correction.width = plate.width;

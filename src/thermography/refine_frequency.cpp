@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/median.hpp"
 #include "thermography/pixel_fit.hpp"
 #include "thermography/segments_in_step.hpp"
 
@@ -63,10 +64,7 @@ class Newton {
       for (std::size_t i = 0; i < count; ++i)
         if (std::isfinite(pixels.variance[i])) variance.push_back(pixels.variance[i]);
     }
-    if (variance.empty()) return 0;
-    const auto middle = variance.begin() + static_cast<std::ptrdiff_t>(variance.size() / 2);
-    std::nth_element(variance.begin(), middle, variance.end());
-    return *middle;
+    return median(std::move(variance));
   }
 
   /// Weights follow the inverse of the noise but do not run away where a pixel is all but dead.

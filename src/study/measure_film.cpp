@@ -1,0 +1,144 @@
+#include "study/measure_film.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "study/film_checks.hpp"
+#include "study/film_correction.hpp"
+#include "study/film_forces.hpp"
+#include "study/film_place.hpp"
+#include "study/find_grains.hpp"
+#include "thermography/grain_means.hpp"
+#include "thermography/grain_motion.hpp"
+#include "thermography/lockin.hpp"
+#include "thermography/phase_pictures.hpp"
+
+namespace arenite::study {
+namespace {
+
+class Road {
+ public:
+  Road(const FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& source)
+      : recipe_(recipe), options_(options), source_(source), place_(place_of(recipe, source.info())) {}
+
+  /// False if it was stopped.
+  bool run(FilmResult& r) {
+    r.film = source_.info();
+    r.film.time.clear();
+    r.pixel = place_.pixel;
+    r.origin = place_.origin;
+    const auto made = make_correction(recipe_, source_);
+    for (const auto& note : made.notes) options_.notice(note);
+    r.bad = made.bad;
+    r.film.quantity = made.kelvin ? FilmQuantity::kelvin : FilmQuantity::digital_level;
+    thermography::CorrectedFilm film(source_, made.correction);
+    return lock_in(film, r) && find(film, r) && measure(r);
+  }
+
+ private:
+
+  /// Of the load when it is largest, rad, where the recipe says it.
+  std::optional<double> told_phase() const {
+    if (!recipe_.lockin.phase) return std::nullopt;
+    return 2 * std::numbers::pi * *recipe_.lockin.phase;
+  }
+
+  thermography::LockinOptions lockin_options(const char* name, std::size_t stage) const {
+    thermography::LockinOptions o;
+    o.frequency = recipe_.lockin.frequency;
+    o.drift_order = static_cast<int>(recipe_.lockin.drift);
+    o.harmonics = static_cast<int>(recipe_.lockin.harmonics);
+    o.convention = SwingConvention::full;
+    o.reference_phase = told_phase();
+    o.threads = options_.threads;
+    o.progress = [this, name, stage](double share) {
+      options_.progress({stage, 5, name, share, 0, 0, false, false});
+      return !options_.asked_to_stop();
+    };
+    return o;
+  }
+
+  bool lock_in(FilmSource& film, FilmResult& r) {
+    const auto options = lockin_options("lock-in", 1);
+    r.maps = recipe_.lockin.method == LockinSection::Method::nearest_bin ? thermography::nearest_bin_transform(film, options)
+                                                                         : thermography::lock_in(film, options);
+    if (r.maps.size() == 0) return false;
+    refuse_without_load(r.maps, recipe_.lockin.frequency);
+    return true;
+  }
+
+  static std::size_t nearest_picture(const thermography::PhasePictures& pictures, double phase) {
+    std::size_t best = 0;
+    double most = -2;
+    for (std::size_t k = 0; k < pictures.size(); ++k) {
+      const double along = pictures.cosine[k] * std::cos(phase) + pictures.sine[k] * std::sin(phase);
+      if (along > most) most = along, best = k;
+    }
+    return best;
+  }
+
+  bool find(FilmSource& film, FilmResult& r) {
+    const auto pictures = thermography::phase_pictures(film, r.maps, lockin_options("pictures", 2));
+    if (pictures.size() == 0) return false;
+    const double largest = r.maps.reference_phase;
+    const std::size_t smallest = nearest_picture(pictures, largest + std::numbers::pi);
+    r.picture = thermography::picture_of(pictures, smallest);
+    // The spline's coefficients are the picture with most of the pixels' blur undone: more rims are seen in it.
+    const std::vector<float> sharp(pictures.picture(smallest), pictures.picture(smallest) + pictures.pixels());
+    std::vector<std::string> notes;
+    r.grains = find_film_grains(recipe_, place_, r.film, sharp, notes);
+    for (const auto& note : notes) options_.notice(note);
+    loaded_ = r.grains;
+    if (recipe_.lockin.motion) follow(pictures, r);
+    return true;
+  }
+
+  /// Fits the grains' motion and locks in where they are. Grains are found at the smallest load; in the middle of the
+  /// swing they are half their travel further. What swings most is the load at its largest: contacts are as they are then,
+  /// so the maps show the grains there.
+  void follow(const thermography::PhasePictures& pictures, FilmResult& r) {
+    const double largest = r.maps.reference_phase;
+    PictureGrains middle = r.grains;
+    thermography::GrainMotionOptions options;
+    options.threads = options_.threads;
+    for (int round = 0; round < 3; ++round) {
+      r.motion = thermography::grain_motion(pictures, middle, options);
+      for (std::size_t i = 0; i < r.grains.size(); ++i) {
+        const double x = r.motion.cos_x[i] * std::cos(largest) + r.motion.sin_x[i] * std::sin(largest);
+        const double y = r.motion.cos_y[i] * std::cos(largest) + r.motion.sin_y[i] * std::sin(largest);
+        middle.x[i] = r.grains.x[i] + x, middle.y[i] = r.grains.y[i] + y;
+        loaded_.x[i] = r.grains.x[i] + 2 * x, loaded_.y[i] = r.grains.y[i] + 2 * y;
+      }
+    }
+    r.maps = thermography::follow_grains(pictures, r.maps, middle, r.motion, loaded_, told_phase(), options_.threads, recipe_.forces.blur);
+  }
+
+  bool measure(FilmResult& r) {
+    options_.progress({3, 5, "grains", 0, 0, 0, false, false});
+    thermography::GrainMeanOptions means;
+    means.share = recipe_.forces.central_share;
+    for (const auto& m : recipe_.materials) means.factor.push_back(m.thermoelastic_factor);
+    r.swing = thermography::grain_means(r.maps, loaded_, means);
+    r.packing.materials = materials_of(recipe_);
+    r.packing.grains = in_metres(loaded_, place_);
+    r.packing.domain = frame_at(recipe_, recipe_.lockin.motion ? 1 : 0);
+    infer_film_forces(recipe_, r);
+    options_.progress({3, 5, "grains", 1, 0, 0, false, false});
+    return !options_.asked_to_stop();
+  }
+
+  const FilmRecipe& recipe_;
+  const FilmRunOptions& options_;
+  FilmSource& source_;
+  FilmPlace place_;
+  PictureGrains loaded_;            ///< at the largest load
+};
+
+}  // namespace
+
+bool measure_film(const FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& film, FilmResult& result) {
+  return Road(recipe, options, film).run(result);
+}
+
+}  // namespace arenite::study
