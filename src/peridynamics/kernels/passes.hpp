@@ -68,6 +68,8 @@ double stormer(const Bonds& bonds, const std::uint8_t* prescribed, Plane<const d
   Stencil<V>(bonds, u).sweep([&](int y) { open = freedom<V>(prescribed[y]); },
                              [&](std::ptrdiff_t i, Force<V> own, Force<V> g) {
                                g = {open.x * g.x, open.y * g.y};
+                               __builtin_prefetch(older.x + i + bonds.grid.stride, 1);
+                               __builtin_prefetch(older.y + i + bonds.grid.stride, 1);
                                sum.add(g.x, g.x, g.y, g.y);
                                fma(vb, g.x, fma(va, own.x - V::load(older.x + i), own.x)).store(older.x + i);
                                fma(vb, g.y, fma(va, own.y - V::load(older.y + i), own.y)).store(older.y + i);
@@ -81,6 +83,8 @@ double relax(const Bonds& bonds, Plane<const double> u, Plane<double> older, Blo
   Sum sum;
   Stencil<V>(bonds, u).sweep([](int) {},
                              [&](std::ptrdiff_t i, Force<V> own, Force<V> g) {
+                               __builtin_prefetch(older.x + i + bonds.grid.stride, 1);
+                               __builtin_prefetch(older.y + i + bonds.grid.stride, 1);
                                const V xx = load_rough(inverse.xx + i), xy = load_rough(inverse.xy + i),
                                        yy = load_rough(inverse.yy + i);
                                const V dx = fma(xx, g.x, xy * g.y), dy = fma(xy, g.x, yy * g.y);
