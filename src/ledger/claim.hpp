@@ -1,0 +1,51 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "statistics/estimate.hpp"
+
+namespace arenite::ledger {
+
+class Results;
+
+enum class Holds { yes, no, unknown };  ///< unknown: the runs that decide it are missing
+const char* word_for(Holds holds);      ///< "holds", "fails", "unknown"
+
+/// One number held against what the source says of it.
+struct Check {
+  std::string what;                     ///< "z(all) from ratio 1 to 10, S"
+  std::string source;                   ///< what the source has, as text
+  std::string ours_unit;
+  std::string tolerance;                ///< what must be true of ours, as text
+  double ours = statistics::unknown;
+  double error = statistics::unknown;   ///< standard error over runs; NaN if there is none
+  Holds holds = Holds::unknown;
+};
+
+/// A claim holds if all its checks do; one that fails decides, one that is unknown leaves it open.
+struct Verdict {
+  std::vector<Check> checks;
+  Holds holds() const;                  ///< unknown without checks
+};
+
+/// What is said of a claim.
+struct Judgement {
+  Verdict stated;                       ///< as the source states it
+  Verdict sharpened;                    ///< with the state, law and statistic under which a check has meaning
+  std::vector<std::string> findings;    ///< what decides it, how far it hangs on friction, damping and seed: sentences with numbers
+};
+
+/// One claim of a source. `id` begins with T (thesis) or P (paper).
+struct Claim {
+  const char* id;
+  const char* where;                    ///< chapter and figure of the source
+  const char* sentence;
+  std::vector<std::string> studies;     ///< whose runs decide it
+  const char* figure;                   ///< of the study's page that shows it; "" if none
+  Judgement (*judge)(const Results&);
+};
+
+/// All claims, in the order of the sources.
+const std::vector<Claim>& claims();
+
+}  // namespace arenite::ledger

@@ -1,0 +1,32 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "study/study.hpp"
+
+namespace arenite::ledger {
+
+/// A study that comes with the program (studies/NAME).
+struct StudySource {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> files;  ///< name and text: recipe.toml, tables, figures.toml
+  std::vector<std::string> small;                          ///< KEY=VALUE, as for --set, that make the small version
+};
+
+/// All of them, by name.
+const std::vector<StudySource>& studies();
+/// nullptr if there is none of that name.
+const StudySource* find_study(const std::string& name);
+
+/// Puts the files of a study into `folder` and reads it from there. Files that are the same already are left alone.
+study::Study unpack_study(const StudySource& source, const std::filesystem::path& folder, bool small, const std::vector<std::string>& overrides = {});
+
+/// What cmake/embed_studies.cmake makes of studies/: study, file and text, in order of the names.
+struct EmbeddedFile {
+  const char *study, *file, *text;
+};
+const std::vector<EmbeddedFile>& embedded_files();
+
+}  // namespace arenite::ledger
