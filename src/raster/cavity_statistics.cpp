@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "raster/volume_peak.hpp"
 
 namespace arenite::raster {
 namespace {
@@ -72,6 +73,17 @@ void add_moments(const std::vector<std::int64_t>& nodes, double unit, CavityStat
   s.cv_error = s.cv * std::sqrt(std::max(0.0, relative));
 }
 
+void add_ranks(const std::vector<std::int64_t>& nodes, double unit, CavityStatistics& s) {
+  if (nodes.size() < 2) return;
+  std::vector<double> volume;
+  for (const auto v : nodes) volume.push_back(static_cast<double>(v) * unit);
+  std::sort(volume.begin(), volume.end());
+  s.tenth = volume[volume.size() / 10];
+  s.median = volume[volume.size() / 2];
+  const double peak = density_peak(volume);
+  if (std::isfinite(peak)) s.peak = peak;
+}
+
 }  // namespace
 
 CavityStatistics cavity_statistics(const Cavities& cavities, double dx, double large_radius, const BinRule& bins) {
@@ -86,6 +98,7 @@ CavityStatistics cavity_statistics(const Cavities& cavities, double dx, double l
   s.count = cavities.nodes.size(), s.specks = cavities.specks, s.cut = cavities.cut;
   const double unit = dx * dx / (std::numbers::pi * large_radius * large_radius);
   add_moments(cavities.nodes, unit, s);
+  add_ranks(cavities.nodes, unit, s);
   s.density = density_of(cavities.nodes, unit, bins);
   return s;
 }

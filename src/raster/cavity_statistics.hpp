@@ -28,6 +28,8 @@ struct CavityStatistics {
   double mean = 0, deviation = 0, cv = 0;  ///< deviation with n - 1; 0 where fewer than two cavities count
   /// Standard errors from the moments of the sample; those of deviation and cv hold for many cavities.
   double mean_error = 0, deviation_error = 0, cv_error = 0;
+  double peak = 0;                   ///< where the density is highest (volume_peak.hpp)
+  double tenth = 0, median = 0;      ///< volumes that a tenth and half of the cavities stay below
   VolumeDensity density;
 };
 

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "statistics/json.hpp"
 #include "stress/stress.hpp"
 
@@ -31,6 +33,13 @@ Json q_gaussian(const statistics::QGaussian& g) {
   return j;
 }
 
+/// Six digits are more than counting gives.
+Json even(const statistics::EvenDensity& pdf) {
+  Json density = Json::array();
+  for (const double y : pdf.density) density.push_back(std::round(y * 1e6) * 1e-6);
+  return {{"low", pdf.bins.low}, {"width", pdf.bins.width}, {"density", density}};
+}
+
 Json distribution(const Distribution& d, bool curves) {
   Json j{{"count", d.count}};
   put(j, "mean_Pa", d.mean);
@@ -46,6 +55,9 @@ Json distribution(const Distribution& d, bool curves) {
   put(j, "maximum", d.maximum);
   if (d.tail.count > 0) j["tail"] = tail(d.tail);
   if (Json fit = q_gaussian(d.q_gaussian); !fit.empty()) j["q_gaussian"] = fit;
+  if (std::isfinite(d.peak.at)) j["peak"] = {{"at", d.peak.at}, {"height", d.peak.height}};
+  if (!d.even_pdf.density.empty()) j["even_pdf"] = even(d.even_pdf);
+  if (!d.own_even_pdf.density.empty()) j["own_even_pdf"] = even(d.own_even_pdf);
   if (curves && !d.pdf.x.empty()) j["pdf"] = curve(d.pdf);
   if (curves && !d.own_pdf.x.empty()) j["own_pdf"] = curve(d.own_pdf);
   return j;

@@ -8,6 +8,7 @@
 #include "model/phase_map.hpp"
 #include "model/stress_field.hpp"
 #include "statistics/estimate.hpp"
+#include "statistics/even_density.hpp"
 #include "statistics/q_gaussian.hpp"
 #include "statistics/tail_fit.hpp"
 #include "stress/grains.hpp"
@@ -48,6 +49,9 @@ struct Distribution {
   double minimum = unknown, maximum = unknown;  ///< over the sample's mean
   statistics::TailFit tail;          ///< of the stress over the set's own mean (P IV.B, Fig. 14d)
   statistics::QGaussian q_gaussian;  ///< of the stress over the set's own mean (P IV.A)
+  statistics::Peak peak;             ///< of the pdf of the stress over the set's own mean
+  statistics::EvenDensity even_pdf;      ///< of the stress over the sample's mean, in bins that all samples share
+  statistics::EvenDensity own_even_pdf;  ///< of the stress over the set's own mean
   Curve pdf;                         ///< of the stress over the sample's mean (P Figs. 9 and 13)
   Curve own_pdf;                     ///< of the stress over the set's own mean (P Fig. 14)
 };

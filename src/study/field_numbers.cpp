@@ -35,6 +35,9 @@ Json volumes(const PhaseMap& map, raster::Cavity kind, const raster::CavityRules
   if (s.count > 1) {
     j["deviation"] = estimate({s.deviation, s.deviation_error});
     j["cv"] = estimate({s.cv, s.cv_error});
+    if (s.peak > 0) j["peak"] = s.peak;
+    j["tenth"] = s.tenth;
+    j["median"] = s.median;
     j["pdf"] = {{"edge", s.density.edge}, {"density", s.density.density}, {"error", s.density.error}};
   }
   j["specks"] = s.specks;

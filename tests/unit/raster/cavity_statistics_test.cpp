@@ -28,6 +28,8 @@ TEST(CavityStatistics, AreThoseOfTheVolumesOverTheLargeGrains) {
   EXPECT_NEAR(s.deviation, std::sqrt(700.0) * unit, 1e-15);
   EXPECT_NEAR(s.cv, std::sqrt(700.0) / 30, 1e-14);
   EXPECT_NEAR(s.mean_error, s.deviation / std::sqrt(3.0), 1e-15);
+  EXPECT_NEAR(s.tenth, 10 * unit, 1e-15);
+  EXPECT_NEAR(s.median, 20 * unit, 1e-15);
 }
 
 TEST(CavityStatistics, OfNoneOneOrEqualOnesAreFinite) {
