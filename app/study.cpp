@@ -68,6 +68,7 @@ int run_command(const StudyArguments& arguments, const study::Study& study, cons
     return other_failure;
   }
   fmt::print("\nresults: {0}\nnumbers: arenite study collect {1} --out {0}\n", folder.out.string(), arguments.recipe);
+  if (fs::exists(figures_of(study))) fmt::print("page:    {}\n", write_study_figures(study, folder).string());
   return outcome.not_done > 0 ? not_converged : done;
 }
 
@@ -107,6 +108,10 @@ int execute(const StudyArguments& arguments) {
   const study::Study study = study::read_study(arguments.recipe, arguments.overrides, folder.out);
   if (arguments.what == "run") return run_command(arguments, study, folder);
   if (arguments.what == "collect") return collect_command(arguments, study, folder);
+  if (arguments.what == "page") {
+    fmt::print("{}\n", write_study_figures(study, folder).string());
+    return done;
+  }
   fmt::print("{}", status_text(study, folder));
   return done;
 }
@@ -116,8 +121,8 @@ int execute(const StudyArguments& arguments) {
 void add_study(CLI::App& command, int& status) {
   auto a = std::make_shared<StudyArguments>();
   a->jobs = cores();
-  command.add_option("what", a->what, "What to do: show the runs, run them, say how they stand, gather their numbers, write a script for a cluster")
-      ->required()->type_name("WHAT")->check(CLI::IsMember({"plan", "run", "status", "collect", "script"}));
+  command.add_option("what", a->what, "What to do: show the runs, run them, say how they stand, gather their numbers, draw its figures, write a script for a cluster")
+      ->required()->type_name("WHAT")->check(CLI::IsMember({"plan", "run", "status", "collect", "page", "script"}));
   command.add_option("recipe", a->recipe, "Recipe with a section [sweep] (TOML)")->required()->type_name("RECIPE.toml");
   add_overrides(command, a->overrides);
   command.add_option("--out", a->out, "Folder of the study (default: out/NAME)")->type_name("DIR");

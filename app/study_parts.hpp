@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,11 @@ std::string plan_text(const study::Study& study, const study::StudyFolder& folde
 std::string status_text(const study::Study& study, const study::StudyFolder& folder);
 /// A script for Slurm that runs the study as an array of tasks.
 std::string slurm_script(const StudyArguments& arguments, const study::StudyFolder& folder);
+
+/// Where the figures of a study are declared: figures.toml beside its recipe.
+std::filesystem::path figures_of(const study::Study& study);
+/// Draws them into study.html in the study's folder, and gives its place.
+std::filesystem::path write_study_figures(const study::Study& study, const study::StudyFolder& folder);
 
 /// One line on stderr about a study at work: rewritten on a terminal, one every ten seconds elsewhere.
 class StudyLine {

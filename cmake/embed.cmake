@@ -1,4 +1,4 @@
-# Turns the text file INPUT into the C++ source OUTPUT that defines report::page_template(). The text goes into raw
+# Turns the text file INPUT into the C++ source OUTPUT that defines report::FUNCTION(), declared in HEADER. The text goes into raw
 # literals of 8000 characters each, which every compiler takes, and compiles much faster than a list of bytes.
 file(READ ${INPUT} text)
 string(LENGTH "${text}" length)
@@ -10,6 +10,6 @@ while(at LESS length)
   math(EXPR at "${at} + 8000")
 endwhile()
 file(WRITE ${OUTPUT}
-  "#include \"report/page_template.hpp\"\n\nnamespace arenite::report {\n\n"
-  "std::string_view page_template() {\n  static constexpr char text[] =\n${literals};\n  return {text, sizeof text - 1};\n}\n\n"
+  "#include \"${HEADER}\"\n\nnamespace arenite::report {\n\n"
+  "std::string_view ${FUNCTION}() {\n  static constexpr char text[] =\n${literals};\n  return {text, sizeof text - 1};\n}\n\n"
   "}  // namespace arenite::report\n")

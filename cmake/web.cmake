@@ -21,21 +21,27 @@ add_custom_command(
   COMMENT "Installing the page's packages")
 
 file(GLOB_RECURSE web_sources CONFIGURE_DEPENDS ${web}/src/*)
-set(page_html ${CMAKE_CURRENT_BINARY_DIR}/web/page.html)
-add_custom_command(
-  OUTPUT ${page_html}
-  COMMAND ${NODE} build.mjs ${page_html}
-  DEPENDS ${web_installed} ${web}/build.mjs ${web_sources}
-  WORKING_DIRECTORY ${web}
-  COMMENT "Building the page")
-add_custom_target(web DEPENDS ${page_html})
-
-set(page_source ${CMAKE_CURRENT_BINARY_DIR}/generated/report/page_template.cpp)
-add_custom_command(
-  OUTPUT ${page_source}
-  COMMAND ${CMAKE_COMMAND} -DINPUT=${page_html} -DOUTPUT=${page_source}
-          -P ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
-  DEPENDS ${page_html} ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
-  COMMENT "Embedding the page")
-target_sources(arenite_core PRIVATE ${page_source})
+add_custom_target(web)
+# The page NAME (web/build.mjs) as report::FUNCTION() of report/page_template.hpp.
+function(embed_page name function)
+  set(html ${CMAKE_CURRENT_BINARY_DIR}/web/${name}.html)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/generated/report/${function}.cpp)
+  add_custom_command(
+    OUTPUT ${html}
+    COMMAND ${NODE} build.mjs ${html} ${name}
+    DEPENDS ${web_installed} ${web}/build.mjs ${web_sources}
+    WORKING_DIRECTORY ${web}
+    COMMENT "Building the page: ${name}")
+  add_custom_target(web_${name} DEPENDS ${html})
+  add_dependencies(web web_${name})
+  add_custom_command(
+    OUTPUT ${source}
+    COMMAND ${CMAKE_COMMAND} -DINPUT=${html} -DOUTPUT=${source} -DHEADER=report/page_template.hpp -DFUNCTION=${function}
+            -P ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
+    DEPENDS ${html} ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
+    COMMENT "Embedding the page: ${name}")
+  target_sources(arenite_core PRIVATE ${source})
+endfunction()
+embed_page(page page_template)
+embed_page(study study_template)
 add_dependencies(arenite_core web)

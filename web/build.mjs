@@ -1,9 +1,13 @@
-// Builds the page's template: one HTML text with script and styles inside. Usage: node build.mjs OUTPUT
+// Builds a page's template: one HTML text with script and styles inside. Usage: node build.mjs OUTPUT [page|study]
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname } from "node:path";
 import { build } from "esbuild";
 
 const output = process.argv[2] ?? "dist/page.html";
+const { entry, frame } = {
+  page: { entry: "src/main.js", frame: "src/page.html" },
+  study: { entry: "src/study/main.js", frame: "src/study/study.html" },
+}[process.argv[3] ?? "page"];
 
 async function bundle(entry) {
   const result = await build({
@@ -26,10 +30,10 @@ function notices(inputs) {
   }).join("\n").replace(/[^\x20-\x7e\n]/g, "");
 }
 
-const script = await bundle("src/main.js");
+const script = await bundle(entry);
 const style = await bundle("src/style.css");
 const place = (text, mark, value) => text.split(mark).join(value);
-let html = readFileSync("src/page.html", "utf8");
+let html = readFileSync(frame, "utf8");
 html = place(html, "__NOTICES__", notices(script.inputs));
 html = place(html, "__STYLE__", style.text);
 html = place(html, "__SCRIPT__", script.text);

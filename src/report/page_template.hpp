@@ -7,4 +7,7 @@ namespace arenite::report {
 /// inside and the marks __TITLE__, __DOCUMENT__ and __NUMBERS__, once each.
 std::string_view page_template();
 
+/// The page of a study without its figures: marks __TITLE__ and __FIGURES__, once each.
+std::string_view study_template();
+
 }  // namespace arenite::report

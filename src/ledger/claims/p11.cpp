@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "ledger/claims/claims.hpp"
+#include "ledger/claims/paper_runs.hpp"
+
+namespace arenite::ledger {
+namespace {
+
+constexpr const char* study = "paper-linearity";
+
+
+/// The runs with this stretch, strain and cement.
+std::vector<Run> pulled(const Results& results, bool exact, const char* strain, double width) {
+  std::vector<Run> runs;
+  for (const Run& run : results.runs(study, {{"loads.0.exact_stretch", exact ? "true" : "false"}, {"loads.0.strain", strain}}))
+    if (cement_of(run) == width) runs.push_back(run);
+  return runs;
+}
+
+/// Modulus over that of others, seed by seed, less 1, over `unit`.
+Value departure(const std::vector<Run>& runs, const std::vector<Run>& others, double unit) {
+  std::vector<double> values;
+  for (const Run& run : runs)
+    for (const Run& other : others)
+      if (run.text("seed") == other.text("seed")) values.push_back((run("modulus_Pa") / other("modulus_Pa") - 1) / unit);
+  return values.empty() ? Value() : Value(statistics::mean_of(values));
+}
+
+}  // namespace
+
+/// The modulus at a strain and at its double; with P's stretch its departure from the linear one over the strain.
+Judgement judge_p11(const Results& results) {
+  Judgement j;
+  for (const double width : {full, 0.2}) {
+    const std::string name = width == full ? "full" : "eta 0.2";
+    const auto once = pulled(results, false, "1e-4", width), twice = pulled(results, false, "2e-4", width);
+    const Value doubled = departure(twice, once, 1);
+    const Value at_once = departure(pulled(results, true, "1e-4", width), once, 1e-4), at_twice = departure(pulled(results, true, "2e-4", width), once, 2e-4);
+    const auto size = [](const Value& v) { return Value(std::abs(v.value), v.error); };
+    j.stated.checks.push_back(below("relative change of the modulus at twice the strain, P's stretch, " + name, "linear", size(departure(pulled(results, true, "2e-4", width), pulled(results, true, "1e-4", width), 1)), 1e-3));
+    j.sharpened.checks.push_back(below("relative change of the modulus at twice the strain, linearised, " + name, "linear", size(doubled), 1e-6));
+    const double low = width == full ? 0.5 : 1.3, high = width == full ? 0.65 : 2.5;
+    j.sharpened.checks.push_back(between("departure of P's stretch over a strain of 1e-4, " + name, "proportional to strain", size(at_once), low, high));
+    j.sharpened.checks.push_back(between("departure of P's stretch over a strain of 2e-4, " + name, "proportional to strain", size(at_twice), low, high));
+  }
+  return j;
+}
+
+}  // namespace arenite::ledger

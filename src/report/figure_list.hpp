@@ -1,0 +1,41 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace arenite::report {
+
+/// An axis of a figure.
+struct FigureAxis {
+  std::string label;
+  bool logarithmic = false;
+  std::optional<double> low, high;       ///< unless given, as far as the points reach
+};
+
+/// What the text of the source says of a figure: a level, an abscissa or, with both, a point.
+struct FigureReference {
+  std::optional<double> x, y;
+  std::string label;
+};
+
+/// A figure of a study, as figures.toml declares it. Its points are runs, averaged over those that differ in their seed
+/// alone, or its curves are densities.
+struct Figure {
+  std::string id, title, source, caption;
+  std::string x;                         ///< a swept key or a number; "1/NAME" for its inverse
+  std::vector<std::string> y;            ///< numbers ("stress.sigma_yy.sets.large.variance")
+  std::vector<std::string> curves;       ///< instead of x and y: densities of the runs' numbers
+  std::vector<std::string> names;        ///< of y or of curves, as the key shows them
+  std::string by, by_label;              ///< a swept key: a curve for each of its values
+  std::string by_empty;                  ///< how the key shows runs without that value
+  bool lines = true;                     ///< points are joined
+  FigureAxis x_axis, y_axis;
+  std::vector<std::pair<std::string, std::vector<std::string>>> where;  ///< only runs with one of these values of these keys
+  std::vector<FigureReference> references;
+};
+
+/// Reads figures.toml. Throws InputError with every problem.
+std::vector<Figure> read_figures(const std::string& text, const std::string& file);
+
+}  // namespace arenite::report

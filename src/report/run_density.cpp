@@ -1,0 +1,91 @@
+#include "report/run_density.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "statistics/measured.hpp"
+
+namespace arenite::report {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Density {
+  std::vector<double> edge, density;
+  bool shared = false;
+
+  double at(double x) const {
+    const auto above = std::upper_bound(edge.begin(), edge.end(), x);
+    if (above == edge.begin() || above == edge.end()) return 0;
+    return density[static_cast<std::size_t>(above - edge.begin()) - 1];
+  }
+};
+
+const Json* find(const Json& root, const std::string& path) {
+  const Json* at = &root;
+  std::istringstream parts(path);
+  for (std::string part; std::getline(parts, part, '.');) {
+    if (!at->is_object() || !at->contains(part)) return nullptr;
+    at = &(*at)[part];
+  }
+  return at;
+}
+
+Density read(const Json& j) {
+  Density d;
+  if (!j.is_object() || !j.contains("density")) return d;
+  d.density = j["density"].get<std::vector<double>>();
+  d.shared = j.contains("low");
+  if (!d.shared) {
+    d.edge = j.value("edge", std::vector<double>{});
+    return d;
+  }
+  for (std::size_t k = 0; k <= d.density.size(); ++k) d.edge.push_back(j["low"].get<double>() + static_cast<double>(k) * j["width"].get<double>());
+  return d;
+}
+
+/// Middles of the bins that the mean is given in.
+std::vector<double> places(const std::vector<Density>& densities) {
+  std::vector<double> x;
+  if (densities.front().shared) {
+    const auto& edge = densities.front().edge;
+    for (std::size_t k = 0; k + 1 < edge.size(); ++k) x.push_back(0.5 * (edge[k] + edge[k + 1]));
+    return x;
+  }
+  double low = densities.front().edge.front(), high = low;
+  for (const Density& d : densities) {
+    low = std::min(low, d.edge.front());
+    high = std::max(high, d.edge.back());
+  }
+  constexpr int bins = 40;
+  if (!(low > 0)) return x;
+  for (int k = 0; k < bins; ++k) x.push_back(low * std::pow(high / low, (k + 0.5) / bins));
+  return x;
+}
+
+}  // namespace
+
+statistics::Curve mean_density(const std::vector<std::string>& numbers_json, const std::string& path) {
+  std::vector<Density> densities;
+  for (const std::string& text : numbers_json) {
+    const Json j = Json::parse(text, nullptr, false);
+    const Json* found = j.is_discarded() ? nullptr : find(j, path);
+    Density d = found ? read(*found) : Density{};
+    if (!d.density.empty() && d.edge.size() == d.density.size() + 1) densities.push_back(std::move(d));
+  }
+  statistics::Curve curve;
+  if (densities.empty()) return curve;
+  for (const double x : places(densities)) {
+    std::vector<double> values;
+    for (const Density& d : densities) values.push_back(d.at(x));
+    const auto mean = statistics::mean_of(values);
+    curve.x.push_back(x);
+    curve.y.push_back(mean.value);
+    curve.error.push_back(mean.error);
+  }
+  return curve;
+}
+
+}  // namespace arenite::report

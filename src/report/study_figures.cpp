@@ -1,0 +1,127 @@
+#include "report/study_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "report/run_density.hpp"
+
+namespace arenite::report {
+namespace {
+
+using Table = study::CollectedTable;
+
+double number_of(const std::string& text) {
+  double value = statistics::unknown;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() ? value : statistics::unknown;
+}
+
+std::size_t key_place(const Table& table, const std::string& key) {
+  for (std::size_t k = 0; k < table.keys.size(); ++k)
+    if (table.keys[k].name == key) return k;
+  return table.keys.size();
+}
+
+std::size_t key_of(const Table& table, const std::string& key, const Figure& figure) {
+  const std::size_t k = key_place(table, key);
+  if (k == table.keys.size()) throw InputError(fmt::format("figure {}: `{}` is not swept by the study", figure.id, key));
+  return k;
+}
+
+bool is_wanted(const Table& table, const Table::Row& row, const Figure& figure) {
+  for (const auto& [key, values] : figure.where) {
+    const std::string& here = row.values[key_of(table, key, figure)];
+    const bool fits = std::any_of(values.begin(), values.end(), [&](const std::string& value) { return value == here || number_of(value) == number_of(here); });
+    if (!fits) return false;
+  }
+  return true;
+}
+
+/// Values of `by` among the wanted rows, numbers by size; one empty value where the figure has no `by`.
+std::vector<std::string> groups_of(const Table& table, const Figure& figure) {
+  if (figure.by.empty()) return {""};
+  const std::size_t k = key_of(table, figure.by, figure);
+  std::vector<std::string> values;
+  for (const auto& row : table.rows)
+    if (is_wanted(table, row, figure) && std::find(values.begin(), values.end(), row.values[k]) == values.end()) values.push_back(row.values[k]);
+  std::stable_sort(values.begin(), values.end(), [](const std::string& a, const std::string& b) { return number_of(a) < number_of(b); });
+  return values;
+}
+
+std::vector<const Table::Row*> rows_of(const Table& table, const Figure& figure, const std::string& group) {
+  std::vector<const Table::Row*> rows;
+  for (const auto& row : table.rows)
+    if (is_wanted(table, row, figure) && (figure.by.empty() || row.values[key_of(table, figure.by, figure)] == group)) rows.push_back(&row);
+  return rows;
+}
+
+/// A number of a mean row, or one of its keys; "1/NAME" is the inverse.
+study::Estimate value_of(const Table& table, const Table::Row& row, const std::string& name) {
+  if (name.starts_with("1/")) {
+    const study::Estimate e = value_of(table, row, name.substr(2));
+    return {1 / e.value, e.error ? std::optional(*e.error / (e.value * e.value)) : std::nullopt};
+  }
+  if (const std::size_t k = key_place(table, name); k < table.keys.size()) return {number_of(row.values[k]), std::nullopt};
+  const auto at = std::find(table.names.begin(), table.names.end(), name);
+  const auto number = at == table.names.end() ? std::nullopt : row.numbers[static_cast<std::size_t>(at - table.names.begin())];
+  return number.value_or(study::Estimate{statistics::unknown, std::nullopt});
+}
+
+statistics::Curve points_of(const Table& table, const std::vector<const Table::Row*>& rows, const Figure& figure, const std::string& y) {
+  struct Point {
+    double x, y, error;
+  };
+  std::vector<Point> points;
+  for (const auto* row : rows) {
+    const auto at = value_of(table, *row, figure.x), value = value_of(table, *row, y);
+    if (std::isfinite(at.value) && std::isfinite(value.value)) points.push_back({at.value, value.value, row->runs > 1 ? value.error.value_or(statistics::unknown) : statistics::unknown});
+  }
+  std::stable_sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
+  statistics::Curve curve;
+  for (const Point& p : points) {
+    curve.x.push_back(p.x);
+    curve.y.push_back(p.y);
+    curve.error.push_back(p.error);
+  }
+  return curve;
+}
+
+std::string name_of(const Figure& figure, const std::string& group, std::size_t k) {
+  std::string name = k < figure.names.size() ? figure.names[k] : "";
+  if (figure.by.empty()) return name;
+  const std::string value = group.empty() ? figure.by_empty : figure.by_label.empty() ? group : figure.by_label + " = " + group;
+  return name.empty() ? value : name + ", " + value;
+}
+
+}  // namespace
+
+std::vector<FigureCurve> curves_of(const Figure& figure, const Table& table, const NumbersOf& numbers) {
+  std::vector<std::string> keys;
+  for (const auto& key : table.keys)
+    if (key.name != "seed") keys.push_back(key.name);
+  std::vector<FigureCurve> curves;
+  const bool densities = !figure.curves.empty();
+  const Table means = densities ? Table{} : averaged(table, keys);
+  const Table& from = densities ? table : means;
+  for (const std::string& group : groups_of(from, figure)) {
+    const auto rows = rows_of(from, figure, group);
+    for (std::size_t k = 0; k < (densities ? figure.curves : figure.y).size(); ++k) {
+      FigureCurve curve{name_of(figure, group, k), {}};
+      if (densities) {
+        std::vector<std::string> texts;
+        for (const auto* row : rows) texts.push_back(numbers(row->run));
+        curve.points = mean_density(texts, figure.curves[k]);
+      } else {
+        curve.points = points_of(from, rows, figure, figure.y[k]);
+      }
+      if (!curve.points.x.empty()) curves.push_back(std::move(curve));
+    }
+  }
+  return curves;
+}
+
+}  // namespace arenite::report

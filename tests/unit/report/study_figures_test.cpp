@@ -1,0 +1,82 @@
+#include "report/study_figures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "report/run_density.hpp"
+#include "report/study_page.hpp"
+
+namespace arenite::report {
+namespace {
+
+/// gamma 1 and 2, two seeds each, width 0.2 or full; z is 10 gamma + seed.
+study::CollectedTable table() {
+  study::CollectedTable t;
+  t.keys = {{"gamma", ""}, {"cement", ""}, {"seed", ""}};
+  t.names = {"z", "s"};
+  int run = 0;
+  for (const char* gamma : {"2", "1"})
+    for (const char* cement : {"", "full"})
+      for (const char* seed : {"1", "3"})
+        t.rows.push_back({std::to_string(run++), "done", {gamma, cement, seed}, 1,
+                          {study::Estimate{10 * std::stod(gamma) + std::stod(seed), {}}, study::Estimate{std::stod(gamma) / 4, {}}}});
+  return t;
+}
+
+const NumbersOf none = [](const std::string&) { return std::string(); };
+
+std::vector<Figure> figures(const std::string& keys) { return read_figures("[[figures]]\nid = \"f\"\ntitle = \"F\"\n" + keys, "figures.toml"); }
+
+TEST(StudyFigures, PointsAreMeansOverSeedsWithTheirErrors) {
+  const auto curves = curves_of(figures("x = \"gamma\"\ny = [\"z\"]\nwhere = { cement = \"full\" }").front(), table(), none);
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_EQ(curves[0].points.x, (std::vector<double>{1, 2}));
+  EXPECT_EQ(curves[0].points.y, (std::vector<double>{12, 22}));
+  EXPECT_DOUBLE_EQ(curves[0].points.error[0], 1);
+}
+
+TEST(StudyFigures, ACurveForEachValueOfAKeyNumbersOfXAndInverses) {
+  const auto curves = curves_of(figures("x = \"1/s\"\ny = [\"z\"]\nby = \"gamma\"\nby_label = \"g\"\nwhere = { cement = \"\" }").front(), table(), none);
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_EQ(curves[0].name, "g = 1");
+  EXPECT_EQ(curves[1].points.x, (std::vector<double>{2}));
+}
+
+TEST(StudyFigures, DensitiesAreMeansOverRuns) {
+  const auto even = mean_density({R"({"a":{"pdf":{"low":0,"width":0.5,"density":[1,3]}}})", R"({"a":{"pdf":{"low":0,"width":0.5,"density":[2,4]}}})", "{}"}, "a.pdf");
+  EXPECT_EQ(even.x, (std::vector<double>{0.25, 0.75}));
+  EXPECT_EQ(even.y, (std::vector<double>{1.5, 3.5}));
+  EXPECT_DOUBLE_EQ(even.error[0], 0.5);
+  const auto own = mean_density({R"({"pdf":{"edge":[1,10,100],"density":[2,1]}})", R"({"pdf":{"edge":[1,100],"density":[4]}})"}, "pdf");
+  ASSERT_EQ(own.x.size(), 40u);
+  EXPECT_DOUBLE_EQ(own.y.front(), 3);
+  EXPECT_DOUBLE_EQ(own.y.back(), 2.5);
+  EXPECT_TRUE(mean_density({"", "{}"}, "pdf").x.empty());
+}
+
+TEST(StudyFigures, AWrongKeyAndAMissingOneAreToldWithTheirLines) {
+  try {
+    figures("xx = 1\nx = \"gamma\"");
+    FAIL();
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("figures.toml:4"), std::string::npos) << text;
+    EXPECT_NE(text.find("`xx`"), std::string::npos) << text;
+    EXPECT_NE(text.find("`curves`"), std::string::npos) << text;
+  }
+  EXPECT_THROW(curves_of(figures("x = \"gamma\"\ny = [\"z\"]\nby = \"theta\"").front(), table(), none), InputError);
+}
+
+TEST(StudyPage, HoldsEveryFigureAndNoReferenceToOtherFiles) {
+  const std::string page = study_page({"A <study>", figures("x = \"gamma\"\ny = [\"z\"]\nsource = \"</script>\""), table(), none});
+  EXPECT_NE(page.find("A &lt;study>"), std::string::npos);
+  EXPECT_NE(page.find("\"id\":\"f\""), std::string::npos);
+  EXPECT_EQ(page.find("\"source\":\"</script>"), std::string::npos);
+  EXPECT_EQ(page.find("src=\"http"), std::string::npos);
+  EXPECT_EQ(page.find("__FIGURES__"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace arenite::report

@@ -1,0 +1,58 @@
+import * as Plot from "@observablehq/plot";
+import { chart, decades } from "../figures/chart.js";
+
+/** Colours of curves in their order: a scale where they are values of one key, distinct hues otherwise. */
+function colours(theme, figure) {
+  const n = figure.series.length;
+  if (figure.ordered && n > 2) return figure.series.map((_, k) => theme.size(k / (n - 1)));
+  const hues = [...theme.materialLine, ...theme.mixedLine];
+  return figure.series.map((_, k) => hues[k % hues.length]);
+}
+
+const short = (v) => (Math.abs(v) >= 1e4 ? v.toExponential().replace("e+", "e") : `${Number(v.toPrecision(6))}`);
+
+function axis({ label, log, domain }) {
+  if (!log) return { label, domain, tickFormat: short };
+  return { label, type: "log", domain, ticks: decades(domain).length > 1 ? decades(domain) : 4, tickFormat: (v) => `${Number(v.toPrecision(3))}` };
+}
+
+/** Points with their error bars, joined where the figure says so; densities are lines alone. */
+function curve(points, colour, { lines, density }) {
+  const line = Plot.line(points, { x: "x", y: "y", stroke: colour, strokeWidth: 1.6, strokeOpacity: density ? 1 : 0.75 });
+  if (density) return [line];
+  const bars = points.filter((p) => p.e > 0);
+  return [
+    lines && line,
+    bars.length > 0 && Plot.ruleX(bars, { x: "x", y1: (p) => p.low, y2: (p) => p.y + p.e, stroke: colour, strokeWidth: 1.2 }),
+    Plot.dot(points, { x: "x", y: "y", r: 2.6, fill: colour }),
+  ].filter(Boolean);
+}
+
+/** What the source's text says: a line across, a line upright or a point. */
+function reference(theme, { x, y, label }, domains, row) {
+  const stroke = { stroke: theme.accent, strokeDasharray: "4 3", strokeWidth: 1.1 };
+  const note = { text: () => label, fill: theme.accent, fontSize: 10.5 };
+  if (x !== undefined && y !== undefined) return [Plot.dot([0], { x: () => x, y: () => y, symbol: "times", r: 4, stroke: theme.accent }), Plot.text([0], { x: () => x, y: () => y, dy: -9, ...note })];
+  if (y !== undefined) return [Plot.ruleY([y], stroke), Plot.text([0], { x: () => domains.x[1], y: () => y, textAnchor: "end", dy: -6, ...note })];
+  const right = x > 0.6 * domains.x[1] + 0.4 * domains.x[0];
+  return [Plot.ruleX([x], stroke), Plot.text([0], { x: () => x, y: () => domains.y[1], textAnchor: right ? "end" : "start", dx: right ? -4 : 4, dy: 5 + 13 * row, ...note })];
+}
+
+export function studyFigure(figure) {
+  const low = figure.y.log ? (p) => Math.max(p.y - p.e, figure.y.domain[0]) : (p) => p.y - p.e;
+  const series = figure.series.map(({ name, points }) => ({ name, points: points.map(([x, y, e]) => ({ x, y, e })).map((p) => ({ ...p, low: low(p) })) }));
+  const domains = { x: figure.x.domain, y: figure.y.domain };
+  return {
+    id: figure.id, title: figure.title,
+    caption: [figure.source, figure.caption].filter(Boolean).join(". "),
+    key: ({ theme }) => (series.length < 2 && !series[0]?.name ? [] : series.map(({ name }, k) => ({ name, colour: colours(theme, figure)[k], values: [] }))),
+    draw: ({ theme, width }) => series.length > 0 && chart(theme, {
+      width, height: 260, marginLeft: 62,
+      x: axis(figure.x), y: { ...axis(figure.y), labelOffset: 56 },
+      marks: [
+        ...(figure.references ?? []).flatMap((r, row) => reference(theme, r, domains, row)),
+        ...series.flatMap(({ points }, k) => curve(points, colours(theme, figure)[k], figure)),
+      ],
+    }),
+  };
+}

@@ -1,0 +1,28 @@
+import { h, rich } from "../dom.js";
+import { figureCard } from "../figures/card.js";
+import { State } from "../state.js";
+import { followTheme, preferredTheme } from "../theme.js";
+import { studyFigure } from "./figure.js";
+
+function head(about, state) {
+  const button = h("button", { class: "theme", title: "Light or dark", onclick: () => state.set({ theme: state.get("theme") === "dark" ? "light" : "dark" }) }, "\u25d0");
+  return h("header", {}, h("div", {}, h("h1", {}, rich(about.title)), h("p", {}, about.runs)), button);
+}
+
+function main() {
+  const page = document.getElementById("page");
+  try {
+    const about = JSON.parse(document.getElementById("figures").textContent);
+    const state = new State({ theme: preferredTheme() });
+    followTheme(state);
+    const sample = { title: about.title, texture: () => null };
+    const cards = about.figures.map((figure) => figureCard(studyFigure(figure), sample, state));
+    page.replaceChildren(head(about, state), h("div", { class: "figures study" }, cards), h("footer", {}, h("p", {}, about.made)));
+    document.documentElement.dataset.ready = "true";
+  } catch (error) {
+    page.replaceChildren(h("p", { class: "failure" }, `The page cannot be drawn: ${error.message}.`));
+    throw error;
+  }
+}
+
+main();
