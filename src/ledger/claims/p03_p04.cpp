@@ -75,6 +75,7 @@ Judgement judge_p3(const Results& results) {
   }
   add_rises(j.stated, "pore volume at the pdf's peak", "< 0", only(peak, [](const PairMean& m) { return m.theta == 1.4; }), -1);
   add_rises(j.sharpened, "pore volume at the pdf's peak", "< 0", peak, -1);
+  add_choices(j, results, "The mean pore volume", "pores.mean");
   return j;
 }
 

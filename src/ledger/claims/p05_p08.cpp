@@ -47,6 +47,7 @@ Judgement judge_p5(const Results& results) {
   j.sharpened.checks.push_back(in_all_pairs("variance in small less that in large grains, gamma >= 1.43", "> 0", classed(wider), +1));
   j.findings.push_back(fmt::format("The 99.99 % quantile is {} in the mean over pairs, the largest node {}.", text_of(overall(of(results, "all", "quantiles.99.99 %"))),
                                    text_of(overall(of(results, "all", "maximum")))));
+  add_choices(j, results, "The 99.99 % quantile", stress_of("all", "quantiles.99.99 %"));
   return j;
 }
 
@@ -66,6 +67,7 @@ Judgement judge_p6(const Results& results) {
     j.sharpened.checks.push_back(below("mean in small grains, change from gamma 1 to 5" + at, "< 0", change, -0.04));
     j.sharpened.checks.push_back(within("mean in small grains at gamma 5" + at, end, 1, 0.04));
   }
+  add_choices(j, results, "The mean in small grains", stress_of("small", "mean_over_sample_mean"));
   return j;
 }
 
@@ -87,6 +89,7 @@ Judgement judge_p7(const Results& results) {
     j.sharpened.checks.push_back(within(fmt::format("slope at theta {:g} over that of all", theta), {own / pooled}, 1, 0.3));
     if (points.size() >= 3) j.findings.push_back(fmt::format("At theta {:g} the line has R^2 = {:.3f}.", theta, line_r2(points)));
   }
+  add_choices(j, results, "The variance in large grains", stress_of("large", "variance"));
   return j;
 }
 

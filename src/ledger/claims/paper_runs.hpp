@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "ledger/claim.hpp"
 #include "ledger/results.hpp"
 #include "ledger/trends.hpp"
 
@@ -51,5 +52,9 @@ void add_range(Verdict& verdict, const std::string& what, const std::string& sou
 Check in_all_pairs(const std::string& what, const std::string& source, const PairMeans& differences, int direction);
 /// The rise from the least to the greatest gamma goes this way beyond 2 s.e. for every theta.
 void add_rises(Verdict& verdict, const std::string& what, const std::string& source, const PairMeans& means, int direction);
+
+/// What a number of full samples becomes with each choice that the paper leaves open (study "paper-choices"), at the ends of
+/// gamma and theta: one sentence each.
+void add_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number);
 
 }  // namespace arenite::ledger

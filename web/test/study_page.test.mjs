@@ -1,0 +1,48 @@
+// Opens the page of a study and asserts what is painted. Usage: node study_page.test.mjs PAGE.html
+import assert from "node:assert/strict";
+import { runTests, settle } from "./run.mjs";
+
+const tests = [];
+const test = (name, run) => tests.push({ name, run });
+
+const drawing = (page, id) => page.evaluate((figure) => {
+  const svg = document.querySelector(`[data-figure="${figure}"] .drawing > svg`);
+  return svg && {
+    dots: svg.querySelectorAll("circle").length,
+    lines: svg.querySelectorAll("path[fill=none], g[fill=none] path").length,
+    text: [...svg.querySelectorAll("text")].map((node) => node.textContent),
+    outside: [...svg.querySelectorAll("circle")].some((dot) => {
+      const a = dot.getBoundingClientRect(), b = svg.getBoundingClientRect();
+      return a.left < b.left || a.right > b.right || a.top < b.top || a.bottom > b.bottom;
+    }),
+  };
+}, id);
+
+test("points lie inside their figure, with a label on each axis and what the source says", async (page) => {
+  const { dots, text, outside } = await drawing(page, "points");
+  assert.equal(dots, 4);
+  assert.equal(outside, false);
+  for (const label of ["gamma", "z", "source: 15"]) assert.ok(text.includes(label), `${label} is missing in ${text}`);
+});
+
+test("the key names a curve for each value", async (page) => {
+  const names = await page.evaluate(() => [...document.querySelectorAll('[data-figure="points"] .entry b')].map((node) => node.textContent));
+  assert.deepEqual(names, ["full", "η = 0.2"]);
+});
+
+test("densities are lines without dots", async (page) => {
+  const { dots, lines } = await drawing(page, "density");
+  assert.equal(dots, 0);
+  assert.ok(lines >= 1);
+});
+
+test("light and dark differ and both are drawn", async (page) => {
+  const colour = () => page.evaluate(() => getComputedStyle(document.querySelector(".card")).backgroundColor);
+  const light = await colour();
+  await page.click("button.theme");
+  await settle(page);
+  assert.notEqual(await colour(), light);
+  assert.equal((await drawing(page, "points")).dots, 4);
+});
+
+await runTests(process.argv[2], tests);
