@@ -4,7 +4,7 @@ JOBS ?= $(shell nproc)
 CMAKE_FLAGS ?=
 COMMON = cmake -S . -B $(BUILD) -G Ninja $(CMAKE_FLAGS)
 
-.PHONY: demo test build bench peers fuzz clean
+.PHONY: demo test build bench peers fuzz docs clean
 
 demo:
 	@scripts/setup run
@@ -47,6 +47,12 @@ fuzz:
 	  $$f -max_total_time=$(FUZZ_SECONDS) -max_len=4096 -dict=../tests/fuzz/$$what.dict -artifact_prefix=found/ \
 	    found/$$what ../tests/fuzz/corpus/$$what 2>&1 | tail -2 || exit 1; \
 	done
+
+# HTML of all pages, in $(BUILD)/html; the same as the CMake target docs, without a build of the program.
+docs:
+	@scripts/setup docs
+	@scripts/docs $(BUILD)/html
+	@echo "pages: $(BUILD)/html/docs/index.html   (open it in a browser)"
 
 clean:
 	@rm -rf $(BUILD) out
