@@ -135,6 +135,7 @@ void Engine::set_masses(Masses masses) {
   synchronise(s);
   const double before = energies_of(s).kinetic;
   give_masses(s, masses);
+  make_heavy_enough(s);
   if (s.dt > step_bounds(s).largest())
     throw InputError(fmt::format("with even masses integration.time_step of {:.4g} s is beyond what this sample allows; {:.4g} s would do",
                                  s.dt, 0.999 * step_bounds(s).largest()));

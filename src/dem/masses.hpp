@@ -12,4 +12,8 @@ double own_mass(const Sample& sample, std::size_t k);
 /// Dashpots follow the masses, so restitution is kept. Speeds stay.
 void give_masses(Sample& sample, Masses masses);
 
+/// Makes all grains heavier alike, where masses are not their own, until the sample allows its time step: many grains as
+/// fast as the fastest may together be faster than it is alone.
+void make_heavy_enough(Sample& sample);
+
 }  // namespace arenite::dem

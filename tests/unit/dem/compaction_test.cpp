@@ -76,6 +76,25 @@ TEST(EvenMasses, AreThoseOfTheGrainWithTheFastestContacts) {
   EXPECT_DOUBLE_EQ(engine.energies().kinetic, own);
 }
 
+TEST(EvenMasses, AreHeavyEnoughForTheStepThatTheOwnOnesAllow) {
+  // A lattice with a slightly smaller grain, free in the place of one of its own: it alone sets the step of own masses, and
+  // a whole lattice of its mass is faster.
+  const double d = 0.01, pitch = d * (1 - 1e-4), rise = pitch * std::sqrt(0.75);
+  Packing p = empty_frame(12 * pitch, 12 * rise);
+  p.domain.periodic_x = p.domain.periodic_y = true;
+  for (int r = 0; r < 12; ++r)
+    for (int c = 0; c < 12; ++c) add_grain(p, (c + 0.25 + 0.5 * (r % 2)) * pitch, (r + 0.5) * rise, (r == 6 && c == 6 ? 0.45 : 0.5) * d);
+  IntegrationParameters integration;
+  integration.time_step = 1e-9;
+  integration.time_step = 0.999 * Engine(p, springy(0.5), integration).bounds().largest();
+  Engine engine(p, springy(0.5), integration);
+  engine.set_masses(Masses::even);
+  EXPECT_GE(engine.bounds().largest(), *integration.time_step);
+  EXPECT_LT(engine.bounds().largest(), 1.01 * *integration.time_step) << "no heavier than needed";
+  engine.set_masses(Masses::own);
+  EXPECT_NEAR(0.999 * engine.bounds().largest(), *integration.time_step, 1e-12);
+}
+
 TEST(EvenMasses, CompactUnlikeDisksInFarFewerSteps) {
   std::int64_t steps[2];
   for (const auto masses : {Masses::own, Masses::even}) {
