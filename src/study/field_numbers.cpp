@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "elasticity/bounds.hpp"
 #include "raster/cavity_statistics.hpp"
 #include "raster/phase_fractions.hpp"
 
@@ -85,6 +86,12 @@ Json as_asked(const Load& load) {
   return {{"loading", loadings[static_cast<std::size_t>(load.loading)]},
           {"axis", load.axis == Load::Axis::y ? "y" : "x"},
           {"stiffness_Pa", {{"matrix", e.matrix}, {"interface", e.interface}, {"particle", e.particle}}}};
+}
+
+/// Of Young's modulus, by the phases' shares. The lattice's Poisson's ratio is 1/3.
+Json bounds(const Json& phases, const peridynamics::Stiffness& e) {
+  const auto b = elasticity::modulus_bounds({{phases["particle"].get<double>(), e.particle}, {phases["matrix"].get<double>(), e.matrix}, {phases["void"].get<double>(), 0}}, 1.0 / 3);
+  return {{"voigt", b.voigt}, {"hashin_shtrikman_upper", b.shtrikman_upper}, {"hashin_shtrikman_lower", b.shtrikman_lower}, {"reuss", b.reuss}};
 }
 
 const char* word(peridynamics::Ending ending) {
@@ -174,6 +181,7 @@ std::string with_load(const std::string& numbers, const Load& load, const peridy
   if (report.ending == peridynamics::Ending::solved) {
     j["modulus_Pa"] = report.modulus;
     if (load.loading != peridynamics::Loading::shear) j["poisson"] = report.poisson;
+    j["modulus_bounds_Pa"] = bounds(j["phases"], load.stiffness.resolved());
   }
   if (moduli)
     j["moduli"] = {{"E_x_Pa", moduli->young_x}, {"E_y_Pa", moduli->young_y}, {"nu_xy", moduli->poisson_xy},
