@@ -8,6 +8,7 @@ const std::vector<Command>& commands() {
   static const std::vector<Command> list{
       {"run", "Run a recipe: packing, loading stage by stage, results and page", add_run},
       {"study", "Run many: a recipe with [sweep], on all cores or a cluster", add_study},
+      {"verify", "Check the claims of the thesis or the paper by their studies, which it runs", add_verify},
       {"init", "Write a commented recipe to start from", add_init},
       {"check", "Check a recipe and print it as it was understood", add_check},
       {"load", "Load anybody's phase map by peridynamics: moduli, stresses by phase, failure", add_load},

@@ -32,6 +32,7 @@ void add_show(CLI::App& command, int& status);
 void add_export(CLI::App& command, int& status);
 void add_run(CLI::App& command, int& status);
 void add_study(CLI::App& command, int& status);
+void add_verify(CLI::App& command, int& status);
 void add_load(CLI::App& command, int& status);
 void add_lockin(CLI::App& command, int& status);
 void add_step(CLI::App& command, int& status);

@@ -1,12 +1,8 @@
-# Turns the text files of the folder STUDIES (studies/NAME/FILE) into the C++ source OUTPUT that defines
-# ledger::embedded_files().
-file(GLOB files RELATIVE ${STUDIES} ${STUDIES}/*/*)
-list(SORT files)
+# Turns the text files of the folder STUDIES (studies/NAME/FILE), and the tables of TABLES as the study thesis-ch2, into the
+# C++ source OUTPUT that defines ledger::embedded_files().
 set(rows "")
-foreach(path ${files})
-  get_filename_component(study ${path} DIRECTORY)
-  get_filename_component(name ${path} NAME)
-  file(READ ${STUDIES}/${path} text)
+macro(embed study name path)
+  file(READ ${path} text)
   string(APPEND rows "      {\"${study}\", \"${name}\",\n")
   string(LENGTH "${text}" length)
   set(at 0)
@@ -16,6 +12,18 @@ foreach(path ${files})
     math(EXPR at "${at} + 8000")
   endwhile()
   string(APPEND rows "      },\n")
+endmacro()
+
+file(GLOB tables RELATIVE ${TABLES} ${TABLES}/*.csv)
+foreach(name ${tables})
+  embed(thesis-ch2 ${name} ${TABLES}/${name})
+endforeach()
+file(GLOB files RELATIVE ${STUDIES} ${STUDIES}/*/*)
+list(SORT files)
+foreach(path ${files})
+  get_filename_component(study ${path} DIRECTORY)
+  get_filename_component(name ${path} NAME)
+  embed(${study} ${name} ${STUDIES}/${path})
 endforeach()
 file(WRITE ${OUTPUT}
   "#include \"ledger/studies.hpp\"\n\nnamespace arenite::ledger {\n\n"

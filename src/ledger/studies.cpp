@@ -1,5 +1,6 @@
 #include "ledger/studies.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -48,10 +49,24 @@ const StudySource* find_study(const std::string& name) {
   return nullptr;
 }
 
-study::Study unpack_study(const StudySource& source, const fs::path& folder, bool small, const std::vector<std::string>& overrides) {
+std::string embedded_text(const std::string& study, const std::string& file) {
+  for (const EmbeddedFile& one : embedded_files())
+    if (study == one.study && file == one.file) return one.text;
+  return {};
+}
+
+bool StudySource::has_runs() const {
+  return std::any_of(files.begin(), files.end(), [](const auto& file) { return file.first == "recipe.toml"; });
+}
+
+void unpack(const StudySource& source, const fs::path& folder) {
   study::make_folder(folder);
   for (const auto& [name, text] : source.files)
     if (!holds_already(folder / name, text)) io::write_atomically(folder / name, text);
+}
+
+study::Study unpack_study(const StudySource& source, const fs::path& folder, bool small, const std::vector<std::string>& overrides) {
+  unpack(source, folder);
   std::vector<std::string> all = small ? source.small : std::vector<std::string>{};
   all.insert(all.end(), overrides.begin(), overrides.end());
   return study::read_study((folder / "recipe.toml").string(), all, folder);

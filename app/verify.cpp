@@ -1,0 +1,140 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <thread>
+
+#include "commands.hpp"
+#include "core/error.hpp"
+#include "core/version.hpp"
+#include "io/atomic_file.hpp"
+#include "ledger/judge.hpp"
+#include "ledger/studies.hpp"
+#include "report/ledger_report.hpp"
+#include "report/summary.hpp"
+#include "stop_signal.hpp"
+#include "study/collect.hpp"
+#include "study_parts.hpp"
+
+namespace arenite::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct VerifyArguments {
+  std::vector<std::string> sources, overrides, only;
+  std::string out, markdown, keep = "numbers";
+  std::size_t jobs = 1;
+  bool small = false, json = false, read_only = false, quiet = false;
+};
+
+/// Runs what is missing of a study; false if it was asked to stop.
+bool complete(const study::Study& study, const study::StudyFolder& folder, const VerifyArguments& a) {
+  study::StudyOptions options;
+  options.jobs = a.jobs;
+  options.keep_fields = a.keep == "all";
+  options.numbers = [](const study::RunOutcome& outcome) { return report::Summary(outcome).json(); };
+  options.asked_to_stop = stop_requested;
+  options.notice = [](const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); };
+  StudyLine line(a.quiet);
+  options.progress = [&](const study::StudyProgress& progress) { line.show(progress); };
+  return !study::run_study(study, folder, options).interrupted;
+}
+
+bool wanted(const VerifyArguments& a, const std::string& name) {
+  return a.only.empty() || std::find(a.only.begin(), a.only.end(), name) != a.only.end();
+}
+
+/// The results of a source's studies, run as far as asked; false if it was asked to stop.
+bool gather(char source, const fs::path& out, const VerifyArguments& a, ledger::Results& results) {
+  for (const std::string& name : ledger::studies_of(source)) {
+    const auto* found = ledger::find_study(name);
+    if (!found || !wanted(a, name) || (a.read_only && found->has_runs() && !fs::exists(out / name))) continue;
+    const study::StudyFolder folder(out / name);
+    if (!found->has_runs()) {
+      ledger::unpack(*found, folder.out);
+      results.add(name, {}, folder.out);
+      continue;
+    }
+    const study::Study study = ledger::unpack_study(*found, folder.out, a.small, a.overrides);
+    if (!a.read_only) {
+      if (!a.quiet) fmt::print(stderr, "{}: {} runs\n", name, study.runs.size());
+      if (!complete(study, folder, a)) return false;
+    }
+    results.add(name, study::collect(study, folder), folder.out);
+  }
+  return true;
+}
+
+/// The processor's name as Linux has it.
+std::string processor_name() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with("model name")) return line.substr(std::min(line.size(), line.find(':') + 2));
+  return "unknown processor";
+}
+
+/// Date, version and machine.
+std::string heading() {
+  char date[16] = "";
+  const std::time_t now = std::time(nullptr);
+  std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
+  return fmt::format("# The ledger of claims\n\nWritten by `arenite verify`, version {}, on {}, {} cores of {}. A claim has two verdicts: as its source states "
+                     "it, and as sharpened to the state, law and statistic under which a check has meaning. Errors are standard errors over runs. Law S has a "
+                     "tangential spring; law R is the thesis's regularised friction, run to rest, where friction is gone.\n",
+                     version, date, std::thread::hardware_concurrency(), processor_name());
+}
+
+bool fails(const ledger::Ledger& ledger) {
+  return std::any_of(ledger.claims.begin(), ledger.claims.end(),
+                     [](const auto& judged) { return judged.judgement.sharpened.holds() == ledger::Holds::no; });
+}
+
+int execute(const VerifyArguments& a) {
+  const fs::path out = !a.out.empty() ? a.out : a.small ? "out/ledger-small" : "out/ledger";
+  watch_for_signals();
+  ledger::Ledger all;
+  std::string markdown;
+  for (const std::string& source : a.sources) {
+    ledger::Results results;
+    const char letter = source == "thesis" ? 'T' : 'P';
+    if (!gather(letter, out, a, results)) {
+      fmt::print(stderr, "stopped; the same command goes on where it was\n");
+      return other_failure;
+    }
+    ledger::Ledger one = ledger::judge(letter, results);
+    markdown += "\n" + report::ledger_markdown(one, source == "thesis" ? "The thesis" : "The paper");
+    all.studies.insert(all.studies.end(), one.studies.begin(), one.studies.end());
+    std::move(one.claims.begin(), one.claims.end(), std::back_inserter(all.claims));
+  }
+  fmt::print("{}", a.json ? report::ledger_json(all) : report::ledger_text(all));
+  if (!a.markdown.empty()) io::write_atomically(a.markdown, heading() + markdown);
+  return fails(all) ? not_converged : done;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& command, int& status) {
+  auto a = std::make_shared<VerifyArguments>();
+  a->jobs = std::max(1u, std::thread::hardware_concurrency());
+  command.add_option("source", a->sources, "Whose claims: those of the thesis, of the paper, or both")
+      ->required()->type_name("SOURCE")->check(CLI::IsMember({"thesis", "paper"}));
+  command.add_flag("--small", a->small, "Smaller samples and fewer seeds: minutes instead of hours");
+  command.add_flag("--json", a->json, "Print the ledger as JSON");
+  command.add_option("--markdown", a->markdown, "Write the ledger as a page of text, too")->type_name("FILE");
+  command.add_option("--out", a->out, "Folder of the studies (default: out/ledger, or out/ledger-small)")->type_name("DIR");
+  command.add_option("--jobs", a->jobs, "Runs at once, each in a process of its own (default: all cores)")->check(CLI::Range(1, 4096).description(""))->type_name("J");
+  command.add_option("--only", a->only, "Run and read this study only; may be repeated")->allow_extra_args(false)->type_name("STUDY");
+  command.add_flag("--read", a->read_only, "Run nothing: judge by the runs that are there");
+  command.add_option("--keep", a->keep, "Keep all files, or of cemented samples and loads only their numbers (default)")
+      ->type_name("WHAT")->check(CLI::IsMember({"all", "numbers"}));
+  command.add_flag("--quiet", a->quiet, "No progress");
+  add_overrides(command, a->overrides);
+  command.callback([a, &status] { status = execute(*a); });
+}
+
+}  // namespace arenite::app

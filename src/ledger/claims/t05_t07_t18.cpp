@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ledger/claims/chapter3.hpp"
+#include "ledger/claims/claims.hpp"
+#include "ledger/final_texture.hpp"
+#include "ledger/pooled.hpp"
+
+namespace arenite::ledger {
+namespace {
+
+/// The value that 5 % of a material's grains are pressed harder than, Pa.
+double top_5_percent(const FinalState& state, const std::string& material) {
+  std::vector<double> pressure;
+  const Grains& grains = state.packing.grains;
+  for (std::size_t k = 0; k < grains.size(); ++k)
+    if (state.texture.per_grain.considered[k] && state.packing.materials[static_cast<std::size_t>(grains.material[k])].name == material)
+      pressure.push_back(-state.texture.per_grain.sigma_hyd[k]);
+  if (pressure.size() < 20) return statistics::unknown;
+  std::sort(pressure.begin(), pressure.end());
+  return pressure[pressure.size() - 1 - pressure.size() / 20];
+}
+
+Number maximum(const std::string& material) {
+  const std::string name = "sigma_norm.by_material." + material;
+  return [name](const Run& run) { return std::abs(run(name + ".maximum") * run(name + ".mean_Pa")); };
+}
+
+/// Numbers a against b in every run: mean of a/b - 1.
+Value lead(const std::vector<Run>& runs, const Number& a, const Number& b) {
+  return mean_over_seeds(runs, [&](const Run& run) { return a.of(run) / b.of(run) - 1; });
+}
+
+}  // namespace
+
+/// Share of grains above the mean.
+Judgement judge_t5(const Results& results) {
+  Judgement judgement;
+  for (const auto& sample : {sample_2, sample_8, sample_12})
+    for (const char* material : {"", "POM", "HDPE"}) {
+      const bool all = *material == 0;
+      const std::string number = all ? "sigma_norm.P0" : fmt::format("sigma_norm.by_material.{}.P0", material);
+      const Value share = mean(results, "thesis-ch3", number, where(sample));
+      const std::string what = fmt::format("share above the mean, {} {}", sample.name, all ? "all" : material);
+      judgement.stated.checks.push_back(below(what, "< 0.5", share, 0.5));
+      Check sharpened = all ? below(what, "< 0.5", share, 0.5) : between(what, "< 0.5", share, 0, 0.52);
+      if (runs_of(results, sample).size() < 5) sharpened.holds = Holds::unknown;
+      judgement.sharpened.checks.push_back(sharpened);
+    }
+  return judgement;
+}
+
+/// Stress of small HDPE grains against large POM ones, and mean forces, in #12.
+Judgement judge_t7(const Results& results) {
+  Judgement judgement;
+  const auto runs = runs_of(results, sample_12);
+  const Check force = positive("mean force of POM-POM over HDPE-HDPE, less 1", "> 0", lead(runs, "force.by_type.POM-POM.mean_N", "force.by_type.HDPE-HDPE.mean_N"));
+  const Check most = positive("largest grain stress of HDPE over POM, less 1", "> 0", lead(runs, maximum("HDPE"), maximum("POM")));
+  std::vector<double> leads;
+  for (const Run& run : runs) {
+    const FinalState state = final_state(run);
+    leads.push_back(top_5_percent(state, "HDPE") / top_5_percent(state, "POM") - 1);
+  }
+  judgement.stated.checks = {most, force};
+  judgement.sharpened.checks = {most, positive("stress that 5 % of grains exceed, HDPE over POM, less 1", "> 0", leads.empty() ? Value() : Value(statistics::mean_of(leads))), force};
+  return judgement;
+}
+
+/// Windows of growing size in #11: in each sample by its own windows' error, and over samples.
+Judgement judge_t18(const Results& results) {
+  Judgement judgement;
+  std::vector<double> changes, in_errors;
+  double fraction = 0;
+  for (const Run& run : runs_of(results, sample_11)) {
+    const auto& rev = final_state(run, true).texture.rev;
+    std::size_t first = rev.area_share.size(), last = rev.area_share.size();
+    for (std::size_t k = 0; k < rev.area_share.size(); ++k) {
+      if (first == rev.area_share.size() && rev.area_share[k] >= 0.2) first = k;
+      if (rev.area_share[k] <= 0.9) last = k;
+    }
+    if (first >= last || last == rev.area_share.size()) continue;
+    changes.push_back(rev.mean[last] - rev.mean[first]);
+    in_errors.push_back(std::abs(changes.back()) / std::hypot(rev.error[first], rev.error[last]));
+    fraction += rev.mean[last];
+  }
+  const auto mean_value = [](const std::vector<double>& values) { return values.empty() ? Value() : Value(statistics::mean_of(values)); };
+  judgement.stated.checks = {below("change of the solid fraction between 20 and 90 % of the area over its error in one sample, #11", "a plateau", mean_value(in_errors), beyond)};
+  judgement.sharpened.checks = {none("solid fraction at 90 % of the area less that at 20 %, over samples, #11", "a plateau", mean_value(changes))};
+  if (!changes.empty())
+    judgement.findings.push_back(fmt::format("Solid fraction of #11 in windows of 90 % of the area: {:.4f}; in windows of 20 % it is {:.4f} more: large windows all hold the looser "
+                                             "layers along the walls.", fraction / static_cast<double>(changes.size()), -mean_value(changes).value));
+  return judgement;
+}
+
+}  // namespace arenite::ledger

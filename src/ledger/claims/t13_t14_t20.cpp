@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "ledger/claims/claims.hpp"
+#include "ledger/pooled.hpp"
+
+namespace arenite::ledger {
+namespace {
+
+constexpr double stiffness_a = 27.35;  // kN/mm, as in the study's recipe
+
+double stiffness_ratio(const Run& run) { return stiffness_a / run.key("materials.B.stiffness"); }
+
+struct LawOfChapter5 {
+  const char* law;
+  const char* study;
+};
+constexpr LawOfChapter5 laws[] = {{"law S", "thesis-ch5"}, {"law R", "thesis-ch5-r"}, {"no friction", "thesis-ch5-smooth"}};
+
+/// Signed anisotropy of one set less that of another.
+Number signed_lead(std::string a, std::string b) {
+  return [a = std::move(a), b = std::move(b)](const Run& run) { return run("fabric.sets." + a + ".a_c_signed") - run("fabric.sets." + b + ".a_c_signed"); };
+}
+
+Number strong_share(std::string type) {
+  return [type = std::move(type)](const Run& run) { return run("fabric.sets." + type + " strong.contacts") / run("fabric.sets.strong.contacts"); };
+}
+
+}  // namespace
+
+/// Coordination against the stiffness ratio. Seeds share their first places of grains, so slopes are taken seed by seed.
+Judgement judge_t13(const Results& results) {
+  Judgement judgement;
+  const auto runs = results.runs("thesis-ch5");
+  const Check steady = none("slope of z against k_A/k_B", "steady", slope_over_seeds(runs, stiffness_ratio, "coordination.all"));
+  judgement.stated.checks = judgement.sharpened.checks = {steady};
+  for (const auto& [type, share] : {std::pair{"A-B", 0.50}, {"A-A", 0.25}, {"B-B", 0.25}}) {
+    const Check check = within(fmt::format("share of {} contacts", type), mean_over_seeds(runs, fmt::format("coordination.share_of_contacts.{}", type)), share, 0.05);
+    judgement.stated.checks.push_back(check);
+    judgement.sharpened.checks.push_back(check);
+  }
+  judgement.stated.checks.push_back(within("z(A-B), its part of z", mean_over_seeds(runs, "coordination.parts_of_z.A-B"), 1.75, 0.1));
+  for (const auto& [law, study] : laws) {
+    const auto of_law = results.runs(study);
+    if (of_law.empty()) continue;
+    judgement.findings.push_back(fmt::format("{}: z {}, without rattlers {}, z(A-B) {}, rattlers {}, mean |F_t|/F_n {}, z rises by {} a unit of the ratio.", law,
+                                             text_of(mean_over_seeds(of_law, "coordination.all")), text_of(mean_over_seeds(of_law, "coordination.without_rattlers")),
+                                             text_of(mean_over_seeds(of_law, "coordination.parts_of_z.A-B")), text_of(mean_over_seeds(of_law, "coordination.rattlers")),
+                                             text_of(mean_over_seeds(of_law, "stages.load.last_state.equilibrium.mobilisation")),
+                                             text_of(slope_over_seeds(of_law, stiffness_ratio, "coordination.all"))));
+  }
+  return judgement;
+}
+
+/// Directions of the strong and the weak network.
+Judgement judge_t14(const Results& results) {
+  Judgement judgement;
+  const auto runs = results.runs("thesis-ch5");
+  const auto anisotropy = [&](const char* set) { return mean_over_seeds(runs, fmt::format("fabric.sets.{}.a_c_signed", set)); };
+  const Check strong = positive("signed a_c of strong contacts", "> 0", anisotropy("strong"));
+  judgement.stated.checks = {strong, below("signed a_c of weak contacts", "does not lean", anisotropy("weak"), 0)};
+  for (const char* set : {"A-A weak", "B-B weak"}) {
+    Check check = none(fmt::format("signed a_c of {} contacts", set), "not isotropic", anisotropy(set));
+    check.tolerance = "not 0, by 2 s.e.";
+    if (check.holds != Holds::unknown) check.holds = check.holds == Holds::yes ? Holds::no : Holds::yes;
+    judgement.stated.checks.push_back(check);
+  }
+  judgement.sharpened.checks = {strong, positive("signed a_c of strong less that of weak contacts", "> 0", mean_over_seeds(runs, signed_lead("strong", "weak")))};
+  for (const auto& [law, study] : laws)
+    if (const auto of_law = results.runs(study); !of_law.empty())
+      judgement.findings.push_back(fmt::format("{}: signed a_c of strong contacts {}, of weak {}.", law, text_of(mean_over_seeds(of_law, "fabric.sets.strong.a_c_signed")),
+                                               text_of(mean_over_seeds(of_law, "fabric.sets.weak.a_c_signed"))));
+  return judgement;
+}
+
+/// Types of the strong contacts.
+Judgement judge_t20(const Results& results) {
+  Judgement judgement;
+  const auto runs = results.runs("thesis-ch5");
+  const Value mixed = mean_over_seeds(runs, strong_share("A-B"));
+  judgement.stated.checks.push_back(above("share of A-B among strong contacts", "most", mixed, 1.0 / 3));
+  for (const char* type : {"A-A", "B-B"}) {
+    judgement.stated.checks.push_back(within(fmt::format("share of {} among strong contacts", type), mean_over_seeds(runs, strong_share(type)), 0.25, 0.05));
+    judgement.stated.checks.push_back(
+        positive(fmt::format("share of A-B less that of {}", type), "> 0", mean_over_seeds(runs, [&](const Run& run) { return strong_share("A-B").of(run) - strong_share(type).of(run); })));
+  }
+  judgement.stated.checks.push_back(positive("signed a_c of A-A contacts", "> 0", mean_over_seeds(runs, "fabric.sets.A-A.a_c_signed")));
+  judgement.sharpened = judgement.stated;
+  return judgement;
+}
+
+}  // namespace arenite::ledger

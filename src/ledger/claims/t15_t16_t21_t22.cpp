@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "ledger/claims/claims.hpp"
+#include "ledger/final_texture.hpp"
+#include "ledger/pooled.hpp"
+
+namespace arenite::ledger {
+namespace {
+
+constexpr const char* key = "contact.surface_energy";
+constexpr double stiffness = 27.35;  // kN/mm
+
+std::vector<Run> glued(const Results& results) { return results.runs("thesis-ch6", {{key, "1.060"}}); }
+
+/// Normal forces between glued grains over their mean, of all runs of a surface energy.
+std::vector<double> forces(const std::vector<Run>& runs) {
+  std::vector<double> all;
+  for (const Run& run : runs) {
+    const FinalState state = final_state(run);
+    const Contacts& contacts = state.packing.contacts;
+    const auto& zone = state.packing.grains.zone;
+    std::vector<double> own;
+    double sum = 0;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      if (contacts.is_wall(c) || zone[static_cast<std::size_t>(contacts.i[c])] == 0 || zone[static_cast<std::size_t>(contacts.j[c])] == 0) continue;
+      own.push_back(contacts.fn[c]);
+      sum += contacts.fn[c];
+    }
+    for (const double force : own) all.push_back(force * static_cast<double>(own.size()) / sum);
+  }
+  return all;
+}
+
+}  // namespace
+
+/// Table 6.1.
+Judgement judge_t15(const Results& results) {
+  Judgement judgement;
+  const auto runs = glued(results);
+  for (const auto& [zone, number, share] : {std::tuple{"all", "sigma_norm.P0", 48.0}, {"without adhesion", "sigma_norm.by_material.dry.P0", 48.0},
+                                            {"with adhesion", "sigma_norm.by_material.glued.P0", 49.4}}) {
+    const Value ours = mean_over_seeds(runs, [number = number](const Run& run) { return 100 * run(number); });
+    const std::string what = fmt::format("share of grains above the mean, {}", zone);
+    judgement.stated.checks.push_back(below(what, "less than 50", ours, 50, "%"));
+    Check check = within(what, ours, share, 4, "%");
+    if (runs.size() < 5) check.holds = Holds::unknown;
+    judgement.sharpened.checks.push_back(check);
+  }
+  return judgement;
+}
+
+/// Four-fold order of contact directions, pooled over seeds.
+Judgement judge_t16(const Results& results) {
+  Judgement judgement;
+  const auto runs = glued(results);
+  for (const char* set : {"", "dry-dry", "glued-glued"}) {
+    const PooledMode mode = pooled_mode(runs, set, 4);
+    const std::string name = *set ? set : "all";
+    Check amplitude = above(fmt::format("4-fold amplitude, {}", name), "peaks", {mode.amplitude, mode.noise}, 3 * mode.noise);
+    amplitude.tolerance = "> 3 times the noise";
+    judgement.stated.checks.push_back(amplitude);
+    judgement.stated.checks.push_back(below(fmt::format("angle of its peaks from 45 degrees, {}", name), "0", angle_between(mode.phase_deg, 45, 90), 15, "deg"));
+    Check reported = above(fmt::format("4-fold amplitude, {}, at {:.0f} degrees with its noise", name, mode.phase_deg), "peaks at 45", {mode.amplitude, mode.noise}, 0);
+    reported.tolerance = "reported";
+    judgement.sharpened.checks.push_back(reported);
+  }
+  judgement.findings.emplace_back("The laboratory's grains were stacked by hand and their positions are lost; these samples start from random fillings.");
+  return judgement;
+}
+
+/// Tension, and stress inside of the agglomerate.
+Judgement judge_t21(const Results& results) {
+  Judgement judgement;
+  const auto runs = glued(results);
+  const Check rare = below("share of contacts that pull", "few", mean_over_seeds(runs, "force.tensile_share"), 0.05);
+  const Check tiny = below("mean pull over mean push", "very small",
+                           mean_over_seeds(runs, [](const Run& run) {
+                             const double ratio = run("force.tensile.mean_over_compressive_mean");
+                             return std::isfinite(ratio) || !(run("force.tensile_share") == 0) ? ratio : 0;
+                           }), 0.05);
+  const Value inside = mean_over_seeds(runs, [](const Run& run) { return run("sigma_norm.by_material.glued.mean_Pa") / run("sigma_norm.by_material.dry.mean_Pa") - 1; });
+  judgement.stated.checks = {rare, tiny, below("mean stress inside of the agglomerate over outside, less 1", "< 0", inside, 0)};
+  judgement.sharpened.checks = {rare, tiny, negative("mean stress inside of the agglomerate over outside, less 1", "< 0", inside)};
+  for (const char* gamma : {"0.5", "0.2735", "0.000001"}) {
+    const auto weaker = results.runs("thesis-ch6", {{key, gamma}});
+    if (!weaker.empty())
+      judgement.findings.push_back(fmt::format("With gamma {} kN/mm instead of 1.060: inside over outside, less 1, {}; share of pulling contacts {}.", gamma,
+                                               text_of(mean_over_seeds(weaker, [](const Run& run) {
+                                                 return run("sigma_norm.by_material.glued.mean_Pa") / run("sigma_norm.by_material.dry.mean_Pa") - 1;
+                                               })),
+                                               text_of(mean_over_seeds(weaker, "force.tensile_share"))));
+  }
+  return judgement;
+}
+
+/// Forces in the agglomerate with weak cohesion against those with next to none.
+Judgement judge_t22(const Results& results) {
+  Judgement judgement;
+  const auto without = forces(results.runs("thesis-ch6", {{key, "0.000001"}}));
+  const auto add = [&](const char* gamma) {
+    Check check = above(fmt::format("chance that forces are of one law with and without cohesion, k/gamma = {:.0f}", stiffness / std::stod(gamma)), "no trace",
+                        Value(chance_of_one_law(forces(results.runs("thesis-ch6", {{key, gamma}})), without)), 0.05);
+    return check;
+  };
+  judgement.stated.checks = {add("0.5"), add("0.2735")};
+  judgement.sharpened = judgement.stated;
+  const Check strong = add("1.060");
+  if (std::isfinite(strong.ours)) judgement.findings.push_back(fmt::format("At k/gamma = 26 that chance is {:.3g}.", strong.ours));
+  return judgement;
+}
+
+}  // namespace arenite::ledger

@@ -1,0 +1,90 @@
+#include "ledger/pooled.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "statistics/line.hpp"
+#include "statistics/student.hpp"
+
+namespace arenite::ledger {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+std::string seed_of(const Run& run) { return run.text("seed"); }
+
+Value mean_of(const std::vector<double>& values) { return values.empty() ? Value() : Value(statistics::mean_of(values)); }
+
+}  // namespace
+
+PooledMode pooled_mode(const std::vector<Run>& runs, const std::string& set, int m) {
+  const std::string path = set.empty() ? "fabric" : "fabric.sets." + set, mode = path + ".modes." + std::to_string(m);
+  std::complex<double> sum = 0;
+  PooledMode pooled;
+  for (const Run& run : runs) {
+    const double contacts = run(path + ".contacts"), amplitude = run(mode + ".amplitude"), phase = run(mode + ".phase_deg");
+    if (!std::isfinite(contacts * amplitude * phase)) continue;
+    sum += contacts * std::polar(amplitude, m * phase * degree);
+    pooled.contacts += contacts;
+  }
+  if (pooled.contacts == 0) return pooled;
+  pooled.amplitude = std::abs(sum) / pooled.contacts;
+  pooled.phase_deg = std::arg(sum) / m / degree;
+  if (pooled.phase_deg < 0) pooled.phase_deg += 360.0 / m;
+  pooled.noise = 0.886 / std::sqrt(pooled.contacts);
+  return pooled;
+}
+
+double angle_between(double a_deg, double b_deg, double period) { return std::abs(std::remainder(a_deg - b_deg, period)); }
+
+Value mean_over_seeds(const std::vector<Run>& runs, const Number& number) {
+  std::map<std::string, std::pair<double, double>> seeds;
+  for (const Run& run : runs)
+    if (const double value = number.of(run); std::isfinite(value)) {
+      auto& [sum, count] = seeds[seed_of(run)];
+      sum += value;
+      count += 1;
+    }
+  std::vector<double> means;
+  for (const auto& [seed, sum] : seeds) means.push_back(sum.first / sum.second);
+  return mean_of(means);
+}
+
+Value slope_over_seeds(const std::vector<Run>& runs, const Number& x, const Number& y) {
+  std::map<std::string, std::pair<std::vector<double>, std::vector<double>>> seeds;
+  for (const Run& run : runs) {
+    const double at = x.of(run), value = y.of(run);
+    if (!std::isfinite(at) || !std::isfinite(value)) continue;
+    seeds[seed_of(run)].first.push_back(at);
+    seeds[seed_of(run)].second.push_back(value);
+  }
+  std::vector<double> slopes;
+  for (const auto& [seed, xy] : seeds)
+    if (const double slope = statistics::fit_line(xy.first, xy.second).slope; std::isfinite(slope)) slopes.push_back(slope);
+  return mean_of(slopes);
+}
+
+PooledTail pooled_tail(const std::vector<Run>& runs, const std::string& name) {
+  PooledTail pooled;
+  std::vector<double> r2, beta;
+  double sum = 0;
+  for (const Run& run : runs) {
+    const double p = run(name + ".p_value");
+    if (!std::isfinite(p)) continue;
+    sum += statistics::student_quantile(std::clamp(1 - p, 1e-12, 1 - 1e-12), std::numeric_limits<double>::infinity());
+    pooled.log_likelihood_ratio += run(name + ".log_likelihood_ratio");
+    r2.push_back(run(name + ".line_r2"));
+    beta.push_back(run(name + ".beta"));
+  }
+  pooled.runs = r2.size();
+  pooled.r2 = mean_of(r2);
+  pooled.beta = mean_of(beta);
+  if (pooled.runs > 0) pooled.p_value = 1 - statistics::student_share(sum / std::sqrt(static_cast<double>(pooled.runs)), std::numeric_limits<double>::infinity());
+  return pooled;
+}
+
+}  // namespace arenite::ledger

@@ -1,0 +1,38 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ledger/results.hpp"
+#include "ledger/trends.hpp"
+
+namespace arenite::ledger {
+
+/// |<exp(i m theta)>| of the contact directions of several runs together, with what as many random directions would give.
+struct PooledMode {
+  double contacts = 0;
+  double amplitude = statistics::unknown, phase_deg = statistics::unknown;  ///< phase in [0, 360/m)
+  double noise = statistics::unknown;
+};
+/// `set`: "" for all contacts, or "POM-POM", "strong", ...; runs without it are left out.
+PooledMode pooled_mode(const std::vector<Run>& runs, const std::string& set, int m);
+
+/// Smallest distance of two directions that repeat every `period` degrees.
+double angle_between(double a_deg, double b_deg, double period);
+
+/// Means over the runs of each seed, then over seeds, with the standard error from the scatter of seeds: runs with one seed
+/// share their packing.
+Value mean_over_seeds(const std::vector<Run>& runs, const Number& number);
+/// The same of the slope of y against x that each seed gives by itself; seeds with fewer than three points are left out.
+Value slope_over_seeds(const std::vector<Run>& runs, const Number& x, const Number& y);
+
+/// An exponential tail seen in several runs.
+struct PooledTail {
+  std::size_t runs = 0;
+  double log_likelihood_ratio = 0;       ///< exponential over half-Gaussian, sum over runs
+  double p_value = statistics::unknown;  ///< that its lead is chance: the runs' own put together (Stouffer)
+  Value r2, beta;                        ///< means over runs
+};
+/// `name`: of the distribution, "sigma_norm.by_material.POM" or "force".
+PooledTail pooled_tail(const std::vector<Run>& runs, const std::string& name);
+
+}  // namespace arenite::ledger

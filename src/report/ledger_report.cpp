@@ -1,0 +1,104 @@
+#include "report/ledger_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "ledger/trends.hpp"
+
+namespace arenite::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using ledger::Check;
+using ledger::Judged;
+
+std::string ours_text(const Check& check) {
+  const std::string text = ledger::text_of({check.ours, check.error});
+  return check.ours_unit.empty() || !std::isfinite(check.ours) ? text : text + " " + check.ours_unit;
+}
+
+std::string lines_of(const ledger::Verdict& verdict, const char* kind) {
+  std::string text = fmt::format("  {}: {}\n", kind, ledger::word_for(verdict.holds()));
+  for (const Check& check : verdict.checks)
+    text += fmt::format("    {:<8} {}: {} (source {}, wanted {})\n", ledger::word_for(check.holds), check.what, ours_text(check), check.source, check.tolerance);
+  return text;
+}
+
+Json json_of(const ledger::Verdict& verdict) {
+  Json list = Json::array();
+  for (const Check& check : verdict.checks) {
+    Json one{{"what", check.what}, {"source", check.source}, {"tolerance", check.tolerance}, {"verdict", ledger::word_for(check.holds)}};
+    if (std::isfinite(check.ours)) one["ours"] = check.ours;
+    if (std::isfinite(check.error)) one["error"] = check.error;
+    if (!check.ours_unit.empty()) one["unit"] = check.ours_unit;
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+/// Bars would end a cell.
+std::string cell(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
+  return out;
+}
+
+/// A heading's own link.
+std::string anchor_of(std::string id) {
+  for (char& c : id)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return id;
+}
+
+std::string rows_of(const ledger::Verdict& verdict, const char* kind) {
+  std::string text;
+  for (const Check& check : verdict.checks)
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", kind, cell(check.what), cell(check.source), cell(ours_text(check)), cell(check.tolerance),
+                        ledger::word_for(check.holds));
+  return text;
+}
+
+}  // namespace
+
+std::string ledger_text(const ledger::Ledger& ledger) {
+  std::string text;
+  for (const auto& study : ledger.studies) text += fmt::format("{:<24} {} of {} runs done\n", study.name, study.done, study.runs);
+  for (const Judged& judged : ledger.claims) {
+    text += fmt::format("\n{}  {}\n  {}\n", judged.claim->id, judged.claim->sentence, judged.claim->where);
+    text += lines_of(judged.judgement.stated, "as stated");
+    text += lines_of(judged.judgement.sharpened, "as sharpened");
+    for (const auto& finding : judged.judgement.findings) text += fmt::format("  {}\n", finding);
+  }
+  return text;
+}
+
+std::string ledger_json(const ledger::Ledger& ledger) {
+  Json studies = Json::object(), claims = Json::object();
+  for (const auto& study : ledger.studies) studies[study.name] = {{"runs", study.runs}, {"done", study.done}};
+  for (const auto& [claim, judgement] : ledger.claims)
+    claims[claim->id] = {{"where", claim->where}, {"sentence", claim->sentence}, {"figure", claim->figure},
+                         {"stated", ledger::word_for(judgement.stated.holds())}, {"sharpened", ledger::word_for(judgement.sharpened.holds())},
+                         {"stated_checks", json_of(judgement.stated)}, {"sharpened_checks", json_of(judgement.sharpened)},
+                         {"findings", judgement.findings}};
+  return Json{{"studies", studies}, {"claims", claims}}.dump(1) + "\n";
+}
+
+std::string ledger_markdown(const ledger::Ledger& ledger, const std::string& title) {
+  std::string text = fmt::format("## {}\n\n", title);
+  for (const auto& study : ledger.studies) text += fmt::format("- `{}`: {} of {} runs done\n", study.name, study.done, study.runs);
+  text += "\n| claim | | as stated | as sharpened |\n|---|---|---|---|\n";
+  for (const auto& [claim, judgement] : ledger.claims)
+    text += fmt::format("| [{}](#{}) | {} | {} | {} |\n", claim->id, anchor_of(claim->id), cell(claim->sentence), ledger::word_for(judgement.stated.holds()),
+                        ledger::word_for(judgement.sharpened.holds()));
+  for (const auto& [claim, judgement] : ledger.claims) {
+    text += fmt::format("\n### {}\n\n{}. ({})\n\n", claim->id, claim->sentence, claim->where);
+    text += "| verdict | what | source | ours | wanted | |\n|---|---|---|---|---|---|\n";
+    text += rows_of(judgement.stated, "stated") + rows_of(judgement.sharpened, "sharpened");
+    for (const auto& finding : judgement.findings) text += "\n" + finding + "\n";
+  }
+  return text;
+}
+
+}  // namespace arenite::report

@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+
+#include "ledger/judge.hpp"
+
+namespace arenite::report {
+
+/// A ledger for people: claim by claim both verdicts, and line by line what they rest on.
+std::string ledger_text(const ledger::Ledger& ledger);
+
+/// For programs: {"studies": {NAME: {"runs", "done"}}, "claims": {ID: {"stated": "holds", "sharpened": "fails", ...}}}.
+std::string ledger_json(const ledger::Ledger& ledger);
+
+/// A section of a Markdown page: a table of the verdicts, then the claims one by one. `title` is its heading.
+std::string ledger_markdown(const ledger::Ledger& ledger, const std::string& title);
+
+}  // namespace arenite::report

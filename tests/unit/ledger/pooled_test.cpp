@@ -1,0 +1,59 @@
+#include "ledger/pooled.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "unit/ledger/made_up_table.hpp"
+
+namespace arenite::ledger {
+namespace {
+
+Results made_up(const std::vector<std::string>& names, const std::vector<MadeUpRun>& runs) {
+  Results results;
+  results.add("made-up", made_up_table({"ratio", "seed"}, names, runs));
+  return results;
+}
+
+TEST(Pooled, ModesAddAsVectorsWeighedByContacts) {
+  const std::vector<std::string> names{"fabric.contacts", "fabric.modes.2.amplitude", "fabric.modes.2.phase_deg"};
+  const Results cancel = made_up(names, {{{"1", "1"}, {100, 0.5, 10}}, {{"1", "2"}, {100, 0.5, 100}}});
+  EXPECT_NEAR(pooled_mode(cancel.runs("made-up"), "", 2).amplitude, 0, 1e-12);
+  const Results add = made_up(names, {{{"1", "1"}, {300, 0.5, 179}}, {{"1", "2"}, {100, 0.1, 179}}});
+  const PooledMode mode = pooled_mode(add.runs("made-up"), "", 2);
+  EXPECT_NEAR(mode.amplitude, 0.4, 1e-12);
+  EXPECT_NEAR(mode.phase_deg, 179, 1e-9);
+  EXPECT_NEAR(mode.noise, 0.886 / 20, 1e-12);
+  EXPECT_TRUE(std::isnan(pooled_mode(add.runs("made-up"), "strong", 2).amplitude));
+}
+
+TEST(Pooled, AnglesRepeat) {
+  EXPECT_DOUBLE_EQ(angle_between(175, 5, 180), 10);
+  EXPECT_DOUBLE_EQ(angle_between(59, 0, 60), 1);
+}
+
+TEST(Pooled, SlopesOfSeedsLeaveOutWhatSeedsDifferBy) {
+  std::vector<MadeUpRun> runs;
+  for (const int seed : {1, 2, 3})
+    for (const int ratio : {1, 2, 3}) runs.push_back({{std::to_string(ratio), std::to_string(seed)}, {100.0 * seed + 2.0 * ratio}});
+  const Results results = made_up({"z"}, runs);
+  const Value slope = slope_over_seeds(results.runs("made-up"), swept("ratio"), "z");
+  EXPECT_NEAR(slope.value, 2, 1e-9);
+  EXPECT_NEAR(slope.error, 0, 1e-9);
+  const Value mean = mean_over_seeds(results.runs("made-up"), "z");
+  EXPECT_NEAR(mean.value, 204, 1e-9);
+  EXPECT_NEAR(mean.error, 100 / std::sqrt(3.0), 1e-9);
+}
+
+TEST(Pooled, TailsOfSeveralRunsAreSurerThanOne) {
+  const std::vector<std::string> names{"force.p_value", "force.log_likelihood_ratio", "force.line_r2", "force.beta"};
+  const Results results = made_up(names, {{{"1", "1"}, {0.15866, 2, 0.98, 1.2}}, {{"1", "2"}, {0.15866, 3, 0.96, 1.4}}});
+  const PooledTail tail = pooled_tail(results.runs("made-up"), "force");
+  EXPECT_EQ(tail.runs, 2u);
+  EXPECT_DOUBLE_EQ(tail.log_likelihood_ratio, 5);
+  EXPECT_NEAR(tail.p_value, 0.0786, 2e-4);  // one sigma each: sqrt 2 sigma together
+  EXPECT_NEAR(tail.r2.value, 0.97, 1e-12);
+}
+
+}  // namespace
+}  // namespace arenite::ledger

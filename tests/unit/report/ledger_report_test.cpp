@@ -1,0 +1,51 @@
+#include "report/ledger_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "ledger/trends.hpp"
+
+namespace arenite::report {
+namespace {
+
+using namespace ledger;
+
+/// One claim that holds as sharpened and fails as stated, and one of which nothing is known.
+Ledger two_claims() {
+  static const Claim first{"T1", "table 1", "k is 3|4", {}, "", nullptr}, second{"T2", "table 2", "k is 5", {}, "", nullptr};
+  Judgement judged;
+  judged.stated.checks = {within("k", {3.5, 0.25}, 3, 0.1, "kN/mm")};
+  judged.sharpened.checks = {within("k", {3.5, 0.25}, 3, 1, "kN/mm")};
+  judged.findings = {"More of it would be better."};
+  Judgement open;
+  open.stated.checks = open.sharpened.checks = {positive("k", "5", {})};
+  return {{{"made-up", 4, 2}}, {{&first, judged}, {&second, open}}};
+}
+
+TEST(LedgerReport, TextHasVerdictsNumbersAndFindings) {
+  const std::string text = ledger_text(two_claims());
+  EXPECT_NE(text.find("2 of 4 runs done"), std::string::npos);
+  EXPECT_NE(text.find("as stated: fails"), std::string::npos);
+  EXPECT_NE(text.find("as sharpened: holds"), std::string::npos);
+  EXPECT_NE(text.find("k: 3.5 +- 0.25 kN/mm (source 3, wanted +- 0.1)"), std::string::npos);
+  EXPECT_NE(text.find("More of it would be better."), std::string::npos);
+  EXPECT_NE(text.find("as sharpened: unknown"), std::string::npos);
+}
+
+TEST(LedgerReport, JsonHasNoNumberThatIsNotKnown) {
+  const auto j = nlohmann::json::parse(ledger_json(two_claims()));
+  EXPECT_EQ(j["claims"]["T1"]["stated"], "fails");
+  EXPECT_EQ(j["claims"]["T1"]["sharpened_checks"][0]["ours"], 3.5);
+  EXPECT_EQ(j["claims"]["T2"]["sharpened"], "unknown");
+  EXPECT_FALSE(j["claims"]["T2"]["stated_checks"][0].contains("ours"));
+}
+
+TEST(LedgerReport, MarkdownKeepsItsCells) {
+  const std::string page = ledger_markdown(two_claims(), "Made up");
+  EXPECT_NE(page.find("| [T1](#t1) | k is 3\\|4 | fails | holds |"), std::string::npos);
+  EXPECT_NE(page.find("### T2"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace arenite::report
