@@ -5,6 +5,7 @@
 
 #include "core/vec2.hpp"
 #include "model/film.hpp"
+#include "model/image.hpp"
 #include "model/packing.hpp"
 #include "radiometry/band.hpp"
 
@@ -28,6 +29,16 @@ struct Detector {
   double gain_spread = 0.02;        ///< standard deviation of the pixels' gain
   double offset_spread = 0.03;      ///< of their offset, share of the range
   double bad_share = 0.003;         ///< pixels that are dead, hot or noisy
+};
+
+/// An ordinary camera beside the infrared one, with a place of its own.
+struct Photograph {
+  double pixel = 0.4e-3;            ///< side of a pixel on the sample, m
+  double blur = 0.5;                ///< of its lens, pixels
+  Vec2 shift{2e-3, -1.2e-3};        ///< of the sample in the picture against the film, m
+  double rotation = 0.5 * 3.14159265358979323846 / 180;         ///< of the sample in the picture, counterclockwise, rad
+  double exposure = 0.9;            ///< level of what is white, share of the range
+  double noise = 0.01;              ///< standard deviation, share of the range
 };
 
 /// What the camera looks at, beside the stresses.
@@ -55,6 +66,7 @@ struct Timing {
 
 struct Parameters {
   Optics optics;
+  Photograph photograph;
   Detector detector;
   Surroundings surroundings;
   Timing timing;
@@ -91,8 +103,9 @@ Scene scene_of_state(const Packing& state, const Parameters& parameters);
 /// The picture of the scene at load fraction s: photons over those of a black body at 296 K, pixel by pixel, from the top.
 std::vector<float> expose(const Scene& scene, const Parameters& parameters, double s);
 
-/// What an ordinary camera sees of the sample at the smallest load: brightness 0..1, one grey a material.
-std::vector<float> optical_picture(const Scene& scene, const Parameters& parameters, const std::vector<double>& brightness);
+/// What the ordinary camera sees of the sample at the smallest load: one grey a material, of `brightness` 0 to 1, half of the
+/// way between the grains. Levels from 0 to 1 with noise, rows from the top; as wide and high on the sample as the film.
+FloatImage optical_picture(const Scene& scene, const Parameters& parameters, const std::vector<double>& brightness, std::uint64_t seed);
 
 /// A film of the scene; frames are drawn when they are read, and the same seed draws the same film.
 std::unique_ptr<FilmSource> film(const Scene& scene, const Parameters& parameters, std::uint64_t seed);

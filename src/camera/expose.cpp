@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "camera/camera.hpp"
+#include "core/random.hpp"
 
 namespace arenite::camera {
 namespace {
@@ -53,16 +54,29 @@ Canvas canvas_for(const Scene& scene, const Optics& optics, int margin) {
   return canvas;
 }
 
-void paint_frame(Canvas& canvas, const Scene& scene, double s, float background, float frame) {
+/// How a camera lies before the sample: it sees a place of the scene turned about the frame's middle, and shifted.
+struct View {
+  Vec2 middle, shift;
+  double cosine = 1, sine = 0;
+  Vec2 seen(Vec2 p) const {
+    const Vec2 d = p - middle;
+    return middle + shift + Vec2{cosine * d.x - sine * d.y, sine * d.x + cosine * d.y};
+  }
+  Vec2 place(Vec2 p) const {
+    const Vec2 d = p - middle - shift;
+    return middle + Vec2{cosine * d.x + sine * d.y, cosine * d.y - sine * d.x};
+  }
+};
+
+void paint_frame(Canvas& canvas, const Scene& scene, const View& view, double s, float background, float frame) {
   double edge[4];
   for (int side = 0; side < 4; ++side)
     edge[side] = scene.low.wall[side].position + s * (scene.high.wall[side].position - scene.low.wall[side].position);
   for (int r = 0; r < canvas.height; ++r) {
-    const double y = canvas.y(r);
     float* row = canvas.light.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(canvas.width);
     for (int c = 0; c < canvas.width; ++c) {
-      const double x = canvas.x(c);
-      const bool inside = x > edge[left] && x < edge[right] && y > edge[bottom] && y < edge[top];
+      const Vec2 p = view.place({canvas.x(c), canvas.y(r)});
+      const bool inside = p.x > edge[left] && p.x < edge[right] && p.y > edge[bottom] && p.y < edge[top];
       row[c] = inside ? background : frame;
     }
   }
@@ -153,7 +167,7 @@ std::vector<float> expose(const Scene& scene, const Parameters& p, double s) {
   const auto response = pixel_response(p.optics, margin);
   Canvas canvas = canvas_for(scene, p.optics, margin);
   const auto& around = p.surroundings;
-  paint_frame(canvas, scene, p.motion ? s : 0, static_cast<float>(exitance_near(p, around.background_emissivity)(0)),
+  paint_frame(canvas, scene, {middle_of(scene), {}}, p.motion ? s : 0, static_cast<float>(exitance_near(p, around.background_emissivity)(0)),
               static_cast<float>(exitance_near(p, around.frame_emissivity)(0)));
   std::vector<Exitance> exitance;
   for (std::size_t m = 0; m < scene.materials.size(); ++m)
@@ -170,16 +184,26 @@ std::vector<float> expose(const Scene& scene, const Parameters& p, double s) {
   return picture;
 }
 
-std::vector<float> optical_picture(const Scene& scene, const Parameters& p, const std::vector<double>& brightness) {
+FloatImage optical_picture(const Scene& scene, const Parameters& p, const std::vector<double>& brightness, std::uint64_t seed) {
+  const Photograph& photograph = p.photograph;
+  const auto as_far = [&](std::int64_t pixels) { return std::llround(static_cast<double>(pixels) * p.optics.pixel / photograph.pixel); };
+  const Optics optics{as_far(p.optics.width), as_far(p.optics.height), photograph.pixel, photograph.blur, 0, 4};
   int margin = 0;
-  const auto response = pixel_response(p.optics, margin);
-  Canvas canvas = canvas_for(scene, p.optics, margin);
-  paint_frame(canvas, scene, 0, 0.5f, 0.35f);
+  const auto response = pixel_response(optics, margin);
+  Canvas canvas = canvas_for(scene, optics, margin);
+  const View view{middle_of(scene), photograph.shift, std::cos(photograph.rotation), std::sin(photograph.rotation)};
+  paint_frame(canvas, scene, view, 0, 0.5f, 0.35f);
   for (std::size_t i = 0; i < scene.grains.size(); ++i) {
     const auto grey = static_cast<float>(brightness[static_cast<std::size_t>(scene.grains.material[i])]);
-    each_point(canvas, scene.grains.centre(i), scene.grains.radius[i], [&](std::size_t at, double, double) { canvas.light[at] = grey; });
+    each_point(canvas, view.seen(scene.grains.centre(i)), scene.grains.radius[i], [&](std::size_t at, double, double) { canvas.light[at] = grey; });
   }
-  return through_lens(canvas, p.optics, response);
+  FloatImage picture{static_cast<int>(optics.width), static_cast<int>(optics.height), through_lens(canvas, optics, response)};
+  RandomStream random(seed, Purpose::photograph);
+  for (float& level : picture.value) {
+    const double seen = photograph.exposure * static_cast<double>(level) + photograph.noise * random.normal();
+    level = static_cast<float>(std::clamp(seen, 0.0, 1.0));
+  }
+  return picture;
 }
 
 }  // namespace arenite::camera

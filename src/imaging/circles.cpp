@@ -81,6 +81,7 @@ FoundCircles find_circles(const FloatImage& image, const CircleOptions& options)
     found.grains.size_class.push_back(search.sizes.of[k]);
   }
   found.report.bright = search.bright;
+  found.report.between = search.between;
   found.report.blur = search.model.blur();
   found.report.noise = search.model.noise();
   found.report.class_radius = search.sizes.mean;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "model/image.hpp"
@@ -21,6 +22,7 @@ struct CircleOptions {
 /// What was found besides the grains.
 struct CircleReport {
   bool bright = true;
+  std::optional<double> between = {};  ///< grey level between grains, where some are brighter and some darker
   double blur = 0;                ///< standard deviation of lens and pixel, pixels
   double noise = 0;               ///< of the picture near rims, in its unit
   std::vector<double> class_radius, class_spread;         ///< pixels; smallest class first
@@ -38,7 +40,7 @@ struct FoundCircles {
 
 /// Grains of a picture, touching or not, of radii from about 3 pixels on: circles whose rims show edges are taken best
 /// first as long as they do not overlap, fitted together (DiskModel), taken away, and what the rest still shows is taken in
-/// turn, until nothing is left. Sizes and brightnesses are parted into classes (statistics::cluster). No grains: empty.
+/// turn, until nothing is left. Grains may also be brighter and darker than what is between them in one picture. Sizes and brightnesses are parted into classes (statistics::cluster). No grains: empty.
 /// Throws InputError for an empty picture, values that are no numbers, or one value everywhere.
 FoundCircles find_circles(const FloatImage& image, const CircleOptions& options = {});
 

@@ -33,7 +33,7 @@ std::vector<char> DiskModel::near_disks() const {
   return near;
 }
 
-/// The net starts flat, from the end of the scale where the background is: disks that are not found yet look like
+/// The net starts flat, from the level that is told, or the end of the scale where the background is: disks that are not found yet look like
 /// background, and between many of them it would otherwise be taken for as bright as they are.
 void DiskModel::start_background() {
   const std::vector<char> near = near_disks();
@@ -44,7 +44,7 @@ void DiskModel::start_background() {
   if (!free.empty()) {
     const auto at = free.begin() + static_cast<std::ptrdiff_t>(free.size() * (bright_ ? 1 : 9) / 10);
     std::nth_element(free.begin(), at, free.end());
-    level = static_cast<double>(*at);
+    level = between_.value_or(static_cast<double>(*at));
     const auto middle = free.begin() + static_cast<std::ptrdiff_t>(free.size() / 2);
     std::nth_element(free.begin(), middle, free.end());
     if (noise_ == 0) noise_ = 0.1 * std::abs(static_cast<double>(*middle) - level);
@@ -56,7 +56,7 @@ void DiskModel::start_background() {
 /// Huber's weight, and next to none for what stands out to the side of the disks, as one that is not found yet.
 double DiskModel::background_weight(double gap) const {
   const double w = noise_ > 0 ? huber_weight(gap, noise_) : 1;
-  return (gap > 0) == bright_ ? w * w * w : w;
+  return between_ || (gap > 0) == bright_ ? w * w * w : w;
 }
 
 /// One lumped least-squares step of every node on the pixels near disks, as far as these do not cover them.

@@ -20,7 +20,10 @@ double distance(const DiskModel::Disk& disk, int x, int y) {
 
 }  // namespace
 
-DiskModel::DiskModel(const FloatImage& image, double blur, bool bright) : image_(image), bright_(bright), blur_(blur) { refresh(); }
+DiskModel::DiskModel(const FloatImage& image, double blur, bool bright, std::optional<double> between)
+    : image_(image), bright_(bright), between_(between), blur_(blur) {
+  refresh();
+}
 
 DiskModel::Window DiskModel::window(const Disk& disk) const {
   const double reach = disk.radius + 3 * blur_ + 1.5;

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "imaging/rim_search.hpp"
@@ -26,7 +27,8 @@ class DiskModel {
     double position = 0, radius = 0, level = 0;
   };
 
-  DiskModel(const FloatImage& image, double blur, bool bright);
+  /// Disks are brighter (`bright`) or darker than the background, or both if `between` tells the background's level.
+  DiskModel(const FloatImage& image, double blur, bool bright, std::optional<double> between = std::nullopt);
 
   void add(const Circle& circle);
   void remove(const std::vector<char>& which);
@@ -70,6 +72,7 @@ class DiskModel {
 
   const FloatImage& image_;
   bool bright_;
+  std::optional<double> between_;
   std::vector<Disk> disks_;
   double blur_, noise_ = 0;
   int spacing_ = 32, columns_ = 0, rows_ = 0;

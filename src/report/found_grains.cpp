@@ -37,7 +37,7 @@ std::string grains_csv(const FoundGrains& g) {
 
 std::string grains_text(const FoundGrains& g) {
   const imaging::CircleReport& r = g.found.report;
-  std::string out = fmt::format("{} grains in {} x {} pixels, {} than what is around them\n", g.found.grains.size(), g.width, g.height, r.bright ? "brighter" : "darker");
+  std::string out = fmt::format("{} grains in {} x {} pixels, {} than what is around them\n", g.found.grains.size(), g.width, g.height, r.between ? "brighter and darker" : r.bright ? "brighter" : "darker");
   const auto line = [&](const char* name, const std::string& value) { out += fmt::format("{:<16}{}\n", name, value); };
   if (g.frames > 1) line("picture", fmt::format("mean of {} frames", g.frames));
   if (g.replaced > 0) line("bad pixels", fmt::format("{} replaced by good neighbours", g.replaced));
@@ -59,6 +59,7 @@ std::string grains_json(const FoundGrains& g) {
   const PictureGrains& p = g.found.grains;
   Json j{{"file", g.file}, {"width", g.width}, {"height", g.height}, {"frames", g.frames}, {"bad_pixels_replaced", g.replaced},
          {"pixel_m", g.pixel > 0 ? Json(g.pixel) : Json(nullptr)}, {"corner_px", {g.corner.x, g.corner.y}}, {"grains", p.size()}, {"bright", r.bright},
+         {"between", r.between ? Json(*r.between) : Json(nullptr)},
          {"blur_px", r.blur}, {"noise", r.noise}, {"overlapping_pairs", r.overlapping}, {"largest_overlap_px", r.largest_overlap},
          {"median_position_error_px", median(p.position_error)}, {"median_radius_error_px", median(p.radius_error)}};
   j["sizes"] = Json::array();

@@ -14,6 +14,17 @@ void declare(Visitor& v, camera::Optics& optics) {
   v.integer({"supersampling", "Points of the scene along a side of a pixel."}, optics.supersampling, {1, 32});
 }
 
+void declare(Visitor& v, camera::Photograph& photograph) {
+  v.number({"optical_pixel", "Side of an ordinary camera's pixel on the sample, in the picture that is taken beside the film."}, photograph.pixel, "mm",
+           range::positive);
+  v.number({"optical_blur", "Standard deviation of its lens' blur, in its pixels."}, photograph.blur, "", range::between(0, 5));
+  v.number({"optical_right", "How far to the right the sample is seen in the picture, against the film."}, photograph.shift.x, "mm", range::any);
+  v.number({"optical_up", "How far up."}, photograph.shift.y, "mm", range::any);
+  v.number({"optical_rotation", "How far it is turned counterclockwise."}, photograph.rotation, "deg", range::any);
+  v.number({"optical_exposure", "Level of what is white in it, share of the range."}, photograph.exposure, "%", range::above(0, 4));
+  v.number({"optical_noise", "Standard deviation of its noise, share of the range."}, photograph.noise, "%", range::between(0, 0.5));
+}
+
 void declare(Visitor& v, camera::Detector& detector) {
   v.number({"electrons", "In a pixel at 296 K; their square root is the shot noise."}, detector.electrons, "", range::positive);
   v.number({"full_well", "Electrons at the highest level."}, detector.full_well, "", range::positive);
@@ -50,6 +61,7 @@ void declare(ParameterVisitor& v, CameraSection& camera) {
   v.text({"low", "Stage at whose end the load is smallest; without it the swing is from no load."}, camera.low);
   v.text({"high", "Stage at whose end the load is largest.", true}, camera.high);
   declare(v, camera.parameters.optics);
+  declare(v, camera.parameters.photograph);
   declare(v, camera.parameters.detector);
   declare(v, camera.parameters.surroundings);
   declare(v, camera.parameters.timing);

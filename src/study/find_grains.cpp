@@ -9,15 +9,14 @@
 #include "core/error.hpp"
 #include "imaging/circles.hpp"
 #include "io/placed_grains.hpp"
-#include "study/optical_materials.hpp"
+#include "study/optical_grains.hpp"
 
 namespace arenite::study {
 namespace {
 
-imaging::CircleOptions circle_options(const FilmRecipe& recipe, double pixel, std::size_t materials) {
+imaging::CircleOptions circle_options(const FilmRecipe& recipe, double pixel) {
   imaging::CircleOptions options;
   for (const double r : recipe.picture.radii) options.radii.push_back(r / pixel);
-  options.materials = materials;
   return options;
 }
 
@@ -72,25 +71,6 @@ void drop_pores(const std::vector<float>& frame, bool bright, PictureGrains& gra
   keep(grains, kept);
 }
 
-/// Grains of one class have one radius, which their mean tells better than each by itself.
-void take_class_radii(imaging::FoundCircles& found) {
-  auto& grains = found.grains;
-  for (std::size_t i = 0; i < grains.size(); ++i)
-    if (grains.size_class[i] >= 0) grains.radius[i] = found.report.class_radius[static_cast<std::size_t>(grains.size_class[i])];
-}
-
-void name_classes(const FilmRecipe& recipe, const std::string& where, std::size_t classes, PictureGrains& grains) {
-  const auto order = by_brightness(recipe.materials);
-  if (order.size() == 1) {
-    grains.material.assign(grains.size(), 0);
-    return;
-  }
-  if (classes != order.size())
-    throw InputError(fmt::format("grains in {} have {} {} of brightness, and the recipe {} materials; give an optical picture (picture.optical) or a list "
-                                 "of the grains (picture.grains)", where, classes, classes == 1 ? "kind" : "kinds", order.size()));
-  for (auto& m : grains.material) m = m < 0 ? 0 : order[static_cast<std::size_t>(m)];
-}
-
 PictureGrains read_list(const FilmRecipe& recipe, const FilmPlace& place) {
   const auto file = std::filesystem::path(recipe.source_file).parent_path() / recipe.picture.grains;
   const Grains read = io::read_placed_grains(file, materials_of(recipe), frame_at(recipe, 0));
@@ -106,23 +86,27 @@ PictureGrains read_list(const FilmRecipe& recipe, const FilmPlace& place) {
   return grains;
 }
 
+/// Circles of the film's own picture, without pores.
+PictureGrains film_grains(const FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film, const std::vector<float>& frame) {
+  auto found = imaging::find_circles({film.width, film.height, frame}, circle_options(recipe, place.pixel));
+  take_class_radii(found.report.class_radius, found.grains);
+  keep_inside(recipe, place, found.grains);
+  drop_overlapping(found.grains);
+  if (found.grains.size() > 0 && !found.report.between) drop_pores(frame, found.report.bright, found.grains);
+  return std::move(found.grains);
+}
+
 }  // namespace
 
 PictureGrains find_film_grains(const FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film, const std::vector<float>& frame,
                                std::vector<std::string>& notes) {
   if (!recipe.picture.grains.empty()) return read_list(recipe, place);
   const bool optical = !recipe.picture.optical.empty();
-  auto found = imaging::find_circles({film.width, film.height, frame}, circle_options(recipe, place.pixel, optical ? 1 : recipe.materials.size()));
-  const std::size_t all = found.grains.size();
-  take_class_radii(found);
-  keep_inside(recipe, place, found.grains);
-  drop_overlapping(found.grains);
-  if (found.grains.size() > 0) drop_pores(frame, found.report.bright, found.grains);
-  if (found.grains.size() < all) notes.push_back(fmt::format("{} circles are left out that lie outside the frame, in another one or in a pore", all - found.grains.size()));
-  if (found.grains.size() == 0) throw InputError("the film shows no grains inside the frame; give a list of the grains (picture.grains), or correct [frame]");
-  if (optical) take_optical_materials(recipe, film.width, film.height, found.grains, notes);
-  else name_classes(recipe, "the film", found.report.material_members.size(), found.grains);
-  return std::move(found.grains);
+  PictureGrains grains = optical ? optical_grains(recipe, film, frame, notes) : film_grains(recipe, place, film, frame);
+  if (optical) keep_inside(recipe, place, grains), drop_overlapping(grains);
+  if (grains.size() == 0) throw InputError("the film shows no grains inside the frame; give a list of the grains (picture.grains), or correct [frame]");
+  take_materials(recipe, optical ? recipe.picture.optical : "the film", grains);
+  return grains;
 }
 
 }  // namespace arenite::study

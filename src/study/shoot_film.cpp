@@ -20,7 +20,6 @@ namespace arenite::study {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int optical_finer = 4;  ///< pixels of the optical picture along a side of one of the film
 
 /// Last states of a run's stages by the stages' names.
 std::map<std::string, Packing> last_states(const fs::path& result) {
@@ -69,7 +68,7 @@ FilmRecipe laboratory_recipe(const FilmRecipe& recipe, const Packing* low, const
                shot.parameters.motion ? high.domain.wall[bottom].position - start.wall[bottom].position : 0};
   lab.picture.pixel = shot.parameters.optics.pixel;
   lab.picture.optical = "optical.tif";
-  lab.picture.optical_pixel = lab.picture.pixel / optical_finer;
+  lab.picture.optical_pixel = shot.parameters.photograph.pixel;
   lab.correction = {"cold." + ending, "warm." + ending, shot.plate_cold, shot.plate_warm, true};
   lab.temperature.from = TemperatureSection::From::plates;
   lab.temperature.ambient = shot.parameters.surroundings.ambient;
@@ -95,19 +94,13 @@ bool write(const fs::path& file, FilmSource& film, const std::function<bool(doub
   return true;
 }
 
-/// The sample in an ordinary camera with finer pixels.
-void write_optical(const fs::path& file, const camera::Scene& scene, camera::Parameters p, const std::vector<double>& brightness) {
-  p.optics.width *= optical_finer;
-  p.optics.height *= optical_finer;
-  p.optics.pixel /= optical_finer;
-  p.optics.supersampling = 4;
-  const auto picture = camera::optical_picture(scene, p, brightness);
+void write_optical(const fs::path& file, const FloatImage& picture) {
   Film film;
-  film.about.width = static_cast<int>(p.optics.width);
-  film.about.height = static_cast<int>(p.optics.height);
+  film.about.width = picture.width;
+  film.about.height = picture.height;
   film.about.frames = 1;
   film.about.bits = 16;
-  for (const float grey : picture) film.level.push_back(static_cast<std::uint16_t>(std::lround(std::clamp(grey, 0.0f, 1.0f) * 65535)));
+  for (const float level : picture.value) film.level.push_back(static_cast<std::uint16_t>(std::lround(level * 65535)));
   io::write_film(file, film);
 }
 
@@ -131,7 +124,7 @@ std::vector<fs::path> shoot_film(const FilmRecipe& recipe, const fs::path& resul
   const auto quietly = [&](double) { return options.progress(0); };
   if (!write(named("cold"), *camera::uniform_film(p, shot.plate_cold, shot.plate_frames, recipe.seed), quietly)) return {};
   if (!write(named("warm"), *camera::uniform_film(p, shot.plate_warm, shot.plate_frames, recipe.seed), quietly)) return {};
-  write_optical(options.out / "optical.tif", scene, p, brightness);
+  write_optical(options.out / "optical.tif", camera::optical_picture(scene, p, brightness, recipe.seed));
   if (!write(named("film"), *camera::film(scene, p, recipe.seed), options.progress)) return {};
   io::write_atomically(options.out / "film.toml", to_toml(laboratory_recipe(recipe, low ? &*low : nullptr, high, options.format)));
   return {named("film"), named("cold"), named("warm"), options.out / "optical.tif", options.out / "film.toml"};
