@@ -36,7 +36,7 @@ struct Photograph {
   double pixel = 0.4e-3;            ///< side of a pixel on the sample, m
   double blur = 0.5;                ///< of its lens, pixels
   Vec2 shift{2e-3, -1.2e-3};        ///< of the sample in the picture against the film, m
-  double rotation = 0.5 * 3.14159265358979323846 / 180;         ///< of the sample in the picture, counterclockwise, rad
+  double rotation = 0.009;          ///< of the sample in the picture, counterclockwise, rad
   double exposure = 0.9;            ///< level of what is white, share of the range
   double noise = 0.01;              ///< standard deviation, share of the range
 };

@@ -31,6 +31,20 @@ double brightness_of(const FloatImage& image, const DiskModel::Disk& disk) {
   return count > 0 ? sum / count : disk.level;
 }
 
+/// A pore between three grains may have a round rim, but it is as grey as what is behind grains of both kinds.
+std::vector<char> pores(const std::vector<double>& brightness, double between) {
+  constexpr double least = 0.3;     // of the usual distance from the level between grains
+  std::vector<double> away;
+  for (const double b : brightness) away.push_back(std::abs(b - between));
+  std::vector<char> out(away.size(), 0);
+  if (away.empty()) return out;
+  std::vector<double> sorted = away;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  for (std::size_t k = 0; k < away.size(); ++k) out[k] = away[k] < least * *middle ? 1 : 0;
+  return out;
+}
+
 void part_materials(FoundCircles& found, const CircleOptions& options) {
   statistics::ClusterOptions how;
   how.floor = 0.5 * found.report.noise;
@@ -69,14 +83,18 @@ FoundCircles find_circles(const FloatImage& image, const CircleOptions& options)
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return disks[a].y != disks[b].y ? disks[a].y < disks[b].y : disks[a].x < disks[b].x; });
   const auto errors = search.model.errors();
   const auto evidence = search.model.evidence();
+  std::vector<double> brightness;
+  for (const auto& disk : disks) brightness.push_back(brightness_of(image, disk));
+  const std::vector<char> out = search.between ? pores(brightness, *search.between) : std::vector<char>(disks.size(), 0);
   FoundCircles found;
   for (const std::size_t k : order) {
+    if (out[k] != 0) continue;
     found.grains.x.push_back(disks[k].x);
     found.grains.y.push_back(disks[k].y);
     found.grains.radius.push_back(disks[k].radius);
     found.grains.position_error.push_back(errors[k].position);
     found.grains.radius_error.push_back(errors[k].radius);
-    found.grains.brightness.push_back(brightness_of(image, disks[k]));
+    found.grains.brightness.push_back(brightness[k]);
     found.grains.score.push_back(evidence[k].rim);
     found.grains.size_class.push_back(search.sizes.of[k]);
   }

@@ -20,7 +20,7 @@ void declare(Visitor& v, camera::Photograph& photograph) {
   v.number({"optical_blur", "Standard deviation of its lens' blur, in its pixels."}, photograph.blur, "", range::between(0, 5));
   v.number({"optical_right", "How far to the right the sample is seen in the picture, against the film."}, photograph.shift.x, "mm", range::any);
   v.number({"optical_up", "How far up."}, photograph.shift.y, "mm", range::any);
-  v.number({"optical_rotation", "How far it is turned counterclockwise."}, photograph.rotation, "deg", range::any);
+  v.number({"optical_rotation", "How far it is turned counterclockwise, rad."}, photograph.rotation, "", range::between(-3.2, 3.2));
   v.number({"optical_exposure", "Level of what is white in it, share of the range."}, photograph.exposure, "%", range::above(0, 4));
   v.number({"optical_noise", "Standard deviation of its noise, share of the range."}, photograph.noise, "%", range::between(0, 0.5));
 }

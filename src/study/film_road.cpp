@@ -2,18 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <optional>
 
 #include "core/error.hpp"
-#include "core/hash.hpp"
 #include "core/version.hpp"
 #include "io/film.hpp"
 #include "io/film_result_file.hpp"
-#include "io/read_file.hpp"
 #include "io/run_folder.hpp"
 #include "io/sealed_file.hpp"
 #include "study/film_checks.hpp"
+#include "study/film_key.hpp"
 #include "study/film_numbers.hpp"
 #include "study/film_twin.hpp"
 #include "study/measure_film.hpp"
@@ -23,32 +21,6 @@ namespace arenite::study {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Adds the bytes of a file that need not fit into memory.
-void add_file(HashBuilder& hash, const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string part(std::size_t{8} << 20, '\0');
-  while (file.read(part.data(), static_cast<std::streamsize>(part.size())) || file.gcount() > 0)
-    hash.add("part", content_hash(part.substr(0, static_cast<std::size_t>(file.gcount()))));
-}
-
-/// Hash of the film and of all files that its recipe names, and of the recipe.
-std::string film_key(const fs::path& film, const FilmRecipe& recipe) {
-  HashBuilder hash;
-  hash.add("recipe", to_toml(recipe));
-  if (fs::is_regular_file(film)) add_file(hash, film);
-  else hash.add("film", film.string());
-  const auto add = [&](const char* name, const std::string& file) {
-    if (!file.empty()) hash.add(name, content_hash(io::read_file(fs::path(recipe.source_file).parent_path() / file)));
-  };
-  add("cold", recipe.correction.cold);
-  add("warm", recipe.correction.warm);
-  add("curve", recipe.temperature.curve);
-  add("grains", recipe.picture.grains);
-  add("optical", recipe.picture.optical);
-  if (recipe.twin) add("twin", recipe.twin->recipe);
-  return hash.hex();
-}
 
 bool add_twin(const FilmRecipe& recipe, const FilmRunOptions& options, FilmOutcome& outcome) {
   RunOptions run;
@@ -90,7 +62,7 @@ std::optional<FilmResult> stored(const fs::path& file, const FilmRunOptions& opt
 FilmOutcome run_film(const fs::path& film, const FilmRecipe& recipe, const FilmRunOptions& options) {
   FilmOutcome outcome;
   const auto source = io::open_film(film);
-  const std::string key = film_key(film, recipe);
+  const std::string key = film_key(film, *source, recipe);
   if (recipe.twin) read_twin_recipe(recipe);
   outcome.file = options.out / io::stage_file_name(1, "film", key);
   FilmResult& r = outcome.result;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "core/error.hpp"
 #include "imaging/circles.hpp"
@@ -86,6 +87,17 @@ PictureGrains read_list(const FilmRecipe& recipe, const FilmPlace& place) {
   return grains;
 }
 
+/// Grains in a frame fill three quarters of it and more; less speaks of grains that were not found.
+void warn_of_gaps(const FilmRecipe& recipe, const FilmPlace& place, const PictureGrains& grains, std::vector<std::string>& notes) {
+  constexpr double loose = 0.65;
+  double area = 0;
+  for (const double r : grains.radius) area += std::numbers::pi * r * r * place.pixel * place.pixel;
+  const double share = area / (recipe.frame.width * recipe.frame.height);
+  if (share < loose)
+    notes.push_back(fmt::format("the {} grains that were found cover {:.0f} % of the frame; if the sample fills it, give a sharper or finer optical picture "
+                                "(picture.optical) or a list of the grains (picture.grains)", grains.size(), 100 * share));
+}
+
 /// Circles of the film's own picture, without pores.
 PictureGrains film_grains(const FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film, const std::vector<float>& frame) {
   auto found = imaging::find_circles({film.width, film.height, frame}, circle_options(recipe, place.pixel));
@@ -105,6 +117,7 @@ PictureGrains find_film_grains(const FilmRecipe& recipe, const FilmPlace& place,
   PictureGrains grains = optical ? optical_grains(recipe, film, frame, notes) : film_grains(recipe, place, film, frame);
   if (optical) keep_inside(recipe, place, grains), drop_overlapping(grains);
   if (grains.size() == 0) throw InputError("the film shows no grains inside the frame; give a list of the grains (picture.grains), or correct [frame]");
+  warn_of_gaps(recipe, place, grains, notes);
   take_materials(recipe, optical ? recipe.picture.optical : "the film", grains);
   return grains;
 }

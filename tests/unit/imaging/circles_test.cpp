@@ -33,6 +33,28 @@ TEST(Circles, OfAKnownSizeAreFoundWithIt) {
   EXPECT_EQ(found.report.class_members, (std::vector<std::size_t>{1, 1}));
 }
 
+TEST(Circles, MayBeBlackAndWhiteOnGreyAndTouch) {
+  std::vector<DrawnDisk> disks;  // the brighter class is material 0
+  for (int row = 0; row < 5; ++row)
+    for (int column = 0; column < 6; ++column) {
+      const int material = (3 * row + 2 * column) % 5 < 2 ? 1 : 0;
+      disks.push_back({30.3 + 16 * column + 8 * (row % 2), 28.6 + 13.8564 * row, 8, material == 0 ? 0.9 : 0.1, material});
+    }
+  disks.push_back({150.2, 40.4, 17, 0.1, 1});
+  disks.push_back({155.1, 100.3, 17, 0.9, 0});
+  const imaging::FoundCircles found = imaging::find_circles(draw(disks, {.width = 190, .height = 140, .background = 0.5, .noise = 0.01}));
+  const Score score = compare(disks, found.grains);
+  EXPECT_EQ(score.missed, 0);
+  EXPECT_EQ(score.invented, 0);
+  EXPECT_EQ(score.wrong_material, 0);
+  EXPECT_LT(score.rms, 0.05);
+  ASSERT_TRUE(found.report.between.has_value());
+  EXPECT_NEAR(*found.report.between, 0.5, 0.02);
+  ASSERT_EQ(found.report.class_radius.size(), 2u);
+  EXPECT_NEAR(found.report.class_radius[0], 8, 0.05);
+  EXPECT_NEAR(found.report.class_radius[1], 17, 0.05);
+}
+
 TEST(Circles, AreNotFoundInNoise) {
   EXPECT_EQ(imaging::find_circles(draw({}, {.width = 80, .height = 60, .noise = 0.1})).grains.size(), 0u);
 }
