@@ -17,7 +17,7 @@ constexpr Choice usual{"contact.friction", "0.3", ""};
 constexpr Choice others[] = {
     {"contact.friction", "0", "without friction"},
     {"contact.friction", "0.6", "with friction 0.6"},
-    {"contact.restitution", "0.1", "with restitution 0.1 instead of 0.7"},
+    {"contact.restitution", "0.4", "with restitution 0.4 instead of 0.7"},
     {"bidisperse.hold_radius", "true", "with radii held until they are placed"},
     {"bidisperse.cut_each_class", "true", "with radii cut class by class"},
     {"cement.gap", "0.05", "with neighbours at 2 instead of 3 nodes"},
