@@ -14,6 +14,7 @@
 #include "io/atomic_file.hpp"
 #include "ledger/judge.hpp"
 #include "ledger/studies.hpp"
+#include "ledger/virtual_film.hpp"
 #include "report/ledger_report.hpp"
 #include "report/summary.hpp"
 #include "stop_signal.hpp"
@@ -66,6 +67,9 @@ bool gather(char source, const fs::path& out, const VerifyArguments& a, ledger::
       if (!complete(study, folder, a)) return false;
     }
     results.add(name, study::collect(study, folder), folder.out);
+    if (!a.read_only && fs::exists(folder.out / "camera.toml"))
+      for (const auto& run : results.runs(name))
+        if (!ledger::make_film(run, stop_requested)) return false;
   }
   return true;
 }

@@ -23,6 +23,7 @@ const std::vector<Claim>& claims() {
        {"thesis-ch5", "thesis-ch5-r", "thesis-ch5-smooth"}, "", judge_t14},
       {"T15", "chapter 6, table 6.1", "48.0, 48.0 and 49.4 % of the grains carry more than the mean stress: all, without adhesion, with adhesion", {"thesis-ch6"}, "", judge_t15},
       {"T16", "chapter 6, figure 6.5", "Contact directions prefer plus and minus 45 degrees", {"thesis-ch6"}, "", judge_t16},
+      {"T17", "chapter 3, figure 3.4", "A film of a loaded sample gives back the normalised stresses of its grains", {"thesis-film"}, "", judge_t17},
       {"T18", "chapter 3, figure 3.6", "The solid fraction settles between 20 and 90 % of the area (#11)", {"thesis-ch3"}, "", judge_t18},
       {"T19", "chapter 4, figures 4.4 and 4.5", "More HDPE-HDPE and fewer POM-POM contacts exceed the whole network's mean as the ratio grows; POM-POM carry the largest forces", {"thesis-ch4"}, "", judge_t19},
       {"T20", "chapter 5, figures 5.3 and 5.5", "A-B contacts are most of the strong ones, A-A and B-B about a quarter each; A-A lean slightly to the compression", {"thesis-ch5"}, "", judge_t20},
