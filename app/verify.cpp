@@ -67,6 +67,7 @@ bool gather(char source, const fs::path& out, const VerifyArguments& a, ledger::
       if (!complete(study, folder, a)) return false;
     }
     results.add(name, study::collect(study, folder), folder.out);
+    if (fs::exists(figures_of(study))) write_study_figures(study, folder);
     if (!a.read_only && fs::exists(folder.out / "camera.toml"))
       for (const auto& run : results.runs(name))
         if (!ledger::make_film(run, stop_requested)) return false;
