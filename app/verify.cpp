@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 struct VerifyArguments {
   std::vector<std::string> sources, overrides, only;
-  std::string out, markdown, keep = "numbers";
+  std::string out, markdown, verdicts, expected, keep = "numbers";
   std::size_t jobs = 1;
   bool small = false, json = false, read_only = false, quiet = false;
 };
@@ -94,6 +94,12 @@ std::string heading() {
                      version, date, std::thread::hardware_concurrency(), processor_name());
 }
 
+std::string text_of_file(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InputError(file, 0, "cannot be read; name a file that arenite verify --verdicts wrote");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 bool fails(const ledger::Ledger& ledger) {
   return std::any_of(ledger.claims.begin(), ledger.claims.end(),
                      [](const auto& judged) { return judged.judgement.sharpened.holds() == ledger::Holds::no; });
@@ -118,7 +124,11 @@ int execute(const VerifyArguments& a) {
   }
   fmt::print("{}", a.json ? report::ledger_json(all) : report::ledger_text(all));
   if (!a.markdown.empty()) io::write_atomically(a.markdown, heading() + markdown);
-  return fails(all) ? not_converged : done;
+  if (!a.verdicts.empty()) io::write_atomically(a.verdicts, report::ledger_verdicts(all));
+  if (a.expected.empty()) return fails(all) ? not_converged : done;
+  const auto changes = report::changed_verdicts(all, text_of_file(a.expected), a.expected);
+  for (const auto& change : changes) fmt::print(stderr, "{}\n", change);
+  return changes.empty() ? done : not_converged;
 }
 
 }  // namespace
@@ -131,6 +141,8 @@ void add_verify(CLI::App& command, int& status) {
   command.add_flag("--small", a->small, "Smaller samples and fewer seeds: minutes instead of hours");
   command.add_flag("--json", a->json, "Print the ledger as JSON");
   command.add_option("--markdown", a->markdown, "Write the ledger as a page of text, too")->type_name("FILE");
+  command.add_option("--verdicts", a->verdicts, "Write the verdicts alone, to hold later ones against")->type_name("FILE");
+  command.add_option("--expect", a->expected, "End with 3 when a verdict differs from this file's, not when a claim fails")->type_name("FILE");
   command.add_option("--out", a->out, "Folder of the studies (default: out/ledger, or out/ledger-small)")->type_name("DIR");
   command.add_option("--jobs", a->jobs, "Runs at once, each in a process of its own (default: all cores)")->check(CLI::Range(1, 4096).description(""))->type_name("J");
   command.add_option("--only", a->only, "Run and read this study only; may be repeated")->allow_extra_args(false)->type_name("STUDY");

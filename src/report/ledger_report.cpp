@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/error.hpp"
 #include "ledger/trends.hpp"
 
 namespace arenite::report {
@@ -99,6 +100,29 @@ std::string ledger_markdown(const ledger::Ledger& ledger, const std::string& tit
     for (const auto& finding : judgement.findings) text += "\n" + finding + "\n";
   }
   return text;
+}
+
+std::string ledger_verdicts(const ledger::Ledger& ledger) {
+  std::string text = "{\n";
+  for (std::size_t k = 0; k < ledger.claims.size(); ++k) {
+    const auto& [claim, judgement] = ledger.claims[k];
+    text += fmt::format("  \"{}\": {{\"stated\": \"{}\", \"sharpened\": \"{}\"}}{}\n", claim->id, ledger::word_for(judgement.stated.holds()),
+                        ledger::word_for(judgement.sharpened.holds()), k + 1 < ledger.claims.size() ? "," : "");
+  }
+  return text + "}\n";
+}
+
+std::vector<std::string> changed_verdicts(const ledger::Ledger& ledger, const std::string& expected, const std::string& file) {
+  const Json wanted = Json::parse(expected, nullptr, false);
+  if (!wanted.is_object()) throw InputError(file, 0, "this holds no verdicts; write it with arenite verify --verdicts FILE");
+  std::vector<std::string> changes;
+  for (const auto& [claim, judgement] : ledger.claims)
+    for (const auto& [kind, verdict] : {std::pair{"stated", &judgement.stated}, {"sharpened", &judgement.sharpened}}) {
+      const auto entry = wanted.find(claim->id);
+      const std::string before = entry != wanted.end() ? entry->value(kind, "missing") : "missing", now = ledger::word_for(verdict->holds());
+      if (before != now) changes.push_back(fmt::format("{} as {}: {} now, {} in {}", claim->id, kind, now, before, file));
+    }
+  return changes;
 }
 
 }  // namespace arenite::report

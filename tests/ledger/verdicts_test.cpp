@@ -43,4 +43,4 @@ TEST_P(Ledger, OfSmallStudiesHasTheVerdictsThatAreExpected) {
   EXPECT_EQ(ours.size(), expected.size()) << "docs/ledger-expected.json has claims that are no more";
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Ledger, ::testing::Values("paper"), [](const auto& source) { return std::string(source.param); });
+INSTANTIATE_TEST_SUITE_P(All, Ledger, ::testing::Values("thesis", "paper"), [](const auto& source) { return std::string(source.param); });

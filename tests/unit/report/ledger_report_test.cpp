@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/error.hpp"
 #include "ledger/trends.hpp"
 
 namespace arenite::report {
@@ -39,6 +40,17 @@ TEST(LedgerReport, JsonHasNoNumberThatIsNotKnown) {
   EXPECT_EQ(j["claims"]["T1"]["sharpened_checks"][0]["ours"], 3.5);
   EXPECT_EQ(j["claims"]["T2"]["sharpened"], "unknown");
   EXPECT_FALSE(j["claims"]["T2"]["stated_checks"][0].contains("ours"));
+}
+
+TEST(LedgerReport, ChangedVerdictsAreToldInEitherDirection) {
+  const std::string same = ledger_verdicts(two_claims());
+  EXPECT_TRUE(changed_verdicts(two_claims(), same, "f").empty());
+  const auto changes = changed_verdicts(two_claims(), R"({"T1": {"stated": "holds", "sharpened": "fails"}})", "f");
+  ASSERT_EQ(changes.size(), 4u);
+  EXPECT_EQ(changes[0], "T1 as stated: fails now, holds in f");
+  EXPECT_EQ(changes[1], "T1 as sharpened: holds now, fails in f");
+  EXPECT_EQ(changes[2], "T2 as stated: unknown now, missing in f");
+  EXPECT_THROW(changed_verdicts(two_claims(), "[]", "f"), InputError);
 }
 
 TEST(LedgerReport, MarkdownKeepsItsCells) {
