@@ -4,7 +4,7 @@ JOBS ?= $(shell nproc)
 CMAKE_FLAGS ?=
 COMMON = cmake -S . -B $(BUILD) -G Ninja $(CMAKE_FLAGS)
 
-.PHONY: demo test build bench peers fuzz docs clean
+.PHONY: demo test build install deb bench peers fuzz docs clean
 
 demo:
 	@scripts/setup run
@@ -16,6 +16,18 @@ build:
 	@scripts/setup run
 	@$(COMMON) -DARENITE_TESTS=OFF >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS)
+
+# make install PREFIX=/opt/arenite: program, Python module, completion, manual page, examples.
+PREFIX ?= /usr/local
+install: build
+	@cmake --install $(BUILD) --prefix $(PREFIX)
+
+# One Debian package in $(BUILD), to install with apt-get install ./arenite_*.deb.
+deb:
+	@scripts/setup run deb
+	@$(COMMON) -DARENITE_TESTS=OFF >/dev/null
+	@ninja -C $(BUILD) -j $(JOBS)
+	@cd $(BUILD) && cpack -G DEB
 
 test:
 	@scripts/setup run test

@@ -21,6 +21,7 @@ const std::vector<Command>& commands() {
       {"identify", "Find contact stiffness, thermoelastic factor or surface energy in a laboratory's records", add_identify},
       {"film", "From an infrared film of a loaded packing to stresses of grains and contact forces", add_film},
       {"camera", "Film simulated states with a virtual infrared camera", add_camera},
+      {"figures", "Draw journal figures of a result: PDF, SVG, PNG in column width", add_figures},
       {"doctor", "Say what this installation can do: versions, kernels, threads, helpers found", add_doctor},
       {"completion", "Print the completion script of a shell", add_completion},
       {"man", "Print the manual page, or the reference of all recipe keys", add_man},

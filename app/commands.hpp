@@ -41,6 +41,7 @@ void add_measure(CLI::App& command, int& status);
 void add_identify(CLI::App& command, int& status);
 void add_film(CLI::App& command, int& status);
 void add_camera(CLI::App& command, int& status);
+void add_figures(CLI::App& command, int& status);
 void add_doctor(CLI::App& command, int& status);
 void add_completion(CLI::App& command, int& status);
 void add_man(CLI::App& command, int& status);

@@ -20,7 +20,12 @@ using namespace arenite;
 void overview() {
   std::puts("Arenite: micromechanics of composite and cemented granular materials\n\nusage: arenite COMMAND [...]\n");
   for (const auto& command : app::commands()) std::printf("  %-11s %s\n", command.name, command.sentence);
-  std::puts("\n`arenite COMMAND --help` tells more; start with `arenite init composite`.");
+  std::puts("\nFour roads:\n"
+            "  composite packings       arenite init composite r.toml, then arenite run r.toml\n"
+            "  cemented packings        arenite init cemented r.toml, then arenite run r.toml; a map of your own: arenite load MAP\n"
+            "  a loaded packing's film  arenite init film r.toml, then arenite film FILM --recipe r.toml\n"
+            "  many runs                arenite study run r.toml, with a section [sweep] in the recipe\n"
+            "\nEach ends in a page, report.html in the result's folder. `arenite COMMAND --help` tells more.");
 }
 
 /// Refuses an unknown first word with the nearest command, which CLI11 does not offer.

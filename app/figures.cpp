@@ -1,0 +1,68 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+#include "commands.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "option_value.hpp"
+
+namespace arenite::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string result, out, width;
+  std::vector<std::string> formats{"pdf"}, only;
+};
+
+/// Where the Python module lies: beside the program where it was built, or where it was installed with it.
+fs::path module_folder() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (const fs::path& folder : {program / "python", program.parent_path() / "lib/python3/dist-packages"})
+    if (fs::exists(folder / "arenite/figures/__main__.py", error)) return folder;
+  throw InputError("arenite figures: the Python module is not installed beside this program; build with -DARENITE_PYTHON=ON");
+}
+
+/// The distribution's Python, for which the module is built, before any other.
+std::string interpreter() { return fs::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3"; }
+
+void draw(const Arguments& a) {
+  const char* path = std::getenv("PYTHONPATH");
+  const std::string folders = module_folder().string() + (path && *path ? ":" + std::string(path) : "");
+  setenv("PYTHONPATH", folders.c_str(), 1);
+  std::vector<std::string> words{interpreter(), "-m", "arenite.figures", a.result, "--format"};
+  words.insert(words.end(), a.formats.begin(), a.formats.end());
+  if (!a.only.empty()) {
+    words.emplace_back("--only");
+    words.insert(words.end(), a.only.begin(), a.only.end());
+  }
+  if (!a.out.empty()) words.insert(words.end(), {"--out", a.out});
+  if (!a.width.empty()) words.insert(words.end(), {"--width", fmt::format("{}", 1e3 * option_value("--width", [&] { return parse_si(a.width, dimension::length, "mm"); }))});
+  std::vector<char*> arguments;
+  for (auto& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  std::fflush(nullptr);
+  execvp(arguments[0], arguments.data());
+  throw InputError("arenite figures: python3 was not found; install it with NumPy and Matplotlib (Debian: apt-get install python3-matplotlib)");
+}
+
+}  // namespace
+
+void add_figures(CLI::App& command, int&) {
+  const auto a = std::make_shared<Arguments>();
+  command.add_option("result", a->result, "Folder of a run or a film's result, or a file of it")->required()->type_name("RESULT");
+  command.add_option("--out", a->out, "Folder to write to (default: figures in the result's folder)")->type_name("DIR");
+  command.add_option("--format", a->formats, "pdf, svg, png; may be several")->check(CLI::IsMember({"pdf", "svg", "png"}))->type_name("FORMAT");
+  command.add_option("--only", a->only, "Names of figures; all if not given")->type_name("NAME");
+  command.add_option("--width", a->width, "Width, e.g. \"85 mm\" (default: 85 mm for one column, 175 mm for two)")->type_name("LENGTH");
+  command.callback([a] { draw(*a); });
+}
+
+}  // namespace arenite::app

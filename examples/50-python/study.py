@@ -1,0 +1,31 @@
+"""Many runs as one table: how does friction set coordination?"""
+
+# %% A recipe with [sweep]: three frictions, two seeds each.
+import pathlib
+
+import numpy as np
+from matplotlib.figure import Figure
+
+import arenite
+from arenite import figures
+
+recipe = arenite.Recipe.template("composite", {"frame.width": "120 mm", "populations.0.count": 30, "populations.1.count": 40})
+pathlib.Path("recipe.toml").write_text(recipe.toml() + '\n[sweep]\nreplicates = 2\n[sweep.grid]\n"contact.friction" = [0.05, 0.3, 0.6]\n')
+
+# %% All runs, two at a time; the same call again goes on where it was stopped.
+print(arenite.run_study("recipe.toml", "study", jobs=2))
+
+# %% Means over the seeds, as columns.
+table = arenite.study_table("recipe.toml", "study", by=["contact.friction"])
+friction = np.array([float(f) for f in table["contact.friction"]])
+z, error = table["coordination.all"], table["coordination.all error"]
+for row in zip(friction, z, error):
+    print("mu {:.2f}: z = {:.2f} +- {:.2f}".format(*row))
+
+# %% One figure.
+with figures.journal_style():
+    canvas = Figure(figsize=(figures.column_width, 2.4), layout="constrained")
+    axes = canvas.add_subplot()
+    axes.errorbar(friction, z, yerr=error, fmt="o-")
+    axes.set(xlabel=r"$\mu$", ylabel="$z$")
+    canvas.savefig("coordination.pdf")

@@ -1,0 +1,87 @@
+"""How results show themselves in a notebook: a line of text, the numbers that matter, and a picture."""
+
+import base64
+import html
+import io
+
+
+def _picture(draw, *objects, **options):
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(5, 5), layout="constrained")
+    draw(figure.add_subplot(), *objects, **options)
+    store = io.BytesIO()
+    figure.savefig(store, format="png", dpi=100)
+    return f'<img alt="picture" style="max-width: 100%" src="data:image/png;base64,{base64.b64encode(store.getvalue()).decode()}"/>'
+
+
+def _table(rows):
+    cells = "".join(f"<tr><th style='text-align: left'>{html.escape(name)}</th><td>{html.escape(value)}</td></tr>" for name, value in rows)
+    return f"<table>{cells}</table>"
+
+
+def _measured(statistic, unit="", scale=1.0):
+    if not statistic or statistic.get("value") is None:
+        return "unknown"
+    error = statistic.get("error")
+    return f"{statistic['value'] * scale:.4g}" + (f" ± {error * scale:.2g}" if error else "") + (f" {unit}" if unit else "")
+
+
+def packing(self):
+    from .figures import draw_packing
+
+    domain = self.domain
+    rows = [("grains", str(len(self))), ("contacts", str(len(self.contacts))), ("frame", f"{1e3 * domain['width']:.4g} mm × {1e3 * domain['height']:.4g} mm")]
+    return _table(rows) + _picture(draw_packing, self)
+
+
+def stage(self):
+    from .figures import draw_packing
+
+    texture = self.texture
+    rows = [("stage", self.name), ("outcome", self.outcome)]
+    if texture:
+        rows += [("solid fraction", _measured(texture.get("solid_fraction"))), ("coordination", _measured(texture.get("coordination", {}).get("all")))]
+    return _table(rows) + (_picture(draw_packing, self.packing) if self.frames else "")
+
+
+def field(self):
+    from .figures import draw_field, draw_phases
+
+    return _table([("result", self.name), ("outcome", self.outcome)]) + _picture(draw_field if self.loaded else draw_phases, self)
+
+
+def phase_map(self):
+    from .figures import draw_phases
+
+    return _table([("nodes", f"{self.width} × {self.height}"), ("spacing", f"{1e3 * self.dx:.4g} mm")]) + _picture(draw_phases, self)
+
+
+def lockin_maps(self):
+    from .figures import draw_map
+
+    return _table([("frequency", f"{self.frequency:.6g} Hz"), ("frames", str(self.frames))]) + _picture(draw_map, self.in_phase, label="signed swing")
+
+
+def film_result(self):
+    from .figures import draw_film_grains
+
+    return _table([("result", self.name), ("outcome", self.outcome)]) + _picture(draw_film_grains, self)
+
+
+def result(self):
+    rows = [("result", self.path), ("title", self.title)]
+    rows += [(part.name, part.outcome) for part in [*self.stages, *self.fields, *self.films]]
+    last = self.films[-1:] or self.fields[-1:] or self.stages[-1:]
+    return _table(rows) + "".join(part._repr_html_() for part in last)
+
+
+pictures = {
+    "Packing": packing,
+    "Stage": stage,
+    "Field": field,
+    "PhaseMap": phase_map,
+    "LockinMaps": lockin_maps,
+    "FilmResult": film_result,
+    "Result": result,
+}

@@ -1,0 +1,35 @@
+"""python3 -m arenite.figures RESULT [--out DIR] [--format pdf svg png] [--only NAME ...] [--width MM]"""
+
+import argparse
+import pathlib
+import sys
+
+from .catalogue import figures, save_all
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="arenite figures", description="Journal figures of a result: PDF, SVG or PNG in column width, fonts embedded.")
+    parser.add_argument("result", help="folder of a run, or a file of it")
+    parser.add_argument("--out", help="folder to write to (default: figures in the result's folder)")
+    parser.add_argument("--format", nargs="+", choices=["pdf", "svg", "png"], default=["pdf"])
+    parser.add_argument("--only", nargs="+", metavar="NAME", choices=sorted({f.name for f in figures}), help="names of figures; all if not given")
+    parser.add_argument("--width", type=float, metavar="MM", help="width in millimetres (default: 85 for one column, 175 for two)")
+    a = parser.parse_args()
+    result = pathlib.Path(a.result)
+    out = a.out or (result if result.is_dir() else result.parent) / "figures"
+    try:
+        paths = save_all(result, out, a.format, a.only, a.width and a.width / 25.4)
+    except ValueError as error:
+        sys.exit(_refuse(str(error)))
+    for path in paths:
+        print(path)
+    if not paths:
+        sys.exit(_refuse(f"{a.result}: holds nothing that these figures show"))
+
+
+def _refuse(sentence):
+    print(f"arenite: {sentence}", file=sys.stderr)
+    return 2
+
+
+main()

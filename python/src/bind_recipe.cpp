@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "calls.hpp"
+#include "core/error.hpp"
+#include "dem/run_stage.hpp"
+#include "module.hpp"
+#include "study/field_stages.hpp"
+#include "study/recipe_templates.hpp"
+#include "study/run.hpp"
+
+namespace arenite::python {
+namespace {
+
+using study::Recipe;
+
+Recipe from_template(const std::string& name, const py::dict& changes) {
+  std::string known;
+  for (const auto& each : study::recipe_templates()) {
+    if (name == each.name) return study::parse_recipe(study::to_toml(each.make()), name, overrides_of(changes));
+    known += (known.empty() ? "" : ", ") + std::string(each.name);
+  }
+  throw InputError(fmt::format("there is no template \"{}\"; there are {}", name, known));
+}
+
+/// Files that the recipe names are looked for beside the file that it came from, so that stays its name.
+Recipe changed(const Recipe& recipe, const py::dict& changes) {
+  Recipe result = study::parse_recipe(study::to_toml(recipe), recipe.source_file, overrides_of(changes));
+  result.source_file = recipe.source_file;
+  return result;
+}
+
+std::size_t stage_number(const Recipe& recipe, const py::object& stage) {
+  if (py::isinstance<py::int_>(stage)) {
+    const auto k = stage.cast<std::ptrdiff_t>();
+    if (k >= 0 && static_cast<std::size_t>(k) < recipe.stages.size()) return static_cast<std::size_t>(k);
+    throw InputError(fmt::format("there is no stage {}; the recipe has {}, counted from 0", k, recipe.stages.size()));
+  }
+  const auto name = stage.cast<std::string>();
+  for (std::size_t k = 0; k < recipe.stages.size(); ++k)
+    if (recipe.stages[k].name == name) return k;
+  throw InputError(fmt::format("the recipe has no stage \"{}\"", name));
+}
+
+StageResult load_stage(const Packing& packing, const Recipe& recipe, const py::object& stage, int threads, const py::object& progress) {
+  const std::size_t number = stage_number(recipe, stage);
+  auto integration = recipe.integration;
+  integration.threads = threads;
+  Call call;
+  return call.without_lock([&] {
+    dem::Engine engine(packing, recipe.contact, integration);
+    const dem::Stage& what = recipe.stages[number];
+    dem::StageRun run = dem::begin_stage(engine, what);
+    while (!run.finished && !call.asked_to_stop()) {
+      dem::continue_stage(engine, what, run);
+      call.tell(progress, dem::share_done(what, run), what.name);
+    }
+    StageResult result = std::move(run.result);
+    result.name = what.name;
+    if (!result.frames.empty()) result.texture_json = texture::to_json(texture::measure(result.frames.back().packing, study::texture_options(recipe, number + 1)));
+    return result;
+  });
+}
+
+}  // namespace
+
+void bind_recipe(py::module_& m) {
+  py::class_<Recipe>(m, "Recipe", "What `arenite run` is told: materials, frame, packing, stages of loading, cement, raster, loads (docs/recipe.md).")
+      .def(py::init([](const std::string& file, const py::dict& changes) { return study::read_recipe(file, overrides_of(changes)); }), py::arg("file"),
+           py::arg("changes") = py::dict(), "Reads a recipe from a file; `changes` are {\"dotted.key\": value}, with units in text: {\"frame.width\": \"35 cm\"}.")
+      .def_static("template", &from_template, py::arg("name"), py::arg("changes") = py::dict(), "A recipe to start from; `templates()` names them.")
+      .def_static("from_text", [](const std::string& text, const py::dict& changes) { return study::parse_recipe(text, "recipe", overrides_of(changes)); },
+                  py::arg("text"), py::arg("changes") = py::dict(), "A recipe from TOML text.")
+      .def("changed", &changed, py::arg("changes"), "The same recipe with these keys changed.")
+      .def("toml", [](const Recipe& r) { return study::to_toml(r); }, "The resolved recipe as TOML, every key with its unit.")
+      .def_readonly("title", &Recipe::title)
+      .def_readonly("seed", &Recipe::seed)
+      .def_property_readonly("stages", [](const Recipe& r) {
+        std::vector<std::string> names;
+        for (const auto& stage : r.stages) names.push_back(stage.name);
+        return names;
+      }, "Names of the stages of loading.")
+      .def_property_readonly("loads", [](const Recipe& r) {
+        std::vector<std::string> names;
+        for (const auto& load : r.loads) names.push_back(load.name);
+        return names;
+      }, "Names of the loads of the cemented sample.")
+      .def("__eq__", [](const Recipe& a, const Recipe& b) { return study::to_toml(a) == study::to_toml(b); })
+      .def("__repr__", [](const Recipe& r) { return "<arenite.Recipe \"" + r.title + "\">"; });
+  m.def("templates", [] {
+    py::dict d;
+    for (const auto& each : study::recipe_templates()) d[each.name] = each.sentence;
+    return d;
+  }, "Names of the recipes to start from, with a sentence each.");
+  m.def("pack", [](const Recipe& recipe) {
+    Call call;
+    return call.without_lock([&] { return study::make_packing(recipe).frames.back().packing; });
+  }, py::arg("recipe"), "The grains in their box before any loading: drawn, placed and relaxed, or read from a file (recipe's [packing]).");
+  m.def("load_stage", &load_stage, py::arg("packing"), py::arg("recipe"), py::arg("stage") = 0, py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
+        "Takes a packing through one stage of the recipe, by number or name: compaction or loading by discrete elements. `progress(share, name)` is called meanwhile. Velocities are kept, "
+        "the history of friction is not.");
+}
+
+}  // namespace arenite::python

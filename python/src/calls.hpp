@@ -1,0 +1,46 @@
+#pragma once
+#include <pybind11/pybind11.h>
+#include <unistd.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// What calls from Python have in common.
+namespace arenite::python {
+
+namespace py = pybind11;
+
+/// JSON text as dicts, lists and numbers.
+inline py::object from_json(const std::string& text) {
+  return py::module_::import("json").attr("loads")(text.empty() ? std::string("{}") : text);
+}
+
+/// {"frame.width": "350 mm"} as the list of "key=value" that the library takes.
+std::vector<std::string> overrides_of(const py::dict& changes);
+
+/// Runs `work` without Python's lock. Ctrl-C in the meantime makes `asked_to_stop` true and is raised when `work` has left.
+/// Processes that `work` forks have no thread of Python's, so nothing is told or asked there.
+class Call {
+ public:
+  template <class Work>
+  auto without_lock(Work&& work) {
+    auto result = [&] {
+      const py::gil_scoped_release release;
+      return work();
+    }();
+    raise_interrupt();
+    return result;
+  }
+  /// Calls `progress(share, text)` unless it is None, with Python's lock.
+  void tell(const py::object& progress, double share, const std::string& text);
+  bool asked_to_stop();
+
+ private:
+  void raise_interrupt() const;
+  bool in_fork() const { return ::getpid() != process_; }
+  bool interrupted_ = false;
+  pid_t process_ = ::getpid();
+};
+
+}  // namespace arenite::python

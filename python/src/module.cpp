@@ -1,0 +1,26 @@
+#include "module.hpp"
+
+#include "core/error.hpp"
+#include "core/version.hpp"
+
+PYBIND11_MODULE(_core, m) {
+  namespace py = pybind11;
+  m.doc() = "Micromechanics of composite and cemented granular materials. All numbers are in SI units; stresses are positive in tension, "
+            "contact forces in compression.";
+  m.attr("__version__") = arenite::version;
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const arenite::InputError& error) {
+      PyErr_SetString(PyExc_ValueError, error.what());
+    }
+  });
+  arenite::python::bind_packing(m);
+  arenite::python::bind_recipe(m);
+  arenite::python::bind_field(m);
+  arenite::python::bind_film(m);
+  arenite::python::bind_results(m);
+  arenite::python::bind_film_road(m);
+  arenite::python::bind_identify(m);
+  arenite::python::bind_study(m);
+}

@@ -1,0 +1,16 @@
+#pragma once
+#include <pybind11/pybind11.h>
+
+/// The Python module, one file a part of the road; every part binds plain functions and the data that they take and give.
+namespace arenite::python {
+
+void bind_packing(pybind11::module_& m);
+void bind_recipe(pybind11::module_& m);
+void bind_field(pybind11::module_& m);
+void bind_results(pybind11::module_& m);
+void bind_film(pybind11::module_& m);
+void bind_film_road(pybind11::module_& m);
+void bind_identify(pybind11::module_& m);
+void bind_study(pybind11::module_& m);
+
+}  // namespace arenite::python

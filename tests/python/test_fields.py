@@ -1,0 +1,66 @@
+import arenite
+import numpy as np
+import pytest
+
+
+def two_blocks():
+    """A stiff block between two soft ones, all as wide as the sample."""
+    phase = np.ones((64, 48), np.uint8)
+    phase[20:44, :] = 2
+    return arenite.PhaseMap(phase, dx="1 mm")
+
+
+def test_a_map_is_loaded_and_its_reaction_is_the_mean_stress():
+    field = arenite.load(two_blocks(), strain=1e-4)
+    assert field.converged and field.sigma_yy.shape == (64, 48)
+    rows = np.delete(field.sigma_yy.mean(axis=1), np.r_[0:8, 14:26, 38:50, 56:64])  # without clamps and joints
+    assert np.ptp(rows) < 1e-3 * rows.mean()
+    assert 1e9 * 1e-4 < rows.mean() < 4e9 * 1e-4
+
+
+def test_units_are_read_and_moduli_scale():
+    soft = arenite.load(two_blocks(), matrix="1 GPa")
+    stiff = arenite.load(two_blocks(), matrix=2e9)
+    assert np.allclose(2 * soft.sigma_yy, stiff.sigma_yy, rtol=1e-4, atol=1.0)
+    with pytest.raises(ValueError, match="loading \"twist\""):
+        arenite.load(two_blocks(), "twist")
+
+
+def test_cement_and_raster_follow_the_recipe(recipe, result):
+    packing = result.stages[-1].packing
+    sample = arenite.cement_sample(recipe, packing)
+    assert np.array_equal(sample.map.phase, result.fields[0].map.phase)
+    bridges = arenite.cement(packing, gap="0.075 mm", width=0.4)
+    assert np.array_equal(arenite.rasterise(packing, bridges, nodes=128, crop="9 mm").phase, sample.map.phase)
+
+
+def test_saturation_is_found(result):
+    packing = result.stages[-1].packing
+    cement = arenite.cement(packing, "coating", saturation=0.4)
+    map = arenite.rasterise(packing, cement, nodes=512)
+    assert np.sum(map.phase == 1) / np.sum(map.phase < 2) == pytest.approx(0.4, abs=0.02)
+    assert cement.coating > 0
+
+
+def test_arrays_of_a_field_are_views(result):
+    field = result.fields[-1]
+    assert np.shares_memory(field.sigma_yy, field.sigma_yy) and not field.map.phase.flags.writeable
+    assert field.sigma_yy.shape == field.map.grain.shape == (field.map.height, field.map.width)
+    assert np.all(field.sigma_yy[field.map.phase == 0] == 0)
+
+
+def test_pores_are_counted(result):
+    map = result.fields[0].map
+    pores = arenite.cavities(map, "pore", fewest_nodes=1, leave_out_border=False)
+    assert pores.sum() == np.sum(map.phase < 2)
+
+
+def test_statistics_say_what_the_field_says(result):
+    field = result.fields[-1]
+    inner = np.zeros_like(field.map.phase, bool)
+    inner[4:-4] = True
+    solid = inner & (field.map.phase > 0)
+    large = solid & (field.map.grain >= 0) & (field.map.grain_class[np.maximum(field.map.grain, 0)] == 2)
+    ratio = field.sigma_yy[large].mean() / field.sigma_yy[solid].mean()
+    sets = field.statistics()["components"]["sigma_yy"]["sets"] if "components" in field.statistics() else field.statistics()["sigma_yy"]["sets"]
+    assert sets["large"]["mean_over_sample_mean"]["value"] == pytest.approx(ratio, rel=1e-4)
