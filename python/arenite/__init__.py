@@ -9,8 +9,9 @@ that the program prints. `arenite.figures` draws.
 from . import _core, _html
 from ._core import *  # noqa: F401,F403
 from ._core import __version__
+from .studies import run_study
 
-__all__ = [name for name in vars(_core) if not name.startswith("_")] + ["__version__"]
+__all__ = [name for name in vars(_core) if not name.startswith("_")] + ["__version__", "run_study"]
 
 for _class, _draw in _html.pictures.items():
     getattr(_core, _class)._repr_html_ = _draw

@@ -136,7 +136,9 @@ FieldResult loaded(const PhaseMap& map, const std::string& loading, double strai
   return result ? std::move(*result) : FieldResult{};
 }
 
-void bind_map(py::module_& m) {
+}  // namespace
+
+void bind_phase_map(py::module_& m) {
   py::class_<Cement>(m, "Cement", "The binding matrix of a packing, as geometry (P II.B).")
       .def_readonly("full", &Cement::full)
       .def_readonly("coating", &Cement::coating, "Thickness of the layer round every grain, m.")
@@ -168,10 +170,7 @@ void bind_map(py::module_& m) {
       .def("__repr__", [](const PhaseMap& map) { return "<arenite.PhaseMap " + std::to_string(map.width) + " x " + std::to_string(map.height) + ">"; });
 }
 
-}  // namespace
-
 void bind_field(py::module_& m) {
-  bind_map(m);
   m.def("cement", &cemented, py::arg("packing"), py::arg("kind") = "bridges", py::kw_only(), py::arg("gap") = 0.0, py::arg("width") = 0.4, py::arg("full_width") = false,
         py::arg("thickness") = 0.0, py::arg("volume") = 0.0, py::arg("saturation") = py::none(),
         "Matrix between grains: kind \"bridges\" (surface gap up to `gap`, half base `width` times the radius: P II.B), \"full\", \"coating\" (`thickness`), \"menisci\" (`volume`, "

@@ -3,11 +3,9 @@
 
 #include "calls.hpp"
 #include "core/error.hpp"
-#include "dem/run_stage.hpp"
 #include "module.hpp"
-#include "study/field_stages.hpp"
 #include "study/recipe_templates.hpp"
-#include "study/run.hpp"
+#include "study/recipe.hpp"
 
 namespace arenite::python {
 namespace {
@@ -28,38 +26,6 @@ Recipe changed(const Recipe& recipe, const py::dict& changes) {
   Recipe result = study::parse_recipe(study::to_toml(recipe), recipe.source_file, overrides_of(changes));
   result.source_file = recipe.source_file;
   return result;
-}
-
-std::size_t stage_number(const Recipe& recipe, const py::object& stage) {
-  if (py::isinstance<py::int_>(stage)) {
-    const auto k = stage.cast<std::ptrdiff_t>();
-    if (k >= 0 && static_cast<std::size_t>(k) < recipe.stages.size()) return static_cast<std::size_t>(k);
-    throw InputError(fmt::format("there is no stage {}; the recipe has {}, counted from 0", k, recipe.stages.size()));
-  }
-  const auto name = stage.cast<std::string>();
-  for (std::size_t k = 0; k < recipe.stages.size(); ++k)
-    if (recipe.stages[k].name == name) return k;
-  throw InputError(fmt::format("the recipe has no stage \"{}\"", name));
-}
-
-StageResult load_stage(const Packing& packing, const Recipe& recipe, const py::object& stage, int threads, const py::object& progress) {
-  const std::size_t number = stage_number(recipe, stage);
-  auto integration = recipe.integration;
-  integration.threads = threads;
-  Call call;
-  return call.without_lock([&] {
-    dem::Engine engine(packing, recipe.contact, integration);
-    const dem::Stage& what = recipe.stages[number];
-    dem::StageRun run = dem::begin_stage(engine, what);
-    while (!run.finished && !call.asked_to_stop()) {
-      dem::continue_stage(engine, what, run);
-      call.tell(progress, dem::share_done(what, run), what.name);
-    }
-    StageResult result = std::move(run.result);
-    result.name = what.name;
-    if (!result.frames.empty()) result.texture_json = texture::to_json(texture::measure(result.frames.back().packing, study::texture_options(recipe, number + 1)));
-    return result;
-  });
 }
 
 }  // namespace
@@ -92,13 +58,6 @@ void bind_recipe(py::module_& m) {
     for (const auto& each : study::recipe_templates()) d[each.name] = each.sentence;
     return d;
   }, "Names of the recipes to start from, with a sentence each.");
-  m.def("pack", [](const Recipe& recipe) {
-    Call call;
-    return call.without_lock([&] { return study::make_packing(recipe).frames.back().packing; });
-  }, py::arg("recipe"), "The grains in their box before any loading: drawn, placed and relaxed, or read from a file (recipe's [packing]).");
-  m.def("load_stage", &load_stage, py::arg("packing"), py::arg("recipe"), py::arg("stage") = 0, py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
-        "Takes a packing through one stage of the recipe, by number or name: compaction or loading by discrete elements. `progress(share, name)` is called meanwhile. Velocities are kept, "
-        "the history of friction is not.");
 }
 
 }  // namespace arenite::python

@@ -106,7 +106,7 @@ py::dict energies_of(const Frame& frame) {
   return d;
 }
 
-void bind_stages(py::module_& m) {
+void bind_stage_results(py::module_& m) {
   py::class_<Frame>(m, "Frame", "One stored state of a stage.")
       .def_readonly("time", &Frame::time, "s since the start of the run.")
       .def_readonly("step", &Frame::step)
@@ -189,7 +189,7 @@ void bind_fields(py::module_& m) {
 }  // namespace
 
 void bind_results(py::module_& m) {
-  bind_stages(m);
+  bind_stage_results(m);
   bind_fields(m);
   py::class_<Result>(m, "Result", "What a folder or a file of results holds.")
       .def_readonly("path", &Result::path)

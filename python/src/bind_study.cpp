@@ -47,7 +47,7 @@ void bind_study(py::module_& m) {
     return columns_of(table);
   }, py::arg("recipe"), py::arg("out"), py::arg("by") = std::vector<std::string>{},
         "The runs of a study as columns: swept keys (text), then all numbers of `arenite show --json` by dotted names, \"NAME error\" beside them. `by`: means over runs with equal values of these keys.");
-  m.def("run_study", [](const std::string& recipe, const std::string& out, std::size_t jobs, const py::object& progress) {
+  m.def("_run_study", [](const std::string& recipe, const std::string& out, std::size_t jobs, const py::object& progress) {
     Call call;
     const auto outcome = call.without_lock([&] {
       fs::create_directories(out);

@@ -15,12 +15,15 @@ PYBIND11_MODULE(_core, m) {
       PyErr_SetString(PyExc_ValueError, error.what());
     }
   });
+  // What is given comes before what takes it, so that docstrings name types as Python does.
   arenite::python::bind_packing(m);
   arenite::python::bind_recipe(m);
-  arenite::python::bind_field(m);
+  arenite::python::bind_phase_map(m);
   arenite::python::bind_film(m);
-  arenite::python::bind_results(m);
   arenite::python::bind_film_road(m);
+  arenite::python::bind_results(m);
+  arenite::python::bind_stages(m);
+  arenite::python::bind_field(m);
   arenite::python::bind_identify(m);
   arenite::python::bind_study(m);
 }

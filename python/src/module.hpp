@@ -6,9 +6,11 @@ namespace arenite::python {
 
 void bind_packing(pybind11::module_& m);
 void bind_recipe(pybind11::module_& m);
-void bind_field(pybind11::module_& m);
-void bind_results(pybind11::module_& m);
+void bind_phase_map(pybind11::module_& m);
 void bind_film(pybind11::module_& m);
+void bind_results(pybind11::module_& m);
+void bind_stages(pybind11::module_& m);
+void bind_field(pybind11::module_& m);
 void bind_film_road(pybind11::module_& m);
 void bind_identify(pybind11::module_& m);
 void bind_study(pybind11::module_& m);

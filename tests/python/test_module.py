@@ -60,6 +60,6 @@ def test_a_study_becomes_a_table(tmp_path):
     done = arenite.run_study(str(file), str(tmp_path / "out"))
     assert done == {"done": 2, "not_done": 0, "left": 0}
     table = arenite.study_table(str(file), str(tmp_path / "out"))
-    assert list(table["cement.width"]) == ["0.2", "0.8"]
+    assert [float(width) for width in table["cement.width"]] == [0.2, 0.8]
     saturation = next(v for k, v in table.items() if k.endswith("saturation") or k.endswith("S_m"))
     assert saturation[1] > saturation[0]

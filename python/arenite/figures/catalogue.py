@@ -58,6 +58,12 @@ def roses(figure, part):
         axes.set_xticklabels([])
 
 
+def course(figure, part):
+    states = [measure(frame.packing, curves=False) for frame in part.frames]
+    for k, of in enumerate(["coordination", "anisotropy"]):
+        textures.draw_course(figure.add_subplot(1, 2, k + 1), states, of)
+
+
 def fields_side_by_side(figure, part):
     for k, component in enumerate(["sigma_yy", "sigma_xx", "sigma_xy"]):
         axes = figure.add_subplot(1, 3, k + 1)
@@ -91,8 +97,9 @@ def mean_grain_nodes(map):
 
 
 def film_maps(figure, part):
-    for k, (label, values) in enumerate([("mean, K", part.picture), ("amplitude, mK", 1e3 * part.maps.amplitude), ("signed swing, mK", 1e3 * part.maps.in_phase),
-                                         ("phase, rad", part.maps.phase), ("noise floor, mK", 1e3 * part.maps.noise_floor), ("residual, mK", 1e3 * part.maps.residual)]):
+    maps = [("mean, K", part.picture), ("amplitude, mK", 1e3 * part.maps.amplitude), ("signed swing, mK", 1e3 * part.maps.in_phase),
+                                         ("phase, rad", part.maps.phase), ("noise floor, mK", 1e3 * part.maps.noise_floor), ("residual, mK", 1e3 * part.maps.residual)]
+    for k, (label, values) in enumerate([(label, values) for label, values in maps if values.size]):
         films.draw_map(figure.add_subplot(2, 3, k + 1), values, label)
 
 
@@ -129,7 +136,7 @@ figures = [
     Figure("contact-numbers", "stage", one(textures.draw_contact_numbers, lambda s: texture(s)["coordination"]), has_contacts),
     Figure("rev", "stage", one(textures.draw_rev, texture), lambda s: has_contacts(s) and "rev" in texture(s)),
     Figure("threshold", "stage", one(textures.draw_threshold, lambda s: texture(s)["fabric"]["threshold"]), lambda s: has_contacts(s) and "threshold" in texture(s)["fabric"]),
-    Figure("course", "stage", one(textures.draw_course, lambda s: [measure(f.packing, curves=False) for f in s.frames]), lambda s: has_contacts(s) and len(s.frames) > 2),
+    Figure("course", "stage", course, lambda s: has_contacts(s) and len(s.frames) > 2, 0.4, True),
     Figure("wall-forces", "stage", one(histories.draw_wall_forces, lambda s: s.history), has_time("bottom_force", "top_force", "left_force")),
     Figure("travel", "stage", one(histories.draw_travel, lambda s: s.history), has_time("bottom_position", "top_position")),
     Figure("energies", "stage", one(histories.draw_energies, lambda s: s.history), has_time("elastic")),

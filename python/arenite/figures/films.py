@@ -9,7 +9,8 @@ from .style import bare, colours, scaled, soft, strong
 
 def draw_map(axes, values, label=None, share=0.005, colour_map="inferno"):
     """A map of pixels, top row first, without `share` of the pixels at each end of its colours; `label` gives it a bar."""
-    low, high = np.nanquantile(values, [share, 1 - share])
+    known = values[np.isfinite(values)]
+    low, high = np.quantile(known, [share, 1 - share]) if known.size else (0, 1)
     shown = axes.imshow(values, vmin=low, vmax=high, cmap=colour_map, interpolation="nearest", rasterized=True)
     bare(axes)
     if label:

@@ -18,7 +18,7 @@ def _lines(axes, history, names, factor=1.0, positive=False):
             axes.plot(_time(history), np.where(values > 0, values, np.nan) if positive else values, color=colour, label=label)
     axes.set_xlabel("time, s")
     if axes.lines:
-        axes.legend()
+        axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=3, columnspacing=1)
 
 
 def draw_wall_forces(axes, history):

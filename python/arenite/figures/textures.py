@@ -97,18 +97,23 @@ def draw_threshold(axes, threshold):
     axes.legend()
 
 
-def draw_course(axes, textures):
-    """Coordination, stress ratio and anisotropy over the stored states."""
-    lines = [("$z$", lambda t: t["coordination"]["all"]), ("$a_c$", lambda t: t["fabric"]["a_c_signed"]),
-             ("$q/p$", lambda t: {"value": t["stress_details"]["deviator_Pa"] / t["stress_details"]["pressure_Pa"]})]
-    for (label, of), colour in zip(lines, colours):
+def draw_course(axes, textures, of="anisotropy"):
+    """Over the stored states: "coordination", with and without rattlers, or "anisotropy" of contacts beside the stress ratio."""
+    lines = {
+        "coordination": [("$z$", lambda t: t["coordination"]["all"]), ("without rattlers", lambda t: t["coordination"]["without_rattlers"])],
+        "anisotropy": [("$q/p$", lambda t: {"value": t["stress_details"]["deviator_Pa"] / t["stress_details"]["pressure_Pa"]}),
+                       ("$a_c$", lambda t: t["fabric"]["a_c_signed"]), ("$a_c$, strong", lambda t: t["fabric"]["sets"]["strong"]["a_c_signed"])],
+    }[of]
+    for (label, number), colour in zip(lines, colours):
         points = []
         for k, texture in enumerate(textures):
             try:
-                points.append((k + 1, *estimate(of(texture))))
+                points.append((k + 1, *estimate(number(texture))))
             except (KeyError, TypeError, ZeroDivisionError):
                 continue
         if points:
-            axes.errorbar(*np.array(points).T[:2], yerr=np.array(points).T[2], fmt="o-", color=colour, elinewidth=0.7, label=label)
-    axes.set(xlabel="stored state", ylabel="value")
+            state, value, error = np.array(points).T
+            axes.errorbar(state, value, yerr=error, fmt="o-", color=colour, elinewidth=0.7, label=label)
+    axes.xaxis.get_major_locator().set_params(integer=True)
+    axes.set(xlabel="stored state", ylabel=of)
     axes.legend()

@@ -1,0 +1,52 @@
+"""Studies are run by an interpreter of their own: each run forks, which a process that has used threads must not do."""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+from . import _core
+
+
+def run_study(recipe, out, *, jobs=1, progress=None):
+    """Runs a recipe with [sweep], each run in a process of its own; what was done before is not done again.
+
+    `progress(share, "runs")` is called meanwhile. Gives how many runs are done, not done (failed or without equilibrium) and
+    left. Raises ValueError with the program's sentence.
+    """
+    command = [sys.executable, "-c", "from arenite import studies; studies._main()", str(recipe), str(out), str(jobs)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=_environment()) as process:
+        try:
+            last = {}
+            for line in process.stdout:
+                last = json.loads(line)
+                if "share" in last and progress:
+                    progress(last["share"], "runs")
+        except BaseException:
+            process.terminate()
+            raise
+    if "error" in last:
+        raise ValueError(last["error"])
+    if process.returncode != 0 or "done" not in last:
+        raise RuntimeError(f"the study's process ended with status {process.returncode}")
+    return last
+
+
+def _environment():
+    """This module must be found by the new interpreter where it was found by this one."""
+    home = str(pathlib.Path(__file__).resolve().parent.parent)
+    return {**os.environ, "PYTHONPATH": os.pathsep.join([home, *filter(None, [os.environ.get("PYTHONPATH")])])}
+
+
+def _main():
+    recipe, out, jobs = sys.argv[1:]
+
+    def say(**words):
+        print(json.dumps(words), flush=True)
+
+    try:
+        say(**_core._run_study(recipe, out, jobs=int(jobs), progress=lambda share, _: say(share=share)))
+    except ValueError as error:
+        say(error=str(error))
+
