@@ -2,8 +2,15 @@
 #include "model/lockin_maps.hpp"
 #include "study/film_recipe.hpp"
 #include "study/recipe.hpp"
+#include "thermography/frame_statistics.hpp"
 
 namespace arenite::study {
+
+/// Throws InputError if nearly all pixels of a film reach the top of its range.
+void refuse_saturated(const thermography::FrameStatistics& seen, const FilmInfo& film);
+
+/// Throws InputError if nearly all pixels of a film stay as they are from its first frame on.
+void refuse_constant(const thermography::FrameStatistics& seen, const FilmInfo& film);
 
 /// Mean of the squared amplitude over the squared standard error of the maps' pixels: 2 where noise alone swings.
 double swing_over_noise(const LockinMaps& maps);

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "io/film.hpp"
 #include "io/calibration_curve.hpp"
+#include "study/film_checks.hpp"
 #include "thermography/bad_pixels.hpp"
 #include "thermography/calibration.hpp"
 #include "thermography/frame_statistics.hpp"
@@ -33,7 +34,13 @@ std::optional<FrameStatistics> plate(const FilmRecipe& recipe, const std::string
   if (source->info().width != film.width || source->info().height != film.height)
     throw InputError(path.string(), 0, fmt::format("has frames of {} x {} pixels, and the film of {} x {}; take the plate with the same camera and window",
                                                    source->info().width, source->info().height, film.width, film.height));
-  return thermography::frame_statistics(*source, frames_looked_at);
+  auto seen = thermography::frame_statistics(*source, frames_looked_at);
+  try {
+    refuse_saturated(seen, source->info());
+  } catch (const InputError& error) {
+    throw in_file(error, path.string());
+  }
+  return seen;
 }
 
 radiometry::Band band_of(const FilmInfo& film) {
@@ -81,6 +88,8 @@ void note_doubtful(const FrameStatistics& first, const FilmInfo& film, std::vect
 FilmCorrection make_correction(const FilmRecipe& recipe, FilmSource& film) {
   const FilmInfo& info = film.info();
   const auto first = thermography::frame_statistics(film, frames_looked_at);
+  refuse_saturated(first, info);
+  refuse_constant(first, info);
   const auto cold = plate(recipe, recipe.correction.cold, info), warm = plate(recipe, recipe.correction.warm, info);
   FilmCorrection made;
   note_doubtful(first, info, made.notes);

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "imaging/circles.hpp"
 #include "io/placed_grains.hpp"
+#include "io/problems.hpp"
 #include "study/optical_grains.hpp"
 
 namespace arenite::study {
@@ -45,13 +46,16 @@ void keep_inside(const FilmRecipe& recipe, const FilmPlace& place, PictureGrains
   keep(grains, kept);
 }
 
+/// Share of the smaller radius by which load never presses two grains together.
+constexpr double most_overlap = 0.3;
+
 /// Of two circles that overlap by more than load can press them, the one whose rim shows less is no grain.
 void drop_overlapping(PictureGrains& grains) {
   std::vector<std::uint8_t> kept(grains.size(), 1);
   for (std::size_t i = 0; i < grains.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const double overlap = grains.radius[i] + grains.radius[j] - std::hypot(grains.x[i] - grains.x[j], grains.y[i] - grains.y[j]);
-      if (overlap > 0.3 * std::min(grains.radius[i], grains.radius[j])) kept[grains.score[i] < grains.score[j] ? i : j] = 0;
+      if (overlap > most_overlap * std::min(grains.radius[i], grains.radius[j])) kept[grains.score[i] < grains.score[j] ? i : j] = 0;
     }
   }
   keep(grains, kept);
@@ -72,10 +76,25 @@ void drop_pores(const std::vector<float>& frame, bool bright, PictureGrains& gra
   keep(grains, kept);
 }
 
+/// Grains of a list that overlap by more than load can press them: each pair is a slip of the list.
+void refuse_overlapping(const std::string& file, const Grains& grains) {
+  io::Problems problems(file);
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double overlap = grains.radius[i] + grains.radius[j] - norm(grains.centre(i) - grains.centre(j));
+      if (overlap > most_overlap * std::min(grains.radius[i], grains.radius[j]))
+        problems.add(0, fmt::format("grains {} and {} overlap by {:.3g} mm, more than load presses grains together; correct their centres or radii",
+                                    grains.id[j], grains.id[i], 1e3 * overlap));
+    }
+  }
+  problems.raise();
+}
+
 PictureGrains read_list(const FilmRecipe& recipe, const FilmPlace& place) {
   const auto file = std::filesystem::path(recipe.source_file).parent_path() / recipe.picture.grains;
   const Grains read = io::read_placed_grains(file, materials_of(recipe), frame_at(recipe, 0));
   if (read.size() == 0) throw InputError(file.string(), 0, "lists no grains; give every grain a row");
+  refuse_overlapping(file.string(), read);
   PictureGrains grains;
   for (std::size_t i = 0; i < read.size(); ++i) {
     grains.x.push_back(place.column(read.x[i]));

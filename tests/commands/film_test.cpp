@@ -3,7 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "io/film_writer.hpp"
 #include "study/film_numbers.hpp"
+#include "support/films.hpp"
 #include "support/virtual_film.hpp"
 
 namespace {
@@ -101,6 +103,48 @@ TEST(FilmCommand, RefusesWhatTheFilmDoesNotShow) {
   expect_refused(of, of.film("--set lockin.frequency='\"30 Hz\"'", "plate"), "film.ptw: nothing but noise swings at 30 Hz");
   ASSERT_EQ(of.camera("wide", "--set camera.width=80").status, 0);
   expect_refused(of, of.film("--set correction.warm='\"../wide/warm.ptw\"'"), "warm.ptw: has frames of 80 x 96 pixels, and the film of 96 x 96");
+}
+
+/// The film's frames with every level made another, in a folder of its own under the same name.
+void change_levels(const VirtualFilm& of, const std::string& name, const std::string& to, std::uint16_t (*change)(std::uint16_t)) {
+  const auto source = io::open_film(of.at("film/" + name));
+  Film film;
+  film.about = source->info();
+  film.level = test::all_of(*source).level;
+  for (auto& level : film.level) level = change(level);
+  std::filesystem::create_directory(of.at(to));
+  io::write_film(of.at(to + "/" + name), film);
+}
+
+TEST(FilmCommand, RefusesPixelsThatTellNothing) {
+  const VirtualFilm of;
+  ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
+  change_levels(of, "film.ptw", "saturated", [](std::uint16_t) { return std::uint16_t{16383}; });
+  expect_refused(of, of.film("", "saturated"), "film.ptw: 9216 of 9216 pixels reach the top of the camera's range (16383)");
+  change_levels(of, "film.ptw", "constant", [](std::uint16_t) { return std::uint16_t{5000}; });
+  expect_refused(of, of.film("", "constant"), "film.ptw: 9216 of 9216 pixels never change in the first 200 frames");
+  change_levels(of, "warm.ptw", "saturated", [](std::uint16_t) { return std::uint16_t{16383}; });
+  expect_refused(of, of.film("--set correction.warm='\"../saturated/warm.ptw\"'"), "warm.ptw: 9216 of 9216 pixels reach the top");
+  expect_refused(of, of.film("--set correction.warm='\"cold.ptw\"'"), "the two plates show the same level");
+}
+
+TEST(FilmCommand, RefusesASixteenBitFilmAtItsCeiling) {
+  const VirtualFilm of;
+  ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
+  Film film = test::counted(96, 96, 300);
+  film.about.bits = 16;
+  film.about.frame_rate = 148;
+  for (auto& level : film.level) level = 65535;
+  io::write_film(of.at("film/white.tif"), film);
+  expect_refused(of, test::arenite("film " + of.at("film/white.tif").string() + " --recipe " + of.at("film/film.toml").string() + " --quiet --out " + of.at("result").string()),
+                 "white.tif: 9216 of 9216 pixels reach the top of the camera's range (65535)");
+}
+
+TEST(FilmCommand, RefusesAListWithOverlappingCircles) {
+  const VirtualFilm of;
+  ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
+  std::ofstream(of.at("film/list.csv")) << "id,x [mm],y [mm],radius [mm],material\n1,20,20,5,POM\n7,26,20,5,HDPE\n3,60,20,5,POM\n4,69,20,5,POM\n";
+  expect_refused(of, of.film("--set picture.grains='\"list.csv\"'"), "list.csv: grains 1 and 7 overlap by 4 mm");
 }
 
 TEST(FilmCommand, RefusesRecipesThatDoNotFit) {
