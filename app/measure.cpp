@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "imaging/proposed_contacts.hpp"
 #include "io/field_file.hpp"
 #include "io/sample.hpp"
 #include "io/sealed_file.hpp"
@@ -21,7 +22,7 @@ namespace {
 struct MeasureArguments {
   stress::StressOptions stress;
   std::string grains, contacts, format = "auto", length_unit, force_unit, box, origin, periodic, thickness, materials, doubled = "error";
-  std::string grain_columns, contact_columns;
+  std::string grain_columns, contact_columns, pixel, touching;
   texture::Options texture;
   double load_axis_deg = -1;
   bool json = false, curves = false, y_down = false;
@@ -43,6 +44,12 @@ std::vector<double> lengths_of(const char* option, const std::string& text, doub
   return values;
 }
 
+double positive(const char* option, const std::string& text, double unit, const char* what) {
+  const double length = option_value(option, [&] { return length_of(text, unit); });
+  if (!(length > 0)) throw InputError(std::string(option) + ": " + what + " must be positive");
+  return length;
+}
+
 io::SampleOptions sample_options(const MeasureArguments& a) {
   io::SampleOptions o;
   o.format = a.format;
@@ -51,6 +58,7 @@ io::SampleOptions sample_options(const MeasureArguments& a) {
   if (!a.length_unit.empty()) o.length_unit = option_value("--length-unit", [&] { return io::unit_factor(a.length_unit, dimension::length); });
   if (!a.force_unit.empty()) o.force_unit = option_value("--force-unit", [&] { return io::unit_factor(a.force_unit, dimension::force); });
   const double unit = o.length_unit.value_or(1);
+  if (!a.pixel.empty()) o.pixel = positive("--pixel", a.pixel, unit, "the width of a pixel on the sample");
   if (!a.box.empty()) {
     const auto box = lengths_of("--box", a.box, unit, 2, 3);
     if (!(box[0] > 0) || !(box[1] > 0)) throw InputError("--box: width and height must be positive");
@@ -63,21 +71,30 @@ io::SampleOptions sample_options(const MeasureArguments& a) {
   }
   o.periodic_x = a.periodic.find('x') != std::string::npos;
   o.periodic_y = a.periodic.find('y') != std::string::npos;
-  if (!a.thickness.empty()) {
-    o.thickness = option_value("--thickness", [&] { return length_of(a.thickness, unit); });
-    if (!(*o.thickness > 0)) throw InputError("--thickness: the length of the cylinders must be positive");
-  }
+  if (!a.thickness.empty()) o.thickness = positive("--thickness", a.thickness, unit, "the length of the cylinders");
   if (!a.materials.empty()) o.materials = a.materials;
   o.y_down = a.y_down;
   o.merge_doubled = a.doubled == "merge";
   return o;
 }
 
+/// Where no contacts are given: those between surfaces no further apart than the gap that was asked for, without forces.
+void propose_contacts(const MeasureArguments& a, io::Sample& sample, texture::Options& options) {
+  imaging::ContactTolerance tolerance;
+  tolerance.floor = 1;
+  tolerance.pixel = positive("--touching", a.touching, sample_options(a).length_unit.value_or(1), "the widest gap of a contact");
+  sample.packing.contacts = imaging::propose_contacts(sample.packing.grains, sample.packing.domain, {}, tolerance);
+  options.rattler_contacts = 0;
+  sample.notes.push_back("Contacts are where surfaces are within " + a.touching + " of each other; forces are not known, so what they tell is left out.");
+}
+
 void measure(const MeasureArguments& a) {
-  const io::Sample sample = io::read_sample(a.grains, a.contacts, sample_options(a));
+  io::Sample sample = io::read_sample(a.grains, a.contacts, sample_options(a));
   texture::Options options = a.texture;
+  if (a.contacts.empty()) propose_contacts(a, sample, options);
   if (a.load_axis_deg >= 0) options.load_axis = a.load_axis_deg * std::numbers::pi / 180;
   texture::Texture t = texture::measure(sample.packing, options);
+  if (a.contacts.empty()) texture::forget_forces(t);
   t.quality.doubled_rows = sample.doubled_rows;
   t.notes.insert(t.notes.begin(), sample.notes.begin(), sample.notes.end());
   if (sample.doubled_rows > 0)
@@ -88,6 +105,7 @@ void measure(const MeasureArguments& a) {
 
 void add_units(CLI::App& command, MeasureArguments& a) {
   command.add_option("--length-unit", a.length_unit, "Unit of lengths whose column names none, e.g. mm; default m")->type_name("UNIT");
+  command.add_option("--pixel", a.pixel, "Width of a pixel on the sample, e.g. \"1.6 mm\", for a table in px")->type_name("LENGTH");
   command.add_option("--force-unit", a.force_unit, "Unit of forces whose column names none, e.g. kN; default N")->type_name("UNIT");
 }
 
@@ -105,6 +123,8 @@ void add_reading(CLI::App& command, MeasureArguments& a) {
   command.add_option("--format", a.format, "Format of the files; auto looks at their first line")->check(CLI::IsMember(formats))->type_name("NAME");
   command.add_option("--grain-columns", a.grain_columns, "Columns of a table of grains without header, e.g. \"id,x,y,-,radius\"")->type_name("NAMES");
   command.add_option("--columns", a.contact_columns, "Columns of contacts without header, e.g. \"i,j,-,ft [N],fn [N]\"")->type_name("NAMES");
+  command.add_option("--touching", a.touching, "Without a file of contacts: grains touch where their surfaces are no further apart than this; forces are not known")
+      ->type_name("LENGTH");
   command.add_flag("--y-down", a.y_down, "y counts image rows, which point down; it is turned round, fn and ft are kept");
   command.add_option("--doubled", a.doubled, "What to do with a contact listed twice: error, or merge (taken once, mean of its forces)")
       ->check(CLI::IsMember({"error", "merge"}))->type_name("WAY");
@@ -143,7 +163,7 @@ void add_measure(CLI::App& command, int&) {
   const auto a = std::make_shared<MeasureArguments>();
   command.add_option("grains", a->grains, "Grains: table id,x,y,radius[,material], LAMMPS dump, YADE text, MercuryDPM .data; or the file of a load (.h5) for its stresses")->required()->type_name("GRAINS");
   command.add_option("contacts", a->contacts, "Contacts: table i,j,fn,ft[,nx,ny] (force on j is fn n + ft t, n from i to j), LAMMPS local dump, "
-                                              "YADE interactions, MercuryDPM .fstat; none for a field")->type_name("CONTACTS");
+                                              "YADE interactions, MercuryDPM .fstat; none for a field, or with --touching")->type_name("CONTACTS");
   add_statistics(command, *a);
   add_frame(command, *a);
   add_units(command, *a);
@@ -151,7 +171,10 @@ void add_measure(CLI::App& command, int&) {
   add_field_statistics(command, *a);
   command.callback([a] {
     if (io::sealed_kind(a->grains) == "field") return measure_field(*a);
-    if (a->contacts.empty()) throw CLI::RequiredError("contacts");
+    if (a->contacts.empty() == a->touching.empty())
+      throw InputError(a->touching.empty() ? "measure: give the file of contacts after that of the grains, or --touching with the widest gap between grains that touch, "
+                                             "for example --touching \"0.2 mm\""
+                                           : "--touching: is for grains without a file of contacts; leave out one of the two");
     measure(*a);
   });
 }

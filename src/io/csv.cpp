@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/table.hpp"
@@ -27,6 +28,18 @@ Field find_field(const Table& table, std::initializer_list<std::string_view> nam
     problems.add(table.header_line, fmt::format("column {}: {}", table.columns[*field.index].name, error.problems().front().message));
   }
   return field;
+}
+
+/// Columns of a picture's grains, which `arenite grains` writes in pixels where it is not told their width.
+bool in_pixels(const Table& table) {
+  const auto has_px = [](const auto& column) { return column.unit == "px"; };
+  return std::any_of(table.columns.begin(), table.columns.end(), has_px);
+}
+
+/// A length; one in pixels has their width for a factor.
+Field find_length(const Table& table, std::initializer_list<std::string_view> names, const UnitFactors& units, Problems& problems) {
+  if (const Field field{table.find(names), units.pixel}; field && table.columns[*field.index].unit == "px") return field;
+  return find_field(table, names, dimension::length, units.length, problems);
 }
 
 double number(const Table& table, const Table::Row& row, const Field& field, Problems& problems) {
@@ -57,11 +70,16 @@ RawGrains read_grains_csv(std::string_view text, const std::string& columns, con
   const Table table = read_table(text, columns, problems);
   RawGrains grains;
   if (table.columns.empty()) return grains;
+  if (in_pixels(table) && units.pixel == 0) {
+    problems.add(table.header_line, "lengths are in pixels (px), whose width on the sample is not known; give it to `arenite measure` by --pixel, "
+                                    "for example --pixel \"1.6 mm\", or to `arenite grains`, which then writes the table in mm");
+    return grains;
+  }
   const auto id = table.find({"id", "grain"});
-  const Field x = find_field(table, {"x"}, dimension::length, units.length, problems);
-  const Field y = find_field(table, {"y"}, dimension::length, units.length, problems);
-  const Field radius = find_field(table, {"radius", "r"}, dimension::length, units.length, problems);
-  const Field diameter = find_field(table, {"diameter", "d"}, dimension::length, units.length, problems);
+  const Field x = find_length(table, {"x"}, units, problems);
+  const Field y = find_length(table, {"y"}, units, problems);
+  const Field radius = find_length(table, {"radius", "r"}, units, problems);
+  const Field diameter = find_length(table, {"diameter", "d"}, units, problems);
   const auto material = table.find({"material"}), zone = table.find({"zone"});
   constexpr const char* kind = "grains need id, x, y, radius and may have material, zone";
   require(table, x.index.has_value(), "x", kind, problems);

@@ -12,6 +12,7 @@ namespace arenite::io {
 struct UnitFactors {
   double length = 1, force = 1;
   bool length_chosen = false, force_chosen = false;
+  double pixel = 0;                    ///< m, of columns in "px"; 0: not known
 };
 
 /// A grain as its file gives it, in SI; `line` says where.

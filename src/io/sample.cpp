@@ -114,9 +114,9 @@ std::vector<std::string> sample_formats() {
 }
 
 Sample read_sample(const std::filesystem::path& grains_path, const std::filesystem::path& contacts_path, const SampleOptions& options) {
-  const std::string grains_text = read_text(grains_path), contacts_text = read_text(contacts_path);
+  const std::string grains_text = read_text(grains_path), contacts_text = contacts_path.empty() ? std::string() : read_text(contacts_path);
   const UnitFactors units{options.length_unit.value_or(1), options.force_unit.value_or(1), options.length_unit.has_value(),
-                          options.force_unit.has_value()};
+                          options.force_unit.has_value(), options.pixel};
   Problems grain_problems(grains_path.string()), contact_problems(contacts_path.string());
 
   const Format& format = format_of(grains_text, options);
@@ -124,7 +124,8 @@ Sample read_sample(const std::filesystem::path& grains_path, const std::filesyst
   if (options.y_down) turn_rows_up(grains);
   if (!grain_problems.any()) apply_box(options, grains, grain_problems);
   const bool own = format.is_contacts(first_line(contacts_text)) || options.format == format.name;
-  RawContacts contacts = (own ? format : csv).contacts(contacts_text, grains, options, units, contact_problems);
+  RawContacts contacts;
+  if (!contacts_path.empty()) contacts = (own ? format : csv).contacts(contacts_text, grains, options, units, contact_problems);
   if (options.y_down) turn_rows_up(contacts);
 
   Sample sample;

@@ -13,6 +13,7 @@ struct SampleOptions {
   std::string format = "auto";         ///< name of a format (sample_formats), or "auto": by content
   std::string grain_columns, contact_columns;  ///< for files without header: "id,x,y,-,radius"
   std::optional<double> length_unit, force_unit;  ///< factors to SI of columns without unit; else SI is taken, with a note
+  double pixel = 0;                    ///< m, width of a pixel on the sample, for tables in pixels; 0: not known
   std::optional<Vec2> box;             ///< width, height, m
   std::optional<Vec2> origin;          ///< lower left corner, m; default: the origin if all centres fit, else around them
   double tilt = 0;                     ///< m
@@ -33,7 +34,7 @@ struct Sample {
 /// Names of the formats that can be read, for help texts: "csv", "lammps", "yade", "mercury".
 std::vector<std::string> sample_formats();
 
-/// Reads and checks both files. Throws InputError with every problem found, up to 20 a file.
+/// Reads and checks both files; without a name of contacts there are none. Throws InputError with every problem found, up to 20 a file.
 Sample read_sample(const std::filesystem::path& grains, const std::filesystem::path& contacts, const SampleOptions& options);
 
 }  // namespace arenite::io

@@ -57,7 +57,7 @@ Table::Column column_of(std::string_view cell) {
 }
 
 bool is_unit(std::string_view cell) {
-  if (cell.empty() || cell == "-") return true;
+  if (cell.empty() || cell == "-" || cell == "px") return true;
   if (to_number(cell)) return false;
   try {
     parse_unit(cell);

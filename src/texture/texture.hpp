@@ -180,6 +180,10 @@ struct Texture {
 /// is not positive that the length is not; what needs them is left NaN and a note says so.
 Texture measure(const Packing& packing, const Options& options = {});
 
+/// Leaves what places alone tell: for contacts whose forces are not known and stand as 0. Strength, rattlers, anisotropies
+/// of forces, stresses and their signs become unknown. `Options::rattler_contacts` should be 0 in the measurement.
+void forget_forces(Texture& texture);
+
 /// The statistics as JSON, each as {"value", "error"}; unknown ones are left out. `curves` adds histograms,
 /// distributions, REV and the rows by grain.
 std::string to_json(const Texture& texture, bool curves = false);

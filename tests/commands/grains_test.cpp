@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -85,6 +86,39 @@ TEST(GrainsCommand, CountsFromTheLowerLeftCornerOfThePicture) {
   EXPECT_NEAR(r, 8, 0.1);
   EXPECT_NEAR(std::fmod(x - 14.5, 18), 0, 0.1);
   EXPECT_NEAR(y, 70 - 0.5 - 35.5, 0.1);
+}
+
+TEST(GrainsCommand, WritesATableInPixelsThatMeasureReads) {
+  const TemporaryFolder folder;
+  std::vector<test::DrawnDisk> row;  // six in a row that touch, and one apart
+  for (int k = 0; k < 6; ++k) row.push_back({20.0 + 10 * k, 50, 5, 1.0, 0});
+  row.push_back({50, 20, 5, 1.0, 0});
+  write_picture(folder / "a.png", row);
+  ASSERT_EQ(arenite("grains " + (folder / "a.png").string() + " --radii 5 --out " + folder.path().string()).status, 0);
+  const std::string table = (folder / "grains.csv").string();
+  const auto refused = arenite("measure " + table);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("give the file of contacts after that of the grains, or --touching"), std::string::npos) << refused.err;
+  const auto in_pixels = arenite("measure " + table + " --touching \"0.8 mm\"");
+  EXPECT_EQ(in_pixels.status, 2);
+  EXPECT_NE(in_pixels.err.find("grains.csv:1: lengths are in pixels (px)"), std::string::npos) << in_pixels.err;
+  EXPECT_NE(in_pixels.err.find("--pixel \"1.6 mm\""), std::string::npos) << in_pixels.err;
+  EXPECT_EQ(std::count(in_pixels.err.begin(), in_pixels.err.end(), '\n'), 1) << in_pixels.err;
+
+  const auto run = arenite("measure " + table + " --touching \"0.8 mm\" --pixel \"1.6 mm\" --json --curves");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Json j = Json::parse(run.out);
+  EXPECT_EQ(j["grains"], 7);
+  EXPECT_EQ(j["contacts"], 5);
+  EXPECT_NEAR(j["mean_diameter_m"].get<double>(), 0.016, 0.0002);
+  EXPECT_NEAR(j["coordination"]["all"]["value"].get<double>(), 10.0 / 7, 1e-12);
+  EXPECT_NEAR(j["fabric"]["a_c"]["value"].get<double>(), 2, 0.01);  // all contacts lie along x
+  for (const char* name : {"stress", "stress_details", "force", "sigma_norm"}) EXPECT_FALSE(j.contains(name)) << name;
+  for (const char* name : {"rattlers", "without_rattlers"}) EXPECT_FALSE(j["coordination"].contains(name)) << name;
+  for (const char* name : {"a_n", "a_c_signed", "load_axis_deg"}) EXPECT_FALSE(j["fabric"].contains(name)) << name;
+  EXPECT_EQ(j["fabric"].dump().find("weak"), std::string::npos);
+  EXPECT_EQ(arenite("measure " + table + " " + table + " --touching \"0.8 mm\"").status, 2);
+  EXPECT_EQ(arenite("measure " + table + " --touching 0 --pixel \"1.6 mm\"").status, 2);
 }
 
 TEST(GrainsCommand, FindsTheApertureOfABlackbodyOnceBadPixelsAreReplaced) {
