@@ -93,7 +93,7 @@ struct Scene {
   Materials materials;
 };
 
-/// The scene between two states of the same grains (T eq. 1.62 with the field of disks under their contact forces).
+/// The scene between two states of the same grains (T eq. 1.55 with the field of disks under their contact forces).
 /// Throws InputError if the grains differ.
 Scene scene_between(const Packing& low, const Packing& high, const Parameters& parameters);
 

@@ -48,7 +48,7 @@ LatticeModuli lattice_moduli(double micromodulus = nominal_micromodulus);
 double calibration_factor();
 
 /// Energy that opening a crack costs per unit length and squared critical stretch, for E = dx = 1: the sum over the
-/// bonds that cross a line along the axes, or along the diagonal (science.md 5.2).
+/// bonds that cross a line along the axes, or along the diagonal.
 double crack_energy_axis(double micromodulus = nominal_micromodulus);
 double crack_energy_diagonal(double micromodulus = nominal_micromodulus);
 

@@ -13,7 +13,7 @@
 #include "statistics/tail_fit.hpp"
 #include "stress/grains.hpp"
 
-/// Statistics of node stresses by phase (P IV; science.md 5.3). Fits, errors and their types are those that grains and
+/// Statistics of node stresses by phase (P IV). Fits, errors and their types are those that grains and
 /// contacts use (src/statistics).
 namespace arenite::stress {
 

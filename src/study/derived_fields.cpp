@@ -37,6 +37,17 @@ std::vector<io::GrainField> derived_fields(const Packing& packing) {
   return fields;
 }
 
+std::vector<io::GrainField> derived_fields(const FilmResult& film) {
+  texture::Options options;
+  options.rev_sizes = 0;
+  options.grain_sigma_hyd = film.swing.sigma_hyd;
+  const texture::PerGrain rows = texture::measure(film.packing, options).per_grain;
+  return {{"contacts", "1", as_doubles(rows.contacts)},
+          {"sigma_norm", "1", rows.sigma_norm},
+          {"sigma_hyd", "Pa", film.swing.sigma_hyd},
+          {"sigma_hyd_error", "Pa", film.swing.error}};
+}
+
 std::vector<io::GrainField> derived_fields(const FieldResult& result) {
   const bool loaded = result.field.size() > 0;
   StressField none;

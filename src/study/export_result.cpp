@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/field_file.hpp"
+#include "io/film_result_file.hpp"
 #include "io/run_folder.hpp"
 #include "io/sealed_file.hpp"
 #include "io/stage_file.hpp"
@@ -76,6 +77,14 @@ class ExportFolder {
   std::vector<fs::path> written_;
 };
 
+/// A film's grains and forces as one state.
+Frame measured_state(const FilmResult& film) {
+  Frame frame;
+  frame.label = "measured swing";
+  frame.packing = film.packing;
+  return frame;
+}
+
 }  // namespace
 
 std::vector<fs::path> export_result(const fs::path& result, const io::ExportFormat& format, const fs::path& folder, bool last_only) {
@@ -95,6 +104,14 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
       if (!out) out.emplace(folder);
       has_field = true;
       out->write_now(format.of_field({&field, derived_fields(field)}));
+      continue;
+    }
+    if (io::sealed_kind(file) == "film") {
+      const FilmResult film = io::read_film_result(file);
+      const Frame frame = measured_state(film);
+      if (!out) out.emplace(folder);
+      out->add(format.of_frame({static_cast<int>(times.size()), film.name, &frame, derived_fields(film)}));
+      times.push_back(frame.time);
       continue;
     }
     StageResult stage = io::read_stage(file);

@@ -1,7 +1,7 @@
 import { h, s } from "./dom.js";
 import { gestures } from "./gestures.js";
-import { Camera } from "./packing/camera.js";
-import { Tooltip } from "./packing/tooltip.js";
+import { Camera } from "./camera.js";
+import { Tooltip } from "./tooltip.js";
 import { themeOf } from "./theme.js";
 
 /** A picture seen through a camera: canvas, overlay and legend, drawn at most once a frame after something has changed.

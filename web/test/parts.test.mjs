@@ -4,7 +4,7 @@ import { histogram, makeScale } from "../src/field/scale.js";
 import { wrapped } from "../src/film/maps.js";
 import { quantityWithError } from "../src/film/tooltip.js";
 import { chainWidth, segmentsOf } from "../src/packing/chains.js";
-import { Camera } from "../src/packing/camera.js";
+import { Camera } from "../src/camera.js";
 import { State } from "../src/state.js";
 import { prefixOf, text } from "../src/text.js";
 

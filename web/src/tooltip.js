@@ -1,6 +1,6 @@
-import { h, rich } from "../dom.js";
-import { materialColour, pairColour } from "../theme.js";
-import { text } from "../text.js";
+import { h, rich } from "./dom.js";
+import { materialColour, pairColour } from "./theme.js";
+import { text } from "./text.js";
 
 /** The numbers of a grain or a contact, in a small table that follows the pointer. */
 export class Tooltip {
