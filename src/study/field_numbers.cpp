@@ -181,7 +181,7 @@ std::string with_load(const std::string& numbers, const Load& load, const peridy
   if (report.ending == peridynamics::Ending::solved) {
     j["modulus_Pa"] = report.modulus;
     if (load.loading != peridynamics::Loading::shear) j["poisson"] = report.poisson;
-    j["modulus_bounds_Pa"] = bounds(j["phases"], load.stiffness.resolved());
+    if (j.contains("phases")) j["modulus_bounds_Pa"] = bounds(j["phases"], load.stiffness.resolved());
   }
   if (moduli)
     j["moduli"] = {{"E_x_Pa", moduli->young_x}, {"E_y_Pa", moduli->young_y}, {"nu_xy", moduli->poisson_xy},

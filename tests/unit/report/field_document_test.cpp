@@ -61,7 +61,7 @@ void expect_holds(const Json& whole, const Json& some, const std::string& path =
     const std::string at = path + "/" + name;
     if (name == "notes") continue;
     ASSERT_TRUE(whole.contains(name)) << at;
-    if (value.is_structured()) expect_holds(whole[name], value, at);
+    if (value.is_object()) expect_holds(whole[name], value, at);
     else EXPECT_EQ(whole[name], value) << at;
   }
 }
