@@ -1,6 +1,7 @@
 """The figures that are made of a result; a new one is one more row."""
 
 import dataclasses
+import logging
 import pathlib
 import typing
 
@@ -181,6 +182,7 @@ def save(figure, part, path, width=None, **style):
         width = width or (page_width if figure.wide else column_width)
         canvas = Canvas(figsize=(width, width * figure.height), layout="constrained")
         figure.draw(canvas, part)
+        logging.getLogger("fontTools").setLevel(logging.ERROR)  # it remarks on the dates of the fonts
         # Without a date the same result gives the same bytes.
         metadata = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}.get(pathlib.Path(path).suffix[1:], {})
         canvas.savefig(path, metadata=metadata)
