@@ -3,27 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
-#include "io/run_folder.hpp"
-#include "io/stage_file.hpp"
-#include "study/recipe.hpp"
-#include "study/run.hpp"
-
 namespace arenite::ledger {
-
-FinalState final_state(const Run& run, bool rev) {
-  const auto files = io::stage_files(run.folder());
-  if (files.empty()) throw InputError(run.folder().string(), 0, "there are no stage files of this run; remove its folder and run the study again");
-  StageResult result = io::read_stage(files.back());
-  if (result.frames.empty()) throw InputError(files.back().string(), 0, "this stage holds no state; remove it and run the study again");
-  const study::Recipe recipe = study::parse_recipe(result.provenance.recipe, files.back().string());
-  texture::Options options = study::texture_options(recipe, recipe.stages.size());
-  if (!rev) options.rev_sizes = 0;
-  FinalState state;
-  state.packing = std::move(result.frames.back().packing);
-  state.texture = texture::measure(state.packing, options);
-  return state;
-}
 
 double chance_of_one_law(std::vector<double> a, std::vector<double> b) {
   if (a.empty() || b.empty()) return statistics::unknown;

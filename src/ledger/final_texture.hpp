@@ -1,17 +1,12 @@
 #pragma once
 #include "ledger/results.hpp"
-#include "model/packing.hpp"
-#include "texture/texture.hpp"
+#include "study/final_state.hpp"
 
 namespace arenite::ledger {
 
-/// The last state of a run, from its stage file; `rev` says whether the REV study is wanted, which takes longest.
-struct FinalState {
-  Packing packing;
-  texture::Texture texture;
-};
-/// Throws InputError if the run's files are not there.
-FinalState final_state(const Run& run, bool rev = false);
+using study::FinalState;
+/// The last state of a run; `rev`: with the REV study. Throws InputError if the run's files are not there.
+inline FinalState final_state(const Run& run, bool rev = false) { return study::final_state(run.folder(), rev); }
 
 /// How often two samples of one law would differ as much in their cumulative shares (Kolmogorov and Smirnov); NaN where one
 /// is empty.

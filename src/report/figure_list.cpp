@@ -67,6 +67,29 @@ class Table {
   std::set<std::string, std::less<>> known_;
 };
 
+constexpr FigureKind kinds[] = {FigureKind::plot, FigureKind::rose, FigureKind::map, FigureKind::forces, FigureKind::stresses};
+
+void read_kind(Table& table, const Node& node, Figure& figure) {
+  std::string word = word_for(figure.kind);
+  table.text("kind", word);
+  for (const FigureKind kind : kinds)
+    if (word == word_for(kind)) {
+      figure.kind = kind;
+      return;
+    }
+  table.refuse(node, "kind", "is \"plot\", \"rose\", \"map\", \"forces\" or \"stresses\"");
+}
+
+/// What the kind of figure needs.
+void check_figure(Table& table, const Node& node, const Figure& figure) {
+  const bool points = !figure.x.empty() && !figure.y.empty();
+  if (figure.kind == FigureKind::plot && figure.curves.empty() && !points) table.refuse(node, "x", "and `y` say what is drawn, or `curves`");
+  if (figure.kind == FigureKind::rose && figure.curves.empty()) table.refuse(node, "curves", "say what a rose shows");
+  if (figure.kind == FigureKind::map && (!points || figure.by.empty() || figure.y.size() != 1)) table.refuse(node, "x", ", `by` and one `y` say what a map shows");
+  if (const std::size_t n = figure.curves.empty() ? figure.y.size() : figure.curves.size(); !figure.names.empty() && figure.names.size() != n)
+    table.refuse(node, "names", fmt::format("must be as many as what is drawn: {}", n));
+}
+
 std::string cell_of(const Node& node) { return node.kind == Kind::text ? node.text : study::toml_literal(node); }
 
 void read_where(Table& table, Figure& figure) {
@@ -93,6 +116,8 @@ Figure read_figure(const Node& node, const std::string& file, std::vector<Proble
   table.text("x", figure.x);
   table.texts("y", figure.y);
   table.texts("curves", figure.curves);
+  table.text("curve_x", figure.curve_x);
+  read_kind(table, node, figure);
   table.texts("names", figure.names);
   table.text("by", figure.by);
   table.text("by_label", figure.by_label);
@@ -116,13 +141,16 @@ Figure read_figure(const Node& node, const std::string& file, std::vector<Proble
       figure.references.push_back(std::move(reference));
     }
   table.refuse_unknown();
-  if (figure.curves.empty() && (figure.x.empty() || figure.y.empty())) table.refuse(node, "x", "and `y` say what is drawn, or `curves`");
-  if (const std::size_t n = figure.curves.empty() ? figure.y.size() : figure.curves.size(); !figure.names.empty() && figure.names.size() != n)
-    table.refuse(node, "names", fmt::format("must be as many as what is drawn: {}", n));
+  check_figure(table, node, figure);
   return figure;
 }
 
 }  // namespace
+
+const char* word_for(FigureKind kind) {
+  constexpr const char* words[] = {"plot", "rose", "map", "forces", "stresses"};
+  return words[static_cast<std::size_t>(kind)];
+}
 
 std::vector<Figure> read_figures(const std::string& text, const std::string& file) {
   const Node root = study::read_document(text, file);

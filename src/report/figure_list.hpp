@@ -19,13 +19,20 @@ struct FigureReference {
   std::string label;
 };
 
+/// How a figure is drawn: points and lines; `curves` as sectors of directions over half a turn; `y` as a colour over x and
+/// `by`; the forces, or the stresses of grains, of one run's last state.
+enum class FigureKind { plot, rose, map, forces, stresses };
+const char* word_for(FigureKind kind);
+
 /// A figure of a study, as figures.toml declares it. Its points are runs, averaged over those that differ in their seed
 /// alone, or its curves are densities.
 struct Figure {
   std::string id, title, source, caption;
-  std::string x;                         ///< a swept key or a number; "1/NAME" for its inverse
+  std::string x;                         ///< a swept key or a number; "1/NAME", "27.35/NAME" for a number over it
   std::vector<std::string> y;            ///< numbers ("stress.sigma_yy.sets.large.variance")
-  std::vector<std::string> curves;       ///< instead of x and y: densities of the runs' numbers
+  std::vector<std::string> curves;       ///< instead of x and y: densities or lists of the runs' numbers
+  std::string curve_x;                   ///< a list that those of `curves` go with, place by place
+  FigureKind kind = FigureKind::plot;
   std::vector<std::string> names;        ///< of y or of curves, as the key shows them
   std::string by, by_label;              ///< a swept key: a curve for each of its values
   std::string by_empty;                  ///< how the key shows runs without that value

@@ -35,6 +35,15 @@ const Json* find(const Json& root, const std::string& path) {
 
 Density read(const Json& j) {
   Density d;
+  if (j.is_object() && j.contains("x") && j.contains("y")) {
+    const auto middle = j["x"].get<std::vector<double>>();
+    if (middle.empty()) return d;
+    d.density = j["y"].get<std::vector<double>>();
+    d.shared = true;
+    const double width = 2 * middle.front();
+    for (std::size_t k = 0; k <= middle.size(); ++k) d.edge.push_back(static_cast<double>(k) * width);
+    return d;
+  }
   if (!j.is_object() || !j.contains("density")) return d;
   d.density = j["density"].get<std::vector<double>>();
   d.shared = j.contains("low");
@@ -50,7 +59,7 @@ Density read(const Json& j) {
 std::vector<double> places(const std::vector<Density>& densities) {
   std::vector<double> x;
   if (densities.front().shared) {
-    const auto& edge = densities.front().edge;
+    const auto& edge = std::max_element(densities.begin(), densities.end(), [](const Density& a, const Density& b) { return a.edge.back() < b.edge.back(); })->edge;
     for (std::size_t k = 0; k + 1 < edge.size(); ++k) x.push_back(0.5 * (edge[k] + edge[k + 1]));
     return x;
   }
@@ -86,6 +95,43 @@ statistics::Curve mean_density(const std::vector<std::string>& numbers_json, con
     curve.error.push_back(mean.error);
   }
   return curve;
+}
+
+statistics::Curve mean_list(const std::vector<std::string>& numbers_json, const std::string& path_x, const std::string& path) {
+  std::vector<std::vector<double>> lists;
+  std::vector<double> x;
+  for (const std::string& text : numbers_json) {
+    const Json j = Json::parse(text, nullptr, false);
+    const Json* found = j.is_discarded() ? nullptr : find(j, path);
+    if (!found || !found->is_array() || (!lists.empty() && found->size() != lists.front().size())) continue;
+    lists.push_back(found->get<std::vector<double>>());
+    if (const Json* places = path_x.empty() ? nullptr : find(j, path_x); places && x.empty()) x = places->get<std::vector<double>>();
+  }
+  statistics::Curve curve;
+  if (lists.empty()) return curve;
+  const std::size_t n = lists.front().size();
+  if (path_x.empty())
+    for (std::size_t k = 0; k < n; ++k) x.push_back((static_cast<double>(k) + 0.5) * 180 / static_cast<double>(n));
+  if (x.size() != n) return curve;
+  double whole = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    std::vector<double> values;
+    for (const auto& list : lists) values.push_back(list[k]);
+    const auto mean = statistics::mean_of(values);
+    whole += mean.value;
+    curve.y.push_back(mean.value);
+    curve.error.push_back(mean.error);
+  }
+  curve.x = x;
+  if (path_x.empty() && whole > 0)
+    for (auto* values : {&curve.y, &curve.error})
+      for (double& value : *values) value *= static_cast<double>(n) / whole;
+  return curve;
+}
+
+bool has_numbers(const std::string& numbers_json, const std::string& path) {
+  const Json j = Json::parse(numbers_json, nullptr, false);
+  return !j.is_discarded() && find(j, path);
 }
 
 }  // namespace arenite::report

@@ -59,11 +59,12 @@ std::vector<const Table::Row*> rows_of(const Table& table, const Figure& figure,
   return rows;
 }
 
-/// A number of a mean row, or one of its keys; "1/NAME" is the inverse.
+/// A number of a mean row, or one of its keys; "1/NAME" and "27.35/NAME" are a number over it.
 study::Estimate value_of(const Table& table, const Table::Row& row, const std::string& name) {
-  if (name.starts_with("1/")) {
-    const study::Estimate e = value_of(table, row, name.substr(2));
-    return {1 / e.value, e.error ? std::optional(*e.error / (e.value * e.value)) : std::nullopt};
+  const std::size_t slash = name.find('/');
+  if (const double over = number_of(name.substr(0, slash)); slash != std::string::npos && std::isfinite(over)) {
+    const study::Estimate e = value_of(table, row, name.substr(slash + 1));
+    return {over / e.value, e.error ? std::optional(std::abs(over) * *e.error / (e.value * e.value)) : std::nullopt};
   }
   if (const std::size_t k = key_place(table, name); k < table.keys.size()) return {number_of(row.values[k]), std::nullopt};
   const auto at = std::find(table.names.begin(), table.names.end(), name);
@@ -90,10 +91,12 @@ statistics::Curve points_of(const Table& table, const std::vector<const Table::R
   return curve;
 }
 
-std::string name_of(const Figure& figure, const std::string& group, std::size_t k) {
+/// `unit`: of the values of `by`.
+std::string name_of(const Figure& figure, const std::string& group, const std::string& unit, std::size_t k) {
   std::string name = k < figure.names.size() ? figure.names[k] : "";
   if (figure.by.empty()) return name;
-  const std::string value = group.empty() ? figure.by_empty : figure.by_label.empty() ? group : figure.by_label + " = " + group;
+  const std::string with_unit = unit.empty() ? group : group + " " + unit;
+  const std::string value = group.empty() ? figure.by_empty : figure.by_label.empty() ? with_unit : figure.by_label + " = " + with_unit;
   return name.empty() ? value : name + ", " + value;
 }
 
@@ -105,16 +108,21 @@ std::vector<FigureCurve> curves_of(const Figure& figure, const Table& table, con
     if (key.name != "seed") keys.push_back(key.name);
   std::vector<FigureCurve> curves;
   const bool densities = !figure.curves.empty();
+  if (!densities && figure.y.empty()) return curves;
   const Table means = densities ? Table{} : averaged(table, keys);
   const Table& from = densities ? table : means;
+  const std::string unit = figure.by.empty() ? "" : from.keys[key_of(from, figure.by, figure)].unit;
+  std::size_t place = 0;
   for (const std::string& group : groups_of(from, figure)) {
     const auto rows = rows_of(from, figure, group);
+    const std::size_t here = place++;
     for (std::size_t k = 0; k < (densities ? figure.curves : figure.y).size(); ++k) {
-      FigureCurve curve{name_of(figure, group, k), {}};
+      FigureCurve curve{name_of(figure, group, unit, k), {}, here, k};
       if (densities) {
         std::vector<std::string> texts;
-        for (const auto* row : rows) texts.push_back(numbers(row->run));
-        curve.points = mean_density(texts, figure.curves[k]);
+        for (const auto* row : rows) texts.push_back(numbers(row->run, figure.curves[k]));
+        const bool lists = figure.kind == FigureKind::rose || !figure.curve_x.empty();
+        curve.points = lists ? mean_list(texts, figure.curve_x, figure.curves[k]) : mean_density(texts, figure.curves[k]);
       } else {
         curve.points = points_of(from, rows, figure, figure.y[k]);
       }
@@ -122,6 +130,12 @@ std::vector<FigureCurve> curves_of(const Figure& figure, const Table& table, con
     }
   }
   return curves;
+}
+
+std::string run_of(const Figure& figure, const Table& table) {
+  for (const auto& row : table.rows)
+    if (row.status == "done" && is_wanted(table, row, figure)) return row.run;
+  return "";
 }
 
 }  // namespace arenite::report

@@ -13,14 +13,18 @@ namespace arenite::report {
 struct FigureCurve {
   std::string name;
   statistics::Curve points;
+  std::size_t group = 0, part = 0;       ///< which value of `by`, which of `y` or `curves`
 };
 
-/// The numbers of a run as JSON, by its name; empty if it has none.
-using NumbersOf = std::function<std::string(const std::string& run)>;
+/// The numbers of a run as JSON, by its name and with what stands at a path if there is such; empty if it has none.
+using NumbersOf = std::function<std::string(const std::string& run, const std::string& path)>;
 
 /// Curves of a figure from the runs of a study that are done: means over runs that differ in their seed alone, in the
 /// order of `by`. Densities are means over all runs of a curve; `numbers` is asked for those only. Throws InputError for
 /// a key that is not swept.
 std::vector<FigureCurve> curves_of(const Figure& figure, const study::CollectedTable& table, const NumbersOf& numbers);
+
+/// The first run that a figure wants, which is drawn where it shows one; empty if none is done.
+std::string run_of(const Figure& figure, const study::CollectedTable& table);
 
 }  // namespace arenite::report

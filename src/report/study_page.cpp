@@ -61,7 +61,7 @@ Json figure_json(const Figure& figure, const std::vector<FigureCurve>& curves) {
       if (std::isfinite(error) && can_show(figure.y_axis, value - error)) y.add(std::max(value - error, figure.y_axis.logarithmic ? 0.3 * value : value - error));
       points.push_back({at, value, std::isfinite(error) ? error : 0.0});
     }
-    if (!points.empty()) series.push_back({{"name", curve.name}, {"points", points}});
+    if (!points.empty()) series.push_back({{"name", curve.name}, {"group", curve.group}, {"part", curve.part}, {"points", points}});
   }
   Json references = Json::array();
   for (const auto& r : figure.references) {
@@ -70,8 +70,9 @@ Json figure_json(const Figure& figure, const std::vector<FigureCurve>& curves) {
     if (r.y) one["y"] = *r.y, y.add(*r.y);
     references.push_back(one);
   }
-  const std::string name = figure.curves.empty() ? figure.y.front() : figure.curves.front();
-  return {{"id", figure.id}, {"title", figure.title}, {"source", figure.source}, {"caption", figure.caption}, {"lines", figure.lines}, {"density", !figure.curves.empty()},
+  const std::string name = !figure.curves.empty() ? figure.curves.front() : figure.y.empty() ? "" : figure.y.front();
+  return {{"id", figure.id}, {"kind", word_for(figure.kind)}, {"title", figure.title}, {"source", figure.source}, {"caption", figure.caption}, {"lines", figure.lines},
+          {"density", !figure.curves.empty() && figure.curve_x.empty()},
           {"ordered", !figure.by.empty()}, {"x", axis_json(figure.x_axis, figure.x, x)}, {"y", axis_json(figure.y_axis, name, y)},
           {"series", series}, {"references", references}};
 }
@@ -86,7 +87,12 @@ std::string study_page(const StudyPage& page) {
   about["figures"] = Json::array();
   study::CollectedTable table = page.table;
   std::erase_if(table.rows, [](const auto& row) { return row.status != "done"; });
-  for (const Figure& figure : page.figures) about["figures"].push_back(figure_json(figure, curves_of(figure, table, page.numbers)));
+  for (const Figure& figure : page.figures) {
+    about["figures"].push_back(figure_json(figure, curves_of(figure, table, page.numbers)));
+    const bool forces = figure.kind == FigureKind::forces;
+    if (!forces && figure.kind != FigureKind::stresses) continue;
+    if (const std::string run = run_of(figure, table); !run.empty() && page.drawing) about["figures"].back()["sample"] = Json::parse(page.drawing(run, forces));
+  }
   std::string json = about.dump(-1, ' ', false, Json::error_handler_t::replace);
   for (std::size_t at = 0; (at = json.find("</", at)) != std::string::npos; at += 3) json.replace(at, 2, "<\\/");
   std::string text(study_template());

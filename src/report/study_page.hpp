@@ -13,6 +13,7 @@ struct StudyPage {
   std::vector<Figure> figures;
   study::CollectedTable table;
   NumbersOf numbers;
+  std::function<std::string(const std::string& run, bool forces)> drawing = {};  ///< of a run's last state (sample_drawing)
 };
 
 /// One HTML file without references to others: all figures with their curves, error bars and what the source says.

@@ -99,6 +99,8 @@ Distribution distribution(const Items& items, const std::vector<int>& block_of, 
   relate(d);
   d.pdf = density(sorted);
   d.cumulative = share_above_curve(sorted);
+  for (double& x : sorted) x *= own_mean / mean_of_all;
+  d.pdf_over_all = density(sorted);
   return d;
 }
 

@@ -68,6 +68,7 @@ Json distribution(const Distribution& d, const char* mean, const char* share, bo
   put(j, "beta2_over_product", d.relation);
   if (curves) {
     j["pdf"] = curve(d.pdf);
+    j["pdf_over_all"] = curve(d.pdf_over_all);
     j["cumulative"] = curve(d.cumulative);
   }
   return j;

@@ -100,6 +100,7 @@ struct Distribution {
   Estimate k;                          ///< from 1/k = 1/(1 - alpha) + 1/beta
   Estimate relation;                   ///< beta^2 / ((1 - alpha)(2 - alpha)); 1 where T eq. 1.5 holds
   Curve pdf;                           ///< against x; error by counting
+  Curve pdf_over_all;                  ///< the same against x over the mean of all
   Curve cumulative;                    ///< share above x
 };
 

@@ -4,6 +4,7 @@
 
 #include "ledger/claims/chapter3.hpp"
 #include "ledger/claims/claims.hpp"
+#include "ledger/claims/thesis_choices.hpp"
 #include "ledger/pooled.hpp"
 
 namespace arenite::ledger {
@@ -55,6 +56,8 @@ Judgement judge_t4(const Results& results) {
   for (const auto& [name, mode] : {std::pair{"#8", pom_8}, {"#12", pom_12}})
     judgement.findings.push_back(fmt::format("POM-POM contacts of {} together: theta_c {:.1f} degrees, a_c {:.3f}, noise of a_c {:.3f} ({:.0f} contacts).", name, mode.phase_deg,
                                              2 * mode.amplitude, 2 * mode.noise, mode.contacts));
+  add_choices(judgement, results, "a_c of all contacts of #8", sample_8.pom_grains, "fabric.a_c");
+  add_choices(judgement, results, "Signed a_c of POM-POM contacts of #8", sample_8.pom_grains, "fabric.sets.POM-POM.a_c_signed");
   return judgement;
 }
 

@@ -5,8 +5,10 @@
 
 #include "ledger/claims/chapter3.hpp"
 #include "ledger/claims/claims.hpp"
+#include "ledger/claims/thesis_choices.hpp"
 #include "ledger/final_texture.hpp"
 #include "ledger/pooled.hpp"
+#include "ledger/wall_layers.hpp"
 
 namespace arenite::ledger {
 namespace {
@@ -33,6 +35,17 @@ Value lead(const std::vector<Run>& runs, const Number& a, const Number& b) {
   return mean_over_seeds(runs, [&](const Run& run) { return a.of(run) / b.of(run) - 1; });
 }
 
+/// The least window of at least 20 % of the area and the greatest of at most 90 %; equal if there are none.
+std::pair<std::size_t, std::size_t> plateau_of(const texture::Rev& rev) {
+  const std::size_t n = rev.area_share.size();
+  std::size_t first = n, last = n;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (first == n && rev.area_share[k] >= 0.2) first = k;
+    if (rev.area_share[k] <= 0.9) last = k;
+  }
+  return last == n ? std::pair{n, n} : std::pair{first, last};
+}
+
 }  // namespace
 
 /// Share of grains above the mean.
@@ -49,6 +62,9 @@ Judgement judge_t5(const Results& results) {
       if (runs_of(results, sample).size() < 5) sharpened.holds = Holds::unknown;
       judgement.sharpened.checks.push_back(sharpened);
     }
+  add_choices(judgement, results, "Share of #8's grains above the mean", sample_8.pom_grains, "sigma_norm.P0");
+  add_choices(judgement, results, "Share of #2's HDPE grains above their mean", sample_2.pom_grains, "sigma_norm.by_material.HDPE.P0");
+  add_choices(judgement, results, "beta of #2's HDPE grains", sample_2.pom_grains, "sigma_norm.by_material.HDPE.beta");
   return judgement;
 }
 
@@ -71,19 +87,22 @@ Judgement judge_t7(const Results& results) {
 /// Windows of growing size in #11: in each sample by its own windows' error, and over samples.
 Judgement judge_t18(const Results& results) {
   Judgement judgement;
-  std::vector<double> changes, in_errors;
+  std::vector<double> changes, in_errors, within, at_walls, by_layers, inner_changes;
   double fraction = 0;
   for (const Run& run : runs_of(results, sample_11)) {
-    const auto& rev = final_state(run, true).texture.rev;
-    std::size_t first = rev.area_share.size(), last = rev.area_share.size();
-    for (std::size_t k = 0; k < rev.area_share.size(); ++k) {
-      if (first == rev.area_share.size() && rev.area_share[k] >= 0.2) first = k;
-      if (rev.area_share[k] <= 0.9) last = k;
-    }
-    if (first >= last || last == rev.area_share.size()) continue;
+    const FinalState state = final_state(run, true);
+    const auto& rev = state.texture.rev;
+    const auto [first, last] = plateau_of(rev);
+    if (first >= last) continue;
     changes.push_back(rev.mean[last] - rev.mean[first]);
     in_errors.push_back(std::abs(changes.back()) / std::hypot(rev.error[first], rev.error[last]));
     fraction += rev.mean[last];
+    const WallLayers layers = wall_layers(state);
+    within.push_back(layers.within);
+    at_walls.push_back(layers.at_walls);
+    by_layers.push_back(layers.of_windows(rev.area_share[last]) - layers.of_windows(rev.area_share[first]));
+    const texture::Rev inner = rev_within(state);
+    inner_changes.push_back(inner.mean[last] - inner.mean[first]);
   }
   const auto mean_value = [](const std::vector<double>& values) { return values.empty() ? Value() : Value(statistics::mean_of(values)); };
   judgement.stated.checks = {below("change of the solid fraction between 20 and 90 % of the area over its error in one sample, #11", "a plateau", mean_value(in_errors), beyond)};
@@ -91,6 +110,11 @@ Judgement judge_t18(const Results& results) {
   if (!changes.empty())
     judgement.findings.push_back(fmt::format("Solid fraction of #11 in windows of 90 % of the area: {:.4f}; in windows of 20 % it is {:.4f} more: large windows all hold the looser "
                                              "layers along the walls.", fraction / static_cast<double>(changes.size()), -mean_value(changes).value));
+  if (!changes.empty())
+    judgement.findings.push_back(fmt::format("In a strip of 2.5 mean diameters along the walls of #11 the solid fraction is {}, within it {}. Two such even parts alone would give a change of {} "
+                                             "between 20 and 90 % of the area, where it is {}; windows that stay out of the strip change by {}.",
+                                             text_of(mean_value(at_walls)), text_of(mean_value(within)), text_of(mean_value(by_layers)), text_of(mean_value(changes)),
+                                             text_of(mean_value(inner_changes))));
   return judgement;
 }
 

@@ -4,6 +4,7 @@
 
 #include "ledger/claims/chapter3.hpp"
 #include "ledger/claims/claims.hpp"
+#include "ledger/claims/thesis_choices.hpp"
 #include "ledger/pooled.hpp"
 
 namespace arenite::ledger {
@@ -19,6 +20,30 @@ void tail(Judgement& judgement, const std::vector<Run>& runs, const std::string&
   judgement.sharpened.checks.push_back(chance);
   judgement.sharpened.checks.push_back(above(fmt::format("R^2 of the semi-logarithmic line, {}", set), "a line", t.r2, least_r2));
   if (t.runs > 0) judgement.findings.push_back(fmt::format("{}: beta {} over {} runs.", set, text_of(t.beta), t.runs));
+}
+
+/// Forces against stresses, and against the load, in the same samples.
+void add_reasons(Judgement& judgement, const Results& results) {
+  int samples = 0, thinner = 0;
+  const auto say = [&](const std::string& what, const std::vector<Run>& runs) {
+    if (runs.empty()) return;
+    const PooledTail stress = pooled_tail(runs, "sigma_norm"), force = pooled_tail(runs, "force");
+    ++samples;
+    thinner += stress.beta.value > force.beta.value;
+    judgement.findings.push_back(fmt::format("{}, mean overlap {:.2g} of a diameter: lead of the exponential {:.1f} for forces (beta {}), {:.1f} for the stresses of grains (beta {}), over {} runs.", what,
+                                             mean_overlap(runs), force.log_likelihood_ratio, text_of(force.beta), stress.log_likelihood_ratio, text_of(stress.beta), runs.size()));
+  };
+  const auto of_load = [&](const char* load) { return results.runs("thesis-choices", {{"populations.0.count", sample_8.pom_grains}, {"stages.1.bottom.force", load}}); };
+  say("#2 under 50 kN", runs_of(results, sample_2));
+  say("#8 under 50 kN", runs_of(results, sample_8));
+  say("#8 under 5 kN", of_load("5"));
+  say("#8 under 0.5 kN", of_load("0.5"));
+  say("Chapter 5 under 100 N", results.runs("thesis-ch5"));
+  if (samples > 0)
+    judgement.findings.push_back(fmt::format("A grain's stress adds up the forces of all its contacts, and adding up thins a tail: beta of stresses is above that of forces in {} of these {} cases.", thinner, samples));
+  add_choices(judgement, results, "Lead of the exponential for stresses of #8", sample_8.pom_grains, "sigma_norm.log_likelihood_ratio");
+  add_choices(judgement, results, "beta of stresses of #8", sample_8.pom_grains, "sigma_norm.beta");
+  add_choices(judgement, results, "beta of forces of #8", sample_8.pom_grains, "force.beta");
 }
 
 }  // namespace
@@ -42,6 +67,7 @@ Judgement judge_t6(const Results& results) {
   for (const char* type : {"A-A", "A-B", "B-B"}) tail(judgement, fifth, fmt::format("force, ch. 5 {}", type), fmt::format("force.by_type.{}", type), 0.90);
   tail(judgement, sixth, "stress, ch. 6 all", "sigma_norm", 0.95);
   for (const char* zone : {"dry", "glued"}) tail(judgement, sixth, fmt::format("stress, ch. 6 {}", zone), fmt::format("sigma_norm.by_material.{}", zone), 0.90);
+  add_reasons(judgement, results);
   return judgement;
 }
 

@@ -4,6 +4,7 @@
 
 #include "ledger/claims/chapter4.hpp"
 #include "ledger/claims/claims.hpp"
+#include "ledger/claims/thesis_choices.hpp"
 #include "ledger/trends.hpp"
 
 namespace arenite::ledger {
@@ -32,6 +33,10 @@ Judgement judge_t8(const Results& results) {
       judgement.findings.push_back(fmt::format("{}: z {} at ratio {:g}, {} at {:g}; without rattlers {} over all; mean |F_t|/F_n {}.", law, text_of(first), z.front().x, text_of(last),
                                                z.back().x, text_of(mean(results, study, "coordination.without_rattlers")),
                                                text_of(mean(results, study, "stages.load.last_state.equilibrium.mobilisation"))));
+  }
+  for (const auto& [grains, ratio] : {std::pair{"500", 1}, {"91", 10}}) {
+    add_choices(judgement, results, fmt::format("z of 1000 grains at ratio {}", ratio), grains, "coordination.all");
+    add_choices(judgement, results, fmt::format("The same without rattlers, ratio {}", ratio), grains, "coordination.without_rattlers");
   }
   return judgement;
 }

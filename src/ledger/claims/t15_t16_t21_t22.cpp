@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ledger/claims/claims.hpp"
+#include "ledger/claims/thesis_choices.hpp"
 #include "ledger/final_texture.hpp"
 #include "ledger/pooled.hpp"
 
@@ -31,6 +32,17 @@ std::vector<double> forces(const std::vector<Run>& runs) {
     for (const double force : own) all.push_back(force * static_cast<double>(own.size()) / sum);
   }
   return all;
+}
+
+double lead_of_glued(const Run& run) { return run("sigma_norm.by_material.glued.mean_Pa") / run("sigma_norm.by_material.dry.mean_Pa") - 1; }
+
+/// The lead with the strongest glue less that with next to none, for each seed: they start from one packing.
+Value effect_of_glue(const Results& results) {
+  std::vector<double> changes;
+  for (const Run& with : glued(results))
+    for (const Run& without : results.runs("thesis-ch6", {{key, "0.000001"}}))
+      if (with.text("seed") == without.text("seed")) changes.push_back(lead_of_glued(with) - lead_of_glued(without));
+  return changes.size() < 2 ? Value() : Value(statistics::mean_of(changes));
 }
 
 }  // namespace
@@ -80,18 +92,20 @@ Judgement judge_t21(const Results& results) {
                              const double ratio = run("force.tensile.mean_over_compressive_mean");
                              return std::isfinite(ratio) || !(run("force.tensile_share") == 0) ? ratio : 0;
                            }), 0.05);
-  const Value inside = mean_over_seeds(runs, [](const Run& run) { return run("sigma_norm.by_material.glued.mean_Pa") / run("sigma_norm.by_material.dry.mean_Pa") - 1; });
+  const Value inside = mean_over_seeds(runs, lead_of_glued);
   judgement.stated.checks = {rare, tiny, below("mean stress inside of the agglomerate over outside, less 1", "< 0", inside, 0)};
   judgement.sharpened.checks = {rare, tiny, negative("mean stress inside of the agglomerate over outside, less 1", "< 0", inside)};
   for (const char* gamma : {"0.5", "0.2735", "0.000001"}) {
     const auto weaker = results.runs("thesis-ch6", {{key, gamma}});
     if (!weaker.empty())
       judgement.findings.push_back(fmt::format("With gamma {} kN/mm instead of 1.060: inside over outside, less 1, {}; share of pulling contacts {}.", gamma,
-                                               text_of(mean_over_seeds(weaker, [](const Run& run) {
-                                                 return run("sigma_norm.by_material.glued.mean_Pa") / run("sigma_norm.by_material.dry.mean_Pa") - 1;
-                                               })),
-                                               text_of(mean_over_seeds(weaker, "force.tensile_share"))));
+                                               text_of(mean_over_seeds(weaker, lead_of_glued)), text_of(mean_over_seeds(weaker, "force.tensile_share"))));
   }
+  if (const Value glue = effect_of_glue(results); std::isfinite(glue.value))
+    judgement.findings.push_back(fmt::format("In the same packings glue changes it by {}, seed by seed, where the same grains in the middle of the sample have {} with next to no glue.", text_of(glue),
+                                             text_of(mean_over_seeds(results.runs("thesis-ch6", {{key, "0.000001"}}), lead_of_glued))));
+  add_glue_choices(judgement, results, "Mean stress inside over outside, less 1", lead_of_glued);
+  add_glue_choices(judgement, results, "Share of contacts that pull", "force.tensile_share");
   return judgement;
 }
 

@@ -25,7 +25,7 @@ study::CollectedTable table() {
   return t;
 }
 
-const NumbersOf none = [](const std::string&) { return std::string(); };
+const NumbersOf none = [](const std::string&, const std::string&) { return std::string(); };
 
 std::vector<Figure> figures(const std::string& keys) { return read_figures("[[figures]]\nid = \"f\"\ntitle = \"F\"\n" + keys, "figures.toml"); }
 
@@ -54,6 +54,48 @@ TEST(StudyFigures, DensitiesAreMeansOverRuns) {
   EXPECT_DOUBLE_EQ(own.y.front(), 3);
   EXPECT_DOUBLE_EQ(own.y.back(), 2.5);
   EXPECT_TRUE(mean_density({"", "{}"}, "pdf").x.empty());
+}
+
+TEST(StudyFigures, DensitiesByMiddlesOfBinsShareTheLongest) {
+  const auto mean = mean_density({R"({"pdf":{"x":[0.05,0.15],"y":[4,2]}})", R"({"pdf":{"x":[0.05,0.15,0.25],"y":[2,2,6]}})"}, "pdf");
+  ASSERT_EQ(mean.x.size(), 3u);
+  EXPECT_NEAR(mean.x[2], 0.25, 1e-12);
+  EXPECT_EQ(mean.y, (std::vector<double>{3, 2, 3}));
+}
+
+TEST(StudyFigures, ListsAreMeansAgainstAnotherListOrSharesOfSectors) {
+  const std::vector<std::string> runs{R"({"a":{"s":[0.1,0.2],"m":[1,2]}})", R"({"a":{"s":[0.1,0.2],"m":[3,6]}})", "{}"};
+  const auto list = mean_list(runs, "a.s", "a.m");
+  EXPECT_EQ(list.x, (std::vector<double>{0.1, 0.2}));
+  EXPECT_EQ(list.y, (std::vector<double>{2, 4}));
+  EXPECT_DOUBLE_EQ(list.error[0], 1);
+  const auto sectors = mean_list(runs, "", "a.m");
+  EXPECT_EQ(sectors.x, (std::vector<double>{45, 135}));
+  EXPECT_NEAR(sectors.y[0], 2.0 / 3, 1e-12);
+  EXPECT_NEAR(sectors.y[1], 4.0 / 3, 1e-12);
+}
+
+TEST(StudyFigures, ANumberOverAKeyAndUnitsOfCurves) {
+  auto t = table();
+  t.keys[0].unit = "m";
+  const auto curves = curves_of(figures("x = \"6/s\"\ny = [\"z\"]\nby = \"gamma\"\nby_label = \"g\"\nwhere = { cement = \"\" }").front(), t, none);
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_EQ(curves[0].name, "g = 1 m");
+  EXPECT_EQ(curves[0].points.x, (std::vector<double>{24}));
+  EXPECT_EQ(curves[1].group, 1u);
+}
+
+TEST(StudyFigures, KindsSayWhatTheyNeed) {
+  EXPECT_EQ(figures("kind = \"forces\"").front().kind, FigureKind::forces);
+  EXPECT_THROW(figures("kind = \"rose\""), InputError);
+  EXPECT_THROW(figures("kind = \"map\"\nx = \"gamma\"\ny = [\"z\"]"), InputError);
+  EXPECT_THROW(figures("kind = \"cake\""), InputError);
+}
+
+TEST(StudyPage, DrawsTheFirstRunThatAFigureWants) {
+  StudyPage page{"S", figures("kind = \"stresses\"\nwhere = { gamma = 1, cement = \"full\" }"), table(), none};
+  page.drawing = [](const std::string& run, bool forces) { return "{\"run\":\"" + run + (forces ? "f" : "s") + "\"}"; };
+  EXPECT_NE(study_page(page).find("\"sample\":{\"run\":\"6s\"}"), std::string::npos);
 }
 
 TEST(StudyFigures, AWrongKeyAndAMissingOneAreToldWithTheirLines) {

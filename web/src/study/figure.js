@@ -1,13 +1,22 @@
 import * as Plot from "@observablehq/plot";
 import { chart, decades } from "../figures/chart.js";
+import { captionOf } from "./caption.js";
+import { mapFigure } from "./map.js";
+import { roseFigure } from "./rose.js";
+import { sampleFigure } from "./sample.js";
+
+const hues = (theme) => [...theme.materialLine, ...theme.mixedLine];
 
 /** Colours of curves in their order: a scale where they are values of one key, distinct hues otherwise. */
 function colours(theme, figure) {
-  const n = figure.series.length;
-  if (figure.ordered && n > 2) return figure.series.map((_, k) => theme.size(k / (n - 1)));
-  const hues = [...theme.materialLine, ...theme.mixedLine];
-  return figure.series.map((_, k) => hues[k % hues.length]);
+  const groups = [...new Set(figure.series.map(({ group }) => group))], n = groups.length;
+  if (figure.ordered && n > 2) return figure.series.map(({ group }) => theme.size(groups.indexOf(group) / (n - 1)));
+  const list = hues(theme);
+  return figure.series.map(({ group, part }) => list[(figure.ordered ? groups.indexOf(group) : part) % list.length]);
 }
+
+/** Several curves of one value of a key have its colour; all but the first are dashed. */
+const dash = (figure, { part }) => (figure.ordered && part > 0 ? "4 3" : null);
 
 const short = (v) => (Math.abs(v) >= 1e4 ? v.toExponential().replace("e+", "e") : `${Number(v.toPrecision(6))}`);
 
@@ -17,9 +26,10 @@ function axis({ label, log, domain }) {
 }
 
 /** Points with their error bars, joined where the figure says so; densities are lines alone. */
-function curve(points, colour, { lines, density }) {
-  const line = Plot.line(points, { x: "x", y: "y", stroke: colour, strokeWidth: 1.6, strokeOpacity: density ? 1 : 0.75 });
-  if (density) return [line];
+function curve(all, colour, { lines, density, y }, dashed) {
+  const points = all.filter((p) => p.y >= y.domain[0]);
+  const line = Plot.line(points, { x: "x", y: "y", stroke: colour, strokeWidth: 1.6, strokeDasharray: dashed, strokeOpacity: density ? 1 : 0.75 });
+  if (density && lines) return [line];
   const bars = points.filter((p) => p.e > 0);
   return [
     lines && line,
@@ -39,19 +49,23 @@ function reference(theme, { x, y, label }, domains, row) {
 }
 
 export function studyFigure(figure) {
+  if (figure.kind === "rose") return roseFigure(figure, colours, dash);
+  if (figure.kind === "map") return mapFigure(figure);
+  if (figure.sample) return sampleFigure(figure);
   const low = figure.y.log ? (p) => Math.max(p.y - p.e, figure.y.domain[0]) : (p) => p.y - p.e;
   const series = figure.series.map(({ name, points }) => ({ name, points: points.map(([x, y, e]) => ({ x, y, e })).map((p) => ({ ...p, low: low(p) })) }));
+  const wide = figure.y.domain.some((v) => Math.abs(v) >= 1e4) || (figure.y.log && figure.y.domain[0] < 1e-3);
   const domains = { x: figure.x.domain, y: figure.y.domain };
   return {
     id: figure.id, title: figure.title,
-    caption: [figure.source, figure.caption].filter(Boolean).join(". "),
-    key: ({ theme }) => (series.length < 2 && !series[0]?.name ? [] : series.map(({ name }, k) => ({ name, colour: colours(theme, figure)[k], values: [] }))),
+    caption: captionOf(figure),
+    key: ({ theme }) => (series.length < 2 && !series[0]?.name ? [] : series.map(({ name }, k) => ({ name, colour: colours(theme, figure)[k], dash: dash(figure, figure.series[k]), values: [] }))),
     draw: ({ theme, width }) => series.length > 0 && chart(theme, {
-      width, height: 260, marginLeft: 62,
-      x: axis(figure.x), y: { ...axis(figure.y), labelOffset: 56 },
+      width, height: 260, marginLeft: wide ? 78 : 62,
+      x: axis(figure.x), y: { ...axis(figure.y), labelOffset: wide ? 71 : 56 },
       marks: [
         ...(figure.references ?? []).flatMap((r, row) => reference(theme, r, domains, row)),
-        ...series.flatMap(({ points }, k) => curve(points, colours(theme, figure)[k], figure)),
+        ...series.flatMap(({ points }, k) => curve(points, colours(theme, figure)[k], figure, dash(figure, figure.series[k]))),
       ],
     }),
   };

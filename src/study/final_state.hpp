@@ -1,0 +1,22 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "model/packing.hpp"
+#include "texture/texture.hpp"
+
+namespace arenite::study {
+
+/// The last state of a run, measured as its recipe asks.
+struct FinalState {
+  Packing packing;
+  texture::Texture texture;
+};
+/// From the run's last stage file; `rev` says whether the REV study is wanted, which takes longest. Throws InputError if the
+/// run's files are not there.
+FinalState final_state(const std::filesystem::path& run, bool rev = false);
+
+/// Its texture as JSON with histograms and distributions, without values by grain.
+std::string curves_json(FinalState state);
+
+}  // namespace arenite::study

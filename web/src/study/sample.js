@@ -1,0 +1,44 @@
+import { s } from "../dom.js";
+import { materialColour } from "../theme.js";
+import { captionOf } from "./caption.js";
+
+/** One sample: its grains with their normal forces as lines as wide as strong, or coloured by their stress over the mean. */
+export function sampleFigure(figure) {
+  const { sample } = figure, [across, up] = sample.size;
+  return {
+    id: figure.id, title: figure.title, caption: captionOf(figure),
+    key: ({ theme }) => (sample.stress ? [0, 1, 2, 3].map((v) => ({ name: v === 3 ? "3 and more" : `${v}`, colour: theme.stress(v / 3), values: [] })) : []),
+    draw({ theme, width }) {
+      const scale = width / across, height = Math.ceil(up * scale);
+      const place = (k) => [sample.x[k] * scale, (up - sample.y[k]) * scale];
+      const svg = s("svg", { viewBox: `0 0 ${width} ${height}`, width, height });
+      const fill = sample.stress ? (k) => theme.stress(Math.round(24 * Math.min(1, Math.max(0, sample.stress[k] / 3))) / 24) : (k) => materialColour(theme, sample.material[k]);
+      const disks = grouped(sample.x.keys(), fill, (k) => disk(place(k), sample.r[k] * scale));
+      for (const [colour, d] of disks) svg.append(s("path", { d, fill: colour, "fill-opacity": sample.stress ? 1 : 0.28 }));
+      const glued = [...sample.x.keys()].filter((k) => sample.glued[k]);
+      if (glued.length > 0) svg.append(s("path", { d: glued.map((k) => disk(place(k), sample.r[k] * scale)).join(""), fill: "none", stroke: theme.accent, "stroke-width": 1.2 }));
+      if (sample.f) svg.append(...chains(sample, place, scale, theme));
+      return svg;
+    },
+  };
+}
+
+function grouped(keys, kind, shape) {
+  const paths = new Map();
+  for (const k of keys) paths.set(kind(k), (paths.get(kind(k)) ?? "") + shape(k));
+  return paths;
+}
+
+function disk([x, y], r) {
+  const d = (2 * r).toFixed(2), a = `a${r.toFixed(2)},${r.toFixed(2)} 0 1,0`;
+  return `M${(x - r).toFixed(2)},${y.toFixed(2)}${a} ${d},0${a} -${d},0`;
+}
+
+/** Lines of like width are one path. The mean force is a quarter as wide as a mean grain's radius. */
+function chains({ i, j, f, r }, place, scale, theme) {
+  const unit = (0.25 * scale * r.reduce((a, b) => a + b, 0)) / r.length;
+  const width = (c) => Math.max(0.5, Math.round(4 * Math.abs(f[c]))) / 4;
+  const line = (c) => `M${[i[c], j[c]].map((k) => place(k).map((v) => v.toFixed(2)).join(",")).join("L")}`;
+  return [[(c) => f[c] >= 0, theme.strong], [(c) => f[c] < 0, theme.tension]].flatMap(([wanted, stroke]) =>
+    [...grouped([...f.keys()].filter(wanted), width, line)].map(([w, d]) => s("path", { d, stroke, "stroke-width": (w * unit).toFixed(3), "stroke-linecap": "round", fill: "none" })));
+}
