@@ -21,12 +21,12 @@ double WallLayers::of_windows(double area_share) const {
   return at_walls + (within - at_walls) * share_of_interior(side, strip_x) * share_of_interior(side, strip_y);
 }
 
-WallLayers wall_layers(const FinalState& state) {
+WallLayers wall_layers(const FinalState& state, double diameters) {
   const Domain& domain = state.packing.domain;
-  const texture::Window& window = state.texture.window;
+  const double strip = diameters * state.texture.mean_diameter;
   WallLayers layers;
-  layers.strip_x = window.border / domain.width();
-  layers.strip_y = window.border / domain.height();
+  layers.strip_x = strip / domain.width();
+  layers.strip_y = strip / domain.height();
   layers.within = state.texture.solid_fraction.value;
   double covered = 0;
   for (const double r : state.packing.grains.radius) covered += std::numbers::pi * r * r;

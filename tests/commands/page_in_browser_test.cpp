@@ -45,9 +45,18 @@ TEST(Page, OfAStudyIsPaintedInABrowser) {
   const auto figures = report::read_figures(
       "[[figures]]\nid = \"points\"\ntitle = \"Points\"\nx = \"gamma\"\ny = [\"z\"]\nby = \"width\"\nby_label = \"\u03b7\"\nby_empty = \"full\"\n"
       "x_label = \"gamma\"\nreferences = [ { y = 15, label = \"source: 15\" } ]\n"
-      "[[figures]]\nid = \"density\"\ntitle = \"Density\"\ncurves = [\"pdf\"]\n",
+      "[[figures]]\nid = \"density\"\ntitle = \"Density\"\ncurves = [\"pdf\"]\n"
+      "[[figures]]\nid = \"rose\"\ntitle = \"Rose\"\nkind = \"rose\"\ncurves = [\"sectors\", \"strong\"]\nby = \"width\"\n"
+      "[[figures]]\nid = \"map\"\ntitle = \"Map\"\nkind = \"map\"\nx = \"gamma\"\ny = [\"z\"]\nby = \"width\"\nby_empty = \"full\"\n"
+      "[[figures]]\nid = \"forces\"\ntitle = \"Forces\"\nkind = \"forces\"\n"
+      "[[figures]]\nid = \"stresses\"\ntitle = \"Stresses\"\nkind = \"stresses\"\n",
       "figures.toml");
-  report::write_study_page(folder / "study.html", {"A study", figures, table, [](const std::string&) { return R"({"pdf":{"low":0,"width":1,"density":[0.2,0.5,0.3]}})"; }});
+  const auto numbers = [](const std::string&, const std::string&) { return R"({"pdf":{"low":0,"width":1,"density":[0.2,0.5,0.3]},"sectors":[1,3,2,2],"strong":[4,1,1,2]})"; };
+  const auto drawing = [](const std::string&, bool forces) {
+    const std::string grains = R"({"size":[20,10],"x":[5,15],"y":[5,5],"r":[5,5],"material":[0,1],"glued":[0,1],)";
+    return grains + (forces ? R"("i":[0],"j":[1],"f":[-0.5]})" : R"("stress":[0.5,1.5]})");
+  };
+  report::write_study_page(folder / "study.html", {"A study", figures, table, numbers, drawing});
   const auto outcome = test::shell("node " ARENITE_SOURCE_DIR "/web/test/study_page.test.mjs " + (folder / "study.html").string());
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }

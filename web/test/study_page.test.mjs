@@ -36,6 +36,25 @@ test("densities are lines without dots", async (page) => {
   assert.ok(lines >= 1);
 });
 
+test("a rose has an outline for each curve, dashed for the second of a value", async (page) => {
+  const dashes = await page.evaluate(() => [...document.querySelectorAll('[data-figure="rose"] .drawing path')].map((node) => node.getAttribute("stroke-dasharray")));
+  assert.deepEqual(dashes, [null, "4 3", null, "4 3"]);
+});
+
+test("a map has a cell with its value for every pair", async (page) => {
+  const texts = await page.evaluate(() => [...document.querySelectorAll('[data-figure="map"] .drawing text')].map((node) => node.textContent));
+  assert.equal(await page.evaluate(() => document.querySelectorAll('[data-figure="map"] .drawing rect').length), 4);
+  for (const value of ["12.5", "16.5", "full", "0.2"]) assert.ok(texts.includes(value), `${value} is missing in ${texts}`);
+});
+
+test("a sample has its grains, the glued ones outlined, and a line for a contact that pulls", async (page) => {
+  const paths = (id) => page.evaluate((figure) => [...document.querySelectorAll(`[data-figure="${figure}"] .drawing path`)].map((node) => node.getAttribute("fill")), id);
+  const forces = await paths("forces"), stresses = await paths("stresses");
+  assert.equal(forces.filter((fill) => fill === "none").length, 2);
+  assert.equal(forces.length, 4);
+  assert.equal(stresses.length, 3);
+});
+
 test("light and dark differ and both are drawn", async (page) => {
   const colour = () => page.evaluate(() => getComputedStyle(document.querySelector(".card")).backgroundColor);
   const light = await colour();

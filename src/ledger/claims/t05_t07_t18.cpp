@@ -87,7 +87,7 @@ Judgement judge_t7(const Results& results) {
 /// Windows of growing size in #11: in each sample by its own windows' error, and over samples.
 Judgement judge_t18(const Results& results) {
   Judgement judgement;
-  std::vector<double> changes, in_errors, within, at_walls, by_layers, inner_changes;
+  std::vector<double> changes, in_errors, within, at_walls, by_wide_layers, by_thin_layers, inner_changes;
   double fraction = 0;
   for (const Run& run : runs_of(results, sample_11)) {
     const FinalState state = final_state(run, true);
@@ -97,10 +97,11 @@ Judgement judge_t18(const Results& results) {
     changes.push_back(rev.mean[last] - rev.mean[first]);
     in_errors.push_back(std::abs(changes.back()) / std::hypot(rev.error[first], rev.error[last]));
     fraction += rev.mean[last];
-    const WallLayers layers = wall_layers(state);
-    within.push_back(layers.within);
-    at_walls.push_back(layers.at_walls);
-    by_layers.push_back(layers.of_windows(rev.area_share[last]) - layers.of_windows(rev.area_share[first]));
+    const WallLayers wide = wall_layers(state, 2.5), thin = wall_layers(state, 0.5);
+    within.push_back(wide.within);
+    at_walls.push_back(wide.at_walls);
+    by_wide_layers.push_back(wide.of_windows(rev.area_share[last]) - wide.of_windows(rev.area_share[first]));
+    by_thin_layers.push_back(thin.of_windows(rev.area_share[last]) - thin.of_windows(rev.area_share[first]));
     const texture::Rev inner = rev_within(state);
     inner_changes.push_back(inner.mean[last] - inner.mean[first]);
   }
@@ -111,9 +112,10 @@ Judgement judge_t18(const Results& results) {
     judgement.findings.push_back(fmt::format("Solid fraction of #11 in windows of 90 % of the area: {:.4f}; in windows of 20 % it is {:.4f} more: large windows all hold the looser "
                                              "layers along the walls.", fraction / static_cast<double>(changes.size()), -mean_value(changes).value));
   if (!changes.empty())
-    judgement.findings.push_back(fmt::format("In a strip of 2.5 mean diameters along the walls of #11 the solid fraction is {}, within it {}. Two such even parts alone would give a change of {} "
-                                             "between 20 and 90 % of the area, where it is {}; windows that stay out of the strip change by {}.",
-                                             text_of(mean_value(at_walls)), text_of(mean_value(within)), text_of(mean_value(by_layers)), text_of(mean_value(changes)),
+    judgement.findings.push_back(fmt::format("In a strip of 2.5 mean diameters along the walls of #11 the solid fraction is {}, within it {}. That alone gives a change between 20 and 90 % "
+                                             "of the area of {} if all that is missing lies in the outermost half diameter, of {} if it is even over the strip; it is {}. Windows that stay "
+                                             "out of the strip change by {}.",
+                                             text_of(mean_value(at_walls)), text_of(mean_value(within)), text_of(mean_value(by_thin_layers)), text_of(mean_value(by_wide_layers)), text_of(mean_value(changes)),
                                              text_of(mean_value(inner_changes))));
   return judgement;
 }

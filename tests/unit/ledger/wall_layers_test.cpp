@@ -35,13 +35,13 @@ study::FinalState with_bare_walls() {
       grains.y.push_back(1e-3 * (r + 0.5));
       grains.radius.push_back(0.5e-3);
     }
-  state.texture.window = {true, 0.001, 0.009, 0.001, 0.009, 0.001};
+  state.texture.mean_diameter = 1e-3;
   state.texture.solid_fraction.value = 0.7853981634;
   return state;
 }
 
 TEST(WallLayers, EmptyStripsLowerTheFractionOfLargeWindows) {
-  const WallLayers layers = wall_layers(with_bare_walls());
+  const WallLayers layers = wall_layers(with_bare_walls(), 1);
   EXPECT_NEAR(layers.at_walls, 0, 1e-9);
   EXPECT_DOUBLE_EQ(layers.strip_x, 0.1);
   EXPECT_NEAR(layers.of_windows(1), 0.7853981634 * 0.64, 1e-9);
