@@ -139,5 +139,17 @@ TEST(Jackknife, OfAnAngleDoesNotJumpWhereItWraps) {
   EXPECT_LT(estimate[0].error, 2);
 }
 
+TEST(Distribution, TheDensityOverTheMeanOfAllIsThatOfValuesOverThisMean) {
+  // Mean 3, half the mean of all.
+  const std::vector<double> force{1.5, 3, 4.5};
+  const Distribution d = distribution({0, 1, 2}, {0, 1, 2}, force, 6.0);
+  ASSERT_EQ(d.pdf_over_all.x.size(), 8u);  // up to 0.75 in bins of 0.1
+  double whole = 0;
+  for (const double y : d.pdf_over_all.y) whole += 0.1 * y;
+  EXPECT_NEAR(whole, 1, 1e-12);
+  EXPECT_NEAR(d.pdf_over_all.y[2], 1 / 0.3, 1e-9);  // 0.25
+  EXPECT_NEAR(d.pdf_over_all.y[7], 1 / 0.3, 1e-9);  // 0.75
+}
+
 }  // namespace
 }  // namespace arenite::texture
