@@ -50,6 +50,15 @@ void describe_forces(NumberLines& lines) {
   lines.add("standard error, tangential", "/forces/ft_error_N", "N");
 }
 
+void describe_directions(NumberLines& lines) {
+  if (!lines.has("/directions/film")) return;
+  lines.heading("Directions of contacts");
+  for (const auto& [what, words] : {std::pair{"film", "film"}, {"twin", "simulation"}}) {
+    lines.add(fmt::format("{}: a_c", words), fmt::format("/directions/{}/a_c", what));
+    lines.add(fmt::format("{}: theta_c", words), fmt::format("/directions/{}/theta_c_deg", what), "deg");
+  }
+}
+
 void describe_twin(NumberLines& lines) {
   if (!lines.has("/twin")) return;
   lines.heading("Simulation beside the film");
@@ -67,6 +76,7 @@ std::string film_text(const FilmResult& r) {
   describe_film(lines, r);
   describe_grains(lines, r);
   describe_forces(lines);
+  describe_directions(lines);
   describe_twin(lines);
   return r.outcome + "\n" + std::move(lines).text();
 }

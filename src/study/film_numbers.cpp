@@ -7,6 +7,7 @@
 #include "core/median.hpp"
 #include "statistics/correlation.hpp"
 #include "statistics/json.hpp"
+#include "study/film_directions.hpp"
 #include "texture/texture.hpp"
 
 namespace arenite::study {
@@ -116,8 +117,9 @@ Agreement agreement(const std::vector<double>& one, const std::vector<double>& o
   return result;
 }
 
-std::string film_numbers(const FilmResult& r) {
+std::string film_numbers(const FilmResult& r, const Packing* twin) {
   Json j{{"film", film_of(r)}, {"lockin", lockin_of(r)}, {"grains", grains_of(r)}, {"motion", motion_of(r)}, {"forces", forces_of(r)}};
+  if (auto directions = film_directions(r, twin); !directions.empty()) j["directions"] = std::move(directions);
   if (r.swing.size() == 0) return j.dump();
   texture::Options options;
   options.rev_sizes = 0;

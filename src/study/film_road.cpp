@@ -22,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool add_twin(const FilmRecipe& recipe, const FilmRunOptions& options, FilmOutcome& outcome) {
+/// False if it was stopped; otherwise `loaded` is the simulated sample at the largest load.
+bool add_twin(const FilmRecipe& recipe, const FilmRunOptions& options, FilmOutcome& outcome, Packing& loaded) {
   RunOptions run;
   run.out = options.out / "twin";
   run.notice = options.notice;
@@ -38,6 +39,7 @@ bool add_twin(const FilmRecipe& recipe, const FilmRunOptions& options, FilmOutco
   if (twin.interrupted) return false;
   outcome.result.twin = std::move(twin.stresses);
   outcome.twin = std::move(twin.stages);
+  loaded = std::move(twin.loaded);
   if (!twin.converged) options.notice("the simulation beside the film found no equilibrium: " + twin.outcome);
   return true;
 }
@@ -66,9 +68,10 @@ FilmOutcome run_film(const fs::path& film, const FilmRecipe& recipe, const FilmR
   if (recipe.twin) read_twin_recipe(recipe);
   outcome.file = options.out / io::stage_file_name(1, "film", key);
   FilmResult& r = outcome.result;
+  Packing loaded;
   if (auto known = stored(outcome.file, options)) {
     r = std::move(*known);
-    outcome.interrupted = recipe.twin && !add_twin(recipe, options, outcome);
+    outcome.interrupted = recipe.twin && !add_twin(recipe, options, outcome, loaded);
     return outcome;
   }
   r.name = "film";
@@ -79,11 +82,11 @@ FilmOutcome run_film(const fs::path& film, const FilmRecipe& recipe, const FilmR
   }
   if (outcome.interrupted) return outcome;
   make_folder(options.out);
-  if (recipe.twin && !add_twin(recipe, options, outcome)) {
+  if (recipe.twin && !add_twin(recipe, options, outcome, loaded)) {
     outcome.interrupted = true;
     return outcome;
   }
-  r.numbers_json = film_numbers(r);
+  r.numbers_json = film_numbers(r, loaded.grains.size() > 0 ? &loaded : nullptr);
   r.outcome = sentence_of(r);
   r.provenance = {version, "film", key, to_toml(recipe), recipe.seed, "", {{"film", film.filename().string()}}};
   io::write_film_result(outcome.file, r);

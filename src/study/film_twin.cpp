@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
+
 #include "io/atomic_file.hpp"
 #include "study/film_checks.hpp"
 #include "study/film_place.hpp"
@@ -32,13 +34,20 @@ Recipe twin_recipe(const FilmRecipe& recipe, const fs::path& grains) {
   return twin;
 }
 
-std::vector<double> stresses_of(const StageResult& stage) {
-  texture::Options options;
-  options.rev_sizes = 0;
-  return texture::measure(stage.frames.back().packing, options).per_grain.sigma_hyd;
-}
+Packing last_of(const StageResult& stage) { return stage.frames.back().packing; }
 
 }  // namespace
+
+std::vector<double> stress_of_disks(const Packing& packing) {
+  const Contacts& contacts = packing.contacts;
+  std::vector<double> pushed(packing.grains.size(), 0.0);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    pushed[static_cast<std::size_t>(contacts.i[c])] += contacts.fn[c];
+    if (!contacts.is_wall(c)) pushed[static_cast<std::size_t>(contacts.j[c])] += contacts.fn[c];
+  }
+  for (std::size_t i = 0; i < pushed.size(); ++i) pushed[i] /= -2 * std::numbers::pi * packing.grains.radius[i] * packing.domain.thickness;
+  return pushed;
+}
 
 TwinRun run_twin(const FilmRecipe& recipe, const FilmResult& film, const RunOptions& options) {
   make_folder(options.out);
@@ -55,8 +64,9 @@ TwinRun run_twin(const FilmRecipe& recipe, const FilmResult& film, const RunOpti
     twin.outcome = stage.outcome;
   }
   if (low && high) {
-    const auto released = stresses_of(*low);
-    twin.stresses.state = stresses_of(*high);
+    twin.loaded = last_of(*high);
+    const auto released = stress_of_disks(last_of(*low));
+    twin.stresses.state = stress_of_disks(twin.loaded);
     for (std::size_t i = 0; i < released.size(); ++i) twin.stresses.swing.push_back(twin.stresses.state[i] - released[i]);
   }
   twin.stages = std::move(outcome.stages);

@@ -68,6 +68,30 @@ TEST(FilmCommand, SameSeedSameBytes) {
   EXPECT_FALSE(test::slurp(virtual_film.at("film/film.ptw")) == test::slurp(virtual_film.at("other/film.ptw")));
 }
 
+TEST(FilmCommand, PutsASimulationOfTheSameGrainsBesideTheFilm) {
+  const VirtualFilm of;
+  ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
+  of.edit("twin.toml", "[picture]", "[twin]\nrecipe = \"" + (of.at("states") / "recipe.toml").string() + "\"\nlow = \"low\"\nhigh = \"high\"\n\n[picture]");
+  const auto done = of.film("--json", "film", "twin.toml");
+  ASSERT_EQ(done.status, 0) << done.err;
+  const Json j = Json::parse(done.out);
+  const FilmResult film = of.result();
+  for (const auto& file : io::stage_files(of.at("result/twin")))
+    if (file.filename().string().find("-high-") != std::string::npos) {
+      const auto loaded = test::stress_by_forces(io::read_stage(file).frames.back().packing);
+      ASSERT_EQ(film.twin.state.size(), loaded.size());
+      for (std::size_t i = 0; i < loaded.size(); ++i) EXPECT_NEAR(film.twin.state[i], loaded[i], 1e-9 * std::abs(loaded[i])) << i;
+    }
+  ASSERT_EQ(film.twin.state.size(), 42u);
+  EXPECT_GT(study::agreement(film.swing.sigma_hyd, film.twin.swing, std::vector<std::uint8_t>(42, 1)).correlation, 0.2);
+  for (const char* what : {"film", "twin"}) {
+    const Json& directions = j.at("directions").at(what);  // of the few contacts away from the border
+    EXPECT_GT(directions.at("contacts"), 0) << what;
+    EXPECT_EQ(directions.at("sectors").size(), 18u) << what;
+    EXPECT_TRUE(directions.contains("a_c")) << what;
+  }
+}
+
 TEST(FilmCommand, ThreadsChangeNoBitOfTheResult) {
   const VirtualFilm virtual_film;
   ASSERT_EQ(virtual_film.film("--threads 1").status, 0);

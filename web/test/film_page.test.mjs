@@ -213,7 +213,7 @@ test("zoomed in, a pixel is a square of one colour; 0 shows all again", async (p
 
 test("every figure is drawn and saved as a whole SVG, and its choices redraw it", async (page) => {
   const names = await page.locator("[data-figure]:visible").evaluateAll((all) => all.map((f) => f.dataset.figure));
-  assert.deepEqual(names, ["film-maps", "film-twin", "film-tails", "film-forces", "film-certainty", "film-stresses"]);
+  assert.deepEqual(names, ["film-maps", "film-twin", "film-tails", "film-directions", "film-forces", "film-certainty", "film-stresses"]);
   for (const name of names) {
     const source = (await saved(page, `[data-figure="${name}"] [data-save="svg"]:visible`)).toString("utf8");
     assert.ok(source.match(/<(path|rect|circle|line)/g).length > 5, `${name} is bare`);
@@ -245,6 +245,22 @@ test("film and simulation are compared grain by grain, with the correlation in t
   assert.equal(await page.locator('[data-figure="film-maps"]:visible circle').count(), 3 * 260);
   const tables = await page.locator(".numbers:visible").allInnerTexts();
   assert.match(tables.join("\n"), /Experiment and simulation[\s\S]*Simulation: swing[\s\S]*HDPE[\s\S]*Agreement/);
+});
+
+test("directions of contacts in film and simulation stand side by side on one scale", async (page) => {
+  const roses = await page.locator('[data-figure="film-directions"]:visible [data-set]').evaluateAll((all) => all.map((g) => ({
+    name: g.dataset.set, petals: g.querySelectorAll("path[fill-opacity]").length, radii: [...g.querySelectorAll("circle")].map((c) => Number(c.getAttribute("r"))), words: g.textContent })));
+  assert.deepEqual(roses.map((r) => r.name), ["film", "simulation"]);
+  assert.deepEqual(roses[0].radii, roses[1].radii);
+  const said = await page.evaluate(() => window.arenite.film.film.numbers.directions);
+  for (const [k, set] of [said.film, said.twin].entries()) {
+    assert.equal(roses[k].petals, 36);
+    assert.equal(set.sectors.reduce((a, b) => a + b, 0), set.contacts);
+    const shown = Number(roses[k].words.match(/= (0\.\d+)/)[1]);
+    assert.ok(Math.abs(shown - set.a_c.value) < 0.01, `${roses[k].words}: ${set.a_c.value}`);
+    assert.match(roses[k].words, /\u00b0|noise/);
+  }
+  assert.match(await page.locator('[data-figure="film-twin"]:visible .caption').innerText(), /0\.4 to 0\.5.*friction.*history is lost/);
 });
 
 test("forces carry error bars of one standard error", async (page) => {

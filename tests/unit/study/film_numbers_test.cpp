@@ -4,9 +4,13 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <rapidcheck/gtest.h>
 
+#include "study/film_directions.hpp"
+#include "study/film_twin.hpp"
 #include "support/film_page_sample.hpp"
+#include "texture/texture.hpp"
 
 namespace arenite::study {
 namespace {
@@ -68,6 +72,62 @@ TEST(FilmNumbers, TellWhatTheResultHolds) {
   FilmResult maps = film;
   maps.swing = {};
   EXPECT_FALSE(nlohmann::json::parse(film_numbers(maps)).contains("texture"));
+}
+
+/// Contacts along x between grains of a row, and one along y that may not be there.
+FilmResult row_of_grains() {
+  FilmResult film;
+  film.packing.materials = {{"POM", 1400, 27e6, 0}};
+  film.packing.domain.thickness = 0.06;
+  film.packing.grains.resize(5);
+  for (std::size_t g = 0; g < 5; ++g) film.packing.grains.x[g] = 0.0095 * static_cast<double>(g), film.packing.grains.radius[g] = 0.005;
+  film.packing.grains.x[4] = 0, film.packing.grains.y[4] = 0.0105;
+  for (std::int32_t g = 0; g < 3; ++g) film.packing.contacts.add(g, g + 1, {-1, 0}, 100, 0, 0.00475, 0.00475);
+  film.packing.contacts.add(0, 4, {0, -1}, 1, 0, 0.00525, 0.00525);
+  film.absent = {0, 0, 0, 1};
+  return film;
+}
+
+TEST(FilmDirections, CountContactsThatAreThere) {
+  FilmResult film = row_of_grains();
+  const auto directions = film_directions(film, &film.packing);
+  EXPECT_EQ(directions["film"]["contacts"], 3);
+  EXPECT_NEAR(directions["film"]["a_c"]["value"].get<double>(), 2, 1e-12);
+  EXPECT_NEAR(std::fmod(directions["film"]["theta_c_deg"]["value"].get<double>(), 180), 0, 1e-9);
+  EXPECT_EQ(directions["film"]["sectors"].size(), 18u);
+  EXPECT_EQ(directions["twin"]["contacts"], 4);
+  EXPECT_NEAR(directions["twin"]["a_c"]["value"].get<double>(), 1, 1e-12);
+  EXPECT_FALSE(film_directions(film).contains("twin"));
+  film.packing.contacts = {};
+  EXPECT_TRUE(film_directions(film).empty());
+}
+
+TEST(FilmTwin, StressOfDisksCountsFullRadii) {
+  const FilmResult film = row_of_grains();
+  const auto stress = stress_of_disks(film.packing);
+  const double once = -100 / (2 * std::numbers::pi * 0.005 * 0.06);
+  EXPECT_NEAR(stress[3], once, 1e-9);
+  EXPECT_NEAR(stress[1], 2 * once, 1e-9);
+  // By branch vectors the arms are shorter by half the overlap: 5 %.
+  texture::Options options;
+  options.rev_sizes = 0;
+  EXPECT_NEAR(texture::measure(film.packing, options).per_grain.sigma_hyd[1], 0.95 * 2 * once, 1e-9);
+}
+
+TEST(FilmTwin, StressOfDisksIsTheMeanOfTheirClosedForm) {
+  const test::PageSample run(60);
+  const Packing& p = run.stage.frames[3].packing;
+  std::vector<elasticity::Disk> disks;
+  for (const double r : p.grains.radius) disks.push_back({r, p.domain.thickness, {}, elasticity::Traction::point});
+  for (std::size_t c = 0; c < p.contacts.size(); ++c) {
+    disks[static_cast<std::size_t>(p.contacts.i[c])].forces.push_back({p.contacts.normal(c), p.contacts.fn[c], p.contacts.ft[c], 0});
+    if (!p.contacts.is_wall(c)) disks[static_cast<std::size_t>(p.contacts.j[c])].forces.push_back({-1 * p.contacts.normal(c), p.contacts.fn[c], p.contacts.ft[c], 0});
+  }
+  const auto stress = stress_of_disks(p);
+  for (std::size_t g = 0; g < disks.size(); ++g) {
+    const double closed = elasticity::mean_sigma_kk(disks[g]) / 2;
+    EXPECT_NEAR(stress[g], closed, 1e-9 * std::abs(closed));
+  }
 }
 
 }  // namespace

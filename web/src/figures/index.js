@@ -4,6 +4,7 @@ import { course } from "./course.js";
 import { stressDensities } from "./densities.js";
 import { forceDistribution, stressDistribution } from "./distributions.js";
 import { brokenBonds, energyBalance, stressStrain } from "./failure.js";
+import { directions } from "./film_directions.js";
 import { certainty, rankedForces } from "./film_forces.js";
 import { rankedStresses, stressMaps } from "./film_grains.js";
 import { againstTwin, stressTails } from "./film_twin.js";
@@ -21,4 +22,4 @@ export const figures = [roses, stressDistribution, forceDistribution, coordinati
 export const fieldFigures = [stressStrain, brokenBonds, energyBalance, stressDensities, cavityVolumes, convergence];
 
 /** Every figure of a film, likewise; `sample` is its FilmResult. */
-export const filmFigures = [stressMaps, againstTwin, stressTails, rankedForces, certainty, rankedStresses];
+export const filmFigures = [stressMaps, againstTwin, stressTails, directions, rankedForces, certainty, rankedStresses];

@@ -37,10 +37,13 @@ function sets(sample, texture, theme) {
   return list;
 }
 
-function rose({ label, colour, set, inner }, radius, theme, loadAxis) {
+/** How far a set's petals and its line reach, over the isotropic share. */
+export const reachOf = (set) => Math.max(1.6, ...set.sectors.map((n) => (n * sectorCount) / set.contacts), 1 + (set.a_c?.value ?? 0));
+
+/** The polar histogram of one set about the origin; `reach` is what the outer circle stands for. */
+export function rose({ label, colour, set, inner, reach = reachOf(set) }, radius, theme, loadAxis) {
   const isotropic = set.contacts / sectorCount;
-  const largest = Math.max(1.6, ...set.sectors.map((n) => n / isotropic), 1 + (set.a_c?.value ?? 0));
-  const scale = radius / largest;
+  const scale = radius / reach;
   const group = s("g");
   group.append(s("circle", { r: radius, fill: "none", stroke: theme.rule }));
   for (const angle of [0, 45, 90, 135]) {
