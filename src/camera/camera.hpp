@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/vec2.hpp"
+#include "model/field_result.hpp"
 #include "model/film.hpp"
 #include "model/image.hpp"
 #include "model/packing.hpp"
@@ -99,6 +100,11 @@ Scene scene_between(const Packing& low, const Packing& high, const Parameters& p
 
 /// The scene from no load to a state; nothing moves.
 Scene scene_of_state(const Packing& state, const Parameters& parameters);
+
+/// The scene from no load to the stresses that peridynamics found in the grains of a cemented sample (their matrix has no
+/// swing of its own). Grains move by the mean displacement of their nodes. Throws InputError for a sample without load,
+/// or one whose grains are no disks.
+Scene scene_of_field(const FieldResult& result, const Parameters& parameters);
 
 /// The picture of the scene at load fraction s: photons over those of a black body at 296 K, pixel by pixel, from the top.
 std::vector<float> expose(const Scene& scene, const Parameters& parameters, double s);

@@ -59,7 +59,7 @@ void declare(Visitor& v, camera::Timing& timing) {
 
 void declare(ParameterVisitor& v, CameraSection& camera) {
   v.text({"low", "Stage at whose end the load is smallest; without it the swing is from no load."}, camera.low);
-  v.text({"high", "Stage at whose end the load is largest.", true}, camera.high);
+  v.text({"high", "Stage at whose end the load is largest, or a load of the cemented sample.", true}, camera.high);
   declare(v, camera.parameters.optics);
   declare(v, camera.parameters.photograph);
   declare(v, camera.parameters.detector);

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "io/field_file.hpp"
 #include "io/film_writer.hpp"
 #include "io/run_folder.hpp"
 #include "io/sealed_file.hpp"
@@ -30,6 +31,16 @@ std::map<std::string, Packing> last_states(const fs::path& result) {
     if (!stage.frames.empty()) states[stage.name] = std::move(stage.frames.back().packing);
   }
   return states;
+}
+
+/// The load of that name, where the run went on to nodes.
+std::optional<FieldResult> load_named(const fs::path& result, const std::string& name) {
+  for (const auto& file : io::stage_files(result)) {
+    if (io::sealed_kind(file) != "field") continue;
+    auto field = io::read_field(file);
+    if (field.name == name) return field;
+  }
+  return std::nullopt;
 }
 
 const Packing& state_named(const std::map<std::string, Packing>& states, const std::string& name, const fs::path& result) {
@@ -106,18 +117,45 @@ void write_optical(const fs::path& file, const FloatImage& picture) {
 
 }  // namespace
 
-std::vector<fs::path> shoot_film(const FilmRecipe& recipe, const fs::path& result, const ShootOptions& options) {
-  if (!recipe.camera) throw InputError(recipe.source_file, 0, "there is no section [camera]; add it with high = \"NAME\" of the stage that is filmed");
+namespace {
+
+/// What is filmed, and what of it a laboratory knows.
+struct Shot {
+  camera::Scene scene;
+  FilmRecipe laboratory;
+};
+
+Shot shot_of_field(const FilmRecipe& recipe, FieldResult& field, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending) {
+  if (!recipe.camera->low.empty()) throw InputError(recipe.source_file, 0, "a load of a cemented sample is filmed from no load; leave out camera.low");
+  take_materials(field.packing, recipe, p, brightness);
+  Shot shot{camera::scene_of_field(field, p), {}};
+  Packing window;
+  window.domain = shot.scene.low;
+  shot.laboratory = laboratory_recipe(recipe, nullptr, window, ending);
+  shot.laboratory.forces.from = ForcesSection::From::none;  // matrix carries between the grains
+  return shot;
+}
+
+Shot shot_of_states(const FilmRecipe& recipe, const fs::path& result, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending) {
   const CameraSection& shot = *recipe.camera;
-  auto states = last_states(result);
+  const auto states = last_states(result);
   Packing high = state_named(states, shot.high, result);
   std::optional<Packing> low;
   if (!shot.low.empty()) low = state_named(states, shot.low, result);
-  camera::Parameters p = shot.parameters;
-  std::vector<double> brightness;
   if (low) take_materials(*low, recipe, p, brightness);
   take_materials(high, recipe, p, brightness);
-  const auto scene = low ? camera::scene_between(*low, high, p) : camera::scene_of_state(high, p);
+  return {low ? camera::scene_between(*low, high, p) : camera::scene_of_state(high, p), laboratory_recipe(recipe, low ? &*low : nullptr, high, ending)};
+}
+
+}  // namespace
+
+std::vector<fs::path> shoot_film(const FilmRecipe& recipe, const fs::path& result, const ShootOptions& options) {
+  if (!recipe.camera) throw InputError(recipe.source_file, 0, "there is no section [camera]; add it with high = \"NAME\" of the stage that is filmed");
+  const CameraSection& shot = *recipe.camera;
+  camera::Parameters p = shot.parameters;
+  std::vector<double> brightness;
+  auto field = load_named(result, shot.high);
+  const auto [scene, laboratory] = field ? shot_of_field(recipe, *field, p, brightness, options.format) : shot_of_states(recipe, result, p, brightness, options.format);
 
   make_folder(options.out);
   const auto named = [&](const std::string& name) { return options.out / (name + "." + options.format); };
@@ -126,7 +164,7 @@ std::vector<fs::path> shoot_film(const FilmRecipe& recipe, const fs::path& resul
   if (!write(named("warm"), *camera::uniform_film(p, shot.plate_warm, shot.plate_frames, recipe.seed), quietly)) return {};
   write_optical(options.out / "optical.tif", camera::optical_picture(scene, p, brightness, recipe.seed));
   if (!write(named("film"), *camera::film(scene, p, recipe.seed), options.progress)) return {};
-  io::write_atomically(options.out / "film.toml", to_toml(laboratory_recipe(recipe, low ? &*low : nullptr, high, options.format)));
+  io::write_atomically(options.out / "film.toml", to_toml(laboratory));
   return {named("film"), named("cold"), named("warm"), options.out / "optical.tif", options.out / "film.toml"};
 }
 
