@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "ledger/studies.hpp"
 #include "ledger/trends.hpp"
 
 namespace arenite::report {
@@ -61,11 +63,18 @@ std::string rows_of(const ledger::Verdict& verdict, const char* kind) {
   return text;
 }
 
+std::string progress_of(const ledger::StudyState& study) {
+  if (study.runs > 0) return fmt::format("{} of {} runs done", study.done, study.runs);
+  const auto* source = ledger::find_study(study.name);
+  const bool has_runs = source && std::any_of(source->files.begin(), source->files.end(), [](const auto& file) { return file.first == "recipe.toml"; });
+  return has_runs ? "not begun" : "the source's tables";
+}
+
 }  // namespace
 
 std::string ledger_text(const ledger::Ledger& ledger) {
   std::string text;
-  for (const auto& study : ledger.studies) text += fmt::format("{:<24} {} of {} runs done\n", study.name, study.done, study.runs);
+  for (const auto& study : ledger.studies) text += fmt::format("{:<24} {}\n", study.name, progress_of(study));
   for (const Judged& judged : ledger.claims) {
     text += fmt::format("\n{}  {}\n  {}\n", judged.claim->id, judged.claim->sentence, judged.claim->where);
     text += lines_of(judged.judgement.stated, "as stated");
@@ -88,7 +97,7 @@ std::string ledger_json(const ledger::Ledger& ledger) {
 
 std::string ledger_markdown(const ledger::Ledger& ledger, const std::string& title) {
   std::string text = fmt::format("## {}\n\n", title);
-  for (const auto& study : ledger.studies) text += fmt::format("- `{}`: {} of {} runs done\n", study.name, study.done, study.runs);
+  for (const auto& study : ledger.studies) text += fmt::format("- `{}`: {}\n", study.name, progress_of(study));
   text += "\n| claim | | as stated | as sharpened |\n|---|---|---|---|\n";
   for (const auto& [claim, judgement] : ledger.claims)
     text += fmt::format("| [{}](#{}) | {} | {} | {} |\n", claim->id, anchor_of(claim->id), cell(claim->sentence), ledger::word_for(judgement.stated.holds()),
