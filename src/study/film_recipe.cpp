@@ -2,7 +2,9 @@
 
 #include <filesystem>
 
+#include "core/error.hpp"
 #include "io/read_file.hpp"
+#include "study/recipe_document.hpp"
 #include "study/film_recipe_keys.hpp"
 #include "study/recipe_reader.hpp"
 #include "study/recipe_record.hpp"
@@ -14,7 +16,15 @@ Visit declaration_of(FilmRecipe& recipe) {
   return [&recipe](ParameterVisitor& visitor) { declare(visitor, recipe); };
 }
 
+/// A recipe of a simulation has most of its keys wrong as one of a film; that it is the wrong kind helps more than their list.
+void refuse_simulations(std::string_view text, const std::string& file) {
+  const Node root = read_document(text, file);
+  if (!root.find("lockin") && (root.find("packing") || root.find("populations") || root.find("stages")))
+    throw InputError(file, 0, "is a recipe of a simulation (`arenite run`), not of a film; `arenite init film r.toml` writes one of a film");
+}
+
 FilmRecipe read_from(std::string_view text, Reading& reading, const std::vector<std::string>& overrides) {
+  refuse_simulations(text, reading.file_name);
   FilmRecipe recipe;
   recipe.source_file = reading.file_name;
   read_declared(text, reading, overrides, "film", declaration_of(recipe));

@@ -59,6 +59,12 @@ TEST(FilmRecipe, EmptyOneNamesTheTemplate) {
   EXPECT_NE(problems[0].message.find("arenite init film"), std::string::npos);
 }
 
+TEST(FilmRecipe, OneOfASimulationIsKnownForWhatItIs) {
+  const auto problems = problems_of("title = \"a sample\"\n[packing]\ngrains = 10\n[[stages]]\nname = \"load\"\n");
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].message.find("arenite run"), std::string::npos);
+}
+
 TEST(FilmRecipe, ReferencePageIsUpToDate) {
   std::ifstream file(ARENITE_SOURCE_DIR "/docs/film-recipe.md");
   std::ostringstream page;
