@@ -5,10 +5,9 @@
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
-#include "io/run_folder.hpp"
-#include "io/stage_file.hpp"
 #include "study/film_numbers.hpp"
 #include "study/film_road.hpp"
+#include "study/named_result.hpp"
 #include "study/shoot_film.hpp"
 #include "texture/texture.hpp"
 
@@ -20,12 +19,8 @@ using Json = nlohmann::ordered_json;
 
 fs::path kept(const Run& run) { return run.folder() / "virtual-film.json"; }
 
-/// The last state of the stage of that name.
 Packing state_of(const Run& run, const std::string& stage) {
-  for (const auto& file : io::stage_files(run.folder())) {
-    StageResult result = io::read_stage(file);
-    if (result.name == stage && !result.frames.empty()) return std::move(result.frames.back().packing);
-  }
+  if (auto state = study::last_state(run.folder(), stage)) return std::move(*state);
   throw InputError(run.folder().string(), 0, "there is no stage \"" + stage + "\" of this run; remove its folder and run the study again");
 }
 

@@ -1,56 +1,21 @@
 #include "study/shoot_film.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
-#include "io/field_file.hpp"
 #include "io/film_writer.hpp"
-#include "io/run_folder.hpp"
-#include "io/sealed_file.hpp"
-#include "io/stage_file.hpp"
+#include "study/named_result.hpp"
 #include "study/result_folder.hpp"
 
 namespace arenite::study {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Last states of a run's stages by the stages' names.
-std::map<std::string, Packing> last_states(const fs::path& result) {
-  std::map<std::string, Packing> states;
-  for (const auto& file : io::stage_files(result)) {
-    if (io::sealed_kind(file) != "result") continue;
-    auto stage = io::read_stage(file);
-    if (!stage.frames.empty()) states[stage.name] = std::move(stage.frames.back().packing);
-  }
-  return states;
-}
-
-/// The load of that name, where the run went on to nodes.
-std::optional<FieldResult> load_named(const fs::path& result, const std::string& name) {
-  for (const auto& file : io::stage_files(result)) {
-    if (io::sealed_kind(file) != "field") continue;
-    auto field = io::read_field(file);
-    if (field.name == name) return field;
-  }
-  return std::nullopt;
-}
-
-const Packing& state_named(const std::map<std::string, Packing>& states, const std::string& name, const fs::path& result) {
-  const auto at = states.find(name);
-  if (at != states.end()) return at->second;
-  std::vector<std::string> names;
-  if (states.empty()) throw InputError(result.string(), 0, "holds no simulated states; give the folder of an `arenite run`");
-  for (const auto& [each, packing] : states) names.push_back(each);
-  throw InputError(result.string(), 0, fmt::format("has no stage \"{}\"; those there are: {}", name, fmt::join(names, ", ")));
-}
 
 /// Factors and emissivities as the recipe gives them, in the order of the packing's materials.
 void take_materials(Packing& packing, const FilmRecipe& recipe, camera::Parameters& p, std::vector<double>& brightness) {
@@ -115,10 +80,6 @@ void write_optical(const fs::path& file, const FloatImage& picture) {
   io::write_film(file, film);
 }
 
-}  // namespace
-
-namespace {
-
 /// What is filmed, and what of it a laboratory knows.
 struct Shot {
   camera::Scene scene;
@@ -136,12 +97,10 @@ Shot shot_of_field(const FilmRecipe& recipe, FieldResult& field, camera::Paramet
   return shot;
 }
 
-Shot shot_of_states(const FilmRecipe& recipe, const fs::path& result, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending) {
-  const CameraSection& shot = *recipe.camera;
-  const auto states = last_states(result);
-  Packing high = state_named(states, shot.high, result);
+Shot shot_of_states(const FilmRecipe& recipe, Packing& high, const fs::path& result, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending) {
+  const std::string& released = recipe.camera->low;
   std::optional<Packing> low;
-  if (!shot.low.empty()) low = state_named(states, shot.low, result);
+  if (!released.empty() && !(low = last_state(result, released))) refuse_stage(result, released);
   if (low) take_materials(*low, recipe, p, brightness);
   take_materials(high, recipe, p, brightness);
   return {low ? camera::scene_between(*low, high, p) : camera::scene_of_state(high, p), laboratory_recipe(recipe, low ? &*low : nullptr, high, ending)};
@@ -154,8 +113,11 @@ std::vector<fs::path> shoot_film(const FilmRecipe& recipe, const fs::path& resul
   const CameraSection& shot = *recipe.camera;
   camera::Parameters p = shot.parameters;
   std::vector<double> brightness;
-  auto field = load_named(result, shot.high);
-  const auto [scene, laboratory] = field ? shot_of_field(recipe, *field, p, brightness, options.format) : shot_of_states(recipe, result, p, brightness, options.format);
+  auto state = last_state(result, shot.high);
+  auto field = state ? std::nullopt : load_named(result, shot.high);
+  if (!state && !field) refuse_stage(result, shot.high);
+  const auto [scene, laboratory] =
+      state ? shot_of_states(recipe, *state, result, p, brightness, options.format) : shot_of_field(recipe, *field, p, brightness, options.format);
 
   make_folder(options.out);
   const auto named = [&](const std::string& name) { return options.out / (name + "." + options.format); };
