@@ -10,7 +10,6 @@
 #include "commands.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
-#include "report/summary.hpp"
 #include "stop_signal.hpp"
 #include "study/collect.hpp"
 #include "study/result_folder.hpp"
@@ -52,16 +51,8 @@ int run_command(const StudyArguments& arguments, const study::Study& study, cons
   options.retry = arguments.retry;
   options.keep_fields = arguments.keep == "all";
   options.checkpoint_seconds = arguments.checkpoint_seconds;
-  options.numbers = [](const study::RunOutcome& outcome) { return report::Summary(outcome).json(); };
-  options.asked_to_stop = stop_requested;
-  options.notice = [](const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); };
   watch_for_signals();
-  study::StudyOutcome outcome;
-  {
-    StudyLine line(arguments.quiet);
-    options.progress = [&](const study::StudyProgress& progress) { line.show(progress); };
-    outcome = study::run_study(study, folder, options);
-  }
+  const study::StudyOutcome outcome = run_missing(study, folder, options, arguments.quiet);
   fmt::print("{}", status_text(study, folder));
   if (outcome.interrupted) {
     fmt::print(stderr, "stopped; the same command goes on with the {} runs that are left\n", outcome.left);

@@ -26,22 +26,13 @@ std::string status_text(const study::Study& study, const study::StudyFolder& fol
 /// A script for Slurm that runs the study as an array of tasks.
 std::string slurm_script(const StudyArguments& arguments, const study::StudyFolder& folder);
 
+/// Does the runs that are left, with `options` for what the user chose; shows progress unless `quiet`, tells notices, and
+/// leaves at a signal.
+study::StudyOutcome run_missing(const study::Study& study, const study::StudyFolder& folder, study::StudyOptions options, bool quiet);
+
 /// Where the figures of a study are declared: figures.toml beside its recipe.
 std::filesystem::path figures_of(const study::Study& study);
 /// Draws them into study.html in the study's folder, and gives its place.
 std::filesystem::path write_study_figures(const study::Study& study, const study::StudyFolder& folder);
-
-/// One line on stderr about a study at work: rewritten on a terminal, one every ten seconds elsewhere.
-class StudyLine {
- public:
-  explicit StudyLine(bool quiet);
-  ~StudyLine();
-  void show(const study::StudyProgress& progress);
-
- private:
-  bool quiet_, terminal_, open_ = false;
-  std::string last_;
-  double shown_at_ = -1e9;
-};
 
 }  // namespace arenite::app

@@ -1,9 +1,6 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 
@@ -14,8 +11,6 @@ namespace arenite::app {
 namespace {
 
 using study::RunState;
-
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 std::string counted(std::size_t n, const char* one, const char* many) { return fmt::format("{} {}", n, n == 1 ? one : many); }
 
@@ -93,27 +88,6 @@ std::string status_text(const study::Study& study, const study::StudyFolder& fol
   text += "\n" + saved_line(folder);
   if (!failures.empty()) text += "\n" + failures + "`--retry` does these again\n";
   return text;
-}
-
-StudyLine::StudyLine(bool quiet) : quiet_(quiet), terminal_(isatty(fileno(stderr)) != 0) {}
-
-StudyLine::~StudyLine() {
-  if (open_) std::fputc('\n', stderr);
-}
-
-void StudyLine::show(const study::StudyProgress& p) {
-  if (quiet_) return;
-  std::string line = fmt::format("{} of {} done", p.done, p.runs);
-  if (p.not_done > 0) line += fmt::format(", {} failed", p.not_done);
-  if (p.running > 0) line += fmt::format(", {} running", p.running);
-  const bool ended = p.done + p.not_done == p.runs;
-  if (!ended && !std::isnan(p.seconds_left)) line += fmt::format(", about {} left", duration_text(p.seconds_left));
-  if (line == last_ || (!ended && now() - shown_at_ < (terminal_ ? 0.2 : 10.0))) return;
-  last_ = line;
-  shown_at_ = now();
-  std::fprintf(stderr, terminal_ ? "\r\033[K%s" : "%s\n", line.c_str());
-  open_ = terminal_;
-  std::fflush(stderr);
 }
 
 }  // namespace arenite::app

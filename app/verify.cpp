@@ -9,14 +9,13 @@
 #include <thread>
 
 #include "commands.hpp"
-#include "core/error.hpp"
 #include "core/version.hpp"
 #include "io/atomic_file.hpp"
+#include "io/read_file.hpp"
 #include "ledger/judge.hpp"
 #include "ledger/studies.hpp"
 #include "ledger/virtual_film.hpp"
 #include "report/ledger_report.hpp"
-#include "report/summary.hpp"
 #include "stop_signal.hpp"
 #include "study/collect.hpp"
 #include "study_parts.hpp"
@@ -38,12 +37,7 @@ bool complete(const study::Study& study, const study::StudyFolder& folder, const
   study::StudyOptions options;
   options.jobs = a.jobs;
   options.keep_fields = a.keep == "all";
-  options.numbers = [](const study::RunOutcome& outcome) { return report::Summary(outcome).json(); };
-  options.asked_to_stop = stop_requested;
-  options.notice = [](const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); };
-  StudyLine line(a.quiet);
-  options.progress = [&](const study::StudyProgress& progress) { line.show(progress); };
-  return !study::run_study(study, folder, options).interrupted;
+  return !run_missing(study, folder, options, a.quiet).interrupted;
 }
 
 bool wanted(const VerifyArguments& a, const std::string& name) {
@@ -94,12 +88,6 @@ std::string heading() {
                      version, date, std::thread::hardware_concurrency(), processor_name());
 }
 
-std::string text_of_file(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file, 0, "cannot be read; name a file that arenite verify --verdicts wrote");
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 bool fails(const ledger::Ledger& ledger) {
   return std::any_of(ledger.claims.begin(), ledger.claims.end(),
                      [](const auto& judged) { return judged.judgement.sharpened.holds() == ledger::Holds::no; });
@@ -126,7 +114,7 @@ int execute(const VerifyArguments& a) {
   if (!a.markdown.empty()) io::write_atomically(a.markdown, heading() + markdown);
   if (!a.verdicts.empty()) io::write_atomically(a.verdicts, report::ledger_verdicts(all));
   if (a.expected.empty()) return fails(all) ? not_converged : done;
-  const auto changes = report::changed_verdicts(all, text_of_file(a.expected), a.expected);
+  const auto changes = report::changed_verdicts(all, io::read_file(a.expected), a.expected);
   for (const auto& change : changes) fmt::print(stderr, "{}\n", change);
   return changes.empty() ? done : not_converged;
 }
