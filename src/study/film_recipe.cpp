@@ -17,17 +17,17 @@ Visit declaration_of(FilmRecipe& recipe) {
 }
 
 /// A recipe of a simulation has most of its keys wrong as one of a film; that it is the wrong kind helps more than their list.
-void refuse_simulations(std::string_view text, const std::string& file) {
-  const Node root = read_document(text, file);
+void refuse_simulations(const Node& root, const std::string& file) {
   if (!root.find("lockin") && (root.find("packing") || root.find("populations") || root.find("stages")))
     throw InputError(file, 0, "is a recipe of a simulation (`arenite run`), not of a film; `arenite init film r.toml` writes one of a film");
 }
 
 FilmRecipe read_from(std::string_view text, Reading& reading, const std::vector<std::string>& overrides) {
-  refuse_simulations(text, reading.file_name);
+  const Node root = read_tree(text, reading, overrides, "film");
+  refuse_simulations(root, reading.file_name);
   FilmRecipe recipe;
   recipe.source_file = reading.file_name;
-  read_declared(text, reading, overrides, "film", declaration_of(recipe));
+  read_declared(root, reading, declaration_of(recipe));
   return recipe;
 }
 

@@ -209,9 +209,4 @@ void read_declared(const Node& root, Reading& reading, const Visit& declare) {
   throw InputError(std::move(reading.problems));
 }
 
-void read_declared(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from,
-                   const Visit& declare) {
-  read_declared(read_tree(text, reading, overrides, start_from), reading, declare);
-}
-
 }  // namespace arenite::study

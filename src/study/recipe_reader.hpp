@@ -65,13 +65,11 @@ class RecipeReader : public ParameterVisitor {
   std::map<std::string, std::string, std::less<>> conditional_;  ///< keys that do not exist now, and when they do
 };
 
-/// Reads all keys that a declaration visits from TOML, `overrides` applied first. Throws InputError with every problem
-/// found, in the order of the text; for an empty one it names the template that `arenite init` writes.
-void read_declared(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from,
-                   const Visit& declare);
-
-/// The two halves of it: the tree that a text and its overrides make (problems of overrides are collected), and a tree read.
+/// The tree that a text and its overrides make; problems of overrides are collected. For an empty text the InputError names
+/// the template that `arenite init` writes.
 Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from);
+
+/// Reads all keys that a declaration visits. Throws InputError with every problem found, in the order of the text.
 void read_declared(const Node& root, Reading& reading, const Visit& declare);
 
 }  // namespace arenite::study
