@@ -1,16 +1,13 @@
 #include "ledger/results.hpp"
 
-#include <charconv>
 #include <cmath>
+
+#include "io/table.hpp"
 
 namespace arenite::ledger {
 namespace {
 
-double as_number(const std::string& text) {
-  double value = statistics::unknown;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() ? value : statistics::unknown;
-}
+double as_number(const std::string& text) { return io::to_number(text).value_or(statistics::unknown); }
 
 bool fits(const Run& run, const Where& where) {
   for (const auto& [key, wanted] : where) {

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "core/error.hpp"
+#include "io/table.hpp"
 #include "report/run_density.hpp"
 
 namespace arenite::report {
@@ -14,11 +14,7 @@ namespace {
 
 using Table = study::CollectedTable;
 
-double number_of(const std::string& text) {
-  double value = statistics::unknown;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() ? value : statistics::unknown;
-}
+double number_of(const std::string& text) { return io::to_number(text).value_or(statistics::unknown); }
 
 std::size_t key_place(const Table& table, const std::string& key) {
   for (std::size_t k = 0; k < table.keys.size(); ++k)
