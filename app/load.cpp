@@ -19,6 +19,7 @@
 #include "stop_signal.hpp"
 #include "study/field_stages.hpp"
 #include "study/load_map.hpp"
+#include "study/recipe_words.hpp"
 
 namespace arenite::app {
 namespace {
@@ -55,22 +56,13 @@ void read_by_type(const std::string& text, const char* option, Dimension dimensi
   }
 }
 
-int place(const std::string& word, std::initializer_list<const char*> words) {
-  int k = 0;
-  for (const char* each : words) {
-    if (word == each) return k;
-    ++k;
-  }
-  return 0;
-}
-
 study::Load load_of(const Arguments& a) {
   study::Load load = a.load;
   load.name = load.failure ? "failure" : a.loading;
-  load.loading = static_cast<peridynamics::Loading>(place(a.loading, {"tension", "compression", "shear"}));
-  load.axis = static_cast<study::Load::Axis>(place(a.axis, {"y", "x"}));
-  load.lower = static_cast<peridynamics::LowerEdge>(place(a.lower, {"fixed", "sliding"}));
-  load.method = static_cast<peridynamics::Method>(place(a.method, {"static_solve", "relaxation", "damped"}));
+  load.loading = study::chosen<peridynamics::Loading>(a.loading, "--loading");
+  load.axis = study::chosen<study::Load::Axis>(a.axis, "--axis");
+  load.lower = study::chosen<peridynamics::LowerEdge>(a.lower, "--lower");
+  load.method = study::chosen<peridynamics::Method>(a.method, "--method");
   read_by_type(a.stiffness, "--stiffness", dimension::pressure, "GPa", load.stiffness.matrix, load.stiffness.interface, load.stiffness.particle);
   read_by_type(a.toughness, "--toughness", dimension::toughness, "MPa m^0.5", load.toughness.matrix, load.toughness.interface,
                load.toughness.particle);
@@ -164,10 +156,10 @@ void add_reading(CLI::App& command, Arguments& a) {
 
 void add_loading(CLI::App& command, Arguments& a) {
   study::Load& load = a.load;
-  command.add_option("--loading", a.loading, "How the top row is moved")->check(CLI::IsMember({"tension", "compression", "shear"}));
-  command.add_option("--axis", a.axis, "Axis from the bottom row to the top row; x loads the map turned")->check(CLI::IsMember({"y", "x"}));
-  command.add_option("--lower", a.lower, "What holds the bottom row")->check(CLI::IsMember({"fixed", "sliding"}));
-  command.add_option("--method", a.method, "Way to the field at equilibrium")->check(CLI::IsMember({"static_solve", "relaxation", "damped"}));
+  command.add_option("--loading", a.loading, "How the top row is moved")->check(CLI::IsMember(study::plain_words<peridynamics::Loading>()));
+  command.add_option("--axis", a.axis, "Axis from the bottom row to the top row; x loads the map turned")->check(CLI::IsMember(study::plain_words<study::Load::Axis>()));
+  command.add_option("--lower", a.lower, "What holds the bottom row")->check(CLI::IsMember(study::plain_words<peridynamics::LowerEdge>()));
+  command.add_option("--method", a.method, "Way to the field at equilibrium")->check(CLI::IsMember(study::plain_words<peridynamics::Method>()));
   command.add_option("--strain", load.strain, "Displacement of the top row over the height; default 1e-4")->type_name("NUMBER");
   command.add_option("--tolerance", load.tolerance, "Relative residual at equilibrium; default 1e-6")->type_name("NUMBER");
   command.add_option("--stiffness", a.stiffness, "Young's moduli of bonds, e.g. \"matrix=1 GPa,particle=4 GPa\" (the default; interface as the matrix)")

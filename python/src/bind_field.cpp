@@ -12,6 +12,7 @@
 #include "stress/stress.hpp"
 #include "study/field_stages.hpp"
 #include "study/load_map.hpp"
+#include "study/recipe_words.hpp"
 
 namespace arenite::python {
 namespace {
@@ -23,21 +24,10 @@ double si(const py::object& value, Dimension dimension) {
   return py::isinstance<py::str>(value) ? parse_si(value.cast<std::string>(), dimension) : value.cast<double>();
 }
 
-template <class Kind>
-Kind word(const std::string& given, std::initializer_list<std::pair<const char*, Kind>> words, const char* what) {
-  std::string known;
-  for (const auto& [name, kind] : words) {
-    if (given == name) return kind;
-    known += (known.empty() ? "" : ", ") + std::string(name);
-  }
-  throw InputError(std::string(what) + " \"" + given + "\" is not known; there are " + known);
-}
-
 Cement cemented(const Packing& packing, const std::string& kind, const py::object& gap, double width, bool full_width, const py::object& thickness, double volume,
                 const py::object& saturation) {
-  using K = cement::CementParameters::Kind;
   cement::CementParameters p;
-  p.kind = word<K>(kind, {{"none", K::none}, {"bridges", K::bridges}, {"full", K::full}, {"coating", K::coating}, {"menisci", K::menisci}}, "cement");
+  p.kind = study::chosen<cement::CementParameters::Kind>(kind, "cement");
   p.gap = si(gap, dimension::length);
   p.width = width;
   p.full_width = full_width;
@@ -51,22 +41,6 @@ Cement cemented(const Packing& packing, const std::string& kind, const py::objec
   });
 }
 
-/// Two materials make two classes, the one with the larger grains first (P II.B).
-std::vector<GrainClass> classes_by_size(const Packing& packing) {
-  if (packing.materials.size() != 2) return {};
-  double sum[2] = {0, 0}, count[2] = {0, 0};
-  for (std::size_t g = 0; g < packing.grains.size(); ++g) {
-    const auto m = static_cast<std::size_t>(packing.grains.material[g]);
-    sum[m] += packing.grains.radius[g];
-    count[m] += 1;
-  }
-  if (count[0] == 0 || count[1] == 0) return {};
-  const std::int32_t large = sum[0] / count[0] > sum[1] / count[1] ? 0 : 1;
-  std::vector<GrainClass> classes;
-  for (const std::int32_t m : packing.grains.material) classes.push_back(m == large ? GrainClass::large : GrainClass::small);
-  return classes;
-}
-
 PhaseMap rasterised(const Packing& packing, const Cement& cement, std::int64_t nodes, const py::object& crop) {
   raster::RasterParameters p;
   p.nodes = nodes;
@@ -74,7 +48,7 @@ PhaseMap rasterised(const Packing& packing, const Cement& cement, std::int64_t n
   Call call;
   return call.without_lock([&] {
     raster::RasterReport report;
-    return raster::rasterise(packing, cement, p, classes_by_size(packing), report);
+    return raster::rasterise(packing, cement, p, study::classes(packing, study::class_materials({}, packing)), report);
   });
 }
 
@@ -114,10 +88,10 @@ FieldResult loaded(const PhaseMap& map, const std::string& loading, double strai
   using peridynamics::Loading, peridynamics::LowerEdge, peridynamics::Method;
   study::Load load;
   load.name = failure ? "failure" : loading;
-  load.loading = word<Loading>(loading, {{"tension", Loading::tension}, {"compression", Loading::compression}, {"shear", Loading::shear}}, "loading");
-  load.axis = word<study::Load::Axis>(axis, {{"y", study::Load::Axis::y}, {"x", study::Load::Axis::x}}, "axis");
-  load.lower = word<LowerEdge>(lower, {{"fixed", LowerEdge::fixed}, {"sliding", LowerEdge::sliding}}, "lower edge");
-  load.method = word<Method>(method, {{"static_solve", Method::static_solve}, {"relaxation", Method::relaxation}, {"damped", Method::damped}}, "method");
+  load.loading = study::chosen<Loading>(loading, "loading");
+  load.axis = study::chosen<study::Load::Axis>(axis, "axis");
+  load.lower = study::chosen<LowerEdge>(lower, "lower edge");
+  load.method = study::chosen<Method>(method, "method");
   load.strain = strain;
   load.tolerance = tolerance;
   load.moduli = moduli;
@@ -181,7 +155,7 @@ void bind_field(py::module_& m) {
         "A phase map from a picture (PNG, TIFF, HDF5); grains are labelled by \"components\" or \"watershed\" where the file has no labels. `dx`: side of a pixel.");
   m.def("cavities", [](const PhaseMap& map, const std::string& kind, bool eight_connected, int fewest_nodes, bool leave_out_border) {
     const raster::CavityRules rules{eight_connected, fewest_nodes, leave_out_border};
-    const auto found = raster::find_cavities(map, word<raster::Cavity>(kind, {{"pore", raster::Cavity::pore}, {"void", raster::Cavity::void_}}, "cavity"), rules);
+    const auto found = raster::find_cavities(map, study::chosen<raster::Cavity>(kind, "cavity"), rules);
     return py::array_t<std::int64_t>(static_cast<py::ssize_t>(found.nodes.size()), found.nodes.data());
   }, py::arg("map"), py::arg("kind") = "pore", py::kw_only(), py::arg("eight_connected") = false, py::arg("fewest_nodes") = 5, py::arg("leave_out_border") = true,
         "Sizes (nodes) of the pores (not grain) or voids (neither grain nor matrix) by flood fill (P III).");

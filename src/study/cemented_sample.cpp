@@ -24,14 +24,6 @@ std::int32_t index_of(const Materials& materials, const std::string& name) {
   return static_cast<std::int32_t>(at - materials.begin());
 }
 
-std::vector<GrainClass> classes(const Packing& packing, const std::optional<ClassMaterials>& materials) {
-  std::vector<GrainClass> result;
-  if (!materials) return result;
-  for (const std::int32_t m : packing.grains.material)
-    result.push_back(m == materials->large ? GrainClass::large : m == materials->small ? GrainClass::small : GrainClass::none);
-  return result;
-}
-
 /// P's crop where nothing else is asked for and the sample is wide enough for it; 0: the largest square.
 double crop_side(const Recipe& recipe, const RasterSection& section, const Packing& packing, double radius) {
   if (section.crop) return *section.crop;
@@ -58,6 +50,14 @@ std::optional<ClassMaterials> class_materials(const Recipe& recipe, const Packin
   const double a = mean_radius(packing, 0), b = mean_radius(packing, 1);
   if (a == 0 || b == 0 || a == b) return std::nullopt;
   return a > b ? ClassMaterials{0, 1} : ClassMaterials{1, 0};
+}
+
+std::vector<GrainClass> classes(const Packing& packing, const std::optional<ClassMaterials>& materials) {
+  std::vector<GrainClass> result;
+  if (!materials) return result;
+  for (const std::int32_t m : packing.grains.material)
+    result.push_back(m == materials->large ? GrainClass::large : m == materials->small ? GrainClass::small : GrainClass::none);
+  return result;
 }
 
 double reference_radius(const Recipe& recipe, const Packing& packing) {

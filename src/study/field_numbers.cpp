@@ -8,6 +8,7 @@
 #include "elasticity/bounds.hpp"
 #include "raster/cavity_statistics.hpp"
 #include "raster/phase_fractions.hpp"
+#include "study/recipe_words.hpp"
 
 namespace arenite::study {
 namespace {
@@ -23,10 +24,7 @@ Json estimate(const statistics::Estimate& e) {
   return j;
 }
 
-const char* const kinds[] = {"none", "bridges", "full", "coating", "menisci"};
 const char* const parameter_names[] = {"", "width", "", "thickness_m", "volume_m2"};
-const char* const loadings[] = {"tension", "compression", "shear"};
-const char* const methods[] = {"static_solve", "relaxation", "damped"};
 
 /// Volumes of pores or voids over pi radius^2 with their density, and what the rules left out.
 Json volumes(const PhaseMap& map, raster::Cavity kind, const raster::CavityRules& rules, double radius) {
@@ -83,8 +81,8 @@ Json support(const peridynamics::Support& s) {
 
 Json as_asked(const Load& load) {
   const peridynamics::Stiffness e = load.stiffness.resolved();
-  return {{"loading", loadings[static_cast<std::size_t>(load.loading)]},
-          {"axis", load.axis == Load::Axis::y ? "y" : "x"},
+  return {{"loading", word_of(load.loading)},
+          {"axis", word_of(load.axis)},
           {"stiffness_Pa", {{"matrix", e.matrix}, {"interface", e.interface}, {"particle", e.particle}}}};
 }
 
@@ -148,7 +146,7 @@ std::string with_reports(const std::string& numbers, const SampleReports& report
   const auto kind = static_cast<std::size_t>(reports.section.law.kind);
   j["area_error"] = {{"particle", r.particle_area_error}, {"matrix", r.matrix_area_error}};
   j["exact"] = {{"solid_fraction", c.areas.particle / c.areas.window}, {"S_m", c.saturation}};
-  Json cement{{"kind", kinds[kind]}, {"gap_m", reports.gap}, {"joints", c.joints}};
+  Json cement{{"kind", word_of(reports.section.law.kind)}, {"gap_m", reports.gap}, {"joints", c.joints}};
   if (parameter_names[kind][0] != '\0') cement[parameter_names[kind]] = c.parameter;
   if (reports.section.law.saturation) cement["saturation_error"] = c.saturation_error;
   if (reports.section.law.kind == cement::CementParameters::Kind::menisci) {
@@ -168,7 +166,7 @@ std::string with_load(const std::string& numbers, const Load& load, const peridy
   Json j = Json::parse(numbers);
   Json l = as_asked(load);
   l["strain"] = load.strain;
-  l["method"] = methods[static_cast<std::size_t>(load.method)];
+  l["method"] = word_of(load.method);
   l["ending"] = word(report.ending);
   l["iterations"] = report.iterations;
   l["residual"] = report.residual;

@@ -22,6 +22,9 @@ struct ClassMaterials {
 };
 std::optional<ClassMaterials> class_materials(const Recipe& recipe, const Packing& packing);
 
+/// The class of every grain by its material; empty without classes.
+std::vector<GrainClass> classes(const Packing& packing, const std::optional<ClassMaterials>& materials);
+
 /// The radius that gaps and crops are measured by: large_radius of [bidisperse], or the mean radius of the large grains,
 /// or of all, m.
 double reference_radius(const Recipe& recipe, const Packing& packing);

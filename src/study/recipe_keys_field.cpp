@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "study/recipe_key_parts.hpp"
+#include "study/recipe_words.hpp"
 
 namespace arenite::study {
 namespace {
@@ -44,12 +45,7 @@ void declare(Visitor& v, BidisperseSection& classes, const Materials& materials)
 void declare(Visitor& v, CementSection& cement) {
   using Kind = cement::CementParameters::Kind;
   auto& law = cement.law;
-  v.choice({"kind", "Where the matrix is."}, law.kind,
-           {{"none", "nowhere"},
-            {"bridges", "trapezia between neighbouring grains"},
-            {"full", "in all space between the grains"},
-            {"coating", "a layer of even thickness round every grain"},
-            {"menisci", "between two arcs that touch both neighbours, as a liquid would be"}});
+  v.choice({"kind", "Where the matrix is."}, law.kind, words(law.kind));
   v.number({"gap", "Widest surface gap that is bridged, and at which two grains count as neighbours; unless given, 0.075 of the "
                    "mean large radius."}, cement.gap, "mm", range::not_negative);
   const bool is_free = law.kind == Kind::bridges || law.kind == Kind::coating || law.kind == Kind::menisci;

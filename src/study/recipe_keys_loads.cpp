@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "study/recipe_key_parts.hpp"
+#include "study/recipe_words.hpp"
 
 namespace arenite::study {
 namespace {
@@ -48,20 +49,15 @@ void declare(ParameterVisitor& v, Load& load, const Recipe& recipe) {
   using peridynamics::Loading;
   v.text({"name", "Name of the load, used for its file: letters, digits, _ and -.", true}, load.name);
   require_own_name(v, load, recipe);
-  v.choice({"loading", "How the top row is moved against the bottom row."}, load.loading,
-           {{"tension", "away from it"}, {"compression", "towards it"}, {"shear", "along it, to the right"}});
-  v.choice({"axis", "Axis that runs from the bottom row to the top row; x loads the sample turned."}, load.axis, {{"y", ""}, {"x", ""}});
-  v.choice({"lower", "What holds the bottom row."}, load.lower,
-           {{"fixed", "nothing moves"}, {"sliding", "free along the row"}});
+  v.choice({"loading", "How the top row is moved against the bottom row."}, load.loading, words(load.loading));
+  v.choice({"axis", "Axis that runs from the bottom row to the top row; x loads the sample turned."}, load.axis, words(load.axis));
+  v.choice({"lower", "What holds the bottom row."}, load.lower, words(load.lower));
   v.require(load.loading != Loading::shear || load.lower == peridynamics::LowerEdge::fixed, {"lower", "loading"},
             "a lower edge that slides carries no shear; fix it, or choose tension or compression");
   v.flag({"failure", "Load until it breaks: bonds break at the critical stretch of their type, load by load. In compression a sample splits and goes on carrying; max_strain ends it."}, load.failure);
   v.when(!load.failure, "failure = false", [&](Visitor& inner) {
     inner.number({"strain", "Displacement of the top row over the height."}, load.strain, "", range::above(0, 0.5));
-    inner.choice({"method", "Way to the field at equilibrium."}, load.method,
-                 {{"static_solve", "conjugate gradients with a coarse space cut by grain: seconds"},
-                  {"relaxation", "adaptive dynamic relaxation: half a minute"},
-                  {"damped", "dynamics under a fixed viscosity, as the paper does: minutes"}});
+    inner.choice({"method", "Way to the field at equilibrium."}, load.method, words(load.method));
     inner.flag({"exact_stretch", "Stretch of the turned bond, as printed in the paper; otherwise linearised."}, load.exact_stretch);
     inner.flag({"moduli", "Load along both axes and in shear, too, for moduli and Poisson's ratios of the sample."}, load.moduli);
     inner.integer({"max_iterations", "Iterations after which a solve gives up; 0: 50, or a million steps of dynamics."}, load.max_iterations,
