@@ -23,21 +23,8 @@ struct Arguments {
   bool json = false, quiet = false;
 };
 
-/// The packing with the forces that were inferred, as a stage that the page draws like simulated ones.
-StageResult measured_stage(const FilmResult& film) {
-  StageResult stage;
-  stage.name = "measured swing";
-  stage.provenance = film.provenance;
-  stage.outcome = film.outcome;
-  Frame frame;
-  frame.label = "swing between the smallest and the largest load";
-  frame.packing = film.packing;
-  stage.frames.push_back(std::move(frame));
-  return stage;
-}
-
 void write_page(const fs::path& path, const std::string& title, const study::FilmOutcome& outcome) {
-  const StageResult stage = measured_stage(outcome.result);
+  const StageResult stage = study::measured_stage(outcome.result);
   report::PageData data;
   data.title = title;
   data.films.push_back({&outcome.result, {}});

@@ -11,27 +11,23 @@
 #include "io/sealed_file.hpp"
 #include "io/stage_file.hpp"
 #include "module.hpp"
-#include "report/page.hpp"
+#include "report/film_text.hpp"
 #include "report/summary.hpp"
 #include "study/run.hpp"
 
 namespace arenite::python {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// What a folder or a file of results holds.
 struct Result {
-  std::string path, title, json;
-  std::vector<StageResult> stages;
-  std::vector<FieldResult> fields;
+  std::string path, title;
+  study::RunOutcome run;
   std::vector<FilmResult> films;
-  bool converged = true;
 };
 
 std::string title_of(const Result& r) {
-  for (const auto& stage : r.stages) return study::title_in(stage.provenance.recipe);
-  for (const auto& field : r.fields) return study::title_in(field.provenance.recipe);
+  for (const auto& stage : r.run.stages) return study::title_in(stage.provenance.recipe);
+  for (const auto& field : r.run.fields) return study::title_in(field.provenance.recipe);
   for (const auto& film : r.films) return study::title_in(film.provenance.recipe);
   return {};
 }
@@ -39,19 +35,19 @@ std::string title_of(const Result& r) {
 Result open(const std::string& path) {
   Result r;
   r.path = path;
-  for (const auto& file : io::stage_files(path)) {
+  r.run.files = io::stage_files(path);
+  bool& converged = r.run.converged;
+  for (const auto& file : r.run.files) {
     const std::string kind = io::sealed_kind(file);
-    if (kind == "field") r.fields.push_back(io::read_field(file));
-    else if (kind == "film") r.films.push_back(io::read_film_result(file));
-    else r.stages.push_back(io::read_stage(file));
+    if (kind == "field") converged = r.run.fields.emplace_back(io::read_field(file)).converged && converged;
+    else if (kind == "film") converged = r.films.emplace_back(io::read_film_result(file)).converged && converged;
+    else converged = r.run.stages.emplace_back(io::read_stage(file)).converged && converged;
   }
-  for (const auto& stage : r.stages) r.converged = r.converged && stage.converged;
-  for (const auto& field : r.fields) r.converged = r.converged && field.converged;
-  for (const auto& film : r.films) r.converged = r.converged && film.converged;
   r.title = title_of(r);
-  r.json = report::Summary(fs::path(path)).json();
   return r;
 }
+
+std::string numbers_of(const Result& r) { return r.films.empty() ? report::Summary(r.run).json() : report::film_json(r.films.back()); }
 
 Result run(const study::Recipe& recipe, const std::string& out, int threads, const py::object& progress) {
   study::Recipe asked = recipe;
@@ -194,13 +190,13 @@ void bind_results(py::module_& m) {
   py::class_<Result>(m, "Result", "What a folder or a file of results holds.")
       .def_readonly("path", &Result::path)
       .def_readonly("title", &Result::title)
-      .def_readonly("converged", &Result::converged)
-      .def_readonly("stages", &Result::stages, "Packing first, then the stages of loading.")
-      .def_readonly("fields", &Result::fields, "The cemented sample and its loads.")
+      .def_property_readonly("converged", [](const Result& r) { return r.run.converged; })
+      .def_property_readonly("stages", [](const Result& r) -> const std::vector<StageResult>& { return r.run.stages; }, "Packing first, then the stages of loading.")
+      .def_property_readonly("fields", [](const Result& r) -> const std::vector<FieldResult>& { return r.run.fields; }, "The cemented sample and its loads.")
       .def_readonly("films", &Result::films, "What a film gave.")
-      .def_property_readonly("numbers", [](const Result& r) { return from_json(r.json); }, "As `arenite show --json` prints them.")
+      .def_property_readonly("numbers", [](const Result& r) { return from_json(numbers_of(r)); }, "As `arenite show --json` prints them.")
       .def("__repr__", [](const Result& r) {
-        return fmt::format("<arenite.Result {}: {} stages, {} fields, {} films>", r.path, r.stages.size(), r.fields.size(), r.films.size());
+        return fmt::format("<arenite.Result {}: {} stages, {} fields, {} films>", r.path, r.run.stages.size(), r.run.fields.size(), r.films.size());
       });
   m.def("open", [](const std::string& path) {
     Call call;

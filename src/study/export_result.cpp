@@ -13,6 +13,7 @@
 #include "io/sealed_file.hpp"
 #include "io/stage_file.hpp"
 #include "study/derived_fields.hpp"
+#include "study/film_road.hpp"
 
 namespace arenite::study {
 namespace fs = std::filesystem;
@@ -77,14 +78,6 @@ class ExportFolder {
   std::vector<fs::path> written_;
 };
 
-/// A film's grains and forces as one state.
-Frame measured_state(const FilmResult& film) {
-  Frame frame;
-  frame.label = "measured swing";
-  frame.packing = film.packing;
-  return frame;
-}
-
 }  // namespace
 
 std::vector<fs::path> export_result(const fs::path& result, const io::ExportFormat& format, const fs::path& folder, bool last_only) {
@@ -108,7 +101,7 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
     }
     if (io::sealed_kind(file) == "film") {
       const FilmResult film = io::read_film_result(file);
-      const Frame frame = measured_state(film);
+      const Frame frame = std::move(measured_stage(film).frames.front());
       if (!out) out.emplace(folder);
       out->add(format.of_frame({static_cast<int>(times.size()), film.name, &frame, derived_fields(film)}));
       times.push_back(frame.time);

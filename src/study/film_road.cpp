@@ -61,6 +61,18 @@ std::optional<FilmResult> stored(const fs::path& file, const FilmRunOptions& opt
 
 }  // namespace
 
+StageResult measured_stage(const FilmResult& film) {
+  StageResult stage;
+  stage.name = "measured swing";
+  stage.provenance = film.provenance;
+  stage.outcome = film.outcome;
+  Frame frame;
+  frame.label = "swing between the smallest and the largest load";
+  frame.packing = film.packing;
+  stage.frames.push_back(std::move(frame));
+  return stage;
+}
+
 FilmOutcome run_film(const fs::path& film, const FilmRecipe& recipe, const FilmRunOptions& options) {
   FilmOutcome outcome;
   const auto source = io::open_film(film);

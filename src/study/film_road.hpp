@@ -25,6 +25,9 @@ struct FilmOutcome {
   std::vector<StageResult> twin;    ///< stages of the simulation beside the film
 };
 
+/// A film's grains and the forces that were inferred, as a stage of one state, which pages and files take like simulated ones.
+StageResult measured_stage(const FilmResult& film);
+
 /// The whole road from a film to stresses of grains, contact forces and the simulation beside it; the result is one file
 /// in `options.out`, named by the hash of all that it depends on. Throws InputError for what the recipe and the film do
 /// not allow.
