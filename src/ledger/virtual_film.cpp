@@ -7,9 +7,9 @@
 #include "io/atomic_file.hpp"
 #include "study/film_numbers.hpp"
 #include "study/film_road.hpp"
+#include "study/film_twin.hpp"
 #include "study/named_result.hpp"
 #include "study/shoot_film.hpp"
-#include "texture/texture.hpp"
 
 namespace arenite::ledger {
 namespace {
@@ -24,15 +24,9 @@ Packing state_of(const Run& run, const std::string& stage) {
   throw InputError(run.folder().string(), 0, "there is no stage \"" + stage + "\" of this run; remove its folder and run the study again");
 }
 
-std::vector<double> stress_of(const Packing& state) {
-  texture::Options options;
-  options.rev_sizes = 0;
-  return texture::measure(state, options).per_grain.sigma_hyd;
-}
-
 /// The swing of the simulated grain that lies nearest to each grain found at the smallest load.
 std::vector<double> true_swing(const study::FilmOutcome& film, const Packing& low, const Packing& high) {
-  const auto released = stress_of(low), loaded = stress_of(high);
+  const auto released = study::stress_of_disks(low), loaded = study::stress_of_disks(high);
   const Vec2 corner{low.domain.wall[left].position, low.domain.wall[bottom].position};
   const FilmResult& result = film.result;
   std::vector<double> swing;

@@ -13,6 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Counts up whenever the same film and recipe give other numbers.
+constexpr std::int64_t film_version = 2;
+
 /// The bytes of a file that need not fit into memory.
 void add_file(HashBuilder& hash, const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -59,7 +62,7 @@ void add_film(HashBuilder& hash, const char* name, const fs::path& path, FilmSou
 
 std::string film_key(const fs::path& film, FilmSource& source, const FilmRecipe& recipe) {
   HashBuilder hash;
-  hash.add("recipe", to_toml(recipe));
+  hash.add("film version", film_version).add("recipe", to_toml(recipe));
   add_film(hash, "film", film, source);
   const auto beside = [&](const std::string& file) { return fs::path(recipe.source_file).parent_path() / file; };
   const auto add_plate = [&](const char* name, const std::string& file) {
