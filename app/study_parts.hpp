@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "report/figure_list.hpp"
 #include "study/run_study.hpp"
 
 namespace arenite::app {
@@ -32,6 +33,7 @@ study::StudyOutcome run_missing(const study::Study& study, const study::StudyFol
 
 /// Where the figures of a study are declared: figures.toml beside its recipe.
 std::filesystem::path figures_of(const study::Study& study);
+std::vector<report::Figure> read_study_figures(const study::Study& study);
 /// Draws them into study.html in the study's folder, and gives its place.
 std::filesystem::path write_study_figures(const study::Study& study, const study::StudyFolder& folder);
 

@@ -16,6 +16,7 @@
 #include "ledger/studies.hpp"
 #include "ledger/virtual_film.hpp"
 #include "report/ledger_report.hpp"
+#include "report/study_figures.hpp"
 #include "stop_signal.hpp"
 #include "study/collect.hpp"
 #include "study_parts.hpp"
@@ -40,6 +41,16 @@ bool complete(const study::Study& study, const study::StudyFolder& folder, const
   return !run_missing(study, folder, options, a.quiet).interrupted;
 }
 
+/// The films that the study's figures show; false if it was asked to stop.
+bool make_films(const study::Study& study, const ledger::Results& results, const std::string& name) {
+  const auto filmed = report::filmed_runs(read_study_figures(study), results.table(name));
+  const auto runs = results.runs(name);
+  return std::all_of(runs.begin(), runs.end(), [&](const ledger::Run& run) {
+    const bool is_filmed = std::find(filmed.begin(), filmed.end(), run.study->table().rows[run.row].run) != filmed.end();
+    return !is_filmed || ledger::make_film(run, stop_requested);
+  });
+}
+
 bool wanted(const VerifyArguments& a, const std::string& name) {
   return a.only.empty() || std::find(a.only.begin(), a.only.end(), name) != a.only.end();
 }
@@ -61,10 +72,9 @@ bool gather(char source, const fs::path& out, const VerifyArguments& a, ledger::
       if (!complete(study, folder, a)) return false;
     }
     results.add(name, study::collect(study, folder), folder.out);
-    if (fs::exists(figures_of(study))) write_study_figures(study, folder);
-    if (!a.read_only && fs::exists(folder.out / "camera.toml"))
-      for (const auto& run : results.runs(name))
-        if (!ledger::make_film(run, stop_requested)) return false;
+    if (!fs::exists(figures_of(study))) continue;
+    if (!a.read_only && fs::exists(folder.out / "camera.toml") && !make_films(study, results, name)) return false;
+    write_study_figures(study, folder);
   }
   return true;
 }

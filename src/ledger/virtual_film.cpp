@@ -1,15 +1,20 @@
 #include "ledger/virtual_film.hpp"
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "io/read_file.hpp"
+#include "study/film_directions.hpp"
 #include "study/film_numbers.hpp"
 #include "study/film_road.hpp"
 #include "study/film_twin.hpp"
 #include "study/named_result.hpp"
 #include "study/shoot_film.hpp"
+#include "texture/texture.hpp"
 
 namespace arenite::ledger {
 namespace {
@@ -17,55 +22,125 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-fs::path kept(const Run& run) { return run.folder() / "virtual-film.json"; }
+fs::path kept(const fs::path& run) { return run / "virtual-film.json"; }
 
-Packing state_of(const Run& run, const std::string& stage) {
-  if (auto state = study::last_state(run.folder(), stage)) return std::move(*state);
-  throw InputError(run.folder().string(), 0, "there is no stage \"" + stage + "\" of this run; remove its folder and run the study again");
+/// False for one from before the grains were kept.
+bool is_whole(const fs::path& file) {
+  std::ifstream in(file);
+  const Json j = Json::parse(in, nullptr, false);
+  return !j.is_discarded() && j.contains("found");
 }
 
-/// The swing of the simulated grain that lies nearest to each grain found at the smallest load.
-std::vector<double> true_swing(const study::FilmOutcome& film, const Packing& low, const Packing& high) {
-  const auto released = study::stress_of_disks(low), loaded = study::stress_of_disks(high);
-  const Vec2 corner{low.domain.wall[left].position, low.domain.wall[bottom].position};
-  const FilmResult& result = film.result;
-  std::vector<double> swing;
-  for (std::size_t i = 0; i < result.packing.grains.size(); ++i) {
-    const Vec2 found = result.origin + Vec2{result.grains.x[i] * result.pixel, -result.grains.y[i] * result.pixel};
+Packing state_of(const fs::path& run, const std::string& stage) {
+  if (auto state = study::last_state(run, stage)) return std::move(*state);
+  throw InputError(run.string(), 0, "there is no stage \"" + stage + "\" of this run; remove its folder and run the study again");
+}
+
+/// Of every grain found at the smallest load the simulated one that lies nearest in that state.
+std::vector<std::size_t> simulated_grains(const FilmResult& film, const Packing& start) {
+  const Vec2 corner{start.domain.wall[left].position, start.domain.wall[bottom].position};
+  std::vector<std::size_t> nearest;
+  for (std::size_t i = 0; i < film.packing.grains.size(); ++i) {
+    const Vec2 found = film.origin + Vec2{film.grains.x[i] * film.pixel, -film.grains.y[i] * film.pixel};
     std::size_t best = 0;
-    for (std::size_t j = 1; j < low.grains.size(); ++j)
-      if (norm(low.grains.centre(j) - corner - found) < norm(low.grains.centre(best) - corner - found)) best = j;
-    swing.push_back(loaded[best] - released[best]);
+    for (std::size_t j = 1; j < start.grains.size(); ++j)
+      if (norm(start.grains.centre(j) - corner - found) < norm(start.grains.centre(best) - corner - found)) best = j;
+    nearest.push_back(best);
   }
+  return nearest;
+}
+
+/// Swings of these grains from `low`, if there is one, to `high`.
+std::vector<double> true_swing(const std::vector<std::size_t>& grains, const Packing* low, const Packing& high) {
+  const auto loaded = study::stress_of_disks(high), released = low ? study::stress_of_disks(*low) : std::vector<double>(loaded.size(), 0.0);
+  std::vector<double> swing;
+  for (const std::size_t g : grains) swing.push_back(loaded[g] - released[g]);
   return swing;
+}
+
+std::vector<double> over_mean(std::vector<double> values) {
+  double sum = 0, count = 0;
+  for (const double value : values)
+    if (std::isfinite(value)) sum += value, ++count;
+  for (double& value : values) value *= count / sum;
+  return values;
+}
+
+/// Those whose stress is known.
+Json found_grains(const FilmResult& film, const std::vector<double>& truth) {
+  const Grains& grains = film.packing.grains;
+  const auto found = over_mean(film.swing.sigma_hyd), simulated = over_mean(truth);
+  Json j = Json::object();
+  for (const char* name : {"x", "y", "radius", "material", "zone", "sigma_norm", "simulation"}) j[name] = Json::array();
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    if (!std::isfinite(found[i]) || !std::isfinite(simulated[i])) continue;
+    j["x"].push_back(grains.x[i]);
+    j["y"].push_back(grains.y[i]);
+    j["radius"].push_back(grains.radius[i]);
+    j["material"].push_back(grains.material[i]);
+    j["zone"].push_back(grains.zone[i]);
+    j["sigma_norm"].push_back(found[i]);
+    j["simulation"].push_back(simulated[i]);
+  }
+  return j;
+}
+
+Json texture_of(const FilmResult& film) {
+  texture::Options options;
+  options.rev_sizes = 0;
+  options.grain_sigma_hyd = film.swing.sigma_hyd;
+  auto measured = texture::measure(study::without_absent(film), options);
+  measured.per_grain = {};
+  return Json::parse(texture::to_json(measured, true));
+}
+
+/// Shoots the film into `folder` and measures it; nothing if it was stopped.
+std::optional<FilmResult> measured_film(const study::FilmRecipe& camera, const fs::path& run, const fs::path& folder, const std::function<bool()>& asked_to_stop) {
+  study::ShootOptions shooting;
+  shooting.out = folder;
+  shooting.progress = [&](double) { return !asked_to_stop(); };
+  const auto files = study::shoot_film(camera, run, shooting);
+  if (files.empty()) return std::nullopt;
+  study::FilmRunOptions measuring;
+  measuring.out = folder / "result";
+  measuring.asked_to_stop = asked_to_stop;
+  auto film = study::run_film(files.front(), study::read_film_recipe(files.back().string(), {}), measuring);
+  if (film.interrupted) return std::nullopt;
+  return std::move(film.result);
 }
 
 }  // namespace
 
 bool make_film(const Run& run, const std::function<bool()>& asked_to_stop) {
-  if (fs::exists(kept(run))) return true;
+  if (is_whole(kept(run.folder()))) return true;
   const fs::path folder = run.folder() / "film";
-  study::ShootOptions shooting;
-  shooting.out = folder;
-  shooting.progress = [&](double) { return !asked_to_stop(); };
   const auto camera = study::read_film_recipe((run.study->folder() / "camera.toml").string(), {"seed=" + run.text("seed")});
-  const auto files = study::shoot_film(camera, run.folder(), shooting);
-  if (files.empty()) return false;
-  study::FilmRunOptions measuring;
-  measuring.out = folder / "result";
-  measuring.asked_to_stop = asked_to_stop;
-  const auto film = study::run_film(files.front(), study::read_film_recipe(files.back().string(), {}), measuring);
-  if (film.interrupted) return false;
-  const auto found = study::agreement(film.result.swing.sigma_hyd, true_swing(film, state_of(run, "low"), state_of(run, "high")),
-                                      std::vector<std::uint8_t>(film.result.swing.sigma_hyd.size(), 1));
-  const Json j{{"grains", found.grains}, {"correlation", found.correlation}, {"rms_sigma_norm", found.rms_sigma_norm}, {"slope", found.slope}};
-  io::write_atomically(kept(run), j.dump(1) + "\n");
+  auto film = measured_film(camera, run.folder(), folder, asked_to_stop);
+  if (!film) return false;
+  std::optional<Packing> low;
+  if (!camera.camera->low.empty()) low = state_of(run.folder(), camera.camera->low);
+  const Packing high = state_of(run.folder(), camera.camera->high);
+  const auto simulated = simulated_grains(*film, low ? *low : high);
+  const auto truth = true_swing(simulated, low ? &*low : nullptr, high);
+  film->packing.grains.zone.assign(simulated.size(), 0);  // who glues grains knows which
+  for (std::size_t i = 0; i < simulated.size(); ++i) film->packing.grains.zone[i] = high.grains.zone[simulated[i]];
+  const auto agreement = study::agreement(film->swing.sigma_hyd, truth, std::vector<std::uint8_t>(truth.size(), 1));
+  const Json j{{"grains", agreement.grains}, {"correlation", agreement.correlation}, {"rms_sigma_norm", agreement.rms_sigma_norm}, {"slope", agreement.slope},
+               {"found", found_grains(*film, truth)}, {"texture", texture_of(*film)}};
+  io::write_atomically(kept(run.folder()), j.dump() + "\n");
   fs::remove_all(folder);
   return true;
 }
 
+bool has_film(const fs::path& run) { return fs::exists(kept(run)); }
+
+std::string film_json(const fs::path& run) {
+  if (!has_film(run)) throw InputError(run.string(), 0, "no film of this run was made; arenite verify thesis makes it");
+  return io::read_file(kept(run));
+}
+
 FilmAgreement film_agreement(const Run& run) {
-  std::ifstream in(kept(run));
+  std::ifstream in(kept(run.folder()));
   const Json j = Json::parse(in, nullptr, false);
   if (j.is_discarded() || !j.is_object()) return {};
   const auto number = [&](const char* name) { return j.contains(name) && j[name].is_number() ? j[name].get<double>() : statistics::unknown; };

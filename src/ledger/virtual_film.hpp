@@ -11,9 +11,16 @@ struct FilmAgreement {
   double correlation = statistics::unknown, rms_sigma_norm = statistics::unknown, slope = statistics::unknown;
 };
 
-/// Films the states "low" and "high" of a run by camera.toml beside its study's recipe, and measures the film. What came of it
+/// Films the states of a run that camera.toml beside its study's recipe names, and measures the film. What came of it
 /// is kept in the run's folder; the film is not. False if `asked_to_stop` said so.
 bool make_film(const Run& run, const std::function<bool()>& asked_to_stop);
+
+/// Whether a film of this run was made.
+bool has_film(const std::filesystem::path& run);
+/// What is kept of a run's film, JSON: the numbers of FilmAgreement; `found`, its grains in metres (`x`, `y`, `radius`), their
+/// `material`, `zone` and stress over the mean as the film (`sigma_norm`) and the simulation (`simulation`) have it; `texture` of grains and
+/// contacts as the film gives them, as texture::to_json does. Throws InputError if no film was made.
+std::string film_json(const std::filesystem::path& run);
 /// What is kept of it; unknown if there is none yet.
 FilmAgreement film_agreement(const Run& run);
 

@@ -1,7 +1,10 @@
 #include "report/figure_list.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <set>
 
 #include "core/error.hpp"
@@ -67,17 +70,14 @@ class Table {
   std::set<std::string, std::less<>> known_;
 };
 
-constexpr FigureKind kinds[] = {FigureKind::plot, FigureKind::rose, FigureKind::map, FigureKind::forces, FigureKind::stresses};
+constexpr std::array words = {"plot", "rose", "map", "grains", "forces", "stresses", "film", "phases", "zoom"};
 
 void read_kind(Table& table, const Node& node, Figure& figure) {
   std::string word = word_for(figure.kind);
   table.text("kind", word);
-  for (const FigureKind kind : kinds)
-    if (word == word_for(kind)) {
-      figure.kind = kind;
-      return;
-    }
-  table.refuse(node, "kind", "is \"plot\", \"rose\", \"map\", \"forces\" or \"stresses\"");
+  const auto at = std::find(words.begin(), words.end(), word);
+  if (at == words.end()) return table.refuse(node, "kind", fmt::format("is one of {}", fmt::join(words, ", ")));
+  figure.kind = static_cast<FigureKind>(at - words.begin());
 }
 
 /// What the kind of figure needs.
@@ -88,6 +88,7 @@ void check_figure(Table& table, const Node& node, const Figure& figure) {
   if (figure.kind == FigureKind::map && (!points || figure.by.empty() || figure.y.size() != 1)) table.refuse(node, "x", ", `by` and one `y` say what a map shows");
   if (const std::size_t n = figure.curves.empty() ? figure.y.size() : figure.curves.size(); !figure.names.empty() && figure.names.size() != n)
     table.refuse(node, "names", fmt::format("must be as many as what is drawn: {}", n));
+  if (!figure.fits.empty() && figure.fits.size() != figure.curves.size()) table.refuse(node, "fits", "must be as many as `curves`");
 }
 
 std::string cell_of(const Node& node) { return node.kind == Kind::text ? node.text : study::toml_literal(node); }
@@ -117,6 +118,9 @@ Figure read_figure(const Node& node, const std::string& file, std::vector<Proble
   table.texts("y", figure.y);
   table.texts("curves", figure.curves);
   table.text("curve_x", figure.curve_x);
+  table.texts("fits", figure.fits);
+  table.flag("share_above", figure.share_above);
+  table.text("stage", figure.stage);
   read_kind(table, node, figure);
   table.texts("names", figure.names);
   table.text("by", figure.by);
@@ -136,6 +140,7 @@ Figure read_figure(const Node& node, const std::string& file, std::vector<Proble
       Table inner(item, file, problems);
       inner.number("x", reference.x);
       inner.number("y", reference.y);
+      inner.number("slope", reference.slope);
       inner.text("label", reference.label);
       inner.refuse_unknown();
       figure.references.push_back(std::move(reference));
@@ -147,10 +152,9 @@ Figure read_figure(const Node& node, const std::string& file, std::vector<Proble
 
 }  // namespace
 
-const char* word_for(FigureKind kind) {
-  constexpr const char* words[] = {"plot", "rose", "map", "forces", "stresses"};
-  return words[static_cast<std::size_t>(kind)];
-}
+const char* word_for(FigureKind kind) { return words[static_cast<std::size_t>(kind)]; }
+
+bool shows_a_run(FigureKind kind) { return kind >= FigureKind::grains; }
 
 std::vector<Figure> read_figures(const std::string& text, const std::string& file) {
   const Node root = study::read_document(text, file);

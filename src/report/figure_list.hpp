@@ -13,16 +13,19 @@ struct FigureAxis {
   std::optional<double> low, high;       ///< unless given, as far as the points reach
 };
 
-/// What the text of the source says of a figure: a level, an abscissa or, with both, a point.
+/// What the text of the source says of a figure: a level, an abscissa or, with both, a point; or a line through the origin.
 struct FigureReference {
-  std::optional<double> x, y;
+  std::optional<double> x, y, slope;
   std::string label;
 };
 
 /// How a figure is drawn: points and lines; `curves` as sectors of directions over half a turn; `y` as a colour over x and
-/// `by`; the forces, or the stresses of grains, of one run's last state.
-enum class FigureKind { plot, rose, map, forces, stresses };
+/// `by`; or one run's state: its grains, their forces, their stresses, the stresses that a film of it gives, its phases on the
+/// raster, or the stresses of nodes in and about one grain.
+enum class FigureKind { plot, rose, map, grains, forces, stresses, film, phases, zoom };
 const char* word_for(FigureKind kind);
+/// Whether it shows one run.
+bool shows_a_run(FigureKind kind);
 
 /// A figure of a study, as figures.toml declares it. Its points are runs, averaged over those that differ in their seed
 /// alone, or its curves are densities.
@@ -32,6 +35,9 @@ struct Figure {
   std::vector<std::string> y;            ///< numbers ("stress.sigma_yy.sets.large.variance")
   std::vector<std::string> curves;       ///< instead of x and y: densities or lists of the runs' numbers
   std::string curve_x;                   ///< a list that those of `curves` go with, place by place
+  std::vector<std::string> fits;         ///< of `curves`: exponential tails of the runs' numbers, {"slope", "low", "high"}
+  bool share_above = false;              ///< of densities, the share above x
+  std::string stage;                     ///< whose last state is shown; the last one's unless given
   FigureKind kind = FigureKind::plot;
   std::vector<std::string> names;        ///< of y or of curves, as the key shows them
   std::string by, by_label;              ///< a swept key: a curve for each of its values

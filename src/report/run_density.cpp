@@ -97,6 +97,23 @@ statistics::Curve mean_density(const std::vector<std::string>& numbers_json, con
   return curve;
 }
 
+statistics::Curve share_above(const statistics::Curve& density) {
+  statistics::Curve curve;
+  const std::size_t n = density.x.size();
+  if (n < 2) return curve;
+  const double width = (density.x.back() - density.x.front()) / static_cast<double>(n - 1);
+  double above = 0;
+  for (std::size_t k = n; k-- > 0;) {
+    above += density.y[k] * width;
+    curve.x.push_back(std::round((density.x[k] - 0.5 * width) * 1e9) * 1e-9);
+    curve.y.push_back(above);
+    curve.error.push_back(statistics::unknown);
+  }
+  std::reverse(curve.x.begin(), curve.x.end());
+  std::reverse(curve.y.begin(), curve.y.end());
+  return curve;
+}
+
 statistics::Curve mean_list(const std::vector<std::string>& numbers_json, const std::string& path_x, const std::string& path) {
   std::vector<std::vector<double>> lists;
   std::vector<double> x;
@@ -127,6 +144,13 @@ statistics::Curve mean_list(const std::vector<std::string>& numbers_json, const 
     for (auto* values : {&curve.y, &curve.error})
       for (double& value : *values) value *= static_cast<double>(n) / whole;
   return curve;
+}
+
+double number_at(const std::string& numbers_json, const std::string& path) {
+  const Json j = Json::parse(numbers_json, nullptr, false);
+  const Json* found = j.is_discarded() ? nullptr : find(j, path);
+  if (found && found->is_object() && found->contains("value")) found = &(*found)["value"];
+  return found && found->is_number() ? found->get<double>() : statistics::unknown;
 }
 
 bool has_numbers(const std::string& numbers_json, const std::string& path) {

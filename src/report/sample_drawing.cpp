@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <vector>
+
+#include "core/error.hpp"
 
 namespace arenite::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-double rounded(double value, double step) { return std::isfinite(value) ? std::round(value / step) * step : 0; }
-double in_mm(double metres) { return rounded(1e3 * metres, 0.01); }
+double hundredth(double value) { return std::isfinite(value) ? std::round(100 * value) / 100 : 0; }
+double in_mm(double metres) { return hundredth(1e3 * metres); }
 
 Json contacts_json(const Contacts& contacts) {
   double sum = 0, count = 0;
@@ -21,37 +24,63 @@ Json contacts_json(const Contacts& contacts) {
     if (contacts.is_wall(c)) continue;
     i.push_back(contacts.i[c]);
     j.push_back(contacts.j[c]);
-    f.push_back(rounded(contacts.fn[c] * count / sum, 0.01));
+    f.push_back(hundredth(contacts.fn[c] * count / sum));
   }
   return {{"i", i}, {"j", j}, {"f", f}};
 }
 
-}  // namespace
+/// What is drawn of grains, in metres.
+struct Disks {
+  std::vector<double> x, y, radius;
+  std::vector<std::int32_t> material;
+  std::vector<std::uint8_t> zone;
+};
 
-std::string sample_drawing(const study::FinalState& state, bool forces) {
-  const Grains& grains = state.packing.grains;
+Json disks_json(const Disks& disks) {
   double left = INFINITY, right = -INFINITY, bottom = INFINITY, top = -INFINITY;
-  for (std::size_t g = 0; g < grains.size(); ++g) {
-    left = std::min(left, grains.x[g] - grains.radius[g]);
-    right = std::max(right, grains.x[g] + grains.radius[g]);
-    bottom = std::min(bottom, grains.y[g] - grains.radius[g]);
-    top = std::max(top, grains.y[g] + grains.radius[g]);
+  for (std::size_t g = 0; g < disks.x.size(); ++g) {
+    left = std::min(left, disks.x[g] - disks.radius[g]);
+    right = std::max(right, disks.x[g] + disks.radius[g]);
+    bottom = std::min(bottom, disks.y[g] - disks.radius[g]);
+    top = std::max(top, disks.y[g] + disks.radius[g]);
   }
   Json j{{"size", {in_mm(right - left), in_mm(top - bottom)}}};
   for (const char* name : {"x", "y", "r", "material", "glued"}) j[name] = Json::array();
-  for (std::size_t g = 0; g < grains.size(); ++g) {
-    j["x"].push_back(in_mm(grains.x[g] - left));
-    j["y"].push_back(in_mm(grains.y[g] - bottom));
-    j["r"].push_back(in_mm(grains.radius[g]));
-    j["material"].push_back(grains.material[g]);
-    j["glued"].push_back(g < grains.zone.size() && grains.zone[g] != 0 ? 1 : 0);
+  for (std::size_t g = 0; g < disks.x.size(); ++g) {
+    j["x"].push_back(in_mm(disks.x[g] - left));
+    j["y"].push_back(in_mm(disks.y[g] - bottom));
+    j["r"].push_back(in_mm(disks.radius[g]));
+    j["material"].push_back(disks.material[g]);
+    j["glued"].push_back(g < disks.zone.size() && disks.zone[g] != 0 ? 1 : 0);
   }
-  if (forces) {
-    j.update(contacts_json(state.packing.contacts));
-  } else {
-    j["stress"] = Json::array();
-    for (const double s : state.texture.per_grain.sigma_norm) j["stress"].push_back(rounded(s, 0.01));
-  }
+  return j;
+}
+
+Json stress_json(const std::vector<double>& sigma_norm) {
+  Json stress = Json::array();
+  for (const double s : sigma_norm) stress.push_back(hundredth(s));
+  return stress;
+}
+
+}  // namespace
+
+std::string sample_drawing(const study::FinalState& state, FigureKind kind) {
+  const Grains& grains = state.packing.grains;
+  Json j = disks_json({grains.x, grains.y, grains.radius, grains.material, grains.zone});
+  j["materials"] = Json::array();
+  for (const Material& material : state.packing.materials) j["materials"].push_back(material.name);
+  if (kind == FigureKind::forces) j.update(contacts_json(state.packing.contacts));
+  if (kind == FigureKind::stresses) j["stress"] = stress_json(state.texture.per_grain.sigma_norm);
+  return j.dump();
+}
+
+std::string film_drawing(const std::string& film_json) {
+  const Json film = Json::parse(film_json, nullptr, false);
+  if (film.is_discarded() || !film.contains("found")) throw InputError("what is kept of the film holds no grains; remove virtual-film.json of this run, and make the film again");
+  const Json& found = film["found"];
+  const auto list = [&](const char* name) { return found[name].get<std::vector<double>>(); };
+  Json j = disks_json({list("x"), list("y"), list("radius"), found["material"].get<std::vector<std::int32_t>>(), found["zone"].get<std::vector<std::uint8_t>>()});
+  j["stress"] = stress_json(list("sigma_norm"));
   return j.dump();
 }
 

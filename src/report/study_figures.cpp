@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "io/table.hpp"
 #include "report/run_density.hpp"
+#include "report/tail_line.hpp"
 
 namespace arenite::report {
 namespace {
@@ -113,19 +114,31 @@ std::vector<FigureCurve> curves_of(const Figure& figure, const Table& table, con
     const auto rows = rows_of(from, figure, group);
     const std::size_t here = place++;
     for (std::size_t k = 0; k < (densities ? figure.curves : figure.y).size(); ++k) {
-      FigureCurve curve{name_of(figure, group, unit, k), {}, here, k};
+      FigureCurve curve{name_of(figure, group, unit, k), {}, here, k, false}, fit{"", {}, here, k, true};
       if (densities) {
         std::vector<std::string> texts;
         for (const auto* row : rows) texts.push_back(numbers(row->run, figure.curves[k]));
         const bool lists = figure.kind == FigureKind::rose || !figure.curve_x.empty();
         curve.points = lists ? mean_list(texts, figure.curve_x, figure.curves[k]) : mean_density(texts, figure.curves[k]);
+        if (figure.share_above) curve.points = share_above(curve.points);
+        if (k < figure.fits.size()) fit.points = tail_line(texts, figure.fits[k], curve.points);
       } else {
         curve.points = points_of(from, rows, figure, figure.y[k]);
       }
-      if (!curve.points.x.empty()) curves.push_back(std::move(curve));
+      for (FigureCurve* one : {&curve, &fit})
+        if (!one->points.x.empty()) curves.push_back(std::move(*one));
     }
   }
   return curves;
+}
+
+std::vector<std::string> filmed_runs(const std::vector<Figure>& figures, const Table& table) {
+  std::vector<std::string> runs;
+  for (const Figure& figure : figures)
+    for (const auto& row : table.rows)
+      if (figure.kind == FigureKind::film && row.status == "done" && is_wanted(table, row, figure) && std::find(runs.begin(), runs.end(), row.run) == runs.end())
+        runs.push_back(row.run);
+  return runs;
 }
 
 std::string run_of(const Figure& figure, const Table& table) {

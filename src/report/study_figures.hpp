@@ -14,6 +14,7 @@ struct FigureCurve {
   std::string name;
   statistics::Curve points;
   std::size_t group = 0, part = 0;       ///< which value of `by`, which of `y` or `curves`
+  bool fit = false;                      ///< an exponential through the curve before it
 };
 
 /// The numbers of a run as JSON, by its name and with what stands at a path if there is such; empty if it has none.
@@ -23,6 +24,9 @@ using NumbersOf = std::function<std::string(const std::string& run, const std::s
 /// order of `by`. Densities are means over all runs of a curve; `numbers` is asked for those only. Throws InputError for
 /// a key that is not swept.
 std::vector<FigureCurve> curves_of(const Figure& figure, const study::CollectedTable& table, const NumbersOf& numbers);
+
+/// The runs of which figures want a film: all that those of kind `film` want.
+std::vector<std::string> filmed_runs(const std::vector<Figure>& figures, const study::CollectedTable& table);
 
 /// The first run that a figure wants, which is drawn where it shows one; empty if none is done.
 std::string run_of(const Figure& figure, const study::CollectedTable& table);

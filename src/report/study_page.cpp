@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/error.hpp"
 #include "core/version.hpp"
 #include "io/atomic_file.hpp"
 #include "report/page_template.hpp"
@@ -45,36 +46,66 @@ Json axis_json(const FigureAxis& axis, const std::string& name, const Reach& rea
   return {{"label", axis.label.empty() ? name : axis.label}, {"log", axis.logarithmic}, {"domain", domain(axis, reach)}};
 }
 
+bool within(const FigureAxis& axis, double value) { return value >= axis.low.value_or(value) && value <= axis.high.value_or(value); }
+
 Json figure_json(const Figure& figure, const std::vector<FigureCurve>& curves) {
   Reach x, y;
   Json series = Json::array();
+  const bool density = !figure.curves.empty() && figure.curve_x.empty();
   for (const auto& curve : curves) {
     Json points = Json::array();
     for (std::size_t k = 0; k < curve.points.x.size(); ++k) {
       const double at = curve.points.x[k], value = curve.points.y[k], error = curve.points.error[k];
-      if (!can_show(figure.x_axis, at) || !can_show(figure.y_axis, value)) continue;
-      const bool outside = at < figure.x_axis.low.value_or(at) || at > figure.x_axis.high.value_or(at);
-      if (outside) continue;
+      if (!can_show(figure.x_axis, at) || !within(figure.x_axis, at)) continue;
+      if (!can_show(figure.y_axis, value) || (density && !curve.fit && !within(figure.y_axis, value))) {
+        if (density && !points.empty() && !points.back()[1].is_null()) points.push_back({at, nullptr, 0.0});  // the line is broken there
+        continue;
+      }
       x.add(at);
       y.add(value);
       if (std::isfinite(error)) y.add(value + error);
       if (std::isfinite(error) && can_show(figure.y_axis, value - error)) y.add(std::max(value - error, figure.y_axis.logarithmic ? 0.3 * value : value - error));
       points.push_back({at, value, std::isfinite(error) ? error : 0.0});
     }
-    if (!points.empty()) series.push_back({{"name", curve.name}, {"group", curve.group}, {"part", curve.part}, {"points", points}});
+    if (!points.empty() && points.back()[1].is_null()) points.erase(points.size() - 1);
+    if (!points.empty()) series.push_back({{"name", curve.name}, {"group", curve.group}, {"part", curve.part}, {"fit", curve.fit}, {"points", points}});
   }
   Json references = Json::array();
   for (const auto& r : figure.references) {
     Json one{{"label", r.label}};
     if (r.x) one["x"] = *r.x, x.add(*r.x);
     if (r.y) one["y"] = *r.y, y.add(*r.y);
+    if (r.slope) one["slope"] = *r.slope;
     references.push_back(one);
   }
   const std::string name = !figure.curves.empty() ? figure.curves.front() : figure.y.empty() ? "" : figure.y.front();
   return {{"id", figure.id}, {"kind", word_for(figure.kind)}, {"title", figure.title}, {"source", figure.source}, {"caption", figure.caption}, {"lines", figure.lines},
-          {"density", !figure.curves.empty() && figure.curve_x.empty()},
+          {"density", density},
           {"ordered", !figure.by.empty()}, {"x", axis_json(figure.x_axis, figure.x, x)}, {"y", axis_json(figure.y_axis, name, y)},
           {"series", series}, {"references", references}};
+}
+
+/// Curves that no run has the numbers for, by what the key would call them.
+std::string absent(const Figure& figure, const std::vector<FigureCurve>& curves) {
+  const auto& wanted = figure.curves.empty() ? figure.y : figure.curves;
+  std::string names;
+  for (std::size_t k = 0; k < wanted.size(); ++k)
+    if (std::none_of(curves.begin(), curves.end(), [&](const FigureCurve& curve) { return curve.part == k; }))
+      names += (names.empty() ? "" : ", ") + (k < figure.names.size() && !figure.names[k].empty() ? figure.names[k] : wanted[k]);
+  return names;
+}
+
+/// The run that is drawn, or why none is.
+void add_drawing(Json& shown, const Figure& figure, const std::string& run, const StudyPage& page) {
+  if (run.empty()) {
+    shown["missing"] = "No run of this kind is done yet.";
+    return;
+  }
+  try {
+    if (page.drawing) shown["sample"] = Json::parse(page.drawing(run, figure));
+  } catch (const InputError& error) {
+    shown["missing"] = fmt::format("Not drawn: {}.", error.problems().front().message);
+  }
 }
 
 }  // namespace
@@ -88,10 +119,10 @@ std::string study_page(const StudyPage& page) {
   study::CollectedTable table = page.table;
   std::erase_if(table.rows, [](const auto& row) { return row.status != "done"; });
   for (const Figure& figure : page.figures) {
-    about["figures"].push_back(figure_json(figure, curves_of(figure, table, page.numbers)));
-    const bool forces = figure.kind == FigureKind::forces;
-    if (!forces && figure.kind != FigureKind::stresses) continue;
-    if (const std::string run = run_of(figure, table); !run.empty() && page.drawing) about["figures"].back()["sample"] = Json::parse(page.drawing(run, forces));
+    const auto curves = curves_of(figure, table, page.numbers);
+    about["figures"].push_back(figure_json(figure, curves));
+    if (const auto names = absent(figure, curves); !names.empty()) about["figures"].back()["missing"] = fmt::format("No run has the numbers for it yet: {}.", names);
+    if (shows_a_run(figure.kind)) add_drawing(about["figures"].back(), figure, run_of(figure, table), page);
   }
   std::string json = about.dump(-1, ' ', false, Json::error_handler_t::replace);
   for (std::size_t at = 0; (at = json.find("</", at)) != std::string::npos; at += 3) json.replace(at, 2, "<\\/");

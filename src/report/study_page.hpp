@@ -13,7 +13,8 @@ struct StudyPage {
   std::vector<Figure> figures;
   study::CollectedTable table;
   NumbersOf numbers;
-  std::function<std::string(const std::string& run, bool forces)> drawing = {};  ///< of a run's last state (sample_drawing)
+  /// What a figure shows of one run, as JSON (run_drawing); may throw InputError, whose sentence the figure then says.
+  std::function<std::string(const std::string& run, const Figure& figure)> drawing = {};
 };
 
 /// One HTML file without references to others: all figures with their curves, error bars and what the source says.

@@ -7,15 +7,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Packing without_absent(const FilmResult& film) {
-  Packing packing = film.packing;
-  packing.contacts = {};
-  const Contacts& all = film.packing.contacts;
-  for (std::size_t c = 0; c < all.size(); ++c)
-    if (film.absent.empty() || !film.absent[c]) packing.contacts.add(all.i[c], all.j[c], all.normal(c), all.fn[c], all.ft[c], all.arm_i[c], all.arm_j[c]);
-  return packing;
-}
-
 Json directions_of(const Packing& packing) {
   texture::Options options;
   options.rev_sizes = 0;
@@ -28,6 +19,15 @@ Json directions_of(const Packing& packing) {
 }
 
 }  // namespace
+
+Packing without_absent(const FilmResult& film) {
+  Packing packing = film.packing;
+  packing.contacts = {};
+  const Contacts& all = film.packing.contacts;
+  for (std::size_t c = 0; c < all.size(); ++c)
+    if (film.absent.empty() || !film.absent[c]) packing.contacts.add(all.i[c], all.j[c], all.normal(c), all.fn[c], all.ft[c], all.arm_i[c], all.arm_j[c]);
+  return packing;
+}
 
 nlohmann::ordered_json film_directions(const FilmResult& film, const Packing* twin) {
   Json out = Json::object();

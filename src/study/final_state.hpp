@@ -12,9 +12,9 @@ struct FinalState {
   Packing packing;
   texture::Texture texture;
 };
-/// From the run's last stage file; `rev` says whether the REV study is wanted, which takes longest. Throws InputError if the
-/// run's files are not there.
-FinalState final_state(const std::filesystem::path& run, bool rev = false);
+/// From the file of the run's last stage, or of the `stage` of that name; `rev` says whether the REV study is wanted, which takes
+/// longest. Throws InputError if the run's files are not there, or none is of that stage.
+FinalState final_state(const std::filesystem::path& run, bool rev = false, const std::string& stage = "");
 
 /// Its texture as JSON with histograms and distributions, without values by grain.
 std::string curves_json(FinalState state);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
 #include "report/page.hpp"
 #include "report/study_page.hpp"
 #include "support/field_page_sample.hpp"
@@ -49,12 +50,21 @@ TEST(Page, OfAStudyIsPaintedInABrowser) {
       "[[figures]]\nid = \"rose\"\ntitle = \"Rose\"\nkind = \"rose\"\ncurves = [\"sectors\", \"strong\"]\nby = \"width\"\n"
       "[[figures]]\nid = \"map\"\ntitle = \"Map\"\nkind = \"map\"\nx = \"gamma\"\ny = [\"z\"]\nby = \"width\"\nby_empty = \"full\"\n"
       "[[figures]]\nid = \"forces\"\ntitle = \"Forces\"\nkind = \"forces\"\n"
-      "[[figures]]\nid = \"stresses\"\ntitle = \"Stresses\"\nkind = \"stresses\"\n",
+      "[[figures]]\nid = \"stresses\"\ntitle = \"Stresses\"\nkind = \"stresses\"\n"
+      "[[figures]]\nid = \"grains\"\ntitle = \"Grains\"\nkind = \"grains\"\n"
+      "[[figures]]\nid = \"phases\"\ntitle = \"Phases\"\nkind = \"phases\"\n"
+      "[[figures]]\nid = \"zoom\"\ntitle = \"Zoom\"\nkind = \"zoom\"\n"
+      "[[figures]]\nid = \"film\"\ntitle = \"Film\"\nkind = \"film\"\n"
+      "[[figures]]\nid = \"tails\"\ntitle = \"Tails\"\ncurves = [\"pdf\"]\nfits = [\"tail\"]\nreferences = [{ slope = 1 }]\n",
       "figures.toml");
-  const auto numbers = [](const std::string&, const std::string&) { return R"({"pdf":{"low":0,"width":1,"density":[0.2,0.5,0.3]},"sectors":[1,3,2,2],"strong":[4,1,1,2]})"; };
-  const auto drawing = [](const std::string&, bool forces) {
+  const auto numbers = [](const std::string&, const std::string&) { return R"({"pdf":{"low":0,"width":1,"density":[0.2,0.5,0.3]},"sectors":[1,3,2,2],"strong":[4,1,1,2],"tail":{"slope":1,"low":0.5,"high":2.5}})"; };
+  const auto drawing = [](const std::string&, const report::Figure& figure) -> std::string {
+    if (figure.kind == report::FigureKind::film) throw InputError("no film of this run was made");
+    if (figure.kind == report::FigureKind::phases) return R"({"size":[2,1],"nodes":[4,2],"phases":[0,3,1,4,4,1]})";
+    if (figure.kind == report::FigureKind::zoom) return R"({"size":[2,1],"nodes":[2,1],"stress":[0.5,null],"edges":[[1,0,1]]})";
     const std::string grains = R"({"size":[20,10],"x":[5,15],"y":[5,5],"r":[5,5],"material":[0,1],"glued":[0,1],)";
-    return grains + (forces ? R"("i":[0],"j":[1],"f":[-0.5]})" : R"("stress":[0.5,1.5]})");
+    if (figure.kind == report::FigureKind::grains) return grains + R"("materials":["POM","HDPE"]})";
+    return grains + (figure.kind == report::FigureKind::forces ? R"("i":[0],"j":[1],"f":[-0.5]})" : R"("stress":[0.5,1.5]})");
   };
   report::write_study_page(folder / "study.html", {"A study", figures, table, numbers, drawing});
   const auto outcome = test::shell("node " ARENITE_SOURCE_DIR "/web/test/study_page.test.mjs " + (folder / "study.html").string());

@@ -173,6 +173,26 @@ TEST(Study, NumbersCanBeKeptWithoutTheFieldsTheyCameFrom) {
   EXPECT_EQ(count(slurp(folder / "all" / "numbers-by-cement.width.csv"), "\n"), 4u);
 }
 
+TEST(Study, FiguresShowOneRunsStatesAndFieldsWhetherTheseWereKeptOrNot) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, small_study);
+  std::ofstream(folder / "figures.toml") << "[[figures]]\nid = \"start\"\ntitle = \"Start\"\nkind = \"grains\"\nstage = \"packing\"\n"
+                                            "[[figures]]\nid = \"end\"\ntitle = \"End\"\nkind = \"forces\"\nstage = \"prepare\"\n"
+                                            "[[figures]]\nid = \"none\"\ntitle = \"None\"\nkind = \"grains\"\nstage = \"nowhere\"\n"
+                                            "[[figures]]\nid = \"phases\"\ntitle = \"Phases\"\nkind = \"phases\"\n"
+                                            "[[figures]]\nid = \"zoom\"\ntitle = \"Zoom\"\nkind = \"zoom\"\n"
+                                            "[[figures]]\nid = \"film\"\ntitle = \"Film\"\nkind = \"film\"\n";
+  ASSERT_EQ(arenite(study_line("run", file, folder / "all", "--quiet")).status, 0);
+  ASSERT_EQ(arenite(study_line("run", file, folder / "few", "--quiet --keep numbers")).status, 0);
+  const std::string page = slurp(folder / "all" / "study.html");
+  EXPECT_TRUE(page == slurp(folder / "few" / "study.html")) << "fields that were dropped are made again, bit by bit";
+  EXPECT_TRUE(contains(page, "there is no stage \\\"nowhere\\\" of this run"));
+  EXPECT_TRUE(contains(page, "no film of this run was made"));
+  EXPECT_EQ(count(page, "\"missing\":"), 2u);
+  EXPECT_TRUE(contains(page, "\"phases\":[") && contains(page, "\"edges\":["));
+  EXPECT_EQ(count(page, "\"materials\":[\"POM\"]"), 2u);
+}
+
 TEST(Study, ThePlanTellsRunsSharedStagesAndTimeWithoutTouchingTheDisk) {
   const TemporaryFolder folder;
   const auto file = write(folder, small_study);

@@ -55,6 +55,50 @@ test("a sample has its grains, the glued ones outlined, and a line for a contact
   assert.equal(stresses.length, 3);
 });
 
+test("grains have the colours and names of their materials, and the picture its width", async (page) => {
+  const { names, caption, fills } = await page.evaluate(() => {
+    const card = document.querySelector('[data-figure="grains"]');
+    return {
+      names: [...card.querySelectorAll(".entry b")].map((node) => node.textContent), caption: card.querySelector(".caption").textContent,
+      fills: new Set([...card.querySelectorAll(".drawing path[fill]")].map((node) => node.getAttribute("fill")).filter((fill) => fill !== "none")).size,
+    };
+  });
+  assert.deepEqual(names, ["POM", "HDPE", "glued"]);
+  assert.equal(fills, 2);
+  assert.match(caption, /20 mm across/);
+});
+
+test("phases and the stress about a grain are painted node by node", async (page) => {
+  const pixels = (id) => page.evaluate(async (figure) => {
+    const image = new Image();
+    image.src = document.querySelector(`[data-figure="${figure}"] .drawing image`).getAttribute("href");
+    await image.decode();
+    const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, image.width, image.height);
+    return { width: image.width, height: image.height, colours: new Set(Array.from({ length: data.length / 4 }, (_, k) => data.slice(4 * k, 4 * k + 3).join())).size };
+  }, id);
+  assert.deepEqual(await pixels("phases"), { width: 4, height: 2, colours: 3 });
+  assert.deepEqual(await pixels("zoom"), { width: 2, height: 1, colours: 2 });
+  const names = await page.evaluate(() => [...document.querySelectorAll('[data-figure="phases"] .entry b')].map((node) => node.textContent));
+  assert.deepEqual(names, ["void", "matrix", "large grains"]);
+});
+
+test("what is not there yet is said in a sentence", async (page) => {
+  const said = await page.evaluate(() => document.querySelector('[data-figure="film"] .nothing').textContent);
+  assert.equal(said, "Not drawn: no film of this run was made.");
+});
+
+test("a fit is a dashed line over its density, without an entry of the key", async (page) => {
+  const { dashes, entries } = await page.evaluate(() => {
+    const card = document.querySelector('[data-figure="tails"]');
+    return { dashes: [...card.querySelectorAll(".drawing [stroke-dasharray]")].map((node) => node.getAttribute("stroke-dasharray")), entries: card.querySelectorAll(".entry").length };
+  });
+  assert.ok(dashes.includes("5 3"), dashes);
+  assert.ok(dashes.includes("4 3"), dashes);
+  assert.equal(entries, 0);
+});
+
 test("light and dark differ and both are drawn", async (page) => {
   const colour = () => page.evaluate(() => getComputedStyle(document.querySelector(".card")).backgroundColor);
   const light = await colour();

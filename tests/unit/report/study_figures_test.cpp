@@ -94,8 +94,49 @@ TEST(StudyFigures, KindsSayWhatTheyNeed) {
 
 TEST(StudyPage, DrawsTheFirstRunThatAFigureWants) {
   StudyPage page{"S", figures("kind = \"stresses\"\nwhere = { gamma = 1, cement = \"full\" }"), table(), none};
-  page.drawing = [](const std::string& run, bool forces) { return "{\"run\":\"" + run + (forces ? "f" : "s") + "\"}"; };
-  EXPECT_NE(study_page(page).find("\"sample\":{\"run\":\"6s\"}"), std::string::npos);
+  page.drawing = [](const std::string& run, const Figure& figure) { return "{\"run\":\"" + run + word_for(figure.kind) + "\"}"; };
+  EXPECT_NE(study_page(page).find("\"sample\":{\"run\":\"6stresses\"}"), std::string::npos);
+}
+
+TEST(StudyPage, SaysWhyARunIsNotDrawnAndWhichCurvesAreNotThereYet) {
+  StudyPage page{"S", figures("kind = \"film\""), table(), none};
+  page.drawing = [](const std::string&, const Figure&) -> std::string { throw InputError("/a/folder", 0, "no film of this run was made"); };
+  EXPECT_NE(study_page(page).find("\"missing\":\"Not drawn: no film of this run was made.\""), std::string::npos);
+  page.figures = figures("kind = \"film\"\nwhere = { gamma = 7 }");
+  EXPECT_NE(study_page(page).find("\"missing\":\"No run of this kind is done yet.\""), std::string::npos);
+  page.figures = figures("kind = \"rose\"\ncurves = [\"s\", \"film.s\"]\nnames = [\"simulation\", \"film\"]");
+  page.numbers = [](const std::string&, const std::string& path) { return std::string(path == "s" ? R"({"s":[1,2]})" : ""); };
+  EXPECT_NE(study_page(page).find("\"missing\":\"No run has the numbers for it yet: film.\""), std::string::npos);
+}
+
+TEST(StudyFigures, FilmsAreWantedOfAllRunsThatAFigureOfThemWants) {
+  const auto wanted = figures("kind = \"film\"\nwhere = { gamma = 1, cement = \"\" }");
+  EXPECT_EQ(filmed_runs(wanted, table()), (std::vector<std::string>{"4", "5"}));
+  EXPECT_TRUE(filmed_runs(figures("kind = \"forces\""), table()).empty());
+}
+
+TEST(StudyFigures, TheShareAboveADensityEndsAtOneAndStandsAtTheLowerEdges) {
+  const auto above = share_above({{0.25, 0.75, 1.25}, {0.8, 0.8, 0.4}, {}});
+  EXPECT_EQ(above.x, (std::vector<double>{0, 0.5, 1}));
+  ASSERT_EQ(above.y.size(), 3u);
+  EXPECT_DOUBLE_EQ(above.y[0], 1);
+  EXPECT_DOUBLE_EQ(above.y[1], 0.6);
+  EXPECT_DOUBLE_EQ(above.y[2], 0.2);
+}
+
+TEST(StudyFigures, ATailIsALineThroughItsDensityBetweenTheEndsOfTheFit) {
+  std::string density;
+  for (int k = 0; k < 40; ++k) density += (k ? "," : "") + std::to_string(5 * std::exp(-2 * (0.05 + 0.1 * k)));
+  const std::string text = R"({"pdf":{"low":0,"width":0.1,"density":[)" + density + R"(]},"tail":{"slope":{"value":2,"error":0.1},"low":1,"high":3}})";
+  const auto curves = curves_of(figures("curves = [\"pdf\"]\nfits = [\"tail\"]\nwhere = { gamma = 1, cement = \"\", seed = 1 }").front(), table(),
+                                [&](const std::string&, const std::string&) { return text; });
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_FALSE(curves[0].fit);
+  ASSERT_TRUE(curves[1].fit);
+  EXPECT_EQ(curves[1].points.x, (std::vector<double>{1, 3}));
+  EXPECT_NEAR(curves[1].points.y[0], 5 * std::exp(-2), 1e-4);
+  EXPECT_NEAR(curves[1].points.y[1], 5 * std::exp(-6), 1e-5);
+  EXPECT_THROW(figures("curves = [\"a\", \"b\"]\nfits = [\"tail\"]"), InputError);
 }
 
 TEST(StudyFigures, AWrongKeyAndAMissingOneAreToldWithTheirLines) {

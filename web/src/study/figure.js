@@ -1,6 +1,8 @@
 import * as Plot from "@observablehq/plot";
+import { h } from "../dom.js";
 import { chart, decades } from "../figures/chart.js";
 import { captionOf } from "./caption.js";
+import { fieldFigure } from "./field.js";
 import { mapFigure } from "./map.js";
 import { roseFigure } from "./rose.js";
 import { sampleFigure } from "./sample.js";
@@ -21,15 +23,18 @@ const dash = (figure, { part }) => (figure.ordered && part > 0 ? "4 3" : null);
 const short = (v) => (Math.abs(v) >= 1e4 ? v.toExponential().replace("e+", "e") : `${Number(v.toPrecision(6))}`);
 
 function axis({ label, log, domain }) {
-  if (!log) return { label, domain, tickFormat: short };
+  if (!log) return { label, domain, ticks: 5, tickFormat: short };
   return { label, type: "log", domain, ticks: decades(domain).length > 1 ? decades(domain) : 4, tickFormat: (v) => `${Number(v.toPrecision(3))}` };
 }
 
-/** Points with their error bars, joined where the figure says so; densities are lines alone. */
-function curve(all, colour, { lines, density, y }, dashed) {
-  const points = all.filter((p) => p.y >= y.domain[0]);
-  const line = Plot.line(points, { x: "x", y: "y", stroke: colour, strokeWidth: 1.6, strokeDasharray: dashed, strokeOpacity: density ? 1 : 0.75 });
-  if (density && lines) return [line];
+const known = (p) => p && !Number.isNaN(p.y);
+
+/** Points with their error bars, joined where the figure says so; densities are lines alone, what is fitted to them is dashed. */
+function curve({ points: all, fit }, theme, colour, { lines, density, y }, dashed) {
+  if (fit) return [Plot.line(all, { x: "x", y: "y", stroke: theme.ink, strokeWidth: 1.4, strokeDasharray: "5 3", clip: true })];
+  const points = all.filter((p) => p.y >= y.domain[0]), alone = all.filter((p, k) => p.y >= y.domain[0] && !known(all[k - 1]) && !known(all[k + 1]));
+  const line = Plot.line(density ? all : points, { x: "x", y: "y", stroke: colour, strokeWidth: 1.6, strokeDasharray: dashed, strokeOpacity: density ? 1 : 0.75 });
+  if (density && lines) return [line, Plot.dot(alone, { x: "x", y: "y", r: 1.6, fill: colour })];
   const bars = points.filter((p) => p.e > 0);
   return [
     lines && line,
@@ -38,9 +43,10 @@ function curve(all, colour, { lines, density, y }, dashed) {
   ].filter(Boolean);
 }
 
-/** What the source's text says: a line across, a line upright or a point. */
-function reference(theme, { x, y, label }, domains, row) {
+/** What the source's text says: a line across, a line upright or a point; or a line through the origin. */
+function reference(theme, { x, y, slope, label }, domains, row) {
   const stroke = { stroke: theme.accent, strokeDasharray: "4 3", strokeWidth: 1.1 };
+  if (slope !== undefined) return [Plot.line(domains.x.map((at) => [at, slope * at]), { ...stroke, clip: true })];
   const note = { text: () => label, fill: theme.accent, fontSize: 10.5 };
   if (x !== undefined && y !== undefined) return [Plot.dot([0], { x: () => x, y: () => y, symbol: "times", r: 4, stroke: theme.accent }), Plot.text([0], { x: () => x, y: () => y, dy: -9, ...note })];
   if (y !== undefined) return [Plot.ruleY([y], stroke), Plot.text([0], { x: () => domains.x[1], y: () => y, textAnchor: "end", dy: -6, ...note })];
@@ -48,24 +54,38 @@ function reference(theme, { x, y, label }, domains, row) {
   return [Plot.ruleX([x], stroke), Plot.text([0], { x: () => x, y: () => domains.y[1], textAnchor: right ? "end" : "start", dx: right ? -4 : 4, dy: 5 + 13 * row, ...note })];
 }
 
+/** An entry for every curve, where there are several or it has a name. */
+function keyOf(figure, theme) {
+  const list = figure.series.map((one, k) => ({ ...one, colour: colours(theme, figure)[k] })).filter(({ fit }) => !fit);
+  if (list.length < 2 && !list[0]?.name) return [];
+  return list.map((one) => ({ name: one.name, colour: one.colour, dash: dash(figure, one), values: [] }));
+}
+
+/** One of which nothing is there: the sentence that says why. */
+function absentFigure(figure) {
+  return { id: figure.id, title: figure.title, caption: captionOf({ ...figure, missing: "" }), draw: () => h("p", { class: "nothing" }, figure.missing) };
+}
+
 export function studyFigure(figure) {
+  if (figure.missing && !figure.sample && figure.series.length === 0) return absentFigure(figure);
   if (figure.kind === "rose") return roseFigure(figure, colours, dash);
   if (figure.kind === "map") return mapFigure(figure);
+  if (figure.sample?.nodes) return fieldFigure(figure);
   if (figure.sample) return sampleFigure(figure);
   const low = figure.y.log ? (p) => Math.max(p.y - p.e, figure.y.domain[0]) : (p) => p.y - p.e;
-  const series = figure.series.map(({ name, points }) => ({ name, points: points.map(([x, y, e]) => ({ x, y, e })).map((p) => ({ ...p, low: low(p) })) }));
+  const series = figure.series.map(({ name, fit, points }) => ({ name, fit, points: points.map(([x, y, e]) => ({ x, y: y ?? NaN, e })).map((p) => ({ ...p, low: low(p) })) }));
   const wide = figure.y.domain.some((v) => Math.abs(v) >= 1e4) || (figure.y.log && figure.y.domain[0] < 1e-3);
   const domains = { x: figure.x.domain, y: figure.y.domain };
   return {
     id: figure.id, title: figure.title,
     caption: captionOf(figure),
-    key: ({ theme }) => (series.length < 2 && !series[0]?.name ? [] : series.map(({ name }, k) => ({ name, colour: colours(theme, figure)[k], dash: dash(figure, figure.series[k]), values: [] }))),
+    key: ({ theme }) => keyOf(figure, theme),
     draw: ({ theme, width }) => series.length > 0 && chart(theme, {
       width, height: 260, marginLeft: wide ? 78 : 62,
       x: axis(figure.x), y: { ...axis(figure.y), labelOffset: wide ? 71 : 56 },
       marks: [
         ...(figure.references ?? []).flatMap((r, row) => reference(theme, r, domains, row)),
-        ...series.flatMap(({ points }, k) => curve(points, colours(theme, figure)[k], figure, dash(figure, figure.series[k]))),
+        ...series.flatMap((one, k) => curve(one, theme, colours(theme, figure)[k], figure, dash(figure, figure.series[k]))),
       ],
     }),
   };

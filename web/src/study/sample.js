@@ -2,25 +2,34 @@ import { s } from "../dom.js";
 import { materialColour } from "../theme.js";
 import { captionOf } from "./caption.js";
 
-/** One sample: its grains with their normal forces as lines as wide as strong, or coloured by their stress over the mean. */
+/** Colours of stresses over the mean, up to so many of them. */
+export const stressKey = (theme, most = 3) => Array.from({ length: most + 1 }, (_, v) => ({ name: v === most ? `${v} and more` : `${v}`, colour: theme.stress(v / most), values: [] }));
+
+/** One sample: its grains by material, with their normal forces as lines as wide as strong, or coloured by their stress over the mean. */
 export function sampleFigure(figure) {
   const { sample } = figure, [across, up] = sample.size;
   return {
     id: figure.id, title: figure.title, caption: captionOf(figure),
-    key: ({ theme }) => (sample.stress ? [0, 1, 2, 3].map((v) => ({ name: v === 3 ? "3 and more" : `${v}`, colour: theme.stress(v / 3), values: [] })) : []),
+    key: ({ theme }) => (sample.stress ? stressKey(theme) : materialKey(theme, sample)),
     draw({ theme, width }) {
       const scale = width / across, height = Math.ceil(up * scale);
       const place = (k) => [sample.x[k] * scale, (up - sample.y[k]) * scale];
       const svg = s("svg", { viewBox: `0 0 ${width} ${height}`, width, height });
       const fill = sample.stress ? (k) => theme.stress(Math.round(24 * Math.min(1, Math.max(0, sample.stress[k] / 3))) / 24) : (k) => materialColour(theme, sample.material[k]);
       const disks = grouped(sample.x.keys(), fill, (k) => disk(place(k), sample.r[k] * scale));
-      for (const [colour, d] of disks) svg.append(s("path", { d, fill: colour, "fill-opacity": sample.stress ? 1 : 0.28 }));
+      for (const [colour, d] of disks) svg.append(s("path", { d, fill: colour, "fill-opacity": sample.f ? 0.28 : 1 }));
       const glued = [...sample.x.keys()].filter((k) => sample.glued[k]);
       if (glued.length > 0) svg.append(s("path", { d: glued.map((k) => disk(place(k), sample.r[k] * scale)).join(""), fill: "none", stroke: theme.accent, "stroke-width": 1.2 }));
       if (sample.f) svg.append(...chains(sample, place, scale, theme));
       return svg;
     },
   };
+}
+
+function materialKey(theme, { materials = [], material, glued, f }) {
+  const names = materials.map((name, m) => ({ name, colour: materialColour(theme, m), values: [] })).filter((_, m) => material.includes(m));
+  const last = [glued.includes(1) && { name: "glued", colour: theme.accent, values: [] }, f?.some((v) => v < 0) && { name: "pull", colour: theme.tension, values: [] }];
+  return [...(names.length > 1 ? names : []), ...last.filter(Boolean)];
 }
 
 function grouped(keys, kind, shape) {

@@ -1,0 +1,145 @@
+#include "report/field_drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <vector>
+
+#include "core/error.hpp"
+
+namespace arenite::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int most_nodes = 512, most_zoomed = 256;  // across a picture
+constexpr double view_over_radius = 1.35;
+
+/// Nodes of a map from its lower left corner: every `step`th.
+struct View {
+  int x = 0, y = 0, width = 0, height = 0, step = 1;
+  std::size_t node(const PhaseMap& map, int column, int row_from_top) const { return map.index(x + column * step, y + (height - 1 - row_from_top) * step); }
+  Json json(const PhaseMap& map) const {
+    const double mm = 1e3 * map.dx * step;
+    return {{"size", {std::round(1e4 * width * mm) / 1e4, std::round(1e4 * height * mm) / 1e4}}, {"nodes", {width, height}}};
+  }
+};
+
+int kind_of(const PhaseMap& map, std::size_t node) {
+  if (map.phase[node] != Phase::particle) return map.phase[node] == Phase::matrix ? 1 : 0;
+  const std::int32_t grain = map.grain[node];
+  if (grain < 0 || map.grain_class.empty()) return 2;
+  const GrainClass size = map.grain_class[static_cast<std::size_t>(grain)];
+  return size == GrainClass::small ? 3 : size == GrainClass::large ? 4 : 2;
+}
+
+struct Disk {
+  double x = 0, y = 0, nodes = 0;
+  double radius() const { return std::sqrt(nodes / std::numbers::pi); }
+};
+
+std::vector<Disk> disks_of(const PhaseMap& map) {
+  std::vector<Disk> disks(map.grain_class.size());
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x)
+      if (const std::int32_t grain = map.grain[map.index(x, y)]; grain >= 0) {
+        Disk& disk = disks[static_cast<std::size_t>(grain)];
+        disk.x += x;
+        disk.y += y;
+        ++disk.nodes;
+      }
+  for (Disk& disk : disks)
+    if (disk.nodes > 0) disk.x /= disk.nodes, disk.y /= disk.nodes;
+  return disks;
+}
+
+/// The large grain nearest to the middle.
+Disk middle_grain(const PhaseMap& map) {
+  const auto disks = disks_of(map);
+  const bool classes = std::find(map.grain_class.begin(), map.grain_class.end(), GrainClass::large) != map.grain_class.end();
+  Disk best;
+  double least = INFINITY;
+  for (std::size_t g = 0; g < disks.size(); ++g) {
+    const double away = std::hypot(disks[g].x - 0.5 * map.width, disks[g].y - 0.5 * map.height);
+    if (disks[g].nodes == 0 || (classes && map.grain_class[g] != GrainClass::large) || away >= least) continue;
+    best = disks[g];
+    least = away;
+  }
+  if (best.nodes == 0) throw InputError("the sample has no grain to look at");
+  return best;
+}
+
+View about(const Disk& disk, const PhaseMap& map) {
+  const int reach = static_cast<int>(std::ceil(view_over_radius * disk.radius()));
+  View view;
+  view.step = (2 * reach + most_zoomed - 1) / most_zoomed;
+  view.x = std::max(0, static_cast<int>(disk.x) - reach);
+  view.y = std::max(0, static_cast<int>(disk.y) - reach);
+  view.width = std::min(map.width - view.x, 2 * reach) / view.step;
+  view.height = std::min(map.height - view.y, 2 * reach) / view.step;
+  return view;
+}
+
+double solid_mean(const FieldResult& load) {
+  double sum = 0, count = 0;
+  for (std::size_t k = 0; k < load.map.size(); ++k)
+    if (load.map.phase[k] != Phase::empty) sum += load.field.yy[k], ++count;
+  return sum / count;
+}
+
+/// Where the grain changes: grain -1 is matrix and void, whose own border the picture shows.
+Json edges_of(const PhaseMap& map, const View& view) {
+  Json edges = Json::array();
+  for (int row = 0; row < view.height; ++row)
+    for (int column = 0; column < view.width; ++column) {
+      const std::int32_t here = map.grain[view.node(map, column, row)];
+      if (column > 0 && map.grain[view.node(map, column - 1, row)] != here) edges.push_back({column, row, 1});
+      if (row > 0 && map.grain[view.node(map, column, row - 1)] != here) edges.push_back({column, row, 0});
+    }
+  return edges;
+}
+
+}  // namespace
+
+std::string phases_drawing(const FieldResult& sample) {
+  const PhaseMap& map = sample.map;
+  View view;
+  view.step = (std::max(map.width, map.height) + most_nodes - 1) / most_nodes;
+  view.width = map.width / view.step;
+  view.height = map.height / view.step;
+  Json runs = Json::array();
+  int last = -1, count = 0;
+  const auto end_run = [&] {
+    if (count > 0) runs.push_back(last), runs.push_back(count);
+    count = 0;
+  };
+  for (int row = 0; row < view.height; ++row)
+    for (int column = 0; column < view.width; ++column) {
+      const int kind = kind_of(map, view.node(map, column, row));
+      if (kind != last) end_run();
+      last = kind;
+      ++count;
+    }
+  end_run();
+  Json j = view.json(map);
+  j["phases"] = std::move(runs);
+  return j.dump();
+}
+
+std::string zoom_drawing(const FieldResult& load) {
+  if (load.field.size() == 0) throw InputError("there is no field of stress of this run to look at");
+  const View view = about(middle_grain(load.map), load.map);
+  const double mean = solid_mean(load);
+  Json j = view.json(load.map), stress = Json::array();
+  for (int row = 0; row < view.height; ++row)
+    for (int column = 0; column < view.width; ++column) {
+      const std::size_t node = view.node(load.map, column, row);
+      stress.push_back(load.map.phase[node] == Phase::empty ? Json() : Json(std::round(100 * load.field.yy[node] / mean) / 100));
+    }
+  j["stress"] = std::move(stress);
+  j["edges"] = edges_of(load.map, view);
+  return j.dump();
+}
+
+}  // namespace arenite::report
