@@ -57,7 +57,7 @@ void draw(const Arguments& a) {
 
 void add_figures(CLI::App& command, int&) {
   const auto a = std::make_shared<Arguments>();
-  command.add_option("result", a->result, "Folder of a run or a film's result, or a file of it")->required()->type_name("RESULT");
+  command.add_option("result", a->result, "Folder of a run, a film's result or a study, or a file of it")->required()->type_name("RESULT");
   command.add_option("--out", a->out, "Folder to write to (default: figures in the result's folder)")->type_name("DIR");
   command.add_option("--format", a->formats, "pdf, svg, png; may be several")->check(CLI::IsMember({"pdf", "svg", "png"}))->type_name("FORMAT");
   command.add_option("--only", a->only, "Names of figures; all if not given")->type_name("NAME");

@@ -87,9 +87,10 @@ void bind_grains(py::class_<Packing>& c) {
   array_property(c, "angle", [](const Packing& p) -> auto& { return p.grains.angle; }, "Rotations since the start, rad, counter-clockwise.");
 }
 
-py::object measured(const Packing& packing, double border, const py::object& load_axis, bool curves) {
+py::object measured(const Packing& packing, double border, const py::object& load_axis, bool curves, const std::optional<std::vector<double>>& sigma_hyd) {
   texture::Options options;
   options.border = border;
+  if (sigma_hyd) options.grain_sigma_hyd = *sigma_hyd;
   if (!load_axis.is_none()) options.load_axis = load_axis.cast<double>() * std::numbers::pi / 180;
   Call call;
   return from_json(call.without_lock([&] { return texture::to_json(texture::measure(packing, options), curves); }));
@@ -137,8 +138,10 @@ void bind_packing(py::module_& m) {
       });
   bind_grains(packing);
   m.def("measure", &measured, py::arg("packing"), py::kw_only(), py::arg("border") = 2.5, py::arg("load_axis") = py::none(), py::arg("curves") = true,
+        py::arg("sigma_hyd") = py::none(),
         "Texture and stress of a packing as a dict: solid fraction, REV, coordination, fabric, forces, stress, normalised stress, local order; each statistic is "
-        "{\"value\", \"error\"}. `border`: strip left out along walls, mean diameters (T 3.2.4). `load_axis`: degrees from x; found from the stress if not given.");
+        "{\"value\", \"error\"}. `border`: strip left out along walls, mean diameters (T 3.2.4). `load_axis`: degrees from x; found from the stress if not given. "
+        "`sigma_hyd`: stress of every grain as it was measured, Pa, instead of that of its contacts.");
   m.def("measure_grains", &per_grain, py::arg("packing"), py::kw_only(), py::arg("border") = 2.5,
         "What texture knows of every grain, as arrays: considered, rattler, contacts, sigma_hyd (Pa, tension positive), sigma_norm, psi6.");
   m.def("read_packing",

@@ -5,13 +5,14 @@ one call away; `catalogue.figures` lists the figures that `save_all` makes of a 
 own rcParams' fonts, embedded in PDF and kept as text in SVG.
 """
 
-from .catalogue import Figure, figures, figures_of, save, save_all
-from .fields import draw_cavities, draw_convergence, draw_cracks, draw_densities, draw_energy_balance, draw_field, draw_phases, draw_stress_strain
+from .catalogue import Figure, figures, figures_of, save, save_all, study_figures
+from .fields import draw_broken_bonds, draw_cavities, draw_convergence, draw_cracks, draw_densities, draw_energy_balance, draw_field, draw_phases, draw_stress_strain
 from .films import draw_against_twin, draw_certainty, draw_film_grains, draw_map, draw_ranked_forces, draw_ranked_stresses, draw_twin_grains
 from .histories import draw_energies, draw_rest, draw_travel, draw_wall_forces
 from .packings import draw_forces, draw_packing
+from .studies import draw_study_figure, draw_study_map, draw_study_nodes, draw_study_plot, draw_study_rose, draw_study_sample, study_document
 from .style import column_width, journal_style, page_width
-from .textures import draw_contact_numbers, draw_coordination, draw_course, draw_cumulative, draw_density, draw_rev, draw_rose, draw_threshold
+from .textures import draw_contact_numbers, draw_coordination, draw_course, draw_cumulative, draw_cumulative_sets, draw_density, draw_rev, draw_rose, draw_threshold
 
 __all__ = [name for name in dir() if name.startswith("draw_")] + [
-    "Figure", "column_width", "figures", "figures_of", "journal_style", "page_width", "save", "save_all"]
+    "Figure", "column_width", "figures", "figures_of", "journal_style", "page_width", "save", "save_all", "study_document", "study_figures"]

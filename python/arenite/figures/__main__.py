@@ -4,15 +4,16 @@ import argparse
 import pathlib
 import sys
 
-from .catalogue import figures, save_all
+from .catalogue import save_all
+from .studies import not_drawn
 
 
 def main():
-    parser = argparse.ArgumentParser(prog="arenite figures", description="Journal figures of a result: PDF, SVG or PNG in column width, fonts embedded.")
-    parser.add_argument("result", help="folder of a run, or a file of it")
+    parser = argparse.ArgumentParser(prog="arenite figures", description="Journal figures of a result or a study: PDF, SVG or PNG in column width, fonts embedded.")
+    parser.add_argument("result", help="folder of a run or a study, or a file of it")
     parser.add_argument("--out", help="folder to write to (default: figures in the result's folder)")
     parser.add_argument("--format", nargs="+", choices=["pdf", "svg", "png"], default=["pdf"])
-    parser.add_argument("--only", nargs="+", metavar="NAME", choices=sorted({f.name for f in figures}), help="names of figures; all if not given")
+    parser.add_argument("--only", nargs="+", metavar="NAME", help="names of figures; all if not given")
     parser.add_argument("--width", type=float, metavar="MM", help="width in millimetres (default: 85 for one column, 175 for two)")
     a = parser.parse_args()
     result = pathlib.Path(a.result)
@@ -23,6 +24,9 @@ def main():
         sys.exit(_refuse(str(error)))
     for path in paths:
         print(path)
+    for name, sentence in not_drawn(result).items():
+        if not a.only or name in a.only:
+            print(f"{name}: {sentence}", file=sys.stderr)
     if not paths:
         sys.exit(_refuse(f"{a.result}: holds nothing that these figures show"))
 

@@ -5,10 +5,11 @@ import logging
 import pathlib
 import typing
 
+import numpy as np
 from matplotlib.figure import Figure as Canvas
 
-from .._core import measure, open as open_result
-from . import fields, films, histories, packings, textures
+from .._core import cavities as cavity_nodes, measure, open as open_result
+from . import fields, films, histories, packings, studies, textures
 from .style import column_width, journal_style, page_width
 
 
@@ -80,18 +81,14 @@ def densities(figure, part):
 
 def cavities(figure, part):
     axes = figure.add_subplot()
-    from .._core import cavities as find
-
     for kind in ["pore", "void"]:
-        nodes = find(part.map, kind)
+        nodes = cavity_nodes(part.map, kind)
         if len(nodes) > 10:
             fields.draw_cavities(axes, nodes / mean_grain_nodes(part.map), kind + "s")
 
 
 def mean_grain_nodes(map):
     """Mean area of a grain (of the large ones, where there are classes), nodes."""
-    import numpy as np
-
     size = np.bincount(map.grain[map.grain >= 0].ravel(), minlength=len(map.grain_class))
     large = np.asarray(map.grain_class) == 2
     return size[large].mean() if large.any() else size[size > 0].mean()
@@ -110,6 +107,23 @@ def beside(figure, part):
         shown = draw(axes, part)
         axes.set_title(title)
     figure.colorbar(shown, ax=figure.axes, label=r"$\sigma_{norm}$", shrink=0.7, extend="max")
+
+
+def film_tails(figure, part):
+    """Film, and the swing and the state of the simulation beside it."""
+    sets = [("film", part.sigma_hyd), *[(f"simulation, {name}", part.twin[name]) for name in ("swing", "state") if name in part.twin]]
+    textures.draw_cumulative_sets(figure.add_subplot(), [(name, measure(part.packing, sigma_hyd=sigma).get("sigma_norm", {})) for name, sigma in sets])
+
+
+def film_roses(figure, part):
+    """Contacts whose force swings in the film, and those of the simulation beside it at the largest load, on one scale."""
+    sets = [(name, part.numbers["directions"][key]) for key, name in [("film", "film"), ("twin", "simulation")] if key in part.numbers["directions"]]
+    reach = max(max(of["sectors"]) * len(of["sectors"]) / of["contacts"] for _, of in sets)
+    for k, (name, of) in enumerate(sets):
+        axes = figure.add_subplot(1, len(sets), k + 1, projection="polar")
+        textures.draw_rose(axes, of["sectors"], of)
+        axes.set_ylim(0, 1.05 * reach)
+        axes.set_title(f"{name} ({of['contacts']})")
 
 
 def has_contacts(part):
@@ -149,6 +163,7 @@ figures = [
     Figure("convergence", "field", one(fields.draw_convergence, lambda f: f.convergence), lambda f: len(f.convergence.get("residual", [])) > 1),
     Figure("stress-strain", "field", one(fields.draw_stress_strain, lambda f: f.curve), has_curve),
     Figure("cracks", "field", one(fields.draw_cracks, lambda f: f), has_curve, 1.05),
+    Figure("broken-bonds", "field", one(fields.draw_broken_bonds, lambda f: f), lambda f: has_curve(f) and len(f.cracks["type"]) > 0),
     Figure("energy-balance", "field", one(fields.draw_energy_balance, lambda f: f.curve), has_curve),
     Figure("maps", "film", film_maps, height=0.55, wide=True),
     Figure("grains", "film", with_bar(films.draw_film_grains, lambda f: f, r"$\sigma_{norm}$"), lambda f: len(f.grains) > 0, 0.9),
@@ -158,6 +173,8 @@ figures = [
     Figure("force-network", "film", one(packings.draw_forces, lambda f: f.packing), lambda f: len(f.fn_error) > 0, 1.0),
     Figure("beside-simulation", "film", beside, lambda f: len(f.twin) > 0, 0.5, True),
     Figure("against-simulation", "film", one(films.draw_against_twin, lambda f: f), lambda f: len(f.twin) > 0, 0.9),
+    Figure("tails", "film", film_tails, lambda f: len(f.sigma_hyd) > 1),
+    Figure("contact-directions", "film", film_roses, lambda f: "film" in f.numbers.get("directions", {}), 0.55),
 ]
 
 
@@ -188,19 +205,28 @@ def save(figure, part, path, width=None, **style):
         canvas.savefig(path, metadata=metadata)
 
 
+def study_figures(path):
+    """(figure, part) of all that the page of a study shows and can be drawn yet."""
+    return [(Figure(part["id"], "study", studies.draw_study_figure, height=studies.height_of(part)), part)
+            for part in studies.study_document(path)["figures"] if studies.has_content(part)]
+
+
 def save_all(result, folder, formats=("pdf",), names=None, width=None):
-    """Every figure of a result (a Result or its path) into a folder; gives the paths. `names`: only these figures."""
-    result = open_result(str(result)) if isinstance(result, (str, pathlib.Path)) else result
-    chosen = [(figure, part) for figure, part in figures_of(result) if not names or figure.name in names]
-    unknown = set(names or []) - {figure.name for figure in figures}
-    if unknown:
-        raise ValueError(f"there is no figure {', '.join(sorted(unknown))}; there are {', '.join(sorted({f.name for f in figures}))}")
+    """Every figure of a result or a study (a Result or its path) into a folder; gives the paths. `names`: only these figures."""
+    is_path = isinstance(result, (str, pathlib.Path))
+    of_study = is_path and studies.is_study(result)
+    found = study_figures(result) if of_study else figures_of(open_result(str(result)) if is_path else result)
+    known = {figure.name for figure, _ in found} if of_study else {figure.name for figure in figures}
+    if unknown := set(names or []) - known:
+        raise ValueError(f"there is no figure {', '.join(sorted(unknown))}; there are {', '.join(sorted(known))}")
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     paths = []
-    for figure, part in chosen:
+    for figure, part in found:
+        if names and figure.name not in names:
+            continue
         for form in formats:
-            path = folder / f"{part.name.replace(' ', '-')}-{figure.name}.{form}"
+            path = folder / (f"{figure.name}.{form}" if of_study else f"{part.name.replace(' ', '-')}-{figure.name}.{form}")
             save(figure, part, path, width)
             paths.append(path)
     return paths

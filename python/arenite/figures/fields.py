@@ -6,6 +6,7 @@ from matplotlib.colors import ListedColormap
 from .style import bare, colours, length_bar, phase_colours, scaled, soft, strong
 
 order = ["all", "large", "small", "particle", "matrix"]
+crack_colours = {1: ("matrix", "#d62728"), 2: ("interface", "#111111"), 3: ("particle", "#ff9d00")}
 set_colours = {"all": strong, "large": colours[0], "small": colours[1], "particle": colours[0], "matrix": colours[2]}
 
 
@@ -48,11 +49,22 @@ def draw_cracks(axes, field):
     """Broken bonds on the sample, by type."""
     draw_phases(axes, field)
     cracks = field.cracks
-    for kind, (name, colour) in {1: ("matrix", "#d62728"), 2: ("interface", "#111111"), 3: ("particle", "#ff9d00")}.items():
+    for kind, (name, colour) in crack_colours.items():
         of = cracks["type"] == kind
         if of.any():
             axes.plot(cracks["x"][of], cracks["y"][of], ".", color=colour, markersize=0.8, label=f"{name} {of.sum()}", rasterized=True)
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, 0), ncols=3, markerscale=6, handletextpad=0.2)
+
+
+def draw_broken_bonds(axes, field):
+    """Number of broken bonds by type over the steps of a pull."""
+    until = np.asarray(field.curve["broken"], int)
+    step = np.arange(1, len(until) + 1)
+    for kind, (name, colour) in crack_colours.items():
+        count = np.concatenate([[0], np.cumsum(field.cracks["type"] == kind)])
+        axes.step(step, count[np.minimum(until, len(count) - 1)], where="post", color=colour, label=name)
+    axes.set(xlabel="step", ylabel="broken bonds", ylim=(0, None))
+    axes.legend()
 
 
 def draw_densities(axes, statistics, component="sigma_yy", own=False, log=True):

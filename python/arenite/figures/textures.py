@@ -12,9 +12,15 @@ def sets_of(distribution):
 
 
 def draw_cumulative(axes, distribution, label=r"$\sigma_{norm}$", share="P0"):
-    """Share above x with its tail P_0 exp(beta (1 - x)), semi-logarithmic: T figures 3.10 to 3.12, 4.5, 5.6, 6.5."""
-    sets = sets_of(distribution)
+    """Share above x with its tail P_0 exp(beta (1 - x)), semi-logarithmic (T figures 3.12, 6.4): all, and the parts."""
+    draw_cumulative_sets(axes, sets_of(distribution), label, share)
+
+
+def draw_cumulative_sets(axes, sets, label=r"$\sigma_{norm}$", share="P0"):
+    """The same of several distributions, (name, distribution)."""
     for (name, d), colour in zip(sets, [strong, *colours]):
+        if "cumulative" not in d:
+            continue
         curve, least = d["cumulative"], 0.7 / d["count"]
         x, y = np.array(curve["x"]), np.array(curve["y"])
         axes.plot(x[y >= least], y[y >= least], ".", color=colour, markersize=2.5, label=name)

@@ -1,0 +1,133 @@
+import os
+import subprocess
+
+import arenite.figures as figures
+import pytest
+
+recipe = """
+title = "small study"
+seed = 3
+[materials.POM]
+density = "1410 kg/m^3"
+stiffness = "27.35 kN/mm"
+[[populations]]
+material = "POM"
+count = 60
+size = { law = "uniform", min = "10 mm", max = "16 mm" }
+[frame]
+width = "100 mm"
+thickness = "60 mm"
+[packing]
+method = "random"
+solid_fraction = 0.7
+[contact]
+friction_law = "cundall_strack"
+[[stages]]
+name = "prepare"
+top = { force = "100 N" }
+[cement]
+kind = "bridges"
+[raster]
+nodes = 64
+[[loads]]
+name = "tension"
+[sweep]
+replicates = 2
+[sweep.grid]
+"cement.width" = [0.2, 0.3, 0.4]
+"""
+
+declared = """
+[[figures]]
+id = "saturation"
+title = "Saturation"
+x = "cement.width"
+x_label = "η"
+y = ["S_m", "solid_fraction"]
+names = ["S_{m}", "ρ_{p}"]
+references = [{ y = 0.5, label = "half" }, { x = 0.3, label = "here" }, { slope = 1 }, { x = 0.3, y = 0.5, label = "point" }]
+
+[[figures]]
+id = "density"
+title = "Stress"
+curves = ["stress.sigma_yy.sets.all.even_pdf"]
+fits = ["stress.sigma_yy.sets.all.tail"]
+y_log = true
+y_low = 1e-3
+by = "cement.width"
+
+[[figures]]
+id = "rose"
+title = "Directions"
+kind = "rose"
+curves = ["fabric.sectors"]
+by = "cement.width"
+
+[[figures]]
+id = "map"
+title = "Map"
+kind = "map"
+x = "solid_fraction"
+y = ["S_m"]
+by = "cement.width"
+""" + "".join(f"""
+[[figures]]
+id = "{kind}"
+title = "One run"
+kind = "{kind}"
+""" for kind in ["grains", "forces", "stresses", "phases", "zoom", "film"])
+
+
+@pytest.fixture(scope="module")
+def study(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("study")
+    (folder / "small.toml").write_text(recipe)
+    (folder / "figures.toml").write_text(declared)
+    subprocess.run([os.environ["ARENITE"], "study", "run", "small.toml", "--out", "out", "--quiet"], cwd=folder, check=True, capture_output=True)
+    return folder / "out"
+
+
+drawn = {"saturation", "density", "rose", "map", "grains", "forces", "stresses", "phases", "zoom"}
+
+
+def test_every_figure_of_the_page_is_drawn_in_column_width_with_its_fonts(study, tmp_path):
+    paths = figures.save_all(study, tmp_path, ("pdf", "svg", "png"))
+    assert {p.stem for p in paths} == drawn and len(paths) == 3 * len(drawn)
+    for path in paths:
+        bytes = path.read_bytes()
+        assert len(bytes) > 2000
+        if path.suffix == ".pdf":
+            assert bytes.startswith(b"%PDF") and (b"/FontFile2" in bytes or b"/Type /Font" not in bytes)
+        if path.suffix == ".svg":
+            assert f'width="{72 * figures.column_width:g}pt"' in path.read_text()
+
+
+def test_the_same_study_gives_the_same_bytes(study, tmp_path):
+    for form in ("pdf", "svg", "png"):
+        first, second = (figures.save_all(study, tmp_path / turn, (form,), ["density", "zoom", "forces"]) for turn in "ab")
+        assert [p.read_bytes() for p in first] == [p.read_bytes() for p in second]
+
+
+def test_numbers_are_those_of_the_page(study, tmp_path):
+    document = figures.study_document(study)
+    (shown,) = [f for f in document["figures"] if f["id"] == "saturation"]
+    canvas = figures.catalogue.Canvas()
+    figures.draw_study_plot(canvas.add_subplot(), shown)
+    bars = canvas.axes[0].containers
+    assert [bar.get_label() for bar in bars] == ["S$_\\mathrm{m}$", "ρ$_\\mathrm{p}$"]
+    assert [list(point) for point in bars[0].lines[0].get_xydata()] == [point[:2] for point in shown["series"][0]["points"]]
+
+
+def test_the_command_draws_and_tells_what_it_cannot(study, tmp_path):
+    run = subprocess.run([os.environ["ARENITE"], "figures", str(study), "--out", str(tmp_path)], capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
+    assert len(run.stdout.splitlines()) == len(drawn)
+    assert run.stderr == "film: Not drawn: no film of this run was made; arenite verify thesis makes it.\n"
+
+
+def test_wrong_requests_are_refused_in_one_sentence(study, tmp_path):
+    with pytest.raises(ValueError, match="no figure"):
+        figures.save_all(study, tmp_path, names=["nothing"])
+    (tmp_path / "runs.tsv").write_text("")
+    run = subprocess.run([os.environ["ARENITE"], "figures", str(tmp_path)], capture_output=True, text=True)
+    assert run.returncode == 2 and run.stderr.count("\n") == 1 and "arenite study page" in run.stderr
