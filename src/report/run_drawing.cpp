@@ -8,6 +8,7 @@
 #include "report/field_drawing.hpp"
 #include "report/run_density.hpp"
 #include "report/sample_drawing.hpp"
+#include "report/study_figures.hpp"
 #include "study/final_state.hpp"
 #include "study/run_field.hpp"
 
@@ -25,7 +26,7 @@ std::string run_drawing(const fs::path& run, const Figure& figure) {
 }
 
 std::string RunNumbers::with(const fs::path& run, const std::string& path) {
-  if (path.starts_with("film.")) return ledger::has_film(run) ? "{\"film\":" + ledger::film_json(run) + "}" : "";
+  if (is_of_film(path)) return ledger::has_film(run) ? "{\"film\":" + ledger::film_json(run) + "}" : "";
   std::ifstream in(run / "numbers.json", std::ios::binary);
   std::string numbers(std::istreambuf_iterator<char>(in), {});
   if (path.empty() || has_numbers(numbers, path) || io::stage_files(run).empty()) return numbers;

@@ -114,8 +114,9 @@ std::vector<FigureCurve> curves_of(const Figure& figure, const Table& table, con
     const auto rows = rows_of(from, figure, group);
     const std::size_t here = place++;
     for (std::size_t k = 0; k < (densities ? figure.curves : figure.y).size(); ++k) {
-      FigureCurve curve{name_of(figure, group, unit, k), {}, here, k, false}, fit{"", {}, here, k, true};
+      FigureCurve curve{name_of(figure, group, unit, k), {}, here, k}, fit{"", {}, here, k, false, true};
       if (densities) {
+        curve.film = is_of_film(figure.curves[k]);
         std::vector<std::string> texts;
         for (const auto* row : rows) texts.push_back(numbers(row->run, figure.curves[k]));
         const bool lists = figure.kind == FigureKind::rose || !figure.curve_x.empty();
@@ -131,6 +132,8 @@ std::vector<FigureCurve> curves_of(const Figure& figure, const Table& table, con
   }
   return curves;
 }
+
+bool is_of_film(const std::string& path) { return path.starts_with("film."); }
 
 std::vector<std::string> filmed_runs(const std::vector<Figure>& figures, const Table& table) {
   std::vector<std::string> runs;

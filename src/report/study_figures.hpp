@@ -14,6 +14,7 @@ struct FigureCurve {
   std::string name;
   statistics::Curve points;
   std::size_t group = 0, part = 0;       ///< which value of `by`, which of `y` or `curves`
+  bool film = false;                     ///< what a film gives
   bool fit = false;                      ///< an exponential through the curve before it
 };
 
@@ -25,6 +26,8 @@ using NumbersOf = std::function<std::string(const std::string& run, const std::s
 /// a key that is not swept.
 std::vector<FigureCurve> curves_of(const Figure& figure, const study::CollectedTable& table, const NumbersOf& numbers);
 
+/// Whether a path to numbers says what a film gives.
+bool is_of_film(const std::string& path);
 /// The runs of which figures want a film: all that those of kind `film` want.
 std::vector<std::string> filmed_runs(const std::vector<Figure>& figures, const study::CollectedTable& table);
 

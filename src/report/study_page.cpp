@@ -68,7 +68,7 @@ Json figure_json(const Figure& figure, const std::vector<FigureCurve>& curves) {
       points.push_back({at, value, std::isfinite(error) ? error : 0.0});
     }
     if (!points.empty() && points.back()[1].is_null()) points.erase(points.size() - 1);
-    if (!points.empty()) series.push_back({{"name", curve.name}, {"group", curve.group}, {"part", curve.part}, {"fit", curve.fit}, {"points", points}});
+    if (!points.empty()) series.push_back({{"name", curve.name}, {"group", curve.group}, {"part", curve.part}, {"film", curve.film}, {"fit", curve.fit}, {"points", points}});
   }
   Json references = Json::array();
   for (const auto& r : figure.references) {

@@ -99,6 +99,14 @@ test("a fit is a dashed line over its density, without an entry of the key", asy
   assert.equal(entries, 0);
 });
 
+test("a film's points are hollow, in the colour of what was simulated", async (page) => {
+  const dots = await page.evaluate(() => [...document.querySelectorAll('[data-figure="beside"] .drawing circle')].map((dot) => [dot, dot.parentElement].map((node) => [node.getAttribute("fill"), node.getAttribute("stroke")])));
+  const of = (dot, k) => dot[0][k] ?? dot[1][k];
+  assert.equal(dots.length, 6);
+  assert.equal(of(dots[3], 1), of(dots[0], 0));
+  assert.notEqual(of(dots[3], 0), of(dots[0], 0));
+});
+
 test("light and dark differ and both are drawn", async (page) => {
   const colour = () => page.evaluate(() => getComputedStyle(document.querySelector(".card")).backgroundColor);
   const light = await colour();

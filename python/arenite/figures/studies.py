@@ -48,7 +48,14 @@ def _colours(figure):
     if figure["ordered"] and len(groups) > 2:
         shades = matplotlib.colormaps["viridis"](np.linspace(0, 0.9, len(groups)))
         return [shades[groups.index(curve["group"])] for curve in figure["series"]]
-    return [colours[(curve["group"] if figure["ordered"] else curve["part"]) % len(colours)] for curve in figure["series"]]
+    simulated = max(1, sum(not curve["film"] for curve in figure["series"]))
+    place = [curve["group"] if figure["ordered"] else curve["part"] % simulated if _is_hollow(figure, curve) else curve["part"] for curve in figure["series"]]
+    return [colours[k % len(colours)] for k in place]
+
+
+def _is_hollow(figure, curve):
+    """In a plot a film's points have the colour of what was simulated, and are hollow."""
+    return curve["film"] and figure["kind"] == "plot"
 
 
 def _legend(axes, figure):
@@ -75,8 +82,9 @@ def draw_study_plot(axes, figure):
             axes.plot(x[alone], y[alone], ".", color=colour, markersize=2)
             continue
         low = np.minimum(error, 0.95 * y) if figure["y"]["log"] else error
+        face = "white" if _is_hollow(figure, curve) else colour
         axes.errorbar(x, y, yerr=[low, error] if error.any() else None, fmt="o" + style if figure["lines"] else "o", color=colour, markersize=2.4 if len(x) < 200 else 1,
-                      elinewidth=0.6, linewidth=0.9, label=label(curve["name"]) or None)
+                      elinewidth=0.6, linewidth=0.9, markerfacecolor=face, markeredgewidth=0.6, label=label(curve["name"]) or None)
     for axis in "xy":
         about = figure[axis]
         axes.set(**{f"{axis}label": label(about["label"]), f"{axis}scale": "log" if about["log"] else "linear", f"{axis}lim": about["domain"]})

@@ -115,6 +115,14 @@ TEST(StudyFigures, FilmsAreWantedOfAllRunsThatAFigureOfThemWants) {
   EXPECT_TRUE(filmed_runs(figures("kind = \"forces\""), table()).empty());
 }
 
+TEST(StudyFigures, WhatAFilmGivesIsMarked) {
+  const auto curves = curves_of(figures("kind = \"rose\"\ncurves = [\"s\", \"film.s\"]").front(), table(),
+                                [](const std::string&, const std::string&) { return std::string(R"({"s":[1,2],"film":{"s":[2,1]}})"); });
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_FALSE(curves[0].film);
+  EXPECT_TRUE(curves[1].film);
+}
+
 TEST(StudyFigures, TheShareAboveADensityEndsAtOneAndStandsAtTheLowerEdges) {
   const auto above = share_above({{0.25, 0.75, 1.25}, {0.8, 0.8, 0.4}, {}});
   EXPECT_EQ(above.x, (std::vector<double>{0, 0.5, 1}));

@@ -7,18 +7,21 @@ import { mapFigure } from "./map.js";
 import { roseFigure } from "./rose.js";
 import { sampleFigure } from "./sample.js";
 
-const hues = (theme) => [...theme.materialLine, ...theme.mixedLine];
+/** Those that differ most come first. */
+const hues = (theme) => [...theme.materialLine, ...[1, 2, 3, 0].map((k) => theme.mixedLine[k])];
 
 /** Colours of curves in their order: a scale where they are values of one key, distinct hues otherwise. */
 function colours(theme, figure) {
   const groups = [...new Set(figure.series.map(({ group }) => group))], n = groups.length;
   if (figure.ordered && n > 2) return figure.series.map(({ group }) => theme.size(groups.indexOf(group) / (n - 1)));
-  const list = hues(theme);
-  return figure.series.map(({ group, part }) => list[(figure.ordered ? groups.indexOf(group) : part) % list.length]);
+  const list = hues(theme), simulated = figure.series.filter(({ film }) => !film).length;
+  // In a plot a film's points have the colour of what was simulated, and are hollow.
+  const place = ({ part, film }) => (film && figure.kind === "plot" ? part % Math.max(1, simulated) : part);
+  return figure.series.map((one) => list[(figure.ordered ? groups.indexOf(one.group) : place(one)) % list.length]);
 }
 
 /** Several curves of one value of a key have its colour; all but the first are dashed. */
-const dash = (figure, { part }) => (figure.ordered && part > 0 ? "4 3" : null);
+const dash = (figure, { part, film }) => (film && figure.kind === "plot" ? "1.5 3" : figure.ordered && part > 0 ? "4 3" : null);
 
 const short = (v) => (Math.abs(v) >= 1e4 ? v.toExponential().replace("e+", "e") : `${Number(v.toPrecision(6))}`);
 
@@ -30,7 +33,7 @@ function axis({ label, log, domain }) {
 const known = (p) => p && !Number.isNaN(p.y);
 
 /** Points with their error bars, joined where the figure says so; densities are lines alone, what is fitted to them is dashed. */
-function curve({ points: all, fit }, theme, colour, { lines, density, y }, dashed) {
+function curve({ points: all, film, fit }, theme, colour, { lines, density, y }, dashed) {
   if (fit) return [Plot.line(all, { x: "x", y: "y", stroke: theme.ink, strokeWidth: 1.4, strokeDasharray: "5 3", clip: true })];
   const points = all.filter((p) => p.y >= y.domain[0]), alone = all.filter((p, k) => p.y >= y.domain[0] && !known(all[k - 1]) && !known(all[k + 1]));
   const line = Plot.line(density ? all : points, { x: "x", y: "y", stroke: colour, strokeWidth: 1.6, strokeDasharray: dashed, strokeOpacity: density ? 1 : 0.75 });
@@ -39,7 +42,7 @@ function curve({ points: all, fit }, theme, colour, { lines, density, y }, dashe
   return [
     lines && line,
     bars.length > 0 && Plot.ruleX(bars, { x: "x", y1: (p) => p.low, y2: (p) => p.y + p.e, stroke: colour, strokeWidth: 1.2 }),
-    Plot.dot(points, { x: "x", y: "y", r: 2.6, fill: colour }),
+    Plot.dot(points, film ? { x: "x", y: "y", r: 2.6, fill: theme.card, stroke: colour, strokeWidth: 1.2 } : { x: "x", y: "y", r: 2.6, fill: colour }),
   ].filter(Boolean);
 }
 
@@ -73,7 +76,7 @@ export function studyFigure(figure) {
   if (figure.sample?.nodes) return fieldFigure(figure);
   if (figure.sample) return sampleFigure(figure);
   const low = figure.y.log ? (p) => Math.max(p.y - p.e, figure.y.domain[0]) : (p) => p.y - p.e;
-  const series = figure.series.map(({ name, fit, points }) => ({ name, fit, points: points.map(([x, y, e]) => ({ x, y: y ?? NaN, e })).map((p) => ({ ...p, low: low(p) })) }));
+  const series = figure.series.map(({ film, fit, points }) => ({ film, fit, points: points.map(([x, y, e]) => ({ x, y: y ?? NaN, e })).map((p) => ({ ...p, low: low(p) })) }));
   const wide = figure.y.domain.some((v) => Math.abs(v) >= 1e4) || (figure.y.log && figure.y.domain[0] < 1e-3);
   const domains = { x: figure.x.domain, y: figure.y.domain };
   return {
