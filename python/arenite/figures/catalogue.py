@@ -122,7 +122,7 @@ def film_roses(figure, part):
     for k, (name, of) in enumerate(sets):
         axes = figure.add_subplot(1, len(sets), k + 1, projection="polar")
         textures.draw_rose(axes, of["sectors"], of)
-        axes.set_ylim(0, 1.05 * reach)
+        axes.set(xticks=np.radians([0, 90, 180, 270]), ylim=(0, 1.05 * reach))
         axes.set_title(f"{name} ({of['contacts']})")
 
 
