@@ -73,7 +73,8 @@ bool gather(char source, const fs::path& out, const VerifyArguments& a, ledger::
     }
     results.add(name, study::collect(study, folder), folder.out);
     if (!fs::exists(figures_of(study))) continue;
-    if (!a.read_only && fs::exists(folder.out / "camera.toml") && !make_films(study, results, name)) return false;
+    const bool films = fs::exists(folder.out / "camera.toml") && (!a.small || name == ledger::filmed_study);
+    if (!a.read_only && films && !make_films(study, results, name)) return false;
     write_study_figures(study, folder);
   }
   return true;

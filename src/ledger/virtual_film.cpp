@@ -135,7 +135,7 @@ bool make_film(const Run& run, const std::function<bool()>& asked_to_stop) {
 bool has_film(const fs::path& run) { return fs::exists(kept(run)); }
 
 std::string film_json(const fs::path& run) {
-  if (!has_film(run)) throw InputError(run.string(), 0, "no film of this run was made; arenite verify thesis makes it");
+  if (!has_film(run)) throw InputError(run.string(), 0, "no film of this run was made; arenite verify thesis without --small makes it");
   return io::read_file(kept(run));
 }
 

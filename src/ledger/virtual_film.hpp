@@ -5,6 +5,9 @@
 
 namespace arenite::ledger {
 
+/// The study whose films a claim is judged by; those of others are there to be looked at.
+inline constexpr const char* filmed_study = "thesis-film";
+
 /// A film of two simulated states, measured without knowing them, beside what the simulation says of the same grains.
 struct FilmAgreement {
   double grains = statistics::unknown;

@@ -122,7 +122,7 @@ def test_the_command_draws_and_tells_what_it_cannot(study, tmp_path):
     run = subprocess.run([os.environ["ARENITE"], "figures", str(study), "--out", str(tmp_path)], capture_output=True, text=True)
     assert run.returncode == 0, run.stderr
     assert len(run.stdout.splitlines()) == len(drawn)
-    assert run.stderr == "film: Not drawn: no film of this run was made; arenite verify thesis makes it.\n"
+    assert run.stderr == "film: Not drawn: no film of this run was made; arenite verify thesis without --small makes it.\n"
 
 
 def test_wrong_requests_are_refused_in_one_sentence(study, tmp_path):

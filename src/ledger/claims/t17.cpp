@@ -11,7 +11,7 @@ namespace arenite::ledger {
 /// Stresses from a film of a simulated sample against those of the simulation.
 Judgement judge_t17(const Results& results) {
   Judgement judgement;
-  const auto runs = results.runs("thesis-film");
+  const auto runs = results.runs(filmed_study);
   const Value correlation = mean_over_seeds(runs, [](const Run& run) { return film_agreement(run).correlation; });
   const Value rms = mean_over_seeds(runs, [](const Run& run) { return film_agreement(run).rms_sigma_norm; });
   judgement.stated.checks = {above("correlation of sigma_norm with the simulation's", "the same field", correlation, 0.98)};
