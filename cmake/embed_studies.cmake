@@ -1,17 +1,10 @@
 # Turns the text files of the folder STUDIES (studies/NAME/FILE), and the tables of TABLES as the study thesis-ch2, into the
 # C++ source OUTPUT that defines ledger::embedded_files().
+include(${CMAKE_CURRENT_LIST_DIR}/raw_literals.cmake)
 set(rows "")
 macro(embed study name path)
-  file(READ ${path} text)
-  string(APPEND rows "      {\"${study}\", \"${name}\",\n")
-  string(LENGTH "${text}" length)
-  set(at 0)
-  while(at LESS length)
-    string(SUBSTRING "${text}" ${at} 8000 piece)
-    string(APPEND rows "R\"study~(${piece})study~\"\n")
-    math(EXPR at "${at} + 8000")
-  endwhile()
-  string(APPEND rows "      },\n")
+  raw_literals(${path} literals)
+  string(APPEND rows "      {\"${study}\", \"${name}\",\n${literals}      },\n")
 endmacro()
 
 file(GLOB tables RELATIVE ${TABLES} ${TABLES}/*.csv)

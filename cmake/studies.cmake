@@ -6,6 +6,6 @@ add_custom_command(
   OUTPUT ${studies_source}
   COMMAND ${CMAKE_COMMAND} -DSTUDIES=${CMAKE_SOURCE_DIR}/studies -DTABLES=${study_tables} -DOUTPUT=${studies_source}
           -P ${CMAKE_SOURCE_DIR}/cmake/embed_studies.cmake
-  DEPENDS ${study_files} ${CMAKE_SOURCE_DIR}/cmake/embed_studies.cmake
+  DEPENDS ${study_files} ${CMAKE_SOURCE_DIR}/cmake/embed_studies.cmake ${CMAKE_SOURCE_DIR}/cmake/raw_literals.cmake
   COMMENT "Embedding the studies")
 target_sources(arenite_core PRIVATE ${studies_source})

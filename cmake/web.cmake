@@ -38,7 +38,7 @@ function(embed_page name function)
     OUTPUT ${source}
     COMMAND ${CMAKE_COMMAND} -DINPUT=${html} -DOUTPUT=${source} -DHEADER=report/page_template.hpp -DFUNCTION=${function}
             -P ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
-    DEPENDS ${html} ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
+    DEPENDS ${html} ${CMAKE_SOURCE_DIR}/cmake/embed.cmake ${CMAKE_SOURCE_DIR}/cmake/raw_literals.cmake
     COMMENT "Embedding the page: ${name}")
   target_sources(arenite_core PRIVATE ${source})
 endfunction()
