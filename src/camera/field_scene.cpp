@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "camera/camera.hpp"
+#include "camera/patch.hpp"
 #include "core/error.hpp"
 
 namespace arenite::camera {
@@ -66,17 +67,8 @@ double cell_mean(const GrainNodes& nodes, Vec2 middle, double cell, int points) 
 }
 
 Patch patch_of(const GrainNodes& nodes, Vec2 centre, double radius, double cell, double dx) {
-  Patch patch;
-  patch.cells = 2 * static_cast<int>(std::ceil(radius / cell)) + 2;
-  patch.cell = cell;
-  const double first = -0.5 * (patch.cells - 1) * cell;
   const int points = std::clamp(static_cast<int>(std::ceil(cell / dx)), 1, 16);
-  for (int r = 0; r < patch.cells; ++r)
-    for (int c = 0; c < patch.cells; ++c) {
-      const Vec2 at{first + c * cell, first + r * cell};
-      patch.value.push_back(norm(at) > radius + 1.5 * cell ? 0.0F : static_cast<float>(cell_mean(nodes, centre + at, cell, points)));
-    }
-  return patch;
+  return fill_patch(radius, cell, [&](Vec2 middle, double) { return cell_mean(nodes, centre + middle, cell, points); });
 }
 
 /// Mean displacement of every grain of the map, m.

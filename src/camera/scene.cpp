@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "camera/camera.hpp"
+#include "camera/patch.hpp"
 #include "core/error.hpp"
 #include "elasticity/disk_field.hpp"
 
@@ -28,23 +29,11 @@ std::vector<elasticity::Disk> loaded_disks(const Packing& packing, double arc) {
 }
 
 Patch patch_of(const elasticity::Disk* low, const elasticity::Disk& high, double cell) {
-  Patch patch;
-  patch.cells = 2 * static_cast<int>(std::ceil(high.radius / cell)) + 2;
-  patch.cell = cell;
-  patch.value.assign(static_cast<std::size_t>(patch.cells) * static_cast<std::size_t>(patch.cells), 0.0f);
-  const double first = -0.5 * (patch.cells - 1) * cell;
-  for (int r = 0; r < patch.cells; ++r) {
-    for (int c = 0; c < patch.cells; ++c) {
-      Vec2 at{first + c * cell, first + r * cell};
-      const double away = norm(at);
-      if (away > high.radius + 1.5 * cell) continue;
-      // Cells beyond the rim hold what its nearest point has, so that what lies between cells can be read off.
-      if (away > high.radius - 0.71 * cell) at = (high.radius - 0.71 * cell) / away * at;
-      const double swing = elasticity::square_mean(high, at, cell) - (low ? elasticity::square_mean(*low, at, cell) : 0.0);
-      patch.value[static_cast<std::size_t>(r) * static_cast<std::size_t>(patch.cells) + static_cast<std::size_t>(c)] = static_cast<float>(swing);
-    }
-  }
-  return patch;
+  return fill_patch(high.radius, cell, [&](Vec2 at, double away) {
+    // Cells on the rim and beyond it hold what its nearest point has.
+    if (away > high.radius - 0.71 * cell) at = (high.radius - 0.71 * cell) / away * at;
+    return elasticity::square_mean(high, at, cell) - (low ? elasticity::square_mean(*low, at, cell) : 0.0);
+  });
 }
 
 void require_factors(const Packing& packing) {
