@@ -4,9 +4,11 @@ import { dirname } from "node:path";
 import { build } from "esbuild";
 
 const output = process.argv[2] ?? "dist/page.html";
-const { entry, frame } = {
-  page: { entry: "src/main.js", frame: "src/page.html" },
-  study: { entry: "src/study/main.js", frame: "src/study/study.html" },
+const slot = (type, id, mark) => `<script type="application/${type}" id="${id}">${mark}</script>`;
+const { entry, data } = {
+  page: { entry: "src/main.js",
+          data: [slot("octet-stream", "document", "__DOCUMENT__"), slot("octet-stream", "numbers", "__NUMBERS__")] },
+  study: { entry: "src/study/main.js", data: [slot("json", "figures", "__FIGURES__")] },
 }[process.argv[3] ?? "page"];
 
 async function bundle(entry) {
@@ -33,7 +35,8 @@ function notices(inputs) {
 const script = await bundle(entry);
 const style = await bundle("src/style.css");
 const place = (text, mark, value) => text.split(mark).join(value);
-let html = readFileSync(frame, "utf8");
+let html = readFileSync("src/page.html", "utf8");
+html = place(html, "__DATA__", data.join("\n"));
 html = place(html, "__NOTICES__", notices(script.inputs));
 html = place(html, "__STYLE__", style.text);
 html = place(html, "__SCRIPT__", script.text);
