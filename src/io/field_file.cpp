@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "io/packing_groups.hpp"
+#include "io/result_groups.hpp"
 #include "io/sealed_file.hpp"
 
 namespace arenite::io {
@@ -151,11 +152,7 @@ std::vector<Crack> read_cracks(const Hdf5Reader& group) {
 
 void write_field(const std::filesystem::path& path, const FieldResult& result) {
   const Hdf5Writer at;
-  write_provenance(at, result.provenance);
-  const auto outcome = at.create_group("outcome");
-  outcome.set("name", result.name);
-  outcome.set("converged", std::int64_t{result.converged});
-  outcome.set("outcome", result.outcome);
+  write_origin(at, result);
   write_packing(at, result.packing);
   write_cement(at, result.cement);
   write_map(at, result.map);
@@ -170,11 +167,7 @@ void write_field(const std::filesystem::path& path, const FieldResult& result) {
 FieldResult read_field(const std::filesystem::path& path) {
   const Hdf5Reader at(read_sealed(path, "field"), path.string());
   FieldResult result;
-  result.provenance = read_provenance(at.group("provenance"));
-  const auto outcome = at.group("outcome");
-  result.name = outcome.label("name");
-  result.converged = outcome.integer("converged") != 0;
-  result.outcome = outcome.label("outcome");
+  read_origin(at, result);
   result.packing = read_packing(at.group("packing"));
   result.cement = read_cement(at.group("cement"), result.packing.grains.size());
   result.map = read_map(at.group("map"));

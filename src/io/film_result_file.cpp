@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "io/packing_groups.hpp"
+#include "io/result_groups.hpp"
 #include "io/sealed_file.hpp"
 
 namespace arenite::io {
@@ -137,11 +138,7 @@ void read_film(const Hdf5Reader& group, FilmResult& r) {
 
 void write_film_result(const std::filesystem::path& path, const FilmResult& result) {
   const Hdf5Writer at;
-  write_provenance(at, result.provenance);
-  const auto outcome = at.create_group("outcome");
-  outcome.set("name", result.name);
-  outcome.set("converged", std::int64_t{result.converged});
-  outcome.set("outcome", result.outcome);
+  write_origin(at, result);
   write_film(at, result);
   write_maps(at, result);
   write_packing(at, result.packing);
@@ -160,11 +157,7 @@ void write_film_result(const std::filesystem::path& path, const FilmResult& resu
 FilmResult read_film_result(const std::filesystem::path& path) {
   const Hdf5Reader at(read_sealed(path, "film"), path.string());
   FilmResult result;
-  result.provenance = read_provenance(at.group("provenance"));
-  const auto outcome = at.group("outcome");
-  result.name = outcome.label("name");
-  result.converged = outcome.integer("converged") != 0;
-  result.outcome = outcome.label("outcome");
+  read_origin(at, result);
   read_film(at.group("film"), result);
   read_maps(at.group("maps"), result);
   result.packing = read_packing(at.group("packing"));

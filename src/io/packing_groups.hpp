@@ -1,13 +1,10 @@
 #pragma once
 #include "io/hdf5_reader.hpp"
 #include "io/hdf5_writer.hpp"
-#include "model/result.hpp"
+#include "model/packing.hpp"
 
-// Groups that files of stages and of fields have in common.
+// A packing and its parts as groups, whichever result holds them.
 namespace arenite::io {
-
-void write_provenance(const Hdf5Writer& at, const Provenance& provenance);
-Provenance read_provenance(const Hdf5Reader& group);
 
 void write_materials(const Hdf5Writer& at, const Materials& materials);
 Materials read_materials(const Hdf5Reader& at);
@@ -27,8 +24,5 @@ Contacts read_contacts(const Hdf5Reader& group, const Grains& grains);
 /// A whole packing as the group "packing", and back.
 void write_packing(const Hdf5Writer& at, const Packing& packing);
 Packing read_packing(const Hdf5Reader& group);
-
-void write_history(const Hdf5Writer& at, const char* name, const History& history);
-History read_history(const Hdf5Reader& group);
 
 }  // namespace arenite::io

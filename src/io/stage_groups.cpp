@@ -5,6 +5,7 @@
 #include <array>
 
 #include "io/packing_groups.hpp"
+#include "io/result_groups.hpp"
 #include "io/scalars.hpp"
 
 namespace arenite::io {
@@ -57,11 +58,7 @@ Frame read_frame(const Hdf5Reader& at, const Materials& materials, const Hdf5Rea
 }  // namespace
 
 void write_result(const Hdf5Writer& at, const StageResult& result) {
-  write_provenance(at, result.provenance);
-  const auto outcome = at.create_group("outcome");
-  outcome.set("name", result.name);
-  outcome.set("converged", std::int64_t{result.converged});
-  outcome.set("outcome", result.outcome);
+  write_origin(at, result);
   const Packing sample = result.frames.empty() ? Packing{} : result.frames.front().packing;
   write_materials(at, sample.materials);
   write_grains(at, sample.grains, nullptr);
@@ -75,11 +72,7 @@ void write_result(const Hdf5Writer& at, const StageResult& result) {
 
 StageResult read_result(const Hdf5Reader& at) {
   StageResult result;
-  result.provenance = read_provenance(at.group("provenance"));
-  const auto outcome = at.group("outcome");
-  result.name = outcome.label("name");
-  result.converged = outcome.integer("converged") != 0;
-  result.outcome = outcome.label("outcome");
+  read_origin(at, result);
   const auto materials = read_materials(at.group("materials"));
   const auto sample = at.group("grains");
   const auto frames = at.group("frames");
