@@ -30,8 +30,8 @@ void take_stamps(FilmInfo& info, std::vector<double> stamp) {
   info.time = std::move(stamp);
 }
 
-FrameTimes frame_times(const FilmInfo& info) {
-  FrameTimes times;
+FrameIntervals frame_intervals(const FilmInfo& info) {
+  FrameIntervals times;
   const double set = info.frame_rate > 0 ? 1 / info.frame_rate : 0;
   if (info.time.size() < 2) {
     times.interval = set;

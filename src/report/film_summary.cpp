@@ -36,7 +36,7 @@ FilmSummary::FilmSummary(FilmSource& film, std::size_t most_frames) : info_(film
 
 std::string FilmSummary::json() const {
   using Json = nlohmann::ordered_json;
-  const io::FrameTimes times = io::frame_times(info_);
+  const io::FrameIntervals times = io::frame_intervals(info_);
   const Levels levels = levels_of(statistics_, info_.bits);
   const auto known = [](double value) { return value > 0 ? Json(value) : Json(nullptr); };
   Json j{{"format", info_.format},       {"width", info_.width},     {"height", info_.height},
@@ -54,7 +54,7 @@ std::string FilmSummary::json() const {
 }
 
 std::string FilmSummary::text() const {
-  const io::FrameTimes times = io::frame_times(info_);
+  const io::FrameIntervals times = io::frame_intervals(info_);
   const Levels levels = levels_of(statistics_, info_.bits);
   std::string out = fmt::format("{} film of {} frames, {} x {} pixels, {}\n", info_.format, info_.frames, info_.width, info_.height,
                                 info_.floating ? "floating" : fmt::format("{} bit", info_.bits));

@@ -21,7 +21,7 @@ void examine(FilmSource& film) {
   if (!info.time.empty() && static_cast<std::int64_t>(info.time.size()) != info.frames) std::abort();
   for (std::size_t i = 1; i < info.time.size(); ++i)
     if (!(info.time[i] > info.time[i - 1])) std::abort();
-  io::frame_times(info);
+  io::frame_intervals(info);
   FrameBlock block;
   const auto few = std::min<std::int64_t>(info.frames, 4);
   for (const std::int64_t first : {std::int64_t{0}, info.frames - few}) {

@@ -69,7 +69,7 @@ TEST(FilmFormats, DroppedFramesAreSeenFromTheStamps) {
   info.frames = 5;
   info.frame_rate = 100;
   take_stamps(info, {3.00, 3.01, 3.02, 3.05, 3.06});
-  const FrameTimes times = frame_times(info);
+  const FrameIntervals times = frame_intervals(info);
   EXPECT_EQ(times.dropped, 2);
   EXPECT_EQ(times.gap, std::vector<std::int64_t>{3});
   EXPECT_NEAR(times.interval, 0.01, 1e-12);
@@ -261,7 +261,7 @@ TEST(FilmFormats, Hdf5OfOthers) {
   expect_same(*open_film(folder / "a.h5"), film);
   EXPECT_EQ(read->info().frame_rate, 2);
   EXPECT_EQ(read->info().time, (std::vector<double>{0, 0.5, 2}));
-  EXPECT_EQ(frame_times(read->info()).dropped, 2);
+  EXPECT_EQ(frame_intervals(read->info()).dropped, 2);
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ TEST(RealFilm, StampsAgreeWithTheCountOfMicroseconds) {
     if (f == 0) first = us;
     EXPECT_NEAR(film->info().time[f], static_cast<double>(us - first) * 1e-6, 1.5e-6);
   }
-  const FrameTimes times = frame_times(film->info());
+  const FrameIntervals times = frame_intervals(film->info());
   EXPECT_NEAR(times.interval, 0.03, 1e-5);
   EXPECT_NEAR(times.duration, 99 * 0.029998, 1e-4);
   EXPECT_EQ(times.dropped, 2 * 99);
