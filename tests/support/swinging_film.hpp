@@ -9,6 +9,26 @@
 
 namespace arenite::test {
 
+/// A film of `of.frames` (or at `of.time`, s) whose pixel p has the level of.at(p, t) and normal noise.
+template <class Pixels>
+Film draw_film(const Pixels& of) {
+  Film film;
+  film.about.width = of.width;
+  film.about.height = of.height;
+  film.about.frames = static_cast<std::int64_t>(of.time.empty() ? of.frames : of.time.size());
+  film.about.frame_rate = of.rate;
+  film.about.floating = true;
+  film.about.time = of.time;
+  const std::size_t pixels = film.about.pixels();
+  for (std::size_t n = 0; n < static_cast<std::size_t>(film.about.frames); ++n) {
+    RandomStream random(of.seed, Purpose::test, n);
+    const double t = of.time.empty() ? static_cast<double>(n) / of.rate : of.time[n];
+    for (std::size_t p = 0; p < pixels; ++p)
+      film.value.push_back(static_cast<float>(of.at(p, t) + (of.noise > 0 ? of.noise * random.normal() : 0)));
+  }
+  return film;
+}
+
 /// A film whose pixels swing in a known way: pixel p has the mean 20 + p, the slope `drift`, a curve, and the amplitudes
 /// and phases below.
 struct SwingingFilm {
@@ -32,22 +52,7 @@ struct SwingingFilm {
   }
   double when(std::size_t n) const { return time.empty() ? static_cast<double>(n) / rate : time[n]; }
 
-  Film draw() const {
-    Film film;
-    film.about.width = width;
-    film.about.height = height;
-    film.about.frames = static_cast<std::int64_t>(time.empty() ? frames : time.size());
-    film.about.frame_rate = rate;
-    film.about.floating = true;
-    film.about.time = time;
-    const std::size_t pixels = film.about.pixels();
-    for (std::size_t n = 0; n < static_cast<std::size_t>(film.about.frames); ++n) {
-      RandomStream random(seed, Purpose::test, n);
-      for (std::size_t p = 0; p < pixels; ++p)
-        film.value.push_back(static_cast<float>(at(p, when(n)) + (noise > 0 ? noise * random.normal() : 0)));
-    }
-    return film;
-  }
+  Film draw() const { return draw_film(*this); }
 
   /// In whole levels, `scale` a unit.
   Film levels(double scale) const {

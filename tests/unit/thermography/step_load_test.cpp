@@ -7,6 +7,7 @@
 
 #include "core/random.hpp"
 #include "support/pictures.hpp"
+#include "support/swinging_film.hpp"
 
 namespace {
 using namespace arenite;
@@ -26,21 +27,7 @@ struct SteppingFilm {
     const double since = t - step, share = ramp > 0 ? std::clamp(since / ramp + 0.5, 0.0, 1.0) : since > 0 ? 1.0 : 0.0;
     return 300 + static_cast<double>(p) + (since < 0 ? slope(p) : -0.2) * since + curve * since * since + jump(p) * share;
   }
-  Film draw() const {
-    Film film;
-    film.about.width = width;
-    film.about.height = height;
-    film.about.frames = static_cast<std::int64_t>(time.empty() ? frames : time.size());
-    film.about.frame_rate = rate;
-    film.about.floating = true;
-    film.about.time = time;
-    for (std::size_t n = 0; n < static_cast<std::size_t>(film.about.frames); ++n) {
-      RandomStream random(seed, Purpose::test, n);
-      for (std::size_t p = 0; p < film.about.pixels(); ++p)
-        film.value.push_back(static_cast<float>(at(p, time.empty() ? static_cast<double>(n) / rate : time[n]) + (noise > 0 ? noise * random.normal() : 0)));
-    }
-    return film;
-  }
+  Film draw() const { return test::draw_film(*this); }
 };
 
 TEST(StepLoad, TheJumpIsExactWhereDriftIsOfTheFittedForm) {
