@@ -7,6 +7,7 @@
 
 #include "core/random.hpp"
 #include "support/program.hpp"
+#include "support/small_study.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace arenite {
@@ -14,22 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const recipe = R"(
-title = "small sample"
-seed = 3
-[materials.POM]
-density = "1410 kg/m^3"
-stiffness = "27.35 kN/mm"
-[[populations]]
-material = "POM"
-count = 60
-size = { law = "uniform", min = "10 mm", max = "16 mm" }
-[frame]
-width = "100 mm"
-thickness = "60 mm"
-[packing]
-method = "random"
-[contact]
+const std::string recipe = test::small_packing_recipe + R"([contact]
 friction_law = "cundall_strack"
 [integration]
 integrator = "velocity_verlet"

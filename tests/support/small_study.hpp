@@ -3,8 +3,8 @@
 
 namespace arenite::test {
 
-/// 60 disks, loosely pressed, cemented and pulled on 64 x 64 nodes: a run of some hundredths of a second.
-inline const std::string small_cemented_recipe = R"(title = "small sample"
+/// 60 disks at random places; the table [packing] is left open.
+inline const std::string small_packing_recipe = R"(title = "small sample"
 seed = 3
 [materials.POM]
 density = "1410 kg/m^3"
@@ -18,7 +18,10 @@ width = "100 mm"
 thickness = "60 mm"
 [packing]
 method = "random"
-solid_fraction = 0.7
+)";
+
+/// The same, loosely pressed, cemented and pulled on 64 x 64 nodes: a run of some hundredths of a second.
+inline const std::string small_cemented_recipe = small_packing_recipe + R"(solid_fraction = 0.7
 [contact]
 friction_law = "cundall_strack"
 [[stages]]
