@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "dem/forces.hpp"
-#include "dem/integrators/gear.hpp"
+#include "dem/integrators/nordsieck.hpp"
 #include "dem/kinematics.hpp"
 #include "dem/walls.hpp"
 

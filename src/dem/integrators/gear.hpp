@@ -4,9 +4,6 @@
 
 namespace arenite::dem {
 
-/// Share of dt^2/2 (a - predicted a) that the correction adds to the position, and of dt/2 (..) to the velocity.
-inline constexpr double gear_position_share = 3.0 / 16.0, gear_velocity_share = 251.0 / 360.0;
-
 /// Between steps the sample holds the predicted state at t_n and the forces there. One fused sweep corrects it and
 /// predicts t_{n+1}; walls and affine motion too. False if the contact list has become stale.
 bool gear_sweep(Sample& sample, const Team& team);

@@ -2,6 +2,9 @@
 
 namespace arenite::dem {
 
+/// Share of dt^2/2 (a - predicted a) that the correction adds to the position, and of dt/2 (..) to the velocity.
+inline constexpr double gear_position_share = 3.0 / 16.0, gear_velocity_share = 251.0 / 360.0;
+
 /// Gear's predictor-corrector of fifth order in Nordsieck's scaling, q_k = dt^k/k! d^k x/dt^k, with the coefficients
 /// for a second-order equation whose force depends on velocity: 3/16, 251/360, 1, 11/18, 1/6, 1/60. V is a number type.
 template <class V>
@@ -10,8 +13,8 @@ struct Nordsieck {
 
   /// `error` = dt^2/2 (a - predicted a).
   void correct(V error) {
-    q0 = q0 + V(3.0 / 16.0) * error;
-    q1 = q1 + V(251.0 / 360.0) * error;
+    q0 = q0 + V(gear_position_share) * error;
+    q1 = q1 + V(gear_velocity_share) * error;
     q2 = q2 + error;
     q3 = q3 + V(11.0 / 18.0) * error;
     q4 = q4 + V(1.0 / 6.0) * error;
