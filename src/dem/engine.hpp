@@ -22,8 +22,8 @@ struct StepBounds {
 /// for one that is unknown or that the processor lacks.
 std::string kernel_name(const std::string& asked);
 
-/// A sample that moves: the object with two doors' worth of set-up (lists, sorted records). Grains keep the
-/// caller's order at the border whatever the order inside. Same input, same kernel: same bits for any thread count.
+/// A sample that moves. Inside, disks are sorted by place and their contacts listed; at the border grains keep the
+/// caller's order. Same input, same kernel: same bits for any thread count.
 class Engine {
  public:
   /// Throws InputError for a step beyond the bounds, naming the step that would do.

@@ -8,8 +8,8 @@
 
 namespace arenite {
 
-/// Energies of a sample, J. Closed when kinetic + elastic + adhesive = work_walls + work_gravity + work_drive
-/// - dissipated_* + what was there at the start.
+/// Energies of a sample, J. Closed when kinetic + elastic + adhesive = work_walls + work_gravity - dissipated_*
+/// + what was there at the start.
 struct Energies {
   double kinetic = 0;               ///< translation and rotation of grains, motion of servo walls
   double elastic = 0;               ///< springs, normal and tangential

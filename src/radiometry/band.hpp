@@ -17,7 +17,7 @@ double photon_radiance(const Band& band, double temperature);
 /// dN/dT, photons/s/m^2/K.
 double photon_exitance_slope(const Band& band, double temperature);
 
-/// The exponent n of N ~ T^n near this temperature, n = T N'/N (T eq. 1.66).
+/// The exponent n of N ~ T^n near this temperature, n = T N'/N (T eq. 1.64).
 double exitance_exponent(const Band& band, double temperature);
 
 /// The temperature whose photon exitance this is, K: the inverse of photon_exitance. 0 for an exitance of 0 or less.

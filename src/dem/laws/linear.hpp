@@ -3,7 +3,7 @@
 
 namespace arenite::dem {
 
-/// Linear spring and dashpot, F_n = k h + alpha_n dh/dt (T eq. 1.20; h > 0 is an overlap, F_n > 0 pushes).
+/// Linear spring and dashpot, F_n = k h + alpha_n dh/dt (T eq. 1.23; h > 0 is an overlap, F_n > 0 pushes).
 struct Linear {
   /// Conservative force at overlap h; `curvature` = 1/R* is not used.
   template <class V>
