@@ -1,5 +1,4 @@
 #pragma once
-#include <numbers>
 #include <vector>
 
 #include "core/vec2.hpp"
@@ -51,15 +50,5 @@ double square_integral(const Disk& disk, Vec2 centre, double side, int depth = 5
 
 /// Mean of sigma_kk over every concentric disk, and over the whole: -(sum of fn)/(pi radius length), Pa.
 double mean_sigma_kk(const Disk& disk);
-
-/// sigma_kk per newton of fn and of ft of one point force, Pa/N.
-struct Response {
-  double fn = 0, ft = 0;
-};
-inline Response point_response(double radius, double length, Vec2 normal, Vec2 x) {
-  const Vec2 rho = x + radius * normal;
-  const double scale = 1 / (std::numbers::pi * length), inverse = 2 / dot(rho, rho);
-  return {scale * (1 / radius - inverse * dot(normal, rho)), -scale * inverse * dot(perpendicular(normal), rho)};
-}
 
 }  // namespace arenite::elasticity

@@ -25,20 +25,18 @@ bool is_hdf5(std::string_view bytes) {
 }
 
 struct Format {
-  const char* name;
   bool (*is)(std::string_view bytes);
   Image (*read)(const std::string& bytes, const std::string& file, const ImageChoice& choice);
 };
 
 constexpr Format formats[] = {
-    {"png", [](std::string_view b) { return b.starts_with("\x89PNG\r\n\x1a\n"sv); }, read_png},
-    {"tiff",
-     [](std::string_view b) {
+    {[](std::string_view b) { return b.starts_with("\x89PNG\r\n\x1a\n"sv); }, read_png},
+    {[](std::string_view b) {
        return b.starts_with("II*\0"sv) || b.starts_with("MM\0*"sv) || b.starts_with("II+\0"sv) || b.starts_with("MM\0+"sv);
      },
      read_tiff},
-    {"jpeg", [](std::string_view b) { return b.starts_with("\xff\xd8\xff"sv); }, read_jpeg},
-    {"hdf5", is_hdf5, read_hdf5_image},
+    {[](std::string_view b) { return b.starts_with("\xff\xd8\xff"sv); }, read_jpeg},
+    {is_hdf5, read_hdf5_image},
 };
 
 constexpr std::pair<const char*, Channel> channels[] = {{"red", Channel::red},   {"green", Channel::green}, {"blue", Channel::blue},
@@ -58,12 +56,6 @@ Channel parse_channel(const std::string& name) {
   const std::string near = nearest(name, channel_names());
   throw InputError("there is no channel \"" + name + "\"" +
                    (near.empty() ? "; choose red, green, blue, mean or grey" : "; did you mean \"" + near + "\"?"));
-}
-
-std::vector<std::string> image_formats() {
-  std::vector<std::string> names;
-  for (const Format& format : formats) names.emplace_back(format.name);
-  return names;
 }
 
 Image decode_image(const std::string& bytes, const std::string& file, const ImageChoice& choice) {

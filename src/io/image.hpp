@@ -24,9 +24,6 @@ struct ImageChoice {
   std::int64_t most_pixels = 100'000'000;  ///< larger ones are refused before memory is asked for
 };
 
-/// Names of the formats that can be read, for help texts: "png", "tiff", "jpeg", "hdf5". The content decides, not the name.
-std::vector<std::string> image_formats();
-
 /// A grey picture with 1 to 32 bits a pixel, its stored values unchanged. Without a channel, colour is accepted where
 /// red, green and blue are equal, a palette where its entries are grey (the pixel is then what it shows), and JPEG not at
 /// all, as it blurs values across edges; with one, any colour. Transparency is accepted where there is none; otherwise

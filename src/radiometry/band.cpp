@@ -44,8 +44,6 @@ double photon_exitance(const Band& band, double temperature) {
   return scale(temperature) * integral(c2 / (band.high * temperature), c2 / (band.low * temperature));
 }
 
-double photon_radiance(const Band& band, double temperature) { return photon_exitance(band, temperature) / std::numbers::pi; }
-
 double photon_exitance_slope(const Band& band, double temperature) {
   if (!(temperature > 0)) return 0;
   const double a = c2 / (band.high * temperature), b = c2 / (band.low * temperature);

@@ -11,9 +11,6 @@ struct Band {
 /// (exp(C2/(lambda T)) - 1) with C2 = hc/k_B, integrated over the band. T in K, above 0.
 double photon_exitance(const Band& band, double temperature);
 
-/// The same in a direction, photons/s/m^2/sr: a black body sends alike in all directions, so N/pi.
-double photon_radiance(const Band& band, double temperature);
-
 /// dN/dT, photons/s/m^2/K.
 double photon_exitance_slope(const Band& band, double temperature);
 

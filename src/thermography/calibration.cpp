@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -24,8 +23,8 @@ LevelCurve tabulate(const LevelRange& range, Law&& law) {
   return curve;
 }
 
-void check(const std::vector<LevelPoint>& points, std::size_t needed) {
-  if (points.size() < needed) throw InputError(fmt::format("a calibration curve of {} points is too short; give {} or more", points.size(), needed));
+void check(const std::vector<LevelPoint>& points) {
+  if (points.size() < 2) throw InputError(fmt::format("a calibration curve of {} points is too short; give 2 or more", points.size()));
   for (const LevelPoint& p : points)
     if (!std::isfinite(p.level) || !(p.temperature > 0) || !std::isfinite(p.temperature))
       throw InputError(fmt::format("a calibration curve has the point ({}, {} K), which cannot be; mend it", p.level, p.temperature));
@@ -34,7 +33,7 @@ void check(const std::vector<LevelPoint>& points, std::size_t needed) {
 }  // namespace
 
 LevelCurve curve_through(std::vector<LevelPoint> points, const LevelRange& range) {
-  check(points, 2);
+  check(points);
   std::sort(points.begin(), points.end(), [](const LevelPoint& a, const LevelPoint& b) { return a.level < b.level; });
   for (std::size_t i = 1; i < points.size(); ++i)
     if (!(points[i].level > points[i - 1].level) || !(points[i].temperature > points[i - 1].temperature))
@@ -44,28 +43,6 @@ LevelCurve curve_through(std::vector<LevelPoint> points, const LevelRange& range
     while (k + 1 < points.size() && level > points[k].level) ++k;
     const LevelPoint &a = points[k - 1], &b = points[k];
     return a.temperature + (level - a.level) * (b.temperature - a.temperature) / (b.level - a.level);
-  });
-}
-
-LevelCurve curve_by_polynomial(const std::vector<LevelPoint>& points, int degree, const LevelRange& range) {
-  if (degree < 1 || degree > 9) throw InputError(fmt::format("a calibration polynomial of degree {} is none; choose 1 to 9", degree));
-  check(points, static_cast<std::size_t>(degree) + 1);
-  const auto [low, high] = std::minmax_element(points.begin(), points.end(), [](const LevelPoint& a, const LevelPoint& b) { return a.level < b.level; });
-  const double middle = 0.5 * (low->level + high->level), half = std::max(0.5 * (high->level - low->level), 1e-300);
-  Eigen::MatrixXd powers(static_cast<Eigen::Index>(points.size()), degree + 1);
-  Eigen::VectorXd temperature(static_cast<Eigen::Index>(points.size()));
-  for (Eigen::Index i = 0; i < temperature.size(); ++i) {
-    const LevelPoint& p = points[static_cast<std::size_t>(i)];
-    for (int k = 0; k <= degree; ++k) powers(i, k) = std::pow((p.level - middle) / half, k);
-    temperature(i) = p.temperature;
-  }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(powers);
-  if (qr.rank() <= degree) throw InputError(fmt::format("a calibration polynomial of degree {} needs {} points of different level; give more", degree, degree + 1));
-  const Eigen::VectorXd coefficient = qr.solve(temperature);
-  return tabulate(range, [&](double level) {
-    double sum = 0;
-    for (int k = degree; k >= 0; --k) sum = sum * (level - middle) / half + coefficient(k);
-    return sum;
   });
 }
 
@@ -85,13 +62,6 @@ LevelCurve curve_by_radiometry(const radiometry::Band& band, const LevelPoint& k
     throw InputError(fmt::format("a level of {} at {} K makes no calibration; give a level above 0 and a temperature above 0 K", known.level, known.temperature));
   const double photons = radiometry::photon_exitance(band, known.temperature) / known.level;
   return tabulate(range, [&](double level) { return radiometry::temperature_of_seen(band, surface, photons * level); });
-}
-
-double temperature_of(const LevelCurve& curve, double level) {
-  const double x = (level - curve.first) / curve.step;
-  const auto k = static_cast<std::size_t>(std::clamp(std::floor(x), 0.0, static_cast<double>(curve.temperature.size() - 2)));
-  const auto a = static_cast<double>(curve.temperature[k]), b = static_cast<double>(curve.temperature[k + 1]);
-  return a + (x - static_cast<double>(k)) * (b - a);
 }
 
 }  // namespace arenite::thermography

@@ -20,9 +20,6 @@ struct LevelRange {
 /// points, two of one level, or temperatures that do not rise with the level.
 LevelCurve curve_through(std::vector<LevelPoint> points, const LevelRange& range = {});
 
-/// The polynomial of this degree nearest to the points by least squares. Throws InputError for fewer points than it needs.
-LevelCurve curve_by_polynomial(const std::vector<LevelPoint>& points, int degree, const LevelRange& range = {});
-
 /// Radiometry between two black plates: the level is a straight line of the photons in the band, and a surface that is
 /// not black shows eps N(T) + (1 - eps) N(T_amb).
 LevelCurve curve_by_plates(const radiometry::Band& band, const LevelPoint& cold, const LevelPoint& warm,
@@ -31,8 +28,5 @@ LevelCurve curve_by_plates(const radiometry::Band& band, const LevelPoint& cold,
 /// Radiometry with one level known, which is that of a black surface: levels are proportional to photons.
 LevelCurve curve_by_radiometry(const radiometry::Band& band, const LevelPoint& known, const radiometry::Surface& surface,
                                const LevelRange& range = {});
-
-/// What a curve gives for a level, K.
-double temperature_of(const LevelCurve& curve, double level);
 
 }  // namespace arenite::thermography

@@ -12,9 +12,7 @@ namespace {
 
 using namespace arenite::peridynamics;
 
-/// Half bonds by the rows that they reach: 3 stay in theirs, 5 reach the next, 5 the one after, 1 the third.
-constexpr std::array<int, 4> reach_count{3, 5, 5, 1};
-/// Place of a half bond among those of its reach.
+/// Place of a half bond among those that reach as many rows: 3 stay in theirs, 5 reach the next, 5 the one after, 1 the third.
 constexpr std::array<int, bonds_per_node> place{0, 1, 2, 0, 0, 0, 1, 1, 2, 2, 3, 4, 3, 4};
 
 template <class V>
