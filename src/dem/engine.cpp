@@ -13,6 +13,7 @@
 #include "dem/integrators/verlet.hpp"
 #include "dem/masses.hpp"
 #include "dem/measure.hpp"
+#include "dem/motion.hpp"
 #include "dem/bonds.hpp"
 #include "dem/ghosts.hpp"
 #include "dem/neighbours.hpp"

@@ -1,7 +1,7 @@
 #include "dem/ledger.hpp"
 
 #include "dem/kinematics.hpp"
-#include "dem/measure.hpp"
+#include "dem/motion.hpp"
 #include "dem/sample.hpp"
 #include "dem/walls.hpp"
 

@@ -5,28 +5,12 @@
 #include <limits>
 
 #include "dem/forces.hpp"
-#include "dem/integrators/nordsieck.hpp"
 #include "dem/kinematics.hpp"
-#include "dem/walls.hpp"
+#include "dem/motion.hpp"
 
 namespace arenite::dem {
 
 namespace {
-
-bool is_gear(const Sample& s) { return s.integration.integrator == IntegratorKind::gear5; }
-
-struct Body {
-  double ax, ay, alpha;
-};
-
-Body acceleration_of(const Sample& s, std::size_t k) {
-  const Load load = contact_load(s.list, k);
-  const DiskRecord& d = s.record[k];
-  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
-  return {load.fx / d.mass + s.gravity.x - s.drag * (d.vx - mx.at(d.x)),
-          load.fy / d.mass + s.gravity.y - s.drag * (d.vy - my.at(d.y)),
-          s.integration.rotations ? load.torque / inertia(d) : 0.0};
-}
 
 void add_contacts(const Sample& s, Packing& out) {
   struct Row {
@@ -57,41 +41,25 @@ void add_contacts(const Sample& s, Packing& out) {
   }
 }
 
-}  // namespace
+/// Of inner disk k, J.
+double kinetic_energy(const Sample& s, std::size_t k) {
+  const Motion v = motion_of(s, k);
+  const DiskRecord& d = s.record[k];
+  return 0.5 * d.mass * (v.vx * v.vx + v.vy * v.vy) + 0.5 * inertia(d) * v.omega * v.omega;
+}
 
-Motion motion_of(const Sample& s, std::size_t k) {
-  if (is_gear(s)) {
-    if (!s.settled) return {s.vx[k], s.vy[k], s.omega[k]};
-    const Body a = acceleration_of(s, k);
-    const double share = 0.5 * gear_velocity_share * s.dt;
-    return {s.vx[k] + share * (a.ax - s.ax[k]), s.vy[k] + share * (a.ay - s.ay[k]),
-            s.omega[k] + share * (a.alpha - s.alpha[k])};
+/// Kinetic energy of the grains that carry force between at least two contacts. Rattlers fly on for ever where nothing
+/// slows them, and say nothing about rest.
+double kinetic_energy_of_bearing_grains(const Sample& s, const std::vector<int>& pressed_contacts) {
+  double sum = 0;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    if (pressed_contacts[k] < 2) continue;
+    sum += kinetic_energy(s, k);
   }
-  if (s.lag == 0) return {s.vx[k], s.vy[k], s.omega[k]};
-  const Body a = acceleration_of(s, k);
-  return {s.vx[k] + s.lag * a.ax, s.vy[k] + s.lag * a.ay, s.omega[k] + s.lag * a.alpha};
+  return sum;
 }
 
-Vec2 place_of(const Sample& s, std::size_t k) {
-  const Vec2 place{s.record[k].x, s.record[k].y};
-  if (!is_gear(s) || !s.settled) return place;
-  const Body a = acceleration_of(s, k);
-  return place + 0.5 * gear_position_share * s.dt * s.dt * Vec2{a.ax - s.ax[k], a.ay - s.ay[k]};
-}
-
-double wall_rate(const Sample& s, std::size_t side) {
-  const WallBody& body = s.wall[side];
-  const double a = wall_acceleration(s, side, s.domain.wall[side].velocity);
-  if (is_gear(s)) return s.settled ? body.rate + 0.5 * gear_velocity_share * s.dt * (a - body.acceleration) : body.rate;
-  return body.rate + s.lag * a;
-}
-
-double wall_place(const Sample& s, std::size_t side) {
-  const double place = s.domain.wall[side].position;
-  if (!is_gear(s) || !s.settled) return place;
-  const double a = wall_acceleration(s, side, s.domain.wall[side].velocity);
-  return place + 0.5 * gear_position_share * s.dt * s.dt * (a - s.wall[side].acceleration);
-}
+}  // namespace
 
 double adhesive_energy(const Sample& s) {
   double sum = 0;
@@ -132,11 +100,7 @@ Packing packing_of(const Sample& s) {
 
 Energies energies_of(const Sample& s) {
   Energies e = s.tally;
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const Motion v = motion_of(s, k);
-    const DiskRecord& d = s.record[k];
-    e.kinetic += 0.5 * d.mass * (v.vx * v.vx + v.vy * v.vy) + 0.5 * inertia(d) * v.omega * v.omega;
-  }
+  for (std::size_t k = 0; k < s.count; ++k) e.kinetic += kinetic_energy(s, k);
   for (std::size_t side = 0; side < 4; ++side)
     if (s.wall[side].drive.kind == WallDrive::Kind::force) {
       const double v = wall_rate(s, side);
@@ -153,19 +117,6 @@ Energies energies_of(const Sample& s) {
     }
   }, s.laws.normal, s.laws.friction);
   return e;
-}
-
-/// Kinetic energy of the grains that carry force between at least two contacts. Rattlers fly on for ever where nothing
-/// slows them, and say nothing about rest.
-double kinetic_energy_of_bearing_grains(const Sample& s, const std::vector<int>& pressed_contacts) {
-  double sum = 0;
-  for (std::size_t k = 0; k < s.count; ++k) {
-    if (pressed_contacts[k] < 2) continue;
-    const Motion v = motion_of(s, k);
-    const DiskRecord& d = s.record[k];
-    sum += 0.5 * d.mass * (v.vx * v.vx + v.vy * v.vy) + 0.5 * inertia(d) * v.omega * v.omega;
-  }
-  return sum;
 }
 
 Equilibrium equilibrium_of(const Sample& s) {
