@@ -14,54 +14,6 @@ namespace {
 constexpr std::int64_t check_interval = 200;    // steps between two looks at equilibrium
 constexpr std::size_t history_rows = 4096;      // beyond this every second row is dropped
 
-bool is_ramped(const SideDrive& drive) { return drive.kind == SideDrive::Kind::force; }
-
-int side_index(const std::string& name) {
-  for (int side = 0; side < 4; ++side)
-    if (name == side_names[side]) return side;
-  return bottom;
-}
-
-/// Length of sample that a side's pressure acts on, m.
-double loaded_length(const Domain& domain, int side) { return side < 2 ? domain.height() : domain.width(); }
-
-/// The drives of `stage` with a share of the way from the start's forces done; pressures act in full from the start.
-Increment on_the_ramp(const Stage& stage, const std::array<double, 4>& start, double share, std::string label) {
-  Increment increment{stage.side, std::move(label)};
-  for (int side = 0; side < 4; ++side) {
-    auto& drive = increment.side[side];
-    if (is_ramped(drive)) drive.value = start[side] + share * (drive.value - start[side]);
-  }
-  return increment;
-}
-
-void add_half_cycle(std::vector<Increment>& increments, const Stage& stage, const Cycles& cycles, double from, double to,
-                    const std::string& label) {
-  for (std::int64_t k = 1; k <= cycles.increments; ++k) {
-    const double share = static_cast<double>(k) / static_cast<double>(cycles.increments);
-    Increment increment{stage.side, k == cycles.increments ? label : fmt::format("{}, {} of {}", label, k, cycles.increments)};
-    increment.side[side_index(cycles.side)] = {SideDrive::Kind::force, from + share * (to - from)};
-    increments.push_back(std::move(increment));
-  }
-}
-
-WallDrives drives_for(const Increment& increment, const Domain& domain) {
-  WallDrives drives;
-  for (int side = 0; side < 4; ++side) {
-    const auto& drive = increment.side[side];
-    const Vec2 inward = inward_normal(side);
-    switch (drive.kind) {
-      case SideDrive::Kind::fixed: drives[side] = {WallDrive::Kind::fixed, 0}; break;
-      case SideDrive::Kind::velocity: drives[side] = {WallDrive::Kind::velocity, drive.value * (inward.x + inward.y)}; break;
-      case SideDrive::Kind::force: drives[side] = {WallDrive::Kind::force, drive.value}; break;
-      case SideDrive::Kind::pressure:
-        drives[side] = {WallDrive::Kind::force, drive.value * loaded_length(domain, side) * domain.thickness};
-        break;
-    }
-  }
-  return drives;
-}
-
 /// Largest departure of a force-driven wall from its aim, relative to the aim.
 double load_error(const WallDrives& drives, const Domain& domain) {
   double worst = 0;
@@ -140,7 +92,7 @@ void continue_for_a_time(Engine& engine, const Stage& stage, StageRun& run) {
   const std::int64_t total = steps_of(stage, engine);
   const std::int64_t frames = std::max<std::int64_t>(1, stage.frames);
   const std::int64_t next_frame = total * static_cast<std::int64_t>(run.result.frames.size() + 1) / frames;
-  engine.set_drives(drives_for(on_the_ramp(stage, run.force_at_start, 1, ""), engine.domain()));
+  engine.set_drives(drives_for(on_the_ramp(stage, run.force_at_start, 1), engine.domain()));
   const std::int64_t steps = std::min(check_interval, next_frame - run.steps_in_increment);
   engine.advance(steps);
   run.steps_in_increment += steps;
@@ -182,25 +134,6 @@ void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
 }
 
 }  // namespace
-
-std::vector<Increment> increments_of(const Stage& stage, const std::array<double, 4>& force_at_start) {
-  std::vector<Increment> increments;
-  const bool ramps = std::any_of(stage.side.begin(), stage.side.end(), is_ramped);
-  const std::int64_t n = ramps ? std::max<std::int64_t>(1, stage.increments) : 1;
-  for (std::int64_t k = 1; k <= n; ++k)
-    increments.push_back(on_the_ramp(stage, force_at_start, static_cast<double>(k) / static_cast<double>(n),
-                                     n == 1 ? std::string("rest") : fmt::format("increment {} of {}", k, n)));
-  if (!stage.cycles) return increments;
-  const auto& cycles = *stage.cycles;
-  const auto& driven = stage.side[side_index(cycles.side)];
-  double from = driven.kind == SideDrive::Kind::force ? driven.value : force_at_start[side_index(cycles.side)];
-  for (std::int64_t c = 1; c <= cycles.count; ++c)
-    for (const auto& [aim, name] : {std::pair{cycles.max, "maximum"}, std::pair{cycles.min, "minimum"}}) {
-      add_half_cycle(increments, stage, cycles, from, aim, fmt::format("cycle {} {}", c, name));
-      from = aim;
-    }
-  return increments;
-}
 
 StageRun begin_stage(Engine& engine, const Stage& stage) {
   engine.set_gravity(stage.gravity ? Vec2{0, -standard_gravity} : Vec2{});

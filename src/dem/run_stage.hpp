@@ -5,20 +5,11 @@
 #include <vector>
 
 #include "dem/engine.hpp"
+#include "dem/increments.hpp"
 #include "dem/stage.hpp"
 #include "model/result.hpp"
 
 namespace arenite::dem {
-
-/// One step of a stage's loading: what every side aims at when the increment is over.
-struct Increment {
-  std::array<SideDrive, 4> side;
-  std::string label;
-};
-
-/// The increments of a stage, in order. Forces go from what acts at the start (N; compression positive) to their values
-/// in equal steps, pressures act in full at once; cycles follow, each half cycle a ramp of its own.
-std::vector<Increment> increments_of(const Stage& stage, const std::array<double, 4>& force_at_start);
 
 /// A stage under way: everything besides the engine's own state that decides how it goes on, so that a checkpoint of
 /// both resumes with the same bits.
