@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "imaging/joined_sets.hpp"
+#include "core/joined_sets.hpp"
 
 namespace arenite::imaging {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/joined_sets.hpp"
 #include "imaging/distance.hpp"
-#include "imaging/joined_sets.hpp"
 #include "imaging/label_grains.hpp"
 
 namespace arenite::imaging {

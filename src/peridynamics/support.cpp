@@ -1,31 +1,14 @@
 #include "peridynamics/support.hpp"
 
-#include <algorithm>
-#include <numeric>
+#include <utility>
+#include <vector>
 
+#include "core/joined_sets.hpp"
 #include "peridynamics/kernels/kernels.hpp"
 
 namespace arenite::peridynamics {
 
 namespace {
-
-class Sets {
- public:
-  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::int32_t find(std::int32_t a) {
-    while (at(a) != a) a = at(a) = at(at(a));
-    return a;
-  }
-  void unite(std::int32_t a, std::int32_t b) {
-    a = find(a);
-    b = find(b);
-    if (a != b) at(std::max(a, b)) = std::min(a, b);
-  }
-
- private:
-  std::int32_t& at(std::int32_t a) { return parent_[static_cast<std::size_t>(a)]; }
-  std::vector<std::int32_t> parent_;
-};
 
 /// Piece of a node; the lower clamp counts as one piece more, the upper as another. -1 for void.
 struct Parts {
@@ -40,21 +23,19 @@ struct Parts {
   }
 };
 
-}  // namespace
-
-Support prune(Bonds& bonds, Pieces& pieces, const std::vector<std::uint8_t>& prescribed, Buffer<Tie>& tie) {
+/// What each piece is tied to by itself, as bits of Tie. Joins in `sets` the pieces that hang together.
+std::vector<std::uint8_t> own_ties(const Bonds& bonds, const Pieces& pieces, const std::vector<std::uint8_t>& prescribed, JoinedSets& sets) {
   const Grid& grid = bonds.grid;
   const Parts parts{bonds, pieces, prescribed};
-  const std::int32_t below = pieces.count(), above = below + 1;
-  Sets sets(static_cast<std::size_t>(above) + 1);
-  // The clamps themselves never join parts: a part tied to both is known by its own ties.
-  std::vector<std::uint8_t> ties(static_cast<std::size_t>(above) + 1, 0);
+  const std::int32_t below = pieces.count();
+  std::vector<std::uint8_t> ties(static_cast<std::size_t>(below), 0);
   for (int y = 0; y < grid.height; ++y)
     if (prescribed[static_cast<std::size_t>(y)] == y_prescribed)
       for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i)
         if (pieces.of_node[i] >= 0) ties[static_cast<std::size_t>(pieces.of_node[i])] |= 1;
+  // The clamps themselves never join parts: a part tied to both is known by its own ties.
   const auto join = [&](std::int32_t a, std::int32_t b) {
-    if (a < below && b < below) sets.unite(a, b);
+    if (a < below && b < below) sets.join(a, b);
     else if (a < below) ties[static_cast<std::size_t>(a)] |= b == below ? 1 : 2;
     else if (b < below) ties[static_cast<std::size_t>(b)] |= a == below ? 1 : 2;
   };
@@ -72,42 +53,49 @@ Support prune(Bonds& bonds, Pieces& pieces, const std::vector<std::uint8_t>& pre
         if (other != own) join(own, other);
       }
     }
-  std::vector<std::uint8_t> whole(ties.size(), 0);
-  for (std::int32_t p = 0; p < below; ++p)
-    whole[static_cast<std::size_t>(sets.find(p))] |= ties[static_cast<std::size_t>(p)];
+  return ties;
+}
 
+/// Gives the pieces that hang together the ties of all of them, and counts.
+Support share_ties(const Pieces& pieces, JoinedSets& sets, std::vector<std::uint8_t>& ties) {
+  std::vector<std::uint8_t> whole(ties.size(), 0);
+  for (std::size_t p = 0; p < ties.size(); ++p) whole[static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(p)))] |= ties[p];
   Support support;
-  std::vector<std::int32_t> number(static_cast<std::size_t>(below), Pieces::none);
-  Pieces kept;
-  for (std::int32_t p = 0; p < below; ++p) {
-    const auto k = static_cast<std::size_t>(p), root = static_cast<std::size_t>(sets.find(p));
-    ties[k] = whole[root];
-    support.islands += root == k && whole[root] == 0;
+  for (std::size_t p = 0; p < ties.size(); ++p) {
+    const auto root = static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(p)));
+    ties[p] = whole[root];
+    support.islands += root == p && whole[root] == 0;
     (whole[root] == 3   ? support.carrying
      : whole[root] == 2 ? support.held_above
      : whole[root] == 1 ? support.held_below
-                        : support.floating) += static_cast<std::size_t>(pieces.nodes[k]);
-    if (whole[root] != 3) continue;
-    number[k] = kept.count();
-    kept.owner.push_back(pieces.owner[k]);
-    kept.cell_x.push_back(pieces.cell_x[k]);
-    kept.cell_y.push_back(pieces.cell_y[k]);
-    kept.nodes.push_back(pieces.nodes[k]);
+                        : support.floating) += static_cast<std::size_t>(pieces.nodes[p]);
   }
   support.solid = support.carrying + support.held_above + support.held_below + support.floating;
-  tie = Buffer<Tie>(grid.padded_size());
-  const bool all = kept.count() == below;
+  return support;
+}
+
+/// Leaves only the pieces that are tied to both clamps.
+void keep_carrying(const Grid& grid, const std::vector<std::uint8_t>& ties, Pieces& pieces) {
+  std::vector<std::int32_t> number(ties.size(), Pieces::none);
+  Pieces kept;
+  for (std::size_t p = 0; p < ties.size(); ++p) {
+    if (ties[p] != 3) continue;
+    number[p] = kept.count();
+    kept.owner.push_back(pieces.owner[p]);
+    kept.cell_x.push_back(pieces.cell_x[p]);
+    kept.cell_y.push_back(pieces.cell_y[p]);
+    kept.nodes.push_back(pieces.nodes[p]);
+  }
   for (int y = 0; y < grid.height; ++y)
-    for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) {
-      const std::int32_t p = pieces.of_node[i];
-      if (p < 0) continue;
-      tie[i] = static_cast<Tie>(ties[static_cast<std::size_t>(p)]);
-      if (all) continue;
-      pieces.of_node[i] = number[static_cast<std::size_t>(p)];
-    }
-  if (all) return support;
+    for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i)
+      if (std::int32_t& p = pieces.of_node[i]; p >= 0) p = number[static_cast<std::size_t>(p)];
   kept.of_node = std::move(pieces.of_node);
   pieces = std::move(kept);
+}
+
+/// Leaves only bonds between nodes that carry, clamped ones among them.
+void cut_loose_bonds(Bonds& bonds, const std::vector<std::uint8_t>& prescribed, const Buffer<Tie>& tie) {
+  const Grid& grid = bonds.grid;
   const auto carries = [&](std::ptrdiff_t i, int y) {
     return y >= 0 && y < grid.height &&
            (prescribed[static_cast<std::size_t>(y)] == both_prescribed || tie[i] == Tie::both);
@@ -121,6 +109,22 @@ Support prune(Bonds& bonds, Pieces& pieces, const std::vector<std::uint8_t>& pre
           word &= ~(3u << (2 * d));
     }
   classify_groups(bonds, 0, grid.height - 1);
+}
+
+}  // namespace
+
+Support prune(Bonds& bonds, Pieces& pieces, const std::vector<std::uint8_t>& prescribed, Buffer<Tie>& tie) {
+  const Grid& grid = bonds.grid;
+  JoinedSets sets(static_cast<std::size_t>(pieces.count()));
+  std::vector<std::uint8_t> ties = own_ties(bonds, pieces, prescribed, sets);
+  const Support support = share_ties(pieces, sets, ties);
+  tie = Buffer<Tie>(grid.padded_size());
+  for (int y = 0; y < grid.height; ++y)
+    for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i)
+      if (pieces.of_node[i] >= 0) tie[i] = static_cast<Tie>(ties[static_cast<std::size_t>(pieces.of_node[i])]);
+  if (support.carrying == support.solid) return support;
+  keep_carrying(grid, ties, pieces);
+  cut_loose_bonds(bonds, prescribed, tie);
   return support;
 }
 

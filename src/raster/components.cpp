@@ -1,8 +1,8 @@
 #include "raster/components.hpp"
 
 #include <algorithm>
-#include <numeric>
 
+#include "core/joined_sets.hpp"
 #include "model/domain.hpp"
 
 namespace arenite::raster {
@@ -10,23 +10,6 @@ namespace {
 
 struct Run {
   int y, first, last;
-};
-
-/// A forest of runs whose roots are the first of their set.
-class Sets {
- public:
-  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::int32_t root(std::int32_t a) {
-    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
-    return a;
-  }
-  void join(std::int32_t a, std::int32_t b) {
-    a = root(a), b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::int32_t> parent_;
 };
 
 bool is_flooded(Phase phase, Flooded phases) {
@@ -49,8 +32,8 @@ std::vector<Run> runs_of(const PhaseMap& map, Flooded phases) {
 }
 
 /// Joins runs of neighbouring rows that share a column, or a corner too if `reach` is 1.
-Sets joined(const std::vector<Run>& runs, int reach) {
-  Sets sets(runs.size());
+JoinedSets joined(const std::vector<Run>& runs, int reach) {
+  JoinedSets sets(runs.size());
   std::size_t below = 0;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     while (runs[below].y < runs[k].y - 1 ||
@@ -66,13 +49,13 @@ Sets joined(const std::vector<Run>& runs, int reach) {
 
 Components find_components(const PhaseMap& map, Flooded phases, bool eight_connected) {
   const auto runs = runs_of(map, phases);
-  Sets sets = joined(runs, eight_connected ? 1 : 0);
+  JoinedSets sets = joined(runs, eight_connected ? 1 : 0);
   Components found;
   found.label.assign(map.size(), -1);
   std::vector<std::int32_t> label_of_root(runs.size(), -1);
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const Run& run = runs[k];
-    auto& label = label_of_root[sets.root(static_cast<std::int32_t>(k))];
+    auto& label = label_of_root[sets.find(static_cast<std::int32_t>(k))];
     if (label < 0) {
       label = static_cast<std::int32_t>(found.nodes.size());
       found.nodes.push_back(0);

@@ -3,16 +3,52 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/joined_sets.hpp"
+
 namespace arenite::peridynamics {
 
 namespace {
 
 constexpr int cell = Pieces::cell;
 
-std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t a) {
-  while (parent[static_cast<std::size_t>(a)] != a)
-    a = parent[static_cast<std::size_t>(a)] = parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(a)])];
-  return a;
+/// A block of the coarse matrix, in a column that is known.
+struct Entry {
+  std::int32_t row;
+  double value[4];
+};
+
+/// Adds up the entries of each column k, begin[k] to begin[k + 1] - 1, by row.
+BlockMatrix gathered(const std::vector<std::int64_t>& begin, const std::vector<Entry>& entries) {
+  const std::size_t columns = begin.size() - 1;
+  BlockMatrix matrix;
+  matrix.column_begin.assign(1, 0);
+  matrix.row.reserve(entries.size() / 3);
+  matrix.value.reserve(4 * entries.size() / 3);
+  std::vector<std::int32_t> place(columns, -1), rows;
+  std::vector<double> sums;
+  for (std::size_t k = 0; k < columns; ++k) {
+    rows.clear();
+    sums.clear();
+    for (auto e = begin[k]; e < begin[k + 1]; ++e) {
+      const Entry& entry = entries[static_cast<std::size_t>(e)];
+      auto& p = place[static_cast<std::size_t>(entry.row)];
+      if (p < 0) {
+        p = static_cast<std::int32_t>(rows.size());
+        rows.push_back(entry.row);
+        sums.resize(sums.size() + 4, 0);
+      }
+      for (unsigned s = 0; s < 4; ++s) sums[4 * static_cast<std::size_t>(p) + s] += entry.value[s];
+    }
+    std::sort(rows.begin(), rows.end());
+    for (const auto r : rows) {
+      const auto p = static_cast<std::size_t>(place[static_cast<std::size_t>(r)]);
+      matrix.row.push_back(r);
+      matrix.value.insert(matrix.value.end(), &sums[4 * p], &sums[4 * p] + 4);
+    }
+    for (const auto r : rows) place[static_cast<std::size_t>(r)] = -1;
+    matrix.column_begin.push_back(static_cast<std::int32_t>(matrix.row.size()));
+  }
+  return matrix;
 }
 
 }  // namespace
@@ -48,8 +84,7 @@ CoarseSpace::CoarseSpace(const Bonds& bonds, Pieces pieces, const BlockDiagonal<
 
 void CoarseSpace::number_corners(const std::vector<Coupling>& couplings) {
   const std::size_t corners = 4 * pieces_.owner.size();
-  std::vector<std::int32_t> parent(corners);
-  for (std::size_t k = 0; k < corners; ++k) parent[k] = static_cast<std::int32_t>(k);
+  JoinedSets sets(corners);
   for (const Coupling& c : couplings) {
     const auto p = static_cast<std::size_t>(c.p), q = static_cast<std::size_t>(c.q);
     if (c.p == c.q || pieces_.owner[p] != pieces_.owner[q]) continue;
@@ -57,25 +92,19 @@ void CoarseSpace::number_corners(const std::vector<Coupling>& couplings) {
     for (int a = 0; a < 4; ++a) {
       const int x = (a & 1) - right, y = (a >> 1) - up;
       if (x < 0 || x > 1 || y < 0 || y > 1) continue;
-      const auto one = root_of(parent, 4 * c.p + a), other = root_of(parent, 4 * c.q + 2 * y + x);
-      if (one != other) parent[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
+      sets.join(4 * c.p + a, 4 * c.q + 2 * y + x);
     }
   }
   corner_.resize(corners);
   nodes_ = 0;
   for (std::size_t k = 0; k < corners; ++k) {
-    const auto root = static_cast<std::size_t>(root_of(parent, static_cast<std::int32_t>(k)));
+    const auto root = static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(k)));
     corner_[k] = root == k ? nodes_++ : corner_[root];
   }
 }
 
 BlockMatrix CoarseSpace::assemble(const std::vector<Coupling>& couplings) const {
-  // Every coupling of corners goes into the column of its lower coarse node; a column's entries are then gathered by
-  // row.
-  struct Entry {
-    std::int32_t row;
-    double value[4];
-  };
+  // Every coupling of corners goes into the column of its lower coarse node.
   const auto columns = static_cast<std::size_t>(nodes_);
   const auto each = [&](auto&& visit) {
     for (const Coupling& c : couplings)
@@ -101,35 +130,7 @@ BlockMatrix CoarseSpace::assemble(const std::vector<Coupling>& couplings) const 
     else if (m >= n) entry = {m, {xx, yx, xy, yy}};
     else entry = {n, {xx, xy, yx, yy}};
   });
-  BlockMatrix matrix;
-  matrix.column_begin.assign(1, 0);
-  matrix.row.reserve(entries.size() / 3);
-  matrix.value.reserve(4 * entries.size() / 3);
-  std::vector<std::int32_t> place(columns, -1), rows;
-  std::vector<double> sums;
-  for (std::size_t k = 0; k < columns; ++k) {
-    rows.clear();
-    sums.clear();
-    for (auto e = begin[k]; e < begin[k + 1]; ++e) {
-      const Entry& entry = entries[static_cast<std::size_t>(e)];
-      auto& p = place[static_cast<std::size_t>(entry.row)];
-      if (p < 0) {
-        p = static_cast<std::int32_t>(rows.size());
-        rows.push_back(entry.row);
-        sums.resize(sums.size() + 4, 0);
-      }
-      for (unsigned s = 0; s < 4; ++s) sums[4 * static_cast<std::size_t>(p) + s] += entry.value[s];
-    }
-    std::sort(rows.begin(), rows.end());
-    for (const auto r : rows) {
-      const auto p = static_cast<std::size_t>(place[static_cast<std::size_t>(r)]);
-      matrix.row.push_back(r);
-      matrix.value.insert(matrix.value.end(), &sums[4 * p], &sums[4 * p] + 4);
-    }
-    for (const auto r : rows) place[static_cast<std::size_t>(r)] = -1;
-    matrix.column_begin.push_back(static_cast<std::int32_t>(matrix.row.size()));
-  }
-  return matrix;
+  return gathered(begin, entries);
 }
 
 void CoarseSpace::list_runs(const std::vector<std::uint8_t>& prescribed) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/joined_sets.hpp"
 #include "peridynamics/kernels/kernels.hpp"
 
 namespace arenite::peridynamics {
@@ -39,20 +40,52 @@ Buffer<std::int32_t> owners(const PhaseMap& map, const Grid& grid) {
   return owner;
 }
 
-/// Union-find over the nodes of one cell.
-struct CellSets {
-  std::array<std::int16_t, Pieces::cell * Pieces::cell> parent;
-  std::int16_t find(std::int16_t a) {
-    while (parent[static_cast<unsigned>(a)] != a)
-      a = parent[static_cast<unsigned>(a)] = parent[static_cast<unsigned>(parent[static_cast<unsigned>(a)])];
-    return a;
-  }
-  void unite(std::int16_t a, std::int16_t b) {
-    a = find(a);
-    b = find(b);
-    if (a != b) parent[static_cast<unsigned>(std::max(a, b))] = std::min(a, b);
-  }
+constexpr int cell = Pieces::cell;
+
+/// A cell of the sample: its first node and how many it has each way.
+struct Cell {
+  int x0, y0, wide, high;
 };
+
+/// Joins the nodes of one cell (by their places in it, y * cell + x) that a bond ties and one owner has.
+void join_nodes(const Bonds& bonds, const Buffer<std::int32_t>& owner, const Cell& c, JoinedSets& sets) {
+  const Grid& grid = bonds.grid;
+  sets.part(static_cast<std::size_t>(cell * cell));
+  for (int y = 0; y < c.high; ++y)
+    for (int x = 0; x < c.wide; ++x) {
+      const std::ptrdiff_t i = grid.index(c.x0 + x, c.y0 + y);
+      if (owner[i] < 0) continue;
+      // Deep inside a grain the two nearest neighbours already tie all nodes together.
+      const bool inside = bonds.group[static_cast<std::ptrdiff_t>(c.y0 + y) * grid.groups + (c.x0 + x) / Grid::lanes] == particle_bond;
+      const std::uint32_t word = bonds.words[i];
+      for (int d = 0; d < (inside ? 4 : bonds_per_node); d += inside ? 3 : 1) {
+        const Offset e = half_bonds[static_cast<unsigned>(d)];
+        if (!(word >> (2 * d) & 3u) || static_cast<unsigned>(x + e.x) >= static_cast<unsigned>(c.wide) || y + e.y >= c.high) continue;
+        if (owner[i + bonds.step(d)] == owner[i]) sets.join(y * cell + x, (y + e.y) * cell + x + e.x);
+      }
+    }
+}
+
+/// Numbers the pieces of one cell in the order of their first node.
+void add_pieces(const Grid& grid, const Buffer<std::int32_t>& owner, const Cell& c, JoinedSets& sets, Pieces& pieces) {
+  std::array<std::int32_t, cell * cell> piece;
+  for (int y = 0; y < c.high; ++y)
+    for (int x = 0; x < c.wide; ++x) {
+      const std::ptrdiff_t i = grid.index(c.x0 + x, c.y0 + y);
+      if (owner[i] < 0) continue;
+      const std::int32_t k = y * cell + x, root = sets.find(k);
+      if (root == k) {
+        piece[static_cast<unsigned>(k)] = pieces.count();
+        pieces.owner.push_back(owner[i]);
+        pieces.cell_x.push_back(c.x0 / cell);
+        pieces.cell_y.push_back(c.y0 / cell);
+        pieces.nodes.push_back(0);
+      }
+      const std::int32_t p = piece[static_cast<unsigned>(root)];
+      pieces.of_node[i] = p;
+      ++pieces.nodes[static_cast<std::size_t>(p)];
+    }
+}
 
 }  // namespace
 
@@ -66,47 +99,12 @@ Pieces cut_into_pieces(const PhaseMap& map, const Bonds& bonds, const std::vecto
   Pieces pieces;
   pieces.of_node = Buffer<std::int32_t>(grid.padded_size());
   std::fill_n(pieces.of_node.data(), pieces.of_node.size(), Pieces::none);
-  constexpr int cell = Pieces::cell;
-  CellSets sets;
-  std::array<std::int32_t, cell * cell> piece;
+  JoinedSets sets;
   for (int y0 = 0; y0 < grid.height; y0 += cell)
     for (int x0 = 0; x0 < grid.width; x0 += cell) {
-      const int wide = std::min(cell, grid.width - x0), high = std::min(cell, grid.height - y0);
-      for (unsigned k = 0; k < sets.parent.size(); ++k) sets.parent[k] = static_cast<std::int16_t>(k);
-      for (int y = 0; y < high; ++y)
-        for (int x = 0; x < wide; ++x) {
-          const std::ptrdiff_t i = grid.index(x0 + x, y0 + y);
-          if (owner[i] < 0) continue;
-          // Deep inside a grain the two nearest neighbours already tie all nodes together.
-          const bool inside =
-              bonds.group[static_cast<std::ptrdiff_t>(y0 + y) * grid.groups + (x0 + x) / Grid::lanes] == particle_bond;
-          const std::uint32_t word = bonds.words[i];
-          for (int d = 0; d < (inside ? 4 : bonds_per_node); d += inside ? 3 : 1) {
-            const Offset e = half_bonds[static_cast<unsigned>(d)];
-            if (!(word >> (2 * d) & 3u) || static_cast<unsigned>(x + e.x) >= static_cast<unsigned>(wide) ||
-                y + e.y >= high)
-              continue;
-            if (owner[i + bonds.step(d)] == owner[i])
-              sets.unite(static_cast<std::int16_t>(y * cell + x),
-                         static_cast<std::int16_t>((y + e.y) * cell + x + e.x));
-          }
-        }
-      for (int y = 0; y < high; ++y)
-        for (int x = 0; x < wide; ++x) {
-          const std::ptrdiff_t i = grid.index(x0 + x, y0 + y);
-          if (owner[i] < 0) continue;
-          const auto k = static_cast<std::int16_t>(y * cell + x), root = sets.find(k);
-          if (root == k) {
-            piece[static_cast<unsigned>(k)] = pieces.count();
-            pieces.owner.push_back(owner[i]);
-            pieces.cell_x.push_back(x0 / cell);
-            pieces.cell_y.push_back(y0 / cell);
-            pieces.nodes.push_back(0);
-          }
-          const std::int32_t p = piece[static_cast<unsigned>(root)];
-          pieces.of_node[i] = p;
-          ++pieces.nodes[static_cast<std::size_t>(p)];
-        }
+      const Cell c{x0, y0, std::min(cell, grid.width - x0), std::min(cell, grid.height - y0)};
+      join_nodes(bonds, owner, c, sets);
+      add_pieces(grid, owner, c, sets, pieces);
     }
   return pieces;
 }

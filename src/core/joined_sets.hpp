@@ -1,12 +1,21 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
-namespace arenite::imaging {
+namespace arenite {
 
-/// Sets of numbers that are joined step by step; a set is known by its smallest member.
+/// Sets of numbers that are joined step by step (union-find with path halving); a set is known by its smallest member.
 class JoinedSets {
  public:
+  /// The numbers 0 .. n-1, each a set of its own.
+  explicit JoinedSets(std::size_t n = 0) { part(n); }
+  void part(std::size_t n) {
+    parent_.resize(n);
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+  /// One number more.
   std::int32_t add() {
     parent_.push_back(static_cast<std::int32_t>(parent_.size()));
     return parent_.back();
@@ -26,4 +35,4 @@ class JoinedSets {
   std::vector<std::int32_t> parent_;
 };
 
-}  // namespace arenite::imaging
+}  // namespace arenite
