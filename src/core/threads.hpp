@@ -29,6 +29,14 @@ class Team {
         &work, n);
   }
 
+  /// Calls work(k) for k = 0 .. n-1, each once, by whichever member: for things that take long.
+  template <class Work>
+  void for_each(std::size_t n, const Work& work) const {
+    for_ranges(8 * n, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin / 8; k < end / 8; ++k) work(k);
+    });
+  }
+
  private:
   using Call = void (*)(void*, std::size_t, std::size_t);
   struct Shared;

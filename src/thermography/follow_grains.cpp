@@ -90,9 +90,7 @@ LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, 
         sine[i].push_back(f.sine);
       }
   };
-  Team(threads).for_ranges(8 * grains.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin / 8; i < end / 8; ++i) follow(i);
-  });
+  Team(threads).for_each(grains.size(), follow);
   if (told_phase) result.reference_phase = *told_phase;
   else if (grains.size() > 0) result.reference_phase = reference_phase(joined(cosine), joined(sine));
   project(result);

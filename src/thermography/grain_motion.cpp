@@ -166,9 +166,7 @@ GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& gra
   const Team team(options.threads);
   for (int turn = 0; turn < options.iterations; ++turn) {
     std::vector<Left> left(n);
-    team.for_ranges(8 * n, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin / 8; i < end / 8; ++i) left[i] = motion_left(pictures, rims[i], i, motion, contrast);
-    });
+    team.for_each(n, [&](std::size_t i) { left[i] = motion_left(pictures, rims[i], i, motion, contrast); });
     for (std::size_t i = 0; i < n; ++i) contrast[i] = left[i].contrast;
     const Together all = assemble(left);
     const MatrixXd step = turn < affine_turns ? affine_step(grains, all) : MatrixXd(Eigen::SimplicialLDLT<Sparse>(all.normal).solve(all.side));

@@ -157,9 +157,7 @@ double background_level(const PhasePictures& pictures, const GrainScene& scene, 
 GrainScene grain_scene(const PhasePictures& pictures, const PictureGrains& grains, const GrainMotion& motion, double blur, int threads) {
   GrainScene scene;
   scene.grain.resize(grains.size());
-  Team(threads).for_ranges(8 * grains.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin / 8; i < end / 8; ++i) scene.grain[i] = inner_level(pictures, grains, motion, i);
-  });
+  Team(threads).for_each(grains.size(), [&](std::size_t i) { scene.grain[i] = inner_level(pictures, grains, motion, i); });
   scene.background = background_level(pictures, scene, grains, motion, blur);
   return scene;
 }
@@ -167,13 +165,11 @@ GrainScene grain_scene(const PhasePictures& pictures, const PictureGrains& grain
 PhasePictures without_scene(const PhasePictures& pictures, const GrainScene& scene, const PictureGrains& grains, const GrainMotion& motion,
                             double blur, int threads) {
   PhasePictures rest = pictures;
-  Team(threads).for_ranges(8 * rest.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin / 8; k < end / 8; ++k) {
-      std::vector<float> drawn = draw_disks(grains_in(rest, k, grains, motion), scene.grain, scene.background, blur, rest.width, rest.height);
-      spline_coefficients(drawn.data(), rest.width, rest.height);
-      float* coefficient = rest.spline.data() + k * rest.pixels();
-      for (std::size_t p = 0; p < drawn.size(); ++p) coefficient[p] -= drawn[p];
-    }
+  Team(threads).for_each(rest.size(), [&](std::size_t k) {
+    std::vector<float> drawn = draw_disks(grains_in(rest, k, grains, motion), scene.grain, scene.background, blur, rest.width, rest.height);
+    spline_coefficients(drawn.data(), rest.width, rest.height);
+    float* coefficient = rest.spline.data() + k * rest.pixels();
+    for (std::size_t p = 0; p < drawn.size(); ++p) coefficient[p] -= drawn[p];
   });
   return rest;
 }

@@ -79,9 +79,7 @@ PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const Loc
     });
     if (options.progress && !options.progress(static_cast<double>(n + count) / static_cast<double>(time.size()))) return {};
   }
-  team.for_ranges(8 * result.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin / 8; b < end / 8; ++b) finish(maps, bins, b, result.spline.data() + b * pixels);
-  });
+  team.for_each(result.size(), [&](std::size_t b) { finish(maps, bins, b, result.spline.data() + b * pixels); });
   return result;
 }
 

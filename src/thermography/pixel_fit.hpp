@@ -25,10 +25,7 @@ void fit_pixels_with_variance(const SegmentSums& sums, const HarmonicFit& fit, s
 template <class Work>
 void for_runs(const SegmentSums& sums, const Team& team, const Work& work) {
   const std::size_t runs = (sums.pixels + PixelFit::run - 1) / PixelFit::run;
-  team.for_ranges(runs * 8, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t r = begin / 8; r < end / 8; ++r)
-      work(r, r * PixelFit::run, std::min(PixelFit::run, sums.pixels - r * PixelFit::run));
-  });
+  team.for_each(runs, [&](std::size_t r) { work(r, r * PixelFit::run, std::min(PixelFit::run, sums.pixels - r * PixelFit::run)); });
 }
 
 }  // namespace arenite::thermography
