@@ -8,13 +8,18 @@
 
 namespace arenite {
 
-/// The middle of the values by size, of two middle ones the larger; `none` where there is no value.
+/// The middle of one value or more by size, of two middle ones the larger; the values are left in another order.
+template <class Iterator>
+double median_in_place(Iterator begin, Iterator end) {
+  const auto middle = begin + (end - begin) / 2;
+  std::nth_element(begin, middle, end);
+  return static_cast<double>(*middle);
+}
+
+/// The same; `none` where there is no value.
 template <class T>
 double median(std::vector<T> values, double none = 0) {
-  if (values.empty()) return none;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return static_cast<double>(*middle);
+  return values.empty() ? none : median_in_place(values.begin(), values.end());
 }
 
 /// Of the values that are finite; NaN where none is.
@@ -23,5 +28,9 @@ double median_of_finite(std::vector<T> values) {
   std::erase_if(values, [](T v) { return !std::isfinite(v); });
   return median(std::move(values), std::numeric_limits<double>::quiet_NaN());
 }
+
+/// Medians over the standard deviation: of the size of a normal variable, and of the distance in the plane of a place
+/// whose coordinates are normal.
+inline constexpr double median_of_normal_size = 0.6744897501960817, median_of_plane_distance = 1.1774100225154747;
 
 }  // namespace arenite

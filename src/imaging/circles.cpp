@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/error.hpp"
+#include "core/median.hpp"
 #include "imaging/grain_search.hpp"
 
 namespace arenite::imaging {
@@ -37,11 +38,8 @@ std::vector<char> pores(const std::vector<double>& brightness, double between) {
   std::vector<double> away;
   for (const double b : brightness) away.push_back(std::abs(b - between));
   std::vector<char> out(away.size(), 0);
-  if (away.empty()) return out;
-  std::vector<double> sorted = away;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  for (std::size_t k = 0; k < away.size(); ++k) out[k] = away[k] < least * *middle ? 1 : 0;
+  const double usual = median(away);
+  for (std::size_t k = 0; k < away.size(); ++k) out[k] = away[k] < least * usual ? 1 : 0;
   return out;
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/median.hpp"
 #include "imaging/disk_model.hpp"
 
 namespace arenite::imaging {
@@ -45,9 +46,7 @@ void DiskModel::start_background() {
     const auto at = free.begin() + static_cast<std::ptrdiff_t>(free.size() * (bright_ ? 1 : 9) / 10);
     std::nth_element(free.begin(), at, free.end());
     level = between_.value_or(static_cast<double>(*at));
-    const auto middle = free.begin() + static_cast<std::ptrdiff_t>(free.size() / 2);
-    std::nth_element(free.begin(), middle, free.end());
-    if (noise_ == 0) noise_ = 0.1 * std::abs(static_cast<double>(*middle) - level);
+    if (noise_ == 0) noise_ = 0.1 * std::abs(median_in_place(free.begin(), free.end()) - level);
   }
   node_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), level);
   draw_background();

@@ -175,7 +175,7 @@ void DiskModel::measure_noise() {
       for (int x = w.x0; x <= w.x1; ++x)
         if (std::abs(distance(disk, x, y) - disk.radius) < 2 * blur_) size.push_back(std::abs(left(image_.index(x, y))));
   }
-  noise_ = median(std::move(size)) / 0.6744897501960817;
+  noise_ = median(std::move(size)) / median_of_normal_size;
 }
 
 void DiskModel::fit(int sweeps, int between) {

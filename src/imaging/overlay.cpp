@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/median.hpp"
 #include "imaging/disk_model.hpp"
 
 namespace arenite::imaging {
@@ -104,12 +105,7 @@ void search(const PictureGrains& circles, const FloatImage& picture, const Overl
   }
 }
 
-double robust_rms(std::vector<double> distance) {
-  if (distance.empty()) return 0;
-  const auto middle = distance.begin() + static_cast<std::ptrdiff_t>(distance.size() / 2);
-  std::nth_element(distance.begin(), middle, distance.end());
-  return *middle / 1.1774100225154747;   // median of a distance in the plane, in standard deviations along one axis
-}
+double robust_rms(const std::vector<double>& distance) { return median(distance) / median_of_plane_distance; }
 
 /// Fits every circle to the picture from where the transform has it, and the transform to where they went.
 void refine(const PictureGrains& circles, const FloatImage& picture, Overlay& found) {

@@ -13,7 +13,6 @@ namespace arenite::imaging {
 namespace {
 
 constexpr double outlier = 4;                // standard deviations
-constexpr double rayleigh_median = 1.1774100225154747;  // of a distance in the plane, in standard deviations along one axis
 
 Vec2 place(const PictureGrains& grains, std::int32_t k) { return {grains.x[static_cast<std::size_t>(k)], grains.y[static_cast<std::size_t>(k)]}; }
 
@@ -36,7 +35,7 @@ double distance(const PictureGrains& from, const PictureGrains& to, const Simila
 void leave_out(const PictureGrains& from, const PictureGrains& to, const Similarity& t, RegistrationSearch::Pairs& pairs) {
   std::vector<double> away;
   for (const auto& pair : pairs) away.push_back(distance(from, to, t, pair));
-  const double most = outlier * std::max(median(away) / rayleigh_median, 1e-9 * mean_radius(to));
+  const double most = outlier * std::max(median(away) / median_of_plane_distance, 1e-9 * mean_radius(to));
   std::size_t kept = 0;
   for (std::size_t k = 0; k < pairs.size(); ++k)
     if (away[k] <= most) pairs[kept++] = pairs[k];

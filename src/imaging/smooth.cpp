@@ -81,7 +81,7 @@ double noise_level(const FloatImage& image) {
       const float* c = b + image.width;
       size.push_back(std::abs(a[0] - 2 * a[1] + a[2] - 2 * (b[0] - 2 * b[1] + b[2]) + c[0] - 2 * c[1] + c[2]));
     }
-  return median(std::move(size)) / (6 * 0.6744897501960817);  // weights' root sum of squares; a normal's median size
+  return median(std::move(size)) / (6 * median_of_normal_size);  // 6: the weights' root sum of squares
 }
 
 }  // namespace arenite::imaging

@@ -4,17 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "core/median.hpp"
+
 namespace arenite::thermography {
 namespace {
 
 constexpr double to_deviation = 1.4826;  // of a normal law, per median of absolute deviations
-
-template <class It>
-double median(It begin, It end) {
-  const auto middle = begin + (end - begin) / 2;
-  std::nth_element(begin, middle, end);
-  return *middle;
-}
 
 struct Robust {
   double middle = 0, deviation = 0;
@@ -23,9 +18,9 @@ struct Robust {
 Robust robust(std::vector<double> x) {
   if (x.empty()) return {};
   Robust r;
-  r.middle = median(x.begin(), x.end());
+  r.middle = median_in_place(x.begin(), x.end());
   for (double& v : x) v = std::abs(v - r.middle);
-  r.deviation = to_deviation * median(x.begin(), x.end());
+  r.deviation = to_deviation * median_in_place(x.begin(), x.end());
   return r;
 }
 
@@ -58,7 +53,7 @@ Standing standing(double x, Neighbours n) {
   const double middle = n.value[static_cast<std::size_t>(n.count / 2)];
   s.from_middle = x - middle;
   for (auto v = begin; v != end; ++v) *v = std::abs(*v - middle);
-  s.scatter = to_deviation * median(begin, end);
+  s.scatter = to_deviation * median_in_place(begin, end);
   return s;
 }
 
