@@ -11,15 +11,6 @@ double damping_ratio(double restitution) {
   return -2.0 * l / std::sqrt(std::numbers::pi * std::numbers::pi + l * l);
 }
 
-double effective_radius(EffectiveRadius kind, double radius_i, double radius_j) {
-  switch (kind) {
-    case EffectiveRadius::sum: return radius_i + radius_j;
-    case EffectiveRadius::geometric_mean: return 2.0 * std::sqrt(radius_i * radius_j);
-    case EffectiveRadius::four_reduced: break;
-  }
-  return 4.0 * radius_i * radius_j / (radius_i + radius_j);
-}
-
 namespace {
 
 /// Series rule: two springs of 2k each, one after the other, so that like grains keep k.
@@ -57,7 +48,7 @@ Coefficients CoefficientTable::pair(int material_i, int material_j, double mass_
   c.damping = damping(c.stiffness, mass_i * mass_j / (mass_i + mass_j));
   c.viscosity = contact_.sliding_viscosity.value_or(c.damping);
   if (glued)
-    c.strength = contact_.surface_energy * std::sqrt(effective_radius(contact_.effective_radius, radius_i, radius_j));
+    c.strength = contact_.surface_energy * std::sqrt(elasticity::effective_radius(contact_.effective_radius, radius_i, radius_j));
   return c;
 }
 

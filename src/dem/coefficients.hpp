@@ -45,7 +45,4 @@ class CoefficientTable {
 /// allowed to pull, has restitution e. e = 0 is not reached by any finite damping.
 double damping_ratio(double restitution);
 
-/// Radius in gamma sqrt(r_eff h), m.
-double effective_radius(EffectiveRadius kind, double radius_i, double radius_j);
-
 }  // namespace arenite::dem

@@ -6,7 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "elasticity/effective_radius.hpp"
+
 namespace arenite::dem {
+
+using elasticity::EffectiveRadius;
 
 enum class NormalLaw { linear, hertz };
 enum class FrictionLaw { none, regularised_coulomb, cundall_strack };
@@ -14,7 +18,6 @@ enum class Adhesion { none, geometrical, geometrical_breaking };
 enum class StiffnessRule { thesis, series };      ///< thesis: like pairs k, unlike k_i k_j/(k_i + k_j); series: always 1/(1/2k_i + 1/2k_j)
 enum class WallStiffness { stiffest, grain, series };
 enum class Arms { contact_point, full_radius };
-enum class EffectiveRadius { four_reduced, sum, geometric_mean };
 enum class FrictionCap { raised_by_adhesion, as_printed }; ///< mu (F_n + |F_c|), or T (1.28) with F_c printed negative
 enum class Masses { own, even };                   ///< see dem/masses.hpp
 enum class IntegratorKind { velocity_verlet, leapfrog, gear5 };

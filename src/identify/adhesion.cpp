@@ -30,15 +30,6 @@ statistics::Measured peak_with_noise(const Curve& curve, std::ptrdiff_t peak) {
 
 }  // namespace
 
-double effective_radius(EffectiveRadius kind, double radius_i, double radius_j) {
-  switch (kind) {
-    case EffectiveRadius::sum: return radius_i + radius_j;
-    case EffectiveRadius::geometric_mean: return 2 * std::sqrt(radius_i * radius_j);
-    case EffectiveRadius::four_reduced: break;
-  }
-  return 4 * radius_i * radius_j / (radius_i + radius_j);
-}
-
 PullOff pull_off(const Curve& curve) {
   const std::string of = curve.name.empty() ? "" : curve.name + ": ";
   if (curve.y.size() < 3)

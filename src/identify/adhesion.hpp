@@ -1,14 +1,12 @@
 #pragma once
+#include "elasticity/effective_radius.hpp"
 #include "identify/curve.hpp"
 #include "statistics/measured.hpp"
 
 namespace arenite::identify {
 
-/// The radius in F_n = -gamma sqrt(r_eff h). Equal cylinders, as the thesis pulled apart, do not tell these three apart.
-enum class EffectiveRadius { four_reduced, sum, geometric_mean };
-
-/// r_eff, m: 4 r_i r_j/(r_i + r_j), r_i + r_j or 2 sqrt(r_i r_j), each 2 r for equal radii r.
-double effective_radius(EffectiveRadius kind, double radius_i, double radius_j);
+using elasticity::EffectiveRadius;
+using elasticity::effective_radius;
 
 /// Separation force of a pull-off record, N: the peak of the force y (tension positive) over displacement or time x (T Fig. 2.12).
 /// Its error is the scatter of up to ten points before the peak about their straight line, unknown where there are fewer
