@@ -1,7 +1,6 @@
 #include "inference/balance.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace arenite::inference {

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "io/columns.hpp"
 #include "io/export_frame.hpp"
 
 namespace arenite::io {

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "io/columns.hpp"
 #include "io/export_frame.hpp"
 #include "io/vtp.hpp"

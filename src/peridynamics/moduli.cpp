@@ -1,7 +1,5 @@
 #include "peridynamics/moduli.hpp"
 
-#include <utility>
-
 namespace arenite::peridynamics {
 
 EffectiveModuli effective_moduli(const PhaseMap& map, const LoadOptions& options) {

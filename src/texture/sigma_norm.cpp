@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "texture/distribution.hpp"
 #include "texture/statistics.hpp"
 

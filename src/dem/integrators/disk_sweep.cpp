@@ -2,7 +2,6 @@
 
 #include <atomic>
 
-#include "dem/ghosts.hpp"
 #include "dem/neighbours.hpp"
 
 namespace arenite::dem {

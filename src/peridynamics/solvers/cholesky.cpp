@@ -4,7 +4,6 @@
 #include <suitesparse/amd.h>
 #include <suitesparse/cholmod.h>
 
-#include <algorithm>
 #include <cstring>
 #include <new>
 

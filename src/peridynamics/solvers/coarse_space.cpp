@@ -1,7 +1,6 @@
 #include "peridynamics/solvers/coarse_space.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/joined_sets.hpp"
 

@@ -35,7 +35,7 @@ function materialSets(sample, theme, distribution) {
   })].filter(({ d }) => d.count > 1);
 }
 
-export function typeSets(sample, theme, distribution) {
+function typeSets(sample, theme, distribution) {
   const { by_type: parts = {}, ...all } = distribution;
   return [{ name: "all", d: all, colour: theme.strong }, ...Object.entries(parts).map(([name, d]) => {
     const type = sample.types.find((t) => t.key === name || t.key.split("-").reverse().join("-") === name);

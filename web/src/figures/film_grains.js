@@ -28,7 +28,7 @@ export const rankedStresses = {
   },
 };
 
-export const sources = [["film", "Film"], ["twin_swing", "Simulation: swing"], ["twin_state", "Simulation: state"]];
+const sources = [["film", "Film"], ["twin_swing", "Simulation: swing"], ["twin_state", "Simulation: state"]];
 export const known = (film) => sources.filter(([name]) => film.stresses[name]);
 
 /** Rectangle around all grains, in pixels of the film. */
