@@ -23,7 +23,11 @@ def study_document(path):
     found = _document.search(page.read_text(encoding="utf-8")) if page.is_file() else None
     if not found:
         raise ValueError(f"{page}: there is no page of this study yet; `arenite study page RECIPE --out {page.parent}` makes it")
-    return json.loads(found.group(1))
+    document = json.loads(found.group(1))
+    for curve in (curve for figure in document["figures"] for curve in figure["series"]):
+        curve.setdefault("film", False)  # pages of older versions
+        curve.setdefault("fit", False)
+    return document
 
 
 def is_study(path):

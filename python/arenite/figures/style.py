@@ -20,7 +20,7 @@ def journal_style(**changes):
         "font.size": 8, "axes.labelsize": 8, "axes.titlesize": 8, "xtick.labelsize": 7, "ytick.labelsize": 7, "legend.fontsize": 7,
         "axes.linewidth": 0.6, "lines.linewidth": 1.1, "lines.markersize": 3, "xtick.direction": "in", "ytick.direction": "in",
         "xtick.top": True, "ytick.right": True, "xtick.major.width": 0.6, "ytick.major.width": 0.6, "legend.frameon": False,
-        "mathtext.fontset": "cm", "pdf.fonttype": 42, "ps.fonttype": 42, "svg.fonttype": "none", "svg.hashsalt": "arenite", "savefig.dpi": 600,
+        "mathtext.fontset": "cm", "pdf.fonttype": 42, "ps.fonttype": 42, "svg.fonttype": "none", "svg.hashsalt": "arenite", "axes.formatter.use_mathtext": True, "savefig.dpi": 600,
         "axes.prop_cycle": matplotlib.cycler(color=colours),
     }
     with matplotlib.rc_context({**settings, **changes}):
