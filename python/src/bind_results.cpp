@@ -88,17 +88,8 @@ py::dict provenance_of(const Provenance& p) {
 }
 
 py::dict energies_of(const Frame& frame) {
-  const Energies& e = frame.energies;
   py::dict d;
-  d["kinetic"] = e.kinetic;
-  d["elastic"] = e.elastic;
-  d["adhesive"] = e.adhesive;
-  d["dissipated_normal"] = e.dissipated_normal;
-  d["dissipated_friction"] = e.dissipated_friction;
-  d["dissipated_drag"] = e.dissipated_drag;
-  d["dissipated_breakage"] = e.dissipated_breakage;
-  d["work_walls"] = e.work_walls;
-  d["work_gravity"] = e.work_gravity;
+  for (const EnergyTerm& term : energy_terms) d[term.name] = frame.energies.*term.value;
   return d;
 }
 

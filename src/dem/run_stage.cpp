@@ -44,15 +44,7 @@ void sample(History& history, const Engine& engine, const Equilibrium& now, std:
     append(history, fmt::format("{}_shear_force", side_names[side]).c_str(), "N", wall.shear_force);
   }
   const Energies energies = engine.energies();
-  append(history, "kinetic", "J", energies.kinetic);
-  append(history, "elastic", "J", energies.elastic);
-  append(history, "adhesive", "J", energies.adhesive);
-  append(history, "dissipated_normal", "J", energies.dissipated_normal);
-  append(history, "dissipated_friction", "J", energies.dissipated_friction);
-  append(history, "dissipated_drag", "J", energies.dissipated_drag);
-  append(history, "dissipated_breakage", "J", energies.dissipated_breakage);
-  append(history, "work_walls", "J", energies.work_walls);
-  append(history, "work_gravity", "J", energies.work_gravity);
+  for (const EnergyTerm& term : energy_terms) append(history, term.name, "J", energies.*term.value);
   append(history, "unbalanced_ratio", "1", now.unbalanced_ratio);
   append(history, "kinetic_ratio", "1", now.kinetic_ratio);
   append(history, "mobilisation", "1", now.mobilisation);

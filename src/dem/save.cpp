@@ -32,9 +32,7 @@ void transfer(Archive& a, WallBody& body) {
 
 template <class Archive>
 void transfer(Archive& a, Energies& e) {
-  for (auto* v : {&e.kinetic, &e.elastic, &e.adhesive, &e.dissipated_normal, &e.dissipated_friction, &e.dissipated_drag,
-                  &e.dissipated_breakage, &e.work_walls, &e.work_gravity})
-    a(*v);
+  for (const EnergyTerm& term : energy_terms) a(e.*term.value);
 }
 
 /// One list of members for both ways.

@@ -11,20 +11,20 @@
 namespace arenite::io {
 namespace {
 
-constexpr std::array<Scalar<Energies>, 9> energy_scalars{{{"kinetic [J]", &Energies::kinetic},
-                                                          {"elastic [J]", &Energies::elastic},
-                                                          {"adhesive [J]", &Energies::adhesive},
-                                                          {"dissipated_normal [J]", &Energies::dissipated_normal},
-                                                          {"dissipated_friction [J]", &Energies::dissipated_friction},
-                                                          {"dissipated_drag [J]", &Energies::dissipated_drag},
-                                                          {"dissipated_breakage [J]", &Energies::dissipated_breakage},
-                                                          {"work_walls [J]", &Energies::work_walls},
-                                                          {"work_gravity [J]", &Energies::work_gravity}}};
-
 constexpr std::array<Scalar<Equilibrium>, 4> equilibrium_scalars{{{"unbalanced_ratio", &Equilibrium::unbalanced_ratio},
                                                                   {"kinetic_ratio", &Equilibrium::kinetic_ratio},
                                                                   {"mobilisation", &Equilibrium::mobilisation},
                                                                   {"wall_speed [m/s]", &Equilibrium::wall_speed}}};
+
+std::string dataset(const EnergyTerm& term) { return std::string(term.name) + " [J]"; }
+
+void write_energies(const Hdf5Writer& at, const Energies& energies) {
+  for (const EnergyTerm& term : energy_terms) at.set(dataset(term), energies.*term.value);
+}
+
+void read_energies(const Hdf5Reader& at, Energies& energies) {
+  for (const EnergyTerm& term : energy_terms) energies.*term.value = at.number(dataset(term));
+}
 
 void write_frame(const Hdf5Writer& at, const Frame& frame, const Packing& sample) {
   at.set("time [s]", frame.time);
@@ -34,7 +34,7 @@ void write_frame(const Hdf5Writer& at, const Frame& frame, const Packing& sample
   write_domain(at, frame.packing.domain);
   write_grains(at, frame.packing.grains, &sample.grains);
   write_contacts(at, frame.packing.contacts);
-  write_scalars(at.create_group("energies"), energy_scalars, frame.energies);
+  write_energies(at.create_group("energies"), frame.energies);
   write_scalars(at.create_group("equilibrium"), equilibrium_scalars, frame.equilibrium);
 }
 
@@ -50,7 +50,7 @@ Frame read_frame(const Hdf5Reader& at, const Materials& materials, const Hdf5Rea
   for (const auto m : frame.packing.grains.material)
     if (m < 0 || m >= kinds) at.refuse("names a material that does not exist");
   frame.packing.contacts = read_contacts(at.group("contacts"), frame.packing.grains);
-  read_scalars(at.group("energies"), energy_scalars, frame.energies);
+  read_energies(at.group("energies"), frame.energies);
   read_scalars(at.group("equilibrium"), equilibrium_scalars, frame.equilibrium);
   return frame;
 }

@@ -22,6 +22,21 @@ struct Energies {
   double work_gravity = 0;
 };
 
+/// One term of the account: its name in files and tables, and in a sentence.
+struct EnergyTerm {
+  const char *name, *phrase;
+  double Energies::*value;
+};
+inline constexpr EnergyTerm energy_terms[] = {{"kinetic", "kinetic energy", &Energies::kinetic},
+                                              {"elastic", "elastic energy", &Energies::elastic},
+                                              {"adhesive", "adhesive energy", &Energies::adhesive},
+                                              {"dissipated_normal", "dissipated by dashpots", &Energies::dissipated_normal},
+                                              {"dissipated_friction", "dissipated by friction", &Energies::dissipated_friction},
+                                              {"dissipated_drag", "dissipated by drag, walls' brakes", &Energies::dissipated_drag},
+                                              {"dissipated_breakage", "dissipated by broken bonds", &Energies::dissipated_breakage},
+                                              {"work_walls", "work of the sides", &Energies::work_walls},
+                                              {"work_gravity", "work of gravity", &Energies::work_gravity}};
+
 /// How far a state is from rest.
 struct Equilibrium {
   double unbalanced_ratio = 0;  ///< mean resultant force on a grain (forces, weight) over the mean contact force

@@ -63,10 +63,9 @@ Json walls(const Domain& domain) {
 }
 
 Json energies(const Energies& e) {
-  return {{"kinetic", e.kinetic}, {"elastic", e.elastic}, {"adhesive", e.adhesive},
-          {"dissipated_normal", e.dissipated_normal}, {"dissipated_friction", e.dissipated_friction},
-          {"dissipated_drag", e.dissipated_drag}, {"dissipated_breakage", e.dissipated_breakage},
-          {"work_walls", e.work_walls}, {"work_gravity", e.work_gravity}};
+  Json j = Json::object();
+  for (const EnergyTerm& term : energy_terms) j[term.name] = e.*term.value;
+  return j;
 }
 
 Json state(const Frame& frame) {
@@ -110,12 +109,8 @@ void describe_state(Lines& lines, const Frame& frame) {
   lines.add("unbalanced force ratio", fmt::format("{:.2e}", frame.equilibrium.unbalanced_ratio));
   lines.add("kinetic/elastic energy", fmt::format("{:.2e}", frame.equilibrium.kinetic_ratio));
   lines.add("mean |Ft|/Fn", fmt::format("{:.3f}", frame.equilibrium.mobilisation));
-  const Energies& e = frame.energies;
-  for (const auto& [name, value] : {std::pair{"kinetic energy", e.kinetic}, {"elastic energy", e.elastic}, {"adhesive energy", e.adhesive},
-                                    {"dissipated by dashpots", e.dissipated_normal}, {"dissipated by friction", e.dissipated_friction},
-                                    {"dissipated by drag, walls' brakes", e.dissipated_drag}, {"dissipated by broken bonds", e.dissipated_breakage},
-                                    {"work of the sides", e.work_walls}, {"work of gravity", e.work_gravity}})
-    if (value != 0) lines.add(name, fmt::format("{:.5g} J", value));
+  for (const EnergyTerm& term : energy_terms)
+    if (const double value = frame.energies.*term.value; value != 0) lines.add(term.phrase, fmt::format("{:.5g} J", value));
 }
 
 /// As stored, or measured now.
