@@ -100,6 +100,8 @@ Judgement judge_p4(const Results& results) {
   for (const VoidPeak& p : peaks)
     if (p.theta == 6 && p.gamma >= 3.33)
       j.findings.push_back(fmt::format("At gamma {:g} and theta 6 the CV at the largest mean void is {}.", p.gamma, text_of(p.cv)));
+  add_choices(j, results, "The mean void volume", "voids.mean", Filling::part);
+  add_choices(j, results, "The CV of void volumes", "voids.cv", Filling::part);
   return j;
 }
 

@@ -102,6 +102,7 @@ Judgement judge_p8(const Results& results) {
   Check strong = below("rank correlation of variance and Z_ls over all pairs", "falls", {rank}, -0.85);
   strong.tolerance = "<= -0.85";
   j.sharpened.checks.push_back(strong);
+  add_choices(j, results, "Z_ls", "coordination.Z_ls");
   return j;
 }
 

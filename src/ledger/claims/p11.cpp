@@ -10,7 +10,6 @@ namespace {
 
 constexpr const char* study = "paper-linearity";
 
-
 /// The runs with this stretch, strain and cement.
 std::vector<Run> pulled(const Results& results, bool exact, const char* strain, double width) {
   std::vector<Run> runs;
@@ -45,6 +44,7 @@ Judgement judge_p11(const Results& results) {
     j.sharpened.checks.push_back(between("departure of P's stretch over a strain of 1e-4, " + name, "proportional to strain", size(at_once), low, high));
     j.sharpened.checks.push_back(between("departure of P's stretch over a strain of 2e-4, " + name, "proportional to strain", size(at_twice), low, high));
   }
+  j.findings.emplace_back("Friction and damping act while the packing is made and not while it is pulled; seeds: the errors above.");
   return j;
 }
 

@@ -25,15 +25,16 @@ constexpr Choice others[] = {
 
 }  // namespace
 
-void add_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number) {
+void add_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number, Filling filling) {
+  const char* kind = filling == Filling::complete ? "full" : "bridges";
   for (const char* gamma : {"1", "5"})
     for (const char* theta : {"1.4", "6"}) {
       const auto with = [&](const Choice& choice) {
-        return Value(mean(results, study, number, {{"bidisperse.size_ratio", gamma}, {"bidisperse.volume_ratio", theta}, {choice.key, choice.value}}));
+        return Value(mean(results, study, number, {{"bidisperse.size_ratio", gamma}, {"bidisperse.volume_ratio", theta}, {"cement.kind", kind}, {choice.key, choice.value}}));
       };
       const Value base = with(usual);
       if (!std::isfinite(base.value)) continue;
-      std::string sentence = fmt::format("{} at gamma {}, theta {}: {}", what, gamma, theta, text_of(base));
+      std::string sentence = fmt::format("{} at gamma {}, theta {}{}: {}", what, gamma, theta, filling == Filling::part ? ", eta 0.4" : "", text_of(base));
       for (const Choice& choice : others)
         if (const Value value = with(choice); std::isfinite(value.value)) sentence += fmt::format(", {} {}", choice.text, text_of(value));
       judgement.findings.push_back(sentence + ".");

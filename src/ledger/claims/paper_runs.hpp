@@ -53,8 +53,10 @@ Check in_all_pairs(const std::string& what, const std::string& source, const Pai
 /// The rise from the least to the greatest gamma goes this way beyond 2 s.e. for every theta.
 void add_rises(Verdict& verdict, const std::string& what, const std::string& source, const PairMeans& means, int direction);
 
-/// What a number of full samples becomes with each choice that the paper leaves open (study "paper-choices"), at the ends of
-/// gamma and theta: one sentence each.
-void add_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number);
+/// Full samples, or such with bridges of eta 0.4.
+enum class Filling { complete, part };
+/// What a number becomes with each choice that the paper leaves open (study "paper-choices"), at the ends of gamma and theta:
+/// one sentence each.
+void add_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number, Filling filling = Filling::complete);
 
 }  // namespace arenite::ledger

@@ -9,6 +9,8 @@
 namespace arenite::ledger {
 namespace {
 
+constexpr const char* no_sample = "It is worked out from the laboratory's records: no friction, damping or seed enters.";
+
 const identify::Finding* finding(const identify::Identification& all, const std::string& group, const std::string& name) {
   const auto in = [&](const identify::Group& one) -> const identify::Finding* {
     for (const auto& f : one.findings)
@@ -50,6 +52,7 @@ Judgement judge_t1(const Results& results) {
   }
   judgement.findings.emplace_back("r_eff = 12.4 mm for two equal cylinders of that diameter is what gives these digits; 4 R*, r_i + r_j and 2 sqrt(r_i r_j) agree there.");
   judgement.findings.emplace_back("The mean of the fourth glue's five separation forces gives 1.0608 kN/mm, which the thesis prints as 1.060.");
+  judgement.findings.emplace_back(no_sample);
   return judgement;
 }
 
@@ -70,6 +73,7 @@ Judgement judge_t2(const Results& results) {
   add(judgement.stated, 25.45, 27.35, 6.43);
   add(judgement.sharpened, 25.63, 27.41, 6.42);
   judgement.findings.emplace_back("The thesis prints 25.45 below a column whose mean is 25.63; its overall mean follows from that slip.");
+  judgement.findings.emplace_back(no_sample);
   return judgement;
 }
 

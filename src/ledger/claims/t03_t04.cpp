@@ -39,6 +39,7 @@ Judgement judge_t3(const Results& results) {
   const PooledMode all = pooled_mode(runs, "", 6);
   judgement.findings.push_back(fmt::format("Sample #2 starts stacked; its 6-fold amplitude is {:.3f} (noise {:.3f}) at {:.1f} degrees over {:.0f} contacts.", all.amplitude,
                                            all.noise, all.phase_deg, all.contacts));
+  add_choices(judgement, results, "6-fold amplitude of #2", sample_2.pom_grains, "fabric.modes.6.amplitude");
   return judgement;
 }
 

@@ -25,6 +25,8 @@ double top_5_percent(const FinalState& state, const std::string& material) {
   return pressure[pressure.size() - 1 - pressure.size() / 20];
 }
 
+double ratio_of_means(const Run& run) { return run("force.by_type.POM-POM.mean_N") / run("force.by_type.HDPE-HDPE.mean_N") - 1; }
+
 Number maximum(const std::string& material) {
   const std::string name = "sigma_norm.by_material." + material;
   return [name](const Run& run) { return std::abs(run(name + ".maximum") * run(name + ".mean_Pa")); };
@@ -72,7 +74,7 @@ Judgement judge_t5(const Results& results) {
 Judgement judge_t7(const Results& results) {
   Judgement judgement;
   const auto runs = runs_of(results, sample_12);
-  const Check force = positive("mean force of POM-POM over HDPE-HDPE, less 1", "> 0", lead(runs, "force.by_type.POM-POM.mean_N", "force.by_type.HDPE-HDPE.mean_N"));
+  const Check force = positive("mean force of POM-POM over HDPE-HDPE, less 1", "> 0", mean_over_seeds(runs, ratio_of_means));
   const Check most = positive("largest grain stress of HDPE over POM, less 1", "> 0", lead(runs, maximum("HDPE"), maximum("POM")));
   std::vector<double> leads;
   for (const Run& run : runs) {
@@ -81,6 +83,8 @@ Judgement judge_t7(const Results& results) {
   }
   judgement.stated.checks = {most, force};
   judgement.sharpened.checks = {most, positive("stress that 5 % of grains exceed, HDPE over POM, less 1", "> 0", leads.empty() ? Value() : Value(statistics::mean_of(leads))), force};
+  add_choices_of_ratios(judgement, results, "Mean force of POM-POM over HDPE-HDPE, less 1,", ratio_of_means);
+  add_choices_of_ratios(judgement, results, "Largest grain stress of HDPE over POM, less 1,", [](const Run& run) { return maximum("HDPE").of(run) / maximum("POM").of(run) - 1; });
   return judgement;
 }
 
@@ -117,6 +121,11 @@ Judgement judge_t18(const Results& results) {
                                              "out of the strip change by {}.",
                                              text_of(mean_value(at_walls)), text_of(mean_value(within)), text_of(mean_value(by_thin_layers)), text_of(mean_value(by_wide_layers)), text_of(mean_value(changes)),
                                              text_of(mean_value(inner_changes))));
+  add_choices(judgement, results, "Solid fraction of #8 at 90 % of the area less that at 20 %", sample_8.pom_grains, [](const Run& run) {
+    const FinalState state = final_state(run, true);
+    const auto [first, last] = plateau_of(state.texture.rev);
+    return first < last ? state.texture.rev.mean[last] - state.texture.rev.mean[first] : statistics::unknown;
+  });
   return judgement;
 }
 

@@ -34,10 +34,8 @@ Judgement judge_t8(const Results& results) {
                                                z.back().x, text_of(mean(results, study, "coordination.without_rattlers")),
                                                text_of(mean(results, study, "stages.load.last_state.equilibrium.mobilisation"))));
   }
-  for (const auto& [grains, ratio] : {std::pair{"500", 1}, {"91", 10}}) {
-    add_choices(judgement, results, fmt::format("z of 1000 grains at ratio {}", ratio), grains, "coordination.all");
-    add_choices(judgement, results, fmt::format("The same without rattlers, ratio {}", ratio), grains, "coordination.without_rattlers");
-  }
+  add_choices_of_ratios(judgement, results, "z", "coordination.all");
+  add_choices_of_ratios(judgement, results, "z without rattlers", "coordination.without_rattlers");
   return judgement;
 }
 

@@ -4,6 +4,7 @@
 
 #include "ledger/claims/chapter4.hpp"
 #include "ledger/claims/claims.hpp"
+#include "ledger/claims/thesis_choices.hpp"
 #include "ledger/pooled.hpp"
 
 namespace arenite::ledger {
@@ -31,6 +32,8 @@ Judgement judge_t9(const Results& results) {
   };
   judgement.stated.checks = {up, down, positive("z(POM-ANY) - z(HDPE-ANY), unlike contacts counted twice", "> 0", lead("coordination.unlike_contacts_twice."))};
   judgement.sharpened.checks = {up, down, positive("z(POM-ANY) - z(HDPE-ANY)", "> 0", lead("coordination."))};
+  add_choices_of_ratios(judgement, results, "z(HDPE-HDPE)", "coordination.HDPE-HDPE");
+  add_choices_of_ratios(judgement, results, "z(POM-POM)", "coordination.POM-POM");
   return judgement;
 }
 
@@ -49,6 +52,8 @@ Judgement judge_t10(const Results& results) {
   judgement.sharpened.checks.push_back(positive("share of POM-POM less that of HDPE-HDPE, thesis-ch4", "-", mean(results, study_4, [](const Run& run) {
     return run("force.by_type.POM-POM.strong_share") - run("force.by_type.HDPE-HDPE.strong_share");
   })));
+  add_choices_of_ratios(judgement, results, "Share of contacts above the mean", "force.strong_share");
+  add_stiffness_choices(judgement, results, "Share of contacts above the mean", "force.strong_share");
   return judgement;
 }
 
@@ -69,6 +74,7 @@ Judgement judge_t11(const Results& results) {
   if (share.size() > 1)
     judgement.findings.push_back(fmt::format("Share of HDPE grains in triangular order: {:.4f} at ratio {:g}, {:.4f} at {:g}.", share.front().mean, share.front().x, share.back().mean,
                                              share.back().x));
+  add_choices_of_ratios(judgement, results, "Share of HDPE grains in triangular order", "local_order.triangular_share.HDPE");
   return judgement;
 }
 
@@ -89,6 +95,8 @@ Judgement judge_t12(const Results& results) {
       judgement.findings.push_back(fmt::format("{}: POM-POM a_c {:.3f} at {:.1f} degrees (noise {:.3f}), all contacts a_c {:.3f}.", law, 2 * pom.amplitude, pom.phase_deg, 2 * pom.noise,
                                              2 * all.amplitude));
   }
+  add_choices_of_ratios(judgement, results, "Signed a_c of POM-POM contacts", "fabric.sets.POM-POM.a_c_signed");
+  add_choices_of_ratios(judgement, results, "Signed a_c of all contacts", "fabric.a_c_signed");
   return judgement;
 }
 
@@ -110,6 +118,8 @@ Judgement judge_t19(const Results& results) {
   judgement.stated.checks = {up, down, positive("largest force of POM-POM over that of the other types, less 1", "> 0", lead)};
   judgement.sharpened = judgement.stated;
   judgement.findings.push_back(fmt::format("Mean force of POM-POM over the greater mean of the other types, less 1: {}.", text_of(mean_lead)));
+  add_choices_of_ratios(judgement, results, "Share of HDPE-HDPE above the whole network's mean", "force.by_type.HDPE-HDPE.share_above_mean_of_all");
+  add_choices_of_ratios(judgement, results, "Share of POM-POM above the whole network's mean", "force.by_type.POM-POM.share_above_mean_of_all");
   return judgement;
 }
 

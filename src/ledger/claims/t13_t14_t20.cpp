@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ledger/claims/claims.hpp"
+#include "ledger/claims/thesis_choices.hpp"
 #include "ledger/pooled.hpp"
 
 namespace arenite::ledger {
@@ -50,6 +51,8 @@ Judgement judge_t13(const Results& results) {
                                              text_of(mean_over_seeds(of_law, "stages.load.last_state.equilibrium.mobilisation")),
                                              text_of(slope_over_seeds(of_law, stiffness_ratio, "coordination.all"))));
   }
+  add_stiffness_choices(judgement, results, "z", "coordination.all");
+  add_stiffness_choices(judgement, results, "z(A-B), its part of z,", "coordination.parts_of_z.A-B");
   return judgement;
 }
 
@@ -71,6 +74,8 @@ Judgement judge_t14(const Results& results) {
     if (const auto of_law = results.runs(study); !of_law.empty())
       judgement.findings.push_back(fmt::format("{}: signed a_c of strong contacts {}, of weak {}.", law, text_of(mean_over_seeds(of_law, "fabric.sets.strong.a_c_signed")),
                                                text_of(mean_over_seeds(of_law, "fabric.sets.weak.a_c_signed"))));
+  add_stiffness_choices(judgement, results, "Signed a_c of strong contacts", "fabric.sets.strong.a_c_signed");
+  add_stiffness_choices(judgement, results, "Signed a_c of weak contacts", "fabric.sets.weak.a_c_signed");
   return judgement;
 }
 
@@ -87,6 +92,8 @@ Judgement judge_t20(const Results& results) {
   }
   judgement.stated.checks.push_back(positive("signed a_c of A-A contacts", "> 0", mean_over_seeds(runs, "fabric.sets.A-A.a_c_signed")));
   judgement.sharpened = judgement.stated;
+  add_stiffness_choices(judgement, results, "Share of A-B among strong contacts", strong_share("A-B"));
+  add_stiffness_choices(judgement, results, "Signed a_c of A-A contacts", "fabric.sets.A-A.a_c_signed");
   return judgement;
 }
 

@@ -60,6 +60,7 @@ Judgement judge_t15(const Results& results) {
     if (runs.size() < 5) check.holds = Holds::unknown;
     judgement.sharpened.checks.push_back(check);
   }
+  add_glue_choices(judgement, results, "Share of grains above the mean", "sigma_norm.P0");
   return judgement;
 }
 
@@ -79,6 +80,7 @@ Judgement judge_t16(const Results& results) {
     judgement.sharpened.checks.push_back(reported);
   }
   judgement.findings.emplace_back("The laboratory's grains were stacked by hand and their positions are lost; these samples start from random fillings.");
+  add_glue_choices(judgement, results, "4-fold amplitude", "fabric.modes.4.amplitude");
   return judgement;
 }
 
@@ -122,6 +124,12 @@ Judgement judge_t22(const Results& results) {
   judgement.sharpened = judgement.stated;
   const Check strong = add("1.060");
   if (std::isfinite(strong.ours)) judgement.findings.push_back(fmt::format("At k/gamma = 26 that chance is {:.3g}.", strong.ours));
+  for (const auto& [choice, value, words] : {std::tuple{"contact.friction", "0.3", "as above, in five samples"}, {"contact.friction", "0", "without friction"},
+                                            {"contact.friction", "0.6", "with friction 0.6"}, {"contact.restitution", "0.9", "with restitution 0.9"}}) {
+    const auto of = [&, choice = choice, value = value](const char* gamma) { return forces(results.runs("thesis-choices-glue", {{key, gamma}, {choice, value}})); };
+    if (const double chance = chance_of_one_law(of("1.060"), of("0.000001")); std::isfinite(chance))
+      judgement.findings.push_back(fmt::format("At k/gamma = 26 {} it is {:.3g}.", words, chance));
+  }
   return judgement;
 }
 

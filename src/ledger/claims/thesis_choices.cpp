@@ -31,6 +31,16 @@ const std::vector<Choice> in_samples{
     {{{"stages.1.bottom.force", "0.5"}}, "under 0.5 kN without gravity"},
 };
 
+const std::vector<Choice> with_two_stiffnesses{
+    {{{"contact.friction", "0"}}, "without friction"},
+    {{{"contact.friction", "0.1"}}, "with friction 0.1"},
+    {{{"contact.friction", "0.6"}}, "with friction 0.6"},
+    {{{"contact.wall_friction", "0"}}, "with smooth walls"},
+    {{{"contact.restitution", "0.2"}}, "with restitution 0.2"},
+    {{{"contact.restitution", "0.9"}}, "with restitution 0.9"},
+    {{{"integration.safety", "0.045"}}, "with half the time step"},
+};
+
 const std::vector<Choice> with_glue{
     {{{"contact.friction", "0"}}, "without friction"},
     {{{"contact.friction", "0.1"}}, "with friction 0.1"},
@@ -61,6 +71,14 @@ void add(Judgement& judgement, const Results& results, const char* study, const 
 
 void add_choices(Judgement& judgement, const Results& results, const std::string& what, const std::string& pom_grains, const Number& number) {
   add(judgement, results, "thesis-choices", what, {{"populations.0.count", pom_grains}}, in_samples, number);
+}
+
+void add_choices_of_ratios(Judgement& judgement, const Results& results, const std::string& what, const Number& number) {
+  for (const auto& [grains, ratio] : {std::pair{"500", 1}, {"91", 10}}) add_choices(judgement, results, fmt::format("{} of 1000 grains at ratio {}", what, ratio), grains, number);
+}
+
+void add_stiffness_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number) {
+  add(judgement, results, "thesis-choices-stiffness", what + " of 1000 grains at k_A/k_B = 10", {}, with_two_stiffnesses, number);
 }
 
 void add_glue_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number) {
