@@ -37,7 +37,7 @@ const std::vector<Choice> with_two_stiffnesses{
     {{{"contact.friction", "0.6"}}, "with friction 0.6"},
     {{{"contact.wall_friction", "0"}}, "with smooth walls"},
     {{{"contact.restitution", "0.2"}}, "with restitution 0.2"},
-    {{{"contact.restitution", "0.9"}}, "with restitution 0.9"},
+    {{{"contact.restitution", "0.7"}}, "with restitution 0.7"},
     {{{"integration.safety", "0.045"}}, "with half the time step"},
 };
 
