@@ -28,8 +28,8 @@ function response(result) {
   };
   const known = [["in large grains", classes.large], ["in small grains", classes.small], ["in grains", classes.particle]]
     .map(([name, kind]) => [name, "\u27e8\u03c3_{yy}\u27e9/\u27e8\u03c3_{yy}\u27e9_{all}", [text.number(mean(kind), 3), ""]]).filter(([, , [value]]) => value !== "\u2013");
-  const largest = ["most \u03c3_{yy} over mean", "", [text.number(components.yy.most / result.mean, 3), ""]];
-  return [["mean stress", "\u27e8\u03c3_{yy}\u27e9", quantity(result.mean, "Pa")], ...known, [largest[0].replace("\u03c3_{yy} ", "stress "), "\u03c3_{yy}", largest[2]]].slice(0, 3);
+  const largest = ["most stress over mean", "\u03c3_{yy}", [text.number(components.yy.most / result.mean, 3), ""]];
+  return [["mean stress", "\u27e8\u03c3_{yy}\u27e9", quantity(result.mean, "Pa")], ...known, largest].slice(0, 3);
 }
 
 function failure(result) {
