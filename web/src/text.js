@@ -37,7 +37,8 @@ export const text = {
   material(material) { return material?.name ?? "?"; },
 };
 
-function superscript(exponent) {
+/** A whole number in raised figures. */
+export function superscript(exponent) {
   return String(exponent).replace(/./g, (c) => "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"["-0123456789".indexOf(c)]);
 }
 

@@ -1,6 +1,6 @@
 import * as Plot from "@observablehq/plot";
 import { text } from "../text.js";
-import { chart, logAxis } from "./chart.js";
+import { chart, decadesAround, logAxis } from "./chart.js";
 
 const kinds = [["pores", "pores", 0], ["voids", "voids", 1]];
 
@@ -17,7 +17,7 @@ export const cavityVolumes = {
   draw({ sample, theme, width }) {
     const lines = sets(sample, theme).map((set) => ({ ...set, rows: rowsOf(set) }));
     const all = lines.flatMap(({ rows }) => rows), y = all.map((r) => r.y);
-    const domain = [10 ** Math.floor(Math.log10(Math.min(...y))), 10 ** Math.ceil(Math.log10(Math.max(...y)))];
+    const domain = decadesAround(Math.min(...y), Math.max(...y));
     const xAxis = logAxis("V / (\u03c0 r_{L}\u00b2)", [Math.min(...all.map((r) => r.low)), Math.max(...all.map((r) => r.high))]);
     return chart(theme, {
       width, height: 254, x: xAxis, y: logAxis("probability density", domain),

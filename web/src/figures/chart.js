@@ -1,5 +1,6 @@
 import * as Plot from "@observablehq/plot";
 import { richSvg, s } from "../dom.js";
+import { superscript } from "../text.js";
 
 /** A chart in the page's manner: thin grid, no frame, labels along the axes, symbols with subscripts. */
 export function chart(theme, { width, height = 250, x = {}, y = {}, marks, ...rest }) {
@@ -26,13 +27,14 @@ export function decades([low, high]) {
   return list;
 }
 
-const raised = (k) => String(k).replace(/./g, (c) => "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"["-0123456789".indexOf(c)]);
+/** Whole decades that hold values from `low` to `high`. */
+export const decadesAround = (low, high) => [10 ** Math.floor(Math.log10(low)), 10 ** Math.ceil(Math.log10(high))];
 
-/** A logarithmic y axis with powers of ten. */
+/** A logarithmic axis with powers of ten. */
 export function logAxis(label, domain) {
   return { type: "log", domain, label, ticks: decades(domain), tickFormat: (v) => {
     const k = Math.round(Math.log10(v));
-    return k === 0 ? "1" : k === -1 ? "0.1" : `10${raised(k)}`;
+    return k === 0 ? "1" : k === -1 ? "0.1" : `10${superscript(k)}`;
   } };
 }
 

@@ -1,5 +1,5 @@
 import * as Plot from "@observablehq/plot";
-import { chart, logAxis } from "./chart.js";
+import { chart, decadesAround, logAxis } from "./chart.js";
 
 export const convergence = {
   id: "convergence", title: "Convergence of the solver",
@@ -9,7 +9,7 @@ export const convergence = {
     const { residual, iteration } = sample.convergence;
     const rows = Array.from(residual.values, (y, k) => ({ x: iteration?.values[k] ?? k, y })).filter(({ y }) => y > 0);
     const values = rows.map(({ y }) => y);
-    const domain = [10 ** Math.floor(Math.log10(Math.min(...values))), 10 ** Math.ceil(Math.log10(Math.max(...values)))];
+    const domain = decadesAround(Math.min(...values), Math.max(...values));
     return chart(theme, {
       width, height: 254,
       x: { label: "iteration", ticks: 6, tickFormat: (v) => (Number.isInteger(v) ? String(v) : "") }, y: logAxis("residual", domain),

@@ -1,6 +1,6 @@
 import * as Plot from "@observablehq/plot";
 import { text } from "../text.js";
-import { chart, logAxis, points, sampled, sideBySide } from "./chart.js";
+import { chart, decadesAround, logAxis, points, sampled, sideBySide } from "./chart.js";
 
 const keys = { yy: "sigma_yy", xx: "sigma_xx", xy: "sigma_xy", hydrostatic: "sigma_hyd" };
 const symbols = { sigma_yy: "\u03c3_{yy}", sigma_xx: "\u03c3_{xx}", sigma_xy: "\u03c3_{xy}", sigma_hyd: "\u03c3_{hyd}" };
@@ -43,7 +43,7 @@ function densityChart(theme, sets, { label, semilog, own, width }) {
   const most = Math.max(...lines.flatMap(({ rows }) => rows.map((p) => p.y)));
   const least = most * (semilog ? 2e-5 : 6e-3), seen = lines.flatMap(({ rows }) => rows.filter((p) => p.y >= least).map((p) => p.x));
   const ends = [Math.min(...seen), Math.max(...seen)];
-  const domain = semilog ? [10 ** Math.floor(Math.log10(least)), 10 ** Math.ceil(Math.log10(most))] : [0, 1.05 * most];
+  const domain = semilog ? decadesAround(least, most) : [0, 1.05 * most];
   const inside = (list) => list.filter((p) => p.x >= ends[0] && p.x <= ends[1] && p.y >= domain[0] && p.y <= domain[1]);
   const fits = own ? lines.map(({ d, colour }) => ({ colour, rows: inside(semilog ? tail(d) : qGaussian(d, ends)) })) : [];
   return chart(theme, {

@@ -1,6 +1,6 @@
 import * as Plot from "@observablehq/plot";
 import { prefixOf } from "../text.js";
-import { chart, logAxis } from "./chart.js";
+import { chart, decadesAround, logAxis } from "./chart.js";
 
 const sides = ["bottom", "top", "left", "right"];
 
@@ -68,7 +68,7 @@ export const energies = {
     if (lines.length === 0) return null;
     const high = Math.max(...lines.flatMap(({ rows }) => rows.map((r) => r.y)));
     const low = Math.max(Math.min(...lines.flatMap(({ rows }) => rows.map((r) => r.y))), 1e-7 * high);
-    const domain = [10 ** Math.floor(Math.log10(low)), 10 ** Math.ceil(Math.log10(high))];
+    const domain = decadesAround(low, high);
     return chart(theme, {
       width, height: 254,
       x: timeAxis(sample, state), y: { ...logAxis("energy, J", domain), clamp: true },
@@ -89,7 +89,7 @@ export const approach = {
       .map(({ name, rows }) => ({ k: restMeasures.findIndex(([known]) => known === name), rows: rows.filter((r) => r.y > 0 && r.y < 1e3) }));
     if (lines.every(({ rows }) => rows.length < 2)) return null;
     const all = lines.flatMap(({ rows }) => rows.map((r) => r.y));
-    const domain = [10 ** Math.max(-10, Math.floor(Math.log10(Math.min(...all)))), 10 ** Math.ceil(Math.log10(Math.max(...all)))];
+    const domain = decadesAround(Math.max(1e-10, Math.min(...all)), Math.max(...all));
     return chart(theme, {
       width, height: 254,
       x: timeAxis(sample, state), y: logAxis("ratio", domain),
