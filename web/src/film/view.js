@@ -1,6 +1,7 @@
 import { CanvasView } from "../canvas_view.js";
 import { s } from "../dom.js";
 import { fileName, savePng, saveSvg, svgText } from "../save.js";
+import { distanceToSegment } from "../segment.js";
 import { legend, legendHeight } from "./legend.js";
 import { barWidth, outline, overlay } from "./overlay.js";
 import { painted } from "./paint.js";
@@ -80,7 +81,7 @@ export class FilmView extends CanvasView {
     let found = null;
     for (let c = 0; c < fn.length; ++c) {
       if (found !== null && Math.abs(fn[c]) <= Math.abs(fn[found])) continue;
-      if (distance(this.film.endsOf(c), x, y) <= Math.max(reach, barWidth(this.film, fn[c]) / 2)) found = c;
+      if (distanceToSegment(this.film.endsOf(c), x, y) <= Math.max(reach, barWidth(this.film, fn[c]) / 2)) found = c;
     }
     return found;
   }
@@ -104,10 +105,4 @@ export class FilmView extends CanvasView {
     const svg = this.svg(), { width, height } = svg.viewBox.baseVal;
     return savePng(this.name, svgText(svg, this.theme), width, height, Math.max(2, this.pixelRatio));
   }
-}
-
-function distance([ax, ay, bx, by], x, y) {
-  const dx = bx - ax, dy = by - ay;
-  const t = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
-  return Math.hypot(x - ax - t * dx, y - ay - t * dy);
 }

@@ -1,3 +1,4 @@
+import { distanceToSegment } from "../segment.js";
 import { chainWidth, isShown, segmentsOf } from "./chains.js";
 
 /** Finds the grain or the contact at a point of the plane. Grains are kept in square cells of the largest diameter. */
@@ -44,15 +45,9 @@ export class Picker {
         const c = list[k], fn = Math.abs(frame.contacts.fn[c]);
         if (fn === 0 || !isShown(state, sample, frame, c) || (found !== null && fn <= Math.abs(frame.contacts.fn[found]))) continue;
         const half = chainWidth(sample, frame, fn) / 2;
-        if (segmentsOf(sample, frame, c).some((segment) => distance(segment, x, y) <= Math.max(half, reach))) found = c;
+        if (segmentsOf(sample, frame, c).some((segment) => distanceToSegment(segment, x, y) <= Math.max(half, reach))) found = c;
       }
     }
     return found;
   }
-}
-
-function distance([ax, ay, bx, by], x, y) {
-  const dx = bx - ax, dy = by - ay;
-  const t = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
-  return Math.hypot(x - ax - t * dx, y - ay - t * dy);
 }
