@@ -58,7 +58,8 @@ export function rose({ label, colour, set, inner, reach = reachOf(set) }, radius
   return group;
 }
 
-function direction(degrees, r) {
+/** The point at an angle and a radius in an SVG, whose y points down. */
+export function direction(degrees, r) {
   const angle = (degrees * Math.PI) / 180;
   return [r * Math.cos(angle), -r * Math.sin(angle)];
 }

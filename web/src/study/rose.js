@@ -1,4 +1,5 @@
 import { richSvg, s } from "../dom.js";
+import { direction } from "../figures/roses.js";
 import { captionOf } from "./caption.js";
 
 /** Outlines of the sectors' shares over the isotropic one, which is the dashed circle; half a turn is mirrored. */
@@ -14,16 +15,16 @@ export function roseFigure(figure, colours, dash) {
       const scale = radius / largest;
       const group = s("g", { transform: `translate(${width / 2} ${height / 2})`, fill: "none" });
       for (const angle of [0, 45, 90, 135]) {
-        const [x, y] = at(angle, radius);
+        const [x, y] = direction(angle, radius);
         group.append(s("line", { x1: -x, y1: -y, x2: x, y2: y, stroke: theme.rule }));
       }
       for (const share of ticks(largest)) {
         group.append(s("circle", { r: share * scale, stroke: share === 1 ? theme.soft : theme.rule, "stroke-dasharray": share === 1 ? "3 3" : null }));
-        const [x, y] = at(22.5, share * scale);
+        const [x, y] = direction(22.5, share * scale);
         group.append(s("text", { x, y, fill: theme.soft, "text-anchor": "middle", dy: "0.35em" }, `${share}`));
       }
       for (const [angle, label, anchor] of [[0, "0\u00b0", "start"], [90, "90\u00b0", "middle"], [180, "180\u00b0", "end"]]) {
-        const [x, y] = at(angle, radius + 6);
+        const [x, y] = direction(angle, radius + 6);
         group.append(s("text", { x, y, fill: theme.soft, "text-anchor": anchor, dy: angle === 90 ? "-0.1em" : "0.35em" }, label));
       }
       series.forEach((one, k) => group.append(s("path", { d: outline(one.points, scale), stroke: colours(theme, figure)[k], "stroke-width": 1.5, "stroke-dasharray": dash(figure, one) })));
@@ -38,13 +39,8 @@ function ticks(largest) {
   return list.includes(1) ? list : [1, ...list];
 }
 
-function at(degrees, r) {
-  const angle = (degrees * Math.PI) / 180;
-  return [r * Math.cos(angle), -r * Math.sin(angle)];
-}
-
 function outline(points, scale) {
   const half = 180 / (2 * points.length);
-  const corners = [0, 180].flatMap((turn) => points.flatMap(([middle, y]) => [at(turn + middle - half, y * scale), at(turn + middle + half, y * scale)]));
+  const corners = [0, 180].flatMap((turn) => points.flatMap(([middle, y]) => [direction(turn + middle - half, y * scale), direction(turn + middle + half, y * scale)]));
   return `M${corners.map((p) => p.map((v) => v.toFixed(2)).join(",")).join("L")}Z`;
 }
