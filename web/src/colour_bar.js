@@ -1,8 +1,6 @@
-import { s } from "./dom.js";
+import { label, s } from "./dom.js";
 import { histogram } from "./field/scale.js";
 import { prefixOf, text } from "./text.js";
-
-const label = (x, y, words, anchor = null, more = {}) => s("text", { x, y, dy: "0.35em", "text-anchor": anchor, ...more }, words);
 
 /** The colours alone. */
 export function bar(palette, x, y, length, height) {

@@ -18,6 +18,9 @@ function fill(element, attributes, children) {
   return element;
 }
 
+/** A line of text in an SVG whose middle is as high as y. */
+export const label = (x, y, words, anchor = null, more = {}) => s("text", { x, y, dy: "0.35em", "text-anchor": anchor, ...more }, words);
+
 /** HTML text with "_{...}" lowered and "^{...}" raised: "σ_{norm}". */
 export function rich(text) {
   return String(text).split(/([_^]\{[^}]*\})/).filter(Boolean).map((part) => {

@@ -1,5 +1,5 @@
 import { bar, colourBar } from "../colour_bar.js";
-import { richSvg, s } from "../dom.js";
+import { label, richSvg, s } from "../dom.js";
 import { scaleBar } from "../scale_bar.js";
 import { text } from "../text.js";
 import { components } from "./components.js";
@@ -28,7 +28,6 @@ function scaleKey(scale, theme, length) {
   return colourBar({ title: symbol, unit, scale, palette: mapOf(theme, scale), theme, length, mean });
 }
 
-const label = (x, y, words, anchor = null, more = {}) => s("text", { x, y, dy: "0.35em", "text-anchor": anchor, ...more }, words);
 const square = (x, y, fill, theme) => s("rect", { x, y: y - 6, width: 12, height: 12, rx: 2.5, fill, stroke: theme.ink, "stroke-opacity": 0.25 });
 
 /** Entries one after the other, on a new line where the room ends. */

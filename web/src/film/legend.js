@@ -1,5 +1,5 @@
 import { bar, colourBar } from "../colour_bar.js";
-import { richSvg, s } from "../dom.js";
+import { label, richSvg, s } from "../dom.js";
 import { scaleBar } from "../scale_bar.js";
 import { text } from "../text.js";
 import { materialLine } from "../theme.js";
@@ -8,8 +8,6 @@ import { barWidth, magnification, stressTop } from "./overlay.js";
 import { scaleOf } from "./paint.js";
 
 export const legendHeight = 92;
-
-const label = (x, y, words, more = {}) => s("text", { x, y, dy: "0.35em", ...more }, words);
 
 /** The strip below the film: what the colours mean, what the lines mean, and a bar of known length. */
 export function legend(film, camera, theme, state, width) {
@@ -31,8 +29,8 @@ function mapKey(film, state, theme, length) {
 
 export function stressKey(film, theme, length) {
   const top = stressTop(film), at = (v) => (v / top) * length;
-  return s("g", {}, label(0, 8, "\u03c3_{norm} = \u03c3_{hyd} / \u27e8\u03c3_{hyd}\u27e9", { fill: theme.ink }), bar(theme.stress, 0, 24, length, 11),
-    [0, 1, top].map((v) => label(at(v), 46, `${v === top ? "\u2265\u202f" : ""}${v}`, { "text-anchor": v === 0 ? null : v === top ? "end" : "middle" })));
+  return s("g", {}, label(0, 8, "\u03c3_{norm} = \u03c3_{hyd} / \u27e8\u03c3_{hyd}\u27e9", null, { fill: theme.ink }), bar(theme.stress, 0, 24, length, 11),
+    [0, 1, top].map((v) => label(at(v), 46, `${v === top ? "\u2265\u202f" : ""}${v}`, v === 0 ? null : v === top ? "end" : "middle")));
 }
 
 /** What is drawn over the map, as far as one row holds it. */

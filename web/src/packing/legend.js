@@ -1,4 +1,4 @@
-import { richSvg, s } from "../dom.js";
+import { label, richSvg, s } from "../dom.js";
 import { materialColour } from "../theme.js";
 import { text } from "../text.js";
 import { scaleBar } from "../scale_bar.js";
@@ -32,10 +32,6 @@ function colourKey(sample, frame, theme, mode, width) {
 
 function dot(x, y, fill, theme) {
   return s("circle", { cx: x, cy: y, r: 6, fill, stroke: theme?.ink, "stroke-opacity": 0.3 });
-}
-
-function label(x, y, words, anchor = null) {
-  return s("text", { x, y, dy: "0.35em", "text-anchor": anchor }, words);
 }
 
 function ramp(scale, theme, length) {
