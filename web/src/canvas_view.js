@@ -1,12 +1,13 @@
 import { h, s } from "./dom.js";
 import { gestures } from "./gestures.js";
 import { Camera } from "./camera.js";
+import { savePng } from "./save.js";
 import { Tooltip } from "./tooltip.js";
 import { themeOf } from "./theme.js";
 
 /** A picture seen through a camera: canvas, overlay and legend, drawn at most once a frame after something has changed.
     Whoever extends it gives `extent` (the box that is seen as a whole), `update(stale)` (the parts of the scene that have
-    changed), `paint()`, `drawOverlay()`, `legend()` and `pick(place)`, which sets `picked` to what lies under the pointer. */
+    changed), `paint()` (at another ratio of pixels for `savePainted`), `drawOverlay()`, `legend()` and `pick(place)`, which sets `picked` to what lies under the pointer. */
 export class CanvasView {
   constructor(state, { name, label, margin, key = "key", legendHeight, parts, beside = [] }) {
     Object.assign(this, { state, margin, legendHeight, camera: new Camera(), stale: new Set(parts), picked: null });
@@ -70,6 +71,23 @@ export class CanvasView {
     this.drawOverlay();
     this.key.setAttribute("viewBox", `0 0 ${this.camera.width} ${this.legendHeight}`);
     this.key.replaceChildren(this.legend());
+  }
+
+  /** Saves the canvas as PNG with SVG elements over it, `height` high in all and twice as fine as the screen at least: it is
+      painted once more at that size. */
+  async savePainted(name, height, ...over) {
+    const { camera: { width, height: painted }, canvas, pixelRatio, theme } = this, ratio = Math.max(2, pixelRatio);
+    const size = [canvas.width, canvas.height];
+    Object.assign(canvas, { width: Math.round(width * ratio), height: Math.round(painted * ratio) });
+    this.paint(ratio);
+    const svg = s("svg", { xmlns: "http://www.w3.org/2000/svg", width, height, viewBox: `0 0 ${width} ${height}` }, over);
+    await savePng(name, new XMLSerializer().serializeToString(svg), width, height, ratio, (context) => {
+      context.fillStyle = theme.card;
+      context.fillRect(0, 0, context.canvas.width, context.canvas.height);
+      context.drawImage(canvas, 0, 0);
+      [canvas.width, canvas.height] = size;
+    });
+    this.paint();
   }
 
   unpick() {

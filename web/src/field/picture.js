@@ -1,5 +1,5 @@
 import { s } from "../dom.js";
-import { fileName, savePng, saveSvg } from "../save.js";
+import { fileName, saveSvg } from "../save.js";
 import { bytes } from "../theme.js";
 import { crackTypes } from "./cracks.js";
 import { legend, legendHeight } from "./legend.js";
@@ -25,21 +25,10 @@ export class Picture {
     saveSvg(this.name, svg, theme);
   }
 
-  async savePng() {
-    const { result, state, theme, camera, canvas, scene, pixelRatio, look, broken } = this.view;
-    const ratio = Math.max(2, pixelRatio), height = camera.height + legendHeight + 4;
-    const size = [canvas.width, canvas.height];
-    Object.assign(canvas, { width: Math.round(camera.width * ratio), height: Math.round(camera.height * ratio) });
-    scene.draw(camera, ratio, theme, look);
-    const over = s("svg", { xmlns: "http://www.w3.org/2000/svg", width: camera.width, height, viewBox: `0 0 ${camera.width} ${height}` },
-      s("g", { transform: `translate(0 ${camera.height + 4})` }, legend(result, camera, theme, state, camera.width, broken)));
-    await savePng(this.name, new XMLSerializer().serializeToString(over), camera.width, height, ratio, (context) => {
-      context.fillStyle = theme.card;
-      context.fillRect(0, 0, context.canvas.width, context.canvas.height);
-      context.drawImage(canvas, 0, 0);
-      [canvas.width, canvas.height] = size;
-    });
-    scene.draw(camera, pixelRatio, theme, look);
+  savePng() {
+    const { view } = this, { camera, theme } = view;
+    return view.savePainted(this.name, camera.height + legendHeight + 4,
+      s("g", { transform: `translate(0 ${camera.height + 4})` }, legend(view.result, camera, theme, view.state, camera.width, view.broken)));
   }
 }
 

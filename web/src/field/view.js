@@ -61,7 +61,7 @@ export class FieldView extends CanvasView {
     if (stale.has("cracks")) scene.setLayer("cracks", broken ? crackBuffers(result, broken, theme, scene.origin) : { count: 0 });
   }
 
-  paint() { this.scene.draw(this.camera, this.pixelRatio, this.theme, this.look); }
+  paint(pixelRatio = this.pixelRatio) { this.scene.draw(this.camera, pixelRatio, this.theme, this.look); }
 
   legend() { return legend(this.result, this.camera, this.theme, this.state, this.camera.width, this.broken); }
 

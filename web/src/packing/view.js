@@ -1,6 +1,6 @@
 import { CanvasView } from "../canvas_view.js";
 import { s } from "../dom.js";
-import { fileName, savePng, saveSvg } from "../save.js";
+import { fileName, saveSvg } from "../save.js";
 import { legend, legendHeight } from "./legend.js";
 import { overlay } from "./overlay.js";
 import { Picker } from "./picking.js";
@@ -49,7 +49,7 @@ export class PackingView extends CanvasView {
     if (stale.has("chains")) this.scene.updateChains(state, frame, theme);
   }
 
-  paint() { this.scene.draw(this.camera, this.pixelRatio, this.theme, this.state); }
+  paint(pixelRatio = this.pixelRatio) { this.scene.draw(this.camera, pixelRatio, this.theme, this.state); }
 
   legend() { return legend(this.sample, this.frame, this.camera, this.theme, this.state, this.camera.width); }
 
@@ -78,22 +78,9 @@ export class PackingView extends CanvasView {
     saveSvg(this.name, svg, this.theme);
   }
 
-  /** Twice as fine as the screen at least: the canvas is painted once more at that size. */
-  async savePng() {
-    const { camera, theme, state } = this;
-    const ratio = Math.max(2, this.pixelRatio), height = camera.height + legendHeight + 8;
-    const size = [this.canvas.width, this.canvas.height];
-    Object.assign(this.canvas, { width: Math.round(camera.width * ratio), height: Math.round(camera.height * ratio) });
-    this.scene.draw(camera, ratio, theme, state);
-    const over = s("svg", { xmlns: "http://www.w3.org/2000/svg", width: camera.width, height, viewBox: `0 0 ${camera.width} ${height}` },
-      overlay(this.sample, this.frame, camera, theme, { walls: true }),
-      s("g", { transform: `translate(0 ${camera.height + 4})` }, legend(this.sample, this.frame, camera, theme, state, camera.width)));
-    await savePng(this.name, new XMLSerializer().serializeToString(over), camera.width, height, ratio, (context) => {
-      context.fillStyle = theme.card;
-      context.fillRect(0, 0, context.canvas.width, context.canvas.height);
-      context.drawImage(this.canvas, 0, 0);
-      [this.canvas.width, this.canvas.height] = size;
-    });
-    this.draw();
+  savePng() {
+    const { camera, theme } = this;
+    return this.savePainted(this.name, camera.height + legendHeight + 8, overlay(this.sample, this.frame, camera, theme, { walls: true }),
+      s("g", { transform: `translate(0 ${camera.height + 4})` }, this.legend()));
   }
 }
