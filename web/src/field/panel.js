@@ -12,11 +12,11 @@ export function fieldPanel(result, state, title) {
   const view = new FieldView(result, state), picture = new Picture(view, title);
   const panel = h("section", { class: "card packing sample", "aria-label": "Sample" },
     h("div", { class: "controls" },
-      choice("Show", "show", state, shows(result)), only(state, "show", "field", componentChoice(result, state)),
+      choice("Show", "show", state, shows(result)), only(state, isField, componentChoice(result, state)),
       h("span", { class: "saves" },
         h("button", { class: "save", title: "Save the picture as SVG", onclick: () => picture.saveSvg() }, "SVG"),
         h("button", { class: "save", title: "Save the picture as PNG", onclick: () => picture.savePng() }, "PNG"))),
-    h("div", { class: "controls second" }, scaleControls(state), cavityControls(result, state)),
+    h("div", { class: "controls second" }, scaleControls(state), cavityControls(state)),
     h("div", { class: "controls second" }, fieldOverlays(state), overlays(result, state)),
     view.element, note(result), result.steps > 1 ? stepSlider(result, state) : null);
   return { panel, view };
@@ -27,10 +27,12 @@ function shows(result) {
   return [["phases", "Phases"], ...(result.loaded ? [["field", "Field"]] : []), ...cavities];
 }
 
-/** Shows an element only while a key of the state has a value. */
-function only(state, key, value, element) {
-  const refresh = () => { element.hidden = state.get(key) !== value; };
-  state.watch([key], refresh);
+const isField = (show) => show === "field";
+
+/** Shows an element only while `fits` what is shown. */
+function only(state, fits, element) {
+  const refresh = () => { element.hidden = !fits(state.get("show")); };
+  state.watch(["show"], refresh);
   refresh();
   return element;
 }
@@ -40,14 +42,14 @@ function componentChoice(result, state) {
 }
 
 function scaleControls(state) {
-  return only(state, "show", "field", h("div", { class: "controls" },
+  return only(state, isField, h("div", { class: "controls" },
     choice("Centre", "around", state, [["mean", "Mean"], ["zero", "0"], ["ends", "None"]]),
     choice("", "law", state, [["linear", "Linear"], ["symlog", "Symlog"]]),
     choice("Clip", "clip", state, [["all", "0"], ["0.1", "0.1"], ["1", "1"], ["5", "5\u202f%"]])));
 }
 
 function fieldOverlays(state) {
-  return only(state, "show", "field", h("div", { class: "controls" }, choice("", "by", state, [["node", "Nodes"], ["grain", "Grain means"]]), thresholdControl(state)));
+  return only(state, isField, h("div", { class: "controls" }, choice("", "by", state, [["node", "Nodes"], ["grain", "Grain means"]]), thresholdControl(state)));
 }
 
 /** Stress chains: what is below so many times the mean steps back. */
@@ -65,12 +67,8 @@ function thresholdControl(state) {
   return h("div", { class: "choice threshold" }, toggle("Chains", "chains", state, "Only what carries more than so many times the mean"), h("div", { class: "track" }, slider), output);
 }
 
-function cavityControls(result, state) {
-  const element = choice("Colours", "cavities", state, [["any", "Any"], ["size", "By size"]]);
-  const refresh = () => { element.hidden = !(state.get("show") in cavityKinds); };
-  state.watch(["show"], refresh);
-  refresh();
-  return element;
+function cavityControls(state) {
+  return only(state, (show) => show in cavityKinds, choice("Colours", "cavities", state, [["any", "Any"], ["size", "By size"]]));
 }
 
 function overlays(result, state) {
