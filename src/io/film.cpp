@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "io/file_marks.hpp"
 #include "io/film_formats.hpp"
 #include "io/sealed_file.hpp"
 
@@ -21,7 +22,7 @@ constexpr Format formats[] = {
     {"ptw", true, is_ptw, open_ptw},
     {"npy", true, is_npy, open_npy},
     {"tiff", true, is_tiff, open_tiff_film},
-    {"hdf5", true, is_hdf5_film, open_hdf5_film},
+    {"hdf5", true, is_hdf5, open_hdf5_film},
     {"sfmov", true, is_sfmov, open_sfmov},
     {"hcc", false, is_hcc, open_hcc},
     {"raw", false, is_sidecar, open_sidecar},

@@ -27,11 +27,9 @@ bool is_npy(std::string_view head);
 FilmPointer open_npy(const Bytes& bytes, const FilmChoice& choice);
 
 /// TIFF and BigTIFF: a page a frame, grey, 8 or 16 bits or floating.
-bool is_tiff(std::string_view head);
 FilmPointer open_tiff_film(const Bytes& bytes, const FilmChoice& choice);
 
 /// HDF5: a dataset of frames x height x width, perhaps with times beside it and attributes.
-bool is_hdf5_film(std::string_view head);
 FilmPointer open_hdf5_film(const Bytes& bytes, const FilmChoice& choice);
 
 /// Raw frames, described by a text of lines "key = value" beside them.

@@ -222,13 +222,6 @@ class Hdf5Film : public FilmSource {
 
 }  // namespace
 
-bool is_hdf5_film(std::string_view head) {
-  using namespace std::string_view_literals;
-  for (std::size_t at = 0; at < head.size(); at = at == 0 ? 512 : 2 * at)  // the user's bytes may come first
-    if (head.substr(at).starts_with("\x89HDF\r\n\x1a\n"sv)) return true;
-  return false;
-}
-
 FilmPointer open_hdf5_film(const Bytes& bytes, const FilmChoice& choice) { return std::make_unique<Hdf5Film>(bytes, choice); }
 
 }  // namespace arenite::io

@@ -172,11 +172,6 @@ class TiffFilm : public FilmSource {
 
 }  // namespace
 
-bool is_tiff(std::string_view head) {
-  using namespace std::string_view_literals;
-  return head.starts_with("II*\0"sv) || head.starts_with("MM\0*"sv) || head.starts_with("II+\0"sv) || head.starts_with("MM\0+"sv);
-}
-
 FilmPointer open_tiff_film(const Bytes& bytes, const FilmChoice& choice) { return std::make_unique<TiffFilm>(bytes, choice); }
 
 }  // namespace arenite::io

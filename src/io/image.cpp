@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/nearest.hpp"
+#include "io/file_marks.hpp"
 #include "io/hdf5_image.hpp"
 #include "io/jpeg_image.hpp"
 #include "io/png_image.hpp"
@@ -17,13 +18,6 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// HDF5 files may begin with 512, 1024, 2048 .. bytes of the user's.
-bool is_hdf5(std::string_view bytes) {
-  for (std::size_t at = 0; at < bytes.size(); at = at == 0 ? 512 : 2 * at)
-    if (bytes.substr(at).starts_with("\x89HDF\r\n\x1a\n"sv)) return true;
-  return false;
-}
-
 struct Format {
   bool (*is)(std::string_view bytes);
   Image (*read)(const std::string& bytes, const std::string& file, const ImageChoice& choice);
@@ -31,10 +25,7 @@ struct Format {
 
 constexpr Format formats[] = {
     {[](std::string_view b) { return b.starts_with("\x89PNG\r\n\x1a\n"sv); }, read_png},
-    {[](std::string_view b) {
-       return b.starts_with("II*\0"sv) || b.starts_with("MM\0*"sv) || b.starts_with("II+\0"sv) || b.starts_with("MM\0+"sv);
-     },
-     read_tiff},
+    {is_tiff, read_tiff},
     {[](std::string_view b) { return b.starts_with("\xff\xd8\xff"sv); }, read_jpeg},
     {is_hdf5, read_hdf5_image},
 };
