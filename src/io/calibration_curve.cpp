@@ -16,7 +16,7 @@ CalibrationCurve read_calibration_curve(const std::string& file) {
   if (!level || !temperature) problems.add(table.header_line, "has no columns level and temperature; name them in the first line");
   problems.raise();
   const std::string& unit = table.columns[*temperature].unit;
-  const bool celsius = unit == "C" || unit == "degC" || unit == "\xc2\xb0" "C";
+  const bool celsius = is_celsius(unit);
   if (!celsius && !unit.empty() && unit != "K") problems.add(table.header_line, fmt::format("gives temperatures in \"{}\"; write K or C", unit));
   CalibrationCurve curve;
   for (const auto& row : table.rows) {

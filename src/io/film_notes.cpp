@@ -10,11 +10,6 @@
 namespace arenite::io {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  return first == std::string_view::npos ? std::string_view{} : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 template <class Take>
 void each_note(std::string_view text, Take&& take) {
   Lines lines(text);

@@ -11,8 +11,6 @@
 namespace arenite::io {
 namespace {
 
-bool is_celsius(std::string_view unit) { return unit == "C" || unit == "degC" || unit == "\xc2\xb0" "C"; }
-
 /// The unit behind a name, "kN/mm" of "surface_energy_kN_per_mm"; empty if there is none of this dimension.
 std::string unit_behind(const Table::Column& column, std::string_view name, const Quantity& quantity) {
   if (column.name.size() <= name.size() + 1 || !column.name.starts_with(name) || column.name[name.size()] != '_') return {};

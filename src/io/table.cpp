@@ -10,12 +10,6 @@
 namespace arenite::io {
 namespace {
 
-std::string_view trimmed(std::string_view s) {
-  const auto first = s.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return s.substr(first, s.find_last_not_of(" \t\r") - first + 1);
-}
-
 std::string lower(std::string_view s) {
   std::string result(s);
   for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -78,6 +72,12 @@ void check_header(const Table& table, int line, Problems& problems) {
 }
 
 }  // namespace
+
+std::string_view trimmed(std::string_view s) {
+  const auto first = s.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return s.substr(first, s.find_last_not_of(" \t\r") - first + 1);
+}
 
 std::vector<std::string_view> split_blanks(std::string_view line) {
   std::vector<std::string_view> cells;
@@ -163,6 +163,8 @@ std::optional<std::int64_t> to_integer(std::string_view cell) {
   if (!number || *number != std::floor(*number) || std::abs(*number) > 9e15) return std::nullopt;
   return static_cast<std::int64_t>(*number);
 }
+
+bool is_celsius(std::string_view unit) { return unit == "C" || unit == "degC" || unit == "\xc2\xb0" "C"; }
 
 double unit_factor(std::string_view unit, Dimension dimension) {
   const Unit u = parse_unit(unit);

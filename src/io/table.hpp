@@ -34,6 +34,9 @@ struct Table {
 /// an empty file and a header that is missing or says a column twice go to `problems`.
 Table read_table(std::string_view text, const std::string& columns, Problems& problems);
 
+/// Without the blanks around it.
+std::string_view trimmed(std::string_view text);
+
 /// Cells separated by blanks.
 std::vector<std::string_view> split_blanks(std::string_view line);
 
@@ -52,6 +55,9 @@ class Lines {
 /// A whole finite number; empty otherwise ("nan" and "inf" are not numbers here).
 std::optional<double> to_number(std::string_view cell);
 std::optional<std::int64_t> to_integer(std::string_view cell);
+
+/// Whether a temperature in this unit counts from 0 degrees Celsius.
+bool is_celsius(std::string_view unit);
 
 /// Factor to SI of a unit that must have this dimension. Throws InputError without place.
 double unit_factor(std::string_view unit, Dimension dimension);
