@@ -2,19 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "io/table.hpp"
-#include "model/domain.hpp"
 
 namespace arenite::io {
 namespace {
-
-/// The side that a direction points to.
-int side_towards(Vec2 d) {
-  if (std::abs(d.x) > std::abs(d.y)) return d.x < 0 ? left : right;
-  return d.y < 0 ? bottom : top;
-}
 
 void read_header(const std::vector<std::string_view>& cells, int line, double length, RawGrains& grains, Problems& problems) {
   const auto bound = [&](std::size_t c) { return number_or_problem(cells[c], "box bound", length, line, problems); };

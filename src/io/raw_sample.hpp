@@ -1,10 +1,12 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/vec2.hpp"
+#include "model/domain.hpp"
 
 namespace arenite::io {
 
@@ -50,5 +52,11 @@ struct RawContacts {
   bool lists_both_ways = false;        ///< the format itself lists every contact once for each grain
   std::vector<std::string> notes;
 };
+
+/// The side that a direction points to: the wall of a contact whose file names none.
+inline int side_towards(Vec2 d) {
+  if (std::abs(d.x) > std::abs(d.y)) return d.x < 0 ? left : right;
+  return d.y < 0 ? bottom : top;
+}
 
 }  // namespace arenite::io

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "io/table.hpp"
-#include "model/domain.hpp"
 
 namespace arenite::io {
 namespace {
@@ -189,7 +188,7 @@ RawContacts read_yade_interactions(std::string_view text, const RawGrains& grain
     row.i = grains.rows[static_cast<std::size_t>(i)].id;
     row.force_on_j = force;
     if (j < 0) {
-      row.wall = std::abs(n.x) > std::abs(n.y) ? (n.x < 0 ? left : right) : (n.y < 0 ? bottom : top);
+      row.wall = side_towards(n);
     } else {
       row.j = grains.rows[static_cast<std::size_t>(j)].id;
       if (norm(second - first) > 0) row.normal = (1 / norm(second - first)) * (second - first);
