@@ -65,11 +65,63 @@ std::string contact_table(const ExportFrame& from) {
   return text;
 }
 
+std::string node_table(const FieldResult& r) {
+  const PhaseMap& map = r.map;
+  const bool loaded = r.field.size() > 0;
+  std::string text = "x [m],y [m],phase,grain,class";
+  if (loaded) text += ",ux [m],uy [m],sigma_xx [Pa],sigma_yy [Pa],sigma_xy [Pa]";
+  text += '\n';
+  const auto classes = class_of_node(map);
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x) {
+      const auto i = map.index(x, y);
+      fmt::format_to(Text(text), "{:.8g},{:.8g},{},{},{}", (x + 0.5) * map.dx, (y + 0.5) * map.dx, static_cast<int>(map.phase[i]), map.grain[i],
+                     classes[i]);
+      if (loaded)
+        fmt::format_to(Text(text), ",{},{},{},{},{}", static_cast<float>(r.field.ux[i]), static_cast<float>(r.field.uy[i]),
+                       static_cast<float>(r.field.xx[i]), static_cast<float>(r.field.yy[i]), static_cast<float>(r.field.xy[i]));
+      text += '\n';
+    }
+  return text;
+}
+
+std::string field_grain_table(const ExportField& from) {
+  std::string text = "label,class";
+  for (const auto& field : from.fields) text += "," + title(field.name, field.unit);
+  text += '\n';
+  const auto& classes = from.result->map.grain_class;
+  for (std::size_t g = 0; g < classes.size(); ++g) {
+    fmt::format_to(Text(text), "{},{}", g, static_cast<int>(classes[g]));
+    for (const auto& field : from.fields) cell(text, field.values[g]);
+    text += '\n';
+  }
+  return text;
+}
+
+std::string curve_table(const History& curve) {
+  std::string text;
+  for (const auto& column : curve.columns) text += (text.empty() ? "" : ",") + title(column.name, column.unit);
+  text += '\n';
+  for (std::size_t row = 0; row < curve.columns.front().values.size(); ++row) {
+    for (std::size_t c = 0; c < curve.columns.size(); ++c) fmt::format_to(Text(text), "{}{}", c == 0 ? "" : ",", curve.columns[c].values[row]);
+    text += '\n';
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<NamedBytes> csv_frame(const ExportFrame& frame) {
   return {{fmt::format("grains_{:04}.csv", frame.number), grain_table(frame)},
           {fmt::format("contacts_{:04}.csv", frame.number), contact_table(frame)}};
+}
+
+/// Phases are 0 void, 1 matrix, 2 particle; classes 0 none, 1 small, 2 large.
+std::vector<NamedBytes> csv_field(const ExportField& from) {
+  const FieldResult& r = *from.result;
+  std::vector<NamedBytes> files{{r.name + "_nodes.csv", node_table(r)}, {r.name + "_grains.csv", field_grain_table(from)}};
+  if (!r.curve.columns.empty()) files.push_back({r.name + "_curve.csv", curve_table(r.curve)});
+  return files;
 }
 
 }  // namespace arenite::io

@@ -40,4 +40,10 @@ Vec2 far_end(const Packing& packing, std::size_t contact) {
   return from + packing.domain.nearest_image(packing.grains.centre(static_cast<std::size_t>(contacts.j[contact])) - from);
 }
 
+std::vector<std::uint8_t> class_of_node(const PhaseMap& map) {
+  std::vector<std::uint8_t> result;
+  for (const std::int32_t g : map.grain) result.push_back(g < 0 ? 0 : static_cast<std::uint8_t>(map.grain_class[static_cast<std::size_t>(g)]));
+  return result;
+}
+
 }  // namespace arenite::io

@@ -54,6 +54,9 @@ int contact_type(const Packing& packing, std::size_t contact);
 /// The centre of j, or of its periodic image, as seen from i; for a wall the contact point.
 Vec2 far_end(const Packing& packing, std::size_t contact);
 
+/// The class of the grain at every node of a map; 0 where there is none.
+std::vector<std::uint8_t> class_of_node(const PhaseMap& map);
+
 std::vector<NamedBytes> vtk_frame(const ExportFrame& frame);
 std::vector<NamedBytes> vtk_index(const std::vector<double>& times);
 std::vector<NamedBytes> lammps_frame(const ExportFrame& frame);

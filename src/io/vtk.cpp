@@ -79,6 +79,26 @@ VtkPolyData walls_of(const ExportFrame& from) {
   return data;
 }
 
+struct Component {
+  const char* name;
+  std::vector<double> StressField::*member;
+};
+constexpr Component stresses[] = {{"sigma_xx", &StressField::xx}, {"sigma_yy", &StressField::yy}, {"sigma_xy", &StressField::xy}};
+
+template <class T>
+std::vector<float> single(const std::vector<T>& values) {
+  return {values.begin(), values.end()};
+}
+
+std::vector<float> displacement(const StressField& field) {
+  std::vector<float> u(3 * field.size());
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    u[3 * i] = static_cast<float>(field.ux[i]);
+    u[3 * i + 1] = static_cast<float>(field.uy[i]);
+  }
+  return u;
+}
+
 std::string numbered(const char* what, int number) { return fmt::format("{}_{:04}.vtp", what, number); }
 
 constexpr const char* parts[] = {"grains", "contacts", "walls"};
@@ -105,6 +125,19 @@ std::vector<NamedBytes> vtk_index(const std::vector<double>& times) {
   }
   files.push_back({"loading.pvd", pvd_bytes(all)});
   return files;
+}
+
+std::vector<NamedBytes> vti_field(const ExportField& from) {
+  const FieldResult& r = *from.result;
+  VtkImage image{r.map.width, r.map.height, r.map.dx, {}};
+  std::vector<std::uint8_t> phase;
+  for (const Phase p : r.map.phase) phase.push_back(static_cast<std::uint8_t>(p));
+  image.point_arrays = {{"phase", phase}, {"grain", r.map.grain}, {"class", class_of_node(r.map)}};
+  if (r.field.size() > 0) {
+    image.point_arrays.push_back({"displacement", displacement(r.field), 3});
+    for (const auto& c : stresses) image.point_arrays.push_back({c.name, single(r.field.*c.member)});
+  }
+  return {{r.name + ".vti", vti_bytes(image)}};
 }
 
 }  // namespace arenite::io
