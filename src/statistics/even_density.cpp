@@ -17,16 +17,22 @@ EvenDensity even_density(const std::vector<double>& x, double factor) {
   return result;
 }
 
-Peak peak_of(const Bins& bins, const Counts& counts) {
-  Peak peak;
-  const std::vector<double> f = density(bins, counts);
+std::vector<double> smoothed(const std::vector<double>& f) {
+  std::vector<double> smooth;
   for (std::size_t k = 0; k < f.size(); ++k) {
     const std::size_t from = k > 0 ? k - 1 : 0, to = std::min(k + 2, f.size());
     double sum = 0;
     for (std::size_t j = from; j < to; ++j) sum += f[j];
-    const double smooth = sum / static_cast<double>(to - from);
-    if (!(smooth <= peak.height)) peak = {bins.centre(k), smooth};
+    smooth.push_back(sum / static_cast<double>(to - from));
   }
+  return smooth;
+}
+
+Peak peak_of(const Bins& bins, const Counts& counts) {
+  Peak peak;
+  const std::vector<double> f = smoothed(density(bins, counts));
+  for (std::size_t k = 0; k < f.size(); ++k)
+    if (!(f[k] <= peak.height)) peak = {bins.centre(k), f[k]};
   return peak;
 }
 

@@ -14,6 +14,9 @@ struct EvenDensity {
 /// The density of factor * x in bins of 0.05 from -1 to 6.
 EvenDensity even_density(const std::vector<double>& x, double factor);
 
+/// Running means of three bins, of two at the ends.
+std::vector<double> smoothed(const std::vector<double>& density);
+
 /// Where a density is highest.
 struct Peak {
   double at = unknown, height = unknown;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "statistics/cut_laws.hpp"
+#include "statistics/even_density.hpp"
 #include "statistics/jackknife.hpp"
 #include "statistics/line.hpp"
 
@@ -61,19 +62,12 @@ void compare(const std::vector<TailSums>& sums, TailSums all, TailRange range, d
 
 TailRange tail_range(const Bins& bins, const Counts& counts) {
   if (bins.count == 0) return {};
-  const std::vector<double> f = density(bins, counts);
-  const auto smooth = [&](std::size_t k) {
-    const std::size_t from = k > 0 ? k - 1 : 0, to = std::min(k + 2, bins.count);
-    double sum = 0;
-    for (std::size_t j = from; j < to; ++j) sum += f[j];
-    return sum / static_cast<double>(to - from);
-  };
-  double peak = 0;
-  for (std::size_t k = 0; k < bins.count; ++k) peak = std::max(peak, smooth(k));
+  const std::vector<double> f = smoothed(density(bins, counts));
+  const double peak = std::max(0.0, *std::max_element(f.begin(), f.end()));
   std::size_t low = bins.count;
-  while (low > 0 && smooth(low - 1) < 0.1 * peak) --low;
+  while (low > 0 && f[low - 1] < 0.1 * peak) --low;
   std::size_t high = low;
-  while (high < bins.count && smooth(high) >= 0.001 * peak) ++high;
+  while (high < bins.count && f[high] >= 0.001 * peak) ++high;
   return {bins.edge(low), bins.edge(high)};
 }
 
