@@ -1,9 +1,9 @@
 // Speed of the engine that `arenite run` uses, its list checked every step. Counters: Mps, million particle-steps per
-// CPU second and core; steps_per_build of the contact list. The label is the hash of the state reached.
+// second of user time and core; steps_per_build of the contact list. The label is the hash of the state reached.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
-#include <sys/resource.h>
 
+#include "process_use.hpp"
 #include "samples.hpp"
 
 namespace {
@@ -18,13 +18,6 @@ dem::Engine engine_of(const Packing& packing, dem::IntegratorKind integrator, in
   return dem::Engine(packing, bench::contact_parameters(), integration);
 }
 
-/// User time, all threads: that of the peers is measured in the same way.
-double cpu_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
-}
-
 /// Advances by `steps` an iteration, calling `before_each` first.
 template <class Prepare>
 void measure(benchmark::State& state, dem::Engine& engine, std::int64_t steps, Prepare&& before_each) {
@@ -35,9 +28,9 @@ void measure(benchmark::State& state, dem::Engine& engine, std::int64_t steps, P
   std::uint64_t hash = 0;  // after the first iteration: how many follow depends on the machine
   for (auto _ : state) {
     before_each();
-    const double start = cpu_seconds();
+    const double start = bench::user_seconds();
     engine.advance(steps);
-    seconds += cpu_seconds() - start;
+    seconds += bench::user_seconds() - start;
     if (hash == 0) hash = engine.state_hash();
   }
   const auto done = static_cast<double>(engine.step() - first);

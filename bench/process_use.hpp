@@ -12,6 +12,13 @@ inline double cpu_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
+/// User time of the whole process so far, all threads, s: what the peers of the contact loop are measured by.
+inline double user_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+}
+
 /// Most memory that the process has held, MB.
 inline double peak_megabytes() {
   rusage usage{};
