@@ -1,26 +1,10 @@
 #include "peridynamics/solvers/block_diagonal.hpp"
 
-#include <array>
 #include <cmath>
 
 namespace arenite::peridynamics {
 
 namespace {
-
-struct Block {
-  double xx, xy, yy;
-};
-
-std::array<std::array<Block, 4>, bonds_per_node> bond_blocks(const Bonds& bonds) {
-  std::array<std::array<Block, 4>, bonds_per_node> blocks{};
-  for (unsigned d = 0; d < bonds_per_node; ++d)
-    for (unsigned t = 1; t < 4; ++t) {
-      const Offset e = half_bonds[d];
-      const double k = bonds.modulus(t) / std::pow(length(e), 3);
-      blocks[d][t] = {k * e.x * e.x, k * e.x * e.y, k * e.y * e.y};
-    }
-  return blocks;
-}
 
 Block inverse_of(Block b, std::uint8_t prescribed, bool& loose) {
   if (prescribed == both_prescribed) return {0, 0, 0};
@@ -35,6 +19,17 @@ Block inverse_of(Block b, std::uint8_t prescribed, bool& loose) {
 }
 
 }  // namespace
+
+BondBlocks bond_blocks(const Bonds& bonds) {
+  BondBlocks blocks{};
+  for (unsigned d = 0; d < bonds_per_node; ++d)
+    for (unsigned t = 1; t < 4; ++t) {
+      const Offset e = half_bonds[d];
+      const double k = bonds.modulus(t) / std::pow(length(e), 3);
+      blocks[d][t] = {k * e.x * e.x, k * e.x * e.y, k * e.y * e.y};
+    }
+  return blocks;
+}
 
 BlockDiagonal<double> block_diagonal(const Bonds& bonds) {
   const Grid& grid = bonds.grid;

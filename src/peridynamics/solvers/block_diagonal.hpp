@@ -1,10 +1,20 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "peridynamics/kernels/kernels.hpp"
 
 namespace arenite::peridynamics {
+
+/// A symmetric 2 x 2 stiffness, Pa.
+struct Block {
+  double xx = 0, xy = 0, yy = 0;
+};
+
+/// Stiffness of a bond by its direction and type.
+using BondBlocks = std::array<std::array<Block, 4>, bonds_per_node>;
+BondBlocks bond_blocks(const Bonds& bonds);
 
 /// Symmetric 2 x 2 stiffness of every node against its neighbours held fast, Pa, or the inverse of it. Padded. The
 /// coarse matrix needs it in double: rounded to single it would outweigh the bonds and cost the sum its definiteness.

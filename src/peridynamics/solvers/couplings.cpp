@@ -51,18 +51,12 @@ const InnerSums inner_sums;
 struct CouplingSum {
   const Bonds& bonds;
   const Pieces& pieces;
-  std::array<std::array<std::array<double, 3>, 4>, bonds_per_node> blocks{};
+  BondBlocks blocks;
   std::vector<Coupling> self, cross;
   std::vector<std::int32_t> latest;  ///< of each piece's couplings, the newest; they form a chain
   std::vector<std::int32_t> next;
 
-  CouplingSum(const Bonds& b, const Pieces& p) : bonds(b), pieces(p), latest(p.owner.size(), -1) {
-    for (unsigned d = 0; d < bonds_per_node; ++d)
-      for (unsigned t = 1; t < 4; ++t) {
-        const Offset e = half_bonds[d];
-        const double k = bonds.modulus(t) / std::pow(length(e), 3);
-        blocks[d][t] = {k * e.x * e.x, k * e.x * e.y, k * e.y * e.y};
-      }
+  CouplingSum(const Bonds& b, const Pieces& p) : bonds(b), pieces(p), blocks(bond_blocks(b)), latest(p.owner.size(), -1) {
     self.resize(p.owner.size());
     for (std::int32_t k = 0; k < p.count(); ++k) self[static_cast<std::size_t>(k)] = {k, k, {}};
     cross.reserve(6 * p.owner.size());
@@ -91,8 +85,8 @@ struct CouplingSum {
       const Hats& other = all_hats[static_cast<unsigned>(((y + e.y) & (cell - 1)) * cell + ((x + e.x) & (cell - 1)))];
       Coupling& to = q == p ? self[static_cast<std::size_t>(p)] : between(p, q);
       for (unsigned a = 0; a < 4; ++a) {
-        to.block[0][a] -= own[a] * blocks[d][type][0] * other;
-        if (e.y > 0) to.block[1][a] -= own[a] * blocks[d][type][1] * other;
+        to.block[0][a] -= own[a] * blocks[d][type].xx * other;
+        if (e.y > 0) to.block[1][a] -= own[a] * blocks[d][type].xy * other;
       }
     }
   }
@@ -126,7 +120,10 @@ struct CouplingSum {
         if (at == reached) reach[reached++] = {q, {}};
       }
       const Hats& other = all_hats[static_cast<unsigned>(((y + e.y) & (cell - 1)) * cell + ((x + e.x) & (cell - 1)))];
-      for (unsigned c = 0; c < 3; ++c) reach[at].sum[c] += blocks[d][type][c] * other;
+      const Block& block = blocks[d][type];
+      reach[at].sum[0] += block.xx * other;
+      reach[at].sum[1] += block.xy * other;
+      reach[at].sum[2] += block.yy * other;
     }
     const Hats& own = all_hats[static_cast<unsigned>(y * cell + x)];
     Coupling& within = self[static_cast<std::size_t>(p)];
