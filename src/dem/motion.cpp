@@ -10,11 +10,9 @@ namespace {
 
 bool is_gear(const Sample& s) { return s.integration.integrator == IntegratorKind::gear5; }
 
-struct Body {
-  double ax, ay, alpha;
-};
+}  // namespace
 
-Body acceleration_of(const Sample& s, std::size_t k) {
+Acceleration acceleration_of(const Sample& s, std::size_t k) {
   const Load load = contact_load(s.list, k);
   const DiskRecord& d = s.record[k];
   const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
@@ -23,25 +21,23 @@ Body acceleration_of(const Sample& s, std::size_t k) {
           s.integration.rotations ? load.torque / inertia(d) : 0.0};
 }
 
-}  // namespace
-
 Motion motion_of(const Sample& s, std::size_t k) {
   if (is_gear(s)) {
     if (!s.settled) return {s.vx[k], s.vy[k], s.omega[k]};
-    const Body a = acceleration_of(s, k);
+    const Acceleration a = acceleration_of(s, k);
     const double share = 0.5 * gear_velocity_share * s.dt;
     return {s.vx[k] + share * (a.ax - s.ax[k]), s.vy[k] + share * (a.ay - s.ay[k]),
             s.omega[k] + share * (a.alpha - s.alpha[k])};
   }
   if (s.lag == 0) return {s.vx[k], s.vy[k], s.omega[k]};
-  const Body a = acceleration_of(s, k);
+  const Acceleration a = acceleration_of(s, k);
   return {s.vx[k] + s.lag * a.ax, s.vy[k] + s.lag * a.ay, s.omega[k] + s.lag * a.alpha};
 }
 
 Vec2 place_of(const Sample& s, std::size_t k) {
   const Vec2 place{s.record[k].x, s.record[k].y};
   if (!is_gear(s) || !s.settled) return place;
-  const Body a = acceleration_of(s, k);
+  const Acceleration a = acceleration_of(s, k);
   return place + 0.5 * gear_position_share * s.dt * s.dt * Vec2{a.ax - s.ax[k], a.ay - s.ay[k]};
 }
 

@@ -5,6 +5,12 @@
 // predicted state (Gear), which is brought to the time of the positions here.
 namespace arenite::dem {
 
+/// Acceleration of inner disk k by contacts, gravity and drag, m/s^2; that of its turning, rad/s^2, as third.
+struct Acceleration {
+  double ax, ay, alpha;
+};
+Acceleration acceleration_of(const Sample& sample, std::size_t k);
+
 /// Velocity of inner disk k, m/s, without the affine motion; its turning, rad/s, as third.
 struct Motion {
   double vx, vy, omega;

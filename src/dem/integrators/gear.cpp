@@ -4,6 +4,7 @@
 #include "dem/integrators/disk_sweep.hpp"
 #include "dem/integrators/nordsieck.hpp"
 #include "dem/ghosts.hpp"
+#include "dem/motion.hpp"
 #include "dem/neighbours.hpp"
 #include "dem/walls.hpp"
 
@@ -126,13 +127,9 @@ class Start {
 
   std::vector<double> accelerations() const {
     std::vector<double> a;
-    const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
     for (std::size_t k = 0; k < s.count; ++k) {
-      const Load load = contact_load(s.list, k);
-      const DiskRecord& d = s.record[k];
-      a.push_back(load.fx / d.mass + s.gravity.x - s.drag * (d.vx - mx.at(d.x)));
-      a.push_back(load.fy / d.mass + s.gravity.y - s.drag * (d.vy - my.at(d.y)));
-      a.push_back(s.integration.rotations ? load.torque / inertia(d) : 0.0);
+      const auto [ax, ay, alpha] = acceleration_of(s, k);
+      a.insert(a.end(), {ax, ay, alpha});
     }
     for (std::size_t side = 0; side < 4; ++side)
       a.push_back(wall_acceleration(s, side, s.domain.wall[side].velocity));
