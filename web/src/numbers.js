@@ -18,7 +18,7 @@ function inUnit(estimates, unit) {
   return { scale: 1 / factor, unit: prefix + unit };
 }
 
-/** A table with a row a set and a column a statistic; `columns` = [{ head, unit, of, scale }]. */
+/** A table with a row a set and a column a statistic; `columns` = [{ head, unit, of, scale, digits }]. */
 export function grid(title, sets, columns) {
   const shown = columns.filter(({ of }) => sets.some(([, set]) => of(set) !== undefined && of(set) !== null));
   return h("table", {}, h("caption", {}, title),

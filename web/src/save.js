@@ -14,7 +14,7 @@ export function svgText(svg, theme) {
   return new XMLSerializer().serializeToString(copy);
 }
 
-export function download(name, blob) {
+function download(name, blob) {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);
   link.download = name;

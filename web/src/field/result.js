@@ -54,7 +54,7 @@ export class FieldResult {
     this.curve = columnsOf(block, about.curve);
     this.steps = this.curve.strain?.values.length ?? 0;
     this.grains = Object.fromEntries(Object.entries(about.grains).map(([name, ref]) => [name, unpack(block, ref)]));
-    this.cracks = about.cracks ? Object.fromEntries(["x", "y", "type", "strain"].map((name) => [name, unpack(block, about.cracks[name])])) : null;
+    this.cracks = about.cracks ? Object.fromEntries(["x", "y", "type"].map((name) => [name, unpack(block, about.cracks[name])])) : null;
     /** Mean stress sigma_yy over the nodes that are not void; what sizes are compared with. */
     this.mean = about.components.yy?.mean ?? null;
   }

@@ -18,7 +18,7 @@ export function filmHeadlines(film) {
 }
 
 /** [value, unit, error] as text. */
-export function quantity(value, error, unit) {
+function quantity(value, error, unit) {
   const { factor, prefix } = prefixOf(Math.abs(value), unit);
   const { value: v, error: e } = error > 0 ? text.withError(value / factor, error / factor) : { value: text.number(value / factor, 3), error: "" };
   return [v, prefix + unit, e];
