@@ -34,8 +34,8 @@ async function main() {
     const parts = partsOf(sample, fields, films, state);
     if (parts.length === 0) throw new Error("this result holds no state of a packing");
     followTheme(state);
-    const { element, made } = tabs(parts, state);
-    page.replaceChildren(header(about.title, sample, fields, films, state), ...[element].flat().filter(Boolean), provenance([...sample.stages, ...[...fields, ...films].map((result) => result.about)]));
+    const { elements, made } = tabs(parts, state);
+    page.replaceChildren(header(about.title, sample, fields, films, state), ...elements, provenance([...sample.stages, ...[...fields, ...films].map((result) => result.about)]));
     window.arenite = { state, made, ...made.get("packing"), get field() { return made.get(state.get("tab")); }, get film() { return made.get(state.get("tab")); } };
     document.documentElement.dataset.ready = "true";
   } catch (error) {

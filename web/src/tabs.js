@@ -1,7 +1,7 @@
 import { h } from "./dom.js";
 
 /** Parts of the page of which one is seen: parts = [{ name, title, make() -> { element } }]. Each is made when it is first
-    asked for. A single part has no row of tabs. */
+    asked for. A single part has no row of tabs. Gives the elements, and by name what was made. */
 export function tabs(parts, state) {
   const made = new Map(), holder = h("div");
   const buttons = parts.map(({ name, title }) => h("button", { role: "tab", "data-tab": name, onclick: () => state.set({ tab: name }) }, title));
@@ -16,5 +16,5 @@ export function tabs(parts, state) {
   };
   state.watch(["tab"], refresh);
   refresh();
-  return { element: [parts.length > 1 && h("nav", { class: "tabs", role: "tablist" }, buttons), holder], made };
+  return { elements: [...(parts.length > 1 ? [h("nav", { class: "tabs", role: "tablist" }, buttons)] : []), holder], made };
 }
