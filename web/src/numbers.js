@@ -1,5 +1,6 @@
 import { h, rich } from "./dom.js";
 import { prefixOf, text } from "./text.js";
+import { tile } from "./tile.js";
 
 const plain = (name) => name.replace("-", "\u2013");
 
@@ -107,11 +108,10 @@ export function headlines(sample, state) {
       ["grains above mean", "P_{0}", t.sigma_norm?.P0, 100, "%"],
     ];
     box.replaceChildren(...tiles.map(([name, symbol, estimate, scale, unit]) => {
-      if (!estimate) return h("div", { class: "tile" }, h("p", {}, name, symbol && [" ", h("i", {}, rich(symbol))]), h("strong", {}, "\u2013"));
+      if (!estimate) return tile(name, symbol, "\u2013");
       const { factor, prefix } = scale === null ? prefixOf(estimate.value, unit) : { factor: 1 / scale, prefix: "" };
       const { value, error } = text.withError(estimate.value / factor, estimate.error / factor);
-      return h("div", { class: "tile" }, h("p", {}, name, symbol && [" ", h("i", {}, rich(symbol))]),
-        h("strong", {}, value, h("small", {}, error && ` \u00b1 ${error}`, unit && `\u202f${prefix}${unit}`)));
+      return tile(name, symbol, value, h("small", {}, error && ` \u00b1 ${error}`, unit && `\u202f${prefix}${unit}`));
     }));
   };
   state.watch(["frame"], refresh);

@@ -1,5 +1,6 @@
-import { h, rich } from "../dom.js";
+import { h } from "../dom.js";
 import { prefixOf, text } from "../text.js";
+import { tile } from "../tile.js";
 import { classes } from "./result.js";
 
 /** The numbers that one asks for first: of the sample always, of its response where it was loaded. */
@@ -9,8 +10,7 @@ export function fieldHeadlines(result) {
   const tiles = [["grains", "\u03c1_{p}", percent(particle / all)], ["matrix in the pores", "S_{m}", percent(matrix / Math.max(1, all - particle))], ["void", "\u03c1_{v}", percent(empty / all)]];
   if (result.steps > 1) tiles.push(...failure(result));
   else if (result.loaded) tiles.push(...response(result));
-  return h("div", { class: "headlines" }, tiles.map(([name, symbol, [value, unit]]) =>
-    h("div", { class: "tile" }, h("p", {}, name, symbol && [" ", h("i", {}, rich(symbol))]), h("strong", {}, value, unit && h("small", {}, `\u202f${unit}`)))));
+  return h("div", { class: "headlines" }, tiles.map(([name, symbol, [value, unit]]) => tile(name, symbol, value, unit && h("small", {}, `\u202f${unit}`))));
 }
 
 function quantity(value, unit) {

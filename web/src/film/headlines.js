@@ -1,5 +1,6 @@
-import { h, rich } from "../dom.js";
+import { h } from "../dom.js";
 import { prefixOf, text } from "../text.js";
+import { tile } from "../tile.js";
 
 /** The numbers that one asks for first. */
 export function filmHeadlines(film) {
@@ -14,7 +15,7 @@ export function filmHeadlines(film) {
   if (film.hasForces) tiles.push(["sure contacts", "", [text.count(sure), `of ${text.count(contacts.fn.length)}`]]);
   tiles.push(["frames", "", [text.count(about.used || about.frames)]], ["pixels", "", [`${about.width}\u202f\u00d7\u202f${about.height}`]]);
   return h("div", { class: "headlines" }, tiles.slice(0, tiles.length >= 6 ? 6 : 3).map(([name, symbol, [value, unit, error]]) =>
-    h("div", { class: "tile" }, h("p", {}, name, symbol && [" ", h("i", {}, rich(symbol))]), h("strong", {}, value, (error || unit) && h("small", {}, error && ` \u00b1 ${error}`, unit && `\u202f${unit}`)))));
+    tile(name, symbol, value, (error || unit) && h("small", {}, error && ` \u00b1 ${error}`, unit && `\u202f${unit}`))));
 }
 
 /** [value, unit, error] as text. */
