@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -12,38 +11,13 @@
 #include "io/film_notes.hpp"
 #include "io/film_times.hpp"
 #include "io/hdf5_attributes.hpp"
-#include "io/hdf5_handle.hpp"
+#include "io/hdf5_foreign.hpp"
 #include "io/hdf5_numbers.hpp"
 #include "io/own_process.hpp"
 #include "io/plain_film.hpp"
 
 namespace arenite::io {
 namespace {
-
-Hdf5Handle open(const ByteSource& bytes) {
-  const auto in_memory = memory_properties();
-  if (bytes.path() != nullptr) {
-    const auto access = made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    done(H5Pset_file_locking(*access, false, true));  // a film on a disk that only lets itself be read
-    return own(H5Fopen(bytes.path()->c_str(), H5F_ACC_RDONLY, *access), H5Fclose);
-  }
-  std::string copy = bytes.text(0, bytes.size());
-  if (copy.empty()) return nullptr;
-  done(H5Pset_libver_bounds(*in_memory, H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST));
-  done(H5Pset_file_image(*in_memory, copy.data(), copy.size()));
-  return own(H5Fopen(unused_name().c_str(), H5F_ACC_RDONLY, *in_memory), H5Fclose);
-}
-
-std::vector<std::int64_t> shape_of(hid_t set) {
-  const auto space = own(H5Dget_space(set), H5Sclose);
-  const int rank = space ? H5Sget_simple_extent_ndims(*space) : 0;
-  if (rank <= 0 || rank > H5S_MAX_RANK) return {};
-  std::vector<hsize_t> shape(static_cast<std::size_t>(rank));
-  H5Sget_simple_extent_dims(*space, shape.data(), nullptr);
-  std::vector<std::int64_t> result;
-  for (const hsize_t n : shape) result.push_back(static_cast<std::int64_t>(std::min<hsize_t>(n, std::numeric_limits<std::int64_t>::max())));
-  return result;
-}
 
 H5T_class_t class_of(hid_t set) {
   const auto type = own(H5Dget_type(set), H5Tclose);
@@ -52,17 +26,7 @@ H5T_class_t class_of(hid_t set) {
 
 bool can_be_film(hid_t set) { return shape_of(set).size() == 3 && (class_of(set) == H5T_INTEGER || class_of(set) == H5T_FLOAT); }
 
-std::vector<std::string> films_in(hid_t file) {
-  std::vector<std::string> found;
-  const auto note = [](hid_t root, const char* name, const H5O_info_t* info, void* into) -> herr_t {
-    if (info->type != H5O_TYPE_DATASET) return 0;
-    const auto set = own(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose);
-    if (set && can_be_film(*set)) static_cast<std::vector<std::string>*>(into)->emplace_back(name);
-    return 0;
-  };
-  H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, note, &found, H5O_INFO_BASIC);
-  return found;
-}
+std::vector<std::string> films_in(hid_t file) { return datasets_in(file, can_be_film); }
 
 /// Numbers of a chunk, which is read as a whole.
 double most_in_chunk(const FilmChoice& choice) { return std::max(2.0 * static_cast<double>(choice.most_pixels), 1e6); }
@@ -100,7 +64,11 @@ std::string chosen(hid_t file, const std::string& name, const FilmChoice& choice
 }
 
 Hdf5Handle opened(const Bytes& bytes) {
-  auto id = open(*bytes);
+  if (bytes->path() == nullptr) return open_foreign(bytes->text(0, bytes->size()), bytes->name());
+  memory_properties();  // silences HDF5's own messages
+  const auto access = made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  done(H5Pset_file_locking(*access, false, true));  // a film on a disk that only lets itself be read
+  auto id = own(H5Fopen(bytes->path()->c_str(), H5F_ACC_RDONLY, *access), H5Fclose);
   if (!id) throw InputError(bytes->name(), 0, "is an HDF5 file that is cut short or damaged; copy it again");
   return id;
 }

@@ -10,50 +10,21 @@
 
 #include "core/error.hpp"
 #include "io/grey_pixels.hpp"
-#include "io/hdf5_handle.hpp"
+#include "io/hdf5_foreign.hpp"
 #include "io/hdf5_numbers.hpp"
 #include "io/own_process.hpp"
 
 namespace arenite::io {
 namespace {
 
-/// The bytes as an open file.
-Hdf5Handle open(const std::string& bytes, const std::string& file) {
-  const auto access = memory_properties();
-  std::string copy = bytes;  // HDF5 wants bytes that it could change
-  done(H5Pset_libver_bounds(*access, H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST));  // whoever wrote it
-  done(H5Pset_file_image(*access, copy.data(), copy.size()));
-  auto id = own(H5Fopen(unused_name().c_str(), H5F_ACC_RDONLY, *access), H5Fclose);
-  if (!id) throw InputError(file, 0, "is an HDF5 file that is cut short or damaged; copy it again");
-  return id;
-}
-
-bool holds_whole_numbers(hid_t set) {
+bool can_be_picture(hid_t set) {
   const auto type = own(H5Dget_type(set), H5Tclose);
-  return type && (H5Tget_class(*type) == H5T_INTEGER || H5Tget_class(*type) == H5T_ENUM);
+  const bool whole = type && (H5Tget_class(*type) == H5T_INTEGER || H5Tget_class(*type) == H5T_ENUM);
+  const std::size_t rank = shape_of(set).size();
+  return whole && (rank == 2 || rank == 3);
 }
 
-std::vector<hsize_t> shape_of(hid_t set) {
-  const auto space = own(H5Dget_space(set), H5Sclose);
-  const int rank = space ? H5Sget_simple_extent_ndims(*space) : 0;
-  if (rank != 2 && rank != 3) return {};
-  std::vector<hsize_t> shape(static_cast<std::size_t>(rank));
-  H5Sget_simple_extent_dims(*space, shape.data(), nullptr);
-  return shape;
-}
-
-/// Names of the datasets that can be pictures.
-std::vector<std::string> pictures(hid_t file) {
-  std::vector<std::string> found;
-  const auto note = [](hid_t root, const char* name, const H5O_info_t* info, void* into) -> herr_t {
-    if (info->type != H5O_TYPE_DATASET) return 0;
-    const auto set = own(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose);
-    if (set && holds_whole_numbers(*set) && !shape_of(*set).empty()) static_cast<std::vector<std::string>*>(into)->emplace_back(name);
-    return 0;
-  };
-  H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, note, &found, H5O_INFO_BASIC);
-  return found;
-}
+std::vector<std::string> pictures(hid_t file) { return datasets_in(file, can_be_picture); }
 
 std::string chosen_dataset(hid_t id, const std::string& file, const ImageChoice& choice) {
   if (!choice.dataset.empty()) return choice.dataset;
@@ -75,20 +46,17 @@ Image convert(const std::vector<std::int64_t>& values, const std::string& file, 
 }
 
 Image decode(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
-  const auto id = open(bytes, file);
+  const auto id = open_foreign(bytes, file);
   const std::string name = chosen_dataset(*id, file, choice);
   const auto set = own(H5Dopen2(*id, name.c_str(), H5P_DEFAULT), H5Dclose);
   if (!set) throw InputError(file, 0, fmt::format("has no dataset \"{}\"; it has: {}", name, fmt::join(pictures(*id), ", ")));
-  const auto shape = shape_of(*set);
-  if (shape.empty() || !holds_whole_numbers(*set))
+  if (!can_be_picture(*set))
     throw InputError(file, 0, fmt::format("holds \"{}\", which is not a table of whole numbers with two or three dimensions; "
                                           "choose another with --dataset", name));
+  const auto shape = shape_of(*set);
   const bool stack = shape.size() == 3;
-  const auto extent = [&](std::size_t axis) {
-    return static_cast<std::int64_t>(std::min<hsize_t>(shape[axis], std::numeric_limits<std::int64_t>::max()));
-  };
-  const std::int64_t slice = chosen_slice(file, stack ? extent(0) : 1, choice);
-  const std::int64_t height = extent(stack ? 1 : 0), width = extent(stack ? 2 : 1);
+  const std::int64_t slice = chosen_slice(file, stack ? shape[0] : 1, choice);
+  const std::int64_t height = shape[stack ? 1 : 0], width = shape[stack ? 2 : 1];
   check_size(file, width, height, choice);
   Hdf5Numbers numbers(set, name, bytes_kept(bytes, file), std::max(2.0 * static_cast<double>(choice.most_pixels), 1e6));
   std::string stored;
