@@ -1,6 +1,10 @@
 #include "study/measure_film.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -120,12 +124,25 @@ class Road {
     means.share = recipe_.forces.central_share;
     for (const auto& m : recipe_.materials) means.factor.push_back(m.thermoelastic_factor);
     r.swing = thermography::grain_means(r.maps, loaded_, means);
+    forget_lost(r);
     r.packing.materials = materials_of(recipe_);
     r.packing.grains = in_metres(loaded_, place_);
     r.packing.domain = frame_at(recipe_, recipe_.lockin.motion ? 1 : 0);
     infer_film_forces(recipe_, r);
     options_.progress({3, 5, "grains", 1, 0, 0, false, false});
     return !options_.asked_to_stop();
+  }
+
+  /// What stands in the maps where a grain was thought to be, and was not, is no stress of it.
+  void forget_lost(FilmResult& r) {
+    const auto lost = thermography::lost_grains(r.motion);
+    for (std::size_t i = 0; i < lost.size(); ++i) {
+      if (!lost[i]) continue;
+      r.swing.temperature[i] = r.swing.sigma_hyd[i] = std::numeric_limits<double>::quiet_NaN();
+      r.swing.error[i] = std::numeric_limits<double>::infinity();
+    }
+    if (const auto count = std::count(lost.begin(), lost.end(), 1); count > 0)
+      options_.notice(fmt::format("{} of {} grains move in a way that the film does not show well enough; their stress is left unknown", count, lost.size()));
   }
 
   const FilmRecipe& recipe_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/median.hpp"
 #include "core/threads.hpp"
 #include "thermography/rim_pixels.hpp"
 
@@ -153,6 +154,13 @@ double error_of(const Left& left, const MatrixXd& step) {
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> lost_grains(const GrainMotion& motion) {
+  const double usual = median_of_finite(motion.error);
+  std::vector<std::uint8_t> lost;
+  for (const double error : motion.error) lost.push_back(std::isfinite(error) && error > 6 * usual ? 1 : 0);
+  return lost;
+}
 
 GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& grains, const GrainMotionOptions& options) {
   constexpr int affine_turns = 3;

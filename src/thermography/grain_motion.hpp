@@ -1,4 +1,7 @@
 #pragma once
+#include <cstdint>
+#include <vector>
+
 #include "model/grain_swing.hpp"
 #include "model/picture_grains.hpp"
 #include "thermography/phase_pictures.hpp"
@@ -19,6 +22,10 @@ struct GrainMotionOptions {
 /// grain, until nothing is left to add. All grains first move together by an affine map, so that none loses itself.
 /// `grains` are at their mean places; grains that show no contrast get that affine motion, with an error of infinity.
 GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& grains, const GrainMotionOptions& options = {});
+
+/// Grains that were not followed: what their motion leaves on their rims is so much that its error is beyond six times the
+/// median of all grains, as that of a loose grain which goes another way than its neighbours. 1 for each of these.
+std::vector<std::uint8_t> lost_grains(const GrainMotion& motion);
 
 /// Lock-in maps whose pixels inside a grain follow it: the pictures are resampled where the grain is at every phase, and
 /// mean, swing and second harmonic fitted anew. Rims are too sharp for pixels to be resampled beside them: a drawing of even
