@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "commands.hpp"
@@ -55,29 +56,59 @@ bool wanted(const VerifyArguments& a, const std::string& name) {
   return a.only.empty() || std::find(a.only.begin(), a.only.end(), name) != a.only.end();
 }
 
-/// The results of a source's studies, run as far as asked; false if it was asked to stop.
-bool gather(char source, const fs::path& out, const VerifyArguments& a, ledger::Results& results) {
-  for (const std::string& name : ledger::studies_of(source)) {
-    const auto* found = ledger::find_study(name);
-    if (!found || !wanted(a, name) || (a.read_only && found->has_runs() && !fs::exists(out / name))) continue;
-    const study::StudyFolder folder(out / name);
-    if (!found->has_runs()) {
-      ledger::unpack(*found, folder.out);
-      results.add(name, {}, folder.out);
-      continue;
-    }
-    const study::Study study = ledger::unpack_study(*found, folder.out, a.small, a.overrides);
-    if (!a.read_only) {
-      if (!a.quiet) fmt::print(stderr, "{}: {} runs\n", name, study.runs.size());
-      if (!complete(study, folder, a)) return false;
-    }
-    results.add(name, study::collect(study, folder), folder.out);
-    if (!fs::exists(figures_of(study))) continue;
-    const bool films = fs::exists(folder.out / "camera.toml") && (!a.small || name == ledger::filmed_study);
-    if (!a.read_only && films && !make_films(study, results, name)) return false;
-    write_study_figures(study, folder);
+/// Where the runs of one of the studies lie; nothing where none are wanted.
+std::optional<study::StudyFolder> folder_of(const ledger::StudySource& source, const fs::path& out, const VerifyArguments& a) {
+  if (!wanted(a, source.name) || (a.read_only && source.has_runs() && !fs::exists(out / source.name))) return std::nullopt;
+  return study::StudyFolder(out / source.name);
+}
+
+/// Does what is missing of a source's runs; false if it was asked to stop.
+bool run_studies(char letter, const fs::path& out, const VerifyArguments& a) {
+  for (const std::string& name : ledger::studies_of(letter)) {
+    const auto* source = ledger::find_study(name);
+    const auto folder = source ? folder_of(*source, out, a) : std::nullopt;
+    if (!folder || !source->has_runs()) continue;
+    const study::Study study = ledger::unpack_study(*source, folder->out, a.small, a.overrides);
+    if (!a.quiet) fmt::print(stderr, "{}: {} runs\n", name, study.runs.size());
+    if (!complete(study, *folder, a)) return false;
   }
   return true;
+}
+
+/// Reads the runs of a source's studies, makes the films that are missing unless told to read only, and draws the pages; false
+/// if it was asked to stop.
+bool gather(char letter, const fs::path& out, const VerifyArguments& a, ledger::Results& results) {
+  for (const std::string& name : ledger::studies_of(letter)) {
+    const auto* source = ledger::find_study(name);
+    const auto folder = source ? folder_of(*source, out, a) : std::nullopt;
+    if (!folder) continue;
+    if (!source->has_runs()) {
+      ledger::unpack(*source, folder->out);
+      results.add(name, {}, folder->out);
+      continue;
+    }
+    const study::Study study = ledger::unpack_study(*source, folder->out, a.small, a.overrides);
+    results.add(name, study::collect(study, *folder), folder->out);
+    if (!fs::exists(figures_of(study))) continue;
+    const bool films = fs::exists(folder->out / "camera.toml") && (!a.small || name == ledger::filmed_study);
+    if (!a.read_only && films && !make_films(study, results, name)) return false;
+    write_study_figures(study, *folder);
+  }
+  return true;
+}
+
+/// Whose claims are judged.
+char letter_of(const std::string& source) { return source == "thesis" ? 'T' : 'P'; }
+
+/// All runs of all sources first: a process that has solved for a field or for forces can start no other that solves, since
+/// the threads of the sparse solver do not outlive a fork.
+bool run_all(const fs::path& out, const VerifyArguments& a) {
+  return a.read_only || std::all_of(a.sources.begin(), a.sources.end(), [&](const std::string& source) { return run_studies(letter_of(source), out, a); });
+}
+
+int stopped() {
+  fmt::print(stderr, "stopped; the same command goes on where it was\n");
+  return other_failure;
 }
 
 /// The processor's name as Linux has it.
@@ -109,13 +140,11 @@ int execute(const VerifyArguments& a) {
   watch_for_signals();
   ledger::Ledger all;
   std::string markdown;
+  if (!run_all(out, a)) return stopped();
   for (const std::string& source : a.sources) {
     ledger::Results results;
-    const char letter = source == "thesis" ? 'T' : 'P';
-    if (!gather(letter, out, a, results)) {
-      fmt::print(stderr, "stopped; the same command goes on where it was\n");
-      return other_failure;
-    }
+    const char letter = letter_of(source);
+    if (!gather(letter, out, a, results)) return stopped();
     ledger::Ledger one = ledger::judge(letter, results);
     markdown += "\n" + report::ledger_markdown(one, source == "thesis" ? "The thesis" : "The paper");
     all.studies.insert(all.studies.end(), one.studies.begin(), one.studies.end());
