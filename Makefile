@@ -33,7 +33,7 @@ test:
 	@scripts/setup run test
 	@$(COMMON) -DARENITE_TESTS=ON >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS)
-	@ctest --test-dir $(BUILD) -j $(JOBS) --output-on-failure
+	@ctest --test-dir $(BUILD) -j $(JOBS) --timeout 1200 --output-on-failure
 
 bench:
 	@scripts/setup run bench

@@ -138,8 +138,8 @@ void Engine::set_masses(Masses masses) {
   give_masses(s, masses);
   make_heavy_enough(s);
   if (s.dt > step_bounds(s).largest())
-    throw InputError(fmt::format("with even masses integration.time_step of {:.4g} s is beyond what this sample allows; {:.4g} s would do",
-                                 s.dt, 0.999 * step_bounds(s).largest()));
+    throw InputError(fmt::format("a step of {:.4g} s is beyond what this sample allows with {} masses; set integration.time_step: {:.4g} s would do",
+                                 s.dt, masses == Masses::even ? "even" : "its own", 0.999 * step_bounds(s).largest()));
   if (s.integration.track_energy) s.tally.dissipated_drag += before - energies_of(s).kinetic;
 }
 

@@ -28,11 +28,24 @@ struct Verdict {
   Holds holds() const;                  ///< unknown without checks
 };
 
+/// How a number hangs on what its source leaves open, one choice at a time.
+struct Sensitivity {
+  struct Entry {
+    std::string choice;                 ///< "without friction"; empty: as the study has it
+    double value = statistics::unknown, error = statistics::unknown;
+    Holds holds = Holds::unknown;       ///< whether it is as wanted
+  };
+  std::string what;
+  std::string wanted;                   ///< of it, as text; empty if nothing is
+  std::vector<Entry> entries;           ///< the first as the study has it
+};
+
 /// What is said of a claim.
 struct Judgement {
   Verdict stated;                       ///< as the source states it
   Verdict sharpened;                    ///< with the state, law and statistic under which a check has meaning
-  std::vector<std::string> findings;    ///< what decides it, how far it hangs on friction, damping and seed: sentences with numbers
+  std::vector<std::string> findings;    ///< what decides it: sentences with numbers
+  std::vector<Sensitivity> sensitivities;  ///< to friction, damping and what else is not stated
 };
 
 /// One claim of a source. `id` begins with T (thesis) or P (paper).

@@ -16,6 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using ledger::Check;
 using ledger::Judged;
+using ledger::Sensitivity;
 
 std::string ours_text(const Check& check) {
   const std::string text = ledger::text_of({check.ours, check.error});
@@ -63,6 +64,87 @@ std::string rows_of(const ledger::Verdict& verdict, const char* kind) {
   return text;
 }
 
+std::string value_text(const Sensitivity::Entry& entry) { return ledger::text_of({entry.value, entry.error}); }
+
+bool as_wanted(const Sensitivity::Entry& entry) { return entry.holds == ledger::Holds::yes; }
+
+/// "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t k = 0; k < words.size(); ++k) text += (k == 0 ? "" : k + 1 == words.size() ? " and " : ", ") + words[k];
+  return text;
+}
+
+/// Which choices give what is wanted; empty where nothing is, or nothing is missing.
+std::string mended_by(const Sensitivity& found) {
+  if (found.wanted.empty() || found.entries.empty() || found.entries.front().holds != ledger::Holds::no) return {};
+  std::vector<std::string> choices;
+  for (const auto& entry : found.entries)
+    if (as_wanted(entry)) choices.push_back(entry.choice);
+  return choices.empty() ? "no choice here gives what is wanted" : "as wanted " + listed(choices);
+}
+
+std::string wanted_of(const Sensitivity& found) { return found.wanted.empty() ? "" : fmt::format(" (wanted {})", found.wanted); }
+
+std::string line_of(const Sensitivity& found) {
+  std::string text = fmt::format("  {}{}: {}", found.what, wanted_of(found), value_text(found.entries.front()));
+  for (std::size_t k = 1; k < found.entries.size(); ++k)
+    if (std::isfinite(found.entries[k].value)) text += fmt::format(", {} {}", found.entries[k].choice, value_text(found.entries[k]));
+  const std::string mended = mended_by(found);
+  return text + (mended.empty() ? "" : "; " + mended) + ".\n";
+}
+
+Json json_of(const std::vector<Sensitivity>& sensitivities) {
+  Json list = Json::array();
+  for (const Sensitivity& found : sensitivities) {
+    Json entries = Json::array();
+    for (const auto& entry : found.entries) {
+      if (!std::isfinite(entry.value)) continue;
+      Json one{{"choice", entry.choice}, {"value", entry.value}};
+      if (std::isfinite(entry.error)) one["error"] = entry.error;
+      if (!found.wanted.empty()) one["verdict"] = ledger::word_for(entry.holds);
+      entries.push_back(std::move(one));
+    }
+    Json one{{"what", found.what}, {"entries", entries}};
+    if (!found.wanted.empty()) one["wanted"] = found.wanted;
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+bool same_choices(const Sensitivity& a, const Sensitivity& b) {
+  return std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(), b.entries.end(), [](const auto& x, const auto& y) { return x.choice == y.choice; });
+}
+
+/// One table for numbers with the same choices, below it which of these mend what fails.
+std::string table_of(std::vector<Sensitivity>::const_iterator first, std::vector<Sensitivity>::const_iterator last) {
+  std::string head = "\n| |", rule = "|---|", rows, notes;
+  for (const auto& entry : first->entries) {
+    head += fmt::format(" {} |", entry.choice.empty() ? "as it is" : cell(entry.choice));
+    rule += "---|";
+  }
+  for (auto found = first; found != last; ++found) {
+    rows += fmt::format("| {}{} |", cell(found->what), cell(wanted_of(*found)));
+    for (const auto& entry : found->entries) {
+      const char* bold = as_wanted(entry) ? "**" : "";
+      rows += std::isfinite(entry.value) ? fmt::format(" {}{}{} |", bold, value_text(entry), bold) : " |";
+    }
+    rows += "\n";
+    if (const std::string mended = mended_by(*found); !mended.empty()) notes += fmt::format("\n{}: {}.\n", found->what, mended);
+  }
+  return head + "\n" + rule + "\n" + rows + notes;
+}
+
+std::string tables_of(const std::vector<Sensitivity>& sensitivities) {
+  std::string text;
+  for (auto first = sensitivities.begin(); first != sensitivities.end();) {
+    const auto last = std::find_if(first, sensitivities.end(), [&](const Sensitivity& other) { return !same_choices(*first, other); });
+    text += table_of(first, last);
+    first = last;
+  }
+  return text.empty() ? text : "\nOpen choices, one at a time (bold: as wanted):\n" + text;
+}
+
 std::string progress_of(const ledger::StudyState& study) {
   if (study.runs > 0) return fmt::format("{} of {} runs done", study.done, study.runs);
   const auto* source = ledger::find_study(study.name);
@@ -80,6 +162,7 @@ std::string ledger_text(const ledger::Ledger& ledger) {
     text += lines_of(judged.judgement.stated, "as stated");
     text += lines_of(judged.judgement.sharpened, "as sharpened");
     for (const auto& finding : judged.judgement.findings) text += fmt::format("  {}\n", finding);
+    for (const auto& found : judged.judgement.sensitivities) text += line_of(found);
   }
   return text;
 }
@@ -91,7 +174,7 @@ std::string ledger_json(const ledger::Ledger& ledger) {
     claims[claim->id] = {{"where", claim->where}, {"sentence", claim->sentence}, {"figure", claim->figure},
                          {"stated", ledger::word_for(judgement.stated.holds())}, {"sharpened", ledger::word_for(judgement.sharpened.holds())},
                          {"stated_checks", json_of(judgement.stated)}, {"sharpened_checks", json_of(judgement.sharpened)},
-                         {"findings", judgement.findings}};
+                         {"findings", judgement.findings}, {"sensitivity", json_of(judgement.sensitivities)}};
   return Json{{"studies", studies}, {"claims", claims}}.dump(1) + "\n";
 }
 
@@ -107,6 +190,7 @@ std::string ledger_markdown(const ledger::Ledger& ledger, const std::string& tit
     text += "| verdict | what | source | ours | wanted | |\n|---|---|---|---|---|---|\n";
     text += rows_of(judgement.stated, "stated") + rows_of(judgement.sharpened, "sharpened");
     for (const auto& finding : judgement.findings) text += "\n" + finding + "\n";
+    text += tables_of(judgement.sensitivities);
   }
   return text;
 }

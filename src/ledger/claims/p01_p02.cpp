@@ -73,7 +73,7 @@ Judgement judge_p1(const Results& results) {
   j.stated.checks.push_back(little);
   j.sharpened.checks.push_back(little);
   j.findings.push_back(fmt::format("At gamma 5 and theta 6 asked for, the crop has a volume ratio of {}.", text_of(of_pair(pair_means(results, "volume_ratio", full), 5, 6))));
-  add_choices(j, results, "rho_p", "solid_fraction");
+  add_choices(j, results, "rho_p", "solid_fraction", {wanted_between(0.81, 0.89), wanted_between(0.81, 0.89), wanted_positive()});
   return j;
 }
 
@@ -100,8 +100,8 @@ Judgement judge_p2(const Results& results) {
   }
   for (const double theta : thetas(z_ls))
     j.findings.push_back(fmt::format("Z_ls against gamma is a straight line to R^2 = {:.3f} at theta {:g}.", line_r2(against_gamma(z_ls, theta)), theta));
-  add_choices(j, results, "Z_l", "coordination.Z_l");
-  add_choices(j, results, "Z_s", "coordination.Z_s");
+  add_choices(j, results, "Z_l", "coordination.Z_l", {wanted_between(3.7, 14.3), wanted_between(3.7, 14.3), wanted_positive()});
+  add_choices(j, results, "Z_s", "coordination.Z_s", {wanted_between(2.8, 4.5), wanted_between(2.8, 4.5), {}});
   return j;
 }
 

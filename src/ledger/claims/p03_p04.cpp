@@ -75,7 +75,7 @@ Judgement judge_p3(const Results& results) {
   }
   add_rises(j.stated, "pore volume at the pdf's peak", "< 0", only(peak, [](const PairMean& m) { return m.theta == 1.4; }), -1);
   add_rises(j.sharpened, "pore volume at the pdf's peak", "< 0", peak, -1);
-  add_choices(j, results, "The mean pore volume", "pores.mean");
+  add_choices(j, results, "The mean pore volume", "pores.mean", {{}, {}, wanted_negative()});
   return j;
 }
 
@@ -100,8 +100,8 @@ Judgement judge_p4(const Results& results) {
   for (const VoidPeak& p : peaks)
     if (p.theta == 6 && p.gamma >= 3.33)
       j.findings.push_back(fmt::format("At gamma {:g} and theta 6 the CV at the largest mean void is {}.", p.gamma, text_of(p.cv)));
-  add_choices(j, results, "The mean void volume", "voids.mean", Filling::part);
-  add_choices(j, results, "The CV of void volumes", "voids.cv", Filling::part);
+  add_choices(j, results, "The mean void volume", "voids.mean", {}, Filling::part);
+  add_choices(j, results, "The CV of void volumes", "voids.cv", {}, Filling::part);
   return j;
 }
 

@@ -47,7 +47,7 @@ Judgement judge_p5(const Results& results) {
   j.sharpened.checks.push_back(in_all_pairs("variance in small less that in large grains, gamma >= 1.43", "> 0", classed(wider), +1));
   j.findings.push_back(fmt::format("The 99.99 % quantile is {} in the mean over pairs, the largest node {}.", text_of(overall(of(results, "all", "quantiles.99.99 %"))),
                                    text_of(overall(of(results, "all", "maximum")))));
-  add_choices(j, results, "The 99.99 % quantile", stress_of("all", "quantiles.99.99 %"));
+  add_choices(j, results, "The 99.99 % quantile", stress_of("all", "quantiles.99.99 %"), {wanted_between(1.8, 2.2), wanted_between(1.8, 2.2), {}});
   return j;
 }
 
@@ -67,7 +67,7 @@ Judgement judge_p6(const Results& results) {
     j.sharpened.checks.push_back(below("mean in small grains, change from gamma 1 to 5" + at, "< 0", change, -0.04));
     j.sharpened.checks.push_back(within("mean in small grains at gamma 5" + at, end, 1, 0.04));
   }
-  add_choices(j, results, "The mean in small grains", stress_of("small", "mean_over_sample_mean"));
+  add_choices(j, results, "The mean in small grains", stress_of("small", "mean_over_sample_mean"), {{}, wanted_within(1, 0.04), wanted_below(-0.04)});
   return j;
 }
 

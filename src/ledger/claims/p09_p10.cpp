@@ -71,7 +71,7 @@ Judgement judge_p9(const Results& results) {
   }
   add_matrix_peak(j.stated, results);
   add_matrix_peak(j.sharpened, results);
-  add_choices(j, results, "The tail's slope s in large grains", stress_of("large", "tail.slope"), Filling::part);
+  add_choices(j, results, "The tail's slope s in large grains", stress_of("large", "tail.slope"), {}, Filling::part);
   return j;
 }
 
@@ -92,8 +92,8 @@ Judgement judge_p10(const Results& results) {
   }
   add_choices(j, results, "The 99.9 % quantile in small less large grains", [](const Run& run) {
     return run(stress_of("small", "quantiles.99.9 %")) - run(stress_of("large", "quantiles.99.9 %"));
-  }, Filling::part);
-  add_choices(j, results, "The share of matrix above the sample's mean", stress_of("matrix", "share_above_sample_mean"), Filling::part);
+  }, {{}, wanted_positive(), {}}, Filling::part);
+  add_choices(j, results, "The share of matrix above the sample's mean", stress_of("matrix", "share_above_sample_mean"), {}, Filling::part);
   return j;
 }
 

@@ -30,8 +30,8 @@ Judgement judge_p12(const Results& results) {
     j.sharpened.checks.push_back(positive(fmt::format("slope of q against gamma, theta {:g}", theta), "> 0", growth));
     j.sharpened.checks.push_back(positive(fmt::format("excess kurtosis at the greatest gamma less the greatest other, theta {:g}", theta), "> 0", lead));
   }
-  add_choices(j, results, "q in large grains", stress_of("large", "q_gaussian.q"));
-  add_choices(j, results, "The excess kurtosis in large grains", stress_of("large", "excess_kurtosis"));
+  add_choices(j, results, "q in large grains", stress_of("large", "q_gaussian.q"), {{}, {}, wanted_positive()});
+  add_choices(j, results, "The excess kurtosis in large grains", stress_of("large", "excess_kurtosis"), {{}, {}, wanted_positive()});
   return j;
 }
 

@@ -5,6 +5,7 @@
 
 #include "ledger/claim.hpp"
 #include "ledger/results.hpp"
+#include "ledger/sensitivity.hpp"
 #include "ledger/trends.hpp"
 
 /// Runs of the study "paper", put together by size ratio gamma, volume ratio theta and what cements them.
@@ -55,8 +56,8 @@ void add_rises(Verdict& verdict, const std::string& what, const std::string& sou
 
 /// Full samples, or such with bridges of eta 0.4.
 enum class Filling { complete, part };
-/// What a number becomes with each choice that the paper leaves open (study "paper-choices"), at the ends of gamma and theta:
-/// one sentence each.
-void add_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number, Filling filling = Filling::complete);
+/// What a number becomes with each choice that the paper leaves open (study "paper-choices"), at the ends of gamma and between
+/// them, for the least and the greatest theta.
+void add_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number, const WantedAtEnds& wanted = {}, Filling filling = Filling::complete);
 
 }  // namespace arenite::ledger

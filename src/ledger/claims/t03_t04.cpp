@@ -39,7 +39,7 @@ Judgement judge_t3(const Results& results) {
   const PooledMode all = pooled_mode(runs, "", 6);
   judgement.findings.push_back(fmt::format("Sample #2 starts stacked; its 6-fold amplitude is {:.3f} (noise {:.3f}) at {:.1f} degrees over {:.0f} contacts.", all.amplitude,
                                            all.noise, all.phase_deg, all.contacts));
-  add_choices(judgement, results, "6-fold amplitude of #2", sample_2.pom_grains, "fabric.modes.6.amplitude");
+  add_choices(judgement, results, "6-fold amplitude of #2", sample_2.pom_grains, "fabric.modes.6.amplitude", wanted_above(0.5));
   return judgement;
 }
 
@@ -57,7 +57,7 @@ Judgement judge_t4(const Results& results) {
   for (const auto& [name, mode] : {std::pair{"#8", pom_8}, {"#12", pom_12}})
     judgement.findings.push_back(fmt::format("POM-POM contacts of {} together: theta_c {:.1f} degrees, a_c {:.3f}, noise of a_c {:.3f} ({:.0f} contacts).", name, mode.phase_deg,
                                              2 * mode.amplitude, 2 * mode.noise, mode.contacts));
-  add_choices(judgement, results, "a_c of all contacts of #8", sample_8.pom_grains, "fabric.a_c");
+  add_choices(judgement, results, "a_c of all contacts of #8", sample_8.pom_grains, "fabric.a_c", wanted_below(0.15));
   add_choices(judgement, results, "Signed a_c of POM-POM contacts of #8", sample_8.pom_grains, "fabric.sets.POM-POM.a_c_signed");
   return judgement;
 }

@@ -64,8 +64,8 @@ Judgement judge_t5(const Results& results) {
       if (runs_of(results, sample).size() < 5) sharpened.holds = Holds::unknown;
       judgement.sharpened.checks.push_back(sharpened);
     }
-  add_choices(judgement, results, "Share of #8's grains above the mean", sample_8.pom_grains, "sigma_norm.P0");
-  add_choices(judgement, results, "Share of #2's HDPE grains above their mean", sample_2.pom_grains, "sigma_norm.by_material.HDPE.P0");
+  add_choices(judgement, results, "Share of #8's grains above the mean", sample_8.pom_grains, "sigma_norm.P0", wanted_below(0.5));
+  add_choices(judgement, results, "Share of #2's HDPE grains above their mean", sample_2.pom_grains, "sigma_norm.by_material.HDPE.P0", wanted_below(0.52));
   add_choices(judgement, results, "beta of #2's HDPE grains", sample_2.pom_grains, "sigma_norm.by_material.HDPE.beta");
   return judgement;
 }
@@ -83,8 +83,9 @@ Judgement judge_t7(const Results& results) {
   }
   judgement.stated.checks = {most, force};
   judgement.sharpened.checks = {most, positive("stress that 5 % of grains exceed, HDPE over POM, less 1", "> 0", leads.empty() ? Value() : Value(statistics::mean_of(leads))), force};
-  add_choices_of_ratios(judgement, results, "Mean force of POM-POM over HDPE-HDPE, less 1,", ratio_of_means);
-  add_choices_of_ratios(judgement, results, "Largest grain stress of HDPE over POM, less 1,", [](const Run& run) { return maximum("HDPE").of(run) / maximum("POM").of(run) - 1; });
+  add_choices_of_ratios(judgement, results, "Mean force of POM-POM over HDPE-HDPE, less 1,", ratio_of_means, {wanted_positive(), wanted_positive(), {}});
+  add_choices_of_ratios(judgement, results, "Largest grain stress of HDPE over POM, less 1,", [](const Run& run) { return maximum("HDPE").of(run) / maximum("POM").of(run) - 1; },
+                        {wanted_positive(), wanted_positive(), {}});
   return judgement;
 }
 
@@ -125,7 +126,7 @@ Judgement judge_t18(const Results& results) {
     const FinalState state = final_state(run, true);
     const auto [first, last] = plateau_of(state.texture.rev);
     return first < last ? state.texture.rev.mean[last] - state.texture.rev.mean[first] : statistics::unknown;
-  });
+  }, wanted_none());
   return judgement;
 }
 

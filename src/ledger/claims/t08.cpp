@@ -17,6 +17,17 @@ Check rising(const char* law, const Series& z) {
   return check;
 }
 
+Value first_of(const Series& points) { return points.empty() ? Value() : Value(points.front().mean, points.front().error); }
+Value last_of(const Series& points) { return points.size() < 2 ? Value() : Value(points.back().mean, points.back().error); }
+
+/// z with and without loose grains, of which ratios have different shares.
+std::string at_ends(const char* law, const Results& results, const char* study, const Series& z) {
+  const Series bearing = series(results, study, number_ratio(), "coordination.without_rattlers"), loose = series(results, study, number_ratio(), "coordination.rattlers");
+  return fmt::format("{}: z {} at ratio {:g}, {} at {:g}; without rattlers {} and {}, a rise of {}; share of rattlers {} and {}; mean |F_t|/F_n {}.", law, text_of(first_of(z)), z.front().x,
+                     text_of(last_of(z)), z.back().x, text_of(first_of(bearing)), text_of(last_of(bearing)), text_of(rise(bearing)), text_of(first_of(loose)), text_of(last_of(loose)),
+                     text_of(mean(results, study, "stages.load.last_state.equilibrium.mobilisation")));
+}
+
 }  // namespace
 
 /// z(all) at 50 kN against the number ratio.
@@ -24,17 +35,12 @@ Judgement judge_t8(const Results& results) {
   Judgement judgement;
   for (const auto& [law, study] : laws_of_chapter_4) {
     const Series z = series(results, study, number_ratio(), "coordination.all");
-    const Value first = z.empty() ? Value() : Value(z.front().mean, z.front().error);
-    const Value last = z.size() < 2 ? Value() : Value(z.back().mean, z.back().error);
-    judgement.stated.checks.push_back(within(fmt::format("z at the least ratio, {}", law), first, 4.3, 0.1));
-    judgement.stated.checks.push_back(within(fmt::format("z at the greatest ratio, {}", law), last, 4.9, 0.1));
+    judgement.stated.checks.push_back(within(fmt::format("z at the least ratio, {}", law), first_of(z), 4.3, 0.1));
+    judgement.stated.checks.push_back(within(fmt::format("z at the greatest ratio, {}", law), last_of(z), 4.9, 0.1));
     judgement.sharpened.checks.push_back(rising(law, z));
-    if (z.size() > 1)
-      judgement.findings.push_back(fmt::format("{}: z {} at ratio {:g}, {} at {:g}; without rattlers {} over all; mean |F_t|/F_n {}.", law, text_of(first), z.front().x, text_of(last),
-                                               z.back().x, text_of(mean(results, study, "coordination.without_rattlers")),
-                                               text_of(mean(results, study, "stages.load.last_state.equilibrium.mobilisation"))));
+    if (z.size() > 1) judgement.findings.push_back(at_ends(law, results, study, z));
   }
-  add_choices_of_ratios(judgement, results, "z", "coordination.all");
+  add_choices_of_ratios(judgement, results, "z", "coordination.all", {wanted_within(4.3, 0.1), wanted_within(4.9, 0.1), wanted_above(0.2)});
   add_choices_of_ratios(judgement, results, "z without rattlers", "coordination.without_rattlers");
   return judgement;
 }

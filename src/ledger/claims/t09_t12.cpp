@@ -32,8 +32,8 @@ Judgement judge_t9(const Results& results) {
   };
   judgement.stated.checks = {up, down, positive("z(POM-ANY) - z(HDPE-ANY), unlike contacts counted twice", "> 0", lead("coordination.unlike_contacts_twice."))};
   judgement.sharpened.checks = {up, down, positive("z(POM-ANY) - z(HDPE-ANY)", "> 0", lead("coordination."))};
-  add_choices_of_ratios(judgement, results, "z(HDPE-HDPE)", "coordination.HDPE-HDPE");
-  add_choices_of_ratios(judgement, results, "z(POM-POM)", "coordination.POM-POM");
+  add_choices_of_ratios(judgement, results, "z(HDPE-HDPE)", "coordination.HDPE-HDPE", {{}, {}, wanted_positive()});
+  add_choices_of_ratios(judgement, results, "z(POM-POM)", "coordination.POM-POM", {{}, {}, wanted_negative()});
   return judgement;
 }
 
@@ -52,8 +52,8 @@ Judgement judge_t10(const Results& results) {
   judgement.sharpened.checks.push_back(positive("share of POM-POM less that of HDPE-HDPE, thesis-ch4", "-", mean(results, study_4, [](const Run& run) {
     return run("force.by_type.POM-POM.strong_share") - run("force.by_type.HDPE-HDPE.strong_share");
   })));
-  add_choices_of_ratios(judgement, results, "Share of contacts above the mean", "force.strong_share");
-  add_stiffness_choices(judgement, results, "Share of contacts above the mean", "force.strong_share");
+  add_choices_of_ratios(judgement, results, "Share of contacts above the mean", "force.strong_share", {wanted_within(0.40, 0.04), wanted_within(0.40, 0.04), {}});
+  add_stiffness_choices(judgement, results, "Share of contacts above the mean", "force.strong_share", wanted_within(0.40, 0.04));
   return judgement;
 }
 
@@ -74,7 +74,7 @@ Judgement judge_t11(const Results& results) {
   if (share.size() > 1)
     judgement.findings.push_back(fmt::format("Share of HDPE grains in triangular order: {:.4f} at ratio {:g}, {:.4f} at {:g}.", share.front().mean, share.front().x, share.back().mean,
                                              share.back().x));
-  add_choices_of_ratios(judgement, results, "Share of HDPE grains in triangular order", "local_order.triangular_share.HDPE");
+  add_choices_of_ratios(judgement, results, "Share of HDPE grains in triangular order", "local_order.triangular_share.HDPE", {{}, {}, wanted_positive()});
   return judgement;
 }
 
@@ -118,8 +118,8 @@ Judgement judge_t19(const Results& results) {
   judgement.stated.checks = {up, down, positive("largest force of POM-POM over that of the other types, less 1", "> 0", lead)};
   judgement.sharpened = judgement.stated;
   judgement.findings.push_back(fmt::format("Mean force of POM-POM over the greater mean of the other types, less 1: {}.", text_of(mean_lead)));
-  add_choices_of_ratios(judgement, results, "Share of HDPE-HDPE above the whole network's mean", "force.by_type.HDPE-HDPE.share_above_mean_of_all");
-  add_choices_of_ratios(judgement, results, "Share of POM-POM above the whole network's mean", "force.by_type.POM-POM.share_above_mean_of_all");
+  add_choices_of_ratios(judgement, results, "Share of HDPE-HDPE above the whole network's mean", "force.by_type.HDPE-HDPE.share_above_mean_of_all", {{}, {}, wanted_positive()});
+  add_choices_of_ratios(judgement, results, "Share of POM-POM above the whole network's mean", "force.by_type.POM-POM.share_above_mean_of_all", {{}, {}, wanted_negative()});
   return judgement;
 }
 

@@ -9,10 +9,6 @@
 namespace arenite::ledger {
 namespace {
 
-constexpr double stiffness_a = 27.35;  // kN/mm, as in the study's recipe
-
-double stiffness_ratio(const Run& run) { return stiffness_a / run.key("materials.B.stiffness"); }
-
 struct LawOfChapter5 {
   const char* law;
   const char* study;
@@ -52,7 +48,8 @@ Judgement judge_t13(const Results& results) {
                                              text_of(slope_over_seeds(of_law, stiffness_ratio, "coordination.all"))));
   }
   add_stiffness_choices(judgement, results, "z", "coordination.all");
-  add_stiffness_choices(judgement, results, "z(A-B), its part of z,", "coordination.parts_of_z.A-B");
+  add_stiffness_slope(judgement, results, "z", "coordination.all", wanted_none());
+  add_stiffness_choices(judgement, results, "z(A-B), its part of z,", "coordination.parts_of_z.A-B", wanted_within(1.75, 0.1));
   return judgement;
 }
 
@@ -74,8 +71,8 @@ Judgement judge_t14(const Results& results) {
     if (const auto of_law = results.runs(study); !of_law.empty())
       judgement.findings.push_back(fmt::format("{}: signed a_c of strong contacts {}, of weak {}.", law, text_of(mean_over_seeds(of_law, "fabric.sets.strong.a_c_signed")),
                                                text_of(mean_over_seeds(of_law, "fabric.sets.weak.a_c_signed"))));
-  add_stiffness_choices(judgement, results, "Signed a_c of strong contacts", "fabric.sets.strong.a_c_signed");
-  add_stiffness_choices(judgement, results, "Signed a_c of weak contacts", "fabric.sets.weak.a_c_signed");
+  add_stiffness_choices(judgement, results, "Signed a_c of strong contacts", "fabric.sets.strong.a_c_signed", wanted_positive());
+  add_stiffness_choices(judgement, results, "Signed a_c of weak contacts", "fabric.sets.weak.a_c_signed", wanted_below(0));
   return judgement;
 }
 
@@ -92,8 +89,8 @@ Judgement judge_t20(const Results& results) {
   }
   judgement.stated.checks.push_back(positive("signed a_c of A-A contacts", "> 0", mean_over_seeds(runs, "fabric.sets.A-A.a_c_signed")));
   judgement.sharpened = judgement.stated;
-  add_stiffness_choices(judgement, results, "Share of A-B among strong contacts", strong_share("A-B"));
-  add_stiffness_choices(judgement, results, "Signed a_c of A-A contacts", "fabric.sets.A-A.a_c_signed");
+  add_stiffness_choices(judgement, results, "Share of A-B among strong contacts", strong_share("A-B"), wanted_above(1.0 / 3));
+  add_stiffness_choices(judgement, results, "Signed a_c of A-A contacts", "fabric.sets.A-A.a_c_signed", wanted_positive());
   return judgement;
 }
 

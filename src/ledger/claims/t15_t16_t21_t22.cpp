@@ -60,7 +60,7 @@ Judgement judge_t15(const Results& results) {
     if (runs.size() < 5) check.holds = Holds::unknown;
     judgement.sharpened.checks.push_back(check);
   }
-  add_glue_choices(judgement, results, "Share of grains above the mean", "sigma_norm.P0");
+  add_glue_choices(judgement, results, "Share of grains above the mean", "sigma_norm.P0", wanted_within(0.48, 0.04));
   return judgement;
 }
 
@@ -106,8 +106,8 @@ Judgement judge_t21(const Results& results) {
   if (const Value glue = effect_of_glue(results); std::isfinite(glue.value))
     judgement.findings.push_back(fmt::format("In the same packings glue changes it by {}, seed by seed, where the same grains in the middle of the sample have {} with next to no glue.", text_of(glue),
                                              text_of(mean_over_seeds(results.runs("thesis-ch6", {{key, "0.000001"}}), lead_of_glued))));
-  add_glue_choices(judgement, results, "Mean stress inside over outside, less 1", lead_of_glued);
-  add_glue_choices(judgement, results, "Share of contacts that pull", "force.tensile_share");
+  add_glue_choices(judgement, results, "Mean stress inside over outside, less 1", lead_of_glued, wanted_negative());
+  add_glue_choices(judgement, results, "Share of contacts that pull", "force.tensile_share", wanted_below(0.05));
   return judgement;
 }
 

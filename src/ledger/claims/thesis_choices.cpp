@@ -1,21 +1,14 @@
 #include "ledger/claims/thesis_choices.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "ledger/final_texture.hpp"
-#include "ledger/trends.hpp"
+#include "ledger/pooled.hpp"
 
 namespace arenite::ledger {
 namespace {
 
-struct Choice {
-  Where where;
-  const char* text;
-};
+constexpr const char* stiffness_study = "thesis-choices-stiffness";
 
-const Choice usual{{{"contact.friction", "0.3"}}, ""};
+const Where usual{{"contact.friction", "0.3"}};
 
 const std::vector<Choice> in_samples{
     {{{"contact.friction", "0"}}, "without friction"},
@@ -53,37 +46,50 @@ const std::vector<Choice> with_glue{
     {{{"stages.1.bottom.force", "4"}}, "under 4 kN"},
 };
 
-void add(Judgement& judgement, const Results& results, const char* study, const std::string& what, const Where& sample, const std::vector<Choice>& choices, const Number& number) {
-  const auto with = [&](const Choice& choice) {
+/// The mean over the runs of a sample with a choice.
+std::function<Value(const Where&)> mean_of(const Results& results, const char* study, const Where& sample, const Number& number) {
+  return [=, &results](const Where& choice) {
     Where where = sample;
-    where.insert(where.end(), choice.where.begin(), choice.where.end());
+    where.insert(where.end(), choice.begin(), choice.end());
     return Value(mean(results, study, number, where));
   };
-  const Value base = with(usual);
-  if (!std::isfinite(base.value)) return;
-  std::string sentence = fmt::format("{}: {}", what, text_of(base));
-  for (const Choice& choice : choices)
-    if (const Value value = with(choice); std::isfinite(value.value)) sentence += fmt::format(", {} {}", choice.text, text_of(value));
-  judgement.findings.push_back(sentence + ".");
+}
+
+std::function<Value(const Where&)> of_sample(const Results& results, const std::string& pom_grains, const Number& number) {
+  return mean_of(results, "thesis-choices", {{"populations.0.count", pom_grains}}, number);
 }
 
 }  // namespace
 
-void add_choices(Judgement& judgement, const Results& results, const std::string& what, const std::string& pom_grains, const Number& number) {
-  add(judgement, results, "thesis-choices", what, {{"populations.0.count", pom_grains}}, in_samples, number);
+void add_choices(Judgement& judgement, const Results& results, const std::string& what, const std::string& pom_grains, const Number& number, const Wanted& wanted) {
+  add_sensitivity(judgement, what, usual, in_samples, of_sample(results, pom_grains, number), wanted);
 }
 
-void add_choices_of_ratios(Judgement& judgement, const Results& results, const std::string& what, const Number& number) {
-  for (const auto& [grains, ratio] : {std::pair{"500", 1}, {"91", 10}}) add_choices(judgement, results, fmt::format("{} of 1000 grains at ratio {}", what, ratio), grains, number);
+void add_choices_of_ratios(Judgement& judgement, const Results& results, const std::string& what, const Number& number, const WantedAtEnds& wanted) {
+  const auto first = of_sample(results, "500", number), last = of_sample(results, "91", number);
+  add_sensitivity(judgement, what + " of 1000 grains at ratio 1", usual, in_samples, first, wanted.first);
+  add_sensitivity(judgement, what + " of 1000 grains at ratio 10", usual, in_samples, last, wanted.last);
+  add_sensitivity(judgement, what + ", change from ratio 1 to 10", usual, in_samples, [&](const Where& choice) { return difference(last(choice), first(choice)); }, wanted.change);
 }
 
-void add_stiffness_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number) {
-  add(judgement, results, "thesis-choices-stiffness", what + " of 1000 grains at k_A/k_B = 10", {}, with_two_stiffnesses, number);
+void add_stiffness_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number, const Wanted& wanted) {
+  add_sensitivity(judgement, what + " of 1000 grains at k_A/k_B = 10", usual, with_two_stiffnesses, mean_of(results, stiffness_study, {{"materials.B.stiffness", "2.735"}}, number), wanted);
 }
 
-void add_glue_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number) {
-  add(judgement, results, "thesis-choices-glue", what + ", with glue", {{"contact.surface_energy", "1.060"}}, with_glue, number);
-  add(judgement, results, "thesis-choices-glue", what + ", with next to none", {{"contact.surface_energy", "0.000001"}}, with_glue, number);
+void add_stiffness_slope(Judgement& judgement, const Results& results, const std::string& what, const Number& number, const Wanted& wanted) {
+  const auto slope = [&](const Where& choice) { return slope_over_seeds(results.runs(stiffness_study, choice), stiffness_ratio, number); };
+  add_sensitivity(judgement, what + " of 1000 grains, slope between k_A/k_B = 1 and 10", usual, with_two_stiffnesses, slope, wanted);
+}
+
+void add_glue_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number, const Wanted& wanted) {
+  const auto glued_by = [&](const char* energy) { return mean_of(results, "thesis-choices-glue", {{"contact.surface_energy", energy}}, number); };
+  add_sensitivity(judgement, what + ", with glue", usual, with_glue, glued_by("1.060"), wanted);
+  add_sensitivity(judgement, what + ", with next to none", usual, with_glue, glued_by("0.000001"), {});
+}
+
+double stiffness_ratio(const Run& run) {
+  constexpr double stiffness_a = 27.35;  // kN/mm, as in the studies' recipes
+  return stiffness_a / run.key("materials.B.stiffness");
 }
 
 double mean_overlap(const std::vector<Run>& runs) {

@@ -19,6 +19,9 @@ Ledger two_claims() {
   judged.stated.checks = {within("k", {3.5, 0.25}, 3, 0.1, "kN/mm")};
   judged.sharpened.checks = {within("k", {3.5, 0.25}, 3, 1, "kN/mm")};
   judged.findings = {"More of it would be better."};
+  judged.sensitivities = {{"k|k", "> 2", {{"", 1, 0.5, Holds::no}, {"without friction", 3, 0.25, Holds::yes}, {"with drag", statistics::unknown, statistics::unknown, Holds::unknown}}},
+                          {"z", "", {{"", 4, statistics::unknown, Holds::unknown}, {"without friction", 5, 0.5, Holds::unknown}, {"with drag", 6, 0.5, Holds::unknown}}},
+                          {"q", "> 9", {{"", 4, 1, Holds::no}, {"with glue", 5, 0.5, Holds::no}}}};
   Judgement open;
   open.stated.checks = open.sharpened.checks = {positive("k", "5", {})};
   return {{{"made-up", 4, 2}}, {{&first, judged}, {&second, open}}};
@@ -57,6 +60,20 @@ TEST(LedgerReport, MarkdownKeepsItsCells) {
   const std::string page = ledger_markdown(two_claims(), "Made up");
   EXPECT_NE(page.find("| [T1](#t1) | k is 3\\|4 | fails | holds |"), std::string::npos);
   EXPECT_NE(page.find("### T2"), std::string::npos);
+}
+
+TEST(LedgerReport, OpenChoicesStandInTablesWithThoseThatGiveWhatIsWanted) {
+  const std::string page = ledger_markdown(two_claims(), "Made up");
+  EXPECT_NE(page.find("| | as it is | without friction | with drag |\n|---|---|---|---|\n"
+                      "| k\\|k (wanted > 2) | 1 +- 0.5 | **3 +- 0.25** | |\n| z | 4 | 5 +- 0.5 | 6 +- 0.5 |\n"
+                      "\nk|k: as wanted without friction.\n"), std::string::npos) << page;
+  EXPECT_NE(page.find("| | as it is | with glue |\n"), std::string::npos);
+  EXPECT_NE(page.find("q: no choice here gives what is wanted.\n"), std::string::npos);
+  EXPECT_NE(ledger_text(two_claims()).find("k|k (wanted > 2): 1 +- 0.5, without friction 3 +- 0.25; as wanted without friction.\n"), std::string::npos);
+  const auto j = nlohmann::json::parse(ledger_json(two_claims()))["claims"]["T1"]["sensitivity"];
+  EXPECT_EQ(j[0]["entries"].size(), 2u);
+  EXPECT_EQ(j[0]["entries"][1]["verdict"], "holds");
+  EXPECT_FALSE(j[1].contains("wanted"));
 }
 
 }  // namespace

@@ -1,0 +1,39 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ledger/claim.hpp"
+#include "ledger/results.hpp"
+#include "ledger/trends.hpp"
+
+namespace arenite::ledger {
+
+/// A choice that a source leaves open, made otherwise than its study makes it: the swept values, and words for them.
+struct Choice {
+  Where where;
+  std::string text;
+};
+
+/// Holds a number against what a claim wants of it; empty where nothing is wanted.
+using Wanted = std::function<Check(const Value&)>;
+/// What is wanted of a number at the least and the greatest value of a swept key, and of its change between them.
+struct WantedAtEnds {
+  Wanted first, last, change;
+};
+
+// Wanted, as the checks of the same names in trends.hpp.
+Wanted wanted_above(double bound);
+Wanted wanted_below(double bound);
+Wanted wanted_between(double low, double high);
+Wanted wanted_within(double source, double tolerance);
+Wanted wanted_positive();
+Wanted wanted_negative();
+Wanted wanted_none();
+
+/// `value` of the runs with the usual choices, and with each of `choices` instead. Nothing is added where it is not known with
+/// the usual ones.
+void add_sensitivity(Judgement& judgement, const std::string& what, const Where& usual, const std::vector<Choice>& choices,
+                     const std::function<Value(const Where&)>& value, const Wanted& wanted);
+
+}  // namespace arenite::ledger

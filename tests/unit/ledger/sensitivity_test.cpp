@@ -1,0 +1,84 @@
+#include "ledger/sensitivity.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ledger/claims/paper_runs.hpp"
+#include "ledger/claims/thesis_choices.hpp"
+#include "unit/ledger/made_up_table.hpp"
+
+namespace arenite::ledger {
+namespace {
+
+const std::vector<Choice> two_choices{{{{"friction", "0"}}, "without friction"}, {{{"drag", "1"}}, "with drag"}};
+
+/// 1 as it is, 3 without friction, not known with drag.
+Value made_up(const Where& where) {
+  if (where.front().first == "drag") return {};
+  return {where.front().second == "0" ? 3.0 : 1.0, 0.5};
+}
+
+TEST(Sensitivity, TellsWhichChoiceGivesWhatIsWanted) {
+  Judgement judgement;
+  add_sensitivity(judgement, "z", {{"friction", "0.3"}}, two_choices, made_up, wanted_above(2));
+  ASSERT_EQ(judgement.sensitivities.size(), 1u);
+  const Sensitivity& z = judgement.sensitivities.front();
+  EXPECT_EQ(z.wanted, "> 2");
+  ASSERT_EQ(z.entries.size(), 3u);
+  EXPECT_EQ(z.entries[0].value, 1);
+  EXPECT_EQ(z.entries[0].holds, Holds::no);
+  EXPECT_EQ(z.entries[1].choice, "without friction");
+  EXPECT_EQ(z.entries[1].error, 0.5);
+  EXPECT_EQ(z.entries[1].holds, Holds::yes);
+  EXPECT_EQ(z.entries[2].holds, Holds::unknown);
+}
+
+TEST(Sensitivity, IsNotToldWithoutTheUsualRuns) {
+  Judgement judgement;
+  add_sensitivity(judgement, "z", {{"drag", "0"}}, two_choices, made_up, {});
+  EXPECT_TRUE(judgement.sensitivities.empty());
+}
+
+TEST(Sensitivity, WantedTellsBothSides) {
+  const auto holds = [](const Wanted& wanted, double value, double error) { return wanted({value, error}).holds == Holds::yes; };
+  EXPECT_TRUE(holds(wanted_below(2), 1, 0.1) && !holds(wanted_below(2), 3, 0.1));
+  EXPECT_TRUE(holds(wanted_within(2, 0.5), 2.4, 0.1) && !holds(wanted_within(2, 0.5), 1.4, 0.1));
+  EXPECT_TRUE(holds(wanted_positive(), 1, 0.4) && !holds(wanted_positive(), 1, 0.6));
+  EXPECT_TRUE(holds(wanted_negative(), -1, 0.4) && !holds(wanted_negative(), -1, 0.6));
+  EXPECT_TRUE(holds(wanted_none(), -1, 0.6) && !holds(wanted_none(), -1, 0.4));
+  EXPECT_EQ(wanted_within(2, 0.5)({}).tolerance, "1.5 to 2.5");
+}
+
+TEST(Sensitivity, OfThePaperHasTheEndsOfGammaAndTheChangeBetween) {
+  std::vector<MadeUpRun> runs;
+  for (const char* gamma : {"1", "5"})
+    for (const char* theta : {"1.4", "6"})
+      for (const char* friction : {"0.3", "0"})
+        for (const double seed : {0.0, 1.0}) runs.push_back({{gamma, theta, "full", friction}, {std::stod(gamma) * (friction[1] ? 1 : -1) + seed}});
+  Results results;
+  results.add("paper-choices", made_up_table({"bidisperse.size_ratio", "bidisperse.volume_ratio", "cement.kind", "contact.friction"}, {"z"}, runs));
+  Judgement judgement;
+  add_choices(judgement, results, "z", "z", {{}, {}, wanted_positive()});
+  ASSERT_EQ(judgement.sensitivities.size(), 6u);
+  const Sensitivity& change = judgement.sensitivities[2];
+  EXPECT_EQ(change.what, "z, change from gamma 1 to 5, theta 1.4");
+  EXPECT_NEAR(change.entries[0].value, 4, 1e-12);
+  EXPECT_EQ(change.entries[0].holds, Holds::yes);
+  EXPECT_NEAR(change.entries[1].value, -4, 1e-12);
+  EXPECT_EQ(change.entries[1].holds, Holds::no);
+}
+
+TEST(Sensitivity, OfTheStiffnessRatioIsASlopeSeedBySeed) {
+  std::vector<MadeUpRun> runs;
+  for (const char* stiffness : {"27.35", "5.47", "2.735"})
+    for (const char* seed : {"1", "2"}) runs.push_back({{stiffness, "0.3", seed}, {27.35 / std::stod(stiffness) * std::stod(seed) + 100 * std::stod(seed)}});
+  Results results;
+  results.add("thesis-choices-stiffness", made_up_table({"materials.B.stiffness", "contact.friction", "seed"}, {"z"}, runs));
+  Judgement judgement;
+  add_stiffness_slope(judgement, results, "z", "z", wanted_none());
+  ASSERT_EQ(judgement.sensitivities.size(), 1u);
+  EXPECT_NEAR(judgement.sensitivities[0].entries[0].value, 1.5, 1e-12);
+  EXPECT_NEAR(judgement.sensitivities[0].entries[0].error, 0.5, 1e-12);
+}
+
+}  // namespace
+}  // namespace arenite::ledger
