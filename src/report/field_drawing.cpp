@@ -100,14 +100,15 @@ Json edges_of(const PhaseMap& map, const View& view) {
   return edges;
 }
 
-}  // namespace
-
-std::string phases_drawing(const FieldResult& sample) {
-  const PhaseMap& map = sample.map;
+View whole(const PhaseMap& map) {
   View view;
   view.step = (std::max(map.width, map.height) + most_nodes - 1) / most_nodes;
   view.width = map.width / view.step;
   view.height = map.height / view.step;
+  return view;
+}
+
+Json phases_of(const PhaseMap& map, const View& view) {
   Json runs = Json::array();
   int last = -1, count = 0;
   const auto end_run = [&] {
@@ -124,8 +125,12 @@ std::string phases_drawing(const FieldResult& sample) {
   end_run();
   Json j = view.json(map);
   j["phases"] = std::move(runs);
-  return j.dump();
+  return j;
 }
+
+}  // namespace
+
+std::string phases_drawing(const FieldResult& sample) { return phases_of(sample.map, whole(sample.map)).dump(); }
 
 std::string zoom_drawing(const FieldResult& load) {
   if (load.field.size() == 0) throw InputError("there is no field of stress of this run to look at");
@@ -139,6 +144,21 @@ std::string zoom_drawing(const FieldResult& load) {
     }
   j["stress"] = std::move(stress);
   j["edges"] = edges_of(load.map, view);
+  return j.dump();
+}
+
+std::string cracks_drawing(const FieldResult& pull) {
+  if (pull.cracks.empty()) throw InputError("no bond of this run is broken; `failure = true` in [[loads]] pulls until it breaks");
+  const View view = whole(pull.map);
+  const double node = pull.map.dx * view.step;
+  const auto rounded = [](double v) { return std::round(10 * v) / 10; };
+  Json j = phases_of(pull.map, view), x = Json::array(), y = Json::array(), type = Json::array();
+  for (const Crack& crack : pull.cracks) {
+    x.push_back(rounded(static_cast<double>(crack.x) / node));
+    y.push_back(rounded(view.height - static_cast<double>(crack.y) / node));
+    type.push_back(crack.type);
+  }
+  j["cracks"] = {{"x", std::move(x)}, {"y", std::move(y)}, {"type", std::move(type)}};
   return j.dump();
 }
 

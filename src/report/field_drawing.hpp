@@ -14,4 +14,8 @@ std::string phases_drawing(const FieldResult& sample);
 /// of different grains or of grain and matrix, [x, y, 1 where it is upright] in nodes from the upper left corner.
 std::string zoom_drawing(const FieldResult& load);
 
+/// A pull to failure: its phases as above, and `cracks`, the middles of its broken bonds in the order of breaking: `x` and `y` in
+/// nodes of the picture from its upper left corner, `type` 1 matrix, 2 interface, 3 particle. InputError where nothing broke.
+std::string cracks_drawing(const FieldResult& pull);
+
 }  // namespace arenite::report

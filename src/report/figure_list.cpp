@@ -70,7 +70,7 @@ class Table {
   std::set<std::string, std::less<>> known_;
 };
 
-constexpr std::array words = {"plot", "rose", "map", "grains", "forces", "stresses", "film", "phases", "zoom"};
+constexpr std::array words = {"plot", "rose", "map", "grains", "forces", "stresses", "film", "phases", "zoom", "cracks"};
 
 void read_kind(Table& table, const Node& node, Figure& figure) {
   std::string word = word_for(figure.kind);

@@ -17,10 +17,12 @@ namespace arenite::report {
 namespace fs = std::filesystem;
 
 std::string run_drawing(const fs::path& run, const Figure& figure) {
+  const std::string load = figure.stage.empty() ? "*" : figure.stage;
   switch (figure.kind) {
     case FigureKind::film: return film_drawing(ledger::film_json(run));
     case FigureKind::phases: return phases_drawing(study::field_of(run));
-    case FigureKind::zoom: return zoom_drawing(study::field_of(run, figure.stage.empty() ? "*" : figure.stage));
+    case FigureKind::zoom: return zoom_drawing(study::field_of(run, load));
+    case FigureKind::cracks: return cracks_drawing(study::field_of(run, load));
     default: return sample_drawing(study::final_state(run, false, figure.stage), figure.kind);
   }
 }

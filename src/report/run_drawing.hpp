@@ -7,8 +7,8 @@
 
 namespace arenite::report {
 
-/// What a figure shows of one run, from the files in its folder, as JSON: sample_drawing, film_drawing, phases_drawing or
-/// zoom_drawing by the figure's kind. Throws InputError where the run does not have it.
+/// What a figure shows of one run, from the files in its folder, as JSON: sample_drawing, film_drawing, phases_drawing,
+/// zoom_drawing or cracks_drawing by the figure's kind. Throws InputError where the run does not have it.
 std::string run_drawing(const std::filesystem::path& run, const Figure& figure);
 
 /// The numbers of a run as figures read them: numbers.json; for paths that begin with "film." what is kept of its film, as

@@ -36,8 +36,6 @@ FieldResult field_of(const fs::path& run, const std::string& load) {
   const Recipe recipe = read_recipe((run / "recipe.toml").string());
   const Load* wanted = load.empty() ? nullptr : &load_of(recipe, run, load);
   if (auto field = load_named(run, wanted ? wanted->name : "cement")) return std::move(*field);
-  if (wanted && wanted->failure)
-    throw InputError(run.string(), 0, "the field of this pull to failure was dropped; run the study with --keep all to see it");
   FieldResult sample = make_cemented_sample(recipe, final_state(run).packing);
   if (!wanted) return sample;
   return as_stored(apply_load(*wanted, sample, [](const auto&) { return true; }).value());

@@ -54,6 +54,7 @@ TEST(Page, OfAStudyIsPaintedInABrowser) {
       "[[figures]]\nid = \"grains\"\ntitle = \"Grains\"\nkind = \"grains\"\n"
       "[[figures]]\nid = \"phases\"\ntitle = \"Phases\"\nkind = \"phases\"\n"
       "[[figures]]\nid = \"zoom\"\ntitle = \"Zoom\"\nkind = \"zoom\"\n"
+      "[[figures]]\nid = \"cracks\"\ntitle = \"Cracks\"\nkind = \"cracks\"\n"
       "[[figures]]\nid = \"film\"\ntitle = \"Film\"\nkind = \"film\"\n"
       "[[figures]]\nid = \"beside\"\ntitle = \"Beside\"\ncurves = [\"pdf\", \"film.pdf\"]\nlines = false\n"
       "[[figures]]\nid = \"tails\"\ntitle = \"Tails\"\ncurves = [\"pdf\"]\nfits = [\"tail\"]\nreferences = [{ slope = 1 }]\n",
@@ -62,6 +63,8 @@ TEST(Page, OfAStudyIsPaintedInABrowser) {
   const auto drawing = [](const std::string&, const report::Figure& figure) -> std::string {
     if (figure.kind == report::FigureKind::film) throw InputError("no film of this run was made");
     if (figure.kind == report::FigureKind::phases) return R"({"size":[2,1],"nodes":[4,2],"phases":[0,3,1,4,4,1]})";
+    if (figure.kind == report::FigureKind::cracks)
+      return R"({"size":[4,2],"nodes":[4,2],"phases":[1,6,4,2],"cracks":{"x":[1,2.5,3],"y":[0.5,1,2],"type":[1,2,1]}})";
     if (figure.kind == report::FigureKind::zoom) return R"({"size":[2,1],"nodes":[2,1],"stress":[0.5,null],"edges":[[1,0,1]]})";
     const std::string grains = R"({"size":[20,10],"x":[5,15],"y":[5,5],"r":[5,5],"material":[0,1],"glued":[0,1],)";
     if (figure.kind == report::FigureKind::grains) return grains + R"("materials":["POM","HDPE"]})";

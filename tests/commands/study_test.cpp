@@ -175,12 +175,15 @@ TEST(Study, NumbersCanBeKeptWithoutTheFieldsTheyCameFrom) {
 
 TEST(Study, FiguresShowOneRunsStatesAndFieldsWhetherTheseWereKeptOrNot) {
   const TemporaryFolder folder;
-  const auto file = write(folder, small_study);
+  std::string recipe = small_study;
+  recipe.insert(recipe.find("[sweep]"), "[[loads]]\nname = \"break\"\nfailure = true\n");
+  const auto file = write(folder, recipe);
   std::ofstream(folder / "figures.toml") << "[[figures]]\nid = \"start\"\ntitle = \"Start\"\nkind = \"grains\"\nstage = \"packing\"\n"
                                             "[[figures]]\nid = \"end\"\ntitle = \"End\"\nkind = \"forces\"\nstage = \"prepare\"\n"
                                             "[[figures]]\nid = \"none\"\ntitle = \"None\"\nkind = \"grains\"\nstage = \"nowhere\"\n"
                                             "[[figures]]\nid = \"phases\"\ntitle = \"Phases\"\nkind = \"phases\"\n"
                                             "[[figures]]\nid = \"zoom\"\ntitle = \"Zoom\"\nkind = \"zoom\"\n"
+                                            "[[figures]]\nid = \"cracks\"\ntitle = \"Cracks\"\nkind = \"cracks\"\nstage = \"break\"\n"
                                             "[[figures]]\nid = \"film\"\ntitle = \"Film\"\nkind = \"film\"\n";
   ASSERT_EQ(arenite(study_line("run", file, folder / "all", "--quiet")).status, 0);
   ASSERT_EQ(arenite(study_line("run", file, folder / "few", "--quiet --keep numbers")).status, 0);
@@ -189,7 +192,7 @@ TEST(Study, FiguresShowOneRunsStatesAndFieldsWhetherTheseWereKeptOrNot) {
   EXPECT_TRUE(contains(page, "there is no stage \\\"nowhere\\\" of this run"));
   EXPECT_TRUE(contains(page, "no film of this run was made"));
   EXPECT_EQ(count(page, "\"missing\":"), 2u);
-  EXPECT_TRUE(contains(page, "\"phases\":[") && contains(page, "\"edges\":["));
+  EXPECT_TRUE(contains(page, "\"phases\":[") && contains(page, "\"edges\":[") && contains(page, "\"cracks\":{\"x\":["));
   EXPECT_EQ(count(page, "\"materials\":[\"POM\"]"), 2u);
 }
 

@@ -31,6 +31,9 @@ kind = "bridges"
 nodes = 64
 [[loads]]
 name = "tension"
+[[loads]]
+name = "break"
+failure = true
 [sweep]
 replicates = 2
 [sweep.grid]
@@ -75,7 +78,8 @@ by = "cement.width"
 id = "{kind}"
 title = "One run"
 kind = "{kind}"
-""" for kind in ["grains", "forces", "stresses", "phases", "zoom", "film"])
+{'stage = "break"' if kind == "cracks" else ""}
+""" for kind in ["grains", "forces", "stresses", "phases", "zoom", "cracks", "film"])
 
 
 @pytest.fixture(scope="module")
@@ -87,7 +91,7 @@ def study(tmp_path_factory):
     return folder / "out"
 
 
-drawn = {"saturation", "density", "rose", "map", "grains", "forces", "stresses", "phases", "zoom"}
+drawn = {"saturation", "density", "rose", "map", "grains", "forces", "stresses", "phases", "zoom", "cracks"}
 
 
 def test_every_figure_of_the_page_is_drawn_in_column_width_with_its_fonts(study, tmp_path):

@@ -84,6 +84,15 @@ test("phases and the stress about a grain are painted node by node", async (page
   assert.deepEqual(names, ["void", "matrix", "large grains"]);
 });
 
+test("broken bonds are dots in the colour of their type, which the key names", async (page) => {
+  const { paths, names } = await page.evaluate(() => {
+    const card = document.querySelector('[data-figure="cracks"]');
+    return { paths: [...card.querySelectorAll(".drawing path")].map((node) => node.getAttribute("d").split("M").length - 1), names: [...card.querySelectorAll(".entry b")].map((node) => node.textContent) };
+  });
+  assert.deepEqual(paths, [2, 1]);
+  assert.deepEqual(names, ["matrix", "large grains", "broken: matrix", "broken: interface"]);
+});
+
 test("what is not there yet is said in a sentence", async (page) => {
   const said = await page.evaluate(() => document.querySelector('[data-figure="film"] .nothing').textContent);
   assert.equal(said, "Not drawn: no film of this run was made.");

@@ -48,11 +48,15 @@ def draw_field(axes, field, component="sigma_yy", share=0.005, colour_map="RdBu_
 def draw_cracks(axes, field):
     """Broken bonds on the sample, by type."""
     draw_phases(axes, field)
-    cracks = field.cracks
+    crack_dots(axes, field.cracks["x"], field.cracks["y"], field.cracks["type"])
+
+
+def crack_dots(axes, x, y, kinds):
+    """A dot at every broken bond, by type; the key says how many."""
     for kind, (name, colour) in crack_colours.items():
-        of = cracks["type"] == kind
+        of = kinds == kind
         if of.any():
-            axes.plot(cracks["x"][of], cracks["y"][of], ".", color=colour, markersize=0.8, label=f"{name} {of.sum()}", rasterized=True)
+            axes.plot(x[of], y[of], ".", color=colour, markersize=0.8, label=f"{name} {of.sum()}", rasterized=True)
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, 0), ncols=3, markerscale=6, handletextpad=0.2)
 
 

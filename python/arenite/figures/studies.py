@@ -10,6 +10,7 @@ from matplotlib.collections import LineCollection, PatchCollection
 from matplotlib.colors import ListedColormap
 from matplotlib.patches import Circle
 
+from .fields import crack_dots
 from .style import bare, colours, length_bar, phase_colours, soft, strong
 
 _document = re.compile(r'<script type="application/json" id="figures">(.*?)</script>', re.DOTALL)
@@ -203,6 +204,9 @@ def draw_study_nodes(axes, sample):
         runs = np.array(sample["phases"]).reshape(-1, 2)
         palette = ListedColormap([phase_colours[name] for name in ("void", "matrix", "particle", "small", "large")])
         axes.imshow(np.repeat(runs[:, 0], runs[:, 1]).reshape(rows, columns), cmap=palette, vmin=-0.5, vmax=4.5, **extent)
+        if "cracks" in sample:
+            x, y, kinds = (np.array(sample["cracks"][name]) for name in ("x", "y", "type"))
+            crack_dots(axes, width / columns * x, height - width / columns * y, kinds)
     axes.set_ylim(-0.08 * height, height)
     length_bar(axes, width, 0, -0.06 * height)
     bare(axes)

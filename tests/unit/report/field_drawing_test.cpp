@@ -81,5 +81,14 @@ TEST(FieldDrawing, TheVoidHasNoStressAndASampleWithoutAFieldIsRefused) {
   EXPECT_THROW(zoom_drawing(sample()), InputError);
 }
 
+TEST(FieldDrawing, CracksLieOnThePhasesAsThePictureHasThem) {
+  FieldResult pull = loaded();
+  pull.cracks = {{8.0e-4F, 4.0e-4F, 2, 1e-3}, {2.05e-3F, 1.6e-3F, 1, 2e-3}};
+  const Json j = Json::parse(cracks_drawing(pull));
+  EXPECT_EQ(j["phases"], Json::parse(phases_drawing(pull))["phases"]);
+  EXPECT_EQ(j["cracks"], Json::parse(R"({"x":[8.0,20.5],"y":[12.0,0.0],"type":[2,1]})"));
+  EXPECT_THROW(cracks_drawing(loaded()), InputError);
+}
+
 }  // namespace
 }  // namespace arenite::report

@@ -1,4 +1,5 @@
 import { s } from "../dom.js";
+import { crackTypes } from "../field/cracks.js";
 import { bytes } from "../theme.js";
 import { captionOf } from "./caption.js";
 import { stressKey } from "./sample.js";
@@ -6,7 +7,7 @@ import { stressKey } from "./sample.js";
 const mostStress = 2;  // over the mean: nodes scatter less than grains
 const phases = ["void", "matrix", "grains", "small grains", "large grains"];
 
-/** One sample on its nodes: its phases, or the stress in and about one grain over the mean. */
+/** One sample on its nodes: its phases, its broken bonds, or the stress in and about one grain over the mean. */
 export function fieldFigure(figure) {
   const { sample } = figure, [columns, rows] = sample.nodes;
   return {
@@ -18,6 +19,7 @@ export function fieldFigure(figure) {
       const group = s("g", { transform: `translate(${(width - side) / 2} 0)` });
       const colours = sample.stress ? stressColours(theme, sample) : phaseColours(theme, sample);
       group.append(s("image", { href: painted(columns, rows, colours), width: side, height, preserveAspectRatio: "none", style: "image-rendering: pixelated" }));
+      if (sample.cracks) group.append(...dots(sample.cracks, scale, theme));
       if (sample.edges) group.append(s("path", { d: outline(sample.edges, scale), fill: "none", stroke: theme.field.outline, "stroke-width": 1 }));
       svg.append(group);
       return svg;
@@ -27,7 +29,9 @@ export function fieldFigure(figure) {
 
 function phaseKey(theme, sample) {
   const seen = new Set(sample.phases.filter((_, k) => k % 2 === 0));
-  return phases.map((name, kind) => ({ name, colour: theme.kind[kind], values: [] })).filter((_, kind) => seen.has(kind));
+  const kinds = phases.map((name, kind) => ({ name, colour: theme.kind[kind], values: [] })).filter((_, kind) => seen.has(kind));
+  const broken = crackTypes.map((name, type) => ({ name: `broken: ${name}`, colour: theme.crack[type], values: [] })).filter((_, type) => sample.cracks?.type.includes(type));
+  return [...kinds, ...broken];
 }
 
 function* phaseColours(theme, { phases: runs }) {
@@ -56,3 +60,11 @@ function painted(columns, rows, colours) {
 }
 
 const outline = (edges, scale) => edges.map(([x, y, upright]) => `M${(x * scale).toFixed(2)},${(y * scale).toFixed(2)}${upright ? "v" : "h"}${scale.toFixed(2)}`).join("");
+
+/** A dot at every broken bond, one path for each type. */
+function dots({ x, y, type }, scale, theme) {
+  const paths = crackTypes.map(() => []);
+  x.forEach((at, k) => paths[type[k]].push(`M${(at * scale).toFixed(1)},${(y[k] * scale).toFixed(1)}h0`));
+  const style = { fill: "none", "stroke-linecap": "round", "stroke-width": Math.max(1.4, 0.75 * scale).toFixed(2) };
+  return paths.map((path, kind) => path.length > 0 && s("path", { d: path.join(""), stroke: theme.crack[kind], ...style })).filter(Boolean);
+}

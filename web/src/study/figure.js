@@ -30,6 +30,13 @@ function axis({ label, log, domain }) {
   return { label, type: "log", domain, ticks: decades(domain).length > 1 ? decades(domain) : 4, tickFormat: (v) => `${Number(v.toPrecision(3))}` };
 }
 
+/** Whether the labels of the ticks need more room than five digits do. */
+function hasWideTicks({ log, domain: [low, high] }) {
+  if (log) return low < 1e-3 || high >= 1e4;
+  const digits = Math.max(0, Math.ceil(-Math.log10((high - low) / 5)));
+  return Math.max(Math.abs(low), Math.abs(high)) >= 1e4 || digits > 3;
+}
+
 const known = (p) => p && !Number.isNaN(p.y);
 
 /** Points with their error bars, joined where the figure says so; densities are lines alone, what is fitted to them is dashed. */
@@ -77,7 +84,7 @@ export function studyFigure(figure) {
   if (figure.sample) return sampleFigure(figure);
   const low = figure.y.log ? (p) => Math.max(p.y - p.e, figure.y.domain[0]) : (p) => p.y - p.e;
   const series = figure.series.map(({ film, fit, points }) => ({ film, fit, points: points.map(([x, y, e]) => ({ x, y: y ?? NaN, e })).map((p) => ({ ...p, low: low(p) })) }));
-  const wide = figure.y.domain.some((v) => Math.abs(v) >= 1e4) || (figure.y.log && figure.y.domain[0] < 1e-3);
+  const wide = hasWideTicks(figure.y);
   const domains = { x: figure.x.domain, y: figure.y.domain };
   return {
     id: figure.id, title: figure.title,
