@@ -11,6 +11,11 @@ const char* word_for(Holds holds) {
   return "unknown";
 }
 
+std::string figure_place(const Claim& claim) {
+  const std::string figure = claim.figure;
+  return figure.empty() ? figure : claim.studies.front() + "/study.html#" + figure;
+}
+
 Holds Verdict::holds() const {
   Holds all = checks.empty() ? Holds::unknown : Holds::yes;
   for (const Check& check : checks) {

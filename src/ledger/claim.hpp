@@ -54,9 +54,12 @@ struct Claim {
   const char* where;                    ///< chapter and figure of the source
   const char* sentence;
   std::vector<std::string> studies;     ///< whose runs decide it
-  const char* figure;                   ///< of the study's page that shows it; "" if none
+  const char* figure;                   ///< that shows it on the page of the first of these; "" if none
   Judgement (*judge)(const Results&);
 };
+
+/// Where a claim's figure is in the ledger's folder: "thesis-ch4/study.html#coordination"; empty if it has none.
+std::string figure_place(const Claim& claim);
 
 /// All claims, in the order of the sources.
 const std::vector<Claim>& claims();

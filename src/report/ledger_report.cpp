@@ -163,6 +163,7 @@ std::string ledger_text(const ledger::Ledger& ledger) {
     text += lines_of(judged.judgement.sharpened, "as sharpened");
     for (const auto& finding : judged.judgement.findings) text += fmt::format("  {}\n", finding);
     for (const auto& found : judged.judgement.sensitivities) text += line_of(found);
+    if (const std::string figure = ledger::figure_place(*judged.claim); !figure.empty()) text += fmt::format("  figure: {}\n", figure);
   }
   return text;
 }
@@ -171,7 +172,7 @@ std::string ledger_json(const ledger::Ledger& ledger) {
   Json studies = Json::object(), claims = Json::object();
   for (const auto& study : ledger.studies) studies[study.name] = {{"runs", study.runs}, {"done", study.done}};
   for (const auto& [claim, judgement] : ledger.claims)
-    claims[claim->id] = {{"where", claim->where}, {"sentence", claim->sentence}, {"figure", claim->figure},
+    claims[claim->id] = {{"where", claim->where}, {"sentence", claim->sentence}, {"figure", ledger::figure_place(*claim)},
                          {"stated", ledger::word_for(judgement.stated.holds())}, {"sharpened", ledger::word_for(judgement.sharpened.holds())},
                          {"stated_checks", json_of(judgement.stated)}, {"sharpened_checks", json_of(judgement.sharpened)},
                          {"findings", judgement.findings}, {"sensitivity", json_of(judgement.sensitivities)}};
@@ -186,7 +187,8 @@ std::string ledger_markdown(const ledger::Ledger& ledger, const std::string& tit
     text += fmt::format("| [{}](#{}) | {} | {} | {} |\n", claim->id, anchor_of(claim->id), cell(claim->sentence), ledger::word_for(judgement.stated.holds()),
                         ledger::word_for(judgement.sharpened.holds()));
   for (const auto& [claim, judgement] : ledger.claims) {
-    text += fmt::format("\n### {}\n\n{}. ({})\n\n", claim->id, claim->sentence, claim->where);
+    const std::string figure = ledger::figure_place(*claim);
+    text += fmt::format("\n### {}\n\n{}. ({}{})\n\n", claim->id, claim->sentence, claim->where, figure.empty() ? "" : fmt::format("; here `{}`", figure));
     text += "| verdict | what | source | ours | wanted | |\n|---|---|---|---|---|---|\n";
     text += rows_of(judgement.stated, "stated") + rows_of(judgement.sharpened, "sharpened");
     for (const auto& finding : judgement.findings) text += "\n" + finding + "\n";

@@ -25,6 +25,10 @@ test("points lie inside their figure, with a label on each axis and what the sou
   for (const label of ["gamma", "z", "source: 15"]) assert.ok(text.includes(label), `${label} is missing in ${text}`);
 });
 
+test("a link leads to its figure", async (page) => {
+  assert.equal(await page.evaluate(() => document.getElementById("rose").dataset.figure), "rose");
+});
+
 test("the key names a curve for each value", async (page) => {
   const names = await page.evaluate(() => [...document.querySelectorAll('[data-figure="points"] .entry b')].map((node) => node.textContent));
   assert.deepEqual(names, ["full", "η = 0.2"]);

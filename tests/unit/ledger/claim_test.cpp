@@ -6,6 +6,7 @@
 
 #include "ledger/results.hpp"
 #include "ledger/studies.hpp"
+#include "report/figure_list.hpp"
 
 namespace arenite::ledger {
 namespace {
@@ -32,6 +33,14 @@ TEST(Claims, HaveIdsOfTheirOwnAndStudiesThatComeWithTheProgram) {
     EXPECT_EQ(std::count(ids.begin(), ids.end(), claim.id), 0) << claim.id;
     ids.emplace_back(claim.id);
     for (const auto& study : claim.studies) EXPECT_NE(find_study(study), nullptr) << claim.id << " names " << study;
+  }
+}
+
+TEST(Claims, HaveTheirFigureOnThePageOfTheirFirstStudy) {
+  for (const Claim& claim : claims()) {
+    if (figure_place(claim).empty()) continue;
+    const auto figures = report::read_figures(embedded_text(claim.studies.front(), "figures.toml"), claim.studies.front());
+    EXPECT_TRUE(std::any_of(figures.begin(), figures.end(), [&](const auto& figure) { return figure.id == claim.figure; })) << claim.id << ": " << figure_place(claim);
   }
 }
 

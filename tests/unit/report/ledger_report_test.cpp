@@ -14,7 +14,7 @@ using namespace ledger;
 
 /// One claim that holds as sharpened and fails as stated, and one of which nothing is known.
 Ledger two_claims() {
-  static const Claim first{"T1", "table 1", "k is 3|4", {}, "", nullptr}, second{"T2", "table 2", "k is 5", {}, "", nullptr};
+  static const Claim first{"T1", "table 1", "k is 3|4", {"made-up"}, "k", nullptr}, second{"T2", "table 2", "k is 5", {}, "", nullptr};
   Judgement judged;
   judged.stated.checks = {within("k", {3.5, 0.25}, 3, 0.1, "kN/mm")};
   judged.sharpened.checks = {within("k", {3.5, 0.25}, 3, 1, "kN/mm")};
@@ -35,6 +35,7 @@ TEST(LedgerReport, TextHasVerdictsNumbersAndFindings) {
   EXPECT_NE(text.find("k: 3.5 +- 0.25 kN/mm (source 3, wanted +- 0.1)"), std::string::npos);
   EXPECT_NE(text.find("More of it would be better."), std::string::npos);
   EXPECT_NE(text.find("as sharpened: unknown"), std::string::npos);
+  EXPECT_NE(text.find("  figure: made-up/study.html#k\n"), std::string::npos);
 }
 
 TEST(LedgerReport, JsonHasNoNumberThatIsNotKnown) {
@@ -59,7 +60,8 @@ TEST(LedgerReport, ChangedVerdictsAreToldInEitherDirection) {
 TEST(LedgerReport, MarkdownKeepsItsCells) {
   const std::string page = ledger_markdown(two_claims(), "Made up");
   EXPECT_NE(page.find("| [T1](#t1) | k is 3\\|4 | fails | holds |"), std::string::npos);
-  EXPECT_NE(page.find("### T2"), std::string::npos);
+  EXPECT_NE(page.find("### T2\n\nk is 5. (table 2)\n"), std::string::npos);
+  EXPECT_NE(page.find("(table 1; here `made-up/study.html#k`)"), std::string::npos);
 }
 
 TEST(LedgerReport, OpenChoicesStandInTablesWithThoseThatGiveWhatIsWanted) {

@@ -17,7 +17,9 @@ function main() {
     followTheme(state);
     const sample = { title: about.title, texture: () => null };
     const cards = about.figures.map((figure) => figureCard(studyFigure(figure), sample, state));
+    cards.forEach((card, k) => { card.id = about.figures[k].id; });
     page.replaceChildren(head(about, state), h("div", { class: "figures study" }, cards), h("footer", {}, h("p", {}, about.made)));
+    document.getElementById(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
     document.documentElement.dataset.ready = "true";
   } catch (error) {
     page.replaceChildren(h("p", { class: "failure" }, `The page cannot be drawn: ${error.message}.`));
