@@ -3,6 +3,7 @@
 
 #include "camera/camera.hpp"
 #include "core/random.hpp"
+#include "imaging/lens.hpp"
 
 namespace arenite::camera {
 namespace {
@@ -109,46 +110,7 @@ Vec2 place_of(const Scene& scene, const Parameters& p, std::size_t i, double s) 
   return p.motion ? scene.grains.centre(i) + s * scene.travel[i] : scene.grains.centre(i);
 }
 
-/// What the lens' blur and the mean over a pixel make of a point, sampled along one axis of the canvas.
-std::vector<float> pixel_response(const Optics& optics, int& margin) {
-  const int n = static_cast<int>(optics.supersampling);
-  const double sigma = optics.blur * n;
-  margin = static_cast<int>(std::ceil(5 * sigma));
-  std::vector<double> taps(static_cast<std::size_t>(2 * margin + n), 0.0);
-  double sum = 0;
-  for (int point = 0; point < n; ++point) {
-    for (int k = -margin; k <= margin; ++k) {
-      const double g = sigma > 0 ? std::exp(-0.5 * k * k / (sigma * sigma)) : 1.0;
-      taps[static_cast<std::size_t>(point + k + margin)] += g;
-      sum += g;
-    }
-  }
-  std::vector<float> response;
-  for (const double t : taps) response.push_back(static_cast<float>(t / sum));
-  return response;
-}
-
-std::vector<float> through_lens(const Canvas& canvas, const Optics& optics, const std::vector<float>& response) {
-  const int n = static_cast<int>(optics.supersampling), width = static_cast<int>(optics.width), height = static_cast<int>(optics.height);
-  std::vector<float> rows(static_cast<std::size_t>(canvas.height) * static_cast<std::size_t>(width));
-  for (int r = 0; r < canvas.height; ++r) {
-    for (int c = 0; c < width; ++c) {
-      const float* at = canvas.light.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(canvas.width) + c * n;
-      float sum = 0;
-      for (std::size_t k = 0; k < response.size(); ++k) sum += response[k] * at[k];
-      rows[static_cast<std::size_t>(r) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c)] = sum;
-    }
-  }
-  std::vector<float> picture(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.0f);
-  for (int r = 0; r < height; ++r) {
-    float* out = picture.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(width);
-    for (std::size_t k = 0; k < response.size(); ++k) {
-      const float* in = rows.data() + (static_cast<std::size_t>(r * n) + k) * static_cast<std::size_t>(width);
-      for (int c = 0; c < width; ++c) out[c] += response[k] * in[c];
-    }
-  }
-  return picture;
-}
+imaging::Lens lens_of(const Optics& optics) { return imaging::make_lens(optics.blur, static_cast<int>(optics.supersampling), 5); }
 
 void darken_corners(std::vector<float>& picture, const Optics& optics) {
   if (optics.vignetting <= 0) return;
@@ -163,9 +125,8 @@ void darken_corners(std::vector<float>& picture, const Optics& optics) {
 }  // namespace
 
 std::vector<float> expose(const Scene& scene, const Parameters& p, double s) {
-  int margin = 0;
-  const auto response = pixel_response(p.optics, margin);
-  Canvas canvas = canvas_for(scene, p.optics, margin);
+  const imaging::Lens lens = lens_of(p.optics);
+  Canvas canvas = canvas_for(scene, p.optics, lens.margin);
   const auto& around = p.surroundings;
   paint_frame(canvas, scene, {middle_of(scene), {}}, p.motion ? s : 0, static_cast<float>(exitance_near(p, around.background_emissivity)(0)),
               static_cast<float>(exitance_near(p, around.frame_emissivity)(0)));
@@ -179,7 +140,7 @@ std::vector<float> expose(const Scene& scene, const Parameters& p, double s) {
       canvas.light[at] = static_cast<float>(exitance[m](warming * static_cast<double>(scene.swing[i].at(x, y))));
     });
   }
-  auto picture = through_lens(canvas, p.optics, response);
+  auto picture = imaging::through_lens(lens, canvas.light, static_cast<int>(p.optics.width), static_cast<int>(p.optics.height));
   darken_corners(picture, p.optics);
   return picture;
 }
@@ -188,16 +149,16 @@ FloatImage optical_picture(const Scene& scene, const Parameters& p, const std::v
   const Photograph& photograph = p.photograph;
   const auto as_far = [&](std::int64_t pixels) { return std::llround(static_cast<double>(pixels) * p.optics.pixel / photograph.pixel); };
   const Optics optics{as_far(p.optics.width), as_far(p.optics.height), photograph.pixel, photograph.blur, 0, 4};
-  int margin = 0;
-  const auto response = pixel_response(optics, margin);
-  Canvas canvas = canvas_for(scene, optics, margin);
+  const imaging::Lens lens = lens_of(optics);
+  Canvas canvas = canvas_for(scene, optics, lens.margin);
   const View view{middle_of(scene), photograph.shift, std::cos(photograph.rotation), std::sin(photograph.rotation)};
   paint_frame(canvas, scene, view, 0, 0.5f, 0.35f);
   for (std::size_t i = 0; i < scene.grains.size(); ++i) {
     const auto grey = static_cast<float>(brightness[static_cast<std::size_t>(scene.grains.material[i])]);
     each_point(canvas, view.seen(scene.grains.centre(i)), scene.grains.radius[i], [&](std::size_t at, double, double) { canvas.light[at] = grey; });
   }
-  FloatImage picture{static_cast<int>(optics.width), static_cast<int>(optics.height), through_lens(canvas, optics, response)};
+  const int width = static_cast<int>(optics.width), height = static_cast<int>(optics.height);
+  FloatImage picture{width, height, imaging::through_lens(lens, canvas.light, width, height)};
   RandomStream random(seed, Purpose::photograph);
   for (float& level : picture.value) {
     const double seen = photograph.exposure * static_cast<double>(level) + photograph.noise * random.normal();

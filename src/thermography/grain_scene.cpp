@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/threads.hpp"
+#include "imaging/lens.hpp"
 #include "thermography/resample.hpp"
 #include "thermography/rim_pixels.hpp"
 
@@ -13,23 +14,6 @@ namespace arenite::thermography {
 namespace {
 
 constexpr int fine = 4;             ///< points a pixel, along each axis
-
-/// What lens and pixel make of a point, sampled along one axis; the first tap is `margin` points before the pixel's first.
-std::vector<float> response(double blur, int& margin) {
-  const double sigma = blur * fine;
-  margin = std::max(1, static_cast<int>(std::ceil(4 * sigma)));
-  std::vector<double> taps(static_cast<std::size_t>(2 * margin + fine), 0.0);
-  double sum = 0;
-  for (int point = 0; point < fine; ++point)
-    for (int k = -margin; k <= margin; ++k) {
-      const double g = sigma > 0 ? std::exp(-0.5 * k * k / (sigma * sigma)) : (k == 0 ? 1.0 : 0.0);
-      taps[static_cast<std::size_t>(point + k + margin)] += g;
-      sum += g;
-    }
-  std::vector<float> result;
-  for (const double t : taps) result.push_back(static_cast<float>(t / sum));
-  return result;
-}
 
 struct Canvas {
   int width, height, margin;
@@ -57,25 +41,6 @@ void paint(Canvas& canvas, double x, double y, double r, double step, const std:
       line[column] += static_cast<float>(share * step);
     }
   }
-}
-
-std::vector<float> through_lens(const Canvas& canvas, const std::vector<float>& taps, int width, int height) {
-  std::vector<float> rows(static_cast<std::size_t>(canvas.height) * static_cast<std::size_t>(width));
-  std::vector<float> picture(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.0f);
-  for (int r = 0; r < canvas.height; ++r)
-    for (int c = 0; c < width; ++c) {
-      const float* at = canvas.light.data() + static_cast<std::ptrdiff_t>(r) * canvas.width + c * fine;
-      float sum = 0;
-      for (std::size_t k = 0; k < taps.size(); ++k) sum += taps[k] * at[k];
-      rows[static_cast<std::size_t>(r) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c)] = sum;
-    }
-  for (int r = 0; r < height; ++r)
-    for (std::size_t k = 0; k < taps.size(); ++k) {
-      const float* in = rows.data() + (static_cast<std::ptrdiff_t>(r) * fine + static_cast<std::ptrdiff_t>(k)) * width;
-      float* out = picture.data() + static_cast<std::ptrdiff_t>(r) * width;
-      for (int c = 0; c < width; ++c) out[c] += taps[k] * in[c];
-    }
-  return picture;
 }
 
 std::vector<Chord> chords_of(const PictureGrains& g, std::size_t i) {
@@ -116,12 +81,11 @@ PictureGrains grains_in(const PhasePictures& p, std::size_t k, const PictureGrai
 }
 
 std::vector<float> draw_disks(const PictureGrains& g, const std::vector<double>& level, double background, double blur, int width, int height) {
-  int margin = 0;
-  const std::vector<float> taps = response(blur, margin);
-  Canvas canvas{width * fine + 2 * margin, height * fine + 2 * margin, margin, {}};
+  const imaging::Lens lens = imaging::make_lens(blur, fine, 4);
+  Canvas canvas{width * fine + 2 * lens.margin, height * fine + 2 * lens.margin, lens.margin, {}};
   canvas.light.assign(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height), 0.0f);
   for (std::size_t i = 0; i < g.size(); ++i) paint(canvas, g.x[i], g.y[i], g.radius[i], level[i] - background, chords_of(g, i));
-  std::vector<float> picture = through_lens(canvas, taps, width, height);
+  std::vector<float> picture = imaging::through_lens(lens, canvas.light, width, height);
   for (float& v : picture) v += static_cast<float>(background);
   return picture;
 }
