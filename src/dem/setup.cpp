@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/problems.hpp"
 #include "dem/bounds.hpp"
 #include "dem/bonds.hpp"
 #include "dem/carried.hpp"
@@ -18,20 +19,6 @@
 namespace arenite::dem {
 
 namespace {
-
-class Problems {
- public:
-  template <class... T>
-  void unless(bool good, fmt::format_string<T...> text, T&&... values) {
-    if (!good) found_.push_back({{}, 0, 0, fmt::format(text, std::forward<T>(values)...)});
-  }
-  void raise() const {
-    if (!found_.empty()) throw InputError(found_);
-  }
-
- private:
-  std::vector<Problem> found_;
-};
 
 bool positive(double v) { return std::isfinite(v) && v > 0; }
 bool not_negative(double v) { return std::isfinite(v) && v >= 0; }

@@ -7,24 +7,18 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/problems.hpp"
 #include "geometry/close_pairs.hpp"
 
 namespace arenite::inference {
 namespace {
 
-using Problems = std::vector<Problem>;
-constexpr std::size_t most = 20;
-
-void note(Problems& problems, std::string message) {
-  if (problems.size() < most) problems.push_back({{}, 0, 0, std::move(message)});
-}
-
 void check_grains(const Packing& packing, Problems& problems) {
   const Grains& grains = packing.grains;
-  if (!(packing.domain.thickness > 0)) note(problems, "the thickness of the sample is not known; give the cylinders' length");
+  if (!(packing.domain.thickness > 0)) problems.add("the thickness of the sample is not known; give the cylinders' length");
   for (std::size_t g = 0; g < grains.size(); ++g)
     if (!(grains.radius[g] > 0) || !std::isfinite(grains.x[g]) || !std::isfinite(grains.y[g])) {
-      note(problems, fmt::format("grain {} has no finite place and positive radius; mend or remove it", grains.id[g]));
+      problems.add(fmt::format("grain {} has no finite place and positive radius; mend or remove it", grains.id[g]));
       return;
     }
   const Domain& d = packing.domain;
@@ -34,7 +28,7 @@ void check_grains(const Packing& packing, Problems& problems) {
     const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
     const double overlap = grains.radius[i] + grains.radius[j] - norm(d.nearest_image(grains.centre(i) - grains.centre(j)));
     if (overlap > 0.4 * std::min(grains.radius[i], grains.radius[j]))
-      note(problems, fmt::format("grains {} and {} overlap by {:.2g} mm, more than a fifth of the smaller diameter; check their centres and radii",
+      problems.add(fmt::format("grains {} and {} overlap by {:.2g} mm, more than a fifth of the smaller diameter; check their centres and radii",
                                  grains.id[i], grains.id[j], 1e3 * overlap));
   }
 }
@@ -42,14 +36,14 @@ void check_grains(const Packing& packing, Problems& problems) {
 void check_contacts(const Packing& packing, Problems& problems) {
   const Contacts& contacts = packing.contacts;
   const auto n = static_cast<std::int32_t>(packing.grains.size());
-  if (contacts.size() == 0) note(problems, "no contacts are proposed; allow a larger gap between grains");
+  if (contacts.size() == 0) problems.add("no contacts are proposed; allow a larger gap between grains");
   std::set<std::pair<int, int>> seen;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const std::int32_t i = contacts.i[c], j = contacts.j[c];
     if (i < 0 || i >= n || j >= n || j < -4 || i == j)
-      note(problems, fmt::format("contact {} joins {} and {}, of which one is no grain or wall; mend the list of contacts", c, i, j));
+      problems.add(fmt::format("contact {} joins {} and {}, of which one is no grain or wall; mend the list of contacts", c, i, j));
     else if (!seen.insert({std::min(i, j), std::max(i, j)}).second)
-      note(problems, fmt::format("the contact of {} and {} is listed twice; keep one", i, j));
+      problems.add(fmt::format("the contact of {} and {} is listed twice; keep one", i, j));
   }
 }
 
@@ -60,7 +54,7 @@ void check_factors(const ForceProblem& problem, Problems& problems) {
     const bool known = m >= 0 && index < problem.factor.size() && std::isfinite(problem.factor[index]) && problem.factor[index] != 0;
     if (known || !reported.insert(m).second) continue;
     const bool named = m >= 0 && index < problem.packing.materials.size();
-    note(problems, fmt::format("material {} has no thermoelastic factor; give thermoelastic_factor, e.g. \"0.0150 K/MPa\"",
+    problems.add(fmt::format("material {} has no thermoelastic factor; give thermoelastic_factor, e.g. \"0.0150 K/MPa\"",
                                named ? problem.packing.materials[index].name : std::to_string(m)));
   }
 }
@@ -69,19 +63,19 @@ void check_walls(const ForceProblem& problem, Problems& problems) {
   const Contacts& contacts = problem.packing.contacts;
   for (const WallLoad& wall : problem.walls) {
     if (wall.side < 0 || wall.side > 3 || !std::isfinite(wall.force) || !(wall.error > 0)) {
-      note(problems, "a wall load needs a side, a finite force and a positive error");
+      problems.add("a wall load needs a side, a finite force and a positive error");
       continue;
     }
     bool touched = false;
     for (std::size_t c = 0; c < contacts.size(); ++c) touched |= contacts.is_wall(c) && contacts.wall_side(c) == wall.side;
-    if (!touched) note(problems, fmt::format("the {} wall carries a load, but no contact with it is proposed; check the walls' places", side_names[static_cast<std::size_t>(wall.side)]));
+    if (!touched) problems.add(fmt::format("the {} wall carries a load, but no contact with it is proposed; check the walls' places", side_names[static_cast<std::size_t>(wall.side)]));
   }
 }
 
 void check_options(const ForceOptions& o, Problems& problems) {
   const auto at_least = [&](const char* name, double value, double least, bool equal) {
     if (!std::isfinite(value) || value < least || (!equal && value == least))
-      note(problems, fmt::format("{} is {}; it must be {} {}", name, value, equal ? "at least" : "above", least));
+      problems.add(fmt::format("{} is {}; it must be {} {}", name, value, equal ? "at least" : "above", least));
   };
   at_least("blur", o.blur, 0, true), at_least("rim_margin", o.rim_margin, 0, true), at_least("contact_margin", o.contact_margin, 0, true);
   at_least("model_error", o.model_error, 0, true), at_least("position_error", o.position_error, 0, true);
@@ -99,7 +93,7 @@ void check_problem(const ForceProblem& problem, const ForceOptions& options, boo
   check_contacts(problem.packing, problems);
   check_walls(problem, problems);
   if (factors) check_factors(problem, problems);
-  if (!problems.empty()) throw InputError(std::move(problems));
+  problems.raise();
 }
 
 void check_picture(const SwingPicture& p) {
@@ -115,10 +109,10 @@ void check_pixels(const Packing& packing, const std::vector<std::vector<GrainPix
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const auto i = static_cast<std::size_t>(contacts.i[c]);
     if (!pixels[i].empty() || (!contacts.is_wall(c) && !pixels[static_cast<std::size_t>(contacts.j[c])].empty())) continue;
-    note(problems, fmt::format("no pixel of the picture sees the contact of grain {} with {}; leave the contact out or lower the margins",
+    problems.add(fmt::format("no pixel of the picture sees the contact of grain {} with {}; leave the contact out or lower the margins",
                                packing.grains.id[i], contacts.is_wall(c) ? std::string("a wall") : fmt::format("grain {}", packing.grains.id[static_cast<std::size_t>(contacts.j[c])])));
   }
-  if (!problems.empty()) throw InputError(std::move(problems));
+  problems.raise();
 }
 
 }  // namespace arenite::inference

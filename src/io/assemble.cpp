@@ -33,7 +33,7 @@ Domain domain_of(const RawGrains& grains, const SampleOptions& options) {
 Index add_grains(const RawGrains& raw, const Domain& domain, bool closed, Grains& grains, Problems& problems) {
   Index index;
   grains.resize(raw.rows.size());
-  if (raw.rows.empty()) problems.add(0, "there are no grains; give one row a grain");
+  if (raw.rows.empty()) problems.add("there are no grains; give one row a grain");
   for (std::size_t g = 0; g < raw.rows.size(); ++g) {
     const RawGrain& row = raw.rows[g];
     if (!index.emplace(row.id, static_cast<std::int32_t>(g)).second)
@@ -183,7 +183,7 @@ void place_box(RawGrains& grains, Problems& problems) {
   const auto place = [&](double Vec2::*axis, bool periodic, const char* name) {
     if (periodic || (low.*axis >= 0 && high.*axis <= size.*axis)) return;
     if (high.*axis - low.*axis > size.*axis)
-      problems.add(0, fmt::format("the centres span {:g} m along {}, more than the box's {:g} m; correct --box or --length-unit",
+      problems.add(fmt::format("the centres span {:g} m along {}, more than the box's {:g} m; correct --box or --length-unit",
                                   high.*axis - low.*axis, name, size.*axis));
     grains.box_low.*axis = 0.5 * (low.*axis + high.*axis) - 0.5 * size.*axis;
     grains.box_high.*axis = grains.box_low.*axis + size.*axis;

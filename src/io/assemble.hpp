@@ -1,5 +1,5 @@
 #pragma once
-#include "io/problems.hpp"
+#include "core/problems.hpp"
 #include "io/raw_sample.hpp"
 #include "io/sample.hpp"
 

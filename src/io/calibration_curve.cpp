@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "io/problems.hpp"
+#include "core/problems.hpp"
 #include "io/read_file.hpp"
 #include "io/table.hpp"
 

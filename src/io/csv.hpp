@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/problems.hpp"
+#include "core/problems.hpp"
 #include "io/raw_sample.hpp"
 
 namespace arenite::io {

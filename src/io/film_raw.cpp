@@ -7,10 +7,10 @@
 
 #include "core/error.hpp"
 #include "core/nearest.hpp"
+#include "core/problems.hpp"
 #include "core/units.hpp"
 #include "io/film_formats.hpp"
 #include "io/plain_film.hpp"
-#include "io/problems.hpp"
 #include "io/table.hpp"
 
 namespace arenite::io {
@@ -70,7 +70,7 @@ class Sidecar {
   std::int64_t count(const char* key, std::int64_t otherwise, bool required = false) {
     const Value* value = find(key);
     if (value == nullptr) {
-      if (required) problems_.add(0, fmt::format("does not say the {}; add a line \"{} = ...\"", key, key));
+      if (required) problems_.add(fmt::format("does not say the {}; add a line \"{} = ...\"", key, key));
       return otherwise;
     }
     const auto number = to_integer(value->text);

@@ -34,7 +34,7 @@ std::vector<Item> last_snapshot(std::string_view text, Problems& problems) {
       items.back().body.emplace_back(lines.number(), line);
     }
   }
-  if (items.empty()) problems.add(0, "the file is empty; give a dump with at least one snapshot");
+  if (items.empty()) problems.add("the file is empty; give a dump with at least one snapshot");
   return items;
 }
 
@@ -131,7 +131,7 @@ RawGrains read_lammps_atoms(std::string_view text, const UnitFactors& units, Pro
   const auto items = last_snapshot(text, problems);
   const Item* atoms = find_item(items, "ATOMS");
   if (!atoms) {
-    if (!problems.any()) problems.add(0, "the last snapshot has no \"ITEM: ATOMS\"; write the grains by `dump custom`");
+    if (!problems.any()) problems.add("the last snapshot has no \"ITEM: ATOMS\"; write the grains by `dump custom`");
     return grains;
   }
   check_count(items, *atoms, "NUMBER OF ATOMS", problems);
@@ -166,7 +166,7 @@ RawContacts read_lammps_pairs(std::string_view text, const std::string& names, c
   const auto items = last_snapshot(text, problems);
   const Item* entries = find_item(items, "ENTRIES");
   if (!entries) {
-    if (!problems.any()) problems.add(0, "the last snapshot has no \"ITEM: ENTRIES\"; write the contacts by `dump local`");
+    if (!problems.any()) problems.add("the last snapshot has no \"ITEM: ENTRIES\"; write the contacts by `dump local`");
     return contacts;
   }
   check_count(items, *entries, "NUMBER OF ENTRIES", problems);

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "io/problems.hpp"
+#include "core/problems.hpp"
 #include "io/raw_sample.hpp"
 #include "model/packing.hpp"
 

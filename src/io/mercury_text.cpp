@@ -50,7 +50,7 @@ RawGrains read_mercury_data(std::string_view text, const UnitFactors& units, Pro
     }
     grains.rows.push_back(std::move(g));
   }
-  if (header_line == 0) problems.add(0, "the file is empty; give a .data file with at least one time step");
+  if (header_line == 0) problems.add("the file is empty; give a .data file with at least one time step");
   if (static_cast<std::int64_t>(grains.rows.size()) < expected)
     problems.add(static_cast<int>(header_line), fmt::format("{} grains are announced, but {} follow; the file is cut off", expected, grains.rows.size()));
   return grains;
@@ -96,7 +96,7 @@ RawContacts read_mercury_fstat(std::string_view text, const UnitFactors& units, 
     }
     contacts.rows.push_back(c);
   }
-  if (!any) problems.add(0, "the file is empty; give a .fstat file with at least one time step");
+  if (!any) problems.add("the file is empty; give a .fstat file with at least one time step");
   return contacts;
 }
 

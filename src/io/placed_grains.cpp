@@ -7,8 +7,8 @@
 
 #include "core/error.hpp"
 #include "core/nearest.hpp"
+#include "core/problems.hpp"
 #include "io/csv.hpp"
-#include "io/problems.hpp"
 #include "io/read_file.hpp"
 
 namespace arenite::io {

@@ -95,7 +95,7 @@ void apply_box(const SampleOptions& options, RawGrains& grains, Problems& proble
     if (!options.origin) place_box(grains, problems);
   }
   if (!grains.has_box && (grains.periodic_x || grains.periodic_y))
-    problems.add(0, "periodic sides need the size of the cell; give --box LX,LY[,tilt]");
+    problems.add("periodic sides need the size of the cell; give --box LX,LY[,tilt]");
 }
 
 /// The text of a file; one with zero bytes is no text in any encoding that is read here.

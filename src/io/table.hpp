@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/problems.hpp"
 #include "core/units.hpp"
-#include "io/problems.hpp"
 
 namespace arenite::io {
 

@@ -140,7 +140,7 @@ RawGrains read_yade_spheres(std::string_view text, const UnitFactors& units, Pro
     centres.push_back(p);
     grains.rows.push_back(std::move(g));
   }
-  if (centres.empty()) problems.add(0, "the file has no spheres; write them by export.textExt");
+  if (centres.empty()) problems.add("the file has no spheres; write them by export.textExt");
   const auto [a, b] = centres.empty() ? std::array<std::size_t, 2>{0, 1} : plane_of(centres);
   for (std::size_t g = 0; g < centres.size(); ++g) grains.rows[g].centre = {centres[g][a], centres[g][b]};
   return grains;
@@ -167,7 +167,7 @@ RawContacts read_yade_interactions(std::string_view text, const RawGrains& grain
     if (problems.any()) return contacts;
   }
   if (ends.size() != 2 * count || normal.size() != count || shear.size() != count) {
-    problems.add(0, "the vectors normalForce and shearForce are missing; write them by exportInteractions(what={'normalForce': "
+    problems.add("the vectors normalForce and shearForce are missing; write them by exportInteractions(what={'normalForce': "
                     "'i.phys.normalForce', 'shearForce': 'i.phys.shearForce'})");
     return contacts;
   }

@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-#include "io/problems.hpp"
+#include "core/problems.hpp"
 #include "io/raw_sample.hpp"
 
 namespace arenite::io {

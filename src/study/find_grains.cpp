@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/problems.hpp"
 #include "imaging/circles.hpp"
 #include "io/placed_grains.hpp"
-#include "io/problems.hpp"
 #include "study/optical_grains.hpp"
 
 namespace arenite::study {
@@ -78,12 +78,12 @@ void drop_pores(const std::vector<float>& frame, bool bright, PictureGrains& gra
 
 /// Grains of a list that overlap by more than load can press them: each pair is a slip of the list.
 void refuse_overlapping(const std::string& file, const Grains& grains) {
-  io::Problems problems(file);
+  Problems problems(file);
   for (std::size_t i = 0; i < grains.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const double overlap = grains.radius[i] + grains.radius[j] - norm(grains.centre(i) - grains.centre(j));
       if (overlap > most_overlap * std::min(grains.radius[i], grains.radius[j]))
-        problems.add(0, fmt::format("grains {} and {} overlap by {:.3g} mm, more than load presses grains together; correct their centres or radii",
+        problems.add(fmt::format("grains {} and {} overlap by {:.3g} mm, more than load presses grains together; correct their centres or radii",
                                     grains.id[j], grains.id[i], 1e3 * overlap));
     }
   }

@@ -28,7 +28,7 @@ std::vector<Point> table_points(const Node& file, Reading& reading, std::vector<
   files.push_back(path);
   try {
     const std::string text = io::read_file(path);
-    io::Problems problems(path);
+    Problems problems(path);
     const io::Table table = io::read_table(text, "", problems);
     problems.raise();
     for (const auto& row : table.rows) {

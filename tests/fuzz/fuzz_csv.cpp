@@ -42,7 +42,7 @@ void examine(const Packing& packing) {
 }
 
 void read(char format, const Files& files) {
-  io::Problems grain_problems("grains"), contact_problems("contacts");
+  Problems grain_problems("grains"), contact_problems("contacts");
   const io::UnitFactors units;
   io::RawGrains grains;
   io::RawContacts contacts;

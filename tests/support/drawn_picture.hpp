@@ -31,7 +31,7 @@ struct Drawing {
 /// Grains of a packing kept in tests/data/packings as a camera with pixels of this width (m) sees them; "POM" is material 0.
 inline std::vector<DrawnDisk> packing_in_pixels(const std::string& name, double pixel, double left, double floor_row) {
   const std::filesystem::path path = std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/packings" / (name + ".csv");
-  io::Problems problems(path.string());
+  Problems problems(path.string());
   const std::string text = io::read_file(path);
   std::vector<DrawnDisk> disks;
   for (const io::RawGrain& row : io::read_grains_csv(text, "", {}, problems).rows)
