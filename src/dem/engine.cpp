@@ -137,9 +137,12 @@ void Engine::set_masses(Masses masses) {
   const double before = energies_of(s).kinetic;
   give_masses(s, masses);
   make_heavy_enough(s);
-  if (s.dt > step_bounds(s).largest())
-    throw InputError(fmt::format("a step of {:.4g} s is beyond what this sample allows with {} masses; set integration.time_step: {:.4g} s would do",
-                                 s.dt, masses == Masses::even ? "even" : "its own", 0.999 * step_bounds(s).largest()));
+  if (const double largest = step_bounds(s).largest(); s.dt > largest) {
+    if (s.integration.time_step)
+      throw InputError(fmt::format("integration.time_step of {:.4g} s is beyond what this sample allows with {} masses; {:.4g} s would do",
+                                   s.dt, masses == Masses::even ? "even" : "its own", 0.999 * largest));
+    change_step(s, 0.999 * largest);
+  }
   if (s.integration.track_energy) s.tally.dissipated_drag += before - energies_of(s).kinetic;
 }
 
@@ -190,7 +193,7 @@ void Engine::advance(std::int64_t steps) {
   }
 }
 
-double Engine::time() const { return static_cast<double>(machine_->sample.step) * machine_->sample.dt; }
+double Engine::time() const { return time_of(machine_->sample); }
 std::int64_t Engine::step() const { return machine_->sample.step; }
 double Engine::time_step() const { return machine_->sample.dt; }
 StepBounds Engine::bounds() const { return step_bounds(machine_->sample); }

@@ -79,7 +79,7 @@ struct Sample {
   CoefficientTable coefficients;
   ContactLaws laws;
   const Kernel* kernel = nullptr;  ///< the inner loops in use
-  double dt = 0;
+  double dt = 0, dt_at_start = 0;  ///< the step, which other masses may shorten where the program chose it
   double friction = 0, wall_friction = 0, drag = 0;
   Masses masses = Masses::own;
   double inertial_number = default_inertial_number;  ///< of the servo, see walls.hpp
@@ -89,6 +89,8 @@ struct Sample {
   Domain domain;
   std::array<WallBody, 4> wall;
   std::int64_t step = 0;
+  std::int64_t steps_before = 0;   ///< made before the step was last shortened,
+  double time_before = 0;          ///< and the time then, s
   double lag = 0;                  ///< how far the integrated velocities are behind the positions, s: 0 or dt/2
 
   std::size_t count = 0;           ///< disks; the records behind them are ghosts

@@ -7,12 +7,13 @@
 #include "core/error.hpp"
 #include "dem/ghosts.hpp"
 #include "dem/neighbours.hpp"
+#include "dem/setup.hpp"
 
 namespace arenite::dem {
 
 namespace {
 
-constexpr std::uint64_t mark = 0x33302d6d65642d61;  // "a-dem-03"; changes with what `transfer` lists
+constexpr std::uint64_t mark = 0x34302d6d65642d61;  // "a-dem-04"; changes with what `transfer` lists
 
 template <class Archive>
 void transfer(Archive& a, Wall& wall) {
@@ -42,7 +43,7 @@ void transfer(Archive& a, Sample& s) {
   auto masses = static_cast<std::int32_t>(s.masses);
   a(masses), a(s.inertial_number);
   s.masses = static_cast<Masses>(masses);
-  a(s.step), a(s.lag), a(s.friction), a(s.wall_friction), a(s.drag), a(s.gravity.x), a(s.gravity.y), a(glue), a(settled), a(open);
+  a(s.dt), a(s.step), a(s.steps_before), a(s.time_before), a(s.lag), a(s.friction), a(s.wall_friction), a(s.drag), a(s.gravity.x), a(s.gravity.y), a(glue), a(settled), a(open);
   s.glue = glue != 0;
   s.settled = settled != 0;
   s.ledger.open = open != 0;
@@ -74,7 +75,7 @@ std::vector<std::uint8_t> save_sample(const Sample& sample) {
   ByteWriter write;
   auto& s = const_cast<Sample&>(sample);  // the writer does not change what it is given
   std::uint64_t header[3] = {mark, s.count, 0};
-  std::memcpy(&header[2], &s.dt, sizeof s.dt);
+  std::memcpy(&header[2], &s.dt_at_start, sizeof s.dt_at_start);
   for (auto& v : header) write(v);
   std::vector<DiskRecord> disks(s.record.begin(), s.record.begin() + static_cast<std::ptrdiff_t>(s.count));
   write(disks);
@@ -88,7 +89,7 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   Sample s = sample;
   std::uint64_t header[3] = {}, step = 0;
   for (auto& v : header) read(v);
-  std::memcpy(&step, &s.dt, sizeof step);
+  std::memcpy(&step, &s.dt_at_start, sizeof step);
   if (header[0] != mark) ByteReader::fail();
   if (header[1] != s.count || header[2] != step)
     throw InputError("the stored state belongs to another sample or time step (" + std::to_string(header[1]) +
@@ -97,6 +98,7 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   if (s.record.size() != s.count) ByteReader::fail();
   transfer(read, s);
   if (s.vx.size() != s.count || s.listed_x.size() != s.count) ByteReader::fail();
+  s.laws = laws_between_steps(s);
 
   // The list as it was built: disks and frame put back to where they were then.
   const std::vector<DiskRecord> disks = s.record;

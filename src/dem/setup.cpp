@@ -111,6 +111,7 @@ void choose_step(Sample& s) {
     throw InputError(fmt::format("integration.time_step of {:.4g} s is beyond what this sample and integrator allow ({}); {:.4g} s would do",
                                  s.dt, bounds.damping < bounds.stiffness ? "damping" : "stiffness",
                                  0.999 * bounds.largest()));
+  s.dt_at_start = s.dt;
 }
 
 /// Friction springs as the packing's contacts left them, so that a stage goes on with the friction that it found.
@@ -142,6 +143,27 @@ void clear_periodic_walls(Domain& domain) {
 
 }  // namespace
 
+namespace {
+
+/// Share of a step by which the places are ahead of the velocities that memories of friction are fed with.
+double lead_of(const Sample& s) { return s.integration.integrator == IntegratorKind::leapfrog ? 1.0 : 0.5; }
+
+}  // namespace
+
+ContactLaws laws_between_steps(const Sample& s) {
+  const double lead = lead_of(s);
+  return choose_laws(s.contact, lead * s.dt, (1.0 - lead) * s.dt);
+}
+
+double time_of(const Sample& s) { return s.time_before + static_cast<double>(s.step - s.steps_before) * s.dt; }
+
+void change_step(Sample& s, double dt) {
+  s.time_before = time_of(s);
+  s.steps_before = s.step;
+  s.dt = dt;
+  s.laws = laws_between_steps(s);
+}
+
 void apply_friction(Sample& s, std::optional<double> override_mu) {
   const bool slippery = s.contact.friction_law == FrictionLaw::none;
   s.friction = slippery ? 0.0 : override_mu.value_or(s.contact.friction);
@@ -169,17 +191,16 @@ Sample make_sample(const Packing& start, const ContactParameters& contact, const
   clear_periodic_walls(s.domain);
   place_disks(s);
   check_cell(s);
-  const double lead = integration.integrator == IntegratorKind::leapfrog ? 1.0 : 0.5;
   s.laws = choose_laws(contact, 0.0, 0.0);
   tune_servo(s);
   rebuild_list(s);
   choose_step(s);
   carry_into(s, springs_of(start, s));
   bond_touching_pairs(s);
-  s.laws = choose_laws(contact, 0.0, (1.0 - lead) * s.dt);  // the springs do not move before the first step
+  s.laws = choose_laws(contact, 0.0, (1.0 - lead_of(s)) * s.dt);  // the springs do not move before the first step
   compute_forces(s);
   sum_edge_forces(s);
-  s.laws = choose_laws(contact, lead * s.dt, (1.0 - lead) * s.dt);
+  s.laws = laws_between_steps(s);
   return s;
 }
 

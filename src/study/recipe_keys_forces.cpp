@@ -55,7 +55,7 @@ void declare(ParameterVisitor& v, dem::IntegrationParameters& integration) {
            {{"velocity_verlet", "second order, the sturdiest"},
             {"leapfrog", "second order, velocities half a step off"},
             {"gear5", "Gear's fifth-order predictor and corrector; needs small steps where damping is strong"}});
-  v.number({"time_step", "Time step; one beyond the stable step is refused. Unless given, safety sets it."},
+  v.number({"time_step", "Time step; one beyond the stable step is refused. Unless given, safety sets it, and masses of a stage that do not allow it shorten it."},
            integration.time_step, "s", range::positive);
   v.number({"safety", "Time step as a share of the shortest contact time, pi sqrt(m_eff/k)."}, integration.safety, "",
            range::above(0, 1));

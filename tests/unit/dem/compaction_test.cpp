@@ -95,6 +95,67 @@ TEST(EvenMasses, AreHeavyEnoughForTheStepThatTheOwnOnesAllow) {
   EXPECT_NEAR(0.999 * engine.bounds().largest(), *integration.time_step, 1e-12);
 }
 
+/// A lattice of equal disks that do not touch yet, in a periodic cell: a step at its bound is too long once they do.
+Packing lattice_about_to_touch() {
+  const double d = 0.01, pitch = d * (1 + 1e-4), rise = pitch * std::sqrt(0.75);
+  Packing p = empty_frame(12 * pitch, 12 * rise);
+  p.domain.periodic_x = p.domain.periodic_y = true;
+  for (int r = 0; r < 12; ++r)
+    for (int c = 0; c < 12; ++c) add_grain(p, (c + 0.25 + 0.5 * (r % 2)) * pitch, (r + 0.5) * rise, 0.5 * d);
+  return p;
+}
+
+WallDrives squeezed() {
+  const auto at = [](double speed) { return WallDrive{WallDrive::Kind::velocity, speed}; };
+  return {at(0.02), at(-0.02), at(0.02), at(-0.02)};
+}
+
+IntegrationParameters as_long_as_allowed(IntegratorKind integrator) {
+  IntegrationParameters integration;
+  integration.safety = 100;
+  integration.integrator = integrator;
+  integration.track_energy = true;
+  return integration;
+}
+
+TEST(EvenMasses, AStepOfTheProgramsOwnIsShortenedWhereTheGrainsOwnMassesAreTooLight) {
+  for (const auto integrator : {IntegratorKind::velocity_verlet, IntegratorKind::leapfrog, IntegratorKind::gear5}) {
+    const auto how = as_long_as_allowed(integrator);
+    Engine engine(lattice_about_to_touch(), springy(0.2), how), resumed(lattice_about_to_touch(), springy(0.2), how);
+    engine.set_masses(Masses::even);
+    engine.set_drives(squeezed());
+    while (engine.time() < 1e-3) engine.advance(1);
+    const double before = engine.time(), step = engine.time_step();
+    ASSERT_GT(step, engine.bounds().largest()) << "the case that this is about";
+    engine.set_masses(Masses::own);
+    EXPECT_LT(engine.time_step(), engine.bounds().largest());
+    EXPECT_EQ(engine.time(), before);
+    resumed.restore(engine.save());
+    for (Engine* e : {&engine, &resumed}) {
+      e->advance(100);
+      EXPECT_NEAR(e->time(), before + 100 * e->time_step(), 1e-12 * before);
+      EXPECT_LT(e->time_step(), step);
+    }
+    EXPECT_EQ(engine.state_hash(), resumed.state_hash());
+  }
+}
+
+TEST(EvenMasses, AStepThatWasGivenIsRefusedWithTheOneThatWouldDo) {
+  auto how = as_long_as_allowed(IntegratorKind::velocity_verlet);
+  how.time_step = Engine(lattice_about_to_touch(), springy(0.2), how).time_step();
+  Engine engine(lattice_about_to_touch(), springy(0.2), how);
+  engine.set_masses(Masses::even);
+  engine.set_drives(squeezed());
+  while (engine.time() < 1e-3) engine.advance(1);
+  try {
+    engine.set_masses(Masses::own);
+    FAIL() << "refused";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("integration.time_step"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("would do"), std::string::npos) << e.what();
+  }
+}
+
 TEST(EvenMasses, CompactUnlikeDisksInFarFewerSteps) {
   std::int64_t steps[2];
   for (const auto masses : {Masses::own, Masses::even}) {
