@@ -13,7 +13,8 @@ namespace arenite::dem {
 
 namespace {
 
-constexpr std::uint64_t mark = 0x34302d6d65642d61;  // "a-dem-04"; changes with what `transfer` lists
+constexpr std::uint64_t mark = 0x33302d6d65642d61;  // "a-dem-03"; changes with what `transfer` lists
+constexpr std::uint64_t mark_shortened = 0x73302d6d65642d61;  // "a-dem-0s": the same behind a step that was shortened
 
 template <class Archive>
 void transfer(Archive& a, Wall& wall) {
@@ -43,7 +44,7 @@ void transfer(Archive& a, Sample& s) {
   auto masses = static_cast<std::int32_t>(s.masses);
   a(masses), a(s.inertial_number);
   s.masses = static_cast<Masses>(masses);
-  a(s.dt), a(s.step), a(s.steps_before), a(s.time_before), a(s.lag), a(s.friction), a(s.wall_friction), a(s.drag), a(s.gravity.x), a(s.gravity.y), a(glue), a(settled), a(open);
+  a(s.step), a(s.lag), a(s.friction), a(s.wall_friction), a(s.drag), a(s.gravity.x), a(s.gravity.y), a(glue), a(settled), a(open);
   s.glue = glue != 0;
   s.settled = settled != 0;
   s.ledger.open = open != 0;
@@ -61,6 +62,11 @@ void transfer(Archive& a, Sample& s) {
     for (auto* v : {&w.dashpots, &w.friction, &w.drag, &w.gravity, &w.walls, &w.servo}) a(*v);
 }
 
+template <class Archive>
+void transfer_step(Archive& a, Sample& s) {
+  a(s.dt), a(s.steps_before), a(s.time_before);
+}
+
 /// The slots' contents; their number follows from the list.
 template <class Archive>
 void transfer(Archive& a, ContactList& list) {
@@ -74,10 +80,12 @@ void transfer(Archive& a, ContactList& list) {
 std::vector<std::uint8_t> save_sample(const Sample& sample) {
   ByteWriter write;
   auto& s = const_cast<Sample&>(sample);  // the writer does not change what it is given
-  std::uint64_t header[3] = {mark, s.count, 0};
+  const bool shortened = s.dt != s.dt_at_start;
+  std::uint64_t header[3] = {shortened ? mark_shortened : mark, s.count, 0};
   std::memcpy(&header[2], &s.dt_at_start, sizeof s.dt_at_start);
   for (auto& v : header) write(v);
   std::vector<DiskRecord> disks(s.record.begin(), s.record.begin() + static_cast<std::ptrdiff_t>(s.count));
+  if (shortened) transfer_step(write, s);
   write(disks);
   transfer(write, s);
   transfer(write, s.list);
@@ -90,10 +98,11 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   std::uint64_t header[3] = {}, step = 0;
   for (auto& v : header) read(v);
   std::memcpy(&step, &s.dt_at_start, sizeof step);
-  if (header[0] != mark) ByteReader::fail();
+  if (header[0] != mark && header[0] != mark_shortened) ByteReader::fail();
   if (header[1] != s.count || header[2] != step)
     throw InputError("the stored state belongs to another sample or time step (" + std::to_string(header[1]) +
                      " grains; here " + std::to_string(s.count) + ")");
+  if (header[0] == mark_shortened) transfer_step(read, s);
   read(s.record);
   if (s.record.size() != s.count) ByteReader::fail();
   transfer(read, s);
