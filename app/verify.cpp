@@ -126,7 +126,7 @@ std::string heading() {
   std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
   return fmt::format("# The ledger of claims\n\nWritten by `arenite verify`, version {}, on {}, {} cores of {}. A claim has two verdicts: as its source states "
                      "it, and as sharpened to the state, law and statistic under which a check has meaning. Errors are standard errors over runs, each with a seed of its own: one sample scatters by that times the root of their number. Law S has a "
-                     "tangential spring; law R is the thesis's regularised friction, run to rest, where friction is gone.\n",
+                     "tangential spring; law R is the thesis's regularised friction, which holds none at rest: the mean |F_t|/F_n that was left where it stopped is told with the claims.\n",
                      version, date, std::thread::hardware_concurrency(), processor_name());
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ledger/claims/thesis_choices.hpp"
+
 namespace arenite::ledger {
 
 std::vector<std::string> studies_of(char source) {
@@ -14,12 +16,13 @@ std::vector<std::string> studies_of(char source) {
   return names;
 }
 
-Ledger judge(char source, const Results& results) {
+Ledger judge(char source, Results results) {
   Ledger ledger;
   for (const std::string& name : studies_of(source)) {
     const StudyResults& study = results.study(name);
     ledger.studies.push_back({name, study.table().rows.size(), study.done().size()});
   }
+  if (source == 'T') measure_with_other_borders(results);
   for (const Claim& claim : claims())
     if (claim.id[0] == source) ledger.claims.push_back({&claim, claim.judge(results)});
   return ledger;

@@ -30,6 +30,6 @@ struct Ledger {
 std::vector<std::string> studies_of(char source);
 
 /// Judges the claims of a source ('T' or 'P') by what is there.
-Ledger judge(char source, const Results& results);
+Ledger judge(char source, Results results);
 
 }  // namespace arenite::ledger

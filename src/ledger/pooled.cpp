@@ -24,22 +24,39 @@ Value mean_of(const std::vector<double>& values) { return values.empty() ? Value
 PooledMode pooled_mode(const std::vector<Run>& runs, const std::string& set, int m) {
   const std::string path = set.empty() ? "fabric" : "fabric.sets." + set, mode = path + ".modes." + std::to_string(m);
   std::complex<double> sum = 0;
+  std::map<std::string, std::pair<std::complex<double>, double>> seeds;  // sum and contacts
   PooledMode pooled;
   for (const Run& run : runs) {
     const double contacts = run(path + ".contacts"), amplitude = run(mode + ".amplitude"), phase = run(mode + ".phase_deg");
     if (!std::isfinite(contacts * amplitude * phase)) continue;
-    sum += contacts * std::polar(amplitude, m * phase * degree);
+    const auto vector = contacts * std::polar(amplitude, m * phase * degree);
+    sum += vector;
     pooled.contacts += contacts;
+    auto& seed = seeds[seed_of(run)];
+    seed.first += vector;
+    seed.second += contacts;
   }
   if (pooled.contacts == 0) return pooled;
-  pooled.amplitude = std::abs(sum) / pooled.contacts;
-  pooled.phase_deg = std::arg(sum) / m / degree;
-  if (pooled.phase_deg < 0) pooled.phase_deg += 360.0 / m;
+  const std::complex<double> mean = sum / pooled.contacts;
+  const double phase = std::arg(mean) / m / degree, n = static_cast<double>(seeds.size());
+  double along = 0, across = 0;  // squares of what seeds add to the mean beyond their share of it
+  for (const auto& [name, seed] : seeds) {
+    const auto excess = (seed.first - seed.second * mean) * std::polar(1 / pooled.contacts, -std::arg(mean));
+    along += excess.real() * excess.real();
+    across += excess.imag() * excess.imag();
+  }
+  const double spread = n > 1 ? std::sqrt(n / (n - 1)) : statistics::unknown;
+  pooled.amplitude = {std::abs(mean), spread * std::sqrt(along)};
+  pooled.phase_deg = {phase < 0 ? phase + 360.0 / m : phase, spread * std::sqrt(across) / std::abs(mean) / m / degree};
   pooled.noise = 0.886 / std::sqrt(pooled.contacts);
   return pooled;
 }
 
 double angle_between(double a_deg, double b_deg, double period) { return std::abs(std::remainder(a_deg - b_deg, period)); }
+
+Value angle_from(const PooledMode& mode, double wanted_deg, double period) {
+  return {angle_between(mode.phase_deg.value, wanted_deg, period), mode.phase_deg.error};
+}
 
 Value mean_over_seeds(const std::vector<Run>& runs, const Number& number) {
   std::map<std::string, std::pair<double, double>> seeds;

@@ -10,7 +10,7 @@ namespace arenite::ledger {
 /// |<exp(i m theta)>| of the contact directions of several runs together, with what as many random directions would give.
 struct PooledMode {
   double contacts = 0;
-  double amplitude = statistics::unknown, phase_deg = statistics::unknown;  ///< phase in [0, 360/m)
+  Value amplitude, phase_deg;            ///< phase in [0, 360/m); errors from the scatter of seeds
   double noise = statistics::unknown;
 };
 /// `set`: "" for all contacts, or "POM-POM", "strong", ...; runs without it are left out.
@@ -18,6 +18,9 @@ PooledMode pooled_mode(const std::vector<Run>& runs, const std::string& set, int
 
 /// Smallest distance of two directions that repeat every `period` degrees.
 double angle_between(double a_deg, double b_deg, double period);
+
+/// The same of a mode's direction and another, with the error of the mode's.
+Value angle_from(const PooledMode& mode, double wanted_deg, double period);
 
 /// Means over the runs of each seed, then over seeds, with the standard error from the scatter of seeds: runs with one seed
 /// share their packing.

@@ -26,16 +26,16 @@ Wanted wanted_none() {
   return [](const Value& v) { return none("", "", v); };
 }
 
-void add_sensitivity(Judgement& judgement, const std::string& what, const Where& usual, const std::vector<Choice>& choices,
-                     const std::function<Value(const Where&)>& value, const Wanted& wanted) {
+void add_sensitivity(Judgement& judgement, const std::string& what, const Choice& usual, const std::vector<Choice>& choices,
+                     const std::function<Value(const Choice&)>& value, const Wanted& wanted) {
   Sensitivity found{what, wanted ? wanted({}).tolerance : std::string(), {}};
-  const auto add = [&](const std::string& choice, const Where& where) {
-    const Value v = value(where);
-    found.entries.push_back({choice, v.value, v.error, wanted ? wanted(v).holds : Holds::unknown});
+  const auto add = [&](const Choice& choice) {
+    const Value v = value(choice);
+    found.entries.push_back({choice.text, v.value, v.error, wanted ? wanted(v).holds : Holds::unknown});
   };
-  add("", usual);
+  add(usual);
   if (!std::isfinite(found.entries.front().value)) return;
-  for (const Choice& choice : choices) add(choice.text, choice.where);
+  for (const Choice& choice : choices) add(choice);
   judgement.sensitivities.push_back(std::move(found));
 }
 

@@ -9,10 +9,12 @@
 
 namespace arenite::ledger {
 
-/// A choice that a source leaves open, made otherwise than its study makes it: the swept values, and words for them.
+/// A choice that a source leaves open, made otherwise than its study makes it: the swept values, words for them, and the study
+/// that has such runs, empty where it is clear.
 struct Choice {
   Where where;
   std::string text;
+  std::string study = {};
 };
 
 /// Holds a number against what a claim wants of it; empty where nothing is wanted.
@@ -33,7 +35,7 @@ Wanted wanted_none();
 
 /// `value` of the runs with the usual choices, and with each of `choices` instead. Nothing is added where it is not known with
 /// the usual ones.
-void add_sensitivity(Judgement& judgement, const std::string& what, const Where& usual, const std::vector<Choice>& choices,
-                     const std::function<Value(const Where&)>& value, const Wanted& wanted);
+void add_sensitivity(Judgement& judgement, const std::string& what, const Choice& usual, const std::vector<Choice>& choices,
+                     const std::function<Value(const Choice&)>& value, const Wanted& wanted);
 
 }  // namespace arenite::ledger

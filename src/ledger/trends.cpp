@@ -78,16 +78,6 @@ double spearman(const Series& points) {
   return std::copysign(std::sqrt(line.r2), line.slope);
 }
 
-Holds monotone(const Series& points, int direction) {
-  if (points.size() < 2) return Holds::unknown;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const double step = direction * (points[i].mean - points[i - 1].mean);
-    const double error = std::hypot(points[i].error, points[i - 1].error);
-    if (step < 0 && !(-step <= beyond * error)) return Holds::no;
-  }
-  return direction * rise(points).value > 0 ? Holds::yes : Holds::no;
-}
-
 Check within(std::string what, const Value& ours, double source, double tolerance, std::string unit) {
   return check(std::move(what), fmt::format("{:.4g}", source), ours, fmt::format("+- {:.3g}", tolerance), std::move(unit),
                known(std::isfinite(ours.value), std::abs(ours.value - source) <= tolerance));
@@ -124,6 +114,13 @@ Check none(std::string what, std::string source, const Value& ours, std::string 
 std::string text_of(const Value& v) {
   if (!std::isfinite(v.value)) return "not known";
   return std::isfinite(v.error) ? fmt::format("{:.4g} +- {:.2g}", v.value, v.error) : fmt::format("{:.4g}", v.value);
+}
+
+std::string told(const std::string& who, const Verdict& verdict) {
+  std::string text;
+  for (const Check& check : verdict.checks)
+    if (check.holds != Holds::unknown) text += fmt::format("{} {} {} ({})", text.empty() ? who + ":" : ";", check.what, text_of({check.ours, check.error}), word_for(check.holds));
+  return text.empty() ? text : text + ".";
 }
 
 }  // namespace arenite::ledger

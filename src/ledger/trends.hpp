@@ -28,9 +28,6 @@ Value slope(const Series& points);
 double line_r2(const Series& points);
 /// Rank correlation of x and mean.
 double spearman(const Series& points);
-/// No step goes the other way by more than `beyond` of its standard errors, and the whole goes this way (+1 up, -1 down).
-/// Unknown for fewer than two points.
-Holds monotone(const Series& points, int direction);
 
 // Checks of one number; unknown where the number, or an error that is needed, is.
 Check within(std::string what, const Value& ours, double source, double tolerance, std::string unit = "");
@@ -44,5 +41,7 @@ Check none(std::string what, std::string source, const Value& ours, std::string 
 
 /// "0.403 +- 0.012".
 std::string text_of(const Value& value);
+/// "law R: slope of z 0.403 +- 0.012 (holds); ...", of what is known; empty if nothing is.
+std::string told(const std::string& who, const Verdict& verdict);
 
 }  // namespace arenite::ledger

@@ -75,13 +75,20 @@ std::string listed(const std::vector<std::string>& words) {
   return text;
 }
 
+/// Whether an entry differs from how it is by more than their errors; not where one of these is not known.
+bool differs(const Sensitivity::Entry& entry, const Sensitivity::Entry& usual) {
+  return std::abs(entry.value - usual.value) > ledger::beyond * std::hypot(entry.error, usual.error);
+}
+
 /// Which choices give what is wanted; empty where nothing is, or nothing is missing.
 std::string mended_by(const Sensitivity& found) {
   if (found.wanted.empty() || found.entries.empty() || found.entries.front().holds != ledger::Holds::no) return {};
-  std::vector<std::string> choices;
+  std::vector<std::string> sure, may_be_chance;
   for (const auto& entry : found.entries)
-    if (as_wanted(entry)) choices.push_back(entry.choice);
-  return choices.empty() ? "no choice here gives what is wanted" : "as wanted " + listed(choices);
+    if (as_wanted(entry)) (differs(entry, found.entries.front()) ? sure : may_be_chance).push_back(entry.choice);
+  const std::string chance = "no further from how it is than 2 s.e.: " + listed(may_be_chance);
+  if (sure.empty()) return may_be_chance.empty() ? "no choice here gives what is wanted" : "as wanted, but " + chance;
+  return "as wanted " + listed(sure) + (may_be_chance.empty() ? "" : "; also, but " + chance);
 }
 
 std::string wanted_of(const Sensitivity& found) { return found.wanted.empty() ? "" : fmt::format(" (wanted {})", found.wanted); }

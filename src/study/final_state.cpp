@@ -31,18 +31,34 @@ texture::Options options_of(const Provenance& provenance, const fs::path& file, 
   return texture_options(recipe, recipe.stages.size());
 }
 
-}  // namespace
+struct Measurable {
+  Packing packing;
+  texture::Options options;
+};
 
-FinalState final_state(const fs::path& run, bool rev, const std::string& stage) {
+Measurable last_packing(const fs::path& run, const std::string& stage) {
   const fs::path file = file_of(run, stage);
   StageResult result = io::read_stage(file);
   if (result.frames.empty()) throw InputError(file.string(), 0, "this stage holds no state; remove it and run the study again");
-  texture::Options options = options_of(result.provenance, file, run);
+  return {std::move(result.frames.back().packing), options_of(result.provenance, file, run)};
+}
+
+}  // namespace
+
+FinalState final_state(const fs::path& run, bool rev, const std::string& stage) {
+  auto [packing, options] = last_packing(run, stage);
   if (!rev) options.rev_sizes = 0;
-  FinalState state;
-  state.packing = std::move(result.frames.back().packing);
-  state.texture = texture::measure(state.packing, options);
-  return state;
+  texture::Texture texture = texture::measure(packing, options);
+  return {std::move(packing), std::move(texture)};
+}
+
+std::string texture_with_border(const fs::path& run, double border) {
+  auto [packing, options] = last_packing(run, "");
+  options.rev_sizes = 0;
+  options.border = border;
+  texture::Texture texture = texture::measure(packing, options);
+  texture.per_grain = {};
+  return texture::to_json(texture, false);
 }
 
 std::string curves_json(FinalState state) {

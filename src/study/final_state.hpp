@@ -16,6 +16,9 @@ struct FinalState {
 /// longest. Throws InputError if the run's files are not there, or none is of that stage.
 FinalState final_state(const std::filesystem::path& run, bool rev = false, const std::string& stage = "");
 
+/// Texture of that state as JSON with another strip left out along the walls, in mean diameters; without the REV study.
+std::string texture_with_border(const std::filesystem::path& run, double border);
+
 /// Its texture as JSON with histograms and distributions, without values by grain.
 std::string curves_json(FinalState state);
 

@@ -5,7 +5,7 @@
 namespace arenite::ledger {
 namespace {
 
-const Where usual{{"contact.friction", "0.3"}};
+const Choice usual{{{"contact.friction", "0.3"}}, ""};
 
 const std::vector<Choice> choices{
     {{{"contact.friction", "0"}}, "without friction"},
@@ -26,9 +26,9 @@ void add_choices(Judgement& judgement, const Results& results, const std::string
       where.insert(where.end(), choice.begin(), choice.end());
       return Value(mean(results, "paper-choices", number, where));
     };
-    add_sensitivity(judgement, what + ", gamma 1" + at, usual, choices, [&](const Where& choice) { return of("1", choice); }, wanted.first);
-    add_sensitivity(judgement, what + ", gamma 5" + at, usual, choices, [&](const Where& choice) { return of("5", choice); }, wanted.last);
-    add_sensitivity(judgement, what + ", change from gamma 1 to 5" + at, usual, choices, [&](const Where& choice) { return difference(of("5", choice), of("1", choice)); }, wanted.change);
+    add_sensitivity(judgement, what + ", gamma 1" + at, usual, choices, [&](const Choice& choice) { return of("1", choice.where); }, wanted.first);
+    add_sensitivity(judgement, what + ", gamma 5" + at, usual, choices, [&](const Choice& choice) { return of("5", choice.where); }, wanted.last);
+    add_sensitivity(judgement, what + ", change from gamma 1 to 5" + at, usual, choices, [&](const Choice& choice) { return difference(of("5", choice.where), of("1", choice.where)); }, wanted.change);
   }
 }
 

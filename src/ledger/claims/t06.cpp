@@ -41,9 +41,14 @@ void add_reasons(Judgement& judgement, const Results& results) {
   say("Chapter 5 under 100 N", results.runs("thesis-ch5"));
   if (samples > 0)
     judgement.findings.push_back(fmt::format("A grain's stress adds up the forces of all its contacts, and adding up thins a tail: beta of stresses is above that of forces in {} of these {} cases.", thinner, samples));
-  add_choices(judgement, results, "Lead of the exponential for stresses of #8", sample_8.pom_grains, "sigma_norm.log_likelihood_ratio", wanted_above(0));
-  add_choices(judgement, results, "beta of stresses of #8", sample_8.pom_grains, "sigma_norm.beta");
-  add_choices(judgement, results, "beta of forces of #8", sample_8.pom_grains, "force.beta");
+  add_choices(judgement, results, "Lead of the exponential for stresses of #2's POM", sample_2, "sigma_norm.by_material.POM.log_likelihood_ratio", wanted_above(0));
+  add_choices(judgement, results, "Lead of the exponential for stresses of #2's HDPE", sample_2, "sigma_norm.by_material.HDPE.log_likelihood_ratio", wanted_above(0));
+  add_choices(judgement, results, "Lead of the exponential for stresses of #8", sample_8, "sigma_norm.log_likelihood_ratio", wanted_above(0));
+  add_choices(judgement, results, "Lead of the exponential for stresses of #12", sample_12, "sigma_norm.log_likelihood_ratio", wanted_above(0));
+  add_choices(judgement, results, "beta of stresses of #8", sample_8, "sigma_norm.beta");
+  add_choices(judgement, results, "beta of forces of #8", sample_8, "force.beta");
+  add_choices_of_ratios(judgement, results, "Lead of the exponential for forces of POM-POM", "force.by_type.POM-POM.log_likelihood_ratio", {wanted_above(0), wanted_above(0), {}});
+  add_glue_choices(judgement, results, "Lead of the exponential for stresses of chapter 6", "sigma_norm.log_likelihood_ratio", wanted_above(0));
 }
 
 }  // namespace

@@ -71,11 +71,12 @@ Judgement judge_t16(const Results& results) {
   for (const char* set : {"", "dry-dry", "glued-glued"}) {
     const PooledMode mode = pooled_mode(runs, set, 4);
     const std::string name = *set ? set : "all";
-    Check amplitude = above(fmt::format("4-fold amplitude, {}", name), "peaks", {mode.amplitude, mode.noise}, 3 * mode.noise);
+    const std::string what = fmt::format("4-fold amplitude, {} (noise {:.2g})", name, mode.noise);
+    Check amplitude = above(what, "peaks", mode.amplitude, 3 * mode.noise);
     amplitude.tolerance = "> 3 times the noise";
     judgement.stated.checks.push_back(amplitude);
-    judgement.stated.checks.push_back(below(fmt::format("angle of its peaks from 45 degrees, {}", name), "0", angle_between(mode.phase_deg, 45, 90), 15, "deg"));
-    Check reported = above(fmt::format("4-fold amplitude, {}, at {:.0f} degrees with its noise", name, mode.phase_deg), "peaks at 45", {mode.amplitude, mode.noise}, 0);
+    judgement.stated.checks.push_back(below(fmt::format("angle of its peaks from 45 degrees, {}", name), "0", angle_from(mode, 45, 90), 15, "deg"));
+    Check reported = above(fmt::format("{}, at {} degrees", what, text_of(mode.phase_deg)), "peaks at 45", mode.amplitude, 0);
     reported.tolerance = "reported";
     judgement.sharpened.checks.push_back(reported);
   }

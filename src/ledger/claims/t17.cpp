@@ -19,6 +19,8 @@ Judgement judge_t17(const Results& results) {
                                 below("rms error of sigma_norm, NETD 20 mK", "the same field", rms, 0.05)};
   const Value slope = mean_over_seeds(runs, [](const Run& run) { return film_agreement(run).slope; });
   if (std::isfinite(slope.value)) judgement.findings.push_back(fmt::format("Stresses found over true ones: slope {}.", text_of(slope)));
+  if (const Value found = mean_over_seeds(runs, [](const Run& run) { return film_agreement(run).grains; }); std::isfinite(found.value))
+    judgement.findings.push_back(fmt::format("Grains whose stress the films give: {} of {:.0f}.", text_of(found), mean_over_seeds(runs, "grains").value));
   judgement.findings.emplace_back("Friction and damping decide which field of stress there is; the camera films that field, and the simulation it is held against has the same. Seeds: the errors above.");
   return judgement;
 }

@@ -18,13 +18,25 @@ Results made_up(const std::vector<std::string>& names, const std::vector<MadeUpR
 TEST(Pooled, ModesAddAsVectorsWeighedByContacts) {
   const std::vector<std::string> names{"fabric.contacts", "fabric.modes.2.amplitude", "fabric.modes.2.phase_deg"};
   const Results cancel = made_up(names, {{{"1", "1"}, {100, 0.5, 10}}, {{"1", "2"}, {100, 0.5, 100}}});
-  EXPECT_NEAR(pooled_mode(cancel.runs("made-up"), "", 2).amplitude, 0, 1e-12);
+  EXPECT_NEAR(pooled_mode(cancel.runs("made-up"), "", 2).amplitude.value, 0, 1e-12);
   const Results add = made_up(names, {{{"1", "1"}, {300, 0.5, 179}}, {{"1", "2"}, {100, 0.1, 179}}});
   const PooledMode mode = pooled_mode(add.runs("made-up"), "", 2);
-  EXPECT_NEAR(mode.amplitude, 0.4, 1e-12);
-  EXPECT_NEAR(mode.phase_deg, 179, 1e-9);
+  EXPECT_NEAR(mode.amplitude.value, 0.4, 1e-12);
+  EXPECT_NEAR(mode.phase_deg.value, 179, 1e-9);
   EXPECT_NEAR(mode.noise, 0.886 / 20, 1e-12);
-  EXPECT_TRUE(std::isnan(pooled_mode(add.runs("made-up"), "strong", 2).amplitude));
+  EXPECT_TRUE(std::isnan(pooled_mode(add.runs("made-up"), "strong", 2).amplitude.value));
+}
+
+TEST(Pooled, ModesHaveErrorsFromTheScatterOfSeeds) {
+  const std::vector<std::string> names{"fabric.contacts", "fabric.modes.2.amplitude", "fabric.modes.2.phase_deg"};
+  const PooledMode along = pooled_mode(made_up(names, {{{"1", "1"}, {100, 0.3, 90}}, {{"1", "2"}, {100, 0.5, 90}}}).runs("made-up"), "", 2);
+  EXPECT_NEAR(along.amplitude.value, 0.4, 1e-12);
+  EXPECT_NEAR(along.amplitude.error, 0.1, 1e-12);
+  EXPECT_NEAR(along.phase_deg.error, 0, 1e-9);
+  const PooledMode across = pooled_mode(made_up(names, {{{"1", "1"}, {100, 0.5, 89}}, {{"1", "2"}, {100, 0.5, 91}}}).runs("made-up"), "", 2);
+  EXPECT_NEAR(across.phase_deg.value, 90, 1e-9);
+  EXPECT_NEAR(across.phase_deg.error, 1, 1e-3);
+  EXPECT_TRUE(std::isnan(pooled_mode(made_up(names, {{{"1", "1"}, {100, 0.5, 89}}}).runs("made-up"), "", 2).amplitude.error));
 }
 
 TEST(Pooled, AnglesRepeat) {

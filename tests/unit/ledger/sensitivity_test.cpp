@@ -12,14 +12,14 @@ namespace {
 const std::vector<Choice> two_choices{{{{"friction", "0"}}, "without friction"}, {{{"drag", "1"}}, "with drag"}};
 
 /// 1 as it is, 3 without friction, not known with drag.
-Value made_up(const Where& where) {
-  if (where.front().first == "drag") return {};
-  return {where.front().second == "0" ? 3.0 : 1.0, 0.5};
+Value made_up(const Choice& choice) {
+  if (choice.where.front().first == "drag") return {};
+  return {choice.where.front().second == "0" ? 3.0 : 1.0, 0.5};
 }
 
 TEST(Sensitivity, TellsWhichChoiceGivesWhatIsWanted) {
   Judgement judgement;
-  add_sensitivity(judgement, "z", {{"friction", "0.3"}}, two_choices, made_up, wanted_above(2));
+  add_sensitivity(judgement, "z", {{{"friction", "0.3"}}, ""}, two_choices, made_up, wanted_above(2));
   ASSERT_EQ(judgement.sensitivities.size(), 1u);
   const Sensitivity& z = judgement.sensitivities.front();
   EXPECT_EQ(z.wanted, "> 2");
@@ -34,7 +34,7 @@ TEST(Sensitivity, TellsWhichChoiceGivesWhatIsWanted) {
 
 TEST(Sensitivity, IsNotToldWithoutTheUsualRuns) {
   Judgement judgement;
-  add_sensitivity(judgement, "z", {{"drag", "0"}}, two_choices, made_up, {});
+  add_sensitivity(judgement, "z", {{{"drag", "0"}}, ""}, two_choices, made_up, {});
   EXPECT_TRUE(judgement.sensitivities.empty());
 }
 
@@ -67,17 +67,30 @@ TEST(Sensitivity, OfThePaperHasTheEndsOfGammaAndTheChangeBetween) {
   EXPECT_EQ(change.entries[1].holds, Holds::no);
 }
 
-TEST(Sensitivity, OfTheStiffnessRatioIsASlopeSeedBySeed) {
-  std::vector<MadeUpRun> runs;
-  for (const char* stiffness : {"27.35", "5.47", "2.735"})
-    for (const char* seed : {"1", "2"}) runs.push_back({{stiffness, "0.3", seed}, {27.35 / std::stod(stiffness) * std::stod(seed) + 100 * std::stod(seed)}});
+TEST(Sensitivity, OfTheStiffnessRatioIsASlopeSeedBySeedAndTakesTheRunsOfItsStudy) {
+  const auto table = [](double factor) {
+    std::vector<MadeUpRun> runs;
+    for (const char* stiffness : {"27.35", "6.8375", "2.735"})
+      for (const char* seed : {"1", "2"}) runs.push_back({{stiffness, "0.1", seed}, {factor * 27.35 / std::stod(stiffness) * std::stod(seed) + 100 * std::stod(seed)}});
+    return made_up_table({"materials.B.stiffness", "contact.friction", "seed"}, {"z"}, runs);
+  };
   Results results;
-  results.add("thesis-choices-stiffness", made_up_table({"materials.B.stiffness", "contact.friction", "seed"}, {"z"}, runs));
+  results.add("thesis-ch5", table(1));
+  results.add("thesis-ch5-r", table(2));
+  results.add("thesis-choices-stiffness", table(3));
   Judgement judgement;
   add_stiffness_slope(judgement, results, "z", "z", wanted_none());
   ASSERT_EQ(judgement.sensitivities.size(), 1u);
-  EXPECT_NEAR(judgement.sensitivities[0].entries[0].value, 1.5, 1e-12);
-  EXPECT_NEAR(judgement.sensitivities[0].entries[0].error, 0.5, 1e-12);
+  const auto of = [&](const std::string& choice) {
+    for (const auto& entry : judgement.sensitivities[0].entries)
+      if (entry.choice == choice) return Value(entry.value, entry.error);
+    return Value();
+  };
+  EXPECT_NEAR(of("").value, 1.5, 1e-12);
+  EXPECT_NEAR(of("").error, 0.5, 1e-12);
+  EXPECT_NEAR(of("with law R").value, 3, 1e-12);
+  EXPECT_NEAR(of("with friction 0.1").value, 4.5, 1e-12);
+  EXPECT_TRUE(std::isnan(of("without friction").value)) << "there are no such runs";
 }
 
 }  // namespace

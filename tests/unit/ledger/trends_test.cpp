@@ -31,14 +31,6 @@ TEST(Trends, RankCorrelationSeesOrderOnly) {
   EXPECT_NEAR(spearman(points({9, 3, 2, 1}, 1)), -1, 1e-12);
 }
 
-TEST(Trends, MonotoneForgivesStepsWithinTheirErrorOnly) {
-  EXPECT_EQ(monotone(points({1, 2, 1.9, 3}, 0.1), +1), Holds::yes);
-  EXPECT_EQ(monotone(points({1, 2, 1.5, 3}, 0.1), +1), Holds::no);
-  EXPECT_EQ(monotone(points({1, 2, 1.9, 3}, statistics::unknown), +1), Holds::no);
-  EXPECT_EQ(monotone(points({1, 2, 3}, 0.1), -1), Holds::no);
-  EXPECT_EQ(monotone(points({1}, 0.1), +1), Holds::unknown);
-}
-
 TEST(Checks, HoldFailAndAreUnknown) {
   EXPECT_EQ(within("a", {1.05, 0.3}, 1, 0.1).holds, Holds::yes);
   EXPECT_EQ(within("a", {1.15, 0.3}, 1, 0.1).holds, Holds::no);
@@ -58,6 +50,12 @@ TEST(Values, ErrorsAddInSquares) {
   EXPECT_DOUBLE_EQ(difference({5, 0.3}, {3, 0.4}).error, 0.5);
   EXPECT_DOUBLE_EQ(ratio({6, 0.6}, {3, 0}).error, 0.2);
   EXPECT_TRUE(std::isnan(difference({5}, {3, 0.4}).error));
+}
+
+TEST(Trends, AVerdictIsToldByWhatIsKnownOfIt) {
+  EXPECT_EQ(told("Law R", {{within("z", {4.2, 0.01}, 4.3, 0.2), positive("rise", "-", {}), above("share", "-", {0.1}, 0.5)}}),
+            "Law R: z 4.2 +- 0.01 (holds); share 0.1 (fails).");
+  EXPECT_EQ(told("Law R", {}), "");
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ Ledger two_claims() {
   judged.findings = {"More of it would be better."};
   judged.sensitivities = {{"k|k", "> 2", {{"", 1, 0.5, Holds::no}, {"without friction", 3, 0.25, Holds::yes}, {"with drag", statistics::unknown, statistics::unknown, Holds::unknown}}},
                           {"z", "", {{"", 4, statistics::unknown, Holds::unknown}, {"without friction", 5, 0.5, Holds::unknown}, {"with drag", 6, 0.5, Holds::unknown}}},
-                          {"q", "> 9", {{"", 4, 1, Holds::no}, {"with glue", 5, 0.5, Holds::no}}}};
+                          {"q", "> 9", {{"", 4, 1, Holds::no}, {"with glue", 5, 0.5, Holds::no}}},
+                          {"r", "> 9", {{"", 8, 1, Holds::no}, {"with sand", 9.5, 0.5, Holds::yes}}}};
   Judgement open;
   open.stated.checks = open.sharpened.checks = {positive("k", "5", {})};
   return {{{"made-up", 4, 2}}, {{&first, judged}, {&second, open}}};
@@ -71,6 +72,7 @@ TEST(LedgerReport, OpenChoicesStandInTablesWithThoseThatGiveWhatIsWanted) {
                       "\nk|k: as wanted without friction.\n"), std::string::npos) << page;
   EXPECT_NE(page.find("| | as it is | with glue |\n"), std::string::npos);
   EXPECT_NE(page.find("q: no choice here gives what is wanted.\n"), std::string::npos);
+  EXPECT_NE(page.find("r: as wanted, but no further from how it is than 2 s.e.: with sand.\n"), std::string::npos);
   EXPECT_NE(ledger_text(two_claims()).find("k|k (wanted > 2): 1 +- 0.5, without friction 3 +- 0.25; as wanted without friction.\n"), std::string::npos);
   const auto j = nlohmann::json::parse(ledger_json(two_claims()))["claims"]["T1"]["sensitivity"];
   EXPECT_EQ(j[0]["entries"].size(), 2u);
