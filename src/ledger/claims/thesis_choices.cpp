@@ -48,14 +48,10 @@ const std::vector<Choice>& at_number_ratios() {
       {{{"contact.wall_friction", "0"}}, "with smooth walls"},
       {{}, "with law R", "thesis-ch4-r"},
       {{{"contact.restitution", "0.2"}}, "with restitution 0.2"},
-      {{{"contact.restitution", "0.9"}}, "with restitution 0.9"},
-      {{{"integration.safety", "0.035"}}, "with half the time step"},
       {{{"stages.1.rest.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
       {{{"stages.0.friction", "0"}}, "prepared without friction"},
-      {{{"stages.1.gravity", "false"}}, "without gravity"},
       {{{"frame.width", "350"}}, "in a box of 350 mm"},
       {{{"stages.1.bottom.force", "200"}}, "under 200 kN"},
-      {{{"stages.1.bottom.force", "5"}}, "under 5 kN"},
   }, "thesis-ch4");
   return choices;
 }
