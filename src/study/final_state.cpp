@@ -33,12 +33,13 @@ texture::Options options_of(const Provenance& provenance, const fs::path& file, 
 
 }  // namespace
 
-FinalState final_state(const fs::path& run, bool rev, const std::string& stage) {
+FinalState final_state(const fs::path& run, bool rev, const std::string& stage, int sectors) {
   const fs::path file = file_of(run, stage);
   StageResult result = io::read_stage(file);
   if (result.frames.empty()) throw InputError(file.string(), 0, "this stage holds no state; remove it and run the study again");
   texture::Options options = options_of(result.provenance, file, run);
   if (!rev) options.rev_sizes = 0;
+  options.sectors = sectors;
   FinalState state;
   state.packing = std::move(result.frames.back().packing);
   state.texture = texture::measure(state.packing, options);
