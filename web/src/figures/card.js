@@ -44,8 +44,8 @@ export function figureCard(figure, sample, state) {
   return card;
 }
 
-/** The key's crosses: strokes within 18 by 8. */
-const strokes = { times: "M6,1l6,6M6,7l6,-6", plus: "M9,0v8M5,4h8" };
+/** The key's symbols: strokes within 18 by 8. */
+const strokes = { times: "M6,1l6,6M6,7l6,-6", plus: "M9,0v8M5,4h8", diamond: "M9,1.5l2,2.5l-2,2.5l-2,-2.5Z" };
 
 function entry({ name, colour, values, dash = null, symbol = null }) {
   const numbers = values.map(([symbol, estimate]) => {

@@ -66,21 +66,28 @@ function curve(one, theme, colour, { lines, density, y }, dashed) {
 }
 
 /** What the source's text says: a line across, a line upright or a point; or a line through the origin. */
-function reference(theme, { x, y, slope, label }, domains, row) {
+function reference(theme, { x, y, slope }, domains) {
   const stroke = { stroke: theme.accent, strokeDasharray: "4 3", strokeWidth: 1.1 };
   if (slope !== undefined) return [Plot.line(domains.x.map((at) => [at, slope * at]), { ...stroke, clip: true })];
-  const note = { text: () => label, fill: theme.accent, fontSize: 10.5 };
-  if (x !== undefined && y !== undefined) return [Plot.dot([0], { x: () => x, y: () => y, symbol: "times", r: 4, stroke: theme.accent }), Plot.text([0], { x: () => x, y: () => y, dy: -9, ...note })];
-  if (y !== undefined) return [Plot.ruleY([y], stroke), Plot.text([0], { x: () => domains.x[1], y: () => y, textAnchor: "end", dy: -6, ...note })];
+  if (x !== undefined && y !== undefined) return [Plot.dot([0], { x: () => x, y: () => y, symbol: "times", r: 4, stroke: theme.accent })];
+  return [y !== undefined ? Plot.ruleY([y], stroke) : Plot.ruleX([x], stroke)];
+}
+
+/** Its words, over the curves. */
+function noteOf(theme, { x, y, slope, label }, domains, row) {
+  if (slope !== undefined) return [];
+  const note = { text: () => label, fill: theme.accent, stroke: theme.card, strokeWidth: 3, fontSize: 10.5 };
+  if (x !== undefined && y !== undefined) return [Plot.text([0], { x: () => x, y: () => y, dy: -9, ...note })];
+  if (y !== undefined) return [Plot.text([0], { x: () => domains.x[1], y: () => y, textAnchor: "end", dy: -6, ...note })];
   const right = x > 0.6 * domains.x[1] + 0.4 * domains.x[0];
-  return [Plot.ruleX([x], stroke), Plot.text([0], { x: () => x, y: () => domains.y[1], textAnchor: right ? "end" : "start", dx: right ? -4 : 4, dy: 5 + 13 * row, ...note })];
+  return [Plot.text([0], { x: () => x, y: () => domains.y[1], textAnchor: right ? "end" : "start", dx: right ? -4 : 4, dy: 5 + 13 * row, ...note })];
 }
 
 /** An entry for every curve, where there are several or it has a name. */
 function keyOf(figure, theme) {
   const list = figure.series.map((one, k) => ({ ...one, colour: colours(theme, figure)[k] })).filter(({ fit }) => !fit);
   if (list.length < 2 && !list[0]?.name) return [];
-  return list.map((one) => ({ name: one.name, colour: one.colour, dash: dash(figure, one), symbol: one.source ? symbolOf(one) : null, values: [] }));
+  return list.map((one) => ({ name: one.name, colour: one.colour, dash: dash(figure, one), symbol: one.source || one.beside ? symbolOf(one) : null, values: [] }));
 }
 
 /** One of which nothing is there: the sentence that says why. */
@@ -106,9 +113,10 @@ export function studyFigure(figure) {
       width, height: 260, marginLeft: wide ? 78 : 62,
       x: axis(figure.x), y: { ...axis(figure.y), labelOffset: wide ? 71 : 56 },
       marks: [
-        ...(figure.references ?? []).flatMap((r, row) => reference(theme, r, domains, row)),
+        ...(figure.references ?? []).flatMap((r) => reference(theme, r, domains)),
         ...series.flatMap((one, k) => band(one, colours(theme, figure)[k], figure)),
         ...series.flatMap((one, k) => curve(one, theme, colours(theme, figure)[k], figure, dash(figure, figure.series[k]))),
+        ...(figure.references ?? []).flatMap((r, row) => noteOf(theme, r, domains, row)),
       ],
     }),
   };

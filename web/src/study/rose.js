@@ -13,17 +13,16 @@ export function roseFigure(figure, colours, dash) {
       if (series.length === 0) return null;
       const height = 270, radius = 112;
       const largest = Math.max(counts ? 1e-9 : 1.3, ...series.flatMap(({ points }) => points.map(([, y, e]) => y + e)));
-      const scale = radius / largest;
+      const scale = radius / largest, labels = [];
       const group = s("g", { transform: `translate(${width / 2} ${height / 2})`, fill: "none" });
       for (const angle of [0, 45, 90, 135]) {
         const [x, y] = direction(angle, radius);
         group.append(s("line", { x1: -x, y1: -y, x2: x, y2: y, stroke: theme.rule }));
       }
       for (const value of counts ? ticksOfCounts(largest) : ticksOfShares(largest)) {
-        const isotropic = !counts && value === 1;
+        const isotropic = !counts && value === 1, [x, y] = direction(22.5, value * scale);
         group.append(s("circle", { r: value * scale, stroke: isotropic ? theme.soft : theme.rule, "stroke-dasharray": isotropic ? "3 3" : null }));
-        const [x, y] = direction(22.5, value * scale);
-        group.append(s("text", { x, y, fill: theme.soft, "text-anchor": "middle", dy: "0.35em" }, `${value}`));
+        labels.push(s("text", { x, y, fill: theme.soft, stroke: theme.card, "stroke-width": 3, "paint-order": "stroke", "text-anchor": "middle", dy: "0.35em" }, `${value}`));
       }
       for (const [angle, label, anchor] of [[0, "0\u00b0", "start"], [90, "90\u00b0", "middle"], [180, "180\u00b0", "end"]]) {
         const [x, y] = direction(angle, radius + 6);
@@ -34,6 +33,7 @@ export function roseFigure(figure, colours, dash) {
         group.append(s("path", { d: outline(one.points, scale), stroke, "stroke-width": 1.5, "stroke-dasharray": dash(figure, one) }));
         if (d) group.append(s("path", { class: "scatter", d, stroke, "stroke-width": 1 }));
       });
+      group.append(...labels);
       if (counts) group.append(s("text", { x: -radius, y: radius, fill: theme.soft, "text-anchor": "middle" }, "N_{c}"));
       return richSvg(s("svg", { viewBox: `0 0 ${width} ${height}`, width, height, "font-family": theme.font, "font-size": 11 }, group));
     },
