@@ -22,7 +22,7 @@ std::vector<report::Figure> read_study_figures(const study::Study& study) {
 fs::path write_study_figures(const study::Study& study, const study::StudyFolder& folder) {
   report::RunNumbers numbers;
   report::StudyPage page{study.title, read_study_figures(study), study::collect(study, folder),
-                         [&](const std::string& run, const std::string& path) { return numbers.with(folder.run(run), path); },
+                         [&](const std::string& run, const std::string& path, const report::Figure& figure) { return numbers.with(folder.run(run), path, figure); },
                          [&](const std::string& run, const report::Figure& figure) { return report::run_drawing(folder.run(run), figure); }};
   const fs::path file = folder.out / "study.html";
   report::write_study_page(file, page);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 #include "core/error.hpp"
@@ -51,6 +52,15 @@ class Table {
       else refuse(item, key, "is a list of texts");
     }
   }
+  void numbers(const char* key, std::vector<double>& values) {
+    const Entry* entry = take(key);
+    if (!entry) return;
+    if (entry->value.kind != Kind::array) return refuse(entry->value, key, "is a list of numbers");
+    for (const Node& item : entry->value.items) {
+      if (is_number(item)) values.push_back(number_of(item));
+      else refuse(item, key, "is a list of numbers");
+    }
+  }
   const Entry* take(const char* key) {
     known_.insert(key);
     return node_.find(key);
@@ -80,6 +90,13 @@ void read_kind(Table& table, const Node& node, Figure& figure) {
   figure.kind = static_cast<FigureKind>(at - words.begin());
 }
 
+void read_spread(Table& table, const Node& node, Figure& figure) {
+  std::string word = "error";
+  table.text("spread", word);
+  if (word == "deviation") figure.spread = Spread::deviation;
+  else if (word != "error") table.refuse(node, "spread", "is \"error\" or \"deviation\"");
+}
+
 /// What the kind of figure needs.
 void check_figure(Table& table, const Node& node, const Figure& figure) {
   const bool points = !figure.x.empty() && !figure.y.empty();
@@ -88,12 +105,14 @@ void check_figure(Table& table, const Node& node, const Figure& figure) {
   if (figure.kind == FigureKind::map && (!points || figure.by.empty() || figure.y.size() != 1)) table.refuse(node, "x", ", `by` and one `y` say what a map shows");
   if (const std::size_t n = figure.curves.empty() ? figure.y.size() : figure.curves.size(); !figure.names.empty() && figure.names.size() != n)
     table.refuse(node, "names", fmt::format("must be as many as what is drawn: {}", n));
+  if (const double n = figure.sectors.value_or(18); !(n >= 2 && n <= 360 && n == std::floor(n))) table.refuse(node, "sectors", "is a whole number, 2 to 360");
+  if (const double share = figure.window.value_or(1); !(share > 0 && share <= 1)) table.refuse(node, "window", "is a share of the area, above 0 and up to 1");
   if (!figure.fits.empty() && figure.fits.size() != figure.curves.size()) table.refuse(node, "fits", "must be as many as `curves`");
 }
 
 std::string cell_of(const Node& node) { return node.kind == Kind::text ? node.text : study::toml_literal(node); }
 
-void read_where(Table& table, Figure& figure) {
+void read_where(Table& table, Where& read) {
   const Entry* where = table.take("where");
   if (!where) return;
   if (where->value.kind != Kind::table) return table.refuse(where->value, "where", "is a table of keys and values");
@@ -103,7 +122,19 @@ void read_where(Table& table, Figure& figure) {
       for (const Node& item : entry.value.items) values.push_back(cell_of(item));
     else
       values.push_back(cell_of(entry.value));
-    figure.where.emplace_back(entry.key, std::move(values));
+    read.emplace_back(entry.key, std::move(values));
+  }
+}
+
+/// Reads every table of the list at `key`.
+template <class T, class Read>
+void read_each(Table& table, const char* key, const std::string& file, std::vector<Problem>& problems, std::vector<T>& values, Read read) {
+  const Entry* list = table.take(key);
+  if (!list) return;
+  for (const Node& item : list->value.items) {
+    Table inner(item, file, problems);
+    read(inner, item, values.emplace_back());
+    inner.refuse_unknown();
   }
 }
 
@@ -120,6 +151,10 @@ Figure read_figure(const Node& node, const std::string& file, std::vector<Proble
   table.text("curve_x", figure.curve_x);
   table.texts("fits", figure.fits);
   table.flag("share_above", figure.share_above);
+  table.flag("counts", figure.counts);
+  table.number("sectors", figure.sectors);
+  table.number("window", figure.window);
+  read_spread(table, node, figure);
   table.text("stage", figure.stage);
   read_kind(table, node, figure);
   table.texts("names", figure.names);
@@ -133,18 +168,27 @@ Figure read_figure(const Node& node, const std::string& file, std::vector<Proble
     table.number((prefix + "low").c_str(), axis->low);
     table.number((prefix + "high").c_str(), axis->high);
   }
-  read_where(table, figure);
-  if (const Entry* list = table.take("references"))
-    for (const Node& item : list->value.items) {
-      FigureReference reference;
-      Table inner(item, file, problems);
-      inner.number("x", reference.x);
-      inner.number("y", reference.y);
-      inner.number("slope", reference.slope);
-      inner.text("label", reference.label);
-      inner.refuse_unknown();
-      figure.references.push_back(std::move(reference));
-    }
+  read_where(table, figure.where);
+  read_each(table, "references", file, problems, figure.references, [](Table& inner, const Node&, FigureReference& reference) {
+    inner.number("x", reference.x);
+    inner.number("y", reference.y);
+    inner.number("slope", reference.slope);
+    inner.text("label", reference.label);
+  });
+  read_each(table, "source_points", file, problems, figure.source_points, [](Table& inner, const Node& item, SourcePoints& points) {
+    inner.text("name", points.name, true);
+    inner.number("part", points.part);
+    inner.flag("film", points.film);
+    inner.numbers("x", points.x);
+    inner.numbers("y", points.y);
+    if (points.x.size() != points.y.size()) inner.refuse(item, "y", "must be as many as `x`");
+  });
+  read_each(table, "beside", file, problems, figure.beside, [](Table& inner, const Node&, BesideCurve& curve) {
+    inner.text("name", curve.name, true);
+    inner.text("x", curve.x, true);
+    inner.text("y", curve.y, true);
+    read_where(inner, curve.where);
+  });
   table.refuse_unknown();
   check_figure(table, node, figure);
   return figure;

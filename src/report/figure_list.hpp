@@ -19,6 +19,26 @@ struct FigureReference {
   std::string label;
 };
 
+/// Points that the source gives, in a table or in its text; drawn as crosses in the colour of what they stand beside.
+struct SourcePoints {
+  std::string name;
+  std::optional<double> part;            ///< which of `y` or `curves`, from 0
+  bool film = false;                     ///< what the source measured, where it also simulated
+  std::vector<double> x, y;
+};
+
+/// Which runs count: those with one of these values of these keys.
+using Where = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+/// A curve beside those of a figure, of other runs or another number.
+struct BesideCurve {
+  std::string name, x, y;
+  Where where;
+};
+
+/// What bars show of the scatter over samples: the standard error of the mean or the standard deviation.
+enum class Spread { error, deviation };
+
 /// How a figure is drawn: points and lines; `curves` as sectors of directions over half a turn; `y` as a colour over x and
 /// `by`; or one run's state: its grains, their forces, their stresses, the stresses that a film of it gives, its phases on the
 /// raster, the stresses of nodes in and about one grain, or its broken bonds.
@@ -37,6 +57,10 @@ struct Figure {
   std::string curve_x;                   ///< a list that those of `curves` go with, place by place
   std::vector<std::string> fits;         ///< of `curves`: exponential tails of the runs' numbers, {"slope", "low", "high"}
   bool share_above = false;              ///< of densities, the share above x
+  bool counts = false;                   ///< of a rose: contacts of a sample, not their share
+  std::optional<double> sectors;         ///< of a rose: into how many; as many as the runs have unless given
+  std::optional<double> window;          ///< share of the box's area of the windows in "window.solid_fraction"
+  Spread spread = Spread::error;
   std::string stage;                     ///< whose last state is shown; the last one's unless given
   FigureKind kind = FigureKind::plot;
   std::vector<std::string> names;        ///< of y or of curves, as the key shows them
@@ -44,8 +68,10 @@ struct Figure {
   std::string by_empty;                  ///< how the key shows runs without that value
   bool lines = true;                     ///< points are joined
   FigureAxis x_axis, y_axis;
-  std::vector<std::pair<std::string, std::vector<std::string>>> where;  ///< only runs with one of these values of these keys
+  Where where;
   std::vector<FigureReference> references;
+  std::vector<SourcePoints> source_points;
+  std::vector<BesideCurve> beside;
 };
 
 /// Reads figures.toml. Throws InputError with every problem.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <sstream>
 
 #include "statistics/measured.hpp"
@@ -74,9 +75,7 @@ std::vector<double> places(const std::vector<Density>& densities) {
   return x;
 }
 
-}  // namespace
-
-statistics::Curve mean_density(const std::vector<std::string>& numbers_json, const std::string& path) {
+std::vector<Density> densities_of(const std::vector<std::string>& numbers_json, const std::string& path) {
   std::vector<Density> densities;
   for (const std::string& text : numbers_json) {
     const Json j = Json::parse(text, nullptr, false);
@@ -84,66 +83,98 @@ statistics::Curve mean_density(const std::vector<std::string>& numbers_json, con
     Density d = found ? read(*found) : Density{};
     if (!d.density.empty() && d.edge.size() == d.density.size() + 1) densities.push_back(std::move(d));
   }
-  statistics::Curve curve;
-  if (densities.empty()) return curve;
-  for (const double x : places(densities)) {
+  return densities;
+}
+
+/// Mean of the lists, place by place.
+SampleMean mean_of_lists(std::vector<double> x, const std::vector<std::vector<double>>& lists) {
+  SampleMean mean;
+  mean.x = std::move(x);
+  mean.samples = lists.size();
+  for (std::size_t k = 0; k < mean.x.size(); ++k) {
     std::vector<double> values;
-    for (const Density& d : densities) values.push_back(d.at(x));
-    const auto mean = statistics::mean_of(values);
-    curve.x.push_back(x);
-    curve.y.push_back(mean.value);
-    curve.error.push_back(mean.error);
+    for (const auto& list : lists) values.push_back(list[k]);
+    const auto one = statistics::mean_of(values);
+    mean.y.push_back(one.value);
+    mean.error.push_back(one.error);
   }
-  return curve;
+  return mean;
 }
 
-statistics::Curve share_above(const statistics::Curve& density) {
-  statistics::Curve curve;
-  const std::size_t n = density.x.size();
-  if (n < 2) return curve;
-  const double width = (density.x.back() - density.x.front()) / static_cast<double>(n - 1);
-  double above = 0;
-  for (std::size_t k = n; k-- > 0;) {
-    above += density.y[k] * width;
-    curve.x.push_back(std::round((density.x[k] - 0.5 * width) * 1e9) * 1e-9);
-    curve.y.push_back(above);
-    curve.error.push_back(statistics::unknown);
-  }
-  std::reverse(curve.x.begin(), curve.x.end());
-  std::reverse(curve.y.begin(), curve.y.end());
-  return curve;
+std::vector<double> middles_of_sectors(std::size_t n) {
+  std::vector<double> x;
+  for (std::size_t k = 0; k < n; ++k) x.push_back((static_cast<double>(k) + 0.5) * 180 / static_cast<double>(n));
+  return x;
 }
 
-statistics::Curve mean_list(const std::vector<std::string>& numbers_json, const std::string& path_x, const std::string& path) {
+/// Counts in sectors of half a turn as counts in n of them: each gives to those that it overlaps.
+std::vector<double> shared_out(const std::vector<double>& counts, std::size_t n) {
+  if (n == 0 || n == counts.size()) return counts;
+  const double from = 1.0 / static_cast<double>(counts.size()), to = 1.0 / static_cast<double>(n);
+  std::vector<double> shared(n, 0.0);
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    for (std::size_t k = 0; k < n; ++k) {
+      const double low = std::max(static_cast<double>(i) * from, static_cast<double>(k) * to);
+      const double high = std::min(static_cast<double>(i + 1) * from, static_cast<double>(k + 1) * to);
+      if (high > low) shared[k] += counts[i] * (high - low) / from;
+    }
+  return shared;
+}
+
+}  // namespace
+
+SampleMean mean_density(const std::vector<std::string>& numbers_json, const std::string& path) {
+  const auto densities = densities_of(numbers_json, path);
+  if (densities.empty()) return {};
+  auto x = places(densities);
+  std::vector<std::vector<double>> lists;
+  for (const Density& d : densities) {
+    auto& list = lists.emplace_back();
+    for (const double at : x) list.push_back(d.at(at));
+  }
+  return mean_of_lists(std::move(x), lists);
+}
+
+SampleMean mean_share_above(const std::vector<std::string>& numbers_json, const std::string& path) {
+  const auto densities = densities_of(numbers_json, path);
+  if (densities.empty()) return {};
+  const auto middles = places(densities);
+  const std::size_t n = middles.size();
+  if (n < 2) return {};
+  const double width = (middles.back() - middles.front()) / static_cast<double>(n - 1);
+  std::vector<std::vector<double>> lists;
+  for (const Density& d : densities) {
+    auto& list = lists.emplace_back(n);
+    double above = 0;
+    for (std::size_t k = n; k-- > 0;) list[k] = above += d.at(middles[k]) * width;
+  }
+  std::vector<double> edges;
+  for (const double at : middles) edges.push_back(std::round((at - 0.5 * width) * 1e9) * 1e-9);
+  return mean_of_lists(std::move(edges), lists);
+}
+
+SampleMean mean_list(const std::vector<std::string>& numbers_json, const std::string& path_x, const std::string& path, Sectors sectors) {
   std::vector<std::vector<double>> lists;
   std::vector<double> x;
   for (const std::string& text : numbers_json) {
     const Json j = Json::parse(text, nullptr, false);
     const Json* found = j.is_discarded() ? nullptr : find(j, path);
-    if (!found || !found->is_array() || (!lists.empty() && found->size() != lists.front().size())) continue;
-    lists.push_back(found->get<std::vector<double>>());
-    if (const Json* places = path_x.empty() ? nullptr : find(j, path_x); places && x.empty()) x = places->get<std::vector<double>>();
+    if (!found || !found->is_array()) continue;
+    auto list = found->get<std::vector<double>>();
+    if (path_x.empty()) list = shared_out(list, sectors.count);
+    if (!lists.empty() && list.size() != lists.front().size()) continue;
+    lists.push_back(std::move(list));
+    if (const Json* at = path_x.empty() ? nullptr : find(j, path_x); at && x.empty()) x = at->get<std::vector<double>>();
   }
-  statistics::Curve curve;
-  if (lists.empty()) return curve;
-  const std::size_t n = lists.front().size();
-  if (path_x.empty())
-    for (std::size_t k = 0; k < n; ++k) x.push_back((static_cast<double>(k) + 0.5) * 180 / static_cast<double>(n));
-  if (x.size() != n) return curve;
-  double whole = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    std::vector<double> values;
-    for (const auto& list : lists) values.push_back(list[k]);
-    const auto mean = statistics::mean_of(values);
-    whole += mean.value;
-    curve.y.push_back(mean.value);
-    curve.error.push_back(mean.error);
-  }
-  curve.x = x;
-  if (path_x.empty() && whole > 0)
-    for (auto* values : {&curve.y, &curve.error})
-      for (double& value : *values) value *= static_cast<double>(n) / whole;
-  return curve;
+  if (lists.empty()) return {};
+  if (path_x.empty()) x = middles_of_sectors(lists.front().size());
+  if (x.size() != lists.front().size()) return {};
+  SampleMean mean = mean_of_lists(std::move(x), lists);
+  const double whole = std::accumulate(mean.y.begin(), mean.y.end(), 0.0);
+  if (path_x.empty() && sectors.shares && whole > 0)
+    for (auto* values : {&mean.y, &mean.error})
+      for (double& value : *values) value *= static_cast<double>(mean.y.size()) / whole;
+  return mean;
 }
 
 double number_at(const std::string& numbers_json, const std::string& path) {

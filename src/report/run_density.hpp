@@ -6,17 +6,28 @@
 
 namespace arenite::report {
 
+/// Mean over runs: y with the standard error over the runs that have it, of which there are `samples`.
+struct SampleMean : statistics::Curve {
+  std::size_t samples = 0;
+};
+
+/// What a mean of lists is of sectors of directions.
+struct Sectors {
+  std::size_t count = 0;                 ///< other ones are shared out into so many, as if they were even within; 0: as they are
+  bool shares = true;                    ///< over the mean of the whole list, or the numbers themselves
+};
+
 /// Mean over runs of a density in their numbers, at the dotted `path`: {"low", "width", "density"} or {"x", "y"} with the middles
 /// of bins, which all runs share, or {"edge", "density"} with bins of their own, which is then given in 40 bins of like width in
-/// the logarithm. Errors are those of the mean. Empty if no run has it.
-statistics::Curve mean_density(const std::vector<std::string>& numbers_json, const std::string& path);
+/// the logarithm. Empty if no run has it.
+SampleMean mean_density(const std::vector<std::string>& numbers_json, const std::string& path);
 
-/// The share above x of a density in bins of one width from 0 or elsewhere, at their lower edges; without errors.
-statistics::Curve share_above(const statistics::Curve& density);
+/// The same for the share above x, of densities in bins of one width from 0 or elsewhere, at their lower edges.
+SampleMean mean_share_above(const std::vector<std::string>& numbers_json, const std::string& path);
 
 /// Mean over runs of the list at `path`, against that at `path_x`, or if this is empty against the middles of sectors of half a
-/// turn, degrees, and over the mean of the whole list.
-statistics::Curve mean_list(const std::vector<std::string>& numbers_json, const std::string& path_x, const std::string& path);
+/// turn, degrees.
+SampleMean mean_list(const std::vector<std::string>& numbers_json, const std::string& path_x, const std::string& path, Sectors sectors = {});
 
 /// The number at that path, or the "value" of an estimate there; NaN if there is none.
 double number_at(const std::string& numbers_json, const std::string& path);

@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "io/run_folder.hpp"
 #include "ledger/virtual_film.hpp"
@@ -16,6 +17,19 @@ namespace arenite::report {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Solid fractions of windows with this share of the box's area, against the numbers of their places.
+std::string windows_json(const fs::path& run, double share) {
+  constexpr int places = 50;
+  nlohmann::json place = nlohmann::json::array();
+  for (int k = 1; k <= places; ++k) place.push_back(k);
+  const auto fractions = texture::window_fractions(study::final_state(run).packing, share, places);
+  return nlohmann::json{{"window", {{"place", place}, {"solid_fraction", fractions}}}}.dump();
+}
+
+}  // namespace
+
 std::string run_drawing(const fs::path& run, const Figure& figure) {
   const std::string load = figure.stage.empty() ? "*" : figure.stage;
   switch (figure.kind) {
@@ -27,13 +41,16 @@ std::string run_drawing(const fs::path& run, const Figure& figure) {
   }
 }
 
-std::string RunNumbers::with(const fs::path& run, const std::string& path) {
+std::string RunNumbers::with(const fs::path& run, const std::string& path, const Figure& figure) {
   if (is_of_film(path)) return ledger::has_film(run) ? "{\"film\":" + ledger::film_json(run) + "}" : "";
+  if (path.starts_with("window.")) return io::stage_files(run).empty() ? "" : windows_json(run, figure.window.value_or(1));
   std::ifstream in(run / "numbers.json", std::ios::binary);
   std::string numbers(std::istreambuf_iterator<char>(in), {});
   if (path.empty() || has_numbers(numbers, path) || io::stage_files(run).empty()) return numbers;
-  const auto at = curves_.find(run);
-  return at != curves_.end() ? at->second : curves_[run] = study::curves_json(study::final_state(run));
+  const auto sectors = static_cast<int>(figure.sectors.value_or(texture::Options{}.sectors));
+  const auto [at, is_new] = curves_.try_emplace({run, sectors});
+  if (is_new) at->second = study::curves_json(study::final_state(run, false, "", sectors));
+  return at->second;
 }
 
 }  // namespace arenite::report

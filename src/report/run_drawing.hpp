@@ -12,13 +12,15 @@ namespace arenite::report {
 std::string run_drawing(const std::filesystem::path& run, const Figure& figure);
 
 /// The numbers of a run as figures read them: numbers.json; for paths that begin with "film." what is kept of its film, as
-/// "film"; and for other paths that are not in numbers.json the texture of its last state with all curves, measured again.
+/// "film"; for those that begin with "window." the solid fraction of windows of `Figure::window` at 50 random places, as "window"
+/// with {"place", "solid_fraction"}; and for other paths that are not in numbers.json the texture of its last state with all
+/// curves, measured again with directions in `Figure::sectors`.
 class RunNumbers {
  public:
-  std::string with(const std::filesystem::path& run, const std::string& path);
+  std::string with(const std::filesystem::path& run, const std::string& path, const Figure& figure);
 
  private:
-  std::map<std::filesystem::path, std::string> curves_;
+  std::map<std::pair<std::filesystem::path, int>, std::string> curves_;  ///< by the number of sectors
 };
 
 }  // namespace arenite::report

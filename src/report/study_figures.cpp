@@ -5,88 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
-#include "io/table.hpp"
 #include "report/run_density.hpp"
+#include "report/study_points.hpp"
 #include "report/tail_line.hpp"
 
 namespace arenite::report {
 namespace {
 
 using Table = study::CollectedTable;
-
-double number_of(const std::string& text) { return io::to_number(text).value_or(statistics::unknown); }
-
-std::size_t key_place(const Table& table, const std::string& key) {
-  for (std::size_t k = 0; k < table.keys.size(); ++k)
-    if (table.keys[k].name == key) return k;
-  return table.keys.size();
-}
-
-std::size_t key_of(const Table& table, const std::string& key, const Figure& figure) {
-  const std::size_t k = key_place(table, key);
-  if (k == table.keys.size()) throw InputError(fmt::format("figure {}: `{}` is not swept by the study", figure.id, key));
-  return k;
-}
-
-bool is_wanted(const Table& table, const Table::Row& row, const Figure& figure) {
-  for (const auto& [key, values] : figure.where) {
-    const std::string& here = row.values[key_of(table, key, figure)];
-    const bool fits = std::any_of(values.begin(), values.end(), [&](const std::string& value) { return value == here || number_of(value) == number_of(here); });
-    if (!fits) return false;
-  }
-  return true;
-}
-
-/// Values of `by` among the wanted rows, numbers by size; one empty value where the figure has no `by`.
-std::vector<std::string> groups_of(const Table& table, const Figure& figure) {
-  if (figure.by.empty()) return {""};
-  const std::size_t k = key_of(table, figure.by, figure);
-  std::vector<std::string> values;
-  for (const auto& row : table.rows)
-    if (is_wanted(table, row, figure) && std::find(values.begin(), values.end(), row.values[k]) == values.end()) values.push_back(row.values[k]);
-  std::stable_sort(values.begin(), values.end(), [](const std::string& a, const std::string& b) { return number_of(a) < number_of(b); });
-  return values;
-}
-
-std::vector<const Table::Row*> rows_of(const Table& table, const Figure& figure, const std::string& group) {
-  std::vector<const Table::Row*> rows;
-  for (const auto& row : table.rows)
-    if (is_wanted(table, row, figure) && (figure.by.empty() || row.values[key_of(table, figure.by, figure)] == group)) rows.push_back(&row);
-  return rows;
-}
-
-/// A number of a mean row, or one of its keys; "1/NAME" and "27.35/NAME" are a number over it.
-study::Estimate value_of(const Table& table, const Table::Row& row, const std::string& name) {
-  const std::size_t slash = name.find('/');
-  if (const double over = number_of(name.substr(0, slash)); slash != std::string::npos && std::isfinite(over)) {
-    const study::Estimate e = value_of(table, row, name.substr(slash + 1));
-    return {over / e.value, e.error ? std::optional(std::abs(over) * *e.error / (e.value * e.value)) : std::nullopt};
-  }
-  if (const std::size_t k = key_place(table, name); k < table.keys.size()) return {number_of(row.values[k]), std::nullopt};
-  const auto at = std::find(table.names.begin(), table.names.end(), name);
-  const auto number = at == table.names.end() ? std::nullopt : row.numbers[static_cast<std::size_t>(at - table.names.begin())];
-  return number.value_or(study::Estimate{statistics::unknown, std::nullopt});
-}
-
-statistics::Curve points_of(const Table& table, const std::vector<const Table::Row*>& rows, const Figure& figure, const std::string& y) {
-  struct Point {
-    double x, y, error;
-  };
-  std::vector<Point> points;
-  for (const auto* row : rows) {
-    const auto at = value_of(table, *row, figure.x), value = value_of(table, *row, y);
-    if (std::isfinite(at.value) && std::isfinite(value.value)) points.push_back({at.value, value.value, row->runs > 1 ? value.error.value_or(statistics::unknown) : statistics::unknown});
-  }
-  std::stable_sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
-  statistics::Curve curve;
-  for (const Point& p : points) {
-    curve.x.push_back(p.x);
-    curve.y.push_back(p.y);
-    curve.error.push_back(p.error);
-  }
-  return curve;
-}
 
 /// `unit`: of the values of `by`.
 std::string name_of(const Figure& figure, const std::string& group, const std::string& unit, std::size_t k) {
@@ -97,39 +23,89 @@ std::string name_of(const Figure& figure, const std::string& group, const std::s
   return name.empty() ? value : name + ", " + value;
 }
 
+/// Points as they are drawn: errors become deviations where the figure asks for these.
+void set_points(FigureCurve& curve, SampleMean mean, const Figure& figure) {
+  const double n = static_cast<double>(mean.samples);
+  if (figure.spread == Spread::deviation)
+    for (double& error : mean.error) error *= std::sqrt(n);
+  curve.fewest = curve.most = mean.samples;
+  curve.points = std::move(mean);
+}
+
+SampleMean mean_of(const Figure& figure, const std::vector<std::string>& texts, const std::string& path) {
+  const Sectors sectors{static_cast<std::size_t>(figure.sectors.value_or(0)), !figure.counts};
+  if (figure.kind == FigureKind::rose || !figure.curve_x.empty()) return mean_list(texts, figure.curve_x, path, sectors);
+  return figure.share_above ? mean_share_above(texts, path) : mean_density(texts, path);
+}
+
+void add_curve(std::vector<FigureCurve>& curves, FigureCurve curve) {
+  if (!curve.points.x.empty()) curves.push_back(std::move(curve));
+}
+
+/// Curves of lists and densities, with what is fitted to them.
+std::vector<FigureCurve> list_curves(const Figure& figure, const Table& table, const NumbersOf& numbers) {
+  std::vector<FigureCurve> curves;
+  const std::string unit = unit_of(table, figure);
+  std::size_t place = 0;
+  for (const std::string& group : groups_of(table, figure)) {
+    const auto rows = rows_of(table, figure, group);
+    const std::size_t here = place++;
+    for (std::size_t k = 0; k < figure.curves.size(); ++k) {
+      const bool film = is_of_film(figure.curves[k]);
+      std::vector<std::string> texts;
+      for (const auto* row : rows) texts.push_back(numbers(row->run, figure.curves[k], figure));
+      FigureCurve curve{.name = name_of(figure, group, unit, k), .group = here, .part = k, .film = film};
+      set_points(curve, mean_of(figure, texts, figure.curves[k]), figure);
+      FigureCurve fit{.group = here, .part = k, .film = film, .fit = true};
+      if (k < figure.fits.size() && !figure.fits[k].empty()) fit.points = tail_line(texts, figure.fits[k], curve.points);
+      add_curve(curves, std::move(curve));
+      add_curve(curves, std::move(fit));
+    }
+  }
+  return curves;
+}
+
+/// Curves of points, each the mean of runs that differ in their seed alone.
+std::vector<FigureCurve> point_curves(const Figure& figure, const Table& table) {
+  std::vector<FigureCurve> curves;
+  const MeanRows means(table);
+  const std::string unit = unit_of(means.table, figure);
+  std::size_t place = 0;
+  for (const std::string& group : groups_of(means.table, figure)) {
+    const auto rows = rows_of(means.table, figure, group);
+    const std::size_t here = place++;
+    for (std::size_t k = 0; k < figure.y.size(); ++k) {
+      FigureCurve curve{.name = name_of(figure, group, unit, k), .group = here, .part = k};
+      means.set_points(curve, rows, figure, figure.y[k]);
+      add_curve(curves, std::move(curve));
+    }
+  }
+  return curves;
+}
+
+/// What stands beside: other runs or numbers, and what the source gives.
+void add_beside(std::vector<FigureCurve>& curves, const Figure& figure, const Table& table) {
+  for (const BesideCurve& beside : figure.beside) {
+    Figure alone;
+    alone.id = figure.id, alone.x = beside.x, alone.y = {beside.y}, alone.where = beside.where, alone.spread = figure.spread, alone.names = {beside.name};
+    for (FigureCurve& curve : point_curves(alone, table)) {
+      curve.beside = true;
+      curves.push_back(std::move(curve));
+    }
+  }
+  for (const SourcePoints& points : figure.source_points) {
+    FigureCurve curve{.name = points.name, .part = static_cast<std::size_t>(points.part.value_or(0)), .film = points.film, .source = true};
+    curve.points = {points.x, points.y, std::vector<double>(points.x.size(), statistics::unknown)};
+    add_curve(curves, std::move(curve));
+  }
+}
+
 }  // namespace
 
 std::vector<FigureCurve> curves_of(const Figure& figure, const Table& table, const NumbersOf& numbers) {
-  std::vector<std::string> keys;
-  for (const auto& key : table.keys)
-    if (key.name != "seed") keys.push_back(key.name);
-  std::vector<FigureCurve> curves;
-  const bool densities = !figure.curves.empty();
-  if (!densities && figure.y.empty()) return curves;
-  const Table means = densities ? Table{} : averaged(table, keys);
-  const Table& from = densities ? table : means;
-  const std::string unit = figure.by.empty() ? "" : from.keys[key_of(from, figure.by, figure)].unit;
-  std::size_t place = 0;
-  for (const std::string& group : groups_of(from, figure)) {
-    const auto rows = rows_of(from, figure, group);
-    const std::size_t here = place++;
-    for (std::size_t k = 0; k < (densities ? figure.curves : figure.y).size(); ++k) {
-      FigureCurve curve{name_of(figure, group, unit, k), {}, here, k}, fit{"", {}, here, k, false, true};
-      if (densities) {
-        curve.film = is_of_film(figure.curves[k]);
-        std::vector<std::string> texts;
-        for (const auto* row : rows) texts.push_back(numbers(row->run, figure.curves[k]));
-        const bool lists = figure.kind == FigureKind::rose || !figure.curve_x.empty();
-        curve.points = lists ? mean_list(texts, figure.curve_x, figure.curves[k]) : mean_density(texts, figure.curves[k]);
-        if (figure.share_above) curve.points = share_above(curve.points);
-        if (k < figure.fits.size()) fit.points = tail_line(texts, figure.fits[k], curve.points);
-      } else {
-        curve.points = points_of(from, rows, figure, figure.y[k]);
-      }
-      for (FigureCurve* one : {&curve, &fit})
-        if (!one->points.x.empty()) curves.push_back(std::move(*one));
-    }
-  }
+  if (figure.curves.empty() && figure.y.empty()) return {};
+  auto curves = figure.curves.empty() ? point_curves(figure, table) : list_curves(figure, table, numbers);
+  add_beside(curves, figure, table);
   return curves;
 }
 

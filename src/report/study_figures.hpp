@@ -9,17 +9,19 @@
 
 namespace arenite::report {
 
-/// One curve of a figure. Points have standard errors where several runs make one, NaN otherwise.
+/// One curve of a figure. Points have standard errors, or what the figure asks for, where several runs make one, NaN otherwise.
 struct FigureCurve {
-  std::string name;
-  statistics::Curve points;
+  std::string name = {};
+  statistics::Curve points = {};
   std::size_t group = 0, part = 0;       ///< which value of `by`, which of `y` or `curves`
   bool film = false;                     ///< what a film gives
   bool fit = false;                      ///< an exponential through the curve before it
+  bool beside = false, source = false;   ///< of `Figure::beside`, of `Figure::source_points`
+  std::size_t fewest = 0, most = 0;      ///< runs that make a point
 };
 
-/// The numbers of a run as JSON, by its name and with what stands at a path if there is such; empty if it has none.
-using NumbersOf = std::function<std::string(const std::string& run, const std::string& path)>;
+/// The numbers of a run as JSON, by its name and with what stands at a path of a figure if there is such; empty if it has none.
+using NumbersOf = std::function<std::string(const std::string& run, const std::string& path, const Figure& figure)>;
 
 /// Curves of a figure from the runs of a study that are done: means over runs that differ in their seed alone, in the
 /// order of `by`. Densities are means over all runs of a curve; `numbers` is asked for those only. Throws InputError for

@@ -10,6 +10,7 @@
 #include "core/version.hpp"
 #include "io/atomic_file.hpp"
 #include "report/page_template.hpp"
+#include "report/spread_text.hpp"
 #include "report/template_marks.hpp"
 
 namespace arenite::report {
@@ -68,7 +69,7 @@ Json figure_json(const Figure& figure, const std::vector<FigureCurve>& curves) {
       points.push_back({at, value, std::isfinite(error) ? error : 0.0});
     }
     if (!points.empty() && points.back()[1].is_null()) points.erase(points.size() - 1);
-    if (!points.empty()) series.push_back({{"name", curve.name}, {"group", curve.group}, {"part", curve.part}, {"film", curve.film}, {"fit", curve.fit}, {"points", points}});
+    if (!points.empty()) series.push_back({{"name", curve.name}, {"group", curve.group}, {"part", curve.part}, {"film", curve.film}, {"fit", curve.fit}, {"beside", curve.beside}, {"source", curve.source}, {"points", points}});
   }
   Json references = Json::array();
   for (const auto& r : figure.references) {
@@ -79,8 +80,8 @@ Json figure_json(const Figure& figure, const std::vector<FigureCurve>& curves) {
     references.push_back(one);
   }
   const std::string name = !figure.curves.empty() ? figure.curves.front() : figure.y.empty() ? "" : figure.y.front();
-  return {{"id", figure.id}, {"kind", word_for(figure.kind)}, {"title", figure.title}, {"source", figure.source}, {"caption", figure.caption}, {"lines", figure.lines},
-          {"density", density},
+  return {{"id", figure.id}, {"kind", word_for(figure.kind)}, {"title", figure.title}, {"source", figure.source}, {"caption", figure.caption}, {"spread", spread_text(figure, curves)},
+          {"lines", figure.lines}, {"density", density}, {"counts", figure.counts},
           {"ordered", !figure.by.empty()}, {"x", axis_json(figure.x_axis, figure.x, x)}, {"y", axis_json(figure.y_axis, name, y)},
           {"series", series}, {"references", references}};
 }
@@ -90,7 +91,7 @@ std::string absent(const Figure& figure, const std::vector<FigureCurve>& curves)
   const auto& wanted = figure.curves.empty() ? figure.y : figure.curves;
   std::string names;
   for (std::size_t k = 0; k < wanted.size(); ++k)
-    if (std::none_of(curves.begin(), curves.end(), [&](const FigureCurve& curve) { return curve.part == k; }))
+    if (std::none_of(curves.begin(), curves.end(), [&](const FigureCurve& curve) { return curve.part == k && !curve.beside && !curve.source; }))
       names += (names.empty() ? "" : ", ") + (k < figure.names.size() && !figure.names[k].empty() ? figure.names[k] : wanted[k]);
   return names;
 }
@@ -113,8 +114,8 @@ void add_drawing(Json& shown, const Figure& figure, const std::string& run, cons
 std::string study_page(const StudyPage& page) {
   Json about{{"title", page.title}};
   const auto done = static_cast<std::size_t>(std::count_if(page.table.rows.begin(), page.table.rows.end(), [](const auto& row) { return row.status == "done"; }));
-  about["runs"] = fmt::format("{} of {} runs; bars are standard errors over samples", done, page.table.rows.size());
-  about["made"] = fmt::format("Arenite {}. Dashed lines and crosses are what the text of the source says.", version);
+  about["runs"] = fmt::format("{} of {} runs; what bars, bands and ticks are stands below each figure", done, page.table.rows.size());
+  about["made"] = fmt::format("Arenite {}. Dashed lines and crosses are what the text and the tables of the source say.", version);
   about["figures"] = Json::array();
   study::CollectedTable table = page.table;
   std::erase_if(table.rows, [](const auto& row) { return row.status != "done"; });

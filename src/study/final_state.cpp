@@ -45,9 +45,10 @@ Measurable last_packing(const fs::path& run, const std::string& stage) {
 
 }  // namespace
 
-FinalState final_state(const fs::path& run, bool rev, const std::string& stage) {
+FinalState final_state(const fs::path& run, bool rev, const std::string& stage, int sectors) {
   auto [packing, options] = last_packing(run, stage);
   if (!rev) options.rev_sizes = 0;
+  options.sectors = sectors;
   texture::Texture texture = texture::measure(packing, options);
   return {std::move(packing), std::move(texture)};
 }

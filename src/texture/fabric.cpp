@@ -10,7 +10,6 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr double degrees = 180 / std::numbers::pi;
-constexpr int sectors = 18;
 
 /// Mean length of the resultant of n random unit vectors: sqrt(pi)/2 / sqrt(n).
 double resultant_noise(std::size_t n) { return 0.5 * std::sqrt(std::numbers::pi / static_cast<double>(n)); }
@@ -76,13 +75,14 @@ std::vector<double> evaluate(const std::vector<double>& s, double load_axis) {
 }
 
 void fill_sectors(const View& view, const Items& items, Fabric& f) {
+  const auto sectors = static_cast<std::size_t>(view.options.sectors);
   f.sectors.assign(sectors, 0.0);
   f.sector_force.assign(sectors, 0.0);
   for (const std::size_t c : items) {
     double angle = std::atan2(view.pairs().ny[c], view.pairs().nx[c]) * degrees;
     if (angle < 0) angle += 180;
     // A direction on an edge, as in a lattice, goes to the sector above it whatever its last bit says.
-    const auto s = static_cast<std::size_t>(std::floor((angle + 1e-9) / (180.0 / sectors))) % sectors;
+    const auto s = static_cast<std::size_t>(std::floor((angle + 1e-9) / (180.0 / view.options.sectors))) % sectors;
     f.sectors[s] += 1;
     f.sector_force[s] += view.pairs().fn[c];
   }

@@ -28,6 +28,7 @@ struct Options {
   Vec2 gravity;                        ///< m/s^2; for the balance of grains and walls only
   std::uint64_t seed = 1;              ///< of the places of windows
   int rev_sizes = 20, rev_places = 50; ///< windows of the REV study
+  int sectors = 18;                    ///< of directions, over half a turn
   std::vector<double> grain_sigma_hyd; ///< stress of every grain as a laboratory measured it, Pa; empty: that of its contacts
 };
 
@@ -72,7 +73,7 @@ struct Fabric {
   Estimate a_n, theta_n_deg;           ///< of <F_n>(theta) = F_0 [1 + a_n cos 2(theta - theta_n)]
   Estimate a_t;                        ///< of <F_t>(theta) = -F_0 a_t sin 2(theta - theta_t)
   std::array<Mode, 3> modes;           ///< m = 2, 4, 6
-  std::vector<double> sectors;         ///< number of contacts in 18 sectors of 10 degrees over [0, 180), mirrored beyond
+  std::vector<double> sectors;         ///< number of contacts in `Options::sectors` sectors over [0, 180), mirrored beyond
   std::vector<double> sector_force;    ///< mean F_n of each sector, N; 0 where empty
 };
 
@@ -180,6 +181,10 @@ struct Texture {
 /// Measures everything that the packing allows. A domain of no area means that the box is not known, a thickness that
 /// is not positive that the length is not; what needs them is left NaN and a note says so.
 Texture measure(const Packing& packing, const Options& options = {});
+
+/// Solid fraction of windows of the box's shape with `area_share` of its area, one for each of so many random places in the whole
+/// box (T Fig. 3.6b); over the box's sides the places are the same for every packing. Empty where the box is not known.
+std::vector<double> window_fractions(const Packing& packing, double area_share, int places, std::uint64_t seed = 1);
 
 /// Leaves what places alone tell: for contacts whose forces are not known and stand as 0. Strength, rattlers, anisotropies
 /// of forces, stresses and their signs become unknown. `Options::rattler_contacts` should be 0 in the measurement.

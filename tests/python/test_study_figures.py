@@ -48,6 +48,9 @@ x = "cement.width"
 x_label = "η"
 y = ["S_m", "solid_fraction"]
 names = ["S_{m}", "ρ_{p}"]
+spread = "deviation"
+beside = [{ name = "beside", x = "0.3", y = "S_m", where = { "cement.width" = 0.2 } }]
+source_points = [{ name = "source", part = 1, x = [0.2, 0.4], y = [0.5, 0.6] }]
 references = [{ y = 0.5, label = "half" }, { x = 0.3, label = "here" }, { slope = 1 }, { x = 0.3, y = 0.5, label = "point" }]
 
 [[figures]]
@@ -65,6 +68,21 @@ title = "Directions"
 kind = "rose"
 curves = ["fabric.sectors"]
 by = "cement.width"
+
+[[figures]]
+id = "counts"
+title = "Contacts"
+kind = "rose"
+counts = true
+sectors = 12
+curves = ["fabric.sectors"]
+
+[[figures]]
+id = "window"
+title = "Windows"
+curves = ["window.solid_fraction"]
+curve_x = "window.place"
+window = 0.72
 
 [[figures]]
 id = "map"
@@ -91,7 +109,7 @@ def study(tmp_path_factory):
     return folder / "out"
 
 
-drawn = {"saturation", "density", "rose", "map", "grains", "forces", "stresses", "phases", "zoom", "cracks"}
+drawn = {"saturation", "density", "rose", "counts", "window", "map", "grains", "forces", "stresses", "phases", "zoom", "cracks"}
 
 
 def test_every_figure_of_the_page_is_drawn_in_column_width_with_its_fonts(study, tmp_path):
@@ -118,8 +136,22 @@ def test_numbers_are_those_of_the_page(study, tmp_path):
     canvas = figures.catalogue.Canvas()
     figures.draw_study_plot(canvas.add_subplot(), shown)
     bars = canvas.axes[0].containers
-    assert [bar.get_label() for bar in bars] == ["S$_\\mathrm{m}$", "ρ$_\\mathrm{p}$"]
+    assert [bar.get_label() for bar in bars] == ["S$_\\mathrm{m}$", "ρ$_\\mathrm{p}$", "beside"]
     assert [list(point) for point in bars[0].lines[0].get_xydata()] == [point[:2] for point in shown["series"][0]["points"]]
+
+
+def test_bands_and_ticks_show_the_scatter_over_samples(study):
+    shown = {figure["id"]: figure for figure in figures.study_document(study)["figures"]}
+    canvas = figures.catalogue.Canvas()
+    figures.draw_study_plot(canvas.add_subplot(), shown["density"])
+    assert sum(type(part).__name__ in ("PolyCollection", "FillBetweenPolyCollection") for part in canvas.axes[0].collections) == 3
+    canvas = figures.catalogue.Canvas()
+    figures.draw_study_rose(canvas.add_subplot(projection="polar"), shown["counts"])
+    assert len(canvas.axes[0].collections) == 2
+    assert len(shown["counts"]["series"][0]["points"]) == 12
+    fractions = [y for _, y, _ in shown["window"]["series"][0]["points"]]
+    assert len(fractions) == 50 and all(0.5 < y < 1 for y in fractions)
+    assert shown["saturation"]["spread"] == "Bars: standard deviation over 2 samples"
 
 
 def test_the_command_draws_and_tells_what_it_cannot(study, tmp_path):

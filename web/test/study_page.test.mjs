@@ -40,8 +40,36 @@ test("densities are lines without dots", async (page) => {
   assert.ok(lines >= 1);
 });
 
+test("densities of several samples stand in a band, points of densities have bars", async (page) => {
+  const bands = (id) => page.evaluate((figure) => document.querySelectorAll(`[data-figure="${figure}"] .drawing [fill-opacity="0.2"]`).length, id);
+  assert.equal(await bands("density"), 1);
+  assert.equal(await bands("points"), 0);
+  assert.ok((await page.evaluate(() => document.querySelectorAll('[data-figure="beside"] .drawing [aria-label=rule] line').length)) > 0);
+});
+
+test("a caption says what is shown of the scatter and over how many samples", async (page) => {
+  const said = (id) => page.evaluate((figure) => document.querySelector(`[data-figure="${figure}"] .caption`).textContent, id);
+  assert.match(await said("density"), /Bands: standard error over 8 samples\.$/);
+  assert.match(await said("source"), /Bars: standard deviation over 2 samples\.$/);
+});
+
+test("numbers of contacts have round rings and no isotropic one", async (page) => {
+  const { texts, dashed } = await page.evaluate(() => {
+    const svg = document.querySelector('[data-figure="counts"] .drawing > svg');
+    return { texts: [...svg.querySelectorAll("text")].map((node) => node.textContent), dashed: svg.querySelectorAll("circle[stroke-dasharray]").length };
+  });
+  assert.equal(dashed, 0);
+  for (const label of ["1", "2", "3", "Nc"]) assert.ok(texts.includes(label), `${label} is missing in ${texts}`);
+});
+
+test("the source's points are crosses and other runs are diamonds, and the key says so", async (page) => {
+  const entries = await page.evaluate(() => [...document.querySelectorAll('[data-figure="source"] .entry')].map((node) => [node.textContent, node.querySelectorAll("path").length]));
+  assert.deepEqual(entries, [["", 0], ["0.2", 1], ["T", 1]]);
+  assert.equal((await drawing(page, "source")).dots, 2);
+});
+
 test("a rose has an outline for each curve, dashed for the second of a value", async (page) => {
-  const dashes = await page.evaluate(() => [...document.querySelectorAll('[data-figure="rose"] .drawing path')].map((node) => node.getAttribute("stroke-dasharray")));
+  const dashes = await page.evaluate(() => [...document.querySelectorAll('[data-figure="rose"] .drawing path:not(.scatter)')].map((node) => node.getAttribute("stroke-dasharray")));
   assert.deepEqual(dashes, [null, "4 3", null, "4 3"]);
 });
 

@@ -25,9 +25,11 @@ def study_document(path):
     if not found:
         raise ValueError(f"{page}: there is no page of this study yet; `arenite study page RECIPE --out {page.parent}` makes it")
     document = json.loads(found.group(1))
-    for curve in (curve for figure in document["figures"] for curve in figure["series"]):
-        curve.setdefault("film", False)  # pages of older versions
-        curve.setdefault("fit", False)
+    for figure in document["figures"]:  # pages of older versions
+        figure.setdefault("counts", False)
+        for curve in figure["series"]:
+            for flag in ("film", "fit", "beside", "source"):
+                curve.setdefault(flag, False)
     return document
 
 
@@ -49,18 +51,19 @@ def label(text):
 
 def _colours(figure):
     """As on the page: shades where curves are values of one key, colours that differ otherwise."""
-    groups = list(dict.fromkeys(curve["group"] for curve in figure["series"]))
+    ours = [curve for curve in figure["series"] if not curve["beside"] and not curve["source"]]
+    groups = list(dict.fromkeys(curve["group"] for curve in ours))
     if figure["ordered"] and len(groups) > 2:
         shades = matplotlib.colormaps["viridis"](np.linspace(0, 0.9, len(groups)))
-        return [shades[groups.index(curve["group"])] for curve in figure["series"]]
-    simulated = max(1, sum(not curve["film"] for curve in figure["series"]))
+        return [strong if curve["beside"] else shades[groups.index(curve["group"])] for curve in figure["series"]]
+    simulated = max(1, sum(not curve["film"] and not curve["fit"] for curve in ours))
     place = [curve["group"] if figure["ordered"] else curve["part"] % simulated if _is_hollow(figure, curve) else curve["part"] for curve in figure["series"]]
-    return [colours[k % len(colours)] for k in place]
+    return [strong if curve["beside"] else colours[k % len(colours)] for curve, k in zip(figure["series"], place)]
 
 
 def _is_hollow(figure, curve):
     """In a plot a film's points have the colour of what was simulated, and are hollow."""
-    return curve["film"] and figure["kind"] == "plot"
+    return curve["film"] and not curve["source"] and figure["kind"] == "plot"
 
 
 def _legend(axes, figure):
@@ -74,28 +77,49 @@ def _legend(axes, figure):
 
 
 def draw_study_plot(axes, figure):
-    """Points with standard errors, curves, densities and what is fitted to them; what the source's text says is drawn in grey."""
-    density = figure["density"] and figure["lines"]
+    """Points with bars of their scatter, densities with bands of it, what is fitted to them and the source's tables; what its text says is drawn in grey."""
     for curve, colour in zip(figure["series"], _colours(figure)):
-        x, y, error = np.array([[np.nan if v is None else v for v in point] for point in curve["points"]], float).T
-        dashed = curve["fit"] or (figure["ordered"] and curve["part"] > 0)
-        style = "--" if dashed else "-"
-        if density or curve["fit"]:
-            axes.plot(x, y, style, color=strong if curve["fit"] else colour, label=label(curve["name"]) or None, linewidth=1.0)
-            unknown = np.isnan(np.concatenate([[np.nan], y, [np.nan]]))
-            alone = unknown[:-2] & unknown[2:] & ~np.isnan(y)
-            axes.plot(x[alone], y[alone], ".", color=colour, markersize=2)
-            continue
-        low = np.minimum(error, 0.95 * y) if figure["y"]["log"] else error
-        face = "white" if _is_hollow(figure, curve) else colour
-        axes.errorbar(x, y, yerr=[low, error] if error.any() else None, fmt="o" + style if figure["lines"] else "o", color=colour, markersize=2.4 if len(x) < 200 else 1,
-                      elinewidth=0.6, linewidth=0.9, markerfacecolor=face, markeredgewidth=0.6, label=label(curve["name"]) or None)
+        points = np.array([[np.nan if v is None else v for v in point] for point in curve["points"]], float).T
+        if curve["fit"]:
+            axes.plot(*points[:2], ":" if curve["film"] else "--", color=strong, linewidth=1.0)
+        elif curve["source"]:
+            axes.plot(*points[:2], "+" if curve["film"] else "x", color=colour, markersize=4, markeredgewidth=0.8, label=label(curve["name"]))
+        elif figure["density"] and figure["lines"]:
+            _density(axes, figure, curve, points, colour)
+        else:
+            _points(axes, figure, curve, points, colour)
     for axis in "xy":
         about = figure[axis]
         axes.set(**{f"{axis}label": label(about["label"]), f"{axis}scale": "log" if about["log"] else "linear", f"{axis}lim": about["domain"]})
     for reference in figure["references"]:
         _reference(axes, reference)
     _legend(axes, figure)
+
+
+def _style(figure, curve):
+    return "--" if figure["ordered"] and curve["part"] > 0 else "-"
+
+
+def _density(axes, figure, curve, points, colour):
+    """A line in the band of its scatter; a bin between empty ones is a dot."""
+    x, y, error = points
+    axes.plot(x, y, _style(figure, curve), color=colour, label=label(curve["name"]) or None, linewidth=1.0)
+    if error.any():
+        low = np.maximum(y - error, figure["y"]["domain"][0]) if figure["y"]["log"] else y - error
+        axes.fill_between(x, low, y + error, color=colour, alpha=0.25, linewidth=0)
+    unknown = np.isnan(np.concatenate([[np.nan], y, [np.nan]]))
+    alone = unknown[:-2] & unknown[2:] & ~np.isnan(y)
+    axes.plot(x[alone], y[alone], ".", color=colour, markersize=2)
+
+
+def _points(axes, figure, curve, points, colour):
+    """Points with their bars, joined where the figure says so; those that stand beside are diamonds."""
+    x, y, error = points
+    low = np.minimum(error, 0.95 * y) if figure["y"]["log"] else error
+    joined = figure["lines"] and not (curve["beside"] and np.all(x == x[0]))
+    axes.errorbar(x, y, yerr=[low, error] if error.any() else None, fmt=("D" if curve["beside"] else "o") + (_style(figure, curve) if joined else ""), color=colour,
+                  markersize=2.4 if len(x) < 200 else 1, elinewidth=0.6, linewidth=0.9, markerfacecolor="white" if _is_hollow(figure, curve) else colour,
+                  markeredgewidth=0.6, label=label(curve["name"]) or None)
 
 
 def _reference(axes, reference):
@@ -115,15 +139,23 @@ def _reference(axes, reference):
 
 
 def draw_study_rose(axes, figure):
-    """Outlines of the sectors' shares over the isotropic one, which is dotted; `axes` are polar."""
-    for curve, colour in zip(figure["series"], _colours(figure)):
-        middle, share, _ = np.array(curve["points"], float).T
+    """Outlines of the contacts in sectors, or of their shares over the isotropic one, which is dotted, with ticks of their scatter; `axes` are polar."""
+    for place, (curve, colour) in enumerate(zip(figure["series"], _colours(figure))):
+        middle, share, error = np.array(curve["points"], float).T
         half = 180 / (2 * len(middle))
         angle = np.concatenate([turn + np.column_stack([middle - half, middle + half]).ravel() for turn in (0, 180)])
         radius = np.tile(np.repeat(share, 2), 2)
         dashed = figure["ordered"] and curve["part"] > 0
         axes.plot(np.radians(np.append(angle, angle[0])), np.append(radius, radius[0]), "--" if dashed else "-", color=colour, label=label(curve["name"]) or None, linewidth=0.9)
-    axes.plot(np.linspace(0, 2 * np.pi, 181), np.ones(181), ":", color=soft, linewidth=0.8)
+        if error.any():
+            aside = 0.4 * half * (place % 4 - 1.5)  # curves' ticks stand beside each other
+            for turn in (0, 180):
+                axes.vlines(np.radians(turn + middle + aside), np.maximum(0, share - error), share + error, color=colour, linewidth=0.6)
+    if figure["counts"]:
+        axes.annotate("$N_c$", (0, 0), xycoords="axes fraction", ha="left", va="bottom", fontsize=7)
+    else:
+        axes.plot(np.linspace(0, 2 * np.pi, 181), np.ones(181), ":", color=soft, linewidth=0.8)
+    axes.set_ylim(bottom=0)
     axes.set_xticks(np.radians(np.arange(0, 360, 45)))
     axes.set_rlabel_position(22.5)
     axes.yaxis.get_major_locator().base.set_params(nbins=4)

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "report/run_density.hpp"
+#include "report/spread_text.hpp"
 #include "report/study_page.hpp"
 
 namespace arenite::report {
@@ -25,7 +26,7 @@ study::CollectedTable table() {
   return t;
 }
 
-const NumbersOf none = [](const std::string&, const std::string&) { return std::string(); };
+const NumbersOf none = [](const std::string&, const std::string&, const Figure&) { return std::string(); };
 
 std::vector<Figure> figures(const std::string& keys) { return read_figures("[[figures]]\nid = \"f\"\ntitle = \"F\"\n" + keys, "figures.toml"); }
 
@@ -105,7 +106,7 @@ TEST(StudyPage, SaysWhyARunIsNotDrawnAndWhichCurvesAreNotThereYet) {
   page.figures = figures("kind = \"film\"\nwhere = { gamma = 7 }");
   EXPECT_NE(study_page(page).find("\"missing\":\"No run of this kind is done yet.\""), std::string::npos);
   page.figures = figures("kind = \"rose\"\ncurves = [\"s\", \"film.s\"]\nnames = [\"simulation\", \"film\"]");
-  page.numbers = [](const std::string&, const std::string& path) { return std::string(path == "s" ? R"({"s":[1,2]})" : ""); };
+  page.numbers = [](const std::string&, const std::string& path, const Figure&) { return std::string(path == "s" ? R"({"s":[1,2]})" : ""); };
   EXPECT_NE(study_page(page).find("\"missing\":\"No run has the numbers for it yet: film.\""), std::string::npos);
 }
 
@@ -117,19 +118,99 @@ TEST(StudyFigures, FilmsAreWantedOfAllRunsThatAFigureOfThemWants) {
 
 TEST(StudyFigures, WhatAFilmGivesIsMarked) {
   const auto curves = curves_of(figures("kind = \"rose\"\ncurves = [\"s\", \"film.s\"]").front(), table(),
-                                [](const std::string&, const std::string&) { return std::string(R"({"s":[1,2],"film":{"s":[2,1]}})"); });
+                                [](const std::string&, const std::string&, const Figure&) { return std::string(R"({"s":[1,2],"film":{"s":[2,1]}})"); });
   ASSERT_EQ(curves.size(), 2u);
   EXPECT_FALSE(curves[0].film);
   EXPECT_TRUE(curves[1].film);
 }
 
-TEST(StudyFigures, TheShareAboveADensityEndsAtOneAndStandsAtTheLowerEdges) {
-  const auto above = share_above({{0.25, 0.75, 1.25}, {0.8, 0.8, 0.4}, {}});
+TEST(StudyFigures, TheShareAboveADensityStandsAtTheLowerEdgesWithTheErrorOfTheSharesOfTheSamples) {
+  const auto above = mean_share_above({R"({"pdf":{"low":0,"width":0.5,"density":[0.8,0.8,0.4]}})", R"({"pdf":{"low":0,"width":0.5,"density":[1.2,0.8]}})"}, "pdf");
   EXPECT_EQ(above.x, (std::vector<double>{0, 0.5, 1}));
+  EXPECT_EQ(above.samples, 2u);
   ASSERT_EQ(above.y.size(), 3u);
   EXPECT_DOUBLE_EQ(above.y[0], 1);
-  EXPECT_DOUBLE_EQ(above.y[1], 0.6);
-  EXPECT_DOUBLE_EQ(above.y[2], 0.2);
+  EXPECT_DOUBLE_EQ(above.y[1], 0.5);
+  EXPECT_DOUBLE_EQ(above.y[2], 0.1);
+  EXPECT_NEAR(above.error[0], 0, 1e-15);
+  EXPECT_DOUBLE_EQ(above.error[1], 0.1);
+  EXPECT_DOUBLE_EQ(above.error[2], 0.1);
+}
+
+TEST(StudyFigures, RosesShowNumbersWithTheirErrorsAndShareSectorsOut) {
+  const std::vector<std::string> runs{R"({"s":[3,6,9]})", R"({"s":[5,6,7]})"};
+  const auto counts = mean_list(runs, "", "s", {0, false});
+  EXPECT_EQ(counts.y, (std::vector<double>{4, 6, 8}));
+  EXPECT_DOUBLE_EQ(counts.error[0], 1);
+  EXPECT_EQ(counts.samples, 2u);
+  const auto two = mean_list(runs, "", "s", {2, false});
+  EXPECT_EQ(two.x, (std::vector<double>{45, 135}));
+  EXPECT_NEAR(two.y[0], 7, 1e-12);
+  EXPECT_NEAR(two.y[1], 11, 1e-12);
+  EXPECT_NEAR(two.error[0], 1, 1e-12);
+  const auto four = mean_list({R"({"s":[3,6,9]})"}, "", "s", {4, false});
+  EXPECT_NEAR(four.y[0] + four.y[1] + four.y[2] + four.y[3], 18, 1e-12);
+  EXPECT_NEAR(four.y[1], 0.75 + 3, 1e-12);
+}
+
+TEST(StudyFigures, DeviationsStandWhereTheFigureAsksForThem) {
+  const auto of = [](const std::string& spread) { return curves_of(figures("x = \"gamma\"\ny = [\"z\"]\n" + spread + "where = { cement = \"full\" }").front(), table(), none).front(); };
+  EXPECT_DOUBLE_EQ(of("").points.error[0], 1);
+  EXPECT_DOUBLE_EQ(of("spread = \"deviation\"\n").points.error[0], std::sqrt(2.0));
+  EXPECT_EQ(of("").most, 2u);
+  EXPECT_THROW(figures("x = \"gamma\"\ny = [\"z\"]\nspread = \"range\""), InputError);
+  const NumbersOf numbers = [](const std::string& run, const std::string&, const Figure&) { return "{\"s\":[" + std::string(run == "6" ? "1" : "3") + ",2]}"; };
+  const auto rose = curves_of(figures("kind = \"rose\"\ncurves = [\"s\"]\ncounts = true\nspread = \"deviation\"\nwhere = { gamma = 1, cement = \"full\" }").front(), table(), numbers).front();
+  EXPECT_EQ(rose.points.y, (std::vector<double>{2, 2}));
+  EXPECT_DOUBLE_EQ(rose.points.error[0], std::sqrt(2.0));
+}
+
+TEST(StudyFigures, WhatBarsAreAndOverHowManySamplesIsSaid) {
+  const auto said = [](const std::string& keys) {
+    const Figure figure = figures(keys).front();
+    return spread_text(figure, curves_of(figure, table(), [](const std::string& run, const std::string& path, const Figure&) {
+                         return std::string(path == "s" || run == "6" ? R"({"s":[1,2],"film":{"s":[2,1]}})" : "");
+                       }));
+  };
+  EXPECT_EQ(said("x = \"gamma\"\ny = [\"z\"]\nwhere = { cement = \"full\" }"), "Bars: standard error over 2 samples");
+  EXPECT_EQ(said("x = \"gamma\"\ny = [\"z\"]\nspread = \"deviation\"\nwhere = { cement = \"full\" }"), "Bars: standard deviation over 2 samples");
+  EXPECT_EQ(said("kind = \"rose\"\ncurves = [\"s\", \"film.s\"]\nwhere = { gamma = 1, cement = \"full\" }"), "Ticks: standard error over 2 samples; of the film: one sample");
+  EXPECT_EQ(said("kind = \"rose\"\ncurves = [\"s\"]\nwhere = { seed = 1, gamma = 1, cement = \"full\" }"), "One sample");
+  EXPECT_EQ(said("kind = \"grains\""), "");
+}
+
+TEST(StudyFigures, OtherRunsAndTheSourcesPointsStandBeside) {
+  const auto curves = curves_of(figures("x = \"gamma\"\ny = [\"z\"]\nwhere = { cement = \"\" }\n"
+                                        "beside = [{ name = \"full\", x = \"0\", y = \"z\", where = { cement = \"full\" } }]\n"
+                                        "source_points = [{ name = \"T\", film = true, x = [1, 2], y = [3, 4] }]").front(), table(), none);
+  ASSERT_EQ(curves.size(), 3u);
+  EXPECT_FALSE(curves[0].beside || curves[0].source);
+  EXPECT_TRUE(curves[1].beside);
+  EXPECT_EQ(curves[1].name, "full");
+  EXPECT_EQ(curves[1].points.x, (std::vector<double>{0, 0}));
+  EXPECT_EQ(curves[1].points.y, (std::vector<double>{22, 12}));
+  EXPECT_TRUE(curves[2].source && curves[2].film);
+  EXPECT_EQ(curves[2].points.y, (std::vector<double>{3, 4}));
+  EXPECT_THROW(figures("x = \"gamma\"\ny = [\"z\"]\nsource_points = [{ name = \"T\", x = [1], y = [3, 4] }]"), InputError);
+  EXPECT_THROW(figures("x = \"gamma\"\ny = [\"z\"]\nbeside = [{ name = \"T\" }]"), InputError);
+}
+
+TEST(StudyFigures, SectorsAndWindowsAreWithinReason) {
+  EXPECT_THROW(figures("kind = \"rose\"\ncurves = [\"s\"]\nsectors = 12.5"), InputError);
+  EXPECT_THROW(figures("curves = [\"window.solid_fraction\"]\ncurve_x = \"window.place\"\nwindow = 72"), InputError);
+}
+
+TEST(StudyFigures, ARegressionOfASharePassesThroughAnExponentialOne) {
+  std::string density;  // of P = 0.4 exp(2 (1 - x)) above 1
+  for (int k = 0; k < 60; ++k) density += (k ? "," : "") + std::to_string(k < 10 ? 0.6 : 4 * (std::exp(2 * (1 - 0.1 * k)) - std::exp(2 * (1 - 0.1 * (k + 1)))));
+  const std::string text = R"({"d":{"pdf":{"low":0,"width":0.1,"density":[)" + density + R"(]},"beta_line":{"value":2,"error":0.1}}})";
+  const auto curves = curves_of(figures("curves = [\"d.pdf\"]\nfits = [\"d\"]\nshare_above = true\nwhere = { gamma = 1, cement = \"\", seed = 1 }").front(), table(),
+                                [&](const std::string&, const std::string&, const Figure&) { return text; });
+  ASSERT_EQ(curves.size(), 2u);
+  ASSERT_TRUE(curves[1].fit);
+  EXPECT_DOUBLE_EQ(curves[1].points.x.front(), 1);
+  EXPECT_NEAR(curves[1].points.y.front(), 0.4, 2e-3);
+  EXPECT_NEAR(curves[1].points.y[10] / curves[1].points.y[0], std::exp(-2 * (curves[1].points.x[10] - 1)), 1e-9);
 }
 
 TEST(StudyFigures, ATailIsALineThroughItsDensityBetweenTheEndsOfTheFit) {
@@ -137,7 +218,7 @@ TEST(StudyFigures, ATailIsALineThroughItsDensityBetweenTheEndsOfTheFit) {
   for (int k = 0; k < 40; ++k) density += (k ? "," : "") + std::to_string(5 * std::exp(-2 * (0.05 + 0.1 * k)));
   const std::string text = R"({"pdf":{"low":0,"width":0.1,"density":[)" + density + R"(]},"tail":{"slope":{"value":2,"error":0.1},"low":1,"high":3}})";
   const auto curves = curves_of(figures("curves = [\"pdf\"]\nfits = [\"tail\"]\nwhere = { gamma = 1, cement = \"\", seed = 1 }").front(), table(),
-                                [&](const std::string&, const std::string&) { return text; });
+                                [&](const std::string&, const std::string&, const Figure&) { return text; });
   ASSERT_EQ(curves.size(), 2u);
   EXPECT_FALSE(curves[0].fit);
   ASSERT_TRUE(curves[1].fit);

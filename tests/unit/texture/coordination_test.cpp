@@ -93,7 +93,10 @@ TEST(SolidFraction, OfLatticesHasItsClosedForm) {
 }
 
 TEST(SolidFraction, OfWindowsSettlesAsTheyGrow) {
-  const Rev rev = measure(test::square_lattice(12)).rev;
+  const Packing lattice = test::square_lattice(12);
+  for (const double fraction : window_fractions(lattice, 0.72, 20)) EXPECT_NEAR(fraction, std::acos(-1.0) / 4, 0.02);
+  EXPECT_EQ(window_fractions(lattice, 0.72, 20), window_fractions(lattice, 0.72, 20));
+  const Rev rev = measure(lattice).rev;
   ASSERT_EQ(rev.mean.size(), 20u);
   EXPECT_LT(rev.deviation.back(), 0.1 * rev.deviation.front());
   EXPECT_NEAR(rev.mean.back(), std::acos(-1.0) / 4, 0.01);

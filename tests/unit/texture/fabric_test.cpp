@@ -47,6 +47,14 @@ TEST(Fabric, OfATriangularLatticeIsIsotropicWithPeaksAt0_60_120) {
   EXPECT_EQ(find(t.order.ordered, "A")->value, 1);
 }
 
+TEST(Fabric, CountsDirectionsInAsManySectorsAsAsked) {
+  Options options;
+  options.sectors = 12;
+  const Texture t = measure(test::triangular_lattice(8), options);
+  ASSERT_EQ(all(t).sectors.size(), 12u);
+  for (std::size_t s = 0; s < 12; ++s) EXPECT_EQ(all(t).sectors[s], s % 4 == 0 ? 64 : 0) << "sector " << s;
+}
+
 TEST(Fabric, OfOneDirectionHasTheLargestAnisotropyAlongIt) {
   const Texture t = measure(star({30, 30.0 + 180, 30}, {1, 1, 1}));
   EXPECT_NEAR(all(t).a_c.value, 2, 1e-14);

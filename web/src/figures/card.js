@@ -44,11 +44,14 @@ export function figureCard(figure, sample, state) {
   return card;
 }
 
-function entry({ name, colour, values, dash = null }) {
+/** The key's symbols: strokes within 18 by 8. */
+const strokes = { times: "M6,1l6,6M6,7l6,-6", plus: "M9,0v8M5,4h8", diamond: "M9,1.5l2,2.5l-2,2.5l-2,-2.5Z" };
+
+function entry({ name, colour, values, dash = null, symbol = null }) {
   const numbers = values.map(([symbol, estimate]) => {
     const { value, error } = text.withError(estimate.value, estimate.error);
     return [" ", h("span", { class: "estimate" }, rich(symbol), ` ${value}`, error && h("small", {}, ` \u00b1 ${error}`))];
   });
-  const line = s("svg", { width: 18, height: 8, viewBox: "0 0 18 8" }, s("line", { x1: 1, x2: 17, y1: 4, y2: 4, stroke: colour, "stroke-width": 2.5, "stroke-dasharray": dash, "stroke-linecap": dash ? null : "round" }));
+  const line = s("svg", { width: 18, height: 8, viewBox: "0 0 18 8" }, symbol ? s("path", { d: strokes[symbol], fill: "none", stroke: colour, "stroke-width": 1.6 }) : s("line", { x1: 1, x2: 17, y1: 4, y2: 4, stroke: colour, "stroke-width": 2.5, "stroke-dasharray": dash, "stroke-linecap": dash ? null : "round" }));
   return h("span", { class: "entry" }, line, h("b", {}, rich(name)), numbers);
 }
