@@ -3,6 +3,7 @@
 import dataclasses
 import functools
 import pathlib
+import re
 import typing
 
 import numpy as np
@@ -225,6 +226,15 @@ def save(figure, part, path, width=None, **style):
         # Without a date the same result gives the same bytes.
         metadata = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}.get(pathlib.Path(path).suffix[1:], {})
         canvas.savefig(path, metadata=metadata)
+    if pathlib.Path(path).suffix == ".svg":
+        number_clips(pathlib.Path(path))
+
+
+def number_clips(path):
+    """Names the clipping paths of an SVG by their order: Matplotlib names those that are no rectangles by where they lie in memory."""
+    text = path.read_text(encoding="utf-8")
+    names = {name: f"clip{k}" for k, name in enumerate(re.findall(r'<clipPath id="(\w+)"', text))}
+    path.write_text(re.sub(r'(<clipPath id="|url\(#)(\w+)', lambda m: m[1] + names.get(m[2], m[2]), text), encoding="utf-8")
 
 
 def study_figures(path):

@@ -64,11 +64,19 @@ def values_of(field, component):
     return np.asarray(getattr(field, component))
 
 
+def statistics_of(field, **options):
+    """Its stresses by phase; nothing where there is no stress."""
+    try:
+        return field.statistics(**options)
+    except ValueError:
+        return {}
+
+
 def unit_of(field):
     """(Pa, name of the component, "mean" or "root mean square") that the stored statistics give stresses over; nothing without any."""
-    stored = field.numbers.get("stress") or field.statistics(curves=False)
+    stored = field.numbers.get("stress") or statistics_of(field, curves=False)
     for component in [name for name in symbols if name in stored]:
-        every = stored[component]["sets"]["all"]
+        every = stored[component].get("sets", {}).get("all", {})
         over = every.get("mean_over_sample_mean", {}).get("value")
         if over:
             return every["mean_Pa"]["value"] / over, component, stored[component]["normalised_by"]

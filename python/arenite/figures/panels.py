@@ -99,7 +99,7 @@ def statistics_of(field):
     """With curves; measured once a field."""
     if id(field) not in _statistics:
         _statistics.clear()
-        _statistics[id(field)] = (field, field.statistics())
+        _statistics[id(field)] = (field, fields.statistics_of(field))
     return _statistics[id(field)][1]
 
 
