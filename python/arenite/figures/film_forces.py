@@ -81,6 +81,6 @@ def draw_certainty(axes, film):
     inside = np.clip(ratio, edges[0], np.nextafter(edges[-1], 0))
     sets = [(name, colour, of & np.isfinite(ratio)) for name, colour, of in certainty_sets(film)]
     axes.hist([inside[of] for _, _, of in sets], bins=edges, stacked=True, color=[colour for _, colour, _ in sets], label=[name for name, _, _ in sets], alpha=0.75, rwidth=0.92)
-    beyond = np.sum(ratio[np.isfinite(ratio)] >= edges[-1])
+    beyond = np.sum(ratio[np.isfinite(ratio)] > edges[-1])
     axes.set(xlabel=f"${force_symbols['fn']}$ / standard error" + (f" ({beyond} beyond {edges[-1]:g} in the last bar)" if beyond else ""), ylabel="contacts")
     axes.legend()
