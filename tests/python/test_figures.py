@@ -11,7 +11,7 @@ import arenite
 import arenite.figures as figures
 import numpy as np
 import pytest
-from arenite.figures import catalogue, densities, fields, film_forces, films, packings, style
+from arenite.figures import catalogue, densities, fields, film_forces, films, histories, packings, panels, saving, style
 
 # The figures of the page by their ids, and the journal's: of a stage, a field or a film.
 cards = {
@@ -30,7 +30,7 @@ components = {("field", f"stress-pdf-{name}") for name in ("xx", "xy", "hyd")}
 
 
 def axes():
-    return catalogue.Canvas().add_subplot()
+    return saving.Canvas().add_subplot()
 
 
 def test_every_card_of_the_page_has_its_figure():
@@ -171,10 +171,10 @@ def test_fits_hold_what_was_counted():
 def test_other_components_are_drawn_where_they_are_measured(result):
     measured = result.fields[-1].statistics()
     parts = types.SimpleNamespace(statistics=lambda: {**measured, "sigma_xy": {"normalised_by": "root mean square", "sets": {"all": {"pdf": {"x": [-1, 0, 1], "y": [0.1, 0.5, 0.1]}}}}})
-    assert catalogue.panels.density_rows(parts, "sigma_xy") == [False]
-    assert catalogue.panels.density_rows(parts, "sigma_yy") == [False, True]
-    canvas = catalogue.Canvas()
-    catalogue.panels.density_panels(canvas, parts, "sigma_xy")
+    assert panels.density_rows(parts, "sigma_xy") == [False]
+    assert panels.density_rows(parts, "sigma_yy") == [False, True]
+    canvas = saving.Canvas()
+    panels.density_panels(canvas, parts, "sigma_xy")
     assert "r.m.s." in canvas.axes[0].get_xlabel() and [a.get_yscale() for a in canvas.axes] == ["linear", "log"]
 
 
@@ -192,18 +192,18 @@ def test_kinds_of_forces():
 
 def test_roses_are_of_all_of_strong_and_weak_contacts_and_of_types(result):
     state = next(part for _, part in figures.figures_of(result))
-    sets = catalogue.panels.rose_sets(state.texture["fabric"], catalogue.materials(state))
+    sets = panels.rose_sets(state.texture["fabric"], catalogue.materials(state))
     assert [name for name, *_ in sets][:3] == ["all", "strong", "weak"] and len(sets) > 3
     assert sets[0][2] is state.texture["fabric"]["sets"]["strong"]
-    canvas = catalogue.Canvas()
-    catalogue.panels.roses(canvas, state)
+    canvas = saving.Canvas()
+    panels.roses(canvas, state)
     assert all(a.get_xlabel().startswith(r"$a_{\mathrm{c}}$ = ") for a in canvas.axes)
 
 
 def test_directions_of_a_film_and_its_simulation_are_on_one_scale():
     sets = {"film": {"contacts": 18, "sectors": [1] * 18}, "twin": {"contacts": 18, "sectors": [3, 1, 0] * 4 + [0, 0, 0, 0, 0, 2]}}
-    canvas = catalogue.Canvas()
-    catalogue.panels.film_roses(canvas, types.SimpleNamespace(numbers={"directions": sets}))
+    canvas = saving.Canvas()
+    panels.film_roses(canvas, types.SimpleNamespace(numbers={"directions": sets}))
     film, simulation = canvas.axes
     assert film.get_title() == "film (18)" and simulation.get_title() == "simulation (18)"
     assert film.get_ylim() == simulation.get_ylim() == (0, pytest.approx(3))
@@ -212,8 +212,8 @@ def test_directions_of_a_film_and_its_simulation_are_on_one_scale():
 def test_tails_of_a_film_are_those_of_the_stresses_that_it_gives(result):
     packing = result.stages[-1].packing
     sigma = arenite.measure_grains(packing)["sigma_hyd"]
-    canvas = catalogue.Canvas()
-    catalogue.panels.film_tails(canvas, types.SimpleNamespace(packing=packing, sigma_hyd=sigma, twin={"swing": 2 * sigma, "state": sigma**2}))
+    canvas = saving.Canvas()
+    panels.film_tails(canvas, types.SimpleNamespace(packing=packing, sigma_hyd=sigma, twin={"swing": 2 * sigma, "state": sigma**2}))
     film, swing, state = [line for line in canvas.axes[0].lines if not line.get_label().startswith("_")]
     assert [line.get_label().split(", $")[0] for line in (film, swing, state)] == ["film", "simulation, swing", "simulation, state"]
     assert film.get_xydata() == pytest.approx(swing.get_xydata())  # over their means
@@ -243,8 +243,8 @@ def test_phases_of_a_film_are_those_after_the_load():
 
 
 def test_maps_of_a_film_are_those_that_it_holds():
-    canvas = catalogue.Canvas()
-    catalogue.panels.film_maps(canvas, a_film())
+    canvas = saving.Canvas()
+    panels.film_maps(canvas, a_film())
     titles = [a.get_title() for a in canvas.axes if a.get_title()]
     assert titles == ["smallest load, K", "amplitude, mK", "phase after the load, °", "warming with the load, mK", "standard error, mK", "left by the fit, mK", "1 pixels replaced"]
     signed, = [a.images[0] for a in canvas.axes if a.get_title().startswith("warming")]
@@ -280,7 +280,7 @@ def test_broken_bonds_are_counted_by_type_up_to_each_step():
 
 
 def test_stored_states_lie_on_the_travel_of_the_wall(result):
-    stage = next(part for part in result.stages[::-1] if catalogue.histories.moving_wall(part.history))
+    stage = next(part for part in result.stages[::-1] if histories.moving_wall(part.history))
     shown = axes()
     figures.draw_travel(shown, stage.history, stage.frames)
     line, states = shown.lines

@@ -5,7 +5,7 @@ one call away; `catalogue.figures` lists the figures that `save_all` makes of a 
 Matplotlib, or in your own rcParams' fonts; it is embedded in PDF and kept as text in SVG.
 """
 
-from .catalogue import Figure, State, figures, figures_of, save, save_all, study_figures
+from .catalogue import figures, figures_of, save_all, study_figures
 from .densities import draw_cavities, draw_densities
 from .failure import draw_broken_bonds, draw_convergence, draw_energy_balance, draw_stress_strain
 from .fields import draw_cracks, draw_field, draw_phases
@@ -13,6 +13,8 @@ from .film_forces import draw_against_twin, draw_certainty, draw_ranked_forces, 
 from .films import draw_bad_pixels, draw_film_grains, draw_map, draw_phase, draw_twin_grains
 from .histories import draw_energies, draw_rest, draw_travel, draw_wall_forces
 from .packings import draw_forces, draw_packing
+from .parts import State
+from .saving import Figure, save
 from .studies import draw_study_figure, draw_study_map, draw_study_nodes, draw_study_plot, draw_study_rose, draw_study_sample, study_document
 from .style import column_width, journal_style, page_width
 from .textures import draw_contact_numbers, draw_coordination, draw_course, draw_cumulative, draw_cumulative_sets, draw_density, draw_rev, draw_rose, draw_threshold

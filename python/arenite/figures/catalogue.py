@@ -1,56 +1,12 @@
 """The figures that are made of a result; a new one is one more row."""
 
-import dataclasses
-import functools
 import pathlib
-import re
-import typing
 
-import numpy as np
-from matplotlib.figure import Figure as Canvas
-
-from .._core import measure, open as open_result
+from .._core import open as open_result
 from . import densities, failure, fields, film_forces, films, histories, packings, panels, studies, textures
-from .style import column_width, journal_style, page_width, sigma_norm
-
-
-@dataclasses.dataclass
-class Figure:
-    """`draw(figure, part)` on an empty matplotlib figure; `part` is a State, Field or FilmResult, and `when(part)` says whether it can."""
-
-    name: str
-    kind: str
-    draw: typing.Callable
-    when: typing.Callable = lambda part: True
-    height: typing.Any = 0.8  # over the width; a number or a function of the part
-    wide: bool = False
-    of_map: bool = False  # shows nothing but the map, and so only the first of the fields that have the same
-
-
-@dataclasses.dataclass
-class State:
-    """A stored state with its stage; `frames` are those of all stages, as the page's slider has them."""
-
-    name: str
-    stage: typing.Any
-    frame: typing.Any
-    frames: list
-
-    @property
-    def packing(self):
-        return self.frame.packing
-
-    @property
-    def history(self):
-        return self.stage.history
-
-    @functools.cached_property
-    def texture(self):
-        return measure(self.packing)
-
-    @property
-    def mean_force(self):
-        return self.texture.get("force", {}).get("mean_N", {}).get("value")
+from .parts import parts_of, same_map
+from .saving import Figure, listed, save
+from .style import sigma_norm
 
 
 def one(draw, data, **options):
@@ -143,7 +99,7 @@ figures = [
     Figure("force-network", "stage", force_network, has_contacts, of_packing),
     Figure("contact-directions", "stage", panels.roses, has("fabric", "sectors"), panels.roses_height, True),
     Figure("sigma-norm", "stage", panels.sigma_norm_tails, has("sigma_norm", "cumulative"), 0.45, True),
-    Figure("forces", "stage", panels.forces, has("force", "pdf"), 0.4, True),
+    Figure("forces", "stage", panels.forces, has("force", "pdf"), 0.46, True),
     Figure("coordination", "stage", coordination, has("coordination", "all")),
     Figure("contact-numbers", "stage", one(textures.draw_contact_numbers, lambda s: s.texture["coordination"]), has("coordination", "histogram")),
     Figure("rev", "stage", one(textures.draw_rev, lambda s: s.texture), has("rev")),
@@ -179,33 +135,6 @@ figures = [
 ]
 
 
-def states_of(result, stage=None, state=None):
-    """The state that is drawn: the last of a stage, the last of all, or the `state`-th of all that are stored, from 1."""
-    stored = [(part, frame) for part in result.stages for frame in part.frames]
-    frames = [frame for _, frame in stored]
-    if state is not None:
-        if not 1 <= state <= len(stored):
-            raise ValueError(f"there is no stored state {state}; this result has {len(stored)}")
-        part, frame = stored[state - 1]
-        return [State(f"{part.name}-{state}", part, frame, frames)] if stage in (None, part.name) else []
-    chosen = [(part, frame) for part, frame in stored if stage in (None, part.name)]
-    return [State(part.name, part, frame, frames) for part, frame in chosen[-1:]]
-
-
-def parts_of(result, stage=None, state=None):
-    """(kind, part) of what is drawn of a result."""
-    names = [part.name for part in [*result.stages, *result.fields, *result.films]]
-    if stage is not None and stage not in names:
-        raise ValueError(f"there is no stage {stage}; there are {', '.join(names)}")
-    yield from (("stage", shown) for shown in states_of(result, stage, state))
-    yield from (("field", field) for field in result.fields if stage in (None, field.name))
-    yield from (("film", film) for film in result.films if stage in (None, film.name))
-
-
-def same_map(a, b):
-    return a is b or (a.dx == b.dx and all(np.array_equal(getattr(a, name), getattr(b, name)) for name in ("phase", "grain", "grain_class")))
-
-
 def figures_of(result, stage=None, state=None):
     """(figure, part) of all that can be drawn of a result: every field and film, and of its stages the last state. `stage`: only
     this stage, load or film, by name; `state`: the stored state of this number, counted as in the figure `course`."""
@@ -216,36 +145,10 @@ def figures_of(result, stage=None, state=None):
     return found
 
 
-def save(figure, part, path, width=None, **style):
-    """Draws one figure into a file; its ending (pdf, svg, png) decides the format. `width`: inches; one or two columns if not given."""
-    with journal_style(**style):
-        width = width or (page_width if figure.wide else column_width)
-        height = figure.height(part) if callable(figure.height) else figure.height
-        canvas = Canvas(figsize=(width, width * height), layout="constrained")
-        figure.draw(canvas, part)
-        # Without a date the same result gives the same bytes.
-        metadata = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}.get(pathlib.Path(path).suffix[1:], {})
-        canvas.savefig(path, metadata=metadata)
-    if pathlib.Path(path).suffix == ".svg":
-        number_clips(pathlib.Path(path))
-
-
-def number_clips(path):
-    """Names the clipping paths of an SVG by their order: Matplotlib names those that are no rectangles by where they lie in memory."""
-    text = path.read_text(encoding="utf-8")
-    names = {name: f"clip{k}" for k, name in enumerate(re.findall(r'<clipPath id="(\w+)"', text))}
-    path.write_text(re.sub(r'(<clipPath id="|url\(#)(\w+)', lambda m: m[1] + names.get(m[2], m[2]), text), encoding="utf-8")
-
-
 def study_figures(path):
     """(figure, part) of all that the page of a study shows and can be drawn yet."""
     return [(Figure(part["id"], "study", studies.draw_study_figure, height=studies.height_of(part)), part)
             for part in studies.study_document(path)["figures"] if studies.has_content(part)]
-
-
-def listed(words):
-    """A list of words, or the only one."""
-    return [words] if isinstance(words, str) else list(words)
 
 
 def save_all(result, folder, formats=("pdf",), names=None, width=None, stage=None, state=None):
