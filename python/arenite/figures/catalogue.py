@@ -5,7 +5,7 @@ import pathlib
 from .._core import open as open_result
 from . import densities, failure, fields, film_forces, films, histories, packings, panels, studies, textures
 from .parts import parts_of, same_map
-from .saving import Figure, listed, save
+from .saving import Canvas, Figure, listed, save
 from .style import sigma_norm
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.colors import to_rgba
 
-from .films import normalised
+from .films import mean_stress, normalised
 from .style import colours, force_symbols, scaled, sigma_norm, soft, strong, tension
 
 twin_names = {"swing": "simulation, swing", "state": "simulation, state"}
@@ -30,7 +30,7 @@ def certainty_sets(film):
 def draw_against_twin(axes, film, which="swing"):
     """Film against simulation, grain by grain; the correlation is the stored one, of the grains away from the border."""
     x, y = normalised(film, film.twin[which]), normalised(film, film.sigma_hyd)
-    error = film.sigma_hyd_error * np.nanmedian(np.abs(y / film.sigma_hyd))
+    error = film.sigma_hyd_error / abs(mean_stress(film, film.sigma_hyd))
     for name, colour, of in materials_of(film):
         axes.errorbar(x[of], y[of], yerr=error[of], fmt=".", color=colour, markersize=2, elinewidth=0.3, alpha=0.7, label=name)
     ends = [min(0, np.nanmin(x), np.nanmin(y)), max(np.nanmax(x), np.nanmax(y))]
@@ -76,7 +76,10 @@ def certainty_bins(ratio):
 
 def draw_certainty(axes, film):
     """How many standard errors normal forces are worth."""
-    ratio = film.packing.contacts.fn / film.fn_error
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratio = film.packing.contacts.fn / film.fn_error
+    if not np.isfinite(ratio).any():
+        return
     edges = certainty_bins(ratio[np.isfinite(ratio)])
     inside = np.clip(ratio, edges[0], np.nextafter(edges[-1], 0))
     sets = [(name, colour, of & np.isfinite(ratio)) for name, colour, of in certainty_sets(film)]

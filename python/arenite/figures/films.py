@@ -84,10 +84,14 @@ def map_panels(film):
     return [draw for draw in drawn if draw]
 
 
-def normalised(film, sigma):
-    """Over the mean of the grains away from the border that have one, as all statistics of a film are; of all where there are none."""
+def mean_stress(film, sigma):
+    """Of the grains away from the border that have one, as all statistics of a film take it; of all where there are none."""
     counted = np.asarray(measure_grains(film.packing)["considered"], bool) & np.isfinite(sigma)
-    return sigma / np.mean(sigma[counted] if counted.any() else sigma[np.isfinite(sigma)])
+    return np.mean(sigma[counted] if counted.any() else sigma[np.isfinite(sigma)])
+
+
+def normalised(film, sigma):
+    return sigma / mean_stress(film, sigma)
 
 
 def _disks(axes, film, values, most):
