@@ -1,13 +1,13 @@
-"""Cemented samples and their stresses (P figures 1 to 15)."""
+"""Pictures of cemented samples and their stresses (P figures 1 to 15)."""
 
 import numpy as np
 from matplotlib.colors import ListedColormap
+from matplotlib.lines import Line2D
 
-from .style import bare, colours, length_bar, phase_colours, scaled, soft, strong
+from .style import bare, crack_colours, diverging_map, even_map, key_below, length_bar, patch, phase_colours, phases, scaled
 
-order = ["all", "large", "small", "particle", "matrix"]
-crack_colours = {1: ("matrix", "#d62728"), 2: ("interface", "#111111"), 3: ("particle", "#ff9d00")}
-set_colours = {"all": strong, "large": colours[0], "small": colours[1], "particle": colours[0], "matrix": colours[2]}
+symbols = {"sigma_yy": r"\sigma_{\mathrm{yy}}", "sigma_xx": r"\sigma_{\mathrm{xx}}", "sigma_xy": r"\sigma_{\mathrm{xy}}", "sigma_hyd": r"\sigma_{\mathrm{hyd}}",
+           "sigma_1": r"\sigma_1", "sigma_2": r"\sigma_2", "ux": r"u_{\mathrm{x}}", "uy": r"u_{\mathrm{y}}", "u": r"|\mathbf{u}|"}
 
 
 def _picture(axes, map, values, **options):
@@ -19,107 +19,111 @@ def _picture(axes, map, values, **options):
     return shown
 
 
-def draw_phases(axes, field):
-    """Void, matrix, small and large grains; `field` is a Field or a PhaseMap."""
-    map = getattr(field, "map", field)
-    kind = np.array(map.phase, dtype=np.uint8)  # 0 void, 1 matrix, 2 particle, 3 small, 4 large
+def height_of(field, room=0.2):
+    """Height over width of a picture with its key."""
+    return min(1.6, field.map.height / field.map.width + room)
+
+
+def kinds_of(map):
+    """Every node's number in `phases`."""
+    kind = np.array(map.phase, dtype=np.uint8)
     grain_class = np.array(map.grain_class)
     inside = map.grain >= 0
     if len(grain_class):
         of_node = grain_class[np.where(inside, map.grain, 0)]
-        kind[inside & (of_node == 1)] = 3
-        kind[inside & (of_node == 2)] = 4
-    palette = ListedColormap([phase_colours[name] for name in ("void", "matrix", "particle", "small", "large")])
-    return _picture(axes, map, kind, cmap=palette, vmin=-0.5, vmax=4.5)
+        kind[inside & (of_node == 1)] = phases.index("small")
+        kind[inside & (of_node == 2)] = phases.index("large")
+    return kind
 
 
-def draw_field(axes, field, component="sigma_yy", share=0.005, colour_map="RdBu_r"):
-    """A stress component over its mean in the solid; colours leave out `share` of the nodes at each end, the void is white."""
-    solid = field.map.phase > 0
-    values = np.where(solid, getattr(field, component), np.nan)
-    mean = np.nanmean(values)
-    typical = np.sqrt(np.nanmean(values**2))
-    values = values / (mean if abs(mean) > 0.1 * typical else typical)
+def draw_phases(axes, field, key=True):
+    """Void, matrix, small and large grains; `field` is a Field or a PhaseMap."""
+    map = getattr(field, "map", field)
+    palette = ListedColormap([phase_colours[name] for name in phases])
+    shown = _picture(axes, map, kinds_of(map), cmap=palette, vmin=-0.5, vmax=4.5)
+    if key:
+        key_below(axes, phase_key(map), 3)
+    return shown
+
+
+def phase_key(map):
+    """Entries of the phases that there are, with their shares of the area."""
+    share = np.bincount(kinds_of(map).ravel(), minlength=len(phases)) / (map.width * map.height)
+    return [patch(phase_colours[name], f"{name} {100 * share[k]:.3g} %") for k, name in reversed(list(enumerate(phases))) if share[k] > 0]
+
+
+def values_of(field, component):
+    """A component on all nodes, Pa or m: sigma_yy, sigma_xx, sigma_xy, sigma_hyd, sigma_1 and sigma_2 (the principal stresses, the larger first), ux, uy, u (how far)."""
+    if component == "sigma_hyd":
+        return 0.5 * (field.sigma_xx + field.sigma_yy)
+    if component in ("sigma_1", "sigma_2"):
+        sign = 1 if component == "sigma_1" else -1
+        return 0.5 * (field.sigma_xx + field.sigma_yy) + sign * np.hypot(0.5 * (field.sigma_xx - field.sigma_yy), field.sigma_xy)
+    if component == "u":
+        return np.hypot(field.ux, field.uy)
+    return np.asarray(getattr(field, component))
+
+
+def statistics_of(field, **options):
+    """Its stresses by phase; nothing where there is no stress."""
+    try:
+        return field.statistics(**options)
+    except ValueError:
+        return {}
+
+
+def unit_of(field):
+    """(Pa, name of the component, "mean" or "root mean square") that the stored statistics give stresses over; nothing without any."""
+    stored = field.numbers.get("stress") or statistics_of(field, curves=False)
+    for component in [name for name in symbols if name in stored]:
+        every = stored[component].get("sets", {}).get("all", {})
+        over = every.get("mean_over_sample_mean", {}).get("value")
+        if over:
+            return every["mean_Pa"]["value"] / over, component, stored[component]["normalised_by"]
+    return None
+
+
+def scale_of(field, component):
+    """(values, centre, label) of a picture. The component of the statistics is shown over its mean about 1 or over its r.m.s. about 0,
+    the other stresses over the same (without its sign) about their means; displacements in metres, how far from the least on."""
+    values, symbol = np.where(field.map.phase > 0, values_of(field, component), np.nan), symbols[component]
+    unit = unit_of(field) if component.startswith("sigma") else None
+    if unit is None:
+        factor, name = scaled(np.nanmax(np.abs(values)), "Pa" if component.startswith("sigma") else "m")
+        return values / factor, None if component == "u" else np.nanmean(values) / factor, f"${symbol}$, {name}"
+    value, of, by = unit
+    if of == component:
+        return values / value, float(by == "mean"), f"${symbol}$ over its {'mean' if by == 'mean' else 'r.m.s.'}"
+    values = values / abs(value)
+    over = rf"|\langle {symbols[of]}\rangle|" if by == "mean" else rf"\mathrm{{rms}}({symbols[of]})"
+    return values, np.nanmean(values), f"${symbol}/{over}$"
+
+
+def draw_field(axes, field, component="sigma_yy", share=0.005, colour_map=diverging_map):
+    """A component as `scale_of` gives it; colours leave out `share` of the nodes at each end, the void is white."""
+    values, centre, label = scale_of(field, component)
     low, high = np.nanquantile(values, [share, 1 - share])
-    most = max(abs(low - 1), abs(high - 1))
-    return _picture(axes, field.map, values, cmap=colour_map, vmin=1 - most, vmax=1 + most)
+    if centre is None:
+        shown = _picture(axes, field.map, values, cmap=even_map, vmin=low, vmax=high)
+    else:
+        reach = max(high - centre, centre - low) or 1.0
+        shown = _picture(axes, field.map, values, cmap=colour_map, vmin=centre - reach, vmax=centre + reach)
+    shown.set_label(label)
+    return shown
 
 
 def draw_cracks(axes, field):
     """Broken bonds on the sample, by type."""
-    draw_phases(axes, field)
-    crack_dots(axes, field.cracks["x"], field.cracks["y"], field.cracks["type"])
+    draw_phases(axes, field, key=False)
+    crack_dots(axes, field.cracks["x"], field.cracks["y"], field.cracks["type"], phase_key(field.map))
 
 
-def crack_dots(axes, x, y, kinds):
-    """A dot at every broken bond, by type; the key says how many."""
+def crack_dots(axes, x, y, kinds, others=()):
+    """A dot at every broken bond, by type; the key says how many, after the entries `others`."""
+    handles, suffix = [], " bonds" if others else ""
     for kind, (name, colour) in crack_colours.items():
         of = kinds == kind
         if of.any():
-            axes.plot(x[of], y[of], ".", color=colour, markersize=0.8, label=f"{name} {of.sum()}", rasterized=True)
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, 0), ncols=3, markerscale=6, handletextpad=0.2)
-
-
-def draw_broken_bonds(axes, field):
-    """Number of broken bonds by type over the steps of a pull."""
-    until = np.asarray(field.curve["broken"], int)
-    step = np.arange(1, len(until) + 1)
-    for kind, (name, colour) in crack_colours.items():
-        count = np.concatenate([[0], np.cumsum(field.cracks["type"] == kind)])
-        axes.step(step, count[np.minimum(until, len(count) - 1)], where="post", color=colour, label=name)
-    axes.set(xlabel="step", ylabel="broken bonds", ylim=(0, None))
-    axes.legend()
-
-
-def draw_densities(axes, statistics, component="sigma_yy", own=False, log=True):
-    """Densities of a component by phase over the sample's mean, or over each phase's `own` (P Figs. 9, 13, 14)."""
-    sets = statistics["components"][component]["sets"] if "components" in statistics else statistics[component]["sets"]
-    most = 0.0
-    for name in order:
-        curve = sets.get(name, {}).get("own_pdf" if own else "pdf")
-        if curve is None or (name == "particle" and "large" in sets):
-            continue
-        x, y = np.array(curve["x"]), np.array(curve["y"])
-        most = max(most, y.max())
-        axes.plot(x[y > 0], y[y > 0], color=set_colours[name], label=name, linewidth=1.4 if name == "all" else 1.0)
-    axes.axvline(1, color=soft, linewidth=0.6, linestyle=":")
-    symbol = component.replace("sigma_", r"\sigma_{") + "}"
-    axes.set(xlabel=f"${symbol}/\\langle {symbol}\\rangle$" + (" of the phase" if own else ""), ylabel="probability density")
-    if log:
-        axes.set(yscale="log", ylim=(2e-5 * most, 2 * most))
-    axes.legend()
-
-
-def draw_cavities(axes, volumes, label="pores"):
-    """Density of the volume of single pores or voids; `volumes` in m^2 over pi r_L^2 or any other unit."""
-    volumes = np.asarray(volumes, float)
-    edges = np.geomspace(volumes.min(), volumes.max() * 1.0001, 16)
-    count, _ = np.histogram(volumes, edges)
-    seen = count > 0
-    density = count / len(volumes) / np.diff(edges)
-    axes.errorbar(np.sqrt(edges[1:] * edges[:-1])[seen], density[seen], yerr=(density / np.sqrt(np.maximum(count, 1)))[seen] * 0.95, fmt="o-", elinewidth=0.7, label=f"{label} {len(volumes)}")
-    axes.set(xscale="log", yscale="log", xlabel=r"$V/(\pi\,\overline{r}^2)$", ylabel="probability density")
-    axes.legend()
-
-
-def draw_convergence(axes, convergence):
-    """Relative residual of the solver."""
-    axes.semilogy(convergence["iteration"], convergence["residual"], "o-" if len(convergence["residual"]) < 60 else "-", color=colours[0])
-    axes.set(xlabel="iteration", ylabel="relative residual")
-
-
-def draw_stress_strain(axes, curve):
-    """Mean stress of the pulled row against strain, before every round of breaking."""
-    factor, unit = scaled(np.max(curve["stress"]), "Pa")
-    axes.plot(1e3 * np.append(0, curve["strain"]), np.append(0, curve["stress"]) / factor, color=colours[0])
-    axes.set(xlabel=r"strain, $10^{-3}$", ylabel=f"stress, {unit}", ylim=(0, None), xlim=(0, None))
-
-
-def draw_energy_balance(axes, curve):
-    """Work of the clamp, stored elastically or released by broken bonds, per unit thickness."""
-    factor, unit = scaled(np.max(curve["work"]), "J/m")
-    step = np.arange(1, len(curve["work"]) + 1)
-    axes.stackplot(step, curve["released"] / factor, curve["elastic"] / factor, labels=["released", "elastic"], colors=[colours[1], colours[0]], alpha=0.5, linewidth=0)
-    axes.plot(step, curve["work"] / factor, color=strong, label="work")
-    axes.set(xlabel="step", ylabel=f"energy, {unit}")
-    axes.legend()
+            axes.plot(x[of], y[of], ".", color=colour, markersize=0.8, rasterized=True)
+            handles.append(Line2D([], [], linestyle="", marker=".", color=colour, markersize=5, label=f"{name}{suffix} {of.sum()}"))
+    key_below(axes, [*others, *handles], 3)

@@ -1,83 +1,119 @@
-"""What an infrared film gives: maps, grains, contact forces (T figures 3.7 to 3.12)."""
+"""Pictures of an infrared film: maps of its pixels, grains by their stress (T figures 3.7 to 3.10)."""
 
 import numpy as np
-from matplotlib.collections import PatchCollection
-from matplotlib.patches import Circle
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import ListedColormap, Normalize
 
-from .style import bare, colours, scaled, soft, strong
+from .._core import measure_grains
+from .packings import circles
+from .style import bare, cyclic_map, diverging_map, even_map, length_bar, most_stress, picture_map, stress_map, strong
+
+faint_below = 3  # standard errors
+bad_pixel = "#ff2d95"
 
 
-def draw_map(axes, values, label=None, share=0.005, colour_map="inferno"):
-    """A map of pixels, top row first, without `share` of the pixels at each end of its colours; `label` gives it a bar."""
-    known = values[np.isfinite(values)]
-    low, high = np.quantile(known, [share, 1 - share]) if known.size else (0, 1)
-    shown = axes.imshow(values, vmin=low, vmax=high, cmap=colour_map, interpolation="nearest", rasterized=True)
+def _show(axes, values, pixel, **options):
+    """A picture, top row first; on the sample with a bar of known length below where the side of a pixel (m) is known."""
+    height, width = values.shape[:2]
+    side = pixel if pixel > 0 else 1
+    shown = axes.imshow(values, extent=(0, width * side, 0, height * side), interpolation="nearest", rasterized=True, **options)
     bare(axes)
-    if label:
-        axes.figure.colorbar(shown, ax=axes, label=label, shrink=0.8)
+    if pixel > 0:
+        axes.set_ylim(-0.12 * height * side, height * side)
+        length_bar(axes, width * side, 0, -0.09 * height * side)
     return shown
 
 
-def _disks(axes, grains, values, most=2.5):
-    disks = PatchCollection([Circle((x, y), r) for x, y, r in zip(grains.x, grains.y, grains.radius)], linewidth=0.25, edgecolor=strong, cmap="viridis")
-    disks.set_array(values)
-    disks.set_clim(0, most)
+def draw_map(axes, values, label=None, share=0.005, colour_map="inferno", about=None, pixel=0):
+    """A map of pixels, top row first, without `share` of the pixels at each end of its colours, which lie evenly about `about`
+    if it is given; `label` gives it a bar of colours with a title, `pixel` (m) a bar of known length."""
+    known = values[np.isfinite(values)]
+    low, high = np.quantile(known, [share, 1 - share]) if known.size else (0, 1)
+    if about is not None:
+        reach = max(high - about, about - low) or 1.0
+        low, high = about - reach, about + reach
+    shown = _show(axes, values, pixel, vmin=low, vmax=high, cmap=colour_map)
+    if label:
+        axes.set_title(label)
+        axes.figure.colorbar(shown, ax=axes, shrink=0.8)
+    return shown
+
+
+def phase_after_load(maps):
+    """Phase of the swing after that of the load, degrees in (-180, 180]."""
+    angle = np.degrees(np.asarray(maps.phase, float) - maps.reference_phase)
+    return angle - 360 * np.ceil(angle / 360 - 0.5)
+
+
+def draw_phase(axes, maps, pixel=0):
+    """Phase after the load; pale where the amplitude is below three standard errors, so that its phase says nothing."""
+    norm = Normalize(-180, 180)
+    shown = cyclic_map(norm(phase_after_load(maps)))
+    faint = np.asarray(maps.amplitude) < faint_below * np.asarray(maps.standard_error)
+    shown[faint, :3] = 1 - 0.2 * (1 - shown[faint, :3])
+    _show(axes, shown, pixel)
+    axes.set_title("phase after the load, °")
+    axes.figure.colorbar(ScalarMappable(norm, cyclic_map), ax=axes, shrink=0.8, ticks=[-180, -90, 0, 90, 180])
+
+
+def draw_bad_pixels(axes, film):
+    """The pixels that were replaced, on the picture at the smallest load."""
+    draw_map(axes, film.picture, "smallest load, K", colour_map=picture_map, pixel=film.pixel)
+    bad = np.asarray(film.bad, bool)
+    _show(axes, np.where(bad, 1.0, np.nan), film.pixel, cmap=ListedColormap([bad_pixel]))
+    axes.set_title(f"{bad.sum()} pixels replaced")
+
+
+def map_panels(film):
+    """[function of axes] that draw the maps which a film holds, as the page lists them."""
+    maps = film.maps
+
+    def of(values, label, **options):
+        return (lambda axes: draw_map(axes, values, label, pixel=film.pixel, **options)) if np.size(values) else None
+
+    drawn = [
+        of(film.picture, "smallest load, K", colour_map=picture_map),
+        of(1e3 * maps.amplitude, "amplitude, mK", colour_map=stress_map),
+        (lambda axes: draw_phase(axes, maps, film.pixel)) if np.size(maps.phase) and np.size(maps.standard_error) else None,
+        of(1e3 * maps.in_phase, "warming with the load, mK", colour_map=diverging_map, about=0),
+        of(1e3 * maps.second_harmonic, "amplitude at 2 f, mK", colour_map=stress_map),
+        of(1e3 * maps.standard_error, "standard error, mK", colour_map=even_map),
+        of(1e3 * maps.residual, "left by the fit, mK", colour_map=even_map),
+        (lambda axes: draw_bad_pixels(axes, film)) if np.any(getattr(film, "bad", False)) else None,
+    ]
+    return [draw for draw in drawn if draw]
+
+
+def mean_stress(film, sigma):
+    """Of the grains away from the border that have one, as all statistics of a film take it; of all where there are none."""
+    counted = np.asarray(measure_grains(film.packing)["considered"], bool) & np.isfinite(sigma)
+    return np.mean(sigma[counted] if counted.any() else sigma[np.isfinite(sigma)])
+
+
+def normalised(film, sigma):
+    return sigma / mean_stress(film, sigma)
+
+
+def _disks(axes, film, values, most):
+    """Grains in metres, or in pixels where their side is not known."""
+    grains, side = film.grains, film.pixel if film.pixel > 0 else 1
+    x, y, radius = side * grains.x, -side * grains.y, side * grains.radius
+    disks = circles(x, y, radius, linewidth=0.25, edgecolor=strong, cmap=stress_map)
+    disks.set(array=values, clim=(0, most))
     axes.add_collection(disks)
-    axes.autoscale_view()
-    axes.invert_yaxis()
+    left, right, bottom, top = (x - radius).min(), (x + radius).max(), (y - radius).min(), (y + radius).max()
     bare(axes)
+    axes.set(xlim=(left, right), ylim=(bottom - (0.12 * (top - bottom) if film.pixel > 0 else 0), top))
+    if film.pixel > 0:
+        length_bar(axes, right - left, left, bottom - 0.09 * (top - bottom))
     return disks
 
 
-def normalised(sigma):
-    """Over the mean of the grains that have one."""
-    return sigma / np.nanmean(sigma)
-
-
-def draw_film_grains(axes, film, most=2.5):
+def draw_film_grains(axes, film, most=most_stress):
     """sigma_norm of every grain as the film shows it."""
-    return _disks(axes, film.grains, normalised(film.sigma_hyd), most)
+    return _disks(axes, film, normalised(film, film.sigma_hyd), most)
 
 
-def draw_twin_grains(axes, film, which="swing", most=2.5):
+def draw_twin_grains(axes, film, which="swing", most=most_stress):
     """The same of the simulation beside the film, its "swing" or its "state"."""
-    return _disks(axes, film.grains, normalised(film.twin[which]), most)
-
-
-def draw_against_twin(axes, film, which="swing"):
-    """Film against simulation, grain by grain."""
-    x, y = normalised(film.twin[which]), normalised(film.sigma_hyd)
-    error = film.sigma_hyd_error / abs(np.nanmean(film.sigma_hyd))
-    axes.errorbar(x, y, yerr=error, fmt=".", color=colours[0], markersize=2, elinewidth=0.3, alpha=0.7)
-    ends = [min(0, np.nanmin(x), np.nanmin(y)), max(np.nanmax(x), np.nanmax(y))]
-    axes.plot(ends, ends, "--", color=soft)
-    known = np.isfinite(x) & np.isfinite(y)
-    axes.text(0.05, 0.95, f"$r$ = {np.corrcoef(x[known], y[known])[0, 1]:.3f}", transform=axes.transAxes, va="top")
-    axes.set(xlabel=r"simulation, $\sigma_{norm}$", ylabel=r"film, $\sigma_{norm}$")
-
-
-def _ranked(axes, values, errors, unit, label):
-    order = np.argsort(-values)
-    factor, unit = scaled(np.nanmax(np.abs(values)), unit)
-    rank = np.arange(1, len(values) + 1)
-    axes.errorbar(rank, values[order] / factor, yerr=errors[order] / factor, fmt=".", color=colours[0], ecolor=soft, markersize=1.5, elinewidth=0.5)
-    axes.axhline(0, color=soft, linewidth=0.6)
-    axes.set(xlabel="rank", ylabel=f"{label}, {unit}")
-
-
-def draw_ranked_forces(axes, film):
-    """Normal forces of the swing in order, with standard errors."""
-    _ranked(axes, film.packing.contacts.fn, film.fn_error, "N", "$F_n$")
-
-
-def draw_ranked_stresses(axes, film):
-    """Pressures of grains in order, with standard errors."""
-    _ranked(axes, -film.sigma_hyd, film.sigma_hyd_error, "Pa", r"$-\sigma_{hyd}$")
-
-
-def draw_certainty(axes, film):
-    """How many standard errors normal forces are worth."""
-    ratio = film.packing.contacts.fn / film.fn_error
-    ratio = ratio[np.isfinite(ratio)]
-    axes.hist(np.clip(ratio, -6, np.quantile(ratio, 0.98)), bins=36, color=colours[0], alpha=0.8)
-    axes.set(xlabel="$F_n$ / standard error", ylabel="contacts")
+    return _disks(axes, film, normalised(film, film.twin[which]), most)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .style import colours, scaled
+from .style import colours, scaled, soft, strong
 
 sides = {"bottom": 1, "top": -1, "left": 1, "right": -1}  # direction into the sample
 
@@ -11,41 +11,57 @@ def _time(history):
     return history["time"] - history["time"][0]
 
 
-def _lines(axes, history, names, factor=1.0, positive=False):
-    for (name, label), colour in zip(names, colours):
-        if name in history and np.any(np.abs(history[name]) > 0):
-            values = history[name] / factor
-            axes.plot(_time(history), np.where(values > 0, values, np.nan) if positive else values, color=colour, label=label)
+def _lines(axes, history, names, factor=1.0, positive=False, columns=3):
+    """Lines of the columns that hold anything; the second and fourth are dashed, so that equal forces are both seen."""
+    shown = [(k, name, label) for k, (name, label) in enumerate(names) if name in history and np.any(np.abs(history[name]) > 0)]
+    for k, name, label in shown:
+        values = history[name] / factor
+        axes.plot(_time(history), np.where(values > 0, values, np.nan) if positive else values, color=colours[k % len(colours)], label=label, linestyle="-" if positive or k % 2 == 0 else "--")
     axes.set_xlabel("time, s")
-    if axes.lines:
-        axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=3, columnspacing=1)
+    if shown:
+        axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=columns, columnspacing=1, handlelength=1.4, handletextpad=0.4)
 
 
 def draw_wall_forces(axes, history):
     """Normal force of the grains on each wall."""
     present = [f"{side}_force" for side in sides if f"{side}_force" in history]
     factor, unit = scaled(max(np.abs(history[name]).max() for name in present), "N")
-    _lines(axes, history, [(name, name.split("_")[0]) for name in present], factor)
+    _lines(axes, history, [(name, name.split("_")[0]) for name in present], factor, columns=4)
     axes.set_ylabel(f"force, {unit}")
 
 
-def draw_travel(axes, history):
-    """Force on the wall that moves farthest against its travel into the sample."""
-    side = max((s for s in sides if f"{s}_position" in history), key=lambda s: abs(history[f"{s}_position"][-1] - history[f"{s}_position"][0]))
-    way, force = sides[side] * (history[f"{side}_position"] - history[f"{side}_position"][0]), history[f"{side}_force"]
+def moving_wall(history):
+    """The side whose wall moves farthest; nothing where none moves."""
+    ways = {side: abs(history[f"{side}_position"][-1] - history[f"{side}_position"][0]) for side in sides if len(history.get(f"{side}_position", [])) > 1 and f"{side}_force" in history}
+    side = max(ways, key=ways.get, default=None)
+    return side if side and ways[side] > 1e-9 else None
+
+
+def draw_travel(axes, history, frames=()):
+    """Force on the wall that moves farthest against its travel into the sample; dots: the stored states `frames`."""
+    side = moving_wall(history)
+    start, force = history[f"{side}_position"][0], history[f"{side}_force"]
     factor, unit = scaled(np.abs(force).max(), "N")
-    axes.plot(1e3 * way, force / factor, color=colours[0])
+    axes.plot(1e3 * sides[side] * (history[f"{side}_position"] - start), force / factor, color=soft if len(frames) else colours[0])
+    walls = [frame.packing.domain[side] for frame in frames]
+    axes.plot([1e3 * sides[side] * (w["position"] - start) for w in walls], [w["force"] / factor for w in walls], "o", color=strong, label="stored states")
     axes.set(xlabel=f"travel of the {side} wall, mm", ylabel=f"force, {unit}")
+    if walls:
+        axes.legend()
 
 
 def draw_energies(axes, history):
     """Stored and dissipated energy and work, logarithmic."""
-    _lines(axes, history, [("elastic", "elastic"), ("kinetic", "kinetic"), ("dissipated_friction", "friction"), ("dissipated_normal", "dashpots"),
-                           ("dissipated_drag", "drag"), ("work_walls", "work of walls"), ("work_gravity", "work of gravity")], positive=True)
+    names = [("elastic", "elastic"), ("kinetic", "kinetic"), ("dissipated_friction", "friction"), ("dissipated_normal", "dashpots"),
+             ("dissipated_drag", "drag"), ("work_walls", "work of walls"), ("work_gravity", "work of gravity")]
+    _lines(axes, history, names, positive=True)
+    values = np.concatenate([history[name] for name, _ in names if name in history])
     axes.set(ylabel="energy, J", yscale="log")
+    if (values > 0).any():  # a sample at rest would stretch the axis over tens of decades
+        axes.set_ylim(max(values[values > 0].min(), 1e-7 * values.max()) / 2, 2 * values.max())
 
 
 def draw_rest(axes, history):
     """How far the sample is from equilibrium."""
-    _lines(axes, history, [("unbalanced_ratio", "unbalanced force"), ("kinetic_ratio", "kinetic/elastic"), ("mobilisation", r"mean $|F_t|/F_n$")], positive=True)
+    _lines(axes, history, [("unbalanced_ratio", "unbalanced force"), ("kinetic_ratio", "kinetic/elastic"), ("mobilisation", r"mean $|F_{\mathrm{t}}|/F_{\mathrm{n}}$")], positive=True, columns=2)
     axes.set(ylabel="ratio", yscale="log")

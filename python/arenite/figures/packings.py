@@ -5,11 +5,11 @@ from matplotlib.collections import PatchCollection, PolyCollection
 from matplotlib.patches import Circle, Rectangle
 
 from .._core import measure_grains
-from .style import bare, colours, length_bar, strong
+from .style import bare, chain_width, colours, force_symbols, key_below, length_bar, most_stress, pale, patch, scaled, stress_map, strong, tension, weak, widest_chain
 
 
 def frame(axes, packing):
-    """The walls or the edges of the cell, and room around them."""
+    """The walls or the edges of the cell, and room around them; gives where a line of text below it has room, (x, y)."""
     d = packing.domain
     x, y = d["left"]["position"], d["bottom"]["position"]
     axes.add_patch(Rectangle((x, y), d["width"], d["height"], fill=False, linewidth=0.6, edgecolor=strong, linestyle="-" if d["left"]["present"] else "--"))
@@ -18,36 +18,93 @@ def frame(axes, packing):
     axes.set_ylim(y - 4 * margin, y + d["height"] + margin)
     length_bar(axes, d["width"], x, y - 3 * margin)
     bare(axes)
+    return x + 0.3 * d["width"], y - 3 * margin
 
 
-def draw_packing(axes, packing, by="material", colour_map="viridis", most=2.5):
+def height_of(packing, room=0.12):
+    """Height over width of a picture with its key."""
+    return min(1.6, packing.domain["height"] / packing.domain["width"] + room)
+
+
+def circles(x, y, radius, **options):
+    return PatchCollection([Circle((a, b), r) for a, b, r in zip(x, y, radius)], **options)
+
+
+def material_key(axes, packing):
+    names = [(m, material.name) for m, material in enumerate(packing.materials) if np.any(packing.material == m)]
+    key_below(axes, [patch(colours[m % len(colours)] + "bf", f"{name} ({np.sum(packing.material == m)})") for m, name in names])
+
+
+def draw_packing(axes, packing, by="material", colour_map=stress_map, most=most_stress):
     """Grains coloured `by` "material" or "sigma_norm" (pressure over its mean, up to `most`); gives what a colour bar needs."""
-    disks = PatchCollection([Circle((x, y), r) for x, y, r in zip(packing.x, packing.y, packing.radius)], linewidth=0.25, edgecolor=strong)
+    disks = circles(packing.x, packing.y, packing.radius, linewidth=0.25, edgecolor=strong)
+    axes.add_collection(disks)
+    frame(axes, packing)
     if by == "sigma_norm" and len(packing.contacts) > 0:
-        disks.set_array(measure_grains(packing)["sigma_norm"])
-        disks.set_clim(0, most)
-        disks.set_cmap(colour_map)
+        disks.set(array=measure_grains(packing)["sigma_norm"], clim=(0, most), cmap=colour_map)
     else:
         disks.set_facecolor([colours[m % len(colours)] for m in packing.material])
         disks.set_alpha(0.75)
-    axes.add_collection(disks)
-    frame(axes, packing)
+        material_key(axes, packing)
     return disks
 
 
-def draw_forces(axes, packing, widest=0.6):
-    """Normal forces as bars between centres: width by force, `widest` of the mean radius for four times the mean force; tension is red."""
-    axes.add_collection(PatchCollection([Circle((x, y), r) for x, y, r in zip(packing.x, packing.y, packing.radius)], linewidth=0.2, edgecolor="#c8c8c8", facecolor="none"))
+def draw_forces(axes, packing, mean=None, uncertain=None):
+    """Normal forces as bars between centres: width by force, strong ones (above `mean`, that of the pushing ones if not given)
+    dark, pulling ones red; those of `uncertain` (one flag a contact) are pale."""
+    axes.add_collection(circles(packing.x, packing.y, packing.radius, linewidth=0.2, edgecolor=pale, facecolor="none"))
+    at = frame(axes, packing)
     c = packing.contacts
-    if len(c) > 0:
-        push = c.fn[c.fn > 0]
-        unit = widest * np.mean(packing.radius) / (4 * (push.mean() if len(push) else 1.0))
-        inner = c.j >= 0
-        a = np.column_stack([packing.x[c.i], packing.y[c.i]])
-        b = a - np.column_stack([c.nx, c.ny]) * (c.arm_i + c.arm_j)[:, None]
-        half = 0.5 * unit * np.minimum(np.abs(c.fn), 4 * push.mean() if len(push) else 1.0)[:, None] * np.column_stack([-c.ny, c.nx])
-        bars = np.stack([a + half, b + half, b - half, a - half], axis=1)
-        axes.add_collection(PolyCollection(bars, facecolor=np.where(c.fn < 0, "#d62728", np.where(inner, strong, "#707070")), linewidth=0))
-    frame(axes, packing)
+    if len(c) == 0:
+        return
+    uncertain = np.zeros(len(c), bool) if uncertain is None else np.asarray(uncertain, bool)
+    push = c.fn[(c.fn > 0) & ~uncertain]
+    mean = mean or (push.mean() if len(push) else 1.0)
+    kinds = kinds_of(c.fn, mean, uncertain)
+    width = np.mean(packing.radius) * np.minimum(widest_chain, chain_width * np.abs(c.fn) / mean)
+    for kind, colour in kind_colours.items():
+        drawn = [bars(start[kinds == kind], end[kinds == kind], width[kinds == kind]) for start, end in segments(packing)]
+        axes.add_collection(PolyCollection(np.concatenate(drawn), facecolor=colour, linewidth=0))
+    force_scale(axes, at, np.mean(packing.radius) * chain_width, mean)
+    key_below(axes, [patch(colour, kind) for kind, colour in kind_colours.items() if np.any(kinds == kind)])
 
 
+kind_colours = {"may be absent": pale, "weak": weak, "strong": strong, "tension": tension}  # in the order of drawing
+
+
+def kinds_of(fn, mean, uncertain):
+    """The kind of every force; as on the page a pull counts from a thousandth of the mean."""
+    return np.select([uncertain, fn < -1e-3 * mean, fn > mean], ["may be absent", "tension", "strong"], "weak")
+
+
+def segments(packing):
+    """(starts, ends) of the contacts, centre to centre or wall; seen from the other grain too where it lies across a periodic side."""
+    c = packing.contacts
+    way = np.column_stack([c.nx, c.ny]) * (c.arm_i + c.arm_j)[:, None]
+    from_i = np.column_stack([packing.x[c.i], packing.y[c.i]])
+    j = np.maximum(c.j, 0)
+    from_j = np.column_stack([packing.x[j], packing.y[j]])
+    across = (c.j >= 0) & (np.linalg.norm(from_j - (from_i - way), axis=1) > packing.radius[j])
+    # A segment of no length keeps the order of contacts where there is nothing to see.
+    return [(from_i, from_i - way), (np.where(across[:, None], from_j, 0), np.where(across[:, None], from_j + way, 0))]
+
+
+def bars(start, end, width):
+    way = end - start
+    length = np.maximum(np.linalg.norm(way, axis=1), 1e-300)[:, None]
+    half = 0.5 * width[:, None] * np.column_stack([-way[:, 1], way[:, 0]]) / length
+    return np.stack([start + half, end + half, end - half, start - half], axis=1)
+
+
+def force_scale(axes, at, width, mean):
+    """A bar as wide as the mean force is drawn, and what it is."""
+    x, y = at
+    length = 0.06 * packing_width(axes)
+    axes.add_patch(Rectangle((x, y - width / 2), length, width, facecolor=strong, linewidth=0))
+    factor, unit = scaled(mean, "N")
+    axes.text(x + 1.25 * length, y, rf"$\langle {force_symbols['fn']}\rangle$ = {mean / factor:.3g} {unit}", va="center", fontsize="small")
+
+
+def packing_width(axes):
+    low, high = axes.get_xlim()
+    return high - low

@@ -1,16 +1,31 @@
-"""Sizes, colours and fonts that figures share."""
+"""Sizes, colours, scales and fonts that figures share."""
 
 import contextlib
+import logging
 import math
 
 import matplotlib
+from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.patches import Patch
 
 column_width, page_width = 3.35, 6.9  # inches: 85 mm and 175 mm, one and two columns of most journals
 
 # Okabe and Ito's colours, told apart by colour-blind readers and in grey.
 colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"]
 phase_colours = {"void": "#ffffff", "matrix": "#d9c79c", "small": "#7fa8c9", "large": "#2f5f8a", "particle": "#5583ab"}
-strong, weak, soft = "#1a1a1a", "#8c8c8c", "#b5b5b5"
+phases = ["void", "matrix", "particle", "small", "large"]  # in the order of their numbers in a map
+crack_colours = {1: ("matrix", "#d62728"), 2: ("interface", "#111111"), 3: ("particle", "#ff9d00")}
+strong, weak, soft, pale, tension = "#1a1a1a", "#8c8c8c", "#b5b5b5", "#c8c8c8", "#d81b60"
+
+stress_map, most_stress = "magma_r", 3  # of a grain over the mean
+diverging_map, even_map, picture_map = "RdBu_r", "viridis", "gray"
+# Comes back to where it began, and no part of it is as pale as what is lost in noise.
+cyclic_map = LinearSegmentedColormap.from_list("cyclic", ["#2f6fb7", "#7a5fc0", "#b5549a", "#cf5148", "#d98a1f", "#a3a52e", "#4a9f63", "#1f919e", "#2f6fb7"])
+
+chain_width, widest_chain = 0.16, 1.1  # of a mean grain's radius: at the mean force, and at most
+
+sigma_norm = r"$\sigma_{\mathrm{norm}}$"
+force_symbols = {"fn": r"F_{\mathrm{n}}", "ft": r"F_{\mathrm{t}}"}
 
 
 @contextlib.contextmanager
@@ -20,11 +35,25 @@ def journal_style(**changes):
         "font.size": 8, "axes.labelsize": 8, "axes.titlesize": 8, "xtick.labelsize": 7, "ytick.labelsize": 7, "legend.fontsize": 7,
         "axes.linewidth": 0.6, "lines.linewidth": 1.1, "lines.markersize": 3, "xtick.direction": "in", "ytick.direction": "in",
         "xtick.top": True, "ytick.right": True, "xtick.major.width": 0.6, "ytick.major.width": 0.6, "legend.frameon": False,
-        "mathtext.fontset": "cm", "pdf.fonttype": 42, "ps.fonttype": 42, "svg.fonttype": "none", "svg.hashsalt": "arenite", "axes.formatter.use_mathtext": True, "savefig.dpi": 600,
+        # Letters of formulas at their places in Unicode, so that an SVG's text is read with any font.
+        "mathtext.fontset": "dejavusans",
+        "pdf.fonttype": 42, "ps.fonttype": 42, "svg.fonttype": "none", "svg.hashsalt": "arenite", "axes.formatter.use_mathtext": True, "savefig.dpi": 600,
         "axes.prop_cycle": matplotlib.cycler(color=colours),
     }
-    with matplotlib.rc_context({**settings, **changes}):
+    with matplotlib.rc_context({**settings, **changes}), _quiet("fontTools"):
         yield
+
+
+@contextlib.contextmanager
+def _quiet(name):
+    """No warnings of a library: fontTools remarks on the dates of the fonts that are embedded."""
+    logger = logging.getLogger(name)
+    before = logger.level
+    logger.setLevel(logging.ERROR)
+    try:
+        yield
+    finally:
+        logger.setLevel(before)
 
 
 def estimate(statistic):
@@ -32,9 +61,34 @@ def estimate(statistic):
     return statistic["value"], statistic.get("error") or 0.0
 
 
+def measured(statistic):
+    """"0.31 ± 0.12" of {"value", "error"}: two digits of the error."""
+    value, error = estimate(statistic)
+    if not error > 1e-12 * abs(value):
+        return f"{value:.4g}"
+    decimals = min(8, max(0, 1 - math.floor(math.log10(error))))
+    return f"{value:.{decimals}f} ± {error:.{decimals}f}"
+
+
+def colour_of(name, materials, otherwise=0):
+    """Of a material, or of contacts of two, "A-B"; like pairs have their material's colour, the others come after the materials."""
+    if name == "all":
+        return strong
+    if name in ("wall", "walls"):
+        return soft
+    if name in materials:
+        return colours[materials.index(name) % len(colours)]
+    mixed = [(a, b) for k, a in enumerate(materials) for b in materials[k + 1:]]
+    pairs = {**{(a, a): k for k, a in enumerate(materials)}, **{pair: len(materials) + k for k, pair in enumerate(mixed)}}
+    for (a, b), k in pairs.items():
+        if name in (f"{a}-{b}", f"{b}-{a}"):
+            return colours[k % len(colours)]
+    return colours[otherwise % len(colours)]
+
+
 def scaled(largest, unit):
     """A factor and the unit with the prefix that makes `largest` a handy number: (1e3, "kN")."""
-    for factor, prefix in [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "µ")]:
+    for factor, prefix in [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")]:
         if abs(largest) >= factor:
             return factor, prefix + unit
     return 1, unit
@@ -50,9 +104,21 @@ def bare(axes):
 
 
 def length_bar(axes, metres, left, bottom):
-    """A bar of a round length, about a fifth of `metres`, in millimetres."""
-    wanted = 1e3 * metres / 5
+    """A bar of a round length, about a fifth of `metres`."""
+    per, unit = next(((per, unit) for per, unit in [(1.0, "m"), (1e3, "mm")] if per * metres / 5 >= (1 if unit == "m" else 0.1)), (1e6, "µm"))
+    wanted = per * metres / 5
     power = 10 ** math.floor(math.log10(wanted))
     bar = max(step * power for step in (1, 2, 5) if step * power <= wanted)
-    axes.plot([left, left + 1e-3 * bar], [bottom, bottom], color=strong, linewidth=1.5, solid_capstyle="butt", clip_on=False)
-    axes.text(left + 0.5e-3 * bar, bottom, f"{bar:g} mm", ha="center", va="bottom", fontsize="small")
+    axes.plot([left, left + bar / per], [bottom, bottom], color=strong, linewidth=1.5, solid_capstyle="butt", clip_on=False)
+    axes.text(left, bottom, f"{bar:g} {unit}", ha="left", va="bottom", fontsize="small")
+
+
+def patch(colour, label):
+    """An entry of a key: a small area of a colour."""
+    return Patch(facecolor=colour, edgecolor=strong, linewidth=0.4, label=label)
+
+
+def key_below(axes, handles, columns=4):
+    """A key under a picture."""
+    if handles:
+        axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0), ncols=min(columns, len(handles)), handlelength=1.1, handletextpad=0.4, columnspacing=1.2, borderpad=0.2)

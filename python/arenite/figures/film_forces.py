@@ -1,0 +1,89 @@
+"""What an infrared film says of grains and contacts, with its errors (T figures 3.11 and 3.12)."""
+
+import numpy as np
+from matplotlib.colors import to_rgba
+
+from .films import mean_stress, normalised
+from .style import colours, force_symbols, scaled, sigma_norm, soft, strong, tension
+
+twin_names = {"swing": "simulation, swing", "state": "simulation, state"}
+
+
+def materials_of(film):
+    """(name, colour, which grains) of the materials that there are."""
+    material = np.asarray(film.packing.material)
+    names = [m.name for m in film.packing.materials] or ["grains"]
+    return [(name, colours[m % len(colours)], material == m) for m, name in enumerate(names) if np.any(material == m)]
+
+
+def uncertain(film):
+    """One flag a contact: it may not be there, or its force is not larger than twice its standard error."""
+    return np.asarray(film.absent, bool) | (np.abs(film.packing.contacts.fn) < 2 * film.fn_error)
+
+
+def certainty_sets(film):
+    """(name, colour, which contacts)."""
+    may = uncertain(film)
+    return [(name, colour, which) for name, colour, which in [(f"{np.sum(~may)} there", strong, ~may), (f"{np.sum(may)} may be absent", tension, may)] if which.any()]
+
+
+def draw_against_twin(axes, film, which="swing"):
+    """Film against simulation, grain by grain; the correlation is the stored one, of the grains away from the border."""
+    x, y = normalised(film, film.twin[which]), normalised(film, film.sigma_hyd)
+    error = film.sigma_hyd_error / abs(mean_stress(film, film.sigma_hyd))
+    for name, colour, of in materials_of(film):
+        axes.errorbar(x[of], y[of], yerr=error[of], fmt=".", color=colour, markersize=2, elinewidth=0.3, alpha=0.7, label=name)
+    ends = [min(0, np.nanmin(x), np.nanmin(y)), max(np.nanmax(x), np.nanmax(y))]
+    axes.plot(ends, ends, "--", color=soft)
+    agreement = film.numbers.get("twin", {}).get(which, {}).get("all", {})
+    if "correlation" in agreement:
+        axes.text(0.04, 0.96, f"$r$ = {agreement['correlation']:.3f}", transform=axes.transAxes, va="top")
+    axes.set(xlabel=f"{twin_names[which]}, {sigma_norm}", ylabel=f"film, {sigma_norm}")
+    axes.legend(loc="lower right")
+
+
+def _ranked(axes, values, errors, unit, label, sets):
+    rank = np.empty(len(values))
+    rank[np.argsort(-values, kind="stable")] = np.arange(1, len(values) + 1)
+    factor, unit = scaled(np.nanmax(np.abs(values)), unit)
+    for name, colour, of in sets:
+        axes.errorbar(rank[of], values[of] / factor, yerr=errors[of] / factor, fmt=".", color=colour, ecolor=to_rgba(colour, 0.35), markersize=1.5, elinewidth=0.5, label=name)
+    axes.axhline(0, color=soft, linewidth=0.6)
+    axes.set(xlabel="rank", ylabel=f"{label}, {unit}")
+    if len(sets) > 1:
+        axes.legend(markerscale=3)
+
+
+def draw_ranked_forces(axes, film, component="fn"):
+    """Forces of the swing in order, normal or tangential ("ft"), with standard errors; contacts that may be absent apart."""
+    errors = film.fn_error if component == "fn" else film.ft_error
+    _ranked(axes, np.asarray(getattr(film.packing.contacts, component)), errors, "N", f"${force_symbols[component]}$", certainty_sets(film))
+
+
+def draw_ranked_stresses(axes, film):
+    """Pressures of grains in order, with standard errors, by material."""
+    _ranked(axes, -film.sigma_hyd, film.sigma_hyd_error, "Pa", r"$-\sigma_{\mathrm{hyd}}$", materials_of(film))
+
+
+def certainty_bins(ratio):
+    """Edges of bars over F_n / standard error: steps of a round number up to what all but 2 % stay below; the rest is in the last."""
+    order = np.sort(ratio)
+    high, low = max(4.0, order[int(0.98 * (len(order) - 1))]), min(0.0, max(-6.0, order[0]))
+    step = next((v for v in (0.5, 1, 2, 5, 10, 20, 50, 100) if (high - low) / v <= 36), 200)
+    first = np.floor(low / step)
+    return step * np.arange(first, np.ceil(high / step) + 1)
+
+
+def draw_certainty(axes, film):
+    """How many standard errors normal forces are worth."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratio = film.packing.contacts.fn / film.fn_error
+    if not np.isfinite(ratio).any():
+        return
+    edges = certainty_bins(ratio[np.isfinite(ratio)])
+    inside = np.clip(ratio, edges[0], np.nextafter(edges[-1], 0))
+    sets = [(name, colour, of & np.isfinite(ratio)) for name, colour, of in certainty_sets(film)]
+    axes.hist([inside[of] for _, _, of in sets], bins=edges, stacked=True, color=[colour for _, colour, _ in sets], label=[name for name, _, _ in sets], alpha=0.75, rwidth=0.92)
+    beyond = np.sum(ratio[np.isfinite(ratio)] > edges[-1])
+    axes.set(xlabel=f"${force_symbols['fn']}$ / standard error" + (f" ({beyond} beyond {edges[-1]:g} in the last bar)" if beyond else ""), ylabel="contacts")
+    axes.legend()

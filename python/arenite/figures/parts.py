@@ -1,0 +1,62 @@
+"""What of a result is drawn: a stored state of a stage, fields, films."""
+
+import dataclasses
+import functools
+import typing
+
+import numpy as np
+
+from .._core import measure
+
+
+@dataclasses.dataclass
+class State:
+    """A stored state with its stage; `frames` are those of all stages, as the page's slider has them."""
+
+    name: str
+    stage: typing.Any
+    frame: typing.Any
+    frames: list
+
+    @property
+    def packing(self):
+        return self.frame.packing
+
+    @property
+    def history(self):
+        return self.stage.history
+
+    @functools.cached_property
+    def texture(self):
+        return measure(self.packing)
+
+    @property
+    def mean_force(self):
+        return self.texture.get("force", {}).get("mean_N", {}).get("value")
+
+
+def states_of(result, stage=None, state=None):
+    """The state that is drawn: the last of a stage, the last of all, or the `state`-th of all that are stored, from 1."""
+    stored = [(part, frame) for part in result.stages for frame in part.frames]
+    frames = [frame for _, frame in stored]
+    if state is not None:
+        if not 1 <= state <= len(stored):
+            raise ValueError(f"there is no stored state {state}; this result has {len(stored)}")
+        part, frame = stored[state - 1]
+        return [State(f"{part.name}-{state}", part, frame, frames)] if stage in (None, part.name) else []
+    chosen = [(part, frame) for part, frame in stored if stage in (None, part.name)]
+    return [State(part.name, part, frame, frames) for part, frame in chosen[-1:]]
+
+
+def parts_of(result, stage=None, state=None):
+    """(kind, part) of what is drawn of a result."""
+    names = [part.name for part in [*result.stages, *result.fields, *result.films]]
+    if stage is not None and stage not in names:
+        raise ValueError(f"there is no stage {stage}; there are {', '.join(names)}")
+    yield from (("stage", shown) for shown in states_of(result, stage, state))
+    yield from (("field", field) for field in result.fields if stage in (None, field.name))
+    yield from (("film", film) for film in result.films if stage in (None, film.name))
+
+
+def same_map(a, b):
+    return a is b or (a.dx == b.dx and all(np.array_equal(getattr(a, name), getattr(b, name)) for name in ("phase", "grain", "grain_class")))

@@ -1,0 +1,49 @@
+"""A figure and how it becomes a file."""
+
+import dataclasses
+import pathlib
+import re
+import typing
+
+from matplotlib.figure import Figure as Canvas
+
+from .style import column_width, journal_style, page_width
+
+
+@dataclasses.dataclass
+class Figure:
+    """`draw(figure, part)` on an empty matplotlib figure; `part` is a State, Field or FilmResult, and `when(part)` says whether it can."""
+
+    name: str
+    kind: str
+    draw: typing.Callable
+    when: typing.Callable = lambda part: True
+    height: typing.Any = 0.8  # over the width; a number or a function of the part
+    wide: bool = False
+    of_map: bool = False  # shows nothing but the map, and so only the first of the fields that have the same
+
+
+def save(figure, part, path, width=None, **style):
+    """Draws one figure into a file; its ending (pdf, svg, png) decides the format. `width`: inches; one or two columns if not given."""
+    with journal_style(**style):
+        width = width or (page_width if figure.wide else column_width)
+        height = figure.height(part) if callable(figure.height) else figure.height
+        canvas = Canvas(figsize=(width, width * height), layout="constrained")
+        figure.draw(canvas, part)
+        # Without a date the same result gives the same bytes.
+        metadata = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}.get(pathlib.Path(path).suffix[1:], {})
+        canvas.savefig(path, metadata=metadata)
+    if pathlib.Path(path).suffix == ".svg":
+        number_clips(pathlib.Path(path))
+
+
+def number_clips(path):
+    """Names the clipping paths of an SVG by their order: Matplotlib names those that are no rectangles by where they lie in memory."""
+    text = path.read_text(encoding="utf-8")
+    names = {name: f"clip{k}" for k, name in enumerate(re.findall(r'<clipPath id="(\w+)"', text))}
+    path.write_text(re.sub(r'(<clipPath id="|url\(#)(\w+)', lambda m: m[1] + names.get(m[2], m[2]), text), encoding="utf-8")
+
+
+def listed(words):
+    """A list of words, or the only one."""
+    return [words] if isinstance(words, str) else list(words)
