@@ -53,6 +53,32 @@ TEST(FilmRecipe, PlatesNeedTheirTemperatures) {
   EXPECT_NE(problems[0].message.find("correction.cold"), std::string::npos);
 }
 
+TEST(FilmRecipe, PlatesAreNeededWhetherOrNotTheSectionIsWritten) {
+  std::string text = to_toml(film_template());
+  const auto section = text.find("[temperature]"), next = text.find("\n[", section);
+  ASSERT_NE(section, std::string::npos);
+  text.erase(section, next - section);
+  const auto problems = problems_of(text);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].message.find("temperature: from is \"plates\" unless given, and needs correction.cold"), std::string::npos) << problems[0].message;
+}
+
+TEST(FilmRecipe, TemperaturesOfPlatesWithoutTheirFilmsDoNotSuffice) {
+  FilmRecipe recipe = film_template();
+  recipe.temperature.from = TemperatureSection::From::plates;
+  recipe.correction.cold_temperature = 291;
+  recipe.correction.warm_temperature = 301;
+  EXPECT_EQ(problems_of(to_toml(recipe)).size(), 1u);
+}
+
+TEST(FilmRecipe, OneOfACameraNeedsNoPlatesAndReadsBackAsResolved) {
+  FilmRecipe recipe = film_template();
+  recipe.temperature.from = TemperatureSection::From::plates;
+  recipe.camera.emplace();
+  recipe.camera->high = "high";
+  EXPECT_EQ(to_toml(parse_film_recipe(to_toml(recipe), "film.toml")), to_toml(recipe));
+}
+
 TEST(FilmRecipe, EmptyOneNamesTheTemplate) {
   const auto problems = problems_of(" \n");
   ASSERT_EQ(problems.size(), 1u);
