@@ -43,7 +43,8 @@ TEST(LockInCommand, SaysWhereTheFilmShowsNoLoad) {
   still.amplitude = 0;
   still.noise = 0.1;
   still.width = still.height = 40;
-  io::write_film(folder / "still.h5", still.draw());
+  Film film = still.draw();
+  io::write_film(folder / "still.h5", film);
   const auto noise = arenite("lockin " + (folder / "still.h5").string() + " --frame-rate 148Hz --frequency 3Hz --json");
   EXPECT_EQ(noise.status, 0) << noise.err;
   EXPECT_NE(noise.err.find("nothing but noise swings at "), std::string::npos) << noise.err;

@@ -69,7 +69,8 @@ TEST(Show, SaysWhatStandsThereWhereItIsNoResult) {
   io::write_atomically(folder / "r.toml", "seed = 1\n");
   io::write_atomically(folder / "words.txt", "version 2\n");
   const auto at = [&](const char* name) { return (folder / name).string(); };
-  for (const std::string command : {"show ", "show --states ", "export --to csv ", "figures "}) {
+  for (const char* each : {"show ", "show --states ", "export --to csv ", "figures "}) {
+    const std::string command = each;
     expect_refused(command + at("empty"), "empty: is no result; give the folder that");
     expect_refused(command + at("maps"), "maps: holds the maps of a film");
     expect_refused(command + at("r.toml"), "r.toml: is a recipe, not a result");

@@ -40,7 +40,7 @@ TEST(FilmRecipe, CameraReadsBack) {
 TEST(FilmRecipe, EveryProblemIsReportedInOnePass) {
   const auto problems = problems_of(
       "[materials.POM]\nthermoelastic_factor = \"0.015 K\"\n[frame]\nwidth = 350\nheight = \"350 mm\"\nthickness = \"60 mm\"\n"
-      "[picture]\npixels = \"1.6 mm\"\n[lockin]\nfrequency = \"-3 Hz\"\n");
+      "[picture]\npixels = \"1.6 mm\"\n[lockin]\nfrequency = \"-3 Hz\"\n[temperature]\nfrom = \"film\"\n");
   ASSERT_GE(problems.size(), 5u);
   EXPECT_EQ(problems[0].line, 2);
 }
