@@ -90,17 +90,6 @@ TEST(Check, QuietPrintsWhatIsWrongAlone) {
   EXPECT_EQ(lines_of(wrong.err), 1) << wrong.err;
 }
 
-TEST(Run, AStepThatIsTooLongIsBlamedOnTheOptionThatGaveIt) {
-  const TemporaryFolder folder;
-  const auto recipe = (folder / "a.toml").string();
-  ASSERT_EQ(arenite("init composite " + recipe).status, 0);
-  const auto refused = arenite("run --quiet " + recipe + " --set populations.0.count=20 --set populations.1.count=20 --set 'frame.width=\"90 mm\"' --set packing.solid_fraction=0.7"
-                               " --set 'integration.time_step=\"1 s\"' --out " + (folder / "out").string());
-  EXPECT_EQ(refused.status, 2);
-  EXPECT_EQ(lines_of(refused.err), 1) << refused.err;
-  EXPECT_TRUE(contains(refused.err, "--set integration.time_step=\"1 s\": integration.time_step of 1 s is too long for this packing")) << refused.err;
-}
-
 TEST(Init, StudyRunsAsItIs) {
   const TemporaryFolder folder;
   const auto recipe = (folder / "friction.toml").string(), out = (folder / "out").string();
