@@ -3,20 +3,34 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "io/read_file.hpp"
+#include "study/film_recipe.hpp"
 #include "study/recipe.hpp"
 
 namespace arenite::app {
+namespace {
+
+/// The recipe as it was understood, of a simulation or of a film.
+std::string resolved(const std::string& file, const std::vector<std::string>& overrides) {
+  if (study::describes_film(io::read_file(file))) return study::to_toml(study::read_film_recipe(file, overrides));
+  return study::to_toml(study::read_recipe(file, overrides));
+}
+
+}  // namespace
 
 void add_check(CLI::App& command, int&) {
   struct Arguments {
     std::string recipe;
     std::vector<std::string> overrides;
+    bool quiet = false;
   };
   const auto arguments = std::make_shared<Arguments>();
-  command.add_option("recipe", arguments->recipe, "Recipe to read (TOML)")->required()->type_name("RECIPE.toml");
+  command.add_option("recipe", arguments->recipe, "Recipe to read (TOML), of a simulation or of a film")->required()->type_name("RECIPE.toml");
   add_overrides(command, arguments->overrides);
+  command.add_flag("--quiet", arguments->quiet, "Print nothing but what is wrong");
   command.callback([arguments] {
-    std::fputs(study::to_toml(study::read_recipe(arguments->recipe, arguments->overrides)).c_str(), stdout);
+    const std::string text = resolved(arguments->recipe, arguments->overrides);
+    if (!arguments->quiet) std::fputs(text.c_str(), stdout);
   });
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "no_result.hpp"
 #include "study/export_result.hpp"
 
 namespace arenite::app {
@@ -22,6 +23,7 @@ std::filesystem::path default_folder(const Arguments& a) {
 }
 
 void write_export(const Arguments& a) {
+  refuse_no_result(a.result);
   for (const auto& format : io::export_formats()) {
     if (a.format != format.name) continue;
     const auto folder = a.out.empty() ? default_folder(a) : std::filesystem::path(a.out);

@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "no_result.hpp"
 #include "option_value.hpp"
 
 namespace arenite::app {
@@ -27,13 +28,14 @@ fs::path module_folder() {
   const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
   for (const fs::path& folder : {program / "python", program.parent_path() / "lib/python3/dist-packages"})
     if (fs::exists(folder / "arenite/figures/__main__.py", error)) return folder;
-  throw InputError("arenite figures: the Python module is not installed beside this program; build with -DARENITE_PYTHON=ON");
+  throw InputError("the Python module is not installed beside this program; build with -DARENITE_PYTHON=ON");
 }
 
 /// The distribution's Python, for which the module is built, before any other.
 std::string interpreter() { return fs::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3"; }
 
 void draw(const Arguments& a) {
+  refuse_neither_result_nor_study(a.result);
   const char* path = std::getenv("PYTHONPATH");
   const std::string folders = module_folder().string() + (path && *path ? ":" + std::string(path) : "");
   setenv("PYTHONPATH", folders.c_str(), 1);
@@ -50,7 +52,7 @@ void draw(const Arguments& a) {
   arguments.push_back(nullptr);
   std::fflush(nullptr);
   execvp(arguments[0], arguments.data());
-  throw InputError("arenite figures: python3 was not found; install it with NumPy and Matplotlib (Debian: apt-get install python3-matplotlib)");
+  throw InputError("python3 was not found; install it with NumPy and Matplotlib (Debian: apt-get install python3-matplotlib)");
 }
 
 }  // namespace

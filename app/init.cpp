@@ -37,6 +37,7 @@ std::vector<Template> all_templates() {
     list.push_back({each.name, each.sentence, "run", [&each] { return study::to_commented_toml(each.make()); }});
   list.push_back({"film", "an infrared film of a loaded packing, to stresses of grains and contact forces", "film FILM --recipe",
                   [] { return study::to_commented_toml(study::film_template()); }});
+  list.push_back({"study", "many runs of one recipe, which differ in what its section [sweep] says", "study run", study::study_template});
   return list;
 }
 
@@ -51,7 +52,7 @@ void add_init(CLI::App& command, int&) {
   const auto arguments = std::make_shared<InitArguments>();
   std::vector<std::string> names;
   for (const auto& each : all_templates()) names.push_back(each.name);
-  command.add_option("template", arguments->name, "Kind of sample; without it the kinds are listed")->type_name("TEMPLATE")->check(CLI::IsMember(names));
+  command.add_option("template", arguments->name, "Kind of recipe; without it the kinds are listed")->type_name("TEMPLATE")->check(CLI::IsMember(names));
   command.add_option("file", arguments->file, "File to write, which must not exist; without it the recipe is printed")
       ->type_name("FILE");
   command.callback([arguments] {

@@ -14,6 +14,8 @@
 #include "io/phase_map_image.hpp"
 #include "io/run_folder.hpp"
 #include "io/sealed_file.hpp"
+#include "option_value.hpp"
+#include "progress.hpp"
 #include "report/page.hpp"
 #include "report/summary.hpp"
 #include "stop_signal.hpp"
@@ -79,7 +81,7 @@ io::PhaseMapOptions map_options(const Arguments& a) {
   options.image.dataset = a.dataset;
   if (!a.phases.empty()) options.phases = io::parse_phase_table(a.phases);
   if (!a.crop.empty()) options.crop = io::parse_crop(a.crop);
-  if (!a.dx.empty()) options.dx = parse_si(a.dx, dimension::length, "um");
+  if (!a.dx.empty()) options.dx = option_value("--dx", [&] { return parse_si(a.dx, dimension::length, "um"); });
   if (!(options.dx > 0)) throw InputError(fmt::format("--dx is {}; give a length above 0", a.dx));
   if (is_file_of_labels(a.labels)) options.labels = a.labels;
   if (a.label_slice >= 0) options.label_image.slice = a.label_slice;
@@ -121,12 +123,20 @@ void store(const Arguments& a, const study::Load& load, const FieldResult& resul
   if (!a.json) fmt::print("\nresult: {}\npage:   {}\n", file.string(), (folder / "report.html").string());
 }
 
+std::optional<FieldResult> watched_load(const Arguments& a, const study::Load& load, const FieldResult& sample) {
+  ProgressLine line(a.quiet || a.json);
+  return study::apply_load(load, sample, [&](const peridynamics::Progress& p) {
+    line.show({1, 1, load.name, p.share, p.residual, p.iterations, false, true});
+    return !stop_requested();
+  });
+}
+
 int execute(const Arguments& a) {
   const study::Load load = load_of(a);
   try {
     const FieldResult sample = study::sample_of_map(read_map(a));
     watch_for_signals();
-    auto result = study::apply_load(load, sample, [](const peridynamics::Progress&) { return !stop_requested(); });
+    auto result = watched_load(a, load, sample);
     if (!result) {
       fmt::print(stderr, "stopped; nothing was stored\n");
       return other_failure;
@@ -183,6 +193,7 @@ void add_load(CLI::App& command, int& status) {
   add_loading(command, *a);
   command.add_flag("--json", a->json, "Print all numbers as JSON");
   command.add_option("--out", a->out, "Folder for the field (.h5) and its page; without it nothing is stored")->type_name("DIR");
+  command.add_flag("--quiet", a->quiet, "No progress");
   command.callback([a, &status] { status = execute(*a); });
 }
 

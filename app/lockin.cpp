@@ -13,8 +13,10 @@
 #include "core/units.hpp"
 #include "film_maps.hpp"
 #include "io/film.hpp"
+#include "option_value.hpp"
 #include "progress.hpp"
 #include "stop_signal.hpp"
+#include "study/film_checks.hpp"
 
 namespace arenite::app {
 namespace {
@@ -43,11 +45,11 @@ struct Adiabatic {
 
 Adiabatic adiabatic(const Arguments& a, double frequency) {
   Adiabatic check;
-  const double diffusivity = parse_si(a.diffusivity, dimension::area / dimension::time, "mm^2/s");
+  const double diffusivity = option_value("--diffusivity", [&] { return parse_si(a.diffusivity, dimension::area / dimension::time, "mm^2/s"); });
   if (!(diffusivity > 0)) throw InputError(fmt::format("--diffusivity is {}; it must be above 0", a.diffusivity));
   check.length = thermography::diffusion_length(diffusivity, frequency);
   if (a.pixel.empty()) return check;
-  check.pixel = parse_si(a.pixel, dimension::length, "mm");
+  check.pixel = option_value("--pixel", [&] { return parse_si(a.pixel, dimension::length, "mm"); });
   if (!(check.pixel > 0)) throw InputError(fmt::format("--pixel is {}; it must be above 0", a.pixel));
   return check;
 }
@@ -68,6 +70,7 @@ nlohmann::json numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& 
   j["reference"] = a.options.reference_phase ? "given" : "found on the film; its sign is the one with which pixels warm on the mean";
   for (const auto& [name, map] : maps_of(m).named)
     if (!map->empty()) j["median"][name] = median_of_finite(*map);
+  j["shows_load"] = !study::shows_no_load(m);
   j["diffusion_length_m"] = heat.length;
   if (heat.pixel > 0) {
     j["adiabatic"] = heat.holds();
@@ -94,12 +97,12 @@ void print(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const 
 
 int execute(Arguments& a) {
   thermography::LockinOptions& o = a.options;
-  o.frequency = parse_si(a.frequency, dimension::frequency, "Hz");
+  o.frequency = option_value("--frequency", [&] { return parse_si(a.frequency, dimension::frequency, "Hz"); });
   o.refine = !a.no_refinement;
   o.convention = a.convention == "full" ? SwingConvention::full : SwingConvention::half;
   io::FilmChoice choice;
   choice.dataset = a.dataset;
-  if (!a.frame_rate.empty()) choice.frame_rate = parse_si(a.frame_rate, dimension::frequency, "Hz");
+  if (!a.frame_rate.empty()) choice.frame_rate = option_value("--frame-rate", [&] { return parse_si(a.frame_rate, dimension::frequency, "Hz"); });
   adiabatic(a, 1);  // slips are told before a long film is read
   const auto film = io::open_film(a.film, choice);
   watch_for_signals();
@@ -116,6 +119,7 @@ int execute(Arguments& a) {
     return other_failure;
   }
   if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps));
+  if (study::shows_no_load(maps)) fmt::print(stderr, "{}\n", study::no_load_sentence(maps.frequency, "--frequency"));
   const Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds())
     fmt::print(stderr, "heat diffuses {:.3g} pixels far within a cycle, not far less than one: the finest detail of the swing is not adiabatic; raise the load frequency\n",

@@ -24,8 +24,9 @@ void overview() {
             "  composite packings       arenite init composite r.toml, then arenite run r.toml\n"
             "  cemented packings        arenite init cemented r.toml, then arenite run r.toml; a map of your own: arenite load MAP\n"
             "  a loaded packing's film  arenite init film r.toml, then arenite film FILM --recipe r.toml\n"
-            "  many runs                arenite study run r.toml, with a section [sweep] in the recipe\n"
-            "\nEach ends in a page, report.html in the result's folder. `arenite COMMAND --help` tells more.");
+            "  many runs                arenite init study r.toml, then arenite study run r.toml\n"
+            "\nA result ends in a page, report.html in its folder; a study in study.html, where a figures.toml beside its recipe says\n"
+            "what to draw. In Python: `import arenite`, where every step is a function. `arenite COMMAND --help` tells more.");
 }
 
 /// Refuses an unknown first word with the nearest command, which CLI11 does not offer.
@@ -40,6 +41,13 @@ bool unknown_command(const std::string& word) {
   std::fprintf(stderr, "arenite: unknown command \"%s\"; %s\n", word.c_str(),
                near.empty() ? "`arenite` lists the commands" : ("did you mean `arenite " + near + "`?").c_str());
   return true;
+}
+
+/// Whose sentence it is: "arenite run".
+std::string speaker(int argc, char** argv) {
+  for (const auto& command : app::commands())
+    if (argc > 1 && std::string(argv[1]) == command.name) return std::string("arenite ") + command.name;
+  return "arenite";
 }
 
 /// What is wrong with the command line, as one sentence; CLI11 adds a second one.
@@ -77,21 +85,23 @@ int main(int argc, char** argv) {
   try {
     status = run(argc, argv);
   } catch (const InputError& error) {
-    for (const auto& problem : error.problems()) std::fprintf(stderr, "%s\n", to_string(problem).c_str());
+    for (const auto& problem : error.problems()) {
+      const std::string who = problem.file.empty() ? speaker(argc, argv) + ": " : "";  // a file speaks for itself
+      std::fprintf(stderr, "%s%s\n", who.c_str(), to_string(problem).c_str());
+    }
     status = app::bad_input;
   } catch (const std::filesystem::filesystem_error& error) {
     std::fprintf(stderr, "%s: %s; check its permissions\n", error.path1().c_str(), error.code().message().c_str());
     status = app::bad_input;
   } catch (const std::bad_alloc&) {
-    std::fputs("arenite: the memory does not suffice; ask for fewer grains or stored states\n", stderr);
+    std::fprintf(stderr, "%s: the memory does not suffice; ask for fewer grains or stored states\n", speaker(argc, argv).c_str());
   } catch (const std::exception& error) {
     // fmt throws where stdio would only note that stdout cannot be written; that is told below.
-    if (!std::ferror(stdout)) std::fprintf(stderr, "arenite: %s\n", error.what());
+    if (!std::ferror(stdout)) std::fprintf(stderr, "%s: %s\n", speaker(argc, argv).c_str(), error.what());
   }
   // A full disk behind a redirected output shows only when the last bytes leave.
   if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
-    std::fprintf(stderr, "arenite: the output could not be written (%s); make room or write elsewhere\n",
-                 std::strerror(errno));
+    std::fprintf(stderr, "%s: the output could not be written (%s); make room or write elsewhere\n", speaker(argc, argv).c_str(), std::strerror(errno));
     return app::bad_input;
   }
   return status;

@@ -172,7 +172,7 @@ void add_measure(CLI::App& command, int&) {
   command.callback([a] {
     if (io::sealed_kind(a->grains) == "field") return measure_field(*a);
     if (a->contacts.empty() == a->touching.empty())
-      throw InputError(a->touching.empty() ? "measure: give the file of contacts after that of the grains, or --touching with the widest gap between grains that touch, "
+      throw InputError(a->touching.empty() ? "give the file of contacts after that of the grains, or --touching with the widest gap between grains that touch, "
                                              "for example --touching \"0.2 mm\""
                                            : "--touching: is for grains without a file of contacts; leave out one of the two");
     measure(*a);

@@ -6,9 +6,12 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "core/error.hpp"
+#include "io/read_file.hpp"
 #include "progress.hpp"
 #include "report/page.hpp"
 #include "stop_signal.hpp"
+#include "study/film_recipe.hpp"
 #include "study/run.hpp"
 #include "texture/texture.hpp"
 
@@ -58,6 +61,15 @@ void write_page(const fs::path& path, const study::Recipe& recipe, const study::
   report::write_page(path, data);
 }
 
+/// What only the run finds wrong with a key that --set gave is no slip of the recipe.
+InputError blame_overrides(const InputError& error, const std::string& recipe, const std::vector<std::string>& overrides) {
+  auto problems = error.problems();
+  for (auto& problem : problems)
+    for (const auto& assignment : overrides)
+      if (problem.file == recipe && problem.message.starts_with(assignment.substr(0, assignment.find('=')) + " ")) problem.file = "--set " + assignment;
+  return InputError(std::move(problems));
+}
+
 Status run_one(const study::Recipe& recipe, const fs::path& folder, const Arguments& arguments) {
   study::RunOptions options;
   options.out = folder;
@@ -68,7 +80,11 @@ Status run_one(const study::Recipe& recipe, const fs::path& folder, const Argume
     ProgressLine line(arguments.quiet);
     options.progress = [&](const study::Progress& progress) { line.show(progress); };
     options.notice = [&](const std::string& sentence) { line.notice(sentence); };
-    outcome = study::run(recipe, options);
+    try {
+      outcome = study::run(recipe, options);
+    } catch (const InputError& error) {
+      throw blame_overrides(error, recipe.source_file, arguments.overrides);
+    }
   }
   if (outcome.interrupted) {
     fmt::print(stderr, "stopped; the same command goes on from the checkpoint in {}\n", folder.string());
@@ -82,13 +98,19 @@ Status run_one(const study::Recipe& recipe, const fs::path& folder, const Argume
   return outcome.converged ? done : not_converged;
 }
 
+study::Recipe read(const std::string& file, const std::vector<std::string>& overrides) {
+  if (study::describes_film(io::read_file(file)))
+    throw InputError(file, 0, fmt::format("is a recipe of a film (`arenite film FILM --recipe {}`), not of a simulation; `arenite init composite r.toml` writes one of a simulation", file));
+  return study::read_recipe(file, overrides);
+}
+
 /// All recipes are read before the first is run, so that a slip in the last shows at once.
 int execute(const Arguments& arguments) {
   auto overrides = arguments.overrides;
   if (!arguments.kernel.empty()) overrides.push_back("integration.kernel=" + arguments.kernel);
   std::vector<study::Recipe> recipes;
   for (const auto& file : arguments.recipes) {
-    recipes.push_back(study::read_recipe(file, overrides));
+    recipes.push_back(read(file, overrides));
     recipes.back().integration.threads = arguments.threads;
   }
   watch_for_signals();

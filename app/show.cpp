@@ -5,9 +5,10 @@
 
 #include "commands.hpp"
 #include "io/film.hpp"
-#include "report/course.hpp"
+#include "no_result.hpp"
 #include "report/film_summary.hpp"
 #include "report/summary.hpp"
+#include "states_table.hpp"
 
 namespace arenite::app {
 
@@ -21,13 +22,14 @@ void add_show(CLI::App& command, int&) {
   const auto choice = std::make_shared<io::FilmChoice>();
   command.add_option("--dataset", choice->dataset, "Dataset of an HDF5 film, where several can be meant")->type_name("NAME");
   command.callback([result, json, states, choice] {
+    refuse_no_result(*result);
     if (!*states && io::looks_like_film(*result)) {
       const report::FilmSummary film(*io::open_film(*result, *choice));
       std::fputs((*json ? film.json() : film.text()).c_str(), stdout);
       return;
     }
     if (*states) {
-      std::fputs(report::course_csv(*result).c_str(), stdout);
+      std::fputs(states_table(*result).c_str(), stdout);
       return;
     }
     const report::Summary summary(*result);

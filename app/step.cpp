@@ -10,6 +10,7 @@
 #include "core/units.hpp"
 #include "film_maps.hpp"
 #include "io/film.hpp"
+#include "option_value.hpp"
 #include "progress.hpp"
 #include "stop_signal.hpp"
 #include "thermography/step_load.hpp"
@@ -45,12 +46,13 @@ void tell(const thermography::StepMaps& m, const Arguments& a, const FilmInfo& f
 
 int execute(Arguments& a) {
   thermography::StepOptions& o = a.options;
-  if (!a.time.empty()) o.time = parse_si(a.time, dimension::time, "s");
-  o.rise = parse_si(a.rise, dimension::time, "s");
-  if (!a.window.empty()) o.window = parse_si(a.window, dimension::time, "s");
+  const auto seconds = [](const char* option, const std::string& text) { return option_value(option, [&] { return parse_si(text, dimension::time, "s"); }); };
+  if (!a.time.empty()) o.time = seconds("--time", a.time);
+  o.rise = seconds("--rise", a.rise);
+  if (!a.window.empty()) o.window = seconds("--window", a.window);
   io::FilmChoice choice;
   choice.dataset = a.dataset;
-  if (!a.frame_rate.empty()) choice.frame_rate = parse_si(a.frame_rate, dimension::frequency, "Hz");
+  if (!a.frame_rate.empty()) choice.frame_rate = option_value("--frame-rate", [&] { return parse_si(a.frame_rate, dimension::frequency, "Hz"); });
   const auto film = io::open_film(a.film, choice);
   watch_for_signals();
   thermography::StepMaps maps;

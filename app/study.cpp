@@ -85,7 +85,10 @@ int execute(const StudyArguments& arguments) {
     return done;
   }
   if (arguments.what == "script") {
-    if (!arguments.slurm) throw InputError("arenite study script: say for which scheduler; --slurm is the one it knows");
+    if (!arguments.slurm) throw InputError("script: say for which scheduler; --slurm is the one it knows");
+    if (!arguments.shard.empty() || arguments.retry)
+      throw InputError(fmt::format("{} goes with run; each task of the script does its own part, of as many as --tasks says, and failed runs wait for another `arenite study run --retry`",
+                                   arguments.shard.empty() ? "--retry" : "--shard"));
     const auto study = study::read_study(arguments.recipe, arguments.overrides);  // so that slips show here
     study::make_folder(folder.out);
     fmt::print("{}", slurm_script(arguments, folder));
@@ -124,7 +127,7 @@ void add_study(CLI::App& command, int& status) {
   command.add_flag("--retry", a->retry, "run: do failed runs again");
   command.add_option("--keep", a->keep, "run: keep all files, or of cemented samples and loads only their numbers")->type_name("WHAT")->check(CLI::IsMember({"all", "numbers"}));
   command.add_option("--checkpoint-every", a->checkpoint_seconds, "run: seconds between two checkpoints of a run")->check(CLI::Range(0.0, 1e9).description(""))->type_name("S");
-  command.add_flag("--quiet", a->quiet, "run: no progress");
+  command.add_flag("--quiet", a->quiet, "run, script: no progress");
   command.add_option("--by", a->by, "collect: means over runs with equal values of this swept key; may be repeated")->allow_extra_args(false)->type_name("KEY");
   command.add_flag("--slurm", a->slurm, "script: for Slurm");
   command.add_option("--tasks", a->tasks, "script: tasks of the array, each doing its part of the runs")->check(CLI::Range(1, 100000).description(""))->type_name("N");

@@ -22,9 +22,10 @@ std::string slurm_script(const StudyArguments& arguments, const study::StudyFold
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   const fs::path out = fs::absolute(folder.out);
-  std::string line = fmt::format("{} study run {} --out {} --store {} --keep {} --checkpoint-every {:g} --threads {} --quiet", quoted(error ? "arenite" : program.string()),
+  std::string line = fmt::format("{} study run {} --out {} --store {} --keep {} --checkpoint-every {:g} --threads {}", quoted(error ? "arenite" : program.string()),
                                  quoted(fs::absolute(arguments.recipe).string()), quoted(out.string()), quoted(fs::absolute(folder.store).string()),
                                  arguments.keep, arguments.checkpoint_seconds, arguments.threads);
+  if (arguments.quiet) line += " --quiet";
   for (const auto& assignment : arguments.overrides) line += " --set " + quoted(assignment);
   return fmt::format(
       "#!/bin/bash\n"

@@ -1,6 +1,9 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <initializer_list>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,10 +30,15 @@ class Problems {
   }
   bool any() const { return count_ > 0; }
   /// Throws InputError if there is any.
-  void raise() {
-    if (count_ == 0) return;
-    if (count_ > most) list_.push_back({file_, 0, 0, "and " + std::to_string(count_ - most) + " more problems like these"});
-    throw InputError(std::move(list_));
+  void raise() { raise({this}); }
+  /// The same of several inputs together, in their order.
+  static void raise(std::initializer_list<Problems*> inputs) {
+    std::vector<Problem> all;
+    for (Problems* of : inputs) {
+      if (of->count_ > most) of->list_.push_back({of->file_, 0, 0, "and " + std::to_string(of->count_ - most) + " more problems like these"});
+      std::move(of->list_.begin(), of->list_.end(), std::back_inserter(all));
+    }
+    if (!all.empty()) throw InputError(std::move(all));
   }
 
  private:

@@ -108,8 +108,9 @@ void choose_step(Sample& s) {
   s.dt = asked.value_or(std::min(s.integration.safety * shortest_contact_time(s), bounds.largest()));
   if (!positive(s.dt)) throw InputError(fmt::format("time step {} s must be above 0", s.dt));
   if (s.dt > bounds.largest())
-    throw InputError(fmt::format("integration.time_step of {:.4g} s is beyond what this sample and integrator allow ({}); {:.4g} s would do",
-                                 s.dt, bounds.damping < bounds.stiffness ? "damping" : "stiffness",
+    throw InputError(fmt::format("integration.time_step of {:.4g} s is too long for this packing: {} would make its motion grow without end; "
+                                 "{:.4g} s would do, or leave the key out",
+                                 s.dt, bounds.damping < bounds.stiffness ? "damping (dashpots and drag)" : "the stiffness of its contacts",
                                  0.999 * bounds.largest()));
   s.dt_at_start = s.dt;
 }

@@ -9,10 +9,12 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
 #include "io/read_file.hpp"
+#include "io/write_all.hpp"
 
 namespace arenite::io {
 namespace fs = std::filesystem;
@@ -28,7 +30,7 @@ std::string own_name() {
 
 }  // namespace
 
-AppendLog::AppendLog(const fs::path& folder) : owner_(::getpid()) {
+AppendLog::AppendLog(const fs::path& folder, std::function<void(const std::string&)> notice) : owner_(::getpid()), notice_(std::move(notice)) {
   std::error_code error;
   fs::create_directories(folder, error);
   file_ = folder / own_name();
@@ -45,8 +47,13 @@ AppendLog::~AppendLog() {
 void AppendLog::add(std::string line) const {
   std::replace(line.begin(), line.end(), '\n', ' ');
   line += '\n';
-  while (::write(descriptor_, line.data(), line.size()) < 0 && errno == EINTR) {
-  }
+  if (torn_) line.insert(line.begin(), '\n');
+  std::size_t written = 0;
+  const int error = write_all(descriptor_, line, &written);
+  torn_ = error != 0 && (torn_ || written > 0);
+  if (error == 0 || told_ || !notice_) return;
+  told_ = true;
+  notice_(fmt::format("{}: lines are being lost: {}; make room, or what is done may look as if it were not", file_.string(), std::strerror(error)));
 }
 
 void read_log(const fs::path& folder, const std::function<void(std::string_view)>& see) {

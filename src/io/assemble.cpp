@@ -196,26 +196,14 @@ void place_box(RawGrains& grains, Problems& problems) {
 
 void assemble(const RawGrains& grains, const RawContacts& contacts, const SampleOptions& options, Sample& sample,
               Problems& grain_problems, Problems& contact_problems) {
-  const auto raise = [&] {
-    if (!grain_problems.any() && !contact_problems.any()) return;
-    std::vector<Problem> all;
-    for (Problems* problems : {&grain_problems, &contact_problems}) {
-      try {
-        problems->raise();
-      } catch (const InputError& error) {
-        all.insert(all.end(), error.problems().begin(), error.problems().end());
-      }
-    }
-    throw InputError(std::move(all));
-  };
   const bool unreadable = contact_problems.any();
-  if (grain_problems.any()) raise();
+  if (grain_problems.any()) Problems::raise({&grain_problems, &contact_problems});
   Packing& packing = sample.packing;
   packing.domain = domain_of(grains, options);
   const Index index = add_grains(grains, packing.domain, options.box.has_value(), packing.grains, grain_problems);
   assign_materials(grains, options.materials, packing, grain_problems);
   if (!unreadable) add_contacts(contacts, index, grains.has_box, options, sample, contact_problems);
-  raise();
+  Problems::raise({&grain_problems, &contact_problems});
   for (const auto* notes : {&grains.notes, &contacts.notes}) sample.notes.insert(sample.notes.end(), notes->begin(), notes->end());
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "io/write_all.hpp"
 
 namespace arenite::io {
 namespace fs = std::filesystem;
@@ -61,12 +62,7 @@ class AtomicFile::Beside {
   }
 
   void write(std::string_view bytes) {
-    while (!bytes.empty()) {
-      const ssize_t n = ::write(descriptor_, bytes.data(), bytes.size());
-      if (n < 0 && errno == EINTR) continue;
-      if (n < 0) fail();
-      bytes.remove_prefix(static_cast<std::size_t>(n));
-    }
+    if (const int error = write_all(descriptor_, bytes)) refuse(target_, error);
   }
 
   void overwrite(std::uint64_t offset, std::string_view bytes) {

@@ -131,6 +131,7 @@ class TextFilm : public FilmSource {
         check_film_size(bytes_->name(), info_.width, rows, 1, choice);
     }
     end_frame(rows, lines.number() + 1);
+    if (info_.frames == 0) throw InputError(bytes_->name(), 0, "holds no rows of numbers, which as text would be frames; give a film or a result");
     check_film_size(bytes_->name(), std::max(info_.width, 1), std::max(info_.height, 1), info_.frames, choice);
     take_choice(info_, choice);
   }

@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "io/write_all.hpp"
 
 namespace arenite::io {
 namespace {
@@ -41,16 +42,6 @@ void confine(std::size_t room) {
   limit(RLIMIT_CPU, most_seconds);
 }
 
-bool send(int to, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = write(to, bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return true;
-}
-
 /// What the process made, and at its end a letter that says what it is.
 [[noreturn]] void answer(int to, const std::function<std::string()>& work) {
   std::string result;
@@ -63,8 +54,8 @@ bool send(int to, std::string_view bytes) {
   } catch (...) {
     kind = failed;
   }
-  send(to, result);
-  send(to, std::string_view(&kind, 1));
+  write_all(to, result);  // who reads finds by the letter's absence what did not get through
+  write_all(to, std::string_view(&kind, 1));
   _exit(0);
 }
 

@@ -16,6 +16,13 @@ bool nearly_all(std::size_t some, const FilmInfo& film) { return 100 * some >= 9
 
 }  // namespace
 
+void refuse_temperatures(const FilmRecipe& recipe, const std::filesystem::path& path, const FilmInfo& film) {
+  if (!has_plates(recipe)) throw InputError(recipe.source_file, 0, fmt::format("temperature: {}", needs_plates));
+  if (recipe.temperature.from == TemperatureSection::From::film && film.quantity == FilmQuantity::digital_level)
+    throw InputError(path.string(), 0, fmt::format("says that it holds digital levels, and temperature.from = \"film\" of {} takes them for kelvin; "
+                                                   "choose \"plates\", \"curve\" or \"radiometry\" there", recipe.source_file));
+}
+
 void refuse_saturated(const thermography::FrameStatistics& seen, const FilmInfo& film) {
   const std::size_t saturated = thermography::doubtful(seen, film.bits).saturated;
   if (nearly_all(saturated, film))
@@ -42,13 +49,19 @@ double swing_over_noise(const LockinMaps& maps) {
   return known > 0 ? sum / static_cast<double>(known) : 0;
 }
 
-void refuse_without_load(const LockinMaps& maps, double told_frequency) {
+bool shows_no_load(const LockinMaps& maps) {
   // Pixels' noise is theirs alone, so its mean over a film's thousands of pixels is within a few hundredths of 2, also at the
   // best of the frequencies that the refinement tried. A film whose load shows less than this tells nothing of single grains.
   constexpr double noise_alone = 2, least = 1.25 * noise_alone;
-  if (swing_over_noise(maps) < least)
-    throw InputError(fmt::format("nothing but noise swings at {:g} Hz; give the frequency of the load (lockin.frequency), or a film of a loaded sample",
-                                 told_frequency));
+  return swing_over_noise(maps) < least;
+}
+
+std::string no_load_sentence(double frequency, std::string_view told_by) {
+  return fmt::format("nothing but noise swings at {:.6g} Hz; give the frequency of the load ({}), or a film of a loaded sample", frequency, told_by);
+}
+
+void refuse_without_load(const LockinMaps& maps, double told_frequency) {
+  if (shows_no_load(maps)) throw InputError(no_load_sentence(told_frequency, "lockin.frequency"));
 }
 
 Recipe read_twin_recipe(const FilmRecipe& recipe) {

@@ -1,10 +1,17 @@
 #pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+
 #include "model/lockin_maps.hpp"
 #include "study/film_recipe.hpp"
 #include "study/recipe.hpp"
 #include "thermography/frame_statistics.hpp"
 
 namespace arenite::study {
+
+/// Throws InputError if the film's levels cannot become temperatures in the way that the recipe says.
+void refuse_temperatures(const FilmRecipe& recipe, const std::filesystem::path& path, const FilmInfo& film);
 
 /// Throws InputError if nearly all pixels of a film reach the top of its range.
 void refuse_saturated(const thermography::FrameStatistics& seen, const FilmInfo& film);
@@ -15,7 +22,12 @@ void refuse_constant(const thermography::FrameStatistics& seen, const FilmInfo& 
 /// Mean of the squared amplitude over the squared standard error of the maps' pixels: 2 where noise alone swings.
 double swing_over_noise(const LockinMaps& maps);
 
-/// Throws InputError if the maps hold nothing but noise: a film without a load, or told a wrong frequency.
+/// Whether the maps hold nothing but noise: a film without a load, or told a wrong frequency.
+bool shows_no_load(const LockinMaps& maps);
+/// What to say of such maps; `told_by` is where the frequency stands.
+std::string no_load_sentence(double frequency, std::string_view told_by);
+
+/// Throws InputError if the maps hold nothing but noise.
 void refuse_without_load(const LockinMaps& maps, double told_frequency);
 
 /// The recipe of the simulation beside the film. Throws InputError if it has not the stages that [twin] names.

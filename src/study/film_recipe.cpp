@@ -16,9 +16,11 @@ Visit declaration_of(FilmRecipe& recipe) {
   return [&recipe](ParameterVisitor& visitor) { declare(visitor, recipe); };
 }
 
+bool of_simulation(const Node& root) { return root.find("packing") || root.find("populations") || root.find("stages"); }
+
 /// A recipe of a simulation has most of its keys wrong as one of a film; that it is the wrong kind helps more than their list.
 void refuse_simulations(const Node& root, const std::string& file) {
-  if (!root.find("lockin") && (root.find("packing") || root.find("populations") || root.find("stages")))
+  if (!root.find("lockin") && of_simulation(root))
     throw InputError(file, 0, "is a recipe of a simulation (`arenite run`), not of a film; `arenite init film r.toml` writes one of a film");
 }
 
@@ -32,6 +34,21 @@ FilmRecipe read_from(std::string_view text, Reading& reading, const std::vector<
 }
 
 }  // namespace
+
+bool describes_film(std::string_view text) {
+  try {
+    const Node root = read_document(text, {});
+    return !of_simulation(root) && (root.find("lockin") || root.find("picture") || root.find("camera"));
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+bool has_plates(const FilmRecipe& recipe) {
+  const CorrectionSection& c = recipe.correction;
+  return recipe.temperature.from != TemperatureSection::From::plates ||
+         (!c.cold.empty() && !c.warm.empty() && c.cold_temperature > 0 && c.warm_temperature > c.cold_temperature);
+}
 
 FilmRecipe read_film_recipe(const std::string& file, const std::vector<std::string>& overrides) {
   Reading reading{file, std::filesystem::path(file).parent_path().string(), true, {}};

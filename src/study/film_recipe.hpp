@@ -102,6 +102,15 @@ struct FilmRecipe {
   std::optional<CameraSection> camera;
 };
 
+/// False where temperatures are to come from the two plates (the default) and these are not given.
+bool has_plates(const FilmRecipe& recipe);
+inline constexpr const char* needs_plates =
+    "from is \"plates\" unless given, and needs correction.cold, correction.warm and their temperatures, the warmer one's above the "
+    "other's; give them, or write [temperature] with from = \"film\" (it holds temperatures), \"curve\" or \"radiometry\"";
+
+/// Whether this text is meant for `arenite film` or `arenite camera`, and not for a simulation; false for what is not TOML.
+bool describes_film(std::string_view text);
+
 /// As read_recipe (study/recipe.hpp), for films.
 FilmRecipe read_film_recipe(const std::string& file, const std::vector<std::string>& overrides = {});
 FilmRecipe parse_film_recipe(std::string_view text, const std::string& file_name, const std::vector<std::string>& overrides = {});

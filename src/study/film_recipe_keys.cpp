@@ -42,15 +42,13 @@ void declare(Visitor& v, CorrectionSection& correction) {
   v.flag({"bad_pixels", "Pixels that stand out by level, gain or noise are replaced by their neighbours."}, correction.bad_pixels);
 }
 
-void declare(Visitor& v, TemperatureSection& temperature, const CorrectionSection& correction) {
+void declare(Visitor& v, TemperatureSection& temperature) {
   using From = TemperatureSection::From;
   v.choice({"from", "What turns digital levels into temperatures."}, temperature.from,
            {{"plates", "the two plates of [correction] and Planck's law between them, emissivity taken into account"},
             {"radiometry", "levels are proportional to photons; Planck's law and the film's mean at [temperature] ambient"},
             {"curve", "a calibration curve"},
             {"film", "the film holds temperatures already"}});
-  v.require(temperature.from != From::plates || (correction.cold_temperature > 0 && correction.warm_temperature > correction.cold_temperature),
-            {"from"}, "needs correction.cold, correction.warm and their temperatures; give them or choose another way");
   v.when(temperature.from == From::curve, "from = \"curve\"", [&](Visitor& inner) {
     inner.file({"curve", "CSV with columns level and temperature.", true}, temperature.curve);
   });
@@ -103,12 +101,14 @@ void declare(ParameterVisitor& v, FilmRecipe& recipe) {
   v.section({"picture", "Where grains are in the film.", true}, [&](Visitor& inner) { declare(inner, recipe.picture); });
   v.section({"lockin", "From the film to the swing of every pixel.", true}, [&](Visitor& inner) { declare(inner, recipe.lockin); });
   v.section({"correction", "Faults of the camera that are taken out of the film."}, [&](Visitor& inner) { declare(inner, recipe.correction); });
-  v.section({"temperature", "From digital levels to kelvin."}, [&](Visitor& inner) { declare(inner, recipe.temperature, recipe.correction); });
+  v.section({"temperature", "From digital levels to kelvin."}, [&](Visitor& inner) { declare(inner, recipe.temperature); });
   v.section({"forces", "From the swing to stresses of grains and forces of contacts."}, [&](Visitor& inner) { declare(inner, recipe.forces); });
   v.optional_section<TwinSection>({"twin", "A simulation of the same packing, held beside the film."}, recipe.twin,
                                   [](Visitor& inner, TwinSection& twin) { declare(inner, twin); });
   v.optional_section<CameraSection>({"camera", "A virtual camera that films simulated states; for `arenite camera`."}, recipe.camera,
                                     [](Visitor& inner, CameraSection& camera) { declare(inner, camera); });
+  // A virtual camera films its plates itself, and its recipe need not say what only a film is measured with.
+  v.require(recipe.camera || has_plates(recipe), {"temperature", "correction"}, needs_plates);
 }
 
 }  // namespace arenite::study

@@ -76,6 +76,7 @@ StageResult measured_stage(const FilmResult& film) {
 FilmOutcome run_film(const fs::path& film, const FilmRecipe& recipe, const FilmRunOptions& options) {
   FilmOutcome outcome;
   const auto source = io::open_film(film);
+  refuse_temperatures(recipe, film, source->info());
   const std::string key = film_key(film, *source, recipe);
   if (recipe.twin) read_twin_recipe(recipe);
   outcome.file = options.out / io::stage_file_name(1, "film", key);

@@ -77,4 +77,42 @@ const std::vector<RecipeTemplate>& recipe_templates() {
   return list;
 }
 
+std::string study_template() {
+  return R"(title = "Coordination against friction"
+seed = 1
+
+[frame]                                   # rigid, square; its height follows from the grains
+width = "120 mm"
+thickness = "60 mm"
+
+[materials.POM]
+density = "1410 kg/m^3"
+stiffness = "27.35 kN/mm"
+
+[[populations]]
+material = "POM"
+count = 60
+size = { law = "uniform", min = "10 mm", max = "16 mm" }
+
+[contact]
+friction_law = "cundall_strack"
+friction = 0.3
+restitution = 0.5
+
+[[stages]]                                # each run: 100 N on the upper wall, then 10 kN on the lower one
+name = "prepare"
+top = { force = "100 N" }
+
+[[stages]]
+name = "load"
+bottom = { force = "10 kN" }
+
+[sweep]                                   # what makes it a study: all of the below with all of the below
+replicates = 2                            # seeds 1 and 2 for every combination
+
+[sweep.grid]                              # keys of the recipe with the values that they take
+"contact.friction" = [0.1, 0.3, 0.5]
+)";
+}
+
 }  // namespace arenite::study

@@ -16,4 +16,7 @@ struct RecipeTemplate {
 /// All of packings; a new one is one row.
 const std::vector<RecipeTemplate>& recipe_templates();
 
+/// A small recipe with a [sweep], for `arenite study run`.
+std::string study_template();
+
 }  // namespace arenite::study

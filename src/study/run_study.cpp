@@ -33,7 +33,7 @@ struct Job {
 class Scheduler {
  public:
   Scheduler(const Study& study, const StudyFolder& folder, const StudyOptions& options)
-      : study_(study), folder_(folder), options_(options), store_(folder.store), journal_(folder.journal()), next_(study.runs.size(), 0) {
+      : study_(study), folder_(folder), options_(options), store_(folder.store, options.notice), journal_(folder.journal(), options.notice), next_(study.runs.size(), 0) {
     make_folder(folder.out / "locks");
     if (!options.keep_fields) dropped_.emplace(study, folder, store_);
     for (const std::size_t run : shard_of(study, options.shard, options.shards)) {

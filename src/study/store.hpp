@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -18,8 +19,8 @@ std::filesystem::path stored_file(const std::filesystem::path& store, const std:
 /// of processes. Who computes a stage holds its lock meanwhile. What was computed and what was taken instead is noted.
 class Store {
  public:
-  /// Makes the folder. Throws InputError if that cannot be.
-  explicit Store(std::filesystem::path folder);
+  /// Makes the folder. Throws InputError if that cannot be. `notice` is told what is lost from the account.
+  explicit Store(std::filesystem::path folder, std::function<void(const std::string&)> notice = {});
 
   std::filesystem::path file(const std::string& hash) const;
   std::filesystem::path checkpoint(const std::string& hash) const;

@@ -13,17 +13,9 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "io/write_all.hpp"
 
 namespace arenite::study {
-namespace {
-
-void say(int pipe, const std::string& word) {
-  while (::write(pipe, word.data(), word.size()) < 0 && errno == EINTR) {
-  }
-}
-
-}  // namespace
-
 Worker::Worker(const std::function<std::string()>& work) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw InputError(std::string("no pipe to a new process: ") + std::strerror(errno) + "; use fewer --jobs");
@@ -39,8 +31,7 @@ Worker::Worker(const std::function<std::string()>& work) {
   if (process_ == 0) {
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (::getppid() != parent) ::_exit(1);
-    say(ends[1], work());
-    ::_exit(0);
+    ::_exit(io::write_all(ends[1], work()) == 0 ? 0 : 1);
   }
   ::close(ends[1]);
   ::fcntl(ends[0], F_SETFL, O_NONBLOCK);

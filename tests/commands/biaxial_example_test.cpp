@@ -20,13 +20,12 @@ std::vector<std::string> fields(const std::string& line) {
   return list;
 }
 
-/// Rows of a CSV with a line of names and one of units.
+/// Rows of a CSV whose first line names the columns.
 std::vector<Row> rows(const std::string& csv) {
   std::istringstream stream(csv);
   std::string line;
   std::getline(stream, line);
   const auto names = fields(line);
-  std::getline(stream, line);
   std::vector<Row> table;
   while (std::getline(stream, line)) {
     const auto values = fields(line);
@@ -51,7 +50,7 @@ TEST(BiaxialExample, ADenseSampleShearsAtTheSidePressureMobilisesFrictionAndDila
   std::vector<Row> shear;
   for (const Row& row : rows(shown.out)) {
     if (row.at("stage") == "densify") {
-      EXPECT_NEAR(number(row, "p"), 50e3, 1e3);
+      EXPECT_NEAR(number(row, "p [Pa]"), 50e3, 1e3);
       EXPECT_LT(number(row, "q_over_p"), 0.1);
       EXPECT_LT(number(row, "mobilisation"), 1e-6);  // friction is off
     }
@@ -62,9 +61,9 @@ TEST(BiaxialExample, ADenseSampleShearsAtTheSidePressureMobilisesFrictionAndDila
   for (std::size_t i = 2; i < shear.size(); ++i) {
     const double x = number(shear[i], "strain_x"), y = number(shear[i], "strain_y");
     EXPECT_NEAR(number(shear[i], "volume_strain"), 1 - (1 - x) * (1 - y), 1e-5);
-    side += (number(shear[i], "p") - number(shear[i], "q")) / 10;
-    strong += number(shear[i], "a_c_strong") / 10;
-    weak += number(shear[i], "a_c_weak") / 10;
+    side += (number(shear[i], "p [Pa]") - number(shear[i], "q [Pa]")) / 10;
+    strong += number(shear[i], "a_c_signed_strong") / 10;
+    weak += number(shear[i], "a_c_signed_weak") / 10;
     share += number(shear[i], "strong_share") / 10;
     peak = std::max(peak, number(shear[i], "q_over_p"));
   }

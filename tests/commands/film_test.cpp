@@ -184,6 +184,18 @@ TEST(FilmCommand, RefusesRecipesThatDoNotFit) {
   expect_refused(of, of.film("", "film", "empty.toml"), "film.ptw: the film shows no grains inside the frame");
 }
 
+TEST(FilmCommand, RefusesLevelsThatNothingTurnsIntoTemperatures) {
+  const VirtualFilm of;
+  ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
+  expect_refused(of, test::arenite("film " + of.at("film/film.ptw").string() + " --recipe " + VirtualFilm::example("camera.toml") + " --quiet --out " + of.at("none").string()),
+                 "camera.toml: temperature: from is \"plates\" unless given, and needs correction.cold");
+  std::string text = test::slurp(of.at("film/film.toml"));
+  const auto section = text.find("[temperature]");
+  text.erase(section, text.find("\n[", section) - section);
+  std::ofstream(of.at("film/kelvin.toml")) << text << "\n[temperature]\nfrom = \"film\"\n";
+  expect_refused(of, of.film("", "film", "kelvin.toml"), "film.ptw: says that it holds digital levels, and temperature.from = \"film\" of ");
+}
+
 TEST(CameraCommand, RefusesInOneSentence) {
   const VirtualFilm of;
   const auto none = [&](const std::string& overrides) { return of.camera("none", overrides); };

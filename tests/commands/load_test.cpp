@@ -51,7 +51,12 @@ TEST(Load, StoresFieldAndPageAndMeasuresThemAgain) {
   const auto measured = arenite("measure " + file.string() + " --json --clamp-rows 10 --leave-out-surface");
   ASSERT_EQ(measured.status, 0) << measured.err;
   EXPECT_EQ(Json::parse(measured.out)["options"]["clamp_rows"], 10);
-  EXPECT_EQ(arenite("load " + file.string() + " --loading shear").status, 0);
+  const auto shear = arenite("load " + file.string() + " --loading shear"), quiet = arenite("load " + file.string() + " --loading shear --quiet");
+  EXPECT_EQ(shear.status, 0);
+  EXPECT_NE(shear.err.find("shear"), std::string::npos) << shear.err;
+  EXPECT_EQ(quiet.status, 0);
+  EXPECT_EQ(quiet.err, "");
+  EXPECT_EQ(quiet.out, shear.out);
 }
 
 TEST(Load, PageMeasuresStressesAsTheNumbersDo) {

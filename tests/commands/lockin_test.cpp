@@ -37,6 +37,30 @@ TEST(LockInCommand, PrintsNumbersAndWritesMaps) {
   EXPECT_EQ(Json::parse(full.out)["swing"], "full");
 }
 
+TEST(LockInCommand, SaysWhereTheFilmShowsNoLoad) {
+  const TemporaryFolder folder;
+  test::SwingingFilm still;
+  still.amplitude = 0;
+  still.noise = 0.1;
+  still.width = still.height = 40;
+  Film film = still.draw();
+  io::write_film(folder / "still.h5", film);
+  const auto noise = arenite("lockin " + (folder / "still.h5").string() + " --frame-rate 148Hz --frequency 3Hz --json");
+  EXPECT_EQ(noise.status, 0) << noise.err;
+  EXPECT_NE(noise.err.find("nothing but noise swings at "), std::string::npos) << noise.err;
+  EXPECT_EQ(Json::parse(noise.out)["shows_load"], false);
+  const auto loaded = arenite("lockin " + film_in(folder) + " --frequency 3Hz --json"), elsewhere = arenite("lockin " + film_in(folder) + " --frequency 30Hz --json");
+  EXPECT_EQ(loaded.err, "");
+  EXPECT_EQ(Json::parse(loaded.out)["shows_load"], true);
+  EXPECT_NE(elsewhere.err.find("nothing but noise swings at "), std::string::npos) << elsewhere.err;
+}
+
+TEST(LockInCommand, NamesTheOptionOfAValueThatHasNoUnit) {
+  const auto refused = arenite("lockin film.ptw --frequency 3");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.err, "arenite lockin: --frequency: \"3\" has no unit; write it with its unit, for example \"3 Hz\"\n");
+}
+
 TEST(LockInCommand, SaysWhetherTheSwingIsAdiabatic) {
   const TemporaryFolder folder;
   const std::string lockin = "lockin " + film_in(folder) + " --frequency 3Hz --no-refinement --json --diffusivity '0.1 mm^2/s' --pixel ";

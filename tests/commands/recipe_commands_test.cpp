@@ -61,6 +61,46 @@ TEST(Check, WhatIsNoFileIsBadInput) {
   }
 }
 
+TEST(Check, ReadsARecipeOfAFilmAsWhatItIs) {
+  const TemporaryFolder folder;
+  const auto recipe = (folder / "film.toml").string(), resolved = (folder / "b.toml").string();
+  ASSERT_EQ(arenite("init film " + recipe).status, 0);
+  const auto first = arenite("check " + recipe);
+  EXPECT_EQ(first.status, 0) << first.err;
+  EXPECT_TRUE(contains(first.out, "[lockin]\n"));
+  std::ofstream(resolved) << first.out;
+  EXPECT_EQ(arenite("check " + resolved).out, first.out);
+  const auto slip = arenite("check " + recipe + " --set lockin.frequency=3");
+  EXPECT_EQ(slip.status, 2);
+  EXPECT_EQ(lines_of(slip.err), 1) << slip.err;
+  const auto refused = arenite("run " + recipe);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(lines_of(refused.err), 1) << refused.err;
+  EXPECT_TRUE(contains(refused.err, "film.toml: is a recipe of a film (`arenite film FILM --recipe ")) << refused.err;
+}
+
+TEST(Check, QuietPrintsWhatIsWrongAlone) {
+  const TemporaryFolder folder;
+  const auto recipe = (folder / "a.toml").string();
+  ASSERT_EQ(arenite("init composite " + recipe).status, 0);
+  const auto right = arenite("check --quiet " + recipe), wrong = arenite("check --quiet --set sed=3 " + recipe);
+  EXPECT_EQ(right.status, 0);
+  EXPECT_EQ(right.out + right.err, "");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_EQ(lines_of(wrong.err), 1) << wrong.err;
+}
+
+TEST(Init, StudyRunsAsItIs) {
+  const TemporaryFolder folder;
+  const auto recipe = (folder / "friction.toml").string(), out = (folder / "out").string();
+  const auto made = arenite("init study " + recipe);
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_TRUE(contains(made.out, "now `arenite study run ")) << made.out;
+  const auto done = arenite("study run --quiet " + recipe + " --out " + out);
+  EXPECT_EQ(done.status, 0) << done.err;
+  EXPECT_TRUE(contains(done.out, "6 runs: 6 done")) << done.out;
+}
+
 TEST(Init, RefusesToOverwriteAndLeavesTheFileAsItIs) {
   const TemporaryFolder folder;
   const auto recipe = folder / "a.toml";
@@ -91,6 +131,10 @@ TEST(CommandLine, WithoutArgumentsEveryCommandHasItsLine) {
   for (const char* command : {"init", "check", "doctor", "completion", "man"}) {
     EXPECT_TRUE(contains(overview.out, std::string("\n  ") + command + " ")) << command;
     EXPECT_EQ(arenite(std::string(command) + " --help").status, 0) << command;
+  }
+  for (const char* kind : {"composite", "cemented", "film", "study"}) {
+    EXPECT_TRUE(contains(overview.out, std::string("arenite init ") + kind + " r.toml")) << kind;
+    EXPECT_EQ(arenite(std::string("init ") + kind).status, 0) << kind;
   }
 }
 

@@ -119,7 +119,9 @@ TEST(RunThatCannotStart, IsOneLineWithItsPlaceAndLeavesNoFolder) {
   EXPECT_FALSE(fs::exists(out));
   const auto late = arenite("run " + file + " --quiet --out " + out.string() + " --set 'frame.height=200 mm' --set 'integration.time_step=1 s'");
   EXPECT_EQ(late.status, 2);
-  EXPECT_TRUE(late.err.starts_with(file + ": integration.time_step of 1 s is beyond") && contains(late.err, " would do\n")) << late.err;
+  EXPECT_TRUE(late.err.starts_with("--set integration.time_step=1 s: integration.time_step of 1 s is too long for this packing: ") && contains(late.err, " s would do, "))
+      << late.err;
+  EXPECT_EQ(std::count(late.err.begin(), late.err.end(), '\n'), 1) << late.err;
 }
 
 TEST(CommandLine, ThatCannotBeReadIsOneLine) {

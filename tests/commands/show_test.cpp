@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "io/atomic_file.hpp"
@@ -46,6 +48,47 @@ TEST(Show, AStoredTextureIsNotMeasuredAgain) {
   result.texture_json = R"({"grains": 12345})";
   io::write_stage(folder / "r.h5", result);
   EXPECT_EQ(Json::parse(arenite("show --json " + (folder / "r.h5").string()).out)["grains"], 12345);
+}
+
+void expect_refused(const std::string& command, const std::string& words) {
+  const auto outcome = arenite(command);
+  EXPECT_EQ(outcome.status, 2) << command;
+  EXPECT_EQ(outcome.out, "") << command;
+  EXPECT_NE(outcome.err.find(words), std::string::npos) << command << ": " << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST(Show, SaysWhatStandsThereWhereItIsNoResult) {
+  const TemporaryFolder folder;
+  namespace fs = std::filesystem;
+  fs::create_directories(folder / "empty");
+  fs::create_directories(folder / "study/runs/0123");
+  fs::create_directories(folder / "maps");
+  io::write_atomically(folder / "study/runs.tsv", "");
+  for (const char* map : {"amplitude.tif", "in_phase.tif", "standard_error.tif"}) io::write_atomically(folder / "maps" / map, "");
+  io::write_atomically(folder / "r.toml", "seed = 1\n");
+  io::write_atomically(folder / "words.txt", "version 2\n");
+  const auto at = [&](const char* name) { return (folder / name).string(); };
+  for (const char* each : {"show ", "show --states ", "export --to csv ", "figures "}) {
+    const std::string command = each;
+    expect_refused(command + at("empty"), "empty: is no result; give the folder that");
+    expect_refused(command + at("maps"), "maps: holds the maps of a film");
+    expect_refused(command + at("r.toml"), "r.toml: is a recipe, not a result");
+    expect_refused(command + "thesis-ch4", "thesis-ch4: is a study that comes with the program");
+    if (command != "figures ") expect_refused(command + at("study"), "study: is the folder of a study, not a result; give a run of it");
+  }
+  expect_refused("show " + at("words.txt"), "words.txt: holds no rows of numbers");
+}
+
+TEST(Show, StatesHaveTheirUnitsInTheHeads) {
+  const TemporaryFolder folder;
+  io::write_stage(folder / "01-compact.h5", sample());
+  const auto shown = arenite("show --states " + (folder / "01-compact.h5").string());
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  EXPECT_EQ(shown.out.substr(0, shown.out.find('\n')),
+            "stage,label,time [s],strain_x,strain_y,volume_strain,p [Pa],q [Pa],q_over_p,solid_fraction,z,rattlers,a_c_signed,a_c_signed_strong,"
+            "a_c_signed_weak,strong_share,q_on_strong,mobilisation");
+  EXPECT_EQ(std::count(shown.out.begin(), shown.out.end(), '\n'), 3);  // and one row for each of two states
 }
 
 TEST(Show, TextTellsStagesInOrderAndWhichIsNotAtRest) {

@@ -8,8 +8,8 @@
 
 #if defined(__AVX2__) && defined(__FMA__)
 #include "peridynamics/kernels/lanes_avx2.hpp"
-#include "peridynamics/kernels/stencil.hpp"
-#include "peridynamics/kernels/passes.hpp"
+#include "peridynamics/kernels/stencil.inc"
+#include "peridynamics/kernels/passes.inc"
 
 namespace arenite::peridynamics {
 extern const Kernels* const avx2_kernels;

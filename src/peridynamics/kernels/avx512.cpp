@@ -8,8 +8,8 @@
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #include "peridynamics/kernels/lanes_avx512.hpp"
-#include "peridynamics/kernels/stencil.hpp"
-#include "peridynamics/kernels/passes.hpp"
+#include "peridynamics/kernels/stencil.inc"
+#include "peridynamics/kernels/passes.inc"
 
 namespace arenite::peridynamics {
 extern const Kernels* const avx512_kernels;

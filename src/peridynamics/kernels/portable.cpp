@@ -6,8 +6,8 @@
 
 #include "peridynamics/kernels/kernels.hpp"
 #include "peridynamics/kernels/lanes_portable.hpp"
-#include "peridynamics/kernels/stencil.hpp"
-#include "peridynamics/kernels/passes.hpp"
+#include "peridynamics/kernels/stencil.inc"
+#include "peridynamics/kernels/passes.inc"
 
 namespace arenite::peridynamics {
 extern const Kernels portable_kernels;

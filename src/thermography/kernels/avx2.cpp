@@ -3,7 +3,7 @@
 #if defined(__AVX2__) && defined(__FMA__)
 #include "thermography/kernels/lanes_avx2.hpp"
 #include "thermography/kernels/lanes_one.hpp"
-#include "thermography/kernels/passes.hpp"
+#include "thermography/kernels/passes.inc"
 
 namespace arenite::thermography {
 extern const Kernels* const avx2_kernels;

@@ -3,7 +3,7 @@
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #include "thermography/kernels/lanes_avx512.hpp"
 #include "thermography/kernels/lanes_one.hpp"
-#include "thermography/kernels/passes.hpp"
+#include "thermography/kernels/passes.inc"
 
 namespace arenite::thermography {
 extern const Kernels* const avx512_kernels;

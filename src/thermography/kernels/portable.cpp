@@ -5,7 +5,7 @@ namespace {
 using Floats = One<float>;
 using Doubles = One<double>;
 }  // namespace
-#include "thermography/kernels/passes.hpp"
+#include "thermography/kernels/passes.inc"
 
 namespace arenite::thermography {
 extern const Kernels portable_kernels;

@@ -40,7 +40,7 @@ TEST(FilmRecipe, CameraReadsBack) {
 TEST(FilmRecipe, EveryProblemIsReportedInOnePass) {
   const auto problems = problems_of(
       "[materials.POM]\nthermoelastic_factor = \"0.015 K\"\n[frame]\nwidth = 350\nheight = \"350 mm\"\nthickness = \"60 mm\"\n"
-      "[picture]\npixels = \"1.6 mm\"\n[lockin]\nfrequency = \"-3 Hz\"\n");
+      "[picture]\npixels = \"1.6 mm\"\n[lockin]\nfrequency = \"-3 Hz\"\n[temperature]\nfrom = \"film\"\n");
   ASSERT_GE(problems.size(), 5u);
   EXPECT_EQ(problems[0].line, 2);
 }
@@ -51,6 +51,32 @@ TEST(FilmRecipe, PlatesNeedTheirTemperatures) {
   const auto problems = problems_of(to_toml(recipe));
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_NE(problems[0].message.find("correction.cold"), std::string::npos);
+}
+
+TEST(FilmRecipe, PlatesAreNeededWhetherOrNotTheSectionIsWritten) {
+  std::string text = to_toml(film_template());
+  const auto section = text.find("[temperature]"), next = text.find("\n[", section);
+  ASSERT_NE(section, std::string::npos);
+  text.erase(section, next - section);
+  const auto problems = problems_of(text);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].message.find("temperature: from is \"plates\" unless given, and needs correction.cold"), std::string::npos) << problems[0].message;
+}
+
+TEST(FilmRecipe, TemperaturesOfPlatesWithoutTheirFilmsDoNotSuffice) {
+  FilmRecipe recipe = film_template();
+  recipe.temperature.from = TemperatureSection::From::plates;
+  recipe.correction.cold_temperature = 291;
+  recipe.correction.warm_temperature = 301;
+  EXPECT_EQ(problems_of(to_toml(recipe)).size(), 1u);
+}
+
+TEST(FilmRecipe, OneOfACameraNeedsNoPlatesAndReadsBackAsResolved) {
+  FilmRecipe recipe = film_template();
+  recipe.temperature.from = TemperatureSection::From::plates;
+  recipe.camera.emplace();
+  recipe.camera->high = "high";
+  EXPECT_EQ(to_toml(parse_film_recipe(to_toml(recipe), "film.toml")), to_toml(recipe));
 }
 
 TEST(FilmRecipe, EmptyOneNamesTheTemplate) {

@@ -1,0 +1,69 @@
+#include "no_result.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "ledger/studies.hpp"
+
+namespace arenite::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* give_a_result = "give the folder that `arenite run`, `arenite film` or `arenite load --out` wrote, or a .h5 file of it";
+
+bool is_study(const fs::path& folder) {
+  std::error_code error;
+  return fs::exists(folder / "runs.tsv", error) || fs::is_directory(folder / "runs", error);
+}
+
+bool holds_maps(const fs::path& folder) {
+  std::error_code error;
+  for (const char* ending : {".tif", ".h5", ".npy"})
+    for (const char* map : {"in_phase", "jump"})
+      if (fs::exists(folder / (std::string(map) + ending), error) && fs::exists(folder / (std::string("standard_error") + ending), error)) return true;
+  return false;
+}
+
+/// Files of a result end in .h5; a film's frames have numbers in their names.
+bool may_hold_something(const fs::path& folder) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!entry->is_directory(error) && (name.ends_with(".h5") || std::any_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; }))) return true;
+  }
+  return static_cast<bool>(error);
+}
+
+void refuse(const fs::path& path, bool study_passes) {
+  std::error_code error;
+  const std::string name = path.string();
+  if (fs::is_directory(path, error)) {
+    if (is_study(path)) {
+      if (study_passes) return;
+      throw InputError(name, 0, fmt::format("is the folder of a study, not a result; give a run of it, {}/runs/NAME; `arenite study status RECIPE --out {}` "
+                                            "tells how it stands", name, name));
+    }
+    if (holds_maps(path)) throw InputError(name, 0, fmt::format("holds the maps of a film, each a picture by itself, and is no result; {}", give_a_result));
+    if (!may_hold_something(path)) throw InputError(name, 0, fmt::format("is no result; {}", give_a_result));
+    return;
+  }
+  if (fs::is_regular_file(path, error)) {
+    // A recipe as text may look like a film as text.
+    if (path.extension() == ".toml") throw InputError(name, 0, fmt::format("is a recipe, not a result; {}", give_a_result));
+    return;
+  }
+  const auto* source = ledger::find_study(name);
+  if (source && source->has_runs())
+    throw InputError(name, 0, "is a study that comes with the program, not a result; `arenite verify` runs it, and each of its runs' folders is a result");
+}
+
+}  // namespace
+
+void refuse_no_result(const std::string& path) { refuse(path, false); }
+void refuse_neither_result_nor_study(const std::string& path) { refuse(path, true); }
+
+}  // namespace arenite::app
