@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "io/atomic_file.hpp"
+#include "study/recipe_document.hpp"
 #include "study/result_folder.hpp"
 
 namespace arenite::ledger {
@@ -24,6 +25,22 @@ std::vector<std::string> lines_of(const std::string& text) {
 bool holds_already(const fs::path& file, const std::string& text) {
   std::ifstream in(file, std::ios::binary);
   return in && std::string(std::istreambuf_iterator<char>(in), {}) == text;
+}
+
+void put(const fs::path& file, const std::string& text) {
+  if (!holds_already(file, text)) io::write_atomically(file, text);
+}
+
+/// The recipe that another is laid over, "../NAME/recipe.toml" from where that lies.
+void unpack_base(const std::string& recipe, const fs::path& folder) {
+  const study::Node root = study::read_document(recipe, "recipe.toml");
+  const study::Entry* base = root.find("base");
+  if (!base) return;
+  const fs::path file = (folder / base->value.text).lexically_normal();
+  const std::string text = embedded_text(file.parent_path().filename().string(), file.filename().string());
+  study::make_folder(file.parent_path());
+  put(file, text);
+  unpack_base(text, file.parent_path());
 }
 
 std::vector<StudySource> read_embedded() {
@@ -61,8 +78,10 @@ bool StudySource::has_runs() const {
 
 void unpack(const StudySource& source, const fs::path& folder) {
   study::make_folder(folder);
-  for (const auto& [name, text] : source.files)
-    if (!holds_already(folder / name, text)) io::write_atomically(folder / name, text);
+  for (const auto& [name, text] : source.files) {
+    put(folder / name, text);
+    if (name == "recipe.toml") unpack_base(text, folder);
+  }
 }
 
 study::Study unpack_study(const StudySource& source, const fs::path& folder, bool small, const std::vector<std::string>& overrides) {

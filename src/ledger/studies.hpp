@@ -24,7 +24,7 @@ const StudySource* find_study(const std::string& name);
 /// Text of a file of studies/NAME; empty if there is none.
 std::string embedded_text(const std::string& study, const std::string& file);
 
-/// Puts the files of a study into `folder`. Files that are the same already are left alone.
+/// Puts the files of a study into `folder`, and the recipe that its own is laid over beside it. Files that are the same already are left alone.
 void unpack(const StudySource& source, const std::filesystem::path& folder);
 /// The same, and reads the study from there.
 study::Study unpack_study(const StudySource& source, const std::filesystem::path& folder, bool small, const std::vector<std::string>& overrides = {});

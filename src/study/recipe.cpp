@@ -89,6 +89,10 @@ std::string key_reference() {
          "understood, `arenite init composite` a commented one to start from, and `--set stages.0.bottom.force=\"60 kN\"` changes a\n"
          "key for one run (items of lists are counted from 0). A section [sweep] makes many runs of one recipe:\n"
          "[studies.md](studies.md).\n\n"
+         "`base = \"../paper/recipe.toml\"`, before any section, lays a recipe over another, looked for beside it, which may have a\n"
+         "base of its own. Sections are merged key by key; any other value and whole lists such as `[[stages]]` count as they are\n"
+         "given here, where they are. The base's [sweep] is left out, and files that the base names are looked for beside the recipe\n"
+         "that is laid over it.\n\n"
          "This page is generated from the declarations that the program reads recipes with: `arenite man --keys`.\n\n" +
          write_key_tables(record_of_all_keys(declaration_of(defaults)));
 }

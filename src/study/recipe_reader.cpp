@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/nearest.hpp"
+#include "study/recipe_base.hpp"
 
 namespace arenite::study {
 namespace {
@@ -69,9 +70,7 @@ std::string RecipeReader::path_of(std::string_view name) const {
 }
 
 void RecipeReader::problem(const Place& place, const std::string& path, const std::string& message) {
-  const bool from_override = !place.override_text.empty();
-  reading_.problems.push_back({from_override ? place.override_text : reading_.file_name, place.line, place.column,
-                               path.empty() ? message : fmt::format("{}: {}", path, message)});
+  reading_.problems.push_back({file_of(place, reading_), place.line, place.column, path.empty() ? message : fmt::format("{}: {}", path, message)});
 }
 
 void RecipeReader::refuse(const Key& key, const Node& value, const std::string& message) {
@@ -183,11 +182,22 @@ void RecipeReader::refuse_unknown_keys() {
   }
 }
 
+const std::string& file_of(const Place& place, const Reading& reading) {
+  return !place.override_text.empty() ? place.override_text : !place.file.empty() ? place.file : reading.file_name;
+}
+
+void add_problem(Reading& reading, const Place& place, const std::string& path, const std::string& message) {
+  Problem problem{file_of(place, reading), place.line, place.column, fmt::format("{}: {}", path, message)};
+  const auto same = [&](const Problem& p) { return p.message == problem.message && p.line == problem.line && p.file == problem.file; };
+  if (std::none_of(reading.problems.begin(), reading.problems.end(), same)) reading.problems.push_back(std::move(problem));
+}
+
 Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     throw InputError(reading.file_name, 0, fmt::format("the recipe is empty; `arenite init {}` writes one to start from", start_from));
   }
   Node root = read_document(text, reading.file_name);
+  lay_base_under(root, reading);
   for (const auto& assignment : overrides) {
     try {
       apply_override(root, assignment);

@@ -22,7 +22,13 @@ struct Reading {
   std::string folder;               ///< where files that the recipe names are looked for
   bool look_for_files = false;
   std::vector<Problem> problems;
+  std::vector<std::string> bases = {};  ///< files that the recipe is laid over
 };
+
+/// What a place is reported under: an override, a base or the recipe.
+const std::string& file_of(const Place& place, const Reading& reading);
+/// Adds a problem, once.
+void add_problem(Reading& reading, const Place& place, const std::string& path, const std::string& message);
 
 /// Reads one table of a recipe into what the declarations name; sub-tables get readers of their own. Problems are
 /// collected; whatever is wrong keeps its default.
@@ -65,7 +71,7 @@ class RecipeReader : public ParameterVisitor {
   std::map<std::string, std::string, std::less<>> conditional_;  ///< keys that do not exist now, and when they do
 };
 
-/// The tree that a text and its overrides make; problems of overrides are collected. For an empty text the InputError names
+/// The tree that a text, its base and its overrides make; problems of base and overrides are collected. For an empty text the InputError names
 /// the template that `arenite init` writes.
 Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from);
 

@@ -78,8 +78,7 @@ Node with(Node tree, const Point& point, const Reading& reading) {
     try {
       set_value(tree, key, value);
     } catch (const InputError& error) {
-      const std::string& file = value.place.override_text.empty() ? reading.file_name : value.place.override_text;
-      throw InputError({Problem{file, value.place.line, value.place.column, fmt::format("{}: {}", key, error.what())}});
+      throw InputError({Problem{file_of(value.place, reading), value.place.line, value.place.column, fmt::format("{}: {}", key, error.what())}});
     }
   }
   return tree;
@@ -146,6 +145,7 @@ Study read_study(const std::string& file, const std::vector<std::string>& overri
   const Sweep sweep = take_sweep(study, reading);
   if (!reading.problems.empty()) throw InputError(std::move(reading.problems));
   study.inputs.emplace_back(file, content_hash(io::read_file(file)));
+  for (const auto& base : reading.bases) study.inputs.emplace_back(base, content_hash(io::read_file(base)));
   for (const auto& table : sweep.files) study.inputs.emplace_back(table, content_hash(io::read_file(table)));
   study.keys = sweep.keys();
   if (sweep.replicates > 0) study.keys.emplace_back("seed");

@@ -77,13 +77,6 @@ void refuse_doubles(const Sweep& sweep, Reading& reading) {
 
 }  // namespace
 
-void add_problem(Reading& reading, const Place& place, const std::string& path, const std::string& message) {
-  const std::string& file = place.override_text.empty() ? reading.file_name : place.override_text;
-  Problem problem{file, place.line, place.column, fmt::format("{}: {}", path, message)};
-  const auto same = [&](const Problem& p) { return p.message == problem.message && p.line == problem.line && p.file == problem.file; };
-  if (std::none_of(reading.problems.begin(), reading.problems.end(), same)) reading.problems.push_back(std::move(problem));
-}
-
 std::vector<Assignment> flattened(const Node& table, const std::function<bool(const Node&)>& is_leaf) {
   std::vector<Assignment> out;
   flatten(table, "", is_leaf, out);

@@ -38,7 +38,6 @@ Sweep read_sweep(const Node& section, Reading& reading, std::uint64_t seed);
 inline constexpr std::size_t most_runs = 1'000'000;
 
 // The parts of read_sweep, one a form.
-void add_problem(Reading& reading, const Place& place, const std::string& path, const std::string& message);
 /// Dotted keys of a table and of the tables in it; `is_leaf` says which tables are values by themselves.
 std::vector<Assignment> flattened(const Node& table, const std::function<bool(const Node&)>& is_leaf);
 std::vector<Point> table_points(const Node& file, Reading& reading, std::vector<std::string>& files);

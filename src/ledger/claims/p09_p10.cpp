@@ -1,99 +1,152 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ledger/claims/claims.hpp"
-#include "ledger/claims/paper_runs.hpp"
+#include "ledger/claims/paper_checks.hpp"
+#include "ledger/claims/paper_choices.hpp"
+#include "ledger/claims/paper_loads.hpp"
+#include "ledger/pooled.hpp"
 
 namespace arenite::ledger {
 namespace {
 
 constexpr double shown_theta = 1.4;    ///< of the paper's figures
+constexpr const char* classes[] = {"large", "small"};
 
-PairMeans of(const Results& results, const char* set, const char* statistic, double width) {
-  return pair_means(results, stress_of(set, statistic), width);
+PairMeans shown(const PairMeans& means) { return of_theta(means, shown_theta); }
+
+/// The lead of the exponential over the half-Gaussian.
+PairMeans lead_of_exponential(const Samples& samples, const std::string& set, double width) { return stress_means(samples, set, "tail.log_likelihood_ratio", width); }
+
+void add_exponential(Verdict& verdict, const Samples& samples, double up_to_width) {
+  for (const char* set : classes)
+    for (const double width : samples.widths)
+      if (width <= up_to_width)
+        verdict.checks.push_back(in_every_pair(fmt::format("ln L of exponential less half-Gaussian, {} grains, eta {:g}, theta 1.4", set, width), "exponential",
+                                               shown(lead_of_exponential(samples, set, width)), +1));
 }
 
-bool is_shown(const PairMean& m) { return m.theta == shown_theta; }
-
-/// The lead of the exponential over the half-Gaussian, mean over the gammas.
-Check leads(const Results& results, const char* set, double width, bool every_theta) {
-  PairMeans lead = of(results, set, "tail.log_likelihood_ratio", width);
-  if (!every_theta) lead = only(lead, is_shown);
-  return positive(fmt::format("ln L of exponential less half-Gaussian, {} grains, eta {:g}, {}", set, width, every_theta ? "all pairs" : "theta 1.4"),
-                  "exponential", overall(lead));
+/// How surely the exponential leads at all theta, too.
+std::string leads_everywhere(const Samples& samples, const std::string& set) {
+  std::size_t all = 0, sure = 0, against = 0;
+  for (const double width : samples.widths)
+    for (const PairMean& m : lead_of_exponential(samples, set, width)) {
+      all += 1;
+      sure += m.value.value > beyond * m.value.error;
+      against += m.value.value < -beyond * m.value.error;
+    }
+  return fmt::format("In {} grains the exponential leads by 2 s.e. in {} of {} pairs and widths (all theta), and the half-Gaussian in {}.", set, sure, all, against);
 }
 
-/// The slope of the tail against S_m, of one gamma.
-Series tail_against_saturation(const Results& results, const char* set, double gamma) {
-  Series points;
-  for (const double width : widths) {
-    const Value s = of_pair(of(results, set, "tail.slope", width), gamma, shown_theta), x = of_pair(pair_means(results, "S_m", width), gamma, shown_theta);
-    if (std::isfinite(s.value)) points.push_back({x.value, s.value, s.error, 1});
+/// Slope of the tail against S_m, sample by sample: what is differently cemented shares its packing.
+Value growth_with_saturation(const Samples& samples, const std::string& set, double gamma) {
+  std::vector<Run> bridged;
+  for (const Run& run : samples.runs)
+    if (gamma_of(run) == gamma && theta_of(run) == shown_theta && cement_of(run) != full) bridged.push_back(run);
+  return slope_over_seeds(bridged, "S_m", "stress." + samples.component + ".sets." + set + ".tail.slope");
+}
+
+/// Rise of the tail's slope from the least to the greatest gamma at the widest bridges, less that at the narrowest.
+Value growth_of_effect(const Samples& samples, const std::string& set) {
+  const auto tail = [&](double width) { return stress_means(samples, set, "tail.slope", width); };
+  return rise(against_gamma(difference(tail(samples.widths.back()), tail(samples.widths.front())), shown_theta));
+}
+
+void add_growth(Verdict& verdict, const Samples& samples) {
+  for (const char* set : classes) {
+    for (const double gamma : gammas(shown(stress_means(samples, set, "tail.slope", samples.widths.front()))))
+      verdict.checks.push_back(positive(fmt::format("slope of s against S_m, {} grains, gamma {:g}", set, gamma), "> 0", growth_with_saturation(samples, set, gamma)));
+    verdict.checks.push_back(positive(fmt::format("rise of s with gamma at eta 1 less that at eta 0.2, {} grains", set), "> 0", growth_of_effect(samples, set)));
   }
-  return points;
-}
-
-/// Rise of the tail's slope from the least to the greatest gamma.
-Value effect_of_gamma(const Results& results, const char* set, double width) {
-  return rise(against_gamma(of(results, set, "tail.slope", width), shown_theta));
 }
 
 /// At little matrix the pdf over the matrix's own mean is highest near zero stress; at much it peaks at the mean.
-void add_matrix_peak(Verdict& verdict, const Results& results) {
-  const auto at = [&](double width) { return overall(only(of(results, "matrix", "peak.at", width), is_shown)); };
-  for (const double width : {0.2, 0.4}) verdict.checks.push_back(below(fmt::format("matrix, place of the pdf's peak over its mean, eta {:g}", width), "no clear peak", at(width), 0.5));
-  for (const double width : {0.8, 1.0}) verdict.checks.push_back(between(fmt::format("matrix, place of the pdf's peak over its mean, eta {:g}", width), "near 1", at(width), 0.8, 1.2));
-  verdict.checks.push_back(in_all_pairs("matrix, variance over its mean, from eta 0.4 to 0.8", "< 0",
-                                        difference(of(results, "matrix", "own_variance", 0.8), of(results, "matrix", "own_variance", 0.4)), -1));
+void add_matrix_peak(Verdict& verdict, const Samples& samples) {
+  for (const double width : samples.widths) {
+    const Value at = overall(shown(stress_means(samples, "matrix", "peak.at", width)));
+    const std::string what = fmt::format("matrix, place of the pdf's peak over its mean, eta {:g}", width);
+    if (width < 0.5) verdict.checks.push_back(below(what, "no clear peak", at, 0.5));
+    if (width > 0.7) verdict.checks.push_back(between(what, "near 1", at, 0.8, 1.2));
+  }
+  const auto scatter = [&](double width) { return stress_means(samples, "matrix", "own_variance", width); };
+  const bool all = std::find(samples.widths.begin(), samples.widths.end(), 0.4) != samples.widths.end();
+  const double from = all ? 0.4 : samples.widths.front(), to = all ? 0.8 : samples.widths.back();
+  verdict.checks.push_back(in_all_pairs(fmt::format("matrix, variance over its mean, from eta {:g} to {:g}", from, to), "< 0", difference(scatter(to), scatter(from)), -1));
 }
 
-bool classed(const PairMean& m) { return m.gamma >= 1.43; }
+Verdict sharpened_p9(const Samples& samples) {
+  Verdict v;
+  add_exponential(v, samples, 1);
+  add_growth(v, samples);
+  add_matrix_peak(v, samples);
+  return v;
+}
+
+PairMeans small_less_large(const Samples& samples, const std::string& number, double width) {
+  return difference(stress_means(samples, "small", number, width), stress_means(samples, "large", number, width));
+}
+
+PairMeans matrix_above_mean(const Samples& samples, double from, double to) {
+  const auto share = [&](double width) { return stress_means(samples, "matrix", "share_above_sample_mean", width); };
+  return difference(share(to), share(from));
+}
+
+void add_matrix_share(Verdict& verdict, const Samples& samples) {
+  for (std::size_t k = 1; k < samples.widths.size(); ++k) {
+    const double from = samples.widths[k - 1], to = samples.widths[k];
+    verdict.checks.push_back(in_all_pairs(fmt::format("share of matrix above the sample's mean, from eta {:g} to {:g}", from, to), "< 0", matrix_above_mean(samples, from, to), -1));
+  }
+}
+
+Verdict sharpened_p10(const Samples& samples) {
+  Verdict v;
+  for (const double width : samples.widths)
+    v.checks.push_back(in_all_pairs(fmt::format("99.9 % quantile, small less large grains, eta {:g}, gamma >= 1.43", width), "> 0",
+                                    only(small_less_large(samples, "quantiles.99.9 %", width), [](const PairMean& m) { return m.gamma >= 1.43; }), +1));
+  add_matrix_share(v, samples);
+  return v;
+}
 
 }  // namespace
 
 /// Tails of the stress over the phase's own mean, from 0.1 to 0.001 of the peak.
 Judgement judge_p9(const Results& results) {
+  const Samples samples = paper_samples(results);
   Judgement j;
-  const auto all_gammas = gammas(of(results, "large", "tail.slope", widths.front()));
-  for (const char* set : {"large", "small"}) {
-    for (const double width : widths) {
-      j.sharpened.checks.push_back(leads(results, set, width, false));
-      if (width < 0.5) j.stated.checks.push_back(leads(results, set, width, false));
-      j.findings.push_back(fmt::format("{}: {} over all pairs.", leads(results, set, width, true).what, text_of({leads(results, set, width, true).ours, leads(results, set, width, true).error})));
-    }
-    for (Verdict* v : {&j.stated, &j.sharpened}) {
-      for (const double gamma : all_gammas)
-        v->checks.push_back(positive(fmt::format("slope of s against S_m, {} grains, gamma {:g}", set, gamma), "> 0", slope(tail_against_saturation(results, set, gamma))));
-      v->checks.push_back(positive(fmt::format("rise of s with gamma at eta 1 less that at eta 0.2, {} grains", set), "> 0",
-                                   difference(effect_of_gamma(results, set, 1), effect_of_gamma(results, set, 0.2))));
-    }
+  add_exponential(j.stated, samples, 0.5);
+  add_growth(j.stated, samples);
+  add_matrix_peak(j.stated, samples);
+  j.sharpened = sharpened_p9(samples);
+  for (const char* set : classes) j.findings.push_back(leads_everywhere(samples, set));
+  add_shear(j, results, sharpened_p9);
+  for (const std::string set : classes) {
+    for (const double width : {0.2, 1.0})
+      for (const double gamma : {1.0, 5.0})
+        add_choices(j, results, fmt::format("ln L of exponential less half-Gaussian, {} grains, eta {:g}, gamma {:g}, theta 1.4", set, width, gamma),
+                    [=](const Samples& s) { return of_pair(lead_of_exponential(s, set, width), gamma, shown_theta); }, wanted_positive());
+    add_choices(j, results, "Rise of s from gamma 1 to 5 at eta 1 less that at eta 0.2, " + set + " grains, theta 1.4", [=](const Samples& s) { return growth_of_effect(s, set); }, wanted_positive());
   }
-  add_matrix_peak(j.stated, results);
-  add_matrix_peak(j.sharpened, results);
-  add_choices(j, results, "The tail's slope s in large grains", stress_of("large", "tail.slope"), {}, Filling::part);
   return j;
 }
 
 /// Highest stresses by class, and how much of the matrix lies above the sample's mean.
 Judgement judge_p10(const Results& results) {
+  const Samples samples = paper_samples(results);
   Judgement j;
-  for (const double width : widths) {
-    const auto lead = [&](const char* number) { return difference(of(results, "small", number, width), of(results, "large", number, width)); };
-    j.stated.checks.push_back(in_all_pairs(fmt::format("largest node, small less large grains, eta {:g}", width), "> 0", lead("maximum"), +1));
-    j.sharpened.checks.push_back(in_all_pairs(fmt::format("99.9 % quantile, small less large grains, eta {:g}, gamma >= 1.43", width), "> 0",
-                                              only(lead("quantiles.99.9 %"), classed), +1));
-  }
-  for (std::size_t k = 1; k < widths.size(); ++k) {
-    const PairMeans change = difference(of(results, "matrix", "share_above_sample_mean", widths[k]), of(results, "matrix", "share_above_sample_mean", widths[k - 1]));
-    const Check falls = in_all_pairs(fmt::format("share of matrix above the sample's mean, from eta {:g} to {:g}", widths[k - 1], widths[k]), "< 0", change, -1);
-    j.stated.checks.push_back(falls);
-    j.sharpened.checks.push_back(falls);
-  }
-  add_choices(j, results, "The 99.9 % quantile in small less large grains", [](const Run& run) {
-    return run(stress_of("small", "quantiles.99.9 %")) - run(stress_of("large", "quantiles.99.9 %"));
-  }, {{}, wanted_positive(), {}}, Filling::part);
-  add_choices(j, results, "The share of matrix above the sample's mean", stress_of("matrix", "share_above_sample_mean"), {}, Filling::part);
+  for (const double width : samples.widths)
+    j.stated.checks.push_back(in_all_pairs(fmt::format("largest node, small less large grains, eta {:g}", width), "> 0", small_less_large(samples, "maximum", width), +1));
+  add_matrix_share(j.stated, samples);
+  j.sharpened = sharpened_p10(samples);
+  add_shear(j, results, sharpened_p10);
+  for (const char* number : {"quantiles.99.9 %", "maximum"})
+    for (const double width : {0.2, 1.0})
+      add_choices(j, results, fmt::format("{} in small less large grains, eta {:g}, gamma 5, theta 1.4", number[0] == 'm' ? "Largest node" : "99.9 % quantile", width),
+                  [=](const Samples& s) { return of_pair(small_less_large(s, number, width), 5, shown_theta); }, wanted_positive());
+  for (const double gamma : {1.0, 5.0})
+    add_choices(j, results, fmt::format("Share of matrix above the sample's mean, from eta 0.2 to 1, gamma {:g}, theta 1.4", gamma),
+                [=](const Samples& s) { return of_pair(matrix_above_mean(s, 0.2, 1), gamma, shown_theta); }, wanted_negative());
   return j;
 }
 

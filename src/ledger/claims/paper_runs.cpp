@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
 
 namespace arenite::ledger {
 namespace {
@@ -19,13 +18,39 @@ std::vector<double> different(const PairMeans& means, Of of) {
   return values;
 }
 
-std::string name_of(const PairMean& m) { return fmt::format("gamma {:g}, theta {:g}", m.gamma, m.theta); }
+Value mean_over(const std::vector<Sample>& samples) {
+  std::vector<double> numbers;
+  for (const Sample& s : samples) numbers.push_back(s.number);
+  return numbers.empty() ? Value() : Value(statistics::mean_of(numbers));
+}
 
-bool less(const PairMean& a, const PairMean& b) { return a.value.value < b.value.value; }
+std::vector<Sample> difference(const std::vector<Sample>& a, const std::vector<Sample>& b) {
+  std::vector<Sample> result;
+  for (const Sample& one : a)
+    for (const Sample& other : b)
+      if (one.name == other.name) result.push_back({one.name, one.number - other.number});
+  return result;
+}
+
+/// Every pair without its k-th sample.
+PairMeans without(PairMeans means, std::size_t k) {
+  for (PairMean& m : means) {
+    m.samples.erase(m.samples.begin() + static_cast<std::ptrdiff_t>(k));
+    m.value = mean_over(m.samples);
+  }
+  return means;
+}
+
+std::size_t fewest_samples(const std::vector<PairMeans>& means) {
+  std::size_t fewest = 0;
+  for (const PairMeans& some : means)
+    for (const PairMean& m : some) fewest = fewest == 0 ? m.samples.size() : std::min(fewest, m.samples.size());
+  return fewest;
+}
 
 }  // namespace
 
-std::string stress_of(const std::string& set, const std::string& statistic) { return "stress.sigma_yy.sets." + set + "." + statistic; }
+Samples paper_samples(const Results& results) { return {results.runs("paper"), {0.2, 0.4, 0.6, 0.8, 1}}; }
 
 double gamma_of(const Run& run) { return run.key("bidisperse.size_ratio"); }
 
@@ -33,14 +58,18 @@ double theta_of(const Run& run) { return run.key("bidisperse.volume_ratio"); }
 
 double cement_of(const Run& run) { return run.text("cement.kind") == "full" ? full : run.key("cement.width"); }
 
-PairMeans pair_means(const Results& results, const Number& number, double width) {
-  std::map<std::pair<double, double>, std::vector<double>> samples;
-  for (const Run& run : results.runs("paper"))
+PairMeans pair_means(const Samples& samples, const Number& number, double width) {
+  std::map<std::pair<double, double>, std::vector<Sample>> pairs;
+  for (const Run& run : samples.runs)
     if (cement_of(run) == width)
-      if (const double value = number.of(run); std::isfinite(value)) samples[{gamma_of(run), theta_of(run)}].push_back(value);
+      if (const double value = number.of(run); std::isfinite(value)) pairs[{gamma_of(run), theta_of(run)}].push_back({run.text("seed"), value});
   PairMeans means;
-  for (const auto& [pair, values] : samples) means.push_back({pair.first, pair.second, width, statistics::mean_of(values)});
+  for (auto& [pair, all] : pairs) means.push_back({pair.first, pair.second, width, mean_over(all), all});
   return means;
+}
+
+PairMeans stress_means(const Samples& samples, const std::string& set, const std::string& statistic, double width) {
+  return pair_means(samples, "stress." + samples.component + ".sets." + set + "." + statistic, width);
 }
 
 PairMeans only(const PairMeans& means, const std::function<bool(const PairMean&)>& wanted) {
@@ -49,18 +78,33 @@ PairMeans only(const PairMeans& means, const std::function<bool(const PairMean&)
   return result;
 }
 
+PairMeans of_theta(const PairMeans& means, double theta) {
+  return only(means, [=](const PairMean& m) { return m.theta == theta; });
+}
+
 PairMeans difference(const PairMeans& a, const PairMeans& b) {
   PairMeans result;
   for (const PairMean& m : a)
-    if (const Value other = of_pair(b, m.gamma, m.theta); std::isfinite(other.value))
-      result.push_back({m.gamma, m.theta, m.width, difference(m.value, other)});
+    for (const PairMean& other : b) {
+      if (m.gamma != other.gamma || m.theta != other.theta) continue;
+      auto samples = difference(m.samples, other.samples);
+      if (!samples.empty()) result.push_back({m.gamma, m.theta, m.width, mean_over(samples), std::move(samples)});
+    }
   return result;
 }
 
 Series against_gamma(const PairMeans& means, double theta) {
   Series points;
   for (const PairMean& m : means)
-    if (m.theta == theta) points.push_back({m.gamma, m.value.value, m.value.error, 1});
+    if (m.theta == theta) points.push_back({m.gamma, m.value.value, m.value.error, m.samples.size()});
+  return points;
+}
+
+Series against(const PairMeans& x, const PairMeans& y) {
+  Series points;
+  for (const PairMean& m : x)
+    if (const Value v = of_pair(y, m.gamma, m.theta); std::isfinite(v.value)) points.push_back({m.value.value, v.value, v.error, 1});
+  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
   return points;
 }
 
@@ -89,39 +133,24 @@ Value overall(const PairMeans& means) {
   return {sum / n, std::sqrt(squares) / n};
 }
 
-void add_range(Verdict& verdict, const std::string& what, const std::string& source, const PairMeans& means, double low, double high) {
-  const auto [least, greatest] = std::minmax_element(means.begin(), means.end(), less);
-  const bool any = !means.empty();
-  verdict.checks.push_back(between("least " + what + (any ? " (" + name_of(*least) + ")" : ""), source, any ? least->value : Value(), low, high));
-  verdict.checks.push_back(between("greatest " + what + (any ? " (" + name_of(*greatest) + ")" : ""), source, any ? greatest->value : Value(), low, high));
+Value jackknifed(const std::vector<PairMeans>& means, const std::function<double(const std::vector<PairMeans>&)>& number) {
+  const double value = number(means);
+  const std::size_t n = fewest_samples(means);
+  if (n < 2) return {value};
+  std::vector<double> left;
+  for (std::size_t k = 0; k < n; ++k) {
+    std::vector<PairMeans> fewer;
+    for (const PairMeans& some : means) fewer.push_back(without(some, k));
+    left.push_back(number(fewer));
+  }
+  // Values with one of n left out scatter n - 1 times less than those of one alone would.
+  return {value, (static_cast<double>(n) - 1) * statistics::mean_of(left).error};
 }
 
-Check in_all_pairs(const std::string& what, const std::string& source, const PairMeans& differences, int direction) {
-  const Value mean = overall(differences);
-  const PairMean* against = nullptr;
-  std::size_t sure = 0;
-  for (const PairMean& m : differences) {
-    const double along = direction * m.value.value, limit = beyond * m.value.error;
-    sure += along > limit;
-    if (along < -limit && (!against || along < direction * against->value.value)) against = &m;
-  }
-  const std::string counted = fmt::format("{}, mean of {} pairs, {} of them beyond 2 s.e.", what, differences.size(), sure);
-  Check check = direction > 0 ? positive(counted, source, mean) : negative(counted, source, mean);
-  check.tolerance += ", no pair against it by 2 s.e.";
-  if (against) {
-    check.holds = Holds::no;
-    check.what += fmt::format("; against it {}: {}", name_of(*against), text_of(against->value));
-  }
-  return check;
+Value jackknifed(const PairMeans& means, const std::function<double(const PairMeans&)>& number) {
+  return jackknifed(std::vector<PairMeans>{means}, [&](const std::vector<PairMeans>& all) { return number(all.front()); });
 }
 
-void add_rises(Verdict& verdict, const std::string& what, const std::string& source, const PairMeans& means, int direction) {
-  for (const double theta : thetas(means)) {
-    const std::string name = fmt::format("{}, change from the least to the greatest gamma, theta {:g}", what, theta);
-    const Value change = rise(against_gamma(means, theta));
-    verdict.checks.push_back(direction > 0 ? positive(name, source, change) : negative(name, source, change));
-  }
-  if (means.empty()) verdict.checks.push_back(positive(what + " against gamma", source, {}));
-}
+std::string name_of(const PairMean& m) { return fmt::format("gamma {:g}, theta {:g}", m.gamma, m.theta); }
 
 }  // namespace arenite::ledger

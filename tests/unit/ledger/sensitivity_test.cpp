@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "ledger/claims/paper_runs.hpp"
 #include "ledger/claims/thesis_choices.hpp"
 #include "unit/ledger/made_up_table.hpp"
 
@@ -46,25 +45,6 @@ TEST(Sensitivity, WantedTellsBothSides) {
   EXPECT_TRUE(holds(wanted_negative(), -1, 0.4) && !holds(wanted_negative(), -1, 0.6));
   EXPECT_TRUE(holds(wanted_none(), -1, 0.6) && !holds(wanted_none(), -1, 0.4));
   EXPECT_EQ(wanted_within(2, 0.5)({}).tolerance, "1.5 to 2.5");
-}
-
-TEST(Sensitivity, OfThePaperHasTheEndsOfGammaAndTheChangeBetween) {
-  std::vector<MadeUpRun> runs;
-  for (const char* gamma : {"1", "5"})
-    for (const char* theta : {"1.4", "6"})
-      for (const char* friction : {"0.3", "0"})
-        for (const double seed : {0.0, 1.0}) runs.push_back({{gamma, theta, "full", friction}, {std::stod(gamma) * (friction[1] ? 1 : -1) + seed}});
-  Results results;
-  results.add("paper-choices", made_up_table({"bidisperse.size_ratio", "bidisperse.volume_ratio", "cement.kind", "contact.friction"}, {"z"}, runs));
-  Judgement judgement;
-  add_choices(judgement, results, "z", "z", {{}, {}, wanted_positive()});
-  ASSERT_EQ(judgement.sensitivities.size(), 6u);
-  const Sensitivity& change = judgement.sensitivities[2];
-  EXPECT_EQ(change.what, "z, change from gamma 1 to 5, theta 1.4");
-  EXPECT_NEAR(change.entries[0].value, 4, 1e-12);
-  EXPECT_EQ(change.entries[0].holds, Holds::yes);
-  EXPECT_NEAR(change.entries[1].value, -4, 1e-12);
-  EXPECT_EQ(change.entries[1].holds, Holds::no);
 }
 
 TEST(Sensitivity, OfTheStiffnessRatioIsASlopeSeedBySeedAndTakesTheRunsOfItsStudy) {
