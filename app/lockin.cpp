@@ -119,7 +119,7 @@ int execute(Arguments& a) {
     return other_failure;
   }
   if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps));
-  if (study::shows_no_load(maps)) fmt::print(stderr, "{}\n", study::no_load_sentence(maps.frequency, "--frequency"));
+  if (study::shows_no_load(maps)) fmt::print(stderr, "{}: {}\n", a.film, study::no_load_sentence(maps.frequency, "--frequency"));
   const Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds())
     fmt::print(stderr, "heat diffuses {:.3g} pixels far within a cycle, not far less than one: the finest detail of the swing is not adiabatic; raise the load frequency\n",

@@ -47,7 +47,7 @@ TEST(LockInCommand, SaysWhereTheFilmShowsNoLoad) {
   io::write_film(folder / "still.h5", film);
   const auto noise = arenite("lockin " + (folder / "still.h5").string() + " --frame-rate 148Hz --frequency 3Hz --json");
   EXPECT_EQ(noise.status, 0) << noise.err;
-  EXPECT_NE(noise.err.find("nothing but noise swings at "), std::string::npos) << noise.err;
+  EXPECT_NE(noise.err.find("still.h5: nothing but noise swings at "), std::string::npos) << noise.err;
   EXPECT_EQ(Json::parse(noise.out)["shows_load"], false);
   const auto loaded = arenite("lockin " + film_in(folder) + " --frequency 3Hz --json"), elsewhere = arenite("lockin " + film_in(folder) + " --frequency 30Hz --json");
   EXPECT_EQ(loaded.err, "");
