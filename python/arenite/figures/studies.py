@@ -110,6 +110,8 @@ def _density(axes, figure, curve, points, colour):
     unknown = np.isnan(np.concatenate([[np.nan], y, [np.nan]]))
     alone = unknown[:-2] & unknown[2:] & ~np.isnan(y)
     axes.plot(x[alone], y[alone], ".", color=colour, markersize=2)
+    if error[alone].any():
+        axes.vlines(x[alone], np.maximum(y - error, figure["y"]["domain"][0])[alone], (y + error)[alone], color=colour, linewidth=0.6)
 
 
 def _points(axes, figure, curve, points, colour):

@@ -56,11 +56,11 @@ function curve(one, theme, colour, { lines, density, y }, dashed) {
   if (source) return [Plot.dot(all, { x: "x", y: "y", symbol: symbolOf(one), r: 3.6, stroke: colour, strokeWidth: 1.4 })];
   const points = all.filter((p) => p.y >= y.domain[0]), alone = all.filter((p, k) => p.y >= y.domain[0] && !known(all[k - 1]) && !known(all[k + 1]));
   const line = Plot.line(density ? all : points, { x: "x", y: "y", stroke: colour, strokeWidth: 1.6, strokeDasharray: dashed, strokeOpacity: density ? 1 : 0.75 });
-  if (density && lines) return [line, Plot.dot(alone, { x: "x", y: "y", r: 1.6, fill: colour })];
-  const bars = points.filter((p) => p.e > 0);
+  const bars = (of) => Plot.ruleX(of.filter((p) => p.e > 0), { x: "x", y1: (p) => p.low, y2: (p) => p.y + p.e, stroke: colour, strokeWidth: density ? 0.8 : 1.2 });
+  if (density && lines) return [line, bars(alone), Plot.dot(alone, { x: "x", y: "y", r: 1.6, fill: colour })];
   return [
     lines && !(beside && points.every((p) => p.x === points[0].x)) && line,
-    bars.length > 0 && Plot.ruleX(bars, { x: "x", y1: (p) => p.low, y2: (p) => p.y + p.e, stroke: colour, strokeWidth: density ? 0.8 : 1.2 }),
+    bars(points),
     Plot.dot(points, film ? { x: "x", y: "y", r: 2.6, fill: theme.card, stroke: colour, strokeWidth: 1.2 } : { x: "x", y: "y", r: beside ? 3.4 : 2.6, fill: colour, symbol: symbolOf(one) }),
   ].filter(Boolean);
 }
