@@ -269,7 +269,7 @@ def test_every_contact_is_in_a_bar_of_its_certainty():
     shown = axes()
     figures.draw_certainty(shown, a_film_of_forces())
     assert sum(bar.get_height() for bar in shown.patches) == 5
-    assert "1 beyond 50 in the last bar" in shown.get_xlabel()
+    assert shown.get_title() == "1 beyond 50 in the last bar"
 
 
 def test_broken_bonds_are_counted_by_type_up_to_each_step():

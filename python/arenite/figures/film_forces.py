@@ -66,7 +66,7 @@ def draw_ranked_stresses(axes, film):
 
 
 def certainty_bins(ratio):
-    """Edges of bars over F_n / standard error: steps of a round number up to what all but 2 % stay below; the rest is in the last."""
+    """Edges of bars over F_n / standard error: steps of a round number up to what all but 2 % stay below; the rest is in the first and the last."""
     order = np.sort(ratio)
     high, low = max(4.0, order[int(0.98 * (len(order) - 1))]), min(0.0, max(-6.0, order[0]))
     step = next((v for v in (0.5, 1, 2, 5, 10, 20, 50, 100) if (high - low) / v <= 36), 200)
@@ -84,6 +84,7 @@ def draw_certainty(axes, film):
     inside = np.clip(ratio, edges[0], np.nextafter(edges[-1], 0))
     sets = [(name, colour, of & np.isfinite(ratio)) for name, colour, of in certainty_sets(film)]
     axes.hist([inside[of] for _, _, of in sets], bins=edges, stacked=True, color=[colour for _, colour, _ in sets], label=[name for name, _, _ in sets], alpha=0.75, rwidth=0.92)
-    beyond = np.sum(ratio[np.isfinite(ratio)] > edges[-1])
-    axes.set(xlabel=f"${force_symbols['fn']}$ / standard error" + (f" ({beyond} beyond {edges[-1]:g} in the last bar)" if beyond else ""), ylabel="contacts")
+    axes.set(xlabel=f"${force_symbols['fn']}$ / standard error", ylabel="contacts")
+    outside = [(np.sum(ratio[np.isfinite(ratio)] < edges[0]), "below", edges[0], "first"), (np.sum(ratio[np.isfinite(ratio)] > edges[-1]), "beyond", edges[-1], "last")]
+    axes.set_title("; ".join(f"{count} {where} {edge:g} in the {bar} bar" for count, where, edge, bar in outside if count), fontsize="small")
     axes.legend()
