@@ -31,6 +31,7 @@ LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const Quan
   o.harmonics = harmonics;
   o.convention = full_swing ? SwingConvention::full : SwingConvention::half;
   o.threads = threads;
+  if (reference_phase && !std::isfinite(*reference_phase)) throw InputError("reference_phase is not finite; give radians, or leave it out");
   o.reference_phase = reference_phase;
   Call call;
   o.progress = [&](double share) {
@@ -91,6 +92,9 @@ py::array film_frames(const Path& path, std::int64_t first, std::int64_t count) 
 
 PictureGrains circles(const ArrayLike& pixels, const std::vector<double>& radii, double smallest, double largest, std::size_t materials, const std::string& contrast) {
   const Floats image = floats(pixels, 2, "image");
+  for (const double radius : radii)
+    if (!(radius > 0) || !std::isfinite(radius)) throw InputError(fmt::format("radii holds {}; give radii above 0, pixels", radius));
+  if (!(smallest > 0) || !(largest >= 0)) throw InputError(fmt::format("smallest is {} and largest {}; give radii above 0, pixels (largest 0: half the picture)", smallest, largest));
   FloatImage picture{static_cast<int>(image.shape(1)), static_cast<int>(image.shape(0)), {image.data(), image.data() + image.size()}};
   imaging::CircleOptions o;
   o.radii = radii;

@@ -28,6 +28,7 @@ py::dict measured(const Packing& packing, double border, const std::optional<dou
     options.grain_sigma_hyd = to_vector(*sigma_hyd, "sigma_hyd");
     if (options.grain_sigma_hyd.empty()) throw InputError("sigma_hyd holds no value; give one a grain, or leave it out");
   }
+  if (load_axis && !std::isfinite(*load_axis)) throw InputError("load_axis is not finite; give degrees, or leave it out");
   if (load_axis) options.load_axis = *load_axis * std::numbers::pi / 180;
   Call call;
   return from_json(call.without_lock([&] { return texture::to_json(texture::measure(packing, options), curves); }));

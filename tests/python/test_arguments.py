@@ -52,6 +52,12 @@ def test_pictures_of_a_swing_and_its_error_have_one_shape():
         arenite.infer_forces(packing, np.zeros((40, 60)), np.ones((40, 60)), pixel="1 mm", first=(0, 0), factor=["0.015 K/MPa"], walls={"botom": 1.0})
 
 
+@pytest.mark.parametrize("options", [dict(radii=[-1.0]), dict(radii=[np.nan]), dict(smallest=-1.0), dict(smallest=np.nan), dict(contrast="x")])
+def test_circles_have_radii(options):
+    with pytest.raises(ValueError, match="radii|contrast"):
+        arenite.find_grains(np.eye(20), **options)
+
+
 def test_a_negative_count_of_frames_is_refused(examples):
     film = next((examples.parent / "tests" / "data").rglob("*.ptw"))
     with pytest.raises(ValueError, match="count is -1"):
