@@ -2,6 +2,7 @@ import os
 import pathlib
 import re
 import subprocess
+import sys
 
 import arenite
 import numpy as np
@@ -38,6 +39,12 @@ def test_notebooks_show_results(result):
     for part in [result, result.stages[-1], result.stages[-1].packing, *result.fields, result.fields[0].map]:
         text = part._repr_html_()
         assert "<table>" in text and "data:image/png;base64," in text
+
+
+def test_notebooks_show_numbers_without_matplotlib(result, monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
+    text = result.stages[-1].packing._repr_html_()
+    assert "<table>" in text and "<img" not in text
 
 
 def test_results_open_again(result):
