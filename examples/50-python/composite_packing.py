@@ -14,10 +14,11 @@ print(recipe.title, recipe.stages)
 
 # %% Pack, then load stage by stage; every stage is a function of the packing before it.
 packing = arenite.pack(recipe)
+stages = []
 for name in recipe.stages:
-    stage = arenite.load_stage(packing, recipe, name)
-    packing = stage.packing
-    print(f"{name}: {stage.outcome}")
+    stages.append(arenite.load_stage(packing, recipe, name))
+    packing = stages[-1].packing
+    print(f"{name}: {stages[-1].outcome}")
 
 # %% Texture: each statistic with its standard error.
 texture = arenite.measure(packing)
@@ -31,8 +32,12 @@ for number, material in enumerate(packing.materials):
     of = (packing.material == number) & grains["considered"]
     print(f"{material.name}: mean sigma_norm {np.mean(grains['sigma_norm'][of]):.3f}")
 
+# %% The stages as one result: stored, as a page, for ParaView.
+result = arenite.Result(stages)
+arenite.save(result, "loaded")
+arenite.page(result, "report.html")
+print(arenite.export(result, "vtk", last=True))
+
 # %% Figures for a paper.
-for figure, part in figures.figures_of(type("Result", (), {"stages": [stage], "fields": [], "films": []})):
-    if figure.name in ("force-network", "contact-directions", "sigma-norm"):
-        figures.save(figure, part, f"{figure.name}.pdf")
-        print(f"{figure.name}.pdf")
+for path in figures.save_all(result, "figures", names=["force-network", "contact-directions", "sigma-norm"]):
+    print(path)

@@ -10,19 +10,19 @@ from arenite import figures
 
 here = pathlib.Path(__file__).resolve().parent
 example = here.parent / "40-virtual-experiment"
-sample = arenite.Recipe(str(example / "sample.toml"), {"frame.width": "140 mm", "populations.0.count": 48, "populations.1.count": 64,
-                                                       "stages.1.bottom.force": "2.4 kN", "stages.2.bottom.force": "24 kN"})
+sample = arenite.Recipe(example / "sample.toml", {"frame.width": "140 mm", "populations.0.count": 48, "populations.1.count": 64,
+                                                  "stages.1.bottom.force": "2.4 kN", "stages.2.bottom.force": "24 kN"})
 states = arenite.run(sample, "states")
 
 # %% A virtual camera films both states: 20 mK of noise, uneven pixels, drift, a frequency that is off.
 width = 1e3 * states.stages[-1].packing.domain["width"]
 height = 1e3 * states.stages[1].packing.domain["height"]
 camera = {"frame.width": f"{width} mm", "frame.height": f"{height} mm", "camera.frames": 600, "camera.width": 120, "camera.height": 120}
-files = arenite.camera("states", str(example / "camera.toml"), "film", changes=camera)
+files = arenite.camera("states", example / "camera.toml", "film", changes=camera)
 print(arenite.film_info(files[0]))
 
 # %% The film alone: lock-in with the frequency refined on all pixels.
-maps = arenite.lock_in(files[0], 3.0, full_swing=True)
+maps = arenite.lock_in(files[0], "3 Hz", full_swing=True)
 print(f"{maps.frequency:.5f} +- {maps.frequency_error:.5f} Hz, noise floor {np.median(maps.noise_floor):.2f} levels")
 
 # %% The whole road: grains found, followed and weighed, forces inferred.

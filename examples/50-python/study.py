@@ -3,22 +3,21 @@
 # %% A recipe with [sweep]: three frictions, two seeds each.
 import pathlib
 
-import numpy as np
 from matplotlib.figure import Figure
 
 import arenite
 from arenite import figures
 
 recipe = arenite.Recipe.template("composite", {"frame.width": "120 mm", "populations.0.count": 30, "populations.1.count": 40})
-pathlib.Path("recipe.toml").write_text(recipe.toml() + '\n[sweep]\nreplicates = 2\n[sweep.grid]\n"contact.friction" = [0.05, 0.3, 0.6]\n')
+file, out = pathlib.Path("recipe.toml"), pathlib.Path("study")
+file.write_text(recipe.toml() + '\n[sweep]\nreplicates = 2\n[sweep.grid]\n"contact.friction" = [0.05, 0.3, 0.6]\n')
 
 # %% All runs, two at a time; the same call again goes on where it was stopped.
-print(arenite.run_study("recipe.toml", "study", jobs=2))
+print(arenite.run_study(file, out, jobs=2))
 
 # %% Means over the seeds, as columns.
-table = arenite.study_table("recipe.toml", "study", by=["contact.friction"])
-friction = np.array([float(f) for f in table["contact.friction"]])
-z, error = table["coordination.all"], table["coordination.all error"]
+table = arenite.study_table(file, out, by=["contact.friction"])
+friction, z, error = table["contact.friction"], table["coordination.all"], table["coordination.all_error"]
 for row in zip(friction, z, error):
     print("mu {:.2f}: z = {:.2f} +- {:.2f}".format(*row))
 

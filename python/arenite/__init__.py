@@ -6,6 +6,9 @@ SI units; stresses are positive in tension, contact forces in compression. Bad i
 that the program prints. `arenite.figures` draws.
 """
 
+import importlib.util
+import sys
+
 from . import _core, _html
 from ._core import *  # noqa: F401,F403
 from ._core import __version__
@@ -15,3 +18,9 @@ __all__ = [name for name in vars(_core) if not name.startswith("_")] + ["__versi
 
 for _class, _draw in _html.pictures.items():
     getattr(_core, _class)._repr_html_ = _draw
+
+# As a program (`python3 -m arenite.figures`) figures must say in a sentence what they lack; their package cannot, since it is
+# imported before its __main__. Python's argv[0] is "-m" as long as it looks for the module.
+if sys.argv[:1] == ["-m"] and "arenite.figures" in getattr(sys, "orig_argv", []) and not importlib.util.find_spec("matplotlib"):
+    print("arenite: figures need Matplotlib, which is not installed (Debian: apt-get install python3-matplotlib)", file=sys.stderr)
+    sys.exit(2)

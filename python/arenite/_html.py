@@ -5,11 +5,16 @@ import html
 import io
 
 
-def _picture(draw, *objects, **options):
-    from matplotlib.figure import Figure
+def _picture(name, *objects, **options):
+    """What `arenite.figures.NAME` draws; nothing where there is no Matplotlib, so that the numbers are shown all the same."""
+    try:
+        from matplotlib.figure import Figure
 
+        from . import figures
+    except ImportError:
+        return ""
     figure = Figure(figsize=(5, 5), layout="constrained")
-    draw(figure.add_subplot(), *objects, **options)
+    getattr(figures, name)(figure.add_subplot(), *objects, **options)
     store = io.BytesIO()
     figure.savefig(store, format="png", dpi=100)
     return f'<img alt="picture" style="max-width: 100%" src="data:image/png;base64,{base64.b64encode(store.getvalue()).decode()}"/>'
@@ -28,45 +33,33 @@ def _measured(statistic, unit="", scale=1.0):
 
 
 def packing(self):
-    from .figures import draw_packing
-
     domain = self.domain
     rows = [("grains", str(len(self))), ("contacts", str(len(self.contacts))), ("frame", f"{1e3 * domain['width']:.4g} mm × {1e3 * domain['height']:.4g} mm")]
-    return _table(rows) + _picture(draw_packing, self)
+    return _table(rows) + _picture("draw_packing", self)
 
 
 def stage(self):
-    from .figures import draw_packing
-
     texture = self.texture
     rows = [("stage", self.name), ("outcome", self.outcome)]
     if texture:
         rows += [("solid fraction", _measured(texture.get("solid_fraction"))), ("coordination", _measured(texture.get("coordination", {}).get("all")))]
-    return _table(rows) + (_picture(draw_packing, self.packing) if self.frames else "")
+    return _table(rows) + (_picture("draw_packing", self.packing) if self.frames else "")
 
 
 def field(self):
-    from .figures import draw_field, draw_phases
-
-    return _table([("result", self.name), ("outcome", self.outcome)]) + _picture(draw_field if self.loaded else draw_phases, self)
+    return _table([("result", self.name), ("outcome", self.outcome)]) + _picture("draw_field" if self.loaded else "draw_phases", self)
 
 
 def phase_map(self):
-    from .figures import draw_phases
-
-    return _table([("nodes", f"{self.width} × {self.height}"), ("spacing", f"{1e3 * self.dx:.4g} mm")]) + _picture(draw_phases, self)
+    return _table([("nodes", f"{self.width} × {self.height}"), ("spacing", f"{1e3 * self.dx:.4g} mm")]) + _picture("draw_phases", self)
 
 
 def lockin_maps(self):
-    from .figures import draw_map
-
-    return _table([("frequency", f"{self.frequency:.6g} Hz"), ("frames", str(self.frames))]) + _picture(draw_map, self.in_phase, label="signed swing")
+    return _table([("frequency", f"{self.frequency:.6g} Hz"), ("frames", str(self.frames))]) + _picture("draw_map", self.in_phase, label="signed swing")
 
 
 def film_result(self):
-    from .figures import draw_film_grains
-
-    return _table([("result", self.name), ("outcome", self.outcome)]) + _picture(draw_film_grains, self)
+    return _table([("result", self.name), ("outcome", self.outcome)]) + _picture("draw_film_grains", self)
 
 
 def result(self):

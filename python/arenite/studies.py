@@ -5,17 +5,18 @@ import os
 import pathlib
 import subprocess
 import sys
+from typing import Any, Callable, Dict, Optional, Union
 
 from . import _core
 
 
-def run_study(recipe, out, *, jobs=1, progress=None):
+def run_study(recipe: Union[str, os.PathLike], out: Union[str, os.PathLike], *, jobs: int = 1, progress: Optional[Callable[[float, str], Any]] = None) -> Dict[str, int]:
     """Runs a recipe with [sweep], each run in a process of its own; what was done before is not done again.
 
     `progress(share, "runs")` is called meanwhile. Gives how many runs are done, not done (failed or without equilibrium) and
     left. Raises ValueError with the program's sentence.
     """
-    command = [sys.executable, "-c", "from arenite import studies; studies._main()", str(recipe), str(out), str(jobs)]
+    command = [sys.executable, "-c", "from arenite import studies; studies._main()", os.fspath(recipe), os.fspath(out), str(jobs)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=_environment()) as process:
         try:
             last = {}

@@ -1,5 +1,7 @@
 #include <pybind11/stl.h>
 
+#include <variant>
+
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "module.hpp"
@@ -10,17 +12,29 @@
 namespace arenite::python {
 namespace {
 
-py::dict twin_of(const FilmResult& f) {
-  const auto array = [](const std::vector<double>& values) { return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data()); };
+py::dict twin_of(const py::object& self) {
+  const auto& twin = self.cast<const FilmResult&>().twin;
   py::dict d;
-  if (f.twin.empty()) return d;
-  d["swing"] = array(f.twin.swing);
-  d["state"] = array(f.twin.state);
+  if (twin.empty()) return d;
+  d["swing"] = view(twin.swing, self);
+  d["state"] = view(twin.state, self);
   return d;
 }
 
-FilmResult film(const std::string& path, const std::string& recipe, const std::string& out, const py::dict& changes, int threads, const py::object& progress) {
-  const auto asked = study::read_film_recipe(recipe, overrides_of(changes));
+using RecipeLike = std::variant<study::FilmRecipe, Path>;
+
+/// The recipe with changes, read where a file is named.
+study::FilmRecipe recipe_of(const RecipeLike& recipe, const py::dict& changes) {
+  const auto overrides = overrides_of(changes);
+  if (const auto* file = std::get_if<Path>(&recipe)) return study::read_film_recipe(file->string(), overrides);
+  const auto& given = std::get<study::FilmRecipe>(recipe);
+  auto changed = study::parse_film_recipe(study::to_toml(given), given.source_file, overrides);
+  changed.source_file = given.source_file;
+  return changed;
+}
+
+FilmResult film(const Path& path, const RecipeLike& recipe, const Path& out, const py::dict& changes, int threads, const Progress& progress) {
+  const auto asked = recipe_of(recipe, changes);
   Call call;
   return call.without_lock([&] {
     study::FilmRunOptions options;
@@ -32,9 +46,8 @@ FilmResult film(const std::string& path, const std::string& recipe, const std::s
   });
 }
 
-std::vector<std::string> camera(const std::string& result, const std::string& recipe, const std::string& out, const std::string& format, const py::dict& changes,
-                                const py::object& progress) {
-  const auto asked = study::read_film_recipe(recipe, overrides_of(changes));
+std::vector<std::string> camera(const Path& result, const RecipeLike& recipe, const Path& out, const std::string& format, const py::dict& changes, const Progress& progress) {
+  const auto asked = recipe_of(recipe, changes);
   Call call;
   return call.without_lock([&] {
     study::ShootOptions options;
@@ -54,29 +67,31 @@ std::vector<std::string> camera(const std::string& result, const std::string& re
 
 void bind_film_road(py::module_& m) {
   py::class_<FilmResult> c(m, "FilmResult", "What a film of a loaded packing gives: maps in kelvin (height, width), grains, their stresses, contact forces.");
-  c.def_readonly("name", &FilmResult::name)
-      .def_readonly("outcome", &FilmResult::outcome)
+  c.def_readonly("name", &FilmResult::name, "Of the film.")
+      .def_readonly("outcome", &FilmResult::outcome, "How it ended, in a sentence.")
       .def_readonly("pixel", &FilmResult::pixel, "Side of a pixel on the sample, m.")
       .def_property_readonly("origin", [](const FilmResult& f) { return py::make_tuple(f.origin.x, f.origin.y); }, "Centre of the upper left pixel, m; y up.")
       .def_property_readonly("picture", [](const py::object& self) {
         const auto& f = self.cast<const FilmResult&>();
         return image_view(f.picture, f.maps.height, f.maps.width, self);
       }, "Mean of the frames at the smallest load, K.")
-      .def_property_readonly("maps", [](const FilmResult& f) -> const LockinMaps& { return f.maps; }, py::return_value_policy::reference_internal)
-      .def_property_readonly("grains", [](const FilmResult& f) -> const PictureGrains& { return f.grains; }, py::return_value_policy::reference_internal)
+      .def_property_readonly("maps", [](const FilmResult& f) -> const LockinMaps& { return f.maps; }, py::return_value_policy::reference_internal, "The lock-in, in K; full swings.")
+      .def_property_readonly("grains", [](const FilmResult& f) -> const PictureGrains& { return f.grains; }, py::return_value_policy::reference_internal,
+                             "Grains at the smallest load, in pixels.")
       .def_property_readonly("packing", [](const FilmResult& f) -> const Packing& { return f.packing; }, py::return_value_policy::reference_internal,
                              "Grains in metres at the largest load; contact forces are those of the swing.")
       .def_property_readonly("twin", &twin_of, "sigma_hyd (Pa) of the simulation of the same grains: swing and state; empty without one.")
-      .def_property_readonly("numbers", [](const FilmResult& f) { return from_json(report::film_json(f)); });
+      .def_property_readonly("numbers", [](const FilmResult& f) { return from_json(report::film_json(f)); },
+                             "As `arenite show --json` prints them; the end of a name is its unit.");
   array_property(c, "sigma_hyd", [](const FilmResult& f) -> auto& { return f.swing.sigma_hyd; }, "Full swing of the hydrostatic stress of every grain, Pa, tension positive.");
   array_property(c, "sigma_hyd_error", [](const FilmResult& f) -> auto& { return f.swing.error; }, "Its standard error, Pa.");
   array_property(c, "fn_error", [](const FilmResult& f) -> auto& { return f.fn_error; }, "Standard error of every normal force, N.");
   array_property(c, "ft_error", [](const FilmResult& f) -> auto& { return f.ft_error; }, "Standard error of every tangential force, N.");
   array_property(c, "absent", [](const FilmResult& f) -> auto& { return f.absent; }, "1 for contacts that may not be there.");
   m.def("film", &film, py::arg("film"), py::arg("recipe"), py::arg("out"), py::arg("changes") = py::dict(), py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
-        "The whole road from a film to grain stresses and contact forces, as `arenite film` goes it (docs/film-recipe.md).");
+        "The whole road from a film (a file) to grain stresses and contact forces, as `arenite film` goes it; `recipe`: a FilmRecipe or its file (docs/film-recipe.md).");
   m.def("camera", &camera, py::arg("result"), py::arg("recipe"), py::arg("out"), py::arg("format") = "ptw", py::arg("changes") = py::dict(), py::kw_only(),
-        py::arg("progress") = py::none(), "Films simulated states with a virtual infrared camera; gives the files that were written.");
+        py::arg("progress") = py::none(), "Films simulated states of a run's folder with a virtual infrared camera, as [camera] of the recipe says (a FilmRecipe or its file); gives the files that were written.");
 }
 
 }  // namespace arenite::python

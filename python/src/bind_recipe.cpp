@@ -4,12 +4,14 @@
 #include "calls.hpp"
 #include "core/error.hpp"
 #include "module.hpp"
+#include "study/film_recipe.hpp"
 #include "study/recipe_templates.hpp"
 #include "study/recipe.hpp"
 
 namespace arenite::python {
 namespace {
 
+using study::FilmRecipe;
 using study::Recipe;
 
 Recipe from_template(const std::string& name, const py::dict& changes) {
@@ -18,6 +20,7 @@ Recipe from_template(const std::string& name, const py::dict& changes) {
     if (name == each.name) return study::parse_recipe(study::to_toml(each.make()), name, overrides_of(changes));
     known += (known.empty() ? "" : ", ") + std::string(each.name);
   }
+  if (name == "film") throw InputError("the template \"film\" is of a film; take FilmRecipe.template()");
   throw InputError(fmt::format("there is no template \"{}\"; there are {}", name, known));
 }
 
@@ -28,19 +31,44 @@ Recipe changed(const Recipe& recipe, const py::dict& changes) {
   return result;
 }
 
+/// As for recipes of packings: films of plates and the recipe of the twin lie beside the file.
+FilmRecipe changed(const FilmRecipe& recipe, const py::dict& changes) {
+  FilmRecipe result = study::parse_film_recipe(study::to_toml(recipe), recipe.source_file, overrides_of(changes));
+  result.source_file = recipe.source_file;
+  return result;
+}
+
+void bind_film_recipe(py::module_& m) {
+  py::class_<FilmRecipe>(m, "FilmRecipe", "What `arenite film` and `arenite camera` are told: materials, frame, picture, correction, temperature, lock-in, forces, twin, "
+                                          "camera (docs/film-recipe.md).")
+      .def(py::init([](const Path& file, const py::dict& changes) { return study::read_film_recipe(file.string(), overrides_of(changes)); }), py::arg("file"),
+           py::arg("changes") = py::dict(), "Reads a film's recipe from a file; `changes` as for Recipe.")
+      .def_static("template", [](const py::dict& changes) { return study::parse_film_recipe(study::to_toml(study::film_template()), "film", overrides_of(changes)); },
+                  py::arg("changes") = py::dict(), "The recipe to start from that `arenite init film` writes.")
+      .def_static("from_text", [](const std::string& text, const py::dict& changes) { return study::parse_film_recipe(text, "recipe", overrides_of(changes)); },
+                  py::arg("text"), py::arg("changes") = py::dict(), "A film's recipe from TOML text.")
+      .def("changed", py::overload_cast<const FilmRecipe&, const py::dict&>(&changed), py::arg("changes"), "The same recipe with these keys changed.")
+      .def("toml", [](const FilmRecipe& r) { return study::to_toml(r); }, "The resolved recipe as TOML, every key with its unit.")
+      .def_readonly("title", &FilmRecipe::title, "As pages show it.")
+      .def_readonly("seed", &FilmRecipe::seed, "Of the virtual camera's noise.")
+      .def("__eq__", [](const FilmRecipe& a, const FilmRecipe& b) { return study::to_toml(a) == study::to_toml(b); }, py::is_operator(), py::arg("other"), "Whether all keys are equal.")
+      .def("__repr__", [](const FilmRecipe& r) { return "<arenite.FilmRecipe \"" + r.title + "\">"; });
+}
+
 }  // namespace
 
 void bind_recipe(py::module_& m) {
+  bind_film_recipe(m);
   py::class_<Recipe>(m, "Recipe", "What `arenite run` is told: materials, frame, packing, stages of loading, cement, raster, loads (docs/recipe.md).")
-      .def(py::init([](const std::string& file, const py::dict& changes) { return study::read_recipe(file, overrides_of(changes)); }), py::arg("file"),
+      .def(py::init([](const Path& file, const py::dict& changes) { return study::read_recipe(file.string(), overrides_of(changes)); }), py::arg("file"),
            py::arg("changes") = py::dict(), "Reads a recipe from a file; `changes` are {\"dotted.key\": value}, with units in text: {\"frame.width\": \"35 cm\"}.")
       .def_static("template", &from_template, py::arg("name"), py::arg("changes") = py::dict(), "A recipe to start from; `templates()` names them.")
       .def_static("from_text", [](const std::string& text, const py::dict& changes) { return study::parse_recipe(text, "recipe", overrides_of(changes)); },
                   py::arg("text"), py::arg("changes") = py::dict(), "A recipe from TOML text.")
-      .def("changed", &changed, py::arg("changes"), "The same recipe with these keys changed.")
+      .def("changed", py::overload_cast<const Recipe&, const py::dict&>(&changed), py::arg("changes"), "The same recipe with these keys changed.")
       .def("toml", [](const Recipe& r) { return study::to_toml(r); }, "The resolved recipe as TOML, every key with its unit.")
-      .def_readonly("title", &Recipe::title)
-      .def_readonly("seed", &Recipe::seed)
+      .def_readonly("title", &Recipe::title, "As pages show it.")
+      .def_readonly("seed", &Recipe::seed, "Of all random numbers.")
       .def_property_readonly("stages", [](const Recipe& r) {
         std::vector<std::string> names;
         for (const auto& stage : r.stages) names.push_back(stage.name);
@@ -51,7 +79,7 @@ void bind_recipe(py::module_& m) {
         for (const auto& load : r.loads) names.push_back(load.name);
         return names;
       }, "Names of the loads of the cemented sample.")
-      .def("__eq__", [](const Recipe& a, const Recipe& b) { return study::to_toml(a) == study::to_toml(b); })
+      .def("__eq__", [](const Recipe& a, const Recipe& b) { return study::to_toml(a) == study::to_toml(b); }, py::is_operator(), py::arg("other"), "Whether all keys are equal.")
       .def("__repr__", [](const Recipe& r) { return "<arenite.Recipe \"" + r.title + "\">"; });
   m.def("templates", [] {
     py::dict d;

@@ -3,6 +3,8 @@
 
 #include "calls.hpp"
 #include "core/error.hpp"
+#include "core/hash.hpp"
+#include "core/version.hpp"
 #include "dem/run_stage.hpp"
 #include "module.hpp"
 #include "study/run.hpp"
@@ -13,18 +15,23 @@ namespace {
 using study::Recipe;
 
 std::size_t stage_number(const Recipe& recipe, const py::object& stage) {
-  if (py::isinstance<py::int_>(stage)) {
-    const auto k = stage.cast<std::ptrdiff_t>();
+  if (PyIndex_Check(stage.ptr())) {
+    const auto k = PyNumber_AsSsize_t(stage.ptr(), nullptr);
     if (k >= 0 && static_cast<std::size_t>(k) < recipe.stages.size()) return static_cast<std::size_t>(k);
     throw InputError(fmt::format("there is no stage {}; the recipe has {}, counted from 0", k, recipe.stages.size()));
   }
+  if (!py::isinstance<py::str>(stage)) throw InputError(fmt::format("stage is of type {}; give its name, or its number from 0", Py_TYPE(stage.ptr())->tp_name));
   const auto name = stage.cast<std::string>();
   for (std::size_t k = 0; k < recipe.stages.size(); ++k)
     if (recipe.stages[k].name == name) return k;
-  throw InputError(fmt::format("the recipe has no stage \"{}\"", name));
+  std::string known;
+  for (const auto& each : recipe.stages) known += (known.empty() ? "" : ", ") + each.name;
+  throw InputError(fmt::format("the recipe has no stage \"{}\"; there are {}", name, known));
 }
 
-StageResult load_stage(const Packing& packing, const Recipe& recipe, const py::object& stage, int threads, const py::object& progress) {
+std::string text_of(const std::vector<std::uint8_t>& bytes) { return {bytes.begin(), bytes.end()}; }
+
+StageResult load_stage(const Packing& packing, const Recipe& recipe, const py::object& stage, int threads, const Progress& progress) {
   const std::size_t number = stage_number(recipe, stage);
   auto integration = recipe.integration;
   integration.threads = threads;
@@ -32,6 +39,7 @@ StageResult load_stage(const Packing& packing, const Recipe& recipe, const py::o
   return call.without_lock([&] {
     dem::Engine engine(packing, recipe.contact, integration);
     const dem::Stage& what = recipe.stages[number];
+    const std::string hash = HashBuilder().add("start", text_of(engine.save())).add("stage", what.name).add("recipe", study::to_toml(recipe)).hex();
     dem::StageRun run = dem::begin_stage(engine, what);
     while (!run.finished && !call.asked_to_stop()) {
       dem::continue_stage(engine, what, run);
@@ -39,6 +47,7 @@ StageResult load_stage(const Packing& packing, const Recipe& recipe, const py::o
     }
     StageResult result = std::move(run.result);
     result.name = what.name;
+    result.provenance = {version, what.name, hash, study::to_toml(recipe), recipe.seed, engine.kernel(), {}};
     if (!result.frames.empty()) result.texture_json = texture::to_json(texture::measure(result.frames.back().packing, study::texture_options(recipe, number + 1)));
     return result;
   });

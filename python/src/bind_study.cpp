@@ -1,11 +1,16 @@
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <filesystem>
 
+#include "arrays.hpp"
 #include "calls.hpp"
+#include "core/error.hpp"
+#include "io/table.hpp"
 #include "module.hpp"
 #include "report/summary.hpp"
 #include "study/collect.hpp"
+#include "study/result_folder.hpp"
 #include "study/run_study.hpp"
 
 namespace arenite::python {
@@ -13,45 +18,87 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Numbers are collected as columns: swept keys as text, statistics as numbers, NaN where a run has none.
+/// Numbers where all cells are numbers (NaN where empty), the words otherwise.
+py::object swept_column(const study::CollectedTable& table, std::size_t k) {
+  std::vector<double> numbers;
+  py::list words;
+  bool all_numbers = true;
+  for (const auto& row : table.rows) {
+    const auto number = io::to_number(row.values[k]);
+    all_numbers = all_numbers && (number || row.values[k].empty());
+    numbers.push_back(number.value_or(NAN));
+    words.append(row.values[k]);
+  }
+  if (all_numbers) return taken_over(std::move(numbers));
+  return words;
+}
+
+template <class Value>
+py::object by_row(const study::CollectedTable& table, Value value) {
+  py::list list;
+  for (const auto& row : table.rows) list.append(value(row));
+  return list;
+}
+
+/// The columns of the CSV by the CSV's names: swept keys, numbers, and "NAME_error" where any run has an error. Where a number is
+/// itself called so ("beta_error" beside "beta"), the error of the column before it is kept.
 py::dict columns_of(const study::CollectedTable& table) {
   py::dict d;
-  for (std::size_t k = 0; k < table.keys.size(); ++k) {
-    py::list values;
-    for (const auto& row : table.rows) values.append(row.values[k]);
-    d[py::str(table.keys[k].name)] = values;
+  if (!table.means) {
+    d["run"] = by_row(table, [](const auto& row) { return row.run; });
+    d["status"] = by_row(table, [](const auto& row) { return row.status; });
   }
-  const auto numpy = py::module_::import("numpy");
+  for (std::size_t k = 0; k < table.keys.size(); ++k) {
+    const auto& key = table.keys[k];
+    d[py::str(key.unit.empty() ? key.name : key.name + " [" + key.unit + "]")] = swept_column(table, k);
+  }
+  if (table.means) d["runs"] = by_row(table, [](const auto& row) { return row.runs; });
   for (std::size_t k = 0; k < table.names.size(); ++k) {
-    py::list values, errors;
+    std::vector<double> values, errors;
     bool any_error = false;
     for (const auto& row : table.rows) {
       const auto& number = row.numbers[k];
-      values.append(number ? number->value : NAN);
-      errors.append(number && number->error ? *number->error : NAN);
+      values.push_back(number ? number->value : NAN);
+      errors.push_back(number && number->error ? *number->error : NAN);
       any_error = any_error || (number && number->error);
     }
-    d[py::str(table.names[k])] = numpy.attr("array")(values);
-    if (any_error) d[py::str(table.names[k] + " error")] = numpy.attr("array")(errors);
+    if (!d.contains(table.names[k].c_str())) d[py::str(table.names[k])] = taken_over(std::move(values));
+    if (any_error) d[py::str(table.names[k] + "_error")] = taken_over(std::move(errors));
   }
   return d;
+}
+
+/// Makes the folder, and takes it away again if the study cannot be read and nothing is in it.
+study::Study study_in(const Path& recipe, const Path& out) {
+  const bool was_there = fs::exists(out);
+  study::make_folder(out);
+  try {
+    return study::read_study(recipe.string(), {}, out);
+  } catch (const InputError&) {
+    std::error_code ignored;
+    if (!was_there) fs::remove(out, ignored);
+    throw;
+  }
 }
 
 }  // namespace
 
 void bind_study(py::module_& m) {
-  m.def("study_table", [](const std::string& recipe, const std::string& out, const std::vector<std::string>& by) {
-    const study::Study study = study::read_study(recipe, {}, out);
+  m.def("study_table", [](const Path& recipe, const Path& out, const std::vector<std::string>& by) {
+    if (!fs::exists(out)) throw InputError(out.string(), 0, "there is no such folder; run_study makes it");
+    const study::Study study = study::read_study(recipe.string(), {}, out);
     auto table = study::collect(study, study::StudyFolder(out));
     if (!by.empty()) table = study::averaged(table, by);
     return columns_of(table);
   }, py::arg("recipe"), py::arg("out"), py::arg("by") = std::vector<std::string>{},
-        "The runs of a study as columns: swept keys (text), then all numbers of `arenite show --json` by dotted names, \"NAME error\" beside them. `by`: means over runs with equal values of these keys.");
-  m.def("_run_study", [](const std::string& recipe, const std::string& out, std::size_t jobs, const py::object& progress) {
+        "The runs of a study as columns, by the names that `arenite study collect` gives them: run, status, swept keys (numbers where they are, the unit in the name: \"frame.width [mm]\"), "
+        "then all numbers of `arenite show --json` by dotted names, \"NAME_error\" beside them; NaN where a run has none. `by`: means over runs with equal values of these keys, and "
+        "`runs`, how many.");
+  m.def("_run_study", [](const Path& recipe, const Path& out, std::size_t jobs, const Progress& progress) {
+    if (jobs < 1) throw InputError("jobs is 0; give at least 1");
     Call call;
     const auto outcome = call.without_lock([&] {
-      fs::create_directories(out);
-      const study::Study study = study::read_study(recipe, {}, out);
+      const study::Study study = study_in(recipe, out);
       study::StudyOptions options;
       options.jobs = jobs;
       options.numbers = [](const study::RunOutcome& run) { return report::Summary(run).json(); };

@@ -1,18 +1,59 @@
 #include "calls.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+
 namespace arenite::python {
+namespace {
+
+/// What json does not know by itself: scalars and arrays of NumPy, paths.
+py::object as_plain(const py::object& value) {
+  if (py::hasattr(value, "tolist")) return value.attr("tolist")();
+  return py::module_::import("os").attr("fspath")(value);
+}
+
+std::string literal_of(const std::string& key, const py::handle& value) {
+  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+  try {
+    const auto json = py::module_::import("json");
+    return json.attr("dumps")(value, py::arg("default") = py::cpp_function(&as_plain)).cast<std::string>();
+  } catch (const py::error_already_set&) {
+    throw InputError(fmt::format("changes: {} is of type {}; give a number, text with a unit, True or False, or a list of these", key, Py_TYPE(value.ptr())->tp_name));
+  }
+}
+
+bool holds_numbers(const py::handle& value) {
+  if (py::isinstance<py::list>(value)) return py::len(value) > 0 && std::all_of(value.begin(), value.end(), holds_numbers);
+  return value.is_none() || PyFloat_Check(value.ptr()) != 0 || PyLong_Check(value.ptr()) != 0;
+}
+
+py::object with_arrays(const py::object& value) {
+  if (py::isinstance<py::list>(value)) return holds_numbers(value) ? py::module_::import("numpy").attr("array")(value, py::arg("dtype") = "float64") : value;
+  if (!py::isinstance<py::dict>(value)) return value;
+  const py::dict d(value);
+  for (const auto& item : d) d[item.first] = with_arrays(py::reinterpret_borrow<py::object>(item.second));
+  return d;
+}
+
+}  // namespace
+
+py::dict arrays_from_json(const std::string& text) {
+  return with_arrays(from_json(text));
+}
 
 std::vector<std::string> overrides_of(const py::dict& changes) {
   std::vector<std::string> overrides;
-  const auto dumps = py::module_::import("json").attr("dumps");
   for (const auto& [key, value] : changes) {
-    const bool text = py::isinstance<py::str>(value);
-    overrides.push_back(py::str(key).cast<std::string>() + "=" + (text ? value.cast<std::string>() : dumps(value).cast<std::string>()));
+    const auto name = py::str(key).cast<std::string>();
+    overrides.push_back(name + "=" + literal_of(name, value));
   }
   return overrides;
 }
 
-void Call::tell(const py::object& progress, double share, const std::string& text) {
+void Call::tell(const Progress& progress, double share, const std::string& text) {
   if (in_fork()) return;
   const py::gil_scoped_acquire lock;
   if (!progress.is_none() && !interrupted_) progress(share, text);

@@ -6,15 +6,18 @@
 #include <string>
 #include <vector>
 
+#include "arguments.hpp"
+
 /// What calls from Python have in common.
 namespace arenite::python {
 
-namespace py = pybind11;
-
 /// JSON text as dicts, lists and numbers.
-inline py::object from_json(const std::string& text) {
+inline py::dict from_json(const std::string& text) {
   return py::module_::import("json").attr("loads")(text.empty() ? std::string("{}") : text);
 }
+
+/// The same with lists of numbers as arrays; null is NaN there.
+py::dict arrays_from_json(const std::string& text);
 
 /// {"frame.width": "350 mm"} as the list of "key=value" that the library takes.
 std::vector<std::string> overrides_of(const py::dict& changes);
@@ -33,7 +36,7 @@ class Call {
     return result;
   }
   /// Calls `progress(share, text)` unless it is None, with Python's lock.
-  void tell(const py::object& progress, double share, const std::string& text);
+  void tell(const Progress& progress, double share, const std::string& text);
   bool asked_to_stop();
 
  private:

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/version.hpp"
+#include "sentences.hpp"
 
 PYBIND11_MODULE(_core, m) {
   namespace py = pybind11;
@@ -12,16 +13,20 @@ PYBIND11_MODULE(_core, m) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const arenite::InputError& error) {
-      PyErr_SetString(PyExc_ValueError, error.what());
+      PyErr_SetString(PyExc_ValueError, arenite::python::with_arguments(error.what()).c_str());
     }
   });
   // What is given comes before what takes it, so that docstrings name types as Python does.
   arenite::python::bind_packing(m);
+  arenite::python::bind_texture(m);
   arenite::python::bind_recipe(m);
   arenite::python::bind_phase_map(m);
+  arenite::python::bind_maps(m);
   arenite::python::bind_film(m);
+  arenite::python::bind_film_parts(m);
   arenite::python::bind_film_road(m);
   arenite::python::bind_results(m);
+  arenite::python::bind_store(m);
   arenite::python::bind_stages(m);
   arenite::python::bind_field(m);
   arenite::python::bind_identify(m);

@@ -5,10 +5,14 @@
 namespace arenite::python {
 
 void bind_packing(pybind11::module_& m);
+void bind_texture(pybind11::module_& m);
 void bind_recipe(pybind11::module_& m);
 void bind_phase_map(pybind11::module_& m);
+void bind_maps(pybind11::module_& m);
 void bind_film(pybind11::module_& m);
+void bind_film_parts(pybind11::module_& m);
 void bind_results(pybind11::module_& m);
+void bind_store(pybind11::module_& m);
 void bind_stages(pybind11::module_& m);
 void bind_field(pybind11::module_& m);
 void bind_film_road(pybind11::module_& m);

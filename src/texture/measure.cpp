@@ -4,6 +4,8 @@
 
 #include <numbers>
 
+#include "core/error.hpp"
+
 namespace arenite::texture {
 namespace {
 
@@ -50,6 +52,9 @@ void describe_sample(const View& view, Texture& texture) {
 }  // namespace
 
 Texture measure(const Packing& packing, const Options& options) {
+  const std::size_t measured = options.grain_sigma_hyd.size();
+  if (measured > 0 && measured != packing.grains.size())
+    throw InputError(fmt::format("sigma_hyd has {} values for {} grains; give one a grain, NaN where it is not known", measured, packing.grains.size()));
   Texture texture;
   const View view(packing, options);
   describe_sample(view, texture);

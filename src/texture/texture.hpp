@@ -179,7 +179,8 @@ struct Texture {
 };
 
 /// Measures everything that the packing allows. A domain of no area means that the box is not known, a thickness that
-/// is not positive that the length is not; what needs them is left NaN and a note says so.
+/// is not positive that the length is not; what needs them is left NaN and a note says so. Throws InputError where measured
+/// stresses are not one a grain.
 Texture measure(const Packing& packing, const Options& options = {});
 
 /// Solid fraction of windows of the box's shape with `area_share` of its area, one for each of so many random places in the whole

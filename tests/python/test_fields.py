@@ -64,3 +64,35 @@ def test_statistics_say_what_the_field_says(result):
     ratio = field.sigma_yy[large].mean() / field.sigma_yy[solid].mean()
     sets = field.statistics()["components"]["sigma_yy"]["sets"] if "components" in field.statistics() else field.statistics()["sigma_yy"]["sets"]
     assert sets["large"]["mean_over_sample_mean"]["value"] == pytest.approx(ratio, rel=1e-4)
+
+
+def test_pictures_are_read_as_the_program_reads_them(examples):
+    file = examples / "30-electrode" / "electrode.tiff"
+    map = arenite.read_phase_map(file, dx="1 um", phases={0: "void", 85: "particle", 170: "matrix"}, slice=0, labels="watershed")
+    assert len(map.grain_class) == 79 and map.phase.shape == (256, 256)
+    text = arenite.read_phase_map(file, dx="1 um", phases="0=void,85=particle,170=matrix", slice=0, crop=(0, 0, 100, 50))
+    assert np.array_equal(text.phase, map.phase[-50:, :100])
+    one = arenite.read_phase_map(file, dx="1 um", phases={0: "void", 85: "particle", 170: "matrix"}, slice=0, labels="none")
+    assert len(one.grain_class) == 1 and np.array_equal(one.grain == 0, one.phase == 2)
+    with pytest.raises(ValueError, match=r"choose one with slice 0 to 255"):
+        arenite.read_phase_map(file, dx="1 um")
+    with pytest.raises(ValueError, match='labels is "watersheds"'):
+        arenite.read_phase_map(file, dx="1 um", slice=0, labels="watersheds")
+    with pytest.raises(ValueError, match="dx"):
+        arenite.read_phase_map(file, dx=0, slice=0)
+
+
+def test_curves_and_cracks_look_into_the_field():
+    phase = np.ones((48, 32), np.uint8)
+    phase[20:28, 8:24] = 0
+    field = arenite.load(arenite.PhaseMap(phase, dx="0.1 mm"), failure=True)
+    assert len(field.cracks["x"]) == field.curve["broken"][-1] > 0
+    for columns, again in [(field.curve, field.curve), (field.cracks, field.cracks)]:
+        assert all(np.shares_memory(columns[name], again[name]) and not columns[name].flags.writeable for name in columns)
+    assert np.all(np.diff(field.cracks["strain"]) >= 0) and set(field.cracks["type"]) == {1}
+    assert np.all((field.cracks["x"] >= 0) & (field.cracks["x"] <= 3.2e-3))
+
+
+def test_curves_of_statistics_are_arrays(result):
+    sets = result.fields[-1].statistics()["sigma_yy"]["sets"]
+    assert isinstance(sets["all"]["pdf"]["x"], np.ndarray) and sets["all"]["pdf"]["x"].dtype == float

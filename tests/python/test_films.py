@@ -77,3 +77,65 @@ def test_what_films_do_not_allow_is_a_value_error():
         arenite.lock_in(film, 100.0, frame_rate=148.0)
     with pytest.raises(ValueError, match="frames, height, width"):
         arenite.lock_in(film[0], 3.0, frame_rate=148.0)
+
+
+def plates_and_film(frames=16):
+    """A camera whose pixels have gains and offsets of their own, one of them dead, looking at plates and at a picture."""
+    random = np.random.default_rng(3)
+    gain, offset = 1 + 0.1 * random.standard_normal((24, 32)), 50 * random.standard_normal((24, 32))
+
+    def seen(scene):
+        film = gain * (scene + random.normal(0, 1, (frames, 24, 32))) + offset
+        film[:, 5, 7] = 0
+        return film.astype(np.float32)
+
+    scene = 5000 + 20 * np.sin(np.arange(32) / 5) + np.zeros((24, 1))
+    return seen(4000), seen(6000), seen(scene), scene
+
+
+def test_a_film_is_corrected_by_two_plates_and_its_dead_pixel_replaced():
+    cold, warm, film, scene = plates_and_film()
+    bad = arenite.find_bad_pixels(film, cold=cold, warm=warm)
+    assert bad.dtype == bool and np.array_equal(np.argwhere(bad), [[5, 7]])
+    mended = arenite.correct_film(film, cold=cold, warm=warm)
+    assert mended.shape == film.shape and mended.dtype == np.float32
+    assert np.abs(mended.mean(axis=0) - scene - (mended.mean() - scene.mean())).max() < 5
+    assert np.array_equal(arenite.correct_film(film, bad_pixels=False), film)
+    with pytest.raises(ValueError, match="same camera"):
+        arenite.correct_film(film, cold=cold[:, :-1])
+    with pytest.raises(ValueError, match="without cold"):
+        arenite.correct_film(film, warm=warm)
+
+
+def rocking_disks(frames=400, rate=100.0, frequency=3.0, move=0.4, warm=-0.01):
+    """Two bright disks that move to and fro with the load and warm with it."""
+    t = np.arange(frames) / rate
+    y, x = np.mgrid[0:40, 0:70]
+    film = np.full((frames, 40, 70), 295.0)
+    for cx, cy in [(20.0, 20.0), (50.0, 20.0)]:
+        swing = np.cos(2 * np.pi * frequency * t)[:, None, None]
+        film += (5 + warm * swing) * np.clip(12 - np.hypot(x - cx - move * swing, y - cy), 0, 1)
+    return film.astype(np.float32)
+
+
+def test_grains_are_followed_and_weighed():
+    film = rocking_disks()
+    maps = arenite.lock_in(film, 3.0, frame_rate=100.0)
+    grains = arenite.find_grains(maps.mean, materials=1)
+    motion = arenite.grain_motion(film, maps, grains, frame_rate=100.0)
+    assert len(motion) == len(grains) == 2 and not motion.lost.any()
+    assert np.allclose(np.hypot(motion.cos_x, motion.sin_x), 0.4, atol=0.03) and np.allclose(motion.cos_y, 0, atol=0.03)
+    followed = arenite.follow_grains(film, maps, grains, motion, frame_rate=100.0)
+    swing = arenite.grain_means(followed, grains, ["0.015 K/MPa"])
+    assert np.allclose(np.abs(swing["temperature"]), 0.02, rtol=0.05)
+    assert np.allclose(swing["sigma_hyd"], -swing["temperature"] / (2 * 15e-9))
+    with pytest.raises(ValueError, match="another film"):
+        arenite.grain_motion(film[:, 1:], maps, grains, frame_rate=100.0)
+
+
+def test_a_recipe_of_a_film_is_made_and_changed():
+    recipe = arenite.FilmRecipe.template()
+    other = recipe.changed({"lockin.frequency": "4 Hz"})
+    assert other != recipe and other == arenite.FilmRecipe.from_text(other.toml())
+    with pytest.raises(ValueError, match="FilmRecipe.template"):
+        arenite.Recipe.template("film")

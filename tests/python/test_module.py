@@ -1,40 +1,50 @@
-import ast
-import inspect
+import os
 import pathlib
+import re
+import subprocess
+import sys
 
 import arenite
+import numpy as np
 import pytest
+import stubs
 
 package = pathlib.Path(arenite.__file__).parent
 
 
-def names_in_stub():
-    tree = ast.parse((package / "_core.pyi").read_text())
-    functions = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
-    classes = {node.name: {n.name for n in node.body if isinstance(n, ast.FunctionDef)} for node in tree.body if isinstance(node, ast.ClassDef)}
-    return functions, classes
+def test_the_stub_says_what_the_module_takes_and_gives():
+    """Names, parameters, defaults and types, member by member; tests/python/stubs.py writes it anew."""
+    assert (package / "_core.pyi").read_text() == stubs.stub(arenite._core, arenite._html.pictures)
 
 
-def test_stubs_name_everything():
-    functions, classes = names_in_stub()
-    core = vars(arenite._core)
-    public = {n for n in core if not n.startswith("_")}
-    assert {n for n in public if not inspect.isclass(core[n])} == functions
-    assert {n for n in public if inspect.isclass(core[n])} == set(classes)
-    for name, members in classes.items():
-        assert {m for m in vars(core[name]) if not m.startswith("_")} == {m for m in members if not m.startswith("_")}, name
+def test_the_stub_is_python():
+    compile((package / "_core.pyi").read_text(), "_core.pyi", "exec")
+
+
+def described(docstring):
+    """What a docstring says behind its signature."""
+    return re.sub(r"^\w+\(.*\) -> .*\n?", "", docstring or "").strip()
 
 
 def test_everything_has_a_docstring():
-    for name, thing in vars(arenite._core).items():
-        if not name.startswith("_"):
-            assert thing.__doc__, name
+    functions, classes = stubs.described(arenite._core)
+    silent = [name for name, thing in functions.items() if not described(thing.__doc__)]
+    for name, members in classes.items():
+        silent += [name] * (not vars(arenite)[name].__doc__)
+        silent += [f"{name}.{member}" for member, thing in members.items() if not described((thing.__func__ if isinstance(thing, staticmethod) else thing).__doc__)]
+    assert not silent
 
 
 def test_notebooks_show_results(result):
     for part in [result, result.stages[-1], result.stages[-1].packing, *result.fields, result.fields[0].map]:
         text = part._repr_html_()
         assert "<table>" in text and "data:image/png;base64," in text
+
+
+def test_notebooks_show_numbers_without_matplotlib(result, monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
+    text = result.stages[-1].packing._repr_html_()
+    assert "<table>" in text and "<img" not in text
 
 
 def test_results_open_again(result):
@@ -60,6 +70,19 @@ def test_a_study_becomes_a_table(tmp_path):
     done = arenite.run_study(str(file), str(tmp_path / "out"))
     assert done == {"done": 2, "not_done": 0, "left": 0}
     table = arenite.study_table(str(file), str(tmp_path / "out"))
-    assert [float(width) for width in table["cement.width"]] == [0.2, 0.8]
+    assert list(table["cement.width"]) == [0.2, 0.8] and table["status"] == ["done", "done"]
     saturation = next(v for k, v in table.items() if k.endswith("saturation") or k.endswith("S_m"))
     assert saturation[1] > saturation[0]
+
+
+def test_a_table_has_the_names_of_the_programs(tmp_path):
+    recipe = arenite.Recipe.template("cemented", {"bidisperse.box_area": 40, "bidisperse.size_ratio": 1.25, "raster.nodes": 64, "raster.crop": "6 mm"})
+    file, out = tmp_path / "recipe.toml", tmp_path / "out"
+    file.write_text(recipe.toml() + '\n[sweep.grid]\n"cement.gap" = ["50 um", "80 um"]\n"cement.kind" = ["bridges"]\n')
+    arenite.run_study(file, out)
+    for by, names in [([], []), (["cement.gap"], ["--by", "cement.gap"])]:
+        written = subprocess.run([os.environ["ARENITE"], "study", "collect", str(file), "--out", str(out), *names], capture_output=True, text=True, check=True).stdout
+        csv = pathlib.Path(written.splitlines()[0]).read_text()
+        table = arenite.study_table(file, out, by=by)
+        assert list(table) == list(dict.fromkeys(csv.splitlines()[0].split(",")))
+        assert list(table["cement.gap [um]"]) == [50.0, 80.0]

@@ -1,4 +1,5 @@
 import gc
+import pathlib
 
 import arenite
 import numpy as np
@@ -89,3 +90,65 @@ def test_python_threads_are_not_stopped_by_a_run(recipe):
     done.set()
     thread.join()
     assert len(ticks) > 5
+
+
+def test_contacts_of_ones_own_are_measured_as_those_of_a_run(result):
+    p = result.stages[-1].packing
+    d = p.domain
+    frame = {"width": d["width"], "height": d["height"], "thickness": d["thickness"], "origin": (d["left"]["position"], d["bottom"]["position"])}
+    own = arenite.Packing(p.x, p.y, p.radius, p.material, p.materials, contacts=p.contacts, **frame)
+    columns = arenite.Packing(p.x, p.y, p.radius, p.material, p.materials, contacts={name: getattr(p.contacts, name) for name in ("i", "j", "fn", "ft")}, **frame)
+    for other in (own, columns):
+        assert np.allclose(other.contacts.nx, p.contacts.nx, atol=1e-9) and np.array_equal(other.contacts.fn, p.contacts.fn)
+        assert arenite.measure(other)["stress_details"]["pressure_Pa"] == pytest.approx(arenite.measure(p)["stress_details"]["pressure_Pa"], rel=1e-6)
+        assert arenite.measure(other)["coordination"]["all"] == arenite.measure(p)["coordination"]["all"]
+
+
+@pytest.mark.parametrize("contacts, sentence", [
+    ({"i": [0], "j": [99]}, "not among the grains"), ({"i": [0], "j": [0]}, "touch itself"), ({"i": [0], "j": [-5]}, "whole numbers from -4"), ({"i": [-1], "j": [0]}, "whole numbers from 0"),
+    ({"i": [0]}, 'no "j"'), ({"i": [0], "j": [1], "fn": [1.0, 2.0]}, "one length"), ({"i": [0], "j": [1], "fn": [np.nan]}, "finite"), (3, "a dict"), ({"i": [0], "j": [30]}, "apart"),
+    ({"i": [0, 1], "j": [1, 0]}, "already")])
+def test_contacts_that_cannot_be_are_refused(contacts, sentence):
+    x, y = np.meshgrid(np.arange(1, 13, 2) * 1e-3, np.arange(1, 13, 2) * 1e-3)
+    with pytest.raises(ValueError, match=sentence):
+        arenite.Packing(x.ravel(), y.ravel(), np.full(36, 1e-3), width="12 mm", height="12 mm", contacts=contacts)
+
+
+def test_files_are_read_with_what_they_do_not_say(tmp_path):
+    (tmp_path / "grains.csv").write_text("id,x,y,radius\n0,1,1,1\n1,3,1,1\n")
+    (tmp_path / "contacts.csv").write_text("i,j,fn\n0,1,5\n")
+    p = arenite.read_packing(tmp_path / "grains.csv", tmp_path / "contacts.csv", box=("4 mm", "2 mm"), length_unit="mm", thickness="10 mm")
+    assert p.domain["width"] == 4e-3 and p.domain["thickness"] == 10e-3 and list(p.x) == [1e-3, 3e-3]
+    with pytest.raises(ValueError, match=r"correct its centre, box or origin"):
+        arenite.read_packing(tmp_path / "grains.csv", box=(2e-3, 2e-3), origin=(0, 0), length_unit="mm")
+
+
+def test_histories_look_into_the_stage(result):
+    history = result.stages[1].history
+    stage = result.stages[1]
+    history = stage.history
+    assert np.shares_memory(history["time"], stage.history["time"]) and not history["time"].flags.writeable
+    assert set(stage.history_units) == set(history)
+
+
+def test_stages_are_stored_exported_and_shown_as_a_page(recipe, tmp_path):
+    stage = arenite.load_stage(arenite.pack(recipe), recipe, "compact")
+    assert stage.provenance["recipe"] == recipe.toml() and stage.provenance["input_hash"]
+    assert arenite.load_stage(arenite.pack(recipe), recipe, "compact").provenance == stage.provenance
+    result = arenite.Result([stage])
+    assert result.title == recipe.title and result.converged == stage.converged
+    (file,) = arenite.save(result, tmp_path / "stored")
+    again = arenite.open(tmp_path / "stored")
+    assert np.array_equal(again.stages[0].packing.x, stage.packing.x) and again.numbers["provenance"] == result.numbers["provenance"]
+    for what in (file, stage, stage.packing, result):
+        files = arenite.export(what, tmp_path / "exported", "csv", last=True)
+        assert files and all(pathlib.Path(f).parent == tmp_path / "exported" for f in files)
+    arenite.page(stage.packing, tmp_path / "page.html")
+    assert "<html" in (tmp_path / "page.html").read_text()
+    with pytest.raises(ValueError, match="format \"obj\""):
+        arenite.export(stage, tmp_path / "exported", "obj")
+    with pytest.raises(ValueError, match="nothing to store"):
+        arenite.save(arenite.Result(), tmp_path / "empty")
+    with pytest.raises(ValueError, match="result is a folder"):
+        arenite.save(3, tmp_path / "empty")
+    assert not (tmp_path / "empty").exists()

@@ -22,6 +22,8 @@ def main():
         paths = save_all(result, out, a.format, a.only, a.width and a.width / 25.4)
     except ValueError as error:
         sys.exit(_refuse(str(error)))
+    except OSError as error:
+        sys.exit(_refuse(f"{error.filename or out}: cannot be written ({error.strerror or error}); choose another folder with --out"))
     for path in paths:
         print(path)
     for name, sentence in not_drawn(result).items():

@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "arrays.hpp"
+#include "calls.hpp"
+#include "core/error.hpp"
+#include "io/sample.hpp"
+#include "io/table.hpp"
+#include "module.hpp"
+#include "texture/texture.hpp"
+
+namespace arenite::python {
+namespace {
+
+texture::Options options_of(double border) {
+  if (!(border >= 0) || !std::isfinite(border)) throw InputError(fmt::format("border is {}; give mean diameters, 0 or more", border));
+  texture::Options options;
+  options.border = border;
+  return options;
+}
+
+py::dict measured(const Packing& packing, double border, const std::optional<double>& load_axis, bool curves, const std::optional<ArrayLike>& sigma_hyd) {
+  texture::Options options = options_of(border);
+  if (sigma_hyd) {
+    options.grain_sigma_hyd = to_vector(*sigma_hyd, "sigma_hyd");
+    if (options.grain_sigma_hyd.empty()) throw InputError("sigma_hyd holds no value; give one a grain, or leave it out");
+  }
+  if (load_axis && !std::isfinite(*load_axis)) throw InputError("load_axis is not finite; give degrees, or leave it out");
+  if (load_axis) options.load_axis = *load_axis * std::numbers::pi / 180;
+  Call call;
+  return from_json(call.without_lock([&] { return texture::to_json(texture::measure(packing, options), curves); }));
+}
+
+py::dict per_grain(const Packing& packing, double border) {
+  const auto options = options_of(border);
+  Call call;
+  auto t = call.without_lock([&] { return texture::measure(packing, options).per_grain; });
+  py::dict d;
+  d["considered"] = taken_over_as_bool(std::move(t.considered));
+  d["rattler"] = taken_over_as_bool(std::move(t.rattler));
+  d["contacts"] = taken_over(std::move(t.contacts));
+  d["sigma_hyd"] = taken_over(std::move(t.sigma_hyd));
+  d["sigma_norm"] = taken_over(std::move(t.sigma_norm));
+  d["psi6"] = taken_over(std::move(t.psi6));
+  return d;
+}
+
+using Pair = std::optional<std::pair<Quantity, Quantity>>;
+
+std::optional<Vec2> lengths_of(const Pair& pair, const char* name) {
+  if (!pair) return std::nullopt;
+  return Vec2{pair->first.si(dimension::length, name), pair->second.si(dimension::length, name)};
+}
+
+Packing packing_of_files(const Path& grains, const std::optional<Path>& contacts, const std::string& format, const Pair& box, const Pair& origin,
+                         const std::optional<Quantity>& thickness, const std::string& periodic, const std::optional<std::string>& length_unit,
+                         const std::optional<std::string>& force_unit, const std::optional<Quantity>& pixel, const std::optional<Path>& materials,
+                         const std::string& grain_columns, const std::string& contact_columns, bool y_down, bool merge_doubled) {
+  io::SampleOptions o;
+  o.format = format;
+  o.box = lengths_of(box, "box");
+  if (o.box && !(o.box->x > 0 && o.box->y > 0)) throw InputError("box: width and height must be positive");
+  o.origin = lengths_of(origin, "origin");
+  o.thickness = si(thickness, dimension::length, "thickness");
+  if (o.thickness && !(*o.thickness > 0)) throw InputError("thickness: the length of the cylinders must be positive");
+  std::tie(o.periodic_x, o.periodic_y) = periodic_directions(periodic);
+  if (length_unit) o.length_unit = io::unit_factor(*length_unit, dimension::length);
+  if (force_unit) o.force_unit = io::unit_factor(*force_unit, dimension::force);
+  o.pixel = si(pixel, dimension::length, "pixel").value_or(0);
+  o.materials = materials;
+  o.grain_columns = grain_columns;
+  o.contact_columns = contact_columns;
+  o.y_down = y_down;
+  o.merge_doubled = merge_doubled;
+  Call call;
+  return call.without_lock([&] { return io::read_sample(grains, contacts.value_or(Path()), o).packing; });
+}
+
+}  // namespace
+
+void bind_texture(py::module_& m) {
+  m.def("measure", &measured, py::arg("packing"), py::kw_only(), py::arg("border") = 2.5, py::arg("load_axis") = py::none(), py::arg("curves") = true,
+        py::arg("sigma_hyd") = py::none(),
+        "Texture and stress of a packing as a dict: solid_fraction, rev, coordination (contacts of a grain), fabric, force, stress, sigma_norm, local_order, quality. Each "
+        "statistic is {\"value\", \"error\"}, its standard error. The end of a name is its unit: _N, _Pa, _m, _deg; all other numbers have none (shares, ratios, x over the mean "
+        "of its set). Curves are arrays. `border`: strip left out along walls, mean diameters (T 3.2.4). `load_axis`: degrees from x; found from the stress if not given. "
+        "`sigma_hyd`: stress of every grain as it was measured, Pa, NaN where it is not known, instead of that of its contacts.");
+  m.def("measure_grains", &per_grain, py::arg("packing"), py::kw_only(), py::arg("border") = 2.5,
+        "What texture knows of every grain, as arrays of your own: considered, rattler (bool), contacts, sigma_hyd (Pa, tension positive), sigma_norm (over the mean of the "
+        "considered), psi6.");
+  m.def("read_packing", &packing_of_files, py::arg("grains"), py::arg("contacts") = py::none(), py::arg("format") = "auto", py::kw_only(), py::arg("box") = py::none(),
+        py::arg("origin") = py::none(), py::arg("thickness") = py::none(), py::arg("periodic") = "", py::arg("length_unit") = py::none(),
+        py::arg("force_unit") = py::none(), py::arg("pixel") = py::none(), py::arg("materials") = py::none(), py::arg("grain_columns") = "",
+        py::arg("contact_columns") = "", py::arg("y_down") = false, py::arg("merge_doubled") = false,
+        "Grains and contacts from files of YADE, LAMMPS, MercuryDPM or CSV, as `arenite measure` reads them. What the files do not say: `box` (width, height) and its lower left "
+        "corner `origin`, `thickness` of the cylinders (m, or text with a unit), `periodic` (\"x\", \"y\", \"xy\"), units of columns that name none, `pixel` for tables in pixels, a table "
+        "of `materials`, columns of tables without header (\"id,x,y,-,radius\"). `y_down`: y counts image rows. `merge_doubled`: a contact listed twice is taken once, with the mean of its forces.");
+}
+
+}  // namespace arenite::python

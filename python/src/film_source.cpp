@@ -1,0 +1,59 @@
+#include "film_source.hpp"
+
+#include "arrays.hpp"
+#include "core/error.hpp"
+#include "io/film.hpp"
+
+namespace arenite::python {
+namespace {
+
+/// Frames in an array of Python's, which is looked at and not copied.
+class ArrayFilm : public FilmSource {
+ public:
+  ArrayFilm(const py::array& frames, double rate, std::vector<double> time) {
+    if (frames.ndim() != 3 || frames.size() == 0) throw InputError("a film is an array (frames, height, width) with at least one pixel");
+    if (py::isinstance<py::array_t<std::uint16_t>>(frames)) held_ = py::array_t<std::uint16_t, py::array::c_style>::ensure(frames);
+    else held_ = floats(ArrayLike(frames), 3, "film");
+    info_.floating = held_.itemsize() == 4;
+    info_.frames = held_.shape(0);
+    info_.height = static_cast<int>(held_.shape(1));
+    info_.width = static_cast<int>(held_.shape(2));
+    info_.frame_rate = rate;
+    info_.time = std::move(time);
+    info_.format = "array";
+    data_ = held_.data();
+  }
+  const FilmInfo& info() const override { return info_; }
+  void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
+    const std::size_t begin = static_cast<std::size_t>(first) * info_.pixels(), end = begin + count * info_.pixels();
+    block.first = first;
+    block.frames = count;
+    if (info_.floating) block.value.assign(values_in_memory() + begin, values_in_memory() + end);
+    else block.level.assign(levels_in_memory() + begin, levels_in_memory() + end);
+  }
+  const std::uint16_t* levels_in_memory() const override { return info_.floating ? nullptr : static_cast<const std::uint16_t*>(data_); }
+  const float* values_in_memory() const override { return info_.floating ? static_cast<const float*>(data_) : nullptr; }
+
+ private:
+  py::array held_;
+  const void* data_ = nullptr;
+  FilmInfo info_;
+};
+
+Path path_of(const FilmLike& film) {
+  if (!py::isinstance<py::str>(film) && !py::hasattr(film, "__fspath__")) throw InputError("a film is a file, or an array (frames, height, width)");
+  return film.cast<Path>();
+}
+
+}  // namespace
+
+std::unique_ptr<FilmSource> film_of(const FilmLike& film, double frame_rate, const std::optional<ArrayLike>& time) {
+  if (!(frame_rate >= 0)) throw InputError("frame_rate is below 0; give frames a second");
+  if (py::isinstance<py::array>(film)) return std::make_unique<ArrayFilm>(py::array(film), frame_rate, time ? to_vector(*time, "time") : std::vector<double>{});
+  if (time) throw InputError("the time of frames is for arrays; a file says it itself, or give its frame_rate");
+  io::FilmChoice choice;
+  if (frame_rate > 0) choice.frame_rate = frame_rate;
+  return io::open_film(path_of(film), choice);
+}
+
+}  // namespace arenite::python

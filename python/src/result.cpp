@@ -1,0 +1,104 @@
+#include "result.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/version.hpp"
+#include "io/field_file.hpp"
+#include "io/film_result_file.hpp"
+#include "io/run_folder.hpp"
+#include "io/sealed_file.hpp"
+#include "io/stage_file.hpp"
+#include "study/result_folder.hpp"
+
+namespace arenite::python {
+namespace {
+
+std::string title_of(const Result& r) {
+  for (const auto& stage : r.run.stages) return study::title_in(stage.provenance.recipe);
+  for (const auto& field : r.run.fields) return study::title_in(field.provenance.recipe);
+  for (const auto& film : r.films) return study::title_in(film.provenance.recipe);
+  return {};
+}
+
+template <class Parts>
+bool all_converged(const Parts& parts) {
+  return std::all_of(parts.begin(), parts.end(), [](const auto& part) { return part.converged; });
+}
+
+/// A packing as a stage of one state.
+StageResult stage_of(const Packing& packing) {
+  StageResult stage;
+  stage.name = stage.provenance.stage = "packing";
+  stage.provenance.version = version;
+  stage.outcome = "a packing by itself";
+  stage.frames.emplace_back();
+  stage.frames.back().label = "packing";
+  stage.frames.back().packing = packing;
+  return stage;
+}
+
+/// What the parts' files are called in a folder.
+std::vector<std::string> file_names(const Result& result) {
+  std::vector<std::string> names;
+  const auto name = [&](const auto& parts) {
+    for (const auto& part : parts) {
+      const std::string& hash = part.provenance.input_hash;
+      names.push_back(io::stage_file_name(static_cast<int>(names.size()), part.name, hash.empty() ? "python" : hash));
+    }
+  };
+  name(result.run.stages), name(result.run.fields), name(result.films);
+  return names;
+}
+
+}  // namespace
+
+Result open_result(const Path& path) {
+  Result r;
+  r.path = path.string();
+  r.run.files = io::stage_files(path);
+  bool& converged = r.run.converged;
+  for (const auto& file : r.run.files) {
+    const std::string kind = io::sealed_kind(file);
+    if (kind == "field") converged = r.run.fields.emplace_back(io::read_field(file)).converged && converged;
+    else if (kind == "film") converged = r.films.emplace_back(io::read_film_result(file)).converged && converged;
+    else converged = r.run.stages.emplace_back(io::read_stage(file)).converged && converged;
+  }
+  r.title = title_of(r);
+  return r;
+}
+
+Result result_of(std::vector<StageResult> stages, std::vector<FieldResult> fields, std::vector<FilmResult> films, std::string title) {
+  Result r;
+  r.run.stages = std::move(stages);
+  r.run.fields = std::move(fields);
+  r.films = std::move(films);
+  r.run.converged = all_converged(r.run.stages) && all_converged(r.run.fields) && all_converged(r.films);
+  for (const auto& name : file_names(r)) r.run.files.emplace_back(name);
+  r.title = title.empty() ? title_of(r) : std::move(title);
+  return r;
+}
+
+Result any_result(const py::object& what) {
+  if (py::isinstance<Result>(what)) return what.cast<Result>();
+  if (py::isinstance<StageResult>(what)) return result_of({what.cast<StageResult>()}, {}, {}, {});
+  if (py::isinstance<FieldResult>(what)) return result_of({}, {what.cast<FieldResult>()}, {}, {});
+  if (py::isinstance<FilmResult>(what)) return result_of({}, {}, {what.cast<FilmResult>()}, {});
+  if (py::isinstance<Packing>(what)) return result_of({stage_of(what.cast<Packing>())}, {}, {}, "packing");
+  if (py::isinstance<py::str>(what) || py::hasattr(what, "__fspath__")) return open_result(what.cast<Path>());
+  throw InputError("result is a folder or file of results, a Result, Stage, Field, FilmResult or Packing");
+}
+
+std::vector<Path> save(const Result& result, const Path& folder) {
+  const auto names = file_names(result);
+  if (names.empty()) throw InputError(folder.string(), 0, "there is nothing to store; give a result with at least one part");
+  const study::ResultFolder out(folder, names);
+  std::vector<Path> files;
+  const auto next = [&] { return files.emplace_back(out / names[files.size()]); };
+  for (const auto& stage : result.run.stages) io::write_stage(next(), stage);
+  for (const auto& field : result.run.fields) io::write_field(next(), field);
+  for (const auto& film : result.films) io::write_film_result(next(), film);
+  return files;
+}
+
+}  // namespace arenite::python
