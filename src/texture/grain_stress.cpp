@@ -7,10 +7,10 @@ namespace arenite::texture {
 
 namespace {
 
+/// What a laboratory could not measure is NaN, and no part of the mean.
 void take_measured(const View& view, PerGrain& rows) {
   rows.sigma_hyd = view.options.grain_sigma_hyd;
-  double mean = 0;
-  for (const std::size_t g : view.grains) mean += rows.sigma_hyd[g] / static_cast<double>(view.grains.size());
+  const double mean = mean_of_known(view.grains, rows.sigma_hyd);
   for (const double value : rows.sigma_hyd) rows.sigma_norm.push_back(mean != 0 ? value / mean : 0);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <set>
 
@@ -120,6 +121,20 @@ void add_kinds(const View& view, const std::vector<int>& kinds, Label label, Nam
 
 geometry::Rectangle box_of(const Domain& d) {
   return {d.wall[left].position, d.wall[right].position, d.wall[bottom].position, d.wall[top].position};
+}
+
+Items known(const Items& items, const std::vector<double>& values) {
+  Items found;
+  std::copy_if(items.begin(), items.end(), std::back_inserter(found), [&](std::size_t item) { return std::isfinite(values[item]); });
+  return found;
+}
+
+double mean_of_known(const Items& items, const std::vector<double>& values) {
+  const Items found = known(items, values);
+  if (found.empty()) return unknown;
+  double mean = 0;
+  for (const std::size_t item : found) mean += values[item] / static_cast<double>(found.size());
+  return mean;
 }
 
 Vec2 wrapped(const Domain& d, Vec2 p) {

@@ -42,6 +42,10 @@ ByName<Items> contacts_by_type(const View& view);
 /// Named sets of considered grains: "all", by material, by zone ("dry", "glued") where there are zones.
 ByName<Items> grains_by_type(const View& view);
 
+/// The items whose value is known, and the mean over these; NaN if there are none.
+Items known(const Items& items, const std::vector<double>& values);
+double mean_of_known(const Items& items, const std::vector<double>& values);
+
 /// A point moved into the periodic cell; unchanged along sides that are not periodic.
 Vec2 wrapped(const Domain& domain, Vec2 point);
 

@@ -49,6 +49,22 @@ TEST(Stress, OfGrainsAsALaboratoryMeasuredItTakesThePlaceOfThatOfContacts) {
   EXPECT_GT(t.stress.whole.value.xx, -1e6);
 }
 
+TEST(Stress, ThatALaboratoryCouldNotMeasureIsLeftOutOfMeansAndDistributions) {
+  Packing p = test::empty_box(0.06, 0.02, 0.06);
+  for (const double x : {0.01, 0.03, 0.05}) test::add_grain(p, {x, 0.01}, 0.01);
+  Options options;
+  options.border = 0;
+  options.grain_sigma_hyd = {-1e6, unknown, -3e6};
+  const Texture t = measure(p, options);
+  EXPECT_DOUBLE_EQ(t.per_grain.sigma_norm[0], 0.5);
+  EXPECT_TRUE(std::isnan(t.per_grain.sigma_norm[1]));
+  EXPECT_DOUBLE_EQ(t.per_grain.sigma_norm[2], 1.5);
+  const auto* all = find(t.sigma_norm.sets, "all");
+  ASSERT_NE(all, nullptr);
+  EXPECT_DOUBLE_EQ(all->mean.value, -2e6);
+  EXPECT_DOUBLE_EQ(all->share_above.value, 0.5);
+}
+
 TEST(Stress, OfAGrainUnderItsWeightIsBalancedByTheWallBelow) {
   Packing p = test::empty_box(1, 1, 0.5);
   test::add_grain(p, {0.5, 0.2}, 0.2);
