@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
+
 #include "texture/texture.hpp"
 #include "unit/texture/packings.hpp"
 
