@@ -38,6 +38,7 @@ void unpack_base(const std::string& recipe, const fs::path& folder) {
   if (!base) return;
   const fs::path file = (folder / base->value.text).lexically_normal();
   const std::string text = embedded_text(file.parent_path().filename().string(), file.filename().string());
+  if (text.empty()) return;
   study::make_folder(file.parent_path());
   put(file, text);
   unpack_base(text, file.parent_path());
