@@ -1,15 +1,9 @@
 #include "report/course.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "core/error.hpp"
-#include "io/run_folder.hpp"
-#include "io/sealed_file.hpp"
-#include "io/stage_file.hpp"
 #include "texture/texture.hpp"
 
 namespace arenite::report {
@@ -52,31 +46,6 @@ CoursePoint point(const Frame& frame, const Domain& start) {
   return p;
 }
 
-struct Column {
-  const char* name;
-  const char* unit;
-  double CoursePoint::*member;
-};
-
-constexpr Column columns[] = {
-    {"time", "s", &CoursePoint::time},
-    {"strain_x", "1", &CoursePoint::strain_x},
-    {"strain_y", "1", &CoursePoint::strain_y},
-    {"volume_strain", "1", &CoursePoint::volume_strain},
-    {"p", "Pa", &CoursePoint::pressure},
-    {"q", "Pa", &CoursePoint::deviator},
-    {"q_over_p", "1", &CoursePoint::ratio},
-    {"solid_fraction", "1", &CoursePoint::solid_fraction},
-    {"z", "1", &CoursePoint::coordination},
-    {"rattlers", "1", &CoursePoint::rattlers},
-    {"a_c", "1", &CoursePoint::anisotropy},
-    {"a_c_strong", "1", &CoursePoint::strong_anisotropy},
-    {"a_c_weak", "1", &CoursePoint::weak_anisotropy},
-    {"strong_share", "1", &CoursePoint::strong_share},
-    {"q_on_strong", "1", &CoursePoint::deviator_on_strong},
-    {"mobilisation", "1", &CoursePoint::mobilisation},
-};
-
 }  // namespace
 
 std::vector<CoursePoint> course(const std::vector<StageResult>& stages) {
@@ -92,25 +61,6 @@ std::vector<CoursePoint> course(const std::vector<StageResult>& stages) {
     before = &stage.frames.back();
   }
   return points;
-}
-
-std::string course_csv(const std::filesystem::path& result) {
-  std::vector<StageResult> stages;
-  for (const auto& file : io::stage_files(result))
-    if (io::sealed_kind(file) != "field") stages.push_back(io::read_stage(file));
-  if (stages.empty()) throw InputError(result.string(), 0, "holds fields on nodes, which have no course; leave out --states");
-  std::string names = "stage,label", units = ",";
-  for (const Column& column : columns) {
-    names += fmt::format(",{}", column.name);
-    units += fmt::format(",{}", column.unit);
-  }
-  std::string text = names + "\n" + units + "\n";
-  for (const CoursePoint& p : course(stages)) {
-    text += fmt::format("{},{}", p.stage, p.label);
-    for (const Column& column : columns) text += std::isfinite(p.*column.member) ? fmt::format(",{:.6g}", p.*column.member + 0.0) : ",";
-    text += "\n";
-  }
-  return text;
 }
 
 }  // namespace arenite::report

@@ -1,5 +1,4 @@
 #pragma once
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -25,8 +24,5 @@ struct CoursePoint {
 
 /// The course through `stages` in their order; of the first one the reference is its own first state.
 std::vector<CoursePoint> course(const std::vector<StageResult>& stages);
-
-/// The same of a stage file or a run's folder, as CSV with a row of units. Throws InputError for anything else.
-std::string course_csv(const std::filesystem::path& result);
 
 }  // namespace arenite::report

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <iterator>
 #include <numbers>
 #include <set>
 

@@ -22,8 +22,8 @@ TEST(Borders, MeasureTheSameStatesWithAnotherStripLeftOut) {
   table.rows[1].run = "missing";
   Results results;
   results.add("made-up", table, folder.path());
-  for (const double border : {0.0, 1.0}) add_with_border(results, "made-up", border, [](const Run&) { return true; });
-  add_with_border(results, "made-up", 2.5, [](const Run& run) { return run.text("seed") == "2"; });
+  for (const double border : {0.0, 1.0}) add_with_border(results, "made-up", border, [](const ledger::Run&) { return true; });
+  add_with_border(results, "made-up", 2.5, [](const ledger::Run& run) { return run.text("seed") == "2"; });
 
   const auto without = results.runs(with_border("made-up", 0)), with = results.runs(with_border("made-up", 1));
   ASSERT_EQ(without.size(), 1u) << "the run whose files are missing is left out";

@@ -18,6 +18,12 @@ function quantity(value, unit) {
   return [text.number(value / factor, 4), prefix + unit];
 }
 
+/** As the program tells it, without what clamps hold. */
+function statedMean(result) {
+  const stated = result.statistics?.sigma_yy?.sample_mean_Pa;
+  return stated?.value ?? stated ?? result.mean;
+}
+
 function response(result) {
   const { components } = result.about;
   const mean = (kind) => {
@@ -29,7 +35,7 @@ function response(result) {
   const known = [["in large grains", classes.large], ["in small grains", classes.small], ["in grains", classes.particle]]
     .map(([name, kind]) => [name, "\u27e8\u03c3_{yy}\u27e9/\u27e8\u03c3_{yy}\u27e9_{all}", [text.number(mean(kind), 3), ""]]).filter(([, , [value]]) => value !== "\u2013");
   const largest = ["most stress over mean", "\u03c3_{yy}", [text.number(components.yy.most / result.mean, 3), ""]];
-  return [["mean stress", "\u27e8\u03c3_{yy}\u27e9", quantity(result.mean, "Pa")], ...known, largest].slice(0, 3);
+  return [["mean stress", "\u27e8\u03c3_{yy}\u27e9", quantity(statedMean(result), "Pa")], ...known, largest].slice(0, 3);
 }
 
 function failure(result) {

@@ -18,7 +18,8 @@ export class FilmResult {
     this.contacts = arraysOf(about.contacts, block);
     this.bad = unpack(block, about.bad);
     this.stresses = Object.fromEntries(Object.entries(about.stresses).map(([name, s]) => [name, { ...s, sigma_hyd: unpack(block, s.sigma_hyd), sigma_norm: unpack(block, s.sigma_norm) }]));
-    this.meanForce = meanOf(this.contacts.fn ?? [], (force, c) => force > 0 && !this.isUncertain(c));
+    const stated = about.numbers?.forces?.mean_N;
+    this.meanForce = stated?.value ?? stated ?? meanOf(this.contacts.fn ?? [], (force, c) => force > 0 && !this.isUncertain(c));
     this.meanRadius = meanOf(this.grains.radius ?? [], () => true) || 1;
   }
 
