@@ -6,7 +6,8 @@ import { tile } from "../tile.js";
 export function filmHeadlines(film) {
   const { film: about, agreement } = film.about, { contacts } = film;
   const tiles = about.frequency > 0 ? [["load frequency", "f", quantity(about.frequency, about.frequency_error, "Hz")]] : [];
-  if (film.about.maps.standard_error) tiles.push(["noise of a pixel", "", quantity(film.numbers.lockin.standard_error_K, 0, about.unit)]);
+  const noise = film.numbers?.lockin?.standard_error_K;
+  if (noise) tiles.push(["noise of a pixel", "", quantity(noise, 0, about.unit)]);
   if (film.count) tiles.push(["grains", "N_{p}", [text.count(film.count)]]);
   if (film.stresses.film?.mean) tiles.push(["stress", "\u27e8\u03c3_{hyd}\u27e9", quantity(film.stresses.film.mean, 0, "Pa")]);
   if (film.hasForces) tiles.push(["force", "\u27e8F_{n}\u27e9", quantity(film.meanForce, 0, "N")]);
