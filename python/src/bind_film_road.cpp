@@ -75,6 +75,10 @@ void bind_film_road(py::module_& m) {
         const auto& f = self.cast<const FilmResult&>();
         return image_view(f.picture, f.maps.height, f.maps.width, self);
       }, "Mean of the frames at the smallest load, K.")
+      .def_property_readonly("bad", [](const py::object& self) {
+        const auto& f = self.cast<const FilmResult&>();
+        return image_view(f.bad, f.maps.height, f.maps.width, self);
+      }, "1 for pixels that were replaced by their neighbours, 0 for others; (height, width), uint8.")
       .def_property_readonly("maps", [](const FilmResult& f) -> const LockinMaps& { return f.maps; }, py::return_value_policy::reference_internal, "The lock-in, in K; full swings.")
       .def_property_readonly("grains", [](const FilmResult& f) -> const PictureGrains& { return f.grains; }, py::return_value_policy::reference_internal,
                              "Grains at the smallest load, in pixels.")

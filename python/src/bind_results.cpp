@@ -106,8 +106,10 @@ void bind_fields(py::module_& m) {
       .def_property_readonly("provenance", [](const FieldResult& f) { return provenance_of(f.provenance); }, "What made it: version, stage, input_hash, recipe, seed, kernel, options.")
       .def("statistics", [](const FieldResult& f, bool curves) {
         Call call;
-        return arrays_from_json(call.without_lock([&] { return stress::to_json(stress::measure(f.map, f.field), curves); }));
-      }, py::kw_only(), py::arg("curves") = true, "Distributions of node stresses by phase (P IV) as a dict: by component and set, each statistic {\"value\", \"error\"}; the end of a name is its unit "
+        stress::StressOptions options;
+        options.components = {stress::Component::yy, stress::Component::xx, stress::Component::xy, stress::Component::hydrostatic};
+        return arrays_from_json(call.without_lock([&] { return stress::to_json(stress::measure(f.map, f.field, options), curves); }));
+      }, py::kw_only(), py::arg("curves") = true, "Distributions of node stresses by phase (P IV) as a dict: by component (sigma_yy, sigma_xx, sigma_xy, sigma_hyd) and set, each statistic {\"value\", \"error\"}; the end of a name is its unit "
         "(_Pa), all others are over the mean of the sample or of the set.")
       .def("__repr__", [](const FieldResult& f) { return "<arenite.Field \"" + f.name + "\": " + f.outcome + ">"; });
   const auto component = [&c](const char* name, std::vector<double> StressField::* member, const char* doc) {
