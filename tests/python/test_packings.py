@@ -123,6 +123,13 @@ def test_files_are_read_with_what_they_do_not_say(tmp_path):
         arenite.read_packing(tmp_path / "grains.csv", box=(2e-3, 2e-3), origin=(0, 0), length_unit="mm")
 
 
+def test_curves_of_textures_are_arrays(result):
+    texture = arenite.measure(result.stages[-1].packing)
+    for curve in (texture["rev"]["mean"], texture["sigma_norm"]["cumulative"]["x"], texture["fabric"]["sectors"]):
+        assert isinstance(curve, np.ndarray) and curve.dtype == float
+    assert texture["fabric"]["phi"]["value"].shape == (2, 2) and texture["notes"] == []
+
+
 def test_histories_look_into_the_stage(result):
     history = result.stages[1].history
     stage = result.stages[1]

@@ -56,7 +56,7 @@ def has(*path):
         about = state.texture if has_contacts(state) else {}
         for name in path:
             about = about.get(name, {})
-        return bool(about)
+        return len(about) > 0
     return found
 
 

@@ -53,7 +53,7 @@ def draw_density(axes, force, materials=()):
     """Density of F/<F>, each type over its own mean, with the fits of all: weak k x^-alpha and strong k exp(beta (1 - x)) (T eq. 1.3 and 1.4)."""
     for name, d, colour in sets_of(force, materials)[::-1]:
         x, y = np.array(d["pdf"]["x"]), np.array(d["pdf"]["y"])
-        error = np.array(d["pdf"].get("error") or np.zeros_like(y))
+        error = np.array(d["pdf"].get("error", np.zeros_like(y)))
         seen = y > 0
         axes.errorbar(x[seen], y[seen], yerr=np.minimum(error[seen], 0.95 * y[seen]) if name == "all" else None, fmt=".", color=colour, markersize=3, elinewidth=0.6, label=name_of(name))
     if "k" in force and "alpha" in force and "beta" in force:
@@ -121,7 +121,7 @@ def draw_contact_numbers(axes, coordination):
 
 def draw_rev(axes, texture):
     """Solid fraction of windows of growing area and random place: mean, standard error, one deviation (T Fig. 3.6)."""
-    rev = {name: np.array(values, float) for name, values in texture["rev"].items() if isinstance(values, list)}
+    rev = {name: np.array(values, float) for name, values in texture["rev"].items() if np.ndim(values) == 1}
     x = 100 * rev["area_share"]
     axes.fill_between(x, rev["mean"] - rev["deviation"], rev["mean"] + rev["deviation"], color=colours[0], alpha=0.15, linewidth=0, label="standard deviation")
     axes.errorbar(x, rev["mean"], yerr=rev["error"], fmt="o", color=colours[0], elinewidth=0.7, label="mean")
