@@ -25,7 +25,7 @@ def study_document(path):
     if not found:
         raise ValueError(f"{page}: there is no page of this study yet; `arenite study page RECIPE --out {page.parent}` makes it")
     document = json.loads(found.group(1))
-    for figure in document["figures"]:  # pages of older versions
+    for figure in document["figures"]:  # what the page of an older program does not say
         figure.setdefault("counts", False)
         for curve in figure["series"]:
             for flag in ("film", "fit", "beside", "source"):
