@@ -48,15 +48,35 @@ double kinetic_energy(const Sample& s, std::size_t k) {
   return 0.5 * d.mass * (v.vx * v.vx + v.vy * v.vy) + 0.5 * inertia(d) * v.omega * v.omega;
 }
 
-/// Kinetic energy of the grains that carry force between at least two contacts. Rattlers fly on for ever where nothing
-/// slows them, and say nothing about rest.
-double kinetic_energy_of_bearing_grains(const Sample& s, const std::vector<int>& pressed_contacts) {
-  double sum = 0;
+/// Force on inner disk k, its weight included, N.
+double resultant_of(const Sample& s, std::size_t k) {
+  const Load load = contact_load(s.list, k);
+  const double m = s.record[k].mass;
+  return std::hypot(load.fx + m * s.gravity.x, load.fy + m * s.gravity.y);
+}
+
+/// Grains that carry force between two contacts or more, and the loose others, apart: a loose grain moves on for long without
+/// moving the others, and its weight is nothing beside their forces, so that it is at rest or not by a measure of its own.
+struct Motions {
+  double bearing = 0, loose = 0;  ///< kinetic energies, J
+  std::size_t falling = 0;        ///< loose grains more than half of whose weight nothing holds
+};
+
+Motions motions_of(const Sample& s, const std::vector<int>& pressed_contacts) {
+  const double g = norm(s.gravity);
+  Motions motions;
   for (std::size_t k = 0; k < s.count; ++k) {
-    if (pressed_contacts[k] < 2) continue;
-    sum += kinetic_energy(s, k);
+    const bool loose = pressed_contacts[k] < 2;
+    (loose ? motions.loose : motions.bearing) += kinetic_energy(s, k);
+    if (loose && g > 0 && resultant_of(s, k) > 0.5 * s.record[k].mass * g) ++motions.falling;
   }
-  return sum;
+  return motions;
+}
+
+/// Of a kinetic energy to the elastic one; 0 where nothing moves.
+double over_elastic(double kinetic, double elastic) {
+  if (kinetic == 0) return 0;
+  return elastic > 0 ? kinetic / elastic : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -124,11 +144,7 @@ Equilibrium equilibrium_of(const Sample& s) {
   std::vector<int> pressed_contacts(s.count, 0);
   double resultant = 0, normal_sum = 0, mobilised = 0;
   std::size_t contacts = 0, pressed = 0;
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const Load load = contact_load(s.list, k);
-    const double m = s.record[k].mass;
-    resultant += std::hypot(load.fx + m * s.gravity.x, load.fy + m * s.gravity.y);
-  }
+  for (std::size_t k = 0; k < s.count; ++k) resultant += resultant_of(s, k);
   for (std::size_t p = 0; p < s.list.size(); ++p) {
     const Kinematics c = slot_kinematics(s, p);
     if (!(c.overlap > 0)) continue;
@@ -146,8 +162,11 @@ Equilibrium equilibrium_of(const Sample& s) {
   if (s.count > 0 && resultant > 0)
     q.unbalanced_ratio = normal_sum > 0 ? (resultant / static_cast<double>(s.count)) * static_cast<double>(contacts) / normal_sum
                                         : std::numeric_limits<double>::infinity();
-  const double kinetic = kinetic_energy_of_bearing_grains(s, pressed_contacts), elastic = energies_of(s).elastic;
-  if (kinetic > 0) q.kinetic_ratio = elastic > 0 ? kinetic / elastic : std::numeric_limits<double>::infinity();
+  const Motions motions = motions_of(s, pressed_contacts);
+  const double elastic = energies_of(s).elastic;
+  q.kinetic_ratio = over_elastic(motions.bearing, elastic);
+  q.loose_kinetic = over_elastic(motions.loose, elastic);
+  if (s.count > 0) q.falling = static_cast<double>(motions.falling) / static_cast<double>(s.count);
   if (pressed > 0) q.mobilisation = mobilised / static_cast<double>(pressed);
   for (std::size_t side = 0; side < 4; ++side) q.wall_speed = std::max(q.wall_speed, std::abs(wall_rate(s, side)));
   return q;

@@ -24,8 +24,8 @@ double load_error(const WallDrives& drives, const Domain& domain) {
 }
 
 bool is_at_rest(const Equilibrium& now, const RestCriterion& rest, double wall_error) {
-  return now.unbalanced_ratio < rest.unbalanced && now.kinetic_ratio < rest.kinetic && wall_error < 10 * rest.unbalanced &&
-         (rest.mobilisation < 0 || now.mobilisation < rest.mobilisation);
+  return now.unbalanced_ratio < rest.unbalanced && now.kinetic_ratio < rest.kinetic && now.loose_kinetic < rest.loose_kinetic.value_or(1e4 * rest.kinetic) &&
+         now.falling <= rest.falling && wall_error < 10 * rest.unbalanced && (rest.mobilisation < 0 || now.mobilisation < rest.mobilisation);
 }
 
 void append(History& history, const char* name, const char* unit, double value) {
@@ -49,6 +49,8 @@ void sample(History& history, const Engine& engine, const Equilibrium& now, std:
   append(history, "kinetic_ratio", "1", now.kinetic_ratio);
   append(history, "mobilisation", "1", now.mobilisation);
   append(history, "wall_speed", "m/s", now.wall_speed);
+  append(history, "falling", "1", now.falling);
+  append(history, "loose_kinetic_ratio", "1", now.loose_kinetic);
 }
 
 /// Keeps the history short however long the stage: when it is full, every second row goes and sampling halves.
@@ -67,7 +69,9 @@ void store_frame(const Engine& engine, const Equilibrium& now, std::string label
 }
 
 std::string describe(const Equilibrium& now) {
-  return fmt::format("unbalanced force ratio {:.1e}, kinetic over elastic energy {:.1e}", now.unbalanced_ratio, now.kinetic_ratio);
+  std::string text = fmt::format("unbalanced force ratio {:.1e}, kinetic over elastic energy {:.1e}", now.unbalanced_ratio, now.kinetic_ratio);
+  if (now.loose_kinetic > 0) text += fmt::format(", of grains that carry nothing {:.1e}", now.loose_kinetic);
+  return now.falling > 0 ? text + fmt::format(", {:.2g} % of the grains fall", 100 * now.falling) : text;
 }
 
 /// The same with what the pressing sides still lack, relative to their aim; nothing on that where none presses.

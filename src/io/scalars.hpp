@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 
 #include "io/hdf5_reader.hpp"
 #include "io/hdf5_writer.hpp"
@@ -11,6 +12,7 @@ template <class Owner>
 struct Scalar {
   const char* name;
   double Owner::*member;
+  std::optional<double> without = {};  ///< of files that do not have it; none: such a file is refused
 };
 
 template <class Owner, std::size_t n>
@@ -20,7 +22,7 @@ void write_scalars(const Hdf5Writer& at, const std::array<Scalar<Owner>, n>& sca
 
 template <class Owner, std::size_t n>
 void read_scalars(const Hdf5Reader& at, const std::array<Scalar<Owner>, n>& scalars, Owner& into) {
-  for (const auto& s : scalars) into.*s.member = at.number(s.name);
+  for (const auto& s : scalars) into.*s.member = s.without && !at.has(s.name) ? *s.without : at.number(s.name);
 }
 
 }  // namespace arenite::io

@@ -11,10 +11,12 @@
 namespace arenite::io {
 namespace {
 
-constexpr std::array<Scalar<Equilibrium>, 4> equilibrium_scalars{{{"unbalanced_ratio", &Equilibrium::unbalanced_ratio},
+constexpr std::array<Scalar<Equilibrium>, 6> equilibrium_scalars{{{"unbalanced_ratio", &Equilibrium::unbalanced_ratio},
                                                                   {"kinetic_ratio", &Equilibrium::kinetic_ratio},
                                                                   {"mobilisation", &Equilibrium::mobilisation},
-                                                                  {"wall_speed [m/s]", &Equilibrium::wall_speed}}};
+                                                                  {"wall_speed [m/s]", &Equilibrium::wall_speed},
+                                                                  {"falling", &Equilibrium::falling, 0.0},
+                                                                  {"loose_kinetic_ratio", &Equilibrium::loose_kinetic, 0.0}}};
 
 std::string dataset(const EnergyTerm& term) { return std::string(term.name) + " [J]"; }
 

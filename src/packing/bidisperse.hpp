@@ -20,7 +20,7 @@ struct BidisperseParameters {
                                      ///< which favours small ones
   double box_area = 900;             ///< over pi large_radius^2
   int trials = 30;                   ///< places tried round a disk before it is given up (redrawn radii)
-  bool maximal = true;               ///< afterwards every place is filled where a disk of the class still fits (redrawn
+  bool maximal = false;              ///< afterwards every place is filled where a disk of the class still fits (redrawn
                                      ///< radii); otherwise the sampling ends with the trials (P)
   double tolerance = 0.01;           ///< relative error of theta at which the search for the gap ends
   bool operator==(const BidisperseParameters&) const = default;

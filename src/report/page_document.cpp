@@ -74,7 +74,7 @@ Json frame_of(const Frame& frame, std::size_t stage, NumberBlock& block) {
            {"pressure", reference(block.add_reals(grain_pressures(frame.packing)))},
            {"contacts", contacts_of(frame.packing, block)}};
   const Equilibrium& rest = frame.equilibrium;
-  out["equilibrium"] = {{"unbalanced_ratio", rest.unbalanced_ratio}, {"kinetic_ratio", rest.kinetic_ratio},
+  out["equilibrium"] = {{"unbalanced_ratio", rest.unbalanced_ratio}, {"kinetic_ratio", rest.kinetic_ratio}, {"loose_kinetic_ratio", rest.loose_kinetic}, {"falling", rest.falling},
                         {"mobilisation", rest.mobilisation}, {"wall_speed", rest.wall_speed}};
   return out;
 }

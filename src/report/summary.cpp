@@ -72,7 +72,7 @@ Json state(const Frame& frame) {
   const Equilibrium& q = frame.equilibrium;
   return {{"label", frame.label}, {"time_s", frame.time}, {"step", frame.step}, {"walls", walls(frame.packing.domain)},
           {"equilibrium", {{"unbalanced_ratio", q.unbalanced_ratio}, {"kinetic_ratio", q.kinetic_ratio},
-                           {"mobilisation", q.mobilisation}, {"wall_speed_m_s", q.wall_speed}}},
+                           {"loose_kinetic_ratio", q.loose_kinetic}, {"falling", q.falling}, {"mobilisation", q.mobilisation}, {"wall_speed_m_s", q.wall_speed}}},
           {"energies_J", energies(frame.energies)}};
 }
 
@@ -108,6 +108,8 @@ void describe_state(Lines& lines, const Frame& frame) {
     lines.add("periodic cell", fmt::format("{:.6g} m x {:.6g} m, tilt {:.6g} m", d.width(), d.height(), d.tilt));
   lines.add("unbalanced force ratio", fmt::format("{:.2e}", frame.equilibrium.unbalanced_ratio));
   lines.add("kinetic/elastic energy", fmt::format("{:.2e}", frame.equilibrium.kinetic_ratio));
+  lines.add("the same of grains that carry nothing", fmt::format("{:.2e}", frame.equilibrium.loose_kinetic));
+  if (frame.equilibrium.falling > 0) lines.add("share of grains that fall", fmt::format("{:.4f}", frame.equilibrium.falling));
   lines.add("mean |Ft|/Fn", fmt::format("{:.3f}", frame.equilibrium.mobilisation));
   for (const EnergyTerm& term : energy_terms)
     if (const double value = frame.energies.*term.value; value != 0) lines.add(term.phrase, fmt::format("{:.5g} J", value));

@@ -28,7 +28,7 @@ void declare(Visitor& v, BidisperseSection& classes, const Materials& materials)
   std::int64_t trials = law.trials;
   v.integer({"trials", "Places tried round a disk before it is given up."}, trials, {1, 10'000});
   law.trials = static_cast<int>(trials);
-  v.flag({"maximal", "Afterwards every place is filled where a disk of the class still fits; false: the trials end it."}, law.maximal);
+  v.flag({"maximal", "After the trials every place is filled where a disk of the class still fits; the paper stops with the trials."}, law.maximal);
   v.number({"tolerance", "Relative error of the volume ratio at which the search for the gap between large disks ends."}, law.tolerance, "",
            range::between(1e-4, 0.5));
   v.text({"large", "Material of the large disks, a section of [materials]."}, classes.large);

@@ -13,6 +13,8 @@ using Visitor = ParameterVisitor;
 void declare(Visitor& v, RestCriterion& rest) {
   v.number({"unbalanced", "Unbalanced force ratio below this."}, rest.unbalanced, "", range::positive);
   v.number({"kinetic", "Kinetic over elastic energy below this."}, rest.kinetic, "", range::positive);
+  v.number({"falling", "Share of grains that still fall, weighing and with fewer than two pressed contacts, not above this."}, rest.falling, "", range::not_negative);
+  v.number({"loose_kinetic", "Kinetic energy of the grains that carry nothing (fewer than two pressed contacts) over elastic energy below this; ten thousand times `kinetic` unless given, since nothing but rare hits slows them where they do not weigh."}, rest.loose_kinetic, "", range::positive);
   std::optional<double> mobilisation = rest.mobilisation >= 0 ? std::optional(rest.mobilisation) : std::nullopt;
   v.number({"mobilisation", "Mean |F_t|/F_n below this as well, if given: tells creep from rest where friction is viscous."},
            mobilisation, "", range::not_negative);
@@ -95,7 +97,7 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.number({"drag", "Viscous drag during this stage, as a rate: the force on a grain is -drag m v."}, stage.drag, "1/s", range::not_negative);
   v.number({"critical_drag", "More drag, as a share of the rate that damps the slowest wave of a crystal of this size critically. About 0.2 brings a jammed packing of any size to rest soonest; it hinders rearrangement, so compact without it first."},
            stage.critical_drag, "", range::not_negative);
-  v.choice({"masses", "Masses that the grains move with in this stage. States of rest do not depend on them."}, stage.masses,
+  v.choice({"masses", "Masses that the grains move with in this stage. Without friction states of rest do not depend on them; with it they keep a trace of the way there."}, stage.masses,
            {{"own", "their own"},
             {"even", "such that k/m of all grains is that of the fastest: a sample of unlike sizes compacts in far fewer steps; not with gravity"}});
   v.require(!stage.gravity || stage.masses == dem::Masses::own, {"masses", "gravity"}, "grains weigh by their own masses; leave gravity or masses out");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <numbers>
 #include <optional>
 
 #include "core/error.hpp"
@@ -89,11 +90,21 @@ std::optional<StageResult> packing_stage(const Recipe& recipe, const fs::path& f
   return stored;
 }
 
+/// Along which a stage loads, rad; nothing where it loads along both axes or none.
+std::optional<double> loading_axis(const dem::Stage& stage) {
+  const auto works = [&](std::size_t side) { return stage.side[side].kind != dem::SideDrive::Kind::fixed; };
+  const bool across = works(left) || works(right), along = works(bottom) || works(top);
+  if (across == along) return std::nullopt;
+  return along ? std::numbers::pi / 2 : 0;
+}
+
 }  // namespace
 
 texture::Options texture_options(const Recipe& recipe, std::size_t stage) {
   texture::Options options;
-  if (stage > 0 && recipe.stages[stage - 1].gravity) options.gravity = {0, -dem::standard_gravity};
+  if (stage == 0) return options;
+  if (recipe.stages[stage - 1].gravity) options.gravity = {0, -dem::standard_gravity};
+  options.load_axis = loading_axis(recipe.stages[stage - 1]);
   return options;
 }
 

@@ -48,7 +48,8 @@ struct RunOutcome {
 /// finds no equilibrium ends the run; loads of the cemented sample are independent of each other, and the next is tried.
 [[nodiscard]] RunOutcome run(const Recipe& recipe, const RunOptions& options);
 
-/// How the texture of a stage's states is measured; stage 0 is the packing.
+/// How the texture of a stage's states is measured; stage 0 is the packing. Signs refer to the axis along which the stage's
+/// sides load, where they load along one only.
 texture::Options texture_options(const Recipe& recipe, std::size_t stage);
 
 /// The grains in their box before any loading: drawn, placed and relaxed, or read from a file (recipe's [packing]).

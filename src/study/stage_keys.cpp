@@ -14,7 +14,7 @@ namespace {
 
 // Raised when the same recipe gives other bits: a mended law, another order of a sum.
 constexpr std::int64_t packing_version = 1;
-constexpr std::int64_t loading_version = 3;
+constexpr std::int64_t loading_version = 4;
 constexpr std::int64_t cement_version = 1;
 constexpr std::int64_t load_version = 2;
 

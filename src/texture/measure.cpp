@@ -43,6 +43,9 @@ void describe_sample(const View& view, Texture& texture) {
     texture.notes.push_back("The box is not known, so solid fraction, REV and the stress of the assembly are left out and no border is cut off.");
   if (!view.has_thickness)
     texture.notes.push_back("The out-of-plane length is not known, so stresses in Pa are left out.");
+  if (!view.options.load_axis && texture.considered_contacts > 0)
+    texture.notes.push_back("The direction of the load is not given: signed anisotropies refer to the sample's own axis of greatest compression, "
+                            "about which even chance has a positive sign.");
   const bool walled = view.has_box && !(view.packing.domain.periodic_x && view.packing.domain.periodic_y);
   if (walled && view.options.border > 0 && view.window.border == 0)
     texture.notes.push_back(fmt::format("The sample is too small to leave out {:g} mean diameters along its walls, so it is taken whole.",

@@ -27,7 +27,8 @@ std::vector<double> fractions(const Packing& packing, double side, int places, R
 }  // namespace
 
 /// Windows of the box's shape, from a twentieth of its side to 0.98 of it in equal steps of side, at random places in
-/// the whole box (T Fig. 3.6 keeps the border, and shows its effect at the largest windows).
+/// the whole box (T Fig. 3.6 keeps the border, and shows its effect at the largest windows). Large windows overlap and know one
+/// sample only: to the error of the finite number of places that of the sample itself is added, from its blocks.
 void measure_rev(const View& view, Texture& texture) {
   if (!view.has_box || view.packing.grains.size() == 0) return;
   const int sizes = view.options.rev_sizes, places = view.options.rev_places;
@@ -43,7 +44,7 @@ void measure_rev(const View& view, Texture& texture) {
     texture.rev.area_share.push_back(side * side);
     texture.rev.mean.push_back(mean);
     texture.rev.deviation.push_back(deviation);
-    texture.rev.error.push_back(deviation / std::sqrt(static_cast<double>(places)));
+    texture.rev.error.push_back(std::hypot(deviation / std::sqrt(static_cast<double>(places)), texture.solid_fraction.error));
   }
 }
 

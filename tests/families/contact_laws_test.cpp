@@ -76,8 +76,59 @@ TEST(AdhesionLaws, GeometricalAdhesionPullsOffAtItsForceAndDistance) {
   EXPECT_NEAR(total(rest), 0, 1e-9 * fc);
   EXPECT_GT(total(1.01 * hc), -fc);
   EXPECT_GT(total(0.99 * hc), -fc);
-  EXPECT_NEAR(adhesion.cap_shift(strength, k), fc, 1e-12 * fc);
-  EXPECT_NEAR(GeometricalAdhesion{-1}.cap_shift(strength, k), -fc, 1e-12 * fc);
+  EXPECT_NEAR(adhesion.cap_shift(Linear{}.pull_off(strength, k, 0.0)), fc, 1e-12 * fc);
+  EXPECT_NEAR(GeometricalAdhesion{-1}.cap_shift(Linear{}.pull_off(strength, k, 0.0)), -fc, 1e-12 * fc);
+}
+
+/// The lowest net force over the overlap, by bisection of its slope.
+template <class Normal>
+double deepest_pull(const Normal& normal, double k, double curvature, double strength) {
+  const GeometricalAdhesion adhesion;
+  const auto pull = [&](double h) { return adhesion.attraction(h, strength) - normal.elastic(h, k, curvature); };
+  double low = 1e-12, high = 1;
+  for (int turn = 0; turn < 400; ++turn) {
+    const double a = low + (high - low) * 0.382, b = low + (high - low) * 0.618;
+    (pull(a) > pull(b) ? high : low) = pull(a) > pull(b) ? b : a;
+  }
+  return pull(0.5 * (low + high));
+}
+
+TEST(AdhesionLaws, TheCapIsRaisedByThePullOffForceOfTheNormalLaw) {
+  Draw draw;
+  for (const auto& choice : members<NormalChoice>())
+    for (int trial = 0; trial < 100; ++trial) {
+      const double k = draw.between(1e5, 1e8), curvature = draw.between(50, 2000), strength = draw.between(1e3, 1e5);
+      std::visit([&](const auto& law) {
+        const double fc = deepest_pull(law, k, curvature, strength);
+        EXPECT_NEAR(law.pull_off(strength, k, curvature), fc, 1e-7 * fc) << choice.index();
+        EXPECT_EQ(law.pull_off(0.0, k, curvature), 0);
+      }, choice);
+    }
+  const double strength = 1.06e6 * std::sqrt(0.0124), curvature = 2 / 0.0062;
+  EXPECT_NEAR(Hertz{}.pull_off(strength, 27.35e6, curvature), 2.0 / 3 * strength * std::sqrt(strength / std::sqrt(curvature) / (3 * 27.35e6)), 1e-9);
+}
+
+TEST(AdhesionLaws, FrictionHoldsWhileGluedGrainsStillPull) {
+  Draw draw;
+  for (const auto& choice : members<NormalChoice>())
+    std::visit([&](const auto& law) {
+      const double k = 27.35e6, curvature = 2 / 0.0062, strength = 1.06e6 * std::sqrt(0.0124);
+      for (double share = 0.02; share < 1; share += 0.02) {
+        double memory = 0;
+        ContactState<double> c{};
+        c.overlap = share * 1e-4;
+        c.sliding = 1;
+        c.curvature = curvature;
+        c.stiffness = k;
+        c.viscosity = 1e12;
+        c.strength = strength;
+        c.friction = 0.3;
+        c.floor = -1e300;
+        const auto force = contact_force(law, GeometricalAdhesion{}, RegularisedCoulomb{}, c, memory);
+        const double fc = deepest_pull(law, k, curvature, strength);
+        EXPECT_NEAR(std::abs(force.tangential), 0.3 * (force.normal + fc), 1e-6 * fc) << choice.index();
+      }
+    }, choice);
 }
 
 TEST(FrictionLaws, StayWithinTheCapAndOpposeSliding) {

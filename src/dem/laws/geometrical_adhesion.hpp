@@ -10,7 +10,7 @@ struct NoAdhesion {
   template <class V>
   V energy(V /*h*/, V /*strength*/) const { return V(0.0); }
   template <class V>
-  V cap_shift(V /*strength*/, V /*stiffness*/) const { return V(0.0); }
+  V cap_shift(V /*pull_off*/) const { return V(0.0); }
 };
 
 /// Geometrical adhesion, an attraction gamma sqrt(r_eff h) while two glued grains touch (T eq. 1.22-1.25).
@@ -30,10 +30,10 @@ struct GeometricalAdhesion {
     using lane::sqrt;
     return V(-2.0 / 3.0) * strength * h * sqrt(h);
   }
-  /// What the pull-off force F_c = strength^2/(4 k) adds to F_n in the friction cap.
+  /// What the pull-off force F_c > 0 of the pair, which the normal law knows, adds to F_n in the friction cap.
   template <class V>
-  V cap_shift(V strength, V stiffness) const {
-    return V(cap_sign * 0.25) * strength * strength / stiffness;
+  V cap_shift(V pull_off) const {
+    return V(cap_sign) * pull_off;
   }
 };
 

@@ -27,6 +27,12 @@ struct Hertz {
     using lane::sqrt;
     return V(0.4) * stiffness * h * h * sqrt(h * curvature);
   }
+  /// Greatest net pull against an attraction strength sqrt(h), at h = strength sqrt(R*)/(3 k).
+  template <class V>
+  V pull_off(V strength, V stiffness, V curvature) const {
+    using lane::sqrt;
+    return V(2.0 / 3.0) * strength * sqrt(strength / (V(3.0) * stiffness * sqrt(curvature)));
+  }
   double tangent(double h, double stiffness, double curvature) const {
     return 1.5 * stiffness * std::sqrt(h * curvature);
   }

@@ -17,6 +17,7 @@ concept NormalContact = requires(const L law, double v) {
   { law.elastic(v, v, v) } -> std::same_as<double>;  // (h, stiffness, curvature), N
   { law.viscous(v, v, v, v) } -> std::same_as<double>;  // (h, dh/dt, damping, curvature), N
   { law.energy(v, v, v) } -> std::same_as<double>;   // J
+  { law.pull_off(v, v, v) } -> std::same_as<double>; // (strength, stiffness, curvature), N
   { law.tangent(v, v, v) } -> std::same_as<double>;  // N/m, for the stable step
 };
 
@@ -25,7 +26,7 @@ template <class L>
 concept AdhesiveContact = requires(const L law, double v) {
   { law.attraction(v, v) } -> std::same_as<double>;  // (h, strength), N
   { law.energy(v, v) } -> std::same_as<double>;      // J
-  { law.cap_shift(v, v) } -> std::same_as<double>;   // (strength, stiffness), N
+  { law.cap_shift(v) } -> std::same_as<double>;      // (pull-off force), N
 };
 
 /// A friction law gives the force along t from the sliding velocity, and may keep one number a contact.
@@ -82,7 +83,7 @@ inline ContactForce<V> contact_force(const N& normal, const A& adhesion, const F
   const V elastic = normal.elastic(c.overlap, c.stiffness, c.curvature);
   const V viscous = normal.viscous(c.overlap, c.approach, c.damping, c.curvature);
   const V fn = max(elastic + viscous - adhesion.attraction(c.overlap, c.strength), c.floor);
-  const V cap = max(c.friction * (fn + adhesion.cap_shift(c.strength, c.stiffness)), V(0.0));
+  const V cap = max(c.friction * (fn + adhesion.cap_shift(normal.pull_off(c.strength, c.stiffness, c.curvature))), V(0.0));
   return {fn, friction.tangential(c.sliding, c.viscosity, cap, c.stiffness, memory)};
 }
 

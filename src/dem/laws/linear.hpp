@@ -20,6 +20,11 @@ struct Linear {
   V energy(V h, V stiffness, V /*curvature*/) const {
     return V(0.5) * stiffness * h * h;
   }
+  /// Greatest net pull against an attraction strength sqrt(h), at h = strength^2/(4 k^2) (T eq. 1.25).
+  template <class V>
+  V pull_off(V strength, V stiffness, V /*curvature*/) const {
+    return V(0.25) * strength * strength / stiffness;
+  }
   /// Largest d elastic/dh on [0, h].
   double tangent(double /*h*/, double stiffness, double /*curvature*/) const { return stiffness; }
   /// Factor of the dashpot that `viscous` reaches at overlap h.

@@ -86,7 +86,8 @@ void add(Bits& bits, const Frame& f) {
   for (const double v : {e.kinetic, e.elastic, e.adhesive, e.dissipated_normal, e.dissipated_friction, e.dissipated_drag,
                          e.dissipated_breakage, e.work_walls, e.work_gravity})
     bits.add(v);
-  for (const double v : {f.equilibrium.unbalanced_ratio, f.equilibrium.kinetic_ratio, f.equilibrium.mobilisation, f.equilibrium.wall_speed})
+  for (const double v : {f.equilibrium.unbalanced_ratio, f.equilibrium.kinetic_ratio, f.equilibrium.mobilisation, f.equilibrium.wall_speed, f.equilibrium.falling,
+                         f.equilibrium.loose_kinetic})
     bits.add(v);
 }
 
@@ -145,6 +146,8 @@ Frame any_frame(std::size_t n, const Packing& sample) {
   }
   f.energies.work_walls = any_double();
   f.equilibrium.mobilisation = any_double();
+  f.equilibrium.falling = any_double();
+  f.equilibrium.loose_kinetic = any_double();
   return f;
 }
 

@@ -92,6 +92,42 @@ TEST(SolidFraction, OfLatticesHasItsClosedForm) {
   EXPECT_NEAR(measure(test::triangular_lattice(8)).solid_fraction.value, std::acos(-1.0) / (2 * std::sqrt(3.0)), 1e-14);
 }
 
+/// Disks of two sizes put down at random without overlaps.
+Packing scattered(std::uint64_t seed) {
+  Packing p = test::empty_box(30, 30);
+  RandomStream random(seed, Purpose::test);
+  for (int trial = 0; trial < 4000; ++trial) {
+    const double r = random.uniform() < 0.3 ? 0.9 : 0.4;
+    const Vec2 centre{random.uniform(r, 30 - r), random.uniform(r, 30 - r)};
+    bool fits = true;
+    for (std::size_t g = 0; g < p.grains.size() && fits; ++g) fits = norm(centre - p.grains.centre(g)) > r + p.grains.radius[g];
+    if (fits) test::add_grain(p, centre, r);
+  }
+  return p;
+}
+
+// Fifty windows of nine tenths of the box are nearly one window: their own scatter over sqrt(50) would be a tenth of the error.
+TEST(SolidFraction, TheErrorsOfWindowsCoverTheScatterOfSamples) {
+  Options options;
+  options.rev_sizes = 4;
+  std::vector<std::vector<double>> mean(4), error(4);
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    const Rev rev = measure(scattered(seed), options).rev;
+    for (std::size_t s = 0; s < 4; ++s) {
+      mean[s].push_back(rev.mean[s]);
+      error[s].push_back(rev.error[s]);
+    }
+  }
+  for (std::size_t s = 0; s < 4; ++s) {
+    double centre = 0, square = 0, told = 0;
+    for (const double m : mean[s]) centre += m / 24;
+    for (const double m : mean[s]) square += (m - centre) * (m - centre) / 23;
+    for (const double e : error[s]) told += e * e / 24;
+    EXPECT_GT(std::sqrt(told / square), 0.65) << s;
+    EXPECT_LT(std::sqrt(told / square), 2.0) << s;
+  }
+}
+
 TEST(SolidFraction, OfWindowsSettlesAsTheyGrow) {
   const Packing lattice = test::square_lattice(12);
   for (const double fraction : window_fractions(lattice, 0.72, 20)) EXPECT_NEAR(fraction, std::acos(-1.0) / 4, 0.02);

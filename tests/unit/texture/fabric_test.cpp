@@ -27,6 +27,45 @@ Packing star(const std::vector<double>& degrees, const std::vector<double>& forc
   return p;
 }
 
+/// Grains along a random network: contacts of random direction whose forces know nothing of it.
+Packing random_network(std::uint64_t seed, std::size_t contacts) {
+  RandomStream random(seed, Purpose::test);
+  std::vector<double> degrees, forces;
+  for (std::size_t c = 0; c < contacts; ++c) {
+    degrees.push_back(random.uniform(0, 360));
+    forces.push_back(-std::log(1 - random.uniform()));
+  }
+  return star(degrees, forces);
+}
+
+// The axis of compression of the same contacts leans to where the strong ones happen to point: about it even chance has a sign.
+TEST(Fabric, SignedAnisotropyOfARandomNetworkIsZeroAboutTheLoadsAxisOnly) {
+  const int trials = 60;
+  double about_load = 0, square = 0, about_own = 0;
+  for (int seed = 1; seed <= trials; ++seed) {
+    const Packing network = random_network(static_cast<std::uint64_t>(seed), 400);
+    Options options;
+    options.load_axis = std::numbers::pi / 2;
+    const double a = find(measure(network, options).fabric, "strong")->a_c_signed.value;
+    about_load += a / trials;
+    square += a * a / trials;
+    about_own += find(measure(network).fabric, "strong")->a_c_signed.value / trials;
+  }
+  const double error = std::sqrt(square / trials);
+  EXPECT_LT(std::abs(about_load), 3 * error);
+  EXPECT_GT(about_own, 6 * error);
+}
+
+TEST(Fabric, SaysWhereItsSignsHaveNoAxisFromOutside) {
+  Options options;
+  options.load_axis = 0;
+  const auto says = [](const Texture& t) {
+    return std::any_of(t.notes.begin(), t.notes.end(), [](const std::string& note) { return note.find("direction of the load") != std::string::npos; });
+  };
+  EXPECT_TRUE(says(measure(random_network(1, 50))));
+  EXPECT_FALSE(says(measure(random_network(1, 50), options)));
+}
+
 TEST(Fabric, OfASquareLatticeIsIsotropicWithFullFourfoldOrder) {
   const Texture t = measure(test::square_lattice(8));
   EXPECT_NEAR(all(t).phi.value.xx, 0.5, 1e-15);

@@ -77,7 +77,7 @@ export const energies = {
   },
 };
 
-const restMeasures = [["unbalanced_ratio", "unbalanced force ratio"], ["kinetic_ratio", "kinetic/elastic energy"], ["mobilisation", "mean |F_{t}|/F_{n}"]];
+const restMeasures = [["unbalanced_ratio", "unbalanced force ratio"], ["kinetic_ratio", "kinetic/elastic energy"], ["loose_kinetic_ratio", "the same of loose grains"], ["falling", "share of grains that fall"], ["mobilisation", "mean |F_{t}|/F_{n}"]];
 
 export const approach = {
   id: "rest", title: "Approach to rest", follows: true,
