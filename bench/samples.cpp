@@ -89,6 +89,8 @@ Packing tiled(const Packing& cell, int times) {
 
 dem::ContactParameters contact_parameters() {
   dem::ContactParameters contact;
+  contact.friction_law = dem::FrictionLaw::regularised_coulomb;
+  contact.attractive_dashpot = true;
   contact.restitution = 0.3;
   return contact;
 }

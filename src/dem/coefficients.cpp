@@ -4,22 +4,40 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/bracketed_root.hpp"
+
 namespace arenite::dem {
 
-double damping_ratio(double restitution) {
-  const double l = std::log(restitution);
-  return -2.0 * l / std::sqrt(std::numbers::pi * std::numbers::pi + l * l);
+namespace {
+
+/// ln e of a collision that ends where spring and dashpot cancel, since the dashpot cannot pull; zeta = alpha_n/(2 sqrt(m_eff k)).
+double log_clipped_restitution(double zeta) {
+  if (zeta == 1) return -2;
+  const double s = std::sqrt(std::abs(1 - zeta * zeta));
+  const double time = zeta < 1 ? std::atan2(2 * zeta * s, 2 * zeta * zeta - 1) : std::log((zeta + s) / (zeta - s));
+  return -zeta / s * time;
 }
 
-namespace {
+
+double clipped_damping_ratio(double restitution) {
+  const double wanted = std::log(restitution), most = 1 / std::sqrt(restitution);
+  const auto excess = [&](double zeta) { return log_clipped_restitution(zeta) - wanted; };
+  return 2 * bracketed_root(excess, 0, -wanted, most, excess(most), 1e-15 * most, 0);
+}
 
 /// Series rule: two springs of 2k each, one after the other, so that like grains keep k.
 double in_series(double a, double b) { return 1.0 / (1.0 / (2.0 * a) + 1.0 / (2.0 * b)); }
 
 }  // namespace
 
+double damping_ratio(double restitution, bool may_pull) {
+  if (!may_pull) return clipped_damping_ratio(restitution);
+  const double l = std::log(restitution);
+  return -2.0 * l / std::sqrt(std::numbers::pi * std::numbers::pi + l * l);
+}
+
 CoefficientTable::CoefficientTable(const Materials& materials, const Grains& grains, const ContactParameters& contact)
-    : count_(materials.size()), damping_ratio_(damping_ratio(contact.restitution)), contact_(contact) {
+    : count_(materials.size()), damping_ratio_(damping_ratio(contact.restitution, contact.attractive_dashpot)), contact_(contact) {
   double stiffest = 0;
   for (const int m : grains.material) stiffest = std::max(stiffest, materials[static_cast<std::size_t>(m)].stiffness);
   for (std::size_t a = 0; a < count_; ++a) {

@@ -31,10 +31,10 @@ struct ContactParameters {
   NormalLaw normal = NormalLaw::linear;
   StiffnessRule stiffness_rule = StiffnessRule::thesis;
   WallStiffness wall_stiffness = WallStiffness::stiffest;
-  double restitution = 0.1;                ///< of a binary collision at zero friction; sets alpha_n by pair unless given
+  double restitution = 0.5;                ///< of a binary collision at zero friction; sets alpha_n by pair unless given
   std::optional<double> normal_damping;    ///< alpha_n, N s/m, the same for every pair
-  bool attractive_dashpot = true;          ///< false: F_n of non-cohesive contacts is clipped at 0
-  FrictionLaw friction_law = FrictionLaw::regularised_coulomb;
+  bool attractive_dashpot = false;         ///< false: F_n of non-cohesive contacts is clipped at 0
+  FrictionLaw friction_law = FrictionLaw::cundall_strack;
   double friction = 0.3;                   ///< mu between grains
   std::optional<double> wall_friction;     ///< mu at walls; that of the grains unless given
   std::optional<double> sliding_viscosity; ///< gamma_s, N s/m; unless given, the alpha_n of the pair

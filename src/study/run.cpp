@@ -102,6 +102,8 @@ std::optional<double> loading_axis(const dem::Stage& stage) {
 
 texture::Options texture_options(const Recipe& recipe, std::size_t stage) {
   texture::Options options;
+  if (recipe.contact.adhesion != dem::Adhesion::none) options.pull = texture::Pull::adhesion;
+  else if (recipe.contact.attractive_dashpot) options.pull = texture::Pull::dashpots;
   if (stage == 0) return options;
   if (recipe.stages[stage - 1].gravity) options.gravity = {0, -dem::standard_gravity};
   options.load_axis = loading_axis(recipe.stages[stage - 1]);

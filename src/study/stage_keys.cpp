@@ -15,6 +15,7 @@ namespace {
 // Raised when the same recipe gives other bits: a mended law, another order of a sum.
 constexpr std::int64_t packing_version = 1;
 constexpr std::int64_t loading_version = 4;
+constexpr std::int64_t clipped_dashpot_version = 1;  // of loadings whose dashpots cannot pull, alone
 constexpr std::int64_t cement_version = 1;
 constexpr std::int64_t load_version = 2;
 
@@ -23,6 +24,21 @@ Recipe without_what_changes_no_bit(Recipe recipe) {
   recipe.source_file.clear();
   recipe.integration.threads = 1;
   recipe.integration.kernel = "auto";
+  return recipe;
+}
+
+/// What a key says of laws on which it does not depend: always the same, so that a new default renames no stored result.
+dem::ContactParameters no_contact() {
+  dem::ContactParameters contact;
+  contact.restitution = 0.1;
+  contact.attractive_dashpot = true;
+  contact.friction_law = dem::FrictionLaw::regularised_coulomb;
+  return contact;
+}
+
+Recipe no_loading() {
+  Recipe recipe;
+  recipe.contact = no_contact();
   return recipe;
 }
 
@@ -38,7 +54,7 @@ Recipe without_field(Recipe recipe) {
 std::string packing_key(const Recipe& recipe) {
   Recipe part = without_field(without_what_changes_no_bit(recipe));
   part.stages.clear();
-  part.contact = {};
+  part.contact = no_contact();
   part.integration = {};
   HashBuilder hash;
   hash.add("packing version", packing_version).add("recipe", to_toml(part));
@@ -52,11 +68,12 @@ std::string stage_key(const Recipe& recipe, std::size_t s, const std::string& pa
   part.stages.resize(s + 1);
   HashBuilder hash;
   hash.add("loading version", loading_version).add("packing", packing_hash).add("recipe", to_toml(part));
+  if (!recipe.contact.attractive_dashpot) hash.add("clipped dashpot version", clipped_dashpot_version);
   return hash.hex();
 }
 
 std::string cement_key(const Recipe& recipe, const std::string& last_stage_hash) {
-  Recipe part;
+  Recipe part = no_loading();
   part.cement = recipe.cement_or_none();
   part.raster = recipe.raster_or_default();
   HashBuilder hash;
@@ -65,7 +82,7 @@ std::string cement_key(const Recipe& recipe, const std::string& last_stage_hash)
 }
 
 std::string load_key(const Load& load, const std::string& cement_hash) {
-  Recipe part;
+  Recipe part = no_loading();
   part.loads = {load};
   HashBuilder hash;
   hash.add("load version", load_version).add("sample", cement_hash).add("recipe", to_toml(part));
@@ -105,6 +122,8 @@ Recipe part_of(const Recipe& recipe, std::size_t s) {
   return part;
 }
 
-std::string key_versions() { return fmt::format("{} {} {} {}", packing_version, loading_version, cement_version, load_version); }
+std::string key_versions() {
+  return fmt::format("{} {} {} {} {}", packing_version, loading_version, cement_version, load_version, clipped_dashpot_version);
+}
 
 }  // namespace arenite::study

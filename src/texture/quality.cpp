@@ -34,6 +34,15 @@ double median_resultant(const View& view) {
   return 0.5 * (resultants[(n - 1) / 2] + resultants[n / 2]);
 }
 
+const char* why_they_pull(Pull pull) {
+  switch (pull) {
+    case Pull::adhesion: return "the adhesion of glued grains does";
+    case Pull::dashpots: return "the damping of contacts that are opening does (contact.attractive_dashpot = true)";
+    case Pull::unknown: break;
+  }
+  return "measured in a sample without cohesion that is an error of measurement";
+}
+
 void measure_friction(const View& view, Quality& quality) {
   std::vector<double> ratios;
   for (const std::size_t c : view.contacts)
@@ -57,8 +66,8 @@ void measure_quality(const View& view, Texture& texture) {
   if (view.mean_force > 0) quality.median_imbalance = median_resultant(view) / view.mean_force;
   measure_friction(view, quality);
   if (quality.negative_forces > 0)
-    texture.notes.push_back(fmt::format("{} of {} normal forces pull; in a sample without cohesion that is an error of measurement.",
-                                        quality.negative_forces, view.contacts.size()));
+    texture.notes.push_back(fmt::format("{} of {} normal forces pull; {}.", quality.negative_forces, view.contacts.size(),
+                                        why_they_pull(view.options.pull)));
   double largest = 0;
   for (const std::size_t c : view.contacts) largest = std::max(largest, view.pairs().fn[c]);
   if (largest > 50 * view.mean_force && view.mean_force > 0)

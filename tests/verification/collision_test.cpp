@@ -181,6 +181,23 @@ TEST(Collision, HertzKeepsTheRestitutionAskedForAtEverySpeed) {
       }
 }
 
+TEST(Collision, RestitutionIsTheOneAskedForWhereTheDashpotCannotPullEither) {
+  // The dashpot's onset within one step costs 4 zeta omega dt, and zeta < 1/sqrt(e).
+  for (const auto normal : {dem::NormalLaw::linear, dem::NormalLaw::hertz})
+    for (const auto kind : integrators)
+      for (const double e : {1.0, 0.9, 0.5, 0.1, 0.02}) {
+        SCOPED_TRACE(std::string(name(kind)) + (normal == dem::NormalLaw::hertz ? ", Hertz" : "") + ", e = " + std::to_string(e));
+        const Pair pair = pairs()[2];
+        Packing probe = head_on(pair, 1, 0);
+        const double dt = contact_time(reduced(mass(probe, 0), mass(probe, 1)), pair.k) / 20000, omega_dt = pi / 20000;
+        dem::ContactParameters law = frictionless(e);
+        law.normal = normal;
+        law.attractive_dashpot = false;
+        const Outcome out = collide(head_on(pair, 0.5, dt), law, with_step(dt, kind), 0.5, separation);
+        EXPECT_NEAR(out.restitution, e, 16 * std::sqrt(e) * omega_dt);
+      }
+}
+
 TEST(Collision, HertzContactLastsTheClassicalTime) {
   const Pair pair = pairs()[1];
   Packing probe = head_on(pair, 1, 0);

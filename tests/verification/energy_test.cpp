@@ -98,6 +98,7 @@ Packing squeezed() {
 
 TEST(Energy, ConvergesAtTheIntegratorsOrder) {
   dem::ContactParameters law;
+  law.friction_law = FrictionLaw::regularised_coulomb;
   law.restitution = 0.8;
   law.sliding_viscosity = 30;
   law.friction = 10;  // no contact reaches the cap's kink

@@ -61,6 +61,7 @@ TEST(ObliqueCollision, ConservesMomentumAndAngularMomentumAboutAnyPoint) {
 
 TEST(ObliqueCollision, FullRadiusArmsTurnTheDisksMoreByTheOverlapOnly) {
   dem::ContactParameters law;
+  law.friction_law = FrictionLaw::regularised_coulomb;
   law.restitution = 0.5;
   law.arms = Arms::contact_point;
   const Oblique point = run(6e-4, law);
@@ -100,6 +101,7 @@ TEST(ObliqueCollision, FrictionStopsWhereTheDashpotPulls) {
   const double m = reduced(mass(probe, 0), mass(probe, 1)), k = reduced(k_pom, k_hdpe);
   for (const bool attractive : {true, false}) {
     dem::ContactParameters law;
+    law.friction_law = FrictionLaw::regularised_coulomb;
     law.friction = mu;
     law.normal_damping = 2 * zeta * std::sqrt(k * m);
     law.sliding_viscosity = 200;
@@ -115,6 +117,7 @@ TEST(ObliqueCollision, FrictionStopsWhereTheDashpotPulls) {
 TEST(ObliqueCollision, AStiffViscosityWithinTheConeTakesTheWholeSlidingVelocityAway) {
   // No slip at the end: J_t = v_s/(1/m_eff + r_a^2/I_a + r_b^2/I_b) = m_eff v_s/3 for disks.
   dem::ContactParameters law;
+  law.friction_law = FrictionLaw::regularised_coulomb;
   law.friction = 50;
   law.restitution = 1;
   law.normal_damping = 0;

@@ -17,6 +17,8 @@ using dem::IntegratorKind;
 
 dem::ContactParameters damped(double restitution) {
   dem::ContactParameters law;
+  law.friction_law = dem::FrictionLaw::regularised_coulomb;
+  law.attractive_dashpot = true;
   law.restitution = restitution;
   return law;
 }

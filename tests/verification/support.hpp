@@ -99,6 +99,7 @@ inline dem::ContactParameters frictionless(double restitution) {
   dem::ContactParameters c;
   c.friction_law = dem::FrictionLaw::none;
   c.restitution = restitution;
+  c.attractive_dashpot = true;
   return c;
 }
 /// Springs only: nothing dissipates.

@@ -38,6 +38,7 @@ TEST_P(Bounds, ALatticeJustBelowTheBoundLosesItsMotionAndDoesNotGainAny) {
     p.grains.omega[k] = random.uniform(-0.02, 0.02);
   }
   ContactParameters contact;
+  contact.friction_law = FrictionLaw::regularised_coulomb;
   contact.friction = 1e6;  // never slides: the dashpots are all there is
   const StepBounds bounds = Engine(p, contact, with_step(GetParam(), 1e-9)).bounds();
   Engine engine(p, contact, with_step(GetParam(), 0.999 * bounds.largest()));
@@ -59,6 +60,7 @@ TEST(DampingBound, CountsTheTurningOfALattice) {
   // All disks turning alike is damped at 2 z gamma_s r^2/I = 24 gamma_s/m.
   const Packing p = triangular(8, 8);
   ContactParameters contact;
+  contact.friction_law = FrictionLaw::regularised_coulomb;
   contact.sliding_viscosity = 10000;
   contact.normal_damping = 1;
   const double m = 1410 * std::numbers::pi * 0.25e-4 * 0.06, rate = 24 * 10000 / m;

@@ -64,6 +64,9 @@ TEST(Recipe, SmallestRecipeGivesSiValuesAndDefaults) {
   EXPECT_EQ(recipe.stages[0].side[top], SideDrive{});
   EXPECT_EQ(recipe.stages[0].rest, RestCriterion{});
   EXPECT_EQ(recipe.contact, dem::ContactParameters{});
+  EXPECT_EQ(recipe.contact.friction_law, dem::FrictionLaw::cundall_strack);  // the field's: friction that holds at rest,
+  EXPECT_FALSE(recipe.contact.attractive_dashpot);                          // contacts that do not pull,
+  EXPECT_EQ(recipe.contact.restitution, 0.5);                               // moderate damping
   EXPECT_EQ(recipe.seed, 1u);
 }
 

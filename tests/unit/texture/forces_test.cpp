@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "texture/texture.hpp"
 #include "unit/texture/packings.hpp"
 
@@ -20,6 +22,24 @@ TEST(Forces, OfACohesiveSampleHaveATailOnEachSide) {
   EXPECT_NEAR(pull.tail.beta.value, 1, 4 * pull.tail.beta.error);
   EXPECT_NEAR(t.force.tensile_mean_ratio, 0.25, 0.06);
   EXPECT_EQ(t.quality.negative_forces, 200u);
+}
+
+TEST(Forces, ThatPullAreAnErrorOfMeasurementOnlyWhereTheyAreMeasured) {
+  Packing p = test::square_lattice(6);
+  for (auto& f : p.contacts.fn) f = 1;
+  p.contacts.fn[30] = -0.1;
+  const auto note = [&](Pull pull) {
+    Options options;
+    options.pull = pull;
+    const auto notes = measure(p, options).notes;
+    const auto it = std::find_if(notes.begin(), notes.end(), [](const std::string& n) { return n.find("normal forces pull") != n.npos; });
+    return it == notes.end() ? std::string() : *it;
+  };
+  EXPECT_NE(note(Pull::unknown).find("an error of measurement"), std::string::npos);
+  EXPECT_NE(note(Pull::dashpots).find("attractive_dashpot"), std::string::npos);
+  EXPECT_NE(note(Pull::adhesion).find("adhesion"), std::string::npos);
+  EXPECT_EQ(note(Pull::dashpots).find("error"), std::string::npos);
+  EXPECT_EQ(note(Pull::adhesion).find("error"), std::string::npos);
 }
 
 TEST(Forces, ByTypeKnowTheirOwnMeanAndThatOfAll) {
