@@ -21,7 +21,7 @@ struct Column {
   double CoursePoint::*member;
 };
 
-/// Anisotropies have a sign here, against the axis of greatest compression; `show` without --states prints how large they are.
+/// Anisotropies have a sign here, against the axis of loading (of greatest compression where there are several); `show` without --states prints how large they are.
 constexpr Column columns[] = {
     {"time [s]", &CoursePoint::time},
     {"strain_x", &CoursePoint::strain_x},
@@ -32,6 +32,7 @@ constexpr Column columns[] = {
     {"q_over_p", &CoursePoint::ratio},
     {"solid_fraction", &CoursePoint::solid_fraction},
     {"z", &CoursePoint::coordination},
+    {"z_without_rattlers", &CoursePoint::bearing_coordination},
     {"rattlers", &CoursePoint::rattlers},
     {"a_c_signed", &CoursePoint::anisotropy},
     {"a_c_signed_strong", &CoursePoint::strong_anisotropy},

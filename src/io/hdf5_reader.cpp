@@ -93,6 +93,8 @@ Hdf5Reader::Hdf5Reader(Handle group, std::string file, std::string place)
 
 bool Hdf5Reader::has(const std::string& name) const { return H5Lexists(*id_, name.c_str(), H5P_DEFAULT) > 0; }
 
+bool Hdf5Reader::has_attribute(const std::string& name) const { return H5Aexists(*id_, name.c_str()) > 0; }
+
 Hdf5Reader Hdf5Reader::group(const std::string& name) const {
   auto id = own(H5Gopen2(*id_, name.c_str(), H5P_DEFAULT), H5Gclose);
   if (!id) refuse(fmt::format("has no group \"{}\"", name));

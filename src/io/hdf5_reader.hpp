@@ -13,7 +13,8 @@ class Hdf5Reader {
   /// The root group of a file, given as its bytes; `file` is its name, for messages.
   Hdf5Reader(std::string bytes, std::string file);
 
-  bool has(const std::string& name) const;
+  bool has(const std::string& name) const;           ///< a member
+  bool has_attribute(const std::string& name) const;
   Hdf5Reader group(const std::string& name) const;
   std::vector<std::string> names() const;            ///< of members, in the order in which they were written
   std::vector<std::string> attribute_names() const;  ///< likewise

@@ -22,7 +22,7 @@ void write_scalars(const Hdf5Writer& at, const std::array<Scalar<Owner>, n>& sca
 
 template <class Owner, std::size_t n>
 void read_scalars(const Hdf5Reader& at, const std::array<Scalar<Owner>, n>& scalars, Owner& into) {
-  for (const auto& s : scalars) into.*s.member = s.without && !at.has(s.name) ? *s.without : at.number(s.name);
+  for (const auto& s : scalars) into.*s.member = s.without && !at.has_attribute(s.name) ? *s.without : at.number(s.name);
 }
 
 }  // namespace arenite::io

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "study/run.hpp"
 #include "texture/texture.hpp"
 
 namespace arenite::report {
@@ -20,8 +21,7 @@ double value(const texture::ByName<texture::Estimate>& values, std::string_view 
   return estimate ? estimate->value : texture::unknown;
 }
 
-CoursePoint point(const Frame& frame, const Domain& start) {
-  texture::Options options;
+CoursePoint point(const Frame& frame, const Domain& start, texture::Options options) {
   options.rev_sizes = options.rev_places = 1;
   const texture::Texture t = texture::measure(frame.packing, options);
   const Domain& now = frame.packing.domain;
@@ -36,6 +36,7 @@ CoursePoint point(const Frame& frame, const Domain& start) {
   p.ratio = p.deviator / p.pressure;
   p.solid_fraction = t.solid_fraction.value;
   p.coordination = value(t.coordination.mean, "all");
+  p.bearing_coordination = value(t.coordination.mean, "all without rattlers");
   p.rattlers = t.coordination.rattlers.value;
   p.anisotropy = signed_anisotropy(t, "all");
   p.strong_anisotropy = signed_anisotropy(t, "strong");
@@ -54,8 +55,9 @@ std::vector<CoursePoint> course(const std::vector<StageResult>& stages) {
   for (const StageResult& stage : stages) {
     if (stage.frames.empty()) continue;
     const Domain& start = (before ? *before : stage.frames.front()).packing.domain;
+    const texture::Options options = study::texture_options(stage.provenance);
     for (const Frame& frame : stage.frames) {
-      points.push_back(point(frame, start));
+      points.push_back(point(frame, start, options));
       points.back().stage = stage.name;
     }
     before = &stage.frames.back();

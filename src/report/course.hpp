@@ -15,7 +15,8 @@ struct CoursePoint {
   double pressure = 0, deviator = 0;         ///< Pa: mean and half the difference of the principal stresses
   double ratio = 0;                          ///< q/p = sin of the mobilised angle of friction
   double solid_fraction = 0, coordination = 0, rattlers = 0;
-  double anisotropy = 0;                     ///< a_c of all contacts, signed against the axis of greatest compression
+  double bearing_coordination = 0;           ///< without rattlers
+  double anisotropy = 0;                     ///< a_c of all contacts, signed against the axis of loading, or of greatest compression where there are several
   double strong_anisotropy = 0, weak_anisotropy = 0;
   double strong_share = 0;                   ///< of contacts above the mean force
   double deviator_on_strong = 0;             ///< share of the deviator that they carry

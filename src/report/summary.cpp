@@ -22,22 +22,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The recipe that made a result; one without stages for results of another version and for packings, whose keys may differ.
-study::Recipe recipe_of(const Provenance& p) {
-  try {
-    return study::parse_recipe(p.recipe, "recipe");
-  } catch (const InputError&) {
-    return {};
-  }
-}
-
-/// How the stage measured its states.
-texture::Options texture_options(const Provenance& p) {
-  const study::Recipe recipe = recipe_of(p);
-  const auto at = std::find_if(recipe.stages.begin(), recipe.stages.end(), [&](const auto& stage) { return stage.name == p.stage; });
-  return study::texture_options(recipe, at == recipe.stages.end() ? 0 : static_cast<std::size_t>(at - recipe.stages.begin()) + 1);
-}
-
 std::string made_by(const Provenance& p) {
   const std::string title = study::title_in(p.recipe);
   return fmt::format("{}{}Made by Arenite {}, {}{}seed {}; input {}\n", title, title.empty() ? "" : "\n", p.version,
@@ -118,7 +102,7 @@ void describe_state(Lines& lines, const Frame& frame) {
 /// As stored, or measured now.
 Json last_texture(const StageResult& last) {
   std::string texture = last.texture_json;
-  if (texture.empty() && !last.frames.empty()) texture = texture::to_json(texture::measure(last.frames.back().packing, texture_options(last.provenance)));
+  if (texture.empty() && !last.frames.empty()) texture = texture::to_json(texture::measure(last.frames.back().packing, study::texture_options(last.provenance)));
   return texture.empty() ? Json::object() : Json::parse(texture);
 }
 
@@ -196,7 +180,7 @@ std::string Summary::text() const {
   if (!last.frames.empty()) describe_state(lines, last.frames.back());
   lines.heading("Texture of the last state");
   if (!last.frames.empty()) {
-    texture::Options options = texture_options(last.provenance);
+    texture::Options options = study::texture_options(last.provenance);
     options.rev_sizes = 0;  // the text does not show the REV study, which takes longest
     lines.block(texture::to_text(texture::measure(last.frames.back().packing, options)));
   }

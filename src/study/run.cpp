@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <numbers>
 #include <optional>
@@ -108,6 +109,17 @@ texture::Options texture_options(const Recipe& recipe, std::size_t stage) {
   if (recipe.stages[stage - 1].gravity) options.gravity = {0, -dem::standard_gravity};
   options.load_axis = loading_axis(recipe.stages[stage - 1]);
   return options;
+}
+
+texture::Options texture_options(const Provenance& provenance) {
+  Recipe recipe;
+  try {
+    recipe = parse_recipe(provenance.recipe, "recipe");
+  } catch (const InputError&) {
+    return {};
+  }
+  const auto at = std::find_if(recipe.stages.begin(), recipe.stages.end(), [&](const auto& stage) { return stage.name == provenance.stage; });
+  return texture_options(recipe, at == recipe.stages.end() ? 0 : static_cast<std::size_t>(at - recipe.stages.begin()) + 1);
 }
 
 namespace {

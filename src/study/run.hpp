@@ -51,6 +51,8 @@ struct RunOutcome {
 /// How the texture of a stage's states is measured; stage 0 is the packing. Signs refer to the axis along which the stage's
 /// sides load, where they load along one only.
 texture::Options texture_options(const Recipe& recipe, std::size_t stage);
+/// The same of a stored stage, by the recipe that made it; as of a packing where another version wrote that.
+texture::Options texture_options(const Provenance& provenance);
 
 /// The grains in their box before any loading: drawn, placed and relaxed, or read from a file (recipe's [packing]).
 StageResult make_packing(const Recipe& recipe);

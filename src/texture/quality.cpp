@@ -38,7 +38,7 @@ const char* why_they_pull(Pull pull) {
   switch (pull) {
     case Pull::adhesion: return "the adhesion of glued grains does";
     case Pull::dashpots: return "the damping of contacts that are opening does (contact.attractive_dashpot = true)";
-    case Pull::unknown: break;
+    case Pull::measured: break;
   }
   return "measured in a sample without cohesion that is an error of measurement";
 }

@@ -21,7 +21,7 @@ using statistics::unknown;
 
 /// Choices that the definitions leave open (science: T 1.2, 3.2.4, 4.3.1).
 /// What can make contacts pull.
-enum class Pull { unknown, adhesion, dashpots };
+enum class Pull { measured, adhesion, dashpots };
 
 struct Options {
   double border = 2.5;                 ///< strip left out along each wall, in mean diameters (T 3.2.4)
@@ -32,7 +32,7 @@ struct Options {
   std::uint64_t seed = 1;              ///< of the places of windows
   int rev_sizes = 20, rev_places = 50; ///< windows of the REV study
   int sectors = 18;                    ///< of directions, over half a turn
-  Pull pull = Pull::unknown;           ///< where a simulation tells; of measured forces pulls are errors unless there is cohesion
+  Pull pull = Pull::measured;           ///< where a simulation tells; of measured forces pulls are errors unless there is cohesion
   std::vector<double> grain_sigma_hyd; ///< stress of every grain as a laboratory measured it, Pa; empty: that of its contacts
 };
 

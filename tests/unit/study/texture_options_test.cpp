@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "study/run.hpp"
 #include "support/small_study.hpp"
 
@@ -11,10 +13,21 @@ texture::Options options_with(const std::string& contact) {
 }
 
 TEST(TextureOptions, TellWhatMayPull) {
-  EXPECT_EQ(options_with("").pull, texture::Pull::unknown);
+  EXPECT_EQ(options_with("").pull, texture::Pull::measured);
   EXPECT_EQ(options_with("attractive_dashpot = true\n").pull, texture::Pull::dashpots);
   EXPECT_EQ(options_with("attractive_dashpot = true\nadhesion = \"geometrical\"\nsurface_energy = \"1 kN/mm\"\n").pull, texture::Pull::adhesion);
   EXPECT_EQ(options_with("").gravity.y, -dem::standard_gravity);
+}
+
+std::optional<double> axis_with(const std::string& sides) {
+  return texture_options(parse_recipe(test::small_packing_recipe + "[[stages]]\nname = \"load\"\n" + sides, "r.toml"), 1).load_axis;
+}
+
+TEST(TextureOptions, SignsReferToTheAxisAlongWhichTheSidesLoad) {
+  EXPECT_EQ(axis_with("top = { force = \"1 kN\" }\n"), std::numbers::pi / 2);
+  EXPECT_EQ(axis_with("left = { pressure = \"1 kPa\" }\nright = { pressure = \"1 kPa\" }\n"), 0);
+  EXPECT_FALSE(axis_with("left = { pressure = \"1 kPa\" }\ntop = { pressure = \"1 kPa\" }\n"));
+  EXPECT_FALSE(axis_with("gravity = true\n"));
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ TEST(Forces, ThatPullAreAnErrorOfMeasurementOnlyWhereTheyAreMeasured) {
     const auto it = std::find_if(notes.begin(), notes.end(), [](const std::string& n) { return n.find("normal forces pull") != n.npos; });
     return it == notes.end() ? std::string() : *it;
   };
-  EXPECT_NE(note(Pull::unknown).find("an error of measurement"), std::string::npos);
+  EXPECT_NE(note(Pull::measured).find("an error of measurement"), std::string::npos);
   EXPECT_NE(note(Pull::dashpots).find("attractive_dashpot"), std::string::npos);
   EXPECT_NE(note(Pull::adhesion).find("adhesion"), std::string::npos);
   EXPECT_EQ(note(Pull::dashpots).find("error"), std::string::npos);

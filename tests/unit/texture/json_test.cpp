@@ -33,7 +33,7 @@ TEST(TextureJson, LeavesOutWhatIsNotKnownAndSaysWhy) {
   EXPECT_FALSE(j.contains("stress"));
   EXPECT_FALSE(j.contains("solid_fraction"));
   EXPECT_FALSE(j.contains("rev"));
-  EXPECT_EQ(j["notes"].size(), 2u + (j["quality"]["median_imbalance"] > 0.1 ? 1 : 0));
+  EXPECT_EQ(j["notes"].size(), 3u + (j["quality"]["median_imbalance"] > 0.1 ? 1 : 0));
 }
 
 TEST(TextureJson, HasRowsForDrawingsWhenAsked) {

@@ -49,7 +49,7 @@ function spread(labels, data) {
 
 export const course = {
   id: "course", title: "Along the loading", wide: true, follows: true,
-  caption: "Stored states in order, with standard errors: coordination; a_{c} of the contacts, signed against the axis of compression, beside the stress ratio q/p.",
+  caption: "Stored states in order, with standard errors: coordination; a_{c} of the contacts, signed against the axis of loading, beside the stress ratio q/p.",
   when: (texture, sample) => states(sample).length > 2,
   draw({ sample, state, theme, width }) {
     const list = states(sample);

@@ -81,7 +81,7 @@ export const rev = {
 
 export const threshold = {
   id: "threshold", title: "Anisotropy by force",
-  caption: "a_{c} signed against the axis of compression, of the contacts above and below a force threshold; bands: what random directions would give.",
+  caption: "a_{c} signed against the axis of loading, of the contacts above and below a force threshold; bands: what random directions would give.",
   when: (texture) => texture.fabric?.threshold,
   key: ({ theme }) => [
     { name: "F > \u03be\u27e8F\u27e9", colour: theme.strong, values: [] }, { name: "F < \u03be\u27e8F\u27e9", colour: theme.accent, values: [] },
