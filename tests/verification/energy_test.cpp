@@ -247,6 +247,7 @@ TEST(Momentum, IsConservedInAPeriodicCellWhateverTheContactsDissipate) {
       dem::ContactParameters law;
       law.friction_law = friction;
       law.restitution = 0.5;
+      law.attractive_dashpot = true;
       Engine engine(start, law, with_step(shortest_contact_time() / 100, kind));
       double scale = 0;
       for (std::size_t i = 0; i < start.grains.size(); ++i) scale += mass(start, i) * norm(velocity(start, i));

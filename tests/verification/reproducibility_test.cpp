@@ -21,6 +21,7 @@ struct Case {
       : start(shaken_lattice(20, 20, 9, periodic, 3)), how(with_step(shortest_contact_time() / 100, kind)) {
     law.friction_law = friction;
     law.restitution = 0.5;
+    law.attractive_dashpot = true;
     law.adhesion = dem::Adhesion::geometrical_breaking;
     law.surface_energy = 0.2e6;
     for (std::size_t i = 0; i < start.grains.size(); i += 3) start.grains.zone[i] = 1;

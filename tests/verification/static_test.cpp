@@ -14,6 +14,7 @@ dem::ContactParameters rough(FrictionLaw friction) {
   dem::ContactParameters law;
   law.friction_law = friction;
   law.restitution = 0.5;
+  law.attractive_dashpot = true;
   return law;
 }
 

@@ -22,6 +22,8 @@ Packing pressed_sample() {
     }
   dem::ContactParameters law;
   law.friction_law = dem::FrictionLaw::cundall_strack;
+  law.restitution = 0.1;
+  law.attractive_dashpot = true;
   dem::Engine engine(p, law, {});
   engine.set_gravity({0, -gravity});
   engine.set_drag(30);

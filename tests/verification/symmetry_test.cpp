@@ -71,6 +71,7 @@ dem::ContactParameters with(FrictionLaw friction) {
   dem::ContactParameters law;
   law.friction_law = friction;
   law.restitution = 0.5;
+  law.attractive_dashpot = true;
   law.adhesion = dem::Adhesion::geometrical;
   law.surface_energy = 0.2e6;
   return law;

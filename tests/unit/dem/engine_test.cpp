@@ -16,7 +16,7 @@ using testing::crowd;
 using testing::empty_frame;
 
 TEST(Engine, ABinaryCollisionGivesBackTheRestitutionAsked) {
-  for (const double e : {0.1, 0.5, 0.9}) {
+  for (const auto& [e, pulls] : {std::pair{0.1, true}, {0.5, true}, {0.9, true}, {0.1, false}, {0.5, false}, {0.9, false}}) {
     Packing p = empty_frame(0.2, 0.2);
     add_grain(p, 0.09, 0.1, 0.005);
     add_grain(p, 0.10001, 0.1, 0.005);
@@ -24,12 +24,14 @@ TEST(Engine, ABinaryCollisionGivesBackTheRestitutionAsked) {
     ContactParameters contact;
     contact.restitution = e;
     contact.friction_law = FrictionLaw::none;
+    contact.attractive_dashpot = pulls;
     IntegrationParameters integration;
     integration.safety = 1.0 / 500;
     Engine engine(p, contact, integration);
     engine.advance(2000);
     const Packing after = engine.packing();
-    EXPECT_NEAR(after.grains.vx[1] - after.grains.vx[0], e, 1e-3 * e) << e;
+    // Clipped, the force has an edge, which a step meets to first order.
+    EXPECT_NEAR(after.grains.vx[1] - after.grains.vx[0], e, (pulls ? 1e-3 : 5e-3) * e) << e << " " << pulls;
     EXPECT_NEAR(after.grains.vx[1] + after.grains.vx[0], 1.0, 1e-12);
   }
 }
