@@ -24,7 +24,7 @@ double load_error(const WallDrives& drives, const Domain& domain) {
 }
 
 bool is_at_rest(const Equilibrium& now, const RestCriterion& rest, double wall_error) {
-  return now.unbalanced_ratio < rest.unbalanced && now.kinetic_ratio < rest.kinetic && now.loose_kinetic < rest.loose_kinetic.value_or(1e4 * rest.kinetic) &&
+  return now.unbalanced_ratio < rest.unbalanced && now.kinetic_ratio < rest.kinetic && now.loose_kinetic < rest.loose_kinetic.value_or(1e5 * rest.kinetic) &&
          now.falling <= rest.falling && wall_error < 10 * rest.unbalanced && (rest.mobilisation < 0 || now.mobilisation < rest.mobilisation);
 }
 

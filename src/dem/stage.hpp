@@ -15,7 +15,7 @@ struct RestCriterion {
   double unbalanced = 1e-4;            ///< unbalanced force ratio
   double kinetic = 1e-6;               ///< kinetic over elastic energy
   double falling = 1e-3;               ///< share of grains that may still fall
-  std::optional<double> loose_kinetic; ///< kinetic energy of grains that carry nothing over elastic energy; unset: 1e4 kinetic
+  std::optional<double> loose_kinetic; ///< kinetic energy of grains that carry nothing over elastic energy; unset: 1e5 kinetic
   double mobilisation = -1;            ///< mean |F_t|/F_n below this as well; < 0: not asked
   std::int64_t max_steps = 20'000'000; ///< of one increment; then the stage ends with exit status 3
   bool operator==(const RestCriterion&) const = default;

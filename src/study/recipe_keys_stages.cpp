@@ -14,7 +14,7 @@ void declare(Visitor& v, RestCriterion& rest) {
   v.number({"unbalanced", "Unbalanced force ratio below this."}, rest.unbalanced, "", range::positive);
   v.number({"kinetic", "Kinetic over elastic energy below this."}, rest.kinetic, "", range::positive);
   v.number({"falling", "Share of grains that still fall, weighing and with fewer than two pressed contacts, not above this."}, rest.falling, "", range::not_negative);
-  v.number({"loose_kinetic", "Kinetic energy of the grains that carry nothing (fewer than two pressed contacts) over elastic energy below this; ten thousand times `kinetic` unless given, since nothing but rare hits slows them where they do not weigh."}, rest.loose_kinetic, "", range::positive);
+  v.number({"loose_kinetic", "Kinetic energy of the grains that carry nothing (fewer than two pressed contacts) over elastic energy below this; a hundred thousand times `kinetic` unless given, since nothing but rare hits slows them where they do not weigh."}, rest.loose_kinetic, "", range::positive);
   std::optional<double> mobilisation = rest.mobilisation >= 0 ? std::optional(rest.mobilisation) : std::nullopt;
   v.number({"mobilisation", "Mean |F_t|/F_n below this as well, if given: tells creep from rest where friction is viscous."},
            mobilisation, "", range::not_negative);

@@ -39,6 +39,8 @@ TEST_P(Bounds, ALatticeJustBelowTheBoundLosesItsMotionAndDoesNotGainAny) {
   }
   ContactParameters contact;
   contact.friction_law = FrictionLaw::regularised_coulomb;
+  contact.restitution = 0.1;
+  contact.attractive_dashpot = true;
   contact.friction = 1e6;  // never slides: the dashpots are all there is
   const StepBounds bounds = Engine(p, contact, with_step(GetParam(), 1e-9)).bounds();
   Engine engine(p, contact, with_step(GetParam(), 0.999 * bounds.largest()));

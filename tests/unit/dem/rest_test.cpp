@@ -64,11 +64,11 @@ TEST(Rest, IsNotReachedWhileADiskFallsHoweverSmallItsWeight) {
 
 TEST(Rest, IsNotReachedWhileALooseDiskFliesFast) {
   Packing start = pressed_and_loose();
-  start.grains.vx.back() = 30;
+  start.grains.vx.back() = 100;
   Engine engine(start, contact(0.9), {});
   Stage stage = pressed(false);
   const StageRun run = to_its_end(engine, stage);
-  EXPECT_LT(run.result.frames.back().equilibrium.loose_kinetic, 0.01);
+  EXPECT_LT(run.result.frames.back().equilibrium.loose_kinetic, 0.1);
   Packing slow = pressed_and_loose();
   slow.grains.vx.back() = 1e-3;
   Engine calm(slow, contact(0.9), {});
