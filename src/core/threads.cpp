@@ -14,7 +14,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Parts of the work of one member: of so many, the last one to be finished is waited for.
-constexpr std::size_t parts_of_a_member = 8;
+constexpr std::size_t parts_of_a_member = 8, most_parts = 65535;
 
 /// Parts of a round that are still to be begun, first .. last - 1, in one word: who changes it has taken a part, and
 /// whoever still looks at a former round finds another word.
@@ -147,7 +147,7 @@ void Team::serve(Shared& shared, std::size_t member) {
 
 void Team::run(Call call, void* what, std::size_t n) const {
   Shared& s = *shared_;
-  const std::size_t parts = std::min(parts_of_a_member * s.share.size(), n / 8);
+  const std::size_t parts = std::min({parts_of_a_member * s.share.size(), n / 8, most_parts});
   const auto start = Clock::now();
   if (parts < 2 || s.worth.alone(start)) return call(what, 0, n);
   s.open(call, what, n, parts);
