@@ -96,7 +96,7 @@ TEST(Show, StatesHaveTheirUnitsInTheHeads) {
   const auto shown = arenite("show --states " + (folder / "01-compact.h5").string());
   ASSERT_EQ(shown.status, 0) << shown.err;
   EXPECT_EQ(shown.out.substr(0, shown.out.find('\n')),
-            "stage,label,time [s],strain_x,strain_y,volume_strain,p [Pa],q [Pa],q_over_p,solid_fraction,z,rattlers,a_c_signed,a_c_signed_strong,"
+            "stage,label,time [s],strain_x,strain_y,volume_strain,p [Pa],q [Pa],q_over_p,solid_fraction,z,z_without_rattlers,rattlers,a_c_signed,a_c_signed_strong,"
             "a_c_signed_weak,strong_share,q_on_strong,mobilisation");
   EXPECT_EQ(std::count(shown.out.begin(), shown.out.end(), '\n'), 3);  // and one row for each of two states
 }
