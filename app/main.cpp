@@ -6,9 +6,11 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "commands.hpp"
+#include "core/cannot_go_on.hpp"
 #include "core/error.hpp"
 #include "core/nearest.hpp"
 #include "core/version.hpp"
@@ -89,6 +91,13 @@ int main(int argc, char** argv) {
       const std::string who = problem.file.empty() ? speaker(argc, argv) + ": " : "";  // a file speaks for itself
       std::fprintf(stderr, "%s%s\n", who.c_str(), to_string(problem).c_str());
     }
+    status = app::bad_input;
+  } catch (const CannotGoOn& error) {
+    std::fprintf(stderr, "%s: %s\n", speaker(argc, argv).c_str(), error.what());
+    status = app::not_converged;
+  } catch (const nlohmann::json::exception&) {  // in a file with a right seal: of another version, or written by another hand
+    std::fprintf(stderr, "%s: the numbers stored in the result are not those that this version writes; make the result again with `arenite run`\n",
+                 speaker(argc, argv).c_str());
     status = app::bad_input;
   } catch (const std::filesystem::filesystem_error& error) {
     std::fprintf(stderr, "%s: %s; check its permissions\n", error.path1().c_str(), error.code().message().c_str());

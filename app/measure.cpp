@@ -1,7 +1,10 @@
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <string>
 
 #include "commands.hpp"
@@ -83,6 +86,10 @@ void propose_contacts(const MeasureArguments& a, io::Sample& sample, texture::Op
   imaging::ContactTolerance tolerance;
   tolerance.floor = 1;
   tolerance.pixel = positive("--touching", a.touching, sample_options(a).length_unit.value_or(1), "the widest gap of a contact");
+  const std::vector<double>& radius = sample.packing.grains.radius;
+  const double mean_radius = std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
+  if (tolerance.pixel > mean_radius)
+    throw InputError(fmt::format("--touching: {} is wider than the mean radius of the grains, {:.4g} m; grains so far apart do not touch", a.touching, mean_radius));
   sample.packing.contacts = imaging::propose_contacts(sample.packing.grains, sample.packing.domain, {}, tolerance);
   options.rattler_contacts = 0;
   sample.notes.push_back("Contacts are where surfaces are within " + a.touching + " of each other; forces are not known, so what they tell is left out.");

@@ -1,5 +1,7 @@
 #include "module.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "core/error.hpp"
 #include "core/version.hpp"
 #include "sentences.hpp"
@@ -14,6 +16,8 @@ PYBIND11_MODULE(_core, m) {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const arenite::InputError& error) {
       PyErr_SetString(PyExc_ValueError, arenite::python::with_arguments(error.what()).c_str());
+    } catch (const nlohmann::json::exception&) {
+      PyErr_SetString(PyExc_ValueError, "the numbers stored in the result are not those that this version writes; make the result again");
     }
   });
   // What is given comes before what takes it, so that docstrings name types as Python does.

@@ -92,6 +92,7 @@ Scene scene_of_field(const FieldResult& result, const Parameters& parameters) {
   if (result.field.size() == 0) throw InputError(fmt::format("\"{}\" is not loaded, so nothing swings; name a load of the cemented sample", result.name));
   if (result.packing.grains.size() < grains || grains == 0)
     throw InputError(fmt::format("\"{}\" was loaded from a picture, whose grains are no disks; the camera films results of a recipe", result.name));
+  check_points(result.packing.grains, grains, parameters.optics);
   Scene scene;
   scene.grains = result.packing.grains;
   scene.grains.resize(grains);

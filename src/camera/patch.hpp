@@ -5,6 +5,11 @@
 
 namespace arenite::camera {
 
+constexpr double most_points = 1e8;  ///< of a scene or a picture: minutes of work, and less memory than a laboratory's machine has
+
+/// Throws InputError if the points of the scene in the first `count` grains are more.
+void check_points(const Grains& grains, std::size_t count, const Optics& optics);
+
 /// The patch of a grain of that radius, in cells that wide, m. `swing(middle, away)` is the mean of sigma_kk over the cell
 /// whose middle lies there, seen from the grain's centre and `away` from it, Pa. It is asked for a ring of cells beyond
 /// the rim too, so that what lies between cells can be read off; cells farther out stay 0.

@@ -44,6 +44,7 @@ void require_factors(const Packing& packing) {
 
 Scene make_scene(const Packing* low, const Packing& high, const Parameters& p) {
   require_factors(high);
+  check_points(high.grains, high.grains.size(), p.optics);
   const Packing& start = low ? *low : high;
   Scene scene{start.grains, {}, {}, start.domain, high.domain, high.materials};
   const auto pressed = loaded_disks(high, p.contact_arc);
@@ -57,6 +58,15 @@ Scene make_scene(const Packing* low, const Packing& high, const Parameters& p) {
 }
 
 }  // namespace
+
+void check_points(const Grains& grains, std::size_t count, const Optics& optics) {
+  const double cell = optics.pixel / static_cast<double>(optics.supersampling);
+  double points = 0;
+  for (std::size_t g = 0; g < count; ++g) points += 4 * (grains.radius[g] / cell) * (grains.radius[g] / cell);
+  if (!(points <= most_points))
+    throw InputError(fmt::format("pixels of {:.3g} mm with {} x {} points each lay {:.2g} points over the grains, too many to look at; raise camera.pixel or "
+                                 "lower supersampling", 1e3 * optics.pixel, optics.supersampling, optics.supersampling, points));
+}
 
 float Patch::at(double x, double y) const {
   const double u = std::clamp(x / cell + 0.5 * (cells - 1), 0.0, cells - 1.001), v = std::clamp(y / cell + 0.5 * (cells - 1), 0.0, cells - 1.001);

@@ -1,12 +1,17 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "camera/camera.hpp"
 #include "camera/detector.hpp"
+#include "core/error.hpp"
 
 namespace arenite::camera {
 namespace {
+
+constexpr double most_bytes = 4e9;
 
 /// Pictures at even load fractions; those between follow from the four nearest (Lagrange's cubic).
 class Exposures {
@@ -17,6 +22,9 @@ class Exposures {
     for (const Vec2 v : scene.travel) travel = std::max(travel, p.motion ? norm(v) / p.optics.pixel : 0.0);
     const int intervals = std::clamp(static_cast<int>(std::ceil(12 * travel * (high - low))), 24, 400);
     step_ = (high - low) / intervals;
+    if (const double bytes = 4.0 * (intervals + 3) * static_cast<double>(p.optics.width) * static_cast<double>(p.optics.height); bytes > most_bytes)
+      throw InputError(fmt::format("{} pictures of {} x {} pixels between the two loads take {:.2g} GB; lower camera.width and height", intervals + 3, p.optics.width,
+                                   p.optics.height, 1e-9 * bytes));
     for (int k = -1; k <= intervals + 1; ++k) picture_.push_back(expose(scene, p, low + k * step_));
   }
 

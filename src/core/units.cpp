@@ -75,6 +75,11 @@ std::string with_unit(Dimension d) {
 
 }  // namespace
 
+bool is_in_reach(double si_value) {
+  const double magnitude = std::abs(si_value);
+  return magnitude == 0 || (magnitude >= 1e-60 && magnitude <= 1e60);
+}
+
 Quantity parse_quantity(std::string_view text) {
   text = trimmed(text);
   const NumberSpan span = number_span(text);
@@ -85,8 +90,8 @@ Quantity parse_quantity(std::string_view text) {
   }
   const Unit unit = rest.empty() ? Unit{} : parse_unit(rest);
   const auto value = shifted(text, span, unit.decade);
-  if (!value || !std::isfinite(*value * unit.factor)) {
-    throw InputError(fmt::format("\"{}\" is beyond the range of numbers", text));
+  if (!value || !is_in_reach(*value * unit.factor)) {
+    throw InputError(fmt::format("\"{}\" is beyond the range of numbers, 1e-60 to 1e60 in SI units; write 0 or a number in it", text));
   }
   return {*value * unit.factor, unit.dimension, !rest.empty()};
 }

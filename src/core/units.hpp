@@ -46,7 +46,11 @@ struct Quantity {
 /// Throws InputError (without place) for what it does not know, offering the nearest known unit.
 Unit parse_unit(std::string_view text);
 
-/// Reads "27.35 kN/mm". Throws InputError (without place) for anything that is not one finite number and a unit.
+/// Whether an SI value is 0 or of a magnitude, 1e-60 to 1e60, that is computed with: fourth powers of such numbers are
+/// still plain doubles, and no quantity that is measured lies beyond.
+bool is_in_reach(double si_value);
+
+/// Reads "27.35 kN/mm". Throws InputError (without place) for anything that is not one number in reach and a unit.
 Quantity parse_quantity(std::string_view text);
 
 /// The SI value of a quantity that must have `wanted` as its dimension; a bare number is refused unless the dimension

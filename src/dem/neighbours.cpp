@@ -2,9 +2,10 @@
 
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 
+#include "core/cannot_go_on.hpp"
+#include "core/error.hpp"
 #include "dem/carried.hpp"
 #include "dem/cells.hpp"
 
@@ -25,8 +26,9 @@ void check_places(const Sample& s) {
     }
     if (fault) {
       const auto id = s.start.grains.id[static_cast<std::size_t>(d.grain)];
-      throw std::runtime_error("grain " + std::to_string(id) + fault + " at step " + std::to_string(s.step) +
-                               "; a smaller time step or a gentler load is needed");
+      const std::string what = "grain " + std::to_string(id) + fault;
+      if (s.step == 0) throw InputError(what + " before the first step; correct its place, or the frame");
+      throw CannotGoOn(what + " at step " + std::to_string(s.step) + "; a smaller time step or a gentler load is needed");
     }
   }
 }

@@ -5,7 +5,7 @@
 namespace arenite::dem {
 
 /// Sorts the disks by cell, wraps them into a periodic cell, makes the ghosts and lists every pair (and wall) closer
-/// than the skin. What touching pairs remember is kept. Throws std::runtime_error, naming grain and step, if a grain
+/// than the skin. What touching pairs remember is kept. Throws CannotGoOn, naming grain and step, if a grain
 /// has left the walls or a coordinate is not finite.
 void rebuild_list(Sample& sample, const Team& team = Team());
 

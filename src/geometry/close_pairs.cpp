@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
+
 namespace arenite::geometry {
 
 namespace {
@@ -78,6 +80,8 @@ std::vector<Pair> close_pairs(std::span<const double> x, std::span<const double>
       }
     std::sort(partners.begin(), partners.end());
     for (const auto j : partners) pairs.push_back({i, j});
+    if (pairs.size() > 1'000'000 + 256 * x.size())
+      throw InputError("grains lie so deep in each other, or the gap is so wide, that they have hundreds of neighbours each; correct the unit of the radii, or the gap");
   }
   return pairs;
 }

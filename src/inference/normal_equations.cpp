@@ -4,8 +4,9 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "core/cannot_go_on.hpp"
+#include "core/error.hpp"
 #include "inference/selected_inverse.hpp"
 
 namespace arenite::inference {
@@ -60,9 +61,21 @@ namespace {
 
 std::vector<double> values(const Vector& v) { return {v.data(), v.data() + v.size()}; }
 
+[[noreturn]] void refuse() {
+  throw InputError("the contact forces cannot be solved for: loads, thermoelastic factors and errors of pixels differ by too many orders of "
+                   "magnitude, or nothing holds a contact; check their units and the places of grains and walls");
+}
+
+/// Places of grains move by a solution: what is no number must not get there.
+std::vector<double> finite_values(const Vector& v) {
+  if (!v.allFinite()) refuse();
+  return values(v);
+}
+
 void factorise(Factor& factor, const Matrix& m) {
+  if (!m.coeffs().allFinite()) refuse();
   factor.factorize(m);
-  if (factor.info() != Eigen::Success) throw std::runtime_error("the normal equations of the contact forces are singular");
+  if (factor.info() != Eigen::Success) refuse();
 }
 
 /// x = T y with fn = y_0 + y_1 and ft = mu (y_0 - y_1) for every contact; other unknowns stay.
@@ -121,7 +134,7 @@ Vector nonnegative(const Matrix& h, const Vector& b, Eigen::Index bounded) {
     const double safe = step < 1 ? 0.995 * step : 1;
     y += safe * dy, s += safe * ds;
   }
-  throw std::runtime_error("forces within the friction cone were not found in 100 steps");
+  throw CannotGoOn("forces within the friction cone were not found in 100 steps; check the units of loads and factors, and forces.friction");
 }
 
 }  // namespace
@@ -131,14 +144,14 @@ std::vector<double> NormalEquations::solve() const {
   Factor factor;
   factor.analyzePattern(m);
   factorise(factor, m);
-  return values(factor.solve(state_->right));
+  return finite_values(factor.solve(state_->right));
 }
 
 std::vector<double> NormalEquations::solve_in_cone(int contacts, double mu) const {
   const Matrix half = state_->matrix(), t = cone_edges(half.rows(), contacts, mu);
   const Matrix full = half.selfadjointView<Eigen::Lower>();
   const Matrix h = Matrix(t.transpose() * full * t).triangularView<Eigen::Lower>();
-  return values(t * nonnegative(h, t.transpose() * state_->right, 2 * contacts));
+  return finite_values(t * nonnegative(h, t.transpose() * state_->right, 2 * contacts));
 }
 
 std::vector<double> NormalEquations::inverse_diagonal() const {

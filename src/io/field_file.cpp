@@ -175,7 +175,7 @@ FieldResult read_field(const std::filesystem::path& path) {
   result.convergence = read_history(at.group("convergence"));
   result.curve = read_history(at.group("curve"));
   result.cracks = read_cracks(at.group("cracks"));
-  result.numbers_json = at.text("numbers");
+  result.numbers_json = at.numbers("numbers");
   return result;
 }
 

@@ -114,7 +114,7 @@ Facts look(const Bytes& bytes, const FilmChoice& choice) {
 class Hdf5Film : public FilmSource {
  public:
   Hdf5Film(const Bytes& bytes, const FilmChoice& choice) : bytes_(bytes), most_(most_in_chunk(choice)) {
-    H5open();  // once, for all processes that follow
+    prepare_hdf5();
     take(told([&] { return look(bytes, choice); }), choice);
     FrameBlock last;  // what is cut short lacks it
     read(info_.frames - 1, 1, last);

@@ -173,7 +173,7 @@ FilmResult read_film_result(const std::filesystem::path& path) {
   result.absent = forces.bytes("absent");
   for (const std::size_t size : {result.fn_error.size(), result.ft_error.size(), result.absent.size()})
     if (size != 0 && size != contacts) forces.refuse("holds arrays of different lengths");
-  result.numbers_json = at.text("numbers");
+  result.numbers_json = at.numbers("numbers");
   return result;
 }
 

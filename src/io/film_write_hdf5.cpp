@@ -5,6 +5,7 @@
 #include "io/film_notes.hpp"
 #include "io/film_writers.hpp"
 #include "io/hdf5_handle.hpp"
+#include "io/hdf5_turn.hpp"
 
 namespace arenite::io {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 class Hdf5FilmWriter : public FilmWriter {
  public:
   Hdf5FilmWriter(const std::filesystem::path& path, const FilmInfo& info) : file_(path), name_(path.string()), info_(info) {
+    const Hdf5Turn turn;
     memory_properties();  // silences HDF5's own messages
     const auto access = made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     done(H5Pset_file_locking(*access, false, true));  // the file beside is locked already
@@ -21,9 +23,18 @@ class Hdf5FilmWriter : public FilmWriter {
     create_set();
   }
 
+  ~Hdf5FilmWriter() override {
+    const Hdf5Turn turn;
+    set_.reset();
+    id_.reset();
+  }
+  Hdf5FilmWriter(const Hdf5FilmWriter&) = delete;
+  Hdf5FilmWriter& operator=(const Hdf5FilmWriter&) = delete;
+
   void append(const FrameBlock& block) override {
     const std::string_view bytes = pixel_bytes(info_, block);
     if (block.frames == 0) return;
+    const Hdf5Turn turn;
     const std::array<hsize_t, 3> start{frames_, 0, 0}, count{block.frames, height(), width()}, whole{frames_ + block.frames, height(), width()};
     if (H5Dset_extent(*set_, whole.data()) < 0) refuse();
     const auto there = made(H5Dget_space(*set_), H5Sclose), here = made(H5Screate_simple(3, count.data(), nullptr), H5Sclose);
@@ -33,6 +44,7 @@ class Hdf5FilmWriter : public FilmWriter {
   }
 
   void finish() override {
+    const Hdf5Turn turn;
     write_notes();
     write_times();
     set_.reset();

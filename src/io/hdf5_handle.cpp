@@ -3,9 +3,27 @@
 #include <fmt/format.h>
 
 #include <atomic>
+#include <mutex>
 #include <stdexcept>
 
+#include "io/hdf5_turn.hpp"
+
 namespace arenite::io {
+namespace {
+
+/// Not a recursive mutex: a forked process has another thread number, and could not give back what it holds.
+std::mutex speaking;
+thread_local int turns = 0;
+
+}  // namespace
+
+Hdf5Turn::Hdf5Turn() {
+  if (turns++ == 0) speaking.lock();
+}
+
+Hdf5Turn::~Hdf5Turn() {
+  if (--turns == 0) speaking.unlock();
+}
 
 Hdf5Handle own(hid_t id, herr_t (*close)(hid_t)) {
   if (id < 0) return nullptr;
@@ -22,6 +40,11 @@ Hdf5Handle made(hid_t id, herr_t (*close)(hid_t)) {
 
 void done(herr_t status) {
   if (status < 0) throw std::runtime_error("HDF5 refused to build a file in memory");
+}
+
+void prepare_hdf5() {
+  const Hdf5Turn turn;
+  H5open();
 }
 
 Hdf5Handle memory_properties() {

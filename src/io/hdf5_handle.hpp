@@ -19,6 +19,9 @@ Hdf5Handle own(hid_t id, herr_t (*close)(hid_t));
 Hdf5Handle made(hid_t id, herr_t (*close)(hid_t));
 void done(herr_t status);
 
+/// Starts HDF5 in this process, for all processes that are forked from it.
+void prepare_hdf5();
+
 /// For a file in memory; silences HDF5's own messages on stderr, since failures become our errors.
 Hdf5Handle memory_properties();
 

@@ -73,7 +73,7 @@ Image decode(const std::string& bytes, const std::string& file, const ImageChoic
 
 /// HDF5 trusts what it reads: it is used in a process of its own, which a damaged file may bring down.
 Image read_hdf5_image(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
-  H5open();
+  prepare_hdf5();
   const auto packed = [&] {
     const Image image = decode(bytes, file, choice);
     std::string result(sizeof image.width + image.value.size() * sizeof image.value[0], '\0');

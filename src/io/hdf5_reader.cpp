@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
 #include "core/error.hpp"
 #include "io/hdf5_handle.hpp"
 
@@ -10,6 +13,19 @@ namespace {
 
 std::string without_padding(std::string text) {
   text.resize(text.find_last_not_of('\0') + 1);
+  return text;
+}
+
+/// A quoted text is JSON if it is UTF-8; what else a text may hold is written for the check as a blank.
+bool is_utf8(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == '"' || c == '\\') c = ' ';
+  return nlohmann::json::accept('"' + text + '"');
+}
+
+std::string checked(const Hdf5Reader& at, std::string text, const std::string& name) {
+  text = without_padding(std::move(text));
+  if (!is_utf8(text)) at.refuse(fmt::format("holds a text \"{}\" that is damaged", name));
   return text;
 }
 
@@ -70,7 +86,7 @@ std::string read_text_attribute(const Hdf5Reader& at, hid_t owner, const std::st
   const auto type = own(H5Aget_type(*attribute), H5Tclose);
   std::string text(text_length(at, type, name), '\0');
   if (H5Aread(*attribute, *type, text.data()) < 0) at.refuse(fmt::format("has an attribute \"{}\" that cannot be read", name));
-  return without_padding(std::move(text));
+  return checked(at, std::move(text), name);
 }
 
 /// The file lives as long as one of its groups; HDF5 copies the bytes.
@@ -86,10 +102,13 @@ Hdf5Handle open_root(std::string bytes, const std::string& file) {
 
 }  // namespace
 
-Hdf5Reader::Hdf5Reader(std::string bytes, std::string file) : Hdf5Reader(open_root(std::move(bytes), file), file, "") {}
+Hdf5Reader::Hdf5Reader(std::string bytes, std::string file) : Hdf5Reader(std::make_shared<Hdf5Turn>(), std::move(bytes), file) {}
 
-Hdf5Reader::Hdf5Reader(Handle group, std::string file, std::string place)
-    : id_(std::move(group)), file_(std::move(file)), place_(std::move(place)) {}
+Hdf5Reader::Hdf5Reader(Turn turn, std::string bytes, const std::string& file)
+    : Hdf5Reader(std::move(turn), open_root(std::move(bytes), file), file, "") {}
+
+Hdf5Reader::Hdf5Reader(Turn turn, Handle group, std::string file, std::string place)
+    : turn_(std::move(turn)), id_(std::move(group)), file_(std::move(file)), place_(std::move(place)) {}
 
 bool Hdf5Reader::has(const std::string& name) const { return H5Lexists(*id_, name.c_str(), H5P_DEFAULT) > 0; }
 
@@ -98,7 +117,7 @@ bool Hdf5Reader::has_attribute(const std::string& name) const { return H5Aexists
 Hdf5Reader Hdf5Reader::group(const std::string& name) const {
   auto id = own(H5Gopen2(*id_, name.c_str(), H5P_DEFAULT), H5Gclose);
   if (!id) refuse(fmt::format("has no group \"{}\"", name));
-  return {std::move(id), file_, place_ + "/" + name};
+  return {turn_, std::move(id), file_, place_ + "/" + name};
 }
 
 std::vector<std::string> Hdf5Reader::names() const {
@@ -107,7 +126,8 @@ std::vector<std::string> Hdf5Reader::names() const {
     static_cast<std::vector<std::string>*>(into)->emplace_back(name);
     return 0;
   };
-  if (H5Literate(*id_, H5_INDEX_CRT_ORDER, H5_ITER_INC, nullptr, note, &found) < 0) refuse("cannot be listed");
+  if (H5Literate(*id_, H5_INDEX_CRT_ORDER, H5_ITER_INC, nullptr, note, &found) < 0 || !std::all_of(found.begin(), found.end(), is_utf8))
+    refuse("cannot be listed");
   return found;
 }
 
@@ -117,7 +137,8 @@ std::vector<std::string> Hdf5Reader::attribute_names() const {
     static_cast<std::vector<std::string>*>(into)->emplace_back(name);
     return 0;
   };
-  if (H5Aiterate2(*id_, H5_INDEX_CRT_ORDER, H5_ITER_INC, nullptr, note, &found) < 0) refuse("cannot be listed");
+  if (H5Aiterate2(*id_, H5_INDEX_CRT_ORDER, H5_ITER_INC, nullptr, note, &found) < 0 || !std::all_of(found.begin(), found.end(), is_utf8))
+    refuse("cannot be listed");
   return found;
 }
 
@@ -150,7 +171,13 @@ std::string Hdf5Reader::text(const std::string& name) const {
   std::string text(text_length(*this, type, name), '\0');
   if (H5Dread(*set, *type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
     refuse(fmt::format("holds a text \"{}\" that cannot be read", name));
-  return without_padding(std::move(text));
+  return checked(*this, std::move(text), name);
+}
+
+std::string Hdf5Reader::numbers(const std::string& name) const {
+  std::string json = text(name);
+  if (!json.empty() && (json.front() != '{' || !nlohmann::json::accept(json))) refuse(fmt::format("holds numbers \"{}\" that are damaged", name));
+  return json;
 }
 
 double Hdf5Reader::number(const std::string& name) const { return read_number<double>(*this, *id_, name); }

@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "io/hdf5_turn.hpp"
+
 namespace arenite::io {
 
 /// A group of an HDF5 file: arrays, texts, numbers and groups by name. What is not there, or is of another shape, throws
-/// InputError naming the file and the place in it.
+/// InputError naming the file and the place in it. As long as one lives, HDF5 is its thread's.
 class Hdf5Reader {
  public:
   /// The root group of a file, given as its bytes; `file` is its name, for messages.
@@ -28,6 +30,7 @@ class Hdf5Reader {
   std::vector<std::uint8_t> image_of_bytes(const std::string& name, int rows, int columns) const;
   std::string unit(const std::string& name) const;   ///< of an array
   std::string text(const std::string& name) const;   ///< written by write_text
+  std::string numbers(const std::string& name) const;  ///< likewise: a JSON object, or nothing
   double number(const std::string& name) const;      ///< attribute
   std::int64_t integer(const std::string& name) const;
   std::uint64_t natural(const std::string& name) const;
@@ -37,7 +40,10 @@ class Hdf5Reader {
 
  private:
   using Handle = std::shared_ptr<const std::int64_t>;
-  Hdf5Reader(Handle group, std::string file, std::string place);
+  using Turn = std::shared_ptr<const Hdf5Turn>;
+  Hdf5Reader(Turn turn, std::string bytes, const std::string& file);
+  Hdf5Reader(Turn turn, Handle group, std::string file, std::string place);
+  Turn turn_;  // before the handles, which are closed while it lasts
   Handle id_;
   std::string file_, place_;
 };

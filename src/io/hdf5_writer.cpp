@@ -98,13 +98,15 @@ Hdf5Handle new_root() {
 
 }  // namespace
 
-Hdf5Writer::Hdf5Writer(bool compress) : Hdf5Writer(new_root(), compress) {}
+Hdf5Writer::Hdf5Writer(bool compress) : Hdf5Writer(std::make_shared<Hdf5Turn>(), compress) {}
 
-Hdf5Writer::Hdf5Writer(Handle group, bool compress) : id_(std::move(group)), compress_(compress) {}
+Hdf5Writer::Hdf5Writer(Turn turn, bool compress) : Hdf5Writer(std::move(turn), new_root(), compress) {}
+
+Hdf5Writer::Hdf5Writer(Turn turn, Handle group, bool compress) : turn_(std::move(turn)), id_(std::move(group)), compress_(compress) {}
 
 Hdf5Writer Hdf5Writer::create_group(const std::string& name) const {
   auto id = made(H5Gcreate2(*id_, name.c_str(), H5P_DEFAULT, *group_properties(), H5P_DEFAULT), H5Gclose);
-  return {std::move(id), compress_};
+  return {turn_, std::move(id), compress_};
 }
 
 void Hdf5Writer::write(const std::string& name, const std::vector<double>& values, const std::string& unit) const {

@@ -5,11 +5,14 @@
 #include <string_view>
 #include <vector>
 
+#include "io/hdf5_turn.hpp"
+
 namespace arenite::io {
 
 /// A group of an HDF5 file that is built in memory, so that the disk sees either all of it or nothing. No times are
 /// stored, and members keep the order in which they were written: the same content gives the same bytes. Arrays of 4 kB
-/// and more are deflated unless `compress` is false. The file lives as long as one of its groups.
+/// and more are deflated unless `compress` is false. The file lives as long as one of its groups; so long HDF5 is its
+/// thread's.
 class Hdf5Writer {
  public:
   /// The root group of a new file.
@@ -37,7 +40,10 @@ class Hdf5Writer {
 
  private:
   using Handle = std::shared_ptr<const std::int64_t>;
-  Hdf5Writer(Handle group, bool compress);
+  using Turn = std::shared_ptr<const Hdf5Turn>;
+  Hdf5Writer(Turn turn, bool compress);
+  Hdf5Writer(Turn turn, Handle group, bool compress);
+  Turn turn_;  // before the handles, which are closed while it lasts
   Handle id_;
   bool compress_;
 };

@@ -1,6 +1,7 @@
 #include "io/own_process.hpp"
 
 #include <fcntl.h>
+#include <hdf5.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,12 +15,14 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "io/hdf5_turn.hpp"
 #include "io/write_all.hpp"
 
 namespace arenite::io {
 namespace {
 
 constexpr rlim_t more_memory = rlim_t{1} << 30, most_seconds = 60;
+constexpr unsigned longest_wait = 600;  // s, for whoever waits for what never comes and needs no processor for it
 constexpr std::size_t longest_refusal = 65536;
 constexpr char made = 'm', refused = 'r', failed = 'f';
 
@@ -40,6 +43,7 @@ void confine(std::size_t room) {
   if (pages > 0) limit(RLIMIT_AS, pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + more_memory + room);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, most_seconds);
+  alarm(longest_wait);
 }
 
 /// What the process made, and at its end a letter that says what it is.
@@ -59,6 +63,25 @@ void confine(std::size_t room) {
   _exit(0);
 }
 
+/// The process uses HDF5, whose lock must not be another thread's at the fork: that thread is not there to give it back.
+/// What HDF5 calls back has its lock, whoever else in this process (h5py) uses the library; so the fork happens there,
+/// and `child`, which does not return, goes on there. Below 0: no process.
+pid_t fork_with_hdf5(const std::function<void()>& child) {
+  struct Fork {
+    const std::function<void()>& child;
+    pid_t process = -1;
+  } both{child};
+  const auto split = [](hid_t, const char*, void* given) -> herr_t {
+    auto& f = *static_cast<Fork*>(given);
+    f.process = fork();
+    if (f.process == 0) f.child();
+    return 1;  // once is enough
+  };
+  const Hdf5Turn turn;
+  H5Piterate(H5P_FILE_CREATE, nullptr, split, &both);
+  return both.process;
+}
+
 std::string receive(int from, std::size_t most) {
   std::string bytes;
   std::array<char, 1 << 16> part{};
@@ -76,16 +99,15 @@ std::string receive(int from, std::size_t most) {
 std::string in_own_process(const std::string& file, const std::function<std::string()>& work, std::size_t most, std::size_t room) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) throw InputError(file, 0, "cannot be read: the system gives no pipe; close other programs");
-  const pid_t process = fork();
+  const pid_t process = fork_with_hdf5([&] {
+    close(ends[0]);
+    confine(2 * most + room);
+    answer(ends[1], work);
+  });
   if (process < 0) {
     close(ends[0]);
     close(ends[1]);
     throw InputError(file, 0, "cannot be read: the system gives no process; close other programs");
-  }
-  if (process == 0) {
-    close(ends[0]);
-    confine(2 * most + room);
-    answer(ends[1], work);
   }
   close(ends[1]);
   std::string bytes;

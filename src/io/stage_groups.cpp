@@ -80,7 +80,7 @@ StageResult read_result(const Hdf5Reader& at) {
   const auto frames = at.group("frames");
   for (const auto& name : frames.names()) result.frames.push_back(read_frame(frames.group(name), materials, sample));
   result.history = read_history(at.group("history"));
-  result.texture_json = at.text("texture");
+  result.texture_json = at.numbers("texture");
   result.continuation = at.bytes("continuation");
   return result;
 }

@@ -65,6 +65,9 @@ std::optional<double> RecipeReader::read_number(const Node& node, const std::str
   } else if (value = number_in(node); !std::isfinite(value)) {
     problem(node.place, path, "must be a finite number");
     return std::nullopt;
+  } else if (!is_in_reach(value)) {
+    problem(node.place, path, fmt::format("{} is beyond the range of numbers; write 0 or a magnitude from 1e-60 to 1e60", as_written(node)));
+    return std::nullopt;
   } else if (wanted != dimension::none) {
     problem(node.place, path, fmt::format("{0} has no unit; write it with its unit, for example \"{0} {1}\"",
                                           as_written(node), unit));

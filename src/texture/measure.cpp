@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <utility>
 
 #include "core/error.hpp"
 
@@ -52,9 +53,21 @@ void describe_sample(const View& view, Texture& texture) {
                                         view.options.border));
 }
 
+/// A grain wider than a periodic cell covers itself, and the cell as often as it pleases.
+void check_widths(const Packing& packing) {
+  const Domain& d = packing.domain;
+  const Grains& grains = packing.grains;
+  for (std::size_t g = 0; g < grains.size(); ++g)
+    for (const auto& [periodic, side] : {std::pair(d.periodic_x, d.width()), std::pair(d.periodic_y, d.height())})
+      if (periodic && side > 0 && !(2 * grains.radius[g] <= (1 + 1e-9) * side))
+        throw InputError(fmt::format("grain {} is {:.4g} m wide in a periodic cell of {:.4g} m, so that it would cover itself; correct the unit of the radii, or the cell",
+                                     grains.id[g], 2 * grains.radius[g], side));
+}
+
 }  // namespace
 
 Texture measure(const Packing& packing, const Options& options) {
+  check_widths(packing);
   const std::size_t measured = options.grain_sigma_hyd.size();
   if (measured > 0 && measured != packing.grains.size())
     throw InputError(fmt::format("sigma_hyd has {} values for {} grains; give one a grain, NaN where it is not known", measured, packing.grains.size()));

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -86,6 +87,22 @@ TEST(MeasureShearBox, SeesShearBuildUpAndSaysThatGrainsAreNotInBalance) {
   EXPECT_NE(first["notes"].dump().find("box is not known"), std::string::npos);
   EXPECT_NE(first["notes"].dump().find("not in balance"), std::string::npos);
   EXPECT_GT(value(last["fabric"]["sets"]["strong"]["a_c"]), value(last["fabric"]["sets"]["weak"]["a_c"]));
+}
+
+TEST(Measure, GrainsWithNeighboursWithoutEndAreRefused) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const char* radius, const char* more) {
+    std::ofstream table(folder / "grains.csv");
+    table << "id,x [m],y [m],radius [m]\n";
+    for (int k = 0; k < 1000; ++k) table << k << ',' << 0.01 * (k % 32) + 0.02 << ',' << 0.01 * (k / 32) + 0.02 << ',' << radius << '\n';
+    table.close();
+    const Outcome run = arenite("measure " + (folder / "grains.csv").string() + " --box 0.36,0.36 --thickness 1 " + more);
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    return run.err;
+  };
+  EXPECT_NE(refusal("0.005", "--touching \"0.1 m\"").find("wider than the mean radius"), std::string::npos);
+  EXPECT_NE(refusal("8.2", "--touching \"0.1 m\" --periodic").find("unit of the radii"), std::string::npos);
 }
 
 TEST(MeasureAnnulus, ReportsDoubledRowsNegativeForcesAndImbalance) {

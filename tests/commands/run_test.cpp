@@ -145,4 +145,13 @@ TEST(ExportThatCannotEnd, TakesBackWhatItWrote) {
   EXPECT_FALSE(fs::exists(out + "/csv"));
 }
 
+TEST(Run, ThatCannotGoOnHasAStatusOfItsOwn) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, recipe("height = \"200 mm\"\n", "[[stages]]\nname = \"shoot\"\nduration = \"1 s\"\nbottom = { velocity = \"1e6 m/s\" }\n"));
+  const auto run = arenite("run " + file + " --quiet --out " + (folder / "out").string());
+  EXPECT_EQ(run.status, 3) << run.err;
+  EXPECT_TRUE(contains(run.err, "has left the frame through a wall at step")) << run.err;
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+}
+
 }  // namespace

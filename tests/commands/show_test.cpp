@@ -50,6 +50,16 @@ TEST(Show, AStoredTextureIsNotMeasuredAgain) {
   EXPECT_EQ(Json::parse(arenite("show --json " + (folder / "r.h5").string()).out)["grains"], 12345);
 }
 
+void expect_refused(const std::string& command, const std::string& words);
+
+TEST(Show, StoredNumbersOfAnotherShapeAreOneSentence) {
+  const TemporaryFolder folder;
+  auto result = sample();
+  result.texture_json = R"({"coordination": 5, "stages": 7, "provenance": "me"})";
+  io::write_stage(folder / "r.h5", result);
+  expect_refused("show --json " + (folder / "r.h5").string(), "make the result again");
+}
+
 void expect_refused(const std::string& command, const std::string& words) {
   const auto outcome = arenite(command);
   EXPECT_EQ(outcome.status, 2) << command;

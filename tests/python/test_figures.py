@@ -272,6 +272,20 @@ def test_every_contact_is_in_a_bar_of_its_certainty():
     assert shown.get_title() == "1 beyond 50 in the last bar"
 
 
+def test_bars_of_certainty_are_few_whatever_the_numbers():
+    for far in (30.0, 1e4, 1e9, 1e300):
+        edges = film_forces.certainty_bins(np.array([-3.0, 0.0, far, far]))
+        assert 3 < len(edges) < 50 and edges[-1] >= far
+
+
+def test_numbers_of_another_shape_are_one_sentence(tmp_path):
+    packing = arenite.Packing([1, 2, 3], [1, 1, 1], [0.5, 0.5, 0.5], width=4, height=2)
+    (file,) = arenite.save(packing, tmp_path)
+    program = "import sys, arenite.figures.catalogue as c\nc.save_all = lambda *a: {}['mean']\nsys.argv = ['figures', sys.argv[1]]\nimport runpy; runpy.run_module('arenite.figures', run_name='__main__')"
+    done = subprocess.run([sys.executable, "-c", program, file], capture_output=True, text=True, env={**os.environ, "PYTHONPATH": os.environ["ARENITE_PYTHONPATH"]})
+    assert done.returncode == 2 and done.stderr.count("\n") == 1 and "make the result again" in done.stderr, done.stderr
+
+
 def test_broken_bonds_are_counted_by_type_up_to_each_step():
     shown = axes()
     part = types.SimpleNamespace(curve={"broken": [0, 2, 5]}, cracks={"type": np.array([1, 1, 2, 3, 1])})

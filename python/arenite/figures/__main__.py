@@ -22,6 +22,8 @@ def main():
         paths = save_all(result, out, a.format, a.only, a.width and a.width / 25.4)
     except ValueError as error:
         sys.exit(_refuse(str(error)))
+    except (ArithmeticError, AttributeError, LookupError, MemoryError, RuntimeError, TypeError) as error:  # numbers of another shape than this version's
+        sys.exit(_refuse(f"{a.result}: holds what these figures cannot draw ({type(error).__name__}: {error}); make the result again with `arenite run`"))
     except OSError as error:
         sys.exit(_refuse(f"{error.filename or out}: cannot be written ({error.strerror or error}); choose another folder with --out"))
     for path in paths:

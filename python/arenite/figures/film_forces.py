@@ -69,7 +69,7 @@ def certainty_bins(ratio):
     """Edges of bars over F_n / standard error: steps of a round number up to what all but 2 % stay below; the rest is in the first and the last."""
     order = np.sort(ratio)
     high, low = max(4.0, order[int(0.98 * (len(order) - 1))]), min(0.0, max(-6.0, order[0]))
-    step = next((v for v in (0.5, 1, 2, 5, 10, 20, 50, 100) if (high - low) / v <= 36), 200)
+    step = next(v for decade in range(-1, 308) for v in (1.0 * 10.0**decade, 2.0 * 10.0**decade, 5.0 * 10.0**decade) if v >= 0.5 and (high - low) / v <= 36)
     first = np.floor(low / step)
     return step * np.arange(first, np.ceil(high / step) + 1)
 

@@ -17,6 +17,26 @@ void use_one_blas_thread() {
   if (void* symbol = dlsym(RTLD_DEFAULT, "openblas_set_num_threads")) reinterpret_cast<Setter>(symbol)(1);
 }
 
+/// The same for CHOLMOD's own loops, which ask OpenMP for four threads whatever it is told: no parallel region is active
+/// as long as one of these lives. OpenMP's threads do not outlive a fork, so a process in which it has started any could
+/// not be forked into one that solves.
+class NoOpenMp {
+ public:
+  NoOpenMp() {
+    if (get_ && set_) before_ = get_(), set_(0);
+  }
+  ~NoOpenMp() {
+    if (get_ && set_) set_(before_);
+  }
+  NoOpenMp(const NoOpenMp&) = delete;
+  NoOpenMp& operator=(const NoOpenMp&) = delete;
+
+ private:
+  int (*get_)() = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "omp_get_max_active_levels"));
+  void (*set_)(int) = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"));
+  int before_ = 0;
+};
+
 /// Elimination order of the blocks, each kept whole, as an order of scalars.
 std::vector<int> ordering(const BlockMatrix& m) {
   const int n = m.columns();
@@ -81,6 +101,7 @@ Cholesky::Cholesky(const BlockMatrix& m) : state_(std::make_unique<State>()) {
     }
   begin[n] = k;
   auto order = ordering(m);
+  const NoOpenMp one_thread;
   state_->factor = cholmod_analyze_p(a, order.data(), nullptr, 0, &common);
   if (state_->factor) {
     cholmod_factorize(a, state_->factor, &common);
@@ -107,6 +128,7 @@ void Cholesky::solve(std::vector<double>& b) {
   right.x = b.data();
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;
+  const NoOpenMp one_thread;
   cholmod_solve2(CHOLMOD_A, state_->factor, &right, nullptr, &state_->x, nullptr, &state_->y, &state_->e,
                  &state_->common);
   std::memcpy(b.data(), state_->x->x, b.size() * sizeof(double));

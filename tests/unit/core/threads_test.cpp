@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <thread>
 #include <vector>
 
 namespace arenite {
@@ -34,6 +38,42 @@ TEST(Team, FinishesOneThingBeforeTheNext) {
     });
   }
   EXPECT_EQ(values, std::vector<int>(n, 2000));
+}
+
+TEST(Team, DoesWhatAMemberThatIsKeptAwayHasNotBegun) {
+  const auto caller = std::this_thread::get_id();
+  constexpr std::size_t n = 4096;
+  for (int round = 0; round < 20; ++round) {
+    const Team team(2);
+    std::atomic<std::size_t> of_caller{0}, of_member{0};
+    bool helped = true;
+    team.for_ranges(n, [&](std::size_t begin, std::size_t end) {
+      if (std::this_thread::get_id() == caller) {
+        of_caller += end - begin;
+        return;
+      }
+      // Kept in the middle of its first range until the caller has done all the others; that it gives up is for a
+      // caller that never does.
+      const auto late = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+      if ((of_member += end - begin) > n / 4) helped = false;
+      while (helped && of_caller + of_member < n) helped = std::chrono::steady_clock::now() < late;
+    });
+    EXPECT_TRUE(helped) << "the caller did " << of_caller << " of " << n << ", its member " << of_member;
+    EXPECT_EQ(of_caller + of_member, n);
+  }
+}
+
+TEST(Team, GivesTheSameWhereMembersAreManyAndLate) {
+  const Team team(7);  // more than there are processors, most of the time
+  std::vector<std::uint64_t> value(3000), expected(3000);
+  for (std::uint64_t round = 0; round < 3000; ++round) {
+    const std::size_t n = 8 + round * 37 % (value.size() - 8);
+    team.for_ranges(n, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) value[k] = value[k] * 3 + round + k;
+    });
+    for (std::size_t k = 0; k < n; ++k) expected[k] = expected[k] * 3 + round + k;
+  }
+  EXPECT_EQ(value, expected);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/cannot_go_on.hpp"
 #include "core/error.hpp"
 #include "unit/dem/samples.hpp"
 
@@ -133,7 +134,9 @@ TEST(Engine, AGrainThatIsShotThroughAWallEndsInAnError) {
   add_grain(p, 0.05, 0.05, 0.005);
   p.grains.vx[0] = 3000;
   Engine engine(p, {}, {});
-  EXPECT_THROW(engine.advance(10000), std::runtime_error);
+  EXPECT_THROW(engine.advance(10000), CannotGoOn);
+  p.grains.x[0] = 0.2;
+  EXPECT_THROW(Engine(p, {}, {}), InputError);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/error.hpp"
 #include "core/random.hpp"
 
 namespace arenite::geometry {
@@ -47,6 +48,12 @@ RC_GTEST_PROP(ClosePairs, AreThoseThatComparingAllWithAllFinds, ()) {
   if (box.periodic_x) for (auto& v : wx) v -= box.width * std::floor((v - box.x0) / box.width);
   if (box.periodic_y) for (auto& v : wy) v -= box.height * std::floor((v - box.y0) / box.height);
   RC_ASSERT(same(close_pairs(wx, wy, r, box, 0.2), by_brute_force(wx, wy, r, box, 0.2)));
+}
+
+TEST(ClosePairs, OfDisksThatAllLieInEachOtherAreRefused) {
+  const std::size_t n = 3000;
+  const std::vector<double> x(n, 0.5), y(n, 0.5), r(n, 8.0);
+  EXPECT_THROW(close_pairs(x, y, r, {0, 0, 1, 1, false, false}, 0), InputError);
 }
 
 }  // namespace

@@ -5,7 +5,9 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <limits>
 
+#include "core/error.hpp"
 #include "core/random.hpp"
 #include "inference/selected_inverse.hpp"
 
@@ -72,6 +74,15 @@ RC_GTEST_PROP(NormalEquations, ConeSolutionObeysKarushKuhnTucker, ()) {
       RC_ASSERT(std::abs(part * rise) < 1e-7);
     }
   for (int u = 2 * contacts; u < both.sparse.unknowns(); ++u) RC_ASSERT(std::abs(slope[u]) < 1e-7);
+}
+
+TEST(NormalEquations, NumbersBeyondTheRangeAreBadInput) {
+  for (const double weight : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 1e308}) {
+    Both both = random_equations(20, 3);
+    both.sparse.add_diagonal(4, weight, 1e30);
+    EXPECT_THROW(both.sparse.solve(), InputError) << weight;
+  }
+  EXPECT_THROW(NormalEquations(3).solve(), InputError) << "nothing holds any unknown";
 }
 
 }  // namespace

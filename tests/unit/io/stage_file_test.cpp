@@ -5,6 +5,8 @@
 
 #include <bit>
 #include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/error.hpp"
@@ -159,7 +161,7 @@ StageResult any_result() {
   std::reverse(r.provenance.options.begin(), r.provenance.options.end());
   r.name = any_text();
   r.outcome = any_text();
-  r.texture_json = any_text();
+  r.texture_json = nlohmann::json{{"note", any_text()}}.dump();
   r.continuation = *rc::gen::arbitrary<std::vector<std::uint8_t>>();
   r.converged = *rc::gen::arbitrary<bool>();
   const auto n = *rc::gen::inRange<std::size_t>(0, 6);
@@ -234,6 +236,24 @@ TEST(StageFile, AnyChangedByteAfterTheSealIsNoticed) {
     spill(folder / "damaged.h5", damaged);
     EXPECT_NE(complaint_about(folder / "damaged.h5").find("changed or damaged"), std::string::npos) << at;
   }
+}
+
+TEST(StageFile, TextThatIsDamagedUnderARightSealIsTold) {
+  const TemporaryFolder folder;
+  const auto complaint = [&](const auto& spoil) {
+    StageResult result = two_frames();
+    spoil(result);
+    write_stage(folder / "sealed.h5", result);
+    return complaint_about(folder / "sealed.h5");
+  };
+  EXPECT_EQ(complaint([](StageResult& r) { r.texture_json = R"({"grains": 5, "note": "a \\ and \u00e4"})"; r.outcome = "at rest \xc3\xa4 \"so\" \\"; }), "");
+  for (const char* json : {R"({"grains": )", R"({"grains": 5e999})", "[1, 2]", "5", "{\"grains\": \"\xff\"}"})
+    EXPECT_NE(complaint([&](StageResult& r) { r.texture_json = json; }).find("damaged"), std::string::npos) << json;
+  const std::string no_text = "at \xff rest";
+  for (const auto& spoil : std::vector<std::function<void(StageResult&)>>{[&](StageResult& r) { r.outcome = no_text; }, [&](StageResult& r) { r.provenance.recipe = no_text; },
+                                                                          [&](StageResult& r) { r.frames[0].label = no_text; }, [&](StageResult& r) { r.provenance.options[0].second = no_text; },
+                                                                          [&](StageResult& r) { r.history.columns[0].unit = no_text; }})
+    EXPECT_NE(complaint(spoil).find("damaged"), std::string::npos);
 }
 
 TEST(StageFile, ForeignAndNewerFilesAreTold) {

@@ -1,6 +1,10 @@
 #include "peridynamics/solvers/cholesky.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <initializer_list>
 
 namespace arenite::peridynamics {
 namespace {
@@ -45,6 +49,45 @@ TEST(Cholesky, SolutionTimesTheMatrixIsTheRightSide) {
 }
 
 TEST(Cholesky, IndefiniteMatrixIsToldNotSolved) { EXPECT_FALSE(Cholesky(chain(20, -5)).positive()); }
+
+/// Nodes of a square lattice, each coupled with the next in its row and in its column: the factor has large dense blocks.
+BlockMatrix lattice(int side) {
+  BlockMatrix m;
+  m.column_begin = {0};
+  const auto couple = [&](int row, std::initializer_list<double> block) {
+    m.row.push_back(row);
+    m.value.insert(m.value.end(), block);
+  };
+  for (int c = 0; c < side * side; ++c) {
+    couple(c, {5, 0.1, 0.1, 5});
+    if ((c + 1) % side != 0) couple(c + 1, {-1, 0, 0, -1});
+    if (c + side < side * side) couple(c + side, {-1, 0, 0, -1});
+    m.column_begin.push_back(static_cast<std::int32_t>(m.row.size()));
+  }
+  return m;
+}
+
+double first_of_solution() {
+  constexpr int side = 80;
+  Cholesky factor(lattice(side));
+  std::vector<double> b(2 * side * side, 1.0);
+  factor.solve(b);
+  return b[0];
+}
+
+TEST(Cholesky, AProcessForkedFromOneThatHasSolvedSolves) {
+  const double here = first_of_solution();
+  const pid_t process = fork();
+  ASSERT_GE(process, 0);
+  if (process == 0) {
+    alarm(60);  // for one that waits for threads that it does not have
+    _exit(first_of_solution() == here ? 0 : 1);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(process, &status, 0), process);
+  EXPECT_TRUE(WIFEXITED(status)) << "ended by signal " << WTERMSIG(status);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
 
 }  // namespace
 }  // namespace arenite::peridynamics

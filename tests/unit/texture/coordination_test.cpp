@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
 #include "texture/texture.hpp"
 #include "unit/texture/packings.hpp"
 
@@ -85,6 +86,16 @@ TEST(Coordination, OfASampleSmallerThanItsBorderIsTakenWholeAndSaysSo) {
   EXPECT_DOUBLE_EQ(z(t, "all"), 1);
   ASSERT_FALSE(t.notes.empty());
   EXPECT_TRUE(std::any_of(t.notes.begin(), t.notes.end(), [](const std::string& note) { return note.find("too small") != std::string::npos; }));
+}
+
+TEST(SolidFraction, OfGrainsWiderThanTheirPeriodicCellIsRefused) {
+  Packing p = test::square_lattice(4);
+  for (double& r : p.grains.radius) r = 2;  // each meets itself, just so
+  EXPECT_GT(measure(p).solid_fraction.value, 1);
+  p.grains.radius[7] = 80;
+  EXPECT_THROW(measure(p), InputError);
+  p.domain.periodic_x = p.domain.periodic_y = false;
+  EXPECT_NO_THROW(measure(p));
 }
 
 TEST(SolidFraction, OfLatticesHasItsClosedForm) {
