@@ -21,7 +21,7 @@ namespace arenite::python {
 namespace {
 
 LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const Quantity& frame_rate, const std::optional<ArrayLike>& time, bool refine, int drift_order,
-                     int harmonics, bool full_swing, const std::optional<double>& reference_phase, bool nearest_bin, int threads, const Progress& progress) {
+                     int harmonics, bool full_swing, const std::optional<Quantity>& reference_phase, bool nearest_bin, int threads, const Progress& progress) {
   thermography::LockinOptions o;
   o.frequency = frequency.si(dimension::frequency, "frequency");
   o.frame_rate = frame_rate.si(dimension::frequency, "frame_rate");
@@ -31,8 +31,7 @@ LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const Quan
   o.harmonics = harmonics;
   o.convention = full_swing ? SwingConvention::full : SwingConvention::half;
   o.threads = threads;
-  if (reference_phase && !std::isfinite(*reference_phase)) throw InputError("reference_phase is not finite; give radians, or leave it out");
-  o.reference_phase = reference_phase;
+  o.reference_phase = si(reference_phase, dimension::none, "reference_phase");
   Call call;
   o.progress = [&](double share) {
     call.tell(progress, share, "lock-in");
