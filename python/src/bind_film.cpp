@@ -162,7 +162,7 @@ void bind_film(py::module_& m) {
         py::arg("drift_order") = 2, py::arg("harmonics") = 2, py::arg("full_swing") = false, py::arg("reference_phase") = py::none(), py::arg("nearest_bin") = false,
         py::arg("threads") = 1, py::arg("progress") = py::none(),
         "Lock-in of a film: a file, or an array (frames, height, width), uint16 or float32, which is not copied, with its `frame_rate` (Hz) or the `time` of every frame (s). Least squares "
-        "on polynomial drift and harmonics with the frequency (Hz) refined on the film; `nearest_bin`: the plain transform of T 1.4.");
+        "on polynomial drift and harmonics with the frequency (Hz) refined on the film; `reference_phase`: of the load, rad or with its unit (\"90 deg\"); `nearest_bin`: the plain transform of T 1.4.");
   m.def("step_load", &stepped, py::arg("film"), py::kw_only(), py::arg("time") = py::none(), py::arg("rise") = 0.0, py::arg("window") = 0.0, py::arg("drift_order") = 1,
         py::arg("frame_rate") = 0.0, "The jump of every pixel at a step of the load (s after the first frame; found on the film if not given): time (s), jump, standard_error, residual (height, width), in the film's unit.");
   m.def("film_info", &film_info, py::arg("path"), "What a film says about itself: width, height, frames, frame_rate (Hz), integration (s), bits, format, camera.");
