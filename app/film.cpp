@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "commands.hpp"
+#include "film_reading.hpp"
 #include "progress.hpp"
 #include "report/film_text.hpp"
 #include "report/page.hpp"
@@ -19,6 +21,7 @@ namespace fs = std::filesystem;
 struct Arguments {
   std::string film, recipe, out;
   std::vector<std::string> overrides;
+  FilmReading reading;
   int threads = 1;
   bool json = false, quiet = false;
 };
@@ -43,7 +46,9 @@ void write_page(const fs::path& path, const std::string& title, const study::Fil
 }
 
 int execute(const Arguments& a) {
-  const auto recipe = study::read_film_recipe(a.recipe, a.overrides);
+  std::vector<std::string> overrides = a.overrides;
+  for (auto& told : a.reading.overrides()) overrides.push_back(std::move(told));
+  const auto recipe = study::read_film_recipe(a.recipe, overrides);
   const fs::path folder = a.out.empty() ? fs::path("out") / fs::path(a.film).stem() : fs::path(a.out);
   watch_for_signals();
   study::FilmOutcome outcome;
@@ -75,6 +80,7 @@ void add_film(CLI::App& command, int& status) {
   command.add_option("film", a->film, "Film of a cyclically loaded packing: .ptw, .sfmov, .hcc, TIFF, .npy, HDF5, text or raw frames")->required()->type_name("FILM");
   command.add_option("--recipe", a->recipe, "Recipe of the film (TOML); `arenite init film` writes one")->required()->type_name("RECIPE.toml");
   add_overrides(command, a->overrides);
+  a->reading.add_to(command);
   command.add_option("--out", a->out, "Folder of the result, the twin and the page (default: out/NAME)")->type_name("DIR");
   command.add_option("--threads", a->threads, "Threads; they change no bit of the results")->check(CLI::Range(1, 1024).description(""))->type_name("N");
   command.add_flag("--json", a->json, "Print all numbers as JSON");

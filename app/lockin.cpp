@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -12,25 +13,45 @@
 #include "core/median.hpp"
 #include "core/units.hpp"
 #include "film_maps.hpp"
+#include "film_reading.hpp"
 #include "io/film.hpp"
 #include "option_value.hpp"
 #include "progress.hpp"
 #include "stop_signal.hpp"
 #include "study/film_checks.hpp"
+#include "study/film_load_signal.hpp"
 
 namespace arenite::app {
 namespace {
 
 struct Arguments {
-  std::string film, frequency, out, dataset, convention = "half", format = "tiff", frame_rate, diffusivity = "0.1 mm^2/s", pixel;
+  std::string film, frequency, out, convention = "half", format = "tiff", diffusivity = "0.1 mm^2/s", pixel, reference_phase;
+  FilmReading reading;
   thermography::LockinOptions options;
-  bool nearest_bin = false, no_refinement = false, json = false, quiet = false;
+  bool nearest_bin = false, no_refinement = false, by_lock_in_line = false, json = false, quiet = false;
 };
 
-FilmMaps maps_of(const LockinMaps& m) {
-  return {m.width, m.height, {{"mean", &m.mean}, {"drift", &m.drift}, {"amplitude", &m.amplitude}, {"phase", &m.phase}, {"in_phase", &m.in_phase},
+constexpr double degrees = 180 / std::numbers::pi;
+
+/// `phase`: that of the maps, in degrees.
+FilmMaps maps_of(const LockinMaps& m, const std::vector<float>& phase) {
+  return {m.width, m.height, {{"mean", &m.mean}, {"drift", &m.drift}, {"amplitude", &m.amplitude}, {"phase", &phase}, {"in_phase", &m.in_phase},
                               {"quadrature", &m.quadrature}, {"standard_error", &m.standard_error}, {"noise_floor", &m.noise_floor},
                               {"second_harmonic", &m.second_harmonic}, {"residual", &m.residual}}};
+}
+
+std::vector<float> phase_in_degrees(const LockinMaps& m) {
+  std::vector<float> phase = m.phase;
+  for (float& v : phase) v *= static_cast<float>(degrees);
+  return phase;
+}
+
+/// A bare number was in radians once, and still is.
+double read_phase(const std::string& text) {
+  const Quantity phase = option_value("--reference-phase", [&] { return parse_quantity(text); });
+  if (phase.dimension != dimension::none) throw InputError("--reference-phase: must be an angle, such as \"90 deg\"");
+  if (!phase.has_unit) fmt::print(stderr, "--reference-phase {0} is taken in radians; write \"{0} rad\" or an angle in degrees, such as \"90 deg\"\n", text);
+  return phase.value;
 }
 
 std::string unit_of(const FilmInfo& film) { return film.quantity == FilmQuantity::kelvin ? "K" : "level"; }
@@ -66,9 +87,10 @@ nlohmann::json numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& 
   j["harmonics"] = m.harmonics;
   j["swing"] = m.convention == SwingConvention::full ? "full" : "half";
   j["unit"] = unit_of(film);
-  j["reference_phase_rad"] = m.reference_phase;
-  j["reference"] = a.options.reference_phase ? "given" : "found on the film; its sign is the one with which pixels warm on the mean";
-  for (const auto& [name, map] : maps_of(m).named)
+  j["reference_phase_deg"] = m.reference_phase * degrees;
+  j["reference"] = a.by_lock_in_line ? "the film's lock-in line" : a.options.reference_phase ? "given" : "found on the film; its sign is the one with which pixels warm on the mean";
+  const std::vector<float> phase = phase_in_degrees(m);
+  for (const auto& [name, map] : maps_of(m, phase).named)
     if (!map->empty()) j["median"][name] = median_of_finite(*map);
   j["shows_load"] = !study::shows_no_load(m);
   j["diffusion_length_m"] = heat.length;
@@ -89,7 +111,7 @@ void print(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const 
   fmt::print("standard error   {:.4g} {} (median)\nnoise floor      {:.4g} {} (median)\n", median_of_finite(m.standard_error), unit, median_of_finite(m.noise_floor), unit);
   if (!m.second_harmonic.empty()) fmt::print("second harmonic  {:.4g} {} (median)\n", median_of_finite(m.second_harmonic), unit);
   fmt::print("residual         {:.4g} {} (median)\n", median_of_finite(m.residual), unit);
-  fmt::print("reference phase  {:.6g} rad{}\n", m.reference_phase, a.options.reference_phase ? "" : ", found on the film up to its sign: pixels warm on the mean");
+  fmt::print("reference phase  {:.6g} deg{}\n", m.reference_phase * degrees, a.by_lock_in_line ? ", of the film's lock-in line" : a.options.reference_phase ? "" : ", found on the film up to its sign: pixels warm on the mean");
   fmt::print("diffusion length {:.4g} mm", 1e3 * heat.length);
   if (heat.pixel > 0) fmt::print(", {:.3g} pixels: the finest detail loses {:.2g} % of its swing", heat.length / heat.pixel, 100 * heat.lost());
   fmt::print("\n");
@@ -100,15 +122,17 @@ int execute(Arguments& a) {
   o.frequency = option_value("--frequency", [&] { return parse_si(a.frequency, dimension::frequency, "Hz"); });
   o.refine = !a.no_refinement;
   o.convention = a.convention == "full" ? SwingConvention::full : SwingConvention::half;
-  io::FilmChoice choice;
-  choice.dataset = a.dataset;
-  if (!a.frame_rate.empty()) choice.frame_rate = option_value("--frame-rate", [&] { return parse_si(a.frame_rate, dimension::frequency, "Hz"); });
+  if (!a.reference_phase.empty()) o.reference_phase = read_phase(a.reference_phase);
   adiabatic(a, 1);  // slips are told before a long film is read
-  const auto film = io::open_film(a.film, choice);
+  const auto film = io::open_film(a.film, a.reading.choice());
   watch_for_signals();
   LockinMaps maps;
   try {
     ProgressLine line(a.quiet || a.json);
+    if (const auto load = study::load_signal_of(a.film, film->info(), o.frequency, [&](const std::string& sentence) { line.notice(sentence); })) {
+      o.frequency = load->frequency;
+      if (!o.reference_phase) o.reference_phase = load->phase, a.by_lock_in_line = true;
+    }
     o.progress = frames_progress(line);
     maps = a.nearest_bin ? thermography::nearest_bin_transform(*film, o) : thermography::lock_in(*film, o);
   } catch (const InputError& error) {
@@ -118,7 +142,7 @@ int execute(Arguments& a) {
     fmt::print(stderr, "stopped; nothing was stored\n");
     return other_failure;
   }
-  if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps));
+  if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps, phase_in_degrees(maps)));
   if (study::shows_no_load(maps)) fmt::print(stderr, "{}: {}\n", a.film, study::no_load_sentence(maps.frequency, "--frequency"));
   const Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds())
@@ -140,13 +164,12 @@ void add_lockin(CLI::App& command, int& status) {
   command.add_option("--drift", a->options.drift_order, "Order of the polynomial that pixels drift by; default 2")->type_name("N");
   command.add_option("--harmonics", a->options.harmonics, "Of the load frequency; default 2")->type_name("N");
   command.add_option("--convention", a->convention, "Amplitudes are half of the swing (default) or all of it")->check(CLI::IsMember({"half", "full"}));
-  command.add_option("--reference-phase", a->options.reference_phase, "Of the load, rad; without it found on the film up to its sign")->type_name("NUMBER");
+  command.add_option("--reference-phase", a->reference_phase, "Of the load: its angle at the first frame before it is largest, e.g. \"90 deg\"; without it found on the film up to its sign")->type_name("ANGLE");
   command.add_flag("--nearest-bin", a->nearest_bin, "Plain Fourier transform at the nearest bin, mean image subtracted");
   command.add_flag("--no-refinement", a->no_refinement, "Keep the frequency as it is given");
   command.add_option("--diffusivity", a->diffusivity, "Of heat in the grains, for the adiabatic check; default \"0.1 mm^2/s\", about that of plastics")->type_name("QUANTITY");
   command.add_option("--pixel", a->pixel, "Its side on the sample, e.g. \"1.6 mm\": warns where heat diffuses not far less within a cycle")->type_name("LENGTH");
-  command.add_option("--frame-rate", a->frame_rate, "Instead of what the film says")->type_name("FREQUENCY");
-  command.add_option("--dataset", a->dataset, "Dataset of an HDF5 file that holds several")->type_name("NAME");
+  a->reading.add_to(command);
   command.add_option("--threads", a->options.threads, "Threads; default 1")->check(CLI::Range(1, 256).description(""))->type_name("N");
   command.add_flag("--json", a->json, "Print all numbers as JSON");
   command.add_flag("--quiet", a->quiet, "No progress");

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "film_reading.hpp"
 #include "io/film.hpp"
 #include "no_result.hpp"
 #include "report/film_summary.hpp"
@@ -19,12 +20,13 @@ void add_show(CLI::App& command, int&) {
   command.add_flag("--json", *json, "Print everything as JSON: provenance, stages, texture of the last state; or what a film says about itself");
   const auto states = std::make_shared<bool>(false);
   command.add_flag("--states", *states, "Print one row a stored state as CSV: strains, stress and texture along the loading")->excludes("--json");
-  const auto choice = std::make_shared<io::FilmChoice>();
-  command.add_option("--dataset", choice->dataset, "Dataset of an HDF5 film, where several can be meant")->type_name("NAME");
-  command.callback([result, json, states, choice] {
+  const auto reading = std::make_shared<FilmReading>();
+  reading->add_to(command);
+  command.callback([result, json, states, reading] {
     refuse_no_result(*result);
+    io::refuse_other_recording(*result);
     if (!*states && io::looks_like_film(*result)) {
-      const report::FilmSummary film(*io::open_film(*result, *choice));
+      const report::FilmSummary film(*io::open_film(*result, reading->choice()));
       std::fputs((*json ? film.json() : film.text()).c_str(), stdout);
       return;
     }

@@ -9,6 +9,7 @@
 #include "core/median.hpp"
 #include "core/units.hpp"
 #include "film_maps.hpp"
+#include "film_reading.hpp"
 #include "io/film.hpp"
 #include "option_value.hpp"
 #include "progress.hpp"
@@ -19,7 +20,8 @@ namespace arenite::app {
 namespace {
 
 struct Arguments {
-  std::string film, time, rise = "0 s", window, out, dataset, format = "tiff", frame_rate;
+  std::string film, time, rise = "0 s", window, out, format = "tiff";
+  FilmReading reading;
   thermography::StepOptions options;
   bool json = false, quiet = false;
 };
@@ -50,10 +52,7 @@ int execute(Arguments& a) {
   if (!a.time.empty()) o.time = seconds("--time", a.time);
   o.rise = seconds("--rise", a.rise);
   if (!a.window.empty()) o.window = seconds("--window", a.window);
-  io::FilmChoice choice;
-  choice.dataset = a.dataset;
-  if (!a.frame_rate.empty()) choice.frame_rate = option_value("--frame-rate", [&] { return parse_si(a.frame_rate, dimension::frequency, "Hz"); });
-  const auto film = io::open_film(a.film, choice);
+  const auto film = io::open_film(a.film, a.reading.choice());
   watch_for_signals();
   thermography::StepMaps maps;
   try {
@@ -83,8 +82,7 @@ void add_step(CLI::App& command, int& status) {
   command.add_option("--drift", a->options.drift_order, "Order of the polynomial that pixels drift by on each side; default 1")->type_name("N");
   command.add_option("--out", a->out, "Folder for the maps; without it nothing is stored")->type_name("DIR");
   command.add_option("--format", a->format, "Of the maps")->check(CLI::IsMember({"tiff", "npy", "hdf5"}));
-  command.add_option("--frame-rate", a->frame_rate, "Instead of what the film says")->type_name("FREQUENCY");
-  command.add_option("--dataset", a->dataset, "Dataset of an HDF5 file that holds several")->type_name("NAME");
+  a->reading.add_to(command);
   command.add_option("--threads", a->options.threads, "Threads; default 1")->check(CLI::Range(1, 256).description(""))->type_name("N");
   command.add_flag("--json", a->json, "Print all numbers as JSON");
   command.add_flag("--quiet", a->quiet, "No progress");

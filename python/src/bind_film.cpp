@@ -21,7 +21,7 @@ namespace arenite::python {
 namespace {
 
 LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const Quantity& frame_rate, const std::optional<ArrayLike>& time, bool refine, int drift_order,
-                     int harmonics, bool full_swing, const std::optional<double>& reference_phase, bool nearest_bin, int threads, const Progress& progress) {
+                     int harmonics, bool full_swing, const std::optional<Quantity>& reference_phase, bool nearest_bin, int threads, const Progress& progress) {
   thermography::LockinOptions o;
   o.frequency = frequency.si(dimension::frequency, "frequency");
   o.frame_rate = frame_rate.si(dimension::frequency, "frame_rate");
@@ -31,8 +31,7 @@ LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const Quan
   o.harmonics = harmonics;
   o.convention = full_swing ? SwingConvention::full : SwingConvention::half;
   o.threads = threads;
-  if (reference_phase && !std::isfinite(*reference_phase)) throw InputError("reference_phase is not finite; give radians, or leave it out");
-  o.reference_phase = reference_phase;
+  o.reference_phase = si(reference_phase, dimension::none, "reference_phase");
   Call call;
   o.progress = [&](double share) {
     call.tell(progress, share, "lock-in");
@@ -163,7 +162,7 @@ void bind_film(py::module_& m) {
         py::arg("drift_order") = 2, py::arg("harmonics") = 2, py::arg("full_swing") = false, py::arg("reference_phase") = py::none(), py::arg("nearest_bin") = false,
         py::arg("threads") = 1, py::arg("progress") = py::none(),
         "Lock-in of a film: a file, or an array (frames, height, width), uint16 or float32, which is not copied, with its `frame_rate` (Hz) or the `time` of every frame (s). Least squares "
-        "on polynomial drift and harmonics with the frequency (Hz) refined on the film; `nearest_bin`: the plain transform of T 1.4.");
+        "on polynomial drift and harmonics with the frequency (Hz) refined on the film; `reference_phase`: of the load, rad or with its unit (\"90 deg\"); `nearest_bin`: the plain transform of T 1.4.");
   m.def("step_load", &stepped, py::arg("film"), py::kw_only(), py::arg("time") = py::none(), py::arg("rise") = 0.0, py::arg("window") = 0.0, py::arg("drift_order") = 1,
         py::arg("frame_rate") = 0.0, "The jump of every pixel at a step of the load (s after the first frame; found on the film if not given): time (s), jump, standard_error, residual (height, width), in the film's unit.");
   m.def("film_info", &film_info, py::arg("path"), "What a film says about itself: width, height, frames, frame_rate (Hz), integration (s), bits, format, camera.");

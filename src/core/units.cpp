@@ -112,6 +112,7 @@ double parse_si(std::string_view text, Dimension wanted, std::string_view unit) 
 }
 
 std::string format_quantity(double si_value, std::string_view unit) {
+  if (const double factor = unit.empty() ? 1 : parse_unit(unit).factor; factor != 1) return fmt::format("{:.15g} {}", si_value / factor, unit);
   // The shortest digits of the SI value with their exponent moved read back as the very same double.
   const int decade = unit.empty() ? 0 : parse_unit(unit).decade;
   std::array<char, 32> buffer{};

@@ -33,9 +33,13 @@ DiskModel::Window DiskModel::window(const Disk& disk) const {
 
 /// C of a pixel; `edge` = dC/dr, (nx, ny) = direction from the centre.
 double DiskModel::cover(const Disk& disk, int x, int y, double& edge, double& nx, double& ny) const {
-  const double dx = x - disk.x, dy = y - disk.y, q = std::sqrt(dx * dx + dy * dy);
-  const double u = (disk.radius - q - blur_ * blur_ / (2 * std::max(q, blur_))) / blur_;
+  const double dx = x - disk.x, dy = y - disk.y, square = dx * dx + dy * dy;
+  // Most pixels of a window lie deep inside, or in its corners: what follows says the same of them, with a root.
+  const double deep = disk.radius - (BlurredStep::reach + 0.5) * blur_, far = disk.radius + BlurredStep::reach * blur_;
   edge = nx = ny = 0;
+  if (square > far * far) return 0;
+  if (deep > blur_ && square < deep * deep) return 1;
+  const double q = std::sqrt(square), u = (disk.radius - q - blur_ * blur_ / (2 * std::max(q, blur_))) / blur_;
   if (u > BlurredStep::reach) return 1;
   if (u < -BlurredStep::reach) return 0;
   if (q > 0) {

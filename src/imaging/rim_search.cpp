@@ -49,24 +49,36 @@ struct RingPixel {
   float ux, uy, weight;
 };
 
-std::vector<RingPixel> ring_of(double radius, int& reach) {
-  reach = static_cast<int>(std::ceil(radius + 3 * half_width));
+std::vector<RingPixel> ring_of(double radius) {
+  constexpr double far = 2.45 * half_width;  // beyond it the weight is below 0.05
+  const double outer = radius + far, inner = std::max(0.0, radius - far);
+  const auto chord = [](double r, int j) { return static_cast<int>(std::sqrt(std::max(0.0, r * r - 1.0 * j * j))); };
+  const int reach = static_cast<int>(outer);
   std::vector<RingPixel> ring;
   double sum = 0;
-  for (int j = -reach; j <= reach; ++j)
-    for (int i = -reach; i <= reach; ++i) {
-      const double q = std::hypot(i, j), away = (q - radius) / half_width, weight = std::exp(-0.5 * away * away);
+  for (int j = -reach; j <= reach; ++j) {
+    const int end = chord(outer, j), hole = std::abs(j) < inner ? chord(inner, j) : 0;
+    for (int i = -end; i <= end; ++i) {
+      if (i > -hole && i < hole) i = hole;
+      const double q = std::sqrt(1.0 * i * i + 1.0 * j * j), away = (q - radius) / half_width, weight = std::exp(-0.5 * away * away);
       if (weight < 0.05 || q == 0) continue;
       ring.push_back({i, j, static_cast<float>(i / q), static_cast<float>(j / q), static_cast<float>(weight)});
       sum += weight;
     }
+  }
   for (RingPixel& pixel : ring) pixel.weight /= static_cast<float>(sum);
   return ring;
 }
 
+/// What a pixel's slope along the normal says of a rim. Only as such a choice of values, and with -fno-trapping-math, does the compiler take
+/// several pixels of a row at a time, which is where a search spends its time.
+inline float edge_share(float along) {
+  const float least = along > most_against ? along : most_against;
+  return least < 1.0F ? least : 1.0F;
+}
+
 FloatImage scores_at(const Slope& slope, double radius, float noise, const std::vector<Run>& runs) {
-  int reach = 0;
-  const std::vector<RingPixel> ring = ring_of(radius, reach);
+  const std::vector<RingPixel> ring = ring_of(radius);
   const int w = slope.x.width, h = slope.x.height;
   FloatImage usual = blurred(slope.square, 1.5 * radius), score{w, h, std::vector<float>(slope.x.size())};
   for (float& v : usual.value) v = 1 / (1.5F * std::sqrt(v) + noise);
@@ -78,17 +90,15 @@ FloatImage scores_at(const Slope& slope, double radius, float noise, const std::
       const std::size_t row = slope.x.index(0, run.y + pixel.y);
       const float *gx = slope.x.value.data() + row, *gy = slope.y.value.data() + row;
       const int from = std::max(run.first, -pixel.x), to = std::min(run.last + 1, w - pixel.x);
-      for (int x = from; x < to; ++x)
-        sum[x] += pixel.weight * std::min(1.0F, std::max(most_against, (gx[x + pixel.x] * pixel.ux + gy[x + pixel.x] * pixel.uy) * scale[x]));
+      const float ux = pixel.ux, uy = pixel.uy, weight = pixel.weight;
+      for (int x = from; x < to; ++x) sum[x] += weight * edge_share((gx[x + pixel.x] * ux + gy[x + pixel.x] * uy) * scale[x]);
     }
   }
   return score;
 }
 
 /// The score of one circle, its centre on a pixel; -1 if that lies outside.
-float score_of(const Slope& slope, const FloatImage& square, int x, int y, double radius, float noise) {
-  int reach = 0;
-  const std::vector<RingPixel> ring = ring_of(radius, reach);
+float score_of(const Slope& slope, const FloatImage& square, int x, int y, const std::vector<RingPixel>& ring, float noise) {
   if (x < 0 || y < 0 || x >= slope.x.width || y >= slope.x.height) return -1;
   const float scale = 1 / (1.5F * std::sqrt(square.value[square.index(x, y)]) + noise);
   float sum = 0;
@@ -96,7 +106,7 @@ float score_of(const Slope& slope, const FloatImage& square, int x, int y, doubl
     const int px = x + pixel.x, py = y + pixel.y;
     if (px < 0 || py < 0 || px >= slope.x.width || py >= slope.x.height) continue;
     const std::size_t at = slope.x.index(px, py);
-    sum += pixel.weight * std::min(1.0F, std::max(most_against, (slope.x.value[at] * pixel.ux + slope.y.value[at] * pixel.uy) * scale));
+    sum += pixel.weight * edge_share((slope.x.value[at] * pixel.ux + slope.y.value[at] * pixel.uy) * scale);
   }
   return sum;
 }
@@ -104,11 +114,13 @@ float score_of(const Slope& slope, const FloatImage& square, int x, int y, doubl
 /// Climbs from a circle to the best one nearby, a pixel or half a pixel of radius at a time.
 void climb(const Slope& slope, const FloatImage& square, float noise, int& x, int& y, double& radius) {
   constexpr double moves[6][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 0.5}, {0, 0, -0.5}};
-  float best = score_of(slope, square, x, y, radius, noise);
+  std::vector<RingPixel> ring = ring_of(radius), other;
+  float best = score_of(slope, square, x, y, ring, noise);
   for (int i = 0, failed = 0; i < 60 && failed < 6; ++i) {
     const double* m = moves[i % 6];
     const int to_x = x + static_cast<int>(m[0]), to_y = y + static_cast<int>(m[1]);
-    const float score = score_of(slope, square, to_x, to_y, radius + m[2], noise);
+    if (m[2] != 0) other = ring_of(radius + m[2]);
+    const float score = score_of(slope, square, to_x, to_y, m[2] != 0 ? other : ring, noise);
     if (score <= best) {
       ++failed;
       continue;
@@ -118,6 +130,7 @@ void climb(const Slope& slope, const FloatImage& square, float noise, int& x, in
     x = to_x;
     y = to_y;
     radius += m[2];
+    if (m[2] != 0) std::swap(ring, other);
   }
 }
 
@@ -171,14 +184,16 @@ void refine(const FloatImage& image, double scale, bool bright, std::vector<Circ
 bool is_plain(const Slope& slope, double noise, const Circle& circle) {
   if (circle.radius < coarse) return true;
   double inside = 0, rim = 0, inside_pixels = 1e-9, rim_pixels = 1e-9;
+  const auto squared = [](double r) { return r * r; };
+  const double core = squared(0.75 * circle.radius), inner = squared(circle.radius - 1.5), outer = squared(circle.radius + 1.5);
   const int reach = static_cast<int>(circle.radius) + 2, cx = static_cast<int>(std::lround(circle.x)), cy = static_cast<int>(std::lround(circle.y));
   for (int y = std::max(0, cy - reach); y <= std::min(slope.x.height - 1, cy + reach); ++y)
     for (int x = std::max(0, cx - reach); x <= std::min(slope.x.width - 1, cx + reach); ++x) {
-      const double q = std::hypot(x - circle.x, y - circle.y), square = static_cast<double>(slope.square.value[slope.square.index(x, y)]);
-      if (q < 0.75 * circle.radius) {
+      const double away = squared(x - circle.x) + squared(y - circle.y), square = static_cast<double>(slope.square.value[slope.square.index(x, y)]);
+      if (away < core) {
         inside += square;
         ++inside_pixels;
-      } else if (std::abs(q - circle.radius) < 1.5) {
+      } else if (away > inner && away < outer) {
         rim += square;
         ++rim_pixels;
       }

@@ -10,7 +10,7 @@
 namespace arenite::imaging {
 namespace {
 
-constexpr int most_rounds = 20, most_passes = 8;
+constexpr int most_rounds = 24, most_passes = 8;  // rounds of all passes together: a picture of grains takes a handful
 constexpr double first_blur = 0.7;              // pixels
 constexpr double overlap_of_candidates = 0.45;  // of the smaller radius: centres are known to a pixel only, and the
                                                 // neighbours of a disk that is not found yet are drawn towards it
@@ -23,7 +23,23 @@ double least_distance(double a, double b) { return a + b - overlap_of_candidates
 /// A long rim that shows says more than a short one: marks on a grain and dirt are small.
 double weight(const Circle& circle) { return circle.score * std::sqrt(std::sqrt(circle.radius)); }
 
+/// Where rims are looked for: the sizes that are known, or all that the picture can hold.
+RimOptions range(const FloatImage& image, const CircleOptions& options, const std::vector<double>& sizes, bool bright) {
+  RimOptions o;
+  o.bright = bright;
+  const double largest = options.largest > 0 ? options.largest : 0.5 * std::min(image.width, image.height);
+  o.smallest = std::max(0.65 * (sizes.empty() ? options.smallest : *std::min_element(sizes.begin(), sizes.end())), 1.2);
+  o.largest = sizes.empty() ? largest : 1.1 * *std::max_element(sizes.begin(), sizes.end());
+  return o;
+}
+
 }  // namespace
+
+RimOptions first_range(const FloatImage& image, const CircleOptions& options, bool bright) {
+  RimOptions o = range(image, options, options.radii, bright);
+  o.least = 0.15;
+  return o;
+}
 
 SearchRounds::SearchRounds(const FloatImage& image, bool bright, const CircleOptions& options, std::optional<double> between)
     : image_(image), bright_(bright), options_(options), between_(between), model_(image, first_blur, bright, between) {
@@ -35,8 +51,8 @@ SearchRounds::SearchRounds(const FloatImage& image, bool bright, const CircleOpt
   std::sort(classes_.spread.begin(), classes_.spread.end());
 }
 
-void SearchRounds::begin() {
-  if (add(rims(image_, range(0)), 0) == 0) return;
+void SearchRounds::begin(std::vector<Circle> seen) {
+  if (add(std::move(seen), 0) == 0) return;
   settle(10);
   settle(10);
 }
@@ -59,46 +75,43 @@ double SearchRounds::area() const {
 }
 
 void SearchRounds::more_rounds() {
-  for (int round = 1; round < most_rounds && !model_.disks().empty(); ++round) {
+  for (; rounds_ < most_rounds && !model_.disks().empty(); ++rounds_) {
     const std::size_t before = model_.disks().size();
-    if (add(candidates(round), round) == 0) break;
+    if (add(candidates(), rounds_ + 1) == 0) break;
     settle(10);
     settle(5);
     if (model_.disks().size() <= before) break;
   }
 }
 
+/// Taken out until the rest bears each other out: specks among few grains set the measure that they are held against.
+bool SearchRounds::prune_strictly() {
+  const std::size_t before = model_.disks().size();
+  for (std::size_t left = before + 1; model_.disks().size() < left;) {
+    left = model_.disks().size();
+    prune(true);
+  }
+  return model_.disks().size() < before;
+}
+
+/// The disks of the pass before, each where it was, and no others: what the pass had added did not last.
+bool SearchRounds::found_nothing_since(const std::vector<DiskModel::Disk>& last) const {
+  const auto& disks = model_.disks();
+  if (disks.size() != last.size()) return false;
+  return std::equal(disks.begin(), disks.end(), last.begin(), [](const auto& a, const auto& b) { return std::hypot(a.x - b.x, a.y - b.y) < 0.5; });
+}
+
 DiskSearch SearchRounds::finish() {
+  std::vector<DiskModel::Disk> last;
   for (int pass = 0; pass < most_passes; ++pass) {
     more_rounds();
     model_.fit(20);
-    const std::size_t before = model_.disks().size();
-    prune(true);
-    if (model_.disks().size() == before) break;
+    if (!prune_strictly()) break;
+    if (pass > 0 && found_nothing_since(last)) break;
+    last = model_.disks();
   }
   find_classes();
   return {std::move(model_), std::move(classes_), bright_, between_};
-}
-
-std::vector<Circle> SearchRounds::rims(const FloatImage& image, RimOptions how) const {
-  std::vector<Circle> seen = search_rims(image, how);
-  if (between_) {
-    how.bright = !how.bright;
-    const std::vector<Circle> dark = search_rims(image, how);
-    seen.insert(seen.end(), dark.begin(), dark.end());
-  }
-  return seen;
-}
-
-RimOptions SearchRounds::range(int round) const {
-  RimOptions o;
-  o.bright = bright_;
-  const double largest = options_.largest > 0 ? options_.largest : 0.5 * std::min(image_.width, image_.height);
-  o.smallest = classes_.size() > 0 ? 0.65 * classes_.mean.front() : 0.65 * options_.smallest;
-  o.largest = classes_.size() > 0 ? 1.1 * classes_.mean.back() : largest;
-  o.smallest = std::max(o.smallest, 1.2);
-  o.least = round == 0 ? 0.15 : 0.2;
-  return o;
 }
 
 /// Pixels where a further centre would not collide with the disks found so far.
@@ -115,11 +128,19 @@ std::vector<char> SearchRounds::open_pixels(double smallest) const {
   return open;
 }
 
-std::vector<Circle> SearchRounds::candidates(int round) const {
-  RimOptions how = range(round);
+std::vector<Circle> SearchRounds::candidates() const {
+  RimOptions how = range(image_, options_, classes_.mean, bright_);
+  how.least = 0.2;
   const std::vector<char> open = open_pixels(how.smallest);
   how.open = open;
-  return rims(model_.residual(), how);
+  const FloatImage rest = model_.residual();
+  std::vector<Circle> seen = search_rims(rest, how);
+  if (between_) {
+    how.bright = !how.bright;
+    const std::vector<Circle> dark = search_rims(rest, how);
+    seen.insert(seen.end(), dark.begin(), dark.end());
+  }
+  return seen;
 }
 
 /// How much smaller than the fitted radius a ring of this radius was seen, from the disks found so far.

@@ -7,6 +7,9 @@
 
 namespace arenite::imaging {
 
+/// Where rims are looked for in the first round, on the picture as it is.
+RimOptions first_range(const FloatImage& image, const CircleOptions& options, bool bright);
+
 /// The search for the disks of a picture, round by round: candidates from rims are fitted together, what the picture does
 /// not bear out is taken out, and the rest of the picture is searched anew. Picture and options must outlive it.
 class SearchRounds {
@@ -14,8 +17,8 @@ class SearchRounds {
   /// `between`: level of the background, where disks may be brighter and darker.
   SearchRounds(const FloatImage& image, bool bright, const CircleOptions& options, std::optional<double> between = std::nullopt);
 
-  /// The first round, on the picture as it is.
-  void begin();
+  /// The first round, with the rims that were seen in `first_range`: of both signs where there is a level between.
+  void begin(std::vector<Circle> seen);
 
   /// Contrast squared times radius squared that the disks account for, summed.
   double gain() const;
@@ -28,10 +31,8 @@ class SearchRounds {
 
  private:
   void more_rounds();
-  std::vector<Circle> rims(const FloatImage& image, RimOptions how) const;
-  RimOptions range(int round) const;
   std::vector<char> open_pixels(double smallest) const;
-  std::vector<Circle> candidates(int round) const;
+  std::vector<Circle> candidates() const;
   double inset(double ring) const;
   std::size_t nearest_class(double radius) const;
   bool collides(double x, double y, double radius) const;
@@ -41,6 +42,8 @@ class SearchRounds {
   void set_priors();
   void find_classes();
   void prune(bool strict = false);
+  bool prune_strictly();
+  bool found_nothing_since(const std::vector<DiskModel::Disk>& last) const;
 
   const FloatImage& image_;
   bool bright_;
@@ -48,6 +51,7 @@ class SearchRounds {
   std::optional<double> between_;
   DiskModel model_;
   statistics::Clusters classes_;
+  int rounds_ = 0;               ///< done after the first
   std::vector<double> ring_;     ///< for each disk the radius at which its rim was seen
   std::vector<Circle> refused_;  ///< taken out at the end of a pass, so that others may take their place
 };

@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "io/file_marks.hpp"
 #include "io/film_formats.hpp"
+#include "io/other_recording.hpp"
 #include "io/sealed_file.hpp"
 
 namespace arenite::io {
@@ -58,18 +59,28 @@ std::vector<std::string> film_formats() {
   return names;
 }
 
+void refuse_other_recording(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return;
+  const Bytes bytes = open_bytes(path);
+  const Format* format = format_of(*bytes);
+  if (format != nullptr && format->marked) return;
+  if (const std::string what = other_recording(path, bytes->text(0, head_size)); !what.empty()) throw InputError(path.string(), 0, what);
+}
+
 std::unique_ptr<FilmSource> open_film(const Bytes& bytes, const FilmChoice& choice) {
   if (bytes->size() == 0) throw InputError(bytes->name(), 0, "is empty; copy it again");
-  if (const Format* format = format_of(*bytes)) return format->open(bytes, choice);
+  if (const Format* format = format_of(*bytes)) return scaled_film(format->open(bytes, choice), choice);
   throw InputError(bytes->name(), 0, "is no film: neither .ptw, .sfmov, .hcc, .npy, TIFF, HDF5 nor frames as text; "
-                                     "describe raw frames in a text beside it (width, height, type, ...)");
+                                     "describe raw frames in a text beside it, NAME.txt with the lines width = .., height = .. and type = ..");
 }
 
 std::unique_ptr<FilmSource> open_film(const std::filesystem::path& path, const FilmChoice& choice) {
   std::error_code error;
   const bool pattern = path.filename().string().find('*') != std::string::npos && !std::filesystem::exists(path, error);
-  if (pattern || std::filesystem::is_directory(path, error)) return open_series(path, choice);
+  if (pattern || std::filesystem::is_directory(path, error)) return scaled_film(open_series(path, choice), choice);
   const Bytes bytes = open_bytes(path);
+  refuse_other_recording(path);
   if (!sealed_kind(path).empty()) throw InputError(path.string(), 0, "is a result of Arenite, not a film; look at it with \"arenite show\"");
   const Format* format = format_of(*bytes);
   const std::filesystem::path sidecar = format != nullptr && format->marked ? std::filesystem::path() : sidecar_of(path);

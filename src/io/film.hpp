@@ -15,6 +15,7 @@ namespace arenite::io {
 struct FilmChoice {
   std::string dataset = {};                  ///< of an HDF5 file; empty: the only one that can be meant
   std::optional<double> frame_rate = {};     ///< Hz, instead of what the film says; its time stamps are then left aside
+  std::optional<double> scale = {}, offset = {};  ///< K: pixels become scale * number + offset, whatever the film says that they are
   std::int64_t most_pixels = 100'000'000;    ///< in a frame; larger ones are refused before memory is asked for
 };
 
@@ -28,6 +29,10 @@ std::unique_ptr<FilmSource> open_film(const std::filesystem::path& path, const F
 
 /// The same from bytes.
 std::unique_ptr<FilmSource> open_film(const Bytes& bytes, const FilmChoice& choice = {});
+
+/// Throws InputError that names what a recording is, and what to export, if it is one of a kind that cannot be read: a camera's own format, or
+/// a video.
+void refuse_other_recording(const std::filesystem::path& path);
 
 /// Whether this is to be read as a film: a file in one of these formats that is no result of ours, a pattern, or a folder
 /// without results.

@@ -32,13 +32,16 @@ FilmPointer open_tiff_film(const Bytes& bytes, const FilmChoice& choice);
 /// HDF5: a dataset of frames x height x width, perhaps with times beside it and attributes.
 FilmPointer open_hdf5_film(const Bytes& bytes, const FilmChoice& choice);
 
-/// Raw frames, described by a text of lines "key = value" beside them.
+/// Raw frames, described by a text of lines "key = value" beside them, without sections: a film's recipe is none.
 bool is_sidecar(std::string_view head);
 FilmPointer open_sidecar(const Bytes& bytes, const FilmChoice& choice);
 
 /// Numbers as text, a line a row; frames are parted by empty lines or lines that are no numbers.
 bool is_text_film(std::string_view head);
 FilmPointer open_text_film(const Bytes& bytes, const FilmChoice& choice);
+
+/// A film whose numbers are told to be temperatures, if the choice says so; the film itself otherwise.
+FilmPointer scaled_film(FilmPointer film, const FilmChoice& choice);
 
 /// Files of one frame or more each, one after the other; a file is opened when its frames are read.
 FilmPointer open_series(const std::filesystem::path& pattern, const FilmChoice& choice);

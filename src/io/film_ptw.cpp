@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -7,6 +8,7 @@
 #include "core/error.hpp"
 #include "io/film_formats.hpp"
 #include "io/film_times.hpp"
+#include "io/lock_in_line.hpp"
 #include "io/plain_film.hpp"
 
 namespace arenite::io {
@@ -59,8 +61,9 @@ void read_stamps(const ByteSource& bytes, const Sizes& s, FilmInfo& info) {
 }
 
 /// A lock-in film begins its frames with these numbers.
+constexpr std::array<std::uint16_t, 4> mark{1220, 3907, 1204, 2382};
+
 bool is_lock_in(const ByteSource& bytes, const Sizes& s) {
-  constexpr std::array<std::uint16_t, 4> mark{1220, 3907, 1204, 2382};
   const std::string line = bytes.text(static_cast<std::uint64_t>(s.main + s.frame_header), 2 * mark.size());
   for (std::size_t i = 0; i < mark.size(); ++i)
     if (number_at<std::uint16_t>(line, 2 * i) != mark[i]) return false;
@@ -95,6 +98,38 @@ FilmInfo info_of(std::string_view header, const Sizes& s) {
 
 bool is_ptw(std::string_view head) { return head.starts_with("CED") && head.size() > 11 && (head[3] == '\0' || head[3] == ' '); }
 
+std::vector<double> lock_in_line(const std::filesystem::path& film) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(film, error)) return {};
+  const Bytes bytes = open_bytes(film);
+  const std::string header = bytes->text(0, 3476);
+  if (!is_ptw(header) || header.size() < 411) return {};
+  const Sizes s = sizes_of(header, bytes->name());
+  if (!is_lock_in(*bytes, s)) return {};
+  const std::size_t words = static_cast<std::size_t>(s.width) - mark.size();
+  const auto line_of = [&](std::int64_t frame) {
+    return bytes->text(static_cast<std::uint64_t>(s.main + s.frame_header + frame * (s.frame_header + 2 * s.frame_words)) + 2 * mark.size(), 2 * words);
+  };
+  const std::string first = line_of(0);
+  std::vector<char> changes(words, 0);
+  std::vector<std::string> lines;
+  for (std::int64_t frame = 0; frame < s.frames; ++frame) {
+    lines.push_back(line_of(frame));
+    if (lines.back().size() != first.size()) return {};  // cut short, which reading it as a film says
+    for (std::size_t i = 0; i < words; ++i) changes[i] = changes[i] != 0 || number_at<std::uint16_t>(lines.back(), 2 * i) != number_at<std::uint16_t>(first, 2 * i);
+  }
+  const auto counted = static_cast<double>(std::count(changes.begin(), changes.end(), 1));
+  if (counted == 0) return {};
+  std::vector<double> signal;
+  for (const std::string& line : lines) {
+    double sum = 0;
+    for (std::size_t i = 0; i < words; ++i)
+      if (changes[i] != 0) sum += number_at<std::uint16_t>(line, 2 * i);
+    signal.push_back(sum / counted);
+  }
+  return signal;
+}
+
 FilmPointer open_ptw(const Bytes& bytes, const FilmChoice& choice) {
   const std::string header = bytes->text(0, 3476);
   if (header.size() < 411) throw InputError(bytes->name(), 0, "is a .ptw film that ends within its header; copy it again");
@@ -107,7 +142,7 @@ FilmPointer open_ptw(const Bytes& bytes, const FilmChoice& choice) {
   if (is_lock_in(*bytes, s)) {
     info.height -= 1;
     layout.offset += static_cast<std::uint64_t>(2 * s.width);
-    info.remarks.emplace_back("A lock-in film: the first line of its frames holds the lock-in signal and is left out.");
+    info.remarks.emplace_back("A lock-in film: the first line of its frames holds the lock-in signal and is left out of the picture; it gives the frequency and the phase of the load.");
   }
   check_layout(*bytes, info, layout, choice);  // before stamps are read of frames that are not there
   if (!choice.frame_rate) read_stamps(*bytes, s, info);

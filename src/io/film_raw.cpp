@@ -129,6 +129,7 @@ bool is_sidecar(std::string_view head) {
   Lines lines(head);
   std::string_view line;
   while (lines.next(line)) {
+    if (trimmed(line).starts_with('[')) return false;  // a recipe, whose frame has a width and a height, too
     const std::string_view key = trimmed(line.substr(0, line.find('=')));
     if (line.find('=') == std::string_view::npos) continue;
     width = width || key == "width";

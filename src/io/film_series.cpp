@@ -75,6 +75,7 @@ std::vector<fs::path> members(const fs::path& pattern) {
 class Series : public FilmSource {
  public:
   Series(std::vector<fs::path> members, const FilmChoice& choice) : members_(std::move(members)), choice_(choice) {
+    choice_.scale = choice_.offset = std::nullopt;  // what all files together are made of
     open(0);
     info_ = current_->info();
     each_ = info_.frames;

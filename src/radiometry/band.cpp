@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace arenite::radiometry {
@@ -78,6 +79,13 @@ double seen_exitance(const Band& band, const Surface& surface, double temperatur
 double temperature_of_seen(const Band& band, const Surface& surface, double exitance) {
   const double mirrored = (1 - surface.emissivity) * photon_exitance(band, surface.ambient);
   return temperature_of_exitance(band, (exitance - mirrored) / surface.emissivity);
+}
+
+SmallChange taken_for_another(const Band& band, const Surface& assumed, const Surface& surface, double temperature) {
+  if (assumed.emissivity == surface.emissivity) return {temperature, 1};
+  const double t = temperature_of_seen(band, surface, seen_exitance(band, assumed, temperature));
+  if (!(t > 0)) return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+  return {t, assumed.emissivity * photon_exitance_slope(band, temperature) / (surface.emissivity * photon_exitance_slope(band, t))};
 }
 
 }  // namespace arenite::radiometry

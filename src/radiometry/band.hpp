@@ -32,4 +32,13 @@ double seen_exitance(const Band& band, const Surface& surface, double temperatur
 /// The temperature of a surface of which this is seen, K. 0 where the surroundings alone send as much.
 double temperature_of_seen(const Band& band, const Surface& surface, double exitance);
 
+/// A temperature and a small change of it, K.
+struct SmallChange {
+  double temperature = 0, factor = 0;
+};
+
+/// What a surface was, and by how much it changed for every kelvin of change, if it was taken for another one (`assumed`, of the same
+/// surroundings) and thought to be at `temperature`: both send the same photons. Not finite where the surroundings alone send as much.
+SmallChange taken_for_another(const Band& band, const Surface& assumed, const Surface& surface, double temperature);
+
 }  // namespace arenite::radiometry

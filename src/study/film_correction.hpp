@@ -5,7 +5,9 @@
 
 #include "model/film.hpp"
 #include "study/film_recipe.hpp"
+#include "io/film.hpp"
 #include "thermography/correction.hpp"
+#include "thermography/grain_surfaces.hpp"
 
 namespace arenite::study {
 
@@ -13,9 +15,13 @@ namespace arenite::study {
 struct FilmCorrection {
   thermography::Correction correction;
   std::vector<std::uint8_t> bad;    ///< 1 for pixels that are replaced
+  thermography::GrainSurfaces surfaces;  ///< what is left to do where materials are known: their emissivities, if these differ
   bool kelvin = false;              ///< what comes out are temperatures
   std::vector<std::string> notes;   ///< what a user should know: constant or saturated pixels
 };
+
+/// How the film and its plates are to be read, where the recipe says it.
+io::FilmChoice reading_of(const FilmRecipe& recipe);
 
 /// Reads plates and curve, and looks at the film's first frames for bad pixels. Throws InputError for plates of another size
 /// and films that do not hold what [temperature] says.

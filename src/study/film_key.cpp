@@ -7,6 +7,7 @@
 #include "core/hash.hpp"
 #include "io/film.hpp"
 #include "io/read_file.hpp"
+#include "study/film_correction.hpp"
 
 namespace arenite::study {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Counts up whenever the same film and recipe give other numbers.
-constexpr std::int64_t film_version = 3;
+constexpr std::int64_t film_version = 4;
 
 /// The bytes of a file that need not fit into memory.
 void add_file(HashBuilder& hash, const fs::path& path) {
@@ -66,7 +67,7 @@ std::string film_key(const fs::path& film, FilmSource& source, const FilmRecipe&
   add_film(hash, "film", film, source);
   const auto beside = [&](const std::string& file) { return fs::path(recipe.source_file).parent_path() / file; };
   const auto add_plate = [&](const char* name, const std::string& file) {
-    if (!file.empty()) add_film(hash, name, beside(file), *io::open_film(beside(file)));
+    if (!file.empty()) add_film(hash, name, beside(file), *io::open_film(beside(file), reading_of(recipe)));
   };
   const auto add = [&](const char* name, const std::string& file) {
     if (!file.empty()) hash.add(name, content_hash(io::read_file(beside(file))));

@@ -44,6 +44,12 @@ bool describes_film(std::string_view text) {
   }
 }
 
+std::vector<double> emissivities(const FilmRecipe& recipe) {
+  std::vector<double> all;
+  for (const FilmMaterial& m : recipe.materials) all.push_back(m.emissivity.value_or(recipe.temperature.emissivity.value_or(0.9)));
+  return all;
+}
+
 bool has_plates(const FilmRecipe& recipe) {
   const CorrectionSection& c = recipe.correction;
   return recipe.temperature.from != TemperatureSection::From::plates ||
@@ -82,7 +88,7 @@ std::string film_key_reference() {
 FilmRecipe film_template() {
   FilmRecipe recipe;
   recipe.title = "Cylinders of POM and HDPE, cycled between 6 and 60 kN at 3 Hz";
-  recipe.materials = {{"HDPE", 0.0258e-6, 0.9, 0.9}, {"POM", 0.0150e-6, 0.1, 0.9}};
+  recipe.materials = {{"HDPE", 0.0258e-6, 0.9, {}}, {"POM", 0.0150e-6, 0.1, {}}};
   recipe.frame.width = recipe.frame.height = 0.35;
   recipe.frame.thickness = 0.06;
   recipe.frame.load_swing = 54e3;

@@ -14,8 +14,16 @@ struct FilmMaterial {
   std::string name;
   double thermoelastic_factor = 0;  ///< A, K/Pa
   double brightness = 0;            ///< in the picture that grains are found in; only the order counts
-  double emissivity = 0.9;
+  std::optional<double> emissivity;  ///< in the camera's band; unless given, that of [temperature]
   bool operator==(const FilmMaterial&) const = default;
+};
+
+/// What a film does not say about itself, or says wrongly.
+struct ReadingSection {
+  std::optional<double> frame_rate;      ///< Hz
+  std::optional<double> scale, offset;   ///< K: pixels become scale * number + offset
+  std::string dataset;                   ///< of an HDF5 file that holds several
+  bool operator==(const ReadingSection&) const = default;
 };
 
 /// The frame that holds the grains; walls are contact partners and carry the load.
@@ -47,7 +55,10 @@ struct TemperatureSection {
   enum class From { plates, radiometry, curve, film };
   From from = From::plates;
   std::string curve;                ///< CSV of level and temperature
-  double emissivity = 0.9, ambient = 296;  ///< radiometry
+  std::optional<double> emissivity;          ///< of materials that do not say theirs; 0.9 unless given
+  std::optional<double> ambient;             ///< of what grains mirror, K; 296 unless given
+  std::optional<double> assumed_emissivity;  ///< that the temperatures of a film in kelvin were made with
+  std::vector<double> band;                  ///< shortest and longest wavelength, m; empty: what the film says, or 3.6 to 5.1 um
   bool operator==(const TemperatureSection&) const = default;
 };
 
@@ -56,7 +67,7 @@ struct LockinSection {
   double frequency = 0;             ///< Hz
   Method method = Method::least_squares;
   std::int64_t drift = 2, harmonics = 2;
-  std::optional<double> phase;      ///< when the load is largest, cycles after the first frame; found on the film if not given
+  std::optional<double> phase;      ///< when the load is largest, rad after the first frame; found on the film if not given
   bool motion = true;               ///< grains' motion is fitted and taken out
   bool operator==(const LockinSection&) const = default;
 };
@@ -91,6 +102,7 @@ struct FilmRecipe {
   std::string title;
   std::uint64_t seed = 1;
   std::string source_file;
+  std::optional<ReadingSection> film;
   std::vector<FilmMaterial> materials;
   FilmFrame frame;
   PictureSection picture;
@@ -102,11 +114,19 @@ struct FilmRecipe {
   std::optional<CameraSection> camera;
 };
 
+/// Emissivity of every material: its own, that of [temperature], or 0.9.
+std::vector<double> emissivities(const FilmRecipe& recipe);
+
 /// False where temperatures are to come from the two plates (the default) and these are not given.
 bool has_plates(const FilmRecipe& recipe);
 inline constexpr const char* needs_plates =
     "from is \"plates\" unless given, and needs correction.cold, correction.warm and their temperatures, the warmer one's above the "
     "other's; give them, or write [temperature] with from = \"film\" (it holds temperatures), \"curve\" or \"radiometry\"";
+
+/// Of a film in kelvin of which nothing says how these were made.
+inline constexpr const char* unread_emissivity =
+    "emissivity, ambient and band are not used where the film holds temperatures already, unless it is known what these were made with; give "
+    "temperature.assumed_emissivity (1 if they are those of a black body), or remove them";
 
 /// Whether this text is meant for `arenite film` or `arenite camera`, and not for a simulation; false for what is not TOML.
 bool describes_film(std::string_view text);

@@ -1,6 +1,8 @@
 #include "study/film_recipe_keys.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <numbers>
 
 namespace arenite::study {
 namespace {
@@ -12,7 +14,14 @@ void declare(Visitor& v, FilmMaterial& material) {
            "K/MPa", range::positive);
   v.number({"brightness", "In the picture that grains are found in; only the order of the materials counts."}, material.brightness, "",
            range::between(0, 1));
-  v.number({"emissivity", "In the camera's band."}, material.emissivity, "", range::above(0, 1));
+  v.number({"emissivity", "In the camera's band; unless given, that of [temperature]."}, material.emissivity, "", range::above(0, 1));
+}
+
+void declare(Visitor& v, ReadingSection& film) {
+  v.number({"frame_rate", "Instead of what the film says; its time stamps are then left aside."}, film.frame_rate, "Hz", range::positive);
+  v.number({"scale", "Temperature of one level: pixels become scale times their number, plus offset."}, film.scale, "K", range::positive);
+  v.number({"offset", "Temperature of level 0."}, film.offset, "K", range::any);
+  v.text({"dataset", "Of an HDF5 file that holds several that can be films."}, film.dataset);
 }
 
 void declare(Visitor& v, FilmFrame& frame) {
@@ -50,12 +59,19 @@ void declare(Visitor& v, TemperatureSection& temperature) {
             {"curve", "a calibration curve"},
             {"film", "the film holds temperatures already"}});
   v.when(temperature.from == From::curve, "from = \"curve\"", [&](Visitor& inner) {
-    inner.file({"curve", "CSV with columns level and temperature.", true}, temperature.curve);
+    inner.file({"curve", "CSV with columns level and temperature, of a black body; for one taken of the grains themselves give emissivity = 1.", true},
+               temperature.curve);
   });
-  v.when(temperature.from != From::film, "from other than \"film\"", [&](Visitor& inner) {
-    inner.number({"emissivity", "Of the grains, where materials do not say otherwise."}, temperature.emissivity, "", range::above(0, 1));
-    inner.number({"ambient", "Temperature of the surroundings that grains mirror."}, temperature.ambient, "K", range::positive);
+  v.when(temperature.from == From::film, "from = \"film\"", [&](Visitor& inner) {
+    inner.number({"assumed_emissivity", "That the film's temperatures were made with; with it they are corrected to the materials'."},
+                 temperature.assumed_emissivity, "", range::above(0, 1));
   });
+  v.number({"emissivity", "Of materials that do not say their own; 0.9 unless given."}, temperature.emissivity, "", range::above(0, 1));
+  v.number({"ambient", "Temperature of the surroundings that grains mirror; 296 K unless given."}, temperature.ambient, "K", range::positive);
+  v.numbers({"band", "Shortest and longest wavelength that the camera sees; unless given, what the film says, or 3.6 to 5.1 um."}, temperature.band, "um",
+            range::positive);
+  v.require(temperature.band.empty() || (temperature.band.size() == 2 && temperature.band[1] > temperature.band[0]), {"band"},
+            "must be the shortest and the longest wavelength, such as [\"3.6 um\", \"5.1 um\"]");
 }
 
 void declare(Visitor& v, LockinSection& lockin) {
@@ -64,8 +80,8 @@ void declare(Visitor& v, LockinSection& lockin) {
            {{"least_squares", "drift and harmonics fitted to every pixel"}, {"nearest_bin", "plain Fourier transform, as in the thesis"}});
   v.integer({"drift", "Order of the polynomial that slow changes follow."}, lockin.drift, {0, 8});
   v.integer({"harmonics", "Multiples of the load frequency that are fitted."}, lockin.harmonics, {1, 4});
-  v.number({"phase", "When the load is largest, in cycles after the first frame; unless given, it is found on the film."}, lockin.phase, "",
-           range::between(-1, 1));
+  v.number({"phase", "When the load is largest: what its cycle has gone through since the first frame, 360 deg a cycle; unless given, it is found on the film."},
+           lockin.phase, "deg", range::between(-2 * std::numbers::pi, 2 * std::numbers::pi));
   v.flag({"motion", "Motion of the grains is fitted and taken out."}, lockin.motion);
 }
 
@@ -88,6 +104,21 @@ void declare(Visitor& v, TwinSection& twin) {
 
 }  // namespace
 
+namespace {
+
+/// Emissivities that nothing would read, or that contradict each other.
+void require_emissivities_used(Visitor& v, const FilmRecipe& recipe) {
+  const auto& t = recipe.temperature;
+  const auto has_own = [](const FilmMaterial& m) { return m.emissivity.has_value(); };
+  const bool every = !recipe.materials.empty() && std::all_of(recipe.materials.begin(), recipe.materials.end(), has_own);
+  v.require(!(every && t.emissivity), {"temperature"}, "emissivity is for materials that do not say their own, and every one does; remove it, or theirs");
+  const bool of_surfaces = std::any_of(recipe.materials.begin(), recipe.materials.end(), has_own) || t.emissivity || t.ambient || !t.band.empty();
+  const bool unread = t.from == TemperatureSection::From::film && !t.assumed_emissivity && of_surfaces;
+  v.require(!unread || recipe.camera, {"temperature", "materials"}, unread_emissivity);
+}
+
+}  // namespace
+
 void declare(ParameterVisitor& v, FilmRecipe& recipe) {
   v.text({"title", "One line for the head of reports."}, recipe.title);
   std::int64_t seed = static_cast<std::int64_t>(recipe.seed);
@@ -97,6 +128,8 @@ void declare(ParameterVisitor& v, FilmRecipe& recipe) {
              {[&] { return recipe.materials.size(); }, [&](std::size_t n) { recipe.materials.resize(n); },
               [&](Visitor& inner, std::size_t i) { declare(inner, recipe.materials[i]); },
               [&](std::size_t i) -> std::string& { return recipe.materials[i].name; }});
+  v.optional_section<ReadingSection>({"film", "What the film does not say about itself, or says wrongly."}, recipe.film,
+                                     [](Visitor& inner, ReadingSection& film) { declare(inner, film); });
   v.section({"frame", "The frame that holds the grains.", true}, [&](Visitor& inner) { declare(inner, recipe.frame); });
   v.section({"picture", "Where grains are in the film.", true}, [&](Visitor& inner) { declare(inner, recipe.picture); });
   v.section({"lockin", "From the film to the swing of every pixel.", true}, [&](Visitor& inner) { declare(inner, recipe.lockin); });
@@ -109,6 +142,7 @@ void declare(ParameterVisitor& v, FilmRecipe& recipe) {
                                     [](Visitor& inner, CameraSection& camera) { declare(inner, camera); });
   // A virtual camera films its plates itself, and its recipe need not say what only a film is measured with.
   v.require(recipe.camera || has_plates(recipe), {"temperature", "correction"}, needs_plates);
+  require_emissivities_used(v, recipe);
 }
 
 }  // namespace arenite::study

@@ -11,7 +11,9 @@
 #include "io/run_folder.hpp"
 #include "io/sealed_file.hpp"
 #include "study/film_checks.hpp"
+#include "study/film_correction.hpp"
 #include "study/film_key.hpp"
+#include "study/film_load_signal.hpp"
 #include "study/film_numbers.hpp"
 #include "study/film_twin.hpp"
 #include "study/measure_film.hpp"
@@ -75,7 +77,7 @@ StageResult measured_stage(const FilmResult& film) {
 
 FilmOutcome run_film(const fs::path& film, const FilmRecipe& recipe, const FilmRunOptions& options) {
   FilmOutcome outcome;
-  const auto source = io::open_film(film);
+  const auto source = io::open_film(film, reading_of(recipe));
   refuse_temperatures(recipe, film, source->info());
   const std::string key = film_key(film, *source, recipe);
   if (recipe.twin) read_twin_recipe(recipe);
@@ -89,7 +91,12 @@ FilmOutcome run_film(const fs::path& film, const FilmRecipe& recipe, const FilmR
   }
   r.name = "film";
   try {
-    outcome.interrupted = !measure_film(recipe, options, *source, r);
+    FilmRecipe led = recipe;
+    if (const auto load = load_signal_of(film, source->info(), recipe.lockin.frequency, options.notice)) {
+      led.lockin.frequency = load->frequency;
+      if (!led.lockin.phase) led.lockin.phase = load->phase;
+    }
+    outcome.interrupted = !measure_film(led, options, *source, r);
   } catch (const InputError& error) {
     throw in_file(error, film.string());
   }

@@ -49,6 +49,7 @@ GrainPicture picture_of_film(const std::filesystem::path& path, const PictureCho
 }  // namespace
 
 GrainPicture read_grain_picture(const std::filesystem::path& path, const PictureChoice& choice) {
+  io::refuse_other_recording(path);
   if (!is_photograph(path) && io::looks_like_film(path)) return picture_of_film(path, choice);
   io::ImageChoice how;
   how.channel = choice.channel;

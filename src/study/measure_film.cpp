@@ -17,6 +17,7 @@
 #include "thermography/grain_motion.hpp"
 #include "thermography/lockin.hpp"
 #include "thermography/phase_pictures.hpp"
+#include "thermography/grain_surfaces.hpp"
 
 namespace arenite::study {
 namespace {
@@ -37,15 +38,16 @@ class Road {
     r.bad = made.bad;
     r.film.quantity = made.kelvin ? FilmQuantity::kelvin : FilmQuantity::digital_level;
     thermography::CorrectedFilm film(source_, made.correction);
-    return lock_in(film, r) && find(film, r) && measure(r);
+    if (!lock_in(film, r) || !find(film, r)) return false;
+    thermography::see_surfaces(r.maps, loaded_, made.surfaces);
+    return measure(r);
   }
 
  private:
 
   /// Of the load when it is largest, rad, where the recipe says it.
   std::optional<double> told_phase() const {
-    if (!recipe_.lockin.phase) return std::nullopt;
-    return 2 * std::numbers::pi * *recipe_.lockin.phase;
+    return recipe_.lockin.phase;
   }
 
   thermography::LockinOptions lockin_options(const char* name, std::size_t stage) const {

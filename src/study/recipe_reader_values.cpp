@@ -68,6 +68,10 @@ std::optional<double> RecipeReader::read_number(const Node& node, const std::str
   } else if (!is_in_reach(value)) {
     problem(node.place, path, fmt::format("{} is beyond the range of numbers; write 0 or a magnitude from 1e-60 to 1e60", as_written(node)));
     return std::nullopt;
+  } else if (unit == "deg") {
+    problem(node.place, path, fmt::format("{} has no unit; write an angle with its unit, for example \"90 deg\" (of a part of a cycle 360 times as much: \"{:.6g} deg\")",
+                                          as_written(node), 360 * value));
+    return std::nullopt;
   } else if (wanted != dimension::none) {
     problem(node.place, path, fmt::format("{0} has no unit; write it with its unit, for example \"{0} {1}\"",
                                           as_written(node), unit));

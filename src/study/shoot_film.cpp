@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "core/error.hpp"
@@ -21,13 +22,14 @@ namespace fs = std::filesystem;
 void take_materials(Packing& packing, const FilmRecipe& recipe, camera::Parameters& p, std::vector<double>& brightness) {
   p.surroundings.emissivity.clear();
   brightness.clear();
+  const std::vector<double> emissivity = emissivities(recipe);
   for (Material& material : packing.materials) {
     const auto same = [&](const FilmMaterial& m) { return m.name == material.name; };
     const auto at = std::find_if(recipe.materials.begin(), recipe.materials.end(), same);
     if (at == recipe.materials.end())
       throw InputError(recipe.source_file, 0, fmt::format("there is no section [materials.{0}], which grains of the sample are made of; add it", material.name));
     material.thermoelastic_factor = at->thermoelastic_factor;
-    p.surroundings.emissivity.push_back(at->emissivity);
+    p.surroundings.emissivity.push_back(emissivity[static_cast<std::size_t>(at - recipe.materials.begin())]);
     brightness.push_back(at->brightness);
   }
 }
@@ -46,10 +48,14 @@ FilmRecipe laboratory_recipe(const FilmRecipe& recipe, const Packing* low, const
   lab.picture.optical = "optical.tif";
   lab.picture.optical_pixel = shot.parameters.photograph.pixel;
   lab.correction = {"cold." + ending, "warm." + ending, shot.plate_cold, shot.plate_warm, true};
+  const std::vector<double> emissivity = emissivities(recipe);
+  for (std::size_t m = 0; m < lab.materials.size(); ++m) lab.materials[m].emissivity = shot.parameters.surroundings.radiometry ? emissivity[m] : 1;
+  lab.temperature = {};
   lab.temperature.from = TemperatureSection::From::plates;
+  lab.temperature.band = {shot.parameters.band.low, shot.parameters.band.high};
   lab.temperature.ambient = shot.parameters.surroundings.ambient;
   lab.lockin.frequency = shot.parameters.timing.load_frequency;
-  lab.lockin.phase = 0.5;
+  lab.lockin.phase = std::numbers::pi;
   lab.forces.blur = shot.parameters.optics.blur;
   lab.forces.state = low == nullptr;
   return lab;

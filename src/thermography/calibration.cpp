@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
 
@@ -44,6 +45,14 @@ LevelCurve curve_through(std::vector<LevelPoint> points, const LevelRange& range
     const LevelPoint &a = points[k - 1], &b = points[k];
     return a.temperature + (level - a.level) * (b.temperature - a.temperature) / (b.level - a.level);
   });
+}
+
+LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band& band, const radiometry::Surface& surface, const LevelRange& range) {
+  LevelCurve curve = curve_through(std::move(points), range);
+  if (surface.emissivity == 1) return curve;
+  for (float& t : curve.temperature)
+    t = static_cast<float>(radiometry::temperature_of_seen(band, surface, radiometry::photon_exitance(band, static_cast<double>(t))));
+  return curve;
 }
 
 LevelCurve curve_by_plates(const radiometry::Band& band, const LevelPoint& cold, const LevelPoint& warm, const radiometry::Surface& surface,

@@ -3,10 +3,14 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "io/film.hpp"
 #include "io/film_writer.hpp"
+#include "radiometry/band.hpp"
 #include "study/film_numbers.hpp"
 #include "support/films.hpp"
 #include "support/virtual_film.hpp"
+#include "thermography/frame_statistics.hpp"
+#include "thermography/nonuniformity.hpp"
 
 namespace {
 using namespace arenite;
@@ -57,6 +61,72 @@ TEST(FilmCommand, GivesBackTheStressesOfTheSimulationThatWasFilmed) {
   EXPECT_GT(agreement.correlation, 0.98);
   EXPECT_LT(agreement.rms_sigma_norm, 0.05);
   EXPECT_NEAR(agreement.slope, 1, 0.03);
+}
+
+/// Stress of the grains of one material from the film over that of the simulation, and how far off each is in its errors.
+struct OfMaterial {
+  double slope = 0, off_in_errors = 0;
+};
+
+OfMaterial of_material(const VirtualFilm& of, std::int32_t material) {
+  const Packing low = of.state("low"), high = of.state("high");
+  const FilmResult film = of.result();
+  const auto match = test::nearest_of(film.packing.grains, high.grains, lower_left(low));
+  const auto released = test::stress_by_forces(low), loaded = test::stress_by_forces(high);
+  double both = 0, square = 0, off = 0, n = 0;
+  for (std::size_t i = 0; i < match.size(); ++i) {
+    if (film.packing.grains.material[i] != material) continue;
+    const double truth = loaded[match[i]] - released[match[i]], found = film.swing.sigma_hyd[i];
+    both += found * truth;
+    square += truth * truth;
+    off += std::pow((found - truth) / film.swing.error[i], 2);
+    ++n;
+  }
+  return {both / square, std::sqrt(off / n)};
+}
+
+TEST(FilmCommand, UnequalEmissivitiesComeBackWithinTheErrors) {
+  const std::string quiet = "--set camera.motion=false ";
+  const VirtualFilm alike(quiet), unlike(quiet + "--set materials.HDPE.emissivity=0.8 --set materials.POM.emissivity=0.95");
+  ASSERT_EQ(alike.film().status, 0);
+  ASSERT_EQ(unlike.film().status, 0);
+  for (const std::int32_t material : {0, 1}) {
+    const OfMaterial same = of_material(alike, material), other = of_material(unlike, material);
+    EXPECT_NEAR(other.slope, same.slope, 0.006) << material;
+    EXPECT_NEAR(other.slope, 1, 0.02) << material;
+    EXPECT_LT(other.off_in_errors, 1.3 * same.off_in_errors + 0.5) << material;
+  }
+  // The same with a curve of black plates a kelvin apart instead of Planck's law between two.
+  const auto level_of = [&](const char* name) { return thermography::plate_level(thermography::frame_statistics(*io::open_film(unlike.at(std::string("film/") + name)))); };
+  const double cold = level_of("cold.ptw"), warm = level_of("warm.ptw");
+  const auto photons = [](double t) { return radiometry::photon_exitance({}, t); };
+  std::ofstream curve(unlike.at("film/curve.csv"));
+  curve.precision(12);
+  curve << "level,temperature\n";
+  for (double t = 285; t <= 305; ++t) curve << cold + (photons(t) - photons(291)) * (warm - cold) / (photons(301) - photons(291)) << "," << t << "\n";
+  curve.close();
+  unlike.edit("curve.toml", "from = \"plates\"", "from = \"curve\"\ncurve = \"curve.csv\"");
+  std::filesystem::remove_all(unlike.at("result"));
+  const auto by_curve = unlike.film("", "film", "curve.toml");
+  ASSERT_EQ(by_curve.status, 0) << by_curve.err;
+  for (const std::int32_t material : {0, 1}) EXPECT_NEAR(of_material(unlike, material).slope, 1, 0.025) << material;
+}
+
+TEST(FilmCommand, TakesABareArrayThatIsToldWhatItIs) {
+  const VirtualFilm of("--set camera.motion=false --format npy");
+  ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
+  const std::string film = "film " + of.at("film/film.npy").string() + " --recipe " + of.at("film/film.toml").string() + " --quiet --out " + of.at("result").string();
+  const auto bare = arenite::test::arenite(film);
+  EXPECT_EQ(bare.status, 2);
+  EXPECT_NE(bare.err.find("give the frame rate (--frame-rate, frame_rate in [film] of a recipe"), std::string::npos) << bare.err;
+  const auto told = arenite::test::arenite(film + " --frame-rate 148Hz");
+  EXPECT_EQ(told.status, 0) << told.err;
+  const auto slip = arenite::test::arenite(film + " --frame-rate 148");
+  EXPECT_EQ(slip.status, 2);
+  EXPECT_NE(slip.err.find("--frame-rate"), std::string::npos) << slip.err;
+  const auto kelvin = arenite::test::arenite(film + " --frame-rate 148Hz --set temperature.from=film --set temperature.assumed_emissivity=1");
+  EXPECT_EQ(kelvin.status, 2);
+  EXPECT_NE(kelvin.err.find("does not say what they are"), std::string::npos) << kelvin.err;
 }
 
 TEST(FilmCommand, SameSeedSameBytes) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/film_writer.hpp"
+#include "support/films.hpp"
 #include "support/program.hpp"
 #include "support/swinging_film.hpp"
 
@@ -53,6 +54,65 @@ TEST(LockInCommand, SaysWhereTheFilmShowsNoLoad) {
   EXPECT_EQ(loaded.err, "");
   EXPECT_EQ(Json::parse(loaded.out)["shows_load"], true);
   EXPECT_NE(elsewhere.err.find("nothing but noise swings at "), std::string::npos) << elsewhere.err;
+}
+
+TEST(LockInCommand, PhasesAreAnglesInDegrees) {
+  const TemporaryFolder folder;
+  const std::string lockin = "lockin " + film_in(folder) + " --frequency 3Hz --json --reference-phase ";
+  const auto degrees = arenite(lockin + "90deg"), radians = arenite(lockin + "1.5707963267948966rad"), bare = arenite(lockin + "1.5707963267948966");
+  ASSERT_EQ(degrees.status, 0) << degrees.err;
+  EXPECT_EQ(degrees.err, "");
+  EXPECT_NEAR(Json::parse(degrees.out)["reference_phase_deg"].get<double>(), 90, 1e-9);
+  EXPECT_FALSE(Json::parse(degrees.out).contains("reference_phase_rad"));
+  EXPECT_EQ(degrees.out, radians.out);
+  EXPECT_EQ(degrees.out, bare.out);
+  EXPECT_NE(bare.err.find("is taken in radians"), std::string::npos) << bare.err;
+}
+
+TEST(LockInCommand, IsLedByTheLockInLineOfAFilm) {
+  const TemporaryFolder folder;
+  test::SwingingFilm swing;
+  swing.noise = 0.1;
+  Film film = swing.draw();
+  // The same film as levels, with a line above it that holds the mark and the load: its frequency, a quarter of a cycle ahead.
+  Film with_line;
+  with_line.about = film.about;
+  with_line.about.floating = false;
+  with_line.about.height += 1;
+  const std::size_t width = static_cast<std::size_t>(film.about.width), pixels = film.about.pixels();
+  const std::uint16_t mark[] = {1220, 3907, 1204, 2382};
+  for (std::int64_t f = 0; f < film.about.frames; ++f) {
+    const double angle = 2 * 3.14159265358979 * 3 * static_cast<double>(f) / 148;
+    for (std::size_t x = 0; x < width; ++x)
+      with_line.level.push_back(x < 4 ? mark[x] : static_cast<std::uint16_t>(std::lround(8000 + 1000 * std::cos(angle - 0.7))));
+    for (std::size_t p = 0; p < pixels; ++p) with_line.level.push_back(static_cast<std::uint16_t>(std::lround(5000 + 100 * film.value[static_cast<std::size_t>(f) * pixels + p])));
+  }
+  test::spill(folder / "a.ptw", test::ptw(with_line, 1 / 148.0));
+  const auto led = arenite("lockin " + (folder / "a.ptw").string() + " --frequency 3.3Hz --frame-rate 148Hz --json");
+  ASSERT_EQ(led.status, 0) << led.err;
+  const Json j = Json::parse(led.out);
+  EXPECT_NEAR(j["frequency_Hz"].get<double>(), 3, 0.001);
+  EXPECT_NEAR(j["reference_phase_deg"].get<double>(), 0.7 * 180 / 3.14159265358979, 0.2);
+  EXPECT_EQ(j["height"], film.about.height);
+  EXPECT_NE(led.err.find("lock-in line cycles at 3"), std::string::npos) << led.err;
+}
+
+TEST(LockInCommand, TakesAStackOfTiffThatIsToldItsFrameRateAndScale) {
+  const TemporaryFolder folder;
+  test::SwingingFilm swing;
+  Film film = swing.draw();
+  film.about.frame_rate = 0;
+  film.about.time.clear();
+  io::write_film(folder / "stack.tif", film);
+  const auto bare = arenite("lockin " + (folder / "stack.tif").string() + " --frequency 3Hz");
+  EXPECT_EQ(bare.status, 2);
+  EXPECT_NE(bare.err.find("give the frame rate"), std::string::npos) << bare.err;
+  const auto plain = arenite("lockin " + (folder / "stack.tif").string() + " --frequency 3Hz --frame-rate 148Hz --json");
+  ASSERT_EQ(plain.status, 0) << plain.err;
+  const auto scaled = arenite("lockin " + (folder / "stack.tif").string() + " --frequency 3Hz --frame-rate 148Hz --scale 10mK --offset 273K --json");
+  ASSERT_EQ(scaled.status, 0) << scaled.err;
+  EXPECT_EQ(Json::parse(scaled.out)["unit"], "K");
+  EXPECT_NEAR(Json::parse(scaled.out)["median"]["amplitude"].get<double>(), 0.01 * Json::parse(plain.out)["median"]["amplitude"].get<double>(), 1e-5);
 }
 
 TEST(LockInCommand, NamesTheOptionOfAValueThatHasNoUnit) {

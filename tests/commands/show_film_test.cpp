@@ -50,6 +50,20 @@ TEST(ShowFilm, ADamagedFilmIsOneSentenceAndStatusTwo) {
   EXPECT_NE(shown.err.find("a.ptw: is cut short: it announces 3 frames of 5 x 4 pixels and holds 1; copy it again"), std::string::npos) << shown.err;
 }
 
+TEST(ShowFilm, WhatIsNoFilmIsNamedForWhatItIs) {
+  const TemporaryFolder folder;
+  test::spill(folder / "a.seq", std::string("FFF\0\0\0\1\2 recorded", 17));
+  test::spill(folder / "b.mp4", std::string("\0\0\0\x18ftypmp42", 12));
+  const std::string seq = (folder / "a.seq").string(), mp4 = (folder / "b.mp4").string();
+  for (const std::string& run : {"show " + seq, "lockin " + seq + " --frequency 3Hz", "step " + seq, "grains " + seq}) {
+    const auto refused = arenite(run);
+    EXPECT_EQ(refused.status, 2) << run;
+    EXPECT_NE(refused.err.find("a.seq: is a FLIR sequence (.seq)"), std::string::npos) << run << "\n" << refused.err;
+    EXPECT_NE(refused.err.find("export"), std::string::npos) << refused.err;
+  }
+  EXPECT_NE(arenite("show " + mp4).err.find("is a video (MPEG-4)"), std::string::npos);
+}
+
 TEST(ShowFilm, FoldersOfFramesAreFilms) {
   const TemporaryFolder folder;
   for (int f = 0; f < 3; ++f) test::spill(folder / ("f" + std::to_string(f) + ".csv"), "1,2\n3," + std::to_string(f) + "\n");

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "io/film_times.hpp"
+#include "io/lock_in_line.hpp"
 #include "support/films.hpp"
+#include "support/pictures.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace arenite::io {
@@ -62,6 +64,12 @@ TEST(FilmFormats, PtwLockInLineIsLeftOut) {
   expect_same(*read, without);
   ASSERT_EQ(read->info().remarks.size(), 1U);
   EXPECT_NE(read->info().remarks[0].find("lock-in"), std::string::npos);
+  const test::TemporaryFolder folder;
+  for (std::size_t f = 0; f < 2; ++f) film.level[24 * f + 4] = static_cast<std::uint16_t>(100 + 7 * f), film.level[24 * f + 5] = 9;
+  test::spill(folder / "lock.ptw", test::ptw(film));
+  test::spill(folder / "plain.ptw", test::ptw(with_line));
+  EXPECT_EQ(lock_in_line(folder / "lock.ptw"), (std::vector<double>{100, 107}));
+  EXPECT_TRUE(lock_in_line(folder / "plain.ptw").empty());
 }
 
 TEST(FilmFormats, DroppedFramesAreSeenFromTheStamps) {
@@ -223,6 +231,31 @@ TEST(FilmFormats, RawWithASidecar) {
     EXPECT_NEAR(read->info().integration, 0.0015, 1e-15);
     EXPECT_EQ(read->info().camera, "C #1");
   }
+}
+
+TEST(FilmFormats, ARecipeBesideRawFramesIsNotTheirSidecar) {
+  const test::TemporaryFolder folder;
+  test::spill(folder / "film.raw", data_of<std::uint16_t>(counted()));
+  test::spill(folder / "film.toml", "[frame]\nwidth = \"350 mm\"\nheight = \"350 mm\"\n");
+  EXPECT_NE(test::complaint([&] { open_film(folder / "film.raw"); }).find("describe raw frames"), std::string::npos);
+  test::spill(folder / "film.txt", "width = 5\nheight = 4\ntype = \"uint16\"\n");
+  expect_same(*open_film(folder / "film.raw"), counted());
+}
+
+TEST(FilmFormats, AnyFilmCanBeToldItsScale) {
+  const test::TemporaryFolder folder;
+  test::spill(folder / "a.ptw", test::ptw(counted()));
+  for (int f = 0; f < 3; ++f) test::spill(folder / ("s" + std::to_string(f) + ".asc"), std::to_string(1000 * f) + " 1\n");
+  const auto film = open_film(folder / "a.ptw", {.frame_rate = 50.0, .scale = 0.01, .offset = 273.15});
+  EXPECT_EQ(film->info().quantity, FilmQuantity::kelvin);
+  EXPECT_TRUE(film->info().floating);
+  EXPECT_EQ(film->info().frame_rate, 50);
+  const auto values = test::all_of(*film).value;
+  ASSERT_EQ(values.size(), 60U);
+  EXPECT_FLOAT_EQ(values[0], 273.15F);
+  EXPECT_FLOAT_EQ(values[59], static_cast<float>(273.15 + 0.01 * 2034));
+  const auto series = open_film(folder / "s*.asc", {.offset = 273.15});  // once, and not once for the file and once for all
+  EXPECT_FLOAT_EQ(test::all_of(*series).value[4], 2273.15F);
 }
 
 TEST(FilmFormats, SeriesOfFilesInTheOrderOfTheirNumbers) {

@@ -79,6 +79,53 @@ TEST(FilmRecipe, OneOfACameraNeedsNoPlatesAndReadsBackAsResolved) {
   EXPECT_EQ(to_toml(parse_film_recipe(to_toml(recipe), "film.toml")), to_toml(recipe));
 }
 
+/// The template with these lines at the end of its section [temperature], or of that of POM.
+std::string with_lines(const std::string& section, const std::string& lines) {
+  std::string text = to_toml(film_template());
+  const auto at = text.find('\n', text.find("[" + section + "]"));
+  return text.insert(at + 1, lines);
+}
+
+TEST(FilmRecipe, EmissivitiesThatNothingReadsAreRefusedWithTheirPlace) {
+  for (const auto& text : {with_lines("materials.POM", "emissivity = 0.95\n"), with_lines("temperature", "ambient = \"291 K\"\n"),
+                           with_lines("temperature", "band = [\"8 um\", \"12 um\"]\n")}) {
+    const auto problems = problems_of(text);
+    ASSERT_EQ(problems.size(), 1u) << text;
+    EXPECT_GT(problems[0].line, 0);
+    EXPECT_NE(problems[0].message.find("assumed_emissivity"), std::string::npos) << problems[0].message;
+  }
+  EXPECT_TRUE(problems_of(with_lines("temperature", "assumed_emissivity = 1\nemissivity = 0.95\nambient = \"291 K\"\n")).empty());
+  std::string twice = with_lines("materials.POM", "emissivity = 0.95\n");
+  twice.insert(twice.find('\n', twice.find("[materials.HDPE]")) + 1, "emissivity = 0.8\n");
+  twice.insert(twice.find('\n', twice.find("[temperature]")) + 1, "assumed_emissivity = 1\nemissivity = 0.9\n");
+  const auto problems = problems_of(twice);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].message.find("every one does"), std::string::npos) << problems[0].message;
+}
+
+TEST(FilmRecipe, ABandIsTwoWavelengths) {
+  for (const char* band : {"[\"8 um\"]", "[\"12 um\", \"8 um\"]", "[\"1 um\", \"2 um\", \"3 um\"]"})
+    EXPECT_EQ(problems_of(with_lines("temperature", std::string("assumed_emissivity = 1\nband = ") + band + "\n")).size(), 1u) << band;
+}
+
+TEST(FilmRecipe, APhaseIsAnAngleWithItsUnit) {
+  const auto recipe = parse_film_recipe(with_lines("lockin", "phase = \"90 deg\"\n"), "film.toml");
+  EXPECT_NEAR(recipe.lockin.phase.value_or(0), 1.5707963267948966, 1e-15);
+  EXPECT_NE(to_toml(recipe).find("phase = \"90 deg\""), std::string::npos) << to_toml(recipe);
+  EXPECT_EQ(to_toml(parse_film_recipe(to_toml(recipe), "film.toml")), to_toml(recipe));
+  const auto problems = problems_of(with_lines("lockin", "phase = 0.25\n"));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].message.find("\"90 deg\""), std::string::npos) << problems[0].message;
+}
+
+TEST(FilmRecipe, SaysWhatAFilmDoesNotSay) {
+  const auto recipe = parse_film_recipe(to_toml(film_template()) + "\n[film]\nframe_rate = \"148 Hz\"\nscale = \"10 mK\"\noffset = \"-273.15 K\"\n", "film.toml");
+  ASSERT_TRUE(recipe.film);
+  EXPECT_EQ(recipe.film->frame_rate, 148);
+  EXPECT_DOUBLE_EQ(recipe.film->scale.value_or(0), 0.01);
+  EXPECT_DOUBLE_EQ(recipe.film->offset.value_or(0), -273.15);
+}
+
 TEST(FilmRecipe, EmptyOneNamesTheTemplate) {
   const auto problems = problems_of(" \n");
   ASSERT_EQ(problems.size(), 1u);

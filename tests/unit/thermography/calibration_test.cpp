@@ -33,6 +33,14 @@ TEST(Calibration, PiecewiseGoesThroughItsPointsAndOnBeyondThem) {
   EXPECT_NEAR(temperature_of(curve, 16383), 315, 5e-3);
 }
 
+TEST(Calibration, ASurfaceThatIsNotBlackIsSeenThroughTheCurveToo) {
+  const radiometry::Surface surface{0.8, 288};
+  const LevelCurve curve = curve_through({{4096, 295}, {8192, 305}}, band, surface);
+  const double seen = 0.8 * radiometry::photon_exitance(band, 303) + 0.2 * radiometry::photon_exitance(band, 288);
+  const double level = 4096 + (radiometry::temperature_of_exitance(band, seen) - 295) * 409.6;
+  EXPECT_NEAR(temperature_of(curve, level), 303, 2e-3);
+}
+
 TEST(Calibration, WhatIsNoCurveIsRefused) {
   EXPECT_NE(test::complaint([] { curve_through({{1, 300}}); }).find("too short"), std::string::npos);
   EXPECT_NE(test::complaint([] { curve_through({{1, 300}, {2, 299}}); }).find("does not rise"), std::string::npos);

@@ -1,0 +1,49 @@
+#include "film_reading.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "option_value.hpp"
+
+namespace arenite::app {
+namespace {
+
+double above_zero(const char* option, const std::string& text, Dimension dimension, const char* unit) {
+  const double value = option_value(option, [&] { return parse_si(text, dimension, unit); });
+  if (!(value > 0)) throw InputError(fmt::format("{} is {}; it must be above 0", option, text));
+  return value;
+}
+
+}  // namespace
+
+void FilmReading::add_to(CLI::App& command) {
+  command.add_option("--frame-rate", frame_rate, "Instead of what the film says, e.g. \"148 Hz\"")->type_name("FREQUENCY");
+  command.add_option("--scale", scale, "Temperature of one level, e.g. \"0.01 K\": pixels become scale times their number, plus offset")->type_name("TEMPERATURE");
+  command.add_option("--offset", offset, "Temperature of level 0, e.g. \"273.15 K\"")->type_name("TEMPERATURE");
+  command.add_option("--dataset", dataset, "Dataset of an HDF5 file that holds several")->type_name("NAME");
+}
+
+io::FilmChoice FilmReading::choice() const {
+  io::FilmChoice choice;
+  choice.dataset = dataset;
+  if (!frame_rate.empty()) choice.frame_rate = above_zero("--frame-rate", frame_rate, dimension::frequency, "Hz");
+  if (!scale.empty()) choice.scale = above_zero("--scale", scale, dimension::temperature, "K");
+  if (!offset.empty()) choice.offset = option_value("--offset", [&] { return parse_si(offset, dimension::temperature, "K"); });
+  return choice;
+}
+
+std::vector<std::string> FilmReading::overrides() const {
+  choice();  // refuses what is no quantity by its option's name
+  std::vector<std::string> set;
+  const auto add = [&](const char* key, const std::string& value) {
+    if (!value.empty()) set.push_back(fmt::format("film.{}=\"{}\"", key, value));
+  };
+  add("frame_rate", frame_rate);
+  add("scale", scale);
+  add("offset", offset);
+  add("dataset", dataset);
+  return set;
+}
+
+}  // namespace arenite::app
