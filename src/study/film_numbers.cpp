@@ -52,7 +52,6 @@ Json motion_of(const FilmResult& r) {
   statistics::put(j, "median_travel_pixels", median_or_unknown(travel));
   statistics::put(j, "largest_travel_pixels", *std::max_element(travel.begin(), travel.end()));
   statistics::put(j, "standard_error_pixels", median_or_unknown(r.motion.error));
-  if (r.rim_blur > 0) statistics::put(j, "blur_of_rims_pixels", r.rim_blur);
   return j;
 }
 
@@ -89,6 +88,7 @@ Json checks_of(const FilmResult& r) {
     statistics::put(j, "misfit_over_signal", fit.over_signal);
     statistics::put(j, "field_error_that_agrees", fit.model_error);
   }
+  if (r.rim_blur > 0) statistics::put(j, "blur_of_rims_pixels", r.rim_blur);
   if (fit.load != 0) statistics::put(j, "load_by_forces_N", fit.load);
   for (std::size_t m = 0; m < fit.factor_scale.size(); ++m)
     statistics::put(j["factor_scale"], r.packing.materials[m].name, statistics::Estimate{fit.factor_scale[m], fit.factor_scale_error[m]});

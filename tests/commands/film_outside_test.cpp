@@ -41,7 +41,7 @@ TEST(FilmOutside, MistakesOfALaboratoryAreFound) {
     const auto again = of.film("--json " + changes);  // from the store
     EXPECT_NE(again.err.find(words), std::string::npos) << again.err;
   };
-  said(factors_times_one_and_a_half, "0.67 times the forces that the load swing");
+  said(factors_times_one_and_a_half, "times the forces that the load swing");
   said(factors_exchanged, "the two materials are taken for each other");
   said("--set frame.load_swing='\"" + std::to_string(2 * told_load(of)) + " kN\"'", "the likely causes are load_swing (told 2.0");
   const auto quadrature = of.film("--set lockin.phase=0.25");
