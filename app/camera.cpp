@@ -15,7 +15,7 @@ namespace {
 struct Arguments {
   std::string result, recipe, out = "out/film", format = "ptw";
   std::vector<std::string> overrides;
-  bool quiet = false;
+  bool quiet = false, blind = false;
 };
 
 int execute(const Arguments& a) {
@@ -27,6 +27,7 @@ int execute(const Arguments& a) {
     study::ShootOptions options;
     options.out = a.out;
     options.format = a.format;
+    options.blind = a.blind;
     options.progress = [&](double share) {
       line.show({1, 2, "film", share, 0, 0, false, false});
       return !stop_requested();
@@ -51,6 +52,7 @@ void add_camera(CLI::App& command, int& status) {
   add_overrides(command, a->overrides);
   command.add_option("--out", a->out, "Folder of the film, its plates and its recipe (default: out/film)")->type_name("DIR");
   command.add_option("--format", a->format, "Format of the films")->check(CLI::IsMember(io::film_formats_to_write()));
+  command.add_flag("--blind", a->blind, "film.toml holds what a laboratory knows and no more: not the lens's blur, the surroundings, the load's phase and the wall's travel");
   command.add_flag("--quiet", a->quiet, "No progress");
   command.callback([a, &status] { status = execute(*a); });
 }

@@ -18,6 +18,7 @@
 #include "option_value.hpp"
 #include "progress.hpp"
 #include "stop_signal.hpp"
+#include "study/adiabatic.hpp"
 #include "study/film_checks.hpp"
 #include "study/film_load_signal.hpp"
 
@@ -56,26 +57,17 @@ double read_phase(const std::string& text) {
 
 std::string unit_of(const FilmInfo& film) { return film.quantity == FilmQuantity::kelvin ? "K" : "level"; }
 
-/// Whether heat stays where it came to be within a cycle.
-struct Adiabatic {
-  double length = 0, pixel = 0;  ///< m; no pixel: unknown
-  double lost() const { return thermography::swing_lost_to_diffusion(length, pixel); }
-  /// At a fifth of a pixel the finest detail loses 2 % of its swing and lags by 11 degrees.
-  bool holds() const { return length <= pixel / 5; }
-};
-
-Adiabatic adiabatic(const Arguments& a, double frequency) {
-  Adiabatic check;
+study::Adiabatic adiabatic(const Arguments& a, double frequency) {
   const double diffusivity = option_value("--diffusivity", [&] { return parse_si(a.diffusivity, dimension::area / dimension::time, "mm^2/s"); });
   if (!(diffusivity > 0)) throw InputError(fmt::format("--diffusivity is {}; it must be above 0", a.diffusivity));
-  check.length = thermography::diffusion_length(diffusivity, frequency);
+  study::Adiabatic check(diffusivity, frequency);
   if (a.pixel.empty()) return check;
   check.pixel = option_value("--pixel", [&] { return parse_si(a.pixel, dimension::length, "mm"); });
   if (!(check.pixel > 0)) throw InputError(fmt::format("--pixel is {}; it must be above 0", a.pixel));
   return check;
 }
 
-nlohmann::json numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const Adiabatic& heat) {
+nlohmann::json numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const study::Adiabatic& heat) {
   nlohmann::json j;
   j["frequency_Hz"] = m.frequency;
   j["frequency_error_Hz"] = std::isfinite(m.frequency_error) ? nlohmann::json(m.frequency_error) : nlohmann::json();
@@ -101,7 +93,7 @@ nlohmann::json numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& 
   return j;
 }
 
-void print(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const Adiabatic& heat) {
+void print(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const study::Adiabatic& heat) {
   const std::string unit = unit_of(film);
   fmt::print("frequency        {:.9g} Hz", m.frequency);
   if (m.frequency_error > 0 && std::isfinite(m.frequency_error)) fmt::print(" +- {:.1e}", m.frequency_error);
@@ -144,10 +136,9 @@ int execute(Arguments& a) {
   }
   if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps, phase_in_degrees(maps)));
   if (study::shows_no_load(maps)) fmt::print(stderr, "{}: {}\n", a.film, study::no_load_sentence(maps.frequency, "--frequency"));
-  const Adiabatic heat = adiabatic(a, maps.frequency);
+  const study::Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds())
-    fmt::print(stderr, "heat diffuses {:.3g} pixels far within a cycle, not far less than one: the finest detail of the swing is not adiabatic; raise the load frequency\n",
-               heat.length / heat.pixel);
+    fmt::print(stderr, "{}\n", heat.sentence());
   if (a.json) fmt::print("{}\n", numbers(maps, a, film->info(), heat).dump(2));
   else print(maps, a, film->info(), heat);
   return done;

@@ -92,7 +92,7 @@ void report(const char* name, const Packing& low, const Packing& high, const Sou
   double above = 0, found_above = 0, kept = 0, score = 0;
   for (std::size_t c = 0; c < f.contacts.size(); ++c) {
     score += std::pow((f.contacts.fn[c] - told.contacts.fn[c]) / f.fn_error[c], 2) / static_cast<double>(f.contacts.size());
-    if (c >= truth.contacts.size()) kept += !f.spurious[c];
+    if (c >= truth.contacts.size()) kept += f.present[c];
     else above += told.contacts.fn[c] > mean, found_above += f.contacts.fn[c] > mean;
   }
   const auto real = static_cast<double>(truth.contacts.size()), offered = static_cast<double>(f.contacts.size()) - real;

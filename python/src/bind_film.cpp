@@ -150,7 +150,8 @@ py::dict inferred(const Packing& packing, const ArrayLike& swing, const ArrayLik
   d["ft"] = taken_over(std::move(f.contacts.ft));
   d["fn_error"] = taken_over(std::move(f.fn_error));
   d["ft_error"] = taken_over(std::move(f.ft_error));
-  d["spurious"] = taken_over(std::move(f.spurious)).attr("astype")("bool");
+  d["presence"] = taken_over(std::move(f.presence));
+  d["present"] = taken_over(std::move(f.present)).attr("astype")("bool");
   d["residual"] = f.residual;
   return d;
 }
@@ -176,7 +177,7 @@ void bind_film(py::module_& m) {
         py::arg("walls") = std::map<std::string, Quantity>{}, py::arg("blur") = 0.5,
         "Contact forces (N) from a picture of the full thermoelastic swing (K, rows from the top): `pixel` (m), `first`: centre of the upper left pixel (m), `factor`: A of every "
         "material (K/Pa), `walls`: swing of wall forces by side, {\"bottom\": 1000.0} (N, taken as known to 0.1 %); each a number or text with a unit. Gives fn, ft, fn_error, "
-        "ft_error (N), spurious (bool), residual.");
+        "ft_error (N), presence (probability that a contact is there), present (bool: the likeliest, as many as are expected), residual.");
 }
 
 }  // namespace arenite::python

@@ -91,7 +91,11 @@ void bind_film_road(py::module_& m) {
   array_property(c, "sigma_hyd_error", [](const FilmResult& f) -> auto& { return f.swing.error; }, "Its standard error, Pa.");
   array_property(c, "fn_error", [](const FilmResult& f) -> auto& { return f.fn_error; }, "Standard error of every normal force, N.");
   array_property(c, "ft_error", [](const FilmResult& f) -> auto& { return f.ft_error; }, "Standard error of every tangential force, N.");
-  array_property(c, "absent", [](const FilmResult& f) -> auto& { return f.absent; }, "1 for contacts that may not be there.");
+  array_property(c, "presence", [](const FilmResult& f) -> auto& { return f.presence; }, "Probability that a contact is there, of the contacts that count as there.");
+  c.def_property_readonly("fitted", [](const py::object& self) {
+    const auto& f = self.cast<const FilmResult&>();
+    return image_view(f.fit.picture, f.maps.height, f.maps.width, self);
+  }, "The picture that the contact forces make, K (height, width), to hold beside maps.in_phase; not a number outside grains.");
   m.def("film", &film, py::arg("film"), py::arg("recipe"), py::arg("out"), py::arg("changes") = py::dict(), py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
         "The whole road from a film (a file) to grain stresses and contact forces, as `arenite film` goes it; `recipe`: a FilmRecipe or its file (docs/film-recipe.md).");
   m.def("camera", &camera, py::arg("result"), py::arg("recipe"), py::arg("out"), py::arg("format") = "ptw", py::arg("changes") = py::dict(), py::kw_only(),

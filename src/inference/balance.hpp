@@ -8,14 +8,17 @@
 namespace arenite::inference {
 
 /// Unknowns of an inference: fn and ft of contact c are 2 c and 2 c + 1, in units of `force`; where centres are refined,
-/// the changes of centre g along x and y are 2 (contacts + g) and the next, in units of `move`.
+/// the changes of centre g along x and y are 2 (contacts + g) and the next, in units of `move`; where materials' factors are
+/// fitted, the changes of their scales come last.
 struct Unknowns {
   std::size_t contacts = 0, grains = 0;
   double force = 1;         ///< N
   double move = 0;          ///< m; 0: centres stay
+  std::size_t scales = 0;   ///< materials whose factor is fitted; 0: factors stay
 
-  int count() const { return static_cast<int>(2 * contacts + (move > 0 ? 2 * grains : 0)); }
+  int count() const { return scale(scales); }
   int centre(std::size_t g) const { return static_cast<int>(2 * (contacts + g)); }
+  int scale(std::size_t material) const { return static_cast<int>(2 * contacts + (move > 0 ? 2 * grains : 0) + material); }
 };
 
 /// The columns of a grain's equations: its touches' forces and, where centres move, its own and its partners' centres.

@@ -80,7 +80,7 @@ void check_options(const ForceOptions& o, Problems& problems) {
   at_least("blur", o.blur, 0, true), at_least("rim_margin", o.rim_margin, 0, true), at_least("contact_margin", o.contact_margin, 0, true);
   at_least("model_error", o.model_error, 0, true), at_least("position_error", o.position_error, 0, true);
   at_least("balance_error", o.balance_error, 0, false), at_least("prior", o.prior, 0, true);
-  at_least("spurious_below", o.spurious_below, 0, true), at_least("iterations", o.iterations, 1, true);
+  at_least("iterations", o.iterations, 1, true);
   if (o.inequality == Inequality::cone) at_least("friction", o.friction, 0, false);
 }
 

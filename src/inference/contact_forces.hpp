@@ -33,7 +33,9 @@ struct ForceOptions {
   double contact_margin = 2.5;      ///< nearer than this to a contact point (pixels) the fields' error grows with the cube of the
                                     ///< distance's inverse (unknown spread of the force); pixels nearer than half of it are left out
   double model_error = 0.02;        ///< standard error of the fields themselves, share of a grain's signal: a first guess
-  bool fit_model_error = true;      ///< the guess is mended until data and fit differ as their errors say
+  bool fit_model_error = true;      ///< the guess is mended until data and fit differ as their errors say; what it came to
+                                    ///< is told, and what the measured errors alone say of the fit
+  bool fit_factors = false;         ///< the factor of every material is an unknown, too: how many times larger the film wants it
   double position_error = 0.1;      ///< standard error of grain centres, pixels; 0: centres are taken as exact
   double balance_error = 1e-2;      ///< standard error of a grain's balance, share of the mean contact force
   double prior = 0;                 ///< elastic regularisation: standard deviation of a contact's force about the elastic
@@ -42,7 +44,7 @@ struct ForceOptions {
   Inequality inequality = Inequality::none;
   double friction = 0.5;            ///< mu of the cone
   Vec2 gravity;                     ///< m/s^2; zero for a swing, where weights cancel
-  double spurious_below = 3;        ///< a contact may be absent where |fn| is below so many standard errors
+  double widest_gap = 0;            ///< between grains or to walls that are proposed as contacts, m; 0: as the proposals show
   int iterations = 3;               ///< of forces and centres together
 };
 
@@ -58,6 +60,7 @@ struct ForceProblem {
 /// Forces from pixels: least squares of every pixel's warming (superposed Flamant fields with the term that frees the
 /// rim, seen through lens and pixel) with the balance of every grain, wall loads and, weakly, the smallest elastic energy;
 /// centres are refined with the forces. Standard errors hold the errors of pixels, fields and centres; they know of no cone.
+/// `fitted` shows the grains whole, also where pixels were left out.
 /// Throws InputError where a factor is missing, grains overlap by more than a fifth of the smaller diameter, or no pixel
 /// sees a contact.
 InferredForces infer_from_pixels(const ForceProblem& problem, const SwingPicture& picture, const ForceOptions& options);

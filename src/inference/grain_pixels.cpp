@@ -25,12 +25,12 @@ double to_contact(Vec2 x, double radius, const std::vector<Touch>& touches) {
 }  // namespace
 
 std::vector<std::vector<GrainPixel>> pixels_of_grains(const SwingPicture& picture, const Packing& packing,
-                                                      const std::vector<std::vector<Touch>>& touches, const ForceOptions& options) {
+                                                      const std::vector<std::vector<Touch>>& touches, double rim_margin, double contact_margin) {
   const double side = picture.pixel;
   std::vector<std::vector<GrainPixel>> pixels(packing.grains.size());
   const std::vector<Vec2> shifts = images(packing.domain);
   for (std::size_t g = 0; g < pixels.size(); ++g) {
-    const double radius = packing.grains.radius[g], inner = radius - options.rim_margin * side;
+    const double radius = packing.grains.radius[g], inner = radius - rim_margin * side;
     if (inner <= 0) continue;
     for (const Vec2 shift : shifts) {
       const Vec2 centre = packing.grains.centre(g) + shift;
@@ -44,7 +44,7 @@ std::vector<std::vector<GrainPixel>> pixels_of_grains(const SwingPicture& pictur
           const float value = picture.value[p], error = picture.error[p];
           if (norm(x) > inner || !std::isfinite(value) || !std::isfinite(error) || !(error > 0)) continue;
           const double away = to_contact(x, radius, touches[g]);
-          if (away >= 0.5 * options.contact_margin * side) pixels[g].push_back({x, value, error, away});
+          if (away >= 0.5 * contact_margin * side) pixels[g].push_back({x, value, error, away, p});
         }
     }
   }

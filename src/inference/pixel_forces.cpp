@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "geometry/close_pairs.hpp"
@@ -7,12 +8,10 @@
 #include "inference/check_problem.hpp"
 #include "inference/contact_forces.hpp"
 #include "inference/finish.hpp"
-#include "inference/grain_rows.hpp"
+#include "inference/pixel_equations.hpp"
 
 namespace arenite::inference {
 namespace {
-
-using Pixels = std::vector<std::vector<GrainPixel>>;
 
 Placed placed_grains(const ForceProblem& problem) {
   const Grains& grains = problem.packing.grains;
@@ -52,12 +51,6 @@ std::vector<std::vector<Near>> near_grains(const Packing& packing, double gap) {
   return near;
 }
 
-double root_mean_square(const std::vector<GrainPixel>& pixels) {
-  double sum = 0;
-  for (const GrainPixel& p : pixels) sum += static_cast<double>(p.value) * p.value;
-  return pixels.empty() ? 0 : std::sqrt(sum / static_cast<double>(pixels.size()));
-}
-
 /// Mean force of a contact by the sum rule, from the grains' mean warming, N.
 double typical_force(const Placed& placed, const Pixels& pixels) {
   double sum = 0, touches = 0;
@@ -67,67 +60,6 @@ double typical_force(const Placed& placed, const Pixels& pixels) {
   }
   return sum > 0 ? sum / touches : 1;
 }
-
-/// Equations of one grain's pixels.
-class PixelEquations {
- public:
-  PixelEquations(const Placed& placed, const Pixels& pixels, const Footprint& footprint, double model_error,
-                 double contact_margin)
-      : placed_(placed), pixels_(pixels), footprint_(footprint), model_error_(model_error), contact_margin_(contact_margin) {}
-
-  void add_to(NormalEquations& equations, const Unknowns& unknowns) {
-    for (std::size_t g = 0; g < pixels_.size(); ++g)
-      if (!pixels_[g].empty() && !placed_.touches[g].empty()) add_grain(equations, unknowns, g);
-  }
-  /// Sum of squares of what the equations leave at the solution x, in standard errors, over the degrees of freedom that
-  /// pixels have beyond `taken`.
-  double misfit(const std::vector<double>& x, double taken) const {
-    double sum = 0, count = 0;
-    for (const Block& b : blocks_)
-      for (std::size_t q = 0; q < b.right.size(); ++q, count += 1) {
-        double left = b.right[q];
-        for (std::size_t k = 0; k < b.columns.size(); ++k) left -= b.rows[q * b.columns.size() + k] * x[static_cast<std::size_t>(b.columns[k])];
-        sum += left * left * b.weight[q];
-      }
-    return count > 0 ? sum / std::max(0.1 * count, count - taken) : 0;
-  }
-
- private:
-  struct Block {
-    std::vector<int> columns;
-    std::vector<double> rows, right, weight;
-  };
-
-  void add_grain(NormalEquations& equations, const Unknowns& unknowns, std::size_t g) {
-    const auto& touches = placed_.touches[g];
-    const std::size_t z = touches.size();
-    const GrainRows found = rows_of_grain(placed_, g, pixels_[g], footprint_);
-    Block b{columns_of(unknowns, g, touches), {}, {}, {}};
-    const std::size_t n = b.columns.size();
-    b.rows.assign(n * pixels_[g].size(), 0.0);
-    const double signal = root_mean_square(pixels_[g]);
-    for (std::size_t q = 0; q < pixels_[g].size(); ++q) {
-      double* row = &b.rows[n * q];
-      for (std::size_t k = 0; k < 2 * z; ++k) row[k] = unknowns.force * found.response[2 * z * q + k];
-      if (unknowns.move > 0) {
-        row[2 * z] += unknowns.move * found.shift[2 * q], row[2 * z + 1] += unknowns.move * found.shift[2 * q + 1];
-        for (std::size_t k = 0; k < z; ++k) add_turn(unknowns, touches, k, found.turn[z * q + k], row);
-      }
-      const double error = pixels_[g][q].error, close = std::max(1.0, contact_margin_ / pixels_[g][q].to_contact);
-      const double model = model_error_ * signal * close * close * close;
-      b.right.push_back(pixels_[g][q].value - found.spill[q]);
-      b.weight.push_back(1 / (error * error + model * model));
-    }
-    equations.add(b.columns, b.rows, b.right, b.weight);
-    blocks_.push_back(std::move(b));
-  }
-
-  const Placed& placed_;
-  const Pixels& pixels_;
-  const Footprint& footprint_;
-  double model_error_, contact_margin_;  // share of a grain's signal; m
-  std::vector<Block> blocks_;
-};
 
 /// Centres stay near where they were found.
 void add_positions(NormalEquations& equations, const Unknowns& unknowns, const Placed& placed, double error) {
@@ -140,15 +72,45 @@ void add_positions(NormalEquations& equations, const Unknowns& unknowns, const P
   }
 }
 
-/// Takes over the solution; returns the largest move of a centre, m.
-void take(Placed& placed, const Packing& packing, const Unknowns& unknowns, const std::vector<double>& x) {
+/// Factors stay near what was told, as far as nothing else says: without a load only their ratio shows.
+void add_factors(NormalEquations& equations, const Unknowns& unknowns, const std::vector<double>& scale) {
+  constexpr double free = 3;
+  for (std::size_t m = 0; m < unknowns.scales; ++m) equations.add_diagonal(unknowns.scale(m), 1 / (free * free * scale[m] * scale[m]), (1 - scale[m]) / scale[m]);
+}
+
+/// Takes over the solution.
+void take(Placed& placed, std::vector<double>& scale, const Packing& packing, const Unknowns& unknowns, const std::vector<double>& x) {
   for (std::size_t k = 0; k < 2 * unknowns.contacts; ++k) placed.force[k] = unknowns.force * x[k];
+  for (std::size_t m = 0; m < unknowns.scales; ++m) {
+    // Half or double in one round at most: product of factor and force is far from linear beyond.
+    const double times = std::clamp(1 + x[static_cast<std::size_t>(unknowns.scale(m))], 0.5, 2.0);
+    scale[m] *= times;
+    for (std::size_t g = 0; g < placed.factor.size(); ++g)
+      if (static_cast<std::size_t>(packing.grains.material[g]) == m) placed.factor[g] *= times;
+  }
   if (unknowns.move <= 0) return;
   for (std::size_t g = 0; g < unknowns.grains; ++g) {
     const auto u = static_cast<std::size_t>(unknowns.centre(g));
     placed.centre[g] += unknowns.move * Vec2{x[u], x[u + 1]};
   }
   placed.touches = touches_of_grains(packing, placed.centre);
+}
+
+/// What the picture would show of these forces in all pixels whose centres are in grains.
+std::vector<float> drawn(const Placed& placed, const Packing& packing, const SwingPicture& picture, const Footprint& footprint) {
+  std::vector<float> fitted(picture.value.size(), std::numeric_limits<float>::quiet_NaN());
+  const Pixels all = pixels_of_grains(picture, packing, placed.touches, 0, 0);
+  for (std::size_t g = 0; g < all.size(); ++g) {
+    const auto& touches = placed.touches[g];
+    const std::size_t z = touches.size();
+    const GrainRows rows = rows_of_grain(placed, g, all[g], footprint);
+    for (std::size_t q = 0; q < all[g].size(); ++q) {
+      double sum = rows.spill[q];
+      for (std::size_t k = 0; k < 2 * z; ++k) sum += rows.response[2 * z * q + k] * placed.force[2 * static_cast<std::size_t>(touches[k / 2].contact) + k % 2];
+      fitted[all[g][q].number] = static_cast<float>(sum);
+    }
+  }
+  return fitted;
 }
 
 }  // namespace
@@ -158,36 +120,43 @@ InferredForces infer_from_pixels(const ForceProblem& problem, const SwingPicture
   check_picture(picture);
   const Packing& packing = problem.packing;
   Placed placed = placed_grains(problem);
-  const Pixels pixels = pixels_of_grains(picture, packing, placed.touches, options);
+  const Pixels pixels = pixels_of_grains(picture, packing, placed.touches, options.rim_margin, options.contact_margin);
   check_pixels(packing, pixels);
   const Footprint footprint(picture.pixel, options.blur);
   placed.near = near_grains(packing, footprint.reach);
-  Unknowns unknowns{packing.contacts.size(), packing.grains.size(), typical_force(placed, pixels), 0};
+  Unknowns unknowns{packing.contacts.size(), packing.grains.size(), typical_force(placed, pixels), 0, 0};
   // Balance takes three of the forces' unknowns a grain.
   const double taken = std::max(0.0, 2.0 * static_cast<double>(unknowns.contacts) - 3.0 * static_cast<double>(unknowns.grains));
   double model_error = options.model_error;
+  std::vector<double> scale(options.fit_factors ? problem.factor.size() : 0, 1.0);
   for (int iteration = 1;; ++iteration) {
     // Without forces centres are of no consequence: the first solution is of forces only.
     const double position_error = options.position_error * picture.pixel;
     unknowns.move = iteration > 1 ? position_error : 0;
+    unknowns.scales = iteration > 1 ? scale.size() : 0;
     NormalEquations equations(unknowns.count());
-    PixelEquations rows(placed, pixels, footprint, model_error, options.contact_margin * picture.pixel);
+    PixelEquations rows(placed, pixels, packing.grains.material, footprint, model_error, options.contact_margin * picture.pixel);
     rows.add_to(equations, unknowns);
     add_balance(equations, unknowns, packing, placed.touches, placed.force, options.gravity, options.balance_error * unknowns.force);
     add_walls(equations, unknowns, packing.contacts, problem.walls);
     add_energy(equations, unknowns, packing, options.prior > 0 ? options.prior : 10);
     add_positions(equations, unknowns, placed, position_error);
+    add_factors(equations, unknowns, scale);
     const std::vector<double> x = options.inequality == Inequality::cone && iteration == options.iterations
                                       ? equations.solve_in_cone(static_cast<int>(unknowns.contacts), options.friction)
                                       : equations.solve();
-    take(placed, packing, unknowns, x);
-    const double misfit = rows.misfit(x, taken);
+    take(placed, scale, packing, unknowns, x);
+    const Misfit misfit = rows.misfit(x, taken);
     if (iteration < options.iterations) {
-      if (options.fit_model_error) model_error = std::max(1e-4, model_error * std::sqrt(misfit));
+      if (options.fit_model_error) model_error = std::max(1e-4, model_error * std::sqrt(misfit.weighed));
       continue;
     }
     InferredForces out = finish(problem, options, equations, unknowns, placed.touches, placed.force);
-    out.residual = std::sqrt(misfit);
+    out.residual = std::sqrt(misfit.weighed), out.over_noise = std::sqrt(misfit.over_noise), out.over_signal = std::sqrt(misfit.over_signal);
+    out.model_error = model_error;
+    out.factor_scale = std::move(scale);
+    for (std::size_t m = 0; m < out.factor_scale.size(); ++m) out.factor_scale_error[m] *= out.factor_scale[m];
+    out.fitted = drawn(placed, packing, picture, footprint);
     for (const auto& of_grain : pixels) out.pixels += of_grain.size();
     out.iterations = iteration;
     return out;

@@ -51,7 +51,9 @@ std::string contact_table(const ExportFrame& from) {
   const Packing& packing = from.frame->packing;
   const Contacts& c = packing.contacts;
   const double mean = mean_compressive_force(c);
-  std::string text = "i,j,fn [N],ft [N],nx,ny,type,strong,glued,arm_i [m],arm_j [m],overlap [m],sliding_velocity [m/s]\n";
+  std::string text = "i,j,fn [N],ft [N],nx,ny,type,strong,glued,arm_i [m],arm_j [m],overlap [m],sliding_velocity [m/s]";
+  for (const auto& field : from.of_contacts) text += "," + title(field.name, field.unit);
+  text += '\n';
   for (std::size_t k = 0; k < c.size(); ++k) {
     const auto name = [&](std::int32_t grain) { return packing.grains.id[static_cast<std::size_t>(grain)]; };
     fmt::format_to(Text(text), "{},", name(c.i[k]));
@@ -60,6 +62,7 @@ std::string contact_table(const ExportFrame& from) {
     for (const double v : {c.fn[k], c.ft[k], 0 - c.nx[k], 0 - c.ny[k]}) cell(text, v);
     fmt::format_to(Text(text), ",{},{},{}", contact_type(packing, k), c.fn[k] > mean ? 1 : 0, int{c.glued[k]});
     for (const double v : {c.arm_i[k], c.arm_j[k], c.overlap[k], c.sliding_velocity[k]}) cell(text, v);
+    for (const auto& field : from.of_contacts) cell(text, field.values[k]);
     text += '\n';
   }
   return text;

@@ -7,8 +7,8 @@
 
 namespace arenite::io {
 
-/// A quantity of every grain that was derived from a frame (its stress, its number of contacts), to be written beside
-/// what the frame holds. NaN where it is not known.
+/// A quantity of every grain that was derived from a frame (its stress, its number of contacts), or of every contact, to be
+/// written beside what the frame holds. NaN where it is not known.
 struct GrainField {
   std::string name, unit;
   std::vector<double> values;
@@ -20,6 +20,7 @@ struct ExportFrame {
   std::string stage;            ///< name of the stage it belongs to
   const Frame* frame = nullptr;
   std::vector<GrainField> fields;
+  std::vector<GrainField> of_contacts = {};
 };
 
 /// A result on nodes, as export formats get it.

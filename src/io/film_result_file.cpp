@@ -1,5 +1,6 @@
 #include "io/film_result_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -134,6 +135,33 @@ void read_film(const Hdf5Reader& group, FilmResult& r) {
   r.origin = {group.number("origin_x [m]"), group.number("origin_y [m]")};
 }
 
+void write_fit(const Hdf5Writer& group, const FilmResult& r) {
+  group.set("proposed", static_cast<std::int64_t>(r.fit.proposed));
+  group.set("present", r.fit.present);
+  group.set("present_error", r.fit.present_error);
+  group.set("over_noise", r.fit.over_noise);
+  group.set("over_signal", r.fit.over_signal);
+  group.set("model_error", r.fit.model_error);
+  group.set("load [N]", r.fit.load);
+  group.write("factor_scale", r.fit.factor_scale, "1");
+  group.write("factor_scale_error", r.fit.factor_scale_error, "1");
+  write_picture(group, "picture", r.fit.picture, {r.film.height, r.film.width}, "K");
+}
+
+void read_fit(const Hdf5Reader& group, FilmResult& r) {
+  r.fit.proposed = static_cast<std::size_t>(std::max<std::int64_t>(0, group.integer("proposed")));
+  r.fit.present = group.number("present");
+  r.fit.present_error = group.number("present_error");
+  r.fit.over_noise = group.number("over_noise");
+  r.fit.over_signal = group.number("over_signal");
+  r.fit.model_error = group.number("model_error");
+  r.fit.load = group.number("load [N]");
+  r.fit.factor_scale = group.doubles("factor_scale");
+  r.fit.factor_scale_error = group.doubles("factor_scale_error");
+  if (r.fit.factor_scale.size() != r.fit.factor_scale_error.size()) group.refuse("holds arrays of different lengths");
+  r.fit.picture = read_picture(group, "picture", r.film.height, r.film.width);
+}
+
 }  // namespace
 
 void write_film_result(const std::filesystem::path& path, const FilmResult& result) {
@@ -149,7 +177,8 @@ void write_film_result(const std::filesystem::path& path, const FilmResult& resu
   const auto forces = at.create_group("forces");
   forces.write("fn_error", result.fn_error, "N");
   forces.write("ft_error", result.ft_error, "N");
-  forces.write("absent", result.absent);
+  forces.write("presence", result.presence, "1");
+  write_fit(forces, result);
   at.write_text("numbers", result.numbers_json);
   write_sealed(path, "film", at.bytes());
 }
@@ -170,9 +199,10 @@ FilmResult read_film_result(const std::filesystem::path& path) {
   const auto forces = at.group("forces");
   result.fn_error = forces.doubles("fn_error");
   result.ft_error = forces.doubles("ft_error");
-  result.absent = forces.bytes("absent");
-  for (const std::size_t size : {result.fn_error.size(), result.ft_error.size(), result.absent.size()})
+  result.presence = forces.doubles("presence");
+  for (const std::size_t size : {result.fn_error.size(), result.ft_error.size(), result.presence.size()})
     if (size != 0 && size != contacts) forces.refuse("holds arrays of different lengths");
+  read_fit(forces, result);
   result.numbers_json = at.numbers("numbers");
   return result;
 }

@@ -8,7 +8,6 @@
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/read_file.hpp"
-#include "study/film_directions.hpp"
 #include "study/film_numbers.hpp"
 #include "study/film_road.hpp"
 #include "study/film_twin.hpp"
@@ -89,7 +88,7 @@ Json texture_of(const FilmResult& film) {
   texture::Options options;
   options.rev_sizes = 0;
   options.grain_sigma_hyd = film.swing.sigma_hyd;
-  auto measured = texture::measure(study::without_absent(film), options);
+  auto measured = texture::measure(film.packing, options);
   measured.per_grain = {};
   return Json::parse(texture::to_json(measured, true));
 }

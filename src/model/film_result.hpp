@@ -20,6 +20,18 @@ struct FilmTwin {
   bool empty() const { return swing.empty(); }
 };
 
+/// How contact forces agree with what they were inferred from, and with what was told beside the film.
+struct ForceFit {
+  std::size_t proposed = 0;         ///< contacts
+  double present = 0, present_error = 0;  ///< number of contacts that are there, as far as forces and gaps tell
+  std::vector<float> picture;       ///< full swing that the forces make the maps show, K, rows from the top; no number outside grains
+  double over_noise = 0;            ///< root mean square of measured less fitted over the measured noise alone (chi)
+  double over_signal = 0;           ///< the same over that of the measured
+  double load = 0;                  ///< on the lower wall by forces that were not told it, N; 0: not known
+  double model_error = 0;           ///< error of the disks' fields, share of the signal, that makes the two agree
+  std::vector<double> factor_scale, factor_scale_error;  ///< one a material: the film wants its factor so many times larger
+};
+
 /// What a film of a loaded packing gives: maps in kelvin, rows from the top, and grains. Grains and contacts with their
 /// inferred forces are `packing`; the arrays beside it follow its order. One file in the store.
 struct FilmResult {
@@ -38,7 +50,10 @@ struct FilmResult {
   GrainSwing swing;
   Packing packing;                  ///< in metres at the largest load; forces are those of the swing
   std::vector<double> fn_error, ft_error;  ///< N, one a contact
-  std::vector<std::uint8_t> absent; ///< 1 for contacts that may not be there
+  std::vector<double> presence;     ///< probability that each of the packing's contacts is there; the others that were proposed are not kept
+  ForceFit fit;                     ///< how well the forces agree with the film and the load; empty without forces
+  double rim_blur = 0;              ///< of the lens as the rims show it, pixels; 0: not known
+  std::vector<std::string> doubts;  ///< what the film says against what was told beside it, one sentence each
   FilmTwin twin;
   std::string numbers_json;
 };

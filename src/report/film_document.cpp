@@ -51,6 +51,7 @@ Json maps_of(const FilmResult& r, NumberBlock& block) {
     if (pixels > 0 && values.size() == pixels) all[name] = map_of(r.film.width, r.film.height, values, levels, block);
   };
   add("picture", r.picture, picture_steps);
+  add("fitted", r.fit.picture, fine);
   for (const MapColumn& column : map_columns) add(column.name, r.maps.*column.member, column.levels);
   return all;
 }
@@ -124,7 +125,7 @@ Json contacts_of(const FilmResult& r, NumberBlock& block) {
   reals("ft", contacts.ft);
   reals("fn_error", r.fn_error);
   reals("ft_error", r.ft_error);
-  if (r.absent.size() == contacts.size()) out["absent"] = reference(block.add_indices(unsigned_copy(r.absent)));
+  reals("presence", r.presence);
   return out;
 }
 

@@ -43,11 +43,26 @@ void describe_forces(NumberLines& lines) {
   if (!lines.has("/forces/proposed")) return;
   lines.heading("Contact forces (swing)");
   lines.add("contacts proposed", "/forces/proposed");
-  lines.add("of these perhaps absent", "/forces/absent");
+  lines.add("of these there", "/forces/present");
   lines.add("mean normal force", "/forces/mean_N", "N");
   lines.add("share above the mean", "/forces/share_above_mean");
   lines.add("standard error, normal", "/forces/fn_error_N", "N");
   lines.add("standard error, tangential", "/forces/ft_error_N", "N");
+}
+
+/// How the forces agree with the film and with what was told beside it.
+void describe_checks(NumberLines& lines, const Json& numbers) {
+  if (!lines.has("/checks")) return;
+  lines.heading("Forces against film and load");
+  lines.add("left by the fit over the noise", "/checks/misfit_over_noise");
+  lines.add("left by the fit over the signal", "/checks/misfit_over_signal");
+  lines.add("error of the disks' fields that agrees", "/checks/field_error_that_agrees");
+  lines.add("load by forces that are not told it", "/checks/load_by_forces_N", "N");
+  lines.add("blur of the rims", "/checks/blur_of_rims_pixels", "pixels");
+  if (lines.has("/checks/factor_scale"))
+    for (const auto& [name, value] : numbers["checks"]["factor_scale"].items()) lines.add("factor wanted over told, " + name, "/checks/factor_scale/" + name);
+  if (lines.has("/checks/doubts"))
+    for (const auto& doubt : numbers["checks"]["doubts"]) lines.raw("! " + doubt.get<std::string>());
 }
 
 void describe_directions(NumberLines& lines) {
@@ -76,6 +91,7 @@ std::string film_text(const FilmResult& r) {
   describe_film(lines, r);
   describe_grains(lines, r);
   describe_forces(lines);
+  describe_checks(lines, numbers);
   describe_directions(lines);
   describe_twin(lines);
   return r.outcome + "\n" + std::move(lines).text();

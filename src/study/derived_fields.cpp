@@ -48,6 +48,11 @@ std::vector<io::GrainField> derived_fields(const FilmResult& film) {
           {"sigma_hyd_error", "Pa", film.swing.error}};
 }
 
+std::vector<io::GrainField> fields_of_contacts(const FilmResult& film) {
+  if (film.fn_error.empty()) return {};
+  return {{"fn_error", "N", film.fn_error}, {"ft_error", "N", film.ft_error}, {"presence", "1", film.presence}};
+}
+
 std::vector<io::GrainField> derived_fields(const FieldResult& result) {
   const bool loaded = result.field.size() > 0;
   StressField none;

@@ -103,7 +103,7 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
       const FilmResult film = io::read_film_result(file);
       const Frame frame = std::move(measured_stage(film).frames.front());
       if (!out) out.emplace(folder);
-      out->add(format.of_frame({static_cast<int>(times.size()), film.name, &frame, derived_fields(film)}));
+      out->add(format.of_frame({static_cast<int>(times.size()), film.name, &frame, derived_fields(film), fields_of_contacts(film)}));
       times.push_back(frame.time);
       continue;
     }
@@ -112,7 +112,7 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
     if (last_only && stage.frames.size() > 1) stage.frames.erase(stage.frames.begin(), stage.frames.end() - 1);
     for (const Frame& frame : stage.frames) {
       if (!times.empty() && frame.time == times.back()) continue;
-      out->add(format.of_frame({static_cast<int>(times.size()), stage.name, &frame, derived_fields(frame.packing)}));
+      out->add(format.of_frame({static_cast<int>(times.size()), stage.name, &frame, derived_fields(frame.packing), {}}));
       times.push_back(frame.time);
     }
   }

@@ -20,22 +20,13 @@ Json directions_of(const Packing& packing) {
 
 }  // namespace
 
-Packing without_absent(const FilmResult& film) {
-  Packing packing = film.packing;
-  packing.contacts = {};
-  const Contacts& all = film.packing.contacts;
-  for (std::size_t c = 0; c < all.size(); ++c)
-    if (film.absent.empty() || !film.absent[c]) packing.contacts.add(all.i[c], all.j[c], all.normal(c), all.fn[c], all.ft[c], all.arm_i[c], all.arm_j[c]);
-  return packing;
-}
-
 nlohmann::ordered_json film_directions(const FilmResult& film, const Packing* twin) {
   Json out = Json::object();
   const auto add = [&](const char* name, const Packing& packing) {
     if (Json directions = directions_of(packing); directions.value("contacts", 0) > 0) out[name] = std::move(directions);
   };
   if (film.packing.contacts.size() == 0) return out;
-  add("film", without_absent(film));
+  add("film", film.packing);
   if (twin) add("twin", *twin);
   return out;
 }

@@ -5,13 +5,9 @@
 
 namespace arenite::study {
 
-/// What a film shows without the contacts that are not there by their forces.
-Packing without_absent(const FilmResult& film);
-
 /// Directions of the contacts that a film shows and, where it is given, of those of a simulation beside it: "film" and
 /// "twin", each with "contacts", "a_c", "theta_c_deg", "a_c_noise" and the numbers in "sectors" of 10 degrees, over the
-/// same window (without the border). Of the film's contacts those count that are there by their forces. Empty without
-/// contacts.
+/// same window (without the border). Empty without contacts.
 nlohmann::ordered_json film_directions(const FilmResult& film, const Packing* twin = nullptr);
 
 }  // namespace arenite::study

@@ -58,20 +58,41 @@ Json motion_of(const FilmResult& r) {
 Json forces_of(const FilmResult& r) {
   const Contacts& contacts = r.packing.contacts;
   if (contacts.size() == 0) return Json::object();
-  double sum = 0;
-  std::size_t between = 0, above = 0;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (contacts.is_wall(c) || (!r.absent.empty() && r.absent[c])) continue;
-    sum += contacts.fn[c];
-    ++between;
+  std::vector<double> between;
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (!contacts.is_wall(c)) between.push_back(contacts.fn[c]);
+  const auto n = static_cast<double>(between.size());
+  double mean = 0, squares = 0;
+  for (const double f : between) mean += f / n;
+  for (const double f : between) squares += (f - mean) * (f - mean);
+  const auto above = static_cast<double>(std::count_if(between.begin(), between.end(), [&](double f) { return f > mean; }));
+  Json j{{"proposed", r.fit.proposed}, {"present", contacts.size()}, {"between_grains", between.size()}};
+  statistics::put(j, "present_error", r.fit.present_error);
+  if (between.size() > 1) {
+    // Of the sample's contacts, and of how many there are: one more or less of those that carry next to nothing.
+    const double spread = std::sqrt(squares / (n - 1) / n), counted = mean * r.fit.present_error / n;
+    statistics::put(j, "mean_N", statistics::Estimate{mean, std::hypot(spread, counted)});
+    statistics::put(j, "share_above_mean", statistics::Estimate{above / n, std::sqrt(above * (n - above) / n) / n});
   }
-  const double mean = between > 0 ? sum / static_cast<double>(between) : statistics::unknown;
-  for (std::size_t c = 0; c < contacts.size(); ++c) above += !contacts.is_wall(c) && !(!r.absent.empty() && r.absent[c]) && contacts.fn[c] > mean;
-  Json j{{"proposed", contacts.size()}, {"absent", std::count(r.absent.begin(), r.absent.end(), std::uint8_t{1})}, {"between_grains", between}};
-  statistics::put(j, "mean_N", mean);
-  statistics::put(j, "share_above_mean", static_cast<double>(above) / static_cast<double>(std::max<std::size_t>(between, 1)));
   statistics::put(j, "fn_error_N", median_or_unknown(r.fn_error));
   statistics::put(j, "ft_error_N", median_or_unknown(r.ft_error));
+  return j;
+}
+
+/// How forces, film and load agree.
+Json checks_of(const FilmResult& r) {
+  Json j = Json::object();
+  const ForceFit& fit = r.fit;
+  if (fit.over_noise > 0) {
+    statistics::put(j, "misfit_over_noise", fit.over_noise);
+    statistics::put(j, "misfit_over_signal", fit.over_signal);
+    statistics::put(j, "field_error_that_agrees", fit.model_error);
+  }
+  if (r.rim_blur > 0) statistics::put(j, "blur_of_rims_pixels", r.rim_blur);
+  if (fit.load != 0) statistics::put(j, "load_by_forces_N", fit.load);
+  for (std::size_t m = 0; m < fit.factor_scale.size(); ++m)
+    statistics::put(j["factor_scale"], r.packing.materials[m].name, statistics::Estimate{fit.factor_scale[m], fit.factor_scale_error[m]});
+  j["doubts"] = r.doubts;
   return j;
 }
 
@@ -119,6 +140,7 @@ Agreement agreement(const std::vector<double>& one, const std::vector<double>& o
 
 std::string film_numbers(const FilmResult& r, const Packing* twin) {
   Json j{{"film", film_of(r)}, {"lockin", lockin_of(r)}, {"grains", grains_of(r)}, {"motion", motion_of(r)}, {"forces", forces_of(r)}};
+  if (r.fit.proposed > 0) j["checks"] = checks_of(r);
   if (auto directions = film_directions(r, twin); !directions.empty()) j["directions"] = std::move(directions);
   if (r.swing.size() == 0) return j.dump();
   texture::Options options;

@@ -20,7 +20,7 @@ Domain frame_at(const FilmRecipe& recipe, double share) {
 
 Materials materials_of(const FilmRecipe& recipe) {
   Materials materials;
-  for (const FilmMaterial& m : recipe.materials) materials.push_back({m.name, 0, 0, m.thermoelastic_factor});
+  for (const FilmMaterial& m : recipe.materials) materials.push_back({m.name, 0, m.stiffness, m.thermoelastic_factor});
   return materials;
 }
 

@@ -15,6 +15,7 @@ struct FilmMaterial {
   double thermoelastic_factor = 0;  ///< A, K/Pa
   double brightness = 0;            ///< in the picture that grains are found in; only the order counts
   std::optional<double> emissivity;  ///< in the camera's band; unless given, that of [temperature]
+  double stiffness = 0;             ///< of its contacts, N/m; 0: not known, alike for all
   bool operator==(const FilmMaterial&) const = default;
 };
 
@@ -69,6 +70,7 @@ struct LockinSection {
   std::int64_t drift = 2, harmonics = 2;
   std::optional<double> phase;      ///< when the load is largest, rad after the first frame; found on the film if not given
   bool motion = true;               ///< grains' motion is fitted and taken out
+  double diffusivity = 1e-7;        ///< of heat in the grains, m^2/s, about that of plastics
   bool operator==(const LockinSection&) const = default;
 };
 

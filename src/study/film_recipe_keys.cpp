@@ -15,6 +15,8 @@ void declare(Visitor& v, FilmMaterial& material) {
   v.number({"brightness", "In the picture that grains are found in; only the order of the materials counts."}, material.brightness, "",
            range::between(0, 1));
   v.number({"emissivity", "In the camera's band; unless given, that of [temperature]."}, material.emissivity, "", range::above(0, 1));
+  v.number({"stiffness", "Of its contacts, as in the recipe of a packing: where means leave forces open, they go the stiffer way; 0: not known, alike for all."},
+           material.stiffness, "kN/mm", range::not_negative);
 }
 
 void declare(Visitor& v, ReadingSection& film) {
@@ -83,6 +85,8 @@ void declare(Visitor& v, LockinSection& lockin) {
   v.number({"phase", "When the load is largest: what its cycle has gone through since the first frame, 360 deg a cycle; unless given, it is found on the film."},
            lockin.phase, "deg", range::between(-2 * std::numbers::pi, 2 * std::numbers::pi));
   v.flag({"motion", "Motion of the grains is fitted and taken out."}, lockin.motion);
+  v.number({"diffusivity", "Of heat in the grains: it is told where heat diffuses not far less than a pixel within a cycle. The default is about that of plastics."},
+           lockin.diffusivity, "mm^2/s", range::positive);
 }
 
 void declare(Visitor& v, ForcesSection& forces) {
@@ -90,7 +94,7 @@ void declare(Visitor& v, ForcesSection& forces) {
            {{"pixels", "every pixel of the grains"}, {"means", "the grains' means alone"}, {"none", "no forces"}});
   v.number({"central_share", "Share of a grain's area, round its centre, over which its stress is averaged."}, forces.central_share, "%",
            range::above(0, 1));
-  v.number({"blur", "Standard deviation of the lens' blur, in pixels."}, forces.blur, "", range::between(0, 5));
+  v.number({"blur", "Standard deviation of the lens' blur, in pixels. Where the rims of the film show another one it is told, and errors hold the difference."}, forces.blur, "", range::between(0, 5));
   v.number({"friction", "Coefficient of friction: bounds tangential forces of a state."}, forces.friction, "", range::not_negative);
   v.flag({"state", "The film shows a state that starts from no load, so that the friction cone holds; otherwise the swing between two."},
          forces.state);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "core/error.hpp"
@@ -50,6 +51,12 @@ std::string sentence_of(const FilmResult& r) {
   return fmt::format("{} grains and {} contacts at {:.6g} Hz", r.packing.grains.size(), r.packing.contacts.size(), r.maps.frequency);
 }
 
+/// What was doubted of a stored film.
+std::vector<std::string> doubts_of(const FilmResult& r) {
+  const auto numbers = nlohmann::json::parse(r.numbers_json);
+  return numbers.contains("checks") ? numbers["checks"].value("doubts", std::vector<std::string>{}) : std::vector<std::string>{};
+}
+
 /// What the store has of this film; nothing for a file that is missing or damaged.
 std::optional<FilmResult> stored(const fs::path& file, const FilmRunOptions& options) {
   if (!fs::exists(file)) return std::nullopt;
@@ -86,6 +93,7 @@ FilmOutcome run_film(const fs::path& film, const FilmRecipe& recipe, const FilmR
   Packing loaded;
   if (auto known = stored(outcome.file, options)) {
     r = std::move(*known);
+    for (const auto& doubt : doubts_of(r)) options.notice(doubt);
     outcome.interrupted = recipe.twin && !add_twin(recipe, options, outcome, loaded);
     return outcome;
   }

@@ -10,6 +10,8 @@
 
 #include "study/film_checks.hpp"
 #include "study/film_correction.hpp"
+#include "study/film_doubts.hpp"
+#include "study/film_errors.hpp"
 #include "study/film_forces.hpp"
 #include "study/film_place.hpp"
 #include "study/find_grains.hpp"
@@ -18,6 +20,7 @@
 #include "thermography/lockin.hpp"
 #include "thermography/phase_pictures.hpp"
 #include "thermography/grain_surfaces.hpp"
+#include "thermography/rim_blur.hpp"
 
 namespace arenite::study {
 namespace {
@@ -71,6 +74,7 @@ class Road {
                                                                          : thermography::lock_in(film, options);
     if (r.maps.size() == 0) return false;
     refuse_without_load(r.maps, recipe_.lockin.frequency);
+    refuse_impossible(recipe_, r.maps);
     return true;
   }
 
@@ -117,7 +121,12 @@ class Road {
         loaded_.x[i] = r.grains.x[i] + 2 * x, loaded_.y[i] = r.grains.y[i] + 2 * y;
       }
     }
-    r.maps = thermography::follow_grains(pictures, r.maps, middle, r.motion, loaded_, told_phase(), options_.threads, recipe_.forces.blur);
+    const auto followed = [&](double blur) {
+      return thermography::follow_grains(pictures, r.maps, middle, r.motion, loaded_, told_phase(), options_.threads, blur);
+    };
+    wider_ = followed(recipe_.forces.blur + blur_step);
+    r.rim_blur = thermography::rim_blur(pictures, middle, r.motion, options_.threads);
+    r.maps = followed(recipe_.forces.blur);
   }
 
   bool measure(FilmResult& r) {
@@ -125,12 +134,23 @@ class Road {
     thermography::GrainMeanOptions means;
     means.share = recipe_.forces.central_share;
     for (const auto& m : recipe_.materials) means.factor.push_back(m.thermoelastic_factor);
-    r.swing = thermography::grain_means(r.maps, loaded_, means);
+    // Places at the largest load are those found plus all of the way that was fitted.
+    PictureGrains uncertain = loaded_;
+    for (std::size_t i = 0; i < r.motion.size(); ++i)
+      if (!uncertain.position_error.empty() && std::isfinite(r.motion.error[i])) uncertain.position_error[i] = std::hypot(uncertain.position_error[i], 2 * r.motion.error[i]);
+    r.swing = thermography::grain_means(r.maps, uncertain, means);
+    if (wider_.size() > 0) {
+      constexpr double least = 0.05;  // what rims tell of the blur at best
+      add_blur_error(r.swing, thermography::grain_means(wider_, uncertain, means), blur_step, std::max(least, std::abs(r.rim_blur - recipe_.forces.blur)));
+    }
     forget_lost(r);
     r.packing.materials = materials_of(recipe_);
     r.packing.grains = in_metres(loaded_, place_);
     r.packing.domain = frame_at(recipe_, recipe_.lockin.motion ? 1 : 0);
     infer_film_forces(recipe_, r);
+    add_fit_error(r, loaded_, recipe_.forces.central_share);
+    r.doubts = film_doubts(recipe_, r);
+    for (const auto& doubt : r.doubts) options_.notice(doubt);
     options_.progress({3, 5, "grains", 1, 0, 0, false, false});
     return !options_.asked_to_stop();
   }
@@ -151,6 +171,8 @@ class Road {
   const FilmRunOptions& options_;
   FilmSource& source_;
   FilmPlace place_;
+  static constexpr double blur_step = 0.1;  // pixels
+  LockinMaps wider_;                ///< with rims taken off as a lens blurred by a step more shows them
   PictureGrains loaded_;            ///< at the largest load
 };
 

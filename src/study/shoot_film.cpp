@@ -36,12 +36,24 @@ void take_materials(Packing& packing, const FilmRecipe& recipe, camera::Paramete
 
 double load_on_bottom(const Packing& packing) { return packing.domain.wall[bottom].force; }
 
-/// What a laboratory would know of this film.
-FilmRecipe laboratory_recipe(const FilmRecipe& recipe, const Packing* low, const Packing& high, const std::string& ending) {
+/// What only the virtual camera knows for sure: its lens, its surroundings, when the load is largest, and the wall's way.
+void forget_secrets(FilmRecipe& lab) {
+  const FilmRecipe unknowing;
+  lab.temperature.ambient = unknowing.temperature.ambient;
+  lab.lockin.phase.reset();
+  lab.forces.blur = unknowing.forces.blur;
+  lab.frame.travel = 0;
+}
+
+/// What a laboratory would know of this film, and unless it is `blind` what the camera knows beside.
+FilmRecipe laboratory_recipe(const FilmRecipe& recipe, const Packing* low, const Packing& high, const std::string& ending, bool blind) {
   FilmRecipe lab = recipe;
   const Domain& start = low ? low->domain : high.domain;
   const CameraSection& shot = *recipe.camera;
   lab.camera.reset();
+  for (FilmMaterial& m : lab.materials)
+    for (const Material& of : high.materials)
+      if (of.name == m.name) m.stiffness = of.stiffness;
   lab.frame = {start.width(), start.height(), start.thickness, {}, {}, load_on_bottom(high) - (low ? load_on_bottom(*low) : 0.0),
                shot.parameters.motion ? high.domain.wall[bottom].position - start.wall[bottom].position : 0};
   lab.picture.pixel = shot.parameters.optics.pixel;
@@ -58,6 +70,7 @@ FilmRecipe laboratory_recipe(const FilmRecipe& recipe, const Packing* low, const
   lab.lockin.phase = std::numbers::pi;
   lab.forces.blur = shot.parameters.optics.blur;
   lab.forces.state = low == nullptr;
+  if (blind) forget_secrets(lab);
   return lab;
 }
 
@@ -92,24 +105,24 @@ struct Shot {
   FilmRecipe laboratory;
 };
 
-Shot shot_of_field(const FilmRecipe& recipe, FieldResult& field, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending) {
+Shot shot_of_field(const FilmRecipe& recipe, FieldResult& field, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending, bool blind) {
   if (!recipe.camera->low.empty()) throw InputError(recipe.source_file, 0, "a load of a cemented sample is filmed from no load; leave out camera.low");
   take_materials(field.packing, recipe, p, brightness);
   Shot shot{camera::scene_of_field(field, p), {}};
   Packing window;
   window.domain = shot.scene.low;
-  shot.laboratory = laboratory_recipe(recipe, nullptr, window, ending);
+  shot.laboratory = laboratory_recipe(recipe, nullptr, window, ending, blind);
   shot.laboratory.forces.from = ForcesSection::From::none;  // matrix carries between the grains
   return shot;
 }
 
-Shot shot_of_states(const FilmRecipe& recipe, Packing& high, const fs::path& result, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending) {
+Shot shot_of_states(const FilmRecipe& recipe, Packing& high, const fs::path& result, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending, bool blind) {
   const std::string& released = recipe.camera->low;
   std::optional<Packing> low;
   if (!released.empty() && !(low = last_state(result, released))) refuse_stage(result, released);
   if (low) take_materials(*low, recipe, p, brightness);
   take_materials(high, recipe, p, brightness);
-  return {low ? camera::scene_between(*low, high, p) : camera::scene_of_state(high, p), laboratory_recipe(recipe, low ? &*low : nullptr, high, ending)};
+  return {low ? camera::scene_between(*low, high, p) : camera::scene_of_state(high, p), laboratory_recipe(recipe, low ? &*low : nullptr, high, ending, blind)};
 }
 
 }  // namespace
@@ -123,7 +136,7 @@ std::vector<fs::path> shoot_film(const FilmRecipe& recipe, const fs::path& resul
   auto field = state ? std::nullopt : load_named(result, shot.high);
   if (!state && !field) refuse_stage(result, shot.high);
   const auto [scene, laboratory] =
-      state ? shot_of_states(recipe, *state, result, p, brightness, options.format) : shot_of_field(recipe, *field, p, brightness, options.format);
+      state ? shot_of_states(recipe, *state, result, p, brightness, options.format, options.blind) : shot_of_field(recipe, *field, p, brightness, options.format, options.blind);
 
   make_folder(options.out);
   const auto named = [&](const std::string& name) { return options.out / (name + "." + options.format); };

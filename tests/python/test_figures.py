@@ -254,7 +254,7 @@ def test_maps_of_a_film_are_those_that_it_holds():
 
 def a_film_of_forces():
     contacts = types.SimpleNamespace(fn=np.array([100.0, 50.0, 1.0, -3.0, 9.0]), ft=np.zeros(5))
-    return types.SimpleNamespace(packing=types.SimpleNamespace(contacts=contacts), fn_error=np.ones(5), ft_error=np.ones(5), absent=np.array([0, 0, 0, 0, 1]))
+    return types.SimpleNamespace(packing=types.SimpleNamespace(contacts=contacts), fn_error=np.ones(5), ft_error=np.ones(5), presence=np.array([1, 1, 0.6, 1, 0.9]))
 
 
 def test_contacts_that_may_be_absent_are_told_apart():

@@ -173,8 +173,12 @@ struct FilmPageSample {
       film.ft_error.push_back(0.06 * mean);
       c.fn[k] += film.fn_error[k] * random_.normal();
       c.ft[k] += film.ft_error[k] * random_.normal();
-      film.absent.push_back(std::abs(c.fn[k]) < 3 * film.fn_error[k]);
+      film.presence.push_back(std::abs(c.fn[k]) < 3 * film.fn_error[k] ? 0.6 : 1.0);
     }
+    film.fit.proposed = c.size() + 5, film.fit.present = static_cast<double>(c.size()), film.fit.present_error = 2;
+    film.fit.picture = film.maps.in_phase;
+    film.fit.over_noise = 1.4, film.fit.over_signal = 0.05, film.fit.model_error = 0.02, film.fit.load = 54e3;
+    film.fit.factor_scale.assign(film.packing.materials.size(), 1.01), film.fit.factor_scale_error.assign(film.packing.materials.size(), 0.01);
   }
 
   /// The nearest grain beyond those that touch.

@@ -213,7 +213,7 @@ test("zoomed in, a pixel is a square of one colour; 0 shows all again", async (p
 
 test("every figure is drawn and saved as a whole SVG, and its choices redraw it", async (page) => {
   const names = await page.locator("[data-figure]:visible").evaluateAll((all) => all.map((f) => f.dataset.figure));
-  assert.deepEqual(names, ["film-maps", "film-twin", "film-tails", "film-directions", "film-forces", "film-certainty", "film-stresses"]);
+  assert.deepEqual(names, ["film-maps", "film-twin", "film-tails", "film-directions", "film-fit", "film-forces", "film-certainty", "film-stresses"]);
   for (const name of names) {
     const source = (await saved(page, `[data-figure="${name}"] [data-save="svg"]:visible`)).toString("utf8");
     assert.ok(source.match(/<(path|rect|circle|line)/g).length > 5, `${name} is bare`);

@@ -17,8 +17,8 @@ def materials_of(film):
 
 
 def uncertain(film):
-    """One flag a contact: it may not be there, or its force is not larger than twice its standard error."""
-    return np.asarray(film.absent, bool) | (np.abs(film.packing.contacts.fn) < 2 * film.fn_error)
+    """One flag a contact: it counts as there, and may not be."""
+    return np.asarray(film.presence) < 0.95
 
 
 def certainty_sets(film):

@@ -58,7 +58,13 @@ TEST(FilmResultFile, ReadsBackWhatWasWritten) {
   EXPECT_EQ(back.packing.contacts.ft, r.packing.contacts.ft);
   EXPECT_EQ(back.fn_error, r.fn_error);
   EXPECT_EQ(back.ft_error, r.ft_error);
-  EXPECT_EQ(back.absent, r.absent);
+  EXPECT_EQ(back.presence, r.presence);
+  EXPECT_EQ(back.fit.proposed, r.fit.proposed);
+  EXPECT_EQ(back.fit.over_noise, r.fit.over_noise);
+  EXPECT_EQ(back.fit.load, r.fit.load);
+  EXPECT_EQ(back.fit.factor_scale, r.fit.factor_scale);
+  ASSERT_EQ(back.fit.picture.size(), r.fit.picture.size());
+  for (std::size_t p = 0; p < r.fit.picture.size(); ++p) EXPECT_TRUE(back.fit.picture[p] == r.fit.picture[p] || std::isnan(r.fit.picture[p])) << p;
 }
 
 TEST(FilmResultFile, MapsAloneReadBack) {
@@ -71,7 +77,8 @@ TEST(FilmResultFile, MapsAloneReadBack) {
   maps.twin = {};
   maps.fn_error.clear();
   maps.ft_error.clear();
-  maps.absent.clear();
+  maps.presence.clear();
+  maps.fit = {};
   maps.bad.clear();
   maps.maps.second_harmonic.clear();
   maps.maps.convention = SwingConvention::full;
@@ -91,7 +98,7 @@ TEST(FilmResultFile, ArraysOfDifferentLengthsAreRefused) {
   const TemporaryFolder folder;
   FilmResult of_grains = sample(), of_contacts = sample();
   of_grains.swing.error.pop_back();
-  of_contacts.absent.push_back(0);
+  of_contacts.presence.push_back(0);
   for (const FilmResult* wrong : {&of_grains, &of_contacts}) {
     io::write_film_result(folder / "f.h5", *wrong);
     EXPECT_THROW(io::read_film_result(folder / "f.h5"), InputError);

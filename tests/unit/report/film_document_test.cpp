@@ -74,7 +74,7 @@ TEST(FilmDocument, PutsGrainsWithoutCirclesWhereTheirPlacesInMetresAre) {
 TEST(FilmDocument, NumbersWallsAfterTheGrains) {
   const Json film = document_of(sample().film);
   EXPECT_EQ(film["contacts"]["count"], sample().film.packing.contacts.size());
-  for (const char* name : {"fn", "ft", "fn_error", "ft_error", "absent", "nx", "ny"}) EXPECT_TRUE(film["contacts"].contains(name)) << name;
+  for (const char* name : {"fn", "ft", "fn_error", "ft_error", "presence", "nx", "ny"}) EXPECT_TRUE(film["contacts"].contains(name)) << name;
 }
 
 TEST(FilmDocument, OfMapsAloneHasNeitherGrainsNorStresses) {

@@ -33,6 +33,7 @@ TEST(ExportFilm, GrainsAndForcesBecomeTables) {
     all += text;
   }
   EXPECT_NE(grains.find("sigma_hyd_error"), std::string::npos);
+  EXPECT_NE(all.find(",sliding_velocity [m/s],fn_error [N],ft_error [N],presence\n"), std::string::npos);
   EXPECT_EQ(lines_in(grains), made.film.packing.grains.size() + 1);
   EXPECT_GT(lines_in(all), made.film.packing.grains.size() + made.film.packing.contacts.size());
 }

@@ -67,14 +67,20 @@ TEST(FilmNumbers, TellWhatTheResultHolds) {
   double largest = 0;
   for (std::size_t i = 0; i < film.motion.size(); ++i) largest = std::max(largest, 2 * std::hypot(film.motion.cos_x[i], film.motion.cos_y[i]));
   EXPECT_NEAR(j["motion"]["largest_travel_pixels"].get<double>(), largest, 1e-9);
-  EXPECT_EQ(j["forces"]["proposed"], film.packing.contacts.size());
-  EXPECT_EQ(j["forces"]["absent"].get<std::size_t>(), static_cast<std::size_t>(std::count(film.absent.begin(), film.absent.end(), 1)));
+  EXPECT_EQ(j["forces"]["proposed"], film.fit.proposed);
+  EXPECT_EQ(j["forces"]["present"], film.packing.contacts.size());
+  const Contacts& contacts = film.packing.contacts;
+  double sum = 0, between = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (!contacts.is_wall(c)) sum += contacts.fn[c], ++between;
+  EXPECT_NEAR(j["forces"]["mean_N"]["value"].get<double>(), sum / between, 1e-9 * sum);
+  EXPECT_EQ(j["texture"]["contacts"].get<std::size_t>() + j["texture"]["wall_contacts"].get<std::size_t>(), contacts.size());
   FilmResult maps = film;
   maps.swing = {};
   EXPECT_FALSE(nlohmann::json::parse(film_numbers(maps)).contains("texture"));
 }
 
-/// Contacts along x between grains of a row, and one along y that may not be there.
+/// Contacts along x between grains of a row, and one along y.
 FilmResult row_of_grains() {
   FilmResult film;
   film.packing.materials = {{"POM", 1400, 27e6, 0}};
@@ -84,13 +90,15 @@ FilmResult row_of_grains() {
   film.packing.grains.x[4] = 0, film.packing.grains.y[4] = 0.0105;
   for (std::int32_t g = 0; g < 3; ++g) film.packing.contacts.add(g, g + 1, {-1, 0}, 100, 0, 0.00475, 0.00475);
   film.packing.contacts.add(0, 4, {0, -1}, 1, 0, 0.00525, 0.00525);
-  film.absent = {0, 0, 0, 1};
   return film;
 }
 
-TEST(FilmDirections, CountContactsThatAreThere) {
+TEST(FilmDirections, AreOfTheFilmsContactsAndTheTwins) {
   FilmResult film = row_of_grains();
-  const auto directions = film_directions(film, &film.packing);
+  const Packing twin = film.packing;
+  film.packing.contacts = {};
+  for (std::size_t c = 0; c < 3; ++c) film.packing.contacts.add(twin.contacts.i[c], twin.contacts.j[c], twin.contacts.normal(c), 100, 0, 0.00475, 0.00475);
+  const auto directions = film_directions(film, &twin);
   EXPECT_EQ(directions["film"]["contacts"], 3);
   EXPECT_NEAR(directions["film"]["a_c"]["value"].get<double>(), 2, 1e-12);
   EXPECT_NEAR(std::fmod(directions["film"]["theta_c_deg"]["value"].get<double>(), 180), 0, 1e-9);

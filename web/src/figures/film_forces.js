@@ -7,7 +7,7 @@ const colourOf = (theme, uncertain) => (uncertain ? theme.tension : theme.strong
 
 export const rankedForces = {
   id: "film-forces", title: "Contact forces \u00b1 s.e.", wide: true, follows: ["component"],
-  caption: "Forces of the swing in order, with one standard error to both sides. May be absent: not told from zero by two standard errors, or said so by the inference.",
+  caption: "Forces of the swing in order, with one standard error to both sides. May be absent: contacts that count as there with a probability below 95\u202f%; as many that are there are not counted.",
   choices: { component: ["", [["fn", "F_{n}"], ["ft", "F_{t}"]]] },
   when: (_, film) => film.hasForces,
   key: ({ sample, theme }) => {

@@ -5,6 +5,7 @@ import { stressDensities } from "./densities.js";
 import { forceDistribution, stressDistribution } from "./distributions.js";
 import { brokenBonds, energyBalance, stressStrain } from "./failure.js";
 import { directions } from "./film_directions.js";
+import { fitMaps } from "./film_fit.js";
 import { certainty, rankedForces } from "./film_forces.js";
 import { rankedStresses, stressMaps } from "./film_grains.js";
 import { againstTwin, stressTails } from "./film_twin.js";
@@ -22,4 +23,4 @@ export const figures = [roses, stressDistribution, forceDistribution, coordinati
 export const fieldFigures = [stressStrain, brokenBonds, energyBalance, stressDensities, cavityVolumes, convergence];
 
 /** Every figure of a film, likewise; `sample` is its FilmResult. */
-export const filmFigures = [stressMaps, againstTwin, stressTails, directions, rankedForces, certainty, rankedStresses];
+export const filmFigures = [stressMaps, againstTwin, stressTails, directions, fitMaps, rankedForces, certainty, rankedStresses];

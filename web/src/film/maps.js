@@ -17,6 +17,7 @@ export const maps = {
     of: (phase, film) => wrapped((phase - film.about.film.reference_phase) * degrees),
   },
   in_phase: { label: "Signed", stored: "in_phase", title: (film) => `Warming with the load (${convention(film)})`, unit: "K", palette: "diverging", around: "zero" },
+  fitted: { label: "By forces", stored: "fitted", title: () => "Warming that the contact forces make (full swing)", unit: "K", palette: "diverging", around: "zero" },
   second_harmonic: { label: "2\u2009f", stored: "second_harmonic", title: () => "Amplitude at twice the frequency", unit: "K", palette: "stress", around: "ends" },
   standard_error: { label: "Noise", stored: "standard_error", title: () => "Standard error of the signed swing", unit: "K", palette: "size", around: "ends" },
   residual: { label: "Residual", stored: "residual", title: () => "Left by the fit (r.m.s.)", unit: "K", palette: "size", around: "ends" },

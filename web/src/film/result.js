@@ -2,6 +2,9 @@ import { unpack } from "../block.js";
 import { decodeField } from "../field/decode.js";
 import { maps } from "./maps.js";
 
+/** Probability from which a contact is there without doubt. */
+const sure = 0.95;
+
 const arraysOf = (about, block) => Object.fromEntries(Object.entries(about ?? {}).map(([name, value]) => [name, value?.at === undefined ? value : unpack(block, value)]));
 
 /** A film of a loaded packing: maps are decoded when first asked for; grains in pixels, y down. */
@@ -34,11 +37,8 @@ export class FilmResult {
   get box() { return { left: -0.5, right: this.width - 0.5, bottom: 0.5 - this.height, top: 0.5 }; }
   unitOf(map) { return maps[map].unit === "K" ? this.about.film.unit : maps[map].unit; }
 
-  /** A contact that may not be there, or whose force is not larger than twice its standard error. */
-  isUncertain(c) {
-    const { fn, fn_error: error, absent } = this.contacts;
-    return Boolean(absent?.[c]) || (error !== undefined && Math.abs(fn[c]) < 2 * error[c]);
-  }
+  /** A contact that counts as there, and by its force and its gap may not be. */
+  isUncertain(c) { return (this.contacts.presence?.[c] ?? 1) < sure; }
 
   /** Where a contact's bar goes in the picture: centre to centre, or centre to the rim at a wall. */
   endsOf(c) {

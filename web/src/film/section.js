@@ -35,5 +35,6 @@ function missing(film) {
     film.count > 0 && !film.hasForces && "Contact forces were not inferred.",
     film.stresses.film && !film.hasTwin && "No simulation of the same grains stands beside this film.",
   ].filter(Boolean);
+  for (const doubt of film.numbers?.checks?.doubts ?? []) sentences.push(`${doubt[0].toUpperCase()}${doubt.slice(1)}.`);
   return sentences.length ? h("p", { class: "caption missing" }, sentences.join(" ")) : null;
 }

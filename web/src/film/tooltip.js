@@ -36,10 +36,10 @@ function grainRows(film, g) {
 }
 
 export function contactNumbers(film, c, theme) {
-  const { i, j, fn, ft, fn_error: fe, ft_error: te, absent } = film.contacts, { id } = film.grains;
+  const { i, j, fn, ft, fn_error: fe, ft_error: te, presence } = film.contacts, { id } = film.grains;
   const partner = j[c] < film.count ? `${id[j[c]]}` : `${["left", "right", "lower", "upper"][j[c] - film.count]} wall`;
   const rows = [["F_{n}", quantityWithError(fn[c], fe?.[c], "N")], ["F_{t}", quantityWithError(ft[c], te?.[c], "N")]];
   if (fe) rows.push(["F_{n}/s.e.", text.number(fn[c] / fe[c], 3)]);
-  if (absent?.[c]) rows.push(["may be absent", "yes"]);
+  if (film.isUncertain(c)) rows.push(["may be absent", `${text.number(100 * (1 - presence[c]), 2)}\u202f%`]);
   return { title: `Contact ${id[i[c]]}\u2009\u2013\u2009${partner}`, colour: fn[c] < 0 ? theme.tension : theme.strong, rows };
 }
