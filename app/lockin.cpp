@@ -147,7 +147,7 @@ void add_lockin(CLI::App& command, int& status) {
   command.add_option("--pixel", a->pixel, "Its side on the sample, e.g. \"1.6 mm\": warns where heat diffuses not far less within a cycle")->type_name("LENGTH");
   command.add_option("--frame-rate", a->frame_rate, "Instead of what the film says")->type_name("FREQUENCY");
   command.add_option("--dataset", a->dataset, "Dataset of an HDF5 file that holds several")->type_name("NAME");
-  command.add_option("--threads", a->options.threads, "Threads; default 1")->check(CLI::Range(1, 256).description(""))->type_name("N");
+  command.add_option("--threads", a->options.threads, "Threads (default: 1)")->check(CLI::Range(1, 256).description(""))->type_name("N");
   command.add_flag("--json", a->json, "Print all numbers as JSON");
   command.add_flag("--quiet", a->quiet, "No progress");
   command.callback([a, &status] { status = execute(*a); });
