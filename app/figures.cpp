@@ -22,13 +22,21 @@ struct Arguments {
   std::vector<std::string> formats{"pdf"}, only;
 };
 
+/// The module's Python files may be there without what is compiled of it.
+bool is_built(const fs::path& module) {
+  std::error_code error;
+  for (fs::directory_iterator entry(module, error), end; !error && entry != end; entry.increment(error))
+    if (entry->path().filename().string().starts_with("_core.") && entry->path().extension() == ".so") return fs::exists(module / "figures/__main__.py", error);
+  return false;
+}
+
 /// Where the Python module lies: beside the program where it was built, or where it was installed with it.
 fs::path module_folder() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
   for (const fs::path& folder : {program / "python", program.parent_path() / "lib/python3/dist-packages"})
-    if (fs::exists(folder / "arenite/figures/__main__.py", error)) return folder;
-  throw InputError("the Python module is not installed beside this program; build with -DARENITE_PYTHON=ON");
+    if (is_built(folder / "arenite")) return folder;
+  throw InputError("figures need the Python module, which is not built beside this program; `make build` in the source folder builds it (`make demo` does not)");
 }
 
 /// The distribution's Python, for which the module is built, before any other.

@@ -82,7 +82,7 @@ void add_film(CLI::App& command, int& status) {
   add_overrides(command, a->overrides);
   a->reading.add_to(command);
   command.add_option("--out", a->out, "Folder of the result, the twin and the page (default: out/NAME)")->type_name("DIR");
-  command.add_option("--threads", a->threads, "Threads; they change no bit of the results")->check(CLI::Range(1, 1024).description(""))->type_name("N");
+  command.add_option("--threads", a->threads, "Threads (default: 1); they change no bit of the results")->check(CLI::Range(1, 1024).description(""))->type_name("N");
   command.add_flag("--json", a->json, "Print all numbers as JSON");
   command.add_flag("--quiet", a->quiet, "No progress");
   command.callback([a, &status] { status = execute(*a); });

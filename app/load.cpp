@@ -134,7 +134,8 @@ std::optional<FieldResult> watched_load(const Arguments& a, const study::Load& l
 int execute(const Arguments& a) {
   const study::Load load = load_of(a);
   try {
-    const FieldResult sample = study::sample_of_map(read_map(a));
+    FieldResult sample = study::sample_of_map(read_map(a));
+    if (a.dx.empty() && io::sealed_kind(a.map) != "field") study::count_lengths_in_nodes(sample);
     watch_for_signals();
     auto result = watched_load(a, load, sample);
     if (!result) {
@@ -161,7 +162,7 @@ void add_reading(CLI::App& command, Arguments& a) {
   command.add_option("--dataset", a.dataset, "Dataset of an HDF5 file that holds several")->type_name("NAME");
   command.add_option("--label-slice", a.label_slice, "Slice of the labels, from 0")->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40).description(""))->type_name("N");
   command.add_option("--label-dataset", a.label_dataset, "Dataset of the labels")->type_name("NAME");
-  command.add_option("--dx", a.dx, "Side of a pixel, e.g. \"25 um\"; without it lengths count in pixels")->type_name("LENGTH");
+  command.add_option("--dx", a.dx, "Side of a pixel, e.g. \"25 um\"; without it lengths are in pixels")->type_name("LENGTH");
 }
 
 void add_loading(CLI::App& command, Arguments& a) {

@@ -161,7 +161,7 @@ void add_lockin(CLI::App& command, int& status) {
   command.add_option("--diffusivity", a->diffusivity, "Of heat in the grains, for the adiabatic check; default \"0.1 mm^2/s\", about that of plastics")->type_name("QUANTITY");
   command.add_option("--pixel", a->pixel, "Its side on the sample, e.g. \"1.6 mm\": warns where heat diffuses not far less within a cycle")->type_name("LENGTH");
   a->reading.add_to(command);
-  command.add_option("--threads", a->options.threads, "Threads; default 1")->check(CLI::Range(1, 256).description(""))->type_name("N");
+  command.add_option("--threads", a->options.threads, "Threads (default: 1)")->check(CLI::Range(1, 256).description(""))->type_name("N");
   command.add_flag("--json", a->json, "Print all numbers as JSON");
   command.add_flag("--quiet", a->quiet, "No progress");
   command.callback([a, &status] { status = execute(*a); });

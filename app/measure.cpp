@@ -129,7 +129,7 @@ void add_reading(CLI::App& command, MeasureArguments& a) {
   formats.insert(formats.begin(), "auto");
   command.add_option("--format", a.format, "Format of the files; auto looks at their first line")->check(CLI::IsMember(formats))->type_name("NAME");
   command.add_option("--grain-columns", a.grain_columns, "Columns of a table of grains without header, e.g. \"id,x,y,-,radius\"")->type_name("NAMES");
-  command.add_option("--columns", a.contact_columns, "Columns of contacts without header, e.g. \"i,j,-,ft [N],fn [N]\"")->type_name("NAMES");
+  command.add_option("--columns", a.contact_columns, "Columns of contacts without header, e.g. \"i,j,-,ft [N],fn [N]\" or \"i,j,fx,fy\"; of a LAMMPS dump whose computes are not those that docs/measure.md names, e.g. \"-,patom1,patom2,fx,fy,p1,p2\"")->type_name("NAMES");
   command.add_option("--touching", a.touching, "Without a file of contacts: grains touch where their surfaces are no further apart than this; forces are not known")
       ->type_name("LENGTH");
   command.add_flag("--y-down", a.y_down, "y counts image rows, which point down; it is turned round, fn and ft are kept");

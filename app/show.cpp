@@ -18,11 +18,13 @@ void add_show(CLI::App& command, int&) {
   const auto json = std::make_shared<bool>(false);
   command.add_option("result", *result, "Stage file (.h5) or folder of a run, or a film: a file, a folder of frames, or a name with *")->required()->type_name("RESULT");
   command.add_flag("--json", *json, "Print everything as JSON: provenance, stages, texture of the last state; or what a film says about itself");
+  const auto all = std::make_shared<bool>(false);
+  command.add_flag("--all", *all, "Print every number, not the headlines alone")->excludes("--json");
   const auto states = std::make_shared<bool>(false);
-  command.add_flag("--states", *states, "Print one row a stored state as CSV: strains, stress and texture along the loading")->excludes("--json");
+  command.add_flag("--states", *states, "Print one row a stored state as CSV: strains, stress and texture along the loading")->excludes("--json")->excludes("--all");
   const auto reading = std::make_shared<FilmReading>();
   reading->add_to(command);
-  command.callback([result, json, states, reading] {
+  command.callback([result, json, all, states, reading] {
     refuse_no_result(*result);
     io::refuse_other_recording(*result);
     if (!*states && io::looks_like_film(*result)) {
@@ -35,7 +37,7 @@ void add_show(CLI::App& command, int&) {
       return;
     }
     const report::Summary summary(*result);
-    std::fputs((*json ? summary.json() : summary.text()).c_str(), stdout);
+    std::fputs((*json ? summary.json() : *all ? summary.all() : summary.text()).c_str(), stdout);
   });
 }
 

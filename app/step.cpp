@@ -83,7 +83,7 @@ void add_step(CLI::App& command, int& status) {
   command.add_option("--out", a->out, "Folder for the maps; without it nothing is stored")->type_name("DIR");
   command.add_option("--format", a->format, "Of the maps")->check(CLI::IsMember({"tiff", "npy", "hdf5"}));
   a->reading.add_to(command);
-  command.add_option("--threads", a->options.threads, "Threads; default 1")->check(CLI::Range(1, 256).description(""))->type_name("N");
+  command.add_option("--threads", a->options.threads, "Threads (default: 1)")->check(CLI::Range(1, 256).description(""))->type_name("N");
   command.add_flag("--json", a->json, "Print all numbers as JSON");
   command.add_flag("--quiet", a->quiet, "No progress");
   command.callback([a, &status] { status = execute(*a); });

@@ -122,7 +122,7 @@ void add_study(CLI::App& command, int& status) {
   command.add_option("--out", a->out, "Folder of the study (default: out/NAME)")->type_name("DIR");
   command.add_option("--store", a->store, "Folder of stages that runs share (default: store in the study's folder)")->type_name("DIR");
   command.add_option("--jobs", a->jobs, "Runs at once, each in a process of its own (default: all cores)")->check(CLI::Range(1, 4096).description(""))->type_name("J");
-  command.add_option("--threads", a->threads, "Threads in each run; they change no bit of the results")->check(CLI::Range(1, 1024).description(""))->type_name("N");
+  command.add_option("--threads", a->threads, "Threads in each run (default: 1); they change no bit of the results")->check(CLI::Range(1, 1024).description(""))->type_name("N");
   command.add_option("--shard", a->shard, "run: do one part of the runs only, e.g. 2/4")->type_name("I/N");
   command.add_flag("--retry", a->retry, "run: do failed runs again");
   command.add_option("--keep", a->keep, "run: keep all files, or of cemented samples and loads only their numbers")->type_name("WHAT")->check(CLI::IsMember({"all", "numbers"}));

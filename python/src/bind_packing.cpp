@@ -51,8 +51,8 @@ void bind_contacts(py::module_& m) {
   py::class_<Contacts> c(m, "Contacts", "Contacts, each once: arrays of one length. n points from grain j to grain i, t is n turned by +90 degrees, and the "
                                         "force on i is fn n + ft t, fn > 0 pushing apart. j = -1, -2, -3, -4 stands for the left, right, bottom, top wall.");
   c.def("__len__", &Contacts::size, "Number of contacts.");
-  array_property(c, "i", [](const Contacts& k) -> auto& { return k.i; }, "First grain, int32.");
-  array_property(c, "j", [](const Contacts& k) -> auto& { return k.j; }, "Second grain, or a wall if negative, int32.");
+  array_property(c, "i", [](const Contacts& k) -> auto& { return k.i; }, "First grain, its place in the packing's arrays (not its id), int32.");
+  array_property(c, "j", [](const Contacts& k) -> auto& { return k.j; }, "Second grain, its place in the packing's arrays, or a wall if negative, int32.");
   array_property(c, "nx", [](const Contacts& k) -> auto& { return k.nx; }, "Normal, x.");
   array_property(c, "ny", [](const Contacts& k) -> auto& { return k.ny; }, "Normal, y.");
   array_property(c, "fn", [](const Contacts& k) -> auto& { return k.fn; }, "Normal force, N, positive in compression.");
@@ -60,6 +60,7 @@ void bind_contacts(py::module_& m) {
   array_property(c, "arm_i", [](const Contacts& k) -> auto& { return k.arm_i; }, "Distance of the contact point from the centre of i, m.");
   array_property(c, "arm_j", [](const Contacts& k) -> auto& { return k.arm_j; }, "Distance from the centre of j, m; 0 for a wall.");
   array_property(c, "overlap", [](const Contacts& k) -> auto& { return k.overlap; }, "Overlap h, m; NaN where it is not known.");
+  array_property(c, "sliding_velocity", [](const Contacts& k) -> auto& { return k.sliding_velocity; }, "Tangential velocity at the contact point, m/s; NaN where it is not known.");
   array_property(c, "glued", [](const Contacts& k) -> auto& { return k.glued; }, "1 where adhesion acts.");
 }
 
@@ -71,6 +72,9 @@ void bind_grains(py::class_<Packing>& c) {
   array_property(c, "material", [](const Packing& p) -> auto& { return p.grains.material; }, "Place in `materials` of every grain, int32.");
   array_property(c, "zone", [](const Packing& p) -> auto& { return p.grains.zone; }, "0, or the number of a region: 1 is the glued agglomerate.");
   array_property(c, "angle", [](const Packing& p) -> auto& { return p.grains.angle; }, "Rotations since the start, rad, counter-clockwise.");
+  array_property(c, "vx", [](const Packing& p) -> auto& { return p.grains.vx; }, "Velocities, m/s.");
+  array_property(c, "vy", [](const Packing& p) -> auto& { return p.grains.vy; }, "Velocities, m/s.");
+  array_property(c, "omega", [](const Packing& p) -> auto& { return p.grains.omega; }, "Angular velocities, rad/s, counter-clockwise.");
 }
 
 }  // namespace

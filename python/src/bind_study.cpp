@@ -6,6 +6,7 @@
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "io/table.hpp"
 #include "module.hpp"
 #include "report/summary.hpp"
@@ -23,10 +24,11 @@ py::object swept_column(const study::CollectedTable& table, std::size_t k) {
   std::vector<double> numbers;
   py::list words;
   bool all_numbers = true;
+  const std::string& unit = table.keys[k].unit;
   for (const auto& row : table.rows) {
     const auto number = io::to_number(row.values[k]);
     all_numbers = all_numbers && (number || row.values[k].empty());
-    numbers.push_back(number.value_or(NAN));
+    numbers.push_back(!number ? NAN : unit.empty() ? *number : parse_quantity(row.values[k] + " " + unit).value);
     words.append(row.values[k]);
   }
   if (all_numbers) return taken_over(std::move(numbers));
@@ -50,7 +52,7 @@ py::dict columns_of(const study::CollectedTable& table) {
   }
   for (std::size_t k = 0; k < table.keys.size(); ++k) {
     const auto& key = table.keys[k];
-    d[py::str(key.unit.empty() ? key.name : key.name + " [" + key.unit + "]")] = swept_column(table, k);
+    d[py::str(key.name)] = swept_column(table, k);
   }
   if (table.means) d["runs"] = by_row(table, [](const auto& row) { return row.runs; });
   for (std::size_t k = 0; k < table.names.size(); ++k) {
@@ -91,7 +93,7 @@ void bind_study(py::module_& m) {
     if (!by.empty()) table = study::averaged(table, by);
     return columns_of(table);
   }, py::arg("recipe"), py::arg("out"), py::arg("by") = std::vector<std::string>{},
-        "The runs of a study as columns, by the names that `arenite study collect` gives them: run, status, swept keys (numbers where they are, the unit in the name: \"frame.width [mm]\"), "
+        "The runs of a study as columns, by the names that `arenite study collect` gives them, without units: run, status, swept keys (numbers where they are, in SI: \"frame.width\" in m), "
         "then all numbers of `arenite show --json` by dotted names, \"NAME_error\" beside them; NaN where a run has none. `by`: means over runs with equal values of these keys, and "
         "`runs`, how many.");
   m.def("_run_study", [](const Path& recipe, const Path& out, std::size_t jobs, const Progress& progress) {

@@ -9,6 +9,17 @@
 
 namespace arenite::dem {
 
+std::string describe(const Equilibrium& now) {
+  std::string text = fmt::format("unbalanced force ratio {:.1e}, kinetic over elastic energy {:.1e}", now.unbalanced_ratio, now.kinetic_ratio);
+  if (now.loose_kinetic > 0) text += fmt::format(", of grains that carry nothing {:.1e}", now.loose_kinetic);
+  return now.falling > 0 ? text + fmt::format(", {:.2g} % of the grains fall", 100 * now.falling) : text;
+}
+
+bool is_at_rest(const Equilibrium& now, const RestCriterion& rest) {
+  return now.unbalanced_ratio < rest.unbalanced && now.kinetic_ratio < rest.kinetic && now.loose_kinetic < rest.loose_kinetic.value_or(1e5 * rest.kinetic) &&
+         now.falling <= rest.falling && (rest.mobilisation < 0 || now.mobilisation < rest.mobilisation);
+}
+
 namespace {
 
 constexpr std::int64_t check_interval = 200;    // steps between two looks at equilibrium
@@ -21,11 +32,6 @@ double load_error(const WallDrives& drives, const Domain& domain) {
     if (drives[side].kind == WallDrive::Kind::force && drives[side].value > 0)
       worst = std::max(worst, std::abs(domain.wall[side].force - drives[side].value) / drives[side].value);
   return worst;
-}
-
-bool is_at_rest(const Equilibrium& now, const RestCriterion& rest, double wall_error) {
-  return now.unbalanced_ratio < rest.unbalanced && now.kinetic_ratio < rest.kinetic && now.loose_kinetic < rest.loose_kinetic.value_or(1e5 * rest.kinetic) &&
-         now.falling <= rest.falling && wall_error < 10 * rest.unbalanced && (rest.mobilisation < 0 || now.mobilisation < rest.mobilisation);
 }
 
 void append(History& history, const char* name, const char* unit, double value) {
@@ -68,14 +74,8 @@ void store_frame(const Engine& engine, const Equilibrium& now, std::string label
   result.frames.push_back({engine.time(), engine.step(), std::move(label), engine.packing(), engine.energies(), now});
 }
 
-std::string describe(const Equilibrium& now) {
-  std::string text = fmt::format("unbalanced force ratio {:.1e}, kinetic over elastic energy {:.1e}", now.unbalanced_ratio, now.kinetic_ratio);
-  if (now.loose_kinetic > 0) text += fmt::format(", of grains that carry nothing {:.1e}", now.loose_kinetic);
-  return now.falling > 0 ? text + fmt::format(", {:.2g} % of the grains fall", 100 * now.falling) : text;
-}
-
 /// The same with what the pressing sides still lack, relative to their aim; nothing on that where none presses.
-std::string describe(const Equilibrium& now, const WallDrives& drives, const Domain& domain) {
+std::string describe_pressed(const Equilibrium& now, const WallDrives& drives, const Domain& domain) {
   const bool presses = std::any_of(drives.begin(), drives.end(), [](const WallDrive& d) { return d.kind == WallDrive::Kind::force; });
   return describe(now) + (presses ? fmt::format(", forces on the sides within {:.1e} of their aim", load_error(drives, domain)) : "");
 }
@@ -113,7 +113,7 @@ void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
 
   const Equilibrium now = run.latest = engine.equilibrium();
   const double wall_error = load_error(drives, engine.domain());
-  const bool at_rest = is_at_rest(now, stage.rest, wall_error);
+  const bool at_rest = is_at_rest(now, stage.rest) && wall_error < 10 * stage.rest.unbalanced;
   const bool given_up = !at_rest && run.steps_in_increment >= stage.rest.max_steps;
   if (run.checks++ % run.sample_every == 0 || at_rest) sample(run.result.history, engine, now, run.increment);
   thin(run);
@@ -123,10 +123,10 @@ void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
   run.result.converged = run.result.converged && at_rest;
   if (given_up)
     run.result.outcome = fmt::format("no equilibrium within {} steps{} (rest.max_steps): {}", run.steps_in_increment,
-                                     increments.size() > 1 ? " of " + increment.label : "", describe(now, drives, engine.domain()));
+                                     increments.size() > 1 ? " of " + increment.label : "", describe_pressed(now, drives, engine.domain()));
   run.steps_in_increment = 0;
   run.finished = given_up || ++run.increment == static_cast<std::int64_t>(increments.size());
-  if (run.finished && !given_up) run.result.outcome = fmt::format("equilibrium: {}", describe(now, drives, engine.domain()));
+  if (run.finished && !given_up) run.result.outcome = fmt::format("equilibrium: {}", describe_pressed(now, drives, engine.domain()));
 }
 
 }  // namespace

@@ -24,6 +24,12 @@ struct StageRun {
   StageResult result;                       ///< frames and history so far
 };
 
+/// Whether grains rest by a stage's criterion; what the forces on the sides must reach besides is the stage's to judge.
+bool is_at_rest(const Equilibrium& now, const RestCriterion& rest);
+
+/// The numbers that this is judged by, in words.
+std::string describe(const Equilibrium& now);
+
 /// Sets gravity, friction, drag and glue of the stage and notes the walls' forces.
 StageRun begin_stage(Engine& engine, const Stage& stage);
 

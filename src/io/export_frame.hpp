@@ -21,6 +21,7 @@ struct ExportFrame {
   const Frame* frame = nullptr;
   std::vector<GrainField> fields;
   std::vector<GrainField> of_contacts = {};
+  std::vector<double> ux{}, uy{};  ///< m, of every grain since the first state; empty if there is none before this
 };
 
 /// A result on nodes, as export formats get it.
@@ -34,13 +35,15 @@ struct NamedBytes {
 };
 
 /// A format: what it makes of one frame. Files of the same name from successive frames are joined into one; `index`
-/// (or nullptr) makes the files that list all frames by their times.
+/// (or nullptr) makes the files that list all frames by their times. A format of whole loadings has `of_loading` instead, which
+/// gets all frames and what made the last.
 struct ExportFormat {
   const char* name;
   const char* sentence;
   std::vector<NamedBytes> (*of_frame)(const ExportFrame&);
   std::vector<NamedBytes> (*index)(const std::vector<double>& times);
   std::vector<NamedBytes> (*of_field)(const ExportField&);  ///< nullptr: holds grains only
+  std::vector<NamedBytes> (*of_loading)(const std::vector<ExportFrame>&, const Provenance&) = nullptr;
 };
 
 /// All formats: one file and one row each.
@@ -63,6 +66,7 @@ std::vector<NamedBytes> vtk_index(const std::vector<double>& times);
 std::vector<NamedBytes> lammps_frame(const ExportFrame& frame);
 std::vector<NamedBytes> extxyz_frame(const ExportFrame& frame);
 std::vector<NamedBytes> csv_frame(const ExportFrame& frame);
+std::vector<NamedBytes> netcdf_loading(const std::vector<ExportFrame>& frames, const Provenance& provenance);
 std::vector<NamedBytes> vti_field(const ExportField& field);
 std::vector<NamedBytes> csv_field(const ExportField& field);
 

@@ -111,12 +111,27 @@ void read_box(const std::vector<Item>& items, double length, RawGrains& grains, 
   grains.has_box = true;
 }
 
+bool is_opaque(const std::string& name) { return name.starts_with("c_") || name.starts_with("f_"); }
+
+/// What to write for a dump whose columns nobody can tell apart: an example that has as many.
+std::string missing_columns(const std::vector<std::string>& names) {
+  static const std::vector<std::string> wanted{"patom1", "patom2", "fx", "fy", "p1", "p2"};
+  std::string found, example;
+  std::size_t next = 0;
+  for (const auto& name : names) {
+    found += (found.empty() ? "" : " ") + name;
+    example += (example.empty() ? "" : ",") + (is_opaque(name) && next < wanted.size() ? wanted[next++] : std::string("-"));
+  }
+  return fmt::format("which of the columns ({}) are the two grains and the force is not known; name them in their order by --columns, with \"-\" for "
+                     "those not needed, e.g. --columns \"{}\" (patom1 patom2 of property/local, fx fy and the tangential p1 p2 of pair/local)",
+                     found, next == wanted.size() ? example : "-,patom1,patom2,fx,fy,p1,p2");
+}
+
 /// Columns of a dump that LAMMPS named after computes: index, two atoms, then forces in the documented order.
 void name_by_order(Columns& columns) {
-  const auto opaque = [](const std::string& n) { return n.starts_with("c_") || n.starts_with("f_"); };
   std::vector<std::size_t> at;
   for (std::size_t c = 0; c < columns.names.size(); ++c)
-    if (opaque(columns.names[c])) at.push_back(c);
+    if (is_opaque(columns.names[c])) at.push_back(c);
   static const std::vector<std::string> plane{"patom1", "patom2", "fx", "fy", "p1", "p2"};
   static const std::vector<std::string> space{"patom1", "patom2", "fx", "fy", "fz", "p1", "p2", "p3"};
   const auto& names = at.size() == space.size() ? space : plane;
@@ -179,18 +194,22 @@ RawContacts read_lammps_pairs(std::string_view text, const std::string& names, c
     std::replace(spaced.begin(), spaced.end(), ',', ' ');
     for (const auto name : split_blanks(spaced)) columns.names.emplace_back(name);
   }
-  constexpr const char* mend = "dump patom1 patom2 of property/local and fx fy p1 p2 of pair/local, in this order or with --columns";
-  const std::size_t i = columns.require({"patom1"}, mend, problems), j = columns.require({"patom2"}, mend, problems);
-  const std::size_t fx = columns.require({"fx"}, mend, problems), fy = columns.require({"fy"}, mend, problems);
-  const std::size_t px = columns.require({"p1"}, mend, problems), py = columns.require({"p2"}, mend, problems);
-  if (problems.any()) return contacts;
+  const auto column = [&](const char* name, const char* other) { return columns.find(name) ? columns.find(name) : columns.find(other); };
+  const auto i = column("patom1", "i"), j = column("patom2", "j"), fx = columns.find("fx"), fy = columns.find("fy");
+  // Who names the columns may mean by fx, fy the whole force; LAMMPS's own are the normal force, and p1, p2 the tangential one.
+  const auto px = columns.find("p1"), py = columns.find("p2");
+  const bool whole = !names.empty() && !px && !py;
+  if (!i || !j || !fx || !fy || (!whole && (!px || !py))) {
+    problems.add(entries->line, missing_columns(columns_of(*entries, "ENTRIES").names));
+    return contacts;
+  }
   for_each_row(*entries, columns.names.size(), problems, [&](int line, const auto& cells) {
     const auto force = [&](std::size_t c) { return number_or_problem(cells[c], columns.names[c], units.force, line, problems); };
     RawContact c;
     c.line = line;
-    c.i = integer_or_problem(cells[i], "patom1", line, problems);
-    c.j = integer_or_problem(cells[j], "patom2", line, problems);
-    c.force_on_j = -Vec2{force(fx) + force(px), force(fy) + force(py)};
+    c.i = integer_or_problem(cells[*i], "patom1", line, problems);
+    c.j = integer_or_problem(cells[*j], "patom2", line, problems);
+    c.force_on_j = -Vec2{force(*fx) + (whole ? 0 : force(*px)), force(*fy) + (whole ? 0 : force(*py))};
     contacts.rows.push_back(c);
   });
   return contacts;

@@ -112,6 +112,8 @@ Grains read_grains(const Hdf5Reader& group, const Hdf5Reader& sample) {
 
 void write_contacts(const Hdf5Writer& at, const Contacts& contacts) {
   const auto group = at.create_group("contacts");
+  group.set("i and j", "places in the arrays of grains, from 0, not ids; j = -1, -2, -3, -4 is the left, right, bottom, top wall");
+  group.set("signs", "n points from j to i, t is n turned by +90 degrees, the force on i is fn n + ft t; fn > 0 pushes");
   group.write("i", contacts.i);
   group.write("j", contacts.j);
   for (const auto& column : contact_columns) group.write(column.name, contacts.*column.member, column.unit);

@@ -11,9 +11,13 @@ namespace arenite::io {
 void write_provenance(const Hdf5Writer& at, const Provenance& provenance);
 Provenance read_provenance(const Hdf5Reader& group);
 
-/// What made a result, its name and how it ended, as the groups "provenance" and "outcome", and back.
+/// What made a result, its name and how it ended, as the groups "provenance" and "outcome", and back; the file itself says in its
+/// attributes what it is.
 template <class Result>
 void write_origin(const Hdf5Writer& at, const Result& result) {
+  at.set("source", "Arenite " + result.provenance.version);
+  at.set("stage", result.name);
+  at.set("layout", "docs/hdf5.md of Arenite says what lies where; `arenite export --to netcdf` writes arrays over (time, grain)");
   write_provenance(at, result.provenance);
   const auto outcome = at.create_group("outcome");
   outcome.set("name", result.name);

@@ -10,6 +10,10 @@ namespace arenite::io {
 namespace fs = std::filesystem;
 
 std::string stage_file_name(int place, std::string_view stage, std::string_view hash) {
+  return full_stage_file_name(place, stage, hash.substr(0, 12));
+}
+
+std::string full_stage_file_name(int place, std::string_view stage, std::string_view hash) {
   std::string name(stage);
   for (char& c : name) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';

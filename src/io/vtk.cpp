@@ -7,7 +7,7 @@
 namespace arenite::io {
 namespace {
 
-/// z, x and y of a plane vector as VTK wants them: three components, the last 0.
+/// A plane vector as VTK wants it: three components, the last 0.
 std::vector<double> in_space(const std::vector<double>& x, const std::vector<double>& y) {
   std::vector<double> values(3 * x.size());
   for (std::size_t k = 0; k < x.size(); ++k) {
@@ -15,6 +15,23 @@ std::vector<double> in_space(const std::vector<double>& x, const std::vector<dou
     values[3 * k + 1] = y[k];
   }
   return values;
+}
+
+/// The components of `what` as one tensor of nine, row by row; nothing where they are not there.
+std::vector<double> stress_of(const ExportFrame& from) {
+  const auto of = [&](const char* name) -> const std::vector<double>* {
+    for (const auto& field : from.fields)
+      if (field.name == name) return &field.values;
+    return nullptr;
+  };
+  const auto *xx = of("sigma_xx"), *xy = of("sigma_xy"), *yx = of("sigma_yx"), *yy = of("sigma_yy");
+  if (!xx || !xy || !yx || !yy) return {};
+  std::vector<double> tensor(9 * xx->size());
+  for (std::size_t k = 0; k < xx->size(); ++k) {
+    tensor[9 * k] = (*xx)[k], tensor[9 * k + 1] = (*xy)[k];
+    tensor[9 * k + 3] = (*yx)[k], tensor[9 * k + 4] = (*yy)[k];
+  }
+  return tensor;
 }
 
 VtkPolyData grains_of(const ExportFrame& from) {
@@ -25,7 +42,9 @@ VtkPolyData grains_of(const ExportFrame& from) {
   data.point_arrays = {{"id", grains.id},       {"radius", grains.radius},
                        {"material", grains.material}, {"zone", grains.zone},
                        {"velocity", in_space(grains.vx, grains.vy), 3}, {"angle", grains.angle}, {"omega", grains.omega}};
+  if (from.ux.size() == grains.size()) data.point_arrays.push_back({"displacement", in_space(from.ux, from.uy), 3});
   for (const auto& field : from.fields) data.point_arrays.push_back({field.name, field.values});
+  if (auto stress = stress_of(from); !stress.empty()) data.point_arrays.push_back({"stress", std::move(stress), 9});
   return data;
 }
 
@@ -40,6 +59,7 @@ VtkPolyData contacts_of(const ExportFrame& from) {
   std::vector<std::int64_t> id_i, id_j;
   std::vector<std::int32_t> type;
   std::vector<std::uint8_t> strong;
+  std::vector<double> fx, fy;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const auto i = static_cast<std::size_t>(contacts.i[c]);
     const Vec2 a = packing.grains.centre(i), b = far_end(packing, c);
@@ -49,9 +69,12 @@ VtkPolyData contacts_of(const ExportFrame& from) {
     id_j.push_back(contacts.is_wall(c) ? contacts.j[c] : packing.grains.id[static_cast<std::size_t>(contacts.j[c])]);
     type.push_back(contact_type(packing, c));
     strong.push_back(contacts.fn[c] > mean ? 1 : 0);
+    const Vec2 force = contacts.force_on_i(c);
+    fx.push_back(force.x), fy.push_back(force.y);
   }
   data.point_arrays = {{"fn", force_at_ends}};  // on points as well: ParaView's tubes take their radius from there
-  data.cell_arrays = {{"i", id_i}, {"j", id_j}, {"type", type}, {"strong", strong}, {"glued", contacts.glued}};
+  data.cell_arrays = {{"i", id_i}, {"j", id_j}, {"type", type}, {"strong", strong}, {"glued", contacts.glued},
+                      {"force", in_space(fx, fy), 3}};  // on i, the line's first end
   for (const auto& column : contact_columns) data.cell_arrays.push_back({column.name, contacts.*column.member});
   return data;
 }
@@ -99,7 +122,19 @@ std::vector<float> displacement(const StressField& field) {
   return u;
 }
 
+/// VTK's order of a symmetric tensor: xx, yy, zz, xy, yz, xz.
+std::vector<float> stress_of(const StressField& field) {
+  std::vector<float> tensor(6 * field.size());
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    tensor[6 * i] = static_cast<float>(field.xx[i]);
+    tensor[6 * i + 1] = static_cast<float>(field.yy[i]);
+    tensor[6 * i + 3] = static_cast<float>(field.xy[i]);
+  }
+  return tensor;
+}
+
 std::string numbered(const char* what, int number) { return fmt::format("{}_{:04}.vtp", what, number); }
+std::string state_file(int number) { return fmt::format("state_{:04}.vtm", number); }
 
 constexpr const char* parts[] = {"grains", "contacts", "walls"};
 
@@ -108,21 +143,23 @@ constexpr const char* parts[] = {"grains", "contacts", "walls"};
 std::vector<NamedBytes> vtk_frame(const ExportFrame& frame) {
   return {{numbered("grains", frame.number), vtp_bytes(grains_of(frame))},
           {numbered("contacts", frame.number), vtp_bytes(contacts_of(frame))},
-          {numbered("walls", frame.number), vtp_bytes(walls_of(frame))}};
+          {numbered("walls", frame.number), vtp_bytes(walls_of(frame))},
+          {state_file(frame.number), vtm_bytes({{"grains", numbered("grains", frame.number)},
+                                                {"contacts", numbered("contacts", frame.number)},
+                                                {"walls", numbered("walls", frame.number)}})}};
 }
 
-/// loading.pvd opens everything; grains.pvd, contacts.pvd and walls.pvd one thing each, which filters like better.
+/// loading.pvd opens everything, as blocks with names; grains.pvd, contacts.pvd and walls.pvd one thing each, which filters
+/// like better.
 std::vector<NamedBytes> vtk_index(const std::vector<double>& times) {
   std::vector<VtkListed> all;
   std::vector<NamedBytes> files;
   for (int part = 0; part < 3; ++part) {
     std::vector<VtkListed> one;
-    for (std::size_t f = 0; f < times.size(); ++f) {
-      one.push_back({times[f], 0, numbered(parts[part], static_cast<int>(f))});
-      all.push_back({times[f], part, numbered(parts[part], static_cast<int>(f))});
-    }
+    for (std::size_t f = 0; f < times.size(); ++f) one.push_back({times[f], 0, numbered(parts[part], static_cast<int>(f))});
     files.push_back({fmt::format("{}.pvd", parts[part]), pvd_bytes(one)});
   }
+  for (std::size_t f = 0; f < times.size(); ++f) all.push_back({times[f], 0, state_file(static_cast<int>(f))});
   files.push_back({"loading.pvd", pvd_bytes(all)});
   return files;
 }
@@ -136,6 +173,7 @@ std::vector<NamedBytes> vti_field(const ExportField& from) {
   if (r.field.size() > 0) {
     image.point_arrays.push_back({"displacement", displacement(r.field), 3});
     for (const auto& c : stresses) image.point_arrays.push_back({c.name, single(r.field.*c.member)});
+    image.point_arrays.push_back({"stress", stress_of(r.field), 6});
   }
   return {{r.name + ".vti", vti_bytes(image)}};
 }

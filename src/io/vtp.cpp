@@ -137,6 +137,13 @@ std::string vti_bytes(const VtkImage& image) {
   return file.finish();
 }
 
+std::string vtm_bytes(const std::vector<VtkBlock>& blocks) {
+  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\" byte_order=\"LittleEndian\">\n<vtkMultiBlockDataSet>\n";
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    text += fmt::format("<DataSet index=\"{}\" name=\"{}\" file=\"{}\"/>\n", b, escaped(blocks[b].name), escaped(blocks[b].file));
+  return text + "</vtkMultiBlockDataSet>\n</VTKFile>\n";
+}
+
 std::string pvd_bytes(const std::vector<VtkListed>& files) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n";
   for (const auto& f : files)

@@ -43,4 +43,10 @@ struct VtkListed {
 };
 std::string pvd_bytes(const std::vector<VtkListed>& files);
 
+/// The bytes of a .vtm file: blocks by name, each a file beside it.
+struct VtkBlock {
+  std::string name, file;
+};
+std::string vtm_bytes(const std::vector<VtkBlock>& blocks);
+
 }  // namespace arenite::io

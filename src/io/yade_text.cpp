@@ -108,6 +108,20 @@ std::vector<Point> read_points(Words& words, std::size_t count, double factor, P
   return points;
 }
 
+/// Whether what pushes with this normal force may be a wall of the box: walls lie along sides that are not periodic.
+bool may_be_wall(Vec2 n, const RawGrains& grains) {
+  constexpr double slack = 1e-3;  // six digits, and walls that settled
+  const double x = std::abs(n.x), y = std::abs(n.y);
+  return (y <= slack * x && !grains.periodic_x) || (x <= slack * y && !grains.periodic_y);
+}
+
+std::string not_joined(std::size_t count, std::size_t all, const RawGrains& grains) {
+  const bool cell = grains.periodic_x || grains.periodic_y;
+  return fmt::format("{} of {} interactions end at no grain's centre, and their forces are not those of a wall of the box; {}", count, all,
+                     cell ? "the cell does not join the grains across its periodic sides: correct --box (O.cell.hSize) and --periodic"
+                          : "if they cross a periodic side give the cell by --box and --periodic; spheres and interactions must be written at the same step");
+}
+
 }  // namespace
 
 RawGrains read_yade_spheres(std::string_view text, const UnitFactors& units, Problems& problems) {
@@ -173,12 +187,16 @@ RawContacts read_yade_interactions(std::string_view text, const RawGrains& grain
   }
   const auto [a, b] = ends.empty() ? std::array<std::size_t, 2>{0, 1} : plane_of(ends);
   const Centres centres(grains);
+  std::size_t not_of_walls = 0, without_grain = 0;
   for (std::size_t c = 0; c < count; ++c) {
     const Vec2 first{ends[2 * c][a], ends[2 * c][b]}, second{ends[2 * c + 1][a], ends[2 * c + 1][b]};
     Vec2 n{normal[c][a], normal[c][b]};
     Vec2 force = n + Vec2{shear[c][a], shear[c][b]};
     std::int64_t i = centres.find(first), j = centres.find(second);
-    if (i < 0 && j < 0) continue;
+    if (i < 0 && j < 0) {
+      ++without_grain;
+      continue;
+    }
     RawContact row;
     if (i < 0) {  // the wall comes first: look from the grain
       std::swap(i, j);
@@ -188,6 +206,7 @@ RawContacts read_yade_interactions(std::string_view text, const RawGrains& grain
     row.i = grains.rows[static_cast<std::size_t>(i)].id;
     row.force_on_j = force;
     if (j < 0) {
+      not_of_walls += !may_be_wall(n, grains);
       row.wall = side_towards(n);
     } else {
       row.j = grains.rows[static_cast<std::size_t>(j)].id;
@@ -195,6 +214,9 @@ RawContacts read_yade_interactions(std::string_view text, const RawGrains& grain
     }
     contacts.rows.push_back(row);
   }
+  if (not_of_walls > 0) problems.add(not_joined(not_of_walls, count, grains));
+  if (without_grain > 0)
+    contacts.notes.push_back(fmt::format("{} of {} interactions are of no grain in the list and are left out.", without_grain, count));
   return contacts;
 }
 

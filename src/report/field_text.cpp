@@ -17,6 +17,7 @@ void describe_sample(Lines& lines) {
   lines.add("nodes along x", "/map/width");
   lines.add("nodes along y", "/map/height");
   lines.add("distance of nodes", "/map/dx_m", "m");
+  lines.add("lengths", "/map/lengths");
   lines.add("grains", "/grains/all");
   lines.add("share of particles", "/phases/particle");
   lines.add("share of large grains", "/phases/large");

@@ -13,6 +13,7 @@
 #include "io/stage_file.hpp"
 #include "report/field_text.hpp"
 #include "report/film_text.hpp"
+#include "report/headlines.hpp"
 #include "study/recipe.hpp"
 #include "study/run.hpp"
 #include "texture/texture.hpp"
@@ -25,7 +26,7 @@ using Json = nlohmann::ordered_json;
 std::string made_by(const Provenance& p) {
   const std::string title = study::title_in(p.recipe);
   return fmt::format("{}{}Made by Arenite {}, {}{}seed {}; input {}\n", title, title.empty() ? "" : "\n", p.version,
-                     p.kernel.empty() ? "" : "kernel ", p.kernel.empty() ? "" : p.kernel + ", ", p.seed, p.input_hash);
+                     p.kernel.empty() ? "" : "kernel ", p.kernel.empty() ? "" : p.kernel + ", ", p.seed, p.input_hash.substr(0, 12));
 }
 
 Json provenance(const Provenance& p) {
@@ -106,6 +107,13 @@ Json last_texture(const StageResult& last) {
   return texture.empty() ? Json::object() : Json::parse(texture);
 }
 
+/// The text does not show the REV study, which takes longest.
+texture::Texture texture_without_rev(const StageResult& last) {
+  texture::Options options = study::texture_options(last.provenance);
+  options.rev_sizes = 0;
+  return texture::measure(last.frames.back().packing, options);
+}
+
 }  // namespace
 
 Summary::Summary(const std::filesystem::path& result) {
@@ -163,8 +171,7 @@ std::string Summary::json() const {
   return j.dump(2) + "\n";
 }
 
-std::string Summary::text() const {
-  if (!films_.empty()) return made_by(films_.back().provenance) + film_text(films_.back());
+std::string Summary::how_stages_ended() const {
   Lines lines;
   lines.heading("Stages");
   for (const Stage& stage : stages_) {
@@ -175,16 +182,29 @@ std::string Summary::text() const {
     lines.add(field.name, (field.converged ? "" : "NOT SOLVED: ") + field.outcome);
     lines.add("", field.file);
   }
-  if (!fields_.empty()) return made_by(fields_.back().provenance) + std::move(lines).text() + field_text(fields_.back().numbers_json);
+  return made_by(fields_.empty() ? stages_.back().result.provenance : fields_.back().provenance) + std::move(lines).text();
+}
+
+std::string Summary::text() const {
+  const std::string more = "\n`arenite show RESULT --all` prints every number, `--json` the same for programs; docs/measure.md and docs/stress.md say what each is.\n";
+  if (!films_.empty()) return all();
+  if (!fields_.empty()) return how_stages_ended() + field_headlines(fields_.back().numbers_json) + more;
   const StageResult& last = stages_.back().result;
-  if (!last.frames.empty()) describe_state(lines, last.frames.back());
-  lines.heading("Texture of the last state");
+  if (last.frames.empty()) return how_stages_ended();
+  return how_stages_ended() + headlines(last, texture_without_rev(last)) + more;
+}
+
+std::string Summary::all() const {
+  if (!films_.empty()) return made_by(films_.back().provenance) + film_text(films_.back());
+  if (!fields_.empty()) return how_stages_ended() + field_text(fields_.back().numbers_json);
+  Lines lines;
+  const StageResult& last = stages_.back().result;
   if (!last.frames.empty()) {
-    texture::Options options = study::texture_options(last.provenance);
-    options.rev_sizes = 0;  // the text does not show the REV study, which takes longest
-    lines.block(texture::to_text(texture::measure(last.frames.back().packing, options)));
+    describe_state(lines, last.frames.back());
+    lines.heading("Texture of the last state");
+    lines.block(texture::to_text(texture_without_rev(last)));
   }
-  return made_by(last.provenance) + std::move(lines).text();
+  return how_stages_ended() + std::move(lines).text();
 }
 
 std::string field_summary(const FieldResult& result) {

@@ -22,10 +22,12 @@ class Summary {
   /// The same of a run that has just ended.
   explicit Summary(const study::RunOutcome& outcome);
 
-  std::string text() const;   ///< for people
+  std::string text() const;   ///< for people: how the stages ended, and the headlines, each with its meaning
+  std::string all() const;    ///< for people: every number
   std::string json() const;   ///< for programs: the texture's fields, or a field's numbers with "texture", and "provenance" and "stages" beside them
 
  private:
+  std::string how_stages_ended() const;
   struct Stage {
     std::string file;
     StageResult result;       ///< with its last frame only

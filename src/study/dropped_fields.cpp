@@ -18,7 +18,8 @@ void DroppedFields::run_settled(const StudyRun& run) const {
   for (const PlannedStage& stage : run.stages) {
     if (!stage.field) continue;
     std::error_code error;
-    std::filesystem::remove(folder_.run(run.name) / stage.file, error);
+    for (const auto& file : {stage.file, stage.former})
+      if (!file.empty()) std::filesystem::remove(folder_.run(run.name) / file, error);
     const auto& users = users_.at(stage.hash);
     if (std::all_of(users.begin(), users.end(), is_settled)) store_.drop(stage.hash);
   }

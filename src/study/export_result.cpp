@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
 #include <optional>
 
 #include "core/error.hpp"
@@ -80,11 +81,73 @@ class ExportFolder {
 
 }  // namespace
 
+namespace {
+
+/// Gives a format the states of a loading: each at once, or all at the end, which are kept for that.
+class Loading {
+ public:
+  Loading(const io::ExportFormat& format, const fs::path& folder) : format_(format), folder_(folder) {}
+
+  ExportFolder& out() {
+    if (!out_) out_.emplace(folder_);  // after the first readable file, so that a bad one leaves no empty folder
+    return *out_;
+  }
+
+  /// A stage begins with the state that the one before it ended with, which is there already.
+  bool has(double time) const { return !times_.empty() && time == times_.back(); }
+
+  void add(const std::string& stage, Frame frame, std::vector<io::GrainField> fields, std::vector<io::GrainField> of_contacts) {
+    times_.push_back(frame.time);
+    move_to(frame.packing);
+    frames_.push_back(std::move(frame));
+    io::ExportFrame one{static_cast<int>(times_.size()) - 1, stage, &frames_.back(), std::move(fields), std::move(of_contacts)};
+    if (times_.size() > 1) one.ux = ux_, one.uy = uy_;
+    if (format_.of_loading) {
+      all_.push_back(std::move(one));
+      return;
+    }
+    out().add(format_.of_frame(one));
+    frames_.clear();
+  }
+
+  bool is_empty() const { return times_.empty(); }
+
+  std::vector<fs::path> finish(const Provenance& last) {
+    if (format_.of_loading && !all_.empty()) out().add(format_.of_loading(all_, last));
+    if (format_.index && !times_.empty()) out().add(format_.index(times_));
+    return out().finish();
+  }
+
+ private:
+  /// Adds up displacements from state to state, so that grains which left a periodic cell on one side and came back on the other
+  /// moved by what they did.
+  void move_to(const Packing& now) {
+    const Grains& g = now.grains;
+    if (g.id != last_.id) ux_.assign(g.size(), 0), uy_.assign(g.size(), 0);
+    else
+      for (std::size_t i = 0; i < g.size(); ++i) {
+        const Vec2 step = now.domain.nearest_image(g.centre(i) - last_.centre(i));
+        ux_[i] += step.x, uy_[i] += step.y;
+      }
+    last_ = g;
+  }
+
+  const io::ExportFormat& format_;
+  fs::path folder_;
+  std::optional<ExportFolder> out_;
+  std::vector<double> times_, ux_, uy_;
+  Grains last_;
+  std::deque<Frame> frames_;  // frames stay where they are
+  std::vector<io::ExportFrame> all_;
+};
+
+}  // namespace
+
 std::vector<fs::path> export_result(const fs::path& result, const io::ExportFormat& format, const fs::path& folder, bool last_only) {
   auto files = io::stage_files(result);
   if (last_only) files.erase(files.begin(), files.end() - 1);
-  std::optional<ExportFolder> out;
-  std::vector<double> times;
+  Loading loading(format, folder);
+  Provenance last;
   bool has_field = false;
   for (const auto& file : files) {
     if (io::sealed_kind(file) == "field") {
@@ -94,31 +157,31 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
         continue;
       }
       const FieldResult field = io::read_field(file);
-      if (!out) out.emplace(folder);
       has_field = true;
-      out->write_now(format.of_field({&field, derived_fields(field)}));
+      loading.out().write_now(format.of_field({&field, derived_fields(field)}));
       continue;
     }
     if (io::sealed_kind(file) == "film") {
       const FilmResult film = io::read_film_result(file);
-      const Frame frame = std::move(measured_stage(film).frames.front());
-      if (!out) out.emplace(folder);
-      out->add(format.of_frame({static_cast<int>(times.size()), film.name, &frame, derived_fields(film), fields_of_contacts(film)}));
-      times.push_back(frame.time);
+      last = film.provenance;
+      loading.add(film.name, std::move(measured_stage(film).frames.front()), derived_fields(film), fields_of_contacts(film));
       continue;
     }
     StageResult stage = io::read_stage(file);
-    if (!out) out.emplace(folder);  // after the first readable file, so that a bad one leaves no empty folder
+    last = stage.provenance;
     if (last_only && stage.frames.size() > 1) stage.frames.erase(stage.frames.begin(), stage.frames.end() - 1);
-    for (const Frame& frame : stage.frames) {
-      if (!times.empty() && frame.time == times.back()) continue;
-      out->add(format.of_frame({static_cast<int>(times.size()), stage.name, &frame, derived_fields(frame.packing), {}}));
-      times.push_back(frame.time);
+    for (Frame& frame : stage.frames) {
+      if (loading.has(frame.time)) continue;
+      auto fields = derived_fields(frame.packing);
+      loading.add(stage.name, std::move(frame), std::move(fields), {});
     }
   }
-  if (times.empty() && !has_field) throw InputError(result.string(), 0, "holds no state to export; run the recipe to its end first");
-  if (format.index && !times.empty()) out->add(format.index(times));
-  return out->finish();
+  if (loading.is_empty() && !has_field) throw InputError(result.string(), 0, "holds no state to export; run the recipe to its end first");
+  try {
+    return loading.finish(last);
+  } catch (const InputError& error) {
+    throw in_file(error, result.string());
+  }
 }
 
 }  // namespace arenite::study

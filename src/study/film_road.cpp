@@ -89,9 +89,10 @@ FilmOutcome run_film(const fs::path& film, const FilmRecipe& recipe, const FilmR
   const std::string key = film_key(film, *source, recipe);
   if (recipe.twin) read_twin_recipe(recipe);
   outcome.file = options.out / io::stage_file_name(1, "film", key);
+  if (const auto former = options.out / io::full_stage_file_name(1, "film", key); fs::exists(former)) fs::rename(former, outcome.file);
   FilmResult& r = outcome.result;
   Packing loaded;
-  if (auto known = stored(outcome.file, options)) {
+  if (auto known = stored(outcome.file, options); known && known->provenance.input_hash == key) {
     r = std::move(*known);
     for (const auto& doubt : doubts_of(r)) options.notice(doubt);
     outcome.interrupted = recipe.twin && !add_twin(recipe, options, outcome, loaded);

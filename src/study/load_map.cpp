@@ -1,6 +1,7 @@
 #include "study/load_map.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "core/hash.hpp"
@@ -23,6 +24,13 @@ FieldResult sample_of_map(PhaseMap map, const raster::CavityRules& rules) {
   sample.numbers_json = map_numbers(map, rules, map.dx * std::sqrt(nodes_per_grain / std::numbers::pi));
   sample.map = std::move(map);
   return sample;
+}
+
+void count_lengths_in_nodes(FieldResult& sample) {
+  auto j = nlohmann::ordered_json::parse(sample.numbers_json);
+  j["map"].erase("dx_m");
+  j["map"]["lengths"] = "in nodes, since --dx was not given";
+  sample.numbers_json = j.dump();
 }
 
 void sign(FieldResult& result, const std::filesystem::path& source, const std::string& asked, const Load& load) {

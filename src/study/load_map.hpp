@@ -12,6 +12,9 @@ namespace arenite::study {
 /// area of a grain. Throws InputError unless the map is sound.
 FieldResult sample_of_map(PhaseMap map, const raster::CavityRules& rules = {});
 
+/// Says in the sample's numbers that its lengths are in nodes, where nobody said how large a node is.
+void count_lengths_in_nodes(FieldResult& sample);
+
 /// Name and provenance for a load of a map that no recipe made: `source` is the file, `asked` the options in words.
 void sign(FieldResult& result, const std::filesystem::path& source, const std::string& asked, const Load& load);
 

@@ -12,12 +12,16 @@ void make_folder(const std::filesystem::path& folder);
 /// come back when they are wanted again.
 class ResultFolder {
  public:
-  ResultFolder(std::filesystem::path out, const std::vector<std::string>& names);
+  /// `former` (empty, or one for each name) are names that the same files had in folders of before.
+  ResultFolder(std::filesystem::path out, const std::vector<std::string>& names, const std::vector<std::string>& former = {});
   std::filesystem::path operator/(const std::string& name) const { return out_ / name; }
+  /// What was put aside now, and which exports in the folder show it still; empty if nothing was.
+  std::string what_was_put_aside() const;
 
  private:
-  void put_aside(const std::filesystem::path& path) const;
+  void put_aside(const std::filesystem::path& path);
   std::filesystem::path out_;
+  std::vector<std::string> put_aside_;
 };
 
 }  // namespace arenite::study

@@ -168,10 +168,14 @@ bool run_stages(const Recipe& recipe, const std::vector<PlannedStage>& plan, con
 
 RunOutcome run_in_folder(const Recipe& recipe, const RunOptions& options) {
   const std::vector<PlannedStage> plan = plan_of(recipe);
-  std::vector<std::string> names;
-  for (const PlannedStage& stage : plan) names.push_back(stage.file);
+  std::vector<std::string> names, former;
+  for (const PlannedStage& stage : plan) {
+    names.push_back(stage.file);
+    former.push_back(stage.former);
+  }
   Progress progress{0, plan.size(), "packing", 0, 0, 0, false, false};
-  const ResultFolder folder(options.out, names);
+  const ResultFolder folder(options.out, names, former);
+  if (const std::string sentence = folder.what_was_put_aside(); !sentence.empty()) options.notice(sentence);
 
   RunOutcome outcome;
   auto packing = packing_stage(recipe, folder / names[0], plan[0], options, progress);

@@ -89,11 +89,15 @@ std::string load_key(const Load& load, const std::string& cement_hash) {
   return hash.hex();
 }
 
+PlannedStage planned_stage(int place, std::string name, std::string hash, bool field) {
+  std::string file = io::stage_file_name(place, name, hash), former = io::full_stage_file_name(place, name, hash);
+  return {std::move(name), std::move(hash), std::move(file), field, std::move(former)};
+}
+
 std::vector<PlannedStage> plan_of(const Recipe& recipe) {
   std::vector<PlannedStage> plan;
   const auto add = [&plan](const std::string& name, std::string hash, bool field) {
-    std::string file = io::stage_file_name(static_cast<int>(plan.size()) + 1, name, hash);
-    plan.push_back({name, std::move(hash), std::move(file), field});
+    plan.push_back(planned_stage(static_cast<int>(plan.size()) + 1, name, std::move(hash), field));
   };
   const std::string packing = packing_key(recipe);
   add("packing", packing, false);

@@ -24,8 +24,12 @@ std::string load_key(const Load& load, const std::string& cement_hash);
 struct PlannedStage {
   std::string name, hash, file;        ///< file: its name in the run's folder
   bool field = false;                  ///< cemented sample or load
+  std::string former{};                ///< what the file is called in folders of before
   bool operator==(const PlannedStage&) const = default;
 };
+
+/// The stage at a place (from 1) of a run.
+PlannedStage planned_stage(int place, std::string name, std::string hash, bool field);
 
 /// All stages of a run in their order, packing first.
 std::vector<PlannedStage> plan_of(const Recipe& recipe);

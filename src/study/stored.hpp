@@ -51,7 +51,9 @@ auto stored_or_claimed(const std::filesystem::path& file, const RunOptions& opti
     -> std::optional<decltype(read(file))> {
   const auto look = [&]() -> std::optional<decltype(read(file))> {
     if (!std::filesystem::exists(file)) return std::nullopt;
-    return unless_damaged(file, options, "this stage is computed again", [&] { return read(file); });
+    auto found = unless_damaged(file, options, "this stage is computed again", [&] { return read(file); });
+    if (found && found->provenance.input_hash != stage.hash) found.reset();  // names hold a part of the hash only
+    return found;
   };
   if (auto here = look()) {
     if (options.store && !options.store->has(stage.hash)) options.store->put(stage.hash, file);

@@ -117,7 +117,7 @@ class Expansion {
   void finish(StudyRun run, const Recipe& recipe) {
     run.stages = plan_of(recipe);
     HashBuilder hash;
-    for (const PlannedStage& stage : run.stages) hash.add(stage.file, stage.hash);
+    for (const PlannedStage& stage : run.stages) hash.add(stage.former, stage.hash);
     run.name = hash.hex().substr(0, 16);
     study_.runs.push_back(std::move(run));
   }

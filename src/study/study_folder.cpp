@@ -111,7 +111,11 @@ RunResult result_of(const StudyFolder& folder, const StudyRun& run) {
   result.state = read_status(folder, run.name).value_or(RunState{});
   std::error_code error;
   for (const PlannedStage& stage : run.stages)
-    if (fs::exists(result.folder / stage.file, error)) (stage.field ? result.fields : result.stages).push_back(result.folder / stage.file);
+    for (const auto& file : {result.folder / stage.file, result.folder / stage.former}) {
+      if (!fs::is_regular_file(file, error)) continue;
+      (stage.field ? result.fields : result.stages).push_back(file);
+      break;
+    }
   if (fs::exists(folder.numbers(run.name), error)) result.numbers_json = io::read_file(folder.numbers(run.name));
   return result;
 }

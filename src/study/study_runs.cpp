@@ -6,7 +6,6 @@
 #include "core/version.hpp"
 #include "io/atomic_file.hpp"
 #include "io/read_file.hpp"
-#include "io/run_folder.hpp"
 #include "io/table.hpp"
 #include "study/study.hpp"
 
@@ -49,9 +48,8 @@ StudyRun run_in(const std::vector<std::string_view>& cells) {
   std::from_chars(cells[2].data(), cells[2].data() + cells[2].size(), values);
   for (std::size_t v = 0; v < values; ++v) run.values.emplace_back(cells[3 + 2 * v], cells[4 + 2 * v]);
   for (std::size_t at = 3 + 2 * values; at + 2 < cells.size(); at += 3) {
-    PlannedStage stage{std::string(cells[at + 2]), std::string(cells[at]), {}, cells[at + 1] == "field"};
-    stage.file = io::stage_file_name(static_cast<int>(run.stages.size()) + 1, stage.name, stage.hash);
-    run.stages.push_back(std::move(stage));
+    run.stages.push_back(planned_stage(static_cast<int>(run.stages.size()) + 1, std::string(cells[at + 2]), std::string(cells[at]),
+                                       cells[at + 1] == "field"));
   }
   return run;
 }

@@ -58,7 +58,7 @@ TEST(Cemented, ExampleGoesFromSamplingToStressesByPhase) {
   ASSERT_EQ(j["stages"].size(), 5u);
   EXPECT_EQ(j["stages"][3]["name"], "cement");
   EXPECT_TRUE(j.contains("texture"));
-  const auto text = arenite("show " + (folder / "out").string());
+  const auto text = arenite("show --all " + (folder / "out").string());
   ASSERT_EQ(text.status, 0) << text.err;
   for (const char* words : {"S_m", "apparent modulus", "Node stresses, sigma_yy", "matrix"}) EXPECT_NE(text.out.find(words), std::string::npos) << words;
 }

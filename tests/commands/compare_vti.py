@@ -24,6 +24,8 @@ with h5py.File(field_file) as file:
     np.testing.assert_array_equal(arrays["grain"], file["map/grain"][:].ravel())
     for name in ("sigma_xx", "sigma_yy", "sigma_xy"):
         np.testing.assert_array_equal(arrays[name], file["field"][name][:].ravel())
+    for k, name in ((0, "sigma_xx"), (1, "sigma_yy"), (3, "sigma_xy")):  # VTK's order: xx, yy, zz, xy, yz, xz
+        np.testing.assert_array_equal(arrays["stress"][:, k], arrays[name])
     np.testing.assert_array_equal(arrays["displacement"][:, 0], file["field/ux"][:].ravel())
     np.testing.assert_array_equal(arrays["displacement"][:, 1], file["field/uy"][:].ravel())
 assert np.abs(arrays["sigma_yy"]).max() > 0

@@ -41,6 +41,24 @@ TEST_F(Export, VtkReadsArraysOfMoreThanOneCompressedBlock) {
   EXPECT_EQ(read.status, 0) << read.err;
 }
 
+TEST_F(Export, XarrayOpensALoadingAsArraysOverTimeAndGrain) {
+  const auto done = arenite("export " + file.string() + " --to netcdf");
+  ASSERT_EQ(done.status, 0) << done.err;
+  const auto read = shell(python("compare_netcdf.py") + file.string() + " " + (folder / "netcdf/loading.nc").string());
+  EXPECT_EQ(read.status, 0) << read.err;
+  EXPECT_EQ(read.out, "checked 2 states\n");
+}
+
+TEST_F(Export, ALoadingWhoseGrainsChangeFitsInNoArray) {
+  auto result = test::two_frames(6);
+  result.frames[1].packing.grains.id[2] = 77;
+  io::write_stage(file, result);
+  const auto refused = arenite("export " + file.string() + " --to netcdf");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("have not the same grains"), std::string::npos) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "netcdf"));
+}
+
 TEST_F(Export, LammpsItselfReadsTheDumpAtItsStep) {
   ASSERT_EQ(arenite("export " + file.string() + " --to lammps").status, 0);
   std::ofstream(folder / "in") << "units si\ndimension 2\natom_style sphere\nboundary f f p\nregion b block 0 1 0 1 -0.1 0.1\ncreate_box 2 b\n"
@@ -131,7 +149,7 @@ TEST_F(Export, LastWritesOnlyTheLastState) {
 }
 
 TEST_F(Export, SameResultGivesTheSameBytes) {
-  for (const std::string format : {"vtk", "lammps", "extxyz", "csv"}) {
+  for (const std::string format : {"vtk", "lammps", "extxyz", "netcdf", "csv"}) {
     for (const std::string where : {"a", "b"})
       ASSERT_EQ(arenite("export " + file.string() + " --to " + format + " --out " + (folder / (where + format)).string()).status, 0);
     EXPECT_EQ(shell("diff -r " + (folder / ("a" + format)).string() + " " + (folder / ("b" + format)).string()).status, 0);

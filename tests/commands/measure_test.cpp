@@ -134,6 +134,21 @@ TEST(MeasureLammps, GivesLammpsOwnStress) {
   EXPECT_TRUE(t["coordination"].contains("type1-type2"));
 }
 
+TEST(MeasureYade, AContactAcrossAPeriodicSideIsNeverTakenForAWalls) {
+  const std::string files = source + "/tests/data/yade/periodic-spheres.txt " + source + "/tests/data/yade/periodic-interactions.vtk --thickness 1 ";
+  const Json t = measured(files + "--box 0.6167414232494,0.6167414232494 --periodic");
+  EXPECT_EQ(t["contacts"], 130);
+  EXPECT_EQ(t["wall_contacts"], 0);
+  EXPECT_LT(t["quality"]["median_imbalance"], 1e-4);  // YADE writes six digits
+  const auto wrong = arenite("measure " + files + "--box 0.623,0.623 --periodic");  // 1 % off
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_NE(wrong.err.find("19 of 130 interactions end at no grain's centre"), std::string::npos) << wrong.err;
+  EXPECT_NE(wrong.err.find("correct --box"), std::string::npos) << wrong.err;
+  const auto none = arenite("measure " + files);
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("give the cell by --box and --periodic"), std::string::npos) << none.err;
+}
+
 TEST(MeasureYade, FindsGrainsInBalanceUnderTheirFrictionCap) {
   const std::string folder = source + "/tests/data/yade/";
   const Json t = measured(folder + "spheres.txt " + folder + "interactions.vtk --box 1,1 --origin 0,0 --thickness 1 --border 0");

@@ -77,6 +77,57 @@ TEST(DamagedStageFile, IsComputedAgainWithANoticeAndTheSameBytes) {
   }
 }
 
+const char* const short_load = "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nrest = { max_steps = 400 }\n";
+
+TEST(RunFolder, SaysWhatItPutsAsideAndWhichExportsAreStale) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, recipe("", short_load));
+  const auto out = folder / "out";
+  const std::string run = "run " + file + " --quiet --out " + out.string();
+  EXPECT_EQ(arenite(run).err, "");
+  ASSERT_EQ(arenite("export " + out.string() + " --to vtk").status, 0);
+  const auto before = stage_file(out, "load");
+  const auto other = arenite(run + " --set contact.friction=0.1");
+  EXPECT_TRUE(contains(other.err, "a result of other settings moved to " + (out / "earlier").string())) << other.err;
+  EXPECT_TRUE(contains(other.err, before.filename().string())) << other.err;
+  EXPECT_TRUE(contains(other.err, "write anew: " + (out / "vtk").string())) << other.err;
+  EXPECT_EQ(std::count(other.err.begin(), other.err.end(), '\n'), 1) << other.err;
+  EXPECT_TRUE(fs::exists(out / "earlier" / before.filename()));
+  EXPECT_EQ(arenite(run + " --set contact.friction=0.1").err, "") << "nothing moved";
+}
+
+TEST(RunFolder, FindsResultsUnderTheirLongNamesOfBefore) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, recipe("", short_load));
+  const auto out = folder / "out";
+  const std::string run = "run " + file + " --quiet --out " + out.string();
+  arenite(run);
+  for (const std::string stage : {"packing", "load"}) {
+    const auto path = stage_file(out, stage);
+    const auto hash = nlohmann::json::parse(arenite("show --json " + path.string()).out).at("provenance").at("input_hash").get<std::string>();
+    ASSERT_EQ(hash.size(), 32u);
+    const std::string name = path.filename().string(), former = name.substr(0, name.size() - 15) + hash + ".h5";
+    EXPECT_TRUE(contains(name, hash.substr(0, 12) + ".h5")) << name;
+    fs::rename(path, out / former);
+  }
+  const auto again = arenite("run " + file + " --out " + out.string());
+  EXPECT_TRUE(contains(again.err, "packing      was there already") && contains(again.err, "load         was there already")) << again.err;
+  EXPECT_FALSE(fs::exists(out / "earlier"));
+}
+
+TEST(RunFolder, AFileWhoseNameAgreesButWhoseHashDoesNotIsMadeAnew) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, recipe("", short_load));
+  const auto out = folder / "out", other = folder / "other";
+  arenite("run " + file + " --quiet --out " + out.string());
+  arenite("run " + file + " --quiet --set seed=2 --out " + other.string());
+  const auto path = stage_file(out, "packing");
+  const std::string whole = slurp(path);
+  fs::copy_file(stage_file(other, "packing"), path, fs::copy_options::overwrite_existing);
+  arenite("run " + file + " --quiet --out " + out.string());
+  EXPECT_EQ(slurp(path), whole);
+}
+
 TEST(StageWithoutEquilibrium, EndsWithStatusThreeAndSaysWhatItReached) {
   const TemporaryFolder folder;
   const auto file = write(folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nrest = { max_steps = 400 }\n"

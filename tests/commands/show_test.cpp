@@ -114,7 +114,48 @@ TEST(Show, TextTellsStagesInOrderAndWhichIsNotAtRest) {
   const auto first = shown.out.find("compact"), next = shown.out.find("NOT AT REST: unbalanced ratio 3e-3");
   EXPECT_LT(first, next) << shown.out;
   EXPECT_NE(next, std::string::npos) << shown.out;
-  EXPECT_NE(shown.out.find("force 103 N"), std::string::npos) << shown.out;
+  EXPECT_NE(shown.out.find("top 103 N"), std::string::npos) << shown.out;
+}
+
+TEST(Figures, SayWhatBuildsTheModuleWhereOnlyItsPythonFilesAre) {
+  const TemporaryFolder folder;
+  io::write_stage(folder / "r.h5", sample());
+  std::filesystem::create_directories(folder / "build/python/arenite/figures");
+  std::filesystem::copy_file(ARENITE_BINARY, folder / "build/arenite");
+  io::write_atomically(folder / "build/python/arenite/figures/__main__.py", "raise SystemExit(7)\n");
+  const auto refused = test::shell((folder / "build/arenite").string() + " figures " + (folder / "r.h5").string());
+  EXPECT_EQ(refused.status, 2) << refused.err;
+  EXPECT_NE(refused.err.find("`make build` in the source folder builds it"), std::string::npos) << refused.err;
+}
+
+TEST(Show, IsShortAndSaysWhatItsSymbolsMean) {
+  const TemporaryFolder folder;
+  auto result = test::two_frames(600);
+  result.texture_json.clear();
+  io::write_stage(folder / "r.h5", result);
+  const std::string file = (folder / "r.h5").string();
+  const auto shown = arenite("show " + file), all = arenite("show " + file + " --all");
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  ASSERT_EQ(all.status, 0) << all.err;
+  EXPECT_LE(std::count(shown.out.begin(), shown.out.end(), '\n'), 30) << shown.out;
+  EXPECT_GT(all.out.size(), shown.out.size());
+  for (const char* part : {"coordination z", "contacts of a grain with others", "contact anisotropy a_c", "mean normal force <F>", "P(F) ~ exp(-beta F/<F>)", "--all"})
+    EXPECT_NE(shown.out.find(part), std::string::npos) << part << "\n" << shown.out;
+  EXPECT_NE(all.out.find("dissipated by friction"), std::string::npos) << all.out;
+}
+
+TEST(Show, SaysThatAStateMovesThoughItsStageEndedByItsTime) {
+  const TemporaryFolder folder;
+  auto result = sample();
+  result.outcome = "0.5 s passed";
+  result.frames.back().equilibrium.unbalanced_ratio = 1e-5;
+  result.frames.back().equilibrium.kinetic_ratio = 69;
+  io::write_stage(folder / "r.h5", result);
+  const auto moving = arenite("show " + (folder / "r.h5").string());
+  EXPECT_NE(moving.out.find("NOT AT REST: unbalanced force ratio 1.0e-05, kinetic over elastic energy 6.9e+01"), std::string::npos) << moving.out;
+  result.frames.back().equilibrium.kinetic_ratio = 1e-9;
+  io::write_stage(folder / "r.h5", result);
+  EXPECT_NE(arenite("show " + (folder / "r.h5").string()).out.find("at rest: "), std::string::npos);
 }
 
 TEST(Show, BadFilesGiveStatus2AndOneSentence) {

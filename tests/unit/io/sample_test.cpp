@@ -210,6 +210,33 @@ TEST(SampleLammps, SaysWhereAFileIsCutOffOrLacksAColumn) {
   expect_part(Files(start + "ITEM: ATOMS id type x y\n1 1 0 0\n2 1 1 1\n", pairs).problems(), "there is no column \"radius\"; dump id type x y radius");
 }
 
+const std::string lammps_atoms =
+    "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff pp\n0 4\n0 4\n-1 1\nITEM: ATOMS id type x y radius\n1 1 1 1 0.5\n2 1 1.9 1 0.5\n";
+std::string lammps_pairs(const std::string& columns, const std::string& row) {
+  return "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n1\nITEM: ENTRIES " + columns + "\n" + row + "\n";
+}
+
+TEST(SampleLammps, ColumnsThatNobodyCanTellApartAreOneProblemWithWhatToWrite) {
+  const Files files(lammps_atoms, lammps_pairs("index c_pl[1] c_pl[2] c_ff[1] c_ff[2] c_ff[3] c_ff[4] c_ff[5]", "1 1 2 -3 0 0 -1 0.9"));
+  const std::string text = files.problems();
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+  expect_part(text, "contacts.csv:5: which of the columns (index c_pl[1] c_pl[2] c_ff[1] c_ff[2] c_ff[3] c_ff[4] c_ff[5])");
+  expect_part(text, "--columns \"-,patom1,patom2,fx,fy,p1,p2,-\"");
+  SampleOptions named;
+  named.contact_columns = "-,patom1,patom2,fx,fy,p1,p2,-";
+  EXPECT_DOUBLE_EQ(files.read(named).packing.contacts.fn.at(0), 3);
+  EXPECT_DOUBLE_EQ(files.read(named).packing.contacts.ft.at(0), 1);
+}
+
+TEST(SampleLammps, TakesTheWholeForceWhereTheUserNamesItAlone) {
+  const Files files(lammps_atoms, lammps_pairs("c_1[1] c_1[2] c_2[1] c_2[2]", "1 2 -3 -1"));
+  expect_part(files.problems(), "name them in their order by --columns");
+  SampleOptions named;
+  named.contact_columns = "i,j,fx,fy";
+  EXPECT_DOUBLE_EQ(files.read(named).packing.contacts.fn.at(0), 3);
+  EXPECT_DOUBLE_EQ(files.read(named).packing.contacts.ft.at(0), 1);
+}
+
 TEST(SampleOptionsGiven, PeriodicSidesNeedTheCell) {
   SampleOptions o;
   o.periodic_x = true;

@@ -1,0 +1,16 @@
+#pragma once
+#include <string>
+
+#include "model/result.hpp"
+#include "texture/texture.hpp"
+
+// What `arenite show` prints unless it is asked for everything: a dozen numbers, each with its symbol and its meaning.
+namespace arenite::report {
+
+/// The last state of a stage.
+std::string headlines(const StageResult& last, const texture::Texture& texture);
+
+/// A result on nodes, from its numbers.
+std::string field_headlines(const std::string& numbers_json);
+
+}  // namespace arenite::report
