@@ -13,16 +13,17 @@ std::string text_of(const Range& range) {
   return fmt::format("{:.4g} to {:.4g}", range.low, range.high);
 }
 
-std::string capital(std::string text) {
-  if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
-}
-
 Check check(std::string what, std::string source, const Value& ours, std::string unit, const Range& range) {
   return {std::move(what), std::move(source), std::move(unit), text_of(range), ours, range, outcome_of(ours, range)};
 }
 
 }  // namespace
+
+std::string capital(std::string text) {
+  const bool is_symbol = text.size() > 1 && text[1] == '_';
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z' && !is_symbol) text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
 
 Outcome outcome_of(const Value& ours, const Range& range) {
   if (!std::isfinite(ours.value)) return Outcome::unknown;

@@ -27,6 +27,9 @@ Check differs(std::string what, std::string source, const Value& ours, double ma
 Check as(Kind kind, Check check);
 inline Check number(Check check) { return as(Kind::number, std::move(check)); }
 inline Check beside(Check check) { return as(Kind::beside, std::move(check)); }
+/// As a sentence begins; a symbol (a_c) stays as it is.
+std::string capital(std::string text);
+
 /// A value that nothing is wanted of.
 Check reported(std::string what, const Value& ours, std::string unit = "");
 

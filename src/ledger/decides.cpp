@@ -10,11 +10,6 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-std::string capital(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z' && (text.size() < 2 || text[1] != '_')) text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
-}
-
 /// "a", "a and b", "a, b and c"; of many the first few.
 std::string listed(Words words) {
   constexpr std::size_t most = 4;
