@@ -16,10 +16,12 @@
 #include "ledger/judge.hpp"
 #include "ledger/studies.hpp"
 #include "ledger/virtual_film.hpp"
+#include "report/ledger_dots.hpp"
 #include "report/ledger_report.hpp"
 #include "report/study_figures.hpp"
 #include "stop_signal.hpp"
 #include "study/collect.hpp"
+#include "study/result_folder.hpp"
 #include "study_parts.hpp"
 
 namespace arenite::app {
@@ -29,7 +31,7 @@ namespace fs = std::filesystem;
 
 struct VerifyArguments {
   std::vector<std::string> sources, overrides, only;
-  std::string out, markdown, verdicts, expected, keep = "numbers";
+  std::string out, markdown, csv, verdicts, expected, keep = "numbers";
   std::size_t jobs = 1;
   bool small = false, json = false, read_only = false, quiet = false;
 };
@@ -119,42 +121,61 @@ std::string processor_name() {
   return "unknown processor";
 }
 
-/// Date, version and machine.
-std::string heading() {
+/// Date, version and machine, and how to read the page.
+std::string heading(const VerifyArguments& a) {
   char date[16] = "";
   const std::time_t now = std::time(nullptr);
   std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
-  return fmt::format("# The ledger of claims\n\nWritten by `arenite verify`, version {}, on {}, {} cores of {}. A claim has two verdicts: as its source states "
-                     "it, and as sharpened to the state, law and statistic under which a check has meaning. Errors are standard errors over runs, each with a seed of its own: one sample scatters by that times the root of their number. Law S has a "
-                     "tangential spring; law R is the thesis's regularised friction, which holds none at rest: the mean |F_t|/F_n that was left where it stopped is told with the claims.\n",
-                     version, date, std::thread::hardware_concurrency(), processor_name());
+  return fmt::format("# The ledger of claims\n\n{}Written by `arenite verify`, version {}, on {}, {} cores of {}.\n\n"
+                     "What is behind ± is a standard error over runs, each with a seed of its own. A check holds where the 95 % interval (Student's t) lies in what is wanted, fails where it lies "
+                     "outside, and is undecided where the bound lies within it. Many like numbers, such as those of all pairs, are one check: it holds if each shows it, and fails if one is outside "
+                     "after Holm's correction. What is said not to depend on something must lie within a margin. Law S has a tangential spring; law R is the thesis's regularised friction, which holds none at rest. "
+                     "{}\n\n",
+                     a.small ? "**Of the small studies: this is no ledger.**\n\n" : "", version, date, std::thread::hardware_concurrency(), processor_name(),
+                     a.csv.empty() ? "`--csv FILE` writes all checks and all choices." : fmt::format("All checks, and all choices, are in [{0}]({0}).", fs::path(a.csv).filename().string()));
 }
 
 bool fails(const ledger::Ledger& ledger) {
-  return std::any_of(ledger.claims.begin(), ledger.claims.end(),
-                     [](const auto& judged) { return judged.judgement.sharpened.holds() == ledger::Holds::no; });
+  return std::any_of(ledger.claims.begin(), ledger.claims.end(), [](const auto& judged) { return judged.judgement.verdict() == ledger::Verdict::not_reproduced; });
+}
+
+/// The page, and its pictures in a folder of its name beside it; those of claims that have none any more go.
+void write_page(const ledger::Ledger& ledger, const VerifyArguments& a) {
+  const fs::path file = a.markdown;
+  fs::path folder = file;
+  folder.replace_extension();
+  if (folder == file) folder += ".pictures";
+  for (const auto& [claim, judgement] : ledger.claims) {
+    const fs::path picture = folder / (std::string(claim->id) + ".svg");
+    if (judgement.verdict() != ledger::Verdict::reproduced && report::has_dots(judgement)) {
+      study::make_folder(folder);
+      io::write_atomically(picture, report::ledger_dots(judgement));
+    } else {
+      fs::remove(picture);
+    }
+  }
+  io::write_atomically(file, heading(a) + report::ledger_page(ledger, folder.filename().string()));
 }
 
 int execute(const VerifyArguments& a) {
   const fs::path out = !a.out.empty() ? a.out : a.small ? "out/ledger-small" : "out/ledger";
   watch_for_signals();
   ledger::Ledger all;
-  std::string markdown;
   if (!run_all(out, a)) return stopped();
   for (const std::string& source : a.sources) {
     ledger::Results results;
     const char letter = letter_of(source);
     if (!gather(letter, out, a, results)) return stopped();
     ledger::Ledger one = ledger::judge(letter, results);
-    markdown += "\n" + report::ledger_markdown(one, source == "thesis" ? "The thesis" : "The paper");
     all.studies.insert(all.studies.end(), one.studies.begin(), one.studies.end());
     std::move(one.claims.begin(), one.claims.end(), std::back_inserter(all.claims));
   }
   fmt::print("{}", a.json ? report::ledger_json(all) : report::ledger_text(all));
-  if (!a.markdown.empty()) io::write_atomically(a.markdown, heading() + markdown);
-  if (!a.verdicts.empty()) io::write_atomically(a.verdicts, report::ledger_verdicts(all));
+  if (!a.markdown.empty()) write_page(all, a);
+  if (!a.csv.empty()) io::write_atomically(a.csv, report::ledger_csv(all));
+  if (!a.verdicts.empty()) io::write_atomically(a.verdicts, report::ledger_verdicts(all, a.small));
   if (a.expected.empty()) return fails(all) ? not_converged : done;
-  const auto changes = report::changed_verdicts(all, io::read_file(a.expected), a.expected);
+  const auto changes = report::changed_verdicts(all, io::read_file(a.expected), a.expected, a.small);
   for (const auto& change : changes) fmt::print(stderr, "{}\n", change);
   return changes.empty() ? done : not_converged;
 }
@@ -168,9 +189,10 @@ void add_verify(CLI::App& command, int& status) {
       ->required()->type_name("SOURCE")->check(CLI::IsMember({"thesis", "paper"}));
   command.add_flag("--small", a->small, "Smaller samples and fewer seeds: minutes instead of hours");
   command.add_flag("--json", a->json, "Print the ledger as JSON");
-  command.add_option("--markdown", a->markdown, "Write the ledger as a page of text, too")->type_name("FILE");
+  command.add_option("--markdown", a->markdown, "Write the ledger as a page of text, too, with its pictures in a folder of that name beside it")->type_name("FILE");
+  command.add_option("--csv", a->csv, "Write all checks and all choices as a table, too")->type_name("FILE");
   command.add_option("--verdicts", a->verdicts, "Write the verdicts alone, to hold later ones against")->type_name("FILE");
-  command.add_option("--expect", a->expected, "End with 3 when a verdict differs from this file's, not when a claim fails")->type_name("FILE");
+  command.add_option("--expect", a->expected, "End with 3 when a verdict differs from this file's, not when a claim is not reproduced")->type_name("FILE");
   command.add_option("--out", a->out, "Folder of the studies (default: out/ledger, or out/ledger-small)")->type_name("DIR");
   command.add_option("--jobs", a->jobs, "Runs at once, each in a process of its own (default: all cores)")->check(CLI::Range(1, 4096).description(""))->type_name("J");
   command.add_option("--only", a->only, "Run and read this study only; may be repeated")->allow_extra_args(false)->type_name("STUDY");

@@ -1,14 +1,11 @@
 #include "ledger/pooled.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <map>
 #include <numbers>
 
 #include "statistics/line.hpp"
-#include "statistics/student.hpp"
 
 namespace arenite::ledger {
 namespace {
@@ -17,7 +14,7 @@ constexpr double degree = std::numbers::pi / 180;
 
 std::string seed_of(const Run& run) { return run.text("seed"); }
 
-Value mean_of(const std::vector<double>& values) { return values.empty() ? Value() : Value(statistics::mean_of(values)); }
+Value mean_of(const std::vector<double>& values) { return values.empty() ? Value() : statistics::mean_of(values); }
 
 }  // namespace
 
@@ -26,12 +23,14 @@ PooledMode pooled_mode(const std::vector<Run>& runs, const std::string& set, int
   std::complex<double> sum = 0;
   std::map<std::string, std::pair<std::complex<double>, double>> seeds;  // sum and contacts
   PooledMode pooled;
+  double samples = 0;
   for (const Run& run : runs) {
     const double contacts = run(path + ".contacts"), amplitude = run(mode + ".amplitude"), phase = run(mode + ".phase_deg");
     if (!std::isfinite(contacts * amplitude * phase)) continue;
     const auto vector = contacts * std::polar(amplitude, m * phase * degree);
     sum += vector;
     pooled.contacts += contacts;
+    samples += 1;
     auto& seed = seeds[seed_of(run)];
     seed.first += vector;
     seed.second += contacts;
@@ -46,16 +45,37 @@ PooledMode pooled_mode(const std::vector<Run>& runs, const std::string& set, int
     across += excess.imag() * excess.imag();
   }
   const double spread = n > 1 ? std::sqrt(n / (n - 1)) : statistics::unknown;
-  pooled.amplitude = {std::abs(mean), spread * std::sqrt(along)};
-  pooled.phase_deg = {phase < 0 ? phase + 360.0 / m : phase, spread * std::sqrt(across) / std::abs(mean) / m / degree};
+  pooled.amplitude = {std::abs(mean), spread * std::sqrt(along), n - 1};
+  pooled.phase_deg = {phase < 0 ? phase + 360.0 / m : phase, spread * std::sqrt(across) / std::abs(mean) / m / degree, n - 1};
   pooled.noise = 0.886 / std::sqrt(pooled.contacts);
+  pooled.noise_of_one = pooled.noise * std::sqrt(samples);
   return pooled;
+}
+
+Value pooled_along(const std::vector<Run>& runs, const std::string& set, int m, double axis_deg) {
+  const std::string path = set.empty() ? "fabric" : "fabric.sets." + set, mode = path + ".modes." + std::to_string(m);
+  std::map<std::string, std::pair<double, double>> seeds;  // sum and contacts
+  double sum = 0, all = 0;
+  for (const Run& run : runs) {
+    const double contacts = run(path + ".contacts"), along = contacts * run(mode + ".amplitude") * std::cos(m * (run(mode + ".phase_deg") - axis_deg) * degree);
+    if (!std::isfinite(along)) continue;
+    sum += along;
+    all += contacts;
+    auto& seed = seeds[seed_of(run)];
+    seed.first += along;
+    seed.second += contacts;
+  }
+  if (all == 0) return {};
+  double squares = 0;
+  for (const auto& [name, seed] : seeds) squares += std::pow((seed.first - seed.second * sum / all) / all, 2);
+  const double n = static_cast<double>(seeds.size());
+  return {sum / all, n > 1 ? std::sqrt(squares * n / (n - 1)) : statistics::unknown, n - 1};
 }
 
 double angle_between(double a_deg, double b_deg, double period) { return std::abs(std::remainder(a_deg - b_deg, period)); }
 
 Value angle_from(const PooledMode& mode, double wanted_deg, double period) {
-  return {angle_between(mode.phase_deg.value, wanted_deg, period), mode.phase_deg.error};
+  return {angle_between(mode.phase_deg.value, wanted_deg, period), mode.phase_deg.error, mode.phase_deg.freedom};
 }
 
 Value mean_over_seeds(const std::vector<Run>& runs, const Number& number) {
@@ -86,22 +106,7 @@ Value slope_over_seeds(const std::vector<Run>& runs, const Number& x, const Numb
 }
 
 PooledTail pooled_tail(const std::vector<Run>& runs, const std::string& name) {
-  PooledTail pooled;
-  std::vector<double> r2, beta;
-  double sum = 0;
-  for (const Run& run : runs) {
-    const double p = run(name + ".p_value");
-    if (!std::isfinite(p)) continue;
-    sum += statistics::student_quantile(std::clamp(1 - p, 1e-12, 1 - 1e-12), std::numeric_limits<double>::infinity());
-    pooled.log_likelihood_ratio += run(name + ".log_likelihood_ratio");
-    r2.push_back(run(name + ".line_r2"));
-    beta.push_back(run(name + ".beta"));
-  }
-  pooled.runs = r2.size();
-  pooled.r2 = mean_of(r2);
-  pooled.beta = mean_of(beta);
-  if (pooled.runs > 0) pooled.p_value = 1 - statistics::student_share(sum / std::sqrt(static_cast<double>(pooled.runs)), std::numeric_limits<double>::infinity());
-  return pooled;
+  return {mean_over_seeds(runs, name + ".log_likelihood_ratio"), mean_over_seeds(runs, name + ".line_r2"), mean_over_seeds(runs, name + ".beta")};
 }
 
 }  // namespace arenite::ledger

@@ -24,14 +24,15 @@ struct WantedAtEnds {
   Wanted first, last, change;
 };
 
-// Wanted, as the checks of the same names in trends.hpp.
+// Wanted, as the checks of the same names in checks.hpp.
 Wanted wanted_above(double bound);
 Wanted wanted_below(double bound);
 Wanted wanted_between(double low, double high);
 Wanted wanted_within(double source, double tolerance);
 Wanted wanted_positive();
 Wanted wanted_negative();
-Wanted wanted_none();
+/// No further from zero than the margin.
+Wanted wanted_equivalent(double margin);
 
 /// `value` of the runs with the usual choices, and with each of `choices` instead. Nothing is added where it is not known with
 /// the usual ones.

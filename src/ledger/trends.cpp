@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "statistics/line.hpp"
 
 namespace arenite::ledger {
 namespace {
-
-Holds known(bool is_known, bool holds) { return !is_known ? Holds::unknown : holds ? Holds::yes : Holds::no; }
 
 std::vector<double> ranks(const std::vector<double>& values) {
   std::vector<double> rank;
@@ -34,37 +31,26 @@ std::pair<std::vector<double>, std::vector<double>> columns(const Series& points
   return xy;
 }
 
-Check check(std::string what, std::string source, const Value& ours, std::string tolerance, std::string unit, Holds holds) {
-  return {std::move(what), std::move(source), std::move(unit), std::move(tolerance), ours.value, ours.error, holds};
-}
-
 }  // namespace
 
-Value difference(const Value& a, const Value& b) { return {a.value - b.value, std::hypot(a.error, b.error)}; }
-
-Value ratio(const Value& a, const Value& b) {
-  const double value = a.value / b.value;
-  return {value, std::abs(value) * std::hypot(a.error / a.value, b.error / b.value)};
-}
+Value value_of(const Point& point) { return {point.mean, point.error, point.runs > 0 ? static_cast<double>(point.runs) - 1 : statistics::unknown}; }
 
 Value rise(const Series& points) {
   if (points.size() < 2) return {};
-  return difference({points.back().mean, points.back().error}, {points.front().mean, points.front().error});
+  return difference(value_of(points.back()), value_of(points.front()));
 }
 
 Value slope(const Series& points) {
   if (points.size() < 2) return {};
-  double mean_x = 0, sxx = 0, sxy = 0, square = 0;
+  double mean_x = 0, sxx = 0;
   for (const Point& p : points) mean_x += p.x / static_cast<double>(points.size());
-  for (const Point& p : points) {
-    sxx += (p.x - mean_x) * (p.x - mean_x);
-    sxy += (p.x - mean_x) * p.mean;
-    square += (p.x - mean_x) * (p.x - mean_x) * p.error * p.error;
-  }
-  if (std::isfinite(square)) return {sxy / sxx, std::sqrt(square) / sxx};
+  for (const Point& p : points) sxx += (p.x - mean_x) * (p.x - mean_x);
+  std::vector<std::pair<double, Value>> terms;
+  for (const Point& p : points) terms.emplace_back((p.x - mean_x) / sxx, value_of(p));
+  if (const Value by_means = weighted_sum(terms); std::isfinite(by_means.error)) return by_means;
   const auto [x, y] = columns(points);
   const auto line = statistics::fit_line(x, y);
-  return {line.slope, line.slope_error};
+  return {line.slope, line.slope_error, static_cast<double>(points.size()) - 2};
 }
 
 double line_r2(const Series& points) {
@@ -78,49 +64,22 @@ double spearman(const Series& points) {
   return std::copysign(std::sqrt(line.r2), line.slope);
 }
 
-Check within(std::string what, const Value& ours, double source, double tolerance, std::string unit) {
-  return check(std::move(what), fmt::format("{:.4g}", source), ours, fmt::format("+- {:.3g}", tolerance), std::move(unit),
-               known(std::isfinite(ours.value), std::abs(ours.value - source) <= tolerance));
+Family steps(const Series& points) {
+  Family all;
+  for (std::size_t k = 1; k < points.size(); ++k)
+    all.push_back({fmt::format("from {:g} to {:g}", points[k - 1].x, points[k].x), difference(value_of(points[k]), value_of(points[k - 1]))});
+  return all;
 }
 
-Check between(std::string what, std::string source, const Value& ours, double low, double high, std::string unit) {
-  return check(std::move(what), std::move(source), ours, fmt::format("{:.4g} to {:.4g}", low, high), std::move(unit),
-               known(std::isfinite(ours.value), low <= ours.value && ours.value <= high));
+Family leads_of_last(const Series& points) {
+  Family all;
+  for (std::size_t k = 0; k + 1 < points.size(); ++k)
+    all.push_back({fmt::format("{:g} less {:g}", points.back().x, points[k].x), difference(value_of(points.back()), value_of(points[k]))});
+  return all;
 }
 
-Check above(std::string what, std::string source, const Value& ours, double bound, std::string unit) {
-  return check(std::move(what), std::move(source), ours, fmt::format("> {:.4g}", bound), std::move(unit), known(std::isfinite(ours.value), ours.value > bound));
-}
-
-Check below(std::string what, std::string source, const Value& ours, double bound, std::string unit) {
-  return check(std::move(what), std::move(source), ours, fmt::format("< {:.4g}", bound), std::move(unit), known(std::isfinite(ours.value), ours.value < bound));
-}
-
-Check positive(std::string what, std::string source, const Value& ours, std::string unit) {
-  return check(std::move(what), std::move(source), ours, "> 0 by 2 s.e.", std::move(unit),
-               known(std::isfinite(ours.value) && std::isfinite(ours.error), ours.value > beyond * ours.error));
-}
-
-Check negative(std::string what, std::string source, const Value& ours, std::string unit) {
-  return check(std::move(what), std::move(source), ours, "< 0 by 2 s.e.", std::move(unit),
-               known(std::isfinite(ours.value) && std::isfinite(ours.error), ours.value < -beyond * ours.error));
-}
-
-Check none(std::string what, std::string source, const Value& ours, std::string unit) {
-  return check(std::move(what), std::move(source), ours, "0 within 2 s.e.", std::move(unit),
-               known(std::isfinite(ours.value) && std::isfinite(ours.error), std::abs(ours.value) <= beyond * ours.error));
-}
-
-std::string text_of(const Value& v) {
-  if (!std::isfinite(v.value)) return "not known";
-  return std::isfinite(v.error) ? fmt::format("{:.4g} +- {:.2g}", v.value, v.error) : fmt::format("{:.4g}", v.value);
-}
-
-std::string told(const std::string& who, const Verdict& verdict) {
-  std::string text;
-  for (const Check& check : verdict.checks)
-    if (check.holds != Holds::unknown) text += fmt::format("{} {} {} ({})", text.empty() ? who + ":" : ";", check.what, text_of({check.ours, check.error}), word_for(check.holds));
-  return text.empty() ? text : text + ".";
+Check monotone(const std::string& what, const std::string& source, const Series& points, int direction) {
+  return trend(what, source, slope(points), steps(points), direction);
 }
 
 }  // namespace arenite::ledger

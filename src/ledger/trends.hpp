@@ -1,23 +1,11 @@
 #pragma once
-#include "ledger/claim.hpp"
+#include "ledger/checks.hpp"
+#include "ledger/family.hpp"
 #include "ledger/results.hpp"
 
 namespace arenite::ledger {
 
-/// Beyond how many standard errors a difference counts.
-inline constexpr double beyond = 2;
-
-/// A number with its standard error, NaN where not known.
-struct Value {
-  double value = statistics::unknown, error = statistics::unknown;
-  Value() = default;
-  Value(double v, double e = statistics::unknown) : value(v), error(e) {}
-  Value(const statistics::Measured& m) : value(m.value), error(m.error) {}
-};
-
-// Errors of independent values add in squares; one that is not known makes the result's unknown.
-Value difference(const Value& a, const Value& b);
-Value ratio(const Value& a, const Value& b);
+Value value_of(const Point& point);
 
 /// Last mean minus first.
 Value rise(const Series& points);
@@ -29,19 +17,11 @@ double line_r2(const Series& points);
 /// Rank correlation of x and mean.
 double spearman(const Series& points);
 
-// Checks of one number; unknown where the number, or an error that is needed, is.
-Check within(std::string what, const Value& ours, double source, double tolerance, std::string unit = "");
-Check between(std::string what, std::string source, const Value& ours, double low, double high, std::string unit = "");
-Check above(std::string what, std::string source, const Value& ours, double bound, std::string unit = "");
-Check below(std::string what, std::string source, const Value& ours, double bound, std::string unit = "");
-/// Greater than zero, smaller than zero, no further from zero than `beyond` standard errors.
-Check positive(std::string what, std::string source, const Value& ours, std::string unit = "");
-Check negative(std::string what, std::string source, const Value& ours, std::string unit = "");
-Check none(std::string what, std::string source, const Value& ours, std::string unit = "");
-
-/// "0.403 +- 0.012".
-std::string text_of(const Value& value);
-/// "law R: slope of z 0.403 +- 0.012 (holds); ...", of what is known; empty if nothing is.
-std::string told(const std::string& who, const Verdict& verdict);
+/// From each point to the next: "from 2 to 3".
+Family steps(const Series& points);
+/// Each point against the last, last less it: "10 less 2".
+Family leads_of_last(const Series& points);
+/// The slope goes this way and no step goes the other way beyond chance.
+Check monotone(const std::string& what, const std::string& source, const Series& points, int direction);
 
 }  // namespace arenite::ledger

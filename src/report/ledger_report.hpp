@@ -6,20 +6,24 @@
 
 namespace arenite::report {
 
-/// A ledger for people: claim by claim both verdicts, and line by line what they rest on.
+/// A ledger for people at a terminal: claim by claim its verdict, what decides it, and line by line what it rests on.
 std::string ledger_text(const ledger::Ledger& ledger);
 
-/// For programs: {"studies": {NAME: {"runs", "done"}}, "claims": {ID: {"stated": "holds", "sharpened": "fails", ...}}}.
+/// For programs: {"studies": {NAME: {"runs", "done"}}, "claims": {ID: {"verdict": "reproduced", "checks": [...], ...}}}.
 std::string ledger_json(const ledger::Ledger& ledger);
 
-/// A section of a Markdown page: a table of the verdicts, then the claims one by one. `title` is its heading.
-std::string ledger_markdown(const ledger::Ledger& ledger, const std::string& title);
+/// A page of Markdown: a table with one row a claim; then a section for each claim that is not simply reproduced, with the checks
+/// that do not hold and its picture in the folder `pictures`, as a link from the page has it.
+std::string ledger_page(const ledger::Ledger& ledger, const std::string& pictures);
 
-/// The verdicts alone: {ID: {"stated": "holds", "sharpened": "fails"}}, one line a claim.
-std::string ledger_verdicts(const ledger::Ledger& ledger);
+/// All checks and all choices, one row each, as CSV.
+std::string ledger_csv(const ledger::Ledger& ledger);
+
+/// The verdicts alone: {"of": SIZE, ID: "reproduced"}, one line a claim. `small`: of the small studies.
+std::string ledger_verdicts(const ledger::Ledger& ledger, bool small);
 
 /// One sentence for each verdict of the ledger that differs from those of `expected`, as ledger_verdicts() writes them, in
-/// either direction. Throws InputError, naming `file`, for anything else.
-std::vector<std::string> changed_verdicts(const ledger::Ledger& ledger, const std::string& expected, const std::string& file);
+/// either direction. Throws InputError, naming `file`, for anything else, and for verdicts of studies of the other size.
+std::vector<std::string> changed_verdicts(const ledger::Ledger& ledger, const std::string& expected, const std::string& file, bool small);
 
 }  // namespace arenite::report

@@ -21,46 +21,28 @@ double spread(const PairMeans& means, double gamma) {
   return high - low;
 }
 
-/// The greatest spread below gamma 5 over that at 5.
-double relative_spread(const PairMeans& rho) {
-  double below_five = statistics::unknown;
+/// The spread over theta at each gamma below 5 less that at 5. Noise widens all of them alike.
+Family excess_spreads(const PairMeans& rho) {
+  Family family;
+  if (!std::isfinite(spread(rho, 5))) return family;
   for (const double gamma : gammas(rho))
-    if (gamma < 5) below_five = std::fmax(below_five, spread(rho, gamma));
-  return below_five / spread(rho, 5);
+    if (gamma < 5) family.push_back({fmt::format("gamma {:g}", gamma), jackknifed(rho, [=](const PairMeans& some) { return spread(some, gamma) - spread(some, 5); })});
+  return family;
 }
 
-/// theta 2.7 beats the outer ones beyond 2 s.e., and none beats it so.
+/// Theta 2.7 beats the outer ones, and none between beats it beyond chance.
 Check densest(const PairMeans& rho) {
   const Value peak = of_pair(rho, 5, 2.7);
-  Check check = positive("rho_p at gamma 5: theta 2.7 less the greatest of the others", "> 0", {});
-  for (const PairMean& m : rho)
-    if (m.gamma == 5 && m.theta != 2.7 && !(m.value.value < peak.value - check.ours)) {
-      const Value lead = difference(peak, m.value);
-      check.ours = lead.value;
-      check.error = lead.error;
-    }
-  check.tolerance = "none higher by 2 s.e., 1.4 and 6 lower by 2 s.e.";
-  Verdict all;
-  all.checks = {positive("", "", difference(peak, of_pair(rho, 5, 1.4))), positive("", "", difference(peak, of_pair(rho, 5, 6)))};
-  if (std::isfinite(check.ours) && std::isfinite(check.error)) check.holds = check.ours > -beyond * check.error ? all.holds() : Holds::no;
-  return check;
-}
-
-/// First falling, then rising: the least mean lies inside, and both ends above it beyond 2 s.e.
-void add_dip(Verdict& verdict, const PairMeans& z_s) {
-  for (const double theta : thetas(z_s)) {
-    const Series points = against_gamma(z_s, theta);
-    const auto least = std::min_element(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.mean < b.mean; });
-    const auto over = [&](const Point& p) { return difference({p.mean, p.error}, {least->mean, least->error}); };
-    verdict.checks.push_back(positive(fmt::format("Z_s, fall from gamma 1 to {:g}, theta {:g}", least->x, theta), "> 0", over(points.front())));
-    verdict.checks.push_back(positive(fmt::format("Z_s, rise from gamma {:g} to the greatest, theta {:g}", least->x, theta), "> 0", over(points.back())));
+  Family outer, all;
+  for (const PairMean& m : rho) {
+    if (m.gamma != 5 || m.theta == 2.7) continue;
+    all.push_back({fmt::format("theta {:g}", m.theta), difference(peak, m.value)});
+    if (m.theta < 1.5 || m.theta > 5) outer.push_back(all.back());
   }
-}
-
-Check below_one(const std::string& what, const PairMeans& z_ll) {
-  const auto greatest = std::max_element(z_ll.begin(), z_ll.end(), [](const PairMean& a, const PairMean& b) { return a.value.value < b.value.value; });
-  if (greatest == z_ll.end()) return below(what, "< 1", {}, 1);
-  return below(fmt::format("{}, greatest (gamma {:g}, theta {:g})", what, greatest->gamma, greatest->theta), "< 1", greatest->value, 1);
+  Check check = every("rho_p at gamma 5: theta 2.7 less that at theta 1.4 and 6", "> 0", outer, {.low = 0});
+  check.wanted += ", no other denser";
+  if (check.outcome != Outcome::unknown && every("", "", all, {.low = 0}).outcome == Outcome::fails) check.outcome = Outcome::fails;
+  return check;
 }
 
 /// The mean of one pair, or its change from one gamma to another.
@@ -82,6 +64,13 @@ void add_choices_p2(Judgement& j, const Results& results) {
   add_choices(j, results, "R^2 of Z_ls against gamma, theta 6", [](const Samples& samples) { return straightness(pair_means(samples, "coordination.Z_ls"), 6, Against::gamma); }, wanted_above(0.98));
 }
 
+/// "0.826 to 0.879": the least and the greatest pair.
+std::string ends(const PairMeans& means, const char* name) {
+  if (means.empty()) return {};
+  const auto [least, greatest] = std::minmax_element(means.begin(), means.end(), [](const PairMean& a, const PairMean& b) { return a.value.value < b.value.value; });
+  return fmt::format("{} {} to {}", name, text_of(least->value), text_of(greatest->value));
+}
+
 }  // namespace
 
 /// The share of particles among the nodes, means over samples.
@@ -89,15 +78,11 @@ Judgement judge_p1(const Results& results) {
   const Samples samples = paper_samples(results);
   const PairMeans rho = pair_means(samples, "solid_fraction");
   Judgement j;
-  add_range(j.stated, "rho_p", "0.82 to 0.89", rho, 0.82, 0.89);
-  add_range(j.sharpened, "rho_p", "0.82 to 0.89", rho, 0.81, 0.89);
-  const Check little = below("greatest spread of rho_p over theta at a gamma below 5 over that at 5", "little", jackknifed(rho, relative_spread), 1);
-  for (Verdict* v : {&j.stated, &j.sharpened}) {
-    add_rises(*v, "rho_p", "> 0", rho, +1);
-    v->checks.push_back(densest(rho));
-    v->checks.push_back(little);
-  }
-  j.findings.push_back(fmt::format("At gamma 5 and theta 6 asked for, the crop has a volume ratio of {}.", text_of(of_pair(pair_means(samples, "volume_ratio"), 5, 6))));
+  j.checks = {number(in_range("rho_p", "0.82 to 0.89", rho, 0.81, 0.89)), with_gamma("rho_p", "rises", rho, +1), densest(rho),
+              every("spread of rho_p over theta at a gamma below 5 less that at 5", "theta matters little", excess_spreads(rho), {.high = 0})};
+  j.ours = ends(rho, "rho_p");
+  if (const Value asked = of_pair(pair_means(samples, "volume_ratio"), 5, 6); std::isfinite(asked.value))
+    j.findings.push_back(fmt::format("At gamma 5 and theta 6 asked for, the crop has a volume ratio of {}.", text_of(asked)));
   add_choices(j, results, "rho_p, gamma 1, theta 1.4", at("solid_fraction", 1, 1.4), wanted_between(0.81, 0.89));
   add_choices(j, results, "rho_p, gamma 5, theta 1.4", at("solid_fraction", 5, 1.4), wanted_between(0.81, 0.89));
   add_choices(j, results, "rho_p, change from gamma 1 to 5, theta 1.4", change("solid_fraction", 1, 5, 1.4), wanted_positive());
@@ -111,24 +96,23 @@ Judgement judge_p2(const Results& results) {
   const Samples samples = paper_samples(results);
   const auto z = [&](const char* name) { return pair_means(samples, std::string("coordination.") + name); };
   const PairMeans z_l = z("Z_l"), z_s = z("Z_s"), z_ll = z("Z_ll"), z_ls = z("Z_ls");
+  const auto few_large = only(z_ll, [](const PairMean& m) { return (m.theta <= 1.6 && m.gamma >= 2.5) || (m.theta == 2.2 && m.gamma == 5); });
+  const auto as_stated = only(z_ll, [](const PairMean& m) { return m.theta <= 2.2 && m.gamma > 2; });
   Judgement j;
-  add_range(j.stated, "Z_l", "4 to 14", z_l, 4, 14);
-  add_range(j.stated, "Z_s", "3.1 to 4.2", z_s, 3.1, 4.2);
-  add_range(j.sharpened, "Z_l", "4 to 14", z_l, 3.7, 14.3);
-  add_range(j.sharpened, "Z_s", "3.1 to 4.2", z_s, 2.8, 4.5);
-  j.stated.checks.push_back(below_one("Z_ll for theta <= 2.2 and gamma > 2", only(z_ll, [](const PairMean& m) { return m.theta <= 2.2 && m.gamma > 2; })));
-  j.sharpened.checks.push_back(below_one("Z_ll for theta <= 1.6 and gamma >= 2.5", only(z_ll, [](const PairMean& m) { return m.theta <= 1.6 && m.gamma >= 2.5; })));
-  j.sharpened.checks.push_back(below_one("Z_ll for theta 2.2 and gamma 5", only(z_ll, [](const PairMean& m) { return m.theta == 2.2 && m.gamma == 5; })));
-  for (Verdict* v : {&j.stated, &j.sharpened}) {
-    add_rises(*v, "Z", "> 0", z("Z"), +1);
-    add_rises(*v, "Z_l", "> 0", z_l, +1);
-    add_rises(*v, "Z_ls", "> 0", z_ls, +1);
-    add_rises(*v, "Z_ss", "> 0", z("Z_ss"), +1);
-    add_rises(*v, "Z_sl", "< 0", z("Z_sl"), -1);
-    add_rises(*v, "Z_ll", "< 0", z_ll, -1);
-    for (const double theta : thetas(z_ls)) v->checks.push_back(straight("Z_ls", "nearly linear; bound of P3", z_ls, theta, Against::gamma));
-    add_dip(*v, z_s);
-  }
+  j.checks = {number(in_range("Z_l", "4 to 14", z_l, 3.7, 14.3)),
+              number(in_range("Z_s", "3.1 to 4.2", z_s, 2.8, 4.5)),
+              with_gamma("Z", "rises", z("Z"), +1),
+              with_gamma("Z_l", "rises", z_l, +1),
+              with_gamma("Z_ls", "rises", z_ls, +1),
+              with_gamma("Z_ss", "rises", z("Z_ss"), +1),
+              with_gamma("Z_sl", "falls", z("Z_sl"), -1),
+              with_gamma("Z_ll", "falls", z_ll, -1),
+              straight("Z_ls", "nearly linear; bound of P3", z_ls, Against::gamma),
+              every("Z_s at the least gamma over that where it is lowest", "first falls", by_theta(z_s, [&](double theta) { return dip(z_s, theta).fall; }), {.low = 0}),
+              every("Z_s at the greatest gamma over that where it is lowest", "then rises", by_theta(z_s, [&](double theta) { return dip(z_s, theta).rise; }), {.low = 0}),
+              every("Z_ll where theta <= 1.6 and gamma >= 2.5, or theta 2.2 and gamma 5", "< 1", members(few_large), {.high = 1}),
+              number(every("Z_ll where theta <= 2.2 and gamma > 2", "< 1", members(as_stated), {.high = 1}))};
+  if (!z_l.empty()) j.ours = ends(z_l, "Z_l") + ", " + ends(z_s, "Z_s");
   add_choices_p2(j, results);
   return j;
 }

@@ -10,11 +10,6 @@ namespace {
 
 bool less(const PairMean& a, const PairMean& b) { return a.value.value < b.value.value; }
 
-/// Standard errors that a pair lies to this side of zero.
-double sureness(const PairMean& m, int direction) { return direction * m.value.value / m.value.error; }
-
-bool is_beyond(const PairMean& m, int direction) { return direction * m.value.value > beyond * m.value.error; }
-
 Series line_points(const PairMeans& means, double theta, Against against) {
   Series points = against_gamma(means, theta);
   if (against == Against::gamma) return points;
@@ -23,50 +18,40 @@ Series line_points(const PairMeans& means, double theta, Against against) {
   return points;
 }
 
+/// The same pair; without samples if there is none.
+PairMean pair_like(const PairMeans& means, const PairMean& like) {
+  const auto at = std::find_if(means.begin(), means.end(), [&](const PairMean& m) { return m.gamma == like.gamma && m.theta == like.theta; });
+  return at == means.end() ? PairMean{like.gamma, like.theta, like.width, {}, {}} : *at;
+}
+
+const Sample* sample_of(const PairMean& pair, const std::string& name) {
+  const auto at = std::find_if(pair.samples.begin(), pair.samples.end(), [&](const Sample& s) { return s.name == name; });
+  return at == pair.samples.end() ? nullptr : &*at;
+}
+
+/// Mean without that sample; with it where it is the only one.
+double mean_without(const PairMean& pair, const std::string& name) {
+  double sum = 0, count = 0;
+  for (const Sample& s : pair.samples)
+    if (s.name != name || pair.samples.size() == 1) sum += s.number, ++count;
+  return sum / count;
+}
+
 }  // namespace
 
-void add_range(Verdict& verdict, const std::string& what, const std::string& source, const PairMeans& means, double low, double high) {
-  const auto [least, greatest] = std::minmax_element(means.begin(), means.end(), less);
-  const bool any = !means.empty();
-  verdict.checks.push_back(between("least " + what + (any ? " (" + name_of(*least) + ")" : ""), source, any ? least->value : Value(), low, high));
-  verdict.checks.push_back(between("greatest " + what + (any ? " (" + name_of(*greatest) + ")" : ""), source, any ? greatest->value : Value(), low, high));
+Check in_range(const std::string& what, const std::string& source, const PairMeans& means, double low, double high) {
+  return every(what, source, members(means), {low, high});
 }
 
-Check in_all_pairs(const std::string& what, const std::string& source, const PairMeans& differences, int direction) {
-  const Value mean = overall(differences);
-  const PairMean* against = nullptr;
-  std::size_t sure = 0;
-  for (const PairMean& m : differences) {
-    sure += is_beyond(m, direction);
-    if (is_beyond(m, -direction) && (!against || direction * m.value.value < direction * against->value.value)) against = &m;
-  }
-  const std::string counted = fmt::format("{}, mean of {} pairs, {} of them beyond 2 s.e.", what, differences.size(), sure);
-  Check check = direction > 0 ? positive(counted, source, mean) : negative(counted, source, mean);
-  check.tolerance += ", no pair against it by 2 s.e.";
-  if (against) {
-    check.holds = Holds::no;
-    check.what += fmt::format("; against it {}: {}", name_of(*against), text_of(against->value));
-  }
-  return check;
+Family by_theta(const PairMeans& means, const std::function<Value(double theta)>& number) {
+  Family family;
+  for (const double theta : thetas(means)) family.push_back({fmt::format("theta {:g}", theta), number(theta)});
+  return family;
 }
 
-Check in_every_pair(const std::string& what, const std::string& source, const PairMeans& differences, int direction) {
-  const auto least = std::min_element(differences.begin(), differences.end(), [&](const PairMean& a, const PairMean& b) { return sureness(a, direction) < sureness(b, direction); });
-  const bool any = least != differences.end();
-  const auto sure = std::count_if(differences.begin(), differences.end(), [&](const PairMean& m) { return is_beyond(m, direction); });
-  const std::string counted = any ? fmt::format("{}, {} of {} pairs beyond 2 s.e., least sure {}", what, sure, differences.size(), name_of(*least)) : what;
-  Check check = direction > 0 ? positive(counted, source, any ? least->value : Value()) : negative(counted, source, any ? least->value : Value());
-  check.tolerance += " in every pair";
-  return check;
-}
-
-void add_rises(Verdict& verdict, const std::string& what, const std::string& source, const PairMeans& means, int direction) {
-  for (const double theta : thetas(means)) {
-    const std::string name = fmt::format("{}, change from the least to the greatest gamma, theta {:g}", what, theta);
-    const Value change = rise(against_gamma(means, theta));
-    verdict.checks.push_back(direction > 0 ? positive(name, source, change) : negative(name, source, change));
-  }
-  if (means.empty()) verdict.checks.push_back(positive(what + " against gamma", source, {}));
+Check with_gamma(const std::string& what, const std::string& source, const PairMeans& means, int direction) {
+  const Family slopes = by_theta(means, [&](double theta) { return slope(against_gamma(means, theta)); });
+  return every("slope of " + what + " against gamma", source, slopes, direction > 0 ? Range{.low = 0} : Range{.high = 0});
 }
 
 Value straightness(const PairMeans& means, double theta, Against against) {
@@ -74,12 +59,41 @@ Value straightness(const PairMeans& means, double theta, Against against) {
   return jackknifed(of_theta(means, theta), [&](const PairMeans& some) { return line_r2(line_points(some, theta, against)); });
 }
 
-Check straight(const std::string& what, const std::string& source, const PairMeans& means, double theta, Against against) {
-  const Value r2 = straightness(means, theta, against);
-  Check check = above(fmt::format("R^2 of {} against {}, theta {:g}", what, against == Against::gamma ? "gamma" : "1/gamma", theta), source, r2, 0.98);
-  check.tolerance = ">= 0.98, rising";
-  if (check.holds == Holds::yes && rise(line_points(means, theta, against)).value <= 0) check.holds = Holds::no;
-  return check;
+Check straight(const std::string& what, const std::string& source, const PairMeans& means, Against against) {
+  const Family r2 = by_theta(means, [&](double theta) { return straightness(means, theta, against); });
+  return every(fmt::format("R^2 of {} against {}", what, against == Against::gamma ? "gamma" : "1/gamma"), source, r2, {.low = 0.98});
+}
+
+Dip dip(const PairMeans& means, double theta) {
+  const PairMeans points = of_theta(means, theta);
+  if (points.size() < 3) return {};
+  const std::size_t samples = fewest_samples({points});
+  std::vector<double> falls, rises;
+  for (std::size_t k = 0; k < samples; ++k) {
+    const PairMeans others = samples > 1 ? without(points, k) : points;
+    const auto lowest = static_cast<std::size_t>(std::min_element(others.begin(), others.end(), less) - others.begin());
+    const auto own = [&](const PairMean& m) { return m.samples[k].number; };
+    falls.push_back(own(points.front()) - own(points[lowest]));
+    rises.push_back(own(points.back()) - own(points[lowest]));
+  }
+  if (falls.empty()) return {};
+  return {statistics::mean_of(falls), statistics::mean_of(rises)};
+}
+
+PairMeans at_greatest(const std::vector<PairMeans>& sizes, const std::vector<PairMeans>& numbers) {
+  PairMeans result;
+  if (sizes.empty()) return result;
+  for (const PairMean& pair : sizes.front()) {
+    std::vector<Sample> own;
+    for (const Sample& sample : pair.samples) {
+      std::size_t best = 0;
+      for (std::size_t k = 1; k < sizes.size(); ++k)
+        if (mean_without(pair_like(sizes[k], pair), sample.name) > mean_without(pair_like(sizes[best], pair), sample.name)) best = k;
+      if (const PairMean there = pair_like(numbers[best], pair); const Sample* number = sample_of(there, sample.name)) own.push_back(*number);
+    }
+    if (!own.empty()) result.push_back(pair_of_samples(pair.gamma, pair.theta, pair.width, std::move(own)));
+  }
+  return result;
 }
 
 }  // namespace arenite::ledger

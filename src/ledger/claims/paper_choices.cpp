@@ -19,11 +19,14 @@ const std::vector<Choice> choices{
     {{{"contact.restitution", "0.4"}}, "with restitution 0.4"},
     {{{"stages.1.rest.unbalanced", "1e-3"}}, "with rest at 1e-3"},
     {{{"stages.1.rest.unbalanced", "1e-6"}}, "with rest at 1e-6"},
+    {{{"bidisperse.trials", "100"}}, "with 100 trials a disk"},
+    {{{"bidisperse.maximal", "true"}}, "with every place filled"},
     {{{"bidisperse.hold_radius", "true"}}, "with radii held until they are placed"},
     {{{"bidisperse.cut_each_class", "true"}}, "with radii cut class by class"},
     {{{"cement.gap", "0.05"}}, "with neighbours at 2 instead of 3 nodes"},
     {{{"raster.nodes", "1280"}}, "with a crop of 32 rbar_L"},
     {{{"raster.nodes", "512"}}, "with 512 nodes"},
+    {{{"raster.nodes", "2048"}}, "with 2048 nodes"},
 };
 
 using Place = std::tuple<double, double, double>;
@@ -67,9 +70,9 @@ void tell_samples(Judgement& judgement, const Results& results, const Samples& u
 }
 
 void tell_difference(Judgement& judgement, const std::string& what, const Check& everywhere, const Check& there) {
-  if (everywhere.holds == there.holds || everywhere.holds == Holds::unknown) return;
-  judgement.findings.push_back(fmt::format("{}: with all pairs {}, which {}; with those of the table {}, which {}.", what, text_of({everywhere.ours, everywhere.error}),
-                                           word_for(everywhere.holds), text_of({there.ours, there.error}), word_for(there.holds)));
+  if (everywhere.outcome == there.outcome || everywhere.outcome == Outcome::unknown) return;
+  judgement.findings.push_back(fmt::format("{}: with all pairs {} ({}), with those that choices are made at {} ({}).", what, text_of(everywhere.ours), word_for(everywhere.outcome), text_of(there.ours),
+                                           word_for(there.outcome)));
 }
 
 }  // namespace
@@ -78,7 +81,7 @@ void add_choices(Judgement& judgement, const Results& results, const std::string
   const Samples usual = where_chosen(results);
   if (usual.runs.empty() || !std::isfinite(value(usual).value)) return;
   tell_samples(judgement, results, usual);
-  tell_difference(judgement, what, wanted(value(paper_samples(results))), wanted(value(usual)));
+  if (wanted) tell_difference(judgement, what, wanted(value(paper_samples(results))), wanted(value(usual)));
   const Choice as_it_is{};
   add_sensitivity(judgement, what, as_it_is, choices, [&](const Choice& choice) { return value(choice.where.empty() ? usual : chosen(results, choice.where, usual)); }, wanted);
 }

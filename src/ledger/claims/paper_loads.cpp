@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace arenite::ledger {
@@ -11,14 +10,6 @@ namespace {
 constexpr const char* study = "paper-loads";
 
 std::vector<Run> loaded(const Results& results, const char* loading) { return results.runs(study, {{"loads.0.loading", loading}}); }
-
-std::string told(const Check& check) {
-  return fmt::format("{}: {} (wanted {})", check.what, text_of({check.ours, check.error}), check.tolerance);
-}
-
-std::size_t count(const Verdict& verdict, Holds holds) {
-  return static_cast<std::size_t>(std::count_if(verdict.checks.begin(), verdict.checks.end(), [=](const Check& c) { return c.holds == holds; }));
-}
 
 bool same_sample(const Run& a, const Run& b) {
   for (const char* key : {"bidisperse.size_ratio", "cement.kind", "cement.width", "seed"})
@@ -44,16 +35,9 @@ void compare(const Run& a, const Run& b, Compared& compared) {
 
 }  // namespace
 
-void add_shear(Judgement& judgement, const Results& results, const std::function<Verdict(const Samples&)>& sharpened) {
+void add_shear(Judgement& judgement, const Results& results, const Asked& asked) {
   const Samples sheared{loaded(results, "shear"), {0.2, 0.6, 1}, "sigma_xy"};
-  if (sheared.runs.empty()) return;
-  const Verdict verdict = sharpened(sheared);
-  std::string text = fmt::format("In shear, by sigma_xy, {} of {} sharpened checks hold", count(verdict, Holds::yes), verdict.checks.size());
-  const std::size_t unknown = count(verdict, Holds::unknown);
-  if (unknown > 0) text += fmt::format(", {} cannot be judged", unknown);
-  for (const Check& check : verdict.checks)
-    if (check.holds == Holds::no) text += "; fails: " + told(check);
-  judgement.findings.push_back(text + ".");
+  if (!sheared.runs.empty()) add_beside(judgement, "in shear, by sigma_xy,", asked(sheared));
 }
 
 void add_compression(Judgement& judgement, const Results& results) {

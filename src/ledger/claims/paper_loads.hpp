@@ -1,13 +1,10 @@
 #pragma once
-#include <functional>
-
-#include "ledger/claims/paper_runs.hpp"
+#include "ledger/claims/paper_checks.hpp"
 
 namespace arenite::ledger {
 
-/// Judges the sharpened checks of a claim by the samples that are sheared (study "paper-loads", sigma_xy) and says in a
-/// finding which of them hold.
-void add_shear(Judgement& judgement, const Results& results, const std::function<Verdict(const Samples&)>& sharpened);
+/// Asks the same of the samples that are sheared (study "paper-loads", sigma_xy), told beside the claim.
+void add_shear(Judgement& judgement, const Results& results, const Asked& asked);
 /// Says whether compression is tension with the sign turned, over all numbers of the runs with both.
 void add_compression(Judgement& judgement, const Results& results);
 

@@ -21,7 +21,7 @@ std::vector<double> different(const PairMeans& means, Of of) {
 Value mean_over(const std::vector<Sample>& samples) {
   std::vector<double> numbers;
   for (const Sample& s : samples) numbers.push_back(s.number);
-  return numbers.empty() ? Value() : Value(statistics::mean_of(numbers));
+  return numbers.empty() ? Value() : statistics::mean_of(numbers);
 }
 
 std::vector<Sample> difference(const std::vector<Sample>& a, const std::vector<Sample>& b) {
@@ -32,7 +32,8 @@ std::vector<Sample> difference(const std::vector<Sample>& a, const std::vector<S
   return result;
 }
 
-/// Every pair without its k-th sample.
+}  // namespace
+
 PairMeans without(PairMeans means, std::size_t k) {
   for (PairMean& m : means) {
     m.samples.erase(m.samples.begin() + static_cast<std::ptrdiff_t>(k));
@@ -48,8 +49,6 @@ std::size_t fewest_samples(const std::vector<PairMeans>& means) {
   return fewest;
 }
 
-}  // namespace
-
 Samples paper_samples(const Results& results) { return {results.runs("paper"), {0.2, 0.4, 0.6, 0.8, 1}}; }
 
 double gamma_of(const Run& run) { return run.key("bidisperse.size_ratio"); }
@@ -64,12 +63,16 @@ PairMeans pair_means(const Samples& samples, const Number& number, double width)
     if (cement_of(run) == width)
       if (const double value = number.of(run); std::isfinite(value)) pairs[{gamma_of(run), theta_of(run)}].push_back({run.text("seed"), value});
   PairMeans means;
-  for (auto& [pair, all] : pairs) means.push_back({pair.first, pair.second, width, mean_over(all), all});
+  for (auto& [pair, all] : pairs) means.push_back(pair_of_samples(pair.first, pair.second, width, std::move(all)));
   return means;
 }
 
 PairMeans stress_means(const Samples& samples, const std::string& set, const std::string& statistic, double width) {
   return pair_means(samples, "stress." + samples.component + ".sets." + set + "." + statistic, width);
+}
+
+PairMean pair_of_samples(double gamma, double theta, double width, std::vector<Sample> samples) {
+  return {gamma, theta, width, mean_over(samples), std::move(samples)};
 }
 
 PairMeans only(const PairMeans& means, const std::function<bool(const PairMean&)>& wanted) {
@@ -88,8 +91,26 @@ PairMeans difference(const PairMeans& a, const PairMeans& b) {
     for (const PairMean& other : b) {
       if (m.gamma != other.gamma || m.theta != other.theta) continue;
       auto samples = difference(m.samples, other.samples);
-      if (!samples.empty()) result.push_back({m.gamma, m.theta, m.width, mean_over(samples), std::move(samples)});
+      if (!samples.empty()) result.push_back(pair_of_samples(m.gamma, m.theta, m.width, std::move(samples)));
     }
+  return result;
+}
+
+PairMeans mean_of(const std::vector<PairMeans>& all) {
+  std::map<std::pair<double, double>, std::map<std::string, std::pair<double, double>>> pairs;  // sum and count of each sample
+  for (const PairMeans& means : all)
+    for (const PairMean& m : means)
+      for (const Sample& sample : m.samples) {
+        auto& [sum, count] = pairs[{m.gamma, m.theta}][sample.name];
+        sum += sample.number;
+        count += 1;
+      }
+  PairMeans result;
+  for (const auto& [pair, sums] : pairs) {
+    std::vector<Sample> samples;
+    for (const auto& [name, sum] : sums) samples.push_back({name, sum.first / sum.second});
+    result.push_back(pair_of_samples(pair.first, pair.second, full, std::move(samples)));
+  }
   return result;
 }
 
@@ -122,15 +143,17 @@ Value of_pair(const PairMeans& means, double gamma, double theta) {
   return {};
 }
 
+Family members(const PairMeans& means) {
+  Family family;
+  for (const PairMean& m : means) family.push_back({name_of(m), m.value});
+  return family;
+}
+
 Value overall(const PairMeans& means) {
   if (means.empty()) return {};
-  const double n = static_cast<double>(means.size());
-  double sum = 0, squares = 0;
-  for (const PairMean& m : means) {
-    sum += m.value.value;
-    squares += m.value.error * m.value.error;
-  }
-  return {sum / n, std::sqrt(squares) / n};
+  std::vector<std::pair<double, Value>> terms;
+  for (const PairMean& m : means) terms.emplace_back(1 / static_cast<double>(means.size()), m.value);
+  return weighted_sum(terms);
 }
 
 Value jackknifed(const std::vector<PairMeans>& means, const std::function<double(const std::vector<PairMeans>&)>& number) {
@@ -144,7 +167,7 @@ Value jackknifed(const std::vector<PairMeans>& means, const std::function<double
     left.push_back(number(fewer));
   }
   // Values with one of n left out scatter n - 1 times less than those of one alone would.
-  return {value, (static_cast<double>(n) - 1) * statistics::mean_of(left).error};
+  return {value, (static_cast<double>(n) - 1) * statistics::mean_of(left).error, static_cast<double>(n) - 1};
 }
 
 Value jackknifed(const PairMeans& means, const std::function<double(const PairMeans&)>& number) {

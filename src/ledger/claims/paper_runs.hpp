@@ -45,11 +45,20 @@ using PairMeans = std::vector<PairMean>;
 PairMeans pair_means(const Samples& samples, const Number& number, double width = full);
 /// The same of a statistic ("variance") of the node stress in a set of nodes ("large").
 PairMeans stress_means(const Samples& samples, const std::string& set, const std::string& statistic, double width = full);
+/// One pair from its samples.
+PairMean pair_of_samples(double gamma, double theta, double width, std::vector<Sample> samples);
+/// Every pair without its k-th sample.
+PairMeans without(PairMeans means, std::size_t k);
+/// Samples of the pair that has fewest.
+std::size_t fewest_samples(const std::vector<PairMeans>& means);
 /// Those that are wanted.
 PairMeans only(const PairMeans& means, const std::function<bool(const PairMean&)>& wanted);
 PairMeans of_theta(const PairMeans& means, double theta);
 /// a - b of the same pair, sample by sample: differently cemented they are the same packing. What either lacks is left out.
 PairMeans difference(const PairMeans& a, const PairMeans& b);
+
+/// Mean over several cements of the same pair, sample by sample for the same reason.
+PairMeans mean_of(const std::vector<PairMeans>& all);
 
 /// Against gamma, of one theta.
 Series against_gamma(const PairMeans& means, double theta);
@@ -59,6 +68,8 @@ std::vector<double> thetas(const PairMeans& means);
 std::vector<double> gammas(const PairMeans& means);
 /// The value of one pair; unknown if there is none.
 Value of_pair(const PairMeans& means, double gamma, double theta);
+/// One member a pair.
+Family members(const PairMeans& means);
 /// Mean over all pairs, its error from those of the pairs.
 Value overall(const PairMeans& means);
 

@@ -5,6 +5,7 @@
 #include "ledger/claims/claims.hpp"
 #include "ledger/claims/thesis_choices.hpp"
 #include "ledger/pooled.hpp"
+#include "ledger/trends.hpp"
 
 namespace arenite::ledger {
 namespace {
@@ -29,57 +30,54 @@ Number strong_share(std::string type) {
   return [type = std::move(type)](const Run& run) { return run("fabric.sets." + type + " strong.contacts") / run("fabric.sets.strong.contacts"); };
 }
 
+/// z between k_A/k_B = 1 and 10 over z itself: what its slope against the logarithm gives for a decade, seed by seed.
+Value change_a_decade(const std::vector<Run>& runs, const Number& number) {
+  return ratio(slope_over_seeds(runs, [](const Run& run) { return std::log10(stiffness_ratio(run)); }, number), mean_over_seeds(runs, number));
+}
+
+/// Steady: no further apart than this part over a decade of the ratio.
+constexpr double steady = 0.05;
+
 }  // namespace
 
 /// Coordination against the stiffness ratio. Seeds share their first places of grains, so slopes are taken seed by seed.
 Judgement judge_t13(const Results& results) {
   Judgement judgement;
   const auto runs = results.runs("thesis-ch5");
-  const Check steady = none("slope of z against k_A/k_B", "steady", slope_over_seeds(runs, stiffness_ratio, "coordination.all"));
-  judgement.stated.checks = judgement.sharpened.checks = {steady};
-  for (const auto& [type, share] : {std::pair{"A-B", 0.50}, {"A-A", 0.25}, {"B-B", 0.25}}) {
-    const Check check = within(fmt::format("share of {} contacts", type), mean_over_seeds(runs, fmt::format("coordination.share_of_contacts.{}", type)), share, 0.05);
-    judgement.stated.checks.push_back(check);
-    judgement.sharpened.checks.push_back(check);
-  }
-  judgement.stated.checks.push_back(within("z(A-B), its part of z", mean_over_seeds(runs, "coordination.parts_of_z.A-B"), 1.75, 0.1));
-  for (const auto& [law, study] : laws) {
-    const auto of_law = results.runs(study);
-    if (of_law.empty()) continue;
-    judgement.findings.push_back(fmt::format("{}: z {}, without rattlers {}, z(A-B) {}, rattlers {}, mean |F_t|/F_n {}, z rises by {} a unit of the ratio.", law,
-                                             text_of(mean_over_seeds(of_law, "coordination.all")), text_of(mean_over_seeds(of_law, "coordination.without_rattlers")),
-                                             text_of(mean_over_seeds(of_law, "coordination.parts_of_z.A-B")), text_of(mean_over_seeds(of_law, "coordination.rattlers")),
-                                             text_of(mean_over_seeds(of_law, "stages.load.last_state.equilibrium.mobilisation")),
-                                             text_of(slope_over_seeds(of_law, stiffness_ratio, "coordination.all"))));
-  }
-  add_stiffness_choices(judgement, results, "z", "coordination.all");
-  add_stiffness_slope(judgement, results, "z", "coordination.all", wanted_none());
+  const Value change = change_a_decade(runs, "coordination.all"), z_ab = mean_over_seeds(runs, "coordination.parts_of_z.A-B");
+  Family shares;
+  for (const auto& [type, share] : {std::pair{"A-B", 0.50}, {"A-A", 0.25}, {"B-B", 0.25}})
+    shares.push_back({type, difference(mean_over_seeds(runs, fmt::format("coordination.share_of_contacts.{}", type)), {share, 0})});
+  judgement.checks = {equivalent("change of z over a decade of k_A/k_B, over z", "steady", change, steady),
+                      equivalent("change of z without rattlers over a decade of k_A/k_B, over it", "steady", change_a_decade(runs, "coordination.without_rattlers"), steady),
+                      every("share of a type of contact less a half (A-B), a quarter (A-A, B-B)", "0", shares, {-0.05, 0.05}),
+                      number(within("z(A-B), its part of z", z_ab, 1.75, 0.1))};
+  if (std::isfinite(change.value)) judgement.ours = fmt::format("z changes by {} of itself over a decade; z(A-B) {}", text_of(change), text_of(z_ab));
+  for (const auto& [law, study] : laws)
+    for (const auto& [what, name] : {std::pair{"z", "coordination.all"}, {"z without rattlers", "coordination.without_rattlers"}, {"z(A-B)", "coordination.parts_of_z.A-B"},
+                                     {"share of rattlers", "coordination.rattlers"}, {"mean |F_t|/F_n", "stages.load.last_state.equilibrium.mobilisation"}})
+      if (const auto of_law = results.runs(study); !of_law.empty()) judgement.checks.push_back(reported(fmt::format("{}, {}", what, law), mean_over_seeds(of_law, name)));
+  add_stiffness_change(judgement, results, "Change of z over a decade of k_A/k_B, over z", change_a_decade, "coordination.all", wanted_equivalent(steady));
   add_stiffness_choices(judgement, results, "z(A-B), its part of z,", "coordination.parts_of_z.A-B", wanted_within(1.75, 0.1));
   return judgement;
 }
 
 /// Directions of the strong and the weak network.
 Judgement judge_t14(const Results& results) {
-  const auto anisotropy = [&](const char* study, const char* set) { return mean_over_seeds(results.runs(study), fmt::format("fabric.sets.{}.a_c_signed", set)); };
-  const auto sharpened = [&](const char* study) {
-    return Verdict{{positive("signed a_c of strong contacts", "> 0", anisotropy(study, "strong")),
-                    positive("signed a_c of strong less that of weak contacts", "> 0", mean_over_seeds(results.runs(study), signed_lead("strong", "weak")))}};
+  const auto anisotropy = [&](const char* study, const std::string& set) { return mean_over_seeds(results.runs(study), fmt::format("fabric.sets.{}.a_c_signed", set)); };
+  const auto noise = [&](const char* study, const std::string& set) { return mean_over_seeds(results.runs(study), noise_of_a_c(set)).value; };
+  const auto asked = [&](const char* study) {
+    return std::vector<Check>{positive("signed a_c of strong contacts", "leans", anisotropy(study, "strong")),
+                              positive("signed a_c of strong less that of weak contacts", "> 0", mean_over_seeds(results.runs(study), signed_lead("strong", "weak"))),
+                              below("signed a_c of weak contacts", "does not lean", anisotropy(study, "weak"), std::isfinite(noise(study, "weak")) ? noise(study, "weak") : 0)};
   };
   Judgement judgement;
-  judgement.sharpened = sharpened("thesis-ch5");
-  judgement.stated.checks = {judgement.sharpened.checks.front(), below("signed a_c of weak contacts", "does not lean to the compression", anisotropy("thesis-ch5", "weak"), 0)};
-  for (const char* set : {"A-A weak", "B-B weak"}) {
-    Check check = none(fmt::format("signed a_c of {} contacts", set), "not isotropic", anisotropy("thesis-ch5", set));
-    check.tolerance = "not 0, by 2 s.e.";
-    if (check.holds != Holds::unknown) check.holds = check.holds == Holds::yes ? Holds::no : Holds::yes;
-    judgement.stated.checks.push_back(check);
-  }
-  for (const auto& [law, study] : laws)
-    if (const auto of_law = results.runs(study); !of_law.empty())
-      judgement.findings.push_back(fmt::format("{}: signed a_c of strong contacts {}, of weak {}; noise of one sample's a_c {:.2g} and {:.2g}.", law, text_of(anisotropy(study, "strong")),
-                                               text_of(anisotropy(study, "weak")), mean_over_seeds(of_law, noise_of_a_c("strong")).value, mean_over_seeds(of_law, noise_of_a_c("weak")).value));
-  if (const Verdict control = sharpened("thesis-ch5-smooth"); control.holds() == Holds::yes)
-    judgement.findings.emplace_back("Both sharpened checks hold without friction, too: as a negative control it is none, and the lean of the strong network is not friction's doing alone.");
+  judgement.checks = asked("thesis-ch5");
+  judgement.checks.back().wanted += ", what as many random directions give";
+  for (const std::string set : {"A-A weak", "B-B weak"}) judgement.checks.push_back(differs(fmt::format("signed a_c of {} contacts", set), "not isotropic", anisotropy("thesis-ch5", set), noise("thesis-ch5", set)));
+  if (const Value& strong = judgement.checks.front().ours; std::isfinite(strong.value)) judgement.ours = fmt::format("signed a_c: strong {}, weak {}", text_of(strong), text_of(anisotropy("thesis-ch5", "weak")));
+  add_beside(judgement, "under law R", asked("thesis-ch5-r"));
+  add_beside(judgement, "without friction, the control,", asked("thesis-ch5-smooth"));
   add_stiffness_choices(judgement, results, "Signed a_c of strong contacts", "fabric.sets.strong.a_c_signed", wanted_positive());
   add_stiffness_choices(judgement, results, "Signed a_c of weak contacts", "fabric.sets.weak.a_c_signed", wanted_below(0));
   return judgement;
@@ -87,24 +85,25 @@ Judgement judge_t14(const Results& results) {
 
 /// Types of the strong contacts.
 Judgement judge_t20(const Results& results) {
-  const auto verdict = [&](const char* study) {
+  const auto asked = [&](const char* study) {
     const auto runs = results.runs(study);
-    Verdict found;
-    found.checks.push_back(above("share of A-B among strong contacts", "most", mean_over_seeds(runs, strong_share("A-B")), 1.0 / 3));
-    for (const char* type : {"A-A", "B-B"}) {
-      found.checks.push_back(within(fmt::format("share of {} among strong contacts", type), mean_over_seeds(runs, strong_share(type)), 0.25, 0.05));
-      found.checks.push_back(positive(fmt::format("share of A-B less that of {}", type), "> 0",
-                                      mean_over_seeds(runs, [&](const Run& run) { return strong_share("A-B").of(run) - strong_share(type).of(run); })));
+    Family quarters, leads;
+    for (const std::string type : {"A-A", "B-B"}) {
+      quarters.push_back({type, mean_over_seeds(runs, strong_share(type))});
+      leads.push_back({type, mean_over_seeds(runs, [&](const Run& run) { return strong_share("A-B").of(run) - strong_share(type).of(run); })});
     }
-    found.checks.push_back(positive("signed a_c of A-A contacts", "> 0", mean_over_seeds(runs, "fabric.sets.A-A.a_c_signed")));
-    return found;
+    return std::vector<Check>{every("share of A-B among strong contacts less that of another type", "most", leads, {.low = 0}), number(every("share of A-A, B-B among strong contacts", "a quarter each", quarters, {0.20, 0.30})),
+                              positive("signed a_c of A-A contacts", "leans slightly", mean_over_seeds(runs, "fabric.sets.A-A.a_c_signed"))};
   };
   Judgement judgement;
-  judgement.stated = judgement.sharpened = verdict("thesis-ch5");
-  for (const auto& [law, study] : laws)
-    if (const std::string text = told(law, verdict(study)); !text.empty() && study != std::string("thesis-ch5")) judgement.findings.push_back(text);
-  if (const auto runs = results.runs("thesis-ch5"); !runs.empty())
-    judgement.findings.push_back(fmt::format("Noise of one sample's a_c of A-A contacts: {:.2g}.", mean_over_seeds(runs, noise_of_a_c("A-A")).value));
+  judgement.checks = asked("thesis-ch5");
+  const auto runs = results.runs("thesis-ch5");
+  if (!runs.empty())
+    judgement.ours = fmt::format("A-B {}, A-A {}, B-B {}; signed a_c of A-A {}", text_of(mean_over_seeds(runs, strong_share("A-B"))), text_of(mean_over_seeds(runs, strong_share("A-A"))),
+                                 text_of(mean_over_seeds(runs, strong_share("B-B"))), text_of(judgement.checks.back().ours));
+  judgement.checks.push_back(reported("noise of one sample's a_c of A-A contacts", {mean_over_seeds(runs, noise_of_a_c("A-A")).value, 0}));
+  add_beside(judgement, "under law R", asked("thesis-ch5-r"));
+  add_beside(judgement, "without friction", asked("thesis-ch5-smooth"));
   add_stiffness_choices(judgement, results, "Share of A-B among strong contacts", strong_share("A-B"), wanted_above(1.0 / 3));
   add_stiffness_choices(judgement, results, "Signed a_c of A-A contacts", "fabric.sets.A-A.a_c_signed", wanted_positive());
   return judgement;

@@ -49,6 +49,7 @@ const std::vector<Choice>& at_number_ratios() {
       {{}, "with law R", "thesis-ch4-r"},
       {{{"contact.restitution", "0.2"}}, "with restitution 0.2"},
       {{{"stages.1.rest.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
+      {{{"packing.solid_fraction", "0.76"}}, "from a solid fraction of 0.76"},
       {{{"stages.0.friction", "0"}}, "prepared without friction"},
       {{{"frame.width", "350"}}, "in a box of 350 mm"},
       {{{"stages.1.bottom.force", "200"}}, "under 200 kN"},
@@ -95,7 +96,7 @@ std::function<Value(const Choice&)> mean_of(const Results& results, const std::s
   return [=, &results](const Choice& choice) {
     Where where = sample;
     where.insert(where.end(), choice.where.begin(), choice.where.end());
-    return Value(mean(results, choice.study.empty() ? study : choice.study, number, where));
+    return mean(results, choice.study.empty() ? study : choice.study, number, where);
   };
 }
 
@@ -123,11 +124,9 @@ void add_stiffness_choices(Judgement& judgement, const Results& results, const s
                   mean_of(results, "thesis-choices-stiffness", {{"materials.B.stiffness", "2.735"}}, number), wanted);
 }
 
-void add_stiffness_slope(Judgement& judgement, const Results& results, const std::string& what, const Number& number, const Wanted& wanted) {
-  const auto slope = [&](const Choice& choice) {
-    return slope_over_seeds(results.runs(choice.study.empty() ? "thesis-choices-stiffness" : choice.study, choice.where), stiffness_ratio, number);
-  };
-  add_sensitivity(judgement, what + ", slope between k_A/k_B = 1 and 10", {{}, "", "thesis-ch5"}, with_two_stiffnesses(), slope, wanted);
+void add_stiffness_change(Judgement& judgement, const Results& results, const std::string& what, Value (*change)(const std::vector<Run>&, const Number&), const Number& number, const Wanted& wanted) {
+  const auto of = [&](const Choice& choice) { return change(results.runs(choice.study.empty() ? "thesis-choices-stiffness" : choice.study, choice.where), number); };
+  add_sensitivity(judgement, what, {{}, "", "thesis-ch5"}, with_two_stiffnesses(), of, wanted);
 }
 
 void add_glue_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number, const Wanted& wanted) {

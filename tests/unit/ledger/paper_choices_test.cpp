@@ -37,12 +37,12 @@ TEST(PaperChoices, AreSetAgainstTheUsualRunsAtTheSamePairs) {
   add_choices(j, made_up(), "z", greatest, wanted_above(0));
   ASSERT_EQ(j.sensitivities.size(), 1u);
   const Sensitivity& found = j.sensitivities.front();
-  EXPECT_NEAR(found.entries[0].value, 2.02, 1e-12);
-  EXPECT_EQ(found.entries[0].holds, Holds::yes);
+  EXPECT_NEAR(found.entries[0].value.value, 2.02, 1e-12);
+  EXPECT_EQ(found.entries[0].outcome, Outcome::holds);
   EXPECT_EQ(found.entries[1].choice, "without friction");
-  EXPECT_NEAR(found.entries[1].value, -0.985, 1e-12);
-  EXPECT_EQ(found.entries[1].holds, Holds::no);
-  EXPECT_TRUE(std::isnan(found.entries[2].value));
+  EXPECT_NEAR(found.entries[1].value.value, -0.985, 1e-12);
+  EXPECT_EQ(found.entries[1].outcome, Outcome::fails);
+  EXPECT_TRUE(std::isnan(found.entries[2].value.value));
   ASSERT_EQ(j.findings.size(), 1u);
   EXPECT_EQ(j.findings[0], "Open choices, below: 3 samples a pair as it is, 2 with each choice.");
 }
@@ -51,8 +51,7 @@ TEST(PaperChoices, SayWhereAllPairsGiveAnotherVerdict) {
   Judgement j;
   add_choices(j, made_up(), "z", greatest, wanted_below(3));
   ASSERT_EQ(j.findings.size(), 2u);
-  EXPECT_NE(j.findings[1].find("with all pairs 5.02"), std::string::npos) << j.findings[1];
-  EXPECT_NE(j.findings[1].find("which fails; with those of the table 2.02"), std::string::npos) << j.findings[1];
+  EXPECT_NE(j.findings[1].find("with all pairs 5.0200 +- 0.0058 (fails), with those that choices are made at 2.0200 +- 0.0058 (holds)"), std::string::npos) << j.findings[1];
 }
 
 TEST(PaperChoices, CountWhereTheyAreMadeAtEveryPair) {
@@ -66,7 +65,7 @@ TEST(PaperChoices, CountWhereTheyAreMadeAtEveryPair) {
   results.add("paper-choices", fewer);
   Judgement j;
   add_choices(j, results, "z", greatest, wanted_above(0));
-  EXPECT_TRUE(std::isnan(j.sensitivities.front().entries[1].value));
+  EXPECT_TRUE(std::isnan(j.sensitivities.front().entries[1].value.value));
 }
 
 TEST(PaperChoices, AreNotToldWithoutTheUsualRuns) {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "ledger/claims/claims.hpp"
 #include "ledger/claims/paper_checks.hpp"
+#include "unit/ledger/made_up_table.hpp"
 
 namespace arenite::ledger {
 namespace {
@@ -80,55 +80,73 @@ TEST(PaperRuns, TheJackknifeLeavesOutSamplesOfOnePackingTogether) {
   EXPECT_NEAR(same.error, 0, 1e-12);
 }
 
-TEST(PaperChecks, ARangeTellsBothEnds) {
-  const auto r = results("z", [](double gamma, double, double, int) { return gamma; });
-  Verdict verdict;
-  add_range(verdict, "z", "", z(r, full), 1, 4);
-  ASSERT_EQ(verdict.checks.size(), 2u);
-  EXPECT_EQ(verdict.checks[0].holds, Holds::yes);
-  EXPECT_EQ(verdict.checks[1].holds, Holds::no);
-  Verdict nothing;
-  add_range(nothing, "z", "", {}, 1, 4);
-  EXPECT_EQ(nothing.holds(), Holds::unknown);
+TEST(PaperChecks, ARangeTellsThePairThatIsFurthestOutside) {
+  const auto r = results("z", [](double gamma, double, double, int seed) { return gamma + 0.001 * seed; });
+  EXPECT_EQ(in_range("z", "", z(r, full), 0.9, 5.1).outcome, Outcome::holds);
+  const Check check = in_range("z", "", z(r, full), 0.9, 4);
+  EXPECT_EQ(check.outcome, Outcome::fails);
+  EXPECT_NEAR(check.ours.value, 5.001, 1e-12);
+  EXPECT_EQ(in_range("z", "", {}, 1, 4).outcome, Outcome::unknown);
 }
 
-TEST(PaperChecks, OnePairThatGoesTheOtherWaySpoilsATrend) {
-  const auto up = results("z", [](double, double, double width, int seed) { return width + 0.01 * seed * width; });
-  EXPECT_EQ(in_all_pairs("z", "", difference(z(up, 1), z(up, 0.2)), +1).holds, Holds::yes);
-  EXPECT_EQ(in_all_pairs("z", "", difference(z(up, 1), z(up, 0.2)), -1).holds, Holds::no);
-  const auto mixed = results("z", [](double gamma, double theta, double width, int seed) { return (gamma == 5 && theta == 6 ? -1 : 1) * width * (1 + 0.01 * seed); });
-  EXPECT_EQ(in_all_pairs("z", "", difference(z(mixed, 1), z(mixed, 0.2)), +1).holds, Holds::no);
+TEST(PaperChecks, MembersArePairsWithTheFreedomOfTheirSamples) {
+  const auto r = results("z", [](double gamma, double, double, int seed) { return gamma + 0.001 * seed; });
+  const Family family = members(z(r, full));
+  ASSERT_EQ(family.size(), 6u);
+  EXPECT_EQ(family[1].name, "gamma 1, theta 6");
+  EXPECT_EQ(family[1].value.freedom, 2);
+  EXPECT_NEAR(overall(z(r, full)).freedom, 12, 1e-9);
 }
 
-TEST(PaperChecks, EveryPairMustBeBeyondItsOwnErrors) {
-  const auto r = results("z", [](double gamma, double theta, double, int seed) { return 1 + (gamma == 5 && theta == 6 ? 2 : 0.1) * (seed - 1); });
-  EXPECT_EQ(in_all_pairs("z", "", z(r, full), +1).holds, Holds::yes);
-  const Check every = in_every_pair("z", "", z(r, full), +1);
-  EXPECT_EQ(every.holds, Holds::no);
-  EXPECT_NE(every.what.find("5 of 6 pairs"), std::string::npos) << every.what;
-  EXPECT_NE(every.what.find("gamma 5, theta 6"), std::string::npos) << every.what;
-  EXPECT_EQ(in_every_pair("z", "", of_theta(z(r, full), 1.4), +1).holds, Holds::yes);
-  EXPECT_EQ(in_every_pair("z", "", {}, +1).holds, Holds::unknown);
+TEST(PaperChecks, ATrendWithGammaIsASlopeAtEveryTheta) {
+  const auto up = results("z", [](double gamma, double, double, int seed) { return gamma + 0.01 * seed; });
+  EXPECT_EQ(with_gamma("z", "", z(up, full), +1).outcome, Outcome::holds);
+  EXPECT_EQ(with_gamma("z", "", z(up, full), -1).outcome, Outcome::fails);
+  const auto mixed = results("z", [](double gamma, double theta, double, int seed) { return (theta == 6 ? -1 : 1) * gamma + 0.01 * seed; });
+  EXPECT_EQ(with_gamma("z", "", z(mixed, full), +1).outcome, Outcome::fails);
+  EXPECT_EQ(with_gamma("z", "", {}, +1).outcome, Outcome::unknown);
 }
 
-TEST(PaperChecks, ALineIsStraightAndRises) {
+TEST(PaperChecks, CementsOfOnePackingAreNotIndependent) {
+  // The same difference at both widths: twice as many numbers are not twice the samples.
+  const auto r = results("z", [](double, double, double, int seed) { return 1.0 + 0.1 * seed; });
+  const Value both = overall(mean_of({z(r, 0.2), z(r, 1)}));
+  EXPECT_NEAR(both.error, overall(z(r, 0.2)).error, 1e-12);
+  EXPECT_NEAR(both.freedom, 12, 1e-9);
+}
+
+TEST(PaperChecks, ALineIsStraight) {
   const auto line = results("z", [](double gamma, double, double, int seed) { return gamma + 0.01 * seed; });
-  const Check against_gamma = straight("z", "", z(line, full), 6, Against::gamma);
-  EXPECT_EQ(against_gamma.holds, Holds::yes);
-  EXPECT_NEAR(against_gamma.ours, 1, 1e-12);
-  EXPECT_TRUE(std::isfinite(against_gamma.error));
-  EXPECT_EQ(straight("z", "", z(line, full), 6, Against::inverse_gamma).holds, Holds::no);
-  EXPECT_EQ(straight("z", "", z(line, full), 2.2, Against::gamma).holds, Holds::unknown);
+  const Check against_gamma = straight("z", "", z(line, full), Against::gamma);
+  EXPECT_EQ(against_gamma.outcome, Outcome::holds);
+  EXPECT_NEAR(against_gamma.ours.value, 1, 1e-12);
+  EXPECT_TRUE(std::isfinite(against_gamma.ours.error));
+  EXPECT_EQ(straight("z", "", z(line, full), Against::inverse_gamma).outcome, Outcome::fails);
+  EXPECT_EQ(straight("z", "", of_theta(z(line, full), 2.2), Against::gamma).outcome, Outcome::unknown);
 }
 
-TEST(PaperClaims, WithoutRunsAreUnknown) {
-  const Results nothing;
-  for (const Claim& claim : claims())
-    if (claim.id[0] == 'P') {
-      const Judgement j = claim.judge(nothing);
-      EXPECT_EQ(j.stated.holds(), Holds::unknown) << claim.id;
-      EXPECT_EQ(j.sharpened.holds(), Holds::unknown) << claim.id;
-    }
+TEST(PaperChecks, TheLowestOfNoisyMeansIsNoDip) {
+  // A level line: the least of its means lies below the first and the last, and is not found there again in other samples.
+  const auto level = results("z", [](double gamma, double theta, double width, int seed) { return noise({gamma, theta, width, 1.0 * seed}); });
+  const Dip none = dip(z(level, full), 6);
+  EXPECT_NE(positive("", "", none.fall).outcome, Outcome::holds);
+  EXPECT_NE(positive("", "", none.rise).outcome, Outcome::holds);
+  const auto dipped = results("z", [](double gamma, double theta, double width, int seed) { return (gamma == 2 ? 0 : gamma) + 0.05 * noise({gamma, theta, width, 1.0 * seed}); });
+  const Dip found = dip(z(dipped, full), 6);
+  EXPECT_EQ(positive("", "", found.fall).outcome, Outcome::holds);
+  EXPECT_NEAR(found.fall.value, 1, 0.1);
+  EXPECT_NEAR(found.rise.value, 5, 0.1);
+}
+
+TEST(PaperChecks, TheGreatestOfNoisyMeansIsLookedForInOtherSamples) {
+  // Widths that do not differ: on average what is greatest without a sample is no greater in it.
+  const auto level = results("z", [](double gamma, double theta, double width, int seed) { return noise({gamma, theta, width, 1.0 * seed}); });
+  const std::vector<PairMeans> sizes{z(level, 0.2), z(level, 1)};
+  const PairMeans lead = difference(at_greatest(sizes, sizes), sizes.front());
+  EXPECT_NE(positive("", "", overall(lead)).outcome, Outcome::holds);
+  const auto wide = results("z", [](double gamma, double theta, double width, int seed) { return width + 0.05 * noise({gamma, theta, width, 1.0 * seed}); });
+  const std::vector<PairMeans> rising{z(wide, 0.2), z(wide, 1)};
+  EXPECT_NEAR(overall(difference(at_greatest(rising, rising), rising.front())).value, 0.8, 0.05);
 }
 
 }  // namespace

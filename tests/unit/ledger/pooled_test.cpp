@@ -57,14 +57,29 @@ TEST(Pooled, SlopesOfSeedsLeaveOutWhatSeedsDifferBy) {
   EXPECT_NEAR(mean.error, 100 / std::sqrt(3.0), 1e-9);
 }
 
-TEST(Pooled, TailsOfSeveralRunsAreSurerThanOne) {
-  const std::vector<std::string> names{"force.p_value", "force.log_likelihood_ratio", "force.line_r2", "force.beta"};
-  const Results results = made_up(names, {{{"1", "1"}, {0.15866, 2, 0.98, 1.2}}, {{"1", "2"}, {0.15866, 3, 0.96, 1.4}}});
+TEST(Pooled, TailsAreMeansOverSeeds) {
+  const std::vector<std::string> names{"force.log_likelihood_ratio", "force.line_r2", "force.beta"};
+  const Results results = made_up(names, {{{"1", "1"}, {2, 0.98, 1.2}}, {{"2", "1"}, {4, 0.98, 1.2}}, {{"1", "2"}, {5, 0.96, 1.4}}});
   const PooledTail tail = pooled_tail(results.runs("made-up"), "force");
-  EXPECT_EQ(tail.runs, 2u);
-  EXPECT_DOUBLE_EQ(tail.log_likelihood_ratio, 5);
-  EXPECT_NEAR(tail.p_value, 0.0786, 2e-4);  // one sigma each: sqrt 2 sigma together
+  EXPECT_DOUBLE_EQ(tail.lead.value, 4);   // seeds have 3 and 5
+  EXPECT_DOUBLE_EQ(tail.lead.error, 1);
+  EXPECT_EQ(tail.lead.freedom, 1);
   EXPECT_NEAR(tail.r2.value, 0.97, 1e-12);
+  EXPECT_NEAR(tail.beta.value, 1.3, 1e-12);
+}
+
+TEST(Pooled, RandomDirectionsLieNowhereAlongAnAxis) {
+  // Seeds that each have an amplitude of 0.2 in directions spread evenly: none along any axis, where amplitudes would add up to 0.2.
+  std::vector<MadeUpRun> runs;
+  for (int seed = 0; seed < 12; ++seed) runs.push_back({{"1", std::to_string(seed)}, {100, 0.2, 15.0 * seed}});
+  const Results results = made_up({"fabric.contacts", "fabric.modes.2.amplitude", "fabric.modes.2.phase_deg"}, runs);
+  const Value none = pooled_along(results.runs("made-up"), "", 2, 90);
+  EXPECT_NEAR(none.value, 0, 1e-12);
+  EXPECT_NEAR(none.error, 0.2 / std::sqrt(2.0) / std::sqrt(11.0), 1e-9);
+  EXPECT_EQ(none.freedom, 11);
+  EXPECT_NEAR(mean_over_seeds(results.runs("made-up"), "fabric.modes.2.amplitude").value, 0.2, 1e-12);
+  const Results across = made_up({"fabric.contacts", "fabric.modes.2.amplitude", "fabric.modes.2.phase_deg"}, {{{"1", "1"}, {100, 0.3, 0}}, {{"1", "2"}, {300, 0.1, 0}}});
+  EXPECT_NEAR(pooled_along(across.runs("made-up"), "", 2, 90).value, -0.15, 1e-12);
 }
 
 }  // namespace

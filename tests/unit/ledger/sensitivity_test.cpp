@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ledger/claims/thesis_choices.hpp"
+#include "ledger/pooled.hpp"
 #include "unit/ledger/made_up_table.hpp"
 
 namespace arenite::ledger {
@@ -13,7 +14,7 @@ const std::vector<Choice> two_choices{{{{"friction", "0"}}, "without friction"},
 /// 1 as it is, 3 without friction, not known with drag.
 Value made_up(const Choice& choice) {
   if (choice.where.front().first == "drag") return {};
-  return {choice.where.front().second == "0" ? 3.0 : 1.0, 0.5};
+  return {choice.where.front().second == "0" ? 3.0 : 1.0, 0.1, 4};
 }
 
 TEST(Sensitivity, TellsWhichChoiceGivesWhatIsWanted) {
@@ -22,13 +23,14 @@ TEST(Sensitivity, TellsWhichChoiceGivesWhatIsWanted) {
   ASSERT_EQ(judgement.sensitivities.size(), 1u);
   const Sensitivity& z = judgement.sensitivities.front();
   EXPECT_EQ(z.wanted, "> 2");
+  EXPECT_EQ(z.range.low, 2);
   ASSERT_EQ(z.entries.size(), 3u);
-  EXPECT_EQ(z.entries[0].value, 1);
-  EXPECT_EQ(z.entries[0].holds, Holds::no);
+  EXPECT_EQ(z.entries[0].value.value, 1);
+  EXPECT_EQ(z.entries[0].outcome, Outcome::fails);
   EXPECT_EQ(z.entries[1].choice, "without friction");
-  EXPECT_EQ(z.entries[1].error, 0.5);
-  EXPECT_EQ(z.entries[1].holds, Holds::yes);
-  EXPECT_EQ(z.entries[2].holds, Holds::unknown);
+  EXPECT_EQ(z.entries[1].value.error, 0.1);
+  EXPECT_EQ(z.entries[1].outcome, Outcome::holds);
+  EXPECT_EQ(z.entries[2].outcome, Outcome::unknown);
 }
 
 TEST(Sensitivity, IsNotToldWithoutTheUsualRuns) {
@@ -38,16 +40,20 @@ TEST(Sensitivity, IsNotToldWithoutTheUsualRuns) {
 }
 
 TEST(Sensitivity, WantedTellsBothSides) {
-  const auto holds = [](const Wanted& wanted, double value, double error) { return wanted({value, error}).holds == Holds::yes; };
-  EXPECT_TRUE(holds(wanted_below(2), 1, 0.1) && !holds(wanted_below(2), 3, 0.1));
-  EXPECT_TRUE(holds(wanted_within(2, 0.5), 2.4, 0.1) && !holds(wanted_within(2, 0.5), 1.4, 0.1));
-  EXPECT_TRUE(holds(wanted_positive(), 1, 0.4) && !holds(wanted_positive(), 1, 0.6));
-  EXPECT_TRUE(holds(wanted_negative(), -1, 0.4) && !holds(wanted_negative(), -1, 0.6));
-  EXPECT_TRUE(holds(wanted_none(), -1, 0.6) && !holds(wanted_none(), -1, 0.4));
-  EXPECT_EQ(wanted_within(2, 0.5)({}).tolerance, "1.5 to 2.5");
+  const auto outcome = [](const Wanted& wanted, double value, double error) { return wanted({value, error, 4}).outcome; };
+  EXPECT_EQ(outcome(wanted_below(2), 1, 0.1), Outcome::holds);
+  EXPECT_EQ(outcome(wanted_below(2), 3, 0.1), Outcome::fails);
+  EXPECT_EQ(outcome(wanted_within(2, 0.5), 2.1, 0.1), Outcome::holds);
+  EXPECT_EQ(outcome(wanted_within(2, 0.5), 1.1, 0.1), Outcome::fails);
+  EXPECT_EQ(outcome(wanted_positive(), 1, 0.3), Outcome::holds);
+  EXPECT_EQ(outcome(wanted_positive(), 1, 0.6), Outcome::undecided);
+  EXPECT_EQ(outcome(wanted_negative(), -1, 0.3), Outcome::holds);
+  EXPECT_EQ(outcome(wanted_equivalent(1), 0.1, 0.1), Outcome::holds);
+  EXPECT_EQ(outcome(wanted_equivalent(1), 0.1, 0.6), Outcome::undecided);
+  EXPECT_EQ(wanted_within(2, 0.5)({}).wanted, "1.5 to 2.5");
 }
 
-TEST(Sensitivity, OfTheStiffnessRatioIsASlopeSeedBySeedAndTakesTheRunsOfItsStudy) {
+TEST(Sensitivity, OfTheStiffnessRatioIsWorkedOutFromTheRunsOfItsStudy) {
   const auto table = [](double factor) {
     std::vector<MadeUpRun> runs;
     for (const char* stiffness : {"27.35", "6.8375", "2.735"})
@@ -59,11 +65,12 @@ TEST(Sensitivity, OfTheStiffnessRatioIsASlopeSeedBySeedAndTakesTheRunsOfItsStudy
   results.add("thesis-ch5-r", table(2));
   results.add("thesis-choices-stiffness", table(3));
   Judgement judgement;
-  add_stiffness_slope(judgement, results, "z", "z", wanted_none());
+  const auto slope = [](const std::vector<ledger::Run>& runs, const Number& number) { return slope_over_seeds(runs, stiffness_ratio, number); };
+  add_stiffness_change(judgement, results, "z", slope, "z", wanted_equivalent(1));
   ASSERT_EQ(judgement.sensitivities.size(), 1u);
   const auto of = [&](const std::string& choice) {
     for (const auto& entry : judgement.sensitivities[0].entries)
-      if (entry.choice == choice) return Value(entry.value, entry.error);
+      if (entry.choice == choice) return entry.value;
     return Value();
   };
   EXPECT_NEAR(of("").value, 1.5, 1e-12);

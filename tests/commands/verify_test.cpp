@@ -1,0 +1,43 @@
+// arenite verify without runs: what it says, writes and refuses.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/program.hpp"
+
+using namespace arenite;
+
+namespace {
+
+std::string read_only(const test::TemporaryFolder& folder, const std::string& more) {
+  return "verify thesis paper --read --quiet --out " + (folder.path() / "runs").string() + " " + more;
+}
+
+}  // namespace
+
+TEST(Verify, WithoutRunsJudgesTheSourcesTablesAndSaysWhatIsMissing) {
+  const test::TemporaryFolder folder;
+  const auto page = folder.path() / "ledger.md", table = folder.path() / "ledger.csv";
+  const auto outcome = test::arenite(read_only(folder, "--json --markdown " + page.string() + " --csv " + table.string()));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto claims = nlohmann::json::parse(outcome.out).at("claims");
+  EXPECT_EQ(claims.size(), 34u);
+  EXPECT_EQ(claims["T1"]["verdict"], "source inconsistent");
+  EXPECT_EQ(claims["T2"]["verdict"], "source inconsistent");
+  EXPECT_EQ(claims["T8"]["verdict"], "unknown");
+  const std::string text = test::slurp(page.string());
+  EXPECT_NE(text.find("| [T8](#t8) |"), std::string::npos);
+  EXPECT_NE(text.find("`thesis-ch4` (not begun)"), std::string::npos);
+  EXPECT_NE(text.find("[ledger.csv](ledger.csv)"), std::string::npos);
+  EXPECT_EQ(test::slurp(table.string()).substr(0, 10), "claim,kind");
+}
+
+TEST(Verify, HoldsVerdictsAgainstEarlierOnesOfTheSameSize) {
+  const test::TemporaryFolder folder;
+  const std::string file = (folder.path() / "verdicts.json").string();
+  ASSERT_EQ(test::arenite(read_only(folder, "--verdicts " + file)).status, 0);
+  EXPECT_EQ(test::arenite(read_only(folder, "--expect " + file)).status, 0);
+  const auto small = test::arenite(read_only(folder, "--expect " ARENITE_SOURCE_DIR "/tests/ledger/expected-small.json"));
+  EXPECT_EQ(small.status, 2);
+  EXPECT_NE(small.err.find("small studies"), std::string::npos) << small.err;
+}
