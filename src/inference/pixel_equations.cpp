@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/median.hpp"
+
 namespace arenite::inference {
 
 double root_mean_square(const std::vector<GrainPixel>& pixels) {
@@ -18,18 +20,20 @@ void PixelEquations::add_to(NormalEquations& equations, const Unknowns& unknowns
 
 Misfit PixelEquations::misfit(const std::vector<double>& x, double taken) const {
   Misfit m;
-  double count = 0, signal = 0, squares = 0;
+  double count = 0;
+  std::vector<double> off, signal;
   for (const Block& b : blocks_)
     for (std::size_t q = 0; q < b.right.size(); ++q, count += 1) {
       double left = b.right[q];
       for (std::size_t k = 0; k < b.columns.size(); ++k) left -= b.rows[q * b.columns.size() + k] * x[static_cast<std::size_t>(b.columns[k])];
       m.weighed += left * left * b.weight[q];
       m.over_noise += left * left / (b.noise[q] * b.noise[q]);
-      squares += left * left, signal += b.value[q] * b.value[q];
+      off.push_back(std::abs(left)), signal.push_back(std::abs(b.value[q]));
     }
   const double freedom = std::max({1.0, 0.1 * count, count - taken});
   m.weighed /= freedom, m.over_noise /= freedom;
-  m.over_signal = signal > 0 ? squares / signal : 0;
+  const double middle = median(std::move(signal));
+  m.over_signal = middle > 0 ? median(std::move(off)) / middle : 0;
   return m;
 }
 

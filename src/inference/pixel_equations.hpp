@@ -16,7 +16,7 @@ double root_mean_square(const std::vector<GrainPixel>& pixels);
 struct Misfit {
   double weighed = 0;      ///< in the errors that the equations were weighed by, over their degrees of freedom
   double over_noise = 0;   ///< in the measured noise alone, likewise
-  double over_signal = 0;  ///< over the sum of the squares of the signal
+  double over_signal = 0;  ///< median size of what is left over that of the signal: one lost grain does not decide it
 };
 
 /// Equations of all grains' pixels. Everything that is given stays with the caller.

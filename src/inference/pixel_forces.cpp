@@ -152,7 +152,7 @@ InferredForces infer_from_pixels(const ForceProblem& problem, const SwingPicture
       continue;
     }
     InferredForces out = finish(problem, options, equations, unknowns, placed.touches, placed.force);
-    out.residual = std::sqrt(misfit.weighed), out.over_noise = std::sqrt(misfit.over_noise), out.over_signal = std::sqrt(misfit.over_signal);
+    out.residual = std::sqrt(misfit.weighed), out.over_noise = std::sqrt(misfit.over_noise), out.over_signal = misfit.over_signal;
     out.model_error = model_error;
     out.factor_scale = std::move(scale);
     for (std::size_t m = 0; m < out.factor_scale.size(); ++m) out.factor_scale_error[m] *= out.factor_scale[m];

@@ -26,7 +26,7 @@ struct ForceFit {
   double present = 0, present_error = 0;  ///< number of contacts that are there, as far as forces and gaps tell
   std::vector<float> picture;       ///< full swing that the forces make the maps show, K, rows from the top; no number outside grains
   double over_noise = 0;            ///< root mean square of measured less fitted over the measured noise alone (chi)
-  double over_signal = 0;           ///< the same over that of the measured
+  double over_signal = 0;           ///< median size of measured less fitted over that of the measured
   double load = 0;                  ///< on the lower wall by forces that were not told it, N; 0: not known
   double model_error = 0;           ///< error of the disks' fields, share of the signal, that makes the two agree
   std::vector<double> factor_scale, factor_scale_error;  ///< one a material: the film wants its factor so many times larger

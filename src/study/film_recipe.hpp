@@ -14,7 +14,7 @@ struct FilmMaterial {
   std::string name;
   double thermoelastic_factor = 0;  ///< A, K/Pa
   double brightness = 0;            ///< in the picture that grains are found in; only the order counts
-  std::optional<double> emissivity;  ///< in the camera's band; unless given, that of [temperature]
+  std::optional<double> emissivity = {};  ///< in the camera's band; unless given, that of [temperature]
   double stiffness = 0;             ///< of its contacts, N/m; 0: not known, alike for all
   bool operator==(const FilmMaterial&) const = default;
 };

@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/random.hpp"
 #include "io/film_writer.hpp"
 #include "support/films.hpp"
 #include "support/virtual_film.hpp"
