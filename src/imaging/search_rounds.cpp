@@ -87,10 +87,7 @@ void SearchRounds::more_rounds() {
 /// Taken out until the rest bears each other out: specks among few grains set the measure that they are held against.
 bool SearchRounds::prune_strictly() {
   const std::size_t before = model_.disks().size();
-  for (std::size_t left = before + 1; model_.disks().size() < left;) {
-    left = model_.disks().size();
-    prune(true);
-  }
+  prune(true);
   return model_.disks().size() < before;
 }
 
