@@ -68,7 +68,7 @@ std::vector<double> joined(const std::vector<std::vector<double>>& parts) {
 LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, const PictureGrains& grains, const GrainMotion& motion,
                          const PictureGrains& shown, std::optional<double> told_phase, int threads, double blur) {
   LockinMaps result = maps;
-  const double factor = maps.convention == SwingConvention::full ? 2 : 1, spread = factor * std::sqrt(2 / static_cast<double>(maps.frames));
+  const double factor = maps.convention == SwingConvention::full ? 2 : 1, spread = factor * std::sqrt(2 * maps.noise_ratio / static_cast<double>(maps.frames));
   const GrainScene scene = grain_scene(pictures, grains, motion, blur, threads);
   const PhasePictures rest = without_scene(pictures, scene, grains, motion, blur, threads);
   const std::vector<std::int32_t> owner = owners(shown, maps.width, maps.height);
