@@ -17,7 +17,7 @@ namespace {
 struct Bins {
   std::vector<std::size_t> of_frame;
   std::vector<double> frames, cosine, sine, cosine2, sine2;
-  std::vector<float> slow;          ///< frames x order: Legendre's polynomials P_1, P_2 .. of the time, less their value at the film's middle
+  std::vector<float> slow;          ///< frames x order: Legendre's polynomials P_1, P_2 .. of the time, less their mean over the film
   Eigen::MatrixXd mean_slow;        ///< parts x order: their means over the frames of every part
   std::size_t order = 0;
 };
@@ -30,14 +30,17 @@ std::size_t order_of(const LockinMaps& maps, const std::vector<double>& time) {
 
 void weigh_drift(Bins& bins, const std::vector<double>& time) {
   const double middle = (time.front() + time.back()) / 2, half = (time.back() - time.front()) / 2;
-  std::vector<double> now(bins.order + 1), then(now.size());
-  legendre(0, then.size(), then.data());
+  std::vector<double> now(bins.order + 1), mean(now.size());
+  for (const double t : time) {
+    legendre((t - middle) / half, now.size(), now.data());
+    for (std::size_t j = 0; j < now.size(); ++j) mean[j] += now[j] / static_cast<double>(time.size());
+  }
   bins.slow.resize(time.size() * bins.order);
   bins.mean_slow = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(bins.frames.size()), static_cast<Eigen::Index>(bins.order));
   for (std::size_t n = 0; n < time.size(); ++n) {
     legendre((time[n] - middle) / half, now.size(), now.data());
     for (std::size_t j = 0; j < bins.order; ++j) {
-      const double value = now[j + 1] - then[j + 1];
+      const double value = now[j + 1] - mean[j + 1];  // so the noise of the drift does not add to that of the pictures' mean
       bins.slow[n * bins.order + j] = static_cast<float>(value);
       bins.mean_slow(static_cast<Eigen::Index>(bins.of_frame[n]), static_cast<Eigen::Index>(j)) += value / bins.frames[bins.of_frame[n]];
     }

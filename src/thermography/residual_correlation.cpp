@@ -24,12 +24,11 @@ double independent_pixels(const MatrixXd& residual, const std::vector<double>& l
   return static_cast<double>(all) / (1 + (static_cast<double>(all) - 1) * std::max(square, 0.0));
 }
 
-std::vector<double> plain(const MatrixXd& residual, Index lags) {
-  std::vector<double> seen;
-  const double squares = residual.squaredNorm();
-  for (Index k = 1; k <= lags; ++k)
-    seen.push_back(residual.leftCols(residual.cols() - k).cwiseProduct(residual.rightCols(residual.cols() - k)).sum() / squares);
-  return seen;
+/// Sums over frames and rows of products of values so many frames apart.
+std::vector<double> products(const MatrixXd& value, Index lags) {
+  std::vector<double> sums;
+  for (Index k = 1; k <= lags; ++k) sums.push_back(value.leftCols(value.cols() - k).cwiseProduct(value.rightCols(value.cols() - k)).sum());
+  return sums;
 }
 
 }  // namespace
@@ -48,24 +47,26 @@ double chi_squared_above(double numbers, double deviations) {
   return std::pow(1 - variance + deviations * std::sqrt(variance), 3);
 }
 
-ResidualCorrelation residual_correlation(const MatrixXd& residual, double fitted) {
+ResidualCorrelation residual_correlation(const MatrixXd& residual, const MatrixXd& fitted) {
   ResidualCorrelation result;
-  const auto frames = static_cast<double>(residual.cols());
-  if (residual.size() == 0 || !(residual.squaredNorm() > 0)) return result;
-  const std::vector<double> seen = plain(residual, residual.cols() / 4);
+  const auto frames = static_cast<double>(residual.cols()), functions = static_cast<double>(fitted.rows());
+  const double squares = residual.squaredNorm();
+  if (residual.size() == 0 || !(squares > 0)) return result;
+  const Index lags = residual.cols() / 4;
+  const std::vector<double> seen = products(residual, lags), taken = products(fitted, lags);
   const double lost_in_noise = std::max(1e-3, 2 / std::sqrt(frames * independent_pixels(residual, {})));
   double sum = 1;
-  // A fit takes `fitted` of the frames' freedoms with it, where noise is strongest: each lag falls short by so much (Marriott and Pope 1954).
+  // In white noise the fit takes just this from each lag; of correlated noise, strongest where the fit is, as much more (Marriott and Pope 1954).
   for (int turn = 0; turn < 8; ++turn) {
     result.lag.clear();
-    const double short_by = fitted / frames * sum;
-    for (const double r : seen) {
-      if (r + short_by < lost_in_noise) break;
-      result.lag.push_back(std::min(r + short_by, 0.999));
-    }
     double next = 1;
-    for (const double r : result.lag) next += 2 * r;
-    sum = std::min(next, frames / (4 * fitted + 4));
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      const double r = seen[k] / squares + sum * taken[k] / (frames - functions);
+      if (r < lost_in_noise) break;
+      result.lag.push_back(std::min(r, 0.999));
+      next += 2 * result.lag.back();
+    }
+    sum = std::min(next, frames / (4 * functions + 4));
   }
   result.pixels = independent_pixels(residual, result.lag);
   return result;

@@ -16,7 +16,7 @@ struct ResidualCorrelation {
 /// Mean square of so many normal numbers that lies `deviations` above what is expected, as a normal number's would (Wilson and Hilferty 1931).
 double chi_squared_above(double numbers, double deviations);
 
-/// Of pixels x frames, left by a fit of `fitted` numbers a pixel, which takes some correlation with it.
-ResidualCorrelation residual_correlation(const Eigen::MatrixXd& residual, double fitted);
+/// Of pixels x frames, left by a fit of the functions `fitted` (functions x frames, orthonormal), which takes some correlation with it.
+ResidualCorrelation residual_correlation(const Eigen::MatrixXd& residual, const Eigen::MatrixXd& fitted);
 
 }  // namespace arenite::thermography

@@ -106,7 +106,7 @@ StepSide choose(const MatrixXd& series, const Place& at, const StepSide& relaxin
     return side;
   }
   StepSide side = plain;
-  side.misfit = std::max(0.0, wider) * widening * std::max(0.0, explained - std::min(2.0, chi_squared_above(noise.pixels, 2)));
+  side.misfit = std::max(0.0, wider) * widening * std::max(0.0, explained - std::min(2.0, chi_squared_above(noise.pixels, 3)));
   return side;
 }
 
@@ -139,7 +139,10 @@ StepSides step_sides(const MatrixXd& series, const std::vector<double>& time, do
   const auto noise_of = [&](double& variance) {
     const MatrixXd left = joined(left_by(series, side[0]), left_by(series, side[1]));
     variance = left.squaredNorm() / static_cast<double>(left.rows()) / (freedom(side[0]) + freedom(side[1]));
-    return residual_correlation(left, static_cast<double>(side[0].height.size() + side[1].height.size()));
+    MatrixXd fitted = MatrixXd::Zero(side[0].height.size() + side[1].height.size(), left.cols());
+    fitted.topLeftCorner(side[0].height.size(), side[0].weight.cols()) = side[0].weight;
+    fitted.bottomRightCorner(side[1].height.size(), side[1].weight.cols()) = side[1].weight;
+    return residual_correlation(left, fitted);
   };
   double variance = 0;
   const ResidualCorrelation noise = noise_of(variance);
