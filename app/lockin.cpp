@@ -84,7 +84,10 @@ nlohmann::json numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& 
   const std::vector<float> phase = phase_in_degrees(m);
   for (const auto& [name, map] : maps_of(m, phase).named)
     if (!map->empty()) j["median"][name] = median_of_finite(*map);
-  j["shows_load"] = !study::shows_no_load(m);
+  j["noise_ratio"] = m.noise_ratio;
+  j["shows_load"] = thermography::shows_swing(m);
+  j["chance_of_noise"] = m.chance;
+  j["share_in_one_phase"] = m.one_phase;
   j["diffusion_length_m"] = heat.length;
   if (heat.pixel > 0) {
     j["adiabatic"] = heat.holds();
@@ -97,12 +100,13 @@ void print(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const 
   const std::string unit = unit_of(film);
   fmt::print("frequency        {:.9g} Hz", m.frequency);
   if (m.frequency_error > 0 && std::isfinite(m.frequency_error)) fmt::print(" +- {:.1e}", m.frequency_error);
-  else if (m.frequency_error > 0) fmt::print(" as given: the film shows no swing that tells it");
+  else if (m.frequency_error > 0) fmt::print(" as given: the film does not tell it");
   fmt::print("\nframes           {} of {} x {} pixels\n", m.frames, m.width, m.height);
   fmt::print("amplitude        {:.4g} {} ({} swing, median)\n", median_of_finite(m.amplitude), unit, m.convention == SwingConvention::full ? "full" : "half");
   fmt::print("standard error   {:.4g} {} (median)\nnoise floor      {:.4g} {} (median)\n", median_of_finite(m.standard_error), unit, median_of_finite(m.noise_floor), unit);
   if (!m.second_harmonic.empty()) fmt::print("second harmonic  {:.4g} {} (median)\n", median_of_finite(m.second_harmonic), unit);
   fmt::print("residual         {:.4g} {} (median)\n", median_of_finite(m.residual), unit);
+  fmt::print("noise            {:.3g} times as much at this frequency as if it were white\n", std::sqrt(m.noise_ratio));
   fmt::print("reference phase  {:.6g} deg{}\n", m.reference_phase * degrees, a.by_lock_in_line ? ", of the film's lock-in line" : a.options.reference_phase ? "" : ", found on the film up to its sign: pixels warm on the mean");
   fmt::print("diffusion length {:.4g} mm", 1e3 * heat.length);
   if (heat.pixel > 0) fmt::print(", {:.3g} pixels: the finest detail loses {:.2g} % of its swing", heat.length / heat.pixel, 100 * heat.lost());
@@ -135,7 +139,7 @@ int execute(Arguments& a) {
     return other_failure;
   }
   if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps, phase_in_degrees(maps)));
-  if (study::shows_no_load(maps)) fmt::print(stderr, "{}: {}\n", a.film, study::no_load_sentence(maps.frequency, "--frequency"));
+  if (!thermography::shows_swing(maps)) fmt::print(stderr, "{}: {}\n", a.film, study::no_load_sentence(maps, maps.frequency, "--frequency"));
   const study::Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds())
     fmt::print(stderr, "{}\n", heat.sentence());
@@ -152,7 +156,7 @@ void add_lockin(CLI::App& command, int& status) {
   command.add_option("--frequency", a->frequency, "Of the load, e.g. \"3 Hz\"; refined on the film")->required()->type_name("FREQUENCY");
   command.add_option("--out", a->out, "Folder for the maps; without it nothing is stored")->type_name("DIR");
   command.add_option("--format", a->format, "Of the maps")->check(CLI::IsMember({"tiff", "npy", "hdf5"}));
-  command.add_option("--drift", a->options.drift_order, "Order of the polynomial that pixels drift by; default 2")->type_name("N");
+  command.add_option("--drift", a->options.drift_order, "Order of the polynomial that pixels drift by; default 4")->type_name("N");
   command.add_option("--harmonics", a->options.harmonics, "Of the load frequency; default 2")->type_name("N");
   command.add_option("--convention", a->convention, "Amplitudes are half of the swing (default) or all of it")->check(CLI::IsMember({"half", "full"}));
   command.add_option("--reference-phase", a->reference_phase, "Of the load: its angle at the first frame before it is largest, e.g. \"90 deg\"; without it found on the film up to its sign")->type_name("ANGLE");

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "commands.hpp"
 #include "core/error.hpp"
@@ -36,12 +37,17 @@ void tell(const thermography::StepMaps& m, const Arguments& a, const FilmInfo& f
   if (!a.json) {
     fmt::print("step             {:.6g} s after the first frame{}\n", m.time, a.time.empty() ? ", found on the film" : "");
     fmt::print("frames           {} before, {} after, of {} x {} pixels\n", m.before, m.after, m.width, m.height);
+    for (const auto& [side, time] : {std::pair{"before", m.relaxation_before}, std::pair{"after", m.relaxation_after}})
+      if (time > 0) fmt::print("relaxation       {:.4g} s, an exponential that pixels follow {}\n", time, side);
     fmt::print("jump             {:.4g} {} (median)\nstandard error   {:.4g} {} (median)\nresidual         {:.4g} {} (median)\n", median_of_finite(m.jump), unit,
                median_of_finite(m.standard_error), unit, median_of_finite(m.residual), unit);
     return;
   }
   nlohmann::json j{{"time_s", m.time}, {"time", a.time.empty() ? "found on the film" : "given"}, {"frames_before", m.before}, {"frames_after", m.after},
                    {"width", m.width}, {"height", m.height}, {"drift_order", m.drift_order}, {"unit", unit}};
+  const auto relaxation = [](double time) { return time > 0 ? nlohmann::json(time) : nlohmann::json(); };
+  j["relaxation_before_s"] = relaxation(m.relaxation_before);
+  j["relaxation_after_s"] = relaxation(m.relaxation_after);
   for (const auto& [name, map] : maps_of(m).named) j["median"][name] = median_of_finite(*map);
   fmt::print("{}\n", j.dump(2));
 }

@@ -160,7 +160,7 @@ py::dict inferred(const Packing& packing, const ArrayLike& swing, const ArrayLik
 
 void bind_film(py::module_& m) {
   m.def("lock_in", &locked_in, py::arg("film"), py::arg("frequency"), py::kw_only(), py::arg("frame_rate") = 0.0, py::arg("time") = py::none(), py::arg("refine") = true,
-        py::arg("drift_order") = 2, py::arg("harmonics") = 2, py::arg("full_swing") = false, py::arg("reference_phase") = py::none(), py::arg("nearest_bin") = false,
+        py::arg("drift_order") = 4, py::arg("harmonics") = 2, py::arg("full_swing") = false, py::arg("reference_phase") = py::none(), py::arg("nearest_bin") = false,
         py::arg("threads") = 1, py::arg("progress") = py::none(),
         "Lock-in of a film: a file, or an array (frames, height, width), uint16 or float32, which is not copied, with its `frame_rate` (Hz) or the `time` of every frame (s). Least squares "
         "on polynomial drift and harmonics with the frequency (Hz) refined on the film; `reference_phase`: of the load, rad or with its unit (\"90 deg\"); `nearest_bin`: the plain transform of T 1.4.");

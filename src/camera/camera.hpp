@@ -30,6 +30,15 @@ struct Detector {
   double gain_spread = 0.02;        ///< standard deviation of the pixels' gain
   double offset_spread = 0.03;      ///< of their offset, share of the range
   double bad_share = 0.003;         ///< pixels that are dead, hot or noisy
+  double noise_correlation = 0;     ///< of a pixel's noise in one frame with that in the next: first-order autoregressive
+  double common_noise = 0;          ///< standard deviation of what all pixels of a frame share, as correlated, K
+};
+
+/// A line of the electronics in the film.
+struct Interference {
+  double frequency = 0;             ///< Hz
+  double amplitude = 0;             ///< half of its swing, K
+  double advance = 0.2;             ///< by which its phase goes on from row to row as they are read out, cycles
 };
 
 /// An ordinary camera beside the infrared one, with a place of its own.
@@ -49,7 +58,12 @@ struct Surroundings {
   double background_emissivity = 0.55;  ///< of what is seen between the grains
   double frame_emissivity = 0.3;    ///< of the frame round the sample
   std::vector<double> emissivity;   ///< one a material; 0.9 where there is none
-  double drift = 0.010;             ///< K/s
+  double drift = 0.010;             ///< K/s, of the whole scene
+  double drift_growth = 0;          ///< K/s^2, of that rate
+  double warm_up = 0;               ///< K by which the scene warms beside, exponentially
+  double warm_up_time = 10;         ///< s after which 1/e of that is left to come
+  /// By how much the scene is warmer at a time than at the film's begin, K.
+  double warmer(double time) const;
   bool radiometry = true;           ///< false: the level is linear in temperature and everything is black
 };
 
@@ -69,6 +83,7 @@ struct Parameters {
   Optics optics;
   Photograph photograph;
   Detector detector;
+  Interference interference;
   Surroundings surroundings;
   Timing timing;
   radiometry::Band band;

@@ -3,38 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "core/random.hpp"
 
 namespace arenite::camera {
 namespace {
-
-/// Quantiles of the normal law at 65 536 even probabilities, so that 16 random bits are a normal number (cut at
-/// 4.3 standard deviations, scaled to variance 1).
-const std::vector<float>& normal_quantiles() {
-  static const std::vector<float> table = [] {
-    constexpr int n = 65536;
-    std::vector<double> z(n);
-    double x = -4.4, sum = 0;
-    for (int k = 0; k < n / 2; ++k) {
-      const double p = (k + 0.5) / n;
-      for (int newton = 0; newton < 60; ++newton) {
-        const double error = 0.5 * std::erfc(-x / std::sqrt(2.0)) - p;
-        const double density = std::exp(-0.5 * x * x) / std::sqrt(2 * 3.14159265358979323846);
-        const double step = std::clamp(error / density, -0.1, 0.1);
-        x -= step;
-        if (std::abs(step) < 1e-13) break;
-      }
-      z[static_cast<std::size_t>(k)] = x;
-      z[static_cast<std::size_t>(n - 1 - k)] = -x;
-      sum += 2 * x * x;
-    }
-    std::vector<float> scaled;
-    for (const double v : z) scaled.push_back(static_cast<float>(v / std::sqrt(sum / n)));
-    return scaled;
-  }();
-  return table;
-}
 
 enum class Defect { none, dead, hot, noisy };
 
@@ -45,13 +19,20 @@ Defect defect_of(RandomStream& random, double share) {
 
 }  // namespace
 
-Detection::Detection(const Parameters& p, std::uint64_t seed) {
+double Surroundings::warmer(double time) const {
+  return drift * time + 0.5 * drift_growth * time * time - warm_up * std::expm1(-time / warm_up_time);
+}
+
+Detection::Detection(const Parameters& p, std::uint64_t seed)
+    : noise_(static_cast<std::size_t>(p.optics.width * p.optics.height), p.detector.noise_correlation), interference_(p.interference),
+      width_(static_cast<std::size_t>(p.optics.width)) {
   const auto& d = p.detector;
   highest_ = static_cast<float>((1 << d.bits) - 1);
   light_per_kelvin_ = radiometry::photon_exitance_slope(p.band, 296) / radiometry::photon_exitance(p.band, 296);
   const double total = d.netd * light_per_kelvin_;
   shot_ = d.netd > 0 ? std::min(1 / d.electrons, total * total) : 0;
   read_ = total * total - shot_;
+  common_ = d.common_noise * light_per_kelvin_;
   const double levels = highest_ * d.electrons / d.full_well;
   RandomStream random(seed, Purpose::detector);
   const auto pixels = static_cast<std::size_t>(p.optics.width * p.optics.height);
@@ -68,17 +49,19 @@ Detection::Detection(const Parameters& p, std::uint64_t seed) {
   }
 }
 
-void Detection::record(const std::vector<float>& light, double warmer, std::uint64_t seed, std::uint64_t frame, std::uint16_t* level) const {
-  const auto& quantile = normal_quantiles();
-  RandomStream random(seed, Purpose::camera_noise, frame);
+void Detection::record(const std::vector<float>& light, double warmer, double time, std::uint64_t seed, std::uint64_t frame, std::uint16_t* level) {
+  const std::vector<float>& normal = noise_.of(seed, frame);
   const float drift = static_cast<float>(1 + warmer * light_per_kelvin_);
-  const auto shot = static_cast<float>(shot_), read = static_cast<float>(read_);
-  std::uint64_t bits = 0;
+  const auto shot = static_cast<float>(shot_), read = static_cast<float>(read_), common = static_cast<float>(common_) * normal[light.size()];
+  float more = common;
   for (std::size_t i = 0; i < light.size(); ++i) {
-    bits = i % 4 == 0 ? random.bits() : bits >> 16;
+    if (i % width_ == 0 && interference_.amplitude > 0) {
+      const double cycles = interference_.frequency * time + interference_.advance * static_cast<double>(i / width_);
+      more = common + static_cast<float>(interference_.amplitude * light_per_kelvin_ * std::cos(2 * std::numbers::pi * cycles));
+    }
     const Pixel& pixel = pixel_[i];
-    const float seen = light[i] * drift;
-    const float noisy = seen + pixel.noise * std::sqrt(shot * seen + read) * quantile[bits & 0xffff];
+    const float seen = light[i] * drift + more;
+    const float noisy = seen + pixel.noise * std::sqrt(shot * std::max(seen, 0.0f) + read) * normal[i];
     level[i] = static_cast<std::uint16_t>(std::lround(std::clamp(pixel.gain * noisy + pixel.offset, 0.0f, highest_)));
   }
 }

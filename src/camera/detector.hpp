@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "camera/camera.hpp"
+#include "camera/frame_noise.hpp"
 
 namespace arenite::camera {
 
@@ -11,13 +12,17 @@ class Detection {
  public:
   Detection(const Parameters& parameters, std::uint64_t seed);
 
-  /// Turns light (photons over those of a black body at 296 K) into levels. `warmer` is the drift of the scene, K;
-  /// (seed, frame) name the draw of the noise.
-  void record(const std::vector<float>& light, double warmer, std::uint64_t seed, std::uint64_t frame, std::uint16_t* level) const;
+  /// Turns light (photons over those of a black body at 296 K) into levels. `warmer` is the drift of the scene, K, at
+  /// `time` (s); (seed, frame) name the draw of the noise.
+  void record(const std::vector<float>& light, double warmer, double time, std::uint64_t seed, std::uint64_t frame, std::uint16_t* level);
 
  private:
   struct Pixel { float gain, offset, noise; };  ///< levels per unit of light, levels, times the others' noise
   std::vector<Pixel> pixel_;
+  FrameNoise noise_;
+  Interference interference_;
+  std::size_t width_;
+  double common_ = 0;               ///< in light
   double light_per_kelvin_ = 0, shot_ = 0, read_ = 0;  ///< of 1; variance per light; variance: in light
   float highest_ = 0;
 };

@@ -88,8 +88,7 @@ class VirtualFilm : public FilmSource {
       const std::int64_t frame = taken_[static_cast<std::size_t>(first) + k];
       const double t = static_cast<double>(frame) / p_.timing.frame_rate;
       exposures_.between(load_fraction(p_.timing, t), light_);
-      const double warmer = p_.surroundings.drift * t;
-      detector_.record(light_, warmer, seed_, static_cast<std::uint64_t>(frame), block.level.data() + k * info_.pixels());
+      detector_.record(light_, p_.surroundings.warmer(t), t, seed_, static_cast<std::uint64_t>(frame), block.level.data() + k * info_.pixels());
     }
   }
 
@@ -116,9 +115,10 @@ class UniformFilm : public FilmSource {
     block.frames = count;
     block.value.clear();
     block.level.resize(count * info_.pixels());
-    for (std::size_t k = 0; k < count; ++k)
-      detector_.record(light_, 0, seed_ + stream_, (std::uint64_t{1} << 40) + static_cast<std::uint64_t>(first) + k,
-                       block.level.data() + k * info_.pixels());
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto frame = static_cast<std::uint64_t>(first) + k;
+      detector_.record(light_, 0, static_cast<double>(frame) / info_.frame_rate, seed_ + stream_, (std::uint64_t{1} << 40) + frame, block.level.data() + k * info_.pixels());
+    }
   }
 
  private:

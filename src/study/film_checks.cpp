@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
+#include "thermography/lockin.hpp"
 
 namespace arenite::study {
 namespace {
@@ -37,31 +38,18 @@ void refuse_constant(const thermography::FrameStatistics& seen, const FilmInfo& 
                                  constant, film.pixels(), seen.frames));
 }
 
-double swing_over_noise(const LockinMaps& maps) {
-  double sum = 0;
-  std::size_t known = 0;
-  for (std::size_t i = 0; i < maps.size(); ++i) {
-    const double share = static_cast<double>(maps.amplitude[i]) / static_cast<double>(maps.standard_error[i]);
-    if (!std::isfinite(share)) continue;
-    sum += share * share;
-    ++known;
-  }
-  return known > 0 ? sum / static_cast<double>(known) : 0;
-}
-
-bool shows_no_load(const LockinMaps& maps) {
-  // Pixels' noise is theirs alone, so its mean over a film's thousands of pixels is within a few hundredths of 2, also at the
-  // best of the frequencies that the refinement tried. A film whose load shows less than this tells nothing of single grains.
-  constexpr double noise_alone = 2, least = 1.25 * noise_alone;
-  return swing_over_noise(maps) < least;
-}
-
-std::string no_load_sentence(double frequency, std::string_view told_by) {
+std::string no_load_sentence(const LockinMaps& maps, double frequency, std::string_view told_by) {
+  if (maps.swings_at > 0)
+    return fmt::format("nothing but noise swings at {:.6g} Hz, but the film swings at {:.4g} Hz; if that is the load, give its frequency ({})", frequency,
+                       maps.swings_at, told_by);
+  if (maps.chance < 0.01)
+    return fmt::format("what swings at {:.6g} Hz has no common phase, as under a load, but is a line of the camera; give the frequency of the load ({}), or a film of "
+                       "a loaded sample", frequency, told_by);
   return fmt::format("nothing but noise swings at {:.6g} Hz; give the frequency of the load ({}), or a film of a loaded sample", frequency, told_by);
 }
 
 void refuse_without_load(const LockinMaps& maps, double told_frequency) {
-  if (shows_no_load(maps)) throw InputError(no_load_sentence(told_frequency, "lockin.frequency"));
+  if (!thermography::shows_swing(maps)) throw InputError(no_load_sentence(maps, told_frequency, "lockin.frequency"));
 }
 
 Recipe read_twin_recipe(const FilmRecipe& recipe) {

@@ -19,15 +19,10 @@ void refuse_saturated(const thermography::FrameStatistics& seen, const FilmInfo&
 /// Throws InputError if nearly all pixels of a film stay as they are from its first frame on.
 void refuse_constant(const thermography::FrameStatistics& seen, const FilmInfo& film);
 
-/// Mean of the squared amplitude over the squared standard error of the maps' pixels: 2 where noise alone swings.
-double swing_over_noise(const LockinMaps& maps);
+/// What to say of maps that show no load, a film without one or told a wrong frequency; `told_by` is where that stands.
+std::string no_load_sentence(const LockinMaps& maps, double frequency, std::string_view told_by);
 
-/// Whether the maps hold nothing but noise: a film without a load, or told a wrong frequency.
-bool shows_no_load(const LockinMaps& maps);
-/// What to say of such maps; `told_by` is where the frequency stands.
-std::string no_load_sentence(double frequency, std::string_view told_by);
-
-/// Throws InputError if the maps hold nothing but noise.
+/// Throws InputError if the maps hold nothing but noise, or a line of the camera.
 void refuse_without_load(const LockinMaps& maps, double told_frequency);
 
 /// The recipe of the simulation beside the film. Throws InputError if it has not the stages that [twin] names.

@@ -118,12 +118,12 @@ void refuse_impossible(const FilmRecipe& recipe, const LockinMaps& maps) {
     throw InputError(fmt::format("half of its pixels swing by more than {:.3g} K, which no elastic grain does: levels of the camera are taken for kelvin, or "
                                  "the calibration is wrong; check [temperature]", swing));
   if (!recipe.lockin.phase) return;
-  const double off = phase_off(maps, *recipe.lockin.phase);
+  const double told = *recipe.lockin.phase / (2 * std::numbers::pi), off = phase_off(maps, told);  // in cycles
   if (std::abs(off) > phase_refused)
-    throw InputError(fmt::format("it swings {:.3g} cycles {} the phase that lockin.phase = {:.4g} tells ({}); give {:.4g}, or leave lockin.phase out to have it found",
-                                 std::abs(off), off > 0 ? "after" : "before", *recipe.lockin.phase,
+    throw InputError(fmt::format("it swings {:.4g} deg {} the phase that lockin.phase = \"{:.4g} deg\" tells ({}); give \"{:.4g} deg\", or leave lockin.phase out to have it found",
+                                 360 * std::abs(off), off > 0 ? "after" : "before", 360 * told,
                                  std::abs(off) > 0.5 - phase_refused ? "half a cycle: it cools where it should warm" : "warming stress swings in phase with its load",
-                                 wrapped(*recipe.lockin.phase + off)));
+                                 360 * wrapped(told + off)));
 }
 
 std::vector<std::string> film_doubts(const FilmRecipe& recipe, const FilmResult& r) {

@@ -67,7 +67,7 @@ struct LockinSection {
   enum class Method { least_squares, nearest_bin };
   double frequency = 0;             ///< Hz
   Method method = Method::least_squares;
-  std::int64_t drift = 2, harmonics = 2;
+  std::int64_t drift = 4, harmonics = 2;
   std::optional<double> phase;      ///< when the load is largest, rad after the first frame; found on the film if not given
   bool motion = true;               ///< grains' motion is fitted and taken out
   double diffusivity = 1e-7;        ///< of heat in the grains, m^2/s, about that of plastics

@@ -33,6 +33,14 @@ void declare(Visitor& v, camera::Detector& detector) {
   v.number({"gain_spread", "Standard deviation of the pixels' gain."}, detector.gain_spread, "%", range::between(0, 0.5));
   v.number({"offset_spread", "Standard deviation of their offset over the range."}, detector.offset_spread, "%", range::between(0, 0.5));
   v.number({"bad_share", "Share of pixels that are dead, hot or noisy."}, detector.bad_share, "%", range::between(0, 0.5));
+  v.number({"noise_correlation", "Of a pixel's noise in one frame with that in the next."}, detector.noise_correlation, "", range::between(0, 0.95));
+  v.number({"common_noise", "Standard deviation of what all pixels of a frame share beside their own noise."}, detector.common_noise, "mK", range::not_negative);
+}
+
+void declare(Visitor& v, camera::Interference& line) {
+  v.number({"line_frequency", "Of a line of the electronics in the film."}, line.frequency, "Hz", range::not_negative);
+  v.number({"line_amplitude", "Half of its swing; 0: there is none."}, line.amplitude, "mK", range::not_negative);
+  v.number({"line_advance", "Cycles by which its phase goes on from row to row."}, line.advance, "", range::any);
 }
 
 void declare(Visitor& v, camera::Surroundings& around) {
@@ -41,6 +49,9 @@ void declare(Visitor& v, camera::Surroundings& around) {
   v.number({"background_emissivity", "Of what is seen between the grains."}, around.background_emissivity, "", range::above(0, 1));
   v.number({"frame_emissivity", "Of the frame."}, around.frame_emissivity, "", range::above(0, 1));
   v.number({"drift", "Warming of the whole scene."}, around.drift, "mK/s", range::any);
+  v.number({"drift_growth", "By which this rate grows."}, around.drift_growth, "mK/s^2", range::any);
+  v.number({"warm_up", "By how much the scene warms beside, exponentially."}, around.warm_up, "K", range::any);
+  v.number({"warm_up_time", "After which 1/e of that is left to come."}, around.warm_up_time, "s", range::positive);
   v.flag({"radiometry", "Planck's law, emissivities and mirrored surroundings; false: levels are linear in temperature and all is black."},
          around.radiometry);
 }
@@ -63,6 +74,7 @@ void declare(ParameterVisitor& v, CameraSection& camera) {
   declare(v, camera.parameters.optics);
   declare(v, camera.parameters.photograph);
   declare(v, camera.parameters.detector);
+  declare(v, camera.parameters.interference);
   declare(v, camera.parameters.surroundings);
   declare(v, camera.parameters.timing);
   v.number({"band_low", "Shortest wavelength."}, camera.parameters.band.low, "um", range::positive);

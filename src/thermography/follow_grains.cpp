@@ -4,7 +4,6 @@
 #include <limits>
 #include <numbers>
 
-#include "core/median.hpp"
 #include "core/threads.hpp"
 #include "thermography/grain_motion.hpp"
 #include "thermography/grain_scene.hpp"
@@ -23,16 +22,6 @@ void put(LockinMaps& maps, std::size_t p, const Followed& f, double factor, doub
   maps.residual[p] = static_cast<float>(noise);
   maps.standard_error[p] = static_cast<float>(spread * noise);
   maps.noise_floor[p] = static_cast<float>(std::sqrt(std::numbers::pi / 2) * spread * noise);
-}
-
-/// By how much the lock-in's errors are larger than those of white noise with its residual: noise of real cameras is more at
-/// low frequencies, and pictures by phase do not show it.
-double correlated(const LockinMaps& maps, double white) {
-  std::vector<double> ratio;
-  for (std::size_t p = 0; p < maps.standard_error.size(); ++p)
-    ratio.push_back(static_cast<double>(maps.standard_error[p]) / (white * static_cast<double>(maps.residual[p])));
-  const double middle = median_of_finite(std::move(ratio));
-  return std::isfinite(middle) && middle > 0 ? middle : 1;
 }
 
 void project(LockinMaps& maps) {
@@ -79,8 +68,7 @@ std::vector<double> joined(const std::vector<std::vector<double>>& parts) {
 LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, const PictureGrains& grains, const GrainMotion& motion,
                          const PictureGrains& shown, std::optional<double> told_phase, int threads, double blur) {
   LockinMaps result = maps;
-  const double factor = maps.convention == SwingConvention::full ? 2 : 1, white = factor * std::sqrt(2 / static_cast<double>(maps.frames));
-  const double spread = white * correlated(maps, white);
+  const double factor = maps.convention == SwingConvention::full ? 2 : 1, spread = factor * std::sqrt(2 * maps.noise_ratio / static_cast<double>(maps.frames));
   const GrainScene scene = grain_scene(pictures, grains, motion, blur, threads);
   const PhasePictures rest = without_scene(pictures, scene, grains, motion, blur, threads);
   const std::vector<std::int32_t> owner = owners(shown, maps.width, maps.height);

@@ -26,6 +26,11 @@ std::vector<double> frame_times(const FilmInfo& film, double frame_rate) {
   return time;
 }
 
+double film_length(const std::vector<double>& time) {
+  const auto frames = static_cast<double>(time.size());
+  return time.size() < 2 ? 0 : (time.back() - time.front()) * frames / (frames - 1);
+}
+
 double nyquist_frequency(const std::vector<double>& time) {
   std::vector<double> step;
   for (std::size_t n = 1; n < time.size(); ++n) step.push_back(time[n] - time[n - 1]);

@@ -10,6 +10,9 @@ namespace arenite::thermography {
 /// there is no rate at all or stamps do not rise.
 std::vector<double> frame_times(const FilmInfo& film, double frame_rate = 0);
 
+/// From the beginning of the first frame to the end of the last, s.
+double film_length(const std::vector<double>& time);
+
 /// Half the rate of frames where they follow each other without a gap, Hz.
 double nyquist_frequency(const std::vector<double>& time);
 

@@ -9,8 +9,8 @@
 namespace arenite::thermography {
 
 /// Mean pictures of a cyclically loaded sample at phases of its load, as under a stroboscope: frames whose phase falls
-/// into the same part of the cycle are averaged, less the drift that the lock-in found. What moves or warms with the load
-/// is in these few pictures with all of the film's signal to noise.
+/// into the same part of the cycle are averaged, less drift of the lock-in's order, which frames of a like phase tell. What
+/// moves or warms with the load is in these few pictures with all of the film's signal to noise.
 struct PhasePictures {
   int width = 0, height = 0;
   std::vector<double> frames;       ///< in every picture

@@ -28,4 +28,11 @@ void for_runs(const SegmentSums& sums, const Team& team, const Work& work) {
   team.for_each(runs, [&](std::size_t r) { work(r, r * PixelFit::run, std::min(PixelFit::run, sums.pixels - r * PixelFit::run)); });
 }
 
+/// Calls work(first pixel, pixels) for at most about `most` chunks of pixels, spread over the picture.
+template <class Work>
+void for_some_chunks(const SegmentSums& sums, std::size_t most, const Work& work) {
+  const std::size_t chunks = (sums.pixels + chunk - 1) / chunk, every = std::max<std::size_t>(1, chunks / most);
+  for (std::size_t c = 0; c < chunks; c += every) work(c * chunk, std::min(chunk, sums.pixels - c * chunk));
+}
+
 }  // namespace arenite::thermography

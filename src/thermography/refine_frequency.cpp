@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/median.hpp"
+#include "thermography/frame_times.hpp"
 #include "thermography/pixel_fit.hpp"
 #include "thermography/segments_in_step.hpp"
 
@@ -100,13 +101,54 @@ class Newton {
   double typical_ = -1;
 };
 
+/// What a swing of this frequency explains in some thousand pixels, each weighed by its noise.
+double explained(const SegmentSums& s, double frequency, int drift_order) {
+  const HarmonicFit fit = harmonic_fit(s, frequency, drift_order, false);
+  const std::size_t own = fit.harmonic(1);
+  const Eigen::Matrix2d inverse = fit.covariance.block<2, 2>(static_cast<Eigen::Index>(own), static_cast<Eigen::Index>(own)).inverse();
+  double sum = 0;
+  PixelFit pixels;
+  for_some_chunks(s, 64, [&](std::size_t begin, std::size_t count) {
+    fit_pixels_with_variance(s, fit, begin, count, pixels);
+    const double freedom = static_cast<double>(s.time.size() - fit.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      const Eigen::Vector2d swing(pixels.value[own * PixelFit::run + i], pixels.value[(own + 1) * PixelFit::run + i]);
+      const double power = swing.dot(inverse * swing), rest = freedom * pixels.variance[i];
+      if (power + rest > 0 && std::isfinite(power + rest)) sum += power / (power + rest);
+    }
+  });
+  return sum;
+}
+
+/// The best of the frequencies an eighth of a cycle over the film apart.
+double best_fitting(const SegmentSums& s, const SearchBand& band, int drift_order) {
+  const double step = 1 / (8 * film_length(s.time));
+  double best = s.frequency, most = explained(s, s.frequency, drift_order);
+  for (int k = 0; band.low + k * step <= band.high; ++k)
+    if (const double share = explained(s, band.low + k * step, drift_order); share > most) most = share, best = band.low + k * step;
+  return best;
+}
+
 }  // namespace
 
+SearchBand search_band(const std::vector<double>& time, double frequency) {
+  const double length = film_length(time);
+  if (frequency * length < 2) return {};
+  const double reach = std::max(0.02 * frequency, 2 / length);
+  return {std::max(frequency - reach, 1 / length), std::min(frequency + reach, nyquist_frequency(time) - 0.5 / length)};
+}
+
+double frequencies_in(const SearchBand& band, const std::vector<double>& time) {
+  return band.empty() ? 1 : 1 + 2 * (band.high - band.low) * film_length(time);
+}
+
 FrequencyFit refine_frequency(const SegmentSums& sums, int drift_order, const Team& team) {
+  const SearchBand band = search_band(sums.time, sums.frequency);
+  const FrequencyFit as_told{sums.frequency, std::numeric_limits<double>::infinity()};
+  if (band.empty()) return as_told;
   const double time = sums.time.back() - sums.time.front();
-  const double reach = std::max(0.02 * sums.frequency, 2 / time);
   Newton newton(sums, drift_order, team);
-  FrequencyFit result{segments_in_step(sums, reach), 0};
+  FrequencyFit result{segments_show_swings(sums) ? segments_in_step(sums, band.low, band.high) : best_fitting(sums, band, drift_order), 0};
   std::size_t every = newton.runs() >= 64 ? 8 : 1;
   for (int turns = 0; turns < 12; ++turns) {
     const Step step = newton.step(result.frequency, every);
@@ -114,12 +156,12 @@ FrequencyFit refine_frequency(const SegmentSums& sums, int drift_order, const Te
     if (!std::isfinite(step.error)) break;
     const double change = std::clamp(step.frequency, -0.25 / time, 0.25 / time);
     result.frequency += change;
+    if (!(result.frequency > band.low && result.frequency < band.high)) return as_told;
     const bool converged = std::abs(change) < std::max(1e-2 * step.error, 1e-13 * result.frequency);
     if (every == 1 && (converged || std::abs(change) < 1e-4 / time)) break;
     if (converged || std::abs(change) < 0.03 / time) every = 1;
   }
-  if (std::isfinite(result.error) && std::abs(result.frequency - sums.frequency) < reach && result.error < 0.25 / time) return result;
-  return {sums.frequency, std::numeric_limits<double>::infinity()};
+  return result.error < 0.25 / time ? result : as_told;
 }
 
 }  // namespace arenite::thermography

@@ -13,7 +13,8 @@ constexpr std::size_t block_bytes = std::size_t{8} << 20;
 
 std::size_t segment_count(std::size_t frames, double cycles, int drift_order) {
   const auto by_cycles = static_cast<std::size_t>(std::clamp(cycles / 16, 16.0, 64.0));
-  const auto needed = 4 * static_cast<std::size_t>(drift_order + 1);
+  // In few cycles drift and swing are all but alike, and only fine segments tell them apart as well as single frames do.
+  const auto needed = std::max<std::size_t>(3 * static_cast<std::size_t>(drift_order + 1), cycles < 4 ? 32 : 0);
   return std::min(frames, std::max(needed, std::min(frames / 8, by_cycles)));
 }
 
@@ -32,6 +33,17 @@ void weigh(SegmentSums& s) {
         s.weights[n * s.functions + 2 * h] = static_cast<float>(std::cos(angle));
         s.weights[n * s.functions + 2 * h + 1] = static_cast<float>(std::sin(angle));
       }
+}
+
+/// Some pixels, by the golden section so that no two of them lie in one row or column of a regular pattern.
+void watch(SegmentSums& s) {
+  constexpr std::size_t most = 32, most_values = std::size_t{1} << 24;
+  const std::size_t count = std::min({s.pixels, most, std::max<std::size_t>(8, most_values / s.time.size())});
+  for (std::size_t i = 0; i < count; ++i) {
+    const double at = std::numbers::phi * static_cast<double>(i);
+    s.watched.push_back(count == s.pixels ? i : static_cast<std::size_t>((at - std::floor(at)) * static_cast<double>(s.pixels)));
+  }
+  s.seen.resize(s.time.size() * count);
 }
 
 template <class T>
@@ -53,6 +65,13 @@ struct Pass {
       if constexpr (sizeof(T) == 2) kernels().add_levels(weighed, sums, stride, begin, end);
       else kernels().add_values(weighed, sums, stride, begin, end);
     });
+    keep(frames, first, count);
+  }
+
+  void keep(const T* frames, std::size_t first, std::size_t count) {
+    float* out = s.seen.data() + first * s.watched.size();
+    for (std::size_t n = 0; n < count; ++n, frames += s.pixels)
+      for (const std::size_t p : s.watched) *out++ = static_cast<float>(frames[p]) - s.base[p];
   }
 
   void refer(const T* frame, std::size_t k, std::size_t begin, std::size_t end) {
@@ -100,6 +119,7 @@ SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double freq
   s.pixels = film.info().pixels();
   cut(s, segment_count(s.time.size(), frequency * (s.time.back() - s.time.front()), drift_order));
   weigh(s);
+  watch(s);
   s.base.resize(s.pixels);
   s.sums.reset(new float[s.view().at((s.pixels + chunk - 1) / chunk * chunk, 0, 0)]);
   const bool done = film.info().floating ? pass_over(s, team, film, film.values_in_memory(), progress)

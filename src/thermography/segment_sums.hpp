@@ -26,6 +26,8 @@ struct SegmentSums {
   std::vector<float> weights;       ///< frames x functions
   std::size_t pixels = 0;
   std::vector<float> base;          ///< first frame
+  std::vector<std::size_t> watched; ///< some pixels spread over the picture, whose every value is kept
+  std::vector<float> seen;          ///< frames x watched, less the pixel's first value
   std::unique_ptr<float[]> sums;    ///< see SegmentView; planes 1, functions, squares, first frame less the film's first
 
   std::size_t segments() const { return centre.size(); }

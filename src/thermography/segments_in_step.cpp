@@ -62,20 +62,22 @@ Eigen::MatrixXcd products(const SegmentSums& s) {
 
 }  // namespace
 
-double segments_in_step(const SegmentSums& s, double reach) {
+bool segments_show_swings(const SegmentSums& s) {
+  return s.frequency * (s.time.back() - s.time.front()) >= 1.5 * static_cast<double>(s.segments());
+}
+
+double segments_in_step(const SegmentSums& s, double low, double high) {
   const double time = s.time.back() - s.time.front(), segment = time / static_cast<double>(s.segments());
-  if (s.frequency * segment < 1.5) return s.frequency;
-  const double within = std::min(reach, 0.4 / segment), step = 1 / (8 * time);
+  const double below = std::min(s.frequency - low, 0.4 / segment), above = std::min(high - s.frequency, 0.4 / segment), step = 1 / (8 * time);
   const Eigen::MatrixXcd product = products(s);
   Eigen::VectorXcd phase(product.rows());
   const auto power = [&](double frequency) {
     for (Index k = 0; k < phase.size(); ++k) phase[k] = std::polar(1.0, turn * frequency * s.centre[static_cast<std::size_t>(k)]);
     return phase.dot(product * phase).real();
   };
-  const auto steps = static_cast<int>(within / step);
   int best = 0;
   double most = -1;
-  for (int k = -steps; k <= steps; ++k)
+  for (int k = -static_cast<int>(below / step); k <= static_cast<int>(above / step); ++k)
     if (const double p = power(s.frequency + k * step); p > most) most = p, best = k;
   const double before = power(s.frequency + (best - 1) * step), after = power(s.frequency + (best + 1) * step);
   const double curve = before - 2 * most + after, shift = curve < 0 ? std::clamp(0.5 * (before - after) / curve, -0.5, 0.5) : 0;

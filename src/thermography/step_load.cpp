@@ -9,51 +9,19 @@
 #include "core/error.hpp"
 #include "thermography/find_step.hpp"
 #include "thermography/frame_times.hpp"
+#include "thermography/some_pixels.hpp"
+#include "thermography/step_sides.hpp"
 
 namespace arenite::thermography {
 
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 void check(const StepOptions& o) {
   if (o.drift_order < 0 || o.drift_order > 4) throw InputError(fmt::format("the drift's order is {}; it must be 0 to 4", o.drift_order));
   if (!(o.rise >= 0) || !(o.window >= 0)) throw InputError("the step's rise and window must not be below 0 s");
-}
-
-/// Frames first .. first + count - 1 on one side of a step and their polynomials, orthonormal over these frames: a number
-/// of the fit is a weighed sum of values. Heights and slopes are those of the polynomials at the step.
-struct Side {
-  std::size_t first = 0, count = 0;
-  MatrixXd weight;  ///< polynomials x frames
-  VectorXd height, slope;
-};
-
-Side side_of(const std::vector<double>& time, std::size_t first, std::size_t end, double step, int order, const char* name) {
-  const auto size = static_cast<Index>(order + 1);
-  if (end < first + static_cast<std::size_t>(size) + 2)
-    throw InputError(fmt::format("the film has {} frames {} the step at {:.6g} s that can be used, too few for a drift of order {}; give another time, a longer "
-                                 "window, a shorter rise or less drift", end > first ? end - first : 0, name, step, order));
-  Side side{first, end - first, {}, VectorXd::Zero(size), VectorXd::Zero(size)};
-  const double length = std::max(std::abs(time[first] - step), std::abs(time[end - 1] - step));
-  MatrixXd power(static_cast<Index>(side.count), size);
-  for (Index n = 0; n < power.rows(); ++n) {
-    const double x = (time[first + static_cast<std::size_t>(n)] - step) / length;
-    for (Index k = 0; k < size; ++k) power(n, k) = k == 0 ? 1 : power(n, k - 1) * x;
-  }
-  const Eigen::HouseholderQR<MatrixXd> qr(power);
-  side.weight = (qr.householderQ() * MatrixXd::Identity(power.rows(), size)).transpose();
-  const MatrixXd r = qr.matrixQR().topRows(size).triangularView<Eigen::Upper>();
-  VectorXd unit = VectorXd::Zero(size);
-  unit[0] = 1;
-  side.height = r.transpose().triangularView<Eigen::Lower>().solve(unit);
-  if (order == 0) return side;
-  unit.setZero();
-  unit[1] = 1 / length;
-  side.slope = r.transpose().triangularView<Eigen::Lower>().solve(unit);
-  return side;
 }
 
 /// Weighed sums of all pixels' values, less the pixel's first one.
@@ -62,7 +30,7 @@ class Sums {
   Sums(std::size_t pixels, Index size) : pixels_(pixels), base_(pixels), squares_(pixels), sum_(static_cast<std::size_t>(size), std::vector<double>(pixels)) {}
 
   /// False if stopped.
-  bool pass(FilmSource& film, const Side& side, const Team& team, const std::function<bool(std::size_t)>& progress) {
+  bool pass(FilmSource& film, const StepSide& side, const Team& team, const std::function<bool(std::size_t)>& progress) {
     const std::size_t at_once = std::clamp<std::size_t>((std::size_t{1} << 22) / pixels_, 1, 256);
     FrameBlock block;
     for (std::size_t n = 0; n < side.count; n += at_once) {
@@ -90,7 +58,7 @@ class Sums {
 
  private:
   template <class T>
-  void add(const T* frames, std::size_t first, std::size_t count, const Side& side, const Team& team) {
+  void add(const T* frames, std::size_t first, std::size_t count, const StepSide& side, const Team& team) {
     team.for_ranges(pixels_, [&](std::size_t begin, std::size_t end) {
       if (first == 0)
         for (std::size_t p = begin; p < end; ++p) base_[p] = static_cast<double>(frames[p]);
@@ -113,19 +81,19 @@ class Sums {
   std::vector<std::vector<double>> sum_;
 };
 
-void fill(StepMaps& maps, const Side (&side)[2], const Sums (&sums)[2]) {
+void fill(StepMaps& maps, const StepSides& sides, const Sums (&sums)[2]) {
   const std::size_t pixels = static_cast<std::size_t>(maps.width) * static_cast<std::size_t>(maps.height);
   for (auto* map : {&maps.jump, &maps.standard_error, &maps.level, &maps.drift_before, &maps.drift_after, &maps.residual}) map->resize(pixels);
-  const double spread = std::sqrt(side[0].height.squaredNorm() + side[1].height.squaredNorm());
-  const double freedom = static_cast<double>(maps.before + maps.after) - 2.0 * static_cast<double>(maps.drift_order + 1);
+  const double spread = std::sqrt(sides.variance());
+  const double freedom = static_cast<double>(maps.before + maps.after) - static_cast<double>(sides.before.height.size() + sides.after.height.size());
   bool changes = false;
   for (std::size_t p = 0; p < pixels; ++p) {
-    const double before = sums[0].base(p) + sums[0].at(side[0].height, p), after = sums[1].base(p) + sums[1].at(side[1].height, p);
+    const double before = sums[0].base(p) + sums[0].at(sides.before.height, p), after = sums[1].base(p) + sums[1].at(sides.after.height, p);
     const double left = sums[0].squares(p) + sums[1].squares(p) - sums[0].explained(p) - sums[1].explained(p), noise = std::sqrt(std::max(left, 0.0) / freedom);
     maps.level[p] = static_cast<float>(before);
     maps.jump[p] = static_cast<float>(after - before);
-    maps.drift_before[p] = static_cast<float>(sums[0].at(side[0].slope, p));
-    maps.drift_after[p] = static_cast<float>(sums[1].at(side[1].slope, p));
+    maps.drift_before[p] = static_cast<float>(sums[0].at(sides.before.slope, p));
+    maps.drift_after[p] = static_cast<float>(sums[1].at(sides.after.slope, p));
     maps.residual[p] = static_cast<float>(std::isfinite(left) ? noise : left);
     maps.standard_error[p] = static_cast<float>(static_cast<double>(maps.residual[p]) * spread);
     changes = changes || sums[0].squares(p) > 0 || sums[1].squares(p) > 0 || std::abs(sums[0].base(p) - sums[1].base(p)) > 0;
@@ -133,38 +101,61 @@ void fill(StepMaps& maps, const Side (&side)[2], const Sums (&sums)[2]) {
   if (!changes) throw InputError("every pixel of the film is constant in time (or is no number); a step needs a film of a loaded sample");
 }
 
+StepSides sides_at(double step, const Eigen::MatrixXd& series, const std::vector<double>& time, const StepOptions& o) {
+  if (!(step > time.front() && step < time.back()))
+    throw InputError(fmt::format("the step at {:.6g} s is not within the film, which lasts {:.6g} s", step, time.back()));
+  const double far = o.window > 0 ? o.window : time.back() + 1;
+  const auto after_time = [&](double t) { return static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin()); };
+  const auto from_time = [&](double t) { return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin()); };
+  return step_sides(series, time, step, o.drift_order, from_time(step - far), from_time(step - o.rise / 2), after_time(step + o.rise / 2), after_time(step + far));
+}
+
+/// Throws where the jumps that were sought are no more than noise makes them.
+void refuse_without_step(const Eigen::MatrixXd& series, const StepSides& s) {
+  const auto part = [&](const StepSide& side) { return series.middleCols(static_cast<Index>(side.first), static_cast<Index>(side.count)); };
+  const Eigen::MatrixXd before = part(s.before) * s.before.weight.transpose(), after = part(s.after) * s.after.weight.transpose();
+  const double squares = part(s.before).squaredNorm() + part(s.after).squaredNorm() - before.squaredNorm() - after.squaredNorm();
+  const auto frames = static_cast<double>(s.before.count + s.after.count - static_cast<std::size_t>(s.before.height.size() + s.after.height.size()));
+  const double tried = std::sqrt(2 * std::log(100 * static_cast<double>(series.cols())));  // one split in so many, once in a hundred films
+  const double jumps = (after * s.after.height - before * s.before.height).squaredNorm();
+  if (jumps > chi_squared_above(s.noise.pixels, tried) * s.variance() * squares / frames) return;
+  throw InputError("the film shows no step of the load: nowhere do its pixels jump by more than their noise; give the time of the step");
+}
+
 }  // namespace
 
 StepMaps step_load(FilmSource& film, const StepOptions& o) {
   check(o);
   const std::vector<double> time = frame_times(film.info(), o.frame_rate);
+  if (o.time && !(*o.time > time.front() && *o.time < time.back()))
+    throw InputError(fmt::format("the step at {:.6g} s is not within the film, which lasts {:.6g} s", *o.time, time.back()));
+  bool stopped = false;
+  const Eigen::MatrixXd series = some_pixels(film, [&](double share) {
+    stopped = o.progress && !o.progress(share / 2);
+    return !stopped;
+  });
+  if (stopped) return {};
+  if (series.rows() == 0) throw InputError("every pixel of the film is constant in time (or is no number); a step needs a film of a loaded sample");
   StepMaps maps;
-  const double passes = o.time ? 1 : 2;
-  maps.time = o.time ? *o.time : find_step(film, time, o.drift_order, o.progress ? [&](double share) { return o.progress(share / 2); } : Progress());
-  if (!o.time && maps.time < 0) return {};
-  if (!(maps.time > time.front() && maps.time < time.back()))
-    throw InputError(fmt::format("the step at {:.6g} s is not within the film, which lasts {:.6g} s", maps.time, time.back()));
-  const double far = o.window > 0 ? o.window : time.back() + 1;
-  const auto after_time = [&](double t) { return static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin()); };
-  const auto from_time = [&](double t) { return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin()); };
-  const Side side[2] = {side_of(time, from_time(maps.time - far), from_time(maps.time - o.rise / 2), maps.time, o.drift_order, "before"),
-                        side_of(time, after_time(maps.time + o.rise / 2), after_time(maps.time + far), maps.time, o.drift_order, "after")};
+  maps.time = o.time ? *o.time : find_step(series, time, o.drift_order);
+  const StepSides sides = sides_at(maps.time, series, time, o);
+  if (!o.time) refuse_without_step(series, sides);
   maps.width = film.info().width;
   maps.height = film.info().height;
-  maps.before = side[0].count;
-  maps.after = side[1].count;
+  maps.before = sides.before.count;
+  maps.after = sides.after.count;
   maps.drift_order = o.drift_order;
-  const auto size = static_cast<Index>(o.drift_order + 1);
-  Sums sums[2] = {Sums(film.info().pixels(), size), Sums(film.info().pixels(), size)};
+  maps.relaxation_before = sides.before.relaxation;
+  maps.relaxation_after = sides.after.relaxation;
+  Sums sums[2] = {Sums(film.info().pixels(), sides.before.height.size()), Sums(film.info().pixels(), sides.after.height.size())};
   const Team team(o.threads);
   std::size_t read = 0;
   const auto progress = [&](std::size_t frames) {
     read += frames;
-    return !o.progress || o.progress(((passes - 1) + static_cast<double>(read) / static_cast<double>(maps.before + maps.after)) / passes);
+    return !o.progress || o.progress((1 + static_cast<double>(read) / static_cast<double>(maps.before + maps.after)) / 2);
   };
-  for (std::size_t k = 0; k < 2; ++k)
-    if (!sums[k].pass(film, side[k], team, progress)) return {};
-  fill(maps, side, sums);
+  if (!sums[0].pass(film, sides.before, team, progress) || !sums[1].pass(film, sides.after, team, progress)) return {};
+  fill(maps, sides, sums);
   return maps;
 }
 

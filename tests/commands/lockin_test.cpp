@@ -53,7 +53,32 @@ TEST(LockInCommand, SaysWhereTheFilmShowsNoLoad) {
   const auto loaded = arenite("lockin " + film_in(folder) + " --frequency 3Hz --json"), elsewhere = arenite("lockin " + film_in(folder) + " --frequency 30Hz --json");
   EXPECT_EQ(loaded.err, "");
   EXPECT_EQ(Json::parse(loaded.out)["shows_load"], true);
-  EXPECT_NE(elsewhere.err.find("nothing but noise swings at "), std::string::npos) << elsewhere.err;
+  EXPECT_EQ(elsewhere.status, 2);
+  EXPECT_NE(elsewhere.err.find("film.h5: nothing but noise swings at 30 Hz, but the film swings at 3.00"), std::string::npos) << elsewhere.err;
+  const auto kept = arenite("lockin " + film_in(folder) + " --frequency 30Hz --no-refinement --json");
+  EXPECT_EQ(kept.status, 0);
+  EXPECT_NE(kept.err.find("but the film swings at 3"), std::string::npos) << kept.err;
+  EXPECT_EQ(Json::parse(kept.out)["shows_load"], false);
+}
+
+TEST(LockInCommand, ShowsNoLoadInAFilmOfACameraAtRest) {
+  const auto still = arenite("lockin " + test::infrared("PyradiSampleMWIR.ptw").string() + " --frequency 4.67Hz --json");
+  EXPECT_EQ(still.status, 0) << still.err;  // a line of the electronics is there
+  EXPECT_EQ(Json::parse(still.out)["shows_load"], false);
+  EXPECT_LT(Json::parse(still.out)["share_in_one_phase"].get<double>(), 0.5);
+  EXPECT_NE(still.err.find("PyradiSampleMWIR.ptw: what swings at 4.6"), std::string::npos) << still.err;
+}
+
+TEST(LockInCommand, RefusesACycleThatDriftCouldBe) {
+  const TemporaryFolder folder;
+  test::SwingingFilm swing;
+  swing.frames = 50;
+  Film film = swing.draw();
+  io::write_film(folder / "film.h5", film);
+  const auto refused = arenite("lockin " + (folder / "film.h5").string() + " --frame-rate 148Hz --frequency 3Hz --out " + (folder / "none").string());
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("holds 1.01 cycles of 3 Hz, too few to tell the swing from a drift of order 4; ask for less drift"), std::string::npos) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "none"));
 }
 
 TEST(LockInCommand, PhasesAreAnglesInDegrees) {
@@ -156,6 +181,24 @@ TEST(StepCommand, MeasuresTheJumpAndWritesMaps) {
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.err.find("film.npy: the step at 9 s is not within the film"), std::string::npos) << refused.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "none"));
+}
+
+TEST(StepCommand, SaysThatAJumpRelaxes) {
+  const TemporaryFolder folder;
+  test::SwingingFilm still;
+  still.amplitude = 0;
+  still.noise = 0.02;
+  still.frames = 1480;
+  Film film = still.draw();
+  for (std::size_t i = 740 * 45; i < film.value.size(); ++i) film.value[i] += static_cast<float>(0.75 * std::exp(-(static_cast<double>(i / 45) - 740) / 148 / 1.5));
+  io::write_film(folder / "film.npy", film);
+  const std::string step = "step " + (folder / "film.npy").string() + " --frame-rate 148Hz --time 4.997s";
+  const auto found = arenite(step + " --json"), told = arenite(step);
+  ASSERT_EQ(found.status, 0) << found.err;
+  EXPECT_NEAR(Json::parse(found.out)["relaxation_after_s"].get<double>(), 1.5, 0.05);
+  EXPECT_TRUE(Json::parse(found.out)["relaxation_before_s"].is_null());
+  EXPECT_NEAR(Json::parse(found.out)["median"]["jump"].get<double>(), 0.75, 0.01);
+  EXPECT_NE(told.out.find("relaxation       1.5"), std::string::npos) << told.out;
 }
 
 TEST(LockInCommand, RefusesInOneSentence) {

@@ -22,7 +22,10 @@ struct MovingDisks {
   double contrast = 1.5;            ///< K
   double radius = 4.6;
   double gap = 0.1;                 ///< pixels between neighbours
+  double curve = 0, warm_up = 0;    ///< K by which the scene warms, as the square of the time, and exponentially within a fifth of the film
   std::uint64_t seed = 7;
+
+  double drift(double share) const { return curve * share * share - warm_up * std::expm1(-5 * share); }
 
   PictureGrains grains() const {
     PictureGrains g;
@@ -67,7 +70,8 @@ struct MovingDisks {
           }
       }
       RandomStream random(seed, Purpose::test, 100 + n);
-      for (const double v : frame) film.value.push_back(static_cast<float>(v + noise * random.normal()));
+      const double warmer = drift(static_cast<double>(n) / static_cast<double>(frames));
+      for (const double v : frame) film.value.push_back(static_cast<float>(v + warmer + noise * random.normal()));
     }
     return film;
   }

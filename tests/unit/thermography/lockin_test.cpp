@@ -71,6 +71,7 @@ void expect_refused(Film film, const LockinOptions& o, const char* word) {
 
 TEST(LockIn, RefusesFilmsThatShowNoCycle) {
   const SwingingFilm film;
+  expect_refused(film.draw(), at(30), "but the film swings at 3");
   expect_refused(film.draw(), at(74), "Nyquist");
   expect_refused(film.draw(), at(90), "Nyquist");
   expect_refused(film.draw(), at(0.1), "cycles");

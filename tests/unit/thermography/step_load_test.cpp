@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/random.hpp"
+#include "support/correlated_noise.hpp"
 #include "support/pictures.hpp"
 #include "support/swinging_film.hpp"
 
@@ -68,6 +70,77 @@ TEST(StepLoad, StandardErrorsAreTrue) {
   const auto beyond = [](double n) { return (4 * n + 2) / (n * (n - 1)); };
   EXPECT_NEAR(maps.standard_error[7] / maps.residual[7], std::sqrt(beyond(40) + beyond(79)), 1e-5);
   EXPECT_NEAR(maps.residual[7], 0.02, 0.005);
+}
+
+/// 24 x 20 pixels, 50 frames a second: jumps of 0.25 to 0.7 at 10 s that relax within `decay` (0: not at all), and a camera that warms up.
+struct RelaxingFilm {
+  int width = 24, height = 20;
+  std::size_t frames = 1000;
+  double rate = 50, noise = 0, decay = 0, warm_up = 0;
+  std::uint64_t seed = 1;
+  std::vector<double> time = {};
+
+  double jump(std::size_t p) const { return 0.25 + 0.05 * static_cast<double>(p % 10); }
+  double at(std::size_t p, double t) const {
+    const double since = t - 10;
+    return 300 + static_cast<double>(p % 13) + 0.02 * t + warm_up * std::exp(-t / 3) + (since < 0 ? 0 : jump(p) * (decay > 0 ? std::exp(-since / decay) : 1));
+  }
+};
+
+/// Mean relative error of the jumps, and the root mean square of their errors over that of the standard errors.
+std::pair<double, double> errors_of(RelaxingFilm of, test::CorrelatedNoise noise, bool told) {
+  double bias = 0, square = 0, standard = 0;
+  constexpr int films = 4;
+  for (noise.seed = 1; noise.seed <= films; ++noise.seed) {
+    Film film = test::draw_film(of);
+    noise.add_to(film);
+    StepOptions options;
+    if (told) options.time = 10.0;
+    const StepMaps maps = step_load(film, options);
+    EXPECT_NEAR(maps.time, 10, 0.03);
+    for (std::size_t p = 0; p < maps.size(); ++p) {
+      const double off = static_cast<double>(maps.jump[p]) - of.jump(p);
+      bias += off / of.jump(p) / static_cast<double>(maps.size()) / films;
+      square += off * off;
+      standard += std::pow(static_cast<double>(maps.standard_error[p]), 2);
+    }
+  }
+  return {bias, std::sqrt(square / standard)};
+}
+
+TEST(StepLoad, JumpsThatRelaxAreNotCalledSmaller) {
+  for (const double correlation : {0.0, 0.5})
+    for (const double decay : {0.0, 1.0, 2.0, 5.0, 10.0})
+      for (const double noise : {0.005, 0.05}) {
+        RelaxingFilm film;
+        film.decay = decay;
+        const auto [bias, error] = errors_of(film, {noise, 0, correlation}, noise < 0.01);
+        EXPECT_NEAR(bias, 0, 0.02) << decay << " " << correlation << " " << noise;
+        EXPECT_GT(error, 0.7) << decay << " " << correlation << " " << noise;
+        EXPECT_LT(error, 1.15) << decay << " " << correlation << " " << noise;
+      }
+}
+
+TEST(StepLoad, ACameraThatWarmsUpDoesNotChangeTheJump) {
+  RelaxingFilm film;
+  film.warm_up = 0.5;
+  film.decay = 2;
+  const auto [bias, error] = errors_of(film, {0.02, 0, 0.3}, true);
+  EXPECT_NEAR(bias, 0, 0.02);
+  EXPECT_LT(error, 1.15);
+}
+
+TEST(StepLoad, CorrelatedNoiseIsNoStep) {
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    RelaxingFilm still;
+    still.width = still.height = 12, still.frames = 300;
+    Film film = test::draw_film(still);
+    for (std::size_t p = 0; p < film.value.size(); ++p) film.value[p] = 300;
+    test::CorrelatedNoise{0.02, seed % 2 ? 0.02 : 0, 0.6, seed}.add_to(film);
+    if (test::complaint([&] { step_load(film, {}); }).empty()) ++found;
+  }
+  EXPECT_LE(found, 2);
 }
 
 TEST(StepLoad, TheStepIsFoundOnTheFilm) {
