@@ -129,10 +129,10 @@ void refuse_impossible(const FilmRecipe& recipe, const LockinMaps& maps) {
 std::vector<std::string> film_doubts(const FilmRecipe& recipe, const FilmResult& r) {
   std::vector<std::string> doubts;
   if (recipe.lockin.phase) {
-    const double off = phase_off(r.maps, *recipe.lockin.phase);
+    const double off = phase_off(r.maps, *recipe.lockin.phase / (2 * std::numbers::pi));
     if (std::abs(off) > phase_doubted)
-      doubts.push_back(fmt::format("grains swing {:.3g} cycles off the phase that lockin.phase tells; check it, and that heat does not diffuse over pixels "
-                                   "within a cycle (`arenite lockin --diffusivity --pixel`)", std::abs(off)));
+      doubts.push_back(fmt::format("grains swing {:.3g} deg off the phase that lockin.phase tells; check it, and that heat does not diffuse over pixels "
+                                   "within a cycle (`arenite lockin --diffusivity --pixel`)", 360 * std::abs(off)));
   }
   if (const Adiabatic heat(recipe.lockin.diffusivity, r.maps.frequency, r.pixel); !heat.holds()) doubts.push_back(heat.sentence());
   if (r.rim_blur > 0 && std::abs(r.rim_blur - recipe.forces.blur) > blur_doubted)

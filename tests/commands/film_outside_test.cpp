@@ -47,9 +47,9 @@ TEST(FilmOutside, MistakesOfALaboratoryAreFound) {
   said(factors_times_one_and_a_half, "times the forces that the load swing");
   said(factors_exchanged, "the two materials are taken for each other");
   said("--set frame.load_swing='\"" + std::to_string(2 * told_load(of)) + " kN\"'", "the likely causes are load_swing (told 2.0");
-  const auto quadrature = of.film("--set lockin.phase=0.25");
+  const auto quadrature = of.film("--set lockin.phase='\"90 deg\"'");
   EXPECT_EQ(quadrature.status, 2);
-  EXPECT_NE(quadrature.err.find("lockin.phase = 0.25"), std::string::npos) << quadrature.err;
+  EXPECT_NE(quadrature.err.find("lockin.phase = \"90 deg\""), std::string::npos) << quadrature.err;
 }
 
 TEST(FilmOutside, CountsTakenForKelvinAreRefused) {
@@ -144,7 +144,7 @@ TEST(CameraCommand, ABlindRecipeHoldsWhatALaboratoryKnows) {
     const auto at = text.find("\n" + key + " = ");
     return at == std::string::npos ? std::string() : text.substr(at + 1, text.find('\n', at + 1) - at - 1);
   };
-  EXPECT_EQ(line(told, "phase"), "phase = 0.5");
+  EXPECT_EQ(line(told, "phase"), "phase = \"180 deg\"");
   EXPECT_EQ(line(blind, "phase"), "");
   for (const char* key : {"travel", "ambient"}) EXPECT_NE(line(told, key), line(blind, key)) << key;
   EXPECT_NE(blind.find("load_swing = "), std::string::npos);

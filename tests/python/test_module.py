@@ -34,7 +34,7 @@ def test_without_its_compiled_part_it_says_what_builds_it(tmp_path):
 
 
 def test_a_packing_has_its_velocities_and_its_contacts_theirs():
-    recipe = arenite.Recipe.template("composite", {"populations.0.count": 20, "populations.1.count": 20, "frame.width": "90 mm", "stages.0.rest.max_steps": 2000})
+    recipe = arenite.Recipe.template("composite", {"populations.0.count": 20, "populations.1.count": 20, "frame.width": "90 mm", "packing.solid_fraction": 0.7, "stages.0.rest.max_steps": 2000})
     state = arenite.load_stage(arenite.pack(recipe), recipe, "prepare").packing
     for name in ("vx", "vy", "omega"):
         assert getattr(state, name).shape == state.x.shape

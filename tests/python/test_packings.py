@@ -124,7 +124,7 @@ def test_files_are_read_with_what_they_do_not_say(tmp_path):
 
 
 def test_curves_of_textures_are_arrays(result):
-    texture = arenite.measure(result.stages[-1].packing)
+    texture = arenite.measure(result.stages[-1].packing, load_axis=90)
     for curve in (texture["rev"]["mean"], texture["sigma_norm"]["cumulative"]["x"], texture["fabric"]["sectors"]):
         assert isinstance(curve, np.ndarray) and curve.dtype == float
     assert texture["fabric"]["phi"]["value"].shape == (2, 2) and texture["notes"] == []

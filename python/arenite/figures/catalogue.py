@@ -123,6 +123,7 @@ figures = [
     Figure("broken-bonds", "field", one(failure.draw_broken_bonds, lambda f: f), lambda f: has_curve(f) and len(f.cracks["type"]) > 0),
     Figure("energy-balance", "field", one(failure.draw_energy_balance, lambda f: f.curve), has_curve),
     Figure("maps", "film", panels.film_maps, height=0.46, wide=True),
+    Figure("film-fit", "film", films.draw_fit, lambda f: has_forces(f) and f.fitted.size > 0, 0.4, True),
     Figure("grains", "film", with_bar(films.draw_film_grains, lambda f: f, sigma_norm), lambda f: len(f.sigma_hyd) > 0, 0.9),
     Figure("stresses", "film", one(film_forces.draw_ranked_stresses, lambda f: f), lambda f: len(f.sigma_hyd) > 0),
     Figure("forces", "film", panels.ranked_forces, has_forces, 0.4, True),

@@ -39,6 +39,20 @@ def draw_map(axes, values, label=None, share=0.005, colour_map="inferno", about=
     return shown
 
 
+def draw_fit(figure, film):
+    """The film's swing, what the contact forces make of it, and the first less the second: full swings on one scale."""
+    fitted = np.asarray(film.fitted, float)
+    full = 1 if film.maps.full_swing else 2
+    measured = np.where(np.isfinite(fitted), full * np.asarray(film.maps.in_phase, float), np.nan)
+    known = measured[np.isfinite(measured)]
+    reach = np.quantile(np.abs(known), 0.99) if known.size else 1
+    for k, (title, values) in enumerate([("measured", measured), ("by the forces", fitted), ("left", measured - fitted)]):
+        axes = figure.add_subplot(1, 3, k + 1)
+        shown = _show(axes, values, film.pixel, vmin=-reach, vmax=reach, cmap=diverging_map)
+        axes.set_title(title)
+    figure.colorbar(shown, ax=figure.axes, label="warming with the load (K)", shrink=0.8)
+
+
 def phase_after_load(maps):
     """Phase of the swing after that of the load, degrees in (-180, 180]."""
     angle = np.degrees(np.asarray(maps.phase, float) - maps.reference_phase)
