@@ -56,8 +56,8 @@ void describe_checks(NumberLines& lines, const Json& numbers) {
   lines.heading("Forces against film and load");
   lines.add("left by the fit over the noise", "/checks/misfit_over_noise");
   lines.add("left by the fit over the signal", "/checks/misfit_over_signal");
-  lines.add("error of the disks' fields that agrees", "/checks/field_error_that_agrees");
-  lines.add("load by forces that are not told it", "/checks/load_by_forces_N", "N");
+  lines.add("error of fields that agrees", "/checks/field_error_that_agrees");
+  lines.add("load by forces not told it", "/checks/load_by_forces_N", "N");
   lines.add("blur of the rims", "/checks/blur_of_rims_pixels", "pixels");
   if (lines.has("/checks/factor_scale"))
     for (const auto& [name, value] : numbers["checks"]["factor_scale"].items()) lines.add("factor wanted over told, " + name, "/checks/factor_scale/" + name);

@@ -61,8 +61,8 @@ TEST(FilmOutside, CountsTakenForKelvinAreRefused) {
   film.about.quantity = {};
   film.level = test::all_of(*source).level;
   io::write_film(of.at("film/counts.tif"), film);
-  const auto done = test::arenite("film " + of.at("film/counts.tif").string() + " --recipe " + of.at("film/film.toml").string() + " --quiet --out " + of.at("result").string() +
-                                  " --set temperature.from='\"film\"'");
+  of.edit("kelvin.toml", "from = \"plates\"", "from = \"film\"\nassumed_emissivity = 1");
+  const auto done = test::arenite("film " + of.at("film/counts.tif").string() + " --recipe " + of.at("film/kelvin.toml").string() + " --quiet --out " + of.at("result").string());
   EXPECT_EQ(done.status, 2) << done.err;
   EXPECT_NE(done.err.find("kelvin"), std::string::npos) << done.err;
 }

@@ -262,7 +262,7 @@ TEST(FilmCommand, RefusesLevelsThatNothingTurnsIntoTemperatures) {
   std::string text = test::slurp(of.at("film/film.toml"));
   const auto section = text.find("[temperature]");
   text.erase(section, text.find("\n[", section) - section);
-  std::ofstream(of.at("film/kelvin.toml")) << text << "\n[temperature]\nfrom = \"film\"\n";
+  std::ofstream(of.at("film/kelvin.toml")) << text << "\n[temperature]\nfrom = \"film\"\nassumed_emissivity = 1\n";
   expect_refused(of, of.film("", "film", "kelvin.toml"), "film.ptw: says that it holds digital levels, and temperature.from = \"film\" of ");
 }
 

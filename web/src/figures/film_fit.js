@@ -36,7 +36,7 @@ export const fitMaps = {
     all.forEach(([name, values], k) => {
       const x = k * (wide + gap), spread = Math.sqrt(meanSquare(values));
       svg.append(label(x, 9, `${name}, r.m.s. ${text.quantity(spread, film.about.film.unit)}`, null, { fill: theme.ink }),
-        s("svg", { x, y: head, width: wide, height: high, viewBox: `${left} ${top} ${right - left} ${bottom - top}`, preserveAspectRatio: "none" },
+        s("svg", { x, y: head, width: wide, height: high, viewBox: `${left} ${top} ${right - left} ${bottom - top}`, preserveAspectRatio: "none", style: "overflow: hidden" },
           s("image", { href: painted(film, values, scale, theme.diverging, theme.field.aside), x: -0.5, y: -0.5, width: film.width, height: film.height, preserveAspectRatio: "none", style: "image-rendering: pixelated" })));
     });
     svg.append(s("g", { transform: `translate(0 ${head + high + 10})` },
