@@ -110,15 +110,10 @@ StepSides sides_at(double step, const Eigen::MatrixXd& series, const std::vector
   return step_sides(series, time, step, o.drift_order, from_time(step - far), from_time(step - o.rise / 2), after_time(step + o.rise / 2), after_time(step + far));
 }
 
-/// Throws where the jumps that were sought are no more than noise makes them.
-void refuse_without_step(const Eigen::MatrixXd& series, const StepSides& s) {
-  const auto part = [&](const StepSide& side) { return series.middleCols(static_cast<Index>(side.first), static_cast<Index>(side.count)); };
-  const Eigen::MatrixXd before = part(s.before) * s.before.weight.transpose(), after = part(s.after) * s.after.weight.transpose();
-  const double squares = part(s.before).squaredNorm() + part(s.after).squaredNorm() - before.squaredNorm() - after.squaredNorm();
-  const auto frames = static_cast<double>(s.before.count + s.after.count - static_cast<std::size_t>(s.before.height.size() + s.after.height.size()));
-  const double tried = std::sqrt(2 * std::log(100 * static_cast<double>(series.cols())));  // one split in so many, once in a hundred films
-  const double jumps = (after * s.after.height - before * s.before.height).squaredNorm();
-  if (jumps > chi_squared_above(s.noise.pixels, tried) * s.variance() * squares / frames) return;
+/// Throws where the jumps that were sought in so many frames are no more than noise makes them once in a hundred films.
+void refuse_without_step(const StepSides& sides, std::size_t frames) {
+  const double tried = std::sqrt(2 * std::log(100 * static_cast<double>(frames)));
+  if (sides.evidence > chi_squared_above(sides.noise.pixels, tried)) return;
   throw InputError("the film shows no step of the load: nowhere do its pixels jump by more than their noise; give the time of the step");
 }
 
@@ -139,7 +134,7 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
   StepMaps maps;
   maps.time = o.time ? *o.time : find_step(series, time, o.drift_order);
   const StepSides sides = sides_at(maps.time, series, time, o);
-  if (!o.time) refuse_without_step(series, sides);
+  if (!o.time) refuse_without_step(sides, time.size());
   maps.width = film.info().width;
   maps.height = film.info().height;
   maps.before = sides.before.count;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
 
@@ -110,6 +111,12 @@ StepSide choose(const MatrixXd& series, const Place& at, const StepSide& relaxin
   return side;
 }
 
+/// Divides every pixel by what the polynomials leave of it; one of which they leave nothing says nothing of the noise.
+void weigh(MatrixXd& series, const StepSide& before, const StepSide& after) {
+  const VectorXd left = (left_by(series, before).rowwise().squaredNorm() + left_by(series, after).rowwise().squaredNorm()) / static_cast<double>(before.count + after.count);
+  for (Index i = 0; i < series.rows(); ++i) series.row(i) *= left[i] > 0 ? 1 / std::sqrt(left[i]) : 0;
+}
+
 double freedom(const StepSide& side) { return static_cast<double>(side.count) - static_cast<double>(side.height.size()); }
 
 }  // namespace
@@ -120,7 +127,7 @@ double StepSides::variance() const {
   return weight.squaredNorm() * noise.widening(weight) + before.misfit + after.misfit;
 }
 
-StepSides step_sides(const MatrixXd& series, const std::vector<double>& time, double step, int order, std::size_t first, std::size_t end,
+StepSides step_sides(MatrixXd series, const std::vector<double>& time, double step, int order, std::size_t first, std::size_t end,
                      std::size_t begin, std::size_t last) {
   const auto check = [&](std::size_t from, std::size_t to, const char* name) {
     if (to >= from + static_cast<std::size_t>(order) + 3) return;
@@ -130,12 +137,13 @@ StepSides step_sides(const MatrixXd& series, const std::vector<double>& time, do
   check(first, end, "before");
   check(begin, last, "after");
   const Place places[2] = {{time, first, end, step, order}, {time, begin, last, step, order}};
+  weigh(series, side_of(places[0], 0), side_of(places[1], 0));
   StepSide side[2];
   for (int k = 0; k < 2; ++k) {
     const bool room = places[k].count() >= static_cast<std::size_t>(order) + 12;
     side[k] = side_of(places[k], room && series.rows() > 0 ? best_relaxation(series, places[k]) : 0);
   }
-  if (series.rows() == 0) return {side[0], side[1], {}};
+  if (series.rows() == 0) return {side[0], side[1], {}, 0};
   const auto noise_of = [&](double& variance) {
     const MatrixXd left = joined(left_by(series, side[0]), left_by(series, side[1]));
     variance = left.squaredNorm() / static_cast<double>(left.rows()) / (freedom(side[0]) + freedom(side[1]));
@@ -148,7 +156,11 @@ StepSides step_sides(const MatrixXd& series, const std::vector<double>& time, do
   const ResidualCorrelation noise = noise_of(variance);
   for (int k = 0; k < 2; ++k)
     if (side[k].relaxation > 0 && variance > 0) side[k] = choose(series, places[k], side[k], noise, variance);
-  return {side[0], side[1], noise_of(variance)};
+  StepSides sides{side[0], side[1], noise_of(variance), std::numeric_limits<double>::infinity()};
+  if (variance > 0)
+    sides.evidence = (frames_of(series, side[1]) * side[1].height_weights() - frames_of(series, side[0]) * side[0].height_weights()).squaredNorm() /
+                     static_cast<double>(series.rows()) / variance / sides.variance();
+  return sides;
 }
 
 }  // namespace arenite::thermography

@@ -23,15 +23,16 @@ struct StepSide {
 struct StepSides {
   StepSide before, after;
   ResidualCorrelation noise;
+  double evidence = 0;              ///< mean square of the pixels' jumps over what noise alone would make them; infinite without noise
   /// Variance of the jump over that of a frame's white noise.
   double variance() const;
 };
 
 /// Sides of a step at `step` (s) with polynomials of `order`. Heat that flows after the step, or a camera that warms up, makes
-/// pixels relax exponentially: where the pixels of `series` (pixels x frames) show by more than their noise that they do, an
+/// pixels relax exponentially: where the pixels of `series` (pixels x frames, each weighed by its noise) show by more than their noise that they do, an
 /// exponential in the time that fits them best is added to a side. `end` is one beyond the last frame of `before`, `begin` the
 /// first of `after`. Throws InputError for a side with too few frames.
-StepSides step_sides(const Eigen::MatrixXd& series, const std::vector<double>& time, double step, int order, std::size_t first, std::size_t end,
+StepSides step_sides(Eigen::MatrixXd series, const std::vector<double>& time, double step, int order, std::size_t first, std::size_t end,
                      std::size_t begin, std::size_t last);
 
 }  // namespace arenite::thermography
