@@ -20,7 +20,7 @@ cards = {
     "wall-forces": ("stage", "wall-forces"), "travel": ("stage", "travel"), "energies": ("stage", "energies"), "rest": ("stage", "rest"),
     "stress-strain": ("field", "stress-strain"), "broken-bonds": ("field", "broken-bonds"), "energy-balance": ("field", "energy-balance"),
     "stress-pdf": ("field", "stress-pdf"), "cavities": ("field", "cavities"), "convergence": ("field", "convergence"),
-    "film-maps": ("film", "beside-simulation"), "film-twin": ("film", "against-simulation"), "film-tails": ("film", "tails"), "film-directions": ("film", "contact-directions"),
+    "film-maps": ("film", "beside-simulation"), "film-fit": ("film", "film-fit"), "film-twin": ("film", "against-simulation"), "film-tails": ("film", "tails"), "film-directions": ("film", "contact-directions"),
     "film-forces": ("film", "forces"), "film-certainty": ("film", "certainty"), "film-stresses": ("film", "stresses"),
 }
 # What the page shows in its pictures and not on cards.

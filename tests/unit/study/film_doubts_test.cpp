@@ -86,7 +86,7 @@ TEST(FilmDoubts, PhaseIsHeldAgainstTheFilmsOwn) {
   EXPECT_NEAR(phase_off(swinging(0.4 * turn), 0.3), 0.1, 1e-6);
   EXPECT_NEAR(phase_off(swinging(0.45 * turn), -0.5), -0.05, 1e-6);
   FilmRecipe recipe = two_materials();
-  recipe.lockin.phase = 0.25;
+  recipe.lockin.phase = 0.25 * turn;
   EXPECT_THROW(refuse_impossible(recipe, swinging(0.5 * turn)), InputError);
   EXPECT_THROW(refuse_impossible(recipe, swinging(0.75 * turn)), InputError);
   EXPECT_NO_THROW(refuse_impossible(recipe, swinging(0.3 * turn)));
