@@ -88,6 +88,7 @@ nlohmann::json numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& 
   j["shows_load"] = thermography::shows_swing(m);
   j["chance_of_noise"] = m.chance;
   j["share_in_one_phase"] = m.one_phase;
+  if (m.swings_at > 0) j["swings_at_Hz"] = m.swings_at;
   j["diffusion_length_m"] = heat.length;
   if (heat.pixel > 0) {
     j["adiabatic"] = heat.holds();
@@ -140,6 +141,7 @@ int execute(Arguments& a) {
   }
   if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps, phase_in_degrees(maps)));
   if (!thermography::shows_swing(maps)) fmt::print(stderr, "{}: {}\n", a.film, study::no_load_sentence(maps, maps.frequency, "--frequency"));
+  else if (maps.swings_at > 0) fmt::print(stderr, "{}: the film swings more at {:.4g} Hz than at {:.6g} Hz, which is a multiple\n", a.film, maps.swings_at, maps.frequency);
   const study::Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds())
     fmt::print(stderr, "{}\n", heat.sentence());

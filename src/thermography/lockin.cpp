@@ -8,10 +8,9 @@
 
 #include "core/error.hpp"
 #include "thermography/frame_times.hpp"
-#include "thermography/noise_around.hpp"
+#include "thermography/judge_swing.hpp"
 #include "thermography/pixel_fit.hpp"
 #include "thermography/refine_frequency.hpp"
-#include "thermography/watched_pixels.hpp"
 
 namespace arenite::thermography {
 
@@ -101,35 +100,6 @@ void project(LockinMaps& maps, const std::vector<double>& cosine, const std::vec
   }
 }
 
-/// Seven times the error of a film of many cycles: nothing that such maps show would be the load's.
-void refuse_too_few_cycles(const HarmonicFit& fit, const SegmentSums& s) {
-  if (fit.inflation(s.time.size()) < 50) return;
-  const double length = film_length(s.time);
-  throw InputError(fmt::format("the film of {:.4g} s holds {:.3g} cycles of {:.6g} Hz, too few to tell the swing from a drift of order {}; ask for less drift, or "
-                               "give a longer film", length, length * fit.frequency, fit.frequency, fit.drift - 1));
-}
-
-/// Judges the swing at the maps' frequency; throws where it is to be found on the film, and the film shows it elsewhere.
-void judge(const SegmentSums& s, const HarmonicFit& fit, const LockinOptions& o, LockinMaps& maps) {
-  const NoiseAround around = noise_around(s, fit, o.refine ? frequencies_in(search_band(s.time, o.frequency), s.time) : 1);
-  maps.noise_ratio = around.ratio;
-  maps.chance = around.chance;
-  maps.one_phase = around.one_phase;
-  maps.frequency_error *= std::sqrt(around.ratio * around.together);
-  const WatchedPixels watched(s);
-  const bool clear = shows_swing(maps) && watched.have_line(fit.frequency);
-  const auto elsewhere = clear ? watched.stronger_part(fit.frequency) : watched.strongest_line();
-  if (!elsewhere || std::abs(*elsewhere - fit.frequency) * film_length(s.time) < 0.7) return;  // the same line
-  maps.swings_at = *elsewhere;
-  if (!clear) maps.chance = 1;  // it leaks there from the other
-  if (!o.refine) return;
-  const int digits = static_cast<int>(std::ceil(std::log10(*elsewhere * film_length(s.time)))) + 2;  // a hundredth of a cycle over the film
-  const std::string there = fmt::format("{:.{}g} Hz", *elsewhere, std::max(digits, 3));
-  if (clear)
-    throw InputError(fmt::format("the film swings more at {} than at {:.6g} Hz, which is a multiple; give the frequency of the load, {}", there, o.frequency, there));
-  throw InputError(fmt::format("nothing but noise swings at {:.6g} Hz, but the film swings at {}; if that is the load, give this frequency", o.frequency, there));
-}
-
 LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<double> time, int harmonics) {
   const Team team(o.threads);
   const SegmentSums sums = sum_segments(film, std::move(time), o.frequency, harmonics, o.drift_order, team, o.progress);
@@ -147,7 +117,7 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
   maps.convention = o.convention;
   const HarmonicFit fit = harmonic_fit(sums, found.frequency, o.drift_order, false);
   refuse_too_few_cycles(fit, sums);
-  judge(sums, fit, o, maps);
+  judge_swing(sums, fit, o.refine, maps);
   std::vector<double> swing[2];
   fill(sums, fit, team, maps, swing);
   maps.reference_phase = o.reference_phase ? *o.reference_phase : reference_phase(swing[0], swing[1]);
@@ -156,11 +126,6 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
 }
 
 }  // namespace
-
-bool shows_swing(const LockinMaps& maps) {
-  constexpr double level = 0.01, one_phase = 0.5;
-  return maps.chance < level && maps.one_phase >= one_phase;
-}
 
 double reference_phase(const std::vector<double>& cosine, const std::vector<double>& sine) {
   double real = 0, imaginary = 0, c = 0, s = 0;

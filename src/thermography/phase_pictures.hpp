@@ -23,8 +23,8 @@ struct PhasePictures {
   const float* picture(std::size_t k) const { return spline.data() + k * pixels(); }
 };
 
-/// One pass over the film, with frequency, mean and drift of its lock-in. Parts of the cycle in which there is no frame
-/// have no picture. Empty if `options.progress` stopped it.
+/// One pass over the film, with the frequency and the drift's order of its lock-in; pictures are at the film's mean. Parts of
+/// the cycle in which there is no frame have no picture. Empty if `options.progress` stopped it.
 PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const LockinOptions& options, std::size_t parts = 48);
 
 /// One of the pictures itself, rows from the top.

@@ -59,6 +59,7 @@ TEST(LockInCommand, SaysWhereTheFilmShowsNoLoad) {
   EXPECT_EQ(kept.status, 0);
   EXPECT_NE(kept.err.find("but the film swings at 3"), std::string::npos) << kept.err;
   EXPECT_EQ(Json::parse(kept.out)["shows_load"], false);
+  EXPECT_NEAR(Json::parse(kept.out)["swings_at_Hz"].get<double>(), 3, 0.02);
 }
 
 TEST(LockInCommand, ShowsNoLoadInAFilmOfACameraAtRest) {
