@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/median.hpp"
-
 namespace arenite::imaging {
 namespace {
 
@@ -19,18 +17,19 @@ constexpr double most_overlap = 0.3;      // of the smaller radius, in disks tha
 using Disks = std::vector<DiskModel::Disk>;
 using Evidence = std::vector<DiskModel::Evidence>;
 
-/// Contrast of the median disk by area.
-double usual_contrast(const Disks& disks, const Evidence& evidence) {
-  std::vector<std::pair<double, double>> contrast_area;
+/// What the median disk by area has: many specks beside few grains do not set the measure.
+template <class Of>
+double usual(const Disks& disks, const Evidence& evidence, Of&& of) {
+  std::vector<std::pair<double, double>> value_area;
   double area = 0;
   for (std::size_t k = 0; k < disks.size(); ++k) {
-    contrast_area.emplace_back(std::abs(evidence[k].contrast), disks[k].radius * disks[k].radius);
-    area += contrast_area.back().second;
+    value_area.emplace_back(of(evidence[k]), disks[k].radius * disks[k].radius);
+    area += value_area.back().second;
   }
-  std::sort(contrast_area.begin(), contrast_area.end());
+  std::sort(value_area.begin(), value_area.end());
   double below = 0;
-  for (const auto& [contrast, part] : contrast_area)
-    if ((below += part) >= 0.5 * area) return contrast;
+  for (const auto& [value, part] : value_area)
+    if ((below += part) >= 0.5 * area) return value;
   return 0;
 }
 
@@ -59,24 +58,23 @@ void mark_overlapping(const Disks& disks, const Evidence& evidence, std::vector<
 
 }  // namespace
 
+double least_resolved(const DiskModel& model) { return 2.5 * model.blur(); }
+
 std::vector<char> refuted_disks(const DiskModel& model, const CircleOptions& options, bool strict) {
   const Disks& disks = model.disks();
   const Evidence evidence = model.evidence();
   std::vector<char> out(disks.size(), 0);
   if (options.radii.empty()) mark_specks(disks, out);
-  std::vector<double> rims, unexplained;
-  for (const auto& e : evidence) {
-    rims.push_back(e.rim);
-    unexplained.push_back(1 - e.explained);
-  }
-  const double usual = usual_contrast(disks, evidence);
-  const double least_rim = std::max(options.least_score, strict ? rim_of_usual * median(rims) : 0.0);
+  const double usual_contrast = usual(disks, evidence, [](const auto& e) { return std::abs(e.contrast); });
+  const double usual_rim = usual(disks, evidence, [](const auto& e) { return e.rim; });
+  const double usual_unexplained = usual(disks, evidence, [](const auto& e) { return 1 - e.explained; });
+  const double least_rim = std::max(options.least_score, strict ? rim_of_usual * usual_rim : 0.0);
   double most_unexplained = 1 - least_explained;
-  if (strict) most_unexplained = std::min(most_unexplained, std::max(few_unexplained, unexplained_of_usual * median(unexplained)));
+  if (strict) most_unexplained = std::min(most_unexplained, std::max(few_unexplained, unexplained_of_usual * usual_unexplained));
   for (std::size_t k = 0; k < disks.size(); ++k) {
-    const double least = std::max(least_contrast * usual, 3 * model.noise() / disks[k].radius);
-    if (rims[k] < least_rim || unexplained[k] > most_unexplained || std::abs(evidence[k].contrast) < least) out[k] = 1;
-    if (options.radii.empty() && disks[k].radius < 0.9 * options.smallest) out[k] = 1;
+    const double least = std::max(least_contrast * usual_contrast, 3 * model.noise() / disks[k].radius);
+    if (evidence[k].rim < least_rim || 1 - evidence[k].explained > most_unexplained || std::abs(evidence[k].contrast) < least) out[k] = 1;
+    if (options.radii.empty() && disks[k].radius < 0.9 * std::max(options.smallest, least_resolved(model))) out[k] = 1;
   }
   mark_overlapping(disks, evidence, out);
   return out;

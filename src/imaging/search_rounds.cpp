@@ -84,13 +84,6 @@ void SearchRounds::more_rounds() {
   }
 }
 
-/// Taken out until the rest bears each other out: specks among few grains set the measure that they are held against.
-bool SearchRounds::prune_strictly() {
-  const std::size_t before = model_.disks().size();
-  prune(true);
-  return model_.disks().size() < before;
-}
-
 /// The disks of the pass before, each where it was, and no others: what the pass had added did not last.
 bool SearchRounds::found_nothing_since(const std::vector<DiskModel::Disk>& last) const {
   const auto& disks = model_.disks();
@@ -103,7 +96,9 @@ DiskSearch SearchRounds::finish() {
   for (int pass = 0; pass < most_passes; ++pass) {
     more_rounds();
     model_.fit(20);
-    if (!prune_strictly()) break;
+    const std::size_t before = model_.disks().size();
+    prune(true);
+    if (model_.disks().size() == before) break;
     if (pass > 0 && found_nothing_since(last)) break;
     last = model_.disks();
   }
@@ -128,6 +123,7 @@ std::vector<char> SearchRounds::open_pixels(double smallest) const {
 std::vector<Circle> SearchRounds::candidates() const {
   RimOptions how = range(image_, options_, classes_.mean, bright_);
   how.least = 0.2;
+  if (options_.radii.empty()) how.smallest = std::max(how.smallest, least_resolved(model_));
   const std::vector<char> open = open_pixels(how.smallest);
   how.open = open;
   const FloatImage rest = model_.residual();

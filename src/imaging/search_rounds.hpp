@@ -42,7 +42,6 @@ class SearchRounds {
   void set_priors();
   void find_classes();
   void prune(bool strict = false);
-  bool prune_strictly();
   bool found_nothing_since(const std::vector<DiskModel::Disk>& last) const;
 
   const FloatImage& image_;

@@ -49,12 +49,15 @@ TEST_P(Surfaces, GiveBackWhatSurfacesTakenForAnotherHide) {
     maps.height = 12;
     for (auto* map : {&maps.mean, &maps.amplitude, &maps.in_phase, &maps.standard_error}) map->assign(288, 0);
     const double middle = 301, swing = 0.2;
-    for (std::size_t i = 0; i < 288; ++i) {
-      const double e = i % 24 < 12 ? 0.80 : 0.95;
+    for (const double e : {0.80, 0.95}) {
       const auto taken_for = [&](double t) { return temperature_of(band, surfaces.assumed, e * photons(band, t) + (1 - e) * photons(band, 288)); };
-      maps.mean[i] = static_cast<float>(taken_for(middle));
-      maps.in_phase[i] = maps.amplitude[i] = static_cast<float>(taken_for(middle + swing / 2) - taken_for(middle - swing / 2));
-      maps.standard_error[i] = 0.01f * maps.amplitude[i];
+      const auto mean = static_cast<float>(taken_for(middle)), change = static_cast<float>(taken_for(middle + swing / 2) - taken_for(middle - swing / 2));
+      for (std::size_t i = 0; i < 288; ++i) {
+        if ((i % 24 < 12) != (e < 0.9)) continue;
+        maps.mean[i] = mean;
+        maps.in_phase[i] = maps.amplitude[i] = change;
+        maps.standard_error[i] = 0.01f * change;
+      }
     }
     const float corner = maps.in_phase[0];
     see_surfaces(maps, two_grains(), surfaces);
