@@ -27,12 +27,12 @@ void refuse_too_few_cycles(const HarmonicFit& fit, const SegmentSums& s) {
                                "give a longer film", length, length * fit.frequency, fit.frequency, fit.drift - 1));
 }
 
-void judge_swing(const SegmentSums& s, const HarmonicFit& fit, bool refined, LockinMaps& maps) {
+void judge_swing(const SegmentSums& s, const HarmonicFit& fit, const std::optional<FrequencyFit>& refined, LockinMaps& maps) {
   const NoiseAround around = noise_around(s, fit, refined ? frequencies_in(search_band(s.time, s.frequency), s.time) : 1);
   maps.noise_ratio = around.ratio;
   maps.chance = around.chance;
   maps.one_phase = around.one_phase;
-  maps.frequency_error *= std::sqrt(around.ratio * around.together);
+  if (refined) maps.frequency_error = std::hypot(refined->error * std::sqrt(around.ratio * around.together), refined->of_model);
   const WatchedPixels watched(s);
   const bool clear = shows_swing(maps) && watched.have_line(fit.frequency);
   const auto elsewhere = clear ? watched.stronger_part(fit.frequency) : watched.strongest_line();

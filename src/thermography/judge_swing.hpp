@@ -1,6 +1,9 @@
 #pragma once
+#include <optional>
+
 #include "model/lockin_maps.hpp"
 #include "thermography/harmonic_fit.hpp"
+#include "thermography/refine_frequency.hpp"
 #include "thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
@@ -11,6 +14,6 @@ void refuse_too_few_cycles(const HarmonicFit& fit, const SegmentSums& sums);
 /// Gives the maps what tells a load's swing at their frequency from noise: its ratio, chance, share in one phase, the
 /// frequency's error and where else the film swings. Throws InputError where the frequency was `refined` on the film and nothing is
 /// found there but elsewhere, or is a multiple of the one at which the film swings far more.
-void judge_swing(const SegmentSums& sums, const HarmonicFit& fit, bool refined, LockinMaps& maps);
+void judge_swing(const SegmentSums& sums, const HarmonicFit& fit, const std::optional<FrequencyFit>& refined, LockinMaps& maps);
 
 }  // namespace arenite::thermography

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "core/error.hpp"
 #include "thermography/frame_times.hpp"
@@ -105,19 +106,19 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
   const SegmentSums sums = sum_segments(film, std::move(time), o.frequency, harmonics, o.drift_order, team, o.progress);
   if (!sums.sums) return {};
   refuse_constant(sums);
-  const FrequencyFit found = o.refine ? refine_frequency(sums, o.drift_order, team) : FrequencyFit{o.frequency, 0};
+  std::optional<FrequencyFit> refined;
+  if (o.refine) refined = refine_frequency(sums, o.drift_order, team);
   LockinMaps maps;
   maps.width = film.info().width;
   maps.height = film.info().height;
-  maps.frequency = found.frequency;
-  maps.frequency_error = found.error;
+  maps.frequency = refined ? refined->frequency : o.frequency;
   maps.frames = sums.time.size();
   maps.drift_order = o.drift_order;
   maps.harmonics = harmonics;
   maps.convention = o.convention;
-  const HarmonicFit fit = harmonic_fit(sums, found.frequency, o.drift_order, false);
+  const HarmonicFit fit = harmonic_fit(sums, maps.frequency, o.drift_order, false);
   refuse_too_few_cycles(fit, sums);
-  judge_swing(sums, fit, o.refine, maps);
+  judge_swing(sums, fit, refined, maps);
   std::vector<double> swing[2];
   fill(sums, fit, team, maps, swing);
   maps.reference_phase = o.reference_phase ? *o.reference_phase : reference_phase(swing[0], swing[1]);

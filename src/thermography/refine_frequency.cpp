@@ -15,6 +15,7 @@ namespace arenite::thermography {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
+constexpr double strong_swing = 0.1;  // as if it were noise: of three times the noise, a swing loses half its weight
 
 /// What a Newton step adds up over pixels of weight w: with c, s of cos and sin, p, q of x cos and x sin.
 struct BeatSums {
@@ -31,9 +32,20 @@ struct BeatSums {
   }
 };
 
+/// By noise alone, and with strong swings held back.
+struct Weighings {
+  BeatSums by_noise, held_back;
+
+  void operator+=(const Weighings& o) {
+    by_noise += o.by_noise;
+    held_back += o.held_back;
+  }
+};
+
 struct Step {
   double frequency = 0;  ///< Hz
-  double error = std::numeric_limits<double>::infinity();
+  double error = std::numeric_limits<double>::infinity();  ///< by noise
+  double of_model = 0;  ///< what the weights make of it
 };
 
 class Newton {
@@ -44,13 +56,15 @@ class Newton {
   Step step(double frequency, std::size_t every) {
     const HarmonicFit fit = harmonic_fit(s_, frequency, drift_, true);
     if (typical_ < 0) typical_ = typical_variance(fit, every);
-    std::vector<BeatSums> part(runs());
+    std::vector<Weighings> part(runs());
     for_runs(s_, team_, [&](std::size_t run, std::size_t begin, std::size_t count) {
       if (run % every == 0) part[run] = beat_of(fit, begin, count);
     });
-    BeatSums all;
+    Weighings all;
     for (const auto& each : part) all += each;
-    return solve(fit, all);
+    Step step = solve(fit, all.by_noise);
+    step.of_model = std::abs(step.frequency - solve(fit, all.held_back).frequency);
+    return step;
   }
 
   std::size_t runs() const { return (s_.pixels + PixelFit::run - 1) / PixelFit::run; }
@@ -68,18 +82,23 @@ class Newton {
     return median(std::move(variance));
   }
 
-  /// Weights follow the inverse of the noise but do not run away where a pixel is all but dead.
-  BeatSums beat_of(const HarmonicFit& fit, std::size_t begin, std::size_t count) const {
+  /// Weights follow the inverse of the noise but do not run away where a pixel is all but dead. Rims that move past a pixel
+  /// swing most, and with overtones that are not fitted: what the frequency changes by where strong swings weigh less is in its error.
+  Weighings beat_of(const HarmonicFit& fit, std::size_t begin, std::size_t count) const {
     PixelFit pixels;
     fit_pixels_with_variance(s_, fit, begin, count, pixels);
     const double* c = pixels.value.data() + fit.harmonic(1) * PixelFit::run;
     const double *s = c + PixelFit::run, *p = s + PixelFit::run, *q = p + PixelFit::run;
-    BeatSums sum;
+    Weighings sum;
     for (std::size_t i = 0; i < count; ++i) {
       const double variance = pixels.variance[i];
       if (!std::isfinite(variance)) continue;
-      const double w = typical_ > 0 ? 2 * typical_ / (variance + typical_) : 1, power = c[i] * c[i] + s[i] * s[i];
-      sum += {w * power, w * (p[i] * p[i] + q[i] * q[i]), w * (s[i] * p[i] - c[i] * q[i]), w * w * power * variance};
+      const double power = c[i] * c[i] + s[i] * s[i], beat = p[i] * p[i] + q[i] * q[i], cross = s[i] * p[i] - c[i] * q[i];
+      const auto weighed = [&](double noise) -> BeatSums {
+        const double w = typical_ > 0 ? 2 * typical_ / (noise + typical_) : 1;
+        return {w * power, w * beat, w * cross, w * w * power * variance};
+      };
+      sum += {weighed(variance), weighed(variance + strong_swing * power)};
     }
     return sum;
   }
@@ -144,15 +163,16 @@ double frequencies_in(const SearchBand& band, const std::vector<double>& time) {
 
 FrequencyFit refine_frequency(const SegmentSums& sums, int drift_order, const Team& team) {
   const SearchBand band = search_band(sums.time, sums.frequency);
-  const FrequencyFit as_told{sums.frequency, std::numeric_limits<double>::infinity()};
+  const FrequencyFit as_told{sums.frequency, std::numeric_limits<double>::infinity(), 0};
   if (band.empty()) return as_told;
   const double time = sums.time.back() - sums.time.front();
   Newton newton(sums, drift_order, team);
-  FrequencyFit result{segments_show_swings(sums) ? segments_in_step(sums, band.low, band.high) : best_fitting(sums, band, drift_order), 0};
+  FrequencyFit result{segments_show_swings(sums) ? segments_in_step(sums, band.low, band.high) : best_fitting(sums, band, drift_order), 0, 0};
   std::size_t every = newton.runs() >= 64 ? 8 : 1;
   for (int turns = 0; turns < 12; ++turns) {
     const Step step = newton.step(result.frequency, every);
     result.error = step.error;
+    result.of_model = step.of_model;
     if (!std::isfinite(step.error)) break;
     const double change = std::clamp(step.frequency, -0.25 / time, 0.25 / time);
     result.frequency += change;

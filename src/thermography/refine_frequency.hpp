@@ -6,7 +6,8 @@ namespace arenite::thermography {
 /// A frequency with its standard error, Hz.
 struct FrequencyFit {
   double frequency = 0;
-  double error = 0;
+  double error = 0;     ///< by white noise
+  double of_model = 0;  ///< by what no swing of one frequency explains
 };
 
 /// Where a frequency is looked for: within 2 % or two cycles over the film, but never below one cycle over it or above
