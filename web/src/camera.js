@@ -1,18 +1,27 @@
-/** Which part of the plane is seen: `scale` in pixels a metre, (x, y) the point in the middle, y upwards. */
+import { zoomIdentity } from "d3-zoom";
+
+/** Which part of the plane is seen: `scale` in pixels a metre, (x, y) the point in the middle, y upwards; `whole` is the same
+    where all is seen. */
 export class Camera {
-  constructor() { Object.assign(this, { scale: 1, x: 0, y: 0, width: 1, height: 1, least: 1 }); }
+  constructor() { Object.assign(this, { scale: 1, x: 0, y: 0, width: 1, height: 1, whole: { scale: 1, x: 0, y: 0 } }); }
 
   resize(width, height) { Object.assign(this, { width, height }); }
 
-  fit(box, margin) {
+  /** Shows a box as large as it fits. */
+  show(box, margin) {
     const width = box.right - box.left, height = box.top - box.bottom;
     this.scale = Math.min((this.width - 2 * margin) / width, (this.height - 2 * margin) / height);
-    this.least = this.scale;
     this.x = (box.left + box.right) / 2;
     this.y = (box.bottom + box.top) / 2;
   }
 
-  get fitted() { return this.scale === this.least; }
+  /** Shows the box of all that there is. */
+  fit(box, margin) {
+    this.show(box, margin);
+    this.whole = { scale: this.scale, x: this.x, y: this.y };
+  }
+
+  get fitted() { return this.scale === this.whole.scale; }
 
   toScreen(x, y) {
     return [this.width / 2 + (x - this.x) * this.scale, this.height / 2 - (y - this.y) * this.scale];
@@ -22,17 +31,16 @@ export class Camera {
     return [this.x + (px - this.width / 2) / this.scale, this.y - (py - this.height / 2) / this.scale];
   }
 
-  /** Zooms so that the point under (px, py) stays there. */
-  zoom(px, py, factor) {
-    const [x, y] = this.toWorld(px, py);
-    this.scale = Math.min(Math.max(this.scale * factor, this.least * 0.5), this.least * 400);
-    const [newX, newY] = this.toWorld(px, py);
-    this.x += x - newX;
-    this.y += y - newY;
+  /** From places on the screen where all is seen to where they are now: what d3-zoom calls the transform. */
+  get transform() {
+    const { whole, scale, width, height } = this, k = scale / whole.scale;
+    return zoomIdentity.translate((1 - k) * (width / 2) + (whole.x - this.x) * scale, (1 - k) * (height / 2) - (whole.y - this.y) * scale).scale(k);
   }
 
-  pan(dx, dy) {
-    this.x -= dx / this.scale;
-    this.y += dy / this.scale;
+  follow({ k, x, y }) {
+    const { whole, width, height } = this;
+    this.scale = k * whole.scale;
+    this.x = whole.x - (x - (1 - k) * (width / 2)) / this.scale;
+    this.y = whole.y + (y - (1 - k) * (height / 2)) / this.scale;
   }
 }

@@ -5,15 +5,21 @@ import { savePng } from "./save.js";
 import { Tooltip } from "./tooltip.js";
 import { themeOf } from "./theme.js";
 
+const key = navigator.platform.startsWith("Mac") ? "\u2318" : "Ctrl";
+const gestureWords = `${key} and the wheel or a pinch zoom, dragging moves, double click shows all; keys: +, \u2212, 0 and arrows`;
+const hintWords = matchMedia("(hover: none)").matches ? "Two fingers move and zoom the picture" : `${key} + wheel zooms the picture; the wheel alone scrolls the page`;
+const hintTime = 1600;  // ms
+
 /** A picture seen through a camera: canvas, overlay and legend, drawn at most once a frame after something has changed.
     Whoever extends it gives `extent` (the box that is seen as a whole), `update(stale)` (the parts of the scene that have
     changed), `paint()` (at another ratio of pixels for `savePainted`), `drawOverlay()`, `legend()` and `pick(place)`, which sets `picked` to what lies under the pointer. */
 export class CanvasView {
   constructor(state, { name, label, margin, key = "key", legendHeight, parts, beside = [] }) {
     Object.assign(this, { state, margin, legendHeight, camera: new Camera(), stale: new Set(parts), picked: null });
-    this.canvas = h("canvas", { class: name, tabindex: 0, "aria-label": label });
+    this.canvas = h("canvas", { class: name, tabindex: 0, "aria-label": `${label}: ${gestureWords}` });
     this.over = s("svg", { class: "over" });
-    this.stage = h("div", { class: "stage" }, this.canvas, this.over, beside);
+    this.hint = h("p", { class: "hint", role: "status" }, hintWords);
+    this.stage = h("div", { class: "stage" }, this.canvas, this.over, this.hint, beside);
     this.key = s("svg", { class: key });
     this.element = h("div", { class: "view" }, this.stage, this.key);
     this.tooltip = new Tooltip(this.stage);
@@ -24,9 +30,16 @@ export class CanvasView {
 
   /** `more` are further answers of gestures(), or other ones. */
   listen(more = {}) {
-    gestures(this.canvas, this.camera, {
-      moved: () => this.soon(), hover: (place) => this.pick(place), leave: () => this.unpick(), reset: () => this.reset(), ...more,
+    this.followCamera = gestures(this.canvas, this.camera, {
+      moved: () => this.soon(), hover: (place) => this.pick(place), leave: () => this.unpick(), reset: () => this.reset(), scrolled: () => this.#sayHow(), ...more,
     });
+  }
+
+  /** Who scrolls the page over the picture may have wanted to zoom. */
+  #sayHow() {
+    this.hint.classList.add("shown");
+    clearTimeout(this.hiding);
+    this.hiding = setTimeout(() => this.hint.classList.remove("shown"), hintTime);
   }
 
   refresh(...parts) {
@@ -42,7 +55,10 @@ export class CanvasView {
     });
   }
 
-  fit() { this.camera.fit(this.extent, this.margin); }
+  fit() {
+    this.camera.fit(this.extent, this.margin);
+    this.followCamera();
+  }
 
   reset() {
     this.fit();
@@ -59,6 +75,7 @@ export class CanvasView {
     this.canvas.width = Math.round(width * this.pixelRatio);
     this.canvas.height = Math.round(height * this.pixelRatio);
     if (fitted) this.fit();
+    else this.followCamera();
     this.draw();
   }
 

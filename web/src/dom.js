@@ -29,9 +29,9 @@ export function rich(text) {
   });
 }
 
-/** The same inside an SVG: every <text> with "_{...}" gets lowered tspans. */
+/** The same inside an SVG: every <text> with "_{...}", whole or in parts, gets lowered tspans. */
 export function richSvg(svg) {
-  for (const text of svg.querySelectorAll("text")) {
+  for (const text of svg.querySelectorAll("text, tspan")) {
     for (const node of [...text.childNodes]) {
       if (node.nodeType !== Node.TEXT_NODE || !node.data.includes("_{")) continue;
       const parts = node.data.split(/(_\{[^}]*\})/).filter(Boolean);

@@ -1,43 +1,58 @@
-/** What the pointer and the keys do on a picture with a camera: the wheel zooms, dragging moves, double click and 0 show
-    all, + and - zoom. Calls back: `moved()` after the camera moved, `hover(place)`, `leave()`, `click(place)`, `reset()`. */
-export function gestures(canvas, camera, { moved, hover, leave, reset, click = null }) {
-  const place = (event) => {
-    const box = canvas.getBoundingClientRect();
-    return [event.clientX - box.left, event.clientY - box.top];
-  };
-  let held = null, dragged = 0;
-  canvas.addEventListener("wheel", (event) => {
-    event.preventDefault();
-    camera.zoom(...place(event), Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.0016)));
+import { pointer, select } from "d3-selection";
+import { zoom } from "d3-zoom";
+
+const farthest = 0.5, nearest = 400;  // against the view of the whole
+const keyStep = 1.25, arrowStep = 0.1;  // a factor; of the picture's width
+const notch = 0.5;  // powers of two, at most
+
+const zoomsByWheel = (event) => event.ctrlKey || event.metaKey;
+
+/** Not once the browser scrolls with the first of them. */
+const isTwoFingers = (event) => event.touches.length > 1 && event.cancelable;
+
+/** The wheel and one finger alone scroll the page. */
+function isForThePicture(event) {
+  if (event.type === "wheel") return zoomsByWheel(event);
+  return event.touches ? isTwoFingers(event) : !event.button && !event.ctrlKey;
+}
+
+/** Powers of two: a touchpad's pinch comes as many small turns of the wheel with Ctrl, a mouse's wheel as few large ones. */
+function powersOfTwo({ deltaY, deltaMode }) {
+  return Math.max(-notch, Math.min(notch, -deltaY * (deltaMode === 1 ? 0.5 : deltaMode ? 10 : 0.02)));
+}
+
+const arrows = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+/** What pointer, fingers and keys do on a picture with a camera: Ctrl and the wheel or a pinch zoom, dragging moves, double
+    click and 0 show all, + and - zoom, arrows move what is zoomed. Calls back: `moved()` after the camera moved,
+    `hover(place)`, `leave()`, `click(place)`, `reset()`, `scrolled()` when one scrolled the page over the picture. Gives a
+    function to call when the camera was moved by others. */
+export function gestures(canvas, camera, { moved, hover, leave, reset, scrolled, click = () => {} }) {
+  const picture = select(canvas);
+  const behaviour = zoom().filter(isForThePicture).wheelDelta(powersOfTwo).scaleExtent([farthest, nearest]).clickDistance(4).on("zoom", ({ transform }) => {
+    camera.follow(transform);
     leave();
     moved();
-  }, { passive: false });
-  canvas.addEventListener("pointerdown", (event) => {
-    held = place(event);
-    dragged = 0;
-    canvas.setPointerCapture(event.pointerId);
   });
-  canvas.addEventListener("pointermove", (event) => {
-    const now = place(event);
-    if (!held) return hover(now);
-    dragged += Math.hypot(now[0] - held[0], now[1] - held[1]);
-    camera.pan(now[0] - held[0], now[1] - held[1]);
-    held = now;
-    leave();
-    moved();
-  });
-  canvas.addEventListener("pointerup", (event) => {
-    if (held && dragged < 4 && click) click(place(event));
-    held = null;
-  });
-  canvas.addEventListener("pointercancel", () => { held = null; });
-  canvas.addEventListener("pointerleave", () => { if (!held) leave(); });
-  canvas.addEventListener("dblclick", reset);
-  canvas.addEventListener("keydown", (event) => {
-    const factor = { "+": 1.25, "=": 1.25, "-": 0.8 }[event.key];
-    if (factor) {
-      camera.zoom(camera.width / 2, camera.height / 2, factor);
-      moved();
-    } else if (event.key === "0" || event.key === "Escape") reset();
-  });
+  picture.on("touchstart", (event) => isTwoFingers(event) && event.preventDefault(), { passive: false })  // or the browser scrolls with both
+    .call(behaviour).on("dblclick.zoom", null)
+    .on("wheel", (event) => (zoomsByWheel(event) ? event.preventDefault() : scrolled()), { passive: false })  // at its ends the zoom lets the browser zoom the page
+    .on("touchmove", (event) => event.touches.length === 1 && scrolled(), { passive: true })
+    .on("pointermove", (event) => event.buttons === 0 && hover(pointer(event, canvas)))
+    .on("pointerleave", leave)
+    .on("click", (event) => {
+      hover(pointer(event, canvas));
+      click(pointer(event, canvas));
+    })
+    .on("dblclick", reset)
+    .on("keydown", (event) => {
+      const factor = { "+": keyStep, "=": keyStep, "-": 1 / keyStep }[event.key], way = !camera.fitted && arrows[event.key];
+      if (factor) behaviour.scaleBy(picture, factor);
+      else if (event.key === "0" || event.key === "Escape") reset();
+      else if (way) {
+        event.preventDefault();
+        behaviour.translateBy(picture, ...way.map((w) => (w * arrowStep * camera.width) / camera.transform.k));
+      }
+    });
+  return () => behaviour.transform(picture, camera.transform);
 }

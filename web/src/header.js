@@ -17,12 +17,12 @@ export function header(title, sample, fields, films, state) {
 
 function subtitleOf(sample, fields, films) {
   if (films.length) return filmSubtitle(films.at(-1));
-  return fields.length ? rasterSubtitle(fields.at(-1).map) : subtitle(sample);
+  return fields.length ? gridSubtitle(fields.at(-1).map) : subtitle(sample);
 }
 
 function filmSubtitle({ count, about: { film: { camera, width, height, frames, frame_rate: rate, pixel } } }) {
   return [camera, `${width} \u00d7 ${height} pixels`, frames > 0 && `${text.count(frames)} frames${rate > 0 ? ` at ${text.number(rate, 4)}\u202fHz` : ""}`,
-    pixel > 0 && `${text.millimetres(pixel)} a pixel`, count > 0 && `${text.count(count)} grains`].filter(Boolean);
+    pixel > 0 && `${text.millimetres(pixel)} per pixel`, count > 0 && `${text.count(count)} grains`].filter(Boolean);
 }
 
 function subtitle(sample) {
@@ -30,10 +30,10 @@ function subtitle(sample) {
   const counts = sample.materials.map((material, m) => `${text.count(sample.materialCounts[m])} ${material.name}`);
   const size = `${text.number(1e3 * (box.right - box.left), 4)} \u00d7 ${text.number(1e3 * (box.top - box.bottom), 4)}\u202fmm`;
   const force = Math.max(...frame.domain.walls.map((wall) => wall.force));
-  return [...counts, size, ...(force > 0 ? [`${text.quantity(force, "N")} on the frame`] : [])];
+  return [...counts, size, ...(force > 0 ? [`largest wall force ${text.quantity(force, "N")}`] : [])];
 }
 
-function rasterSubtitle({ about: { full: [width, height], dx }, grainClass }) {
+function gridSubtitle({ about: { full: [width, height], dx }, grainClass }) {
   const size = `${text.number(1e3 * width * dx, 4)} \u00d7 ${text.number(1e3 * height * dx, 4)}\u202fmm`;
   return [`${text.count(width)} \u00d7 ${text.count(height)} nodes`, size, ...(grainClass.length ? [`${text.count(grainClass.length)} grains`] : [])];
 }

@@ -12,7 +12,7 @@ import { State } from "./state.js";
 import { tabs } from "./tabs.js";
 import { followTheme, preferredTheme } from "./theme.js";
 
-/** The packing if there is one, then every result on a raster, then every film. */
+/** The packing if there is one, then every result on a grid, then every film. */
 function partsOf(sample, fields, films, state) {
   const packing = sample.frameCount > 0 ? [{ name: "packing", title: "Packing", make: () => packingSection(sample, state) }] : [];
   return [...packing, ...fields.map((result, k) => ({ name: `field-${k}`, title: titleOf(result), make: () => fieldSection(result, state) })),

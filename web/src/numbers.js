@@ -131,5 +131,5 @@ export function numbersTable(sample, state) {
   state.watch(["frame"], refresh);
   refresh();
   return h("section", { class: "card numbers" }, h("div", { class: "title" }, h("h3", {}, "Numbers")), body,
-    h("p", { class: "caption" }, rich("With standard errors, from grains away from the walls. a_{c}, \u03b8_{c}: contact directions; noise: a_{c} of as many random directions; a_{n}: normal forces.")), notes);
+    h("p", { class: "caption" }, rich("With standard errors, from grains away from the walls. a_{c}, \u03b8_{c}: contact orientations; noise: a_{c} of as many random orientations; a_{n}: normal forces.")), notes);
 }

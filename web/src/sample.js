@@ -41,7 +41,7 @@ export class Sample {
     frame.contacts.type = this.#typesOf(frame.contacts);
     frame.texture = about.texture ?? null;
     frame.meanForce = frame.texture?.force?.mean_N?.value ?? meanOfPositive(frame.contacts.fn);
-    // At rest the dashpots leave traces of pull that mean nothing.
+    // In equilibrium the dashpots leave traces of tension that mean nothing.
     frame.tensile = -1e-3 * frame.meanForce;
     frame.hasTension = frame.contacts.fn.some((force) => force < frame.tensile);
     frame.sigmaNorm = this.#sigmaNorm(frame);

@@ -1,4 +1,5 @@
 import { s } from "./dom.js";
+import { passing } from "./figures/tips.js";
 
 /** The text of an SVG that stands alone: namespaces, size, background and font are its own. */
 export function svgText(svg, theme) {
@@ -10,6 +11,7 @@ export function svgText(svg, theme) {
   copy.setAttribute("font-family", theme.font);
   copy.setAttribute("color", theme.ink);
   copy.removeAttribute("class");
+  copy.querySelectorAll(passing).forEach((node) => node.remove());
   copy.insertBefore(s("rect", { width: box.width, height: box.height, fill: theme.card }), copy.firstChild);
   return new XMLSerializer().serializeToString(copy);
 }

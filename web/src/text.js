@@ -25,7 +25,7 @@ export const text = {
   /** { value, error } as text, both to the place that the error's two leading digits reach; an error of rounding is none. */
   withError(value, error) {
     if (!Number.isFinite(value)) return { value: "\u2013", error: "" };
-    if (!(error > 1e-12 * Math.abs(value))) return { value: text.number(value, 4), error: "" };
+    if (!(error > 1e-7 * Math.abs(value))) return { value: text.number(value, 4), error: "" };
     const decimals = Math.min(8, Math.max(0, 1 - Math.floor(Math.log10(error))));
     return { value: minus(value.toFixed(decimals)), error: error.toFixed(decimals) };
   },

@@ -2,7 +2,7 @@
 // Usage: node field_page.test.mjs PAGE.html
 import assert from "node:assert/strict";
 import { difference, painted, saved } from "./browser.mjs";
-import { rgb, runTests, settle } from "./run.mjs";
+import { rgb, runTests, settle, tipOf, zoom } from "./run.mjs";
 
 const tests = [];
 const test = (name, run) => tests.push({ name, run });
@@ -175,8 +175,7 @@ test("zoomed in, a node is a square of one colour", async (page) => {
     return { x: Math.round(px + box.left), y: Math.round(py + box.top) };
   }, node);
   await page.mouse.move(x, y);
-  await page.mouse.wheel(0, -2400);
-  await settle(page);
+  await zoom(page, 11);
   const place = await page.evaluate((k) => {
     const { view, result } = window.arenite.field, box = view.canvas.getBoundingClientRect(), [px, py] = view.camera.toScreen(...result.map.placeOf(k));
     return { x: px + box.left, y: py + box.top, size: result.map.spacing * view.camera.scale };
@@ -221,6 +220,20 @@ test("densities over the mean of the phase carry their fits", async (page) => {
   await settle(page);
   assert.ok(await dashed() >= 2, `${await dashed()} tails`);
   await page.click('[data-figure="stress-pdf"] [data-choice="norm"]:visible [data-value="sample"]');
+});
+
+test("the pointer reads the curve of the test, and a click goes to the step that it shows", async (page) => {
+  await tab(page, "Failure");
+  const lines = await tipOf(page, "stress-strain"), step = Number(lines[0].match(/^step (\d+)$/)[1]);
+  assert.match(lines[1], /^strain [\d.]+\u202f10\u207b\u00b3$/);
+  assert.match(lines[2], /^stress \u2212?[\d.]+\u202f[kM]?Pa$/);
+  await page.mouse.down();
+  await page.mouse.up();
+  await settle(page);
+  assert.equal(await page.evaluate(() => window.arenite.field.state.get("step")), step - 1);
+  await set(page, { step: (await page.evaluate(() => window.arenite.field.result.steps)) - 1 });
+  await page.mouse.move(2, 2);
+  await page.evaluate(() => window.scrollTo(0, 0));
 });
 
 test("every figure is drawn and saved as a whole SVG", async (page) => {

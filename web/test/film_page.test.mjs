@@ -2,7 +2,7 @@
 // Usage: node film_page.test.mjs PAGE.html
 import assert from "node:assert/strict";
 import { difference, painted, saved } from "./browser.mjs";
-import { rgb, runTests, settle } from "./run.mjs";
+import { rgb, runTests, settle, tipOf, zoom } from "./run.mjs";
 
 const tests = [];
 const test = (name, run) => tests.push({ name, run });
@@ -41,7 +41,7 @@ const brightness = (colour) => (colour[0] + colour[1] + colour[2]) / 3;
 test("every film has its tab, and the last one is open", async (page) => {
   assert.deepEqual(await page.locator(".tabs button").allInnerTexts(), ["Maps", "Stresses", "Film"]);
   assert.match(await page.locator("header p").innerText(), /JADE III.*1\u202f480 frames at 148.*260 grains/);
-  assert.match(await page.locator(".headlines:visible").innerText(), /load frequency[\s\S]*3\.00020 \u00b1 0\.00010\u202fHz[\s\S]*correlation with twin/);
+  assert.match(await page.locator(".headlines:visible").innerText(), /load frequency[\s\S]*3\.00020 \u00b1 0\.00010\u202fHz[\s\S]*correlation with simulation/);
 });
 
 test("the picture is bright where grains are warm, and its pixels come back in kelvin", async (page) => {
@@ -197,7 +197,7 @@ test("zoomed in, a pixel is a square of one colour; 0 shows all again", async (p
   const before = await page.evaluate(() => window.arenite.film.view.camera.scale), [{ x, y }] = (await grains(page)).slice(130);
   const start = await onPage(page, Math.round(x), Math.round(y));
   await page.mouse.move(start.x, start.y);
-  await page.mouse.wheel(0, -2000);
+  await zoom(page, 10);
   await page.mouse.move(2, 2);
   await settle(page);
   const scale = await page.evaluate(() => window.arenite.film.view.camera.scale), middle = await onPage(page, Math.round(x), Math.round(y));
@@ -244,7 +244,7 @@ test("film and simulation are compared grain by grain, with the correlation in t
   assert.ok(Math.abs(said - own) < 2e-3, `${said} is not ${own}`);
   assert.equal(await page.locator('[data-figure="film-maps"]:visible circle').count(), 3 * 260);
   const tables = await page.locator(".numbers:visible").allInnerTexts();
-  assert.match(tables.join("\n"), /Experiment and simulation[\s\S]*Simulation: swing[\s\S]*HDPE[\s\S]*Agreement/);
+  assert.match(tables.join("\n"), /Experiment and simulation[\s\S]*Simulation, peak to peak[\s\S]*HDPE[\s\S]*Agreement/);
 });
 
 test("directions of contacts in film and simulation stand side by side on one scale", async (page) => {
@@ -277,6 +277,16 @@ test("forces carry error bars of one standard error", async (page) => {
     return Array.from(fn, (f, c) => ({ f, e: error[c] })).sort((a, b) => b.f - a.f);
   });
   assert.ok(Math.abs(Math.abs(y1 - y0) - (2 * top.e) / 1e3) < 0.02 * Math.abs(y1 - y0), `${y1 - y0} kN for twice ${top.e} N`);
+});
+
+test("the pointer on a chart names the grain or the contact with its error and unit", async (page) => {
+  await set(page, { twin: "swing", over: "unit" });
+  await settle(page);
+  const grain = await tipOf(page, "film-twin"), contact = await tipOf(page, "film-forces");
+  assert.match(grain.join("\n"), /^Grain \d+, (POM|HDPE)\nsimulation, \u2212\u03c3hyd \u2212?[\d.]+\u202f[kM]Pa\nfilm, \u2212\u03c3hyd \u2212?[\d.]+ \u00b1 [\d.]+\u202f[kM]Pa$/);
+  assert.match(contact.join("\n"), /^Contact \d+\u2009\u2013\u2009.*\nrank \d+\nFn \u2212?[\d.]+ \u00b1 [\d.]+\u202fk?N$/);
+  await set(page, { over: "mean" });
+  await page.mouse.move(2, 2);
 });
 
 test("the picture is saved as SVG with its map inside and as PNG at twice the size", async (page) => {

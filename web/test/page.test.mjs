@@ -1,7 +1,7 @@
 // Opens a page from the disk and asserts what is painted. Usage: node page.test.mjs PAGE.html
 import assert from "node:assert/strict";
 import { difference, painted, saved } from "./browser.mjs";
-import { rgb, runTests, settle } from "./run.mjs";
+import { rgb, runTests, settle, tipOf, zoom } from "./run.mjs";
 
 const tests = [];
 const test = (name, run) => tests.push({ name, run });
@@ -96,18 +96,139 @@ test("hovering tells a grain's and a contact's numbers", async (page) => {
   await click(page, "chains", "all");
 });
 
-test("the wheel zooms about the pointer and a double click shows all again", async (page) => {
+test("the wheel over the picture scrolls the page, leaves the picture, and a line says how to zoom", async (page) => {
+  const hint = page.locator(".hint"), opacity = () => hint.evaluate((line) => Number(getComputedStyle(line).opacity));
+  assert.equal(await opacity(), 0);
+  const { x, y, radius } = await grain(page, 20);
+  await page.mouse.move(x, y);
+  await page.mouse.wheel(0, 120);
+  await page.waitForFunction(() => window.scrollY > 60);
+  assert.equal((await grain(page, 20)).radius, radius);
+  assert.match(await hint.textContent(), /Ctrl \+ wheel zooms/);
+  await page.waitForFunction(() => getComputedStyle(document.querySelector(".hint")).opacity === "1");
+  await page.waitForFunction(() => getComputedStyle(document.querySelector(".hint")).opacity === "0");
+  await page.evaluate(() => window.scrollTo(0, 0));
+  await page.waitForFunction(() => window.scrollY === 0);
+});
+
+test("Ctrl and the wheel zoom about the pointer without scrolling the page, and a double click shows all again", async (page) => {
   const before = await grain(page, 20);
   await page.mouse.move(before.x, before.y);
-  await page.mouse.wheel(0, -400);
-  await settle(page);
+  await zoom(page, 2);
   const after = await grain(page, 20);
-  assert.ok(after.radius > 1.5 * before.radius, `${before.radius} -> ${after.radius}`);
+  assert.ok(Math.abs(after.radius / before.radius - 2) < 1e-9, `${before.radius} -> ${after.radius}`);
   assert.ok(Math.hypot(after.x - before.x, after.y - before.y) < 1);
+  assert.equal(await page.evaluate(() => window.scrollY), 0);
   await page.mouse.dblclick(before.x, before.y);
   await settle(page);
   assert.ok(Math.abs((await grain(page, 20)).radius - before.radius) < 1e-6);
   await page.mouse.move(2, 2);
+});
+
+test("a touchpad's pinch, many small turns with Ctrl, zooms as far as fingers move", async (page) => {
+  const before = await grain(page, 20);
+  await page.mouse.move(before.x, before.y);
+  await page.keyboard.down("Control");
+  for (let k = 0; k < 50; ++k) await page.mouse.wheel(0, -1);
+  await page.keyboard.up("Control");
+  await settle(page);
+  assert.ok(Math.abs((await grain(page, 20)).radius / before.radius - 2) < 1e-6);
+  await page.mouse.dblclick(before.x, before.y);
+});
+
+test("at the end of its range the zoom does not zoom the page", async (page) => {
+  const { x, y } = await grain(page, 20);
+  await page.mouse.move(x, y);
+  await zoom(page, -6);
+  const wide = await page.evaluate(() => [window.innerWidth, devicePixelRatio]);
+  const kept = await page.locator("canvas.grains").evaluate((canvas) => {
+    const turn = new WheelEvent("wheel", { deltaY: 100, ctrlKey: true, bubbles: true, cancelable: true });
+    canvas.dispatchEvent(turn);
+    return turn.defaultPrevented;
+  });
+  assert.ok(kept);
+  assert.deepEqual(await page.evaluate(() => [window.innerWidth, devicePixelRatio]), wide);
+  await page.mouse.dblclick(x, y);
+});
+
+test("dragging moves the picture with the pointer, and a drag is no click", async (page) => {
+  const before = await grain(page, 20);
+  await page.mouse.move(before.x, before.y);
+  await page.mouse.down();
+  await page.mouse.move(before.x + 20, before.y + 10);
+  await page.mouse.move(before.x + 60, before.y - 35);
+  assert.equal(await page.locator(".tooltip").isVisible(), false);
+  await page.mouse.up();
+  await settle(page);
+  const after = await grain(page, 20);
+  assert.ok(Math.hypot(after.x - before.x - 60, after.y - before.y + 35) < 1e-6, `${after.x - before.x}, ${after.y - before.y}`);
+  await page.locator("canvas.grains").focus();
+  await page.keyboard.press("0");
+  await settle(page);
+  assert.ok(Math.hypot((await grain(page, 20)).x - before.x, (await grain(page, 20)).y - before.y) < 1e-9);
+});
+
+test("keys zoom, move what is zoomed, and show all", async (page) => {
+  const before = await grain(page, 20);
+  await page.locator("canvas.grains").focus();
+  await page.keyboard.press("ArrowRight");
+  await settle(page);
+  assert.equal((await grain(page, 20)).x, before.x);
+  await page.keyboard.press("+");
+  await settle(page);
+  const larger = await grain(page, 20), width = await page.evaluate(() => window.arenite.view.camera.width);
+  assert.ok(Math.abs(larger.radius / before.radius - 1.25) < 1e-9);
+  await page.keyboard.press("ArrowRight");
+  await settle(page);
+  const moved = await grain(page, 20);
+  assert.ok(Math.abs(larger.x - moved.x - 0.1 * width) < 1e-6 && Math.abs(larger.y - moved.y) < 1e-9, `${larger.x} -> ${moved.x}`);
+  await page.keyboard.press("-");
+  await page.keyboard.press("Escape");
+  await settle(page);
+  assert.ok(Math.hypot((await grain(page, 20)).x - before.x, (await grain(page, 20)).y - before.y) < 1e-9);
+});
+
+test("hovering a chart rings a point and shows its numbers with units, and a saved figure is without", async (page) => {
+  const force = await tipOf(page, "wall-forces");
+  assert.match(force[0], /^(bottom|top|left|right) wall$/);
+  assert.match(force[1], /^time [\d.]+\u202fs$/);
+  assert.match(force[2], /^force \u2212?[\d.]+\u202fk?N$/);
+  const { shown, wanted } = await page.evaluate(() => {
+    const svg = document.querySelector('[data-figure="wall-forces"] .drawing > svg'), ring = svg.querySelector(".passing circle");
+    return { shown: [ring.getAttribute("cx"), ring.getAttribute("cy")].map(Number), wanted: [svg.scale("x").apply(svg.value.x), svg.scale("y").apply(svg.value.y)] };
+  });
+  shown.forEach((v, k) => assert.ok(Math.abs(v - wanted[k]) < 0.01, `${shown} is not ${wanted}`));
+  assert.match((await tipOf(page, "sigma-norm"))[1], /^\u03c3norm [\d.]+$/);
+  assert.match((await tipOf(page, "sigma-norm")).at(-1), /^P\(\u03c3norm\) [\d.]+/);
+  assert.match((await tipOf(page, "coordination")).at(-1), /^z [\d.]+ \u00b1 [\d.]+$/);
+  const source = await page.evaluate(() => new Promise((done) => {
+    const make = URL.createObjectURL;
+    URL.createObjectURL = (blob) => {
+      URL.createObjectURL = make;
+      blob.text().then(done);
+      return make.call(URL, blob);
+    };
+    document.querySelector('[data-figure="coordination"] [data-save="svg"]').click();
+  }));
+  assert.equal(await page.locator('[data-figure="coordination"] [aria-label="tip"] text').count(), 1);
+  assert.doesNotMatch(source, /passing|aria-label="tip"/);
+  await page.mouse.move(2, 2);
+  await settle(page);
+  assert.equal(await page.locator('[aria-label="tip"] text').count(), 0);
+  await page.evaluate(() => window.scrollTo(0, 0));
+});
+
+test("tips stay over their card", async (page) => {
+  for (const figure of await page.locator("[data-figure]").evaluateAll((all) => all.map((f) => f.dataset.figure))) {
+    if ((await tipOf(page, figure)).length === 0) continue;
+    const over = await page.evaluate((name) => {
+      const card = document.querySelector(`[data-figure="${name}"]`), a = card.querySelector('[aria-label="tip"] path').getBoundingClientRect(), b = card.getBoundingClientRect();
+      return Math.max(b.left - a.left, a.right - b.right);
+    }, figure);
+    assert.ok(over < 1, `the tip of ${figure} is ${over} px beside its card`);
+  }
+  await page.mouse.move(2, 2);
+  await page.evaluate(() => window.scrollTo(0, 0));
 });
 
 test("the slider moves the grains and the numbers with it", async (page) => {
@@ -173,6 +294,33 @@ test("on a narrow screen everything stands in one column and nothing is cut off"
   await settle(page);
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
   assert.ok(wide <= 420, `the page is ${wide} px wide`);
+});
+
+test("on a touch screen one finger scrolls the page and two zoom and move the picture", async (page) => {
+  const screen = await page.context().newCDPSession(page);
+  await screen.send("Emulation.setTouchEmulationEnabled", { enabled: true, maxTouchPoints: 5 });
+  await page.reload();
+  await page.waitForSelector("html[data-ready]");
+  await page.waitForTimeout(200);
+  const touch = (type, ...points) => screen.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const before = await grain(page, 20), { x, y } = before;
+  await touch("touchStart", [x, y]);
+  await touch("touchMove", [x, y - 5]);
+  await touch("touchMove", [x, y - 20]);
+  await touch("touchMove", [x, y - 120]);
+  await touch("touchEnd");
+  await page.waitForFunction(() => window.scrollY > 60);
+  assert.equal((await grain(page, 20)).radius, before.radius);
+  await page.evaluate(() => window.scrollTo(0, 0));
+  await page.waitForFunction(() => window.scrollY === 0);
+  await touch("touchStart", [x - 20, y], [x + 20, y]);
+  await touch("touchMove", [x - 30, y], [x + 30, y]);
+  await touch("touchMove", [x - 40, y], [x + 40, y]);
+  await touch("touchEnd");
+  await settle(page);
+  const after = await grain(page, 20);
+  assert.ok(Math.abs(after.radius / before.radius - 2) < 1e-6, `${before.radius} -> ${after.radius}`);
+  assert.ok(Math.hypot(after.x - x, after.y - y) < 1);
 });
 
 await runTests(process.argv[2], tests);

@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { zoomIdentity } from "d3-zoom";
 import { histogram, makeScale } from "../src/field/scale.js";
 import { wrapped } from "../src/film/maps.js";
 import { quantityWithError } from "../src/film/tooltip.js";
@@ -18,6 +19,8 @@ test("a value and its error end at the error's second digit", () => {
 test("a value without an error keeps four digits and says no error", () => {
   assert.deepEqual(text.withError(3.14159, null), { value: "3.142", error: "" });
   assert.deepEqual(text.withError(1, 7e-16), { value: "1.000", error: "" });
+  assert.deepEqual(text.withError(0.333333, 3e-9), { value: "0.3333", error: "" });
+  assert.deepEqual(text.withError(3.00324, 3e-6), { value: "3.0032400", error: "0.0000030" });
   assert.deepEqual(text.withError(null, null), { value: "\u2013", error: "" });
 });
 
@@ -55,9 +58,21 @@ test("screen and plane are each other's inverse", () => {
 
 test("zooming keeps the point under the pointer", () => {
   const c = camera(), before = c.toWorld(137, 88);
-  c.zoom(137, 88, 3.7);
+  c.follow(zoomIdentity.translate(137, 88).scale(3.7).translate(-137, -88));
   const after = c.toWorld(137, 88);
   assert.ok(Math.hypot(after[0] - before[0], after[1] - before[1]) < 1e-12);
+  assert.ok(Math.abs(c.scale / c.whole.scale - 3.7) < 1e-12);
+});
+
+test("a camera and its transform say the same, whatever the picture's size became", () => {
+  const c = camera(), place = c.toScreen(0.1, 0.2);
+  c.show({ left: 0.05, right: 0.15, bottom: 0.15, top: 0.25 }, 10);
+  const [x, y] = c.transform.apply(place), wanted = c.toScreen(0.1, 0.2);
+  assert.ok(Math.hypot(x - wanted[0], y - wanted[1]) < 1e-9);
+  c.resize(500, 450);
+  const middle = [c.x, c.y], { scale } = c;
+  c.follow(c.transform);
+  assert.ok(Math.abs(c.scale - scale) < 1e-9 * scale && Math.hypot(c.x - middle[0], c.y - middle[1]) < 1e-12);
 });
 
 test("a state tells only those who watch what changed", () => {

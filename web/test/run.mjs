@@ -4,6 +4,28 @@ import { watch, withBrowser } from "./browser.mjs";
 
 export const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
+/** Turns the wheel with Ctrl: zooms in by so many notches, each by half a power of two; out where they are negative. */
+export async function zoom(page, notches) {
+  await page.keyboard.down("Control");
+  for (let k = 0; k < Math.abs(notches); ++k) await page.mouse.wheel(0, -100 * Math.sign(notches));
+  await page.keyboard.up("Control");
+  await settle(page);
+}
+
+/** Moves the pointer over a figure's drawing until one of its tips is shown, and gives its lines. */
+export async function tipOf(page, figure) {
+  const drawing = page.locator(`[data-figure="${figure}"]:visible .drawing`);
+  await drawing.scrollIntoViewIfNeeded();
+  const box = await drawing.boundingBox();
+  for (const [x, y] of [[0.5, 0.5], [0.3, 0.3], [0.3, 0.7], [0.7, 0.5], [0.2, 0.2], [0.8, 0.3], [0.4, 0.8]]) {
+    await page.mouse.move(box.x + x * box.width, box.y + y * box.height);
+    await settle(page);
+    const lines = await drawing.locator('[aria-label="tip"] text > tspan').evaluateAll((all) => all.map((line) => line.textContent.replace("\u200b", "")));
+    if (lines.length) return lines;
+  }
+  return [];
+}
+
 export const rgb = (hex) => [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16));
 
 /** Opens a page from the disk, runs the tests on it one after the other, and leaves with their verdict; an error in the

@@ -1,6 +1,6 @@
 // Opens the page of a study and asserts what is painted. Usage: node study_page.test.mjs PAGE.html
 import assert from "node:assert/strict";
-import { runTests, settle } from "./run.mjs";
+import { runTests, settle, tipOf } from "./run.mjs";
 
 const tests = [];
 const test = (name, run) => tests.push({ name, run });
@@ -146,6 +146,12 @@ test("a film's points are hollow, in the colour of what was simulated", async (p
   assert.equal(dots.length, 6);
   assert.equal(of(dots[3], 1), of(dots[0], 0));
   assert.notEqual(of(dots[3], 0), of(dots[0], 0));
+});
+
+test("the pointer shows the numbers of a point with its error, and of a cell of a map", async (page) => {
+  assert.match((await tipOf(page, "points")).join("\n"), /^(full|\u03b7 = 0\.2)\ngamma [\d.]+\nz [\d.]+/);
+  assert.match((await tipOf(page, "map")).join("\n"), /^gamma (1|5)\n(full|0\.2)\n1\d\.\d/);
+  await page.mouse.move(2, 2);
 });
 
 test("light and dark differ and both are drawn", async (page) => {

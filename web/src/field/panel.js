@@ -7,7 +7,7 @@ import { Picture } from "./picture.js";
 import { stepSlider } from "./steps.js";
 import { FieldView } from "./view.js";
 
-/** The card with the sample: what to paint on the nodes, how, the picture, and for a pull to failure the slider. */
+/** The card with the sample: what to paint on the nodes, how, the picture, and for a test to failure the slider. */
 export function fieldPanel(result, state, title) {
   const view = new FieldView(result, state), picture = new Picture(view, title);
   const panel = h("section", { class: "card packing sample", "aria-label": "Sample" },

@@ -4,7 +4,7 @@ import { decodeField } from "./decode.js";
 
 export const classes = { empty: 0, matrix: 1, particle: 2, small: 3, large: 4 };
 
-/** A raster of the sample: phase, grain label (0: none) and class of every node. */
+/** The sample on a grid: phase, grain label (0: none) and class of every node. */
 export class PhaseMap {
   constructor(about, block) {
     Object.assign(this, { about, width: about.width, height: about.height, stride: about.stride });
@@ -42,7 +42,7 @@ function cavitiesOf(about, block) {
   return Object.fromEntries(Object.entries(about).map(([kind, c]) => [kind, { ...c, label: unpack(block, c.label), nodes: unpack(block, c.nodes) }]));
 }
 
-/** A result on a raster: fields are decoded when first asked for. */
+/** A result on a grid: fields are decoded when first asked for. */
 export class FieldResult {
   #block;
   #values = new Map();

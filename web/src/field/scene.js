@@ -1,17 +1,17 @@
 import createRegl from "regl";
 import { segmentDrawing } from "../packing/segments.js";
 import { bytes } from "../theme.js";
-import { rasterDrawing } from "./raster.js";
+import { gridDrawing } from "./grid.js";
 
 const unit = (colour) => bytes(colour).map((v) => v / 255);
 const crackRadius = 1.5;  // pixels of the screen at least
 
-/** The raster on the graphics card, with crosses and cracks over it. */
+/** The grid of nodes on the graphics card, with crosses and cracks over it. */
 export class FieldScene {
   constructor(canvas, map) {
     this.map = map;
     const regl = this.regl = createRegl({ canvas, attributes: { antialias: false, alpha: false, preserveDrawingBuffer: true }, extensions: ["ANGLE_instanced_arrays"] });
-    this.raster = rasterDrawing(regl);
+    this.grid = gridDrawing(regl);
     this.segments = segmentDrawing(regl, regl.buffer([[-1, -1], [1, -1], [-1, 1], [1, 1]]));
     const { box, width, height } = map;
     this.size = [box.right, box.top];
@@ -39,7 +39,7 @@ export class FieldScene {
     const pixelsPerNode = pixelsPerMetre * this.map.spacing;
     this.regl.poll();
     this.regl.clear({ color: [...unit(theme.card), 1] });
-    this.raster({
+    this.grid({
       middle: [camera.x, camera.y], perMetre, size: this.size, nodes: [this.map.width, this.map.height], paint: this.paint, label: this.label,
       background: unit(theme.card), ink: unit(theme.field.outline), pixelsPerNode, chosen: chosen ?? 0, fade,
       outline: outline ? Math.min(0.75, 0.2 + 0.25 * pixelsPerNode) : 0,

@@ -18,7 +18,7 @@ function begin(result, page) {
   });
 }
 
-/** One result on a raster with its figures and tables: { element, state, view }. */
+/** One result on a grid with its figures and tables: { element, state, view }. */
 export function fieldSection(result, page) {
   const state = begin(result, page);
   page.watch(["theme"], () => state.set({ theme: page.get("theme") }));

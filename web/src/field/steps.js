@@ -4,11 +4,11 @@ import { brokenAt } from "./cracks.js";
 
 const duration = 6000, least = 40;  // ms: of the whole play, between two steps
 
-/** The slider over the steps of a pull to failure, with a button that plays them. */
+/** The slider over the steps of a test to failure, with a button that plays them. */
 export function stepSlider(result, state) {
   const last = result.steps - 1;
   const slider = h("input", {
-    type: "range", min: 0, max: last, step: 1, "aria-label": "Step of the pull",
+    type: "range", min: 0, max: last, step: 1, "aria-label": "Step of the test",
     oninput: (event) => state.set({ step: Number(event.target.value), playing: false, cracks: true }),
   });
   const play = h("button", { class: "play", onclick: () => state.set({ playing: !state.get("playing"), cracks: true }) });
@@ -19,7 +19,7 @@ export function stepSlider(result, state) {
     slider.style.setProperty("--done", `${(100 * step) / last}%`);
     output.textContent = describe(result, step);
     play.textContent = state.get("playing") ? "\u275a\u275a" : "\u25b6\ufe0e";
-    play.setAttribute("aria-label", state.get("playing") ? "Pause" : "Play the pull");
+    play.setAttribute("aria-label", state.get("playing") ? "Pause" : "Play the test");
   };
   state.watch(["step", "playing"], refresh);
   let timer = null;

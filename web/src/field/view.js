@@ -8,10 +8,10 @@ import { paint } from "./paint.js";
 import { FieldScene } from "./scene.js";
 import { nodeNumbers } from "./tooltip.js";
 
-const label = "The sample: wheel zooms, dragging moves, a click shows a grain close up, double click shows all";
+const label = "The sample, a click shows a grain close up";
 const painted = ["show", "component", "around", "law", "clip", "by", "chains", "threshold", "cavities", "theme"];
 
-/** The picture of a raster: canvas, overlay, legend and what the pointer does on them. */
+/** The picture of a sample on a grid: canvas, overlay, legend and what the pointer does on them. */
 export class FieldView extends CanvasView {
   constructor(result, state) {
     super(state, {
@@ -49,9 +49,8 @@ export class FieldView extends CanvasView {
     const grain = this.state.get("grain");
     this.fit();
     if (!grain) return;
-    const least = this.camera.least;
-    this.camera.fit(this.result.boxOfGrain(grain - 1), 0.16 * Math.min(this.camera.width, this.camera.height));
-    this.camera.least = least;
+    this.camera.show(this.result.boxOfGrain(grain - 1), 0.16 * Math.min(this.camera.width, this.camera.height));
+    this.followCamera();
   }
 
   update(stale) {

@@ -11,7 +11,7 @@ function sets({ map }, theme) {
 
 export const cavityVolumes = {
   id: "cavities", title: "Single pores and voids",
-  caption: "Probability density of the volume of a single pore (not grain) and void (not grain, not matrix) over that of a large grain of nominal radius (reference radius in the table), with counting errors. Those cut by the edge and specks of the raster are left out as the table says.",
+  caption: "Probability density of the volume of a single pore (not grain) and void (not grain, not matrix) over that of a large grain of nominal radius (reference radius in the table), with counting errors. Those cut by the edge and specks of the grid are left out as the table says.",
   when: (_, result) => kinds.some(([kind]) => result.map.cavities[kind]?.volumes?.density.filter((d) => d > 0).length > 2),
   key: ({ sample, theme }) => sets(sample, theme).map(({ name, colour, mean, cv }) => ({ name, colour, values: [["mean", { value: mean.value }], ["c.v.", { value: cv.value }]] })),
   draw({ sample, theme, width }) {
@@ -20,7 +20,8 @@ export const cavityVolumes = {
     const domain = decadesAround(Math.min(...y), Math.max(...y));
     const xAxis = logAxis("V / (\u03c0 r_{L}\u00b2)", [Math.min(...all.map((r) => r.low)), Math.max(...all.map((r) => r.high))]);
     return chart(theme, {
-      width, height: 254, x: xAxis, y: logAxis("probability density", domain),
+      width, height: 254, x: xAxis, y: { ...logAxis("probability density", domain), short: "density" },
+      tips: { points: lines.flatMap(({ name, rows }) => rows.map((r) => ({ ...r, name }))) },
       marks: lines.flatMap(({ rows, colour }) => [
         Plot.ruleX(rows, { x: "x", y1: (r) => Math.max(domain[0], r.y - r.error), y2: (r) => r.y + r.error, stroke: colour, strokeOpacity: 0.5 }),
         Plot.line(rows, { x: "x", y: "y", stroke: colour, strokeWidth: 1.5 }), Plot.dot(rows, { x: "x", y: "y", fill: colour, r: 2.2 }),

@@ -1,20 +1,27 @@
 import * as Plot from "@observablehq/plot";
 import { richSvg, s } from "../dom.js";
 import { superscript } from "../text.js";
+import { tipMarks } from "./tips.js";
 
-/** A chart in the page's manner: thin grid, no frame, labels along the axes, symbols with subscripts. */
-export function chart(theme, { width, height = 250, x = {}, y = {}, marks, ...rest }) {
+const worded = ({ unit, short, ...axis }) => (unit ? { ...axis, label: `${axis.label}, ${unit}` } : axis);
+
+/** A chart in the page's manner: thin grid, no frame, labels along the axes, symbols with subscripts; `tips` (tips.js) are the
+    points whose numbers the pointer shows. An axis may have a `unit`, and a `short` name
+    for tips. */
+export function chart(theme, { width, height = 250, x = {}, y = {}, marks, tips = null, ...rest }) {
   const svg = Plot.plot({
     width, height, marginLeft: 50, marginRight: 14, marginTop: 12, marginBottom: 42,
     style: { fontFamily: theme.font, fontSize: "11.5px", background: "none", color: theme.soft },
-    x: { labelAnchor: "center", labelArrow: "none", labelOffset: 36, tickSize: 0, tickPadding: 7, ...x },
-    y: { labelAnchor: "center", labelArrow: "none", labelOffset: 44, tickSize: 0, tickPadding: 7, ticks: 5, ...y },
+    x: { labelAnchor: "center", labelArrow: "none", labelOffset: 36, tickSize: 0, tickPadding: 7, ...worded(x) },
+    y: { labelAnchor: "center", labelArrow: "none", labelOffset: 44, tickSize: 0, tickPadding: 7, ticks: 5, ...worded(y) },
     ...rest,
     marks: [
       Plot.gridY({ stroke: theme.rule, strokeOpacity: 1, ticks: rest.gridTicks ?? (y.type === "log" ? decades(y.domain) : 5) }),
       ...marks,
+      ...(tips ? tipMarks(theme, tips, { x, y }) : []),
     ],
   });
+  if (tips) svg.prepend(s("path", { d: `M0,0h${width}v${height}h${-width}Z`, fill: "none", "pointer-events": "all" }));  // a chart within an SVG hears the pointer only where something is
   svg.removeAttribute("class");
   svg.querySelectorAll("style").forEach((style) => style.remove());
   svg.setAttribute("viewBox", `0 0 ${width} ${height}`);

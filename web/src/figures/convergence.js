@@ -12,7 +12,7 @@ export const convergence = {
     const domain = decadesAround(Math.min(...values), Math.max(...values));
     return chart(theme, {
       width, height: 254,
-      x: { label: "iteration", ticks: 6, tickFormat: (v) => (Number.isInteger(v) ? String(v) : "") }, y: logAxis("residual", domain),
+      x: { label: "iteration", ticks: 6, tickFormat: (v) => (Number.isInteger(v) ? String(v) : "") }, y: logAxis("residual", domain), tips: { points: rows },
       marks: [
         Plot.line(rows, { x: "x", y: "y", stroke: theme.materialLine[0], strokeWidth: 1.6 }),
         rows.length < 200 ? Plot.dot(rows, { x: "x", y: "y", fill: theme.materialLine[0], r: 2.6 }) : null,

@@ -1,5 +1,6 @@
 import * as Plot from "@observablehq/plot";
 import { chart, sideBySide } from "./chart.js";
+import { withUnit } from "./tips.js";
 
 /** The states with contacts and a texture, in order: { k, t } with k the number of the state from 1. */
 function states(sample) {
@@ -23,10 +24,11 @@ function panel(theme, state, list, lines, label, width) {
   const here = state.get("frame") + 1;
   const last = data.map(({ name, colour, rows }) => ({ name, colour, k: rows.at(-1).k, value: rows.at(-1).value }));
   spread(last, data);
+  const points = data.flatMap(({ name, rows }) => rows.map(({ k, value, error }) => ({ x: k, y: value, error, name })));
   const whiskers = data.flatMap(({ colour, rows }) => rows.filter((r) => r.error > 0).map((r) => ({ ...r, colour, low: r.value - r.error, high: r.value + r.error })));
   return chart(theme, {
     width, height: 236, marginRight: 96,
-    x: { label: "stored state", ticks: 5, tickFormat: (v) => (Number.isInteger(v) ? String(v) : "") }, y: { label, nice: true },
+    x: { label: "stored state", ticks: 5, tickFormat: (v) => (Number.isInteger(v) ? String(v) : "") }, y: { label, nice: true }, tips: { points, lines: [["", ({ name }) => name], ["stored state", ({ x }) => String(x)], ["", ({ y, error }) => withUnit(y, "", error)]] },
     marks: [
       Plot.ruleX([here], { stroke: theme.accent, strokeWidth: 1.25 }),
       Plot.ruleX(whiskers, { x: "k", y1: "low", y2: "high", stroke: "colour", strokeOpacity: 0.6 }),
@@ -54,7 +56,7 @@ export const course = {
   draw({ sample, state, theme, width }) {
     const list = states(sample);
     return sideBySide(width, [
-      (part) => panel(theme, state, list, shown.coordination, "contacts a grain", part),
+      (part) => panel(theme, state, list, shown.coordination, "contacts per grain", part),
       (part) => panel(theme, state, list, shown.anisotropy, "anisotropy of contacts and stress", part),
     ]);
   },

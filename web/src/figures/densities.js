@@ -49,7 +49,8 @@ function densityChart(theme, sets, { label, semilog, own, width }) {
   return chart(theme, {
     width, height: 270,
     x: { label, domain: ends, ticks: Math.max(3, Math.round(width / 90)), tickFormat: (v) => text.number(v, 2).replace(/\.0$/, "") },
-    y: semilog ? logAxis("probability density", domain) : { label: "probability density", domain },
+    y: { ...(semilog ? logAxis("probability density", domain) : { label: "probability density", domain }), short: "density" },
+    tips: { points: lines.flatMap(({ set, rows }) => inside(rows).map((p) => ({ ...p, name: set }))) },
     marks: [
       Plot.ruleX([1], { stroke: theme.soft, strokeDasharray: "2 3" }),
       ...lines.map(({ set, rows, colour }) => Plot.line(inside(rows), { x: "x", y: "y", stroke: colour, strokeWidth: set === "all" ? 2.1 : 1.5, strokeOpacity: fits.length ? 0.55 : 1 })),

@@ -4,7 +4,7 @@ import { chart, logAxis, points, sampled, sideBySide } from "./chart.js";
 
 const ends = (sets) => Math.max(2.5, ...sets.map(({ d }) => d.maximum ?? 0)) * 1.03;
 
-/** Share above x and its tail P_0 exp(beta (1 - x)), one line a set. */
+/** Survival function and its tail P_0 exp(beta (1 - x)), one line a set. */
 export function cumulativeChart(theme, sets, { x, y, semilog, width, height = 262 }) {
   const top = ends(sets);
   const least = Math.min(...sets.map(({ d }) => 1 / d.count)) * 0.7;
@@ -18,6 +18,7 @@ export function cumulativeChart(theme, sets, { x, y, semilog, width, height = 26
     width, height,
     x: { label: x, domain: [0, top] },
     y: semilog ? logAxis(y, [Math.min(least, 10 ** Math.floor(Math.log10(least) + 0.25)), 1]) : { label: y, domain: [0, 1] },
+    tips: { points: data },
     marks: [
       Plot.ruleX([1], { stroke: theme.soft, strokeDasharray: "2 3" }),
       Plot.line(data, { x: "x", y: "y", z: "name", stroke: "colour", strokeWidth: 1.1, strokeOpacity: 0.35 }),
@@ -49,7 +50,7 @@ const key = (sets, shareName) => sets.map(({ name, colour, d }) => ({
 
 export const stressDistribution = {
   id: "sigma-norm", title: "Normalised stress of grains, \u03c3_{norm} = \u03c3_{hyd}/\u27e8\u03c3_{hyd}\u27e9", wide: true,
-  caption: "P: share of grains above \u03c3_{norm}. Dashed: P_{0} exp[\u03b2(1 \u2212 \u03c3_{norm})], maximum likelihood.",
+  caption: "P: survival function, the share of grains above \u03c3_{norm}. Dashed: P_{0} exp[\u03b2(1 \u2212 \u03c3_{norm})], maximum likelihood.",
   when: (texture) => texture.sigma_norm?.cumulative,
   key: ({ sample, texture, theme }) => key(materialSets(sample, theme, texture.sigma_norm), "P0"),
   draw({ sample, texture, theme, width }) {
@@ -61,14 +62,14 @@ export const stressDistribution = {
 
 export const forceDistribution = {
   id: "forces", title: "Contact forces, F = F_{n}", wide: true,
-  caption: "Left: density of F/\u27e8F\u27e9 (each type over its own mean), all contacts with counting errors, and the fits k x^{\u2212\u03b1} (weak) and k exp[\u03b2(1 \u2212 x)] (strong). Right: share of contacts above.",
+  caption: "Left: density of F/\u27e8F\u27e9 (each type over its own mean), all contacts with counting errors, and the fits k x^{\u2212\u03b1} (weak) and k exp[\u03b2(1 \u2212 x)] (strong). Right: survival function, the share of contacts above.",
   when: (texture) => texture.force?.pdf,
   key: ({ sample, texture, theme }) => key(typeSets(sample, theme, texture.force), "strong_share"),
   draw({ sample, texture, theme, width }) {
     const sets = typeSets(sample, theme, texture.force);
     return sideBySide(width, [
       (part) => densityChart(theme, sets, part),
-      (part) => cumulativeChart(theme, sets, { x: "F/\u27e8F\u27e9", y: "share above", semilog: true, width: part }),
+      (part) => cumulativeChart(theme, sets, { x: "F/\u27e8F\u27e9", y: "survival function", semilog: true, width: part }),
     ]);
   },
 };
@@ -88,7 +89,8 @@ function densityChart(theme, sets, width) {
   return chart(theme, {
     width, height: 262,
     x: { label: "F/\u27e8F\u27e9", domain: [0, top] },
-    y: logAxis("probability density", domain),
+    y: { ...logAxis("probability density", domain), short: "density" },
+    tips: { points: data, by: "both" },
     marks: [
       Plot.ruleX([1], { stroke: theme.soft, strokeDasharray: "2 3" }),
       Plot.dot(data.filter((p) => p.name !== "all"), { x: "x", y: "y", fill: "colour", r: 2, fillOpacity: 0.75 }),

@@ -2,23 +2,25 @@ import * as Plot from "@observablehq/plot";
 import { brokenAt, byType, crackTypes } from "../field/cracks.js";
 import { prefixOf, text } from "../text.js";
 import { chart } from "./chart.js";
+import { withUnit } from "./tips.js";
 
 const column = (result, name) => Array.from(result.curve[name]?.values ?? []);
 const hasCurve = (_, result) => result.steps > 1;
-const strainAxis = { label: "strain, 10\u207b\u00b3", nice: true };
+const strainAxis = { label: "strain", unit: "10\u207b\u00b3", nice: true };
 
 function here(sample, state) { return Math.min(state.get("step"), sample.steps - 1); }
 
 export const stressStrain = {
   id: "stress-strain", title: "Stress and strain", follows: ["step"],
-  caption: "Mean stress of the pulled row against strain, a state before every round of breaking. Dot: the step that the picture shows. A click on the curve goes there.",
+  caption: "Mean stress of the loaded row against strain, one state before every round of breaking. Dot: the step that the picture shows. A click on the curve goes there.",
   when: hasCurve,
   draw({ sample, state, theme, width }) {
     const stress = column(sample, "stress"), { factor, prefix } = prefixOf(Math.max(...stress), "Pa");
     const rows = column(sample, "strain").map((strain, k) => ({ x: 1e3 * strain, y: stress[k] / factor, k }));
     const line = [{ x: 0, y: 0 }, ...rows];  // straight until the first bond breaks
     const svg = chart(theme, {
-      width, height: 262, x: strainAxis, y: { label: `stress, ${prefix}Pa`, zero: true },
+      width, height: 262, x: strainAxis, y: { label: "stress", unit: `${prefix}Pa`, zero: true },
+      tips: { points: rows, by: "both", reach: Infinity, lines: [["step", ({ k }) => text.count(k + 1)], ["strain", ({ x }) => withUnit(x, strainAxis.unit)], ["stress", ({ y }) => withUnit(y, `${prefix}Pa`)]] },
       marks: [
         Plot.ruleY([0], { stroke: theme.rule }),
         Plot.line(line, { x: "x", y: "y", stroke: theme.weak, strokeWidth: 1.1 }),
@@ -27,22 +29,14 @@ export const stressStrain = {
       ],
     });
     svg.style.cursor = "pointer";
-    svg.addEventListener("click", (event) => state.set({ step: nearest(svg, rows, event), cracks: true, playing: false }));
+    svg.addEventListener("click", () => svg.value && state.set({ step: svg.value.k, cracks: true, playing: false }));
     return svg;
   },
 };
 
-/** The step whose point lies nearest to the pointer. */
-function nearest(svg, rows, event) {
-  const box = svg.getBoundingClientRect(), fx = svg.scale("x"), fy = svg.scale("y");
-  const px = ((event.clientX - box.left) * svg.viewBox.baseVal.width) / box.width, py = ((event.clientY - box.top) * svg.viewBox.baseVal.height) / box.height;
-  const away = (r) => Math.hypot(fx.apply(r.x) - px, fy.apply(r.y) - py);
-  return rows.reduce((best, r) => (away(r) < away(best) ? r : best)).k;
-}
-
 export const brokenBonds = {
   id: "broken-bonds", title: "Broken bonds", follows: ["step"],
-  caption: "Number of broken bonds by type over the steps of the pull; vertical line: the step shown.",
+  caption: "Number of broken bonds by type over the steps of the test; vertical line: the step shown.",
   when: (_, result) => hasCurve(_, result) && result.cracks,
   key: ({ sample, theme, state }) => {
     const counts = byType(sample, brokenAt(sample, here(sample, state)));
@@ -57,6 +51,7 @@ export const brokenBonds = {
     }
     return chart(theme, {
       width, height: 254, x: { label: "step" }, y: { label: "broken bonds", zero: true },
+      tips: { points: rows.flatMap(({ type, rows: list }) => list.map((p) => ({ ...p, name: crackTypes[type] }))) },
       marks: [Plot.ruleX([here(sample, state) + 1], { stroke: theme.accent, strokeWidth: 1.25 }),
         ...rows.map(({ type, rows: list }) => Plot.line(list, { x: "x", y: "y", stroke: theme.crack[type], strokeWidth: 1.7, curve: "step-after" }))],
     });
@@ -64,16 +59,17 @@ export const brokenBonds = {
 };
 
 export const energyBalance = {
-  id: "energy-balance", title: "Energy balance of the pull", follows: ["step"],
+  id: "energy-balance", title: "Energy balance of the test", follows: ["step"],
   caption: "Per unit of thickness. Work of the clamp is stored by bonds (elastic) or released when they break; line: work, areas: where it is.",
   when: (_, result) => hasCurve(_, result) && result.curve.work && result.curve.elastic && result.curve.released,
   key: ({ theme }) => [{ name: "work", colour: theme.strong, values: [] }, { name: "elastic", colour: theme.materialLine[0], values: [] }, { name: "released", colour: theme.materialLine[1], values: [] }],
   draw({ sample, state, theme, width }) {
     const work = column(sample, "work"), elastic = column(sample, "elastic"), released = column(sample, "released");
     const { factor, prefix } = prefixOf(Math.max(...work), "J");
-    const rows = work.map((w, k) => ({ x: k + 1, work: w / factor, released: released[k] / factor, all: (released[k] + elastic[k]) / factor }));
+    const rows = work.map((w, k) => ({ x: k + 1, work: w / factor, elastic: elastic[k] / factor, released: released[k] / factor, all: (released[k] + elastic[k]) / factor }));
     return chart(theme, {
-      width, height: 254, x: { label: "step" }, y: { label: `energy, ${prefix}J/m`, zero: true },
+      width, height: 254, x: { label: "step" }, y: { label: "energy", unit: `${prefix}J/m`, zero: true },
+      tips: { points: rows.map((r) => ({ ...r, y: r.work })), lines: [["step", ({ x }) => String(x)], ...["work", "elastic", "released"].map((name) => [name, (r) => withUnit(r[name], `${prefix}J/m`)])] },
       marks: [
         Plot.areaY(rows, { x: "x", y1: 0, y2: "released", fill: theme.materialLine[1], fillOpacity: 0.5 }),
         Plot.areaY(rows, { x: "x", y1: "released", y2: "all", fill: theme.materialLine[0], fillOpacity: 0.4 }),

@@ -6,11 +6,11 @@ import { text } from "../text.js";
 
 const shades = 512, gap = 12, head = 20, key = 76;
 
-/** What the film shows, what the forces make of it, and the difference, in the pixels that have both; full swings. */
+/** What the film shows, what the forces make of it, and the difference, in the pixels that have both; peak to peak. */
 function pictures(film) {
   const toFull = film.about.film.swing === "full" ? 1 : 2, fitted = film.values("fitted");
   const measured = film.values("in_phase").map((v, k) => (Number.isFinite(fitted[k]) ? toFull * v : NaN));
-  return [["measured", measured], ["by the forces", fitted], ["left", measured.map((v, k) => v - fitted[k])]];
+  return [["measured", measured], ["by the forces", fitted], ["residual", measured.map((v, k) => v - fitted[k])]];
 }
 
 function painted(film, values, scale, palette, none) {
@@ -24,8 +24,8 @@ function painted(film, values, scale, palette, none) {
 }
 
 export const fitMaps = {
-  id: "film-fit", title: "The film and what the forces make of it", wide: true,
-  caption: "Warming with the load as measured, as the contact forces make it seen through lens and pixels, and the first less the second; one scale, full swings. The fit leaves out pixels at rims and contacts, which are shown here.",
+  id: "film-fit", title: "Measured warming and its fit by contact forces", wide: true,
+  caption: "Warming with the load as measured, as the contact forces predict it seen through lens and pixels, and the residual; one scale, peak to peak. The fit leaves out pixels at rims and contacts, which are shown here.",
   when: (_, film) => film.hasForces && film.about.maps.fitted,
   draw({ sample: film, theme, width }) {
     const all = pictures(film), order = all[0][1].filter(Number.isFinite).sort();

@@ -8,17 +8,18 @@ import { chart } from "./chart.js";
 
 export const rankedStresses = {
   id: "film-stresses", title: "Grain stresses \u00b1 s.e.",
-  caption: "Swing of the pressure \u2212\u03c3_{hyd} of every grain in order, with one standard error to both sides (noise of pixels, place of the grain).",
+  caption: "Peak-to-peak pressure \u2212\u03c3_{hyd} of every grain, ranked, with one standard error to both sides (noise of pixels, place of the grain).",
   when: (_, film) => film.stresses.film && film.grains.sigma_hyd,
   key: ({ sample, theme }) => (sample.materials.length > 1 ? sample.materials.map(({ name }, m) => ({ name, colour: materialLine(theme, m), values: [] })) : []),
   draw({ sample, theme, width }) {
     const { sigma_hyd: sigma, error, material } = sample.grains;
     const order = Array.from(sigma.keys()).filter((g) => Number.isFinite(sigma[g])).sort((a, b) => sigma[a] - sigma[b]);
     const { factor, prefix } = prefixOf(sigma.reduce((most, v) => Math.max(most, Math.abs(v) || 0), 0), "Pa");
-    const rows = order.map((g, k) => ({ x: k + 1, y: -sigma[g] / factor, error: (error?.[g] || 0) / factor, colour: materialLine(theme, material[g]) }));
+    const rows = order.map((g, k) => ({ x: k + 1, y: -sigma[g] / factor, error: (error?.[g] || 0) / factor, colour: materialLine(theme, material[g]), name: grainName(sample, g) }));
     return chart(theme, {
       width, height: 262,
-      x: { label: "rank", domain: [0, rows.length + 1], ticks: 5 }, y: { label: `\u2212\u03c3_{hyd}, ${prefix}Pa`, nice: true },
+      x: { label: "rank", domain: [0, rows.length + 1], ticks: 5 }, y: { label: "\u2212\u03c3_{hyd}", unit: `${prefix}Pa`, nice: true },
+      tips: { points: rows },
       marks: [
         Plot.ruleY([0], { stroke: theme.soft, strokeWidth: 0.8 }),
         Plot.ruleX(rows, { x: "x", y1: (r) => r.y - r.error, y2: (r) => r.y + r.error, stroke: "colour", strokeOpacity: 0.5 }),
@@ -28,7 +29,12 @@ export const rankedStresses = {
   },
 };
 
-const sources = [["film", "Film"], ["twin_swing", "Simulation: swing"], ["twin_state", "Simulation: state"]];
+/** "Grain 12, POM". */
+export const grainName = ({ grains, materials }, g) => `Grain ${grains.id?.[g] ?? g + 1}${materials.length > 1 ? `, ${materials[grains.material[g]].name}` : ""}`;
+
+const sources = [["film", "Film"], ["twin_swing", "Simulation, peak to peak"], ["twin_state", "Simulation, largest load"]];
+/** "peak to peak", "largest load". */
+export const sourceName = (source) => sources.find(([name]) => name === source)[1].replace("Simulation, ", "").toLowerCase();
 export const known = (film) => sources.filter(([name]) => film.stresses[name]);
 
 /** Rectangle around all grains, in pixels of the film. */
@@ -38,8 +44,8 @@ function extent({ grains: { x, y, radius } }) {
 }
 
 export const stressMaps = {
-  id: "film-maps", title: "Experiment beside simulation: \u03c3_{norm} of every grain", wide: true,
-  caption: "Each over its own mean, all in the same colours. A film shows the swing between two loads; the state at the largest one also holds what grains carry at the smallest.",
+  id: "film-maps", title: "Experiment and simulation: \u03c3_{norm} of every grain", wide: true,
+  caption: "Each over its own mean, all in the same colours. A film shows the difference between two loads (peak to peak); the state at the largest load also holds what grains carry at the smallest.",
   when: (_, film) => film.hasTwin && film.count > 0,
   draw({ sample, theme, width }) {
     const shown = known(sample), columns = width < 200 * shown.length ? 1 : shown.length, gap = 16;

@@ -4,7 +4,7 @@ import { materialLine } from "../theme.js";
 import { prefixOf, text } from "../text.js";
 import { chart } from "./chart.js";
 import { cumulativeChart } from "./distributions.js";
-import { known } from "./film_grains.js";
+import { grainName, known, sourceName } from "./film_grains.js";
 
 /** The two to compare, as pressures over their means or in Pa: { rows, factor, prefix, about }. */
 function pairs(film, state, theme) {
@@ -14,7 +14,7 @@ function pairs(film, state, theme) {
   const value = (source, g) => (norm ? source.sigma_norm[g] : -source.sigma_hyd[g] / factor);
   const unit = norm ? Math.abs(own.mean) : factor, rows = [];
   for (let g = 0; g < film.count; ++g) {
-    const row = { x: value(twin, g), y: value(own, g), error: (film.grains.error?.[g] || 0) / unit, colour: materialLine(theme, film.grains.material[g]) };
+    const row = { x: value(twin, g), y: value(own, g), error: (film.grains.error?.[g] || 0) / unit, colour: materialLine(theme, film.grains.material[g]), name: grainName(film, g) };
     if (Number.isFinite(row.x) && Number.isFinite(row.y)) rows.push(row);
   }
   return { rows, factor, prefix, norm, about: film.about.agreement[`twin_${state.get("twin")}`] ?? {} };
@@ -27,10 +27,10 @@ const inOrder = ({ value, error }) => {
 
 export const againstTwin = {
   id: "film-twin", title: "Film against simulation", follows: ["twin", "over"],
-  caption: "Every grain with the film\u2019s standard error; line: both the same. State: at the largest load, with what grains carry at the smallest, which no film shows. " +
+  caption: "Every grain with the film\u2019s standard error; line: both the same. Largest load: with what grains carry at the smallest, which no film shows. " +
     "On virtual films a simulation from places alone comes to a correlation of about 0.4 to 0.5: forces of single contacts hang on the friction that filling and " +
     "loading left in the sample, and that history is lost.",
-  choices: { twin: ["", [["swing", "Swing"], ["state", "State"]]], over: ["", [["mean", "\u03c3_{norm}"], ["unit", "Pa"]]] },
+  choices: { twin: ["", [["swing", "Peak to peak"], ["state", "Largest load"]]], over: ["", [["mean", "\u03c3_{norm}"], ["unit", "Pa"]]] },
   when: (_, film) => film.hasTwin,
   key: ({ sample, state, theme }) => {
     const about = sample.about.agreement[`twin_${state.get("twin")}`] ?? {};
@@ -41,10 +41,11 @@ export const againstTwin = {
     if (!data || data.rows.length === 0) return null;
     const { rows, prefix, norm, factor, about: { all } } = data;
     const most = 1.04 * Math.max(...rows.flatMap((r) => [r.x, r.y])), least = Math.min(0, ...rows.flatMap((r) => [r.x, r.y]));
-    const label = norm ? "\u03c3_{norm}" : `\u2212\u03c3_{hyd}, ${prefix}Pa`, domain = [least, most];
+    const label = norm ? "\u03c3_{norm}" : "\u2212\u03c3_{hyd}", unit = norm ? "" : `${prefix}Pa`, domain = [least, most];
     const height = Math.round(Math.min(380, Math.max(240, width - 10)));
     const svg = chart(theme, {
-      width, height, x: { label: `simulation, ${label}`, domain, ticks: 5 }, y: { label: `film, ${label}`, domain },
+      width, height, x: { label: `simulation, ${label}`, unit, domain, ticks: 5 }, y: { label: `film, ${label}`, unit, domain },
+      tips: { points: rows, by: "both" },
       marks: [
         Plot.line([[least, least], [most, most]], { stroke: theme.fit, strokeWidth: 1.2, strokeDasharray: "6 3" }),
         Plot.ruleX(rows, { x: "x", y1: (r) => r.y - r.error, y2: (r) => r.y + r.error, stroke: "colour", strokeOpacity: 0.35, clip: true }),
@@ -67,12 +68,12 @@ const setColours = (theme) => ({ film: theme.strong, twin_swing: theme.accent, t
 
 function sets(film, theme) {
   const colours = setColours(theme);
-  return known(film).map(([name]) => ({ name: name.replace("twin_", ""), d: film.stresses[name].statistics, colour: colours[name] })).filter(({ d }) => d.cumulative && d.count > 1);
+  return known(film).map(([name]) => ({ name: name === "film" ? "film" : `simulation, ${sourceName(name)}`, d: film.stresses[name].statistics, colour: colours[name] })).filter(({ d }) => d.cumulative && d.count > 1);
 }
 
 export const stressTails = {
   id: "film-tails", title: "Tails of \u03c3_{norm}",
-  caption: "Share of grains above \u03c3_{norm}, away from the border. Dashed: P_{0} exp[\u03b2(1 \u2212 \u03c3_{norm})], maximum likelihood.",
+  caption: "P: survival function, the share of grains above \u03c3_{norm}, away from the border. Dashed: P_{0} exp[\u03b2(1 \u2212 \u03c3_{norm})], maximum likelihood.",
   when: (_, film) => known(film).some(([name]) => film.stresses[name].statistics.cumulative),
   key: ({ sample, theme }) => sets(sample, theme).map(({ name, colour, d }) => ({ name, colour, values: [["P_{0}", d.P0], ["\u03b2", d.beta]].filter(([, v]) => v) })),
   draw: ({ sample, theme, width }) => cumulativeChart(theme, sets(sample, theme), { x: "\u03c3_{norm}", y: "P(\u03c3_{norm})", semilog: true, width, height: 330 }),

@@ -27,7 +27,10 @@ function now(sample, state, theme) {
   return Plot.ruleX([Math.max(0, sample.about.frames[state.get("frame")].time - start)], { stroke: theme.accent, strokeWidth: 1.25 });
 }
 
-const timeAxis = (sample, state) => ({ label: `time in \u201c${stageOf(sample, state).name}\u201d, s`, ticks: 5 });
+const timeAxis = (sample, state) => ({ label: `time in \u201c${stageOf(sample, state).name}\u201d`, short: "time", unit: "s", ticks: 5 });
+
+/** The points of lines for tips: { rows, name }. */
+const pointsOf = (lines) => lines.flatMap(({ rows, name }) => rows.map((r) => ({ ...r, name })));
 
 export const wallForces = {
   id: "wall-forces", title: "Forces on the walls", follows: true,
@@ -41,7 +44,8 @@ export const wallForces = {
     const { factor, prefix } = prefixOf(largest, "N");
     return chart(theme, {
       width, height: 254,
-      x: timeAxis(sample, state), y: { label: `force, ${prefix}N` },
+      x: timeAxis(sample, state), y: { label: "force", unit: `${prefix}N` },
+      tips: { points: pointsOf(lines.map(({ rows, name }) => ({ name: name.replace("_force", " wall"), rows: rows.map(({ x, y }) => ({ x, y: y / factor })) }))) },
       marks: [now(sample, state, theme), ...lines.map(({ rows, name }) => {
         const k = sides.findIndex((side) => name.startsWith(side));
         return Plot.line(rows, { x: "x", y: (r) => r.y / factor, stroke: lineColours(theme)[k], strokeWidth: 1.6, strokeDasharray: dashes[k] });
@@ -71,36 +75,38 @@ export const energies = {
     const domain = decadesAround(low, high);
     return chart(theme, {
       width, height: 254,
-      x: timeAxis(sample, state), y: { ...logAxis("energy, J", domain), clamp: true },
+      x: timeAxis(sample, state), y: { ...logAxis("energy", domain), unit: "J", clamp: true },
+      tips: { points: pointsOf(lines.map(({ label, rows }) => ({ name: label, rows: rows.filter((r) => r.y >= domain[0]) }))) },
       marks: [now(sample, state, theme), ...lines.map(({ rows }, k) => Plot.line(rows.filter((r) => r.y >= domain[0]), { x: "x", y: "y", stroke: lineColours(theme)[k], strokeWidth: 1.5 }))],
     });
   },
 };
 
-const restMeasures = [["unbalanced_ratio", "unbalanced force ratio"], ["kinetic_ratio", "kinetic/elastic energy"], ["loose_kinetic_ratio", "the same of loose grains"], ["falling", "share of grains that fall"], ["mobilisation", "mean |F_{t}|/F_{n}"]];
+const measures = [["unbalanced_ratio", "unbalanced force ratio"], ["kinetic_ratio", "kinetic/elastic energy"], ["loose_kinetic_ratio", "kinetic/elastic energy of rattlers"], ["falling", "share of falling grains"], ["mobilisation", "mean |F_{t}|/F_{n}"]];
 
 export const approach = {
-  id: "rest", title: "Approach to rest", follows: true,
-  caption: "How far the sample is from equilibrium while it is loaded; every increment ends at rest.",
+  id: "rest", title: "Approach to equilibrium", follows: true,
+  caption: "How far the sample is from equilibrium while it is loaded; every increment ends in equilibrium.",
   when: (texture, sample) => anyStageHas(sample, ["unbalanced_ratio"]),
-  key: ({ theme }) => restMeasures.map(([, name], k) => ({ name, colour: lineColours(theme)[k], values: [] })),
+  key: ({ theme }) => measures.map(([, name], k) => ({ name, colour: lineColours(theme)[k], values: [] })),
   draw({ sample, state, theme, width }) {
-    const lines = columns(stageOf(sample, state), restMeasures.map(([name]) => name))
-      .map(({ name, rows }) => ({ k: restMeasures.findIndex(([known]) => known === name), rows: rows.filter((r) => r.y > 0 && r.y < 1e3) }));
+    const lines = columns(stageOf(sample, state), measures.map(([name]) => name))
+      .map(({ name, rows }) => ({ k: measures.findIndex(([known]) => known === name), rows: rows.filter((r) => r.y > 0 && r.y < 1e3) }));
     if (lines.every(({ rows }) => rows.length < 2)) return null;
     const all = lines.flatMap(({ rows }) => rows.map((r) => r.y));
     const domain = decadesAround(Math.max(1e-10, Math.min(...all)), Math.max(...all));
     return chart(theme, {
       width, height: 254,
       x: timeAxis(sample, state), y: logAxis("ratio", domain),
+      tips: { points: pointsOf(lines.map(({ k, rows }) => ({ name: measures[k][1], rows: rows.filter((r) => r.y >= domain[0]) }))) },
       marks: [now(sample, state, theme), ...lines.map(({ rows, k }) => Plot.line(rows.filter((r) => r.y >= domain[0]), { x: "x", y: "y", stroke: lineColours(theme)[k], strokeWidth: 1.3 }))],
     });
   },
 };
 
-export const travel = {
-  id: "travel", title: "Load against travel", follows: true,
-  caption: "Force on the wall that moves farthest in this stage against its travel into the sample; dots: stored states.",
+export const forceDisplacement = {
+  id: "travel", title: "Force-displacement curve", follows: true,
+  caption: "Force on the wall that moves farthest in this stage against its displacement into the sample; dots: stored states.",
   when: (texture, sample) => sample.stages.some((stage) => movingWall(stage)),
   draw({ sample, state, theme, width }) {
     const stage = stageOf(sample, state), moving = movingWall(stage);
@@ -109,14 +115,16 @@ export const travel = {
     const { values: position } = stage.history[`${side}_position`], { values: force } = stage.history[`${side}_force`];
     const { factor, prefix } = prefixOf(force.reduce((most, f) => Math.max(most, Math.abs(f)), 0), "N");
     const point = (x, f) => ({ x: 1e3 * inward * (x - position[0]), y: f / factor });
+    const curve = Array.from(position, (x, k) => point(x, force[k]));
     const wall = ["left", "right", "bottom", "top"].indexOf(side);
     const states = sample.about.frames.map((frame, k) => ({ frame, k })).filter(({ frame }) => sample.stages[frame.stage] === stage)
       .map(({ frame: { domain: { walls } }, k }) => ({ ...point(walls[wall].position, walls[wall].force), here: k === state.get("frame") }));
     return chart(theme, {
       width, height: 254,
-      x: { label: `travel of the ${side} wall, mm` }, y: { label: `force, ${prefix}N` },
+      x: { label: `displacement of the ${side} wall`, short: "displacement", unit: "mm" }, y: { label: "force", unit: `${prefix}N` },
+      tips: { points: curve, by: "both", reach: 200 },
       marks: [
-        Plot.line(Array.from(position, (x, k) => point(x, force[k])), { x: "x", y: "y", stroke: theme.weak, strokeWidth: 1.1 }),
+        Plot.line(curve, { x: "x", y: "y", stroke: theme.weak, strokeWidth: 1.1 }),
         Plot.dot(states, { x: "x", y: "y", fill: (d) => (d.here ? theme.accent : theme.strong), r: (d) => (d.here ? 5 : 3) }),
       ],
     });

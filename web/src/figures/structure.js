@@ -2,6 +2,7 @@ import * as Plot from "@observablehq/plot";
 import { materialLine, pairColour } from "../theme.js";
 import { text } from "../text.js";
 import { chart } from "./chart.js";
+import { withUnit } from "./tips.js";
 
 /** Rows of the coordination figure: all; X-Y = Y neighbours of an X grain; X-ANY. */
 function coordinationRows(sample, texture, theme) {
@@ -32,6 +33,7 @@ export const coordination = {
       width, height: 34 * rows.length + 52, marginLeft: 92, gridTicks: [],
       x: { label: "z", domain: [0, top], ticks: 5 },
       y: { label: null, domain: rows.map((r) => r.label), padding: 0.34, ticks: undefined },
+      tips: { points: rows.map((r) => ({ ...r, x: r.y, y: r.label })), by: "y", reach: 200, lines: [["", ({ y }) => y], ["z", ({ x, error }) => withUnit(x, "", error)]] },
       marks: [
         Plot.gridX({ stroke: theme.rule, strokeOpacity: 1, ticks: 5 }),
         Plot.barX(whiskers, { x: "y", y: "label", fill: "colour", fillOpacity: 0.82, rx: 1.5 }),
@@ -43,15 +45,16 @@ export const coordination = {
 };
 
 export const contactNumbers = {
-  id: "contact-numbers", title: "Contacts a grain has",
-  caption: "Share of grains with that many contacts with grains.",
+  id: "contact-numbers", title: "Contacts per grain",
+  caption: "Share of grains by their number of contacts with other grains.",
   when: (texture) => texture.coordination?.histogram?.length,
   draw({ texture, theme, width }) {
     const bars = texture.coordination.histogram.map((share, z) => ({ z, share: 100 * share }));
     return chart(theme, {
       width, height: 254,
       x: { label: "contacts", domain: bars.map((b) => b.z), padding: 0.2 },
-      y: { label: "grains, %" },
+      y: { label: "grains", unit: "%" },
+      tips: { points: bars.map(({ z, share }) => ({ x: z, y: share })), reach: 200 },
       marks: [Plot.barY(bars, { x: "z", y: "share", fill: theme.strong, fillOpacity: 0.72, rx: 1.5 })],
     });
   },
@@ -63,12 +66,13 @@ export const rev = {
   when: (texture) => texture.rev,
   draw({ texture, theme, width }) {
     const { area_share: share, mean, deviation, error } = texture.rev;
-    const rows = share.map((a, k) => ({ x: 100 * a, y: mean[k], low: mean[k] - error[k], high: mean[k] + error[k], under: mean[k] - deviation[k], over: mean[k] + deviation[k] }));
+    const rows = share.map((a, k) => ({ x: 100 * a, y: mean[k], error: error[k], low: mean[k] - error[k], high: mean[k] + error[k], under: mean[k] - deviation[k], over: mean[k] + deviation[k] }));
     const whole = texture.solid_fraction?.value;
     return chart(theme, {
       width, height: 254,
-      x: { label: "window, % of the area", domain: [0, 100], ticks: 5 },
+      x: { label: "window", unit: "% of the area", domain: [0, 100], ticks: 5 },
       y: { label: "solid fraction", nice: true, zero: false },
+      tips: { points: rows },
       marks: [
         Plot.areaY(rows, { x: "x", y1: "under", y2: "over", fill: theme.strong, fillOpacity: 0.09 }),
         whole ? Plot.ruleY([whole], { stroke: theme.accent, strokeDasharray: "5 4" }) : null,
@@ -81,7 +85,7 @@ export const rev = {
 
 export const threshold = {
   id: "threshold", title: "Anisotropy by force",
-  caption: "a_{c} signed against the axis of loading, of the contacts above and below a force threshold; bands: what random directions would give.",
+  caption: "a_{c} signed against the axis of loading, of the contacts above and below a force threshold; bands: what random orientations would give.",
   when: (texture) => texture.fabric?.threshold,
   key: ({ theme }) => [
     { name: "F > \u03be\u27e8F\u27e9", colour: theme.strong, values: [] }, { name: "F < \u03be\u27e8F\u27e9", colour: theme.accent, values: [] },
@@ -89,10 +93,11 @@ export const threshold = {
   draw({ texture, theme, width }) {
     const { force, a_c_above: above, noise_above: noiseAbove, a_c_below: below, noise_below: noiseBelow } = texture.fabric.threshold;
     const rows = (values, noise) => force.map((x, k) => ({ x, y: values[k], noise: noise[k] })).filter((r) => r.y !== null && r.noise !== null && r.noise < 0.6);
-    const sets = [{ colour: theme.strong, rows: rows(above, noiseAbove) }, { colour: theme.accent, rows: rows(below, noiseBelow) }];
+    const sets = [{ name: "F > \u03be\u27e8F\u27e9", colour: theme.strong, rows: rows(above, noiseAbove) }, { name: "F < \u03be\u27e8F\u27e9", colour: theme.accent, rows: rows(below, noiseBelow) }];
     return chart(theme, {
       width, height: 254,
       x: { label: "\u03be" }, y: { label: "a_{c}", nice: true },
+      tips: { points: sets.flatMap(({ name, rows: list }) => list.map((p) => ({ ...p, name }))) },
       marks: [
         ...sets.map(({ rows: list, colour }) => Plot.areaY(list, { x: "x", y1: (r) => -r.noise, y2: "noise", fill: colour, fillOpacity: 0.1 })),
         Plot.ruleY([0], { stroke: theme.soft }),

@@ -3,7 +3,7 @@ const degrees = 180 / Math.PI;
 /** Into (-180, 180]. */
 export const wrapped = (angle) => angle - 360 * Math.ceil(angle / 360 - 0.5);
 
-const convention = (film) => `${film.about.film.swing} swing`;
+const convention = (film) => (film.about.film.swing === "full" ? "peak to peak" : "half of peak to peak");
 
 /** What may be painted on the pixels of a film. A member gives: label; `stored` (a map of the document); `title(film)`;
     `unit` ("K" stands for the film's own); `palette` (a name in the theme); `around` (what the scale is centred on, of
@@ -17,10 +17,10 @@ export const maps = {
     of: (phase, film) => wrapped((phase - film.about.film.reference_phase) * degrees),
   },
   in_phase: { label: "Signed", stored: "in_phase", title: (film) => `Warming with the load (${convention(film)})`, unit: "K", palette: "diverging", around: "zero" },
-  fitted: { label: "By forces", stored: "fitted", title: () => "Warming that the contact forces make (full swing)", unit: "K", palette: "diverging", around: "zero" },
+  fitted: { label: "By forces", stored: "fitted", title: () => "Warming that the contact forces make (peak to peak)", unit: "K", palette: "diverging", around: "zero" },
   second_harmonic: { label: "2\u2009f", stored: "second_harmonic", title: () => "Amplitude at twice the frequency", unit: "K", palette: "stress", around: "ends" },
-  standard_error: { label: "Noise", stored: "standard_error", title: () => "Standard error of the signed swing", unit: "K", palette: "size", around: "ends" },
-  residual: { label: "Residual", stored: "residual", title: () => "Left by the fit (r.m.s.)", unit: "K", palette: "size", around: "ends" },
+  standard_error: { label: "Noise", stored: "standard_error", title: () => "Standard error of the signed amplitude", unit: "K", palette: "size", around: "ends" },
+  residual: { label: "Residual", stored: "residual", title: () => "Residual of the fit (r.m.s.)", unit: "K", palette: "size", around: "ends" },
   bad: { label: "Bad", stored: "picture", title: () => "Picture at the smallest load", unit: "K", palette: "grey", around: "ends", when: (film) => film.bad.length > 0, marks: true },
 };
 

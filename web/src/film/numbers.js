@@ -1,5 +1,5 @@
 import { h, rich } from "../dom.js";
-import { known } from "../figures/film_grains.js";
+import { known, sourceName } from "../figures/film_grains.js";
 import { grid } from "../numbers.js";
 import { prefixOf } from "../text.js";
 
@@ -25,7 +25,7 @@ function stresses(film, name, title) {
 function agreement(film, shown) {
   const { factor, prefix } = prefixOf(Math.abs(film.stresses.film?.mean), "Pa");
   return shown.filter(([name]) => film.about.agreement[name]).map(([name]) =>
-    grid(`Agreement with the simulation\u2019s ${name.replace("twin_", "")}`, Object.entries(film.about.agreement[name]), [
+    grid(`Agreement with the simulation, ${sourceName(name)}`, Object.entries(film.about.agreement[name]), [
       { head: "grains", of: (a) => a.count }, { head: "r", of: (a) => a.correlation }, { head: "slope", of: (a) => a.slope },
       { head: "r.m.s. difference", unit: `${prefix}Pa`, scale: 1 / factor, digits: 3, of: (a) => a.rms_Pa },
     ]));

@@ -4,7 +4,7 @@ import { materialLine } from "../theme.js";
 const widthPerForce = 0.16, widest = 1.1;  // of the mean radius, at the mean force
 const bright = 0.4;  // pixels of the film, around bars
 
-/** Top of the scale of sigma_norm: all but a few grains lie below, in the film and its twin alike. */
+/** Top of the scale of sigma_norm: all but a few grains lie below, in the film and in the simulation alike. */
 export function stressTop(film) {
   if (film.stressTop) return film.stressTop;
   const highs = Object.values(film.stresses).map(({ sigma_norm: values }) => {

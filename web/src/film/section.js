@@ -33,7 +33,7 @@ function missing(film) {
     !film.count && "No grains were found in this film, so stresses and forces are not shown.",
     film.count > 0 && !film.stresses.film && "Stresses of the grains were not measured.",
     film.count > 0 && !film.hasForces && "Contact forces were not inferred.",
-    film.stresses.film && !film.hasTwin && "No simulation of the same grains stands beside this film.",
+    film.stresses.film && !film.hasTwin && "No simulation of the same grains accompanies this film.",
   ].filter(Boolean);
   for (const doubt of film.numbers?.checks?.doubts ?? []) sentences.push(`${doubt[0].toUpperCase()}${doubt.slice(1)}.`);
   return sentences.length ? h("p", { class: "caption missing" }, sentences.join(" ")) : null;

@@ -30,16 +30,20 @@ function grainRows(film, g) {
   const rows = [["radius", `${text.number(radius[g], 3)}\u202fpx${pixel > 0 ? `, ${text.millimetres(radius[g] * pixel)}` : ""}`]];
   if (sigma) rows.push(["\u03c3_{hyd}", quantityWithError(sigma[g], error?.[g], "Pa")]);
   if (film.stresses.film) rows.push(["\u03c3_{norm}", text.number(film.stresses.film.sigma_norm[g])]);
-  if (film.stresses.twin_swing) rows.push(["its twin\u2019s", text.quantity(film.stresses.twin_swing.sigma_hyd[g], "Pa")]);
+  if (film.stresses.twin_swing) rows.push(["simulated \u03c3_{hyd}", text.quantity(film.stresses.twin_swing.sigma_hyd[g], "Pa")]);
   if (mx) rows.push(["motion x, y", `${text.number(mx[g], 2)}, ${text.number(-my[g], 2)}\u202fpx`]);
   return rows;
 }
 
+/** "Contact 12 – 40", "Contact 3 – lower wall". */
+export function contactName({ contacts: { i, j }, grains: { id }, count }, c) {
+  return `Contact ${id[i[c]]}\u2009\u2013\u2009${j[c] < count ? id[j[c]] : `${["left", "right", "lower", "upper"][j[c] - count]} wall`}`;
+}
+
 export function contactNumbers(film, c, theme) {
-  const { i, j, fn, ft, fn_error: fe, ft_error: te, presence } = film.contacts, { id } = film.grains;
-  const partner = j[c] < film.count ? `${id[j[c]]}` : `${["left", "right", "lower", "upper"][j[c] - film.count]} wall`;
+  const { fn, ft, fn_error: fe, ft_error: te, presence } = film.contacts;
   const rows = [["F_{n}", quantityWithError(fn[c], fe?.[c], "N")], ["F_{t}", quantityWithError(ft[c], te?.[c], "N")]];
   if (fe) rows.push(["F_{n}/s.e.", text.number(fn[c] / fe[c], 3)]);
   if (film.isUncertain(c)) rows.push(["may be absent", `${text.number(100 * (1 - presence[c]), 2)}\u202f%`]);
-  return { title: `Contact ${id[i[c]]}\u2009\u2013\u2009${partner}`, colour: fn[c] < 0 ? theme.tension : theme.strong, rows };
+  return { title: contactName(film, c), colour: fn[c] < 0 ? theme.tension : theme.strong, rows };
 }

@@ -7,7 +7,7 @@ import { barWidth, outline, overlay } from "./overlay.js";
 import { painted } from "./paint.js";
 import { contactNumbers, pixelNumbers } from "./tooltip.js";
 
-const label = "The film: wheel zooms, dragging moves, double click shows all";
+const label = "The film";
 const veil = 0.72, largePixel = 6;
 
 /** The picture of a film: the map on a canvas, grains and forces over it as vectors, legend and what the pointer does. The

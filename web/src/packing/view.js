@@ -7,7 +7,7 @@ import { Picker } from "./picking.js";
 import { mostVectors, packingSvg } from "./picture.js";
 import { Scene } from "./scene.js";
 
-const label = "The packing: wheel zooms, dragging moves, double click shows all";
+const label = "The packing";
 
 /** The picture of the packing: canvas, overlay, legend and what the pointer does on them. */
 export class PackingView extends CanvasView {

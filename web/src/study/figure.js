@@ -112,6 +112,7 @@ export function studyFigure(figure) {
     draw: ({ theme, width }) => series.length > 0 && chart(theme, {
       width, height: 260, marginLeft: wide ? 78 : 62,
       x: axis(figure.x), y: { ...axis(figure.y), labelOffset: wide ? 71 : 56 },
+      tips: { by: "both", points: series.filter(({ fit }) => !fit).flatMap(({ name, points }) => points.filter((p) => known(p) && p.y >= domains.y[0] && p.y <= domains.y[1]).map(({ x, y, e }) => ({ x, y, error: e, name }))) },
       marks: [
         ...(figure.references ?? []).flatMap((r) => reference(theme, r, domains)),
         ...series.flatMap((one, k) => band(one, colours(theme, figure)[k], figure)),

@@ -1,5 +1,6 @@
 import * as Plot from "@observablehq/plot";
 import { chart } from "../figures/chart.js";
+import { withUnit } from "../figures/tips.js";
 import { captionOf } from "./caption.js";
 
 const margin = 70, largest = 11, widthOfDigit = 0.62;  // px, px, of the size of the type
@@ -22,6 +23,8 @@ export function mapFigure(figure) {
         Plot.text(cells, { x: "x", y: "row", text: ({ value }) => short(value), fill: ({ value }) => inkOn(theme, share(value)), fontSize: sizeFor(cells, width) }),
       ],
       color: { type: "identity" },
+      tips: { by: "both", reach: 200, points: cells.map(({ x, row, value, error }) => ({ x, y: row, value, error })),
+        lines: [[figure.x.label, ({ x }) => short(x)], ["", ({ y }) => y], ["", ({ value, error }) => withUnit(value, "", error)]] },
     }),
   };
 }

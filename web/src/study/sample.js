@@ -28,7 +28,7 @@ export function sampleFigure(figure) {
 
 function materialKey(theme, { materials = [], material, glued, f }) {
   const names = materials.map((name, m) => ({ name, colour: materialColour(theme, m), values: [] })).filter((_, m) => material.includes(m));
-  const last = [glued.includes(1) && { name: "glued", colour: theme.accent, values: [] }, f?.some((v) => v < 0) && { name: "pull", colour: theme.tension, values: [] }];
+  const last = [glued.includes(1) && { name: "glued", colour: theme.accent, values: [] }, f?.some((v) => v < 0) && { name: "tension", colour: theme.tension, values: [] }];
   return [...(names.length > 1 ? names : []), ...last.filter(Boolean)];
 }
 

@@ -1,6 +1,6 @@
-/** Draws the raster: every node a square when it is larger than a pixel, the mean of several where it is smaller. Lines
+/** Draws the grid of nodes: every node a square when it is larger than a pixel, the mean of several where it is smaller. Lines
     stand where the label of two neighbours differs; with a chosen grain the rest steps back. */
-export function rasterDrawing(regl) {
+export function gridDrawing(regl) {
   return regl({
     vert: `
       precision highp float;
