@@ -4,7 +4,7 @@ JOBS ?= $(shell nproc)
 CMAKE_FLAGS ?=
 COMMON = cmake -S . -B $(BUILD) -G Ninja $(CMAKE_FLAGS)
 
-.PHONY: demo test build install deb bench peers fuzz docs clean
+.PHONY: demo test build install deb dist bench peers fuzz docs clean
 
 demo:
 	@scripts/setup run
@@ -28,6 +28,13 @@ deb:
 	@$(COMMON) -DARENITE_TESTS=OFF >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS)
 	@cd $(BUILD) && cpack -G DEB
+
+# The archive of a release in $(BUILD), with the pages built: who builds from it needs no Node.js.
+dist:
+	@scripts/setup run
+	@$(COMMON) -DARENITE_TESTS=OFF >/dev/null
+	@ninja -C $(BUILD) pages
+	@scripts/dist $(BUILD)
 
 test:
 	@scripts/setup run test

@@ -1,0 +1,12 @@
+# What the pages are made of, as one hash: built pages say it, so that those of other sources are known.
+function(hash_of_page_sources web result)
+  file(GLOB_RECURSE files RELATIVE ${web} ${web}/src/*)
+  list(SORT files)
+  set(all "")
+  foreach(file build.mjs package-lock.json ${files})
+    file(SHA256 ${web}/${file} hash)
+    string(APPEND all "${file} ${hash}\n")
+  endforeach()
+  string(SHA256 all "${all}")
+  set(${result} ${all} PARENT_SCOPE)
+endfunction()
