@@ -11,6 +11,7 @@ foreach(folder examples studies)
 endforeach()
 
 set(CPACK_GENERATOR DEB)
+set(CPACK_INSTALL_CMAKE_PROJECTS "${CMAKE_BINARY_DIR};${PROJECT_NAME};Unspecified;/")  # without the library for developers
 set(CPACK_PACKAGE_CONTACT "The Arenite developers <arenite@example.org>")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

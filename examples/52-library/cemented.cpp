@@ -1,0 +1,69 @@
+// A cemented packing by the library: packed, loaded by its walls, cemented, brought to a grid of nodes, stretched, measured, stored and read again.
+#include <arenite/arenite.hpp>
+#include <cstdio>
+#include <numeric>
+
+using namespace arenite;
+
+namespace {
+
+study::Recipe small_recipe() {
+  for (const auto& known : study::recipe_templates())
+    if (std::string(known.name) == "cemented")
+      return study::parse_recipe(study::to_toml(known.make()), "cemented", {"bidisperse.box_area=80", "bidisperse.size_ratio=1.67"});
+  throw InputError("there is no template \"cemented\"");
+}
+
+StageResult run_stage(const Packing& start, const study::Recipe& recipe, const dem::Stage& stage) {
+  dem::Engine engine(start, recipe.contact, recipe.integration);
+  dem::StageRun run = dem::begin_stage(engine, stage);
+  while (!run.finished) dem::continue_stage(engine, stage, run);
+  run.result.name = stage.name;
+  run.result.provenance = {version, stage.name, "", study::to_toml(recipe), recipe.seed, engine.kernel(), {}};
+  return run.result;
+}
+
+/// Large and small grains by their mean radius.
+std::vector<GrainClass> classes(const Grains& grains) {
+  const double mean = std::accumulate(grains.radius.begin(), grains.radius.end(), 0.0) / static_cast<double>(grains.size());
+  std::vector<GrainClass> classes;
+  for (const double r : grains.radius) classes.push_back(r > mean ? GrainClass::large : GrainClass::small);
+  return classes;
+}
+
+void stretch(const Packing& packing) {
+  cement::CementParameters law;
+  law.gap = 7.5e-5;
+  cement::CementReport report;
+  const Cement matrix = cement::make_cement(packing, law, raster::crop_window(packing, 9e-3), report);
+  raster::RasterReport counted;
+  const PhaseMap map = raster::rasterise(packing, matrix, {128, 9e-3}, classes(packing.grains), counted);
+  peridynamics::LoadOptions options;
+  options.stiffness = study::StiffnessSection{}.resolved();
+  const auto loaded = peridynamics::load(map, options);
+  std::printf("matrix saturation %.3f, modulus %.3f GPa\n", report.saturation, loaded.report.modulus / 1e9);
+  for (const auto& [phase, found] : stress::measure(map, loaded.field).components.front().sets)
+    std::printf("sigma_yy, %s: mean %.0f +- %.0f Pa\n", phase.c_str(), found.mean.value, found.mean.error);
+}
+
+}  // namespace
+
+int main() try {
+  const study::Recipe recipe = small_recipe();
+  Packing packing = study::make_packing(recipe).frames.back().packing;
+  StageResult result;
+  for (const auto& stage : recipe.stages) {
+    result = run_stage(packing, recipe, stage);
+    packing = result.frames.back().packing;
+    std::printf("%s: %s\n", stage.name.c_str(), result.outcome.c_str());
+  }
+  const texture::Texture texture = texture::measure(packing);
+  const auto* z = statistics::find(texture.coordination.mean, "all");
+  std::printf("%zu grains, z = %.2f +- %.2f\n", packing.grains.size(), z->value, z->error);
+
+  io::write_stage("compacted.h5", result);
+  stretch(io::read_stage("compacted.h5").frames.back().packing);
+} catch (const InputError& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 2;
+}

@@ -1,0 +1,62 @@
+"""An installed library: its headers stand alone, and a program links it by CMake and by pkg-config."""
+import concurrent.futures
+import os
+import re
+
+import pytest
+from conftest import root, run
+
+example = root / "examples/52-library"
+
+
+@pytest.fixture(scope="module")
+def installed(build, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("installed")
+    run("cmake", "--install", build, "--component", "development", "--prefix", folder)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def flags(installed):
+    folder, = installed.glob("lib*/**/pkgconfig")
+    return run("pkg-config", "--cflags", "--libs", "arenite", env={**os.environ, "PKG_CONFIG_PATH": str(folder)}).split()
+
+
+def test_every_public_header_compiles_alone(installed, flags, tmp_path):
+    home = installed / "include/arenite"
+    headers = sorted(str(h.relative_to(home)) for h in home.rglob("*.hpp"))
+    assert {"arenite.hpp", "core/error.hpp", "core/version.hpp"} <= set(headers)
+    includes = [f for f in flags if f.startswith("-I")]
+
+    def compile_alone(header):
+        source = tmp_path / (header.replace("/", "-") + ".cpp")
+        source.write_text(f"#include <arenite/{header}>\n")
+        run("g++", "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Wpedantic", "-Werror", *includes, source)
+
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        list(pool.map(compile_alone, headers))
+
+
+def test_headers_need_no_other_librarys(installed):
+    for header in installed.rglob("*.hpp"):
+        for name in re.findall(r"^#include <(.*)>", header.read_text(), re.M):
+            assert re.fullmatch(r"[a-z_]+|sys/mman\.h", name), f"{header} includes <{name}>"
+
+
+def holds(said):
+    assert re.search(r"matrix saturation 0\.\d+, modulus \d+\.\d+ GPa", said) and "sigma_yy, matrix: mean" in said
+    return said
+
+
+def test_an_example_links_it(installed, flags, tmp_path):
+    run("cmake", "-S", example, "-B", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={installed}")
+    run("cmake", "--build", tmp_path / "build")
+    by_cmake = holds(run(tmp_path / "build/cemented", cwd=tmp_path))
+    run("g++", "-std=c++20", example / "cemented.cpp", *flags, "-o", tmp_path / "cemented")
+    assert holds(run(tmp_path / "cemented", cwd=tmp_path)) == by_cmake
+
+
+def test_another_version_is_refused(installed, tmp_path):
+    (tmp_path / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.25)\nproject(other LANGUAGES NONE)\nfind_package(Arenite 9 REQUIRED)\n")
+    said = run("cmake", "-S", tmp_path, "-B", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={installed}", ok=False)
+    assert 'compatible with requested version "9"' in " ".join(said.split())
