@@ -37,7 +37,7 @@ dist:
 	@scripts/dist $(BUILD)
 
 test:
-	@scripts/setup run test
+	@scripts/setup run test docs
 	@$(COMMON) -DARENITE_TESTS=ON >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS)
 	@ctest --test-dir $(BUILD) -j $(JOBS) --timeout 1200 --output-on-failure
@@ -67,10 +67,10 @@ fuzz:
 	    found/$$what ../tests/fuzz/corpus/$$what 2>&1 | tail -2 || exit 1; \
 	done
 
-# HTML of all pages, in $(BUILD)/html; the same as the CMake target docs, without a build of the program.
-docs:
+# HTML of all pages with search and the reference of Python and C++, in $(BUILD)/html; it is made with the Python module.
+docs: build
 	@scripts/setup docs
-	@scripts/docs $(BUILD)/html
+	@scripts/docs $(BUILD)/html $(BUILD)
 	@echo "pages: $(BUILD)/html/docs/index.html   (open it in a browser)"
 
 clean:
