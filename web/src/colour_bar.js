@@ -58,7 +58,8 @@ function ticks(scale, length) {
     for (let p = Math.ceil(Math.log10(reach)); p > Math.log10(reach) - 3; --p) for (const f of [1, 3]) for (const sign of [1, -1]) candidates.add(sign * f * 10 ** p);
   } else {
     const wanted = ((scale.high - scale.low) * 62) / length, power = 10 ** Math.floor(Math.log10(wanted));
-    const step = [1, 2, 5, 10].map((f) => f * power).find((v) => v >= wanted);
+    const steps = [0.5, 1, 2, 5, 10].map((f) => f * power), k = steps.findIndex((v) => v >= wanted);
+    const severalFit = Math.floor(scale.high / steps[k]) > Math.ceil(scale.low / steps[k]), step = severalFit ? steps[k] : steps[k - 1];
     for (let k = Math.ceil(scale.low / step); k * step <= scale.high; ++k) candidates.add(k * step);
   }
   const kept = [];

@@ -43,9 +43,9 @@ function structure(t) {
   ]);
 }
 
-function coordination(t, sample) {
+function coordination(t, materials) {
   const z = t.coordination ?? {};
-  const names = sample.materials.length > 1 ? Object.keys(z).filter((name) => name.includes("-")) : [];
+  const names = materials.length > 1 ? Object.keys(z).filter((name) => name.includes("-")) : [];
   return list("Coordination z", [["all", "", z.all], ["without rattlers", "", z.without_rattlers],
     ...names.sort((a, b) => b.endsWith("-ANY") - a.endsWith("-ANY")).map((name) => [plain(name).replace("ANY", "any"), "", z[name]])]);
 }
@@ -119,17 +119,19 @@ export function headlines(sample, state) {
   return box;
 }
 
+/** What is measured of a packing, in three columns with a caption and notes; `title` above it. */
+export function textureCard(title, t, materials) {
+  const column = (...tables) => h("div", {}, tables.filter(Boolean));
+  return h("section", { class: "card numbers" }, h("div", { class: "title" }, h("h3", {}, title)),
+    h("div", { class: "tables" }, column(structure(t), coordination(t, materials)), column(fabric(t), forces(t)), column(grainStress(t), stress(t))),
+    h("p", { class: "caption" }, rich("With standard errors, from grains away from the walls. a_{c}, \u03b8_{c}: contact orientations; noise: a_{c} of as many random orientations; a_{n}: normal forces.")), h("ul", { class: "notes" }, (t.notes ?? []).map((note) => h("li", {}, note))));
+}
+
 /** Every number with its standard error and unit, for the state that is shown. */
 export function numbersTable(sample, state) {
-  const body = h("div", { class: "tables" }), notes = h("ul", { class: "notes" });
-  const refresh = () => {
-    const t = sample.texture(state.get("frame")) ?? {};
-    const column = (...tables) => h("div", {}, tables.filter(Boolean));
-    body.replaceChildren(column(structure(t), coordination(t, sample)), column(fabric(t), forces(t)), column(grainStress(t), stress(t)));
-    notes.replaceChildren(...(t.notes ?? []).map((note) => h("li", {}, note)));
-  };
+  const holder = h("div");
+  const refresh = () => holder.replaceChildren(textureCard("Numbers", sample.texture(state.get("frame")) ?? {}, sample.materials));
   state.watch(["frame"], refresh);
   refresh();
-  return h("section", { class: "card numbers" }, h("div", { class: "title" }, h("h3", {}, "Numbers")), body,
-    h("p", { class: "caption" }, rich("With standard errors, from grains away from the walls. a_{c}, \u03b8_{c}: contact orientations; noise: a_{c} of as many random orientations; a_{n}: normal forces.")), notes);
+  return holder;
 }

@@ -46,7 +46,7 @@ const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-
 
 /** The prefix under which a number of this size is written. */
 export function prefixOf(size, unit) {
-  if (!(size > 0) || !["N", "Pa", "J", "m", "s", "N/m", "W", "K"].includes(unit)) return { factor: 1, prefix: "" };
+  if (!(size > 0) || !["N", "Pa", "J", "m", "s", "N/m", "J/m", "Pa\u2009m^{1/2}", "W", "K"].includes(unit)) return { factor: 1, prefix: "" };
   const [factor, prefix] = prefixes.find(([f]) => size >= f * 0.9995) ?? prefixes.at(-1);
   return { factor, prefix };
 }

@@ -26,7 +26,7 @@ const light = {
   grey: between(["#22272c", "#f7f6f2"]),
   cyclic: between(["#2f6fb7", "#7a5fc0", "#b5549a", "#cf5148", "#d98a1f", "#a3a52e", "#4a9f63", "#1f919e", "#2f6fb7"]),
   badPixel: "#ff2d95",
-  kind: ["#cf5d49", "#f4d27a", "#6e9fd0", "#2c5d9e", "#a6cbe9"], kindLine: ["#cf5d49", "#c28a00", "#4179b5", "#1f4e8f", "#5aa3dc"],
+  kind: ["#ffffff", "#f4d27a", "#6e9fd0", "#2c5d9e", "#a6cbe9"], kindLine: ["#cf5d49", "#c28a00", "#4179b5", "#1f4e8f", "#5aa3dc"],
   field: { empty: "#ffffff", aside: "#d4d5d2", outline: "#14191f" },
   crack: [null, "#7a1fa2", "#0b0d10", "#00796b"], cross: { pull: "#14191f", push: "#d81b60" },
 };
@@ -44,7 +44,7 @@ const dark = {
   grey: between(["#101316", "#dcdbd6"]),
   cyclic: between(["#4b87cf", "#8d75d1", "#c266a8", "#dc6558", "#e39a35", "#b1b340", "#58ad71", "#32a0ac", "#4b87cf"]),
   badPixel: "#ff4fa6",
-  kind: ["#a94433", "#d8b04a", "#5e92c6", "#2a5793", "#8fbbe0"], kindLine: ["#d9705c", "#e5b84a", "#6ea8e6", "#4f83d1", "#a5d3f5"],
+  kind: ["#0a0c0e", "#d8b04a", "#5e92c6", "#2a5793", "#8fbbe0"], kindLine: ["#d9705c", "#e5b84a", "#6ea8e6", "#4f83d1", "#a5d3f5"],
   field: { empty: "#0a0c0e", aside: "#31373d", outline: "#0a0c0e" },
   crack: [null, "#e29bff", "#ffffff", "#63e0c8"], cross: { pull: "#ffffff", push: "#ff5c98" },
 };

@@ -7,7 +7,7 @@ import { rgb, runTests, settle, tipOf, zoom } from "./run.mjs";
 const tests = [];
 const test = (name, run) => tests.push({ name, run });
 
-const light = { kind: ["#cf5d49", "#f4d27a", "#6e9fd0", "#2c5d9e", "#a6cbe9"].map(rgb), card: rgb("#ffffff"), empty: rgb("#ffffff"), aside: rgb("#d4d5d2"), crack: [null, "#7a1fa2", "#0b0d10", "#00796b"].map((c) => c && rgb(c)) };
+const light = { kind: ["#ffffff", "#f4d27a", "#6e9fd0", "#2c5d9e", "#a6cbe9"].map(rgb), card: rgb("#ffffff"), empty: rgb("#ffffff"), aside: rgb("#d4d5d2"), crack: [null, "#7a1fa2", "#0b0d10", "#00796b"].map((c) => c && rgb(c)) };
 
 const set = (page, changes) => page.evaluate((values) => window.arenite.field.state.set(values), changes);
 const tab = async (page, title) => {
@@ -234,6 +234,24 @@ test("the pointer reads the curve of the test, and a click goes to the step that
   await set(page, { step: (await page.evaluate(() => window.arenite.field.result.steps)) - 1 });
   await page.mouse.move(2, 2);
   await page.evaluate(() => window.scrollTo(0, 0));
+});
+
+test("the numbers are folded, and opened they are there with their units", async (page) => {
+  await tab(page, "Tension");
+  const numbers = page.locator(".numbers:visible");
+  assert.equal(await numbers.locator("table").first().isVisible(), false);
+  await numbers.locator("summary").click();
+  assert.match(await numbers.innerText(), /modulus\s+[\d.]+\u202f[MG]Pa/);
+  await numbers.locator("summary").click();
+});
+
+test("labels of an axis stand beside its ticks", async (page) => {
+  await tab(page, "Failure");
+  const over = await page.locator("[data-figure]:visible").evaluateAll((all) => all.flatMap((figure) => {
+    const label = figure.querySelector('[aria-label="y-axis label"]')?.getBoundingClientRect(), ticks = [...figure.querySelectorAll('[aria-label="y-axis tick label"] text')].map((t) => t.getBoundingClientRect());
+    return label ? ticks.filter((tick) => tick.left < label.right - 0.5 && tick.right > label.left).map(() => figure.dataset.figure) : [];
+  }));
+  assert.deepEqual(over, []);
 });
 
 test("every figure is drawn and saved as a whole SVG", async (page) => {

@@ -334,6 +334,8 @@ test("on a narrow screen everything stands in one column and nothing is cut off"
   await page.setViewportSize({ width: 420, height: 900 });
   for (const title of ["Maps", "Stresses", "Film"]) {
     await tab(page, title);
+    const words = await page.locator('[data-figure="film-fit"]:visible svg > text').evaluateAll((all) => all.map((t) => t.getBoundingClientRect()).map(({ left, right, top }) => [left, right, top]));
+    for (const [left, right, top] of words) assert.ok(words.every(([l, r, t]) => t !== top || l === left || l >= right || r <= left), `names of maps overlap at ${left}`);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     assert.ok(wide <= 420, `${title} is ${wide} px wide`);
   }

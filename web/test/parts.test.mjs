@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { zoomIdentity } from "d3-zoom";
+import { named, tables } from "../src/field/numbers.js";
 import { histogram, makeScale } from "../src/field/scale.js";
 import { wrapped } from "../src/film/maps.js";
 import { quantityWithError } from "../src/film/tooltip.js";
@@ -116,6 +117,28 @@ test("a chain to a wall is level and its round end touches the wall", () => {
 test("the width of a chain is proportional to its force", () => {
   const { sample, frame } = cell(false);
   assert.ok(Math.abs(chainWidth(sample, frame, 4) - 2 * chainWidth(sample, frame, 2)) < 1e-15);
+});
+
+test("keys of numbers become words of the field with their unit", () => {
+  assert.deepEqual(named("mean_Pa"), { name: "mean", unit: "Pa" });
+  assert.deepEqual(named("toughness_Pa_m0.5"), { name: "toughness", unit: "Pa\u2009m^{1/2}" });
+  assert.deepEqual(named("work_J_per_m"), { name: "work", unit: "J/m" });
+  assert.deepEqual(named("S_m"), { name: "S_{m}", unit: "" });
+  assert.deepEqual(named("Z_ls"), { name: "Z_{ls}", unit: "" });
+  assert.deepEqual(named("sigma_yy"), { name: "\u03c3_{yy}", unit: "" });
+  assert.deepEqual(named("dx_m"), { name: "node distance", unit: "m" });
+});
+
+test("what is said of several sets alike stands in one table, and what is drawn is left out", () => {
+  const of = (count) => ({ count, tail: { slope: { value: 5, error: 1 }, low: 2 }, even_pdf: { low: -1, width: 0.05 } });
+  const all = tables("Result", { modulus_Pa: 1, stress: { nodes: 9, sigma_yy: { sets: { all: of(9), matrix: of(3), large: of(6) } } }, load: { stiffness_Pa: { matrix: 1, grain: 2 }, toughness_Pa: { matrix: 3, grain: 4 } } });
+  assert.deepEqual(all.map(({ title, keys, rows }) => [title, keys, rows.map(([name]) => name)]), [
+    ["Result", null, ["modulus_Pa"]],
+    ["Stress", null, ["nodes"]],
+    ["Stress, \u03c3_{yy}", ["count"], ["all", "matrix", "large"]],
+    ["Stress, \u03c3_{yy}, tail", ["slope", "low"], ["all", "matrix", "large"]],
+    ["Load", ["matrix", "grain"], ["stiffness_Pa", "toughness_Pa"]],
+  ]);
 });
 
 test("an angle comes into half a turn to both sides", () => {

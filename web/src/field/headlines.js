@@ -35,12 +35,18 @@ function response(result) {
   const known = [["in large grains", classes.large], ["in small grains", classes.small], ["in grains", classes.particle]]
     .map(([name, kind]) => [name, "\u27e8\u03c3_{yy}\u27e9/\u27e8\u03c3_{yy}\u27e9_{all}", [text.number(mean(kind), 3), ""]]).filter(([, , [value]]) => value !== "\u2013");
   const largest = ["largest stress over mean", "\u03c3_{yy}", [text.number(components.yy.most / result.mean, 3), ""]];
-  return [["mean stress", "\u27e8\u03c3_{yy}\u27e9", quantity(statedMean(result), "Pa")], ...known, largest].slice(0, 3);
+  return [...modulus(result), ["mean stress", "\u27e8\u03c3_{yy}\u27e9", quantity(statedMean(result), "Pa")], ...known, largest].slice(0, 3);
 }
 
 function failure(result) {
   const stress = Array.from(result.curve.stress.values), strain = result.curve.strain.values;
   const peak = stress.indexOf(Math.max(...stress));
-  return [["strength", "", quantity(stress[peak], "Pa")], ["strain at peak stress", "", [text.number(1e3 * strain[peak], 3), "\u2030"]],
-    ["broken bonds", "", [text.count(result.cracks ? result.cracks.x.length : 0), ""]]];
+  return [...modulus(result), ["strength", "", quantity(stress[peak], "Pa")], ["strain at peak stress", "", [text.number(1e3 * strain[peak], 3), "\u2030"]],
+    ["broken bonds", "", [text.count(result.cracks ? result.cracks.x.length : 0), ""]]].slice(0, 3);
+}
+
+/** Of the loaded axis, where it was measured. */
+function modulus({ numbers }) {
+  const stated = numbers?.modulus_Pa?.value ?? numbers?.modulus_Pa;
+  return stated > 0 ? [["modulus", "E", quantity(stated, "Pa")]] : [];
 }

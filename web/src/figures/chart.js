@@ -1,6 +1,6 @@
 import * as Plot from "@observablehq/plot";
 import { richSvg, s } from "../dom.js";
-import { superscript } from "../text.js";
+import { superscript, text } from "../text.js";
 import { tipMarks } from "./tips.js";
 
 const worded = ({ unit, short, ...axis }) => (unit ? { ...axis, label: `${axis.label}, ${unit}` } : axis);
@@ -8,12 +8,20 @@ const worded = ({ unit, short, ...axis }) => (unit ? { ...axis, label: `${axis.l
 /** A chart in the page's manner: thin grid, no frame, labels along the axes, symbols with subscripts; `tips` (tips.js) are the
     points whose numbers the pointer shows. An axis may have a `unit`, and a `short` name
     for tips. */
-export function chart(theme, { width, height = 250, x = {}, y = {}, marks, tips = null, ...rest }) {
+export function chart(theme, options) {
+  const svg = drawn(theme, options), most = Math.max(...[...svg.querySelectorAll('[aria-label^="y-axis tick label"] text')].map((tick) => tick.textContent.length));
+  // Room for more than four digits beside the axis.
+  return most > 4 && options.marginLeft === undefined ? drawn(theme, { ...options, marginLeft: 50 + wideDigit * (most - 4) }) : svg;
+}
+
+const wideDigit = 7;  // px
+
+function drawn(theme, { width, height = 250, x = {}, y = {}, marks, tips = null, marginLeft = 50, ...rest }) {
   const svg = Plot.plot({
-    width, height, marginLeft: 50, marginRight: 14, marginTop: 12, marginBottom: 42,
+    width, height, marginLeft, marginRight: 14, marginTop: 12, marginBottom: 42,
     style: { fontFamily: theme.font, fontSize: "11.5px", background: "none", color: theme.soft },
     x: { labelAnchor: "center", labelArrow: "none", labelOffset: 36, tickSize: 0, tickPadding: 7, ...worded(x) },
-    y: { labelAnchor: "center", labelArrow: "none", labelOffset: 44, tickSize: 0, tickPadding: 7, ticks: 5, ...worded(y) },
+    y: { labelAnchor: "center", labelArrow: "none", labelOffset: marginLeft - 6, tickSize: 0, tickPadding: 7, ticks: 5, ...worded(y) },
     ...rest,
     marks: [
       Plot.gridY({ stroke: theme.rule, strokeOpacity: 1, ticks: rest.gridTicks ?? (y.type === "log" ? decades(y.domain) : 5) }),
@@ -37,10 +45,12 @@ export function decades([low, high]) {
 /** Whole decades that hold values from `low` to `high`. */
 export const decadesAround = (low, high) => [10 ** Math.floor(Math.log10(low)), 10 ** Math.ceil(Math.log10(high))];
 
-/** A logarithmic axis with powers of ten. */
+/** A logarithmic axis with powers of ten; where it holds one alone, with twice and five times them too. */
 export function logAxis(label, domain) {
-  return { type: "log", domain, label, ticks: decades(domain), tickFormat: (v) => {
+  const whole = decades(domain), finer = decades([domain[0] / 10, domain[1]]).flatMap((v) => [v, 2 * v, 5 * v]).filter((v) => v >= domain[0] && v <= domain[1]);
+  return { type: "log", domain, label, ticks: whole.length > 1 ? whole : finer, tickFormat: (v) => {
     const k = Math.round(Math.log10(v));
+    if (Math.abs(v / 10 ** k - 1) > 1e-9) return text.number(v, 1);
     return k === 0 ? "1" : k === -1 ? "0.1" : `10${superscript(k)}`;
   } };
 }

@@ -4,7 +4,7 @@ import { makeScale } from "../field/scale.js";
 import { packed } from "../theme.js";
 import { text } from "../text.js";
 
-const shades = 512, gap = 12, head = 20, key = 76;
+const shades = 512, gap = 12, line = 15, key = 76;
 
 /** What the film shows, what the forces make of it, and the difference, in the pixels that have both; peak to peak. */
 function pictures(film) {
@@ -31,11 +31,11 @@ export const fitMaps = {
     const all = pictures(film), order = all[0][1].filter(Number.isFinite).sort();
     if (order.length === 0) return null;
     const scale = { ...makeScale(order, { around: "zero", symlog: false, clip: 0.01, mean: 0 }), order };
-    const { left, right, top, bottom } = around(film), wide = (width - 2 * gap) / 3, zoom = wide / (right - left), high = zoom * (bottom - top);
+    const { left, right, top, bottom } = around(film), wide = (width - 2 * gap) / 3, narrow = wide < 150, head = narrow ? 20 + line : 20, zoom = wide / (right - left), high = zoom * (bottom - top);
     const svg = s("svg", { xmlns: "http://www.w3.org/2000/svg", width, height: head + high + key, viewBox: `0 0 ${width} ${head + high + key}`, "font-family": theme.font, "font-size": 11.5, fill: theme.soft });
     all.forEach(([name, values], k) => {
-      const x = k * (wide + gap), spread = Math.sqrt(meanSquare(values));
-      svg.append(label(x, 9, `${name}, r.m.s. ${text.quantity(spread, film.about.film.unit)}`, null, { fill: theme.ink }),
+      const x = k * (wide + gap), spread = `r.m.s. ${text.quantity(Math.sqrt(meanSquare(values)), film.about.film.unit)}`;
+      svg.append(label(x, 9, narrow ? name : `${name}, ${spread}`, null, { fill: theme.ink }), narrow ? label(x, 9 + line, spread) : "",
         s("svg", { x, y: head, width: wide, height: high, viewBox: `${left} ${top} ${right - left} ${bottom - top}`, preserveAspectRatio: "none", style: "overflow: hidden" },
           s("image", { href: painted(film, values, scale, theme.diverging, theme.field.aside), x: -0.5, y: -0.5, width: film.width, height: film.height, preserveAspectRatio: "none", style: "image-rendering: pixelated" })));
     });

@@ -21,7 +21,7 @@ export const maps = {
   second_harmonic: { label: "2\u2009f", stored: "second_harmonic", title: () => "Amplitude at twice the frequency", unit: "K", palette: "stress", around: "ends" },
   standard_error: { label: "Noise", stored: "standard_error", title: () => "Standard error of the signed amplitude", unit: "K", palette: "size", around: "ends" },
   residual: { label: "Residual", stored: "residual", title: () => "Residual of the fit (r.m.s.)", unit: "K", palette: "size", around: "ends" },
-  bad: { label: "Bad", stored: "picture", title: () => "Picture at the smallest load", unit: "K", palette: "grey", around: "ends", when: (film) => film.bad.length > 0, marks: true },
+  bad: { label: "Bad pixels", stored: "picture", title: () => "Picture at the smallest load", unit: "K", palette: "grey", around: "ends", when: (film) => film.bad.length > 0, marks: true },
 };
 
 export const available = (film) => Object.keys(maps).filter((name) => film.about.maps[maps[name].stored] && (maps[name].when?.(film) ?? true));
