@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
@@ -45,16 +44,16 @@ int execute(const Arguments& a) {
 
 }  // namespace
 
-void add_camera(CLI::App& command, int& status) {
+void add_camera(Options& command, int& status) {
   const auto a = std::make_shared<Arguments>();
-  command.add_option("result", a->result, "Folder of a run, or a stage file (.h5), whose states are filmed")->required()->type_name("RESULT");
-  command.add_option("--recipe", a->recipe, "Recipe of the film with its [camera] (TOML)")->required()->type_name("RECIPE.toml");
+  command.add("result", a->result, "Folder of a run, or a stage file (.h5), whose states are filmed").required().type("RESULT");
+  command.add("--recipe", a->recipe, "Recipe of the film with its [camera] (TOML)").required().type("RECIPE.toml");
   add_overrides(command, a->overrides);
-  command.add_option("--out", a->out, "Folder of the film, its plates and its recipe (default: out/film)")->type_name("DIR");
-  command.add_option("--format", a->format, "Format of the films")->check(CLI::IsMember(io::film_formats_to_write()));
-  command.add_flag("--blind", a->blind, "film.toml holds what a laboratory knows and no more: not the lens's blur, the surroundings, the load's phase and the wall's travel");
-  command.add_flag("--quiet", a->quiet, "No progress");
-  command.callback([a, &status] { status = execute(*a); });
+  command.add("--out", a->out, "Folder of the film, its plates and its recipe (default: out/film)").type("DIR");
+  command.add("--format", a->format, "Format of the films").among(io::film_formats_to_write());
+  command.add("--blind", a->blind, "film.toml holds what a laboratory knows and no more: not the lens's blur, the surroundings, the load's phase and the wall's travel");
+  command.add("--quiet", a->quiet, "No progress");
+  command.work = [a, &status] { status = execute(*a); };
 }
 
 }  // namespace arenite::app

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 
@@ -18,20 +17,20 @@ std::string resolved(const std::string& file, const std::vector<std::string>& ov
 
 }  // namespace
 
-void add_check(CLI::App& command, int&) {
+void add_check(Options& command, int&) {
   struct Arguments {
     std::string recipe;
     std::vector<std::string> overrides;
     bool quiet = false;
   };
   const auto arguments = std::make_shared<Arguments>();
-  command.add_option("recipe", arguments->recipe, "Recipe to read (TOML), of a simulation or of a film")->required()->type_name("RECIPE.toml");
+  command.add("recipe", arguments->recipe, "Recipe to read (TOML), of a simulation or of a film").required().type("RECIPE.toml");
   add_overrides(command, arguments->overrides);
-  command.add_flag("--quiet", arguments->quiet, "Print nothing but what is wrong");
-  command.callback([arguments] {
+  command.add("--quiet", arguments->quiet, "Print nothing but what is wrong");
+  command.work = [arguments] {
     const std::string text = resolved(arguments->recipe, arguments->overrides);
     if (!arguments->quiet) std::fputs(text.c_str(), stdout);
-  });
+  };
 }
 
 }  // namespace arenite::app

@@ -1,11 +1,10 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <memory>
 
+#include "command_text.hpp"
 #include "commands.hpp"
-#include "program_tree.hpp"
 
 namespace arenite::app {
 namespace {
@@ -115,14 +114,14 @@ std::string fish(const std::vector<CommandText>& tree) {
 
 }  // namespace
 
-void add_completion(CLI::App& command, int&) {
+void add_completion(Options& command, int&) {
   const auto shell = std::make_shared<std::string>();
-  command.add_option("shell", *shell, "Shell to complete in")->required()->type_name("SHELL")->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  command.footer("For bash: source <(arenite completion bash)");
-  command.callback([&command, shell] {
-    const auto tree = program_tree(command);
+  command.add("shell", *shell, "Shell to complete in").required().type("SHELL").among({"bash", "zsh", "fish"});
+  command.footer = "For bash: source <(arenite completion bash)";
+  command.work = [shell] {
+    const auto tree = command_texts();
     fmt::print("{}", *shell == "bash" ? bash(tree) : *shell == "zsh" ? zsh(tree) : fish(tree));
-  });
+  };
 }
 
 }  // namespace arenite::app

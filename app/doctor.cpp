@@ -1,4 +1,4 @@
-#include <CLI/CLI.hpp>
+#include <CLI/Version.hpp>
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <zlib.h>
@@ -56,8 +56,8 @@ void report_program(const char* name, const char* purpose) {
 
 }  // namespace
 
-void add_doctor(CLI::App& command, int&) {
-  command.callback([] {
+void add_doctor(Options& command, int&) {
+  command.work = [] {
     report("arenite", version);
     report("compiler", __VERSION__);
     report("kernels", kernels());
@@ -71,7 +71,7 @@ void add_doctor(CLI::App& command, int&) {
     report_program("ovito", "to look at exports of --to lammps and extxyz");
     report_program("lmp", "to compare with LAMMPS: make peers");
     report_program("yade", "to compare with YADE: make peers");
-  });
+  };
 }
 
 }  // namespace arenite::app

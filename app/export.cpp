@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -34,7 +33,7 @@ void write_export(const Arguments& a) {
 
 }  // namespace
 
-void add_export(CLI::App& command, int&) {
+void add_export(Options& command, int&) {
   const auto arguments = std::make_shared<Arguments>();
   std::vector<std::string> names;
   std::string sentences = "Format";
@@ -42,11 +41,11 @@ void add_export(CLI::App& command, int&) {
     names.emplace_back(format.name);
     sentences += fmt::format("; {}: {}", format.name, format.sentence);
   }
-  command.add_option("result", arguments->result, "Stage file (.h5) or folder of a run")->required()->type_name("RESULT");
-  command.add_option("--to", arguments->format, sentences)->required()->check(CLI::IsMember(names));
-  command.add_option("--out", arguments->out, "Folder to write to; default: one named after the format, beside the result")->type_name("DIR");
-  command.add_flag("--last", arguments->last, "Only the last state, not the whole loading");
-  command.callback([arguments] { write_export(*arguments); });
+  command.add("result", arguments->result, "Stage file (.h5) or folder of a run").required().type("RESULT");
+  command.add("--to", arguments->format, sentences).required().among(names);
+  command.add("--out", arguments->out, "Folder to write to; default: one named after the format, beside the result").type("DIR");
+  command.add("--last", arguments->last, "Only the last state, not the whole loading");
+  command.work = [arguments] { write_export(*arguments); };
 }
 
 }  // namespace arenite::app

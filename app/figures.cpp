@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -87,14 +86,14 @@ void draw(const Arguments& a) {
 
 }  // namespace
 
-void add_figures(CLI::App& command, int&) {
+void add_figures(Options& command, int&) {
   const auto a = std::make_shared<Arguments>();
-  command.add_option("result", a->result, "Folder of a run, a film's result or a study, or a file of it")->required()->type_name("RESULT");
-  command.add_option("--out", a->out, "Folder to write to (default: figures in the result's folder)")->type_name("DIR");
-  command.add_option("--format", a->formats, "pdf, svg, png; may be several")->check(CLI::IsMember({"pdf", "svg", "png"}))->type_name("FORMAT");
-  command.add_option("--only", a->only, "Names of figures; all if not given")->type_name("NAME");
-  command.add_option("--width", a->width, "Width, e.g. \"85 mm\" (default: 85 mm for one column, 175 mm for two)")->type_name("LENGTH");
-  command.callback([a] { draw(*a); });
+  command.add("result", a->result, "Folder of a run, a film's result or a study, or a file of it").required().type("RESULT");
+  command.add("--out", a->out, "Folder to write to (default: figures in the result's folder)").type("DIR");
+  command.add("--format", a->formats, "pdf, svg, png; may be several").among({"pdf", "svg", "png"}).type("FORMAT");
+  command.add("--only", a->only, "Names of figures; all if not given").type("NAME");
+  command.add("--width", a->width, "Width, e.g. \"85 mm\" (default: 85 mm for one column, 175 mm for two)").type("LENGTH");
+  command.work = [a] { draw(*a); };
 }
 
 }  // namespace arenite::app

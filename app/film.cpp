@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -68,24 +67,24 @@ int execute(const Arguments& a) {
   }
   const fs::path page = folder / "report.html";
   write_page(page, recipe.title.empty() ? fs::path(a.film).filename().string() : recipe.title, outcome);
-  fmt::print("{}", a.json ? report::film_json(outcome.result) : report::film_text(outcome.result));
+  fmt::print("{}", a.json ? to_json(report::film_numbers(outcome.result), 2) + "\n" : report::film_text(outcome.result));
   if (!a.json) fmt::print("\nresult: {}\npage:   {}   (open it in a browser)\n", outcome.file.string(), page.string());
   return outcome.result.converged ? done : not_converged;
 }
 
 }  // namespace
 
-void add_film(CLI::App& command, int& status) {
+void add_film(Options& command, int& status) {
   const auto a = std::make_shared<Arguments>();
-  command.add_option("film", a->film, "Film of a cyclically loaded packing: .ptw, .sfmov, .hcc, TIFF, .npy, HDF5, text or raw frames")->required()->type_name("FILM");
-  command.add_option("--recipe", a->recipe, "Recipe of the film (TOML); `arenite init film` writes one")->required()->type_name("RECIPE.toml");
+  command.add("film", a->film, "Film of a cyclically loaded packing: .ptw, .sfmov, .hcc, TIFF, .npy, HDF5, text or raw frames").required().type("FILM");
+  command.add("--recipe", a->recipe, "Recipe of the film (TOML); `arenite init film` writes one").required().type("RECIPE.toml");
   add_overrides(command, a->overrides);
   a->reading.add_to(command);
-  command.add_option("--out", a->out, "Folder of the result, the twin and the page (default: out/NAME)")->type_name("DIR");
-  command.add_option("--threads", a->threads, "Threads (default: 1); they change no bit of the results")->check(CLI::Range(1, 1024).description(""))->type_name("N");
-  command.add_flag("--json", a->json, "Print all numbers as JSON");
-  command.add_flag("--quiet", a->quiet, "No progress");
-  command.callback([a, &status] { status = execute(*a); });
+  command.add("--out", a->out, "Folder of the result, the twin and the page (default: out/NAME)").type("DIR");
+  command.add("--threads", a->threads, "Threads (default: 1); they change no bit of the results").between(1, 1024).type("N");
+  command.add("--json", a->json, "Print all numbers as JSON");
+  command.add("--quiet", a->quiet, "No progress");
+  command.work = [a, &status] { status = execute(*a); };
 }
 
 }  // namespace arenite::app

@@ -17,11 +17,11 @@ double above_zero(const char* option, const std::string& text, Dimension dimensi
 
 }  // namespace
 
-void FilmReading::add_to(CLI::App& command) {
-  command.add_option("--frame-rate", frame_rate, "Instead of what the film says, e.g. \"148 Hz\"")->type_name("FREQUENCY");
-  command.add_option("--scale", scale, "Temperature of one level, e.g. \"0.01 K\": pixels become scale times their number, plus offset")->type_name("TEMPERATURE");
-  command.add_option("--offset", offset, "Temperature of level 0, e.g. \"273.15 K\"")->type_name("TEMPERATURE");
-  command.add_option("--dataset", dataset, "Dataset of an HDF5 file that holds several")->type_name("NAME");
+void FilmReading::add_to(Options& command) {
+  command.add("--frame-rate", frame_rate, "Instead of what the film says, e.g. \"148 Hz\"").type("FREQUENCY");
+  command.add("--scale", scale, "Temperature of one level, e.g. \"0.01 K\": pixels become scale times their number, plus offset").type("TEMPERATURE");
+  command.add("--offset", offset, "Temperature of level 0, e.g. \"273.15 K\"").type("TEMPERATURE");
+  command.add("--dataset", dataset, "Dataset of an HDF5 file that holds several").type("NAME");
 }
 
 io::FilmChoice FilmReading::choice() const {

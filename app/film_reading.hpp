@@ -1,9 +1,9 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "io/film.hpp"
+#include "options.hpp"
 
 namespace arenite::app {
 
@@ -11,7 +11,7 @@ namespace arenite::app {
 struct FilmReading {
   std::string frame_rate, scale, offset, dataset;
 
-  void add_to(CLI::App& command);
+  void add_to(Options& command);
   /// Throws InputError that names the option.
   io::FilmChoice choice() const;
   /// The same as overrides of a film's recipe.

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <cstdio>
@@ -26,12 +25,6 @@ struct Arguments {
   double least_score = 0.5;
   bool mean = false, json = false;
 };
-
-std::vector<std::string> parts_of(const std::string& text) {
-  std::vector<std::string> parts;
-  for (const auto& part : CLI::detail::split(text, ',')) parts.push_back(CLI::detail::trim_copy(part));
-  return parts;
-}
 
 double pixel_of(const Arguments& a) {
   if (a.pixel.empty()) return 0;
@@ -112,24 +105,24 @@ void find_grains(const Arguments& a) {
 
 }  // namespace
 
-void add_grains(CLI::App& command, int&) {
+void add_grains(Options& command, int&) {
   const auto a = std::make_shared<Arguments>();
-  command.add_option("picture", a->picture, "Picture (PNG, JPEG, TIFF, HDF5) or film of the grains")->required()->type_name("IMAGE");
-  const auto frame = command.add_option("--frame", a->frame, "Frame of a film, or slice of a stack, from 0; default: the mean of all frames")
-                         ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40).description(""))->type_name("N");
-  command.add_flag("--mean", a->mean, "Mean of all frames of a film (the default)")->excludes(frame);
-  command.add_option("--radii", a->radii, "Sizes that occur, e.g. \"5.25 mm,8.2 mm\", or in pixels \"3.3,5.1\"; without it they are found")->type_name("LENGTHS");
-  command.add_option("--pixel", a->pixel, "Width of a pixel on the sample, e.g. \"1.6 mm\"; without it lengths are in pixels")->type_name("LENGTH");
-  command.add_option("--materials", a->materials, "Names by brightness, darkest first, e.g. POM,HDPE; without it classes are found")->type_name("NAMES");
-  command.add_option("--channel", a->channel, "What of a coloured pixel counts; default grey")->check(CLI::IsMember(io::channel_names()))->type_name("NAME");
-  command.add_option("--contrast", a->contrast, "Grains are bright or dark against what is around them; default: found")
-      ->check(CLI::IsMember({"found", "bright", "dark"}))->type_name("WAY");
-  command.add_option("--least-score", a->least_score, "Share of a grain's rim that must show; default 0.5")->check(CLI::Range(0.0, 1.0).description(""))->type_name("NUMBER");
-  command.add_option("--origin", a->origin, "Pixel that x and y count from, column and row from the upper left; default: the picture's lower left corner")->type_name("COLUMN,ROW");
-  command.add_option("--dataset", a->dataset, "Dataset of an HDF5 file that holds several")->type_name("NAME");
-  command.add_option("--out", a->out, "Folder for the table (grains.csv), the picture with circles (grains.png) and all numbers (grains.json)")->type_name("DIR");
-  command.add_flag("--json", a->json, "Print everything as JSON, grain by grain");
-  command.callback([a] { find_grains(*a); });
+  command.add("picture", a->picture, "Picture (PNG, JPEG, TIFF, HDF5) or film of the grains").required().type("IMAGE");
+  command.add("--frame", a->frame, "Frame of a film, or slice of a stack, from 0; default: the mean of all frames")
+      .between(0, 1e12).type("N");
+  command.add("--mean", a->mean, "Mean of all frames of a film (the default)").not_with("--frame");
+  command.add("--radii", a->radii, "Sizes that occur, e.g. \"5.25 mm,8.2 mm\", or in pixels \"3.3,5.1\"; without it they are found").type("LENGTHS");
+  command.add("--pixel", a->pixel, "Width of a pixel on the sample, e.g. \"1.6 mm\"; without it lengths are in pixels").type("LENGTH");
+  command.add("--materials", a->materials, "Names by brightness, darkest first, e.g. POM,HDPE; without it classes are found").type("NAMES");
+  command.add("--channel", a->channel, "What of a coloured pixel counts; default grey").among(io::channel_names()).type("NAME");
+  command.add("--contrast", a->contrast, "Grains are bright or dark against what is around them; default: found")
+      .among({"found", "bright", "dark"}).type("WAY");
+  command.add("--least-score", a->least_score, "Share of a grain's rim that must show; default 0.5").between(0.0, 1.0).type("NUMBER");
+  command.add("--origin", a->origin, "Pixel that x and y count from, column and row from the upper left; default: the picture's lower left corner").type("COLUMN,ROW");
+  command.add("--dataset", a->dataset, "Dataset of an HDF5 file that holds several").type("NAME");
+  command.add("--out", a->out, "Folder for the table (grains.csv), the picture with circles (grains.png) and all numbers (grains.json)").type("DIR");
+  command.add("--json", a->json, "Print everything as JSON, grain by grain");
+  command.work = [a] { find_grains(*a); };
 }
 
 }  // namespace arenite::app

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <memory>
@@ -34,24 +33,24 @@ double si(const char* option, const std::string& text, Dimension dimension, cons
 Measured measured(const char* option, const std::string& text, Dimension dimension, const char* unit) {
   const auto sign = text.find("+-");
   if (sign == std::string::npos) return {si(option, text, dimension, unit)};
-  const std::string error = CLI::detail::trim_copy(text.substr(sign + 2));
+  const std::string error = trimmed(text.substr(sign + 2));
   const auto unit_at = error.find(' ');
   const std::string behind = unit_at == std::string::npos ? "" : error.substr(unit_at);
-  return {si(option, CLI::detail::trim_copy(text.substr(0, sign)) + behind, dimension, unit), si(option, error, dimension, unit, true)};
+  return {si(option, trimmed(text.substr(0, sign)) + behind, dimension, unit), si(option, error, dimension, unit, true)};
 }
 
 /// Two lengths of "a,b", or twice the one.
 std::pair<double, double> two_lengths(const char* option, const std::string& text, const char* unit) {
   const auto comma = text.find(',');
-  const double first = si(option, CLI::detail::trim_copy(text.substr(0, comma)), dimension::length, unit);
-  return {first, comma == std::string::npos ? first : si(option, CLI::detail::trim_copy(text.substr(comma + 1)), dimension::length, unit)};
+  const double first = si(option, trimmed(text.substr(0, comma)), dimension::length, unit);
+  return {first, comma == std::string::npos ? first : si(option, trimmed(text.substr(comma + 1)), dimension::length, unit)};
 }
 
 /// "151.4 mm^2" or "30.9 mm x 4.9 mm".
 double section(const std::string& text) {
   const auto times = text.find(" x ");
   if (times == std::string::npos) return si("--section", text, dimension::area, "mm^2");
-  return si("--section", CLI::detail::trim_copy(text.substr(0, times)), dimension::length, "mm") * si("--section", CLI::detail::trim_copy(text.substr(times + 3)), dimension::length, "mm");
+  return si("--section", trimmed(text.substr(0, times)), dimension::length, "mm") * si("--section", trimmed(text.substr(times + 3)), dimension::length, "mm");
 }
 
 identify::Identification stiffness(const Arguments& a) {
@@ -98,51 +97,51 @@ identify::Identification factor(const Arguments& a) {
   return study::identify_factor(a.file, request);
 }
 
-void add_mechanical(CLI::App& command, Arguments& a) {
-  command.add_option("--preload", a.preload, "Stiffness: force beyond which a record counts; default \"1 kN\"")->type_name("FORCE");
-  command.add_option("--branch", a.branch, "Stiffness: part of a record's cycles that is fitted; default loading")->check(CLI::IsMember({"loading", "unloading"}))->type_name("BRANCH");
-  command.add_option("--length", a.length, "Stiffness: length of the cylinders, e.g. \"60 mm\", for the stiffness of a unit of length")->type_name("LENGTH");
-  command.add_option("--k", a.k, "Adhesion: contact stiffness of the pair, e.g. \"27.35 kN/mm\" or \"27.35 +- 0.40 kN/mm\"")->type_name("STIFFNESS");
-  command.add_option("--radius", a.radius, "Adhesion: radius of both cylinders, or of each: \"6.2 mm,8.2 mm\"")->type_name("R[,R]");
-  command.add_option("--effective-radius", a.effective_radius, "Adhesion: r_eff of unequal radii: 4 r_i r_j/(r_i + r_j) (default), r_i + r_j or 2 sqrt(r_i r_j)")
-      ->check(CLI::IsMember({"four_reduced", "sum", "geometric_mean"}))->type_name("NAME");
+void add_mechanical(Options& command, Arguments& a) {
+  command.add("--preload", a.preload, "Stiffness: force beyond which a record counts; default \"1 kN\"").type("FORCE");
+  command.add("--branch", a.branch, "Stiffness: part of a record's cycles that is fitted; default loading").among({"loading", "unloading"}).type("BRANCH");
+  command.add("--length", a.length, "Stiffness: length of the cylinders, e.g. \"60 mm\", for the stiffness of a unit of length").type("LENGTH");
+  command.add("--k", a.k, "Adhesion: contact stiffness of the pair, e.g. \"27.35 kN/mm\" or \"27.35 +- 0.40 kN/mm\"").type("STIFFNESS");
+  command.add("--radius", a.radius, "Adhesion: radius of both cylinders, or of each: \"6.2 mm,8.2 mm\"").type("R[,R]");
+  command.add("--effective-radius", a.effective_radius, "Adhesion: r_eff of unequal radii: 4 r_i r_j/(r_i + r_j) (default), r_i + r_j or 2 sqrt(r_i r_j)")
+      .among({"four_reduced", "sum", "geometric_mean"}).type("NAME");
 }
 
-void add_thermal(CLI::App& command, Arguments& a) {
-  command.add_option("--section", a.section, "Factor: section that carries the force, \"30.9 mm x 4.9 mm\" or \"151.4 mm^2\"")->type_name("AREA");
-  command.add_option("--young", a.young, "Factor from strains: modulus of the specimen, e.g. \"2.8 +- 0.1 GPa\"")->type_name("MODULUS");
-  command.add_option("--poisson", a.poisson, "Factor from strains: Poisson's ratio, e.g. \"0.35 +- 0.02\"")->type_name("NUMBER");
-  command.add_option("--temperature-swing", a.temperature_swing, "Factor: temperatures and signals are full swings (default) or half, the amplitude of a sine")
-      ->check(CLI::IsMember({"full", "half"}))->type_name("SWING");
-  command.add_option("--load-swing", a.load_swing, "Factor: stresses, forces and strains are full swings (default) or half; force_max and force_min always give the full one")
-      ->check(CLI::IsMember({"full", "half"}))->type_name("SWING");
-  command.add_flag("--through-origin", a.through_origin, "Factor: hold the line to the origin");
+void add_thermal(Options& command, Arguments& a) {
+  command.add("--section", a.section, "Factor: section that carries the force, \"30.9 mm x 4.9 mm\" or \"151.4 mm^2\"").type("AREA");
+  command.add("--young", a.young, "Factor from strains: modulus of the specimen, e.g. \"2.8 +- 0.1 GPa\"").type("MODULUS");
+  command.add("--poisson", a.poisson, "Factor from strains: Poisson's ratio, e.g. \"0.35 +- 0.02\"").type("NUMBER");
+  command.add("--temperature-swing", a.temperature_swing, "Factor: temperatures and signals are full swings (default) or half, the amplitude of a sine")
+      .among({"full", "half"}).type("SWING");
+  command.add("--load-swing", a.load_swing, "Factor: stresses, forces and strains are full swings (default) or half; force_max and force_min always give the full one")
+      .among({"full", "half"}).type("SWING");
+  command.add("--through-origin", a.through_origin, "Factor: hold the line to the origin");
 }
 
-void add_detector(CLI::App& command, Arguments& a) {
-  command.add_option("--responsivity", a.responsivity, "Factor: detector's D in K a level, for the constant A' = D R F/(T eps A) of a raw signal")->type_name("K");
-  command.add_option("--responsivity-at", a.reference, "Temperature that D holds at; default \"296 K\"")->type_name("TEMPERATURE");
-  command.add_option("--surface-at", a.surface, "Temperature of the specimen; default \"296 K\"")->type_name("TEMPERATURE");
-  command.add_option("--amplification", a.amplification, "Amplification factor F of the signal; default 1")->type_name("NUMBER");
-  command.add_option("--emissivity", a.emissivity, "Emissivity of the specimen; default 1")->type_name("NUMBER");
-  command.add_option("--band", a.band, "Wavelengths that the detector sees; default \"3.6 um,5.1 um\"")->type_name("LOW,HIGH");
+void add_detector(Options& command, Arguments& a) {
+  command.add("--responsivity", a.responsivity, "Factor: detector's D in K a level, for the constant A' = D R F/(T eps A) of a raw signal").type("K");
+  command.add("--responsivity-at", a.reference, "Temperature that D holds at; default \"296 K\"").type("TEMPERATURE");
+  command.add("--surface-at", a.surface, "Temperature of the specimen; default \"296 K\"").type("TEMPERATURE");
+  command.add("--amplification", a.amplification, "Amplification factor F of the signal; default 1").type("NUMBER");
+  command.add("--emissivity", a.emissivity, "Emissivity of the specimen; default 1").type("NUMBER");
+  command.add("--band", a.band, "Wavelengths that the detector sees; default \"3.6 um,5.1 um\"").type("LOW,HIGH");
 }
 
 }  // namespace
 
-void add_identify(CLI::App& command, int&) {
+void add_identify(Options& command, int&) {
   const auto a = std::make_shared<Arguments>();
-  command.add_option("what", a->what, "What to find")->required()->check(CLI::IsMember({"stiffness", "factor", "adhesion"}))->type_name("WHAT");
-  command.add_option("file", a->file, "Records or a table as CSV, with units in its header: displacement and force; stress or strain and temperature; or values by group")->required()->type_name("FILE");
+  command.add("what", a->what, "What to find").required().among({"stiffness", "factor", "adhesion"}).type("WHAT");
+  command.add("file", a->file, "Records or a table as CSV, with units in its header: displacement and force; stress or strain and temperature; or values by group").required().type("FILE");
   add_mechanical(command, *a);
   add_thermal(command, *a);
   add_detector(command, *a);
-  command.add_option("--stated", a->stated, "Table of what a source states for the same groups, to compare with")->type_name("FILE");
-  command.add_flag("--json", a->json, "Print JSON in SI: value, error, confidence_95");
-  command.callback([a] {
+  command.add("--stated", a->stated, "Table of what a source states for the same groups, to compare with").type("FILE");
+  command.add("--json", a->json, "Print JSON in SI: value, error, confidence_95");
+  command.work = [a] {
     const auto found = a->what == "stiffness" ? stiffness(*a) : a->what == "adhesion" ? adhesion(*a) : factor(*a);
-    std::fputs((a->json ? identify::to_json(found) + "\n" : identify::to_text(found)).c_str(), stdout);
-  });
+    std::fputs((a->json ? to_json(identify::numbers(found), 1) + "\n" : identify::to_text(found)).c_str(), stdout);
+  };
 }
 
 }  // namespace arenite::app

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -48,21 +47,21 @@ void list_templates() {
 
 }  // namespace
 
-void add_init(CLI::App& command, int&) {
+void add_init(Options& command, int&) {
   const auto arguments = std::make_shared<InitArguments>();
   std::vector<std::string> names;
   for (const auto& each : all_templates()) names.push_back(each.name);
-  command.add_option("template", arguments->name, "Kind of recipe; without it the kinds are listed")->type_name("TEMPLATE")->check(CLI::IsMember(names));
-  command.add_option("file", arguments->file, "File to write, which must not exist; without it the recipe is printed")
-      ->type_name("FILE");
-  command.callback([arguments] {
+  command.add("template", arguments->name, "Kind of recipe; without it the kinds are listed").type("TEMPLATE").among(names);
+  command.add("file", arguments->file, "File to write, which must not exist; without it the recipe is printed")
+      .type("FILE");
+  command.work = [arguments] {
     if (arguments->name.empty()) return list_templates();
     for (const auto& each : all_templates()) {
       if (arguments->name != each.name) continue;
       if (arguments->file.empty()) std::fputs(each.text().c_str(), stdout);
       else write_new(arguments->file, each.text(), each.command);
     }
-  });
+  };
 }
 
 }  // namespace arenite::app

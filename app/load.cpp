@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -143,7 +142,7 @@ int execute(const Arguments& a) {
       return other_failure;
     }
     study::sign(*result, a.map, asked_of(a), load);
-    fmt::print("{}", a.json ? report::field_json(*result) : report::field_summary(*result));
+    fmt::print("{}", a.json ? to_json(report::field_numbers(*result), 2) + "\n" : report::field_summary(*result));
     if (!a.out.empty()) store(a, load, *result);
     return result->converged ? done : not_converged;
   } catch (const InputError& error) {
@@ -151,51 +150,51 @@ int execute(const Arguments& a) {
   }
 }
 
-void add_reading(CLI::App& command, Arguments& a) {
-  command.add_option("--phases", a.phases, "Which grey value is what, e.g. \"0=void,85=particle,170=matrix\"; a picture of two values needs none")
-      ->type_name("TABLE");
-  command.add_option("--labels", a.labels, "Grains: components (particles that hang together; default), watershed (cut at necks), none (all one "
-                                           "grain), or a picture whose values number them")->type_name("WAY");
-  command.add_option("--smoothing", a.smoothing, "Of the watershed: depth of a neck that is not cut, pixels; default 1")->type_name("NUMBER");
-  command.add_option("--crop", a.crop, "Part of the picture, pixels from its upper left corner")->type_name("X,Y,WIDTH,HEIGHT");
-  command.add_option("--slice", a.slice, "Slice of a stack, from 0")->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40).description(""))->type_name("N");
-  command.add_option("--dataset", a.dataset, "Dataset of an HDF5 file that holds several")->type_name("NAME");
-  command.add_option("--label-slice", a.label_slice, "Slice of the labels, from 0")->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40).description(""))->type_name("N");
-  command.add_option("--label-dataset", a.label_dataset, "Dataset of the labels")->type_name("NAME");
-  command.add_option("--dx", a.dx, "Side of a pixel, e.g. \"25 um\"; without it lengths are in pixels")->type_name("LENGTH");
+void add_reading(Options& command, Arguments& a) {
+  command.add("--phases", a.phases, "Which grey value is what, e.g. \"0=void,85=particle,170=matrix\"; a picture of two values needs none")
+      .type("TABLE");
+  command.add("--labels", a.labels, "Grains: components (particles that hang together; default), watershed (cut at necks), none (all one "
+                                           "grain), or a picture whose values number them").type("WAY");
+  command.add("--smoothing", a.smoothing, "Of the watershed: depth of a neck that is not cut, pixels; default 1").type("NUMBER");
+  command.add("--crop", a.crop, "Part of the picture, pixels from its upper left corner").type("X,Y,WIDTH,HEIGHT");
+  command.add("--slice", a.slice, "Slice of a stack, from 0").between(0, 1e12).type("N");
+  command.add("--dataset", a.dataset, "Dataset of an HDF5 file that holds several").type("NAME");
+  command.add("--label-slice", a.label_slice, "Slice of the labels, from 0").between(0, 1e12).type("N");
+  command.add("--label-dataset", a.label_dataset, "Dataset of the labels").type("NAME");
+  command.add("--dx", a.dx, "Side of a pixel, e.g. \"25 um\"; without it lengths are in pixels").type("LENGTH");
 }
 
-void add_loading(CLI::App& command, Arguments& a) {
+void add_loading(Options& command, Arguments& a) {
   study::Load& load = a.load;
-  command.add_option("--loading", a.loading, "How the top row is moved")->check(CLI::IsMember(study::plain_words<peridynamics::Loading>()));
-  command.add_option("--axis", a.axis, "Axis from the bottom row to the top row; x loads the map turned")->check(CLI::IsMember(study::plain_words<study::Load::Axis>()));
-  command.add_option("--lower", a.lower, "What holds the bottom row")->check(CLI::IsMember(study::plain_words<peridynamics::LowerEdge>()));
-  command.add_option("--method", a.method, "Way to the field at equilibrium")->check(CLI::IsMember(study::plain_words<peridynamics::Method>()));
-  command.add_option("--strain", load.strain, "Displacement of the top row over the height; default 1e-4")->type_name("NUMBER");
-  command.add_option("--tolerance", load.tolerance, "Relative residual at equilibrium; default 1e-6")->type_name("NUMBER");
-  command.add_option("--stiffness", a.stiffness, "Young's moduli of bonds, e.g. \"matrix=1 GPa,particle=4 GPa\" (the default; interface as the matrix)")
-      ->type_name("MODULI");
-  command.add_flag("--exact-stretch", load.exact_stretch, "Stretch of the turned bond, not linearised");
-  command.add_flag("--moduli", load.moduli, "Load along both axes and in shear, too, for the moduli of the sample");
-  command.add_flag("--failure", load.failure, "Pull until it breaks; needs --dx");
-  command.add_option("--toughness", a.toughness, "Of bonds, e.g. \"matrix=0.1 MPa m^0.5\" (the default; interface alike, particle 3.5 times it)")
-      ->type_name("TOUGHNESS");
-  command.add_option("--max-strain", load.max_strain, "A pull to failure ends here at the latest; default 0.1")->type_name("NUMBER");
-  command.add_option("--clamp-rows", load.statistics.clamp_rows, "Rows at both edges that the statistics leave out; default 4")->type_name("N");
-  command.add_flag("--leave-out-surface", load.statistics.leave_out_surface, "Statistics without nodes that border another phase or grain");
+  command.add("--loading", a.loading, "How the top row is moved").among(study::plain_words<peridynamics::Loading>());
+  command.add("--axis", a.axis, "Axis from the bottom row to the top row; x loads the map turned").among(study::plain_words<study::Load::Axis>());
+  command.add("--lower", a.lower, "What holds the bottom row").among(study::plain_words<peridynamics::LowerEdge>());
+  command.add("--method", a.method, "Way to the field at equilibrium").among(study::plain_words<peridynamics::Method>());
+  command.add("--strain", load.strain, "Displacement of the top row over the height; default 1e-4").type("NUMBER");
+  command.add("--tolerance", load.tolerance, "Relative residual at equilibrium; default 1e-6").type("NUMBER");
+  command.add("--stiffness", a.stiffness, "Young's moduli of bonds, e.g. \"matrix=1 GPa,particle=4 GPa\" (the default; interface as the matrix)")
+      .type("MODULI");
+  command.add("--exact-stretch", load.exact_stretch, "Stretch of the turned bond, not linearised");
+  command.add("--moduli", load.moduli, "Load along both axes and in shear, too, for the moduli of the sample");
+  command.add("--failure", load.failure, "Pull until it breaks; needs --dx");
+  command.add("--toughness", a.toughness, "Of bonds, e.g. \"matrix=0.1 MPa m^0.5\" (the default; interface alike, particle 3.5 times it)")
+      .type("TOUGHNESS");
+  command.add("--max-strain", load.max_strain, "A pull to failure ends here at the latest; default 0.1").type("NUMBER");
+  command.add("--clamp-rows", load.statistics.clamp_rows, "Rows at both edges that the statistics leave out; default 4").type("N");
+  command.add("--leave-out-surface", load.statistics.leave_out_surface, "Statistics without nodes that border another phase or grain");
 }
 
 }  // namespace
 
-void add_load(CLI::App& command, int& status) {
+void add_load(Options& command, int& status) {
   const auto a = std::make_shared<Arguments>();
-  command.add_option("map", a->map, "Phase map: PNG, TIFF or HDF5 picture of grey values, or a field of ours (.h5)")->required()->type_name("PHASEMAP");
+  command.add("map", a->map, "Phase map: PNG, TIFF or HDF5 picture of grey values, or a field of ours (.h5)").required().type("PHASEMAP");
   add_reading(command, *a);
   add_loading(command, *a);
-  command.add_flag("--json", a->json, "Print all numbers as JSON");
-  command.add_option("--out", a->out, "Folder for the field (.h5) and its page; without it nothing is stored")->type_name("DIR");
-  command.add_flag("--quiet", a->quiet, "No progress");
-  command.callback([a, &status] { status = execute(*a); });
+  command.add("--json", a->json, "Print all numbers as JSON");
+  command.add("--out", a->out, "Folder for the field (.h5) and its page; without it nothing is stored").type("DIR");
+  command.add("--quiet", a->quiet, "No progress");
+  command.work = [a, &status] { status = execute(*a); };
 }
 
 }  // namespace arenite::app

@@ -1,12 +1,10 @@
 #include "thermography/lockin.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "core/error.hpp"
@@ -17,6 +15,7 @@
 #include "io/film.hpp"
 #include "option_value.hpp"
 #include "progress.hpp"
+#include "statistics/numbers.hpp"
 #include "stop_signal.hpp"
 #include "study/adiabatic.hpp"
 #include "study/film_checks.hpp"
@@ -67,10 +66,10 @@ study::Adiabatic adiabatic(const Arguments& a, double frequency) {
   return check;
 }
 
-nlohmann::json numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const study::Adiabatic& heat) {
-  nlohmann::json j;
+Numbers numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const study::Adiabatic& heat) {
+  Numbers j;
   j["frequency_Hz"] = m.frequency;
-  j["frequency_error_Hz"] = std::isfinite(m.frequency_error) ? nlohmann::json(m.frequency_error) : nlohmann::json();
+  j["frequency_error_Hz"] = std::isfinite(m.frequency_error) ? Numbers(m.frequency_error) : Numbers();
   j["method"] = a.nearest_bin ? "nearest_bin" : "least_squares";
   j["frames"] = m.frames;
   j["width"] = m.width;
@@ -145,32 +144,32 @@ int execute(Arguments& a) {
   const study::Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds())
     fmt::print(stderr, "{}\n", heat.sentence());
-  if (a.json) fmt::print("{}\n", numbers(maps, a, film->info(), heat).dump(2));
+  if (a.json) fmt::print("{}\n", to_json(numbers(maps, a, film->info(), heat), 2));
   else print(maps, a, film->info(), heat);
   return done;
 }
 
 }  // namespace
 
-void add_lockin(CLI::App& command, int& status) {
+void add_lockin(Options& command, int& status) {
   const auto a = std::make_shared<Arguments>();
-  command.add_option("film", a->film, "Film of a cyclically loaded sample")->required()->type_name("FILM");
-  command.add_option("--frequency", a->frequency, "Of the load, e.g. \"3 Hz\"; refined on the film")->required()->type_name("FREQUENCY");
-  command.add_option("--out", a->out, "Folder for the maps; without it nothing is stored")->type_name("DIR");
-  command.add_option("--format", a->format, "Of the maps")->check(CLI::IsMember({"tiff", "npy", "hdf5"}));
-  command.add_option("--drift", a->options.drift_order, "Order of the polynomial that pixels drift by; default 4")->type_name("N");
-  command.add_option("--harmonics", a->options.harmonics, "Of the load frequency; default 2")->type_name("N");
-  command.add_option("--convention", a->convention, "Amplitudes are half of the swing (default) or all of it")->check(CLI::IsMember({"half", "full"}));
-  command.add_option("--reference-phase", a->reference_phase, "Of the load: its angle at the first frame before it is largest, e.g. \"90 deg\"; without it found on the film up to its sign")->type_name("ANGLE");
-  command.add_flag("--nearest-bin", a->nearest_bin, "Plain Fourier transform at the nearest bin, mean image subtracted");
-  command.add_flag("--no-refinement", a->no_refinement, "Keep the frequency as it is given");
-  command.add_option("--diffusivity", a->diffusivity, "Of heat in the grains, for the adiabatic check; default \"0.1 mm^2/s\", about that of plastics")->type_name("QUANTITY");
-  command.add_option("--pixel", a->pixel, "Its side on the sample, e.g. \"1.6 mm\": warns where heat diffuses not far less within a cycle")->type_name("LENGTH");
+  command.add("film", a->film, "Film of a cyclically loaded sample").required().type("FILM");
+  command.add("--frequency", a->frequency, "Of the load, e.g. \"3 Hz\"; refined on the film").required().type("FREQUENCY");
+  command.add("--out", a->out, "Folder for the maps; without it nothing is stored").type("DIR");
+  command.add("--format", a->format, "Of the maps").among({"tiff", "npy", "hdf5"});
+  command.add("--drift", a->options.drift_order, "Order of the polynomial that pixels drift by; default 4").type("N");
+  command.add("--harmonics", a->options.harmonics, "Of the load frequency; default 2").type("N");
+  command.add("--convention", a->convention, "Amplitudes are half of the swing (default) or all of it").among({"half", "full"});
+  command.add("--reference-phase", a->reference_phase, "Of the load: its angle at the first frame before it is largest, e.g. \"90 deg\"; without it found on the film up to its sign").type("ANGLE");
+  command.add("--nearest-bin", a->nearest_bin, "Plain Fourier transform at the nearest bin, mean image subtracted");
+  command.add("--no-refinement", a->no_refinement, "Keep the frequency as it is given");
+  command.add("--diffusivity", a->diffusivity, "Of heat in the grains, for the adiabatic check; default \"0.1 mm^2/s\", about that of plastics").type("QUANTITY");
+  command.add("--pixel", a->pixel, "Its side on the sample, e.g. \"1.6 mm\": warns where heat diffuses not far less within a cycle").type("LENGTH");
   a->reading.add_to(command);
-  command.add_option("--threads", a->options.threads, "Threads (default: 1)")->check(CLI::Range(1, 256).description(""))->type_name("N");
-  command.add_flag("--json", a->json, "Print all numbers as JSON");
-  command.add_flag("--quiet", a->quiet, "No progress");
-  command.callback([a, &status] { status = execute(*a); });
+  command.add("--threads", a->options.threads, "Threads (default: 1)").between(1, 256).type("N");
+  command.add("--json", a->json, "Print all numbers as JSON");
+  command.add("--quiet", a->quiet, "No progress");
+  command.work = [a, &status] { status = execute(*a); };
 }
 
 }  // namespace arenite::app

@@ -1,12 +1,11 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <memory>
 
+#include "command_text.hpp"
 #include "commands.hpp"
 #include "core/version.hpp"
-#include "program_tree.hpp"
 #include "study/film_recipe.hpp"
 #include "study/recipe.hpp"
 
@@ -65,16 +64,16 @@ void print_page(const std::vector<CommandText>& tree) {
 
 }  // namespace
 
-void add_man(CLI::App& command, int&) {
+void add_man(Options& command, int&) {
   const auto keys = std::make_shared<bool>(false), film_keys = std::make_shared<bool>(false);
-  command.add_flag("--keys", *keys, "Print the reference of all keys of a recipe instead (Markdown)");
-  command.add_flag("--film-keys", *film_keys, "Print the reference of all keys of a film's recipe instead (Markdown)");
-  command.footer("To read the page: arenite man | man -l -");
-  command.callback([&command, keys, film_keys] {
+  command.add("--keys", *keys, "Print the reference of all keys of a recipe instead (Markdown)");
+  command.add("--film-keys", *film_keys, "Print the reference of all keys of a film's recipe instead (Markdown)");
+  command.footer = "To read the page: arenite man | man -l -";
+  command.work = [keys, film_keys] {
     if (*keys) fmt::print("{}", study::key_reference());
     else if (*film_keys) fmt::print("{}", study::film_key_reference());
-    else print_page(program_tree(command));
-  });
+    else print_page(command_texts());
+  };
 }
 
 }  // namespace arenite::app

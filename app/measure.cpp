@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -39,8 +38,8 @@ double length_of(const std::string& text, double unit) {
 
 std::vector<double> lengths_of(const char* option, const std::string& text, double unit, std::size_t least, std::size_t most) {
   std::vector<double> values;
-  for (const auto& part : CLI::detail::split(text, ','))
-    values.push_back(option_value(option, [&] { return length_of(CLI::detail::trim_copy(part), unit); }));
+  for (const auto& part : parts_of(text))
+    values.push_back(option_value(option, [&] { return length_of(part, unit); }));
   if (values.size() < least || values.size() > most)
     throw InputError(std::string(option) + ": expected " + (least == most ? "" : "two or ") + (most == 3 ? "three" : "two") +
                      " lengths separated by commas, for example \"350 mm,350 mm\"");
@@ -106,35 +105,35 @@ void measure(const MeasureArguments& a) {
   t.notes.insert(t.notes.begin(), sample.notes.begin(), sample.notes.end());
   if (sample.doubled_rows > 0)
     t.notes.insert(t.notes.begin(), std::to_string(sample.doubled_rows) + " rows repeat a contact and were merged with it.");
-  const std::string text = a.json ? texture::to_json(t, a.curves) + "\n" : texture::to_text(t);
+  const std::string text = a.json ? to_json(texture::numbers(t, a.curves), 2) + "\n" : texture::to_text(t);
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
-void add_units(CLI::App& command, MeasureArguments& a) {
-  command.add_option("--length-unit", a.length_unit, "Unit of lengths whose column names none, e.g. mm; default m")->type_name("UNIT");
-  command.add_option("--pixel", a.pixel, "Width of a pixel on the sample, e.g. \"1.6 mm\", for a table in px")->type_name("LENGTH");
-  command.add_option("--force-unit", a.force_unit, "Unit of forces whose column names none, e.g. kN; default N")->type_name("UNIT");
+void add_units(Options& command, MeasureArguments& a) {
+  command.add("--length-unit", a.length_unit, "Unit of lengths whose column names none, e.g. mm; default m").type("UNIT");
+  command.add("--pixel", a.pixel, "Width of a pixel on the sample, e.g. \"1.6 mm\", for a table in px").type("LENGTH");
+  command.add("--force-unit", a.force_unit, "Unit of forces whose column names none, e.g. kN; default N").type("UNIT");
 }
 
-void add_frame(CLI::App& command, MeasureArguments& a) {
-  command.add_option("--box", a.box, "Width and height of the sample, and tilt of a sheared periodic cell; \"350 mm,350 mm\"")->type_name("LX,LY[,tilt]");
-  command.add_option("--origin", a.origin, "Lower left corner of the box; default 0,0, or around the centres where these lie elsewhere")->type_name("X,Y");
-  command.add_flag("--periodic{xy}", a.periodic, "Opposite sides are joined; --periodic=x or --periodic=y for one direction");
-  command.add_option("--thickness", a.thickness, "Out-of-plane length of the cylinders, e.g. \"60 mm\"; stresses need it")->type_name("LENGTH");
-  command.add_option("--materials", a.materials, "Table of material,name,density,... or of id,material")->type_name("FILE");
+void add_frame(Options& command, MeasureArguments& a) {
+  command.add("--box", a.box, "Width and height of the sample, and tilt of a sheared periodic cell; \"350 mm,350 mm\"").type("LX,LY[,tilt]");
+  command.add("--origin", a.origin, "Lower left corner of the box; default 0,0, or around the centres where these lie elsewhere").type("X,Y");
+  command.add("--periodic{xy}", a.periodic, "Opposite sides are joined; --periodic=x or --periodic=y for one direction");
+  command.add("--thickness", a.thickness, "Out-of-plane length of the cylinders, e.g. \"60 mm\"; stresses need it").type("LENGTH");
+  command.add("--materials", a.materials, "Table of material,name,density,... or of id,material").type("FILE");
 }
 
-void add_reading(CLI::App& command, MeasureArguments& a) {
+void add_reading(Options& command, MeasureArguments& a) {
   std::vector<std::string> formats = io::sample_formats();
   formats.insert(formats.begin(), "auto");
-  command.add_option("--format", a.format, "Format of the files; auto looks at their first line")->check(CLI::IsMember(formats))->type_name("NAME");
-  command.add_option("--grain-columns", a.grain_columns, "Columns of a table of grains without header, e.g. \"id,x,y,-,radius\"")->type_name("NAMES");
-  command.add_option("--columns", a.contact_columns, "Columns of contacts without header, e.g. \"i,j,-,ft [N],fn [N]\" or \"i,j,fx,fy\"; of a LAMMPS dump whose computes are not those that docs/measure.md names, e.g. \"-,patom1,patom2,fx,fy,p1,p2\"")->type_name("NAMES");
-  command.add_option("--touching", a.touching, "Without a file of contacts: grains touch where their surfaces are no further apart than this; forces are not known")
-      ->type_name("LENGTH");
-  command.add_flag("--y-down", a.y_down, "y counts image rows, which point down; it is turned round, fn and ft are kept");
-  command.add_option("--doubled", a.doubled, "What to do with a contact listed twice: error, or merge (taken once, mean of its forces)")
-      ->check(CLI::IsMember({"error", "merge"}))->type_name("WAY");
+  command.add("--format", a.format, "Format of the files; auto looks at their first line").among(formats).type("NAME");
+  command.add("--grain-columns", a.grain_columns, "Columns of a table of grains without header, e.g. \"id,x,y,-,radius\"").type("NAMES");
+  command.add("--columns", a.contact_columns, "Columns of contacts without header, e.g. \"i,j,-,ft [N],fn [N]\" or \"i,j,fx,fy\"; of a LAMMPS dump whose computes are not those that docs/measure.md names, e.g. \"-,patom1,patom2,fx,fy,p1,p2\"").type("NAMES");
+  command.add("--touching", a.touching, "Without a file of contacts: grains touch where their surfaces are no further apart than this; forces are not known")
+      .type("LENGTH");
+  command.add("--y-down", a.y_down, "y counts image rows, which point down; it is turned round, fn and ft are kept");
+  command.add("--doubled", a.doubled, "What to do with a contact listed twice: error, or merge (taken once, mean of its forces)")
+      .among({"error", "merge"}).type("WAY");
 }
 
 /// The stresses of a stored field, measured anew.
@@ -144,46 +143,46 @@ void measure_field(const MeasureArguments& a) {
   stress::StressOptions options = a.stress;
   options.components = {stress::Component::yy, stress::Component::xx, stress::Component::xy, stress::Component::hydrostatic};
   const auto statistics = stress::measure(field.map, field.field, options);
-  std::fputs((a.json ? stress::to_json(statistics, a.curves) + "\n" : stress::to_text(statistics)).c_str(), stdout);
+  std::fputs((a.json ? to_json(stress::numbers(statistics, a.curves), 2) + "\n" : stress::to_text(statistics)).c_str(), stdout);
 }
 
-void add_field_statistics(CLI::App& command, MeasureArguments& a) {
-  command.add_option("--clamp-rows", a.stress.clamp_rows, "Of a field: rows left out at the lower and the upper edge; default 4")
-      ->check(CLI::Range(0, 1 << 20).description(""))->type_name("N");
-  command.add_flag("--leave-out-surface", a.stress.leave_out_surface, "Of a field: without nodes that border another phase or grain");
-  command.add_flag("--leave-out-unloaded", a.stress.leave_out_unloaded, "Of a field: without nodes that carry no stress at all");
-  command.add_flag("--mean-over-area", a.stress.mean_over_area, "Of a field: the sample's mean counts the void as zero stress");
+void add_field_statistics(Options& command, MeasureArguments& a) {
+  command.add("--clamp-rows", a.stress.clamp_rows, "Of a field: rows left out at the lower and the upper edge; default 4")
+      .between(0, 1 << 20).type("N");
+  command.add("--leave-out-surface", a.stress.leave_out_surface, "Of a field: without nodes that border another phase or grain");
+  command.add("--leave-out-unloaded", a.stress.leave_out_unloaded, "Of a field: without nodes that carry no stress at all");
+  command.add("--mean-over-area", a.stress.mean_over_area, "Of a field: the sample's mean counts the void as zero stress");
 }
 
-void add_statistics(CLI::App& command, MeasureArguments& a) {
-  command.add_option("--border", a.texture.border, "Strip left out along walls, in mean diameters; default 2.5")->check(CLI::Range(0.0, 1000.0).description(""))->type_name("NUMBER");
-  command.add_option("--load-axis", a.load_axis_deg, "Direction of the load for signed anisotropies, degrees from x; default: greatest compression")
-      ->check(CLI::Range(0.0, 180.0))->type_name("DEGREES");
-  command.add_option("--seed", a.texture.seed, "Seed of the random places of windows; default 1")->type_name("NUMBER");
-  command.add_flag("--json", a.json, "Print all statistics as JSON, each as value and error");
-  command.add_flag("--curves", a.curves, "With --json: also histograms, distributions, and values by grain");
+void add_statistics(Options& command, MeasureArguments& a) {
+  command.add("--border", a.texture.border, "Strip left out along walls, in mean diameters; default 2.5").between(0.0, 1000.0).type("NUMBER");
+  command.add("--load-axis", a.load_axis_deg, "Direction of the load for signed anisotropies, degrees from x; default: greatest compression")
+      .between(0.0, 180.0).type("DEGREES");
+  command.add("--seed", a.texture.seed, "Seed of the random places of windows; default 1").type("NUMBER");
+  command.add("--json", a.json, "Print all statistics as JSON, each as value and error");
+  command.add("--curves", a.curves, "With --json: also histograms, distributions, and values by grain");
 }
 
 }  // namespace
 
-void add_measure(CLI::App& command, int&) {
+void add_measure(Options& command, int&) {
   const auto a = std::make_shared<MeasureArguments>();
-  command.add_option("grains", a->grains, "Grains: table id,x,y,radius[,material], LAMMPS dump, YADE text, MercuryDPM .data; or the file of a load (.h5) for its stresses")->required()->type_name("GRAINS");
-  command.add_option("contacts", a->contacts, "Contacts: table i,j,fn,ft[,nx,ny] (force on j is fn n + ft t, n from i to j), LAMMPS local dump, "
-                                              "YADE interactions, MercuryDPM .fstat; none for a field, or with --touching")->type_name("CONTACTS");
+  command.add("grains", a->grains, "Grains: table id,x,y,radius[,material], LAMMPS dump, YADE text, MercuryDPM .data; or the file of a load (.h5) for its stresses").required().type("GRAINS");
+  command.add("contacts", a->contacts, "Contacts: table i,j,fn,ft[,nx,ny] (force on j is fn n + ft t, n from i to j), LAMMPS local dump, "
+                                              "YADE interactions, MercuryDPM .fstat; none for a field, or with --touching").type("CONTACTS");
   add_statistics(command, *a);
   add_frame(command, *a);
   add_units(command, *a);
   add_reading(command, *a);
   add_field_statistics(command, *a);
-  command.callback([a] {
+  command.work = [a] {
     if (io::sealed_kind(a->grains) == "field") return measure_field(*a);
     if (a->contacts.empty() == a->touching.empty())
       throw InputError(a->touching.empty() ? "give the file of contacts after that of the grains, or --touching with the widest gap between grains that touch, "
                                              "for example --touching \"0.2 mm\""
                                            : "--touching: is for grains without a file of contacts; leave out one of the two");
     measure(*a);
-  });
+  };
 }
 
 }  // namespace arenite::app

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -124,16 +123,16 @@ int execute(const Arguments& arguments) {
 
 }  // namespace
 
-void add_run(CLI::App& command, int& status) {
+void add_run(Options& command, int& status) {
   auto arguments = std::make_shared<Arguments>();
-  command.add_option("recipe", arguments->recipes, "Recipe to run (TOML); several are run one after the other")->required()->type_name("RECIPE.toml");
+  command.add("recipe", arguments->recipes, "Recipe to run (TOML); several are run one after the other").required().type("RECIPE.toml");
   add_overrides(command, arguments->overrides);
-  command.add_option("--out", arguments->out, "Folder of the results, of several recipes a folder each below it (default: out/NAME)")->type_name("DIR");
-  command.add_option("--threads", arguments->threads, "Threads (default: 1); they change no bit of the results")->check(CLI::Range(1, 1024).description(""))->type_name("N");
-  command.add_option("--kernel", arguments->kernel, "Kernel of the contact loop: auto, portable, avx2, avx512")->type_name("NAME");
-  command.add_option("--checkpoint-every", arguments->checkpoint_seconds, "Seconds between two checkpoints")->check(CLI::Range(0.0, 1e9).description(""))->type_name("S");
-  command.add_flag("--quiet", arguments->quiet, "No progress");
-  command.callback([arguments, &status] { status = execute(*arguments); });
+  command.add("--out", arguments->out, "Folder of the results, of several recipes a folder each below it (default: out/NAME)").type("DIR");
+  command.add("--threads", arguments->threads, "Threads (default: 1); they change no bit of the results").between(1, 1024).type("N");
+  command.add("--kernel", arguments->kernel, "Kernel of the contact loop: auto, portable, avx2, avx512").type("NAME");
+  command.add("--checkpoint-every", arguments->checkpoint_seconds, "Seconds between two checkpoints").between(0.0, 1e9).type("S");
+  command.add("--quiet", arguments->quiet, "No progress");
+  command.work = [arguments, &status] { status = execute(*arguments); };
 }
 
 }  // namespace arenite::app

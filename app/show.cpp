@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <memory>
@@ -13,18 +12,18 @@
 
 namespace arenite::app {
 
-void add_show(CLI::App& command, int&) {
+void add_show(Options& command, int&) {
   const auto result = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
-  command.add_option("result", *result, "Stage file (.h5) or folder of a run, or a film: a file, a folder of frames, or a name with *")->required()->type_name("RESULT");
-  command.add_flag("--json", *json, "Print everything as JSON: provenance, stages, texture of the last state; or what a film says about itself");
+  command.add("result", *result, "Stage file (.h5) or folder of a run, or a film: a file, a folder of frames, or a name with *").required().type("RESULT");
+  command.add("--json", *json, "Print everything as JSON: provenance, stages, texture of the last state; or what a film says about itself");
   const auto all = std::make_shared<bool>(false);
-  command.add_flag("--all", *all, "Print every number, not the headlines alone")->excludes("--json");
+  command.add("--all", *all, "Print every number, not the headlines alone").not_with("--json");
   const auto states = std::make_shared<bool>(false);
-  command.add_flag("--states", *states, "Print one row a stored state as CSV: strains, stress and texture along the loading")->excludes("--json")->excludes("--all");
+  command.add("--states", *states, "Print one row a stored state as CSV: strains, stress and texture along the loading").not_with("--json").not_with("--all");
   const auto reading = std::make_shared<FilmReading>();
   reading->add_to(command);
-  command.callback([result, json, all, states, reading] {
+  command.work = [result, json, all, states, reading] {
     refuse_no_result(*result);
     io::refuse_other_recording(*result);
     if (!*states && io::looks_like_film(*result)) {
@@ -37,8 +36,8 @@ void add_show(CLI::App& command, int&) {
       return;
     }
     const report::Summary summary(*result);
-    std::fputs((*json ? summary.json() : *all ? summary.all() : summary.text()).c_str(), stdout);
-  });
+    std::fputs((*json ? to_json(summary.numbers(), 2) + "\n" : *all ? summary.all() : summary.text()).c_str(), stdout);
+  };
 }
 
 }  // namespace arenite::app

@@ -1,8 +1,6 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "commands.hpp"
@@ -14,6 +12,7 @@
 #include "io/film.hpp"
 #include "option_value.hpp"
 #include "progress.hpp"
+#include "statistics/numbers.hpp"
 #include "stop_signal.hpp"
 #include "thermography/step_load.hpp"
 
@@ -43,13 +42,13 @@ void tell(const thermography::StepMaps& m, const Arguments& a, const FilmInfo& f
                median_of_finite(m.standard_error), unit, median_of_finite(m.residual), unit);
     return;
   }
-  nlohmann::json j{{"time_s", m.time}, {"time", a.time.empty() ? "found on the film" : "given"}, {"frames_before", m.before}, {"frames_after", m.after},
+  Numbers j{{"time_s", m.time}, {"time", a.time.empty() ? "found on the film" : "given"}, {"frames_before", m.before}, {"frames_after", m.after},
                    {"width", m.width}, {"height", m.height}, {"drift_order", m.drift_order}, {"unit", unit}};
-  const auto relaxation = [](double time) { return time > 0 ? nlohmann::json(time) : nlohmann::json(); };
+  const auto relaxation = [](double time) { return time > 0 ? Numbers(time) : Numbers(); };
   j["relaxation_before_s"] = relaxation(m.relaxation_before);
   j["relaxation_after_s"] = relaxation(m.relaxation_after);
   for (const auto& [name, map] : maps_of(m).named) j["median"][name] = median_of_finite(*map);
-  fmt::print("{}\n", j.dump(2));
+  fmt::print("{}\n", to_json(j, 2));
 }
 
 int execute(Arguments& a) {
@@ -79,20 +78,20 @@ int execute(Arguments& a) {
 
 }  // namespace
 
-void add_step(CLI::App& command, int& status) {
+void add_step(Options& command, int& status) {
   const auto a = std::make_shared<Arguments>();
-  command.add_option("film", a->film, "Film of a sample whose load steps once")->required()->type_name("FILM");
-  command.add_option("--time", a->time, "Of the middle of the step after the first frame, e.g. \"2.5 s\"; without it found on the film")->type_name("TIME");
-  command.add_option("--rise", a->rise, "That the load takes; frames within are left out; default 0 s")->type_name("TIME");
-  command.add_option("--window", a->window, "Before and after the step that is used; default all of the film")->type_name("TIME");
-  command.add_option("--drift", a->options.drift_order, "Order of the polynomial that pixels drift by on each side; default 1")->type_name("N");
-  command.add_option("--out", a->out, "Folder for the maps; without it nothing is stored")->type_name("DIR");
-  command.add_option("--format", a->format, "Of the maps")->check(CLI::IsMember({"tiff", "npy", "hdf5"}));
+  command.add("film", a->film, "Film of a sample whose load steps once").required().type("FILM");
+  command.add("--time", a->time, "Of the middle of the step after the first frame, e.g. \"2.5 s\"; without it found on the film").type("TIME");
+  command.add("--rise", a->rise, "That the load takes; frames within are left out; default 0 s").type("TIME");
+  command.add("--window", a->window, "Before and after the step that is used; default all of the film").type("TIME");
+  command.add("--drift", a->options.drift_order, "Order of the polynomial that pixels drift by on each side; default 1").type("N");
+  command.add("--out", a->out, "Folder for the maps; without it nothing is stored").type("DIR");
+  command.add("--format", a->format, "Of the maps").among({"tiff", "npy", "hdf5"});
   a->reading.add_to(command);
-  command.add_option("--threads", a->options.threads, "Threads (default: 1)")->check(CLI::Range(1, 256).description(""))->type_name("N");
-  command.add_flag("--json", a->json, "Print all numbers as JSON");
-  command.add_flag("--quiet", a->quiet, "No progress");
-  command.callback([a, &status] { status = execute(*a); });
+  command.add("--threads", a->options.threads, "Threads (default: 1)").between(1, 256).type("N");
+  command.add("--json", a->json, "Print all numbers as JSON");
+  command.add("--quiet", a->quiet, "No progress");
+  command.work = [a, &status] { status = execute(*a); };
 }
 
 }  // namespace arenite::app

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -112,27 +111,27 @@ int execute(const StudyArguments& arguments) {
 
 }  // namespace
 
-void add_study(CLI::App& command, int& status) {
+void add_study(Options& command, int& status) {
   auto a = std::make_shared<StudyArguments>();
   a->jobs = cores();
-  command.add_option("what", a->what, "What to do: show the runs, run them, say how they stand, gather their numbers, draw its figures, write a script for a cluster")
-      ->required()->type_name("WHAT")->check(CLI::IsMember({"plan", "run", "status", "collect", "page", "script"}));
-  command.add_option("recipe", a->recipe, "Recipe with a section [sweep] (TOML)")->required()->type_name("RECIPE.toml");
+  command.add("what", a->what, "What to do: show the runs, run them, say how they stand, gather their numbers, draw its figures, write a script for a cluster")
+      .required().type("WHAT").among({"plan", "run", "status", "collect", "page", "script"});
+  command.add("recipe", a->recipe, "Recipe with a section [sweep] (TOML)").required().type("RECIPE.toml");
   add_overrides(command, a->overrides);
-  command.add_option("--out", a->out, "Folder of the study (default: out/NAME)")->type_name("DIR");
-  command.add_option("--store", a->store, "Folder of stages that runs share (default: store in the study's folder)")->type_name("DIR");
-  command.add_option("--jobs", a->jobs, "Runs at once, each in a process of its own (default: all cores)")->check(CLI::Range(1, 4096).description(""))->type_name("J");
-  command.add_option("--threads", a->threads, "Threads in each run (default: 1); they change no bit of the results")->check(CLI::Range(1, 1024).description(""))->type_name("N");
-  command.add_option("--shard", a->shard, "run: do one part of the runs only, e.g. 2/4")->type_name("I/N");
-  command.add_flag("--retry", a->retry, "run: do failed runs again");
-  command.add_option("--keep", a->keep, "run: keep all files, or of cemented samples and loads only their numbers")->type_name("WHAT")->check(CLI::IsMember({"all", "numbers"}));
-  command.add_option("--checkpoint-every", a->checkpoint_seconds, "run: seconds between two checkpoints of a run")->check(CLI::Range(0.0, 1e9).description(""))->type_name("S");
-  command.add_flag("--quiet", a->quiet, "run, script: no progress");
-  command.add_option("--by", a->by, "collect: means over runs with equal values of this swept key; may be repeated")->allow_extra_args(false)->type_name("KEY");
-  command.add_flag("--slurm", a->slurm, "script: for Slurm");
-  command.add_option("--tasks", a->tasks, "script: tasks of the array, each doing its part of the runs")->check(CLI::Range(1, 100000).description(""))->type_name("N");
-  command.add_option("--time", a->time, "script: wall time of a task")->type_name("H:MM:SS");
-  command.callback([a, &status] { status = execute(*a); });
+  command.add("--out", a->out, "Folder of the study (default: out/NAME)").type("DIR");
+  command.add("--store", a->store, "Folder of stages that runs share (default: store in the study's folder)").type("DIR");
+  command.add("--jobs", a->jobs, "Runs at once, each in a process of its own (default: all cores)").between(1, 4096).type("J");
+  command.add("--threads", a->threads, "Threads in each run (default: 1); they change no bit of the results").between(1, 1024).type("N");
+  command.add("--shard", a->shard, "run: do one part of the runs only, e.g. 2/4").type("I/N");
+  command.add("--retry", a->retry, "run: do failed runs again");
+  command.add("--keep", a->keep, "run: keep all files, or of cemented samples and loads only their numbers").type("WHAT").among({"all", "numbers"});
+  command.add("--checkpoint-every", a->checkpoint_seconds, "run: seconds between two checkpoints of a run").between(0.0, 1e9).type("S");
+  command.add("--quiet", a->quiet, "run, script: no progress");
+  command.add("--by", a->by, "collect: means over runs with equal values of this swept key; may be repeated").each().type("KEY");
+  command.add("--slurm", a->slurm, "script: for Slurm");
+  command.add("--tasks", a->tasks, "script: tasks of the array, each doing its part of the runs").between(1, 100000).type("N");
+  command.add("--time", a->time, "script: wall time of a task").type("H:MM:SS");
+  command.work = [a, &status] { status = execute(*a); };
 }
 
 }  // namespace arenite::app

@@ -51,7 +51,7 @@ void StudyLine::show(const study::StudyProgress& p) {
 }  // namespace
 
 study::StudyOutcome run_missing(const study::Study& study, const study::StudyFolder& folder, study::StudyOptions options, bool quiet) {
-  options.numbers = [](const study::RunOutcome& outcome) { return report::Summary(outcome).json(); };
+  options.numbers = [](const study::RunOutcome& outcome) { return report::Summary(outcome).numbers(); };
   options.asked_to_stop = stop_requested;
   options.notice = [](const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); };
   StudyLine line(quiet);

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -182,26 +181,26 @@ int execute(const VerifyArguments& a) {
 
 }  // namespace
 
-void add_verify(CLI::App& command, int& status) {
+void add_verify(Options& command, int& status) {
   auto a = std::make_shared<VerifyArguments>();
   a->jobs = std::max(1u, std::thread::hardware_concurrency());
-  command.add_option("source", a->sources, "Whose claims: those of the thesis, of the paper, or both")
-      ->required()->type_name("SOURCE")->check(CLI::IsMember({"thesis", "paper"}));
-  command.add_flag("--small", a->small, "Smaller samples and fewer seeds: minutes instead of hours");
-  command.add_flag("--json", a->json, "Print the ledger as JSON");
-  command.add_option("--markdown", a->markdown, "Write the ledger as a page of text, too, with its pictures in a folder of that name beside it")->type_name("FILE");
-  command.add_option("--csv", a->csv, "Write all checks and all choices as a table, too")->type_name("FILE");
-  command.add_option("--verdicts", a->verdicts, "Write the verdicts alone, to hold later ones against")->type_name("FILE");
-  command.add_option("--expect", a->expected, "End with 3 when a verdict differs from this file's, not when a claim is not reproduced")->type_name("FILE");
-  command.add_option("--out", a->out, "Folder of the studies (default: out/ledger, or out/ledger-small)")->type_name("DIR");
-  command.add_option("--jobs", a->jobs, "Runs at once, each in a process of its own (default: all cores)")->check(CLI::Range(1, 4096).description(""))->type_name("J");
-  command.add_option("--only", a->only, "Run and read this study only; may be repeated")->allow_extra_args(false)->type_name("STUDY");
-  command.add_flag("--read", a->read_only, "Run nothing: judge by the runs that are there");
-  command.add_option("--keep", a->keep, "Keep all files, or of cemented samples and loads only their numbers (default)")
-      ->type_name("WHAT")->check(CLI::IsMember({"all", "numbers"}));
-  command.add_flag("--quiet", a->quiet, "No progress");
+  command.add("source", a->sources, "Whose claims: those of the thesis, of the paper, or both")
+      .required().type("SOURCE").among({"thesis", "paper"});
+  command.add("--small", a->small, "Smaller samples and fewer seeds: minutes instead of hours");
+  command.add("--json", a->json, "Print the ledger as JSON");
+  command.add("--markdown", a->markdown, "Write the ledger as a page of text, too, with its pictures in a folder of that name beside it").type("FILE");
+  command.add("--csv", a->csv, "Write all checks and all choices as a table, too").type("FILE");
+  command.add("--verdicts", a->verdicts, "Write the verdicts alone, to hold later ones against").type("FILE");
+  command.add("--expect", a->expected, "End with 3 when a verdict differs from this file's, not when a claim is not reproduced").type("FILE");
+  command.add("--out", a->out, "Folder of the studies (default: out/ledger, or out/ledger-small)").type("DIR");
+  command.add("--jobs", a->jobs, "Runs at once, each in a process of its own (default: all cores)").between(1, 4096).type("J");
+  command.add("--only", a->only, "Run and read this study only; may be repeated").each().type("STUDY");
+  command.add("--read", a->read_only, "Run nothing: judge by the runs that are there");
+  command.add("--keep", a->keep, "Keep all files, or of cemented samples and loads only their numbers (default)")
+      .type("WHAT").among({"all", "numbers"});
+  command.add("--quiet", a->quiet, "No progress");
   add_overrides(command, a->overrides);
-  command.callback([a, &status] { status = execute(*a); });
+  command.work = [a, &status] { status = execute(*a); };
 }
 
 }  // namespace arenite::app

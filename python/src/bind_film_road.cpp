@@ -85,7 +85,7 @@ void bind_film_road(py::module_& m) {
       .def_property_readonly("packing", [](const FilmResult& f) -> const Packing& { return f.packing; }, py::return_value_policy::reference_internal,
                              "Grains in metres at the largest load; contact forces are those of the swing.")
       .def_property_readonly("twin", &twin_of, "sigma_hyd (Pa) of the simulation of the same grains: swing and state; empty without one.")
-      .def_property_readonly("numbers", [](const FilmResult& f) { return from_json(report::film_json(f)); },
+      .def_property_readonly("numbers", [](const FilmResult& f) { return to_python(report::film_numbers(f)); },
                              "As `arenite show --json` prints them; the end of a name is its unit.");
   array_property(c, "sigma_hyd", [](const FilmResult& f) -> auto& { return f.swing.sigma_hyd; }, "Full swing of the hydrostatic stress of every grain, Pa, tension positive.");
   array_property(c, "sigma_hyd_error", [](const FilmResult& f) -> auto& { return f.swing.error; }, "Its standard error, Pa.");

@@ -39,14 +39,14 @@ py::dict stiffness(const Path& file, const Quantity& preload, const std::optiona
   study::StiffnessRequest request;
   request.curve = {preload.si(dimension::force, "preload"), branch == "unloading" ? identify::Branch::unloading : identify::Branch::loading};
   request.length = si(length, dimension::length, "length");
-  return from_json(identify::to_json(study::identify_stiffness(file.string(), request)));
+  return to_python(identify::numbers(study::identify_stiffness(file.string(), request)));
 }
 
 py::dict adhesion(const Path& file, const std::optional<MeasuredLike>& stiffness, const std::optional<std::pair<Quantity, Quantity>>& radii) {
   study::AdhesionRequest request;
   request.stiffness = measured(stiffness, dimension::stiffness, "stiffness");
   if (radii) request.radii = {radii->first.si(dimension::length, "radii"), radii->second.si(dimension::length, "radii")};
-  return from_json(identify::to_json(study::identify_adhesion(file.string(), request)));
+  return to_python(identify::numbers(study::identify_adhesion(file.string(), request)));
 }
 
 py::dict factor(const Path& file, const std::optional<Quantity>& section, bool half_temperature, bool half_stress, const std::optional<MeasuredLike>& young,
@@ -59,7 +59,7 @@ py::dict factor(const Path& file, const std::optional<Quantity>& section, bool h
   request.poisson = measured(poisson, dimension::none, "poisson");
   if (request.poisson && !(request.poisson->value < 1)) throw InputError("poisson: must be below 1");
   request.through_origin = through_origin;
-  return from_json(identify::to_json(study::identify_factor(file.string(), request)));
+  return to_python(identify::numbers(study::identify_factor(file.string(), request)));
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ void bind_stage_results(py::module_& m) {
       .def_property_readonly("history", [](const py::object& self) { return columns_of(self.cast<const StageResult&>().history, self); },
                              "Scalars sampled while the stage ran, as arrays by name; `history_units` has their units.")
       .def_property_readonly("history_units", [](const StageResult& s) { return history_units(s.history); }, "Unit of every column of `history`; empty: none.")
-      .def_property_readonly("texture", [](const StageResult& s) { return from_json(s.texture_json); }, "Texture of the last state as it was stored, without curves; names as `measure` gives them.")
+      .def_property_readonly("texture", [](const StageResult& s) { return to_python(s.texture); }, "Texture of the last state as it was stored, without curves; names as `measure` gives them.")
       .def_property_readonly("provenance", [](const StageResult& s) { return provenance_of(s.provenance); }, "What made it: version, stage, input_hash, recipe, seed, kernel, options.")
       .def("__repr__", [](const StageResult& s) { return "<arenite.Stage \"" + s.name + "\": " + s.outcome + ">"; });
 }
@@ -95,7 +95,7 @@ void bind_fields(py::module_& m) {
       .def_property_readonly("packing", [](const FieldResult& f) -> const Packing& { return f.packing; }, py::return_value_policy::reference_internal,
                              "What was rasterised, in the map's coordinates; no grains if the map came from a picture.")
       .def_property_readonly("loaded", [](const FieldResult& f) { return f.field.size() > 0; }, "False for a sample without load, which has no stresses.")
-      .def_property_readonly("numbers", [](const FieldResult& f) { return from_json(f.numbers_json); },
+      .def_property_readonly("numbers", [](const FieldResult& f) { return to_python(f.numbers); },
                              "Report and statistics as `arenite show --json` prints them; the end of a name is its unit.")
       .def_property_readonly("convergence", [](const py::object& self) { return columns_of(self.cast<const FieldResult&>().convergence, self); },
                              "iteration, residual (relative).")
@@ -108,7 +108,7 @@ void bind_fields(py::module_& m) {
         Call call;
         stress::StressOptions options;
         options.components = {stress::Component::yy, stress::Component::xx, stress::Component::xy, stress::Component::hydrostatic};
-        return arrays_from_json(call.without_lock([&] { return stress::to_json(stress::measure(f.map, f.field, options), curves); }));
+        return to_arrays(call.without_lock([&] { return stress::numbers(stress::measure(f.map, f.field, options), curves); }));
       }, py::kw_only(), py::arg("curves") = true, "Distributions of node stresses by phase (P IV) as a dict: by component (sigma_yy, sigma_xx, sigma_xy, sigma_hyd) and set, each statistic {\"value\", \"error\"}; the end of a name is its unit "
         "(_Pa), all others are over the mean of the sample or of the set.")
       .def("__repr__", [](const FieldResult& f) { return "<arenite.Field \"" + f.name + "\": " + f.outcome + ">"; });

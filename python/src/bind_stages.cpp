@@ -48,7 +48,7 @@ StageResult load_stage(const Packing& packing, const Recipe& recipe, const py::o
     StageResult result = std::move(run.result);
     result.name = what.name;
     result.provenance = {version, what.name, hash, study::to_toml(recipe), recipe.seed, engine.kernel(), {}};
-    if (!result.frames.empty()) result.texture_json = texture::to_json(texture::measure(result.frames.back().packing, study::texture_options(recipe, number + 1)));
+    if (!result.frames.empty()) result.texture = texture::numbers(texture::measure(result.frames.back().packing, study::texture_options(recipe, number + 1)));
     return result;
   });
 }

@@ -15,7 +15,7 @@
 namespace arenite::python {
 namespace {
 
-std::string numbers_of(const Result& r) { return r.films.empty() ? report::Summary(r.run).json() : report::film_json(r.films.back()); }
+Numbers numbers_of(const Result& r) { return r.films.empty() ? report::Summary(r.run).numbers() : report::film_numbers(r.films.back()); }
 
 Result run(const study::Recipe& recipe, const Path& out, int threads, const Progress& progress) {
   study::Recipe asked = recipe;
@@ -107,7 +107,7 @@ void bind_store(py::module_& m) {
       .def_property_readonly("stages", [](const Result& r) -> const std::vector<StageResult>& { return r.run.stages; }, "Packing first, then the stages of loading.")
       .def_property_readonly("fields", [](const Result& r) -> const std::vector<FieldResult>& { return r.run.fields; }, "The cemented sample and its loads.")
       .def_readonly("films", &Result::films, "What a film gave.")
-      .def_property_readonly("numbers", [](const Result& r) { return from_json(numbers_of(r)); }, "As `arenite show --json` prints them; the end of a name is its unit.")
+      .def_property_readonly("numbers", [](const Result& r) { return to_python(numbers_of(r)); }, "As `arenite show --json` prints them; the end of a name is its unit.")
       .def("__repr__", [](const Result& r) {
         return fmt::format("<arenite.Result {}: {} stages, {} fields, {} films>", r.path.empty() ? r.title : r.path, r.run.stages.size(), r.run.fields.size(), r.films.size());
       });

@@ -103,7 +103,7 @@ void bind_study(py::module_& m) {
       const study::Study study = study_in(recipe, out);
       study::StudyOptions options;
       options.jobs = jobs;
-      options.numbers = [](const study::RunOutcome& run) { return report::Summary(run).json(); };
+      options.numbers = [](const study::RunOutcome& run) { return report::Summary(run).numbers(); };
       options.progress = [&](const study::StudyProgress& p) { call.tell(progress, static_cast<double>(p.done + p.not_done) / static_cast<double>(std::max<std::size_t>(p.runs, 1)), "runs"); };
       options.asked_to_stop = [&] { return call.asked_to_stop(); };
       return study::run_study(study, study::StudyFolder(out), options);

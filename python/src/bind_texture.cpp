@@ -31,7 +31,7 @@ py::dict measured(const Packing& packing, double border, const std::optional<dou
   if (load_axis && !std::isfinite(*load_axis)) throw InputError("load_axis is not finite; give degrees, or leave it out");
   if (load_axis) options.load_axis = *load_axis * std::numbers::pi / 180;
   Call call;
-  return arrays_from_json(call.without_lock([&] { return texture::to_json(texture::measure(packing, options), curves); }));
+  return to_arrays(call.without_lock([&] { return texture::numbers(texture::measure(packing, options), curves); }));
 }
 
 py::dict per_grain(const Packing& packing, double border) {

@@ -25,6 +25,26 @@ std::string literal_of(const std::string& key, const py::handle& value) {
   }
 }
 
+py::object value_of(const Numbers& n) {
+  switch (n.kind()) {
+    case Numbers::Kind::unknown: return py::none();
+    case Numbers::Kind::truth: return py::bool_(n.get<bool>());
+    case Numbers::Kind::integer: return py::int_(n.get<std::int64_t>());
+    case Numbers::Kind::natural: return py::int_(n.get<std::uint64_t>());
+    case Numbers::Kind::real: return py::float_(n.get<double>());
+    case Numbers::Kind::text: return py::str(n.get<std::string>());
+    case Numbers::Kind::list: break;
+    case Numbers::Kind::tree: {
+      py::dict d;
+      for (const auto& [name, value] : n.items()) d[py::str(name)] = value_of(value);
+      return d;
+    }
+  }
+  py::list list;
+  for (const Numbers& item : n) list.append(value_of(item));
+  return list;
+}
+
 bool holds_numbers(const py::handle& value) {
   if (py::isinstance<py::list>(value)) return py::len(value) > 0 && std::all_of(value.begin(), value.end(), holds_numbers);
   return value.is_none() || PyFloat_Check(value.ptr()) != 0 || PyLong_Check(value.ptr()) != 0;
@@ -40,9 +60,9 @@ py::object with_arrays(const py::object& value) {
 
 }  // namespace
 
-py::dict arrays_from_json(const std::string& text) {
-  return with_arrays(from_json(text));
-}
+py::dict to_python(const Numbers& numbers) { return numbers.is_known() ? py::dict(value_of(numbers)) : py::dict(); }
+
+py::dict to_arrays(const Numbers& numbers) { return with_arrays(to_python(numbers)); }
 
 std::vector<std::string> overrides_of(const py::dict& changes) {
   std::vector<std::string> overrides;

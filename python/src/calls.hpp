@@ -7,17 +7,16 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "statistics/numbers.hpp"
 
 /// What calls from Python have in common.
 namespace arenite::python {
 
-/// JSON text as dicts, lists and numbers.
-inline py::dict from_json(const std::string& text) {
-  return py::module_::import("json").attr("loads")(text.empty() ? std::string("{}") : text);
-}
+/// As dicts, lists and numbers; an empty dict for what is not known.
+py::dict to_python(const Numbers& numbers);
 
-/// The same with lists of numbers as arrays; null is NaN there.
-py::dict arrays_from_json(const std::string& text);
+/// The same with lists of numbers as arrays; what is not known is NaN there.
+py::dict to_arrays(const Numbers& numbers);
 
 /// {"frame.width": "350 mm"} as the list of "key=value" that the library takes.
 std::vector<std::string> overrides_of(const py::dict& changes);

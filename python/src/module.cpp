@@ -1,10 +1,8 @@
-#include "module.hpp"
-
-#include <nlohmann/json.hpp>
-
 #include "core/error.hpp"
 #include "core/version.hpp"
+#include "module.hpp"
 #include "sentences.hpp"
+#include "statistics/numbers.hpp"
 
 PYBIND11_MODULE(_core, m) {
   namespace py = pybind11;
@@ -16,7 +14,7 @@ PYBIND11_MODULE(_core, m) {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const arenite::InputError& error) {
       PyErr_SetString(PyExc_ValueError, arenite::python::with_arguments(error.what()).c_str());
-    } catch (const nlohmann::json::exception&) {
+    } catch (const arenite::NumbersError&) {
       PyErr_SetString(PyExc_ValueError, "the numbers stored in the result are not those that this version writes; make the result again");
     }
   });

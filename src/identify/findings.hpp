@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "statistics/measured.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::identify {
 
@@ -49,6 +50,6 @@ struct Identification {
 std::string to_text(const Identification& i);
 
 /// Everything in SI; a quantity is {value, error, confidence_95: [low, high], unit}.
-std::string to_json(const Identification& i);
+Numbers numbers(const Identification& i);
 
 }  // namespace arenite::identify

@@ -1,3 +1,4 @@
+#include "io/numbers_table.hpp"
 #include "io/field_file.hpp"
 
 #include <array>
@@ -160,7 +161,7 @@ void write_field(const std::filesystem::path& path, const FieldResult& result) {
   write_history(at, "convergence", result.convergence);
   write_history(at, "curve", result.curve);
   write_cracks(at, result.cracks);
-  at.write_text("numbers", result.numbers_json);
+  write_numbers(at, "numbers", result.numbers);
   write_sealed(path, "field", at.bytes());
 }
 
@@ -175,7 +176,7 @@ FieldResult read_field(const std::filesystem::path& path) {
   result.convergence = read_history(at.group("convergence"));
   result.curve = read_history(at.group("curve"));
   result.cracks = read_cracks(at.group("cracks"));
-  result.numbers_json = at.numbers("numbers");
+  result.numbers = read_numbers(at, "numbers");
   return result;
 }
 

@@ -1,3 +1,4 @@
+#include "io/numbers_table.hpp"
 #include "io/film_result_file.hpp"
 
 #include <algorithm>
@@ -179,7 +180,7 @@ void write_film_result(const std::filesystem::path& path, const FilmResult& resu
   forces.write("ft_error", result.ft_error, "N");
   forces.write("presence", result.presence, "1");
   write_fit(forces, result);
-  at.write_text("numbers", result.numbers_json);
+  write_numbers(at, "numbers", result.numbers);
   write_sealed(path, "film", at.bytes());
 }
 
@@ -203,7 +204,7 @@ FilmResult read_film_result(const std::filesystem::path& path) {
   for (const std::size_t size : {result.fn_error.size(), result.ft_error.size(), result.presence.size()})
     if (size != 0 && size != contacts) forces.refuse("holds arrays of different lengths");
   read_fit(forces, result);
-  result.numbers_json = at.numbers("numbers");
+  result.numbers = read_numbers(at, "numbers");
   return result;
 }
 

@@ -3,13 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 #include "io/hdf5_handle.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::io {
 namespace {
+
+constexpr std::size_t most_texts = std::size_t{1} << 28;  // bytes
 
 std::string without_padding(std::string text) {
   text.resize(text.find_last_not_of('\0') + 1);
@@ -20,7 +22,7 @@ std::string without_padding(std::string text) {
 bool is_utf8(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == '"' || c == '\\') c = ' ';
-  return nlohmann::json::accept('"' + text + '"');
+  return from_json('"' + text + '"').has_value();
 }
 
 std::string checked(const Hdf5Reader& at, std::string text, const std::string& name) {
@@ -112,6 +114,8 @@ Hdf5Reader::Hdf5Reader(Turn turn, Handle group, std::string file, std::string pl
 
 bool Hdf5Reader::has(const std::string& name) const { return H5Lexists(*id_, name.c_str(), H5P_DEFAULT) > 0; }
 
+bool Hdf5Reader::has_group(const std::string& name) const { return has(name) && own(H5Gopen2(*id_, name.c_str(), H5P_DEFAULT), H5Gclose) != nullptr; }
+
 bool Hdf5Reader::has_attribute(const std::string& name) const { return H5Aexists(*id_, name.c_str()) > 0; }
 
 Hdf5Reader Hdf5Reader::group(const std::string& name) const {
@@ -174,10 +178,20 @@ std::string Hdf5Reader::text(const std::string& name) const {
   return checked(*this, std::move(text), name);
 }
 
-std::string Hdf5Reader::numbers(const std::string& name) const {
-  std::string json = text(name);
-  if (!json.empty() && (json.front() != '{' || !nlohmann::json::accept(json))) refuse(fmt::format("holds numbers \"{}\" that are damaged", name));
-  return json;
+std::vector<std::string> Hdf5Reader::texts(const std::string& name) const {
+  const auto set = own(H5Dopen2(*id_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!set) refuse(fmt::format("has no texts \"{}\"", name));
+  const auto type = own(H5Dget_type(*set), H5Tclose);
+  const auto space = own(H5Dget_space(*set), H5Sclose);
+  const std::size_t length = text_length(*this, type, name);
+  hsize_t count = 0;
+  if (!space || H5Sget_simple_extent_ndims(*space) != 1 || H5Sget_simple_extent_dims(*space, &count, nullptr) < 0 || count > most_texts / length)
+    refuse(fmt::format("holds \"{}\", which is not a list of texts", name));
+  std::string cells(count * length, '\0');
+  if (count > 0 && H5Dread(*set, *type, H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.data()) < 0) refuse(fmt::format("holds texts \"{}\" that cannot be read", name));
+  std::vector<std::string> out;
+  for (hsize_t k = 0; k < count; ++k) out.push_back(checked(*this, cells.substr(k * length, length), name));
+  return out;
 }
 
 double Hdf5Reader::number(const std::string& name) const { return read_number<double>(*this, *id_, name); }

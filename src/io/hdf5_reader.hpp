@@ -16,6 +16,7 @@ class Hdf5Reader {
   Hdf5Reader(std::string bytes, std::string file);
 
   bool has(const std::string& name) const;           ///< a member
+  bool has_group(const std::string& name) const;
   bool has_attribute(const std::string& name) const;
   Hdf5Reader group(const std::string& name) const;
   std::vector<std::string> names() const;            ///< of members, in the order in which they were written
@@ -30,7 +31,7 @@ class Hdf5Reader {
   std::vector<std::uint8_t> image_of_bytes(const std::string& name, int rows, int columns) const;
   std::string unit(const std::string& name) const;   ///< of an array
   std::string text(const std::string& name) const;   ///< written by write_text
-  std::string numbers(const std::string& name) const;  ///< likewise: a JSON object, or nothing
+  std::vector<std::string> texts(const std::string& name) const;  ///< written by write_texts
   double number(const std::string& name) const;      ///< attribute
   std::int64_t integer(const std::string& name) const;
   std::uint64_t natural(const std::string& name) const;

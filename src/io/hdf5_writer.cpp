@@ -141,6 +141,19 @@ void Hdf5Writer::write_text(const std::string& name, std::string_view text) cons
   done(H5Dwrite(*set, *type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded(text).data()));
 }
 
+void Hdf5Writer::write_texts(const std::string& name, const std::vector<std::string>& texts) const {
+  std::size_t length = 1;
+  for (const auto& text : texts) length = std::max(length, text.size());
+  std::string cells(length * texts.size(), '\0');
+  for (std::size_t k = 0; k < texts.size(); ++k) texts[k].copy(cells.data() + k * length, length);
+  const hsize_t count = texts.size();
+  const auto type = text_type(length);
+  const auto space = made(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  const auto properties = dataset_properties(cells.size(), count, compress_);
+  const auto set = made(H5Dcreate2(*id_, name.c_str(), *type, *space, H5P_DEFAULT, *properties, H5P_DEFAULT), H5Dclose);
+  if (count > 0) done(H5Dwrite(*set, *type, H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.data()));
+}
+
 void Hdf5Writer::set(const std::string& name, double value) const {
   write_attribute(*id_, name, stored_type<double>(), native_type<double>(), &value);
 }

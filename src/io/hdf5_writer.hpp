@@ -30,6 +30,7 @@ class Hdf5Writer {
   void write_image(const std::string& name, const std::vector<std::int32_t>& values, Shape shape) const;
   void write_image(const std::string& name, const std::vector<std::uint8_t>& values, Shape shape) const;
   void write_text(const std::string& name, std::string_view text) const;   ///< any length, UTF-8
+  void write_texts(const std::string& name, const std::vector<std::string>& texts) const;  ///< one-dimensional array
   void set(const std::string& name, double value) const;                   ///< attribute
   void set(const std::string& name, std::int64_t value) const;
   void set(const std::string& name, std::uint64_t value) const;

@@ -1,3 +1,4 @@
+#include "io/numbers_table.hpp"
 #include "io/stage_groups.hpp"
 
 #include <fmt/format.h>
@@ -68,7 +69,7 @@ void write_result(const Hdf5Writer& at, const StageResult& result) {
   for (std::size_t f = 0; f < result.frames.size(); ++f)
     write_frame(frames.create_group(fmt::format("{:04}", f)), result.frames[f], sample);
   write_history(at, "history", result.history);
-  at.write_text("texture", result.texture_json);
+  write_numbers(at, "texture", result.texture);
   at.write("continuation", result.continuation);
 }
 
@@ -80,7 +81,7 @@ StageResult read_result(const Hdf5Reader& at) {
   const auto frames = at.group("frames");
   for (const auto& name : frames.names()) result.frames.push_back(read_frame(frames.group(name), materials, sample));
   result.history = read_history(at.group("history"));
-  result.texture_json = at.numbers("texture");
+  result.texture = read_numbers(at, "texture");
   result.continuation = at.bytes("continuation");
   return result;
 }

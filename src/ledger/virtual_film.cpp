@@ -1,13 +1,12 @@
 #include "ledger/virtual_film.hpp"
 
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/read_file.hpp"
+#include "statistics/numbers.hpp"
 #include "study/film_numbers.hpp"
 #include "study/film_road.hpp"
 #include "study/film_twin.hpp"
@@ -19,16 +18,14 @@ namespace arenite::ledger {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 fs::path kept(const fs::path& run) { return run / "virtual-film.json"; }
 
+/// Not known where there is none.
+Numbers read(const fs::path& file) { return fs::exists(file) ? from_json(io::read_file(file)).value_or(Numbers{}) : Numbers{}; }
+
 /// False for one from before the grains were kept.
-bool is_whole(const fs::path& file) {
-  std::ifstream in(file);
-  const Json j = Json::parse(in, nullptr, false);
-  return !j.is_discarded() && j.contains("found");
-}
+bool is_whole(const fs::path& file) { return read(file).contains("found"); }
 
 Packing state_of(const fs::path& run, const std::string& stage) {
   if (auto state = study::last_state(run, stage)) return std::move(*state);
@@ -66,11 +63,11 @@ std::vector<double> over_mean(std::vector<double> values) {
 }
 
 /// Those whose stress is known.
-Json found_grains(const FilmResult& film, const std::vector<double>& truth) {
+Numbers found_grains(const FilmResult& film, const std::vector<double>& truth) {
   const Grains& grains = film.packing.grains;
   const auto found = over_mean(film.swing.sigma_hyd), simulated = over_mean(truth);
-  Json j = Json::object();
-  for (const char* name : {"x", "y", "radius", "material", "zone", "sigma_norm", "simulation"}) j[name] = Json::array();
+  Numbers j = Numbers::tree();
+  for (const char* name : {"x", "y", "radius", "material", "zone", "sigma_norm", "simulation"}) j[name] = Numbers::list();
   for (std::size_t i = 0; i < grains.size(); ++i) {
     if (!std::isfinite(found[i]) || !std::isfinite(simulated[i])) continue;
     j["x"].push_back(grains.x[i]);
@@ -84,13 +81,13 @@ Json found_grains(const FilmResult& film, const std::vector<double>& truth) {
   return j;
 }
 
-Json texture_of(const FilmResult& film) {
+Numbers texture_of(const FilmResult& film) {
   texture::Options options;
   options.rev_sizes = 0;
   options.grain_sigma_hyd = film.swing.sigma_hyd;
   auto measured = texture::measure(film.packing, options);
   measured.per_grain = {};
-  return Json::parse(texture::to_json(measured, true));
+  return texture::numbers(measured, true);
 }
 
 /// Shoots the film into `folder` and measures it; nothing if it was stopped.
@@ -124,24 +121,22 @@ bool make_film(const Run& run, const std::function<bool()>& asked_to_stop) {
   film->packing.grains.zone.assign(simulated.size(), 0);  // who glues grains knows which
   for (std::size_t i = 0; i < simulated.size(); ++i) film->packing.grains.zone[i] = high.grains.zone[simulated[i]];
   const auto agreement = study::agreement(film->swing.sigma_hyd, truth, std::vector<std::uint8_t>(truth.size(), 1));
-  const Json j{{"grains", agreement.grains}, {"correlation", agreement.correlation}, {"rms_sigma_norm", agreement.rms_sigma_norm}, {"slope", agreement.slope},
+  const Numbers j{{"grains", agreement.grains}, {"correlation", agreement.correlation}, {"rms_sigma_norm", agreement.rms_sigma_norm}, {"slope", agreement.slope},
                {"found", found_grains(*film, truth)}, {"texture", texture_of(*film)}};
-  io::write_atomically(kept(run.folder()), j.dump() + "\n");
+  io::write_atomically(kept(run.folder()), to_json(j) + "\n");
   fs::remove_all(folder);
   return true;
 }
 
 bool has_film(const fs::path& run) { return fs::exists(kept(run)); }
 
-std::string film_json(const fs::path& run) {
+Numbers film_numbers(const fs::path& run) {
   if (!has_film(run)) throw InputError(run.string(), 0, "no film of this run was made; arenite verify thesis without --small makes it");
-  return io::read_file(kept(run));
+  return read(kept(run));
 }
 
 FilmAgreement film_agreement(const Run& run) {
-  std::ifstream in(kept(run.folder()));
-  const Json j = Json::parse(in, nullptr, false);
-  if (j.is_discarded() || !j.is_object()) return {};
+  const Numbers j = read(kept(run.folder()));
   const auto number = [&](const char* name) { return j.contains(name) && j[name].is_number() ? j[name].get<double>() : statistics::unknown; };
   return {number("grains"), number("correlation"), number("rms_sigma_norm"), number("slope")};
 }

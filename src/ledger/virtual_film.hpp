@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "ledger/results.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::ledger {
 
@@ -20,10 +21,10 @@ bool make_film(const Run& run, const std::function<bool()>& asked_to_stop);
 
 /// Whether a film of this run was made.
 bool has_film(const std::filesystem::path& run);
-/// What is kept of a run's film, JSON: the numbers of FilmAgreement; `found`, its grains in metres (`x`, `y`, `radius`), their
+/// What is kept of a run's film: the numbers of FilmAgreement; `found`, its grains in metres (`x`, `y`, `radius`), their
 /// `material`, `zone` and stress over the mean as the film (`sigma_norm`) and the simulation (`simulation`) have it; `texture` of grains and
-/// contacts as the film gives them, as texture::to_json does. Throws InputError if no film was made.
-std::string film_json(const std::filesystem::path& run);
+/// contacts as the film gives them, as texture::numbers does. Throws InputError if no film was made.
+Numbers film_numbers(const std::filesystem::path& run);
 /// What is kept of it; unknown if there is none yet.
 FilmAgreement film_agreement(const Run& run);
 

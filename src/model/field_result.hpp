@@ -8,6 +8,7 @@
 #include "model/phase_map.hpp"
 #include "model/result.hpp"
 #include "model/stress_field.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite {
 
@@ -31,7 +32,7 @@ struct FieldResult {
   History convergence;           ///< columns "iteration", "residual"
   History curve;                 ///< of a pull to failure: "strain", "stress", "work", "elastic", "released", "broken"
   std::vector<Crack> cracks;     ///< in the order of breaking
-  std::string numbers_json;      ///< report and statistics as `show --json` gives them
+  Numbers numbers;           ///< report and statistics as `show --json` gives them
 };
 
 }  // namespace arenite

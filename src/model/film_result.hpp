@@ -10,6 +10,7 @@
 #include "model/packing.hpp"
 #include "model/picture_grains.hpp"
 #include "model/result.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite {
 
@@ -55,7 +56,7 @@ struct FilmResult {
   double rim_blur = 0;              ///< of the lens as the rims show it, pixels; 0: not known
   std::vector<std::string> doubts;  ///< what the film says against what was told beside it, one sentence each
   FilmTwin twin;
-  std::string numbers_json;
+  Numbers numbers;     
 };
 
 }  // namespace arenite

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/packing.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite {
 
@@ -83,7 +84,7 @@ struct StageResult {
   std::string outcome;          ///< one sentence
   std::vector<Frame> frames;    ///< in time order; the last is the state handed on
   History history;
-  std::string texture_json;     ///< texture of the last frame, as `show --json` gives it; empty if not measured
+  Numbers texture;    ///< texture of the last frame, as `show --json` gives it; empty if not measured
   std::vector<std::uint8_t> continuation;  ///< the engine's state at the end, for the next stage; empty if there is none
 };
 

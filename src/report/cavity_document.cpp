@@ -25,13 +25,13 @@ double mean_large_radius(const PhaseMap& map) {
   return count[0] > 0 ? sum[0] / count[0] : 0;
 }
 
-Json statistics_of(const raster::CavityStatistics& s) {
+Numbers statistics_of(const raster::CavityStatistics& s) {
   return {{"mean", {{"value", s.mean}, {"error", s.mean_error}}}, {"deviation", {{"value", s.deviation}, {"error", s.deviation_error}}},
           {"cv", {{"value", s.cv}, {"error", s.cv_error}}},
           {"edge", s.density.edge}, {"density", s.density.density}, {"error", s.density.error}};
 }
 
-raster::CavityRules rules_of(const Json& said) {
+raster::CavityRules rules_of(const Numbers& said) {
   raster::CavityRules rules;
   rules.eight_connected = said.value("neighbours", 4) == 8;
   rules.fewest_nodes = said.value("fewest_nodes", rules.fewest_nodes);
@@ -39,11 +39,11 @@ raster::CavityRules rules_of(const Json& said) {
   return rules;
 }
 
-Json kind_of(const PhaseMap& map, raster::Cavity kind, const raster::CavityRules& rules, double radius, const Thinning& kept, NumberBlock& block) {
+Numbers kind_of(const PhaseMap& map, raster::Cavity kind, const raster::CavityRules& rules, double radius, const Thinning& kept, NumberBlock& block) {
   const raster::Cavities cavities = raster::find_cavities(map, kind, rules);
   std::vector<std::uint32_t> label(kept.node.size());
   for (std::size_t k = 0; k < label.size(); ++k) label[k] = static_cast<std::uint32_t>(cavities.label[kept.node[k]] + 1);
-  Json out{{"label", reference(block.add_indices(label))}, {"nodes", reference(block.add_indices(unsigned_copy(cavities.nodes)))},
+  Numbers out{{"label", reference(block.add_indices(label))}, {"nodes", reference(block.add_indices(unsigned_copy(cavities.nodes)))},
            {"specks", cavities.specks}, {"cut", cavities.cut}, {"fewest_nodes", cavities.rules.fewest_nodes}};
   if (radius > 0 && !cavities.nodes.empty()) out["volumes"] = statistics_of(raster::cavity_statistics(cavities, map.dx, radius));
   return out;
@@ -51,8 +51,8 @@ Json kind_of(const PhaseMap& map, raster::Cavity kind, const raster::CavityRules
 
 }  // namespace
 
-Json cavities_of(const PhaseMap& map, const Json& numbers, const Thinning& kept, NumberBlock& block) {
-  const Json said = numbers.value("cavity_rules", Json::object());
+Numbers cavities_of(const PhaseMap& map, const Numbers& numbers, const Thinning& kept, NumberBlock& block) {
+  const Numbers said = numbers.value("cavity_rules", Numbers::tree());
   const raster::CavityRules rules = rules_of(said);
   const double radius = said.contains("reference_radius_m") ? said["reference_radius_m"].get<double>() : mean_large_radius(map);
   return {{"voids", kind_of(map, raster::Cavity::void_, rules, radius, kept, block)},

@@ -8,6 +8,6 @@ namespace arenite::report {
 /// "voids" and "pores" of a map: label of every node on the page (0: none), nodes of each, and the density of their
 /// volumes, by the rules and over the reference radius that the result's numbers state; without these by the rules'
 /// defaults, over the mean radius of the large grains (of any where there are no classes).
-Json cavities_of(const PhaseMap& map, const Json& numbers, const Thinning& kept, NumberBlock& block);
+Numbers cavities_of(const PhaseMap& map, const Numbers& numbers, const Thinning& kept, NumberBlock& block);
 
 }  // namespace arenite::report

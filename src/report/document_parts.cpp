@@ -20,24 +20,24 @@ std::vector<double> thinned(const std::vector<double>& values) {
 
 }  // namespace
 
-Json history_of(const History& history, NumberBlock& block) {
-  Json columns = Json::array();
+Numbers history_of(const History& history, NumberBlock& block) {
+  Numbers columns = Numbers::list();
   for (const History::Column& column : history.columns)
     columns.push_back({{"name", column.name}, {"unit", column.unit}, {"values", reference(block.add_reals(thinned(column.values)))}});
   return columns;
 }
 
-Json provenance_of(const Provenance& p) {
-  Json options = Json::object();
+Numbers provenance_of(const Provenance& p) {
+  Numbers options = Numbers::tree();
   for (const auto& [name, value] : p.options) options[name] = value;
   return {{"version", p.version}, {"stage", p.stage}, {"input_hash", p.input_hash}, {"seed", p.seed},
           {"kernel", p.kernel}, {"recipe", p.recipe}, {"options", options}};
 }
 
-void shorten(Json& value) {
-  if (value.is_number_float()) value = std::strtod(fmt::format("{:.6g}", value.get<double>()).c_str(), nullptr);
-  else if (value.is_structured())
-    for (Json& part : value) shorten(part);
+void shorten(Numbers& value) {
+  if (value.is_real()) value = std::strtod(fmt::format("{:.6g}", value.get<double>()).c_str(), nullptr);
+  else
+    for (Numbers& part : value) shorten(part);
 }
 
 }  // namespace arenite::report

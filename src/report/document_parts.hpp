@@ -1,17 +1,16 @@
 #pragma once
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "model/result.hpp"
 #include "report/number_block.hpp"
+#include "statistics/numbers.hpp"
 
 /// Pieces that packings and fields write alike into the page's document.
 namespace arenite::report {
 
-using Json = nlohmann::ordered_json;
 
-inline Json reference(const NumberRef& ref) { return {{"at", ref.offset}, {"n", ref.count}, {"as", ref.type}}; }
+inline Numbers reference(const NumberRef& ref) { return {{"at", ref.offset}, {"n", ref.count}, {"as", ref.type}}; }
 
 template <class T>
 std::vector<std::uint32_t> unsigned_copy(const std::vector<T>& values) {
@@ -21,10 +20,10 @@ std::vector<std::uint32_t> unsigned_copy(const std::vector<T>& values) {
 }
 
 /// Every column with its unit, at most about a thousand rows of it.
-Json history_of(const History& history, NumberBlock& block);
-Json provenance_of(const Provenance& provenance);
+Numbers history_of(const History& history, NumberBlock& block);
+Numbers provenance_of(const Provenance& provenance);
 
 /// Six significant digits: more than a figure or a standard error can use, and a third of the bytes.
-void shorten(Json& value);
+void shorten(Numbers& value);
 
 }  // namespace arenite::report

@@ -19,13 +19,13 @@ bool same_map(const PhaseMap& a, const PhaseMap& b) {
          a.grain_class == b.grain_class;
 }
 
-Json map_of(const PhaseMap& map, const Json& numbers, const Thinning& kept, NumberBlock& block) {
+Numbers map_of(const PhaseMap& map, const Numbers& numbers, const Thinning& kept, NumberBlock& block) {
   std::vector<std::uint32_t> label(kept.node.size());
   for (std::size_t k = 0; k < label.size(); ++k) label[k] = static_cast<std::uint32_t>(map.grain[kept.node[k]] + 1);
   std::array<std::size_t, 3> nodes{};
   for (const Phase phase : map.phase) ++nodes[static_cast<std::size_t>(phase)];
   return {{"width", kept.width}, {"height", kept.height}, {"stride", kept.stride}, {"dx", map.dx},
-          {"full", {map.width, map.height}}, {"nodes", nodes},
+          {"full", {map.width, map.height}}, {"nodes", {nodes[0], nodes[1], nodes[2]}},
           {"phase", reference(block.add_indices(unsigned_copy(kept.of(map.phase))))},
           {"label", reference(block.add_indices(label))},
           {"grain_class", reference(block.add_indices(unsigned_copy(map.grain_class)))},
@@ -33,7 +33,7 @@ Json map_of(const PhaseMap& map, const Json& numbers, const Thinning& kept, Numb
 }
 
 /// One component on the page's nodes, with mean and extremes over all nodes of the map that are not void.
-Json component(const PhaseMap& map, const Thinning& kept, const std::vector<std::uint8_t>& solid,
+Numbers component(const PhaseMap& map, const Thinning& kept, const std::vector<std::uint8_t>& solid,
                const std::vector<double>& values, bool companded, NumberBlock& block) {
   double sum = 0, least = INFINITY, most = -INFINITY;
   std::size_t count = 0;
@@ -52,11 +52,11 @@ Json component(const PhaseMap& map, const Thinning& kept, const std::vector<std:
           {"mean", count ? sum / static_cast<double>(count) : 0}, {"least", least}, {"most", most}};
 }
 
-Json components_of(const FieldResult& result, const Thinning& kept, NumberBlock& block) {
+Numbers components_of(const FieldResult& result, const Thinning& kept, NumberBlock& block) {
   const StressField& f = result.field;
   std::vector<std::uint8_t> solid(kept.node.size());
   for (std::size_t k = 0; k < solid.size(); ++k) solid[k] = result.map.phase[kept.node[k]] != Phase::empty;
-  Json all = Json::object();
+  Numbers all = Numbers::tree();
   const auto add = [&](const char* name, const std::vector<double>& values, bool companded) {
     if (values.size() == result.map.size()) all[name] = component(result.map, kept, solid, values, companded, block);
   };
@@ -68,14 +68,14 @@ Json components_of(const FieldResult& result, const Thinning& kept, NumberBlock&
   return all;
 }
 
-Json grains_of(const GrainMeans& g, NumberBlock& block) {
+Numbers grains_of(const GrainMeans& g, NumberBlock& block) {
   const auto reals = [&](const std::vector<double>& values) { return reference(block.add_reals(values)); };
-  Json out{{"nodes", reference(block.add_indices(g.nodes))}, {"x", reals(g.x)}, {"y", reals(g.y)}};
-  if (!g.yy.empty()) out.update(Json{{"xx", reals(g.xx)}, {"yy", reals(g.yy)}, {"xy", reals(g.xy)}});
+  Numbers out{{"nodes", reference(block.add_indices(g.nodes))}, {"x", reals(g.x)}, {"y", reals(g.y)}};
+  if (!g.yy.empty()) out.update(Numbers{{"xx", reals(g.xx)}, {"yy", reals(g.yy)}, {"xy", reals(g.xy)}});
   return out;
 }
 
-Json cracks_of(const std::vector<Crack>& cracks, NumberBlock& block) {
+Numbers cracks_of(const std::vector<Crack>& cracks, NumberBlock& block) {
   std::vector<double> x, y, strain;
   std::vector<std::uint32_t> type;
   for (const Crack& crack : cracks) {
@@ -88,31 +88,31 @@ Json cracks_of(const std::vector<Crack>& cracks, NumberBlock& block) {
           {"type", reference(block.add_indices(type))}, {"strain", reference(block.add_reals(strain))}};
 }
 
-Json parsed(const std::string& text) {
-  Json json = text.empty() ? Json::object() : Json::parse(text);
-  shorten(json);
-  return json;
+Numbers shortened(Numbers numbers) {
+  if (!numbers.is_known()) return Numbers::tree();
+  shorten(numbers);
+  return numbers;
 }
 
 /// The densities that the page draws; empty where there is nothing to measure.
-Json statistics_of(const FieldPageData& data) {
-  if (data.result->field.size() == 0) return Json::object();
+Numbers statistics_of(const FieldPageData& data) {
+  if (data.result->field.size() == 0) return Numbers::tree();
   stress::StressOptions options = data.statistics;
   options.components = {stress::Component::yy, stress::Component::xx, stress::Component::xy, stress::Component::hydrostatic};
   try {
-    return parsed(stress::to_json(stress::measure(data.result->map, data.result->field, options), true));
+    return shortened(stress::numbers(stress::measure(data.result->map, data.result->field, options), true));
   } catch (const InputError& error) {
     return {{"notes", {error.what()}}};  // a sample without any stress has a page too
   }
 }
 
-Json field_of(const FieldPageData& data, std::size_t map, const Thinning& kept, NumberBlock& block) {
+Numbers field_of(const FieldPageData& data, std::size_t map, const Thinning& kept, NumberBlock& block) {
   const FieldResult& r = *data.result;
-  Json out{{"name", r.name}, {"converged", r.converged}, {"outcome", r.outcome}, {"provenance", provenance_of(r.provenance)},
+  Numbers out{{"name", r.name}, {"converged", r.converged}, {"outcome", r.outcome}, {"provenance", provenance_of(r.provenance)},
            {"map", map}, {"components", components_of(r, kept, block)},
            {"grains", grains_of(grain_means(r.map, r.field), block)},
            {"convergence", history_of(r.convergence, block)}, {"curve", history_of(r.curve, block)},
-           {"numbers", parsed(r.numbers_json)}, {"statistics", statistics_of(data)}};
+           {"numbers", shortened(r.numbers)}, {"statistics", statistics_of(data)}};
   out["statistics"].erase("grains");
   if (!r.cracks.empty()) out["cracks"] = cracks_of(r.cracks, block);
   return out;
@@ -120,9 +120,9 @@ Json field_of(const FieldPageData& data, std::size_t map, const Thinning& kept, 
 
 }  // namespace
 
-void add_fields(Json& document, const std::vector<FieldPageData>& fields, NumberBlock& block) {
+void add_fields(Numbers& document, const std::vector<FieldPageData>& fields, NumberBlock& block) {
   std::vector<const PhaseMap*> known;
-  Json maps = Json::array(), list = Json::array();
+  Numbers maps = Numbers::list(), list = Numbers::list();
   for (const FieldPageData& data : fields) {
     const PhaseMap& map = data.result->map;
     const Thinning kept(map);
@@ -130,7 +130,7 @@ void add_fields(Json& document, const std::vector<FieldPageData>& fields, Number
     while (at < known.size() && !same_map(*known[at], map)) ++at;
     if (at == known.size()) {
       known.push_back(&map);
-      maps.push_back(map_of(map, parsed(data.result->numbers_json), kept, block));
+      maps.push_back(map_of(map, shortened(data.result->numbers), kept, block));
     }
     list.push_back(field_of(data, at, kept, block));
   }

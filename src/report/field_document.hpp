@@ -7,6 +7,6 @@
 namespace arenite::report {
 
 /// Adds "maps" (every phase map once) and "fields" (one a result) to the page's document.
-void add_fields(Json& document, const std::vector<FieldPageData>& fields, NumberBlock& block);
+void add_fields(Numbers& document, const std::vector<FieldPageData>& fields, NumberBlock& block);
 
 }  // namespace arenite::report

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <vector>
 
 #include "core/error.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 namespace {
 
-using Json = nlohmann::ordered_json;
 
 constexpr int most_nodes = 512, most_zoomed = 256;  // across a picture
 constexpr double view_over_radius = 1.35;
@@ -20,7 +19,7 @@ constexpr double view_over_radius = 1.35;
 struct View {
   int x = 0, y = 0, width = 0, height = 0, step = 1;
   std::size_t node(const PhaseMap& map, int column, int row_from_top) const { return map.index(x + column * step, y + (height - 1 - row_from_top) * step); }
-  Json json(const PhaseMap& map) const {
+  Numbers json(const PhaseMap& map) const {
     const double mm = 1e3 * map.dx * step;
     return {{"size", {std::round(1e4 * width * mm) / 1e4, std::round(1e4 * height * mm) / 1e4}}, {"nodes", {width, height}}};
   }
@@ -89,8 +88,8 @@ double solid_mean(const FieldResult& load) {
 }
 
 /// Where the grain changes: grain -1 is matrix and void, whose own border the picture shows.
-Json edges_of(const PhaseMap& map, const View& view) {
-  Json edges = Json::array();
+Numbers edges_of(const PhaseMap& map, const View& view) {
+  Numbers edges = Numbers::list();
   for (int row = 0; row < view.height; ++row)
     for (int column = 0; column < view.width; ++column) {
       const std::int32_t here = map.grain[view.node(map, column, row)];
@@ -108,8 +107,8 @@ View whole(const PhaseMap& map) {
   return view;
 }
 
-Json phases_of(const PhaseMap& map, const View& view) {
-  Json runs = Json::array();
+Numbers phases_of(const PhaseMap& map, const View& view) {
+  Numbers runs = Numbers::list();
   int last = -1, count = 0;
   const auto end_run = [&] {
     if (count > 0) runs.push_back(last), runs.push_back(count);
@@ -123,43 +122,43 @@ Json phases_of(const PhaseMap& map, const View& view) {
       ++count;
     }
   end_run();
-  Json j = view.json(map);
+  Numbers j = view.json(map);
   j["phases"] = std::move(runs);
   return j;
 }
 
 }  // namespace
 
-std::string phases_drawing(const FieldResult& sample) { return phases_of(sample.map, whole(sample.map)).dump(); }
+Numbers phases_drawing(const FieldResult& sample) { return phases_of(sample.map, whole(sample.map)); }
 
-std::string zoom_drawing(const FieldResult& load) {
+Numbers zoom_drawing(const FieldResult& load) {
   if (load.field.size() == 0) throw InputError("there is no field of stress of this run to look at");
   const View view = about(middle_grain(load.map), load.map);
   const double mean = solid_mean(load);
-  Json j = view.json(load.map), stress = Json::array();
+  Numbers j = view.json(load.map), stress = Numbers::list();
   for (int row = 0; row < view.height; ++row)
     for (int column = 0; column < view.width; ++column) {
       const std::size_t node = view.node(load.map, column, row);
-      stress.push_back(load.map.phase[node] == Phase::empty ? Json() : Json(std::round(100 * load.field.yy[node] / mean) / 100));
+      stress.push_back(load.map.phase[node] == Phase::empty ? Numbers() : Numbers(std::round(100 * load.field.yy[node] / mean) / 100));
     }
   j["stress"] = std::move(stress);
   j["edges"] = edges_of(load.map, view);
-  return j.dump();
+  return j;
 }
 
-std::string cracks_drawing(const FieldResult& pull) {
+Numbers cracks_drawing(const FieldResult& pull) {
   if (pull.cracks.empty()) throw InputError("no bond of this run is broken; `failure = true` in [[loads]] pulls until it breaks");
   const View view = whole(pull.map);
   const double node = pull.map.dx * view.step;
   const auto rounded = [](double v) { return std::round(10 * v) / 10; };
-  Json j = phases_of(pull.map, view), x = Json::array(), y = Json::array(), type = Json::array();
+  Numbers j = phases_of(pull.map, view), x = Numbers::list(), y = Numbers::list(), type = Numbers::list();
   for (const Crack& crack : pull.cracks) {
     x.push_back(rounded(static_cast<double>(crack.x) / node));
     y.push_back(rounded(view.height - static_cast<double>(crack.y) / node));
     type.push_back(crack.type);
   }
   j["cracks"] = {{"x", std::move(x)}, {"y", std::move(y)}, {"type", std::move(type)}};
-  return j.dump();
+  return j;
 }
 
 }  // namespace arenite::report

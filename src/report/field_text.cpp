@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "report/number_lines.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 namespace {
 
-using Json = nlohmann::json;
 using Lines = NumberLines;
 
 void describe_sample(Lines& lines) {
@@ -62,15 +60,15 @@ void describe_load(Lines& lines) {
   lines.add("defect of the energy balance", "/failure/energy_defect");
 }
 
-void describe_component(Lines& lines, const std::string& name, const Json& component) {
+void describe_component(Lines& lines, const std::string& name, const Numbers& component) {
   lines.heading(fmt::format("Node stresses, {}", name));
   if (component.contains("sample_mean_Pa")) lines.raw(fmt::format("  {:<34} {} Pa", "mean of the sample", shown(component["sample_mean_Pa"])));
   if (!component.contains("sets")) return;
   lines.raw(fmt::format("  {:<10} {:>20} {:>20} {:>20} {:>20} {:>20}", "", "mean/sample mean", "variance", "excess kurtosis", "tail slope s", "q"));
   for (const auto& [set, d] : component["sets"].items()) {
     const auto cell = [&d = d](const char* path) {
-      const Json::json_pointer at(path);
-      return d.contains(at) ? shown(d[at]) : std::string("-");
+      const Numbers* at = d.at_path(path);
+      return at ? shown(*at) : std::string("-");
     };
     lines.raw(fmt::format("  {:<10} {:>20} {:>20} {:>20} {:>20} {:>20}", set, cell("/mean_over_sample_mean"), cell("/variance"),
                           cell("/excess_kurtosis"), cell("/tail/slope"), cell("/q_gaussian/q")));
@@ -79,21 +77,20 @@ void describe_component(Lines& lines, const std::string& name, const Json& compo
 
 }  // namespace
 
-std::string field_text(const std::string& numbers_json) {
-  const Json j = Json::parse(numbers_json);
-  Lines lines(j);
+std::string field_text(const Numbers& numbers) {
+  Lines lines(numbers);
   describe_sample(lines);
-  if (j.contains("load")) describe_load(lines);
-  if (j.contains("stress"))
-    for (const auto& [name, part] : j["stress"].items())
+  if (numbers.contains("load")) describe_load(lines);
+  if (numbers.contains("stress"))
+    for (const auto& [name, part] : numbers["stress"].items())
       if (name.starts_with("sigma_")) describe_component(lines, name, part);
-  if (j.contains("grain_stress_against_contacts")) {
+  if (numbers.contains("grain_stress_against_contacts")) {
     lines.heading("Mean stresses of grains against those from contact forces");
     for (const char* component : {"sigma_yy", "sigma_hyd"})
       lines.add(fmt::format("correlation, {}", component), fmt::format("/grain_stress_against_contacts/{}/all/correlation", component));
   }
-  if (j.contains("notes"))
-    for (const auto& note : j["notes"]) lines.raw("  " + note.get<std::string>());
+  if (numbers.contains("notes"))
+    for (const auto& note : numbers["notes"]) lines.raw("  " + note.get<std::string>());
   return std::move(lines).text();
 }
 

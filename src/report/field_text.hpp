@@ -1,9 +1,11 @@
 #pragma once
 #include <string>
 
+#include "statistics/numbers.hpp"
+
 namespace arenite::report {
 
-/// The numbers of a result on a raster (FieldResult::numbers_json) as lines "name  value" for people.
-std::string field_text(const std::string& numbers_json);
+/// The numbers of a result on a raster (FieldResult::numbers) as lines "name  value" for people.
+std::string field_text(const Numbers& numbers);
 
 }  // namespace arenite::report

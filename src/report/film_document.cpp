@@ -6,7 +6,7 @@
 
 #include "report/field_codes.hpp"
 #include "report/film_stresses.hpp"
-#include "statistics/json.hpp"
+#include "statistics/put_numbers.hpp"
 
 namespace arenite::report {
 namespace {
@@ -29,7 +29,7 @@ constexpr std::array map_columns{MapColumn{"amplitude", &LockinMaps::amplitude, 
                                  MapColumn{"residual", &LockinMaps::residual, coarse}};
 
 /// One map, rows from the top; where pixels have no value, "holes" lists them.
-Json map_of(int width, int height, const std::vector<float>& values, double levels, NumberBlock& block) {
+Numbers map_of(int width, int height, const std::vector<float>& values, double levels, NumberBlock& block) {
   std::vector<std::uint8_t> known(values.size());
   std::vector<std::uint32_t> holes;
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -38,14 +38,14 @@ Json map_of(int width, int height, const std::vector<float>& values, double leve
   }
   const CodedField coded = code_field(width, height, {values.begin(), values.end()}, known, true, levels);
   const Coding& c = coded.coding;
-  Json out{{"law", "sinh"}, {"centre", c.centre}, {"width", c.width}, {"levels", c.levels},
+  Numbers out{{"law", "sinh"}, {"centre", c.centre}, {"width", c.width}, {"levels", c.levels},
            {"residual", reference(block.add_indices(coded.residual))}};
   if (!holes.empty()) out["holes"] = reference(block.add_indices(holes));
   return out;
 }
 
-Json maps_of(const FilmResult& r, NumberBlock& block) {
-  Json all = Json::object();
+Numbers maps_of(const FilmResult& r, NumberBlock& block) {
+  Numbers all = Numbers::tree();
   const std::size_t pixels = r.film.pixels();
   const auto add = [&](const char* name, const std::vector<float>& values, double levels) {
     if (pixels > 0 && values.size() == pixels) all[name] = map_of(r.film.width, r.film.height, values, levels, block);
@@ -56,7 +56,7 @@ Json maps_of(const FilmResult& r, NumberBlock& block) {
   return all;
 }
 
-Json film_of(const FilmResult& r) {
+Numbers film_of(const FilmResult& r) {
   const FilmInfo& f = r.film;
   return {{"width", f.width}, {"height", f.height}, {"frames", f.frames}, {"frame_rate", f.frame_rate}, {"integration", f.integration},
           {"format", f.format}, {"camera", f.camera}, {"unit", f.quantity == FilmQuantity::digital_level ? "DL" : "K"},
@@ -85,10 +85,10 @@ std::vector<double> way(const std::vector<double>& cosine, const std::vector<dou
   return out;
 }
 
-Json grains_of(const FilmResult& r, const FilmStresses& stresses, NumberBlock& block) {
+Numbers grains_of(const FilmResult& r, const FilmStresses& stresses, NumberBlock& block) {
   const Grains& grains = r.packing.grains;
   const PictureGrains circles = circles_of(r);
-  Json out{{"count", circles.size() == grains.size() ? grains.size() : 0}};
+  Numbers out{{"count", circles.size() == grains.size() ? grains.size() : 0}};
   const auto reals = [&](const char* name, const std::vector<double>& values) {
     if (!values.empty() && values.size() == grains.size()) out[name] = reference(block.add_reals(values));
   };
@@ -109,13 +109,13 @@ Json grains_of(const FilmResult& r, const FilmStresses& stresses, NumberBlock& b
   return out;
 }
 
-Json contacts_of(const FilmResult& r, NumberBlock& block) {
+Numbers contacts_of(const FilmResult& r, NumberBlock& block) {
   const Contacts& contacts = r.packing.contacts;
   const auto grains = static_cast<std::uint32_t>(r.packing.grains.size());
   std::vector<std::uint32_t> partner(contacts.size());
   for (std::size_t c = 0; c < contacts.size(); ++c)
     partner[c] = contacts.is_wall(c) ? grains + static_cast<std::uint32_t>(contacts.wall_side(c)) : static_cast<std::uint32_t>(contacts.j[c]);
-  Json out{{"count", contacts.size()}, {"i", reference(block.add_indices(unsigned_copy(contacts.i)))}, {"j", reference(block.add_indices(partner))}};
+  Numbers out{{"count", contacts.size()}, {"i", reference(block.add_indices(unsigned_copy(contacts.i)))}, {"j", reference(block.add_indices(partner))}};
   const auto reals = [&](const char* name, const std::vector<double>& values) {
     if (values.size() == contacts.size()) out[name] = reference(block.add_reals(values));
   };
@@ -130,7 +130,7 @@ Json contacts_of(const FilmResult& r, NumberBlock& block) {
 }
 
 /// The frame's inner sides in pixels: left, right, bottom, top; y down.
-Json frame_of(const FilmResult& r) {
+Numbers frame_of(const FilmResult& r) {
   const Domain& domain = r.packing.domain;
   if (!(r.pixel > 0) || !(domain.area() > 0)) return nullptr;
   const auto column = [&](double x) { return (x - r.origin.x) / r.pixel; };
@@ -138,27 +138,27 @@ Json frame_of(const FilmResult& r) {
   return {column(domain.wall[left].position), column(domain.wall[right].position), row(domain.wall[bottom].position), row(domain.wall[top].position)};
 }
 
-Json parsed(const std::string& text) {
-  Json json = text.empty() ? Json::object() : Json::parse(text);
-  shorten(json);
-  return json;
+Numbers shortened(Numbers numbers) {
+  if (!numbers.is_known()) return Numbers::tree();
+  shorten(numbers);
+  return numbers;
 }
 
-Json stresses_of(const FilmStresses& stresses, NumberBlock& block) {
-  Json all = Json::object();
+Numbers stresses_of(const FilmStresses& stresses, NumberBlock& block) {
+  Numbers all = Numbers::tree();
   for (const GrainStresses& s : stresses.sources)
     all[s.source] = {{"mean", statistics::number(s.mean)}, {"sigma_hyd", reference(block.add_reals(s.sigma_hyd))},
-                     {"sigma_norm", reference(block.add_reals(s.sigma_norm))}, {"statistics", parsed(s.statistics_json)}};
+                     {"sigma_norm", reference(block.add_reals(s.sigma_norm))}, {"statistics", shortened(s.statistics)}};
   return all;
 }
 
 /// What relates the twin's swing and state to the film's swing.
-Json agreement_of(const Packing& packing, const FilmStresses& stresses) {
-  Json all = Json::object();
+Numbers agreement_of(const Packing& packing, const FilmStresses& stresses) {
+  Numbers all = Numbers::tree();
   if (stresses.sources.empty() || stresses.sources[0].source != "film") return all;
   for (std::size_t k = 1; k < stresses.sources.size(); ++k)
     for (const Agreement& a : agreement(packing, stresses.sources[0], stresses.sources[k])) {
-      Json& to = all[stresses.sources[k].source][a.set];
+      Numbers& to = all[stresses.sources[k].source][a.set];
       to = {{"count", a.relation.count}};
       statistics::put(to, "correlation", a.relation.pearson);
       statistics::put(to, "slope", statistics::Estimate{a.relation.line.slope, a.relation.line.slope_error});
@@ -169,24 +169,24 @@ Json agreement_of(const Packing& packing, const FilmStresses& stresses) {
   return all;
 }
 
-Json one_film(const FilmPageData& data, NumberBlock& block) {
+Numbers one_film(const FilmPageData& data, NumberBlock& block) {
   const FilmResult& r = *data.result;
   const FilmStresses stresses = film_stresses(r, data.options);
   std::vector<std::uint32_t> bad;
   for (std::size_t k = 0; k < r.bad.size(); ++k)
     if (r.bad[k]) bad.push_back(static_cast<std::uint32_t>(k));
-  Json materials = Json::array();
+  Numbers materials = Numbers::list();
   for (const Material& m : r.packing.materials) materials.push_back({{"name", m.name}});
   return {{"name", r.name}, {"converged", r.converged}, {"outcome", r.outcome}, {"provenance", provenance_of(r.provenance)},
           {"film", film_of(r)}, {"maps", maps_of(r, block)}, {"bad", reference(block.add_indices(bad))}, {"materials", materials},
           {"grains", grains_of(r, stresses, block)}, {"contacts", contacts_of(r, block)}, {"frame", frame_of(r)},
-          {"stresses", stresses_of(stresses, block)}, {"agreement", agreement_of(r.packing, stresses)}, {"numbers", parsed(r.numbers_json)}};
+          {"stresses", stresses_of(stresses, block)}, {"agreement", agreement_of(r.packing, stresses)}, {"numbers", shortened(r.numbers)}};
 }
 
 }  // namespace
 
-void add_films(Json& document, const std::vector<FilmPageData>& films, NumberBlock& block) {
-  Json list = Json::array();
+void add_films(Numbers& document, const std::vector<FilmPageData>& films, NumberBlock& block) {
+  Numbers list = Numbers::list();
   for (const FilmPageData& data : films) list.push_back(one_film(data, block));
   document["films"] = std::move(list);
 }

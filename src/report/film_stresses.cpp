@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 namespace {
 
-using Json = nlohmann::ordered_json;
 
 /// Grains with a finite stress in every source.
 std::vector<std::size_t> known_in_all(const std::vector<GrainStresses>& sources, std::size_t grains) {
@@ -50,7 +49,7 @@ void normalise(GrainStresses& source, const Packing& packing, const std::vector<
   for (const std::size_t g : known) options.grain_sigma_hyd.push_back(source.sigma_hyd[g]);
   source.sigma_hyd.assign(source.sigma_hyd.size(), statistics::unknown);
   source.sigma_norm = source.sigma_hyd;
-  source.statistics_json = "{}";
+  source.statistics = Numbers::tree();
   if (known.empty()) return;
   const texture::Texture texture = measured(packing, options);
   double sum = 0;
@@ -63,8 +62,8 @@ void normalise(GrainStresses& source, const Packing& packing, const std::vector<
     if (considered[g]) sum += source.sigma_hyd[g], ++count;
   }
   if (count > 0) source.mean = sum / static_cast<double>(count);
-  const Json json = Json::parse(texture::to_json(texture, true));
-  if (json.contains("sigma_norm")) source.statistics_json = json["sigma_norm"].dump();
+  const Numbers numbers = texture::numbers(texture, true);
+  if (numbers.contains("sigma_norm")) source.statistics = numbers["sigma_norm"];
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "model/film_result.hpp"
 #include "statistics/correlation.hpp"
+#include "statistics/numbers.hpp"
 #include "texture/texture.hpp"
 
 namespace arenite::report {
@@ -15,7 +16,7 @@ struct GrainStresses {
   std::vector<double> sigma_hyd;         ///< one a grain; NaN where it is not known in every source
   std::vector<double> sigma_norm;        ///< likewise
   double mean = statistics::unknown;     ///< that sigma_norm is over, Pa
-  std::string statistics_json;           ///< "sigma_norm" as texture::to_json writes it; {} where nothing can be measured
+  Numbers statistics;          ///< "sigma_norm" as texture::numbers has it; {} where nothing can be measured
 };
 
 /// The stresses of a film and, where it has a twin, of the twin's swing and state. All three are taken over the same grains:

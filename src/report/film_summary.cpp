@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "core/median.hpp"
 #include "io/film_times.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 namespace {
@@ -35,11 +35,10 @@ Levels levels_of(const thermography::FrameStatistics& s, int bits) {
 FilmSummary::FilmSummary(FilmSource& film, std::size_t most_frames) : info_(film.info()), statistics_(thermography::frame_statistics(film, most_frames)) {}
 
 std::string FilmSummary::json() const {
-  using Json = nlohmann::ordered_json;
   const io::FrameIntervals times = io::frame_intervals(info_);
   const Levels levels = levels_of(statistics_, info_.bits);
-  const auto known = [](double value) { return value > 0 ? Json(value) : Json(nullptr); };
-  Json j{{"format", info_.format},       {"width", info_.width},     {"height", info_.height},
+  const auto known = [](double value) { return value > 0 ? Numbers(value) : Numbers(nullptr); };
+  Numbers j{{"format", info_.format},       {"width", info_.width},     {"height", info_.height},
          {"frames", info_.frames},       {"frame_rate_Hz", known(info_.frame_rate)}, {"integration_s", known(info_.integration)},
          {"camera", info_.camera},       {"lens", info_.lens},       {"filter", info_.filter},
          {"bits", info_.bits},           {"floating", info_.floating}, {"quantity", name_of(info_.quantity)},
@@ -50,7 +49,7 @@ std::string FilmSummary::json() const {
   j["pixels"] = {{"frames_read", statistics_.frames}, {"least", levels.least}, {"most", levels.most}, {"median", levels.middle},
                  {"median_noise", levels.noise}, {"constant", levels.doubtful.constant}, {"saturated", levels.doubtful.saturated}};
   j["remarks"] = info_.remarks;
-  return j.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return to_json(j, 2) + '\n';
 }
 
 std::string FilmSummary::text() const {

@@ -2,14 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "report/number_lines.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 namespace {
-
-using Json = nlohmann::json;
 
 void describe_film(NumberLines& lines, const FilmResult& r) {
   lines.heading("Film");
@@ -51,7 +48,7 @@ void describe_forces(NumberLines& lines) {
 }
 
 /// How the forces agree with the film and with what was told beside it.
-void describe_checks(NumberLines& lines, const Json& numbers) {
+void describe_checks(NumberLines& lines, const Numbers& numbers) {
   if (!lines.has("/checks")) return;
   lines.heading("Forces against film and load");
   lines.add("left by the fit over the noise", "/checks/misfit_over_noise");
@@ -86,23 +83,22 @@ void describe_twin(NumberLines& lines) {
 }  // namespace
 
 std::string film_text(const FilmResult& r) {
-  const Json numbers = Json::parse(r.numbers_json);
-  NumberLines lines(numbers);
+  NumberLines lines(r.numbers);
   describe_film(lines, r);
   describe_grains(lines, r);
   describe_forces(lines);
-  describe_checks(lines, numbers);
+  describe_checks(lines, r.numbers);
   describe_directions(lines);
   describe_twin(lines);
   return r.outcome + "\n" + std::move(lines).text();
 }
 
-std::string film_json(const FilmResult& r) {
-  auto j = nlohmann::ordered_json::parse(r.numbers_json);
+Numbers film_numbers(const FilmResult& r) {
+  Numbers j = r.numbers;
   const Provenance& p = r.provenance;
   j["provenance"] = {{"version", p.version}, {"stage", p.stage}, {"input_hash", p.input_hash}, {"recipe", p.recipe}};
   j["outcome"] = r.outcome;
-  return j.dump(2) + "\n";
+  return j;
 }
 
 }  // namespace arenite::report

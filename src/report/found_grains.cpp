@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "core/median.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 namespace {
@@ -54,24 +54,23 @@ std::string grains_text(const FoundGrains& g) {
 }
 
 std::string grains_json(const FoundGrains& g) {
-  using Json = nlohmann::ordered_json;
   const imaging::CircleReport& r = g.found.report;
   const PictureGrains& p = g.found.grains;
-  Json j{{"file", g.file}, {"width", g.width}, {"height", g.height}, {"frames", g.frames}, {"bad_pixels_replaced", g.replaced},
-         {"pixel_m", g.pixel > 0 ? Json(g.pixel) : Json(nullptr)}, {"corner_px", {g.corner.x, g.corner.y}}, {"grains", p.size()}, {"bright", r.bright},
-         {"between", r.between ? Json(*r.between) : Json(nullptr)},
+  Numbers j{{"file", g.file}, {"width", g.width}, {"height", g.height}, {"frames", g.frames}, {"bad_pixels_replaced", g.replaced},
+         {"pixel_m", g.pixel > 0 ? Numbers(g.pixel) : Numbers(nullptr)}, {"corner_px", {g.corner.x, g.corner.y}}, {"grains", p.size()}, {"bright", r.bright},
+         {"between", r.between ? Numbers(*r.between) : Numbers(nullptr)},
          {"blur_px", r.blur}, {"noise", r.noise}, {"overlapping_pairs", r.overlapping}, {"largest_overlap_px", r.largest_overlap},
          {"median_position_error_px", median(p.position_error)}, {"median_radius_error_px", median(p.radius_error)}};
-  j["sizes"] = Json::array();
+  j["sizes"] = Numbers::list();
   for (std::size_t c = 0; c < r.class_radius.size(); ++c)
     j["sizes"].push_back({{"radius_px", r.class_radius[c]}, {"spread_px", r.class_spread[c]}, {"grains", r.class_members[c]}});
-  j["materials"] = Json::array();
+  j["materials"] = Numbers::list();
   for (std::size_t m = 0; m < r.material_brightness.size(); ++m)
     j["materials"].push_back({{"name", material_name(g, static_cast<std::int32_t>(m))}, {"brightness", r.material_brightness[m]},
                               {"spread", r.material_spread[m]}, {"grains", r.material_members[m]}});
   j["by_grain"] = {{"column_px", p.x}, {"row_px", p.y}, {"radius_px", p.radius}, {"position_error_px", p.position_error},
                    {"radius_error_px", p.radius_error}, {"brightness", p.brightness}, {"score", p.score}, {"material", p.material}, {"size", p.size_class}};
-  return j.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return to_json(j, 2) + '\n';
 }
 
 }  // namespace arenite::report

@@ -4,18 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 #include "dem/run_stage.hpp"
 #include "report/number_lines.hpp"
+#include "statistics/numbers.hpp"
 #include "statistics/text.hpp"
 #include "study/recipe.hpp"
 
 namespace arenite::report {
 namespace {
 
-using Json = nlohmann::json;
 using statistics::with_error;
 
 /// Rows "name  value  meaning" in three columns; those without a value are left out.
@@ -113,13 +112,11 @@ std::string headlines(const StageResult& last, const texture::Texture& t) {
   return text;
 }
 
-std::string field_headlines(const std::string& numbers_json) {
-  const Json j = Json::parse(numbers_json);
+std::string field_headlines(const Numbers& numbers) {
   Rows rows;
   const auto add = [&](const char* name, const char* path, const char* unit, const char* meaning) {
-    const Json::json_pointer at(path);
-    if (!j.contains(at)) return;
-    const std::string value = shown(j[at]);
+    const Numbers* at = numbers.at_path(path);
+    const std::string value = at ? shown(*at) : "";
     if (!value.empty()) rows.add(name, value + (*unit ? std::string(" ") + unit : ""), meaning);
   };
   rows.heading("Sample on the nodes");
@@ -132,7 +129,7 @@ std::string field_headlines(const std::string& numbers_json) {
   add("pores", "/pores/count", "", "spaces between grains, matrix or not");
   add("mean volume of pores", "/pores/mean", "", "over pi times the reference radius squared");
   add("voids", "/voids/count", "", "spaces that nothing fills");
-  if (j.contains("load")) rows.heading("Under load");
+  if (numbers.contains("load")) rows.heading("Under load");
   add("modulus E", "/modulus_Pa", "Pa", "mean stress over strain");
   add("Poisson's ratio nu", "/poisson", "", "");
   add("E along x", "/moduli/E_x_Pa", "Pa", "");
@@ -140,14 +137,14 @@ std::string field_headlines(const std::string& numbers_json) {
   add("shear modulus G", "/moduli/G_Pa", "Pa", "");
   add("strength", "/strength_Pa", "Pa", "greatest mean stress");
   add("strain at strength", "/failure/strain_at_strength", "", "");
-  if (const Json::json_pointer sets("/stress/sigma_yy/sets"); j.contains(sets)) {
+  if (const Numbers* sets = numbers.at_path("/stress/sigma_yy/sets")) {
     rows.heading("Vertical stress by phase over the mean of the sample");
-    for (const auto& [name, set] : j[sets].items())
+    for (const auto& [name, set] : sets->items())
       if (set.contains("mean_over_sample_mean")) rows.add(name, shown(set["mean_over_sample_mean"]));
   }
   std::string text = std::move(rows).text();
-  if (j.contains("notes"))
-    for (const auto& note : j["notes"]) text += "  " + note.get<std::string>() + "\n";
+  if (numbers.contains("notes"))
+    for (const auto& note : numbers["notes"]) text += "  " + note.get<std::string>() + "\n";
   return text;
 }
 

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "model/result.hpp"
+#include "statistics/numbers.hpp"
 #include "texture/texture.hpp"
 
 // What `arenite show` prints unless it is asked for everything: a dozen numbers, each with its symbol and its meaning.
@@ -11,6 +12,6 @@ namespace arenite::report {
 std::string headlines(const StageResult& last, const texture::Texture& texture);
 
 /// A result on nodes, from its numbers.
-std::string field_headlines(const std::string& numbers_json);
+std::string field_headlines(const Numbers& numbers);
 
 }  // namespace arenite::report

@@ -2,33 +2,32 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 #include "report/ledger_parts.hpp"
 #include "report/ledger_report.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using ledger::Check;
 using ledger::Sensitivity;
 
 /// Says of the verdicts of small studies what they are not.
 const char* size_of(bool small) { return small ? "the small studies, for the test alone: not the ledger" : "the studies in full"; }
 
-void put(Json& one, const char* name, const ledger::Value& value) {
+void put(Numbers& one, const char* name, const ledger::Value& value) {
   if (!std::isfinite(value.value)) return;
   one[name] = value.value;
   if (std::isfinite(value.error)) one["error"] = value.error;
   if (std::isfinite(value.error) && std::isfinite(value.freedom)) one["freedom"] = value.freedom;
 }
 
-Json json_of(const std::vector<Check>& checks) {
-  Json list = Json::array();
+Numbers json_of(const std::vector<Check>& checks) {
+  Numbers list = Numbers::list();
   for (const Check& check : checks) {
-    Json one{{"what", check.what}, {"kind", word_for(check.kind)}, {"source", check.source}, {"wanted", check.wanted}, {"outcome", word_for(check.outcome)}};
+    Numbers one{{"what", check.what}, {"kind", word_for(check.kind)}, {"source", check.source}, {"wanted", check.wanted}, {"outcome", word_for(check.outcome)}};
     put(one, "ours", check.ours);
     if (!check.unit.empty()) one["unit"] = check.unit;
     list.push_back(std::move(one));
@@ -36,18 +35,18 @@ Json json_of(const std::vector<Check>& checks) {
   return list;
 }
 
-Json json_of(const std::vector<Sensitivity>& sensitivities) {
-  Json list = Json::array();
+Numbers json_of(const std::vector<Sensitivity>& sensitivities) {
+  Numbers list = Numbers::list();
   for (const Sensitivity& found : sensitivities) {
-    Json entries = Json::array();
+    Numbers entries = Numbers::list();
     for (const auto& entry : found.entries) {
       if (!std::isfinite(entry.value.value)) continue;
-      Json one{{"choice", entry.choice}};
+      Numbers one{{"choice", entry.choice}};
       put(one, "value", entry.value);
       if (!found.wanted.empty()) one["outcome"] = word_for(entry.outcome);
       entries.push_back(std::move(one));
     }
-    Json one{{"what", found.what}, {"entries", entries}};
+    Numbers one{{"what", found.what}, {"entries", entries}};
     if (!found.wanted.empty()) one["wanted"] = found.wanted;
     list.push_back(std::move(one));
   }
@@ -72,13 +71,13 @@ std::string row(const char* claim, const char* kind, const std::string& what, co
 }  // namespace
 
 std::string ledger_json(const ledger::Ledger& ledger) {
-  Json studies = Json::object(), claims = Json::object();
+  Numbers studies = Numbers::tree(), claims = Numbers::tree();
   for (const auto& study : ledger.studies) studies[study.name] = {{"runs", study.runs}, {"done", study.done}};
   for (const auto& [claim, judgement] : ledger.claims)
     claims[claim->id] = {{"where", claim->where}, {"sentence", claim->sentence}, {"figure", ledger::figure_place(*claim)}, {"verdict", word_for(judgement.verdict())},
                          {"source", claim->number}, {"ours", ours_text(judgement)}, {"decides", ledger::what_decides(judgement)}, {"checks", json_of(judgement.checks)},
                          {"findings", judgement.findings}, {"sensitivity", json_of(judgement.sensitivities)}};
-  return Json{{"studies", studies}, {"claims", claims}}.dump(1) + "\n";
+  return to_json(Numbers{{"studies", studies}, {"claims", claims}}, 1) + "\n";
 }
 
 std::string ledger_csv(const ledger::Ledger& ledger) {
@@ -100,8 +99,8 @@ std::string ledger_verdicts(const ledger::Ledger& ledger, bool small) {
 }
 
 std::vector<std::string> changed_verdicts(const ledger::Ledger& ledger, const std::string& expected, const std::string& file, bool small) {
-  const Json wanted = Json::parse(expected, nullptr, false);
-  if (!wanted.is_object() || !wanted.contains("of")) throw InputError(file, 0, "this holds no verdicts; write it with arenite verify --verdicts FILE");
+  const Numbers wanted = from_json(expected).value_or(Numbers{});
+  if (!wanted.is_tree() || !wanted.contains("of")) throw InputError(file, 0, "this holds no verdicts; write it with arenite verify --verdicts FILE");
   if (wanted["of"] != size_of(small)) throw InputError(file, 0, fmt::format("these are verdicts of {}; here they are of {}", wanted.value("of", "something else"), size_of(small)));
   std::vector<std::string> changes;
   for (const auto& [claim, judgement] : ledger.claims) {

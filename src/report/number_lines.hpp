@@ -1,27 +1,28 @@
 #pragma once
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 
 /// A number of a result as people read it, "0.842 +- 0.003"; empty where it is not known.
-std::string shown(const nlohmann::json& number);
+std::string shown(const Numbers& number);
 
-/// Numbers of a JSON document as lines "name  value", the values in one column.
+/// A tree of numbers as lines "name  value", the values in one column.
 class NumberLines {
  public:
-  /// The document must outlive the lines.
-  explicit NumberLines(const nlohmann::json& root) : root_(root) {}
+  /// The tree must outlive the lines.
+  explicit NumberLines(const Numbers& root) : root_(root) {}
 
   void heading(const std::string& text) { text_ += "\n" + text + "\n"; }
   /// The value at a path such as "/phases/particle", if it is there.
   void add(const std::string& name, const std::string& path, const char* unit = "");
   void raw(const std::string& line) { text_ += line + "\n"; }
-  bool has(const std::string& path) const { return root_.contains(nlohmann::json::json_pointer(path)); }
+  bool has(const std::string& path) const { return root_.at_path(path) != nullptr; }
   std::string text() && { return std::move(text_); }
 
  private:
-  const nlohmann::json& root_;
+  const Numbers& root_;
   std::string text_;
 };
 

@@ -9,14 +9,14 @@
 namespace arenite::report {
 namespace {
 
-Json materials_of(const Materials& materials) {
-  Json list = Json::array();
+Numbers materials_of(const Materials& materials) {
+  Numbers list = Numbers::list();
   for (const Material& m : materials)
     list.push_back({{"name", m.name}, {"density", m.density}, {"stiffness", m.stiffness}});
   return list;
 }
 
-Json grains_of(const Grains& grains, NumberBlock& block) {
+Numbers grains_of(const Grains& grains, NumberBlock& block) {
   const std::vector<std::int32_t> ids(grains.id.begin(), grains.id.end());
   return {{"count", grains.size()},
           {"id", reference(block.add_integers(ids))},
@@ -41,7 +41,7 @@ std::vector<double> grain_pressures(const Packing& packing) {
   return pressure;
 }
 
-Json contacts_of(const Packing& packing, NumberBlock& block) {
+Numbers contacts_of(const Packing& packing, NumberBlock& block) {
   const Contacts& contacts = packing.contacts;
   const auto grains = static_cast<std::uint32_t>(packing.grains.size());
   std::vector<std::uint32_t> partner(contacts.size());
@@ -55,8 +55,8 @@ Json contacts_of(const Packing& packing, NumberBlock& block) {
           {"glued", reference(block.add_indices(unsigned_copy(contacts.glued)))}};
 }
 
-Json domain_of(const Domain& domain) {
-  Json walls = Json::array();
+Numbers domain_of(const Domain& domain) {
+  Numbers walls = Numbers::list();
   for (const Wall& wall : domain.wall)
     walls.push_back({{"present", wall.present}, {"position", wall.position}, {"force", wall.force},
                      {"shear", wall.shear_force}});
@@ -64,9 +64,9 @@ Json domain_of(const Domain& domain) {
           {"thickness", domain.thickness}};
 }
 
-Json frame_of(const Frame& frame, std::size_t stage, NumberBlock& block) {
+Numbers frame_of(const Frame& frame, std::size_t stage, NumberBlock& block) {
   const Grains& grains = frame.packing.grains;
-  Json out{{"stage", stage}, {"label", frame.label}, {"time", frame.time}, {"step", frame.step},
+  Numbers out{{"stage", stage}, {"label", frame.label}, {"time", frame.time}, {"step", frame.step},
            {"domain", domain_of(frame.packing.domain)},
            {"x", reference(block.add_reals(grains.x))},
            {"y", reference(block.add_reals(grains.y))},
@@ -79,7 +79,7 @@ Json frame_of(const Frame& frame, std::size_t stage, NumberBlock& block) {
   return out;
 }
 
-Json stage_of(const StageResult& stage, NumberBlock& block) {
+Numbers stage_of(const StageResult& stage, NumberBlock& block) {
   return {{"name", stage.name}, {"converged", stage.converged}, {"outcome", stage.outcome},
           {"history", history_of(stage.history, block)}, {"provenance", provenance_of(stage.provenance)}};
 }
@@ -97,8 +97,8 @@ const texture::Texture* texture_of(const PageData& data, std::size_t stage, std:
 }
 
 /// The statistics as texture writes them; the rows by grain go into the block.
-Json texture_json(const texture::Texture& texture, NumberBlock& block) {
-  Json out = Json::parse(texture::to_json(texture, true));
+Numbers texture_json(const texture::Texture& texture, NumberBlock& block) {
+  Numbers out = texture::numbers(texture, true);
   out.erase("by_grain");
   shorten(out);
   const texture::PerGrain& rows = texture.per_grain;
@@ -113,8 +113,8 @@ Json texture_json(const texture::Texture& texture, NumberBlock& block) {
 
 PageDocument page_document(const PageData& data) {
   NumberBlock block;
-  Json document{{"title", data.title}};
-  Json stages = Json::array(), frames = Json::array();
+  Numbers document{{"title", data.title}};
+  Numbers stages = Numbers::list(), frames = Numbers::list();
   const Frame* last = last_frame(data);
   if (last) {
     document["materials"] = materials_of(last->packing.materials);
@@ -125,7 +125,7 @@ PageDocument page_document(const PageData& data) {
     for (std::size_t f = 0; f < data.stages[s]->frames.size(); ++f) {
       const Frame& frame = data.stages[s]->frames[f];
       if (frame.packing.grains.size() != last->packing.grains.size()) continue;
-      Json out = frame_of(frame, s, block);
+      Numbers out = frame_of(frame, s, block);
       if (const texture::Texture* texture = texture_of(data, s, f)) out["texture"] = texture_json(*texture, block);
       frames.push_back(std::move(out));
     }
@@ -134,7 +134,7 @@ PageDocument page_document(const PageData& data) {
   document["frames"] = std::move(frames);
   if (!data.fields.empty()) add_fields(document, data.fields, block);
   if (!data.films.empty()) add_films(document, data.films, block);
-  return {document.dump(), block.text()};
+  return {to_json(document), block.text()};
 }
 
 }  // namespace arenite::report

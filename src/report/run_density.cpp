@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <sstream>
 
 #include "statistics/measured.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 namespace {
-
-using Json = nlohmann::json;
 
 struct Density {
   std::vector<double> edge, density;
@@ -24,19 +22,19 @@ struct Density {
   }
 };
 
-const Json* find(const Json& root, const std::string& path) {
-  const Json* at = &root;
+const Numbers* find(const Numbers& root, const std::string& path) {
+  const Numbers* at = &root;
   std::istringstream parts(path);
   for (std::string part; std::getline(parts, part, '.');) {
-    if (!at->is_object() || !at->contains(part)) return nullptr;
+    if (!at->is_tree() || !at->contains(part)) return nullptr;
     at = &(*at)[part];
   }
   return at;
 }
 
-Density read(const Json& j) {
+Density read(const Numbers& j) {
   Density d;
-  if (j.is_object() && j.contains("x") && j.contains("y")) {
+  if (j.is_tree() && j.contains("x") && j.contains("y")) {
     const auto middle = j["x"].get<std::vector<double>>();
     if (middle.empty()) return d;
     d.density = j["y"].get<std::vector<double>>();
@@ -45,7 +43,7 @@ Density read(const Json& j) {
     for (std::size_t k = 0; k <= middle.size(); ++k) d.edge.push_back(static_cast<double>(k) * width);
     return d;
   }
-  if (!j.is_object() || !j.contains("density")) return d;
+  if (!j.is_tree() || !j.contains("density")) return d;
   d.density = j["density"].get<std::vector<double>>();
   d.shared = j.contains("low");
   if (!d.shared) {
@@ -75,11 +73,10 @@ std::vector<double> places(const std::vector<Density>& densities) {
   return x;
 }
 
-std::vector<Density> densities_of(const std::vector<std::string>& numbers_json, const std::string& path) {
+std::vector<Density> densities_of(const std::vector<Numbers>& runs, const std::string& path) {
   std::vector<Density> densities;
-  for (const std::string& text : numbers_json) {
-    const Json j = Json::parse(text, nullptr, false);
-    const Json* found = j.is_discarded() ? nullptr : find(j, path);
+  for (const Numbers& run : runs) {
+    const Numbers* found = find(run, path);
     Density d = found ? read(*found) : Density{};
     if (!d.density.empty() && d.edge.size() == d.density.size() + 1) densities.push_back(std::move(d));
   }
@@ -123,8 +120,8 @@ std::vector<double> shared_out(const std::vector<double>& counts, std::size_t n)
 
 }  // namespace
 
-SampleMean mean_density(const std::vector<std::string>& numbers_json, const std::string& path) {
-  const auto densities = densities_of(numbers_json, path);
+SampleMean mean_density(const std::vector<Numbers>& runs, const std::string& path) {
+  const auto densities = densities_of(runs, path);
   if (densities.empty()) return {};
   auto x = places(densities);
   std::vector<std::vector<double>> lists;
@@ -135,8 +132,8 @@ SampleMean mean_density(const std::vector<std::string>& numbers_json, const std:
   return mean_of_lists(std::move(x), lists);
 }
 
-SampleMean mean_share_above(const std::vector<std::string>& numbers_json, const std::string& path) {
-  const auto densities = densities_of(numbers_json, path);
+SampleMean mean_share_above(const std::vector<Numbers>& runs, const std::string& path) {
+  const auto densities = densities_of(runs, path);
   if (densities.empty()) return {};
   const auto middles = places(densities);
   const std::size_t n = middles.size();
@@ -153,18 +150,17 @@ SampleMean mean_share_above(const std::vector<std::string>& numbers_json, const 
   return mean_of_lists(std::move(edges), lists);
 }
 
-SampleMean mean_list(const std::vector<std::string>& numbers_json, const std::string& path_x, const std::string& path, Sectors sectors) {
+SampleMean mean_list(const std::vector<Numbers>& runs, const std::string& path_x, const std::string& path, Sectors sectors) {
   std::vector<std::vector<double>> lists;
   std::vector<double> x;
-  for (const std::string& text : numbers_json) {
-    const Json j = Json::parse(text, nullptr, false);
-    const Json* found = j.is_discarded() ? nullptr : find(j, path);
-    if (!found || !found->is_array()) continue;
+  for (const Numbers& run : runs) {
+    const Numbers* found = find(run, path);
+    if (!found || !found->is_list()) continue;
     auto list = found->get<std::vector<double>>();
     if (path_x.empty()) list = shared_out(list, sectors.count);
     if (!lists.empty() && list.size() != lists.front().size()) continue;
     lists.push_back(std::move(list));
-    if (const Json* at = path_x.empty() ? nullptr : find(j, path_x); at && x.empty()) x = at->get<std::vector<double>>();
+    if (const Numbers* at = path_x.empty() ? nullptr : find(run, path_x); at && x.empty()) x = at->get<std::vector<double>>();
   }
   if (lists.empty()) return {};
   if (path_x.empty()) x = middles_of_sectors(lists.front().size());
@@ -177,16 +173,14 @@ SampleMean mean_list(const std::vector<std::string>& numbers_json, const std::st
   return mean;
 }
 
-double number_at(const std::string& numbers_json, const std::string& path) {
-  const Json j = Json::parse(numbers_json, nullptr, false);
-  const Json* found = j.is_discarded() ? nullptr : find(j, path);
-  if (found && found->is_object() && found->contains("value")) found = &(*found)["value"];
+double number_at(const Numbers& run, const std::string& path) {
+  const Numbers* found = find(run, path);
+  if (found && found->is_tree() && found->contains("value")) found = &(*found)["value"];
   return found && found->is_number() ? found->get<double>() : statistics::unknown;
 }
 
-bool has_numbers(const std::string& numbers_json, const std::string& path) {
-  const Json j = Json::parse(numbers_json, nullptr, false);
-  return !j.is_discarded() && find(j, path);
+bool has_numbers(const Numbers& run, const std::string& path) {
+  return find(run, path) != nullptr;
 }
 
 }  // namespace arenite::report

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "statistics/estimate.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 
@@ -20,19 +21,19 @@ struct Sectors {
 /// Mean over runs of a density in their numbers, at the dotted `path`: {"low", "width", "density"} or {"x", "y"} with the middles
 /// of bins, which all runs share, or {"edge", "density"} with bins of their own, which is then given in 40 bins of like width in
 /// the logarithm. Empty if no run has it.
-SampleMean mean_density(const std::vector<std::string>& numbers_json, const std::string& path);
+SampleMean mean_density(const std::vector<Numbers>& runs, const std::string& path);
 
 /// The same for the share above x, of densities in bins of one width from 0 or elsewhere, at their lower edges.
-SampleMean mean_share_above(const std::vector<std::string>& numbers_json, const std::string& path);
+SampleMean mean_share_above(const std::vector<Numbers>& runs, const std::string& path);
 
 /// Mean over runs of the list at `path`, against that at `path_x`, or if this is empty against the middles of sectors of half a
 /// turn, degrees.
-SampleMean mean_list(const std::vector<std::string>& numbers_json, const std::string& path_x, const std::string& path, Sectors sectors = {});
+SampleMean mean_list(const std::vector<Numbers>& runs, const std::string& path_x, const std::string& path, Sectors sectors = {});
 
 /// The number at that path, or the "value" of an estimate there; NaN if there is none.
-double number_at(const std::string& numbers_json, const std::string& path);
+double number_at(const Numbers& run, const std::string& path);
 
 /// Whether there is anything at that path.
-bool has_numbers(const std::string& numbers_json, const std::string& path);
+bool has_numbers(const Numbers& run, const std::string& path);
 
 }  // namespace arenite::report

@@ -2,24 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "core/error.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 namespace {
 
-using Json = nlohmann::ordered_json;
 
 double hundredth(double value) { return std::isfinite(value) ? std::round(100 * value) / 100 : 0; }
 double in_mm(double metres) { return hundredth(1e3 * metres); }
 
-Json contacts_json(const Contacts& contacts) {
+Numbers contacts_json(const Contacts& contacts) {
   double sum = 0, count = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (!contacts.is_wall(c) && contacts.fn[c] > 0) sum += contacts.fn[c], ++count;
-  Json i = Json::array(), j = Json::array(), f = Json::array();
+  Numbers i = Numbers::list(), j = Numbers::list(), f = Numbers::list();
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (contacts.is_wall(c)) continue;
     i.push_back(contacts.i[c]);
@@ -36,7 +35,7 @@ struct Disks {
   std::vector<std::uint8_t> zone;
 };
 
-Json disks_json(const Disks& disks) {
+Numbers disks_json(const Disks& disks) {
   double left = INFINITY, right = -INFINITY, bottom = INFINITY, top = -INFINITY;
   for (std::size_t g = 0; g < disks.x.size(); ++g) {
     left = std::min(left, disks.x[g] - disks.radius[g]);
@@ -44,8 +43,8 @@ Json disks_json(const Disks& disks) {
     bottom = std::min(bottom, disks.y[g] - disks.radius[g]);
     top = std::max(top, disks.y[g] + disks.radius[g]);
   }
-  Json j{{"size", {in_mm(right - left), in_mm(top - bottom)}}};
-  for (const char* name : {"x", "y", "r", "material", "glued"}) j[name] = Json::array();
+  Numbers j{{"size", {in_mm(right - left), in_mm(top - bottom)}}};
+  for (const char* name : {"x", "y", "r", "material", "glued"}) j[name] = Numbers::list();
   for (std::size_t g = 0; g < disks.x.size(); ++g) {
     j["x"].push_back(in_mm(disks.x[g] - left));
     j["y"].push_back(in_mm(disks.y[g] - bottom));
@@ -56,32 +55,31 @@ Json disks_json(const Disks& disks) {
   return j;
 }
 
-Json stress_json(const std::vector<double>& sigma_norm) {
-  Json stress = Json::array();
+Numbers stress_json(const std::vector<double>& sigma_norm) {
+  Numbers stress = Numbers::list();
   for (const double s : sigma_norm) stress.push_back(hundredth(s));
   return stress;
 }
 
 }  // namespace
 
-std::string sample_drawing(const study::FinalState& state, FigureKind kind) {
+Numbers sample_drawing(const study::FinalState& state, FigureKind kind) {
   const Grains& grains = state.packing.grains;
-  Json j = disks_json({grains.x, grains.y, grains.radius, grains.material, grains.zone});
-  j["materials"] = Json::array();
+  Numbers j = disks_json({grains.x, grains.y, grains.radius, grains.material, grains.zone});
+  j["materials"] = Numbers::list();
   for (const Material& material : state.packing.materials) j["materials"].push_back(material.name);
   if (kind == FigureKind::forces) j.update(contacts_json(state.packing.contacts));
   if (kind == FigureKind::stresses) j["stress"] = stress_json(state.texture.per_grain.sigma_norm);
-  return j.dump();
+  return j;
 }
 
-std::string film_drawing(const std::string& film_json) {
-  const Json film = Json::parse(film_json, nullptr, false);
-  if (film.is_discarded() || !film.contains("found")) throw InputError("what is kept of the film holds no grains; remove virtual-film.json of this run, and make the film again");
-  const Json& found = film["found"];
+Numbers film_drawing(const Numbers& film) {
+  if (!film.contains("found")) throw InputError("what is kept of the film holds no grains; remove virtual-film.json of this run, and make the film again");
+  const Numbers& found = film["found"];
   const auto list = [&](const char* name) { return found[name].get<std::vector<double>>(); };
-  Json j = disks_json({list("x"), list("y"), list("radius"), found["material"].get<std::vector<std::int32_t>>(), found["zone"].get<std::vector<std::uint8_t>>()});
+  Numbers j = disks_json({list("x"), list("y"), list("radius"), found["material"].get<std::vector<std::int32_t>>(), found["zone"].get<std::vector<std::uint8_t>>()});
   j["stress"] = stress_json(list("sigma_norm"));
-  return j.dump();
+  return j;
 }
 
 }  // namespace arenite::report

@@ -32,10 +32,10 @@ void set_points(FigureCurve& curve, SampleMean mean, const Figure& figure) {
   curve.points = std::move(mean);
 }
 
-SampleMean mean_of(const Figure& figure, const std::vector<std::string>& texts, const std::string& path) {
+SampleMean mean_of(const Figure& figure, const std::vector<Numbers>& found, const std::string& path) {
   const Sectors sectors{static_cast<std::size_t>(figure.sectors.value_or(0)), !figure.counts};
-  if (figure.kind == FigureKind::rose || !figure.curve_x.empty()) return mean_list(texts, figure.curve_x, path, sectors);
-  return figure.share_above ? mean_share_above(texts, path) : mean_density(texts, path);
+  if (figure.kind == FigureKind::rose || !figure.curve_x.empty()) return mean_list(found, figure.curve_x, path, sectors);
+  return figure.share_above ? mean_share_above(found, path) : mean_density(found, path);
 }
 
 void add_curve(std::vector<FigureCurve>& curves, FigureCurve curve) {
@@ -52,12 +52,12 @@ std::vector<FigureCurve> list_curves(const Figure& figure, const Table& table, c
     const std::size_t here = place++;
     for (std::size_t k = 0; k < figure.curves.size(); ++k) {
       const bool film = is_of_film(figure.curves[k]);
-      std::vector<std::string> texts;
-      for (const auto* row : rows) texts.push_back(numbers(row->run, figure.curves[k], figure));
+      std::vector<Numbers> found;
+      for (const auto* row : rows) found.push_back(numbers(row->run, figure.curves[k], figure));
       FigureCurve curve{.name = name_of(figure, group, unit, k), .group = here, .part = k, .film = film};
-      set_points(curve, mean_of(figure, texts, figure.curves[k]), figure);
+      set_points(curve, mean_of(figure, found, figure.curves[k]), figure);
       FigureCurve fit{.group = here, .part = k, .film = film, .fit = true};
-      if (k < figure.fits.size() && !figure.fits[k].empty()) fit.points = tail_line(texts, figure.fits[k], curve.points);
+      if (k < figure.fits.size() && !figure.fits[k].empty()) fit.points = tail_line(found, figure.fits[k], curve.points);
       add_curve(curves, std::move(curve));
       add_curve(curves, std::move(fit));
     }

@@ -5,6 +5,7 @@
 
 #include "report/figure_list.hpp"
 #include "statistics/estimate.hpp"
+#include "statistics/numbers.hpp"
 #include "study/collect.hpp"
 
 namespace arenite::report {
@@ -20,8 +21,8 @@ struct FigureCurve {
   std::size_t fewest = 0, most = 0;      ///< runs that make a point
 };
 
-/// The numbers of a run as JSON, by its name and with what stands at a path of a figure if there is such; empty if it has none.
-using NumbersOf = std::function<std::string(const std::string& run, const std::string& path, const Figure& figure)>;
+/// The numbers of a run, by its name and with what stands at a path of a figure if there is such; empty if it has none.
+using NumbersOf = std::function<Numbers(const std::string& run, const std::string& path, const Figure& figure)>;
 
 /// Curves of a figure from the runs of a study that are done: means over runs that differ in their seed alone, in the
 /// order of `by`. Densities are means over all runs of a curve; `numbers` is asked for those only. Throws InputError for

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 #include "core/version.hpp"
@@ -12,11 +11,11 @@
 #include "report/page_template.hpp"
 #include "report/spread_text.hpp"
 #include "report/template_marks.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 namespace {
 
-using Json = nlohmann::ordered_json;
 
 struct Reach {
   double low = statistics::unknown, high = statistics::unknown;
@@ -29,7 +28,7 @@ struct Reach {
 bool can_show(const FigureAxis& axis, double value) { return std::isfinite(value) && (!axis.logarithmic || value > 0); }
 
 /// How far the axis goes: as it is asked to, otherwise past all values by a twentieth.
-Json domain(const FigureAxis& axis, const Reach& reach) {
+Numbers domain(const FigureAxis& axis, const Reach& reach) {
   double low = reach.low, high = reach.high;
   if (axis.logarithmic) {
     const double more = std::pow(high / low, 0.04);
@@ -43,23 +42,23 @@ Json domain(const FigureAxis& axis, const Reach& reach) {
   return {axis.low.value_or(low), axis.high.value_or(high)};
 }
 
-Json axis_json(const FigureAxis& axis, const std::string& name, const Reach& reach) {
+Numbers axis_json(const FigureAxis& axis, const std::string& name, const Reach& reach) {
   return {{"label", axis.label.empty() ? name : axis.label}, {"log", axis.logarithmic}, {"domain", domain(axis, reach)}};
 }
 
 bool within(const FigureAxis& axis, double value) { return value >= axis.low.value_or(value) && value <= axis.high.value_or(value); }
 
-Json figure_json(const Figure& figure, const std::vector<FigureCurve>& curves) {
+Numbers figure_json(const Figure& figure, const std::vector<FigureCurve>& curves) {
   Reach x, y;
-  Json series = Json::array();
+  Numbers series = Numbers::list();
   const bool density = !figure.curves.empty() && figure.curve_x.empty();
   for (const auto& curve : curves) {
-    Json points = Json::array();
+    Numbers points = Numbers::list();
     for (std::size_t k = 0; k < curve.points.x.size(); ++k) {
       const double at = curve.points.x[k], value = curve.points.y[k], error = curve.points.error[k];
       if (!can_show(figure.x_axis, at) || !within(figure.x_axis, at)) continue;
       if (!can_show(figure.y_axis, value) || (density && !curve.fit && !within(figure.y_axis, value))) {
-        if (density && !points.empty() && !points.back()[1].is_null()) points.push_back({at, nullptr, 0.0});  // the line is broken there
+        if (density && !points.empty() && points.back()[1].is_known()) points.push_back({at, nullptr, 0.0});  // the line is broken there
         continue;
       }
       x.add(at);
@@ -68,12 +67,12 @@ Json figure_json(const Figure& figure, const std::vector<FigureCurve>& curves) {
       if (std::isfinite(error) && can_show(figure.y_axis, value - error)) y.add(std::max(value - error, figure.y_axis.logarithmic ? 0.3 * value : value - error));
       points.push_back({at, value, std::isfinite(error) ? error : 0.0});
     }
-    if (!points.empty() && points.back()[1].is_null()) points.erase(points.size() - 1);
+    if (!points.empty() && !points.back()[1].is_known()) points.pop_back();
     if (!points.empty()) series.push_back({{"name", curve.name}, {"group", curve.group}, {"part", curve.part}, {"film", curve.film}, {"fit", curve.fit}, {"beside", curve.beside}, {"source", curve.source}, {"points", points}});
   }
-  Json references = Json::array();
+  Numbers references = Numbers::list();
   for (const auto& r : figure.references) {
-    Json one{{"label", r.label}};
+    Numbers one{{"label", r.label}};
     if (r.x) one["x"] = *r.x, x.add(*r.x);
     if (r.y) one["y"] = *r.y, y.add(*r.y);
     if (r.slope) one["slope"] = *r.slope;
@@ -97,13 +96,13 @@ std::string absent(const Figure& figure, const std::vector<FigureCurve>& curves)
 }
 
 /// The run that is drawn, or why none is.
-void add_drawing(Json& shown, const Figure& figure, const std::string& run, const StudyPage& page) {
+void add_drawing(Numbers& shown, const Figure& figure, const std::string& run, const StudyPage& page) {
   if (run.empty()) {
     shown["missing"] = "No run of this kind is done yet.";
     return;
   }
   try {
-    if (page.drawing) shown["sample"] = Json::parse(page.drawing(run, figure));
+    if (page.drawing) shown["sample"] = page.drawing(run, figure);
   } catch (const InputError& error) {
     shown["missing"] = fmt::format("Not drawn: {}.", error.problems().front().message);
   }
@@ -112,11 +111,11 @@ void add_drawing(Json& shown, const Figure& figure, const std::string& run, cons
 }  // namespace
 
 std::string study_page(const StudyPage& page) {
-  Json about{{"title", page.title}};
+  Numbers about{{"title", page.title}};
   const auto done = static_cast<std::size_t>(std::count_if(page.table.rows.begin(), page.table.rows.end(), [](const auto& row) { return row.status == "done"; }));
   about["runs"] = fmt::format("{} of {} runs; what bars, bands and ticks are stands below each figure", done, page.table.rows.size());
   about["made"] = fmt::format("Arenite {}. Dashed lines and crosses are what the text and the tables of the source say.", version);
-  about["figures"] = Json::array();
+  about["figures"] = Numbers::list();
   study::CollectedTable table = page.table;
   std::erase_if(table.rows, [](const auto& row) { return row.status != "done"; });
   for (const Figure& figure : page.figures) {
@@ -125,7 +124,7 @@ std::string study_page(const StudyPage& page) {
     if (const auto names = absent(figure, curves); !names.empty()) about["figures"].back()["missing"] = fmt::format("No run has the numbers for it yet: {}.", names);
     if (shows_a_run(figure.kind)) add_drawing(about["figures"].back(), figure, run_of(figure, table), page);
   }
-  std::string json = about.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string json = to_json(about, -1);
   for (std::size_t at = 0; (at = json.find("</", at)) != std::string::npos; at += 3) json.replace(at, 2, "<\\/");
   std::string text(study_template());
   replace_once(text, "__TITLE__", html_text(page.title));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "report/study_figures.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 
@@ -13,8 +14,8 @@ struct StudyPage {
   std::vector<Figure> figures;
   study::CollectedTable table;
   NumbersOf numbers;
-  /// What a figure shows of one run, as JSON (run_drawing); may throw InputError, whose sentence the figure then says.
-  std::function<std::string(const std::string& run, const Figure& figure)> drawing = {};
+  /// What a figure shows of one run, run_drawing; may throw InputError, whose sentence the figure then says.
+  std::function<Numbers(const std::string& run, const Figure& figure)> drawing = {};
 };
 
 /// One HTML file without references to others: all figures with their curves, error bars and what the source says.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 #include "io/field_file.hpp"
@@ -14,6 +13,7 @@
 #include "report/field_text.hpp"
 #include "report/film_text.hpp"
 #include "report/headlines.hpp"
+#include "statistics/numbers.hpp"
 #include "study/recipe.hpp"
 #include "study/run.hpp"
 #include "texture/texture.hpp"
@@ -21,7 +21,6 @@
 namespace arenite::report {
 namespace {
 
-using Json = nlohmann::ordered_json;
 
 std::string made_by(const Provenance& p) {
   const std::string title = study::title_in(p.recipe);
@@ -29,15 +28,15 @@ std::string made_by(const Provenance& p) {
                      p.kernel.empty() ? "" : "kernel ", p.kernel.empty() ? "" : p.kernel + ", ", p.seed, p.input_hash.substr(0, 12));
 }
 
-Json provenance(const Provenance& p) {
-  Json options = Json::object();
+Numbers provenance(const Provenance& p) {
+  Numbers options = Numbers::tree();
   for (const auto& [key, value] : p.options) options[key] = value;
   return {{"title", study::title_in(p.recipe)}, {"version", p.version}, {"stage", p.stage}, {"input_hash", p.input_hash}, {"seed", p.seed},
           {"kernel", p.kernel},   {"options", options}, {"recipe", p.recipe}};
 }
 
-Json walls(const Domain& domain) {
-  Json j = Json::object();
+Numbers walls(const Domain& domain) {
+  Numbers j = Numbers::tree();
   for (std::size_t side = 0; side < domain.wall.size(); ++side) {
     const Wall& wall = domain.wall[side];
     if (!wall.present) continue;
@@ -47,13 +46,13 @@ Json walls(const Domain& domain) {
   return j;
 }
 
-Json energies(const Energies& e) {
-  Json j = Json::object();
+Numbers energies(const Energies& e) {
+  Numbers j = Numbers::tree();
   for (const EnergyTerm& term : energy_terms) j[term.name] = e.*term.value;
   return j;
 }
 
-Json state(const Frame& frame) {
+Numbers state(const Frame& frame) {
   const Equilibrium& q = frame.equilibrium;
   return {{"label", frame.label}, {"time_s", frame.time}, {"step", frame.step}, {"walls", walls(frame.packing.domain)},
           {"equilibrium", {{"unbalanced_ratio", q.unbalanced_ratio}, {"kinetic_ratio", q.kinetic_ratio},
@@ -101,10 +100,10 @@ void describe_state(Lines& lines, const Frame& frame) {
 }
 
 /// As stored, or measured now.
-Json last_texture(const StageResult& last) {
-  std::string texture = last.texture_json;
-  if (texture.empty() && !last.frames.empty()) texture = texture::to_json(texture::measure(last.frames.back().packing, study::texture_options(last.provenance)));
-  return texture.empty() ? Json::object() : Json::parse(texture);
+Numbers last_texture(const StageResult& last) {
+  if (!last.texture.empty()) return last.texture;
+  if (last.frames.empty()) return Numbers::tree();
+  return texture::numbers(texture::measure(last.frames.back().packing, study::texture_options(last.provenance)));
 }
 
 /// The text does not show the REV study, which takes longest.
@@ -120,7 +119,7 @@ Summary::Summary(const std::filesystem::path& result) {
   for (const auto& file : io::stage_files(result)) {
     if (io::sealed_kind(file) == "field") {
       FieldResult field = io::read_field(file);
-      fields_.push_back({file.filename().string(), field.name, field.outcome, field.numbers_json, field.converged, field.provenance});
+      fields_.push_back({file.filename().string(), field.name, field.outcome, field.numbers, field.converged, field.provenance});
       continue;
     }
     if (io::sealed_kind(file) == "film") {
@@ -142,33 +141,33 @@ Summary::Summary(const study::RunOutcome& outcome) {
     stage.result.name = result.name;
     stage.result.converged = result.converged;
     stage.result.outcome = result.outcome;
-    stage.result.texture_json = result.texture_json;
+    stage.result.texture = result.texture;
     if (!result.frames.empty()) stage.result.frames.push_back(result.frames.back());
     stages_.push_back(std::move(stage));
   }
   for (std::size_t f = 0; f < outcome.fields.size(); ++f) {
     const FieldResult& field = outcome.fields[f];
-    fields_.push_back({outcome.files[outcome.stages.size() + f].filename().string(), field.name, field.outcome, field.numbers_json,
+    fields_.push_back({outcome.files[outcome.stages.size() + f].filename().string(), field.name, field.outcome, field.numbers,
                        field.converged, field.provenance});
   }
 }
 
-std::string Summary::json() const {
-  if (!films_.empty()) return film_json(films_.back());
-  const Json texture = stages_.empty() ? Json::object() : last_texture(stages_.back().result);
-  Json j = fields_.empty() ? texture : Json::parse(fields_.back().numbers_json);
+Numbers Summary::numbers() const {
+  if (!films_.empty()) return film_numbers(films_.back());
+  const Numbers texture = stages_.empty() ? Numbers::tree() : last_texture(stages_.back().result);
+  Numbers j = fields_.empty() ? texture : fields_.back().numbers;
   if (!fields_.empty() && !stages_.empty()) j["texture"] = texture;
   j["provenance"] = provenance(fields_.empty() ? stages_.back().result.provenance : fields_.back().provenance);
   for (const Stage& stage : stages_) {
-    Json one{{"name", stage.result.name}, {"file", stage.file}, {"input_hash", stage.result.provenance.input_hash},
+    Numbers one{{"name", stage.result.name}, {"file", stage.file}, {"input_hash", stage.result.provenance.input_hash},
              {"converged", stage.result.converged}, {"outcome", stage.result.outcome}, {"states", stage.states}};
     if (!stage.result.frames.empty()) one["last_state"] = state(stage.result.frames.back());
     j["stages"].push_back(one);
   }
   for (const Field& field : fields_)
     j["stages"].push_back({{"name", field.name}, {"file", field.file}, {"input_hash", field.provenance.input_hash},
-                           {"converged", field.converged}, {"outcome", field.outcome}, {"numbers", Json::parse(field.numbers_json)}});
-  return j.dump(2) + "\n";
+                           {"converged", field.converged}, {"outcome", field.outcome}, {"numbers", field.numbers}});
+  return j;
 }
 
 std::string Summary::how_stages_ended() const {
@@ -188,7 +187,7 @@ std::string Summary::how_stages_ended() const {
 std::string Summary::text() const {
   const std::string more = "\n`arenite show RESULT --all` prints every number, `--json` the same for programs; docs/measure.md and docs/stress.md say what each is.\n";
   if (!films_.empty()) return all();
-  if (!fields_.empty()) return how_stages_ended() + field_headlines(fields_.back().numbers_json) + more;
+  if (!fields_.empty()) return how_stages_ended() + field_headlines(fields_.back().numbers) + more;
   const StageResult& last = stages_.back().result;
   if (last.frames.empty()) return how_stages_ended();
   return how_stages_ended() + headlines(last, texture_without_rev(last)) + more;
@@ -196,7 +195,7 @@ std::string Summary::text() const {
 
 std::string Summary::all() const {
   if (!films_.empty()) return made_by(films_.back().provenance) + film_text(films_.back());
-  if (!fields_.empty()) return how_stages_ended() + field_text(fields_.back().numbers_json);
+  if (!fields_.empty()) return how_stages_ended() + field_text(fields_.back().numbers);
   Lines lines;
   const StageResult& last = stages_.back().result;
   if (!last.frames.empty()) {
@@ -208,15 +207,15 @@ std::string Summary::all() const {
 }
 
 std::string field_summary(const FieldResult& result) {
-  return fmt::format("{}{}: {}\n", result.name, result.converged ? "" : " NOT SOLVED", result.outcome) + field_text(result.numbers_json);
+  return fmt::format("{}{}: {}\n", result.name, result.converged ? "" : " NOT SOLVED", result.outcome) + field_text(result.numbers);
 }
 
-std::string field_json(const FieldResult& result) {
-  Json j = Json::parse(result.numbers_json);
+Numbers field_numbers(const FieldResult& result) {
+  Numbers j = result.numbers;
   j["provenance"] = provenance(result.provenance);
   j["converged"] = result.converged;
   j["outcome"] = result.outcome;
-  return j.dump(2) + "\n";
+  return j;
 }
 
 }  // namespace arenite::report

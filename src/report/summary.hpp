@@ -5,6 +5,7 @@
 
 #include "model/field_result.hpp"
 #include "model/film_result.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::study {
 struct RunOutcome;
@@ -24,7 +25,7 @@ class Summary {
 
   std::string text() const;   ///< for people: how the stages ended, and the headlines, each with its meaning
   std::string all() const;    ///< for people: every number
-  std::string json() const;   ///< for programs: the texture's fields, or a field's numbers with "texture", and "provenance" and "stages" beside them
+  Numbers numbers() const;    ///< for programs: the texture's fields, or a field's numbers with "texture", and "provenance" and "stages" beside them
 
  private:
   std::string how_stages_ended() const;
@@ -34,7 +35,8 @@ class Summary {
     std::size_t states = 0;
   };
   struct Field {
-    std::string file, name, outcome, numbers_json;
+    std::string file, name, outcome;
+    Numbers numbers;
     bool converged = true;
     Provenance provenance;
   };
@@ -43,8 +45,8 @@ class Summary {
   std::vector<FilmResult> films_;
 };
 
-/// One field by itself, as text for people and as JSON.
+/// One field by itself, as text for people and as numbers.
 std::string field_summary(const FieldResult& result);
-std::string field_json(const FieldResult& result);
+Numbers field_numbers(const FieldResult& result);
 
 }  // namespace arenite::report

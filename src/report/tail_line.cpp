@@ -8,10 +8,10 @@
 namespace arenite::report {
 namespace {
 
-double mean_number(const std::vector<std::string>& numbers_json, const std::string& path) {
+double mean_number(const std::vector<Numbers>& runs, const std::string& path) {
   std::vector<double> values;
-  for (const std::string& text : numbers_json)
-    if (const double value = number_at(text, path); std::isfinite(value)) values.push_back(value);
+  for (const Numbers& run : runs)
+    if (const double value = number_at(run, path); std::isfinite(value)) values.push_back(value);
   return values.empty() ? statistics::unknown : statistics::mean_of(values).value;
 }
 
@@ -49,10 +49,10 @@ statistics::Curve regression(double slope, const statistics::Curve& share) {
 
 }  // namespace
 
-statistics::Curve tail_line(const std::vector<std::string>& numbers_json, const std::string& path, const statistics::Curve& density) {
-  const double slope = mean_number(numbers_json, path + ".slope"), low = mean_number(numbers_json, path + ".low"),
-               high = mean_number(numbers_json, path + ".high");
-  if (!std::isfinite(slope)) return regression(mean_number(numbers_json, path + ".beta_line"), density);
+statistics::Curve tail_line(const std::vector<Numbers>& runs, const std::string& path, const statistics::Curve& density) {
+  const double slope = mean_number(runs, path + ".slope"), low = mean_number(runs, path + ".low"),
+               high = mean_number(runs, path + ".high");
+  if (!std::isfinite(slope)) return regression(mean_number(runs, path + ".beta_line"), density);
   std::vector<double> weight;
   for (const double x : density.x) weight.push_back(x > low && x < high ? 1 : 0);
   return line_between(low, high, slope, level_of(density, slope, weight), 1);

@@ -2,9 +2,6 @@
 
 namespace arenite::statistics {
 
-/// I_x(a, b), the regularised incomplete beta function; a, b > 0, x in [0, 1].
-double regularised_beta(double a, double b, double x);
-
 /// Share of Student's t distribution below t. `freedom` > 0 need not be whole; infinity gives the normal distribution.
 double student_share(double t, double freedom);
 

@@ -9,6 +9,7 @@
 #include "model/stress_field.hpp"
 #include "statistics/estimate.hpp"
 #include "statistics/even_density.hpp"
+#include "statistics/numbers.hpp"
 #include "statistics/q_gaussian.hpp"
 #include "statistics/tail_fit.hpp"
 #include "stress/grains.hpp"
@@ -83,7 +84,7 @@ Statistics measure(const PhaseMap& map, const StressField& field, const StressOp
 
 /// The statistics as JSON, each as {"value", "error"}; unknown ones are left out. `curves` adds pdfs and the rows by
 /// grain.
-std::string to_json(const Statistics& statistics, bool curves = false);
+Numbers numbers(const Statistics& statistics, bool curves = false);
 
 /// The main statistics as lines of text, value +- error.
 std::string to_text(const Statistics& statistics);

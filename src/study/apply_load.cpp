@@ -77,12 +77,12 @@ void measure_stress(const Load& load, FieldResult& result) {
   if (load.loading == peridynamics::Loading::shear) options.components = {stress::Component::xy};
   try {
     const auto statistics = stress::measure(result.map, result.field, options);
-    result.numbers_json = with_stress(result.numbers_json, stress::to_json(statistics));
+    result.numbers = with_stress(std::move(result.numbers), stress::numbers(statistics));
     const auto contacts = contact_stresses(result);
     if (contacts.size() == result.map.grain_class.size() && load.loading != peridynamics::Loading::shear)
-      result.numbers_json = with_agreement(result.numbers_json, stress::compare(result.map, statistics.grains, contacts));
+      result.numbers = with_agreement(std::move(result.numbers), stress::compare(result.map, statistics.grains, contacts));
   } catch (const InputError& error) {
-    result.numbers_json = with_note(result.numbers_json, fmt::format("no statistics of stress: {}", error.what()));
+    result.numbers = with_note(std::move(result.numbers), fmt::format("no statistics of stress: {}", error.what()));
   }
 }
 
@@ -106,7 +106,7 @@ std::optional<FieldResult> pull_apart(const Load& load, FieldResult result, cons
   result.outcome = pulled.sentence;
   result.curve = curve_of(pulled.curve);
   result.cracks = cracks_of(pulled.broken, result.map.dx);
-  result.numbers_json = with_failure(result.numbers_json, load, pulled);
+  result.numbers = with_failure(std::move(result.numbers), load, pulled);
   result.field = std::move(pulled.at_strength);
   return result;
 }
@@ -136,7 +136,7 @@ std::optional<FieldResult> apply_load(const Load& load, const FieldResult& sampl
       result.converged = result.converged && report.ending == peridynamics::Ending::solved;
     }
   }
-  result.numbers_json = with_load(result.numbers_json, load, loaded.report, moduli);
+  result.numbers = with_load(std::move(result.numbers), load, loaded.report, moduli);
   result.field = std::move(loaded.field);
   measure_stress(load, result);
   return result;

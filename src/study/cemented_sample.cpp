@@ -87,7 +87,7 @@ FieldResult make_cemented_sample(const Recipe& recipe, const Packing& packing) {
   result.cement = std::move(cropped.cement);
   if (materials) reports.coordination = texture::gap_coordination(packing, reports.gap, materials->large, materials->small, window);
   result.outcome = sentence(reports, result.map, section);
-  result.numbers_json = with_reports(map_numbers(result.map, section.cavities, radius), reports);
+  result.numbers = with_reports(map_numbers(result.map, section.cavities, radius), reports);
   return result;
 }
 

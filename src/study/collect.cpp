@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <unordered_map>
 
 #include "core/error.hpp"
 #include "core/nearest.hpp"
 #include "core/units.hpp"
+#include "statistics/numbers.hpp"
 #include "study/recipe_reader.hpp"
 
 namespace arenite::study {
@@ -102,7 +102,7 @@ CollectedTable collect(const Study& study, const StudyFolder& folder) {
       const auto at = std::find_if(run.values.begin(), run.values.end(), [&](const auto& value) { return value.first == key; });
       row.values.push_back(at == run.values.end() ? "" : cell_of(at->second));
     }
-    for (const auto& [name, estimate] : flat_numbers(result.numbers_json)) {
+    for (const auto& [name, estimate] : flat_numbers(result.numbers)) {
       const auto [at, is_new] = column.emplace(name, table.names.size());
       if (is_new) table.names.push_back(name);
       row.numbers.resize(std::max(row.numbers.size(), at->second + 1));
@@ -177,20 +177,19 @@ std::string CollectedTable::csv() const {
 }
 
 std::string CollectedTable::json() const {
-  using Json = nlohmann::ordered_json;
-  Json list = Json::array();
+  Numbers list = Numbers::list();
   for (const Row& row : rows) {
-    Json one = means ? Json{{"runs", row.runs}} : Json{{"run", row.run}, {"status", row.status}};
-    Json swept = Json::object(), numbers = Json::object();
+    Numbers one = means ? Numbers{{"runs", row.runs}} : Numbers{{"run", row.run}, {"status", row.status}};
+    Numbers swept = Numbers::tree(), numbers = Numbers::tree();
     for (std::size_t k = 0; k < keys.size(); ++k) {
       if (row.values[k].empty()) continue;
       const Node value = parse_value(row.values[k]);
-      Json plain = value.kind == Node::Kind::integer ? Json(value.integer) : value.kind == Node::Kind::real ? Json(value.real) : Json(row.values[k]);
-      swept[keys[k].name] = keys[k].unit.empty() ? std::move(plain) : Json{{"value", std::move(plain)}, {"unit", keys[k].unit}};
+      Numbers plain = value.kind == Node::Kind::integer ? Numbers(value.integer) : value.kind == Node::Kind::real ? Numbers(value.real) : Numbers(row.values[k]);
+      swept[keys[k].name] = keys[k].unit.empty() ? std::move(plain) : Numbers{{"value", std::move(plain)}, {"unit", keys[k].unit}};
     }
     for (std::size_t c = 0; c < names.size(); ++c) {
       if (!row.numbers[c]) continue;
-      Json estimate{{"value", row.numbers[c]->value}};
+      Numbers estimate{{"value", row.numbers[c]->value}};
       if (row.numbers[c]->error) estimate["error"] = *row.numbers[c]->error;
       numbers[names[c]] = std::move(estimate);
     }
@@ -198,7 +197,7 @@ std::string CollectedTable::json() const {
     one["numbers"] = std::move(numbers);
     list.push_back(std::move(one));
   }
-  return list.dump(1) + "\n";
+  return to_json(list, 1) + "\n";
 }
 
 }  // namespace arenite::study

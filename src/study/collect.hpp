@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "statistics/numbers.hpp"
 #include "study/study_folder.hpp"
 
 namespace arenite::study {
@@ -14,9 +15,9 @@ struct Estimate {
   std::optional<double> error;
 };
 
-/// All single numbers of a run's JSON by dotted names ("texture.coordination"), in its order. {"value", "error"} is one
+/// All single numbers of a run by dotted names ("texture.coordination"), in its order. {"value", "error"} is one
 /// number; of lists those of at most four numbers are taken (tensors, counted from 0), and those of things with a "name", by it.
-std::vector<std::pair<std::string, Estimate>> flat_numbers(const std::string& json);
+std::vector<std::pair<std::string, Estimate>> flat_numbers(const Numbers& numbers);
 
 /// Runs as rows: first the swept keys, then numbers. Empty cells are empty texts and numbers that a run does not have.
 struct CollectedTable {

@@ -3,22 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "elasticity/bounds.hpp"
 #include "raster/cavity_statistics.hpp"
 #include "raster/phase_fractions.hpp"
+#include "statistics/numbers.hpp"
 #include "study/recipe_words.hpp"
 
 namespace arenite::study {
 namespace {
 
-using Json = nlohmann::ordered_json;
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+Numbers number(double value) { return std::isfinite(value) ? Numbers(value) : Numbers(); }
 
-Json estimate(const statistics::Estimate& e) {
-  Json j = Json::object();
+Numbers estimate(const statistics::Estimate& e) {
+  Numbers j = Numbers::tree();
   j["value"] = number(e.value);
   if (std::isfinite(e.error)) j["error"] = e.error;
   return j;
@@ -27,9 +26,9 @@ Json estimate(const statistics::Estimate& e) {
 const char* const parameter_names[] = {"", "width", "", "thickness_m", "volume_m2"};
 
 /// Volumes of pores or voids over pi radius^2 with their density, and what the rules left out.
-Json volumes(const PhaseMap& map, raster::Cavity kind, const raster::CavityRules& rules, double radius) {
+Numbers volumes(const PhaseMap& map, raster::Cavity kind, const raster::CavityRules& rules, double radius) {
   const auto s = raster::cavity_statistics(find_cavities(map, kind, rules), map.dx, radius);
-  Json j{{"count", s.count}};
+  Numbers j{{"count", s.count}};
   if (s.count > 0) j["mean"] = estimate({s.mean, s.mean_error});
   if (s.count > 1) {
     j["deviation"] = estimate({s.deviation, s.deviation_error});
@@ -48,9 +47,9 @@ bool has_classes(const PhaseMap& map) {
   return std::any_of(map.grain_class.begin(), map.grain_class.end(), [](GrainClass c) { return c != GrainClass::none; });
 }
 
-Json phases(const PhaseMap& map) {
+Numbers phases(const PhaseMap& map) {
   const auto f = raster::phase_fractions(map);
-  Json j{{"particle", f.particle}, {"matrix", f.matrix}, {"void", f.empty}};
+  Numbers j{{"particle", f.particle}, {"matrix", f.matrix}, {"void", f.empty}};
   if (has_classes(map)) {
     j["large"] = f.large;
     j["small"] = f.small;
@@ -58,10 +57,10 @@ Json phases(const PhaseMap& map) {
   return j;
 }
 
-Json grains(const PhaseMap& map) {
+Numbers grains(const PhaseMap& map) {
   std::array<std::size_t, 3> count{};
   for (const GrainClass each : map.grain_class) ++count[static_cast<std::size_t>(each)];
-  Json j{{"all", map.grain_class.size()}};
+  Numbers j{{"all", map.grain_class.size()}};
   if (has_classes(map)) {
     j["large"] = count[static_cast<std::size_t>(GrainClass::large)];
     j["small"] = count[static_cast<std::size_t>(GrainClass::small)];
@@ -69,17 +68,17 @@ Json grains(const PhaseMap& map) {
   return j;
 }
 
-Json coordination(const texture::GapCoordination& z, double gap) {
+Numbers coordination(const texture::GapCoordination& z, double gap) {
   return {{"gap_m", gap},        {"large_grains", z.large}, {"small_grains", z.small}, {"Z", estimate(z.mean)},  {"Z_l", estimate(z.l)},
           {"Z_s", estimate(z.s)}, {"Z_ll", estimate(z.ll)},  {"Z_ls", estimate(z.ls)},  {"Z_sl", estimate(z.sl)}, {"Z_ss", estimate(z.ss)}};
 }
 
-Json support(const peridynamics::Support& s) {
+Numbers support(const peridynamics::Support& s) {
   return {{"solid", s.solid}, {"carrying", s.carrying}, {"held_below", s.held_below}, {"held_above", s.held_above},
           {"floating", s.floating}, {"islands", s.islands}};
 }
 
-Json as_asked(const Load& load) {
+Numbers as_asked(const Load& load) {
   const peridynamics::Stiffness e = load.stiffness.resolved();
   return {{"loading", word_of(load.loading)},
           {"axis", word_of(load.axis)},
@@ -87,7 +86,7 @@ Json as_asked(const Load& load) {
 }
 
 /// Of Young's modulus, by the phases' shares. The lattice's Poisson's ratio is 1/3.
-Json bounds(const Json& phases, const peridynamics::Stiffness& e) {
+Numbers bounds(const Numbers& phases, const peridynamics::Stiffness& e) {
   const auto b = elasticity::modulus_bounds({{phases["particle"].get<double>(), e.particle}, {phases["matrix"].get<double>(), e.matrix}, {phases["void"].get<double>(), 0}}, 1.0 / 3);
   return {{"voigt", b.voigt}, {"hashin_shtrikman_upper", b.shtrikman_upper}, {"hashin_shtrikman_lower", b.shtrikman_lower}, {"reuss", b.reuss}};
 }
@@ -120,8 +119,8 @@ const char* word(peridynamics::DamageResult::Ending ending) {
 
 }  // namespace
 
-std::string map_numbers(const PhaseMap& map, const raster::CavityRules& rules, double reference_radius) {
-  Json j;
+Numbers map_numbers(const PhaseMap& map, const raster::CavityRules& rules, double reference_radius) {
+  Numbers j;
   j["map"] = {{"width", map.width}, {"height", map.height}, {"dx_m", map.dx}};
   j["grains"] = grains(map);
   j["phases"] = phases(map);
@@ -136,17 +135,16 @@ std::string map_numbers(const PhaseMap& map, const raster::CavityRules& rules, d
                        {"leave_out_border", rules.leave_out_border}, {"reference_radius_m", reference_radius}};
   j["pores"] = volumes(map, raster::Cavity::pore, rules, reference_radius);
   j["voids"] = volumes(map, raster::Cavity::void_, rules, reference_radius);
-  return j.dump();
+  return j;
 }
 
-std::string with_reports(const std::string& numbers, const SampleReports& reports) {
-  Json j = Json::parse(numbers);
+Numbers with_reports(Numbers j, const SampleReports& reports) {
   const auto& c = reports.cement;
   const auto& r = reports.raster;
   const auto kind = static_cast<std::size_t>(reports.section.law.kind);
   j["area_error"] = {{"particle", r.particle_area_error}, {"matrix", r.matrix_area_error}};
   j["exact"] = {{"solid_fraction", c.areas.particle / c.areas.window}, {"S_m", c.saturation}};
-  Json cement{{"kind", word_of(reports.section.law.kind)}, {"gap_m", reports.gap}, {"joints", c.joints}};
+  Numbers cement{{"kind", word_of(reports.section.law.kind)}, {"gap_m", reports.gap}, {"joints", c.joints}};
   if (parameter_names[kind][0] != '\0') cement[parameter_names[kind]] = c.parameter;
   if (reports.section.law.saturation) cement["saturation_error"] = c.saturation_error;
   if (reports.section.law.kind == cement::CementParameters::Kind::menisci) {
@@ -158,13 +156,12 @@ std::string with_reports(const std::string& numbers, const SampleReports& report
                  {"lost_joints", r.lost_joints}, {"lost_area_m2", r.lost_area}, {"thinnest_joint_nodes", r.thinnest_joint},
                  {"smallest_grain_nodes", r.smallest_grain}};
   if (reports.coordination) j["coordination"] = coordination(*reports.coordination, reports.gap);
-  return j.dump();
+  return j;
 }
 
-std::string with_load(const std::string& numbers, const Load& load, const peridynamics::LoadReport& report,
+Numbers with_load(Numbers j, const Load& load, const peridynamics::LoadReport& report,
                       const std::optional<peridynamics::EffectiveModuli>& moduli) {
-  Json j = Json::parse(numbers);
-  Json l = as_asked(load);
+  Numbers l = as_asked(load);
   l["strain"] = load.strain;
   l["method"] = word_of(load.method);
   l["ending"] = word(report.ending);
@@ -184,12 +181,11 @@ std::string with_load(const std::string& numbers, const Load& load, const peridy
   if (moduli)
     j["moduli"] = {{"E_x_Pa", moduli->young_x}, {"E_y_Pa", moduli->young_y}, {"nu_xy", moduli->poisson_xy},
                    {"nu_yx", moduli->poisson_yx}, {"G_Pa", moduli->shear}};
-  return j.dump();
+  return j;
 }
 
-std::string with_failure(const std::string& numbers, const Load& load, const peridynamics::DamageResult& result) {
-  Json j = Json::parse(numbers);
-  Json l = as_asked(load);
+Numbers with_failure(Numbers j, const Load& load, const peridynamics::DamageResult& result) {
+  Numbers l = as_asked(load);
   const peridynamics::Toughness k = load.toughness.resolved();
   l["toughness_Pa_m0.5"] = {{"matrix", k.matrix}, {"interface", k.interface}, {"particle", k.particle}};
   l["ending"] = word(result.ending);
@@ -200,7 +196,7 @@ std::string with_failure(const std::string& numbers, const Load& load, const per
   j["strength_Pa"] = result.strength;
   std::array<std::size_t, 4> by_type{};
   for (const auto& bond : result.broken) ++by_type[bond.type & 3u];
-  Json failure{{"broken", {{"matrix", by_type[1]}, {"interface", by_type[2]}, {"particle", by_type[3]}}}, {"energy_defect", result.energy_defect}};
+  Numbers failure{{"broken", {{"matrix", by_type[1]}, {"interface", by_type[2]}, {"particle", by_type[3]}}}, {"energy_defect", result.energy_defect}};
   for (const auto& state : result.curve)
     if (state.stress == result.strength) failure["strain_at_strength"] = state.strain;
   if (!result.curve.empty()) {
@@ -210,33 +206,30 @@ std::string with_failure(const std::string& numbers, const Load& load, const per
     failure["bond_energy_J_per_m"] = last.bond_energy;
   }
   j["failure"] = failure;
-  return j.dump();
+  return j;
 }
 
-std::string with_stress(const std::string& numbers, const std::string& stress_json) {
-  Json j = Json::parse(numbers);
-  j["stress"] = Json::parse(stress_json);
-  return j.dump();
+Numbers with_stress(Numbers j, Numbers stress) {
+  j["stress"] = std::move(stress);
+  return j;
 }
 
-std::string with_agreement(const std::string& numbers, const stress::GrainComparison& comparison) {
-  Json j = Json::parse(numbers);
+Numbers with_agreement(Numbers j, const stress::GrainComparison& comparison) {
   const auto add = [&](const char* component, const stress::ByName<stress::Agreement>& sets) {
     for (const auto& [name, a] : sets) {
-      Json& one = j["grain_stress_against_contacts"][component][name];
+      Numbers& one = j["grain_stress_against_contacts"][component][name];
       one = {{"grains", a.grains}, {"correlation", estimate(a.correlation)}, {"slope", estimate(a.slope)}};
       if (std::isfinite(a.rms)) one["rms"] = a.rms;
     }
   };
   add("sigma_yy", comparison.yy);
   add("sigma_hyd", comparison.hydrostatic);
-  return j.dump();
+  return j;
 }
 
-std::string with_note(const std::string& numbers, const std::string& note) {
-  Json j = Json::parse(numbers);
+Numbers with_note(Numbers j, const std::string& note) {
   j["notes"].push_back(note);
-  return j.dump();
+  return j;
 }
 
 }  // namespace arenite::study

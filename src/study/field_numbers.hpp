@@ -8,11 +8,12 @@
 #include "peridynamics/moduli.hpp"
 #include "raster/cavities.hpp"
 #include "raster/raster.hpp"
+#include "statistics/numbers.hpp"
 #include "stress/grains.hpp"
 #include "study/recipe.hpp"
 #include "texture/gap_coordination.hpp"
 
-/// Numbers of results on a raster as JSON, each statistic as value and error.
+/// Numbers of results on a raster, each statistic as value and error.
 namespace arenite::study {
 
 /// What is known of a cemented packing beyond its map.
@@ -25,20 +26,20 @@ struct SampleReports {
 };
 
 /// Size, phases, S_m, grains, pores and voids of any map. Volumes of pores and voids are over pi reference_radius^2.
-std::string map_numbers(const PhaseMap& map, const raster::CavityRules& rules, double reference_radius);
+Numbers map_numbers(const PhaseMap& map, const raster::CavityRules& rules, double reference_radius);
 
 /// The same with what cement, raster and coordination say.
-std::string with_reports(const std::string& numbers, const SampleReports& reports);
+Numbers with_reports(Numbers numbers, const SampleReports& reports);
 
 /// Numbers of a load added to those of its sample.
-std::string with_load(const std::string& numbers, const Load& load, const peridynamics::LoadReport& report,
-                      const std::optional<peridynamics::EffectiveModuli>& moduli);
-std::string with_failure(const std::string& numbers, const Load& load, const peridynamics::DamageResult& result);
+Numbers with_load(Numbers numbers, const Load& load, const peridynamics::LoadReport& report,
+                  const std::optional<peridynamics::EffectiveModuli>& moduli);
+Numbers with_failure(Numbers numbers, const Load& load, const peridynamics::DamageResult& result);
 
-/// JSON of stress::to_json added as "stress"; `note` instead where there is none.
-std::string with_stress(const std::string& numbers, const std::string& stress_json);
+/// Those of stress::numbers added as "stress"; `note` instead where there is none.
+Numbers with_stress(Numbers numbers, Numbers stress);
 /// How mean stresses of grains agree with those from the contact forces that pressed the packing.
-std::string with_agreement(const std::string& numbers, const stress::GrainComparison& comparison);
-std::string with_note(const std::string& numbers, const std::string& note);
+Numbers with_agreement(Numbers numbers, const stress::GrainComparison& comparison);
+Numbers with_note(Numbers numbers, const std::string& note);
 
 }  // namespace arenite::study

@@ -5,13 +5,12 @@
 namespace arenite::study {
 namespace {
 
-using Json = nlohmann::ordered_json;
 
-Json directions_of(const Packing& packing) {
+Numbers directions_of(const Packing& packing) {
   texture::Options options;
   options.rev_sizes = 0;
-  const Json measured = Json::parse(texture::to_json(texture::measure(packing, options), true));
-  Json out = Json::object();
+  const Numbers measured = texture::numbers(texture::measure(packing, options), true);
+  Numbers out = Numbers::tree();
   if (!measured.contains("fabric")) return out;
   for (const char* key : {"contacts", "a_c", "theta_c_deg", "a_c_noise", "sectors"})
     if (measured["fabric"].contains(key)) out[key] = measured["fabric"][key];
@@ -20,10 +19,10 @@ Json directions_of(const Packing& packing) {
 
 }  // namespace
 
-nlohmann::ordered_json film_directions(const FilmResult& film, const Packing* twin) {
-  Json out = Json::object();
+Numbers film_directions(const FilmResult& film, const Packing* twin) {
+  Numbers out = Numbers::tree();
   const auto add = [&](const char* name, const Packing& packing) {
-    if (Json directions = directions_of(packing); directions.value("contacts", 0) > 0) out[name] = std::move(directions);
+    if (Numbers directions = directions_of(packing); directions.value("contacts", 0) > 0) out[name] = std::move(directions);
   };
   if (film.packing.contacts.size() == 0) return out;
   add("film", film.packing);

@@ -6,26 +6,25 @@
 
 #include "core/median.hpp"
 #include "statistics/correlation.hpp"
-#include "statistics/json.hpp"
+#include "statistics/put_numbers.hpp"
 #include "study/film_directions.hpp"
 #include "texture/texture.hpp"
 
 namespace arenite::study {
 namespace {
 
-using statistics::Json;
 
 double median_or_unknown(std::vector<double> values) { return median(std::move(values), statistics::unknown); }
 
-Json film_of(const FilmResult& r) {
+Numbers film_of(const FilmResult& r) {
   return {{"format", r.film.format}, {"camera", r.film.camera}, {"width", r.film.width}, {"height", r.film.height}, {"frames", r.film.frames},
           {"frame_rate_Hz", r.film.frame_rate}, {"pixel_m", r.pixel},
           {"bad_pixels", std::count(r.bad.begin(), r.bad.end(), std::uint8_t{1})}};
 }
 
-Json lockin_of(const FilmResult& r) {
+Numbers lockin_of(const FilmResult& r) {
   const LockinMaps& m = r.maps;
-  Json j{{"swing", m.convention == SwingConvention::full ? "full" : "half"}, {"frames", m.frames}};
+  Numbers j{{"swing", m.convention == SwingConvention::full ? "full" : "half"}, {"frames", m.frames}};
   statistics::put(j, "frequency_Hz", statistics::Estimate{m.frequency, m.frequency_error});
   statistics::put(j, "reference_phase_deg", m.reference_phase * 180 / std::numbers::pi);
   statistics::put(j, "standard_error_K", median_of_finite(m.standard_error));
@@ -34,8 +33,8 @@ Json lockin_of(const FilmResult& r) {
   return j;
 }
 
-Json grains_of(const FilmResult& r) {
-  Json j{{"all", r.packing.grains.size()}};
+Numbers grains_of(const FilmResult& r) {
+  Numbers j{{"all", r.packing.grains.size()}};
   for (std::size_t m = 0; m < r.packing.materials.size(); ++m)
     j[r.packing.materials[m].name] =
         std::count(r.packing.grains.material.begin(), r.packing.grains.material.end(), static_cast<std::int32_t>(m));
@@ -43,11 +42,11 @@ Json grains_of(const FilmResult& r) {
   return j;
 }
 
-Json motion_of(const FilmResult& r) {
+Numbers motion_of(const FilmResult& r) {
   std::vector<double> travel;
   for (std::size_t i = 0; i < r.motion.size(); ++i)
     travel.push_back(2 * std::hypot(r.motion.cos_x[i], r.motion.sin_x[i], std::hypot(r.motion.cos_y[i], r.motion.sin_y[i])));
-  Json j = Json::object();
+  Numbers j = Numbers::tree();
   if (travel.empty()) return j;
   statistics::put(j, "median_travel_pixels", median_or_unknown(travel));
   statistics::put(j, "largest_travel_pixels", *std::max_element(travel.begin(), travel.end()));
@@ -55,9 +54,9 @@ Json motion_of(const FilmResult& r) {
   return j;
 }
 
-Json forces_of(const FilmResult& r) {
+Numbers forces_of(const FilmResult& r) {
   const Contacts& contacts = r.packing.contacts;
-  if (contacts.size() == 0) return Json::object();
+  if (contacts.size() == 0) return Numbers::tree();
   std::vector<double> between;
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (!contacts.is_wall(c)) between.push_back(contacts.fn[c]);
@@ -66,7 +65,7 @@ Json forces_of(const FilmResult& r) {
   for (const double f : between) mean += f / n;
   for (const double f : between) squares += (f - mean) * (f - mean);
   const auto above = static_cast<double>(std::count_if(between.begin(), between.end(), [&](double f) { return f > mean; }));
-  Json j{{"proposed", r.fit.proposed}, {"present", contacts.size()}, {"between_grains", between.size()}};
+  Numbers j{{"proposed", r.fit.proposed}, {"present", contacts.size()}, {"between_grains", between.size()}};
   statistics::put(j, "present_error", r.fit.present_error);
   if (between.size() > 1) {
     // Of the sample's contacts, and of how many there are: one more or less of those that carry next to nothing.
@@ -80,8 +79,8 @@ Json forces_of(const FilmResult& r) {
 }
 
 /// How forces, film and load agree.
-Json checks_of(const FilmResult& r) {
-  Json j = Json::object();
+Numbers checks_of(const FilmResult& r) {
+  Numbers j = Numbers::tree();
   const ForceFit& fit = r.fit;
   if (fit.over_noise > 0) {
     statistics::put(j, "misfit_over_noise", fit.over_noise);
@@ -96,8 +95,8 @@ Json checks_of(const FilmResult& r) {
   return j;
 }
 
-Json agreement_of(const FilmResult& r, const std::vector<double>& twin, const std::vector<std::uint8_t>& considered) {
-  Json j = Json::object();
+Numbers agreement_of(const FilmResult& r, const std::vector<double>& twin, const std::vector<std::uint8_t>& considered) {
+  Numbers j = Numbers::tree();
   const auto add = [&](const std::string& name, const std::vector<std::uint8_t>& counts) {
     const Agreement a = agreement(r.swing.sigma_hyd, twin, counts);
     if (a.grains < 3) return;
@@ -138,19 +137,19 @@ Agreement agreement(const std::vector<double>& one, const std::vector<double>& o
   return result;
 }
 
-std::string film_numbers(const FilmResult& r, const Packing* twin) {
-  Json j{{"film", film_of(r)}, {"lockin", lockin_of(r)}, {"grains", grains_of(r)}, {"motion", motion_of(r)}, {"forces", forces_of(r)}};
+Numbers film_numbers(const FilmResult& r, const Packing* twin) {
+  Numbers j{{"film", film_of(r)}, {"lockin", lockin_of(r)}, {"grains", grains_of(r)}, {"motion", motion_of(r)}, {"forces", forces_of(r)}};
   if (r.fit.proposed > 0) j["checks"] = checks_of(r);
   if (auto directions = film_directions(r, twin); !directions.empty()) j["directions"] = std::move(directions);
-  if (r.swing.size() == 0) return j.dump();
+  if (r.swing.size() == 0) return j;
   texture::Options options;
   options.rev_sizes = 0;
   options.grain_sigma_hyd = r.swing.sigma_hyd;
   const auto texture = texture::measure(r.packing, options);
-  j["texture"] = Json::parse(texture::to_json(texture));
+  j["texture"] = texture::numbers(texture);
   if (!r.twin.empty())
     j["twin"] = {{"swing", agreement_of(r, r.twin.swing, texture.per_grain.considered)}, {"state", agreement_of(r, r.twin.state, texture.per_grain.considered)}};
-  return j.dump();
+  return j;
 }
 
 }  // namespace arenite::study

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "core/error.hpp"
@@ -11,6 +10,7 @@
 #include "io/film_result_file.hpp"
 #include "io/run_folder.hpp"
 #include "io/sealed_file.hpp"
+#include "statistics/numbers.hpp"
 #include "study/film_checks.hpp"
 #include "study/film_correction.hpp"
 #include "study/film_key.hpp"
@@ -53,8 +53,7 @@ std::string sentence_of(const FilmResult& r) {
 
 /// What was doubted of a stored film.
 std::vector<std::string> doubts_of(const FilmResult& r) {
-  const auto numbers = nlohmann::json::parse(r.numbers_json);
-  return numbers.contains("checks") ? numbers["checks"].value("doubts", std::vector<std::string>{}) : std::vector<std::string>{};
+  return r.numbers.contains("checks") ? r.numbers["checks"].value("doubts", std::vector<std::string>{}) : std::vector<std::string>{};
 }
 
 /// What the store has of this film; nothing for a file that is missing or damaged.
@@ -115,7 +114,7 @@ FilmOutcome run_film(const fs::path& film, const FilmRecipe& recipe, const FilmR
     outcome.interrupted = true;
     return outcome;
   }
-  r.numbers_json = film_numbers(r, loaded.grains.size() > 0 ? &loaded : nullptr);
+  r.numbers = film_numbers(r, loaded.grains.size() > 0 ? &loaded : nullptr);
   r.outcome = sentence_of(r);
   r.provenance = {version, "film", key, to_toml(recipe), recipe.seed, "", {{"film", film.filename().string()}}};
   io::write_film_result(outcome.file, r);

@@ -53,18 +53,18 @@ FinalState final_state(const fs::path& run, bool rev, const std::string& stage, 
   return {std::move(packing), std::move(texture)};
 }
 
-std::string texture_with_border(const fs::path& run, double border) {
+Numbers texture_with_border(const fs::path& run, double border) {
   auto [packing, options] = last_packing(run, "");
   options.rev_sizes = 0;
   options.border = border;
   texture::Texture texture = texture::measure(packing, options);
   texture.per_grain = {};
-  return texture::to_json(texture, false);
+  return texture::numbers(texture, false);
 }
 
-std::string curves_json(FinalState state) {
+Numbers curves_of(FinalState state) {
   state.texture.per_grain = {};
-  return texture::to_json(state.texture, true);
+  return texture::numbers(state.texture, true);
 }
 
 }  // namespace arenite::study

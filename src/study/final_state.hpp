@@ -3,6 +3,7 @@
 #include <string>
 
 #include "model/packing.hpp"
+#include "statistics/numbers.hpp"
 #include "texture/texture.hpp"
 
 namespace arenite::study {
@@ -17,10 +18,10 @@ struct FinalState {
 /// or none is of that stage.
 FinalState final_state(const std::filesystem::path& run, bool rev = false, const std::string& stage = "", int sectors = 18);
 
-/// Texture of that state as JSON with another strip left out along the walls, in mean diameters; without the REV study.
-std::string texture_with_border(const std::filesystem::path& run, double border);
+/// Texture of that state with another strip left out along the walls, in mean diameters; without the REV study.
+Numbers texture_with_border(const std::filesystem::path& run, double border);
 
-/// Its texture as JSON with histograms and distributions, without values by grain.
-std::string curves_json(FinalState state);
+/// Its texture with histograms and distributions, without values by grain.
+Numbers curves_of(FinalState state);
 
 }  // namespace arenite::study

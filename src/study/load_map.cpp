@@ -1,7 +1,6 @@
 #include "study/load_map.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "core/hash.hpp"
@@ -21,16 +20,15 @@ FieldResult sample_of_map(PhaseMap map, const raster::CavityRules& rules) {
   const double nodes_per_grain = grains > 0 && particle > 0 ? static_cast<double>(particle) / grains : 1;
   FieldResult sample;
   sample.name = "map";
-  sample.numbers_json = map_numbers(map, rules, map.dx * std::sqrt(nodes_per_grain / std::numbers::pi));
+  sample.numbers = map_numbers(map, rules, map.dx * std::sqrt(nodes_per_grain / std::numbers::pi));
   sample.map = std::move(map);
   return sample;
 }
 
 void count_lengths_in_nodes(FieldResult& sample) {
-  auto j = nlohmann::ordered_json::parse(sample.numbers_json);
-  j["map"].erase("dx_m");
-  j["map"]["lengths"] = "in nodes, since --dx was not given";
-  sample.numbers_json = j.dump();
+  Numbers& map = sample.numbers["map"];
+  map.erase("dx_m");
+  map["lengths"] = "in nodes, since --dx was not given";
 }
 
 void sign(FieldResult& result, const std::filesystem::path& source, const std::string& asked, const Load& load) {

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 void measure_last_frame(StageResult& result, const texture::Options& options) {
-  if (!result.frames.empty()) result.texture_json = texture::to_json(texture::measure(result.frames.back().packing, options));
+  if (!result.frames.empty()) result.texture = texture::numbers(texture::measure(result.frames.back().packing, options));
 }
 
 io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run, const std::string& key) {

@@ -34,7 +34,7 @@ RunState attempt(const Study& study, const StudyRun& run, const StudyFolder& fol
   run_options.notice = options.notice;
   const RunOutcome outcome = study::run(recipe, run_options);
   if (outcome.interrupted) return {};
-  io::write_atomically(folder.numbers(run.name), options.numbers(outcome));
+  io::write_atomically(folder.numbers(run.name), to_json(options.numbers(outcome), 2) + "\n");
   if (outcome.converged) return {Kind::done, 0, {}};
   return {Kind::unfinished, 0, why_unfinished(outcome)};
 }

@@ -23,7 +23,7 @@ struct StudyOptions {
   bool retry = false;                  ///< runs that failed or found no equilibrium are done again
   bool keep_fields = true;             ///< false: field files go when their numbers are kept
   double checkpoint_seconds = 30;
-  std::function<std::string(const RunOutcome&)> numbers = [](const RunOutcome&) { return std::string("{}"); };  ///< JSON
+  std::function<Numbers(const RunOutcome&)> numbers = [](const RunOutcome&) { return Numbers::tree(); };
   std::function<void(const StudyProgress&)> progress = [](const StudyProgress&) {};
   std::function<void(const std::string&)> notice = [](const std::string&) {};
   std::function<bool()> asked_to_stop = [] { return false; };  ///< true: checkpoint and leave; asked in every process

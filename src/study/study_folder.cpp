@@ -116,7 +116,7 @@ RunResult result_of(const StudyFolder& folder, const StudyRun& run) {
       (stage.field ? result.fields : result.stages).push_back(file);
       break;
     }
-  if (fs::exists(folder.numbers(run.name), error)) result.numbers_json = io::read_file(folder.numbers(run.name));
+  if (fs::exists(folder.numbers(run.name), error)) result.numbers = from_json(io::read_file(folder.numbers(run.name))).value_or(Numbers{});
   return result;
 }
 

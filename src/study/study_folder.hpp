@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/append_log.hpp"
+#include "statistics/numbers.hpp"
 #include "study/study.hpp"
 
 namespace arenite::study {
@@ -50,7 +51,7 @@ struct RunResult {
   std::filesystem::path folder;
   std::vector<std::filesystem::path> stages;  ///< files with a StageResult (io::read_stage), packing first
   std::vector<std::filesystem::path> fields;  ///< files with a FieldResult (io::read_field), cemented sample first; empty where they were dropped
-  std::string numbers_json;                   ///< as `show --json` gives them; empty if the run has not ended
+  Numbers numbers;                            ///< as `show --json` gives them; not known if the run has not ended
 };
 RunResult result_of(const StudyFolder& folder, const StudyRun& run);
 

@@ -8,6 +8,7 @@
 #include "model/packing.hpp"
 #include "statistics/estimate.hpp"
 #include "statistics/exponential_tail.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::texture {
 
@@ -197,7 +198,7 @@ void forget_forces(Texture& texture);
 
 /// The statistics as JSON, each as {"value", "error"}; unknown ones are left out. `curves` adds histograms,
 /// distributions, REV and the rows by grain.
-std::string to_json(const Texture& texture, bool curves = false);
+Numbers numbers(const Texture& texture, bool curves = false);
 
 /// The main statistics as lines of text, value +- error.
 std::string to_text(const Texture& texture);

@@ -110,7 +110,7 @@ std::size_t compare_numbers(const nlohmann::json& a, const nlohmann::json& b, co
 
 TEST_F(Export, MeasureReadsTheTablesAndTheDumpsAndFindsTheTextureThatShowTells) {
   auto result = test::two_frames(6);
-  result.texture_json.clear();
+  result.texture = {};
   result.frames.pop_back();
   io::write_stage(file, result);
   const auto shown = nlohmann::json::parse(arenite("show --json " + file.string()).out);

@@ -5,6 +5,7 @@
 #include "report/study_page.hpp"
 #include "support/field_page_sample.hpp"
 #include "support/film_page_sample.hpp"
+#include "support/numbers_of.hpp"
 #include "support/page_sample.hpp"
 #include "support/program.hpp"
 
@@ -62,16 +63,16 @@ TEST(Page, OfAStudyIsPaintedInABrowser) {
       "beside = [{ name = \"0.2\", x = \"gamma\", y = \"z\", where = { width = 0.2 } }]\nsource_points = [{ name = \"T\", x = [1, 5], y = [12, 16] }]\n"
       "[[figures]]\nid = \"tails\"\ntitle = \"Tails\"\ncurves = [\"pdf\"]\nfits = [\"tail\"]\nreferences = [{ slope = 1 }]\n",
       "figures.toml");
-  const auto numbers = [](const std::string& run, const std::string&, const report::Figure&) { return std::string(run == "1" ? R"({"pdf":{"low":0,"width":1,"density":[0.2,0.5,0.3]},)" : R"({"pdf":{"low":0,"width":1,"density":[0.3,0.5,0.2]},)") + R"("sectors":[1,3,2,2],"strong":[4,1,1,2],"film":{"pdf":{"low":0,"width":1,"density":[0.3,0.4,0.3]}},"tail":{"slope":1,"low":0.5,"high":2.5}})"; };
-  const auto drawing = [](const std::string&, const report::Figure& figure) -> std::string {
+  const auto numbers = [](const std::string& run, const std::string&, const report::Figure&) { return test::numbers_of(std::string(run == "1" ? R"({"pdf":{"low":0,"width":1,"density":[0.2,0.5,0.3]},)" : R"({"pdf":{"low":0,"width":1,"density":[0.3,0.5,0.2]},)") + R"("sectors":[1,3,2,2],"strong":[4,1,1,2],"film":{"pdf":{"low":0,"width":1,"density":[0.3,0.4,0.3]}},"tail":{"slope":1,"low":0.5,"high":2.5}})"); };
+  const auto drawing = [](const std::string&, const report::Figure& figure) -> Numbers {
     if (figure.kind == report::FigureKind::film) throw InputError("no film of this run was made");
-    if (figure.kind == report::FigureKind::phases) return R"({"size":[2,1],"nodes":[4,2],"phases":[0,3,1,4,4,1]})";
+    if (figure.kind == report::FigureKind::phases) return test::numbers_of(R"({"size":[2,1],"nodes":[4,2],"phases":[0,3,1,4,4,1]})");
     if (figure.kind == report::FigureKind::cracks)
-      return R"({"size":[4,2],"nodes":[4,2],"phases":[1,6,4,2],"cracks":{"x":[1,2.5,3],"y":[0.5,1,2],"type":[1,2,1]}})";
-    if (figure.kind == report::FigureKind::zoom) return R"({"size":[2,1],"nodes":[2,1],"stress":[0.5,null],"edges":[[1,0,1]]})";
+      return test::numbers_of(R"({"size":[4,2],"nodes":[4,2],"phases":[1,6,4,2],"cracks":{"x":[1,2.5,3],"y":[0.5,1,2],"type":[1,2,1]}})");
+    if (figure.kind == report::FigureKind::zoom) return test::numbers_of(R"({"size":[2,1],"nodes":[2,1],"stress":[0.5,null],"edges":[[1,0,1]]})");
     const std::string grains = R"({"size":[20,10],"x":[5,15],"y":[5,5],"r":[5,5],"material":[0,1],"glued":[0,1],)";
-    if (figure.kind == report::FigureKind::grains) return grains + R"("materials":["POM","HDPE"]})";
-    return grains + (figure.kind == report::FigureKind::forces ? R"("i":[0],"j":[1],"f":[-0.5]})" : R"("stress":[0.5,1.5]})");
+    if (figure.kind == report::FigureKind::grains) return test::numbers_of(grains + R"("materials":["POM","HDPE"]})");
+    return test::numbers_of(grains + (figure.kind == report::FigureKind::forces ? R"("i":[0],"j":[1],"f":[-0.5]})" : R"("stress":[0.5,1.5]})"));
   };
   report::write_study_page(folder / "study.html", {"A study", figures, table, numbers, drawing});
   const auto outcome = test::shell("node " ARENITE_SOURCE_DIR "/web/test/study_page.test.mjs " + (folder / "study.html").string());

@@ -7,6 +7,7 @@
 #include "io/atomic_file.hpp"
 #include "io/read_file.hpp"
 #include "io/stage_file.hpp"
+#include "support/numbers_of.hpp"
 #include "support/program.hpp"
 #include "support/sample_results.hpp"
 
@@ -18,7 +19,7 @@ using Json = nlohmann::json;
 
 StageResult sample() {
   auto result = test::two_frames(6);
-  result.texture_json.clear();
+  result.texture = {};
   return result;
 }
 
@@ -45,7 +46,7 @@ TEST(Show, JsonHasProvenanceStagesAndTheTextureOfTheLastState) {
 TEST(Show, AStoredTextureIsNotMeasuredAgain) {
   const TemporaryFolder folder;
   auto result = sample();
-  result.texture_json = R"({"grains": 12345})";
+  result.texture = test::numbers_of(R"({"grains": 12345})");
   io::write_stage(folder / "r.h5", result);
   EXPECT_EQ(Json::parse(arenite("show --json " + (folder / "r.h5").string()).out)["grains"], 12345);
 }
@@ -55,7 +56,7 @@ void expect_refused(const std::string& command, const std::string& words);
 TEST(Show, StoredNumbersOfAnotherShapeAreOneSentence) {
   const TemporaryFolder folder;
   auto result = sample();
-  result.texture_json = R"({"coordination": 5, "stages": 7, "provenance": "me"})";
+  result.texture = test::numbers_of(R"({"coordination": 5, "stages": 7, "provenance": "me"})");
   io::write_stage(folder / "r.h5", result);
   expect_refused("show --json " + (folder / "r.h5").string(), "make the result again");
 }
@@ -131,7 +132,7 @@ TEST(Figures, SayWhatBuildsTheModuleWhereOnlyItsPythonFilesAre) {
 TEST(Show, IsShortAndSaysWhatItsSymbolsMean) {
   const TemporaryFolder folder;
   auto result = test::two_frames(600);
-  result.texture_json.clear();
+  result.texture = {};
   io::write_stage(folder / "r.h5", result);
   const std::string file = (folder / "r.h5").string();
   const auto shown = arenite("show " + file), all = arenite("show " + file + " --all");

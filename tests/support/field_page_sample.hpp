@@ -7,6 +7,7 @@
 #include "peridynamics/load.hpp"
 #include "report/page.hpp"
 #include "support/cemented_sample.hpp"
+#include "support/numbers_of.hpp"
 
 namespace arenite::test {
 
@@ -20,7 +21,7 @@ struct FieldPageSample {
     cement.outcome = "Cemented by bridges.";
     cement.map = cemented_sample(sample);
     cement.provenance = {"0.1.0", "cement", "00112233445566aa", "title = \"<cemented> sample\"\n", 3, "", {}};
-    cement.numbers_json = R"({"saturation": )" + std::to_string(matrix_saturation(cement.map)) + "}";
+    cement.numbers = test::numbers_of(R"({"saturation": )" + std::to_string(matrix_saturation(cement.map)) + "}");
     load = pull = cement;
     stretch();
     break_apart(events);
@@ -44,7 +45,7 @@ struct FieldPageSample {
     load.convergence.columns = {{"iteration", "1", {}}, {"residual", "1", report.history}};
     for (std::size_t k = 0; k < report.history.size(); ++k)
       load.convergence.columns[0].values.push_back(static_cast<double>(k));
-    load.numbers_json = R"({"modulus_Pa": )" + std::to_string(report.modulus) + R"(, "poisson": )" + std::to_string(report.poisson) + "}";
+    load.numbers = test::numbers_of(R"({"modulus_Pa": )" + std::to_string(report.modulus) + R"(, "poisson": )" + std::to_string(report.poisson) + "}");
   }
 
   void break_apart(int events) {

@@ -1,5 +1,6 @@
 #pragma once
 #include "model/field_result.hpp"
+#include "support/numbers_of.hpp"
 #include "support/sample_results.hpp"
 
 namespace arenite::test {
@@ -32,7 +33,7 @@ inline FieldResult small_field(int width = 12, int height = 9) {
   r.convergence.columns = {{"iteration", "1", {0, 1, 2}}, {"residual", "1", {1, 0.1, 1e-7}}};
   r.curve.columns = {{"strain", "1", {1e-4, 2e-4}}, {"stress", "Pa", {10, 20}}};
   r.cracks = {{1e-4f, 2e-4f, 2, 1.5e-4}, {3e-4f, 4e-4f, 1, 2e-4}};
-  r.numbers_json = "{\"S_m\": 0.5}";
+  r.numbers = test::numbers_of("{\"S_m\": 0.5}");
   return r;
 }
 

@@ -8,6 +8,7 @@
 #include "elasticity/disk_field.hpp"
 #include "report/page.hpp"
 #include "study/film_directions.hpp"
+#include "support/numbers_of.hpp"
 #include "support/page_sample.hpp"
 
 namespace arenite::test {
@@ -30,8 +31,8 @@ struct FilmPageSample {
     draw_maps();
     find_grains();
     infer_forces();
-    film.numbers_json = R"({"frequency_Hz": {"value": 3.0002, "error": 0.0001}, "noise_mK": 1.1, "grains": )" + std::to_string(grains) +
-                        R"(, "forces": {"residual": 1.02, "null_space": 0}, "directions": )" + study::film_directions(film, &truth_).dump() + "}";
+    film.numbers = numbers_of(R"({"frequency_Hz": {"value": 3.0002, "error": 0.0001}, "noise_mK": 1.1, "grains": )" + std::to_string(grains) +
+                        R"(, "forces": {"residual": 1.02, "null_space": 0}, "directions": )" + to_json(study::film_directions(film, &truth_)) + "}");
     data.title = "A film of <two> materials in a frame";
     maps_only.name = "maps";
     maps_only.outcome = "Locked in at the load frequency.";

@@ -4,6 +4,7 @@
 
 #include "core/random.hpp"
 #include "model/result.hpp"
+#include "support/numbers_of.hpp"
 
 namespace arenite::test {
 
@@ -61,7 +62,7 @@ inline StageResult two_frames(int n = 5) {
     result.frames.push_back(frame);
   }
   result.history.columns = {{"time", "s", {0.125, 0.25, 0.375}}, {"bottom_force", "N", {1, 2, 3}}, {"age", "1", {0, 0, 0}}};
-  result.texture_json = "{\"grains\": 5}";
+  result.texture = test::numbers_of("{\"grains\": 5}");
   return result;
 }
 

@@ -305,9 +305,10 @@ test("on a touch screen one finger scrolls the page and two zoom and move the pi
   const touch = (type, ...points) => screen.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
   const before = await grain(page, 20), { x, y } = before;
   await touch("touchStart", [x, y]);
-  await touch("touchMove", [x, y - 5]);
-  await touch("touchMove", [x, y - 20]);
-  await touch("touchMove", [x, y - 120]);
+  for (let up = 5; up <= 125; up += 10) {
+    await touch("touchMove", [x, y - up]);
+    await settle(page);
+  }
   await touch("touchEnd");
   await page.waitForFunction(() => window.scrollY > 60);
   assert.equal((await grain(page, 20)).radius, before.radius);

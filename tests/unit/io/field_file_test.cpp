@@ -61,7 +61,7 @@ TEST(FieldFile, ReadsBackWhatWasWritten) {
   EXPECT_EQ(back.cracks[0].x, r.cracks[0].x);
   EXPECT_EQ(back.cracks[1].type, 1);
   EXPECT_EQ(back.cracks[1].strain, 2e-4);
-  EXPECT_EQ(back.numbers_json, r.numbers_json);
+  EXPECT_EQ(back.numbers, r.numbers);
 }
 
 TEST(FieldFile, SampleWithoutGrainsOrStressesReadsBack) {

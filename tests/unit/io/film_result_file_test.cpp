@@ -29,7 +29,7 @@ TEST(FilmResultFile, ReadsBackWhatWasWritten) {
   EXPECT_EQ(back.outcome, r.outcome);
   EXPECT_TRUE(back.converged);
   EXPECT_EQ(back.provenance.recipe, r.provenance.recipe);
-  EXPECT_EQ(back.numbers_json, r.numbers_json);
+  EXPECT_EQ(back.numbers, r.numbers);
   EXPECT_EQ(back.film.width, r.film.width);
   EXPECT_EQ(back.film.height, r.film.height);
   EXPECT_EQ(back.film.frames, r.film.frames);

@@ -36,7 +36,7 @@ FieldResult loaded() {
 }
 
 TEST(FieldDrawing, PhasesAreRunsFromTheTopRowOnThatAddUpToAllNodes) {
-  const Json j = Json::parse(phases_drawing(sample()));
+  const Json j = Json::parse(to_json(phases_drawing(sample())));
   EXPECT_EQ(j["nodes"], Json::parse("[24,16]"));
   EXPECT_EQ(j["size"], Json::parse("[2.4,1.6]"));
   const auto runs = j["phases"].get<std::vector<int>>();
@@ -54,13 +54,13 @@ TEST(FieldDrawing, PhasesAreRunsFromTheTopRowOnThatAddUpToAllNodes) {
 TEST(FieldDrawing, AFineMapIsThinned) {
   FieldResult fine;
   fine.map = make_phase_map(1200, 600, 1e-5);
-  const Json j = Json::parse(phases_drawing(fine));
+  const Json j = Json::parse(to_json(phases_drawing(fine)));
   EXPECT_EQ(j["nodes"], Json::parse("[400,200]"));
   EXPECT_NEAR(j["size"][0].get<double>(), 12, 1e-9);
 }
 
 TEST(FieldDrawing, TheZoomShowsTheMiddleLargeGrainOverTheMeanOfAllThatIsSolid) {
-  const Json j = Json::parse(zoom_drawing(loaded()));
+  const Json j = Json::parse(to_json(zoom_drawing(loaded())));
   const int width = j["nodes"][0], height = j["nodes"][1];
   ASSERT_EQ(j["stress"].size(), static_cast<std::size_t>(width * height));
   EXPECT_LT(width, 16);
@@ -74,7 +74,7 @@ TEST(FieldDrawing, TheVoidHasNoStressAndASampleWithoutAFieldIsRefused) {
   FieldResult result = loaded();
   result.map.phase[result.map.index(12, 8)] = Phase::empty;
   result.map.grain[result.map.index(12, 8)] = -1;
-  const Json j = Json::parse(zoom_drawing(result));
+  const Json j = Json::parse(to_json(zoom_drawing(result)));
   int empty = 0;
   for (const auto& value : j["stress"]) empty += value.is_null();
   EXPECT_EQ(empty, 1);
@@ -84,8 +84,8 @@ TEST(FieldDrawing, TheVoidHasNoStressAndASampleWithoutAFieldIsRefused) {
 TEST(FieldDrawing, CracksLieOnThePhasesAsThePictureHasThem) {
   FieldResult pull = loaded();
   pull.cracks = {{8.0e-4F, 4.0e-4F, 2, 1e-3}, {2.05e-3F, 1.6e-3F, 1, 2e-3}};
-  const Json j = Json::parse(cracks_drawing(pull));
-  EXPECT_EQ(j["phases"], Json::parse(phases_drawing(pull))["phases"]);
+  const Json j = Json::parse(to_json(cracks_drawing(pull)));
+  EXPECT_EQ(j["phases"], Json::parse(to_json(phases_drawing(pull)))["phases"]);
   EXPECT_EQ(j["cracks"], Json::parse(R"({"x":[8.0,20.5],"y":[12.0,0.0],"type":[2,1]})"));
   EXPECT_THROW(cracks_drawing(loaded()), InputError);
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "support/numbers_of.hpp"
 
 namespace arenite::report {
 namespace {
@@ -27,7 +28,7 @@ study::FinalState state() {
 }
 
 TEST(SampleDrawing, GrainsStandInTheirBoxWithMaterialsAndGlue) {
-  const Json j = Json::parse(sample_drawing(state(), FigureKind::grains));
+  const Json j = Json::parse(to_json(sample_drawing(state(), FigureKind::grains)));
   EXPECT_EQ(j["size"], Json::parse("[60.0,40.0]"));
   EXPECT_EQ(j["x"], Json::parse("[10.0,40.0]"));
   EXPECT_EQ(j["y"], Json::parse("[20.0,20.0]"));
@@ -38,17 +39,17 @@ TEST(SampleDrawing, GrainsStandInTheirBoxWithMaterialsAndGlue) {
 }
 
 TEST(SampleDrawing, ForcesOrStressesAreThereWhereTheyAreShown) {
-  EXPECT_EQ(Json::parse(sample_drawing(state(), FigureKind::forces))["f"], Json::parse("[1.0]"));
-  EXPECT_EQ(Json::parse(sample_drawing(state(), FigureKind::stresses))["stress"], Json::parse("[0.5,1.5]"));
+  EXPECT_EQ(Json::parse(to_json(sample_drawing(state(), FigureKind::forces)))["f"], Json::parse("[1.0]"));
+  EXPECT_EQ(Json::parse(to_json(sample_drawing(state(), FigureKind::stresses)))["stress"], Json::parse("[0.5,1.5]"));
 }
 
 TEST(SampleDrawing, OfAFilmShowsTheGrainsThatWereFound) {
-  const Json j = Json::parse(film_drawing(R"({"found":{"x":[0.1],"y":[0.2],"radius":[0.01],"material":[1],"zone":[1],"sigma_norm":[1.234],"simulation":[1.2]}})"));
+  const Json j = Json::parse(to_json(film_drawing(test::numbers_of(R"({"found":{"x":[0.1],"y":[0.2],"radius":[0.01],"material":[1],"zone":[1],"sigma_norm":[1.234],"simulation":[1.2]}})"))));
   EXPECT_EQ(j["size"], Json::parse("[20.0,20.0]"));
   EXPECT_EQ(j["stress"], Json::parse("[1.23]"));
   EXPECT_EQ(j["glued"], Json::parse("[1]"));
-  EXPECT_THROW(film_drawing(R"({"correlation":0.99})"), InputError);
-  EXPECT_THROW(film_drawing("{"), InputError);
+  EXPECT_THROW(film_drawing(test::numbers_of(R"({"correlation":0.99})")), InputError);
+  EXPECT_THROW(film_drawing(test::numbers_of("{")), InputError);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "report/run_density.hpp"
 #include "report/spread_text.hpp"
 #include "report/study_page.hpp"
+#include "support/numbers_of.hpp"
 
 namespace arenite::report {
 namespace {
@@ -26,7 +27,7 @@ study::CollectedTable table() {
   return t;
 }
 
-const NumbersOf none = [](const std::string&, const std::string&, const Figure&) { return std::string(); };
+const NumbersOf none = [](const std::string&, const std::string&, const Figure&) { return Numbers{}; };
 
 std::vector<Figure> figures(const std::string& keys) { return read_figures("[[figures]]\nid = \"f\"\ntitle = \"F\"\n" + keys, "figures.toml"); }
 
@@ -46,26 +47,26 @@ TEST(StudyFigures, ACurveForEachValueOfAKeyNumbersOfXAndInverses) {
 }
 
 TEST(StudyFigures, DensitiesAreMeansOverRuns) {
-  const auto even = mean_density({R"({"a":{"pdf":{"low":0,"width":0.5,"density":[1,3]}}})", R"({"a":{"pdf":{"low":0,"width":0.5,"density":[2,4]}}})", "{}"}, "a.pdf");
+  const auto even = mean_density(test::numbers_of({R"({"a":{"pdf":{"low":0,"width":0.5,"density":[1,3]}}})", R"({"a":{"pdf":{"low":0,"width":0.5,"density":[2,4]}}})", "{}"}), "a.pdf");
   EXPECT_EQ(even.x, (std::vector<double>{0.25, 0.75}));
   EXPECT_EQ(even.y, (std::vector<double>{1.5, 3.5}));
   EXPECT_DOUBLE_EQ(even.error[0], 0.5);
-  const auto own = mean_density({R"({"pdf":{"edge":[1,10,100],"density":[2,1]}})", R"({"pdf":{"edge":[1,100],"density":[4]}})"}, "pdf");
+  const auto own = mean_density(test::numbers_of({R"({"pdf":{"edge":[1,10,100],"density":[2,1]}})", R"({"pdf":{"edge":[1,100],"density":[4]}})"}), "pdf");
   ASSERT_EQ(own.x.size(), 40u);
   EXPECT_DOUBLE_EQ(own.y.front(), 3);
   EXPECT_DOUBLE_EQ(own.y.back(), 2.5);
-  EXPECT_TRUE(mean_density({"", "{}"}, "pdf").x.empty());
+  EXPECT_TRUE(mean_density(test::numbers_of({"", "{}"}), "pdf").x.empty());
 }
 
 TEST(StudyFigures, DensitiesByMiddlesOfBinsShareTheLongest) {
-  const auto mean = mean_density({R"({"pdf":{"x":[0.05,0.15],"y":[4,2]}})", R"({"pdf":{"x":[0.05,0.15,0.25],"y":[2,2,6]}})"}, "pdf");
+  const auto mean = mean_density(test::numbers_of({R"({"pdf":{"x":[0.05,0.15],"y":[4,2]}})", R"({"pdf":{"x":[0.05,0.15,0.25],"y":[2,2,6]}})"}), "pdf");
   ASSERT_EQ(mean.x.size(), 3u);
   EXPECT_NEAR(mean.x[2], 0.25, 1e-12);
   EXPECT_EQ(mean.y, (std::vector<double>{3, 2, 3}));
 }
 
 TEST(StudyFigures, ListsAreMeansAgainstAnotherListOrSharesOfSectors) {
-  const std::vector<std::string> runs{R"({"a":{"s":[0.1,0.2],"m":[1,2]}})", R"({"a":{"s":[0.1,0.2],"m":[3,6]}})", "{}"};
+  const std::vector<Numbers> runs = test::numbers_of({R"({"a":{"s":[0.1,0.2],"m":[1,2]}})", R"({"a":{"s":[0.1,0.2],"m":[3,6]}})", "{}"});
   const auto list = mean_list(runs, "a.s", "a.m");
   EXPECT_EQ(list.x, (std::vector<double>{0.1, 0.2}));
   EXPECT_EQ(list.y, (std::vector<double>{2, 4}));
@@ -95,18 +96,18 @@ TEST(StudyFigures, KindsSayWhatTheyNeed) {
 
 TEST(StudyPage, DrawsTheFirstRunThatAFigureWants) {
   StudyPage page{"S", figures("kind = \"stresses\"\nwhere = { gamma = 1, cement = \"full\" }"), table(), none};
-  page.drawing = [](const std::string& run, const Figure& figure) { return "{\"run\":\"" + run + word_for(figure.kind) + "\"}"; };
+  page.drawing = [](const std::string& run, const Figure& figure) { return Numbers{{"run", run + word_for(figure.kind)}}; };
   EXPECT_NE(study_page(page).find("\"sample\":{\"run\":\"6stresses\"}"), std::string::npos);
 }
 
 TEST(StudyPage, SaysWhyARunIsNotDrawnAndWhichCurvesAreNotThereYet) {
   StudyPage page{"S", figures("kind = \"film\""), table(), none};
-  page.drawing = [](const std::string&, const Figure&) -> std::string { throw InputError("/a/folder", 0, "no film of this run was made"); };
+  page.drawing = [](const std::string&, const Figure&) -> Numbers { throw InputError("/a/folder", 0, "no film of this run was made"); };
   EXPECT_NE(study_page(page).find("\"missing\":\"Not drawn: no film of this run was made.\""), std::string::npos);
   page.figures = figures("kind = \"film\"\nwhere = { gamma = 7 }");
   EXPECT_NE(study_page(page).find("\"missing\":\"No run of this kind is done yet.\""), std::string::npos);
   page.figures = figures("kind = \"rose\"\ncurves = [\"s\", \"film.s\"]\nnames = [\"simulation\", \"film\"]");
-  page.numbers = [](const std::string&, const std::string& path, const Figure&) { return std::string(path == "s" ? R"({"s":[1,2]})" : ""); };
+  page.numbers = [](const std::string&, const std::string& path, const Figure&) { return test::numbers_of(path == "s" ? R"({"s":[1,2]})" : ""); };
   EXPECT_NE(study_page(page).find("\"missing\":\"No run has the numbers for it yet: film.\""), std::string::npos);
 }
 
@@ -118,14 +119,14 @@ TEST(StudyFigures, FilmsAreWantedOfAllRunsThatAFigureOfThemWants) {
 
 TEST(StudyFigures, WhatAFilmGivesIsMarked) {
   const auto curves = curves_of(figures("kind = \"rose\"\ncurves = [\"s\", \"film.s\"]").front(), table(),
-                                [](const std::string&, const std::string&, const Figure&) { return std::string(R"({"s":[1,2],"film":{"s":[2,1]}})"); });
+                                [](const std::string&, const std::string&, const Figure&) { return test::numbers_of(R"({"s":[1,2],"film":{"s":[2,1]}})"); });
   ASSERT_EQ(curves.size(), 2u);
   EXPECT_FALSE(curves[0].film);
   EXPECT_TRUE(curves[1].film);
 }
 
 TEST(StudyFigures, TheShareAboveADensityStandsAtTheLowerEdgesWithTheErrorOfTheSharesOfTheSamples) {
-  const auto above = mean_share_above({R"({"pdf":{"low":0,"width":0.5,"density":[0.8,0.8,0.4]}})", R"({"pdf":{"low":0,"width":0.5,"density":[1.2,0.8]}})"}, "pdf");
+  const auto above = mean_share_above(test::numbers_of({R"({"pdf":{"low":0,"width":0.5,"density":[0.8,0.8,0.4]}})", R"({"pdf":{"low":0,"width":0.5,"density":[1.2,0.8]}})"}), "pdf");
   EXPECT_EQ(above.x, (std::vector<double>{0, 0.5, 1}));
   EXPECT_EQ(above.samples, 2u);
   ASSERT_EQ(above.y.size(), 3u);
@@ -138,7 +139,7 @@ TEST(StudyFigures, TheShareAboveADensityStandsAtTheLowerEdgesWithTheErrorOfTheSh
 }
 
 TEST(StudyFigures, RosesShowNumbersWithTheirErrorsAndShareSectorsOut) {
-  const std::vector<std::string> runs{R"({"s":[3,6,9]})", R"({"s":[5,6,7]})"};
+  const std::vector<Numbers> runs = test::numbers_of({R"({"s":[3,6,9]})", R"({"s":[5,6,7]})"});
   const auto counts = mean_list(runs, "", "s", {0, false});
   EXPECT_EQ(counts.y, (std::vector<double>{4, 6, 8}));
   EXPECT_DOUBLE_EQ(counts.error[0], 1);
@@ -148,7 +149,7 @@ TEST(StudyFigures, RosesShowNumbersWithTheirErrorsAndShareSectorsOut) {
   EXPECT_NEAR(two.y[0], 7, 1e-12);
   EXPECT_NEAR(two.y[1], 11, 1e-12);
   EXPECT_NEAR(two.error[0], 1, 1e-12);
-  const auto four = mean_list({R"({"s":[3,6,9]})"}, "", "s", {4, false});
+  const auto four = mean_list(test::numbers_of({R"({"s":[3,6,9]})"}), "", "s", {4, false});
   EXPECT_NEAR(four.y[0] + four.y[1] + four.y[2] + four.y[3], 18, 1e-12);
   EXPECT_NEAR(four.y[1], 0.75 + 3, 1e-12);
 }
@@ -159,7 +160,7 @@ TEST(StudyFigures, DeviationsStandWhereTheFigureAsksForThem) {
   EXPECT_DOUBLE_EQ(of("spread = \"deviation\"\n").points.error[0], std::sqrt(2.0));
   EXPECT_EQ(of("").most, 2u);
   EXPECT_THROW(figures("x = \"gamma\"\ny = [\"z\"]\nspread = \"range\""), InputError);
-  const NumbersOf numbers = [](const std::string& run, const std::string&, const Figure&) { return "{\"s\":[" + std::string(run == "6" ? "1" : "3") + ",2]}"; };
+  const NumbersOf numbers = [](const std::string& run, const std::string&, const Figure&) { return test::numbers_of("{\"s\":[" + std::string(run == "6" ? "1" : "3") + ",2]}"); };
   const auto rose = curves_of(figures("kind = \"rose\"\ncurves = [\"s\"]\ncounts = true\nspread = \"deviation\"\nwhere = { gamma = 1, cement = \"full\" }").front(), table(), numbers).front();
   EXPECT_EQ(rose.points.y, (std::vector<double>{2, 2}));
   EXPECT_DOUBLE_EQ(rose.points.error[0], std::sqrt(2.0));
@@ -169,7 +170,7 @@ TEST(StudyFigures, WhatBarsAreAndOverHowManySamplesIsSaid) {
   const auto said = [](const std::string& keys) {
     const Figure figure = figures(keys).front();
     return spread_text(figure, curves_of(figure, table(), [](const std::string& run, const std::string& path, const Figure&) {
-                         return std::string(path == "s" || run == "6" ? R"({"s":[1,2],"film":{"s":[2,1]}})" : "");
+                         return test::numbers_of(path == "s" || run == "6" ? R"({"s":[1,2],"film":{"s":[2,1]}})" : "");
                        }));
   };
   EXPECT_EQ(said("x = \"gamma\"\ny = [\"z\"]\nwhere = { cement = \"full\" }"), "Bars: standard error over 2 samples");
@@ -205,7 +206,7 @@ TEST(StudyFigures, ARegressionOfASharePassesThroughAnExponentialOne) {
   for (int k = 0; k < 60; ++k) density += (k ? "," : "") + std::to_string(k < 10 ? 0.6 : 4 * (std::exp(2 * (1 - 0.1 * k)) - std::exp(2 * (1 - 0.1 * (k + 1)))));
   const std::string text = R"({"d":{"pdf":{"low":0,"width":0.1,"density":[)" + density + R"(]},"beta_line":{"value":2,"error":0.1}}})";
   const auto curves = curves_of(figures("curves = [\"d.pdf\"]\nfits = [\"d\"]\nshare_above = true\nwhere = { gamma = 1, cement = \"\", seed = 1 }").front(), table(),
-                                [&](const std::string&, const std::string&, const Figure&) { return text; });
+                                [&](const std::string&, const std::string&, const Figure&) { return test::numbers_of(text); });
   ASSERT_EQ(curves.size(), 2u);
   ASSERT_TRUE(curves[1].fit);
   EXPECT_DOUBLE_EQ(curves[1].points.x.front(), 1);
@@ -218,7 +219,7 @@ TEST(StudyFigures, ATailIsALineThroughItsDensityBetweenTheEndsOfTheFit) {
   for (int k = 0; k < 40; ++k) density += (k ? "," : "") + std::to_string(5 * std::exp(-2 * (0.05 + 0.1 * k)));
   const std::string text = R"({"pdf":{"low":0,"width":0.1,"density":[)" + density + R"(]},"tail":{"slope":{"value":2,"error":0.1},"low":1,"high":3}})";
   const auto curves = curves_of(figures("curves = [\"pdf\"]\nfits = [\"tail\"]\nwhere = { gamma = 1, cement = \"\", seed = 1 }").front(), table(),
-                                [&](const std::string&, const std::string&, const Figure&) { return text; });
+                                [&](const std::string&, const std::string&, const Figure&) { return test::numbers_of(text); });
   ASSERT_EQ(curves.size(), 2u);
   EXPECT_FALSE(curves[0].fit);
   ASSERT_TRUE(curves[1].fit);

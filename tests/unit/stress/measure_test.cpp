@@ -120,11 +120,11 @@ TEST(NodeStress, UniformFieldHasAMeanAndNoDistribution) {
 TEST(NodeStress, ScalingOrTurningTheStressChangesItsMeanOnly) {
   const PhaseMap map = disks();
   const StressField field = noisy(map);
-  const nlohmann::json a = nlohmann::json::parse(to_json(measure(map, field), true));
+  const nlohmann::json a = nlohmann::json::parse(to_json(numbers(measure(map, field), true)));
   for (const double factor : {4096.0, -2.0}) {  // powers of two, so that not a bit may differ
     StressField other = field;
     for (double& v : other.yy) v *= factor;
-    const nlohmann::json b = nlohmann::json::parse(to_json(measure(map, other), true));
+    const nlohmann::json b = nlohmann::json::parse(to_json(numbers(measure(map, other), true)));
     for (const char* name : {"all", "large", "small", "matrix"}) {
       nlohmann::json p = a["sigma_yy"]["sets"][name], q = b["sigma_yy"]["sets"][name];
       EXPECT_EQ(q["mean_Pa"]["value"], p["mean_Pa"]["value"].get<double>() * factor);
@@ -196,7 +196,7 @@ TEST(NodeStress, StressWithoutAMeanIsGivenOverItsRootMeanSquare) {
   EXPECT_FALSE(std::isfinite(find(s.components[0].sets, "all")->tail.slope.value));
   EXPECT_TRUE(s.components[1].over_mean);
   EXPECT_NEAR(s.components[1].sample_mean.value, 0.5 * measure(map, field).components[0].sample_mean.value, 1e-12);
-  EXPECT_EQ(to_json(s, true).find("nan"), std::string::npos);
+  EXPECT_EQ(to_json(numbers(s, true)).find("nan"), std::string::npos);
 }
 
 TEST(NodeStress, UnloadedPartsAreCountedAndLeftOutOnDemand) {
@@ -251,11 +251,11 @@ TEST(NodeStress, JsonHoldsNoUnknownNumberAndTheTextNamesEverySet) {
   field.xx = field.yy;
   field.xy = field.yy;
   const Statistics s = measure(map, field, options);
-  const std::string json = to_json(s, true);
-  EXPECT_EQ(json, to_json(measure(map, field, options), true));
+  const std::string json = to_json(numbers(s, true));
+  EXPECT_EQ(json, to_json(numbers(measure(map, field, options), true)));
   const auto parsed = nlohmann::json::parse(json);
   EXPECT_TRUE(parsed["sigma_hyd"]["sets"]["matrix"].contains("own_pdf"));
-  EXPECT_FALSE(nlohmann::json::parse(to_json(s))["sigma_hyd"]["sets"]["matrix"].contains("own_pdf"));
+  EXPECT_FALSE(nlohmann::json::parse(to_json(numbers(s)))["sigma_hyd"]["sets"]["matrix"].contains("own_pdf"));
   for (const char* name : {"large", "small", "matrix", "particle"}) EXPECT_NE(to_text(s).find(name), std::string::npos);
 }
 

@@ -59,7 +59,7 @@ RC_GTEST_PROP(FilmNumbers, AgreementInSigmaNormKnowsNoScale, (int seed)) {
 TEST(FilmNumbers, TellWhatTheResultHolds) {
   const test::FilmPageSample sample(60, 4e-3);
   const FilmResult& film = sample.film;
-  const auto j = nlohmann::json::parse(film_numbers(film));
+  const auto j = nlohmann::json::parse(to_json(film_numbers(film)));
   EXPECT_EQ(j["film"]["bad_pixels"], 2);
   EXPECT_EQ(j["lockin"]["swing"], "half");
   EXPECT_EQ(j["grains"]["all"], 60);
@@ -77,7 +77,7 @@ TEST(FilmNumbers, TellWhatTheResultHolds) {
   EXPECT_EQ(j["texture"]["contacts"].get<std::size_t>() + j["texture"]["wall_contacts"].get<std::size_t>(), contacts.size());
   FilmResult maps = film;
   maps.swing = {};
-  EXPECT_FALSE(nlohmann::json::parse(film_numbers(maps)).contains("texture"));
+  EXPECT_FALSE(nlohmann::json::parse(to_json(film_numbers(maps))).contains("texture"));
 }
 
 /// Contacts along x between grains of a row, and one along y.

@@ -14,6 +14,7 @@
 #include "study/collect.hpp"
 #include "study/run_study.hpp"
 #include "study/store.hpp"
+#include "support/numbers_of.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace arenite::study {
@@ -129,9 +130,9 @@ TEST(Store, CountsWhatWasComputedAndWhatThatSavedOthers) {
 }
 
 TEST(FlatNumbers, HaveDottedNamesAndTheirErrors) {
-  const auto numbers = flat_numbers(R"({"a": {"value": 1.5, "error": 0.1}, "b": {"c": 2, "words": "x", "curve": [1, 2, 3, 4, 5]},
+  const auto numbers = flat_numbers(test::numbers_of(R"({"a": {"value": 1.5, "error": 0.1}, "b": {"c": 2, "words": "x", "curve": [1, 2, 3, 4, 5]},
     "sigma": {"value": [[1, 2], [3, 4]], "error": [[0.1, 0.2], [0.3, null]]}, "stages": [{"name": "load", "n": 7}], "none": null,
-    "provenance": {"seed": 1}})");
+    "provenance": {"seed": 1}})"));
   std::string text;
   for (const auto& [name, e] : numbers) text += name + "=" + std::to_string(e.value).substr(0, 3) + (e.error ? "+-" + std::to_string(*e.error).substr(0, 3) : "") + " ";
   EXPECT_EQ(text, "a=1.5+-0.1 b.c=2.0 sigma.0.0=1.0+-0.1 sigma.0.1=2.0+-0.2 sigma.1.0=3.0+-0.3 sigma.1.1=4.0 stages.load.n=7.0 ");

@@ -1,18 +1,17 @@
 #include <cmath>
 
-#include "statistics/json.hpp"
+#include "statistics/put_numbers.hpp"
 #include "stress/stress.hpp"
 
 namespace arenite::stress {
 namespace {
 
-using statistics::Json;
 using statistics::curve;
 using statistics::matrix;
 using statistics::put;
 
-Json tail(const statistics::TailFit& t) {
-  Json j = Json::object();
+Numbers tail(const statistics::TailFit& t) {
+  Numbers j = Numbers::tree();
   put(j, "slope", t.slope);
   put(j, "line_slope", t.line_slope);
   put(j, "line_r2", t.line_r2);
@@ -24,8 +23,8 @@ Json tail(const statistics::TailFit& t) {
   return j;
 }
 
-Json q_gaussian(const statistics::QGaussian& g) {
-  Json j = Json::object();
+Numbers q_gaussian(const statistics::QGaussian& g) {
+  Numbers j = Numbers::tree();
   put(j, "q", g.q);
   put(j, "beta", g.beta);
   put(j, "centre", g.centre);
@@ -34,14 +33,14 @@ Json q_gaussian(const statistics::QGaussian& g) {
 }
 
 /// Six digits are more than counting gives.
-Json even(const statistics::EvenDensity& pdf) {
-  Json density = Json::array();
+Numbers even(const statistics::EvenDensity& pdf) {
+  Numbers density = Numbers::list();
   for (const double y : pdf.density) density.push_back(std::round(y * 1e6) * 1e-6);
   return {{"low", pdf.bins.low}, {"width", pdf.bins.width}, {"density", density}};
 }
 
-Json distribution(const Distribution& d, bool curves) {
-  Json j{{"count", d.count}};
+Numbers distribution(const Distribution& d, bool curves) {
+  Numbers j{{"count", d.count}};
   put(j, "mean_Pa", d.mean);
   put(j, "mean_over_sample_mean", d.relative_mean);
   put(j, "variance", d.variance);
@@ -54,7 +53,7 @@ Json distribution(const Distribution& d, bool curves) {
   put(j, "minimum", d.minimum);
   put(j, "maximum", d.maximum);
   if (d.tail.count > 0) j["tail"] = tail(d.tail);
-  if (Json fit = q_gaussian(d.q_gaussian); !fit.empty()) j["q_gaussian"] = fit;
+  if (Numbers fit = q_gaussian(d.q_gaussian); !fit.empty()) j["q_gaussian"] = fit;
   if (std::isfinite(d.peak.at)) j["peak"] = {{"at", d.peak.at}, {"height", d.peak.height}};
   if (!d.even_pdf.density.empty()) j["even_pdf"] = even(d.even_pdf);
   if (!d.own_even_pdf.density.empty()) j["own_even_pdf"] = even(d.own_even_pdf);
@@ -63,8 +62,8 @@ Json distribution(const Distribution& d, bool curves) {
   return j;
 }
 
-Json component(const ComponentStatistics& c, bool curves) {
-  Json j = Json::object();
+Numbers component(const ComponentStatistics& c, bool curves) {
+  Numbers j = Numbers::tree();
   put(j, "sample_mean_Pa", c.sample_mean);
   put(j, "mean_over_nodes_Pa", c.mean_over_nodes);
   put(j, "mean_over_area_Pa", c.mean_over_area);
@@ -73,13 +72,13 @@ Json component(const ComponentStatistics& c, bool curves) {
   return j;
 }
 
-Json grains(const GrainStresses& g, bool rows) {
+Numbers grains(const GrainStresses& g, bool rows) {
   std::size_t whole = 0;
   for (const auto w : g.whole) whole += w;
-  Json j{{"whole", whole}};
+  Numbers j{{"whole", whole}};
   for (const auto& [name, mean] : g.mean) put(j["mean_stress_Pa"], name, mean);
   if (!rows) return j;
-  Json centres = Json::array(), stresses = Json::array();
+  Numbers centres = Numbers::list(), stresses = Numbers::list();
   for (std::size_t i = 0; i < g.nodes.size(); ++i) {
     centres.push_back({g.centre[i].x, g.centre[i].y});
     stresses.push_back(matrix(g.stress[i]));
@@ -88,20 +87,20 @@ Json grains(const GrainStresses& g, bool rows) {
   return j;
 }
 
-Json options(const StressOptions& o) {
+Numbers options(const StressOptions& o) {
   return {{"clamp_rows", o.clamp_rows}, {"leave_out_surface", o.leave_out_surface}, {"leave_out_unloaded", o.leave_out_unloaded},
           {"sample_mean_over", o.mean_over_area ? "area" : "particles and matrix"}, {"blocks", o.blocks}};
 }
 
 }  // namespace
 
-std::string to_json(const Statistics& s, bool curves) {
-  Json j{{"nodes", s.nodes}, {"clamp_nodes", s.clamp_nodes}, {"surface_nodes", s.surface_nodes}, {"unloaded_nodes", s.unloaded_nodes}};
+Numbers numbers(const Statistics& s, bool curves) {
+  Numbers j{{"nodes", s.nodes}, {"clamp_nodes", s.clamp_nodes}, {"surface_nodes", s.surface_nodes}, {"unloaded_nodes", s.unloaded_nodes}};
   j["options"] = options(s.options);
   for (const auto& c : s.components) j[name_of(c.component)] = component(c, curves);
   if (!s.grains.nodes.empty()) j["grains"] = grains(s.grains, curves);
   j["notes"] = s.notes;
-  return j.dump(2);
+  return j;
 }
 
 }  // namespace arenite::stress

@@ -1,17 +1,16 @@
-#include "statistics/json.hpp"
+#include "statistics/put_numbers.hpp"
 #include "texture/texture.hpp"
 
 namespace arenite::texture {
 namespace {
 
-using statistics::Json;
 using statistics::curve;
 using statistics::matrix;
 using statistics::numbers;
 using statistics::put;
 
-Json fabric_set(const Fabric& f, bool curves) {
-  Json j{{"contacts", f.contacts}};
+Numbers fabric_set(const Fabric& f, bool curves) {
+  Numbers j{{"contacts", f.contacts}};
   put(j, "a_c", f.a_c);
   put(j, "theta_c_deg", f.theta_c_deg);
   put(j, "phi", f.phi);
@@ -21,7 +20,7 @@ Json fabric_set(const Fabric& f, bool curves) {
   put(j, "theta_n_deg", f.theta_n_deg);
   put(j, "a_t", f.a_t);
   for (const Mode& mode : f.modes) {
-    Json& m = j["modes"][std::to_string(mode.m)];
+    Numbers& m = j["modes"][std::to_string(mode.m)];
     put(m, "amplitude", mode.amplitude);
     put(m, "phase_deg", mode.phase_deg);
     put(m, "noise", mode.noise);
@@ -33,8 +32,8 @@ Json fabric_set(const Fabric& f, bool curves) {
   return j;
 }
 
-Json fabric(const Texture& t, bool curves) {
-  Json j = Json::object();
+Numbers fabric(const Texture& t, bool curves) {
+  Numbers j = Numbers::tree();
   for (const auto& [name, set] : t.fabric) {
     if (name == "all")
       j.update(fabric_set(set, curves));
@@ -50,8 +49,8 @@ Json fabric(const Texture& t, bool curves) {
 }
 
 /// `mean` and `share` are what the set calls its mean and its share above the mean.
-Json distribution(const Distribution& d, const char* mean, const char* share, bool curves) {
-  Json j{{"count", d.count}};
+Numbers distribution(const Distribution& d, const char* mean, const char* share, bool curves) {
+  Numbers j{{"count", d.count}};
   put(j, mean, d.mean);
   put(j, share, d.share_above);
   put(j, "share_above_mean_of_all", d.share_above_all);
@@ -74,8 +73,8 @@ Json distribution(const Distribution& d, const char* mean, const char* share, bo
   return j;
 }
 
-Json distributions(const ByName<Distribution>& sets, const char* mean, const char* share, const char* group, bool curves) {
-  Json j = Json::object();
+Numbers distributions(const ByName<Distribution>& sets, const char* mean, const char* share, const char* group, bool curves) {
+  Numbers j = Numbers::tree();
   for (const auto& [name, set] : sets) {
     if (name == "all")
       j.update(distribution(set, mean, share, curves));
@@ -85,8 +84,8 @@ Json distributions(const ByName<Distribution>& sets, const char* mean, const cha
   return j;
 }
 
-Json coordination(const Coordination& z) {
-  Json j = Json::object();
+Numbers coordination(const Coordination& z) {
+  Numbers j = Numbers::tree();
   for (const auto& [name, value] : z.mean) put(j, name == "all without rattlers" ? "without_rattlers" : name, value);
   put(j, "rattlers", z.rattlers);
   put(j, "unlike_contacts_twice", z.doubled);
@@ -96,9 +95,9 @@ Json coordination(const Coordination& z) {
   return j;
 }
 
-void put_stress(Json& to, const Stress& s) {
+void put_stress(Numbers& to, const Stress& s) {
   put(to, "stress", s.whole);
-  Json j = Json::object();
+  Numbers j = Numbers::tree();
   put(j, "in_window", s.inner);
   put(j, "sum_over_grains", s.grains);
   put(j, "from_walls_and_weight", s.walls);
@@ -110,16 +109,16 @@ void put_stress(Json& to, const Stress& s) {
   if (!j.empty()) to["stress_details"] = j;
 }
 
-Json quality(const Quality& q) {
-  Json j{{"doubled_rows", q.doubled_rows}, {"negative_forces", q.negative_forces}, {"negative_share", q.negative_share}};
+Numbers quality(const Quality& q) {
+  Numbers j{{"doubled_rows", q.doubled_rows}, {"negative_forces", q.negative_forces}, {"negative_share", q.negative_share}};
   put(j, "median_imbalance", q.median_imbalance);
   put(j, "friction_ratio_max", q.friction_ratio_max);
   put(j, "sliding_share", q.sliding_share);
   return j;
 }
 
-Json rows(const PerGrain& g) {
-  Json j{{"considered", g.considered}, {"rattler", g.rattler}, {"contacts", g.contacts},
+Numbers rows(const PerGrain& g) {
+  Numbers j{{"considered", g.considered}, {"rattler", g.rattler}, {"contacts", g.contacts},
          {"sigma_norm", numbers(g.sigma_norm)}, {"psi6", numbers(g.psi6)}};
   if (!g.sigma_hyd.empty()) j["sigma_hyd_Pa"] = numbers(g.sigma_hyd);
   for (const Tensor2& t : g.sigma) j["sigma_Pa"].push_back(matrix(t));
@@ -128,8 +127,8 @@ Json rows(const PerGrain& g) {
 
 }  // namespace
 
-std::string to_json(const Texture& t, bool curves) {
-  Json j{{"grains", t.grains}, {"contacts", t.contacts}, {"wall_contacts", t.wall_contacts}};
+Numbers numbers(const Texture& t, bool curves) {
+  Numbers j{{"grains", t.grains}, {"contacts", t.contacts}, {"wall_contacts", t.wall_contacts}};
   j["considered"] = {{"grains", t.considered_grains}, {"contacts", t.considered_contacts}, {"border_m", t.window.border}};
   j["mean_diameter_m"] = t.mean_diameter;
   put(j, "solid_fraction", t.solid_fraction);
@@ -146,7 +145,7 @@ std::string to_json(const Texture& t, bool curves) {
   }
   if (!t.sigma_norm.sets.empty())
     j["sigma_norm"] = distributions(t.sigma_norm.sets, "mean_Pa", "P0", "by_material", curves);
-  j["local_order"] = Json::object();
+  j["local_order"] = Numbers::tree();
   put(j["local_order"], "psi6", t.order.psi6);
   put(j["local_order"], "triangular_share", t.order.ordered);
   if (!t.rev.mean.empty())
@@ -155,7 +154,7 @@ std::string to_json(const Texture& t, bool curves) {
   j["quality"] = quality(t.quality);
   j["notes"] = t.notes;
   if (curves) j["by_grain"] = rows(t.per_grain);
-  return j.dump(2);
+  return j;
 }
 
 }  // namespace arenite::texture

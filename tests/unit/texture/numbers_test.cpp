@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::json;
 
 TEST(TextureJson, GivesEveryPromisedStatisticAsValueAndError) {
-  const Json j = Json::parse(to_json(measure(test::random_network(3, 400))));
+  const Json j = Json::parse(to_json(numbers(measure(test::random_network(3, 400)))));
   for (const Json& statistic : {j["solid_fraction"], j["coordination"]["all"], j["coordination"]["A-B"], j["coordination"]["A-ANY"],
                                 j["fabric"]["a_c"], j["fabric"]["theta_c_deg"], j["fabric"]["phi"], j["stress"], j["force"]["mean_N"],
                                 j["force"]["strong_share"], j["force"]["beta"], j["sigma_norm"]["P0"], j["sigma_norm"]["beta"],
@@ -29,7 +29,7 @@ TEST(TextureJson, LeavesOutWhatIsNotKnownAndSaysWhy) {
   Packing p = test::random_network(3);
   p.domain = {};
   p.domain.thickness = 0;
-  const Json j = Json::parse(to_json(measure(p)));
+  const Json j = Json::parse(to_json(numbers(measure(p))));
   EXPECT_FALSE(j.contains("stress"));
   EXPECT_FALSE(j.contains("solid_fraction"));
   EXPECT_FALSE(j.contains("rev"));
@@ -38,7 +38,7 @@ TEST(TextureJson, LeavesOutWhatIsNotKnownAndSaysWhy) {
 
 TEST(TextureJson, HasRowsForDrawingsWhenAsked) {
   const Packing p = test::random_network(3);
-  const Json j = Json::parse(to_json(measure(p), true));
+  const Json j = Json::parse(to_json(numbers(measure(p), true)));
   EXPECT_EQ(j["by_grain"]["sigma_Pa"].size(), p.grains.size());
   EXPECT_EQ(j["fabric"]["sectors"].size(), 18u);
   EXPECT_EQ(j["fabric"]["threshold"]["force"].size(), 41u);
@@ -46,7 +46,7 @@ TEST(TextureJson, HasRowsForDrawingsWhenAsked) {
 }
 
 TEST(TextureJson, OfAnEmptyPackingIsValid) {
-  EXPECT_EQ(Json::parse(to_json(measure(Packing{})))["grains"], 0);
+  EXPECT_EQ(Json::parse(to_json(numbers(measure(Packing{}))))["grains"], 0);
 }
 
 }  // namespace

@@ -1,0 +1,92 @@
+#include "options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <string>
+
+#include "commands.hpp"
+#include "core/nearest.hpp"
+#include "core/version.hpp"
+
+namespace arenite::app {
+namespace {
+
+void overview() {
+  std::puts("Arenite: micromechanics of composite and cemented granular materials\n\nusage: arenite COMMAND [...]\n");
+  for (const auto& command : commands()) std::printf("  %-11s %s\n", command.name, command.sentence);
+  std::puts("\nFour workflows:\n"
+            "  composite packings       arenite init composite r.toml, then arenite run r.toml\n"
+            "  cemented packings        arenite init cemented r.toml, then arenite run r.toml; a map of your own: arenite load MAP\n"
+            "  a loaded packing's film  arenite init film r.toml, then arenite film FILM --recipe r.toml\n"
+            "  many runs                arenite init study r.toml, then arenite study run r.toml\n"
+            "\nA result ends in a page, report.html in its folder; a study in study.html, where a figures.toml beside its recipe says\n"
+            "what to draw. In Python: `import arenite`, where every step is a function. `arenite COMMAND --help` tells more.");
+}
+
+/// Refuses an unknown first word with the nearest command, which CLI11 does not offer.
+bool unknown_command(const std::string& word) {
+  if (word.starts_with('-')) return false;
+  std::vector<std::string> names;
+  for (const auto& command : commands()) {
+    if (word == command.name) return false;
+    names.emplace_back(command.name);
+  }
+  const std::string near = nearest(word, names);
+  std::fprintf(stderr, "arenite: unknown command \"%s\"; %s\n", word.c_str(),
+               near.empty() ? "`arenite` lists the commands" : ("did you mean `arenite " + near + "`?").c_str());
+  return true;
+}
+
+/// What is wrong with the command line, as one sentence; CLI11 adds a second one.
+std::string complaint(const CLI::App& program, const CLI::Error& error) {
+  const auto used = program.get_subcommands();
+  const std::string command = used.empty() ? "arenite" : "arenite " + used.front()->get_name();
+  return command + ": " + error.what() + "; `" + command + " --help` tells what it takes";
+}
+
+CLI::Option* declare(CLI::App& to, const Option& option) {
+  return std::visit([&](auto* target) { return option.is_flag() ? to.add_flag(option.name, *target, option.sentence)
+                                                                : to.add_option(option.name, *target, option.sentence); }, option.to);
+}
+
+void declare(CLI::App& to, const Options& options) {
+  for (const Option& option : options.table) {
+    CLI::Option* declared = declare(to, option);
+    if (!option.value.empty()) declared->type_name(option.value);
+    if (!option.choices.empty()) declared->check(CLI::IsMember(option.choices));
+    if (option.range) declared->check(CLI::Range(option.range->first, option.range->second).description(""));
+    if (option.is_required) declared->required();
+    if (option.one_at_a_time) declared->allow_extra_args(false);
+  }
+  for (const Option& option : options.table)
+    for (const auto& other : option.without) to.get_option(option.name)->excludes(to.get_option(other));
+  to.footer(options.footer);
+  if (options.work) to.callback(options.work);
+}
+
+}  // namespace
+
+int read_command_line(int argc, char** argv) {
+  int status = done;
+  CLI::App program("Micromechanics of composite and cemented granular materials", "arenite");
+  program.set_version_flag("--version", std::string("arenite ") + version);
+  program.require_subcommand(0, 1);
+  std::deque<Options> tables;
+  for (const auto& command : commands()) {
+    command.add(tables.emplace_back(), status);
+    declare(*program.add_subcommand(command.name, command.sentence), tables.back());
+  }
+  if (argc > 1 && unknown_command(argv[1])) return bad_input;
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return program.exit(error);
+    std::fprintf(stderr, "%s\n", complaint(program, error).c_str());
+    return bad_input;
+  }
+  if (program.get_subcommands().empty()) overview();
+  return status;
+}
+
+}  // namespace arenite::app

@@ -1,0 +1,108 @@
+#include "io/numbers_table.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace arenite::io {
+namespace {
+
+struct Table {
+  std::vector<std::string> name, text;
+  std::vector<std::uint8_t> depth, kind;
+  std::vector<double> value;
+
+  void add(const std::string& path, std::uint8_t level, const Numbers& node) {
+    constexpr double exact = 9007199254740992.0;  // integers beyond are kept as text
+    name.push_back(path);
+    depth.push_back(level);
+    kind.push_back(static_cast<std::uint8_t>(node.kind()));
+    const bool number = node.is_number() || node.is_truth();
+    value.push_back(number ? node.get<double>() : std::numeric_limits<double>::quiet_NaN());
+    text.push_back(node.is_text() ? node.get<std::string>() : node.is_integer() && std::abs(value.back()) >= exact ? to_json(node) : "");
+    std::size_t i = 0;
+    for (const Numbers& item : node) {
+      const std::string& own = node.is_tree() ? node.items()[i].first : std::to_string(i);
+      add(path.empty() ? own : path + "." + own, static_cast<std::uint8_t>(level + 1), item);
+      ++i;
+    }
+  }
+};
+
+template <class T>
+Numbers integer_of(double value, const std::string& text) {
+  T exact{};
+  if (text.empty()) return static_cast<T>(value);
+  std::from_chars(text.data(), text.data() + text.size(), exact);
+  return exact;
+}
+
+Numbers leaf(Numbers::Kind kind, double value, const std::string& text) {
+  switch (kind) {
+    case Numbers::Kind::truth: return value != 0;
+    case Numbers::Kind::integer: return integer_of<std::int64_t>(value, text);
+    case Numbers::Kind::natural: return integer_of<std::uint64_t>(value, text);
+    case Numbers::Kind::real: return value;
+    case Numbers::Kind::text: return text;
+    case Numbers::Kind::list: return Numbers::list();
+    case Numbers::Kind::tree: return Numbers::tree();
+    case Numbers::Kind::unknown: break;
+  }
+  return {};
+}
+
+/// Takes rows from `row` on that lie deeper than their parent.
+Numbers node_at(const Table& table, std::size_t& row) {
+  const std::size_t own = row++;
+  Numbers node = leaf(static_cast<Numbers::Kind>(table.kind[own]), table.value[own], table.text[own]);
+  const std::size_t prefix = table.name[own].empty() ? 0 : table.name[own].size() + 1;
+  while (row < table.name.size() && table.depth[row] == table.depth[own] + 1) {
+    if (table.name[row].size() < prefix) throw NumbersError("a name is shorter than its parent's");
+    const std::string name = table.name[row].substr(prefix);
+    Numbers item = node_at(table, row);
+    if (node.is_list()) node.push_back(std::move(item));
+    else node[name] = std::move(item);
+  }
+  return node;
+}
+
+Numbers read_table(const Hdf5Reader& at) {
+  const Table table{at.texts("name"), at.texts("text"), at.bytes("depth"), at.bytes("kind"), at.doubles("value")};
+  const std::size_t rows = table.name.size();
+  if (rows == 0) return {};
+  if (table.text.size() != rows || table.depth.size() != rows || table.kind.size() != rows || table.value.size() != rows || table.depth[0] != 0)
+    at.refuse("holds numbers whose columns do not agree");
+  std::size_t row = 0;
+  try {
+    Numbers numbers = node_at(table, row);
+    if (row == rows) return numbers;
+  } catch (const NumbersError&) {
+  }
+  at.refuse("holds numbers that are damaged");
+}
+
+}  // namespace
+
+void write_numbers(const Hdf5Writer& at, const std::string& name, const Numbers& numbers) {
+  Table table;
+  if (numbers.is_known()) table.add("", 0, numbers);
+  const auto group = at.create_group(name);
+  group.write_texts("name", table.name);
+  group.write("depth", table.depth);
+  group.write("kind", table.kind);
+  group.write("value", table.value, "of the name");
+  group.write_texts("text", table.text);
+}
+
+Numbers read_numbers(const Hdf5Reader& at, const std::string& name) {
+  if (at.has_group(name)) return read_table(at.group(name));
+  const std::string json = at.text(name);
+  if (json.empty()) return {};
+  auto numbers = from_json(json);
+  if (!numbers || !numbers->is_tree()) at.refuse(fmt::format("holds numbers \"{}\" that are damaged", name));
+  return std::move(*numbers);
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,192 @@
+#include "statistics/numbers.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace arenite {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Numbers& numbers) {
+  switch (numbers.kind()) {
+    case Numbers::Kind::unknown: return nullptr;
+    case Numbers::Kind::truth: return numbers.get<bool>();
+    case Numbers::Kind::integer: return numbers.get<std::int64_t>();
+    case Numbers::Kind::natural: return numbers.get<std::uint64_t>();
+    case Numbers::Kind::real: return numbers.get<double>();
+    case Numbers::Kind::text: return numbers.get<std::string>();
+    case Numbers::Kind::list: break;
+    case Numbers::Kind::tree: {
+      Json out = Json::object();
+      for (const auto& [name, value] : numbers.items()) out[name] = json_of(value);
+      return out;
+    }
+  }
+  Json out = Json::array();
+  for (const Numbers& item : numbers) out.push_back(json_of(item));
+  return out;
+}
+
+Numbers numbers_of(const Json& j) {
+  if (j.is_boolean()) return j.get<bool>();
+  if (j.is_number_unsigned()) return j.get<std::uint64_t>();
+  if (j.is_number_integer()) return j.get<std::int64_t>();
+  if (j.is_number()) return j.get<double>();
+  if (j.is_string()) return j.get<std::string>();
+  if (j.is_null()) return {};
+  Numbers out = j.is_array() ? Numbers::list() : Numbers::tree();
+  if (j.is_array())
+    for (const Json& item : j) out.push_back(numbers_of(item));
+  else
+    for (const auto& [name, value] : j.items()) out[name] = numbers_of(value);
+  return out;
+}
+
+bool is_pair(const Numbers& n) { return n.is_list() && n.size() == 2 && n.front().is_text(); }
+
+}  // namespace
+
+Numbers::Numbers(std::initializer_list<Numbers> of) : kind_(Kind::list) {
+  if (std::all_of(of.begin(), of.end(), is_pair)) *this = tree(of);
+  else items_ = of;
+}
+
+Numbers Numbers::tree(std::initializer_list<Numbers> pairs) {
+  Numbers out;
+  out.kind_ = Kind::tree;
+  for (const Numbers& pair : pairs) out[pair.front().text_] = pair.back();
+  return out;
+}
+
+Numbers Numbers::list(std::initializer_list<Numbers> of) {
+  Numbers out;
+  out.kind_ = Kind::list;
+  out.items_ = of;
+  return out;
+}
+
+Numbers Numbers::real_of(double value) {
+  Numbers out;
+  if (!std::isfinite(value)) return out;
+  out.kind_ = Kind::real;
+  out.real_ = value;
+  return out;
+}
+
+std::size_t Numbers::size() const {
+  if (kind_ == Kind::unknown) return 0;
+  return is_list() || is_tree() ? items_.size() : 1;
+}
+
+std::vector<std::pair<const std::string&, const Numbers&>> Numbers::items() const {
+  std::vector<std::pair<const std::string&, const Numbers&>> out;
+  for (std::size_t i = 0; i < names_.size(); ++i) out.emplace_back(names_[i], items_[i]);
+  return out;
+}
+
+std::vector<std::pair<const std::string&, Numbers&>> Numbers::items() {
+  std::vector<std::pair<const std::string&, Numbers&>> out;
+  for (std::size_t i = 0; i < names_.size(); ++i) out.emplace_back(names_[i], items_[i]);
+  return out;
+}
+
+Numbers::Items::const_iterator Numbers::find(std::string_view name) const {
+  const auto at = std::find(names_.begin(), names_.end(), name);
+  return at == names_.end() ? items_.end() : items_.begin() + (at - names_.begin());
+}
+
+const Numbers& Numbers::at(std::string_view name) const {
+  const auto found = find(name);
+  if (found == end()) throw NumbersError("there is no \"" + std::string(name) + "\"");
+  return *found;
+}
+
+const Numbers& Numbers::at(std::size_t i) const {
+  if (i >= items_.size()) throw NumbersError("there is no item " + std::to_string(i));
+  return items_[i];
+}
+
+Numbers& Numbers::operator[](std::string_view name) {
+  if (kind_ == Kind::unknown) kind_ = Kind::tree;
+  if (!is_tree()) throw NumbersError("what has no names has no \"" + std::string(name) + "\"");
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  if (found != names_.end()) return items_[static_cast<std::size_t>(found - names_.begin())];
+  names_.emplace_back(name);
+  return items_.emplace_back();
+}
+
+const Numbers* Numbers::at_path(std::string_view path) const {
+  const Numbers* node = this;
+  while (!path.empty()) {
+    path.remove_prefix(1);
+    const std::string_view step = path.substr(0, path.find('/'));
+    path.remove_prefix(step.size());
+    if (node->is_list()) {
+      std::size_t i = 0;
+      const auto read = std::from_chars(step.data(), step.data() + step.size(), i);
+      if (read.ec != std::errc() || read.ptr != step.data() + step.size() || i >= node->items_.size()) return nullptr;
+      node = &node->items_[i];
+      continue;
+    }
+    const auto found = node->find(step);
+    if (found == node->end()) return nullptr;
+    node = &*found;
+  }
+  return node;
+}
+
+void Numbers::push_back(Numbers value) {
+  if (kind_ == Kind::unknown) kind_ = Kind::list;
+  if (!is_list()) throw NumbersError("what is no list takes no items");
+  items_.push_back(std::move(value));
+}
+
+void Numbers::erase(std::string_view name) {
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  if (found == names_.end()) return;
+  items_.erase(items_.begin() + (found - names_.begin()));
+  names_.erase(found);
+}
+
+void Numbers::update(const Numbers& other) {
+  for (const auto& [name, value] : other.items()) (*this)[name] = value;
+}
+
+bool Numbers::as_truth() const {
+  if (!is_truth()) throw NumbersError("a value is neither true nor false");
+  return integer_ != 0;
+}
+
+const std::string& Numbers::as_text() const {
+  if (!is_text()) throw NumbersError("a value is no text");
+  return text_;
+}
+
+const Numbers::Items& Numbers::as_list() const {
+  if (!is_list()) throw NumbersError("a value is no list");
+  return items_;
+}
+
+double Numbers::as_real() const {
+  if (kind_ == Kind::truth) return static_cast<double>(integer_);
+  if (kind_ != Kind::real) throw NumbersError("a value is no number");
+  return real_;
+}
+
+bool operator==(const Numbers& a, const Numbers& b) {
+  if (a.is_number() && b.is_number()) return a.is_real() || b.is_real() ? a.get<double>() == b.get<double>() : a.integer_ == b.integer_;
+  return a.kind_ == b.kind_ && a.integer_ == b.integer_ && a.text_ == b.text_ && a.names_ == b.names_ && a.items_ == b.items_;
+}
+
+std::string to_json(const Numbers& numbers, int indent) { return json_of(numbers).dump(indent, ' ', false, Json::error_handler_t::replace); }
+
+std::optional<Numbers> from_json(std::string_view text) {
+  const Json j = Json::parse(text, nullptr, false);
+  if (j.is_discarded()) return std::nullopt;
+  return numbers_of(j);
+}
+
+}  // namespace arenite

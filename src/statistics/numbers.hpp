@@ -1,0 +1,155 @@
+#pragma once
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace arenite {
+
+/// A tree of numbers that lacks what was asked of it.
+class NumbersError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What is measured, as an ordered tree: a node is a value (truth, integer, real, text), a list of nodes, or nodes with names.
+/// Braces make trees as they are written in JSON: {{"z", 3.9}, {"sectors", {1, 2, 3}}}. A number that is not finite is not known.
+/// Files, tables, pages and Python are made of it (`json`, io/hdf5_reader, report, python/src).
+class Numbers {
+ public:
+  enum class Kind : std::uint8_t { unknown, truth, integer, natural, real, text, list, tree };
+  using Items = std::vector<Numbers>;
+
+  Numbers() = default;
+  Numbers(std::nullptr_t) {}
+  Numbers(bool value) : kind_(Kind::truth), integer_(value ? 1 : 0) {}
+  template <std::signed_integral T>
+  Numbers(T value) : kind_(Kind::integer), integer_(value) {}
+  template <std::unsigned_integral T>
+    requires(!std::same_as<T, bool>)
+  Numbers(T value) : kind_(Kind::natural), integer_(static_cast<std::int64_t>(value)) {}
+  template <std::floating_point T>
+  Numbers(T value) : Numbers(real_of(static_cast<double>(value))) {}
+  Numbers(std::string text) : kind_(Kind::text), text_(std::move(text)) {}
+  Numbers(const char* text) : Numbers(std::string(text)) {}
+  Numbers(std::string_view text) : Numbers(std::string(text)) {}
+  template <class T>
+  Numbers(const std::vector<T>& values) : kind_(Kind::list), items_(values.begin(), values.end()) {}
+  template <class T>
+  Numbers(const std::map<std::string, T>& values) : kind_(Kind::tree) {
+    for (const auto& [name, value] : values) (*this)[name] = value;
+  }
+  /// A tree if all are pairs of a name and a value, else a list.
+  Numbers(std::initializer_list<Numbers> of);
+
+  static Numbers tree(std::initializer_list<Numbers> pairs = {});
+  static Numbers list(std::initializer_list<Numbers> of = {});
+
+  Kind kind() const { return kind_; }
+  bool is_known() const { return kind_ != Kind::unknown; }
+  bool is_truth() const { return kind_ == Kind::truth; }
+  bool is_integer() const { return kind_ == Kind::integer || kind_ == Kind::natural; }
+  bool is_number() const { return is_integer() || kind_ == Kind::real; }
+  bool is_real() const { return kind_ == Kind::real; }
+  bool is_text() const { return kind_ == Kind::text; }
+  bool is_list() const { return kind_ == Kind::list; }
+  bool is_tree() const { return kind_ == Kind::tree; }
+
+  /// Of a list or tree; 0 of what is not known, 1 of a value.
+  std::size_t size() const;
+  bool empty() const { return size() == 0; }
+  Items::const_iterator begin() const { return items_.begin(); }
+  Items::const_iterator end() const { return items_.end(); }
+  Items::iterator begin() { return items_.begin(); }
+  Items::iterator end() { return items_.end(); }
+  const Numbers& front() const { return at(0); }
+  const Numbers& back() const { return at(items_.size() - 1); }
+  Numbers& back() { return items_.back(); }
+  /// Names beside nodes.
+  std::vector<std::pair<const std::string&, const Numbers&>> items() const;
+  std::vector<std::pair<const std::string&, Numbers&>> items();
+
+  bool contains(std::string_view name) const { return find(name) != end(); }
+  Items::const_iterator find(std::string_view name) const;
+  /// Throws NumbersError where there is none.
+  const Numbers& at(std::string_view name) const;
+  const Numbers& at(std::size_t i) const;
+  const Numbers& operator[](std::string_view name) const { return at(name); }
+  const Numbers& operator[](const char* name) const { return at(std::string_view(name)); }
+  template <std::integral I>
+  const Numbers& operator[](I i) const {
+    return at(static_cast<std::size_t>(i));
+  }
+  /// Adds it where there is none.
+  Numbers& operator[](std::string_view name);
+  Numbers& operator[](const char* name) { return (*this)[std::string_view(name)]; }
+  template <std::integral I>
+  Numbers& operator[](I i) {
+    return const_cast<Numbers&>(at(static_cast<std::size_t>(i)));
+  }
+  /// What lies at "/fabric/a_c" or "/joints/0/width"; nothing where there is none.
+  const Numbers* at_path(std::string_view path) const;
+
+  void push_back(Numbers value);
+  void pop_back() { items_.pop_back(); }  ///< of a list
+  void erase(std::string_view name);
+  /// Takes over all of another tree's.
+  void update(const Numbers& other);
+
+  /// As a number, truth, text or list of such; throws NumbersError if it is none.
+  template <class T>
+  T get() const {
+    if constexpr (std::same_as<T, bool>) return as_truth();
+    else if constexpr (std::is_arithmetic_v<T>) return as_number<T>();
+    else if constexpr (std::same_as<T, std::string>) return as_text();
+    else if constexpr (std::same_as<T, Numbers>) return *this;
+    else {
+      T values;
+      for (const Numbers& item : as_list()) values.push_back(item.get<typename T::value_type>());
+      return values;
+    }
+  }
+  template <class T>
+  T value(std::string_view name, const T& otherwise) const {
+    const auto found = find(name);
+    return found == end() ? otherwise : found->template get<T>();
+  }
+  std::string value(std::string_view name, const char* otherwise) const { return value(name, std::string(otherwise)); }
+
+  /// Numbers are equal by value, whatever their kind.
+  friend bool operator==(const Numbers& a, const Numbers& b);
+
+ private:
+  static Numbers real_of(double value);
+  bool as_truth() const;
+  const std::string& as_text() const;
+  const Items& as_list() const;
+  double as_real() const;
+  template <class T>
+  T as_number() const {
+    if (is_integer()) return kind_ == Kind::natural ? static_cast<T>(static_cast<std::uint64_t>(integer_)) : static_cast<T>(integer_);
+    return static_cast<T>(as_real());
+  }
+
+  Kind kind_ = Kind::unknown;
+  std::int64_t integer_ = 0;
+  double real_ = 0;
+  std::string text_;
+  Items items_;
+  std::vector<std::string> names_;
+};
+
+/// As JSON, in one line or with `indent` spaces a level. Text that is not UTF-8 is written with marks in its place.
+std::string to_json(const Numbers& numbers, int indent = -1);
+/// Nothing where the text is not JSON.
+std::optional<Numbers> from_json(std::string_view text);
+
+}  // namespace arenite

@@ -1,0 +1,66 @@
+#include "statistics/numbers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace {
+using namespace arenite;
+
+TEST(Numbers, BracesMakeTreesAndLists) {
+  const Numbers n{{"z", 3.5}, {"fabric", {{"a_c", {{"value", 0.1}, {"error", 0.01}}}, {"sectors", {1, 2, 3}}}}, {"notes", Numbers::list()}, {"twice", {"a", "b"}}};
+  EXPECT_TRUE(n.is_tree());
+  EXPECT_EQ(n["z"].get<double>(), 3.5);
+  EXPECT_EQ(n["fabric"]["sectors"].get<std::vector<int>>(), (std::vector<int>{1, 2, 3}));
+  EXPECT_TRUE(n["notes"].is_list());
+  EXPECT_EQ(n["twice"].get<std::vector<std::string>>(), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(to_json(n), R"({"z":3.5,"fabric":{"a_c":{"value":0.1,"error":0.01},"sectors":[1,2,3]},"notes":[],"twice":["a","b"]})");
+}
+
+TEST(Numbers, KeepTheirOrderAndEveryDigitThroughJson) {
+  const std::string text = R"({"b":18446744073709551615,"a":-9223372036854775808,"pi":3.141592653589793,"yes":true,"none":null,"word":"\u00e4\n","list":[[1,2.5],{}]})";
+  const auto n = from_json(text);
+  ASSERT_TRUE(n);
+  EXPECT_EQ((*n)["b"].get<std::uint64_t>(), std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ((*n)["a"].get<std::int64_t>(), std::numeric_limits<std::int64_t>::min());
+  EXPECT_EQ(*from_json(to_json(*n)), *n);
+  EXPECT_EQ(n->items().front().first, "b");
+  EXPECT_FALSE(from_json("{\"a\": "));
+  EXPECT_FALSE(from_json("{\"a\": \"\xff\"}"));
+}
+
+TEST(Numbers, WhatIsNotFiniteIsNotKnown) {
+  EXPECT_FALSE(Numbers(std::numeric_limits<double>::quiet_NaN()).is_known());
+  EXPECT_FALSE(Numbers(std::numeric_limits<double>::infinity()).is_known());
+  EXPECT_EQ(to_json(Numbers{{"x", std::numeric_limits<double>::quiet_NaN()}}), R"({"x":null})");
+}
+
+TEST(Numbers, PathsLeadToWhatIsThere) {
+  const Numbers n{{"a.b", {{"c", {5, 6}}}}};
+  ASSERT_NE(n.at_path("/a.b/c/1"), nullptr);
+  EXPECT_EQ(n.at_path("/a.b/c/1")->get<int>(), 6);
+  EXPECT_EQ(n.at_path("/a.b/c/2"), nullptr);
+  EXPECT_EQ(n.at_path("/a.b/c/x"), nullptr);
+  EXPECT_EQ(n.at_path("/a/b"), nullptr);
+}
+
+TEST(Numbers, WhatIsAskedOfTheWrongKindIsRefused) {
+  const Numbers n{{"a", 1}, {"word", "x"}};
+  EXPECT_THROW(n["b"], NumbersError);
+  EXPECT_THROW(n["word"].get<double>(), NumbersError);
+  EXPECT_THROW(n["a"].get<std::string>(), NumbersError);
+  EXPECT_THROW(n["a"].get<std::vector<double>>(), NumbersError);
+  EXPECT_EQ(n.value("b", 7), 7);
+  Numbers five = 5;
+  EXPECT_THROW(five["x"] = 1, NumbersError);
+  EXPECT_THROW(five.push_back(1), NumbersError);
+}
+
+TEST(Numbers, AreEqualByValue) {
+  EXPECT_EQ(Numbers(std::size_t{3}), Numbers(3));
+  EXPECT_EQ(Numbers(3), Numbers(3.0));
+  EXPECT_NE(Numbers(3), Numbers("3"));
+  EXPECT_NE((Numbers{{"a", 1}}), (Numbers{{"b", 1}}));
+}
+
+}  // namespace
