@@ -6,7 +6,7 @@
 #include "io/film_writer.hpp"
 #include "progress.hpp"
 #include "stop_signal.hpp"
-#include "study/shoot_film.hpp"
+#include "workflow/shoot_film.hpp"
 
 namespace arenite::app {
 namespace {

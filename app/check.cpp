@@ -3,8 +3,8 @@
 
 #include "commands.hpp"
 #include "io/read_file.hpp"
-#include "study/film_recipe.hpp"
-#include "study/recipe.hpp"
+#include "recipe/film_recipe.hpp"
+#include "recipe/recipe.hpp"
 
 namespace arenite::app {
 namespace {

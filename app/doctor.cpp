@@ -11,7 +11,7 @@
 #include "commands.hpp"
 #include "core/error.hpp"
 #include "core/version.hpp"
-#include "dem/kernels/kernel.hpp"
+#include "grains/dem/kernels/kernel.hpp"
 
 namespace arenite::app {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "commands.hpp"
 #include "no_result.hpp"
-#include "study/export_result.hpp"
+#include "workflow/export_result.hpp"
 
 namespace arenite::app {
 namespace {

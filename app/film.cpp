@@ -10,7 +10,7 @@
 #include "report/film_text.hpp"
 #include "report/page.hpp"
 #include "stop_signal.hpp"
-#include "study/film_road.hpp"
+#include "workflow/film_road.hpp"
 
 namespace arenite::app {
 namespace {

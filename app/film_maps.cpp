@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "io/film_writer.hpp"
-#include "study/result_folder.hpp"
+#include "workflow/result_folder.hpp"
 
 namespace arenite::app {
 

@@ -11,8 +11,8 @@
 #include "io/table.hpp"
 #include "option_value.hpp"
 #include "report/found_grains.hpp"
-#include "study/grain_picture.hpp"
-#include "study/result_folder.hpp"
+#include "workflow/grain_picture.hpp"
+#include "workflow/result_folder.hpp"
 
 namespace arenite::app {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "option_value.hpp"
-#include "study/identify.hpp"
+#include "workflow/identify.hpp"
 
 namespace arenite::app {
 namespace {

@@ -6,8 +6,8 @@
 #include "commands.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
-#include "study/film_recipe.hpp"
-#include "study/recipe_templates.hpp"
+#include "recipe/film_recipe.hpp"
+#include "recipe/recipe_templates.hpp"
 
 namespace arenite::app {
 namespace {

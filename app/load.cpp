@@ -8,7 +8,7 @@
 #include "commands.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "imaging/label_grains.hpp"
+#include "thermal/imaging/label_grains.hpp"
 #include "io/field_file.hpp"
 #include "io/phase_map_image.hpp"
 #include "io/run_folder.hpp"
@@ -18,9 +18,9 @@
 #include "report/page.hpp"
 #include "report/summary.hpp"
 #include "stop_signal.hpp"
-#include "study/field_stages.hpp"
-#include "study/load_map.hpp"
-#include "study/recipe_words.hpp"
+#include "workflow/field_stages.hpp"
+#include "workflow/load_map.hpp"
+#include "recipe/recipe_words.hpp"
 
 namespace arenite::app {
 namespace {

@@ -1,4 +1,4 @@
-#include "thermography/lockin.hpp"
+#include "thermal/thermography/lockin.hpp"
 
 #include <fmt/format.h>
 
@@ -17,9 +17,9 @@
 #include "progress.hpp"
 #include "statistics/numbers.hpp"
 #include "stop_signal.hpp"
-#include "study/adiabatic.hpp"
-#include "study/film_checks.hpp"
-#include "study/film_load_signal.hpp"
+#include "workflow/adiabatic.hpp"
+#include "workflow/film_checks.hpp"
+#include "workflow/film_load_signal.hpp"
 
 namespace arenite::app {
 namespace {

@@ -6,8 +6,8 @@
 #include "command_text.hpp"
 #include "commands.hpp"
 #include "core/version.hpp"
-#include "study/film_recipe.hpp"
-#include "study/recipe.hpp"
+#include "recipe/film_recipe.hpp"
+#include "recipe/recipe.hpp"
 
 namespace arenite::app {
 namespace {

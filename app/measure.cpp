@@ -9,14 +9,14 @@
 #include "commands.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "imaging/proposed_contacts.hpp"
+#include "thermal/imaging/proposed_contacts.hpp"
 #include "io/field_file.hpp"
 #include "io/sample.hpp"
 #include "io/sealed_file.hpp"
 #include "io/table.hpp"
 #include "option_value.hpp"
-#include "stress/stress.hpp"
-#include "texture/texture.hpp"
+#include "solid/stress/stress.hpp"
+#include "grains/texture/texture.hpp"
 
 namespace arenite::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
-#include "ledger/studies.hpp"
+#include "validation/studies.hpp"
 
 namespace arenite::app {
 namespace {
@@ -56,7 +56,7 @@ void refuse(const fs::path& path, bool study_passes) {
     if (path.extension() == ".toml") throw InputError(name, 0, fmt::format("is a recipe, not a result; {}", give_a_result));
     return;
   }
-  const auto* source = ledger::find_study(name);
+  const auto* source = validation::find_study(name);
   if (source && source->has_runs())
     throw InputError(name, 0, "is a study that comes with the program, not a result; `arenite verify` runs it, and each of its runs' folders is a result");
 }

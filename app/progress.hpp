@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "study/run.hpp"
+#include "workflow/run.hpp"
 
 namespace arenite::app {
 

@@ -10,9 +10,9 @@
 #include "progress.hpp"
 #include "report/page.hpp"
 #include "stop_signal.hpp"
-#include "study/film_recipe.hpp"
-#include "study/run.hpp"
-#include "texture/texture.hpp"
+#include "recipe/film_recipe.hpp"
+#include "workflow/run.hpp"
+#include "grains/texture/texture.hpp"
 
 namespace arenite::app {
 

@@ -14,7 +14,7 @@
 #include "progress.hpp"
 #include "statistics/numbers.hpp"
 #include "stop_signal.hpp"
-#include "thermography/step_load.hpp"
+#include "thermal/thermography/step_load.hpp"
 
 namespace arenite::app {
 namespace {

@@ -10,8 +10,8 @@
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "stop_signal.hpp"
-#include "study/collect.hpp"
-#include "study/result_folder.hpp"
+#include "campaign/collect.hpp"
+#include "workflow/result_folder.hpp"
 #include "study_parts.hpp"
 
 namespace arenite::app {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "report/figure_list.hpp"
-#include "study/run_study.hpp"
+#include "campaign/run_study.hpp"
 
 namespace arenite::app {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "study/store.hpp"
+#include "workflow/store.hpp"
 #include "study_parts.hpp"
 
 namespace arenite::app {

@@ -12,15 +12,15 @@
 #include "core/version.hpp"
 #include "io/atomic_file.hpp"
 #include "io/read_file.hpp"
-#include "ledger/judge.hpp"
-#include "ledger/studies.hpp"
-#include "ledger/virtual_film.hpp"
-#include "report/ledger_dots.hpp"
-#include "report/ledger_report.hpp"
+#include "validation/judge.hpp"
+#include "validation/studies.hpp"
+#include "campaign/virtual_film.hpp"
+#include "validation/report_dots.hpp"
+#include "validation/report.hpp"
 #include "report/study_figures.hpp"
 #include "stop_signal.hpp"
-#include "study/collect.hpp"
-#include "study/result_folder.hpp"
+#include "campaign/collect.hpp"
+#include "workflow/result_folder.hpp"
 #include "study_parts.hpp"
 
 namespace arenite::app {
@@ -44,12 +44,12 @@ bool complete(const study::Study& study, const study::StudyFolder& folder, const
 }
 
 /// The films that the study's figures show; false if it was asked to stop.
-bool make_films(const study::Study& study, const ledger::Results& results, const std::string& name) {
+bool make_films(const study::Study& study, const validation::Results& results, const std::string& name) {
   const auto filmed = report::filmed_runs(read_study_figures(study), results.table(name));
   const auto runs = results.runs(name);
-  return std::all_of(runs.begin(), runs.end(), [&](const ledger::Run& run) {
+  return std::all_of(runs.begin(), runs.end(), [&](const validation::Run& run) {
     const bool is_filmed = std::find(filmed.begin(), filmed.end(), run.study->table().rows[run.row].run) != filmed.end();
-    return !is_filmed || ledger::make_film(run, stop_requested);
+    return !is_filmed || study::make_film(run.folder(), run.study->folder() / "camera.toml", run.text("seed"), stop_requested);
   });
 }
 
@@ -58,18 +58,18 @@ bool wanted(const VerifyArguments& a, const std::string& name) {
 }
 
 /// Where the runs of one of the studies lie; nothing where none are wanted.
-std::optional<study::StudyFolder> folder_of(const ledger::StudySource& source, const fs::path& out, const VerifyArguments& a) {
+std::optional<study::StudyFolder> folder_of(const validation::StudySource& source, const fs::path& out, const VerifyArguments& a) {
   if (!wanted(a, source.name) || (a.read_only && source.has_runs() && !fs::exists(out / source.name))) return std::nullopt;
   return study::StudyFolder(out / source.name);
 }
 
 /// Does what is missing of a source's runs; false if it was asked to stop.
 bool run_studies(char letter, const fs::path& out, const VerifyArguments& a) {
-  for (const std::string& name : ledger::studies_of(letter)) {
-    const auto* source = ledger::find_study(name);
+  for (const std::string& name : validation::studies_of(letter)) {
+    const auto* source = validation::find_study(name);
     const auto folder = source ? folder_of(*source, out, a) : std::nullopt;
     if (!folder || !source->has_runs()) continue;
-    const study::Study study = ledger::unpack_study(*source, folder->out, a.small, a.overrides);
+    const study::Study study = validation::unpack_study(*source, folder->out, a.small, a.overrides);
     if (!a.quiet) fmt::print(stderr, "{}: {} runs\n", name, study.runs.size());
     if (!complete(study, *folder, a)) return false;
   }
@@ -78,20 +78,20 @@ bool run_studies(char letter, const fs::path& out, const VerifyArguments& a) {
 
 /// Reads the runs of a source's studies, makes the films that are missing unless told to read only, and draws the pages; false
 /// if it was asked to stop.
-bool gather(char letter, const fs::path& out, const VerifyArguments& a, ledger::Results& results) {
-  for (const std::string& name : ledger::studies_of(letter)) {
-    const auto* source = ledger::find_study(name);
+bool gather(char letter, const fs::path& out, const VerifyArguments& a, validation::Results& results) {
+  for (const std::string& name : validation::studies_of(letter)) {
+    const auto* source = validation::find_study(name);
     const auto folder = source ? folder_of(*source, out, a) : std::nullopt;
     if (!folder) continue;
     if (!source->has_runs()) {
-      ledger::unpack(*source, folder->out);
+      validation::unpack(*source, folder->out);
       results.add(name, {}, folder->out);
       continue;
     }
-    const study::Study study = ledger::unpack_study(*source, folder->out, a.small, a.overrides);
+    const study::Study study = validation::unpack_study(*source, folder->out, a.small, a.overrides);
     results.add(name, study::collect(study, *folder), folder->out);
     if (!fs::exists(figures_of(study))) continue;
-    const bool films = fs::exists(folder->out / "camera.toml") && (!a.small || name == ledger::filmed_study);
+    const bool films = fs::exists(folder->out / "camera.toml") && (!a.small || name == study::filmed_study);
     if (!a.read_only && films && !make_films(study, results, name)) return false;
     write_study_figures(study, *folder);
   }
@@ -134,45 +134,45 @@ std::string heading(const VerifyArguments& a) {
                      a.csv.empty() ? "`--csv FILE` writes all checks and all choices." : fmt::format("All checks, and all choices, are in [{0}]({0}).", fs::path(a.csv).filename().string()));
 }
 
-bool fails(const ledger::Ledger& ledger) {
-  return std::any_of(ledger.claims.begin(), ledger.claims.end(), [](const auto& judged) { return judged.judgement.verdict() == ledger::Verdict::not_reproduced; });
+bool fails(const validation::Ledger& ledger) {
+  return std::any_of(ledger.claims.begin(), ledger.claims.end(), [](const auto& judged) { return judged.judgement.verdict() == validation::Verdict::not_reproduced; });
 }
 
 /// The page, and its pictures in a folder of its name beside it; those of claims that have none any more go.
-void write_page(const ledger::Ledger& ledger, const VerifyArguments& a) {
+void write_page(const validation::Ledger& ledger, const VerifyArguments& a) {
   const fs::path file = a.markdown;
   fs::path folder = file;
   folder.replace_extension();
   if (folder == file) folder += ".pictures";
   for (const auto& [claim, judgement] : ledger.claims) {
     const fs::path picture = folder / (std::string(claim->id) + ".svg");
-    if (judgement.verdict() != ledger::Verdict::reproduced && report::has_dots(judgement)) {
+    if (judgement.verdict() != validation::Verdict::reproduced && validation::has_dots(judgement)) {
       study::make_folder(folder);
-      io::write_atomically(picture, report::ledger_dots(judgement));
+      io::write_atomically(picture, validation::ledger_dots(judgement));
     } else {
       fs::remove(picture);
     }
   }
-  io::write_atomically(file, heading(a) + report::ledger_page(ledger, folder.filename().string()));
+  io::write_atomically(file, heading(a) + validation::ledger_page(ledger, folder.filename().string()));
 }
 
 int execute(const VerifyArguments& a) {
   const fs::path out = !a.out.empty() ? a.out : a.small ? "out/ledger-small" : "out/ledger";
   watch_for_signals();
-  ledger::Ledger all;
+  validation::Ledger all;
   if (!run_all(out, a)) return stopped();
   for (const std::string& source : a.sources) {
-    ledger::Results results;
+    validation::Results results;
     const char letter = letter_of(source);
     if (!gather(letter, out, a, results)) return stopped();
-    ledger::Ledger one = ledger::judge(letter, results);
+    validation::Ledger one = validation::judge(letter, results);
     all.studies.insert(all.studies.end(), one.studies.begin(), one.studies.end());
     std::move(one.claims.begin(), one.claims.end(), std::back_inserter(all.claims));
   }
-  fmt::print("{}", a.json ? report::ledger_json(all) : report::ledger_text(all));
+  fmt::print("{}", a.json ? validation::ledger_json(all) : validation::ledger_text(all));
   if (!a.markdown.empty()) write_page(all, a);
-  if (!a.csv.empty()) io::write_atomically(a.csv, report::ledger_csv(all));
-  if (!a.verdicts.empty()) io::write_atomically(a.verdicts, report::ledger_verdicts(all, a.small));
+  if (!a.csv.empty()) io::write_atomically(a.csv, validation::ledger_csv(all));
+  if (!a.verdicts.empty()) io::write_atomically(a.verdicts, validation::ledger_verdicts(all, a.small));
   if (a.expected.empty()) return fails(all) ? not_converged : done;
   const auto changes = report::changed_verdicts(all, io::read_file(a.expected), a.expected, a.small);
   for (const auto& change : changes) fmt::print(stderr, "{}\n", change);

@@ -13,10 +13,10 @@
 #include "core/error.hpp"
 #include "io/run_folder.hpp"
 #include "io/stage_file.hpp"
-#include "study/film_numbers.hpp"
-#include "study/film_road.hpp"
-#include "study/shoot_film.hpp"
-#include "texture/texture.hpp"
+#include "workflow/film_numbers.hpp"
+#include "workflow/film_road.hpp"
+#include "workflow/shoot_film.hpp"
+#include "grains/texture/texture.hpp"
 
 /// camera_table STATES CAMERA.toml SCRATCH [THREADS [WORDS...]]: films simulated states with one property of the camera changed at a
 /// time, measures each film without knowing what was drawn, and prints what grains, stresses and forces are off by. Where

@@ -2,7 +2,7 @@
 
 #include "../tests/support/pressed_crystal.hpp"
 #include "../tests/support/swing_picture.hpp"
-#include "inference/contact_forces.hpp"
+#include "thermal/inference/contact_forces.hpp"
 
 /// Contact forces of some 700 grains from some 26 000 pixels at the thesis's pixel, lens and noise, on one core; the
 /// counters hold what was solved and how well.

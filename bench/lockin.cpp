@@ -1,5 +1,5 @@
 // Lock-in of a film in memory beside a plain reading of the same memory, with the same team of threads, turn about.
-#include "thermography/lockin.hpp"
+#include "thermal/thermography/lockin.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include "../tests/support/cemented_sample.hpp"
-#include "peridynamics/kernels/kernels.hpp"
+#include "solid/peridynamics/kernels/kernels.hpp"
 #include "process_use.hpp"
 
 namespace {

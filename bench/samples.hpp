@@ -1,5 +1,5 @@
 #pragma once
-#include "dem/engine.hpp"
+#include "grains/dem/engine.hpp"
 
 namespace arenite::bench {
 

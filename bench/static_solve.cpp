@@ -3,7 +3,7 @@
 #include <map>
 
 #include "../tests/support/cemented_sample.hpp"
-#include "peridynamics/load.hpp"
+#include "solid/peridynamics/load.hpp"
 #include "process_use.hpp"
 
 namespace {

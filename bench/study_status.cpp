@@ -4,7 +4,7 @@
 
 #include "core/hash.hpp"
 #include "io/atomic_file.hpp"
-#include "study/study_folder.hpp"
+#include "campaign/study_folder.hpp"
 
 // What `arenite study status` reads: the table of runs and the journal of a study of many runs.
 namespace {

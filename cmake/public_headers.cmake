@@ -8,17 +8,17 @@ set(arenite_public_headers
   model/phase_map.hpp
   model/stress_field.hpp
   model/field_result.hpp
-  study/recipe.hpp
-  study/recipe_templates.hpp
-  study/run.hpp
-  dem/engine.hpp
-  dem/run_stage.hpp
-  texture/texture.hpp
-  cement/cement.hpp
-  raster/raster.hpp
-  peridynamics/load.hpp
-  stress/stress.hpp
-  thermography/lockin.hpp
+  recipe/recipe.hpp
+  recipe/recipe_templates.hpp
+  workflow/run.hpp
+  grains/dem/engine.hpp
+  grains/dem/run_stage.hpp
+  grains/texture/texture.hpp
+  solid/cement/cement.hpp
+  solid/raster/raster.hpp
+  solid/peridynamics/load.hpp
+  solid/stress/stress.hpp
+  thermal/thermography/lockin.hpp
   io/stage_file.hpp
   io/field_file.hpp
   io/run_folder.hpp

@@ -2,14 +2,14 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
-#include "cement/cement.hpp"
+#include "solid/cement/cement.hpp"
 #include "module.hpp"
-#include "raster/cavities.hpp"
-#include "raster/raster.hpp"
-#include "stress/stress.hpp"
-#include "study/field_stages.hpp"
-#include "study/load_map.hpp"
-#include "study/recipe_words.hpp"
+#include "solid/raster/cavities.hpp"
+#include "solid/raster/raster.hpp"
+#include "solid/stress/stress.hpp"
+#include "workflow/field_stages.hpp"
+#include "workflow/load_map.hpp"
+#include "recipe/recipe_words.hpp"
 
 namespace arenite::python {
 namespace {

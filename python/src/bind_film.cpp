@@ -9,13 +9,13 @@
 #include "calls.hpp"
 #include "core/error.hpp"
 #include "film_source.hpp"
-#include "imaging/circles.hpp"
-#include "imaging/proposed_contacts.hpp"
-#include "inference/contact_forces.hpp"
+#include "thermal/imaging/circles.hpp"
+#include "thermal/imaging/proposed_contacts.hpp"
+#include "thermal/inference/contact_forces.hpp"
 #include "io/film.hpp"
 #include "module.hpp"
-#include "thermography/lockin.hpp"
-#include "thermography/step_load.hpp"
+#include "thermal/thermography/lockin.hpp"
+#include "thermal/thermography/step_load.hpp"
 
 namespace arenite::python {
 namespace {

@@ -6,12 +6,12 @@
 #include "core/error.hpp"
 #include "film_source.hpp"
 #include "module.hpp"
-#include "study/film_correction.hpp"
-#include "thermography/bad_pixels.hpp"
-#include "thermography/grain_means.hpp"
-#include "thermography/grain_motion.hpp"
-#include "thermography/nonuniformity.hpp"
-#include "thermography/phase_pictures.hpp"
+#include "workflow/film_correction.hpp"
+#include "thermal/thermography/bad_pixels.hpp"
+#include "thermal/thermography/grain_means.hpp"
+#include "thermal/thermography/grain_motion.hpp"
+#include "thermal/thermography/nonuniformity.hpp"
+#include "thermal/thermography/phase_pictures.hpp"
 
 /// The steps of the road from a film to grain stresses, each by itself.
 namespace arenite::python {

@@ -6,8 +6,8 @@
 #include "calls.hpp"
 #include "module.hpp"
 #include "report/film_text.hpp"
-#include "study/film_road.hpp"
-#include "study/shoot_film.hpp"
+#include "workflow/film_road.hpp"
+#include "workflow/shoot_film.hpp"
 
 namespace arenite::python {
 namespace {

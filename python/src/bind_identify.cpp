@@ -6,7 +6,7 @@
 #include "calls.hpp"
 #include "core/error.hpp"
 #include "module.hpp"
-#include "study/identify.hpp"
+#include "workflow/identify.hpp"
 
 namespace arenite::python {
 namespace {

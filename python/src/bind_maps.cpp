@@ -3,7 +3,7 @@
 #include "model/lockin_maps.hpp"
 #include "model/picture_grains.hpp"
 #include "module.hpp"
-#include "thermography/grain_motion.hpp"
+#include "thermal/thermography/grain_motion.hpp"
 
 namespace arenite::python {
 namespace {

@@ -9,7 +9,7 @@
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "core/error.hpp"
-#include "imaging/label_grains.hpp"
+#include "thermal/imaging/label_grains.hpp"
 #include "io/phase_map_image.hpp"
 #include "model/cement.hpp"
 #include "module.hpp"

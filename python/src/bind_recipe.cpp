@@ -4,9 +4,9 @@
 #include "calls.hpp"
 #include "core/error.hpp"
 #include "module.hpp"
-#include "study/film_recipe.hpp"
-#include "study/recipe_templates.hpp"
-#include "study/recipe.hpp"
+#include "recipe/film_recipe.hpp"
+#include "recipe/recipe_templates.hpp"
+#include "recipe/recipe.hpp"
 
 namespace arenite::python {
 namespace {

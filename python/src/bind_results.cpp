@@ -6,7 +6,7 @@
 #include "model/field_result.hpp"
 #include "model/result.hpp"
 #include "module.hpp"
-#include "stress/stress.hpp"
+#include "solid/stress/stress.hpp"
 
 namespace arenite::python {
 namespace {

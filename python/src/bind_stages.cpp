@@ -5,9 +5,9 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "core/version.hpp"
-#include "dem/run_stage.hpp"
+#include "grains/dem/run_stage.hpp"
 #include "module.hpp"
-#include "study/run.hpp"
+#include "workflow/run.hpp"
 
 namespace arenite::python {
 namespace {

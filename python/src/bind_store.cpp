@@ -9,7 +9,7 @@
 #include "report/page.hpp"
 #include "report/summary.hpp"
 #include "result.hpp"
-#include "study/export_result.hpp"
+#include "workflow/export_result.hpp"
 
 /// Results as folders, files and pages.
 namespace arenite::python {

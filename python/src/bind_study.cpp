@@ -10,9 +10,9 @@
 #include "io/table.hpp"
 #include "module.hpp"
 #include "report/summary.hpp"
-#include "study/collect.hpp"
-#include "study/result_folder.hpp"
-#include "study/run_study.hpp"
+#include "campaign/collect.hpp"
+#include "workflow/result_folder.hpp"
+#include "campaign/run_study.hpp"
 
 namespace arenite::python {
 namespace {

@@ -10,7 +10,7 @@
 #include "io/sample.hpp"
 #include "io/table.hpp"
 #include "module.hpp"
-#include "texture/texture.hpp"
+#include "grains/texture/texture.hpp"
 
 namespace arenite::python {
 namespace {

@@ -9,7 +9,7 @@
 #include "io/run_folder.hpp"
 #include "io/sealed_file.hpp"
 #include "io/stage_file.hpp"
-#include "study/result_folder.hpp"
+#include "workflow/result_folder.hpp"
 
 namespace arenite::python {
 namespace {

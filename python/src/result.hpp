@@ -4,7 +4,7 @@
 
 #include "arguments.hpp"
 #include "model/film_result.hpp"
-#include "study/run.hpp"
+#include "workflow/run.hpp"
 
 namespace arenite::python {
 

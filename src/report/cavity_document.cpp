@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "raster/cavities.hpp"
-#include "raster/cavity_statistics.hpp"
+#include "solid/raster/cavities.hpp"
+#include "solid/raster/cavity_statistics.hpp"
 
 namespace arenite::report {
 namespace {

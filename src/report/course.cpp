@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "study/run.hpp"
-#include "texture/texture.hpp"
+#include "workflow/run.hpp"
+#include "grains/texture/texture.hpp"
 
 namespace arenite::report {
 

@@ -9,7 +9,7 @@
 #include "report/field_codes.hpp"
 #include "report/grain_means.hpp"
 #include "report/thinned_map.hpp"
-#include "stress/stress.hpp"
+#include "solid/stress/stress.hpp"
 
 namespace arenite::report {
 namespace {

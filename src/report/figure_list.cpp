@@ -9,7 +9,7 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "study/recipe_document.hpp"
+#include "recipe/recipe_document.hpp"
 
 namespace arenite::report {
 namespace {

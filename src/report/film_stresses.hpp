@@ -6,7 +6,7 @@
 #include "model/film_result.hpp"
 #include "statistics/correlation.hpp"
 #include "statistics/numbers.hpp"
-#include "texture/texture.hpp"
+#include "grains/texture/texture.hpp"
 
 namespace arenite::report {
 

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "model/film.hpp"
-#include "thermography/frame_statistics.hpp"
+#include "thermal/thermography/frame_statistics.hpp"
 
 namespace arenite::report {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/vec2.hpp"
-#include "imaging/circles.hpp"
+#include "thermal/imaging/circles.hpp"
 #include "io/png_writer.hpp"
 #include "model/image.hpp"
 

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "dem/run_stage.hpp"
+#include "grains/dem/run_stage.hpp"
 #include "report/number_lines.hpp"
 #include "statistics/numbers.hpp"
 #include "statistics/text.hpp"
-#include "study/recipe.hpp"
+#include "recipe/recipe.hpp"
 
 namespace arenite::report {
 namespace {

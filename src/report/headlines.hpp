@@ -3,7 +3,7 @@
 
 #include "model/result.hpp"
 #include "statistics/numbers.hpp"
-#include "texture/texture.hpp"
+#include "grains/texture/texture.hpp"
 
 // What `arenite show` prints unless it is asked for everything: a dozen numbers, each with its symbol and its meaning.
 namespace arenite::report {

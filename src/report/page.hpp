@@ -7,8 +7,8 @@
 #include "model/field_result.hpp"
 #include "model/film_result.hpp"
 #include "model/result.hpp"
-#include "stress/stress.hpp"
-#include "texture/texture.hpp"
+#include "solid/stress/stress.hpp"
+#include "grains/texture/texture.hpp"
 
 namespace arenite::report {
 

@@ -2,14 +2,14 @@
 
 #include "io/read_file.hpp"
 #include "io/run_folder.hpp"
-#include "ledger/virtual_film.hpp"
+#include "campaign/virtual_film.hpp"
 #include "report/field_drawing.hpp"
 #include "report/run_density.hpp"
 #include "report/sample_drawing.hpp"
 #include "report/study_figures.hpp"
 #include "statistics/numbers.hpp"
-#include "study/final_state.hpp"
-#include "study/run_field.hpp"
+#include "workflow/final_state.hpp"
+#include "workflow/run_field.hpp"
 
 namespace arenite::report {
 
@@ -31,7 +31,7 @@ Numbers windows_of(const fs::path& run, double share) {
 Numbers run_drawing(const fs::path& run, const Figure& figure) {
   const std::string load = figure.stage.empty() ? "*" : figure.stage;
   switch (figure.kind) {
-    case FigureKind::film: return film_drawing(ledger::film_numbers(run));
+    case FigureKind::film: return film_drawing(study::film_numbers(run));
     case FigureKind::phases: return phases_drawing(study::field_of(run));
     case FigureKind::zoom: return zoom_drawing(study::field_of(run, load));
     case FigureKind::cracks: return cracks_drawing(study::field_of(run, load));
@@ -40,7 +40,7 @@ Numbers run_drawing(const fs::path& run, const Figure& figure) {
 }
 
 Numbers RunNumbers::with(const fs::path& run, const std::string& path, const Figure& figure) {
-  if (is_of_film(path)) return ledger::has_film(run) ? Numbers{{"film", ledger::film_numbers(run)}} : Numbers{};
+  if (is_of_film(path)) return study::has_film(run) ? Numbers{{"film", study::film_numbers(run)}} : Numbers{};
   if (path.starts_with("window.")) return io::stage_files(run).empty() ? Numbers{} : windows_of(run, figure.window.value_or(1));
   const fs::path file = run / "numbers.json";
   Numbers numbers = fs::exists(file) ? from_json(io::read_file(file)).value_or(Numbers{}) : Numbers{};

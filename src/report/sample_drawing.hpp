@@ -3,7 +3,7 @@
 
 #include "report/figure_list.hpp"
 #include "statistics/numbers.hpp"
-#include "study/final_state.hpp"
+#include "workflow/final_state.hpp"
 
 namespace arenite::report {
 

@@ -6,7 +6,7 @@
 #include "report/figure_list.hpp"
 #include "statistics/estimate.hpp"
 #include "statistics/numbers.hpp"
-#include "study/collect.hpp"
+#include "campaign/collect.hpp"
 
 namespace arenite::report {
 

@@ -14,9 +14,9 @@
 #include "report/film_text.hpp"
 #include "report/headlines.hpp"
 #include "statistics/numbers.hpp"
-#include "study/recipe.hpp"
-#include "study/run.hpp"
-#include "texture/texture.hpp"
+#include "recipe/recipe.hpp"
+#include "workflow/run.hpp"
+#include "grains/texture/texture.hpp"
 
 namespace arenite::report {
 namespace {

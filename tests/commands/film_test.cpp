@@ -5,12 +5,12 @@
 
 #include "io/film.hpp"
 #include "io/film_writer.hpp"
-#include "radiometry/band.hpp"
-#include "study/film_numbers.hpp"
+#include "thermal/radiometry/band.hpp"
+#include "workflow/film_numbers.hpp"
 #include "support/films.hpp"
 #include "support/virtual_film.hpp"
-#include "thermography/frame_statistics.hpp"
-#include "thermography/nonuniformity.hpp"
+#include "thermal/thermography/frame_statistics.hpp"
+#include "thermal/thermography/nonuniformity.hpp"
 
 namespace {
 using namespace arenite;

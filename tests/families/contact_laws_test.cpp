@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "core/random.hpp"
-#include "dem/laws/laws.hpp"
+#include "grains/dem/laws/laws.hpp"
 
 namespace arenite::dem {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "dem/engine.hpp"
-#include "unit/dem/samples.hpp"
+#include "grains/dem/engine.hpp"
+#include "unit/grains/dem/samples.hpp"
 
 namespace arenite::dem {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
-#include "imaging/label_grains.hpp"
+#include "thermal/imaging/label_grains.hpp"
 #include "io/phase_map_image.hpp"
 
 namespace {

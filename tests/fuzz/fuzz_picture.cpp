@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "imaging/label_grains.hpp"
+#include "thermal/imaging/label_grains.hpp"
 #include "io/phase_map_image.hpp"
 
 namespace {

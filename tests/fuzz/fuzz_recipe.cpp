@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
-#include "study/recipe.hpp"
+#include "recipe/recipe.hpp"
 
 /// Any bytes are a recipe or an InputError with a sentence; and what was understood is written so that it reads back as
 /// the same.

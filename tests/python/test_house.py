@@ -6,33 +6,34 @@ import re
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "src"
 
-# From the ground up. A room includes its own files and those of floors below; the rooms of one floor know each other only from left to right.
-FLOORS = [
-    ["core"],
-    ["geometry", "statistics"],
-    ["elasticity", "model", "radiometry"],
-    [("io",), ("packing", "dem", "texture"), ("cement", "raster", "peridynamics", "stress"), ("imaging", "camera", "thermography", "inference", "identify")],
-    ["study"],
-    ["ledger"],
-    ["report"],
-]
+# From the ground up. A room includes its own files and those of floors below; the rooms of one floor do not know each other.
+FLOORS = [["core"], ["geometry", "statistics"], ["model"], ["io", "grains", "solid", "thermal"], ["recipe"], ["workflow"], ["campaign"], ["report"]]
+# The chambers of a room, from left to right: one includes itself and those before it.
+CHAMBERS = {
+    "grains": ["packing", "dem", "texture"],
+    "solid": ["cement", "raster", "peridynamics", "stress"],
+    "thermal": ["radiometry", "imaging", "camera", "thermography", "inference", "identify"],
+}
 
 
-def allowed():
-    below, may = set(), {}
-    for floor in FLOORS:
-        rooms = [room if isinstance(room, tuple) else (room,) for room in floor]
-        for wing in rooms:
-            for place, room in enumerate(wing):
-                may[room] = below | set(wing[:place])
-        below |= {room for wing in rooms for room in wing}
-    return may
+def place_of(path):
+    """("thermal", "camera") of thermal/camera/scene.hpp, ("core", None) of core/units.hpp."""
+    parts = pathlib.PurePath(path).parts
+    return parts[0], parts[1] if parts[0] in CHAMBERS else None
+
+
+def is_allowed(includer, included):
+    (room, chamber), (other, other_chamber) = place_of(includer), place_of(included)
+    if room != other:
+        floor = {name: level for level, names in enumerate(FLOORS) for name in names}
+        return floor[other] < floor[room]
+    return chamber is None or CHAMBERS[room].index(other_chamber) <= CHAMBERS[room].index(chamber)
 
 
 def included_by(file):
     for line in file.read_text().splitlines():
-        found = re.match(r'#include "([a-z_0-9]+)/', line)
-        if found:
+        found = re.match(r'#include "([a-z_0-9]+/[^"]+)"', line)
+        if found and found.group(1) != "core/version.hpp":
             yield found.group(1)
 
 
@@ -41,28 +42,39 @@ def files():
 
 
 def test_every_room_has_its_floor():
-    assert {p.name for p in SOURCES.iterdir() if p.is_dir()} == set(allowed())
+    assert {p.name for p in SOURCES.iterdir() if p.is_dir()} == {room for floor in FLOORS for room in floor}
+    for room, chambers in CHAMBERS.items():
+        assert {p.name for p in (SOURCES / room).iterdir()} == set(chambers)
 
 
 def test_arrows_of_inclusion_point_down():
-    may = allowed()
-    wrong = []
-    for file in files():
-        room = file.relative_to(SOURCES).parts[0]
-        wrong += [f"{file.relative_to(ROOT)} includes {other}" for other in included_by(file) if other != room and other in may and other not in may[room]]
+    wrong = [f"{file.relative_to(ROOT)} includes {other}" for file in files() for other in included_by(file)
+             if not is_allowed(file.relative_to(SOURCES), other)]
     assert not wrong, "\n".join(wrong)
+
+
+def test_folders_and_files_stay_small():
+    """At most twelve rooms, forty files in a folder, three folders deep."""
+    assert len(list(SOURCES.iterdir())) <= 12
+    counts = {}
+    for file in files():
+        counts[file.parent] = counts.get(file.parent, 0) + 1
+        assert len(file.relative_to(SOURCES).parts) <= 4, file
+    crowded = [f"{folder.relative_to(ROOT)}: {count} files" for folder, count in sorted(counts.items()) if count > 40]
+    assert not crowded, "\n".join(crowded)
 
 
 def test_unit_tests_mirror_sources():
     """x_test.cpp is of src/.../x, and x_theme_test.cpp is of a theme of it."""
     stems = {}
-    for file in files():
-        stems.setdefault(file.relative_to(SOURCES).parts[0], set()).add(file.stem)
+    for file in files() + sorted((ROOT / "validation").rglob("*.?pp")):
+        home = SOURCES if SOURCES in file.parents else ROOT
+        stems.setdefault(place_of(file.relative_to(home)), set()).add(file.stem)
     tests = ROOT / "tests" / "unit"
     stray = []
     for test in tests.rglob("*_test.cpp"):
         words = test.stem.split("_")[:-1]
         own = {"_".join(words[:n]) for n in range(1, len(words) + 1)}
-        if not own & stems.get(test.relative_to(tests).parts[0], set()):
+        if not own & stems.get(place_of(test.relative_to(tests)), set()):
             stray.append(str(test.relative_to(ROOT)))
     assert not stray, "\n".join(sorted(stray))

@@ -7,7 +7,7 @@
 
 #include "core/random.hpp"
 #include "geometry/disk_window.hpp"
-#include "imaging/smooth.hpp"
+#include "thermal/imaging/smooth.hpp"
 #include "io/csv.hpp"
 #include "io/read_file.hpp"
 #include "model/image.hpp"

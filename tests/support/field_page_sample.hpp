@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "model/field_result.hpp"
-#include "peridynamics/damage.hpp"
-#include "peridynamics/load.hpp"
+#include "solid/peridynamics/damage.hpp"
+#include "solid/peridynamics/load.hpp"
 #include "report/page.hpp"
 #include "support/cemented_sample.hpp"
 #include "support/numbers_of.hpp"

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "elasticity/disk_field.hpp"
+#include "model/elasticity/disk_field.hpp"
 #include "report/page.hpp"
-#include "study/film_directions.hpp"
+#include "workflow/film_directions.hpp"
 #include "support/numbers_of.hpp"
 #include "support/page_sample.hpp"
 

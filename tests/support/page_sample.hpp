@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "geometry/close_pairs.hpp"
-#include "packing/fill.hpp"
-#include "packing/relax.hpp"
+#include "grains/packing/fill.hpp"
+#include "grains/packing/relax.hpp"
 #include "report/page.hpp"
 
 namespace arenite::test {

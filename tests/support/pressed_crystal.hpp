@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "inference/normal_equations.hpp"
-#include "inference/touching.hpp"
+#include "thermal/inference/normal_equations.hpp"
+#include "thermal/inference/touching.hpp"
 #include "model/packing.hpp"
 
 namespace arenite::test {

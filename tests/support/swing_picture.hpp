@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "elasticity/disk_field.hpp"
-#include "inference/contact_forces.hpp"
+#include "model/elasticity/disk_field.hpp"
+#include "thermal/inference/contact_forces.hpp"
 #include "model/packing.hpp"
 
 namespace arenite::test {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "elasticity/disk_field.hpp"
-#include "peridynamics/load.hpp"
+#include "model/elasticity/disk_field.hpp"
+#include "solid/peridynamics/load.hpp"
 
 namespace arenite {
 namespace {

@@ -1,4 +1,4 @@
-#include "thermography/grain_means.hpp"
+#include "thermal/thermography/grain_means.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
-#include "elasticity/disk_field.hpp"
+#include "model/elasticity/disk_field.hpp"
 
 namespace arenite::thermography {
 namespace {

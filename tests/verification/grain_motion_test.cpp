@@ -1,11 +1,11 @@
-#include "thermography/grain_motion.hpp"
+#include "thermal/thermography/grain_motion.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "../support/moving_disks_film.hpp"
-#include "thermography/grain_means.hpp"
+#include "thermal/thermography/grain_means.hpp"
 
 namespace arenite::thermography {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "imaging/circles.hpp"
+#include "thermal/imaging/circles.hpp"
 #include "io/image.hpp"
 #include "support/found_grains.hpp"
 

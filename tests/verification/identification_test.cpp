@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "study/identify.hpp"
+#include "workflow/identify.hpp"
 
 /// The thesis's tables of its identification tests (T chapter 2).
 namespace {

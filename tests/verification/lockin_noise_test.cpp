@@ -8,7 +8,7 @@
 #include "../support/films.hpp"
 #include "../support/pictures.hpp"
 #include "../support/swinging_film.hpp"
-#include "thermography/lockin.hpp"
+#include "thermal/thermography/lockin.hpp"
 
 namespace arenite::thermography {
 namespace {

@@ -1,4 +1,4 @@
-#include "thermography/lockin.hpp"
+#include "thermal/thermography/lockin.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "peridynamics/damage.hpp"
-#include "peridynamics/lattice.hpp"
-#include "peridynamics/load.hpp"
+#include "solid/peridynamics/damage.hpp"
+#include "solid/peridynamics/lattice.hpp"
+#include "solid/peridynamics/load.hpp"
 #include "support/cemented_sample.hpp"
 #include "support/homogeneous_sample.hpp"
 

@@ -1,9 +1,9 @@
 // Effective moduli of whole samples against the lattice's own and against laminate bounds.
-#include "peridynamics/moduli.hpp"
+#include "solid/peridynamics/moduli.hpp"
 
 #include <gtest/gtest.h>
 
-#include "peridynamics/lattice.hpp"
+#include "solid/peridynamics/lattice.hpp"
 #include "support/cemented_sample.hpp"
 #include "support/homogeneous_sample.hpp"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "peridynamics/lattice.hpp"
-#include "peridynamics/load.hpp"
+#include "solid/peridynamics/lattice.hpp"
+#include "solid/peridynamics/load.hpp"
 #include "support/homogeneous_sample.hpp"
 
 namespace arenite::peridynamics {

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "imaging/label_grains.hpp"
+#include "thermal/imaging/label_grains.hpp"
 #include "io/phase_map_image.hpp"
-#include "peridynamics/load.hpp"
+#include "solid/peridynamics/load.hpp"
 
 namespace {
 using namespace arenite;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "support.hpp"
-#include "texture/texture.hpp"
+#include "grains/texture/texture.hpp"
 
 namespace arenite::verification {
 namespace {

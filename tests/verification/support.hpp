@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "dem/engine.hpp"
+#include "grains/dem/engine.hpp"
 
 /// Small samples whose motion is known in closed form, and the few quantities read off them.
 namespace arenite::verification {

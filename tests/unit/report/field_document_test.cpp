@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/page_document.hpp"
-#include "study/field_stages.hpp"
+#include "workflow/field_stages.hpp"
 #include "support/field_page_sample.hpp"
 
 using namespace arenite;

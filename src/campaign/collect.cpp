@@ -1,0 +1,203 @@
+#include "campaign/collect.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+#include "core/error.hpp"
+#include "core/nearest.hpp"
+#include "core/units.hpp"
+#include "statistics/numbers.hpp"
+#include "recipe/recipe_reader.hpp"
+
+namespace arenite::study {
+namespace {
+
+using Row = CollectedTable::Row;
+
+/// The unit behind the number of a quantity such as "350 mm"; nothing for anything else.
+std::optional<std::string> unit_of(const std::string& text) {
+  try {
+    if (!parse_quantity(text).has_unit) return std::nullopt;
+    const auto start = text.find_first_not_of(' ', text.find_first_not_of("+-.0123456789eE"));
+    return text.substr(start);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+/// A column whose quantities all have one unit gets it into its head.
+void move_unit_to_head(CollectedTable& table, std::size_t k) {
+  std::optional<std::string> unit;
+  for (const Row& row : table.rows) {
+    if (row.values[k].empty()) continue;
+    const auto here = unit_of(row.values[k]);
+    if (!here || (unit && *unit != *here)) return;
+    unit = here;
+  }
+  if (!unit) return;
+  table.keys[k].unit = *unit;
+  for (Row& row : table.rows) {
+    std::string& value = row.values[k];
+    if (value.empty()) continue;
+    value.resize(value.size() - unit->size());
+    while (value.ends_with(' ')) value.pop_back();
+  }
+}
+
+/// The value as a person would write it: texts without quotes.
+std::string cell_of(const std::string& literal) {
+  const Node value = parse_value(literal);
+  return value.kind == Node::Kind::text ? value.text : literal;
+}
+
+std::string quoted(const std::string& cell) {
+  if (cell.find_first_of(",\"\n;") == std::string::npos) return cell;
+  std::string text = "\"";
+  for (const char c : cell) text += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return text + "\"";
+}
+
+std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
+
+/// Mean and standard error from the scatter; where there is one number only, its own error.
+Estimate mean_of(const std::vector<Estimate>& parts) {
+  if (parts.size() == 1) return {parts[0].value, std::nullopt};
+  double sum = 0, squares = 0;
+  for (const auto& part : parts) sum += part.value;
+  const double n = static_cast<double>(parts.size()), mean = sum / n;
+  for (const auto& part : parts) squares += (part.value - mean) * (part.value - mean);
+  return {mean, std::sqrt(squares / (n - 1) / n)};
+}
+
+Row mean_of(const std::vector<const Row*>& group, std::vector<std::string> values, std::size_t columns) {
+  Row mean;
+  mean.values = std::move(values);
+  mean.runs = group.size();
+  for (std::size_t c = 0; c < columns; ++c) {
+    std::vector<Estimate> parts;
+    for (const Row* row : group)
+      if (row->numbers[c] && std::isfinite(row->numbers[c]->value)) parts.push_back(*row->numbers[c]);
+    mean.numbers.push_back(parts.empty() ? std::nullopt : std::optional(mean_of(parts)));
+  }
+  return mean;
+}
+
+}  // namespace
+
+CollectedTable collect(const Study& study, const StudyFolder& folder) {
+  CollectedTable table;
+  std::unordered_map<std::string, std::size_t> column;
+  for (const auto& key : study.keys) table.keys.push_back({key, {}});
+  for (const StudyRun& run : study.runs) {
+    const RunResult result = result_of(folder, run);
+    Row row;
+    row.run = run.name;
+    row.status = word_for(result.state.kind);
+    for (const auto& key : study.keys) {
+      const auto at = std::find_if(run.values.begin(), run.values.end(), [&](const auto& value) { return value.first == key; });
+      row.values.push_back(at == run.values.end() ? "" : cell_of(at->second));
+    }
+    for (const auto& [name, estimate] : flat_numbers(result.numbers)) {
+      const auto [at, is_new] = column.emplace(name, table.names.size());
+      if (is_new) table.names.push_back(name);
+      row.numbers.resize(std::max(row.numbers.size(), at->second + 1));
+      row.numbers[at->second] = estimate;
+    }
+    table.rows.push_back(std::move(row));
+  }
+  for (Row& row : table.rows) row.numbers.resize(table.names.size());
+  for (std::size_t k = 0; k < table.keys.size(); ++k) move_unit_to_head(table, k);
+  return table;
+}
+
+CollectedTable averaged(const CollectedTable& table, const std::vector<std::string>& keys) {
+  CollectedTable result;
+  result.means = true;
+  result.names = table.names;
+  std::vector<std::size_t> places;
+  std::vector<std::string> known;
+  for (const auto& key : table.keys) known.push_back(key.name);
+  for (const auto& key : keys) {
+    const auto at = std::find(known.begin(), known.end(), key);
+    if (at == known.end()) throw InputError(fmt::format("--by {}: is not swept; the swept keys are: {}", key, list_of(known)));
+    places.push_back(static_cast<std::size_t>(at - known.begin()));
+    result.keys.push_back(table.keys[places.back()]);
+  }
+  std::vector<std::pair<std::vector<std::string>, std::vector<const Row*>>> groups;
+  std::map<std::vector<std::string>, std::size_t> group_of;
+  for (const Row& row : table.rows) {
+    if (row.status != "done") continue;
+    std::vector<std::string> values;
+    for (const std::size_t k : places) values.push_back(row.values[k]);
+    const auto [at, is_new] = group_of.emplace(values, groups.size());
+    if (is_new) groups.push_back({values, {}});
+    groups[at->second].second.push_back(&row);
+  }
+  for (auto& [values, group] : groups) result.rows.push_back(mean_of(group, values, table.names.size()));
+  return result;
+}
+
+std::string CollectedTable::csv() const {
+  // A column of errors only where there are any.
+  std::vector<bool> has_error(names.size(), false);
+  for (const Row& row : rows)
+    for (std::size_t c = 0; c < names.size(); ++c)
+      if (row.numbers[c] && row.numbers[c]->error) has_error[c] = true;
+  std::vector<std::string> cells;
+  const auto line = [&cells] {
+    const std::string text = fmt::format("{}\n", fmt::join(cells, ","));
+    cells.clear();
+    return text;
+  };
+  if (!means) cells = {"run", "status"};
+  for (const Key& key : keys) cells.push_back(quoted(key.unit.empty() ? key.name : fmt::format("{} [{}]", key.name, key.unit)));
+  if (means) cells.emplace_back("runs");
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    cells.push_back(quoted(names[c]));
+    if (has_error[c]) cells.push_back(quoted(names[c] + "_error"));
+  }
+  std::string text = line();
+  for (const Row& row : rows) {
+    if (!means) cells = {row.run, row.status};
+    for (const auto& value : row.values) cells.push_back(quoted(value));
+    if (means) cells.push_back(std::to_string(row.runs));
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      const auto& estimate = row.numbers[c];
+      cells.push_back(estimate ? number(estimate->value) : "");
+      if (has_error[c]) cells.push_back(estimate && estimate->error ? number(*estimate->error) : "");
+    }
+    text += line();
+  }
+  return text;
+}
+
+std::string CollectedTable::json() const {
+  Numbers list = Numbers::list();
+  for (const Row& row : rows) {
+    Numbers one = means ? Numbers{{"runs", row.runs}} : Numbers{{"run", row.run}, {"status", row.status}};
+    Numbers swept = Numbers::tree(), numbers = Numbers::tree();
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+      if (row.values[k].empty()) continue;
+      const Node value = parse_value(row.values[k]);
+      Numbers plain = value.kind == Node::Kind::integer ? Numbers(value.integer) : value.kind == Node::Kind::real ? Numbers(value.real) : Numbers(row.values[k]);
+      swept[keys[k].name] = keys[k].unit.empty() ? std::move(plain) : Numbers{{"value", std::move(plain)}, {"unit", keys[k].unit}};
+    }
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      if (!row.numbers[c]) continue;
+      Numbers estimate{{"value", row.numbers[c]->value}};
+      if (row.numbers[c]->error) estimate["error"] = *row.numbers[c]->error;
+      numbers[names[c]] = std::move(estimate);
+    }
+    one["values"] = std::move(swept);
+    one["numbers"] = std::move(numbers);
+    list.push_back(std::move(one));
+  }
+  return to_json(list, 1) + "\n";
+}
+
+}  // namespace arenite::study

@@ -1,0 +1,46 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "statistics/numbers.hpp"
+#include "campaign/study_folder.hpp"
+
+namespace arenite::study {
+
+/// A number of a run with its standard error, where it has one.
+struct Estimate {
+  double value = 0;
+  std::optional<double> error;
+};
+
+/// All single numbers of a run by dotted names ("texture.coordination"), in its order. {"value", "error"} is one
+/// number; of lists those of at most four numbers are taken (tensors, counted from 0), and those of things with a "name", by it.
+std::vector<std::pair<std::string, Estimate>> flat_numbers(const Numbers& numbers);
+
+/// Runs as rows: first the swept keys, then numbers. Empty cells are empty texts and numbers that a run does not have.
+struct CollectedTable {
+  struct Row {
+    std::string run, status;             ///< empty in means
+    std::vector<std::string> values;     ///< by key, without the unit that the whole column has
+    std::size_t runs = 1;                ///< that the row is the mean of
+    std::vector<std::optional<Estimate>> numbers;
+  };
+  struct Key { std::string name, unit; };  ///< unit empty where values have none, or several
+  std::vector<Key> keys;
+  std::vector<std::string> names;        ///< of the numbers
+  std::vector<Row> rows;
+  bool means = false;
+
+  std::string csv() const;
+  std::string json() const;
+};
+
+CollectedTable collect(const Study& study, const StudyFolder& folder);
+
+/// The rows with equal values of `keys` as one: means over runs, and their standard errors from the scatter of the runs (none of
+/// one run). Throws InputError for a key that is not swept.
+CollectedTable averaged(const CollectedTable& table, const std::vector<std::string>& keys);
+
+}  // namespace arenite::study

@@ -1,0 +1,171 @@
+#include "campaign/run_study.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <optional>
+#include <unordered_map>
+
+#include "io/file_lock.hpp"
+#include "campaign/dropped_fields.hpp"
+#include "workflow/result_folder.hpp"
+#include "campaign/run_in_study.hpp"
+#include "campaign/worker.hpp"
+
+namespace arenite::study {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Kind = RunState::Kind;
+
+constexpr const char* elsewhere = "elsewhere";
+
+/// A run at work; `stage` is the first that it has to compute.
+struct Job {
+  std::size_t run = 0;
+  std::string stage;
+  Worker worker;
+};
+
+class Scheduler {
+ public:
+  Scheduler(const Study& study, const StudyFolder& folder, const StudyOptions& options)
+      : study_(study), folder_(folder), options_(options), store_(folder.store, options.notice), journal_(folder.journal(), options.notice), next_(study.runs.size(), 0) {
+    make_folder(folder.out / "locks");
+    if (!options.keep_fields) dropped_.emplace(study, folder, store_);
+    for (const std::size_t run : shard_of(study, options.shard, options.shards)) {
+      const auto state = read_status(folder, study.runs[run].name);
+      if (!state || !state->settled() || (options.retry && state->kind != Kind::done)) pending_.push_back(run);
+      else settle(run, state->kind);
+    }
+    total_ = pending_.size() + progress_.done + progress_.not_done;
+  }
+
+  StudyOutcome work() {
+    show(true);
+    while (!pending_.empty() || !jobs_.empty()) {
+      if (options_.asked_to_stop() && !stopping_) stop();
+      if (!stopping_) fill();
+      if (jobs_.empty() && stopping_) break;
+      listen();
+      show(false);
+    }
+    show(true);
+    return {progress_.done, progress_.not_done, total_ - progress_.done - progress_.not_done, stopping_ && total_ > progress_.done + progress_.not_done};
+  }
+
+ private:
+  void fill() {
+    while (jobs_.size() < options_.jobs) {
+      const auto chosen = choose();
+      if (!chosen) return;
+      const StudyRun& run = study_.runs[*chosen];
+      jobs_.push_back({*chosen, first_missing(*chosen), Worker([&] {
+                         const auto state = run_in_study(study_, run, folder_, store_, journal_, options_);
+                         return std::string(state ? word_for(state->kind) : elsewhere);
+                       })});
+    }
+  }
+
+  /// The first run that would not have to wait for a stage which somebody computes now; taken out of the pending ones.
+  std::optional<std::size_t> choose() {
+    std::unordered_map<std::string, bool> busy;
+    for (const Job& job : jobs_) busy[job.stage] = true;
+    for (auto at = pending_.begin(); at != pending_.end(); ++at) {
+      const std::string& stage = first_missing(*at);
+      auto known = busy.find(stage);
+      if (known == busy.end()) known = busy.emplace(stage, !stage.empty() && store_.is_busy(stage)).first;
+      if (known->second && !stage.empty()) continue;
+      if (io::FileLock::is_held(folder_.lock(study_.runs[*at].name))) continue;
+      const std::size_t run = *at;
+      pending_.erase(at);
+      return run;
+    }
+    return std::nullopt;
+  }
+
+  /// Hash of the first stage of a run that is not in the store; empty if all are there.
+  const std::string& first_missing(std::size_t run) {
+    static const std::string none;
+    const auto& stages = study_.runs[run].stages;
+    while (next_[run] < stages.size() && store_.has(stages[next_[run]].hash)) ++next_[run];
+    return next_[run] < stages.size() ? stages[next_[run]].hash : none;
+  }
+
+  void listen() {
+    std::vector<pollfd> ears;
+    for (const Job& job : jobs_) ears.push_back({job.worker.descriptor(), POLLIN, 0});
+    ::poll(ears.data(), ears.size(), 100);
+    for (std::size_t j = jobs_.size(); j-- > 0;) {
+      if (ears[j].revents == 0) continue;
+      const auto end = jobs_[j].worker.end();
+      if (!end) continue;
+      const std::size_t run = jobs_[j].run;
+      jobs_.erase(jobs_.begin() + static_cast<std::ptrdiff_t>(j));
+      ended(run, *end);
+    }
+  }
+
+  void ended(std::size_t run, const Worker::End& end) {
+    for (const Kind kind : {Kind::done, Kind::unfinished, Kind::failed})
+      if (end.word == word_for(kind)) return settle(run, kind);
+    if (end.word == elsewhere || end.word == word_for(Kind::waiting) || stopping_) {
+      pending_.push_back(run);
+      return;
+    }
+    const RunState state{Kind::failed, 0, end.signal != 0 ? fmt::format("its process was ended by signal {} ({}); perhaps the memory did not suffice", end.signal, ::strsignal(end.signal))
+                                                          : fmt::format("its process ended with status {} and left no word; perhaps the disk is full", end.status)};
+    make_folder(folder_.run(study_.runs[run].name));
+    write_status(folder_, study_.runs[run].name, state);
+    note_state(journal_, study_.runs[run].name, state);
+    settle(run, state.kind);
+  }
+
+  void settle(std::size_t run, Kind kind) {
+    ++(kind == Kind::done ? progress_.done : progress_.not_done);
+    if (dropped_) dropped_->run_settled(study_.runs[run]);
+  }
+
+  void stop() {
+    stopping_ = true;
+    for (const Job& job : jobs_) job.worker.ask_to_stop();
+  }
+
+  void show(bool now) {
+    progress_.runs = total_;
+    progress_.running = jobs_.size();
+    // Costs are summed over all that is left, which takes a while in a large study.
+    if (now || Clock::now() >= next_estimate_) {
+      const auto began = Clock::now();
+      auto left = pending_;
+      for (const Job& job : jobs_) left.push_back(job.run);
+      progress_.seconds_left = seconds_of_missing(study_, left, folder_) / static_cast<double>(options_.jobs * static_cast<std::size_t>(options_.threads));
+      next_estimate_ = Clock::now() + std::max<Clock::duration>(std::chrono::seconds(1), 50 * (Clock::now() - began));
+    }
+    options_.progress(progress_);
+  }
+
+  const Study& study_;
+  const StudyFolder& folder_;
+  const StudyOptions& options_;
+  const Store store_;
+  const io::AppendLog journal_;
+  std::optional<DroppedFields> dropped_;
+  std::vector<std::size_t> pending_, next_;  ///< next_: first stage of each run that may be missing
+  std::vector<Job> jobs_;
+  StudyProgress progress_;
+  std::size_t total_ = 0;
+  bool stopping_ = false;
+  Clock::time_point next_estimate_{};
+};
+
+}  // namespace
+
+StudyOutcome run_study(const Study& study, const StudyFolder& folder, const StudyOptions& options) {
+  return Scheduler(study, folder, options).work();
+}
+
+}  // namespace arenite::study

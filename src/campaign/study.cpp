@@ -1,0 +1,181 @@
+#include "campaign/study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "io/read_file.hpp"
+#include "recipe/recipe_reader.hpp"
+#include "campaign/sweep.hpp"
+
+namespace arenite::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Problems of many runs, each once.
+class RunProblems {
+ public:
+  void add(const InputError& error, const StudyRun& run) {
+    ++failing_;
+    for (const Problem& problem : error.problems()) {
+      const auto key = std::tuple(problem.line, problem.column, problem.file, problem.message);
+      auto [at, is_new] = found_.try_emplace(key, Found{describe(run), 0});
+      ++at->second.runs;
+    }
+  }
+  bool enough() const { return failing_ >= 1000; }
+  void raise(std::size_t runs) const {
+    if (found_.empty()) return;
+    std::vector<Problem> problems;
+    for (const auto& [key, found] : found_) {
+      const auto& [line, column, file, message] = key;
+      std::string where;
+      if (found.runs < runs && !found.first.empty())
+        where = fmt::format(" (run with {}{})", found.first, found.runs > 1 ? fmt::format(", and {} more", found.runs - 1) : "");
+      problems.push_back({file, line, column, message + where});
+    }
+    throw InputError(std::move(problems));
+  }
+
+ private:
+  struct Found {
+    std::string first;
+    std::size_t runs;
+  };
+  std::map<std::tuple<int, int, std::string, std::string>, Found> found_;
+  std::size_t failing_ = 0;
+};
+
+/// The tree of the recipe, its overrides applied; its [sweep] is taken out of it.
+Sweep take_sweep(Study& study, Reading& reading) {
+  study.tree = read_tree(io::read_file(study.file), reading, study.overrides, "composite");
+  auto& entries = study.tree.entries;
+  const auto at = std::find_if(entries.begin(), entries.end(), [](const Entry& entry) { return entry.key == "sweep"; });
+  if (at == entries.end())
+    throw InputError(study.file, 0, fmt::format("has no section [sweep], so it is one run: `arenite run {}`; docs/studies.md tells what [sweep] may hold", study.file));
+  const Node section = at->value;
+  entries.erase(at);
+  const Entry* seed = study.tree.find("seed");
+  const bool has_seed = seed && seed->value.kind == Node::Kind::integer;
+  return read_sweep(section, reading, has_seed ? static_cast<std::uint64_t>(seed->value.integer) : 1);
+}
+
+std::int64_t seed_of(const Recipe& recipe, Sweep::Seeds seeds, std::int64_t replicate) {
+  if (seeds == Sweep::Seeds::consecutive) return static_cast<std::int64_t>(recipe.seed) + replicate;
+  HashBuilder hash;
+  hash.add("packing", packing_key(recipe)).add("replicate", replicate);
+  return std::stoll(hash.hex().substr(0, 12), nullptr, 16);  // 48 bits, which a double holds exactly
+}
+
+Node with(Node tree, const Point& point, const Reading& reading) {
+  for (const auto& [key, value] : point) {
+    try {
+      set_value(tree, key, value);
+    } catch (const InputError& error) {
+      throw InputError({Problem{file_of(value.place, reading), value.place.line, value.place.column, fmt::format("{}: {}", key, error.what())}});
+    }
+  }
+  return tree;
+}
+
+class Expansion {
+ public:
+  Expansion(Study& study, const Reading& reading, const Sweep& sweep) : study_(study), reading_(reading), sweep_(sweep) {}
+
+  void add(const Point& point) {
+    StudyRun run;
+    for (const auto& [key, value] : point) run.values.emplace_back(key, toml_literal(value));
+    try {
+      Recipe recipe = recipe_from(with(study_.tree, point, reading_), study_.file);
+      if (recipe.packing.method == PackingParameters::Method::file) files_.insert((fs::path(study_.file).parent_path() / recipe.packing.file).string());
+      const Recipe base = recipe;
+      for (std::int64_t r = 0; r < std::max<std::int64_t>(sweep_.replicates, 1); ++r) {
+        StudyRun replicate = run;
+        if (sweep_.replicates > 0) {
+          recipe.seed = static_cast<std::uint64_t>(seed_of(base, sweep_.seeds, r));
+          replicate.values.emplace_back("seed", std::to_string(recipe.seed));
+        }
+        finish(std::move(replicate), recipe);
+      }
+    } catch (const InputError& error) {
+      problems_.add(error, run);
+    }
+  }
+  bool enough() const { return problems_.enough(); }
+  void end(std::size_t combinations) {
+    problems_.raise(combinations);
+    for (const auto& file : files_) study_.inputs.emplace_back(file, content_hash(io::read_file(file)));
+  }
+
+ private:
+  void finish(StudyRun run, const Recipe& recipe) {
+    run.stages = plan_of(recipe);
+    HashBuilder hash;
+    for (const PlannedStage& stage : run.stages) hash.add(stage.former, stage.hash);
+    run.name = hash.hex().substr(0, 16);
+    study_.runs.push_back(std::move(run));
+  }
+
+  Study& study_;
+  const Reading& reading_;
+  const Sweep& sweep_;
+  RunProblems problems_;
+  std::set<std::string> files_;
+};
+
+}  // namespace
+
+std::string describe(const StudyRun& run) {
+  std::string text;
+  for (const auto& [key, value] : run.values) text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key, value);
+  return text;
+}
+
+Study read_study(const std::string& file, const std::vector<std::string>& overrides) {
+  Study study;
+  study.file = file;
+  study.overrides = overrides;
+  Reading reading{file, fs::path(file).parent_path().string(), true, {}};
+  const Sweep sweep = take_sweep(study, reading);
+  if (!reading.problems.empty()) throw InputError(std::move(reading.problems));
+  study.inputs.emplace_back(file, content_hash(io::read_file(file)));
+  for (const auto& base : reading.bases) study.inputs.emplace_back(base, content_hash(io::read_file(base)));
+  for (const auto& table : sweep.files) study.inputs.emplace_back(table, content_hash(io::read_file(table)));
+  study.keys = sweep.keys();
+  if (sweep.replicates > 0) study.keys.emplace_back("seed");
+  if (const Entry* title = study.tree.find("title"); title && title->value.kind == Node::Kind::text) study.title = title->value.text;
+
+  Expansion expansion(study, reading, sweep);
+  const std::size_t combinations = sweep.combinations();
+  for (std::size_t index = 0; index < combinations && !expansion.enough(); ++index) expansion.add(sweep.combination(index));
+  expansion.end(combinations);
+  return study;
+}
+
+Study read_study(const std::string& file, const std::vector<std::string>& overrides, const fs::path& folder) {
+  Study study;
+  study.file = file;
+  study.overrides = overrides;
+  if (read_runs(folder / "runs.tsv", study)) {
+    Reading reading{file, fs::path(file).parent_path().string(), true, {}};
+    take_sweep(study, reading);
+    return study;
+  }
+  study = read_study(file, overrides);
+  write_runs(folder / "runs.tsv", study);
+  return study;
+}
+
+Recipe recipe_of(const Study& study, const StudyRun& run) {
+  Node tree = study.tree;
+  for (const auto& [key, value] : run.values) set_value(tree, key, parse_value(value));
+  return recipe_from(tree, study.file);
+}
+
+}  // namespace arenite::study

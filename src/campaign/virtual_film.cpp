@@ -1,0 +1,144 @@
+#include "campaign/virtual_film.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+#include "io/read_file.hpp"
+#include "statistics/numbers.hpp"
+#include "workflow/film_numbers.hpp"
+#include "workflow/film_road.hpp"
+#include "workflow/film_twin.hpp"
+#include "workflow/named_result.hpp"
+#include "workflow/shoot_film.hpp"
+#include "grains/texture/texture.hpp"
+
+namespace arenite::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path kept(const fs::path& run) { return run / "virtual-film.json"; }
+
+/// Not known where there is none.
+Numbers read(const fs::path& file) { return fs::exists(file) ? from_json(io::read_file(file)).value_or(Numbers{}) : Numbers{}; }
+
+/// False for one from before the grains were kept.
+bool is_whole(const fs::path& file) { return read(file).contains("found"); }
+
+Packing state_of(const fs::path& run, const std::string& stage) {
+  if (auto state = last_state(run, stage)) return std::move(*state);
+  throw InputError(run.string(), 0, "there is no stage \"" + stage + "\" of this run; remove its folder and run the study again");
+}
+
+/// Of every grain found at the smallest load the simulated one that lies nearest in that state.
+std::vector<std::size_t> simulated_grains(const FilmResult& film, const Packing& start) {
+  const Vec2 corner{start.domain.wall[left].position, start.domain.wall[bottom].position};
+  std::vector<std::size_t> nearest;
+  for (std::size_t i = 0; i < film.packing.grains.size(); ++i) {
+    const Vec2 found = film.origin + Vec2{film.grains.x[i] * film.pixel, -film.grains.y[i] * film.pixel};
+    std::size_t best = 0;
+    for (std::size_t j = 1; j < start.grains.size(); ++j)
+      if (norm(start.grains.centre(j) - corner - found) < norm(start.grains.centre(best) - corner - found)) best = j;
+    nearest.push_back(best);
+  }
+  return nearest;
+}
+
+/// Swings of these grains from `low`, if there is one, to `high`.
+std::vector<double> true_swing(const std::vector<std::size_t>& grains, const Packing* low, const Packing& high) {
+  const auto loaded = stress_of_disks(high), released = low ? stress_of_disks(*low) : std::vector<double>(loaded.size(), 0.0);
+  std::vector<double> swing;
+  for (const std::size_t g : grains) swing.push_back(loaded[g] - released[g]);
+  return swing;
+}
+
+std::vector<double> over_mean(std::vector<double> values) {
+  double sum = 0, count = 0;
+  for (const double value : values)
+    if (std::isfinite(value)) sum += value, ++count;
+  for (double& value : values) value *= count / sum;
+  return values;
+}
+
+/// Those whose stress is known.
+Numbers found_grains(const FilmResult& film, const std::vector<double>& truth) {
+  const Grains& grains = film.packing.grains;
+  const auto found = over_mean(film.swing.sigma_hyd), simulated = over_mean(truth);
+  Numbers j = Numbers::tree();
+  for (const char* name : {"x", "y", "radius", "material", "zone", "sigma_norm", "simulation"}) j[name] = Numbers::list();
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    if (!std::isfinite(found[i]) || !std::isfinite(simulated[i])) continue;
+    j["x"].push_back(grains.x[i]);
+    j["y"].push_back(grains.y[i]);
+    j["radius"].push_back(grains.radius[i]);
+    j["material"].push_back(grains.material[i]);
+    j["zone"].push_back(grains.zone[i]);
+    j["sigma_norm"].push_back(found[i]);
+    j["simulation"].push_back(simulated[i]);
+  }
+  return j;
+}
+
+Numbers texture_of(const FilmResult& film) {
+  texture::Options options;
+  options.rev_sizes = 0;
+  options.grain_sigma_hyd = film.swing.sigma_hyd;
+  auto measured = texture::measure(film.packing, options);
+  measured.per_grain = {};
+  return texture::numbers(measured, true);
+}
+
+/// Shoots the film into `folder` and measures it; nothing if it was stopped.
+std::optional<FilmResult> measured_film(const FilmRecipe& camera, const fs::path& run, const fs::path& folder, const std::function<bool()>& asked_to_stop) {
+  ShootOptions shooting;
+  shooting.out = folder;
+  shooting.progress = [&](double) { return !asked_to_stop(); };
+  const auto files = shoot_film(camera, run, shooting);
+  if (files.empty()) return std::nullopt;
+  FilmRunOptions measuring;
+  measuring.out = folder / "result";
+  measuring.asked_to_stop = asked_to_stop;
+  auto film = run_film(files.front(), read_film_recipe(files.back().string(), {}), measuring);
+  if (film.interrupted) return std::nullopt;
+  return std::move(film.result);
+}
+
+}  // namespace
+
+bool make_film(const fs::path& run, const fs::path& camera_file, const std::string& seed, const std::function<bool()>& asked_to_stop) {
+  if (is_whole(kept(run))) return true;
+  const fs::path folder = run / "film";
+  const auto camera = read_film_recipe(camera_file.string(), {"seed=" + seed});
+  auto film = measured_film(camera, run, folder, asked_to_stop);
+  if (!film) return false;
+  std::optional<Packing> low;
+  if (!camera.camera->low.empty()) low = state_of(run, camera.camera->low);
+  const Packing high = state_of(run, camera.camera->high);
+  const auto simulated = simulated_grains(*film, low ? *low : high);
+  const auto truth = true_swing(simulated, low ? &*low : nullptr, high);
+  film->packing.grains.zone.assign(simulated.size(), 0);  // who glues grains knows which
+  for (std::size_t i = 0; i < simulated.size(); ++i) film->packing.grains.zone[i] = high.grains.zone[simulated[i]];
+  const auto found = agreement(film->swing.sigma_hyd, truth, std::vector<std::uint8_t>(truth.size(), 1));
+  const Numbers j{{"grains", found.grains}, {"correlation", found.correlation}, {"rms_sigma_norm", found.rms_sigma_norm}, {"slope", found.slope},
+               {"found", found_grains(*film, truth)}, {"texture", texture_of(*film)}};
+  io::write_atomically(kept(run), to_json(j) + "\n");
+  fs::remove_all(folder);
+  return true;
+}
+
+bool has_film(const fs::path& run) { return fs::exists(kept(run)); }
+
+Numbers film_numbers(const fs::path& run) {
+  if (!has_film(run)) throw InputError(run.string(), 0, "no film of this run was made; arenite verify thesis without --small makes it");
+  return read(kept(run));
+}
+
+FilmAgreement film_agreement(const fs::path& run) {
+  const Numbers j = read(kept(run));
+  const auto number = [&](const char* name) { return j.contains(name) && j[name].is_number() ? j[name].get<double>() : statistics::unknown; };
+  return {number("grains"), number("correlation"), number("rms_sigma_norm"), number("slope")};
+}
+
+}  // namespace arenite::study

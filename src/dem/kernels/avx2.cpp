@@ -1,7 +1,0 @@
-#include "dem/kernels/make_kernel.hpp"
-
-namespace arenite::dem {
-
-constinit const Kernel avx2_kernel = make_kernel<4>("avx2");
-
-}  // namespace arenite::dem

@@ -1,7 +1,0 @@
-#include "dem/kernels/make_kernel.hpp"
-
-namespace arenite::dem {
-
-constinit const Kernel avx512_kernel = make_kernel<8>("avx512");
-
-}  // namespace arenite::dem

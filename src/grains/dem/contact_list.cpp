@@ -1,0 +1,172 @@
+#include "grains/dem/neighbours.hpp"
+
+#include <algorithm>
+
+#include "grains/dem/bonds.hpp"
+#include "grains/dem/cells.hpp"
+#include "grains/dem/ghosts.hpp"
+
+namespace arenite::dem {
+
+namespace {
+
+/// Partners of disk k that come after it: disks are sorted by cell, so they are the rest of its cell and the next one,
+/// and three cells of the row above.
+void find_near_disks(const Sample& s, const CellGrid& grid, const Cells& cells, std::size_t k,
+                     std::vector<std::int32_t>& near) {
+  const auto& a = s.record[k];
+  const std::int32_t row = grid.row(a.y), column = grid.column(a.x);
+  const std::int32_t from = std::max(column - 1, 0), to = std::min(column + 1, grid.columns - 1);
+  const auto look_at = [&](std::int32_t begin, std::int32_t end) {
+    for (std::int32_t j = begin; j < end; ++j) {
+      const auto& b = s.record[static_cast<std::size_t>(j)];
+      const double dx = a.x - b.x, dy = a.y - b.y, reach = a.radius + b.radius + s.skin;
+      if (dx * dx + dy * dy < reach * reach) near.push_back(j);
+    }
+  };
+  const auto first_of = [&](std::int32_t r, std::int32_t c) {
+    return cells.first[static_cast<std::size_t>(r) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(c)];
+  };
+  look_at(static_cast<std::int32_t>(k) + 1, first_of(row, to + 1));
+  if (row + 1 < grid.rows) look_at(first_of(row + 1, from), first_of(row + 1, to + 1));
+}
+
+/// Ghosts near disk k, in any cell around its own.
+void find_near_ghosts(const Sample& s, const CellGrid& grid, const Cells& ghosts, std::size_t k,
+                      std::vector<std::int32_t>& near) {
+  const auto& a = s.record[k];
+  const std::int32_t row = grid.row(a.y), column = grid.column(a.x);
+  const auto begin = static_cast<std::ptrdiff_t>(near.size());
+  for (std::int32_t r = std::max(row - 1, 0); r <= std::min(row + 1, grid.rows - 1); ++r)
+    for (std::int32_t c = std::max(column - 1, 0); c <= std::min(column + 1, grid.columns - 1); ++c) {
+      const auto cell = static_cast<std::size_t>(r * grid.columns + c);
+      for (std::int32_t q = ghosts.first[cell]; q < ghosts.first[cell + 1]; ++q) {
+        const std::int32_t j = ghosts.item[static_cast<std::size_t>(q)];
+        const auto& b = s.record[static_cast<std::size_t>(j)];
+        const double dx = a.x - b.x, dy = a.y - b.y, reach = a.radius + b.radius + s.skin;
+        if (dx * dx + dy * dy < reach * reach) near.push_back(j);
+      }
+    }
+  std::sort(near.begin() + begin, near.end());
+}
+
+/// Partners of consecutive disks, and how many each has.
+struct Found {
+  std::vector<std::int32_t> partner, count;
+};
+constexpr std::size_t disks_of_block = 64;
+
+/// The partners of all disks, block by block: what a block finds does not depend on who searches it.
+std::vector<Found> find_partners(const Sample& s, const Team& team) {
+  const CellGrid grid = grid_of(s);
+  const std::size_t n = s.count;
+  const Cells inner(grid, s.record, 0, n), images(grid, s.record, n, s.record.size());
+  // Ghosts lie beyond the right and the upper edge.
+  const double reach = reach_of(s), right_zone = s.domain.wall[right].position - reach,
+               upper_zone = s.domain.wall[top].position - reach;
+  std::vector<Found> blocks((n + disks_of_block - 1) / disks_of_block);
+  team.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin; block < end; ++block) {
+      auto& [partner, count] = blocks[block];
+      for (std::size_t k = block * disks_of_block; k < std::min(n, (block + 1) * disks_of_block); ++k) {
+        const std::size_t before = partner.size();
+        const auto& a = s.record[k];
+        find_near_disks(s, grid, inner, k, partner);
+        if (!s.ghost.empty() && (a.x > right_zone || a.y > upper_zone)) find_near_ghosts(s, grid, images, k, partner);
+        count.push_back(static_cast<std::int32_t>(partner.size() - before));
+      }
+    }
+  });
+  return blocks;
+}
+
+void fill_slot(ContactList& list, std::size_t p, std::size_t i, std::int32_t j, std::int32_t owner, const Coefficients& c) {
+  list.i[p] = static_cast<std::int32_t>(i);
+  list.j[p] = j;
+  list.owner[p] = owner;
+  list.stiffness[p] = c.stiffness;
+  list.damping[p] = c.damping;
+  list.viscosity[p] = c.viscosity;
+  list.strength[p] = c.strength;
+}
+
+void fill_block(Sample& s, std::size_t block, const Found& found, std::size_t slot) {
+  const auto n = static_cast<std::int32_t>(s.count);
+  std::size_t k = block * disks_of_block, next = 0;
+  for (const std::int32_t count : found.count) {
+    const auto& a = s.record[k];
+    for (std::int32_t q = 0; q < count; ++q, ++slot) {
+      const std::int32_t j = found.partner[next++];
+      const auto& b = s.record[static_cast<std::size_t>(j)];
+      const std::int32_t owner = j < n ? j : s.ghost[static_cast<std::size_t>(j - n)].source;
+      fill_slot(s.list, slot, k, j, owner,
+                s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius, is_glued(s, a.grain, b.grain)));
+    }
+    ++k;
+  }
+}
+
+void list_pairs(Sample& s, const Team& team) {
+  const std::vector<Found> blocks = find_partners(s, team);
+  std::vector<std::size_t> first{0};
+  for (const Found& found : blocks) first.push_back(first.back() + found.partner.size());
+  s.list.pairs = first.back();
+  s.list.resize(first.back());
+  team.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin; block < end; ++block) fill_block(s, block, blocks[block], first[block]);
+  });
+}
+
+void list_walls(Sample& s) {
+  ContactList& list = s.list;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const auto& d = s.record[k];
+    for (int side = 0; side < 4; ++side) {
+      const auto& wall = s.domain.wall[static_cast<std::size_t>(side)];
+      if (!wall.present) continue;
+      const double place = side < bottom ? d.x : d.y;
+      const double distance = (side % 2 == 0) ? place - wall.position : wall.position - place;
+      if (distance < d.radius + s.skin) {
+        list.resize(list.size() + 1);
+        fill_slot(list, list.size() - 1, k, wall_partner(side), -1, s.coefficients.wall(d.material, d.mass));
+      }
+    }
+  }
+}
+
+/// Fills list.group and list.first, see there.
+void group_slots(Sample& s) {
+  ContactList& list = s.list;
+  const auto none = static_cast<std::int32_t>(list.size());
+  const auto groups = [](std::int32_t slots) { return 4 * std::max((slots + 3) / 4, 1); };
+  std::vector<std::int32_t> used(2 * s.count + 1, 0);
+  for (std::size_t p = 0; p < list.size(); ++p) {
+    ++used[2 * static_cast<std::size_t>(list.i[p])];
+    if (list.owner[p] >= 0) ++used[2 * static_cast<std::size_t>(list.owner[p]) + 1];
+  }
+  list.first.assign(2 * s.count + 1, 0);
+  for (std::size_t q = 0; q < 2 * s.count; ++q) list.first[q + 1] = list.first[q] + groups(used[q]);
+  list.group.assign(static_cast<std::size_t>(list.first.back()), none);
+  std::vector<std::int32_t> next = list.first;
+  const auto put = [&](std::size_t q, std::size_t p) {
+    list.group[static_cast<std::size_t>(next[q]++)] = static_cast<std::int32_t>(p);
+  };
+  for (std::size_t p = 0; p < list.size(); ++p) {
+    put(2 * static_cast<std::size_t>(list.i[p]), p);
+    if (list.owner[p] >= 0) put(2 * static_cast<std::size_t>(list.owner[p]) + 1, p);
+  }
+}
+
+}  // namespace
+
+void list_contacts(Sample& s, const Team& team) {
+  make_ghosts(s);
+  list_pairs(s, team);
+  list_walls(s);
+  group_slots(s);
+  s.list.force.assign(s.list.size() + 1, SlotForce{});
+  s.list.memory.assign(s.list.size(), 0.0);
+  s.list.bond.assign(s.list.size(), never_touched);
+}
+
+}  // namespace arenite::dem

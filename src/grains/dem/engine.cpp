@@ -1,0 +1,217 @@
+#include "grains/dem/engine.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "grains/dem/bounds.hpp"
+#include "grains/dem/forces.hpp"
+#include "grains/dem/kernels/kernel.hpp"
+#include "grains/dem/integrators/gear.hpp"
+#include "grains/dem/integrators/verlet.hpp"
+#include "grains/dem/masses.hpp"
+#include "grains/dem/measure.hpp"
+#include "grains/dem/motion.hpp"
+#include "grains/dem/bonds.hpp"
+#include "grains/dem/ghosts.hpp"
+#include "grains/dem/neighbours.hpp"
+#include "grains/dem/save.hpp"
+#include "grains/dem/setup.hpp"
+#include "grains/dem/walls.hpp"
+
+namespace arenite::dem {
+
+struct Engine::Machine {
+  Sample sample;
+  Team team;
+};
+
+std::string kernel_name(const std::string& asked) { return find_kernel(asked).name; }
+
+namespace {
+
+/// Threads that pay: two of them meet several times a step, which costs as much as some hundred disks.
+int useful_threads(int asked, std::size_t disks) {
+  constexpr std::size_t fewest_disks = 1000;
+  return static_cast<int>(std::clamp<std::size_t>(disks / fewest_disks, 1, static_cast<std::size_t>(asked)));
+}
+
+}  // namespace
+
+Engine::Engine(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration)
+    : machine_(new Machine{make_sample(start, contact, integration), Team(useful_threads(integration.threads, start.grains.size()))}) {}
+Engine::~Engine() = default;
+Engine::Engine(Engine&&) noexcept = default;
+Engine& Engine::operator=(Engine&&) noexcept = default;
+
+namespace {
+
+/// Brings the integrated velocities (and Gear's places) to the present, so that a change of load acts from now on.
+void synchronise(Sample& s) {
+  s.ledger.open = false;
+  if (s.lag == 0 && !s.settled) return;
+  std::array<double, 4> rate, place;
+  for (std::size_t side = 0; side < 4; ++side) {
+    rate[side] = wall_rate(s, side);
+    place[side] = wall_place(s, side);
+  }
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const Motion v = motion_of(s, k);
+    const Vec2 x = place_of(s, k);
+    s.vx[k] = v.vx;
+    s.vy[k] = v.vy;
+    s.omega[k] = v.omega;
+    s.record[k].x = x.x;
+    s.record[k].y = x.y;
+  }
+  for (std::size_t side = 0; side < 4; ++side) {
+    s.wall[side].rate = rate[side];
+    s.domain.wall[side].position = place[side];
+  }
+  s.lag = 0;
+  s.settled = false;
+}
+
+double servo_energy(const Sample& s) {
+  double sum = 0;
+  for (std::size_t side = 0; side < 4; ++side)
+    if (s.wall[side].drive.kind == WallDrive::Kind::force)
+      sum += 0.5 * s.wall[side].mass * s.wall[side].rate * s.wall[side].rate;
+  return sum;
+}
+
+bool has_driven_edge(const Sample& s) {
+  for (std::size_t side = 0; side < 4; ++side)
+    if (!s.domain.wall[side].present && s.wall[side].drive.kind == WallDrive::Kind::force) return true;
+  return false;
+}
+
+/// See integrators/verlet.hpp.
+template <int extrapolation>
+bool verlet(Sample& s, const Team& team) {
+  return verlet_sweep(s, extrapolation, team);
+}
+
+template <class Sweep>
+void run(Sample& s, const Team& team, std::int64_t steps, Sweep&& sweep) {
+  const bool tracked = s.integration.track_energy;
+  const bool edges = tracked || has_driven_edge(s);
+  if (tracked && !s.ledger.open) open_ledger(s);
+  for (std::int64_t n = 0; n < steps; ++n) {
+    const bool near = sweep(s, team);
+    follow_drift(s);
+    if (near)
+      refresh_ghosts(s);
+    else
+      rebuild_list(s, team);
+    compute_forces(s, team);
+    if (edges) sum_edge_forces(s, team);
+    if (tracked) book_step(s);
+  }
+  sum_edge_forces(s, team);
+}
+
+}  // namespace
+
+void Engine::set_gravity(Vec2 g) {
+  Sample& s = machine_->sample;
+  if (g.x == s.gravity.x && g.y == s.gravity.y) return;
+  synchronise(s);
+  s.gravity = g;
+}
+
+void Engine::set_drag(double rate) {
+  Sample& s = machine_->sample;
+  if (rate == s.drag) return;
+  if (!(rate >= 0)) throw InputError(fmt::format("drag {} 1/s must be >= 0", rate));
+  synchronise(s);
+  s.drag = rate;
+}
+
+void Engine::set_masses(Masses masses) {
+  Sample& s = machine_->sample;
+  if (masses == s.masses) return;
+  synchronise(s);
+  const double before = energies_of(s).kinetic;
+  give_masses(s, masses);
+  make_heavy_enough(s);
+  if (const double largest = step_bounds(s).largest(); s.dt > largest) {
+    if (s.integration.time_step)
+      throw InputError(fmt::format("integration.time_step of {:.4g} s is beyond what this sample allows with {} masses; {:.4g} s would do",
+                                   s.dt, masses == Masses::even ? "even" : "its own", 0.999 * largest));
+    change_step(s, 0.999 * largest);
+  }
+  if (s.integration.track_energy) s.tally.dissipated_drag += before - energies_of(s).kinetic;
+}
+
+void Engine::set_inertial_number(double number) {
+  if (!(number > 0)) throw InputError(fmt::format("inertial number {} must be above 0", number));
+  machine_->sample.inertial_number = number;
+}
+
+void Engine::set_friction(std::optional<double> mu) {
+  if (mu && !(*mu >= 0)) throw InputError(fmt::format("friction {} must be a number >= 0", *mu));
+  apply_friction(machine_->sample, mu);
+}
+
+void Engine::set_glue(bool on) {
+  Sample& s = machine_->sample;
+  if (on == s.glue) return;
+  // What bonds gain or lose by decree is booked with their breakage.
+  const double before = adhesive_energy(s);
+  s.glue = on;
+  bond_touching_pairs(s);
+  if (s.integration.track_energy) s.tally.dissipated_breakage += before - adhesive_energy(s);
+  s.ledger.open = false;
+}
+
+void Engine::set_drives(const WallDrives& drives) {
+  Sample& s = machine_->sample;
+  bool changed = false;
+  for (std::size_t side = 0; side < 4; ++side)
+    changed |= drives[side].kind != s.wall[side].drive.kind || drives[side].value != s.wall[side].drive.value;
+  if (!changed) return;
+  synchronise(s);
+  const double before = servo_energy(s);
+  apply_drives(s, drives);
+  if (s.integration.track_energy) s.tally.dissipated_drag += before - servo_energy(s);
+}
+
+void Engine::advance(std::int64_t steps) {
+  Sample& s = machine_->sample;
+  const Team& team = machine_->team;
+  if (steps <= 0) return;
+  switch (s.integration.integrator) {
+    case IntegratorKind::velocity_verlet: return run(s, team, steps, verlet<1>);
+    case IntegratorKind::leapfrog: return run(s, team, steps, verlet<0>);
+    case IntegratorKind::gear5:
+      if (!s.settled) gear_start(s);
+      s.settled = true;
+      return run(s, team, steps, gear_sweep);
+  }
+}
+
+double Engine::time() const { return time_of(machine_->sample); }
+std::int64_t Engine::step() const { return machine_->sample.step; }
+double Engine::time_step() const { return machine_->sample.dt; }
+StepBounds Engine::bounds() const { return step_bounds(machine_->sample); }
+std::string Engine::kernel() const { return machine_->sample.kernel->name; }
+std::size_t Engine::grain_count() const { return machine_->sample.count; }
+std::int64_t Engine::list_builds() const { return machine_->sample.builds; }
+double Engine::critical_drag() const { return dem::critical_drag(machine_->sample); }
+double Engine::skin() const { return machine_->sample.skin; }
+const IntegrationParameters& Engine::integration() const { return machine_->sample.integration; }
+const Domain& Engine::domain() const { return machine_->sample.domain; }
+Packing Engine::packing() const { return packing_of(machine_->sample); }
+Energies Engine::energies() const { return energies_of(machine_->sample); }
+Equilibrium Engine::equilibrium() const { return equilibrium_of(machine_->sample); }
+std::uint64_t Engine::state_hash() const {
+  const auto bytes = save();
+  return XXH3_64bits(bytes.data(), bytes.size());
+}
+std::vector<std::uint8_t> Engine::save() const { return save_sample(machine_->sample); }
+void Engine::restore(const std::vector<std::uint8_t>& bytes) { restore_sample(machine_->sample, bytes); }
+
+}  // namespace arenite::dem

@@ -1,0 +1,75 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grains/dem/parameters.hpp"
+#include "model/packing.hpp"
+#include "model/result.hpp"
+
+namespace arenite::dem {
+
+/// Largest steps that the sample in hand allows, s.
+struct StepBounds {
+  double stiffness = 0;   ///< from the largest eigenfrequency bound of a grain's contacts
+  double damping = 0;     ///< from the largest damping rate (dashpots, sliding viscosity with rotation)
+  double largest() const { return stiffness < damping ? stiffness : damping; }
+};
+
+/// The kernel that `asked` means on this machine ("auto": the widest it has). All kernels give the same bits. InputError
+/// for one that is unknown or that the processor lacks.
+std::string kernel_name(const std::string& asked);
+
+/// A sample that moves. Inside, disks are sorted by place and their contacts listed; at the border grains keep the
+/// caller's order. Same input, same kernel: same bits for any thread count.
+class Engine {
+ public:
+  /// Throws InputError for a step beyond the bounds, naming the step that would do.
+  Engine(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration);
+  ~Engine();
+  Engine(Engine&&) noexcept;
+  Engine& operator=(Engine&&) noexcept;
+
+  void set_gravity(Vec2 g);                    ///< m/s^2
+  void set_drives(const WallDrives& drives);   ///< from the next step on
+  void set_drag(double rate);                  ///< 1/s
+  /// The grains' own masses, or even ones for a compaction (masses.hpp); never with gravity. A step that they do not allow
+  /// is shortened, or refused (InputError) where it was given.
+  void set_masses(Masses masses);
+  void set_inertial_number(double number);     ///< how fast the sample yields to its force-controlled sides (walls.hpp)
+  void set_friction(std::optional<double> mu); ///< for grains and walls; nullopt: what the parameters say
+  void set_glue(bool on);                      ///< adhesion acts; for bonds that break for good: pairs that touch now are bonded
+
+  void advance(std::int64_t steps);
+
+  double time() const;
+  std::int64_t step() const;
+  double time_step() const;
+  StepBounds bounds() const;
+  std::string kernel() const;                  ///< name of the kernel in use
+
+  std::size_t grain_count() const;
+  std::int64_t list_builds() const;            ///< how often the contact list has been built
+  double critical_drag() const;                ///< that damps the slowest wave of a crystal of this size critically, 1/s
+  double skin() const;                         ///< surface gap within which pairs are listed, m
+
+  const IntegrationParameters& integration() const;  ///< as given
+  const Domain& domain() const;                ///< wall positions, velocities and forces now
+  Packing packing() const;                     ///< grains and contacts now, in the caller's order; contacts sorted by (i, j)
+  Energies energies() const;                   ///< dissipation and work only if track_energy
+  Equilibrium equilibrium() const;
+  std::uint64_t state_hash() const;            ///< of every bit that decides the future
+
+  /// The whole state as bytes, and back: an engine built from the same start and parameters and then restored goes on
+  /// with the same bits as if it had never stopped.
+  std::vector<std::uint8_t> save() const;
+  void restore(const std::vector<std::uint8_t>& bytes);
+
+ private:
+  struct Machine;
+  std::unique_ptr<Machine> machine_;
+};
+
+}  // namespace arenite::dem

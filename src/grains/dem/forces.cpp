@@ -1,0 +1,148 @@
+#include "grains/dem/forces.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "grains/dem/kernels/kernel.hpp"
+#include "grains/dem/kinematics.hpp"
+
+namespace arenite::dem {
+
+namespace {
+
+/// Ends the bonds that break for good where their contact has opened; the energy of the tangential spring is lost.
+template <class F>
+void end_open_bonds(Sample& s, const F& friction) {
+  for (std::size_t p = 0; p < s.list.pairs; ++p) {
+    if (!(s.list.strength[p] > 0)) continue;
+    auto& bond = s.list.bond[p];
+    if (slot_kinematics(s, p).overlap > 0) {
+      bond = touching;
+    } else if (bond == touching) {
+      bond = never_touched;
+      s.list.strength[p] = 0;
+      s.live_bonds.erase(std::lower_bound(s.live_bonds.begin(), s.live_bonds.end(), slot_key(s, p)));
+      const double lost = friction.energy(0.0, s.list.stiffness[p], s.list.memory[p]);
+      s.tally.dissipated_breakage += lost;
+      s.tally.dissipated_friction -= lost;
+    }
+  }
+}
+
+double lowest_force(const Sample& s) {
+  return s.contact.attractive_dashpot ? -std::numeric_limits<double>::infinity() : 0.0;
+}
+
+PairTask pair_task(Sample& s) {
+  ContactList& list = s.list;
+  return {s.record.data(),         list.i.data(),         list.j.data(),        list.stiffness.data(),
+          list.damping.data(),     list.viscosity.data(), list.strength.data(), list.memory.data(),
+          list.force.data(),       s.friction,            lowest_force(s),
+          s.contact.arms == Arms::contact_point ? 0.5 : 0.0};
+}
+
+/// Wall slots begin .. end-1, counted from the first.
+template <class N, class A, class F>
+void evaluate_walls(Sample& s, const N& normal, const A& adhesion, const F& friction, std::size_t begin, std::size_t end) {
+  ContactList& list = s.list;
+  const double floor = lowest_force(s);
+  for (std::size_t p = list.pairs + begin; p < list.pairs + end; ++p) {
+    SlotForce& force = list.force[p];
+    const Kinematics c = slot_kinematics(s, p);
+    if (!(c.overlap > 0)) {
+      force = {};
+      list.memory[p] = 0;
+      continue;
+    }
+    const ContactState<double> state{c.overlap,       c.approach,        c.sliding,        c.curvature,     list.stiffness[p],
+                                     list.damping[p], list.viscosity[p], list.strength[p], s.wall_friction, floor};
+    const ContactForce<double> f = contact_force(normal, adhesion, friction, state, list.memory[p]);
+    force = {f.normal * c.normal.x - f.tangential * c.normal.y, f.normal * c.normal.y + f.tangential * c.normal.x,
+             -c.arm_i * f.tangential, 0};
+  }
+}
+
+/// A wall slot, computed alone, takes as long as this many pairs.
+constexpr std::size_t pairs_of_a_wall = 4;
+
+/// All slots in one go of the team: pairs, then walls.
+template <class N, class A, class F>
+void evaluate(Sample& s, const Team& team, const N& normal, const A& adhesion, const F& friction) {
+  const PairTask task = pair_task(s);
+  const auto loop = s.kernel->pairs[s.laws.normal.index()][s.laws.adhesion.index()][s.laws.friction.index()];
+  const std::size_t pairs = s.list.pairs, walls = s.list.size() - pairs;
+  team.for_ranges(pairs + pairs_of_a_wall * walls, [&](std::size_t begin, std::size_t end) {
+    if (begin < pairs) loop(task, s.laws, begin, std::min(end, pairs));
+    if (end > pairs)
+      evaluate_walls(s, normal, adhesion, friction, (std::max(begin, pairs) - pairs) / pairs_of_a_wall, (end - pairs) / pairs_of_a_wall);
+  });
+}
+
+/// The force that the grains exert on a wall is the opposite of the wall's on them.
+void sum_wall_forces(Sample& s) {
+  const ContactList& list = s.list;
+  for (auto& wall : s.domain.wall)
+    if (wall.present) wall.force = wall.shear_force = 0;
+  for (std::size_t p = list.pairs; p < list.size(); ++p) {
+    const int side = -1 - list.j[p];
+    Wall& wall = s.domain.wall[static_cast<std::size_t>(side)];
+    const Vec2 n = inward_normal(side);
+    wall.force += list.force[p].fx * n.x + list.force[p].fy * n.y;
+    wall.shear_force -= side < bottom ? list.force[p].fy : list.force[p].fx;
+  }
+}
+
+}  // namespace
+
+void compute_forces(Sample& s, const Team& team) {
+  std::visit([&](const auto& normal, const auto& adhesion, const auto& friction) {
+    if (!s.live_bonds.empty()) end_open_bonds(s, friction);
+    evaluate(s, team, normal, adhesion, friction);
+  }, s.laws.normal, s.laws.adhesion, s.laws.friction);
+  sum_wall_forces(s);
+}
+
+namespace {
+
+/// Vector from j (or the plane of the wall) to i.
+Vec2 branch_of(const Sample& s, std::size_t slot) {
+  const std::int32_t j = s.list.j[slot];
+  if (j < 0) return slot_kinematics(s, slot).branch;
+  const DiskRecord &a = s.record[static_cast<std::size_t>(s.list.i[slot])], &b = s.record[static_cast<std::size_t>(j)];
+  return {a.x - b.x, a.y - b.y};
+}
+
+/// Sum over all contacts of force times branch; by blocks of slots, so that it does not depend on the number of threads.
+Tensor2 sum_of_moments(const Sample& s, const Team& team) {
+  constexpr std::size_t slots_of_block = 512;
+  const ContactList& list = s.list;
+  std::vector<Tensor2> blocks((list.size() + slots_of_block - 1) / slots_of_block);
+  team.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin; block < end; ++block)
+      for (std::size_t p = block * slots_of_block; p < std::min(list.size(), (block + 1) * slots_of_block); ++p)
+        if (acts(list.force[p])) blocks[block] += outer({list.force[p].fx, list.force[p].fy}, branch_of(s, p));
+  });
+  Tensor2 sum;
+  for (const Tensor2& block : blocks) sum += block;
+  return sum;
+}
+
+}  // namespace
+
+void sum_edge_forces(Sample& s, const Team& team) {
+  if (!s.domain.periodic_x && !s.domain.periodic_y) return;
+  const Tensor2 sum = sum_of_moments(s, team);
+  auto& w = s.domain.wall;
+  if (s.domain.periodic_x) {
+    w[left].force = w[right].force = sum.xx / s.domain.width();
+    w[right].shear_force = sum.yx / s.domain.width();
+    w[left].shear_force = -w[right].shear_force;
+  }
+  if (s.domain.periodic_y) {
+    w[bottom].force = w[top].force = sum.yy / s.domain.height();
+    w[top].shear_force = sum.xy / s.domain.height();
+    w[bottom].shear_force = -w[top].shear_force;
+  }
+}
+
+}  // namespace arenite::dem

@@ -1,0 +1,178 @@
+#include "grains/dem/integrators/gear.hpp"
+
+#include "grains/dem/forces.hpp"
+#include "grains/dem/integrators/disk_sweep.hpp"
+#include "grains/dem/integrators/nordsieck.hpp"
+#include "grains/dem/ghosts.hpp"
+#include "grains/dem/motion.hpp"
+#include "grains/dem/neighbours.hpp"
+#include "grains/dem/walls.hpp"
+
+namespace arenite::dem {
+
+namespace {
+
+/// Moves the walls on to the predicted t_{n+1}.
+void move_walls(Sample& s) {
+  const double dt = s.dt, half = 0.5 * dt * dt;
+  for (std::size_t side = 0; side < 4; ++side) {
+    WallBody& body = s.wall[side];
+    Wall& wall = s.domain.wall[side];
+    const double a = wall_acceleration(s, side, wall.velocity);
+    Nordsieck<double> q{wall.position, dt * body.rate, half * body.acceleration, body.higher[0], body.higher[1], body.higher[2]};
+    q.correct(half * (a - body.acceleration));
+    q.predict();
+    wall.position = q.q0;
+    wall.velocity = body.rate = q.q1 / dt;
+    body.acceleration = q.q2 / half;
+    body.higher = {q.q3, q.q4, q.q5, 0.0};
+  }
+}
+
+}  // namespace
+
+bool gear_sweep(Sample& s, const Team& team) {
+  DiskSweep sweep(s);
+  move_walls(s);
+  return sweep.run(s.kernel->gear, team);
+}
+
+namespace {
+
+/// One coordinate (of a disk or a wall) while the starting values are sought: derivatives 0 to 5, unscaled.
+struct Path {
+  double value, rate, bend, jerk = 0, snap = 0, crackle = 0;
+  double at(double t) const {
+    return value + t * (rate + t / 2 * (bend + t / 3 * (jerk + t / 4 * (snap + t / 5 * crackle))));
+  }
+  double rate_at(double t) const { return rate + t * (bend + t / 2 * (jerk + t / 3 * (snap + t / 4 * crackle))); }
+  /// From accelerations at -2h, -h, h, 2h and the one in the middle.
+  void fit(const std::array<double, 4>& a, double h) {
+    jerk = (8 * (a[2] - a[1]) - (a[3] - a[0])) / (12 * h);
+    snap = (16 * (a[2] + a[1]) - (a[3] + a[0]) - 30 * bend) / (12 * h * h);
+    crackle = (a[3] - a[0] - 2 * (a[2] - a[1])) / (2 * h * h * h);
+  }
+};
+
+class Start {
+ public:
+  explicit Start(Sample& sample) : s(sample), here(s.domain) {
+    for (std::size_t k = 0; k < s.count; ++k) {
+      path.push_back({s.record[k].x, s.vx[k], 0});
+      path.push_back({s.record[k].y, s.vy[k], 0});
+      path.push_back({s.angle[k], s.omega[k], 0});
+    }
+    for (std::size_t side = 0; side < 4; ++side) path.push_back({here.wall[side].position, s.wall[side].rate, 0});
+  }
+
+  void run() {
+    const double lag = 0.5 * s.dt;
+    set_springs(-lag, 0);
+    evaluate(0);
+    const std::vector<double> springs = s.list.memory;
+    const std::vector<SlotForce> force = s.list.force;
+    const std::vector<double> now = accelerations();
+    for (std::size_t q = 0; q < path.size(); ++q) path[q].bend = now[q];
+    const double h = 0.5 * s.dt;
+    for (int round = 0; round < 3; ++round) {
+      std::array<std::vector<double>, 4> a;
+      std::vector<std::uint8_t> rough(s.count, 0);
+      for (std::size_t n = 0; n < 4; ++n) {
+        const double t = h * std::array{-2.0, -1.0, 1.0, 2.0}[n];
+        s.list.memory = springs;
+        set_springs(t, 0);
+        evaluate(t);
+        a[n] = accelerations();
+        mark_changes(force, rough);
+      }
+      for (std::size_t q = 0; q < path.size(); ++q) {
+        const bool smooth = q / 3 >= s.count || !rough[q / 3];
+        if (smooth) path[q].fit({a[0][q], a[1][q], a[2][q], a[3][q]}, h);
+        if (!smooth) path[q].jerk = path[q].snap = path[q].crackle = 0;
+      }
+    }
+    s.list.memory = springs;
+    set_springs(0, lag);
+    evaluate(0);
+    set_springs(lag, lag);
+    store();
+  }
+
+ private:
+  void set_springs(double lead, double lag) { s.laws = choose_laws(s.contact, lead, lag); }
+
+  void evaluate(double t) {
+    s.domain = here;
+    for (std::size_t side = 0; side < 4; ++side) {
+      const Path& wall = path[3 * s.count + side];
+      s.domain.wall[side].position = wall.at(t);
+      s.domain.wall[side].velocity = wall.rate_at(t);
+    }
+    const CellFrame before = cell_frame(here), after = cell_frame(s.domain);
+    const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
+    for (std::size_t k = 0; k < s.count; ++k) {
+      DiskRecord& d = s.record[k];
+      const Path &x = path[3 * k], &y = path[3 * k + 1];
+      d.x = after.x_from(before, x.value) + (x.at(t) - x.value);
+      d.y = after.y_from(before, y.value) + (y.at(t) - y.value);
+      d.vx = x.rate_at(t) + mx.at(d.x);
+      d.vy = y.rate_at(t) + my.at(d.y);
+      d.omega = path[3 * k + 2].rate_at(t);
+    }
+    if (s.domain.periodic_x) s.domain.tilt *= after.width / before.width;
+    refresh_ghosts(s);
+    compute_forces(s);
+    sum_edge_forces(s);
+  }
+
+  std::vector<double> accelerations() const {
+    std::vector<double> a;
+    for (std::size_t k = 0; k < s.count; ++k) {
+      const auto [ax, ay, alpha] = acceleration_of(s, k);
+      a.insert(a.end(), {ax, ay, alpha});
+    }
+    for (std::size_t side = 0; side < 4; ++side)
+      a.push_back(wall_acceleration(s, side, s.domain.wall[side].velocity));
+    return a;
+  }
+
+  /// A contact that carries force at one time of the span and none at the other is no smooth path.
+  void mark_changes(const std::vector<SlotForce>& force, std::vector<std::uint8_t>& rough) const {
+    for (std::size_t p = 0; p < s.list.size(); ++p) {
+      const bool before = acts(force[p]), now = acts(s.list.force[p]);
+      if (before == now) continue;
+      rough[static_cast<std::size_t>(s.list.i[p])] = 1;
+      if (s.list.owner[p] >= 0) rough[static_cast<std::size_t>(s.list.owner[p])] = 1;
+    }
+  }
+
+  void store() {
+    const double c3 = s.dt * s.dt * s.dt / 6, c4 = c3 * s.dt / 4, c5 = c4 * s.dt / 5;
+    for (std::size_t k = 0; k < s.count; ++k)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Path& p = path[3 * k + axis];
+        (axis == 0 ? s.ax : axis == 1 ? s.ay : s.alpha)[k] = p.bend;
+        s.higher[3 * axis][k] = c3 * p.jerk;
+        s.higher[3 * axis + 1][k] = c4 * p.snap;
+        s.higher[3 * axis + 2][k] = c5 * p.crackle;
+      }
+    for (std::size_t side = 0; side < 4; ++side) {
+      const Path& p = path[3 * s.count + side];
+      s.wall[side].acceleration = p.bend;
+      s.wall[side].higher = {c3 * p.jerk, c4 * p.snap, c5 * p.crackle, 0.0};
+    }
+  }
+
+  Sample& s;
+  const Domain here;
+  std::vector<Path> path;
+};
+
+}  // namespace
+
+void gear_start(Sample& s) {
+  for (auto& h : s.higher) h.assign(s.count, 0.0);
+  Start(s).run();
+}
+
+}  // namespace arenite::dem

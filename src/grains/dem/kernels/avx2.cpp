@@ -1,0 +1,7 @@
+#include "grains/dem/kernels/make_kernel.hpp"
+
+namespace arenite::dem {
+
+constinit const Kernel avx2_kernel = make_kernel<4>("avx2");
+
+}  // namespace arenite::dem

@@ -1,0 +1,84 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "grains/dem/laws/laws.hpp"
+
+namespace arenite::dem {
+
+struct DiskRecord;
+struct SlotForce;
+
+/// What the pair loop reads and fills; the arrays are those of ContactList.
+struct PairTask {
+  const DiskRecord* record;
+  const std::int32_t *i, *j;
+  const double *stiffness, *damping, *viscosity, *strength;
+  double* memory;
+  SlotForce* force;
+  double friction;   ///< mu
+  double floor;      ///< lowest F_n of contacts that are not glued, N
+  double arm_share;  ///< of the overlap that each arm lacks: 1/2 (contact point) or 0 (full radius)
+};
+
+/// Velocity of an affine motion along one direction: `at_edge` + `gradient` (x - edge).
+struct AffineMotion {
+  double edge = 0, at_edge = 0, gradient = 0;
+  template <class V>
+  V at(V x) const {
+    return V(at_edge) + V(gradient) * (x - V(edge));
+  }
+};
+
+/// Where a growing or moving cell takes a point; as it stands, the identity.
+struct Stretch {
+  double from = 0, scale = 1, to = 0;
+  template <class V>
+  V apply(V x) const {
+    return V(to) + (x - V(from)) * V(scale);
+  }
+};
+
+/// What the sweep over the disks needs along x or y.
+struct SweepAxis {
+  double gravity = 0;           ///< m/s^2
+  AffineMotion before, after;   ///< of the cell, at the start and the end of the step
+  Stretch moved, listed;        ///< the cell's change in the step, and since the list was built
+  double growth = 0;            ///< of the cell in the step, relative
+};
+
+/// What a step of an integrator reads and changes; the arrays are those of Sample and ContactList.
+struct SweepTask {
+  DiskRecord* record;
+  const SlotForce* force;
+  const std::int32_t *group, *first;
+  double *vx, *vy, *omega, *angle, *ax, *ay, *alpha;
+  double* higher[9];
+  const double *listed_x, *listed_y;
+  SweepAxis x, y;
+  double dt, kick, ahead;       ///< s, see integrators/verlet.cpp
+  double drag;                  ///< 1/s
+  double turning;               ///< 1 where grains rotate, else 0
+  double limit;                 ///< square of the way that a disk may be from its place in the list, m^2
+};
+
+/// The inner loops, compiled once for each kind of processor. All kernels give the same bits: the same exactly rounded
+/// operations in the same order for every contact and disk, only more of them at a time.
+struct Kernel {
+  const char* name;
+  /// Forces of slots begin .. end-1, all of two disks; by normal law, adhesion and friction law (index in its variant).
+  using PairLoop = void (*)(const PairTask&, const ContactLaws&, std::size_t begin, std::size_t end);
+  PairLoop pairs[2][2][2];
+  /// A step of disks begin .. end-1. False if the list has become stale.
+  using Sweep = bool (*)(const SweepTask&, std::size_t begin, std::size_t end);
+  Sweep verlet, gear;
+};
+
+extern const Kernel portable_kernel, avx2_kernel, avx512_kernel;
+
+/// The kernel that `asked` means on this machine: "auto" is the widest it has. InputError for one that is unknown or
+/// that the processor lacks.
+const Kernel& find_kernel(const std::string& asked);
+
+}  // namespace arenite::dem

@@ -1,0 +1,72 @@
+#pragma once
+#include "grains/dem/kernels/gather.hpp"
+#include "grains/dem/kernels/kernel.hpp"
+#include "grains/dem/sample.hpp"
+
+namespace arenite::dem {
+
+/// What the pair loop needs of W disks.
+template <int W>
+struct DiskPack {
+  Pack<W> x, y, vx, vy, omega, radius;
+
+  ARENITE_INLINE DiskPack(const DiskRecord* record, const std::int32_t* index) {
+    gather<W>([=](int k) { return &record[index[k]].x; }, x, y);
+    gather<W>([=](int k) { return &record[index[k]].vx; }, vx, vy);
+    gather<W>([=](int k) { return &record[index[k]].omega; }, omega, radius);
+  }
+};
+
+/// Forces of W slots from p on.
+template <int W, class N, class A, class F>
+ARENITE_INLINE void pair_batch(const PairTask& t, const N& normal, const A& adhesion, const F& friction,
+                               std::size_t p) {
+  using V = Pack<W>;
+  const V zero(0.0);
+  const DiskPack<W> a(t.record, t.i + p), b(t.record, t.j + p);
+  const V dx = a.x - b.x, dy = a.y - b.y;
+  const V squared = dx * dx + dy * dy, distance = sqrt(squared);
+  const V inverse = distance * (V(1.0) / squared);  // root and quotient in parallel
+  const V nx = inverse * dx, ny = inverse * dy;
+  const V overlap = a.radius + b.radius - distance;
+  const V arm_i = a.radius - V(t.arm_share) * overlap, arm_j = b.radius - V(t.arm_share) * overlap;
+  const V ux = a.vx - b.vx, uy = a.vy - b.vy;
+
+  const V strength = V::load(t.strength + p);
+  V floor(t.floor);
+  if constexpr (!std::is_same_v<A, NoAdhesion>) floor = select(strength > zero, V(-__builtin_inf()), floor);
+  const ContactState<V> state{overlap,
+                              zero - (ux * nx + uy * ny),
+                              uy * nx - ux * ny - a.omega * arm_i - b.omega * arm_j,
+                              V(1.0) / a.radius + V(1.0) / b.radius,
+                              V::load(t.stiffness + p),
+                              V::load(t.damping + p),
+                              V::load(t.viscosity + p),
+                              strength,
+                              V(t.friction),
+                              floor};
+  V memory = zero;
+  if constexpr (F::remembers) memory = V::load(t.memory + p);
+  const ContactForce<V> f = contact_force(normal, adhesion, friction, state, memory);
+  const auto touching_now = overlap > zero;
+  const V fn = select(touching_now, f.normal, zero), ft = select(touching_now, f.tangential, zero);
+  if constexpr (F::remembers) select(touching_now, memory, zero).store(t.memory + p);
+  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].fx; }, fn * nx - ft * ny, fn * ny + ft * nx);
+  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_i; }, zero - arm_i * ft,
+             zero - arm_j * ft);
+}
+
+/// `flatten` compiles the laws into the loop: as calls they would double its time.
+template <int W, class N, class A, class F>
+__attribute__((flatten)) void pair_loop(const PairTask& given, const ContactLaws& laws, std::size_t begin,
+                                        std::size_t end) {
+  const PairTask task = given;  // a copy that no store can reach stays in registers
+  const N normal = *std::get_if<N>(&laws.normal);
+  const A adhesion = *std::get_if<A>(&laws.adhesion);
+  const F friction = *std::get_if<F>(&laws.friction);
+  std::size_t p = begin;
+  for (; p + W <= end; p += W) pair_batch<W>(task, normal, adhesion, friction, p);
+  for (; p < end; ++p) pair_batch<1>(task, normal, adhesion, friction, p);
+}
+
+}  // namespace arenite::dem

@@ -1,0 +1,84 @@
+#pragma once
+#include "grains/dem/kernels/gather.hpp"
+#include "grains/dem/kernels/kernel.hpp"
+#include "grains/dem/sample.hpp"
+
+namespace arenite::dem {
+
+/// Sum of the slots of groups first[q] .. first[q + 1].
+ARENITE_INLINE Pack<4> sum_of_groups(const SweepTask& t, std::size_t q) {
+  Pack<4> total(0.0);
+  for (auto g = static_cast<std::size_t>(t.first[q]); g < static_cast<std::size_t>(t.first[q + 1]); g += 4) {
+    const auto at = [&](std::size_t n) { return Pack<4>::load(&t.force[t.group[g + n]].fx); };
+    total = total + ((at(0) + at(1)) + (at(2) + at(3)));
+  }
+  return total;
+}
+
+/// Contact forces on W disks from k on; the same sums as contact_load.
+template <int W>
+struct LoadPack {
+  Pack<W> fx, fy, torque;
+
+  ARENITE_INLINE LoadPack(const SweepTask& t, std::size_t k) {
+    Pack<4> load[W];
+#pragma GCC unroll 8
+    for (std::size_t n = 0; n < W; ++n) {
+      const Pack<4> own = sum_of_groups(t, 2 * (k + n)), reaction = sum_of_groups(t, 2 * (k + n) + 1);
+      const Pack<4> turned = __builtin_shufflevector(reaction.raw, reaction.raw, 0, 1, 3, 2);
+      load[n] = __builtin_shufflevector((own - reaction).raw, (own + turned).raw, 0, 1, 6, 7);
+    }
+    Pack<W> spare;
+    sort_pieces<W>([&](int n) { return Piece(__builtin_shufflevector(load[n].raw, load[n].raw, 0, 1)); }, fx, fy);
+    sort_pieces<W>([&](int n) { return Piece(__builtin_shufflevector(load[n].raw, load[n].raw, 2, 3)); }, torque, spare);
+  }
+};
+
+/// W disks as they were seen by the forces, and their accelerations.
+template <int W>
+struct MotionPack {
+  Pack<W> x, y, radius, ax, ay, alpha;
+
+  ARENITE_INLINE MotionPack(const SweepTask& t, std::size_t k) {
+    using V = Pack<W>;
+    const LoadPack<W> load(t, k);
+    const DiskRecord* d = t.record + k;
+    V vx, vy, omega, mass, spare;
+    gather<W>([=](int n) { return &d[n].x; }, x, y);
+    gather<W>([=](int n) { return &d[n].vx; }, vx, vy);
+    gather<W>([=](int n) { return &d[n].omega; }, omega, radius);
+    gather<W>([=](int n) { return &d[n].mass; }, mass, spare);
+    const V inverse = V(1.0) / mass;
+    ax = load.fx * inverse + V(t.x.gravity) - V(t.drag) * (vx - t.x.before.at(x));
+    ay = load.fy * inverse + V(t.y.gravity) - V(t.drag) * (vy - t.y.before.at(y));
+    alpha = V(t.turning) * load.torque / (V(0.5) * mass * radius * radius);
+  }
+};
+
+/// Puts W disks where they are seen next. All bits set where a disk is near enough to its place in the list.
+template <int W>
+ARENITE_INLINE typename Pack<W>::Bits place(const SweepTask& t, std::size_t k, const MotionPack<W>& m, Pack<W> x, Pack<W> y,
+                                   Pack<W> vx, Pack<W> vy, Pack<W> omega) {
+  DiskRecord* d = t.record + k;
+  scatter<W>([=](int n) { return &d[n].x; }, x, y);
+  scatter<W>([=](int n) { return &d[n].vx; }, vx + t.x.after.at(x), vy + t.y.after.at(y));
+  scatter<W>([=](int n) { return &d[n].omega; }, omega, m.radius);
+  const Pack<W> dx = x - t.x.listed.apply(Pack<W>::load(t.listed_x + k));
+  const Pack<W> dy = y - t.y.listed.apply(Pack<W>::load(t.listed_y + k));
+  return dx * dx + dy * dy <= Pack<W>(t.limit);
+}
+
+/// W disks at a time by Batch<W>, the last ones singly.
+template <int W, template <int> class Batch>
+__attribute__((flatten)) bool sweep(const SweepTask& task, std::size_t begin, std::size_t end) {
+  const SweepTask t = task;  // a copy that no store can reach stays in registers
+  auto near = Pack<W>(0.0) <= Pack<W>(0.0);
+  bool last_near = true;
+  std::size_t k = begin;
+  for (; k + W <= end; k += W) near &= Batch<W>::run(t, k);
+  for (; k < end; ++k) last_near &= Batch<1>::run(t, k)[0] != 0;
+  for (int n = 0; n < W; ++n) last_near &= near[n] != 0;
+  return last_near;
+}
+
+}  // namespace arenite::dem

@@ -1,0 +1,174 @@
+#include "grains/dem/ledger.hpp"
+
+#include "grains/dem/kinematics.hpp"
+#include "grains/dem/motion.hpp"
+#include "grains/dem/sample.hpp"
+#include "grains/dem/walls.hpp"
+
+namespace arenite::dem {
+
+namespace {
+
+void add_contacts(const Sample& s, Snapshot& shot) {
+  const ContactList& list = s.list;
+  const double width = s.domain.width(), height = s.domain.height();
+  std::visit([&](const auto& normal, const auto& adhesion, const auto& friction) {
+    for (std::size_t p = 0; p < list.size(); ++p) {
+      const Kinematics c = slot_kinematics(s, p);
+      if (!(c.overlap > 0)) continue;  // a clipped contact has no force, but its dashpot eats what its spring gives
+      const Vec2 f{list.force[p].fx, list.force[p].fy}, t = perpendicular(c.normal);
+      const double spring = normal.elastic(c.overlap, list.stiffness[p], c.curvature) -
+                            adhesion.attraction(c.overlap, list.strength[p]);
+      const Vec2 dash = (dot(f, c.normal) - spring) * c.normal, slip = dot(f, t) * t;
+      shot.springs += friction.energy(c.sliding, list.stiffness[p], list.memory[p]);
+      auto& a = shot.disk[static_cast<std::size_t>(s.record[static_cast<std::size_t>(list.i[p])].grain)];
+      a.dash_x += dash.x;
+      a.dash_y += dash.y;
+      a.slip_x += slip.x;
+      a.slip_y += slip.y;
+      a.slip_torque += list.force[p].torque_i;
+      if (list.j[p] >= 0) {
+        auto& b = shot.disk[static_cast<std::size_t>(s.record[static_cast<std::size_t>(list.owner[p])].grain)];
+        b.dash_x -= dash.x;
+        b.dash_y -= dash.y;
+        b.slip_x -= slip.x;
+        b.slip_y -= slip.y;
+        b.slip_torque += list.force[p].torque_j;
+      } else {
+        const auto side = static_cast<std::size_t>(-1 - list.j[p]);
+        shot.edge[side].dash -= side < bottom ? dash.x : dash.y;
+      }
+      if (s.domain.periodic_x) {
+        shot.edge[left].dash -= dash.x * c.branch.x / width;
+        shot.edge[left].slip -= slip.x * c.branch.x / width;
+      }
+      if (s.domain.periodic_y) {
+        shot.edge[bottom].dash -= dash.y * c.branch.y / height;
+        shot.edge[bottom].slip -= slip.y * c.branch.y / height;
+      }
+    }
+  }, s.laws.normal, s.laws.adhesion, s.laws.friction);
+}
+
+Snapshot take(const Sample& s) {
+  Snapshot shot;
+  shot.disk.resize(s.count);
+  const bool is_gear = s.integration.integrator == IntegratorKind::gear5;
+  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const DiskRecord& d = s.record[k];
+    const Motion v = is_gear ? motion_of(s, k) : Motion{s.vx[k], s.vy[k], s.omega[k]};
+    auto& disk = shot.disk[static_cast<std::size_t>(d.grain)];
+    disk.vx = v.vx;
+    disk.vy = v.vy;
+    disk.omega = v.omega;
+    disk.mass = d.mass;
+    disk.drag_x = -s.drag * d.mass * (d.vx - mx.at(d.x));
+    disk.drag_y = -s.drag * d.mass * (d.vy - my.at(d.y));
+  }
+  add_contacts(s, shot);
+  if (s.domain.periodic_x) {
+    shot.edge[right].dash = -shot.edge[left].dash;
+    shot.edge[right].slip = -shot.edge[left].slip;
+  }
+  if (s.domain.periodic_y) {
+    shot.edge[top].dash = -shot.edge[bottom].dash;
+    shot.edge[top].slip = -shot.edge[bottom].slip;
+  }
+  for (std::size_t side = 0; side < 4; ++side) {
+    auto& edge = shot.edge[side];
+    edge.rate = is_gear ? wall_rate(s, side) : s.wall[side].rate;
+    edge.force = -inward_sign(side) * s.domain.wall[side].force;
+    edge.servo = s.wall[side].drive.kind == WallDrive::Kind::force;
+    if (edge.servo) {
+      edge.drive = inward_sign(side) * s.wall[side].drive.value;
+      edge.damping = servo_braking(s, side, s.domain.wall[side].velocity);
+    }
+  }
+  return shot;
+}
+
+/// Sums of the mean force over the two times, times the velocities of the second.
+WorkTerms products(const Sample& s, const Snapshot& p, const Snapshot& q) {
+  WorkTerms w;
+  for (std::size_t k = 0; k < q.disk.size(); ++k) {
+    const auto &a = p.disk[k], &b = q.disk[k];
+    const double vx = 0.5 * b.vx, vy = 0.5 * b.vy, omega = 0.5 * b.omega;
+    w.dashpots += (a.dash_x + b.dash_x) * vx + (a.dash_y + b.dash_y) * vy;
+    w.friction += (a.slip_x + b.slip_x) * vx + (a.slip_y + b.slip_y) * vy;
+    if (s.integration.rotations) w.friction += (a.slip_torque + b.slip_torque) * omega;
+    w.drag += (a.drag_x + b.drag_x) * vx + (a.drag_y + b.drag_y) * vy;
+    w.gravity += 2 * b.mass * (s.gravity.x * vx + s.gravity.y * vy);
+  }
+  for (std::size_t side = 0; side < 4; ++side) {
+    const auto &a = p.edge[side], &b = q.edge[side];
+    const double rate = 0.5 * b.rate;
+    w.dashpots += (a.dash + b.dash) * rate;
+    w.friction += (a.slip + b.slip) * rate;
+    w.walls += b.servo ? (a.drive + b.drive) * rate : -(a.force + b.force) * rate;
+    w.servo += (a.damping + b.damping) * rate;
+  }
+  return w;
+}
+
+void add(WorkTerms& sum, double factor, const WorkTerms& w) {
+  sum.dashpots += factor * w.dashpots;
+  sum.friction += factor * w.friction;
+  sum.drag += factor * w.drag;
+  sum.gravity += factor * w.gravity;
+  sum.walls += factor * w.walls;
+  sum.servo += factor * w.servo;
+}
+
+/// Work of the step from the powers at its end (`p`) and before.
+WorkTerms integrate(const Ledger& ledger, const WorkTerms& p, double dt) {
+  WorkTerms w;
+  if (ledger.known >= 3) {
+    add(w, 9 * dt / 24, p);
+    add(w, 19 * dt / 24, ledger.powers[0]);
+    add(w, -5 * dt / 24, ledger.powers[1]);
+    add(w, dt / 24, ledger.powers[2]);
+  } else if (ledger.known == 2) {
+    add(w, 5 * dt / 12, p);
+    add(w, 8 * dt / 12, ledger.powers[0]);
+    add(w, -dt / 12, ledger.powers[1]);
+  } else {
+    add(w, dt / 2, p);
+    add(w, dt / 2, ledger.powers[0]);
+  }
+  return w;
+}
+
+}  // namespace
+
+void open_ledger(Sample& s) {
+  Ledger& ledger = s.ledger;
+  ledger.last = take(s);
+  ledger.powers = {};
+  add(ledger.powers[0], 1, products(s, ledger.last, ledger.last));
+  ledger.known = 1;
+  ledger.open = true;
+}
+
+void book_step(Sample& s) {
+  Ledger& ledger = s.ledger;
+  Snapshot now = take(s);
+  WorkTerms work;
+  if (s.integration.integrator == IntegratorKind::gear5) {
+    WorkTerms power;
+    add(power, 1, products(s, now, now));
+    work = integrate(ledger, power, s.dt);
+    ledger.powers = {power, ledger.powers[0], ledger.powers[1]};
+    ledger.known = ledger.known < 3 ? ledger.known + 1 : 3;
+  } else {
+    add(work, s.dt, products(s, ledger.last, now));
+  }
+  s.tally.dissipated_normal -= work.dashpots;
+  s.tally.dissipated_friction -= work.friction + (now.springs - ledger.last.springs);
+  s.tally.dissipated_drag -= work.drag + work.servo;
+  s.tally.work_gravity += work.gravity;
+  s.tally.work_walls += work.walls;
+  ledger.last = std::move(now);
+}
+
+}  // namespace arenite::dem

@@ -1,0 +1,175 @@
+#include "grains/dem/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "grains/dem/forces.hpp"
+#include "grains/dem/kinematics.hpp"
+#include "grains/dem/motion.hpp"
+
+namespace arenite::dem {
+
+namespace {
+
+void add_contacts(const Sample& s, Packing& out) {
+  struct Row {
+    std::int32_t i, j;
+    std::size_t slot;
+    bool swapped;
+  };
+  std::vector<Row> rows;
+  for (std::size_t p = 0; p < s.list.size(); ++p) {
+    if (!(slot_kinematics(s, p).overlap > 0)) continue;
+    const std::int32_t a = s.record[static_cast<std::size_t>(s.list.i[p])].grain;
+    const std::int32_t b = s.list.j[p] < 0 ? s.list.j[p] : s.record[static_cast<std::size_t>(s.list.owner[p])].grain;
+    const bool swapped = b >= 0 && b < a;
+    rows.push_back(swapped ? Row{b, a, p, true} : Row{a, b, p, false});
+  }
+  std::sort(rows.begin(), rows.end(), [](const Row& p, const Row& q) { return p.i != q.i ? p.i < q.i : p.j < q.j; });
+  for (const Row& row : rows) {
+    const Kinematics c = slot_kinematics(s, row.slot);
+    const Vec2 f{s.list.force[row.slot].fx, s.list.force[row.slot].fy};
+    const double fn = dot(f, c.normal), ft = dot(f, perpendicular(c.normal));
+    if (row.swapped)
+      out.contacts.add(row.i, row.j, -c.normal, fn, ft, c.arm_j, c.arm_i);
+    else
+      out.contacts.add(row.i, row.j, c.normal, fn, ft, c.arm_i, c.arm_j);
+    out.contacts.overlap.back() = c.overlap;
+    out.contacts.sliding_velocity.back() = c.sliding;
+    out.contacts.glued.back() = s.list.strength[row.slot] > 0 ? 1 : 0;
+  }
+}
+
+/// Of inner disk k, J.
+double kinetic_energy(const Sample& s, std::size_t k) {
+  const Motion v = motion_of(s, k);
+  const DiskRecord& d = s.record[k];
+  return 0.5 * d.mass * (v.vx * v.vx + v.vy * v.vy) + 0.5 * inertia(d) * v.omega * v.omega;
+}
+
+/// Force on inner disk k, its weight included, N.
+double resultant_of(const Sample& s, std::size_t k) {
+  const Load load = contact_load(s.list, k);
+  const double m = s.record[k].mass;
+  return std::hypot(load.fx + m * s.gravity.x, load.fy + m * s.gravity.y);
+}
+
+/// Grains that carry force between two contacts or more, and the loose others, apart: a loose grain moves on for long without
+/// moving the others, and its weight is nothing beside their forces, so that it is at rest or not by a measure of its own.
+struct Motions {
+  double bearing = 0, loose = 0;  ///< kinetic energies, J
+  std::size_t falling = 0;        ///< loose grains more than half of whose weight nothing holds
+};
+
+Motions motions_of(const Sample& s, const std::vector<int>& pressed_contacts) {
+  const double g = norm(s.gravity);
+  Motions motions;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const bool loose = pressed_contacts[k] < 2;
+    (loose ? motions.loose : motions.bearing) += kinetic_energy(s, k);
+    if (loose && g > 0 && resultant_of(s, k) > 0.5 * s.record[k].mass * g) ++motions.falling;
+  }
+  return motions;
+}
+
+/// Of a kinetic energy to the elastic one; 0 where nothing moves.
+double over_elastic(double kinetic, double elastic) {
+  if (kinetic == 0) return 0;
+  return elastic > 0 ? kinetic / elastic : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+double adhesive_energy(const Sample& s) {
+  double sum = 0;
+  std::visit([&](const auto& adhesion) {
+    for (std::size_t p = 0; p < s.list.pairs; ++p)
+      if (const Kinematics c = slot_kinematics(s, p); c.overlap > 0)
+        sum += adhesion.energy(c.overlap, s.list.strength[p]);
+  }, s.laws.adhesion);
+  return sum;
+}
+
+Packing packing_of(const Sample& s) {
+  Packing out;
+  out.materials = s.start.materials;
+  out.domain = s.domain;
+  out.grains = s.start.grains;
+  for (std::size_t side = 0; side < 4; ++side) {
+    out.domain.wall[side].velocity = wall_rate(s, side);
+    out.domain.wall[side].position = wall_place(s, side);
+  }
+  const AffineMotion mx = affine_x(out.domain), my = affine_y(out.domain);
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const DiskRecord& d = s.record[k];
+    const auto g = static_cast<std::size_t>(d.grain);
+    const Motion v = motion_of(s, k);
+    const Vec2 place = place_of(s, k);
+    out.grains.x[g] = place.x;
+    out.grains.y[g] = place.y;
+    out.grains.angle[g] = s.angle[k];
+    out.grains.vx[g] = v.vx + mx.at(d.x);
+    out.grains.vy[g] = v.vy + my.at(d.y);
+    out.grains.omega[g] = v.omega;
+  }
+  out.contacts = {};
+  add_contacts(s, out);
+  return out;
+}
+
+Energies energies_of(const Sample& s) {
+  Energies e = s.tally;
+  for (std::size_t k = 0; k < s.count; ++k) e.kinetic += kinetic_energy(s, k);
+  for (std::size_t side = 0; side < 4; ++side)
+    if (s.wall[side].drive.kind == WallDrive::Kind::force) {
+      const double v = wall_rate(s, side);
+      e.kinetic += 0.5 * s.wall[side].mass * v * v;
+    }
+  e.adhesive = adhesive_energy(s);
+  std::visit([&](const auto& normal, const auto& friction) {
+    const ContactList& list = s.list;
+    for (std::size_t p = 0; p < list.size(); ++p) {
+      const Kinematics c = slot_kinematics(s, p);
+      if (!(c.overlap > 0)) continue;
+      e.elastic += normal.energy(c.overlap, list.stiffness[p], c.curvature) +
+                   friction.energy(c.sliding, list.stiffness[p], list.memory[p]);
+    }
+  }, s.laws.normal, s.laws.friction);
+  return e;
+}
+
+Equilibrium equilibrium_of(const Sample& s) {
+  Equilibrium q;
+  std::vector<int> pressed_contacts(s.count, 0);
+  double resultant = 0, normal_sum = 0, mobilised = 0;
+  std::size_t contacts = 0, pressed = 0;
+  for (std::size_t k = 0; k < s.count; ++k) resultant += resultant_of(s, k);
+  for (std::size_t p = 0; p < s.list.size(); ++p) {
+    const Kinematics c = slot_kinematics(s, p);
+    if (!(c.overlap > 0)) continue;
+    const Vec2 f{s.list.force[p].fx, s.list.force[p].fy};
+    const double fn = dot(f, c.normal), ft = dot(f, perpendicular(c.normal));
+    normal_sum += std::abs(fn);
+    ++contacts;
+    if (fn > 0) {
+      mobilised += std::abs(ft) / fn;
+      ++pressed;
+      ++pressed_contacts[static_cast<std::size_t>(s.list.i[p])];
+      if (s.list.j[p] >= 0) ++pressed_contacts[static_cast<std::size_t>(s.list.owner[p])];
+    }
+  }
+  if (s.count > 0 && resultant > 0)
+    q.unbalanced_ratio = normal_sum > 0 ? (resultant / static_cast<double>(s.count)) * static_cast<double>(contacts) / normal_sum
+                                        : std::numeric_limits<double>::infinity();
+  const Motions motions = motions_of(s, pressed_contacts);
+  const double elastic = energies_of(s).elastic;
+  q.kinetic_ratio = over_elastic(motions.bearing, elastic);
+  q.loose_kinetic = over_elastic(motions.loose, elastic);
+  if (s.count > 0) q.falling = static_cast<double>(motions.falling) / static_cast<double>(s.count);
+  if (pressed > 0) q.mobilisation = mobilised / static_cast<double>(pressed);
+  for (std::size_t side = 0; side < 4; ++side) q.wall_speed = std::max(q.wall_speed, std::abs(wall_rate(s, side)));
+  return q;
+}
+
+}  // namespace arenite::dem

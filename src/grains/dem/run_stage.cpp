@@ -1,0 +1,164 @@
+#include "grains/dem/run_stage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace arenite::dem {
+
+std::string describe(const Equilibrium& now) {
+  std::string text = fmt::format("unbalanced force ratio {:.1e}, kinetic over elastic energy {:.1e}", now.unbalanced_ratio, now.kinetic_ratio);
+  if (now.loose_kinetic > 0) text += fmt::format(", of grains that carry nothing {:.1e}", now.loose_kinetic);
+  return now.falling > 0 ? text + fmt::format(", {:.2g} % of the grains fall", 100 * now.falling) : text;
+}
+
+bool is_at_rest(const Equilibrium& now, const RestCriterion& rest) {
+  return now.unbalanced_ratio < rest.unbalanced && now.kinetic_ratio < rest.kinetic && now.loose_kinetic < rest.loose_kinetic.value_or(1e5 * rest.kinetic) &&
+         now.falling <= rest.falling && (rest.mobilisation < 0 || now.mobilisation < rest.mobilisation);
+}
+
+namespace {
+
+constexpr std::int64_t check_interval = 200;    // steps between two looks at equilibrium
+constexpr std::size_t history_rows = 4096;      // beyond this every second row is dropped
+
+/// Largest departure of a force-driven wall from its aim, relative to the aim.
+double load_error(const WallDrives& drives, const Domain& domain) {
+  double worst = 0;
+  for (int side = 0; side < 4; ++side)
+    if (drives[side].kind == WallDrive::Kind::force && drives[side].value > 0)
+      worst = std::max(worst, std::abs(domain.wall[side].force - drives[side].value) / drives[side].value);
+  return worst;
+}
+
+void append(History& history, const char* name, const char* unit, double value) {
+  auto it = std::find_if(history.columns.begin(), history.columns.end(), [&](const auto& c) { return c.name == name; });
+  if (it == history.columns.end()) it = history.columns.insert(it, {name, unit, {}});
+  it->values.push_back(value);
+}
+
+void sample(History& history, const Engine& engine, const Equilibrium& now, std::int64_t increment) {
+  append(history, "time", "s", engine.time());
+  append(history, "increment", "1", static_cast<double>(increment + 1));
+  for (int side = 0; side < 4; ++side) {
+    const auto& wall = engine.domain().wall[side];
+    append(history, fmt::format("{}_position", side_names[side]).c_str(), "m", wall.position);
+    append(history, fmt::format("{}_force", side_names[side]).c_str(), "N", wall.force);
+    append(history, fmt::format("{}_shear_force", side_names[side]).c_str(), "N", wall.shear_force);
+  }
+  const Energies energies = engine.energies();
+  for (const EnergyTerm& term : energy_terms) append(history, term.name, "J", energies.*term.value);
+  append(history, "unbalanced_ratio", "1", now.unbalanced_ratio);
+  append(history, "kinetic_ratio", "1", now.kinetic_ratio);
+  append(history, "mobilisation", "1", now.mobilisation);
+  append(history, "wall_speed", "m/s", now.wall_speed);
+  append(history, "falling", "1", now.falling);
+  append(history, "loose_kinetic_ratio", "1", now.loose_kinetic);
+}
+
+/// Keeps the history short however long the stage: when it is full, every second row goes and sampling halves.
+void thin(StageRun& run) {
+  auto& columns = run.result.history.columns;
+  if (columns.empty() || columns.front().values.size() < history_rows) return;
+  for (auto& column : columns) {
+    for (std::size_t k = 0; 2 * k < column.values.size(); ++k) column.values[k] = column.values[2 * k];
+    column.values.resize((column.values.size() + 1) / 2);
+  }
+  run.sample_every *= 2;
+}
+
+void store_frame(const Engine& engine, const Equilibrium& now, std::string label, StageResult& result) {
+  result.frames.push_back({engine.time(), engine.step(), std::move(label), engine.packing(), engine.energies(), now});
+}
+
+/// The same with what the pressing sides still lack, relative to their aim; nothing on that where none presses.
+std::string describe_pressed(const Equilibrium& now, const WallDrives& drives, const Domain& domain) {
+  const bool presses = std::any_of(drives.begin(), drives.end(), [](const WallDrive& d) { return d.kind == WallDrive::Kind::force; });
+  return describe(now) + (presses ? fmt::format(", forces on the sides within {:.1e} of their aim", load_error(drives, domain)) : "");
+}
+
+std::int64_t steps_of(const Stage& stage, const Engine& engine) {
+  return static_cast<std::int64_t>(std::ceil(*stage.duration / engine.time_step()));
+}
+
+void continue_for_a_time(Engine& engine, const Stage& stage, StageRun& run) {
+  const std::int64_t total = steps_of(stage, engine);
+  const std::int64_t frames = std::max<std::int64_t>(1, stage.frames);
+  const std::int64_t next_frame = total * static_cast<std::int64_t>(run.result.frames.size() + 1) / frames;
+  engine.set_drives(drives_for(on_the_ramp(stage, run.force_at_start, 1), engine.domain()));
+  const std::int64_t steps = std::min(check_interval, next_frame - run.steps_in_increment);
+  engine.advance(steps);
+  run.steps_in_increment += steps;
+  const Equilibrium now = run.latest = engine.equilibrium();
+  if (run.checks++ % run.sample_every == 0) sample(run.result.history, engine, now, 0);
+  thin(run);
+  if (run.steps_in_increment < next_frame) return;
+  const auto k = run.result.frames.size() + 1;
+  store_frame(engine, now, frames == 1 ? std::string("end") : fmt::format("{} of {}", k, frames), run.result);
+  if (static_cast<std::int64_t>(k) < frames) return;
+  run.finished = true;
+  run.result.outcome = fmt::format("{:g} s passed; {}", *stage.duration, describe(now));
+}
+
+void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
+  const auto increments = increments_of(stage, run.force_at_start);
+  const auto& increment = increments[static_cast<std::size_t>(run.increment)];
+  const WallDrives drives = drives_for(increment, engine.domain());
+  engine.set_drives(drives);
+  engine.advance(check_interval);
+  run.steps_in_increment += check_interval;
+
+  const Equilibrium now = run.latest = engine.equilibrium();
+  const double wall_error = load_error(drives, engine.domain());
+  const bool at_rest = is_at_rest(now, stage.rest) && wall_error < 10 * stage.rest.unbalanced;
+  const bool given_up = !at_rest && run.steps_in_increment >= stage.rest.max_steps;
+  if (run.checks++ % run.sample_every == 0 || at_rest) sample(run.result.history, engine, now, run.increment);
+  thin(run);
+  if (!at_rest && !given_up) return;
+
+  store_frame(engine, now, increment.label, run.result);
+  run.result.converged = run.result.converged && at_rest;
+  if (given_up)
+    run.result.outcome = fmt::format("no equilibrium within {} steps{} (rest.max_steps): {}", run.steps_in_increment,
+                                     increments.size() > 1 ? " of " + increment.label : "", describe_pressed(now, drives, engine.domain()));
+  run.steps_in_increment = 0;
+  run.finished = given_up || ++run.increment == static_cast<std::int64_t>(increments.size());
+  if (run.finished && !given_up) run.result.outcome = fmt::format("equilibrium: {}", describe_pressed(now, drives, engine.domain()));
+}
+
+}  // namespace
+
+StageRun begin_stage(Engine& engine, const Stage& stage) {
+  engine.set_gravity(stage.gravity ? Vec2{0, -standard_gravity} : Vec2{});
+  engine.set_friction(stage.friction);
+  if (stage.gravity && stage.masses == Masses::even) throw InputError("grains with even masses cannot weigh; leave gravity or masses out");
+  engine.set_masses(stage.masses);
+  engine.set_inertial_number(stage.inertial_number);
+  engine.set_drag(engine.integration().drag + stage.drag + stage.critical_drag * engine.critical_drag());
+  engine.set_glue(stage.glue);
+  StageRun run;
+  run.result.name = stage.name;
+  for (int side = 0; side < 4; ++side) run.force_at_start[side] = engine.domain().wall[side].force;
+  return run;
+}
+
+void continue_stage(Engine& engine, const Stage& stage, StageRun& run) {
+  if (stage.duration) continue_for_a_time(engine, stage, run);
+  else continue_to_rest(engine, stage, run);
+}
+
+double share_done(const Stage& stage, const StageRun& run) {
+  if (run.finished) return 1;
+  if (stage.duration) {
+    const double frames = static_cast<double>(std::max<std::int64_t>(1, stage.frames));
+    return std::min(1.0, static_cast<double>(run.result.frames.size()) / frames);
+  }
+  const double total = static_cast<double>(increments_of(stage, run.force_at_start).size());
+  const double within = std::clamp(std::log(run.latest.unbalanced_ratio) / std::log(stage.rest.unbalanced), 0.0, 0.95);
+  return (static_cast<double>(run.increment) + within) / total;
+}
+
+}  // namespace arenite::dem

@@ -1,0 +1,154 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "grains/dem/coefficients.hpp"
+#include "grains/dem/kernels/kernel.hpp"
+#include "grains/dem/laws/laws.hpp"
+#include "grains/dem/ledger.hpp"
+#include "grains/dem/parameters.hpp"
+#include "model/packing.hpp"
+#include "model/result.hpp"
+
+namespace arenite::dem {
+
+/// What the pair loop reads of a disk: one cache line. Velocities are those that the forces see.
+struct alignas(64) DiskRecord {
+  double x = 0, y = 0, vx = 0, vy = 0, omega = 0, radius = 0, mass = 0;
+  std::int32_t material = 0;
+  std::int32_t grain = 0;  ///< the caller's index
+};
+static_assert(sizeof(DiskRecord) == 64);
+
+/// The periodic image of a disk, kept as a record behind the disks': `shift` counts cells.
+struct Ghost {
+  std::int32_t source = 0;
+  std::int32_t shift_x = 0, shift_y = 0;
+};
+
+/// Force of a contact on i, N, and its torques on i and j, N m; all 0 where apart.
+struct alignas(32) SlotForce {
+  double fx = 0, fy = 0, torque_i = 0, torque_j = 0;
+};
+inline bool acts(const SlotForce& f) { return f.fx != 0 || f.fy != 0; }
+
+/// Candidate contacts and what they carry. Slots 0 .. pairs-1 join two disks (i < j, sorted by i; j may be a ghost);
+/// the slots behind them join a disk i with wall `side` (j = wall_partner(side)), sorted by i.
+struct ContactList {
+  std::size_t pairs = 0;
+  std::vector<std::int32_t> i, j;
+  std::vector<std::int32_t> owner;          ///< the disk that takes the reaction: j, or the source of the ghost j
+  std::vector<double> stiffness, damping, viscosity, strength;
+  std::vector<SlotForce> force;             ///< one more than slots: the last stays 0
+  std::vector<double> memory;               ///< of the friction law
+  std::vector<std::uint8_t> bond;           ///< of glued pairs: see BondState
+  /// Slots by disk, in groups of four that are filled up with the slot whose force stays 0, so that most disks have as
+  /// many groups as their neighbours and the processor guesses the loops' ends right. Those where disk k is i, pairs
+  /// before walls, are group[first[2k]] to group[first[2k + 1]]; those where it owns the reaction go on to first[2k + 2].
+  std::vector<std::int32_t> group, first;
+
+  std::size_t size() const { return i.size(); }
+  /// What group_slots and list_contacts fill is not touched.
+  void resize(std::size_t slots) {
+    for (auto* a : {&i, &j, &owner}) a->resize(slots);
+    for (auto* a : {&stiffness, &damping, &viscosity, &strength}) a->resize(slots);
+  }
+};
+
+/// A bond that breaks for good is gone once its contact has opened again.
+enum BondState : std::uint8_t { never_touched = 0, touching = 1 };
+
+/// One wall, or one edge of a periodic cell, as a body that moves along its axis.
+struct WallBody {
+  WallDrive drive;
+  double sample_mass = 0;          ///< kg
+  double mass = 0, impedance = 0;  ///< of a force-controlled wall, kg and N s/m (see walls.cpp)
+  double drift = 0;                ///< slow mean of the velocity of a force-controlled wall, m/s along +x or +y
+  double rate = 0;                 ///< integrated velocity (half a step behind under Verlet), m/s along +x or +y
+  double acceleration = 0;
+  std::array<double, 4> higher{};  ///< Gear's further derivatives
+};
+
+/// Everything that decides the future, and the set-up that follows from it. Disks are kept in an inner order that
+/// follows the cells; `record[k].grain` leads back to the caller's.
+struct Sample {
+  Packing start;                   ///< as given: materials, ids, zones; its contacts are dropped after the start
+  ContactParameters contact;
+  IntegrationParameters integration;
+  CoefficientTable coefficients;
+  ContactLaws laws;
+  const Kernel* kernel = nullptr;  ///< the inner loops in use
+  double dt = 0, dt_at_start = 0;  ///< the step, which other masses may shorten where the program chose it
+  double friction = 0, wall_friction = 0, drag = 0;
+  Masses masses = Masses::own;
+  double inertial_number = default_inertial_number;  ///< of the servo, see walls.hpp
+  Vec2 gravity;
+  bool glue = true;
+
+  Domain domain;
+  std::array<WallBody, 4> wall;
+  std::int64_t step = 0;
+  std::int64_t steps_before = 0;   ///< made before the step was last shortened,
+  double time_before = 0;          ///< and the time then, s
+  double lag = 0;                  ///< how far the integrated velocities are behind the positions, s: 0 or dt/2
+
+  std::size_t count = 0;           ///< disks; the records behind them are ghosts
+  std::vector<DiskRecord> record;
+  std::vector<double> vx, vy, omega, angle;      ///< integrated velocities, less the affine motion of a periodic cell
+  std::vector<double> ax, ay, alpha;             ///< last accelerations
+  std::array<std::vector<double>, 9> higher;     ///< Gear: third to fifth derivatives of x, y, angle
+  std::vector<Ghost> ghost;
+  ContactList list, former;        ///< `former`: the list before the last rebuild, kept for its memory
+  double skin = 0, largest_radius = 0;
+  std::vector<double> listed_x, listed_y;        ///< where the disks were when the list was built
+  Domain listed_domain;
+  std::int64_t builds = 0;
+  std::vector<std::uint64_t> live_bonds;         ///< sorted keys of bonds, where these break for good
+
+  Energies tally;                  ///< dissipation and work so far
+  Ledger ledger;                   ///< only if track_energy
+  bool settled = false;            ///< the integrator has its starting values
+};
+
+/// Key of an unordered pair of grains (caller's indices).
+inline std::uint64_t pair_key(std::int32_t a, std::int32_t b) {
+  const auto low = static_cast<std::uint32_t>(a < b ? a : b), high = static_cast<std::uint32_t>(a < b ? b : a);
+  return (std::uint64_t{low} << 32) | high;
+}
+
+inline std::uint64_t slot_key(const Sample& s, std::size_t slot) {
+  const std::int32_t a = s.record[static_cast<std::size_t>(s.list.i[slot])].grain;
+  const std::int32_t j = s.list.j[slot];
+  return pair_key(a, j < 0 ? j : s.record[static_cast<std::size_t>(s.list.owner[slot])].grain);
+}
+
+/// Affine motion of a periodic cell, one direction each.
+AffineMotion affine_x(const Domain& domain);
+AffineMotion affine_y(const Domain& domain);
+
+/// Where the periodic cell is; maps a place that moves with the cell from an earlier frame. The identity where nothing
+/// is periodic.
+struct CellFrame {
+  bool periodic_x = false, periodic_y = false;
+  double left_edge = 0, bottom_edge = 0, width = 1, height = 1;
+  double x_from(const CellFrame& old, double x) const {
+    return periodic_x ? left_edge + (x - old.left_edge) * (width / old.width) : x;
+  }
+  /// Relative growth since an earlier frame.
+  double growth_x(const CellFrame& old) const { return periodic_x ? width / old.width - 1 : 0; }
+  double growth_y(const CellFrame& old) const { return periodic_y ? height / old.height - 1 : 0; }
+  double y_from(const CellFrame& old, double y) const {
+    return periodic_y ? bottom_edge + (y - old.bottom_edge) * (height / old.height) : y;
+  }
+};
+inline CellFrame cell_frame(const Domain& d) {
+  return {d.periodic_x, d.periodic_y, d.wall[left].position, d.wall[bottom].position, d.width(), d.height()};
+}
+
+/// Centres of touching disks, or of disks in the list, are never farther apart, m.
+inline double reach_of(const Sample& s) { return 2.0 * s.largest_radius + s.skin; }
+
+inline double inertia(const DiskRecord& d) { return 0.5 * d.mass * d.radius * d.radius; }
+
+}  // namespace arenite::dem

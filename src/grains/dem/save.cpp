@@ -1,0 +1,136 @@
+#include "grains/dem/save.hpp"
+
+#include <cstring>
+#include <string>
+
+#include "core/bytes.hpp"
+#include "core/error.hpp"
+#include "grains/dem/ghosts.hpp"
+#include "grains/dem/neighbours.hpp"
+#include "grains/dem/setup.hpp"
+
+namespace arenite::dem {
+
+namespace {
+
+constexpr std::uint64_t mark = 0x33302d6d65642d61;  // "a-dem-03"; changes with what `transfer` lists
+constexpr std::uint64_t mark_shortened = 0x73302d6d65642d61;  // "a-dem-0s": the same behind a step that was shortened
+
+template <class Archive>
+void transfer(Archive& a, Wall& wall) {
+  for (auto* v : {&wall.position, &wall.velocity, &wall.force, &wall.shear_force}) a(*v);
+}
+
+template <class Archive>
+void transfer(Archive& a, WallBody& body) {
+  auto kind = static_cast<std::int32_t>(body.drive.kind);
+  a(kind);
+  body.drive.kind = static_cast<WallDrive::Kind>(kind);
+  for (auto* v : {&body.drive.value, &body.mass, &body.impedance, &body.sample_mass, &body.drift, &body.rate,
+                  &body.acceleration})
+    a(*v);
+  for (auto& v : body.higher) a(v);
+}
+
+template <class Archive>
+void transfer(Archive& a, Energies& e) {
+  for (const EnergyTerm& term : energy_terms) a(e.*term.value);
+}
+
+/// One list of members for both ways.
+template <class Archive>
+void transfer(Archive& a, Sample& s) {
+  std::uint8_t glue = s.glue, settled = s.settled, open = s.ledger.open;
+  auto masses = static_cast<std::int32_t>(s.masses);
+  a(masses), a(s.inertial_number);
+  s.masses = static_cast<Masses>(masses);
+  a(s.step), a(s.lag), a(s.friction), a(s.wall_friction), a(s.drag), a(s.gravity.x), a(s.gravity.y), a(glue), a(settled), a(open);
+  s.glue = glue != 0;
+  s.settled = settled != 0;
+  s.ledger.open = open != 0;
+  for (auto& wall : s.domain.wall) transfer(a, wall);
+  a(s.domain.tilt);
+  for (auto& wall : s.listed_domain.wall) transfer(a, wall);
+  a(s.listed_domain.tilt), a(s.skin), a(s.builds);
+  for (auto& body : s.wall) transfer(a, body);
+  for (auto* v : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha, &s.listed_x, &s.listed_y}) a(*v);
+  for (auto& v : s.higher) a(v);
+  a(s.live_bonds);
+  transfer(a, s.tally);
+  a(s.ledger.known);
+  for (auto& w : s.ledger.powers)
+    for (auto* v : {&w.dashpots, &w.friction, &w.drag, &w.gravity, &w.walls, &w.servo}) a(*v);
+}
+
+template <class Archive>
+void transfer_step(Archive& a, Sample& s) {
+  a(s.dt), a(s.steps_before), a(s.time_before);
+}
+
+/// The slots' contents; their number follows from the list.
+template <class Archive>
+void transfer(Archive& a, ContactList& list) {
+  for (auto* v : {&list.strength, &list.memory}) a(*v);
+  a(list.force);
+  a(list.bond);
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> save_sample(const Sample& sample) {
+  ByteWriter write;
+  auto& s = const_cast<Sample&>(sample);  // the writer does not change what it is given
+  const bool shortened = s.dt != s.dt_at_start;
+  std::uint64_t header[3] = {shortened ? mark_shortened : mark, s.count, 0};
+  std::memcpy(&header[2], &s.dt_at_start, sizeof s.dt_at_start);
+  for (auto& v : header) write(v);
+  std::vector<DiskRecord> disks(s.record.begin(), s.record.begin() + static_cast<std::ptrdiff_t>(s.count));
+  if (shortened) transfer_step(write, s);
+  write(disks);
+  transfer(write, s);
+  transfer(write, s.list);
+  return std::move(write.bytes);
+}
+
+void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
+  ByteReader read(bytes);
+  Sample s = sample;
+  std::uint64_t header[3] = {}, step = 0;
+  for (auto& v : header) read(v);
+  std::memcpy(&step, &s.dt_at_start, sizeof step);
+  if (header[0] != mark && header[0] != mark_shortened) ByteReader::fail();
+  if (header[1] != s.count || header[2] != step)
+    throw InputError("the stored state belongs to another sample or time step (" + std::to_string(header[1]) +
+                     " grains; here " + std::to_string(s.count) + ")");
+  if (header[0] == mark_shortened) transfer_step(read, s);
+  read(s.record);
+  if (s.record.size() != s.count) ByteReader::fail();
+  transfer(read, s);
+  if (s.vx.size() != s.count || s.listed_x.size() != s.count) ByteReader::fail();
+  s.laws = laws_between_steps(s);
+
+  // The list as it was built: disks and frame put back to where they were then.
+  const std::vector<DiskRecord> disks = s.record;
+  const Domain domain = s.domain;
+  s.domain = s.listed_domain;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    s.record[k].x = s.listed_x[k];
+    s.record[k].y = s.listed_y[k];
+  }
+  list_contacts(s);
+  const std::size_t slots = s.list.size();
+  transfer(read, s.list);
+  if (s.list.force.size() != slots + 1 || s.list.memory.size() != slots || !read.at_end()) ByteReader::fail();
+  s.domain = domain;
+  std::copy(disks.begin(), disks.end(), s.record.begin());
+  refresh_ghosts(s);
+  if (s.ledger.open) {  // a snapshot of the same state has the same bits; Gear's powers are older
+    const Ledger stored = s.ledger;
+    open_ledger(s);
+    s.ledger.powers = stored.powers;
+    s.ledger.known = stored.known;
+  }
+  sample = std::move(s);
+}
+
+}  // namespace arenite::dem

@@ -1,0 +1,208 @@
+#include "grains/dem/setup.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/problems.hpp"
+#include "grains/dem/bounds.hpp"
+#include "grains/dem/bonds.hpp"
+#include "grains/dem/carried.hpp"
+#include "grains/dem/forces.hpp"
+#include "grains/dem/kernels/kernel.hpp"
+#include "grains/dem/masses.hpp"
+#include "grains/dem/neighbours.hpp"
+#include "grains/dem/walls.hpp"
+
+namespace arenite::dem {
+
+namespace {
+
+bool positive(double v) { return std::isfinite(v) && v > 0; }
+bool not_negative(double v) { return std::isfinite(v) && v >= 0; }
+
+void check_parameters(Problems& problems, const Packing& start, const ContactParameters& contact,
+                      const IntegrationParameters& integration) {
+  problems.unless(contact.restitution > 0 && contact.restitution <= 1,
+                  "restitution {} must be above 0 and at most 1", contact.restitution);
+  problems.unless(not_negative(contact.friction), "friction {} must be a number >= 0", contact.friction);
+  problems.unless(not_negative(contact.wall_friction.value_or(0)), "wall friction {} must be a number >= 0",
+                  contact.wall_friction.value_or(0));
+  problems.unless(not_negative(contact.normal_damping.value_or(0)), "normal damping {} N s/m must be >= 0",
+                  contact.normal_damping.value_or(0));
+  problems.unless(not_negative(contact.sliding_viscosity.value_or(0)), "sliding viscosity {} N s/m must be >= 0",
+                  contact.sliding_viscosity.value_or(0));
+  problems.unless(positive(contact.tangential_stiffness_ratio), "tangential stiffness ratio {} must be above 0",
+                  contact.tangential_stiffness_ratio);
+  problems.unless(not_negative(contact.surface_energy), "surface energy {} N/m must be >= 0", contact.surface_energy);
+  problems.unless(positive(integration.safety), "safety {} must be above 0", integration.safety);
+  problems.unless(not_negative(integration.drag), "drag {} 1/s must be >= 0", integration.drag);
+  problems.unless(integration.threads >= 1, "threads {} must be 1 or more", integration.threads);
+  const auto n = static_cast<std::int32_t>(start.grains.size());
+  for (const auto& [a, b] : contact.glued_pairs)
+    problems.unless(a >= 0 && b >= 0 && a < n && b < n && a != b,
+                    "glued pair ({}, {}) must name two of the {} grains", a, b, n);
+}
+
+void check_packing(Problems& problems, const Packing& start) {
+  const Domain& domain = start.domain;
+  problems.unless(start.grains.size() > 0, "the packing has no grains");
+  problems.unless(positive(domain.width()) && positive(domain.height()), "the frame must have a width and a height above 0");
+  problems.unless(positive(domain.thickness), "thickness {} m must be above 0", domain.thickness);
+  for (const auto& m : start.materials) {
+    problems.unless(positive(m.density), "density {} kg/m^3 of material \"{}\" must be above 0", m.density, m.name);
+    problems.unless(positive(m.stiffness), "stiffness {} N/m of material \"{}\" must be above 0", m.stiffness, m.name);
+  }
+  const Grains& g = start.grains;
+  for (std::size_t k = 0; k < g.size(); ++k) {
+    problems.unless(positive(g.radius[k]), "radius {} m of grain {} must be above 0", g.radius[k], g.id[k]);
+    problems.unless(std::isfinite(g.x[k] + g.y[k] + g.vx[k] + g.vy[k] + g.omega[k]),
+                    "grain {} has a coordinate or velocity that is not a number", g.id[k]);
+    problems.unless(g.material[k] >= 0 && static_cast<std::size_t>(g.material[k]) < start.materials.size(),
+                    "material {} of grain {} is not among the {} materials", g.material[k], g.id[k],
+                    start.materials.size());
+    const auto& w = domain.wall;
+    const bool in_x = (!w[left].present || g.x[k] >= w[left].position) && (!w[right].present || g.x[k] <= w[right].position);
+    const bool in_y = (!w[bottom].present || g.y[k] >= w[bottom].position) && (!w[top].present || g.y[k] <= w[top].position);
+    problems.unless(in_x && in_y, "the centre of grain {} is outside of the frame", g.id[k]);
+  }
+}
+
+void place_disks(Sample& s) {
+  const Grains& g = s.start.grains;
+  s.count = g.size();
+  s.record.resize(s.count);
+  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
+  for (auto* a : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha}) a->assign(s.count, 0.0);
+  double sum = 0;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const double r = g.radius[k];
+    s.record[k] = {g.x[k], g.y[k], g.vx[k], g.vy[k], g.omega[k], r, 0, g.material[k], static_cast<std::int32_t>(k)};
+    s.record[k].mass = own_mass(s, k);
+    s.vx[k] = g.vx[k] - mx.at(g.x[k]);
+    s.vy[k] = g.vy[k] - my.at(g.y[k]);
+    s.omega[k] = s.integration.rotations ? g.omega[k] : 0.0;
+    s.record[k].omega = s.omega[k];
+    s.angle[k] = g.angle[k];
+    s.largest_radius = std::max(s.largest_radius, r);
+    sum += r;
+  }
+  s.skin = 0.15 * sum / static_cast<double>(s.count);
+}
+
+void check_cell(const Sample& s) {
+  Problems problems;
+  const double needed = 2.0 * reach_of(s);
+  problems.unless(!s.domain.periodic_x || s.domain.width() >= needed,
+                  "a periodic cell {} m wide is too narrow for its grains; {} m would do", s.domain.width(), needed);
+  problems.unless(!s.domain.periodic_y || s.domain.height() >= needed,
+                  "a periodic cell {} m high is too low for its grains; {} m would do", s.domain.height(), needed);
+  problems.raise();
+}
+
+void choose_step(Sample& s) {
+  const StepBounds bounds = step_bounds(s);
+  const auto& asked = s.integration.time_step;
+  s.dt = asked.value_or(std::min(s.integration.safety * shortest_contact_time(s), bounds.largest()));
+  if (!positive(s.dt)) throw InputError(fmt::format("time step {} s must be above 0", s.dt));
+  if (s.dt > bounds.largest())
+    throw InputError(fmt::format("integration.time_step of {:.4g} s is too long for this packing: {} would make its motion grow without end; "
+                                 "{:.4g} s would do, or leave the key out",
+                                 s.dt, bounds.damping < bounds.stiffness ? "damping (dashpots and drag)" : "the stiffness of its contacts",
+                                 0.999 * bounds.largest()));
+  s.dt_at_start = s.dt;
+}
+
+/// Friction springs as the packing's contacts left them, so that a stage goes on with the friction that it found.
+std::vector<Carried> springs_of(const Packing& start, const Sample& s) {
+  std::vector<Carried> springs;
+  if (s.contact.friction_law != FrictionLaw::cundall_strack) return springs;
+  const Contacts& c = start.contacts;
+  std::vector<const DiskRecord*> disk(s.count);
+  for (std::size_t k = 0; k < s.count; ++k) disk[static_cast<std::size_t>(s.record[k].grain)] = &s.record[k];
+  for (std::size_t q = 0; q < c.size(); ++q) {
+    const DiskRecord& a = *disk.at(static_cast<std::size_t>(c.i[q]));
+    const double stiffness = c.is_wall(q) ? s.coefficients.wall_stiffness(a.material)
+                                          : s.coefficients.pair_stiffness(
+                                                a.material, disk.at(static_cast<std::size_t>(c.j[q]))->material);
+    if (c.ft[q] != 0 && std::isfinite(c.ft[q]))
+      springs.push_back({pair_key(c.i[q], c.j[q]), -c.ft[q] / (s.contact.tangential_stiffness_ratio * stiffness),
+                         never_touched});
+  }
+  std::sort(springs.begin(), springs.end(), [](const Carried& p, const Carried& q) { return p.key < q.key; });
+  return springs;
+}
+
+/// The periodic sides have no walls; their `wall` entries are the edges of the cell.
+void clear_periodic_walls(Domain& domain) {
+  if (domain.periodic_x) domain.wall[left].present = domain.wall[right].present = false;
+  if (domain.periodic_y) domain.wall[bottom].present = domain.wall[top].present = false;
+  for (auto& wall : domain.wall) wall.velocity = wall.force = wall.shear_force = 0;
+}
+
+}  // namespace
+
+namespace {
+
+/// Share of a step by which the places are ahead of the velocities that memories of friction are fed with.
+double lead_of(const Sample& s) { return s.integration.integrator == IntegratorKind::leapfrog ? 1.0 : 0.5; }
+
+}  // namespace
+
+ContactLaws laws_between_steps(const Sample& s) {
+  const double lead = lead_of(s);
+  return choose_laws(s.contact, lead * s.dt, (1.0 - lead) * s.dt);
+}
+
+double time_of(const Sample& s) { return s.time_before + static_cast<double>(s.step - s.steps_before) * s.dt; }
+
+void change_step(Sample& s, double dt) {
+  s.time_before = time_of(s);
+  s.steps_before = s.step;
+  s.dt = dt;
+  s.laws = laws_between_steps(s);
+}
+
+void apply_friction(Sample& s, std::optional<double> override_mu) {
+  const bool slippery = s.contact.friction_law == FrictionLaw::none;
+  s.friction = slippery ? 0.0 : override_mu.value_or(s.contact.friction);
+  s.wall_friction = slippery ? 0.0 : override_mu.value_or(s.contact.wall_friction.value_or(s.contact.friction));
+}
+
+Sample make_sample(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration) {
+  Problems problems;
+  check_parameters(problems, start, contact, integration);
+  check_packing(problems, start);
+  problems.raise();
+
+  Sample s;
+  s.start = start;
+  s.contact = contact;
+  s.integration = integration;
+  s.kernel = &find_kernel(integration.kernel);
+  s.coefficients = CoefficientTable(start.materials, start.grains, contact);
+  for (auto& [a, b] : s.contact.glued_pairs)
+    if (b < a) std::swap(a, b);
+  std::sort(s.contact.glued_pairs.begin(), s.contact.glued_pairs.end());
+  apply_friction(s, std::nullopt);
+  s.drag = integration.drag;
+  s.domain = start.domain;
+  clear_periodic_walls(s.domain);
+  place_disks(s);
+  check_cell(s);
+  s.laws = choose_laws(contact, 0.0, 0.0);
+  tune_servo(s);
+  rebuild_list(s);
+  choose_step(s);
+  carry_into(s, springs_of(start, s));
+  bond_touching_pairs(s);
+  s.laws = choose_laws(contact, 0.0, (1.0 - lead_of(s)) * s.dt);  // the springs do not move before the first step
+  compute_forces(s);
+  sum_edge_forces(s);
+  s.laws = laws_between_steps(s);
+  return s;
+}
+
+}  // namespace arenite::dem

@@ -1,0 +1,60 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "grains/dem/parameters.hpp"
+
+namespace arenite::dem {
+
+inline constexpr double standard_gravity = 9.81;  ///< m/s^2
+
+/// When an increment counts as done.
+struct RestCriterion {
+  double unbalanced = 1e-4;            ///< unbalanced force ratio
+  double kinetic = 1e-6;               ///< kinetic over elastic energy
+  double falling = 1e-3;               ///< share of grains that may still fall
+  std::optional<double> loose_kinetic; ///< kinetic energy of grains that carry nothing over elastic energy; unset: 1e5 kinetic
+  double mobilisation = -1;            ///< mean |F_t|/F_n below this as well; < 0: not asked
+  std::int64_t max_steps = 20'000'000; ///< of one increment; then the stage ends with exit status 3
+  bool operator==(const RestCriterion&) const = default;
+};
+
+/// What one side does in a stage. A force is reached from its present value in `increments` equal steps; a pressure acts in full at once.
+struct SideDrive {
+  enum class Kind { fixed, velocity, force, pressure };
+  Kind kind = Kind::fixed;
+  double value = 0;                    ///< m/s inward, N, or Pa
+  bool operator==(const SideDrive&) const = default;
+};
+
+/// Force cycles on one side after the ramp, e.g. 6-60 kN (T 3.2.1); each half cycle is a ramp to rest.
+struct Cycles {
+  std::string side;                    ///< "left", "right", "bottom", "top"
+  double min = 0, max = 0;             ///< N
+  std::int64_t count = 0;
+  std::int64_t increments = 5;         ///< a half cycle
+  bool operator==(const Cycles&) const = default;
+};
+
+/// One stage of loading.
+struct Stage {
+  std::string name;
+  bool gravity = false;                ///< 9.81 m/s^2 downwards
+  std::array<SideDrive, 4> side;       ///< in the order of model/domain.hpp
+  std::int64_t increments = 1;
+  std::optional<double> duration;      ///< s; for stages driven by velocity, which do not end at rest
+  std::optional<Cycles> cycles;
+  RestCriterion rest;
+  std::optional<double> friction;      ///< mu during this stage only (e.g. 0 to densify)
+  double drag = 0;                     ///< 1/s, during this stage only, on top of the integration's
+  double critical_drag = 0;            ///< drag as a multiple of Engine::critical_drag; added to `drag`
+  Masses masses = Masses::own;
+  double inertial_number = default_inertial_number;
+  bool glue = false;                   ///< adhesion acts from this stage on
+  std::int64_t frames = 1;             ///< states stored for stages with a duration; increments store one each
+  bool operator==(const Stage&) const = default;
+};
+
+}  // namespace arenite::dem

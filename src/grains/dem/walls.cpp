@@ -1,0 +1,90 @@
+#include "grains/dem/walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace arenite::dem {
+
+namespace {
+
+/// A wall moves at a given speed: the others have to follow, not to come to rest.
+bool is_steady(const WallDrives& drives) {
+  return std::any_of(drives.begin(), drives.end(), [](const auto& d) { return d.kind == WallDrive::Kind::velocity; });
+}
+
+}  // namespace
+
+void tune_servo(Sample& s) {
+  double mass = 0, stiffness = 0;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const auto& d = s.record[k];
+    mass += d.mass;
+    stiffness += s.coefficients.pair_stiffness(d.material, d.material) / static_cast<double>(s.count);
+  }
+  const double layers = std::sqrt(static_cast<double>(std::max<std::size_t>(s.count, 1)));
+  const double aspect = s.domain.width() / s.domain.height();
+  for (std::size_t side = 0; side < 4; ++side) {
+    s.wall[side].mass = mass * std::max(0.05, std::min(1.0, 2.0 / layers));
+    s.wall[side].sample_mass = mass;
+    s.wall[side].impedance = std::sqrt(mass * stiffness * (side < bottom ? 1.0 / aspect : aspect));
+  }
+}
+
+double critical_drag(const Sample& s) {
+  const WallBody& slower = s.wall[left].impedance < s.wall[bottom].impedance ? s.wall[left] : s.wall[bottom];
+  return std::numbers::pi * slower.impedance / slower.sample_mass;
+}
+
+void apply_drives(Sample& s, const WallDrives& drives) {
+  const bool steady = is_steady(drives);
+  for (std::size_t side = 0; side < 4; ++side) {
+    WallBody& body = s.wall[side];
+    body.drive = drives[side];
+    if (!steady) body.drift = 0;
+    if (drives[side].kind == WallDrive::Kind::force) continue;
+    body.rate = drives[side].kind == WallDrive::Kind::velocity ? drives[side].value : 0.0;
+    body.acceleration = 0;
+    body.drift = 0;
+    body.higher = {};
+    s.domain.wall[side].velocity = body.rate;
+  }
+}
+
+namespace {
+
+double servo_damping(const Sample& s, std::size_t side) {
+  const WallBody& body = s.wall[side];
+  const double carried = std::max(s.domain.wall[side].force, 0.0);
+  const double share = carried >= body.drive.value ? 1.0 : carried / body.drive.value;
+  const double length = side < bottom ? s.domain.width() : s.domain.height();
+  const double yielding = std::sqrt(std::max(body.drive.value, 0.0) * body.sample_mass / length) / s.inertial_number;
+  return std::min(body.impedance, yielding) * share;
+}
+
+}  // namespace
+
+double servo_braking(const Sample& s, std::size_t side, double velocity) {
+  if (s.wall[side].drive.kind != WallDrive::Kind::force) return 0;
+  return -servo_damping(s, side) * (velocity - s.wall[side].drift);
+}
+
+void follow_drift(Sample& s) {
+  const WallDrives drives{s.wall[left].drive, s.wall[right].drive, s.wall[bottom].drive, s.wall[top].drive};
+  if (!is_steady(drives)) return;
+  for (std::size_t side = 0; side < 4; ++side) {
+    WallBody& body = s.wall[side];
+    if (body.drive.kind != WallDrive::Kind::force) continue;
+    const double passages = 10.0 * body.sample_mass / body.impedance;
+    body.drift += s.dt / passages * (s.domain.wall[side].velocity - body.drift);
+  }
+}
+
+double wall_acceleration(const Sample& s, std::size_t side, double velocity) {
+  const WallBody& body = s.wall[side];
+  if (body.drive.kind != WallDrive::Kind::force) return 0;
+  const double push = body.drive.value - s.domain.wall[side].force;
+  return (inward_sign(side) * push + servo_braking(s, side, velocity)) / body.mass;
+}
+
+}  // namespace arenite::dem

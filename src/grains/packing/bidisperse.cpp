@@ -1,0 +1,123 @@
+#include "grains/packing/bidisperse.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "grains/packing/bidisperse_steps.hpp"
+
+namespace arenite::packing {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr std::size_t fewest_small = 10;
+
+geometry::Box set_box(Domain& domain, double side) {
+  for (int s = 0; s < 4; ++s) {
+    domain.wall[s] = Wall{};
+    domain.wall[s].present = !(s < 2 ? domain.periodic_x : domain.periodic_y);
+  }
+  domain.wall[right].position = domain.wall[top].position = side;
+  domain.tilt = 0;
+  return {0, 0, side, side, domain.periodic_x, domain.periodic_y};
+}
+
+CutNormal law_of(const BidisperseParameters& p, double mean) {
+  const double spread = p.cut * p.deviation, small = p.large_radius / p.size_ratio;
+  if (p.cut_each_class) return {mean, p.deviation * mean, (1 - spread) * mean, (1 + spread) * mean};
+  return {mean, p.deviation * mean, (1 - spread) * small, (1 + spread) * p.large_radius};
+}
+
+void add_class(const BidisperseParameters& p, double mean, FreeSpace& space, std::vector<Disk>& disks, RandomStream random) {
+  space.open_store(2 * mean);
+  const PoissonDiskParameters step{law_of(p, mean), p.maximal ? (1 - p.cut * p.deviation) * mean : 0, p.trials};
+  if (p.hold_radius) fill_holding(space, disks, step, random);
+  else fill_redrawing(space, disks, step, random);
+}
+
+double mean_radius(const std::vector<Disk>& disks, std::size_t from, std::size_t to) {
+  double sum = 0;
+  for (std::size_t i = from; i < to; ++i) sum += disks[i].radius;
+  return sum / static_cast<double>(to - from);
+}
+
+void hand_over(const TwoClasses& classes, Grains& grains) {
+  grains = {};
+  grains.resize(classes.disks.size());
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    grains.x[i] = classes.disks[i].centre.x;
+    grains.y[i] = classes.disks[i].centre.y;
+    grains.radius[i] = classes.disks[i].radius;
+    grains.material[i] = i < classes.large ? 0 : 1;
+  }
+}
+
+[[noreturn]] void refuse_few_small(const BidisperseParameters& p, const TwoClasses& classes) {
+  const double small = p.large_radius / p.size_ratio;
+  throw InputError(fmt::format("the volume ratio theta of {:g} is out of reach: it leaves {} small disks, and {} are the fewest; "
+                               "this box reaches about {:.2g}, a larger one more",
+                               p.volume_ratio, classes.disks.size() - classes.large, fewest_small,
+                               classes.area_large / (static_cast<double>(fewest_small) * pi * small * small)));
+}
+
+}  // namespace
+
+TwoClasses sample_two_classes(const BidisperseParameters& p, const geometry::Box& box, double gap, std::uint64_t seed,
+                              std::uint64_t attempt) {
+  TwoClasses classes;
+  classes.gap = gap;
+  FreeSpace space(box, gap);
+  add_class(p, p.large_radius, space, classes.disks, RandomStream(seed, Purpose::position, 2 * attempt));
+  classes.large = classes.disks.size();
+  space.set_gap(0);
+  add_class(p, p.large_radius / p.size_ratio, space, classes.disks, RandomStream(seed, Purpose::position, 2 * attempt + 1));
+  for (std::size_t i = 0; i < classes.disks.size(); ++i)
+    (i < classes.large ? classes.area_large : classes.area_small) += pi * classes.disks[i].radius * classes.disks[i].radius;
+  return classes;
+}
+
+std::size_t leave_out_small(TwoClasses& classes, double volume_ratio, std::uint64_t seed) {
+  RandomStream random(seed, Purpose::order);
+  const double spare = classes.area_large / volume_ratio;
+  const std::size_t had = classes.disks.size() - classes.large;
+  while (classes.disks.size() > classes.large) {
+    Disk& chosen = classes.disks[classes.large + random.below(classes.disks.size() - classes.large)];
+    const double area = pi * chosen.radius * chosen.radius;
+    if (classes.area_small - area / 2 < spare) break;  // without it the ratio would be farther off
+    classes.area_small -= area;
+    chosen = classes.disks.back();
+    classes.disks.pop_back();
+  }
+  return had - (classes.disks.size() - classes.large);
+}
+
+BidisperseReport sample_bidisperse(Packing& packing, const BidisperseParameters& p, std::uint64_t seed) {
+  check(p);
+  const double side = std::sqrt(p.box_area * pi) * p.large_radius;
+  Domain domain = packing.domain;
+  const geometry::Box box = set_box(domain, side);
+  auto [classes, samplings] = find_gap(p, box, seed);
+
+  BidisperseReport report;
+  report.samplings = samplings;
+  report.gap = classes.gap;
+  if (classes.volume_ratio() < p.volume_ratio * (1 - p.tolerance))
+    report.left_out = leave_out_small(classes, p.volume_ratio, seed);
+  report.large = classes.large;
+  report.small = classes.disks.size() - classes.large;
+  if (report.small < fewest_small) refuse_few_small(p, classes);
+  packing.domain = domain;
+  packing.contacts = {};
+  hand_over(classes, packing.grains);
+  report.volume_ratio = classes.volume_ratio();
+  report.volume_ratio_error = report.volume_ratio / p.volume_ratio - 1;
+  report.solid_fraction = (classes.area_large + classes.area_small) / (side * side);
+  report.mean_large = mean_radius(classes.disks, 0, classes.large);
+  report.mean_small = mean_radius(classes.disks, classes.large, classes.disks.size());
+  return report;
+}
+
+}  // namespace arenite::packing

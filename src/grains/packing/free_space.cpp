@@ -1,0 +1,114 @@
+#include "grains/packing/free_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace arenite::packing {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+/// A new disk stands off by this share of its distance, so that rounding never makes an overlap.
+constexpr double stand_off = 1e-12;
+/// Places narrower than this, rad, are taken as none.
+constexpr double narrow = 1e-9;
+
+double wrap(double v, double v0, double length) {
+  v -= std::floor((v - v0) / length) * length;
+  return v < v0 + length ? v : v0;
+}
+
+}  // namespace
+
+bool FreeSpace::fits(const Disk& disk) const {
+  const auto [x, y] = disk.centre;
+  const double r = disk.radius;
+  if (!box_.periodic_x && (x - r < box_.x0 || x + r > box_.x0 + box_.width)) return false;
+  if (!box_.periodic_y && (y - r < box_.y0 || y + r > box_.y0 + box_.height)) return false;
+  if ((box_.periodic_x && 2 * r + gap_ > box_.width) || (box_.periodic_y && 2 * r + gap_ > box_.height)) return false;
+  for (const DiskCells& store : stores_)
+    if (store.any_near(disk.centre, r + store.largest() + gap_, [&](const Disk& other) {
+          const Vec2 d = disk.centre - other.centre;
+          const double reach = r + other.radius + gap_;
+          return dot(d, d) < reach * reach;
+        }))
+      return false;
+  return true;
+}
+
+Vec2 FreeSpace::place_beside(const Disk& disk, double radius, double angle) const {
+  const double distance = (disk.radius + radius + gap_) * (1 + stand_off);
+  Vec2 p = disk.centre + distance * Vec2{std::cos(angle), std::sin(angle)};
+  if (box_.periodic_x) p.x = wrap(p.x, box_.x0, box_.width);
+  if (box_.periodic_y) p.y = wrap(p.y, box_.y0, box_.height);
+  return p;
+}
+
+void FreeSpace::cover_walls(const Disk& disk, double radius, double distance, std::vector<Arc>& arcs) const {
+  const auto cover = [&](double room, double outward) {  // room: how far the centre may move towards the wall
+    if (room >= distance) return;
+    const double half = room <= -distance ? pi : std::acos(room / distance);
+    arcs.push_back({outward - half, outward + half});
+  };
+  if (!box_.periodic_x) {
+    cover(disk.centre.x - radius - box_.x0, pi);
+    cover(box_.x0 + box_.width - radius - disk.centre.x, 0);
+  }
+  if (!box_.periodic_y) {
+    cover(disk.centre.y - radius - box_.y0, -pi / 2);
+    cover(box_.y0 + box_.height - radius - disk.centre.y, pi / 2);
+  }
+}
+
+/// Arcs of the circle of centres round `disk` that other disks or walls forbid, sorted and merged, within [-pi, pi].
+std::vector<FreeSpace::Arc> FreeSpace::covered_arcs(const Disk& disk, double radius) const {
+  const double distance = (disk.radius + radius + gap_) * (1 + stand_off);
+  std::vector<Arc> arcs;
+  cover_walls(disk, radius, distance, arcs);
+  for (const DiskCells& store : stores_)
+    store.any_near(disk.centre, distance + radius + store.largest() + gap_, [&](const Disk& other) {
+      const Vec2 d = other.centre - disk.centre;
+      const double apart2 = dot(d, d), reach = other.radius + radius + gap_;
+      if (apart2 == 0 || apart2 >= (distance + reach) * (distance + reach)) return false;
+      const double apart = std::sqrt(apart2);
+      const double cosine = (distance * distance + apart2 - reach * reach) / (2 * distance * apart);
+      if (cosine >= 1) return false;
+      const double half = cosine <= -1 ? pi : std::acos(cosine), towards = std::atan2(d.y, d.x);
+      arcs.push_back({towards - half, towards + half});
+      return half >= pi;
+    });
+  const std::size_t n = arcs.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    if (arcs[k].from < -pi) arcs.push_back({arcs[k].from + 2 * pi, pi});
+    if (arcs[k].to > pi) arcs.push_back({-pi, arcs[k].to - 2 * pi});
+  }
+  std::sort(arcs.begin(), arcs.end(), [](const Arc& a, const Arc& b) { return a.from < b.from; });
+  return arcs;
+}
+
+std::optional<Vec2> FreeSpace::free_place_beside(const Disk& disk, double radius, RandomStream& random) const {
+  std::vector<Arc> open;
+  double at = -pi, sum = 0;
+  const auto take_until = [&](double to) {
+    if (to - at <= narrow) return;
+    open.push_back({at, to});
+    sum += to - at;
+  };
+  for (const Arc& arc : covered_arcs(disk, radius)) {
+    take_until(arc.from);
+    at = std::max(at, arc.to);
+  }
+  take_until(pi);
+  // Ends of an arc touch a neighbour to rounding: there a second try is due, and a place that fails them all is none.
+  for (int attempt = 0; attempt < 8 && !open.empty(); ++attempt) {
+    double along = sum * random.uniform();
+    std::size_t k = 0;
+    while (k + 1 < open.size() && along > open[k].to - open[k].from) along -= open[k].to - open[k].from, ++k;
+    const Vec2 place = place_beside(disk, radius, open[k].from + along);
+    if (fits({place, radius})) return place;
+  }
+  return std::nullopt;
+}
+
+}  // namespace arenite::packing

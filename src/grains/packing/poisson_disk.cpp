@@ -1,0 +1,112 @@
+#include "grains/packing/poisson_disk.hpp"
+
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+namespace arenite::packing {
+
+namespace {
+
+void add(FreeSpace& space, std::vector<Disk>& disks, const Disk& disk) {
+  space.add(disk);
+  disks.push_back(disk);
+}
+
+/// The first disk of an empty box, anywhere; false if the radius does not fit into the box at all.
+bool place_first(FreeSpace& space, std::vector<Disk>& disks, double radius, RandomStream& random) {
+  const geometry::Box& box = space.box();
+  const double mx = box.periodic_x ? 0 : radius, my = box.periodic_y ? 0 : radius;
+  const double x = random.uniform(box.x0 + mx, box.x0 + box.width - mx);
+  const double y = random.uniform(box.y0 + my, box.y0 + box.height - my);
+  if (!space.fits({{x, y}, radius})) return false;
+  add(space, disks, {{x, y}, radius});
+  return true;
+}
+
+std::vector<std::size_t> all_of(const std::vector<Disk>& disks) {
+  std::vector<std::size_t> indices(disks.size());
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  return indices;
+}
+
+bool try_beside(FreeSpace& space, std::vector<Disk>& disks, std::size_t k, const PoissonDiskParameters& p, RandomStream& random) {
+  for (int trial = 0; trial < p.trials; ++trial) {
+    const double radius = p.law.draw(random);
+    const Vec2 place = space.place_beside(disks[k], radius, random.uniform(0, 2 * std::numbers::pi));
+    if (!space.fits({place, radius})) continue;
+    add(space, disks, {place, radius});
+    return true;
+  }
+  return false;
+}
+
+/// One more disk beside disk k where `least` still fits; false if it does not. Drawing again below each radius that
+/// fails gives the law's part that fits, in few draws however small that part is.
+bool fill_beside(FreeSpace& space, std::vector<Disk>& disks, std::size_t k, CutNormal law, double least, RandomStream& random) {
+  auto place = space.free_place_beside(disks[k], least, random);
+  if (!place) return false;
+  double radius = least, below = law.high;
+  law.low = least;
+  for (int draws = 0; draws < 60; ++draws) {
+    const double drawn = law.draw(random, below);
+    if (const auto other = space.free_place_beside(disks[k], drawn, random)) {
+      place = other;
+      radius = drawn;
+      break;
+    }
+    below = drawn;
+  }
+  add(space, disks, {*place, radius});
+  return true;
+}
+
+}  // namespace
+
+void fill_redrawing(FreeSpace& space, std::vector<Disk>& disks, const PoissonDiskParameters& p, RandomStream& random) {
+  if (disks.empty() && !place_first(space, disks, p.law.draw(random), random)) return;
+  std::vector<std::size_t> active = all_of(disks);
+  while (!active.empty()) {
+    const std::size_t pick = random.below(active.size());
+    if (try_beside(space, disks, active[pick], p, random)) {
+      active.push_back(disks.size() - 1);
+    } else {
+      active[pick] = active.back();
+      active.pop_back();
+    }
+  }
+  for (std::size_t k = 0; p.least > 0 && k < disks.size(); ++k)
+    while (fill_beside(space, disks, k, p.law, p.least, random)) {}
+}
+
+double fill_holding(FreeSpace& space, std::vector<Disk>& disks, const PoissonDiskParameters& p, RandomStream& random) {
+  double radius = p.law.draw(random);
+  if (disks.empty()) {
+    if (!place_first(space, disks, radius, random)) return radius;
+    radius = p.law.draw(random);
+  }
+  std::vector<std::size_t> active = all_of(disks);
+  // A radius that once did not fit beside a disk never will, nor will a larger one: room only shrinks.
+  std::vector<double> too_large(disks.size(), 2 * p.law.high);
+  for (std::size_t tried = 0; tried < active.size();) {
+    std::swap(active[tried], active[tried + random.below(active.size() - tried)]);
+    const std::size_t k = active[tried];
+    ++tried;
+    if (radius >= too_large[k]) continue;
+    if (const auto place = space.free_place_beside(disks[k], radius, random)) {
+      add(space, disks, {*place, radius});
+      active.push_back(disks.size() - 1);
+      too_large.push_back(2 * p.law.high);
+      radius = p.law.draw(random);
+      tried = 0;
+      continue;
+    }
+    too_large[k] = radius;
+    if (radius > p.law.low) continue;
+    active[--tried] = active.back();
+    active.pop_back();
+  }
+  return radius;
+}
+
+}  // namespace arenite::packing

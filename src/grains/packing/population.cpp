@@ -1,0 +1,85 @@
+#include "grains/packing/population.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/random.hpp"
+
+namespace arenite::packing {
+
+namespace {
+
+double draw_diameter(const SizeLaw& law, std::int64_t k, RandomStream& random) {
+  switch (law.kind) {
+    case SizeLaw::Kind::fixed: return law.diameter;
+    case SizeLaw::Kind::uniform: return random.uniform(law.min, law.max);
+    case SizeLaw::Kind::list: return law.values[static_cast<std::size_t>(k) % law.values.size()];
+    case SizeLaw::Kind::normal: break;
+  }
+  // A cut far out in the tail would make rejection endless; the recipe's range check keeps the cut around the mean.
+  for (int attempt = 0; attempt < 100'000; ++attempt) {
+    const double d = law.mean + law.deviation * random.normal();
+    if (d >= law.min && d <= law.max) return d;
+  }
+  throw InputError(fmt::format("the cut {:g}-{:g} m of the normal size law holds almost none of its grains "
+                               "(mean {:g} m, deviation {:g} m); widen the cut", law.min, law.max, law.mean, law.deviation));
+}
+
+/// Grains of each population; shares by largest remainder, ties to the first.
+std::vector<std::int64_t> counts_of(const std::vector<Population>& populations, std::int64_t total) {
+  std::vector<std::int64_t> counts(populations.size(), 0);
+  std::int64_t left = total;
+  double ratios = 0;
+  for (std::size_t p = 0; p < populations.size(); ++p) {
+    if (populations[p].count) left -= counts[p] = *populations[p].count;
+    else ratios += populations[p].ratio.value_or(0);
+  }
+  if (ratios <= 0) return counts;
+  if (left <= 0) throw InputError("populations with a ratio have no grains to share; raise packing.grains above the sum of the counts");
+  std::vector<std::pair<double, std::size_t>> remainders;
+  std::int64_t given = 0;
+  for (std::size_t p = 0; p < populations.size(); ++p) {
+    if (populations[p].count) continue;
+    const double share = static_cast<double>(left) * populations[p].ratio.value_or(0) / ratios;
+    counts[p] = static_cast<std::int64_t>(std::floor(share));
+    given += counts[p];
+    remainders.emplace_back(share - std::floor(share), p);
+  }
+  std::stable_sort(remainders.begin(), remainders.end(), [](auto& a, auto& b) { return a.first > b.first; });
+  for (std::size_t r = 0; given < left; ++r, ++given) ++counts[remainders[r % remainders.size()].second];
+  return counts;
+}
+
+std::int32_t material_index(const Materials& materials, const std::string& name) {
+  const auto it = std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
+  if (it == materials.end())
+    throw InputError(fmt::format("population of unknown material \"{}\"; add [materials.{}]", name, name));
+  return static_cast<std::int32_t>(it - materials.begin());
+}
+
+}  // namespace
+
+Grains draw_grains(const std::vector<Population>& populations, const Materials& materials, std::int64_t total,
+                   std::uint64_t seed) {
+  std::vector<std::pair<double, std::int32_t>> drawn;
+  const auto counts = counts_of(populations, total);
+  for (std::size_t p = 0; p < populations.size(); ++p) {
+    const auto material = material_index(materials, populations[p].material);
+    RandomStream random(seed, Purpose::radius, p);
+    for (std::int64_t k = 0; k < counts[p]; ++k)
+      drawn.emplace_back(draw_diameter(populations[p].size, k, random) / 2, material);
+  }
+  if (drawn.empty()) throw InputError("the populations hold no grains; give each a count, or ratios and packing.grains");
+
+  RandomStream order(seed, Purpose::order);
+  for (std::size_t i = drawn.size() - 1; i > 0; --i) std::swap(drawn[i], drawn[order.below(i + 1)]);
+  Grains grains;
+  grains.resize(drawn.size());
+  for (std::size_t i = 0; i < drawn.size(); ++i) std::tie(grains.radius[i], grains.material[i]) = drawn[i];
+  return grains;
+}
+
+}  // namespace arenite::packing

@@ -1,0 +1,102 @@
+#include <algorithm>
+
+#include "grains/texture/statistics.hpp"
+
+namespace arenite::texture {
+namespace {
+
+/// Contacts with other grains of every grain, by the partner's material.
+struct Partners {
+  explicit Partners(const View& view) : kinds(view.packing.materials.size()) {
+    for (const auto m : view.packing.grains.material) kinds = std::max(kinds, static_cast<std::size_t>(m) + 1);
+    count.assign(view.packing.grains.size() * kinds, 0);
+    bearing.assign(view.packing.grains.size(), 0);
+    const auto& contacts = view.pairs();
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      if (contacts.is_wall(c)) continue;
+      const auto i = static_cast<std::size_t>(contacts.i[c]), j = static_cast<std::size_t>(contacts.j[c]);
+      ++count[i * kinds + static_cast<std::size_t>(view.material(j))];
+      ++count[j * kinds + static_cast<std::size_t>(view.material(i))];
+      if (view.rattler[i] || view.rattler[j]) continue;
+      ++bearing[i];
+      ++bearing[j];
+    }
+  }
+  double with(std::size_t grain, int m) const { return count[grain * kinds + static_cast<std::size_t>(m)]; }
+  double all(std::size_t grain) const {
+    double sum = 0;
+    for (std::size_t m = 0; m < kinds; ++m) sum += count[grain * kinds + m];
+    return sum;
+  }
+
+  std::size_t kinds;
+  std::vector<int> count;    ///< [grain * kinds + material]
+  std::vector<int> bearing;  ///< contacts that remain without rattlers
+};
+
+/// Mean over the considered grains of material m (any material for m < 0) of a value of each.
+template <class Value>
+Estimate grain_mean(const View& view, int m, Value value) {
+  Items items;
+  for (const std::size_t g : view.grains)
+    if (m < 0 || view.material(g) == m) items.push_back(g);
+  return mean(items, view.grain_block, value);
+}
+
+/// Ratio of two sums over the considered grains.
+template <class Top, class Under>
+Estimate ratio(const View& view, Top top, Under under) {
+  const auto add = [&](std::size_t g, double* sums) {
+    sums[0] += top(g);
+    sums[1] += under(g);
+  };
+  const auto quotient = [](const std::vector<double>& s) { return std::vector<double>{s[1] > 0 ? s[0] / s[1] : unknown}; };
+  return jackknife_of_sums(view.grains, view.grain_block, 2, add, quotient)[0];
+}
+
+}  // namespace
+
+/// Every considered grain brings the ends of its own contacts, so that N_AB is half the number of such ends and z of a
+/// sample without border is 2 N_c/N_p; contacts with walls are not counted.
+void measure_coordination(const View& view, Texture& texture) {
+  const Partners partners(view);
+  Coordination& z = texture.coordination;
+  for (std::size_t g = 0; g < view.packing.grains.size(); ++g)
+    texture.per_grain.contacts.push_back(static_cast<std::int32_t>(partners.all(g)));
+  if (view.grains.empty()) return;
+  const auto all = [&](std::size_t g) { return partners.all(g); };
+
+  z.mean.emplace_back("all", grain_mean(view, -1, all));
+  z.mean.emplace_back("all without rattlers",
+                      ratio(view, [&](std::size_t g) { return view.rattler[g] ? 0.0 : partners.bearing[g]; },
+                            [&](std::size_t g) { return view.rattler[g] ? 0.0 : 1.0; }));
+  const std::vector<int> materials = view.materials();
+  for (const int x : materials)
+    for (const int y : materials)
+      z.mean.emplace_back(view.material_name(x) + "-" + view.material_name(y),
+                          grain_mean(view, x, [&](std::size_t g) { return partners.with(g, y); }));
+  for (const int x : materials) {
+    const std::string any = view.material_name(x) + "-ANY";
+    z.mean.emplace_back(any, grain_mean(view, x, all));
+    z.doubled.emplace_back(any, grain_mean(view, x, [&](std::size_t g) { return 2 * partners.all(g) - partners.with(g, x); }));
+  }
+  for (std::size_t a = 0; a < materials.size(); ++a) {
+    for (std::size_t b = a; b < materials.size(); ++b) {
+      const int x = materials[a], y = materials[b];
+      const auto ends = [&](std::size_t g) {
+        return (view.material(g) == x ? partners.with(g, y) : 0.0) + (x != y && view.material(g) == y ? partners.with(g, x) : 0.0);
+      };
+      const std::string name = view.material_name(x) + "-" + view.material_name(y);
+      z.parts.emplace_back(name, grain_mean(view, -1, ends));
+      z.share.emplace_back(name, ratio(view, ends, all));
+    }
+  }
+  z.rattlers = grain_mean(view, -1, [&](std::size_t g) { return view.rattler[g] ? 1.0 : 0.0; });
+  for (const std::size_t g : view.grains) {
+    const auto k = static_cast<std::size_t>(texture.per_grain.contacts[g]);
+    if (z.histogram.size() <= k) z.histogram.resize(k + 1, 0.0);
+    z.histogram[k] += 1.0 / static_cast<double>(view.grains.size());
+  }
+}
+
+}  // namespace arenite::texture

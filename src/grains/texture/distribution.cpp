@@ -1,0 +1,107 @@
+#include "grains/texture/distribution.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace arenite::texture {
+namespace {
+
+double mean_of(const Items& items, const std::vector<double>& value) {
+  double sum = 0;
+  for (const std::size_t i : items) sum += value[i];
+  return sum / static_cast<double>(items.size());
+}
+
+/// Share of items beyond the mean, on the mean's side: for stresses under compression both are negative.
+double share_beyond(const Items& items, const std::vector<double>& value, double mean) {
+  double above = 0;
+  for (const std::size_t i : items) above += value[i] / mean > 1;
+  return above / static_cast<double>(items.size());
+}
+
+Curve density(const std::vector<double>& sorted) {
+  Curve curve;
+  const double top = sorted.back(), n = static_cast<double>(sorted.size());
+  if (!(top > 0)) return curve;
+  const double width = std::max(0.1, top / 100);
+  std::vector<double> count(static_cast<std::size_t>(top / width) + 1, 0.0);
+  for (const double x : sorted)
+    if (x >= 0) count[static_cast<std::size_t>(x / width)] += 1;
+  for (std::size_t k = 0; k < count.size(); ++k) {
+    curve.x.push_back((static_cast<double>(k) + 0.5) * width);
+    curve.y.push_back(count[k] / (n * width));
+    curve.error.push_back(std::sqrt(count[k]) / (n * width));
+  }
+  return curve;
+}
+
+/// Share at or above x, at up to about 200 of the values themselves: all ranks of the far tail, then ever fewer.
+Curve share_above_curve(const std::vector<double>& sorted) {
+  Curve curve;
+  const std::size_t n = sorted.size();
+  for (std::size_t rank = n; rank >= 1; rank = std::min(rank - 1, static_cast<std::size_t>(static_cast<double>(rank) / 1.035))) {
+    const double share = static_cast<double>(rank) / static_cast<double>(n);
+    curve.x.push_back(sorted[n - rank]);
+    curve.y.push_back(share);
+    curve.error.push_back(std::sqrt(share * (1 - share) / static_cast<double>(n)));
+  }
+  return curve;
+}
+
+/// k and beta^2/((1 - alpha)(2 - alpha)), with errors carried over from beta and alpha as independent.
+void relate(Distribution& d) {
+  const double beta = d.tail.beta.value, a = d.weak.alpha.value, sb = d.tail.beta.error, sa = d.weak.alpha.error;
+  const double k = 1 / (1 / (1 - a) + 1 / beta);
+  d.k = {k, k * k * std::hypot(sa / ((1 - a) * (1 - a)), sb / (beta * beta))};
+  const double product = (1 - a) * (2 - a), ratio = beta * beta / product;
+  d.relation = {ratio, ratio * std::hypot(2 * sb / beta, (3 - 2 * a) * sa / product)};
+}
+
+}  // namespace
+
+PowerLaw weak_power_law(const std::vector<double>& sorted) {
+  PowerLaw law;
+  double sum = 0;
+  for (const double x : sorted) {
+    if (x <= 0) continue;
+    if (x >= 1) break;
+    sum -= std::log(x);
+    ++law.count;
+  }
+  if (law.count < 2) return law;
+  const double n = static_cast<double>(law.count);
+  law.alpha = {1 - n / sum, n / sum / std::sqrt(n)};
+  return law;
+}
+
+Distribution distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value,
+                          double mean_of_all, double scale) {
+  Distribution d;
+  d.count = items.size();
+  if (items.empty()) return d;
+  const auto statistics = [&](const Items& set) {
+    if (set.empty()) return std::vector<double>(3, unknown);
+    const double mean = mean_of(set, value);
+    return std::vector<double>{mean * scale, share_beyond(set, value, mean), share_beyond(set, value, mean_of_all)};
+  };
+  const auto estimates = jackknife(items, block_of, statistics);
+  d.mean = estimates[0];
+  d.share_above = estimates[1];
+  d.share_above_all = estimates[2];
+  const double own_mean = mean_of(items, value);
+  if (own_mean == 0) return d;
+  std::vector<double> sorted;
+  for (const std::size_t i : items) sorted.push_back(value[i] / own_mean);
+  std::sort(sorted.begin(), sorted.end());
+  d.maximum = sorted.back();
+  d.tail = exponential_tail(sorted);
+  d.weak = weak_power_law(sorted);
+  relate(d);
+  d.pdf = density(sorted);
+  d.cumulative = share_above_curve(sorted);
+  for (double& x : sorted) x *= own_mean / mean_of_all;
+  d.pdf_over_all = density(sorted);
+  return d;
+}
+
+}  // namespace arenite::texture

@@ -1,0 +1,81 @@
+#include "grains/texture/statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace arenite::texture {
+namespace {
+
+struct Statistic {
+  const char* name;
+  void (*measure)(const View&, Texture&);
+};
+
+/// Every statistic that there is. Grain stress comes first, because the normalised stress builds on it.
+constexpr Statistic statistics[] = {
+    {"grain stress", measure_grain_stress},
+    {"solid fraction", measure_solid_fraction},
+    {"representative elementary volume", measure_rev},
+    {"coordination", measure_coordination},
+    {"fabric", measure_fabric},
+    {"fabric against force threshold", measure_threshold},
+    {"forces", measure_forces},
+    {"stress", measure_stress},
+    {"normalised stress", measure_sigma_norm},
+    {"local order", measure_local_order},
+    {"quality", measure_quality},
+};
+
+void describe_sample(const View& view, Texture& texture) {
+  texture.grains = view.packing.grains.size();
+  for (std::size_t c = 0; c < view.pairs().size(); ++c) ++(view.pairs().is_wall(c) ? texture.wall_contacts : texture.contacts);
+  texture.considered_grains = view.grains.size();
+  texture.considered_contacts = view.contacts.size();
+  texture.window = view.window;
+  texture.mean_diameter = view.mean_diameter;
+  texture.load_axis_deg = view.load_axis * 180 / std::numbers::pi;
+  texture.per_grain.considered = view.considered;
+  texture.per_grain.rattler = view.rattler;
+  if (!view.has_box)
+    texture.notes.push_back("The box is not known, so solid fraction, REV and the stress of the assembly are left out and no border is cut off.");
+  if (!view.has_thickness)
+    texture.notes.push_back("The out-of-plane length is not known, so stresses in Pa are left out.");
+  if (!view.options.load_axis && texture.considered_contacts > 0)
+    texture.notes.push_back("The direction of the load is not given: signed anisotropies refer to the sample's own axis of greatest compression, "
+                            "about which even chance has a positive sign.");
+  const bool walled = view.has_box && !(view.packing.domain.periodic_x && view.packing.domain.periodic_y);
+  if (walled && view.options.border > 0 && view.window.border == 0)
+    texture.notes.push_back(fmt::format("The sample is too small to leave out {:g} mean diameters along its walls, so it is taken whole.",
+                                        view.options.border));
+}
+
+/// A grain wider than a periodic cell covers itself, and the cell as often as it pleases.
+void check_widths(const Packing& packing) {
+  const Domain& d = packing.domain;
+  const Grains& grains = packing.grains;
+  for (std::size_t g = 0; g < grains.size(); ++g)
+    for (const auto& [periodic, side] : {std::pair(d.periodic_x, d.width()), std::pair(d.periodic_y, d.height())})
+      if (periodic && side > 0 && !(2 * grains.radius[g] <= (1 + 1e-9) * side))
+        throw InputError(fmt::format("grain {} is {:.4g} m wide in a periodic cell of {:.4g} m, so that it would cover itself; correct the unit of the radii, or the cell",
+                                     grains.id[g], 2 * grains.radius[g], side));
+}
+
+}  // namespace
+
+Texture measure(const Packing& packing, const Options& options) {
+  check_widths(packing);
+  const std::size_t measured = options.grain_sigma_hyd.size();
+  if (measured > 0 && measured != packing.grains.size())
+    throw InputError(fmt::format("sigma_hyd has {} values for {} grains; give one a grain, NaN where it is not known", measured, packing.grains.size()));
+  Texture texture;
+  const View view(packing, options);
+  describe_sample(view, texture);
+  for (const Statistic& statistic : statistics) statistic.measure(view, texture);
+  return texture;
+}
+
+}  // namespace arenite::texture

@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "grains/texture/statistics.hpp"
+#include "grains/texture/stress.hpp"
+
+namespace arenite::texture {
+namespace {
+
+/// Median |sum F| over grains with at least three contacts, walls and weight included.
+double median_resultant(const View& view) {
+  const auto& contacts = view.pairs();
+  std::vector<Vec2> sum(view.packing.grains.size());
+  std::vector<int> count(sum.size(), 0);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Vec2 f = contacts.force_on_i(c);
+    sum[static_cast<std::size_t>(contacts.i[c])] += f;
+    ++count[static_cast<std::size_t>(contacts.i[c])];
+    if (contacts.is_wall(c)) continue;
+    sum[static_cast<std::size_t>(contacts.j[c])] -= f;
+    ++count[static_cast<std::size_t>(contacts.j[c])];
+  }
+  const Vec2 gravity = view.options.gravity;
+  if (gravity.x != 0 || gravity.y != 0)
+    for (std::size_t g = 0; g < sum.size(); ++g) sum[g] += mass_of(view.packing, g) * gravity;
+  std::vector<double> resultants;
+  for (const std::size_t g : view.grains)
+    if (count[g] >= 3) resultants.push_back(norm(sum[g]));
+  if (resultants.empty()) return unknown;
+  const std::size_t n = resultants.size();
+  std::sort(resultants.begin(), resultants.end());
+  return 0.5 * (resultants[(n - 1) / 2] + resultants[n / 2]);
+}
+
+const char* why_they_pull(Pull pull) {
+  switch (pull) {
+    case Pull::adhesion: return "the adhesion of glued grains does";
+    case Pull::dashpots: return "the damping of contacts that are opening does (contact.attractive_dashpot = true)";
+    case Pull::measured: break;
+  }
+  return "measured in a sample without cohesion that is an error of measurement";
+}
+
+void measure_friction(const View& view, Quality& quality) {
+  std::vector<double> ratios;
+  for (const std::size_t c : view.contacts)
+    if (view.pairs().fn[c] > 0) ratios.push_back(std::abs(view.pairs().ft[c]) / view.pairs().fn[c]);
+  if (ratios.empty()) return;
+  const double largest = *std::max_element(ratios.begin(), ratios.end());
+  quality.friction_ratio_max = largest;
+  const auto sliding = std::count_if(ratios.begin(), ratios.end(), [&](double r) { return r > 0 && r >= (1 - 1e-3) * largest; });
+  quality.sliding_share = static_cast<double>(sliding) / static_cast<double>(ratios.size());
+}
+
+}  // namespace
+
+/// What tells measured networks from packings at rest: reported, never repaired.
+void measure_quality(const View& view, Texture& texture) {
+  Quality& quality = texture.quality;
+  if (view.contacts.empty()) return;
+  quality.negative_forces = static_cast<std::size_t>(
+      std::count_if(view.contacts.begin(), view.contacts.end(), [&](std::size_t c) { return view.pairs().fn[c] < 0; }));
+  quality.negative_share = static_cast<double>(quality.negative_forces) / static_cast<double>(view.contacts.size());
+  if (view.mean_force > 0) quality.median_imbalance = median_resultant(view) / view.mean_force;
+  measure_friction(view, quality);
+  if (quality.negative_forces > 0)
+    texture.notes.push_back(fmt::format("{} of {} normal forces pull; {}.", quality.negative_forces, view.contacts.size(),
+                                        why_they_pull(view.options.pull)));
+  double largest = 0;
+  for (const std::size_t c : view.contacts) largest = std::max(largest, view.pairs().fn[c]);
+  if (largest > 50 * view.mean_force && view.mean_force > 0)
+    texture.notes.push_back(fmt::format("The largest force is {:.3g} times the mean, so a few rows decide the mean and all that hangs on it.",
+                                        largest / view.mean_force));
+  if (quality.median_imbalance > 0.1)
+    texture.notes.push_back(fmt::format("Grains are not in balance: the median resultant is {:.2g} of the mean force, so stresses "
+                                        "depend on where moments are taken.", quality.median_imbalance));
+}
+
+}  // namespace arenite::texture

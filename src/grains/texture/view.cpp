@@ -1,0 +1,245 @@
+#include "grains/texture/view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <set>
+
+namespace arenite::texture {
+namespace {
+
+Window inner_window(const Domain& d, double border, bool has_box) {
+  Window w;
+  if (!has_box) return w;
+  w.known = true;
+  const double bx = d.periodic_x ? 0 : border, by = d.periodic_y ? 0 : border;
+  const geometry::Rectangle box = box_of(d);
+  w.x_min = box.x_min + bx;
+  w.x_max = box.x_max - bx;
+  w.y_min = box.y_min + by;
+  w.y_max = box.y_max - by;
+  w.border = std::max(bx, by);
+  return w;
+}
+
+/// Grains that carry nothing: those with fewer force-bearing contacts than asked, found by taking them away again and
+/// again, since a grain that leans on a rattler alone is one too.
+std::vector<std::uint8_t> find_rattlers(const Packing& packing, int least) {
+  const auto& contacts = packing.contacts;
+  const std::size_t n = packing.grains.size();
+  std::vector<std::vector<std::int32_t>> partners(n);
+  std::vector<int> bearing(n, 0);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (contacts.fn[c] == 0) continue;
+    const auto i = static_cast<std::size_t>(contacts.i[c]);
+    ++bearing[i];
+    if (contacts.is_wall(c)) continue;
+    const auto j = static_cast<std::size_t>(contacts.j[c]);
+    ++bearing[j];
+    partners[i].push_back(contacts.j[c]);
+    partners[j].push_back(contacts.i[c]);
+  }
+  std::vector<std::uint8_t> rattler(n, 0);
+  std::vector<std::size_t> open;
+  for (std::size_t g = 0; g < n; ++g)
+    if (bearing[g] < least) open.push_back(g);
+  while (!open.empty()) {
+    const std::size_t g = open.back();
+    open.pop_back();
+    if (rattler[g]) continue;
+    rattler[g] = 1;
+    for (const std::int32_t p : partners[g])
+      if (--bearing[static_cast<std::size_t>(p)] < least && !rattler[static_cast<std::size_t>(p)])
+        open.push_back(static_cast<std::size_t>(p));
+  }
+  return rattler;
+}
+
+geometry::Rectangle bounds_of(const View& view) {
+  if (view.window.known) return {view.window.x_min, view.window.x_max, view.window.y_min, view.window.y_max};
+  const Grains& g = view.packing.grains;
+  if (g.size() == 0) return {};
+  const auto [x0, x1] = std::minmax_element(g.x.begin(), g.x.end());
+  const auto [y0, y1] = std::minmax_element(g.y.begin(), g.y.end());
+  return {*x0, *x1, *y0, *y1};
+}
+
+/// Direction of greatest compression of the moment of all contacts, rad in [0, pi); vertical where nothing pushes.
+double compression_axis(const Packing& packing) {
+  const auto& contacts = packing.contacts;
+  double difference = 0, shear = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Vec2 f = contacts.force_on_i(c), n = contacts.normal(c);
+    const double d = contacts.arm_i[c] + contacts.arm_j[c];
+    difference += d * (f.x * n.x - f.y * n.y);
+    shear += d * (f.x * n.y + f.y * n.x);
+  }
+  if (difference == 0 && shear == 0) return std::numbers::pi / 2;
+  const double axis = 0.5 * std::atan2(shear, difference);
+  return axis < 0 ? axis + std::numbers::pi : axis;
+}
+
+std::string zone_name(int zone) { return zone == 0 ? "dry" : zone == 1 ? "glued" : "zone " + std::to_string(zone); }
+
+std::vector<int> zones_of(const View& view) {
+  std::set<int> zones;
+  for (const std::size_t g : view.grains) zones.insert(view.packing.grains.zone[g]);
+  if (zones.size() == 1 && *zones.begin() == 0) zones.clear();
+  return {zones.begin(), zones.end()};
+}
+
+template <class Label>
+Items contacts_between(const View& view, int a, int b, Label label) {
+  Items items;
+  for (const std::size_t c : view.contacts) {
+    const int i = label(static_cast<std::size_t>(view.pairs().i[c])), j = label(static_cast<std::size_t>(view.pairs().j[c]));
+    if ((i == a && j == b) || (i == b && j == a)) items.push_back(c);
+  }
+  return items;
+}
+
+template <class Label, class Name>
+void add_pairs(const View& view, const std::vector<int>& kinds, Label label, Name name, ByName<Items>& sets) {
+  for (std::size_t a = 0; a < kinds.size(); ++a)
+    for (std::size_t b = a; b < kinds.size(); ++b)
+      if (Items items = contacts_between(view, kinds[a], kinds[b], label); !items.empty())
+        sets.emplace_back(name(kinds[a]) + "-" + name(kinds[b]), std::move(items));
+}
+
+template <class Label, class Name>
+void add_kinds(const View& view, const std::vector<int>& kinds, Label label, Name name, ByName<Items>& sets) {
+  for (const int kind : kinds) {
+    Items items;
+    for (const std::size_t g : view.grains)
+      if (label(g) == kind) items.push_back(g);
+    sets.emplace_back(name(kind), std::move(items));
+  }
+}
+
+}  // namespace
+
+geometry::Rectangle box_of(const Domain& d) {
+  return {d.wall[left].position, d.wall[right].position, d.wall[bottom].position, d.wall[top].position};
+}
+
+Items known(const Items& items, const std::vector<double>& values) {
+  Items found;
+  std::copy_if(items.begin(), items.end(), std::back_inserter(found), [&](std::size_t item) { return std::isfinite(values[item]); });
+  return found;
+}
+
+double mean_of_known(const Items& items, const std::vector<double>& values) {
+  const Items found = known(items, values);
+  if (found.empty()) return unknown;
+  double mean = 0;
+  for (const std::size_t item : found) mean += values[item] / static_cast<double>(found.size());
+  return mean;
+}
+
+Vec2 wrapped(const Domain& d, Vec2 p) {
+  if (d.periodic_y) {
+    const double n = std::floor((p.y - d.wall[bottom].position) / d.height());
+    p.y -= n * d.height();
+    p.x -= n * d.tilt;
+  }
+  if (d.periodic_x) p.x -= std::floor((p.x - d.wall[left].position) / d.width()) * d.width();
+  return p;
+}
+
+double covered_area(const Domain& domain, Vec2 centre, double radius, const geometry::Rectangle& window) {
+  if (!domain.periodic_x && !domain.periodic_y) return geometry::disk_window_area(centre, radius, window);
+  double area = 0;
+  const auto images = [](double low, double high, double period, bool periodic) {
+    if (!periodic) return std::pair{0, 0};
+    return std::pair{static_cast<int>(std::ceil(low / period)), static_cast<int>(std::floor(high / period))};
+  };
+  const auto [m0, m1] = images(window.y_min - radius - centre.y, window.y_max + radius - centre.y, domain.height(), domain.periodic_y);
+  for (int m = m0; m <= m1; ++m) {
+    const Vec2 row{centre.x + m * domain.tilt, centre.y + m * domain.height()};
+    const auto [k0, k1] = images(window.x_min - radius - row.x, window.x_max + radius - row.x, domain.width(), domain.periodic_x);
+    for (int k = k0; k <= k1; ++k)
+      area += geometry::disk_window_area({row.x + k * domain.width(), row.y}, radius, window);
+  }
+  return area;
+}
+
+View::View(const Packing& p, const Options& o) : packing(p), options(o) {
+  const Domain& domain = packing.domain;
+  const Grains& all = packing.grains;
+  has_box = domain.width() > 0 && domain.height() > 0;
+  has_thickness = domain.thickness > 0;
+  for (const double r : all.radius) mean_diameter += 2 * r;
+  if (all.size() > 0) mean_diameter /= static_cast<double>(all.size());
+
+  window = inner_window(domain, options.border * mean_diameter, has_box);
+  const auto inside = [&](Vec2 q) {
+    return !window.known || ((domain.periodic_x || (q.x >= window.x_min && q.x <= window.x_max)) &&
+                             (domain.periodic_y || (q.y >= window.y_min && q.y <= window.y_max)));
+  };
+  const auto take_grains = [&] {
+    for (std::size_t g = 0; g < all.size(); ++g)
+      if (inside(all.centre(g))) grains.push_back(g);
+  };
+  take_grains();
+  if (grains.empty() && window.known) {  // a sample smaller than its border is taken whole
+    window = inner_window(domain, 0, has_box);
+    take_grains();
+  }
+  considered.assign(all.size(), 0);
+  for (const std::size_t g : grains) considered[g] = 1;
+  rattler = find_rattlers(packing, options.rattler_contacts);
+
+  blocks = {bounds_of(*this), blocks_per_side(grains.size())};
+  const bool cut = blocks.per_side > 1;  // a sample too small to be cut: every item is its own block
+  for (std::size_t g = 0; g < all.size(); ++g)
+    grain_block.push_back(cut ? blocks.block_of(wrapped(domain, all.centre(g))) : static_cast<int>(g));
+  double sum = 0;
+  std::size_t pushing = 0;
+  for (std::size_t c = 0; c < pairs().size(); ++c) {
+    const Vec2 point = contact_point(c);
+    contact_block.push_back(cut ? blocks.block_of(point) : static_cast<int>(c));
+    if (pairs().is_wall(c) || !inside(point)) continue;
+    contacts.push_back(c);
+    if (pairs().fn[c] > 0) {
+      sum += pairs().fn[c];
+      ++pushing;
+    }
+  }
+  mean_force = pushing > 0 ? sum / static_cast<double>(pushing) : 0;
+  load_axis = options.load_axis.value_or(compression_axis(packing));
+}
+
+Vec2 View::contact_point(std::size_t c) const {
+  const Vec2 centre = packing.grains.centre(static_cast<std::size_t>(pairs().i[c]));
+  return wrapped(packing.domain, centre - pairs().arm_i[c] * pairs().normal(c));
+}
+
+std::string View::material_name(int m) const {
+  const auto index = static_cast<std::size_t>(m);
+  return index < packing.materials.size() ? packing.materials[index].name : "material " + std::to_string(m);
+}
+
+std::vector<int> View::materials() const {
+  std::set<int> present;
+  for (const std::size_t g : grains) present.insert(material(g));
+  return {present.begin(), present.end()};
+}
+
+ByName<Items> contacts_by_type(const View& view) {
+  ByName<Items> sets;
+  add_pairs(view, view.materials(), [&](std::size_t g) { return view.material(g); },
+            [&](int m) { return view.material_name(m); }, sets);
+  add_pairs(view, zones_of(view), [&](std::size_t g) { return int{view.packing.grains.zone[g]}; }, zone_name, sets);
+  return sets;
+}
+
+ByName<Items> grains_by_type(const View& view) {
+  ByName<Items> sets{{"all", view.grains}};
+  add_kinds(view, view.materials(), [&](std::size_t g) { return view.material(g); },
+            [&](int m) { return view.material_name(m); }, sets);
+  add_kinds(view, zones_of(view), [&](std::size_t g) { return int{view.packing.grains.zone[g]}; }, zone_name, sets);
+  return sets;
+}
+
+}  // namespace arenite::texture

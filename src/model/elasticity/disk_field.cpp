@@ -1,0 +1,120 @@
+#include "model/elasticity/disk_field.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "model/elasticity/arc_nodes.hpp"
+#include "geometry/disk_window.hpp"
+
+namespace arenite::elasticity {
+namespace {
+
+Vec2 force_of(const RimForce& f) { return f.fn * f.normal + f.ft * perpendicular(f.normal); }
+
+/// Calls what(share, rho, outward normal) for every point that carries a share of the force; rho from there to x.
+template <class What>
+void each_point(const Disk& disk, const RimForce& f, Vec2 x, const What& what) {
+  const double half = disk.traction == Traction::point ? 0 : f.half_angle;
+  const Vec2 outward = -f.normal, direct = x - disk.radius * outward;
+  if (half <= 0) return what(1.0, direct, outward);
+  const double along = std::abs(std::atan2(cross(outward, x), dot(outward, x)));
+  const double away = disk.radius - norm(x), beside = disk.radius * std::max(0.0, along - half);
+  const ArcNodes& nodes = arc_nodes(disk.traction, std::hypot(away, beside) / (half * disk.radius));
+  for (std::size_t k = 0; k < nodes.place.size(); ++k) {
+    const double turn = half * nodes.place[k], c = std::cos(turn), s = std::sin(turn);
+    const Vec2 n{c * outward.x - s * outward.y, s * outward.x + c * outward.y};
+    what(nodes.share[k], x - disk.radius * n, n);
+  }
+}
+
+/// Sum over the rim of the forces' components along the inward normal, N.
+double inward_sum(const Disk& disk) {
+  double sum = 0;
+  for (const RimForce& f : disk.forces)
+    each_point(disk, f, {0, 0}, [&](double share, Vec2, Vec2 outward) { sum -= share * dot(force_of(f), outward); });
+  return sum;
+}
+
+/// The mixed derivative of this in x and y is x/(x^2 + y^2).
+double corner(double x, double y) {
+  const double square = x * x + y * y;
+  if (square == 0) return 0;
+  return 0.5 * y * std::log(square) - y + (x == 0 ? 0 : x * std::atan(y / x));
+}
+
+/// Integrals of rho_x/|rho|^2 and rho_y/|rho|^2 over a square.
+Vec2 integral_over_square(Vec2 rho, double side) {
+  const double x0 = rho.x - side / 2, x1 = rho.x + side / 2, y0 = rho.y - side / 2, y1 = rho.y + side / 2;
+  return {corner(x1, y1) - corner(x0, y1) - corner(x1, y0) + corner(x0, y0),
+          corner(y1, x1) - corner(y0, x1) - corner(y1, x0) + corner(y0, x0)};
+}
+
+/// From this many sides on, the mean of a harmonic function over a square is its value in the middle, to 1e-7.
+constexpr double far = 20;
+
+double integral_inside(const Disk& disk, Vec2 centre, double side) {
+  double sum = 0;
+  for (const RimForce& f : disk.forces)
+    each_point(disk, f, centre, [&](double share, Vec2 rho, Vec2) {
+      const double square = dot(rho, rho);
+      const Vec2 integral = square > far * far * side * side ? (side * side / square) * rho : integral_over_square(rho, side);
+      sum += share * dot(force_of(f), integral);
+    });
+  return (-2 * sum + side * side * inward_sum(disk) / disk.radius) / (std::numbers::pi * disk.length);
+}
+
+}  // namespace
+
+double sigma_kk(const Disk& disk, Vec2 x) {
+  double sum = 0;
+  for (const RimForce& f : disk.forces)
+    each_point(disk, f, x, [&](double share, Vec2 rho, Vec2) { sum += share * dot(force_of(f), rho) / dot(rho, rho); });
+  return (-2 * sum + inward_sum(disk) / disk.radius) / (std::numbers::pi * disk.length);
+}
+
+Stress stress(const Disk& disk, Vec2 x) {
+  Stress s;
+  Vec2 total;
+  const double scale = 2 / (std::numbers::pi * disk.length);
+  for (const RimForce& f : disk.forces) {
+    total += force_of(f);
+    each_point(disk, f, x, [&](double share, Vec2 rho, Vec2) {
+      const double square = dot(rho, rho), radial = -scale * share * dot(force_of(f), rho) / (square * square);
+      s.xx += radial * rho.x * rho.x;
+      s.yy += radial * rho.y * rho.y;
+      s.xy += radial * rho.x * rho.y;
+    });
+  }
+  const double isotropic = scale * inward_sum(disk) / (4 * disk.radius);
+  const Vec2 body = -1 / (std::numbers::pi * disk.radius * disk.radius * disk.length) * total;
+  s.xx += isotropic - 0.5 * (body.x * x.x - body.y * x.y);
+  s.yy += isotropic + 0.5 * (body.x * x.x - body.y * x.y);
+  s.xy -= 0.5 * (body.x * x.y + body.y * x.x);
+  return s;
+}
+
+double square_mean(const Disk& disk, Vec2 centre, double side) {
+  return integral_inside(disk, centre, side) / (side * side);
+}
+
+double square_integral(const Disk& disk, Vec2 centre, double side, int depth) {
+  const Vec2 farthest{std::abs(centre.x) + side / 2, std::abs(centre.y) + side / 2};
+  if (norm(farthest) <= disk.radius) return integral_inside(disk, centre, side);
+  const Vec2 nearest{std::max(0.0, std::abs(centre.x) - side / 2), std::max(0.0, std::abs(centre.y) - side / 2)};
+  if (norm(nearest) >= disk.radius) return 0;
+  if (depth <= 0) {
+    const double half = side / 2, inside = std::min(1.0, (disk.radius - side / 4) / norm(centre));
+    const double area = geometry::disk_window_area({0, 0}, disk.radius, {centre.x - half, centre.x + half, centre.y - half, centre.y + half});
+    return area * sigma_kk(disk, inside * centre);
+  }
+  double sum = 0;
+  for (const double dx : {-0.25, 0.25})
+    for (const double dy : {-0.25, 0.25}) sum += square_integral(disk, centre + Vec2{dx * side, dy * side}, side / 2, depth - 1);
+  return sum;
+}
+
+double mean_sigma_kk(const Disk& disk) {
+  return -inward_sum(disk) / (std::numbers::pi * disk.radius * disk.length);
+}
+
+}  // namespace arenite::elasticity

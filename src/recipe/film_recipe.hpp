@@ -1,0 +1,148 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "thermal/camera/camera.hpp"
+
+namespace arenite::study {
+
+/// A material as a camera sees it.
+struct FilmMaterial {
+  std::string name;
+  double thermoelastic_factor = 0;  ///< A, K/Pa
+  double brightness = 0;            ///< in the picture that grains are found in; only the order counts
+  std::optional<double> emissivity = {};  ///< in the camera's band; unless given, that of [temperature]
+  double stiffness = 0;             ///< of its contacts, N/m; 0: not known, alike for all
+  bool operator==(const FilmMaterial&) const = default;
+};
+
+/// What a film does not say about itself, or says wrongly.
+struct ReadingSection {
+  std::optional<double> frame_rate;      ///< Hz
+  std::optional<double> scale, offset;   ///< K: pixels become scale * number + offset
+  std::string dataset;                   ///< of an HDF5 file that holds several
+  bool operator==(const ReadingSection&) const = default;
+};
+
+/// The frame that holds the grains; walls are contact partners and carry the load.
+struct FilmFrame {
+  double width = 0, height = 0, thickness = 0;  ///< m
+  std::optional<double> left, top;  ///< its inner upper left corner in the picture, pixels; centred if not given
+  double load_swing = 0;            ///< force on the lower wall, largest less smallest, N; 0: not known
+  double travel = 0;                ///< of the lower wall, upwards, from the smallest to the largest load, m
+  bool operator==(const FilmFrame&) const = default;
+};
+
+struct PictureSection {
+  double pixel = 0;                 ///< m
+  std::string grains;               ///< CSV of hand-made positions; empty: found by program
+  std::string optical;              ///< picture of an ordinary camera for materials; empty: the film's own frames
+  double optical_pixel = 0;         ///< m; 0: as `pixel`
+  std::vector<double> radii;        ///< size classes, m; empty: found
+  bool operator==(const PictureSection&) const = default;
+};
+
+struct CorrectionSection {
+  std::string cold, warm;           ///< films of an even plate, for offsets, and gains
+  double cold_temperature = 0, warm_temperature = 0;  ///< K
+  bool bad_pixels = true;
+  bool operator==(const CorrectionSection&) const = default;
+};
+
+struct TemperatureSection {
+  enum class From { plates, radiometry, curve, film };
+  From from = From::plates;
+  std::string curve;                ///< CSV of level and temperature
+  std::optional<double> emissivity;          ///< of materials that do not say theirs; 0.9 unless given
+  std::optional<double> ambient;             ///< of what grains mirror, K; 296 unless given
+  std::optional<double> assumed_emissivity;  ///< that the temperatures of a film in kelvin were made with
+  std::vector<double> band;                  ///< shortest and longest wavelength, m; empty: what the film says, or 3.6 to 5.1 um
+  bool operator==(const TemperatureSection&) const = default;
+};
+
+struct LockinSection {
+  enum class Method { least_squares, nearest_bin };
+  double frequency = 0;             ///< Hz
+  Method method = Method::least_squares;
+  std::int64_t drift = 4, harmonics = 2;
+  std::optional<double> phase;      ///< when the load is largest, rad after the first frame; found on the film if not given
+  bool motion = true;               ///< grains' motion is fitted and taken out
+  double diffusivity = 1e-7;        ///< of heat in the grains, m^2/s, about that of plastics
+  bool operator==(const LockinSection&) const = default;
+};
+
+struct ForcesSection {
+  enum class From { pixels, means, none };
+  From from = From::pixels;
+  double central_share = 0.5;       ///< of a grain's area, for its mean
+  double blur = 0.5;                ///< of the lens, pixels
+  double friction = 0.3;
+  bool state = false;               ///< the film shows a state (from no load) and no swing: the friction cone holds
+  bool operator==(const ForcesSection&) const = default;
+};
+
+/// A simulation of the same packing, from the positions found.
+struct TwinSection {
+  std::string recipe;               ///< of the packing
+  std::string low, high;            ///< stages whose ends are the smallest and the largest load
+  bool operator==(const TwinSection&) const = default;
+};
+
+/// Which states a virtual camera films, and how.
+struct CameraSection {
+  std::string low, high;            ///< stages; without `low` the swing is from no load
+  camera::Parameters parameters;
+  std::int64_t plate_frames = 100;  ///< in each film of an even plate
+  double plate_cold = 291, plate_warm = 301;  ///< K
+};
+
+/// What `arenite film` and `arenite camera` are told; one file may serve both.
+struct FilmRecipe {
+  std::string title;
+  std::uint64_t seed = 1;
+  std::string source_file;
+  std::optional<ReadingSection> film;
+  std::vector<FilmMaterial> materials;
+  FilmFrame frame;
+  PictureSection picture;
+  CorrectionSection correction;
+  TemperatureSection temperature;
+  LockinSection lockin;
+  ForcesSection forces;
+  std::optional<TwinSection> twin;
+  std::optional<CameraSection> camera;
+};
+
+/// Emissivity of every material: its own, that of [temperature], or 0.9.
+std::vector<double> emissivities(const FilmRecipe& recipe);
+
+/// False where temperatures are to come from the two plates (the default) and these are not given.
+bool has_plates(const FilmRecipe& recipe);
+inline constexpr const char* needs_plates =
+    "from is \"plates\" unless given, and needs correction.cold, correction.warm and their temperatures, the warmer one's above the "
+    "other's; give them, or write [temperature] with from = \"film\" (it holds temperatures), \"curve\" or \"radiometry\"";
+
+/// Of a film in kelvin of which nothing says how these were made.
+inline constexpr const char* unread_emissivity =
+    "emissivity, ambient and band are not used where the film holds temperatures already, unless it is known what these were made with; give "
+    "temperature.assumed_emissivity (1 if they are those of a black body), or remove them";
+
+/// Whether this text is meant for `arenite film` or `arenite camera`, and not for a simulation; false for what is not TOML.
+bool describes_film(std::string_view text);
+
+/// As read_recipe (study/recipe.hpp), for films.
+FilmRecipe read_film_recipe(const std::string& file, const std::vector<std::string>& overrides = {});
+FilmRecipe parse_film_recipe(std::string_view text, const std::string& file_name, const std::vector<std::string>& overrides = {});
+std::string to_toml(const FilmRecipe& recipe);
+std::string to_commented_toml(const FilmRecipe& recipe);
+
+/// Documentation of every key (Markdown).
+std::string film_key_reference();
+
+/// The recipe that `arenite init film` writes.
+FilmRecipe film_template();
+
+}  // namespace arenite::study

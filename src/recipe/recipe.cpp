@@ -1,0 +1,100 @@
+#include "recipe/recipe.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "io/read_file.hpp"
+#include "recipe/recipe_keys.hpp"
+#include "recipe/recipe_reader.hpp"
+#include "recipe/recipe_record.hpp"
+
+namespace arenite::study {
+namespace {
+
+/// The declaration of a recipe of which a visitor sees, or sets, the keys.
+Visit declaration_of(Recipe& recipe) {
+  return [&recipe](ParameterVisitor& visitor) { declare(visitor, recipe); };
+}
+
+Recipe read_from(std::string_view text, Reading& reading, const std::vector<std::string>& overrides) {
+  Recipe recipe;
+  recipe.source_file = reading.file_name;
+  Node root = read_tree(text, reading, overrides, "composite");
+  const auto sweep = std::find_if(root.entries.begin(), root.entries.end(), [](const Entry& entry) { return entry.key == "sweep"; });
+  if (sweep != root.entries.end()) {
+    reading.problems.push_back({reading.file_name, sweep->place.line, sweep->place.column,
+                                fmt::format("sweep: this recipe is a study of many runs; `arenite study plan {0}` shows them, "
+                                            "`arenite study run {0}` runs them", reading.file_name)});
+    root.entries.erase(sweep);
+  }
+  read_declared(root, reading, declaration_of(recipe));
+  return recipe;
+}
+
+}  // namespace
+
+CementSection Recipe::cement_or_none() const {
+  CementSection none;
+  none.law.kind = cement::CementParameters::Kind::none;
+  return cement.value_or(none);
+}
+
+Recipe recipe_from(const Node& root, const std::string& file) {
+  Reading reading{file, std::filesystem::path(file).parent_path().string(), true, {}};
+  Recipe recipe;
+  recipe.source_file = file;
+  read_declared(root, reading, declaration_of(recipe));
+  return recipe;
+}
+
+Recipe read_recipe(const std::string& file, const std::vector<std::string>& overrides) {
+  Reading reading{file, std::filesystem::path(file).parent_path().string(), true, {}};
+  return read_from(io::read_file(file), reading, overrides);
+}
+
+Recipe parse_recipe(std::string_view text, const std::string& file_name, const std::vector<std::string>& overrides) {
+  Reading reading{file_name, {}, false, {}};
+  return read_from(text, reading, overrides);
+}
+
+std::string to_toml(const Recipe& recipe) {
+  Recipe copy = recipe;
+  return write_toml(record_of(declaration_of(copy)));
+}
+
+std::string to_commented_toml(const Recipe& recipe) {
+  Recipe copy = recipe, defaults;
+  return write_commented_toml(record_of(declaration_of(copy)), record_of_all_keys(declaration_of(defaults)));
+}
+
+std::string title_in(const std::string& text) {
+  try {
+    const Node root = read_document(text, {});
+    const Entry* title = root.find("title");
+    return title && title->value.kind == Node::Kind::text ? title->value.text : "";
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+std::string key_reference() {
+  Recipe defaults;
+  return "# The recipe\n\n"
+         "A recipe is a TOML file. Quantities are texts with their unit (`\"27.35 kN/mm\"`, `\"350 mm\"`, `\"30 %\"`); units are\n"
+         "products, quotients and powers of m, g, s, K, N, Pa, J, W, Hz, bar, t, min, h, deg and % with the SI prefixes, and any\n"
+         "unit of the right dimension will do. A bare number where a unit is needed, an unknown key and a value out of range are\n"
+         "errors, all of them reported at once with their places. `arenite check RECIPE.toml` prints the recipe as it was\n"
+         "understood, `arenite init composite` a commented one to start from, and `--set stages.0.bottom.force=\"60 kN\"` changes a\n"
+         "key for one run (items of lists are counted from 0). A section [sweep] makes many runs of one recipe:\n"
+         "[studies.md](studies.md).\n\n"
+         "`base = \"../paper/recipe.toml\"`, before any section, lays a recipe over another, looked for beside it, which may have a\n"
+         "base of its own. Sections are merged key by key; any other value and whole lists such as `[[stages]]` count as they are\n"
+         "given here, where they are. The base's [sweep] is left out, and files that the base names are looked for beside the recipe\n"
+         "that is laid over it.\n\n"
+         "This page is generated from the declarations that the program reads recipes with: `arenite man --keys`.\n\n" +
+         write_key_tables(record_of_all_keys(declaration_of(defaults)));
+}
+
+}  // namespace arenite::study

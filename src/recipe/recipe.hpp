@@ -1,0 +1,160 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solid/cement/cement.hpp"
+#include "grains/dem/parameters.hpp"
+#include "grains/dem/stage.hpp"
+#include "model/material.hpp"
+#include "grains/packing/bidisperse.hpp"
+#include "grains/packing/population.hpp"
+#include "grains/packing/region.hpp"
+#include "solid/peridynamics/damage.hpp"
+#include "solid/peridynamics/load.hpp"
+#include "solid/raster/cavities.hpp"
+#include "solid/raster/raster.hpp"
+#include "solid/stress/stress.hpp"
+
+namespace arenite::study {
+
+using packing::Population;
+using packing::Region;
+using packing::SizeLaw;
+
+struct FrameParameters {
+  double width = 0;                    ///< m
+  double height = 0;                   ///< m; 0: as packing.solid_fraction asks
+  double thickness = 0;                ///< m
+  bool periodic_x = false, periodic_y = false;
+  bool operator==(const FrameParameters&) const = default;
+};
+
+struct PackingParameters {
+  enum class Method { random, lattice, file, poisson };
+  Method method = Method::random;
+  std::int64_t grains = 0;             ///< total, where populations give ratios
+  std::string file;                    ///< CSV of centres, radii, materials
+  double solid_fraction = 0.78;        ///< of the random filling; loading stages compact it further
+  bool operator==(const PackingParameters&) const = default;
+};
+
+using dem::Cycles;
+using dem::RestCriterion;
+using dem::SideDrive;
+using dem::Stage;
+
+/// Two size classes for packing.method = "poisson", and the materials that they are made of.
+struct BidisperseSection {
+  packing::BidisperseParameters law;
+  std::string large = "large", small = "small";
+  bool operator==(const BidisperseSection&) const = default;
+};
+
+/// The binding matrix of the packing at the end of its stages.
+struct CementSection {
+  cement::CementParameters law;        ///< its gap is not used,
+  std::optional<double> gap;           ///< but this one, m; if not given, 0.075 mean large radii (P's 3 dx)
+  bool operator==(const CementSection&) const = default;
+};
+
+/// The nodes that the cemented packing is brought to, and the rules of its pores.
+struct RasterSection {
+  std::int64_t nodes = 1024;           ///< a side
+  std::optional<double> crop;          ///< side of the square, m; if not given, 25.6 mean large radii, or what fits
+  raster::CavityRules cavities;
+  bool operator==(const RasterSection&) const = default;
+};
+
+/// Moduli of the bonds, Pa; what is not given follows P Table I.
+struct StiffnessSection {
+  double matrix = 1e9;
+  std::optional<double> interface, particle;  ///< E_i = E_m, E_p = 4 E_m
+  bool calibrated = true;
+  bool operator==(const StiffnessSection&) const = default;
+  peridynamics::Stiffness resolved() const;
+};
+
+/// Fracture toughness of the bonds, Pa m^0.5; what is not given follows P Table I.
+struct ToughnessSection {
+  double matrix = 1e5;
+  std::optional<double> interface, particle;  ///< K_i = K_m, K_p = 3.5 K_m
+  bool operator==(const ToughnessSection&) const = default;
+  peridynamics::Toughness resolved() const;
+};
+
+/// One loading of the cemented sample by peridynamics.
+struct Load {
+  enum class Axis { y, x };
+  std::string name;
+  peridynamics::Loading loading = peridynamics::Loading::tension;
+  Axis axis = Axis::y;
+  peridynamics::LowerEdge lower = peridynamics::LowerEdge::fixed;
+  peridynamics::Method method = peridynamics::Method::static_solve;
+  double strain = 1e-4, tolerance = 1e-6;
+  std::int64_t max_iterations = 0;
+  bool exact_stretch = false;
+  bool moduli = false;                 ///< load it along both axes and in shear, too
+  bool failure = false;                ///< pull until it breaks
+  double max_strain = 0.1, end_stress = 0.1;
+  double band = 0.05;                  ///< bonds within this share of the most overstretched break in one round
+  StiffnessSection stiffness;
+  ToughnessSection toughness;
+  stress::StressOptions statistics;
+  bool operator==(const Load&) const = default;
+};
+
+/// What a recipe says, checked and in SI. The declaration of every key (name, unit, range, sentence) is in
+/// study/recipe_keys.cpp; reading, checks, the resolved recipe and docs/recipe.md follow from it.
+struct Recipe {
+  std::string title;
+  std::uint64_t seed = 1;
+  std::string source_file;             ///< as given; relative paths in the recipe start at its folder
+  Materials materials;
+  std::vector<Population> populations;
+  FrameParameters frame;
+  PackingParameters packing;
+  dem::ContactParameters contact;
+  dem::IntegrationParameters integration;
+  std::optional<Region> glued;
+  std::vector<Stage> stages;
+  std::optional<BidisperseSection> bidisperse;
+  std::optional<CementSection> cement;
+  std::optional<RasterSection> raster;
+  std::vector<Load> loads;
+  /// The sections, or what stands for them where they are not given: no cement, and P's raster.
+  CementSection cement_or_none() const;
+  RasterSection raster_or_default() const { return raster.value_or(RasterSection{}); }
+  bool has_field() const { return cement || raster || !loads.empty(); }  ///< goes on to cement, raster and loads
+  bool operator==(const Recipe&) const = default;
+};
+
+/// Reads a recipe from a file. `overrides` are "key=value" with dotted keys ("seed=7", "stages.0.bottom.force=60 kN"),
+/// applied before anything is checked. Throws InputError with all problems found, each with its place.
+Recipe read_recipe(const std::string& file, const std::vector<std::string>& overrides = {});
+
+struct Node;
+/// The same from a tree that was read already (recipe_document.hpp) and has no [sweep]; `file` is what problems are
+/// reported under, and files that the recipe names are looked for beside it.
+Recipe recipe_from(const Node& root, const std::string& file);
+
+/// The same from text in memory; `file_name` is what problems are reported under. Files that the recipe names are not
+/// looked for.
+Recipe parse_recipe(std::string_view text, const std::string& file_name, const std::vector<std::string>& overrides = {});
+
+/// The resolved recipe as TOML: every key that is set, defaults included, with units, in a fixed order. Reading it
+/// back gives an equal recipe, but for what a recipe does not say (`source_file`, `integration.threads`).
+std::string to_toml(const Recipe& recipe);
+
+/// The same for people: sections and keys are explained, and keys at their default are there as comments.
+std::string to_commented_toml(const Recipe& recipe);
+
+/// The title that a recipe's text gives, whether or not the rest is a whole recipe; empty if it gives none.
+std::string title_in(const std::string& text);
+
+/// Documentation of every key (Markdown), generated from the declarations.
+std::string key_reference();
+
+}  // namespace arenite::study

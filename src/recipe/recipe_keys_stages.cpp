@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/domain.hpp"
+#include "recipe/recipe_key_parts.hpp"
+
+namespace arenite::study {
+namespace {
+
+using Visitor = ParameterVisitor;
+
+void declare(Visitor& v, RestCriterion& rest) {
+  v.number({"unbalanced", "Unbalanced force ratio below this."}, rest.unbalanced, "", range::positive);
+  v.number({"kinetic", "Kinetic over elastic energy below this."}, rest.kinetic, "", range::positive);
+  v.number({"falling", "Share of grains that still fall, weighing and with fewer than two pressed contacts, not above this."}, rest.falling, "", range::not_negative);
+  v.number({"loose_kinetic", "Kinetic energy of the grains that carry nothing (fewer than two pressed contacts) over elastic energy below this; a hundred thousand times `kinetic` unless given, since nothing but rare hits slows them where they do not weigh."}, rest.loose_kinetic, "", range::positive);
+  std::optional<double> mobilisation = rest.mobilisation >= 0 ? std::optional(rest.mobilisation) : std::nullopt;
+  v.number({"mobilisation", "Mean |F_t|/F_n below this as well, if given: tells creep from rest where friction is viscous."},
+           mobilisation, "", range::not_negative);
+  rest.mobilisation = mobilisation.value_or(-1);
+  v.integer({"max_steps", "Steps of one increment, after which the run stops with exit status 3."}, rest.max_steps,
+            {1, 1'000'000'000'000});
+}
+
+void declare(Visitor& v, Cycles& cycles) {
+  int side = static_cast<int>(std::find(side_names.begin(), side_names.end(), cycles.side) - side_names.begin());
+  if (side == 4) side = bottom;
+  v.choice({"side", "The side that cycles."}, side, {{"left", ""}, {"right", ""}, {"bottom", ""}, {"top", ""}});
+  cycles.side = side_names[static_cast<std::size_t>(side)];
+  v.number({"min", "Force at the end of each cycle.", true}, cycles.min, "kN", range::not_negative);
+  v.number({"max", "Force in the middle of each cycle.", true}, cycles.max, "kN", range::positive);
+  v.require(cycles.max > cycles.min, {"max", "min"}, "must be above min");
+  v.integer({"count", "Number of cycles.", true}, cycles.count, {1, 1'000'000});
+  v.integer({"increments", "Increments of each half cycle."}, cycles.increments, {1, 1'000'000});
+}
+
+bool presses(const SideDrive& drive) { return drive.kind == SideDrive::Kind::force || drive.kind == SideDrive::Kind::pressure; }
+
+/// A force on an edge of a periodic cell moves that edge and strains the cell; with the opposite edge free as well, the
+/// cell would drift.
+void require_one_pressing_edge(Visitor& v, const Stage& stage, std::size_t first, bool periodic) {
+  const SideDrive &one = stage.side[first], &other = stage.side[first + 1];
+  const char *name = side_names[first], *opposite = side_names[first + 1];
+  const bool both_at_work = (presses(one) && other.kind != SideDrive::Kind::fixed) || (presses(other) && one.kind != SideDrive::Kind::fixed);
+  v.require(!periodic || !both_at_work, {opposite, name},
+            fmt::format("of the two periodic edges {0} and {1} one presses and the other holds; leave {0} = \"fixed\"", name, opposite));
+}
+
+void require_usable_sides(Visitor& v, const Stage& stage, const FrameParameters& frame) {
+  using Kind = SideDrive::Kind;
+  require_one_pressing_edge(v, stage, left, frame.periodic_x);
+  require_one_pressing_edge(v, stage, bottom, frame.periodic_y);
+  v.require(!stage.gravity || !frame.periodic_y, {"gravity"},
+            "grains would fall for ever through periodic sides; set frame.periodic_y = false");
+  const bool moves = std::any_of(stage.side.begin(), stage.side.end(), [](const SideDrive& drive) { return drive.kind == Kind::velocity; });
+  v.require(!moves || stage.duration, {"duration", "left", "right", "bottom", "top"},
+            "a stage with a moving side never comes to rest; give it a duration, for example duration = \"1 s\"");
+  if (!stage.cycles || stage.cycles->side.empty()) return;  // empty: no section at all, which the reader reports
+  const auto side = std::find(side_names.begin(), side_names.end(), stage.cycles->side) - side_names.begin();
+  v.require(stage.side[static_cast<std::size_t>(side)].kind == Kind::force, {"cycles", side_names[static_cast<std::size_t>(side)]},
+            fmt::format("cycles need a side under force; write {} = {{ force = \"...\" }} in this stage", stage.cycles->side));
+}
+
+}  // namespace
+
+bool is_plain_name(const std::string& name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+}
+
+void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
+  v.text({"name", "Name of the stage, used for its file: letters, digits, _ and -.", true}, stage.name);
+  v.require(is_plain_name(stage.name), {"name"}, "must be made of letters, digits, _ and -");
+  const auto same = std::count_if(recipe.stages.begin(), recipe.stages.end(),
+                                  [&](const Stage& other) { return &other != &stage && other.name == stage.name; });
+  v.require(same == 0, {"name"}, fmt::format("another stage is called \"{}\"; names must differ", stage.name));
+  v.flag({"gravity", "Grains weigh (9.81 m/s^2 downwards)."}, stage.gravity);
+  for (std::size_t side = 0; side < 4; ++side) {
+    auto& drive = stage.side[side];
+    int form = static_cast<int>(drive.kind);
+    v.tagged({side_names[side], "What this side does."}, form, drive.value,
+             {{"fixed", "", "stays where it is", range::any},
+              {"velocity", "mm/s", "moves inward at this speed", range::any},
+              {"force", "kN", "presses on the sample, reached in the stage's increments; of two periodic edges one presses and one is fixed", range::not_negative},
+              {"pressure", "kPa", "presses on the sample, acting in full at once; of two periodic edges one presses and one is fixed", range::not_negative}});
+    drive.kind = static_cast<SideDrive::Kind>(form);
+  }
+  v.integer({"increments", "Equal steps in which forces are reached, each ending at rest."}, stage.increments, {1, 1'000'000});
+  v.number({"duration", "Time after which the stage ends, whether at rest or not; needed where a side moves."},
+           stage.duration, "s", range::positive);
+  v.integer({"frames", "States stored during a stage with a duration; other stages store one an increment."}, stage.frames,
+            {1, 1'000'000});
+  v.number({"friction", "Coefficient mu during this stage only, for example 0 to densify."}, stage.friction, "",
+           range::not_negative);
+  v.number({"drag", "Viscous drag during this stage, as a rate: the force on a grain is -drag m v."}, stage.drag, "1/s", range::not_negative);
+  v.number({"critical_drag", "More drag, as a share of the rate that damps the slowest wave of a crystal of this size critically. About 0.2 brings a jammed packing of any size to rest soonest; it hinders rearrangement, so compact without it first."},
+           stage.critical_drag, "", range::not_negative);
+  v.choice({"masses", "Masses that the grains move with in this stage. Without friction states of rest do not depend on them; with it they keep a trace of the way there."}, stage.masses,
+           {{"own", "their own"},
+            {"even", "such that k/m of all grains is that of the fastest: a sample of unlike sizes compacts in far fewer steps; not with gravity"}});
+  v.require(!stage.gravity || stage.masses == dem::Masses::own, {"masses", "gravity"}, "grains weigh by their own masses; leave gravity or masses out");
+  v.number({"inertial_number", "How fast the sample yields to a side under force or pressure, as a share of sqrt(force times width over mass): larger compacts faster and overshoots more; 1 suits a compaction at P/k of 1e-3 or less."},
+           stage.inertial_number, "", range::positive);
+  v.flag({"glue", "Adhesion acts from this stage on."}, stage.glue);
+  v.require(!stage.glue || recipe.contact.adhesion != dem::Adhesion::none, {"glue"},
+            "there is nothing to glue with; set contact.adhesion and contact.surface_energy");
+  v.optional_section<Cycles>({"cycles", "Force cycles on one side after the ramp."}, stage.cycles,
+                             [](Visitor& inner, Cycles& cycles) { declare(inner, cycles); });
+  v.section({"rest", "When an increment counts as done."}, [&](Visitor& inner) { declare(inner, stage.rest); });
+  require_usable_sides(v, stage, recipe.frame);
+}
+
+}  // namespace arenite::study

@@ -1,0 +1,195 @@
+#include "solid/peridynamics/load.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
+#include "solid/peridynamics/node_stress.hpp"
+#include "solid/peridynamics/solvers/dynamics.hpp"
+#include "solid/peridynamics/solvers/exact_stretch.hpp"
+#include "solid/peridynamics/solvers/static_solve.hpp"
+
+namespace arenite::peridynamics {
+
+namespace {
+
+/// A sample with what carries, ready to be solved.
+struct Specimen {
+  const PhaseMap& map;
+  const LoadOptions& options;
+  Bonds bonds;
+  std::vector<std::uint8_t> prescribed;
+  Pieces pieces;
+  Buffer<Tie> tie;
+  Support support;
+  Vec2 top_displacement;
+
+  Specimen(const PhaseMap& m, const LoadOptions& o) : map(m), options(o), bonds(make_bonds(m, o.stiffness)) {
+    prescribed = prescribed_rows(map.height, o.loading, o.lower);
+    pieces = cut_into_pieces(map, bonds, prescribed);
+    support = prune(bonds, pieces, prescribed, tie);
+    top_displacement = o.strain * gauge() * direction_of(o.loading);
+  }
+
+  double gauge() const { return (map.height - 1) * map.dx; }
+
+  /// Uniform strain where the sample carries; the clamp's displacement where it hangs on one only.
+  Field<double> first_guess() const {
+    const Grid& grid = bonds.grid;
+    Field<double> u(grid.padded_size());
+    for (int y = 0; y < grid.height; ++y)
+      for (int x = 0; x < grid.width; ++x) {
+        if (map.phase[map.index(x, y)] == Phase::empty) continue;
+        const std::ptrdiff_t i = grid.index(x, y);
+        double share = static_cast<double>(y) / (grid.height - 1);
+        if (!prescribed[static_cast<std::size_t>(y)] && tie[i] != Tie::both) share = tie[i] == Tie::above ? 1 : 0;
+        u.x[i] = share * top_displacement.x;
+        u.y[i] = share * top_displacement.y;
+      }
+    return u;
+  }
+
+  Field<double> force(const Field<double>& u) const {
+    Field<double> f(bonds.grid.padded_size());
+    const std::vector<std::uint8_t> none(prescribed.size(), nothing_prescribed);
+    if (options.exact_stretch) exact_force(bonds, map.dx, u, f);
+    else kernels().force(bonds, none.data(), plane(u), plane(f));
+    return f;
+  }
+};
+
+/// Iterations after which a static solve is given up: 50 for the six decades of the usual tolerance, more for more.
+int usual_cap(double tolerance) { return static_cast<int>(std::ceil(50 * std::max(1.0, std::log10(tolerance) / -6))); }
+
+StaticReport find_equilibrium(Specimen& s, Field<double>& u) {
+  const LoadOptions& o = s.options;
+  if (o.method == Method::static_solve) {
+    const int most = o.max_iterations > 0 ? o.max_iterations : usual_cap(o.tolerance);
+    StaticSolver solver(s.bonds, std::move(s.pieces), s.prescribed);
+    return o.exact_stretch
+               ? solve_exact_stretch(s.bonds, s.map.dx, s.prescribed, solver, u, o.tolerance, most, o.watch)
+               : solver.solve(s.bonds, u, o.tolerance, most, o.watch);
+  }
+  const int most = o.max_iterations > 0 ? o.max_iterations : 1'000'000;
+  const Dynamics dynamics{s.bonds, s.prescribed, s.map.dx, o.exact_stretch, o.tolerance, most, o.watch};
+  return o.method == Method::relaxation ? adaptive_relaxation(dynamics, u) : damped_dynamics(dynamics, u);
+}
+
+Vec2 row_sum(const Grid& grid, const Field<double>& f, int y) {
+  Vec2 sum;
+  for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) sum += Vec2{f.x[i], f.y[i]};
+  return sum;
+}
+
+/// Mean slope of a displacement along an axis, by least squares over the carrying nodes of the middle half.
+double slope(const Specimen& s, const Buffer<double>& u, bool along_x) {
+  const Grid& grid = s.bonds.grid;
+  double n = 0, sp = 0, spp = 0, su = 0, spu = 0;
+  for (int y = grid.height / 4; y < grid.height - grid.height / 4; ++y)
+    for (int x = grid.width / 4; x < grid.width - grid.width / 4; ++x) {
+      const std::ptrdiff_t i = grid.index(x, y);
+      if (s.tie[i] != Tie::both) continue;
+      const double p = along_x ? x : y;
+      n += 1;
+      sp += p;
+      spp += p * p;
+      su += u[i];
+      spu += p * u[i];
+    }
+  const double spread = n * spp - sp * sp;
+  return spread > 0 ? (n * spu - sp * su) / spread : 0;
+}
+
+void judge(const Specimen& s, const Field<double>& u, LoadResult& result) {
+  LoadReport& r = result.report;
+  const Field<double> f = s.force(u);
+  r.top_force = -row_sum(s.bonds.grid, f, s.map.height - 1);
+  r.bottom_force = -row_sum(s.bonds.grid, f, 0);
+  const bool shear = s.options.loading == Loading::shear;
+  const double force = shear ? r.top_force.x : r.top_force.y;
+  double sum = 0;
+  for (const double stress : shear ? result.field.xy : result.field.yy) sum += stress;
+  if (force != 0) r.identity_defect = sum * s.map.dx * s.map.dx / (force * s.gauge()) - 1;
+  r.modulus = std::abs(force) / (s.map.width * s.map.dx * s.options.strain);
+  const double axial = shear ? 0 : slope(s, u.y, false);
+  if (axial != 0) r.poisson = -slope(s, u.x, true) / axial;
+}
+
+std::string sentence_of(const LoadReport& r, const LoadOptions& o) {
+  std::string text;
+  switch (r.ending) {
+    case Ending::empty: return "the map is all void: there is nothing to load";
+    case Ending::severed:
+      text = fmt::format(
+          "nothing ties the bottom row to the top row: {} nodes hang on the lower clamp, {} on the upper; no stress",
+          r.support.held_below, r.support.held_above);
+      break;
+    case Ending::solved:
+      text = fmt::format("equilibrium to a relative residual of {:.1e} in {} iterations", r.residual, r.iterations);
+      break;
+    case Ending::stopped:
+      text = fmt::format("stopped at a relative residual of {:.1e} after {} iterations", r.residual, r.iterations);
+      break;
+    case Ending::not_converged:
+      text = fmt::format("no equilibrium: relative residual {:.1e} after {} iterations, {:.0e} was asked for",
+                         r.residual, r.iterations, o.tolerance);
+      break;
+  }
+  if (r.support.floating > 0)
+    text += fmt::format("; {} floating nodes in {} islands without stress", r.support.floating, r.support.islands);
+  if (r.ending != Ending::severed && r.support.held_below + r.support.held_above > 0)
+    text +=
+        fmt::format("; {} nodes held on one side only, without stress", r.support.held_below + r.support.held_above);
+  if (!r.hinges.empty()) {
+    const auto carrying = std::find_if(r.hinges.begin(), r.hinges.end(), [](const Hinge& h) { return h.carries; });
+    const Hinge& h = carrying != r.hinges.end() ? *carrying : r.hinges.front();
+    text +=
+        fmt::format("; {} hinges, one at node ({}, {}) with {} nodes behind it", r.hinges.size(), h.x, h.y, h.nodes);
+    if (h.carries) text += ": the load passes it";
+  }
+  return text;
+}
+
+void check(const LoadOptions& o) {
+  if (!(o.strain > 0) || !(o.strain < 1))
+    throw InputError(
+        fmt::format("the strain is {:g}; give one between 0 and 1 (the loading says its direction)", o.strain));
+  if (!(o.tolerance > 0) || !(o.tolerance < 1))
+    throw InputError(fmt::format("the tolerance of the residual is {:g}; give one between 0 and 1", o.tolerance));
+}
+
+}  // namespace
+
+LoadResult load(const PhaseMap& map, const LoadOptions& options) {
+  check(options);
+  Specimen s(map, options);
+  LoadResult result;
+  LoadReport& r = result.report;
+  r.support = s.support;
+  Field<double> u = s.first_guess();
+  if (s.support.carrying > 0) {
+    StaticReport solved = find_equilibrium(s, u);
+    r.ending = solved.converged ? Ending::solved : solved.stopped ? Ending::stopped : Ending::not_converged;
+    r.iterations = solved.iterations;
+    r.residual = solved.residual;
+    r.history = std::move(solved.history);
+    r.loose_nodes = solved.loose_nodes;
+    r.coarse_unknowns = solved.coarse_unknowns;
+    r.repairs = solved.repairs;
+    const bool suspicious = r.ending == Ending::not_converged || solved.loose_nodes > 0 ||
+                            (options.method == Method::static_solve && solved.iterations > 25);
+    if (options.look_for_hinges || suspicious) r.hinges = find_hinges(s.bonds);
+  } else {
+    const bool any = std::any_of(map.phase.begin(), map.phase.end(), [](Phase p) { return p != Phase::empty; });
+    r.ending = any ? Ending::severed : Ending::empty;
+  }
+  result.field = node_stress(s.bonds, map.dx, u, options.exact_stretch);
+  if (s.support.carrying > 0) judge(s, u, result);
+  r.sentence = sentence_of(r, options);
+  return result;
+}
+
+}  // namespace arenite::peridynamics

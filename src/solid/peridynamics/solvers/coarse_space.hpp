@@ -1,0 +1,50 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "solid/peridynamics/solvers/cholesky.hpp"
+#include "solid/peridynamics/solvers/couplings.hpp"
+
+namespace arenite::peridynamics {
+
+/// The second level of the static solve: one coarse node at each cell corner for each set of pieces of one owner that
+/// hang together there, with a bilinear hat on those pieces. `correct` projects a residual on this space, solves there
+/// and adds the answer.
+class CoarseSpace {
+ public:
+  CoarseSpace(const Bonds& bonds, Pieces pieces, const BlockDiagonal<double>& diagonal,
+              const std::vector<std::uint8_t>& prescribed);
+
+  /// z += P (P^T A P)^-1 P^T r.
+  void correct(Plane<const float> r, Plane<float> z);
+
+  std::int32_t unknowns() const { return 2 * nodes_; }
+  std::size_t factor_bytes() const { return factor_->factor_bytes(); }
+  /// How often the matrix had to be stiffened on its diagonal until all pivots were positive; 0 in a sound sample.
+  int repairs() const { return repairs_; }
+
+ private:
+  /// Nodes of one piece that follow each other in a row.
+  struct Run {
+    std::ptrdiff_t begin;
+    std::int32_t piece;
+    std::int16_t x, y, length;  ///< of the first node, in its cell
+    bool slides;                ///< moves along x only
+  };
+  void number_corners(const std::vector<Coupling>& couplings);
+  BlockMatrix assemble(const std::vector<Coupling>& couplings) const;
+  void list_runs(const std::vector<std::uint8_t>& prescribed);
+
+  Grid grid_;
+  Pieces pieces_;
+  std::int32_t nodes_ = 0;
+  std::vector<std::int32_t> corner_;  ///< coarse node of corner a of piece p at 4 p + a
+  std::vector<Run> runs_;
+  std::optional<Cholesky> factor_;
+  std::vector<double> load_;    ///< right side and solution, 2 a coarse node
+  std::vector<float> moments_;  ///< 8 a piece
+  int repairs_ = 0;
+};
+
+}  // namespace arenite::peridynamics

@@ -1,0 +1,184 @@
+#include "solid/peridynamics/solvers/couplings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace arenite::peridynamics {
+
+namespace {
+
+constexpr int cell = Pieces::cell;
+
+std::array<Hats, cell * cell> make_hats() {
+  std::array<Hats, cell * cell> hats;
+  for (unsigned y = 0; y < cell; ++y)
+    for (unsigned x = 0; x < cell; ++x) {
+      const double s = x / static_cast<double>(cell), t = y / static_cast<double>(cell);
+      hats[y * cell + x] = Hats{(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t};
+    }
+  return hats;
+}
+
+const std::array<Hats, cell* cell> all_hats = make_hats();
+
+/// What one node's bonds to one piece sum to: block times hats of the other ends.
+struct Reach {
+  std::int32_t q;
+  std::array<Hats, 3> sum;
+};
+
+/// Sums of block times hats over the 14 half bonds of a node whose bonds all stay in its cell, for unit modulus.
+struct InnerSums {
+  static constexpr int low = 2, high = cell - horizon;  ///< such nodes: low <= x < high, y < high
+  std::array<std::array<Hats, 3>, cell * cell> at{};
+  InnerSums() {
+    for (int y = 0; y < high; ++y)
+      for (int x = low; x < high; ++x)
+        for (const Offset e : half_bonds) {
+          const Hats& other = all_hats[static_cast<unsigned>((y + e.y) * cell + x + e.x)];
+          const double k = 1 / std::pow(length(e), 3);
+          auto& sum = at[static_cast<unsigned>(y * cell + x)];
+          sum[0] += k * e.x * e.x * other;
+          sum[1] += k * e.x * e.y * other;
+          sum[2] += k * e.y * e.y * other;
+        }
+  }
+  static bool holds(int x, int y) { return x >= low && x < high && y < high; }
+};
+
+const InnerSums inner_sums;
+
+struct CouplingSum {
+  const Bonds& bonds;
+  const Pieces& pieces;
+  BondBlocks blocks;
+  std::vector<Coupling> self, cross;
+  std::vector<std::int32_t> latest;  ///< of each piece's couplings, the newest; they form a chain
+  std::vector<std::int32_t> next;
+
+  CouplingSum(const Bonds& b, const Pieces& p) : bonds(b), pieces(p), blocks(bond_blocks(b)), latest(p.owner.size(), -1) {
+    self.resize(p.owner.size());
+    for (std::int32_t k = 0; k < p.count(); ++k) self[static_cast<std::size_t>(k)] = {k, k, {}};
+    cross.reserve(6 * p.owner.size());
+  }
+
+  Coupling& between(std::int32_t p, std::int32_t q) {
+    for (std::int32_t c = latest[static_cast<std::size_t>(p)]; c >= 0; c = next[static_cast<std::size_t>(c)])
+      if (cross[static_cast<std::size_t>(c)].q == q) return cross[static_cast<std::size_t>(c)];
+    next.push_back(latest[static_cast<std::size_t>(p)]);
+    latest[static_cast<std::size_t>(p)] = static_cast<std::int32_t>(cross.size());
+    cross.push_back({p, q, {}});
+    return cross.back();
+  }
+
+  /// A node that only slides along x; the bonds between it and the rows above all start here.
+  void add_sliding_node(std::ptrdiff_t i, int x, int y, double diagonal_xx) {
+    const std::int32_t p = pieces.of_node[i];
+    const Hats& own = all_hats[static_cast<unsigned>(y * cell + x)];
+    for (unsigned a = 0; a < 4; ++a)
+      self[static_cast<std::size_t>(p)].block[0][a] += own[a] * (0.5 * diagonal_xx * own);
+    for (unsigned d = 0; d < bonds_per_node; ++d) {
+      const unsigned type = bonds.words[i] >> (2 * d) & 3u;
+      const Offset e = half_bonds[d];
+      const std::int32_t q = pieces.of_node[i + bonds.step(static_cast<int>(d))];
+      if (type == no_bond || q < 0) continue;
+      const Hats& other = all_hats[static_cast<unsigned>(((y + e.y) & (cell - 1)) * cell + ((x + e.x) & (cell - 1)))];
+      Coupling& to = q == p ? self[static_cast<std::size_t>(p)] : between(p, q);
+      for (unsigned a = 0; a < 4; ++a) {
+        to.block[0][a] -= own[a] * blocks[d][type].xx * other;
+        if (e.y > 0) to.block[1][a] -= own[a] * blocks[d][type].xy * other;
+      }
+    }
+  }
+
+  /// A node deep inside one grain and one cell: its bonds are all alike and reach its own piece only.
+  void add_inner_node(std::ptrdiff_t i, int x, int y, double modulus, const std::array<double, 3>& diagonal) {
+    const Hats& own = all_hats[static_cast<unsigned>(y * cell + x)];
+    const auto& sums = inner_sums.at[static_cast<unsigned>(y * cell + x)];
+    Coupling& within = self[static_cast<std::size_t>(pieces.of_node[i])];
+    for (unsigned c = 0; c < 3; ++c) {
+      const Hats row = 0.5 * diagonal[c] * own - modulus * sums[c];
+      for (unsigned a = 0; a < 4; ++a) within.block[c][a] += own[a] * row;
+    }
+  }
+
+  void add_node(std::ptrdiff_t i, int x, int y, const std::array<double, 3>& diagonal) {
+    const std::int32_t p = pieces.of_node[i];
+    const std::uint32_t word = bonds.words[i];
+    std::array<Reach, bonds_per_node> reach;
+    unsigned reached = 1;
+    reach[0] = {p, {}};
+    unsigned at = 0;
+    for (unsigned d = 0; d < bonds_per_node; ++d) {
+      const unsigned type = word >> (2 * d) & 3u;
+      if (type == no_bond) continue;
+      const Offset e = half_bonds[d];
+      const std::int32_t q = pieces.of_node[i + bonds.step(static_cast<int>(d))];
+      if (q < 0) continue;
+      if (reach[at].q != q) {
+        for (at = 0; at < reached && reach[at].q != q;) ++at;
+        if (at == reached) reach[reached++] = {q, {}};
+      }
+      const Hats& other = all_hats[static_cast<unsigned>(((y + e.y) & (cell - 1)) * cell + ((x + e.x) & (cell - 1)))];
+      const Block& block = blocks[d][type];
+      reach[at].sum[0] += block.xx * other;
+      reach[at].sum[1] += block.xy * other;
+      reach[at].sum[2] += block.yy * other;
+    }
+    const Hats& own = all_hats[static_cast<unsigned>(y * cell + x)];
+    Coupling& within = self[static_cast<std::size_t>(p)];
+    for (unsigned c = 0; c < 3; ++c) {
+      // The bonds inside a piece appear as they are and transposed; half of the diagonal goes to each.
+      const Hats row = 0.5 * diagonal[c] * own - reach[0].sum[c];
+      for (unsigned a = 0; a < 4; ++a) within.block[c][a] += own[a] * row;
+    }
+    for (unsigned k = 1; k < reached; ++k) {
+      Coupling& to = between(p, reach[k].q);
+      for (unsigned c = 0; c < 3; ++c)
+        for (unsigned a = 0; a < 4; ++a) to.block[c][a] -= own[a] * reach[k].sum[c];
+    }
+  }
+};
+
+}  // namespace
+
+const Hats& hats_at(int x, int y) { return all_hats[static_cast<unsigned>(y * cell + x)]; }
+
+std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const BlockDiagonal<double>& diagonal,
+                                const std::vector<std::uint8_t>& prescribed) {
+  const Grid& grid = bonds.grid;
+  CouplingSum sum(bonds, pieces);
+  for (int y0 = 0; y0 < grid.height; y0 += cell)
+    for (int x0 = 0; x0 < grid.width; x0 += cell)
+      for (int y = y0; y < std::min(y0 + cell, grid.height); ++y)
+        for (int x = x0; x < std::min(x0 + cell, grid.width); ++x) {
+          const std::ptrdiff_t i = grid.index(x, y);
+          if (pieces.of_node[i] < 0 || prescribed[static_cast<std::size_t>(y)]) continue;
+          const std::array<double, 3> own{diagonal.xx[i], diagonal.xy[i], diagonal.yy[i]};
+          const bool inside =
+              bonds.group[static_cast<std::ptrdiff_t>(y) * grid.groups + x / Grid::lanes] == particle_bond;
+          if (inside && InnerSums::holds(x - x0, y - y0) && pieces.of_node[i + horizon * grid.stride] >= 0)
+            sum.add_inner_node(i, x - x0, y - y0, bonds.modulus(particle_bond), own);
+          else sum.add_node(i, x - x0, y - y0, own);
+        }
+  for (auto* list : {&sum.self, &sum.cross})
+    for (Coupling& c : *list) c.block[3] = c.block[1];
+  for (int y = 0; y < grid.height; ++y)
+    if (prescribed[static_cast<std::size_t>(y)] == y_prescribed)
+      for (int x = 0; x < grid.width; ++x)
+        if (const std::ptrdiff_t i = grid.index(x, y); pieces.of_node[i] >= 0)
+          sum.add_sliding_node(i, x % cell, y % cell, diagonal.xx[i]);
+  for (Coupling& within : sum.self)
+    for (unsigned a = 0; a < 4; ++a)
+      for (unsigned b = 0; b < 4; ++b) {
+        if (b <= a)
+          for (const unsigned c : {0u, 2u})
+            within.block[c][a][b] = within.block[c][b][a] = within.block[c][a][b] + within.block[c][b][a];
+        within.block[1][a][b] += within.block[3][b][a];
+        within.block[3][b][a] = within.block[1][a][b];
+      }
+  sum.self.insert(sum.self.end(), sum.cross.begin(), sum.cross.end());
+  return std::move(sum.self);
+}
+
+}  // namespace arenite::peridynamics

@@ -1,0 +1,144 @@
+#include "solid/peridynamics/solvers/dynamics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "solid/peridynamics/node_stress.hpp"
+#include "solid/peridynamics/solvers/reference.hpp"
+
+namespace arenite::peridynamics {
+
+namespace {
+
+constexpr std::int64_t look_every = 20;  ///< steps between two looks at the residual and the damping
+
+Field<double> copy_of(const Field<double>& u) {
+  Field<double> c(u.x.size());
+  std::copy_n(u.x.data(), u.x.size(), c.x.data());
+  std::copy_n(u.y.data(), u.y.size(), c.y.data());
+  return c;
+}
+
+/// Force of the bonds where displacements are free, by the stretch asked for.
+void form_force(const Dynamics& s, const Field<double>& u, Field<double>& f) {
+  if (!s.exact_stretch) {
+    kernels().force(s.bonds, s.prescribed.data(), plane(u), plane(f));
+    return;
+  }
+  exact_force(s.bonds, s.dx, u, f);
+  const Grid& grid = s.bonds.grid;
+  for (int y = 0; y < grid.height; ++y) {
+    const auto rows = s.prescribed[static_cast<std::size_t>(y)];
+    if (rows & x_prescribed) std::fill_n(f.x.data() + grid.row(y), grid.width, 0.0);
+    if (rows & y_prescribed) std::fill_n(f.y.data() + grid.row(y), grid.width, 0.0);
+  }
+}
+
+/// older := u + a (u - older) + b M f, M a 2 x 2 block a node, or the unit matrix where `inverse` is null.
+void plain_step(const Grid& grid, const Field<double>& u, Field<double>& older, const Field<double>& f,
+                const BlockPlane* inverse, double a, double b) {
+  for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; ++i) {
+    double fx = f.x[i], fy = f.y[i];
+    if (inverse) {
+      const double xx = inverse->xx[i], xy = inverse->xy[i], yy = inverse->yy[i];
+      fx = xx * f.x[i] + xy * f.y[i];
+      fy = xy * f.x[i] + yy * f.y[i];
+    }
+    older.x[i] = u.x[i] + a * (u.x[i] - older.x[i]) + b * fx;
+    older.y[i] = u.y[i] + a * (u.y[i] - older.y[i]) + b * fy;
+  }
+}
+
+/// Steps until the residual is small: `step(u, older)` moves, `look(u, older)` may set the damping anew.
+template <class Step, class Look>
+StaticReport step_to_rest(const Dynamics& s, Field<double>& u, const Step& step, const Look& look) {
+  StaticReport report;
+  Field<double> older = copy_of(u), f(s.bonds.grid.padded_size());
+  const double reference = residual_reference(s.bonds, s.prescribed, u, older, f);
+  older = copy_of(u);
+  if (!(reference > 0)) {
+    report.converged = std::isfinite(reference);
+    return report;
+  }
+  Reporter reporter(s.watch, s.tolerance);
+  for (std::int64_t n = 0;; ++n) {
+    if (n % look_every == 0 || n >= s.max_steps) {
+      form_force(s, u, f);
+      report.residual = std::sqrt(square_norm(s.bonds.grid, f)) / reference;
+      report.history.push_back(report.residual);
+      report.iterations = static_cast<int>(n);
+      report.converged = report.residual <= s.tolerance;
+      if (report.converged || n >= s.max_steps || !std::isfinite(report.residual)) return report;
+      if (!reporter.goes_on(report.iterations, report.residual)) {
+        report.stopped = true;
+        return report;
+      }
+      look(u, older, f);
+    }
+    step(u, older, f);
+    std::swap(u, older);
+  }
+}
+
+}  // namespace
+
+StaticReport damped_dynamics(const Dynamics& s, Field<double>& u) {
+  double stiffest = 0, softest = 0;
+  for (unsigned t = 1; t < 4; ++t) {
+    stiffest = std::max(stiffest, s.bonds.modulus(t));
+    softest = softest > 0 ? std::min(softest, s.bonds.modulus(t)) : s.bonds.modulus(t);
+  }
+  double row_sum = 0;  // of e_x^2/|e|^3 over the 28 bonds: no frequency exceeds sqrt(2 row_sum k/m)
+  for (const Offset e : half_bonds) row_sum += (e.x * e.x + e.y * e.y) / std::pow(length(e), 3);
+  const double dt = 0.9 * 2 / std::sqrt(2 * row_sum * stiffest), viscosity = 0.9 * std::sqrt(2 * softest);
+  const double half = viscosity * dt / 2, a = (1 - half) / (1 + half), b = dt * dt / (1 + half);
+  return step_to_rest(
+      s, u,
+      [&](Field<double>& now, Field<double>& older, Field<double>& f) {
+        if (!s.exact_stretch) {
+          kernels().stormer(s.bonds, s.prescribed.data(), plane(now), plane(older), a, b);
+          return;
+        }
+        form_force(s, now, f);
+        plain_step(s.bonds.grid, now, older, f, nullptr, a, b);
+      },
+      [](const Field<double>&, const Field<double>&, Field<double>&) {});
+}
+
+StaticReport adaptive_relaxation(const Dynamics& s, Field<double>& u) {
+  const auto diagonal = block_diagonal(s.bonds);
+  const auto inverse = inverse_diagonal(s.bonds, diagonal, s.prescribed);
+  const BlockPlane blocks = inverse.plane();
+  const Grid& grid = s.bonds.grid;
+  const double dt = 0.99 * std::sqrt(2.0);  // D^-1 A stays below 2, so no frequency exceeds sqrt(2)
+  double a = 1, b = dt * dt;
+  Field<double> velocity(grid.padded_size());
+  const auto look = [&](const Field<double>& now, const Field<double>& older, Field<double>& f) {
+    double kinetic = 0;
+    for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; ++i) {
+      velocity.x[i] = now.x[i] - older.x[i];
+      velocity.y[i] = now.y[i] - older.y[i];
+      kinetic += velocity.x[i] * (diagonal.xx[i] * velocity.x[i] + 2 * diagonal.xy[i] * velocity.y[i]) +
+                 diagonal.yy[i] * velocity.y[i] * velocity.y[i];
+    }
+    const double elastic = -kernels().force(s.bonds, s.prescribed.data(), plane(velocity), plane(f));
+    const double frequency = kinetic > 0 ? std::sqrt(std::max(0.0, elastic / kinetic)) : 0;
+    const double half = frequency * dt;  // critical damping c = 2 omega, times dt/2
+    a = (1 - half) / (1 + half);
+    b = dt * dt / (1 + half);
+  };
+  return step_to_rest(
+      s, u,
+      [&](Field<double>& now, Field<double>& older, Field<double>& f) {
+        if (!s.exact_stretch) {
+          kernels().relax(s.bonds, plane(now), plane(older), blocks, a, b);
+          return;
+        }
+        form_force(s, now, f);
+        plain_step(grid, now, older, f, &blocks, a, b);
+      },
+      look);
+}
+
+}  // namespace arenite::peridynamics

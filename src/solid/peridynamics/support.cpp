@@ -1,0 +1,131 @@
+#include "solid/peridynamics/support.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "core/joined_sets.hpp"
+#include "solid/peridynamics/kernels/kernels.hpp"
+
+namespace arenite::peridynamics {
+
+namespace {
+
+/// Piece of a node; the lower clamp counts as one piece more, the upper as another. -1 for void.
+struct Parts {
+  const Bonds& bonds;
+  const Pieces& pieces;
+  const std::vector<std::uint8_t>& prescribed;
+  int middle() const { return bonds.grid.height / 2; }
+  std::int32_t of(std::ptrdiff_t i, int y) const {
+    if (y < 0 || y >= bonds.grid.height || prescribed[static_cast<std::size_t>(y)] != both_prescribed)
+      return pieces.of_node[i];
+    return pieces.count() + (y > middle());
+  }
+};
+
+/// What each piece is tied to by itself, as bits of Tie. Joins in `sets` the pieces that hang together.
+std::vector<std::uint8_t> own_ties(const Bonds& bonds, const Pieces& pieces, const std::vector<std::uint8_t>& prescribed, JoinedSets& sets) {
+  const Grid& grid = bonds.grid;
+  const Parts parts{bonds, pieces, prescribed};
+  const std::int32_t below = pieces.count();
+  std::vector<std::uint8_t> ties(static_cast<std::size_t>(below), 0);
+  for (int y = 0; y < grid.height; ++y)
+    if (prescribed[static_cast<std::size_t>(y)] == y_prescribed)
+      for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i)
+        if (pieces.of_node[i] >= 0) ties[static_cast<std::size_t>(pieces.of_node[i])] |= 1;
+  // The clamps themselves never join parts: a part tied to both is known by its own ties.
+  const auto join = [&](std::int32_t a, std::int32_t b) {
+    if (a < below && b < below) sets.join(a, b);
+    else if (a < below) ties[static_cast<std::size_t>(a)] |= b == below ? 1 : 2;
+    else if (b < below) ties[static_cast<std::size_t>(b)] |= a == below ? 1 : 2;
+  };
+  for (int y = 0; y < grid.height; ++y)
+    for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) {
+      const std::uint32_t word = bonds.words[i];
+      if (!word) continue;
+      const std::int32_t own = parts.of(i, y);
+      // Where all bonds are whole and alike the nearest ones tell what hangs together.
+      const auto kind = bonds.group[static_cast<std::ptrdiff_t>(y) * grid.groups + (i - grid.row(y)) / Grid::lanes];
+      const bool inside = kind != Bonds::mixed;
+      for (int d = 0; d < (inside ? 4 : bonds_per_node); d += inside ? 3 : 1) {
+        if (!(word >> (2 * d) & 3u)) continue;
+        const std::int32_t other = parts.of(i + bonds.step(d), y + half_bonds[static_cast<unsigned>(d)].y);
+        if (other != own) join(own, other);
+      }
+    }
+  return ties;
+}
+
+/// Gives the pieces that hang together the ties of all of them, and counts.
+Support share_ties(const Pieces& pieces, JoinedSets& sets, std::vector<std::uint8_t>& ties) {
+  std::vector<std::uint8_t> whole(ties.size(), 0);
+  for (std::size_t p = 0; p < ties.size(); ++p) whole[static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(p)))] |= ties[p];
+  Support support;
+  for (std::size_t p = 0; p < ties.size(); ++p) {
+    const auto root = static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(p)));
+    ties[p] = whole[root];
+    support.islands += root == p && whole[root] == 0;
+    (whole[root] == 3   ? support.carrying
+     : whole[root] == 2 ? support.held_above
+     : whole[root] == 1 ? support.held_below
+                        : support.floating) += static_cast<std::size_t>(pieces.nodes[p]);
+  }
+  support.solid = support.carrying + support.held_above + support.held_below + support.floating;
+  return support;
+}
+
+/// Leaves only the pieces that are tied to both clamps.
+void keep_carrying(const Grid& grid, const std::vector<std::uint8_t>& ties, Pieces& pieces) {
+  std::vector<std::int32_t> number(ties.size(), Pieces::none);
+  Pieces kept;
+  for (std::size_t p = 0; p < ties.size(); ++p) {
+    if (ties[p] != 3) continue;
+    number[p] = kept.count();
+    kept.owner.push_back(pieces.owner[p]);
+    kept.cell_x.push_back(pieces.cell_x[p]);
+    kept.cell_y.push_back(pieces.cell_y[p]);
+    kept.nodes.push_back(pieces.nodes[p]);
+  }
+  for (int y = 0; y < grid.height; ++y)
+    for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i)
+      if (std::int32_t& p = pieces.of_node[i]; p >= 0) p = number[static_cast<std::size_t>(p)];
+  kept.of_node = std::move(pieces.of_node);
+  pieces = std::move(kept);
+}
+
+/// Leaves only bonds between nodes that carry, clamped ones among them.
+void cut_loose_bonds(Bonds& bonds, const std::vector<std::uint8_t>& prescribed, const Buffer<Tie>& tie) {
+  const Grid& grid = bonds.grid;
+  const auto carries = [&](std::ptrdiff_t i, int y) {
+    return y >= 0 && y < grid.height &&
+           (prescribed[static_cast<std::size_t>(y)] == both_prescribed || tie[i] == Tie::both);
+  };
+  for (int y = 0; y < grid.height; ++y)
+    for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) {
+      std::uint32_t& word = bonds.words[i];
+      if (!word) continue;
+      for (int d = 0; d < bonds_per_node; ++d)
+        if (!carries(i, y) || !carries(i + bonds.step(d), y + half_bonds[static_cast<unsigned>(d)].y))
+          word &= ~(3u << (2 * d));
+    }
+  classify_groups(bonds, 0, grid.height - 1);
+}
+
+}  // namespace
+
+Support prune(Bonds& bonds, Pieces& pieces, const std::vector<std::uint8_t>& prescribed, Buffer<Tie>& tie) {
+  const Grid& grid = bonds.grid;
+  JoinedSets sets(static_cast<std::size_t>(pieces.count()));
+  std::vector<std::uint8_t> ties = own_ties(bonds, pieces, prescribed, sets);
+  const Support support = share_ties(pieces, sets, ties);
+  tie = Buffer<Tie>(grid.padded_size());
+  for (int y = 0; y < grid.height; ++y)
+    for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i)
+      if (pieces.of_node[i] >= 0) tie[i] = static_cast<Tie>(ties[static_cast<std::size_t>(pieces.of_node[i])]);
+  if (support.carrying == support.solid) return support;
+  keep_carrying(grid, ties, pieces);
+  cut_loose_bonds(bonds, prescribed, tie);
+  return support;
+}
+
+}  // namespace arenite::peridynamics

@@ -1,0 +1,106 @@
+#include "solid/raster/cavity_statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "core/error.hpp"
+#include "solid/raster/volume_peak.hpp"
+
+namespace arenite::raster {
+namespace {
+
+/// Edges in nodes, half-way between whole numbers, each once.
+std::vector<double> edges_in_nodes(std::int64_t least, std::int64_t most, const BinRule& rule) {
+  const double low = rule.logarithmic ? static_cast<double>(least) - 0.5 : 0, high = static_cast<double>(most) + 0.5;
+  std::vector<double> edge{rule.logarithmic ? low : -0.5};
+  for (int k = 1; k < rule.bins; ++k) {
+    const double t = static_cast<double>(k) / rule.bins;
+    const double at = rule.logarithmic ? low * std::pow(high / low, t) : t * high;
+    const double half = std::floor(at) + 0.5;
+    if (half > edge.back() && half < high) edge.push_back(half);
+  }
+  edge.push_back(high);
+  return edge;
+}
+
+VolumeDensity density_of(const std::vector<std::int64_t>& nodes, double unit, const BinRule& rule) {
+  VolumeDensity pdf;
+  pdf.rule = rule;
+  if (nodes.empty()) return pdf;
+  const auto [least, most] = std::minmax_element(nodes.begin(), nodes.end());
+  const auto edge = edges_in_nodes(*least, *most, rule);
+  pdf.count.assign(edge.size() - 1, 0);
+  for (const auto n : nodes) {
+    const auto above = std::upper_bound(edge.begin(), edge.end(), static_cast<double>(n));
+    ++pdf.count[static_cast<std::size_t>(above - edge.begin()) - 1];
+  }
+  const double all = static_cast<double>(nodes.size());
+  for (const double e : edge) pdf.edge.push_back(std::max(0.0, e) * unit);
+  for (std::size_t k = 0; k < pdf.count.size(); ++k) {
+    const double n = static_cast<double>(pdf.count[k]), width = pdf.edge[k + 1] - pdf.edge[k];
+    pdf.density.push_back(n / (all * width));
+    pdf.error.push_back(std::sqrt(n * (1 - n / all)) / (all * width));
+  }
+  return pdf;
+}
+
+void add_moments(const std::vector<std::int64_t>& nodes, double unit, CavityStatistics& s) {
+  const double n = static_cast<double>(nodes.size());
+  if (nodes.empty()) return;
+  double sum = 0, m2 = 0, m3 = 0, m4 = 0;
+  for (const auto v : nodes) sum += static_cast<double>(v);
+  const double mean = sum / n;
+  for (const auto v : nodes) {
+    const double d = static_cast<double>(v) - mean;
+    m2 += d * d, m3 += d * d * d, m4 += d * d * d * d;
+  }
+  m2 /= n, m3 /= n, m4 /= n;
+  s.mean = mean * unit;
+  if (nodes.size() < 2 || m2 == 0) return;
+  const double deviation = std::sqrt(m2 * n / (n - 1));
+  s.deviation = deviation * unit;
+  s.cv = deviation / mean;
+  s.mean_error = s.deviation / std::sqrt(n);
+  // Variances of mean and deviation and their covariance to leading order in 1/n; cv by propagation.
+  const double variance_mean = m2 / n, variance_deviation = std::max(0.0, (m4 - m2 * m2) / (4 * m2 * n));
+  const double covariance = m3 / (2 * deviation * n);
+  s.deviation_error = std::sqrt(variance_deviation) * unit;
+  const double relative = variance_deviation / m2 + variance_mean / (mean * mean) - 2 * covariance / (deviation * mean);
+  s.cv_error = s.cv * std::sqrt(std::max(0.0, relative));
+}
+
+void add_ranks(const std::vector<std::int64_t>& nodes, double unit, CavityStatistics& s) {
+  if (nodes.size() < 2) return;
+  std::vector<double> volume;
+  for (const auto v : nodes) volume.push_back(static_cast<double>(v) * unit);
+  std::sort(volume.begin(), volume.end());
+  s.tenth = volume[volume.size() / 10];
+  s.median = volume[volume.size() / 2];
+  const double peak = density_peak(volume);
+  if (std::isfinite(peak)) s.peak = peak;
+}
+
+}  // namespace
+
+CavityStatistics cavity_statistics(const Cavities& cavities, double dx, double large_radius, const BinRule& bins) {
+  std::vector<Problem> problems;
+  if (!(dx > 0 && large_radius > 0) || !std::isfinite(dx) || !std::isfinite(large_radius))
+    problems.push_back({{}, 0, 0, fmt::format("volumes need a positive node spacing and mean large radius, not {:g} and {:g} m", dx,
+                                              large_radius)});
+  if (bins.bins < 1) problems.push_back({{}, 0, 0, fmt::format("{} bins hold nothing; give at least one", bins.bins)});
+  if (!problems.empty()) throw InputError(std::move(problems));
+  CavityStatistics s;
+  s.rules = cavities.rules;
+  s.count = cavities.nodes.size(), s.specks = cavities.specks, s.cut = cavities.cut;
+  const double unit = dx * dx / (std::numbers::pi * large_radius * large_radius);
+  add_moments(cavities.nodes, unit, s);
+  add_ranks(cavities.nodes, unit, s);
+  s.density = density_of(cavities.nodes, unit, bins);
+  return s;
+}
+
+}  // namespace arenite::raster

@@ -1,0 +1,40 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "solid/raster/cavities.hpp"
+
+namespace arenite::raster {
+
+struct BinRule {
+  bool logarithmic = true;           ///< bins of like width in the logarithm of the volume; otherwise from 0, like width
+  int bins = 30;                     ///< at most; edges lie half-way between whole numbers of nodes, so narrow ones merge
+  bool operator==(const BinRule&) const = default;
+};
+
+/// Probability density of the volumes; integrates to 1 over the bins.
+struct VolumeDensity {
+  BinRule rule;
+  std::vector<double> edge;          ///< one more than bins, rising
+  std::vector<std::size_t> count;
+  std::vector<double> density, error;///< standard error by counting: sqrt(k (1 - k/n))/(n width)
+};
+
+/// Volumes of single cavities over pi rbar_L^2 (P III, Figs. 6-8).
+struct CavityStatistics {
+  CavityRules rules;
+  std::size_t count = 0, specks = 0, cut = 0;
+  double mean = 0, deviation = 0, cv = 0;  ///< deviation with n - 1; 0 where fewer than two cavities count
+  /// Standard errors from the moments of the sample; those of deviation and cv hold for many cavities.
+  double mean_error = 0, deviation_error = 0, cv_error = 0;
+  double peak = 0;                   ///< where the density is highest (volume_peak.hpp)
+  double tenth = 0, median = 0;      ///< volumes that a tenth and half of the cavities stay below
+  VolumeDensity density;
+};
+
+/// `nodes` a cavity, of dx by dx, over pi large_radius^2. Throws InputError for a radius or spacing that is not positive, or
+/// no bins.
+CavityStatistics cavity_statistics(const Cavities& cavities, double dx, double large_radius, const BinRule& bins = {});
+
+}  // namespace arenite::raster

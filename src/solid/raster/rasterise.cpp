@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "geometry/union_area.hpp"
+#include "model/placed_cement.hpp"
+#include "solid/raster/joint_shape.hpp"
+#include "solid/raster/lattice.hpp"
+#include "solid/raster/raster.hpp"
+#include "solid/raster/thin_joints.hpp"
+
+namespace arenite::raster {
+namespace {
+
+/// Marks nodes of grains with their index among the placed ones.
+void draw_grains(const PlacedCement& placed, const Lattice& lattice, PhaseMap& map) {
+  const auto power = [](const PlacedCement::Grain& g, double x, double y) {
+    const double dx = x - g.centre.x, dy = y - g.centre.y;
+    return dx * dx + dy * dy - g.radius * g.radius;
+  };
+  for (std::size_t k = 0; k < placed.grains.size(); ++k) {
+    const auto& grain = placed.grains[k];
+    visit_disk(lattice, grain.centre, grain.radius, [&](int y, int x0, int x1) {
+      for (int x = x0; x <= x1; ++x) {
+        const std::size_t node = map.index(x, y);
+        const double u = lattice.at(x), v = lattice.at(y);
+        if (map.grain[node] >= 0 && power(placed.grains[map.grain[node]], u, v) <= power(grain, u, v)) continue;
+        map.grain[node] = static_cast<std::int32_t>(k);
+        map.phase[node] = Phase::particle;
+      }
+    });
+  }
+}
+
+/// From indices among the placed grains to labels of grains of the packing.
+void label_grains(const PlacedCement& placed, const std::vector<GrainClass>& class_of_grain, std::size_t grains,
+                  PhaseMap& map, RasterReport& report) {
+  std::vector<std::int32_t> label(grains, -1);
+  for (const auto k : map.grain)
+    if (k >= 0) label[placed.grains[k].grain] = 0;
+  for (std::size_t g = 0; g < grains; ++g) {
+    if (label[g] < 0) continue;
+    label[g] = static_cast<std::int32_t>(report.grain_of_label.size());
+    report.grain_of_label.push_back(static_cast<std::int32_t>(g));
+    map.grain_class.push_back(class_of_grain.empty() ? GrainClass::none : class_of_grain[g]);
+  }
+  for (auto& k : map.grain)
+    if (k >= 0) k = label[placed.grains[k].grain];
+}
+
+int draw_joint(const JointShape& shape, const Lattice& lattice, PhaseMap& map) {
+  int nodes = 0;
+  const auto hull = shape.hull();
+  visit_polygon(lattice, hull.corner, hull.count, [&](int y, int x0, int x1) {
+    const double v = lattice.at(y);
+    for (int x = x0; x <= x1; ++x) {
+      Phase& phase = map.phase[map.index(x, y)];
+      if (phase == Phase::particle || !shape.contains({lattice.at(x), v})) continue;
+      phase = Phase::matrix;
+      ++nodes;
+    }
+  });
+  return nodes;
+}
+
+void draw_matrix(const PlacedCement& placed, const Lattice& lattice, PhaseMap& map, RasterReport& report) {
+  if (placed.full)
+    for (auto& phase : map.phase) phase = phase == Phase::empty ? Phase::matrix : phase;
+  if (placed.coating > 0)
+    for (const auto& grain : placed.grains)
+      visit_disk(lattice, grain.centre, grain.radius + placed.coating, [&](int y, int x0, int x1) {
+        for (std::size_t node = map.index(x0, y); node <= map.index(x1, y); ++node)
+          if (map.phase[node] == Phase::empty) map.phase[node] = Phase::matrix;
+      });
+  for (const auto& bridge : placed.bridges) {
+    const JointShape shape = JointShape::bridge(bridge);
+    if (shape.length() > 0) note_joint(lattice, shape, draw_joint(shape, lattice, map), report);
+  }
+  for (const auto& meniscus : placed.menisci)
+    if (const auto shape = JointShape::meniscus(meniscus))
+      note_joint(lattice, *shape, draw_joint(*shape, lattice, map), report);
+}
+
+void measure_areas(const PlacedCement& placed, const PhaseMap& map, RasterReport& report) {
+  std::size_t particle = 0, matrix = 0;
+  for (const Phase p : map.phase) particle += p == Phase::particle, matrix += p == Phase::matrix;
+  report.particle_area = static_cast<double>(particle) * report.dx * report.dx;
+  report.matrix_area = static_cast<double>(matrix) * report.dx * report.dx;
+  auto outlines = grain_outlines(placed);
+  report.exact_particle_area = geometry::union_area(outlines, placed.window);
+  const auto bare = matrix_outlines(placed);
+  outlines.insert(outlines.end(), bare.begin(), bare.end());
+  const double solid = placed.full    ? report.window.area()
+                       : bare.empty() ? report.exact_particle_area
+                                      : geometry::union_area(outlines, placed.window);
+  report.exact_matrix_area = std::max(0.0, solid - report.exact_particle_area);
+  const auto error = [](double counted, double exact) { return exact > 0 ? counted / exact - 1 : 0; };
+  report.particle_area_error = error(report.particle_area, report.exact_particle_area);
+  report.matrix_area_error = error(report.matrix_area, report.exact_matrix_area);
+}
+
+int nodes_across_smallest(const PlacedCement& placed, const Lattice& lattice) {
+  const double half = 0.5 * lattice.n * lattice.dx;
+  const PlacedCement::Grain* smallest = nullptr;
+  for (const auto& g : placed.grains) {
+    const bool whole = std::abs(g.centre.x) + g.radius <= half && std::abs(g.centre.y) + g.radius <= half;
+    if (whole && (!smallest || g.radius < smallest->radius)) smallest = &g;
+  }
+  int most = 0;
+  if (smallest)
+    visit_disk(lattice, smallest->centre, smallest->radius, [&](int, int x0, int x1) { most = std::max(most, x1 - x0 + 1); });
+  return most;
+}
+
+}  // namespace
+
+PhaseMap rasterise(const Packing& packing, const Cement& cement, const RasterParameters& parameters,
+                   const std::vector<GrainClass>& class_of_grain, RasterReport& report) {
+  std::vector<Problem> problems;
+  if (parameters.nodes < 1 || parameters.nodes > 32768)
+    problems.push_back({{}, 0, 0, fmt::format("a raster of {} nodes a side is out of range; give 1 to 32768", parameters.nodes)});
+  if (!class_of_grain.empty() && class_of_grain.size() != packing.grains.size())
+    problems.push_back({{}, 0, 0, fmt::format("{} grains have {} size classes; give one a grain, or none",
+                                              packing.grains.size(), class_of_grain.size())});
+  if (!problems.empty()) throw InputError(std::move(problems));
+  report = {};
+  report.window = crop_window(packing, parameters.crop);
+  const int n = static_cast<int>(parameters.nodes);
+  report.dx = report.window.width() / n;
+  const PlacedCement placed = place(packing, cement, report.window);
+  const Lattice lattice{n, report.dx};
+  PhaseMap map = make_phase_map(n, n, report.dx);
+  draw_grains(placed, lattice, map);
+  label_grains(placed, class_of_grain, packing.grains.size(), map, report);
+  draw_matrix(placed, lattice, map, report);
+  measure_areas(placed, map, report);
+  report.smallest_grain = nodes_across_smallest(placed, lattice);
+  return map;
+}
+
+}  // namespace arenite::raster

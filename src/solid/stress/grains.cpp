@@ -1,0 +1,133 @@
+#include "solid/stress/grains.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "core/error.hpp"
+#include "statistics/correlation.hpp"
+#include "statistics/jackknife.hpp"
+
+namespace arenite::stress {
+namespace {
+
+using Items = statistics::Items;
+
+/// Named sets of those grains that `wanted` holds for: "all", and "large", "small" where the map has both or one.
+template <class Wanted>
+ByName<Items> grains_by_class(const PhaseMap& map, Wanted&& wanted) {
+  ByName<Items> sets{{"all", {}}, {"large", {}}, {"small", {}}};
+  for (std::size_t g = 0; g < map.grain_class.size(); ++g) {
+    if (!wanted(g)) continue;
+    sets[0].second.push_back(g);
+    if (map.grain_class[g] != GrainClass::none) sets[map.grain_class[g] == GrainClass::large ? 1 : 2].second.push_back(g);
+  }
+  std::erase_if(sets, [](const auto& set) { return set.second.empty(); });
+  return sets;
+}
+
+std::vector<int> blocks_of(const PhaseMap& map, const GrainStresses& grains, int blocks) {
+  const auto along = [&](double at, int nodes) {
+    return std::clamp(static_cast<int>(at / (nodes * map.dx) * blocks), 0, blocks - 1);
+  };
+  std::vector<int> result;
+  for (const Vec2 c : grains.centre) result.push_back(along(c.y, map.height) * blocks + along(c.x, map.width));
+  return result;
+}
+
+Tensor2 tensor(const std::vector<Estimate>& e, double Estimate::*part) {
+  return {e[0].*part, e[1].*part, e[2].*part, e[3].*part};
+}
+
+TensorEstimate mean_tensor(const Items& items, const std::vector<int>& block_of, const std::vector<Tensor2>& stress) {
+  const auto add = [&](std::size_t g, double* sums) {
+    const Tensor2& t = stress[g];
+    const double terms[5] = {1, t.xx, t.xy, t.yx, t.yy};
+    for (int k = 0; k < 5; ++k) sums[k] += terms[k];
+  };
+  const auto mean = [](const std::vector<double>& s) {
+    return std::vector<double>{s[1] / s[0], s[2] / s[0], s[3] / s[0], s[4] / s[0]};
+  };
+  const auto e = statistics::jackknife_of_sums(items, block_of, 5, add, mean);
+  return {tensor(e, &Estimate::value), tensor(e, &Estimate::error)};
+}
+
+/// Both over their means; unknown where one of them is zero.
+Agreement agreement(std::vector<double> field, std::vector<double> contacts) {
+  Agreement result;
+  result.grains = field.size();
+  const auto over_mean = [](std::vector<double>& v) {
+    double mean = 0;
+    for (const double x : v) mean += x / static_cast<double>(v.size());
+    for (double& x : v) x /= mean;
+    return mean != 0;
+  };
+  if (field.size() < 3 || !over_mean(field) || !over_mean(contacts)) return result;
+  const statistics::Relation relation = statistics::relate(contacts, field);
+  result.correlation = relation.pearson;
+  result.slope = {relation.line.slope, relation.line.slope_error};
+  double squares = 0;
+  for (std::size_t k = 0; k < field.size(); ++k) squares += (field[k] - contacts[k]) * (field[k] - contacts[k]);
+  result.rms = std::sqrt(squares / static_cast<double>(field.size()));
+  return result;
+}
+
+}  // namespace
+
+GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int clamp_rows, int blocks) {
+  const std::size_t n = map.grain_class.size();
+  const int margin = std::max(1, clamp_rows);
+  GrainStresses grains{std::vector<std::int64_t>(n, 0), std::vector<std::uint8_t>(n, 1), std::vector<Vec2>(n), std::vector<Tensor2>(n), {}};
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x) {
+      const std::size_t i = map.index(x, y);
+      if (map.grain[i] < 0) continue;
+      const auto g = static_cast<std::size_t>(map.grain[i]);
+      ++grains.nodes[g];
+      grains.centre[g] += {x + 0.5, y + 0.5};
+      grains.stress[g] += {field.xx[i], field.xy[i], field.xy[i], field.yy[i]};
+      if (x == 0 || x == map.width - 1 || y < margin || y >= map.height - margin) grains.whole[g] = 0;
+    }
+  for (std::size_t g = 0; g < n; ++g) {
+    if (grains.nodes[g] == 0) {
+      grains.whole[g] = 0;
+      continue;
+    }
+    const double share = 1 / static_cast<double>(grains.nodes[g]);
+    grains.centre[g] = share * map.dx * grains.centre[g];
+    grains.stress[g] = share * grains.stress[g];
+  }
+  const auto block_of = blocks_of(map, grains, blocks);
+  for (const auto& [name, items] : grains_by_class(map, [&](std::size_t g) { return grains.whole[g] != 0; }))
+    grains.mean.emplace_back(name, mean_tensor(items, block_of, grains.stress));
+  return grains;
+}
+
+GrainComparison compare(const PhaseMap& map, const GrainStresses& grains, const std::vector<Tensor2>& contact_stress) {
+  if (contact_stress.size() != map.grain_class.size() || grains.stress.size() != map.grain_class.size())
+    throw InputError(fmt::format("{} grains have a contact stress, {} a mean stress, and the phase map has {}; all three must be of the same packing",
+                                 contact_stress.size(), grains.stress.size(), map.grain_class.size()));
+  const auto known = [&](std::size_t g) {
+    const Tensor2& t = contact_stress[g];
+    const double size = std::abs(t.xx) + std::abs(t.yy) + std::abs(t.xy) + std::abs(t.yx);
+    return grains.whole[g] != 0 && std::isfinite(size) && size > 0;
+  };
+  GrainComparison result;
+  for (const auto& [name, items] : grains_by_class(map, known)) {
+    std::array<std::vector<double>, 4> v;
+    for (const std::size_t g : items) {
+      v[0].push_back(grains.stress[g].yy);
+      v[1].push_back(contact_stress[g].yy);
+      v[2].push_back(0.5 * trace(grains.stress[g]));
+      v[3].push_back(0.5 * trace(contact_stress[g]));
+    }
+    result.yy.emplace_back(name, agreement(v[0], v[1]));
+    result.hydrostatic.emplace_back(name, agreement(v[2], v[3]));
+  }
+  return result;
+}
+
+}  // namespace arenite::stress

@@ -1,0 +1,185 @@
+#include "solid/stress/set_statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "statistics/jackknife.hpp"
+
+namespace arenite::stress {
+namespace {
+
+using statistics::BlockCounts;
+using statistics::BlockedSample;
+using statistics::Counts;
+
+constexpr std::array<std::pair<const char*, double>, 11> quantile_shares{{{"0.01 %", 1e-4}, {"0.1 %", 1e-3}, {"1 %", 0.01},
+  {"5 %", 0.05}, {"25 %", 0.25}, {"50 %", 0.5}, {"75 %", 0.75}, {"95 %", 0.95}, {"99 %", 0.99}, {"99.9 %", 0.999}, {"99.99 %", 0.9999}}};
+
+/// Sums of powers of d = x - shift.
+struct Powers {
+  double n = 0, d1 = 0, d2 = 0, d3 = 0, d4 = 0;
+
+  Powers& operator+=(const Powers& b) { return n += b.n, d1 += b.d1, d2 += b.d2, d3 += b.d3, d4 += b.d4, *this; }
+  Powers operator-(const Powers& b) const { return {n - b.n, d1 - b.d1, d2 - b.d2, d3 - b.d3, d4 - b.d4}; }
+};
+
+struct Moments {
+  double mean = 0, variance = 0, skewness = unknown, excess_kurtosis = unknown;
+};
+
+Moments moments_of(const Powers& p, double shift) {
+  const double a = p.d1 / p.n, m2 = p.d2 / p.n - a * a;
+  Moments m{shift + a, std::max(0.0, m2), unknown, unknown};
+  if (m2 <= 1e-20 * m.mean * m.mean) return {shift + a, 0, unknown, unknown};
+  const double m3 = p.d3 / p.n - 3 * a * p.d2 / p.n + 2 * a * a * a;
+  const double m4 = p.d4 / p.n - 4 * a * p.d3 / p.n + 6 * a * a * p.d2 / p.n - 3 * a * a * a * a;
+  m.skewness = m3 / (m2 * std::sqrt(m2));
+  m.excess_kurtosis = m4 / (m2 * m2) - 3;
+  return m;
+}
+
+double mean_of(const BlockedSample& sample) {
+  double sum = 0;
+  for (const double x : sample.x) sum += x;
+  return sum / static_cast<double>(sample.x.size());
+}
+
+std::vector<Powers> powers_by_block(const BlockedSample& sample, double shift) {
+  std::vector<Powers> powers(static_cast<std::size_t>(sample.blocks));
+  for (std::size_t i = 0; i < sample.x.size(); ++i) {
+    const double d = sample.x[i] - shift, d2 = d * d;
+    powers[sample.block[i]] += {1, d, d2, d2 * d, d2 * d2};
+  }
+  return powers;
+}
+
+/// Everything below is in units of `unit`: the set's own mean, or what stands in for it.
+struct Scaled {
+  BlockedSample& x;
+  double unit = 1, centre = 1;           ///< Pa; mean of x
+  std::vector<Powers> powers;            ///< of x - centre, by block
+  Powers all;
+  std::vector<double> unit_without;      ///< the unit without each block over the unit
+};
+
+Scaled scale(BlockedSample& sigma, const Normaliser& normaliser) {
+  const double mean = mean_of(sigma), unit = normaliser.over_mean ? mean : normaliser.value;
+  for (double& x : sigma.x) x /= unit;
+  Scaled s{sigma, unit, mean_of(sigma), {}, {}, {}};
+  s.powers = powers_by_block(sigma, s.centre);
+  for (const Powers& p : s.powers) s.all += p;
+  for (std::size_t b = 0; b < s.powers.size(); ++b) {
+    const Powers rest = s.all - s.powers[b];
+    s.unit_without.push_back(normaliser.over_mean ? (rest.n > 0 ? s.centre + rest.d1 / rest.n : unknown) : normaliser.without[b] / unit);
+  }
+  return s;
+}
+
+/// The statistics in the order of `store`; `unit` in units of Scaled::unit, `sample` in Pa.
+std::vector<double> values_of(const Scaled& s, const Powers& powers, double unit, double sample) {
+  const Moments m = moments_of(powers, s.centre);
+  const double mean = m.mean * s.unit, variance = m.variance * s.unit * s.unit;
+  return {mean, mean / sample, variance / (sample * sample), m.variance / (unit * unit), m.skewness, m.excess_kurtosis};
+}
+
+void describe_moments(const Scaled& s, const Normaliser& normaliser, Distribution& d) {
+  const std::vector<double> values = values_of(s, s.all, 1, normaliser.value);
+  std::vector<std::vector<double>> replicates;
+  for (std::size_t b = 0; b < s.powers.size(); ++b)
+    if (const Powers rest = s.all - s.powers[b]; rest.n > 0)
+      replicates.push_back(values_of(s, rest, s.unit_without[b], normaliser.without[b]));
+  const auto e = statistics::with_errors(values, replicates);
+  d.mean = e[0];
+  d.relative_mean = e[1];
+  d.variance = e[2];
+  d.own_variance = e[3];
+  d.skewness = e[4];
+  d.excess_kurtosis = e[5];
+}
+
+/// Rounding must not put the nodes of a uniform stress above their mean.
+double share_beyond(const std::vector<double>& x, double threshold) {
+  double above = 0;
+  const double limit = threshold + 1e-12 * std::abs(threshold);
+  for (const double v : x) above += v > limit;
+  return above / static_cast<double>(x.size());
+}
+
+/// Shares and quantiles by rank; their errors from the counts, straight within a bin.
+void describe_ranks(const Scaled& s, const BlockCounts& counts, const std::vector<double>& quantiles, const Normaliser& normaliser, Distribution& d) {
+  const double r = s.unit / normaliser.value;  // from units of the set to those of the sample
+  std::vector<double> values{share_beyond(s.x.x, s.centre), share_beyond(s.x.x, 1 / r)};
+  for (const double q : quantiles) values.push_back(q * r);
+  std::vector<std::vector<double>> replicates;
+  for (std::size_t b = 0; b < s.powers.size() && counts.bins.count > 0; ++b) {
+    const Counts rest = counts.without(b);
+    const Powers powers = s.all - s.powers[b];
+    if (!(powers.n > 0)) continue;
+    const double sample = normaliser.without[b] / s.unit;
+    std::vector<double> row{statistics::share_above(counts.bins, rest, s.centre + powers.d1 / powers.n), statistics::share_above(counts.bins, rest, sample)};
+    for (const auto& [name, p] : quantile_shares) row.push_back(statistics::quantile(counts.bins, rest, p) / sample);
+    replicates.push_back(std::move(row));
+  }
+  const auto e = statistics::with_errors(values, replicates);
+  d.share_above = e[0];
+  d.share_above_all = e[1];
+  for (std::size_t k = 0; k < quantile_shares.size(); ++k) d.quantiles.emplace_back(quantile_shares[k].first, e[k + 2]);
+}
+
+Curve rescaled(Curve curve, double r) {
+  for (double& x : curve.x) x *= r;
+  for (double& y : curve.y) y /= r;
+  for (double& e : curve.error) e /= r;
+  return curve;
+}
+
+}  // namespace
+
+bool near_zero(double mean, double mean_square) { return mean * mean <= 0.01 * mean_square; }
+
+Distribution describe(const std::string& name, BlockedSample& sigma, const Normaliser& normaliser, std::vector<std::string>& notes) {
+  Distribution d;
+  d.count = sigma.x.size();
+  double square = 0;
+  const double mean = mean_of(sigma);
+  for (const double v : sigma.x) square += v * v / static_cast<double>(d.count);
+  const bool opposite = mean * normaliser.value < 0, own = normaliser.over_mean && !opposite && !near_zero(mean, square);
+  if (normaliser.over_mean && !own)
+    notes.push_back(fmt::format("the mean of {} is {}: nothing is given over it", name,
+                                opposite ? "of the other sign than the sample's" : "near zero, below a tenth of its root mean square"));
+  Normaliser by = normaliser;
+  const Scaled s = scale(sigma, own ? normaliser : (by.over_mean = false, by));
+  describe_moments(s, normaliser, d);
+  std::vector<double> shares;
+  for (const auto& [text, p] : quantile_shares) shares.push_back(p);
+  const std::vector<double> quantiles = statistics::exact_quantiles(sigma.x, shares);
+  const auto [low, high] = std::minmax_element(sigma.x.begin(), sigma.x.end());
+  const double r = s.unit / normaliser.value;
+  d.minimum = std::min(*low * r, *high * r);
+  d.maximum = std::max(*low * r, *high * r);
+  const statistics::Spread spread{*low, quantiles.front(), quantiles[4], quantiles[6], quantiles.back(), *high};
+  const BlockCounts counts = statistics::count(sigma, statistics::pdf_bins(d.count, spread));
+  describe_ranks(s, counts, quantiles, normaliser, d);
+  if (counts.bins.count == 0) {
+    notes.push_back(fmt::format("{} is the same in every node: it has no distribution", name));
+    return d;
+  }
+  d.even_pdf = statistics::even_density(sigma.x, r);
+  const Curve pdf = statistics::pdf(counts);
+  d.pdf = rescaled(pdf, std::abs(r));
+  if (!own) {
+    d.own_variance = {};
+    return d;
+  }
+  d.own_pdf = pdf;
+  d.own_even_pdf = statistics::even_density(sigma.x, 1);
+  d.peak = statistics::peak_of(counts.bins, counts.all);
+  d.tail = statistics::fit_tail(sigma, counts, s.unit_without);
+  d.q_gaussian = statistics::fit_q_gaussian(counts, s.unit_without);
+  return d;
+}
+
+}  // namespace arenite::stress

@@ -1,0 +1,79 @@
+#include "thermal/camera/detector.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/random.hpp"
+
+namespace arenite::camera {
+namespace {
+
+enum class Defect { none, dead, hot, noisy };
+
+Defect defect_of(RandomStream& random, double share) {
+  if (random.uniform() >= share) return Defect::none;
+  return std::array{Defect::dead, Defect::hot, Defect::noisy}[random.below(3)];
+}
+
+}  // namespace
+
+double Surroundings::warmer(double time) const {
+  return drift * time + 0.5 * drift_growth * time * time - warm_up * std::expm1(-time / warm_up_time);
+}
+
+Detection::Detection(const Parameters& p, std::uint64_t seed)
+    : noise_(static_cast<std::size_t>(p.optics.width * p.optics.height), p.detector.noise_correlation), interference_(p.interference),
+      width_(static_cast<std::size_t>(p.optics.width)) {
+  const auto& d = p.detector;
+  highest_ = static_cast<float>((1 << d.bits) - 1);
+  light_per_kelvin_ = radiometry::photon_exitance_slope(p.band, 296) / radiometry::photon_exitance(p.band, 296);
+  const double total = d.netd * light_per_kelvin_;
+  shot_ = d.netd > 0 ? std::min(1 / d.electrons, total * total) : 0;
+  read_ = total * total - shot_;
+  common_ = d.common_noise * light_per_kelvin_;
+  const double levels = highest_ * d.electrons / d.full_well;
+  RandomStream random(seed, Purpose::detector);
+  const auto pixels = static_cast<std::size_t>(p.optics.width * p.optics.height);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    Pixel pixel{static_cast<float>(levels * (1 + d.gain_spread * random.normal())),
+                static_cast<float>(highest_ * d.offset_spread * random.normal()), 1};
+    switch (defect_of(random, d.bad_share)) {
+      case Defect::none: break;
+      case Defect::dead: pixel.gain *= 0.02f; break;
+      case Defect::hot: pixel.offset += 1.5f * highest_; break;
+      case Defect::noisy: pixel.noise = 12; break;
+    }
+    pixel_.push_back(pixel);
+  }
+}
+
+void Detection::record(const std::vector<float>& light, double warmer, double time, std::uint64_t seed, std::uint64_t frame, std::uint16_t* level) {
+  const std::vector<float>& normal = noise_.of(seed, frame);
+  const float drift = static_cast<float>(1 + warmer * light_per_kelvin_);
+  const auto shot = static_cast<float>(shot_), read = static_cast<float>(read_), common = static_cast<float>(common_) * normal[light.size()];
+  float more = common;
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    if (i % width_ == 0 && interference_.amplitude > 0) {
+      const double cycles = interference_.frequency * time + interference_.advance * static_cast<double>(i / width_);
+      more = common + static_cast<float>(interference_.amplitude * light_per_kelvin_ * std::cos(2 * std::numbers::pi * cycles));
+    }
+    const Pixel& pixel = pixel_[i];
+    const float seen = light[i] * drift + more;
+    const float noisy = seen + pixel.noise * std::sqrt(shot * std::max(seen, 0.0f) + read) * normal[i];
+    level[i] = static_cast<std::uint16_t>(std::lround(std::clamp(pixel.gain * noisy + pixel.offset, 0.0f, highest_)));
+  }
+}
+
+std::vector<std::int64_t> frames_taken(const Timing& timing, std::uint64_t seed) {
+  std::vector<std::int64_t> taken;
+  RandomStream random(seed, Purpose::dropped_frames);
+  for (std::int64_t k = 0; k < timing.frames; ++k) {
+    const bool dropped = random.uniform() < timing.dropped;
+    if (!dropped || k == 0 || k == timing.frames - 1) taken.push_back(k);
+  }
+  return taken;
+}
+
+}  // namespace arenite::camera

@@ -1,0 +1,184 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "thermal/camera/camera.hpp"
+#include "thermal/camera/patch.hpp"
+#include "core/error.hpp"
+#include "core/random.hpp"
+#include "thermal/imaging/lens.hpp"
+
+namespace arenite::camera {
+namespace {
+
+constexpr double reference_temperature = 296;
+
+/// N(T0 + theta) near T0 by its Taylor polynomial: theta is below a kelvin or so.
+struct Exitance {
+  double value, slope, half_curvature;
+  double operator()(double theta) const { return value + theta * (slope + theta * half_curvature); }
+};
+
+Exitance exitance_near(const Parameters& p, double emissivity) {
+  const auto& around = p.surroundings;
+  const double unit = radiometry::photon_exitance(p.band, reference_temperature);
+  const double slope = radiometry::photon_exitance_slope(p.band, reference_temperature) / unit;
+  if (!around.radiometry) return {1 + slope * (around.temperature - reference_temperature), slope, 0};
+  const double t = around.temperature, h = 0.01;
+  const auto slope_at = [&](double at) { return radiometry::photon_exitance_slope(p.band, at); };
+  const double mirrored = (1 - emissivity) * radiometry::photon_exitance(p.band, around.ambient);
+  return {(emissivity * radiometry::photon_exitance(p.band, t) + mirrored) / unit, emissivity * slope_at(t) / unit,
+          emissivity * (slope_at(t + h) - slope_at(t - h)) / (4 * h) / unit};
+}
+
+/// Points of the scene on a grid finer than the pixels, row by row from the top.
+struct Canvas {
+  int width, height;
+  double step, left, top;           ///< of the first point, m
+  std::vector<float> light;
+  std::vector<float> depth;         ///< of the point in the grain that is seen there, m^2: power distance, below 0
+  double x(int c) const { return left + c * step; }
+  double y(int r) const { return top - r * step; }
+};
+
+Vec2 middle_of(const Scene& scene) {
+  const auto& wall = scene.low.wall;
+  return {0.5 * (wall[left].position + wall[right].position), 0.5 * (wall[bottom].position + wall[top].position)};
+}
+
+/// The canvas reaches beyond the picture by what the lens brings in.
+Canvas canvas_for(const Scene& scene, const Optics& optics, int margin) {
+  const int n = static_cast<int>(optics.supersampling);
+  const double points = static_cast<double>(optics.width) * static_cast<double>(optics.height) * n * n;
+  if (points > most_points)
+    throw InputError(fmt::format("a picture of {} x {} pixels with {} x {} points each is too large, {:.2g} points; lower camera.width, height or "
+                                 "supersampling, or raise optical_pixel", optics.width, optics.height, n, n, points));
+  Canvas canvas{static_cast<int>(optics.width) * n + 2 * margin, static_cast<int>(optics.height) * n + 2 * margin, optics.pixel / n, 0, 0, {}, {}};
+  const Vec2 middle = middle_of(scene);
+  canvas.left = middle.x - 0.5 * (canvas.width - 1) * canvas.step;
+  canvas.top = middle.y + 0.5 * (canvas.height - 1) * canvas.step;
+  canvas.light.resize(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height));
+  canvas.depth.assign(canvas.light.size(), 0.0f);
+  return canvas;
+}
+
+/// How a camera lies before the sample: it sees a place of the scene turned about the frame's middle, and shifted.
+struct View {
+  Vec2 middle, shift;
+  double cosine = 1, sine = 0;
+  Vec2 seen(Vec2 p) const {
+    const Vec2 d = p - middle;
+    return middle + shift + Vec2{cosine * d.x - sine * d.y, sine * d.x + cosine * d.y};
+  }
+  Vec2 place(Vec2 p) const {
+    const Vec2 d = p - middle - shift;
+    return middle + Vec2{cosine * d.x + sine * d.y, cosine * d.y - sine * d.x};
+  }
+};
+
+void paint_frame(Canvas& canvas, const Scene& scene, const View& view, double s, float background, float frame) {
+  double edge[4];
+  for (int side = 0; side < 4; ++side)
+    edge[side] = scene.low.wall[side].position + s * (scene.high.wall[side].position - scene.low.wall[side].position);
+  for (int r = 0; r < canvas.height; ++r) {
+    float* row = canvas.light.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(canvas.width);
+    for (int c = 0; c < canvas.width; ++c) {
+      const Vec2 p = view.place({canvas.x(c), canvas.y(r)});
+      const bool inside = p.x > edge[left] && p.x < edge[right] && p.y > edge[bottom] && p.y < edge[top];
+      row[c] = inside ? background : frame;
+    }
+  }
+}
+
+/// Calls paint(point of the canvas, offset from the centre) for every point in the disk. Grains that press on each other are
+/// parted by a straight line: a point in both belongs to the one whose rim is further away.
+template <class Paint>
+void each_point(Canvas& canvas, Vec2 centre, double radius, Paint paint) {
+  const auto clamped = [](double v, int n) { return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(n))); };
+  const int r0 = clamped(std::ceil((canvas.top - centre.y - radius) / canvas.step), canvas.height);
+  const int r1 = clamped(std::floor((canvas.top - centre.y + radius) / canvas.step) + 1, canvas.height);
+  for (int r = r0; r < r1; ++r) {
+    const double dy = canvas.y(r) - centre.y;
+    const double half = std::sqrt(std::max(0.0, radius * radius - dy * dy));
+    const int c0 = clamped(std::ceil((centre.x - half - canvas.left) / canvas.step), canvas.width);
+    const int c1 = clamped(std::floor((centre.x + half - canvas.left) / canvas.step) + 1, canvas.width);
+    for (int c = c0; c < c1; ++c) {
+      const auto at = static_cast<std::size_t>(r) * static_cast<std::size_t>(canvas.width) + static_cast<std::size_t>(c);
+      const double dx = canvas.x(c) - centre.x;
+      const auto power = static_cast<float>(dx * dx + dy * dy - radius * radius);
+      if (power >= canvas.depth[at]) continue;
+      canvas.depth[at] = power;
+      paint(at, dx, dy);
+    }
+  }
+}
+
+Vec2 place_of(const Scene& scene, const Parameters& p, std::size_t i, double s) {
+  return p.motion ? scene.grains.centre(i) + s * scene.travel[i] : scene.grains.centre(i);
+}
+
+imaging::Lens lens_of(const Optics& optics) { return imaging::make_lens(optics.blur, static_cast<int>(optics.supersampling), 5); }
+
+void darken_corners(std::vector<float>& picture, const Optics& optics) {
+  if (optics.vignetting <= 0) return;
+  const double cx = 0.5 * (static_cast<double>(optics.width) - 1), cy = 0.5 * (static_cast<double>(optics.height) - 1);
+  for (std::size_t i = 0; i < picture.size(); ++i) {
+    const auto w = static_cast<std::size_t>(optics.width);
+    const double dx = static_cast<double>(i % w) - cx, dy = static_cast<double>(i / w) - cy;
+    picture[i] *= static_cast<float>(1 - optics.vignetting * (dx * dx + dy * dy) / (cx * cx + cy * cy));
+  }
+}
+
+}  // namespace
+
+std::vector<float> expose(const Scene& scene, const Parameters& p, double s) {
+  const imaging::Lens lens = lens_of(p.optics);
+  Canvas canvas = canvas_for(scene, p.optics, lens.margin);
+  const auto& around = p.surroundings;
+  paint_frame(canvas, scene, {middle_of(scene), {}}, p.motion ? s : 0, static_cast<float>(exitance_near(p, around.background_emissivity)(0)),
+              static_cast<float>(exitance_near(p, around.frame_emissivity)(0)));
+  std::vector<Exitance> exitance;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m)
+    exitance.push_back(exitance_near(p, m < around.emissivity.size() ? around.emissivity[m] : 0.9));
+  for (std::size_t i = 0; i < scene.grains.size(); ++i) {
+    const auto m = static_cast<std::size_t>(scene.grains.material[i]);
+    const double warming = -scene.materials[m].thermoelastic_factor * s;
+    each_point(canvas, place_of(scene, p, i, s), scene.grains.radius[i], [&](std::size_t at, double x, double y) {
+      canvas.light[at] = static_cast<float>(exitance[m](warming * static_cast<double>(scene.swing[i].at(x, y))));
+    });
+  }
+  auto picture = imaging::through_lens(lens, canvas.light, static_cast<int>(p.optics.width), static_cast<int>(p.optics.height));
+  darken_corners(picture, p.optics);
+  return picture;
+}
+
+FloatImage optical_picture(const Scene& scene, const Parameters& p, const std::vector<double>& brightness, std::uint64_t seed) {
+  const Photograph& photograph = p.photograph;
+  const auto as_far = [&](std::int64_t pixels) {
+    const double many = static_cast<double>(pixels) * p.optics.pixel / photograph.pixel;
+    if (!(many >= 1 && many <= 1e5))
+      throw InputError(fmt::format("an ordinary camera's picture of {} pixels of {:g} mm would have {:.3g} of {:g} mm; choose another optical_pixel", pixels,
+                                   1e3 * p.optics.pixel, many, 1e3 * photograph.pixel));
+    return std::llround(many);
+  };
+  const Optics optics{as_far(p.optics.width), as_far(p.optics.height), photograph.pixel, photograph.blur, 0, 4};
+  const imaging::Lens lens = lens_of(optics);
+  Canvas canvas = canvas_for(scene, optics, lens.margin);
+  const View view{middle_of(scene), photograph.shift, std::cos(photograph.rotation), std::sin(photograph.rotation)};
+  paint_frame(canvas, scene, view, 0, 0.5f, 0.35f);
+  for (std::size_t i = 0; i < scene.grains.size(); ++i) {
+    const auto grey = static_cast<float>(brightness[static_cast<std::size_t>(scene.grains.material[i])]);
+    each_point(canvas, view.seen(scene.grains.centre(i)), scene.grains.radius[i], [&](std::size_t at, double, double) { canvas.light[at] = grey; });
+  }
+  const int width = static_cast<int>(optics.width), height = static_cast<int>(optics.height);
+  FloatImage picture{width, height, imaging::through_lens(lens, canvas.light, width, height)};
+  RandomStream random(seed, Purpose::photograph);
+  for (float& level : picture.value) {
+    const double seen = photograph.exposure * static_cast<double>(level) + photograph.noise * random.normal();
+    level = static_cast<float>(std::clamp(seen, 0.0, 1.0));
+  }
+  return picture;
+}
+
+}  // namespace arenite::camera

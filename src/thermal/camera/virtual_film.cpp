@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "thermal/camera/camera.hpp"
+#include "thermal/camera/detector.hpp"
+#include "core/error.hpp"
+
+namespace arenite::camera {
+namespace {
+
+constexpr double most_bytes = 4e9;
+
+/// Pictures at even load fractions; those between follow from the four nearest (Lagrange's cubic).
+class Exposures {
+ public:
+  Exposures(const Scene& scene, const Parameters& p, double low, double high) : low_(low) {
+    // A twelfth of a pixel's travel between two pictures keeps what the cubic leaves out below a tenth of a millikelvin.
+    double travel = 0;
+    for (const Vec2 v : scene.travel) travel = std::max(travel, p.motion ? norm(v) / p.optics.pixel : 0.0);
+    const int intervals = std::clamp(static_cast<int>(std::ceil(12 * travel * (high - low))), 24, 400);
+    step_ = (high - low) / intervals;
+    if (const double bytes = 4.0 * (intervals + 3) * static_cast<double>(p.optics.width) * static_cast<double>(p.optics.height); bytes > most_bytes)
+      throw InputError(fmt::format("{} pictures of {} x {} pixels between the two loads take {:.2g} GB; lower camera.width and height", intervals + 3, p.optics.width,
+                                   p.optics.height, 1e-9 * bytes));
+    for (int k = -1; k <= intervals + 1; ++k) picture_.push_back(expose(scene, p, low + k * step_));
+  }
+
+  void between(double s, std::vector<float>& out) const {
+    const double at = std::clamp((s - low_) / step_, 0.0, static_cast<double>(picture_.size()) - 3 - 1e-9);
+    const auto k = static_cast<std::size_t>(at);
+    const double u = at - static_cast<double>(k);
+    const float w[4] = {static_cast<float>(-u * (u - 1) * (u - 2) / 6), static_cast<float>((u + 1) * (u - 1) * (u - 2) / 2),
+                        static_cast<float>(-(u + 1) * u * (u - 2) / 2), static_cast<float>((u + 1) * u * (u - 1) / 6)};
+    const auto &a = picture_[k], &b = picture_[k + 1], &c = picture_[k + 2], &d = picture_[k + 3];
+    out.resize(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i) out[i] = w[0] * a[i] + w[1] * b[i] + w[2] * c[i] + w[3] * d[i];
+  }
+
+ private:
+  double low_, step_;
+  std::vector<std::vector<float>> picture_;
+};
+
+FilmInfo describe(const Parameters& p, std::int64_t frames) {
+  FilmInfo info;
+  info.width = static_cast<int>(p.optics.width);
+  info.height = static_cast<int>(p.optics.height);
+  info.frames = frames;
+  info.frame_rate = p.timing.frame_rate;
+  info.integration = p.timing.integration;
+  info.bits = static_cast<int>(p.detector.bits);
+  info.quantity = FilmQuantity::digital_level;
+  info.format = "virtual";
+  info.camera = "virtual";
+  info.band_low = p.band.low;
+  info.band_high = p.band.high;
+  return info;
+}
+
+double load_fraction(const Timing& timing, double t) {
+  const double w = 2 * std::numbers::pi * timing.load_frequency * (1 + timing.frequency_error);
+  const auto smeared = [&](double rate) {  // mean of its cosine over the integration time
+    const double half = 0.5 * rate * timing.integration;
+    return half > 0 ? std::sin(half) / half : 1;
+  };
+  return 0.5 * (1 - smeared(w) * std::cos(w * t)) + 0.5 * timing.second_harmonic * (1 - smeared(2 * w) * std::cos(2 * w * t));
+}
+
+class VirtualFilm : public FilmSource {
+ public:
+  VirtualFilm(const Scene& scene, const Parameters& p, std::uint64_t seed)
+      : p_(p), seed_(seed), exposures_(scene, p, 0, 1 + std::max(0.0, p.timing.second_harmonic)), detector_(p, seed),
+        taken_(frames_taken(p.timing, seed)), info_(describe(p, static_cast<std::int64_t>(taken_.size()))) {
+    for (const auto k : taken_) info_.time.push_back(static_cast<double>(k - taken_.front()) / p.timing.frame_rate);
+  }
+
+  const FilmInfo& info() const override { return info_; }
+
+  void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
+    block.first = first;
+    block.frames = count;
+    block.value.clear();
+    block.level.resize(count * info_.pixels());
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::int64_t frame = taken_[static_cast<std::size_t>(first) + k];
+      const double t = static_cast<double>(frame) / p_.timing.frame_rate;
+      exposures_.between(load_fraction(p_.timing, t), light_);
+      detector_.record(light_, p_.surroundings.warmer(t), t, seed_, static_cast<std::uint64_t>(frame), block.level.data() + k * info_.pixels());
+    }
+  }
+
+ private:
+  Parameters p_;
+  std::uint64_t seed_;
+  Exposures exposures_;
+  Detection detector_;
+  std::vector<std::int64_t> taken_;
+  FilmInfo info_;
+  std::vector<float> light_;
+};
+
+class UniformFilm : public FilmSource {
+ public:
+  UniformFilm(const Parameters& p, double temperature, std::int64_t frames, std::uint64_t seed)
+      : seed_(seed), stream_(static_cast<std::uint64_t>(temperature * 1e3)), detector_(p, seed), info_(describe(p, frames)),
+        light_(info_.pixels(), static_cast<float>(radiometry::photon_exitance(p.band, temperature) / radiometry::photon_exitance(p.band, 296))) {}
+
+  const FilmInfo& info() const override { return info_; }
+
+  void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
+    block.first = first;
+    block.frames = count;
+    block.value.clear();
+    block.level.resize(count * info_.pixels());
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto frame = static_cast<std::uint64_t>(first) + k;
+      detector_.record(light_, 0, static_cast<double>(frame) / info_.frame_rate, seed_ + stream_, (std::uint64_t{1} << 40) + frame, block.level.data() + k * info_.pixels());
+    }
+  }
+
+ private:
+  std::uint64_t seed_, stream_;
+  Detection detector_;
+  FilmInfo info_;
+  std::vector<float> light_;
+};
+
+}  // namespace
+
+std::unique_ptr<FilmSource> film(const Scene& scene, const Parameters& parameters, std::uint64_t seed) {
+  return std::make_unique<VirtualFilm>(scene, parameters, seed);
+}
+
+std::unique_ptr<FilmSource> uniform_film(const Parameters& parameters, double temperature, std::int64_t frames, std::uint64_t seed) {
+  return std::make_unique<UniformFilm>(parameters, temperature, frames, seed);
+}
+
+}  // namespace arenite::camera

@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "thermal/identify/findings.hpp"
+#include "statistics/text.hpp"
+
+namespace arenite::identify {
+namespace {
+
+/// Decimal places of what is printed to half a digit.
+int places_of(double half_digit) { return std::max(0, static_cast<int>(std::lround(-std::log10(2 * half_digit)))); }
+
+std::string comparison(const Finding& f) {
+  const double stated = f.stated->value / f.scale, half = f.stated->half_digit / f.scale, ours = f.value.value / f.scale;
+  const int places = places_of(half);
+  if (agrees(f)) return fmt::format("stated {:.{}f}: agrees", stated, places);
+  return fmt::format("stated {:.{}f}, here {:.{}f}: differs by {:+.{}f} ({:+.2g} %)", stated, places, ours, places, ours - stated, places + 1, 100 * (ours / stated - 1));
+}
+
+std::string line(const Finding& f) {
+  std::string text = statistics::with_error({f.value.value, f.value.error}, 1 / f.scale);
+  if (!f.unit.empty()) text += " " + f.unit;
+  const auto interval = statistics::confidence_95(f.value);
+  if (std::isfinite(interval.low) && interval.high > interval.low) text += fmt::format("  (95 %: {:.4g} to {:.4g})", interval.low / f.scale, interval.high / f.scale);
+  if (f.stated) text += "  " + comparison(f);
+  return text;
+}
+
+std::string readable(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+void put(statistics::Lines& lines, const Group& group) {
+  const std::string counted = fmt::format("{}{}", group.name, group.count > 0 ? fmt::format(" ({})", group.count) : "");
+  for (const auto& f : group.findings) lines.put(counted.empty() ? readable(f.name) : counted + ": " + readable(f.name), line(f));
+  for (const auto& test : group.tests)
+    for (const auto& f : test.findings) lines.put("  " + test.name + ": " + readable(f.name), line(f));
+}
+
+}  // namespace
+
+bool agrees(const Finding& f) {
+  return f.stated && std::abs(f.value.value - f.stated->value) <= f.stated->half_digit * (1 + 1e-9) + 1e-12 * std::abs(f.value.value);
+}
+
+std::string to_text(const Identification& i) {
+  statistics::Lines lines;
+  for (const auto& group : i.groups) put(lines, group);
+  if (i.all) put(lines, *i.all);
+  for (const auto& note : i.notes) lines.note(note);
+  return lines.text();
+}
+
+}  // namespace arenite::identify

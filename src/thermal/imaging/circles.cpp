@@ -1,0 +1,111 @@
+#include "thermal/imaging/circles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "core/median.hpp"
+#include "thermal/imaging/grain_search.hpp"
+
+namespace arenite::imaging {
+namespace {
+
+void check(const FloatImage& image) {
+  if (image.size() == 0 || image.value.size() != image.size()) throw InputError("the picture is empty; give one that shows grains");
+  if (!std::all_of(image.value.begin(), image.value.end(), [](float v) { return std::isfinite(v); }))
+    throw InputError("the picture holds values that are no numbers; replace bad pixels first");
+  const auto [low, high] = std::minmax_element(image.value.begin(), image.value.end());
+  if (*low == *high) throw InputError("all pixels of the picture are alike; give one that shows grains");
+}
+
+/// Mean over the inner half of a disk, that is out to r/sqrt(2).
+double brightness_of(const FloatImage& image, const DiskModel::Disk& disk) {
+  const double reach = std::max(1.0, disk.radius * std::sqrt(0.5));
+  double sum = 0, count = 0;
+  for (int y = std::max(0, static_cast<int>(disk.y - reach)); y <= std::min(image.height - 1, static_cast<int>(disk.y + reach) + 1); ++y)
+    for (int x = std::max(0, static_cast<int>(disk.x - reach)); x <= std::min(image.width - 1, static_cast<int>(disk.x + reach) + 1); ++x)
+      if (std::hypot(x - disk.x, y - disk.y) <= reach) {
+        sum += static_cast<double>(image.value[image.index(x, y)]);
+        ++count;
+      }
+  return count > 0 ? sum / count : disk.level;
+}
+
+/// A pore between three grains may have a round rim, but it is as grey as what is behind grains of both kinds.
+std::vector<char> pores(const std::vector<double>& brightness, double between) {
+  constexpr double least = 0.3;     // of the usual distance from the level between grains
+  std::vector<double> away;
+  for (const double b : brightness) away.push_back(std::abs(b - between));
+  std::vector<char> out(away.size(), 0);
+  const double usual = median(away);
+  for (std::size_t k = 0; k < away.size(); ++k) out[k] = away[k] < least * usual ? 1 : 0;
+  return out;
+}
+
+void part_materials(FoundCircles& found, const CircleOptions& options) {
+  statistics::ClusterOptions how;
+  how.floor = 0.5 * found.report.noise;
+  how.least_members = std::max<std::size_t>(2, found.grains.size() / 100);
+  if (options.materials > 0) {
+    how.most = options.materials;
+    how.separation = 0;
+    how.least_members = 1;
+  }
+  const statistics::Clusters classes = statistics::cluster(found.grains.brightness, how);
+  found.grains.material = classes.of;
+  found.report.material_brightness = classes.mean;
+  found.report.material_spread = classes.spread;
+  found.report.material_members = classes.members;
+}
+
+void count_overlaps(FoundCircles& found) {
+  const PictureGrains& g = found.grains;
+  for (std::size_t a = 0; a < g.size(); ++a)
+    for (std::size_t b = a + 1; b < g.size(); ++b) {
+      const double overlap = g.radius[a] + g.radius[b] - std::hypot(g.x[a] - g.x[b], g.y[a] - g.y[b]);
+      found.report.largest_overlap = std::max(found.report.largest_overlap, overlap);
+      const double error = std::hypot(std::hypot(g.position_error[a], g.position_error[b]), std::hypot(g.radius_error[a], g.radius_error[b]));
+      if (overlap > 3 * error && overlap > 0.02 * std::min(g.radius[a], g.radius[b])) ++found.report.overlapping;
+    }
+}
+
+}  // namespace
+
+FoundCircles find_circles(const FloatImage& image, const CircleOptions& options) {
+  check(image);
+  const DiskSearch search = search_disks(image, options);
+  const auto& disks = search.model.disks();
+  std::vector<std::size_t> order(disks.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return disks[a].y != disks[b].y ? disks[a].y < disks[b].y : disks[a].x < disks[b].x; });
+  const auto errors = search.model.errors();
+  const auto evidence = search.model.evidence();
+  std::vector<double> brightness;
+  for (const auto& disk : disks) brightness.push_back(brightness_of(image, disk));
+  const std::vector<char> out = search.between ? pores(brightness, *search.between) : std::vector<char>(disks.size(), 0);
+  FoundCircles found;
+  for (const std::size_t k : order) {
+    if (out[k] != 0) continue;
+    found.grains.x.push_back(disks[k].x);
+    found.grains.y.push_back(disks[k].y);
+    found.grains.radius.push_back(disks[k].radius);
+    found.grains.position_error.push_back(errors[k].position);
+    found.grains.radius_error.push_back(errors[k].radius);
+    found.grains.brightness.push_back(brightness[k]);
+    found.grains.score.push_back(evidence[k].rim);
+    found.grains.size_class.push_back(search.sizes.of[k]);
+  }
+  found.report.bright = search.bright;
+  found.report.between = search.between;
+  found.report.blur = search.model.blur();
+  found.report.noise = search.model.noise();
+  found.report.class_radius = search.sizes.mean;
+  found.report.class_spread = search.sizes.spread;
+  found.report.class_members = search.sizes.members;
+  part_materials(found, options);
+  count_overlaps(found);
+  return found;
+}
+
+}  // namespace arenite::imaging

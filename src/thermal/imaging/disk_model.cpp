@@ -1,0 +1,208 @@
+#include "thermal/imaging/disk_model.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "core/median.hpp"
+#include "thermal/imaging/blurred_step.hpp"
+
+namespace arenite::imaging {
+namespace {
+
+constexpr double least_radius = 1.0, longest_step = 0.5;  // pixels
+constexpr double settled = 1e-3, at_rest = 5e-3;          // pixels a step
+
+double distance(const DiskModel::Disk& disk, int x, int y) {
+  const double dx = x - disk.x, dy = y - disk.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+}  // namespace
+
+DiskModel::DiskModel(const FloatImage& image, double blur, bool bright, std::optional<double> between)
+    : image_(image), bright_(bright), between_(between), blur_(blur) {
+  refresh();
+}
+
+DiskModel::Window DiskModel::window(const Disk& disk) const {
+  const double reach = disk.radius + 3 * blur_ + 1.5;
+  return {std::max(0, static_cast<int>(std::ceil(disk.x - reach))), std::min(image_.width - 1, static_cast<int>(disk.x + reach)),
+          std::max(0, static_cast<int>(std::ceil(disk.y - reach))), std::min(image_.height - 1, static_cast<int>(disk.y + reach))};
+}
+
+/// C of a pixel; `edge` = dC/dr, (nx, ny) = direction from the centre.
+double DiskModel::cover(const Disk& disk, int x, int y, double& edge, double& nx, double& ny) const {
+  const double dx = x - disk.x, dy = y - disk.y, square = dx * dx + dy * dy;
+  // Most pixels of a window lie deep inside, or in its corners: what follows says the same of them, with a root.
+  const double deep = disk.radius - (BlurredStep::reach + 0.5) * blur_, far = disk.radius + BlurredStep::reach * blur_;
+  edge = nx = ny = 0;
+  if (square > far * far) return 0;
+  if (deep > blur_ && square < deep * deep) return 1;
+  const double q = std::sqrt(square), u = (disk.radius - q - blur_ * blur_ / (2 * std::max(q, blur_))) / blur_;
+  if (u > BlurredStep::reach) return 1;
+  if (u < -BlurredStep::reach) return 0;
+  if (q > 0) {
+    nx = dx / q;
+    ny = dy / q;
+  }
+  double density;
+  const double share = BlurredStep::at(u, density);
+  edge = density / blur_;
+  return share;
+}
+
+void DiskModel::spread(const Disk& disk, double sign) {
+  const Window w = window(disk);
+  double edge, nx, ny;
+  for (int y = w.y0; y <= w.y1; ++y)
+    for (int x = w.x0; x <= w.x1; ++x) {
+      const double c = sign * cover(disk, x, y, edge, nx, ny);
+      const std::size_t at = image_.index(x, y);
+      covered_[at] += static_cast<float>(c);
+      light_[at] += static_cast<float>(c * disk.level);
+    }
+}
+
+double DiskModel::left(std::size_t pixel) const {
+  return static_cast<double>(image_.value[pixel]) - static_cast<double>(light_[pixel]) -
+         (1.0 - static_cast<double>(covered_[pixel])) * static_cast<double>(background_[pixel]);
+}
+
+void DiskModel::add(const Circle& circle) {
+  Disk disk{circle.x, circle.y, circle.radius, 0, 0, 0, longest_step};
+  std::vector<double> inside;
+  const Window w = window(disk);
+  for (int y = w.y0; y <= w.y1; ++y)
+    for (int x = w.x0; x <= w.x1; ++x)
+      if (std::hypot(x - disk.x, y - disk.y) < std::max(0.75, 0.6 * disk.radius)) inside.push_back(static_cast<double>(image_.value[image_.index(x, y)]));
+  disk.level = median(std::move(inside));
+  disks_.push_back(disk);
+}
+
+void DiskModel::remove(const std::vector<char>& which) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < disks_.size(); ++k)
+    if (which[k] == 0) disks_[kept++] = disks_[k];
+  disks_.resize(kept);
+}
+
+void DiskModel::refresh() {
+  std::vector<double> radii;
+  for (const Disk& disk : disks_) radii.push_back(disk.radius);
+  spacing_ = std::clamp(static_cast<int>(12 * median(radii)), 32, 4096);
+  columns_ = image_.width / spacing_ + 2;
+  rows_ = image_.height / spacing_ + 2;
+  covered_.assign(image_.size(), 0.0F);
+  light_ = background_ = covered_;
+  for (const Disk& disk : disks_) spread(disk, 1);
+  start_background();
+  for (int i = 0; i < 4; ++i) fit_background();
+  measure_noise();
+}
+
+/// One damped step of a disk; its size in pixels.
+double DiskModel::step(Disk& disk) {
+  const Window w = window(disk);
+  const double deep = disk.radius - std::max(3.0, 5 * blur_);  // farther inside nothing is learned of the rim
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  for (int y = w.y0; y <= w.y1; ++y)
+    for (int x = w.x0; x <= w.x1; ++x) {
+      const double dx = x - disk.x, dy = y - disk.y;
+      if (deep > 0 && dx * dx + dy * dy < deep * deep) continue;
+      double edge, nx, ny;
+      const double c = cover(disk, x, y, edge, nx, ny);
+      if (c < 1e-5) continue;
+      const std::size_t at = image_.index(x, y);
+      const double contrast = disk.level - static_cast<double>(background_[at]), gap = left(at);
+      const Eigen::Vector4d j(contrast * edge * nx, contrast * edge * ny, contrast * edge, c);
+      const double weight = huber_weight(gap, noise_);
+      normal += weight * j * j.transpose();
+      right += weight * gap * j;
+    }
+  const double trace = normal.trace();
+  if (!(trace > 0)) return 0;
+  const double variance = std::max(noise_ * noise_, 1e-12 * trace);
+  if (disk.prior_error > 0) {
+    const double stiff = variance / (disk.prior_error * disk.prior_error);
+    normal(2, 2) += stiff;
+    right(2) += stiff * (disk.prior_radius - disk.radius);
+  }
+  for (int i = 0; i < 4; ++i) normal(i, i) *= 1.02;
+  for (int i = 0; i < 3; ++i) normal(i, i) += 1e-3 * (normal(0, 0) + normal(1, 1)) + 1e-30;
+  Eigen::Vector4d move = normal.ldlt().solve(right);
+  if (!move.allFinite()) return 0;
+  const double size = move.head<3>().norm();
+  if (size > longest_step) move *= longest_step / size;
+  spread(disk, -1);
+  disk.x += move(0);
+  disk.y += move(1);
+  disk.radius = std::max(least_radius, disk.radius + move(2));
+  disk.level += move(3);
+  spread(disk, 1);
+  return std::min(size, longest_step);
+}
+
+void DiskModel::fit_blur() {
+  double top = 0, bottom = 0;
+  for (const Disk& disk : disks_) {
+    const Window w = window(disk);
+    for (int y = w.y0; y <= w.y1; ++y)
+      for (int x = w.x0; x <= w.x1; ++x) {
+        double edge, nx, ny;
+        cover(disk, x, y, edge, nx, ny);
+        if (edge == 0) continue;
+        const std::size_t at = image_.index(x, y);
+        const double q = distance(disk, x, y);
+        const double slope = -(disk.level - static_cast<double>(background_[at])) * edge *
+                             ((disk.radius - q) / blur_ + blur_ / (2 * std::max(q, blur_)));
+        const double gap = left(at), weight = huber_weight(gap, noise_);
+        top += weight * slope * gap;
+        bottom += weight * slope * slope;
+      }
+  }
+  if (!(bottom > 0)) return;
+  const double before = blur_;
+  blur_ = std::clamp(blur_ + std::clamp(0.7 * top / bottom, -0.1, 0.1), 0.3, 4.0);
+  if (blur_ == before) return;
+  covered_.assign(image_.size(), 0.0F);
+  light_ = covered_;
+  for (const Disk& disk : disks_) spread(disk, 1);
+}
+
+void DiskModel::measure_noise() {
+  std::vector<double> size;
+  for (const Disk& disk : disks_) {
+    const Window w = window(disk);
+    for (int y = w.y0; y <= w.y1; ++y)
+      for (int x = w.x0; x <= w.x1; ++x)
+        if (std::abs(distance(disk, x, y) - disk.radius) < 2 * blur_) size.push_back(std::abs(left(image_.index(x, y))));
+  }
+  noise_ = median(std::move(size)) / median_of_normal_size;
+}
+
+void DiskModel::fit(int sweeps, int between) {
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    const bool all = sweep % between == 0;
+    double most = 0;
+    for (Disk& disk : disks_) {
+      if (!all && disk.moved < at_rest) continue;
+      disk.moved = step(disk);
+      most = std::max(most, disk.moved);
+    }
+    if (!all) continue;
+    fit_background();
+    fit_blur();
+    measure_noise();
+    if (most < settled) break;
+  }
+}
+
+FloatImage DiskModel::residual() const {
+  FloatImage image{image_.width, image_.height, std::vector<float>(image_.size())};
+  for (std::size_t i = 0; i < image.size(); ++i) image.value[i] = static_cast<float>(left(i));
+  return image;
+}
+
+}  // namespace arenite::imaging

@@ -1,0 +1,86 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "thermal/imaging/rim_search.hpp"
+#include "model/image.hpp"
+
+namespace arenite::imaging {
+
+/// A picture as a sum of disks on a background, all under one blur:
+///   I(p) = B(p) + sum_k (level_k - B(p)) C_k(p),
+/// C_k the share of pixel p that disk k covers after lens and pixel have blurred it with a Gaussian of standard deviation s:
+/// C = Phi((r - q - s^2/(2 q))/s) at the distance q from the centre, right to second order in s/r. B is linear between the
+/// nodes of a coarse net. Fitted by Gauss-Newton steps, one disk after the other with its neighbours in the model, so that
+/// touching disks do not pull at each other.
+class DiskModel {
+ public:
+  struct Disk {
+    double x = 0, y = 0, radius = 0, level = 0;
+    double prior_radius = 0, prior_error = 0;  ///< what is known of the radius; no prior where the error is 0
+    double moved = 1;                          ///< by the last step, pixels
+  };
+  /// Errors of a disk's parameters.
+  struct Errors {
+    double position = 0, radius = 0, level = 0;
+  };
+
+  /// Disks are brighter (`bright`) or darker than the background, or both if `between` tells the background's level.
+  DiskModel(const FloatImage& image, double blur, bool bright, std::optional<double> between = std::nullopt);
+
+  void add(const Circle& circle);
+  void remove(const std::vector<char>& which);
+  std::vector<Disk>& disks() { return disks_; }  ///< after a change, call refresh()
+  const std::vector<Disk>& disks() const { return disks_; }
+  double blur() const { return blur_; }
+  double noise() const { return noise_; }       ///< robust standard deviation of what the fit leaves near rims
+  double background(double x, double y) const;
+  void refresh();                               ///< net, coverage and levels anew from the disks
+  /// Steps of all disks, in every `between`-th sweep; in the others only of those that still move.
+  void fit(int sweeps, int between = 1);
+  FloatImage residual() const;                  ///< picture minus model
+  /// From the normal matrix of each disk and those that touch its pixels, held against the noise.
+  std::vector<Errors> errors() const;
+  /// How well each disk shows, in the picture with all others taken away.
+  struct Evidence {
+    double rim = 0;        ///< share of the rim where the picture falls by at least half the disk's contrast
+    double explained = 0;  ///< share of the squares of the picture minus background that the disk takes away
+    double contrast = 0;   ///< level minus background
+  };
+  std::vector<Evidence> evidence() const;
+
+ private:
+  struct Window {
+    int x0, x1, y0, y1;
+  };
+  Window window(const Disk& disk) const;
+  double cover(const Disk& disk, int x, int y, double& edge, double& nx, double& ny) const;
+  void spread(const Disk& disk, double sign);
+  double left(std::size_t pixel) const;
+  double alone(const Disk& disk, double x, double y) const;
+  double step(Disk& disk);
+  void fit_background();
+  void fit_blur();
+  void measure_noise();
+  void draw_background();
+
+  double background_weight(double gap) const;
+  std::vector<char> near_disks() const;
+  void start_background();
+
+  const FloatImage& image_;
+  bool bright_;
+  std::optional<double> between_;
+  std::vector<Disk> disks_;
+  double blur_, noise_ = 0;
+  int spacing_ = 32, columns_ = 0, rows_ = 0;
+  std::vector<double> node_;                    ///< background at the net's nodes
+  std::vector<float> background_, covered_, light_;
+};
+
+/// Huber's weight of a residual: those beyond 2.5 standard deviations count less.
+double huber_weight(double residual, double noise);
+
+}  // namespace arenite::imaging

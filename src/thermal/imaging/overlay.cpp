@@ -1,0 +1,154 @@
+#include "thermal/imaging/overlay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/median.hpp"
+#include "thermal/imaging/disk_model.hpp"
+
+namespace arenite::imaging {
+namespace {
+
+constexpr double rim = 0.8;              // pixels: blur of lens and pixel in the cover, roughly
+constexpr double beyond = 3;             // pixels round the grains that count
+constexpr double usual_blur = 0.7, outlier = 3;
+constexpr double radius_known = 0.01;    // share: radii are those of the circles
+constexpr int rounds = 3;
+
+/// What circles cover, in a window that reaches a little beyond them.
+struct Cover {
+  int x0, y0, width, height;
+  std::vector<float> value;
+};
+
+Cover cover_of(const PictureGrains& g) {
+  double left = 1e300, right = -1e300, top = 1e300, bottom = -1e300;
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    left = std::min(left, g.x[i] - g.radius[i]), right = std::max(right, g.x[i] + g.radius[i]);
+    top = std::min(top, g.y[i] - g.radius[i]), bottom = std::max(bottom, g.y[i] + g.radius[i]);
+  }
+  Cover c{static_cast<int>(std::floor(left - beyond)), static_cast<int>(std::floor(top - beyond)), 0, 0, {}};
+  c.width = static_cast<int>(std::ceil(right + beyond)) - c.x0 + 1;
+  c.height = static_cast<int>(std::ceil(bottom + beyond)) - c.y0 + 1;
+  c.value.assign(static_cast<std::size_t>(c.width) * static_cast<std::size_t>(c.height), 0.0f);
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    const double reach = g.radius[i] + 2;
+    for (int y = std::max(0, static_cast<int>(g.y[i] - reach) - c.y0); y <= std::min(c.height - 1, static_cast<int>(g.y[i] + reach) - c.y0 + 1); ++y)
+      for (int x = std::max(0, static_cast<int>(g.x[i] - reach) - c.x0); x <= std::min(c.width - 1, static_cast<int>(g.x[i] + reach) - c.x0 + 1); ++x) {
+        const double deep = g.radius[i] - std::hypot(x + c.x0 - g.x[i], y + c.y0 - g.y[i]);
+        float& v = c.value[static_cast<std::size_t>(y) * static_cast<std::size_t>(c.width) + static_cast<std::size_t>(x)];
+        v = std::min(1.0f, v + static_cast<float>(0.5 * std::erfc(-deep / (rim * std::sqrt(2.0)))));
+      }
+  }
+  return c;
+}
+
+double correlation(const Cover& c, const FloatImage& picture, int dx, int dy) {
+  const int x0 = std::max(0, -c.x0 - dx), x1 = std::min(c.width, picture.width - c.x0 - dx);
+  const int y0 = std::max(0, -c.y0 - dy), y1 = std::min(c.height, picture.height - c.y0 - dy);
+  if (x1 <= x0 || y1 <= y0) return 0;
+  double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
+  const auto level = static_cast<double>(picture.value[picture.value.size() / 2]);
+  for (int y = y0; y < y1; ++y) {
+    const float* u = c.value.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(c.width);
+    const float* v = picture.value.data() + picture.index(0, y + c.y0 + dy);
+    for (int x = x0; x < x1; ++x) {
+      const auto p = static_cast<double>(u[x]), q = static_cast<double>(v[x + c.x0 + dx]) - level;
+      a += p, b += q, aa += p * p, bb += q * q, ab += p * q;
+    }
+    n += x1 - x0;
+  }
+  const double spread = (aa - a * a / n) * (bb - b * b / n);
+  return spread > 0 ? (ab - a * b / n) / std::sqrt(spread) : 0;
+}
+
+Vec2 middle_of(const PictureGrains& g) {
+  Vec2 sum;
+  for (std::size_t i = 0; i < g.size(); ++i) sum = sum + Vec2{g.x[i], g.y[i]};
+  return (1 / static_cast<double>(g.size())) * sum;
+}
+
+double farthest(const PictureGrains& g, Vec2 from) {
+  double most = 1;
+  for (std::size_t i = 0; i < g.size(); ++i) most = std::max(most, norm(Vec2{g.x[i], g.y[i]} - from));
+  return most;
+}
+
+/// t, then turned about a place and shifted.
+Similarity turned(Similarity t, double angle, Vec2 about, Vec2 shift) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  const Vec2 d = t.shift - about;
+  t.shift = about + shift + Vec2{c * d.x - s * d.y, s * d.x + c * d.y};
+  t.rotation += angle;
+  return t;
+}
+
+/// By whole pixels, and by turns that move the outermost grain by one.
+void search(const PictureGrains& circles, const FloatImage& picture, const OverlayOptions& options, Overlay& found) {
+  const PictureGrains at = apply(found.transform, circles);
+  const Vec2 middle = middle_of(at);
+  const double step = 1 / farthest(at, middle);
+  const int turns = static_cast<int>(std::ceil(options.turn / step)), reach = static_cast<int>(std::ceil(options.reach));
+  const Similarity first = found.transform;
+  for (int k = -turns; k <= turns; ++k) {
+    const Cover cover = cover_of(apply(turned(first, k * step, middle, {}), circles));
+    for (int dy = -reach; dy <= reach; ++dy)
+      for (int dx = -reach; dx <= reach; ++dx) {
+        const double here = correlation(cover, picture, dx, dy);
+        if (std::abs(here) <= std::abs(found.correlation)) continue;
+        found.correlation = here;
+        found.transform = turned(first, k * step, middle, {static_cast<double>(dx), static_cast<double>(dy)});
+      }
+  }
+}
+
+double robust_rms(const std::vector<double>& distance) { return median(distance) / median_of_plane_distance; }
+
+/// Fits every circle to the picture from where the transform has it, and the transform to where they went.
+void refine(const PictureGrains& circles, const FloatImage& picture, Overlay& found) {
+  const PictureGrains at = apply(found.transform, circles);
+  DiskModel model(picture, usual_blur, found.correlation > 0);
+  for (std::size_t i = 0; i < at.size(); ++i) model.add({at.x[i], at.y[i], at.radius[i], 1});
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    model.disks()[i].prior_radius = at.radius[i];
+    model.disks()[i].prior_error = radius_known * at.radius[i];
+  }
+  model.refresh();
+  model.fit(10);
+  std::vector<double> away;
+  for (std::size_t i = 0; i < at.size(); ++i) away.push_back(norm(Vec2{model.disks()[i].x - at.x[i], model.disks()[i].y - at.y[i]}));
+  for (int pass = 0; pass < rounds; ++pass) {
+    found.rms = robust_rms(away);
+    std::vector<Vec2> from, to;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      if (away[i] > outlier * found.rms * 1.2 + 1e-9) continue;
+      from.push_back({circles.x[i], circles.y[i]});
+      to.push_back({model.disks()[i].x, model.disks()[i].y});
+    }
+    if (from.size() < 3) return;
+    found.transform = fit_similarity(from, to, false);
+    for (std::size_t i = 0; i < at.size(); ++i) away[i] = norm(found.transform(Vec2{circles.x[i], circles.y[i]}) - Vec2{model.disks()[i].x, model.disks()[i].y});
+  }
+  found.rms = robust_rms(away);
+}
+
+}  // namespace
+
+Overlay lay_over(const PictureGrains& circles, const Similarity& first, const FloatImage& picture, const OverlayOptions& options) {
+  if (circles.size() < 3) throw InputError("there are " + std::to_string(circles.size()) + " grains to lay over the picture; three are needed");
+  Overlay found{first, 0, 0, 0, 0};
+  search(circles, picture, options, found);
+  for (int round = 0; round < rounds; ++round) refine(circles, picture, found);
+  const PictureGrains at = apply(found.transform, circles);
+  const Vec2 middle = middle_of(at);
+  double spread = 0;
+  for (std::size_t i = 0; i < at.size(); ++i) spread += std::pow(norm(Vec2{at.x[i], at.y[i]} - middle), 2);
+  found.shift_error = found.rms / std::sqrt(static_cast<double>(at.size()));
+  found.rotation_error = found.rms / std::sqrt(spread);
+  return found;
+}
+
+}  // namespace arenite::imaging

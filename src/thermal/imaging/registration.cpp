@@ -1,0 +1,87 @@
+#include "thermal/imaging/registration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "core/error.hpp"
+#include "core/median.hpp"
+#include "thermal/imaging/registration_search.hpp"
+
+namespace arenite::imaging {
+namespace {
+
+constexpr double outlier = 4;                // standard deviations
+
+Vec2 place(const PictureGrains& grains, std::int32_t k) { return {grains.x[static_cast<std::size_t>(k)], grains.y[static_cast<std::size_t>(k)]}; }
+
+double mean_radius(const PictureGrains& grains) {
+  return std::accumulate(grains.radius.begin(), grains.radius.end(), 0.0) / static_cast<double>(grains.size());
+}
+
+void check(const PictureGrains& grains, const char* which) {
+  if (grains.size() < 3) throw InputError(std::string("the ") + which + " picture shows " + std::to_string(grains.size()) + " grains; three are needed to lay one picture on another");
+  for (std::size_t k = 0; k < grains.size(); ++k)
+    if (!std::isfinite(grains.x[k]) || !std::isfinite(grains.y[k]) || !(grains.radius[k] > 0))
+      throw InputError(std::string("grain ") + std::to_string(k) + " of the " + which + " picture has no place or no positive radius");
+}
+
+double distance(const PictureGrains& from, const PictureGrains& to, const Similarity& t, const std::pair<std::int32_t, std::int32_t>& pair) {
+  return norm(t(place(from, pair.first)) - place(to, pair.second));
+}
+
+/// Leaves out pairs that lie far off against the median, which is another grain or one that was found badly.
+void leave_out(const PictureGrains& from, const PictureGrains& to, const Similarity& t, RegistrationSearch::Pairs& pairs) {
+  std::vector<double> away;
+  for (const auto& pair : pairs) away.push_back(distance(from, to, t, pair));
+  const double most = outlier * std::max(median(away) / median_of_plane_distance, 1e-9 * mean_radius(to));
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    if (away[k] <= most) pairs[kept++] = pairs[k];
+  if (kept >= 3) pairs.resize(kept);
+}
+
+/// Residuals, and the errors of the transform that follow from them.
+void tell_errors(const PictureGrains& from, const PictureGrains& to, Registration& r) {
+  Vec2 middle;
+  const double n = static_cast<double>(r.pairs.size());
+  double squares = 0, spread = 0;
+  for (const auto& pair : r.pairs) {
+    r.residual.push_back(distance(from, to, r.transform, pair));
+    squares += r.residual.back() * r.residual.back();
+    middle += (1 / n) * place(from, pair.first);
+  }
+  for (const auto& pair : r.pairs) spread += dot(place(from, pair.first) - middle, place(from, pair.first) - middle);
+  r.rms = std::sqrt(squares / (2 * n));
+  const double error = std::sqrt(squares / std::max(1.0, 2 * n - 4));
+  r.scale_error = error / std::sqrt(spread);
+  r.rotation_error = r.scale_error / r.transform.scale;
+  r.shift_error = error / std::sqrt(n);
+}
+
+}  // namespace
+
+Registration register_circles(const PictureGrains& from, const PictureGrains& to, const RegistrationOptions& options) {
+  check(from, "first");
+  check(to, "second");
+  if (options.scale && !(*options.scale > 0)) throw InputError("the scale between two pictures must be positive");
+  RegistrationSearch search(from, to, options);
+  Registration r;
+  r.pairs = search.best(r.transform);
+  const double smaller = static_cast<double>(std::min(from.size(), to.size()));
+  r.matched = static_cast<double>(r.pairs.size()) / smaller;
+  if (r.pairs.size() < 3 || r.matched < options.least_matched)
+    throw InputError("the grains of the two pictures do not fit on each other: at best " + std::to_string(r.pairs.size()) + " of " +
+                     std::to_string(static_cast<std::size_t>(smaller)) + " find a partner; check that both show the same sample, allow a mirrored picture, or give the scale");
+  for (int pass = 0; pass < 4; ++pass) {
+    r.pairs = search.matches(r.transform, search.all());
+    leave_out(from, to, r.transform, r.pairs);
+    r.transform = search.fit(r.pairs, r.transform.mirrored);
+  }
+  r.matched = static_cast<double>(r.pairs.size()) / smaller;
+  tell_errors(from, to, r);
+  return r;
+}
+
+}  // namespace arenite::imaging

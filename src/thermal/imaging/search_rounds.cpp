@@ -1,0 +1,243 @@
+#include "thermal/imaging/search_rounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "thermal/imaging/disk_selection.hpp"
+
+namespace arenite::imaging {
+namespace {
+
+constexpr int most_rounds = 24, most_passes = 8;  // rounds of all passes together: a picture of grains takes a handful
+constexpr double first_blur = 0.7;              // pixels
+constexpr double overlap_of_candidates = 0.45;  // of the smaller radius: centres are known to a pixel only, and the
+                                                // neighbours of a disk that is not found yet are drawn towards it
+
+double square(double v) { return v * v; }
+
+/// Centres of two disks that are nearer are not both believed.
+double least_distance(double a, double b) { return a + b - overlap_of_candidates * std::min(a, b); }
+
+/// A long rim that shows says more than a short one: marks on a grain and dirt are small.
+double weight(const Circle& circle) { return circle.score * std::sqrt(std::sqrt(circle.radius)); }
+
+/// Where rims are looked for: the sizes that are known, or all that the picture can hold.
+RimOptions range(const FloatImage& image, const CircleOptions& options, const std::vector<double>& sizes, bool bright) {
+  RimOptions o;
+  o.bright = bright;
+  const double largest = options.largest > 0 ? options.largest : 0.5 * std::min(image.width, image.height);
+  o.smallest = std::max(0.65 * (sizes.empty() ? options.smallest : *std::min_element(sizes.begin(), sizes.end())), 1.2);
+  o.largest = sizes.empty() ? largest : 1.1 * *std::max_element(sizes.begin(), sizes.end());
+  return o;
+}
+
+}  // namespace
+
+RimOptions first_range(const FloatImage& image, const CircleOptions& options, bool bright) {
+  RimOptions o = range(image, options, options.radii, bright);
+  o.least = 0.15;
+  return o;
+}
+
+SearchRounds::SearchRounds(const FloatImage& image, bool bright, const CircleOptions& options, std::optional<double> between)
+    : image_(image), bright_(bright), options_(options), between_(between), model_(image, first_blur, bright, between) {
+  for (const double r : options.radii) {
+    classes_.mean.push_back(r);
+    classes_.spread.push_back(0.003 * r);
+  }
+  std::sort(classes_.mean.begin(), classes_.mean.end());
+  std::sort(classes_.spread.begin(), classes_.spread.end());
+}
+
+void SearchRounds::begin(std::vector<Circle> seen) {
+  if (add(std::move(seen), 0) == 0) return;
+  settle(10);
+  settle(10);
+}
+
+double SearchRounds::gain() const {
+  double sum = 0;
+  const auto evidence = model_.evidence();
+  for (std::size_t k = 0; k < evidence.size(); ++k) {
+    const double size = evidence[k].contrast * model_.disks()[k].radius;
+    sum += evidence[k].explained * size * size;
+  }
+  return sum;
+}
+
+double SearchRounds::area() const {
+  double sum = 0;
+  const auto evidence = model_.evidence();
+  for (std::size_t k = 0; k < evidence.size(); ++k) sum += evidence[k].explained * square(model_.disks()[k].radius);
+  return std::numbers::pi * sum;
+}
+
+void SearchRounds::more_rounds() {
+  for (; rounds_ < most_rounds && !model_.disks().empty(); ++rounds_) {
+    const std::size_t before = model_.disks().size();
+    if (add(candidates(), rounds_ + 1) == 0) break;
+    settle(10);
+    settle(5);
+    if (model_.disks().size() <= before) break;
+  }
+}
+
+/// The disks of the pass before, each where it was, and no others: what the pass had added did not last.
+bool SearchRounds::found_nothing_since(const std::vector<DiskModel::Disk>& last) const {
+  const auto& disks = model_.disks();
+  if (disks.size() != last.size()) return false;
+  return std::equal(disks.begin(), disks.end(), last.begin(), [](const auto& a, const auto& b) { return std::hypot(a.x - b.x, a.y - b.y) < 0.5; });
+}
+
+DiskSearch SearchRounds::finish() {
+  std::vector<DiskModel::Disk> last;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    more_rounds();
+    model_.fit(20);
+    const std::size_t before = model_.disks().size();
+    prune(true);
+    if (model_.disks().size() == before) break;
+    if (pass > 0 && found_nothing_since(last)) break;
+    last = model_.disks();
+  }
+  find_classes();
+  return {std::move(model_), std::move(classes_), bright_, between_};
+}
+
+/// Pixels where a further centre would not collide with the disks found so far.
+std::vector<char> SearchRounds::open_pixels(double smallest) const {
+  std::vector<char> open(image_.size(), 1);
+  const double radius = classes_.size() > 0 ? classes_.mean.front() : smallest;
+  for (const auto& disk : model_.disks()) {
+    const double away = least_distance(radius, disk.radius);
+    const int x0 = std::max(0, static_cast<int>(disk.x - away)), x1 = std::min(image_.width - 1, static_cast<int>(disk.x + away) + 1);
+    for (int y = std::max(0, static_cast<int>(disk.y - away)); y <= std::min(image_.height - 1, static_cast<int>(disk.y + away) + 1); ++y)
+      for (int x = x0; x <= x1; ++x)
+        if (square(x - disk.x) + square(y - disk.y) < square(away)) open[image_.index(x, y)] = 0;
+  }
+  return open;
+}
+
+std::vector<Circle> SearchRounds::candidates() const {
+  RimOptions how = range(image_, options_, classes_.mean, bright_);
+  how.least = 0.2;
+  if (options_.radii.empty()) how.smallest = std::max(how.smallest, least_resolved(model_));
+  const std::vector<char> open = open_pixels(how.smallest);
+  how.open = open;
+  const FloatImage rest = model_.residual();
+  std::vector<Circle> seen = search_rims(rest, how);
+  if (between_) {
+    how.bright = !how.bright;
+    const std::vector<Circle> dark = search_rims(rest, how);
+    seen.insert(seen.end(), dark.begin(), dark.end());
+  }
+  return seen;
+}
+
+/// How much smaller than the fitted radius a ring of this radius was seen, from the disks found so far.
+double SearchRounds::inset(double ring) const {
+  double sum = 0, weight = 1e-9;
+  for (std::size_t k = 0; k < ring_.size(); ++k) {
+    const double w = std::exp(-std::abs(std::log(ring_[k] / ring)) / 0.1);
+    sum += w * (model_.disks()[k].radius - ring_[k]);
+    weight += w;
+  }
+  return sum / weight;
+}
+
+std::size_t SearchRounds::nearest_class(double radius) const {
+  std::size_t best = 0;
+  for (std::size_t c = 1; c < classes_.size(); ++c)
+    if (std::abs(std::log(radius / classes_.mean[c])) < std::abs(std::log(radius / classes_.mean[best]))) best = c;
+  return best;
+}
+
+bool SearchRounds::collides(double x, double y, double radius) const {
+  for (const auto& disk : model_.disks()) {
+    if (square(x - disk.x) + square(y - disk.y) < square(least_distance(radius, disk.radius))) return true;
+  }
+  return false;
+}
+
+bool SearchRounds::was_refused(const Circle& circle) const {
+  return std::any_of(refused_.begin(), refused_.end(), [&](const Circle& r) {
+    return std::hypot(r.x - circle.x, r.y - circle.y) < 0.4 * r.radius && std::abs(std::log(r.radius / circle.radius)) < 0.2;
+  });
+}
+
+std::size_t SearchRounds::add(std::vector<Circle> candidates, int round) {
+  if (candidates.empty()) return 0;
+  const double least = round == 0 ? 0.55 * candidates[std::min<std::size_t>(4, candidates.size() - 1)].score : 0.25;
+  std::erase_if(candidates, [&](const Circle& circle) { return circle.score < least; });
+  std::stable_sort(candidates.begin(), candidates.end(), [](const Circle& a, const Circle& b) { return weight(a) > weight(b); });
+  std::size_t added = 0;
+  for (Circle circle : candidates) {
+    const double ring = circle.radius;
+    if (classes_.size() > 0) {
+      const double guess = ring + (ring_.empty() ? 0.0 : inset(ring));
+      const double radius = classes_.mean[nearest_class(guess)];
+      if (std::abs(std::log(guess / radius)) > (ring_.empty() ? 0.4 : 0.25)) continue;
+      circle.radius = radius;
+    }
+    if (collides(circle.x, circle.y, circle.radius) || was_refused(circle)) continue;
+    model_.add(circle);
+    ring_.push_back(ring);
+    ++added;
+  }
+  return added;
+}
+
+void SearchRounds::settle(int sweeps) {
+  set_priors();
+  model_.refresh();
+  model_.fit(sweeps, 5);
+  prune();
+  find_classes();
+}
+
+void SearchRounds::set_priors() {
+  for (auto& disk : model_.disks()) {
+    disk.prior_error = 0;
+    if (classes_.size() == 0) continue;
+    const std::size_t c = nearest_class(disk.radius);
+    disk.prior_radius = classes_.mean[c];
+    disk.prior_error = classes_.spread[c];
+  }
+}
+
+void SearchRounds::find_classes() {
+  if (!options_.radii.empty()) {
+    statistics::Clusters given{classes_.mean, classes_.spread, std::vector<std::size_t>(classes_.size(), 0), {}};
+    for (const auto& disk : model_.disks()) {
+      given.of.push_back(static_cast<std::int32_t>(nearest_class(disk.radius)));
+      ++given.members[static_cast<std::size_t>(given.of.back())];
+    }
+    classes_ = std::move(given);
+    return;
+  }
+  std::vector<double> logs;
+  for (const auto& disk : model_.disks()) logs.push_back(std::log(disk.radius));
+  const std::size_t few = logs.size() < 10 ? 1 : std::max<std::size_t>(2, logs.size() / 50);
+  classes_ = statistics::cluster(logs, {.most = 5, .separation = 4, .floor = 0.015, .least_members = few});
+  for (std::size_t c = 0; c < classes_.size(); ++c) {
+    classes_.mean[c] = std::exp(classes_.mean[c]);
+    classes_.spread[c] *= classes_.mean[c];
+  }
+}
+
+void SearchRounds::prune(bool strict) {
+  const std::vector<char> out = refuted_disks(model_, options_, strict);
+  const auto& disks = model_.disks();
+  for (std::size_t k = 0; strict && k < out.size(); ++k)
+    if (out[k] != 0) refused_.push_back({disks[k].x, disks[k].y, disks[k].radius, 0});
+  model_.remove(out);
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < out.size(); ++k)
+    if (out[k] == 0) ring_[kept++] = ring_[k];
+  ring_.resize(kept);
+  model_.refresh();
+}
+
+}  // namespace arenite::imaging

@@ -1,0 +1,87 @@
+#include "thermal/imaging/smooth.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/median.hpp"
+
+namespace arenite::imaging {
+namespace {
+
+std::vector<float> gaussian(double sigma) {
+  const int reach = std::max(1, static_cast<int>(std::ceil(3.5 * sigma)));
+  std::vector<double> weight;
+  double sum = 0;
+  for (int i = -reach; i <= reach; ++i) sum += weight.emplace_back(std::exp(-0.5 * i * i / (sigma * sigma)));
+  std::vector<float> kernel;
+  for (const double w : weight) kernel.push_back(static_cast<float>(w / sum));
+  return kernel;
+}
+
+/// to[x] += sum over k of kernel[k] from[x + k].
+void add_weighted(const std::vector<float>& kernel, const float* from, float* to, int n) {
+  for (std::size_t k = 0; k < kernel.size(); ++k) {
+    const float weight = kernel[k];
+    for (int x = 0; x < n; ++x) to[x] += weight * from[static_cast<std::size_t>(x) + k];
+  }
+}
+
+}  // namespace
+
+FloatImage blurred(const FloatImage& image, double sigma) {
+  if (!(sigma > 0)) return image;
+  const std::vector<float> kernel = gaussian(sigma);
+  const int reach = static_cast<int>(kernel.size() / 2), w = image.width, h = image.height;
+  FloatImage rows{w, h, std::vector<float>(image.size())}, result = rows;
+  std::vector<float> row(static_cast<std::size_t>(w + 2 * reach));  // continued by its ends
+  for (int y = 0; y < h; ++y) {
+    const float* from = image.value.data() + image.index(0, y);
+    for (int x = 0; x < w + 2 * reach; ++x) row[static_cast<std::size_t>(x)] = from[std::clamp(x - reach, 0, w - 1)];
+    add_weighted(kernel, row.data(), rows.value.data() + rows.index(0, y), w);
+  }
+  for (int y = 0; y < h; ++y)
+    for (int i = -reach; i <= reach; ++i) {
+      const float k = kernel[static_cast<std::size_t>(i + reach)];
+      const float* from = rows.value.data() + rows.index(0, std::clamp(y + i, 0, h - 1));
+      float* to = result.value.data() + result.index(0, y);
+      for (int x = 0; x < w; ++x) to[x] += k * from[x];
+    }
+  return result;
+}
+
+FloatImage halved(const FloatImage& image) {
+  FloatImage half{image.width / 2, image.height / 2, {}};
+  half.value.resize(half.size());
+  for (int y = 0; y < half.height; ++y)
+    for (int x = 0; x < half.width; ++x) {
+      const float* a = image.value.data() + image.index(2 * x, 2 * y);
+      const float* b = a + image.width;
+      half.value[half.index(x, y)] = 0.25F * (a[0] + a[1] + b[0] + b[1]);
+    }
+  return half;
+}
+
+double sampled(const FloatImage& image, double x, double y) {
+  x = std::clamp(x, 0.0, image.width - 1.0);
+  y = std::clamp(y, 0.0, image.height - 1.0);
+  const int c = std::min(static_cast<int>(x), image.width - 2 < 0 ? 0 : image.width - 2);
+  const int r = std::min(static_cast<int>(y), image.height - 2 < 0 ? 0 : image.height - 2);
+  const int right = std::min(c + 1, image.width - 1), below = std::min(r + 1, image.height - 1);
+  const double u = x - c, v = y - r;
+  const auto at = [&](int i, int j) { return static_cast<double>(image.value[image.index(i, j)]); };
+  return (1 - v) * ((1 - u) * at(c, r) + u * at(right, r)) + v * ((1 - u) * at(c, below) + u * at(right, below));
+}
+
+double noise_level(const FloatImage& image) {
+  std::vector<float> size;
+  for (int y = 0; y + 2 < image.height; ++y)
+    for (int x = 0; x + 2 < image.width; ++x) {
+      const float* a = image.value.data() + image.index(x, y);
+      const float* b = a + image.width;
+      const float* c = b + image.width;
+      size.push_back(std::abs(a[0] - 2 * a[1] + a[2] - 2 * (b[0] - 2 * b[1] + b[2]) + c[0] - 2 * c[1] + c[2]));
+    }
+  return median(std::move(size)) / (6 * median_of_normal_size);  // 6: the weights' root sum of squares
+}
+
+}  // namespace arenite::imaging

@@ -1,0 +1,118 @@
+#include "thermal/inference/check_problem.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/problems.hpp"
+#include "geometry/close_pairs.hpp"
+
+namespace arenite::inference {
+namespace {
+
+void check_grains(const Packing& packing, Problems& problems) {
+  const Grains& grains = packing.grains;
+  if (!(packing.domain.thickness > 0)) problems.add("the thickness of the sample is not known; give the cylinders' length");
+  for (std::size_t g = 0; g < grains.size(); ++g)
+    if (!(grains.radius[g] > 0) || !std::isfinite(grains.x[g]) || !std::isfinite(grains.y[g])) {
+      problems.add(fmt::format("grain {} has no finite place and positive radius; mend or remove it", grains.id[g]));
+      return;
+    }
+  const Domain& d = packing.domain;
+  if (d.tilt != 0) return;
+  const geometry::Box box{d.wall[left].position, d.wall[bottom].position, d.width(), d.height(), d.periodic_x, d.periodic_y};
+  for (const geometry::Pair& pair : geometry::close_pairs(grains.x, grains.y, grains.radius, box, 0)) {
+    const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
+    const double overlap = grains.radius[i] + grains.radius[j] - norm(d.nearest_image(grains.centre(i) - grains.centre(j)));
+    if (overlap > 0.4 * std::min(grains.radius[i], grains.radius[j]))
+      problems.add(fmt::format("grains {} and {} overlap by {:.2g} mm, more than a fifth of the smaller diameter; check their centres and radii",
+                                 grains.id[i], grains.id[j], 1e3 * overlap));
+  }
+}
+
+void check_contacts(const Packing& packing, Problems& problems) {
+  const Contacts& contacts = packing.contacts;
+  const auto n = static_cast<std::int32_t>(packing.grains.size());
+  if (contacts.size() == 0) problems.add("no contacts are proposed; allow a larger gap between grains");
+  std::set<std::pair<int, int>> seen;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const std::int32_t i = contacts.i[c], j = contacts.j[c];
+    if (i < 0 || i >= n || j >= n || j < -4 || i == j)
+      problems.add(fmt::format("contact {} joins {} and {}, of which one is no grain or wall; mend the list of contacts", c, i, j));
+    else if (!seen.insert({std::min(i, j), std::max(i, j)}).second)
+      problems.add(fmt::format("the contact of {} and {} is listed twice; keep one", i, j));
+  }
+}
+
+void check_factors(const ForceProblem& problem, Problems& problems) {
+  std::set<std::int32_t> reported;
+  for (const std::int32_t m : problem.packing.grains.material) {
+    const auto index = static_cast<std::size_t>(std::max(0, m));
+    const bool known = m >= 0 && index < problem.factor.size() && std::isfinite(problem.factor[index]) && problem.factor[index] != 0;
+    if (known || !reported.insert(m).second) continue;
+    const bool named = m >= 0 && index < problem.packing.materials.size();
+    problems.add(fmt::format("material {} has no thermoelastic factor; give thermoelastic_factor, e.g. \"0.0150 K/MPa\"",
+                               named ? problem.packing.materials[index].name : std::to_string(m)));
+  }
+}
+
+void check_walls(const ForceProblem& problem, Problems& problems) {
+  const Contacts& contacts = problem.packing.contacts;
+  for (const WallLoad& wall : problem.walls) {
+    if (wall.side < 0 || wall.side > 3 || !std::isfinite(wall.force) || !(wall.error > 0)) {
+      problems.add("a wall load needs a side, a finite force and a positive error");
+      continue;
+    }
+    bool touched = false;
+    for (std::size_t c = 0; c < contacts.size(); ++c) touched |= contacts.is_wall(c) && contacts.wall_side(c) == wall.side;
+    if (!touched) problems.add(fmt::format("the {} wall carries a load, but no contact with it is proposed; check the walls' places", side_names[static_cast<std::size_t>(wall.side)]));
+  }
+}
+
+void check_options(const ForceOptions& o, Problems& problems) {
+  const auto at_least = [&](const char* name, double value, double least, bool equal) {
+    if (!std::isfinite(value) || value < least || (!equal && value == least))
+      problems.add(fmt::format("{} is {}; it must be {} {}", name, value, equal ? "at least" : "above", least));
+  };
+  at_least("blur", o.blur, 0, true), at_least("rim_margin", o.rim_margin, 0, true), at_least("contact_margin", o.contact_margin, 0, true);
+  at_least("model_error", o.model_error, 0, true), at_least("position_error", o.position_error, 0, true);
+  at_least("balance_error", o.balance_error, 0, false), at_least("prior", o.prior, 0, true);
+  at_least("iterations", o.iterations, 1, true);
+  if (o.inequality == Inequality::cone) at_least("friction", o.friction, 0, false);
+}
+
+}  // namespace
+
+void check_problem(const ForceProblem& problem, const ForceOptions& options, bool factors) {
+  Problems problems;
+  check_options(options, problems);
+  check_grains(problem.packing, problems);
+  check_contacts(problem.packing, problems);
+  check_walls(problem, problems);
+  if (factors) check_factors(problem, problems);
+  problems.raise();
+}
+
+void check_picture(const SwingPicture& p) {
+  const auto size = static_cast<std::size_t>(std::max(0, p.width)) * static_cast<std::size_t>(std::max(0, p.height));
+  if (size == 0 || p.value.size() != size || p.error.size() != size)
+    throw InputError("the picture of the swing needs a value and an error for each of its pixels");
+  if (!(p.pixel > 0)) throw InputError("the side of a pixel is not known; give it, e.g. \"1.60 mm\"");
+}
+
+void check_pixels(const Packing& packing, const std::vector<std::vector<GrainPixel>>& pixels) {
+  Problems problems;
+  const Contacts& contacts = packing.contacts;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const auto i = static_cast<std::size_t>(contacts.i[c]);
+    if (!pixels[i].empty() || (!contacts.is_wall(c) && !pixels[static_cast<std::size_t>(contacts.j[c])].empty())) continue;
+    problems.add(fmt::format("no pixel of the picture sees the contact of grain {} with {}; leave the contact out or lower the margins",
+                               packing.grains.id[i], contacts.is_wall(c) ? std::string("a wall") : fmt::format("grain {}", packing.grains.id[static_cast<std::size_t>(contacts.j[c])])));
+  }
+  problems.raise();
+}
+
+}  // namespace arenite::inference

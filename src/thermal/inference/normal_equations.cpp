@@ -1,0 +1,182 @@
+#include "thermal/inference/normal_equations.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <cmath>
+
+#include "core/cannot_go_on.hpp"
+#include "core/error.hpp"
+#include "thermal/inference/selected_inverse.hpp"
+
+namespace arenite::inference {
+
+using Matrix = Eigen::SparseMatrix<double>;
+using Vector = Eigen::VectorXd;
+using Factor = Eigen::SimplicialLDLT<Matrix, Eigen::Lower>;
+
+struct NormalEquations::State {
+  std::vector<Eigen::Triplet<double>> lower;
+  Vector right;
+
+  Matrix matrix() const {
+    Matrix m(right.size(), right.size());
+    m.setFromTriplets(lower.begin(), lower.end());
+    return m;
+  }
+};
+
+NormalEquations::NormalEquations(int unknowns) : state_(std::make_unique<State>()) { state_->right = Vector::Zero(unknowns); }
+NormalEquations::~NormalEquations() = default;
+NormalEquations::NormalEquations(NormalEquations&&) noexcept = default;
+NormalEquations& NormalEquations::operator=(NormalEquations&&) noexcept = default;
+
+int NormalEquations::unknowns() const { return static_cast<int>(state_->right.size()); }
+
+void NormalEquations::add(const std::vector<int>& columns, const std::vector<double>& rows, const std::vector<double>& right,
+                          const std::vector<double>& weight) {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const auto n = static_cast<Eigen::Index>(columns.size()), m = static_cast<Eigen::Index>(right.size());
+  const Eigen::Map<const Rows> a(rows.data(), m, n);
+  const Eigen::Map<const Vector> w(weight.data(), m), y(right.data(), m);
+  const Rows weighted = w.asDiagonal() * a;
+  const Eigen::MatrixXd normal = a.transpose() * weighted;
+  const Vector b = weighted.transpose() * y;
+  for (Eigen::Index p = 0; p < n; ++p) {
+    const int column = columns[static_cast<std::size_t>(p)];
+    state_->right[column] += b[p];
+    for (Eigen::Index q = 0; q <= p; ++q) {
+      const int other = columns[static_cast<std::size_t>(q)];
+      state_->lower.emplace_back(std::max(column, other), std::min(column, other), normal(p, q));
+    }
+  }
+}
+
+void NormalEquations::add_diagonal(int unknown, double weight, double right) {
+  state_->lower.emplace_back(unknown, unknown, weight);
+  state_->right[unknown] += weight * right;
+}
+
+namespace {
+
+std::vector<double> values(const Vector& v) { return {v.data(), v.data() + v.size()}; }
+
+[[noreturn]] void refuse() {
+  throw InputError("the contact forces cannot be solved for: loads, thermoelastic factors and errors of pixels differ by too many orders of "
+                   "magnitude, or nothing holds a contact; check their units and the places of grains and walls");
+}
+
+/// Places of grains move by a solution: what is no number must not get there.
+std::vector<double> finite_values(const Vector& v) {
+  if (!v.allFinite()) refuse();
+  return values(v);
+}
+
+void factorise(Factor& factor, const Matrix& m) {
+  if (!m.coeffs().allFinite()) refuse();
+  factor.factorize(m);
+  if (factor.info() != Eigen::Success) refuse();
+}
+
+/// x = T y with fn = y_0 + y_1 and ft = mu (y_0 - y_1) for every contact; other unknowns stay.
+Matrix cone_edges(Eigen::Index unknowns, int contacts, double mu) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int c = 0; c < contacts; ++c) {
+    entries.emplace_back(2 * c, 2 * c, 1), entries.emplace_back(2 * c, 2 * c + 1, 1);
+    entries.emplace_back(2 * c + 1, 2 * c, mu), entries.emplace_back(2 * c + 1, 2 * c + 1, -mu);
+  }
+  for (Eigen::Index u = 2 * contacts; u < unknowns; ++u) entries.emplace_back(u, u, 1);
+  Matrix t(unknowns, unknowns);
+  t.setFromTriplets(entries.begin(), entries.end());
+  return t;
+}
+
+/// The largest step, at most 1, that keeps v + step dv >= 0 in its first entries.
+double longest_step(const Vector& v, const Vector& dv, Eigen::Index bounded) {
+  double step = 1;
+  for (Eigen::Index u = 0; u < bounded; ++u)
+    if (dv[u] < 0) step = std::min(step, -v[u] / dv[u]);
+  return step;
+}
+
+/// Minimum of y H y/2 - b y with the first `bounded` unknowns >= 0, by Mehrotra's predictor and corrector: `s` are the
+/// slopes that hold unknowns at zero, and products y s shrink together.
+Vector nonnegative(const Matrix& h, const Vector& b, Eigen::Index bounded) {
+  const auto times = [&](const Vector& v) -> Vector { return h.selfadjointView<Eigen::Lower>() * v; };
+  const double slope = b.cwiseAbs().maxCoeff();
+  if (slope == 0) return Vector::Zero(b.size());
+  Vector y = Vector::Ones(b.size()), s = Vector::Zero(b.size());
+  s.head(bounded).setConstant(slope);
+  Factor factor;
+  factor.analyzePattern(h);
+  for (int iteration = 0; iteration < 100; ++iteration) {
+    const Vector left = times(y) - b - s;
+    const double gap = y.head(bounded).dot(s.head(bounded)) / static_cast<double>(bounded);
+    if (gap < 1e-11 * slope && left.cwiseAbs().maxCoeff() < 1e-9 * slope) return y;
+    Matrix m = h;
+    for (Eigen::Index u = 0; u < bounded; ++u) m.coeffRef(u, u) += s[u] / y[u];
+    factorise(factor, m);
+    Vector dy, ds = Vector::Zero(b.size()), goal = Vector::Zero(b.size());
+    const auto solve = [&] {
+      Vector right = -left;
+      right.head(bounded).array() += goal.head(bounded).array() / y.head(bounded).array();
+      dy = factor.solve(right);
+      ds.head(bounded) = (goal.head(bounded) - s.head(bounded).cwiseProduct(dy.head(bounded))).cwiseQuotient(y.head(bounded));
+    };
+    goal.head(bounded) = -y.head(bounded).cwiseProduct(s.head(bounded));
+    solve();
+    const double p = longest_step(y, dy, bounded), d = longest_step(s, ds, bounded);
+    const double after = (y + p * dy).head(bounded).dot((s + d * ds).head(bounded)) / static_cast<double>(bounded);
+    goal.head(bounded) -= dy.head(bounded).cwiseProduct(ds.head(bounded));
+    goal.head(bounded).array() += gap * std::pow(after / gap, 3);
+    solve();
+    const double step = std::min(longest_step(y, dy, bounded), longest_step(s, ds, bounded));
+    const double safe = step < 1 ? 0.995 * step : 1;
+    y += safe * dy, s += safe * ds;
+  }
+  throw CannotGoOn("forces within the friction cone were not found in 100 steps; check the units of loads and factors, and forces.friction");
+}
+
+}  // namespace
+
+std::vector<double> NormalEquations::solve() const {
+  const Matrix m = state_->matrix();
+  Factor factor;
+  factor.analyzePattern(m);
+  factorise(factor, m);
+  return finite_values(factor.solve(state_->right));
+}
+
+std::vector<double> NormalEquations::solve_in_cone(int contacts, double mu) const {
+  const Matrix half = state_->matrix(), t = cone_edges(half.rows(), contacts, mu);
+  const Matrix full = half.selfadjointView<Eigen::Lower>();
+  const Matrix h = Matrix(t.transpose() * full * t).triangularView<Eigen::Lower>();
+  return finite_values(t * nonnegative(h, t.transpose() * state_->right, 2 * contacts));
+}
+
+std::vector<double> NormalEquations::inverse_diagonal() const {
+  const Matrix m = state_->matrix();
+  Factor factor;
+  factor.analyzePattern(m);
+  factorise(factor, m);
+  const Matrix l = factor.matrixL();
+  std::vector<int> begin(l.outerIndexPtr(), l.outerIndexPtr() + l.cols() + 1), row(l.innerIndexPtr(), l.innerIndexPtr() + l.nonZeros());
+  const std::vector<double> value(l.valuePtr(), l.valuePtr() + l.nonZeros());
+  const std::vector<double> z = selected_inverse_diagonal(begin, row, value, values(factor.vectorD()));
+  std::vector<double> diagonal(z.size());
+  const auto& order = factor.permutationP().indices();  // old index -> new index
+  for (std::size_t u = 0; u < z.size(); ++u) diagonal[u] = z[static_cast<std::size_t>(order[static_cast<Eigen::Index>(u)])];
+  return diagonal;
+}
+
+int NormalEquations::small_eigenvalues(double threshold) const {
+  Matrix m = state_->matrix();
+  const double shift = threshold * m.diagonal().maxCoeff();
+  for (Eigen::Index u = 0; u < m.cols(); ++u) m.coeffRef(u, u) -= shift;
+  Factor factor;
+  factor.analyzePattern(m);
+  factorise(factor, m);
+  return static_cast<int>((factor.vectorD().array() < 0).count());
+}
+
+}  // namespace arenite::inference

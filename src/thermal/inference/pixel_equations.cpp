@@ -1,0 +1,69 @@
+#include "thermal/inference/pixel_equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/median.hpp"
+
+namespace arenite::inference {
+
+double root_mean_square(const std::vector<GrainPixel>& pixels) {
+  double sum = 0;
+  for (const GrainPixel& p : pixels) sum += static_cast<double>(p.value) * p.value;
+  return pixels.empty() ? 0 : std::sqrt(sum / static_cast<double>(pixels.size()));
+}
+
+void PixelEquations::add_to(NormalEquations& equations, const Unknowns& unknowns) {
+  for (std::size_t g = 0; g < pixels_.size(); ++g)
+    if (!pixels_[g].empty() && !placed_.touches[g].empty()) add_grain(equations, unknowns, g);
+}
+
+Misfit PixelEquations::misfit(const std::vector<double>& x, double taken) const {
+  Misfit m;
+  double count = 0;
+  std::vector<double> off, signal;
+  for (const Block& b : blocks_)
+    for (std::size_t q = 0; q < b.right.size(); ++q, count += 1) {
+      double left = b.right[q];
+      for (std::size_t k = 0; k < b.columns.size(); ++k) left -= b.rows[q * b.columns.size() + k] * x[static_cast<std::size_t>(b.columns[k])];
+      m.weighed += left * left * b.weight[q];
+      m.over_noise += left * left / (b.noise[q] * b.noise[q]);
+      off.push_back(std::abs(left)), signal.push_back(std::abs(b.value[q]));
+    }
+  const double freedom = std::max({1.0, 0.1 * count, count - taken});
+  m.weighed /= freedom, m.over_noise /= freedom;
+  const double middle = median(std::move(signal));
+  m.over_signal = middle > 0 ? median(std::move(off)) / middle : 0;
+  return m;
+}
+
+void PixelEquations::add_grain(NormalEquations& equations, const Unknowns& unknowns, std::size_t g) {
+  const auto& touches = placed_.touches[g];
+  const std::size_t z = touches.size();
+  const GrainRows found = rows_of_grain(placed_, g, pixels_[g], footprint_);
+  Block b{columns_of(unknowns, g, touches), {}, {}, {}, {}, {}};
+  if (unknowns.scales > 0) b.columns.push_back(unknowns.scale(static_cast<std::size_t>(material_[g])));
+  const std::size_t n = b.columns.size();
+  b.rows.assign(n * pixels_[g].size(), 0.0);
+  const double signal = root_mean_square(pixels_[g]);
+  for (std::size_t q = 0; q < pixels_[g].size(); ++q) {
+    double* row = &b.rows[n * q];
+    for (std::size_t k = 0; k < 2 * z; ++k) row[k] = unknowns.force * found.response[2 * z * q + k];
+    if (unknowns.move > 0) {
+      row[2 * z] += unknowns.move * found.shift[2 * q], row[2 * z + 1] += unknowns.move * found.shift[2 * q + 1];
+      for (std::size_t k = 0; k < z; ++k) add_turn(unknowns, touches, k, found.turn[z * q + k], row);
+    }
+    if (unknowns.scales > 0)  // factors of the present forces: a hundredth more factor is a hundredth more warming
+      for (std::size_t k = 0; k < 2 * z; ++k) row[n - 1] += found.response[2 * z * q + k] * placed_.force[2 * static_cast<std::size_t>(touches[k / 2].contact) + k % 2];
+    const double error = pixels_[g][q].error, close = std::max(1.0, contact_margin_ / pixels_[g][q].to_contact);
+    const double model = model_error_ * signal * close * close * close;
+    b.right.push_back(pixels_[g][q].value - found.spill[q]);
+    b.weight.push_back(1 / (error * error + model * model));
+    b.value.push_back(pixels_[g][q].value);
+    b.noise.push_back(error);
+  }
+  equations.add(b.columns, b.rows, b.right, b.weight);
+  blocks_.push_back(std::move(b));
+}
+
+}  // namespace arenite::inference

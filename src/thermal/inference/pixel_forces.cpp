@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "geometry/close_pairs.hpp"
+#include "thermal/inference/balance.hpp"
+#include "thermal/inference/check_problem.hpp"
+#include "thermal/inference/contact_forces.hpp"
+#include "thermal/inference/finish.hpp"
+#include "thermal/inference/pixel_equations.hpp"
+
+namespace arenite::inference {
+namespace {
+
+Placed placed_grains(const ForceProblem& problem) {
+  const Grains& grains = problem.packing.grains;
+  Placed placed;
+  placed.length = problem.packing.domain.thickness;
+  placed.radius = grains.radius;
+  for (std::size_t g = 0; g < grains.size(); ++g) {
+    placed.factor.push_back(problem.factor[static_cast<std::size_t>(grains.material[g])]);
+    placed.found.push_back(grains.centre(g));
+  }
+  placed.centre = placed.found;
+  placed.touches = touches_of_grains(problem.packing, placed.centre);
+  placed.force.assign(2 * problem.packing.contacts.size(), 0.0);
+  return placed;
+}
+
+/// Grains whose rims are nearer than a footprint reaches.
+std::vector<std::vector<Near>> near_grains(const Packing& packing, double gap) {
+  const Grains& grains = packing.grains;
+  const Domain& d = packing.domain;
+  std::vector<std::vector<Near>> near(grains.size());
+  const auto add = [&](std::size_t i, std::size_t j) {
+    const Vec2 apart = grains.centre(i) - grains.centre(j);
+    near[i].push_back({j, apart - d.nearest_image(apart)});
+  };
+  if (d.tilt != 0) {  // few and for tests of other codes' cells: every pair
+    for (std::size_t i = 0; i < grains.size(); ++i)
+      for (std::size_t j = 0; j < grains.size(); ++j)
+        if (i != j && norm(d.nearest_image(grains.centre(i) - grains.centre(j))) < grains.radius[i] + grains.radius[j] + gap) add(i, j);
+    return near;
+  }
+  const geometry::Box box{d.wall[left].position, d.wall[bottom].position, d.width(), d.height(), d.periodic_x, d.periodic_y};
+  for (const geometry::Pair& pair : geometry::close_pairs(grains.x, grains.y, grains.radius, box, gap)) {
+    add(static_cast<std::size_t>(pair.i), static_cast<std::size_t>(pair.j));
+    add(static_cast<std::size_t>(pair.j), static_cast<std::size_t>(pair.i));
+  }
+  return near;
+}
+
+/// Mean force of a contact by the sum rule, from the grains' mean warming, N.
+double typical_force(const Placed& placed, const Pixels& pixels) {
+  double sum = 0, touches = 0;
+  for (std::size_t g = 0; g < pixels.size(); ++g) {
+    sum += std::numbers::pi * placed.radius[g] * placed.length * root_mean_square(pixels[g]) / std::abs(placed.factor[g]);
+    touches += static_cast<double>(placed.touches[g].size());
+  }
+  return sum > 0 ? sum / touches : 1;
+}
+
+/// Centres stay near where they were found.
+void add_positions(NormalEquations& equations, const Unknowns& unknowns, const Placed& placed, double error) {
+  if (unknowns.move <= 0) return;
+  const double weight = unknowns.move * unknowns.move / (error * error);
+  for (std::size_t g = 0; g < unknowns.grains; ++g) {
+    const Vec2 back = (1 / unknowns.move) * (placed.found[g] - placed.centre[g]);
+    equations.add_diagonal(unknowns.centre(g), weight, back.x);
+    equations.add_diagonal(unknowns.centre(g) + 1, weight, back.y);
+  }
+}
+
+/// Factors stay near what was told, as far as nothing else says: without a load only their ratio shows.
+void add_factors(NormalEquations& equations, const Unknowns& unknowns, const std::vector<double>& scale) {
+  constexpr double free = 3;
+  for (std::size_t m = 0; m < unknowns.scales; ++m) equations.add_diagonal(unknowns.scale(m), 1 / (free * free * scale[m] * scale[m]), (1 - scale[m]) / scale[m]);
+}
+
+/// Takes over the solution.
+void take(Placed& placed, std::vector<double>& scale, const Packing& packing, const Unknowns& unknowns, const std::vector<double>& x) {
+  for (std::size_t k = 0; k < 2 * unknowns.contacts; ++k) placed.force[k] = unknowns.force * x[k];
+  for (std::size_t m = 0; m < unknowns.scales; ++m) {
+    // Half or double in one round at most: product of factor and force is far from linear beyond.
+    const double times = std::clamp(1 + x[static_cast<std::size_t>(unknowns.scale(m))], 0.5, 2.0);
+    scale[m] *= times;
+    for (std::size_t g = 0; g < placed.factor.size(); ++g)
+      if (static_cast<std::size_t>(packing.grains.material[g]) == m) placed.factor[g] *= times;
+  }
+  if (unknowns.move <= 0) return;
+  for (std::size_t g = 0; g < unknowns.grains; ++g) {
+    const auto u = static_cast<std::size_t>(unknowns.centre(g));
+    placed.centre[g] += unknowns.move * Vec2{x[u], x[u + 1]};
+  }
+  placed.touches = touches_of_grains(packing, placed.centre);
+}
+
+/// What the picture would show of these forces in all pixels whose centres are in grains.
+std::vector<float> drawn(const Placed& placed, const Packing& packing, const SwingPicture& picture, const Footprint& footprint) {
+  std::vector<float> fitted(picture.value.size(), std::numeric_limits<float>::quiet_NaN());
+  const Pixels all = pixels_of_grains(picture, packing, placed.touches, 0, 0);
+  for (std::size_t g = 0; g < all.size(); ++g) {
+    const auto& touches = placed.touches[g];
+    const std::size_t z = touches.size();
+    const GrainRows rows = rows_of_grain(placed, g, all[g], footprint);
+    for (std::size_t q = 0; q < all[g].size(); ++q) {
+      double sum = rows.spill[q];
+      for (std::size_t k = 0; k < 2 * z; ++k) sum += rows.response[2 * z * q + k] * placed.force[2 * static_cast<std::size_t>(touches[k / 2].contact) + k % 2];
+      fitted[all[g][q].number] = static_cast<float>(sum);
+    }
+  }
+  return fitted;
+}
+
+}  // namespace
+
+InferredForces infer_from_pixels(const ForceProblem& problem, const SwingPicture& picture, const ForceOptions& options) {
+  check_problem(problem, options, true);
+  check_picture(picture);
+  const Packing& packing = problem.packing;
+  Placed placed = placed_grains(problem);
+  const Pixels pixels = pixels_of_grains(picture, packing, placed.touches, options.rim_margin, options.contact_margin);
+  check_pixels(packing, pixels);
+  const Footprint footprint(picture.pixel, options.blur);
+  placed.near = near_grains(packing, footprint.reach);
+  Unknowns unknowns{packing.contacts.size(), packing.grains.size(), typical_force(placed, pixels), 0, 0};
+  // Balance takes three of the forces' unknowns a grain.
+  const double taken = std::max(0.0, 2.0 * static_cast<double>(unknowns.contacts) - 3.0 * static_cast<double>(unknowns.grains));
+  double model_error = options.model_error;
+  std::vector<double> scale(options.fit_factors ? problem.factor.size() : 0, 1.0);
+  for (int iteration = 1;; ++iteration) {
+    // Without forces centres are of no consequence: the first solution is of forces only.
+    const double position_error = options.position_error * picture.pixel;
+    unknowns.move = iteration > 1 ? position_error : 0;
+    unknowns.scales = iteration > 1 ? scale.size() : 0;
+    NormalEquations equations(unknowns.count());
+    PixelEquations rows(placed, pixels, packing.grains.material, footprint, model_error, options.contact_margin * picture.pixel);
+    rows.add_to(equations, unknowns);
+    add_balance(equations, unknowns, packing, placed.touches, placed.force, options.gravity, options.balance_error * unknowns.force);
+    add_walls(equations, unknowns, packing.contacts, problem.walls);
+    add_energy(equations, unknowns, packing, options.prior > 0 ? options.prior : 10);
+    add_positions(equations, unknowns, placed, position_error);
+    add_factors(equations, unknowns, scale);
+    const std::vector<double> x = options.inequality == Inequality::cone && iteration == options.iterations
+                                      ? equations.solve_in_cone(static_cast<int>(unknowns.contacts), options.friction)
+                                      : equations.solve();
+    take(placed, scale, packing, unknowns, x);
+    const Misfit misfit = rows.misfit(x, taken);
+    if (iteration < options.iterations) {
+      if (options.fit_model_error) model_error = std::max(1e-4, model_error * std::sqrt(misfit.weighed));
+      continue;
+    }
+    InferredForces out = finish(problem, options, equations, unknowns, placed.touches, placed.force);
+    out.residual = std::sqrt(misfit.weighed), out.over_noise = std::sqrt(misfit.over_noise), out.over_signal = misfit.over_signal;
+    out.model_error = model_error;
+    out.factor_scale = std::move(scale);
+    for (std::size_t m = 0; m < out.factor_scale.size(); ++m) out.factor_scale_error[m] *= out.factor_scale[m];
+    out.fitted = drawn(placed, packing, picture, footprint);
+    for (const auto& of_grain : pixels) out.pixels += of_grain.size();
+    out.iterations = iteration;
+    return out;
+  }
+}
+
+}  // namespace arenite::inference

@@ -1,0 +1,168 @@
+#include "thermal/inference/presence.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+#include "core/median.hpp"
+
+namespace arenite::inference {
+namespace {
+
+constexpr double strong = 0.3;           // mean forces; from here on noise takes no contact for another
+/// Borders of the steps, in mean forces: of contacts that lost their force and are gone, and of those that are there.
+constexpr std::array gone{-1.5, -0.3, 0.0};
+constexpr std::array there{-1.5, -0.3, 0.0, 0.3, 0.6, 1.0, 1.5, 2.2, 3.0, 6.0};
+constexpr std::size_t steps_gone = gone.size() - 1, steps_there = there.size() - 1, classes = 1 + steps_gone + steps_there;
+/// Share of contacts that are there whose overlap follows no law: grains that are not round, centres that are wrong.
+constexpr double lawless = 0.03;
+
+double below(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
+double bell(double x, double deviation) { return std::exp(-0.5 * x * x / (deviation * deviation)) / (deviation * std::sqrt(2 * std::numbers::pi)); }
+/// Density at f of an even step between two borders that noise blurs.
+double step(double f, double error, double low, double high) { return (below((f - low) / error) - below((f - high) / error)) / (high - low); }
+
+/// Overlap of contacts of one kind: at + slope force, +- spread, in widest gaps and mean forces.
+struct OverlapLaw {
+  double at = 0, slope = 0, spread = 0.25;
+};
+
+/// The evidence in mean forces and widest gaps.
+struct Scaled {
+  std::vector<double> f, error, overlap;
+  const std::vector<int>& kind;
+};
+
+Scaled scaled(const ContactEvidence& e) {
+  double sum = 0, count = 0;
+  for (std::size_t c = 0; c < e.fn.size(); ++c)
+    if (e.fn[c] > 3 * e.fn_error[c]) sum += e.fn[c], ++count;
+  const double mean = count > 0 && sum > 0 ? sum / count : 1, gap = e.widest_gap > 0 ? e.widest_gap : 1;
+  Scaled s{{}, {}, {}, e.kind};
+  for (std::size_t c = 0; c < e.fn.size(); ++c) {
+    s.f.push_back(std::clamp(e.fn[c] / mean, there.front(), there.back()));
+    s.error.push_back(std::max(e.fn_error[c] / mean, 1e-6));
+    s.overlap.push_back(e.overlap[c] / gap);
+  }
+  return s;
+}
+
+/// A straight line through the strong contacts of every kind that has a dozen; other kinds are at 0, spread as the widest.
+std::map<int, OverlapLaw> overlap_laws(const Scaled& s) {
+  std::map<int, std::vector<std::size_t>> of;
+  for (std::size_t c = 0; c < s.f.size(); ++c) {
+    of[s.kind[c]];
+    if (s.f[c] > strong && s.f[c] > 4 * s.error[c]) of[s.kind[c]].push_back(c);
+  }
+  std::map<int, OverlapLaw> laws;
+  double widest = 0;
+  for (const auto& [kind, contacts] : of) {
+    if (contacts.size() < 12) continue;
+    const auto n = static_cast<double>(contacts.size());
+    double x = 0, y = 0, xx = 0, xy = 0;
+    for (const std::size_t c : contacts) x += s.f[c] / n, y += s.overlap[c] / n;
+    for (const std::size_t c : contacts) xx += (s.f[c] - x) * (s.f[c] - x), xy += (s.f[c] - x) * (s.overlap[c] - y);
+    OverlapLaw law;
+    law.slope = xx > 0 ? xy / xx : 0;
+    law.at = y - law.slope * x;
+    std::vector<double> rest;
+    for (const std::size_t c : contacts) rest.push_back(std::abs(s.overlap[c] - law.at - law.slope * s.f[c]));
+    law.spread = std::max(0.02, median(std::move(rest)) / median_of_normal_size);
+    widest = std::max(widest, law.spread);
+    laws[kind] = law;
+  }
+  for (const auto& [kind, contacts] : of)
+    if (!laws.contains(kind)) laws[kind] = {0, 0, widest > 0 ? widest : 0.25};
+  return laws;
+}
+
+class Mixture {
+ public:
+  explicit Mixture(const ContactEvidence& e) : s_(scaled(e)), laws_(overlap_laws(s_)) {
+    share_.fill(0.75 / static_cast<double>(steps_there));
+    share_[0] = 0.15;
+    std::fill_n(share_.begin() + 1, steps_gone, 0.1 / static_cast<double>(steps_gone));
+  }
+
+  Presence fitted() {
+    constexpr int rounds = 200;
+    Presence p;
+    for (int round = 0; round < rounds; ++round) improve();
+    for (std::size_t c = 0; c < s_.f.size(); ++c) {
+      const auto posterior = posteriors(c);
+      p.probability.push_back(std::accumulate(posterior.begin() + 1 + steps_gone, posterior.end(), 0.0));
+      p.idle.push_back(posterior[0]);
+      p.expected += p.probability.back();
+      p.error += p.probability.back() * (1 - p.probability.back());
+    }
+    p.error = std::sqrt(p.error);
+    p.error_scale = scale_;
+    return p;
+  }
+
+ private:
+  using Classes = std::array<double, classes>;
+
+  /// Share of every class in contact c.
+  Classes posteriors(std::size_t c) const {
+    const OverlapLaw& law = laws_.at(s_.kind[c]);
+    const double f = s_.f[c], error = scale_ * s_.error[c], over = s_.overlap[c] - law.at;
+    const double apart = below(-over / law.spread);  // gaps from 0 to the widest are as likely
+    Classes p;
+    p[0] = share_[0] * bell(f, error) * apart;
+    for (std::size_t k = 0; k < steps_gone; ++k) p[1 + k] = share_[1 + k] * step(f, error, gone[k], gone[k + 1]) * apart;
+    for (std::size_t k = 0; k < steps_there; ++k) {
+      const double force = std::max(0.0, std::clamp(f, there[k], there[k + 1]));
+      const double touching = (1 - lawless) * bell(over - law.slope * force, law.spread) + lawless;
+      p[1 + steps_gone + k] = share_[1 + steps_gone + k] * step(f, error, there[k], there[k + 1]) * touching;
+    }
+    const double sum = std::accumulate(p.begin(), p.end(), 0.0);
+    if (sum > 0) {
+      for (double& v : p) v /= sum;
+    } else {  // farther from every class than numbers reach
+      p.fill(0);
+      p[f > 0 ? classes - 1 : 0] = 1;
+    }
+    return p;
+  }
+
+  void improve() {
+    Classes sums{};
+    double squares = 0, none = 0;
+    for (std::size_t c = 0; c < s_.f.size(); ++c) {
+      const Classes p = posteriors(c);
+      for (std::size_t k = 0; k < classes; ++k) sums[k] += p[k];
+      const double z = s_.f[c] / s_.error[c];
+      squares += p[0] * std::min(z * z, 25.0), none += p[0];
+    }
+    for (std::size_t k = 0; k < classes; ++k) share_[k] = sums[k] / static_cast<double>(s_.f.size());
+    if (none > 5) scale_ = std::clamp(std::sqrt(squares / none), 0.3, 5.0);
+  }
+
+  Scaled s_;
+  std::map<int, OverlapLaw> laws_;
+  Classes share_{};
+  double scale_ = 1;
+};
+
+}  // namespace
+
+Presence presence(const ContactEvidence& evidence) {
+  if (evidence.fn.empty()) return {};
+  return Mixture(evidence).fitted();
+}
+
+std::vector<std::uint8_t> taken_as_present(const Presence& presence) {
+  std::vector<std::size_t> order(presence.probability.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return presence.probability[a] > presence.probability[b]; });
+  std::vector<std::uint8_t> out(order.size(), 0);
+  const auto many = static_cast<std::size_t>(std::lround(presence.expected));
+  for (std::size_t k = 0; k < std::min(many, order.size()); ++k) out[order[k]] = 1;
+  return out;
+}
+
+}  // namespace arenite::inference

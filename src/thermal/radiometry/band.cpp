@@ -1,0 +1,91 @@
+#include "thermal/radiometry/band.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace arenite::radiometry {
+namespace {
+
+constexpr double light = 299792458.0;       // m/s
+constexpr double planck = 6.62607015e-34;   // J s
+constexpr double boltzmann = 1.380649e-23;  // J/K
+constexpr double c2 = planck * light / boltzmann;
+
+/// Between x = a and b of x^2/(e^x - 1), a below b: with e^-x (1 + e^-x + ..) for 1/(e^x - 1), each term is known. The
+/// terms are taken as differences, so that a narrow band keeps its digits.
+double integral(double a, double b) {
+  const double width = b - a;
+  double sum = 0;
+  for (int k = 1; k <= 100000; ++k) {
+    const double n = k;
+    // F(x) = (x^2/n + 2x/n^2 + 2/n^3) e^-nx; F(a) - F(b) = e^-na (P(a) (1 - e^-nw) - (P(b) - P(a)) e^-nw)
+    const double at_a = (a * a + 2 * a / n + 2 / (n * n)) / n;
+    const double more = width * (a + b + 2 / n) / n;
+    const double term = std::exp(-n * a) * (-at_a * std::expm1(-n * width) - more * std::exp(-n * width));
+    sum += term;
+    if (term <= 1e-17 * sum) break;
+  }
+  return sum;
+}
+
+double integrand(double x) { return x * x / std::expm1(x); }
+
+/// 2 pi c/lambda^4 d lambda = -2 pi c (T/C2)^3 x^2 dx with x = C2/(lambda T).
+double scale(double temperature) {
+  const double u = temperature / c2;
+  return 2 * std::numbers::pi * light * u * u * u;
+}
+
+}  // namespace
+
+double photon_exitance(const Band& band, double temperature) {
+  if (!(temperature > 0)) return 0;
+  return scale(temperature) * integral(c2 / (band.high * temperature), c2 / (band.low * temperature));
+}
+
+double photon_exitance_slope(const Band& band, double temperature) {
+  if (!(temperature > 0)) return 0;
+  const double a = c2 / (band.high * temperature), b = c2 / (band.low * temperature);
+  return scale(temperature) / temperature * (3 * integral(a, b) + a * integrand(a) - b * integrand(b));
+}
+
+double exitance_exponent(const Band& band, double temperature) {
+  return temperature * photon_exitance_slope(band, temperature) / photon_exitance(band, temperature);
+}
+
+double temperature_of_exitance(const Band& band, double exitance) {
+  if (!(exitance > 0)) return 0;
+  // ln N falls almost linearly with u = 1/T, and is bent upwards: Newton's steps go to the root from either side.
+  const double wanted = std::log(exitance);
+  double u = 1.0 / 300;
+  for (int k = 0; k < 60; ++k) {
+    const double t = 1 / u, n = photon_exitance(band, t);
+    const double slope = -t * exitance_exponent(band, t);
+    const double next = std::clamp(u - (std::log(n) - wanted) / slope, u / 4, 4 * u);
+    const bool settled = std::abs(next - u) <= 4e-16 * u;
+    u = next;
+    if (settled) break;
+  }
+  return 1 / u;
+}
+
+double seen_exitance(const Band& band, const Surface& surface, double temperature) {
+  return surface.emissivity * photon_exitance(band, temperature) +
+         (1 - surface.emissivity) * photon_exitance(band, surface.ambient);
+}
+
+double temperature_of_seen(const Band& band, const Surface& surface, double exitance) {
+  const double mirrored = (1 - surface.emissivity) * photon_exitance(band, surface.ambient);
+  return temperature_of_exitance(band, (exitance - mirrored) / surface.emissivity);
+}
+
+SmallChange taken_for_another(const Band& band, const Surface& assumed, const Surface& surface, double temperature) {
+  if (assumed.emissivity == surface.emissivity) return {temperature, 1};
+  const double t = temperature_of_seen(band, surface, seen_exitance(band, assumed, temperature));
+  if (!(t > 0)) return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+  return {t, assumed.emissivity * photon_exitance_slope(band, temperature) / (surface.emissivity * photon_exitance_slope(band, t))};
+}
+
+}  // namespace arenite::radiometry

@@ -1,0 +1,35 @@
+#pragma once
+#include <vector>
+
+#include "thermal/radiometry/band.hpp"
+#include "thermal/thermography/correction.hpp"
+
+namespace arenite::thermography {
+
+/// A point of a calibration curve.
+struct LevelPoint {
+  double level = 0, temperature = 0;  ///< digital level, K
+};
+
+/// Levels for which a curve is made.
+struct LevelRange {
+  double low = 0, high = 16383;
+};
+
+/// Straight between the points of a black body, whatever their order; beyond them the last pieces go on. Throws InputError for fewer
+/// than two points, two of one level, or temperatures that do not rise with the level.
+LevelCurve curve_through(std::vector<LevelPoint> points, const LevelRange& range = {});
+
+/// The same for a surface that is not black: what a level says of the photons stays, and a part of them is mirrored.
+LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band& band, const radiometry::Surface& surface, const LevelRange& range = {});
+
+/// Radiometry between two black plates: the level is a straight line of the photons in the band, and a surface that is
+/// not black shows eps N(T) + (1 - eps) N(T_amb).
+LevelCurve curve_by_plates(const radiometry::Band& band, const LevelPoint& cold, const LevelPoint& warm,
+                           const radiometry::Surface& surface, const LevelRange& range = {});
+
+/// Radiometry with one level known, which is that of a black surface: levels are proportional to photons.
+LevelCurve curve_by_radiometry(const radiometry::Band& band, const LevelPoint& known, const radiometry::Surface& surface,
+                               const LevelRange& range = {});
+
+}  // namespace arenite::thermography

@@ -1,0 +1,84 @@
+#include "thermal/thermography/grain_means.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "core/error.hpp"
+#include "geometry/disk_window.hpp"
+
+namespace arenite::thermography {
+
+namespace {
+
+void check(const PictureGrains& grains, const GrainMeanOptions& o) {
+  std::vector<Problem> problems;
+  if (!(o.share > 0 && o.share <= 1)) problems.push_back({{}, 0, 0, fmt::format("the share of a grain's area is {}; it must be above 0 and at most 1", o.share)});
+  std::set<std::int32_t> missing;
+  for (const auto m : grains.material) {
+    const auto k = static_cast<std::size_t>(m);
+    if (m < 0 || k >= o.factor.size() || !(o.factor[k] > 0) || !std::isfinite(o.factor[k])) missing.insert(m);
+  }
+  for (const auto m : missing)
+    problems.push_back({{}, 0, 0, m < 0 ? std::string("some grains have no material; name the material of every grain")
+                                        : fmt::format("material {} has no thermoelastic factor above 0; give it, for example \"0.0150 K/MPa\"", m)});
+  if (!problems.empty()) throw InputError(std::move(problems));
+}
+
+/// Length of the slope of a disk's mean when its centre is shifted, a pixel.
+double slope(const LockinMaps& maps, double x, double y, double radius) {
+  constexpr double step = 0.5;
+  const auto mean = [&](double dx, double dy) {
+    return disk_mean(maps.in_phase, maps.standard_error, maps.width, maps.height, x + dx, y + dy, radius).mean;
+  };
+  return std::hypot(mean(step, 0) - mean(-step, 0), mean(0, step) - mean(0, -step)) / (2 * step);
+}
+
+}  // namespace
+
+DiskMean disk_mean(const std::vector<float>& map, const std::vector<float>& error, int width, int height, double x, double y, double radius) {
+  DiskMean result;
+  double sum = 0, squares = 0;
+  const auto first = [](double v) { return static_cast<int>(std::floor(std::clamp(v + 0.5, -1e6, 1e6))); };
+  for (int row = std::max(0, first(y - radius)); row <= std::min(height - 1, first(y + radius)); ++row)
+    for (int column = std::max(0, first(x - radius)); column <= std::min(width - 1, first(x + radius)); ++column) {
+      const auto p = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+      const auto value = static_cast<double>(map[p]), e = static_cast<double>(error[p]);
+      if (!std::isfinite(value) || !std::isfinite(e)) continue;
+      const double covered = geometry::disk_window_area({x, y}, radius, {column - 0.5, column + 0.5, row - 0.5, row + 0.5});
+      sum += covered * value;
+      squares += covered * covered * e * e;
+      result.area += covered;
+    }
+  if (result.area > 0) {
+    result.mean = sum / result.area;
+    result.error = std::sqrt(squares) / result.area;
+  } else {
+    result.mean = std::numeric_limits<double>::quiet_NaN();
+    result.error = std::numeric_limits<double>::infinity();
+  }
+  return result;
+}
+
+GrainSwing grain_means(const LockinMaps& maps, const PictureGrains& grains, const GrainMeanOptions& options) {
+  check(grains, options);
+  const double to_full = maps.convention == SwingConvention::full ? 1 : 2;
+  GrainSwing swing;
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    const double radius = grains.radius[i] * std::sqrt(options.share), factor = options.factor[static_cast<std::size_t>(grains.material[i])];
+    const DiskMean mean = disk_mean(maps.in_phase, maps.standard_error, maps.width, maps.height, grains.x[i], grains.y[i], radius);
+    double error = mean.error;
+    if (const double shift = grains.position_error.empty() ? 0 : grains.position_error[i]; shift > 0 && mean.area > 0)
+      error = std::hypot(error, shift * slope(maps, grains.x[i], grains.y[i], radius));
+    swing.temperature.push_back(to_full * mean.mean);
+    swing.sigma_hyd.push_back(-to_full * mean.mean / (2 * factor));
+    swing.error.push_back(std::isfinite(error) ? to_full * error / (2 * factor) : std::numeric_limits<double>::infinity());
+    swing.pixels.push_back(mean.area);
+  }
+  return swing;
+}
+
+}  // namespace arenite::thermography

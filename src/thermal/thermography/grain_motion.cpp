@@ -1,0 +1,189 @@
+#include "thermal/thermography/grain_motion.hpp"
+
+#include <Eigen/Dense>
+#include <Eigen/Sparse>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/median.hpp"
+#include "core/threads.hpp"
+#include "thermal/thermography/rim_pixels.hpp"
+
+namespace arenite::thermography {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// What the rim of one grain says about the motion that is still left of it and of those beside it: normal matrix and
+/// right-hand sides (cosine, sine) with the smooth part eliminated; two unknowns a grain.
+struct Left {
+  std::vector<std::size_t> grains;
+  MatrixXd normal, side;
+  double squares = 0, freedom = 0;  ///< of what there is to explain
+  double contrast = 0;              ///< of the grain to what is behind it
+};
+
+/// Contrast of a grain from its mean picture, where the neighbours' are known.
+double contrast_of(const RimPixels& rim, const std::vector<double>& mean, const std::vector<double>& contrast) {
+  std::vector<double> value = mean;
+  for (const OtherRim& o : rim.others) value[o.pixel] -= contrast[o.grain] * o.inside;
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for (std::size_t p = 0; p < value.size(); ++p) {
+    const double in = rim.inside[p];
+    n += 1, x += in, y += value[p], xx += in * in, xy += in * value[p];
+  }
+  const double spread = xx - x * x / n;
+  return spread > 0 ? (xy - x * y / n) / spread : 0;
+}
+
+/// `motion` and `contrast` are those found so far. Seen from the grain, neighbours that move otherwise swing.
+Left motion_left(const PhasePictures& pictures, const RimPixels& rim, std::size_t grain, const GrainMotion& motion,
+                 const std::vector<double>& contrast) {
+  constexpr Index smooth = 6;
+  Left left;
+  left.grains = {grain};
+  for (const OtherRim& o : rim.others)
+    if (std::find(left.grains.begin(), left.grains.end(), o.grain) == left.grains.end()) left.grains.push_back(o.grain);
+  const auto n = static_cast<Index>(rim.x.size()), unknowns = static_cast<Index>(2 * left.grains.size());
+  left.normal = MatrixXd::Zero(unknowns, unknowns);
+  left.side = MatrixXd::Zero(unknowns, 2);
+  if (n < smooth + unknowns) return left;
+  const SwingOfPixels fit(pictures, motion.cos_x[grain], motion.sin_x[grain], motion.cos_y[grain], motion.sin_y[grain]);
+  MatrixXd part(n, smooth), rest = MatrixXd::Zero(n, unknowns + 2);
+  std::vector<double> mean;
+  for (Index i = 0; i < n; ++i) {
+    const auto p = static_cast<std::size_t>(i);
+    const Followed f = fit.follow(pictures, rim.x[p], rim.y[p]);
+    mean.push_back(f.mean);
+    const double in = rim.inside[p], x = rim.from_centre_x[p], y = rim.from_centre_y[p];
+    part.row(i) << in, in * x, in * y, in * x * x, in * x * y, in * y * y;
+    rest(i, 0) = -f.slope_x, rest(i, 1) = -f.slope_y;
+    rest(i, unknowns) = f.cosine, rest(i, unknowns + 1) = f.sine;
+  }
+  for (const OtherRim& o : rim.others) {
+    const auto row = static_cast<Index>(o.pixel);
+    const auto column = 2 * (std::find(left.grains.begin(), left.grains.end(), o.grain) - left.grains.begin());
+    const double x = contrast[o.grain] * o.slope_x, y = contrast[o.grain] * o.slope_y;
+    rest(row, 0) += x, rest(row, 1) += y;
+    rest(row, column) -= x, rest(row, column + 1) -= y;
+    rest(row, unknowns) += x * (motion.cos_x[o.grain] - motion.cos_x[grain]) + y * (motion.cos_y[o.grain] - motion.cos_y[grain]);
+    rest(row, unknowns + 1) += x * (motion.sin_x[o.grain] - motion.sin_x[grain]) + y * (motion.sin_y[o.grain] - motion.sin_y[grain]);
+  }
+  for (Index i = 0; i < n; ++i) {
+    const double w = std::sqrt(rim.weight[static_cast<std::size_t>(i)]);
+    part.row(i) *= w;
+    rest.row(i) *= w;
+  }
+  left.contrast = contrast_of(rim, mean, contrast);
+  const Eigen::HouseholderQR<MatrixXd> qr(part);
+  rest = (qr.householderQ().transpose() * rest).eval().bottomRows(n - smooth).eval();
+  left.normal = rest.leftCols(unknowns).transpose() * rest.leftCols(unknowns);
+  left.side = rest.leftCols(unknowns).transpose() * rest.rightCols(2);
+  left.squares = rest.rightCols(2).squaredNorm();
+  left.freedom = static_cast<double>(2 * (n - smooth - 2));
+  return left;
+}
+
+/// All grains' unknowns together: x of grain i at 2 i, y at 2 i + 1.
+struct Together {
+  Sparse normal;
+  MatrixXd side;
+};
+
+Together assemble(const std::vector<Left>& left) {
+  const auto size = static_cast<Index>(2 * left.size());
+  Together all{Sparse(size, size), MatrixXd::Zero(size, 2)};
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Left& each : left)
+    for (std::size_t a = 0; a < 2 * each.grains.size(); ++a) {
+      const auto row = static_cast<Index>(2 * each.grains[a / 2] + a % 2), i = static_cast<Index>(a);
+      all.side.row(row) += each.side.row(i);
+      for (std::size_t b = 0; b < 2 * each.grains.size(); ++b)
+        entries.emplace_back(row, static_cast<Index>(2 * each.grains[b / 2] + b % 2), each.normal(i, static_cast<Index>(b)));
+    }
+  double trace = 0;
+  for (const auto& e : entries) trace += e.row() == e.col() ? e.value() : 0;
+  for (Index k = 0; k < size; ++k) entries.emplace_back(k, k, 1e-7 * trace / static_cast<double>(size) + 1e-300);
+  all.normal.setFromTriplets(entries.begin(), entries.end());
+  return all;
+}
+
+/// Steps of all grains that are linear in the place.
+MatrixXd affine_step(const PictureGrains& grains, const Together& all) {
+  double span = 1;
+  for (std::size_t i = 0; i < grains.size(); ++i) span = std::max({span, std::abs(grains.x[i]), std::abs(grains.y[i])});
+  MatrixXd shape = MatrixXd::Zero(all.side.rows(), 6);
+  for (std::size_t i = 0; i < grains.size(); ++i)
+    for (Index k = 0; k < 2; ++k)
+      shape.row(static_cast<Index>(2 * i) + k).segment(3 * k, 3) << 1, grains.x[i] / span - 0.5, grains.y[i] / span - 0.5;
+  MatrixXd normal = shape.transpose() * (all.normal * shape);
+  normal.diagonal().array() += 1e-9 * normal.trace() + 1e-300;
+  return shape * normal.ldlt().solve(shape.transpose() * all.side);
+}
+
+/// Adds the steps, none longer than a pixel; returns the longest.
+double move(const MatrixXd& step, double largest, GrainMotion& motion) {
+  double longest = 0;
+  for (std::size_t i = 0; i < motion.size(); ++i)
+    for (Index k = 0; k < 2; ++k) {
+      double& x = k == 0 ? motion.cos_x[i] : motion.sin_x[i];
+      double& y = k == 0 ? motion.cos_y[i] : motion.sin_y[i];
+      const double dx = step(static_cast<Index>(2 * i), k), dy = step(static_cast<Index>(2 * i) + 1, k), length = std::hypot(dx, dy);
+      const double part = length > 1 ? 1 / length : 1;
+      if (!std::isfinite(length) || std::hypot(x + part * dx, y + part * dy) > largest) continue;
+      x += part * dx, y += part * dy;
+      longest = std::max(longest, part * length);
+    }
+  return longest;
+}
+
+/// From what the fit leaves on the rim, and the grain's own part of the normal matrix.
+double error_of(const Left& left, const MatrixXd& step) {
+  const Eigen::Matrix2d own = left.normal.topLeftCorner(2, 2);
+  const double trace = own.trace(), determinant = own.determinant();
+  if (!(left.freedom > 0) || !(determinant > 1e-12 * trace * trace)) return std::numeric_limits<double>::infinity();
+  MatrixXd local(left.normal.rows(), 2);
+  for (std::size_t a = 0; a < 2 * left.grains.size(); ++a)
+    local.row(static_cast<Index>(a)) = step.row(static_cast<Index>(2 * left.grains[a / 2] + a % 2));
+  const double rest = left.squares - 2 * (local.transpose() * left.side).trace() + (local.transpose() * left.normal * local).trace();
+  return std::sqrt(std::max(rest, 0.0) / left.freedom * 0.5 * trace / determinant);
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> lost_grains(const GrainMotion& motion) {
+  const double usual = median_of_finite(motion.error);
+  std::vector<std::uint8_t> lost;
+  for (const double error : motion.error) lost.push_back(std::isfinite(error) && error > 6 * usual ? 1 : 0);
+  return lost;
+}
+
+GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& grains, const GrainMotionOptions& options) {
+  constexpr int affine_turns = 3;
+  const std::size_t n = grains.size();
+  GrainMotion motion;
+  for (auto* each : {&motion.cos_x, &motion.sin_x, &motion.cos_y, &motion.sin_y}) each->assign(n, 0);
+  motion.error.assign(n, std::numeric_limits<double>::infinity());
+  if (n == 0) return motion;
+  const std::vector<RimPixels> rims = rim_pixels(grains, pictures.width, pictures.height, options.rim);
+  std::vector<double> contrast(n, 0);
+  const Team team(options.threads);
+  for (int turn = 0; turn < options.iterations; ++turn) {
+    std::vector<Left> left(n);
+    team.for_each(n, [&](std::size_t i) { left[i] = motion_left(pictures, rims[i], i, motion, contrast); });
+    for (std::size_t i = 0; i < n; ++i) contrast[i] = left[i].contrast;
+    const Together all = assemble(left);
+    const MatrixXd step = turn < affine_turns ? affine_step(grains, all) : MatrixXd(Eigen::SimplicialLDLT<Sparse>(all.normal).solve(all.side));
+    const double longest = move(step, options.largest, motion);
+    if (turn < affine_turns) continue;
+    for (std::size_t i = 0; i < n; ++i) motion.error[i] = error_of(left[i], step);
+    if (longest < 2e-3) break;
+  }
+  return motion;
+}
+
+}  // namespace arenite::thermography

@@ -1,0 +1,43 @@
+#pragma once
+#include <Eigen/Dense>
+#include <cstddef>
+#include <vector>
+
+#include "thermal/thermography/segment_sums.hpp"
+
+namespace arenite::thermography {
+
+/// Least squares of drift and harmonics of one frequency, the same for all pixels, as numbers by which the sums of
+/// segments are multiplied. Functions fitted: Legendre polynomials of x = (t - middle)/half the film's time, then
+/// cos(h w t), sin(h w t) of every harmonic h, the highest first, then, if asked for, x cos(w t), x sin(w t), which show a frequency that
+/// is off, or cos and sin of frequencies beside w, which show the noise there. The film is projected on the same functions with x and the phase of a small w - w_0 constant within a
+/// segment: what is of the fitted form is found exactly, with a standard error larger than that of plain least squares by
+/// less than a per cent.
+struct HarmonicFit {
+  double frequency = 0;             ///< Hz
+  std::size_t drift = 0;            ///< polynomials, order + 1
+  std::size_t harmonics = 0;
+  double middle = 0, half = 0;      ///< s
+  Eigen::MatrixXd coefficient;      ///< transposed: (segments x planes) x functions
+  Eigen::MatrixXd covariance;       ///< of the fitted numbers over the variance of the noise
+  Eigen::MatrixXd normal;           ///< sums of products of the fitted functions
+  double spacing = 0;               ///< Hz
+  std::vector<int> beside;          ///< frequencies beside it, so many spacings above or below
+
+  std::size_t size() const { return static_cast<std::size_t>(coefficient.cols()); }
+  /// Column of cos of harmonic h; sin is next to it.
+  std::size_t harmonic(std::size_t h) const { return drift + 2 * (harmonics - h); }
+  /// Column of cos of frequency k beside; sin is next to it.
+  std::size_t side(std::size_t k) const { return drift + 2 * (harmonics + k); }
+  /// Variance of a swing over that of as many frames' noise that have nothing but the swing to tell: 1 in a film of many
+  /// cycles, far more where drift and harmonics can do what the swing does.
+  double inflation(std::size_t frames) const;
+};
+
+HarmonicFit harmonic_fit(const SegmentSums& sums, double frequency, int drift_order, bool with_beat, double spacing = 0,
+                         std::vector<int> beside = {});
+
+/// Legendre polynomials P_0 .. P_order at x and their slopes.
+void legendre(double x, std::size_t count, double* value, double* slope = nullptr);
+
+}  // namespace arenite::thermography

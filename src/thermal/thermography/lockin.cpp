@@ -1,0 +1,174 @@
+#include "thermal/thermography/lockin.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "core/error.hpp"
+#include "thermal/thermography/frame_times.hpp"
+#include "thermal/thermography/judge_swing.hpp"
+#include "thermal/thermography/pixel_fit.hpp"
+#include "thermal/thermography/refine_frequency.hpp"
+
+namespace arenite::thermography {
+
+namespace {
+
+void check(const LockinOptions& o) {
+  if (!(o.frequency > 0) || !std::isfinite(o.frequency)) throw InputError("the load frequency must be above 0 Hz");
+  if (o.drift_order < 0 || o.drift_order > 8) throw InputError(fmt::format("the drift's order is {}; it must be 0 to 8", o.drift_order));
+  if (o.harmonics < 1 || o.harmonics > 4) throw InputError(fmt::format("{} harmonics were asked for; it must be 1 to 4", o.harmonics));
+}
+
+/// How many harmonics can be told apart with these frames; throws where not even the load frequency can.
+int possible_harmonics(const std::vector<double>& time, const LockinOptions& o) {
+  if (time.size() < 2) throw InputError("a lock-in needs a film of many frames; this has one");
+  const double nyquist = nyquist_frequency(time), cycles = o.frequency * (time.back() - time.front());
+  if (o.frequency >= nyquist)
+    throw InputError(fmt::format("the load frequency of {:.6g} Hz is at or above the Nyquist frequency of {:.6g} Hz, half the frame rate; "
+                                 "such a film does not show the load's cycle", o.frequency, nyquist));
+  const double frame = 0.5 / nyquist;
+  if (cycles + o.frequency * frame < 1 - 1e-9)
+    throw InputError(fmt::format("the film of {:.4g} s holds {:.3g} cycles of {:.6g} Hz; a lock-in needs at least one", time.back() - time.front() + frame,
+                                 cycles, o.frequency));
+  const int harmonics = std::min(o.harmonics, static_cast<int>(std::ceil(nyquist / o.frequency - 1e-6)) - 1);
+  const auto unknowns = static_cast<std::size_t>(o.drift_order + 1 + 2 * harmonics);
+  if (time.size() < unknowns + 4)
+    throw InputError(fmt::format("the film has {} frames, too few for {} unknowns a pixel; ask for fewer harmonics or less drift", time.size(), unknowns));
+  return std::max(harmonics, 1);
+}
+
+void refuse_constant(const SegmentSums& s) {
+  const SegmentView view = s.view();
+  for (std::size_t p = 0; p < s.pixels; ++p)
+    for (std::size_t k = 0; k < s.segments(); ++k) {
+      const float *squares = view.sums + view.at(p, k, s.functions + 1), *step = squares + chunk;
+      if (*squares > 0 || std::abs(*step) > 0) return;
+    }
+  throw InputError("every pixel of the film is constant in time (or is no number); a lock-in needs a film of a loaded sample");
+}
+
+void resize(LockinMaps& maps, std::size_t n, bool second) {
+  for (auto* map : {&maps.mean, &maps.drift, &maps.amplitude, &maps.phase, &maps.in_phase, &maps.quadrature, &maps.standard_error,
+                    &maps.noise_floor, &maps.residual})
+    map->resize(n);
+  if (second) maps.second_harmonic.resize(n);
+}
+
+/// Fills all maps but those that need the reference; cos and sin of the first harmonic go to `swing`.
+void fill(const SegmentSums& s, const HarmonicFit& fit, const Team& team, LockinMaps& maps, std::vector<double> (&swing)[2]) {
+  const bool second = fit.harmonics > 1;
+  resize(maps, s.pixels, second);
+  for (auto& each : swing) each.resize(s.pixels);
+  const double factor = maps.convention == SwingConvention::full ? 2 : 1;
+  const auto a = static_cast<Eigen::Index>(fit.harmonic(1));
+  const double spread = std::sqrt(maps.noise_ratio * (fit.covariance(a, a) + fit.covariance(a + 1, a + 1)) / 2);
+  std::vector<double> value(fit.drift), slope(fit.drift);
+  legendre(0, fit.drift, value.data(), slope.data());
+  for_runs(s, team, [&](std::size_t, std::size_t begin, std::size_t count) {
+    PixelFit pixels;
+    fit_pixels_with_variance(s, fit, begin, count, pixels);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t p = begin + i;
+      const auto number = [&](std::size_t m) { return pixels.value[m * PixelFit::run + i]; };
+      double mean = static_cast<double>(s.base[p]), drift = 0;
+      for (std::size_t j = 0; j < fit.drift; ++j) mean += value[j] * number(j), drift += slope[j] * number(j);
+      const double c = number(fit.harmonic(1)), sn = number(fit.harmonic(1) + 1), noise = std::sqrt(pixels.variance[i]);
+      maps.mean[p] = static_cast<float>(mean);
+      maps.drift[p] = static_cast<float>(drift / fit.half);
+      swing[0][p] = factor * c;
+      swing[1][p] = factor * sn;
+      maps.amplitude[p] = static_cast<float>(factor * std::sqrt(c * c + sn * sn));
+      maps.phase[p] = static_cast<float>(std::atan2(sn, c));
+      maps.standard_error[p] = static_cast<float>(factor * spread * noise);
+      maps.noise_floor[p] = static_cast<float>(std::sqrt(std::numbers::pi / 2) * factor * spread * noise);
+      maps.residual[p] = static_cast<float>(noise);
+      if (!second) continue;
+      const double c2 = number(fit.harmonic(2)), s2 = number(fit.harmonic(2) + 1);
+      maps.second_harmonic[p] = static_cast<float>(factor * std::sqrt(c2 * c2 + s2 * s2));
+    }
+  });
+}
+
+void project(LockinMaps& maps, const std::vector<double>& cosine, const std::vector<double>& sine) {
+  const double c = std::cos(maps.reference_phase), s = std::sin(maps.reference_phase);
+  for (std::size_t p = 0; p < maps.size(); ++p) {
+    maps.in_phase[p] = static_cast<float>(c * cosine[p] + s * sine[p]);
+    maps.quadrature[p] = static_cast<float>(c * sine[p] - s * cosine[p]);
+  }
+}
+
+LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<double> time, int harmonics) {
+  const Team team(o.threads);
+  const SegmentSums sums = sum_segments(film, std::move(time), o.frequency, harmonics, o.drift_order, team, o.progress);
+  if (!sums.sums) return {};
+  refuse_constant(sums);
+  std::optional<FrequencyFit> refined;
+  if (o.refine) refined = refine_frequency(sums, o.drift_order, team);
+  LockinMaps maps;
+  maps.width = film.info().width;
+  maps.height = film.info().height;
+  maps.frequency = refined ? refined->frequency : o.frequency;
+  maps.frames = sums.time.size();
+  maps.drift_order = o.drift_order;
+  maps.harmonics = harmonics;
+  maps.convention = o.convention;
+  const HarmonicFit fit = harmonic_fit(sums, maps.frequency, o.drift_order, false);
+  refuse_too_few_cycles(fit, sums);
+  judge_swing(sums, fit, refined, maps);
+  std::vector<double> swing[2];
+  fill(sums, fit, team, maps, swing);
+  maps.reference_phase = o.reference_phase ? *o.reference_phase : reference_phase(swing[0], swing[1]);
+  project(maps, swing[0], swing[1]);
+  return maps;
+}
+
+}  // namespace
+
+double reference_phase(const std::vector<double>& cosine, const std::vector<double>& sine) {
+  double real = 0, imaginary = 0, c = 0, s = 0;
+  for (std::size_t p = 0; p < cosine.size(); ++p) {
+    if (!std::isfinite(cosine[p]) || !std::isfinite(sine[p])) continue;
+    real += cosine[p] * cosine[p] - sine[p] * sine[p];
+    imaginary += 2 * cosine[p] * sine[p];
+    c += cosine[p];
+    s += sine[p];
+  }
+  const double phase = 0.5 * std::atan2(imaginary, real);
+  if (c * std::cos(phase) + s * std::sin(phase) >= 0) return phase;
+  return phase > 0 ? phase - std::numbers::pi : phase + std::numbers::pi;
+}
+
+double diffusion_length(double diffusivity, double frequency) { return std::sqrt(diffusivity / (std::numbers::pi * frequency)); }
+
+double swing_lost_to_diffusion(double diffusion_length, double pixel) {
+  const double wave = std::numbers::pi * diffusion_length / pixel;
+  return 1 - 1 / std::hypot(1.0, wave * wave / 2);
+}
+
+LockinMaps lock_in(FilmSource& film, const LockinOptions& options) {
+  check(options);
+  std::vector<double> time = frame_times(film.info(), options.frame_rate);
+  const int harmonics = possible_harmonics(time, options);
+  return locked_in(film, options, std::move(time), harmonics);
+}
+
+LockinMaps nearest_bin_transform(FilmSource& film, const LockinOptions& options) {
+  LockinOptions o = options;
+  o.refine = false;
+  o.drift_order = 0;
+  check(o);
+  FilmInfo even = film.info();
+  if (even.time.size() > 1 && even.frame_rate <= 0) even.frame_rate = static_cast<double>(even.time.size() - 1) / (even.time.back() - even.time.front());
+  even.time.clear();
+  std::vector<double> time = frame_times(even, o.frame_rate);
+  const int harmonics = possible_harmonics(time, o);
+  const double length = static_cast<double>(time.size()) * (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  o.frequency = std::max(1.0, std::round(o.frequency * length)) / length;
+  return locked_in(film, o, std::move(time), harmonics);
+}
+
+}  // namespace arenite::thermography

@@ -1,0 +1,187 @@
+#include "thermal/thermography/refine_frequency.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/median.hpp"
+#include "thermal/thermography/frame_times.hpp"
+#include "thermal/thermography/pixel_fit.hpp"
+#include "thermal/thermography/segments_in_step.hpp"
+
+namespace arenite::thermography {
+
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+constexpr double strong_swing = 0.1;  // as if it were noise: of three times the noise, a swing loses half its weight
+
+/// What a Newton step adds up over pixels of weight w: with c, s of cos and sin, p, q of x cos and x sin.
+struct BeatSums {
+  double swing = 0;  ///< w (c^2 + s^2)
+  double beat = 0;   ///< w (p^2 + q^2)
+  double cross = 0;  ///< w (s p - c q)
+  double noise = 0;  ///< w^2 (c^2 + s^2) variance
+
+  void operator+=(const BeatSums& o) {
+    swing += o.swing;
+    beat += o.beat;
+    cross += o.cross;
+    noise += o.noise;
+  }
+};
+
+/// By noise alone, and with strong swings held back.
+struct Weighings {
+  BeatSums by_noise, held_back;
+
+  void operator+=(const Weighings& o) {
+    by_noise += o.by_noise;
+    held_back += o.held_back;
+  }
+};
+
+struct Step {
+  double frequency = 0;  ///< Hz
+  double error = std::numeric_limits<double>::infinity();  ///< by noise
+  double of_model = 0;  ///< what the weights make of it
+};
+
+class Newton {
+ public:
+  Newton(const SegmentSums& sums, int drift_order, const Team& team) : s_(sums), drift_(drift_order), team_(team) {}
+
+  /// Looks at one run of pixels in `every`.
+  Step step(double frequency, std::size_t every) {
+    const HarmonicFit fit = harmonic_fit(s_, frequency, drift_, true);
+    if (typical_ < 0) typical_ = typical_variance(fit, every);
+    std::vector<Weighings> part(runs());
+    for_runs(s_, team_, [&](std::size_t run, std::size_t begin, std::size_t count) {
+      if (run % every == 0) part[run] = beat_of(fit, begin, count);
+    });
+    Weighings all;
+    for (const auto& each : part) all += each;
+    Step step = solve(fit, all.by_noise);
+    step.of_model = std::abs(step.frequency - solve(fit, all.held_back).frequency);
+    return step;
+  }
+
+  std::size_t runs() const { return (s_.pixels + PixelFit::run - 1) / PixelFit::run; }
+
+ private:
+  double typical_variance(const HarmonicFit& fit, std::size_t every) const {
+    std::vector<double> variance;
+    PixelFit pixels;
+    for (std::size_t begin = 0; begin < s_.pixels; begin += every * PixelFit::run) {
+      const std::size_t count = std::min(PixelFit::run, s_.pixels - begin);
+      fit_pixels_with_variance(s_, fit, begin, count, pixels);
+      for (std::size_t i = 0; i < count; ++i)
+        if (std::isfinite(pixels.variance[i])) variance.push_back(pixels.variance[i]);
+    }
+    return median(std::move(variance));
+  }
+
+  /// Weights follow the inverse of the noise but do not run away where a pixel is all but dead. Rims that move past a pixel
+  /// swing most, and with overtones that are not fitted: what the frequency changes by where strong swings weigh less is in its error.
+  Weighings beat_of(const HarmonicFit& fit, std::size_t begin, std::size_t count) const {
+    PixelFit pixels;
+    fit_pixels_with_variance(s_, fit, begin, count, pixels);
+    const double* c = pixels.value.data() + fit.harmonic(1) * PixelFit::run;
+    const double *s = c + PixelFit::run, *p = s + PixelFit::run, *q = p + PixelFit::run;
+    Weighings sum;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double variance = pixels.variance[i];
+      if (!std::isfinite(variance)) continue;
+      const double power = c[i] * c[i] + s[i] * s[i], beat = p[i] * p[i] + q[i] * q[i], cross = s[i] * p[i] - c[i] * q[i];
+      const auto weighed = [&](double noise) -> BeatSums {
+        const double w = typical_ > 0 ? 2 * typical_ / (noise + typical_) : 1;
+        return {w * power, w * beat, w * cross, w * w * power * variance};
+      };
+      sum += {weighed(variance), weighed(variance + strong_swing * power)};
+    }
+    return sum;
+  }
+
+  /// Noise swings, too, but does not beat more than it swings: that share is taken from the power before dividing by it.
+  Step solve(const HarmonicFit& fit, const BeatSums& all) const {
+    if (!(all.swing > 0)) return {};
+    const auto a = static_cast<Eigen::Index>(fit.harmonic(1)), b = static_cast<Eigen::Index>(fit.size()) - 2;
+    const double swing_noise = fit.covariance(a, a) + fit.covariance(a + 1, a + 1);
+    const double beat_noise = fit.covariance(b, b) + fit.covariance(b + 1, b + 1);
+    const double noise = (all.beat - all.cross * all.cross / all.swing) * swing_noise / beat_noise;
+    const double signal = std::max(all.swing - noise, 0.02 * all.swing);
+    return {all.cross / signal / (turn * fit.half), std::sqrt(all.noise * beat_noise / 2) / signal / (turn * fit.half)};
+  }
+
+  const SegmentSums& s_;
+  int drift_;
+  const Team& team_;
+  double typical_ = -1;
+};
+
+/// What a swing of this frequency explains in some thousand pixels, each weighed by its noise.
+double explained(const SegmentSums& s, double frequency, int drift_order) {
+  const HarmonicFit fit = harmonic_fit(s, frequency, drift_order, false);
+  const std::size_t own = fit.harmonic(1);
+  const Eigen::Matrix2d inverse = fit.covariance.block<2, 2>(static_cast<Eigen::Index>(own), static_cast<Eigen::Index>(own)).inverse();
+  double sum = 0;
+  PixelFit pixels;
+  for_some_chunks(s, 64, [&](std::size_t begin, std::size_t count) {
+    fit_pixels_with_variance(s, fit, begin, count, pixels);
+    const double freedom = static_cast<double>(s.time.size() - fit.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      const Eigen::Vector2d swing(pixels.value[own * PixelFit::run + i], pixels.value[(own + 1) * PixelFit::run + i]);
+      const double power = swing.dot(inverse * swing), rest = freedom * pixels.variance[i];
+      if (power + rest > 0 && std::isfinite(power + rest)) sum += power / (power + rest);
+    }
+  });
+  return sum;
+}
+
+/// The best of the frequencies an eighth of a cycle over the film apart.
+double best_fitting(const SegmentSums& s, const SearchBand& band, int drift_order) {
+  const double step = 1 / (8 * film_length(s.time));
+  double best = s.frequency, most = explained(s, s.frequency, drift_order);
+  for (int k = 0; band.low + k * step <= band.high; ++k)
+    if (const double share = explained(s, band.low + k * step, drift_order); share > most) most = share, best = band.low + k * step;
+  return best;
+}
+
+}  // namespace
+
+SearchBand search_band(const std::vector<double>& time, double frequency) {
+  const double length = film_length(time);
+  if (frequency * length < 2) return {};
+  const double reach = std::max(0.02 * frequency, 2 / length);
+  return {std::max(frequency - reach, 1 / length), std::min(frequency + reach, nyquist_frequency(time) - 0.5 / length)};
+}
+
+double frequencies_in(const SearchBand& band, const std::vector<double>& time) {
+  return band.empty() ? 1 : 1 + 2 * (band.high - band.low) * film_length(time);
+}
+
+FrequencyFit refine_frequency(const SegmentSums& sums, int drift_order, const Team& team) {
+  const SearchBand band = search_band(sums.time, sums.frequency);
+  const FrequencyFit as_told{sums.frequency, std::numeric_limits<double>::infinity(), 0};
+  if (band.empty()) return as_told;
+  const double time = sums.time.back() - sums.time.front();
+  Newton newton(sums, drift_order, team);
+  FrequencyFit result{segments_show_swings(sums) ? segments_in_step(sums, band.low, band.high) : best_fitting(sums, band, drift_order), 0, 0};
+  std::size_t every = newton.runs() >= 64 ? 8 : 1;
+  for (int turns = 0; turns < 12; ++turns) {
+    const Step step = newton.step(result.frequency, every);
+    result.error = step.error;
+    result.of_model = step.of_model;
+    if (!std::isfinite(step.error)) break;
+    const double change = std::clamp(step.frequency, -0.25 / time, 0.25 / time);
+    result.frequency += change;
+    if (!(result.frequency > band.low && result.frequency < band.high)) return as_told;
+    const bool converged = std::abs(change) < std::max(1e-2 * step.error, 1e-13 * result.frequency);
+    if (every == 1 && (converged || std::abs(change) < 1e-4 / time)) break;
+    if (converged || std::abs(change) < 0.03 / time) every = 1;
+  }
+  return result.error < 0.25 / time ? result : as_told;
+}
+
+}  // namespace arenite::thermography

@@ -1,0 +1,131 @@
+#include "thermal/thermography/segment_sums.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace arenite::thermography {
+
+namespace {
+
+/// Frames that are read from a file at once: a few megabytes, which the caches hold until they are summed.
+constexpr std::size_t block_bytes = std::size_t{8} << 20;
+
+std::size_t segment_count(std::size_t frames, double cycles, int drift_order) {
+  const auto by_cycles = static_cast<std::size_t>(std::clamp(cycles / 16, 16.0, 64.0));
+  // In few cycles drift and swing are all but alike, and only fine segments tell them apart as well as single frames do.
+  const auto needed = std::max<std::size_t>(3 * static_cast<std::size_t>(drift_order + 1), cycles < 4 ? 32 : 0);
+  return std::min(frames, std::max(needed, std::min(frames / 8, by_cycles)));
+}
+
+void cut(SegmentSums& s, std::size_t count) {
+  const std::size_t frames = s.time.size();
+  for (std::size_t k = 0; k <= count; ++k) s.first.push_back(frames * k / count);
+  for (std::size_t k = 0; k < count; ++k) s.centre.push_back((s.time[s.first[k]] + s.time[s.first[k + 1] - 1]) / 2);
+}
+
+void weigh(SegmentSums& s) {
+  s.weights.resize(s.time.size() * s.functions);
+  for (std::size_t k = 0; k < s.segments(); ++k)
+    for (std::size_t n = s.first[k]; n < s.first[k + 1]; ++n)
+      for (std::size_t h = 0; 2 * h < s.functions; ++h) {
+        const double angle = 2 * std::numbers::pi * s.frequency * static_cast<double>(h + 1) * (s.time[n] - s.centre[k]);
+        s.weights[n * s.functions + 2 * h] = static_cast<float>(std::cos(angle));
+        s.weights[n * s.functions + 2 * h + 1] = static_cast<float>(std::sin(angle));
+      }
+}
+
+/// Some pixels, by the golden section so that no two of them lie in one row or column of a regular pattern.
+void watch(SegmentSums& s) {
+  constexpr std::size_t most = 32, most_values = std::size_t{1} << 24;
+  const std::size_t count = std::min({s.pixels, most, std::max<std::size_t>(8, most_values / s.time.size())});
+  for (std::size_t i = 0; i < count; ++i) {
+    const double at = std::numbers::phi * static_cast<double>(i);
+    s.watched.push_back(count == s.pixels ? i : static_cast<std::size_t>((at - std::floor(at)) * static_cast<double>(s.pixels)));
+  }
+  s.seen.resize(s.time.size() * count);
+}
+
+template <class T>
+struct Pass {
+  SegmentSums& s;
+  const Team& team;
+  std::vector<float> reference;
+
+  /// Frames first .. first + count - 1, all within segment k.
+  void add(const T* frames, std::size_t first, std::size_t count, std::size_t k) {
+    float* sums = s.sums.get() + s.view().at(0, k, 0);
+    const std::size_t stride = s.segments() * s.planes() * chunk;
+    const bool opens = first == s.first[k];
+    const WeighedFrames<T> weighed{frames, s.pixels, count, s.weights.data() + first * s.functions, s.functions, reference.data()};
+    const std::size_t chunks = (s.pixels + chunk - 1) / chunk;
+    team.for_ranges(chunks, [&](std::size_t from, std::size_t to) {
+      const std::size_t begin = from * chunk, end = std::min(to * chunk, s.pixels);
+      if (opens) refer(frames, k, begin, end);
+      if constexpr (sizeof(T) == 2) kernels().add_levels(weighed, sums, stride, begin, end);
+      else kernels().add_values(weighed, sums, stride, begin, end);
+    });
+    keep(frames, first, count);
+  }
+
+  void keep(const T* frames, std::size_t first, std::size_t count) {
+    float* out = s.seen.data() + first * s.watched.size();
+    for (std::size_t n = 0; n < count; ++n, frames += s.pixels)
+      for (const std::size_t p : s.watched) *out++ = static_cast<float>(frames[p]) - s.base[p];
+  }
+
+  void refer(const T* frame, std::size_t k, std::size_t begin, std::size_t end) {
+    const SegmentView view = s.view();
+    for (std::size_t p = begin; p < end; ++p) reference[p] = static_cast<float>(frame[p]);
+    if (k == 0) std::copy(reference.begin() + static_cast<std::ptrdiff_t>(begin), reference.begin() + static_cast<std::ptrdiff_t>(end), s.base.begin() + static_cast<std::ptrdiff_t>(begin));
+    for (std::size_t from = begin; from < end; from += chunk) {
+      float* plane = s.sums.get() + view.at(from, k, 0);
+      std::fill_n(plane, s.planes() * chunk, 0.f);
+      for (std::size_t p = from; p < std::min(from + chunk, end); ++p) plane[(s.planes() - 1) * chunk + p - from] = reference[p] - s.base[p];
+    }
+  }
+};
+
+/// Hands out the frames of a block or of the memory, cut at the ends of segments.
+template <class T>
+bool pass_over(SegmentSums& s, const Team& team, FilmSource& film, const T* memory, const Progress& progress) {
+  Pass<T> pass{s, team, std::vector<float>(s.pixels)};
+  const std::size_t at_once = std::max<std::size_t>(16, block_bytes / (s.pixels * sizeof(T)) / 16 * 16);
+  FrameBlock block;
+  for (std::size_t k = 0; k < s.segments(); ++k)
+    for (std::size_t n = s.first[k]; n < s.first[k + 1];) {
+      const std::size_t left = s.first[k + 1] - n, count = memory ? left : std::min(left, at_once);
+      const T* frames = memory ? memory + n * s.pixels : nullptr;
+      if (!memory) {
+        film.read(static_cast<std::int64_t>(n), count, block);
+        if constexpr (sizeof(T) == 2) frames = block.level.data();
+        else frames = block.value.data();
+      }
+      pass.add(frames, n, count, k);
+      n += count;
+      if (progress && !progress(static_cast<double>(n) / static_cast<double>(s.time.size()))) return false;
+    }
+  return true;
+}
+
+}  // namespace
+
+SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double frequency, int harmonics, int drift_order, const Team& team,
+                         const Progress& progress) {
+  SegmentSums s;
+  s.time = std::move(time);
+  s.frequency = frequency;
+  s.functions = 2 * static_cast<std::size_t>(harmonics);
+  s.pixels = film.info().pixels();
+  cut(s, segment_count(s.time.size(), frequency * (s.time.back() - s.time.front()), drift_order));
+  weigh(s);
+  watch(s);
+  s.base.resize(s.pixels);
+  s.sums.reset(new float[s.view().at((s.pixels + chunk - 1) / chunk * chunk, 0, 0)]);
+  const bool done = film.info().floating ? pass_over(s, team, film, film.values_in_memory(), progress)
+                                         : pass_over(s, team, film, film.levels_in_memory(), progress);
+  if (!done) s.sums.reset();
+  return s;
+}
+
+}  // namespace arenite::thermography

@@ -1,0 +1,157 @@
+#include "thermal/thermography/step_load.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "thermal/thermography/find_step.hpp"
+#include "thermal/thermography/frame_times.hpp"
+#include "thermal/thermography/some_pixels.hpp"
+#include "thermal/thermography/step_sides.hpp"
+
+namespace arenite::thermography {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+void check(const StepOptions& o) {
+  if (o.drift_order < 0 || o.drift_order > 4) throw InputError(fmt::format("the drift's order is {}; it must be 0 to 4", o.drift_order));
+  if (!(o.rise >= 0) || !(o.window >= 0)) throw InputError("the step's rise and window must not be below 0 s");
+}
+
+/// Weighed sums of all pixels' values, less the pixel's first one.
+class Sums {
+ public:
+  Sums(std::size_t pixels, Index size) : pixels_(pixels), base_(pixels), squares_(pixels), sum_(static_cast<std::size_t>(size), std::vector<double>(pixels)) {}
+
+  /// False if stopped.
+  bool pass(FilmSource& film, const StepSide& side, const Team& team, const std::function<bool(std::size_t)>& progress) {
+    const std::size_t at_once = std::clamp<std::size_t>((std::size_t{1} << 22) / pixels_, 1, 256);
+    FrameBlock block;
+    for (std::size_t n = 0; n < side.count; n += at_once) {
+      const std::size_t count = std::min(at_once, side.count - n);
+      film.read(static_cast<std::int64_t>(side.first + n), count, block);
+      if (block.value.empty()) add(block.level.data(), n, count, side, team);
+      else add(block.value.data(), n, count, side, team);
+      if (!progress(count)) return false;
+    }
+    return true;
+  }
+
+  double base(std::size_t p) const { return base_[p]; }
+  double squares(std::size_t p) const { return squares_[p]; }
+  double at(const VectorXd& functional, std::size_t p) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < sum_.size(); ++k) sum += functional[static_cast<Index>(k)] * sum_[k][p];
+    return sum;
+  }
+  double explained(std::size_t p) const {
+    double sum = 0;
+    for (const auto& each : sum_) sum += each[p] * each[p];
+    return sum;
+  }
+
+ private:
+  template <class T>
+  void add(const T* frames, std::size_t first, std::size_t count, const StepSide& side, const Team& team) {
+    team.for_ranges(pixels_, [&](std::size_t begin, std::size_t end) {
+      if (first == 0)
+        for (std::size_t p = begin; p < end; ++p) base_[p] = static_cast<double>(frames[p]);
+      for (std::size_t f = 0; f < count; ++f) {
+        const T* value = frames + f * pixels_;
+        for (std::size_t p = begin; p < end; ++p) {
+          const double d = static_cast<double>(value[p]) - base_[p];
+          squares_[p] += d * d;
+        }
+        for (std::size_t k = 0; k < sum_.size(); ++k) {
+          const double w = side.weight(static_cast<Index>(k), static_cast<Index>(first + f));
+          for (std::size_t p = begin; p < end; ++p) sum_[k][p] += w * (static_cast<double>(value[p]) - base_[p]);
+        }
+      }
+    });
+  }
+
+  std::size_t pixels_;
+  std::vector<double> base_, squares_;
+  std::vector<std::vector<double>> sum_;
+};
+
+void fill(StepMaps& maps, const StepSides& sides, const Sums (&sums)[2]) {
+  const std::size_t pixels = static_cast<std::size_t>(maps.width) * static_cast<std::size_t>(maps.height);
+  for (auto* map : {&maps.jump, &maps.standard_error, &maps.level, &maps.drift_before, &maps.drift_after, &maps.residual}) map->resize(pixels);
+  const double spread = std::sqrt(sides.variance());
+  const double freedom = static_cast<double>(maps.before + maps.after) - static_cast<double>(sides.before.height.size() + sides.after.height.size());
+  bool changes = false;
+  for (std::size_t p = 0; p < pixels; ++p) {
+    const double before = sums[0].base(p) + sums[0].at(sides.before.height, p), after = sums[1].base(p) + sums[1].at(sides.after.height, p);
+    const double left = sums[0].squares(p) + sums[1].squares(p) - sums[0].explained(p) - sums[1].explained(p), noise = std::sqrt(std::max(left, 0.0) / freedom);
+    maps.level[p] = static_cast<float>(before);
+    maps.jump[p] = static_cast<float>(after - before);
+    maps.drift_before[p] = static_cast<float>(sums[0].at(sides.before.slope, p));
+    maps.drift_after[p] = static_cast<float>(sums[1].at(sides.after.slope, p));
+    maps.residual[p] = static_cast<float>(std::isfinite(left) ? noise : left);
+    maps.standard_error[p] = static_cast<float>(static_cast<double>(maps.residual[p]) * spread);
+    changes = changes || sums[0].squares(p) > 0 || sums[1].squares(p) > 0 || std::abs(sums[0].base(p) - sums[1].base(p)) > 0;
+  }
+  if (!changes) throw InputError("every pixel of the film is constant in time (or is no number); a step needs a film of a loaded sample");
+}
+
+StepSides sides_at(double step, const Eigen::MatrixXd& series, const std::vector<double>& time, const StepOptions& o) {
+  if (!(step > time.front() && step < time.back()))
+    throw InputError(fmt::format("the step at {:.6g} s is not within the film, which lasts {:.6g} s", step, time.back()));
+  const double far = o.window > 0 ? o.window : time.back() + 1;
+  const auto after_time = [&](double t) { return static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin()); };
+  const auto from_time = [&](double t) { return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin()); };
+  return step_sides(series, time, step, o.drift_order, from_time(step - far), from_time(step - o.rise / 2), after_time(step + o.rise / 2), after_time(step + far));
+}
+
+/// Throws where the jumps that were sought in so many frames are no more than noise makes them once in a hundred films.
+void refuse_without_step(const StepSides& sides, std::size_t frames) {
+  const double tried = std::sqrt(2 * std::log(100 * static_cast<double>(frames)));
+  if (sides.evidence > chi_squared_above(sides.noise.pixels, tried)) return;
+  throw InputError("the film shows no step of the load: nowhere do its pixels jump by more than their noise; give the time of the step");
+}
+
+}  // namespace
+
+StepMaps step_load(FilmSource& film, const StepOptions& o) {
+  check(o);
+  const std::vector<double> time = frame_times(film.info(), o.frame_rate);
+  if (o.time && !(*o.time > time.front() && *o.time < time.back()))
+    throw InputError(fmt::format("the step at {:.6g} s is not within the film, which lasts {:.6g} s", *o.time, time.back()));
+  bool stopped = false;
+  const Eigen::MatrixXd series = some_pixels(film, [&](double share) {
+    stopped = o.progress && !o.progress(share / 2);
+    return !stopped;
+  });
+  if (stopped) return {};
+  if (series.rows() == 0) throw InputError("every pixel of the film is constant in time (or is no number); a step needs a film of a loaded sample");
+  StepMaps maps;
+  maps.time = o.time ? *o.time : find_step(series, time, o.drift_order);
+  const StepSides sides = sides_at(maps.time, series, time, o);
+  if (!o.time) refuse_without_step(sides, time.size());
+  maps.width = film.info().width;
+  maps.height = film.info().height;
+  maps.before = sides.before.count;
+  maps.after = sides.after.count;
+  maps.drift_order = o.drift_order;
+  maps.relaxation_before = sides.before.relaxation;
+  maps.relaxation_after = sides.after.relaxation;
+  Sums sums[2] = {Sums(film.info().pixels(), sides.before.height.size()), Sums(film.info().pixels(), sides.after.height.size())};
+  const Team team(o.threads);
+  std::size_t read = 0;
+  const auto progress = [&](std::size_t frames) {
+    read += frames;
+    return !o.progress || o.progress((1 + static_cast<double>(read) / static_cast<double>(maps.before + maps.after)) / 2);
+  };
+  if (!sums[0].pass(film, sides.before, team, progress) || !sums[1].pass(film, sides.after, team, progress)) return {};
+  fill(maps, sides, sums);
+  return maps;
+}
+
+}  // namespace arenite::thermography

@@ -1,0 +1,38 @@
+#pragma once
+#include <Eigen/Dense>
+#include <cstddef>
+#include <vector>
+
+#include "thermal/thermography/residual_correlation.hpp"
+
+namespace arenite::thermography {
+
+/// Frames first .. first + count - 1 on one side of a step and the functions that pixels follow there, orthonormal over
+/// these frames: a number of the fit is a weighed sum of values. Heights and slopes are those of the functions at the step.
+struct StepSide {
+  std::size_t first = 0, count = 0;
+  double relaxation = 0;            ///< s in which an exponential beside the polynomial falls to 1/e; 0: there is none
+  Eigen::MatrixXd weight;           ///< functions x frames
+  Eigen::VectorXd height, slope;
+  double misfit = 0;                ///< squared error of the height by what is not fitted, over the variance of white noise
+
+  Eigen::VectorXd height_weights() const { return weight.transpose() * height; }
+};
+
+/// Both sides of a step, with what the pixels' noise does there.
+struct StepSides {
+  StepSide before, after;
+  ResidualCorrelation noise;
+  double evidence = 0;              ///< mean square of the pixels' jumps over what noise alone would make them; infinite without noise
+  /// Variance of the jump over that of a frame's white noise.
+  double variance() const;
+};
+
+/// Sides of a step at `step` (s) with polynomials of `order`. Heat that flows after the step, or a camera that warms up, makes
+/// pixels relax exponentially: where the pixels of `series` (pixels x frames, each weighed by its noise) show by more than their noise that they do, an
+/// exponential in the time that fits them best is added to a side. `end` is one beyond the last frame of `before`, `begin` the
+/// first of `after`. Throws InputError for a side with too few frames.
+StepSides step_sides(Eigen::MatrixXd series, const std::vector<double>& time, double step, int order, std::size_t first, std::size_t end,
+                     std::size_t begin, std::size_t last);
+
+}  // namespace arenite::thermography

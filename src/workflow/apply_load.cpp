@@ -1,0 +1,145 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/error.hpp"
+#include "solid/stress/stress.hpp"
+#include "workflow/cropped_packing.hpp"
+#include "workflow/field_numbers.hpp"
+#include "workflow/field_stages.hpp"
+#include "grains/texture/texture.hpp"
+
+namespace arenite::study {
+namespace {
+
+/// The sample with its axis of loading upright.
+FieldResult upright(const FieldResult& sample, Load::Axis axis) {
+  FieldResult result = sample;
+  if (axis == Load::Axis::y) return result;
+  result.map = transposed(sample.map);
+  result.packing = transposed(sample.packing);
+  return result;
+}
+
+peridynamics::LoadOptions load_options(const Load& load, const peridynamics::Watch& watch) {
+  peridynamics::LoadOptions options;
+  options.stiffness = load.stiffness.resolved();
+  options.loading = load.loading;
+  options.lower = load.lower;
+  options.method = load.method;
+  options.strain = load.strain;
+  options.tolerance = load.tolerance;
+  options.max_iterations = static_cast<int>(load.max_iterations);
+  options.exact_stretch = load.exact_stretch;
+  options.watch = watch;
+  return options;
+}
+
+History convergence_of(const std::vector<double>& residuals) {
+  std::vector<double> iteration;
+  for (std::size_t k = 0; k < residuals.size(); ++k) iteration.push_back(static_cast<double>(k));
+  return {{{"iteration", "1", std::move(iteration)}, {"residual", "1", residuals}}};
+}
+
+History curve_of(const std::vector<peridynamics::DamageState>& states) {
+  History curve{{{"strain", "1", {}}, {"stress", "Pa", {}}, {"work", "J/m", {}}, {"elastic", "J/m", {}}, {"released", "J/m", {}}, {"broken", "1", {}}}};
+  for (const auto& s : states) {
+    const double row[] = {s.strain, s.stress, s.work, s.elastic, s.released, static_cast<double>(s.broken)};
+    for (std::size_t c = 0; c < curve.columns.size(); ++c) curve.columns[c].values.push_back(row[c]);
+  }
+  return curve;
+}
+
+std::vector<Crack> cracks_of(const std::vector<peridynamics::BrokenBond>& broken, double dx) {
+  std::vector<Crack> cracks;
+  for (const auto& bond : broken) {
+    const auto step = peridynamics::half_bonds[bond.direction];
+    cracks.push_back({static_cast<float>((bond.x + 0.5 + 0.5 * step.x) * dx), static_cast<float>((bond.y + 0.5 + 0.5 * step.y) * dx), bond.type,
+                      bond.strain});
+  }
+  return cracks;
+}
+
+/// Stresses of the grains of the map from the contact forces of the packing, in the order of the labels; empty without.
+std::vector<Tensor2> contact_stresses(const FieldResult& result) {
+  if (result.packing.contacts.size() == 0) return {};
+  texture::Options options;
+  options.rev_sizes = 0;
+  auto sigma = texture::measure(result.packing, options).per_grain.sigma;
+  sigma.resize(std::min(sigma.size(), result.map.grain_class.size()));
+  return sigma;
+}
+
+void measure_stress(const Load& load, FieldResult& result) {
+  if (result.field.size() == 0) return;
+  stress::StressOptions options = load.statistics;
+  if (load.loading == peridynamics::Loading::shear) options.components = {stress::Component::xy};
+  try {
+    const auto statistics = stress::measure(result.map, result.field, options);
+    result.numbers = with_stress(std::move(result.numbers), stress::numbers(statistics));
+    const auto contacts = contact_stresses(result);
+    if (contacts.size() == result.map.grain_class.size() && load.loading != peridynamics::Loading::shear)
+      result.numbers = with_agreement(std::move(result.numbers), stress::compare(result.map, statistics.grains, contacts));
+  } catch (const InputError& error) {
+    result.numbers = with_note(std::move(result.numbers), fmt::format("no statistics of stress: {}", error.what()));
+  }
+}
+
+std::optional<FieldResult> pull_apart(const Load& load, FieldResult result, const peridynamics::Watch& watch, const PullCheckpoint& checkpoint) {
+  using Ending = peridynamics::DamageResult::Ending;
+  peridynamics::DamageOptions options;
+  options.stiffness = load.stiffness.resolved();
+  options.toughness = load.toughness.resolved();
+  options.loading = load.loading;
+  options.lower = load.lower;
+  options.tolerance = load.tolerance;
+  options.max_strain = load.max_strain;
+  options.band = load.band;
+  options.end_stress = load.end_stress;
+  options.watch = watch;
+  options.keep = checkpoint.keep;
+  if (checkpoint.resume) options.resume = &*checkpoint.resume;
+  auto pulled = peridynamics::pull_to_failure(result.map, options);
+  if (pulled.ending == Ending::stopped) return std::nullopt;
+  result.converged = pulled.ending == Ending::severed || pulled.ending == Ending::dropped || pulled.ending == Ending::strain_reached;
+  result.outcome = pulled.sentence;
+  result.curve = curve_of(pulled.curve);
+  result.cracks = cracks_of(pulled.broken, result.map.dx);
+  result.numbers = with_failure(std::move(result.numbers), load, pulled);
+  result.field = std::move(pulled.at_strength);
+  return result;
+}
+
+}  // namespace
+
+std::optional<FieldResult> apply_load(const Load& load, const FieldResult& sample, const peridynamics::Watch& watch,
+                                      const PullCheckpoint& checkpoint) {
+  FieldResult result = upright(sample, load.axis);
+  result.name = load.name;
+  if (load.failure) {
+    auto pulled = pull_apart(load, std::move(result), watch, checkpoint);
+    if (pulled) measure_stress(load, *pulled);
+    return pulled;
+  }
+  const auto options = load_options(load, watch);
+  auto loaded = peridynamics::load(result.map, options);
+  if (loaded.report.ending == peridynamics::Ending::stopped) return std::nullopt;
+  result.converged = loaded.report.ending == peridynamics::Ending::solved;
+  result.outcome = loaded.report.sentence;
+  result.convergence = convergence_of(loaded.report.history);
+  std::optional<peridynamics::EffectiveModuli> moduli;
+  if (load.moduli && result.converged) {
+    moduli = peridynamics::effective_moduli(result.map, options);
+    for (const auto& report : moduli->reports) {
+      if (report.ending == peridynamics::Ending::stopped) return std::nullopt;
+      result.converged = result.converged && report.ending == peridynamics::Ending::solved;
+    }
+  }
+  result.numbers = with_load(std::move(result.numbers), load, loaded.report, moduli);
+  result.field = std::move(loaded.field);
+  measure_stress(load, result);
+  return result;
+}
+
+}  // namespace arenite::study

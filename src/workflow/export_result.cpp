@@ -1,0 +1,187 @@
+#include "workflow/export_result.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <optional>
+
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+#include "io/field_file.hpp"
+#include "io/film_result_file.hpp"
+#include "io/run_folder.hpp"
+#include "io/sealed_file.hpp"
+#include "io/stage_file.hpp"
+#include "workflow/derived_fields.hpp"
+#include "workflow/film_road.hpp"
+
+namespace arenite::study {
+namespace fs = std::filesystem;
+namespace {
+
+/// Collects files and writes each when it cannot grow any more. Unless it gets to its end, what it wrote goes again: half
+/// of a loading looks like a whole one.
+class ExportFolder {
+ public:
+  explicit ExportFolder(fs::path folder) : folder_(std::move(folder)) {
+    std::error_code error;
+    made_ = fs::create_directories(folder_, error);
+    if (error) throw InputError(folder_.string(), 0, "cannot be made: " + error.message() + "; give another --out");
+  }
+
+  ExportFolder(const ExportFolder&) = delete;
+  ExportFolder& operator=(const ExportFolder&) = delete;
+  ~ExportFolder() {
+    if (finished_) return;
+    std::error_code ignored;
+    for (const auto& path : written_) fs::remove(path, ignored);
+    if (made_) fs::remove(folder_, ignored);
+  }
+
+  /// Files of one frame: those of the frame before that are not among them are complete.
+  void add(std::vector<io::NamedBytes> files) {
+    const auto named = [](auto& list, const std::string& name) {
+      return std::find_if(list.begin(), list.end(), [&](const auto& f) { return f.name == name; });
+    };
+    for (auto& old : growing_) {
+      const auto next = named(files, old.name);
+      if (next == files.end()) {
+        write(old);
+      } else {
+        old.bytes += next->bytes;
+        next->bytes = std::move(old.bytes);
+      }
+    }
+    growing_ = std::move(files);
+  }
+
+  /// Files that do not grow.
+  void write_now(const std::vector<io::NamedBytes>& files) {
+    for (const auto& file : files) write(file);
+  }
+
+  std::vector<fs::path> finish() {
+    for (const auto& file : growing_) write(file);
+    finished_ = true;
+    return std::move(written_);
+  }
+
+ private:
+  void write(const io::NamedBytes& file) {
+    io::write_atomically(folder_ / file.name, file.bytes);
+    written_.push_back(folder_ / file.name);
+  }
+
+  fs::path folder_;
+  bool made_ = false, finished_ = false;
+  std::vector<io::NamedBytes> growing_;
+  std::vector<fs::path> written_;
+};
+
+}  // namespace
+
+namespace {
+
+/// Gives a format the states of a loading: each at once, or all at the end, which are kept for that.
+class Loading {
+ public:
+  Loading(const io::ExportFormat& format, const fs::path& folder) : format_(format), folder_(folder) {}
+
+  ExportFolder& out() {
+    if (!out_) out_.emplace(folder_);  // after the first readable file, so that a bad one leaves no empty folder
+    return *out_;
+  }
+
+  /// A stage begins with the state that the one before it ended with, which is there already.
+  bool has(double time) const { return !times_.empty() && time == times_.back(); }
+
+  void add(const std::string& stage, Frame frame, std::vector<io::GrainField> fields, std::vector<io::GrainField> of_contacts) {
+    times_.push_back(frame.time);
+    move_to(frame.packing);
+    frames_.push_back(std::move(frame));
+    io::ExportFrame one{static_cast<int>(times_.size()) - 1, stage, &frames_.back(), std::move(fields), std::move(of_contacts)};
+    if (times_.size() > 1) one.ux = ux_, one.uy = uy_;
+    if (format_.of_loading) {
+      all_.push_back(std::move(one));
+      return;
+    }
+    out().add(format_.of_frame(one));
+    frames_.clear();
+  }
+
+  bool is_empty() const { return times_.empty(); }
+
+  std::vector<fs::path> finish(const Provenance& last) {
+    if (format_.of_loading && !all_.empty()) out().add(format_.of_loading(all_, last));
+    if (format_.index && !times_.empty()) out().add(format_.index(times_));
+    return out().finish();
+  }
+
+ private:
+  /// Adds up displacements from state to state, so that grains which left a periodic cell on one side and came back on the other
+  /// moved by what they did.
+  void move_to(const Packing& now) {
+    const Grains& g = now.grains;
+    if (g.id != last_.id) ux_.assign(g.size(), 0), uy_.assign(g.size(), 0);
+    else
+      for (std::size_t i = 0; i < g.size(); ++i) {
+        const Vec2 step = now.domain.nearest_image(g.centre(i) - last_.centre(i));
+        ux_[i] += step.x, uy_[i] += step.y;
+      }
+    last_ = g;
+  }
+
+  const io::ExportFormat& format_;
+  fs::path folder_;
+  std::optional<ExportFolder> out_;
+  std::vector<double> times_, ux_, uy_;
+  Grains last_;
+  std::deque<Frame> frames_;  // frames stay where they are
+  std::vector<io::ExportFrame> all_;
+};
+
+}  // namespace
+
+std::vector<fs::path> export_result(const fs::path& result, const io::ExportFormat& format, const fs::path& folder, bool last_only) {
+  auto files = io::stage_files(result);
+  if (last_only) files.erase(files.begin(), files.end() - 1);
+  Loading loading(format, folder);
+  Provenance last;
+  bool has_field = false;
+  for (const auto& file : files) {
+    if (io::sealed_kind(file) == "field") {
+      if (!format.of_field) {
+        if (files.size() == 1)
+          throw InputError(file.string(), 0, fmt::format("holds a field on nodes, and {} holds grains only; choose vtk or csv", format.name));
+        continue;
+      }
+      const FieldResult field = io::read_field(file);
+      has_field = true;
+      loading.out().write_now(format.of_field({&field, derived_fields(field)}));
+      continue;
+    }
+    if (io::sealed_kind(file) == "film") {
+      const FilmResult film = io::read_film_result(file);
+      last = film.provenance;
+      loading.add(film.name, std::move(measured_stage(film).frames.front()), derived_fields(film), fields_of_contacts(film));
+      continue;
+    }
+    StageResult stage = io::read_stage(file);
+    last = stage.provenance;
+    if (last_only && stage.frames.size() > 1) stage.frames.erase(stage.frames.begin(), stage.frames.end() - 1);
+    for (Frame& frame : stage.frames) {
+      if (loading.has(frame.time)) continue;
+      auto fields = derived_fields(frame.packing);
+      loading.add(stage.name, std::move(frame), std::move(fields), {});
+    }
+  }
+  if (loading.is_empty() && !has_field) throw InputError(result.string(), 0, "holds no state to export; run the recipe to its end first");
+  try {
+    return loading.finish(last);
+  } catch (const InputError& error) {
+    throw in_file(error, result.string());
+  }
+}
+
+}  // namespace arenite::study

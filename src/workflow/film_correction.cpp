@@ -1,0 +1,153 @@
+#include "workflow/film_correction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "core/error.hpp"
+#include "io/film.hpp"
+#include "io/calibration_curve.hpp"
+#include "workflow/film_checks.hpp"
+#include "thermal/thermography/bad_pixels.hpp"
+#include "thermal/thermography/calibration.hpp"
+#include "thermal/thermography/frame_statistics.hpp"
+#include "thermal/thermography/nonuniformity.hpp"
+
+namespace arenite::study {
+namespace {
+
+using From = TemperatureSection::From;
+using thermography::FrameStatistics;
+
+constexpr std::size_t frames_looked_at = 200;
+
+std::filesystem::path beside(const FilmRecipe& recipe, const std::string& file) {
+  return std::filesystem::path(recipe.source_file).parent_path() / file;
+}
+
+std::optional<FrameStatistics> plate(const FilmRecipe& recipe, const std::string& file, const FilmInfo& film) {
+  if (file.empty()) return std::nullopt;
+  const auto path = beside(recipe, file);
+  const auto source = io::open_film(path, reading_of(recipe));
+  if (source->info().width != film.width || source->info().height != film.height)
+    throw InputError(path.string(), 0, fmt::format("has frames of {} x {} pixels, and the film of {} x {}; take the plate with the same camera and window",
+                                                   source->info().width, source->info().height, film.width, film.height));
+  auto seen = thermography::frame_statistics(*source, frames_looked_at);
+  try {
+    refuse_saturated(seen, source->info());
+  } catch (const InputError& error) {
+    throw in_file(error, path.string());
+  }
+  return seen;
+}
+
+/// The band that the recipe tells, the film, or none of them.
+radiometry::Band band_of(const FilmRecipe& recipe, const FilmInfo& film, std::vector<std::string>& notes) {
+  const bool film_says = film.band_low > 0 && film.band_high > film.band_low;
+  const auto& told = recipe.temperature.band;
+  const auto um = [](double low, double high) { return fmt::format("{:.3g} to {:.3g} um", 1e6 * low, 1e6 * high); };
+  if (!told.empty()) {
+    if (film_says && (std::abs(film.band_low / told[0] - 1) > 0.01 || std::abs(film.band_high / told[1] - 1) > 0.01))
+      notes.push_back(fmt::format("the film says that its camera sees {}; {} is taken, as temperature.band says", um(film.band_low, film.band_high), um(told[0], told[1])));
+    return {told[0], told[1]};
+  }
+  if (film_says) return {film.band_low, film.band_high};
+  const radiometry::Band usual;
+  notes.push_back(fmt::format("neither the film nor temperature.band says what the camera sees; {} is taken", um(usual.low, usual.high)));
+  return usual;
+}
+
+thermography::LevelRange range_of(const FilmInfo& film) { return {0, static_cast<double>((1 << std::clamp(film.bits, 8, 16)) - 1)}; }
+
+/// What the film's levels are first taken for: the surface that all materials are, or a black one, whose temperatures are corrected
+/// grain by grain; of a film in kelvin the one that its temperatures were made with.
+thermography::GrainSurfaces surfaces_of(const FilmRecipe& recipe, const radiometry::Band& band) {
+  const auto& t = recipe.temperature;
+  thermography::GrainSurfaces surfaces{band, {1, t.ambient.value_or(296)}, emissivities(recipe)};
+  const auto& all = surfaces.emissivity;
+  const bool alike = std::all_of(all.begin(), all.end(), [&](double e) { return e == all.front(); });
+  if (t.from == From::film) surfaces.assumed.emissivity = *t.assumed_emissivity;
+  else if (alike && !all.empty()) surfaces.assumed.emissivity = all.front();
+  return surfaces;
+}
+
+thermography::LevelCurve read_curve(const FilmRecipe& recipe, const FilmInfo& film, const thermography::GrainSurfaces& surfaces) {
+  std::vector<thermography::LevelPoint> points;
+  const auto curve = io::read_calibration_curve(beside(recipe, recipe.temperature.curve).string());
+  for (std::size_t i = 0; i < curve.level.size(); ++i) points.push_back({curve.level[i], curve.temperature[i]});
+  return thermography::curve_through(points, surfaces.band, surfaces.assumed, range_of(film));
+}
+
+thermography::LevelCurve curve_for(const FilmRecipe& recipe, const FilmInfo& film, const std::optional<FrameStatistics>& cold,
+                                   const std::optional<FrameStatistics>& warm, const FrameStatistics& first, const thermography::GrainSurfaces& surfaces) {
+  const auto& [band, surface, emissivity] = surfaces;
+  switch (recipe.temperature.from) {
+    case From::plates:
+      return thermography::curve_by_plates(band, {thermography::plate_level(*cold), recipe.correction.cold_temperature},
+                                           {thermography::plate_level(*warm), recipe.correction.warm_temperature}, surface, range_of(film));
+    case From::radiometry: return thermography::curve_by_radiometry(band, {thermography::plate_level(first), surface.ambient}, surface, range_of(film));
+    case From::curve: return read_curve(recipe, film, surfaces);
+    case From::film: break;
+  }
+  return {};
+}
+
+/// Whole numbers of which nothing says what they are would be temperatures in steps of a kelvin.
+void refuse_bare_levels(const FilmInfo& film) {
+  if (!film.floating && film.quantity == FilmQuantity::unknown)
+    throw InputError("holds whole numbers and does not say what they are, and temperature.from = \"film\" takes them for kelvin; give [film] scale and offset "
+                     "(--scale, --offset), or choose \"plates\", \"curve\" or \"radiometry\"");
+}
+
+void note_doubtful(const FrameStatistics& first, const FilmInfo& film, std::vector<std::string>& notes) {
+  const auto doubtful = thermography::doubtful(first, film.bits);
+  if (doubtful.constant > 0) notes.push_back(fmt::format("{} of {} pixels never change", doubtful.constant, film.pixels()));
+  if (doubtful.saturated > 0)
+    notes.push_back(fmt::format("{} of {} pixels reach the top of the camera's range; shorten the integration", doubtful.saturated, film.pixels()));
+}
+
+/// Whether a surface has a say in the film's temperatures.
+bool corrects_surfaces(const FilmRecipe& recipe) {
+  const auto& t = recipe.temperature;
+  if (t.from != From::film || t.assumed_emissivity) return true;
+  const bool given = std::any_of(recipe.materials.begin(), recipe.materials.end(), [](const auto& m) { return m.emissivity.has_value(); });
+  if (given || t.emissivity || t.ambient || !t.band.empty()) throw InputError(recipe.source_file, 0, fmt::format("temperature: {}", unread_emissivity));
+  return false;
+}
+
+}  // namespace
+
+io::FilmChoice reading_of(const FilmRecipe& recipe) {
+  if (!recipe.film) return {};
+  return {.dataset = recipe.film->dataset, .frame_rate = recipe.film->frame_rate, .scale = recipe.film->scale, .offset = recipe.film->offset};
+}
+
+FilmCorrection make_correction(const FilmRecipe& recipe, FilmSource& film) {
+  const FilmInfo& info = film.info();
+  if (recipe.temperature.from == From::film) refuse_bare_levels(info);
+  const auto first = thermography::frame_statistics(film, frames_looked_at);
+  refuse_saturated(first, info);
+  refuse_constant(first, info);
+  const auto cold = plate(recipe, recipe.correction.cold, info), warm = plate(recipe, recipe.correction.warm, info);
+  FilmCorrection made;
+  note_doubtful(first, info, made.notes);
+  auto& correction = made.correction;
+  correction.width = info.width;
+  correction.height = info.height;
+  if (cold && warm) thermography::correct_gains(*cold, *warm, correction);
+  else if (cold) thermography::correct_offsets(*cold, correction);
+  if (recipe.correction.bad_pixels) {
+    made.bad = cold && warm ? thermography::find_bad_pixels(*cold, *warm) : thermography::find_bad_pixels(cold ? *cold : first);
+    for (auto& b : made.bad) b = b != 0;
+    correction.bad = thermography::replacements(made.bad, info.width, info.height);
+  }
+  if (corrects_surfaces(recipe)) made.surfaces = surfaces_of(recipe, band_of(recipe, info, made.notes));
+  correction.curve = curve_for(recipe, info, cold, warm, first, made.surfaces);
+  made.kelvin = true;
+  return made;
+}
+
+}  // namespace arenite::study

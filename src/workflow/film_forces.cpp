@@ -1,0 +1,148 @@
+#include "workflow/film_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <initializer_list>
+#include <set>
+#include <utility>
+
+#include "core/error.hpp"
+#include "thermal/imaging/proposed_contacts.hpp"
+#include "thermal/inference/contact_forces.hpp"
+#include "workflow/film_place.hpp"
+
+namespace arenite::study {
+namespace {
+
+/// Places of found circles are known better than motion and lens allow.
+double place_error(const PictureGrains& grains) {
+  double sum = 0;
+  for (const double e : grains.position_error) sum += e;
+  return std::max(0.05, sum / static_cast<double>(std::max<std::size_t>(grains.size(), 1)));
+}
+
+constexpr double surface_error = 0.05;  // pixels: of where a grain's rim is, along a line through its centre
+
+imaging::ContactTolerance tolerance_of(double pixel) {
+  imaging::ContactTolerance tolerance;
+  tolerance.pixel = pixel;
+  tolerance.wall_error = 0.1 * pixel;
+  return tolerance;
+}
+
+double widest_gap(double pixel) {
+  const auto tolerance = tolerance_of(pixel);
+  return (tolerance.floor + tolerance.errors * std::sqrt(2.0) * surface_error) * pixel;
+}
+
+Contacts touching_at_either_load(const FilmRecipe& recipe, const FilmResult& r) {
+  const imaging::ContactTolerance tolerance = tolerance_of(r.pixel);
+  const imaging::GrainErrors errors{std::vector<double>(r.packing.grains.size(), surface_error * r.pixel), {}};
+  Contacts contacts = imaging::propose_contacts(r.packing.grains, r.packing.domain, errors, tolerance);
+  const Grains before = in_metres(r.grains, {r.origin, r.pixel});
+  const Contacts opened = imaging::propose_contacts(before, frame_at(recipe, 0), errors, tolerance);
+  std::set<std::pair<std::int32_t, std::int32_t>> known;
+  for (std::size_t c = 0; c < contacts.size(); ++c) known.emplace(contacts.i[c], contacts.j[c]);
+  for (std::size_t c = 0; c < opened.size(); ++c)
+    if (known.emplace(opened.i[c], opened.j[c]).second)
+      contacts.add(opened.i[c], opened.j[c], opened.normal(c), 0, 0, opened.arm_i[c], opened.arm_j[c]);
+  return contacts;
+}
+
+inference::ForceOptions force_options(const FilmRecipe& recipe, const PictureGrains& grains) {
+  inference::ForceOptions options;
+  options.blur = recipe.forces.blur;
+  // Rims sweep over what is behind them; pixels further in are still good to some mK.
+  options.rim_margin = recipe.lockin.motion ? 1.5 : 0.5;
+  options.friction = recipe.forces.friction;
+  options.inequality = recipe.forces.state ? inference::Inequality::cone : inference::Inequality::none;
+  options.position_error = place_error(grains);
+  return options;
+}
+
+inference::SwingPicture picture_of(const FilmResult& r) {
+  inference::SwingPicture picture{r.film.width, r.film.height, r.pixel, r.origin, r.maps.in_phase, r.maps.standard_error};
+  const float to_full = r.maps.convention == SwingConvention::full ? 1 : 2;
+  for (auto* values : {&picture.value, &picture.error})
+    for (float& v : *values) v *= to_full;
+  return picture;
+}
+
+constexpr const char* nothing_presses = "no contact between grains swings with the load; check lockin.phase, the places of the grains and the film";
+
+/// Those contacts of the packing that are wanted, with their forces; `also` is thinned out likewise.
+void keep(Contacts& contacts, const std::vector<std::uint8_t>& wanted, std::initializer_list<std::vector<double>*> also) {
+  const Contacts all = std::move(contacts);
+  contacts = {};
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    if (!wanted[c]) continue;
+    for (auto* values : also) (*values)[contacts.size()] = (*values)[c];
+    contacts.add(all.i[c], all.j[c], all.normal(c), all.fn[c], all.ft[c], all.arm_i[c], all.arm_j[c]);
+    contacts.overlap.back() = all.overlap[c];
+  }
+  for (auto* values : also) values->resize(contacts.size());
+}
+
+double load_on(int side, const Contacts& contacts) {
+  double sum = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (contacts.is_wall(c) && contacts.wall_side(c) == side) sum += contacts.fn[c];
+  return sum;
+}
+
+/// What the forces say of the load that they are not told, and of the factors that they are told.
+void hold_against_load(inference::ForceProblem problem, const inference::SwingPicture& picture, inference::ForceOptions options, ForceFit& fit) {
+  options.inequality = inference::Inequality::none;
+  const auto walls = std::exchange(problem.walls, {});
+  if (!walls.empty()) fit.load = load_on(walls.front().side, inference::infer_from_pixels(problem, picture, options).contacts);
+  problem.walls = walls;
+  options.fit_factors = true, options.iterations = 8;
+  const InferredForces free = inference::infer_from_pixels(problem, picture, options);
+  fit.factor_scale = free.factor_scale, fit.factor_scale_error = free.factor_scale_error;
+}
+
+}  // namespace
+
+void infer_film_forces(const FilmRecipe& recipe, FilmResult& r) {
+  using From = ForcesSection::From;
+  if (recipe.forces.from == From::none) return;
+  r.packing.contacts = touching_at_either_load(recipe, r);
+  inference::ForceProblem problem{r.packing, {}, {}};
+  for (const FilmMaterial& m : recipe.materials) problem.factor.push_back(m.thermoelastic_factor);
+  if (recipe.frame.load_swing > 0) problem.walls.push_back({bottom, recipe.frame.load_swing, 0.005 * recipe.frame.load_swing});
+  auto options = force_options(recipe, r.grains);
+  options.widest_gap = widest_gap(r.pixel);
+  const auto infer = [&](const inference::ForceOptions& o) {
+    return recipe.forces.from == From::pixels ? inference::infer_from_pixels(problem, picture_of(r), o)
+                                              : inference::infer_from_means(problem, r.swing.sigma_hyd, r.swing.error, o);
+  };
+  // Contacts that carry nothing only take from the others' accuracy; those that opened on the way lost a force.
+  // They are told apart before a cone bends their forces.
+  inference::ForceOptions first = options;
+  first.inequality = inference::Inequality::none;
+  const InferredForces all = infer(first);
+  std::vector<std::uint8_t> needed, present;
+  r.presence.clear();
+  for (std::size_t c = 0; c < all.contacts.size(); ++c) {
+    needed.push_back(all.present[c] || all.idle[c] < 0.5);
+    if (!needed.back()) continue;
+    present.push_back(all.present[c]);
+    r.presence.push_back(all.presence[c]);
+  }
+  keep(r.packing.contacts, needed, {});
+  if (r.packing.contacts.size() == 0) throw InputError(nothing_presses);
+  InferredForces kept = infer(options);
+  ForceFit& fit = r.fit;
+  fit.proposed = all.contacts.size(), fit.present = all.expected, fit.present_error = all.expected_error;
+  fit.picture = std::move(kept.fitted);
+  fit.over_noise = kept.over_noise, fit.over_signal = kept.over_signal, fit.model_error = kept.model_error;
+  if (recipe.forces.from == From::pixels) hold_against_load(problem, picture_of(r), options, fit);
+  r.packing.contacts = std::move(kept.contacts);
+  r.fn_error = std::move(kept.fn_error);
+  r.ft_error = std::move(kept.ft_error);
+  // From here on the film's contacts are those that are there: one set for all that is told of it.
+  keep(r.packing.contacts, present, {&r.fn_error, &r.ft_error, &r.presence});
+}
+
+}  // namespace arenite::study

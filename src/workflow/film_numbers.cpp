@@ -1,0 +1,155 @@
+#include "workflow/film_numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/median.hpp"
+#include "statistics/correlation.hpp"
+#include "statistics/put_numbers.hpp"
+#include "workflow/film_directions.hpp"
+#include "grains/texture/texture.hpp"
+
+namespace arenite::study {
+namespace {
+
+
+double median_or_unknown(std::vector<double> values) { return median(std::move(values), statistics::unknown); }
+
+Numbers film_of(const FilmResult& r) {
+  return {{"format", r.film.format}, {"camera", r.film.camera}, {"width", r.film.width}, {"height", r.film.height}, {"frames", r.film.frames},
+          {"frame_rate_Hz", r.film.frame_rate}, {"pixel_m", r.pixel},
+          {"bad_pixels", std::count(r.bad.begin(), r.bad.end(), std::uint8_t{1})}};
+}
+
+Numbers lockin_of(const FilmResult& r) {
+  const LockinMaps& m = r.maps;
+  Numbers j{{"swing", m.convention == SwingConvention::full ? "full" : "half"}, {"frames", m.frames}};
+  statistics::put(j, "frequency_Hz", statistics::Estimate{m.frequency, m.frequency_error});
+  statistics::put(j, "reference_phase_deg", m.reference_phase * 180 / std::numbers::pi);
+  statistics::put(j, "standard_error_K", median_of_finite(m.standard_error));
+  statistics::put(j, "residual_K", median_of_finite(m.residual));
+  if (!m.second_harmonic.empty()) statistics::put(j, "second_harmonic_K", median_of_finite(m.second_harmonic));
+  return j;
+}
+
+Numbers grains_of(const FilmResult& r) {
+  Numbers j{{"all", r.packing.grains.size()}};
+  for (std::size_t m = 0; m < r.packing.materials.size(); ++m)
+    j[r.packing.materials[m].name] =
+        std::count(r.packing.grains.material.begin(), r.packing.grains.material.end(), static_cast<std::int32_t>(m));
+  if (!r.grains.position_error.empty()) statistics::put(j, "position_error_pixels", median_or_unknown(r.grains.position_error));
+  return j;
+}
+
+Numbers motion_of(const FilmResult& r) {
+  std::vector<double> travel;
+  for (std::size_t i = 0; i < r.motion.size(); ++i)
+    travel.push_back(2 * std::hypot(r.motion.cos_x[i], r.motion.sin_x[i], std::hypot(r.motion.cos_y[i], r.motion.sin_y[i])));
+  Numbers j = Numbers::tree();
+  if (travel.empty()) return j;
+  statistics::put(j, "median_travel_pixels", median_or_unknown(travel));
+  statistics::put(j, "largest_travel_pixels", *std::max_element(travel.begin(), travel.end()));
+  statistics::put(j, "standard_error_pixels", median_or_unknown(r.motion.error));
+  return j;
+}
+
+Numbers forces_of(const FilmResult& r) {
+  const Contacts& contacts = r.packing.contacts;
+  if (contacts.size() == 0) return Numbers::tree();
+  std::vector<double> between;
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (!contacts.is_wall(c)) between.push_back(contacts.fn[c]);
+  const auto n = static_cast<double>(between.size());
+  double mean = 0, squares = 0;
+  for (const double f : between) mean += f / n;
+  for (const double f : between) squares += (f - mean) * (f - mean);
+  const auto above = static_cast<double>(std::count_if(between.begin(), between.end(), [&](double f) { return f > mean; }));
+  Numbers j{{"proposed", r.fit.proposed}, {"present", contacts.size()}, {"between_grains", between.size()}};
+  statistics::put(j, "present_error", r.fit.present_error);
+  if (between.size() > 1) {
+    // Of the sample's contacts, and of how many there are: one more or less of those that carry next to nothing.
+    const double spread = std::sqrt(squares / (n - 1) / n), counted = mean * r.fit.present_error / n;
+    statistics::put(j, "mean_N", statistics::Estimate{mean, std::hypot(spread, counted)});
+    statistics::put(j, "share_above_mean", statistics::Estimate{above / n, std::sqrt(above * (n - above) / n) / n});
+  }
+  statistics::put(j, "fn_error_N", median_or_unknown(r.fn_error));
+  statistics::put(j, "ft_error_N", median_or_unknown(r.ft_error));
+  return j;
+}
+
+/// How forces, film and load agree.
+Numbers checks_of(const FilmResult& r) {
+  Numbers j = Numbers::tree();
+  const ForceFit& fit = r.fit;
+  if (fit.over_noise > 0) {
+    statistics::put(j, "misfit_over_noise", fit.over_noise);
+    statistics::put(j, "misfit_over_signal", fit.over_signal);
+    statistics::put(j, "field_error_that_agrees", fit.model_error);
+  }
+  if (r.rim_blur > 0) statistics::put(j, "blur_of_rims_pixels", r.rim_blur);
+  if (fit.load != 0) statistics::put(j, "load_by_forces_N", fit.load);
+  for (std::size_t m = 0; m < fit.factor_scale.size(); ++m)
+    statistics::put(j["factor_scale"], r.packing.materials[m].name, statistics::Estimate{fit.factor_scale[m], fit.factor_scale_error[m]});
+  j["doubts"] = r.doubts;
+  return j;
+}
+
+Numbers agreement_of(const FilmResult& r, const std::vector<double>& twin, const std::vector<std::uint8_t>& considered) {
+  Numbers j = Numbers::tree();
+  const auto add = [&](const std::string& name, const std::vector<std::uint8_t>& counts) {
+    const Agreement a = agreement(r.swing.sigma_hyd, twin, counts);
+    if (a.grains < 3) return;
+    j[name] = {{"grains", a.grains}, {"correlation", a.correlation}, {"rms_sigma_norm", a.rms_sigma_norm}, {"slope", a.slope}};
+  };
+  add("all", considered);
+  for (std::size_t m = 0; m < r.packing.materials.size(); ++m) {
+    auto counts = considered;
+    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = counts[i] && r.packing.grains.material[i] == static_cast<std::int32_t>(m);
+    add(r.packing.materials[m].name, counts);
+  }
+  return j;
+}
+
+}  // namespace
+
+Agreement agreement(const std::vector<double>& one, const std::vector<double>& other, const std::vector<std::uint8_t>& counts) {
+  std::vector<double> a, b;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    if (!counts[i] || !std::isfinite(one[i]) || !std::isfinite(other[i])) continue;
+    a.push_back(one[i]);
+    b.push_back(other[i]);
+  }
+  Agreement result;
+  result.grains = a.size();
+  if (a.size() < 2) return result;
+  double mean_a = 0, mean_b = 0, ab = 0, bb = 0, square = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    mean_a += a[i] / static_cast<double>(a.size());
+    mean_b += b[i] / static_cast<double>(a.size());
+    ab += a[i] * b[i];
+    bb += b[i] * b[i];
+  }
+  for (std::size_t i = 0; i < a.size(); ++i) square += std::pow(a[i] / mean_a - b[i] / mean_b, 2);
+  result.correlation = statistics::pearson(a, b);
+  result.rms_sigma_norm = std::sqrt(square / static_cast<double>(a.size()));
+  result.slope = ab / bb;
+  return result;
+}
+
+Numbers film_numbers(const FilmResult& r, const Packing* twin) {
+  Numbers j{{"film", film_of(r)}, {"lockin", lockin_of(r)}, {"grains", grains_of(r)}, {"motion", motion_of(r)}, {"forces", forces_of(r)}};
+  if (r.fit.proposed > 0) j["checks"] = checks_of(r);
+  if (auto directions = film_directions(r, twin); !directions.empty()) j["directions"] = std::move(directions);
+  if (r.swing.size() == 0) return j;
+  texture::Options options;
+  options.rev_sizes = 0;
+  options.grain_sigma_hyd = r.swing.sigma_hyd;
+  const auto texture = texture::measure(r.packing, options);
+  j["texture"] = texture::numbers(texture);
+  if (!r.twin.empty())
+    j["twin"] = {{"swing", agreement_of(r, r.twin.swing, texture.per_grain.considered)}, {"state", agreement_of(r, r.twin.state, texture.per_grain.considered)}};
+  return j;
+}
+
+}  // namespace arenite::study

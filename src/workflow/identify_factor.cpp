@@ -1,0 +1,214 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "workflow/identify.hpp"
+#include "workflow/identify_parts.hpp"
+
+namespace arenite::study {
+namespace {
+
+using identify::Factor;
+using identify::Finding;
+using identify::Group;
+using identify::Identification;
+using io::Quantity;
+using statistics::Measured;
+using Column = std::vector<double>;
+
+constexpr double K_per_MPa = 1e-6;
+const Quantity stress_quantity{{"stress", "sigma", "stress_swing", "stress_amplitude"}, dimension::pressure, ""};
+const Quantity force_quantity{{"force", "f", "force_swing", "force_amplitude"}, dimension::force, ""};
+const Quantity force_max_quantity{{"force_max", "f_max", "max_force"}, dimension::force, ""}, force_min_quantity{{"force_min", "f_min", "min_force"}, dimension::force, ""};
+const Quantity section_quantity{{"section", "area"}, dimension::area, ""};
+const Quantity strain_quantity{{"strain", "eps"}, dimension::none, ""};
+const Quantity first_strain_quantity{{"strain_1", "strain_x"}, dimension::none, ""}, second_strain_quantity{{"strain_2", "strain_y"}, dimension::none, ""};
+const Quantity temperature_quantity{{"temperature", "dt", "temperature_swing", "temperature_amplitude"}, dimension::temperature, "", Quantity::Kind::difference};
+const Quantity signal_quantity{{"signal", "s"}, dimension::none, ""};
+constexpr const char* needs = "has no columns for a factor; give a cause (stress, or force_min and force_max, or strain) beside a response (temperature or signal), or the properties alpha, "
+                              "temperature, density and heat_capacity";
+
+void scale(Column& values, double factor) {
+  for (double& v : values) v *= factor;
+}
+
+/// Stress swings in the convention asked for, empty where the file has neither stresses nor forces.
+Column stresses(io::LaboratoryTable& table, const FactorRequest& request, std::string& way) {
+  const double swing = request.stress_swing == Swing::half ? 2 : 1;
+  if (const auto column = table.find(stress_quantity)) {
+    way = "stress";
+    Column stress = table.values(*column, stress_quantity);
+    scale(stress, swing);
+    return stress;
+  }
+  Column force;
+  if (const auto high = table.find(force_max_quantity), low = table.find(force_min_quantity); high && low) {
+    way = "(F_max - F_min)/section";
+    force = table.values(*high, force_max_quantity);
+    const Column least = table.values(*low, force_min_quantity);
+    for (std::size_t k = 0; k < force.size(); ++k) force[k] -= least[k];
+  } else if (const auto column = table.find(force_quantity)) {
+    way = "force/section";
+    force = table.values(*column, force_quantity);
+    scale(force, swing);
+  } else {
+    return {};
+  }
+  const auto section = table.find(section_quantity);
+  if (!section && !request.section)
+    throw InputError(table.file(), table.header_line(), "forces need the specimen's section; give a column \"section [mm^2]\" or --section \"30.9 mm x 4.9 mm\"");
+  const Column area = section ? table.values(*section, section_quantity) : Column(force.size(), *request.section);
+  for (std::size_t k = 0; k < force.size(); ++k) {
+    if (!(area[k] > 0)) throw InputError(table.file(), table.line(k), "the section is not above 0; give the area that carries the force");
+    force[k] /= area[k];
+  }
+  return force;
+}
+
+/// Swings of the sum of both in-plane strains, or empty.
+Column strains(io::LaboratoryTable& table, const FactorRequest& request) {
+  Column strain;
+  if (const auto column = table.find(strain_quantity)) {
+    strain = table.values(*column, strain_quantity);
+  } else if (const auto one = table.find(first_strain_quantity), two = table.find(second_strain_quantity); one && two) {
+    strain = table.values(*one, first_strain_quantity);
+    const Column other = table.values(*two, second_strain_quantity);
+    for (std::size_t k = 0; k < strain.size(); ++k) strain[k] += other[k];
+  } else {
+    return {};
+  }
+  if (!request.young || !request.poisson)
+    throw InputError(table.file(), table.header_line(), "strains need the modulus and Poisson's ratio of the specimen; give --young \"2.8 +- 0.1 GPa\" --poisson \"0.35 +- 0.02\"");
+  scale(strain, request.stress_swing == Swing::half ? 2 : 1);
+  return strain;
+}
+
+Column picked(const Column& from, const RowGroup& group) {
+  Column values;
+  for (const std::size_t row : group.rows) values.push_back(from[row]);
+  return values;
+}
+
+[[noreturn]] void refuse_fit(const io::LaboratoryTable& table, const RowGroup& group, bool through_origin) {
+  const std::string of = group.name.empty() ? "" : group.name + ": ";
+  if (group.rows.size() <= (through_origin ? 1U : 2U))
+    throw InputError(table.file(), table.line(group.rows.back()), fmt::format("{}{} points are too few for a slope with an error; give at least {}", of, group.rows.size(), through_origin ? "two" : "three, or --through-origin"));
+  throw InputError(table.file(), table.line(group.rows.front()), of + "the load is the same in every row, or nothing answers to it; give tests at several loads");
+}
+
+/// The findings of one slope: what it is, and its intercept, which a linear answer has at 0.
+void put_slope(Group& group, Identification& found, const Finding& finding, const Factor& f, const char* intercept_unit) {
+  group.findings.push_back(finding);
+  const auto& intercept = f.line.intercept;
+  if (!std::isfinite(intercept.error)) return;
+  group.findings.push_back({finding.name + "_intercept", intercept_unit, 1, intercept});
+  const auto range = statistics::confidence_95(intercept);
+  if (range.low > 0 || range.high < 0) found.notes.push_back(fmt::format("{}: the line misses the origin beyond its error; see whether the response is linear in the load", group.name));
+}
+
+/// `factor` by value: it may stand in the group that grows.
+void put_direct(Group& group, const FactorRequest& request, const Measured factor) {
+  if (!request.detector) return;
+  const auto& d = *request.detector;
+  group.findings.push_back({"signal_constant_direct", "MPa", 1e6, identify::direct_constant(d, identify::printed_correction(d), factor)});
+  group.findings.push_back({"signal_constant_direct_in_band", "MPa", 1e6, identify::direct_constant(d, identify::band_correction(d), factor)});
+  group.findings.push_back({"exitance_exponent", "", 1, {radiometry::exitance_exponent(d.band, d.surface)}});
+}
+
+/// Temperatures and signals against one cause.
+struct Causes {
+  Column stress, strain;
+};
+
+void put_group(io::LaboratoryTable& table, const RowGroup& rows, const Causes& causes, const Column& temperature, const Column& signal, const FactorRequest& request, Identification& found) {
+  Group group{rows.name.empty() ? "all" : rows.name, rows.rows.size(), {}};
+  const auto checked = [&](Factor f) {
+    if (!std::isfinite(f.factor.value) || !(f.factor.value > 0)) refuse_fit(table, rows, request.through_origin);
+    return f;
+  };
+  const auto modulus = causes.strain.empty() ? Measured{} : identify::stress_over_strain({*request.young, *request.poisson});
+  const char* from_strain = causes.stress.empty() ? "" : "_from_strain";
+  if (!temperature.empty() && !causes.stress.empty()) {
+    const Factor f = checked(identify::factor_from_stress(picked(causes.stress, rows), picked(temperature, rows), request.through_origin));
+    put_slope(group, found, {"factor", "K/MPa", K_per_MPa, f.factor}, f, "K");
+  }
+  if (!temperature.empty() && !causes.strain.empty()) {
+    const Factor f = checked(identify::factor_from_strain(picked(causes.strain, rows), picked(temperature, rows), {*request.young, *request.poisson}, request.through_origin));
+    put_slope(group, found, {std::string("factor") + from_strain, "K/MPa", K_per_MPa, f.factor}, f, "K");
+  }
+  if (!temperature.empty()) put_direct(group, request, group.findings.front().value);
+  if (!signal.empty() && !causes.stress.empty()) {
+    const Factor f = checked(identify::signal_constant(picked(causes.stress, rows), picked(signal, rows), request.through_origin));
+    put_slope(group, found, {"signal_constant", "MPa", 1e6, f.factor}, f, "");
+  }
+  if (!signal.empty() && !causes.strain.empty()) {
+    Factor f = checked(identify::signal_constant(picked(causes.strain, rows), picked(signal, rows), request.through_origin));
+    f.factor = statistics::product({{f.factor, 1}, {modulus, 1}});
+    put_slope(group, found, {std::string("signal_constant") + from_strain, "MPa", 1e6, f.factor}, f, "");
+  }
+  found.groups.push_back(std::move(group));
+}
+
+void from_properties(io::LaboratoryTable& table, const FactorRequest& request, Identification& found) {
+  struct Property {
+    Measured identify::Properties::*member;
+    Quantity quantity, error;
+  };
+  const std::vector<Property> properties{
+      {&identify::Properties::expansion, {{"expansion", "alpha"}, dimension::none / dimension::temperature, ""}, {{"expansion_error", "alpha_error"}, dimension::none / dimension::temperature, ""}},
+      {&identify::Properties::temperature, {{"temperature", "t0", "t_0"}, dimension::temperature, "", Quantity::Kind::absolute_temperature},
+       {{"temperature_error", "t0_error", "t_0_error"}, dimension::temperature, "", Quantity::Kind::difference}},
+      {&identify::Properties::density, {{"density", "rho"}, dimension::density, ""}, {{"density_error", "rho_error"}, dimension::density, ""}},
+      {&identify::Properties::heat_capacity, {{"heat_capacity", "cp", "c_p"}, dimension::energy / dimension::mass / dimension::temperature, ""},
+       {{"heat_capacity_error", "cp_error", "c_p_error"}, dimension::energy / dimension::mass / dimension::temperature, ""}}};
+  std::vector<identify::Properties> rows(table.rows());
+  for (const auto& p : properties) {
+    const auto column = table.find(p.quantity), error = table.find(p.error);
+    const std::string name(p.quantity.names.front());
+    if (!column) throw InputError(table.file(), table.header_line(), fmt::format("there is no column {}; the factor is alpha T_0/(rho c_p)", name));
+    const Column values = table.values(*column, p.quantity), errors = error ? table.values(*error, p.error) : Column(table.rows(), statistics::unknown);
+    if (!error) found.notes.push_back(fmt::format("{} has no error (column {}_error); none is added for it", name, name));
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      if (!(values[r] > 0)) throw InputError(table.file(), table.line(r), fmt::format("{} is {}; it must be above 0", name, values[r]));
+      rows[r].*p.member = {values[r], errors[r]};
+    }
+  }
+  for (const auto& group : groups_of(table)) {
+    for (const std::size_t row : group.rows) {
+      const Measured factor = identify::factor_from_properties(rows[row]);
+      Group one{group.rows.size() > 1 || group.name.empty() ? fmt::format("{}line {}", group.name.empty() ? "" : group.name + ", ", table.line(row)) : group.name, 1, {{"factor", "K/MPa", K_per_MPa, factor}}};
+      put_direct(one, request, factor);
+      found.groups.push_back(std::move(one));
+    }
+  }
+}
+
+}  // namespace
+
+Identification identify_factor(const std::string& file, const FactorRequest& request) {
+  io::LaboratoryTable table(file);
+  Identification found{"factor", file, {}};
+  if (table.find(Quantity{{"expansion", "alpha"}, dimension::none / dimension::temperature, ""})) {
+    from_properties(table, request, found);
+  } else {
+    const auto temperature_column = table.find(temperature_quantity), signal_column = table.find(signal_quantity);
+    std::string way;
+    Causes causes{stresses(table, request, way), strains(table, request)};
+    if ((!temperature_column && !signal_column) || (causes.stress.empty() && causes.strain.empty())) throw InputError(file, table.header_line(), needs);
+    Column temperature, signal;
+    if (temperature_column) temperature = table.values(*temperature_column, temperature_quantity);
+    if (signal_column) signal = table.values(*signal_column, signal_quantity);
+    const double swing = request.temperature_swing == Swing::half ? 2 : 1;
+    scale(temperature, swing), scale(signal, swing);
+    for (const auto& group : groups_of(table)) put_group(table, group, causes, temperature, signal, request, found);
+    if (!causes.stress.empty()) found.notes.push_back("the stress is " + way);
+    found.notes.push_back(fmt::format("responses are taken as {} swings, loads as {} swings; the factor is that of full swings (maximum minus minimum) on both sides, as the thesis's: say --temperature-swing half for the amplitudes of a sine",
+                                      request.temperature_swing == Swing::half ? "half" : "full", request.stress_swing == Swing::half ? "half" : "full"));
+  }
+  found.notes.insert(found.notes.end(), table.notes().begin(), table.notes().end());
+  compare_with_stated(request.stated, found);
+  return found;
+}
+
+}  // namespace arenite::study

@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "io/placed_grains.hpp"
+#include "grains/packing/bidisperse.hpp"
+#include "grains/packing/fill.hpp"
+#include "grains/packing/population.hpp"
+#include "grains/packing/region.hpp"
+#include "workflow/run.hpp"
+
+namespace arenite::study {
+
+namespace {
+
+using Method = PackingParameters::Method;
+
+Domain frame_of(const FrameParameters& frame) {
+  Domain domain;
+  domain.thickness = frame.thickness;
+  domain.periodic_x = frame.periodic_x;
+  domain.periodic_y = frame.periodic_y;
+  for (int side = 0; side < 4; ++side) domain.wall[side].present = !(side < 2 ? frame.periodic_x : frame.periodic_y);
+  domain.wall[right].position = frame.width;
+  domain.wall[top].position = frame.height;
+  return domain;
+}
+
+std::string describe(const packing::RelaxReport& report) {
+  return fmt::format("relaxed in {} iterations, largest move {:.3g} mm, largest overlap left {:.2g} % of the mean radius of two grains",
+                     report.iterations, 1e3 * report.largest_move, 100 * report.overlap_after);
+}
+
+std::string fill(const Recipe& recipe, Packing& packing) {
+  auto& grains = packing.grains;
+  packing.grains = packing::draw_grains(recipe.populations, recipe.materials, recipe.packing.grains, recipe.seed);
+  packing.domain = frame_of(recipe.frame);
+  double& height = packing.domain.wall[top].position;
+  const bool height_given = recipe.frame.height > 0;
+  if (recipe.packing.method == Method::random) {
+    if (!height_given) height = packing::height_for(grains, recipe.frame.width, recipe.packing.solid_fraction);
+    return "random filling, " + describe(packing::fill_at_random(grains, packing.domain, recipe.seed));
+  }
+  const double filled = packing::fill_lattice(grains, packing.domain);
+  if (!height_given) height = filled;
+  if (filled > height * (1 + 1e-12))
+    throw InputError(fmt::format("the lattice is {:g} mm high and the frame only {:g} mm; raise frame.height or leave it out",
+                                 1e3 * filled, 1e3 * height));
+  return "triangular lattice";
+}
+
+std::string read(const Recipe& recipe, Packing& packing) {
+  const auto path = std::filesystem::path(recipe.source_file).parent_path() / recipe.packing.file;
+  packing.domain = frame_of(recipe.frame);
+  packing.grains = io::read_placed_grains(path, recipe.materials, packing.domain);
+  const auto report = packing::relax(packing.grains, packing.domain, 1e-3);
+  return fmt::format("read from file with overlaps up to {:.2g} %, {}", 100 * report.overlap_before, describe(report));
+}
+
+/// The classes get the materials that [bidisperse] names for them.
+std::string sample(const Recipe& recipe, Packing& packing) {
+  const BidisperseSection& classes = *recipe.bidisperse;
+  packing.domain = frame_of(recipe.frame);
+  const auto report = packing::sample_bidisperse(packing, classes.law, recipe.seed);
+  const auto index_of = [&](const std::string& name) {
+    const auto at = std::find_if(recipe.materials.begin(), recipe.materials.end(), [&](const Material& m) { return m.name == name; });
+    return static_cast<std::int32_t>(at - recipe.materials.begin());
+  };
+  const std::int32_t material[] = {index_of(classes.large), index_of(classes.small)};
+  for (auto& m : packing.grains.material) m = material[m];
+  packing.materials = recipe.materials;
+  const std::string left_out = report.left_out > 0 ? fmt::format(", {} small disks left out for it", report.left_out) : "";
+  return fmt::format("{} large and {} small disks sampled in two steps, mean radii {:.4g} and {:.4g} mm; theta {:.4g} (asked {:g}, error {:+.1g} %) "
+                     "with a gap of {:.3g} mm between large ones{}; solid fraction {:.3f}",
+                     report.large, report.small, 1e3 * report.mean_large, 1e3 * report.mean_small, report.volume_ratio,
+                     classes.law.volume_ratio, 100 * report.volume_ratio_error, 1e3 * report.gap, left_out, report.solid_fraction);
+}
+
+std::string fill_by_method(const Recipe& recipe, Packing& packing) {
+  switch (recipe.packing.method) {
+    case Method::file: return read(recipe, packing);
+    case Method::poisson: return sample(recipe, packing);
+    case Method::random:
+    case Method::lattice: break;
+  }
+  return fill(recipe, packing);
+}
+
+}  // namespace
+
+StageResult make_packing(const Recipe& recipe) {
+  StageResult result;
+  result.name = "packing";
+  Frame frame;
+  frame.label = "start";
+  frame.packing.materials = recipe.materials;
+  result.outcome = fill_by_method(recipe, frame.packing);
+  if (recipe.glued) packing::mark_region(frame.packing.grains, frame.packing.domain, *recipe.glued);
+  result.frames.push_back(std::move(frame));
+  return result;
+}
+
+}  // namespace arenite::study

@@ -1,0 +1,185 @@
+#include "workflow/measure_film.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "workflow/film_checks.hpp"
+#include "workflow/film_correction.hpp"
+#include "workflow/film_doubts.hpp"
+#include "workflow/film_errors.hpp"
+#include "workflow/film_forces.hpp"
+#include "workflow/film_place.hpp"
+#include "workflow/find_grains.hpp"
+#include "thermal/thermography/grain_means.hpp"
+#include "thermal/thermography/grain_motion.hpp"
+#include "thermal/thermography/lockin.hpp"
+#include "thermal/thermography/phase_pictures.hpp"
+#include "thermal/thermography/grain_surfaces.hpp"
+#include "thermal/thermography/rim_blur.hpp"
+
+namespace arenite::study {
+namespace {
+
+class Road {
+ public:
+  Road(const FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& source)
+      : recipe_(recipe), options_(options), source_(source), place_(place_of(recipe, source.info())) {}
+
+  /// False if it was stopped.
+  bool run(FilmResult& r) {
+    r.film = source_.info();
+    r.film.time.clear();
+    r.pixel = place_.pixel;
+    r.origin = place_.origin;
+    const auto made = make_correction(recipe_, source_);
+    for (const auto& note : made.notes) options_.notice(note);
+    r.bad = made.bad;
+    r.film.quantity = made.kelvin ? FilmQuantity::kelvin : FilmQuantity::digital_level;
+    thermography::CorrectedFilm film(source_, made.correction);
+    if (!lock_in(film, r) || !find(film, r)) return false;
+    thermography::see_surfaces(r.maps, loaded_, made.surfaces);
+    return measure(r);
+  }
+
+ private:
+
+  /// Of the load when it is largest, rad, where the recipe says it.
+  std::optional<double> told_phase() const {
+    return recipe_.lockin.phase;
+  }
+
+  thermography::LockinOptions lockin_options(const char* name, std::size_t stage) const {
+    thermography::LockinOptions o;
+    o.frequency = recipe_.lockin.frequency;
+    o.drift_order = static_cast<int>(recipe_.lockin.drift);
+    o.harmonics = static_cast<int>(recipe_.lockin.harmonics);
+    o.convention = SwingConvention::full;
+    o.reference_phase = told_phase();
+    o.threads = options_.threads;
+    o.progress = [this, name, stage](double share) {
+      options_.progress({stage, 5, name, share, 0, 0, false, false});
+      return !options_.asked_to_stop();
+    };
+    return o;
+  }
+
+  bool lock_in(FilmSource& film, FilmResult& r) {
+    const auto options = lockin_options("lock-in", 1);
+    r.maps = recipe_.lockin.method == LockinSection::Method::nearest_bin ? thermography::nearest_bin_transform(film, options)
+                                                                         : thermography::lock_in(film, options);
+    if (r.maps.size() == 0) return false;
+    refuse_without_load(r.maps, recipe_.lockin.frequency);
+    refuse_impossible(recipe_, r.maps);
+    return true;
+  }
+
+  static std::size_t nearest_picture(const thermography::PhasePictures& pictures, double phase) {
+    std::size_t best = 0;
+    double most = -2;
+    for (std::size_t k = 0; k < pictures.size(); ++k) {
+      const double along = pictures.cosine[k] * std::cos(phase) + pictures.sine[k] * std::sin(phase);
+      if (along > most) most = along, best = k;
+    }
+    return best;
+  }
+
+  bool find(FilmSource& film, FilmResult& r) {
+    const auto pictures = thermography::phase_pictures(film, r.maps, lockin_options("pictures", 2));
+    if (pictures.size() == 0) return false;
+    const double largest = r.maps.reference_phase;
+    const std::size_t smallest = nearest_picture(pictures, largest + std::numbers::pi);
+    r.picture = thermography::picture_of(pictures, smallest);
+    // The spline's coefficients are the picture with most of the pixels' blur undone: more rims are seen in it.
+    const std::vector<float> sharp(pictures.picture(smallest), pictures.picture(smallest) + pictures.pixels());
+    std::vector<std::string> notes;
+    r.grains = find_film_grains(recipe_, place_, r.film, sharp, notes);
+    for (const auto& note : notes) options_.notice(note);
+    loaded_ = r.grains;
+    if (recipe_.lockin.motion) follow(pictures, r);
+    return true;
+  }
+
+  /// Fits the grains' motion and locks in where they are. Grains are found at the smallest load; in the middle of the
+  /// swing they are half their travel further. What swings most is the load at its largest: contacts are as they are then,
+  /// so the maps show the grains there.
+  void follow(const thermography::PhasePictures& pictures, FilmResult& r) {
+    const double largest = r.maps.reference_phase;
+    PictureGrains middle = r.grains;
+    thermography::GrainMotionOptions options;
+    options.threads = options_.threads;
+    for (int round = 0; round < 3; ++round) {
+      r.motion = thermography::grain_motion(pictures, middle, options);
+      for (std::size_t i = 0; i < r.grains.size(); ++i) {
+        const double x = r.motion.cos_x[i] * std::cos(largest) + r.motion.sin_x[i] * std::sin(largest);
+        const double y = r.motion.cos_y[i] * std::cos(largest) + r.motion.sin_y[i] * std::sin(largest);
+        middle.x[i] = r.grains.x[i] + x, middle.y[i] = r.grains.y[i] + y;
+        loaded_.x[i] = r.grains.x[i] + 2 * x, loaded_.y[i] = r.grains.y[i] + 2 * y;
+      }
+    }
+    const auto followed = [&](double blur) {
+      return thermography::follow_grains(pictures, r.maps, middle, r.motion, loaded_, told_phase(), options_.threads, blur);
+    };
+    wider_ = followed(recipe_.forces.blur + blur_step);
+    r.rim_blur = thermography::rim_blur(pictures, middle, r.motion, options_.threads);
+    r.maps = followed(recipe_.forces.blur);
+  }
+
+  bool measure(FilmResult& r) {
+    options_.progress({3, 5, "grains", 0, 0, 0, false, false});
+    thermography::GrainMeanOptions means;
+    means.share = recipe_.forces.central_share;
+    for (const auto& m : recipe_.materials) means.factor.push_back(m.thermoelastic_factor);
+    // Places at the largest load are those found plus all of the way that was fitted.
+    PictureGrains uncertain = loaded_;
+    for (std::size_t i = 0; i < r.motion.size(); ++i)
+      if (!uncertain.position_error.empty() && std::isfinite(r.motion.error[i])) uncertain.position_error[i] = std::hypot(uncertain.position_error[i], 2 * r.motion.error[i]);
+    r.swing = thermography::grain_means(r.maps, uncertain, means);
+    if (wider_.size() > 0) {
+      constexpr double least = 0.05;  // what rims tell of the blur at best
+      add_blur_error(r.swing, thermography::grain_means(wider_, uncertain, means), blur_step, std::max(least, std::abs(r.rim_blur - recipe_.forces.blur)));
+    }
+    forget_lost(r);
+    r.packing.materials = materials_of(recipe_);
+    r.packing.grains = in_metres(loaded_, place_);
+    r.packing.domain = frame_at(recipe_, recipe_.lockin.motion ? 1 : 0);
+    infer_film_forces(recipe_, r);
+    add_fit_error(r, loaded_, recipe_.forces.central_share);
+    r.doubts = film_doubts(recipe_, r);
+    for (const auto& doubt : r.doubts) options_.notice(doubt);
+    options_.progress({3, 5, "grains", 1, 0, 0, false, false});
+    return !options_.asked_to_stop();
+  }
+
+  /// What stands in the maps where a grain was thought to be, and was not, is no stress of it.
+  void forget_lost(FilmResult& r) {
+    const auto lost = thermography::lost_grains(r.motion);
+    for (std::size_t i = 0; i < lost.size(); ++i) {
+      if (!lost[i]) continue;
+      r.swing.temperature[i] = r.swing.sigma_hyd[i] = std::numeric_limits<double>::quiet_NaN();
+      r.swing.error[i] = std::numeric_limits<double>::infinity();
+    }
+    if (const auto count = std::count(lost.begin(), lost.end(), 1); count > 0)
+      options_.notice(fmt::format("{} of {} grains move in a way that the film does not show well enough; their stress is left unknown", count, lost.size()));
+  }
+
+  const FilmRecipe& recipe_;
+  const FilmRunOptions& options_;
+  FilmSource& source_;
+  FilmPlace place_;
+  static constexpr double blur_step = 0.1;  // pixels
+  LockinMaps wider_;                ///< with rims taken off as a lens blurred by a step more shows them
+  PictureGrains loaded_;            ///< at the largest load
+};
+
+}  // namespace
+
+bool measure_film(const FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& film, FilmResult& result) {
+  return Road(recipe, options, film).run(result);
+}
+
+}  // namespace arenite::study

@@ -1,0 +1,131 @@
+#include "workflow/optical_grains.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "thermal/imaging/circles.hpp"
+#include "thermal/imaging/overlay.hpp"
+#include "thermal/imaging/registration.hpp"
+#include "io/image.hpp"
+#include "statistics/clusters.hpp"
+
+namespace arenite::study {
+namespace {
+
+constexpr double enough = 2;               // pixels of the optical picture along one of the film tell centres to a hundredth
+constexpr double margin = 10;              // pixels of the film round the frame in which its grains may lie
+constexpr double least_correlation = 0.3, most_rms = 0.5;  // of an overlay that is believed; pixels of the film
+
+/// Part of a picture; pixels count from there.
+struct Part {
+  int column = 0, row = 0, width = 0, height = 0;
+};
+
+/// The frame and what is near it, in the middle of the picture: what is round it costs time and looks round, too.
+Part part_near_frame(const FilmRecipe& recipe, const Image& image, double pixel) {
+  const auto side = [&](double inner, int all) {
+    return std::min(all, static_cast<int>(std::ceil((inner + 2 * margin * recipe.picture.pixel) / pixel)));
+  };
+  Part part{0, 0, image.width, image.height};
+  if (recipe.frame.left || recipe.frame.top) return part;
+  part.width = side(recipe.frame.width, image.width);
+  part.height = side(recipe.frame.height, image.height);
+  part.column = (image.width - part.width) / 2;
+  part.row = (image.height - part.height) / 2;
+  return part;
+}
+
+/// Mean over squares of `times` x `times` pixels.
+FloatImage coarser(const Image& image, const Part& part, int times) {
+  FloatImage out{part.width / times, part.height / times, {}};
+  for (int row = 0; row < out.height; ++row)
+    for (int column = 0; column < out.width; ++column) {
+      double sum = 0;
+      for (int r = 0; r < times; ++r)
+        for (int c = 0; c < times; ++c) sum += static_cast<double>(image.value[image.index(part.column + column * times + c, part.row + row * times + r)]);
+      out.value.push_back(static_cast<float>(sum / (times * times)));
+    }
+  return out;
+}
+
+/// Both pictures have one middle and the scales that the recipe tells.
+imaging::Similarity told(const Image& whole, const Part& part, int times, const FilmInfo& film, double scale) {
+  const auto first = [&](int begin, int all) { return (begin + 0.5 * (times - 1) - 0.5 * (all - 1)) / times; };
+  return {scale, 0, {0.5 * (film.width - 1) + scale * first(part.column, whole.width), 0.5 * (film.height - 1) + scale * first(part.row, whole.height)}, false};
+}
+
+bool fits(const imaging::Overlay& overlay) { return std::abs(overlay.correlation) >= least_correlation && overlay.rms <= most_rms; }
+
+imaging::Overlay lay_over_film(const std::string& file, const PictureGrains& grains, const imaging::Similarity& first, const FloatImage& frame) {
+  auto overlay = imaging::lay_over(grains, first, frame);
+  if (fits(overlay)) return overlay;
+  try {
+    const auto shown = imaging::find_circles(frame);
+    imaging::RegistrationOptions options;
+    options.scale = first.scale;
+    overlay = imaging::lay_over(grains, imaging::register_circles(grains, shown.grains, options).transform, frame, {2, 0});
+  } catch (const InputError&) {
+    overlay.rms = 2 * most_rms;
+  }
+  if (!fits(overlay))
+    throw InputError(file, 0, "does not fit on the film; take it at the smallest load from the same side, and give its scale (picture.optical_pixel)");
+  return overlay;
+}
+
+}  // namespace
+
+void take_class_radii(const std::vector<double>& class_radius, PictureGrains& grains) {
+  for (std::size_t i = 0; i < grains.size(); ++i)
+    if (grains.size_class[i] >= 0) grains.radius[i] = class_radius[static_cast<std::size_t>(grains.size_class[i])];
+}
+
+void take_materials(const FilmRecipe& recipe, const std::string& where, PictureGrains& grains) {
+  std::vector<std::int32_t> order(recipe.materials.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+    return recipe.materials[static_cast<std::size_t>(a)].brightness < recipe.materials[static_cast<std::size_t>(b)].brightness;
+  });
+  statistics::ClusterOptions options;
+  options.most = order.size();
+  const auto classes = statistics::cluster(grains.brightness, options);
+  if (classes.size() != order.size())
+    throw InputError(fmt::format("grains in {} have {} {} of brightness, and the recipe {} materials; give an optical picture in which they differ "
+                                 "(picture.optical) or a list of the grains (picture.grains)",
+                                 where, classes.size(), classes.size() == 1 ? "kind" : "kinds", order.size()));
+  grains.material.clear();
+  for (const auto k : classes.of) grains.material.push_back(order[static_cast<std::size_t>(k)]);
+}
+
+PictureGrains optical_grains(const FilmRecipe& recipe, const FilmInfo& film, const std::vector<float>& frame, std::vector<std::string>& notes) {
+  const auto file = (std::filesystem::path(recipe.source_file).parent_path() / recipe.picture.optical).string();
+  const double fine = recipe.picture.optical_pixel > 0 ? recipe.picture.optical_pixel : recipe.picture.pixel;
+  const int times = std::max(1, static_cast<int>(recipe.picture.pixel / (enough * fine) + 1e-6));
+  const Image whole = io::read_image(file);
+  const Part part = part_near_frame(recipe, whole, fine);
+  const FloatImage image = coarser(whole, part, times);
+  const double pixel = times * fine;
+  imaging::CircleOptions options;
+  for (const double r : recipe.picture.radii) options.radii.push_back(r / pixel);
+  options.largest = 0.25 * std::min(recipe.frame.width, recipe.frame.height) / pixel;
+  auto found = imaging::find_circles(image, options);
+  if (found.grains.size() < 3) throw InputError(file, 0, fmt::format("shows {} grains; give a picture in which they stand out, or a list of the grains (picture.grains)", found.grains.size()));
+  take_class_radii(found.report.class_radius, found.grains);
+  const auto first = told(whole, part, times, film, pixel / recipe.picture.pixel);
+  const auto overlay = lay_over_film(file, found.grains, first, {film.width, film.height, frame});
+  const Vec2 middle = first.inverse()({0.5 * (film.width - 1), 0.5 * (film.height - 1)}), off = overlay.transform(middle) - first(middle);
+  notes.push_back(fmt::format("the optical picture shows {} grains; it lies {:.2f} pixels of the film to the left and {:.2f} above, turned by {:.2f} degrees, "
+                              "its scale is {:+.2f} % off, and grains in the film are {:.2f} pixels (rms) from where it has them",
+                              found.grains.size(), off.x, off.y, overlay.transform.rotation * 180 / std::numbers::pi,
+                              100 * (overlay.transform.scale / first.scale - 1), overlay.rms));
+  auto grains = imaging::apply(overlay.transform, std::move(found.grains));
+  for (double& error : grains.position_error) error = std::hypot(error, overlay.shift_error);
+  return grains;
+}
+
+}  // namespace arenite::study

@@ -1,0 +1,60 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "model/field_result.hpp"
+#include "model/result.hpp"
+#include "recipe/recipe.hpp"
+#include "grains/texture/texture.hpp"
+
+namespace arenite::study {
+
+/// Where a run stands, for a bar or a log.
+struct Progress {
+  std::size_t stage = 0, stages = 0;  ///< 0 is the packing
+  std::string name;                   ///< of the stage
+  double share = 0;                   ///< of the stage, 0 to 1
+  double unbalanced_ratio = 0;
+  std::int64_t step = 0;
+  bool reused = false;                ///< the stage's file was there already
+  bool field = false;                 ///< `step` counts iterations and `unbalanced_ratio` is a residual
+};
+
+class Store;
+
+struct RunOptions {
+  std::filesystem::path out;
+  std::function<void(const Progress&)> progress = [](const Progress&) {};
+  std::function<void(const std::string&)> notice = [](const std::string&) {};  ///< a sentence the user should see
+  std::function<bool()> asked_to_stop = [] { return false; };  ///< true: checkpoint and leave
+  double checkpoint_seconds = 30;     ///< between two checkpoints
+  const Store* store = nullptr;       ///< stages that are there are taken from it, and what is computed is put there
+};
+
+struct RunOutcome {
+  bool converged = true;
+  bool interrupted = false;           ///< asked to stop; the next run goes on from the checkpoint
+  std::vector<std::filesystem::path> files;  ///< one a stage, in order
+  std::vector<StageResult> stages;
+  std::vector<FieldResult> fields;    ///< the cemented sample and its loads, after the stages
+};
+
+/// Runs a recipe: packing, then its stages one after the other; every stage ends as one file in `options.out`, named by
+/// the hash of all that it depends on. A stage whose file is there is read, not computed again; a run that was killed
+/// goes on from its last checkpoint and ends with the same bytes. Of runs that share a store and want the same stage at once,
+/// one computes it and the others wait. A damaged file counts as none, with a notice. A stage that
+/// finds no equilibrium ends the run; loads of the cemented sample are independent of each other, and the next is tried.
+[[nodiscard]] RunOutcome run(const Recipe& recipe, const RunOptions& options);
+
+/// How the texture of a stage's states is measured; stage 0 is the packing. Signs refer to the axis along which the stage's
+/// sides load, where they load along one only.
+texture::Options texture_options(const Recipe& recipe, std::size_t stage);
+/// The same of a stored stage, by the recipe that made it; as of a packing where another version wrote that.
+texture::Options texture_options(const Provenance& provenance);
+
+/// The grains in their box before any loading: drawn, placed and relaxed, or read from a file (recipe's [packing]).
+StageResult make_packing(const Recipe& recipe);
+
+}  // namespace arenite::study

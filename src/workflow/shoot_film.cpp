@@ -1,0 +1,152 @@
+#include "workflow/shoot_film.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+#include "io/film_writer.hpp"
+#include "workflow/named_result.hpp"
+#include "workflow/result_folder.hpp"
+
+namespace arenite::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Factors and emissivities as the recipe gives them, in the order of the packing's materials.
+void take_materials(Packing& packing, const FilmRecipe& recipe, camera::Parameters& p, std::vector<double>& brightness) {
+  p.surroundings.emissivity.clear();
+  brightness.clear();
+  const std::vector<double> emissivity = emissivities(recipe);
+  for (Material& material : packing.materials) {
+    const auto same = [&](const FilmMaterial& m) { return m.name == material.name; };
+    const auto at = std::find_if(recipe.materials.begin(), recipe.materials.end(), same);
+    if (at == recipe.materials.end())
+      throw InputError(recipe.source_file, 0, fmt::format("there is no section [materials.{0}], which grains of the sample are made of; add it", material.name));
+    material.thermoelastic_factor = at->thermoelastic_factor;
+    p.surroundings.emissivity.push_back(emissivity[static_cast<std::size_t>(at - recipe.materials.begin())]);
+    brightness.push_back(at->brightness);
+  }
+}
+
+double load_on_bottom(const Packing& packing) { return packing.domain.wall[bottom].force; }
+
+/// What only the virtual camera knows for sure: its lens, its surroundings, when the load is largest, and the wall's way.
+void forget_secrets(FilmRecipe& lab) {
+  const FilmRecipe unknowing;
+  lab.temperature.ambient = unknowing.temperature.ambient;
+  lab.lockin.phase.reset();
+  lab.forces.blur = unknowing.forces.blur;
+  lab.frame.travel = 0;
+}
+
+/// What a laboratory would know of this film, and unless it is `blind` what the camera knows beside.
+FilmRecipe laboratory_recipe(const FilmRecipe& recipe, const Packing* low, const Packing& high, const std::string& ending, bool blind) {
+  FilmRecipe lab = recipe;
+  const Domain& start = low ? low->domain : high.domain;
+  const CameraSection& shot = *recipe.camera;
+  lab.camera.reset();
+  for (FilmMaterial& m : lab.materials)
+    for (const Material& of : high.materials)
+      if (of.name == m.name) m.stiffness = of.stiffness;
+  lab.frame = {start.width(), start.height(), start.thickness, {}, {}, load_on_bottom(high) - (low ? load_on_bottom(*low) : 0.0),
+               shot.parameters.motion ? high.domain.wall[bottom].position - start.wall[bottom].position : 0};
+  lab.picture.pixel = shot.parameters.optics.pixel;
+  lab.picture.optical = "optical.tif";
+  lab.picture.optical_pixel = shot.parameters.photograph.pixel;
+  lab.correction = {"cold." + ending, "warm." + ending, shot.plate_cold, shot.plate_warm, true};
+  const std::vector<double> emissivity = emissivities(recipe);
+  for (std::size_t m = 0; m < lab.materials.size(); ++m) lab.materials[m].emissivity = shot.parameters.surroundings.radiometry ? emissivity[m] : 1;
+  lab.temperature = {};
+  lab.temperature.from = TemperatureSection::From::plates;
+  lab.temperature.band = {shot.parameters.band.low, shot.parameters.band.high};
+  lab.temperature.ambient = shot.parameters.surroundings.ambient;
+  lab.lockin.frequency = shot.parameters.timing.load_frequency;
+  lab.lockin.phase = std::numbers::pi;
+  lab.forces.blur = shot.parameters.optics.blur;
+  lab.forces.state = low == nullptr;
+  if (blind) forget_secrets(lab);
+  return lab;
+}
+
+/// Copies a film frame by frame; false if it was stopped.
+bool write(const fs::path& file, FilmSource& film, const std::function<bool(double)>& progress) {
+  const FilmInfo& info = film.info();
+  const auto writer = io::create_film(file, info);
+  FrameBlock block;
+  constexpr std::int64_t together = 32;
+  for (std::int64_t k = 0; k < info.frames; k += together) {
+    film.read(k, static_cast<std::size_t>(std::min(together, info.frames - k)), block);
+    writer->append(block);
+    if (!progress(static_cast<double>(k) / static_cast<double>(info.frames))) return false;
+  }
+  writer->finish();
+  return true;
+}
+
+void write_optical(const fs::path& file, const FloatImage& picture) {
+  Film film;
+  film.about.width = picture.width;
+  film.about.height = picture.height;
+  film.about.frames = 1;
+  film.about.bits = 16;
+  for (const float level : picture.value) film.level.push_back(static_cast<std::uint16_t>(std::lround(level * 65535)));
+  io::write_film(file, film);
+}
+
+/// What is filmed, and what of it a laboratory knows.
+struct Shot {
+  camera::Scene scene;
+  FilmRecipe laboratory;
+};
+
+Shot shot_of_field(const FilmRecipe& recipe, FieldResult& field, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending, bool blind) {
+  if (!recipe.camera->low.empty()) throw InputError(recipe.source_file, 0, "a load of a cemented sample is filmed from no load; leave out camera.low");
+  take_materials(field.packing, recipe, p, brightness);
+  Shot shot{camera::scene_of_field(field, p), {}};
+  Packing window;
+  window.domain = shot.scene.low;
+  shot.laboratory = laboratory_recipe(recipe, nullptr, window, ending, blind);
+  shot.laboratory.forces.from = ForcesSection::From::none;  // matrix carries between the grains
+  return shot;
+}
+
+Shot shot_of_states(const FilmRecipe& recipe, Packing& high, const fs::path& result, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending, bool blind) {
+  const std::string& released = recipe.camera->low;
+  std::optional<Packing> low;
+  if (!released.empty() && !(low = last_state(result, released))) refuse_stage(result, released);
+  if (low) take_materials(*low, recipe, p, brightness);
+  take_materials(high, recipe, p, brightness);
+  return {low ? camera::scene_between(*low, high, p) : camera::scene_of_state(high, p), laboratory_recipe(recipe, low ? &*low : nullptr, high, ending, blind)};
+}
+
+}  // namespace
+
+std::vector<fs::path> shoot_film(const FilmRecipe& recipe, const fs::path& result, const ShootOptions& options) {
+  if (!recipe.camera) throw InputError(recipe.source_file, 0, "there is no section [camera]; add it with high = \"NAME\" of the stage that is filmed");
+  const CameraSection& shot = *recipe.camera;
+  camera::Parameters p = shot.parameters;
+  std::vector<double> brightness;
+  auto state = last_state(result, shot.high);
+  auto field = state ? std::nullopt : load_named(result, shot.high);
+  if (!state && !field) refuse_stage(result, shot.high);
+  const auto [scene, laboratory] =
+      state ? shot_of_states(recipe, *state, result, p, brightness, options.format, options.blind) : shot_of_field(recipe, *field, p, brightness, options.format, options.blind);
+
+  make_folder(options.out);
+  const auto named = [&](const std::string& name) { return options.out / (name + "." + options.format); };
+  const auto quietly = [&](double) { return options.progress(0); };
+  if (!write(named("cold"), *camera::uniform_film(p, shot.plate_cold, shot.plate_frames, recipe.seed), quietly)) return {};
+  if (!write(named("warm"), *camera::uniform_film(p, shot.plate_warm, shot.plate_frames, recipe.seed), quietly)) return {};
+  write_optical(options.out / "optical.tif", camera::optical_picture(scene, p, brightness, recipe.seed));
+  if (!write(named("film"), *camera::film(scene, p, recipe.seed), options.progress)) return {};
+  io::write_atomically(options.out / "film.toml", to_toml(laboratory));
+  return {named("film"), named("cold"), named("warm"), options.out / "optical.tif", options.out / "film.toml"};
+}
+
+}  // namespace arenite::study

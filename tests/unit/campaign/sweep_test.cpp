@@ -1,0 +1,202 @@
+#include "core/units.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <set>
+
+#include "core/error.hpp"
+#include "campaign/study.hpp"
+#include "support/small_study.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace arenite::study {
+namespace {
+
+using test::small_cemented_recipe;
+
+/// The study that a sweep makes of the small recipe.
+Study study_of(const test::TemporaryFolder& folder, const std::string& sweep, const std::vector<std::string>& overrides = {}) {
+  const std::string file = folder / "r.toml";
+  std::ofstream(file) << small_cemented_recipe << sweep;
+  return read_study(file, overrides);
+}
+
+std::vector<std::string> problems(const std::string& sweep) {
+  const test::TemporaryFolder folder;
+  std::vector<std::string> lines;
+  try {
+    study_of(folder, sweep);
+  } catch (const InputError& error) {
+    for (auto problem : error.problems()) {
+      problem.file = std::filesystem::path(problem.file).filename().string();
+      lines.push_back(to_string(problem));
+    }
+  }
+  return lines;
+}
+
+std::vector<std::string> descriptions(const Study& study) {
+  std::vector<std::string> lines;
+  for (const auto& run : study.runs) lines.push_back(describe(run));
+  return lines;
+}
+
+std::set<std::string> names(const Study& study) {
+  std::set<std::string> all;
+  for (const auto& run : study.runs) all.insert(run.name);
+  return all;
+}
+
+using Lines = std::vector<std::string>;
+
+TEST(Sweep, GridAndReplicatesAreAllCombinationsTheLastVaryingFastest) {
+  const test::TemporaryFolder folder;
+  const Study study = study_of(folder, "[sweep]\nreplicates = 2\n[sweep.grid]\n\"frame.width\" = [\"100 mm\", \"0.12 m\"]\ncement.width = [0.1, 0.25]\n");
+  EXPECT_EQ(descriptions(study),
+            (Lines{"frame.width = \"100 mm\", cement.width = 0.1, seed = 3", "frame.width = \"100 mm\", cement.width = 0.1, seed = 4",
+                   "frame.width = \"100 mm\", cement.width = 0.25, seed = 3", "frame.width = \"100 mm\", cement.width = 0.25, seed = 4",
+                   "frame.width = \"0.12 m\", cement.width = 0.1, seed = 3", "frame.width = \"0.12 m\", cement.width = 0.1, seed = 4",
+                   "frame.width = \"0.12 m\", cement.width = 0.25, seed = 3", "frame.width = \"0.12 m\", cement.width = 0.25, seed = 4"}));
+  const Recipe recipe = recipe_of(study, study.runs[7]);
+  EXPECT_EQ(recipe.frame.width, 0.12);
+  EXPECT_EQ(recipe.cement->law.width, 0.25);
+  EXPECT_EQ(recipe.seed, 4u);
+  EXPECT_EQ(study.keys, (Lines{"frame.width", "cement.width", "seed"}));
+}
+
+TEST(Sweep, AListGivesEachRunItsOwnKeysAndGoesWithAGrid) {
+  const test::TemporaryFolder folder;
+  const Study study = study_of(folder, "[[sweep.list]]\nraster.nodes = 32\n[[sweep.list]]\n\"stages.0.top\" = { pressure = \"2 kPa\" }\n"
+                                       "[sweep.grid]\n\"cement.width\" = [0.1, 0.2]\n");
+  EXPECT_EQ(descriptions(study), (Lines{"raster.nodes = 32, cement.width = 0.1", "raster.nodes = 32, cement.width = 0.2",
+                                        "stages.0.top.pressure = \"2 kPa\", cement.width = 0.1", "stages.0.top.pressure = \"2 kPa\", cement.width = 0.2"}));
+  EXPECT_EQ(to_toml(recipe_of(study, study.runs[2])).find("100 N"), std::string::npos) << "of two forms the swept one counts";
+}
+
+TEST(Sweep, ATableGivesARunARowWithUnitsInItsHeadOrItsCells) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "runs.csv") << "frame.width [mm],materials.POM.stiffness,cement.width\n100,27 kN/mm,0.1\n120,,0.2\n";
+  const Study study = study_of(folder, "[sweep]\ntable = \"runs.csv\"\n");
+  EXPECT_EQ(descriptions(study), (Lines{"frame.width = \"100 mm\", materials.POM.stiffness = \"27 kN/mm\", cement.width = 0.1",
+                                        "frame.width = \"120 mm\", cement.width = 0.2"}));
+}
+
+TEST(Sweep, WhatIsWrongInATableIsSaidAtItsRow) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "runs.csv") << "frame.widht,cement.width\n100 mm,0.1\n";
+  try {
+    study_of(folder, "[sweep]\ntable = \"runs.csv\"\n");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_TRUE(std::string(error.what()).find("runs.csv:2: frame.widht: unknown key; did you mean width?") != std::string::npos) << error.what();
+  }
+}
+
+/// The written numbers of a key in all runs.
+std::vector<double> numbers(const Study& study, const std::string& key) {
+  std::vector<double> all;
+  for (const auto& run : study.runs)
+    for (const auto& [name, value] : run.values)
+      if (name == key) all.push_back(parse_quantity(value.front() == '"' ? value.substr(1, value.size() - 2) : value).value);
+  return all;
+}
+
+TEST(Sweep, ALatinHypercubeHasOneRunInEveryStratumOfEveryKey) {
+  const test::TemporaryFolder folder;
+  const std::string ranges = "\"contact.friction\" = \"0.1 .. 0.5\"\n"
+                             "\"materials.POM.stiffness\" = { range = \"1 kN/mm .. 100 kN/mm\", scale = \"log\" }\n"
+                             "\"raster.nodes\" = { range = \"32..95\", whole = true }\n";
+  const Study study = study_of(folder, "[sweep.latin_hypercube]\nruns = 50\n" + ranges);
+  ASSERT_EQ(study.runs.size(), 50u);
+  const auto strata = [](std::vector<double> values, double low, double high, bool log) {
+    std::set<int> found;
+    for (const double v : values) found.insert(static_cast<int>(50 * (log ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low))));
+    return found.size();
+  };
+  EXPECT_EQ(strata(numbers(study, "contact.friction"), 0.1, 0.5, false), 50u);
+  EXPECT_EQ(strata(numbers(study, "materials.POM.stiffness"), 1e6, 1e8, true), 50u);
+  for (const double nodes : numbers(study, "raster.nodes")) EXPECT_EQ(nodes, std::round(nodes));
+  EXPECT_NE(numbers(study, "contact.friction"), [&] { auto v = numbers(study, "contact.friction"); std::sort(v.begin(), v.end()); return v; }());
+  const Study fewer = study_of(folder, "[sweep.latin_hypercube]\nruns = 50\n\"contact.friction\" = \"0.1 .. 0.5\"\n");
+  EXPECT_EQ(numbers(fewer, "contact.friction"), numbers(study, "contact.friction")) << "a key more changes nothing for the others";
+  const Study other = study_of(folder, "[sweep.latin_hypercube]\nruns = 50\n\"contact.friction\" = \"0.1 .. 0.5\"\n", {"seed=4"});
+  EXPECT_NE(numbers(other, "contact.friction"), numbers(study, "contact.friction"));
+}
+
+TEST(Sweep, HashedSeedsBelongToThePackingWhateverIsDoneWithIt) {
+  const test::TemporaryFolder folder;
+  const Study study = study_of(folder, "[sweep]\nreplicates = 2\nseeds = \"hashed\"\n[sweep.grid]\n\"frame.width\" = [\"100 mm\", \"120 mm\"]\n\"cement.width\" = [0.1, 0.2]\n");
+  ASSERT_EQ(study.runs.size(), 8u);
+  const auto seed = [&](std::size_t run) { return study.runs[run].values.back().second; };
+  EXPECT_EQ(seed(0), seed(2));
+  EXPECT_EQ(seed(1), seed(3));
+  EXPECT_EQ(study.runs[0].stages[1], study.runs[2].stages[1]) << "so packings are shared";
+  EXPECT_EQ((std::set{seed(0), seed(1), seed(4), seed(5)}).size(), 4u);
+}
+
+TEST(Sweep, NamesFollowFromWhatARunDependsOnAndFromNothingElse) {
+  const test::TemporaryFolder folder;
+  const Study few = study_of(folder, "[sweep.grid]\n\"cement.width\" = [0.1, 0.2]\n");
+  const Study more = study_of(folder, "[sweep.grid]\n\"cement.width\" = [0.3, 0.1, 0.2]\n", {"title=another"});
+  EXPECT_EQ(more.runs[1].name, few.runs[0].name);
+  EXPECT_EQ(more.runs[2].name, few.runs[1].name);
+  EXPECT_EQ(names(more).size(), 3u);
+  const Study swapped = study_of(folder, "[sweep.grid]\n\"contact.friction\" = [0.3, 0.4]\n\"cement.width\" = [0.1]\n");
+  const Study order = study_of(folder, "[sweep.grid]\n\"cement.width\" = [0.1]\n\"contact.friction\" = [0.4, 0.3]\n");
+  EXPECT_EQ(names(swapped), names(order));
+}
+
+TEST(Sweep, EveryProblemIsFoundInOnePassWithItsPlace) {
+  EXPECT_EQ(problems("[sweep]\nreplicate = 2\n[sweep.grid]\n\"cement.width\" = 0.1\n[[sweep.list]]\nseed = 1\n[sweep.latin_hypercube]\nruns = 5\n\"contact.friction\" = \"0.5 .. 0.1\"\n"),
+            (Lines{"r.toml:29:1: sweep.replicate: unknown key; did you mean replicates?",
+                   "r.toml:31:18: sweep.grid.cement.width: must be a list of the values that the key takes, for example [1, 1.25, 1.67]",
+                   "r.toml:36:22: sweep.latin_hypercube.contact.friction: \"0.5\" is not below \"0.1\"; begin with the smaller end"}));
+  EXPECT_EQ(problems("[sweep]\nreplicates = 2\n[sweep.grid]\nseed = [1, 2]\n\"cement.width\" = [0.1]\n[[sweep.list]]\ncement.width = 0.2\n"),
+            (Lines{"r.toml:31:9: sweep: seed: replicates give each run its seed; leave out one of the two",
+                   "r.toml:34:16: sweep: cement.width: is swept in two ways; leave it in one of them"}));
+  EXPECT_EQ(problems("[sweep]\n").size(), 1u);
+}
+
+TEST(Sweep, AnInvalidRunIsNamedWithItsValuesAndEachProblemIsToldOnce) {
+  EXPECT_EQ(problems("[sweep.grid]\n\"cement.width\" = [0.1, -1]\n\"frame.widht\" = [\"100 mm\"]\n\"contact.friction\" = [0.1, 0.2]\n"),
+            (Lines{"r.toml:29:24: cement.width: -1 is out of range; it must be above 0, up to 2 (run with cement.width = -1, frame.widht = \"100 mm\", contact.friction = 0.1, and 1 more)",
+                   "r.toml:30:18: frame.widht: unknown key; did you mean width?"}));
+}
+
+TEST(Sweep, RunsAreReadBackFromTheirTableUntilAnInputChanges) {
+  const test::TemporaryFolder folder;
+  const std::string sweep = "[sweep.grid]\ntitle = [\"a\\tb\", \"c = \\\"d\\\"\"]\n\"cement.width\" = [0.1, 0.2]\n";
+  const Study study = study_of(folder, sweep);
+  const Study made = read_study(study.file, {}, folder.path());
+  Study read;
+  read.file = study.file;
+  ASSERT_TRUE(read_runs(folder / "runs.tsv", read));
+  ASSERT_EQ(read.runs.size(), 4u);
+  EXPECT_EQ(descriptions(read), descriptions(study));
+  EXPECT_EQ(names(read), names(made));
+  EXPECT_EQ(read.runs[3].stages, study.runs[3].stages);
+  EXPECT_EQ(read.keys, study.keys);
+  EXPECT_EQ(to_toml(recipe_of(read_study(study.file, {}, folder.path()), read.runs[3])), to_toml(recipe_of(study, study.runs[3])));
+  Study other;
+  other.file = study.file;
+  other.overrides = {"seed=5"};
+  EXPECT_FALSE(read_runs(folder / "runs.tsv", other));
+  study_of(folder, "[sweep.grid]\n\"cement.width\" = [0.1]\n");
+  Study changed;
+  changed.file = study.file;
+  EXPECT_FALSE(read_runs(folder / "runs.tsv", changed));
+}
+
+TEST(TomlLiteral, ReadsBackAsTheSameValue) {
+  for (const std::string text : {"1", "-0.25", "1e+30", "true", "\"a \\\"b\\\" \\u0009\"", "[1, [2.5, \"x\"]]", "{ force = \"60 kN\", \"odd key\" = [1] }"}) {
+    const std::string once = toml_literal(parse_value(text));
+    EXPECT_EQ(toml_literal(parse_value(once)), once) << text;
+    EXPECT_EQ(parse_value(once).kind, parse_value(text).kind) << text;
+  }
+}
+
+}  // namespace
+}  // namespace arenite::study

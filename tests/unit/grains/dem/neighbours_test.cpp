@@ -1,0 +1,98 @@
+#include "grains/dem/neighbours.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "grains/dem/engine.hpp"
+#include "grains/dem/setup.hpp"
+#include "unit/grains/dem/samples.hpp"
+
+namespace arenite::dem {
+namespace {
+
+/// Every pair of the caller's grains nearer than the sum of their radii and `gap`, by trying all images of all pairs.
+std::set<std::uint64_t> near_pairs(const Packing& p, double gap) {
+  std::set<std::uint64_t> found;
+  const Grains& g = p.grains;
+  const int ax = p.domain.periodic_x ? 1 : 0, ay = p.domain.periodic_y ? 1 : 0;
+  for (std::size_t a = 0; a < g.size(); ++a)
+    for (std::size_t b = a + 1; b < g.size(); ++b)
+      for (int iy = -2 * ay; iy <= 2 * ay; ++iy)
+        for (int ix = -2 * ax; ix <= 2 * ax; ++ix) {
+          const Vec2 d{g.x[a] - g.x[b] + ix * p.domain.width() + iy * p.domain.tilt,
+                       g.y[a] - g.y[b] + iy * p.domain.height()};
+          if (norm(d) < g.radius[a] + g.radius[b] + gap)
+            found.insert(pair_key(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)));
+        }
+  return found;
+}
+
+std::set<std::uint64_t> listed_pairs(const Sample& s) {
+  std::set<std::uint64_t> found;
+  for (std::size_t p = 0; p < s.list.pairs; ++p) EXPECT_TRUE(found.insert(slot_key(s, p)).second) << "listed twice";
+  return found;
+}
+
+struct Cell {
+  bool periodic_x, periodic_y;
+  double tilt;
+};
+
+class Neighbours : public ::testing::TestWithParam<Cell> {};
+
+TEST_P(Neighbours, AreThoseOfBruteForce) {
+  const Cell cell = GetParam();
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Packing p = testing::crowd(9, 7, seed, 0.012);
+    p.domain.periodic_x = cell.periodic_x;
+    p.domain.periodic_y = cell.periodic_y;
+    p.domain.tilt = cell.tilt * p.domain.width();
+    const Sample s = make_sample(p, {}, {});
+    EXPECT_EQ(listed_pairs(s), near_pairs(p, s.skin));
+  }
+}
+
+TEST_P(Neighbours, StayCompleteWhileGrainsAndWallsMove) {
+  const Cell cell = GetParam();
+  Packing p = testing::crowd(9, 7, 4, 0.0125);
+  p.domain.periodic_x = cell.periodic_x;
+  p.domain.periodic_y = cell.periodic_y;
+  p.domain.tilt = cell.tilt * p.domain.width();
+  RandomStream random(8, Purpose::test);
+  for (std::size_t k = 0; k < p.grains.size(); ++k) {
+    p.grains.vx[k] = random.uniform(-3, 3);
+    p.grains.vy[k] = random.uniform(-3, 3);
+  }
+  ContactParameters contact;
+  contact.restitution = 0.9;
+  Engine engine(p, contact, {});
+  WallDrives drives;
+  drives[right] = {WallDrive::Kind::velocity, -1.5};
+  drives[top] = {WallDrive::Kind::velocity, -1.0};
+  engine.set_drives(drives);
+  for (int n = 0; n < 60; ++n) {
+    engine.advance(97);
+    const Packing now = engine.packing();
+    std::set<std::uint64_t> touching;
+    for (std::size_t c = 0; c < now.contacts.size(); ++c)
+      if (!now.contacts.is_wall(c)) touching.insert(pair_key(now.contacts.i[c], now.contacts.j[c]));
+    ASSERT_EQ(touching, near_pairs(now, 0)) << "after " << engine.step() << " steps";
+    ASSERT_TRUE(std::is_sorted(now.contacts.i.begin(), now.contacts.i.end()));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cells, Neighbours,
+                         ::testing::Values(Cell{false, false, 0}, Cell{true, false, 0}, Cell{false, true, 0},
+                                           Cell{true, true, 0}, Cell{true, true, 0.3}, Cell{true, true, -0.45}));
+
+TEST(PeriodicCell, TooNarrowForItsGrainsIsRefused) {
+  Packing p = testing::empty_frame(0.02, 0.2);
+  testing::add_grain(p, 0.01, 0.1, 0.006);
+  p.domain.periodic_x = true;
+  EXPECT_ANY_THROW(Engine(p, {}, {}));
+}
+
+}  // namespace
+}  // namespace arenite::dem

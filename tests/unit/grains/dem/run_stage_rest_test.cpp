@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "grains/dem/run_stage.hpp"
+#include "unit/grains/dem/samples.hpp"
+
+namespace arenite::dem {
+namespace {
+
+using testing::add_grain;
+using testing::empty_frame;
+
+constexpr double radius = 3e-3, wide = 50e-3;
+
+/// A wide disk that the upper wall presses on the lower one, and a small disk beside it that nothing holds.
+Packing pressed_and_loose() {
+  Packing p = empty_frame(3 * wide, 2 * wide);
+  add_grain(p, wide, wide, wide);
+  add_grain(p, 2.6 * wide, wide, radius);
+  return p;
+}
+
+ContactParameters contact(double restitution = 0.3) {
+  ContactParameters law;
+  law.friction_law = FrictionLaw::cundall_strack;
+  law.friction = 0.3;
+  law.restitution = restitution;
+  return law;
+}
+
+Stage pressed(bool gravity) {
+  Stage stage;
+  stage.name = "load";
+  stage.gravity = gravity;
+  stage.side[top] = {SideDrive::Kind::force, 20e3};
+  return stage;
+}
+
+StageRun to_its_end(Engine& engine, const Stage& stage) {
+  StageRun run = begin_stage(engine, stage);
+  while (!run.finished) continue_stage(engine, stage, run);
+  return run;
+}
+
+TEST(Rest, IsNotReachedWhileADiskFallsHoweverSmallItsWeight) {
+  const Packing start = pressed_and_loose();
+  Stage stage = pressed(true);
+  Engine engine(start, contact(), {});
+  const StageRun run = to_its_end(engine, stage);
+  ASSERT_TRUE(run.result.converged) << run.result.outcome;
+  const Frame& end = run.result.frames.back();
+  EXPECT_EQ(end.equilibrium.falling, 0);
+  EXPECT_NEAR(end.packing.grains.y.back(), radius, 0.01 * radius);
+
+  // Where the forces of the pressed disk alone are asked, the other is still on its way.
+  stage.rest.falling = 1;
+  stage.rest.loose_kinetic = 1e9;
+  Engine again(start, contact(), {});
+  const StageRun early = to_its_end(again, stage);
+  EXPECT_EQ(early.result.frames.back().equilibrium.falling, 0.5);
+  EXPECT_LT(again.step(), engine.step());
+}
+
+TEST(Rest, IsNotReachedWhileALooseDiskFliesFast) {
+  Packing start = pressed_and_loose();
+  start.grains.vx.back() = 100;
+  Engine engine(start, contact(0.9), {});
+  Stage stage = pressed(false);
+  const StageRun run = to_its_end(engine, stage);
+  EXPECT_LT(run.result.frames.back().equilibrium.loose_kinetic, 0.1);
+  Packing slow = pressed_and_loose();
+  slow.grains.vx.back() = 1e-3;
+  Engine calm(slow, contact(0.9), {});
+  to_its_end(calm, stage);
+  EXPECT_LT(calm.step(), engine.step());
+}
+
+TEST(Rest, ManyDisksThatAllFallAreNotAtRest) {
+  Packing start = empty_frame(0.2, 1);
+  for (int k = 0; k < 10; ++k) add_grain(start, 0.02 * k + 0.01, 0.9, radius);
+  Engine engine(start, contact(), {});
+  engine.set_gravity({0, -standard_gravity});
+  engine.advance(100);
+  const Equilibrium now = engine.equilibrium();
+  EXPECT_EQ(now.falling, 1);
+  EXPECT_TRUE(std::isinf(now.loose_kinetic));
+}
+
+}  // namespace
+}  // namespace arenite::dem

@@ -1,0 +1,298 @@
+#include "grains/packing/bidisperse.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "core/error.hpp"
+#include "grains/packing/bidisperse_steps.hpp"
+
+namespace arenite::packing {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+BidisperseParameters parameters(double gamma, double theta, double box_area = 150) {
+  BidisperseParameters p;
+  p.large_radius = 1e-3;
+  p.size_ratio = gamma;
+  p.volume_ratio = theta;
+  p.box_area = box_area;
+  return p;
+}
+
+Packing box_with_sides(bool periodic_x, bool periodic_y) {
+  Packing packing;
+  packing.domain.periodic_x = periodic_x;
+  packing.domain.periodic_y = periodic_y;
+  return packing;
+}
+
+/// The smallest surface gap of any two grains in [from, to), and of any grain to a wall, by comparing all with all.
+double smallest_gap(const Packing& p, std::size_t from, std::size_t to) {
+  double least = INFINITY;
+  const Grains& g = p.grains;
+  for (std::size_t i = from; i < to; ++i) {
+    for (std::size_t j = from; j < i; ++j)
+      least = std::min(least, norm(p.domain.nearest_image(g.centre(i) - g.centre(j))) - g.radius[i] - g.radius[j]);
+    if (p.domain.wall[left].present) least = std::min({least, g.x[i] - g.radius[i], p.domain.width() - g.x[i] - g.radius[i]});
+    if (p.domain.wall[bottom].present) least = std::min({least, g.y[i] - g.radius[i], p.domain.height() - g.y[i] - g.radius[i]});
+  }
+  return least;
+}
+
+/// Where the room for one more disk of that radius would have a corner: circles of forbidden centres cross one another
+/// or walls. Room that has no corner is a whole circle or the whole box, so no corner means no room (walls only).
+std::size_t open_corners(const Packing& p, std::size_t grains, double radius, double gap) {
+  const Grains& g = p.grains;
+  const double side = p.domain.width(), slack = 1e-9 * radius;
+  const auto is_open = [&](Vec2 q) {
+    if (q.x < radius - slack || q.x > side - radius + slack || q.y < radius - slack || q.y > side - radius + slack) return false;
+    for (std::size_t k = 0; k < grains; ++k) {
+      const Vec2 d = q - g.centre(k);
+      const double reach = g.radius[k] + radius + gap - slack;
+      if (dot(d, d) < reach * reach) return false;
+    }
+    return true;
+  };
+  std::size_t open = 0;
+  for (std::size_t i = 0; i < grains; ++i) {
+    const Vec2 c = g.centre(i);
+    const double r = g.radius[i] + radius + gap;
+    for (const double wall : {radius, side - radius})
+      for (const double sign : {-1.0, 1.0}) {
+        if (std::abs(wall - c.x) < r) open += is_open({wall, c.y + sign * std::sqrt(r * r - (wall - c.x) * (wall - c.x))});
+        if (std::abs(wall - c.y) < r) open += is_open({c.x + sign * std::sqrt(r * r - (wall - c.y) * (wall - c.y)), wall});
+      }
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vec2 d = g.centre(j) - c;
+      const double s = g.radius[j] + radius + gap, apart = norm(d);
+      if (apart >= r + s || apart <= std::abs(r - s)) continue;
+      const double along = (apart * apart + r * r - s * s) / (2 * apart), across = std::sqrt(std::max(0.0, r * r - along * along));
+      const Vec2 u = (1 / apart) * d;
+      for (const double sign : {-1.0, 1.0}) open += is_open(c + along * u + sign * across * Vec2{-u.y, u.x});
+    }
+  }
+  for (const double x : {radius, side - radius})
+    for (const double y : {radius, side - radius}) open += is_open({x, y});
+  return open;
+}
+
+double cut_normal_share_below(double r, const CutNormal& law) {
+  const auto normal = [&](double v) { return 0.5 * std::erfc(-(v - law.mean) / law.deviation / std::sqrt(2.0)); };
+  return (normal(std::clamp(r, law.low, law.high)) - normal(law.low)) / (normal(law.high) - normal(law.low));
+}
+
+/// Kolmogorov-Smirnov statistic times sqrt(n): above 1.63 with probability 0.01 if the radii follow the law.
+double kolmogorov(std::vector<double> radii, const CutNormal& law) {
+  std::sort(radii.begin(), radii.end());
+  const double n = static_cast<double>(radii.size());
+  double worst = 0;
+  for (std::size_t k = 0; k < radii.size(); ++k) {
+    const double share = cut_normal_share_below(radii[k], law);
+    worst = std::max({worst, share - static_cast<double>(k) / n, static_cast<double>(k + 1) / n - share});
+  }
+  return worst * std::sqrt(n);
+}
+
+std::vector<double> radii_of(const Packing& p, std::size_t from, std::size_t to) {
+  return {p.grains.radius.begin() + static_cast<std::ptrdiff_t>(from), p.grains.radius.begin() + static_cast<std::ptrdiff_t>(to)};
+}
+
+TEST(CutNormal, FollowsItsLawWholeAndBelowARadius) {
+  const CutNormal law{1, 0.25, 0.625, 1.375};
+  for (const double below : {1.375, 1.0, 0.7}) {
+    RandomStream random(3, Purpose::test);
+    std::vector<double> radii(20000);
+    for (double& r : radii) r = law.draw(random, below);
+    EXPECT_LT(kolmogorov(radii, {1, 0.25, 0.625, below}), 1.63) << below;
+  }
+  RandomStream random(3, Purpose::test);
+  EXPECT_EQ(law.draw(random, 0.5), 0.625);
+  EXPECT_EQ((CutNormal{1, 0, 0.5, 2}).draw(random), 1);
+}
+
+class Sides : public testing::TestWithParam<std::tuple<bool, bool, bool>> {};
+
+TEST_P(Sides, NoDisksOverlapAndLargeOnesKeepTheGap) {
+  const auto [periodic_x, periodic_y, hold] = GetParam();
+  Packing packing = box_with_sides(periodic_x, periodic_y);
+  auto p = parameters(3.33, 1.6, 100);
+  p.hold_radius = hold;
+  const auto report = sample_bidisperse(packing, p, 7);
+  ASSERT_EQ(report.large + report.small, packing.grains.size());
+  EXPECT_GT(report.gap, 0.1 * p.large_radius);
+  EXPECT_GE(smallest_gap(packing, 0, packing.grains.size()), -1e-12 * p.large_radius);
+  Packing large = packing;
+  for (int side = 0; side < 4; ++side) large.domain.wall[side].present = false;
+  EXPECT_GE(smallest_gap(large, 0, report.large), report.gap - 1e-12 * p.large_radius);
+  EXPECT_LT(smallest_gap(large, 0, report.large), report.gap + 1e-6 * p.large_radius);  // the gap is no wider than needed
+  for (std::size_t i = 0; i < packing.grains.size(); ++i) EXPECT_EQ(packing.grains.material[i], i < report.large ? 0 : 1);
+  EXPECT_NEAR(packing.domain.area(), 100 * pi * 1e-6, 1e-15);
+  EXPECT_EQ(packing.domain.wall[left].present, !periodic_x);
+  EXPECT_EQ(packing.domain.wall[top].present, !periodic_y);
+}
+
+INSTANTIATE_TEST_SUITE_P(Bidisperse, Sides, testing::Combine(testing::Bool(), testing::Bool(), testing::Bool()));
+
+TEST(Bidisperse, LeavesNoRoomForTheSmallestDiskOfEitherClass) {
+  Packing packing;
+  auto p = parameters(2.5, 1.6, 80);
+  p.maximal = true;
+  const auto report = sample_bidisperse(packing, p, 3);
+  ASSERT_EQ(report.left_out, 0u);
+  const double least = 0.625 * p.large_radius;
+  EXPECT_EQ(open_corners(packing, report.large, least * (1 + 1e-6), report.gap), 0u);
+  EXPECT_EQ(open_corners(packing, packing.grains.size(), least / 2.5 * (1 + 1e-6), 0), 0u);
+  EXPECT_GT(open_corners(packing, packing.grains.size(), least / 2.5 / 2, 0), 100u);  // half that disk has room in many places
+
+  p.maximal = false;  // what P does: the trials alone leave room
+  const auto tried = sample_bidisperse(packing, p, 3);
+  EXPECT_GT(open_corners(packing, packing.grains.size(), least / 2.5 * (1 + 1e-6), 0), 10u);
+  EXPECT_LT(tried.solid_fraction, report.solid_fraction);
+}
+
+// The mean radii of an independent sampling of P's Appendix with 100 trials, which ends with them: 0.890 of the nominal small
+// one. Filling all that is left afterwards gives 0.857.
+TEST(Bidisperse, EndsWithTheTrialsAsThePaperDoes) {
+  Packing packing;
+  auto p = parameters(5, 1.4, 900);
+  p.trials = 100;
+  const auto report = sample_bidisperse(packing, p, 2);
+  EXPECT_NEAR(report.mean_small * 5 / p.large_radius, 0.890, 0.008);
+}
+
+TEST(Bidisperse, HeldRadiiEndWithOneThatFitsNowhere) {
+  const double side = 14;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    FreeSpace space({0, 0, side, side, false, false}, 0.3);
+    space.open_store(2);
+    std::vector<Disk> disks;
+    RandomStream random(seed, Purpose::test);
+    const double refused = fill_holding(space, disks, {{1, 0.25, 0.625, 1.375}, 0, 30}, random);
+    Packing packing;
+    packing.domain.wall[right].position = packing.domain.wall[top].position = side;
+    packing.grains.resize(disks.size());
+    for (std::size_t i = 0; i < disks.size(); ++i) {
+      packing.grains.x[i] = disks[i].centre.x;
+      packing.grains.y[i] = disks[i].centre.y;
+      packing.grains.radius[i] = disks[i].radius;
+    }
+    EXPECT_GT(disks.size(), 10u);
+    EXPECT_EQ(open_corners(packing, disks.size(), refused * (1 + 1e-6), 0.3), 0u) << seed;
+  }
+}
+
+TEST(Bidisperse, HeldRadiiFollowTheirLawAndRedrawnOnesAreSmaller) {
+  for (const bool each : {false, true}) {
+    auto p = parameters(2.5, 2.2, 900);
+    p.cut_each_class = each;
+    const double small = p.large_radius / 2.5;
+    const CutNormal law_large{p.large_radius, 0.25 * p.large_radius, 0.625 * (each ? p.large_radius : small), 1.375 * p.large_radius};
+    const CutNormal law_small{small, 0.25 * small, 0.625 * small, 1.375 * (each ? small : p.large_radius)};
+    for (const bool hold : {false, true}) {
+      p.hold_radius = hold;
+      Packing packing;
+      const auto report = sample_bidisperse(packing, p, 11);
+      const double large_distance = kolmogorov(radii_of(packing, 0, report.large), law_large);
+      const double small_distance = kolmogorov(radii_of(packing, report.large, packing.grains.size()), law_small);
+      if (hold) {
+        EXPECT_LT(large_distance, 1.63);
+        EXPECT_LT(small_distance, 1.63);
+      } else {
+        EXPECT_GT(large_distance, 3);
+        EXPECT_GT(small_distance, 3);
+        EXPECT_LT(report.mean_large, 0.96 * p.large_radius);  // P's samples: 0.75 to 0.96
+        EXPECT_LT(report.mean_small, 0.96 * small);
+      }
+    }
+  }
+}
+
+TEST(Bidisperse, SameSeedSameBytesAndAnotherSeedAnotherSample) {
+  Packing a, b, c;
+  const auto p = parameters(2, 2.2);
+  sample_bidisperse(a, p, 4);
+  sample_bidisperse(b, p, 4);
+  sample_bidisperse(c, p, 5);
+  EXPECT_EQ(a.grains.x, b.grains.x);
+  EXPECT_EQ(a.grains.y, b.grains.y);
+  EXPECT_EQ(a.grains.radius, b.grains.radius);
+  EXPECT_NE(a.grains.x, c.grains.x);
+}
+
+TEST(Bidisperse, ReachesTheVolumeRatioAskedForAndReportsWhatItIs) {
+  const std::pair<double, double> pairs[] = {{5, 6}, {3.33, 2.7}, {2.5, 1.4}, {1.43, 1.6}, {1.11, 2.7}, {1, 6}};
+  for (const auto& [gamma, theta] : pairs) {
+    Packing packing;
+    const auto report = sample_bidisperse(packing, parameters(gamma, theta, 900), 2);
+    double area[2] = {0, 0};
+    for (std::size_t i = 0; i < packing.grains.size(); ++i)
+      area[packing.grains.material[i]] += pi * packing.grains.radius[i] * packing.grains.radius[i];
+    EXPECT_NEAR(area[0] / area[1], theta, 0.0101 * theta) << gamma;
+    EXPECT_NEAR(report.volume_ratio, area[0] / area[1], 1e-9) << gamma;
+    EXPECT_NEAR(report.volume_ratio_error, area[0] / area[1] / theta - 1, 1e-9) << gamma;
+    EXPECT_NEAR(report.solid_fraction, (area[0] + area[1]) / packing.domain.area(), 1e-12) << gamma;
+    EXPECT_EQ(report.left_out > 0, gamma == 5) << gamma;  // only there no gap is narrow enough
+    EXPECT_EQ(report.gap == 0, gamma == 5) << gamma;
+  }
+}
+
+TEST(Bidisperse, SmallDisksAreLeftOutByLot) {
+  TwoClasses classes;
+  classes.large = 1;
+  classes.disks.assign(2001, Disk{{0, 0}, 1});
+  for (std::size_t i = 1; i <= 2000; ++i) classes.disks[i].centre.x = i <= 1000 ? -1 : 1;
+  classes.area_large = 1000 * pi;
+  classes.area_small = 2000 * pi;
+  EXPECT_EQ(leave_out_small(classes, 1, 9), 1000u);
+  EXPECT_EQ(classes.disks.size(), 1001u);
+  EXPECT_NEAR(classes.volume_ratio(), 1, 1e-9);
+  const auto first_half = std::count_if(classes.disks.begin() + 1, classes.disks.end(), [](const Disk& d) { return d.centre.x < 0; });
+  EXPECT_NEAR(static_cast<double>(first_half), 500, 45);  // four deviations of a fair draw without return
+}
+
+std::string refusal(const BidisperseParameters& p) {
+  Packing packing;
+  try {
+    sample_bidisperse(packing, p, 1);
+  } catch (const InputError& e) {
+    EXPECT_EQ(packing.grains.size(), 0u);
+    return e.what();
+  }
+  return "accepted";
+}
+
+TEST(Bidisperse, RatiosOutOfReachAreRefusedWithWhatCanBeReached) {
+  EXPECT_NE(refusal(parameters(2.5, 0.001)).find("theta of 0.001 is out of reach"), std::string::npos);
+  EXPECT_NE(refusal(parameters(2.5, 0.001)).find("gives 0.1"), std::string::npos);
+  EXPECT_NE(refusal(parameters(2, 1e6)).find("theta of 1e+06 is out of reach"), std::string::npos);
+  EXPECT_NE(refusal(parameters(0.8, 2)).find("gamma is 0.8; in this box it can be from 1 to 115"), std::string::npos);
+  EXPECT_NE(refusal(parameters(1000, 2)).find("from 1 to 115"), std::string::npos);
+}
+
+TEST(Bidisperse, EveryBadParameterIsNamedAtOnce) {
+  BidisperseParameters p;
+  p.large_radius = NAN;
+  p.deviation = 1;
+  p.trials = 0;
+  p.tolerance = 0;
+  p.box_area = 3;
+  p.volume_ratio = -1;
+  p.size_ratio = 0;
+  Packing packing;
+  try {
+    sample_bidisperse(packing, p, 1);
+    FAIL() << "accepted";
+  } catch (const InputError& e) {
+    EXPECT_EQ(e.problems().size(), 7u);
+  }
+}
+
+}  // namespace
+}  // namespace arenite::packing

@@ -1,0 +1,155 @@
+#include "grains/texture/distribution.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/random.hpp"
+
+namespace arenite::texture {
+namespace {
+
+std::vector<double> sorted(std::vector<double> v) {
+  std::sort(v.begin(), v.end());
+  return v;
+}
+
+/// 1 + excess, excess exponential of rate beta.
+std::vector<double> exponential(double beta, int n, std::uint64_t seed) {
+  RandomStream random(seed, Purpose::test);
+  std::vector<double> x;
+  for (int k = 0; k < n; ++k) x.push_back(1 - std::log(1 - random.uniform()) / beta);
+  return sorted(x);
+}
+
+TEST(ExponentialTail, GivesBackTheRateWithinItsError) {
+  int within = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const ExponentialTail tail = exponential_tail(exponential(1.4, 400, seed));
+    EXPECT_EQ(tail.count, 400u);
+    EXPECT_NEAR(tail.beta.error, tail.beta.value / 20, 1e-12);
+    within += std::abs(tail.beta.value - 1.4) < tail.beta.error;
+  }
+  EXPECT_NEAR(within / 200.0, 0.683, 0.1);  // one standard error holds two thirds of the trials
+}
+
+TEST(ExponentialTail, LineThroughAnExactExponentialHasItsSlope) {
+  std::vector<double> x;
+  for (int k = 0; k < 500; ++k) x.push_back(1 - std::log((k + 0.5) / 500) / 2.5);  // the quantiles themselves
+  const ExponentialTail tail = exponential_tail(sorted(x));
+  EXPECT_NEAR(tail.line_beta.value, 2.5, 1e-10);
+  EXPECT_NEAR(tail.line_r2, 1, 1e-12);
+}
+
+TEST(ExponentialTail, IsToldFromAHalfGaussianEitherWay) {
+  const ExponentialTail exponential_data = exponential_tail(exponential(1, 3000, 7));
+  EXPECT_GT(exponential_data.likelihood_ratio, 0);
+  EXPECT_LT(exponential_data.p_value, 0.01);
+  RandomStream random(8, Purpose::test);
+  std::vector<double> x;
+  for (int k = 0; k < 500; ++k) x.push_back(1 + std::abs(random.normal()));
+  const ExponentialTail gaussian_data = exponential_tail(sorted(x));
+  EXPECT_LT(gaussian_data.likelihood_ratio, 0);
+  EXPECT_GT(gaussian_data.p_value, 0.99);
+}
+
+TEST(WeakPowerLaw, GivesBackItsExponent) {
+  RandomStream random(11, Purpose::test);
+  std::vector<double> x;
+  for (int k = 0; k < 5000; ++k) x.push_back(std::pow(random.uniform(), 1 / (1 - 0.3)));  // pdf (1 - 0.3) x^-0.3
+  const PowerLaw law = weak_power_law(sorted(x));
+  EXPECT_NEAR(law.alpha.value, 0.3, 4 * law.alpha.error);
+  EXPECT_NEAR(law.alpha.error, 0.7 / std::sqrt(5000.0), 5e-4);
+}
+
+TEST(Distribution, OfAPurelyExponentialForceHasKnownShares) {
+  RandomStream random(2, Purpose::test);
+  std::vector<double> force;
+  for (int k = 0; k < 20000; ++k) force.push_back(-3 * std::log(1 - random.uniform()));
+  Items items(force.size());
+  std::iota(items.begin(), items.end(), 0);
+  std::vector<int> block(force.size());
+  for (std::size_t k = 0; k < block.size(); ++k) block[k] = static_cast<int>(k % 36);
+  const Distribution d = distribution(items, block, force, 6.0);
+  EXPECT_NEAR(d.mean.value, 3, 4 * d.mean.error);
+  EXPECT_NEAR(d.mean.error, 3 / std::sqrt(20000.0), 0.35 * 3 / std::sqrt(20000.0));
+  EXPECT_NEAR(d.share_above.value, std::exp(-1), 4 * d.share_above.error);
+  EXPECT_NEAR(d.share_above_all.value, std::exp(-2), 4 * d.share_above_all.error);
+  EXPECT_NEAR(d.tail.beta.value, 1, 4 * d.tail.beta.error);
+  double area = 0;
+  for (const double y : d.pdf.y) area += y * (d.pdf.x[1] - d.pdf.x[0]);
+  EXPECT_NEAR(area, 1, 1e-12);
+  EXPECT_NEAR(d.cumulative.y.front(), 1, 1e-12);
+  EXPECT_NEAR(d.cumulative.x.back(), d.maximum, 1e-12);
+}
+
+TEST(Distribution, RelationOfExponentsHoldsForAPairThatObeysIt) {
+  // T eq. 1.4 and 1.5 with alpha = 0: beta^2 = 2. Weak values uniform, strong ones exponential of rate sqrt(2), in the
+  // numbers that make the density continuous and the mean one.
+  const double beta = std::sqrt(2.0), k = 1 / (1 + 1 / beta);
+  RandomStream random(4, Purpose::test);
+  std::vector<double> force;
+  for (int n = 0; n < 40000; ++n)
+    force.push_back(random.uniform() < k ? random.uniform() : 1 - std::log(1 - random.uniform()) / beta);
+  Items items(force.size());
+  std::iota(items.begin(), items.end(), 0);
+  const Distribution d = distribution(items, std::vector<int>(force.size(), 0), force, 1);
+  EXPECT_NEAR(d.mean.value, 1, 0.02);
+  EXPECT_NEAR(d.relation.value, 1, 4 * d.relation.error);
+  EXPECT_NEAR(d.k.value, k, 4 * d.k.error);
+}
+
+TEST(Jackknife, OfAMeanOfIndependentValuesIsItsStandardError) {
+  const std::vector<double> value{3, 5, 4, 9, 1, 7};
+  Items items(value.size());
+  std::iota(items.begin(), items.end(), 0);
+  const Estimate m = mean(items, {0, 1, 2, 3, 4, 5}, [&](std::size_t i) { return value[i]; });
+  EXPECT_NEAR(m.error, standard_error(value), 1e-14);
+}
+
+TEST(Jackknife, OfCorrelatedValuesIsThatOfTheirBlocks) {
+  // Ten blocks of ten equal values: only ten independent ones.
+  std::vector<double> value, first;
+  std::vector<int> block;
+  for (int b = 0; b < 10; ++b) {
+    first.push_back(b * b % 7);
+    for (int k = 0; k < 10; ++k) {
+      value.push_back(first.back());
+      block.push_back(b);
+    }
+  }
+  Items items(value.size());
+  std::iota(items.begin(), items.end(), 0);
+  EXPECT_NEAR(mean(items, block, [&](std::size_t i) { return value[i]; }).error, standard_error(first), 1e-14);
+}
+
+TEST(Jackknife, OfAnAngleDoesNotJumpWhereItWraps) {
+  const std::vector<double> angle{179, 1, 178, 2};
+  const auto estimate = jackknife({0, 1, 2, 3}, {0, 1, 2, 3}, [&](const Items& items) {
+    double x = 0, y = 0;
+    for (const std::size_t i : items) {
+      x += std::cos(angle[i] * std::acos(-1.0) / 90);
+      y += std::sin(angle[i] * std::acos(-1.0) / 90);
+    }
+    const double mean = std::atan2(y, x) * 90 / std::acos(-1.0);
+    return std::vector<double>{mean < 0 ? mean + 180 : mean};
+  }, {180});
+  EXPECT_LT(estimate[0].error, 2);
+}
+
+TEST(Distribution, TheDensityOverTheMeanOfAllIsThatOfValuesOverThisMean) {
+  // Mean 3, half the mean of all.
+  const std::vector<double> force{1.5, 3, 4.5};
+  const Distribution d = distribution({0, 1, 2}, {0, 1, 2}, force, 6.0);
+  ASSERT_EQ(d.pdf_over_all.x.size(), 8u);  // up to 0.75 in bins of 0.1
+  double whole = 0;
+  for (const double y : d.pdf_over_all.y) whole += 0.1 * y;
+  EXPECT_NEAR(whole, 1, 1e-12);
+  EXPECT_NEAR(d.pdf_over_all.y[2], 1 / 0.3, 1e-9);  // 0.25
+  EXPECT_NEAR(d.pdf_over_all.y[7], 1 / 0.3, 1e-9);  // 0.75
+}
+
+}  // namespace
+}  // namespace arenite::texture

@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "grains/texture/texture.hpp"
+#include "unit/grains/texture/packings.hpp"
+
+namespace arenite::texture {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(TextureJson, GivesEveryPromisedStatisticAsValueAndError) {
+  const Json j = Json::parse(to_json(numbers(measure(test::random_network(3, 400)))));
+  for (const Json& statistic : {j["solid_fraction"], j["coordination"]["all"], j["coordination"]["A-B"], j["coordination"]["A-ANY"],
+                                j["fabric"]["a_c"], j["fabric"]["theta_c_deg"], j["fabric"]["phi"], j["stress"], j["force"]["mean_N"],
+                                j["force"]["strong_share"], j["force"]["beta"], j["sigma_norm"]["P0"], j["sigma_norm"]["beta"],
+                                j["sigma_norm"]["by_material"]["A"]["P0"], j["sigma_norm"]["by_material"]["B"]["beta"]}) {
+    EXPECT_FALSE(statistic["value"].is_null()) << statistic;
+    EXPECT_FALSE(statistic["error"].is_null()) << statistic;
+  }
+  EXPECT_EQ(j["force"]["beta_error"], j["force"]["beta"]["error"]);
+  EXPECT_EQ(j["stress"]["value"].size(), 2u);
+  EXPECT_EQ(j["stress"]["value"][0].size(), 2u);
+  EXPECT_FALSE(j.contains("by_grain"));
+}
+
+TEST(TextureJson, LeavesOutWhatIsNotKnownAndSaysWhy) {
+  Packing p = test::random_network(3);
+  p.domain = {};
+  p.domain.thickness = 0;
+  const Json j = Json::parse(to_json(numbers(measure(p))));
+  EXPECT_FALSE(j.contains("stress"));
+  EXPECT_FALSE(j.contains("solid_fraction"));
+  EXPECT_FALSE(j.contains("rev"));
+  EXPECT_EQ(j["notes"].size(), 3u + (j["quality"]["median_imbalance"] > 0.1 ? 1 : 0));
+}
+
+TEST(TextureJson, HasRowsForDrawingsWhenAsked) {
+  const Packing p = test::random_network(3);
+  const Json j = Json::parse(to_json(numbers(measure(p), true)));
+  EXPECT_EQ(j["by_grain"]["sigma_Pa"].size(), p.grains.size());
+  EXPECT_EQ(j["fabric"]["sectors"].size(), 18u);
+  EXPECT_EQ(j["fabric"]["threshold"]["force"].size(), 41u);
+  EXPECT_FALSE(j["force"]["cumulative"]["x"].empty());
+}
+
+TEST(TextureJson, OfAnEmptyPackingIsValid) {
+  EXPECT_EQ(Json::parse(to_json(numbers(measure(Packing{}))))["grains"], 0);
+}
+
+}  // namespace
+}  // namespace arenite::texture

@@ -1,0 +1,39 @@
+#include "model/elasticity/bounds.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace arenite::elasticity {
+namespace {
+
+TEST(ModulusBounds, OfOnePhaseAreItsModulus) {
+  const ModulusBounds b = modulus_bounds({{1, 3e9}}, 1.0 / 3);
+  for (const double e : {b.voigt, b.reuss, b.shtrikman_upper, b.shtrikman_lower}) EXPECT_NEAR(e, 3e9, 1);
+}
+
+TEST(ModulusBounds, OfAFewHolesFallByThreeTimesTheirShare) {
+  // A plate with round holes of small share c has E (1 - 3 c), which is the upper bound.
+  const double c = 1e-6;
+  const ModulusBounds b = modulus_bounds({{1 - c, 1}, {c, 0}}, 1.0 / 3);
+  EXPECT_NEAR((1 - b.shtrikman_upper) / c, 3, 1e-4);
+  EXPECT_EQ(b.reuss, 0);
+  EXPECT_EQ(b.shtrikman_lower, 0);
+}
+
+TEST(ModulusBounds, OfEqualSharesAreTheClosedForms) {
+  const ModulusBounds b = modulus_bounds({{0.5, 4}, {0.5, 1}}, 1.0 / 3);
+  EXPECT_DOUBLE_EQ(b.voigt, 2.5);
+  EXPECT_DOUBLE_EQ(b.reuss, 1.6);
+}
+
+RC_GTEST_PROP(ModulusBounds, NestInTheirOrder, ()) {
+  const double a = *rc::gen::inRange(1, 1000), c = *rc::gen::inRange(1, 1000), d = *rc::gen::inRange(0, 1000), sum = a + c + d;
+  const double young = *rc::gen::inRange(1, 100);
+  const ModulusBounds b = modulus_bounds({{a / sum, young}, {c / sum, 1}, {d / sum, *rc::gen::inRange(0, 2) * 0.5}}, 1.0 / 3);
+  RC_ASSERT(b.reuss <= b.shtrikman_lower * (1 + 1e-12));
+  RC_ASSERT(b.shtrikman_lower <= b.shtrikman_upper * (1 + 1e-12));
+  RC_ASSERT(b.shtrikman_upper <= b.voigt * (1 + 1e-12));
+}
+
+}  // namespace
+}  // namespace arenite::elasticity

@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+
+#include "core/random.hpp"
+#include "solid/peridynamics/solvers/coarse_space.hpp"
+#include "support/cemented_sample.hpp"
+
+namespace arenite::peridynamics {
+namespace {
+
+struct Prepared {
+  PhaseMap map;
+  Bonds bonds;
+  std::vector<std::uint8_t> prescribed;
+  Pieces pieces;
+  explicit Prepared(double bridge)
+      : map(test::cemented_sample({.nodes = 96, .size_ratio = 2.5, .bridge = bridge})), bonds(make_bonds(map, {})) {
+    prescribed.assign(static_cast<std::size_t>(map.height), 0);
+    prescribed.front() = prescribed.back() = both_prescribed;
+    pieces = cut_into_pieces(map, bonds, prescribed);
+  }
+};
+
+TEST(Pieces, EveryPieceHasOneOwnerAndOneCellAndHoldsTogether) {
+  const Prepared s(0.4);
+  std::vector<std::int32_t> nodes(s.pieces.owner.size(), 0);
+  for (int y = 0; y < s.map.height; ++y)
+    for (int x = 0; x < s.map.width; ++x) {
+      const auto p = s.pieces.of_node[s.bonds.grid.index(x, y)];
+      const bool solid = s.map.phase[s.map.index(x, y)] != Phase::empty && y > 0 && y < s.map.height - 1;
+      ASSERT_EQ(p >= 0, solid) << x << " " << y;
+      if (p < 0) continue;
+      const auto k = static_cast<std::size_t>(p);
+      ASSERT_EQ(s.pieces.cell_x[k], x / Pieces::cell);
+      ASSERT_EQ(s.pieces.cell_y[k], y / Pieces::cell);
+      if (s.map.phase[s.map.index(x, y)] == Phase::particle) {
+        ASSERT_EQ(s.pieces.owner[k], s.map.grain[s.map.index(x, y)]);
+      }
+      ++nodes[k];
+    }
+  EXPECT_EQ(nodes, s.pieces.nodes);
+}
+
+void expect_energy_of_bonds(Prepared s, Prescribed bottom) {
+  s.prescribed.front() = bottom;
+  s.pieces = cut_into_pieces(s.map, s.bonds, s.prescribed);
+  const auto sums = couplings(s.bonds, s.pieces, block_diagonal(s.bonds), s.prescribed);
+  RandomStream random(1, Purpose::test);
+  std::vector<double> corner(8 * s.pieces.owner.size());
+  for (double& c : corner) c = random.uniform(-1, 1);
+  Field<double> u(s.bonds.grid.padded_size()), f(s.bonds.grid.padded_size());
+  for (int y = 0; y < s.map.height; ++y)
+    for (int x = 0; x < s.map.width; ++x) {
+      const auto i = s.bonds.grid.index(x, y);
+      const auto p = s.pieces.of_node[i];
+      if (p < 0) continue;
+      const Hats& h = hats_at(x % Pieces::cell, y % Pieces::cell);
+      for (unsigned a = 0; a < 4; ++a) {
+        u.x[i] += h[a] * corner[8 * static_cast<std::size_t>(p) + 2 * a];
+        if (!s.prescribed[static_cast<std::size_t>(y)])
+          u.y[i] += h[a] * corner[8 * static_cast<std::size_t>(p) + 2 * a + 1];
+      }
+    }
+  const double wanted = -kernels().force(s.bonds, s.prescribed.data(), plane(u), plane(f));
+  double energy = 0;
+  for (const Coupling& c : sums)
+    for (unsigned a = 0; a < 4; ++a)
+      for (unsigned b = 0; b < 4; ++b) {
+        const double* p = &corner[8 * static_cast<std::size_t>(c.p) + 2 * a];
+        const double* q = &corner[8 * static_cast<std::size_t>(c.q) + 2 * b];
+        energy += (c.p == c.q ? 1 : 2) * (c.block[0][a][b] * p[0] * q[0] + c.block[1][a][b] * p[0] * q[1] +
+                                          c.block[3][a][b] * p[1] * q[0] + c.block[2][a][b] * p[1] * q[1]);
+      }
+  EXPECT_NEAR(energy / wanted, 1, 1e-12);
+}
+
+TEST(Couplings, EnergyOfHatsIsTheEnergyOfBonds) { expect_energy_of_bonds(Prepared(0.4), both_prescribed); }
+TEST(Couplings, EnergyOfHatsIsTheEnergyOfBondsOnASlidingEdge) { expect_energy_of_bonds(Prepared(0.4), y_prescribed); }
+
+TEST(CoarseSpace, CorrectionLeavesNothingOfAFieldThatItHolds) {
+  // Rigid motion and strain of the whole sample lie in the space: r = -f(u) must give u back, but for what the clamped
+  // rows take.
+  const Prepared s(1000);
+  CoarseSpace coarse(s.bonds, cut_into_pieces(s.map, s.bonds, s.prescribed), block_diagonal(s.bonds), s.prescribed);
+  EXPECT_EQ(coarse.repairs(), 0);
+  Field<float> u(s.bonds.grid.padded_size()), r(s.bonds.grid.padded_size()), z(s.bonds.grid.padded_size());
+  for (int y = 1; y < s.map.height - 1; ++y)
+    for (int x = 0; x < s.map.width; ++x) {
+      u.x[s.bonds.grid.index(x, y)] = 1 + 0.01f * static_cast<float>(y);
+      u.y[s.bonds.grid.index(x, y)] = 2 - 0.02f * static_cast<float>(x);
+    }
+  kernels().force_float(s.bonds, s.prescribed.data(), plane(u), plane(r));
+  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(r.x.size()); ++i) {
+    r.x[i] = -r.x[i];
+    r.y[i] = -r.y[i];
+  }
+  coarse.correct(plane(r), plane(z));
+  for (int y = 1; y < s.map.height - 1; ++y)
+    for (int x = 0; x < s.map.width; ++x) {
+      ASSERT_NEAR(z.x[s.bonds.grid.index(x, y)], u.x[s.bonds.grid.index(x, y)], 2e-4) << x << " " << y;
+      ASSERT_NEAR(z.y[s.bonds.grid.index(x, y)], u.y[s.bonds.grid.index(x, y)], 2e-4) << x << " " << y;
+    }
+}
+
+}  // namespace
+}  // namespace arenite::peridynamics

@@ -1,0 +1,134 @@
+#include "thermal/thermography/lockin.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/swinging_film.hpp"
+#include "core/error.hpp"
+#include "thermal/thermography/frame_times.hpp"
+
+namespace arenite::thermography {
+namespace {
+
+using test::SwingingFilm;
+
+LockinOptions at(double frequency) {
+  LockinOptions o;
+  o.frequency = frequency;
+  return o;
+}
+
+TEST(LockIn, SameBitsWhateverTheThreadsAndBlocks) {
+  SwingingFilm film;
+  film.width = 67, film.height = 41;  // no multiple of what the machine takes at once
+  film.noise = 0.3;
+  Film memory = film.draw();
+  const LockinMaps one = lock_in(memory, at(3.001));
+  for (const int threads : {2, 3}) {
+    LockinOptions o = at(3.001);
+    o.threads = threads;
+    const LockinMaps more = lock_in(memory, o);
+    EXPECT_EQ(one.frequency, more.frequency);
+    EXPECT_EQ(one.in_phase, more.in_phase);
+    EXPECT_EQ(one.residual, more.residual);
+  }
+  test::ReadFilm read(memory);
+  EXPECT_EQ(lock_in(read, at(3.001)).in_phase, one.in_phase);
+  EXPECT_EQ(read.frames_read, film.frames);  // one pass, though the frequency is refined
+}
+
+TEST(LockIn, KernelsAgree) {
+  const std::size_t pixels = 101, frames = 37;
+  std::vector<std::uint16_t> level(pixels * frames);
+  std::vector<float> value(level.size()), reference(pixels, 7000), weights(frames * 6);
+  RandomStream random(3, Purpose::test);
+  for (std::size_t i = 0; i < level.size(); ++i) level[i] = static_cast<std::uint16_t>(7000 + random.below(900)), value[i] = level[i];
+  for (auto& w : weights) w = static_cast<float>(random.uniform(-1, 1));
+  const std::size_t size = 4 * chunk * 9;
+  std::vector<float> expected(size);
+  kernels("portable")->add_levels({level.data(), pixels, frames, weights.data(), 6, reference.data()}, expected.data(), 9 * chunk, 0, pixels);
+  double exact = 0;
+  for (std::size_t n = 0; n < frames; ++n) exact += static_cast<double>(weights[n * 6 + 2]) * (static_cast<double>(level[n * pixels + 70]) - 7000);
+  EXPECT_NEAR(expected[2 * chunk * 9 + 3 * chunk + 6], exact, 1e-2);
+  for (const char* name : {"avx2", "avx512"})
+    if (const Kernels* k = kernels(name)) {
+      std::vector<float> levels(size), values(size);
+      k->add_levels({level.data(), pixels, frames, weights.data(), 6, reference.data()}, levels.data(), 9 * chunk, 0, pixels);
+      k->add_values({value.data(), pixels, frames, weights.data(), 6, reference.data()}, values.data(), 9 * chunk, 0, pixels);
+      EXPECT_EQ(levels, values) << name;
+      for (std::size_t i = 0; i < size; ++i) EXPECT_NEAR(levels[i], expected[i], 1e-6f * 4e6f) << name << " " << i;
+    }
+}
+
+void expect_refused(Film film, const LockinOptions& o, const char* word) {
+  try {
+    lock_in(film, o);
+    ADD_FAILURE() << "not refused: " << word;
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problems().size(), 1u);
+    EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+  }
+}
+
+TEST(LockIn, RefusesFilmsThatShowNoCycle) {
+  const SwingingFilm film;
+  expect_refused(film.draw(), at(30), "but the film swings at 3");
+  expect_refused(film.draw(), at(74), "Nyquist");
+  expect_refused(film.draw(), at(90), "Nyquist");
+  expect_refused(film.draw(), at(0.1), "cycles");
+  expect_refused(film.draw(), at(0), "above 0 Hz");
+  expect_refused(film.draw(), at(-3), "above 0 Hz");
+  Film constant = film.draw();
+  std::fill(constant.value.begin(), constant.value.end(), 3.f);
+  expect_refused(constant, at(3), "constant");
+  Film unknown = film.draw();
+  unknown.about.frame_rate = 0;
+  expect_refused(unknown, at(3), "frame rate");
+  LockinOptions o = at(3);
+  o.harmonics = 9;
+  expect_refused(film.draw(), o, "harmonics");
+  Film falling = film.draw();
+  falling.about.time = frame_times(falling.about);
+  falling.about.time[5] = falling.about.time[4];
+  expect_refused(falling, at(3), "time stamp");
+}
+
+TEST(LockIn, HarmonicsAboveTheNyquistFrequencyAreLeftOut) {
+  SwingingFilm film;
+  film.frequency = 40;
+  Film memory = film.draw();
+  const LockinMaps maps = lock_in(memory, at(40));
+  EXPECT_EQ(maps.harmonics, 1);
+  EXPECT_TRUE(maps.second_harmonic.empty());
+  EXPECT_NEAR(maps.amplitude[3], film.amplitude_of(3), 1e-5);
+}
+
+TEST(LockIn, OneCycleIsEnough) {
+  SwingingFilm film;
+  film.frames = 50;  // 1.01 cycles
+  Film memory = film.draw();
+  LockinOptions o = at(3);
+  o.refine = false;
+  o.drift_order = 1;
+  EXPECT_NEAR(lock_in(memory, o).amplitude[3], film.amplitude_of(3), 1e-4);
+}
+
+TEST(LockIn, StopsWhenAskedTo) {
+  SwingingFilm film;
+  Film memory = film.draw();
+  LockinOptions o = at(3);
+  o.progress = [](double) { return false; };
+  EXPECT_EQ(lock_in(memory, o).size(), 0u);
+}
+
+TEST(LockIn, PixelsWithoutNumbersSpoilNoOthers) {
+  SwingingFilm film;
+  Film memory = film.draw();
+  for (std::size_t n = 0; n < film.frames; ++n) memory.value[n * 45 + 7] = std::nanf("");
+  const LockinMaps maps = lock_in(memory, at(3.001));
+  EXPECT_TRUE(std::isnan(maps.in_phase[7]));
+  EXPECT_NEAR(maps.frequency, 3, 1e-6);
+  EXPECT_NEAR(maps.amplitude[8], film.amplitude_of(8), 1e-5);
+}
+
+}  // namespace
+}  // namespace arenite::thermography

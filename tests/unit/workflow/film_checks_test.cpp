@@ -1,0 +1,27 @@
+#include "workflow/film_checks.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "support/pictures.hpp"
+
+namespace arenite::study {
+namespace {
+
+LockinMaps judged(double chance, double one_phase, double swings_at = 0) {
+  LockinMaps maps;
+  maps.chance = chance;
+  maps.one_phase = one_phase;
+  maps.swings_at = swings_at;
+  return maps;
+}
+
+TEST(FilmChecks, RefusesAFilmWithoutALoadAndSaysWhy) {
+  EXPECT_NO_THROW(refuse_without_load(judged(1e-6, 0.9), 3));
+  EXPECT_NE(test::complaint([] { refuse_without_load(judged(0.3, 0.9), 3); }).find("nothing but noise swings at 3 Hz; give the frequency"), std::string::npos);
+  EXPECT_NE(test::complaint([] { refuse_without_load(judged(1e-6, 0.1), 3); }).find("has no common phase"), std::string::npos);
+  EXPECT_NE(test::complaint([] { refuse_without_load(judged(0.3, 0, 3.5), 3); }).find("swings at 3.5 Hz"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace arenite::study

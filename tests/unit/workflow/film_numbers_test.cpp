@@ -1,0 +1,142 @@
+#include "workflow/film_numbers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <rapidcheck/gtest.h>
+
+#include "workflow/film_directions.hpp"
+#include "workflow/film_twin.hpp"
+#include "support/film_page_sample.hpp"
+#include "grains/texture/texture.hpp"
+
+namespace arenite::study {
+namespace {
+
+const std::vector<std::uint8_t> all{1, 1, 1, 1};
+
+TEST(FilmNumbers, AgreementOfAStressWithItself) {
+  const std::vector<double> stress{-1e6, -2e6, -4e6, -5e6};
+  const Agreement a = agreement(stress, stress, all);
+  EXPECT_EQ(a.grains, 4u);
+  EXPECT_NEAR(a.correlation, 1, 1e-15);
+  EXPECT_EQ(a.rms_sigma_norm, 0);
+  EXPECT_NEAR(a.slope, 1, 1e-15);
+}
+
+TEST(FilmNumbers, AgreementByHand) {
+  // Over their means 3 and 2: {1/3, 5/3} and {1/2, 3/2}, off by 1/6 each; slope (1 + 15)/(1 + 9).
+  const Agreement a = agreement({-1, -5}, {-1, -3}, {1, 1});
+  EXPECT_NEAR(a.rms_sigma_norm, 1.0 / 6, 1e-15);
+  EXPECT_NEAR(a.slope, 1.6, 1e-15);
+  EXPECT_NEAR(a.correlation, 1, 1e-15);
+  EXPECT_NEAR(agreement({1, 2, 3, 2}, {3, 2, 1, 2}, all).correlation, -1, 1e-15);
+}
+
+TEST(FilmNumbers, AgreementLeavesOutWhatDoesNotCountOrIsUnknown) {
+  const Agreement a = agreement({-1, -5, -100, NAN}, {-1, -3, 7, -2}, {1, 1, 0, 1});
+  EXPECT_EQ(a.grains, 2u);
+  EXPECT_NEAR(a.slope, 1.6, 1e-15);
+  EXPECT_EQ(agreement({-1}, {-1}, {1}).correlation, 0);
+}
+
+RC_GTEST_PROP(FilmNumbers, AgreementInSigmaNormKnowsNoScale, (int seed)) {
+  RandomStream random(static_cast<std::uint64_t>(seed), Purpose::test, 3);
+  std::vector<double> one, other, scaled;
+  for (int i = 0; i < 4; ++i) {
+    one.push_back(-1 - random.uniform());
+    other.push_back(-1 - random.uniform());
+    scaled.push_back(7 * other.back());
+  }
+  const Agreement a = agreement(one, other, all), b = agreement(one, scaled, all);
+  RC_ASSERT(std::abs(a.rms_sigma_norm - b.rms_sigma_norm) < 1e-12);
+  RC_ASSERT(std::abs(a.correlation - b.correlation) < 1e-9);
+  RC_ASSERT(std::abs(a.slope - 7 * b.slope) < 1e-12);
+}
+
+TEST(FilmNumbers, TellWhatTheResultHolds) {
+  const test::FilmPageSample sample(60, 4e-3);
+  const FilmResult& film = sample.film;
+  const auto j = nlohmann::json::parse(to_json(film_numbers(film)));
+  EXPECT_EQ(j["film"]["bad_pixels"], 2);
+  EXPECT_EQ(j["lockin"]["swing"], "half");
+  EXPECT_EQ(j["grains"]["all"], 60);
+  EXPECT_NEAR(j["grains"]["position_error_pixels"].get<double>(), 0.06, 1e-12);
+  double largest = 0;
+  for (std::size_t i = 0; i < film.motion.size(); ++i) largest = std::max(largest, 2 * std::hypot(film.motion.cos_x[i], film.motion.cos_y[i]));
+  EXPECT_NEAR(j["motion"]["largest_travel_pixels"].get<double>(), largest, 1e-9);
+  EXPECT_EQ(j["forces"]["proposed"], film.fit.proposed);
+  EXPECT_EQ(j["forces"]["present"], film.packing.contacts.size());
+  const Contacts& contacts = film.packing.contacts;
+  double sum = 0, between = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (!contacts.is_wall(c)) sum += contacts.fn[c], ++between;
+  EXPECT_NEAR(j["forces"]["mean_N"]["value"].get<double>(), sum / between, 1e-9 * sum);
+  EXPECT_EQ(j["texture"]["contacts"].get<std::size_t>() + j["texture"]["wall_contacts"].get<std::size_t>(), contacts.size());
+  FilmResult maps = film;
+  maps.swing = {};
+  EXPECT_FALSE(nlohmann::json::parse(to_json(film_numbers(maps))).contains("texture"));
+}
+
+/// Contacts along x between grains of a row, and one along y.
+FilmResult row_of_grains() {
+  FilmResult film;
+  film.packing.materials = {{"POM", 1400, 27e6, 0}};
+  film.packing.domain.thickness = 0.06;
+  film.packing.grains.resize(5);
+  for (std::size_t g = 0; g < 5; ++g) film.packing.grains.x[g] = 0.0095 * static_cast<double>(g), film.packing.grains.radius[g] = 0.005;
+  film.packing.grains.x[4] = 0, film.packing.grains.y[4] = 0.0105;
+  for (std::int32_t g = 0; g < 3; ++g) film.packing.contacts.add(g, g + 1, {-1, 0}, 100, 0, 0.00475, 0.00475);
+  film.packing.contacts.add(0, 4, {0, -1}, 1, 0, 0.00525, 0.00525);
+  return film;
+}
+
+TEST(FilmDirections, AreOfTheFilmsContactsAndTheTwins) {
+  FilmResult film = row_of_grains();
+  const Packing twin = film.packing;
+  film.packing.contacts = {};
+  for (std::size_t c = 0; c < 3; ++c) film.packing.contacts.add(twin.contacts.i[c], twin.contacts.j[c], twin.contacts.normal(c), 100, 0, 0.00475, 0.00475);
+  const auto directions = film_directions(film, &twin);
+  EXPECT_EQ(directions["film"]["contacts"], 3);
+  EXPECT_NEAR(directions["film"]["a_c"]["value"].get<double>(), 2, 1e-12);
+  EXPECT_NEAR(std::fmod(directions["film"]["theta_c_deg"]["value"].get<double>(), 180), 0, 1e-9);
+  EXPECT_EQ(directions["film"]["sectors"].size(), 18u);
+  EXPECT_EQ(directions["twin"]["contacts"], 4);
+  EXPECT_NEAR(directions["twin"]["a_c"]["value"].get<double>(), 1, 1e-12);
+  EXPECT_FALSE(film_directions(film).contains("twin"));
+  film.packing.contacts = {};
+  EXPECT_TRUE(film_directions(film).empty());
+}
+
+TEST(FilmTwin, StressOfDisksCountsFullRadii) {
+  const FilmResult film = row_of_grains();
+  const auto stress = stress_of_disks(film.packing);
+  const double once = -100 / (2 * std::numbers::pi * 0.005 * 0.06);
+  EXPECT_NEAR(stress[3], once, 1e-9);
+  EXPECT_NEAR(stress[1], 2 * once, 1e-9);
+  // By branch vectors the arms are shorter by half the overlap: 5 %.
+  texture::Options options;
+  options.rev_sizes = 0;
+  EXPECT_NEAR(texture::measure(film.packing, options).per_grain.sigma_hyd[1], 0.95 * 2 * once, 1e-9);
+}
+
+TEST(FilmTwin, StressOfDisksIsTheMeanOfTheirClosedForm) {
+  const test::PageSample run(60);
+  const Packing& p = run.stage.frames[3].packing;
+  std::vector<elasticity::Disk> disks;
+  for (const double r : p.grains.radius) disks.push_back({r, p.domain.thickness, {}, elasticity::Traction::point});
+  for (std::size_t c = 0; c < p.contacts.size(); ++c) {
+    disks[static_cast<std::size_t>(p.contacts.i[c])].forces.push_back({p.contacts.normal(c), p.contacts.fn[c], p.contacts.ft[c], 0});
+    if (!p.contacts.is_wall(c)) disks[static_cast<std::size_t>(p.contacts.j[c])].forces.push_back({-1 * p.contacts.normal(c), p.contacts.fn[c], p.contacts.ft[c], 0});
+  }
+  const auto stress = stress_of_disks(p);
+  for (std::size_t g = 0; g < disks.size(); ++g) {
+    const double closed = elasticity::mean_sigma_kk(disks[g]) / 2;
+    EXPECT_NEAR(stress[g], closed, 1e-9 * std::abs(closed));
+  }
+}
+
+}  // namespace
+}  // namespace arenite::study

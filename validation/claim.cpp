@@ -1,0 +1,90 @@
+#include "validation/claim.hpp"
+
+#include <algorithm>
+
+namespace arenite::validation {
+namespace {
+
+std::size_t count(const std::vector<Check>& checks, Kind kind) {
+  return static_cast<std::size_t>(std::count_if(checks.begin(), checks.end(), [=](const Check& c) { return c.kind == kind; }));
+}
+
+bool any(const std::vector<Check>& checks, Kind kind, Outcome outcome) {
+  return std::any_of(checks.begin(), checks.end(), [=](const Check& c) { return c.kind == kind && c.outcome == outcome; });
+}
+
+/// The check that a verdict of `outcome` is to be looked for in: sources first, then trends, then numbers.
+const Check* first_that(const std::vector<Check>& checks, Outcome outcome) {
+  for (const Kind kind : {Kind::source, Kind::trend, Kind::number})
+    for (const Check& check : checks)
+      if (check.kind == kind && check.outcome == outcome) return &check;
+  return nullptr;
+}
+
+}  // namespace
+
+const char* word_for(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::holds: return "holds";
+    case Outcome::fails: return "fails";
+    case Outcome::undecided: return "undecided";
+    case Outcome::unknown: break;
+  }
+  return "unknown";
+}
+
+const char* word_for(Kind kind) {
+  switch (kind) {
+    case Kind::trend: return "trend";
+    case Kind::number: return "number";
+    case Kind::source: return "source";
+    case Kind::beside: break;
+  }
+  return "beside";
+}
+
+const char* word_for(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::reproduced: return "reproduced";
+    case Verdict::trend_reproduced: return "trend reproduced, numbers not";
+    case Verdict::undecided: return "undecided";
+    case Verdict::not_reproduced: return "not reproduced";
+    case Verdict::source_inconsistent: return "source inconsistent";
+    case Verdict::unknown: break;
+  }
+  return "unknown";
+}
+
+Verdict Judgement::verdict() const {
+  const bool has_trend = count(checks, Kind::trend) > 0;
+  if (!has_trend && count(checks, Kind::number) == 0) return Verdict::unknown;
+  if (any(checks, Kind::source, Outcome::fails)) return Verdict::source_inconsistent;
+  const bool numbers_fail = any(checks, Kind::number, Outcome::fails);
+  if (any(checks, Kind::trend, Outcome::fails) || (!has_trend && numbers_fail)) return Verdict::not_reproduced;
+  for (const Kind kind : {Kind::source, Kind::trend, Kind::number})
+    if (any(checks, kind, Outcome::unknown)) return Verdict::unknown;
+  if (any(checks, Kind::trend, Outcome::undecided)) return Verdict::undecided;
+  if (numbers_fail) return Verdict::trend_reproduced;
+  return any(checks, Kind::number, Outcome::undecided) ? Verdict::undecided : Verdict::reproduced;
+}
+
+const Check* deciding_check(const Judgement& judgement) {
+  const auto& checks = judgement.checks;
+  const Check* found = nullptr;
+  switch (judgement.verdict()) {
+    case Verdict::source_inconsistent:
+    case Verdict::trend_reproduced:
+    case Verdict::not_reproduced: found = first_that(checks, Outcome::fails); break;
+    case Verdict::undecided: found = first_that(checks, Outcome::undecided); break;
+    case Verdict::unknown: found = first_that(checks, Outcome::unknown); break;
+    case Verdict::reproduced: break;
+  }
+  return found || checks.empty() ? found : &checks.front();
+}
+
+std::string figure_place(const Claim& claim) {
+  const std::string figure = claim.figure;
+  return figure.empty() ? figure : claim.studies.front() + "/study.html#" + figure;
+}
+
+}  // namespace arenite::validation
