@@ -3,8 +3,10 @@
 #include <functional>
 #include <string>
 
+#include "statistics/estimate.hpp"
 #include "statistics/numbers.hpp"
 
+#include "statistics/estimate.hpp"
 #include "statistics/numbers.hpp"
 
 namespace arenite::study {

@@ -8,10 +8,9 @@
 #include "validation/checks.hpp"
 #include "validation/report_dots.hpp"
 
-namespace arenite::report {
+namespace arenite::validation {
 namespace {
 
-using namespace ledger;
 
 /// One claim whose numbers are not reproduced, one of which nothing is known, one that is reproduced.
 Ledger three_claims() {
@@ -111,4 +110,4 @@ TEST(LedgerDots, DrawWhatSomethingIsWantedOf) {
 }
 
 }  // namespace
-}  // namespace arenite::report
+}  // namespace arenite::validation
