@@ -174,7 +174,7 @@ int execute(const VerifyArguments& a) {
   if (!a.csv.empty()) io::write_atomically(a.csv, validation::ledger_csv(all));
   if (!a.verdicts.empty()) io::write_atomically(a.verdicts, validation::ledger_verdicts(all, a.small));
   if (a.expected.empty()) return fails(all) ? not_converged : done;
-  const auto changes = report::changed_verdicts(all, io::read_file(a.expected), a.expected, a.small);
+  const auto changes = validation::changed_verdicts(all, io::read_file(a.expected), a.expected, a.small);
   for (const auto& change : changes) fmt::print(stderr, "{}\n", change);
   return changes.empty() ? done : not_converged;
 }
