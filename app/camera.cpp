@@ -3,9 +3,8 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "io/film_writer.hpp"
+#include "io/film/film.hpp"
 #include "progress.hpp"
-#include "stop_signal.hpp"
 #include "workflow/shoot_film.hpp"
 
 namespace arenite::app {
@@ -18,12 +17,12 @@ struct Arguments {
 };
 
 int execute(const Arguments& a) {
-  const auto recipe = study::read_film_recipe(a.recipe, a.overrides);
+  const auto recipe = recipe::read_film_recipe(a.recipe, a.overrides);
   watch_for_signals();
   std::vector<std::filesystem::path> files;
   {
     ProgressLine line(a.quiet);
-    study::ShootOptions options;
+    workflow::ShootOptions options;
     options.out = a.out;
     options.format = a.format;
     options.blind = a.blind;
@@ -31,7 +30,7 @@ int execute(const Arguments& a) {
       line.show({1, 2, "film", share, 0, 0, false, false});
       return !stop_requested();
     };
-    files = study::shoot_film(recipe, a.result, options);
+    files = workflow::shoot_film(recipe, a.result, options);
   }
   if (files.empty()) {
     fmt::print(stderr, "stopped; the film is not written\n");

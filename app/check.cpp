@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "io/read_file.hpp"
+#include "io/disk/file.hpp"
 #include "recipe/film_recipe.hpp"
 #include "recipe/recipe.hpp"
 
@@ -11,8 +11,8 @@ namespace {
 
 /// The recipe as it was understood, of a simulation or of a film.
 std::string resolved(const std::string& file, const std::vector<std::string>& overrides) {
-  if (study::describes_film(io::read_file(file))) return study::to_toml(study::read_film_recipe(file, overrides));
-  return study::to_toml(study::read_recipe(file, overrides));
+  if (recipe::describes_film(io::read_file(file))) return recipe::to_toml(recipe::read_film_recipe(file, overrides));
+  return recipe::to_toml(recipe::read_recipe(file, overrides));
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "commands.hpp"
 
-#include "command_text.hpp"
 
 
 namespace arenite::app {

@@ -6,6 +6,24 @@
 
 namespace arenite::app {
 
+/// One argument of a command as it was declared, for texts that are generated from the declarations.
+struct ArgumentText {
+  std::vector<std::string> names;    ///< "--out"; empty for a positional
+  std::string value;                 ///< "DIR"; empty for a flag
+  std::vector<std::string> choices;  ///< where only some words are allowed
+  std::string sentence;
+  bool required = false;
+  bool repeats = false;
+};
+
+struct CommandText {
+  std::string name, sentence;
+  std::vector<ArgumentText> arguments;
+};
+
+/// All commands with their tables of arguments.
+std::vector<CommandText> command_texts();
+
 /// Exit statuses of the program.
 enum Status : int { done = 0, other_failure = 1, bad_input = 2, not_converged = 3 };
 
@@ -42,5 +60,11 @@ void add_figures(Options& command, int& status);
 void add_doctor(Options& command, int& status);
 void add_completion(Options& command, int& status);
 void add_man(Options& command, int& status);
+
+/// Throws InputError with what stands at `path`, and the command for it, where that is plainly no result: a recipe, the
+/// folder of a study or of maps, a study that comes with the program, a folder without results. Films pass.
+void refuse_no_result(const std::string& path);
+/// As that, but a study's folder passes.
+void refuse_neither_result_nor_study(const std::string& path);
 
 }  // namespace arenite::app

@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include "command_text.hpp"
 #include "commands.hpp"
 
 namespace arenite::app {

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "no_result.hpp"
 #include "workflow/export_result.hpp"
 
 namespace arenite::app {
@@ -26,7 +25,7 @@ void write_export(const Arguments& a) {
   for (const auto& format : io::export_formats()) {
     if (a.format != format.name) continue;
     const auto folder = a.out.empty() ? default_folder(a) : std::filesystem::path(a.out);
-    const auto files = study::export_result(a.result, format, folder, a.last);
+    const auto files = workflow::export_result(a.result, format, folder, a.last);
     fmt::print("{} {} in {}, the last is {}\n", files.size(), files.size() == 1 ? "file" : "files", folder.string(), files.back().filename().string());
   }
 }

@@ -9,8 +9,7 @@
 #include "commands.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "no_result.hpp"
-#include "option_value.hpp"
+#include "options.hpp"
 
 namespace arenite::app {
 namespace {

@@ -7,10 +7,9 @@
 #include "commands.hpp"
 #include "film_reading.hpp"
 #include "progress.hpp"
-#include "report/film_text.hpp"
+#include "report/summary.hpp"
 #include "report/page.hpp"
-#include "stop_signal.hpp"
-#include "workflow/film_road.hpp"
+#include "workflow/run_film.hpp"
 
 namespace arenite::app {
 namespace {
@@ -25,48 +24,29 @@ struct Arguments {
   bool json = false, quiet = false;
 };
 
-void write_page(const fs::path& path, const std::string& title, const study::FilmOutcome& outcome) {
-  const StageResult stage = study::measured_stage(outcome.result);
-  report::PageData data;
-  data.title = title;
-  data.films.push_back({&outcome.result, {}});
-  if (!outcome.result.packing.grains.x.empty()) {
-    data.stages.push_back(&stage);
-    texture::Options options;
-    options.grain_sigma_hyd = outcome.result.swing.sigma_hyd;
-    data.textures.push_back({0, 0, texture::measure(stage.frames[0].packing, options)});
-  }
-  for (const StageResult& twin : outcome.twin) {
-    data.stages.push_back(&twin);
-    if (!twin.frames.empty())
-      data.textures.push_back({data.stages.size() - 1, twin.frames.size() - 1, texture::measure(twin.frames.back().packing)});
-  }
-  report::write_page(path, data);
-}
-
 int execute(const Arguments& a) {
   std::vector<std::string> overrides = a.overrides;
   for (auto& told : a.reading.overrides()) overrides.push_back(std::move(told));
-  const auto recipe = study::read_film_recipe(a.recipe, overrides);
+  const auto recipe = recipe::read_film_recipe(a.recipe, overrides);
   const fs::path folder = a.out.empty() ? fs::path("out") / fs::path(a.film).stem() : fs::path(a.out);
   watch_for_signals();
-  study::FilmOutcome outcome;
+  workflow::FilmOutcome outcome;
   {
     ProgressLine line(a.quiet);
-    study::FilmRunOptions options;
+    workflow::FilmRunOptions options;
     options.out = folder;
     options.threads = a.threads;
     options.asked_to_stop = stop_requested;
-    options.progress = [&](const study::Progress& progress) { line.show(progress); };
+    options.progress = [&](const workflow::Progress& progress) { line.show(progress); };
     options.notice = [&](const std::string& sentence) { line.notice(sentence); };
-    outcome = study::run_film(a.film, recipe, options);
+    outcome = workflow::run_film(a.film, recipe, options);
   }
   if (outcome.interrupted) {
     fmt::print(stderr, "stopped; what the twin had computed is kept in {}\n", folder.string());
     return other_failure;
   }
   const fs::path page = folder / "report.html";
-  write_page(page, recipe.title.empty() ? fs::path(a.film).filename().string() : recipe.title, outcome);
+  report::write_page(page, {.title = recipe.title.empty() ? fs::path(a.film).filename().string() : recipe.title, .stages = outcome.twin, .films = {&outcome.result, 1}});
   fmt::print("{}", a.json ? to_json(report::film_numbers(outcome.result), 2) + "\n" : report::film_text(outcome.result));
   if (!a.json) fmt::print("\nresult: {}\npage:   {}   (open it in a browser)\n", outcome.file.string(), page.string());
   return outcome.result.converged ? done : not_converged;

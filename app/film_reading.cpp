@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "option_value.hpp"
+#include "io/film/film.hpp"
+#include "workflow/result_folder.hpp"
 
 namespace arenite::app {
 namespace {
@@ -44,6 +49,21 @@ std::vector<std::string> FilmReading::overrides() const {
   add("offset", offset);
   add("dataset", dataset);
   return set;
+}
+
+void write_maps(const std::string& folder, const std::string& format, const FilmMaps& maps) {
+  workflow::make_folder(folder);
+  const char* ending = format == "hdf5" ? ".h5" : format == "npy" ? ".npy" : ".tif";
+  for (const auto& [name, map] : maps.named) {
+    if (map->empty()) continue;
+    Film film;
+    film.about.width = maps.width;
+    film.about.height = maps.height;
+    film.about.frames = 1;
+    film.about.floating = true;
+    film.value = *map;
+    io::write_film(std::filesystem::path(folder) / (std::string(name) + ending), film);
+  }
 }
 
 }  // namespace arenite::app

@@ -1,8 +1,9 @@
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "io/film.hpp"
+#include "io/film/film.hpp"
 #include "options.hpp"
 
 namespace arenite::app {
@@ -17,5 +18,14 @@ struct FilmReading {
   /// The same as overrides of a film's recipe.
   std::vector<std::string> overrides() const;
 };
+
+/// Maps of a film, one number a pixel, with the names of their files.
+struct FilmMaps {
+  int width = 0, height = 0;
+  std::vector<std::pair<const char*, const std::vector<float>*>> named;  ///< empty maps are left out
+};
+
+/// Writes every map into the folder, which is made: NAME.tif, NAME.npy or NAME.h5 for the formats tiff, npy, hdf5.
+void write_maps(const std::string& folder, const std::string& format, const FilmMaps& maps);
 
 }  // namespace arenite::app

@@ -7,11 +7,11 @@
 #include "commands.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "io/atomic_file.hpp"
-#include "io/table.hpp"
-#include "option_value.hpp"
+#include "io/disk/file.hpp"
+#include "io/table/table.hpp"
+#include "options.hpp"
 #include "report/found_grains.hpp"
-#include "workflow/grain_picture.hpp"
+#include "workflow/film_grains.hpp"
 #include "workflow/result_folder.hpp"
 
 namespace arenite::app {
@@ -76,7 +76,7 @@ imaging::FoundCircles find(const FloatImage& image, const imaging::CircleOptions
 
 void store(const Arguments& a, const report::FoundGrains& grains, const FloatImage& image) {
   const fs::path folder(a.out);
-  study::make_folder(folder);
+  workflow::make_folder(folder);
   io::write_png(folder / "grains.png", report::grains_overlay(image, grains.found.grains));
   io::write_atomically(folder / "grains.json", report::grains_json(grains));
   io::write_atomically(folder / "grains.csv", report::grains_csv(grains));
@@ -87,11 +87,11 @@ void find_grains(const Arguments& a) {
   const double pixel = pixel_of(a);
   const std::vector<std::string> materials = a.materials.empty() ? std::vector<std::string>() : parts_of(a.materials);
   const imaging::CircleOptions options = circle_options(a, pixel, materials);
-  study::PictureChoice choice;
+  workflow::PictureChoice choice;
   if (a.frame >= 0) choice.frame = a.frame;
   choice.channel = io::parse_channel(a.channel);
   choice.dataset = a.dataset;
-  const study::GrainPicture picture = study::read_grain_picture(a.picture, choice);
+  const workflow::GrainPicture picture = workflow::read_grain_picture(a.picture, choice);
   const Vec2 corner = corner_of(a, picture.image);
   try {
     const imaging::FoundCircles found = find(picture.image, options);

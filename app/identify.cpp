@@ -6,7 +6,7 @@
 #include "commands.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "option_value.hpp"
+#include "options.hpp"
 #include "workflow/identify.hpp"
 
 namespace arenite::app {
@@ -54,31 +54,31 @@ double section(const std::string& text) {
 }
 
 identify::Identification stiffness(const Arguments& a) {
-  study::StiffnessRequest request;
+  workflow::StiffnessRequest request;
   request.curve = {si("--preload", a.preload, dimension::force, "kN", true), a.branch == "unloading" ? identify::Branch::unloading : identify::Branch::loading};
   if (!a.length.empty()) request.length = si("--length", a.length, dimension::length, "mm");
   request.stated = a.stated;
-  return study::identify_stiffness(a.file, request);
+  return workflow::identify_stiffness(a.file, request);
 }
 
 identify::Identification adhesion(const Arguments& a) {
-  study::AdhesionRequest request;
+  workflow::AdhesionRequest request;
   if (!a.k.empty()) request.stiffness = measured("--k", a.k, dimension::stiffness, "kN/mm");
   if (!a.radius.empty()) request.radii = two_lengths("--radius", a.radius, "mm");
   if (a.effective_radius == "sum") request.effective_radius = identify::EffectiveRadius::sum;
   if (a.effective_radius == "geometric_mean") request.effective_radius = identify::EffectiveRadius::geometric_mean;
   request.stated = a.stated;
-  return study::identify_adhesion(a.file, request);
+  return workflow::identify_adhesion(a.file, request);
 }
 
 identify::Identification factor(const Arguments& a) {
-  study::FactorRequest request;
+  workflow::FactorRequest request;
   if (!a.section.empty()) request.section = section(a.section);
   if (!a.young.empty()) request.young = measured("--young", a.young, dimension::pressure, "GPa");
   if (!a.poisson.empty()) request.poisson = measured("--poisson", a.poisson, dimension::none, "");
   if (request.poisson && !(request.poisson->value < 1)) throw InputError("--poisson: must be below 1");
-  if (a.temperature_swing == "half") request.temperature_swing = study::Swing::half;
-  if (a.load_swing == "half") request.stress_swing = study::Swing::half;
+  if (a.temperature_swing == "half") request.temperature_swing = workflow::Swing::half;
+  if (a.load_swing == "half") request.stress_swing = workflow::Swing::half;
   request.through_origin = a.through_origin;
   if (!a.responsivity.empty()) {
     identify::Detector d;
@@ -94,7 +94,7 @@ identify::Identification factor(const Arguments& a) {
     request.detector = d;
   }
   request.stated = a.stated;
-  return study::identify_factor(a.file, request);
+  return workflow::identify_factor(a.file, request);
 }
 
 void add_mechanical(Options& command, Arguments& a) {

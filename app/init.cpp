@@ -5,9 +5,9 @@
 
 #include "commands.hpp"
 #include "core/error.hpp"
-#include "io/atomic_file.hpp"
+#include "io/disk/file.hpp"
 #include "recipe/film_recipe.hpp"
-#include "recipe/recipe_templates.hpp"
+#include "recipe/recipe.hpp"
 
 namespace arenite::app {
 namespace {
@@ -32,11 +32,11 @@ struct Template {
 
 std::vector<Template> all_templates() {
   std::vector<Template> list;
-  for (const auto& each : study::recipe_templates())
-    list.push_back({each.name, each.sentence, "run", [&each] { return study::to_commented_toml(each.make()); }});
+  for (const auto& each : recipe::recipe_templates())
+    list.push_back({each.name, each.sentence, "run", [&each] { return recipe::to_commented_toml(each.make()); }});
   list.push_back({"film", "an infrared film of a loaded packing, to stresses of grains and contact forces", "film FILM --recipe",
-                  [] { return study::to_commented_toml(study::film_template()); }});
-  list.push_back({"study", "many runs of one recipe, which differ in what its section [sweep] says", "study run", study::study_template});
+                  [] { return recipe::to_commented_toml(recipe::film_template()); }});
+  list.push_back({"study", "many runs of one recipe, which differ in what its section [sweep] says", "study run", recipe::study_template});
   return list;
 }
 

@@ -9,18 +9,16 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "thermal/imaging/label_grains.hpp"
-#include "io/field_file.hpp"
-#include "io/phase_map_image.hpp"
-#include "io/run_folder.hpp"
-#include "io/sealed_file.hpp"
-#include "option_value.hpp"
+#include "io/results/results.hpp"
+#include "io/image/phase_map.hpp"
+#include "io/disk/store_file.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 #include "report/page.hpp"
 #include "report/summary.hpp"
-#include "stop_signal.hpp"
 #include "workflow/field_stages.hpp"
-#include "workflow/load_map.hpp"
-#include "recipe/recipe_words.hpp"
+#include "workflow/result_folder.hpp"
+#include "recipe/recipe.hpp"
 
 namespace arenite::app {
 namespace {
@@ -32,7 +30,7 @@ struct Arguments {
   std::string method = "static_solve", stiffness, toughness, out;
   std::int64_t slice = -1, label_slice = -1;
   double smoothing = 1;
-  study::Load load;
+  recipe::Load load;
   bool json = false, quiet = false;
 };
 
@@ -57,13 +55,13 @@ void read_by_type(const std::string& text, const char* option, Dimension dimensi
   }
 }
 
-study::Load load_of(const Arguments& a) {
-  study::Load load = a.load;
+recipe::Load load_of(const Arguments& a) {
+  recipe::Load load = a.load;
   load.name = load.failure ? "failure" : a.loading;
-  load.loading = study::chosen<peridynamics::Loading>(a.loading, "--loading");
-  load.axis = study::chosen<study::Load::Axis>(a.axis, "--axis");
-  load.lower = study::chosen<peridynamics::LowerEdge>(a.lower, "--lower");
-  load.method = study::chosen<peridynamics::Method>(a.method, "--method");
+  load.loading = recipe::chosen<peridynamics::Loading>(a.loading, "--loading");
+  load.axis = recipe::chosen<recipe::Load::Axis>(a.axis, "--axis");
+  load.lower = recipe::chosen<peridynamics::LowerEdge>(a.lower, "--lower");
+  load.method = recipe::chosen<peridynamics::Method>(a.method, "--method");
   read_by_type(a.stiffness, "--stiffness", dimension::pressure, "GPa", load.stiffness.matrix, load.stiffness.interface, load.stiffness.particle);
   read_by_type(a.toughness, "--toughness", dimension::toughness, "MPa m^0.5", load.toughness.matrix, load.toughness.interface,
                load.toughness.particle);
@@ -110,40 +108,37 @@ std::string asked_of(const Arguments& a) {
                      a.smoothing, a.crop, a.slice, a.dataset, a.label_slice, a.label_dataset, a.dx);
 }
 
-void store(const Arguments& a, const study::Load& load, const FieldResult& result) {
+void store(const Arguments& a, const FieldResult& result) {
   const fs::path folder(a.out);
-  study::make_folder(folder);
+  workflow::make_folder(folder);
   const fs::path file = folder / io::stage_file_name(1, result.name, result.provenance.input_hash);
   io::write_field(file, result);
-  report::PageData data;
-  data.title = fmt::format("{} of {}", result.name, fs::path(a.map).filename().string());
-  data.fields.push_back({&result, load.statistics});
-  report::write_page(folder / "report.html", data);
+  report::write_page(folder / "report.html", {.title = fmt::format("{} of {}", result.name, fs::path(a.map).filename().string()), .fields = {&result, 1}});
   if (!a.json) fmt::print("\nresult: {}\npage:   {}\n", file.string(), (folder / "report.html").string());
 }
 
-std::optional<FieldResult> watched_load(const Arguments& a, const study::Load& load, const FieldResult& sample) {
+std::optional<FieldResult> watched_load(const Arguments& a, const recipe::Load& load, const FieldResult& sample) {
   ProgressLine line(a.quiet || a.json);
-  return study::apply_load(load, sample, [&](const peridynamics::Progress& p) {
+  return workflow::apply_load(load, sample, [&](const peridynamics::Progress& p) {
     line.show({1, 1, load.name, p.share, p.residual, p.iterations, false, true});
     return !stop_requested();
   });
 }
 
 int execute(const Arguments& a) {
-  const study::Load load = load_of(a);
+  const recipe::Load load = load_of(a);
   try {
-    FieldResult sample = study::sample_of_map(read_map(a));
-    if (a.dx.empty() && io::sealed_kind(a.map) != "field") study::count_lengths_in_nodes(sample);
+    FieldResult sample = workflow::sample_of_map(read_map(a));
+    if (a.dx.empty() && io::sealed_kind(a.map) != "field") workflow::count_lengths_in_nodes(sample);
     watch_for_signals();
     auto result = watched_load(a, load, sample);
     if (!result) {
       fmt::print(stderr, "stopped; nothing was stored\n");
       return other_failure;
     }
-    study::sign(*result, a.map, asked_of(a), load);
+    workflow::sign(*result, a.map, asked_of(a), load);
     fmt::print("{}", a.json ? to_json(report::field_numbers(*result), 2) + "\n" : report::field_summary(*result));
-    if (!a.out.empty()) store(a, load, *result);
+    if (!a.out.empty()) store(a, *result);
     return result->converged ? done : not_converged;
   } catch (const InputError& error) {
     throw in_file(error, a.map);
@@ -165,11 +160,11 @@ void add_reading(Options& command, Arguments& a) {
 }
 
 void add_loading(Options& command, Arguments& a) {
-  study::Load& load = a.load;
-  command.add("--loading", a.loading, "How the top row is moved").among(study::plain_words<peridynamics::Loading>());
-  command.add("--axis", a.axis, "Axis from the bottom row to the top row; x loads the map turned").among(study::plain_words<study::Load::Axis>());
-  command.add("--lower", a.lower, "What holds the bottom row").among(study::plain_words<peridynamics::LowerEdge>());
-  command.add("--method", a.method, "Way to the field at equilibrium").among(study::plain_words<peridynamics::Method>());
+  recipe::Load& load = a.load;
+  command.add("--loading", a.loading, "How the top row is moved").among(recipe::plain_words<peridynamics::Loading>());
+  command.add("--axis", a.axis, "Axis from the bottom row to the top row; x loads the map turned").among(recipe::plain_words<recipe::Load::Axis>());
+  command.add("--lower", a.lower, "What holds the bottom row").among(recipe::plain_words<peridynamics::LowerEdge>());
+  command.add("--method", a.method, "Way to the field at equilibrium").among(recipe::plain_words<peridynamics::Method>());
   command.add("--strain", load.strain, "Displacement of the top row over the height; default 1e-4").type("NUMBER");
   command.add("--tolerance", load.tolerance, "Relative residual at equilibrium; default 1e-6").type("NUMBER");
   command.add("--stiffness", a.stiffness, "Young's moduli of bonds, e.g. \"matrix=1 GPa,particle=4 GPa\" (the default; interface as the matrix)")

@@ -10,16 +10,13 @@
 #include "core/error.hpp"
 #include "core/median.hpp"
 #include "core/units.hpp"
-#include "film_maps.hpp"
 #include "film_reading.hpp"
-#include "io/film.hpp"
-#include "option_value.hpp"
+#include "io/film/film.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 #include "statistics/numbers.hpp"
-#include "stop_signal.hpp"
-#include "workflow/adiabatic.hpp"
 #include "workflow/film_checks.hpp"
-#include "workflow/film_load_signal.hpp"
+#include "workflow/measure_film.hpp"
 
 namespace arenite::app {
 namespace {
@@ -56,17 +53,17 @@ double read_phase(const std::string& text) {
 
 std::string unit_of(const FilmInfo& film) { return film.quantity == FilmQuantity::kelvin ? "K" : "level"; }
 
-study::Adiabatic adiabatic(const Arguments& a, double frequency) {
+workflow::Adiabatic adiabatic(const Arguments& a, double frequency) {
   const double diffusivity = option_value("--diffusivity", [&] { return parse_si(a.diffusivity, dimension::area / dimension::time, "mm^2/s"); });
   if (!(diffusivity > 0)) throw InputError(fmt::format("--diffusivity is {}; it must be above 0", a.diffusivity));
-  study::Adiabatic check(diffusivity, frequency);
+  workflow::Adiabatic check(diffusivity, frequency);
   if (a.pixel.empty()) return check;
   check.pixel = option_value("--pixel", [&] { return parse_si(a.pixel, dimension::length, "mm"); });
   if (!(check.pixel > 0)) throw InputError(fmt::format("--pixel is {}; it must be above 0", a.pixel));
   return check;
 }
 
-Numbers numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const study::Adiabatic& heat) {
+Numbers numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const workflow::Adiabatic& heat) {
   Numbers j;
   j["frequency_Hz"] = m.frequency;
   j["frequency_error_Hz"] = std::isfinite(m.frequency_error) ? Numbers(m.frequency_error) : Numbers();
@@ -96,7 +93,7 @@ Numbers numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& film, c
   return j;
 }
 
-void print(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const study::Adiabatic& heat) {
+void print(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const workflow::Adiabatic& heat) {
   const std::string unit = unit_of(film);
   fmt::print("frequency        {:.9g} Hz", m.frequency);
   if (m.frequency_error > 0 && std::isfinite(m.frequency_error)) fmt::print(" +- {:.1e}", m.frequency_error);
@@ -125,7 +122,7 @@ int execute(Arguments& a) {
   LockinMaps maps;
   try {
     ProgressLine line(a.quiet || a.json);
-    if (const auto load = study::load_signal_of(a.film, film->info(), o.frequency, [&](const std::string& sentence) { line.notice(sentence); })) {
+    if (const auto load = workflow::load_signal_of(a.film, film->info(), o.frequency, [&](const std::string& sentence) { line.notice(sentence); })) {
       o.frequency = load->frequency;
       if (!o.reference_phase) o.reference_phase = load->phase, a.by_lock_in_line = true;
     }
@@ -139,9 +136,9 @@ int execute(Arguments& a) {
     return other_failure;
   }
   if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps, phase_in_degrees(maps)));
-  if (!thermography::shows_swing(maps)) fmt::print(stderr, "{}: {}\n", a.film, study::no_load_sentence(maps, maps.frequency, "--frequency"));
+  if (!thermography::shows_swing(maps)) fmt::print(stderr, "{}: {}\n", a.film, workflow::no_load_sentence(maps, maps.frequency, "--frequency"));
   else if (maps.swings_at > 0) fmt::print(stderr, "{}: the film swings more at {:.4g} Hz than at {:.6g} Hz, which is a multiple\n", a.film, maps.swings_at, maps.frequency);
-  const study::Adiabatic heat = adiabatic(a, maps.frequency);
+  const workflow::Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds())
     fmt::print(stderr, "{}\n", heat.sentence());
   if (a.json) fmt::print("{}\n", to_json(numbers(maps, a, film->info(), heat), 2));

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "commands.hpp"
-#include "core/cannot_go_on.hpp"
 #include "core/error.hpp"
 #include "options.hpp"
 #include "statistics/numbers.hpp"

@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include "command_text.hpp"
 #include "commands.hpp"
 #include "core/version.hpp"
 #include "recipe/film_recipe.hpp"
@@ -70,8 +69,8 @@ void add_man(Options& command, int&) {
   command.add("--film-keys", *film_keys, "Print the reference of all keys of a film's recipe instead (Markdown)");
   command.footer = "To read the page: arenite man | man -l -";
   command.work = [keys, film_keys] {
-    if (*keys) fmt::print("{}", study::key_reference());
-    else if (*film_keys) fmt::print("{}", study::film_key_reference());
+    if (*keys) fmt::print("{}", recipe::key_reference());
+    else if (*film_keys) fmt::print("{}", recipe::film_key_reference());
     else print_page(command_texts());
   };
 }

@@ -2,12 +2,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
 #include "commands.hpp"
-#include "core/nearest.hpp"
+#include "core/problems.hpp"
 #include "core/version.hpp"
+#include "io/table/table.hpp"
 
 namespace arenite::app {
 namespace {
@@ -66,6 +68,18 @@ void declare(CLI::App& to, const Options& options) {
 }
 
 }  // namespace
+
+std::string trimmed(const std::string& text) { return std::string(io::trimmed(text)); }
+
+std::vector<std::string> parts_of(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    parts.push_back(trimmed(text.substr(from, comma - from)));
+    from = comma + 1;
+  }
+  return parts;
+}
 
 int read_command_line(int argc, char** argv) {
   int status = done;

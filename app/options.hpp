@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/error.hpp"
+
 namespace arenite::app {
 
 /// One argument of a command: its name ("result" takes its place in the line, "--out" is named; "--periodic{xy}" means xy where nothing
@@ -51,5 +53,21 @@ struct Options {
 
 /// Reads the command line and does the work of the command that it names; exit status, with a sentence on stderr where it is not understood.
 int read_command_line(int argc, char** argv);
+
+/// What `read` gives; an error of a value, which has no place, as one of its option.
+template <class Read>
+auto option_value(const char* option, Read read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    throw InputError(std::string(option) + ": " + error.problems().front().message);
+  }
+}
+
+/// Without spaces at both ends.
+std::string trimmed(const std::string& text);
+
+/// "a, b" as a and b.
+std::vector<std::string> parts_of(const std::string& text);
 
 }  // namespace arenite::app

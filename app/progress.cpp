@@ -4,19 +4,19 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
+#include <csignal>
 #include <cstdio>
 
-#include "stop_signal.hpp"
-
 namespace arenite::app {
-
 namespace {
 
-std::string duration(double seconds) {
-  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
-  return fmt::format("{:.1f} h", seconds / 3600);
-}
+volatile std::sig_atomic_t requested = 0;
+
+void request_stop(int) { requested = 1; }
+
+/// As duration_text, without tenths.
+std::string whole_seconds(double seconds) { return seconds < 10 ? fmt::format("{:.0f} s", seconds) : duration_text(seconds); }
 
 std::string bar(double share) {
   constexpr int width = 24;
@@ -26,22 +26,44 @@ std::string bar(double share) {
 
 }  // namespace
 
-ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(fileno(stderr)) != 0) {}
-
-ProgressLine::~ProgressLine() {
-  if (open_) std::fputc('\n', stderr);
+void watch_for_signals() {
+  std::signal(SIGTERM, request_stop);
+  std::signal(SIGINT, request_stop);
 }
 
-void ProgressLine::begin_stage(const study::Progress& progress) {
+bool stop_requested() { return requested != 0; }
+
+std::string duration_text(double seconds) {
+  if (seconds < 10) return fmt::format("{:.1f} s", seconds);
+  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+StatusLine::StatusLine(bool quiet) : quiet_(quiet), terminal_(isatty(fileno(stderr)) != 0), last_shown_(Clock::now() - std::chrono::hours(1)) {}
+
+void StatusLine::end() {
   if (open_) std::fputc('\n', stderr);
   open_ = false;
-  stage_ = progress.stage;
-  share_at_start_ = progress.share;
-  stage_began_ = Clock::now();
-  last_shown_ = stage_began_ - std::chrono::hours(1);
 }
 
-std::string ProgressLine::text(const study::Progress& progress) const {
+bool StatusLine::is_time(std::chrono::milliseconds pause) const {
+  return Clock::now() - last_shown_ >= (terminal_ ? pause : std::chrono::milliseconds(10'000));
+}
+
+void StatusLine::write(const std::string& line) {
+  last_shown_ = Clock::now();
+  std::fprintf(stderr, terminal_ ? "\r\033[K%s" : "%s\n", line.c_str());
+  open_ = terminal_;
+  std::fflush(stderr);
+}
+
+void StatusLine::notice(const std::string& sentence) {
+  end();
+  std::fprintf(stderr, "%s\n", sentence.c_str());
+}
+
+std::string ProgressLine::text(const workflow::Progress& progress) const {
   std::string line = progress.stages > 1 ? fmt::format("{}/{} ", progress.stage, progress.stages - 1) : "";
   line += fmt::format("{:<12}", progress.name);
   if (progress.reused) return line + " was there already";
@@ -49,38 +71,40 @@ std::string ProgressLine::text(const study::Progress& progress) const {
   if (progress.step > 0)
     line += fmt::format("  {} {}  {} {:.1e}", progress.field ? "iteration" : "step", progress.step, progress.field ? "residual" : "unbalanced",
                         progress.unbalanced_ratio);
-  const double elapsed = std::chrono::duration<double>(Clock::now() - stage_began_).count();
+  const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - stage_began_).count();
   const double gained = progress.share - share_at_start_;
-  if (progress.share >= 1) return line + fmt::format("  {} in all", duration(elapsed));
-  if (gained > 0.02 && elapsed > 1) line += fmt::format("  about {} left", duration(elapsed * (1 - progress.share) / gained));
+  if (progress.share >= 1) return line + fmt::format("  {} in all", whole_seconds(elapsed));
+  if (gained > 0.02 && elapsed > 1) line += fmt::format("  about {} left", whole_seconds(elapsed * (1 - progress.share) / gained));
   return line;
 }
 
-void ProgressLine::show(const study::Progress& progress) {
+void ProgressLine::show(const workflow::Progress& progress) {
   if (quiet_) return;
-  if (progress.stage != stage_) begin_stage(progress);
-  const auto now = Clock::now();
-  const bool ended = progress.share >= 1;
-  const auto pause = terminal_ ? std::chrono::milliseconds(100) : std::chrono::milliseconds(10'000);
-  if (!ended && now - last_shown_ < pause) return;
-  last_shown_ = now;
-  if (terminal_) {
-    std::fprintf(stderr, "\r\033[K%s", text(progress).c_str());
-    open_ = true;
-  } else {
-    std::fprintf(stderr, "%s\n", text(progress).c_str());
+  const bool begins = progress.stage != stage_;
+  if (begins) {
+    end();
+    stage_ = progress.stage;
+    share_at_start_ = progress.share;
+    stage_began_ = std::chrono::steady_clock::now();
   }
-  std::fflush(stderr);
+  if (begins || progress.share >= 1 || is_time(std::chrono::milliseconds(100))) write(text(progress));
 }
 
-void ProgressLine::notice(const std::string& sentence) {
-  std::fprintf(stderr, "%s%s\n", open_ ? "\n" : "", sentence.c_str());
-  open_ = false;
+void StudyLine::show(const campaign::StudyProgress& p) {
+  if (quiet_) return;
+  std::string line = fmt::format("{} of {} done", p.done, p.runs);
+  if (p.not_done > 0) line += fmt::format(", {} failed", p.not_done);
+  if (p.running > 0) line += fmt::format(", {} running", p.running);
+  const bool ended = p.done + p.not_done == p.runs;
+  if (!ended && !std::isnan(p.seconds_left)) line += fmt::format(", about {} left", duration_text(p.seconds_left));
+  if (line == last_ || (!ended && !is_time(std::chrono::milliseconds(200)))) return;
+  last_ = line;
+  write(line);
 }
 
 std::function<bool(double share)> frames_progress(ProgressLine& line) {
   return [&line](double share) {
-    study::Progress progress;
+    workflow::Progress progress;
     progress.stages = 1;
     progress.name = "frames";
     progress.share = share;

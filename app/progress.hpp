@@ -3,28 +3,64 @@
 #include <functional>
 #include <string>
 
+#include "campaign/run_study.hpp"
 #include "workflow/run.hpp"
 
 namespace arenite::app {
 
-/// Shows where a run stands: on a terminal one line that is rewritten, with a bar and the time left; elsewhere a plain
-/// line when a stage begins or ends and at most one every ten seconds. Writes to stderr, so that stdout stays clean.
-class ProgressLine {
+/// From now on SIGTERM and SIGINT ask for an orderly end.
+void watch_for_signals();
+bool stop_requested();
+
+/// "1.2 s", "12 s", "5 min", "3.2 h".
+std::string duration_text(double seconds);
+
+/// A line on stderr, so that stdout stays clean: on a terminal it is rewritten, elsewhere the next one follows.
+class StatusLine {
  public:
-  explicit ProgressLine(bool quiet);
-  ~ProgressLine();
-  void show(const study::Progress& progress);
+  explicit StatusLine(bool quiet);
+  StatusLine(const StatusLine&) = delete;
+  StatusLine& operator=(const StatusLine&) = delete;
+  ~StatusLine() { end(); }
   /// A line of its own, shown even if the progress is not.
   void notice(const std::string& sentence);
 
+ protected:
+  /// Whether nothing was shown for so long: on a terminal `pause`, elsewhere ten seconds.
+  bool is_time(std::chrono::milliseconds pause) const;
+  void write(const std::string& line);
+  /// What is written next begins a line of its own.
+  void end();
+  bool quiet_;
+
  private:
   using Clock = std::chrono::steady_clock;
-  void begin_stage(const study::Progress& progress);
-  std::string text(const study::Progress& progress) const;
-  bool quiet_, terminal_, open_ = false;
+  bool terminal_, open_ = false;
+  Clock::time_point last_shown_;
+};
+
+/// Shows where a run stands: on a terminal with a bar and the time left; elsewhere a plain line when a stage begins or ends
+/// and at most one every ten seconds.
+class ProgressLine : public StatusLine {
+ public:
+  using StatusLine::StatusLine;
+  void show(const workflow::Progress& progress);
+
+ private:
+  std::string text(const workflow::Progress& progress) const;
   std::size_t stage_ = static_cast<std::size_t>(-1);
   double share_at_start_ = 0;
-  Clock::time_point stage_began_, last_shown_;
+  std::chrono::steady_clock::time_point stage_began_;
+};
+
+/// The same for a study at work.
+class StudyLine : public StatusLine {
+ public:
+  using StatusLine::StatusLine;
+  void show(const campaign::StudyProgress& progress);
+
+ private:
+  std::string last_;
 };
 
 /// For work that reads a film and tells only its share: shows it, and false when the user asks to stop. The line must

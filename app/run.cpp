@@ -6,13 +6,11 @@
 
 #include "commands.hpp"
 #include "core/error.hpp"
-#include "io/read_file.hpp"
+#include "io/disk/file.hpp"
 #include "progress.hpp"
 #include "report/page.hpp"
-#include "stop_signal.hpp"
 #include "recipe/film_recipe.hpp"
 #include "workflow/run.hpp"
-#include "grains/texture/texture.hpp"
 
 namespace arenite::app {
 
@@ -40,26 +38,6 @@ fs::path folder_for(const std::string& recipe, const Arguments& arguments) {
   return arguments.recipes.size() == 1 ? fs::path(arguments.out) : fs::path(arguments.out) / name_of(recipe);
 }
 
-/// States whose texture is measured for the page: all of them in a small sample, the last of each stage in a large one.
-bool shows_texture(const StageResult& stage, std::size_t frame) {
-  constexpr std::size_t small = 10'000;
-  return frame + 1 == stage.frames.size() || stage.frames[frame].packing.grains.size() <= small;
-}
-
-void write_page(const fs::path& path, const study::Recipe& recipe, const study::RunOutcome& outcome) {
-  const auto& stages = outcome.stages;
-  report::PageData data;
-  data.title = recipe.title;
-  for (std::size_t s = 0; s < stages.size(); ++s) {
-    data.stages.push_back(&stages[s]);
-    for (std::size_t f = 0; f < stages[s].frames.size(); ++f)
-      if (shows_texture(stages[s], f)) data.textures.push_back({s, f, texture::measure(stages[s].frames[f].packing, study::texture_options(recipe, s))});
-  }
-  for (std::size_t f = 0; f < outcome.fields.size(); ++f)  // the cemented sample, then its loads
-    data.fields.push_back({&outcome.fields[f], f > 0 ? recipe.loads[f - 1].statistics : stress::StressOptions{}});
-  report::write_page(path, data);
-}
-
 /// What only the run finds wrong with a key that --set gave is no slip of the recipe.
 InputError blame_overrides(const InputError& error, const std::string& recipe, const std::vector<std::string>& overrides) {
   auto problems = error.problems();
@@ -69,18 +47,18 @@ InputError blame_overrides(const InputError& error, const std::string& recipe, c
   return InputError(std::move(problems));
 }
 
-Status run_one(const study::Recipe& recipe, const fs::path& folder, const Arguments& arguments) {
-  study::RunOptions options;
+Status run_one(const recipe::Recipe& recipe, const fs::path& folder, const Arguments& arguments) {
+  workflow::RunOptions options;
   options.out = folder;
   options.checkpoint_seconds = arguments.checkpoint_seconds;
   options.asked_to_stop = stop_requested;
-  study::RunOutcome outcome;
+  workflow::RunOutcome outcome;
   {
     ProgressLine line(arguments.quiet);
-    options.progress = [&](const study::Progress& progress) { line.show(progress); };
+    options.progress = [&](const workflow::Progress& progress) { line.show(progress); };
     options.notice = [&](const std::string& sentence) { line.notice(sentence); };
     try {
-      outcome = study::run(recipe, options);
+      outcome = workflow::run(recipe, options);
     } catch (const InputError& error) {
       throw blame_overrides(error, recipe.source_file, arguments.overrides);
     }
@@ -92,22 +70,22 @@ Status run_one(const study::Recipe& recipe, const fs::path& folder, const Argume
   for (const auto& stage : outcome.stages) fmt::print("{:<12} {}\n", stage.name, stage.outcome);
   for (const auto& field : outcome.fields) fmt::print("{:<12} {}\n", field.name, field.outcome);
   const auto page = folder / "report.html";
-  write_page(page, recipe, outcome);
+  report::write_page(page, {.title = recipe.title, .stages = outcome.stages, .fields = outcome.fields, .measured = outcome.measured});
   fmt::print("\nresults: {0}\npage:    {1}   (open it in a browser)\nnumbers: arenite show {0}\n", folder.string(), page.string());
   return outcome.converged ? done : not_converged;
 }
 
-study::Recipe read(const std::string& file, const std::vector<std::string>& overrides) {
-  if (study::describes_film(io::read_file(file)))
+recipe::Recipe read(const std::string& file, const std::vector<std::string>& overrides) {
+  if (recipe::describes_film(io::read_file(file)))
     throw InputError(file, 0, fmt::format("is a recipe of a film (`arenite film FILM --recipe {}`), not of a simulation; `arenite init composite r.toml` writes one of a simulation", file));
-  return study::read_recipe(file, overrides);
+  return recipe::read_recipe(file, overrides);
 }
 
 /// All recipes are read before the first is run, so that a slip in the last shows at once.
 int execute(const Arguments& arguments) {
   auto overrides = arguments.overrides;
   if (!arguments.kernel.empty()) overrides.push_back("integration.kernel=" + arguments.kernel);
-  std::vector<study::Recipe> recipes;
+  std::vector<recipe::Recipe> recipes;
   for (const auto& file : arguments.recipes) {
     recipes.push_back(read(file, overrides));
     recipes.back().integration.threads = arguments.threads;

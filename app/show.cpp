@@ -1,43 +1,101 @@
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "commands.hpp"
+#include "core/error.hpp"
 #include "film_reading.hpp"
-#include "io/film.hpp"
-#include "no_result.hpp"
-#include "report/film_summary.hpp"
+#include "io/film/film.hpp"
 #include "report/summary.hpp"
-#include "states_table.hpp"
+#include "validation/studies.hpp"
 
 namespace arenite::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string result;
+  FilmReading reading;
+  bool json = false, all = false, states = false;
+};
+
+constexpr const char* give_a_result = "give the folder that `arenite run`, `arenite film` or `arenite load --out` wrote, or a .h5 file of it";
+
+bool is_study(const fs::path& folder) {
+  std::error_code error;
+  return fs::exists(folder / "runs.tsv", error) || fs::is_directory(folder / "runs", error);
+}
+
+bool holds_maps(const fs::path& folder) {
+  std::error_code error;
+  for (const char* ending : {".tif", ".h5", ".npy"})
+    for (const char* map : {"in_phase", "jump"})
+      if (fs::exists(folder / (std::string(map) + ending), error) && fs::exists(folder / (std::string("standard_error") + ending), error)) return true;
+  return false;
+}
+
+/// Files of a result end in .h5; a film's frames have numbers in their names.
+bool may_hold_something(const fs::path& folder) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!entry->is_directory(error) && (name.ends_with(".h5") || std::any_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; }))) return true;
+  }
+  return static_cast<bool>(error);
+}
+
+void refuse(const fs::path& path, bool study_passes) {
+  std::error_code error;
+  const std::string name = path.string();
+  if (fs::is_directory(path, error)) {
+    if (is_study(path)) {
+      if (study_passes) return;
+      throw InputError(name, 0, fmt::format("is the folder of a study, not a result; give a run of it, {}/runs/NAME; `arenite study status RECIPE --out {}` "
+                                            "tells how it stands", name, name));
+    }
+    if (holds_maps(path)) throw InputError(name, 0, fmt::format("holds the maps of a film, each a picture by itself, and is no result; {}", give_a_result));
+    if (!may_hold_something(path)) throw InputError(name, 0, fmt::format("is no result; {}", give_a_result));
+    return;
+  }
+  if (fs::is_regular_file(path, error)) {
+    // A recipe as text may look like a film as text.
+    if (path.extension() == ".toml") throw InputError(name, 0, fmt::format("is a recipe, not a result; {}", give_a_result));
+    return;
+  }
+  const auto* source = validation::find_study(name);
+  if (source && source->has_runs())
+    throw InputError(name, 0, "is a study that comes with the program, not a result; `arenite verify` runs it, and each of its runs' folders is a result");
+}
+
+std::string shown(const Arguments& a) {
+  refuse_no_result(a.result);
+  io::refuse_other_recording(a.result);
+  if (a.states) return report::states_table(a.result);
+  if (io::looks_like_film(a.result)) {
+    const report::FilmSummary film = report::film_summary(*io::open_film(a.result, a.reading.choice()));
+    return a.json ? to_json(film.numbers, 2) + "\n" : film.text;
+  }
+  const report::Summary summary(a.result);
+  return a.json ? to_json(summary.numbers(), 2) + "\n" : a.all ? summary.all() : summary.text();
+}
+
+}  // namespace
+
+void refuse_no_result(const std::string& path) { refuse(path, false); }
+void refuse_neither_result_nor_study(const std::string& path) { refuse(path, true); }
 
 void add_show(Options& command, int&) {
-  const auto result = std::make_shared<std::string>();
-  const auto json = std::make_shared<bool>(false);
-  command.add("result", *result, "Stage file (.h5) or folder of a run, or a film: a file, a folder of frames, or a name with *").required().type("RESULT");
-  command.add("--json", *json, "Print everything as JSON: provenance, stages, texture of the last state; or what a film says about itself");
-  const auto all = std::make_shared<bool>(false);
-  command.add("--all", *all, "Print every number, not the headlines alone").not_with("--json");
-  const auto states = std::make_shared<bool>(false);
-  command.add("--states", *states, "Print one row a stored state as CSV: strains, stress and texture along the loading").not_with("--json").not_with("--all");
-  const auto reading = std::make_shared<FilmReading>();
-  reading->add_to(command);
-  command.work = [result, json, all, states, reading] {
-    refuse_no_result(*result);
-    io::refuse_other_recording(*result);
-    if (!*states && io::looks_like_film(*result)) {
-      const report::FilmSummary film(*io::open_film(*result, reading->choice()));
-      std::fputs((*json ? film.json() : film.text()).c_str(), stdout);
-      return;
-    }
-    if (*states) {
-      std::fputs(states_table(*result).c_str(), stdout);
-      return;
-    }
-    const report::Summary summary(*result);
-    std::fputs((*json ? to_json(summary.numbers(), 2) + "\n" : *all ? summary.all() : summary.text()).c_str(), stdout);
-  };
+  const auto a = std::make_shared<Arguments>();
+  command.add("result", a->result, "Stage file (.h5) or folder of a run, or a film: a file, a folder of frames, or a name with *").required().type("RESULT");
+  command.add("--json", a->json, "Print everything as JSON: provenance, stages, texture of the last state; or what a film says about itself");
+  command.add("--all", a->all, "Print every number, not the headlines alone").not_with("--json");
+  command.add("--states", a->states, "Print one row a stored state as CSV: strains, stress and texture along the loading").not_with("--json").not_with("--all");
+  a->reading.add_to(command);
+  command.work = [a] { std::fputs(shown(*a).c_str(), stdout); };
 }
 
 }  // namespace arenite::app

@@ -7,13 +7,11 @@
 #include "core/error.hpp"
 #include "core/median.hpp"
 #include "core/units.hpp"
-#include "film_maps.hpp"
 #include "film_reading.hpp"
-#include "io/film.hpp"
-#include "option_value.hpp"
+#include "io/film/film.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 #include "statistics/numbers.hpp"
-#include "stop_signal.hpp"
 #include "thermal/thermography/step_load.hpp"
 
 namespace arenite::app {

@@ -8,8 +8,8 @@
 
 #include "commands.hpp"
 #include "core/error.hpp"
-#include "io/atomic_file.hpp"
-#include "stop_signal.hpp"
+#include "io/disk/file.hpp"
+#include "progress.hpp"
 #include "campaign/collect.hpp"
 #include "workflow/result_folder.hpp"
 #include "study_parts.hpp"
@@ -21,14 +21,14 @@ namespace fs = std::filesystem;
 
 std::size_t cores() { return std::max(1u, std::thread::hardware_concurrency()); }
 
-study::StudyFolder folder_of(const StudyArguments& arguments) {
+campaign::StudyFolder folder_of(const StudyArguments& arguments) {
   const auto recipe = fs::absolute(arguments.recipe);
   const fs::path name = recipe.stem() == "recipe" ? recipe.parent_path().filename() : recipe.stem();
-  return study::StudyFolder(arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out), arguments.store);
+  return campaign::StudyFolder(arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out), arguments.store);
 }
 
 /// "2/4": the second of four.
-void read_shard(const std::string& text, study::StudyOptions& options) {
+void read_shard(const std::string& text, campaign::StudyOptions& options) {
   if (text.empty()) return;
   const auto slash = text.find('/');
   std::size_t part = 0;
@@ -42,8 +42,8 @@ void read_shard(const std::string& text, study::StudyOptions& options) {
   options.shard = part - 1;
 }
 
-int run_command(const StudyArguments& arguments, const study::Study& study, const study::StudyFolder& folder) {
-  study::StudyOptions options;
+int run_command(const StudyArguments& arguments, const campaign::Study& study, const campaign::StudyFolder& folder) {
+  campaign::StudyOptions options;
   options.jobs = arguments.jobs;
   options.threads = arguments.threads;
   read_shard(arguments.shard, options);
@@ -51,7 +51,7 @@ int run_command(const StudyArguments& arguments, const study::Study& study, cons
   options.keep_fields = arguments.keep == "all";
   options.checkpoint_seconds = arguments.checkpoint_seconds;
   watch_for_signals();
-  const study::StudyOutcome outcome = run_missing(study, folder, options, arguments.quiet);
+  const campaign::StudyOutcome outcome = run_missing(study, folder, options, arguments.quiet);
   fmt::print("{}", status_text(study, folder));
   if (outcome.interrupted) {
     fmt::print(stderr, "stopped; the same command goes on with the {} runs that are left\n", outcome.left);
@@ -62,11 +62,11 @@ int run_command(const StudyArguments& arguments, const study::Study& study, cons
   return outcome.not_done > 0 ? not_converged : done;
 }
 
-int collect_command(const StudyArguments& arguments, const study::Study& study, const study::StudyFolder& folder) {
-  auto table = study::collect(study, folder);
+int collect_command(const StudyArguments& arguments, const campaign::Study& study, const campaign::StudyFolder& folder) {
+  auto table = campaign::collect(study, folder);
   std::string name = "numbers";
   if (!arguments.by.empty()) {
-    table = study::averaged(table, arguments.by);
+    table = campaign::averaged(table, arguments.by);
     for (const auto& key : arguments.by) name += "-by-" + key;
   }
   for (const auto& [ending, text] : {std::pair(".csv", table.csv()), std::pair(".json", table.json())}) {
@@ -78,9 +78,9 @@ int collect_command(const StudyArguments& arguments, const study::Study& study, 
 }
 
 int execute(const StudyArguments& arguments) {
-  const study::StudyFolder folder = folder_of(arguments);
+  const campaign::StudyFolder folder = folder_of(arguments);
   if (arguments.what == "plan") {
-    fmt::print("{}", plan_text(study::read_study(arguments.recipe, arguments.overrides), folder, arguments.jobs));
+    fmt::print("{}", plan_text(campaign::read_study(arguments.recipe, arguments.overrides), folder, arguments.jobs));
     return done;
   }
   if (arguments.what == "script") {
@@ -88,17 +88,17 @@ int execute(const StudyArguments& arguments) {
     if (!arguments.shard.empty() || arguments.retry)
       throw InputError(fmt::format("{} goes with run; each task of the script does its own part, of as many as --tasks says, and failed runs wait for another `arenite study run --retry`",
                                    arguments.shard.empty() ? "--retry" : "--shard"));
-    const auto study = study::read_study(arguments.recipe, arguments.overrides);  // so that slips show here
-    study::make_folder(folder.out);
+    const auto study = campaign::read_study(arguments.recipe, arguments.overrides);  // so that slips show here
+    workflow::make_folder(folder.out);
     fmt::print("{}", slurm_script(arguments, folder));
     return done;
   }
   if (arguments.what != "run" && !fs::exists(folder.out))
     throw InputError(folder.out.string(), 0, fmt::format("there is no such study; `arenite study run {}` makes it, or say where it is with --out", arguments.recipe));
   // Slips of the recipe leave no folder.
-  if (!fs::exists(folder.out)) static_cast<void>(study::read_study(arguments.recipe, arguments.overrides));
-  study::make_folder(folder.out);
-  const study::Study study = study::read_study(arguments.recipe, arguments.overrides, folder.out);
+  if (!fs::exists(folder.out)) static_cast<void>(campaign::read_study(arguments.recipe, arguments.overrides));
+  workflow::make_folder(folder.out);
+  const campaign::Study study = campaign::read_study(arguments.recipe, arguments.overrides, folder.out);
   if (arguments.what == "run") return run_command(arguments, study, folder);
   if (arguments.what == "collect") return collect_command(arguments, study, folder);
   if (arguments.what == "page") {

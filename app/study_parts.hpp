@@ -18,23 +18,21 @@ struct StudyArguments {
   bool retry = false, quiet = false, slurm = false;
 };
 
-/// "12 s", "5 min", "3.2 h".
-std::string duration_text(double seconds);
 /// Runs, hashes, shared stages, time.
-std::string plan_text(const study::Study& study, const study::StudyFolder& folder, std::size_t jobs);
+std::string plan_text(const campaign::Study& study, const campaign::StudyFolder& folder, std::size_t jobs);
 /// How many runs stand where, what sharing saved, and why runs failed.
-std::string status_text(const study::Study& study, const study::StudyFolder& folder);
+std::string status_text(const campaign::Study& study, const campaign::StudyFolder& folder);
 /// A script for Slurm that runs the study as an array of tasks.
-std::string slurm_script(const StudyArguments& arguments, const study::StudyFolder& folder);
+std::string slurm_script(const StudyArguments& arguments, const campaign::StudyFolder& folder);
 
 /// Does the runs that are left, with `options` for what the user chose; shows progress unless `quiet`, tells notices, and
 /// leaves at a signal.
-study::StudyOutcome run_missing(const study::Study& study, const study::StudyFolder& folder, study::StudyOptions options, bool quiet);
+campaign::StudyOutcome run_missing(const campaign::Study& study, const campaign::StudyFolder& folder, campaign::StudyOptions options, bool quiet);
 
 /// Where the figures of a study are declared: figures.toml beside its recipe.
-std::filesystem::path figures_of(const study::Study& study);
-std::vector<report::Figure> read_study_figures(const study::Study& study);
+std::filesystem::path figures_of(const campaign::Study& study);
+std::vector<report::Figure> read_study_figures(const campaign::Study& study);
 /// Draws them into study.html in the study's folder, and gives its place.
-std::filesystem::path write_study_figures(const study::Study& study, const study::StudyFolder& folder);
+std::filesystem::path write_study_figures(const campaign::Study& study, const campaign::StudyFolder& folder);
 
 }  // namespace arenite::app

@@ -18,7 +18,7 @@ std::string quoted(const std::string& word) {
 
 }  // namespace
 
-std::string slurm_script(const StudyArguments& arguments, const study::StudyFolder& folder) {
+std::string slurm_script(const StudyArguments& arguments, const campaign::StudyFolder& folder) {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   const fs::path out = fs::absolute(folder.out);

@@ -1,21 +1,29 @@
+#include "study_parts.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 
+#include "core/error.hpp"
+#include "progress.hpp"
+#include "report/run_drawing.hpp"
+#include "report/study_page.hpp"
+#include "report/summary.hpp"
 #include "workflow/store.hpp"
-#include "study_parts.hpp"
 
 namespace arenite::app {
 namespace {
 
-using study::RunState;
+using campaign::RunState;
 
 std::string counted(std::size_t n, const char* one, const char* many) { return fmt::format("{} {}", n, n == 1 ? one : many); }
 
 /// Every stage by its name, in the order of the runs.
-std::string stage_lines(const study::Study& study, const study::StudyFolder& folder) {
+std::string stage_lines(const campaign::Study& study, const campaign::StudyFolder& folder) {
   struct Stage {
     std::size_t wanted = 0, there = 0;
     std::set<std::string> different;
@@ -27,7 +35,7 @@ std::string stage_lines(const study::Study& study, const study::StudyFolder& fol
     for (const auto& planned : run.stages) {
       Stage& stage = stages[planned.name];
       if (stage.wanted++ == 0) order.push_back(planned.name);
-      if (stage.different.insert(planned.hash).second) stage.there += std::filesystem::exists(study::stored_file(folder.store, planned.hash), error);
+      if (stage.different.insert(planned.hash).second) stage.there += std::filesystem::exists(workflow::stored_file(folder.store, planned.hash), error);
     }
   std::string text = fmt::format("{:<16} {:>8} {:>10} {:>14}\n", "stage", "wanted", "different", "in the store");
   for (const auto& name : order) {
@@ -37,8 +45,8 @@ std::string stage_lines(const study::Study& study, const study::StudyFolder& fol
   return text;
 }
 
-std::string saved_line(const study::StudyFolder& folder) {
-  const auto account = study::read_account(folder.store);
+std::string saved_line(const campaign::StudyFolder& folder) {
+  const auto account = workflow::read_account(folder.store);
   if (account.computed + account.reused == 0) return {};
   return fmt::format("store: {} computed in {} of CPU, {} taken from it instead of computed, which saved {} of CPU\n",
                      counted(account.computed, "stage", "stages"), duration_text(account.seconds_computed), account.reused, duration_text(account.seconds_saved));
@@ -46,30 +54,23 @@ std::string saved_line(const study::StudyFolder& folder) {
 
 }  // namespace
 
-std::string duration_text(double seconds) {
-  if (seconds < 10) return fmt::format("{:.1f} s", seconds);
-  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
-  return fmt::format("{:.1f} h", seconds / 3600);
-}
-
-std::string plan_text(const study::Study& study, const study::StudyFolder& folder, std::size_t jobs) {
+std::string plan_text(const campaign::Study& study, const campaign::StudyFolder& folder, std::size_t jobs) {
   std::string text = study.title.empty() ? "" : study.title + "\n\n";
   text += "run               values\n";
-  for (const auto& run : study.runs) text += fmt::format("{}  {}\n", run.name, study::describe(run));
-  const auto runs = study::shard_of(study, 0, 1);
+  for (const auto& run : study.runs) text += fmt::format("{}  {}\n", run.name, campaign::describe(run));
+  const auto runs = campaign::shard_of(study, 0, 1);
   text += fmt::format("\n{}", counted(study.runs.size(), "run", "runs"));
   if (runs.size() < study.runs.size()) text += fmt::format(", {} of them different", runs.size());
   text += "\n\n" + stage_lines(study, folder) + "\n";
-  const double seconds = study::seconds_of_missing(study, runs, folder);
+  const double seconds = campaign::seconds_of_missing(study, runs, folder);
   if (std::isnan(seconds)) text += "time: not known yet, since no stage of some names was measured; it will be when the first run has ended\n";
   else if (seconds == 0) text += "time: all stages are there\n";
   else text += fmt::format("time: about {} of CPU are left, {} with {} at once\n", duration_text(seconds), duration_text(seconds / static_cast<double>(jobs)), counted(jobs, "run", "runs"));
   return text;
 }
 
-std::string status_text(const study::Study& study, const study::StudyFolder& folder) {
-  const auto states = study::read_states(folder);
+std::string status_text(const campaign::Study& study, const campaign::StudyFolder& folder) {
+  const auto states = campaign::read_states(folder);
   std::map<RunState::Kind, std::size_t> count;
   std::set<std::string> seen;
   std::string failures;
@@ -79,15 +80,43 @@ std::string status_text(const study::Study& study, const study::StudyFolder& fol
     const RunState state = at == states.end() ? RunState{} : at->second;
     ++count[state.kind];
     if (state.kind == RunState::Kind::failed || state.kind == RunState::Kind::unfinished)
-      failures += fmt::format("{}  {} ({}): {}\n", run.name, study::word_for(state.kind), study::describe(run), state.reason);
+      failures += fmt::format("{}  {} ({}): {}\n", run.name, campaign::word_for(state.kind), campaign::describe(run), state.reason);
   }
   std::string text = fmt::format("{}:", counted(seen.size(), "run", "runs"));
   const char* separator = " ";
   for (const auto kind : {RunState::Kind::done, RunState::Kind::running, RunState::Kind::waiting, RunState::Kind::unfinished, RunState::Kind::failed})
-    if (count[kind] > 0) text += fmt::format("{}{} {}", std::exchange(separator, ", "), count[kind], study::word_for(kind));
+    if (count[kind] > 0) text += fmt::format("{}{} {}", std::exchange(separator, ", "), count[kind], campaign::word_for(kind));
   text += "\n" + saved_line(folder);
   if (!failures.empty()) text += "\n" + failures + "`--retry` does these again\n";
   return text;
+}
+
+campaign::StudyOutcome run_missing(const campaign::Study& study, const campaign::StudyFolder& folder, campaign::StudyOptions options, bool quiet) {
+  options.numbers = [](const workflow::RunOutcome& outcome) { return report::Summary(outcome).numbers(); };
+  options.asked_to_stop = stop_requested;
+  options.notice = [](const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); };
+  StudyLine line(quiet);
+  options.progress = [&](const campaign::StudyProgress& progress) { line.show(progress); };
+  return campaign::run_study(study, folder, options);
+}
+
+std::filesystem::path figures_of(const campaign::Study& study) { return std::filesystem::path(study.file).parent_path() / "figures.toml"; }
+
+std::vector<report::Figure> read_study_figures(const campaign::Study& study) {
+  const std::filesystem::path declared = figures_of(study);
+  std::ifstream in(declared, std::ios::binary);
+  if (!in) throw InputError(declared.string(), 0, "cannot be read; it declares the figures of the study, one [[figures]] each (docs/studies.md)");
+  return report::read_figures({std::istreambuf_iterator<char>(in), {}}, declared.string());
+}
+
+std::filesystem::path write_study_figures(const campaign::Study& study, const campaign::StudyFolder& folder) {
+  report::RunNumbers numbers;
+  report::StudyPage page{study.title, read_study_figures(study), campaign::collect(study, folder),
+                         [&](const std::string& run, const std::string& path, const report::Figure& figure) { return numbers.with(folder.run(run), path, figure); },
+                         [&](const std::string& run, const report::Figure& figure) { return report::run_drawing(folder.run(run), figure); }};
+  const std::filesystem::path file = folder.out / "study.html";
+  report::write_study_page(file, page);
+  return file;
 }
 
 }  // namespace arenite::app

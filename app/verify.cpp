@@ -10,15 +10,14 @@
 
 #include "commands.hpp"
 #include "core/version.hpp"
-#include "io/atomic_file.hpp"
-#include "io/read_file.hpp"
+#include "io/disk/file.hpp"
 #include "validation/judge.hpp"
 #include "validation/studies.hpp"
 #include "campaign/virtual_film.hpp"
 #include "validation/report_dots.hpp"
 #include "validation/report.hpp"
-#include "report/study_figures.hpp"
-#include "stop_signal.hpp"
+#include "report/study_page.hpp"
+#include "progress.hpp"
 #include "campaign/collect.hpp"
 #include "workflow/result_folder.hpp"
 #include "study_parts.hpp"
@@ -36,20 +35,20 @@ struct VerifyArguments {
 };
 
 /// Runs what is missing of a study; false if it was asked to stop.
-bool complete(const study::Study& study, const study::StudyFolder& folder, const VerifyArguments& a) {
-  study::StudyOptions options;
+bool complete(const campaign::Study& study, const campaign::StudyFolder& folder, const VerifyArguments& a) {
+  campaign::StudyOptions options;
   options.jobs = a.jobs;
   options.keep_fields = a.keep == "all";
   return !run_missing(study, folder, options, a.quiet).interrupted;
 }
 
 /// The films that the study's figures show; false if it was asked to stop.
-bool make_films(const study::Study& study, const validation::Results& results, const std::string& name) {
+bool make_films(const campaign::Study& study, const validation::Results& results, const std::string& name) {
   const auto filmed = report::filmed_runs(read_study_figures(study), results.table(name));
   const auto runs = results.runs(name);
   return std::all_of(runs.begin(), runs.end(), [&](const validation::Run& run) {
     const bool is_filmed = std::find(filmed.begin(), filmed.end(), run.study->table().rows[run.row].run) != filmed.end();
-    return !is_filmed || study::make_film(run.folder(), run.study->folder() / "camera.toml", run.text("seed"), stop_requested);
+    return !is_filmed || campaign::make_film(run.folder(), run.study->folder() / "camera.toml", run.text("seed"), stop_requested);
   });
 }
 
@@ -58,9 +57,9 @@ bool wanted(const VerifyArguments& a, const std::string& name) {
 }
 
 /// Where the runs of one of the studies lie; nothing where none are wanted.
-std::optional<study::StudyFolder> folder_of(const validation::StudySource& source, const fs::path& out, const VerifyArguments& a) {
+std::optional<campaign::StudyFolder> folder_of(const validation::StudySource& source, const fs::path& out, const VerifyArguments& a) {
   if (!wanted(a, source.name) || (a.read_only && source.has_runs() && !fs::exists(out / source.name))) return std::nullopt;
-  return study::StudyFolder(out / source.name);
+  return campaign::StudyFolder(out / source.name);
 }
 
 /// Does what is missing of a source's runs; false if it was asked to stop.
@@ -69,7 +68,7 @@ bool run_studies(char letter, const fs::path& out, const VerifyArguments& a) {
     const auto* source = validation::find_study(name);
     const auto folder = source ? folder_of(*source, out, a) : std::nullopt;
     if (!folder || !source->has_runs()) continue;
-    const study::Study study = validation::unpack_study(*source, folder->out, a.small, a.overrides);
+    const campaign::Study study = validation::unpack_study(*source, folder->out, a.small, a.overrides);
     if (!a.quiet) fmt::print(stderr, "{}: {} runs\n", name, study.runs.size());
     if (!complete(study, *folder, a)) return false;
   }
@@ -88,10 +87,10 @@ bool gather(char letter, const fs::path& out, const VerifyArguments& a, validati
       results.add(name, {}, folder->out);
       continue;
     }
-    const study::Study study = validation::unpack_study(*source, folder->out, a.small, a.overrides);
-    results.add(name, study::collect(study, *folder), folder->out);
+    const campaign::Study study = validation::unpack_study(*source, folder->out, a.small, a.overrides);
+    results.add(name, campaign::collect(study, *folder), folder->out);
     if (!fs::exists(figures_of(study))) continue;
-    const bool films = fs::exists(folder->out / "camera.toml") && (!a.small || name == study::filmed_study);
+    const bool films = fs::exists(folder->out / "camera.toml") && (!a.small || name == campaign::filmed_study);
     if (!a.read_only && films && !make_films(study, results, name)) return false;
     write_study_figures(study, *folder);
   }
@@ -147,7 +146,7 @@ void write_page(const validation::Ledger& ledger, const VerifyArguments& a) {
   for (const auto& [claim, judgement] : ledger.claims) {
     const fs::path picture = folder / (std::string(claim->id) + ".svg");
     if (judgement.verdict() != validation::Verdict::reproduced && validation::has_dots(judgement)) {
-      study::make_folder(folder);
+      workflow::make_folder(folder);
       io::write_atomically(picture, validation::ledger_dots(judgement));
     } else {
       fs::remove(picture);

@@ -11,10 +11,9 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "io/run_folder.hpp"
-#include "io/stage_file.hpp"
-#include "workflow/film_numbers.hpp"
-#include "workflow/film_road.hpp"
+#include "io/disk/store_file.hpp"
+#include "io/results/results.hpp"
+#include "workflow/run_film.hpp"
 #include "workflow/shoot_film.hpp"
 #include "grains/texture/texture.hpp"
 
@@ -74,7 +73,7 @@ Packing last_state(const fs::path& states, const std::string& stage) {
 struct Errors {
   std::size_t found = 0, missed = 0, wrong_material = 0;
   double centres = 0;            ///< root mean square at the smallest load, pixels along one axis
-  study::Agreement stress;
+  workflow::Agreement stress;
   double normal = 0, tangential = 0;  ///< relative L2 errors of contacts between grains
 };
 
@@ -120,7 +119,7 @@ Errors compare(const Truth& truth, const FilmResult& film) {
   for (const auto s : seen) e.missed += s == 0;
   e.found = grains;
   e.centres = std::sqrt(square / static_cast<double>(grains));
-  e.stress = study::agreement(film.swing.sigma_hyd, swing, counts);
+  e.stress = workflow::agreement(film.swing.sigma_hyd, swing, counts);
   compare_forces(truth, film, match, e);
   return e;
 }
@@ -146,16 +145,16 @@ void list_grains(const fs::path& file, const Truth& truth) {
 bool row(const char* name, const std::vector<std::string>& changes, const Truth& truth, bool listed, char** argv, int threads) {
   const fs::path folder = fs::path(argv[3]) / "film";
   fs::remove_all(folder);
-  const auto recipe = study::read_film_recipe(argv[2], changes);
-  study::ShootOptions shoot;
+  const auto recipe = recipe::read_film_recipe(argv[2], changes);
+  workflow::ShootOptions shoot;
   shoot.out = folder;
-  study::shoot_film(recipe, argv[1], shoot);
-  study::FilmRunOptions run;
+  workflow::shoot_film(recipe, argv[1], shoot);
+  workflow::FilmRunOptions run;
   run.out = folder / "result";
   run.threads = threads;
   std::vector<std::string> told{"forces.state=false"};
   if (listed) list_grains(folder / "grains.csv", truth), told.emplace_back("picture.grains=\"grains.csv\"");
-  const auto outcome = study::run_film(folder / "film.ptw", study::read_film_recipe((folder / "film.toml").string(), told), run);
+  const auto outcome = workflow::run_film(folder / "film.ptw", recipe::read_film_recipe((folder / "film.toml").string(), told), run);
   const Errors e = compare(truth, outcome.result);
   std::printf("| %s%s | %zu | %zu | %zu | %.3f | %.4f | %.4f | %.4f | %.1f | %.1f |\n", name, listed ? ", grains listed" : "", e.found, e.missed, e.wrong_material, e.centres, e.stress.correlation,
               e.stress.rms_sigma_norm, e.stress.slope, 100 * e.normal, 100 * e.tangential);
@@ -201,7 +200,7 @@ std::vector<Row> rows() {
 }
 
 void table(char** argv, int threads, const std::vector<std::string>& words) {
-  const auto recipe = study::read_film_recipe(argv[2]);
+  const auto recipe = recipe::read_film_recipe(argv[2]);
   const Truth truth(last_state(argv[1], recipe.camera->low), last_state(argv[1], recipe.camera->high));
   std::printf("| camera | grains | missed | wrong material | centres, px | correlation | rms of sigma_norm | slope | normal, %% | tangential, %% |\n"
               "|---|---|---|---|---|---|---|---|---|---|\n");

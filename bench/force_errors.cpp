@@ -8,7 +8,7 @@
 #include "../tests/support/pressed_crystal.hpp"
 #include "../tests/support/swing_picture.hpp"
 #include "thermal/inference/contact_forces.hpp"
-#include "io/stage_file.hpp"
+#include "io/results/results.hpp"
 
 /// force_errors LOW.h5 HIGH.h5: draws the swing between two simulated states as a film would show it, with every source of
 /// error, then with one switched off at a time, and prints what the inferred forces are off by.

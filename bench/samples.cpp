@@ -89,7 +89,7 @@ Packing tiled(const Packing& cell, int times) {
 
 dem::ContactParameters contact_parameters() {
   dem::ContactParameters contact;
-  contact.friction_law = dem::FrictionLaw::regularised_coulomb;
+  contact.friction_law = dem::RegularisedCoulomb{};
   contact.attractive_dashpot = true;
   contact.restitution = 0.3;
   return contact;

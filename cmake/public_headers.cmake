@@ -6,10 +6,7 @@ set(arenite_public_headers
   model/packing.hpp
   model/result.hpp
   model/phase_map.hpp
-  model/stress_field.hpp
-  model/field_result.hpp
   recipe/recipe.hpp
-  recipe/recipe_templates.hpp
   workflow/run.hpp
   grains/dem/engine.hpp
   grains/dem/run_stage.hpp
@@ -19,7 +16,6 @@ set(arenite_public_headers
   solid/peridynamics/load.hpp
   solid/stress/stress.hpp
   thermal/thermography/lockin.hpp
-  io/stage_file.hpp
-  io/field_file.hpp
-  io/run_folder.hpp
-  io/film.hpp)
+  io/results/results.hpp
+  io/disk/store_file.hpp
+  io/film/film.hpp)

@@ -5,14 +5,14 @@
 #include <map>
 
 #include "core/error.hpp"
-#include "workflow/final_state.hpp"
+#include "workflow/result_folder.hpp"
 
 namespace arenite::validation {
 
 std::string with_border(const std::string& study, double border) { return fmt::format("{}, border {:g}", study, border); }
 
 void add_with_border(Results& results, const std::string& study, double border, const std::function<bool(const Run&)>& wanted) {
-  study::CollectedTable table;
+  campaign::CollectedTable table;
   table.keys = results.table(study).keys;
   std::map<std::string, std::size_t> columns;
   for (const Run& run : results.runs(study)) {
@@ -20,7 +20,7 @@ void add_with_border(Results& results, const std::string& study, double border, 
     auto row = run.study->table().rows[run.row];
     row.numbers.assign(table.names.size(), std::nullopt);
     try {
-      for (const auto& [name, estimate] : study::flat_numbers(study::texture_with_border(run.folder(), border))) {
+      for (const auto& [name, estimate] : campaign::flat_numbers(workflow::texture_with_border(run.folder(), border))) {
         const auto [column, added] = columns.try_emplace(name, table.names.size());
         if (added) table.names.push_back(name);
         row.numbers.resize(table.names.size());

@@ -1,11 +1,11 @@
 #pragma once
 #include "validation/results.hpp"
-#include "workflow/final_state.hpp"
+#include "workflow/result_folder.hpp"
 
 namespace arenite::validation {
 
-using study::FinalState;
+using workflow::FinalState;
 /// The last state of a run; `rev`: with the REV study. Throws InputError if the run's files are not there.
-inline FinalState final_state(const Run& run, bool rev = false) { return study::final_state(run.folder(), rev); }
+inline FinalState final_state(const Run& run, bool rev = false) { return workflow::final_state(run.folder(), rev); }
 
 }  // namespace arenite::validation

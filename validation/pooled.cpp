@@ -5,7 +5,7 @@
 #include <map>
 #include <numbers>
 
-#include "statistics/line.hpp"
+#include "statistics/correlation.hpp"
 
 namespace arenite::validation {
 namespace {

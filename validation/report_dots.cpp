@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "report/template_marks.hpp"
+#include "report/page_template.hpp"
 
 namespace arenite::validation {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "io/table.hpp"
+#include "io/table/table.hpp"
 
 namespace arenite::validation {
 namespace {
@@ -19,7 +19,7 @@ bool fits(const Run& run, const Where& where) {
 
 }  // namespace
 
-StudyResults::StudyResults(study::CollectedTable table, std::filesystem::path folder) : table_(std::move(table)), folder_(std::move(folder)) {
+StudyResults::StudyResults(campaign::CollectedTable table, std::filesystem::path folder) : table_(std::move(table)), folder_(std::move(folder)) {
   for (std::size_t row = 0; row < table_.rows.size(); ++row)
     if (table_.rows[row].status == "done") done_.push_back(row);
   for (std::size_t column = 0; column < table_.names.size(); ++column) columns_.emplace(table_.names[column], column);
@@ -42,7 +42,7 @@ double Run::key(std::string_view name) const { return as_number(text(name)); }
 
 std::filesystem::path Run::folder() const { return study->folder() / "runs" / study->table().rows[row].run; }
 
-void Results::add(const std::string& study, study::CollectedTable table, std::filesystem::path folder) {
+void Results::add(const std::string& study, campaign::CollectedTable table, std::filesystem::path folder) {
   studies_.insert_or_assign(study, StudyResults(std::move(table), std::move(folder)));
 }
 

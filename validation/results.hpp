@@ -17,9 +17,9 @@ namespace arenite::validation {
 class StudyResults {
  public:
   StudyResults() = default;
-  explicit StudyResults(study::CollectedTable table, std::filesystem::path folder = {});
+  explicit StudyResults(campaign::CollectedTable table, std::filesystem::path folder = {});
 
-  const study::CollectedTable& table() const { return table_; }
+  const campaign::CollectedTable& table() const { return table_; }
   const std::filesystem::path& folder() const { return folder_; }         ///< of the study; empty for made-up tables
   const std::vector<std::size_t>& done() const { return done_; }          ///< places of the rows that are done
   bool complete() const { return !table_.rows.empty() && done_.size() == table_.rows.size(); }
@@ -27,7 +27,7 @@ class StudyResults {
   std::string value(std::size_t row, std::string_view key) const;         ///< of a swept key, without the unit; empty if there is none
 
  private:
-  study::CollectedTable table_;
+  campaign::CollectedTable table_;
   std::filesystem::path folder_;
   std::vector<std::size_t> done_;
   std::unordered_map<std::string, std::size_t> columns_;
@@ -59,10 +59,10 @@ using Where = std::vector<std::pair<std::string, std::string>>;
 /// The runs that claims are judged by.
 class Results {
  public:
-  void add(const std::string& study, study::CollectedTable table, std::filesystem::path folder = {});
+  void add(const std::string& study, campaign::CollectedTable table, std::filesystem::path folder = {});
   /// Of a study that was not added: no runs.
   const StudyResults& study(const std::string& name) const;
-  const study::CollectedTable& table(const std::string& study_name) const { return study(study_name).table(); }
+  const campaign::CollectedTable& table(const std::string& study_name) const { return study(study_name).table(); }
   std::vector<Run> runs(const std::string& study_name, const Where& where = {}) const;
 
  private:

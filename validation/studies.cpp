@@ -5,8 +5,8 @@
 #include <iterator>
 #include <sstream>
 
-#include "io/atomic_file.hpp"
-#include "recipe/recipe_document.hpp"
+#include "io/disk/file.hpp"
+#include "recipe/document.hpp"
 #include "workflow/result_folder.hpp"
 
 namespace arenite::validation {
@@ -33,13 +33,13 @@ void put(const fs::path& file, const std::string& text) {
 
 /// The recipe that another is laid over, "../NAME/recipe.toml" from where that lies.
 void unpack_base(const std::string& recipe, const fs::path& folder) {
-  const study::Node root = study::read_document(recipe, "recipe.toml");
-  const study::Entry* base = root.find("base");
+  const recipe::Node root = recipe::read_document(recipe, "recipe.toml");
+  const recipe::Entry* base = root.find("base");
   if (!base) return;
   const fs::path file = (folder / base->value.text).lexically_normal();
   const std::string text = embedded_text(file.parent_path().filename().string(), file.filename().string());
   if (text.empty()) return;
-  study::make_folder(file.parent_path());
+  workflow::make_folder(file.parent_path());
   put(file, text);
   unpack_base(text, file.parent_path());
 }
@@ -78,18 +78,18 @@ bool StudySource::has_runs() const {
 }
 
 void unpack(const StudySource& source, const fs::path& folder) {
-  study::make_folder(folder);
+  workflow::make_folder(folder);
   for (const auto& [name, text] : source.files) {
     put(folder / name, text);
     if (name == "recipe.toml") unpack_base(text, folder);
   }
 }
 
-study::Study unpack_study(const StudySource& source, const fs::path& folder, bool small, const std::vector<std::string>& overrides) {
+campaign::Study unpack_study(const StudySource& source, const fs::path& folder, bool small, const std::vector<std::string>& overrides) {
   unpack(source, folder);
   std::vector<std::string> all = small ? source.small : std::vector<std::string>{};
   all.insert(all.end(), overrides.begin(), overrides.end());
-  return study::read_study((folder / "recipe.toml").string(), all, folder);
+  return campaign::read_study((folder / "recipe.toml").string(), all, folder);
 }
 
 }  // namespace arenite::validation

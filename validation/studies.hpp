@@ -27,7 +27,7 @@ std::string embedded_text(const std::string& study, const std::string& file);
 /// Puts the files of a study into `folder`, and the recipe that its own is laid over beside it. Files that are the same already are left alone.
 void unpack(const StudySource& source, const std::filesystem::path& folder);
 /// The same, and reads the study from there.
-study::Study unpack_study(const StudySource& source, const std::filesystem::path& folder, bool small, const std::vector<std::string>& overrides = {});
+campaign::Study unpack_study(const StudySource& source, const std::filesystem::path& folder, bool small, const std::vector<std::string>& overrides = {});
 
 /// What cmake/embed_studies.cmake makes of studies/: study, file and text, in order of the names.
 struct EmbeddedFile {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "statistics/line.hpp"
+#include "statistics/correlation.hpp"
 
 namespace arenite::validation {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "statistics/student.hpp"
+#include "statistics/measured.hpp"
 
 namespace arenite::validation {
 namespace {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "grains/texture/statistics.hpp"
 #include "grains/texture/view.hpp"
 
 namespace arenite::validation {

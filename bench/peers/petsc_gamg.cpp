@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "../../tests/support/cemented_sample.hpp"
-#include "solid/peridynamics/load.hpp"
+#include "solid/peridynamics/solvers/solvers.hpp"
 #include "../process_use.hpp"
 
 namespace {

@@ -7,19 +7,19 @@ using namespace arenite;
 
 namespace {
 
-study::Recipe small_recipe() {
-  for (const auto& known : study::recipe_templates())
+recipe::Recipe small_recipe() {
+  for (const auto& known : recipe::recipe_templates())
     if (std::string(known.name) == "cemented")
-      return study::parse_recipe(study::to_toml(known.make()), "cemented", {"bidisperse.box_area=80", "bidisperse.size_ratio=1.67"});
+      return recipe::parse_recipe(recipe::to_toml(known.make()), "cemented", {"bidisperse.box_area=80", "bidisperse.size_ratio=1.67"});
   throw InputError("there is no template \"cemented\"");
 }
 
-StageResult run_stage(const Packing& start, const study::Recipe& recipe, const dem::Stage& stage) {
+StageResult run_stage(const Packing& start, const recipe::Recipe& recipe, const dem::Stage& stage) {
   dem::Engine engine(start, recipe.contact, recipe.integration);
   dem::StageRun run = dem::begin_stage(engine, stage);
   while (!run.finished) dem::continue_stage(engine, stage, run);
   run.result.name = stage.name;
-  run.result.provenance = {version, stage.name, "", study::to_toml(recipe), recipe.seed, engine.kernel(), {}};
+  run.result.provenance = {version, stage.name, "", recipe::to_toml(recipe), recipe.seed, engine.kernel(), {}};
   return run.result;
 }
 
@@ -39,7 +39,7 @@ void stretch(const Packing& packing) {
   raster::RasterReport counted;
   const PhaseMap map = raster::rasterise(packing, matrix, {128, 9e-3}, classes(packing.grains), counted);
   peridynamics::LoadOptions options;
-  options.stiffness = study::StiffnessSection{}.resolved();
+  options.stiffness = recipe::StiffnessSection{}.resolved();
   const auto loaded = peridynamics::load(map, options);
   std::printf("matrix saturation %.3f, modulus %.3f GPa\n", report.saturation, loaded.report.modulus / 1e9);
   for (const auto& [phase, found] : stress::measure(map, loaded.field).components.front().sets)
@@ -49,8 +49,8 @@ void stretch(const Packing& packing) {
 }  // namespace
 
 int main() try {
-  const study::Recipe recipe = small_recipe();
-  Packing packing = study::make_packing(recipe).frames.back().packing;
+  const recipe::Recipe recipe = small_recipe();
+  Packing packing = workflow::make_packing(recipe).frames.back().packing;
   StageResult result;
   for (const auto& stage : recipe.stages) {
     result = run_stage(packing, recipe, stage);

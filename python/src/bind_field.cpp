@@ -8,18 +8,17 @@
 #include "solid/raster/raster.hpp"
 #include "solid/stress/stress.hpp"
 #include "workflow/field_stages.hpp"
-#include "workflow/load_map.hpp"
-#include "recipe/recipe_words.hpp"
+#include "recipe/recipe.hpp"
 
 namespace arenite::python {
 namespace {
 
-using study::Recipe;
+using recipe::Recipe;
 
 Cement cemented(const Packing& packing, const std::string& kind, const Quantity& gap, const Quantity& width, bool full_width, const Quantity& thickness,
                 const Quantity& volume, const std::optional<Quantity>& saturation) {
   cement::CementParameters p;
-  p.kind = study::chosen<cement::CementParameters::Kind>(kind, "cement");
+  p.kind = recipe::chosen<cement::CementParameters::Kind>(kind, "cement");
   p.gap = gap.si(dimension::length, "gap");
   p.width = width.si(dimension::none, "width");
   p.full_width = full_width;
@@ -40,7 +39,7 @@ PhaseMap rasterised(const Packing& packing, const Cement& cement, std::int64_t n
   Call call;
   return call.without_lock([&] {
     raster::RasterReport report;
-    return raster::rasterise(packing, cement, p, study::classes(packing, study::class_materials({}, packing)), report);
+    return raster::rasterise(packing, cement, p, workflow::classes(packing, workflow::class_materials({}, packing)), report);
   });
 }
 
@@ -48,12 +47,12 @@ FieldResult loaded(const PhaseMap& map, const std::string& loading, const Quanti
                    const Quantity& tolerance, bool moduli, bool failure, const Quantity& matrix, const std::optional<Quantity>& interface,
                    const std::optional<Quantity>& particle, const Progress& progress) {
   using peridynamics::Loading, peridynamics::LowerEdge, peridynamics::Method;
-  study::Load load;
+  recipe::Load load;
   load.name = failure ? "failure" : loading;
-  load.loading = study::chosen<Loading>(loading, "loading");
-  load.axis = study::chosen<study::Load::Axis>(axis, "axis");
-  load.lower = study::chosen<LowerEdge>(lower, "lower edge");
-  load.method = study::chosen<Method>(method, "method");
+  load.loading = recipe::chosen<Loading>(loading, "loading");
+  load.axis = recipe::chosen<recipe::Load::Axis>(axis, "axis");
+  load.lower = recipe::chosen<LowerEdge>(lower, "lower edge");
+  load.method = recipe::chosen<Method>(method, "method");
   load.strain = strain.si(dimension::none, "strain");
   load.tolerance = tolerance.si(dimension::none, "tolerance");
   load.moduli = moduli;
@@ -67,7 +66,7 @@ FieldResult loaded(const PhaseMap& map, const std::string& loading, const Quanti
       call.tell(progress, at.share, load.name);
       return !call.asked_to_stop();
     };
-    return study::apply_load(load, study::sample_of_map(map), watch);
+    return workflow::apply_load(load, workflow::sample_of_map(map), watch);
   });
   return result ? std::move(*result) : FieldResult{};
 }
@@ -84,12 +83,12 @@ void bind_field(py::module_& m) {
   m.def("cavities", [](const PhaseMap& map, const std::string& kind, bool eight_connected, int fewest_nodes, bool leave_out_border) {
     const raster::CavityRules rules{eight_connected, fewest_nodes, leave_out_border};
     Call call;
-    return taken_over(call.without_lock([&] { return raster::find_cavities(map, study::chosen<raster::Cavity>(kind, "cavity"), rules); }).nodes);
+    return taken_over(call.without_lock([&] { return raster::find_cavities(map, recipe::chosen<raster::Cavity>(kind, "cavity"), rules); }).nodes);
   }, py::arg("map"), py::arg("kind") = "pore", py::kw_only(), py::arg("eight_connected") = false, py::arg("fewest_nodes") = 5, py::arg("leave_out_border") = true,
         "Sizes (nodes, int64) of the pores (not grain) or voids (neither grain nor matrix) by flood fill (P III).");
   m.def("cement_sample", [](const Recipe& recipe, const Packing& packing) {
     Call call;
-    return call.without_lock([&] { return study::make_cemented_sample(recipe, packing); });
+    return call.without_lock([&] { return workflow::make_cemented_sample(recipe, packing); });
   }, py::arg("recipe"), py::arg("packing"), "Cement and raster as the recipe says, with phases, pores, voids and coordination as numbers.");
   m.def("load", &loaded, py::arg("map"), py::arg("loading") = "tension", py::kw_only(), py::arg("strain") = 1e-4, py::arg("axis") = "y", py::arg("lower") = "fixed",
         py::arg("method") = "static_solve", py::arg("tolerance") = 1e-6, py::arg("moduli") = false, py::arg("failure") = false, py::arg("matrix") = "1 GPa",

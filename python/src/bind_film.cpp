@@ -12,7 +12,7 @@
 #include "thermal/imaging/circles.hpp"
 #include "thermal/imaging/proposed_contacts.hpp"
 #include "thermal/inference/contact_forces.hpp"
-#include "io/film.hpp"
+#include "io/film/film.hpp"
 #include "module.hpp"
 #include "thermal/thermography/lockin.hpp"
 #include "thermal/thermography/step_load.hpp"

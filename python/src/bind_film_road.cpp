@@ -5,8 +5,8 @@
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "module.hpp"
-#include "report/film_text.hpp"
-#include "workflow/film_road.hpp"
+#include "report/summary.hpp"
+#include "workflow/run_film.hpp"
 #include "workflow/shoot_film.hpp"
 
 namespace arenite::python {
@@ -21,14 +21,14 @@ py::dict twin_of(const py::object& self) {
   return d;
 }
 
-using RecipeLike = std::variant<study::FilmRecipe, Path>;
+using RecipeLike = std::variant<recipe::FilmRecipe, Path>;
 
 /// The recipe with changes, read where a file is named.
-study::FilmRecipe recipe_of(const RecipeLike& recipe, const py::dict& changes) {
+recipe::FilmRecipe recipe_of(const RecipeLike& recipe, const py::dict& changes) {
   const auto overrides = overrides_of(changes);
-  if (const auto* file = std::get_if<Path>(&recipe)) return study::read_film_recipe(file->string(), overrides);
-  const auto& given = std::get<study::FilmRecipe>(recipe);
-  auto changed = study::parse_film_recipe(study::to_toml(given), given.source_file, overrides);
+  if (const auto* file = std::get_if<Path>(&recipe)) return recipe::read_film_recipe(file->string(), overrides);
+  const auto& given = std::get<recipe::FilmRecipe>(recipe);
+  auto changed = recipe::parse_film_recipe(recipe::to_toml(given), given.source_file, overrides);
   changed.source_file = given.source_file;
   return changed;
 }
@@ -37,12 +37,12 @@ FilmResult film(const Path& path, const RecipeLike& recipe, const Path& out, con
   const auto asked = recipe_of(recipe, changes);
   Call call;
   return call.without_lock([&] {
-    study::FilmRunOptions options;
+    workflow::FilmRunOptions options;
     options.out = out;
     options.threads = threads;
-    options.progress = [&](const study::Progress& p) { call.tell(progress, p.share, p.name); };
+    options.progress = [&](const workflow::Progress& p) { call.tell(progress, p.share, p.name); };
     options.asked_to_stop = [&] { return call.asked_to_stop(); };
-    return study::run_film(path, asked, options).result;
+    return workflow::run_film(path, asked, options).result;
   });
 }
 
@@ -50,7 +50,7 @@ std::vector<std::string> camera(const Path& result, const RecipeLike& recipe, co
   const auto asked = recipe_of(recipe, changes);
   Call call;
   return call.without_lock([&] {
-    study::ShootOptions options;
+    workflow::ShootOptions options;
     options.out = out;
     options.format = format;
     options.progress = [&](double share) {
@@ -58,7 +58,7 @@ std::vector<std::string> camera(const Path& result, const RecipeLike& recipe, co
       return !call.asked_to_stop();
     };
     std::vector<std::string> files;
-    for (const auto& file : study::shoot_film(asked, result, options)) files.push_back(file.string());
+    for (const auto& file : workflow::shoot_film(asked, result, options)) files.push_back(file.string());
     return files;
   });
 }

@@ -36,30 +36,30 @@ std::optional<double> section_of(const std::optional<Quantity>& section) {
 
 py::dict stiffness(const Path& file, const Quantity& preload, const std::optional<Quantity>& length, const std::string& branch) {
   if (branch != "loading" && branch != "unloading") throw InputError(fmt::format("branch is \"{}\"; give \"loading\" or \"unloading\"", branch));
-  study::StiffnessRequest request;
+  workflow::StiffnessRequest request;
   request.curve = {preload.si(dimension::force, "preload"), branch == "unloading" ? identify::Branch::unloading : identify::Branch::loading};
   request.length = si(length, dimension::length, "length");
-  return to_python(identify::numbers(study::identify_stiffness(file.string(), request)));
+  return to_python(identify::numbers(workflow::identify_stiffness(file.string(), request)));
 }
 
 py::dict adhesion(const Path& file, const std::optional<MeasuredLike>& stiffness, const std::optional<std::pair<Quantity, Quantity>>& radii) {
-  study::AdhesionRequest request;
+  workflow::AdhesionRequest request;
   request.stiffness = measured(stiffness, dimension::stiffness, "stiffness");
   if (radii) request.radii = {radii->first.si(dimension::length, "radii"), radii->second.si(dimension::length, "radii")};
-  return to_python(identify::numbers(study::identify_adhesion(file.string(), request)));
+  return to_python(identify::numbers(workflow::identify_adhesion(file.string(), request)));
 }
 
 py::dict factor(const Path& file, const std::optional<Quantity>& section, bool half_temperature, bool half_stress, const std::optional<MeasuredLike>& young,
                 const std::optional<MeasuredLike>& poisson, bool through_origin) {
-  study::FactorRequest request;
+  workflow::FactorRequest request;
   request.section = section_of(section);
-  request.temperature_swing = half_temperature ? study::Swing::half : study::Swing::full;
-  request.stress_swing = half_stress ? study::Swing::half : study::Swing::full;
+  request.temperature_swing = half_temperature ? workflow::Swing::half : workflow::Swing::full;
+  request.stress_swing = half_stress ? workflow::Swing::half : workflow::Swing::full;
   request.young = measured(young, dimension::pressure, "young");
   request.poisson = measured(poisson, dimension::none, "poisson");
   if (request.poisson && !(request.poisson->value < 1)) throw InputError("poisson: must be below 1");
   request.through_origin = through_origin;
-  return to_python(identify::numbers(study::identify_factor(file.string(), request)));
+  return to_python(identify::numbers(workflow::identify_factor(file.string(), request)));
 }
 
 }  // namespace

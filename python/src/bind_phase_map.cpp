@@ -10,7 +10,7 @@
 #include "calls.hpp"
 #include "core/error.hpp"
 #include "thermal/imaging/label_grains.hpp"
-#include "io/phase_map_image.hpp"
+#include "io/image/phase_map.hpp"
 #include "model/cement.hpp"
 #include "module.hpp"
 

@@ -3,7 +3,6 @@
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "core/error.hpp"
-#include "model/field_result.hpp"
 #include "model/result.hpp"
 #include "module.hpp"
 #include "solid/stress/stress.hpp"

@@ -1,32 +1,36 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
+
 #include <unistd.h>
 
 #include "calls.hpp"
 #include "core/error.hpp"
+#include "core/hash.hpp"
+#include "core/version.hpp"
+#include "grains/dem/run_stage.hpp"
 #include "module.hpp"
-#include "report/film_text.hpp"
 #include "report/page.hpp"
 #include "report/summary.hpp"
 #include "result.hpp"
 #include "workflow/export_result.hpp"
+#include "workflow/run.hpp"
 
-/// Results as folders, files and pages.
+/// Results as folders, files and pages, and single stages of a run.
 namespace arenite::python {
 namespace {
 
 Numbers numbers_of(const Result& r) { return r.films.empty() ? report::Summary(r.run).numbers() : report::film_numbers(r.films.back()); }
 
-Result run(const study::Recipe& recipe, const Path& out, int threads, const Progress& progress) {
-  study::Recipe asked = recipe;
+Result run(const recipe::Recipe& recipe, const Path& out, int threads, const Progress& progress) {
+  recipe::Recipe asked = recipe;
   asked.integration.threads = threads;
   Call call;
   call.without_lock([&] {
-    study::RunOptions options;
+    workflow::RunOptions options;
     options.out = out;
-    options.progress = [&](const study::Progress& p) { call.tell(progress, (static_cast<double>(p.stage) + p.share) / static_cast<double>(p.stages), p.name); };
+    options.progress = [&](const workflow::Progress& p) { call.tell(progress, (static_cast<double>(p.stage) + p.share) / static_cast<double>(p.stages), p.name); };
     options.asked_to_stop = [&] { return call.asked_to_stop(); };
-    return study::run(asked, options);
+    return workflow::run(asked, options);
   });
   return call.without_lock([&] { return open_result(out); });
 }
@@ -71,28 +75,55 @@ std::vector<std::string> exported(const py::object& what, const Path& out, const
   Call call;
   if (py::isinstance<py::str>(what) || py::hasattr(what, "__fspath__")) {
     const auto path = what.cast<Path>();
-    return names_of(call.without_lock([&] { return study::export_result(path, format, out, last); }));
+    return names_of(call.without_lock([&] { return workflow::export_result(path, format, out, last); }));
   }
   const Result result = any_result(what);
   return names_of(call.without_lock([&] {
     const TemporaryFolder folder;
     save(result, folder.path());
-    return study::export_result(folder.path(), format, out, last);
+    return workflow::export_result(folder.path(), format, out, last);
   }));
 }
 
-/// The page of these parts, with the texture of every stage's last state.
-void write_page(const Result& result, const Path& file) {
-  report::PageData data;
-  data.title = result.title;
-  for (std::size_t s = 0; s < result.run.stages.size(); ++s) {
-    const StageResult& stage = result.run.stages[s];
-    data.stages.push_back(&stage);
-    if (!stage.frames.empty()) data.textures.push_back({s, stage.frames.size() - 1, texture::measure(stage.frames.back().packing)});
+using recipe::Recipe;
+
+std::size_t stage_number(const Recipe& recipe, const py::object& stage) {
+  if (PyIndex_Check(stage.ptr())) {
+    const auto k = PyNumber_AsSsize_t(stage.ptr(), nullptr);
+    if (k >= 0 && static_cast<std::size_t>(k) < recipe.stages.size()) return static_cast<std::size_t>(k);
+    throw InputError(fmt::format("there is no stage {}; the recipe has {}, counted from 0", k, recipe.stages.size()));
   }
-  for (const auto& field : result.run.fields) data.fields.push_back({&field});
-  for (const auto& film : result.films) data.films.push_back({&film});
-  report::write_page(file, data);
+  if (!py::isinstance<py::str>(stage)) throw InputError(fmt::format("stage is of type {}; give its name, or its number from 0", Py_TYPE(stage.ptr())->tp_name));
+  const auto name = stage.cast<std::string>();
+  for (std::size_t k = 0; k < recipe.stages.size(); ++k)
+    if (recipe.stages[k].name == name) return k;
+  std::string known;
+  for (const auto& each : recipe.stages) known += (known.empty() ? "" : ", ") + each.name;
+  throw InputError(fmt::format("the recipe has no stage \"{}\"; there are {}", name, known));
+}
+
+std::string text_of(const std::vector<std::uint8_t>& bytes) { return {bytes.begin(), bytes.end()}; }
+
+StageResult load_stage(const Packing& packing, const Recipe& recipe, const py::object& stage, int threads, const Progress& progress) {
+  const std::size_t number = stage_number(recipe, stage);
+  auto integration = recipe.integration;
+  integration.threads = threads;
+  Call call;
+  return call.without_lock([&] {
+    dem::Engine engine(packing, recipe.contact, integration);
+    const dem::Stage& what = recipe.stages[number];
+    const std::string hash = HashBuilder().add("start", text_of(engine.save())).add("stage", what.name).add("recipe", recipe::to_toml(recipe)).hex();
+    dem::StageRun run = dem::begin_stage(engine, what);
+    while (!run.finished && !call.asked_to_stop()) {
+      dem::continue_stage(engine, what, run);
+      call.tell(progress, dem::share_done(what, run), what.name);
+    }
+    StageResult result = std::move(run.result);
+    result.name = what.name;
+    result.provenance = {version, what.name, hash, recipe::to_toml(recipe), recipe.seed, engine.kernel(), {}};
+    if (!result.frames.empty()) result.texture = texture::numbers(texture::measure(result.frames.back().packing, workflow::texture_options(recipe, number + 1)));
+    return result;
+  });
 }
 
 }  // namespace
@@ -130,8 +161,21 @@ void bind_store(py::module_& m) {
   m.def("page", [](const py::object& what, const Path& file) {
     const Result result = any_result(what);
     Call call;
-    call.without_lock([&] { write_page(result, file); return 0; });
+    call.without_lock([&] {
+      report::write_page(file, {result.title, result.run.stages, result.run.fields, result.films, result.run.measured});
+      return 0;
+    });
   }, py::arg("result"), py::arg("file"), "Writes the page (HTML, all inside) of a Result, Stage, Field, FilmResult or Packing, or of a folder of results.");
+}
+
+void bind_stages(py::module_& m) {
+  m.def("pack", [](const Recipe& recipe) {
+    Call call;
+    return call.without_lock([&] { return workflow::make_packing(recipe).frames.back().packing; });
+  }, py::arg("recipe"), "The grains in their box before any loading: drawn, placed and relaxed, or read from a file (recipe's [packing]).");
+  m.def("load_stage", &load_stage, py::arg("packing"), py::arg("recipe"), py::arg("stage") = 0, py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
+        "Takes a packing through one stage of the recipe, by number or name: compaction or loading by discrete elements. `progress(share, name)` is called meanwhile. Velocities are kept, "
+        "the history of friction is not.");
 }
 
 }  // namespace arenite::python

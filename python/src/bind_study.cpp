@@ -7,7 +7,7 @@
 #include "calls.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "io/table.hpp"
+#include "io/table/table.hpp"
 #include "module.hpp"
 #include "report/summary.hpp"
 #include "campaign/collect.hpp"
@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Numbers where all cells are numbers (NaN where empty), the words otherwise.
-py::object swept_column(const study::CollectedTable& table, std::size_t k) {
+py::object swept_column(const campaign::CollectedTable& table, std::size_t k) {
   std::vector<double> numbers;
   py::list words;
   bool all_numbers = true;
@@ -36,7 +36,7 @@ py::object swept_column(const study::CollectedTable& table, std::size_t k) {
 }
 
 template <class Value>
-py::object by_row(const study::CollectedTable& table, Value value) {
+py::object by_row(const campaign::CollectedTable& table, Value value) {
   py::list list;
   for (const auto& row : table.rows) list.append(value(row));
   return list;
@@ -44,7 +44,7 @@ py::object by_row(const study::CollectedTable& table, Value value) {
 
 /// The columns of the CSV by the CSV's names: swept keys, numbers, and "NAME_error" where any run has an error. Where a number is
 /// itself called so ("beta_error" beside "beta"), the error of the column before it is kept.
-py::dict columns_of(const study::CollectedTable& table) {
+py::dict columns_of(const campaign::CollectedTable& table) {
   py::dict d;
   if (!table.means) {
     d["run"] = by_row(table, [](const auto& row) { return row.run; });
@@ -71,11 +71,11 @@ py::dict columns_of(const study::CollectedTable& table) {
 }
 
 /// Makes the folder, and takes it away again if the study cannot be read and nothing is in it.
-study::Study study_in(const Path& recipe, const Path& out) {
+campaign::Study study_in(const Path& recipe, const Path& out) {
   const bool was_there = fs::exists(out);
-  study::make_folder(out);
+  workflow::make_folder(out);
   try {
-    return study::read_study(recipe.string(), {}, out);
+    return campaign::read_study(recipe.string(), {}, out);
   } catch (const InputError&) {
     std::error_code ignored;
     if (!was_there) fs::remove(out, ignored);
@@ -88,9 +88,9 @@ study::Study study_in(const Path& recipe, const Path& out) {
 void bind_study(py::module_& m) {
   m.def("study_table", [](const Path& recipe, const Path& out, const std::vector<std::string>& by) {
     if (!fs::exists(out)) throw InputError(out.string(), 0, "there is no such folder; run_study makes it");
-    const study::Study study = study::read_study(recipe.string(), {}, out);
-    auto table = study::collect(study, study::StudyFolder(out));
-    if (!by.empty()) table = study::averaged(table, by);
+    const campaign::Study study = campaign::read_study(recipe.string(), {}, out);
+    auto table = campaign::collect(study, campaign::StudyFolder(out));
+    if (!by.empty()) table = campaign::averaged(table, by);
     return columns_of(table);
   }, py::arg("recipe"), py::arg("out"), py::arg("by") = std::vector<std::string>{},
         "The runs of a study as columns, by the names that `arenite study collect` gives them, without units: run, status, swept keys (numbers where they are, in SI: \"frame.width\" in m), "
@@ -100,13 +100,13 @@ void bind_study(py::module_& m) {
     if (jobs < 1) throw InputError("jobs is 0; give at least 1");
     Call call;
     const auto outcome = call.without_lock([&] {
-      const study::Study study = study_in(recipe, out);
-      study::StudyOptions options;
+      const campaign::Study study = study_in(recipe, out);
+      campaign::StudyOptions options;
       options.jobs = jobs;
-      options.numbers = [](const study::RunOutcome& run) { return report::Summary(run).numbers(); };
-      options.progress = [&](const study::StudyProgress& p) { call.tell(progress, static_cast<double>(p.done + p.not_done) / static_cast<double>(std::max<std::size_t>(p.runs, 1)), "runs"); };
+      options.numbers = [](const workflow::RunOutcome& run) { return report::Summary(run).numbers(); };
+      options.progress = [&](const campaign::StudyProgress& p) { call.tell(progress, static_cast<double>(p.done + p.not_done) / static_cast<double>(std::max<std::size_t>(p.runs, 1)), "runs"); };
       options.asked_to_stop = [&] { return call.asked_to_stop(); };
-      return study::run_study(study, study::StudyFolder(out), options);
+      return campaign::run_study(study, campaign::StudyFolder(out), options);
     });
     py::dict d;
     d["done"] = outcome.done;

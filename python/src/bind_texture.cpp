@@ -7,8 +7,8 @@
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "core/error.hpp"
-#include "io/sample.hpp"
-#include "io/table.hpp"
+#include "io/sample/sample.hpp"
+#include "io/table/table.hpp"
 #include "module.hpp"
 #include "grains/texture/texture.hpp"
 

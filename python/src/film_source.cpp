@@ -2,7 +2,7 @@
 
 #include "arrays.hpp"
 #include "core/error.hpp"
-#include "io/film.hpp"
+#include "io/film/film.hpp"
 
 namespace arenite::python {
 namespace {

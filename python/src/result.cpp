@@ -4,20 +4,17 @@
 
 #include "core/error.hpp"
 #include "core/version.hpp"
-#include "io/field_file.hpp"
-#include "io/film_result_file.hpp"
-#include "io/run_folder.hpp"
-#include "io/sealed_file.hpp"
-#include "io/stage_file.hpp"
+#include "io/results/results.hpp"
+#include "io/disk/store_file.hpp"
 #include "workflow/result_folder.hpp"
 
 namespace arenite::python {
 namespace {
 
 std::string title_of(const Result& r) {
-  for (const auto& stage : r.run.stages) return study::title_in(stage.provenance.recipe);
-  for (const auto& field : r.run.fields) return study::title_in(field.provenance.recipe);
-  for (const auto& film : r.films) return study::title_in(film.provenance.recipe);
+  for (const auto& stage : r.run.stages) return recipe::title_in(stage.provenance.recipe);
+  for (const auto& field : r.run.fields) return recipe::title_in(field.provenance.recipe);
+  for (const auto& film : r.films) return recipe::title_in(film.provenance.recipe);
   return {};
 }
 
@@ -92,7 +89,7 @@ Result any_result(const py::object& what) {
 std::vector<Path> save(const Result& result, const Path& folder) {
   const auto names = file_names(result);
   if (names.empty()) throw InputError(folder.string(), 0, "there is nothing to store; give a result with at least one part");
-  const study::ResultFolder out(folder, names);
+  const workflow::ResultFolder out(folder, names);
   std::vector<Path> files;
   const auto next = [&] { return files.emplace_back(out / names[files.size()]); };
   for (const auto& stage : result.run.stages) io::write_stage(next(), stage);

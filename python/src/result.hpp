@@ -11,7 +11,7 @@ namespace arenite::python {
 /// What a folder or a file of results holds, or what was put together in Python.
 struct Result {
   std::string path, title;
-  study::RunOutcome run;
+  workflow::RunOutcome run;
   std::vector<FilmResult> films;
 };
 

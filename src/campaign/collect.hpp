@@ -7,7 +7,7 @@
 #include "statistics/numbers.hpp"
 #include "campaign/study_folder.hpp"
 
-namespace arenite::study {
+namespace arenite::campaign {
 
 /// A number of a run with its standard error, where it has one.
 struct Estimate {
@@ -43,4 +43,4 @@ CollectedTable collect(const Study& study, const StudyFolder& folder);
 /// one run). Throws InputError for a key that is not swept.
 CollectedTable averaged(const CollectedTable& table, const std::vector<std::string>& keys);
 
-}  // namespace arenite::study
+}  // namespace arenite::campaign

@@ -1,21 +1,89 @@
 #include "campaign/run_in_study.hpp"
 
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <ctime>
 #include <exception>
 #include <new>
+#include <utility>
 
 #include "core/error.hpp"
-#include "io/atomic_file.hpp"
-#include "io/file_lock.hpp"
+#include "io/disk/file.hpp"
 #include "workflow/result_folder.hpp"
 
-namespace arenite::study {
+namespace arenite::campaign {
+
+Worker::Worker(const std::function<std::string()>& work) {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw InputError(std::string("no pipe to a new process: ") + std::strerror(errno) + "; use fewer --jobs");
+  std::fflush(nullptr);  // or the new process would write what waits here a second time
+  const pid_t parent = ::getpid();
+  process_ = ::fork();
+  if (process_ < 0) {
+    const int error = errno;
+    ::close(ends[0]);
+    ::close(ends[1]);
+    throw InputError(std::string("no new process: ") + std::strerror(error) + "; use fewer --jobs");
+  }
+  if (process_ == 0) {
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (::getppid() != parent) ::_exit(1);
+    ::_exit(io::write_all(ends[1], work()) == 0 ? 0 : 1);
+  }
+  ::close(ends[1]);
+  ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
+  pipe_ = ends[0];
+}
+
+Worker::Worker(Worker&& other) noexcept
+    : process_(std::exchange(other.process_, -1)), pipe_(std::exchange(other.pipe_, -1)), heard_(std::move(other.heard_)) {}
+
+Worker& Worker::operator=(Worker&& other) noexcept {
+  std::swap(process_, other.process_);
+  std::swap(pipe_, other.pipe_);
+  std::swap(heard_, other.heard_);
+  return *this;
+}
+
+Worker::~Worker() {
+  if (pipe_ >= 0) ::close(pipe_);
+  if (process_ > 0) {
+    ask_to_stop();
+    while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+    }
+  }
+}
+
+void Worker::ask_to_stop() const { ::kill(process_, SIGTERM); }
+
+std::optional<Worker::End> Worker::end() {
+  std::array<char, 4096> buffer{};
+  ssize_t n = 0;
+  while ((n = ::read(pipe_, buffer.data(), buffer.size())) > 0 || (n < 0 && errno == EINTR))
+    if (n > 0) heard_.append(buffer.data(), static_cast<std::size_t>(n));
+  if (n < 0) return std::nullopt;  // nothing more for now
+  int raw = 0;
+  while (::waitpid(process_, &raw, 0) < 0 && errno == EINTR) {
+  }
+  process_ = -1;
+  End end{heard_, WIFSIGNALED(raw) ? WTERMSIG(raw) : 0, WIFEXITED(raw) ? WEXITSTATUS(raw) : 0};
+  return end;
+}
+
 namespace {
 
 using Kind = RunState::Kind;
 
 /// The stage that ended the run, and how.
-std::string why_unfinished(const RunOutcome& outcome) {
+std::string why_unfinished(const workflow::RunOutcome& outcome) {
   for (const auto& stage : outcome.stages)
     if (!stage.converged) return stage.name + ": " + stage.outcome;
   for (const auto& field : outcome.fields)
@@ -23,23 +91,23 @@ std::string why_unfinished(const RunOutcome& outcome) {
   return "it did not converge";
 }
 
-RunState attempt(const Study& study, const StudyRun& run, const StudyFolder& folder, const Store& store, const StudyOptions& options) {
-  Recipe recipe = recipe_of(study, run);
+RunState attempt(const Study& study, const StudyRun& run, const StudyFolder& folder, const workflow::Store& store, const StudyOptions& options) {
+  recipe::Recipe recipe = recipe_of(study, run);
   recipe.integration.threads = options.threads;
-  RunOptions run_options;
+  workflow::RunOptions run_options;
   run_options.out = folder.run(run.name);
   run_options.store = &store;
   run_options.checkpoint_seconds = options.checkpoint_seconds;
   run_options.asked_to_stop = options.asked_to_stop;
   run_options.notice = options.notice;
-  const RunOutcome outcome = study::run(recipe, run_options);
+  const workflow::RunOutcome outcome = workflow::run(recipe, run_options);
   if (outcome.interrupted) return {};
-  io::write_atomically(folder.numbers(run.name), to_json(options.numbers(outcome), 2) + "\n");
+  keep_numbers(folder.run(run.name), options.numbers(outcome));
   if (outcome.converged) return {Kind::done, 0, {}};
   return {Kind::unfinished, 0, why_unfinished(outcome)};
 }
 
-RunState attempt_whatever_happens(const Study& study, const StudyRun& run, const StudyFolder& folder, const Store& store, const StudyOptions& options) {
+RunState attempt_whatever_happens(const Study& study, const StudyRun& run, const StudyFolder& folder, const workflow::Store& store, const StudyOptions& options) {
   try {
     return attempt(study, run, folder, store, options);
   } catch (const InputError& error) {
@@ -53,7 +121,7 @@ RunState attempt_whatever_happens(const Study& study, const StudyRun& run, const
 
 }  // namespace
 
-std::optional<RunState> run_in_study(const Study& study, const StudyRun& run, const StudyFolder& folder, const Store& store,
+std::optional<RunState> run_in_study(const Study& study, const StudyRun& run, const StudyFolder& folder, const workflow::Store& store,
                                      const io::AppendLog& journal, const StudyOptions& options) {
   const auto lock = io::FileLock::try_take(folder.lock(run.name));
   if (!lock) return std::nullopt;
@@ -64,11 +132,11 @@ std::optional<RunState> run_in_study(const Study& study, const StudyRun& run, co
   RunState state = attempt_whatever_happens(study, run, folder, store, options);
   state.seconds = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
   if (state.settled()) {
-    make_folder(folder.run(run.name));
+    workflow::make_folder(folder.run(run.name));
     write_status(folder, run.name, state);
   }
   note_state(journal, run.name, state);
   return state;
 }
 
-}  // namespace arenite::study
+}  // namespace arenite::campaign

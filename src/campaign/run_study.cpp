@@ -8,14 +8,67 @@
 #include <cstring>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 
-#include "io/file_lock.hpp"
-#include "campaign/dropped_fields.hpp"
-#include "workflow/result_folder.hpp"
 #include "campaign/run_in_study.hpp"
-#include "campaign/worker.hpp"
+#include "io/disk/file.hpp"
+#include "workflow/result_folder.hpp"
+#include "workflow/store.hpp"
 
-namespace arenite::study {
+namespace arenite::campaign {
+
+std::vector<std::size_t> shard_of(const Study& study, std::size_t shard, std::size_t shards) {
+  std::unordered_map<std::string, std::size_t> group_of;  // by packing
+  std::vector<std::vector<std::size_t>> groups;
+  std::unordered_set<std::string> seen;
+  for (std::size_t r = 0; r < study.runs.size(); ++r) {
+    if (!seen.insert(study.runs[r].name).second) continue;
+    const auto [at, is_new] = group_of.emplace(study.runs[r].stages.front().hash, groups.size());
+    if (is_new) groups.emplace_back();
+    groups[at->second].push_back(r);
+  }
+  std::vector<std::size_t> part;
+  std::size_t place = 0;
+  for (const auto& group : groups)
+    for (const std::size_t run : group)
+      if (place++ * shards / seen.size() == shard) part.push_back(run);
+  return part;
+}
+
+double seconds_of_missing(const Study& study, const std::vector<std::size_t>& runs, const StudyFolder& folder) {
+  const workflow::StoreAccount account = workflow::read_account(folder.store);
+  std::unordered_set<std::string> counted;
+  std::error_code error;
+  double seconds = 0;
+  for (const std::size_t run : runs)
+    for (const workflow::PlannedStage& stage : study.runs[run].stages) {
+      if (!counted.insert(stage.hash).second || std::filesystem::exists(workflow::stored_file(folder.store, stage.hash), error)) continue;
+      const auto mean = account.by_name.find(stage.name);
+      seconds += mean == account.by_name.end() ? std::numeric_limits<double>::quiet_NaN() : mean->second.sum / static_cast<double>(mean->second.count);
+    }
+  return seconds;
+}
+
+DroppedFields::DroppedFields(const Study& study, const StudyFolder& folder, const workflow::Store& store) : folder_(folder), store_(store) {
+  for (const StudyRun& run : study.runs)
+    for (const workflow::PlannedStage& stage : run.stages)
+      if (stage.field) users_[stage.hash].push_back(run.name);
+}
+
+void DroppedFields::run_settled(const StudyRun& run) const {
+  const auto is_settled = [&](const std::string& name) {
+    const auto status = read_status(folder_, name);
+    return status && status->settled();
+  };
+  for (const workflow::PlannedStage& stage : run.stages) {
+    if (!stage.field) continue;
+    std::error_code error;
+    std::filesystem::remove(folder_.run(run.name) / stage.file, error);
+    const auto& users = users_.at(stage.hash);
+    if (std::all_of(users.begin(), users.end(), is_settled)) store_.drop(stage.hash);
+  }
+}
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -34,7 +87,7 @@ class Scheduler {
  public:
   Scheduler(const Study& study, const StudyFolder& folder, const StudyOptions& options)
       : study_(study), folder_(folder), options_(options), store_(folder.store, options.notice), journal_(folder.journal(), options.notice), next_(study.runs.size(), 0) {
-    make_folder(folder.out / "locks");
+    workflow::make_folder(folder.out / "locks");
     if (!options.keep_fields) dropped_.emplace(study, folder, store_);
     for (const std::size_t run : shard_of(study, options.shard, options.shards)) {
       const auto state = read_status(folder, study.runs[run].name);
@@ -118,7 +171,7 @@ class Scheduler {
     }
     const RunState state{Kind::failed, 0, end.signal != 0 ? fmt::format("its process was ended by signal {} ({}); perhaps the memory did not suffice", end.signal, ::strsignal(end.signal))
                                                           : fmt::format("its process ended with status {} and left no word; perhaps the disk is full", end.status)};
-    make_folder(folder_.run(study_.runs[run].name));
+    workflow::make_folder(folder_.run(study_.runs[run].name));
     write_status(folder_, study_.runs[run].name, state);
     note_state(journal_, study_.runs[run].name, state);
     settle(run, state.kind);
@@ -151,7 +204,7 @@ class Scheduler {
   const Study& study_;
   const StudyFolder& folder_;
   const StudyOptions& options_;
-  const Store store_;
+  const workflow::Store store_;
   const io::AppendLog journal_;
   std::optional<DroppedFields> dropped_;
   std::vector<std::size_t> pending_, next_;  ///< next_: first stage of each run that may be missing
@@ -168,4 +221,4 @@ StudyOutcome run_study(const Study& study, const StudyFolder& folder, const Stud
   return Scheduler(study, folder, options).work();
 }
 
-}  // namespace arenite::study
+}  // namespace arenite::campaign

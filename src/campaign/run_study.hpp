@@ -8,7 +8,7 @@
 #include "workflow/run.hpp"
 #include "campaign/study_folder.hpp"
 
-namespace arenite::study {
+namespace arenite::campaign {
 
 /// Where a study, or this process's shard of it, stands.
 struct StudyProgress {
@@ -23,7 +23,7 @@ struct StudyOptions {
   bool retry = false;                  ///< runs that failed or found no equilibrium are done again
   bool keep_fields = true;             ///< false: field files go when their numbers are kept
   double checkpoint_seconds = 30;
-  std::function<Numbers(const RunOutcome&)> numbers = [](const RunOutcome&) { return Numbers::tree(); };
+  std::function<Numbers(const workflow::RunOutcome&)> numbers = [](const workflow::RunOutcome&) { return Numbers::tree(); };
   std::function<void(const StudyProgress&)> progress = [](const StudyProgress&) {};
   std::function<void(const std::string&)> notice = [](const std::string&) {};
   std::function<bool()> asked_to_stop = [] { return false; };  ///< true: checkpoint and leave; asked in every process
@@ -46,4 +46,4 @@ std::vector<std::size_t> shard_of(const Study& study, std::size_t shard, std::si
 /// The CPU seconds of what is not in the store, by what stages of the same name cost; nan if one never ran.
 double seconds_of_missing(const Study& study, const std::vector<std::size_t>& runs, const StudyFolder& folder);
 
-}  // namespace arenite::study
+}  // namespace arenite::campaign

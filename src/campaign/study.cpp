@@ -9,11 +9,11 @@
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
-#include "io/read_file.hpp"
-#include "recipe/recipe_reader.hpp"
+#include "io/disk/file.hpp"
+#include "recipe/reader.hpp"
 #include "campaign/sweep.hpp"
 
-namespace arenite::study {
+namespace arenite::campaign {
 namespace {
 
 namespace fs = std::filesystem;
@@ -53,27 +53,28 @@ class RunProblems {
 };
 
 /// The tree of the recipe, its overrides applied; its [sweep] is taken out of it.
-Sweep take_sweep(Study& study, Reading& reading) {
-  study.tree = read_tree(io::read_file(study.file), reading, study.overrides, "composite");
+Sweep take_sweep(Study& study, recipe::Reading& reading) {
+  study.tree = recipe::read_tree(io::read_file(study.file), reading, study.overrides, "composite");
   auto& entries = study.tree.entries;
-  const auto at = std::find_if(entries.begin(), entries.end(), [](const Entry& entry) { return entry.key == "sweep"; });
+  const auto at = std::find_if(entries.begin(), entries.end(), [](const recipe::Entry& entry) { return entry.key == "sweep"; });
   if (at == entries.end())
     throw InputError(study.file, 0, fmt::format("has no section [sweep], so it is one run: `arenite run {}`; docs/studies.md tells what [sweep] may hold", study.file));
-  const Node section = at->value;
+  const recipe::Node section = at->value;
   entries.erase(at);
-  const Entry* seed = study.tree.find("seed");
-  const bool has_seed = seed && seed->value.kind == Node::Kind::integer;
+  const recipe::Entry* seed = study.tree.find("seed");
+  const bool has_seed = seed && seed->value.kind == recipe::Node::Kind::integer;
   return read_sweep(section, reading, has_seed ? static_cast<std::uint64_t>(seed->value.integer) : 1);
 }
 
-std::int64_t seed_of(const Recipe& recipe, Sweep::Seeds seeds, std::int64_t replicate) {
+std::int64_t seed_of(const recipe::Recipe& recipe, Sweep::Seeds seeds, std::int64_t replicate) {
   if (seeds == Sweep::Seeds::consecutive) return static_cast<std::int64_t>(recipe.seed) + replicate;
   HashBuilder hash;
-  hash.add("packing", packing_key(recipe)).add("replicate", replicate);
+  // By the key of version 0.1: other seeds would be other samples.
+  hash.add("packing", workflow::packing_key(recipe, workflow::Names::of_version_0_1)).add("replicate", replicate);
   return std::stoll(hash.hex().substr(0, 12), nullptr, 16);  // 48 bits, which a double holds exactly
 }
 
-Node with(Node tree, const Point& point, const Reading& reading) {
+recipe::Node with(recipe::Node tree, const Point& point, const recipe::Reading& reading) {
   for (const auto& [key, value] : point) {
     try {
       set_value(tree, key, value);
@@ -86,15 +87,15 @@ Node with(Node tree, const Point& point, const Reading& reading) {
 
 class Expansion {
  public:
-  Expansion(Study& study, const Reading& reading, const Sweep& sweep) : study_(study), reading_(reading), sweep_(sweep) {}
+  Expansion(Study& study, const recipe::Reading& reading, const Sweep& sweep) : study_(study), reading_(reading), sweep_(sweep) {}
 
   void add(const Point& point) {
     StudyRun run;
     for (const auto& [key, value] : point) run.values.emplace_back(key, toml_literal(value));
     try {
-      Recipe recipe = recipe_from(with(study_.tree, point, reading_), study_.file);
-      if (recipe.packing.method == PackingParameters::Method::file) files_.insert((fs::path(study_.file).parent_path() / recipe.packing.file).string());
-      const Recipe base = recipe;
+      recipe::Recipe recipe = recipe_from(with(study_.tree, point, reading_), study_.file);
+      if (recipe.packing.method == recipe::PackingParameters::Method::file) files_.insert((fs::path(study_.file).parent_path() / recipe.packing.file).string());
+      const recipe::Recipe base = recipe;
       for (std::int64_t r = 0; r < std::max<std::int64_t>(sweep_.replicates, 1); ++r) {
         StudyRun replicate = run;
         if (sweep_.replicates > 0) {
@@ -114,16 +115,20 @@ class Expansion {
   }
 
  private:
-  void finish(StudyRun run, const Recipe& recipe) {
-    run.stages = plan_of(recipe);
-    HashBuilder hash;
-    for (const PlannedStage& stage : run.stages) hash.add(stage.former, stage.hash);
+  void finish(StudyRun run, const recipe::Recipe& recipe) {
+    run.stages = workflow::plan_of(recipe);
+    HashBuilder hash, former;
+    for (const workflow::PlannedStage& stage : run.stages) {
+      hash.add(stage.name, stage.hash);
+      former.add(stage.former.back(), stage.former_hash);
+    }
     run.name = hash.hex().substr(0, 16);
+    run.former = former.hex().substr(0, 16);
     study_.runs.push_back(std::move(run));
   }
 
   Study& study_;
-  const Reading& reading_;
+  const recipe::Reading& reading_;
   const Sweep& sweep_;
   RunProblems problems_;
   std::set<std::string> files_;
@@ -141,7 +146,7 @@ Study read_study(const std::string& file, const std::vector<std::string>& overri
   Study study;
   study.file = file;
   study.overrides = overrides;
-  Reading reading{file, fs::path(file).parent_path().string(), true, {}};
+  recipe::Reading reading{file, fs::path(file).parent_path().string(), true, {}};
   const Sweep sweep = take_sweep(study, reading);
   if (!reading.problems.empty()) throw InputError(std::move(reading.problems));
   study.inputs.emplace_back(file, content_hash(io::read_file(file)));
@@ -149,7 +154,7 @@ Study read_study(const std::string& file, const std::vector<std::string>& overri
   for (const auto& table : sweep.files) study.inputs.emplace_back(table, content_hash(io::read_file(table)));
   study.keys = sweep.keys();
   if (sweep.replicates > 0) study.keys.emplace_back("seed");
-  if (const Entry* title = study.tree.find("title"); title && title->value.kind == Node::Kind::text) study.title = title->value.text;
+  if (const recipe::Entry* title = study.tree.find("title"); title && title->value.kind == recipe::Node::Kind::text) study.title = title->value.text;
 
   Expansion expansion(study, reading, sweep);
   const std::size_t combinations = sweep.combinations();
@@ -163,19 +168,20 @@ Study read_study(const std::string& file, const std::vector<std::string>& overri
   study.file = file;
   study.overrides = overrides;
   if (read_runs(folder / "runs.tsv", study)) {
-    Reading reading{file, fs::path(file).parent_path().string(), true, {}};
+    recipe::Reading reading{file, fs::path(file).parent_path().string(), true, {}};
     take_sweep(study, reading);
     return study;
   }
   study = read_study(file, overrides);
+  rename_former_runs(folder, study);
   write_runs(folder / "runs.tsv", study);
   return study;
 }
 
-Recipe recipe_of(const Study& study, const StudyRun& run) {
-  Node tree = study.tree;
-  for (const auto& [key, value] : run.values) set_value(tree, key, parse_value(value));
+recipe::Recipe recipe_of(const Study& study, const StudyRun& run) {
+  recipe::Node tree = study.tree;
+  for (const auto& [key, value] : run.values) set_value(tree, key, recipe::parse_value(value));
   return recipe_from(tree, study.file);
 }
 
-}  // namespace arenite::study
+}  // namespace arenite::campaign

@@ -5,16 +5,17 @@
 #include <vector>
 
 #include "recipe/recipe.hpp"
-#include "recipe/recipe_document.hpp"
+#include "recipe/document.hpp"
 #include "workflow/stage_keys.hpp"
 
-namespace arenite::study {
+namespace arenite::campaign {
 
 /// One run of a study.
 struct StudyRun {
   std::string name;                                          ///< hash of all that its results depend on, 16 digits
   std::vector<std::pair<std::string, std::string>> values;   ///< swept keys and their values as TOML, in the order of the sweep
-  std::vector<PlannedStage> stages;                          ///< packing first
+  std::vector<workflow::PlannedStage> stages;                ///< packing first
+  std::string former{};                                      ///< name of the same run by version 0.1; empty where it was read from runs.tsv
 };
 
 /// A recipe with [sweep] and the runs that it becomes. Runs that differ in nothing that their results depend on have one name.
@@ -24,7 +25,7 @@ struct Study {
   std::vector<std::string> keys;                             ///< that are swept, in order; "seed" last where there are replicates
   std::vector<StudyRun> runs;
   std::vector<std::pair<std::string, std::string>> inputs;   ///< files that it was read from, and their hashes
-  Node tree;                                                 ///< of the recipe without [sweep]
+  recipe::Node tree;                                                 ///< of the recipe without [sweep]
 };
 
 /// Reads a recipe with [sweep] and all of its runs. Throws InputError with every problem of every run, each once, with its
@@ -35,8 +36,11 @@ Study read_study(const std::string& file, const std::vector<std::string>& overri
 /// `folder` must exist.
 Study read_study(const std::string& file, const std::vector<std::string>& overrides, const std::filesystem::path& folder);
 
+/// Runs that version 0.1 did in the study's folder get their names of now, and so do their files.
+void rename_former_runs(const std::filesystem::path& folder, const Study& study);
+
 /// What one run says, checked and in SI.
-Recipe recipe_of(const Study& study, const StudyRun& run);
+recipe::Recipe recipe_of(const Study& study, const StudyRun& run);
 
 /// "cement.width = 0.1, seed = 2".
 std::string describe(const StudyRun& run);
@@ -46,4 +50,4 @@ void write_runs(const std::filesystem::path& file, const Study& study);
 /// False if there is none, or one of other inputs.
 bool read_runs(const std::filesystem::path& file, Study& study);
 
-}  // namespace arenite::study
+}  // namespace arenite::campaign

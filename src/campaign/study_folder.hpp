@@ -6,11 +6,11 @@
 #include <unordered_map>
 #include <vector>
 
-#include "io/append_log.hpp"
+#include "io/disk/store_file.hpp"
 #include "statistics/numbers.hpp"
 #include "campaign/study.hpp"
 
-namespace arenite::study {
+namespace arenite::campaign {
 
 /// Where a run of a study stands.
 struct RunState {
@@ -22,13 +22,12 @@ struct RunState {
 };
 const char* word_for(RunState::Kind kind);
 
-/// A study on disk: runs.tsv (the runs), runs/NAME/ (stage files, recipe.toml, numbers.json and status of each), store/
+/// A study on disk: runs.tsv (the runs), runs/NAME/ (stage files, recipe.toml, numbers.hdf5, the same for people as numbers.json, and status of each), store/
 /// (stages that runs share) unless that lies elsewhere, journal/ (what happened when), locks/.
 struct StudyFolder {
   std::filesystem::path out, store;
   explicit StudyFolder(std::filesystem::path folder, std::filesystem::path shared = {});
   std::filesystem::path run(const std::string& name) const { return out / "runs" / name; }
-  std::filesystem::path numbers(const std::string& name) const { return run(name) / "numbers.json"; }
   std::filesystem::path status(const std::string& name) const { return run(name) / "status"; }
   std::filesystem::path journal() const { return out / "journal"; }
   std::filesystem::path lock(const std::string& name) const { return out / "locks" / name; }
@@ -45,6 +44,10 @@ void note_state(const io::AppendLog& journal, const std::string& run, const RunS
 void write_status(const StudyFolder& folder, const std::string& run, const RunState& state);
 std::optional<RunState> read_status(const StudyFolder& folder, const std::string& run);
 
+/// Keeps the numbers of a run in its folder, and what is kept there; not known if there is nothing. Of runs by version 0.1 it is JSON.
+void keep_numbers(const std::filesystem::path& run, const Numbers& numbers);
+Numbers numbers_of(const std::filesystem::path& run);
+
 /// What a run gave: for those who read a study's results.
 struct RunResult {
   RunState state;
@@ -55,4 +58,4 @@ struct RunResult {
 };
 RunResult result_of(const StudyFolder& folder, const StudyRun& run);
 
-}  // namespace arenite::study
+}  // namespace arenite::campaign

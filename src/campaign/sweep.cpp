@@ -3,29 +3,69 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
-#include "core/nearest.hpp"
+#include "core/problems.hpp"
+#include "io/disk/file.hpp"
+#include "io/table/table.hpp"
 
-namespace arenite::study {
+namespace arenite::campaign {
 namespace {
 
-void flatten(const Node& table, const std::string& prefix, const std::function<bool(const Node&)>& is_leaf, std::vector<Assignment>& out) {
+/// A cell with the unit of its column; its place is the row of the table's file.
+recipe::Node value_of(std::string_view cell, const std::string& unit, const std::string& file, int line) {
+  recipe::Node value = recipe::parse_value(std::string(cell) + (unit.empty() ? "" : " " + unit));
+  value.place = {line, 0, file};
+  return value;
+}
+
+}  // namespace
+
+std::vector<Point> table_points(const recipe::Node& file, recipe::Reading& reading, std::vector<std::string>& files) {
+  std::vector<Point> points;
+  if (file.kind != recipe::Node::Kind::text) {
+    add_problem(reading, file.place, "sweep.table", "must be the name of a CSV table, for example \"runs.csv\"");
+    return points;
+  }
+  const std::string path = (std::filesystem::path(reading.folder) / file.text).string();
+  files.push_back(path);
+  try {
+    const std::string text = io::read_file(path);
+    Problems problems(path);
+    const io::Table table = io::read_table(text, "", problems);
+    problems.raise();
+    for (const auto& row : table.rows) {
+      Point point;
+      for (std::size_t c = 0; c < table.columns.size(); ++c)
+        if (!row.cells[c].empty()) point.push_back({table.columns[c].written, value_of(row.cells[c], table.columns[c].unit, path, row.line)});
+      points.push_back(std::move(point));
+    }
+    if (points.empty()) add_problem(reading, file.place, "sweep.table", fmt::format("{} holds no run; add rows below its header", path));
+  } catch (const InputError& error) {
+    reading.problems.insert(reading.problems.end(), error.problems().begin(), error.problems().end());
+  }
+  return points;
+}
+
+namespace {
+
+void flatten(const recipe::Node& table, const std::string& prefix, const std::function<bool(const recipe::Node&)>& is_leaf, std::vector<Assignment>& out) {
   for (const auto& entry : table.entries) {
     const std::string key = prefix + entry.key;
-    if (entry.value.kind == Node::Kind::table && !is_leaf(entry.value)) flatten(entry.value, key + ".", is_leaf, out);
+    if (entry.value.kind == recipe::Node::Kind::table && !is_leaf(entry.value)) flatten(entry.value, key + ".", is_leaf, out);
     else out.push_back({key, entry.value});
   }
 }
 
-const auto no_table = [](const Node&) { return false; };
+const auto no_table = [](const recipe::Node&) { return false; };
 
-void read_grid(const Node& section, Reading& reading, Sweep& sweep) {
-  if (section.kind != Node::Kind::table) {
+void read_grid(const recipe::Node& section, recipe::Reading& reading, Sweep& sweep) {
+  if (section.kind != recipe::Node::Kind::table) {
     return add_problem(reading, section.place, "sweep.grid", fmt::format("is {}, but must be a section [sweep.grid] of keys with lists", kind_name(section)));
   }
   for (auto& [key, values] : flattened(section, no_table)) {
-    if (values.kind != Node::Kind::array || values.items.empty()) {
+    if (values.kind != recipe::Node::Kind::array || values.items.empty()) {
       add_problem(reading, values.place, "sweep.grid." + key, "must be a list of the values that the key takes, for example [1, 1.25, 1.67]");
       continue;
     }
@@ -35,35 +75,35 @@ void read_grid(const Node& section, Reading& reading, Sweep& sweep) {
   }
 }
 
-void read_list(const Node& list, Reading& reading, Sweep& sweep) {
+void read_list(const recipe::Node& list, recipe::Reading& reading, Sweep& sweep) {
   std::vector<Point> axis;
-  if (list.kind != Node::Kind::array || list.items.empty()) {
+  if (list.kind != recipe::Node::Kind::array || list.items.empty()) {
     return add_problem(reading, list.place, "sweep.list", "must be tables [[sweep.list]], one a run, of keys with their values");
   }
   for (const auto& item : list.items) {
-    if (item.kind == Node::Kind::table) axis.push_back(flattened(item, no_table));
+    if (item.kind == recipe::Node::Kind::table) axis.push_back(flattened(item, no_table));
     else add_problem(reading, item.place, "sweep.list", fmt::format("holds {}, but must hold tables [[sweep.list]]", kind_name(item)));
   }
   sweep.axes.push_back(std::move(axis));
 }
 
-void read_replicates(const Node& value, Reading& reading, Sweep& sweep) {
-  if (value.kind == Node::Kind::integer && value.integer >= 1 && value.integer <= static_cast<std::int64_t>(most_runs)) {
+void read_replicates(const recipe::Node& value, recipe::Reading& reading, Sweep& sweep) {
+  if (value.kind == recipe::Node::Kind::integer && value.integer >= 1 && value.integer <= static_cast<std::int64_t>(most_runs)) {
     sweep.replicates = value.integer;
   } else {
     add_problem(reading, value.place, "sweep.replicates", "must be a whole number of at least 1: how many seeds each combination is run with");
   }
 }
 
-void read_seeds(const Node& value, Reading& reading, Sweep& sweep) {
-  if (value.kind == Node::Kind::text && value.text == "hashed") sweep.seeds = Sweep::Seeds::hashed;
-  else if (value.kind != Node::Kind::text || value.text != "consecutive")
+void read_seeds(const recipe::Node& value, recipe::Reading& reading, Sweep& sweep) {
+  if (value.kind == recipe::Node::Kind::text && value.text == "hashed") sweep.seeds = Sweep::Seeds::hashed;
+  else if (value.kind != recipe::Node::Kind::text || value.text != "consecutive")
     add_problem(reading, value.place, "sweep.seeds",
                 "must be \"consecutive\" (seed, seed + 1, ... for every combination) or \"hashed\" (every packing has seeds of its own)");
 }
 
 /// A key may be swept in one way only.
-void refuse_doubles(const Sweep& sweep, Reading& reading) {
+void refuse_doubles(const Sweep& sweep, recipe::Reading& reading) {
   std::map<std::string, std::size_t> axis_of;
   for (std::size_t a = 0; a < sweep.axes.size(); ++a)
     for (const Point& point : sweep.axes[a])
@@ -77,7 +117,7 @@ void refuse_doubles(const Sweep& sweep, Reading& reading) {
 
 }  // namespace
 
-std::vector<Assignment> flattened(const Node& table, const std::function<bool(const Node&)>& is_leaf) {
+std::vector<Assignment> flattened(const recipe::Node& table, const std::function<bool(const recipe::Node&)>& is_leaf) {
   std::vector<Assignment> out;
   flatten(table, "", is_leaf, out);
   return out;
@@ -112,9 +152,9 @@ std::vector<std::string> Sweep::keys() const {
   return keys;
 }
 
-Sweep read_sweep(const Node& section, Reading& reading, std::uint64_t seed) {
+Sweep read_sweep(const recipe::Node& section, recipe::Reading& reading, std::uint64_t seed) {
   Sweep sweep;
-  if (section.kind != Node::Kind::table) {
+  if (section.kind != recipe::Node::Kind::table) {
     add_problem(reading, section.place, "sweep", fmt::format("is {}, but must be a section [sweep]", kind_name(section)));
     return sweep;
   }
@@ -129,7 +169,7 @@ Sweep read_sweep(const Node& section, Reading& reading, std::uint64_t seed) {
     else {
       const std::string near = nearest(key, known);
       add_problem(reading, place, "sweep." + key,
-                  near.empty() ? fmt::format("unknown key; the keys here are: {}; keys of the recipe go into [sweep.grid]", list_of(known))
+                  near.empty() ? fmt::format("unknown key; the keys here are: {}; keys of the recipe go into [sweep.grid]", recipe::list_of(known))
                                : fmt::format("unknown key; did you mean {}?", near));
     }
   }
@@ -142,4 +182,4 @@ Sweep read_sweep(const Node& section, Reading& reading, std::uint64_t seed) {
   return sweep;
 }
 
-}  // namespace arenite::study
+}  // namespace arenite::campaign

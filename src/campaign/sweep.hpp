@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "recipe/recipe_document.hpp"
-#include "recipe/recipe_reader.hpp"
+#include "recipe/document.hpp"
+#include "recipe/reader.hpp"
 
-namespace arenite::study {
+namespace arenite::campaign {
 
 /// One key of a recipe, dotted as in --set, with a value for it; the value keeps the place where it was written.
 struct Assignment {
   std::string key;
-  Node value;
+  recipe::Node value;
 };
 using Point = std::vector<Assignment>;
 
@@ -32,15 +32,15 @@ struct Sweep {
 };
 
 /// Reads the section [sweep]. `seed` is the recipe's own: it seeds the Latin hypercube. Problems are collected in `reading`.
-Sweep read_sweep(const Node& section, Reading& reading, std::uint64_t seed);
+Sweep read_sweep(const recipe::Node& section, recipe::Reading& reading, std::uint64_t seed);
 
 /// More runs than anybody means to ask for.
 inline constexpr std::size_t most_runs = 1'000'000;
 
 // The parts of read_sweep, one a form.
 /// Dotted keys of a table and of the tables in it; `is_leaf` says which tables are values by themselves.
-std::vector<Assignment> flattened(const Node& table, const std::function<bool(const Node&)>& is_leaf);
-std::vector<Point> table_points(const Node& file, Reading& reading, std::vector<std::string>& files);
-std::vector<Point> latin_hypercube_points(const Node& section, Reading& reading, std::uint64_t seed);
+std::vector<Assignment> flattened(const recipe::Node& table, const std::function<bool(const recipe::Node&)>& is_leaf);
+std::vector<Point> table_points(const recipe::Node& file, recipe::Reading& reading, std::vector<std::string>& files);
+std::vector<Point> latin_hypercube_points(const recipe::Node& section, recipe::Reading& reading, std::uint64_t seed);
 
-}  // namespace arenite::study
+}  // namespace arenite::campaign

@@ -10,7 +10,7 @@
 #include "core/units.hpp"
 #include "campaign/sweep.hpp"
 
-namespace arenite::study {
+namespace arenite::campaign {
 namespace {
 
 /// An interval of a key, its ends as numbers of one unit.
@@ -47,21 +47,21 @@ Interval interval_of(const std::string& text) {
   return {a.value, b.value, si_unit(a.dimension)};
 }
 
-std::optional<Interval> read_interval(const Assignment& entry, Reading& reading) {
+std::optional<Interval> read_interval(const Assignment& entry, recipe::Reading& reading) {
   const std::string path = "sweep.latin_hypercube." + entry.key;
-  const Node* range = &entry.value;
+  const recipe::Node* range = &entry.value;
   bool logarithmic = false, whole = false;
-  if (entry.value.kind == Node::Kind::table) {
+  if (entry.value.kind == recipe::Node::Kind::table) {
     range = &entry.value.find("range")->value;
     for (const auto& [key, place, value] : entry.value.entries) {
       if (key == "range") continue;
-      if (key == "scale" && value.kind == Node::Kind::text && (value.text == "log" || value.text == "linear")) logarithmic = value.text == "log";
-      else if (key == "whole" && value.kind == Node::Kind::flag) whole = value.flag;
+      if (key == "scale" && value.kind == recipe::Node::Kind::text && (value.text == "log" || value.text == "linear")) logarithmic = value.text == "log";
+      else if (key == "whole" && value.kind == recipe::Node::Kind::flag) whole = value.flag;
       else add_problem(reading, place, path, fmt::format("{}: beside range there is scale = \"linear\" or \"log\", and whole = true", key));
     }
   }
   try {
-    if (range->kind != Node::Kind::text) throw InputError("must be a range in quotes, for example \"0.1 .. 0.5\"");
+    if (range->kind != recipe::Node::Kind::text) throw InputError("must be a range in quotes, for example \"0.1 .. 0.5\"");
     Interval interval = interval_of(range->text);
     interval.logarithmic = logarithmic;
     interval.whole = whole;
@@ -73,19 +73,19 @@ std::optional<Interval> read_interval(const Assignment& entry, Reading& reading)
   }
 }
 
-Node value_at(const Interval& interval, double share, const Place& place) {
+recipe::Node value_at(const Interval& interval, double share, const recipe::Place& place) {
   const double at = interval.logarithmic ? interval.low * std::pow(interval.high / interval.low, share)
                                          : interval.low + share * (interval.high - interval.low);
-  Node value;
+  recipe::Node value;
   value.place = place;
   if (interval.whole) {
-    value.kind = Node::Kind::integer;
+    value.kind = recipe::Node::Kind::integer;
     value.integer = static_cast<std::int64_t>(std::llround(at));
   } else if (interval.unit.empty()) {
-    value = parse_value(fmt::format("{:.9g}", at));
+    value = recipe::parse_value(fmt::format("{:.9g}", at));
     value.place = place;
   } else {
-    value.kind = Node::Kind::text;
+    value.kind = recipe::Node::Kind::text;
     value.text = fmt::format("{:.9g} {}", at, interval.unit);
   }
   return value;
@@ -106,20 +106,20 @@ std::vector<double> stratified_shares(std::size_t runs, const std::string& key, 
 
 }  // namespace
 
-std::vector<Point> latin_hypercube_points(const Node& section, Reading& reading, std::uint64_t seed) {
+std::vector<Point> latin_hypercube_points(const recipe::Node& section, recipe::Reading& reading, std::uint64_t seed) {
   const std::string path = "sweep.latin_hypercube";
   std::vector<Point> points;
-  if (section.kind != Node::Kind::table) {
+  if (section.kind != recipe::Node::Kind::table) {
     add_problem(reading, section.place, path, "must be a section [sweep.latin_hypercube] of runs = 100 and keys with their ranges");
     return points;
   }
-  const Entry* runs = section.find("runs");
-  if (!runs || runs->value.kind != Node::Kind::integer || runs->value.integer < 1 || runs->value.integer > static_cast<std::int64_t>(most_runs)) {
+  const recipe::Entry* runs = section.find("runs");
+  if (!runs || runs->value.kind != recipe::Node::Kind::integer || runs->value.integer < 1 || runs->value.integer > static_cast<std::int64_t>(most_runs)) {
     add_problem(reading, runs ? runs->value.place : section.place, path, "must say runs = N, a whole number of at least 1");
     return points;
   }
   points.resize(static_cast<std::size_t>(runs->value.integer));
-  const auto is_range = [](const Node& table) { return table.find("range") != nullptr; };
+  const auto is_range = [](const recipe::Node& table) { return table.find("range") != nullptr; };
   for (const Assignment& entry : flattened(section, is_range)) {
     if (entry.key == "runs") continue;
     const auto interval = read_interval(entry, reading);
@@ -131,4 +131,4 @@ std::vector<Point> latin_hypercube_points(const Node& section, Reading& reading,
   return points;
 }
 
-}  // namespace arenite::study
+}  // namespace arenite::campaign

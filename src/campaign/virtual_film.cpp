@@ -4,31 +4,23 @@
 #include <optional>
 
 #include "core/error.hpp"
-#include "io/atomic_file.hpp"
-#include "io/read_file.hpp"
+#include "io/results/results.hpp"
 #include "statistics/numbers.hpp"
-#include "workflow/film_numbers.hpp"
-#include "workflow/film_road.hpp"
-#include "workflow/film_twin.hpp"
-#include "workflow/named_result.hpp"
+#include "workflow/run_film.hpp"
+#include "workflow/result_folder.hpp"
 #include "workflow/shoot_film.hpp"
 #include "grains/texture/texture.hpp"
 
-namespace arenite::study {
+namespace arenite::campaign {
 namespace {
 
 namespace fs = std::filesystem;
 
-fs::path kept(const fs::path& run) { return run / "virtual-film.json"; }
-
-/// Not known where there is none.
-Numbers read(const fs::path& file) { return fs::exists(file) ? from_json(io::read_file(file)).value_or(Numbers{}) : Numbers{}; }
-
-/// False for one from before the grains were kept.
-bool is_whole(const fs::path& file) { return read(file).contains("found"); }
+/// What is kept of a run's film; not known where there is none. Of films by version 0.1 it is JSON.
+Numbers read(const fs::path& run) { return io::read_numbers_file(run / "virtual-film.hdf5", run / "virtual-film.json"); }
 
 Packing state_of(const fs::path& run, const std::string& stage) {
-  if (auto state = last_state(run, stage)) return std::move(*state);
+  if (auto state = workflow::last_state(run, stage)) return std::move(*state);
   throw InputError(run.string(), 0, "there is no stage \"" + stage + "\" of this run; remove its folder and run the study again");
 }
 
@@ -48,7 +40,7 @@ std::vector<std::size_t> simulated_grains(const FilmResult& film, const Packing&
 
 /// Swings of these grains from `low`, if there is one, to `high`.
 std::vector<double> true_swing(const std::vector<std::size_t>& grains, const Packing* low, const Packing& high) {
-  const auto loaded = stress_of_disks(high), released = low ? stress_of_disks(*low) : std::vector<double>(loaded.size(), 0.0);
+  const auto loaded = workflow::stress_of_disks(high), released = low ? workflow::stress_of_disks(*low) : std::vector<double>(loaded.size(), 0.0);
   std::vector<double> swing;
   for (const std::size_t g : grains) swing.push_back(loaded[g] - released[g]);
   return swing;
@@ -91,16 +83,16 @@ Numbers texture_of(const FilmResult& film) {
 }
 
 /// Shoots the film into `folder` and measures it; nothing if it was stopped.
-std::optional<FilmResult> measured_film(const FilmRecipe& camera, const fs::path& run, const fs::path& folder, const std::function<bool()>& asked_to_stop) {
-  ShootOptions shooting;
+std::optional<FilmResult> measured_film(const recipe::FilmRecipe& camera, const fs::path& run, const fs::path& folder, const std::function<bool()>& asked_to_stop) {
+  workflow::ShootOptions shooting;
   shooting.out = folder;
   shooting.progress = [&](double) { return !asked_to_stop(); };
   const auto files = shoot_film(camera, run, shooting);
   if (files.empty()) return std::nullopt;
-  FilmRunOptions measuring;
+  workflow::FilmRunOptions measuring;
   measuring.out = folder / "result";
   measuring.asked_to_stop = asked_to_stop;
-  auto film = run_film(files.front(), read_film_recipe(files.back().string(), {}), measuring);
+  auto film = run_film(files.front(), recipe::read_film_recipe(files.back().string(), {}), measuring);
   if (film.interrupted) return std::nullopt;
   return std::move(film.result);
 }
@@ -108,9 +100,9 @@ std::optional<FilmResult> measured_film(const FilmRecipe& camera, const fs::path
 }  // namespace
 
 bool make_film(const fs::path& run, const fs::path& camera_file, const std::string& seed, const std::function<bool()>& asked_to_stop) {
-  if (is_whole(kept(run))) return true;
+  if (read(run).contains("found")) return true;  // not in one from before the grains were kept
   const fs::path folder = run / "film";
-  const auto camera = read_film_recipe(camera_file.string(), {"seed=" + seed});
+  const auto camera = recipe::read_film_recipe(camera_file.string(), {"seed=" + seed});
   auto film = measured_film(camera, run, folder, asked_to_stop);
   if (!film) return false;
   std::optional<Packing> low;
@@ -120,25 +112,25 @@ bool make_film(const fs::path& run, const fs::path& camera_file, const std::stri
   const auto truth = true_swing(simulated, low ? &*low : nullptr, high);
   film->packing.grains.zone.assign(simulated.size(), 0);  // who glues grains knows which
   for (std::size_t i = 0; i < simulated.size(); ++i) film->packing.grains.zone[i] = high.grains.zone[simulated[i]];
-  const auto found = agreement(film->swing.sigma_hyd, truth, std::vector<std::uint8_t>(truth.size(), 1));
+  const auto found = workflow::agreement(film->swing.sigma_hyd, truth, std::vector<std::uint8_t>(truth.size(), 1));
   const Numbers j{{"grains", found.grains}, {"correlation", found.correlation}, {"rms_sigma_norm", found.rms_sigma_norm}, {"slope", found.slope},
                {"found", found_grains(*film, truth)}, {"texture", texture_of(*film)}};
-  io::write_atomically(kept(run), to_json(j) + "\n");
+  io::write_numbers_file(run / "virtual-film.hdf5", j);
   fs::remove_all(folder);
   return true;
 }
 
-bool has_film(const fs::path& run) { return fs::exists(kept(run)); }
+bool has_film(const fs::path& run) { return fs::exists(run / "virtual-film.hdf5") || fs::exists(run / "virtual-film.json"); }
 
 Numbers film_numbers(const fs::path& run) {
   if (!has_film(run)) throw InputError(run.string(), 0, "no film of this run was made; arenite verify thesis without --small makes it");
-  return read(kept(run));
+  return read(run);
 }
 
 FilmAgreement film_agreement(const fs::path& run) {
-  const Numbers j = read(kept(run));
+  const Numbers j = read(run);
   const auto number = [&](const char* name) { return j.contains(name) && j[name].is_number() ? j[name].get<double>() : statistics::unknown; };
   return {number("grains"), number("correlation"), number("rms_sigma_norm"), number("slope")};
 }
 
-}  // namespace arenite::study
+}  // namespace arenite::campaign

@@ -9,7 +9,7 @@
 #include "statistics/estimate.hpp"
 #include "statistics/numbers.hpp"
 
-namespace arenite::study {
+namespace arenite::campaign {
 
 /// The study whose films a claim is judged by; those of others are there to be looked at.
 inline constexpr const char* filmed_study = "thesis-film";
@@ -33,4 +33,4 @@ Numbers film_numbers(const std::filesystem::path& run);
 /// What is kept of it; unknown if there is none yet.
 FilmAgreement film_agreement(const std::filesystem::path& run);
 
-}  // namespace arenite::study
+}  // namespace arenite::campaign

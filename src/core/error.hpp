@@ -1,5 +1,5 @@
 #pragma once
-#include <exception>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -21,8 +21,7 @@ class InputError : public std::exception {
  public:
   explicit InputError(std::vector<Problem> problems);
   explicit InputError(std::string message) : InputError({Problem{{}, 0, 0, std::move(message)}}) {}
-  InputError(std::string file, int line, std::string message)
-      : InputError({Problem{std::move(file), line, 0, std::move(message)}}) {}
+  InputError(std::string file, int line, std::string message) : InputError({Problem{std::move(file), line, 0, std::move(message)}}) {}
   const std::vector<Problem>& problems() const { return problems_; }
   const char* what() const noexcept override { return text_.c_str(); }
 
@@ -33,5 +32,12 @@ class InputError : public std::exception {
 
 /// The same problems, those without a file as problems of `file`: for who knows the name where the finder did not.
 InputError in_file(const InputError& error, const std::string& file);
+
+/// A run that cannot go on although its input could be: grains that leave what holds them, an iteration that does not end. `main` prints it and exits
+/// with status 3.
+class CannotGoOn : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 }  // namespace arenite

@@ -27,13 +27,9 @@ std::string content_hash(std::string_view bytes) {
 
 HashBuilder& HashBuilder::add(std::string_view key, std::string_view value) { return add_part('s', key, value); }
 
-HashBuilder& HashBuilder::add(std::string_view key, double value) {
-  return add_part('d', key, little_endian(std::bit_cast<std::uint64_t>(value)));
-}
+HashBuilder& HashBuilder::add(std::string_view key, double value) { return add_part('d', key, little_endian(std::bit_cast<std::uint64_t>(value))); }
 
-HashBuilder& HashBuilder::add(std::string_view key, std::int64_t value) {
-  return add_part('i', key, little_endian(static_cast<std::uint64_t>(value)));
-}
+HashBuilder& HashBuilder::add(std::string_view key, std::int64_t value) { return add_part('i', key, little_endian(static_cast<std::uint64_t>(value))); }
 
 HashBuilder& HashBuilder::add(std::string_view key, const std::vector<double>& values) {
   std::string bytes;

@@ -29,8 +29,7 @@ double median_of_finite(std::vector<T> values) {
   return median(std::move(values), std::numeric_limits<double>::quiet_NaN());
 }
 
-/// Medians over the standard deviation: of the size of a normal variable, and of the distance in the plane of a place
-/// whose coordinates are normal.
+/// Medians over the standard deviation: of the size of a normal variable, and of the distance in the plane of a place whose coordinates are normal.
 inline constexpr double median_of_normal_size = 0.6744897501960817, median_of_plane_distance = 1.1774100225154747;
 
 }  // namespace arenite

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace arenite {
@@ -113,6 +114,20 @@ class ParameterVisitor {
     int index = static_cast<int>(value);
     choice(key, index, words);
     value = static_cast<Enum>(index);
+  }
+  /// One member of a family of types. Each has its `word` and declares its own parameters, which exist only where it is chosen.
+  template <class... Member>
+  void member(const Key& key, std::variant<Member...>& value) {
+    int index = static_cast<int>(value.index());
+    choice(key, index, {Member::word...});
+    std::variant<Member...> members[] = {Member{}...};
+    auto& chosen = members[index];
+    if (value.index() == chosen.index()) chosen = value;
+    for (auto& each : members)
+      std::visit([&](auto& it) {
+        when(&each == &chosen, std::string(key.name) + " = \"" + std::string(it.word.word) + "\"", [&](ParameterVisitor& visitor) { it.declare(visitor); });
+      }, each);
+    value = chosen;
   }
   void section(const Key& key, const Visit& inside) {
     bool present = true;

@@ -1,10 +1,9 @@
 #pragma once
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <algorithm>
 #include <initializer_list>
-#include <iterator>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -32,14 +31,7 @@ class Problems {
   /// Throws InputError if there is any.
   void raise() { raise({this}); }
   /// The same of several inputs together, in their order.
-  static void raise(std::initializer_list<Problems*> inputs) {
-    std::vector<Problem> all;
-    for (Problems* of : inputs) {
-      if (of->count_ > most) of->list_.push_back({of->file_, 0, 0, "and " + std::to_string(of->count_ - most) + " more problems like these"});
-      std::move(of->list_.begin(), of->list_.end(), std::back_inserter(all));
-    }
-    if (!all.empty()) throw InputError(std::move(all));
-  }
+  static void raise(std::initializer_list<Problems*> inputs);
 
  private:
   static constexpr int most = 20;
@@ -47,5 +39,11 @@ class Problems {
   std::vector<Problem> list_;
   int count_ = 0;
 };
+
+/// Number of single-letter insertions, deletions, replacements and swaps of neighbours that turn `a` into `b`.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// The candidate closest to `word` that a typing slip could have meant; empty if none is near. The first of equals.
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace arenite

@@ -14,9 +14,8 @@ namespace arenite {
 namespace {
 
 std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return text;
+  const auto begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t");
+  return begin == std::string_view::npos ? std::string_view() : text.substr(begin, end - begin + 1);
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -62,9 +61,8 @@ std::optional<double> shifted(std::string_view number, const NumberSpan& span, i
 }
 
 [[noreturn]] void no_number(std::string_view text) {
-  for (const std::string_view word : {"nan", "inf", "+inf", "-inf", "NaN", "Inf", "infinity"}) {
+  for (const std::string_view word : {"nan", "inf", "+inf", "-inf", "NaN", "Inf", "infinity"})
     if (text.starts_with(word)) throw InputError(fmt::format("\"{}\" is not a finite number", text));
-  }
   throw InputError(fmt::format("\"{}\" does not start with a number; write for example \"350 mm\"", text));
 }
 
@@ -85,14 +83,11 @@ Quantity parse_quantity(std::string_view text) {
   const NumberSpan span = number_span(text);
   if (span.length == 0) no_number(text);
   const std::string_view rest = trimmed(text.substr(span.length));
-  if (!rest.empty() && rest.front() == ',') {
-    throw InputError(fmt::format("\"{}\" has a comma; write a decimal point", text));
-  }
+  if (rest.starts_with(',')) throw InputError(fmt::format("\"{}\" has a comma; write a decimal point", text));
   const Unit unit = rest.empty() ? Unit{} : parse_unit(rest);
   const auto value = shifted(text, span, unit.decade);
-  if (!value || !is_in_reach(*value * unit.factor)) {
+  if (!value || !is_in_reach(*value * unit.factor))
     throw InputError(fmt::format("\"{}\" is beyond the range of numbers, 1e-60 to 1e60 in SI units; write 0 or a number in it", text));
-  }
   return {*value * unit.factor, unit.dimension, !rest.empty()};
 }
 
@@ -100,15 +95,11 @@ double parse_si(std::string_view text, Dimension wanted, std::string_view unit) 
   const Quantity quantity = parse_quantity(text);
   if (quantity.dimension == wanted && (quantity.has_unit || wanted == dimension::none)) return quantity.value;
   const std::string suggested = unit.empty() ? si_unit(wanted) : std::string(unit);
-  if (!quantity.has_unit) {
-    throw InputError(fmt::format("\"{0}\" has no unit; write it with its unit, for example \"{0} {1}\"", trimmed(text),
-                                 suggested));
-  }
-  throw InputError(suggested.empty()
-                       ? fmt::format("\"{}\" is {}, but a number without unit is needed", trimmed(text),
-                                     with_unit(quantity.dimension))
-                       : fmt::format("\"{}\" is {}, but {} is needed; write it in {}", trimmed(text),
-                                     with_unit(quantity.dimension), with_unit(wanted), suggested));
+  if (!quantity.has_unit)
+    throw InputError(fmt::format("\"{0}\" has no unit; write it with its unit, for example \"{0} {1}\"", trimmed(text), suggested));
+  throw InputError(suggested.empty() ? fmt::format("\"{}\" is {}, but a number without unit is needed", trimmed(text), with_unit(quantity.dimension))
+                                     : fmt::format("\"{}\" is {}, but {} is needed; write it in {}", trimmed(text), with_unit(quantity.dimension),
+                                                   with_unit(wanted), suggested));
 }
 
 std::string format_quantity(double si_value, std::string_view unit) {

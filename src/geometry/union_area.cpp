@@ -1,11 +1,9 @@
-#include "geometry/union_area.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
-#include "geometry/covered_parts.hpp"
+#include "geometry/outline.hpp"
 
 namespace arenite::geometry {
 namespace {
@@ -47,14 +45,10 @@ class Index {
   }
 
  private:
-  static int cells_along(double length, double cell) {
-    return static_cast<int>(std::clamp(std::ceil(length / cell), 1.0, 2000.0));
-  }
+  static int cells_along(double length, double cell) { return static_cast<int>(std::clamp(std::ceil(length / cell), 1.0, 2000.0)); }
   template <class Cell>
   void visit(const Rectangle& box, Cell&& cell) const {
-    const auto at = [](double v, double low, double length, int n) {
-      return static_cast<int>(std::clamp(std::floor((v - low) / length * n), 0.0, n - 1.0));
-    };
+    const auto at = [](double v, double low, double length, int n) { return static_cast<int>(std::clamp(std::floor((v - low) / length * n), 0.0, n - 1.0)); };
     const int x0 = at(box.x_min, window_.x_min, window_.width(), nx_), x1 = at(box.x_max, window_.x_min, window_.width(), nx_);
     const int y0 = at(box.y_min, window_.y_min, window_.height(), ny_), y1 = at(box.y_max, window_.y_min, window_.height(), ny_);
     for (int y = y0; y <= y1; ++y)
@@ -66,8 +60,7 @@ class Index {
     for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
     member_.resize(start_.back());
     auto next = start_;
-    for (std::size_t o = 0; o < boxes.size(); ++o)
-      visit(boxes[o], [&](int cell) { member_[next[cell]++] = static_cast<std::int32_t>(o); });
+    for (std::size_t o = 0; o < boxes.size(); ++o) visit(boxes[o], [&](int cell) { member_[next[cell]++] = static_cast<std::int32_t>(o); });
   }
 
   Rectangle window_;
@@ -131,8 +124,7 @@ double union_area(std::span<const Outline> outlines, const Rectangle& window) {
       if (!is_inside(box, w)) add_parts_outside(edge, w, step, covered);
       for (const auto other : near) {
         if (other == self || !overlap(index.boxes[other], box)) continue;
-        add_covered_parts(edge, index.outline[other], other < self ? CoveredSide::either : CoveredSide::outside, step,
-                          covered);
+        add_covered_parts(edge, index.outline[other], other < self ? CoveredSide::either : CoveredSide::outside, step, covered);
         if (!covered.empty() && covered.back().from == 0 && covered.back().to == 1) break;
       }
       area += uncovered_area_under(edge, covered);
@@ -144,8 +136,7 @@ double union_area(std::span<const Outline> outlines, const Rectangle& window) {
     const Rectangle box = bounds(side);
     index.find(box, near);
     covered.clear();
-    for (const auto other : near)
-      add_covered_parts(side, index.outline[other], CoveredSide::inside, step_of(index.boxes[other]), covered);
+    for (const auto other : near) add_covered_parts(side, index.outline[other], CoveredSide::inside, step_of(index.boxes[other]), covered);
     merge(covered);
     for (const Part& part : covered) area += side.area_under(part.from, part.to);
   }

@@ -11,26 +11,26 @@ enum class FilmQuantity : std::uint8_t { digital_level, kelvin, unknown };
 
 /// What a film says about itself; a text is empty and a number 0 where it does not say.
 struct FilmInfo {
-  int width = 0, height = 0;        ///< pixels
+  int width = 0, height = 0;  ///< pixels
   std::int64_t frames = 0;
-  double frame_rate = 0;            ///< Hz, that the camera was set to; where frames are stamped, `time` counts
-  double integration = 0;           ///< s
-  int bits = 0;                     ///< significant bits of a digital level
-  bool floating = false;            ///< pixels are stored as float, not as 16-bit whole numbers
+  double frame_rate = 0;   ///< Hz, that the camera was set to; where frames are stamped, `time` counts
+  double integration = 0;  ///< s
+  int bits = 0;            ///< significant bits of a digital level
+  bool floating = false;   ///< pixels are stored as float, not as 16-bit whole numbers
   FilmQuantity quantity = FilmQuantity::unknown;
   std::string format, camera, lens, filter;
-  double emissivity = 0, ambient = 0;        ///< -, K
-  double band_low = 0, band_high = 0;        ///< m
-  std::vector<double> time;         ///< s after the first frame, one a frame, where frames are stamped; else empty
-  std::vector<std::string> remarks; ///< what a user should know about this film, each a sentence
+  double emissivity = 0, ambient = 0;  ///< -, K
+  double band_low = 0, band_high = 0;  ///< m
+  std::vector<double> time;            ///< s after the first frame, one a frame, where frames are stamped; else empty
+  std::vector<std::string> remarks;    ///< what a user should know about this film, each a sentence
 
   std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 };
 
-/// Frames of a film in memory, one after the other, each row by row from the top left. One of the two arrays is
-/// filled: `level` where pixels are 16-bit whole numbers, `value` where they are floating.
+/// Frames of a film in memory, one after the other, each row by row from the top left. One of the two arrays is filled: `level` where pixels are
+/// 16-bit whole numbers, `value` where they are floating.
 struct FrameBlock {
-  std::int64_t first = 0;           ///< number of the first frame, from 0
+  std::int64_t first = 0;  ///< number of the first frame, from 0
   std::size_t frames = 0;
   std::vector<std::uint16_t> level;
   std::vector<float> value;
@@ -43,8 +43,8 @@ class FilmSource {
   virtual const FilmInfo& info() const = 0;
   /// Frames first .. first + count - 1 into `block`, whose memory is used again. Throws InputError for a damaged file.
   virtual void read(std::int64_t first, std::size_t count, FrameBlock& block) = 0;
-  /// All frames, one after the other, where they are in memory already: they are looked at there and not copied. Null
-  /// for films that are read, and for pixels of the other kind.
+  /// All frames, one after the other, where they are in memory already: they are looked at there and not copied. Null for films that are read, and
+  /// for pixels of the other kind.
   virtual const std::uint16_t* levels_in_memory() const { return nullptr; }
   virtual const float* values_in_memory() const { return nullptr; }
 };
@@ -52,12 +52,66 @@ class FilmSource {
 /// A film in memory: what a virtual camera draws, and what tests look at.
 struct Film : FilmSource {
   FilmInfo about;
-  std::vector<std::uint16_t> level; ///< frames x height x width, or
-  std::vector<float> value;         ///< the same in floating numbers
+  std::vector<std::uint16_t> level;  ///< frames x height x width, or
+  std::vector<float> value;          ///< the same in floating numbers
   const FilmInfo& info() const override { return about; }
-  void read(std::int64_t first, std::size_t count, FrameBlock& block) override;
+  void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
+    const auto begin = first * static_cast<std::ptrdiff_t>(about.pixels()), end = begin + static_cast<std::ptrdiff_t>(count * about.pixels());
+    block.first = first;
+    block.frames = count;
+    block.level.clear();
+    block.value.clear();
+    if (about.floating) block.value.assign(value.begin() + begin, value.begin() + end);
+    else block.level.assign(level.begin() + begin, level.begin() + end);
+  }
   const std::uint16_t* levels_in_memory() const override { return level.empty() ? nullptr : level.data(); }
   const float* values_in_memory() const override { return value.empty() ? nullptr : value.data(); }
+};
+
+/// How the size of a swing is told: half of it (the amplitude of its cosine) or all of it (from smallest to largest).
+enum class SwingConvention { half, full };
+
+/// What a lock-in finds in every pixel of a film, in the film's unit (digital level or K), rows from the top. A swing at the load frequency f is a_1
+/// cos(2 pi f t - phase); `in_phase` is a_1 cos(phase - reference): signed, positive where the pixel warms when the load rises.
+struct LockinMaps {
+  int width = 0, height = 0;
+  double frequency = 0;                                ///< refined, Hz
+  double frequency_error = 0;                          ///< standard error, Hz
+  double reference_phase = 0;                          ///< rad
+  std::size_t frames = 0;                              ///< used
+  double noise_ratio = 1;                              ///< variance of the noise at the load's frequency over what the residual would be there if it were white
+  double chance = 0;                                   ///< how often noise alone swings as much in one phase as the pixels do at this frequency
+  double one_phase = 1;                                ///< share of the swing above the noise that has one phase, or its opposite, in all pixels
+  double swings_at = 0;                                ///< Hz, elsewhere, where the load's frequency shows nothing; 0: nowhere
+  int drift_order = 0, harmonics = 1;                  ///< that were fitted
+  SwingConvention convention = SwingConvention::half;  ///< of every amplitude below
+  std::vector<float> mean;                             ///< at the middle of the film
+  std::vector<float> drift;                            ///< slope of the mean, unit/s
+  std::vector<float> amplitude, phase;                 ///< -, rad
+  std::vector<float> in_phase, quadrature;
+  std::vector<float> standard_error;   ///< of in_phase, from the residual, the noise's ratio and the normal matrix
+  std::vector<float> noise_floor;      ///< amplitude that noise alone shows on the mean, sqrt(pi/2) standard errors
+  std::vector<float> second_harmonic;  ///< amplitude at 2 f; empty where it was not fitted
+  std::vector<float> residual;         ///< root mean square of what the fit leaves (noise, slip, plasticity)
+
+  std::size_t size() const { return mean.size(); }
+};
+
+/// Motion of every grain at the load frequency, in pixels (y down): x(t) = x_mean + Re[(cx + i sx) exp(-i 2 pi f t)], that is cx cos(2 pi f t) + sx
+/// sin(2 pi f t); t in s after the first frame.
+struct GrainMotion {
+  std::vector<double> cos_x, sin_x, cos_y, sin_y;
+  std::vector<double> error;  ///< standard error of each of the four
+  std::size_t size() const { return cos_x.size(); }
+};
+
+/// Swing of the stress of every grain between the smallest and the largest load, as a film shows it.
+struct GrainSwing {
+  std::vector<double> temperature;  ///< full swing of the mean over the grain's centre, K
+  std::vector<double> sigma_hyd;    ///< full swing of (sigma_1 + sigma_2)/2, Pa; tension positive
+  std::vector<double> error;        ///< standard error of sigma_hyd from pixel noise and position error, Pa
+  std::vector<double> pixels;       ///< area that was averaged, pixels
+  std::size_t size() const { return temperature.size(); }
 };
 
 }  // namespace arenite

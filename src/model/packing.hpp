@@ -1,13 +1,101 @@
 #pragma once
-#include "model/contacts.hpp"
-#include "model/domain.hpp"
-#include "model/grains.hpp"
-#include "model/material.hpp"
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/vec.hpp"
 
 namespace arenite {
 
-/// Grains in their frame, with the contacts between them where these are known. This is what one stage hands to the
-/// next, and what texture, exports and figures read, whether it was simulated or measured.
+/// A constitutive material of grains; parameters that concern a pair follow from two of these (dem/laws).
+struct Material {
+  std::string name;
+  double density = 0;               ///< kg/m^3
+  double stiffness = 0;             ///< contact stiffness k, N/m (T ch. 2)
+  double thermoelastic_factor = 0;  ///< A, K/Pa (T ch. 2); 0 if not known
+  bool operator==(const Material&) const = default;
+};
+
+using Materials = std::vector<Material>;
+
+/// Grains as a structure of arrays: cylinders of equal length seen end on, so disks. All arrays have one length. Index = position in these arrays =
+/// what Contacts refer to; `id` is the user's name for a grain.
+struct Grains {
+  std::vector<std::int64_t> id;
+  std::vector<double> x, y;            ///< centre, m
+  std::vector<double> radius;          ///< m
+  std::vector<std::int32_t> material;  ///< index into Materials
+  std::vector<double> angle;           ///< rotation since the start, rad, counter-clockwise
+  std::vector<double> vx, vy;          ///< m/s
+  std::vector<double> omega;           ///< rad/s
+  std::vector<std::uint8_t> zone;      ///< 0: none; > 0: number of a region (1: glued agglomerate)
+
+  std::size_t size() const { return x.size(); }
+  Vec2 centre(std::size_t i) const { return {x[i], y[i]}; }
+  /// Resizes every array; new grains are at rest at the origin, radius 0, id = index.
+  void resize(std::size_t n);
+};
+
+/// The four rigid planes of a frame, in this order everywhere (arrays, files, figures).
+enum Side : int { left = 0, right = 1, bottom = 2, top = 3 };
+inline constexpr std::array<const char*, 4> side_names{"left", "right", "bottom", "top"};
+
+/// Unit normal of a wall, into the sample.
+constexpr Vec2 inward_normal(int side) {
+  constexpr Vec2 normals[4] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+  return normals[side];
+}
+
+/// One rigid plane. `position` is its x (left, right) or y (bottom, top).
+struct Wall {
+  bool present = true;
+  double position = 0;     ///< m
+  double velocity = 0;     ///< m/s, along +x or +y
+  double force = 0;        ///< normal force that the grains exert on it, N, compression positive
+  double shear_force = 0;  ///< tangential force that the grains exert on it, N, along +y (left, right) or +x (bottom, top)
+};
+
+/// What holds the sample: four walls, or periodic sides (then the walls of that direction are absent, and their positions are the edges of the cell).
+struct Domain {
+  std::array<Wall, 4> wall;
+  bool periodic_x = false, periodic_y = false;
+  double tilt = 0;       ///< x-shift of the upper image of a sheared periodic cell (Lees-Edwards), m
+  double thickness = 1;  ///< out-of-plane length L of the cylinders, m
+
+  double width() const { return wall[right].position - wall[left].position; }
+  double height() const { return wall[top].position - wall[bottom].position; }
+  double area() const { return width() * height(); }
+  /// The nearest periodic image of a vector between two points; the vector itself where nothing is periodic.
+  Vec2 nearest_image(Vec2 d) const;
+};
+
+/// Contacts as a structure of arrays, each physical contact once. A contact joins grain i with grain j, or with a wall: then j = wall_partner(side) <
+/// 0. n points from j to i, t is n turned by +90 degrees, and the force on i is fn n + ft t (fn > 0 pushes apart); the force on j is the opposite.
+/// The contact point lies at x_i - arm_i n and, for two grains, at x_j + arm_j n, so the branch vector from j to i is (arm_i + arm_j) n.
+struct Contacts {
+  std::vector<std::int32_t> i, j;
+  std::vector<double> nx, ny;
+  std::vector<double> fn, ft;            ///< N
+  std::vector<double> arm_i, arm_j;      ///< m; arm_j = 0 for a wall
+  std::vector<double> overlap;           ///< h, m; NaN where the source of the data does not say
+  std::vector<double> sliding_velocity;  ///< v_s, m/s; NaN where unknown
+  std::vector<std::uint8_t> glued;       ///< 1 where adhesion acts
+
+  std::size_t size() const { return i.size(); }
+  bool is_wall(std::size_t c) const { return j[c] < 0; }
+  int wall_side(std::size_t c) const { return -1 - j[c]; }
+  Vec2 normal(std::size_t c) const { return {nx[c], ny[c]}; }
+  Vec2 force_on_i(std::size_t c) const { return {fn[c] * nx[c] - ft[c] * ny[c], fn[c] * ny[c] + ft[c] * nx[c]}; }
+  /// Adds one contact; overlap and sliding velocity unknown, not glued.
+  void add(std::int32_t i, std::int32_t j, Vec2 normal, double fn, double ft, double arm_i, double arm_j);
+};
+
+constexpr std::int32_t wall_partner(int side) { return -1 - side; }
+
+/// Grains in their frame, with the contacts between them where these are known. This is what one stage hands to the next, and what texture, exports
+/// and figures read, whether it was simulated or measured.
 struct Packing {
   Materials materials;
   Domain domain;

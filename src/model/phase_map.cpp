@@ -23,13 +23,11 @@ void check(const PhaseMap& map) {
   std::vector<Problem> problems;
   const auto report = [&](std::string message) { problems.push_back({{}, 0, 0, std::move(message)}); };
   if (map.width <= 0 || map.height <= 0)
-    report(fmt::format("a phase map of {} x {} nodes holds nothing; give it at least one node each way", map.width,
-                       map.height));
-  if (!(map.dx > 0) || !std::isfinite(map.dx))
-    report(fmt::format("the node spacing of a phase map is {:g} m; give a positive length", map.dx));
+    report(fmt::format("a phase map of {} x {} nodes holds nothing; give it at least one node each way", map.width, map.height));
+  if (!(map.dx > 0) || !std::isfinite(map.dx)) report(fmt::format("the node spacing of a phase map is {:g} m; give a positive length", map.dx));
   if (map.width > 0 && map.height > 0 && (map.phase.size() != map.size() || map.grain.size() != map.size()))
-    report(fmt::format("a phase map of {} x {} nodes has {} phases and {} labels; give one of each a node", map.width,
-                       map.height, map.phase.size(), map.grain.size()));
+    report(fmt::format("a phase map of {} x {} nodes has {} phases and {} labels; give one of each a node", map.width, map.height, map.phase.size(),
+                       map.grain.size()));
   if (!problems.empty()) throw InputError(std::move(problems));
 
   const auto grains = static_cast<std::int32_t>(map.grain_class.size());
@@ -38,10 +36,8 @@ void check(const PhaseMap& map) {
     const auto label = map.grain[i];
     if (particle ? label >= 0 && label < grains : label == -1) continue;
     const auto x = i % static_cast<std::size_t>(map.width), y = i / static_cast<std::size_t>(map.width);
-    throw InputError(
-        particle ? fmt::format("the particle node ({}, {}) has grain label {}; labels run from 0 to {}", x, y, label,
-                               grains - 1)
-                 : fmt::format("the node ({}, {}) is no particle but has grain label {}; give it -1", x, y, label));
+    throw InputError(particle ? fmt::format("the particle node ({}, {}) has grain label {}; labels run from 0 to {}", x, y, label, grains - 1)
+                              : fmt::format("the node ({}, {}) is no particle but has grain label {}; give it -1", x, y, label));
   }
 }
 

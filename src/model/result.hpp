@@ -4,22 +4,23 @@
 #include <utility>
 #include <vector>
 
+#include "model/cement.hpp"
 #include "model/packing.hpp"
+#include "model/phase_map.hpp"
 #include "statistics/numbers.hpp"
 
 namespace arenite {
 
-/// Energies of a sample, J. Closed when kinetic + elastic + adhesive = work_walls + work_gravity - dissipated_*
-/// + what was there at the start.
+/// Energies of a sample, J. Closed when kinetic + elastic + adhesive = work_walls + work_gravity - dissipated_* + what was there at the start.
 struct Energies {
-  double kinetic = 0;               ///< translation and rotation of grains, motion of servo walls
-  double elastic = 0;               ///< springs, normal and tangential
-  double adhesive = 0;              ///< potential of the adhesion, <= 0
-  double dissipated_normal = 0;     ///< by normal dashpots
-  double dissipated_friction = 0;   ///< by sliding and tangential viscosity
-  double dissipated_drag = 0;       ///< by global drag and by the walls' servo damping
-  double dissipated_breakage = 0;   ///< lost when a bond breaks for good
-  double work_walls = 0;            ///< done on the sample by walls or by a moving periodic cell
+  double kinetic = 0;              ///< translation and rotation of grains, motion of servo walls
+  double elastic = 0;              ///< springs, normal and tangential
+  double adhesive = 0;             ///< potential of the adhesion, <= 0
+  double dissipated_normal = 0;    ///< by normal dashpots
+  double dissipated_friction = 0;  ///< by sliding and tangential viscosity
+  double dissipated_drag = 0;      ///< by global drag and by the walls' servo damping
+  double dissipated_breakage = 0;  ///< lost when a bond breaks for good
+  double work_walls = 0;           ///< done on the sample by walls or by a moving periodic cell
   double work_gravity = 0;
 };
 
@@ -50,42 +51,68 @@ struct Equilibrium {
 
 /// One stored state of a stage.
 struct Frame {
-  double time = 0;              ///< s since the start of the run
+  double time = 0;  ///< s since the start of the run
   std::int64_t step = 0;
-  std::string label;            ///< "increment 3 of 10", "cycle 2 maximum"
+  std::string label;  ///< "increment 3 of 10", "cycle 2 maximum"
   Packing packing;
   Energies energies;
   Equilibrium equilibrium;
 };
 
-/// Scalars sampled often while a stage runs; all columns have one length. Columns have fixed names, e.g. "time",
-/// "bottom_position", "bottom_force", "kinetic", "unbalanced_ratio"; units beside them.
+/// Scalars sampled often while a stage runs; all columns have one length. Columns have fixed names, e.g. "time", "bottom_position", "bottom_force",
+/// "kinetic", "unbalanced_ratio"; units beside them.
 struct History {
-  struct Column { std::string name, unit; std::vector<double> values; };
+  struct Column {
+    std::string name, unit;
+    std::vector<double> values;
+  };
   std::vector<Column> columns;
 };
 
 /// What every output carries, so that a number can be traced to what made it.
 struct Provenance {
-  std::string version;          ///< of Arenite
-  std::string stage;            ///< "load", "texture", ...
-  std::string input_hash;       ///< of everything that the result depends on; names the file
-  std::string recipe;           ///< resolved recipe, TOML
+  std::string version;     ///< of Arenite
+  std::string stage;       ///< "load", "texture", ...
+  std::string input_hash;  ///< of everything that the result depends on; names the file
+  std::string recipe;      ///< resolved recipe, TOML
   std::uint64_t seed = 0;
-  std::string kernel;           ///< "portable", "avx2", "avx512"
+  std::string kernel;  ///< "portable", "avx2", "avx512"
   std::vector<std::pair<std::string, std::string>> options;
 };
 
 /// The result of one stage: one file in the store.
 struct StageResult {
   Provenance provenance;
-  std::string name;             ///< stage's name in the recipe
-  bool converged = true;        ///< equilibrium was reached in every increment
-  std::string outcome;          ///< one sentence
-  std::vector<Frame> frames;    ///< in time order; the last is the state handed on
+  std::string name;           ///< stage's name in the recipe
+  bool converged = true;      ///< equilibrium was reached in every increment
+  std::string outcome;        ///< one sentence
+  std::vector<Frame> frames;  ///< in time order; the last is the state handed on
   History history;
-  Numbers texture;    ///< texture of the last frame, as `show --json` gives it; empty if not measured
+  Numbers texture;                         ///< texture of the last frame, as `show --json` gives it; empty if not measured
   std::vector<std::uint8_t> continuation;  ///< the engine's state at the end, for the next stage; empty if there is none
+};
+
+/// A bond that broke while a sample was pulled apart.
+struct Crack {
+  float x = 0, y = 0;     ///< middle of the bond, m
+  std::uint8_t type = 0;  ///< 1 matrix, 2 interface, 3 particle
+  double strain = 0;      ///< of the sample when it broke
+};
+
+/// The result of a stage on a raster: a cemented sample, or its stresses under load. One file in the store.
+struct FieldResult {
+  Provenance provenance;
+  std::string name;  ///< stage's name in the recipe
+  bool converged = true;
+  std::string outcome;  ///< one sentence
+  Packing packing;      ///< what was rasterised, in the map's coordinates; no grains if the map came from an image
+  Cement cement;        ///< of that packing
+  PhaseMap map;
+  StressField field;          ///< empty (size 0) if nothing was loaded; for a pull to failure that at the largest stress
+  History convergence;        ///< columns "iteration", "residual"
+  History curve;              ///< of a pull to failure: "strain", "stress", "work", "elastic", "released", "broken"
+  std::vector<Crack> cracks;  ///< in the order of breaking
+  Numbers numbers;            ///< report and statistics as `show --json` gives them
 };
 
 }  // namespace arenite

@@ -7,7 +7,7 @@
 
 #include "thermal/camera/camera.hpp"
 
-namespace arenite::study {
+namespace arenite::recipe {
 
 /// A material as a camera sees it.
 struct FilmMaterial {
@@ -133,11 +133,12 @@ inline constexpr const char* unread_emissivity =
 /// Whether this text is meant for `arenite film` or `arenite camera`, and not for a simulation; false for what is not TOML.
 bool describes_film(std::string_view text);
 
-/// As read_recipe (study/recipe.hpp), for films.
+/// As read_recipe (recipe/recipe.hpp), for films.
 FilmRecipe read_film_recipe(const std::string& file, const std::vector<std::string>& overrides = {});
 FilmRecipe parse_film_recipe(std::string_view text, const std::string& file_name, const std::vector<std::string>& overrides = {});
 std::string to_toml(const FilmRecipe& recipe);
 std::string to_commented_toml(const FilmRecipe& recipe);
+std::string changed_keys(const FilmRecipe& recipe);
 
 /// Documentation of every key (Markdown).
 std::string film_key_reference();
@@ -145,4 +146,4 @@ std::string film_key_reference();
 /// The recipe that `arenite init film` writes.
 FilmRecipe film_template();
 
-}  // namespace arenite::study
+}  // namespace arenite::recipe

@@ -5,20 +5,20 @@
 #include <string_view>
 #include <vector>
 
-#include "solid/cement/cement.hpp"
+#include "core/error.hpp"
+#include "core/parameters.hpp"
 #include "grains/dem/parameters.hpp"
 #include "grains/dem/stage.hpp"
-#include "model/material.hpp"
 #include "grains/packing/bidisperse.hpp"
 #include "grains/packing/population.hpp"
-#include "grains/packing/region.hpp"
-#include "solid/peridynamics/damage.hpp"
-#include "solid/peridynamics/load.hpp"
+#include "model/packing.hpp"
+#include "solid/cement/cement.hpp"
+#include "solid/peridynamics/options.hpp"
 #include "solid/raster/cavities.hpp"
 #include "solid/raster/raster.hpp"
-#include "solid/stress/stress.hpp"
+#include "solid/stress/options.hpp"
 
-namespace arenite::study {
+namespace arenite::recipe {
 
 using packing::Population;
 using packing::Region;
@@ -107,7 +107,7 @@ struct Load {
 };
 
 /// What a recipe says, checked and in SI. The declaration of every key (name, unit, range, sentence) is in
-/// study/recipe_keys.cpp; reading, checks, the resolved recipe and docs/recipe.md follow from it.
+/// recipe/keys*.cpp; reading, checks, the resolved recipe and docs/recipe.md follow from it.
 struct Recipe {
   std::string title;
   std::uint64_t seed = 1;
@@ -136,7 +136,7 @@ struct Recipe {
 Recipe read_recipe(const std::string& file, const std::vector<std::string>& overrides = {});
 
 struct Node;
-/// The same from a tree that was read already (recipe_document.hpp) and has no [sweep]; `file` is what problems are
+/// The same from a tree that was read already (recipe/document.hpp) and has no [sweep]; `file` is what problems are
 /// reported under, and files that the recipe names are looked for beside it.
 Recipe recipe_from(const Node& root, const std::string& file);
 
@@ -148,7 +148,10 @@ Recipe parse_recipe(std::string_view text, const std::string& file_name, const s
 /// back gives an equal recipe, but for what a recipe does not say (`source_file`, `integration.threads`).
 std::string to_toml(const Recipe& recipe);
 
-/// The same for people: sections and keys are explained, and keys at their default are there as comments.
+/// The keys that differ from their defaults, one a line with its path: what the names of results follow from.
+std::string changed_keys(const Recipe& recipe);
+
+/// As to_toml for people: sections and keys are explained, and keys at their default are there as comments.
 std::string to_commented_toml(const Recipe& recipe);
 
 /// The title that a recipe's text gives, whether or not the rest is a whole recipe; empty if it gives none.
@@ -157,4 +160,51 @@ std::string title_in(const std::string& text);
 /// Documentation of every key (Markdown), generated from the declarations.
 std::string key_reference();
 
-}  // namespace arenite::study
+/// The words that a recipe, a command line and Python share for a choice, in the order of its enumeration.
+const std::vector<Word>& words(cement::CementParameters::Kind);
+const std::vector<Word>& words(peridynamics::Loading);
+const std::vector<Word>& words(peridynamics::LowerEdge);
+const std::vector<Word>& words(peridynamics::Method);
+const std::vector<Word>& words(Load::Axis);
+const std::vector<Word>& words(raster::Cavity);
+
+/// The word for a value.
+template <class Enum>
+std::string word_of(Enum value) {
+  return std::string(words(value)[static_cast<std::size_t>(value)].word);
+}
+
+/// All words without their sentences, as a check of a command line wants them.
+template <class Enum>
+std::vector<std::string> plain_words() {
+  std::vector<std::string> plain;
+  for (const Word& each : words(Enum{})) plain.emplace_back(each.word);
+  return plain;
+}
+
+/// The value that a word stands for. Throws InputError, which calls the choice `what`, for a word that is not among them.
+template <class Enum>
+Enum chosen(std::string_view word, std::string_view what) {
+  const auto& known = words(Enum{});
+  std::string list;
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    if (known[k].word == word) return static_cast<Enum>(k);
+    list.append(k > 0 ? ", " : "").append(known[k].word);
+  }
+  throw InputError(std::string(what) + " \"" + std::string(word) + "\" is not known; there are " + list);
+}
+
+/// A recipe to start from.
+struct RecipeTemplate {
+  const char* name;
+  const char* sentence;
+  Recipe (*make)();
+};
+
+/// All of packings; a new one is one row.
+const std::vector<RecipeTemplate>& recipe_templates();
+
+/// A small recipe with a [sweep], for `arenite study run`.
+std::string study_template();
+
+}  // namespace arenite::recipe

@@ -1,40 +1,86 @@
-#include "report/field_document.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
-#include "report/cavity_document.hpp"
-#include "report/field_codes.hpp"
-#include "report/grain_means.hpp"
-#include "report/thinned_map.hpp"
+#include "report/page_document.hpp"
+#include "solid/raster/cavities.hpp"
+#include "solid/raster/cavity_statistics.hpp"
 #include "solid/stress/stress.hpp"
 
 namespace arenite::report {
 namespace {
 
+/// Mean radius of the large grains, or of all without classes, m; 0 where there are no grains.
+double mean_large_radius(const PhaseMap& map) {
+  std::vector<double> nodes(map.grain_class.size());
+  for (const auto g : map.grain)
+    if (g >= 0) ++nodes[static_cast<std::size_t>(g)];
+  double sum[2] = {}, count[2] = {};
+  for (std::size_t g = 0; g < nodes.size(); ++g) {
+    if (nodes[g] == 0) continue;
+    const std::size_t large = map.grain_class[g] == GrainClass::large;
+    sum[large] += std::sqrt(nodes[g] / std::numbers::pi) * map.dx;
+    ++count[large];
+  }
+  if (count[1] > 0) return sum[1] / count[1];
+  return count[0] > 0 ? sum[0] / count[0] : 0;
+}
+
+Numbers volumes_of(const raster::CavityStatistics& s) {
+  return {{"mean", {{"value", s.mean}, {"error", s.mean_error}}}, {"deviation", {{"value", s.deviation}, {"error", s.deviation_error}}},
+          {"cv", {{"value", s.cv}, {"error", s.cv_error}}},
+          {"edge", s.density.edge}, {"density", s.density.density}, {"error", s.density.error}};
+}
+
+/// Labels from 1 on of the nodes that are drawn; 0 where there is none (-1 in the map).
+template <class T>
+std::vector<std::uint32_t> labels_of(const std::vector<T>& label, const Thinning& kept) {
+  std::vector<std::uint32_t> out;
+  for (const std::size_t node : kept.node) out.push_back(static_cast<std::uint32_t>(label[node] + 1));
+  return out;
+}
+
+/// "voids" and "pores" of a map: label of every node on the page (0: none), nodes of each, and the density of their
+/// volumes, by the rules and over the reference radius that the result's numbers state; without these by the rules'
+/// defaults, over the mean radius of the large grains (of any where there are no classes).
+Numbers cavities_of(const PhaseMap& map, const Numbers& numbers, const Thinning& kept, NumberBlock& block) {
+  const Numbers said = numbers.value("cavity_rules", Numbers::tree());
+  raster::CavityRules rules;
+  rules.eight_connected = said.value("neighbours", 4) == 8;
+  rules.fewest_nodes = said.value("fewest_nodes", rules.fewest_nodes);
+  rules.leave_out_border = said.value("leave_out_border", rules.leave_out_border);
+  const double radius = said.contains("reference_radius_m") ? said["reference_radius_m"].get<double>() : mean_large_radius(map);
+  Numbers all = Numbers::tree();
+  for (const auto& [name, kind] : {std::pair{"voids", raster::Cavity::void_}, {"pores", raster::Cavity::pore}}) {
+    const raster::Cavities cavities = raster::find_cavities(map, kind, rules);
+    Numbers& out = all[name];
+    out = {{"label", block.add_indices(labels_of(cavities.label, kept))}, {"nodes", block.add_indices(unsigned_copy(cavities.nodes))},
+           {"specks", cavities.specks}, {"cut", cavities.cut}, {"fewest_nodes", cavities.rules.fewest_nodes}};
+    if (radius > 0 && !cavities.nodes.empty()) out["volumes"] = volumes_of(raster::cavity_statistics(cavities, map.dx, radius));
+  }
+  return all;
+}
+
 bool same_map(const PhaseMap& a, const PhaseMap& b) {
-  return a.width == b.width && a.height == b.height && a.dx == b.dx && a.phase == b.phase && a.grain == b.grain &&
-         a.grain_class == b.grain_class;
+  return a.width == b.width && a.height == b.height && a.dx == b.dx && a.phase == b.phase && a.grain == b.grain && a.grain_class == b.grain_class;
 }
 
 Numbers map_of(const PhaseMap& map, const Numbers& numbers, const Thinning& kept, NumberBlock& block) {
-  std::vector<std::uint32_t> label(kept.node.size());
-  for (std::size_t k = 0; k < label.size(); ++k) label[k] = static_cast<std::uint32_t>(map.grain[kept.node[k]] + 1);
   std::array<std::size_t, 3> nodes{};
   for (const Phase phase : map.phase) ++nodes[static_cast<std::size_t>(phase)];
   return {{"width", kept.width}, {"height", kept.height}, {"stride", kept.stride}, {"dx", map.dx},
           {"full", {map.width, map.height}}, {"nodes", {nodes[0], nodes[1], nodes[2]}},
-          {"phase", reference(block.add_indices(unsigned_copy(kept.of(map.phase))))},
-          {"label", reference(block.add_indices(label))},
-          {"grain_class", reference(block.add_indices(unsigned_copy(map.grain_class)))},
+          {"phase", block.add_indices(unsigned_copy(kept.of(map.phase)))},
+          {"label", block.add_indices(labels_of(map.grain, kept))},
+          {"grain_class", block.add_indices(unsigned_copy(map.grain_class))},
           {"cavities", cavities_of(map, numbers, kept, block)}};
 }
 
 /// One component on the page's nodes, with mean and extremes over all nodes of the map that are not void.
 Numbers component(const PhaseMap& map, const Thinning& kept, const std::vector<std::uint8_t>& solid,
-               const std::vector<double>& values, bool companded, NumberBlock& block) {
+                  const std::vector<double>& values, bool companded, NumberBlock& block) {
   double sum = 0, least = INFINITY, most = -INFINITY;
   std::size_t count = 0;
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -45,17 +91,15 @@ Numbers component(const PhaseMap& map, const Thinning& kept, const std::vector<s
     ++count;
   }
   if (count == 0) least = most = 0;
-  const CodedField coded = code_field(kept.width, kept.height, kept.of(values), solid, companded);
-  const Coding& c = coded.coding;
-  return {{"law", companded ? "sinh" : "linear"}, {"centre", c.centre}, {"width", c.width}, {"levels", c.levels},
-          {"residual", reference(block.add_indices(coded.residual))},
-          {"mean", count ? sum / static_cast<double>(count) : 0}, {"least", least}, {"most", most}};
+  Numbers out = numbers_of(code_field(kept.width, kept.height, kept.of(values), solid, companded), block);
+  out.update(Numbers{{"mean", count ? sum / static_cast<double>(count) : 0}, {"least", least}, {"most", most}});
+  return out;
 }
 
 Numbers components_of(const FieldResult& result, const Thinning& kept, NumberBlock& block) {
   const StressField& f = result.field;
-  std::vector<std::uint8_t> solid(kept.node.size());
-  for (std::size_t k = 0; k < solid.size(); ++k) solid[k] = result.map.phase[kept.node[k]] != Phase::empty;
+  std::vector<std::uint8_t> solid;
+  for (const std::size_t node : kept.node) solid.push_back(result.map.phase[node] != Phase::empty);
   Numbers all = Numbers::tree();
   const auto add = [&](const char* name, const std::vector<double>& values, bool companded) {
     if (values.size() == result.map.size()) all[name] = component(result.map, kept, solid, values, companded, block);
@@ -68,10 +112,18 @@ Numbers components_of(const FieldResult& result, const Thinning& kept, NumberBlo
   return all;
 }
 
-Numbers grains_of(const GrainMeans& g, NumberBlock& block) {
-  const auto reals = [&](const std::vector<double>& values) { return reference(block.add_reals(values)); };
-  Numbers out{{"nodes", reference(block.add_indices(g.nodes))}, {"x", reals(g.x)}, {"y", reals(g.y)}};
-  if (!g.yy.empty()) out.update(Numbers{{"xx", reals(g.xx)}, {"yy", reals(g.yy)}, {"xy", reals(g.xy)}});
+/// Nodes, centres and mean stresses of all grains; no stresses without a field.
+Numbers grains_of(const FieldResult& result, NumberBlock& block) {
+  const stress::StressOptions usual;
+  const stress::GrainStresses g = stress::measure_grains(result.map, result.field, usual.clamp_rows, usual.blocks);
+  const auto column = [&](const auto& rows, auto member) {
+    std::vector<double> values;
+    for (const auto& row : rows) values.push_back(row.*member);
+    return block.add_reals(values);
+  };
+  Numbers out{{"nodes", block.add_indices(unsigned_copy(g.nodes))}, {"x", column(g.centre, &Vec2::x)}, {"y", column(g.centre, &Vec2::y)}};
+  if (result.field.size() > 0)
+    out.update(Numbers{{"xx", column(g.stress, &Tensor2::xx)}, {"yy", column(g.stress, &Tensor2::yy)}, {"xy", column(g.stress, &Tensor2::xy)}});
   return out;
 }
 
@@ -84,14 +136,7 @@ Numbers cracks_of(const std::vector<Crack>& cracks, NumberBlock& block) {
     strain.push_back(crack.strain);
     type.push_back(crack.type);
   }
-  return {{"count", cracks.size()}, {"x", reference(block.add_reals(x))}, {"y", reference(block.add_reals(y))},
-          {"type", reference(block.add_indices(type))}, {"strain", reference(block.add_reals(strain))}};
-}
-
-Numbers shortened(Numbers numbers) {
-  if (!numbers.is_known()) return Numbers::tree();
-  shorten(numbers);
-  return numbers;
+  return {{"count", cracks.size()}, {"x", block.add_reals(x)}, {"y", block.add_reals(y)}, {"type", block.add_indices(type)}, {"strain", block.add_reals(strain)}};
 }
 
 /// The densities that the page draws; empty where there is nothing to measure.
@@ -109,10 +154,9 @@ Numbers statistics_of(const FieldPageData& data) {
 Numbers field_of(const FieldPageData& data, std::size_t map, const Thinning& kept, NumberBlock& block) {
   const FieldResult& r = *data.result;
   Numbers out{{"name", r.name}, {"converged", r.converged}, {"outcome", r.outcome}, {"provenance", provenance_of(r.provenance)},
-           {"map", map}, {"components", components_of(r, kept, block)},
-           {"grains", grains_of(grain_means(r.map, r.field), block)},
-           {"convergence", history_of(r.convergence, block)}, {"curve", history_of(r.curve, block)},
-           {"numbers", shortened(r.numbers)}, {"statistics", statistics_of(data)}};
+              {"map", map}, {"components", components_of(r, kept, block)}, {"grains", grains_of(r, block)},
+              {"convergence", history_of(r.convergence, block)}, {"curve", history_of(r.curve, block)},
+              {"numbers", shortened(r.numbers)}, {"statistics", statistics_of(data)}};
   out["statistics"].erase("grains");
   if (!r.cracks.empty()) out["cracks"] = cracks_of(r.cracks, block);
   return out;
@@ -120,19 +164,30 @@ Numbers field_of(const FieldPageData& data, std::size_t map, const Thinning& kep
 
 }  // namespace
 
+Thinning::Thinning(const PhaseMap& map, std::size_t most) {
+  const auto left = [](int nodes, int by) { return std::max(1, nodes / by); };
+  while (static_cast<std::size_t>(left(map.width, stride)) * static_cast<std::size_t>(left(map.height, stride)) > most) ++stride;
+  width = map.width > 0 ? left(map.width, stride) : 0;
+  height = map.height > 0 ? left(map.height, stride) : 0;
+  const int first = stride / 2;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      node.push_back(map.index(std::min(map.width - 1, first + x * stride), std::min(map.height - 1, first + y * stride)));
+}
+
 void add_fields(Numbers& document, const std::vector<FieldPageData>& fields, NumberBlock& block) {
   std::vector<const PhaseMap*> known;
   Numbers maps = Numbers::list(), list = Numbers::list();
   for (const FieldPageData& data : fields) {
     const PhaseMap& map = data.result->map;
     const Thinning kept(map);
-    std::size_t at = 0;
-    while (at < known.size() && !same_map(*known[at], map)) ++at;
-    if (at == known.size()) {
+    const auto at = std::find_if(known.begin(), known.end(), [&](const PhaseMap* other) { return same_map(*other, map); });
+    const auto place = static_cast<std::size_t>(at - known.begin());
+    if (at == known.end()) {
       known.push_back(&map);
       maps.push_back(map_of(map, shortened(data.result->numbers), kept, block));
     }
-    list.push_back(field_of(data, at, kept, block));
+    list.push_back(field_of(data, place, kept, block));
   }
   document["maps"] = std::move(maps);
   document["fields"] = std::move(list);

@@ -1,4 +1,4 @@
-#include "report/field_drawing.hpp"
+#include "report/run_drawing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,6 @@
 
 namespace arenite::report {
 namespace {
-
 
 constexpr int most_nodes = 512, most_zoomed = 256;  // across a picture
 constexpr double view_over_radius = 1.35;

@@ -9,59 +9,62 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "recipe/recipe_document.hpp"
+#include "recipe/document.hpp"
 
 namespace arenite::report {
 namespace {
 
-using study::Entry;
-using study::Node;
+using recipe::Entry;
+using recipe::Node;
 using Kind = Node::Kind;
 
-bool is_number(const Node& node) { return node.kind == Kind::integer || node.kind == Kind::real; }
+bool get(const Node& node, double& value) {
+  if (node.kind != Kind::integer && node.kind != Kind::real) return false;
+  value = node.kind == Kind::integer ? static_cast<double>(node.integer) : node.real;
+  return true;
+}
+bool get(const Node& node, std::optional<double>& value) { return get(node, value.emplace()); }
+bool get(const Node& node, std::string& value) {
+  value = node.text;
+  return node.kind == Kind::text;
+}
+bool get(const Node& node, bool& value) {
+  value = node.flag;
+  return node.kind == Kind::flag;
+}
 
-double number_of(const Node& node) { return node.kind == Kind::integer ? static_cast<double>(node.integer) : node.real; }
+template <class T>
+constexpr const char* wanted = "is a number";
+template <>
+constexpr const char* wanted<std::string> = "is a text in quotes";
+template <>
+constexpr const char* wanted<bool> = "is true or false";
+template <>
+constexpr const char* wanted<std::vector<std::string>> = "is a list of texts";
+template <>
+constexpr const char* wanted<std::vector<double>> = "is a list of numbers";
 
 /// Reads the keys of one table; what is left over is unknown.
 class Table {
  public:
   Table(const Node& node, const std::string& file, std::vector<Problem>& problems) : node_(node), file_(file), problems_(problems) {}
 
-  void text(const char* key, std::string& value, bool needed = false) {
+  template <class T>
+  void read(const std::string& key, T& value, bool needed = false) {
     const Entry* entry = take(key);
-    if (entry && entry->value.kind == Kind::text) value = entry->value.text;
-    else if (entry) refuse(entry->value, key, "is a text in quotes");
-    else if (needed) refuse(node_, key, "is missing");
+    if (!entry && needed) refuse(node_, key, "is missing");
+    if (entry && !get(entry->value, value)) refuse(entry->value, key, wanted<T>);
   }
-  void flag(const char* key, bool& value) {
-    const Entry* entry = take(key);
-    if (entry && entry->value.kind == Kind::flag) value = entry->value.flag;
-    else if (entry) refuse(entry->value, key, "is true or false");
-  }
-  void number(const char* key, std::optional<double>& value) {
-    const Entry* entry = take(key);
-    if (entry && is_number(entry->value)) value = number_of(entry->value);
-    else if (entry) refuse(entry->value, key, "is a number");
-  }
-  void texts(const char* key, std::vector<std::string>& values) {
+  template <class T>
+  void read(const std::string& key, std::vector<T>& values) {
     const Entry* entry = take(key);
     if (!entry) return;
-    if (entry->value.kind != Kind::array) return refuse(entry->value, key, "is a list of texts");
-    for (const Node& item : entry->value.items) {
-      if (item.kind == Kind::text) values.push_back(item.text);
-      else refuse(item, key, "is a list of texts");
-    }
+    if (entry->value.kind != Kind::array) return refuse(entry->value, key, wanted<std::vector<T>>);
+    for (const Node& item : entry->value.items)
+      if (T value; get(item, value)) values.push_back(std::move(value));
+      else refuse(item, key, wanted<std::vector<T>>);
   }
-  void numbers(const char* key, std::vector<double>& values) {
-    const Entry* entry = take(key);
-    if (!entry) return;
-    if (entry->value.kind != Kind::array) return refuse(entry->value, key, "is a list of numbers");
-    for (const Node& item : entry->value.items) {
-      if (is_number(item)) values.push_back(number_of(item));
-      else refuse(item, key, "is a list of numbers");
-    }
-  }
-  const Entry* take(const char* key) {
+  const Entry* take(const std::string& key) {
     known_.insert(key);
     return node_.find(key);
   }
@@ -84,7 +87,7 @@ constexpr std::array words = {"plot", "rose", "map", "grains", "forces", "stress
 
 void read_kind(Table& table, const Node& node, Figure& figure) {
   std::string word = word_for(figure.kind);
-  table.text("kind", word);
+  table.read("kind", word);
   const auto at = std::find(words.begin(), words.end(), word);
   if (at == words.end()) return table.refuse(node, "kind", fmt::format("is one of {}", fmt::join(words, ", ")));
   figure.kind = static_cast<FigureKind>(at - words.begin());
@@ -92,7 +95,7 @@ void read_kind(Table& table, const Node& node, Figure& figure) {
 
 void read_spread(Table& table, const Node& node, Figure& figure) {
   std::string word = "error";
-  table.text("spread", word);
+  table.read("spread", word);
   if (word == "deviation") figure.spread = Spread::deviation;
   else if (word != "error") table.refuse(node, "spread", "is \"error\" or \"deviation\"");
 }
@@ -110,7 +113,7 @@ void check_figure(Table& table, const Node& node, const Figure& figure) {
   if (!figure.fits.empty() && figure.fits.size() != figure.curves.size()) table.refuse(node, "fits", "must be as many as `curves`");
 }
 
-std::string cell_of(const Node& node) { return node.kind == Kind::text ? node.text : study::toml_literal(node); }
+std::string cell_of(const Node& node) { return node.kind == Kind::text ? node.text : recipe::toml_literal(node); }
 
 void read_where(Table& table, Where& read) {
   const Entry* where = table.take("where");
@@ -141,52 +144,52 @@ void read_each(Table& table, const char* key, const std::string& file, std::vect
 Figure read_figure(const Node& node, const std::string& file, std::vector<Problem>& problems) {
   Figure figure;
   Table table(node, file, problems);
-  table.text("id", figure.id, true);
-  table.text("title", figure.title, true);
-  table.text("source", figure.source);
-  table.text("caption", figure.caption);
-  table.text("x", figure.x);
-  table.texts("y", figure.y);
-  table.texts("curves", figure.curves);
-  table.text("curve_x", figure.curve_x);
-  table.texts("fits", figure.fits);
-  table.flag("share_above", figure.share_above);
-  table.flag("counts", figure.counts);
-  table.number("sectors", figure.sectors);
-  table.number("window", figure.window);
+  table.read("id", figure.id, true);
+  table.read("title", figure.title, true);
+  table.read("source", figure.source);
+  table.read("caption", figure.caption);
+  table.read("x", figure.x);
+  table.read("y", figure.y);
+  table.read("curves", figure.curves);
+  table.read("curve_x", figure.curve_x);
+  table.read("fits", figure.fits);
+  table.read("share_above", figure.share_above);
+  table.read("counts", figure.counts);
+  table.read("sectors", figure.sectors);
+  table.read("window", figure.window);
   read_spread(table, node, figure);
-  table.text("stage", figure.stage);
+  table.read("stage", figure.stage);
   read_kind(table, node, figure);
-  table.texts("names", figure.names);
-  table.text("by", figure.by);
-  table.text("by_label", figure.by_label);
-  table.text("by_empty", figure.by_empty);
-  table.flag("lines", figure.lines);
+  table.read("names", figure.names);
+  table.read("by", figure.by);
+  table.read("by_label", figure.by_label);
+  table.read("by_empty", figure.by_empty);
+  table.read("lines", figure.lines);
   for (auto [axis, prefix] : {std::pair(&figure.x_axis, std::string("x_")), {&figure.y_axis, "y_"}}) {
-    table.text((prefix + "label").c_str(), axis->label);
-    table.flag((prefix + "log").c_str(), axis->logarithmic);
-    table.number((prefix + "low").c_str(), axis->low);
-    table.number((prefix + "high").c_str(), axis->high);
+    table.read(prefix + "label", axis->label);
+    table.read(prefix + "log", axis->logarithmic);
+    table.read(prefix + "low", axis->low);
+    table.read(prefix + "high", axis->high);
   }
   read_where(table, figure.where);
   read_each(table, "references", file, problems, figure.references, [](Table& inner, const Node&, FigureReference& reference) {
-    inner.number("x", reference.x);
-    inner.number("y", reference.y);
-    inner.number("slope", reference.slope);
-    inner.text("label", reference.label);
+    inner.read("x", reference.x);
+    inner.read("y", reference.y);
+    inner.read("slope", reference.slope);
+    inner.read("label", reference.label);
   });
   read_each(table, "source_points", file, problems, figure.source_points, [](Table& inner, const Node& item, SourcePoints& points) {
-    inner.text("name", points.name, true);
-    inner.number("part", points.part);
-    inner.flag("film", points.film);
-    inner.numbers("x", points.x);
-    inner.numbers("y", points.y);
+    inner.read("name", points.name, true);
+    inner.read("part", points.part);
+    inner.read("film", points.film);
+    inner.read("x", points.x);
+    inner.read("y", points.y);
     if (points.x.size() != points.y.size()) inner.refuse(item, "y", "must be as many as `x`");
   });
   read_each(table, "beside", file, problems, figure.beside, [](Table& inner, const Node&, BesideCurve& curve) {
-    inner.text("name", curve.name, true);
-    inner.text("x", curve.x, true);
-    inner.text("y", curve.y, true);
+    inner.read("name", curve.name, true);
+    inner.read("x", curve.x, true);
+    inner.read("y", curve.y, true);
     read_where(inner, curve.where);
   });
   table.refuse_unknown();
@@ -201,7 +204,7 @@ const char* word_for(FigureKind kind) { return words[static_cast<std::size_t>(ki
 bool shows_a_run(FigureKind kind) { return kind >= FigureKind::grains; }
 
 std::vector<Figure> read_figures(const std::string& text, const std::string& file) {
-  const Node root = study::read_document(text, file);
+  const Node root = recipe::read_document(text, file);
   std::vector<Problem> problems;
   std::vector<Figure> figures;
   for (const Entry& entry : root.entries) {

@@ -1,12 +1,10 @@
-#include "report/film_document.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "report/field_codes.hpp"
-#include "report/film_stresses.hpp"
-#include "statistics/put_numbers.hpp"
+#include "workflow/film_stresses.hpp"
+#include "report/page_document.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 namespace {
@@ -36,11 +34,8 @@ Numbers map_of(int width, int height, const std::vector<float>& values, double l
     known[k] = std::isfinite(values[k]);
     if (!known[k]) holes.push_back(static_cast<std::uint32_t>(k));
   }
-  const CodedField coded = code_field(width, height, {values.begin(), values.end()}, known, true, levels);
-  const Coding& c = coded.coding;
-  Numbers out{{"law", "sinh"}, {"centre", c.centre}, {"width", c.width}, {"levels", c.levels},
-           {"residual", reference(block.add_indices(coded.residual))}};
-  if (!holes.empty()) out["holes"] = reference(block.add_indices(holes));
+  Numbers out = numbers_of(code_field(width, height, {values.begin(), values.end()}, known, true, levels), block);
+  if (!holes.empty()) out["holes"] = block.add_indices(holes);
   return out;
 }
 
@@ -85,15 +80,15 @@ std::vector<double> way(const std::vector<double>& cosine, const std::vector<dou
   return out;
 }
 
-Numbers grains_of(const FilmResult& r, const FilmStresses& stresses, NumberBlock& block) {
+Numbers grains_of(const FilmResult& r, const workflow::FilmStresses& stresses, NumberBlock& block) {
   const Grains& grains = r.packing.grains;
   const PictureGrains circles = circles_of(r);
   Numbers out{{"count", circles.size() == grains.size() ? grains.size() : 0}};
   const auto reals = [&](const char* name, const std::vector<double>& values) {
-    if (!values.empty() && values.size() == grains.size()) out[name] = reference(block.add_reals(values));
+    if (!values.empty() && values.size() == grains.size()) out[name] = block.add_reals(values);
   };
-  out["id"] = reference(block.add_integers(std::vector<std::int32_t>(grains.id.begin(), grains.id.end())));
-  out["material"] = reference(block.add_indices(unsigned_copy(grains.material)));
+  out["id"] = block.add_integers(std::vector<std::int32_t>(grains.id.begin(), grains.id.end()));
+  out["material"] = block.add_indices(unsigned_copy(grains.material));
   reals("x", circles.x);
   reals("y", circles.y);
   reals("radius", circles.radius);
@@ -105,19 +100,16 @@ Numbers grains_of(const FilmResult& r, const FilmStresses& stresses, NumberBlock
   reals("motion_x", way(r.motion.cos_x, r.motion.sin_x, r.maps.reference_phase));
   reals("motion_y", way(r.motion.cos_y, r.motion.sin_y, r.maps.reference_phase));
   reals("motion_error", r.motion.error);
-  if (!stresses.considered.empty()) out["considered"] = reference(block.add_indices(unsigned_copy(stresses.considered)));
+  if (!stresses.considered.empty()) out["considered"] = block.add_indices(unsigned_copy(stresses.considered));
   return out;
 }
 
 Numbers contacts_of(const FilmResult& r, NumberBlock& block) {
   const Contacts& contacts = r.packing.contacts;
-  const auto grains = static_cast<std::uint32_t>(r.packing.grains.size());
-  std::vector<std::uint32_t> partner(contacts.size());
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    partner[c] = contacts.is_wall(c) ? grains + static_cast<std::uint32_t>(contacts.wall_side(c)) : static_cast<std::uint32_t>(contacts.j[c]);
-  Numbers out{{"count", contacts.size()}, {"i", reference(block.add_indices(unsigned_copy(contacts.i)))}, {"j", reference(block.add_indices(partner))}};
+  Numbers out = pairs_of(r.packing, block);
+  out["count"] = contacts.size();
   const auto reals = [&](const char* name, const std::vector<double>& values) {
-    if (values.size() == contacts.size()) out[name] = reference(block.add_reals(values));
+    if (values.size() == contacts.size()) out[name] = block.add_reals(values);
   };
   reals("nx", contacts.nx);
   reals("ny", contacts.ny);
@@ -138,26 +130,20 @@ Numbers frame_of(const FilmResult& r) {
   return {column(domain.wall[left].position), column(domain.wall[right].position), row(domain.wall[bottom].position), row(domain.wall[top].position)};
 }
 
-Numbers shortened(Numbers numbers) {
-  if (!numbers.is_known()) return Numbers::tree();
-  shorten(numbers);
-  return numbers;
-}
-
-Numbers stresses_of(const FilmStresses& stresses, NumberBlock& block) {
+Numbers stresses_of(const workflow::FilmStresses& stresses, NumberBlock& block) {
   Numbers all = Numbers::tree();
-  for (const GrainStresses& s : stresses.sources)
-    all[s.source] = {{"mean", statistics::number(s.mean)}, {"sigma_hyd", reference(block.add_reals(s.sigma_hyd))},
-                     {"sigma_norm", reference(block.add_reals(s.sigma_norm))}, {"statistics", shortened(s.statistics)}};
+  for (const workflow::GrainStresses& s : stresses.sources)
+    all[s.source] = {{"mean", statistics::number(s.mean)}, {"sigma_hyd", block.add_reals(s.sigma_hyd)},
+                     {"sigma_norm", block.add_reals(s.sigma_norm)}, {"statistics", shortened(s.statistics)}};
   return all;
 }
 
 /// What relates the twin's swing and state to the film's swing.
-Numbers agreement_of(const Packing& packing, const FilmStresses& stresses) {
+Numbers agreement_of(const Packing& packing, const workflow::FilmStresses& stresses) {
   Numbers all = Numbers::tree();
   if (stresses.sources.empty() || stresses.sources[0].source != "film") return all;
   for (std::size_t k = 1; k < stresses.sources.size(); ++k)
-    for (const Agreement& a : agreement(packing, stresses.sources[0], stresses.sources[k])) {
+    for (const workflow::StressRelation& a : workflow::stress_relations(packing, stresses.sources[0], stresses.sources[k])) {
       Numbers& to = all[stresses.sources[k].source][a.set];
       to = {{"count", a.relation.count}};
       statistics::put(to, "correlation", a.relation.pearson);
@@ -165,20 +151,19 @@ Numbers agreement_of(const Packing& packing, const FilmStresses& stresses) {
       statistics::put(to, "rms_Pa", a.rms);
       statistics::put(to, "rms_norm", a.rms_norm);
     }
-  shorten(all);
-  return all;
+  return shortened(std::move(all));
 }
 
 Numbers one_film(const FilmPageData& data, NumberBlock& block) {
   const FilmResult& r = *data.result;
-  const FilmStresses stresses = film_stresses(r, data.options);
+  const workflow::FilmStresses stresses = workflow::film_stresses(r, data.options);
   std::vector<std::uint32_t> bad;
   for (std::size_t k = 0; k < r.bad.size(); ++k)
     if (r.bad[k]) bad.push_back(static_cast<std::uint32_t>(k));
   Numbers materials = Numbers::list();
   for (const Material& m : r.packing.materials) materials.push_back({{"name", m.name}});
   return {{"name", r.name}, {"converged", r.converged}, {"outcome", r.outcome}, {"provenance", provenance_of(r.provenance)},
-          {"film", film_of(r)}, {"maps", maps_of(r, block)}, {"bad", reference(block.add_indices(bad))}, {"materials", materials},
+          {"film", film_of(r)}, {"maps", maps_of(r, block)}, {"bad", block.add_indices(bad)}, {"materials", materials},
           {"grains", grains_of(r, stresses, block)}, {"contacts", contacts_of(r, block)}, {"frame", frame_of(r)},
           {"stresses", stresses_of(stresses, block)}, {"agreement", agreement_of(r.packing, stresses)}, {"numbers", shortened(r.numbers)}};
 }

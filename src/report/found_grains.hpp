@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "core/vec2.hpp"
+#include "core/vec.hpp"
 #include "thermal/imaging/circles.hpp"
-#include "io/png_writer.hpp"
+#include "io/image/image.hpp"
 #include "model/image.hpp"
 
 namespace arenite::report {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "statistics/numbers.hpp"
+
 namespace arenite::report {
 
 /// Where an array lies in a NumberBlock: byte offset, number of elements, type "f4", "u1", "u2", "u4" or "i4".
@@ -12,6 +14,9 @@ struct NumberRef {
   std::size_t offset = 0;
   std::size_t count = 0;
   const char* type = "f4";
+
+  /// {"at", "n", "as"}, as a document says where its arrays are.
+  operator Numbers() const { return {{"at", offset}, {"n", count}, {"as", type}}; }
 };
 
 /// Arrays of numbers as the page carries them: little-endian, the bytes of equal rank of one array side by side (which
@@ -34,5 +39,32 @@ class NumberBlock {
 /// Deflated (zlib) and in base64 (RFC 4648, with padding).
 std::string packed_text(std::span<const std::uint8_t> bytes);
 std::string base64(std::span<const std::uint8_t> bytes);
+
+/// How a number became a code: v = centre + width code/levels, or centre + width sinh(code/levels), whose steps widen
+/// with the distance from the centre, so that a long tail costs few codes.
+struct Coding {
+  bool companded = false;
+  double centre = 0, width = 1, levels = 1;
+  double decoded(std::int32_t code) const;
+};
+
+/// A field on a raster as whole numbers that deflate well: each node's code less a prediction from its neighbours to the
+/// left and below (the median of both and of left + below - their corner), with the sign in the lowest bit. The
+/// first node is predicted as 0. Nodes that are left out take the prediction.
+struct CodedField {
+  Coding coding;
+  std::vector<std::uint32_t> residual;
+};
+
+/// The field with its coding, residuals in the block.
+Numbers numbers_of(const CodedField& field, NumberBlock& block);
+
+/// `known` says which nodes count. Companded: between the quantiles 0.001 and 0.999 every value comes back to 0.5/levels
+/// of half their distance, beyond them to 0.5/levels of the distance from the middle. Otherwise to 3e-5 of the whole range.
+CodedField code_field(int width, int height, const std::vector<double>& values, const std::vector<std::uint8_t>& known,
+                      bool companded, double levels = 500);
+
+/// The codes behind the residuals, as the page finds them.
+std::vector<std::int32_t> codes_of(int width, int height, const std::vector<std::uint32_t>& residual);
 
 }  // namespace arenite::report

@@ -1,12 +1,13 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "model/field_result.hpp"
-#include "model/film_result.hpp"
 #include "model/result.hpp"
+#include "model/film_result.hpp"
 #include "solid/stress/stress.hpp"
 #include "grains/texture/texture.hpp"
 
@@ -42,6 +43,21 @@ struct PageData {
   std::vector<FieldPageData> fields{};
   std::vector<FilmPageData> films{};
 };
+
+/// What a result holds, wherever it comes from: a run that has just ended, a folder, parts put together.
+struct ResultParts {
+  std::string title;
+  std::span<const StageResult> stages{};
+  std::span<const FieldResult> fields{};
+  std::span<const FilmResult> films{};
+  std::span<const std::optional<texture::Texture>> measured{};  ///< of the last state of each stage, where it is known already (workflow::RunOutcome)
+};
+
+/// Writes the page of a result, all or nothing. What it shows follows from the result alone: textures are measured as each
+/// stage's own recipe says, of all states of a small sample and of the last one of each stage of a large one; densities of
+/// stresses as the load's numbers were; and the grains of a film with their forces are a stage before the others. Throws
+/// InputError when the system refuses.
+void write_page(const std::filesystem::path& path, const ResultParts& result);
 
 /// The page as one HTML text: script, styles and data inside, no request to anywhere. States whose number of grains
 /// differs from the last one's are left out.

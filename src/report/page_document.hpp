@@ -1,7 +1,12 @@
 #pragma once
+#include <cstdint>
 #include <string>
+#include <vector>
 
+#include "model/phase_map.hpp"
+#include "report/number_block.hpp"
 #include "report/page.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 
@@ -13,5 +18,47 @@ struct PageDocument {
 };
 
 PageDocument page_document(const PageData& data);
+
+// Pieces that packings, fields and films write alike.
+
+template <class T>
+std::vector<std::uint32_t> unsigned_copy(const std::vector<T>& values) {
+  std::vector<std::uint32_t> copy(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k) copy[k] = static_cast<std::uint32_t>(values[k]);
+  return copy;
+}
+
+/// Places of the grains of each contact, "i" and "j"; walls are numbered after the grains by their side.
+Numbers pairs_of(const Packing& packing, NumberBlock& block);
+/// Every column with its unit, at most about a thousand rows of it.
+Numbers history_of(const History& history, NumberBlock& block);
+Numbers provenance_of(const Provenance& provenance);
+/// With six significant digits: more than a figure or a standard error can use, and a third of the bytes. A tree where nothing is known.
+Numbers shortened(Numbers numbers);
+
+/// Which nodes of a large map the page draws: every `stride`-th in both directions, from the middle of the first block.
+/// A map of up to about a million nodes is drawn whole.
+struct Thinning {
+  int stride = 1;
+  int width = 0, height = 0;          ///< nodes that are left
+  std::vector<std::size_t> node;      ///< their indices in the map
+
+  explicit Thinning(const PhaseMap& map, std::size_t most = 1'200'000);
+
+  template <class T>
+  std::vector<T> of(const std::vector<T>& values) const {
+    if (stride == 1) return values;
+    std::vector<T> kept(node.size());
+    for (std::size_t k = 0; k < node.size(); ++k) kept[k] = values[node[k]];
+    return kept;
+  }
+};
+
+/// Adds "maps" (every phase map once) and "fields" (one a result) to the page's document.
+void add_fields(Numbers& document, const std::vector<FieldPageData>& fields, NumberBlock& block);
+
+/// Adds "films" (one a result) to the page's document: maps, grains in pixels, contacts and, where there are any, the
+/// statistics of grain stresses and what relates them to the twin's.
+void add_films(Numbers& document, const std::vector<FilmPageData>& films, NumberBlock& block);
 
 }  // namespace arenite::report

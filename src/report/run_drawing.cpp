@@ -1,15 +1,17 @@
 #include "report/run_drawing.hpp"
 
-#include "io/read_file.hpp"
-#include "io/run_folder.hpp"
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "campaign/virtual_film.hpp"
-#include "report/field_drawing.hpp"
-#include "report/run_density.hpp"
-#include "report/sample_drawing.hpp"
-#include "report/study_figures.hpp"
+#include "core/error.hpp"
+#include "io/disk/file.hpp"
+#include "io/disk/store_file.hpp"
+#include "report/run_means.hpp"
+#include "report/study_page.hpp"
 #include "statistics/numbers.hpp"
-#include "workflow/final_state.hpp"
-#include "workflow/run_field.hpp"
+#include "workflow/result_folder.hpp"
 
 namespace arenite::report {
 
@@ -17,37 +19,105 @@ namespace fs = std::filesystem;
 
 namespace {
 
+double hundredth(double value) { return std::isfinite(value) ? std::round(100 * value) / 100 : 0; }
+double in_mm(double metres) { return hundredth(1e3 * metres); }
+
+Numbers contacts_json(const Contacts& contacts) {
+  double sum = 0, count = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (!contacts.is_wall(c) && contacts.fn[c] > 0) sum += contacts.fn[c], ++count;
+  Numbers i = Numbers::list(), j = Numbers::list(), f = Numbers::list();
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (contacts.is_wall(c)) continue;
+    i.push_back(contacts.i[c]);
+    j.push_back(contacts.j[c]);
+    f.push_back(hundredth(contacts.fn[c] * count / sum));
+  }
+  return {{"i", i}, {"j", j}, {"f", f}};
+}
+
+/// What is drawn of grains, in metres.
+struct Disks {
+  std::vector<double> x, y, radius;
+  std::vector<std::int32_t> material;
+  std::vector<std::uint8_t> zone;
+};
+
+Numbers disks_json(const Disks& disks) {
+  double left = INFINITY, right = -INFINITY, bottom = INFINITY, top = -INFINITY;
+  for (std::size_t g = 0; g < disks.x.size(); ++g) {
+    left = std::min(left, disks.x[g] - disks.radius[g]);
+    right = std::max(right, disks.x[g] + disks.radius[g]);
+    bottom = std::min(bottom, disks.y[g] - disks.radius[g]);
+    top = std::max(top, disks.y[g] + disks.radius[g]);
+  }
+  Numbers j{{"size", {in_mm(right - left), in_mm(top - bottom)}}};
+  for (const char* name : {"x", "y", "r", "material", "glued"}) j[name] = Numbers::list();
+  for (std::size_t g = 0; g < disks.x.size(); ++g) {
+    j["x"].push_back(in_mm(disks.x[g] - left));
+    j["y"].push_back(in_mm(disks.y[g] - bottom));
+    j["r"].push_back(in_mm(disks.radius[g]));
+    j["material"].push_back(disks.material[g]);
+    j["glued"].push_back(g < disks.zone.size() && disks.zone[g] != 0 ? 1 : 0);
+  }
+  return j;
+}
+
+Numbers stress_json(const std::vector<double>& sigma_norm) {
+  Numbers stress = Numbers::list();
+  for (const double s : sigma_norm) stress.push_back(hundredth(s));
+  return stress;
+}
+
 /// Solid fractions of windows with this share of the box's area, against the numbers of their places.
 Numbers windows_of(const fs::path& run, double share) {
   constexpr int places = 50;
   Numbers place = Numbers::list();
   for (int k = 1; k <= places; ++k) place.push_back(k);
-  const auto fractions = texture::window_fractions(study::final_state(run).packing, share, places);
+  const auto fractions = texture::window_fractions(workflow::final_state(run).packing, share, places);
   return Numbers{{"window", {{"place", place}, {"solid_fraction", fractions}}}};
 }
 
 }  // namespace
 
+Numbers sample_drawing(const workflow::FinalState& state, FigureKind kind) {
+  const Grains& grains = state.packing.grains;
+  Numbers j = disks_json({grains.x, grains.y, grains.radius, grains.material, grains.zone});
+  j["materials"] = Numbers::list();
+  for (const Material& material : state.packing.materials) j["materials"].push_back(material.name);
+  if (kind == FigureKind::forces) j.update(contacts_json(state.packing.contacts));
+  if (kind == FigureKind::stresses) j["stress"] = stress_json(state.texture.per_grain.sigma_norm);
+  return j;
+}
+
+Numbers film_drawing(const Numbers& film) {
+  if (!film.contains("found")) throw InputError("what is kept of the film holds no grains; remove virtual-film.hdf5 (or virtual-film.json) of this run, and make the film again");
+  const Numbers& found = film["found"];
+  const auto list = [&](const char* name) { return found[name].get<std::vector<double>>(); };
+  Numbers j = disks_json({list("x"), list("y"), list("radius"), found["material"].get<std::vector<std::int32_t>>(), found["zone"].get<std::vector<std::uint8_t>>()});
+  j["stress"] = stress_json(list("sigma_norm"));
+  return j;
+}
+
 Numbers run_drawing(const fs::path& run, const Figure& figure) {
   const std::string load = figure.stage.empty() ? "*" : figure.stage;
   switch (figure.kind) {
-    case FigureKind::film: return film_drawing(study::film_numbers(run));
-    case FigureKind::phases: return phases_drawing(study::field_of(run));
-    case FigureKind::zoom: return zoom_drawing(study::field_of(run, load));
-    case FigureKind::cracks: return cracks_drawing(study::field_of(run, load));
-    default: return sample_drawing(study::final_state(run, false, figure.stage), figure.kind);
+    case FigureKind::film: return film_drawing(campaign::film_numbers(run));
+    case FigureKind::phases: return phases_drawing(workflow::field_of(run));
+    case FigureKind::zoom: return zoom_drawing(workflow::field_of(run, load));
+    case FigureKind::cracks: return cracks_drawing(workflow::field_of(run, load));
+    default: return sample_drawing(workflow::final_state(run, false, figure.stage), figure.kind);
   }
 }
 
 Numbers RunNumbers::with(const fs::path& run, const std::string& path, const Figure& figure) {
-  if (is_of_film(path)) return study::has_film(run) ? Numbers{{"film", study::film_numbers(run)}} : Numbers{};
+  if (is_of_film(path)) return campaign::has_film(run) ? Numbers{{"film", campaign::film_numbers(run)}} : Numbers{};
   if (path.starts_with("window.")) return io::stage_files(run).empty() ? Numbers{} : windows_of(run, figure.window.value_or(1));
-  const fs::path file = run / "numbers.json";
-  Numbers numbers = fs::exists(file) ? from_json(io::read_file(file)).value_or(Numbers{}) : Numbers{};
+  Numbers numbers = campaign::numbers_of(run);
   if (path.empty() || has_numbers(numbers, path) || io::stage_files(run).empty()) return numbers;
   const auto sectors = static_cast<int>(figure.sectors.value_or(texture::Options{}.sectors));
   const auto [at, is_new] = curves_.try_emplace({run, sectors});
-  if (is_new) at->second = study::curves_of(study::final_state(run, false, "", sectors));
+  if (is_new) at->second = workflow::curves_of(workflow::final_state(run, false, "", sectors));
   return at->second;
 }
 

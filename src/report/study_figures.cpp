@@ -1,35 +1,76 @@
-#include "report/study_figures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
-#include "report/run_density.hpp"
-#include "report/study_points.hpp"
-#include "report/tail_line.hpp"
+#include "core/error.hpp"
+#include "io/table/table.hpp"
+#include "report/run_means.hpp"
+#include "report/study_page.hpp"
 
 namespace arenite::report {
 namespace {
 
-using Table = study::CollectedTable;
+using Table = campaign::CollectedTable;
+using Row = Table::Row;
 
-/// `unit`: of the values of `by`.
-std::string name_of(const Figure& figure, const std::string& group, const std::string& unit, std::size_t k) {
-  std::string name = k < figure.names.size() ? figure.names[k] : "";
-  if (figure.by.empty()) return name;
-  const std::string with_unit = unit.empty() ? group : group + " " + unit;
-  const std::string value = group.empty() ? figure.by_empty : figure.by_label.empty() ? with_unit : figure.by_label + " = " + with_unit;
-  return name.empty() ? value : name + ", " + value;
+double number_of(const std::string& text) { return io::to_number(text).value_or(statistics::unknown); }
+
+std::size_t key_place(const Table& table, const std::string& key) {
+  return static_cast<std::size_t>(std::find_if(table.keys.begin(), table.keys.end(), [&](const auto& k) { return k.name == key; }) - table.keys.begin());
 }
 
-/// Points as they are drawn: errors become deviations where the figure asks for these.
-void set_points(FigureCurve& curve, SampleMean mean, const Figure& figure) {
-  const double n = static_cast<double>(mean.samples);
-  if (figure.spread == Spread::deviation)
-    for (double& error : mean.error) error *= std::sqrt(n);
-  curve.fewest = curve.most = mean.samples;
-  curve.points = std::move(mean);
+std::size_t key_of(const Table& table, const std::string& key, const Figure& figure) {
+  const std::size_t k = key_place(table, key);
+  if (k == table.keys.size()) throw InputError(fmt::format("figure {}: `{}` is not swept by the study", figure.id, key));
+  return k;
+}
+
+/// Whether a figure's `where` wants this run.
+bool is_wanted(const Table& table, const Row& row, const Figure& figure) {
+  return std::all_of(figure.where.begin(), figure.where.end(), [&](const auto& where) {
+    const std::string& here = row.values[key_of(table, where.first, figure)];
+    return std::any_of(where.second.begin(), where.second.end(), [&](const std::string& value) { return value == here || number_of(value) == number_of(here); });
+  });
+}
+
+/// The rows of one curve: those that are wanted and have this value of `by`.
+struct Group {
+  std::string value, name;               ///< its name in the key
+  std::vector<const Row*> rows;
+};
+
+/// By the values of `by`, numbers by size; one group where the figure has none.
+std::vector<Group> groups_of(const Table& table, const Figure& figure) {
+  std::vector<Group> groups;
+  if (figure.by.empty()) groups.emplace_back();
+  const std::size_t k = figure.by.empty() ? 0 : key_of(table, figure.by, figure);
+  for (const Row& row : table.rows) {
+    if (!is_wanted(table, row, figure)) continue;
+    const std::string value = figure.by.empty() ? "" : row.values[k];
+    auto at = std::find_if(groups.begin(), groups.end(), [&](const Group& group) { return group.value == value; });
+    if (at == groups.end()) at = groups.insert(at, {value, {}, {}});
+    at->rows.push_back(&row);
+  }
+  if (figure.by.empty()) return groups;
+  std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return number_of(a.value) < number_of(b.value); });
+  for (Group& group : groups) {
+    const std::string& unit = table.keys[k].unit;
+    const std::string with_unit = unit.empty() ? group.value : group.value + " " + unit;
+    group.name = group.value.empty() ? figure.by_empty : figure.by_label.empty() ? with_unit : figure.by_label + " = " + with_unit;
+  }
+  return groups;
+}
+
+/// The k-th of what is drawn, in a group.
+std::string name_of(const Figure& figure, const Group& group, std::size_t k) {
+  const std::string name = k < figure.names.size() ? figure.names[k] : "";
+  return name.empty() || group.name.empty() ? name + group.name : name + ", " + group.name;
+}
+
+void add_curve(std::vector<FigureCurve>& curves, FigureCurve curve) {
+  if (!curve.points.x.empty()) curves.push_back(std::move(curve));
 }
 
 SampleMean mean_of(const Figure& figure, const std::vector<Numbers>& found, const std::string& path) {
@@ -38,47 +79,107 @@ SampleMean mean_of(const Figure& figure, const std::vector<Numbers>& found, cons
   return figure.share_above ? mean_share_above(found, path) : mean_density(found, path);
 }
 
-void add_curve(std::vector<FigureCurve>& curves, FigureCurve curve) {
-  if (!curve.points.x.empty()) curves.push_back(std::move(curve));
-}
-
-/// Curves of lists and densities, with what is fitted to them.
+/// Curves of lists and densities, with what is fitted to them; errors become deviations where the figure asks for these.
 std::vector<FigureCurve> list_curves(const Figure& figure, const Table& table, const NumbersOf& numbers) {
   std::vector<FigureCurve> curves;
-  const std::string unit = unit_of(table, figure);
   std::size_t place = 0;
-  for (const std::string& group : groups_of(table, figure)) {
-    const auto rows = rows_of(table, figure, group);
-    const std::size_t here = place++;
+  for (const Group& group : groups_of(table, figure)) {
     for (std::size_t k = 0; k < figure.curves.size(); ++k) {
       const bool film = is_of_film(figure.curves[k]);
       std::vector<Numbers> found;
-      for (const auto* row : rows) found.push_back(numbers(row->run, figure.curves[k], figure));
-      FigureCurve curve{.name = name_of(figure, group, unit, k), .group = here, .part = k, .film = film};
-      set_points(curve, mean_of(figure, found, figure.curves[k]), figure);
-      FigureCurve fit{.group = here, .part = k, .film = film, .fit = true};
-      if (k < figure.fits.size() && !figure.fits[k].empty()) fit.points = tail_line(found, figure.fits[k], curve.points);
+      for (const Row* row : group.rows) found.push_back(numbers(row->run, figure.curves[k], figure));
+      SampleMean mean = mean_of(figure, found, figure.curves[k]);
+      if (figure.spread == Spread::deviation)
+        for (double& error : mean.error) error *= std::sqrt(static_cast<double>(mean.samples));
+      FigureCurve curve{.name = name_of(figure, group, k), .points = mean, .group = place, .part = k, .film = film, .fewest = mean.samples, .most = mean.samples};
+      FigureCurve fit{.group = place, .part = k, .film = film, .fit = true};
+      if (k < figure.fits.size() && !figure.fits[k].empty()) fit.points = tail_line(found, figure.fits[k], mean);
       add_curve(curves, std::move(curve));
       add_curve(curves, std::move(fit));
     }
+    ++place;
   }
   return curves;
 }
+
+/// A number of a mean row, or one of its keys, or a number written out; "1/NAME" and "27.35/NAME" are a number over it.
+campaign::Estimate value_of(const Table& table, const Row& row, const std::string& name) {
+  const std::size_t slash = name.find('/');
+  if (const double over = number_of(name.substr(0, slash)); slash != std::string::npos && std::isfinite(over)) {
+    const campaign::Estimate e = value_of(table, row, name.substr(slash + 1));
+    return {over / e.value, e.error ? std::optional(std::abs(over) * *e.error / (e.value * e.value)) : std::nullopt};
+  }
+  if (const std::size_t k = key_place(table, name); k < table.keys.size()) return {number_of(row.values[k]), std::nullopt};
+  const auto at = std::find(table.names.begin(), table.names.end(), name);
+  if (at == table.names.end()) return {number_of(name), std::nullopt};
+  const auto number = row.numbers[static_cast<std::size_t>(at - table.names.begin())];
+  return number.value_or(campaign::Estimate{statistics::unknown, std::nullopt});
+}
+
+/// Means over runs that differ in their seed alone, which know of how many runs each is.
+class MeanRows {
+ public:
+  explicit MeanRows(const Table& runs) : runs_(runs) {
+    std::vector<std::string> names;
+    std::vector<std::size_t> keys;
+    for (std::size_t k = 0; k < runs.keys.size(); ++k)
+      if (runs.keys[k].name != "seed") names.push_back(runs.keys[k].name), keys.push_back(k);
+    table = averaged(runs, names);
+    for (const Row& row : runs.rows) {
+      std::vector<std::string> values;
+      for (const std::size_t k : keys) values.push_back(row.values[k]);
+      of_values_[values].push_back(&row);
+    }
+  }
+
+  Table table;
+
+  /// Points of `figure.x` and y by rising x, with their errors or deviations and the number of runs.
+  void set_points(FigureCurve& curve, const std::vector<const Row*>& rows, const Figure& figure, const std::string& y) const {
+    struct Point {
+      double x, y, error;
+    };
+    std::vector<Point> points;
+    for (const Row* row : rows) {
+      const auto at = value_of(table, *row, figure.x), value = value_of(table, *row, y);
+      if (!std::isfinite(at.value) || !std::isfinite(value.value)) continue;
+      const std::size_t n = samples(*row, y);
+      const double scale = figure.spread == Spread::deviation ? std::sqrt(static_cast<double>(n)) : 1;
+      points.push_back({at.value, value.value, n > 1 ? scale * value.error.value_or(statistics::unknown) : statistics::unknown});
+      curve.fewest = curve.fewest == 0 ? n : std::min(curve.fewest, n);
+      curve.most = std::max(curve.most, n);
+    }
+    std::stable_sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
+    for (const Point& p : points) {
+      curve.points.x.push_back(p.x);
+      curve.points.y.push_back(p.y);
+      curve.points.error.push_back(p.error);
+    }
+  }
+
+ private:
+  std::size_t samples(const Row& mean, const std::string& y) const {
+    const auto at = of_values_.find(mean.values);
+    if (at == of_values_.end()) return 0;
+    return static_cast<std::size_t>(std::count_if(at->second.begin(), at->second.end(), [&](const Row* row) { return std::isfinite(value_of(runs_, *row, y).value); }));
+  }
+
+  const Table& runs_;
+  std::map<std::vector<std::string>, std::vector<const Row*>> of_values_;
+};
 
 /// Curves of points, each the mean of runs that differ in their seed alone.
 std::vector<FigureCurve> point_curves(const Figure& figure, const Table& table) {
   std::vector<FigureCurve> curves;
   const MeanRows means(table);
-  const std::string unit = unit_of(means.table, figure);
   std::size_t place = 0;
-  for (const std::string& group : groups_of(means.table, figure)) {
-    const auto rows = rows_of(means.table, figure, group);
-    const std::size_t here = place++;
+  for (const Group& group : groups_of(means.table, figure)) {
     for (std::size_t k = 0; k < figure.y.size(); ++k) {
-      FigureCurve curve{.name = name_of(figure, group, unit, k), .group = here, .part = k};
-      means.set_points(curve, rows, figure, figure.y[k]);
+      FigureCurve curve{.name = name_of(figure, group, k), .group = place, .part = k};
+      means.set_points(curve, group.rows, figure, figure.y[k]);
       add_curve(curves, std::move(curve));
     }
+    ++place;
   }
   return curves;
 }
@@ -100,6 +201,8 @@ void add_beside(std::vector<FigureCurve>& curves, const Figure& figure, const Ta
   }
 }
 
+bool is_shown(const Table& table, const Row& row, const Figure& figure) { return row.status == "done" && is_wanted(table, row, figure); }
+
 }  // namespace
 
 std::vector<FigureCurve> curves_of(const Figure& figure, const Table& table, const NumbersOf& numbers) {
@@ -114,16 +217,14 @@ bool is_of_film(const std::string& path) { return path.starts_with("film."); }
 std::vector<std::string> filmed_runs(const std::vector<Figure>& figures, const Table& table) {
   std::vector<std::string> runs;
   for (const Figure& figure : figures)
-    for (const auto& row : table.rows)
-      if (figure.kind == FigureKind::film && row.status == "done" && is_wanted(table, row, figure) && std::find(runs.begin(), runs.end(), row.run) == runs.end())
-        runs.push_back(row.run);
+    for (const Row& row : table.rows)
+      if (figure.kind == FigureKind::film && is_shown(table, row, figure) && std::find(runs.begin(), runs.end(), row.run) == runs.end()) runs.push_back(row.run);
   return runs;
 }
 
 std::string run_of(const Figure& figure, const Table& table) {
-  for (const auto& row : table.rows)
-    if (row.status == "done" && is_wanted(table, row, figure)) return row.run;
-  return "";
+  const auto at = std::find_if(table.rows.begin(), table.rows.end(), [&](const Row& row) { return is_shown(table, row, figure); });
+  return at == table.rows.end() ? "" : at->run;
 }
 
 }  // namespace arenite::report

@@ -7,15 +7,37 @@
 
 #include "core/error.hpp"
 #include "core/version.hpp"
-#include "io/atomic_file.hpp"
+#include "io/disk/file.hpp"
 #include "report/page_template.hpp"
-#include "report/spread_text.hpp"
-#include "report/template_marks.hpp"
 #include "statistics/numbers.hpp"
 
 namespace arenite::report {
 namespace {
 
+struct Samples {
+  std::size_t fewest = 0, most = 0;
+};
+
+/// Of a film's curves or of the others.
+Samples samples_of(const std::vector<FigureCurve>& curves, bool film) {
+  Samples all;
+  for (const FigureCurve& curve : curves) {
+    if (curve.most == 0 || curve.film != film) continue;
+    all.fewest = all.fewest == 0 ? curve.fewest : std::min(all.fewest, curve.fewest);
+    all.most = std::max(all.most, curve.most);
+  }
+  return all;
+}
+
+std::string number_of(const Samples& samples) {
+  if (samples.most == 1) return "one sample";
+  return samples.fewest == samples.most ? fmt::format("{} samples", samples.most) : fmt::format("{} to {} samples", samples.fewest, samples.most);
+}
+
+const char* marks_of(const Figure& figure) {
+  if (figure.kind == FigureKind::rose) return "Ticks";
+  return figure.curves.empty() || !figure.curve_x.empty() || !figure.lines ? "Bars" : "Bands";
+}
 
 struct Reach {
   double low = statistics::unknown, high = statistics::unknown;
@@ -110,13 +132,23 @@ void add_drawing(Numbers& shown, const Figure& figure, const std::string& run, c
 
 }  // namespace
 
+std::string spread_text(const Figure& figure, const std::vector<FigureCurve>& curves) {
+  const Samples ours = samples_of(curves, false), film = samples_of(curves, true);
+  const std::size_t most = std::max(ours.most, film.most);
+  if (most == 0 || figure.kind == FigureKind::map) return "";
+  if (most == 1) return "One sample";
+  std::string text = fmt::format("{}: {} over {}", marks_of(figure), figure.spread == Spread::deviation ? "standard deviation" : "standard error", number_of(ours.most > 0 ? ours : film));
+  if (ours.most > 0 && film.most > 0 && (film.fewest != ours.fewest || film.most != ours.most)) text += fmt::format("; of the film: {}", number_of(film));
+  return text;
+}
+
 std::string study_page(const StudyPage& page) {
   Numbers about{{"title", page.title}};
   const auto done = static_cast<std::size_t>(std::count_if(page.table.rows.begin(), page.table.rows.end(), [](const auto& row) { return row.status == "done"; }));
   about["runs"] = fmt::format("{} of {} runs; what bars, bands and ticks are stands below each figure", done, page.table.rows.size());
   about["made"] = fmt::format("Arenite {}. Dashed lines and crosses are what the text and the tables of the source say.", version);
   about["figures"] = Numbers::list();
-  study::CollectedTable table = page.table;
+  campaign::CollectedTable table = page.table;
   std::erase_if(table.rows, [](const auto& row) { return row.status != "done"; });
   for (const Figure& figure : page.figures) {
     const auto curves = curves_of(figure, table, page.numbers);

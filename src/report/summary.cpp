@@ -5,14 +5,9 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "io/field_file.hpp"
-#include "io/film_result_file.hpp"
-#include "io/run_folder.hpp"
-#include "io/sealed_file.hpp"
-#include "io/stage_file.hpp"
-#include "report/field_text.hpp"
-#include "report/film_text.hpp"
-#include "report/headlines.hpp"
+#include "io/results/results.hpp"
+#include "io/disk/store_file.hpp"
+#include "report/result_text.hpp"
 #include "statistics/numbers.hpp"
 #include "recipe/recipe.hpp"
 #include "workflow/run.hpp"
@@ -21,9 +16,8 @@
 namespace arenite::report {
 namespace {
 
-
 std::string made_by(const Provenance& p) {
-  const std::string title = study::title_in(p.recipe);
+  const std::string title = recipe::title_in(p.recipe);
   return fmt::format("{}{}Made by Arenite {}, {}{}seed {}; input {}\n", title, title.empty() ? "" : "\n", p.version,
                      p.kernel.empty() ? "" : "kernel ", p.kernel.empty() ? "" : p.kernel + ", ", p.seed, p.input_hash.substr(0, 12));
 }
@@ -31,7 +25,7 @@ std::string made_by(const Provenance& p) {
 Numbers provenance(const Provenance& p) {
   Numbers options = Numbers::tree();
   for (const auto& [key, value] : p.options) options[key] = value;
-  return {{"title", study::title_in(p.recipe)}, {"version", p.version}, {"stage", p.stage}, {"input_hash", p.input_hash}, {"seed", p.seed},
+  return {{"title", recipe::title_in(p.recipe)}, {"version", p.version}, {"stage", p.stage}, {"input_hash", p.input_hash}, {"seed", p.seed},
           {"kernel", p.kernel},   {"options", options}, {"recipe", p.recipe}};
 }
 
@@ -40,48 +34,22 @@ Numbers walls(const Domain& domain) {
   for (std::size_t side = 0; side < domain.wall.size(); ++side) {
     const Wall& wall = domain.wall[side];
     if (!wall.present) continue;
-    j[side_names[side]] = {{"position_m", wall.position}, {"velocity_m_s", wall.velocity}, {"force_N", wall.force},
-                           {"shear_force_N", wall.shear_force}};
+    j[side_names[side]] = {{"position_m", wall.position}, {"velocity_m_s", wall.velocity}, {"force_N", wall.force}, {"shear_force_N", wall.shear_force}};
   }
-  return j;
-}
-
-Numbers energies(const Energies& e) {
-  Numbers j = Numbers::tree();
-  for (const EnergyTerm& term : energy_terms) j[term.name] = e.*term.value;
   return j;
 }
 
 Numbers state(const Frame& frame) {
   const Equilibrium& q = frame.equilibrium;
+  Numbers energies = Numbers::tree();
+  for (const EnergyTerm& term : energy_terms) energies[term.name] = frame.energies.*term.value;
   return {{"label", frame.label}, {"time_s", frame.time}, {"step", frame.step}, {"walls", walls(frame.packing.domain)},
           {"equilibrium", {{"unbalanced_ratio", q.unbalanced_ratio}, {"kinetic_ratio", q.kinetic_ratio},
                            {"loose_kinetic_ratio", q.loose_kinetic}, {"falling", q.falling}, {"mobilisation", q.mobilisation}, {"wall_speed_m_s", q.wall_speed}}},
-          {"energies_J", energies(frame.energies)}};
+          {"energies_J", energies}};
 }
 
-/// Lines "name  value", the values in one column.
-class Lines {
- public:
-  void heading(const std::string& text) { text_ += "\n" + text + "\n"; }
-  void add(const std::string& name, const std::string& value) {
-    if (!value.empty()) text_ += fmt::format("  {:<34} {}\n", name, value);
-  }
-  /// Lines that are laid out already.
-  void block(std::string_view lines) {
-    while (!lines.empty()) {
-      const auto length = std::min(lines.find('\n'), lines.size());
-      text_ += fmt::format("  {}\n", lines.substr(0, length));
-      lines.remove_prefix(std::min(length + 1, lines.size()));
-    }
-  }
-  std::string text() && { return std::move(text_); }
-
- private:
-  std::string text_;
-};
-
-void describe_state(Lines& lines, const Frame& frame) {
+void describe_state(TextLines& lines, const Frame& frame) {
   lines.heading(fmt::format("Last state: {} (t = {:.6g} s, step {})", frame.label, frame.time, frame.step));
   const Domain& d = frame.packing.domain;
   for (std::size_t side = 0; side < d.wall.size(); ++side)
@@ -103,53 +71,45 @@ void describe_state(Lines& lines, const Frame& frame) {
 Numbers last_texture(const StageResult& last) {
   if (!last.texture.empty()) return last.texture;
   if (last.frames.empty()) return Numbers::tree();
-  return texture::numbers(texture::measure(last.frames.back().packing, study::texture_options(last.provenance)));
+  return texture::numbers(texture::measure(last.frames.back().packing, workflow::texture_options(last.provenance)));
 }
 
 /// The text does not show the REV study, which takes longest.
 texture::Texture texture_without_rev(const StageResult& last) {
-  texture::Options options = study::texture_options(last.provenance);
+  texture::Options options = workflow::texture_options(last.provenance);
   options.rev_sizes = 0;
   return texture::measure(last.frames.back().packing, options);
 }
 
 }  // namespace
 
+Summary::Field::Field(const std::filesystem::path& path, const FieldResult& field)
+    : file(path.filename().string()), name(field.name), outcome(field.outcome), numbers(field.numbers), converged(field.converged), provenance(field.provenance) {}
+
 Summary::Summary(const std::filesystem::path& result) {
   for (const auto& file : io::stage_files(result)) {
-    if (io::sealed_kind(file) == "field") {
-      FieldResult field = io::read_field(file);
-      fields_.push_back({file.filename().string(), field.name, field.outcome, field.numbers, field.converged, field.provenance});
-      continue;
-    }
-    if (io::sealed_kind(file) == "film") {
+    const std::string kind = io::sealed_kind(file);
+    if (kind == "field") {
+      fields_.emplace_back(file, io::read_field(file));
+    } else if (kind == "film") {
       films_.push_back(io::read_film_result(file));
-      continue;
+    } else {
+      StageResult stage = io::read_stage(file);
+      const std::size_t states = stage.frames.size();
+      if (states > 1) stage.frames.erase(stage.frames.begin(), stage.frames.end() - 1);
+      stages_.push_back({file.filename().string(), std::move(stage), states});
     }
-    Stage stage{file.filename().string(), io::read_stage(file), 0};
-    stage.states = stage.result.frames.size();
-    if (stage.states > 1) stage.result.frames.erase(stage.result.frames.begin(), stage.result.frames.end() - 1);
-    stages_.push_back(std::move(stage));
   }
 }
 
-Summary::Summary(const study::RunOutcome& outcome) {
-  for (std::size_t s = 0; s < outcome.stages.size(); ++s) {
-    const StageResult& result = outcome.stages[s];
-    Stage stage{outcome.files[s].filename().string(), {}, result.frames.size()};
-    stage.result.provenance = result.provenance;
-    stage.result.name = result.name;
-    stage.result.converged = result.converged;
-    stage.result.outcome = result.outcome;
-    stage.result.texture = result.texture;
-    if (!result.frames.empty()) stage.result.frames.push_back(result.frames.back());
-    stages_.push_back(std::move(stage));
+Summary::Summary(const workflow::RunOutcome& outcome) {
+  auto file = outcome.files.begin();
+  for (const StageResult& s : outcome.stages) {
+    StageResult stage{s.provenance, s.name, s.converged, s.outcome, {}, {}, s.texture, {}};
+    if (!s.frames.empty()) stage.frames.push_back(s.frames.back());
+    stages_.push_back({(file++)->filename().string(), std::move(stage), s.frames.size()});
   }
-  for (std::size_t f = 0; f < outcome.fields.size(); ++f) {
-    const FieldResult& field = outcome.fields[f];
-    fields_.push_back({outcome.files[outcome.stages.size() + f].filename().string(), field.name, field.outcome, field.numbers,
-                       field.converged, field.provenance});
-  }
+  for (const FieldResult& field : outcome.fields) fields_.emplace_back(*file++, field);
 }
 
 Numbers Summary::numbers() const {
@@ -171,7 +131,7 @@ Numbers Summary::numbers() const {
 }
 
 std::string Summary::how_stages_ended() const {
-  Lines lines;
+  TextLines lines;
   lines.heading("Stages");
   for (const Stage& stage : stages_) {
     lines.add(stage.result.name, (stage.result.converged ? "" : "NOT AT REST: ") + stage.result.outcome);
@@ -196,7 +156,7 @@ std::string Summary::text() const {
 std::string Summary::all() const {
   if (!films_.empty()) return made_by(films_.back().provenance) + film_text(films_.back());
   if (!fields_.empty()) return how_stages_ended() + field_text(fields_.back().numbers);
-  Lines lines;
+  TextLines lines;
   const StageResult& last = stages_.back().result;
   if (!last.frames.empty()) {
     describe_state(lines, last.frames.back());

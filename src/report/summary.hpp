@@ -3,11 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "model/field_result.hpp"
+#include "model/result.hpp"
+#include "model/film.hpp"
 #include "model/film_result.hpp"
 #include "statistics/numbers.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 struct RunOutcome;
 }
 
@@ -21,7 +22,7 @@ class Summary {
   /// Reads a stage file or the stage files of a run's folder. Throws InputError for anything else.
   explicit Summary(const std::filesystem::path& result);
   /// The same of a run that has just ended.
-  explicit Summary(const study::RunOutcome& outcome);
+  explicit Summary(const workflow::RunOutcome& outcome);
 
   std::string text() const;   ///< for people: how the stages ended, and the headlines, each with its meaning
   std::string all() const;    ///< for people: every number
@@ -35,6 +36,7 @@ class Summary {
     std::size_t states = 0;
   };
   struct Field {
+    Field(const std::filesystem::path& path, const FieldResult& field);
     std::string file, name, outcome;
     Numbers numbers;
     bool converged = true;
@@ -48,5 +50,21 @@ class Summary {
 /// One field by itself, as text for people and as numbers.
 std::string field_summary(const FieldResult& result);
 Numbers field_numbers(const FieldResult& result);
+
+/// A film in a few numbers: size, times and missing frames, what the camera says, levels and noise of the first frames.
+struct FilmSummary {
+  std::string text;           ///< for people
+  Numbers numbers;            ///< for programs
+};
+/// Reads up to `most_frames` of its frames.
+FilmSummary film_summary(FilmSource& film, std::size_t most_frames = 64);
+
+/// What a film gave, as lines for people and as JSON for programs.
+std::string film_text(const FilmResult& result);
+Numbers film_numbers(const FilmResult& result);
+
+/// The course of a loading through the stages of a run's folder as CSV: one row a stored state, units in the heads of the columns.
+/// Throws InputError for what holds no such stages.
+std::string states_table(const std::filesystem::path& result);
 
 }  // namespace arenite::report

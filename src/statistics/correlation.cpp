@@ -8,9 +8,33 @@
 
 #include "core/error.hpp"
 #include "statistics/jackknife.hpp"
-#include "statistics/second_moments.hpp"
 
 namespace arenite::statistics {
+
+SecondMoments second_moments(const std::vector<double>& x, const std::vector<double>& y) {
+  const double n = static_cast<double>(x.size());
+  SecondMoments m;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    m.mean_x += x[k] / n;
+    m.mean_y += y[k] / n;
+  }
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    m.xx += (x[k] - m.mean_x) * (x[k] - m.mean_x);
+    m.xy += (x[k] - m.mean_x) * (y[k] - m.mean_y);
+    m.yy += (y[k] - m.mean_y) * (y[k] - m.mean_y);
+  }
+  return m;
+}
+
+Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
+  const double n = static_cast<double>(x.size());
+  if (x.size() < 3) return {};
+  const auto [mx, my, xx, xy, yy] = second_moments(x, y);
+  if (xx <= 0 || yy <= 0) return {};
+  const double slope = xy / xx, residual = std::max(0.0, yy - slope * xy);
+  const double variance = residual / (n - 2);
+  return {slope, std::sqrt(variance / xx), 1 - residual / yy, my - slope * mx, std::sqrt(variance * (1 / n + mx * mx / xx))};
+}
 
 std::vector<double> ranks(const std::vector<double>& values) {
   std::vector<std::size_t> order(values.size());

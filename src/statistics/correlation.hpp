@@ -3,9 +3,23 @@
 #include <vector>
 
 #include "statistics/estimate.hpp"
-#include "statistics/line.hpp"
 
 namespace arenite::statistics {
+
+/// Means of x and y, and sums of squares and products about them.
+struct SecondMoments {
+  double mean_x = 0, mean_y = 0, xx = 0, xy = 0, yy = 0;
+};
+SecondMoments second_moments(const std::vector<double>& x, const std::vector<double>& y);
+
+/// y = intercept + slope x by least squares, all points alike, with the standard errors of independent points.
+struct Line {
+  double slope = unknown, slope_error = unknown, r2 = unknown;
+  double intercept = unknown, intercept_error = unknown;
+};
+
+/// Unknown for fewer than three points, and where x or y does not vary.
+Line fit_line(const std::vector<double>& x, const std::vector<double>& y);
 
 /// Ranks from 1; equal values share the mean of theirs.
 std::vector<double> ranks(const std::vector<double>& values);
@@ -18,9 +32,9 @@ double spearman(const std::vector<double>& x, const std::vector<double>& y);
 
 /// How y goes with x over independent samples, one a row: variance in large grains against the deviation of pores, say.
 struct Relation {
-  std::size_t count = 0;             ///< rows in which both are known
-  Estimate pearson, spearman;        ///< errors by leaving out one row at a time
-  Line line;                         ///< y = intercept + slope x
+  std::size_t count = 0;       ///< rows in which both are known
+  Estimate pearson, spearman;  ///< errors by leaving out one row at a time
+  Line line;                   ///< y = intercept + slope x
 };
 
 /// Rows where x or y is not finite are left out. Throws InputError where x and y differ in length.

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "statistics/estimate.hpp"
+
 namespace arenite {
 
 /// A tree of numbers that lacks what was asked of it.
@@ -20,9 +22,9 @@ class NumbersError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What is measured, as an ordered tree: a node is a value (truth, integer, real, text), a list of nodes, or nodes with names.
-/// Braces make trees as they are written in JSON: {{"z", 3.9}, {"sectors", {1, 2, 3}}}. A number that is not finite is not known.
-/// Files, tables, pages and Python are made of it (`json`, io/hdf5_reader, report, python/src).
+/// What is measured, as an ordered tree: a node is a value (truth, integer, real, text), a list of nodes, or nodes with names. Braces make trees as
+/// they are written in JSON: {{"z", 3.9}, {"sectors", {1, 2, 3}}}. A number that is not finite is not known. Files, tables, pages and Python are made
+/// of it (`json`, io/hdf5, report, python/src).
 class Numbers {
  public:
   enum class Kind : std::uint8_t { unknown, truth, integer, natural, real, text, list, tree };
@@ -34,8 +36,7 @@ class Numbers {
   template <std::signed_integral T>
   Numbers(T value) : kind_(Kind::integer), integer_(value) {}
   template <std::unsigned_integral T>
-    requires(!std::same_as<T, bool>)
-  Numbers(T value) : kind_(Kind::natural), integer_(static_cast<std::int64_t>(value)) {}
+  requires(!std::same_as<T, bool>) Numbers(T value) : kind_(Kind::natural), integer_(static_cast<std::int64_t>(value)) {}
   template <std::floating_point T>
   Numbers(T value) : Numbers(real_of(static_cast<double>(value))) {}
   Numbers(std::string text) : kind_(Kind::text), text_(std::move(text)) {}
@@ -153,3 +154,43 @@ std::string to_json(const Numbers& numbers, int indent = -1);
 std::optional<Numbers> from_json(std::string_view text);
 
 }  // namespace arenite
+
+/// What all statistics write their numbers with.
+namespace arenite::statistics {
+
+Numbers number(double value);  ///< not known where it is not finite
+Numbers numbers(const std::vector<double>& values);
+Numbers matrix(const Tensor2& t);
+Numbers curve(const Curve& c);  ///< {"x", "y", "error"}
+
+// What is not known is left out.
+void put(Numbers& to, const std::string& name, const Estimate& e);  ///< {"value", "error"}
+void put(Numbers& to, const std::string& name, double value);
+void put(Numbers& to, const std::string& name, const TensorEstimate& t);
+void put(Numbers& to, const std::string& name, const Tensor2& t);
+void put(Numbers& to, const std::string& name, const ByName<Estimate>& values);
+
+/// A number of a statistic S, declared once: its name in files and tables, its unit (empty: it has none), what it is, and where it stands.
+template <class S>
+struct Declared {
+  const char *name, *unit, *sentence;
+  Estimate S::*estimate = nullptr;
+  double S::*value = nullptr;
+  std::size_t S::*count = nullptr;
+  constexpr Declared(const char* n, const char* u, const char* what, Estimate S::*member) : name(n), unit(u), sentence(what), estimate(member) {}
+  constexpr Declared(const char* n, const char* u, const char* what, double S::*member) : name(n), unit(u), sentence(what), value(member) {}
+  constexpr Declared(const char* n, const char* u, const char* what, std::size_t S::*member) : name(n), unit(u), sentence(what), count(member) {}
+};
+
+/// All of a statistic's numbers, in the order of their declaration.
+template <class S, std::size_t N>
+Numbers tree_of(const S& statistic, const Declared<S> (&declared)[N]) {
+  Numbers out = Numbers::tree();
+  for (const Declared<S>& d : declared)
+    if (d.estimate) put(out, d.name, statistic.*d.estimate);
+    else if (d.value) put(out, d.name, statistic.*d.value);
+    else out[d.name] = statistic.*d.count;
+  return out;
+}
+
+}  // namespace arenite::statistics

@@ -28,8 +28,7 @@ double log_normalisation(double q) {
 /// One set of parameters, ready for many x.
 class Density {
  public:
-  explicit Density(const Parameters& p)
-      : centre_(p[0]), beta_(std::exp(p[1])), e_(p[2] - 1), height_(std::exp(0.5 * p[1] - log_normalisation(p[2]))) {}
+  explicit Density(const Parameters& p) : centre_(p[0]), beta_(std::exp(p[1])), e_(p[2] - 1), height_(std::exp(0.5 * p[1] - log_normalisation(p[2]))) {}
   double operator()(double x) const {
     const double d2 = beta_ * (x - centre_) * (x - centre_);
     if (std::abs(e_) < 1e-6) return height_ * std::exp(-d2);
@@ -45,10 +44,16 @@ struct Points {
   std::vector<double> x, y;
 };
 
-double cost(const Points& points, const Parameters& p) {
+std::vector<double> residuals(const Points& points, const Parameters& p) {
   const Density f(p);
+  std::vector<double> rest;
+  for (std::size_t i = 0; i < points.x.size(); ++i) rest.push_back(points.y[i] - f(points.x[i]));
+  return rest;
+}
+
+double cost(const Points& points, const Parameters& p) {
   double sum = 0;
-  for (std::size_t k = 0; k < points.x.size(); ++k) sum += (points.y[k] - f(points.x[k])) * (points.y[k] - f(points.x[k]));
+  for (const double rest : residuals(points, p)) sum += rest * rest;
   return sum;
 }
 
@@ -101,13 +106,6 @@ Parameters gradient(const std::vector<Parameters>& slope, const std::vector<doub
   return g;
 }
 
-std::vector<double> residuals(const Points& points, const Parameters& p) {
-  const Density f(p);
-  std::vector<double> rest;
-  for (std::size_t i = 0; i < points.x.size(); ++i) rest.push_back(points.y[i] - f(points.x[i]));
-  return rest;
-}
-
 /// Levenberg-Marquardt; false if it does not settle within the bounds of q.
 bool minimise(const Points& points, Parameters& p, int iterations) {
   double lambda = 1e-3, now = cost(points, p);
@@ -132,8 +130,7 @@ bool minimise(const Points& points, Parameters& p, int iterations) {
   return p[2] > lowest_q && p[2] < highest_q;
 }
 
-/// Half the second derivatives of the cost, by differences of its gradient: unlike the normal matrix they hold where the
-/// density is not a good one.
+/// Half the second derivatives of the cost, by differences of its gradient: unlike the normal matrix they hold where the density is not a good one.
 std::array<double, 9> curvature(const Points& points, const Parameters& p) {
   std::array<double, 9> result{};
   for (std::size_t l = 0; l < 3; ++l) {

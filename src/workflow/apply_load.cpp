@@ -1,28 +1,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/error.hpp"
-#include "solid/stress/stress.hpp"
-#include "workflow/cropped_packing.hpp"
-#include "workflow/field_numbers.hpp"
-#include "workflow/field_stages.hpp"
+#include "core/hash.hpp"
+#include "core/version.hpp"
 #include "grains/texture/texture.hpp"
+#include "io/disk/file.hpp"
+#include "solid/stress/stress.hpp"
+#include "workflow/field_stages.hpp"
+#include "workflow/stage_keys.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 namespace {
 
 /// The sample with its axis of loading upright.
-FieldResult upright(const FieldResult& sample, Load::Axis axis) {
+FieldResult upright(const FieldResult& sample, recipe::Load::Axis axis) {
   FieldResult result = sample;
-  if (axis == Load::Axis::y) return result;
+  if (axis == recipe::Load::Axis::y) return result;
   result.map = transposed(sample.map);
   result.packing = transposed(sample.packing);
   return result;
 }
 
-peridynamics::LoadOptions load_options(const Load& load, const peridynamics::Watch& watch) {
+peridynamics::LoadOptions load_options(const recipe::Load& load, const peridynamics::Watch& watch) {
   peridynamics::LoadOptions options;
   options.stiffness = load.stiffness.resolved();
   options.loading = load.loading;
@@ -71,22 +75,22 @@ std::vector<Tensor2> contact_stresses(const FieldResult& result) {
   return sigma;
 }
 
-void measure_stress(const Load& load, FieldResult& result) {
+void measure_stress(const recipe::Load& load, FieldResult& result) {
   if (result.field.size() == 0) return;
   stress::StressOptions options = load.statistics;
   if (load.loading == peridynamics::Loading::shear) options.components = {stress::Component::xy};
   try {
     const auto statistics = stress::measure(result.map, result.field, options);
-    result.numbers = with_stress(std::move(result.numbers), stress::numbers(statistics));
+    result.numbers["stress"] = stress::numbers(statistics);
     const auto contacts = contact_stresses(result);
     if (contacts.size() == result.map.grain_class.size() && load.loading != peridynamics::Loading::shear)
-      result.numbers = with_agreement(std::move(result.numbers), stress::compare(result.map, statistics.grains, contacts));
+      add_agreement(result.numbers, stress::compare(result.map, statistics.grains, contacts));
   } catch (const InputError& error) {
-    result.numbers = with_note(std::move(result.numbers), fmt::format("no statistics of stress: {}", error.what()));
+    result.numbers["notes"].push_back(fmt::format("no statistics of stress: {}", error.what()));
   }
 }
 
-std::optional<FieldResult> pull_apart(const Load& load, FieldResult result, const peridynamics::Watch& watch, const PullCheckpoint& checkpoint) {
+std::optional<FieldResult> pull_apart(const recipe::Load& load, FieldResult result, const peridynamics::Watch& watch, const PullCheckpoint& checkpoint) {
   using Ending = peridynamics::DamageResult::Ending;
   peridynamics::DamageOptions options;
   options.stiffness = load.stiffness.resolved();
@@ -106,14 +110,14 @@ std::optional<FieldResult> pull_apart(const Load& load, FieldResult result, cons
   result.outcome = pulled.sentence;
   result.curve = curve_of(pulled.curve);
   result.cracks = cracks_of(pulled.broken, result.map.dx);
-  result.numbers = with_failure(std::move(result.numbers), load, pulled);
+  add_failure(result.numbers, load, pulled);
   result.field = std::move(pulled.at_strength);
   return result;
 }
 
 }  // namespace
 
-std::optional<FieldResult> apply_load(const Load& load, const FieldResult& sample, const peridynamics::Watch& watch,
+std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample, const peridynamics::Watch& watch,
                                       const PullCheckpoint& checkpoint) {
   FieldResult result = upright(sample, load.axis);
   result.name = load.name;
@@ -136,10 +140,39 @@ std::optional<FieldResult> apply_load(const Load& load, const FieldResult& sampl
       result.converged = result.converged && report.ending == peridynamics::Ending::solved;
     }
   }
-  result.numbers = with_load(std::move(result.numbers), load, loaded.report, moduli);
+  add_load(result.numbers, load, loaded.report, moduli);
   result.field = std::move(loaded.field);
   measure_stress(load, result);
   return result;
 }
 
-}  // namespace arenite::study
+FieldResult sample_of_map(PhaseMap map, const raster::CavityRules& rules) {
+  check(map);
+  std::size_t particle = 0;
+  for (const Phase p : map.phase) particle += p == Phase::particle;
+  // Without particles the unit of volume is a node.
+  const double grains = static_cast<double>(map.grain_class.size());
+  const double nodes_per_grain = grains > 0 && particle > 0 ? static_cast<double>(particle) / grains : 1;
+  FieldResult sample;
+  sample.name = "map";
+  sample.numbers = map_numbers(map, rules, map.dx * std::sqrt(nodes_per_grain / std::numbers::pi));
+  sample.map = std::move(map);
+  return sample;
+}
+
+void count_lengths_in_nodes(FieldResult& sample) {
+  Numbers& map = sample.numbers["map"];
+  map.erase("dx_m");
+  map["lengths"] = "in nodes, since --dx was not given";
+}
+
+void sign(FieldResult& result, const std::filesystem::path& source, const std::string& asked, const recipe::Load& load) {
+  HashBuilder hash;
+  hash.add("map", content_hash(io::read_file(source))).add("options", asked);
+  result.provenance.version = version;
+  result.provenance.stage = load.name;
+  result.provenance.input_hash = load_key(load, hash.hex());
+  result.provenance.options = {{"map", source.filename().string()}, {"options", asked}};
+}
+
+}  // namespace arenite::workflow

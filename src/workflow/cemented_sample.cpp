@@ -1,12 +1,119 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
-#include "workflow/cropped_packing.hpp"
-#include "workflow/field_numbers.hpp"
 #include "workflow/field_stages.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
+namespace {
+
+constexpr std::int32_t left_out = -1;
+
+/// New number of every grain that is kept, in the order in which they were added.
+class Numbering {
+ public:
+  explicit Numbering(std::size_t grains) : number_(grains, left_out) {}
+  void add(std::int32_t grain) {
+    auto& number = number_[static_cast<std::size_t>(grain)];
+    if (number != left_out) return;
+    number = static_cast<std::int32_t>(kept_.size());
+    kept_.push_back(grain);
+  }
+  std::int32_t operator[](std::int32_t grain) const { return number_[static_cast<std::size_t>(grain)]; }
+  bool has(std::int32_t grain) const { return number_[static_cast<std::size_t>(grain)] != left_out; }
+  const std::vector<std::int32_t>& kept() const { return kept_; }
+
+ private:
+  std::vector<std::int32_t> number_, kept_;
+};
+
+Grains take(const Grains& from, const std::vector<std::int32_t>& kept, Vec2 corner) {
+  Grains grains;
+  grains.resize(kept.size());
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    const auto g = static_cast<std::size_t>(kept[k]);
+    grains.id[k] = from.id[g];
+    grains.radius[k] = from.radius[g];
+    grains.material[k] = from.material[g];
+    grains.zone[k] = from.zone[g];
+    grains.x[k] = from.x[g] - corner.x;
+    grains.y[k] = from.y[g] - corner.y;
+    grains.angle[k] = from.angle[g];
+  }
+  return grains;
+}
+
+Contacts take(const Contacts& from, const Numbering& numbering) {
+  Contacts contacts;
+  for (std::size_t c = 0; c < from.size(); ++c) {
+    if (!numbering.has(from.i[c]) || (!from.is_wall(c) && !numbering.has(from.j[c]))) continue;
+    contacts.add(numbering[from.i[c]], from.is_wall(c) ? from.j[c] : numbering[from.j[c]], from.normal(c), from.fn[c], from.ft[c],
+                 from.arm_i[c], from.arm_j[c]);
+    contacts.overlap.back() = from.overlap[c];
+    contacts.sliding_velocity.back() = from.sliding_velocity[c];
+    contacts.glued.back() = from.glued[c];
+  }
+  return contacts;
+}
+
+template <class Joint>
+std::vector<Joint> take(const std::vector<Joint>& from, const Numbering& numbering) {
+  std::vector<Joint> joints;
+  for (Joint joint : from) {
+    if (!numbering.has(joint.i) || !numbering.has(joint.j)) continue;
+    joint.i = numbering[joint.i];
+    joint.j = numbering[joint.j];
+    joints.push_back(joint);
+  }
+  return joints;
+}
+
+}  // namespace
+
+CroppedPacking crop(const Packing& packing, const Cement& cement, const std::vector<std::int32_t>& grain_of_label, Vec2 corner) {
+  Numbering numbering(packing.grains.size());
+  for (const std::int32_t grain : grain_of_label) numbering.add(grain);
+  const auto labels = static_cast<std::int32_t>(numbering.kept().size());
+  const auto shown = [&](std::int32_t grain) { return numbering.has(grain) && numbering[grain] < labels; };
+  const auto add_partner = [&](std::int32_t i, std::int32_t j) {
+    if (shown(i)) numbering.add(j);
+    else if (shown(j)) numbering.add(i);
+  };
+  for (std::size_t c = 0; c < packing.contacts.size(); ++c)
+    if (!packing.contacts.is_wall(c)) add_partner(packing.contacts.i[c], packing.contacts.j[c]);
+  for (const Bridge& bridge : cement.bridges) add_partner(bridge.i, bridge.j);
+  for (const Meniscus& meniscus : cement.menisci) add_partner(meniscus.i, meniscus.j);
+
+  CroppedPacking result;
+  result.packing.materials = packing.materials;
+  result.packing.domain = packing.domain;
+  for (int side = 0; side < 4; ++side) result.packing.domain.wall[static_cast<std::size_t>(side)].position -= side < 2 ? corner.x : corner.y;
+  result.packing.grains = take(packing.grains, numbering.kept(), corner);
+  result.packing.contacts = take(packing.contacts, numbering);
+  result.cement.full = cement.full;
+  result.cement.coating = cement.coating;
+  result.cement.bridges = take(cement.bridges, numbering);
+  result.cement.menisci = take(cement.menisci, numbering);
+  return result;
+}
+
+Packing transposed(const Packing& packing) {
+  Packing other = packing;
+  std::swap(other.grains.x, other.grains.y);
+  std::swap(other.grains.vx, other.grains.vy);
+  for (auto* turning : {&other.grains.angle, &other.grains.omega})
+    for (double& value : *turning) value = -value;
+  std::swap(other.contacts.nx, other.contacts.ny);
+  for (double& ft : other.contacts.ft) ft = -ft;  // t is n turned counter-clockwise, which a mirror image is not
+  for (std::int32_t& j : other.contacts.j)
+    if (j < 0) j = wall_partner((-1 - j) ^ 2);
+  std::swap(other.domain.wall[left], other.domain.wall[bottom]);
+  std::swap(other.domain.wall[right], other.domain.wall[top]);
+  std::swap(other.domain.periodic_x, other.domain.periodic_y);
+  return other;
+}
+
 namespace {
 
 constexpr double gap_over_radius = 0.075, crop_over_radius = 25.6;  // P's 3 nodes and 1024 nodes of 40 to a large radius
@@ -25,13 +132,13 @@ std::int32_t index_of(const Materials& materials, const std::string& name) {
 }
 
 /// P's crop where nothing else is asked for and the sample is wide enough for it; 0: the largest square.
-double crop_side(const Recipe& recipe, const RasterSection& section, const Packing& packing, double radius) {
+double crop_side(const recipe::Recipe& recipe, const recipe::RasterSection& section, const Packing& packing, double radius) {
   if (section.crop) return *section.crop;
   const double side = crop_over_radius * radius;
   return recipe.bidisperse && raster::crop_window(packing, 0).width() >= side ? side : 0;
 }
 
-std::string sentence(const SampleReports& reports, const PhaseMap& map, const RasterSection& section) {
+std::string sentence(const SampleReports& reports, const PhaseMap& map, const recipe::RasterSection& section) {
   const auto& r = reports.raster;
   std::string text = fmt::format("{0} x {0} nodes of {1:.4g} mm, {2} grains; S_m {3:.4f} by geometry; areas on the nodes off by {4:+.2g} % (particles)",
                                  section.nodes, 1e3 * map.dx, map.grain_class.size(), reports.cement.saturation, 100 * r.particle_area_error);
@@ -43,7 +150,7 @@ std::string sentence(const SampleReports& reports, const PhaseMap& map, const Ra
 
 }  // namespace
 
-std::optional<ClassMaterials> class_materials(const Recipe& recipe, const Packing& packing) {
+std::optional<ClassMaterials> class_materials(const recipe::Recipe& recipe, const Packing& packing) {
   if (recipe.bidisperse)
     return ClassMaterials{index_of(packing.materials, recipe.bidisperse->large), index_of(packing.materials, recipe.bidisperse->small)};
   if (packing.materials.size() != 2) return std::nullopt;
@@ -60,14 +167,14 @@ std::vector<GrainClass> classes(const Packing& packing, const std::optional<Clas
   return result;
 }
 
-double reference_radius(const Recipe& recipe, const Packing& packing) {
+double reference_radius(const recipe::Recipe& recipe, const Packing& packing) {
   if (recipe.bidisperse) return recipe.bidisperse->law.large_radius;
   const auto materials = class_materials(recipe, packing);
   return mean_radius(packing, materials ? materials->large : -1);
 }
 
-FieldResult make_cemented_sample(const Recipe& recipe, const Packing& packing) {
-  const RasterSection section = recipe.raster_or_default();
+FieldResult make_cemented_sample(const recipe::Recipe& recipe, const Packing& packing) {
+  const recipe::RasterSection section = recipe.raster_or_default();
   const auto materials = class_materials(recipe, packing);
   const double radius = reference_radius(recipe, packing);
   SampleReports reports;
@@ -87,8 +194,9 @@ FieldResult make_cemented_sample(const Recipe& recipe, const Packing& packing) {
   result.cement = std::move(cropped.cement);
   if (materials) reports.coordination = texture::gap_coordination(packing, reports.gap, materials->large, materials->small, window);
   result.outcome = sentence(reports, result.map, section);
-  result.numbers = with_reports(map_numbers(result.map, section.cavities, radius), reports);
+  result.numbers = map_numbers(result.map, section.cavities, radius);
+  add_reports(result.numbers, reports);
   return result;
 }
 
-}  // namespace arenite::study
+}  // namespace arenite::workflow

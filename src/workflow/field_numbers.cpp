@@ -1,4 +1,4 @@
-#include "workflow/field_numbers.hpp"
+#include "workflow/field_stages.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,13 +6,11 @@
 
 #include "model/elasticity/bounds.hpp"
 #include "solid/raster/cavity_statistics.hpp"
-#include "solid/raster/phase_fractions.hpp"
 #include "statistics/numbers.hpp"
-#include "recipe/recipe_words.hpp"
+#include "recipe/recipe.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 namespace {
-
 
 Numbers number(double value) { return std::isfinite(value) ? Numbers(value) : Numbers(); }
 
@@ -78,10 +76,10 @@ Numbers support(const peridynamics::Support& s) {
           {"floating", s.floating}, {"islands", s.islands}};
 }
 
-Numbers as_asked(const Load& load) {
+Numbers as_asked(const recipe::Load& load) {
   const peridynamics::Stiffness e = load.stiffness.resolved();
-  return {{"loading", word_of(load.loading)},
-          {"axis", word_of(load.axis)},
+  return {{"loading", recipe::word_of(load.loading)},
+          {"axis", recipe::word_of(load.axis)},
           {"stiffness_Pa", {{"matrix", e.matrix}, {"interface", e.interface}, {"particle", e.particle}}}};
 }
 
@@ -138,13 +136,13 @@ Numbers map_numbers(const PhaseMap& map, const raster::CavityRules& rules, doubl
   return j;
 }
 
-Numbers with_reports(Numbers j, const SampleReports& reports) {
+void add_reports(Numbers& j, const SampleReports& reports) {
   const auto& c = reports.cement;
   const auto& r = reports.raster;
   const auto kind = static_cast<std::size_t>(reports.section.law.kind);
   j["area_error"] = {{"particle", r.particle_area_error}, {"matrix", r.matrix_area_error}};
   j["exact"] = {{"solid_fraction", c.areas.particle / c.areas.window}, {"S_m", c.saturation}};
-  Numbers cement{{"kind", word_of(reports.section.law.kind)}, {"gap_m", reports.gap}, {"joints", c.joints}};
+  Numbers cement{{"kind", recipe::word_of(reports.section.law.kind)}, {"gap_m", reports.gap}, {"joints", c.joints}};
   if (parameter_names[kind][0] != '\0') cement[parameter_names[kind]] = c.parameter;
   if (reports.section.law.saturation) cement["saturation_error"] = c.saturation_error;
   if (reports.section.law.kind == cement::CementParameters::Kind::menisci) {
@@ -156,14 +154,13 @@ Numbers with_reports(Numbers j, const SampleReports& reports) {
                  {"lost_joints", r.lost_joints}, {"lost_area_m2", r.lost_area}, {"thinnest_joint_nodes", r.thinnest_joint},
                  {"smallest_grain_nodes", r.smallest_grain}};
   if (reports.coordination) j["coordination"] = coordination(*reports.coordination, reports.gap);
-  return j;
 }
 
-Numbers with_load(Numbers j, const Load& load, const peridynamics::LoadReport& report,
-                      const std::optional<peridynamics::EffectiveModuli>& moduli) {
+void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadReport& report,
+              const std::optional<peridynamics::EffectiveModuli>& moduli) {
   Numbers l = as_asked(load);
   l["strain"] = load.strain;
-  l["method"] = word_of(load.method);
+  l["method"] = recipe::word_of(load.method);
   l["ending"] = word(report.ending);
   l["iterations"] = report.iterations;
   l["residual"] = report.residual;
@@ -181,10 +178,9 @@ Numbers with_load(Numbers j, const Load& load, const peridynamics::LoadReport& r
   if (moduli)
     j["moduli"] = {{"E_x_Pa", moduli->young_x}, {"E_y_Pa", moduli->young_y}, {"nu_xy", moduli->poisson_xy},
                    {"nu_yx", moduli->poisson_yx}, {"G_Pa", moduli->shear}};
-  return j;
 }
 
-Numbers with_failure(Numbers j, const Load& load, const peridynamics::DamageResult& result) {
+void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::DamageResult& result) {
   Numbers l = as_asked(load);
   const peridynamics::Toughness k = load.toughness.resolved();
   l["toughness_Pa_m0.5"] = {{"matrix", k.matrix}, {"interface", k.interface}, {"particle", k.particle}};
@@ -206,15 +202,9 @@ Numbers with_failure(Numbers j, const Load& load, const peridynamics::DamageResu
     failure["bond_energy_J_per_m"] = last.bond_energy;
   }
   j["failure"] = failure;
-  return j;
 }
 
-Numbers with_stress(Numbers j, Numbers stress) {
-  j["stress"] = std::move(stress);
-  return j;
-}
-
-Numbers with_agreement(Numbers j, const stress::GrainComparison& comparison) {
+void add_agreement(Numbers& j, const stress::GrainComparison& comparison) {
   const auto add = [&](const char* component, const stress::ByName<stress::Agreement>& sets) {
     for (const auto& [name, a] : sets) {
       Numbers& one = j["grain_stress_against_contacts"][component][name];
@@ -224,12 +214,6 @@ Numbers with_agreement(Numbers j, const stress::GrainComparison& comparison) {
   };
   add("sigma_yy", comparison.yy);
   add("sigma_hyd", comparison.hydrostatic);
-  return j;
 }
 
-Numbers with_note(Numbers j, const std::string& note) {
-  j["notes"].push_back(note);
-  return j;
-}
-
-}  // namespace arenite::study
+}  // namespace arenite::workflow

@@ -1,37 +1,59 @@
 #pragma once
+#include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "model/field_result.hpp"
-#include "solid/peridynamics/pull_state.hpp"
-#include "solid/peridynamics/watch.hpp"
+#include "grains/texture/gap_coordination.hpp"
+#include "model/cement.hpp"
+#include "model/result.hpp"
+#include "model/packing.hpp"
+#include "model/phase_map.hpp"
 #include "recipe/recipe.hpp"
-#include "workflow/result_folder.hpp"
-#include "workflow/run.hpp"
-#include "workflow/stage_keys.hpp"
+#include "solid/cement/cement.hpp"
+#include "solid/peridynamics/damage.hpp"
+#include "solid/peridynamics/load.hpp"
+#include "solid/raster/cavities.hpp"
+#include "solid/raster/raster.hpp"
+#include "solid/stress/stress.hpp"
+#include "statistics/numbers.hpp"
 
-/// The second half of a run: cement, raster, loads (P II.B to IV).
-namespace arenite::study {
+/// The second half of a run: cement, raster, loads (P II.B to IV), and what they give as numbers, each statistic as value and error.
+
+namespace arenite::workflow {
+
+/// The grains that a raster shows, in its coordinates, and what holds them.
+struct CroppedPacking {
+  Packing packing;
+  Cement cement;
+};
+
+/// First the grains of the labels, in their order, then those that touch one of them or share a bridge or meniscus with
+/// one; contacts and joints between these. `corner` becomes the origin.
+CroppedPacking crop(const Packing& packing, const Cement& cement, const std::vector<std::int32_t>& grain_of_label, Vec2 corner);
+
+/// The mirror image about the line x = y, as transposed(PhaseMap) gives it.
+Packing transposed(const Packing& packing);
 
 /// Materials of the large and of the small grains: those of [bidisperse], or of two materials the one with the larger mean
 /// radius; nothing where a packing has no two classes.
 struct ClassMaterials {
   std::int32_t large = 0, small = 1;
 };
-std::optional<ClassMaterials> class_materials(const Recipe& recipe, const Packing& packing);
+std::optional<ClassMaterials> class_materials(const recipe::Recipe& recipe, const Packing& packing);
 
 /// The class of every grain by its material; empty without classes.
 std::vector<GrainClass> classes(const Packing& packing, const std::optional<ClassMaterials>& materials);
 
 /// The radius that gaps and crops are measured by: large_radius of [bidisperse], or the mean radius of the large grains,
 /// or of all, m.
-double reference_radius(const Recipe& recipe, const Packing& packing);
+double reference_radius(const recipe::Recipe& recipe, const Packing& packing);
 
 /// Cements and rasterises a packing, with its phases, pores, voids and coordination as numbers. Throws InputError for a
 /// saturation out of reach and a crop wider than the sample.
-FieldResult make_cemented_sample(const Recipe& recipe, const Packing& packing);
+FieldResult make_cemented_sample(const recipe::Recipe& recipe, const Packing& packing);
 
 /// How a pull to failure is kept on its way and where it goes on from; other loads take no notice.
 struct PullCheckpoint {
@@ -40,11 +62,40 @@ struct PullCheckpoint {
 };
 
 /// Loads a cemented sample. An unfinished field has `converged` false and says why; nothing if the watch stopped it.
-std::optional<FieldResult> apply_load(const Load& load, const FieldResult& sample, const peridynamics::Watch& watch,
+std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample, const peridynamics::Watch& watch,
                                       const PullCheckpoint& checkpoint = {});
 
-/// Does, or reads from the store, the cemented sample and all loads; appends to `outcome`.
-void run_fields(const Recipe& recipe, const std::vector<PlannedStage>& plan, const ResultFolder& folder, const RunOptions& options,
-                Progress progress, RunOutcome& outcome);
+/// A sample for apply_load from anybody's phase map: its phases, pores and voids as numbers, their volumes over the mean
+/// area of a grain. Throws InputError unless the map is sound.
+FieldResult sample_of_map(PhaseMap map, const raster::CavityRules& rules = {});
 
-}  // namespace arenite::study
+/// Says in the sample's numbers that its lengths are in nodes, where nobody said how large a node is.
+void count_lengths_in_nodes(FieldResult& sample);
+
+/// Name and provenance for a load of a map that no recipe made: `source` is the file, `asked` the options in words.
+void sign(FieldResult& result, const std::filesystem::path& source, const std::string& asked, const recipe::Load& load);
+
+/// What is known of a cemented packing beyond its map.
+struct SampleReports {
+  recipe::CementSection section;
+  cement::CementReport cement;
+  raster::RasterReport raster;
+  double gap = 0;                                            ///< at which grains are neighbours, m
+  std::optional<texture::GapCoordination> coordination;      ///< where there are two classes
+};
+
+/// Size, phases, S_m, grains, pores and voids of any map. Volumes of pores and voids are over pi reference_radius^2.
+Numbers map_numbers(const PhaseMap& map, const raster::CavityRules& rules, double reference_radius);
+
+/// Adds what cement, raster and coordination say.
+void add_reports(Numbers& numbers, const SampleReports& reports);
+
+/// Add numbers of a load to those of its sample.
+void add_load(Numbers& numbers, const recipe::Load& load, const peridynamics::LoadReport& report,
+              const std::optional<peridynamics::EffectiveModuli>& moduli);
+void add_failure(Numbers& numbers, const recipe::Load& load, const peridynamics::DamageResult& result);
+
+/// Adds how mean stresses of grains agree with those from the contact forces that pressed the packing.
+void add_agreement(Numbers& numbers, const stress::GrainComparison& comparison);
+
+}  // namespace arenite::workflow

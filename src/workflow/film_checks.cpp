@@ -5,11 +5,23 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "core/error.hpp"
+#include "core/median.hpp"
 #include "thermal/thermography/lockin.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
+
+Adiabatic::Adiabatic(double diffusivity, double frequency, double side) : length(thermography::diffusion_length(diffusivity, frequency)), pixel(side) {}
+
+double Adiabatic::lost() const { return thermography::swing_lost_to_diffusion(length, pixel); }
+
+std::string Adiabatic::sentence() const {
+  return fmt::format("heat diffuses {:.3g} pixels far within a cycle, not far less than one: the finest detail of the swing is not adiabatic; raise the load frequency",
+                     length / pixel);
+}
+
 namespace {
 
 // Dead and hot pixels are some per mille of a detector; a film that shows something has far more that are neither.
@@ -17,9 +29,9 @@ bool nearly_all(std::size_t some, const FilmInfo& film) { return 100 * some >= 9
 
 }  // namespace
 
-void refuse_temperatures(const FilmRecipe& recipe, const std::filesystem::path& path, const FilmInfo& film) {
-  if (!has_plates(recipe)) throw InputError(recipe.source_file, 0, fmt::format("temperature: {}", needs_plates));
-  if (recipe.temperature.from == TemperatureSection::From::film && film.quantity == FilmQuantity::digital_level)
+void refuse_temperatures(const recipe::FilmRecipe& recipe, const std::filesystem::path& path, const FilmInfo& film) {
+  if (!has_plates(recipe)) throw InputError(recipe.source_file, 0, fmt::format("temperature: {}", recipe::needs_plates));
+  if (recipe.temperature.from == recipe::TemperatureSection::From::film && film.quantity == FilmQuantity::digital_level)
     throw InputError(path.string(), 0, fmt::format("says that it holds digital levels, and temperature.from = \"film\" of {} takes them for kelvin; "
                                                    "choose \"plates\", \"curve\" or \"radiometry\" there", recipe.source_file));
 }
@@ -52,16 +64,150 @@ void refuse_without_load(const LockinMaps& maps, double told_frequency) {
   if (!thermography::shows_swing(maps)) throw InputError(no_load_sentence(maps, told_frequency, "lockin.frequency"));
 }
 
-Recipe read_twin_recipe(const FilmRecipe& recipe) {
+recipe::Recipe read_twin_recipe(const recipe::FilmRecipe& recipe) {
   const auto file = (std::filesystem::path(recipe.source_file).parent_path() / recipe.twin->recipe).string();
-  Recipe twin = read_recipe(file);
+  recipe::Recipe twin = recipe::read_recipe(file);
   twin.source_file = file;
   for (const auto& name : {recipe.twin->low, recipe.twin->high}) {
-    const auto named = [&](const Stage& stage) { return stage.name == name; };
+    const auto named = [&](const recipe::Stage& stage) { return stage.name == name; };
     if (std::none_of(twin.stages.begin(), twin.stages.end(), named))
       throw InputError(file, 0, fmt::format("has no stage \"{}\", which [twin] of {} names", name, recipe.source_file));
   }
   return twin;
 }
 
-}  // namespace arenite::study
+namespace {
+
+/// Hotter than this is no sample of plastics, rock or glass under a press, and a level of a camera.
+constexpr double hottest = 1000;
+/// No grain stays elastic at a stress that warms it by so much.
+constexpr double largest_swing = 5;
+/// Of a cycle: what rims, integration and heat leave at most; and where most of the swing is lost.
+constexpr double phase_doubted = 0.03, phase_refused = 0.125;
+/// Factors of two to four per cent are what references differ by; ten are doubted, four times refused.
+constexpr double scale_doubted = 1.1, scale_refused = 4;
+constexpr double blur_doubted = 0.15;  // pixels
+/// Share of the signal that fields of real grains may be off by.
+constexpr double field_doubted = 0.15;
+
+double wrapped(double cycles) { return cycles - std::round(cycles); }
+
+std::string percent(double scale) { return fmt::format("{:.2f} times", scale); }
+
+struct Scale {
+  std::size_t material;
+  double log, error;
+};
+
+/// Materials whose scale the film tells.
+std::vector<Scale> told_scales(const FilmResult& r) {
+  std::vector<Scale> scales;
+  for (std::size_t m = 0; m < r.fit.factor_scale.size(); ++m) {
+    const auto grains = std::count(r.packing.grains.material.begin(), r.packing.grains.material.end(), static_cast<std::int32_t>(m));
+    const double scale = r.fit.factor_scale[m], error = r.fit.factor_scale_error[m] / scale;
+    if (grains >= 3 && scale > 0) scales.push_back({m, std::log(scale), error});
+  }
+  return scales;
+}
+
+double beyond(double log, double error) { return std::abs(log) - 4 * error - std::log(scale_doubted); }
+
+/// The two materials whose factors fit if each takes the other's; common: what all are off by.
+const Scale* taken_for(const std::vector<Scale>& scales, const Scale& one, const recipe::FilmRecipe& recipe, double common) {
+  const auto factor = [&](const Scale& s) { return std::log(recipe.materials[s.material].thermoelastic_factor); };
+  for (const Scale& other : scales) {
+    if (&other == &one) continue;
+    const double apart = factor(other) - factor(one);
+    if (std::abs(one.log - common - apart) < 0.25 * std::abs(apart) && std::abs(other.log - common + apart) < 0.25 * std::abs(apart)) return &other;
+  }
+  return nullptr;
+}
+
+std::string unequal(const recipe::FilmRecipe& recipe, const std::vector<Scale>& scales) {
+  const auto [low, high] = std::minmax_element(scales.begin(), scales.end(), [](const Scale& a, const Scale& b) { return a.log < b.log; });
+  const std::string &first = recipe.materials[low->material].name, &second = recipe.materials[high->material].name;
+  const double ratio = std::exp(high->log - low->log);
+  if (taken_for(scales, *low, recipe, 0.5 * (low->log + high->log)))
+    return fmt::format("forces between {0} and {1} agree only if each has the other's thermoelastic factor: the two materials are taken for each other; "
+                       "check their brightness (or the list of grains) and their factors", first, second);
+  return fmt::format("forces between {0} and {1} agree only if the factor of {1} against that of {0} is {2} what the recipe has; check thermoelastic_factor "
+                     "and emissivity of both", first, second, percent(ratio));
+}
+
+std::string off_scale(const recipe::FilmRecipe& recipe, double scale) {
+  const double load = 1e-3 * recipe.frame.load_swing;
+  return fmt::format("the film's temperatures make {0} the forces that the load swing of {1:.4g} kN allows; the likely causes are load_swing (told {2} what it is), the "
+                     "calibration of temperatures, all thermoelastic factors ({0} too small or large alike), or thickness", percent(scale), load, percent(1 / scale));
+}
+
+void add_scales(const recipe::FilmRecipe& recipe, const FilmResult& r, std::vector<std::string>& doubts) {
+  const auto scales = told_scales(r);
+  if (scales.empty()) return;
+  const auto [low, high] = std::minmax_element(scales.begin(), scales.end(), [](const Scale& a, const Scale& b) { return a.log < b.log; });
+  const bool alike = beyond(high->log - low->log, std::hypot(high->error, low->error)) < 0;
+  if (!alike && std::hypot(high->error, low->error) < 1) doubts.push_back(unequal(recipe, scales));
+  if (recipe.frame.load_swing <= 0) return;
+  double sum = 0, weight = 0;
+  for (const Scale& s : scales) sum += s.log / (s.error * s.error), weight += 1 / (s.error * s.error);
+  const double common = alike ? sum / weight : 0.5 * (low->log + high->log);
+  if (beyond(common, 1 / std::sqrt(weight)) < 0) return;
+  // Where materials stand for each other their mean is off by what their factors and numbers make it: nothing more to say.
+  if (!alike && std::abs(common) < 0.5 * (high->log - low->log)) return;
+  const std::string sentence = off_scale(recipe, std::exp(common));
+  if (std::abs(common) > std::log(scale_refused)) throw InputError(sentence + "; no forces are told of such a film");
+  doubts.push_back(sentence);
+}
+
+}  // namespace
+
+double phase_off(const LockinMaps& maps, double told_cycles) {
+  std::vector<double> cosine, sine;
+  for (std::size_t p = 0; p < maps.size(); ++p) {
+    const auto a = static_cast<double>(maps.amplitude[p]), phase = static_cast<double>(maps.phase[p]);
+    if (!(a > 5 * static_cast<double>(maps.standard_error[p]))) continue;
+    cosine.push_back(a * std::cos(phase));
+    sine.push_back(a * std::sin(phase));
+  }
+  if (cosine.empty()) return 0;
+  return wrapped(thermography::reference_phase(cosine, sine) / (2 * std::numbers::pi) - told_cycles);
+}
+
+void refuse_impossible(const recipe::FilmRecipe& recipe, const LockinMaps& maps) {
+  const double level = median_of_finite(maps.mean);
+  if (level > hottest)
+    throw InputError(fmt::format("its values are about {:.4g}, which are no temperatures of a sample in kelvin: levels of the camera are taken for kelvin; "
+                                 "choose temperature.from = \"plates\", \"curve\" or \"radiometry\", or give the scale of the film", level));
+  const double swing = median_of_finite(maps.amplitude);
+  if (swing > largest_swing)
+    throw InputError(fmt::format("half of its pixels swing by more than {:.3g} K, which no elastic grain does: levels of the camera are taken for kelvin, or "
+                                 "the calibration is wrong; check [temperature]", swing));
+  if (!recipe.lockin.phase) return;
+  const double told = *recipe.lockin.phase / (2 * std::numbers::pi), off = phase_off(maps, told);  // in cycles
+  if (std::abs(off) > phase_refused)
+    throw InputError(fmt::format("it swings {:.4g} deg {} the phase that lockin.phase = \"{:.4g} deg\" tells ({}); give \"{:.4g} deg\", or leave lockin.phase out to have it found",
+                                 360 * std::abs(off), off > 0 ? "after" : "before", 360 * told,
+                                 std::abs(off) > 0.5 - phase_refused ? "half a cycle: it cools where it should warm" : "warming stress swings in phase with its load",
+                                 360 * wrapped(told + off)));
+}
+
+std::vector<std::string> film_doubts(const recipe::FilmRecipe& recipe, const FilmResult& r) {
+  std::vector<std::string> doubts;
+  if (recipe.lockin.phase) {
+    const double off = phase_off(r.maps, *recipe.lockin.phase / (2 * std::numbers::pi));
+    if (std::abs(off) > phase_doubted)
+      doubts.push_back(fmt::format("grains swing {:.3g} deg off the phase that lockin.phase tells; check it, and that heat does not diffuse over pixels "
+                                   "within a cycle (`arenite lockin --diffusivity --pixel`)", 360 * std::abs(off)));
+  }
+  if (const Adiabatic heat(recipe.lockin.diffusivity, r.maps.frequency, r.pixel); !heat.holds()) doubts.push_back(heat.sentence());
+  if (r.rim_blur > 0 && std::abs(r.rim_blur - recipe.forces.blur) > blur_doubted)
+    doubts.push_back(fmt::format("rims of grains are blurred as by {:.2g} pixels, and forces.blur tells {:.2g}; give what the camera's lens does", r.rim_blur, recipe.forces.blur));
+  if (r.packing.contacts.size() == 0) return doubts;
+  add_scales(recipe, r, doubts);
+  if (r.fit.model_error > field_doubted)
+    doubts.push_back(fmt::format("forces and pixels agree only if the stress fields of disks are off by {:.0f} % of their signal: what is left is {:.0f} % of the signal and "
+                                 "{:.3g} times the noise; the likely causes are wrong circles, a wrong blur, materials or grains that are no cylinders",
+                                 100 * r.fit.model_error, 100 * r.fit.over_signal, r.fit.over_noise));
+  return doubts;
+}
+
+}  // namespace arenite::workflow

@@ -2,16 +2,30 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "model/lockin_maps.hpp"
+#include "model/film.hpp"
+#include "model/film_result.hpp"
 #include "recipe/film_recipe.hpp"
 #include "recipe/recipe.hpp"
 #include "thermal/thermography/frame_statistics.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
+
+/// Whether heat stays where it came to be within a cycle of the load.
+struct Adiabatic {
+  double length = 0, pixel = 0;     ///< that heat diffuses, and the side of a pixel, m; no pixel: unknown
+
+  /// `diffusivity` of heat in the grains, m^2/s; `frequency` of the load, Hz.
+  Adiabatic(double diffusivity, double frequency, double side = 0);
+  double lost() const;              ///< share of the finest detail's swing
+  /// At a fifth of a pixel the finest detail loses 2 % of its swing and lags by 11 degrees.
+  bool holds() const { return length <= pixel / 5; }
+  std::string sentence() const;     ///< what to say where it does not hold
+};
 
 /// Throws InputError if the film's levels cannot become temperatures in the way that the recipe says.
-void refuse_temperatures(const FilmRecipe& recipe, const std::filesystem::path& path, const FilmInfo& film);
+void refuse_temperatures(const recipe::FilmRecipe& recipe, const std::filesystem::path& path, const FilmInfo& film);
 
 /// Throws InputError if nearly all pixels of a film reach the top of its range.
 void refuse_saturated(const thermography::FrameStatistics& seen, const FilmInfo& film);
@@ -26,6 +40,19 @@ std::string no_load_sentence(const LockinMaps& maps, double frequency, std::stri
 void refuse_without_load(const LockinMaps& maps, double told_frequency);
 
 /// The recipe of the simulation beside the film. Throws InputError if it has not the stages that [twin] names.
-Recipe read_twin_recipe(const FilmRecipe& recipe);
+recipe::Recipe read_twin_recipe(const recipe::FilmRecipe& recipe);
 
-}  // namespace arenite::study
+/// When the film itself says that the load is largest, against what the recipe tells, in cycles from -0.5 to 0.5. A swing
+/// that heat does not blur is in phase with the load everywhere; of the two ends the film takes that at which pixels warm.
+double phase_off(const LockinMaps& maps, double told_cycles);
+
+/// Throws InputError for maps that cannot be those of a load as the recipe tells it: values that are no temperatures, swings
+/// of kelvins, a phase that is off by an eighth of a cycle or more.
+void refuse_impossible(const recipe::FilmRecipe& recipe, const LockinMaps& maps);
+
+/// What the forces and the film say against what was told beside them, one sentence each with the likely causes: phase,
+/// factors of the materials one against another, the scale of temperatures and forces against the load, and what the fit
+/// leaves. Throws InputError where they have nothing to do with each other.
+std::vector<std::string> film_doubts(const recipe::FilmRecipe& recipe, const FilmResult& result);
+
+}  // namespace arenite::workflow

@@ -1,4 +1,4 @@
-#include "workflow/film_correction.hpp"
+#include "workflow/measure_film.hpp"
 
 #include <fmt/format.h>
 
@@ -8,27 +8,27 @@
 #include <optional>
 
 #include "core/error.hpp"
-#include "io/film.hpp"
-#include "io/calibration_curve.hpp"
-#include "workflow/film_checks.hpp"
-#include "thermal/thermography/bad_pixels.hpp"
-#include "thermal/thermography/calibration.hpp"
+#include "io/film/film.hpp"
+#include "io/table/table.hpp"
 #include "thermal/thermography/frame_statistics.hpp"
-#include "thermal/thermography/nonuniformity.hpp"
+#include "thermal/thermography/calibration.hpp"
+#include "thermal/thermography/segment_sums.hpp"
+#include "thermal/thermography/correction.hpp"
+#include "workflow/film_checks.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 namespace {
 
-using From = TemperatureSection::From;
+using From = recipe::TemperatureSection::From;
 using thermography::FrameStatistics;
 
 constexpr std::size_t frames_looked_at = 200;
 
-std::filesystem::path beside(const FilmRecipe& recipe, const std::string& file) {
+std::filesystem::path beside(const recipe::FilmRecipe& recipe, const std::string& file) {
   return std::filesystem::path(recipe.source_file).parent_path() / file;
 }
 
-std::optional<FrameStatistics> plate(const FilmRecipe& recipe, const std::string& file, const FilmInfo& film) {
+std::optional<FrameStatistics> plate(const recipe::FilmRecipe& recipe, const std::string& file, const FilmInfo& film) {
   if (file.empty()) return std::nullopt;
   const auto path = beside(recipe, file);
   const auto source = io::open_film(path, reading_of(recipe));
@@ -45,7 +45,7 @@ std::optional<FrameStatistics> plate(const FilmRecipe& recipe, const std::string
 }
 
 /// The band that the recipe tells, the film, or none of them.
-radiometry::Band band_of(const FilmRecipe& recipe, const FilmInfo& film, std::vector<std::string>& notes) {
+radiometry::Band band_of(const recipe::FilmRecipe& recipe, const FilmInfo& film, std::vector<std::string>& notes) {
   const bool film_says = film.band_low > 0 && film.band_high > film.band_low;
   const auto& told = recipe.temperature.band;
   const auto um = [](double low, double high) { return fmt::format("{:.3g} to {:.3g} um", 1e6 * low, 1e6 * high); };
@@ -64,7 +64,7 @@ thermography::LevelRange range_of(const FilmInfo& film) { return {0, static_cast
 
 /// What the film's levels are first taken for: the surface that all materials are, or a black one, whose temperatures are corrected
 /// grain by grain; of a film in kelvin the one that its temperatures were made with.
-thermography::GrainSurfaces surfaces_of(const FilmRecipe& recipe, const radiometry::Band& band) {
+thermography::GrainSurfaces surfaces_of(const recipe::FilmRecipe& recipe, const radiometry::Band& band) {
   const auto& t = recipe.temperature;
   thermography::GrainSurfaces surfaces{band, {1, t.ambient.value_or(296)}, emissivities(recipe)};
   const auto& all = surfaces.emissivity;
@@ -74,14 +74,14 @@ thermography::GrainSurfaces surfaces_of(const FilmRecipe& recipe, const radiomet
   return surfaces;
 }
 
-thermography::LevelCurve read_curve(const FilmRecipe& recipe, const FilmInfo& film, const thermography::GrainSurfaces& surfaces) {
+thermography::LevelCurve read_curve(const recipe::FilmRecipe& recipe, const FilmInfo& film, const thermography::GrainSurfaces& surfaces) {
   std::vector<thermography::LevelPoint> points;
   const auto curve = io::read_calibration_curve(beside(recipe, recipe.temperature.curve).string());
   for (std::size_t i = 0; i < curve.level.size(); ++i) points.push_back({curve.level[i], curve.temperature[i]});
   return thermography::curve_through(points, surfaces.band, surfaces.assumed, range_of(film));
 }
 
-thermography::LevelCurve curve_for(const FilmRecipe& recipe, const FilmInfo& film, const std::optional<FrameStatistics>& cold,
+thermography::LevelCurve curve_for(const recipe::FilmRecipe& recipe, const FilmInfo& film, const std::optional<FrameStatistics>& cold,
                                    const std::optional<FrameStatistics>& warm, const FrameStatistics& first, const thermography::GrainSurfaces& surfaces) {
   const auto& [band, surface, emissivity] = surfaces;
   switch (recipe.temperature.from) {
@@ -110,22 +110,22 @@ void note_doubtful(const FrameStatistics& first, const FilmInfo& film, std::vect
 }
 
 /// Whether a surface has a say in the film's temperatures.
-bool corrects_surfaces(const FilmRecipe& recipe) {
+bool corrects_surfaces(const recipe::FilmRecipe& recipe) {
   const auto& t = recipe.temperature;
   if (t.from != From::film || t.assumed_emissivity) return true;
   const bool given = std::any_of(recipe.materials.begin(), recipe.materials.end(), [](const auto& m) { return m.emissivity.has_value(); });
-  if (given || t.emissivity || t.ambient || !t.band.empty()) throw InputError(recipe.source_file, 0, fmt::format("temperature: {}", unread_emissivity));
+  if (given || t.emissivity || t.ambient || !t.band.empty()) throw InputError(recipe.source_file, 0, fmt::format("temperature: {}", recipe::unread_emissivity));
   return false;
 }
 
 }  // namespace
 
-io::FilmChoice reading_of(const FilmRecipe& recipe) {
+io::FilmChoice reading_of(const recipe::FilmRecipe& recipe) {
   if (!recipe.film) return {};
   return {.dataset = recipe.film->dataset, .frame_rate = recipe.film->frame_rate, .scale = recipe.film->scale, .offset = recipe.film->offset};
 }
 
-FilmCorrection make_correction(const FilmRecipe& recipe, FilmSource& film) {
+FilmCorrection make_correction(const recipe::FilmRecipe& recipe, FilmSource& film) {
   const FilmInfo& info = film.info();
   if (recipe.temperature.from == From::film) refuse_bare_levels(info);
   const auto first = thermography::frame_statistics(film, frames_looked_at);
@@ -150,4 +150,18 @@ FilmCorrection make_correction(const FilmRecipe& recipe, FilmSource& film) {
   return made;
 }
 
-}  // namespace arenite::study
+std::optional<thermography::LoadSignal> load_signal_of(const std::filesystem::path& path, const FilmInfo& film, double told,
+                                                       const std::function<void(const std::string&)>& notice) {
+  const auto line = io::lock_in_line(path);
+  if (line.empty()) return std::nullopt;
+  const auto time = thermography::frame_times(film);
+  const auto signal = thermography::fit_load_signal(time, line, told);
+  if (!signal) {
+    notice(fmt::format("the film's lock-in line shows no cycle near {:.6g} Hz; it is left aside", told));
+  } else if (std::abs(signal->frequency - told) > 1 / (time.back() - time.front())) {
+    notice(fmt::format("the film's lock-in line cycles at {:.6g} Hz, and not at the {:.6g} Hz that were told; it is taken", signal->frequency, told));
+  }
+  return signal;
+}
+
+}  // namespace arenite::workflow

@@ -1,4 +1,4 @@
-#include "workflow/film_forces.hpp"
+#include "workflow/measure_film.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,13 +6,16 @@
 #include <initializer_list>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "core/error.hpp"
+#include "core/median.hpp"
 #include "thermal/imaging/proposed_contacts.hpp"
 #include "thermal/inference/contact_forces.hpp"
-#include "workflow/film_place.hpp"
+#include "thermal/thermography/grain_means.hpp"
+#include "workflow/film_grains.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 namespace {
 
 /// Places of found circles are known better than motion and lens allow.
@@ -36,7 +39,7 @@ double widest_gap(double pixel) {
   return (tolerance.floor + tolerance.errors * std::sqrt(2.0) * surface_error) * pixel;
 }
 
-Contacts touching_at_either_load(const FilmRecipe& recipe, const FilmResult& r) {
+Contacts touching_at_either_load(const recipe::FilmRecipe& recipe, const FilmResult& r) {
   const imaging::ContactTolerance tolerance = tolerance_of(r.pixel);
   const imaging::GrainErrors errors{std::vector<double>(r.packing.grains.size(), surface_error * r.pixel), {}};
   Contacts contacts = imaging::propose_contacts(r.packing.grains, r.packing.domain, errors, tolerance);
@@ -50,7 +53,7 @@ Contacts touching_at_either_load(const FilmRecipe& recipe, const FilmResult& r) 
   return contacts;
 }
 
-inference::ForceOptions force_options(const FilmRecipe& recipe, const PictureGrains& grains) {
+inference::ForceOptions force_options(const recipe::FilmRecipe& recipe, const PictureGrains& grains) {
   inference::ForceOptions options;
   options.blur = recipe.forces.blur;
   // Rims sweep over what is behind them; pixels further in are still good to some mK.
@@ -104,12 +107,12 @@ void hold_against_load(inference::ForceProblem problem, const inference::SwingPi
 
 }  // namespace
 
-void infer_film_forces(const FilmRecipe& recipe, FilmResult& r) {
-  using From = ForcesSection::From;
+void infer_film_forces(const recipe::FilmRecipe& recipe, FilmResult& r) {
+  using From = recipe::ForcesSection::From;
   if (recipe.forces.from == From::none) return;
   r.packing.contacts = touching_at_either_load(recipe, r);
   inference::ForceProblem problem{r.packing, {}, {}};
-  for (const FilmMaterial& m : recipe.materials) problem.factor.push_back(m.thermoelastic_factor);
+  for (const recipe::FilmMaterial& m : recipe.materials) problem.factor.push_back(m.thermoelastic_factor);
   if (recipe.frame.load_swing > 0) problem.walls.push_back({bottom, recipe.frame.load_swing, 0.005 * recipe.frame.load_swing});
   auto options = force_options(recipe, r.grains);
   options.widest_gap = widest_gap(r.pixel);
@@ -145,4 +148,35 @@ void infer_film_forces(const FilmRecipe& recipe, FilmResult& r) {
   keep(r.packing.contacts, present, {&r.fn_error, &r.ft_error, &r.presence});
 }
 
-}  // namespace arenite::study
+void add_blur_error(GrainSwing& swing, const GrainSwing& wider, double step, double blur_error) {
+  for (std::size_t i = 0; i < swing.size(); ++i) {
+    const double slope = (wider.sigma_hyd[i] - swing.sigma_hyd[i]) / step;
+    if (std::isfinite(slope)) swing.error[i] = std::hypot(swing.error[i], slope * blur_error);
+  }
+}
+
+void add_fit_error(FilmResult& r, const PictureGrains& shown, double share) {
+  if (r.fit.picture.empty()) return;
+  const double to_full = r.maps.convention == SwingConvention::full ? 1 : 2;
+  const std::size_t materials = r.packing.materials.size();
+  std::vector<double> difference(shown.size(), std::nan(""));
+  std::vector<std::vector<double>> of(materials);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const auto m = static_cast<std::size_t>(shown.material[i]);
+    const double radius = shown.radius[i] * std::sqrt(share);
+    const auto mean = [&](const std::vector<float>& map) {
+      return thermography::disk_mean(map, r.maps.standard_error, r.maps.width, r.maps.height, shown.x[i], shown.y[i], radius).mean;
+    };
+    const double off = std::abs(to_full * mean(r.maps.in_phase) - mean(r.fit.picture)) / (2 * r.packing.materials[m].thermoelastic_factor);
+    if (!std::isfinite(off)) continue;
+    difference[i] = off;
+    of[m].push_back(off);
+  }
+  std::vector<double> common;
+  for (auto& values : of) common.push_back(median(std::move(values)) / median_of_normal_size);
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    if (std::isfinite(difference[i]))
+      r.swing.error[i] = std::hypot(r.swing.error[i], common[static_cast<std::size_t>(shown.material[i])], 0.5 * difference[i]);
+}
+
+}  // namespace arenite::workflow

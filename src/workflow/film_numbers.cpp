@@ -1,18 +1,42 @@
-#include "workflow/film_numbers.hpp"
+#include "workflow/run_film.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/median.hpp"
-#include "statistics/correlation.hpp"
-#include "statistics/put_numbers.hpp"
-#include "workflow/film_directions.hpp"
 #include "grains/texture/texture.hpp"
+#include "statistics/correlation.hpp"
+#include "statistics/numbers.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 namespace {
 
+Numbers directions_of(const Packing& packing) {
+  texture::Options options;
+  options.rev_sizes = 0;
+  const Numbers measured = texture::numbers(texture::measure(packing, options), true);
+  Numbers out = Numbers::tree();
+  if (!measured.contains("fabric")) return out;
+  for (const char* key : {"contacts", "a_c", "theta_c_deg", "a_c_noise", "sectors"})
+    if (measured["fabric"].contains(key)) out[key] = measured["fabric"][key];
+  return out;
+}
+
+}  // namespace
+
+Numbers film_directions(const FilmResult& film, const Packing* twin) {
+  Numbers out = Numbers::tree();
+  const auto add = [&](const char* name, const Packing& packing) {
+    if (Numbers directions = directions_of(packing); directions.value("contacts", 0) > 0) out[name] = std::move(directions);
+  };
+  if (film.packing.contacts.size() == 0) return out;
+  add("film", film.packing);
+  if (twin) add("twin", *twin);
+  return out;
+}
+
+namespace {
 
 double median_or_unknown(std::vector<double> values) { return median(std::move(values), statistics::unknown); }
 
@@ -152,4 +176,4 @@ Numbers film_numbers(const FilmResult& r, const Packing* twin) {
   return j;
 }
 
-}  // namespace arenite::study
+}  // namespace arenite::workflow

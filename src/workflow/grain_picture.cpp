@@ -1,4 +1,4 @@
-#include "workflow/grain_picture.hpp"
+#include "workflow/film_grains.hpp"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,11 @@
 #include <string_view>
 
 #include "core/error.hpp"
-#include "io/film.hpp"
-#include "thermal/thermography/bad_pixels.hpp"
+#include "io/film/film.hpp"
+#include "thermal/thermography/correction.hpp"
+#include "thermal/thermography/frame_statistics.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 namespace {
 
 /// Photographs, which open as films of one frame, too, where they are grey.
@@ -58,4 +59,4 @@ GrainPicture read_grain_picture(const std::filesystem::path& path, const Picture
   return {to_float(io::read_image(path, how)), 1, 0, false};
 }
 
-}  // namespace arenite::study
+}  // namespace arenite::workflow

@@ -4,9 +4,8 @@
 
 #include "core/error.hpp"
 #include "workflow/identify.hpp"
-#include "workflow/identify_parts.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 namespace {
 
 using identify::Factor;
@@ -211,4 +210,4 @@ Identification identify_factor(const std::string& file, const FactorRequest& req
   return found;
 }
 
-}  // namespace arenite::study
+}  // namespace arenite::workflow

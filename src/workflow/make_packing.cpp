@@ -4,20 +4,19 @@
 #include <filesystem>
 
 #include "core/error.hpp"
-#include "io/placed_grains.hpp"
+#include "io/sample/sample.hpp"
 #include "grains/packing/bidisperse.hpp"
 #include "grains/packing/fill.hpp"
 #include "grains/packing/population.hpp"
-#include "grains/packing/region.hpp"
 #include "workflow/run.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 
 namespace {
 
-using Method = PackingParameters::Method;
+using Method = recipe::PackingParameters::Method;
 
-Domain frame_of(const FrameParameters& frame) {
+Domain frame_of(const recipe::FrameParameters& frame) {
   Domain domain;
   domain.thickness = frame.thickness;
   domain.periodic_x = frame.periodic_x;
@@ -33,7 +32,7 @@ std::string describe(const packing::RelaxReport& report) {
                      report.iterations, 1e3 * report.largest_move, 100 * report.overlap_after);
 }
 
-std::string fill(const Recipe& recipe, Packing& packing) {
+std::string fill(const recipe::Recipe& recipe, Packing& packing) {
   auto& grains = packing.grains;
   packing.grains = packing::draw_grains(recipe.populations, recipe.materials, recipe.packing.grains, recipe.seed);
   packing.domain = frame_of(recipe.frame);
@@ -51,7 +50,7 @@ std::string fill(const Recipe& recipe, Packing& packing) {
   return "triangular lattice";
 }
 
-std::string read(const Recipe& recipe, Packing& packing) {
+std::string read(const recipe::Recipe& recipe, Packing& packing) {
   const auto path = std::filesystem::path(recipe.source_file).parent_path() / recipe.packing.file;
   packing.domain = frame_of(recipe.frame);
   packing.grains = io::read_placed_grains(path, recipe.materials, packing.domain);
@@ -60,8 +59,8 @@ std::string read(const Recipe& recipe, Packing& packing) {
 }
 
 /// The classes get the materials that [bidisperse] names for them.
-std::string sample(const Recipe& recipe, Packing& packing) {
-  const BidisperseSection& classes = *recipe.bidisperse;
+std::string sample(const recipe::Recipe& recipe, Packing& packing) {
+  const recipe::BidisperseSection& classes = *recipe.bidisperse;
   packing.domain = frame_of(recipe.frame);
   const auto report = packing::sample_bidisperse(packing, classes.law, recipe.seed);
   const auto index_of = [&](const std::string& name) {
@@ -78,7 +77,7 @@ std::string sample(const Recipe& recipe, Packing& packing) {
                      classes.law.volume_ratio, 100 * report.volume_ratio_error, 1e3 * report.gap, left_out, report.solid_fraction);
 }
 
-std::string fill_by_method(const Recipe& recipe, Packing& packing) {
+std::string fill_by_method(const recipe::Recipe& recipe, Packing& packing) {
   switch (recipe.packing.method) {
     case Method::file: return read(recipe, packing);
     case Method::poisson: return sample(recipe, packing);
@@ -90,7 +89,7 @@ std::string fill_by_method(const Recipe& recipe, Packing& packing) {
 
 }  // namespace
 
-StageResult make_packing(const Recipe& recipe) {
+StageResult make_packing(const recipe::Recipe& recipe) {
   StageResult result;
   result.name = "packing";
   Frame frame;
@@ -102,4 +101,4 @@ StageResult make_packing(const Recipe& recipe) {
   return result;
 }
 
-}  // namespace arenite::study
+}  // namespace arenite::workflow

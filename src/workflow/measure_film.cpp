@@ -9,25 +9,20 @@
 #include <optional>
 
 #include "workflow/film_checks.hpp"
-#include "workflow/film_correction.hpp"
-#include "workflow/film_doubts.hpp"
-#include "workflow/film_errors.hpp"
-#include "workflow/film_forces.hpp"
-#include "workflow/film_place.hpp"
-#include "workflow/find_grains.hpp"
+#include "workflow/film_grains.hpp"
 #include "thermal/thermography/grain_means.hpp"
 #include "thermal/thermography/grain_motion.hpp"
 #include "thermal/thermography/lockin.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
-#include "thermal/thermography/grain_surfaces.hpp"
-#include "thermal/thermography/rim_blur.hpp"
+#include "thermal/thermography/calibration.hpp"
+#include "thermal/thermography/grain_scene.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 namespace {
 
 class Road {
  public:
-  Road(const FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& source)
+  Road(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& source)
       : recipe_(recipe), options_(options), source_(source), place_(place_of(recipe, source.info())) {}
 
   /// False if it was stopped.
@@ -70,7 +65,7 @@ class Road {
 
   bool lock_in(FilmSource& film, FilmResult& r) {
     const auto options = lockin_options("lock-in", 1);
-    r.maps = recipe_.lockin.method == LockinSection::Method::nearest_bin ? thermography::nearest_bin_transform(film, options)
+    r.maps = recipe_.lockin.method == recipe::LockinSection::Method::nearest_bin ? thermography::nearest_bin_transform(film, options)
                                                                          : thermography::lock_in(film, options);
     if (r.maps.size() == 0) return false;
     refuse_without_load(r.maps, recipe_.lockin.frequency);
@@ -167,7 +162,7 @@ class Road {
       options_.notice(fmt::format("{} of {} grains move in a way that the film does not show well enough; their stress is left unknown", count, lost.size()));
   }
 
-  const FilmRecipe& recipe_;
+  const recipe::FilmRecipe& recipe_;
   const FilmRunOptions& options_;
   FilmSource& source_;
   FilmPlace place_;
@@ -178,8 +173,8 @@ class Road {
 
 }  // namespace
 
-bool measure_film(const FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& film, FilmResult& result) {
+bool measure_film(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& film, FilmResult& result) {
   return Road(recipe, options, film).run(result);
 }
 
-}  // namespace arenite::study
+}  // namespace arenite::workflow

@@ -1,4 +1,4 @@
-#include "workflow/optical_grains.hpp"
+#include "workflow/film_grains.hpp"
 
 #include <fmt/format.h>
 
@@ -12,10 +12,10 @@
 #include "thermal/imaging/circles.hpp"
 #include "thermal/imaging/overlay.hpp"
 #include "thermal/imaging/registration.hpp"
-#include "io/image.hpp"
+#include "io/image/image.hpp"
 #include "statistics/clusters.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 namespace {
 
 constexpr double enough = 2;               // pixels of the optical picture along one of the film tell centres to a hundredth
@@ -28,7 +28,7 @@ struct Part {
 };
 
 /// The frame and what is near it, in the middle of the picture: what is round it costs time and looks round, too.
-Part part_near_frame(const FilmRecipe& recipe, const Image& image, double pixel) {
+Part part_near_frame(const recipe::FilmRecipe& recipe, const Image& image, double pixel) {
   const auto side = [&](double inner, int all) {
     return std::min(all, static_cast<int>(std::ceil((inner + 2 * margin * recipe.picture.pixel) / pixel)));
   };
@@ -85,7 +85,7 @@ void take_class_radii(const std::vector<double>& class_radius, PictureGrains& gr
     if (grains.size_class[i] >= 0) grains.radius[i] = class_radius[static_cast<std::size_t>(grains.size_class[i])];
 }
 
-void take_materials(const FilmRecipe& recipe, const std::string& where, PictureGrains& grains) {
+void take_materials(const recipe::FilmRecipe& recipe, const std::string& where, PictureGrains& grains) {
   std::vector<std::int32_t> order(recipe.materials.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
@@ -102,7 +102,7 @@ void take_materials(const FilmRecipe& recipe, const std::string& where, PictureG
   for (const auto k : classes.of) grains.material.push_back(order[static_cast<std::size_t>(k)]);
 }
 
-PictureGrains optical_grains(const FilmRecipe& recipe, const FilmInfo& film, const std::vector<float>& frame, std::vector<std::string>& notes) {
+PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& film, const std::vector<float>& frame, std::vector<std::string>& notes) {
   const auto file = (std::filesystem::path(recipe.source_file).parent_path() / recipe.picture.optical).string();
   const double fine = recipe.picture.optical_pixel > 0 ? recipe.picture.optical_pixel : recipe.picture.pixel;
   const int times = std::max(1, static_cast<int>(recipe.picture.pixel / (enough * fine) + 1e-6));
@@ -128,4 +128,4 @@ PictureGrains optical_grains(const FilmRecipe& recipe, const FilmInfo& film, con
   return grains;
 }
 
-}  // namespace arenite::study
+}  // namespace arenite::workflow

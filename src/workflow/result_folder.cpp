@@ -5,11 +5,17 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "core/error.hpp"
-#include "io/export_frame.hpp"
+#include "io/disk/store_file.hpp"
+#include "io/export/export.hpp"
+#include "io/results/results.hpp"
+#include "recipe/recipe.hpp"
+#include "workflow/field_stages.hpp"
+#include "workflow/run.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 
 namespace fs = std::filesystem;
 
@@ -19,11 +25,28 @@ void make_folder(const fs::path& folder) {
   if (error) throw InputError(folder.string(), 0, fmt::format("this folder cannot be made ({}); choose another with --out", error.message()));
 }
 
-ResultFolder::ResultFolder(fs::path out, const std::vector<std::string>& names, const std::vector<std::string>& former) : out_(std::move(out)) {
+void rename_former(const fs::path& folder, const std::vector<PlannedStage>& plan) {
+  std::error_code error;  // of another process that was first
+  for (const PlannedStage& stage : plan)
+    for (const auto& former : stage.former)
+      if (fs::exists(folder / former) && !fs::exists(folder / stage.file)) fs::rename(folder / former, folder / stage.file, error);
+}
+
+namespace {
+
+std::vector<std::string> files_of(const std::vector<PlannedStage>& plan) {
+  std::vector<std::string> names;
+  for (const PlannedStage& stage : plan) names.push_back(stage.file);
+  return names;
+}
+
+}  // namespace
+
+ResultFolder::ResultFolder(fs::path out, const std::vector<PlannedStage>& plan)
+    : ResultFolder((rename_former(out, plan), rename_former(out / "earlier", plan), std::move(out)), files_of(plan)) {}
+
+ResultFolder::ResultFolder(fs::path out, const std::vector<std::string>& names) : out_(std::move(out)) {
   make_folder(out_);
-  for (const auto& folder : {out_, out_ / "earlier"})
-    for (std::size_t n = 0; n < former.size(); ++n)
-      if (former[n] != names[n] && fs::exists(folder / former[n])) fs::rename(folder / former[n], folder / names[n]);
   const std::set<std::string> wanted(names.begin(), names.end());
   std::vector<fs::path> others;
   for (const auto& entry : fs::directory_iterator(out_))
@@ -52,4 +75,116 @@ std::string ResultFolder::what_was_put_aside() const {
                      stale.empty() ? "" : fmt::format("; still of those settings, so write anew: {}", stale));
 }
 
-}  // namespace arenite::study
+namespace {
+
+/// The files of a result that are of this kind, "result" or "field".
+std::vector<fs::path> files_of(const fs::path& result, std::string_view kind) {
+  auto files = io::stage_files(result);
+  std::erase_if(files, [&](const fs::path& file) { return io::sealed_kind(file) != kind; });
+  return files;
+}
+
+}  // namespace
+
+std::optional<Packing> last_state(const fs::path& result, const std::string& stage) {
+  for (const auto& file : files_of(result, "result"))
+    if (auto read = io::read_stage(file); read.name == stage && !read.frames.empty()) return std::move(read.frames.back().packing);
+  return std::nullopt;
+}
+
+std::optional<FieldResult> load_named(const fs::path& result, const std::string& name) {
+  for (const auto& file : files_of(result, "field"))
+    if (auto field = io::read_field(file); field.name == name) return field;
+  return std::nullopt;
+}
+
+void refuse_stage(const fs::path& result, const std::string& name) {
+  std::set<std::string> names;
+  for (const auto& file : files_of(result, "result"))
+    if (const auto stage = io::read_stage(file); !stage.frames.empty()) names.insert(stage.name);
+  if (names.empty()) throw InputError(result.string(), 0, "holds no simulated states; give the folder of an `arenite run`");
+  throw InputError(result.string(), 0, fmt::format("has no stage \"{}\"; those there are: {}", name, fmt::join(names, ", ")));
+}
+
+namespace {
+
+/// The last file of a stage of loading, or that of the stage of this name.
+fs::path file_of(const fs::path& run, const std::string& stage) {
+  auto files = files_of(run, "result");
+  if (!stage.empty()) std::erase_if(files, [&](const fs::path& file) { return io::read_stage(file).name != stage; });
+  if (!files.empty()) return files.back();
+  if (stage.empty()) throw InputError(run.string(), 0, "there are no stage files of this run; remove its folder and run the study again");
+  throw InputError(run.string(), 0, fmt::format("there is no stage \"{}\" of this run; name one of its recipe, or run the study again", stage));
+}
+
+/// As the recipe asks; the packing, which is the first file, knows of no loading.
+texture::Options options_of(const Provenance& provenance, const fs::path& file, const fs::path& run) {
+  if (file == io::stage_files(run).front()) return {};
+  const recipe::Recipe recipe = recipe::parse_recipe(provenance.recipe, file.string());
+  return texture_options(recipe, recipe.stages.size());
+}
+
+struct Measurable {
+  Packing packing;
+  texture::Options options;
+};
+
+Measurable last_packing(const fs::path& run, const std::string& stage) {
+  const fs::path file = file_of(run, stage);
+  StageResult result = io::read_stage(file);
+  if (result.frames.empty()) throw InputError(file.string(), 0, "this stage holds no state; remove it and run the study again");
+  return {std::move(result.frames.back().packing), options_of(result.provenance, file, run)};
+}
+
+}  // namespace
+
+FinalState final_state(const fs::path& run, bool rev, const std::string& stage, int sectors) {
+  auto [packing, options] = last_packing(run, stage);
+  if (!rev) options.rev_sizes = 0;
+  options.sectors = sectors;
+  texture::Texture texture = texture::measure(packing, options);
+  return {std::move(packing), std::move(texture)};
+}
+
+Numbers texture_with_border(const fs::path& run, double border) {
+  auto [packing, options] = last_packing(run, "");
+  options.rev_sizes = 0;
+  options.border = border;
+  texture::Texture texture = texture::measure(packing, options);
+  texture.per_grain = {};
+  return texture::numbers(texture, false);
+}
+
+Numbers curves_of(FinalState state) {
+  state.texture.per_grain = {};
+  return texture::numbers(state.texture, true);
+}
+
+namespace {
+
+const recipe::Load& load_of(const recipe::Recipe& recipe, const fs::path& run, const std::string& name) {
+  const auto at = std::find_if(recipe.loads.begin(), recipe.loads.end(), [&](const recipe::Load& load) { return name == "*" || load.name == name; });
+  if (at == recipe.loads.end()) throw InputError(run.string(), 0, fmt::format("there is no load \"{}\" of this run; name one of its recipe", name));
+  return *at;
+}
+
+/// What a file would hold: single precision.
+FieldResult as_stored(FieldResult result) {
+  StressField& f = result.field;
+  for (auto* values : {&f.ux, &f.uy, &f.xx, &f.yy, &f.xy})
+    for (double& value : *values) value = static_cast<double>(static_cast<float>(value));
+  return result;
+}
+
+}  // namespace
+
+FieldResult field_of(const fs::path& run, const std::string& load) {
+  const recipe::Recipe recipe = recipe::read_recipe((run / "recipe.toml").string());
+  const recipe::Load* wanted = load.empty() ? nullptr : &load_of(recipe, run, load);
+  if (auto field = load_named(run, wanted ? wanted->name : "cement")) return std::move(*field);
+  FieldResult sample = make_cemented_sample(recipe, final_state(run).packing);
+  if (!wanted) return sample;
+  return as_stored(apply_load(*wanted, sample, [](const auto&) { return true; }).value());
+}
+
+}  // namespace arenite::workflow

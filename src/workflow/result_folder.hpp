@@ -1,19 +1,30 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
-namespace arenite::study {
+#include "grains/texture/texture.hpp"
+#include "model/result.hpp"
+#include "model/packing.hpp"
+#include "statistics/numbers.hpp"
+#include "workflow/stage_keys.hpp"
+
+namespace arenite::workflow {
 
 /// Creates a folder and those above it; refuses with the system's reason.
 void make_folder(const std::filesystem::path& folder);
+
+/// Gives files of stages that lie in `folder` under names of before their names of now.
+void rename_former(const std::filesystem::path& folder, const std::vector<PlannedStage>& plan);
 
 /// A run's folder: result files of this recipe on top, those of other versions of it under earlier/, from where they
 /// come back when they are wanted again.
 class ResultFolder {
  public:
-  /// `former` (empty, or one for each name) are names that the same files had in folders of before.
-  ResultFolder(std::filesystem::path out, const std::vector<std::string>& names, const std::vector<std::string>& former = {});
+  ResultFolder(std::filesystem::path out, const std::vector<std::string>& names);
+  /// The same for the files of a run; those that an earlier version of the program left there under other names get theirs of now.
+  ResultFolder(std::filesystem::path out, const std::vector<PlannedStage>& plan);
   std::filesystem::path operator/(const std::string& name) const { return out_ / name; }
   /// What was put aside now, and which exports in the folder show it still; empty if nothing was.
   std::string what_was_put_aside() const;
@@ -24,4 +35,34 @@ class ResultFolder {
   std::vector<std::string> put_aside_;
 };
 
-}  // namespace arenite::study
+/// The last state of the stage of that name in a run's folder; none if no stage has it.
+std::optional<Packing> last_state(const std::filesystem::path& result, const std::string& stage);
+
+/// The load of that name, where the run went on to nodes; none if no load has it.
+std::optional<FieldResult> load_named(const std::filesystem::path& result, const std::string& name);
+
+/// The sentence for a name that is not there, with the names of the stages that are.
+[[noreturn]] void refuse_stage(const std::filesystem::path& result, const std::string& name);
+
+/// The last state of a run, measured as its recipe asks.
+struct FinalState {
+  Packing packing;
+  texture::Texture texture;
+};
+/// From the file of the run's last stage, or of the `stage` of that name; `rev` says whether the REV study is wanted, which takes
+/// longest, and `sectors` into how many directions of contacts are counted. Throws InputError if the run's files are not there,
+/// or none is of that stage.
+FinalState final_state(const std::filesystem::path& run, bool rev = false, const std::string& stage = "", int sectors = 18);
+
+/// Texture of that state with another strip left out along the walls, in mean diameters; without the REV study.
+Numbers texture_with_border(const std::filesystem::path& run, double border);
+
+/// Its texture with histograms and distributions, without values by grain.
+Numbers curves_of(FinalState state);
+
+/// The cemented sample of a run, or with `load` the load of that name ("*": its first). Where its file was dropped it is made
+/// again from the packing that was kept: the same recipe gives the same bytes, after as long as the load took. Throws InputError
+/// for a run without its packing or without such a load.
+FieldResult field_of(const std::filesystem::path& run, const std::string& load = "");
+
+}  // namespace arenite::workflow

@@ -4,27 +4,24 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <functional>
 #include <numbers>
 #include <optional>
 
 #include "core/error.hpp"
 #include "grains/dem/run_stage.hpp"
-#include "io/atomic_file.hpp"
-#include "io/checkpoint.hpp"
-#include "io/stage_file.hpp"
+#include "io/disk/file.hpp"
+#include "io/results/results.hpp"
 #include "workflow/field_stages.hpp"
 #include "workflow/result_folder.hpp"
-#include "workflow/stored.hpp"
+#include "workflow/runner.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-void measure_last_frame(StageResult& result, const texture::Options& options) {
-  if (!result.frames.empty()) result.texture = texture::numbers(texture::measure(result.frames.back().packing, options));
-}
 
 io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run, const std::string& key) {
   io::Checkpoint checkpoint;
@@ -72,25 +69,6 @@ std::optional<StageResult> load(dem::Engine& engine, const dem::Stage& stage, co
   return std::move(run.result);
 }
 
-std::optional<StageResult> packing_stage(const Recipe& recipe, const fs::path& file, const PlannedStage& stage, const RunOptions& options,
-                                         Progress progress) {
-  Claim claim(options, stage);
-  auto stored = stored_or_claimed(file, options, stage, claim, io::read_stage);
-  if (claim.stopped) return std::nullopt;
-  progress.reused = stored.has_value();
-  if (!stored) {
-    auto result = make_packing(recipe);
-    measure_last_frame(result, texture_options(recipe, 0));
-    result.provenance = provenance_of(recipe, 0, stage, "");
-    io::write_stage(file, result);
-    claim.computed(file);
-    stored = io::read_stage(file);
-  }
-  progress.share = 1;
-  options.progress(progress);
-  return stored;
-}
-
 /// Along which a stage loads, rad; nothing where it loads along both axes or none.
 std::optional<double> loading_axis(const dem::Stage& stage) {
   const auto works = [&](std::size_t side) { return stage.side[side].kind != dem::SideDrive::Kind::fixed; };
@@ -101,9 +79,9 @@ std::optional<double> loading_axis(const dem::Stage& stage) {
 
 }  // namespace
 
-texture::Options texture_options(const Recipe& recipe, std::size_t stage) {
+texture::Options texture_options(const recipe::Recipe& recipe, std::size_t stage) {
   texture::Options options;
-  if (recipe.contact.adhesion != dem::Adhesion::none) options.pull = texture::Pull::adhesion;
+  if (recipe.contact.adheres()) options.pull = texture::Pull::adhesion;
   else if (recipe.contact.attractive_dashpot) options.pull = texture::Pull::dashpots;
   if (stage == 0) return options;
   if (recipe.stages[stage - 1].gravity) options.gravity = {0, -dem::standard_gravity};
@@ -112,9 +90,9 @@ texture::Options texture_options(const Recipe& recipe, std::size_t stage) {
 }
 
 texture::Options texture_options(const Provenance& provenance) {
-  Recipe recipe;
+  recipe::Recipe recipe;
   try {
-    recipe = parse_recipe(provenance.recipe, "recipe");
+    recipe = recipe::parse_recipe(provenance.recipe, "recipe");
   } catch (const InputError&) {
     return {};
   }
@@ -124,81 +102,167 @@ texture::Options texture_options(const Provenance& provenance) {
 
 namespace {
 
-/// All stages of loading by discrete elements; true if the run may go on.
-bool run_stages(const Recipe& recipe, const std::vector<PlannedStage>& plan, const ResultFolder& folder, const RunOptions& options,
-                Progress& progress, RunOutcome& outcome) {
-  const Packing start = outcome.stages[0].frames.back().packing;
-  std::optional<dem::Engine> engine;
-  for (std::size_t s = 0; s < recipe.stages.size(); ++s) {
-    const PlannedStage& stage = plan[s + 1];
-    const fs::path file = folder / stage.file;
-    progress.stage = s + 1;
-    progress.name = stage.name;
-    Claim claim(options, stage);
-    auto result = stored_or_claimed(file, options, stage, claim, io::read_stage);
-    progress.reused = result.has_value();
-    if (!result && !claim.stopped) {
-      if (!engine) engine.emplace(start, recipe.contact, recipe.integration);
-      if (s > 0) engine->restore(outcome.stages.back().continuation);
-      result = load(*engine, recipe.stages[s], stage.hash, claim.checkpoint(folder / "run.checkpoint"), options, progress);
-      if (result) {
-        measure_last_frame(*result, texture_options(recipe, s + 1));
-        result->provenance = provenance_of(recipe, s + 1, stage, engine->kernel());
-        io::write_stage(file, *result);
-        claim.computed(file);
-      } else {
-        claim.interrupted();
+/// Where a killed pull stood, and how this one is kept: every few seconds, and when it is asked to stop.
+PullCheckpoint checkpoint_of(const fs::path& file, const std::string& key, const RunOptions& options) {
+  using clock = std::chrono::steady_clock;
+  PullCheckpoint checkpoint;
+  const auto stored = unless_damaged(file, options, "the pull begins anew", [&] { return io::read_checkpoint(file, key); });
+  if (stored && *stored) checkpoint.resume = peridynamics::pull_state_of((*stored)->blobs.at("pull"));
+  checkpoint.keep = [&options, file, key, saved = clock::now()](const auto& state) mutable {
+    if (!options.asked_to_stop() && std::chrono::duration<double>(clock::now() - saved).count() < options.checkpoint_seconds) return;
+    io::Checkpoint c;
+    c.key = key;
+    c.blobs["pull"] = to_bytes(state());
+    io::write_checkpoint(file, c);
+    saved = clock::now();
+  };
+  return checkpoint;
+}
+
+/// A run on its way through its plan.
+class Run {
+ public:
+  Run(const recipe::Recipe& recipe, const RunOptions& options)
+      : recipe_(recipe), options_(options), plan_(plan_of(recipe)), folder_(options.out, plan_), progress_{0, plan_.size(), "packing", 0, 0, 0, false, false} {}
+
+  RunOutcome outcome() {
+    if (const std::string sentence = folder_.what_was_put_aside(); !sentence.empty()) options_.notice(sentence);
+    if (pack() && load_grains() && recipe_.has_field()) load_nodes();
+    if (outcome_.interrupted) return std::move(outcome_);
+    // At the very end, since a run may be killed between writing its last file and this.
+    std::error_code error;
+    fs::remove(folder_ / "run.checkpoint", error);
+    return std::move(outcome_);
+  }
+
+ private:
+  /// Stage `s` of the plan; nothing, and an interrupted outcome, if it was stopped. `progress_.reused` tells where it came from.
+  template <class Result>
+  std::optional<Result> carry_out_stage(std::size_t s, void (*write)(const fs::path&, const Result&), Result (*read)(const fs::path&),
+                                        std::function<std::optional<Result>(const fs::path& checkpoint)> make, const std::string& kernel) {
+    const auto with_provenance = [&](const fs::path& checkpoint) {
+      auto made = make(checkpoint);
+      if (made) made->provenance = provenance_of(recipe_, s, plan_[s], kernel);
+      return made;
+    };
+    auto result = workflow::carry_out<Result>({plan_[s], folder_ / plan_[s].file, with_provenance, write, read}, options_, progress_.reused);
+    outcome_.interrupted = !result;
+    if (result) outcome_.files.push_back(folder_ / plan_[s].file);
+    return result;
+  }
+
+  bool add_stage(std::size_t s, const std::function<std::optional<StageResult>(const fs::path& checkpoint)>& make, const std::string& kernel) {
+    std::optional<texture::Texture> texture;
+    const auto measured = [&](const fs::path& checkpoint) {
+      auto made = make(checkpoint);
+      if (made && !made->frames.empty()) {
+        texture = texture::measure(made->frames.back().packing, texture_options(recipe_, s));
+        made->texture = texture::numbers(*texture);
       }
-    }
-    if (!result) {
-      outcome.interrupted = true;
-      return false;
-    }
-    if (progress.reused) {
-      progress.share = 1;
-      options.progress(progress);
-    }
-    outcome.stages.push_back(std::move(*result));
-    outcome.files.push_back(file);
-    outcome.converged = outcome.stages.back().converged;
-    if (!outcome.converged) return false;
+      return made;
+    };
+    auto result = carry_out_stage<StageResult>(s, io::write_stage, io::read_stage, measured, kernel);
+    if (!result) return false;
+    outcome_.stages.push_back(std::move(*result));
+    outcome_.measured.push_back(std::move(texture));
+    return true;
   }
-  return true;
-}
 
-RunOutcome run_in_folder(const Recipe& recipe, const RunOptions& options) {
-  const std::vector<PlannedStage> plan = plan_of(recipe);
-  std::vector<std::string> names, former;
-  for (const PlannedStage& stage : plan) {
-    names.push_back(stage.file);
-    former.push_back(stage.former);
+  bool add_field(std::size_t s, const std::function<std::optional<FieldResult>(const fs::path& checkpoint)>& make) {
+    begin(s);
+    auto result = carry_out_stage<FieldResult>(s, io::write_field, io::read_field, [&](const fs::path& checkpoint) {
+      options_.progress(progress_);
+      return make(checkpoint);
+    }, "");
+    if (!result) return false;
+    show_done();
+    outcome_.converged = outcome_.converged && result->converged;
+    outcome_.fields.push_back(std::move(*result));
+    return true;
   }
-  Progress progress{0, plan.size(), "packing", 0, 0, 0, false, false};
-  const ResultFolder folder(options.out, names, former);
-  if (const std::string sentence = folder.what_was_put_aside(); !sentence.empty()) options.notice(sentence);
 
-  RunOutcome outcome;
-  auto packing = packing_stage(recipe, folder / names[0], plan[0], options, progress);
-  outcome.interrupted = !packing;
-  if (!packing) return outcome;
-  outcome.files.push_back(folder / names[0]);
-  outcome.stages.push_back(std::move(*packing));
-  io::write_atomically(folder / "recipe.toml", to_toml(recipe));
-  if (run_stages(recipe, plan, folder, options, progress, outcome) && recipe.has_field()) run_fields(recipe, plan, folder, options, progress, outcome);
-  if (outcome.interrupted) return outcome;
-  // At the very end, since a run may be killed between writing its last file and this.
-  std::error_code error;
-  fs::remove(folder / "run.checkpoint", error);
-  return outcome;
-}
+  void begin(std::size_t s) {
+    progress_.stage = s;
+    progress_.name = plan_[s].name;
+    progress_.reused = false;
+    progress_.field = plan_[s].field;
+    if (!plan_[s].field) return;
+    progress_.share = 0;
+    progress_.step = 0;
+  }
+
+  void show_done() {
+    progress_.share = 1;
+    options_.progress(progress_);
+  }
+
+  bool pack() {
+    const bool made = add_stage(0, [&](const fs::path&) { return std::optional(make_packing(recipe_)); }, "");
+    if (!made) return false;
+    show_done();
+    io::write_atomically(folder_ / "recipe.toml", to_toml(recipe_));
+    return true;
+  }
+
+  /// All stages of loading by discrete elements; true if the run may go on.
+  bool load_grains() {
+    const Packing start = outcome_.stages[0].frames.back().packing;
+    std::optional<dem::Engine> engine;
+    std::string kernel;
+    for (std::size_t s = 1; s <= recipe_.stages.size(); ++s) {
+      begin(s);
+      const auto make = [&](const fs::path& checkpoint) {
+        if (!engine) engine.emplace(start, recipe_.contact, recipe_.integration);
+        kernel = engine->kernel();
+        if (s > 1) engine->restore(outcome_.stages.back().continuation);
+        return load(*engine, recipe_.stages[s - 1], plan_[s].hash, checkpoint, options_, progress_);
+      };
+      if (!add_stage(s, make, kernel)) return false;
+      if (progress_.reused) show_done();
+      outcome_.converged = outcome_.stages.back().converged;
+      if (!outcome_.converged) return false;
+    }
+    return true;
+  }
+
+  /// The cemented sample and its loads.
+  void load_nodes() {
+    const std::size_t first = recipe_.stages.size() + 1;
+    const Packing& packing = outcome_.stages.back().frames.back().packing;
+    if (!add_field(first, [&](const fs::path&) { return std::optional(make_cemented_sample(recipe_, packing)); })) return;
+    const auto watch = [&](const peridynamics::Progress& p) {
+      progress_.share = std::min(p.share, 0.999);
+      progress_.step = p.iterations;
+      progress_.unbalanced_ratio = p.residual;
+      options_.progress(progress_);
+      return !options_.asked_to_stop();
+    };
+    for (std::size_t l = 0; l < recipe_.loads.size(); ++l) {
+      const recipe::Load& load = recipe_.loads[l];
+      const std::size_t s = first + 1 + l;
+      const auto make = [&](const fs::path& kept) {
+        const auto checkpoint = load.failure ? checkpoint_of(kept, plan_[s].hash, options_) : PullCheckpoint{};
+        return apply_load(load, outcome_.fields.front(), watch, checkpoint);
+      };
+      if (!add_field(s, make)) return;
+    }
+  }
+
+  const recipe::Recipe& recipe_;
+  const RunOptions& options_;
+  const std::vector<PlannedStage> plan_;
+  const ResultFolder folder_;
+  Progress progress_;
+  RunOutcome outcome_;
+};
 
 }  // namespace
 
-RunOutcome run(const Recipe& recipe, const RunOptions& options) {
+RunOutcome run(const recipe::Recipe& recipe, const RunOptions& options) {
   const bool was_there = fs::exists(options.out);
   try {
     dem::kernel_name(recipe.integration.kernel);
-    return run_in_folder(recipe, options);
+    return Run(recipe, options).outcome();
   } catch (const InputError& error) {
     std::error_code ignored;
     if (!was_there) fs::remove(options.out, ignored);  // only if nothing is in it
@@ -206,4 +270,4 @@ RunOutcome run(const Recipe& recipe, const RunOptions& options) {
   }
 }
 
-}  // namespace arenite::study
+}  // namespace arenite::workflow

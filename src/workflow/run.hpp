@@ -1,15 +1,15 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "model/field_result.hpp"
 #include "model/result.hpp"
 #include "recipe/recipe.hpp"
 #include "grains/texture/texture.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 
 /// Where a run stands, for a bar or a log.
 struct Progress {
@@ -39,6 +39,8 @@ struct RunOutcome {
   std::vector<std::filesystem::path> files;  ///< one a stage, in order
   std::vector<StageResult> stages;
   std::vector<FieldResult> fields;    ///< the cemented sample and its loads, after the stages
+  /// Texture of the last state of each of `stages`, as texture_options of the recipe asks; nothing where the stage was there already.
+  std::vector<std::optional<texture::Texture>> measured;
 };
 
 /// Runs a recipe: packing, then its stages one after the other; every stage ends as one file in `options.out`, named by
@@ -46,15 +48,15 @@ struct RunOutcome {
 /// goes on from its last checkpoint and ends with the same bytes. Of runs that share a store and want the same stage at once,
 /// one computes it and the others wait. A damaged file counts as none, with a notice. A stage that
 /// finds no equilibrium ends the run; loads of the cemented sample are independent of each other, and the next is tried.
-[[nodiscard]] RunOutcome run(const Recipe& recipe, const RunOptions& options);
+[[nodiscard]] RunOutcome run(const recipe::Recipe& recipe, const RunOptions& options);
 
 /// How the texture of a stage's states is measured; stage 0 is the packing. Signs refer to the axis along which the stage's
 /// sides load, where they load along one only.
-texture::Options texture_options(const Recipe& recipe, std::size_t stage);
+texture::Options texture_options(const recipe::Recipe& recipe, std::size_t stage);
 /// The same of a stored stage, by the recipe that made it; as of a packing where another version wrote that.
 texture::Options texture_options(const Provenance& provenance);
 
 /// The grains in their box before any loading: drawn, placed and relaxed, or read from a file (recipe's [packing]).
-StageResult make_packing(const Recipe& recipe);
+StageResult make_packing(const recipe::Recipe& recipe);
 
-}  // namespace arenite::study
+}  // namespace arenite::workflow

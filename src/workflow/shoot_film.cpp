@@ -8,23 +8,22 @@
 #include <optional>
 
 #include "core/error.hpp"
-#include "io/atomic_file.hpp"
-#include "io/film_writer.hpp"
-#include "workflow/named_result.hpp"
+#include "io/disk/file.hpp"
+#include "io/film/film.hpp"
 #include "workflow/result_folder.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// Factors and emissivities as the recipe gives them, in the order of the packing's materials.
-void take_materials(Packing& packing, const FilmRecipe& recipe, camera::Parameters& p, std::vector<double>& brightness) {
+void take_materials(Packing& packing, const recipe::FilmRecipe& recipe, camera::Parameters& p, std::vector<double>& brightness) {
   p.surroundings.emissivity.clear();
   brightness.clear();
   const std::vector<double> emissivity = emissivities(recipe);
   for (Material& material : packing.materials) {
-    const auto same = [&](const FilmMaterial& m) { return m.name == material.name; };
+    const auto same = [&](const recipe::FilmMaterial& m) { return m.name == material.name; };
     const auto at = std::find_if(recipe.materials.begin(), recipe.materials.end(), same);
     if (at == recipe.materials.end())
       throw InputError(recipe.source_file, 0, fmt::format("there is no section [materials.{0}], which grains of the sample are made of; add it", material.name));
@@ -37,8 +36,8 @@ void take_materials(Packing& packing, const FilmRecipe& recipe, camera::Paramete
 double load_on_bottom(const Packing& packing) { return packing.domain.wall[bottom].force; }
 
 /// What only the virtual camera knows for sure: its lens, its surroundings, when the load is largest, and the wall's way.
-void forget_secrets(FilmRecipe& lab) {
-  const FilmRecipe unknowing;
+void forget_secrets(recipe::FilmRecipe& lab) {
+  const recipe::FilmRecipe unknowing;
   lab.temperature.ambient = unknowing.temperature.ambient;
   lab.lockin.phase.reset();
   lab.forces.blur = unknowing.forces.blur;
@@ -46,12 +45,12 @@ void forget_secrets(FilmRecipe& lab) {
 }
 
 /// What a laboratory would know of this film, and unless it is `blind` what the camera knows beside.
-FilmRecipe laboratory_recipe(const FilmRecipe& recipe, const Packing* low, const Packing& high, const std::string& ending, bool blind) {
-  FilmRecipe lab = recipe;
+recipe::FilmRecipe laboratory_recipe(const recipe::FilmRecipe& recipe, const Packing* low, const Packing& high, const std::string& ending, bool blind) {
+  recipe::FilmRecipe lab = recipe;
   const Domain& start = low ? low->domain : high.domain;
-  const CameraSection& shot = *recipe.camera;
+  const recipe::CameraSection& shot = *recipe.camera;
   lab.camera.reset();
-  for (FilmMaterial& m : lab.materials)
+  for (recipe::FilmMaterial& m : lab.materials)
     for (const Material& of : high.materials)
       if (of.name == m.name) m.stiffness = of.stiffness;
   lab.frame = {start.width(), start.height(), start.thickness, {}, {}, load_on_bottom(high) - (low ? load_on_bottom(*low) : 0.0),
@@ -63,7 +62,7 @@ FilmRecipe laboratory_recipe(const FilmRecipe& recipe, const Packing* low, const
   const std::vector<double> emissivity = emissivities(recipe);
   for (std::size_t m = 0; m < lab.materials.size(); ++m) lab.materials[m].emissivity = shot.parameters.surroundings.radiometry ? emissivity[m] : 1;
   lab.temperature = {};
-  lab.temperature.from = TemperatureSection::From::plates;
+  lab.temperature.from = recipe::TemperatureSection::From::plates;
   lab.temperature.band = {shot.parameters.band.low, shot.parameters.band.high};
   lab.temperature.ambient = shot.parameters.surroundings.ambient;
   lab.lockin.frequency = shot.parameters.timing.load_frequency;
@@ -102,21 +101,21 @@ void write_optical(const fs::path& file, const FloatImage& picture) {
 /// What is filmed, and what of it a laboratory knows.
 struct Shot {
   camera::Scene scene;
-  FilmRecipe laboratory;
+  recipe::FilmRecipe laboratory;
 };
 
-Shot shot_of_field(const FilmRecipe& recipe, FieldResult& field, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending, bool blind) {
+Shot shot_of_field(const recipe::FilmRecipe& recipe, FieldResult& field, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending, bool blind) {
   if (!recipe.camera->low.empty()) throw InputError(recipe.source_file, 0, "a load of a cemented sample is filmed from no load; leave out camera.low");
   take_materials(field.packing, recipe, p, brightness);
   Shot shot{camera::scene_of_field(field, p), {}};
   Packing window;
   window.domain = shot.scene.low;
   shot.laboratory = laboratory_recipe(recipe, nullptr, window, ending, blind);
-  shot.laboratory.forces.from = ForcesSection::From::none;  // matrix carries between the grains
+  shot.laboratory.forces.from = recipe::ForcesSection::From::none;  // matrix carries between the grains
   return shot;
 }
 
-Shot shot_of_states(const FilmRecipe& recipe, Packing& high, const fs::path& result, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending, bool blind) {
+Shot shot_of_states(const recipe::FilmRecipe& recipe, Packing& high, const fs::path& result, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending, bool blind) {
   const std::string& released = recipe.camera->low;
   std::optional<Packing> low;
   if (!released.empty() && !(low = last_state(result, released))) refuse_stage(result, released);
@@ -127,9 +126,9 @@ Shot shot_of_states(const FilmRecipe& recipe, Packing& high, const fs::path& res
 
 }  // namespace
 
-std::vector<fs::path> shoot_film(const FilmRecipe& recipe, const fs::path& result, const ShootOptions& options) {
+std::vector<fs::path> shoot_film(const recipe::FilmRecipe& recipe, const fs::path& result, const ShootOptions& options) {
   if (!recipe.camera) throw InputError(recipe.source_file, 0, "there is no section [camera]; add it with high = \"NAME\" of the stage that is filmed");
-  const CameraSection& shot = *recipe.camera;
+  const recipe::CameraSection& shot = *recipe.camera;
   camera::Parameters p = shot.parameters;
   std::vector<double> brightness;
   auto state = last_state(result, shot.high);
@@ -149,4 +148,4 @@ std::vector<fs::path> shoot_film(const FilmRecipe& recipe, const fs::path& resul
   return {named("film"), named("cold"), named("warm"), options.out / "optical.tif", options.out / "film.toml"};
 }
 
-}  // namespace arenite::study
+}  // namespace arenite::workflow

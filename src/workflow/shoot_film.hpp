@@ -7,7 +7,7 @@
 
 #include "recipe/film_recipe.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 
 struct ShootOptions {
   std::filesystem::path out;
@@ -19,6 +19,6 @@ struct ShootOptions {
 /// Films two simulated states (or one, or a load of the cemented sample, from no load) with the recipe's [camera]. Writes the film, two films of even plates,
 /// an optical picture at the smallest load, and the recipe film.toml that `arenite film` takes; returns the files, none if it was
 /// stopped. `result` is a run's folder or a file of it. Throws InputError for stages that are not there.
-std::vector<std::filesystem::path> shoot_film(const FilmRecipe& recipe, const std::filesystem::path& result, const ShootOptions& options);
+std::vector<std::filesystem::path> shoot_film(const recipe::FilmRecipe& recipe, const std::filesystem::path& result, const ShootOptions& options);
 
-}  // namespace arenite::study
+}  // namespace arenite::workflow

@@ -2,24 +2,32 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <string_view>
 
 #include "core/hash.hpp"
-#include "io/read_file.hpp"
-#include "io/run_folder.hpp"
+#include "io/disk/file.hpp"
+#include "io/disk/store_file.hpp"
+#include "io/film/film.hpp"
+#include "recipe/film_recipe.hpp"
+#include "workflow/measure_film.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
+
+namespace fs = std::filesystem;
 
 namespace {
 
-// Raised when the same recipe gives other bits: a mended law, another order of a sum.
+// Raised when the same recipe gives other bits: a mended law, another order of a sum, another default of a key.
 constexpr std::int64_t packing_version = 1;
 constexpr std::int64_t loading_version = 4;
 constexpr std::int64_t clipped_dashpot_version = 1;  // of loadings whose dashpots cannot pull, alone
 constexpr std::int64_t cement_version = 1;
 constexpr std::int64_t load_version = 2;
 
-Recipe without_what_changes_no_bit(Recipe recipe) {
+recipe::Recipe without_what_changes_no_bit(recipe::Recipe recipe) {
   recipe.title.clear();
   recipe.source_file.clear();
   recipe.integration.threads = 1;
@@ -27,97 +35,107 @@ Recipe without_what_changes_no_bit(Recipe recipe) {
   return recipe;
 }
 
-/// What a key says of laws on which it does not depend: always the same, so that a new default renames no stored result.
-dem::ContactParameters no_contact() {
+/// The laws that version 0.1 wrote into keys which depend on none; its defaults of then.
+dem::ContactParameters no_contact_then() {
   dem::ContactParameters contact;
   contact.restitution = 0.1;
   contact.attractive_dashpot = true;
-  contact.friction_law = dem::FrictionLaw::regularised_coulomb;
+  contact.friction_law = dem::RegularisedCoulomb{};
   return contact;
 }
 
-Recipe no_loading() {
-  Recipe recipe;
-  recipe.contact = no_contact();
+dem::ContactParameters no_contact(Names names) { return names == Names::now ? dem::ContactParameters{} : no_contact_then(); }
+
+recipe::Recipe no_loading(Names names) {
+  recipe::Recipe recipe;
+  recipe.contact = no_contact(names);
   return recipe;
 }
 
-Recipe without_field(Recipe recipe) {
+recipe::Recipe without_field(recipe::Recipe recipe) {
   recipe.cement.reset();
   recipe.raster.reset();
   recipe.loads.clear();
   return recipe;
 }
 
+template <class Recipe>
+std::string text_of(const Recipe& part, Names names) {
+  return names == Names::now ? changed_keys(part) : to_toml(part);
+}
+
 }  // namespace
 
-std::string packing_key(const Recipe& recipe) {
-  Recipe part = without_field(without_what_changes_no_bit(recipe));
+std::string packing_key(const recipe::Recipe& recipe, Names names) {
+  recipe::Recipe part = without_field(without_what_changes_no_bit(recipe));
   part.stages.clear();
-  part.contact = no_contact();
+  part.contact = no_contact(names);
   part.integration = {};
   HashBuilder hash;
-  hash.add("packing version", packing_version).add("recipe", to_toml(part));
-  if (recipe.packing.method == PackingParameters::Method::file)
+  hash.add("packing version", packing_version).add("recipe", text_of(part, names));
+  if (recipe.packing.method == recipe::PackingParameters::Method::file)
     hash.add("file", content_hash(io::read_file(std::filesystem::path(recipe.source_file).parent_path() / recipe.packing.file)));
   return hash.hex();
 }
 
-std::string stage_key(const Recipe& recipe, std::size_t s, const std::string& packing_hash) {
-  Recipe part = without_field(without_what_changes_no_bit(recipe));
+std::string stage_key(const recipe::Recipe& recipe, std::size_t s, const std::string& packing_hash, Names names) {
+  recipe::Recipe part = without_field(without_what_changes_no_bit(recipe));
   part.stages.resize(s + 1);
   HashBuilder hash;
-  hash.add("loading version", loading_version).add("packing", packing_hash).add("recipe", to_toml(part));
+  hash.add("loading version", loading_version).add("packing", packing_hash).add("recipe", text_of(part, names));
   if (!recipe.contact.attractive_dashpot) hash.add("clipped dashpot version", clipped_dashpot_version);
   return hash.hex();
 }
 
-std::string cement_key(const Recipe& recipe, const std::string& last_stage_hash) {
-  Recipe part = no_loading();
+std::string cement_key(const recipe::Recipe& recipe, const std::string& last_stage_hash, Names names) {
+  recipe::Recipe part = no_loading(names);
   part.cement = recipe.cement_or_none();
   part.raster = recipe.raster_or_default();
   HashBuilder hash;
-  hash.add("cement version", cement_version).add("packing", last_stage_hash).add("recipe", to_toml(part));
+  hash.add("cement version", cement_version).add("packing", last_stage_hash).add("recipe", text_of(part, names));
   return hash.hex();
 }
 
-std::string load_key(const Load& load, const std::string& cement_hash) {
-  Recipe part = no_loading();
+std::string load_key(const recipe::Load& load, const std::string& cement_hash, Names names) {
+  recipe::Recipe part = no_loading(names);
   part.loads = {load};
   HashBuilder hash;
-  hash.add("load version", load_version).add("sample", cement_hash).add("recipe", to_toml(part));
+  hash.add("load version", load_version).add("sample", cement_hash).add("recipe", text_of(part, names));
   return hash.hex();
 }
 
-PlannedStage planned_stage(int place, std::string name, std::string hash, bool field) {
-  std::string file = io::stage_file_name(place, name, hash), former = io::full_stage_file_name(place, name, hash);
-  return {std::move(name), std::move(hash), std::move(file), field, std::move(former)};
+PlannedStage planned_stage(int place, std::string name, std::string hash, bool field, std::string former_hash) {
+  PlannedStage stage{name, hash, io::stage_file_name(place, name, hash), field, former_hash, {io::full_stage_file_name(place, name, hash)}};
+  if (!former_hash.empty()) stage.former.insert(stage.former.end(), {io::stage_file_name(place, name, former_hash), io::full_stage_file_name(place, name, former_hash)});
+  return stage;
 }
 
-std::vector<PlannedStage> plan_of(const Recipe& recipe) {
+std::vector<PlannedStage> plan_of(const recipe::Recipe& recipe) {
   std::vector<PlannedStage> plan;
-  const auto add = [&plan](const std::string& name, std::string hash, bool field) {
-    plan.push_back(planned_stage(static_cast<int>(plan.size()) + 1, name, std::move(hash), field));
+  const auto add = [&plan](const std::string& name, bool field, const auto& key) {
+    const int place = static_cast<int>(plan.size()) + 1;
+    plan.push_back(planned_stage(place, name, key(Names::now), field, key(Names::of_version_0_1)));
   };
-  const std::string packing = packing_key(recipe);
-  add("packing", packing, false);
-  for (std::size_t s = 0; s < recipe.stages.size(); ++s) add(recipe.stages[s].name, stage_key(recipe, s, packing), false);
+  const auto hash_of = [&plan](std::size_t s, Names names) { return names == Names::now ? plan[s].hash : plan[s].former_hash; };
+  add("packing", false, [&](Names names) { return packing_key(recipe, names); });
+  for (std::size_t s = 0; s < recipe.stages.size(); ++s)
+    add(recipe.stages[s].name, false, [&](Names names) { return stage_key(recipe, s, hash_of(0, names), names); });
   if (!recipe.has_field()) return plan;
-  const std::string cement = cement_key(recipe, plan.back().hash);
-  add("cement", cement, true);
-  for (const Load& load : recipe.loads) add(load.name, load_key(load, cement), true);
+  const std::size_t last = plan.size() - 1;
+  add("cement", true, [&](Names names) { return cement_key(recipe, hash_of(last, names), names); });
+  for (const recipe::Load& load : recipe.loads) add(load.name, true, [&](Names names) { return load_key(load, hash_of(last + 1, names), names); });
   return plan;
 }
 
-Recipe part_of(const Recipe& recipe, std::size_t s) {
+recipe::Recipe part_of(const recipe::Recipe& recipe, std::size_t s) {
   if (s > recipe.stages.size()) {
-    Recipe part = recipe;
+    recipe::Recipe part = recipe;
     const std::size_t load = s - recipe.stages.size() - 1;  // 0: the cemented sample, before all loads
     part.loads.clear();
     if (load > 0) part.loads.push_back(recipe.loads[load - 1]);
     return part;
   }
-  Recipe part = without_field(recipe);
+  recipe::Recipe part = without_field(recipe);
   part.stages.resize(s);
   if (s == 0) {
     part.contact = {};
@@ -127,7 +145,76 @@ Recipe part_of(const Recipe& recipe, std::size_t s) {
 }
 
 std::string key_versions() {
-  return fmt::format("{} {} {} {} {}", packing_version, loading_version, cement_version, load_version, clipped_dashpot_version);
+  return fmt::format("changed keys {} {} {} {} {}", packing_version, loading_version, cement_version, load_version, clipped_dashpot_version);
 }
 
-}  // namespace arenite::study
+namespace {
+
+/// Counts up whenever the same film and recipe give other numbers.
+constexpr std::int64_t film_version = 4;
+
+/// The bytes of a file that need not fit into memory.
+void add_file(HashBuilder& hash, const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string part(std::size_t{8} << 20, '\0');
+  while (file.read(part.data(), static_cast<std::streamsize>(part.size())) || file.gcount() > 0)
+    hash.add("part", content_hash(std::string_view(part).substr(0, static_cast<std::size_t>(file.gcount()))));
+}
+
+template <class T>
+std::string_view bytes_of(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+void add_frames(HashBuilder& hash, FilmSource& source) {
+  const std::int64_t frames = source.info().frames;
+  constexpr std::int64_t together = 32;
+  FrameBlock block;
+  for (std::int64_t k = 0; k < frames; k += together) {
+    source.read(k, static_cast<std::size_t>(std::min(together, frames - k)), block);
+    hash.add("levels", content_hash(bytes_of(block.level)));
+    hash.add("values", content_hash(bytes_of(block.value)));
+  }
+}
+
+/// What a film says about itself may stand beside its frames, in another file.
+void add_info(HashBuilder& hash, const FilmInfo& info) {
+  hash.add("width", std::int64_t{info.width}).add("height", std::int64_t{info.height}).add("frames", info.frames);
+  hash.add("frame_rate", info.frame_rate).add("integration", info.integration).add("bits", std::int64_t{info.bits});
+  hash.add("floating", std::int64_t{info.floating}).add("quantity", static_cast<std::int64_t>(info.quantity));
+  hash.add("emissivity", info.emissivity).add("ambient", info.ambient);
+  hash.add("band_low", info.band_low).add("band_high", info.band_high);
+  hash.add("time", content_hash(bytes_of(info.time)));
+}
+
+void add_film(HashBuilder& hash, const char* name, const fs::path& path, FilmSource& source) {
+  hash.add("film", name);
+  add_info(hash, source.info());
+  // A raw film may be named by the file that describes its frames.
+  if (fs::is_regular_file(path) && source.info().format != "raw") add_file(hash, path);
+  else add_frames(hash, source);
+}
+
+}  // namespace
+
+std::string film_key(const fs::path& film, FilmSource& source, const recipe::FilmRecipe& recipe, Names names) {
+  HashBuilder hash;
+  hash.add("film version", film_version).add("recipe", text_of(recipe, names));
+  add_film(hash, "film", film, source);
+  const auto beside = [&](const std::string& file) { return fs::path(recipe.source_file).parent_path() / file; };
+  const auto add_plate = [&](const char* name, const std::string& file) {
+    if (!file.empty()) add_film(hash, name, beside(file), *io::open_film(beside(file), reading_of(recipe)));
+  };
+  const auto add = [&](const char* name, const std::string& file) {
+    if (!file.empty()) hash.add(name, content_hash(io::read_file(beside(file))));
+  };
+  add_plate("cold", recipe.correction.cold);
+  add_plate("warm", recipe.correction.warm);
+  add("curve", recipe.temperature.curve);
+  add("grains", recipe.picture.grains);
+  add("optical", recipe.picture.optical);
+  if (recipe.twin) add("twin", recipe.twin->recipe);
+  return hash.hex();
+}
+
+}  // namespace arenite::workflow

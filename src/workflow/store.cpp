@@ -5,14 +5,19 @@
 
 #include <cerrno>
 #include <charconv>
+#include <chrono>
+#include <thread>
 #include <vector>
 
-#include "io/atomic_file.hpp"
-#include "io/read_file.hpp"
+#include "core/version.hpp"
+#include "io/disk/file.hpp"
 #include "workflow/result_folder.hpp"
+#include "workflow/runner.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
+
 namespace fs = std::filesystem;
+
 namespace {
 
 /// The same bytes under another name, whole or not at all; what was there before is replaced.
@@ -93,4 +98,61 @@ StoreAccount read_account(const fs::path& store) {
   return account;
 }
 
-}  // namespace arenite::study
+bool Claim::taken_from_store(const fs::path& file) {
+  const Store* const store = options_.store;
+  if (!store) return false;
+  make_folder(file.parent_path());
+  lock_.reset();
+  while (!fetch(file)) {
+    lock_ = store->try_claim(stage_.hash);
+    if (lock_) {
+      // It may have come between the look and the lock.
+      if (!fetch(file)) break;
+      lock_.reset();
+      return true;
+    }
+    if (options_.asked_to_stop()) {
+      stopped = true;
+      return false;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  began_ = std::clock();
+  return !lock_;
+}
+
+bool Claim::fetch(const fs::path& file) const {
+  return options_.store->fetch(stage_.hash, file) || (!stage_.former_hash.empty() && options_.store->fetch(stage_.former_hash, file));
+}
+
+void Claim::drop_stored() const {
+  options_.store->drop(stage_.hash);
+  if (!stage_.former_hash.empty()) options_.store->drop(stage_.former_hash);
+}
+
+fs::path Claim::checkpoint(const fs::path& without_store) const {
+  return options_.store ? options_.store->checkpoint(stage_.hash) : without_store;
+}
+
+void Claim::computed(const fs::path& file) const {
+  if (!options_.store) return;
+  options_.store->put(stage_.hash, file);
+  options_.store->note_computed(stage_, seconds());
+}
+
+void Claim::interrupted() const {
+  if (options_.store) options_.store->note_begun(stage_, seconds());
+}
+
+Provenance provenance_of(const recipe::Recipe& recipe, std::size_t s, const PlannedStage& stage, const std::string& kernel) {
+  Provenance p;
+  p.version = version;
+  p.stage = stage.name;
+  p.input_hash = stage.hash;
+  p.recipe = to_toml(part_of(recipe, s));
+  p.seed = recipe.seed;
+  p.kernel = kernel;
+  return p;
+}
+
+}  // namespace arenite::workflow

@@ -6,11 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "io/append_log.hpp"
-#include "io/file_lock.hpp"
+#include "io/disk/store_file.hpp"
+#include "io/disk/file.hpp"
 #include "workflow/stage_keys.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 
 /// Where a stage lies, or would lie, in a store.
 std::filesystem::path stored_file(const std::filesystem::path& store, const std::string& hash);
@@ -54,4 +54,4 @@ struct StoreAccount {
 };
 StoreAccount read_account(const std::filesystem::path& store);
 
-}  // namespace arenite::study
+}  // namespace arenite::workflow

@@ -2,8 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/atomic_file.hpp"
-#include "io/read_file.hpp"
+#include "io/disk/file.hpp"
 #include "support/document_of_page.hpp"
 #include "support/program.hpp"
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/random.hpp"
-#include "io/film_writer.hpp"
+#include "io/film/film.hpp"
 #include "support/films.hpp"
 #include "support/virtual_film.hpp"
 

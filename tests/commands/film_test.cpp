@@ -3,14 +3,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "io/film.hpp"
-#include "io/film_writer.hpp"
+#include "io/film/film.hpp"
 #include "thermal/radiometry/band.hpp"
-#include "workflow/film_numbers.hpp"
+#include "workflow/run_film.hpp"
 #include "support/films.hpp"
 #include "support/virtual_film.hpp"
 #include "thermal/thermography/frame_statistics.hpp"
-#include "thermal/thermography/nonuniformity.hpp"
+#include "thermal/thermography/correction.hpp"
 
 namespace {
 using namespace arenite;
@@ -56,7 +55,7 @@ TEST(FilmCommand, GivesBackTheStressesOfTheSimulationThatWasFilmed) {
   EXPECT_LT(std::sqrt(off_at_low), 0.1);
   EXPECT_GT(away, 20);
   EXPECT_LT(std::sqrt(off_at_high / away), 0.1);
-  const auto agreement = study::agreement(film.swing.sigma_hyd, swing, std::vector<std::uint8_t>(42, 1));
+  const auto agreement = workflow::agreement(film.swing.sigma_hyd, swing, std::vector<std::uint8_t>(42, 1));
   EXPECT_EQ(agreement.grains, 42u);
   EXPECT_GT(agreement.correlation, 0.98);
   EXPECT_LT(agreement.rms_sigma_norm, 0.05);
@@ -153,7 +152,7 @@ TEST(FilmCommand, PutsASimulationOfTheSameGrainsBesideTheFilm) {
       for (std::size_t i = 0; i < loaded.size(); ++i) EXPECT_NEAR(film.twin.state[i], loaded[i], 1e-9 * std::abs(loaded[i])) << i;
     }
   ASSERT_EQ(film.twin.state.size(), 42u);
-  EXPECT_GT(study::agreement(film.swing.sigma_hyd, film.twin.swing, std::vector<std::uint8_t>(42, 1)).correlation, 0.2);
+  EXPECT_GT(workflow::agreement(film.swing.sigma_hyd, film.twin.swing, std::vector<std::uint8_t>(42, 1)).correlation, 0.2);
   for (const char* what : {"film", "twin"}) {
     const Json& directions = j.at("directions").at(what);  // of the few contacts away from the border
     EXPECT_GT(directions.at("contacts"), 0) << what;

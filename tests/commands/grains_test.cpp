@@ -4,10 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "io/csv.hpp"
-#include "io/image.hpp"
-#include "io/placed_grains.hpp"
-#include "io/png_writer.hpp"
+#include "io/sample/sample.hpp"
+#include "io/image/image.hpp"
 #include "support/drawn_picture.hpp"
 #include "support/films.hpp"
 #include "support/program.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "io/film_writer.hpp"
+#include "io/film/film.hpp"
 #include "support/films.hpp"
 #include "support/program.hpp"
 #include "support/swinging_film.hpp"

@@ -4,9 +4,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "io/atomic_file.hpp"
-#include "io/read_file.hpp"
-#include "io/stage_file.hpp"
+#include "io/disk/file.hpp"
+#include "io/results/results.hpp"
 #include "support/numbers_of.hpp"
 #include "support/program.hpp"
 #include "support/sample_results.hpp"

@@ -25,7 +25,7 @@ double error_of(const Case& c, int steps) {
   const double omega = std::sqrt(2 * k / m), decay = c.damping * omega;
   const double turn = std::sqrt(omega * omega - decay * decay), end = std::numbers::pi / omega;
   ContactParameters contact;
-  contact.friction_law = FrictionLaw::none;
+  contact.friction_law = dem::NoFriction{};
   contact.attractive_dashpot = true;  // the closed form is of a dashpot that may pull
   contact.wall_stiffness = WallStiffness::grain;
   contact.normal_damping = decay * m;

@@ -5,11 +5,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
-#include "io/assemble.hpp"
-#include "io/csv.hpp"
-#include "io/lammps_dump.hpp"
-#include "io/mercury_text.hpp"
-#include "io/yade_text.hpp"
+#include "io/sample/sample.hpp"
 
 namespace {
 

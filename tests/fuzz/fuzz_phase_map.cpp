@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 #include "thermal/imaging/label_grains.hpp"
-#include "io/phase_map_image.hpp"
+#include "io/image/phase_map.hpp"
 
 namespace {
 

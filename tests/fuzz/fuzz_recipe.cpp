@@ -12,15 +12,15 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace arenite;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  study::Recipe recipe;
+  recipe::Recipe recipe;
   try {
-    recipe = study::parse_recipe(text, "fuzz.toml");
+    recipe = recipe::parse_recipe(text, "fuzz.toml");
   } catch (const InputError& error) {
     if (error.problems().empty() || std::string(error.what()).empty()) std::abort();
     return 0;
   }
-  const std::string resolved = study::to_toml(recipe);
-  if (!(study::parse_recipe(resolved, "fuzz.toml") == recipe)) std::abort();
-  if (!(study::parse_recipe(study::to_commented_toml(recipe), "fuzz.toml") == recipe)) std::abort();
+  const std::string resolved = recipe::to_toml(recipe);
+  if (!(recipe::parse_recipe(resolved, "fuzz.toml") == recipe)) std::abort();
+  if (!(recipe::parse_recipe(recipe::to_commented_toml(recipe), "fuzz.toml") == recipe)) std::abort();
   return 0;
 }

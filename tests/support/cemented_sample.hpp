@@ -8,7 +8,7 @@
 #include "core/random.hpp"
 #include "geometry/close_pairs.hpp"
 #include "model/phase_map.hpp"
-#include "grains/packing/relax.hpp"
+#include "grains/packing/fill.hpp"
 
 namespace arenite::test {
 

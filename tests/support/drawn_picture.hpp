@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "geometry/disk_window.hpp"
+#include "geometry/rectangle.hpp"
 #include "thermal/imaging/smooth.hpp"
-#include "io/csv.hpp"
-#include "io/read_file.hpp"
+#include "io/sample/sample.hpp"
+#include "io/disk/file.hpp"
 #include "model/image.hpp"
 
 /// Pictures of disks whose truth is known: every pixel holds the exact share that disks cover.

@@ -2,7 +2,7 @@
 #include <string>
 #include <utility>
 
-#include "model/field_result.hpp"
+#include "model/result.hpp"
 #include "solid/peridynamics/damage.hpp"
 #include "solid/peridynamics/load.hpp"
 #include "report/page.hpp"

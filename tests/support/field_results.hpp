@@ -1,5 +1,5 @@
 #pragma once
-#include "model/field_result.hpp"
+#include "model/result.hpp"
 #include "support/numbers_of.hpp"
 #include "support/sample_results.hpp"
 

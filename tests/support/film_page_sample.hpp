@@ -7,7 +7,7 @@
 #include "core/random.hpp"
 #include "model/elasticity/disk_field.hpp"
 #include "report/page.hpp"
-#include "workflow/film_directions.hpp"
+#include "workflow/run_film.hpp"
 #include "support/numbers_of.hpp"
 #include "support/page_sample.hpp"
 
@@ -32,7 +32,7 @@ struct FilmPageSample {
     find_grains();
     infer_forces();
     film.numbers = numbers_of(R"({"frequency_Hz": {"value": 3.0002, "error": 0.0001}, "noise_mK": 1.1, "grains": )" + std::to_string(grains) +
-                        R"(, "forces": {"residual": 1.02, "null_space": 0}, "directions": )" + to_json(study::film_directions(film, &truth_)) + "}");
+                        R"(, "forces": {"residual": 1.02, "null_space": 0}, "directions": )" + to_json(workflow::film_directions(film, &truth_)) + "}");
     data.title = "A film of <two> materials in a frame";
     maps_only.name = "maps";
     maps_only.outcome = "Locked in at the load frequency.";

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/film.hpp"
+#include "io/film/film.hpp"
 
 /// Small films, written byte by byte or made in memory.
 namespace arenite::test {

@@ -1,5 +1,5 @@
 #pragma once
-#include "model/picture_grains.hpp"
+#include "model/image.hpp"
 #include "support/drawn_picture.hpp"
 
 namespace arenite::test {

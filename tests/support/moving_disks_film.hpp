@@ -4,7 +4,7 @@
 
 #include "core/random.hpp"
 #include "model/film.hpp"
-#include "model/picture_grains.hpp"
+#include "model/image.hpp"
 
 namespace arenite::test {
 

@@ -6,7 +6,6 @@
 
 #include "geometry/close_pairs.hpp"
 #include "grains/packing/fill.hpp"
-#include "grains/packing/relax.hpp"
 #include "report/page.hpp"
 
 namespace arenite::test {

@@ -5,7 +5,7 @@
 
 #include "core/random.hpp"
 #include "thermal/inference/normal_equations.hpp"
-#include "thermal/inference/touching.hpp"
+#include "thermal/inference/balance.hpp"
 #include "model/packing.hpp"
 
 namespace arenite::test {

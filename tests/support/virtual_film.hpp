@@ -4,9 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "io/film_result_file.hpp"
-#include "io/run_folder.hpp"
-#include "io/stage_file.hpp"
+#include "io/results/results.hpp"
+#include "io/disk/store_file.hpp"
 #include "support/program.hpp"
 
 namespace arenite::test {

@@ -56,7 +56,7 @@ double fine_step() { return contact_time(pair_mass(), k_pom) / 1000; }
 TEST(Adhesion, ForceIsKhMinusGammaRootRh) {
   for (const double share : {0.01, 0.25, 0.5, 1.0, 3.0}) {
     const double h = share * bond.equilibrium();
-    Engine engine(pair(h), glued(Adhesion::geometrical), with_step(fine_step()));
+    Engine engine(pair(h), glued(dem::GeometricalAdhesion{}), with_step(fine_step()));
     const Packing p = engine.packing();
     ASSERT_EQ(p.contacts.size(), 1u);
     EXPECT_EQ(p.contacts.glued[0], 1);
@@ -70,7 +70,7 @@ TEST(Adhesion, EffectiveRadiusIsFourReducedByDefaultAndTheOthersOnRequest) {
                                                         {EffectiveRadius::geometric_mean, 2 * std::sqrt(ra * rb)}};
   const double h = 1e-5;
   for (const auto& [option, r_eff] : options) {
-    dem::ContactParameters law = glued(Adhesion::geometrical);
+    dem::ContactParameters law = glued(dem::GeometricalAdhesion{});
     law.effective_radius = option;
     Engine engine(pair(h), law, with_step(fine_step()));
     const double expected = k_pom * h - glue * std::sqrt(r_eff * h);
@@ -80,11 +80,11 @@ TEST(Adhesion, EffectiveRadiusIsFourReducedByDefaultAndTheOthersOnRequest) {
 
 TEST(Adhesion, ActsOnlyBetweenTwoGluedGrains) {
   const double h = 1e-5;
-  Engine engine(pair(h, 0, 0), glued(Adhesion::geometrical), with_step(fine_step()));
+  Engine engine(pair(h, 0, 0), glued(dem::GeometricalAdhesion{}), with_step(fine_step()));
   EXPECT_NEAR(engine.packing().contacts.fn.at(0), k_pom * h, 1e-9 * k_pom * h);
   EXPECT_EQ(engine.packing().contacts.glued.at(0), 0);
 
-  dem::ContactParameters by_pair = glued(Adhesion::geometrical);
+  dem::ContactParameters by_pair = glued(dem::GeometricalAdhesion{});
   by_pair.glued_pairs = {{0, 1}};
   Packing p = pair(h, 0, 0);
   p.grains.zone[0] = 0;
@@ -95,7 +95,7 @@ TEST(Adhesion, ActsOnlyBetweenTwoGluedGrains) {
 TEST(Adhesion, PullOffForceIsRGammaSquaredOver4kAtItsOverlap) {
   // Torn apart faster than the bond can hold; the largest tension passed and the overlap there are the closed forms'.
   const double escape = std::sqrt(2 * -bond.energy(bond.equilibrium()) / pair_mass());
-  Engine engine(pair(bond.equilibrium(), 1.5 * escape), glued(Adhesion::geometrical), with_step(fine_step()));
+  Engine engine(pair(bond.equilibrium(), 1.5 * escape), glued(dem::GeometricalAdhesion{}), with_step(fine_step()));
   double tension = 0, where = 0;
   for (int step = 0; step < 20000; ++step) {
     engine.advance(1);
@@ -111,7 +111,7 @@ TEST(Adhesion, PullOffForceIsRGammaSquaredOver4kAtItsOverlap) {
 }
 
 TEST(Adhesion, ADampedPairRestsAtTheOverlapOfZeroForce) {
-  for (const auto kind : {Adhesion::geometrical, Adhesion::geometrical_breaking}) {
+  for (const dem::Adhesion& kind : std::initializer_list<dem::Adhesion>{dem::GeometricalAdhesion{}, dem::BreakingAdhesion{}}) {
     Engine engine(pair(0.6 * bond.equilibrium()), glued(kind, 0.2), with_step(fine_step()));
     engine.advance(60000);
     // Positions of half a metre stop moving when a step's way is below their last bit: 1e-13 m.
@@ -127,7 +127,7 @@ TEST(Adhesion, EscapeSpeedIsThatOfTheBondEnergyAndTheRestIsKept) {
   for (const auto integrator : integrators)
     for (const double share : {0.99, 1.01, 1.25}) {
       SCOPED_TRACE(std::string(name(integrator)) + ", " + std::to_string(share));
-      Engine engine(pair(bond.equilibrium(), share * escape), glued(Adhesion::geometrical),
+      Engine engine(pair(bond.equilibrium(), share * escape), glued(dem::GeometricalAdhesion{}),
                     with_step(fine_step(), integrator));
       double farthest = bond.equilibrium();
       for (int part = 0; part < 400; ++part) {
@@ -157,8 +157,8 @@ struct Hanging {
 TEST(Adhesion, CarriesAWeightJustBelowThePullOffForceAndDropsOneJustAbove) {
   for (const double share : {0.98, 1.02}) {
     Hanging hanging(bond.equilibrium());
-    dem::ContactParameters law = glued(Adhesion::geometrical, 0.2);
-    law.friction_law = dem::FrictionLaw::cundall_strack;
+    dem::ContactParameters law = glued(dem::GeometricalAdhesion{}, 0.2);
+    law.friction_law = dem::CundallStrack{};
     law.friction = 0;
     law.wall_friction = 1e6;
     Engine engine(hanging.p, law, with_step(contact_time(pair_mass(), k_pom) / 50));
@@ -190,7 +190,7 @@ Packing after_return(Adhesion kind) {
     engine.advance(500);
     const Packing now = engine.packing();
     apart = apart || !find_contact(now, 0, 1);
-    if (apart && find_contact(now, 0, 1) && kind == Adhesion::geometrical) {
+    if (apart && find_contact(now, 0, 1) && kind == dem::GeometricalAdhesion{}) {
       engine.advance(100000);
       break;
     }
@@ -200,13 +200,13 @@ Packing after_return(Adhesion kind) {
 }
 
 TEST(Adhesion, ReversibleBondsFormAgainAndBrokenOnesDoNot) {
-  const Packing reversible = after_return(Adhesion::geometrical);
+  const Packing reversible = after_return(dem::GeometricalAdhesion{});
   const auto c = find_contact(reversible, 0, 1);
   ASSERT_TRUE(c.has_value());
   EXPECT_EQ(reversible.contacts.glued[*c], 1);
   EXPECT_NEAR(reversible.contacts.overlap[*c], bond.equilibrium(), 1e-3 * bond.equilibrium());
 
-  const Packing broken = after_return(Adhesion::geometrical_breaking);
+  const Packing broken = after_return(dem::BreakingAdhesion{});
   if (const auto d = find_contact(broken, 0, 1)) {
     EXPECT_EQ(broken.contacts.glued[*d], 0);
     EXPECT_GE(broken.contacts.fn[*d], -1e-6 * bond.pull_off());
@@ -218,7 +218,7 @@ TEST(Adhesion, EnergyIsBalancedWhenABondBreaksForGood) {
   const double escape = std::sqrt(2 * depth / pair_mass());
   dem::IntegrationParameters how = with_step(fine_step());
   how.track_energy = true;
-  Engine engine(pair(bond.equilibrium(), 1.5 * escape), glued(Adhesion::geometrical_breaking), how);
+  Engine engine(pair(bond.equilibrium(), 1.5 * escape), glued(dem::BreakingAdhesion{}), how);
   const Energies start = engine.energies();
   EXPECT_NEAR(start.elastic + start.adhesive, -depth, 1e-9 * depth);
   engine.advance(20000);
@@ -233,8 +233,8 @@ TEST(Adhesion, RaisesTheFrictionCapByThePullOffForceAndLowersItAsPrinted) {
   // At h_eq the normal force is zero, so the cap is mu |F_c|; as printed it is negative, that is none.
   for (const auto cap : {dem::FrictionCap::raised_by_adhesion, dem::FrictionCap::as_printed})
     for (const double h : {bond.equilibrium(), 3 * bond.equilibrium()}) {
-      dem::ContactParameters law = glued(Adhesion::geometrical);
-      law.friction_law = dem::FrictionLaw::regularised_coulomb;
+      dem::ContactParameters law = glued(dem::GeometricalAdhesion{});
+      law.friction_law = dem::RegularisedCoulomb{};
       law.friction = 0.3;
       law.sliding_viscosity = 100;
       law.friction_cap = cap;
@@ -252,7 +252,7 @@ TEST(Adhesion, RaisesTheFrictionCapByThePullOffForceAndLowersItAsPrinted) {
 TEST(Adhesion, CanBeSetLaterAndBreakingBondsThenJoinOnlyThePairsThatTouch) {
   Packing p = pair(bond.equilibrium());
   add(p, {{0.5, 0.5 - ra - rb - 1e-5}, rb, pom, {0, 0.05}, 0, 1});  // comes near from below, touches after the glue is set
-  for (const auto kind : {Adhesion::geometrical, Adhesion::geometrical_breaking}) {
+  for (const dem::Adhesion& kind : std::initializer_list<dem::Adhesion>{dem::GeometricalAdhesion{}, dem::BreakingAdhesion{}}) {
     Engine engine(p, glued(kind), with_step(fine_step()));
     engine.set_glue(false);
     engine.advance(2);
@@ -266,7 +266,7 @@ TEST(Adhesion, CanBeSetLaterAndBreakingBondsThenJoinOnlyThePairsThatTouch) {
       const Packing now = engine.packing();
       if (const auto c = find_contact(now, 0, 2)) tension = std::min(tension, now.contacts.fn[*c]);
     }
-    if (kind == Adhesion::geometrical) {
+    if (kind == dem::GeometricalAdhesion{}) {
       EXPECT_NEAR(tension, -bond.pull_off(), 1e-2 * bond.pull_off());
     } else {
       EXPECT_EQ(tension, 0);

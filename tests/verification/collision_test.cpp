@@ -174,7 +174,7 @@ TEST(Collision, HertzKeepsTheRestitutionAskedForAtEverySpeed) {
         Packing probe = head_on(pair, 1, 0);
         const double dt = contact_time(reduced(mass(probe, 0), mass(probe, 1)), pair.k) / 1000;
         dem::ContactParameters law = frictionless(e);
-        law.normal = dem::NormalLaw::hertz;
+        law.normal = dem::Hertz{};
         const Outcome out = collide(head_on(pair, speed, dt), law, with_step(dt, kind), speed, separation);
         // The dashpot grows as h^(1/4), so it does not jump; a step's shift of the ends costs (dt/T)^(5/4).
         EXPECT_NEAR(out.restitution, e, 2e-3 * e);
@@ -183,10 +183,10 @@ TEST(Collision, HertzKeepsTheRestitutionAskedForAtEverySpeed) {
 
 TEST(Collision, RestitutionIsTheOneAskedForWhereTheDashpotCannotPullEither) {
   // The dashpot's onset within one step costs 4 zeta omega dt, and zeta < 1/sqrt(e).
-  for (const auto normal : {dem::NormalLaw::linear, dem::NormalLaw::hertz})
+  for (const dem::NormalLaw& normal : std::initializer_list<dem::NormalLaw>{dem::Linear{}, dem::Hertz{}})
     for (const auto kind : integrators)
       for (const double e : {1.0, 0.9, 0.5, 0.1, 0.02}) {
-        SCOPED_TRACE(std::string(name(kind)) + (normal == dem::NormalLaw::hertz ? ", Hertz" : "") + ", e = " + std::to_string(e));
+        SCOPED_TRACE(std::string(name(kind)) + (normal == dem::Hertz{} ? ", Hertz" : "") + ", e = " + std::to_string(e));
         const Pair pair = pairs()[2];
         Packing probe = head_on(pair, 1, 0);
         const double dt = contact_time(reduced(mass(probe, 0), mass(probe, 1)), pair.k) / 20000, omega_dt = pi / 20000;
@@ -204,7 +204,7 @@ TEST(Collision, HertzContactLastsTheClassicalTime) {
   const double m = reduced(mass(probe, 0), mass(probe, 1)), speed = 0.4;
   const double dt = contact_time(m, pair.k) / 1000;
   dem::ContactParameters law = frictionless(1);
-  law.normal = dem::NormalLaw::hertz;
+  law.normal = dem::Hertz{};
   const Outcome out = collide(head_on(pair, speed, dt), law, with_step(dt), speed, separation);
   const double k_hertz = out.stiffest / std::pow(out.deepest, 1.5);
   EXPECT_NEAR(out.deepest, std::pow(1.25 * m * speed * speed / k_hertz, 0.4), 1e-5 * out.deepest);

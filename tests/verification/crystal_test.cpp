@@ -23,7 +23,7 @@ Packing lattice(int columns, int rows) {
 
 TEST(Crystal, HasTheModuliOfATriangularLatticeOfNormalAndTangentialSprings) {
   // Sums over the three bond directions: C11 = (sqrt 3/4)(3 k + k_t), C12 = (sqrt 3/4)(k - k_t), N/m of the plane.
-  for (const auto friction : {FrictionLaw::none, FrictionLaw::cundall_strack})
+  for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::NoFriction{}, dem::CundallStrack{}})
     for (const Vec2 strain : {Vec2{1e-5, 1e-5}, Vec2{1e-5, 3e-5}, Vec2{2.5e-5, 1e-5}}) {
       const Packing start = lattice(8, 8);
       dem::ContactParameters law;
@@ -44,7 +44,7 @@ TEST(Crystal, HasTheModuliOfATriangularLatticeOfNormalAndTangentialSprings) {
       for (std::size_t c = 0; c < p.contacts.size(); ++c)
         s += 1 / p.domain.area() *
              outer(p.contacts.force_on_i(c), (p.contacts.arm_i[c] + p.contacts.arm_j[c]) * p.contacts.normal(c));
-      const double kt = friction == FrictionLaw::none ? 0 : 0.8 * k_pom;
+      const double kt = friction == dem::NoFriction{} ? 0 : 0.8 * k_pom;
       const double c11 = std::sqrt(3) / 4 * (3 * k_pom + kt), c12 = std::sqrt(3) / 4 * (k_pom - kt);
       // Small strain: corrections of its own order; the springs' sum by the trapezoidal rule.
       const double scale = c11 * (strain.x + strain.y);

@@ -43,19 +43,15 @@ Balance compress(const dem::ContactParameters& law, IntegratorKind kind, double 
 }
 
 std::string describe(NormalLaw normal, FrictionLaw friction, Adhesion adhesion, IntegratorKind kind) {
-  constexpr const char* normals[] = {"linear", "Hertz"};
-  constexpr const char* frictions[] = {"no friction", "regularised Coulomb", "Cundall-Strack"};
-  constexpr const char* adhesions[] = {"dry", "glued", "glued, breaking"};
-  return std::string(normals[static_cast<int>(normal)]) + ", " + frictions[static_cast<int>(friction)] + ", " +
-         adhesions[static_cast<int>(adhesion)] + ", " + name(kind);
+  return std::string(normal.word()) + ", friction " + std::string(friction.word()) + ", adhesion " + std::string(adhesion.word()) + ", " + name(kind);
 }
 
 TEST(Energy, IsClosedToAMillionthOfTheWorkAtAStepOfTcOver500ForEveryLaw) {
   Packing start = shaken_lattice(7, 7, 1);
   for (std::size_t i = 0; i < start.grains.size(); ++i) start.grains.zone[i] = i % 3 != 0;
-  for (const auto normal : {NormalLaw::linear, NormalLaw::hertz})
-    for (const auto friction : {FrictionLaw::none, FrictionLaw::regularised_coulomb, FrictionLaw::cundall_strack})
-      for (const auto adhesion : {Adhesion::none, Adhesion::geometrical, Adhesion::geometrical_breaking})
+  for (const dem::NormalLaw& normal : std::initializer_list<dem::NormalLaw>{dem::Linear{}, dem::Hertz{}})
+    for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::NoFriction{}, dem::RegularisedCoulomb{}, dem::CundallStrack{}})
+      for (const dem::Adhesion& adhesion : std::initializer_list<dem::Adhesion>{dem::NoAdhesion{}, dem::GeometricalAdhesion{}, dem::BreakingAdhesion{}})
         for (const auto kind : integrators) {
           SCOPED_TRACE(describe(normal, friction, adhesion, kind));
           dem::ContactParameters law;
@@ -63,7 +59,7 @@ TEST(Energy, IsClosedToAMillionthOfTheWorkAtAStepOfTcOver500ForEveryLaw) {
           law.friction_law = friction;
           law.restitution = 0.3;
           law.adhesion = adhesion;
-          law.surface_energy = normal == NormalLaw::hertz ? 0.05e6 : 0.3e6;  // a like share of the load
+          law.surface_energy = normal == dem::Hertz{} ? 0.05e6 : 0.3e6;  // a like share of the load
           const Balance b = compress(law, kind, 500, start);
           EXPECT_GT(b.work, 0.1);
           EXPECT_GT(b.lost, 1e-4 * b.work);
@@ -98,7 +94,7 @@ Packing squeezed() {
 
 TEST(Energy, ConvergesAtTheIntegratorsOrder) {
   dem::ContactParameters law;
-  law.friction_law = FrictionLaw::regularised_coulomb;
+  law.friction_law = dem::RegularisedCoulomb{};
   law.restitution = 0.8;
   law.sliding_viscosity = 30;
   law.friction = 10;  // no contact reaches the cap's kink
@@ -141,7 +137,7 @@ TEST(Energy, SlowCompressionOfOneDiskCostsTwoSpringsEnergy) {
 /// Relative imbalance of a sample whose loading changes on the way, force-controlled walls or periodic edges included.
 double imbalance_under_changing_loads(IntegratorKind kind, bool periodic) {
   dem::ContactParameters law;
-  law.friction_law = FrictionLaw::cundall_strack;
+  law.friction_law = dem::CundallStrack{};
   law.restitution = 0.3;
   dem::IntegrationParameters how = with_step(shortest_contact_time() / 500, kind);
   how.track_energy = true;
@@ -200,11 +196,11 @@ std::pair<double, double> law_at(double h, const dem::ContactParameters& law, bo
 }
 
 TEST(Energy, NormalForceIsMinusItsGradientForEveryLaw) {
-  for (const auto normal : {NormalLaw::linear, NormalLaw::hertz})
-    for (const auto adhesion : {Adhesion::none, Adhesion::geometrical, Adhesion::geometrical_breaking})
+  for (const dem::NormalLaw& normal : std::initializer_list<dem::NormalLaw>{dem::Linear{}, dem::Hertz{}})
+    for (const dem::Adhesion& adhesion : std::initializer_list<dem::Adhesion>{dem::NoAdhesion{}, dem::GeometricalAdhesion{}, dem::BreakingAdhesion{}})
       for (const bool wall : {false, true})
         for (const double h : {3e-6, 2e-5, 2e-4}) {
-          SCOPED_TRACE(describe(normal, FrictionLaw::none, adhesion, IntegratorKind::velocity_verlet));
+          SCOPED_TRACE(describe(normal, dem::NoFriction{}, adhesion, IntegratorKind::velocity_verlet));
           dem::ContactParameters law = elastic();
           law.normal = normal;
           law.adhesion = adhesion;
@@ -222,7 +218,7 @@ TEST(Energy, TheTangentialSpringStoresHalfTheSquareOfItsForceOverItsStiffness) {
   Packing p = box(1, 1);
   add(p, {{0.5, 6.2e-3 - 1e-5}, 6.2e-3});
   dem::ContactParameters law;
-  law.friction_law = FrictionLaw::cundall_strack;
+  law.friction_law = dem::CundallStrack{};
   law.friction = 10;
   dem::IntegrationParameters how = with_step(contact_time(mass(p, 0), k_pom) / 100);
   how.track_energy = true;
@@ -241,7 +237,7 @@ TEST(Energy, TheTangentialSpringStoresHalfTheSquareOfItsForceOverItsStiffness) {
 }
 
 TEST(Momentum, IsConservedInAPeriodicCellWhateverTheContactsDissipate) {
-  for (const auto friction : {FrictionLaw::regularised_coulomb, FrictionLaw::cundall_strack})
+  for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}})
     for (const auto kind : integrators) {
       const Packing start = shaken_lattice(10, 10, 2, true, 2);
       dem::ContactParameters law;

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "thermal/imaging/circles.hpp"
-#include "io/image.hpp"
+#include "io/image/image.hpp"
 #include "support/found_grains.hpp"
 
 namespace {

@@ -23,13 +23,13 @@ double to_digits(double value, int digits) {
 }
 
 TEST(Identification, SurfaceEnergiesOfTable23ToThreeDigits) {
-  study::AdhesionRequest request;
+  workflow::AdhesionRequest request;
   request.stiffness = statistics::Measured{27.35e6};
   request.radii = {6.2e-3, 6.2e-3};
   request.stated = table("stated-surface-energy.csv");
   for (const auto kind : {identify::EffectiveRadius::four_reduced, identify::EffectiveRadius::sum, identify::EffectiveRadius::geometric_mean}) {
     request.effective_radius = kind;
-    const auto found = study::identify_adhesion(table("separation-force.csv"), request);
+    const auto found = workflow::identify_adhesion(table("separation-force.csv"), request);
     ASSERT_EQ(found.groups.size(), 4U);
     const double printed[] = {0.268, 0.511, 0.745, 1.060};
     for (std::size_t g = 0; g < 4; ++g) {
@@ -44,9 +44,9 @@ TEST(Identification, SurfaceEnergiesOfTable23ToThreeDigits) {
 }
 
 TEST(Identification, MeansOfTable21AndWhereThePrintedOnesSlip) {
-  study::StiffnessRequest request;
+  workflow::StiffnessRequest request;
   request.stated = table("stated-stiffness-pom.csv");
-  const auto found = study::identify_stiffness(table("contact-stiffness-pom.csv"), request);
+  const auto found = workflow::identify_stiffness(table("contact-stiffness-pom.csv"), request);
   ASSERT_EQ(found.groups.size(), 3U);
   ASSERT_TRUE(found.all);
   const auto mean = [&](std::size_t g) { return finding(found.groups[g], "stiffness"); };
@@ -65,9 +65,9 @@ TEST(Identification, MeansOfTable21AndWhereThePrintedOnesSlip) {
 }
 
 TEST(Identification, MeanOfTable22) {
-  study::StiffnessRequest request;
+  workflow::StiffnessRequest request;
   request.stated = table("stated-stiffness-hdpe.csv");
-  const auto found = study::identify_stiffness(table("contact-stiffness-hdpe.csv"), request);
+  const auto found = workflow::identify_stiffness(table("contact-stiffness-hdpe.csv"), request);
   ASSERT_EQ(found.groups.size(), 1U);
   const auto k = finding(found.groups[0], "stiffness");
   EXPECT_NEAR(k.value.value, 38.50e6 / 6, 1e-3);
@@ -76,7 +76,7 @@ TEST(Identification, MeanOfTable22) {
 }
 
 TEST(Identification, FactorsFromPropertiesSayThatTheThesissAreOfFullSwings) {
-  const auto found = study::identify_factor(table("properties.csv"), {});
+  const auto found = workflow::identify_factor(table("properties.csv"), {});
   ASSERT_EQ(found.groups.size(), 2U);
   const double measured[] = {0.0150e-6, 0.0258e-6};  // T 2.3
   for (std::size_t g = 0; g < 2; ++g) {

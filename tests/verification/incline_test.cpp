@@ -41,7 +41,7 @@ dem::ContactParameters rough(FrictionLaw law, double mu) {
   return c;
 }
 
-constexpr FrictionLaw laws[] = {FrictionLaw::regularised_coulomb, FrictionLaw::cundall_strack};
+const FrictionLaw laws[] = {dem::RegularisedCoulomb{}, dem::CundallStrack{}};
 
 struct Acceleration {
   double linear, angular;
@@ -91,10 +91,10 @@ TEST(Incline, ADiskRollsWithTwoThirdsOfGSin) {
     const Acceleration is = measured(engine, 200000);
     const double a = 2.0 / 3 * gravity * std::sin(incline.slope);
     // A Cundall-Strack spring swings about the rolling force; its mean, not its phase, is what is held here.
-    const double tolerance = friction == FrictionLaw::cundall_strack ? 1e-3 : 1e-5;
+    const double tolerance = friction == dem::CundallStrack{} ? 1e-3 : 1e-5;
     EXPECT_NEAR(is.linear, a, tolerance * a);
     EXPECT_NEAR(is.angular, -a / radius, tolerance * a / radius);
-    if (friction == FrictionLaw::regularised_coulomb) {
+    if (friction == dem::RegularisedCoulomb{}) {
       // The viscous law rolls with the slip that its friction force needs: m g sin/3 = gamma_s v_s.
       const Packing p = engine.packing();
       const double slip = p.grains.vx[0] + p.grains.omega[0] * (radius - incline.overlap);
@@ -106,7 +106,7 @@ TEST(Incline, ADiskRollsWithTwoThirdsOfGSin) {
 
 TEST(Incline, RegularisedFrictionHoldsNoStaticFrictionButCreeps) {
   const Incline incline(0.2);
-  dem::ContactParameters law = rough(FrictionLaw::regularised_coulomb, 0.5);
+  dem::ContactParameters law = rough(dem::RegularisedCoulomb{}, 0.5);
   law.sliding_viscosity = 50;
   Engine engine = incline.engine(law, false);
   engine.advance(60000);  // many times m/gamma_s
@@ -116,7 +116,7 @@ TEST(Incline, RegularisedFrictionHoldsNoStaticFrictionButCreeps) {
 
 TEST(Incline, ACundallStrackBlockSticksAtTheSpringsStretch) {
   const Incline incline(0.2);
-  Engine engine = incline.engine(rough(FrictionLaw::cundall_strack, 0.5), false);
+  Engine engine = incline.engine(rough(dem::CundallStrack{}, 0.5), false);
   engine.set_drag(0.2 * std::sqrt(k_pom / incline.m));
   engine.advance(20000);
   const double moved_by = incline.m * gravity * std::sin(incline.slope) / (0.8 * k_pom);
@@ -134,7 +134,7 @@ TEST(Incline, ACundallStrackBlockLeavesWhenTheSlopePassesMu) {
   const double mu = 0.3;
   for (const double excess : {-0.02, 0.02}) {
     const Incline incline(std::atan(mu) + excess);
-    Engine engine = incline.engine(rough(FrictionLaw::cundall_strack, mu), false);
+    Engine engine = incline.engine(rough(dem::CundallStrack{}, mu), false);
     engine.set_gravity({0, -gravity * std::cos(incline.slope)});
     engine.set_drag(0.2 * std::sqrt(k_pom / incline.m));
     for (int part = 1; part <= 50; ++part) {  // tilted slowly, so that no overshoot decides
@@ -152,7 +152,7 @@ TEST(Incline, ACundallStrackBlockLeavesWhenTheSlopePassesMu) {
 TEST(Incline, WallFrictionIsItsOwnParameter) {
   const double mu = 0.25;
   const Incline incline(std::atan(mu) + 0.3);
-  dem::ContactParameters law = rough(FrictionLaw::regularised_coulomb, 5);
+  dem::ContactParameters law = rough(dem::RegularisedCoulomb{}, 5);
   law.wall_friction = mu;
   Engine engine = incline.engine(law, false);
   const double a = gravity * (std::sin(incline.slope) - mu * std::cos(incline.slope));

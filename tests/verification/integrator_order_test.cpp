@@ -100,7 +100,7 @@ TEST(IntegratorOrder, HoldsForTheNonlinearGluedPair) {
   add(p, {{0.5, 0.5}, radius, pom, {}, 0, 1});
   add(p, {{0.5 + 2 * radius - h0, 0.5}, radius, pom, {}, 0, 1});
   dem::ContactParameters law = elastic();
-  law.adhesion = dem::Adhesion::geometrical;
+  law.adhesion = dem::GeometricalAdhesion{};
   law.surface_energy = gamma;
   const double m = 0.5 * mass(p, 0), end = 2.3 * 2 * pi / std::sqrt(0.5 * k_pom / m);
   const Vec2 exact = runge_kutta({h0, 0}, end, 40000, [&](double h, double) {
@@ -120,7 +120,7 @@ TEST(IntegratorOrder, HoldsForHertz) {
   const double h0 = 2e-5;
   add(p, {{0.5, radius - h0}, radius});
   dem::ContactParameters law = elastic();
-  law.normal = dem::NormalLaw::hertz;
+  law.normal = dem::Hertz{};
   const double k_hertz = Engine(p, law, with_step(1e-8)).packing().contacts.fn.at(0) / std::pow(h0, 1.5);
   const double m = mass(p, 0), g = 0.7 * k_hertz * std::pow(h0, 1.5) / m;
   const double period = 2 * pi / std::sqrt(1.5 * k_hertz * std::sqrt(h0) / m);

@@ -105,7 +105,7 @@ State lammps(const Packing& p, const Law& law) {
 
 State ours(const Packing& start, const Law& law) {
   dem::ContactParameters contact;
-  contact.friction_law = dem::FrictionLaw::regularised_coulomb;
+  contact.friction_law = dem::RegularisedCoulomb{};
   contact.attractive_dashpot = true;
   contact.stiffness_rule = dem::StiffnessRule::series;
   contact.normal_damping = law.damping;

@@ -42,7 +42,7 @@ Oblique run(double tangential_speed, dem::ContactParameters law, double spin0 = 
 }
 
 TEST(ObliqueCollision, ConservesMomentumAndAngularMomentumAboutAnyPoint) {
-  for (const auto friction : {FrictionLaw::regularised_coulomb, FrictionLaw::cundall_strack}) {
+  for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}}) {
     dem::ContactParameters law;
     law.friction_law = friction;
     law.restitution = 0.5;
@@ -61,7 +61,7 @@ TEST(ObliqueCollision, ConservesMomentumAndAngularMomentumAboutAnyPoint) {
 
 TEST(ObliqueCollision, FullRadiusArmsTurnTheDisksMoreByTheOverlapOnly) {
   dem::ContactParameters law;
-  law.friction_law = FrictionLaw::regularised_coulomb;
+  law.friction_law = dem::RegularisedCoulomb{};
   law.restitution = 0.5;
   law.arms = Arms::contact_point;
   const Oblique point = run(6e-4, law);
@@ -75,7 +75,7 @@ TEST(ObliqueCollision, FullRadiusArmsTurnTheDisksMoreByTheOverlapOnly) {
 
 TEST(ObliqueCollision, SlidingThroughoutCarriesMuTimesTheNormalImpulse) {
   // Disks slide to the end if v_t > 3 mu (1 + e) v_n; the line of centres turns by some 1e-5.
-  for (const auto friction : {FrictionLaw::regularised_coulomb, FrictionLaw::cundall_strack})
+  for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}})
     for (const double mu : {0.1, 0.3, 0.7}) {
       dem::ContactParameters law;
       law.friction_law = friction;
@@ -101,7 +101,7 @@ TEST(ObliqueCollision, FrictionStopsWhereTheDashpotPulls) {
   const double m = reduced(mass(probe, 0), mass(probe, 1)), k = reduced(k_pom, k_hdpe);
   for (const bool attractive : {true, false}) {
     dem::ContactParameters law;
-    law.friction_law = FrictionLaw::regularised_coulomb;
+    law.friction_law = dem::RegularisedCoulomb{};
     law.friction = mu;
     law.normal_damping = 2 * zeta * std::sqrt(k * m);
     law.sliding_viscosity = 200;
@@ -117,7 +117,7 @@ TEST(ObliqueCollision, FrictionStopsWhereTheDashpotPulls) {
 TEST(ObliqueCollision, AStiffViscosityWithinTheConeTakesTheWholeSlidingVelocityAway) {
   // No slip at the end: J_t = v_s/(1/m_eff + r_a^2/I_a + r_b^2/I_b) = m_eff v_s/3 for disks.
   dem::ContactParameters law;
-  law.friction_law = FrictionLaw::regularised_coulomb;
+  law.friction_law = dem::RegularisedCoulomb{};
   law.friction = 50;
   law.restitution = 1;
   law.normal_damping = 0;

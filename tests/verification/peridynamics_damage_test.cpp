@@ -14,7 +14,7 @@ namespace arenite::peridynamics {
 namespace {
 
 TEST(CriticalStretch, FollowsFromToughness) {
-  const double dx = 1e-3, e = 3e9, k = 2e6, s = critical_stretch(k, e, dx);
+  const double dx = 1e-3, e = 3e9, k = 2e6, s = ElasticBrittle{}.critical_stretch(k, e, dx);
   EXPECT_NEAR(9 * e * 3 * dx * s * s / (4 * std::acos(-1.0)) / (k * k / e), 1, 1e-12);
 }
 
@@ -35,7 +35,7 @@ double running_strain_over_griffith(int height) {
   double strain = 0;
   for (const auto& state : result.curve) strain = std::max(strain, state.strain);
   const double micromodulus = nominal_micromodulus * calibration_factor();
-  const double stretch = critical_stretch(weak.matrix, 1, map.dx),
+  const double stretch = ElasticBrittle{}.critical_stretch(weak.matrix, 1, map.dx),
                toughness = crack_energy_axis(micromodulus) * stretch * stretch * map.dx;
   const double griffith = std::sqrt(2 * toughness / (lattice_moduli(micromodulus).c1111 * (height - 1) * map.dx));
   return strain / griffith;
@@ -95,7 +95,7 @@ double largest_stretch(const StressField& field) {
 
 TEST(Damage, FirstBondBreaksWhereTheElasticFieldReachesItsStretch) {
   const PhaseMap map = test::homogeneous_sample(48, 24);
-  const double critical = critical_stretch(weak.matrix, 1, map.dx);
+  const double critical = ElasticBrittle{}.critical_stretch(weak.matrix, 1, map.dx);
   for (const Loading loading : {Loading::tension, Loading::compression, Loading::shear}) {
     DamageOptions options{.toughness = weak, .loading = loading};
     options.max_events = 1;

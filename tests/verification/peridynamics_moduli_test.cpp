@@ -1,5 +1,5 @@
 // Effective moduli of whole samples against the lattice's own and against laminate bounds.
-#include "solid/peridynamics/moduli.hpp"
+#include "solid/peridynamics/load.hpp"
 
 #include <gtest/gtest.h>
 

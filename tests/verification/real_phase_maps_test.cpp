@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "thermal/imaging/label_grains.hpp"
-#include "io/phase_map_image.hpp"
+#include "io/image/phase_map.hpp"
 #include "solid/peridynamics/load.hpp"
 
 namespace {

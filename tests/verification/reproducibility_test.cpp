@@ -22,7 +22,7 @@ struct Case {
     law.friction_law = friction;
     law.restitution = 0.5;
     law.attractive_dashpot = true;
-    law.adhesion = dem::Adhesion::geometrical_breaking;
+    law.adhesion = dem::BreakingAdhesion{};
     law.surface_energy = 0.2e6;
     for (std::size_t i = 0; i < start.grains.size(); i += 3) start.grains.zone[i] = 1;
     how.kernel = "auto";
@@ -37,11 +37,11 @@ struct Case {
 
 template <class F>
 void for_each_run(F f) {
-  for (const auto friction : {FrictionLaw::regularised_coulomb, FrictionLaw::cundall_strack})
+  for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}})
     for (const auto kind : integrators)
       for (const bool periodic : {false, true}) {
         SCOPED_TRACE(std::string(name(kind)) + (periodic ? ", periodic" : ", walls") +
-                     (friction == FrictionLaw::cundall_strack ? ", Cundall-Strack" : ", regularised"));
+                     (friction == dem::CundallStrack{} ? ", Cundall-Strack" : ", regularised"));
         f(Case(friction, kind, periodic));
       }
 }
@@ -97,7 +97,7 @@ TEST(Reproducibility, LookingDoesNotChangeTheFuture) {
 
 TEST(Reproducibility, EveryKernelGivesTheBitsOfThePortableOne) {
   for_each_run([](Case run) {
-    for (const auto normal : {dem::NormalLaw::linear, dem::NormalLaw::hertz}) {
+    for (const dem::NormalLaw& normal : std::initializer_list<dem::NormalLaw>{dem::Linear{}, dem::Hertz{}}) {
       run.law.normal = normal;
       run.how.kernel = "auto";
       Engine fast = run.engine();

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "io/sample.hpp"
+#include "io/sample/sample.hpp"
 #include "support/pressed_crystal.hpp"
 #include "support/swing_picture.hpp"
 

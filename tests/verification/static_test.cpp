@@ -81,7 +81,7 @@ WallLoad load_on(const Packing& p, int side) {
 }
 
 TEST(Box, BottomAndSideFrictionCarryTheWeightTogether) {
-  for (const auto friction : {FrictionLaw::none, FrictionLaw::cundall_strack}) {
+  for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::NoFriction{}, dem::CundallStrack{}}) {
     const double g = 3000;
     const dem::ContactParameters law = rough(friction);
     Engine engine(shaken_lattice(6, 14, 7), law, with_step(shortest_contact_time() / 20));
@@ -95,7 +95,7 @@ TEST(Box, BottomAndSideFrictionCarryTheWeightTogether) {
     EXPECT_NEAR(wall[bottom].force - wall[top].force - wall[left].shear_force - wall[right].shear_force, w, 1e-5 * w);
     EXPECT_NEAR(wall[right].force - wall[left].force + wall[bottom].shear_force + wall[top].shear_force, 0.1 * w, 1e-5 * w);
     EXPECT_EQ(wall[top].force, 0);
-    if (friction == FrictionLaw::none) EXPECT_EQ(wall[left].shear_force, 0);
+    if (friction == dem::NoFriction{}) EXPECT_EQ(wall[left].shear_force, 0);
     else EXPECT_LT(wall[left].shear_force + wall[right].shear_force, -0.01 * w);  // the filling hangs on the sides
     for (int side = 0; side < 4; ++side) {
       EXPECT_NEAR(load_on(p, side).normal, wall[side].force, 1e-12 * w) << side_names[side];
@@ -105,7 +105,7 @@ TEST(Box, BottomAndSideFrictionCarryTheWeightTogether) {
 }
 
 TEST(Box, TheLowerWallReachesItsForceAndTheWallsBalance) {
-  const dem::ContactParameters law = rough(FrictionLaw::cundall_strack);
+  const dem::ContactParameters law = rough(dem::CundallStrack{});
   Engine engine(shaken_lattice(8, 8, 4), law, with_step(shortest_contact_time() / 20));
   const double force = 5000;
   engine.set_drives({dem::WallDrive{}, dem::WallDrive{}, pressed(force), dem::WallDrive{}});
@@ -127,7 +127,7 @@ Tensor2 stress(const Packing& p) {
 }
 
 TEST(Box, ServoStressIsThePressureAskedForInAPeriodicCell) {
-  const dem::ContactParameters law = rough(FrictionLaw::cundall_strack);
+  const dem::ContactParameters law = rough(dem::CundallStrack{});
   Engine engine(shaken_lattice(10, 10, 4, true), law, with_step(shortest_contact_time() / 20));
   const double fx = 2000, fy = 3000;
   engine.set_drives({dem::WallDrive{}, pressed(fx), dem::WallDrive{}, pressed(fy)});
@@ -156,7 +156,7 @@ TEST(Box, APeriodicFillingRestsWithItsWholeWeightOnTheBottom) {
   start.domain.periodic_y = false;
   for (const int side : {bottom, top}) start.domain.wall[static_cast<std::size_t>(side)].present = true;
   start.domain.wall[top].position *= 1.1;
-  Engine engine(start, rough(FrictionLaw::cundall_strack), with_step(shortest_contact_time() / 20));
+  Engine engine(start, rough(dem::CundallStrack{}), with_step(shortest_contact_time() / 20));
   engine.set_gravity({0, -3000});
   engine.set_drag(300);
   ASSERT_TRUE(settle(engine, 1e-7, 1e-14)) << engine.equilibrium().unbalanced_ratio;
@@ -174,7 +174,7 @@ TEST(Equilibrium, MeasuresAreThoseOfTheirDefinitionsOnOneDisk) {
   add(p, {{0.05, 6.2e-3 - h}, 6.2e-3, pom, {speed, 0}});
   const double m = mass(p, 0), g = 0.7 * fn / m;
   dem::ContactParameters law = elastic();
-  law.friction_law = FrictionLaw::regularised_coulomb;
+  law.friction_law = dem::RegularisedCoulomb{};
   law.friction = mu;
   law.sliding_viscosity = 1e3;
   Engine engine(p, law, with_step(1e-9));

@@ -17,7 +17,7 @@ using dem::IntegratorKind;
 
 dem::ContactParameters damped(double restitution) {
   dem::ContactParameters law;
-  law.friction_law = dem::FrictionLaw::regularised_coulomb;
+  law.friction_law = dem::RegularisedCoulomb{};
   law.attractive_dashpot = true;
   law.restitution = restitution;
   return law;
@@ -127,7 +127,7 @@ TEST(StepBound, IsBelowTheTrueLimitOfCompressedSamplesOfUnequalGrains) {
       p.grains.material[0] = hdpe;
       dem::ContactParameters law;
       law.restitution = 0.5;
-      law.friction_law = dem::FrictionLaw::cundall_strack;
+      law.friction_law = dem::CundallStrack{};
       law.stiffness_rule = rule;
       Engine engine(p, law, with_step(shortest_contact_time() / 30));
       engine.set_drives({moved(2), moved(-2), moved(2), moved(-2)});

@@ -69,7 +69,7 @@ TEST(Stiffness, FrictionOfAWallTurnsADiskByTheArmToThePlane) {
     Packing p = box(1, 1);
     add(p, {{1 - r + deep, 0.5}, r, pom, {0, 0.3}});
     dem::ContactParameters law;
-    law.friction_law = dem::FrictionLaw::regularised_coulomb;
+    law.friction_law = dem::RegularisedCoulomb{};
     law.arms = full ? dem::Arms::full_radius : dem::Arms::contact_point;
     const double dt = contact_time(mass(p, 0), k_pom) / 1e5;
     Engine engine(p, law, with_step(dt));
@@ -89,7 +89,7 @@ TEST(Stiffness, ADiskRollsOnAWallAboutThePointOnThePlane) {
       Packing p = box(1, 1);
       add(p, {{1 - r + deep, 0.5}, r, pom, {0, speed}, spin});
       dem::ContactParameters law;
-      law.friction_law = dem::FrictionLaw::regularised_coulomb;
+      law.friction_law = dem::RegularisedCoulomb{};
       law.arms = full ? dem::Arms::full_radius : dem::Arms::contact_point;
       law.friction = 100;  // far from the cap
       return std::abs(Engine(p, law, with_step(1e-8)).packing().contacts.ft.at(0));

@@ -21,7 +21,7 @@ Packing pressed_sample() {
       add(p, {{(c + 0.5) * cell + random.uniform(-2e-4, 2e-4), (r + 0.5) * cell}, radius, small ? hdpe : pom});
     }
   dem::ContactParameters law;
-  law.friction_law = dem::FrictionLaw::cundall_strack;
+  law.friction_law = dem::CundallStrack{};
   law.restitution = 0.1;
   law.attractive_dashpot = true;
   dem::Engine engine(p, law, {});

@@ -97,7 +97,7 @@ inline double damping_ratio(double e) {
 
 inline dem::ContactParameters frictionless(double restitution) {
   dem::ContactParameters c;
-  c.friction_law = dem::FrictionLaw::none;
+  c.friction_law = dem::NoFriction{};
   c.restitution = restitution;
   c.attractive_dashpot = true;
   return c;

@@ -72,7 +72,7 @@ dem::ContactParameters with(FrictionLaw friction) {
   law.friction_law = friction;
   law.restitution = 0.5;
   law.attractive_dashpot = true;
-  law.adhesion = dem::Adhesion::geometrical;
+  law.adhesion = dem::GeometricalAdhesion{};
   law.surface_energy = 0.2e6;
   return law;
 }
@@ -86,7 +86,7 @@ Packing sample(bool periodic = false) {
 TEST(Symmetry, MovedSamplesGiveMovedResults) {
   // Rounding of 1e-16 grows by the collisions; 4000 steps leave a margin of 1e-9 of a radius.
   for (const Motion& motion : {mirror, quarter_turn})
-    for (const auto friction : {FrictionLaw::regularised_coulomb, FrictionLaw::cundall_strack})
+    for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}})
       for (const auto kind : integrators) {
         SCOPED_TRACE(std::string(motion.name) + ", " + name(kind));
         const Packing start = sample();
@@ -128,7 +128,7 @@ TEST(Symmetry, RenumberedGrainsGetTheSameForcesAndPaths) {
     const Grains& g = start.grains;
     add(shuffled, {g.centre(i), g.radius[i], g.material[i], {g.vx[i], g.vy[i]}, g.omega[i], g.zone[i]});
   }
-  for (const auto friction : {FrictionLaw::regularised_coulomb, FrictionLaw::cundall_strack}) {
+  for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}}) {
     const Packing a = run(start, with(friction), drives, {0, -2000}, dem::IntegratorKind::velocity_verlet);
     const Packing b = run(shuffled, with(friction), drives, {0, -2000}, dem::IntegratorKind::velocity_verlet);
     ASSERT_EQ(a.contacts.size(), b.contacts.size());
@@ -149,7 +149,7 @@ TEST(Symmetry, RenumberedGrainsGetTheSameForcesAndPaths) {
 TEST(Symmetry, ResultsComeBackInTheCallersOrderWithTheirNames) {
   Packing start = sample();
   for (std::size_t i = 0; i < start.grains.size(); ++i) start.grains.id[i] = 1000 - static_cast<std::int64_t>(7 * i);
-  const Packing end = run(start, with(FrictionLaw::regularised_coulomb), drives, {}, dem::IntegratorKind::leapfrog);
+  const Packing end = run(start, with(dem::RegularisedCoulomb{}), drives, {}, dem::IntegratorKind::leapfrog);
   EXPECT_EQ(end.grains.id, start.grains.id);
   EXPECT_EQ(end.grains.radius, start.grains.radius);
   EXPECT_EQ(end.grains.material, start.grains.material);
@@ -167,8 +167,8 @@ TEST(Symmetry, APeriodicCellDoesNotKnowWhereItsEdgesAre) {
     shifted.grains.y[i] = std::fmod(start.grains.y[i] + 0.61 * h, h);
   }
   const dem::WallDrives none{};
-  const Packing a = run(start, with(FrictionLaw::cundall_strack), none, {}, dem::IntegratorKind::velocity_verlet);
-  const Packing b = run(shifted, with(FrictionLaw::cundall_strack), none, {}, dem::IntegratorKind::velocity_verlet);
+  const Packing a = run(start, with(dem::CundallStrack{}), none, {}, dem::IntegratorKind::velocity_verlet);
+  const Packing b = run(shifted, with(dem::CundallStrack{}), none, {}, dem::IntegratorKind::velocity_verlet);
   EXPECT_EQ(a.contacts.size(), b.contacts.size());
   EXPECT_GT(a.contacts.size(), 10u);
   for (std::size_t i = 0; i < a.grains.size(); ++i) {
@@ -188,8 +188,8 @@ TEST(Symmetry, AUniformMotionThroughThePeriodicEdgesChangesNothing) {
   }
   const dem::WallDrives none{};
   const std::int64_t steps = 10000;
-  const Packing a = run(start, with(FrictionLaw::cundall_strack), none, {}, dem::IntegratorKind::leapfrog, steps);
-  const Packing b = run(drifting, with(FrictionLaw::cundall_strack), none, {}, dem::IntegratorKind::leapfrog, steps);
+  const Packing a = run(start, with(dem::CundallStrack{}), none, {}, dem::IntegratorKind::leapfrog, steps);
+  const Packing b = run(drifting, with(dem::CundallStrack{}), none, {}, dem::IntegratorKind::leapfrog, steps);
   const double t = static_cast<double>(steps) * shortest_contact_time() / 100;
   EXPECT_GT(-drift.y * t, 0.4 * a.domain.height());
   for (std::size_t i = 0; i < a.grains.size(); ++i) {
@@ -203,8 +203,8 @@ TEST(Symmetry, ACellTiltedByItsWholeWidthIsTheUprightOne) {
   Packing tilted = start;
   tilted.domain.tilt = start.domain.width();
   const dem::WallDrives none{};
-  const Packing a = run(start, with(FrictionLaw::cundall_strack), none, {}, dem::IntegratorKind::velocity_verlet);
-  const Packing b = run(tilted, with(FrictionLaw::cundall_strack), none, {}, dem::IntegratorKind::velocity_verlet);
+  const Packing a = run(start, with(dem::CundallStrack{}), none, {}, dem::IntegratorKind::velocity_verlet);
+  const Packing b = run(tilted, with(dem::CundallStrack{}), none, {}, dem::IntegratorKind::velocity_verlet);
   EXPECT_EQ(a.contacts.size(), b.contacts.size());
   for (std::size_t i = 0; i < a.grains.size(); ++i)
     EXPECT_LT(norm(a.domain.nearest_image(b.grains.centre(i) - a.grains.centre(i))), 1e-9 * 6e-3);

@@ -37,10 +37,10 @@ Judgement judge_t1(const Results& results) {
   Judgement judgement;
   const auto folder = results.study("thesis-ch2").folder();
   if (folder.empty()) return judgement;
-  study::AdhesionRequest request;
+  workflow::AdhesionRequest request;
   request.stiffness = statistics::Measured{27.35e6, statistics::unknown};
   request.radii = {6.2e-3, 6.2e-3};
-  const auto found = study::identify_adhesion((folder / "separation-force.csv").string(), request);
+  const auto found = workflow::identify_adhesion((folder / "separation-force.csv").string(), request);
   const std::pair<const char*, double> printed[] = {
       {"TOA adhesive latex", 0.268}, {"SADER colle bois", 0.511}, {"SADER fixer sans percer", 0.745}, {"PATTEX ni clou ni vis", 1.060}};
   for (const auto& [glue, gamma] : printed) {
@@ -62,8 +62,8 @@ Judgement judge_t2(const Results& results) {
   Judgement judgement;
   const auto folder = results.study("thesis-ch2").folder();
   if (folder.empty()) return judgement;
-  const auto pom = study::identify_stiffness((folder / "contact-stiffness-pom.csv").string(), {});
-  const auto hdpe = study::identify_stiffness((folder / "contact-stiffness-hdpe.csv").string(), {});
+  const auto pom = workflow::identify_stiffness((folder / "contact-stiffness-pom.csv").string(), {});
+  const auto hdpe = workflow::identify_stiffness((folder / "contact-stiffness-hdpe.csv").string(), {});
   const auto* hdpe_mean = finding(hdpe, "all", "stiffness");
   if (!hdpe_mean && !hdpe.groups.empty()) hdpe_mean = finding(hdpe, hdpe.groups.front().name, "stiffness");
   const auto add = [&](Kind kind, const char* how, double d16, double d_all, double d_hdpe) {

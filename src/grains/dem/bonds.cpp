@@ -1,9 +1,8 @@
-#include "grains/dem/bonds.hpp"
+#include "grains/dem/neighbours.hpp"
 
 #include <algorithm>
 
 namespace arenite::dem {
-
 namespace {
 
 /// The pair was declared glued: by name, or by its zones where no pair is named.
@@ -14,22 +13,20 @@ bool is_named(const Sample& s, std::int32_t a, std::int32_t b) {
   return std::binary_search(glued.begin(), glued.end(), std::pair{std::min(a, b), std::max(a, b)});
 }
 
+bool bonds_break(const Sample& s) {
+  return std::visit([](const auto& law) { return law.breaks; }, s.contact.adhesion);
+}
+
 }  // namespace
 
 bool is_glued(const Sample& s, std::int32_t a, std::int32_t b) {
-  if (!s.glue) return false;
-  switch (s.contact.adhesion) {
-    case Adhesion::none: return false;
-    case Adhesion::geometrical: return is_named(s, a, b);
-    case Adhesion::geometrical_breaking:
-      return std::binary_search(s.live_bonds.begin(), s.live_bonds.end(), pair_key(a, b));
-  }
-  return false;
+  if (!s.glue || !s.contact.adheres()) return false;
+  return bonds_break(s) ? std::binary_search(s.live_bonds.begin(), s.live_bonds.end(), pair_key(a, b)) : is_named(s, a, b);
 }
 
 void bond_touching_pairs(Sample& s) {
   s.live_bonds.clear();
-  if (s.glue && s.contact.adhesion == Adhesion::geometrical_breaking) {
+  if (s.glue && bonds_break(s)) {
     for (std::size_t p = 0; p < s.list.pairs; ++p) {
       const auto& a = s.record[static_cast<std::size_t>(s.list.i[p])];
       const auto& b = s.record[static_cast<std::size_t>(s.list.j[p])];

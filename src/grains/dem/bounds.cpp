@@ -6,10 +6,11 @@
 #include <numbers>
 #include <vector>
 
-#include "grains/dem/kinematics.hpp"
+#include "grains/dem/neighbours.hpp"
+#include "grains/dem/forces.hpp"
+#include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
-
 namespace {
 
 /// Hertz contacts stiffen without end; bounds hold for h/R* up to this, or the largest there is.
@@ -25,31 +26,32 @@ double tangent_stiffness(const Sample& s, double overlap, double stiffness) {
 }
 
 double damping_factor(const Sample& s, double overlap) {
-  return std::visit([&](const auto& law) { return law.damping_factor(overlap, 1.0); }, s.laws.normal);
+  return s.laws.constant_damping ? 1.0 : std::visit([&](const auto& law) { return law.damping_factor(overlap, 1.0); }, s.laws.normal);
 }
 
+/// Tangent stiffness of friction over the normal one.
 double stiffness_ratio(const Sample& s) {
-  return std::visit([](const auto& law) { return law.stiffness_ratio(); }, s.laws.friction);
+  return std::visit([&](const auto& law) { return law.tangent(s.laws.stiffness_ratio); }, s.laws.friction);
 }
 
-bool slides(const Sample& s) {
-  return s.contact.friction_law != FrictionLaw::none &&
-         std::max(s.contact.friction, s.contact.wall_friction.value_or(0)) > 0;
+double sliding_damping(const Sample& s, double viscosity) {
+  if (!(std::max(s.contact.friction, s.contact.wall_friction.value_or(0)) > 0)) return 0;
+  return std::visit([&](const auto& law) { return law.damping(viscosity); }, s.laws.friction);
 }
 
 struct Rates {
   double frequency_squared = 0, damping = 0;
 };
 
-/// Six contacts with equals, the triangular lattice: translation reaches omega^2 = 6 k/m, rotation in one sense
-/// 2 z k_t r^2/I = 24 k_t/m; dashpots alike.
+/// Six contacts with equals, the triangular lattice: translation reaches omega^2 = 6 k/m, rotation in one sense 2 z k_t r^2/I = 24 k_t/m; dashpots
+/// alike.
 Rates lattice_rates(const Sample& s, const DiskRecord& d, double overlap) {
   const Coefficients c = s.coefficients.pair(d.material, d.material, d.mass, d.mass, d.radius, d.radius, false);
   const double k = tangent_stiffness(s, overlap, c.stiffness);
   const double turning = s.integration.rotations ? 24.0 : 6.0;
   const double normal_damping = 6.0 * damping_factor(s, overlap) * c.damping;
   return {std::max(6.0 * k, turning * stiffness_ratio(s) * k) / d.mass,
-          std::max(normal_damping, slides(s) ? turning * c.viscosity : 0.0) / d.mass};
+          std::max(normal_damping, turning * sliding_damping(s, c.viscosity)) / d.mass};
 }
 
 /// Rates of one contact's springs or dashpots along n and t.
@@ -59,8 +61,8 @@ struct Pull {
   double along_n, along_t;
 };
 
-/// Largest eigenvalue of M^-1 sum over contacts of (along_n n n + along_t t t), rotations included, by power iteration.
-/// It starts from all grains turning alike, which in a dense packing is close to the fastest mode.
+/// Largest eigenvalue of M^-1 sum over contacts of (along_n n n + along_t t t), rotations included, by power iteration. It starts from all grains
+/// turning alike, which in a dense packing is close to the fastest mode.
 double largest_rate(const Sample& s, const std::vector<Pull>& pulls) {
   const std::size_t n = s.count;
   std::vector<double> v(3 * n), w(3 * n);
@@ -122,8 +124,8 @@ Rates network_rates(const Sample& s) {
     std::visit([&](const auto& law) {
       const double k = law.tangent(c.overlap, s.list.stiffness[p], c.curvature);
       springs.push_back({p, c, k, ratio * k});
-      dashpots.push_back({p, c, law.damping_factor(c.overlap, c.curvature) * s.list.damping[p],
-                          slides(s) ? s.list.viscosity[p] : 0.0});
+      const double factor = s.laws.constant_damping ? 1.0 : law.damping_factor(c.overlap, c.curvature);
+      dashpots.push_back({p, c, factor * s.list.damping[p], sliding_damping(s, s.list.viscosity[p])});
     }, s.laws.normal);
   }
   return {1.05 * largest_rate(s, springs), 1.05 * largest_rate(s, dashpots)};
@@ -154,15 +156,71 @@ StepBounds step_bounds(const Sample& s) {
   const double omega = std::sqrt(r.frequency_squared), lambda = r.damping + s.drag;
   constexpr double margin = 0.9;
   StepBounds bounds;
-  // Combined bounds have the form p (omega dt)^2 + q lambda dt = 1. Verlet: the growing mode flips sign every step,
-  // p = 1/4, q = 1 where forces see the velocity at the end of the step and 1/2 where they see that of its middle. Gear:
-  // fitted to the eigenvalues of its step, q = 1/0.163, p = 1.57; without damping it grows from omega dt = 0.33 on.
+  // Combined bounds have the form p (omega dt)^2 + q lambda dt = 1. Verlet: the growing mode flips sign every step, p = 1/4, q = 1 where forces see
+  // the velocity at the end of the step and 1/2 where they see that of its middle. Gear: fitted to the eigenvalues of its step, q = 1/0.163, p =
+  // 1.57; without damping it grows from omega dt = 0.33 on.
   double p = 0.25, q = 1, undamped = 2;
   if (s.integration.integrator == IntegratorKind::leapfrog) q = 0.5;
   if (s.integration.integrator == IntegratorKind::gear5) p = 1.57, q = 1 / 0.163, undamped = 0.33;
   bounds.stiffness = margin * undamped / omega;
   bounds.damping = margin * 2.0 / (q * lambda + std::sqrt(q * q * lambda * lambda + 4 * p * omega * omega));
   return bounds;
+}
+
+double own_mass(const Sample& s, std::size_t k) {
+  const Grains& g = s.start.grains;
+  const auto grain = static_cast<std::size_t>(s.record[k].grain);
+  const double r = g.radius[grain];
+  return s.start.materials[static_cast<std::size_t>(g.material[grain])].density * std::numbers::pi * r * r *
+         s.domain.thickness;
+}
+
+namespace {
+
+double stiffness_of(const Sample& s, const DiskRecord& d) { return s.coefficients.pair_stiffness(d.material, d.material); }
+
+/// Dashpots of the listed contacts, from the present masses.
+void renew_dashpots(Sample& s) {
+  ContactList& list = s.list;
+  for (std::size_t p = 0; p < list.size(); ++p) {
+    const DiskRecord& a = s.record[static_cast<std::size_t>(list.i[p])];
+    Coefficients c;
+    if (list.j[p] < 0) {
+      c = s.coefficients.wall(a.material, a.mass);
+    } else {
+      const DiskRecord& b = s.record[static_cast<std::size_t>(list.owner[p])];
+      c = s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius, is_glued(s, a.grain, b.grain));
+    }
+    list.damping[p] = c.damping;
+    list.viscosity[p] = c.viscosity;
+  }
+}
+
+}  // namespace
+
+void give_masses(Sample& s, Masses masses) {
+  s.masses = masses;
+  double fastest = 0;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    s.record[k].mass = own_mass(s, k);
+    fastest = std::max(fastest, stiffness_of(s, s.record[k]) / s.record[k].mass);
+  }
+  if (masses == Masses::even)
+    for (std::size_t k = 0; k < s.count; ++k) s.record[k].mass = stiffness_of(s, s.record[k]) / fastest;
+  renew_dashpots(s);
+  tune_servo(s);
+}
+
+void make_heavy_enough(Sample& s) {
+  if (s.masses != Masses::even) return;
+  constexpr int rounds = 10;  // one does, unless drag counts: the longest step grows as the root of the mass
+  for (int round = 0; round < rounds; ++round) {
+    const double short_by = s.dt / step_bounds(s).largest();
+    if (short_by <= 1) return;
+    for (std::size_t k = 0; k < s.count; ++k) s.record[k].mass *= 1.002 * short_by * short_by;
+    renew_dashpots(s);
+    tune_servo(s);
+  }
 }
 
 }  // namespace arenite::dem

@@ -4,25 +4,24 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/bracketed_root.hpp"
+#include "core/root.hpp"
 
 namespace arenite::dem {
-
 namespace {
 
 /// ln e of a collision that ends where spring and dashpot cancel, since the dashpot cannot pull; zeta = alpha_n/(2 sqrt(m_eff k)).
-double log_clipped_restitution(double zeta) {
+long double log_clipped_restitution(long double zeta) {
   if (zeta == 1) return -2;
-  const double s = std::sqrt(std::abs(1 - zeta * zeta));
-  const double time = zeta < 1 ? std::atan2(2 * zeta * s, 2 * zeta * zeta - 1) : std::log((zeta + s) / (zeta - s));
+  const long double s = std::sqrt(std::abs(1 - zeta * zeta));
+  const long double time = zeta < 1 ? std::atan2(2 * zeta * s, 2 * zeta * zeta - 1) : std::log((zeta + s) / (zeta - s));
   return -zeta / s * time;
 }
 
-
+/// Found with more digits than a double has, so that rounding in the law above does not show.
 double clipped_damping_ratio(double restitution) {
-  const double wanted = std::log(restitution), most = 1 / std::sqrt(restitution);
-  const auto excess = [&](double zeta) { return log_clipped_restitution(zeta) - wanted; };
-  return 2 * bracketed_root(excess, 0, -wanted, most, excess(most), 1e-15 * most, 0);
+  const long double wanted = std::log(static_cast<long double>(restitution)), most = 1 / std::sqrt(static_cast<long double>(restitution));
+  const auto excess = [&](long double zeta) { return log_clipped_restitution(zeta) - wanted; };
+  return static_cast<double>(2 * bracketed_root<long double>(excess, 0, -wanted, most, excess(most)));
 }
 
 /// Series rule: two springs of 2k each, one after the other, so that like grains keep k.

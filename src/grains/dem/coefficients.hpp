@@ -41,9 +41,9 @@ class CoefficientTable {
   ContactParameters contact_;
 };
 
-/// alpha_n/sqrt(m_eff k), so that a binary collision has restitution e: -2 ln e/sqrt(pi^2 + ln^2 e) where the dashpot may
-/// pull; where it may not, the collision ends sooner and takes the root of Schwager and Poeschel's closed form (Granular
-/// Matter 9, 465, 2007). e = 0 is not reached by any finite damping.
+/// alpha_n/sqrt(m_eff k), so that a binary collision has restitution e: -2 ln e/sqrt(pi^2 + ln^2 e) where the dashpot may pull; where it may not, the
+/// collision ends sooner and takes the root of Schwager and Poeschel's closed form (Granular Matter 9, 465, 2007). e = 0 is not reached by any finite
+/// damping.
 double damping_ratio(double restitution, bool may_pull);
 
 }  // namespace arenite::dem

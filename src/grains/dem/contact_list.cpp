@@ -1,18 +1,14 @@
-#include "grains/dem/neighbours.hpp"
-
 #include <algorithm>
 
-#include "grains/dem/bonds.hpp"
-#include "grains/dem/cells.hpp"
-#include "grains/dem/ghosts.hpp"
+#include "grains/dem/neighbours.hpp"
+#include "geometry/cell_grid.hpp"
 
 namespace arenite::dem {
-
 namespace {
 
-/// Partners of disk k that come after it: disks are sorted by cell, so they are the rest of its cell and the next one,
-/// and three cells of the row above.
-void find_near_disks(const Sample& s, const CellGrid& grid, const Cells& cells, std::size_t k,
+/// Partners of disk k that come after it: disks are sorted by cell, so they are the rest of its cell and the next one, and three cells of the row
+/// above.
+void find_near_disks(const Sample& s, const geometry::CellGrid& grid, const geometry::SortedCells& cells, std::size_t k,
                      std::vector<std::int32_t>& near) {
   const auto& a = s.record[k];
   const std::int32_t row = grid.row(a.y), column = grid.column(a.x);
@@ -32,7 +28,7 @@ void find_near_disks(const Sample& s, const CellGrid& grid, const Cells& cells, 
 }
 
 /// Ghosts near disk k, in any cell around its own.
-void find_near_ghosts(const Sample& s, const CellGrid& grid, const Cells& ghosts, std::size_t k,
+void find_near_ghosts(const Sample& s, const geometry::CellGrid& grid, const geometry::SortedCells& ghosts, std::size_t k,
                       std::vector<std::int32_t>& near) {
   const auto& a = s.record[k];
   const std::int32_t row = grid.row(a.y), column = grid.column(a.x);
@@ -58,9 +54,10 @@ constexpr std::size_t disks_of_block = 64;
 
 /// The partners of all disks, block by block: what a block finds does not depend on who searches it.
 std::vector<Found> find_partners(const Sample& s, const Team& team) {
-  const CellGrid grid = grid_of(s);
+  const geometry::CellGrid grid = cells_of(s);
   const std::size_t n = s.count;
-  const Cells inner(grid, s.record, 0, n), images(grid, s.record, n, s.record.size());
+  const auto cell_of = [&](std::size_t k) { return grid.cell(s.record[k].x, s.record[k].y); };
+  const geometry::SortedCells inner(grid, 0, n, cell_of), images(grid, n, s.record.size(), cell_of);
   // Ghosts lie beyond the right and the upper edge.
   const double reach = reach_of(s), right_zone = s.domain.wall[right].position - reach,
                upper_zone = s.domain.wall[top].position - reach;
@@ -166,7 +163,43 @@ void list_contacts(Sample& s, const Team& team) {
   group_slots(s);
   s.list.force.assign(s.list.size() + 1, SlotForce{});
   s.list.memory.assign(s.list.size(), 0.0);
+  if (std::visit([](const auto& law) { return law.remembers; }, s.contact.normal)) s.list.normal_memory.assign(s.list.size(), 0.0);
   s.list.bond.assign(s.list.size(), never_touched);
+}
+
+/// Images to the right and above only: every pair across an edge then occurs once, as (disk, ghost).
+void make_ghosts(Sample& s) {
+  s.ghost.clear();
+  s.record.resize(s.count);
+  const double reach = reach_of(s);
+  const auto& w = s.domain.wall;
+  const double width = s.domain.width(), height = s.domain.height();
+  const int up = s.domain.periodic_y ? 1 : 0, across = s.domain.periodic_x ? 1 : 0;
+  for (int iy = 0; iy <= up; ++iy)
+    for (int ix = iy == 0 ? 1 : -across; ix <= across; ++ix)
+      for (std::size_t k = 0; k < s.count; ++k) {
+        const double x = s.record[k].x + ix * width + iy * s.domain.tilt, y = s.record[k].y + iy * height;
+        const bool near_x = !s.domain.periodic_x ||
+                            (x > w[left].position - reach && x < w[right].position + reach);
+        if (near_x && y < w[top].position + reach) s.ghost.push_back({static_cast<std::int32_t>(k), ix, iy});
+      }
+  s.record.resize(s.count + s.ghost.size());
+  refresh_ghosts(s);
+}
+
+void refresh_ghosts(Sample& s) {
+  const double width = s.domain.width(), height = s.domain.height();
+  const double stretch_x = s.domain.periodic_x ? s.domain.wall[right].velocity - s.domain.wall[left].velocity : 0;
+  const double stretch_y = s.domain.periodic_y ? s.domain.wall[top].velocity - s.domain.wall[bottom].velocity : 0;
+  for (std::size_t g = 0; g < s.ghost.size(); ++g) {
+    const Ghost& ghost = s.ghost[g];
+    DiskRecord& d = s.record[s.count + g];
+    d = s.record[static_cast<std::size_t>(ghost.source)];
+    d.x += ghost.shift_x * width + ghost.shift_y * s.domain.tilt;
+    d.y += ghost.shift_y * height;
+    d.vx += ghost.shift_x * stretch_x + ghost.shift_y * s.domain.tilt * stretch_x / width;
+    d.vy += ghost.shift_y * stretch_y;
+  }
 }
 
 }  // namespace arenite::dem

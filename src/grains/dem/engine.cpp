@@ -6,18 +6,13 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/processor.hpp"
 #include "grains/dem/bounds.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/kernels/kernel.hpp"
-#include "grains/dem/integrators/gear.hpp"
-#include "grains/dem/integrators/verlet.hpp"
-#include "grains/dem/masses.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/measure.hpp"
-#include "grains/dem/motion.hpp"
-#include "grains/dem/bonds.hpp"
-#include "grains/dem/ghosts.hpp"
 #include "grains/dem/neighbours.hpp"
-#include "grains/dem/save.hpp"
 #include "grains/dem/setup.hpp"
 #include "grains/dem/walls.hpp"
 
@@ -27,6 +22,15 @@ struct Engine::Machine {
   Sample sample;
   Team team;
 };
+
+const Kernel& find_kernel(const std::string& asked) {
+  const KernelChoice<Kernel> choice{portable_kernel, &avx2_kernel, &avx512_kernel};
+  if (asked == "auto") return choice.best();
+  if (const Kernel* kernel = choice.named(asked)) return *kernel;
+  if (asked == avx2_kernel.name || asked == avx512_kernel.name)
+    throw InputError(fmt::format("kernel \"{}\" needs a processor that this machine lacks; \"auto\" takes the best it has", asked));
+  throw InputError(fmt::format("kernel \"{}\" is none of auto, portable, avx2, avx512", asked));
+}
 
 std::string kernel_name(const std::string& asked) { return find_kernel(asked).name; }
 

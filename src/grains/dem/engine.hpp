@@ -18,12 +18,12 @@ struct StepBounds {
   double largest() const { return stiffness < damping ? stiffness : damping; }
 };
 
-/// The kernel that `asked` means on this machine ("auto": the widest it has). All kernels give the same bits. InputError
-/// for one that is unknown or that the processor lacks.
+/// The kernel that `asked` means on this machine ("auto": the widest it has). All kernels give the same bits. InputError for one that is unknown or
+/// that the processor lacks.
 std::string kernel_name(const std::string& asked);
 
-/// A sample that moves. Inside, disks are sorted by place and their contacts listed; at the border grains keep the
-/// caller's order. Same input, same kernel: same bits for any thread count.
+/// A sample that moves. Inside, disks are sorted by place and their contacts listed; at the border grains keep the caller's order. Same input, same
+/// kernel: same bits for any thread count.
 class Engine {
  public:
   /// Throws InputError for a step beyond the bounds, naming the step that would do.
@@ -35,8 +35,8 @@ class Engine {
   void set_gravity(Vec2 g);                    ///< m/s^2
   void set_drives(const WallDrives& drives);   ///< from the next step on
   void set_drag(double rate);                  ///< 1/s
-  /// The grains' own masses, or even ones for a compaction (masses.hpp); never with gravity. A step that they do not allow
-  /// is shortened, or refused (InputError) where it was given.
+  /// The grains' own masses, or even ones for a compaction (masses.hpp); never with gravity. A step that they do not allow is shortened, or refused
+  /// (InputError) where it was given.
   void set_masses(Masses masses);
   void set_inertial_number(double number);     ///< how fast the sample yields to its force-controlled sides (walls.hpp)
   void set_friction(std::optional<double> mu); ///< for grains and walls; nullopt: what the parameters say
@@ -62,8 +62,8 @@ class Engine {
   Equilibrium equilibrium() const;
   std::uint64_t state_hash() const;            ///< of every bit that decides the future
 
-  /// The whole state as bytes, and back: an engine built from the same start and parameters and then restored goes on
-  /// with the same bits as if it had never stopped.
+  /// The whole state as bytes, and back: an engine built from the same start and parameters and then restored goes on with the same bits as if it had
+  /// never stopped.
   std::vector<std::uint8_t> save() const;
   void restore(const std::vector<std::uint8_t>& bytes);
 

@@ -4,10 +4,8 @@
 #include <limits>
 
 #include "grains/dem/kernels/kernel.hpp"
-#include "grains/dem/kinematics.hpp"
 
 namespace arenite::dem {
-
 namespace {
 
 /// Ends the bonds that break for good where their contact has opened; the energy of the tangential spring is lost.
@@ -22,7 +20,7 @@ void end_open_bonds(Sample& s, const F& friction) {
       bond = never_touched;
       s.list.strength[p] = 0;
       s.live_bonds.erase(std::lower_bound(s.live_bonds.begin(), s.live_bonds.end(), slot_key(s, p)));
-      const double lost = friction.energy(0.0, s.list.stiffness[p], s.list.memory[p]);
+      const double lost = friction.energy(s.laws.slip(0, s.list.stiffness[p]), s.list.memory[p]);
       s.tally.dissipated_breakage += lost;
       s.tally.dissipated_friction -= lost;
     }
@@ -37,8 +35,7 @@ PairTask pair_task(Sample& s) {
   ContactList& list = s.list;
   return {s.record.data(),         list.i.data(),         list.j.data(),        list.stiffness.data(),
           list.damping.data(),     list.viscosity.data(), list.strength.data(), list.memory.data(),
-          list.force.data(),       s.friction,            lowest_force(s),
-          s.contact.arms == Arms::contact_point ? 0.5 : 0.0};
+          list.normal_memory.data(), list.force.data(), s.friction, lowest_force(s), s.contact.arms == Arms::contact_point ? 0.5 : 0.0};
 }
 
 /// Wall slots begin .. end-1, counted from the first.
@@ -52,11 +49,16 @@ void evaluate_walls(Sample& s, const N& normal, const A& adhesion, const F& fric
     if (!(c.overlap > 0)) {
       force = {};
       list.memory[p] = 0;
+      if constexpr (N::remembers) list.normal_memory[p] = 0;
       continue;
     }
     const ContactState<double> state{c.overlap,       c.approach,        c.sliding,        c.curvature,     list.stiffness[p],
                                      list.damping[p], list.viscosity[p], list.strength[p], s.wall_friction, floor};
-    const ContactForce<double> f = contact_force(normal, adhesion, friction, state, list.memory[p]);
+    ContactMemory<double> memory{0, list.memory[p]};
+    if constexpr (N::remembers) memory.normal = list.normal_memory[p];
+    const ContactForce<double> f = contact_force(s.laws, normal, adhesion, friction, state, memory);
+    list.memory[p] = memory.slip;
+    if constexpr (N::remembers) list.normal_memory[p] = memory.normal;
     force = {f.normal * c.normal.x - f.tangential * c.normal.y, f.normal * c.normal.y + f.tangential * c.normal.x,
              -c.arm_i * f.tangential, 0};
   }
@@ -69,7 +71,7 @@ constexpr std::size_t pairs_of_a_wall = 4;
 template <class N, class A, class F>
 void evaluate(Sample& s, const Team& team, const N& normal, const A& adhesion, const F& friction) {
   const PairTask task = pair_task(s);
-  const auto loop = s.kernel->pairs[s.laws.normal.index()][s.laws.adhesion.index()][s.laws.friction.index()];
+  const auto loop = s.kernel->pairs[loop_index(s.laws)];
   const std::size_t pairs = s.list.pairs, walls = s.list.size() - pairs;
   team.for_ranges(pairs + pairs_of_a_wall * walls, [&](std::size_t begin, std::size_t end) {
     if (begin < pairs) loop(task, s.laws, begin, std::min(end, pairs));
@@ -95,10 +97,10 @@ void sum_wall_forces(Sample& s) {
 }  // namespace
 
 void compute_forces(Sample& s, const Team& team) {
-  std::visit([&](const auto& normal, const auto& adhesion, const auto& friction) {
+  s.laws.visit([&](const auto& normal, const auto& adhesion, const auto& friction) {
     if (!s.live_bonds.empty()) end_open_bonds(s, friction);
     evaluate(s, team, normal, adhesion, friction);
-  }, s.laws.normal, s.laws.adhesion, s.laws.friction);
+  });
   sum_wall_forces(s);
 }
 

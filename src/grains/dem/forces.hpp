@@ -1,15 +1,70 @@
 #pragma once
+#include <cmath>
+
 #include "core/threads.hpp"
 #include "grains/dem/sample.hpp"
 
 namespace arenite::dem {
 
-/// Forces of all listed contacts from the records (whose ghosts are fresh), into the list's slots; then the forces of
-/// the walls. Springs of the friction law move on by one step.
+/// Geometry and relative motion of a contact, in the conventions of model/packing.hpp.
+struct Kinematics {
+  double overlap = 0;    ///< h; <= 0 where apart
+  Vec2 normal;           ///< from j (or the wall) to i
+  Vec2 branch;           ///< x_i - x_j; for a wall the vector from its plane to x_i
+  double arm_i = 0, arm_j = 0;
+  double approach = 0;   ///< dh/dt
+  double sliding = 0;    ///< v_s
+  double curvature = 0;  ///< 1/R*
+};
+
+/// Two disks. Where they are apart only the overlap is meant.
+inline Kinematics pair_kinematics(const DiskRecord& a, const DiskRecord& b, Arms arms) {
+  Kinematics c;
+  c.branch = {a.x - b.x, a.y - b.y};
+  const double distance = std::sqrt(c.branch.x * c.branch.x + c.branch.y * c.branch.y);
+  c.overlap = a.radius + b.radius - distance;
+  if (!(c.overlap > 0)) return c;
+  c.normal = (1.0 / distance) * c.branch;
+  const double half = arms == Arms::contact_point ? 0.5 * c.overlap : 0.0;
+  c.arm_i = a.radius - half;
+  c.arm_j = b.radius - half;
+  const Vec2 v{a.vx - b.vx, a.vy - b.vy};
+  c.approach = -dot(v, c.normal);
+  c.sliding = dot(v, perpendicular(c.normal)) - a.omega * c.arm_i - b.omega * c.arm_j;
+  c.curvature = 1.0 / a.radius + 1.0 / b.radius;
+  return c;
+}
+
+/// A disk and a wall; the contact point lies on the plane, and a wall does not move along itself.
+inline Kinematics wall_kinematics(const DiskRecord& a, const Wall& wall, int side, Arms arms) {
+  Kinematics c;
+  c.normal = inward_normal(side);
+  const double distance = side < bottom ? c.normal.x * (a.x - wall.position) : c.normal.y * (a.y - wall.position);
+  c.branch = distance * c.normal;
+  c.overlap = a.radius - distance;
+  if (!(c.overlap > 0)) return c;
+  c.arm_i = arms == Arms::contact_point ? distance : a.radius;
+  const Vec2 v = side < bottom ? Vec2{a.vx - wall.velocity, a.vy} : Vec2{a.vx, a.vy - wall.velocity};
+  c.approach = -dot(v, c.normal);
+  c.sliding = dot(v, perpendicular(c.normal)) - a.omega * c.arm_i;
+  c.curvature = 1.0 / a.radius;
+  return c;
+}
+
+inline Kinematics slot_kinematics(const Sample& s, std::size_t slot) {
+  const auto& a = s.record[static_cast<std::size_t>(s.list.i[slot])];
+  const std::int32_t j = s.list.j[slot];
+  if (j >= 0) return pair_kinematics(a, s.record[static_cast<std::size_t>(j)], s.contact.arms);
+  const int side = -1 - j;
+  return wall_kinematics(a, s.domain.wall[static_cast<std::size_t>(side)], side, s.contact.arms);
+}
+
+/// Forces of all listed contacts from the records (whose ghosts are fresh), into the list's slots; then the forces of the walls. Springs of the
+/// friction law move on by one step.
 void compute_forces(Sample& sample, const Team& team = Team());
 
-/// Forces of the edges of a periodic cell, the means over all its cuts: (1/W) sum f_x l_x. Not part of compute_forces,
-/// because only driven edges and readers need them.
+/// Forces of the edges of a periodic cell, the means over all its cuts: (1/W) sum f_x l_x. Not part of compute_forces, because only driven edges and
+/// readers need them.
 void sum_edge_forces(Sample& sample, const Team& team = Team());
 
 /// Sum of a disk's contact forces (x, y) and torque, its slots in a fixed order.

@@ -1,26 +1,30 @@
 #include "grains/dem/ledger.hpp"
 
-#include "grains/dem/kinematics.hpp"
-#include "grains/dem/motion.hpp"
+#include "grains/dem/forces.hpp"
+#include "grains/dem/measure.hpp"
 #include "grains/dem/sample.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
-
 namespace {
 
 void add_contacts(const Sample& s, Snapshot& shot) {
   const ContactList& list = s.list;
   const double width = s.domain.width(), height = s.domain.height();
-  std::visit([&](const auto& normal, const auto& adhesion, const auto& friction) {
+  s.laws.visit([&]<class N, class A, class F>(const N& normal, const A& adhesion, const F& friction) {
     for (std::size_t p = 0; p < list.size(); ++p) {
       const Kinematics c = slot_kinematics(s, p);
       if (!(c.overlap > 0)) continue;  // a clipped contact has no force, but its dashpot eats what its spring gives
       const Vec2 f{list.force[p].fx, list.force[p].fy}, t = perpendicular(c.normal);
-      const double spring = normal.elastic(c.overlap, list.stiffness[p], c.curvature) -
-                            adhesion.attraction(c.overlap, list.strength[p]);
+      double spring = -adhesion.attraction(c.overlap, list.strength[p]);
+      if constexpr (N::remembers) {  // not all that such a spring takes it gives back
+        shot.normal_springs += normal.energy(c.overlap, list.stiffness[p], c.curvature, list.normal_memory[p]);
+      } else {
+        double none = 0;
+        spring = normal.elastic(c.overlap, list.stiffness[p], c.curvature, none) + spring;
+      }
       const Vec2 dash = (dot(f, c.normal) - spring) * c.normal, slip = dot(f, t) * t;
-      shot.springs += friction.energy(c.sliding, list.stiffness[p], list.memory[p]);
+      shot.springs += friction.energy(s.laws.slip(c.sliding, list.stiffness[p]), list.memory[p]);
       auto& a = shot.disk[static_cast<std::size_t>(s.record[static_cast<std::size_t>(list.i[p])].grain)];
       a.dash_x += dash.x;
       a.dash_y += dash.y;
@@ -47,7 +51,7 @@ void add_contacts(const Sample& s, Snapshot& shot) {
         shot.edge[bottom].slip -= slip.y * c.branch.y / height;
       }
     }
-  }, s.laws.normal, s.laws.adhesion, s.laws.friction);
+  });
 }
 
 Snapshot take(const Sample& s) {
@@ -163,7 +167,7 @@ void book_step(Sample& s) {
   } else {
     add(work, s.dt, products(s, ledger.last, now));
   }
-  s.tally.dissipated_normal -= work.dashpots;
+  s.tally.dissipated_normal -= work.dashpots + (now.normal_springs - ledger.last.normal_springs);
   s.tally.dissipated_friction -= work.friction + (now.springs - ledger.last.springs);
   s.tally.dissipated_drag -= work.drag + work.servo;
   s.tally.work_gravity += work.gravity;

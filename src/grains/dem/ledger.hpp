@@ -11,8 +11,8 @@ struct WorkTerms {
   double dashpots = 0, friction = 0, drag = 0, gravity = 0, walls = 0, servo = 0;
 };
 
-/// Forces by class and velocities at one time: what the work of a step is made of. Grains by the caller's index. Under
-/// Verlet the velocities are those of the middle of the step that ends there.
+/// Forces by class and velocities at one time: what the work of a step is made of. Grains by the caller's index. Under Verlet the velocities are
+/// those of the middle of the step that ends there.
 struct Snapshot {
   struct Disk {
     double vx = 0, vy = 0, omega = 0;
@@ -29,13 +29,13 @@ struct Snapshot {
   std::vector<Disk> disk;
   std::array<Edge, 4> edge;
   double springs = 0;                            ///< energy of the tangential springs, J
+  double normal_springs = 0;                     ///< of normal springs that remember, J
 };
 
-/// Account of dissipation and work, closed by the scheme's own identity where there is one. Under Verlet a step changes
-/// sum m v^2/2 - (dt^2/8) m a^2 by exactly (F_n + F_n+1)/2 times the way made, so each class of force is given that
-/// share of the work; of a linear spring that is the change of its energy, so what stays open is the second term (0 at
-/// rest) and the steps in which a contact opens or closes. Under Gear the powers are integrated by the Adams-Moulton
-/// rule of fourth order. What friction takes from the motion and its springs do not store is dissipated.
+/// Account of dissipation and work, closed by the scheme's own identity where there is one. Under Verlet a step changes sum m v^2/2 - (dt^2/8) m a^2
+/// by exactly (F_n + F_n+1)/2 times the way made, so each class of force is given that share of the work; of a linear spring that is the change of
+/// its energy, so what stays open is the second term (0 at rest) and the steps in which a contact opens or closes. Under Gear the powers are
+/// integrated by the Adams-Moulton rule of fourth order. What friction takes from the motion and its springs do not store is dissipated.
 struct Ledger {
   bool open = false;                             ///< `last` belongs to the present state
   Snapshot last;

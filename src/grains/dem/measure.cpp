@@ -5,11 +5,10 @@
 #include <limits>
 
 #include "grains/dem/forces.hpp"
-#include "grains/dem/kinematics.hpp"
-#include "grains/dem/motion.hpp"
+#include "grains/dem/integrators/nordsieck.hpp"
+#include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
-
 namespace {
 
 void add_contacts(const Sample& s, Packing& out) {
@@ -55,8 +54,8 @@ double resultant_of(const Sample& s, std::size_t k) {
   return std::hypot(load.fx + m * s.gravity.x, load.fy + m * s.gravity.y);
 }
 
-/// Grains that carry force between two contacts or more, and the loose others, apart: a loose grain moves on for long without
-/// moving the others, and its weight is nothing beside their forces, so that it is at rest or not by a measure of its own.
+/// Grains that carry force between two contacts or more, and the loose others, apart: a loose grain moves on for long without moving the others, and
+/// its weight is nothing beside their forces, so that it is at rest or not by a measure of its own.
 struct Motions {
   double bearing = 0, loose = 0;  ///< kinetic energies, J
   std::size_t falling = 0;        ///< loose grains more than half of whose weight nothing holds
@@ -127,15 +126,16 @@ Energies energies_of(const Sample& s) {
       e.kinetic += 0.5 * s.wall[side].mass * v * v;
     }
   e.adhesive = adhesive_energy(s);
-  std::visit([&](const auto& normal, const auto& friction) {
+  s.laws.visit([&]<class N, class A, class F>(const N& normal, const A&, const F& friction) {
     const ContactList& list = s.list;
     for (std::size_t p = 0; p < list.size(); ++p) {
       const Kinematics c = slot_kinematics(s, p);
       if (!(c.overlap > 0)) continue;
-      e.elastic += normal.energy(c.overlap, list.stiffness[p], c.curvature) +
-                   friction.energy(c.sliding, list.stiffness[p], list.memory[p]);
+      const double remembered = N::remembers ? list.normal_memory[p] : 0.0;
+      e.elastic += normal.energy(c.overlap, list.stiffness[p], c.curvature, remembered) +
+                   friction.energy(s.laws.slip(c.sliding, list.stiffness[p]), list.memory[p]);
     }
-  }, s.laws.normal, s.laws.friction);
+  });
   return e;
 }
 
@@ -170,6 +170,55 @@ Equilibrium equilibrium_of(const Sample& s) {
   if (pressed > 0) q.mobilisation = mobilised / static_cast<double>(pressed);
   for (std::size_t side = 0; side < 4; ++side) q.wall_speed = std::max(q.wall_speed, std::abs(wall_rate(s, side)));
   return q;
+}
+
+namespace {
+
+bool is_gear(const Sample& s) { return s.integration.integrator == IntegratorKind::gear5; }
+
+}  // namespace
+
+Acceleration acceleration_of(const Sample& s, std::size_t k) {
+  const Load load = contact_load(s.list, k);
+  const DiskRecord& d = s.record[k];
+  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
+  return {load.fx / d.mass + s.gravity.x - s.drag * (d.vx - mx.at(d.x)),
+          load.fy / d.mass + s.gravity.y - s.drag * (d.vy - my.at(d.y)),
+          s.integration.rotations ? load.torque / inertia(d) : 0.0};
+}
+
+Motion motion_of(const Sample& s, std::size_t k) {
+  if (is_gear(s)) {
+    if (!s.settled) return {s.vx[k], s.vy[k], s.omega[k]};
+    const Acceleration a = acceleration_of(s, k);
+    const double share = 0.5 * gear_velocity_share * s.dt;
+    return {s.vx[k] + share * (a.ax - s.ax[k]), s.vy[k] + share * (a.ay - s.ay[k]),
+            s.omega[k] + share * (a.alpha - s.alpha[k])};
+  }
+  if (s.lag == 0) return {s.vx[k], s.vy[k], s.omega[k]};
+  const Acceleration a = acceleration_of(s, k);
+  return {s.vx[k] + s.lag * a.ax, s.vy[k] + s.lag * a.ay, s.omega[k] + s.lag * a.alpha};
+}
+
+Vec2 place_of(const Sample& s, std::size_t k) {
+  const Vec2 place{s.record[k].x, s.record[k].y};
+  if (!is_gear(s) || !s.settled) return place;
+  const Acceleration a = acceleration_of(s, k);
+  return place + 0.5 * gear_position_share * s.dt * s.dt * Vec2{a.ax - s.ax[k], a.ay - s.ay[k]};
+}
+
+double wall_rate(const Sample& s, std::size_t side) {
+  const WallBody& body = s.wall[side];
+  const double a = wall_acceleration(s, side, s.domain.wall[side].velocity);
+  if (is_gear(s)) return s.settled ? body.rate + 0.5 * gear_velocity_share * s.dt * (a - body.acceleration) : body.rate;
+  return body.rate + s.lag * a;
+}
+
+double wall_place(const Sample& s, std::size_t side) {
+  const double place = s.domain.wall[side].position;
+  if (!is_gear(s) || !s.settled) return place;
+  const double a = wall_acceleration(s, side, s.domain.wall[side].velocity);
+  return place + 0.5 * gear_position_share * s.dt * s.dt * (a - s.wall[side].acceleration);
 }
 
 }  // namespace arenite::dem

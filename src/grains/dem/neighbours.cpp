@@ -1,16 +1,13 @@
 #include "grains/dem/neighbours.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
 
-#include "core/cannot_go_on.hpp"
 #include "core/error.hpp"
-#include "grains/dem/carried.hpp"
-#include "grains/dem/cells.hpp"
 
 namespace arenite::dem {
-
 namespace {
 
 void check_places(const Sample& s) {
@@ -33,8 +30,8 @@ void check_places(const Sample& s) {
   }
 }
 
-/// A grain that crosses a periodic edge goes on at the opposite one; its own velocity is without the affine motion and
-/// does not change, the seen velocity is renewed by the caller's next refresh.
+/// A grain that crosses a periodic edge goes on at the opposite one; its own velocity is without the affine motion and does not change, the seen
+/// velocity is renewed by the caller's next refresh.
 void wrap(Sample& s) {
   const auto& w = s.domain.wall;
   const double width = s.domain.width(), height = s.domain.height();
@@ -65,20 +62,47 @@ void permute(std::vector<T>& values, const std::vector<std::int32_t>& order) {
 
 /// Returns the former number of every disk.
 std::vector<std::int32_t> sort_by_cell(Sample& s) {
-  const CellGrid grid = grid_of(s);
-  std::vector<std::int32_t> first(grid.size() + 1, 0), cell(s.count), order(s.count);
-  for (std::size_t k = 0; k < s.count; ++k) {
-    cell[k] = grid.cell(s.record[k].x, s.record[k].y);
-    ++first[static_cast<std::size_t>(cell[k]) + 1];
-  }
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  for (std::size_t k = 0; k < s.count; ++k)
-    order[static_cast<std::size_t>(first[static_cast<std::size_t>(cell[k])]++)] = static_cast<std::int32_t>(k);
+  const geometry::CellGrid grid = cells_of(s);
+  std::vector<std::int32_t> order =
+      geometry::SortedCells(grid, 0, s.count, [&](std::size_t k) { return grid.cell(s.record[k].x, s.record[k].y); }).item;
   s.record.resize(s.count);
   permute(s.record, order);
   for (auto* a : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha}) permute(*a, order);
   for (auto& a : s.higher) permute(a, order);
   return order;
+}
+
+/// The slot that joins disk a with disk b, or with wall b < 0; the empty slot if there is none.
+std::size_t find_slot(const ContactList& list, std::int32_t a, std::int32_t b) {
+  const auto slots = [&](std::size_t q, auto&& joins) {
+    for (auto g = static_cast<std::size_t>(list.first[q]); g < static_cast<std::size_t>(list.first[q + 1]); ++g) {
+      const auto p = static_cast<std::size_t>(list.group[g]);
+      if (p < list.size() && joins(p)) return p;
+    }
+    return list.size();
+  };
+  const auto q = 2 * static_cast<std::size_t>(a);
+  if (b < 0) return slots(q, [&](std::size_t p) { return list.j[p] == b; });
+  const std::size_t own = slots(q, [&](std::size_t p) { return list.owner[p] == b; });
+  return own < list.size() ? own : slots(q + 1, [&](std::size_t p) { return list.i[p] == b; });
+}
+
+/// Takes over what touching pairs remember from the list before a rebuild; disk k was number `was[k]` in it. A periodic cell is at least two reaches
+/// wide, so no pair meets twice.
+void carry_over(Sample& s, const ContactList& before, const std::vector<std::int32_t>& was, const Team& team) {
+  ContactList& list = s.list;
+  if (before.size() == 0 || (s.live_bonds.empty() && !remembers(s.laws))) return;
+  team.for_ranges(list.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      const std::int32_t a = was[static_cast<std::size_t>(list.i[p])];
+      const std::int32_t b = list.j[p] < 0 ? list.j[p] : was[static_cast<std::size_t>(list.owner[p])];
+      const std::size_t old = find_slot(before, a, b);
+      if (old == before.size()) continue;
+      list.memory[p] = before.memory[old];
+      if (!list.normal_memory.empty()) list.normal_memory[p] = before.normal_memory[old];
+      list.bond[p] = before.bond[old];
+    }
+  });
 }
 
 }  // namespace

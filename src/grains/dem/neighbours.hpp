@@ -1,20 +1,39 @@
 #pragma once
 #include "core/threads.hpp"
+#include "geometry/cell_grid.hpp"
 #include "grains/dem/sample.hpp"
 
 namespace arenite::dem {
 
-/// Sorts the disks by cell, wraps them into a periodic cell, makes the ghosts and lists every pair (and wall) closer
-/// than the skin. What touching pairs remember is kept. Throws CannotGoOn, naming grain and step, if a grain
-/// has left the walls or a coordinate is not finite.
+/// Sorts the disks by cell, wraps them into a periodic cell, makes the ghosts and lists every pair (and wall) closer than the skin. What touching
+/// pairs remember is kept. Throws CannotGoOn, naming grain and step, if a grain has left the walls or a coordinate is not finite.
 void rebuild_list(Sample& sample, const Team& team = Team());
 
-/// Lists the pairs at the records' present order and places without sorting; what rebuild_list does at its end, and
-/// what a restored sample needs.
+/// Lists the pairs at the records' present order and places without sorting; what rebuild_list does at its end, and what a restored sample needs.
 void list_contacts(Sample& sample, const Team& team = Team());
 
-/// How far a disk may be from its place in the list, less the affine motion of the cell, before the list may miss a
-/// contact, m; 0 or less if the walls or the cell have moved too far for that.
+/// How far a disk may be from its place in the list, less the affine motion of the cell, before the list may miss a contact, m; 0 or less if the
+/// walls or the cell have moved too far for that.
 double list_leeway(const Sample& sample);
+
+/// Cells as wide as the list reaches.
+inline geometry::CellGrid cells_of(const Sample& s) {
+  const auto& w = s.domain.wall;
+  return {w[left].position, w[bottom].position, s.domain.width(), s.domain.height(), reach_of(s)};
+}
+
+/// Makes the images of the disks near the right and the upper edge of a periodic cell; all others are the same pairs seen from the other side. The
+/// images' records come behind those of the disks.
+void make_ghosts(Sample& sample);
+
+/// Copies the sources of ghosts to their images (positions and seen velocities).
+void refresh_ghosts(Sample& sample);
+
+/// Grains a and b (caller's indices) attract each other.
+bool is_glued(const Sample& sample, std::int32_t a, std::int32_t b);
+
+/// Decides anew which listed pairs attract, after glue was switched on or off. Where bonds break for good, the glued pairs that touch now (to a
+/// millionth of their radii) are the bonds there are.
+void bond_touching_pairs(Sample& sample);
 
 }  // namespace arenite::dem

@@ -6,15 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "model/elasticity/effective_radius.hpp"
+#include "grains/dem/laws/laws.hpp"
+#include "model/elasticity/disk_field.hpp"
 
 namespace arenite::dem {
 
 using elasticity::EffectiveRadius;
 
-enum class NormalLaw { linear, hertz };
-enum class FrictionLaw { none, regularised_coulomb, cundall_strack };
-enum class Adhesion { none, geometrical, geometrical_breaking };
 enum class StiffnessRule { thesis, series };      ///< thesis: like pairs k, unlike k_i k_j/(k_i + k_j); series: always 1/(1/2k_i + 1/2k_j)
 enum class WallStiffness { stiffest, grain, series };
 enum class Arms { contact_point, full_radius };
@@ -22,31 +20,34 @@ enum class FrictionCap { raised_by_adhesion, as_printed }; ///< mu (F_n + |F_c|)
 enum class Masses { own, even };                   ///< see dem/masses.hpp
 enum class IntegratorKind { velocity_verlet, leapfrog, gear5 };
 
-/// How fast a sample yields to a force on its sides, as a share of sqrt(F H/M): F the force, H the way to the other side,
-/// M the mass.
+/// How fast a sample yields to a force on its sides, as a share of sqrt(F H/M): F the force, H the way to the other side, M the mass.
 inline constexpr double default_inertial_number = 0.01;
 
 /// Everything that decides the force between two grains or a grain and a wall. SI units.
 struct ContactParameters {
-  NormalLaw normal = NormalLaw::linear;
+  NormalLaw normal = Linear{};
   StiffnessRule stiffness_rule = StiffnessRule::thesis;
   WallStiffness wall_stiffness = WallStiffness::stiffest;
   double restitution = 0.5;                ///< of a binary collision at zero friction; sets alpha_n by pair unless given
   std::optional<double> normal_damping;    ///< alpha_n, N s/m, the same for every pair
   bool attractive_dashpot = false;         ///< false: F_n of non-cohesive contacts is clipped at 0
-  FrictionLaw friction_law = FrictionLaw::cundall_strack;
+  FrictionLaw friction_law = CundallStrack{};
   double friction = 0.3;                   ///< mu between grains
   std::optional<double> wall_friction;     ///< mu at walls; that of the grains unless given
   std::optional<double> sliding_viscosity; ///< gamma_s, N s/m; unless given, the alpha_n of the pair
-  double tangential_stiffness_ratio = 0.8; ///< k_t/k_n of the Cundall-Strack spring
+  double tangential_stiffness_ratio = 0.8; ///< k_t/k_n of a friction law's spring
   Arms arms = Arms::contact_point;
-  Adhesion adhesion = Adhesion::none;
+  Adhesion adhesion = NoAdhesion{};
   double surface_energy = 0;               ///< gamma of the adhesion, N/m (T 1.22), between two glued grains
   EffectiveRadius effective_radius = EffectiveRadius::four_reduced;
   FrictionCap friction_cap = FrictionCap::raised_by_adhesion;
   /// Pairs (indices) glued one by one; if empty, every two grains whose zone is > 0 are.
   std::vector<std::pair<std::int32_t, std::int32_t>> glued_pairs;
   bool operator==(const ContactParameters&) const = default;
+
+  bool adheres() const {
+    return std::visit([](const auto& law) { return law.attracts; }, adhesion);
+  }
 };
 
 struct IntegrationParameters {

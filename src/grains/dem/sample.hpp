@@ -33,8 +33,8 @@ struct alignas(32) SlotForce {
 };
 inline bool acts(const SlotForce& f) { return f.fx != 0 || f.fy != 0; }
 
-/// Candidate contacts and what they carry. Slots 0 .. pairs-1 join two disks (i < j, sorted by i; j may be a ghost);
-/// the slots behind them join a disk i with wall `side` (j = wall_partner(side)), sorted by i.
+/// Candidate contacts and what they carry. Slots 0 .. pairs-1 join two disks (i < j, sorted by i; j may be a ghost); the slots behind them join a
+/// disk i with wall `side` (j = wall_partner(side)), sorted by i.
 struct ContactList {
   std::size_t pairs = 0;
   std::vector<std::int32_t> i, j;
@@ -42,10 +42,11 @@ struct ContactList {
   std::vector<double> stiffness, damping, viscosity, strength;
   std::vector<SlotForce> force;             ///< one more than slots: the last stays 0
   std::vector<double> memory;               ///< of the friction law
+  std::vector<double> normal_memory;        ///< of the normal law; empty unless it remembers
   std::vector<std::uint8_t> bond;           ///< of glued pairs: see BondState
-  /// Slots by disk, in groups of four that are filled up with the slot whose force stays 0, so that most disks have as
-  /// many groups as their neighbours and the processor guesses the loops' ends right. Those where disk k is i, pairs
-  /// before walls, are group[first[2k]] to group[first[2k + 1]]; those where it owns the reaction go on to first[2k + 2].
+  /// Slots by disk, in groups of four that are filled up with the slot whose force stays 0, so that most disks have as many groups as their
+  /// neighbours and the processor guesses the loops' ends right. Those where disk k is i, pairs before walls, are group[first[2k]] to group[first[2k
+  /// + 1]]; those where it owns the reaction go on to first[2k + 2].
   std::vector<std::int32_t> group, first;
 
   std::size_t size() const { return i.size(); }
@@ -70,8 +71,8 @@ struct WallBody {
   std::array<double, 4> higher{};  ///< Gear's further derivatives
 };
 
-/// Everything that decides the future, and the set-up that follows from it. Disks are kept in an inner order that
-/// follows the cells; `record[k].grain` leads back to the caller's.
+/// Everything that decides the future, and the set-up that follows from it. Disks are kept in an inner order that follows the cells;
+/// `record[k].grain` leads back to the caller's.
 struct Sample {
   Packing start;                   ///< as given: materials, ids, zones; its contacts are dropped after the start
   ContactParameters contact;
@@ -123,12 +124,14 @@ inline std::uint64_t slot_key(const Sample& s, std::size_t slot) {
   return pair_key(a, j < 0 ? j : s.record[static_cast<std::size_t>(s.list.owner[slot])].grain);
 }
 
-/// Affine motion of a periodic cell, one direction each.
-AffineMotion affine_x(const Domain& domain);
-AffineMotion affine_y(const Domain& domain);
+/// Affine motion of a periodic cell, one direction each: homogeneous between two edges.
+inline AffineMotion affine_between(const Wall& a, const Wall& b) {
+  return {a.position, a.velocity, (b.velocity - a.velocity) / (b.position - a.position)};
+}
+inline AffineMotion affine_x(const Domain& d) { return d.periodic_x ? affine_between(d.wall[left], d.wall[right]) : AffineMotion{}; }
+inline AffineMotion affine_y(const Domain& d) { return d.periodic_y ? affine_between(d.wall[bottom], d.wall[top]) : AffineMotion{}; }
 
-/// Where the periodic cell is; maps a place that moves with the cell from an earlier frame. The identity where nothing
-/// is periodic.
+/// Where the periodic cell is; maps a place that moves with the cell from an earlier frame. The identity where nothing is periodic.
 struct CellFrame {
   bool periodic_x = false, periodic_y = false;
   double left_edge = 0, bottom_edge = 0, width = 1, height = 1;

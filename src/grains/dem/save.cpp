@@ -1,16 +1,13 @@
-#include "grains/dem/save.hpp"
+#include "grains/dem/setup.hpp"
 
 #include <cstring>
 #include <string>
 
 #include "core/bytes.hpp"
 #include "core/error.hpp"
-#include "grains/dem/ghosts.hpp"
 #include "grains/dem/neighbours.hpp"
-#include "grains/dem/setup.hpp"
 
 namespace arenite::dem {
-
 namespace {
 
 constexpr std::uint64_t mark = 0x33302d6d65642d61;  // "a-dem-03"; changes with what `transfer` lists
@@ -71,6 +68,7 @@ void transfer_step(Archive& a, Sample& s) {
 template <class Archive>
 void transfer(Archive& a, ContactList& list) {
   for (auto* v : {&list.strength, &list.memory}) a(*v);
+  if (!list.normal_memory.empty()) a(list.normal_memory);
   a(list.force);
   a(list.bond);
 }

@@ -8,16 +8,12 @@
 #include "core/error.hpp"
 #include "core/problems.hpp"
 #include "grains/dem/bounds.hpp"
-#include "grains/dem/bonds.hpp"
-#include "grains/dem/carried.hpp"
+#include "grains/dem/neighbours.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/kernels/kernel.hpp"
-#include "grains/dem/masses.hpp"
-#include "grains/dem/neighbours.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
-
 namespace {
 
 bool positive(double v) { return std::isfinite(v) && v > 0; }
@@ -115,24 +111,27 @@ void choose_step(Sample& s) {
   s.dt_at_start = s.dt;
 }
 
-/// Friction springs as the packing's contacts left them, so that a stage goes on with the friction that it found.
-std::vector<Carried> springs_of(const Packing& start, const Sample& s) {
-  std::vector<Carried> springs;
-  if (s.contact.friction_law != FrictionLaw::cundall_strack) return springs;
-  const Contacts& c = start.contacts;
-  std::vector<const DiskRecord*> disk(s.count);
-  for (std::size_t k = 0; k < s.count; ++k) disk[static_cast<std::size_t>(s.record[k].grain)] = &s.record[k];
-  for (std::size_t q = 0; q < c.size(); ++q) {
-    const DiskRecord& a = *disk.at(static_cast<std::size_t>(c.i[q]));
-    const double stiffness = c.is_wall(q) ? s.coefficients.wall_stiffness(a.material)
-                                          : s.coefficients.pair_stiffness(
-                                                a.material, disk.at(static_cast<std::size_t>(c.j[q]))->material);
-    if (c.ft[q] != 0 && std::isfinite(c.ft[q]))
-      springs.push_back({pair_key(c.i[q], c.j[q]), -c.ft[q] / (s.contact.tangential_stiffness_ratio * stiffness),
-                         never_touched});
-  }
-  std::sort(springs.begin(), springs.end(), [](const Carried& p, const Carried& q) { return p.key < q.key; });
-  return springs;
+/// What the contacts of the packing left in the memories of the laws, so that a stage goes on with the friction that it found.
+void recall_contacts(Sample& s) {
+  if (!remembers(s.laws)) return;
+  const Contacts& c = s.start.contacts;
+  std::vector<std::pair<std::uint64_t, std::size_t>> met;
+  for (std::size_t q = 0; q < c.size(); ++q) met.emplace_back(pair_key(c.i[q], c.j[q]), q);
+  std::sort(met.begin(), met.end());
+  s.laws.visit([&]<class N, class A, class F>(const N& normal, const A& adhesion, const F& friction) {
+    for (std::size_t p = 0; p < s.list.size(); ++p) {
+      const std::uint64_t key = slot_key(s, p);
+      const auto found = std::lower_bound(met.begin(), met.end(), std::pair{key, std::size_t{0}});
+      if (found == met.end() || found->first != key) continue;
+      const std::size_t q = found->second;
+      const double k = s.list.stiffness[p], kt = s.laws.slip(0, k).stiffness;
+      if constexpr (F::remembers)
+        if (c.ft[q] != 0 && std::isfinite(c.ft[q])) s.list.memory[p] = friction.recall(c.ft[q], kt);
+      if constexpr (N::remembers)
+        if (const Kinematics at = slot_kinematics(s, p); at.overlap > 0 && std::isfinite(c.fn[q]))
+          s.list.normal_memory[p] = normal.recall(c.fn[q] + adhesion.attraction(at.overlap, s.list.strength[p]), at.overlap, k, at.curvature);
+    }
+  });
 }
 
 /// The periodic sides have no walls; their `wall` entries are the edges of the cell.
@@ -142,14 +141,15 @@ void clear_periodic_walls(Domain& domain) {
   for (auto& wall : domain.wall) wall.velocity = wall.force = wall.shear_force = 0;
 }
 
-}  // namespace
-
-namespace {
-
 /// Share of a step by which the places are ahead of the velocities that memories of friction are fed with.
 double lead_of(const Sample& s) { return s.integration.integrator == IntegratorKind::leapfrog ? 1.0 : 0.5; }
 
 }  // namespace
+
+ContactLaws choose_laws(const ContactParameters& contact, double lead, double lag) {
+  return {contact.normal, contact.adhesion, contact.friction_law, lead, lag, contact.tangential_stiffness_ratio,
+          contact.friction_cap == FrictionCap::raised_by_adhesion ? 1.0 : -1.0, contact.normal_damping.has_value()};
+}
 
 ContactLaws laws_between_steps(const Sample& s) {
   const double lead = lead_of(s);
@@ -166,9 +166,8 @@ void change_step(Sample& s, double dt) {
 }
 
 void apply_friction(Sample& s, std::optional<double> override_mu) {
-  const bool slippery = s.contact.friction_law == FrictionLaw::none;
-  s.friction = slippery ? 0.0 : override_mu.value_or(s.contact.friction);
-  s.wall_friction = slippery ? 0.0 : override_mu.value_or(s.contact.wall_friction.value_or(s.contact.friction));
+  s.friction = override_mu.value_or(s.contact.friction);
+  s.wall_friction = override_mu.value_or(s.contact.wall_friction.value_or(s.contact.friction));
 }
 
 Sample make_sample(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration) {
@@ -196,8 +195,8 @@ Sample make_sample(const Packing& start, const ContactParameters& contact, const
   tune_servo(s);
   rebuild_list(s);
   choose_step(s);
-  carry_into(s, springs_of(start, s));
   bond_touching_pairs(s);
+  recall_contacts(s);
   s.laws = choose_laws(contact, 0.0, (1.0 - lead_of(s)) * s.dt);  // the springs do not move before the first step
   compute_forces(s);
   sum_edge_forces(s);

@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "grains/dem/parameters.hpp"
+#include "model/packing.hpp"
 
 namespace arenite::dem {
 
@@ -42,7 +44,7 @@ struct Cycles {
 struct Stage {
   std::string name;
   bool gravity = false;                ///< 9.81 m/s^2 downwards
-  std::array<SideDrive, 4> side;       ///< in the order of model/domain.hpp
+  std::array<SideDrive, 4> side;       ///< in the order of model/packing.hpp
   std::int64_t increments = 1;
   std::optional<double> duration;      ///< s; for stages driven by velocity, which do not end at rest
   std::optional<Cycles> cycles;
@@ -56,5 +58,21 @@ struct Stage {
   std::int64_t frames = 1;             ///< states stored for stages with a duration; increments store one each
   bool operator==(const Stage&) const = default;
 };
+
+/// One step of a stage's loading: what every side aims at when the increment is over.
+struct Increment {
+  std::array<SideDrive, 4> side;
+  std::string label;
+};
+
+/// What the sides of a stage aim at with a share (0 to 1) of the way from the start's forces (N) done; pressures act in full from the start.
+Increment on_the_ramp(const Stage& stage, const std::array<double, 4>& force_at_start, double share, std::string label = {});
+
+/// The increments of a stage, in order. Forces go from what acts at the start (N; compression positive) to their values in equal steps, pressures act
+/// in full at once; cycles follow, each half cycle a ramp of its own.
+std::vector<Increment> increments_of(const Stage& stage, const std::array<double, 4>& force_at_start);
+
+/// What drives the walls of this domain in an increment: velocities along +x or +y, pressures as forces.
+WallDrives drives_for(const Increment& increment, const Domain& domain);
 
 }  // namespace arenite::dem

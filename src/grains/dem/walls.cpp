@@ -5,7 +5,6 @@
 #include <numbers>
 
 namespace arenite::dem {
-
 namespace {
 
 /// A wall moves at a given speed: the others have to follow, not to come to rest.

@@ -5,30 +5,27 @@ namespace arenite::dem {
 
 /// Gives force-controlled walls (or edges of a periodic cell) their mass and impedance from the sample.
 ///
-/// A force-controlled wall obeys m q'' = F_target - F_grains - c (q' - w), q its way into the sample, w the slow mean of
-/// q', w' = (q' - w)/tau, while another wall is driven by velocity, else 0: what rings is braked, what follows a steady
-/// deformation is not, so a sample that is sheared at constant speed feels the target alone. tau is ten passages of a
-/// wave, 10 M/Z.
-/// A sample of mass M that is as stiff as a crystal of its grains carries waves with the impedance Z = sqrt(K M),
-/// K = k W/H: a wall damped by c = Z swallows the waves that reach it, so the sample comes to rest in about one passage
-/// instead of ringing. But a loose sample under a small force F yields rather than rings, and then Z would brake it:
-/// grains rearrange at speeds of about I sqrt(P/rho) = I sqrt(F H/M), so c is at most F over that speed. I is `inertial_number`
-/// of the sample, 0.01 unless a stage says otherwise (measured on laboratory sample 8: a third fewer steps to rest under
-/// 100 N; beyond 0.01 a sudden load overshoots by more than a fifth). c is that, times the share of the target that the grains carry already (at most 1):
-/// a wall that touches nothing yet is not braked. m is M/20, or a few layers of grains where that is more: light beside
-/// the sample, heavy enough that no wall is the stiffest oscillator, so it never limits the time step.
+/// A force-controlled wall obeys m q'' = F_target - F_grains - c (q' - w), q its way into the sample, w the slow mean of q', w' = (q' - w)/tau, while
+/// another wall is driven by velocity, else 0: what rings is braked, what follows a steady deformation is not, so a sample that is sheared at
+/// constant speed feels the target alone. tau is ten passages of a wave, 10 M/Z.
+/// A sample of mass M that is as stiff as a crystal of its grains carries waves with the impedance Z = sqrt(K M), K = k W/H: a wall damped by c = Z
+/// swallows the waves that reach it, so the sample comes to rest in about one passage instead of ringing. But a loose sample under a small force F
+/// yields rather than rings, and then Z would brake it: grains rearrange at speeds of about I sqrt(P/rho) = I sqrt(F H/M), so c is at most F over
+/// that speed. I is `inertial_number` of the sample, 0.01 unless a stage says otherwise (measured on laboratory sample 8: a third fewer steps to rest
+/// under 100 N; beyond 0.01 a sudden load overshoots by more than a fifth). c is that, times the share of the target that the grains carry already
+/// (at most 1): a wall that touches nothing yet is not braked. m is M/20, or a few layers of grains where that is more: light beside the sample,
+/// heavy enough that no wall is the stiffest oscillator, so it never limits the time step.
 void tune_servo(Sample& sample);
 
-/// Rate of the drag that damps the sample's slowest wave critically, 2 omega with omega = (pi/2) Z/M for a quarter of a
-/// wave between a wall that holds and one that presses, Z as in tune_servo, 1/s. Packings are softer than crystals.
+/// Rate of the drag that damps the sample's slowest wave critically, 2 omega with omega = (pi/2) Z/M for a quarter of a wave between a wall that
+/// holds and one that presses, Z as in tune_servo, 1/s. Packings are softer than crystals.
 double critical_drag(const Sample& sample);
 
-/// Changes the drives: a wall that becomes fixed or velocity-driven takes its velocity at once, one that becomes
-/// force-controlled goes on from the velocity that it has.
+/// Changes the drives: a wall that becomes fixed or velocity-driven takes its velocity at once, one that becomes force-controlled goes on from the
+/// velocity that it has.
 void apply_drives(Sample& sample, const WallDrives& drives);
 
-/// Acceleration of wall `side` from the present forces, m/s^2 along +x or +y; 0 unless force-controlled. `velocity` is
-/// along +x or +y.
+/// Acceleration of wall `side` from the present forces, m/s^2 along +x or +y; 0 unless force-controlled. `velocity` is along +x or +y.
 double wall_acceleration(const Sample& sample, std::size_t side, double velocity);
 
 /// Braking force on a force-controlled wall at this velocity, N along +x or +y; 0 unless force-controlled.

@@ -5,11 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "grains/packing/bidisperse_steps.hpp"
 
 namespace arenite::packing {
-
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -64,6 +63,26 @@ void hand_over(const TwoClasses& classes, Grains& grains) {
 }
 
 }  // namespace
+
+void check(const BidisperseParameters& p) {
+  constexpr double smallest_box = 25;      // a few disks along a side: below it classes have no meaning
+  constexpr double most_disks = 2e6;
+  Problems problems;
+  const auto finite_above = [](double v, double least) { return std::isfinite(v) && v > least; };
+  problems.unless(finite_above(p.large_radius, 0), "the mean radius of large disks is {:g} m; give a positive one", p.large_radius);
+  problems.unless(p.deviation >= 0 && p.cut >= 0 && p.cut * p.deviation < 1,
+                  "radii cut at {:g} deviations of {:g} of the mean reach zero or below; keep their product below 1", p.cut, p.deviation);
+  problems.unless(p.trials >= 1, "{} trials round a disk; take 1 or more", p.trials);
+  problems.unless(p.tolerance > 0, "the tolerance of the volume ratio is {:g}; take a positive one such as 0.01", p.tolerance);
+  const bool box = std::isfinite(p.box_area) && p.box_area >= smallest_box;
+  problems.unless(box, "a box of {:g} pi times the squared mean radius holds too few large disks; take {:g} or more", p.box_area, smallest_box);
+  problems.unless(finite_above(p.volume_ratio, 0), "the volume ratio theta is {:g}; it must be positive", p.volume_ratio);
+  const double most = box ? std::sqrt(most_disks / p.box_area) : 1;
+  problems.unless(p.size_ratio >= 1 && p.size_ratio <= most,
+                  "the size ratio gamma is {:g}; in this box it can be from 1 to {:.0f}, beyond which there are more than {:g} small disks",
+                  p.size_ratio, std::floor(most), most_disks);
+  problems.raise();
+}
 
 TwoClasses sample_two_classes(const BidisperseParameters& p, const geometry::Box& box, double gap, std::uint64_t seed,
                               std::uint64_t attempt) {

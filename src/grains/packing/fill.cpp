@@ -10,7 +10,6 @@
 #include "core/random.hpp"
 
 namespace arenite::packing {
-
 namespace {
 
 double disk_area(const Grains& grains) {

@@ -8,7 +8,6 @@
 #include "grains/packing/bidisperse_steps.hpp"
 
 namespace arenite::packing {
-
 namespace {
 
 /// The search ends unfinished after as many samplings as hold so many disks together: a second or two of work.
@@ -33,8 +32,8 @@ struct Known {
   double gap, excess;                  ///< m; ln of the ratio over the one asked for, falls with the gap
 };
 
-/// Where the straight line through known points, the nearest to the aim weighing most, reaches the aim. Ratios scatter by
-/// a few per cent from sampling to sampling, so a line through all is a better guide than the last two.
+/// Where the straight line through known points, the nearest to the aim weighing most, reaches the aim. Ratios scatter by a few per cent from
+/// sampling to sampling, so a line through all is a better guide than the last two.
 double aim(const std::vector<Known>& known, double near, double far) {
   double w = 0, g = 0, e = 0, gg = 0, ge = 0;
   for (const Known& k : known) {

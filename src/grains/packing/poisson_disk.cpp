@@ -1,10 +1,29 @@
-#include "grains/packing/poisson_disk.hpp"
+#include "grains/packing/bidisperse_steps.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <numeric>
 #include <utility>
 
 namespace arenite::packing {
+
+double CutNormal::draw(RandomStream& random, double below) const {
+  const double top = std::min(high, below);
+  if (top <= low) return low;
+  if (deviation <= 0) return std::clamp(mean, low, top);
+  // Rejection from the whole law is cheap where the range holds most of it, rejection from a rectangle where it is narrow.
+  if (low <= mean && mean <= top && top - low > 2 * deviation) {
+    for (;;)
+      if (const double r = mean + deviation * random.normal(); r >= low && r <= top) return r;
+  }
+  const auto exponent = [&](double r) { return -0.5 * (r - mean) * (r - mean) / (deviation * deviation); };
+  const double peak = exponent(std::clamp(mean, low, top));
+  for (;;) {
+    const double r = random.uniform(low, top);
+    if (random.uniform() < std::exp(exponent(r) - peak)) return r;
+  }
+}
 
 namespace {
 
@@ -41,8 +60,8 @@ bool try_beside(FreeSpace& space, std::vector<Disk>& disks, std::size_t k, const
   return false;
 }
 
-/// One more disk beside disk k where `least` still fits; false if it does not. Drawing again below each radius that
-/// fails gives the law's part that fits, in few draws however small that part is.
+/// One more disk beside disk k where `least` still fits; false if it does not. Drawing again below each radius that fails gives the law's part that
+/// fits, in few draws however small that part is.
 bool fill_beside(FreeSpace& space, std::vector<Disk>& disks, std::size_t k, CutNormal law, double least, RandomStream& random) {
   auto place = space.free_place_beside(disks[k], least, random);
   if (!place) return false;

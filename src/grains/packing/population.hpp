@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/grains.hpp"
-#include "model/material.hpp"
+#include "model/packing.hpp"
 
 namespace arenite::packing {
 
@@ -29,10 +28,24 @@ struct Population {
   bool operator==(const Population&) const = default;
 };
 
-/// Grains of all populations, in random order, at rest at the origin: radius, material and id are set. Populations
-/// with a ratio share `total` less the counts, by largest remainder. Same seed: same grains.
+/// Grains of all populations, in random order, at rest at the origin: radius, material and id are set. Populations with a ratio share `total` less
+/// the counts, by largest remainder. Same seed: same grains.
 /// Throws InputError for an unknown material or a total that leaves no grain.
 Grains draw_grains(const std::vector<Population>& populations, const Materials& materials, std::int64_t total,
                    std::uint64_t seed);
+
+/// A glued region: grains whose centre lies inside are in zone 1.
+struct Region {
+  enum class Shape { circle, rectangle };
+  Shape shape = Shape::circle;
+  double x = 0, y = 0;                 ///< centre, m from the frame's lower left corner
+  double radius = 0;                   ///< circle
+  double width = 0, height = 0;        ///< rectangle
+  std::optional<std::int64_t> count;   ///< the nearest grains to (x, y), that many, instead of a shape
+  bool operator==(const Region&) const = default;
+};
+
+/// Puts the grains of the region into zone 1, all others into zone 0; returns how many are in it.
+std::int64_t mark_region(Grains& grains, const Domain& domain, const Region& region);
 
 }  // namespace arenite::packing

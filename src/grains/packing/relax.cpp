@@ -1,4 +1,4 @@
-#include "grains/packing/relax.hpp"
+#include "grains/packing/fill.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 #include "geometry/close_pairs.hpp"
 
 namespace arenite::packing {
-
 namespace {
 
 /// Lengths are in units of the mean radius; stiffness and mass are 1.

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "grains/texture/statistics.hpp"
+#include "grains/texture/view.hpp"
 
 namespace arenite::texture {
 namespace {
@@ -56,8 +56,8 @@ Estimate ratio(const View& view, Top top, Under under) {
 
 }  // namespace
 
-/// Every considered grain brings the ends of its own contacts, so that N_AB is half the number of such ends and z of a
-/// sample without border is 2 N_c/N_p; contacts with walls are not counted.
+/// Every considered grain brings the ends of its own contacts, so that N_AB is half the number of such ends and z of a sample without border is 2
+/// N_c/N_p; contacts with walls are not counted.
 void measure_coordination(const View& view, Texture& texture) {
   const Partners partners(view);
   Coordination& z = texture.coordination;

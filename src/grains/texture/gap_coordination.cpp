@@ -8,7 +8,6 @@
 
 #include "core/error.hpp"
 #include "geometry/close_pairs.hpp"
-#include "grains/texture/blocks.hpp"
 #include "grains/texture/view.hpp"
 
 namespace arenite::texture {

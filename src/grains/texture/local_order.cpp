@@ -1,6 +1,6 @@
 #include <complex>
 
-#include "grains/texture/statistics.hpp"
+#include "grains/texture/view.hpp"
 
 namespace arenite::texture {
 namespace {

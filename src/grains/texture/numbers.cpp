@@ -1,4 +1,4 @@
-#include "statistics/put_numbers.hpp"
+#include "statistics/numbers.hpp"
 #include "grains/texture/texture.hpp"
 
 namespace arenite::texture {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grains/texture/statistics.hpp"
-#include "grains/texture/stress.hpp"
+#include "grains/texture/view.hpp"
+#include "grains/texture/texture.hpp"
 
 namespace arenite::texture {
 namespace {

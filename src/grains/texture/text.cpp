@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "statistics/text.hpp"
+#include "statistics/estimate.hpp"
 #include "grains/texture/texture.hpp"
 
 namespace arenite::texture {
@@ -22,8 +22,8 @@ void put_distribution(Lines& lines, const std::string& what, const Distribution&
   lines.put("beta of the strong tail, " + what, d.tail.beta);
 }
 
-/// Whether a set says anything that "all" does not: the only material of a sample does not, nor do the strong and weak
-/// contacts of one type, which are left to the JSON.
+/// Whether a set says anything that "all" does not: the only material of a sample does not, nor do the strong and weak contacts of one type, which
+/// are left to the JSON.
 bool adds_to_all(const std::string& name, std::size_t count, std::size_t all) {
   return name == "all" || (count != all && !name.ends_with(" strong") && !name.ends_with(" weak"));
 }

@@ -7,8 +7,8 @@
 
 #include "model/packing.hpp"
 #include "statistics/estimate.hpp"
-#include "statistics/exponential_tail.hpp"
 #include "statistics/numbers.hpp"
+#include "statistics/tails.hpp"
 
 namespace arenite::texture {
 
@@ -50,8 +50,8 @@ struct Rev {
   std::vector<double> mean, deviation, error;  ///< over places; error = standard error of the mean
 };
 
-/// Mean numbers of contacts a grain. Names: "all", "all without rattlers", "POM-POM", "POM-HDPE" (HDPE neighbours of a
-/// POM grain), "POM-ANY" = (2 N_XX + N_XY)/N_X.
+/// Mean numbers of contacts a grain. Names: "all", "all without rattlers", "POM-POM", "POM-HDPE" (HDPE neighbours of a POM grain), "POM-ANY" = (2
+/// N_XX + N_XY)/N_X.
 struct Coordination {
   ByName<Estimate> mean;
   ByName<Estimate> doubled;            ///< T 4.3.1: 2 (N_XX + N_XY)/N_X, unlike contacts twice; "POM-ANY"
@@ -183,24 +183,36 @@ struct Texture {
   std::vector<std::string> notes;      ///< what could not be computed, and why
 };
 
-/// Measures everything that the packing allows. A domain of no area means that the box is not known, a thickness that
-/// is not positive that the length is not; what needs them is left NaN and a note says so. Throws InputError where measured
-/// stresses are not one a grain.
+/// Measures everything that the packing allows. A domain of no area means that the box is not known, a thickness that is not positive that the length
+/// is not; what needs them is left NaN and a note says so. Throws InputError where measured stresses are not one a grain.
 Texture measure(const Packing& packing, const Options& options = {});
 
-/// Solid fraction of windows of the box's shape with `area_share` of its area, one for each of so many random places in the whole
-/// box (T Fig. 3.6b); over the box's sides the places are the same for every packing. Empty where the box is not known.
+/// Solid fraction of windows of the box's shape with `area_share` of its area, one for each of so many random places in the whole box (T Fig. 3.6b);
+/// over the box's sides the places are the same for every packing. Empty where the box is not known.
 std::vector<double> window_fractions(const Packing& packing, double area_share, int places, std::uint64_t seed = 1);
 
-/// Leaves what places alone tell: for contacts whose forces are not known and stand as 0. Strength, rattlers, anisotropies
-/// of forces, stresses and their signs become unknown. `Options::rattler_contacts` should be 0 in the measurement.
+/// Leaves what places alone tell: for contacts whose forces are not known and stand as 0. Strength, rattlers, anisotropies of forces, stresses and
+/// their signs become unknown. `Options::rattler_contacts` should be 0 in the measurement.
 void forget_forces(Texture& texture);
 
-/// The statistics as JSON, each as {"value", "error"}; unknown ones are left out. `curves` adds histograms,
-/// distributions, REV and the rows by grain.
+/// The statistics as JSON, each as {"value", "error"}; unknown ones are left out. `curves` adds histograms, distributions, REV and the rows by grain.
 Numbers numbers(const Texture& texture, bool curves = false);
 
 /// The main statistics as lines of text, value +- error.
 std::string to_text(const Texture& texture);
+
+/// Sum over contacts, walls included, of f (x) l, with f on grain i and l from i to j (or to the wall), N m. Divided by the volume of the box it is
+/// the stress, tension positive (T eq. 1.10).
+Tensor2 internal_moment(const Contacts& contacts);
+
+/// Internal moment of every grain about its centre, N m (T eq. 1.9). Their sum is the sum over contacts.
+std::vector<Tensor2> grain_moments(const Packing& packing);
+
+/// Mass of a grain by its material's density, kg.
+double mass_of(const Packing& packing, std::size_t grain);
+
+/// What the internal moment must be at rest by the forces on walls and by weight: sum over wall contacts of f (x) x_c plus sum over grains of m g (x)
+/// x.
+Tensor2 wall_moment(const Packing& packing, Vec2 gravity);
 
 }  // namespace arenite::texture

@@ -23,8 +23,8 @@ Window inner_window(const Domain& d, double border, bool has_box) {
   return w;
 }
 
-/// Grains that carry nothing: those with fewer force-bearing contacts than asked, found by taking them away again and
-/// again, since a grain that leans on a rattler alone is one too.
+/// Grains that carry nothing: those with fewer force-bearing contacts than asked, found by taking them away again and again, since a grain that leans
+/// on a rattler alone is one too.
 std::vector<std::uint8_t> find_rattlers(const Packing& packing, int least) {
   const auto& contacts = packing.contacts;
   const std::size_t n = packing.grains.size();
@@ -240,6 +240,24 @@ ByName<Items> grains_by_type(const View& view) {
             [&](int m) { return view.material_name(m); }, sets);
   add_kinds(view, zones_of(view), [&](std::size_t g) { return int{view.packing.grains.zone[g]}; }, zone_name, sets);
   return sets;
+}
+
+int BlockGrid::block_of(Vec2 p) const {
+  const auto along = [&](double x, double low, double width) {
+    const double share = width > 0 ? (x - low) / width : 0;
+    return static_cast<int>(std::clamp(std::floor(share * per_side), 0.0, per_side - 1.0));
+  };
+  return along(p.y, bounds.y_min, bounds.height()) * per_side + along(p.x, bounds.x_min, bounds.width());
+}
+
+geometry::Rectangle BlockGrid::block(int b) const {
+  const double w = bounds.width() / per_side, h = bounds.height() / per_side;
+  const int column = b % per_side, row = b / per_side;
+  return {bounds.x_min + column * w, bounds.x_min + (column + 1) * w, bounds.y_min + row * h, bounds.y_min + (row + 1) * h};
+}
+
+int blocks_per_side(std::size_t grains) {
+  return std::clamp(static_cast<int>(std::sqrt(static_cast<double>(grains) / 12)), 1, 6);
 }
 
 }  // namespace arenite::texture

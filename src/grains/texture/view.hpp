@@ -2,14 +2,36 @@
 #include <string>
 #include <vector>
 
-#include "model/packing.hpp"
-#include "grains/texture/blocks.hpp"
+#include "geometry/rectangle.hpp"
 #include "grains/texture/texture.hpp"
+#include "model/packing.hpp"
+#include "statistics/jackknife.hpp"
 
 namespace arenite::texture {
 
-/// What the statistics share: which grains and contacts count, in which block each lies, and the mean force.
-/// Contacts with walls count for stress and balance, never for coordination, fabric or force statistics.
+using statistics::Items;
+using statistics::jackknife;
+using statistics::jackknife_of_sums;
+using statistics::mean;
+using statistics::standard_error;
+using statistics::exponential_tail;
+
+/// A rectangle cut into k x k equal blocks. Neighbouring grains and contacts are not independent, so errors come from the scatter between blocks, not
+/// between grains.
+struct BlockGrid {
+  geometry::Rectangle bounds;
+  int per_side = 1;
+
+  int count() const { return per_side * per_side; }
+  int block_of(Vec2 p) const;                  ///< points outside belong to the nearest block
+  geometry::Rectangle block(int b) const;
+};
+
+/// Blocks of about a dozen grains or more, 6 x 6 at most; 1 for a sample too small to be cut.
+int blocks_per_side(std::size_t grains);
+
+/// What the statistics share: which grains and contacts count, in which block each lies, and the mean force. Contacts with walls count for stress and
+/// balance, never for coordination, fabric or force statistics.
 struct View {
   View(const Packing& packing, const Options& options);
 
@@ -35,8 +57,8 @@ struct View {
   std::vector<int> materials() const;  ///< those of considered grains, in rising order
 };
 
-/// Named sets of considered contacts by material pair ("POM-HDPE", in the order of materials) and, where there are
-/// zones, by zone pair ("dry-glued"); sets without contacts are left out.
+/// Named sets of considered contacts by material pair ("POM-HDPE", in the order of materials) and, where there are zones, by zone pair ("dry-glued");
+/// sets without contacts are left out.
 ByName<Items> contacts_by_type(const View& view);
 
 /// Named sets of considered grains: "all", by material, by zone ("dry", "glued") where there are zones.
@@ -54,5 +76,27 @@ double covered_area(const Domain& domain, Vec2 centre, double radius, const geom
 
 /// The box as a rectangle.
 geometry::Rectangle box_of(const Domain& domain);
+
+/// Power law k x^-alpha of 0 < x < 1 by maximum likelihood.
+PowerLaw weak_power_law(const std::vector<double>& sorted);
+
+/// Statistics of `value` over the items, each over their mean. `mean_of_all` is the mean of the set that this one is part of. `scale` turns the mean
+/// into its unit, NaN where that cannot be known.
+Distribution distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value,
+                          double mean_of_all, double scale = 1);
+
+// One function a statistic. Each fills its own part of the texture; what it cannot compute it
+// leaves unknown, with a note that says why.
+void measure_grain_stress(const View& view, Texture& texture);
+void measure_solid_fraction(const View& view, Texture& texture);
+void measure_rev(const View& view, Texture& texture);
+void measure_coordination(const View& view, Texture& texture);
+void measure_fabric(const View& view, Texture& texture);
+void measure_threshold(const View& view, Texture& texture);
+void measure_forces(const View& view, Texture& texture);
+void measure_stress(const View& view, Texture& texture);
+void measure_sigma_norm(const View& view, Texture& texture);
+void measure_local_order(const View& view, Texture& texture);
+void measure_quality(const View& view, Texture& texture);
 
 }  // namespace arenite::texture

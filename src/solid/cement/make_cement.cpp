@@ -1,17 +1,105 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
-#include "solid/cement/cement.hpp"
-#include "solid/cement/joints.hpp"
-#include "core/bracketed_root.hpp"
 #include "core/error.hpp"
-#include "model/placed_cement.hpp"
+#include "core/root.hpp"
+#include "geometry/close_pairs.hpp"
+#include "geometry/meniscus.hpp"
+#include "geometry/outline.hpp"
+#include "model/cement.hpp"
+#include "solid/cement/cement.hpp"
 
 namespace arenite::cement {
 namespace {
+
+geometry::MeniscusDisks disks_of(const Packing& packing, geometry::Pair pair) {
+  const Grains& g = packing.grains;
+  const Vec2 d = packing.domain.nearest_image(g.centre(pair.j) - g.centre(pair.i));
+  return {g.radius[pair.i], g.radius[pair.j], norm(d)};
+}
+
+/// A disk inside another has no meniscus.
+bool can_hold(const geometry::MeniscusDisks& d) { return d.distance > std::abs(d.radius_i - d.radius_j); }
+
+/// Curvature of the arcs that enclose `volume`, which lies between what the largest curvature and straight arcs enclose.
+double curvature_of(const geometry::MeniscusDisks& d, double volume, double most) {
+  // Curvature may be infinite at contact: x = c r / (1 + c r) runs from 0 to 1.
+  const double r = std::min(d.radius_i, d.radius_j), largest = geometry::largest_meniscus_curvature(d);
+  const double end = std::isinf(largest) ? 1 : largest * r / (1 + largest * r);
+  const auto curvature = [&](double x) { return x < 1 ? x / ((1 - x) * r) : std::numeric_limits<double>::infinity(); };
+  const auto excess = [&](double x) { return geometry::meniscus_area(d, curvature(x)) - volume; };
+  return curvature(bracketed_root<double>(excess, 0, most - volume, end, excess(end)));
+}
+
+/// Pairs of grains with a surface gap of at most `gap`, periodic sides included, sorted.
+std::vector<geometry::Pair> joined_pairs(const Packing& packing, double gap) {
+  const Grains& g = packing.grains;
+  const Domain& domain = packing.domain;
+  if (g.size() == 0) return {};
+  std::vector<double> x = g.x, y = g.y;
+  const auto span = [&](std::vector<double>& v, bool periodic, double low, double length) {
+    if (!periodic) {
+      const auto [first, last] = std::minmax_element(v.begin(), v.end());
+      return std::pair{*first, std::max(*last - *first, g.radius[0])};
+    }
+    for (double& p : v) p -= std::floor((p - low) / length) * length;
+    return std::pair{low, length};
+  };
+  const auto [x0, width] = span(x, domain.periodic_x, domain.wall[left].position, domain.width());
+  const auto [y0, height] = span(y, domain.periodic_y, domain.wall[bottom].position, domain.height());
+  return geometry::close_pairs(x, y, g.radius, {x0, y0, width, height, domain.periodic_x, domain.periodic_y}, gap);
+}
+
+/// Bridges whose half bases are `half_width` times the radii of their grains (P II.B).
+std::vector<Bridge> make_bridges(const Packing& packing, const std::vector<geometry::Pair>& pairs, double half_width) {
+  std::vector<Bridge> bridges;
+  bridges.reserve(pairs.size());
+  const auto& r = packing.grains.radius;
+  for (const auto [i, j] : pairs) bridges.push_back({i, j, half_width * r[i], half_width * r[j]});
+  return bridges;
+}
+
+struct Menisci {
+  std::vector<Meniscus> menisci;
+  std::size_t ruptured = 0, capped = 0;
+};
+
+/// A meniscus of one volume (area, m^2) at every pair. Where it is less than the arcs enclose when they meet in the middle
+/// of the gap there is none; where it is more than straight tangents enclose the arcs are straight.
+Menisci make_menisci(const Packing& packing, const std::vector<geometry::Pair>& pairs, double volume) {
+  Menisci made;
+  if (!(volume > 0)) return made;
+  for (const auto pair : pairs) {
+    const geometry::MeniscusDisks disks = disks_of(packing, pair);
+    if (!can_hold(disks)) continue;
+    const double least = geometry::meniscus_area(disks, geometry::largest_meniscus_curvature(disks));
+    const double most = geometry::meniscus_area(disks, 0);
+    if (volume <= least) {
+      ++made.ruptured;
+    } else if (volume >= most) {
+      ++made.capped;
+      made.menisci.push_back({pair.i, pair.j, std::numeric_limits<double>::infinity()});
+    } else {
+      made.menisci.push_back({pair.i, pair.j, 1 / curvature_of(disks, volume, most)});
+    }
+  }
+  return made;
+}
+
+/// The largest volume that a meniscus between two straight tangents holds at any pair, m^2.
+double largest_meniscus_volume(const Packing& packing, const std::vector<geometry::Pair>& pairs) {
+  double largest = 0;
+  for (const auto pair : pairs) {
+    const geometry::MeniscusDisks disks = disks_of(packing, pair);
+    if (can_hold(disks)) largest = std::max(largest, geometry::meniscus_area(disks, 0));
+  }
+  return largest;
+}
 
 using Kind = CementParameters::Kind;
 
@@ -27,15 +115,13 @@ void check(const CementParameters& p, const Window& w) {
   const bool joints = p.kind == Kind::bridges || p.kind == Kind::menisci;
   if (joints) length("the cement's gap", p.gap);
   if (p.kind == Kind::bridges && !p.saturation && !(p.width >= 0 && p.width <= widest(p)))
-    report(fmt::format("a bridge's width of {:g} radii is out of range; give 0 to {:g}, as wide as the grain", p.width,
-                       widest(p)));
+    report(fmt::format("a bridge's width of {:g} radii is out of range; give 0 to {:g}, as wide as the grain", p.width, widest(p)));
   if (p.kind == Kind::coating && !p.saturation) length("the coating's thickness", p.thickness);
   if (p.kind == Kind::menisci && !p.saturation) length("a meniscus' volume", p.volume);
   if (p.saturation && !(*p.saturation > 0 && *p.saturation <= 1))
     report(fmt::format("a matrix saturation of {:g} is out of range; give more than 0, at most 1", *p.saturation));
   if (p.saturation && (p.kind == Kind::none || (p.kind == Kind::full && *p.saturation != 1)))
-    report(fmt::format("{} cement has no saturation to choose; leave it out or take bridges, coating or menisci",
-                       p.kind == Kind::full ? "full" : "no"));
+    report(fmt::format("{} cement has no saturation to choose; leave it out or take bridges, coating or menisci", p.kind == Kind::full ? "full" : "no"));
   if (!(w.width() > 0 && w.height() > 0) || !std::isfinite(w.area()))
     report(fmt::format("the cement's window is {:g} x {:g} m; give it positive sides", w.width(), w.height()));
   if (!problems.empty()) throw InputError(std::move(problems));
@@ -44,8 +130,7 @@ void check(const CementParameters& p, const Window& w) {
 /// One kind of cement with its one free parameter: width, thickness or volume.
 class Maker {
  public:
-  Maker(const Packing& packing, const CementParameters& p, const Window& window)
-      : packing_(packing), p_(p), window_(window) {
+  Maker(const Packing& packing, const CementParameters& p, const Window& window) : packing_(packing), p_(p), window_(window) {
     if (p.kind == Kind::bridges || p.kind == Kind::menisci) pairs_ = joined_pairs(packing, p.gap);
   }
 
@@ -54,8 +139,7 @@ class Maker {
     report.parameter = parameter;
     if (p_.kind == Kind::full) cement.full = true;
     if (p_.kind == Kind::coating) cement.coating = parameter;
-    if (p_.kind == Kind::bridges && parameter > 0)
-      cement.bridges = make_bridges(packing_, pairs_, p_.full_width ? 0.5 * parameter : parameter);
+    if (p_.kind == Kind::bridges && parameter > 0) cement.bridges = make_bridges(packing_, pairs_, p_.full_width ? 0.5 * parameter : parameter);
     if (p_.kind == Kind::menisci) {
       Menisci made = make_menisci(packing_, pairs_, parameter);
       cement.menisci = std::move(made.menisci);
@@ -97,12 +181,12 @@ class Maker {
     };
     const double high = high_enough(excess), most = excess(high);
     if (most < -1e-9)
-      throw InputError(fmt::format(
-          "a matrix saturation of {:g} cannot be reached: this cement fills more than 0, at most {:.4f}, of the space between "
-          "grains; ask for less, widen its gap, or take another kind",
-          saturation, most + saturation));
+      throw InputError(
+          fmt::format("a matrix saturation of {:g} cannot be reached: this cement fills more than 0, at most {:.4f}, of the space between "
+                      "grains; ask for less, widen its gap, or take another kind",
+                      saturation, most + saturation));
     if (most <= 0) return high;
-    return bracketed_root(excess, 0, -saturation, high, most, 1e-13 * high, 1e-9);
+    return bracketed_root<double>(excess, 0, -saturation, high, most);
   }
 
  private:
@@ -113,6 +197,23 @@ class Maker {
 };
 
 }  // namespace
+
+Areas exact_areas(const Packing& packing, const Cement& cement, const Window& window) {
+  if (!(window.width() > 0 && window.height() > 0) || !std::isfinite(window.area()))
+    throw InputError(fmt::format("the window for exact areas is {:g} x {:g} m; give it positive sides", window.width(), window.height()));
+  const PlacedCement placed = place(packing, cement, window);
+  auto outlines = grain_outlines(placed);
+  Areas areas{window.area(), geometry::union_area(outlines, placed.window), 0};
+  if (cement.full) {
+    areas.matrix = areas.window - areas.particle;
+    return areas;
+  }
+  const auto matrix = matrix_outlines(placed);
+  if (matrix.empty()) return areas;
+  outlines.insert(outlines.end(), matrix.begin(), matrix.end());
+  areas.matrix = std::max(0.0, geometry::union_area(outlines, placed.window) - areas.particle);
+  return areas;
+}
 
 Cement make_cement(const Packing& packing, const CementParameters& parameters, const Window& window, CementReport& report) {
   check(parameters, window);

@@ -1,5 +1,3 @@
-#include "solid/peridynamics/bonds.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,9 +5,9 @@
 #include <cstring>
 
 #include "core/error.hpp"
+#include "solid/peridynamics/bonds.hpp"
 
 namespace arenite::peridynamics {
-
 namespace {
 
 using Lane = std::int32_t __attribute__((vector_size(16)));
@@ -41,28 +39,31 @@ Buffer<std::int32_t> padded_labels(const PhaseMap& map, const Grid& grid) {
   return labels;
 }
 
-void check_stiffness(const Stiffness& s) {
-  for (const auto& [name, value] :
-       {std::pair{"matrix", s.matrix}, std::pair{"interface", s.interface}, std::pair{"particle", s.particle}})
-    if (!(value > 0) || !std::isfinite(value))
-      throw InputError(fmt::format("the Young modulus of {} bonds is {:g} Pa; give a positive one", name, value));
+bool crosses(const Cut& cut, Vec2 a, Vec2 b) {
+  const auto side = [](Vec2 p, Vec2 q, Vec2 r) { return cross(q - p, r - p); };
+  return side(cut.from, cut.to, a) * side(cut.from, cut.to, b) < 0 && side(a, b, cut.from) * side(a, b, cut.to) <= 0;
 }
 
 }  // namespace
 
-Bonds make_bonds(const PhaseMap& map, const Stiffness& stiffness) {
+void check_by_type(const LawParameter& parameter, double matrix, double interface, double particle) {
+  for (const auto& [type, value] : {std::pair{"matrix", matrix}, std::pair{"interface", interface}, std::pair{"particle", particle}})
+    if (!parameter.range.contains(value) || !std::isfinite(value))
+      throw InputError(fmt::format("the {} of {} bonds is {:g} {}; give a positive one", parameter.name, type, value, parameter.unit));
+}
+
+Bonds make_bonds(const PhaseMap& map, const Stiffness& stiffness, const BondLawChoice& law) {
   check(map);
-  check_stiffness(stiffness);
+  std::visit([&](const auto& l) { check_by_type(l.young, stiffness.matrix, stiffness.interface, stiffness.particle); }, law);
   if (std::min(map.width, map.height) < 2 * horizon + 1)
-    throw InputError(fmt::format(
-        "a phase map of {} x {} nodes is narrower than the horizon of a node; give at least {} nodes each way",
-        map.width, map.height, 2 * horizon + 1));
+    throw InputError(fmt::format("a phase map of {} x {} nodes is narrower than the horizon of a node; give at least {} nodes each way", map.width, map.height,
+                                 2 * horizon + 1));
   Bonds bonds;
+  bonds.law = law;
   bonds.grid = Grid(map.width, map.height);
   const Grid& grid = bonds.grid;
   bonds.scale = nominal_micromodulus * (stiffness.calibrated ? calibration_factor() : 1.0) * stiffness.matrix;
-  bonds.relative = {0.0f, 1.0f, static_cast<float>(stiffness.interface / stiffness.matrix),
-                    static_cast<float>(stiffness.particle / stiffness.matrix)};
+  bonds.relative = {0.0f, 1.0f, static_cast<float>(stiffness.interface / stiffness.matrix), static_cast<float>(stiffness.particle / stiffness.matrix)};
   bonds.words = Buffer<std::uint32_t>(grid.padded_size());
   bonds.group = Buffer<std::uint8_t>(static_cast<std::size_t>(grid.groups) * static_cast<std::size_t>(grid.height));
 
@@ -106,6 +107,21 @@ void classify_groups(Bonds& bonds, int first, int last) {
       if (all_zero(any)) group = Bonds::empty;
       else if (all_zero(differs)) group = static_cast<std::uint8_t>(t);
     }
+}
+
+void make_cuts(Bonds& bonds, const std::vector<Cut>& cuts) {
+  if (cuts.empty()) return;
+  const Grid& grid = bonds.grid;
+  for (int y = 0; y < grid.height; ++y)
+    for (int x = 0; x < grid.width; ++x)
+      for (int d = 0; d < bonds_per_node; ++d) {
+        const Offset e = half_bonds[static_cast<unsigned>(d)];
+        const Vec2 a{static_cast<double>(x), static_cast<double>(y)};
+        const Vec2 b{static_cast<double>(x + e.x), static_cast<double>(y + e.y)};
+        for (const Cut& cut : cuts)
+          if (crosses(cut, a, b)) bonds.break_bond(grid.index(x, y), d);
+      }
+  classify_groups(bonds, 0, grid.height - 1);
 }
 
 }  // namespace arenite::peridynamics

@@ -3,22 +3,20 @@
 #include <cstdint>
 
 #include "model/phase_map.hpp"
-#include "solid/peridynamics/buffer.hpp"
 #include "solid/peridynamics/grid.hpp"
 #include "solid/peridynamics/lattice.hpp"
+#include "solid/peridynamics/options.hpp"
 
 namespace arenite::peridynamics {
 
-/// Type of a bond, by what its two nodes are (P II.D): both matrix; both in one particle; otherwise interface. A void
-/// node has no bonds.
+/// Type of a bond, by what its two nodes are (P II.D): both matrix; both in one particle; otherwise interface. A void node has no bonds.
 enum BondType : unsigned { no_bond = 0, matrix_bond = 1, interface_bond = 2, particle_bond = 3 };
 
-/// Young moduli of the bond types, Pa (P Table I: E_p = 4 E_m, E_i = E_m).
-struct Stiffness {
-  double matrix = 1, interface = 1, particle = 4;
-  /// The micromodulus that gives the lattice's Young modulus along its axes; otherwise P's nominal one (eq. 5).
-  bool calibrated = true;
-};
+/// What is prescribed in a row of nodes, as bits.
+enum Prescribed : std::uint8_t { nothing_prescribed = 0, x_prescribed = 1, y_prescribed = 2, both_prescribed = 3 };
+
+/// Throws InputError where a parameter of a law is out of range for a type of bond.
+void check_by_type(const LawParameter& parameter, double matrix, double interface, double particle);
 
 /// All bonds of a sample: one word a node, two bits of type for each of its 14 half bonds, those in direction d at bits
 /// 2d and 2d + 1. Nothing else is stored; a broken bond is one whose bits are cleared.
@@ -31,20 +29,58 @@ struct Bonds {
   Buffer<std::uint8_t> group;       ///< grid.groups a row, not padded
   std::array<float, 4> relative{};  ///< modulus by type over `scale`
   double scale = 0;                 ///< micromodulus factor times the modulus of reference, Pa
+  BondLawChoice law;
 
   unsigned type(std::ptrdiff_t node, int d) const { return words[node] >> (2 * d) & 3u; }
-  std::ptrdiff_t step(int d) const {
-    return half_bonds[static_cast<unsigned>(d)].x + half_bonds[static_cast<unsigned>(d)].y * grid.stride;
-  }
+  void break_bond(std::ptrdiff_t node, int d) { words[node] &= ~(3u << (2 * d)); }
+  std::uint8_t group_at(int x, int y) const { return group[static_cast<std::ptrdiff_t>(y) * grid.groups + x / Grid::lanes]; }
+  std::ptrdiff_t step(int d) const { return half_bonds[static_cast<unsigned>(d)].x + half_bonds[static_cast<unsigned>(d)].y * grid.stride; }
   /// Force over e (e . du)/|e|^3 of a bond of this type, Pa.
   double modulus(unsigned t) const { return scale * static_cast<double>(relative[t]); }
 };
 
 /// Bonds of a sample. Throws InputError for a map narrower than a node's neighbourhood (7 nodes) or a modulus that is
 /// not positive. Moduli are held relative to the matrix's in single precision (exact for ratios such as 4 or 100).
-Bonds make_bonds(const PhaseMap& map, const Stiffness& stiffness);
+Bonds make_bonds(const PhaseMap& map, const Stiffness& stiffness, const BondLawChoice& law = {});
 
 /// Marks groups anew after bonds were broken in rows [first, last].
 void classify_groups(Bonds& bonds, int first, int last);
+
+/// Breaks every bond that a cut crosses.
+void make_cuts(Bonds& bonds, const std::vector<Cut>& cuts);
+
+/// One whole bond: the node that it starts from, at (x, y), its other end j, its direction (index into half_bonds) and its type.
+struct Bond {
+  std::ptrdiff_t i, j;
+  std::int32_t x, y;
+  int d;
+  unsigned type;
+  Offset step() const { return half_bonds[static_cast<unsigned>(d)]; }
+};
+
+/// Every whole bond that starts in row y once, handed to `visit(Bond)`; a visitor may break the bond that it is handed.
+template <class Visit>
+void each_bond_of_row(const Bonds& bonds, int y, const Visit& visit) {
+  for (int x = 0; x < bonds.grid.width; ++x) {
+    const std::ptrdiff_t i = bonds.grid.index(x, y);
+    const std::uint32_t word = bonds.words[i];
+    if (!word) continue;
+    for (int d = 0; d < bonds_per_node; ++d)
+      if (const unsigned type = word >> (2 * d) & 3u) visit(Bond{i, i + bonds.step(d), x, y, d, type});
+  }
+}
+
+/// The same for all rows, upwards.
+template <class Visit>
+void each_bond(const Bonds& bonds, const Visit& visit) {
+  for (int y = 0; y < bonds.grid.height; ++y) each_bond_of_row(bonds, y, visit);
+}
+
+/// Displacements and node stresses sigma_i = 1/(2 V_i) sum f_ij (x) xi_ij, V_i = dx^2 (P II.C), in the map's order,
+/// with the linearised stretch or P's.
+StressField node_stress(const Bonds& bonds, double dx, const Field<double>& u, bool exact_stretch);
+
+/// f := force of the bonds on every node per unit thickness, N/m, with P's stretch along the turned bond (P eq. 4 and 6).
+void exact_force(const Bonds& bonds, double dx, const Field<double>& u, Field<double>& f);
 
 }  // namespace arenite::peridynamics

@@ -1,31 +1,222 @@
-#include "solid/peridynamics/damage.hpp"
-
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
+#include "solid/peridynamics/damage.hpp"
 #include "solid/peridynamics/pull.hpp"
+#include "solid/peridynamics/support.hpp"
 
 namespace arenite::peridynamics {
-
 namespace {
 
 void check(const DamageOptions& o) {
   const auto positive = [](double value, const char* what) {
-    if (!(value > 0) || !std::isfinite(value))
-      throw InputError(fmt::format("the {} of a pull to failure is {:g}; give a positive one", what, value));
+    if (!(value > 0) || !std::isfinite(value)) throw InputError(fmt::format("the {} of a pull to failure is {:g}; give a positive one", what, value));
   };
   positive(o.tolerance, "tolerance");
   positive(o.max_strain, "largest strain");
   if (!(o.end_stress >= 0) || !(o.end_stress < 1))
-    throw InputError(fmt::format("the share of the strength at which a pull ends is {:g}; give one from 0 to below 1",
-                                 o.end_stress));
-  if (!(o.band >= 0) || !(o.band < 1))
-    throw InputError(fmt::format("the band of bonds that break together is {:g}; give one from 0 to below 1", o.band));
+    throw InputError(fmt::format("the share of the strength at which a pull ends is {:g}; give one from 0 to below 1", o.end_stress));
+  if (!(o.band >= 0) || !(o.band < 1)) throw InputError(fmt::format("the band of bonds that break together is {:g}; give one from 0 to below 1", o.band));
+}
+
+/// By BondType; that of `no_bond` is 0.
+std::array<double, 4> critical_stretches(const DamageOptions& o, double dx) {
+  const Stiffness& e = o.stiffness;
+  const Toughness& k = o.toughness;
+  return std::visit(
+      [&](const auto& law) -> std::array<double, 4> {
+        check_by_type(law.toughness, k.matrix, k.interface, k.particle);
+        return {0, law.critical_stretch(k.matrix, e.matrix, dx), law.critical_stretch(k.interface, e.interface, dx),
+                law.critical_stretch(k.particle, e.particle, dx)};
+      },
+      o.law);
+}
+
+/// How a pull ended and what came of it, in words.
+std::string sentence_of(const DamageResult& r) {
+  using Ending = DamageResult::Ending;
+  const auto end = [&] {
+    switch (r.ending) {
+      case Ending::severed: return "the sample came apart";
+      case Ending::dropped: return "the stress fell to the share at which the pull ends";
+      case Ending::strain_reached: return "the largest strain was reached";
+      case Ending::events_reached: return "the largest number of rounds was reached";
+      case Ending::not_converged: return "a static solve did not converge";
+      case Ending::stopped: return "stopped";
+      case Ending::no_path: break;
+    }
+    return "nothing ties the bottom row to the top row";
+  };
+  if (r.ending == Ending::no_path) return end();
+  return fmt::format("{}; strength {:.6g} Pa, {} bonds broken in {} solves", end(), r.strength, r.broken.size(), r.solves);
 }
 
 }  // namespace
+
+Pull::Pull(const PhaseMap& map, const DamageOptions& options)
+    : map_(map),
+      options_(options),
+      way_(direction_of(options.loading)),
+      bonds_(make_bonds(map, options.stiffness, options.law)),
+      prescribed_(prescribed_rows(map.height, options.loading, options.lower)),
+      critical_(critical_stretches(options, map.dx)),
+      words_at_setup_(bonds_.grid.padded_size()),
+      u_(bonds_.grid.padded_size()),
+      f_(bonds_.grid.padded_size()),
+      criterion_(bonds_, map.dx, critical_, u_) {
+  make_cuts(bonds_, options.cuts);
+}
+
+/// Set-up for the bonds as they are; false if nothing ties the clamps any more.
+bool Pull::prepare() {
+  copy(bonds_.words, words_at_setup_);
+  auto pieces = cut_into_pieces(map_, bonds_, prescribed_);
+  Buffer<Tie> tie;
+  if (prune(bonds_, pieces, prescribed_, tie).carrying == 0) return false;
+  solver_.emplace(bonds_, std::move(pieces), prescribed_);
+  return true;
+}
+
+void Pull::uniform_strain() {
+  for (int y = 0; y < map_.height; ++y)
+    for (int x = 0; x < map_.width; ++x)
+      if (map_.phase[map_.index(x, y)] != Phase::empty) {
+        u_.x[bonds_.grid.index(x, y)] = y * map_.dx * way_.x;
+        u_.y[bonds_.grid.index(x, y)] = y * map_.dx * way_.y;
+      }
+}
+
+bool Pull::watched(int iterations, double residual) {
+  if (!options_.watch) return true;
+  const double fallen = result_.strength > 0 ? (1 - now_.stress / result_.strength) / (1 - options_.end_stress) : 0;
+  share_ = std::clamp(std::max({fallen, now_.strain / options_.max_strain, static_cast<double>(result_.solves) / (options_.max_events + 1)}), share_, 1.0);
+  return options_.watch({share_, result_.iterations + iterations, residual, result_.broken.size(), now_.strain, now_.stress});
+}
+
+StaticReport Pull::solve(int most) {
+  const StaticReport report = solver_->solve(bonds_, u_, options_.tolerance, most, [&](const Progress& p) { return watched(p.iterations, p.residual); });
+  result_.iterations += report.iterations;
+  if (report.stopped) result_.ending = Ending::stopped;
+  return report;
+}
+
+/// The field at unit strain from the last one. A set-up that the broken bonds have left behind is made anew. False where the pull ends here.
+bool Pull::equilibrate() {
+  constexpr int tired = 25;
+  result_.ending = Ending::not_converged;
+  StaticReport report = solve(2 * tired);
+  ++result_.solves;
+  if (report.stopped) return false;
+  if (report.iterations > tired || !report.converged) {
+    if (!prepare()) {
+      unit_force_ = unit_energy_ = 0;
+      return true;
+    }
+    report = solve(100);
+  }
+  const std::vector<std::uint8_t> none(prescribed_.size(), nothing_prescribed);
+  unit_energy_ = -kernels(bonds_.law).force(bonds_, none.data(), plane(u_), plane(f_)) / 2;
+  unit_force_ = 0;
+  for (std::ptrdiff_t i = bonds_.grid.row(map_.height - 1), end = i + map_.width; i < end; ++i) unit_force_ -= f_.x[i] * way_.x + f_.y[i] * way_.y;
+  return report.converged;
+}
+
+/// After a round of breaking, at the strain that it happened at.
+void Pull::settle() {
+  now_.released += now_.elastic - elastic(now_.strain);
+  now_.elastic = elastic(now_.strain);
+  now_.stress = stress(now_.strain);
+  now_.broken = result_.broken.size();
+}
+
+/// On to the strain at which the next bond breaks.
+void Pull::strain_to(double next) {
+  if (next > now_.strain) {
+    const double to = std::min(next, options_.max_strain);
+    now_.work += unit_force_ * gauge() * (to * to - now_.strain * now_.strain) / 2;
+    now_.strain = to;
+    now_.elastic = elastic(to);
+    now_.stress = stress(to);
+  }
+  result_.curve.push_back(now_);
+  if (now_.work > 0) result_.energy_defect = std::max(result_.energy_defect, std::abs(now_.work - now_.elastic - now_.released) / now_.work);
+  if (now_.stress > result_.strength) remember();
+}
+
+void Pull::remember() {
+  result_.strength = now_.stress;
+  if (strongest_.words.size() == 0) {
+    strongest_.words = Buffer<std::uint32_t>(bonds_.words.size());
+    strongest_.u = Field<double>(bonds_.words.size());
+  }
+  copy(bonds_.words, strongest_.words);
+  copy(u_, strongest_.u);
+  strongest_.strain = now_.strain;
+}
+
+/// Breaks what is stretched beyond the critical stretch, the worst of it.
+void Pull::break_worst(double largest) {
+  const double limit = std::max(1 - 1e-9, (1 - options_.band) * now_.strain * largest) / now_.strain;
+  int low = map_.height, high = -1;
+  criterion_.each_above(limit, [&](const Bond& b, double ratio) {
+    const double stretch = now_.strain * ratio * critical_[b.type];
+    const double modulus = bonds_.modulus(b.type) * map_.dx * map_.dx * length(b.step());
+    now_.bond_energy += std::visit([&](const auto& law) { return law.energy(stretch, modulus); }, bonds_.law);
+    bonds_.break_bond(b.i, b.d);
+    result_.broken.push_back({b.x, b.y, static_cast<std::uint8_t>(b.d), static_cast<std::uint8_t>(b.type), now_.strain});
+    low = std::min(low, b.y);
+    high = std::max(high, b.y);
+  });
+  classify_groups(bonds_, low, high);
+}
+
+void Pull::run() {
+  result_.ending = Ending::no_path;
+  if (!solver_) {
+    if (!prepare()) return;
+    uniform_strain();
+  }
+  const auto hand_out = [&] {
+    if (options_.keep) options_.keep([&] { return state(); });
+  };
+  for (;; ++rounds_) {
+    hold();
+    hand_out();
+    if (!equilibrate()) {
+      if (result_.ending == Ending::stopped) hand_out();
+      return;
+    }
+    if (rounds_ == 0) result_.modulus = unit_force_ / (map_.width * map_.dx);
+    settle();
+    if (rounds_ > 0 && now_.stress <= options_.end_stress * result_.strength) {
+      result_.curve.push_back(now_);
+      result_.ending = prepare() ? Ending::dropped : Ending::severed;
+      return;
+    }
+    const double largest = criterion_.largest();
+    strain_to(largest > 0 ? 1 / largest : options_.max_strain);
+    if (now_.strain >= options_.max_strain || rounds_ >= options_.max_events) {
+      result_.ending = now_.strain >= options_.max_strain ? Ending::strain_reached : Ending::events_reached;
+      return;
+    }
+    break_worst(largest);
+  }
+}
+
+DamageResult Pull::finish() {
+  if (result_.strength > 0) {
+    for (Buffer<double>* component : {&strongest_.u.x, &strongest_.u.y})
+      for (std::size_t i = 0; i < component->size(); ++i) component->data()[i] *= strongest_.strain;
+    std::swap(bonds_.words, strongest_.words);
+    result_.at_strength = node_stress(bonds_, map_.dx, strongest_.u, false);
+  }
+  result_.sentence = sentence_of(result_);
+  return std::move(result_);
+}
 
 DamageResult pull_to_failure(const PhaseMap& map, const DamageOptions& options) {
   check(options);

@@ -1,48 +1,57 @@
 #pragma once
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "model/phase_map.hpp"
-#include "model/stress_field.hpp"
-#include "solid/peridynamics/bonds.hpp"
-#include "solid/peridynamics/cut.hpp"
-#include "solid/peridynamics/loading.hpp"
-#include "solid/peridynamics/overstretch.hpp"
-#include "solid/peridynamics/pull_state.hpp"
-#include "solid/peridynamics/watch.hpp"
+#include "solid/peridynamics/options.hpp"
 
 namespace arenite::peridynamics {
 
-struct DamageOptions {
-  Stiffness stiffness{};
-  Toughness toughness{};
-  Loading loading = Loading::tension;
-  LowerEdge lower = LowerEdge::fixed;
-  std::vector<Cut> cuts{};
-  double tolerance = 1e-6;  ///< of each static solve
-  double max_strain = 1;    ///< the pull ends here,
-  double end_stress = 0.1;  ///< or when the stress has fallen to this share of the largest,
-  int max_events = 10'000;  ///< or after so many rounds of breaking
-  /// Bonds within this share of the most overstretched break in the same round.
-  double band = 0.05;
-  Watch watch{};
-  /// Called before each round of breaking and, with that round's state, where the watch stopped the work.
-  KeepPull keep{};
-  /// Goes on from here, a state of a pull of the same map with the same options: the result has the same bits as that
-  /// of a pull in one piece.
-  const PullState* resume = nullptr;
+/// One state of the pull: before a round of breaking, so that loads climb and drop as the machine would see them.
+struct DamageState {
+  double strain = 0, stress = 0;  ///< of the top row along its way, Pa: positive while it is resisted
+  double work = 0;                ///< done by the clamp so far; all energies per unit thickness, J/m
+  double elastic = 0;
+  double released = 0;     ///< elastic energy lost when bonds broke at fixed displacement
+  double bond_energy = 0;  ///< of that, what the broken bonds held when they broke; the rest would fly off as waves
+  std::size_t broken = 0;
 };
 
+struct BrokenBond {
+  std::int32_t x, y;       ///< node that it started from
+  std::uint8_t direction;  ///< index into half_bonds
+  std::uint8_t type;       ///< BondType
+  double strain;           ///< of the sample when it broke
+};
+
+/// Where a pull stands before a round of breaking: all that decides how it goes on, beside its map and options. Arrays by
+/// node are padded (grid.hpp); displacements are m at unit strain.
+struct PullState {
+  std::int32_t width = 0, height = 0;  ///< nodes of the map
+  std::int64_t rounds = 0;             ///< of breaking so far
+  std::int64_t solves = 0, iterations = 0;
+  std::vector<std::uint32_t> words;           ///< Bonds::words as they are,
+  std::vector<std::uint32_t> words_at_setup;  ///< and when the solver was set up, which it is still
+  std::vector<double> ux, uy;                 ///< the last equilibrium: the next solve starts from it
+  DamageState now;
+  std::vector<DamageState> curve;
+  std::vector<BrokenBond> broken;
+  double strength = 0, modulus = 0, energy_defect = 0;  ///< so far, as in DamageResult
+  double share = 0;                                     ///< Progress::share
+  /// Bonds and equilibrium when the stress was largest; empty before the first round.
+  std::vector<std::uint32_t> strongest_words;
+  std::vector<double> strongest_ux, strongest_uy;
+  double strongest_strain = 0;
+};
+
+/// The state as bytes and back. Throws InputError if the bytes are not a whole state.
+std::vector<std::uint8_t> to_bytes(const PullState& state);
+PullState pull_state_of(const std::vector<std::uint8_t>& bytes);
+
 struct DamageResult {
-  enum class Ending {
-    severed,
-    dropped,
-    strain_reached,
-    events_reached,
-    not_converged,
-    stopped,
-    no_path
-  } ending = Ending::no_path;
+  enum class Ending { severed, dropped, strain_reached, events_reached, not_converged, stopped, no_path } ending = Ending::no_path;
   std::string sentence;
   std::vector<DamageState> curve;
   std::vector<BrokenBond> broken;  ///< in order
@@ -54,14 +63,10 @@ struct DamageResult {
   int solves = 0, iterations = 0;
 };
 
-/// How a pull ended and what came of it, in words.
-std::string sentence_of(const DamageResult& result);
-
-/// Moves the top row, quasi-statically, breaking bonds as they reach the critical stretch of their type. Loads are
-/// found, not stepped: between two breaks the response is linear, so the next break is known exactly. Bonds break in
-/// stretch only, under compression and shear too; broken faces do not touch again. Under compression a sample splits
-/// into columns, which carry on: bound such a run by its strain or its rounds. Throws InputError for a map or
-/// options that make no sense and for a state of a map of another size.
+/// Moves the top row, quasi-statically, breaking bonds as they reach the critical stretch of their type. Loads are found, not stepped: between two
+/// breaks the response is linear, so the next break is known exactly. Bonds break in stretch only, under compression and shear too; broken faces do
+/// not touch again. Under compression a sample splits into columns, which carry on: bound such a run by its strain or its rounds. Throws InputError
+/// for a map or options that make no sense and for a state of a map of another size.
 DamageResult pull_to_failure(const PhaseMap& map, const DamageOptions& options);
 
 }  // namespace arenite::peridynamics

@@ -13,20 +13,8 @@ struct Offset {
 inline constexpr int horizon = 3;
 
 /// One of each pair +-e of the 28 neighbours, grouped by direction; a bond belongs to the node that it starts from.
-inline constexpr std::array<Offset, 14> half_bonds{{{1, 0},
-                                                    {2, 0},
-                                                    {3, 0},
-                                                    {0, 1},
-                                                    {0, 2},
-                                                    {0, 3},
-                                                    {1, 1},
-                                                    {2, 2},
-                                                    {-1, 1},
-                                                    {-2, 2},
-                                                    {2, 1},
-                                                    {-2, 1},
-                                                    {1, 2},
-                                                    {-1, 2}}};
+inline constexpr std::array<Offset, 14> half_bonds{
+    {{1, 0}, {2, 0}, {3, 0}, {0, 1}, {0, 2}, {0, 3}, {1, 1}, {2, 2}, {-1, 1}, {-2, 2}, {2, 1}, {-2, 1}, {1, 2}, {-1, 2}}};
 inline constexpr int bonds_per_node = 14;
 
 /// |e| of a half bond.

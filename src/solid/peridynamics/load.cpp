@@ -1,5 +1,3 @@
-#include "solid/peridynamics/load.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,13 +5,10 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "solid/peridynamics/node_stress.hpp"
-#include "solid/peridynamics/solvers/dynamics.hpp"
-#include "solid/peridynamics/solvers/exact_stretch.hpp"
-#include "solid/peridynamics/solvers/static_solve.hpp"
+#include "solid/peridynamics/load.hpp"
+#include "solid/peridynamics/solvers/solvers.hpp"
 
 namespace arenite::peridynamics {
-
 namespace {
 
 /// A sample with what carries, ready to be solved.
@@ -27,7 +22,7 @@ struct Specimen {
   Support support;
   Vec2 top_displacement;
 
-  Specimen(const PhaseMap& m, const LoadOptions& o) : map(m), options(o), bonds(make_bonds(m, o.stiffness)) {
+  Specimen(const PhaseMap& m, const LoadOptions& o) : map(m), options(o), bonds(make_bonds(m, o.stiffness, o.law)) {
     prescribed = prescribed_rows(map.height, o.loading, o.lower);
     pieces = cut_into_pieces(map, bonds, prescribed);
     support = prune(bonds, pieces, prescribed, tie);
@@ -56,7 +51,7 @@ struct Specimen {
     Field<double> f(bonds.grid.padded_size());
     const std::vector<std::uint8_t> none(prescribed.size(), nothing_prescribed);
     if (options.exact_stretch) exact_force(bonds, map.dx, u, f);
-    else kernels().force(bonds, none.data(), plane(u), plane(f));
+    else kernels(bonds.law).force(bonds, none.data(), plane(u), plane(f));
     return f;
   }
 };
@@ -69,9 +64,8 @@ StaticReport find_equilibrium(Specimen& s, Field<double>& u) {
   if (o.method == Method::static_solve) {
     const int most = o.max_iterations > 0 ? o.max_iterations : usual_cap(o.tolerance);
     StaticSolver solver(s.bonds, std::move(s.pieces), s.prescribed);
-    return o.exact_stretch
-               ? solve_exact_stretch(s.bonds, s.map.dx, s.prescribed, solver, u, o.tolerance, most, o.watch)
-               : solver.solve(s.bonds, u, o.tolerance, most, o.watch);
+    return o.exact_stretch ? solve_exact_stretch(s.bonds, s.map.dx, s.prescribed, solver, u, o.tolerance, most, o.watch)
+                           : solver.solve(s.bonds, u, o.tolerance, most, o.watch);
   }
   const int most = o.max_iterations > 0 ? o.max_iterations : 1'000'000;
   const Dynamics dynamics{s.bonds, s.prescribed, s.map.dx, o.exact_stretch, o.tolerance, most, o.watch};
@@ -123,31 +117,22 @@ std::string sentence_of(const LoadReport& r, const LoadOptions& o) {
   switch (r.ending) {
     case Ending::empty: return "the map is all void: there is nothing to load";
     case Ending::severed:
-      text = fmt::format(
-          "nothing ties the bottom row to the top row: {} nodes hang on the lower clamp, {} on the upper; no stress",
-          r.support.held_below, r.support.held_above);
+      text = fmt::format("nothing ties the bottom row to the top row: {} nodes hang on the lower clamp, {} on the upper; no stress", r.support.held_below,
+                         r.support.held_above);
       break;
-    case Ending::solved:
-      text = fmt::format("equilibrium to a relative residual of {:.1e} in {} iterations", r.residual, r.iterations);
-      break;
-    case Ending::stopped:
-      text = fmt::format("stopped at a relative residual of {:.1e} after {} iterations", r.residual, r.iterations);
-      break;
+    case Ending::solved: text = fmt::format("equilibrium to a relative residual of {:.1e} in {} iterations", r.residual, r.iterations); break;
+    case Ending::stopped: text = fmt::format("stopped at a relative residual of {:.1e} after {} iterations", r.residual, r.iterations); break;
     case Ending::not_converged:
-      text = fmt::format("no equilibrium: relative residual {:.1e} after {} iterations, {:.0e} was asked for",
-                         r.residual, r.iterations, o.tolerance);
+      text = fmt::format("no equilibrium: relative residual {:.1e} after {} iterations, {:.0e} was asked for", r.residual, r.iterations, o.tolerance);
       break;
   }
-  if (r.support.floating > 0)
-    text += fmt::format("; {} floating nodes in {} islands without stress", r.support.floating, r.support.islands);
+  if (r.support.floating > 0) text += fmt::format("; {} floating nodes in {} islands without stress", r.support.floating, r.support.islands);
   if (r.ending != Ending::severed && r.support.held_below + r.support.held_above > 0)
-    text +=
-        fmt::format("; {} nodes held on one side only, without stress", r.support.held_below + r.support.held_above);
+    text += fmt::format("; {} nodes held on one side only, without stress", r.support.held_below + r.support.held_above);
   if (!r.hinges.empty()) {
     const auto carrying = std::find_if(r.hinges.begin(), r.hinges.end(), [](const Hinge& h) { return h.carries; });
     const Hinge& h = carrying != r.hinges.end() ? *carrying : r.hinges.front();
-    text +=
-        fmt::format("; {} hinges, one at node ({}, {}) with {} nodes behind it", r.hinges.size(), h.x, h.y, h.nodes);
+    text += fmt::format("; {} hinges, one at node ({}, {}) with {} nodes behind it", r.hinges.size(), h.x, h.y, h.nodes);
     if (h.carries) text += ": the load passes it";
   }
   return text;
@@ -155,10 +140,8 @@ std::string sentence_of(const LoadReport& r, const LoadOptions& o) {
 
 void check(const LoadOptions& o) {
   if (!(o.strain > 0) || !(o.strain < 1))
-    throw InputError(
-        fmt::format("the strain is {:g}; give one between 0 and 1 (the loading says its direction)", o.strain));
-  if (!(o.tolerance > 0) || !(o.tolerance < 1))
-    throw InputError(fmt::format("the tolerance of the residual is {:g}; give one between 0 and 1", o.tolerance));
+    throw InputError(fmt::format("the strain is {:g}; give one between 0 and 1 (the loading says its direction)", o.strain));
+  if (!(o.tolerance > 0) || !(o.tolerance < 1)) throw InputError(fmt::format("the tolerance of the residual is {:g}; give one between 0 and 1", o.tolerance));
 }
 
 }  // namespace
@@ -179,8 +162,7 @@ LoadResult load(const PhaseMap& map, const LoadOptions& options) {
     r.loose_nodes = solved.loose_nodes;
     r.coarse_unknowns = solved.coarse_unknowns;
     r.repairs = solved.repairs;
-    const bool suspicious = r.ending == Ending::not_converged || solved.loose_nodes > 0 ||
-                            (options.method == Method::static_solve && solved.iterations > 25);
+    const bool suspicious = r.ending == Ending::not_converged || solved.loose_nodes > 0 || (options.method == Method::static_solve && solved.iterations > 25);
     if (options.look_for_hinges || suspicious) r.hinges = find_hinges(s.bonds);
   } else {
     const bool any = std::any_of(map.phase.begin(), map.phase.end(), [](Phase p) { return p != Phase::empty; });
@@ -190,6 +172,34 @@ LoadResult load(const PhaseMap& map, const LoadOptions& options) {
   if (s.support.carrying > 0) judge(s, u, result);
   r.sentence = sentence_of(r, options);
   return result;
+}
+
+EffectiveModuli effective_moduli(const PhaseMap& map, const LoadOptions& options) {
+  EffectiveModuli m;
+  bool going = true;
+  const auto run = [&](std::size_t k, const PhaseMap& sample, Loading loading) {
+    if (!going) return;
+    LoadOptions o = options;
+    o.loading = loading;
+    if (loading == Loading::shear) o.lower = LowerEdge::fixed;
+    if (options.watch)
+      o.watch = [&, k](Progress p) {
+        p.share = (static_cast<double>(k) + p.share) / 3;
+        return options.watch(p);
+      };
+    m.reports[k] = load(sample, o).report;
+    going = m.reports[k].ending != Ending::stopped;
+  };
+  run(0, transposed(map), Loading::tension);
+  run(1, map, Loading::tension);
+  run(2, map, Loading::shear);
+  if (!going) return m;
+  m.young_x = m.reports[0].modulus;
+  m.poisson_xy = m.reports[0].poisson;
+  m.young_y = m.reports[1].modulus;
+  m.poisson_yx = m.reports[1].poisson;
+  m.shear = m.reports[2].modulus;
+  return m;
 }
 
 }  // namespace arenite::peridynamics

@@ -1,37 +1,13 @@
 #pragma once
+#include <array>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "model/phase_map.hpp"
-#include "model/stress_field.hpp"
-#include "solid/peridynamics/bonds.hpp"
-#include "solid/peridynamics/hinges.hpp"
-#include "solid/peridynamics/loading.hpp"
-#include "solid/peridynamics/support.hpp"
-#include "solid/peridynamics/watch.hpp"
+#include "solid/peridynamics/options.hpp"
 
 namespace arenite::peridynamics {
-
-/// Ways to the field at equilibrium.
-enum class Method {
-  static_solve,  ///< conjugate gradients with the two-level preconditioner
-  relaxation,    ///< adaptive dynamic relaxation
-  damped         ///< P II.C: explicit dynamics under a fixed viscosity below the critical one
-};
-
-struct LoadOptions {
-  Stiffness stiffness{};
-  Loading loading = Loading::tension;
-  LowerEdge lower = LowerEdge::fixed;
-  Method method = Method::static_solve;
-  double strain = 1e-4;     ///< displacement of the top row over the distance of the two rows
-  double tolerance = 1e-6;  ///< of the residual, relative to that of uniform strain
-  int max_iterations = 0;   ///< 0: a million steps; for the static solve 50, more for tolerances below 1e-6
-  /// P's stretch (|xi + eta| - |xi|)/|xi| along the turned bond; otherwise the linearised one.
-  bool exact_stretch = false;
-  /// Look for hinges in any case; otherwise only where the solve hints at one (a loose node, or many iterations).
-  bool look_for_hinges = false;
-  Watch watch{};
-};
 
 enum class Ending {
   solved,
@@ -39,6 +15,23 @@ enum class Ending {
   stopped,        ///< the watch asked for it; the field is the last one
   severed,        ///< nothing ties the two clamps: no stress anywhere
   empty           ///< all void
+};
+
+/// What of a sample hangs together between its two clamps; counts are nodes that are not void.
+struct Support {
+  std::size_t solid = 0;
+  std::size_t carrying = 0;    ///< tied to both clamps
+  std::size_t held_below = 0;  ///< tied to the lower clamp only: moves with it, without stress
+  std::size_t held_above = 0;  ///< tied to the upper clamp only
+  std::size_t floating = 0;    ///< tied to neither: left where it is, without stress
+  int islands = 0;             ///< separate parts among the floating
+};
+
+/// A node about which a part of the sample can turn, because nothing else ties that part to the rest.
+struct Hinge {
+  std::int32_t x, y;  ///< node
+  std::size_t nodes;  ///< of the part behind it, seen from the bottom row
+  bool carries;       ///< the part holds the upper clamp: the load itself passes the hinge
 };
 
 struct LoadReport {
@@ -67,5 +60,18 @@ struct LoadResult {
 /// Loads a sample by the displacement of its top row and finds its field at equilibrium. Throws InputError for a map or
 /// options that make no sense; anything that a sound map can turn out to be is an Ending.
 LoadResult load(const PhaseMap& map, const LoadOptions& options);
+
+/// Apparent moduli of a sample between rigid clamps, Pa. They hold for the sample with its clamps: a fixed edge hinders
+/// contraction (LowerEdge::sliding frees one edge of it), and free sides are softer than the bulk.
+struct EffectiveModuli {
+  double young_x = 0, young_y = 0;      ///< pulled along x, along y
+  double poisson_xy = 0, poisson_yx = 0;  ///< contraction along y when pulled along x, and the other way round
+  double shear = 0;                     ///< rows moved along x; above a fixed edge
+  std::array<LoadReport, 3> reports;    ///< of the pulls along x and y and of the shearing
+};
+
+/// Three loads: tension, tension of the transposed map, shear. `options.loading` is not used; the watch sees one run
+/// from 0 to 1, and what it stops leaves zeros.
+EffectiveModuli effective_moduli(const PhaseMap& map, const LoadOptions& options);
 
 }  // namespace arenite::peridynamics

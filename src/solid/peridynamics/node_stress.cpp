@@ -1,26 +1,27 @@
-#include "solid/peridynamics/node_stress.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "core/vec2.hpp"
-#include "solid/peridynamics/each_bond.hpp"
+#include "core/vec.hpp"
+#include "solid/peridynamics/bonds.hpp"
 
 namespace arenite::peridynamics {
-
 namespace {
 
 /// Force on the first node of every bond, N/m, handed to `visit(i, j, e, force)`.
 template <class Visit>
 void each_exact_bond(const Bonds& bonds, double dx, const Field<double>& u, const Visit& visit) {
-  each_bond(bonds, [&](const Bond& b) {
-    const Offset e = b.step();
-    const double l = length(e) * dx;
-    const Vec2 now{e.x * dx + u.x[b.j] - u.x[b.i], e.y * dx + u.y[b.j] - u.y[b.i]};
-    const double lnow = norm(now);
-    visit(b.i, b.j, e, (bonds.modulus(b.type) * dx * (lnow - l) / (l * lnow)) * now);
-  });
+  std::visit(
+      [&](const auto& law) {
+        each_bond(bonds, [&](const Bond& b) {
+          const Offset e = b.step();
+          const double l = length(e) * dx;
+          const Vec2 now{e.x * dx + u.x[b.j] - u.x[b.i], e.y * dx + u.y[b.j] - u.y[b.i]};
+          const double lnow = norm(now);
+          visit(b.i, b.j, e, (law.force(lnow - l, bonds.modulus(b.type) * dx) / (l * lnow)) * now);
+        });
+      },
+      bonds.law);
 }
 
 /// Sums over the half bonds that start at a node, and those that end there, bond by bond in rows.
@@ -29,7 +30,7 @@ struct StressSums {
   explicit StressSums(std::size_t n) : xx(n), yy(n), xy(n) {}
 };
 
-void add_linear(const Bonds& bonds, double dx, const Field<double>& u, StressSums& s) {
+void add_linear(const BondLaw auto& law, const Bonds& bonds, double dx, const Field<double>& u, StressSums& s) {
   const Grid& grid = bonds.grid;
   std::array<std::array<double, 4>, bonds_per_node> k{};
   for (unsigned d = 0; d < bonds_per_node; ++d)
@@ -42,8 +43,7 @@ void add_linear(const Bonds& bonds, double dx, const Field<double>& u, StressSum
       const auto& modulus = k[static_cast<unsigned>(d)];
       for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) {
         const std::ptrdiff_t j = i + step;
-        const double tension =
-            modulus[bonds.words[i] >> (2 * d) & 3u] * (ex * (u.x[j] - u.x[i]) + ey * (u.y[j] - u.y[i]));
+        const double tension = law.force(ex * (u.x[j] - u.x[i]) + ey * (u.y[j] - u.y[i]), modulus[bonds.type(i, d)]);
         s.xx[i] += ex * ex * tension;
         s.xx[j] += ex * ex * tension;
         s.yy[i] += ey * ey * tension;
@@ -70,16 +70,15 @@ void add_exact(const Bonds& bonds, double dx, const Field<double>& u, StressSums
 StressField node_stress(const Bonds& bonds, double dx, const Field<double>& u, bool exact_stretch) {
   const Grid& grid = bonds.grid;
   StressSums sums(grid.padded_size());
-  exact_stretch ? add_exact(bonds, dx, u, sums) : add_linear(bonds, dx, u, sums);
+  if (exact_stretch) add_exact(bonds, dx, u, sums);
+  else std::visit([&](const auto& law) { add_linear(law, bonds, dx, u, sums); }, bonds.law);
   StressField field;
   field.width = grid.width;
   field.height = grid.height;
   field.dx = dx;
   const auto compact = [&](const Buffer<double>& padded) {
     std::vector<double> values(static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height));
-    for (int y = 0; y < grid.height; ++y)
-      std::copy_n(padded.data() + grid.row(y), grid.width,
-                  values.begin() + static_cast<std::ptrdiff_t>(y) * grid.width);
+    for (int y = 0; y < grid.height; ++y) std::copy_n(padded.data() + grid.row(y), grid.width, values.begin() + static_cast<std::ptrdiff_t>(y) * grid.width);
     return values;
   };
   field.ux = compact(u.x);

@@ -1,13 +1,59 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "solid/peridynamics/damage.hpp"
-#include "solid/peridynamics/solvers/static_solve.hpp"
+#include "solid/peridynamics/solvers/solvers.hpp"
 
 namespace arenite::peridynamics {
+
+/// How near the bonds of a sample are to breaking.
+class FailureCriterion {
+ public:
+  FailureCriterion(const Bonds& bonds, double dx, const std::array<double, 4>& critical, const Field<double>& u)
+      : bonds_(bonds), dx_(dx), critical_(critical), u_(u), by_row_(static_cast<std::size_t>(bonds.grid.height)) {}
+
+  /// The law's damage at the linearised stretch: both stretches times |e|^2 dx, e in nodes.
+  template <BondLaw Law>
+  double ratio(const Law& law, const Bond& b) const {
+    const Offset e = b.step();
+    return law.damage(e.x * (u_.x[b.j] - u_.x[b.i]) + e.y * (u_.y[b.j] - u_.y[b.i]), (e.x * e.x + e.y * e.y) * dx_ * critical_[b.type]);
+  }
+
+  /// Largest ratio of all bonds, 0 where none is stretched. Notes it row by row for `each_above`.
+  double largest() {
+    std::visit([&](const auto& law) {
+      for (int y = 0; y < bonds_.grid.height; ++y) {
+        double& worst = by_row_[static_cast<std::size_t>(y)] = 0;
+        each_bond_of_row(bonds_, y, [&](const Bond& b) { worst = std::max(worst, ratio(law, b)); });
+      }
+    }, bonds_.law);
+    return *std::max_element(by_row_.begin(), by_row_.end());
+  }
+
+  /// Bonds whose ratio is `limit` or more, as `largest` last saw them, in order: `visit(Bond, ratio)`.
+  template <class Visit>
+  void each_above(double limit, const Visit& visit) const {
+    std::visit([&](const auto& law) {
+      for (int y = 0; y < bonds_.grid.height; ++y)
+        if (by_row_[static_cast<std::size_t>(y)] >= limit)
+          each_bond_of_row(bonds_, y, [&](const Bond& b) {
+            if (const double r = ratio(law, b); r >= limit) visit(b, r);
+          });
+    }, bonds_.law);
+  }
+
+ private:
+  const Bonds& bonds_;
+  double dx_;
+  std::array<double, 4> critical_;
+  const Field<double>& u_;
+  std::vector<double> by_row_;
+};
 
 /// A sample under a pull to failure (damage.hpp); displacements and forces are those of unit strain.
 class Pull {
@@ -22,6 +68,8 @@ class Pull {
   DamageResult finish();
 
  private:
+  using Ending = DamageResult::Ending;
+
   double gauge() const { return (map_.height - 1) * map_.dx; }
   double elastic(double strain) const { return strain * strain * unit_energy_; }
   double stress(double strain) const { return strain * unit_force_ / (map_.width * map_.dx); }
@@ -47,7 +95,7 @@ class Pull {
   std::optional<StaticSolver> solver_;
   Buffer<std::uint32_t> words_at_setup_;
   Field<double> u_, f_;
-  Overstretch overstretch_;
+  FailureCriterion criterion_;
   DamageResult result_;
   DamageState now_;
   std::int64_t rounds_ = 0;  ///< of breaking so far

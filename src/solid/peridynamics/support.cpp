@@ -1,13 +1,11 @@
-#include "solid/peridynamics/support.hpp"
-
 #include <utility>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/joined_sets.hpp"
-#include "solid/peridynamics/kernels/kernels.hpp"
+#include "solid/peridynamics/support.hpp"
 
 namespace arenite::peridynamics {
-
 namespace {
 
 /// Piece of a node; the lower clamp counts as one piece more, the upper as another. -1 for void.
@@ -17,8 +15,7 @@ struct Parts {
   const std::vector<std::uint8_t>& prescribed;
   int middle() const { return bonds.grid.height / 2; }
   std::int32_t of(std::ptrdiff_t i, int y) const {
-    if (y < 0 || y >= bonds.grid.height || prescribed[static_cast<std::size_t>(y)] != both_prescribed)
-      return pieces.of_node[i];
+    if (y < 0 || y >= bonds.grid.height || prescribed[static_cast<std::size_t>(y)] != both_prescribed) return pieces.of_node[i];
     return pieces.count() + (y > middle());
   }
 };
@@ -97,16 +94,14 @@ void keep_carrying(const Grid& grid, const std::vector<std::uint8_t>& ties, Piec
 void cut_loose_bonds(Bonds& bonds, const std::vector<std::uint8_t>& prescribed, const Buffer<Tie>& tie) {
   const Grid& grid = bonds.grid;
   const auto carries = [&](std::ptrdiff_t i, int y) {
-    return y >= 0 && y < grid.height &&
-           (prescribed[static_cast<std::size_t>(y)] == both_prescribed || tie[i] == Tie::both);
+    return y >= 0 && y < grid.height && (prescribed[static_cast<std::size_t>(y)] == both_prescribed || tie[i] == Tie::both);
   };
   for (int y = 0; y < grid.height; ++y)
     for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) {
       std::uint32_t& word = bonds.words[i];
       if (!word) continue;
       for (int d = 0; d < bonds_per_node; ++d)
-        if (!carries(i, y) || !carries(i + bonds.step(d), y + half_bonds[static_cast<unsigned>(d)].y))
-          word &= ~(3u << (2 * d));
+        if (!carries(i, y) || !carries(i + bonds.step(d), y + half_bonds[static_cast<unsigned>(d)].y)) word &= ~(3u << (2 * d));
     }
   classify_groups(bonds, 0, grid.height - 1);
 }
@@ -126,6 +121,24 @@ Support prune(Bonds& bonds, Pieces& pieces, const std::vector<std::uint8_t>& pre
   keep_carrying(grid, ties, pieces);
   cut_loose_bonds(bonds, prescribed, tie);
   return support;
+}
+
+Vec2 direction_of(Loading loading) {
+  switch (loading) {
+    case Loading::tension: return {0, 1};
+    case Loading::compression: return {0, -1};
+    case Loading::shear: break;
+  }
+  return {1, 0};
+}
+
+std::vector<std::uint8_t> prescribed_rows(int height, Loading loading, LowerEdge lower) {
+  if (loading == Loading::shear && lower == LowerEdge::sliding)
+    throw InputError("a lower edge that slides carries no shear; fix it, or choose tension or compression");
+  std::vector<std::uint8_t> rows(static_cast<std::size_t>(height), nothing_prescribed);
+  rows.front() = lower == LowerEdge::sliding ? y_prescribed : both_prescribed;
+  rows.back() = both_prescribed;
+  return rows;
 }
 
 }  // namespace arenite::peridynamics

@@ -1,16 +1,87 @@
-#include "solid/raster/cavities.hpp"
-
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
-#include "model/domain.hpp"
-#include "solid/raster/components.hpp"
+#include "core/joined_sets.hpp"
+#include "model/packing.hpp"
+#include "solid/raster/cavities.hpp"
 
 namespace arenite::raster {
+namespace {
+
+/// Which phases are flooded.
+enum class Flooded { voids, pores, solid };  // empty; not particle; not empty
+
+/// Connected sets of nodes, in the order of their first node.
+struct Components {
+  std::vector<std::int32_t> label;  ///< one a node; -1: another phase
+  std::vector<std::int64_t> nodes;  ///< one a component
+  std::vector<std::uint8_t> sides;  ///< bit Side (model/packing.hpp) of the edges of the map that it touches
+};
+
+struct Run {
+  int y, first, last;
+};
+
+bool is_flooded(Phase phase, Flooded phases) {
+  if (phases == Flooded::pores) return phase != Phase::particle;
+  return (phase == Phase::empty) == (phases == Flooded::voids);
+}
+
+std::vector<Run> runs_of(const PhaseMap& map, Flooded phases) {
+  std::vector<Run> runs;
+  for (int y = 0; y < map.height; ++y) {
+    const Phase* row = map.phase.data() + map.index(0, y);
+    for (int x = 0; x < map.width; ++x) {
+      if (!is_flooded(row[x], phases)) continue;
+      const int first = x;
+      while (x + 1 < map.width && is_flooded(row[x + 1], phases)) ++x;
+      runs.push_back({y, first, x});
+    }
+  }
+  return runs;
+}
+
+/// Joins runs of neighbouring rows that share a column, or a corner too if `reach` is 1.
+JoinedSets joined(const std::vector<Run>& runs, int reach) {
+  JoinedSets sets(runs.size());
+  std::size_t below = 0;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    while (runs[below].y < runs[k].y - 1 || (runs[below].y == runs[k].y - 1 && runs[below].last + reach < runs[k].first)) ++below;
+    for (std::size_t b = below; runs[b].y == runs[k].y - 1 && runs[b].first <= runs[k].last + reach; ++b)
+      sets.join(static_cast<std::int32_t>(b), static_cast<std::int32_t>(k));
+  }
+  return sets;
+}
+
+/// Labels by runs along rows and their union; neighbours are the four nearest nodes, or all eight.
+Components find_components(const PhaseMap& map, Flooded phases, bool eight_connected) {
+  const auto runs = runs_of(map, phases);
+  JoinedSets sets = joined(runs, eight_connected ? 1 : 0);
+  Components found;
+  found.label.assign(map.size(), -1);
+  std::vector<std::int32_t> label_of_root(runs.size(), -1);
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const Run& run = runs[k];
+    auto& label = label_of_root[sets.find(static_cast<std::int32_t>(k))];
+    if (label < 0) {
+      label = static_cast<std::int32_t>(found.nodes.size());
+      found.nodes.push_back(0);
+      found.sides.push_back(0);
+    }
+    found.nodes[label] += run.last - run.first + 1;
+    found.sides[label] = static_cast<std::uint8_t>(found.sides[label] | (run.first == 0) << left | (run.last == map.width - 1) << right |
+                                                   (run.y == 0) << bottom | (run.y == map.height - 1) << top);
+    std::fill_n(found.label.begin() + static_cast<std::ptrdiff_t>(map.index(run.first, run.y)), run.last - run.first + 1, label);
+  }
+  return found;
+}
+
+}  // namespace
 
 Cavities find_cavities(const PhaseMap& map, Cavity kind, const CavityRules& rules) {
-  if (rules.fewest_nodes < 0)
-    throw InputError(fmt::format("a cavity of at least {} nodes is senseless; give 1 or more", rules.fewest_nodes));
+  if (rules.fewest_nodes < 0) throw InputError(fmt::format("a cavity of at least {} nodes is senseless; give 1 or more", rules.fewest_nodes));
   Components all = find_components(map, kind == Cavity::pore ? Flooded::pores : Flooded::voids, rules.eight_connected);
   Cavities cavities;
   cavities.rules = rules;

@@ -1,14 +1,14 @@
-#include "solid/raster/cavity_statistics.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <string>
 
 #include "core/error.hpp"
-#include "solid/raster/volume_peak.hpp"
+#include "solid/raster/cavity_statistics.hpp"
 
 namespace arenite::raster {
 namespace {
@@ -84,13 +84,23 @@ void add_ranks(const std::vector<std::int64_t>& nodes, double unit, CavityStatis
   if (std::isfinite(peak)) s.peak = peak;
 }
 
+/// Silverman's rule of thumb for values in rising order.
+double kernel_width(const std::vector<double>& sorted) {
+  const double n = static_cast<double>(sorted.size());
+  double mean = 0, squares = 0;
+  for (const double x : sorted) mean += x / n;
+  for (const double x : sorted) squares += (x - mean) * (x - mean) / (n - 1);
+  const double quarters = sorted[3 * (sorted.size() - 1) / 4] - sorted[(sorted.size() - 1) / 4], deviation = std::sqrt(squares);
+  const double spread = quarters > 0 ? std::min(deviation, quarters / 1.34) : deviation;
+  return 0.9 * spread * std::pow(n, -0.2);
+}
+
 }  // namespace
 
 CavityStatistics cavity_statistics(const Cavities& cavities, double dx, double large_radius, const BinRule& bins) {
   std::vector<Problem> problems;
   if (!(dx > 0 && large_radius > 0) || !std::isfinite(dx) || !std::isfinite(large_radius))
-    problems.push_back({{}, 0, 0, fmt::format("volumes need a positive node spacing and mean large radius, not {:g} and {:g} m", dx,
-                                              large_radius)});
+    problems.push_back({{}, 0, 0, fmt::format("volumes need a positive node spacing and mean large radius, not {:g} and {:g} m", dx, large_radius)});
   if (bins.bins < 1) problems.push_back({{}, 0, 0, fmt::format("{} bins hold nothing; give at least one", bins.bins)});
   if (!problems.empty()) throw InputError(std::move(problems));
   CavityStatistics s;
@@ -101,6 +111,42 @@ CavityStatistics cavity_statistics(const Cavities& cavities, double dx, double l
   add_ranks(cavities.nodes, unit, s);
   s.density = density_of(cavities.nodes, unit, bins);
   return s;
+}
+
+PhaseFractions phase_fractions(const PhaseMap& map) {
+  std::int64_t phase[3] = {0, 0, 0}, of_class[3] = {0, 0, 0};
+  for (std::size_t k = 0; k < map.phase.size(); ++k) {
+    ++phase[static_cast<int>(map.phase[k])];
+    if (map.phase[k] == Phase::particle) ++of_class[static_cast<int>(map.grain_class[map.grain[k]])];
+  }
+  if (map.phase.empty()) return {};
+  const auto share = [&](std::int64_t n) { return static_cast<double>(n) / static_cast<double>(map.phase.size()); };
+  PhaseFractions f;
+  f.empty = share(phase[0]), f.matrix = share(phase[1]), f.particle = share(phase[2]);
+  f.small = share(of_class[1]), f.large = share(of_class[2]);
+  const std::int64_t pores = phase[0] + phase[1];
+  f.saturation = pores > 0 ? static_cast<double>(phase[1]) / static_cast<double>(pores) : 0;
+  return f;
+}
+
+double density_peak(const std::vector<double>& volumes) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  if (volumes.size() < 2) return unknown;
+  std::vector<double> logarithm;
+  for (const double v : volumes) logarithm.push_back(std::log(v));
+  std::sort(logarithm.begin(), logarithm.end());
+  const double width = kernel_width(logarithm), low = logarithm.front(), high = logarithm.back();
+  if (!(width > 0) || !(high > low)) return unknown;
+  constexpr int steps = 400;
+  double peak = unknown, highest = 0;
+  for (int k = 0; k <= steps; ++k) {
+    const double at = low + (high - low) * k / steps;
+    double density = 0;
+    for (const double x : logarithm) density += std::exp(-0.5 * (x - at) * (x - at) / (width * width));
+    density *= std::exp(-at);
+    if (density > highest) highest = density, peak = std::exp(at);
+  }
+  return peak;
 }
 
 }  // namespace arenite::raster

@@ -35,10 +35,9 @@ struct RasterReport {
 /// The centred square that is cropped, in the packing's coordinates; throws InputError if it does not fit into the sample.
 geometry::Rectangle crop_window(const Packing& packing, double crop);
 
-/// The nodes of the crop, at the middles of its cells, by phase and by grain. Where grains overlap a node goes to the one
-/// with the smaller power distance (distance^2 - radius^2), of equals to the first. Labels number the grains that have a
-/// node in the packing's order; their class is from `class_of_grain` (one a grain of the packing; empty: none).
-/// Periodic images carry their grain's label. A mirrored sample gives the mirrored map.
+/// The nodes of the crop, at the middles of its cells, by phase and by grain. Where grains overlap a node goes to the one with the smaller power
+/// distance (distance^2 - radius^2), of equals to the first. Labels number the grains that have a node in the packing's order; their class is from
+/// `class_of_grain` (one a grain of the packing; empty: none). Periodic images carry their grain's label. A mirrored sample gives the mirrored map.
 PhaseMap rasterise(const Packing& packing, const Cement& cement, const RasterParameters& parameters,
                    const std::vector<GrainClass>& class_of_grain, RasterReport& report);
 

@@ -1,16 +1,14 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include <fmt/format.h>
-
 #include "core/error.hpp"
-#include "geometry/union_area.hpp"
-#include "model/placed_cement.hpp"
-#include "solid/raster/joint_shape.hpp"
-#include "solid/raster/lattice.hpp"
+#include "geometry/outline.hpp"
+#include "model/cement.hpp"
+#include "solid/raster/joints.hpp"
 #include "solid/raster/raster.hpp"
-#include "solid/raster/thin_joints.hpp"
 
 namespace arenite::raster {
 namespace {
@@ -36,8 +34,7 @@ void draw_grains(const PlacedCement& placed, const Lattice& lattice, PhaseMap& m
 }
 
 /// From indices among the placed grains to labels of grains of the packing.
-void label_grains(const PlacedCement& placed, const std::vector<GrainClass>& class_of_grain, std::size_t grains,
-                  PhaseMap& map, RasterReport& report) {
+void label_grains(const PlacedCement& placed, const std::vector<GrainClass>& class_of_grain, std::size_t grains, PhaseMap& map, RasterReport& report) {
   std::vector<std::int32_t> label(grains, -1);
   for (const auto k : map.grain)
     if (k >= 0) label[placed.grains[k].grain] = 0;
@@ -80,8 +77,7 @@ void draw_matrix(const PlacedCement& placed, const Lattice& lattice, PhaseMap& m
     if (shape.length() > 0) note_joint(lattice, shape, draw_joint(shape, lattice, map), report);
   }
   for (const auto& meniscus : placed.menisci)
-    if (const auto shape = JointShape::meniscus(meniscus))
-      note_joint(lattice, *shape, draw_joint(*shape, lattice, map), report);
+    if (const auto shape = JointShape::meniscus(meniscus)) note_joint(lattice, *shape, draw_joint(*shape, lattice, map), report);
 }
 
 void measure_areas(const PlacedCement& placed, const PhaseMap& map, RasterReport& report) {
@@ -93,9 +89,7 @@ void measure_areas(const PlacedCement& placed, const PhaseMap& map, RasterReport
   report.exact_particle_area = geometry::union_area(outlines, placed.window);
   const auto bare = matrix_outlines(placed);
   outlines.insert(outlines.end(), bare.begin(), bare.end());
-  const double solid = placed.full    ? report.window.area()
-                       : bare.empty() ? report.exact_particle_area
-                                      : geometry::union_area(outlines, placed.window);
+  const double solid = placed.full ? report.window.area() : bare.empty() ? report.exact_particle_area : geometry::union_area(outlines, placed.window);
   report.exact_matrix_area = std::max(0.0, solid - report.exact_particle_area);
   const auto error = [](double counted, double exact) { return exact > 0 ? counted / exact - 1 : 0; };
   report.particle_area_error = error(report.particle_area, report.exact_particle_area);
@@ -110,21 +104,32 @@ int nodes_across_smallest(const PlacedCement& placed, const Lattice& lattice) {
     if (whole && (!smallest || g.radius < smallest->radius)) smallest = &g;
   }
   int most = 0;
-  if (smallest)
-    visit_disk(lattice, smallest->centre, smallest->radius, [&](int, int x0, int x1) { most = std::max(most, x1 - x0 + 1); });
+  if (smallest) visit_disk(lattice, smallest->centre, smallest->radius, [&](int, int x0, int x1) { most = std::max(most, x1 - x0 + 1); });
   return most;
+}
+
+/// The frame; where there is none, what surrounds the grains.
+geometry::Rectangle sample_of(const Packing& packing) {
+  const Domain& d = packing.domain;
+  if (d.width() > 0 && d.height() > 0) return {d.wall[left].position, d.wall[right].position, d.wall[bottom].position, d.wall[top].position};
+  const Grains& g = packing.grains;
+  if (g.size() == 0) return {};
+  geometry::Rectangle box{INFINITY, -INFINITY, INFINITY, -INFINITY};
+  for (std::size_t i = 0; i < g.size(); ++i)
+    box = {std::min(box.x_min, g.x[i] - g.radius[i]), std::max(box.x_max, g.x[i] + g.radius[i]), std::min(box.y_min, g.y[i] - g.radius[i]),
+           std::max(box.y_max, g.y[i] + g.radius[i])};
+  return box;
 }
 
 }  // namespace
 
-PhaseMap rasterise(const Packing& packing, const Cement& cement, const RasterParameters& parameters,
-                   const std::vector<GrainClass>& class_of_grain, RasterReport& report) {
+PhaseMap rasterise(const Packing& packing, const Cement& cement, const RasterParameters& parameters, const std::vector<GrainClass>& class_of_grain,
+                   RasterReport& report) {
   std::vector<Problem> problems;
   if (parameters.nodes < 1 || parameters.nodes > 32768)
     problems.push_back({{}, 0, 0, fmt::format("a raster of {} nodes a side is out of range; give 1 to 32768", parameters.nodes)});
   if (!class_of_grain.empty() && class_of_grain.size() != packing.grains.size())
-    problems.push_back({{}, 0, 0, fmt::format("{} grains have {} size classes; give one a grain, or none",
-                                              packing.grains.size(), class_of_grain.size())});
+    problems.push_back({{}, 0, 0, fmt::format("{} grains have {} size classes; give one a grain, or none", packing.grains.size(), class_of_grain.size())});
   if (!problems.empty()) throw InputError(std::move(problems));
   report = {};
   report.window = crop_window(packing, parameters.crop);
@@ -139,6 +144,20 @@ PhaseMap rasterise(const Packing& packing, const Cement& cement, const RasterPar
   measure_areas(placed, map, report);
   report.smallest_grain = nodes_across_smallest(placed, lattice);
   return map;
+}
+
+geometry::Rectangle crop_window(const Packing& packing, double crop) {
+  const geometry::Rectangle sample = sample_of(packing);
+  if (!(sample.width() > 0 && sample.height() > 0) || !std::isfinite(sample.area()))
+    throw InputError("a sample without frame and grains has nothing to crop; give it a domain with positive sides");
+  if (!(crop >= 0) || !std::isfinite(crop)) throw InputError(fmt::format("the crop is {:g} m wide; give a positive length, or 0 for the largest square", crop));
+  const double largest = std::min(sample.width(), sample.height());
+  if (crop > largest * (1 + 1e-12))
+    throw InputError(
+        fmt::format("the crop of {:g} m does not fit into the sample of {:g} x {:g} m; give at most {:g} m", crop, sample.width(), sample.height(), largest));
+  const double half = 0.5 * (crop > 0 ? std::min(crop, largest) : largest);
+  const double x = 0.5 * (sample.x_min + sample.x_max), y = 0.5 * (sample.y_min + sample.y_max);
+  return {x - half, x + half, y - half, y + half};
 }
 
 }  // namespace arenite::raster

@@ -1,5 +1,3 @@
-#include "solid/stress/grains.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "solid/stress/stress.hpp"
 #include "statistics/correlation.hpp"
 #include "statistics/jackknife.hpp"
 
@@ -30,17 +29,13 @@ ByName<Items> grains_by_class(const PhaseMap& map, Wanted&& wanted) {
 }
 
 std::vector<int> blocks_of(const PhaseMap& map, const GrainStresses& grains, int blocks) {
-  const auto along = [&](double at, int nodes) {
-    return std::clamp(static_cast<int>(at / (nodes * map.dx) * blocks), 0, blocks - 1);
-  };
+  const auto along = [&](double at, int nodes) { return std::clamp(static_cast<int>(at / (nodes * map.dx) * blocks), 0, blocks - 1); };
   std::vector<int> result;
   for (const Vec2 c : grains.centre) result.push_back(along(c.y, map.height) * blocks + along(c.x, map.width));
   return result;
 }
 
-Tensor2 tensor(const std::vector<Estimate>& e, double Estimate::*part) {
-  return {e[0].*part, e[1].*part, e[2].*part, e[3].*part};
-}
+Tensor2 tensor(const std::vector<Estimate>& e, double Estimate::*part) { return {e[0].*part, e[1].*part, e[2].*part, e[3].*part}; }
 
 TensorEstimate mean_tensor(const Items& items, const std::vector<int>& block_of, const std::vector<Tensor2>& stress) {
   const auto add = [&](std::size_t g, double* sums) {
@@ -48,9 +43,7 @@ TensorEstimate mean_tensor(const Items& items, const std::vector<int>& block_of,
     const double terms[5] = {1, t.xx, t.xy, t.yx, t.yy};
     for (int k = 0; k < 5; ++k) sums[k] += terms[k];
   };
-  const auto mean = [](const std::vector<double>& s) {
-    return std::vector<double>{s[1] / s[0], s[2] / s[0], s[3] / s[0], s[4] / s[0]};
-  };
+  const auto mean = [](const std::vector<double>& s) { return std::vector<double>{s[1] / s[0], s[2] / s[0], s[3] / s[0], s[4] / s[0]}; };
   const auto e = statistics::jackknife_of_sums(items, block_of, 5, add, mean);
   return {tensor(e, &Estimate::value), tensor(e, &Estimate::error)};
 }
@@ -88,7 +81,7 @@ GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int 
       const auto g = static_cast<std::size_t>(map.grain[i]);
       ++grains.nodes[g];
       grains.centre[g] += {x + 0.5, y + 0.5};
-      grains.stress[g] += {field.xx[i], field.xy[i], field.xy[i], field.yy[i]};
+      if (field.size() > 0) grains.stress[g] += {field.xx[i], field.xy[i], field.xy[i], field.yy[i]};
       if (x == 0 || x == map.width - 1 || y < margin || y >= map.height - margin) grains.whole[g] = 0;
     }
   for (std::size_t g = 0; g < n; ++g) {

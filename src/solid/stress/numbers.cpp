@@ -1,7 +1,10 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
-#include "statistics/put_numbers.hpp"
 #include "solid/stress/stress.hpp"
+#include "statistics/estimate.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::stress {
 namespace {
@@ -9,28 +12,6 @@ namespace {
 using statistics::curve;
 using statistics::matrix;
 using statistics::put;
-
-Numbers tail(const statistics::TailFit& t) {
-  Numbers j = Numbers::tree();
-  put(j, "slope", t.slope);
-  put(j, "line_slope", t.line_slope);
-  put(j, "line_r2", t.line_r2);
-  put(j, "low", t.low);
-  put(j, "high", t.high);
-  j["count"] = t.count;
-  put(j, "log_likelihood_ratio", t.likelihood_ratio);
-  put(j, "p_value", t.p_value);
-  return j;
-}
-
-Numbers q_gaussian(const statistics::QGaussian& g) {
-  Numbers j = Numbers::tree();
-  put(j, "q", g.q);
-  put(j, "beta", g.beta);
-  put(j, "centre", g.centre);
-  put(j, "r2", g.r2);
-  return j;
-}
 
 /// Six digits are more than counting gives.
 Numbers even(const statistics::EvenDensity& pdf) {
@@ -52,8 +33,8 @@ Numbers distribution(const Distribution& d, bool curves) {
   put(j, "quantiles", d.quantiles);
   put(j, "minimum", d.minimum);
   put(j, "maximum", d.maximum);
-  if (d.tail.count > 0) j["tail"] = tail(d.tail);
-  if (Numbers fit = q_gaussian(d.q_gaussian); !fit.empty()) j["q_gaussian"] = fit;
+  if (d.tail.count > 0) j["tail"] = tree_of(d.tail, statistics::tail_numbers);
+  if (Numbers fit = tree_of(d.q_gaussian, statistics::q_gaussian_numbers); !fit.empty()) j["q_gaussian"] = fit;
   if (std::isfinite(d.peak.at)) j["peak"] = {{"at", d.peak.at}, {"height", d.peak.height}};
   if (!d.even_pdf.density.empty()) j["even_pdf"] = even(d.even_pdf);
   if (!d.own_even_pdf.density.empty()) j["own_even_pdf"] = even(d.own_even_pdf);
@@ -92,6 +73,21 @@ Numbers options(const StressOptions& o) {
           {"sample_mean_over", o.mean_over_area ? "area" : "particles and matrix"}, {"blocks", o.blocks}};
 }
 
+using statistics::Lines;
+using statistics::with_error;
+
+void put_set(Lines& lines, const std::string& what, const Distribution& d) {
+  if (d.relative_mean.error > 1e-12) lines.put("mean, " + what, d.relative_mean, "of the sample's");
+  lines.put("variance, " + what, d.variance);
+  lines.put("share above the mean, " + what, d.share_above);
+  if (const Estimate* q = statistics::find(d.quantiles, "99.9 %")) lines.put("99.9 % quantile, " + what, *q);
+  lines.put("excess kurtosis, " + what, d.excess_kurtosis);
+  if (std::isfinite(d.tail.slope.value))
+    lines.put("slope of the tail, " + what, fmt::format("{} between {:.3g} and {:.3g} own means", with_error(d.tail.slope), d.tail.low, d.tail.high));
+  if (std::isfinite(d.q_gaussian.q.value))
+    lines.put("q of the q-Gaussian, " + what, fmt::format("{}, R^2 {:.3f}", with_error(d.q_gaussian.q), d.q_gaussian.r2));
+}
+
 }  // namespace
 
 Numbers numbers(const Statistics& s, bool curves) {
@@ -101,6 +97,19 @@ Numbers numbers(const Statistics& s, bool curves) {
   if (!s.grains.nodes.empty()) j["grains"] = grains(s.grains, curves);
   j["notes"] = s.notes;
   return j;
+}
+
+std::string to_text(const Statistics& s) {
+  Lines lines;
+  lines.put("nodes of particles and matrix", fmt::format("{}", s.nodes));
+  for (const auto& c : s.components) {
+    const std::string stress = name_of(c.component);
+    const auto [unit, scale] = statistics::stress_unit(std::abs(c.sample_mean.value));
+    lines.put("mean " + stress, c.sample_mean, unit, scale);
+    for (const auto& [name, set] : c.sets) put_set(lines, name == "all" ? stress : stress + " in " + name, set);
+  }
+  for (const auto& note : s.notes) lines.note(note);
+  return lines.text();
 }
 
 }  // namespace arenite::stress

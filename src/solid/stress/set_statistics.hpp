@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "statistics/blocked_sample.hpp"
 #include "solid/stress/stress.hpp"
+#include "statistics/histogram.hpp"
 
 namespace arenite::stress {
 
@@ -11,13 +11,12 @@ namespace arenite::stress {
 struct Normaliser {
   bool over_mean = true;
   double value = 0;
-  std::vector<double> without;           ///< one a block
+  std::vector<double> without;  ///< one a block
 };
 
 /// All statistics of the stresses `sigma` (Pa; they are scaled in place). Those over the set's own mean stay unknown
 /// where the sample's or the set's own is near zero or the two differ in sign; then a note says so.
-Distribution describe(const std::string& name, statistics::BlockedSample& sigma, const Normaliser& normaliser,
-                      std::vector<std::string>& notes);
+Distribution describe(const std::string& name, statistics::BlockedSample& sigma, const Normaliser& normaliser, std::vector<std::string>& notes);
 
 /// Whether a mean is too near zero to divide by: below a tenth of the root mean square.
 bool near_zero(double mean, double mean_square);

@@ -5,36 +5,53 @@
 #include <string>
 #include <vector>
 
+#include "core/vec.hpp"
 #include "model/phase_map.hpp"
-#include "model/stress_field.hpp"
+#include "solid/stress/options.hpp"
 #include "statistics/estimate.hpp"
-#include "statistics/even_density.hpp"
+#include "statistics/histogram.hpp"
 #include "statistics/numbers.hpp"
 #include "statistics/q_gaussian.hpp"
-#include "statistics/tail_fit.hpp"
-#include "solid/stress/grains.hpp"
+#include "statistics/tails.hpp"
 
-/// Statistics of node stresses by phase (P IV). Fits, errors and their types are those that grains and
-/// contacts use (src/statistics).
+/// Statistics of node stresses by phase (P IV). Fits, errors and their types are those that grains and contacts use (src/statistics).
 namespace arenite::stress {
 
-/// What of a node's stress is looked at; hydrostatic is (xx + yy)/2.
-enum class Component { yy, xx, xy, hydrostatic };
+using statistics::ByName;
+using statistics::Curve;
+using statistics::Estimate;
+using statistics::TensorEstimate;
+using statistics::unknown;
 
-/// "sigma_yy", "sigma_xx", "sigma_xy", "sigma_hyd".
-const char* name_of(Component component);
-
-/// Choices that the definitions leave open.
-struct StressOptions {
-  std::vector<Component> components{Component::yy};
-  int clamp_rows = 4;                ///< left out at the lower and the upper edge
-  bool leave_out_surface = false;    ///< nodes with a neighbour (of eight) of another phase or grain
-  bool leave_out_unloaded = false;   ///< nodes without any stress: parts that no bond ties to a clamp
-  bool mean_over_area = false;       ///< the sample's mean counts the void as zero stress: the mean over the whole area;
-                                     ///< otherwise over particles and matrix, so that a mean over classes is 1
-  int blocks = 6;                    ///< a side, for errors by leaving one block out
-  bool operator==(const StressOptions&) const = default;
+/// Mean stress of every grain over its nodes, Pa, tension positive; arrays as long as PhaseMap::grain_class.
+struct GrainStresses {
+  std::vector<std::int64_t> nodes;       ///< in the map, surface nodes included; 0: the grain has none
+  std::vector<std::uint8_t> whole;       ///< 1 where no node lies on the map's edge or in a clamp row
+  std::vector<Vec2> centre;              ///< of its nodes, m from the map's lower left corner
+  std::vector<Tensor2> stress;           ///< zero without nodes
+  ByName<TensorEstimate> mean;           ///< of whole grains, each grain alike: "all", "large", "small"
 };
+
+/// Mean stress tensors of the grains of a map, and means by class with errors over blocks x blocks of the map. Without a field (of
+/// size 0) nodes and centres alone are known.
+GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int clamp_rows, int blocks);
+
+/// How two stresses of the same grains agree, each over the mean of its own set: slope and rms of
+/// (field over its mean) against (contacts over their mean).
+struct Agreement {
+  std::size_t grains = 0;
+  Estimate correlation;                  ///< Pearson's; error by leaving out one grain at a time
+  Estimate slope;
+  double rms = unknown;                  ///< of the difference
+};
+
+struct GrainComparison {
+  ByName<Agreement> yy, hydrostatic;     ///< "all", "large", "small"
+};
+
+/// Compares the mean stresses of whole grains with stresses of the same grains from contact forces (one tensor a grain of the map, any unit;
+/// texture's per_grain.sigma). Grains without contact stress (zero or NaN) are left out. Throws InputError where the numbers of grains differ.
+GrainComparison compare(const PhaseMap& map, const GrainStresses& grains, const std::vector<Tensor2>& contact_stress);
 
 /// One component in one set of nodes. x is the stress over the sample's mean, or over the set's own.
 struct Distribution {
@@ -82,8 +99,7 @@ struct Statistics {
 /// number, a component is zero everywhere, or an option makes no sense.
 Statistics measure(const PhaseMap& map, const StressField& field, const StressOptions& options = {});
 
-/// The statistics as JSON, each as {"value", "error"}; unknown ones are left out. `curves` adds pdfs and the rows by
-/// grain.
+/// The statistics as JSON, each as {"value", "error"}; unknown ones are left out. `curves` adds pdfs and the rows by grain.
 Numbers numbers(const Statistics& statistics, bool curves = false);
 
 /// The main statistics as lines of text, value +- error.

@@ -3,14 +3,16 @@
 #include <memory>
 #include <vector>
 
-#include "core/vec2.hpp"
-#include "model/field_result.hpp"
+#include "core/vec.hpp"
+#include "model/result.hpp"
 #include "model/film.hpp"
 #include "model/image.hpp"
 #include "model/packing.hpp"
 #include "thermal/radiometry/band.hpp"
 
 namespace arenite::camera {
+
+constexpr double most_points = 1e8;  ///< of a scene or a picture: minutes of work, and less memory than a laboratory's machine has
 
 /// Lens and pixels. The defaults are those of T Table 1.2 and T 3.2.
 struct Optics {

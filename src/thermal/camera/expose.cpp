@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "thermal/camera/camera.hpp"
-#include "thermal/camera/patch.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "thermal/imaging/lens.hpp"

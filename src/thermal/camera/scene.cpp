@@ -1,14 +1,43 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
-#include "thermal/camera/camera.hpp"
-#include "thermal/camera/patch.hpp"
 #include "core/error.hpp"
 #include "model/elasticity/disk_field.hpp"
+#include "thermal/camera/camera.hpp"
 
 namespace arenite::camera {
 namespace {
+
+/// The patch of a grain of that radius, in cells that wide, m. `swing(middle, away)` is the mean of sigma_kk over the cell
+/// whose middle lies there, seen from the grain's centre and `away` from it, Pa. It is asked for a ring of cells beyond
+/// the rim too, so that what lies between cells can be read off; cells farther out stay 0.
+template <class Swing>
+Patch fill_patch(double radius, double cell, const Swing& swing) {
+  Patch patch;
+  patch.cells = 2 * static_cast<int>(std::ceil(radius / cell)) + 2;
+  patch.cell = cell;
+  const double first = -0.5 * (patch.cells - 1) * cell;
+  for (int r = 0; r < patch.cells; ++r)
+    for (int c = 0; c < patch.cells; ++c) {
+      const Vec2 middle{first + c * cell, first + r * cell};
+      const double away = norm(middle);
+      patch.value.push_back(away > radius + 1.5 * cell ? 0.0F : static_cast<float>(swing(middle, away)));
+    }
+  return patch;
+}
+
+/// Throws InputError if the points of the scene in the first `count` grains are more than `most_points`.
+void check_points(const Grains& grains, std::size_t count, const Optics& optics) {
+  const double cell = optics.pixel / static_cast<double>(optics.supersampling);
+  double points = 0;
+  for (std::size_t g = 0; g < count; ++g) points += 4 * (grains.radius[g] / cell) * (grains.radius[g] / cell);
+  if (!(points <= most_points))
+    throw InputError(fmt::format("pixels of {:.3g} mm with {} x {} points each lay {:.2g} points over the grains, too many to look at; raise camera.pixel or "
+                                 "lower supersampling", 1e3 * optics.pixel, optics.supersampling, optics.supersampling, points));
+}
 
 /// The grains of a packing as disks under their contact forces.
 std::vector<elasticity::Disk> loaded_disks(const Packing& packing, double arc) {
@@ -57,16 +86,76 @@ Scene make_scene(const Packing* low, const Packing& high, const Parameters& p) {
   return scene;
 }
 
-}  // namespace
+constexpr int farthest = 3;  // nodes: how far beyond a grain's own nodes its rim is looked for
 
-void check_points(const Grains& grains, std::size_t count, const Optics& optics) {
-  const double cell = optics.pixel / static_cast<double>(optics.supersampling);
-  double points = 0;
-  for (std::size_t g = 0; g < count; ++g) points += 4 * (grains.radius[g] / cell) * (grains.radius[g] / cell);
-  if (!(points <= most_points))
-    throw InputError(fmt::format("pixels of {:.3g} mm with {} x {} points each lay {:.2g} points over the grains, too many to look at; raise camera.pixel or "
-                                 "lower supersampling", 1e3 * optics.pixel, optics.supersampling, optics.supersampling, points));
+/// Nodes of one grain of a loaded map, read between.
+class GrainNodes {
+ public:
+  GrainNodes(const FieldResult& result, std::int32_t label) : map_(result.map), field_(result.field), label_(label) {}
+
+  bool own(int x, int y) const { return x >= 0 && y >= 0 && x < map_.width && y < map_.height && map_.grain[map_.index(x, y)] == label_; }
+  double sigma_kk(int x, int y) const {
+    const std::size_t k = map_.index(x, y);
+    return field_.xx[k] + field_.yy[k];
+  }
+
+  /// Bilinear between the grain's own nodes; beyond them what the nearest one has, 0 where none is near.
+  double at(Vec2 p) const {
+    const double u = p.x / map_.dx - 0.5, v = p.y / map_.dx - 0.5;
+    const int x = static_cast<int>(std::floor(u)), y = static_cast<int>(std::floor(v));
+    double sum = 0, weight = 0;
+    for (int j = 0; j < 2; ++j)
+      for (int i = 0; i < 2; ++i) {
+        if (!own(x + i, y + j)) continue;
+        const double w = (1 - std::abs(u - x - i)) * (1 - std::abs(v - y - j));
+        sum += w * sigma_kk(x + i, y + j);
+        weight += w;
+      }
+    return weight > 1e-9 ? sum / weight : nearest(u, v);
+  }
+
+ private:
+  double nearest(double u, double v) const {
+    const int x = static_cast<int>(std::lround(u)), y = static_cast<int>(std::lround(v));
+    double best = std::numeric_limits<double>::infinity(), value = 0;
+    for (int j = -farthest; j <= farthest; ++j)
+      for (int i = -farthest; i <= farthest; ++i) {
+        const double away = std::hypot(x + i - u, y + j - v);
+        if (away >= best || !own(x + i, y + j)) continue;
+        best = away;
+        value = sigma_kk(x + i, y + j);
+      }
+    return value;
+  }
+
+  const PhaseMap& map_;
+  const StressField& field_;
+  std::int32_t label_;
+};
+
+/// The mean over `points` x `points` of a cell, so that no node between two cells is lost.
+double cell_mean(const GrainNodes& nodes, Vec2 middle, double cell, int points) {
+  double sum = 0;
+  for (int j = 0; j < points; ++j)
+    for (int i = 0; i < points; ++i) sum += nodes.at({middle.x + cell * ((i + 0.5) / points - 0.5), middle.y + cell * ((j + 0.5) / points - 0.5)});
+  return sum / (points * points);
 }
+
+/// Mean displacement of every grain of the map, m.
+std::vector<Vec2> mean_displacements(const FieldResult& result) {
+  std::vector<Vec2> sum(result.map.grain_class.size());
+  std::vector<double> count(sum.size(), 0);
+  for (std::size_t k = 0; k < result.map.size(); ++k) {
+    const auto label = result.map.grain[k];
+    if (label < 0) continue;
+    sum[static_cast<std::size_t>(label)] = sum[static_cast<std::size_t>(label)] + Vec2{result.field.ux[k], result.field.uy[k]};
+    ++count[static_cast<std::size_t>(label)];
+  }
+  for (std::size_t g = 0; g < sum.size(); ++g) sum[g] = (1 / std::max(count[g], 1.0)) * sum[g];
+  return sum;
+}
+
+}  // namespace
 
 float Patch::at(double x, double y) const {
   const double u = std::clamp(x / cell + 0.5 * (cells - 1), 0.0, cells - 1.001), v = std::clamp(y / cell + 0.5 * (cells - 1), 0.0, cells - 1.001);
@@ -83,5 +172,30 @@ Scene scene_between(const Packing& low, const Packing& high, const Parameters& p
 }
 
 Scene scene_of_state(const Packing& state, const Parameters& parameters) { return make_scene(nullptr, state, parameters); }
+
+Scene scene_of_field(const FieldResult& result, const Parameters& parameters) {
+  const std::size_t grains = result.map.grain_class.size();
+  if (result.field.size() == 0) throw InputError(fmt::format("\"{}\" is not loaded, so nothing swings; name a load of the cemented sample", result.name));
+  if (result.packing.grains.size() < grains || grains == 0)
+    throw InputError(fmt::format("\"{}\" was loaded from a picture, whose grains are no disks; the camera films results of a recipe", result.name));
+  check_points(result.packing.grains, grains, parameters.optics);
+  Scene scene;
+  scene.grains = result.packing.grains;
+  scene.grains.resize(grains);
+  scene.materials = result.packing.materials;
+  scene.low = result.packing.domain;
+  scene.low.wall[right].position = result.map.width * result.map.dx;
+  scene.low.wall[top].position = result.map.height * result.map.dx;
+  scene.low.wall[left].position = scene.low.wall[bottom].position = 0;
+  scene.high = scene.low;
+  scene.travel = mean_displacements(result);
+  const double cell = parameters.optics.pixel / static_cast<double>(parameters.optics.supersampling);
+  const int points = std::clamp(static_cast<int>(std::ceil(cell / result.map.dx)), 1, 16);
+  for (std::size_t g = 0; g < grains; ++g) {
+    const GrainNodes nodes(result, static_cast<std::int32_t>(g));
+    scene.swing.push_back(fill_patch(scene.grains.radius[g], cell, [&](Vec2 middle, double) { return cell_mean(nodes, scene.grains.centre(g) + middle, cell, points); }));
+  }
+  return scene;
+}
 
 }  // namespace arenite::camera

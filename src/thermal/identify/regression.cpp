@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "statistics/second_moments.hpp"
+#include "statistics/correlation.hpp"
 
 namespace arenite::identify {
 namespace {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "model/image.hpp"
-#include "model/picture_grains.hpp"
 
 namespace arenite::imaging {
 

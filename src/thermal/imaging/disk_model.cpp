@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/median.hpp"
-#include "thermal/imaging/blurred_step.hpp"
 
 namespace arenite::imaging {
 namespace {

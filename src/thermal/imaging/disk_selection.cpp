@@ -1,4 +1,4 @@
-#include "thermal/imaging/disk_selection.hpp"
+#include "thermal/imaging/grain_search.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,13 +3,143 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/joined_sets.hpp"
 
 namespace arenite::imaging {
+namespace {
 
+/// Distance down and up the columns; `far` where a column is all particle.
+std::vector<std::int32_t> along_columns(const PhaseMap& map, std::int32_t far) {
+  std::vector<std::int32_t> g(map.size());
+  const auto width = static_cast<std::size_t>(map.width);
+  for (std::size_t i = 0; i < g.size(); ++i)
+    g[i] = map.phase[i] != Phase::particle ? 0 : i < width ? far : std::min(far, g[i - width] + 1);
+  for (std::size_t i = g.size() - width; i-- > 0;) g[i] = std::min(g[i], g[i + width] + 1);
+  return g;
+}
+
+/// Lower envelope of the parabolas g[c]^2 + (x - c)^2 of one row.
+class Envelope {
+ public:
+  explicit Envelope(int width) : centre_(static_cast<std::size_t>(width)), start_(centre_.size()) {}
+
+  void build(const std::int32_t* g, int width) {
+    top_ = 0;
+    for (int u = 0; u < width; ++u) {
+      while (top_ > 0 && value(g, centre_[top_ - 1], start_[top_ - 1]) > value(g, u, start_[top_ - 1])) --top_;
+      if (top_ == 0) {
+        push(u, 0);
+      } else if (const std::int64_t from = 1 + crossing(g, centre_[top_ - 1], u); from < width) {
+        push(u, static_cast<int>(from));
+      }
+    }
+  }
+  void write(const std::int32_t* g, int width, std::int32_t* out) const {
+    std::size_t k = top_;
+    for (int x = width; x-- > 0;) {
+      while (start_[k - 1] > x) --k;
+      out[x] = static_cast<std::int32_t>(
+          std::min<std::int64_t>(value(g, centre_[k - 1], x), std::numeric_limits<std::int32_t>::max()));
+    }
+  }
+
+ private:
+  static std::int64_t value(const std::int32_t* g, int centre, int x) {
+    const std::int64_t across = x - centre, along = g[centre];
+    return across * across + along * along;
+  }
+  /// Last x at which the parabola at i is not above that at u > i.
+  static std::int64_t crossing(const std::int32_t* g, int i, int u) {
+    const std::int64_t rise = value(g, u, 0) - value(g, i, 0), run = 2 * (std::int64_t{u} - i);
+    return rise >= 0 ? rise / run : -((-rise + run - 1) / run);
+  }
+  void push(int centre, int start) {
+    centre_[top_] = centre;
+    start_[top_++] = start;
+  }
+  std::vector<int> centre_, start_;
+  std::size_t top_ = 0;
+};
+
+/// Particle nodes from the deepest inside outwards, equals in the order of the map: radix sort by 16 bits at a time.
+std::vector<std::int32_t> by_depth(const std::vector<std::int32_t>& squared) {
+  std::vector<std::int32_t> order, next;
+  for (std::size_t i = 0; i < squared.size(); ++i)
+    if (squared[i] > 0) order.push_back(static_cast<std::int32_t>(i));
+  next.resize(order.size());
+  for (const int shift : {0, 16}) {
+    std::array<std::size_t, 65537> start{};
+    const auto bucket = [&](std::int32_t i) { return 65535 - (static_cast<std::size_t>(squared[static_cast<std::size_t>(i)]) >> shift & 65535); };
+    for (const std::int32_t i : order) ++start[bucket(i) + 1];
+    for (std::size_t b = 1; b < start.size(); ++b) start[b] += start[b - 1];
+    for (const std::int32_t i : order) next[start[bucket(i)]++] = i;
+    order.swap(next);
+  }
+  return order;
+}
+
+/// Basins about the summits of the distance transform, joined where the saddle between two is less than `smoothing`
+/// below the lower summit.
+class Basins {
+ public:
+  Basins(const PhaseMap& map, const std::vector<std::int32_t>& squared, double smoothing)
+      : map_(map), squared_(squared), smoothing_(smoothing), label_(map.size(), -1) {}
+
+  std::vector<std::int32_t> flood() {
+    for (const std::int32_t i : by_depth(squared_)) take(static_cast<std::size_t>(i));
+    for (std::int32_t& l : label_)
+      if (l >= 0) l = sets_.find(l);
+    return std::move(label_);
+  }
+
+ private:
+  /// A node goes to the basin of its deepest neighbour, or starts one; it is the saddle of the basins that meet there.
+  void take(std::size_t i) {
+    const auto width = static_cast<std::size_t>(map_.width);
+    const std::size_t x = i % width;
+    std::array<std::size_t, 4> neighbours{};
+    std::size_t count = 0;
+    const auto note = [&](std::size_t n) {
+      if (label_[n] >= 0) neighbours[count++] = n;
+    };
+    if (i >= width) note(i - width);
+    if (x > 0) note(i - 1);
+    if (x + 1 < width) note(i + 1);
+    if (i + width < label_.size()) note(i + width);
+    const double level = std::sqrt(static_cast<double>(squared_[i]));
+    if (count == 0) {
+      label_[i] = sets_.add();
+      summit_.push_back(level);
+      return;
+    }
+    std::size_t deepest = neighbours[0];
+    for (std::size_t k = 1; k < count; ++k)
+      if (squared_[neighbours[k]] > squared_[deepest]) deepest = neighbours[k];
+    label_[i] = label_[deepest];
+    for (std::size_t k = 0; k < count; ++k) meet(label_[i], label_[neighbours[k]], level);
+  }
+  /// Basins are numbered from the deepest on, so the smaller number, which the joined ones keep, is the higher summit.
+  void meet(std::int32_t a, std::int32_t b, double level) {
+    a = sets_.find(a);
+    b = sets_.find(b);
+    if (a != b && summit_[static_cast<std::size_t>(std::max(a, b))] - level <= smoothing_) sets_.join(a, b);
+  }
+
+  const PhaseMap& map_;
+  const std::vector<std::int32_t>& squared_;
+  double smoothing_;
+  std::vector<std::int32_t> label_;
+  JoinedSets sets_;
+  std::vector<double> summit_;
+};
+
+/// The two ways: a label for each particle node, equal within a grain and otherwise arbitrary, -1 elsewhere.
 std::vector<std::int32_t> connected_particles(const PhaseMap& map) {
   std::vector<std::int32_t> label(map.size(), -1);
   JoinedSets sets;
@@ -23,6 +153,27 @@ std::vector<std::int32_t> connected_particles(const PhaseMap& map) {
   for (std::int32_t& l : label)
     if (l >= 0) l = sets.find(l);
   return label;
+}
+
+std::vector<std::int32_t> watershed(const PhaseMap& map, double smoothing) {
+  const std::vector<std::int32_t> squared = squared_distance(map);
+  return Basins(map, squared, smoothing).flood();
+}
+
+}  // namespace
+
+std::vector<std::int32_t> squared_distance(const PhaseMap& map) {
+  const auto far = static_cast<std::int32_t>(std::min<std::int64_t>(std::int64_t{map.width} + map.height, 1 << 30));
+  const std::vector<std::int32_t> g = along_columns(map, far);
+  std::vector<std::int32_t> squared(map.size());
+  Envelope envelope(map.width);
+  for (int y = 0; y < map.height; ++y) {
+    const std::size_t row = map.index(0, y);
+    envelope.build(g.data() + row, map.width);
+    envelope.write(g.data() + row, map.width, squared.data() + row);
+  }
+  if (std::find(g.begin(), g.end(), 0) == g.end()) std::fill(squared.begin(), squared.end(), std::numeric_limits<std::int32_t>::max());
+  return squared;
 }
 
 LabelReport label_grains(PhaseMap& map, const LabelOptions& options) {

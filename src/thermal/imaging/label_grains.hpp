@@ -5,6 +5,7 @@
 
 #include "model/phase_map.hpp"
 
+/// Grains in pictures.
 namespace arenite::imaging {
 
 /// What one grain is, in a map without labels.
@@ -29,8 +30,9 @@ struct LabelReport {
 /// give the same labels. Throws InputError for a smoothing that is negative or no number.
 LabelReport label_grains(PhaseMap& map, const LabelOptions& options);
 
-/// The two ways: a label for each particle node, equal within a grain and otherwise arbitrary, -1 elsewhere.
-std::vector<std::int32_t> connected_particles(const PhaseMap& map);
-std::vector<std::int32_t> watershed(const PhaseMap& map, double smoothing);
+/// Squared distance, in nodes, from each particle node to the nearest node that is none; 0 where there is no particle.
+/// Exact (A. Meijster, J. Roerdink, W. Hesselink, 2000). What lies outside the map is not known and does not count; a
+/// map without any other phase has the largest number everywhere.
+std::vector<std::int32_t> squared_distance(const PhaseMap& map);
 
 }  // namespace arenite::imaging

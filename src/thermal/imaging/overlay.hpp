@@ -1,8 +1,7 @@
 #pragma once
-#include "core/vec2.hpp"
-#include "thermal/imaging/similarity.hpp"
+#include "core/vec.hpp"
+#include "thermal/imaging/registration.hpp"
 #include "model/image.hpp"
-#include "model/picture_grains.hpp"
 
 namespace arenite::imaging {
 

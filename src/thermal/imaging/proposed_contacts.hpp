@@ -1,9 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "model/contacts.hpp"
-#include "model/domain.hpp"
-#include "model/grains.hpp"
+#include "model/packing.hpp"
 
 namespace arenite::imaging {
 

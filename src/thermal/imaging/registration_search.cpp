@@ -13,13 +13,6 @@ constexpr double base_length = 10;           // mean radii: long enough to tell 
 constexpr std::size_t most_bases = 60, test_grains = 12, agreeing_bases = 3;
 constexpr double of_best[] = {0.75, 0.8, 0.85, 0.9};  // score of the best so far below which growing ends, stage by stage
 
-Vec2 place(const PictureGrains& grains, std::size_t k) { return {grains.x[k], grains.y[k]}; }
-Vec2 place(const PictureGrains& grains, std::int32_t k) { return place(grains, static_cast<std::size_t>(k)); }
-
-double mean_radius(const PictureGrains& grains) {
-  return std::accumulate(grains.radius.begin(), grains.radius.end(), 0.0) / static_cast<double>(grains.size());
-}
-
 }  // namespace
 
 RegistrationSearch::RegistrationSearch(const PictureGrains& from, const PictureGrains& to, const RegistrationOptions& options)

@@ -1,9 +1,8 @@
-#include "thermal/imaging/rim_search.hpp"
+#include "thermal/imaging/grain_search.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "thermal/imaging/open_pixels.hpp"
 #include "thermal/imaging/smooth.hpp"
 
 namespace arenite::imaging {

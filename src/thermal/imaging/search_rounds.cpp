@@ -1,11 +1,9 @@
-#include "thermal/imaging/search_rounds.hpp"
+#include "thermal/imaging/grain_search.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
-
-#include "thermal/imaging/disk_selection.hpp"
 
 namespace arenite::imaging {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "core/median.hpp"
 
@@ -61,17 +62,6 @@ FloatImage halved(const FloatImage& image) {
   return half;
 }
 
-double sampled(const FloatImage& image, double x, double y) {
-  x = std::clamp(x, 0.0, image.width - 1.0);
-  y = std::clamp(y, 0.0, image.height - 1.0);
-  const int c = std::min(static_cast<int>(x), image.width - 2 < 0 ? 0 : image.width - 2);
-  const int r = std::min(static_cast<int>(y), image.height - 2 < 0 ? 0 : image.height - 2);
-  const int right = std::min(c + 1, image.width - 1), below = std::min(r + 1, image.height - 1);
-  const double u = x - c, v = y - r;
-  const auto at = [&](int i, int j) { return static_cast<double>(image.value[image.index(i, j)]); };
-  return (1 - v) * ((1 - u) * at(c, r) + u * at(right, r)) + v * ((1 - u) * at(c, below) + u * at(right, below));
-}
-
 double noise_level(const FloatImage& image) {
   std::vector<float> size;
   for (int y = 0; y + 2 < image.height; ++y)
@@ -82,6 +72,40 @@ double noise_level(const FloatImage& image) {
       size.push_back(std::abs(a[0] - 2 * a[1] + a[2] - 2 * (b[0] - 2 * b[1] + b[2]) + c[0] - 2 * c[1] + c[2]));
     }
   return median(std::move(size)) / (6 * median_of_normal_size);  // 6: the weights' root sum of squares
+}
+
+std::vector<Run> runs_of(std::span<const char> open, int width, int height) {
+  std::vector<Run> runs;
+  for (int y = 0; y < height; ++y) {
+    if (open.empty()) {
+      runs.push_back({y, 0, width - 1});
+      continue;
+    }
+    const auto wanted = [&](int x) {
+      for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j)
+        for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i)
+          if (open[static_cast<std::size_t>(i) + static_cast<std::size_t>(width) * static_cast<std::size_t>(j)] != 0) return true;
+      return false;
+    };
+    for (int x = 0; x < width; ++x) {
+      if (!wanted(x)) continue;
+      if (!runs.empty() && runs.back().y == y && runs.back().last == x - 1) runs.back().last = x;
+      else runs.push_back({y, x, x});
+    }
+  }
+  return runs;
+}
+
+std::vector<char> halved_open(std::span<const char> open, int width, int height) {
+  const int w = width / 2, h = height / 2;
+  std::vector<char> half(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), 0);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      if (open[static_cast<std::size_t>(x) + static_cast<std::size_t>(width) * static_cast<std::size_t>(y)] == 0) continue;
+      for (int j = std::max(0, y / 2 - 1); j <= std::min(h - 1, y / 2 + 1); ++j)
+        for (int i = std::max(0, x / 2 - 1); i <= std::min(w - 1, x / 2 + 1); ++i) half[static_cast<std::size_t>(i) + static_cast<std::size_t>(w) * static_cast<std::size_t>(j)] = 1;
+    }
+  return half;
 }
 
 }  // namespace arenite::imaging

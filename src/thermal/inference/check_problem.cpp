@@ -1,5 +1,3 @@
-#include "thermal/inference/check_problem.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/problems.hpp"
 #include "geometry/close_pairs.hpp"
+#include "thermal/inference/balance.hpp"
 
 namespace arenite::inference {
 namespace {
@@ -93,25 +92,6 @@ void check_problem(const ForceProblem& problem, const ForceOptions& options, boo
   check_contacts(problem.packing, problems);
   check_walls(problem, problems);
   if (factors) check_factors(problem, problems);
-  problems.raise();
-}
-
-void check_picture(const SwingPicture& p) {
-  const auto size = static_cast<std::size_t>(std::max(0, p.width)) * static_cast<std::size_t>(std::max(0, p.height));
-  if (size == 0 || p.value.size() != size || p.error.size() != size)
-    throw InputError("the picture of the swing needs a value and an error for each of its pixels");
-  if (!(p.pixel > 0)) throw InputError("the side of a pixel is not known; give it, e.g. \"1.60 mm\"");
-}
-
-void check_pixels(const Packing& packing, const std::vector<std::vector<GrainPixel>>& pixels) {
-  Problems problems;
-  const Contacts& contacts = packing.contacts;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const auto i = static_cast<std::size_t>(contacts.i[c]);
-    if (!pixels[i].empty() || (!contacts.is_wall(c) && !pixels[static_cast<std::size_t>(contacts.j[c])].empty())) continue;
-    problems.add(fmt::format("no pixel of the picture sees the contact of grain {} with {}; leave the contact out or lower the margins",
-                               packing.grains.id[i], contacts.is_wall(c) ? std::string("a wall") : fmt::format("grain {}", packing.grains.id[static_cast<std::size_t>(contacts.j[c])])));
-  }
   problems.raise();
 }
 

@@ -4,14 +4,9 @@
 
 #include "core/error.hpp"
 #include "thermal/inference/balance.hpp"
-#include "thermal/inference/check_problem.hpp"
-#include "thermal/inference/contact_forces.hpp"
-#include "thermal/inference/finish.hpp"
 
 namespace arenite::inference {
 namespace {
-
-using Touches = std::vector<std::vector<Touch>>;
 
 /// Sum of normal forces of a grain by its mean stress, N.
 double normal_sum(const Packing& packing, std::size_t g, double sigma_hyd) {

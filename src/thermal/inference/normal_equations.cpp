@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/cannot_go_on.hpp"
 #include "core/error.hpp"
-#include "thermal/inference/selected_inverse.hpp"
 
 namespace arenite::inference {
 

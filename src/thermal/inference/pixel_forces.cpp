@@ -1,17 +1,37 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "geometry/close_pairs.hpp"
-#include "thermal/inference/balance.hpp"
-#include "thermal/inference/check_problem.hpp"
-#include "thermal/inference/contact_forces.hpp"
-#include "thermal/inference/finish.hpp"
 #include "thermal/inference/pixel_equations.hpp"
 
 namespace arenite::inference {
 namespace {
+
+void check_picture(const SwingPicture& p) {
+  const auto size = static_cast<std::size_t>(std::max(0, p.width)) * static_cast<std::size_t>(std::max(0, p.height));
+  if (size == 0 || p.value.size() != size || p.error.size() != size)
+    throw InputError("the picture of the swing needs a value and an error for each of its pixels");
+  if (!(p.pixel > 0)) throw InputError("the side of a pixel is not known; give it, e.g. \"1.60 mm\"");
+}
+
+/// Throws InputError for contacts that no pixel of either grain sees.
+void check_pixels(const Packing& packing, const Pixels& pixels) {
+  Problems problems;
+  const Contacts& contacts = packing.contacts;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const auto i = static_cast<std::size_t>(contacts.i[c]);
+    if (!pixels[i].empty() || (!contacts.is_wall(c) && !pixels[static_cast<std::size_t>(contacts.j[c])].empty())) continue;
+    problems.add(fmt::format("no pixel of the picture sees the contact of grain {} with {}; leave the contact out or lower the margins",
+                               packing.grains.id[i], contacts.is_wall(c) ? std::string("a wall") : fmt::format("grain {}", packing.grains.id[static_cast<std::size_t>(contacts.j[c])])));
+  }
+  problems.raise();
+}
 
 Placed placed_grains(const ForceProblem& problem) {
   const Grains& grains = problem.packing.grains;

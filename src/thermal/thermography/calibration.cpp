@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "core/error.hpp"
@@ -29,6 +31,27 @@ void check(const std::vector<LevelPoint>& points) {
   for (const LevelPoint& p : points)
     if (!std::isfinite(p.level) || !(p.temperature > 0) || !std::isfinite(p.temperature))
       throw InputError(fmt::format("a calibration curve has the point ({}, {} K), which cannot be; mend it", p.level, p.temperature));
+}
+
+constexpr double beyond = 1.5;  // pixels: how far a lens spreads a rim
+
+/// The material of every pixel; -1 between the grains.
+std::vector<std::int32_t> material_map(const LockinMaps& maps, const PictureGrains& grains) {
+  std::vector<std::int32_t> material(maps.size(), -1);
+  std::vector<float> away(maps.size(), std::numeric_limits<float>::infinity());
+  for (std::size_t g = 0; g < grains.size(); ++g) {
+    const double reach = grains.radius[g] + beyond;
+    const auto from = [](double v) { return std::max(0, static_cast<int>(std::ceil(v))); };
+    for (int y = from(grains.y[g] - reach); y < maps.height && y <= grains.y[g] + reach; ++y)
+      for (int x = from(grains.x[g] - reach); x < maps.width && x <= grains.x[g] + reach; ++x) {
+        const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(maps.width) + static_cast<std::size_t>(x);
+        const auto distance = static_cast<float>(std::hypot(x - grains.x[g], y - grains.y[g]) - grains.radius[g]);
+        if (distance > beyond || distance >= away[at]) continue;
+        away[at] = distance;
+        material[at] = grains.material[g];
+      }
+  }
+  return material;
 }
 
 }  // namespace
@@ -71,6 +94,20 @@ LevelCurve curve_by_radiometry(const radiometry::Band& band, const LevelPoint& k
     throw InputError(fmt::format("a level of {} at {} K makes no calibration; give a level above 0 and a temperature above 0 K", known.level, known.temperature));
   const double photons = radiometry::photon_exitance(band, known.temperature) / known.level;
   return tabulate(range, [&](double level) { return radiometry::temperature_of_seen(band, surface, photons * level); });
+}
+
+void see_surfaces(LockinMaps& maps, const PictureGrains& grains, const GrainSurfaces& surfaces) {
+  const auto as_assumed = [&](double e) { return e == surfaces.assumed.emissivity; };
+  if (std::all_of(surfaces.emissivity.begin(), surfaces.emissivity.end(), as_assumed)) return;
+  const auto material = material_map(maps, grains);
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    if (material[i] < 0 || !std::isfinite(maps.mean[i])) continue;
+    const double emissivity = surfaces.emissivity[static_cast<std::size_t>(material[i])];
+    const auto true_one = radiometry::taken_for_another(surfaces.band, surfaces.assumed, {emissivity, surfaces.assumed.ambient}, static_cast<double>(maps.mean[i]));
+    maps.mean[i] = static_cast<float>(true_one.temperature);
+    for (auto* map : {&maps.drift, &maps.amplitude, &maps.in_phase, &maps.quadrature, &maps.standard_error, &maps.noise_floor, &maps.second_harmonic, &maps.residual})
+      if (!map->empty()) (*map)[i] *= static_cast<float>(true_one.factor);
+  }
 }
 
 }  // namespace arenite::thermography

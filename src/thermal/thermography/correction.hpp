@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/film.hpp"
+#include "thermal/thermography/frame_statistics.hpp"
 
 namespace arenite::thermography {
 
@@ -19,6 +20,9 @@ struct Replacement {
   std::uint32_t pixel = 0;
   std::vector<std::uint32_t> from;  ///< empty if there is no good neighbour: the pixel stays as it is
 };
+
+/// For every marked pixel the good ones nearest to it: of its eight neighbours, or of wider rings where these are bad too.
+std::vector<Replacement> replacements(const std::vector<std::uint8_t>& bad, int width, int height);
 
 /// What is done to every frame of a film, in this order; an empty array does nothing. Arrays are rows from the top.
 struct Correction {
@@ -47,5 +51,17 @@ class CorrectedFilm : public FilmSource {
   FilmInfo info_;
   FrameBlock part_;
 };
+
+/// One-point correction: every pixel's offset, from the mean frame of a film of an even plate. Every pixel then shows the
+/// plate at the median level of all.
+void correct_offsets(const FrameStatistics& plate, Correction& correction);
+
+/// Two-point correction: gain and offset of every pixel, from two even plates of different temperature, so that every
+/// pixel shows each of them at its median level. A pixel that hardly answers keeps gain 1 (find_bad_pixels finds it).
+/// Throws InputError for plates of different size, or that do not differ.
+void correct_gains(const FrameStatistics& cold, const FrameStatistics& warm, Correction& correction);
+
+/// The median level of a plate: where a correction puts it.
+double plate_level(const FrameStatistics& plate);
 
 }  // namespace arenite::thermography

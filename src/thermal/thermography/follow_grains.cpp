@@ -7,10 +7,9 @@
 #include "core/threads.hpp"
 #include "thermal/thermography/grain_motion.hpp"
 #include "thermal/thermography/grain_scene.hpp"
-#include "thermal/thermography/rim_pixels.hpp"
+#include "thermal/thermography/phase_pictures.hpp"
 
 namespace arenite::thermography {
-
 namespace {
 
 void put(LockinMaps& maps, std::size_t p, const Followed& f, double factor, double spread) {

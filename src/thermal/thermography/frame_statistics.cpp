@@ -1,7 +1,10 @@
 #include "thermal/thermography/frame_statistics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "core/median.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -23,6 +26,85 @@ void add_frame(const T* pixel, bool first, Sums& sums, FrameStatistics& s) {
     s.least[i] = first ? x : std::min(s.least[i], x);
     s.most[i] = first ? x : std::max(s.most[i], x);
   }
+}
+
+constexpr double to_deviation = 1.4826;  // of a normal law, per median of absolute deviations
+
+struct Robust {
+  double middle = 0, deviation = 0;
+};
+
+Robust robust(std::vector<double> x) {
+  if (x.empty()) return {};
+  Robust r;
+  r.middle = median_in_place(x.begin(), x.end());
+  for (double& v : x) v = std::abs(v - r.middle);
+  r.deviation = to_deviation * median_in_place(x.begin(), x.end());
+  return r;
+}
+
+struct Neighbours {
+  std::array<double, 8> value{};
+  int count = 0;
+};
+
+Neighbours neighbours(const std::vector<float>& picture, int width, int height, int column, int row) {
+  Neighbours n;
+  for (int r = std::max(row - 1, 0); r <= std::min(row + 1, height - 1); ++r)
+    for (int c = std::max(column - 1, 0); c <= std::min(column + 1, width - 1); ++c)
+      if (r != row || c != column)
+        n.value[static_cast<std::size_t>(n.count++)] = static_cast<double>(picture[static_cast<std::size_t>(r) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c)]);
+  return n;
+}
+
+/// How far a pixel lies beyond all but two of its neighbours (one in a corner of the picture), and how these scatter.
+struct Standing {
+  double beyond = 0, scatter = 0, from_middle = 0;
+};
+
+Standing standing(double x, Neighbours n) {
+  if (n.count < 3) return {};
+  const auto begin = n.value.begin(), end = begin + n.count;
+  std::sort(begin, end);
+  Standing s;
+  const int alike = n.count < 5 ? 1 : 2;
+  s.beyond = std::max({0.0, x - *(end - 1 - alike), *(begin + alike) - x});
+  const double middle = n.value[static_cast<std::size_t>(n.count / 2)];
+  s.from_middle = x - middle;
+  for (auto v = begin; v != end; ++v) *v = std::abs(*v - middle);
+  s.scatter = to_deviation * median_in_place(begin, end);
+  return s;
+}
+
+void mark_levels(const FrameStatistics& film, double limit, std::vector<std::uint8_t>& bad) {
+  std::vector<Standing> all;
+  std::vector<double> deviations;
+  for (int r = 0; r < film.height; ++r)
+    for (int c = 0; c < film.width; ++c) {
+      all.push_back(standing(static_cast<double>(film.mean[all.size()]), neighbours(film.mean, film.width, film.height, c, r)));
+      deviations.push_back(all.back().from_middle);
+    }
+  const double usual = robust(std::move(deviations)).deviation;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].beyond > limit * std::max(usual, all[i].scatter)) bad[i] |= bad_level;
+}
+
+/// Marks what lies further than the limit from the middle of all, or is no number.
+void mark_outliers(const std::vector<double>& x, double limit, BadPixel why, std::vector<std::uint8_t>& bad) {
+  std::vector<double> finite;
+  for (const double v : x)
+    if (std::isfinite(v)) finite.push_back(v);
+  const Robust r = robust(finite);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (!std::isfinite(x[i]) || (r.deviation > 0 && std::abs(x[i] - r.middle) > limit * r.deviation)) bad[i] |= why;
+}
+
+void mark_noise(const FrameStatistics& film, double limit, std::vector<std::uint8_t>& bad) {
+  constexpr std::size_t least_frames = 8;
+  if (film.frames < least_frames || std::all_of(film.noise.begin(), film.noise.end(), [](float n) { return n == 0; })) return;
+  std::vector<double> logarithm;
+  for (const float n : film.noise) logarithm.push_back(std::log(static_cast<double>(n)));  // of a frozen pixel: minus infinity
+  mark_outliers(logarithm, limit, bad_noise, bad);
 }
 
 }  // namespace
@@ -60,6 +142,25 @@ Doubtful doubtful(const FrameStatistics& s, int bits) {
     if (s.most[i] >= top) ++found.saturated;
   }
   return found;
+}
+
+std::vector<std::uint8_t> find_bad_pixels(const FrameStatistics& film, const BadPixelLimits& limits) {
+  std::vector<std::uint8_t> bad(film.mean.size(), 0);
+  mark_levels(film, limits.level, bad);
+  mark_noise(film, limits.noise, bad);
+  return bad;
+}
+
+std::vector<std::uint8_t> find_bad_pixels(const FrameStatistics& cold, const FrameStatistics& warm, const BadPixelLimits& limits) {
+  std::vector<std::uint8_t> bad = find_bad_pixels(cold, limits);
+  const std::vector<std::uint8_t> others = find_bad_pixels(warm, limits);
+  std::vector<double> answer;
+  for (std::size_t i = 0; i < bad.size(); ++i) {
+    bad[i] |= others[i];
+    answer.push_back(static_cast<double>(warm.mean[i]) - static_cast<double>(cold.mean[i]));
+  }
+  mark_outliers(answer, limits.gain, bad_gain, bad);
+  return bad;
 }
 
 }  // namespace arenite::thermography

@@ -8,10 +8,9 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "geometry/disk_window.hpp"
+#include "geometry/rectangle.hpp"
 
 namespace arenite::thermography {
-
 namespace {
 
 void check(const PictureGrains& grains, const GrainMeanOptions& o) {

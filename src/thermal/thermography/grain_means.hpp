@@ -1,9 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "model/grain_swing.hpp"
-#include "model/lockin_maps.hpp"
-#include "model/picture_grains.hpp"
+#include "model/film.hpp"
+#include "model/image.hpp"
 
 namespace arenite::thermography {
 

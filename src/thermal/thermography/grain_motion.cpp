@@ -5,18 +5,77 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/median.hpp"
 #include "core/threads.hpp"
-#include "thermal/thermography/rim_pixels.hpp"
+#include "thermal/thermography/phase_pictures.hpp"
 
 namespace arenite::thermography {
-
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Sparse = Eigen::SparseMatrix<double>;
+
+/// Rim of a grain that another grain's rim is seen beside.
+struct OtherRim {
+  std::size_t pixel = 0, grain = 0; ///< of the list, and of the grains
+  double inside = 0;                ///< share of the pixel in that grain
+  double slope_x = 0, slope_y = 0;  ///< of that share, a pixel
+};
+
+/// Pixels on both sides of a grain's rim that are in no other grain.
+struct RimPixels {
+  std::vector<double> x, y;                         ///< pixels
+  std::vector<double> from_centre_x, from_centre_y; ///< over the radius
+  std::vector<double> inside;                       ///< share of the pixel in the grain, over the width of a blurred rim
+  std::vector<double> weight;
+  std::vector<OtherRim> others;     ///< blurred rims of neighbours that reach into these pixels
+};
+
+/// Width of a rim that lens and pixels blur: the share inside falls off as erfc(distance/blur)/2.
+constexpr double blur = 0.8;
+/// Closer to another grain than this a pixel is left out; its rim is told apart up to the reach.
+constexpr double margin = 0.6, reach_of_others = 2.2;
+
+double share_inside(double out) { return 0.5 * std::erfc(out / blur); }
+double slope_of_share(double out) { return -std::exp(-out * out / (blur * blur)) / (blur * std::sqrt(std::numbers::pi)); }
+
+void add(const PictureGrains& g, std::size_t i, const std::vector<std::size_t>& neighbours, double rim, double x, double y, RimPixels& pixels) {
+  const double dx = x - g.x[i], dy = y - g.y[i], out = std::hypot(dx, dy) - g.radius[i];
+  if (std::abs(out) > rim) return;
+  std::vector<OtherRim> others;
+  for (const std::size_t j : neighbours) {
+    const double r = std::hypot(x - g.x[j], y - g.y[j]), away = r - g.radius[j];
+    if (away < margin) return;
+    if (away > reach_of_others) continue;
+    const double slope = slope_of_share(away) / r;
+    others.push_back({pixels.x.size(), j, share_inside(away), slope * (x - g.x[j]), slope * (y - g.y[j])});
+  }
+  pixels.others.insert(pixels.others.end(), others.begin(), others.end());
+  pixels.x.push_back(x);
+  pixels.y.push_back(y);
+  pixels.from_centre_x.push_back(dx / g.radius[i]);
+  pixels.from_centre_y.push_back(dy / g.radius[i]);
+  pixels.inside.push_back(share_inside(out));
+  pixels.weight.push_back(1 - std::pow(out / (rim + 0.5), 2));
+}
+
+std::vector<RimPixels> rim_pixels(const PictureGrains& g, int width, int height, double rim) {
+  std::vector<RimPixels> rims(g.size());
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    const double reach = g.radius[i] + rim;
+    std::vector<std::size_t> neighbours;
+    for (std::size_t j = 0; j < g.size(); ++j)
+      if (j != i && std::hypot(g.x[j] - g.x[i], g.y[j] - g.y[i]) < reach + g.radius[j] + reach_of_others) neighbours.push_back(j);
+    const auto first = [](double v) { return std::max(0, static_cast<int>(std::ceil(v))); };
+    for (int row = first(g.y[i] - reach); row <= std::min(height - 1, static_cast<int>(std::floor(g.y[i] + reach))); ++row)
+      for (int column = first(g.x[i] - reach); column <= std::min(width - 1, static_cast<int>(std::floor(g.x[i] + reach))); ++column)
+        add(g, i, neighbours, rim, column, row, rims[i]);
+  }
+  return rims;
+}
 
 /// What the rim of one grain says about the motion that is still left of it and of those beside it: normal matrix and
 /// right-hand sides (cosine, sine) with the smooth part eliminated; two unknowns a grain.

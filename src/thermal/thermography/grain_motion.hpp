@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/grain_swing.hpp"
-#include "model/picture_grains.hpp"
+#include "model/film.hpp"
+#include "model/image.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
 
 namespace arenite::thermography {

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/threads.hpp"
 #include "thermal/imaging/lens.hpp"
-#include "thermal/thermography/resample.hpp"
-#include "thermal/thermography/rim_pixels.hpp"
+#include "thermal/thermography/phase_pictures.hpp"
 
 namespace arenite::thermography {
-
 namespace {
 
 constexpr int fine = 4;             ///< points a pixel, along each axis
@@ -69,8 +68,7 @@ double inner_level(const PhasePictures& pictures, const PictureGrains& g, const 
   return sum / n;
 }
 
-}  // namespace
-
+/// Grains where they are in picture `k`.
 PictureGrains grains_in(const PhasePictures& p, std::size_t k, const PictureGrains& grains, const GrainMotion& m) {
   PictureGrains there = grains;
   for (std::size_t i = 0; i < grains.size(); ++i) {
@@ -80,6 +78,8 @@ PictureGrains grains_in(const PhasePictures& p, std::size_t k, const PictureGrai
   return there;
 }
 
+/// Disks whose `level` is given, through a lens that spreads a point by `blur` (standard deviation, pixels) and the mean over
+/// each pixel. Disks that overlap are parted by the chord of their rims.
 std::vector<float> draw_disks(const PictureGrains& g, const std::vector<double>& level, double background, double blur, int width, int height) {
   const imaging::Lens lens = imaging::make_lens(blur, fine, 4);
   Canvas canvas{width * fine + 2 * lens.margin, height * fine + 2 * lens.margin, lens.margin, {}};
@@ -89,8 +89,6 @@ std::vector<float> draw_disks(const PictureGrains& g, const std::vector<double>&
   for (float& v : picture) v += static_cast<float>(background);
   return picture;
 }
-
-namespace {
 
 /// Median over weights, `none` where there are no values.
 double median(std::vector<std::pair<double, double>>& weighed, double none) {
@@ -116,6 +114,23 @@ double background_level(const PhasePictures& pictures, const GrainScene& scene, 
   return median(pores, scene.grain.empty() ? 0 : scene.grain.front());
 }
 
+/// Least mean distance between picture and drawing, by golden section; it has one minimum.
+template <class Distance>
+double nearest(double low, double high, const Distance& distance) {
+  const double golden = 0.5 * (std::sqrt(5.0) - 1);
+  double a = high - golden * (high - low), b = low + golden * (high - low), at_a = distance(a), at_b = distance(b);
+  while (high - low > 0.02) {
+    if (at_a < at_b) {
+      high = b, b = a, at_b = at_a;
+      a = high - golden * (high - low), at_a = distance(a);
+    } else {
+      low = a, a = b, at_a = at_b;
+      b = low + golden * (high - low), at_b = distance(b);
+    }
+  }
+  return 0.5 * (low + high);
+}
+
 }  // namespace
 
 GrainScene grain_scene(const PhasePictures& pictures, const PictureGrains& grains, const GrainMotion& motion, double blur, int threads) {
@@ -136,6 +151,24 @@ PhasePictures without_scene(const PhasePictures& pictures, const GrainScene& sce
     for (std::size_t p = 0; p < drawn.size(); ++p) coefficient[p] -= drawn[p];
   });
   return rest;
+}
+
+double rim_blur(const PhasePictures& pictures, const PictureGrains& grains, const GrainMotion& motion, int threads) {
+  if (grains.size() == 0 || pictures.size() == 0) return std::numeric_limits<double>::quiet_NaN();
+  constexpr double least = 0.15, most = 1.6, middle = 0.6;
+  constexpr float inside = 0.03f, outside = 0.97f;
+  const PictureGrains there = grains_in(pictures, 0, grains, motion);
+  const std::vector<float> seen = picture_of(pictures, 0);
+  // Rims are where a lens of middling blur shows grain and background at once.
+  const std::vector<float> open = draw_disks(there, std::vector<double>(grains.size(), 0.0), 1, middle, pictures.width, pictures.height);
+  return nearest(least, most, [&](double blur) {
+    const GrainScene scene = grain_scene(pictures, grains, motion, blur, threads);
+    const std::vector<float> drawn = draw_disks(there, scene.grain, scene.background, blur, pictures.width, pictures.height);
+    double sum = 0, count = 0;
+    for (std::size_t p = 0; p < seen.size(); ++p)
+      if (open[p] > inside && open[p] < outside) sum += std::abs(static_cast<double>(seen[p] - drawn[p])), ++count;
+    return count > 0 ? sum / count : 0;
+  });
 }
 
 }  // namespace arenite::thermography

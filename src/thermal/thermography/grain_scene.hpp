@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "model/grain_swing.hpp"
-#include "model/picture_grains.hpp"
+#include "model/film.hpp"
+#include "model/image.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
 
 namespace arenite::thermography {
@@ -13,13 +13,6 @@ struct GrainScene {
   double background = 0;
 };
 
-/// Disks whose `level` is given, through a lens that spreads a point by `blur` (standard deviation, pixels) and the mean over
-/// each pixel. Disks that overlap are parted by the chord of their rims.
-std::vector<float> draw_disks(const PictureGrains& grains, const std::vector<double>& level, double background, double blur, int width, int height);
-
-/// Grains where they are in picture `k`.
-PictureGrains grains_in(const PhasePictures& pictures, std::size_t k, const PictureGrains& grains, const GrainMotion& motion);
-
 /// Finds the levels: of grains over their inner pixels, of the background where no grain reaches.
 GrainScene grain_scene(const PhasePictures& pictures, const PictureGrains& grains, const GrainMotion& motion, double blur, int threads);
 
@@ -27,5 +20,9 @@ GrainScene grain_scene(const PhasePictures& pictures, const PictureGrains& grain
 /// resampled; what is left here is smooth.
 PhasePictures without_scene(const PhasePictures& pictures, const GrainScene& scene, const PictureGrains& grains, const GrainMotion& motion,
                             double blur, int threads);
+
+/// Standard deviation of a Gaussian lens, pixels, with which a drawing of even disks comes nearest to the rims of one of the
+/// pictures: the film's own word on its blur. `grains` are at their mean places. No number without grains.
+double rim_blur(const PhasePictures& pictures, const PictureGrains& grains, const GrainMotion& motion, int threads);
 
 }  // namespace arenite::thermography

@@ -8,13 +8,11 @@
 #include <optional>
 
 #include "core/error.hpp"
-#include "thermal/thermography/frame_times.hpp"
-#include "thermal/thermography/judge_swing.hpp"
-#include "thermal/thermography/pixel_fit.hpp"
+#include "thermal/thermography/segment_sums.hpp"
 #include "thermal/thermography/refine_frequency.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
 
 namespace arenite::thermography {
-
 namespace {
 
 void check(const LockinOptions& o) {

@@ -2,7 +2,6 @@
 #include <optional>
 
 #include "model/film.hpp"
-#include "model/lockin_maps.hpp"
 #include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {

@@ -6,13 +6,26 @@
 #include <numbers>
 
 #include "core/threads.hpp"
-#include "thermal/thermography/frame_times.hpp"
+#include "thermal/thermography/segment_sums.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
-#include "thermal/thermography/resample.hpp"
 
 namespace arenite::thermography {
-
 namespace {
+
+/// One line of `n` numbers that lie `stride` apart: forth and back with the pole of the cubic spline (Unser's filter).
+void filter(float* value, int n, std::ptrdiff_t stride) {
+  if (n < 2) return;
+  const double pole = std::sqrt(3.0) - 2;
+  const auto at = [&](int k) -> float& { return value[k * stride]; };
+  double sum = 0, power = 1;
+  for (int k = 0; k < std::min(n, 24); ++k, power *= pole) sum += power * static_cast<double>(at(k));
+  double last = 6 * sum;
+  at(0) = static_cast<float>(last);
+  for (int k = 1; k < n; ++k) at(k) = static_cast<float>(last = 6 * static_cast<double>(at(k)) + pole * last);
+  last = pole / (pole * pole - 1) * (static_cast<double>(at(n - 1)) + pole * static_cast<double>(at(n - 2)));
+  at(n - 1) = static_cast<float>(last);
+  for (int k = n - 2; k >= 0; --k) at(k) = static_cast<float>(last = pole * (last - static_cast<double>(at(k))));
+}
 
 struct Bins {
   std::vector<std::size_t> of_frame;
@@ -123,6 +136,11 @@ void finish(const LockinMaps& maps, const Bins& bins, const float* drift, std::s
 
 }  // namespace
 
+void spline_coefficients(float* picture, int width, int height) {
+  for (int row = 0; row < height; ++row) filter(picture + static_cast<std::ptrdiff_t>(row) * width, width, 1);
+  for (int column = 0; column < width; ++column) filter(picture + column, height, width);
+}
+
 PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const LockinOptions& options, std::size_t parts) {
   const std::vector<double> time = frame_times(film.info(), options.frame_rate);
   const Bins bins = sort_frames(time, maps.frequency, parts, order_of(maps, time));
@@ -158,6 +176,47 @@ std::vector<float> picture_of(const PhasePictures& pictures, std::size_t k) {
     for (int column = 0; column < pictures.width; ++column)
       values.push_back(static_cast<float>(Resampled(pictures.width, pictures.height, column, row).of(pictures.picture(k))));
   return values;
+}
+
+SwingOfPixels::SwingOfPixels(const PhasePictures& p, double cos_x, double sin_x, double cos_y, double sin_y) {
+  const auto n = static_cast<Eigen::Index>(p.size());
+  Eigen::MatrixXd design(n, 5);
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    dx_.push_back(cos_x * p.cosine[k] + sin_x * p.sine[k]);
+    dy_.push_back(cos_y * p.cosine[k] + sin_y * p.sine[k]);
+    design.row(static_cast<Eigen::Index>(k)) << 1, p.cosine[k], p.sine[k], p.cosine2[k], p.sine2[k];
+  }
+  const Eigen::VectorXd frames = Eigen::Map<const Eigen::VectorXd>(p.frames.data(), n);
+  const Eigen::MatrixXd weighed = frames.asDiagonal() * design, fit = (design.transpose() * weighed).ldlt().solve(weighed.transpose());
+  fit_.resize(5 * p.size());
+  for (Eigen::Index m = 0; m < 5; ++m)
+    for (Eigen::Index k = 0; k < n; ++k) fit_[static_cast<std::size_t>(m * n + k)] = fit(m, k);
+}
+
+Followed SwingOfPixels::follow(const PhasePictures& p, double x, double y) const {
+  const std::size_t n = p.size();
+  double a[5] = {}, frames = 0, noise = 0;
+  Followed f;
+  std::vector<double> value(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const Resampled here(p.width, p.height, x + dx_[k], y + dy_[k]);
+    double slope_x = 0, slope_y = 0;
+    value[k] = here.of(p.picture(k), slope_x, slope_y);
+    for (std::size_t m = 0; m < 5; ++m) a[m] += fit_[m * n + k] * value[k];
+    frames += p.frames[k];
+    noise += p.frames[k] * here.noise();
+    f.slope_x += p.frames[k] * slope_x;
+    f.slope_y += p.frames[k] * slope_y;
+  }
+  double rest = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double fitted = a[0] + a[1] * p.cosine[k] + a[2] * p.sine[k] + a[3] * p.cosine2[k] + a[4] * p.sine2[k];
+    rest += p.frames[k] * (value[k] - fitted) * (value[k] - fitted);
+  }
+  f.mean = a[0], f.cosine = a[1], f.sine = a[2], f.cosine2 = a[3], f.sine2 = a[4];
+  f.slope_x /= frames, f.slope_y /= frames;
+  f.variance = n > 5 ? rest / static_cast<double>(n - 5) * frames / noise : 0;
+  return f;
 }
 
 }  // namespace arenite::thermography

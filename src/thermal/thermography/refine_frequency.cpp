@@ -1,20 +1,92 @@
 #include "thermal/thermography/refine_frequency.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <numbers>
 
 #include "core/median.hpp"
-#include "thermal/thermography/frame_times.hpp"
-#include "thermal/thermography/pixel_fit.hpp"
-#include "thermal/thermography/segments_in_step.hpp"
 
 namespace arenite::thermography {
-
 namespace {
 
+using Eigen::Index;
+
 constexpr double turn = 2 * std::numbers::pi;
+
+/// Numbers by which the sums of segment k give its swing by least squares on its mean and harmonics: rows cos, sin.
+Eigen::MatrixXd own_fit(const SegmentSums& s, std::size_t k) {
+  const auto size = static_cast<Index>(1 + s.functions);
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size);
+  Eigen::VectorXd g(size);
+  for (std::size_t n = s.first[k]; n < s.first[k + 1]; ++n) {
+    g[0] = 1;
+    for (std::size_t m = 0; m < s.functions; ++m) g[static_cast<Index>(m + 1)] = static_cast<double>(s.weights[n * s.functions + m]);
+    normal.noalias() += g * g.transpose();
+  }
+  return Eigen::PartialPivLU<Eigen::MatrixXd>(normal).inverse().middleRows(1, 2);
+}
+
+/// Swing of one pixel in every segment, over its spread, so that a wild pixel does not speak for all.
+bool swings_of(const SegmentSums& s, const std::vector<Eigen::MatrixXd>& fits, std::size_t p, Eigen::VectorXcd& swing) {
+  const SegmentView view = s.view();
+  const float* plane = view.sums + view.at(p, 0, 0);
+  double spread = 0;
+  for (std::size_t k = 0; k < s.segments(); ++k, plane += view.planes * chunk) {
+    std::complex<double> z = 0;
+    for (std::size_t m = 0; m <= s.functions; ++m) {
+      const auto v = static_cast<double>(plane[m * chunk]);
+      z += std::complex<double>(fits[k](0, static_cast<Index>(m)), fits[k](1, static_cast<Index>(m))) * v;
+    }
+    const auto sum = static_cast<double>(plane[0]);
+    spread += static_cast<double>(plane[(s.functions + 1) * chunk]) - sum * sum / s.frames_of(k);
+    swing[static_cast<Index>(k)] = z * s.frames_of(k);
+  }
+  if (!(spread > 0) || !std::isfinite(spread)) return false;
+  swing /= std::sqrt(spread);
+  return swing.allFinite();
+}
+
+Eigen::MatrixXcd products(const SegmentSums& s) {
+  std::vector<Eigen::MatrixXd> fits;
+  for (std::size_t k = 0; k < s.segments(); ++k) fits.push_back(own_fit(s, k));
+  const auto size = static_cast<Index>(s.segments());
+  Eigen::MatrixXcd sum = Eigen::MatrixXcd::Zero(size, size);
+  Eigen::VectorXcd swing(size);
+  for_some_chunks(s, 64, [&](std::size_t begin, std::size_t count) {
+    for (std::size_t p = begin; p < begin + count; ++p)
+      if (swings_of(s, fits, p, swing)) sum.noalias() += swing.conjugate() * swing.transpose();
+  });
+  return sum;
+}
+
+/// Whether segments are long enough, one and a half cycles, to show swings each by itself.
+bool segments_show_swings(const SegmentSums& s) {
+  return s.frequency * (s.time.back() - s.time.front()) >= 1.5 * static_cast<double>(s.segments());
+}
+
+/// Where the swings that the segments show, each by itself, are most in step: the frequency of the band to about a tenth of a
+/// cycle over the film. Looks at some thousand pixels.
+double segments_in_step(const SegmentSums& s, const SearchBand& band) {
+  const double time = s.time.back() - s.time.front(), segment = time / static_cast<double>(s.segments());
+  const double below = std::min(s.frequency - band.low, 0.4 / segment), above = std::min(band.high - s.frequency, 0.4 / segment), step = 1 / (8 * time);
+  const Eigen::MatrixXcd product = products(s);
+  Eigen::VectorXcd phase(product.rows());
+  const auto power = [&](double frequency) {
+    for (Index k = 0; k < phase.size(); ++k) phase[k] = std::polar(1.0, turn * frequency * s.centre[static_cast<std::size_t>(k)]);
+    return phase.dot(product * phase).real();
+  };
+  int best = 0;
+  double most = -1;
+  for (int k = -static_cast<int>(below / step); k <= static_cast<int>(above / step); ++k)
+    if (const double p = power(s.frequency + k * step); p > most) most = p, best = k;
+  const double before = power(s.frequency + (best - 1) * step), after = power(s.frequency + (best + 1) * step);
+  const double curve = before - 2 * most + after, shift = curve < 0 ? std::clamp(0.5 * (before - after) / curve, -0.5, 0.5) : 0;
+  return s.frequency + (best + shift) * step;
+}
+
 constexpr double strong_swing = 0.1;  // as if it were noise: of three times the noise, a swing loses half its weight
 
 /// What a Newton step adds up over pixels of weight w: with c, s of cos and sin, p, q of x cos and x sin.
@@ -24,22 +96,14 @@ struct BeatSums {
   double cross = 0;  ///< w (s p - c q)
   double noise = 0;  ///< w^2 (c^2 + s^2) variance
 
-  void operator+=(const BeatSums& o) {
-    swing += o.swing;
-    beat += o.beat;
-    cross += o.cross;
-    noise += o.noise;
-  }
+  void operator+=(const BeatSums& o) { swing += o.swing, beat += o.beat, cross += o.cross, noise += o.noise; }
 };
 
 /// By noise alone, and with strong swings held back.
 struct Weighings {
   BeatSums by_noise, held_back;
 
-  void operator+=(const Weighings& o) {
-    by_noise += o.by_noise;
-    held_back += o.held_back;
-  }
+  void operator+=(const Weighings& o) { by_noise += o.by_noise, held_back += o.held_back; }
 };
 
 struct Step {
@@ -167,7 +231,7 @@ FrequencyFit refine_frequency(const SegmentSums& sums, int drift_order, const Te
   if (band.empty()) return as_told;
   const double time = sums.time.back() - sums.time.front();
   Newton newton(sums, drift_order, team);
-  FrequencyFit result{segments_show_swings(sums) ? segments_in_step(sums, band.low, band.high) : best_fitting(sums, band, drift_order), 0, 0};
+  FrequencyFit result{segments_show_swings(sums) ? segments_in_step(sums, band) : best_fitting(sums, band, drift_order), 0, 0};
   std::size_t every = newton.runs() >= 64 ? 8 : 1;
   for (int turns = 0; turns < 12; ++turns) {
     const Step step = newton.step(result.frequency, every);

@@ -1,5 +1,8 @@
 #pragma once
-#include "thermal/thermography/segment_sums.hpp"
+#include <optional>
+
+#include "model/film.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
 
 namespace arenite::thermography {
 
@@ -27,5 +30,13 @@ double frequencies_in(const SearchBand& band, const std::vector<double>& time);
 /// least-squares problem of all pixels, each weighed by its noise. The error is the Cramer-Rao bound for white noise.
 /// A film that shows no swing in the band keeps the frequency of the sums, with an error of infinity.
 FrequencyFit refine_frequency(const SegmentSums& sums, int drift_order, const Team& team);
+
+/// Throws InputError for a film of so few cycles that drift can do nearly all that the swing does.
+void refuse_too_few_cycles(const HarmonicFit& fit, const SegmentSums& sums);
+
+/// Gives the maps what tells a load's swing at their frequency from noise: its ratio, chance, share in one phase, the
+/// frequency's error and where else the film swings. Throws InputError where the frequency was `refined` on the film and nothing is
+/// found there but elsewhere, or is a multiple of the one at which the film swings far more.
+void judge_swing(const SegmentSums& sums, const HarmonicFit& fit, const std::optional<FrequencyFit>& refined, LockinMaps& maps);
 
 }  // namespace arenite::thermography

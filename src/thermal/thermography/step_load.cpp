@@ -7,21 +7,97 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "thermal/thermography/find_step.hpp"
-#include "thermal/thermography/frame_times.hpp"
-#include "thermal/thermography/some_pixels.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
 #include "thermal/thermography/step_sides.hpp"
 
 namespace arenite::thermography {
-
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 void check(const StepOptions& o) {
   if (o.drift_order < 0 || o.drift_order > 4) throw InputError(fmt::format("the drift's order is {}; it must be 0 to 4", o.drift_order));
   if (!(o.rise >= 0) || !(o.window >= 0)) throw InputError("the step's rise and window must not be below 0 s");
+}
+
+/// Some thousand pixels of every frame, spread over the picture, less their first value and over their noise from frame to
+/// frame: pixels x frames. Pixels that never change, or are no numbers, are left out. Empty if `progress` stopped it.
+MatrixXd some_pixels(FilmSource& film, const Progress& progress);
+
+/// The time in the middle between the two frames between which the pixels of `series` (pixels x frames, over their noise)
+/// jump most: each split of the film is judged by what polynomials of this order on both sides explain. InputError for too
+/// few frames.
+double find_step(const MatrixXd& series, const std::vector<double>& time, int drift_order);
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd some_pixels(FilmSource& film, const Progress& progress) {
+  const auto frames = static_cast<std::size_t>(film.info().frames), pixels = film.info().pixels();
+  const std::size_t most = std::clamp<std::size_t>((std::size_t{1} << 25) / std::max<std::size_t>(frames, 1), 64, 1024);  // 256 MB
+  const std::size_t every = (pixels + most - 1) / most, count = (pixels + every - 1) / every;
+  MatrixXd series(static_cast<Index>(count), static_cast<Index>(frames));
+  const std::size_t at_once = std::clamp<std::size_t>((std::size_t{1} << 22) / pixels, 1, 256);
+  FrameBlock block;
+  for (std::size_t n = 0; n < frames; n += at_once) {
+    const std::size_t here = std::min(at_once, frames - n);
+    film.read(static_cast<std::int64_t>(n), here, block);
+    for (std::size_t f = 0; f < here; ++f)
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = f * pixels + i * every;
+        series(static_cast<Index>(i), static_cast<Index>(n + f)) = block.value.empty() ? static_cast<double>(block.level[at]) : static_cast<double>(block.value[at]);
+      }
+    if (progress && !progress(static_cast<double>(n + here) / static_cast<double>(frames))) return {};
+  }
+  const VectorXd first = series.col(0);
+  series.colwise() -= first;
+  Index used = 0;
+  const Index last = series.cols() - 1;
+  for (Index i = 0; i < series.rows(); ++i) {
+    const double noise = std::sqrt((series.row(i).tail(last) - series.row(i).head(last)).squaredNorm() / (2 * static_cast<double>(last)));
+    if (noise > 0 && std::isfinite(noise)) series.row(used++) = series.row(i).eval() / noise;
+  }
+  return series.topRows(used);
+}
+
+/// Sums over frames so far: of products of polynomials, and of every pixel's values with them.
+struct Side {
+  MatrixXd normal, value;
+
+  Side(Index size, Index pixels) : normal(MatrixXd::Zero(size, size)), value(MatrixXd::Zero(pixels, size)) {}
+  void add(const VectorXd& phi, const VectorXd& frame, double sign) {
+    normal.noalias() += sign * phi * phi.transpose();
+    value.noalias() += sign * frame * phi.transpose();
+  }
+  MatrixXd fitted(const Eigen::LDLT<MatrixXd>& inverse) const { return inverse.solve(value.transpose()); }
+};
+
+/// The time in the middle between the two frames between which the pixels of `series` (pixels x frames, over their noise)
+/// jump most: each split of the film is judged by what polynomials of this order on both sides explain. InputError for too
+/// few frames.
+double find_step(const MatrixXd& series, const std::vector<double>& time, int drift_order) {
+  const auto frames = static_cast<Index>(time.size()), size = static_cast<Index>(drift_order + 1), margin = size + 2;
+  if (frames < 2 * margin) throw InputError("the film has too few frames for a step to be found; give its time, or ask for less drift");
+  const double middle = (time.front() + time.back()) / 2, half = (time.back() - time.front()) / 2;
+  MatrixXd phi(size, frames);
+  for (Index n = 0; n < frames; ++n) legendre((time[static_cast<std::size_t>(n)] - middle) / half, static_cast<std::size_t>(size), phi.col(n).data());
+  Side before(size, series.rows()), after = before;
+  for (Index n = 0; n < frames; ++n) after.add(phi.col(n), series.col(n), 1);
+  Index best = 0;
+  double most = -1;
+  for (Index n = 0; n + margin <= frames; ++n) {
+    if (n >= margin) {
+      const MatrixXd a = before.fitted(Eigen::LDLT<MatrixXd>(before.normal)), b = after.fitted(Eigen::LDLT<MatrixXd>(after.normal));
+      const double explained = (a.array() * before.value.transpose().array()).sum() + (b.array() * after.value.transpose().array()).sum();
+      if (explained > most) most = explained, best = n;
+    }
+    before.add(phi.col(n), series.col(n), 1);
+    after.add(phi.col(n), series.col(n), -1);
+  }
+  return (time[static_cast<std::size_t>(best - 1)] + time[static_cast<std::size_t>(best)]) / 2;
 }
 
 /// Weighed sums of all pixels' values, less the pixel's first one.
@@ -101,7 +177,7 @@ void fill(StepMaps& maps, const StepSides& sides, const Sums (&sums)[2]) {
   if (!changes) throw InputError("every pixel of the film is constant in time (or is no number); a step needs a film of a loaded sample");
 }
 
-StepSides sides_at(double step, const Eigen::MatrixXd& series, const std::vector<double>& time, const StepOptions& o) {
+StepSides sides_at(double step, const MatrixXd& series, const std::vector<double>& time, const StepOptions& o) {
   if (!(step > time.front() && step < time.back()))
     throw InputError(fmt::format("the step at {:.6g} s is not within the film, which lasts {:.6g} s", step, time.back()));
   const double far = o.window > 0 ? o.window : time.back() + 1;
@@ -125,7 +201,7 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
   if (o.time && !(*o.time > time.front() && *o.time < time.back()))
     throw InputError(fmt::format("the step at {:.6g} s is not within the film, which lasts {:.6g} s", *o.time, time.back()));
   bool stopped = false;
-  const Eigen::MatrixXd series = some_pixels(film, [&](double share) {
+  const MatrixXd series = some_pixels(film, [&](double share) {
     stopped = o.progress && !o.progress(share / 2);
     return !stopped;
   });

@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "core/median.hpp"
-#include "thermal/thermography/frame_times.hpp"
+#include "thermal/thermography/segment_sums.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
 
 namespace arenite::thermography {
-
 namespace {
 
 using Complex = std::complex<double>;

@@ -10,14 +10,15 @@
 #include <sstream>
 
 #include "core/error.hpp"
-#include "io/file_lock.hpp"
+#include "io/disk/file.hpp"
 #include "campaign/collect.hpp"
 #include "campaign/run_study.hpp"
 #include "workflow/store.hpp"
 #include "support/numbers_of.hpp"
+#include "support/small_study.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace arenite::study {
+namespace arenite::campaign {
 namespace {
 
 using Kind = RunState::Kind;
@@ -108,8 +109,8 @@ TEST(FileLock, IsHeldByOneAndGoneWithItsProcess) {
 
 TEST(Store, CountsWhatWasComputedAndWhatThatSavedOthers) {
   const test::TemporaryFolder folder;
-  const Store store(folder / "store");
-  const PlannedStage packing{"packing", "abcdef", "01-packing-abcdef.h5", false}, load{"load", "ab0000", "02-load-ab0000.h5", true};
+  const workflow::Store store(folder / "store");
+  const workflow::PlannedStage packing{"packing", "abcdef", "01-packing-abcdef.h5", false}, load{"load", "ab0000", "02-load-ab0000.h5", true};
   std::ofstream(folder / "made") << "bytes";
   EXPECT_FALSE(store.fetch(packing.hash, folder / "taken"));
   store.note_begun(packing, 1.5);
@@ -121,7 +122,7 @@ TEST(Store, CountsWhatWasComputedAndWhatThatSavedOthers) {
   std::stringstream text;
   text << std::ifstream(folder / "taken").rdbuf();
   EXPECT_EQ(text.str(), "bytes");
-  const auto account = read_account(folder / "store");
+  const auto account = workflow::read_account(folder / "store");
   EXPECT_EQ(account.computed, 2u);
   EXPECT_EQ(account.reused, 3u);
   EXPECT_EQ(account.seconds_saved, 10.5);
@@ -145,7 +146,9 @@ TEST(Collect, MeansOverReplicatesCarryTheStandardErrorOfTheScatter) {
   for (auto& run : study.runs) run.values[0].second = "\"" + run.values[0].second + " mm\"";
   for (std::size_t r = 0; r < 5; ++r) {
     std::filesystem::create_directories(place.run(study.runs[r].name));
-    std::ofstream(place.numbers(study.runs[r].name)) << "{\"x\": {\"value\": " << r << ", \"error\": 0.5}}";
+    // As version 0.1 kept them, and as they are kept now.
+    if (r < 2) std::ofstream(place.run(study.runs[r].name) / "numbers.json") << "{\"x\": {\"value\": " << r << ", \"error\": 0.5}}";
+    else keep_numbers(place.run(study.runs[r].name), {{"x", {{"value", r}, {"error", 0.5}}}});
     write_status(place, study.runs[r].name, {Kind::done, 1, {}});
   }
   const auto table = collect(study, place);
@@ -162,5 +165,32 @@ TEST(Collect, MeansOverReplicatesCarryTheStandardErrorOfTheScatter) {
   EXPECT_THROW(averaged(table, {"cement.widht"}), InputError);
 }
 
+TEST(StudyFolder, RunsOfVersion01CountAsDone) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder / "study.toml";
+  std::ofstream(file) << test::small_study;
+  const Study study = read_study(file);
+  const StudyFolder place(folder / "out");
+  std::filesystem::create_directories(place.run(study.runs[1].former));
+  std::ofstream(place.run(study.runs[1].former) / "numbers.json") << "{\"x\": 7}";
+  std::ofstream(place.run(study.runs[1].former) / study.runs[1].stages[0].former.back()) << "a packing";
+  write_status(place, study.runs[1].former, {Kind::done, 1, {}});
+  const Study again = read_study(file, {}, folder / "out");
+  const RunResult result = result_of(place, again.runs[1]);
+  EXPECT_EQ(result.state.kind, Kind::done);
+  EXPECT_EQ(result.numbers["x"].get<double>(), 7);
+  ASSERT_EQ(result.stages.size(), 1u);
+  EXPECT_EQ(read_states(place).at(study.runs[1].name).kind, Kind::done);
+  EXPECT_EQ(result_of(place, again.runs[0]).state.kind, Kind::waiting);
+}
+
+TEST(StudyFolder, NumbersThatAreNotFiniteAreKeptAsUnknown) {
+  const test::TemporaryFolder folder;
+  keep_numbers(folder.path(), {{"a", std::nan("")}, {"b", {1.5, 2}}, {"c", "word"}});
+  const Numbers read = numbers_of(folder.path());
+  EXPECT_FALSE(read["a"].is_known());
+  EXPECT_EQ(to_json(read), "{\"a\":null,\"b\":[1.5,2],\"c\":\"word\"}");
+}
+
 }  // namespace
-}  // namespace arenite::study
+}  // namespace arenite::campaign

@@ -12,7 +12,7 @@
 #include "support/small_study.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace arenite::study {
+namespace arenite::campaign {
 namespace {
 
 using test::small_cemented_recipe;
@@ -60,7 +60,7 @@ TEST(Sweep, GridAndReplicatesAreAllCombinationsTheLastVaryingFastest) {
                    "frame.width = \"100 mm\", cement.width = 0.25, seed = 3", "frame.width = \"100 mm\", cement.width = 0.25, seed = 4",
                    "frame.width = \"0.12 m\", cement.width = 0.1, seed = 3", "frame.width = \"0.12 m\", cement.width = 0.1, seed = 4",
                    "frame.width = \"0.12 m\", cement.width = 0.25, seed = 3", "frame.width = \"0.12 m\", cement.width = 0.25, seed = 4"}));
-  const Recipe recipe = recipe_of(study, study.runs[7]);
+  const recipe::Recipe recipe = recipe_of(study, study.runs[7]);
   EXPECT_EQ(recipe.frame.width, 0.12);
   EXPECT_EQ(recipe.cement->law.width, 0.25);
   EXPECT_EQ(recipe.seed, 4u);
@@ -192,11 +192,11 @@ TEST(Sweep, RunsAreReadBackFromTheirTableUntilAnInputChanges) {
 
 TEST(TomlLiteral, ReadsBackAsTheSameValue) {
   for (const std::string text : {"1", "-0.25", "1e+30", "true", "\"a \\\"b\\\" \\u0009\"", "[1, [2.5, \"x\"]]", "{ force = \"60 kN\", \"odd key\" = [1] }"}) {
-    const std::string once = toml_literal(parse_value(text));
-    EXPECT_EQ(toml_literal(parse_value(once)), once) << text;
-    EXPECT_EQ(parse_value(once).kind, parse_value(text).kind) << text;
+    const std::string once = toml_literal(recipe::parse_value(text));
+    EXPECT_EQ(toml_literal(recipe::parse_value(once)), once) << text;
+    EXPECT_EQ(recipe::parse_value(once).kind, recipe::parse_value(text).kind) << text;
   }
 }
 
 }  // namespace
-}  // namespace arenite::study
+}  // namespace arenite::campaign

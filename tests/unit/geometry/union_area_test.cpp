@@ -1,4 +1,4 @@
-#include "geometry/union_area.hpp"
+#include "geometry/outline.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "geometry/disk_window.hpp"
+#include "geometry/rectangle.hpp"
 
 namespace arenite::geometry {
 namespace {

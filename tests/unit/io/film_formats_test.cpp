@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-#include "io/film_times.hpp"
-#include "io/lock_in_line.hpp"
+#include "io/film/formats.hpp"
 #include "support/films.hpp"
 #include "support/pictures.hpp"
 #include "support/temporary_folder.hpp"

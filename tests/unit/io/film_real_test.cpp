@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "io/film_times.hpp"
+#include "io/film/film.hpp"
 #include "support/films.hpp"
 
 namespace arenite::io {

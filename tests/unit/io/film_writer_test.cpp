@@ -1,4 +1,4 @@
-#include "io/film_writer.hpp"
+#include "io/film/film.hpp"
 
 #include <gtest/gtest.h>
 

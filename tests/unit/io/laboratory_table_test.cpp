@@ -1,4 +1,4 @@
-#include "io/laboratory_table.hpp"
+#include "io/table/table.hpp"
 
 #include <gtest/gtest.h>
 

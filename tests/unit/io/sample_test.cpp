@@ -1,4 +1,4 @@
-#include "io/sample.hpp"
+#include "io/sample/sample.hpp"
 
 #include <gtest/gtest.h>
 

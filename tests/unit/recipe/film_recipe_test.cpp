@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 
-namespace arenite::study {
+namespace arenite::recipe {
 namespace {
 
 std::vector<Problem> problems_of(const std::string& text) {
@@ -146,4 +146,4 @@ TEST(FilmRecipe, ReferencePageIsUpToDate) {
 }
 
 }  // namespace
-}  // namespace arenite::study
+}  // namespace arenite::recipe

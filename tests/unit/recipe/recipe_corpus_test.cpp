@@ -3,10 +3,10 @@
 #include <filesystem>
 
 #include "core/error.hpp"
-#include "io/read_file.hpp"
+#include "io/disk/file.hpp"
 #include "recipe/recipe.hpp"
 
-namespace arenite::study {
+namespace arenite::recipe {
 namespace {
 
 // What fuzzing found, and its seeds: each is understood, and then reads back the same, or is refused with a sentence.
@@ -29,4 +29,4 @@ TEST(RecipeCorpus, EveryInputIsUnderstoodOrRefused) {
 }
 
 }  // namespace
-}  // namespace arenite::study
+}  // namespace arenite::recipe

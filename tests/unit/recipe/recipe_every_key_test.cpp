@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "io/read_file.hpp"
+#include "io/disk/file.hpp"
 #include "recipe/recipe.hpp"
 
-namespace arenite::study {
+namespace arenite::recipe {
 namespace {
 
 /// A line `key = value` of a resolved recipe, and the text around it.
@@ -99,4 +99,4 @@ TEST(EveryKey, QuantityWithoutUnitOrOfAnotherDimensionIsRefused) {
 }
 
 }  // namespace
-}  // namespace arenite::study
+}  // namespace arenite::recipe

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "model/domain.hpp"
+#include "model/packing.hpp"
 
-namespace arenite::study {
+namespace arenite::recipe {
 namespace {
 
 const std::string smallest = R"([frame]
@@ -64,7 +64,7 @@ TEST(Recipe, SmallestRecipeGivesSiValuesAndDefaults) {
   EXPECT_EQ(recipe.stages[0].side[top], SideDrive{});
   EXPECT_EQ(recipe.stages[0].rest, RestCriterion{});
   EXPECT_EQ(recipe.contact, dem::ContactParameters{});
-  EXPECT_EQ(recipe.contact.friction_law, dem::FrictionLaw::cundall_strack);  // the field's: friction that holds at rest,
+  EXPECT_EQ(recipe.contact.friction_law, dem::CundallStrack{});  // the field's: friction that holds at rest,
   EXPECT_FALSE(recipe.contact.attractive_dashpot);                          // contacts that do not pull,
   EXPECT_EQ(recipe.contact.restitution, 0.5);                               // moderate damping
   EXPECT_EQ(recipe.seed, 1u);
@@ -147,7 +147,7 @@ friction = 0
   EXPECT_EQ(recipe.packing.grains, 1000);
   EXPECT_EQ(recipe.contact.restitution, 0.2);
   EXPECT_EQ(recipe.contact.wall_friction, 0.0);
-  EXPECT_EQ(recipe.contact.adhesion, dem::Adhesion::geometrical_breaking);
+  EXPECT_EQ(recipe.contact.adhesion, dem::BreakingAdhesion{});
   EXPECT_EQ(recipe.contact.glued_pairs.at(1), (std::pair<std::int32_t, std::int32_t>(4, 2)));
   EXPECT_EQ(recipe.integration.integrator, dem::IntegratorKind::gear5);
   EXPECT_EQ(recipe.integration.time_step, 0.5e-6);
@@ -401,4 +401,4 @@ TEST(RecipeFile, WhatCannotBeReadIsOneSentence) {
 }
 
 }  // namespace
-}  // namespace arenite::study
+}  // namespace arenite::recipe

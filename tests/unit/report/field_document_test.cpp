@@ -67,10 +67,10 @@ void expect_holds(const Json& whole, const Json& some, const std::string& path =
 }
 
 TEST(FieldDocument, AgreesWithTheNumbersThatALoadIsStoredWith) {
-  study::Load load;
+  recipe::Load load;
   load.name = "tension";
   load.statistics.clamp_rows = 8;
-  const auto result = study::apply_load(load, sample().cement, {});
+  const auto result = workflow::apply_load(load, sample().cement, {});
   ASSERT_TRUE(result);
   const auto field_of = [&](const stress::StressOptions& statistics) {
     return Json::parse(report::page_document({"one", {}, {}, {{&*result, statistics}}}).json)["fields"][0];

@@ -1,4 +1,4 @@
-#include "report/field_drawing.hpp"
+#include "report/run_drawing.hpp"
 
 #include <gtest/gtest.h>
 

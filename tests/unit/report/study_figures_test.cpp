@@ -1,21 +1,19 @@
-#include "report/study_figures.hpp"
+#include "report/study_page.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/error.hpp"
-#include "report/run_density.hpp"
-#include "report/spread_text.hpp"
-#include "report/study_page.hpp"
+#include "report/run_means.hpp"
 #include "support/numbers_of.hpp"
 
 namespace arenite::report {
 namespace {
 
 /// gamma 1 and 2, two seeds each, width 0.2 or full; z is 10 gamma + seed.
-study::CollectedTable table() {
-  study::CollectedTable t;
+campaign::CollectedTable table() {
+  campaign::CollectedTable t;
   t.keys = {{"gamma", ""}, {"cement", ""}, {"seed", ""}};
   t.names = {"z", "s"};
   int run = 0;
@@ -23,7 +21,7 @@ study::CollectedTable table() {
     for (const char* cement : {"", "full"})
       for (const char* seed : {"1", "3"})
         t.rows.push_back({std::to_string(run++), "done", {gamma, cement, seed}, 1,
-                          {study::Estimate{10 * std::stod(gamma) + std::stod(seed), {}}, study::Estimate{std::stod(gamma) / 4, {}}}});
+                          {campaign::Estimate{10 * std::stod(gamma) + std::stod(seed), {}}, campaign::Estimate{std::stod(gamma) / 4, {}}}});
   return t;
 }
 

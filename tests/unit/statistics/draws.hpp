@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/random.hpp"
-#include "statistics/blocked_sample.hpp"
+#include "statistics/histogram.hpp"
 
 namespace arenite::statistics {
 

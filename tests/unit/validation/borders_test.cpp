@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "workflow/final_state.hpp"
+#include "workflow/result_folder.hpp"
 #include "workflow/run.hpp"
 #include "support/small_study.hpp"
 #include "support/temporary_folder.hpp"
@@ -13,10 +13,10 @@ namespace {
 
 TEST(Borders, MeasureTheSameStatesWithAnotherStripLeftOut) {
   const test::TemporaryFolder folder;
-  const auto recipe = study::parse_recipe(test::small_packing_recipe + "solid_fraction = 0.7\n[contact]\nfriction_law = \"cundall_strack\"\n[[stages]]\nname = \"load\"\ntop = { force = \"100 N\" }\n", "recipe.toml");
-  study::RunOptions options;
+  const auto recipe = recipe::parse_recipe(test::small_packing_recipe + "solid_fraction = 0.7\n[contact]\nfriction_law = \"cundall_strack\"\n[[stages]]\nname = \"load\"\ntop = { force = \"100 N\" }\n", "recipe.toml");
+  workflow::RunOptions options;
   options.out = folder.path() / "runs" / "first";
-  ASSERT_TRUE(study::run(recipe, options).converged);
+  ASSERT_TRUE(workflow::run(recipe, options).converged);
   auto table = made_up_table({"seed"}, {"grains"}, {{{"1"}, {60}}, {{"2"}, {60}}});
   table.rows[0].run = "first";
   table.rows[1].run = "missing";

@@ -56,7 +56,7 @@ TEST(PaperChoices, SayWhereAllPairsGiveAnotherVerdict) {
 
 TEST(PaperChoices, CountWhereTheyAreMadeAtEveryPair) {
   const Results whole = made_up();
-  study::CollectedTable fewer = whole.table("paper-choices");
+  campaign::CollectedTable fewer = whole.table("paper-choices");
   std::erase_if(fewer.rows, [](const auto& row) { return row.values[0] == "2"; });
   fewer.rows.push_back(whole.table("paper-choices").rows[1]);
   fewer.rows.back().values[3] = "0.6";

@@ -12,7 +12,7 @@ namespace {
 
 /// gamma 1, 2 and 5, theta 1.4 and 6, three samples; full, or of one width. `number` gives a run's value.
 Results results(const std::string& name, double (*number)(double gamma, double theta, double width, int seed)) {
-  study::CollectedTable t;
+  campaign::CollectedTable t;
   t.keys = {{"bidisperse.size_ratio", ""}, {"bidisperse.volume_ratio", ""}, {"cement.kind", ""}, {"cement.width", ""}, {"seed", ""}};
   t.names = {name};
   for (const char* gamma : {"1", "2", "5"})
@@ -21,7 +21,7 @@ Results results(const std::string& name, double (*number)(double gamma, double t
         for (int seed = 0; seed < 3; ++seed) {
           const bool is_full = width[0] == '\0';
           const double value = number(std::stod(gamma), std::stod(theta), is_full ? 0 : std::stod(width), seed);
-          t.rows.push_back({std::to_string(t.rows.size()), "done", {gamma, theta, is_full ? "full" : "", width, std::to_string(seed)}, 1, {study::Estimate{value, {}}}});
+          t.rows.push_back({std::to_string(t.rows.size()), "done", {gamma, theta, is_full ? "full" : "", width, std::to_string(seed)}, 1, {campaign::Estimate{value, {}}}});
         }
   Results r;
   r.add("paper", t);

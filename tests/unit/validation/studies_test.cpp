@@ -11,7 +11,7 @@ TEST(Studies, FindTheRecipeThatTheyAreLaidOver) {
   const test::TemporaryFolder folder;
   const StudySource* source = find_study("paper-strength");
   ASSERT_NE(source, nullptr);
-  const study::Study study = unpack_study(*source, folder.path() / "paper-strength", false);
+  const campaign::Study study = unpack_study(*source, folder.path() / "paper-strength", false);
   EXPECT_EQ(study.runs.size(), 30u);
   EXPECT_TRUE(std::filesystem::is_regular_file(folder.path() / "paper" / "recipe.toml"));
 }

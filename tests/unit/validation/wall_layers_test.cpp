@@ -24,8 +24,8 @@ TEST(WallLayers, TheShareOfTheInteriorIsTheMeanOverPlaces) {
 }
 
 /// Squares of disks: one in every cell of 1 mm, none in the outermost cells of 10 x 10 mm.
-study::FinalState with_bare_walls() {
-  study::FinalState state;
+workflow::FinalState with_bare_walls() {
+  workflow::FinalState state;
   auto& domain = state.packing.domain;
   domain.wall[right].position = domain.wall[top].position = 0.01;
   auto& grains = state.packing.grains;

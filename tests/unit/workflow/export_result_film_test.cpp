@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "io/export_frame.hpp"
-#include "io/film_result_file.hpp"
-#include "io/read_file.hpp"
+#include "io/export/export.hpp"
+#include "io/results/results.hpp"
+#include "io/disk/file.hpp"
 #include "workflow/export_result.hpp"
 #include "support/film_page_sample.hpp"
 #include "support/program.hpp"
@@ -25,7 +25,7 @@ TEST(ExportFilm, GrainsAndForcesBecomeTables) {
   const test::TemporaryFolder folder;
   const test::FilmPageSample made(60, 4e-3);
   io::write_film_result(folder / "f.h5", made.film);
-  const auto files = study::export_result(folder / "f.h5", format("csv"), folder / "csv", false);
+  const auto files = workflow::export_result(folder / "f.h5", format("csv"), folder / "csv", false);
   std::string all, grains;
   for (const auto& file : files) {
     const std::string text = io::read_file(file);
@@ -42,7 +42,7 @@ TEST(ExportFilm, VtkTakesItToo) {
   const test::TemporaryFolder folder;
   const test::FilmPageSample made(30, 4e-3);
   io::write_film_result(folder / "f.h5", made.film);
-  EXPECT_GE(study::export_result(folder / "f.h5", format("vtk"), folder / "vtk", true).size(), 3u);
+  EXPECT_GE(workflow::export_result(folder / "f.h5", format("vtk"), folder / "vtk", true).size(), 3u);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "core/error.hpp"
 #include "support/pictures.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 namespace {
 
 LockinMaps judged(double chance, double one_phase, double swings_at = 0) {
@@ -24,4 +24,4 @@ TEST(FilmChecks, RefusesAFilmWithoutALoadAndSaysWhy) {
 }
 
 }  // namespace
-}  // namespace arenite::study
+}  // namespace arenite::workflow

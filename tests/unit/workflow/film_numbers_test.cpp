@@ -1,4 +1,4 @@
-#include "workflow/film_numbers.hpp"
+#include "workflow/run_film.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,10 @@
 #include <numbers>
 #include <rapidcheck/gtest.h>
 
-#include "workflow/film_directions.hpp"
-#include "workflow/film_twin.hpp"
 #include "support/film_page_sample.hpp"
 #include "grains/texture/texture.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 namespace {
 
 const std::vector<std::uint8_t> all{1, 1, 1, 1};
@@ -139,4 +137,4 @@ TEST(FilmTwin, StressOfDisksIsTheMeanOfTheirClosedForm) {
 }
 
 }  // namespace
-}  // namespace arenite::study
+}  // namespace arenite::workflow

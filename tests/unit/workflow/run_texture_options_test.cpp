@@ -5,11 +5,11 @@
 #include "workflow/run.hpp"
 #include "support/small_study.hpp"
 
-namespace arenite::study {
+namespace arenite::workflow {
 namespace {
 
 texture::Options options_with(const std::string& contact) {
-  return texture_options(parse_recipe(test::small_packing_recipe + "[contact]\n" + contact + "[[stages]]\nname = \"load\"\ngravity = true\ntop = { force = \"1 kN\" }\n", "r.toml"), 1);
+  return texture_options(recipe::parse_recipe(test::small_packing_recipe + "[contact]\n" + contact + "[[stages]]\nname = \"load\"\ngravity = true\ntop = { force = \"1 kN\" }\n", "r.toml"), 1);
 }
 
 TEST(TextureOptions, TellWhatMayPull) {
@@ -20,7 +20,7 @@ TEST(TextureOptions, TellWhatMayPull) {
 }
 
 std::optional<double> axis_with(const std::string& sides) {
-  return texture_options(parse_recipe(test::small_packing_recipe + "[[stages]]\nname = \"load\"\n" + sides, "r.toml"), 1).load_axis;
+  return texture_options(recipe::parse_recipe(test::small_packing_recipe + "[[stages]]\nname = \"load\"\n" + sides, "r.toml"), 1).load_axis;
 }
 
 TEST(TextureOptions, SignsReferToTheAxisAlongWhichTheSidesLoad) {
@@ -31,4 +31,4 @@ TEST(TextureOptions, SignsReferToTheAxisAlongWhichTheSidesLoad) {
 }
 
 }  // namespace
-}  // namespace arenite::study
+}  // namespace arenite::workflow

@@ -1,4 +1,4 @@
-/** The values of a coded field (src/report/field_codes.hpp): codes are predicted from the neighbours to the left and
+/** The values of a coded field (src/report/number_block.hpp): codes are predicted from the neighbours to the left and
     below, and a table turns each code into its value. */
 export function decodeField(width, residual, { law, centre, width: unit, levels }) {
   const n = residual.length, code = new Int32Array(n);

@@ -1,15 +1,13 @@
-#include "grains/dem/integrators/gear.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 
 #include "grains/dem/forces.hpp"
-#include "grains/dem/integrators/disk_sweep.hpp"
 #include "grains/dem/integrators/nordsieck.hpp"
-#include "grains/dem/ghosts.hpp"
-#include "grains/dem/motion.hpp"
 #include "grains/dem/neighbours.hpp"
+#include "grains/dem/setup.hpp"
+#include "grains/dem/measure.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
-
 namespace {
 
 /// Moves the walls on to the predicted t_{n+1}.

@@ -5,8 +5,8 @@ namespace arenite::dem {
 /// Share of dt^2/2 (a - predicted a) that the correction adds to the position, and of dt/2 (..) to the velocity.
 inline constexpr double gear_position_share = 3.0 / 16.0, gear_velocity_share = 251.0 / 360.0;
 
-/// Gear's predictor-corrector of fifth order in Nordsieck's scaling, q_k = dt^k/k! d^k x/dt^k, with the coefficients
-/// for a second-order equation whose force depends on velocity: 3/16, 251/360, 1, 11/18, 1/6, 1/60. V is a number type.
+/// Gear's predictor-corrector of fifth order in Nordsieck's scaling, q_k = dt^k/k! d^k x/dt^k, with the coefficients for a second-order equation
+/// whose force depends on velocity: 3/16, 251/360, 1, 11/18, 1/6, 1/60. V is a number type.
 template <class V>
 struct Nordsieck {
   V q0, q1, q2, q3, q4, q5;

@@ -1,10 +1,11 @@
-#include "grains/dem/integrators/verlet.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 
-#include "grains/dem/integrators/disk_sweep.hpp"
+#include <atomic>
+
+#include "grains/dem/neighbours.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
-
 namespace {
 
 void move_walls(Sample& s, double kick, double ahead) {
@@ -28,6 +29,55 @@ bool verlet_sweep(Sample& s, double extrapolation, const Team& team) {
   move_walls(s, kick, ahead);
   s.lag = 0.5 * s.dt;
   return sweep.run(s.kernel->verlet, team);
+}
+
+namespace {
+
+/// Where the cell has taken places in x (or y) since `then`.
+Stretch stretch_x(const CellFrame& then, const CellFrame& now) {
+  if (!now.periodic_x) return {};
+  return {then.left_edge, now.width / then.width, now.left_edge};
+}
+Stretch stretch_y(const CellFrame& then, const CellFrame& now) {
+  if (!now.periodic_y) return {};
+  return {then.bottom_edge, now.height / then.height, now.bottom_edge};
+}
+
+}  // namespace
+
+DiskSweep::DiskSweep(Sample& s)
+    : task{s.record.data(), s.list.force.data(), s.list.group.data(), s.list.first.data(), s.vx.data(), s.vy.data(),
+           s.omega.data(), s.angle.data(), s.ax.data(), s.ay.data(), s.alpha.data(), {}, s.listed_x.data(),
+           s.listed_y.data(), {}, {}, s.dt, 0, 0, s.drag, s.integration.rotations ? 1.0 : 0.0, 0},
+      sample_(s),
+      before_(cell_frame(s.domain)) {
+  for (std::size_t n = 0; n < s.higher.size(); ++n) task.higher[n] = s.higher[n].data();
+  task.x.gravity = s.gravity.x;
+  task.y.gravity = s.gravity.y;
+  task.x.before = affine_x(s.domain);
+  task.y.before = affine_y(s.domain);
+}
+
+bool DiskSweep::run(Kernel::Sweep loop, const Team& team) {
+  Sample& s = sample_;
+  const CellFrame after = cell_frame(s.domain), listed = cell_frame(s.listed_domain);
+  task.x.after = affine_x(s.domain);
+  task.y.after = affine_y(s.domain);
+  task.x.moved = stretch_x(before_, after);
+  task.y.moved = stretch_y(before_, after);
+  task.x.listed = stretch_x(listed, after);
+  task.y.listed = stretch_y(listed, after);
+  task.x.growth = after.growth_x(before_);
+  task.y.growth = after.growth_y(before_);
+  const double leeway = list_leeway(s);
+  task.limit = leeway > 0 ? leeway * leeway : -1.0;
+  std::atomic<bool> near = true;
+  team.for_ranges(s.count, [&](std::size_t begin, std::size_t end) {
+    if (!loop(task, begin, end)) near = false;
+  });
+  if (s.domain.periodic_x) s.domain.tilt *= after.width / before_.width;
+  ++s.step;
+  return near;
 }
 
 }  // namespace arenite::dem

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -15,7 +16,7 @@ struct PairTask {
   const DiskRecord* record;
   const std::int32_t *i, *j;
   const double *stiffness, *damping, *viscosity, *strength;
-  double* memory;
+  double *memory, *normal_memory;
   SlotForce* force;
   double friction;   ///< mu
   double floor;      ///< lowest F_n of contacts that are not glued, N
@@ -63,13 +64,19 @@ struct SweepTask {
   double limit;                 ///< square of the way that a disk may be from its place in the list, m^2
 };
 
-/// The inner loops, compiled once for each kind of processor. All kernels give the same bits: the same exactly rounded
-/// operations in the same order for every contact and disk, only more of them at a time.
+inline constexpr std::size_t adhesions = std::variant_size_v<Adhesion::variant>, friction_laws = std::variant_size_v<FrictionLaw::variant>,
+                             law_triples = std::variant_size_v<NormalLaw::variant> * adhesions * friction_laws;
+inline std::size_t loop_index(const ContactLaws& laws) {
+  return (laws.normal.index() * adhesions + laws.adhesion.index()) * friction_laws + laws.friction.index();
+}
+
+/// The inner loops, compiled once for each kind of processor. All kernels give the same bits: the same exactly rounded operations in the same order
+/// for every contact and disk, only more of them at a time.
 struct Kernel {
   const char* name;
-  /// Forces of slots begin .. end-1, all of two disks; by normal law, adhesion and friction law (index in its variant).
+  /// Forces of slots begin .. end-1, all of two disks; one loop for every three laws (loop_index).
   using PairLoop = void (*)(const PairTask&, const ContactLaws&, std::size_t begin, std::size_t end);
-  PairLoop pairs[2][2][2];
+  std::array<PairLoop, law_triples> pairs;
   /// A step of disks begin .. end-1. False if the list has become stale.
   using Sweep = bool (*)(const SweepTask&, std::size_t begin, std::size_t end);
   Sweep verlet, gear;
@@ -77,8 +84,7 @@ struct Kernel {
 
 extern const Kernel portable_kernel, avx2_kernel, avx512_kernel;
 
-/// The kernel that `asked` means on this machine: "auto" is the widest it has. InputError for one that is unknown or
-/// that the processor lacks.
+/// The kernel that `asked` means on this machine: "auto" is the widest it has. InputError for one that is unknown or that the processor lacks.
 const Kernel& find_kernel(const std::string& asked);
 
 }  // namespace arenite::dem

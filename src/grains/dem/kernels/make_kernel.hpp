@@ -1,24 +1,23 @@
 #pragma once
-#include "grains/dem/kernels/gear_loop.hpp"
+#include <utility>
+
 #include "grains/dem/kernels/pair_loop.hpp"
-#include "grains/dem/kernels/verlet_loop.hpp"
+#include "grains/dem/kernels/sweep.hpp"
 
 namespace arenite::dem {
 
-/// All loops for W contacts or disks at a time; the laws in the order of their variants.
+/// The loops of all triples of laws, in the order of loop_index.
+template <int W, std::size_t... Q>
+constexpr std::array<Kernel::PairLoop, law_triples> pair_loops(std::index_sequence<Q...>) {
+  return {pair_loop<W, std::variant_alternative_t<Q / friction_laws / adhesions, NormalLaw::variant>,
+                    std::variant_alternative_t<Q / friction_laws % adhesions, Adhesion::variant>,
+                    std::variant_alternative_t<Q % friction_laws, FrictionLaw::variant>>...};
+}
+
+/// All loops for W contacts or disks at a time.
 template <int W>
 constexpr Kernel make_kernel(const char* name) {
-  return {name,
-          {{{pair_loop<W, Linear, NoAdhesion, RegularisedCoulomb>, pair_loop<W, Linear, NoAdhesion, CundallStrack>},
-            {pair_loop<W, Linear, GeometricalAdhesion, RegularisedCoulomb>,
-             pair_loop<W, Linear, GeometricalAdhesion, CundallStrack>}},
-           {{pair_loop<W, Hertz, NoAdhesion, RegularisedCoulomb>, pair_loop<W, Hertz, NoAdhesion, CundallStrack>},
-            {pair_loop<W, Hertz, GeometricalAdhesion, RegularisedCoulomb>,
-             pair_loop<W, Hertz, GeometricalAdhesion, CundallStrack>}}},
-          sweep<W, VerletBatch>,
-          sweep<W, GearBatch>};
+  return {name, pair_loops<W>(std::make_index_sequence<law_triples>{}), sweep<W, VerletBatch>, sweep<W, GearBatch>};
 }
-static_assert(std::variant_size_v<NormalChoice> == 2 && std::variant_size_v<AdhesionChoice> == 2 &&
-              std::variant_size_v<FrictionChoice> == 2);
 
 }  // namespace arenite::dem

@@ -1,6 +1,6 @@
 #pragma once
-#include "grains/dem/kernels/gather.hpp"
 #include "grains/dem/kernels/kernel.hpp"
+#include "grains/dem/kernels/pack.hpp"
 #include "grains/dem/sample.hpp"
 
 namespace arenite::dem {
@@ -19,7 +19,7 @@ struct DiskPack {
 
 /// Forces of W slots from p on.
 template <int W, class N, class A, class F>
-ARENITE_INLINE void pair_batch(const PairTask& t, const N& normal, const A& adhesion, const F& friction,
+ARENITE_INLINE void pair_batch(const PairTask& t, const ContactLaws& shared, const N& normal, const A& adhesion, const F& friction,
                                std::size_t p) {
   using V = Pack<W>;
   const V zero(0.0);
@@ -34,7 +34,7 @@ ARENITE_INLINE void pair_batch(const PairTask& t, const N& normal, const A& adhe
 
   const V strength = V::load(t.strength + p);
   V floor(t.floor);
-  if constexpr (!std::is_same_v<A, NoAdhesion>) floor = select(strength > zero, V(-__builtin_inf()), floor);
+  if constexpr (A::attracts) floor = select(strength > zero, V(-__builtin_inf()), floor);
   const ContactState<V> state{overlap,
                               zero - (ux * nx + uy * ny),
                               uy * nx - ux * ny - a.omega * arm_i - b.omega * arm_j,
@@ -45,12 +45,14 @@ ARENITE_INLINE void pair_batch(const PairTask& t, const N& normal, const A& adhe
                               strength,
                               V(t.friction),
                               floor};
-  V memory = zero;
-  if constexpr (F::remembers) memory = V::load(t.memory + p);
-  const ContactForce<V> f = contact_force(normal, adhesion, friction, state, memory);
+  ContactMemory<V> memory;
+  if constexpr (N::remembers) memory.normal = V::load(t.normal_memory + p);
+  if constexpr (F::remembers) memory.slip = V::load(t.memory + p);
+  const ContactForce<V> f = contact_force(shared, normal, adhesion, friction, state, memory);
   const auto touching_now = overlap > zero;
   const V fn = select(touching_now, f.normal, zero), ft = select(touching_now, f.tangential, zero);
-  if constexpr (F::remembers) select(touching_now, memory, zero).store(t.memory + p);
+  if constexpr (N::remembers) select(touching_now, memory.normal, zero).store(t.normal_memory + p);
+  if constexpr (F::remembers) select(touching_now, memory.slip, zero).store(t.memory + p);
   scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].fx; }, fn * nx - ft * ny, fn * ny + ft * nx);
   scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_i; }, zero - arm_i * ft,
              zero - arm_j * ft);
@@ -61,12 +63,13 @@ template <int W, class N, class A, class F>
 __attribute__((flatten)) void pair_loop(const PairTask& given, const ContactLaws& laws, std::size_t begin,
                                         std::size_t end) {
   const PairTask task = given;  // a copy that no store can reach stays in registers
-  const N normal = *std::get_if<N>(&laws.normal);
-  const A adhesion = *std::get_if<A>(&laws.adhesion);
-  const F friction = *std::get_if<F>(&laws.friction);
+  const ContactLaws shared = laws;
+  const N normal = *std::get_if<N>(&shared.normal);
+  const A adhesion = *std::get_if<A>(&shared.adhesion);
+  const F friction = *std::get_if<F>(&shared.friction);
   std::size_t p = begin;
-  for (; p + W <= end; p += W) pair_batch<W>(task, normal, adhesion, friction, p);
-  for (; p < end; ++p) pair_batch<1>(task, normal, adhesion, friction, p);
+  for (; p + W <= end; p += W) pair_batch<W>(task, shared, normal, adhesion, friction, p);
+  for (; p < end; ++p) pair_batch<1>(task, shared, normal, adhesion, friction, p);
 }
 
 }  // namespace arenite::dem

@@ -1,34 +1,40 @@
 #pragma once
-#include "grains/dem/laws/lane.hpp"
+#include "grains/dem/laws/parts.hpp"
 
 namespace arenite::dem {
 
-/// Cundall-Strack friction: a tangential spring k_t xi and a dashpot gamma_s v_s, together held within Coulomb's cap;
-/// the spring alone never exceeds the cap, so sliding dissipates and never charges it.
+/// Cundall-Strack friction: a tangential spring k_t xi and a dashpot gamma_s v_s, together held within Coulomb's cap; the spring alone never exceeds
+/// the cap, so sliding dissipates and never charges it.
 ///
-/// xi is the integral of v_s by the trapezoidal rule, which is of second order. One number a contact is enough for it:
-/// `memory` = xi + lag v_s, to which the next evaluation adds lead v_s. Where velocities are those of the middle of a
-/// step (leapfrog), lead = dt and lag = 0.
+/// xi is the integral of v_s by the trapezoidal rule, which is of second order. One number a contact is enough for it: `memory` = xi + lag v_s, to
+/// which the next evaluation adds lead v_s. Where velocities are those of the middle of a step (leapfrog), lead = dt and lag = 0.
 struct CundallStrack {
+  static constexpr Word word{"cundall_strack", "spring with Coulomb's cap: holds static friction"};
   static constexpr bool remembers = true;
-  double ratio = 0.8;          ///< k_t/k_n
-  double lead = 0, lag = 0;    ///< s
+  void declare(ParameterVisitor&) {}
+  bool operator==(const CundallStrack&) const = default;
 
-  template <class V>
-  V tangential(V sliding, V viscosity, V cap, V stiffness, V& memory) const {
+  template <class V, class T>
+  T tangential(const Slip<V, T>& slip, T& memory) const {
     using lane::within;
-    const V kt = V(ratio) * stiffness;
-    const V pull = within(kt * (memory + V(lead) * sliding), cap);
-    memory = pull / kt + V(lag) * sliding;
-    return V(0.0) - within(pull + viscosity * sliding, cap);
+    const T pull = within(slip.stiffness * (memory + slip.lead * slip.velocity), slip.cap);
+    memory = pull / slip.stiffness + slip.lag * slip.velocity;
+    return T{} - within(pull + slip.viscosity * slip.velocity, slip.cap);
   }
-  /// xi at the last evaluation, which saw this sliding velocity.
-  double spring(double sliding, double memory) const { return memory - lag * sliding; }
-  double energy(double sliding, double stiffness, double memory) const {
-    const double xi = spring(sliding, memory);
-    return 0.5 * ratio * stiffness * xi * xi;
+  /// xi at the last evaluation, which saw this slip.
+  template <class V, class T>
+  T spring(const Slip<V, T>& slip, T memory) const {
+    return memory - slip.lag * slip.velocity;
   }
-  double stiffness_ratio() const { return ratio; }
+  template <class V, class T>
+  V energy(const Slip<V, T>& slip, T memory) const {
+    using lane::dot;
+    const T xi = spring(slip, memory);
+    return dot(V(0.5) * slip.stiffness * xi, xi);
+  }
+  double tangent(double stiffness) const { return stiffness; }
+  double damping(double viscosity) const { return viscosity; }
+  double recall(double force, double stiffness) const { return -force / stiffness; }
 };
 
 }  // namespace arenite::dem

@@ -7,65 +7,113 @@
 #include "grains/dem/laws/hertz.hpp"
 #include "grains/dem/laws/linear.hpp"
 #include "grains/dem/laws/regularised_coulomb.hpp"
-#include "grains/dem/parameters.hpp"
 
 namespace arenite::dem {
 
-/// A normal law gives force and energy of an overlap h > 0, so that a test can hold one against the other's gradient.
+// What a law must give, for each of the three families. A law is a value that is written once over a number type; it sees overlap, normal speed, slip
+// and what it remembers of one contact, never a direction or a place.
+
+/// What every law gives: its word in recipes, its own parameters (name, unit, range and sentence each), equality.
 template <class L>
-concept NormalContact = requires(const L law, double v) {
-  { law.elastic(v, v, v) } -> std::same_as<double>;  // (h, stiffness, curvature), N
-  { law.viscous(v, v, v, v) } -> std::same_as<double>;  // (h, dh/dt, damping, curvature), N
-  { law.energy(v, v, v) } -> std::same_as<double>;   // J
-  { law.pull_off(v, v, v) } -> std::same_as<double>; // (strength, stiffness, curvature), N
-  { law.tangent(v, v, v) } -> std::same_as<double>;  // N/m, for the stable step
+concept ContactLaw = std::default_initializable<L> && std::equality_comparable<L> && requires(L law, ParameterVisitor& visitor) {
+  { L::word } -> std::convertible_to<Word>;
+  { law.declare(visitor) } -> std::same_as<void>;
 };
 
-/// An adhesion law gives the attraction of two glued grains, its energy, and what it adds to the friction cap.
+/// A normal law gives force and energy of an overlap h > 0, so that a test can hold one against the other's gradient. A law that remembers has one
+/// number a contact, which `elastic` brings up to date, and the number of a contact that is met at rest.
 template <class L>
-concept AdhesiveContact = requires(const L law, double v) {
+concept NormalContact = ContactLaw<L> && requires(const L law, double v, double& memory) {
+  { law.elastic(v, v, v, memory) } -> std::same_as<double>;  // (h, stiffness, curvature, memory), N
+  { law.energy(v, v, v, v) } -> std::same_as<double>;        // (h, stiffness, curvature, memory): what `elastic` gives back, J; 0 at h = 0
+  { law.damping_factor(v, v) } -> std::same_as<double>;      // (h, curvature): share of alpha_n with which the dashpot acts
+  { law.pull_off(v, v, v) } -> std::same_as<double>;         // (strength, stiffness, curvature): greatest net pull against an attraction strength sqrt(h), N
+  { law.tangent(v, v, v) } -> std::same_as<double>;          // (h, stiffness, curvature): largest slope on [0, h], N/m, for the stable step
+  requires (!L::remembers) || requires { { law.recall(v, v, v, v) } -> std::same_as<double>; };  // (force, h, stiffness, curvature)
+};
+
+/// An adhesion gives the attraction of two glued grains, >= 0, its potential, <= 0 and 0 at h = 0, and whether bonds break for good.
+template <class L>
+concept AdhesiveContact = ContactLaw<L> && requires(const L law, double v) {
   { law.attraction(v, v) } -> std::same_as<double>;  // (h, strength), N
-  { law.energy(v, v) } -> std::same_as<double>;      // J
-  { law.cap_shift(v) } -> std::same_as<double>;      // (pull-off force), N
+  { law.energy(v, v) } -> std::same_as<double>;      // (h, strength), J
+  { L::attracts } -> std::convertible_to<bool>;
+  { L::breaks } -> std::convertible_to<bool>;
 };
 
-/// A friction law gives the force along t from the sliding velocity, and may keep one number a contact.
+/// A friction law gives the force along the contact, in the plane and in space, and may keep one slip a contact. What it remembers is carried along
+/// when contacts are listed anew, and `recall` gives it for a contact that is met at rest.
 template <class L>
-concept TangentialContact = requires(const L law, double v, double& memory) {
-  { law.tangential(v, v, v, v, memory) } -> std::same_as<double>;  // (v_s, viscosity, cap, stiffness, memory), N
-  { law.energy(v, v, v) } -> std::same_as<double>;                 // (v_s, stiffness, memory), J
-  { L::remembers } -> std::convertible_to<bool>;
+concept TangentialContact = ContactLaw<L> && requires(const L law, double v, double& memory, Slip<double> slip, Slip<double, Vec3> in_space, Vec3& path) {
+  { law.tangential(slip, memory) } -> std::same_as<double>;    // N
+  { law.tangential(in_space, path) } -> std::same_as<Vec3>;
+  { law.energy(slip, memory) } -> std::same_as<double>;        // what the force at this memory gives back, J
+  { law.tangent(v) } -> std::same_as<double>;                  // (k_t): largest slope in the slip, N/m, for the stable step
+  { law.damping(v) } -> std::same_as<double>;                  // (gamma_s): largest slope in its velocity, N s/m
+  requires (!L::remembers) || requires { { law.recall(v, v) } -> std::same_as<double>; };  // (force, k_t)
 };
 
-/// The laws there are. A new one is a file beside these and a name here; the engine visits the three choices once,
-/// outside its loops, so the laws inline into them.
-using NormalChoice = std::variant<Linear, Hertz>;
-using AdhesionChoice = std::variant<NoAdhesion, GeometricalAdhesion>;
-using FrictionChoice = std::variant<RegularisedCoulomb, CundallStrack>;
+/// One law of a family, with its own parameters.
+template <class... Law>
+struct OneOf : std::variant<Law...> {
+  using std::variant<Law...>::variant;
+  std::string_view word() const {
+    return std::visit([](const auto& law) { return law.word.word; }, *this);
+  }
+  friend bool operator==(const OneOf& a, const OneOf& b) {
+    return static_cast<const std::variant<Law...>&>(a) == static_cast<const std::variant<Law...>&>(b);
+  }
+};
+template <NormalContact... Law>
+using NormalLaws = OneOf<Law...>;
+template <AdhesiveContact... Law>
+using Adhesions = OneOf<Law...>;
+template <TangentialContact... Law>
+using FrictionLaws = OneOf<Law...>;
 
-static_assert(NormalContact<Linear> && NormalContact<Hertz>);
-static_assert(AdhesiveContact<NoAdhesion> && AdhesiveContact<GeometricalAdhesion>);
-static_assert(TangentialContact<RegularisedCoulomb> && TangentialContact<CundallStrack>);
+/// The laws there are. A new one is a file beside these and a word here: recipe keys, their documentation and hashes, kernels for every kind of
+/// processor and the families' tests follow. The choice is visited outside of the loops, so laws inline into them.
+using NormalLaw = NormalLaws<Linear, Hertz>;
+using Adhesion = Adhesions<NoAdhesion, GeometricalAdhesion, BreakingAdhesion>;
+using FrictionLaw = FrictionLaws<NoFriction, RegularisedCoulomb, CundallStrack>;
 
-/// The three choices together with the numbers that they share.
+/// The three choices, and the numbers that all contacts share.
 struct ContactLaws {
-  NormalChoice normal;
-  AdhesionChoice adhesion;
-  FrictionChoice friction;
+  NormalLaw normal;
+  Adhesion adhesion;
+  FrictionLaw friction;
+  double lead = 0, lag = 0;           ///< of Slip, s
+  double stiffness_ratio = 0;         ///< k_t/k_n
+  double cap_sign = 1;                ///< the friction cap is mu (F_n + cap_sign |F_c|): 1 raised by adhesion, -1 as T (1.28) is printed
+  bool constant_damping = false;      ///< alpha_n was given as a number: dashpots act with it whatever the overlap
+
+  /// Calls `see` with the three laws by their types.
+  template <class See>
+  decltype(auto) visit(See&& see) const {
+    return std::visit(see, normal, adhesion, friction);
+  }
+  /// The slip that a contact has in the plane, where no force is asked for.
+  Slip<double> slip(double velocity, double stiffness) const { return {velocity, 0, 0, stiffness_ratio * stiffness, lead, lag}; }
 };
+
+/// Some law keeps a number a contact.
+inline bool remembers(const ContactLaws& laws) {
+  return laws.visit([](const auto& normal, const auto&, const auto& friction) { return normal.remembers || friction.remembers; });
+}
 
 /// Forces of one contact, N: on i along n and t.
-template <class V>
+template <class V, class T = V>
 struct ContactForce {
-  V normal, tangential;
+  V normal;
+  T tangential;
 };
 
-/// What a law sees of one contact.
-template <class V>
+/// What the laws see of one contact.
+template <class V, class T = V>
 struct ContactState {
   V overlap;        ///< h > 0, m
   V approach;       ///< dh/dt, m/s
-  V sliding;        ///< v_s, m/s
+  T sliding;        ///< v_s, m/s
   V curvature;      ///< 1/R*, 1/m
   V stiffness;      ///< N/m
   V damping;        ///< alpha_n, N s/m
@@ -75,19 +123,26 @@ struct ContactState {
   V floor;          ///< lowest F_n: -infinity, or 0 where the dashpot may not pull
 };
 
-/// The laws composed: F_n = elastic + dashpot - attraction, F_t within mu (F_n + F_c), the cap never below 0.
-template <class V, NormalContact N, AdhesiveContact A, TangentialContact F>
-inline ContactForce<V> contact_force(const N& normal, const A& adhesion, const F& friction, const ContactState<V>& c,
-                                     V& memory) {
-  using lane::max;
-  const V elastic = normal.elastic(c.overlap, c.stiffness, c.curvature);
-  const V viscous = normal.viscous(c.overlap, c.approach, c.damping, c.curvature);
-  const V fn = max(elastic + viscous - adhesion.attraction(c.overlap, c.strength), c.floor);
-  const V cap = max(c.friction * (fn + adhesion.cap_shift(normal.pull_off(c.strength, c.stiffness, c.curvature))), V(0.0));
-  return {fn, friction.tangential(c.sliding, c.viscosity, cap, c.stiffness, memory)};
-}
+/// What the laws remember of one contact.
+template <class V, class T = V>
+struct ContactMemory {
+  V normal{};
+  T slip{};
+};
 
-/// The choices that the parameters ask for; `lead` and `lag` are those of CundallStrack, s.
-ContactLaws choose_laws(const ContactParameters& contact, double lead, double lag);
+/// The laws composed: F_n = elastic + dashpot - attraction, F_t within mu (F_n + F_c), the cap never below 0.
+template <class V, class T, NormalContact N, AdhesiveContact A, TangentialContact F>
+inline ContactForce<V, T> contact_force(const ContactLaws& shared, const N& normal, const A& adhesion, const F& friction,
+                                        const ContactState<V, T>& c, ContactMemory<V, T>& memory) {
+  using lane::max;
+  const V elastic = normal.elastic(c.overlap, c.stiffness, c.curvature, memory.normal);
+  const V damping = shared.constant_damping ? c.damping : normal.damping_factor(c.overlap, c.curvature) * c.damping;
+  const V fn = max(elastic + damping * c.approach - adhesion.attraction(c.overlap, c.strength), c.floor);
+  V shift(0.0);
+  if constexpr (A::attracts) shift = V(shared.cap_sign) * normal.pull_off(c.strength, c.stiffness, c.curvature);
+  const V cap = max(c.friction * (fn + shift), V(0.0));
+  const Slip<V, T> slip{c.sliding, c.viscosity, cap, V(shared.stiffness_ratio) * c.stiffness, V(shared.lead), V(shared.lag)};
+  return {fn, friction.tangential(slip, memory.slip)};
+}
 
 }  // namespace arenite::dem

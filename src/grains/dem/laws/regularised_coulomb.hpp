@@ -1,23 +1,40 @@
 #pragma once
-#include "grains/dem/laws/lane.hpp"
+#include "grains/dem/laws/parts.hpp"
 
 namespace arenite::dem {
 
-/// Regularised Coulomb friction, F_t = -min(gamma_s |v_s|, cap) sign(v_s) (T eq. 1.27). It holds no static friction:
-/// at rest F_t = 0.
-struct RegularisedCoulomb {
+/// Smooth grains.
+struct NoFriction {
+  static constexpr Word word{"none", "smooth grains"};
   static constexpr bool remembers = false;
+  void declare(ParameterVisitor&) {}
+  bool operator==(const NoFriction&) const = default;
 
-  /// Force along t at sliding velocity v_s; `memory` is not touched.
-  template <class V>
-  V tangential(V sliding, V viscosity, V cap, V /*stiffness*/, V& /*memory*/) const {
+  template <class V, class T>
+  T tangential(const Slip<V, T>& /*slip*/, T& /*memory*/) const { return T{}; }
+  template <class V, class T>
+  V energy(const Slip<V, T>& /*slip*/, T /*memory*/) const { return V(0.0); }
+  double tangent(double /*stiffness*/) const { return 0; }
+  double damping(double /*viscosity*/) const { return 0; }
+};
+
+/// Regularised Coulomb friction, F_t = -min(gamma_s |v_s|, cap) sign(v_s) (T eq. 1.27). It holds no static friction: at rest F_t = 0.
+struct RegularisedCoulomb {
+  static constexpr Word word{"regularised_coulomb", "-min(gamma_s |v_s|, mu |F_n|) sign(v_s): no friction at true rest"};
+  static constexpr bool remembers = false;
+  void declare(ParameterVisitor&) {}
+  bool operator==(const RegularisedCoulomb&) const = default;
+
+  template <class V, class T>
+  T tangential(const Slip<V, T>& slip, T& /*memory*/) const {
     using lane::within;
-    return V(0.0) - within(viscosity * sliding, cap);
+    return T{} - within(slip.viscosity * slip.velocity, slip.cap);
   }
   /// Stores nothing.
-  double energy(double /*sliding*/, double /*stiffness*/, double /*memory*/) const { return 0; }
-  double spring(double /*sliding*/, double /*memory*/) const { return 0; }
-  double stiffness_ratio() const { return 0; }
+  template <class V, class T>
+  V energy(const Slip<V, T>& /*slip*/, T /*memory*/) const { return V(0.0); }
+  double tangent(double /*stiffness*/) const { return 0; }
+  double damping(double viscosity) const { return viscosity; }
 };
 
 }  // namespace arenite::dem

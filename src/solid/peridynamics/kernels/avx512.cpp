@@ -1,26 +1,52 @@
-#include <array>
-#include <cmath>
-#include <algorithm>
-#include <cstdint>
-#include <cstring>
-
-#include "solid/peridynamics/kernels/kernels.hpp"
+#include "solid/peridynamics/kernels/passes.hpp"
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#include "solid/peridynamics/kernels/lanes_avx512.hpp"
-#include "solid/peridynamics/kernels/stencil.inc"
-#include "solid/peridynamics/kernels/passes.inc"
+#include <immintrin.h>
+#endif
 
 namespace arenite::peridynamics {
-extern const Kernels* const avx512_kernels;
+
+extern const KernelSet* const avx512_kernels;
+
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 namespace {
-const Kernels table = table_of("avx512");
-}
-const Kernels* const avx512_kernels = &table;
-}  // namespace arenite::peridynamics
+
+/// Vectors of 64 bytes. Sums are kept in the four lanes and in the order of AVX2, so that both give the same bits.
+struct Avx512 {
+  static constexpr int bytes = 64, sum_lanes = 4;
+  static __m512d fma(__m512d a, __m512d b, __m512d c) { return _mm512_fmadd_pd(a, b, c); }
+  static __m512 fma(__m512 a, __m512 b, __m512 c) { return _mm512_fmadd_ps(a, b, c); }
+  static __m256d fma(__m256d a, __m256d b, __m256d c) { return _mm256_fmadd_pd(a, b, c); }
+  template <int lanes>
+  struct Words {
+    __m512i w;
+    explicit Words(const std::uint32_t* p) {
+      if constexpr (lanes == 16) w = _mm512_loadu_si512(p);
+      else w = _mm512_cvtepu32_epi64(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p)));
+    }
+  };
+  /// Modulus by bond type, looked up by two bits of each word: the look-up takes three or four bits, so the four stand several times.
+  template <class L>
+  struct Table {
+    typename L::V v;
+    explicit Table(const float* four) {
+      if constexpr (L::lanes == 16) v = _mm512_broadcast_f32x4(_mm_loadu_ps(four));
+      else v = _mm512_cvtps_pd(_mm256_broadcast_ps(reinterpret_cast<const __m128*>(four)));
+    }
+    template <int shift>
+    L find(typename L::Words words) const {
+      if constexpr (L::lanes == 16) return {_mm512_permutexvar_ps(_mm512_srli_epi32(words.w, shift), v)};
+      else return {_mm512_permutexvar_pd(_mm512_srli_epi64(words.w, shift), v)};
+    }
+  };
+};
+
+const KernelSet set = kernel_set<Avx512>("avx512");
+
+}  // namespace
+const KernelSet* const avx512_kernels = &set;
 #else
-namespace arenite::peridynamics {
-extern const Kernels* const avx512_kernels;
-const Kernels* const avx512_kernels = nullptr;
-}  // namespace arenite::peridynamics
+const KernelSet* const avx512_kernels = nullptr;
 #endif
+
+}  // namespace arenite::peridynamics

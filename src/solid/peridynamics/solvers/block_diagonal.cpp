@@ -1,6 +1,6 @@
-#include "solid/peridynamics/solvers/block_diagonal.hpp"
-
 #include <cmath>
+
+#include "solid/peridynamics/solvers/block_diagonal.hpp"
 
 namespace arenite::peridynamics {
 
@@ -66,16 +66,14 @@ BlockDiagonal<double> block_diagonal(const Bonds& bonds) {
   return sum;
 }
 
-InverseDiagonal inverse_diagonal(const Bonds& bonds, const BlockDiagonal<double>& diagonal,
-                                 const std::vector<std::uint8_t>& prescribed) {
+InverseDiagonal inverse_diagonal(const Bonds& bonds, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed) {
   const Grid& grid = bonds.grid;
   InverseDiagonal inverse{BlockDiagonal<float>(grid.padded_size())};
   for (int y = 0; y < grid.height; ++y)
     for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) {
       if (!(diagonal.xx[i] + diagonal.yy[i] > 0)) continue;
       bool loose = false;
-      const Block b =
-          inverse_of({diagonal.xx[i], diagonal.xy[i], diagonal.yy[i]}, prescribed[static_cast<std::size_t>(y)], loose);
+      const Block b = inverse_of({diagonal.xx[i], diagonal.xy[i], diagonal.yy[i]}, prescribed[static_cast<std::size_t>(y)], loose);
       inverse.loose += loose;
       inverse.blocks.xx[i] = static_cast<float>(b.xx);
       inverse.blocks.xy[i] = static_cast<float>(b.xy);

@@ -33,7 +33,6 @@ struct InverseDiagonal {
   std::size_t loose = 0;
   BlockPlane plane() const { return {blocks.xx.data(), blocks.xy.data(), blocks.yy.data()}; }
 };
-InverseDiagonal inverse_diagonal(const Bonds& bonds, const BlockDiagonal<double>& diagonal,
-                                 const std::vector<std::uint8_t>& prescribed);
+InverseDiagonal inverse_diagonal(const Bonds& bonds, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed);
 
 }  // namespace arenite::peridynamics

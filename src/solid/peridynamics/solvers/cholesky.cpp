@@ -1,11 +1,11 @@
-#include "solid/peridynamics/solvers/cholesky.hpp"
-
 #include <dlfcn.h>
 #include <suitesparse/amd.h>
 #include <suitesparse/cholmod.h>
 
 #include <cstring>
 #include <new>
+
+#include "solid/peridynamics/solvers/cholesky.hpp"
 
 namespace arenite::peridynamics {
 
@@ -17,9 +17,8 @@ void use_one_blas_thread() {
   if (void* symbol = dlsym(RTLD_DEFAULT, "openblas_set_num_threads")) reinterpret_cast<Setter>(symbol)(1);
 }
 
-/// The same for CHOLMOD's own loops, which ask OpenMP for four threads whatever it is told: no parallel region is active
-/// as long as one of these lives. OpenMP's threads do not outlive a fork, so a process in which it has started any could
-/// not be forked into one that solves.
+/// The same for CHOLMOD's own loops, which ask OpenMP for four threads whatever it is told: no parallel region is active as long as one of these
+/// lives. OpenMP's threads do not outlive a fork, so a process in which it has started any could not be forked into one that solves.
 class NoOpenMp {
  public:
   NoOpenMp() {
@@ -89,14 +88,12 @@ Cholesky::Cholesky(const BlockMatrix& m) : state_(std::make_unique<State>()) {
   for (int c = 0; c < m.columns(); ++c)
     for (int s = 0; s < 2; ++s) {
       begin[2 * c + s] = k;
-      for (int j = m.column_begin[static_cast<std::size_t>(c)]; j < m.column_begin[static_cast<std::size_t>(c) + 1];
-           ++j)
+      for (int j = m.column_begin[static_cast<std::size_t>(c)]; j < m.column_begin[static_cast<std::size_t>(c) + 1]; ++j)
         for (int r = 0; r < 2; ++r) {
           const int scalar_row = 2 * m.row[static_cast<std::size_t>(j)] + r;
           if (scalar_row < 2 * c + s) continue;
           row[k] = scalar_row;
-          value[k++] =
-              m.value[4 * static_cast<std::size_t>(j) + 2 * static_cast<std::size_t>(s) + static_cast<std::size_t>(r)];
+          value[k++] = m.value[4 * static_cast<std::size_t>(j) + 2 * static_cast<std::size_t>(s) + static_cast<std::size_t>(r)];
         }
     }
   begin[n] = k;
@@ -117,9 +114,7 @@ Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 
 bool Cholesky::positive() const { return state_->positive; }
 
-std::size_t Cholesky::factor_bytes() const {
-  return state_->factor->xsize * sizeof(double) + state_->factor->ssize * sizeof(int);
-}
+std::size_t Cholesky::factor_bytes() const { return state_->factor->xsize * sizeof(double) + state_->factor->ssize * sizeof(int); }
 
 void Cholesky::solve(std::vector<double>& b) {
   cholmod_dense right{};
@@ -129,8 +124,7 @@ void Cholesky::solve(std::vector<double>& b) {
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;
   const NoOpenMp one_thread;
-  cholmod_solve2(CHOLMOD_A, state_->factor, &right, nullptr, &state_->x, nullptr, &state_->y, &state_->e,
-                 &state_->common);
+  cholmod_solve2(CHOLMOD_A, state_->factor, &right, nullptr, &state_->x, nullptr, &state_->y, &state_->e, &state_->common);
   std::memcpy(b.data(), state_->x->x, b.size() * sizeof(double));
 }
 

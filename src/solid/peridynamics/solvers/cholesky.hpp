@@ -5,8 +5,7 @@
 
 namespace arenite::peridynamics {
 
-/// Symmetric sparse matrix of 2 x 2 blocks: the lower triangle by block columns, rows ascending, the diagonal block
-/// first in each column.
+/// Symmetric sparse matrix of 2 x 2 blocks: the lower triangle by block columns, rows ascending, the diagonal block first in each column.
 struct BlockMatrix {
   std::vector<std::int32_t> column_begin, row;
   std::vector<double> value;  ///< 4 a block: (0,0), (1,0), (0,1), (1,1)

@@ -1,8 +1,7 @@
-#include "solid/peridynamics/solvers/coarse_space.hpp"
-
 #include <algorithm>
 
 #include "core/joined_sets.hpp"
+#include "solid/peridynamics/solvers/coarse_space.hpp"
 
 namespace arenite::peridynamics {
 
@@ -52,8 +51,7 @@ BlockMatrix gathered(const std::vector<std::int64_t>& begin, const std::vector<E
 
 }  // namespace
 
-CoarseSpace::CoarseSpace(const Bonds& bonds, Pieces pieces, const BlockDiagonal<double>& diagonal,
-                         const std::vector<std::uint8_t>& prescribed)
+CoarseSpace::CoarseSpace(const Bonds& bonds, Pieces pieces, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed)
     : grid_(bonds.grid), pieces_(std::move(pieces)) {
   const auto sums = couplings(bonds, pieces_, diagonal, prescribed);
   number_corners(sums);
@@ -61,12 +59,9 @@ CoarseSpace::CoarseSpace(const Bonds& bonds, Pieces pieces, const BlockDiagonal<
   BlockMatrix matrix = assemble(sums);
   // A piece of few nodes carries more functions than it has freedoms, and a hat may vanish on all of its nodes: a trace
   // of stiffness on the diagonal keeps these apart and is too small to slow anything down.
-  const auto diagonal_block = [&](std::int32_t c) {
-    return &matrix.value[4 * static_cast<std::size_t>(matrix.column_begin[static_cast<std::size_t>(c)])];
-  };
+  const auto diagonal_block = [&](std::int32_t c) { return &matrix.value[4 * static_cast<std::size_t>(matrix.column_begin[static_cast<std::size_t>(c)])]; };
   double stiffest = 0;
-  for (std::int32_t c = 0; c < matrix.columns(); ++c)
-    stiffest = std::max(stiffest, diagonal_block(c)[0] + diagonal_block(c)[3]);
+  for (std::int32_t c = 0; c < matrix.columns(); ++c) stiffest = std::max(stiffest, diagonal_block(c)[0] + diagonal_block(c)[3]);
   for (double extra = 1e-7;; extra *= 100, ++repairs_) {
     for (std::int32_t c = 0; c < matrix.columns(); ++c) {
       double* block = diagonal_block(c);
@@ -109,13 +104,10 @@ BlockMatrix CoarseSpace::assemble(const std::vector<Coupling>& couplings) const 
     for (const Coupling& c : couplings)
       for (int a = 0; a < 4; ++a)
         for (int b = c.p == c.q ? a : 0; b < 4; ++b)
-          visit(c, a, b, corner_[static_cast<std::size_t>(4 * c.p + a)],
-                corner_[static_cast<std::size_t>(4 * c.q + b)]);
+          visit(c, a, b, corner_[static_cast<std::size_t>(4 * c.p + a)], corner_[static_cast<std::size_t>(4 * c.q + b)]);
   };
   std::vector<std::int64_t> begin(columns + 1, 0);
-  each([&](const Coupling&, int, int, std::int32_t m, std::int32_t n) {
-    ++begin[static_cast<std::size_t>(std::min(m, n)) + 1];
-  });
+  each([&](const Coupling&, int, int, std::int32_t m, std::int32_t n) { ++begin[static_cast<std::size_t>(std::min(m, n)) + 1]; });
   for (std::size_t k = 0; k < columns; ++k) begin[k + 1] += begin[k];
   std::vector<Entry> entries(static_cast<std::size_t>(begin[columns]));
   auto at = begin;
@@ -123,8 +115,7 @@ BlockMatrix CoarseSpace::assemble(const std::vector<Coupling>& couplings) const 
     const auto ua = static_cast<unsigned>(a), ub = static_cast<unsigned>(b);
     const double xx = c.block[0][ua][ub], xy = c.block[1][ua][ub], yy = c.block[2][ua][ub], yx = c.block[3][ua][ub];
     Entry& entry = entries[static_cast<std::size_t>(at[static_cast<std::size_t>(std::min(m, n))]++)];
-    // Two corners of different pieces may share a coarse node: then the block and its transpose both land on the
-    // diagonal.
+    // Two corners of different pieces may share a coarse node: then the block and its transpose both land on the diagonal.
     if (m == n && c.p != c.q) entry = {m, {2 * xx, xy + yx, xy + yx, 2 * yy}};
     else if (m >= n) entry = {m, {xx, yx, xy, yy}};
     else entry = {n, {xx, xy, yx, yy}};
@@ -141,8 +132,8 @@ void CoarseSpace::list_runs(const std::vector<std::uint8_t>& prescribed) {
       int length = 1;
       while (x + length < end && pieces_.of_node[i + length] == piece) ++length;
       if (piece >= 0)
-        runs_.push_back({i, piece, static_cast<std::int16_t>(x % cell), static_cast<std::int16_t>(y % cell),
-                         static_cast<std::int16_t>(length), prescribed[static_cast<std::size_t>(y)] == y_prescribed});
+        runs_.push_back({i, piece, static_cast<std::int16_t>(x % cell), static_cast<std::int16_t>(y % cell), static_cast<std::int16_t>(length),
+                         prescribed[static_cast<std::size_t>(y)] == y_prescribed});
       x += length;
     }
 }

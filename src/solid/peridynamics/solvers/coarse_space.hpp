@@ -1,20 +1,37 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "solid/peridynamics/solvers/block_diagonal.hpp"
 #include "solid/peridynamics/solvers/cholesky.hpp"
-#include "solid/peridynamics/solvers/couplings.hpp"
+#include "solid/peridynamics/support.hpp"
 
 namespace arenite::peridynamics {
 
-/// The second level of the static solve: one coarse node at each cell corner for each set of pieces of one owner that
-/// hang together there, with a bilinear hat on those pieces. `correct` projects a residual on this space, solves there
-/// and adds the answer.
+/// The four bilinear hats of a cell at one of its nodes; corners in the order (0,0), (1,0), (0,1), (1,1).
+using Hats = double __attribute__((vector_size(32)));
+
+/// Stiffness between the corners of piece p and those of piece q: [component][corner of p](corner of q), Pa, with the
+/// components xx, xy (x of p, y of q), yy, yx.
+struct Coupling {
+  std::int32_t p, q;
+  std::array<std::array<Hats, 4>, 4> block;
+};
+
+/// Galerkin sums over all bonds, in double: couplings of every piece with itself (first, in order of pieces) and of
+/// pairs of pieces that bonds join. In a bottom row that slides, hats move nodes along x only.
+std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed);
+
+/// Hats at the node (x, y) of a cell.
+const Hats& hats_at(int x, int y);
+
+/// The second level of the static solve: one coarse node at each cell corner for each set of pieces of one owner that hang together there, with a
+/// bilinear hat on those pieces. `correct` projects a residual on this space, solves there and adds the answer.
 class CoarseSpace {
  public:
-  CoarseSpace(const Bonds& bonds, Pieces pieces, const BlockDiagonal<double>& diagonal,
-              const std::vector<std::uint8_t>& prescribed);
+  CoarseSpace(const Bonds& bonds, Pieces pieces, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed);
 
   /// z += P (P^T A P)^-1 P^T r.
   void correct(Plane<const float> r, Plane<float> z);

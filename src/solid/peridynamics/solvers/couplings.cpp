@@ -1,10 +1,9 @@
-#include "solid/peridynamics/solvers/couplings.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-namespace arenite::peridynamics {
+#include "solid/peridynamics/solvers/coarse_space.hpp"
 
+namespace arenite::peridynamics {
 namespace {
 
 constexpr int cell = Pieces::cell;
@@ -75,8 +74,7 @@ struct CouplingSum {
   void add_sliding_node(std::ptrdiff_t i, int x, int y, double diagonal_xx) {
     const std::int32_t p = pieces.of_node[i];
     const Hats& own = all_hats[static_cast<unsigned>(y * cell + x)];
-    for (unsigned a = 0; a < 4; ++a)
-      self[static_cast<std::size_t>(p)].block[0][a] += own[a] * (0.5 * diagonal_xx * own);
+    for (unsigned a = 0; a < 4; ++a) self[static_cast<std::size_t>(p)].block[0][a] += own[a] * (0.5 * diagonal_xx * own);
     for (unsigned d = 0; d < bonds_per_node; ++d) {
       const unsigned type = bonds.words[i] >> (2 * d) & 3u;
       const Offset e = half_bonds[d];
@@ -144,8 +142,7 @@ struct CouplingSum {
 
 const Hats& hats_at(int x, int y) { return all_hats[static_cast<unsigned>(y * cell + x)]; }
 
-std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const BlockDiagonal<double>& diagonal,
-                                const std::vector<std::uint8_t>& prescribed) {
+std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed) {
   const Grid& grid = bonds.grid;
   CouplingSum sum(bonds, pieces);
   for (int y0 = 0; y0 < grid.height; y0 += cell)
@@ -155,8 +152,7 @@ std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const 
           const std::ptrdiff_t i = grid.index(x, y);
           if (pieces.of_node[i] < 0 || prescribed[static_cast<std::size_t>(y)]) continue;
           const std::array<double, 3> own{diagonal.xx[i], diagonal.xy[i], diagonal.yy[i]};
-          const bool inside =
-              bonds.group[static_cast<std::ptrdiff_t>(y) * grid.groups + x / Grid::lanes] == particle_bond;
+          const bool inside = bonds.group[static_cast<std::ptrdiff_t>(y) * grid.groups + x / Grid::lanes] == particle_bond;
           if (inside && InnerSums::holds(x - x0, y - y0) && pieces.of_node[i + horizon * grid.stride] >= 0)
             sum.add_inner_node(i, x - x0, y - y0, bonds.modulus(particle_bond), own);
           else sum.add_node(i, x - x0, y - y0, own);
@@ -166,14 +162,12 @@ std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const 
   for (int y = 0; y < grid.height; ++y)
     if (prescribed[static_cast<std::size_t>(y)] == y_prescribed)
       for (int x = 0; x < grid.width; ++x)
-        if (const std::ptrdiff_t i = grid.index(x, y); pieces.of_node[i] >= 0)
-          sum.add_sliding_node(i, x % cell, y % cell, diagonal.xx[i]);
+        if (const std::ptrdiff_t i = grid.index(x, y); pieces.of_node[i] >= 0) sum.add_sliding_node(i, x % cell, y % cell, diagonal.xx[i]);
   for (Coupling& within : sum.self)
     for (unsigned a = 0; a < 4; ++a)
       for (unsigned b = 0; b < 4; ++b) {
         if (b <= a)
-          for (const unsigned c : {0u, 2u})
-            within.block[c][a][b] = within.block[c][b][a] = within.block[c][a][b] + within.block[c][b][a];
+          for (const unsigned c : {0u, 2u}) within.block[c][a][b] = within.block[c][b][a] = within.block[c][a][b] + within.block[c][b][a];
         within.block[1][a][b] += within.block[3][b][a];
         within.block[3][b][a] = within.block[1][a][b];
       }

@@ -1,29 +1,25 @@
-#include "solid/peridynamics/solvers/dynamics.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "solid/peridynamics/node_stress.hpp"
-#include "solid/peridynamics/solvers/reference.hpp"
+#include "solid/peridynamics/solvers/block_diagonal.hpp"
+#include "solid/peridynamics/solvers/solvers.hpp"
 
 namespace arenite::peridynamics {
-
 namespace {
 
 constexpr std::int64_t look_every = 20;  ///< steps between two looks at the residual and the damping
 
 Field<double> copy_of(const Field<double>& u) {
   Field<double> c(u.x.size());
-  std::copy_n(u.x.data(), u.x.size(), c.x.data());
-  std::copy_n(u.y.data(), u.y.size(), c.y.data());
+  copy(u, c);
   return c;
 }
 
 /// Force of the bonds where displacements are free, by the stretch asked for.
 void form_force(const Dynamics& s, const Field<double>& u, Field<double>& f) {
   if (!s.exact_stretch) {
-    kernels().force(s.bonds, s.prescribed.data(), plane(u), plane(f));
+    kernels(s.bonds.law).force(s.bonds, s.prescribed.data(), plane(u), plane(f));
     return;
   }
   exact_force(s.bonds, s.dx, u, f);
@@ -36,8 +32,7 @@ void form_force(const Dynamics& s, const Field<double>& u, Field<double>& f) {
 }
 
 /// older := u + a (u - older) + b M f, M a 2 x 2 block a node, or the unit matrix where `inverse` is null.
-void plain_step(const Grid& grid, const Field<double>& u, Field<double>& older, const Field<double>& f,
-                const BlockPlane* inverse, double a, double b) {
+void plain_step(const Grid& grid, const Field<double>& u, Field<double>& older, const Field<double>& f, const BlockPlane* inverse, double a, double b) {
   for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; ++i) {
     double fx = f.x[i], fy = f.y[i];
     if (inverse) {
@@ -97,7 +92,7 @@ StaticReport damped_dynamics(const Dynamics& s, Field<double>& u) {
       s, u,
       [&](Field<double>& now, Field<double>& older, Field<double>& f) {
         if (!s.exact_stretch) {
-          kernels().stormer(s.bonds, s.prescribed.data(), plane(now), plane(older), a, b);
+          kernels(s.bonds.law).stormer(s.bonds, s.prescribed.data(), plane(now), plane(older), a, b);
           return;
         }
         form_force(s, now, f);
@@ -119,10 +114,9 @@ StaticReport adaptive_relaxation(const Dynamics& s, Field<double>& u) {
     for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; ++i) {
       velocity.x[i] = now.x[i] - older.x[i];
       velocity.y[i] = now.y[i] - older.y[i];
-      kinetic += velocity.x[i] * (diagonal.xx[i] * velocity.x[i] + 2 * diagonal.xy[i] * velocity.y[i]) +
-                 diagonal.yy[i] * velocity.y[i] * velocity.y[i];
+      kinetic += velocity.x[i] * (diagonal.xx[i] * velocity.x[i] + 2 * diagonal.xy[i] * velocity.y[i]) + diagonal.yy[i] * velocity.y[i] * velocity.y[i];
     }
-    const double elastic = -kernels().force(s.bonds, s.prescribed.data(), plane(velocity), plane(f));
+    const double elastic = -kernels(s.bonds.law).force(s.bonds, s.prescribed.data(), plane(velocity), plane(f));
     const double frequency = kinetic > 0 ? std::sqrt(std::max(0.0, elastic / kinetic)) : 0;
     const double half = frequency * dt;  // critical damping c = 2 omega, times dt/2
     a = (1 - half) / (1 + half);
@@ -132,7 +126,7 @@ StaticReport adaptive_relaxation(const Dynamics& s, Field<double>& u) {
       s, u,
       [&](Field<double>& now, Field<double>& older, Field<double>& f) {
         if (!s.exact_stretch) {
-          kernels().relax(s.bonds, plane(now), plane(older), blocks, a, b);
+          kernels(s.bonds.law).relax(s.bonds, plane(now), plane(older), blocks, a, b);
           return;
         }
         form_force(s, now, f);

@@ -1,51 +1,37 @@
-#include "solid/peridynamics/solvers/exact_stretch.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "solid/peridynamics/node_stress.hpp"
-#include "solid/peridynamics/solvers/reference.hpp"
+#include "solid/peridynamics/solvers/block_diagonal.hpp"
+#include "solid/peridynamics/solvers/solvers.hpp"
 
 namespace arenite::peridynamics {
-
 namespace {
 
 /// Keeps of the force on every node what its bonds can resist, and nothing where displacements are prescribed.
-void hold_to_bonds(const Grid& grid, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed,
-                   Field<double>& f) {
-  for (int y = 0; y < grid.height; ++y) {
+void hold_to_bonds(const Grid& grid, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed, Field<double>& f) {
+  grid.each([&](std::ptrdiff_t i, int y) {
     const auto rows = prescribed[static_cast<std::size_t>(y)];
-    for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) {
-      if (rows & x_prescribed) f.x[i] = 0;
-      if (rows & y_prescribed) f.y[i] = 0;
-      const double xx = diagonal.xx[i], xy = diagonal.xy[i], yy = diagonal.yy[i], trace = xx + yy;
-      if (rows || xx * yy - xy * xy > 1e-9 * trace * trace || !(trace > 0)) continue;
-      const double fx = f.x[i], fy = f.y[i];
-      f.x[i] = (xx * fx + xy * fy) / trace;
-      f.y[i] = (xy * fx + yy * fy) / trace;
-    }
-  }
-}
-
-void copy(const Field<double>& from, Field<double>& to) {
-  std::copy_n(from.x.data(), from.x.size(), to.x.data());
-  std::copy_n(from.y.data(), from.y.size(), to.y.data());
+    if (rows & x_prescribed) f.x[i] = 0;
+    if (rows & y_prescribed) f.y[i] = 0;
+    const double xx = diagonal.xx[i], xy = diagonal.xy[i], yy = diagonal.yy[i], trace = xx + yy;
+    if (rows || xx * yy - xy * xy > 1e-9 * trace * trace || !(trace > 0)) return;
+    const double fx = f.x[i], fy = f.y[i];
+    f.x[i] = (xx * fx + xy * fy) / trace;
+    f.y[i] = (xy * fx + yy * fy) / trace;
+  });
 }
 
 }  // namespace
 
-StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vector<std::uint8_t>& prescribed,
-                                 StaticSolver& solver, Field<double>& u, double tolerance, int max_iterations,
-                                 const Watch& watch) {
+StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vector<std::uint8_t>& prescribed, StaticSolver& solver, Field<double>& u,
+                                 double tolerance, int max_iterations, const Watch& watch) {
   const Grid& grid = bonds.grid;
   Field<double> body(grid.padded_size()), linear(grid.padded_size()), best(grid.padded_size());
   const double reference = residual_reference(bonds, prescribed, u, body, linear);
   const auto diagonal = block_diagonal(bonds);
   StaticReport total = solver.solve(bonds, u, tolerance, max_iterations, watch);
   if (!(reference > 0) || !total.converged) return total;
-  const Watch later = [&](const Progress& p) {
-    return !watch || watch({1, total.iterations + p.iterations, total.residual, 0, 0, 0});
-  };
+  const Watch later = [&](const Progress& p) { return !watch || watch({1, total.iterations + p.iterations, total.residual, 0, 0, 0}); };
   double least = HUGE_VAL;
   for (int round = 0; round < 20; ++round) {
     exact_force(bonds, dx, u, body);
@@ -56,7 +42,7 @@ StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vecto
     if (!(total.residual < least)) break;
     least = total.residual;
     copy(u, best);
-    kernels().force(bonds, prescribed.data(), plane(u), plane(linear));
+    kernels(bonds.law).force(bonds, prescribed.data(), plane(u), plane(linear));
     for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; ++i) {
       body.x[i] -= linear.x[i];
       body.y[i] -= linear.y[i];

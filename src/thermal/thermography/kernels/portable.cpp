@@ -1,13 +1,20 @@
-#include "thermal/thermography/kernels/kernels.hpp"
-#include "thermal/thermography/kernels/lanes_one.hpp"
-
-namespace {
-using Floats = One<float>;
-using Doubles = One<double>;
-}  // namespace
-#include "thermal/thermography/kernels/passes.inc"
+#include "core/processor.hpp"
+#include "thermal/thermography/kernels/passes.hpp"
 
 namespace arenite::thermography {
-extern const Kernels portable_kernels;
-const Kernels portable_kernels = table_of("portable");
+namespace {
+
+constexpr Kernels portable = table_of<One<float>, One<double>>("portable");
+
+KernelChoice<Kernels> choice() { return {portable, avx2_kernels, avx512_kernels}; }
+
+}  // namespace
+
+const Kernels* kernels(const char* name) { return choice().named(name); }
+
+const Kernels& kernels() {
+  static const Kernels& best = choice().best();
+  return best;
+}
+
 }  // namespace arenite::thermography

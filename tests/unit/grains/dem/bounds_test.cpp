@@ -38,7 +38,7 @@ TEST_P(Bounds, ALatticeJustBelowTheBoundLosesItsMotionAndDoesNotGainAny) {
     p.grains.omega[k] = random.uniform(-0.02, 0.02);
   }
   ContactParameters contact;
-  contact.friction_law = FrictionLaw::regularised_coulomb;
+  contact.friction_law = dem::RegularisedCoulomb{};
   contact.restitution = 0.1;
   contact.attractive_dashpot = true;
   contact.friction = 1e6;  // never slides: the dashpots are all there is
@@ -62,7 +62,7 @@ TEST(DampingBound, CountsTheTurningOfALattice) {
   // All disks turning alike is damped at 2 z gamma_s r^2/I = 24 gamma_s/m.
   const Packing p = triangular(8, 8);
   ContactParameters contact;
-  contact.friction_law = FrictionLaw::regularised_coulomb;
+  contact.friction_law = dem::RegularisedCoulomb{};
   contact.sliding_viscosity = 10000;
   contact.normal_damping = 1;
   const double m = 1410 * std::numbers::pi * 0.25e-4 * 0.06, rate = 24 * 10000 / m;

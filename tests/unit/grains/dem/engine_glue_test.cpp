@@ -19,7 +19,7 @@ struct Pull {
     contact.adhesion = adhesion;
     contact.surface_energy = 0.5e6;
     contact.restitution = 0.3;
-    contact.friction_law = FrictionLaw::none;
+    contact.friction_law = dem::NoFriction{};
     if (by_name) contact.glued_pairs = {{1, 0}};
     if (!by_name) p.grains.zone = {1, 1, 0};
     start = p;
@@ -43,7 +43,7 @@ double strongest_tension(Engine& engine, int steps) {
 class Glue : public ::testing::TestWithParam<bool> {};
 
 TEST_P(Glue, ThatBreaksForGoodDoesNotActASecondTime) {
-  for (const Adhesion adhesion : {Adhesion::geometrical, Adhesion::geometrical_breaking}) {
+  for (const dem::Adhesion& adhesion : std::initializer_list<dem::Adhesion>{dem::GeometricalAdhesion{}, dem::BreakingAdhesion{}}) {
     Pull pull(adhesion, GetParam());
     pull.start.grains.vx = {-0.5, 0.5, 0};  // torn apart, thrown back by the walls
     IntegrationParameters integration;
@@ -63,14 +63,14 @@ TEST_P(Glue, ThatBreaksForGoodDoesNotActASecondTime) {
         }
     }
     ASSERT_TRUE(touched);
-    EXPECT_EQ(glued, adhesion == Adhesion::geometrical);
+    EXPECT_EQ(glued, adhesion == dem::GeometricalAdhesion{});
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(ByZoneAndByName, Glue, ::testing::Bool());
 
 TEST(Glue, ActsOnlyWhileItIsSwitchedOnAndBetweenThePairsThatAreNamed) {
-  Pull pull(Adhesion::geometrical, true);
+  Pull pull(dem::GeometricalAdhesion{}, true);
   pull.start.grains.zone = {0, 0, 1};
   Engine engine(pull.start, pull.contact, {});
   EXPECT_LT(engine.energies().adhesive, 0);
@@ -83,7 +83,7 @@ TEST(Glue, ActsOnlyWhileItIsSwitchedOnAndBetweenThePairsThatAreNamed) {
 }
 
 TEST(Glue, BondsThatBreakForGoodAreThosePairsThatTouchWhenItIsSwitchedOn) {
-  Pull pull(Adhesion::geometrical_breaking, false);
+  Pull pull(dem::BreakingAdhesion{}, false);
   pull.start.grains.zone = {1, 1, 1};
   pull.start.grains.y[2] = 0.05 + 2 * 0.0062 + 1e-4;  // near grain 0, not touching
   pull.start.grains.vy[2] = -0.1;

@@ -51,7 +51,7 @@ TEST(Options, TheOrderOfTheCallersGrainsDoesNotMatter) {
 
 TEST(Options, ASampleHandedOnKeepsTheFrictionOfItsSprings) {
   ContactParameters contact;
-  contact.friction_law = FrictionLaw::cundall_strack;
+  contact.friction_law = dem::CundallStrack{};
   Engine first(testing::crowd(10, 10, 6, 0.012), contact, {});
   WallDrives drives;
   drives[top] = {WallDrive::Kind::velocity, -0.02};

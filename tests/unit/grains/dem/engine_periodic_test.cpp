@@ -85,7 +85,7 @@ TEST(PeriodicCell, ThatIsSqueezedMovesItsGrainsAffinely) {
 TEST(PeriodicCell, IsServedToItsPressureBothWays) {
   Packing p = periodic_crowd(5, 0.0125);
   ContactParameters contact;
-  contact.friction_law = FrictionLaw::cundall_strack;
+  contact.friction_law = dem::CundallStrack{};
   Engine engine(p, contact, {});
   WallDrives drives;
   drives[right] = {WallDrive::Kind::force, 2000};

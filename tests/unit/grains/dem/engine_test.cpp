@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "core/cannot_go_on.hpp"
 #include "core/error.hpp"
 #include "unit/grains/dem/samples.hpp"
 
@@ -24,7 +23,7 @@ TEST(Engine, ABinaryCollisionGivesBackTheRestitutionAsked) {
     p.grains.vx[0] = 1.0;
     ContactParameters contact;
     contact.restitution = e;
-    contact.friction_law = FrictionLaw::none;
+    contact.friction_law = dem::NoFriction{};
     contact.attractive_dashpot = pulls;
     IntegrationParameters integration;
     integration.safety = 1.0 / 500;
@@ -85,7 +84,7 @@ TEST(Engine, AStackUnderGravityPressesTheBottomWithItsWeight) {
 TEST(Engine, AServoWallReachesItsForceAndStopsThere) {
   const Packing p = crowd(15, 15, 3);
   ContactParameters contact;
-  contact.friction_law = FrictionLaw::cundall_strack;
+  contact.friction_law = dem::CundallStrack{};
   Engine engine(p, contact, {});
   WallDrives drives;
   drives[bottom] = {WallDrive::Kind::force, 5000};

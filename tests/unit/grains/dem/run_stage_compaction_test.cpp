@@ -16,7 +16,7 @@ using testing::empty_frame;
 
 ContactParameters springy(double restitution) {
   ContactParameters contact;
-  contact.friction_law = FrictionLaw::cundall_strack;
+  contact.friction_law = dem::CundallStrack{};
   contact.restitution = restitution;
   return contact;
 }

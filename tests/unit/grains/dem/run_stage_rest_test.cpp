@@ -23,7 +23,7 @@ Packing pressed_and_loose() {
 
 ContactParameters contact(double restitution = 0.3) {
   ContactParameters law;
-  law.friction_law = FrictionLaw::cundall_strack;
+  law.friction_law = dem::CundallStrack{};
   law.friction = 0.3;
   law.restitution = restitution;
   return law;

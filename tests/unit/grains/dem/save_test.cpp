@@ -22,7 +22,7 @@ Engine make(const Set& set) {
   for (std::size_t k = 0; k < p.grains.size(); k += 2) p.grains.zone[k] = 1;
   ContactParameters contact;
   contact.friction_law = set.friction;
-  contact.adhesion = Adhesion::geometrical_breaking;
+  contact.adhesion = dem::BreakingAdhesion{};
   contact.surface_energy = 2e5;
   IntegrationParameters integration;
   integration.integrator = set.integrator;
@@ -57,11 +57,11 @@ TEST_P(Save, AResumedRunHasTheBitsOfOneInOnePiece) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, Save,
-    ::testing::Values(Set{"verlet", IntegratorKind::velocity_verlet, FrictionLaw::regularised_coulomb, false, false},
-                      Set{"verlet_tracked", IntegratorKind::velocity_verlet, FrictionLaw::cundall_strack, false, true},
-                      Set{"leapfrog_periodic", IntegratorKind::leapfrog, FrictionLaw::cundall_strack, true, false},
-                      Set{"gear_tracked", IntegratorKind::gear5, FrictionLaw::cundall_strack, false, true},
-                      Set{"gear_periodic", IntegratorKind::gear5, FrictionLaw::regularised_coulomb, true, true}),
+    ::testing::Values(Set{"verlet", IntegratorKind::velocity_verlet, dem::RegularisedCoulomb{}, false, false},
+                      Set{"verlet_tracked", IntegratorKind::velocity_verlet, dem::CundallStrack{}, false, true},
+                      Set{"leapfrog_periodic", IntegratorKind::leapfrog, dem::CundallStrack{}, true, false},
+                      Set{"gear_tracked", IntegratorKind::gear5, dem::CundallStrack{}, false, true},
+                      Set{"gear_periodic", IntegratorKind::gear5, dem::RegularisedCoulomb{}, true, true}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(SavedState, IsRefusedWhenCutShortOrOfAnotherSample) {

@@ -1,4 +1,4 @@
-#include "grains/texture/distribution.hpp"
+#include "grains/texture/view.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,10 @@
-#include "grains/texture/stress.hpp"
+#include "grains/texture/texture.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 
-#include "grains/texture/texture.hpp"
 #include "unit/grains/texture/packings.hpp"
 
 namespace arenite::texture {

@@ -1,4 +1,4 @@
-#include "solid/peridynamics/hinges.hpp"
+#include "solid/peridynamics/support.hpp"
 
 #include <gtest/gtest.h>
 

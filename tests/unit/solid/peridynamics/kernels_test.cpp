@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/random.hpp"
-#include "core/vec2.hpp"
+#include "core/vec.hpp"
 #include "support/cemented_sample.hpp"
 #include "support/homogeneous_sample.hpp"
 

@@ -1,4 +1,4 @@
-#include "solid/peridynamics/pull_state.hpp"
+#include "solid/peridynamics/damage.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "solid/peridynamics/damage.hpp"
 #include "support/cemented_sample.hpp"
 #include "support/homogeneous_sample.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "model/domain.hpp"
+#include "model/packing.hpp"
 
 namespace arenite::raster {
 namespace {

@@ -1,4 +1,4 @@
-#include "solid/stress/grains.hpp"
+#include "solid/stress/stress.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
 #pragma once
 #include "model/phase_map.hpp"
-#include "model/stress_field.hpp"
 
 namespace arenite::stress {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/random.hpp"
-#include "statistics/line.hpp"
+#include "statistics/correlation.hpp"
 
 namespace {
 using namespace arenite;

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "io/image.hpp"
+#include "io/image/image.hpp"
 #include "support/found_grains.hpp"
 #include "support/pictures.hpp"
 

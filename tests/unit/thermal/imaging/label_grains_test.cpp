@@ -8,7 +8,6 @@
 #include <limits>
 #include <map>
 
-#include "thermal/imaging/distance.hpp"
 #include "support/homogeneous_sample.hpp"
 #include "support/pictures.hpp"
 

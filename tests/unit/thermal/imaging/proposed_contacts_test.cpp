@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/random.hpp"
-#include "io/sample.hpp"
+#include "io/sample/sample.hpp"
 #include "support/drawn_picture.hpp"
 #include "support/pictures.hpp"
 

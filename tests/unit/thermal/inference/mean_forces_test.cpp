@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 #include "thermal/inference/contact_forces.hpp"
-#include "thermal/inference/touching.hpp"
+#include "thermal/inference/balance.hpp"
 #include "support/pressed_crystal.hpp"
 
 namespace arenite::inference {

@@ -9,7 +9,6 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
-#include "thermal/inference/selected_inverse.hpp"
 
 namespace arenite::inference {
 namespace {

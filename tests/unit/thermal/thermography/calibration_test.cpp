@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/calibration_curve.hpp"
+#include "io/table/table.hpp"
 #include "support/films.hpp"
 #include "support/pictures.hpp"
 #include "support/temporary_folder.hpp"

@@ -4,7 +4,7 @@
 
 #include "support/swinging_film.hpp"
 #include "core/error.hpp"
-#include "thermal/thermography/frame_times.hpp"
+#include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
 namespace {

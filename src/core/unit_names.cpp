@@ -1,0 +1,227 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/problems.hpp"
+#include "core/units.hpp"
+
+namespace arenite {
+namespace {
+
+struct NamedDimension {
+  Dimension dimension;
+  std::string_view name, unit;
+};
+constexpr std::array named_dimensions{
+    NamedDimension{dimension::none, "a number without unit", ""},
+    NamedDimension{dimension::length, "a length", "m"},
+    NamedDimension{dimension::mass, "a mass", "kg"},
+    NamedDimension{dimension::time, "a time", "s"},
+    NamedDimension{dimension::temperature, "a temperature", "K"},
+    NamedDimension{dimension::area, "an area", "m^2"},
+    NamedDimension{dimension::volume, "a volume", "m^3"},
+    NamedDimension{dimension::frequency, "a rate", "1/s"},
+    NamedDimension{dimension::velocity, "a velocity", "m/s"},
+    NamedDimension{dimension::acceleration, "an acceleration", "m/s^2"},
+    NamedDimension{dimension::density, "a density", "kg/m^3"},
+    NamedDimension{dimension::force, "a force", "N"},
+    NamedDimension{dimension::pressure, "a pressure", "Pa"},
+    NamedDimension{dimension::energy, "an energy", "J"},
+    NamedDimension{dimension::stiffness, "a force per length", "N/m"},
+    NamedDimension{dimension::damping, "a damping coefficient", "N s/m"},
+    NamedDimension{dimension::thermoelastic_factor, "a thermoelastic factor", "K/Pa"},
+    NamedDimension{dimension::toughness, "a fracture toughness", "Pa m^0.5"},
+};
+
+const NamedDimension* find_name(Dimension d) {
+  const auto* named = std::find_if(named_dimensions.begin(), named_dimensions.end(), [&](const auto& known) { return known.dimension == d; });
+  return named == named_dimensions.end() ? nullptr : named;
+}
+
+struct NamedUnit {
+  std::string_view symbol;
+  Unit unit;
+  bool prefixes;
+};
+
+constexpr double pi = 3.141592653589793;
+constexpr std::array units{
+    NamedUnit{"m", {1, 0, dimension::length}, true},         NamedUnit{"g", {1, -3, dimension::mass}, true},
+    NamedUnit{"t", {1, 3, dimension::mass}, false},          NamedUnit{"s", {1, 0, dimension::time}, true},
+    NamedUnit{"min", {60, 0, dimension::time}, false},       NamedUnit{"h", {3600, 0, dimension::time}, false},
+    NamedUnit{"K", {1, 0, dimension::temperature}, true},    NamedUnit{"N", {1, 0, dimension::force}, true},
+    NamedUnit{"Pa", {1, 0, dimension::pressure}, true},      NamedUnit{"bar", {1, 5, dimension::pressure}, true},
+    NamedUnit{"J", {1, 0, dimension::energy}, true},         NamedUnit{"W", {1, 0, dimension::energy / dimension::time}, true},
+    NamedUnit{"Hz", {1, 0, dimension::frequency}, true},     NamedUnit{"rad", {1, 0, dimension::none}, false},
+    NamedUnit{"deg", {pi / 180, 0, dimension::none}, false}, NamedUnit{"%", {1, -2, dimension::none}, false},
+    NamedUnit{"1", {1, 0, dimension::none}, false},
+};
+
+struct Prefix {
+  std::string_view symbol;
+  int decade;
+};
+constexpr std::array prefixes{Prefix{"k", 3},  Prefix{"m", -3}, Prefix{"M", 6},  Prefix{"G", 9},  Prefix{"c", -2},  Prefix{"d", -1}, Prefix{"h", 2},
+                              Prefix{"u", -6}, Prefix{"µ", -6}, Prefix{"μ", -6}, Prefix{"n", -9}, Prefix{"p", -12}, Prefix{"T", 12}};
+
+std::vector<std::string> all_symbols() {
+  std::vector<std::string> symbols;
+  for (const auto& unit : units) symbols.emplace_back(unit.symbol);
+  for (const auto& unit : units)
+    for (const auto& prefix : prefixes)
+      if (unit.prefixes) symbols.push_back(std::string(prefix.symbol) + std::string(unit.symbol));
+  return symbols;
+}
+
+[[noreturn]] void unknown_unit(std::string_view symbol) {
+  const std::string near = nearest(symbol, all_symbols());
+  throw InputError(near.empty() ? fmt::format("unknown unit \"{}\"; units are written like mm, kN/mm, kg/m^3, K/MPa or %", symbol)
+                                : fmt::format("unknown unit \"{}\"; did you mean {}?", symbol, near));
+}
+
+Unit find_unit(std::string_view symbol) {
+  for (const auto& known : units)
+    if (symbol == known.symbol) return known.unit;
+  for (const auto& known : units) {
+    if (!known.prefixes || !symbol.ends_with(known.symbol)) continue;
+    const std::string_view front = symbol.substr(0, symbol.size() - known.symbol.size());
+    for (const auto& prefix : prefixes) {
+      if (front != prefix.symbol) continue;
+      Unit unit = known.unit;
+      unit.decade += prefix.decade;
+      return unit;
+    }
+  }
+  unknown_unit(symbol);
+}
+
+Unit raised(Unit unit, double power) {
+  const double decade = unit.decade * power, whole = std::trunc(decade);
+  return {std::pow(unit.factor, power) * std::pow(10, decade - whole),
+          static_cast<int>(whole),
+          {unit.dimension.mass * power, unit.dimension.length * power, unit.dimension.time * power, unit.dimension.temperature * power}};
+}
+
+Unit operator*(const Unit& a, const Unit& b) { return {a.factor * b.factor, a.decade + b.decade, a.dimension * b.dimension}; }
+
+/// Recursive descent over: expression = factor {("*" | "·" | " " | "/") factor}; factor = (symbol | "(" expression ")") ["^" power | superscript]; a
+/// power is a whole number or ends in .5.
+class UnitReader {
+ public:
+  explicit UnitReader(std::string_view text) : text_(text), rest_(text) {}
+
+  Unit read() {
+    const Unit unit = expression(0);
+    if (!rest_.empty()) fail(fmt::format("unexpected \"{}\"", rest_));
+    return unit;
+  }
+
+ private:
+  static constexpr int deepest = 8, largest_power = 9, most_factors = 16;
+
+  [[noreturn]] void fail(const std::string& why) const { throw InputError(fmt::format("cannot read the unit \"{}\": {}", text_, why)); }
+
+  bool take(std::string_view token) {
+    if (!rest_.starts_with(token)) return false;
+    rest_.remove_prefix(token.size());
+    return true;
+  }
+  void skip_spaces() {
+    while (take(" ")) {}
+  }
+
+  Unit expression(int depth) {
+    skip_spaces();
+    bool divided = take("/");
+    Unit product = divided ? raised(factor(depth), -1) : factor(depth);
+    for (int factors = 1;; ++factors) {
+      if (factors > most_factors) fail("too many factors");
+      skip_spaces();
+      if (rest_.empty() || rest_.front() == ')') return product;
+      if (take("/")) {
+        divided = true;
+        product = product * raised(factor(depth), -1);
+        continue;
+      }
+      if (divided) fail("a product after a quotient can be read in two ways; write brackets, as in N/(m s)");
+      if (!take("*")) take("·");
+      product = product * factor(depth);
+    }
+  }
+
+  Unit factor(int depth) {
+    skip_spaces();
+    Unit unit;
+    if (take("(")) {
+      if (depth == deepest) fail("too many brackets");
+      unit = expression(depth + 1);
+      if (!take(")")) fail("a bracket is not closed");
+    } else {
+      unit = find_unit(symbol());
+    }
+    return raised(unit, power());
+  }
+
+  std::string_view symbol() {
+    std::size_t length = 0;
+    while (length < rest_.size()) {
+      const std::string_view here = rest_.substr(length);
+      const bool ends =
+          std::string_view(" */^()").find(here.front()) != std::string_view::npos || here.starts_with("·") || here.starts_with("²") || here.starts_with("³");
+      if (ends) break;
+      ++length;
+    }
+    if (length == 0) fail("a unit is missing");
+    const std::string_view found = rest_.substr(0, length);
+    rest_.remove_prefix(length);
+    return found;
+  }
+
+  double power() {
+    if (take("²")) return 2;
+    if (take("³")) return 3;
+    skip_spaces();
+    if (!take("^")) return 1;
+    skip_spaces();
+    double value = 0;
+    const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value, std::chars_format::fixed);
+    if (error != std::errc{} || std::abs(value) > largest_power || std::trunc(2 * value) != 2 * value)
+      fail(fmt::format("the power must be a whole number from -{0} to {0}, or a half such as 0.5", largest_power));
+    rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+    return value;
+  }
+
+  std::string_view text_, rest_;
+};
+
+}  // namespace
+
+std::string si_unit(Dimension dimension) {
+  if (const auto* named = find_name(dimension)) return std::string(named->unit);
+  std::string text;
+  const std::array<std::pair<const char*, double>, 4> bases{
+      {{"kg", dimension.mass}, {"m", dimension.length}, {"s", dimension.time}, {"K", dimension.temperature}}};
+  for (const auto& [symbol, power] : bases) {
+    if (power == 0) continue;
+    text += (text.empty() ? "" : " ") + std::string(symbol);
+    if (power != 1) text += fmt::format("^{}", power);
+  }
+  return text;
+}
+
+std::string describe(Dimension dimension) {
+  const auto* named = find_name(dimension);
+  return named ? std::string(named->name) : "a quantity in " + si_unit(dimension);
+}
+
+Unit parse_unit(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t");
+  return UnitReader(begin == std::string_view::npos ? std::string_view() : text.substr(begin, end - begin + 1)).read();
+}
+
+}  // namespace arenite

@@ -1,0 +1,40 @@
+#pragma once
+#include <cmath>
+
+#include "core/parameters.hpp"
+#include "core/vec.hpp"
+
+namespace arenite::dem {
+
+/// The few functions that a law calls beside + - * /. Laws are written once over a number type V; these serve V = double, a batch type brings its own
+/// overloads (found by its namespace). `dot` and `within` also take the vectors T in which slip is counted where space has three dimensions.
+namespace lane {
+inline double min(double a, double b) { return b < a ? b : a; }
+inline double max(double a, double b) { return a < b ? b : a; }
+inline double sqrt(double a) { return std::sqrt(a); }
+inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
+inline double dot(double a, double b) { return a * b; }
+
+/// a held within [-bound, bound], bound >= 0.
+template <class V>
+V within(V a, V bound) {
+  return max(min(a, bound), V(0.0) - bound);
+}
+template <int D>
+Vec<D> within(Vec<D> a, double bound) {
+  const double size = norm(a);
+  return size > bound ? (bound / size) * a : a;
+}
+}  // namespace lane
+
+/// What a friction law sees of one contact. T counts along the contact: it is V in the plane, a vector in space.
+template <class V, class T = V>
+struct Slip {
+  T velocity;   ///< v_s, m/s
+  V viscosity;  ///< gamma_s, N s/m
+  V cap;        ///< greatest force, N
+  V stiffness;  ///< k_t, N/m
+  V lead, lag;  ///< s: ways that the memory has yet to make at this velocity, before the force is known and after it
+};
+
+}  // namespace arenite::dem

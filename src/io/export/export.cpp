@@ -1,0 +1,50 @@
+#include "io/export/export.hpp"
+
+#include <algorithm>
+
+namespace arenite::io {
+
+const std::vector<ExportFormat>& export_formats() {
+  static const std::vector<ExportFormat> formats{
+      {"vtk", "ParaView: open loading.pvd, which has grains, contacts and walls of all states; fields on nodes (.vti)", vtk_frame, vtk_index, vti_field},
+      {"lammps", "OVITO and LAMMPS tools: dump custom of grains, dump local of contacts", lammps_frame, nullptr, nullptr},
+      {"extxyz", "OVITO and ASE: extended XYZ of grains", extxyz_frame, nullptr, nullptr},
+      {"netcdf", "xarray and netCDF tools: all states in one file, arrays over (time, grain)", nullptr, nullptr, nullptr, netcdf_loading},
+      {"csv", "Tables of grains and contacts that `arenite measure` reads, too; of nodes and mean stresses of grains", csv_frame, nullptr, csv_field},
+  };
+  return formats;
+}
+
+double mean_compressive_force(const Contacts& contacts) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (contacts.is_wall(c) || !(contacts.fn[c] > 0)) continue;
+    sum += contacts.fn[c];
+    ++count;
+  }
+  return count == 0 ? 0 : sum / static_cast<double>(count);
+}
+
+int contact_type(const Packing& packing, std::size_t contact) {
+  if (packing.contacts.is_wall(contact)) return -1;
+  const auto of = [&](std::int32_t grain) { return packing.grains.material[static_cast<std::size_t>(grain)]; };
+  const auto [low, high] = std::minmax({of(packing.contacts.i[contact]), of(packing.contacts.j[contact])});
+  const int kinds = static_cast<int>(packing.materials.size());
+  return low * kinds - low * (low - 1) / 2 + (high - low);
+}
+
+Vec2 far_end(const Packing& packing, std::size_t contact) {
+  const auto& contacts = packing.contacts;
+  const Vec2 from = packing.grains.centre(static_cast<std::size_t>(contacts.i[contact]));
+  if (contacts.is_wall(contact)) return from - contacts.arm_i[contact] * contacts.normal(contact);
+  return from + packing.domain.nearest_image(packing.grains.centre(static_cast<std::size_t>(contacts.j[contact])) - from);
+}
+
+std::vector<std::uint8_t> class_of_node(const PhaseMap& map) {
+  std::vector<std::uint8_t> result;
+  for (const std::int32_t g : map.grain) result.push_back(g < 0 ? 0 : static_cast<std::uint8_t>(map.grain_class[static_cast<std::size_t>(g)]));
+  return result;
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,71 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "model/result.hpp"
+
+namespace arenite::io {
+
+/// A quantity of every grain that was derived from a frame (its stress, its number of contacts), or of every contact, to be written beside what the
+/// frame holds. NaN where it is not known.
+struct GrainField {
+  std::string name, unit;
+  std::vector<double> values;
+};
+
+/// One state of the loading, as every export format gets it.
+struct ExportFrame {
+  int number = 0;               ///< place in the loading, from 0
+  std::string stage;            ///< name of the stage it belongs to
+  const Frame* frame = nullptr;
+  std::vector<GrainField> fields;
+  std::vector<GrainField> of_contacts = {};
+  std::vector<double> ux{}, uy{};  ///< m, of every grain since the first state; empty if there is none before this
+};
+
+/// A result on nodes, as export formats get it.
+struct ExportField {
+  const FieldResult* result = nullptr;
+  std::vector<GrainField> fields;  ///< of the grains of the map, one value a label
+};
+
+struct NamedBytes {
+  std::string name, bytes;
+};
+
+/// A format: what it makes of one frame. Files of the same name from successive frames are joined into one; `index` (or nullptr) makes the files that
+/// list all frames by their times. A format of whole loadings has `of_loading` instead, which gets all frames and what made the last.
+struct ExportFormat {
+  const char* name;
+  const char* sentence;
+  std::vector<NamedBytes> (*of_frame)(const ExportFrame&);
+  std::vector<NamedBytes> (*index)(const std::vector<double>& times);
+  std::vector<NamedBytes> (*of_field)(const ExportField&);  ///< nullptr: holds grains only
+  std::vector<NamedBytes> (*of_loading)(const std::vector<ExportFrame>&, const Provenance&) = nullptr;
+};
+
+/// All formats: one file and one row each.
+const std::vector<ExportFormat>& export_formats();
+
+/// Mean normal force of the contacts between grains that push; a contact above it is strong. 0 without such contacts.
+double mean_compressive_force(const Contacts& contacts);
+
+/// The contact's kind: -1 with a wall, else the place of the pair of materials in 00, 01, .., 0m, 11, 12, .. .
+int contact_type(const Packing& packing, std::size_t contact);
+
+/// The centre of j, or of its periodic image, as seen from i; for a wall the contact point.
+Vec2 far_end(const Packing& packing, std::size_t contact);
+
+/// The class of the grain at every node of a map; 0 where there is none.
+std::vector<std::uint8_t> class_of_node(const PhaseMap& map);
+
+std::vector<NamedBytes> vtk_frame(const ExportFrame& frame);
+std::vector<NamedBytes> vtk_index(const std::vector<double>& times);
+std::vector<NamedBytes> lammps_frame(const ExportFrame& frame);
+std::vector<NamedBytes> extxyz_frame(const ExportFrame& frame);
+std::vector<NamedBytes> csv_frame(const ExportFrame& frame);
+std::vector<NamedBytes> netcdf_loading(const std::vector<ExportFrame>& frames, const Provenance& provenance);
+std::vector<NamedBytes> vti_field(const ExportField& field);
+std::vector<NamedBytes> csv_field(const ExportField& field);
+
+}  // namespace arenite::io

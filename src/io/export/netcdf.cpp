@@ -1,0 +1,229 @@
+#include <hdf5_hl.h>
+
+#include <algorithm>
+#include <map>
+
+#include "core/error.hpp"
+#include "io/results/groups.hpp"
+#include "io/export/export.hpp"
+#include "io/hdf5/handle.hpp"
+
+// One netCDF-4 file, which is HDF5 whose dimensions are named: arrays over (time, grain) and (time, side), and the contacts of all states in one row,
+// since their number changes (docs/hdf5.md).
+namespace arenite::io {
+namespace {
+
+class NetcdfFile {
+ public:
+  NetcdfFile() {
+    const auto access = memory_properties(), creation = timeless(H5P_FILE_CREATE);
+    done(H5Pset_link_creation_order(*creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
+    file_ = made(H5Fcreate(unused_name().c_str(), H5F_ACC_TRUNC, *creation, *access), H5Fclose);
+  }
+
+  struct About {
+    std::string units, long_name;
+  };
+
+  /// A dimension with its coordinate.
+  template <class T>
+  void dimension(const std::string& name, const std::vector<T>& values, const About& about) {
+    const auto set = put(name, {name}, values, about);
+    done(H5DSset_scale(*set, name.c_str()));
+    scale_[name] = set;
+  }
+
+  /// An array over dimensions that are there.
+  template <class T>
+  void variable(const std::string& name, const std::vector<std::string>& dimensions, const std::vector<T>& values, const About& about) {
+    const auto set = put(name, dimensions, values, about);
+    for (std::size_t d = 0; d < dimensions.size(); ++d)
+      done(H5DSattach_scale(*set, *scale_.at(dimensions[d]), static_cast<unsigned>(d)));
+  }
+
+  void variable(const std::string& name, const std::string& dimension, const std::vector<std::string>& values, const About& about) {
+    std::vector<const char*> texts;
+    for (const auto& value : values) texts.push_back(value.c_str());
+    const auto set = create(name, {dimension}, *text_type(), values.size(), false);
+    if (!texts.empty()) done(H5Dwrite(*set, *text_type(), H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()));
+    attribute(*set, "long_name", about.long_name);
+    done(H5DSattach_scale(*set, *scale_.at(dimension), 0));
+  }
+
+  void attribute(const std::string& name, const std::string& text) const { attribute(*file_, name, text); }
+  void attribute(const std::string& name, double value) const {
+    const auto space = made(H5Screate(H5S_SCALAR), H5Sclose);
+    const auto at = made(H5Acreate2(*file_, name.c_str(), H5T_IEEE_F64LE, *space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    done(H5Awrite(*at, H5T_NATIVE_DOUBLE, &value));
+  }
+
+  std::string bytes() const { return bytes_of_file(*file_); }
+
+ private:
+  static Hdf5Handle text_type() {
+    auto type = made(H5Tcopy(H5T_C_S1), H5Tclose);
+    done(H5Tset_size(*type, H5T_VARIABLE));
+    done(H5Tset_cset(*type, H5T_CSET_UTF8));
+    return type;
+  }
+
+  static void attribute(hid_t owner, const std::string& name, const std::string& text) {
+    const auto space = made(H5Screate(H5S_SCALAR), H5Sclose);
+    const auto type = text_type();
+    const auto at = made(H5Acreate2(owner, name.c_str(), *type, *space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    const char* pointer = text.c_str();
+    done(H5Awrite(*at, *type, static_cast<const void*>(&pointer)));
+  }
+
+  Hdf5Handle create(const std::string& name, const std::vector<std::string>& dimensions, hid_t type, std::size_t count, bool compress) {
+    std::vector<hsize_t> size;
+    for (const auto& d : dimensions) size.push_back(d == name ? count : size_.at(d));
+    if (dimensions.front() == name) size_[name] = count;
+    const auto space = made(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
+    const auto properties = timeless(H5P_DATASET_CREATE);
+    done(H5Pset_attr_creation_order(*properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
+    if (compress && count * 8 >= 4096) {
+      std::vector<hsize_t> chunk = size;
+      chunk.back() = std::min<hsize_t>(chunk.back(), 131'072);
+      if (chunk.size() > 1) chunk.front() = std::clamp<hsize_t>(131'072 / chunk.back(), 1, chunk.front());
+      done(H5Pset_chunk(*properties, static_cast<int>(chunk.size()), chunk.data()));
+      done(H5Pset_shuffle(*properties));
+      done(H5Pset_deflate(*properties, 2));
+    }
+    return made(H5Dcreate2(*file_, name.c_str(), type, *space, H5P_DEFAULT, *properties, H5P_DEFAULT), H5Dclose);
+  }
+
+  template <class T>
+  Hdf5Handle put(const std::string& name, const std::vector<std::string>& dimensions, const std::vector<T>& values, const About& about) {
+    const auto set = create(name, dimensions, stored_type<T>(), values.size(), true);
+    if (!values.empty()) done(H5Dwrite(*set, native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+    if (!about.units.empty()) attribute(*set, "units", about.units);
+    if (!about.long_name.empty()) attribute(*set, "long_name", about.long_name);
+    return set;
+  }
+
+  Hdf5Handle file_;
+  std::map<std::string, Hdf5Handle> scale_;
+  std::map<std::string, hsize_t> size_;
+};
+
+using Frames = std::vector<ExportFrame>;
+
+/// One number of each state.
+template <class Value>
+std::vector<double> by_time(const Frames& frames, Value value) {
+  std::vector<double> values;
+  for (const auto& f : frames) values.push_back(value(*f.frame));
+  return values;
+}
+
+/// An array of each state, one after the other.
+template <class T, class Array>
+std::vector<T> joined(const Frames& frames, Array array) {
+  std::vector<T> all;
+  for (const auto& f : frames) {
+    const auto& part = array(f);
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+void put_states(NetcdfFile& file, const Frames& frames) {
+  file.dimension("time", by_time(frames, [](const Frame& f) { return f.time; }), {"s", "time since the start of the run"});
+  std::vector<std::string> stages, labels;
+  for (const auto& f : frames) stages.push_back(f.stage), labels.push_back(f.frame->label);
+  file.variable("stage", "time", stages, {"", "stage of the loading"});
+  file.variable("label", "time", labels, {"", "state within its stage"});
+  file.variable("step", {"time"}, by_time(frames, [](const Frame& f) { return static_cast<double>(f.step); }), {"1", "time steps since the start"});
+  file.variable("unbalanced_ratio", {"time"}, by_time(frames, [](const Frame& f) { return f.equilibrium.unbalanced_ratio; }),
+                {"1", "mean resultant force on a grain over the mean contact force"});
+  file.variable("kinetic_ratio", {"time"}, by_time(frames, [](const Frame& f) { return f.equilibrium.kinetic_ratio; }), {"1", "kinetic over elastic energy"});
+  for (const EnergyTerm& term : energy_terms)
+    file.variable(std::string("energy_") + term.name, {"time"}, by_time(frames, [&](const Frame& f) { return f.energies.*term.value; }), {"J", term.phrase});
+}
+
+void put_walls(NetcdfFile& file, const Frames& frames) {
+  file.dimension("side", std::vector<std::int32_t>{left, right, bottom, top}, {"1", "0 left, 1 right, 2 bottom, 3 top; edges of the cell where periodic"});
+  const auto put = [&](const char* name, const char* unit, double Wall::*member, const char* meaning) {
+    std::vector<double> values;
+    for (const auto& f : frames)
+      for (const Wall& wall : f.frame->packing.domain.wall) values.push_back(wall.*member);
+    file.variable(name, {"time", "side"}, values, {unit, meaning});
+  };
+  put("wall_position", "m", &Wall::position, "along the wall's normal axis");
+  put("wall_velocity", "m/s", &Wall::velocity, "along the wall's normal axis");
+  put("wall_force", "N", &Wall::force, "of the sample on the wall, pushing positive");
+  put("wall_shear_force", "N", &Wall::shear_force, "along the wall");
+  file.variable("tilt", {"time"}, by_time(frames, [](const Frame& f) { return f.packing.domain.tilt; }), {"m", "shift of the top edge of a sheared cell"});
+}
+
+void put_grains(NetcdfFile& file, const Frames& frames) {
+  const Grains& first = frames.front().frame->packing.grains;
+  for (const auto& f : frames)
+    if (f.frame->packing.grains.id != first.id)
+      throw InputError("its states have not the same grains, so they fit in no array over (time, grain); export with --last, or as csv");
+  file.dimension("grain", first.id, {"1", "id of the grain"});
+  const std::vector<std::string> over{"time", "grain"};
+  const bool same_radii = std::all_of(frames.begin(), frames.end(), [&](const auto& f) { return f.frame->packing.grains.radius == first.radius; });
+  if (same_radii) file.variable("radius", {"grain"}, first.radius, {"m", ""});
+  else file.variable("radius", over, joined<double>(frames, [](const auto& f) -> auto& { return f.frame->packing.grains.radius; }), {"m", ""});
+  std::string names;
+  for (const auto& m : frames.front().frame->packing.materials) names += (names.empty() ? "" : ", ") + m.name;
+  file.variable("material", {"grain"}, first.material, {"1", "place in the list of materials: " + names});
+  file.variable("zone", over, joined<std::uint8_t>(frames, [](const auto& f) -> auto& { return f.frame->packing.grains.zone; }), {"1", "1 where grains may be glued"});
+  for (const auto& column : grain_state_columns)
+    file.variable(column.name, over, joined<double>(frames, [&](const auto& f) -> auto& { return f.frame->packing.grains.*column.member; }), {column.unit, ""});
+  if (frames.size() > 1) {
+    const std::vector<double> none(first.size(), 0.0);
+    file.variable("ux", over, joined<double>(frames, [&](const auto& f) -> auto& { return f.ux.empty() ? none : f.ux; }), {"m", "displacement along x since the first state"});
+    file.variable("uy", over, joined<double>(frames, [&](const auto& f) -> auto& { return f.uy.empty() ? none : f.uy; }), {"m", "displacement along y since the first state"});
+  }
+  for (std::size_t k = 0; k < frames.front().fields.size(); ++k) {
+    const GrainField& field = frames.front().fields[k];
+    if (std::any_of(frames.begin(), frames.end(), [&](const auto& f) { return f.fields.size() <= k || f.fields[k].name != field.name; })) continue;
+    file.variable(field.name, over, joined<double>(frames, [k](const auto& f) -> auto& { return f.fields[k].values; }),
+                  {field.unit, field.unit == "Pa" ? "stress of the grain, tension positive" : ""});
+  }
+}
+
+void put_contacts(NetcdfFile& file, const Frames& frames) {
+  std::vector<std::int32_t> number, state;
+  std::vector<std::int64_t> i, j;
+  for (std::size_t t = 0; t < frames.size(); ++t) {
+    const Packing& p = frames[t].frame->packing;
+    for (std::size_t c = 0; c < p.contacts.size(); ++c) {
+      number.push_back(static_cast<std::int32_t>(number.size()));
+      state.push_back(static_cast<std::int32_t>(t));
+      i.push_back(p.grains.id[static_cast<std::size_t>(p.contacts.i[c])]);
+      j.push_back(p.contacts.is_wall(c) ? p.contacts.j[c] : p.grains.id[static_cast<std::size_t>(p.contacts.j[c])]);
+    }
+  }
+  file.dimension("contact", number, {"1", "contacts of all states, one after the other"});
+  file.variable("contact_state", {"contact"}, state, {"1", "index along time of the state that the contact belongs to"});
+  file.variable("contact_i", {"contact"}, i, {"1", "id of the grain"});
+  file.variable("contact_j", {"contact"}, j, {"1", "id of the other grain; walls are -1 left, -2 right, -3 bottom, -4 top"});
+  for (const auto& column : contact_columns)
+    file.variable(std::string("contact_") + column.name, {"contact"},
+                  joined<double>(frames, [&](const auto& f) -> auto& { return f.frame->packing.contacts.*column.member; }), {column.unit, ""});
+  file.variable("contact_glued", {"contact"}, joined<std::uint8_t>(frames, [](const auto& f) -> auto& { return f.frame->packing.contacts.glued; }),
+                {"1", "1 where adhesion acts"});
+}
+
+}  // namespace
+
+std::vector<NamedBytes> netcdf_loading(const Frames& frames, const Provenance& provenance) {
+  NetcdfFile file;
+  file.attribute("source", "Arenite " + provenance.version);
+  file.attribute("input_hash", provenance.input_hash);
+  file.attribute("recipe", provenance.recipe);
+  file.attribute("signs", "contact_n points from j to i, t is n turned by +90 degrees, the force on i is fn n + ft t (fn > 0 pushes); "
+                          "stress is positive in tension");
+  file.attribute("thickness_m", frames.front().frame->packing.domain.thickness);
+  put_states(file, frames);
+  put_walls(file, frames);
+  put_grains(file, frames);
+  put_contacts(file, frames);
+  return {{"loading.nc", file.bytes()}};
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "io/export/export.hpp"
+#include "io/results/groups.hpp"
+
+namespace arenite::io {
+namespace {
+
+using Text = std::back_insert_iterator<std::string>;
+
+/// Edges of the box as LAMMPS writes them; a tilted cell gives the bounds of its bounding box and xy.
+std::string header(const ExportFrame& from, const char* what, std::size_t count) {
+  const Domain& domain = from.frame->packing.domain;
+  const double x0 = domain.wall[left].position, x1 = domain.wall[right].position;
+  const double half = 0.5 * domain.thickness, tilt = domain.tilt;
+  const char* x = domain.periodic_x ? "pp" : "ff";
+  const char* y = domain.periodic_y ? "pp" : "ff";
+  std::string text = from.number == 0 ? "ITEM: UNITS\nsi\n" : "";
+  fmt::format_to(Text(text), "ITEM: TIME\n{}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF {}\n{}\n", from.frame->time, from.frame->step, what, count);
+  if (tilt == 0)
+    fmt::format_to(Text(text), "ITEM: BOX BOUNDS {} {} pp\n{} {}\n{} {}\n{} {}\n", x, y, x0, x1, domain.wall[bottom].position,
+                   domain.wall[top].position, -half, half);
+  else
+    fmt::format_to(Text(text), "ITEM: BOX BOUNDS xy xz yz {} {} pp\n{} {} {}\n{} {} 0\n{} {} 0\n", x, y, x0 + std::min(tilt, 0.0),
+                   x1 + std::max(tilt, 0.0), tilt, domain.wall[bottom].position, domain.wall[top].position, -half, half);
+  return text;
+}
+
+std::string grain_dump(const ExportFrame& from) {
+  const Grains& g = from.frame->packing.grains;
+  std::string text = header(from, "ATOMS", g.size());
+  text += "ITEM: ATOMS id type x y z radius vx vy vz omegaz angle zone";
+  for (const auto& field : from.fields) text += " " + field.name;
+  text += '\n';
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    fmt::format_to(Text(text), "{} {} {} {} 0 {} {} {} 0 {} {} {}", g.id[i], g.material[i] + 1, g.x[i], g.y[i], g.radius[i], g.vx[i], g.vy[i],
+                   g.omega[i], g.angle[i], int{g.zone[i]});
+    for (const auto& field : from.fields) fmt::format_to(Text(text), " {}", field.values[i]);
+    text += '\n';
+  }
+  return text;
+}
+
+/// Contacts between grains only: a row names two grains, which OVITO joins by a bond, and LAMMPS knows no walls here. As in LAMMPS's pair/local of a
+/// granular style, the normal force (fx, fy) and the tangential one (p1, p2) act on the first grain; so `arenite measure` reads it back.
+std::string contact_dump(const ExportFrame& from) {
+  const Packing& packing = from.frame->packing;
+  const Contacts& c = packing.contacts;
+  const double mean = mean_compressive_force(c);
+  std::string rows;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    if (c.is_wall(k)) continue;
+    const Vec2 n = c.normal(k), normal = c.fn[k] * n, tangential = c.ft[k] * perpendicular(n);
+    fmt::format_to(Text(rows), "{} {} {} {} 0 {} {} 0 {} {} {} {}", packing.grains.id[static_cast<std::size_t>(c.i[k])],
+                   packing.grains.id[static_cast<std::size_t>(c.j[k])], normal.x, normal.y, tangential.x, tangential.y, contact_type(packing, k), c.fn[k] > mean ? 1 : 0, int{c.glued[k]},
+                   c.arm_i[k] + c.arm_j[k]);
+    for (const auto& column : contact_columns) fmt::format_to(Text(rows), " {}", (c.*column.member)[k]);
+    rows += '\n';
+    ++count;
+  }
+  std::string text = header(from, "ENTRIES", count);
+  text += "ITEM: ENTRIES patom1 patom2 fx fy fz p1 p2 p3 type strong glued dist";
+  for (const auto& column : contact_columns) text += std::string(" ") + column.name;
+  return text + '\n' + rows;
+}
+
+using Text = std::back_insert_iterator<std::string>;
+
+/// A word: what would break a line or a quoted value becomes "_".
+std::string word(std::string text) {
+  for (char& c : text)
+    if (c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '"' || c == '=' || c == ':') c = '_';
+  return text.empty() ? "_" : text;
+}
+
+std::string comment_line(const ExportFrame& from) {
+  const Domain& d = from.frame->packing.domain;
+  std::string text = fmt::format("Lattice=\"{} 0 0 {} {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"{} {} F\"", d.width(), d.tilt, d.height(),
+                                 d.thickness, d.wall[left].position, d.wall[bottom].position, -0.5 * d.thickness, d.periodic_x ? "T" : "F",
+                                 d.periodic_y ? "T" : "F");
+  fmt::format_to(Text(text), " Time={} Step={} Stage={} Label=\"{}\" Properties=species:S:1:pos:R:3:radius:R:1:id:I:1:zone:I:1:velo:R:3:angle:R:1:omega:R:1",
+                 from.frame->time, from.frame->step, word(from.stage), word(from.frame->label));
+  for (const auto& field : from.fields) text += ":" + word(field.name) + ":R:1";
+  return text;
+}
+
+}  // namespace
+
+std::vector<NamedBytes> lammps_frame(const ExportFrame& frame) {
+  return {{"grains.dump", grain_dump(frame)}, {"contacts.dump", contact_dump(frame)}};
+}
+
+std::vector<NamedBytes> extxyz_frame(const ExportFrame& from) {
+  const Packing& packing = from.frame->packing;
+  const Grains& g = packing.grains;
+  std::vector<std::string> species;
+  for (const auto& material : packing.materials) species.push_back(word(material.name));
+  std::string text = fmt::format("{}\n{}\n", g.size(), comment_line(from));
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    fmt::format_to(Text(text), "{} {} {} 0 {} {} {} {} {} 0 {} {}", species[static_cast<std::size_t>(g.material[i])], g.x[i], g.y[i], g.radius[i],
+                   g.id[i], int{g.zone[i]}, g.vx[i], g.vy[i], g.angle[i], g.omega[i]);
+    for (const auto& field : from.fields) fmt::format_to(Text(text), " {}", field.values[i]);
+    text += '\n';
+  }
+  return {{"grains.extxyz", text}};
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,168 @@
+#include <fmt/format.h>
+
+#include "io/results/groups.hpp"
+#include "io/export/export.hpp"
+#include "io/export/vtk_file.hpp"
+
+namespace arenite::io {
+namespace {
+
+/// A plane vector as VTK wants it: three components, the last 0.
+std::vector<double> in_space(const std::vector<double>& x, const std::vector<double>& y) {
+  std::vector<double> values(3 * x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    values[3 * k] = x[k];
+    values[3 * k + 1] = y[k];
+  }
+  return values;
+}
+
+/// The components of `what` as one tensor of nine, row by row; nothing where they are not there.
+std::vector<double> stress_of(const ExportFrame& from) {
+  const auto of = [&](const char* name) -> const std::vector<double>* {
+    for (const auto& field : from.fields)
+      if (field.name == name) return &field.values;
+    return nullptr;
+  };
+  const auto *xx = of("sigma_xx"), *xy = of("sigma_xy"), *yx = of("sigma_yx"), *yy = of("sigma_yy");
+  if (!xx || !xy || !yx || !yy) return {};
+  std::vector<double> tensor(9 * xx->size());
+  for (std::size_t k = 0; k < xx->size(); ++k) {
+    tensor[9 * k] = (*xx)[k], tensor[9 * k + 1] = (*xy)[k];
+    tensor[9 * k + 3] = (*yx)[k], tensor[9 * k + 4] = (*yy)[k];
+  }
+  return tensor;
+}
+
+VtkPolyData grains_of(const ExportFrame& from) {
+  const Grains& grains = from.frame->packing.grains;
+  VtkPolyData data;
+  data.time = from.frame->time;
+  data.points = in_space(grains.x, grains.y);
+  data.point_arrays = {{"id", grains.id},       {"radius", grains.radius},
+                       {"material", grains.material}, {"zone", grains.zone},
+                       {"velocity", in_space(grains.vx, grains.vy), 3}, {"angle", grains.angle}, {"omega", grains.omega}};
+  if (from.ux.size() == grains.size()) data.point_arrays.push_back({"displacement", in_space(from.ux, from.uy), 3});
+  for (const auto& field : from.fields) data.point_arrays.push_back({field.name, field.values});
+  if (auto stress = stress_of(from); !stress.empty()) data.point_arrays.push_back({"stress", std::move(stress), 9});
+  return data;
+}
+
+VtkPolyData contacts_of(const ExportFrame& from) {
+  const Packing& packing = from.frame->packing;
+  const Contacts& contacts = packing.contacts;
+  const double mean = mean_compressive_force(contacts);
+  VtkPolyData data;
+  data.time = from.frame->time;
+  data.cells = VtkPolyData::Cells::lines;
+  std::vector<double> force_at_ends;
+  std::vector<std::int64_t> id_i, id_j;
+  std::vector<std::int32_t> type;
+  std::vector<std::uint8_t> strong;
+  std::vector<double> fx, fy;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const auto i = static_cast<std::size_t>(contacts.i[c]);
+    const Vec2 a = packing.grains.centre(i), b = far_end(packing, c);
+    data.points.insert(data.points.end(), {a.x, a.y, 0, b.x, b.y, 0});
+    force_at_ends.insert(force_at_ends.end(), 2, contacts.fn[c]);
+    id_i.push_back(packing.grains.id[i]);
+    id_j.push_back(contacts.is_wall(c) ? contacts.j[c] : packing.grains.id[static_cast<std::size_t>(contacts.j[c])]);
+    type.push_back(contact_type(packing, c));
+    strong.push_back(contacts.fn[c] > mean ? 1 : 0);
+    const Vec2 force = contacts.force_on_i(c);
+    fx.push_back(force.x), fy.push_back(force.y);
+  }
+  data.point_arrays = {{"fn", force_at_ends}};  // on points as well: ParaView's tubes take their radius from there
+  data.cell_arrays = {{"i", id_i}, {"j", id_j}, {"type", type}, {"strong", strong}, {"glued", contacts.glued},
+                      {"force", in_space(fx, fy), 3}};  // on i, the line's first end
+  for (const auto& column : contact_columns) data.cell_arrays.push_back({column.name, contacts.*column.member});
+  return data;
+}
+
+/// Four lines, in the order of the sides; `present` is 0 where a side is the edge of a periodic cell.
+VtkPolyData walls_of(const ExportFrame& from) {
+  const Domain& domain = from.frame->packing.domain;
+  const double x0 = domain.wall[left].position, x1 = domain.wall[right].position;
+  const double y0 = domain.wall[bottom].position, y1 = domain.wall[top].position;
+  VtkPolyData data;
+  data.time = from.frame->time;
+  data.cells = VtkPolyData::Cells::lines;
+  const double t = domain.tilt;
+  data.points = {x0, y0, 0, x0 + t, y1, 0, x1, y0, 0, x1 + t, y1, 0, x0, y0, 0, x1, y0, 0, x0 + t, y1, 0, x1 + t, y1, 0};
+  std::vector<std::uint8_t> present;
+  std::vector<double> force, shear_force, velocity;
+  for (const Wall& wall : domain.wall) {
+    present.push_back(wall.present ? 1 : 0);
+    force.push_back(wall.force);
+    shear_force.push_back(wall.shear_force);
+    velocity.push_back(wall.velocity);
+  }
+  data.cell_arrays = {{"side", std::vector<std::int32_t>{left, right, bottom, top}}, {"present", present}, {"force", force},
+                      {"shear_force", shear_force}, {"velocity", velocity}};
+  return data;
+}
+
+struct Component {
+  const char* name;
+  std::vector<double> StressField::*member;
+};
+constexpr Component stresses[] = {{"sigma_xx", &StressField::xx}, {"sigma_yy", &StressField::yy}, {"sigma_xy", &StressField::xy}};
+
+std::vector<float> single(const std::vector<double>& values) { return {values.begin(), values.end()}; }
+
+/// VTK's order of a symmetric tensor: xx, yy, zz, xy, yz, xz.
+std::vector<float> stress_of(const StressField& field) {
+  std::vector<float> tensor(6 * field.size());
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    tensor[6 * i] = static_cast<float>(field.xx[i]);
+    tensor[6 * i + 1] = static_cast<float>(field.yy[i]);
+    tensor[6 * i + 3] = static_cast<float>(field.xy[i]);
+  }
+  return tensor;
+}
+
+std::string numbered(const char* what, int number) { return fmt::format("{}_{:04}.vtp", what, number); }
+std::string state_file(int number) { return fmt::format("state_{:04}.vtm", number); }
+
+constexpr const char* parts[] = {"grains", "contacts", "walls"};
+
+}  // namespace
+
+std::vector<NamedBytes> vtk_frame(const ExportFrame& frame) {
+  return {{numbered("grains", frame.number), vtp_bytes(grains_of(frame))},
+          {numbered("contacts", frame.number), vtp_bytes(contacts_of(frame))},
+          {numbered("walls", frame.number), vtp_bytes(walls_of(frame))},
+          {state_file(frame.number), vtm_bytes({{"grains", numbered("grains", frame.number)},
+                                                {"contacts", numbered("contacts", frame.number)},
+                                                {"walls", numbered("walls", frame.number)}})}};
+}
+
+/// loading.pvd opens everything, as blocks with names; grains.pvd, contacts.pvd and walls.pvd one thing each, which filters like better.
+std::vector<NamedBytes> vtk_index(const std::vector<double>& times) {
+  std::vector<VtkListed> all;
+  std::vector<NamedBytes> files;
+  for (int part = 0; part < 3; ++part) {
+    std::vector<VtkListed> one;
+    for (std::size_t f = 0; f < times.size(); ++f) one.push_back({times[f], 0, numbered(parts[part], static_cast<int>(f))});
+    files.push_back({fmt::format("{}.pvd", parts[part]), pvd_bytes(one)});
+  }
+  for (std::size_t f = 0; f < times.size(); ++f) all.push_back({times[f], 0, state_file(static_cast<int>(f))});
+  files.push_back({"loading.pvd", pvd_bytes(all)});
+  return files;
+}
+
+std::vector<NamedBytes> vti_field(const ExportField& from) {
+  const FieldResult& r = *from.result;
+  VtkImage image{r.map.width, r.map.height, r.map.dx, {}};
+  std::vector<std::uint8_t> phase;
+  for (const Phase p : r.map.phase) phase.push_back(static_cast<std::uint8_t>(p));
+  image.point_arrays = {{"phase", phase}, {"grain", r.map.grain}, {"class", class_of_node(r.map)}};
+  if (r.field.size() > 0) {
+    image.point_arrays.push_back({"displacement", single(in_space(r.field.ux, r.field.uy)), 3});
+    for (const auto& c : stresses) image.point_arrays.push_back({c.name, single(r.field.*c.member)});
+    image.point_arrays.push_back({"stress", stress_of(r.field), 6});
+  }
+  return {{r.name + ".vti", vti_bytes(image)}};
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,150 @@
+#include "io/export/vtk_file.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
+#include "io/disk/byte_source.hpp"
+
+namespace arenite::io {
+namespace {
+
+/// VTK's compressed block: number of blocks, size of a block, size of the last one if it is shorter, compressed sizes, then the blocks.
+std::string compressed(const char* data, std::size_t size) {
+  constexpr std::size_t block = 1 << 16;
+  const std::size_t blocks = (size + block - 1) / block;
+  std::string header, body;
+  append<std::uint64_t>(header, blocks);
+  append<std::uint64_t>(header, block);
+  append<std::uint64_t>(header, size % block);
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const std::size_t length = std::min(block, size - b * block);
+    uLongf packed = compressBound(length);
+    const std::size_t start = body.size();
+    body.resize(start + packed);
+    if (compress2(reinterpret_cast<Bytef*>(body.data() + start), &packed, reinterpret_cast<const Bytef*>(data + b * block), length, 6) != Z_OK)
+      throw std::runtime_error("zlib could not compress an array");
+    body.resize(start + packed);
+    append<std::uint64_t>(header, packed);
+  }
+  return header + body;
+}
+
+template <class T> constexpr const char* vtk_type = nullptr;
+template <> constexpr const char* vtk_type<double> = "Float64";
+template <> constexpr const char* vtk_type<float> = "Float32";
+template <> constexpr const char* vtk_type<std::int32_t> = "Int32";
+template <> constexpr const char* vtk_type<std::int64_t> = "Int64";
+template <> constexpr const char* vtk_type<std::uint8_t> = "UInt8";
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&') out += "&amp;";
+    else if (c == '<') out += "&lt;";
+    else if (c == '>') out += "&gt;";
+    else if (c == '"') out += "&quot;";
+    else out += c;
+  }
+  return out;
+}
+
+/// The file in two parts that grow together: the XML and the data that it points into.
+class VtkWriter {
+ public:
+  template <class... Arguments>
+  void line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    fmt::format_to(std::back_inserter(xml_), format, std::forward<Arguments>(arguments)...);
+    xml_ += '\n';
+  }
+
+  template <class T>
+  void array(const std::string& name, int components, const std::vector<T>& values) {
+    line("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>", vtk_type<T>, escaped(name),
+         components, data_.size());
+    data_ += compressed(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+  }
+
+  void arrays(const char* element, const std::vector<VtkArray>& list) {
+    line("<{}>", element);
+    for (const auto& a : list) std::visit([&](const auto& values) { array(a.name, a.components, values); }, a.values);
+    line("</{}>", element);
+  }
+
+  /// A list of cells; an empty one is written too, since VTK's reader asks for all four.
+  void cells(const char* element, std::size_t count, std::size_t points_per_cell) {
+    std::vector<std::int64_t> connectivity(count * points_per_cell), offsets(count);
+    for (std::size_t k = 0; k < connectivity.size(); ++k) connectivity[k] = static_cast<std::int64_t>(k);
+    for (std::size_t k = 0; k < count; ++k) offsets[k] = static_cast<std::int64_t>((k + 1) * points_per_cell);
+    line("<{}>", element);
+    array("connectivity", 1, connectivity);
+    array("offsets", 1, offsets);
+    line("</{}>", element);
+  }
+
+  std::string finish() {
+    line("<AppendedData encoding=\"raw\">");
+    xml_ += '_' + data_;
+    line("\n</AppendedData>\n</VTKFile>");
+    return std::move(xml_);
+  }
+
+ private:
+  std::string xml_, data_;
+};
+
+}  // namespace
+
+std::string vtp_bytes(const VtkPolyData& data) {
+  const std::size_t points = data.points.size() / 3;
+  const bool lines = data.cells == VtkPolyData::Cells::lines;
+  VtkWriter file;
+  file.line("<?xml version=\"1.0\"?>");
+  file.line("<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">");
+  file.line("<PolyData>");
+  file.line("<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n</FieldData>", data.time);
+  file.line("<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">", points,
+            lines ? 0 : points, lines ? points / 2 : 0);
+  file.arrays("PointData", data.point_arrays);
+  file.arrays("CellData", data.cell_arrays);
+  file.line("<Points>");
+  file.array("Points", 3, data.points);
+  file.line("</Points>");
+  file.cells("Verts", lines ? 0 : points, 1);
+  file.cells("Lines", lines ? points / 2 : 0, 2);
+  file.cells("Strips", 0, 1);
+  file.cells("Polys", 0, 1);
+  file.line("</Piece>\n</PolyData>");
+  return file.finish();
+}
+
+std::string vti_bytes(const VtkImage& image) {
+  const std::string extent = fmt::format("0 {} 0 {} 0 0", image.width - 1, image.height - 1);
+  VtkWriter file;
+  file.line("<?xml version=\"1.0\"?>");
+  file.line("<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">");
+  file.line("<ImageData WholeExtent=\"{0}\" Origin=\"{1} {1} 0\" Spacing=\"{2} {2} {2}\">", extent, image.dx / 2, image.dx);
+  file.line("<Piece Extent=\"{}\">", extent);
+  file.arrays("PointData", image.point_arrays);
+  file.line("</Piece>\n</ImageData>");
+  return file.finish();
+}
+
+std::string vtm_bytes(const std::vector<VtkBlock>& blocks) {
+  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\" byte_order=\"LittleEndian\">\n<vtkMultiBlockDataSet>\n";
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    text += fmt::format("<DataSet index=\"{}\" name=\"{}\" file=\"{}\"/>\n", b, escaped(blocks[b].name), escaped(blocks[b].file));
+  return text + "</vtkMultiBlockDataSet>\n</VTKFile>\n";
+}
+
+std::string pvd_bytes(const std::vector<VtkListed>& files) {
+  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n";
+  for (const auto& f : files)
+    text += fmt::format("<DataSet timestep=\"{}\" part=\"{}\" file=\"{}\"/>\n", f.time, f.part, escaped(f.file));
+  return text + "</Collection>\n</VTKFile>\n";
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,206 @@
+#include "io/film/film.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "io/disk/store_file.hpp"
+#include "io/film/formats.hpp"
+
+namespace arenite::io {
+namespace {
+
+using namespace std::string_view_literals;
+
+struct FormatToRead {
+  const char* name;
+  bool marked;  ///< begins with a mark that nothing else begins with
+  bool (*is)(std::string_view head);
+  FilmPointer (*open)(const Bytes& bytes, const FilmChoice& choice);
+};
+
+/// In the order in which they are tried: text last, for it has no mark.
+constexpr FormatToRead formats_to_read[] = {
+    {"ptw", true, is_ptw, open_ptw},
+    {"npy", true, is_npy, open_npy},
+    {"tiff", true, is_tiff, open_tiff_film},
+    {"hdf5", true, is_hdf5, open_hdf5_film},
+    {"sfmov", true, is_sfmov, open_sfmov},
+    {"hcc", false, is_hcc, open_hcc},
+    {"raw", false, is_sidecar, open_sidecar},
+    {"text", false, is_text_film, open_text_film},
+};
+
+struct FormatToWrite {
+  const char* name;
+  std::vector<std::string> endings;
+  FilmWriterPointer (*create)(const std::filesystem::path& path, const FilmInfo& info);
+};
+const std::vector<FormatToWrite>& formats_to_write() {
+  static const std::vector<FormatToWrite> list{{"tiff", {".tif", ".tiff"}, create_tiff_film},
+                                               {"npy", {".npy"}, create_npy_film},
+                                               {"hdf5", {".h5", ".hdf5"}, create_hdf5_film},
+                                               {"sfmov", {".sfmov"}, create_sfmov_film},
+                                               {"ptw", {".ptw"}, create_ptw_film}};
+  return list;
+}
+
+constexpr std::string_view by_flir = "FLIR's program (Research Studio, ResearchIR, Thermal Studio)";
+constexpr std::string_view levels = "as a stack of TIFF, .sfmov or CSV of levels or temperatures";
+
+struct Recording {
+  std::string_view ending, what, program, as;
+};
+
+constexpr std::array recordings{
+    Recording{".seq", "is a FLIR sequence (.seq), whose frames are packed in a form of FLIR's own", by_flir, levels},
+    Recording{".csq", "is a packed FLIR sequence (.csq), in a form of FLIR's own", by_flir, levels},
+    Recording{".fcf", "is a FLIR public image or sequence (.fcf), in a form of FLIR's own", by_flir, levels},
+    Recording{".ats", "is a FLIR ATS film (.ats), in a form of FLIR's own", by_flir, levels},
+    Recording{".irb", "is an InfraTec film (.irb), in a form of InfraTec's own", "IRBIS", "as a stack of TIFF or as text, in temperatures"},
+    Recording{".ravi", "is an Optris film (.ravi), in a form of Optris' own", "PIX Connect", "as CSV or TIFF, in temperatures"},
+    Recording{".is2", "is a Fluke picture (.is2), in a form of Fluke's own", "SmartView", "as CSV, in temperatures"},
+    Recording{".is3", "is a Fluke film (.is3), in a form of Fluke's own", "SmartView", "as CSV, in temperatures"},
+    Recording{".mp4", "is a video (MPEG-4)", {}, {}},
+    Recording{".m4v", "is a video (MPEG-4)", {}, {}},
+    Recording{".mov", "is a video (QuickTime)", {}, {}},
+    Recording{".h264", "is a video (H.264)", {}, {}},
+    Recording{".h265", "is a video (H.265)", {}, {}},
+    Recording{".mkv", "is a video (Matroska)", {}, {}},
+    Recording{".avi", "is a video (AVI)", {}, {}},
+    Recording{".wmv", "is a video (Windows Media)", {}, {}},
+};
+
+struct Mark {
+  std::size_t at;
+  std::string_view bytes, ending;
+};
+
+constexpr std::array marks{
+    Mark{0, "FFF\0"sv, ".seq"},       Mark{0, "AFF\0"sv, ".seq"},          Mark{0, "\xffIRB"sv, ".irb"},        Mark{4, "ftyp"sv, ".mp4"},
+    Mark{4, "moov"sv, ".mov"},        Mark{8, "AVI "sv, ".avi"},           Mark{0, "\x1a\x45\xdf\xa3"sv, ".mkv"}, Mark{0, "\0\0\0\1\x67"sv, ".h264"},
+    Mark{0, "\x30\x26\xb2\x75"sv, ".wmv"},
+};
+
+const Recording* with_ending(std::string_view ending) {
+  const auto* found = std::find_if(recordings.begin(), recordings.end(), [&](const Recording& r) { return r.ending == ending; });
+  return found != recordings.end() ? found : nullptr;
+}
+
+constexpr std::size_t head_size = 65536;
+
+/// The sidecar of raw frames: their name with another ending, or with one more.
+std::filesystem::path sidecar_of(const std::filesystem::path& raw) {
+  std::error_code error;
+  for (const char* ending : {".toml", ".txt"}) {
+    auto beside = raw;
+    beside.replace_extension(ending);
+    for (const auto& path : {beside, std::filesystem::path(raw.string() + ending)})
+      if (path != raw && std::filesystem::is_regular_file(path, error) && is_sidecar(open_bytes(path)->text(0, head_size))) return path;
+  }
+  return {};
+}
+
+const FormatToRead* format_of(const ByteSource& bytes) {
+  const std::string head = bytes.text(0, head_size);
+  for (const FormatToRead& format : formats_to_read)
+    if (format.is(head)) return &format;
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<std::string> film_formats() {
+  std::vector<std::string> names;
+  for (const FormatToRead& format : formats_to_read) names.emplace_back(format.name);
+  return names;
+}
+
+void refuse_other_recording(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return;
+  const Bytes bytes = open_bytes(path);
+  const FormatToRead* format = format_of(*bytes);
+  if (format != nullptr && format->marked) return;
+  if (const std::string what = other_recording(path, bytes->text(0, head_size)); !what.empty()) throw InputError(path.string(), 0, what);
+}
+
+std::unique_ptr<FilmSource> open_film(const Bytes& bytes, const FilmChoice& choice) {
+  if (bytes->size() == 0) refuse(bytes->name(), "is empty; copy it again");
+  if (const FormatToRead* format = format_of(*bytes)) return scaled_film(format->open(bytes, choice), choice);
+  refuse(bytes->name(), "is no film: neither .ptw, .sfmov, .hcc, .npy, TIFF, HDF5 nor frames as text; "
+                                     "describe raw frames in a text beside it, NAME.txt with the lines width = .., height = .. and type = ..");
+}
+
+std::unique_ptr<FilmSource> open_film(const std::filesystem::path& path, const FilmChoice& choice) {
+  std::error_code error;
+  const bool pattern = path.filename().string().find('*') != std::string::npos && !std::filesystem::exists(path, error);
+  if (pattern || std::filesystem::is_directory(path, error)) return scaled_film(open_series(path, choice), choice);
+  const Bytes bytes = open_bytes(path);
+  refuse_other_recording(path);
+  if (!sealed_kind(path).empty()) refuse(path.string(), "is a result of Arenite, not a film; look at it with \"arenite show\"");
+  const FormatToRead* format = format_of(*bytes);
+  const std::filesystem::path sidecar = format != nullptr && format->marked ? std::filesystem::path() : sidecar_of(path);
+  return open_film(sidecar.empty() ? bytes : open_bytes(sidecar), choice);
+}
+
+bool looks_like_film(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto is_ours = [](const auto& entry) { return entry.path().extension() == ".h5"; };
+  if (std::filesystem::is_directory(path, error)) {
+    const std::filesystem::directory_iterator entries(path, error), end;
+    return std::none_of(entries, end, is_ours);
+  }
+  if (!std::filesystem::is_regular_file(path, error)) return path.filename().string().find('*') != std::string::npos;
+  if (!sealed_kind(path).empty()) return false;
+  return format_of(*open_bytes(path)) != nullptr || !sidecar_of(path).empty();
+}
+
+std::string other_recording(const std::filesystem::path& path, std::string_view head) {
+  std::string ending = path.extension().string();
+  for (char& c : ending) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  const Recording* is = with_ending(ending);
+  for (const Mark& mark : marks)
+    if (is == nullptr && head.size() > mark.at && head.substr(mark.at).starts_with(mark.bytes)) is = with_ending(mark.ending);
+  if (is == nullptr) return {};
+  if (is->program.empty())
+    return fmt::format("{}: compressed colours, of which the swing of a few millikelvin is lost; export the camera's own levels or temperatures, {}", is->what, levels);
+  return fmt::format("{}; export it with {} {}", is->what, is->program, is->as);
+}
+
+std::vector<std::string> film_formats_to_write() {
+  std::vector<std::string> names;
+  for (const FormatToWrite& format : formats_to_write()) names.emplace_back(format.name);
+  return names;
+}
+
+std::string film_format_of(const std::filesystem::path& path) {
+  for (const FormatToWrite& format : formats_to_write())
+    if (std::find(format.endings.begin(), format.endings.end(), path.extension().string()) != format.endings.end()) return format.name;
+  return {};
+}
+
+std::unique_ptr<FilmWriter> create_film(const std::filesystem::path& path, const FilmInfo& info, const std::string& format) {
+  const std::string name = format.empty() ? film_format_of(path) : format;
+  for (const FormatToWrite& known : formats_to_write())
+    if (known.name == name) return known.create(path, info);
+  refuse(path.string(), "asks for no format that films are written in; they are {} (name it so, or .tif, .npy, .h5, .sfmov, .ptw)",
+                                                 fmt::join(film_formats_to_write(), ", "));
+}
+
+void write_film(const std::filesystem::path& path, FilmSource& film, const std::string& format) {
+  const FilmInfo& info = film.info();
+  const auto writer = create_film(path, info, format);
+  constexpr std::size_t most_pixels = std::size_t{1} << 22;
+  const auto at_once = static_cast<std::int64_t>(std::max<std::size_t>(1, most_pixels / std::max<std::size_t>(1, info.pixels())));
+  FrameBlock block;
+  for (std::int64_t i = 0; i < info.frames; i += at_once) {
+    film.read(i, static_cast<std::size_t>(std::min(at_once, info.frames - i)), block);
+    writer->append(block);
+  }
+  writer->finish();
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,76 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/disk/byte_source.hpp"
+#include "model/film.hpp"
+
+namespace arenite::io {
+
+/// What is meant of a file, and how large a film may be.
+struct FilmChoice {
+  std::string dataset = {};                  ///< of an HDF5 file; empty: the only one that can be meant
+  std::optional<double> frame_rate = {};     ///< Hz, instead of what the film says; its time stamps are then left aside
+  std::optional<double> scale = {}, offset = {};  ///< K: pixels become scale * number + offset, whatever the film says that they are
+  std::int64_t most_pixels = 100'000'000;    ///< in a frame; larger ones are refused before memory is asked for
+};
+
+/// Names of the formats that can be read, for help texts. The content decides, not the name.
+std::vector<std::string> film_formats();
+
+/// A film that is read part by part: Cedip .ptw, FLIR .sfmov, Telops .hcc, .npy, TIFF with a page a frame, HDF5, frames of numbers as text, raw
+/// frames with a sidecar (the sidecar's name or that of the file beside it). A folder, or a name with *, is a series of such files in the order of
+/// the numbers in their names. InputError for anything else.
+std::unique_ptr<FilmSource> open_film(const std::filesystem::path& path, const FilmChoice& choice = {});
+
+/// The same from bytes.
+std::unique_ptr<FilmSource> open_film(const Bytes& bytes, const FilmChoice& choice = {});
+
+/// Throws InputError that names what a recording is, and what to export, if it is one of a kind that cannot be read: a camera's own format, or a
+/// video.
+void refuse_other_recording(const std::filesystem::path& path);
+
+/// Whether this is to be read as a film: a file in one of these formats that is no result of ours, a pattern, or a folder without results.
+bool looks_like_film(const std::filesystem::path& path);
+
+/// A film that is written part by part and appears under its name when it is finished, or not at all.
+class FilmWriter {
+ public:
+  virtual ~FilmWriter() = default;
+  /// The next frames: levels, or values if the film is floating, of its size.
+  virtual void append(const FrameBlock& block) = 0;
+  virtual void finish() = 0;
+};
+
+/// Names of the formats that can be written: "tiff", "npy", "hdf5", "sfmov", "ptw".
+std::vector<std::string> film_formats_to_write();
+
+/// The format that a name's ending asks for (.tif, .tiff, .npy, .h5, .hdf5, .sfmov, .ptw); empty for any other.
+std::string film_format_of(const std::filesystem::path& path);
+
+/// A new film; the format of the name's ending unless another is given. `info` says size, kind of pixel and what the film is to say about itself, so
+/// far as the format has a place for it; the number of frames is that of the frames appended, and times must be there for as many. TIFF becomes
+/// BigTIFF from 4 GiB on. InputError where the format has no place for such pixels (ptw is for levels), or the file cannot be written.
+std::unique_ptr<FilmWriter> create_film(const std::filesystem::path& path, const FilmInfo& info, const std::string& format = {});
+
+/// Writes a whole film, some frames at a time.
+void write_film(const std::filesystem::path& path, FilmSource& film, const std::string& format = {});
+
+/// The load's signal that a camera writes into the first line of a .ptw lock-in film: one number a frame, the mean of those words of the line (after
+/// the four that mark it) which change over the film. Empty for any other file, and for a line in which nothing changes.
+std::vector<double> lock_in_line(const std::filesystem::path& film);
+
+/// What the stamps of a film say.
+struct FrameIntervals {
+  double interval = 0;            ///< the median time between two frames, s; 1/frame_rate without stamps, 0 if unknown
+  double duration = 0;            ///< from the first to the last frame, s; 0 if unknown
+  std::int64_t dropped = 0;       ///< frames of the camera that are missing between those of the film
+  std::vector<std::int64_t> gap;  ///< frames before which some are missing, where stamps are not all equally far apart
+};
+FrameIntervals frame_intervals(const FilmInfo& info);
+
+}  // namespace arenite::io

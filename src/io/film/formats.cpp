@@ -1,0 +1,254 @@
+#include "io/film/formats.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "core/median.hpp"
+#include "io/table/table.hpp"
+
+namespace arenite::io {
+namespace {
+
+class PlainFilm : public KnownFilm {
+ public:
+  PlainFilm(Bytes bytes, FilmInfo info, const PlainLayout& layout) : bytes_(std::move(bytes)), layout_(layout) { info_ = std::move(info); }
+
+  void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
+    prepare(info_, first, count, block);
+    const std::size_t pixels = info_.pixels(), frame = pixels * bytes_of(layout_.pixel);
+    const bool as_is = layout_.pixel == NumberType::u16 && !layout_.big_endian && !info_.floating;
+    const std::size_t at_once = std::max<std::size_t>(1, most_at_once / layout_.stride);
+    for (std::size_t i = 0; i < count; i += at_once) {
+      const std::size_t n = std::min(at_once, count - i);
+      const std::uint64_t at = layout_.offset + (static_cast<std::uint64_t>(first) + i) * layout_.stride;
+      if (as_is && layout_.stride == frame) {
+        take(at, n * frame, reinterpret_cast<char*>(block.level.data() + i * pixels), first);
+        continue;
+      }
+      buffer_.resize((n - 1) * layout_.stride + frame);
+      take(at, buffer_.size(), buffer_.data(), first);
+      for (std::size_t k = 0; k < n; ++k) take_pixels(layout_, buffer_.data() + k * layout_.stride, pixels, block, (i + k) * pixels);
+    }
+  }
+
+ private:
+  static constexpr std::size_t most_at_once = std::size_t{4} << 20;  // bytes in the buffer, if a frame is smaller
+
+  void take(std::uint64_t at, std::size_t count, char* to, std::int64_t frame) const {
+    if (bytes_->read(at, count, to) != count)
+      refuse(bytes_->name(), "became shorter while frame {} was read; copy it again", frame);
+  }
+
+  Bytes bytes_;
+  PlainLayout layout_;
+  std::vector<char> buffer_;
+};
+
+using Header = std::string (*)(const FilmInfo&, std::size_t frames);
+
+class HeadedFilmWriter : public FilmWriter {
+ public:
+  HeadedFilmWriter(const std::filesystem::path& path, const FilmInfo& info, Header header) : file_(path), info_(info), header_(header) {
+    file_.write(header_(info_, 0));
+  }
+  void append(const FrameBlock& block) override {
+    file_.write(pixel_bytes(info_, block));
+    frames_ += block.frames;
+  }
+  void finish() override {
+    file_.overwrite(0, header_(info_, frames_));
+    file_.commit();
+  }
+
+ private:
+  AtomicFile file_;
+  FilmInfo info_;
+  Header header_;
+  std::size_t frames_ = 0;
+};
+
+struct NotedNumber {
+  const char* key;
+  double FilmInfo::*member;
+};
+struct NotedText {
+  const char* key;
+  std::string FilmInfo::*member;
+};
+constexpr NotedNumber noted_times[] = {{"frame_rate", &FilmInfo::frame_rate}, {"integration", &FilmInfo::integration}};
+constexpr NotedText noted_texts[] = {{"camera", &FilmInfo::camera}, {"lens", &FilmInfo::lens}, {"filter", &FilmInfo::filter}};
+constexpr NotedNumber noted_optics[] = {{"emissivity", &FilmInfo::emissivity}, {"ambient", &FilmInfo::ambient},
+                                        {"band_low", &FilmInfo::band_low}, {"band_high", &FilmInfo::band_high}};
+
+template <class Take>
+void each_note(std::string_view text, Take&& take) {
+  Lines lines(text);
+  std::string_view line;
+  while (lines.next(line))
+    if (const auto equals = line.find('='); equals != std::string_view::npos) take(trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1)));
+}
+
+/// One line of text, whatever a camera's name holds.
+std::string in_one_line(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  return text;
+}
+
+}  // namespace
+
+void take_pixels(const PlainLayout& layout, const char* from, std::size_t count, FrameBlock& block, std::size_t at) {
+  const auto each = [&](auto&& take) { each_number(layout.pixel, layout.big_endian, from, count, take); };
+  if (!block.level.empty()) return each([level = block.level.data() + at](std::size_t i, auto v) { level[i] = static_cast<std::uint16_t>(v); });
+  float* const value = block.value.data() + at;
+  if (!layout.scaled) return each([value](std::size_t i, auto v) { value[i] = static_cast<float>(v); });
+  each([value, scale = layout.scale, shift = layout.shift](std::size_t i, auto v) { value[i] = static_cast<float>(scale * static_cast<double>(v) + shift); });
+}
+
+void check_film_size(const std::string& file, std::int64_t width, std::int64_t height, std::int64_t frames, const FilmChoice& choice) {
+  if (width <= 0 || height <= 0 || width > 1'000'000 || height > 1'000'000)
+    refuse(file, "says that its frames have {} x {} pixels, which cannot be; copy it again", width, height);
+  if (width * height > choice.most_pixels)
+    refuse(file, "has frames of {} x {} pixels; at most {} pixels can be read, so cut them", width, height, choice.most_pixels);
+  if (frames <= 0) refuse(file, "holds no frame; record the film again");
+}
+
+std::int64_t frames_there(const ByteSource& bytes, const PlainLayout& layout, std::size_t pixels) {
+  const std::uint64_t frame = pixels * bytes_of(layout.pixel);
+  if (layout.stride == 0 || bytes.size() < layout.offset || bytes.size() - layout.offset < frame) return 0;
+  return static_cast<std::int64_t>((bytes.size() - layout.offset - frame) / layout.stride + 1);
+}
+
+void check_layout(const ByteSource& bytes, const FilmInfo& info, const PlainLayout& layout, const FilmChoice& choice) {
+  check_film_size(bytes.name(), info.width, info.height, info.frames, choice);
+  const std::int64_t there = frames_there(bytes, layout, info.pixels());
+  if (there < info.frames)
+    refuse(bytes.name(), "is cut short: it announces {} frames of {} x {} pixels and holds {}; copy it again",
+                                                  info.frames, info.width, info.height, there);
+}
+
+void take_choice(FilmInfo& info, const FilmChoice& choice) {
+  if (!choice.frame_rate) return;
+  info.frame_rate = *choice.frame_rate;
+  info.time.clear();
+}
+
+FilmPointer plain_film(Bytes bytes, FilmInfo info, const PlainLayout& layout, const FilmChoice& choice) {
+  check_layout(*bytes, info, layout, choice);
+  take_choice(info, choice);
+  info.floating = layout.scaled || !is_level(layout.pixel);
+  if (info.bits == 0 && !info.floating) info.bits = static_cast<int>(8 * bytes_of(layout.pixel));
+  return std::make_unique<PlainFilm>(std::move(bytes), std::move(info), layout);
+}
+
+void take_shape(FilmInfo& info, std::int64_t frames, std::int64_t height, std::int64_t width, NumberType pixel) {
+  info.frames = frames;
+  info.height = static_cast<int>(height);
+  info.width = static_cast<int>(width);
+  info.floating = !is_level(pixel);
+  if (!info.floating) info.bits = static_cast<int>(8 * bytes_of(pixel));
+}
+
+void prepare(const FilmInfo& info, std::int64_t first, std::size_t count, FrameBlock& block) {
+  if (first < 0 || first > info.frames || count > static_cast<std::uint64_t>(info.frames - first))
+    throw std::out_of_range("frames that the film does not have");
+  block.first = first;
+  block.frames = count;
+  block.level.resize(info.floating ? 0 : count * info.pixels());
+  block.value.resize(info.floating ? count * info.pixels() : 0);
+}
+
+std::string_view pixel_bytes(const FilmInfo& info, const FrameBlock& block) {
+  const std::size_t pixels = block.frames * info.pixels();
+  if ((info.floating ? block.value.size() : block.level.size()) != pixels) throw std::invalid_argument("frames of another film");
+  if (info.floating) return {reinterpret_cast<const char*>(block.value.data()), pixels * sizeof(float)};
+  return {reinterpret_cast<const char*>(block.level.data()), pixels * sizeof(std::uint16_t)};
+}
+
+FilmWriterPointer create_headed_film(const std::filesystem::path& path, const FilmInfo& info, Header header) {
+  return std::make_unique<HeadedFilmWriter>(path, info, header);
+}
+
+std::string film_notes(const FilmInfo& info) {
+  std::string text;
+  const auto number = [&](const char* key, double value) {
+    if (value > 0) text += fmt::format("{} = {}\n", key, value);
+  };
+  const auto words = [&](const char* key, const std::string& value) {
+    if (!value.empty()) text += fmt::format("{} = {}\n", key, in_one_line(value));
+  };
+  for (const auto& [key, member] : noted_times) number(key, info.*member);
+  number("bits", info.bits);
+  if (info.quantity != FilmQuantity::unknown) words("quantity", info.quantity == FilmQuantity::kelvin ? "K" : "DL");
+  for (const auto& [key, member] : noted_texts) words(key, info.*member);
+  for (const auto& [key, member] : noted_optics) number(key, info.*member);
+  return text;
+}
+
+void take_notes(std::string_view text, FilmInfo& info) {
+  each_note(text, [&](std::string_view noted, std::string_view value) {
+    const auto number = to_number(value);
+    const double positive = number && *number > 0 ? *number : 0;
+    for (const auto& [key, member] : noted_times) if (key == noted) info.*member = positive;
+    for (const auto& [key, member] : noted_optics) if (key == noted) info.*member = positive;
+    for (const auto& [key, member] : noted_texts) if (key == noted) info.*member = value;
+    if (noted == "bits") info.bits = static_cast<int>(std::min(positive, 16.0));
+    if (noted == "quantity" && value == "K") info.quantity = FilmQuantity::kelvin;
+    if (noted == "quantity" && value == "DL") info.quantity = FilmQuantity::digital_level;
+  });
+}
+
+double noted_time(std::string_view text) {
+  double time = std::numeric_limits<double>::quiet_NaN();
+  each_note(text, [&](std::string_view key, std::string_view value) {
+    if (const auto number = to_number(value); key == "time" && number) time = *number;
+  });
+  return time;
+}
+
+void take_stamps(FilmInfo& info, std::vector<double> stamp) {
+  info.time.clear();
+  if (stamp.size() < 2 || static_cast<std::int64_t>(stamp.size()) != info.frames) return;
+  double days = 0;
+  for (std::size_t i = 0; i < stamp.size(); ++i) {
+    if (!std::isfinite(stamp[i])) return info.remarks.push_back(fmt::format("The time stamp of frame {} is not a number; stamps are left aside.", i));
+    stamp[i] += days;
+    if (i > 0 && stamp[i] < stamp[i - 1] - 43200) {
+      days += 86400;
+      stamp[i] += 86400;
+    }
+  }
+  const double start = stamp[0];
+  for (double& t : stamp) t -= start;  // before they are compared: rounding may make equal what was not
+  if (std::all_of(stamp.begin(), stamp.end(), [&](double t) { return t == stamp[0]; })) return;
+  for (std::size_t i = 1; i < stamp.size(); ++i)
+    if (!(stamp[i] > stamp[i - 1]) || !std::isfinite(stamp[i]))
+      return info.remarks.push_back(fmt::format("The time stamp of frame {} is not after that of the frame before; stamps are left aside.", i));
+  info.time = std::move(stamp);
+}
+
+FrameIntervals frame_intervals(const FilmInfo& info) {
+  FrameIntervals times;
+  const double set = info.frame_rate > 0 ? 1 / info.frame_rate : 0;
+  if (info.time.size() < 2) {
+    times.interval = set;
+    times.duration = set * static_cast<double>(std::max<std::int64_t>(info.frames - 1, 0));
+    return times;
+  }
+  std::vector<double> step(info.time.size() - 1);
+  for (std::size_t i = 0; i < step.size(); ++i) step[i] = info.time[i + 1] - info.time[i];
+  times.interval = median(step);
+  times.duration = info.time.back() - info.time.front();
+  const double unit = set > 0 ? set : times.interval;
+  for (std::size_t i = 0; i < step.size(); ++i) {
+    times.dropped += std::max<std::int64_t>(std::llround(std::min(step[i] / unit, 1e15)) - 1, 0);
+    if (step[i] > 1.5 * times.interval) times.gap.push_back(static_cast<std::int64_t>(i) + 1);
+  }
+  return times;
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,124 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "io/film/film.hpp"
+
+// The formats of films, each in a file of its name (the lists are in film.cpp), and what they share. `head` is the beginning of a file.
+namespace arenite::io {
+
+using FilmPointer = std::unique_ptr<FilmSource>;
+
+/// Cedip/FLIR: a main header, then frames with headers of their own, whose stamps give the times. A lock-in film holds the lock-in signal in the
+/// first line of its frames, which is left out.
+bool is_ptw(std::string_view head);
+FilmPointer open_ptw(const Bytes& bytes, const FilmChoice& choice);
+
+/// FLIR ResearchIR: lines "key value", the word DATA, then frames.
+bool is_sfmov(std::string_view head);
+FilmPointer open_sfmov(const Bytes& bytes, const FilmChoice& choice);
+
+/// Telops: every frame with a header that begins with "TC" and says size, scale and time.
+bool is_hcc(std::string_view head);
+FilmPointer open_hcc(const Bytes& bytes, const FilmChoice& choice);
+
+/// NumPy: frames x height x width (or one frame), numbers of 1 to 8 bytes.
+bool is_npy(std::string_view head);
+FilmPointer open_npy(const Bytes& bytes, const FilmChoice& choice);
+
+/// TIFF and BigTIFF: a page a frame, grey, 8 or 16 bits or floating.
+FilmPointer open_tiff_film(const Bytes& bytes, const FilmChoice& choice);
+
+/// HDF5: a dataset of frames x height x width, perhaps with times beside it and attributes.
+FilmPointer open_hdf5_film(const Bytes& bytes, const FilmChoice& choice);
+
+/// Raw frames, described by a text of lines "key = value" beside them, without sections: a film's recipe is none.
+bool is_sidecar(std::string_view head);
+FilmPointer open_sidecar(const Bytes& bytes, const FilmChoice& choice);
+
+/// Numbers as text, a line a row; frames are parted by empty lines or lines that are no numbers.
+bool is_text_film(std::string_view head);
+FilmPointer open_text_film(const Bytes& bytes, const FilmChoice& choice);
+
+/// A film whose numbers are told to be temperatures, if the choice says so; the film itself otherwise.
+FilmPointer scaled_film(FilmPointer film, const FilmChoice& choice);
+
+/// Files of one frame or more each, one after the other; a file is opened when its frames are read.
+FilmPointer open_series(const std::filesystem::path& pattern, const FilmChoice& choice);
+
+using FilmWriterPointer = std::unique_ptr<FilmWriter>;
+FilmWriterPointer create_tiff_film(const std::filesystem::path& path, const FilmInfo& info);
+FilmWriterPointer create_npy_film(const std::filesystem::path& path, const FilmInfo& info);
+FilmWriterPointer create_hdf5_film(const std::filesystem::path& path, const FilmInfo& info);
+FilmWriterPointer create_sfmov_film(const std::filesystem::path& path, const FilmInfo& info);
+FilmWriterPointer create_ptw_film(const std::filesystem::path& path, const FilmInfo& info);
+
+/// What a recording is that cannot be read as a film, by its first bytes or the ending of its name, and what to export instead, as a sentence after
+/// its name; empty for anything else.
+std::string other_recording(const std::filesystem::path& path, std::string_view head);
+
+/// A film that knows what it is before its frames are read.
+class KnownFilm : public FilmSource {
+ public:
+  const FilmInfo& info() const override { return info_; }
+
+ protected:
+  FilmInfo info_;
+};
+
+/// Where the pixels of a film lie: frame i begins at offset + i stride.
+struct PlainLayout {
+  std::uint64_t offset = 0, stride = 0;  ///< bytes
+  NumberType pixel = NumberType::u16;
+  bool big_endian = false;
+  bool scaled = false;                   ///< a pixel is scale * number + shift, floating
+  double scale = 1, shift = 0;
+};
+
+/// InputError unless a film of this size can be meant: pixels and frames there, not too many pixels in a frame.
+void check_film_size(const std::string& file, std::int64_t width, std::int64_t height, std::int64_t frames, const FilmChoice& choice);
+
+/// How many whole frames a file of this layout holds.
+std::int64_t frames_there(const ByteSource& bytes, const PlainLayout& layout, std::size_t pixels);
+
+/// InputError unless the film's size can be meant and the file is long enough for its frames.
+void check_layout(const ByteSource& bytes, const FilmInfo& info, const PlainLayout& layout, const FilmChoice& choice);
+
+/// A film whose pixels lie as they are in a file, checked.
+FilmPointer plain_film(Bytes bytes, FilmInfo info, const PlainLayout& layout, const FilmChoice& choice);
+
+/// Size and kind of pixel of a film that is not plain.
+void take_shape(FilmInfo& info, std::int64_t frames, std::int64_t height, std::int64_t width, NumberType pixel);
+
+/// Takes the frame rate that was chosen, if one was.
+void take_choice(FilmInfo& info, const FilmChoice& choice);
+
+/// Throws std::out_of_range unless the film has these frames, and gives the block its size.
+void prepare(const FilmInfo& info, std::int64_t first, std::size_t count, FrameBlock& block);
+
+/// Makes `count` pixels of their bytes into levels or values of a prepared block, from its pixel `at` on.
+void take_pixels(const PlainLayout& layout, const char* from, std::size_t count, FrameBlock& block, std::size_t at);
+
+/// The pixels of some frames of a block as they lie in memory. Throws std::invalid_argument for a block that is not of this film.
+std::string_view pixel_bytes(const FilmInfo& info, const FrameBlock& block);
+
+/// Writes one header and then the frames as they lie in memory. The header says how many frames there are, which is known at the end, so it is
+/// written again then and must be as long for any number.
+FilmWriterPointer create_headed_film(const std::filesystem::path& path, const FilmInfo& info, std::string (*header)(const FilmInfo&, std::size_t frames));
+
+/// What a film says about itself as lines "key = value", for formats that have no place of their own for it.
+std::string film_notes(const FilmInfo& info);
+
+/// Takes what such lines say; other lines are left aside.
+void take_notes(std::string_view text, FilmInfo& info);
+
+/// The value of a line "time = ..." in s; NaN without one.
+double noted_time(std::string_view text);
+
+/// Makes the moments at which frames were taken, s from any time on, the film's times; stamps that do not run forwards, or none but zeros, are left
+/// aside with a remark. A step back of nearly a day is midnight.
+void take_stamps(FilmInfo& info, std::vector<double> stamp);
+
+}  // namespace arenite::io

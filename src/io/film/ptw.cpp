@@ -1,0 +1,222 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "core/error.hpp"
+#include "io/film/film.hpp"
+#include "io/film/formats.hpp"
+
+namespace arenite::io {
+namespace {
+
+/// A text of at most `size` bytes that ends at the first zero, without what is not printable.
+std::string name_at(std::string_view header, std::size_t at, std::size_t size) {
+  std::string name;
+  for (const char c : header.substr(at, size)) {
+    if (c == '\0') break;
+    if (c >= ' ' && c <= '~') name += c;
+  }
+  return name;
+}
+
+double positive_at(std::string_view header, std::size_t at) {
+  const double value = number_at<float>(header, at);
+  return std::isfinite(value) && value > 0 ? value : 0;
+}
+
+struct Sizes {
+  std::int64_t main = 0, frame_header = 0, frame_words = 0, frames = 0, width = 0, height = 0;
+};
+
+Sizes sizes_of(std::string_view header, const std::string& file) {
+  Sizes s{number_at<std::int32_t>(header, 11), number_at<std::int32_t>(header, 15), number_at<std::int32_t>(header, 23),
+          number_at<std::int32_t>(header, 27), number_at<std::int16_t>(header, 377), number_at<std::int16_t>(header, 379)};
+  if (s.main < 411 || s.main > (1 << 24) || s.frame_header < 0 || s.frame_header > (1 << 24))
+    refuse(file, "says that its headers have {} and {} bytes, which no .ptw film has; copy it again", s.main, s.frame_header);
+  if (s.frame_words != s.width * s.height)
+    refuse(file, "says that a frame has {} x {} pixels and {} numbers, which disagree; copy it again", s.width, s.height, s.frame_words);
+  return s;
+}
+
+/// The stamp of a frame's header, s after midnight: hours, minutes, seconds, hundredths, thousandths and microseconds each in a place of its own.
+double stamp_of(std::string_view h) {
+  const auto byte = [&](std::size_t at) { return static_cast<double>(number_at<std::uint8_t>(h, at)); };
+  return byte(81) * 3600 + byte(80) * 60 + byte(83) + byte(82) * 1e-2 + byte(160) * 1e-3 + number_at<std::uint16_t>(h, 161) * 1e-6;
+}
+
+void read_stamps(const ByteSource& bytes, const Sizes& s, FilmInfo& info) {
+  constexpr std::size_t needed = 163;
+  if (s.frame_header < static_cast<std::int64_t>(needed)) return;
+  std::vector<double> stamp;
+  for (std::int64_t i = 0; i < s.frames; ++i)
+    stamp.push_back(stamp_of(bytes.text(static_cast<std::uint64_t>(s.main + i * (s.frame_header + 2 * s.frame_words)), needed)));
+  take_stamps(info, std::move(stamp));
+}
+
+/// A lock-in film begins its frames with these numbers.
+constexpr std::array<std::uint16_t, 4> mark{1220, 3907, 1204, 2382};
+
+bool is_lock_in(const ByteSource& bytes, const Sizes& s) {
+  const std::string line = bytes.text(static_cast<std::uint64_t>(s.main + s.frame_header), 2 * mark.size());
+  for (std::size_t i = 0; i < mark.size(); ++i)
+    if (number_at<std::uint16_t>(line, 2 * i) != mark[i]) return false;
+  return s.height > 1 && s.width >= 4;
+}
+
+FilmInfo info_of(std::string_view header, const Sizes& s) {
+  FilmInfo info;
+  info.format = "ptw";
+  info.quantity = FilmQuantity::digital_level;
+  info.width = static_cast<int>(s.width);
+  info.height = static_cast<int>(s.height);
+  info.frames = s.frames;
+  info.camera = name_at(header, 44, 20);
+  info.lens = name_at(header, 64, 20);
+  info.filter = name_at(header, 84, 20);
+  info.emissivity = positive_at(header, 141);
+  info.ambient = positive_at(header, 145);
+  info.band_low = positive_at(header, 188) * 1e-6;
+  info.band_high = positive_at(header, 192) * 1e-6;
+  // A float's 0.01 is a double's 0.00999999978: its seven digits are what was meant.
+  const auto meant = [](double v) { return std::stod(fmt::format("{:.7g}", v)); };
+  const double period = meant(positive_at(header, 403));
+  info.frame_rate = period > 0 && std::isfinite(1 / period) ? 1 / period : 0;
+  info.integration = meant(positive_at(header, 407));
+  const int bits = number_at<std::int16_t>(header, 381);
+  info.bits = bits > 0 && bits <= 16 ? bits : 16;
+  return info;
+}
+
+constexpr std::size_t main_header = 3476, frame_header = 1016;
+
+/// The header places that are read above; the rest is zero.
+class PtwFilmWriter : public FilmWriter {
+ public:
+  PtwFilmWriter(const std::filesystem::path& path, const FilmInfo& info) : file_(path), info_(info) {
+    if (info.floating) refuse(path.string(), "cannot hold temperatures: a .ptw film is of levels; write .tif, .npy, .h5 or .sfmov");
+    file_.write(header());
+  }
+  void append(const FrameBlock& block) override {
+    const std::string_view bytes = pixel_bytes(info_, block);
+    const std::size_t frame = 2 * info_.pixels();
+    for (std::size_t i = 0; i < block.frames; ++i) {
+      file_.write(stamp(frames_++));
+      file_.write(bytes.substr(i * frame, frame));
+    }
+  }
+  void finish() override {
+    file_.overwrite(0, header());
+    file_.commit();
+  }
+
+ private:
+  std::string header() const {
+    std::string h(main_header, '\0');
+    const auto words = static_cast<std::int32_t>(info_.pixels());
+    h.replace(0, 3, "CED");
+    h.replace(5, 4, "5.60");
+    h[10] = 26;
+    put<std::int32_t>(h, 11, main_header);
+    put<std::int32_t>(h, 15, frame_header);
+    put<std::int32_t>(h, 19, words + static_cast<std::int32_t>(frame_header) / 2);
+    put<std::int32_t>(h, 23, words);
+    put<std::int32_t>(h, 27, static_cast<std::int32_t>(frames_));
+    const auto name = [&](std::size_t at, const std::string& text) { h.replace(at, std::min<std::size_t>(text.size(), 19), text, 0, 19); };
+    name(44, info_.camera);
+    name(64, info_.lens);
+    name(84, info_.filter);
+    put<float>(h, 141, static_cast<float>(info_.emissivity));
+    put<float>(h, 145, static_cast<float>(info_.ambient));
+    put<float>(h, 188, static_cast<float>(info_.band_low * 1e6));
+    put<float>(h, 192, static_cast<float>(info_.band_high * 1e6));
+    put<std::int16_t>(h, 377, static_cast<std::int16_t>(info_.width));
+    put<std::int16_t>(h, 379, static_cast<std::int16_t>(info_.height));
+    put<std::int16_t>(h, 381, static_cast<std::int16_t>(info_.bits > 0 ? info_.bits : 16));
+    put<float>(h, 403, info_.frame_rate > 0 ? static_cast<float>(1 / info_.frame_rate) : 0.0F);
+    put<float>(h, 407, static_cast<float>(info_.integration));
+    return h;
+  }
+
+  /// Microseconds after midnight, in the places of a camera's own headers; zeros without times.
+  std::string stamp(std::size_t frame) const {
+    std::string h(frame_header, '\0');
+    put<std::uint32_t>(h, 292, static_cast<std::uint32_t>(frame + 1));
+    if (frame >= info_.time.size()) return h;
+    constexpr std::uint64_t day = 86400'000'000;
+    const auto us = static_cast<std::uint64_t>(std::llround(info_.time[frame] * 1e6)) % day;
+    h[81] = static_cast<char>(us / 3600'000'000);
+    h[80] = static_cast<char>(us / 60'000'000 % 60);
+    h[83] = static_cast<char>(us / 1'000'000 % 60);
+    h[82] = static_cast<char>(us / 10'000 % 100);
+    h[160] = static_cast<char>(us / 1000 % 10);
+    put<std::uint16_t>(h, 161, static_cast<std::uint16_t>(us % 1000));
+    put<std::uint64_t>(h, 301, us);
+    return h;
+  }
+
+  AtomicFile file_;
+  FilmInfo info_;
+  std::size_t frames_ = 0;
+};
+
+}  // namespace
+
+bool is_ptw(std::string_view head) { return head.starts_with("CED") && head.size() > 11 && (head[3] == '\0' || head[3] == ' '); }
+
+std::vector<double> lock_in_line(const std::filesystem::path& film) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(film, error)) return {};
+  const Bytes bytes = open_bytes(film);
+  const std::string header = bytes->text(0, 3476);
+  if (!is_ptw(header) || header.size() < 411) return {};
+  const Sizes s = sizes_of(header, bytes->name());
+  if (!is_lock_in(*bytes, s)) return {};
+  const std::size_t words = static_cast<std::size_t>(s.width) - mark.size();
+  const auto line_of = [&](std::int64_t frame) {
+    return bytes->text(static_cast<std::uint64_t>(s.main + s.frame_header + frame * (s.frame_header + 2 * s.frame_words)) + 2 * mark.size(), 2 * words);
+  };
+  const std::string first = line_of(0);
+  std::vector<char> changes(words, 0);
+  std::vector<std::string> lines;
+  for (std::int64_t frame = 0; frame < s.frames; ++frame) {
+    lines.push_back(line_of(frame));
+    if (lines.back().size() != first.size()) return {};  // cut short, which reading it as a film says
+    for (std::size_t i = 0; i < words; ++i) changes[i] = changes[i] != 0 || number_at<std::uint16_t>(lines.back(), 2 * i) != number_at<std::uint16_t>(first, 2 * i);
+  }
+  const auto counted = static_cast<double>(std::count(changes.begin(), changes.end(), 1));
+  if (counted == 0) return {};
+  std::vector<double> signal;
+  for (const std::string& line : lines) {
+    double sum = 0;
+    for (std::size_t i = 0; i < words; ++i)
+      if (changes[i] != 0) sum += number_at<std::uint16_t>(line, 2 * i);
+    signal.push_back(sum / counted);
+  }
+  return signal;
+}
+
+FilmPointer open_ptw(const Bytes& bytes, const FilmChoice& choice) {
+  const std::string header = bytes->text(0, 3476);
+  if (header.size() < 411) refuse(bytes->name(), "is a .ptw film that ends within its header; copy it again");
+  const Sizes s = sizes_of(header, bytes->name());
+  FilmInfo info = info_of(header, s);
+  check_film_size(bytes->name(), s.width, s.height, s.frames, choice);
+  PlainLayout layout;
+  layout.offset = static_cast<std::uint64_t>(s.main + s.frame_header);
+  layout.stride = static_cast<std::uint64_t>(s.frame_header + 2 * s.frame_words);
+  if (is_lock_in(*bytes, s)) {
+    info.height -= 1;
+    layout.offset += static_cast<std::uint64_t>(2 * s.width);
+    info.remarks.emplace_back("A lock-in film: the first line of its frames holds the lock-in signal and is left out of the picture; it gives the frequency and the phase of the load.");
+  }
+  check_layout(*bytes, info, layout, choice);  // before stamps are read of frames that are not there
+  if (!choice.frame_rate) read_stamps(*bytes, s, info);
+  return plain_film(bytes, std::move(info), layout, choice);
+}
+
+FilmWriterPointer create_ptw_film(const std::filesystem::path& path, const FilmInfo& info) { return std::make_unique<PtwFilmWriter>(path, info); }
+
+}  // namespace arenite::io

@@ -1,0 +1,198 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "io/film/formats.hpp"
+#include "io/table/table.hpp"
+#include "io/film/formats.hpp"
+#include "io/table/table.hpp"
+
+namespace arenite::io {
+namespace {
+
+constexpr std::size_t longest_line = std::size_t{1} << 24;
+
+/// The lines of a file, read part by part.
+class FileLines {
+ public:
+  FileLines(const ByteSource& bytes, std::uint64_t at, int line) : bytes_(bytes), next_(at), number_(line) {}
+
+  /// False at the end. The line is valid until the next call.
+  bool next(std::string_view& line) {
+    for (;;) {
+      const std::size_t end = buffer_.find('\n', at_);
+      if (end != std::string::npos || (done_ && at_ < buffer_.size())) {
+        begin_ = next_ - (buffer_.size() - at_);
+        line = std::string_view(buffer_).substr(at_, std::min(end, buffer_.size()) - at_);
+        at_ = end == std::string::npos ? buffer_.size() : end + 1;
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        ++number_;
+        return true;
+      }
+      if (done_) return false;
+      if (buffer_.size() - at_ > longest_line)
+        throw InputError(bytes_.name(), number_ + 1, "is a line of more than 16 million letters, which no row of a frame is; check the file");
+      fill();
+    }
+  }
+  std::uint64_t begin() const { return begin_; }  ///< of the last line, bytes
+  int number() const { return number_; }
+
+ private:
+  void fill() {
+    buffer_.erase(0, at_);
+    at_ = 0;
+    const std::string more = bytes_.text(next_, std::size_t{1} << 18);
+    done_ = more.empty();
+    next_ += more.size();
+    buffer_ += more;
+  }
+
+  const ByteSource& bytes_;
+  std::uint64_t next_, begin_ = 0;
+  std::string buffer_;
+  std::size_t at_ = 0;
+  int number_;
+  bool done_ = false;
+};
+
+/// How the numbers of a row are parted. Where that is no comma, a comma may stand for the decimal point.
+char separator_of(std::string_view line) {
+  for (const char c : {';', '\t', ','})
+    if (line.find(c) != std::string_view::npos) return c;
+  return ' ';
+}
+
+std::optional<float> number_of(std::string_view cell, bool decimal_comma) {
+  char text[64];
+  while (!cell.empty() && (cell.front() == ' ' || cell.front() == '+')) cell.remove_prefix(1);
+  while (!cell.empty() && cell.back() == ' ') cell.remove_suffix(1);
+  if (cell.empty() || cell.size() > sizeof(text)) return std::nullopt;
+  std::copy(cell.begin(), cell.end(), text);
+  if (decimal_comma) std::replace(text, text + cell.size(), ',', '.');
+  const auto value = parse_number<float>({text, cell.size()});
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+/// Calls `take` with each cell of a row; a separator at the end of a line ends it. False if `take` says so.
+template <class Take>
+bool each_cell(std::string_view line, char separator, Take&& take) {
+  std::size_t at = 0;
+  while (at < line.size()) {
+    if (separator == ' ') {
+      at = line.find_first_not_of(" \t", at);
+      if (at == std::string_view::npos) return true;
+    }
+    const std::size_t end = std::min(separator == ' ' ? line.find_first_of(" \t", at) : line.find(separator, at), line.size());
+    if (!take(line.substr(at, end - at))) return false;
+    at = end + 1;
+  }
+  return true;
+}
+
+bool is_row(std::string_view line, char separator) {
+  bool number = false;
+  each_cell(line, separator, [&](std::string_view cell) {
+    number = number_of(cell, separator != ',').has_value();
+    return false;
+  });
+  return number;
+}
+
+struct Place {
+  std::uint64_t at = 0;  ///< bytes
+  int line = 0;          ///< lines before it
+};
+
+/// Frames found in one pass; their numbers are read when they are asked for.
+class TextFilm : public KnownFilm {
+ public:
+  TextFilm(Bytes bytes, const FilmChoice& choice) : bytes_(std::move(bytes)) {
+    info_.format = "text";
+    info_.floating = true;
+    FileLines lines(*bytes_, 0, 0);
+    std::string_view line;
+    int rows = 0;
+    while (lines.next(line)) {
+      if (separator_ == 0 && is_row(line, separator_of(line))) separator_ = separator_of(line);
+      if (separator_ == 0 || !is_row(line, separator_)) {
+        end_frame(rows, lines.number());
+        continue;
+      }
+      if (info_.width == 0) info_.width = cells_of(line);
+      if (rows++ == 0) places_.push_back({lines.begin(), lines.number() - 1});
+      if (info_.frames == 0 && std::int64_t{rows} * info_.width > choice.most_pixels)
+        check_film_size(bytes_->name(), info_.width, rows, 1, choice);
+    }
+    end_frame(rows, lines.number() + 1);
+    if (info_.frames == 0) refuse(bytes_->name(), "holds no rows of numbers, which as text would be frames; give a film or a result");
+    check_film_size(bytes_->name(), std::max(info_.width, 1), std::max(info_.height, 1), info_.frames, choice);
+    take_choice(info_, choice);
+  }
+
+  void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
+    prepare(info_, first, count, block);
+    for (std::size_t i = 0; i < count; ++i) read_frame(places_[static_cast<std::size_t>(first) + i], block.value.data() + i * info_.pixels());
+  }
+
+ private:
+  void end_frame(int& rows, int line) {
+    if (rows == 0) return;
+    if (info_.height == 0) info_.height = rows;
+    if (rows != info_.height)
+      throw InputError(bytes_->name(), line, fmt::format("ends a frame of {} rows, but the first has {}; complete or remove it", rows, info_.height));
+    ++info_.frames;
+    rows = 0;
+  }
+
+  int cells_of(std::string_view line) const {
+    int cells = 0;
+    each_cell(line, separator_, [&](std::string_view) { return ++cells < 10'000'000; });
+    return cells;
+  }
+
+  void read_frame(const Place& place, float* value) const {
+    FileLines lines(*bytes_, place.at, place.line);
+    std::string_view line;
+    for (int row = 0; row < info_.height; ++row) {
+      if (!lines.next(line)) refuse(bytes_->name(), "became shorter while it was read; copy it again");
+      int column = 0;
+      float* to = value + static_cast<std::size_t>(row) * static_cast<std::size_t>(info_.width);
+      const bool whole = each_cell(line, separator_, [&](std::string_view cell) {
+        const auto number = number_of(cell, separator_ != ',');
+        if (!number)
+          throw InputError(bytes_->name(), lines.number(), fmt::format("holds \"{}\" in column {}, which is no number; mend it", cell.substr(0, 40), column + 1));
+        if (column == info_.width) return false;
+        to[column++] = *number;
+        return true;
+      });
+      if (!whole || column != info_.width)
+        throw InputError(bytes_->name(), lines.number(), fmt::format("is a row of {} numbers, but the first has {}; complete it",
+                                                                     cells_of(line), info_.width));
+    }
+  }
+
+  Bytes bytes_;
+  char separator_ = 0;
+  std::vector<Place> places_;
+};
+
+}  // namespace
+
+bool is_text_film(std::string_view head) {
+  std::size_t numbers = 0;
+  for (const char c : head) {
+    if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t') return false;
+    numbers += c >= '0' && c <= '9' ? 1 : 0;
+  }
+  return numbers > 0;
+}
+
+FilmPointer open_text_film(const Bytes& bytes, const FilmChoice& choice) { return std::make_unique<TextFilm>(bytes, choice); }
+
+}  // namespace arenite::io

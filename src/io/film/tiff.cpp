@@ -1,0 +1,272 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "core/error.hpp"
+#include "io/film/film.hpp"
+#include "io/film/formats.hpp"
+#include "io/image/tiff.hpp"
+
+namespace arenite::io {
+namespace {
+
+std::uint64_t number(std::string_view bytes, std::size_t at, std::size_t size, bool big_endian) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < size; ++i) value |= std::uint64_t{number_at<std::uint8_t>(bytes, at + i)} << 8 * (big_endian ? size - 1 - i : i);
+  return value;
+}
+
+/// Where the directories of all pages begin: the chain is followed once, so that any page is reached at once after.
+std::vector<std::uint64_t> page_places(const TiffSource& source) {
+  const ByteSource& bytes = *source.bytes;
+  const std::string head = bytes.text(0, 16);
+  const bool swap = head[0] == 'M', large = number(head, 2, 2, swap) == 43;
+  const std::size_t count_size = large ? 8 : 2, entry = large ? 20 : 12, link = large ? 8 : 4;
+  std::vector<std::uint64_t> places;
+  std::unordered_set<std::uint64_t> seen;
+  for (std::uint64_t at = number(head, large ? 8 : 4, link, swap); at != 0;) {
+    if (!seen.insert(at).second) source.refuse(fmt::format("is a TIFF film whose pages run in a circle after page {}; write it again", places.size()));
+    const std::uint64_t entries = number(bytes.text(at, count_size), 0, count_size, swap);
+    const std::uint64_t end = at + count_size + entries * entry;
+    if (entries > 4096 || end + link > bytes.size() || end < at) source.refuse_damaged();
+    places.push_back(at);
+    at = number(bytes.text(end, link), 0, link, swap);
+  }
+  return places;
+}
+
+struct Page {
+  std::uint32_t width = 0, height = 0;
+  NumberType pixel = NumberType::u16;
+  bool operator==(const Page&) const = default;
+};
+
+NumberType pixel_of(TIFF* tiff, const TiffSource& source) {
+  const int bits = tiff_field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE), format = tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT);
+  const bool whole = format == SAMPLEFORMAT_UINT || format == SAMPLEFORMAT_VOID;
+  using enum NumberType;
+  if (whole && (bits == 8 || bits == 16 || bits == 32)) return bits == 8 ? u8 : bits == 16 ? u16 : u32;
+  if (format == SAMPLEFORMAT_INT && (bits == 16 || bits == 32)) return bits == 16 ? i16 : i32;
+  if (format == SAMPLEFORMAT_IEEEFP && (bits == 32 || bits == 64)) return bits == 32 ? f32 : f64;
+  source.refuse(fmt::format("has {} bits a pixel in a form that is no film's; save it with 8 or 16 bits or floating", bits));
+}
+
+Page page_of(TIFF* tiff, const TiffSource& source) {
+  Page page{tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH), tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH), pixel_of(tiff, source)};
+  if (tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL) != 1 || tiff_field<std::uint16_t>(tiff, TIFFTAG_PHOTOMETRIC) != PHOTOMETRIC_MINISBLACK)
+    source.refuse("is not a grey film; save it with one number a pixel, black for the smallest");
+  if (tiff_field<std::uint16_t>(tiff, TIFFTAG_ORIENTATION) != ORIENTATION_TOPLEFT)
+    source.refuse("is stored turned or mirrored; save it upright (orientation 1)");
+  return page;
+}
+
+std::string description_of(TIFF* tiff) {
+  const char* text = nullptr;
+  return TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &text) == 1 && text != nullptr ? text : "";
+}
+
+class TiffFilm : public KnownFilm {
+ public:
+  TiffFilm(const Bytes& bytes, const FilmChoice& choice)
+      : source_(bytes), tiff_(open_tiff(source_, std::max<std::int64_t>(std::int64_t{1} << 24, choice.most_pixels * 16))) {
+    if (!tiff_) source_.refuse_damaged();
+    places_ = page_places(source_);
+    if (places_.empty()) source_.refuse("holds no frame; record the film again");
+    turn_to(0);
+    page_ = page_of(tiff_.get(), source_);
+    check_film_size(source_.file(), page_.width, page_.height, static_cast<std::int64_t>(places_.size()), choice);
+    layout_.pixel = page_.pixel;
+    info_.format = "tiff";
+    take_shape(info_, static_cast<std::int64_t>(places_.size()), page_.height, page_.width, page_.pixel);
+    const std::string notes = description_of(tiff_.get());
+    take_notes(notes, info_);
+    if (!choice.frame_rate && std::isfinite(noted_time(notes))) read_stamps();
+    take_choice(info_, choice);
+    FrameBlock last;  // what is cut short lacks it
+    read(info_.frames - 1, 1, last);
+  }
+
+  void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
+    prepare(info_, first, count, block);
+    for (std::size_t i = 0; i < count; ++i) {
+      turn_to(first + static_cast<std::int64_t>(i));
+      read_page(i * info_.pixels(), block);
+    }
+  }
+
+ private:
+  void turn_to(std::int64_t page) {
+    if (TIFFSetSubDirectory(tiff_.get(), places_[static_cast<std::size_t>(page)]) != 1) source_.refuse_damaged();
+    if (page > 0 && page_of(tiff_.get(), source_) != page_)
+      source_.refuse(fmt::format("has pages of different size or type (pages 0 and {}); save a film of equal frames", page));
+  }
+
+  void read_stamps() {
+    std::vector<double> stamp;
+    for (std::int64_t i = 0; i < info_.frames; ++i) {
+      turn_to(i);
+      stamp.push_back(noted_time(description_of(tiff_.get())));
+    }
+    take_stamps(info_, std::move(stamp));
+  }
+
+  void read_page(std::size_t at, FrameBlock& block) {
+    const std::size_t width = page_.width, row = width * bytes_of(page_.pixel);
+    if (TIFFIsTiled(tiff_.get()) != 0) return read_tiles(at, block);
+    const std::size_t rows = std::min<std::size_t>(std::max<std::uint32_t>(1, tiff_field<std::uint32_t>(tiff_.get(), TIFFTAG_ROWSPERSTRIP)), page_.height);
+    buffer_.assign(rows * row, 0);
+    for (std::size_t y = 0, strip = 0; y < page_.height; y += rows, ++strip) {
+      const std::size_t n = std::min(rows, page_.height - y);
+      const auto wanted = static_cast<tmsize_t>(n * row);
+      if (TIFFReadEncodedStrip(tiff_.get(), static_cast<std::uint32_t>(strip), buffer_.data(), wanted) != wanted) source_.refuse_damaged();
+      take_pixels(layout_, buffer_.data(), n * width, block, at + y * width);
+    }
+  }
+
+  void read_tiles(std::size_t at, FrameBlock& block) {
+    const std::size_t wide = tiff_field<std::uint32_t>(tiff_.get(), TIFFTAG_TILEWIDTH), high = tiff_field<std::uint32_t>(tiff_.get(), TIFFTAG_TILELENGTH);
+    const std::size_t size = bytes_of(page_.pixel);
+    const tmsize_t tile = TIFFTileSize(tiff_.get());
+    if (wide == 0 || high == 0 || wide > std::size_t{page_.width} + 65536 || high > std::size_t{page_.height} + 65536 ||
+        tile != static_cast<tmsize_t>(wide * high * size))
+      source_.refuse_damaged();
+    buffer_.resize(static_cast<std::size_t>(tile));
+    for (std::size_t y = 0; y < page_.height; y += high)
+      for (std::size_t x = 0; x < page_.width; x += wide) {
+        if (TIFFReadTile(tiff_.get(), buffer_.data(), static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0, 0) != tile) source_.refuse_damaged();
+        for (std::size_t r = 0; r < std::min(high, page_.height - y); ++r)
+          take_pixels(layout_, buffer_.data() + r * wide * size, std::min(wide, page_.width - x), block, at + (y + r) * page_.width + x);
+      }
+  }
+
+  TiffSource source_;
+  Tiff tiff_;
+  std::vector<std::uint64_t> places_;
+  Page page_;
+  PlainLayout layout_;
+  std::vector<char> buffer_;
+};
+
+enum Type : std::uint16_t { ascii = 2, short_ = 3, long_ = 4, long8 = 16 };
+
+/// A directory of a page, whose texts lie right after it.
+class Directory {
+ public:
+  Directory(bool large, std::uint64_t at) : large_(large), at_(at) {}
+  void number(std::uint16_t tag, Type type, std::uint64_t value) { entries_.push_back({tag, type, value, {}}); }
+  void text(std::uint16_t tag, std::string value) { entries_.push_back({tag, ascii, 0, std::move(value) + '\0'}); }
+
+  /// Entries must have come in the order of their tags.
+  std::string bytes(bool last) const {
+    const std::uint64_t tail = at_ + (large_ ? 8 + 20 * entries_.size() + 8 : 2 + 12 * entries_.size() + 4);
+    std::string out, texts;
+    large_ ? append<std::uint64_t>(out, entries_.size()) : append<std::uint16_t>(out, static_cast<std::uint16_t>(entries_.size()));
+    for (const Entry& entry : entries_) {
+      append<std::uint16_t>(out, entry.tag);
+      append<std::uint16_t>(out, entry.type);
+      place(out, entry.text.empty() ? 1 : entry.text.size());
+      const bool inside = entry.text.empty() || entry.text.size() <= (large_ ? 8U : 4U);
+      if (entry.text.empty()) {
+        place(out, entry.value);
+      } else if (inside) {
+        out += entry.text + std::string((large_ ? 8 : 4) - entry.text.size(), '\0');
+      } else {
+        place(out, tail + texts.size());
+        texts += entry.text;
+      }
+    }
+    if ((tail + texts.size()) % 2 != 0) texts += '\0';  // directories begin at even places
+    place(out, last ? 0 : tail + texts.size());
+    return out + texts;
+  }
+
+ private:
+  struct Entry {
+    std::uint16_t tag;
+    Type type;
+    std::uint64_t value;
+    std::string text;
+  };
+  void place(std::string& out, std::uint64_t value) const {
+    large_ ? append<std::uint64_t>(out, value) : append<std::uint32_t>(out, static_cast<std::uint32_t>(value));
+  }
+
+  bool large_;
+  std::uint64_t at_;
+  std::vector<Entry> entries_;
+};
+
+/// All pixels one after the other, then the directories of all pages: whether they need 64 bits is known by then.
+class TiffFilmWriter : public FilmWriter {
+ public:
+  TiffFilmWriter(const std::filesystem::path& path, const FilmInfo& info) : file_(path), info_(info) { file_.write(std::string(start, '\0')); }
+  void append(const FrameBlock& block) override {
+    file_.write(pixel_bytes(info_, block));
+    frames_ += block.frames;
+  }
+  void finish() override {
+    const std::uint64_t frame = info_.pixels() * (info_.floating ? 4 : 2), pixels = frame * frames_;
+    std::uint64_t at = start + pixels + pixels % 2;
+    constexpr std::uint64_t most_a_page = 4096;
+    const std::uint64_t announced = static_cast<std::uint64_t>(std::max<std::int64_t>(info_.frames, 0));
+    const bool large = at > 0xffffffffU || std::max(frames_, announced) * (frame + most_a_page) > 0xffffffffU;
+    file_.overwrite(0, head(large, at));
+    if (pixels % 2 != 0) file_.write(std::string(1, '\0'));
+    for (std::uint64_t i = 0; i < frames_; ++i) {
+      const std::string bytes = directory(large, at, i, start + i * frame, frame);
+      file_.write(bytes);
+      at += bytes.size();
+    }
+    file_.commit();
+  }
+
+ private:
+  static constexpr std::uint64_t start = 16;
+
+  static std::string head(bool large, std::uint64_t first) {
+    std::string out = "II";
+    if (!large) {
+      io::append<std::uint16_t>(out, 42);
+      io::append<std::uint32_t>(out, static_cast<std::uint32_t>(first));
+      return out;
+    }
+    io::append<std::uint16_t>(out, 43);
+    io::append<std::uint32_t>(out, 8);
+    io::append<std::uint64_t>(out, first);
+    return out;
+  }
+
+  std::string directory(bool large, std::uint64_t at, std::uint64_t frame, std::uint64_t pixels, std::uint64_t size) const {
+    std::string notes = frame == 0 ? film_notes(info_) : "";
+    if (frame < info_.time.size()) notes += fmt::format("time = {:.9f}\n", info_.time[frame]);
+    Directory directory(large, at);
+    directory.number(256, long_, static_cast<std::uint64_t>(info_.width));
+    directory.number(257, long_, static_cast<std::uint64_t>(info_.height));
+    directory.number(258, short_, info_.floating ? 32 : 16);
+    directory.number(259, short_, 1);                      // not compressed
+    directory.number(262, short_, 1);                      // black is the smallest
+    if (!notes.empty()) directory.text(270, notes);
+    directory.number(273, large ? long8 : long_, pixels);  // one strip
+    directory.number(277, short_, 1);
+    directory.number(278, long_, static_cast<std::uint64_t>(info_.height));
+    directory.number(279, large ? long8 : long_, size);
+    directory.number(339, short_, info_.floating ? 3 : 1);
+    return directory.bytes(frame + 1 == frames_);
+  }
+
+  AtomicFile file_;
+  FilmInfo info_;
+  std::uint64_t frames_ = 0;
+};
+
+}  // namespace
+
+FilmPointer open_tiff_film(const Bytes& bytes, const FilmChoice& choice) { return std::make_unique<TiffFilm>(bytes, choice); }
+
+FilmWriterPointer create_tiff_film(const std::filesystem::path& path, const FilmInfo& info) { return std::make_unique<TiffFilmWriter>(path, info); }
+
+}  // namespace arenite::io

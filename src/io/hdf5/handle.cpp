@@ -1,0 +1,165 @@
+#include "io/hdf5/handle.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <mutex>
+#include <stdexcept>
+#include <tuple>
+
+namespace arenite::io {
+namespace {
+
+/// Not a recursive mutex: a forked process has another thread number, and could not give back what it holds.
+std::mutex speaking;
+thread_local int turns = 0;
+
+}  // namespace
+
+Hdf5Turn::Hdf5Turn() {
+  if (turns++ == 0) speaking.lock();
+}
+
+Hdf5Turn::~Hdf5Turn() {
+  if (--turns == 0) speaking.unlock();
+}
+
+Hdf5Handle own(hid_t id, herr_t (*close)(hid_t)) {
+  if (id < 0) return nullptr;
+  return {new std::int64_t(id), [close](const std::int64_t* held) {
+            close(*held);
+            delete held;
+          }};
+}
+
+Hdf5Handle made(hid_t id, herr_t (*close)(hid_t)) {
+  done(id < 0 ? -1 : 0);
+  return own(id, close);
+}
+
+void done(herr_t status) {
+  if (status < 0) throw std::runtime_error("HDF5 refused to build a file in memory");
+}
+
+void prepare_hdf5() {
+  const Hdf5Turn turn;
+  H5open();
+}
+
+Hdf5Handle memory_properties() {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  auto properties = made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  constexpr std::size_t growth = 1 << 20;
+  done(H5Pset_fapl_core(*properties, growth, false));
+  done(H5Pset_libver_bounds(*properties, H5F_LIBVER_V18, H5F_LIBVER_V18));
+  return properties;
+}
+
+std::string bytes_of_file(hid_t file, std::size_t before) {
+  done(H5Fflush(file, H5F_SCOPE_GLOBAL));
+  // An image that HDF5 copies for us lacks the user block and has a wrong checksum, so only its size is asked; the memory that the file lives in has
+  // the block, and beyond the end of the file room to grow.
+  void** memory = nullptr;
+  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+  done(H5Fget_vfd_handle(file, H5P_DEFAULT, reinterpret_cast<void**>(&memory)));
+  done(size <= 0 ? -1 : 0);
+  return {static_cast<const char*>(*memory), before + static_cast<std::size_t>(size)};
+}
+
+Hdf5Handle timeless(hid_t kind) {
+  auto properties = made(H5Pcreate(kind), H5Pclose);
+  done(H5Pset_obj_track_times(*properties, false));
+  return properties;
+}
+
+void keep_order(hid_t properties) {
+  done(H5Pset_link_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
+  done(H5Pset_attr_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
+}
+
+std::string unused_name() {
+  static std::atomic<int> count{0};
+  return fmt::format("arenite in memory {}", ++count);
+}
+
+Hdf5Handle open_foreign(std::string bytes, const std::string& file) {
+  Hdf5Handle id;
+  const auto access = memory_properties();
+  if (!bytes.empty()) {
+    done(H5Pset_libver_bounds(*access, H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST));  // whoever wrote it
+    done(H5Pset_file_image(*access, bytes.data(), bytes.size()));
+    id = own(H5Fopen(unused_name().c_str(), H5F_ACC_RDONLY, *access), H5Fclose);
+  }
+  if (!id) refuse(file, "is an HDF5 file that is cut short or damaged; copy it again");
+  return id;
+}
+
+std::vector<std::int64_t> shape_of(hid_t set) {
+  const auto space = own(H5Dget_space(set), H5Sclose);
+  const int rank = space ? H5Sget_simple_extent_ndims(*space) : 0;
+  if (rank <= 0 || rank > H5S_MAX_RANK) return {};
+  std::vector<hsize_t> shape(static_cast<std::size_t>(rank));
+  H5Sget_simple_extent_dims(*space, shape.data(), nullptr);
+  std::vector<std::int64_t> result;
+  for (const hsize_t n : shape) result.push_back(static_cast<std::int64_t>(std::min<hsize_t>(n, std::numeric_limits<std::int64_t>::max())));
+  return result;
+}
+
+std::vector<std::string> datasets_in(hid_t file, bool (*fits)(hid_t set)) {
+  struct Search {
+    bool (*fits)(hid_t set);
+    std::vector<std::string> found;
+  } search{fits, {}};
+  const auto note = [](hid_t root, const char* name, const H5O_info_t* info, void* into) -> herr_t {
+    if (info->type != H5O_TYPE_DATASET) return 0;
+    const auto set = own(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose);
+    if (auto& s = *static_cast<Search*>(into); set && s.fits(*set)) s.found.emplace_back(name);
+    return 0;
+  };
+  H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, note, &search, H5O_INFO_BASIC);
+  return std::move(search.found);
+}
+
+std::optional<Hdf5Number> number_of(hid_t type) {
+  using enum NumberType;
+  const std::tuple<hid_t, hid_t, NumberType> known[] = {
+      {H5T_STD_U8LE, H5T_STD_U8BE, u8},    {H5T_STD_I8LE, H5T_STD_I8BE, i8},    {H5T_STD_U16LE, H5T_STD_U16BE, u16}, {H5T_STD_I16LE, H5T_STD_I16BE, i16},
+      {H5T_STD_U32LE, H5T_STD_U32BE, u32}, {H5T_STD_I32LE, H5T_STD_I32BE, i32}, {H5T_STD_U64LE, H5T_STD_U64BE, u64}, {H5T_STD_I64LE, H5T_STD_I64BE, i64},
+      {H5T_IEEE_F32LE, H5T_IEEE_F32BE, f32}, {H5T_IEEE_F64LE, H5T_IEEE_F64BE, f64}};
+  const auto base = H5Tget_class(type) == H5T_ENUM ? own(H5Tget_super(type), H5Tclose) : nullptr;
+  const hid_t it = base ? *base : type;
+  for (const auto& [low_first, high_first, number] : known) {
+    if (H5Tequal(it, low_first) > 0) return Hdf5Number{number, false};
+    if (H5Tequal(it, high_first) > 0) return Hdf5Number{number, true};
+  }
+  return std::nullopt;
+}
+
+double number_attribute(hid_t at, std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    if (H5Aexists(at, name) <= 0) continue;
+    const auto attribute = own(H5Aopen(at, name, H5P_DEFAULT), H5Aclose);
+    const auto space = attribute ? own(H5Aget_space(*attribute), H5Sclose) : nullptr, type = attribute ? own(H5Aget_type(*attribute), H5Tclose) : nullptr;
+    const auto number = type ? number_of(*type) : std::nullopt;
+    double value = 0;
+    if (!space || !number || H5Aget_storage_size(*attribute) != bytes_of(number->type)) continue;  // not there as a whole
+    if (H5Sget_simple_extent_npoints(*space) == 1 && H5Aread(*attribute, H5T_NATIVE_DOUBLE, &value) >= 0 && value > 0) return value;
+  }
+  return 0;
+}
+
+std::string text_attribute(hid_t at, const char* name) {
+  if (H5Aexists(at, name) <= 0) return {};
+  const auto attribute = own(H5Aopen(at, name, H5P_DEFAULT), H5Aclose);
+  const auto space = attribute ? own(H5Aget_space(*attribute), H5Sclose) : nullptr, type = attribute ? own(H5Aget_type(*attribute), H5Tclose) : nullptr;
+  if (!type || !space || H5Tget_class(*type) != H5T_STRING || H5Tis_variable_str(*type) != 0 || H5Sget_simple_extent_npoints(*space) != 1) return {};
+  const std::size_t size = H5Tget_size(*type);
+  if (size == 0 || size > 65536 || H5Aget_storage_size(*attribute) != size) return {};
+  std::string text(size, '\0');
+  if (H5Aread(*attribute, *type, text.data()) < 0) return {};
+  return text.substr(0, text.find('\0'));
+}
+
+}  // namespace arenite::io

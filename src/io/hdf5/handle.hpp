@@ -1,0 +1,92 @@
+#pragma once
+#include <hdf5.h>
+
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/disk/byte_source.hpp"
+
+// Only the files that speak HDF5 include this one.
+namespace arenite::io {
+
+/// HDF5 may be built without locks of its own: one thread at a time speaks to it, the one that has its turn. Who has it may take it again, also in a
+/// process that is forked meanwhile.
+class Hdf5Turn {
+ public:
+  Hdf5Turn();
+  ~Hdf5Turn();
+  Hdf5Turn(const Hdf5Turn&) = delete;
+  Hdf5Turn& operator=(const Hdf5Turn&) = delete;
+};
+
+/// An HDF5 identifier that closes itself.
+using Hdf5Handle = std::shared_ptr<const std::int64_t>;
+static_assert(sizeof(hid_t) == sizeof(std::int64_t));
+
+/// Takes over what HDF5 returned; a null handle if the call failed.
+Hdf5Handle own(hid_t id, herr_t (*close)(hid_t));
+
+/// The same for what we build in memory: this fails only for lack of memory or by our own fault, std::runtime_error.
+Hdf5Handle made(hid_t id, herr_t (*close)(hid_t));
+void done(herr_t status);
+
+/// Starts HDF5 in this process, for all processes that are forked from it.
+void prepare_hdf5();
+
+/// For a file in memory; silences HDF5's own messages on stderr, since failures become our errors.
+Hdf5Handle memory_properties();
+
+/// HDF5 takes two open files of one name for the same file, so each file in memory has a name of its own.
+std::string unused_name();
+
+/// A file in memory as it stands, with the `before` bytes of a user block.
+std::string bytes_of_file(hid_t file, std::size_t before = 0);
+
+/// Properties of a dataset or a group that is made without a time, so that the same content gives the same bytes; of a group or a file, whose members
+/// and attributes keep the order in which they are written, too.
+Hdf5Handle timeless(hid_t kind);
+void keep_order(hid_t properties);
+
+/// How numbers lie in the file (lowest byte first on every machine), and how in memory.
+template <class T> hid_t stored_type();
+template <> inline hid_t stored_type<double>() { return H5T_IEEE_F64LE; }
+template <> inline hid_t stored_type<float>() { return H5T_IEEE_F32LE; }
+template <> inline hid_t stored_type<std::int32_t>() { return H5T_STD_I32LE; }
+template <> inline hid_t stored_type<std::int64_t>() { return H5T_STD_I64LE; }
+template <> inline hid_t stored_type<std::uint64_t>() { return H5T_STD_U64LE; }
+template <> inline hid_t stored_type<std::uint8_t>() { return H5T_STD_U8LE; }
+template <class T> hid_t native_type();
+template <> inline hid_t native_type<double>() { return H5T_NATIVE_DOUBLE; }
+template <> inline hid_t native_type<float>() { return H5T_NATIVE_FLOAT; }
+template <> inline hid_t native_type<std::int32_t>() { return H5T_NATIVE_INT32; }
+template <> inline hid_t native_type<std::int64_t>() { return H5T_NATIVE_INT64; }
+template <> inline hid_t native_type<std::uint64_t>() { return H5T_NATIVE_UINT64; }
+template <> inline hid_t native_type<std::uint8_t>() { return H5T_NATIVE_UINT8; }
+
+/// Files of other programs: one in memory; `file` names it in the InputError of one that is damaged.
+Hdf5Handle open_foreign(std::string bytes, const std::string& file);
+
+/// Lengths of a dataset's axes; empty for one without.
+std::vector<std::int64_t> shape_of(hid_t set);
+
+/// Names of the datasets that `fits` takes, in rising order.
+std::vector<std::string> datasets_in(hid_t file, bool (*fits)(hid_t set));
+
+/// How numbers of an HDF5 type lie in a file; nothing for a type that is no plain number of 1 to 8 bytes.
+struct Hdf5Number {
+  NumberType type = NumberType::u16;
+  bool big_endian = false;
+};
+std::optional<Hdf5Number> number_of(hid_t type);
+
+/// The first of these attributes that is one number above 0, or 0.
+double number_attribute(hid_t at, std::initializer_list<const char*> names);
+
+/// An attribute that is a text of fixed length; empty without one.
+std::string text_attribute(hid_t at, const char* name);
+
+}  // namespace arenite::io

@@ -1,0 +1,143 @@
+#include "io/image/image.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <iterator>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/problems.hpp"
+#include "io/disk/byte_source.hpp"
+#include "io/disk/file.hpp"
+
+namespace arenite::io {
+namespace {
+
+using namespace std::string_view_literals;
+
+struct Format {
+  bool (*is)(std::string_view bytes);
+  Image (*read)(const std::string& bytes, const std::string& file, const ImageChoice& choice);
+};
+
+constexpr Format formats[] = {
+    {[](std::string_view b) { return b.starts_with("\x89PNG\r\n\x1a\n"sv); }, read_png},
+    {is_tiff, read_tiff},
+    {[](std::string_view b) { return b.starts_with("\xff\xd8\xff"sv); }, read_jpeg},
+    {is_hdf5, read_hdf5_image},
+};
+
+constexpr std::pair<const char*, Channel> channels[] = {{"red", Channel::red},   {"green", Channel::green}, {"blue", Channel::blue},
+                                                        {"mean", Channel::mean}, {"grey", Channel::grey}};
+
+template <class T>
+std::int64_t sample(const std::uint8_t* samples, std::size_t i) {
+  T value;
+  std::memcpy(&value, samples + i * sizeof(T), sizeof(T));
+  return value;
+}
+
+/// The value of a pixel of these colours.
+std::int64_t seen(const PixelLayout& layout, std::int64_t red, std::int64_t green, std::int64_t blue, int x, int row) {
+  if (red == green && green == blue) return red;
+  switch (layout.channel) {
+    case Channel::red: return red;
+    case Channel::green: return green;
+    case Channel::blue: return blue;
+    case Channel::mean: return (red + green + blue + 1) / 3;
+    case Channel::grey: return (299 * red + 587 * green + 114 * blue + 500) / 1000;
+    case Channel::none: break;
+  }
+  refuse(layout.file, "is in colour (pixel {}, {}), and a colour is no phase; save it as greyscale with one value a phase", x, row);
+}
+
+std::int64_t shown(const PixelLayout& layout, std::int64_t index, int x, int row) {
+  if (index >= static_cast<std::int64_t>(layout.palette.size()))
+    refuse(layout.file, "is damaged: pixel {}, {} is not in its palette; copy it again", x, row);
+  const auto& entry = layout.palette[static_cast<std::size_t>(index)];
+  return seen(layout, entry[0], entry[1], entry[2], x, row);
+}
+
+template <class T>
+void take(const PixelLayout& layout, const std::uint8_t* samples, int row, std::int32_t* out) {
+  const auto per_pixel = static_cast<std::size_t>(layout.samples);
+  constexpr auto most = std::int64_t{std::numeric_limits<T>::max()};
+  for (int x = 0; x < layout.width; ++x) {
+    const std::size_t first = static_cast<std::size_t>(x) * per_pixel;
+    std::int64_t value = sample<T>(samples, first);
+    if (layout.colour) value = seen(layout, value, sample<T>(samples, first + 1), sample<T>(samples, first + 2), x, row);
+    if (layout.opacity && sample<T>(samples, first + per_pixel - 1) != most)
+      refuse(layout.file, "is transparent at pixel {}, {}; save it without transparency", x, row);
+    if (!layout.palette.empty()) value = shown(layout, value, x, row);
+    if (layout.inverted) value = most - value;
+    if (value > std::numeric_limits<std::int32_t>::max())
+      refuse(layout.file, "holds the value {} at pixel {}, {}; values go up to 2147483647", value, x, row);
+    out[x] = static_cast<std::int32_t>(value);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> channel_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, channel] : channels) names.emplace_back(name);
+  return names;
+}
+
+Channel parse_channel(const std::string& name) {
+  for (const auto& [known, channel] : channels)
+    if (name == known) return channel;
+  const std::string near = nearest(name, channel_names());
+  throw InputError("there is no channel \"" + name + "\"" +
+                   (near.empty() ? "; choose red, green, blue, mean or grey" : "; did you mean \"" + near + "\"?"));
+}
+
+Image decode_image(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
+  for (const Format& format : formats)
+    if (format.is(bytes)) return format.read(bytes, file, choice);
+  if (bytes.empty()) refuse(file, "is empty; copy it again");
+  refuse(file, "is neither PNG, TIFF, JPEG nor HDF5; save the picture as one of these");
+}
+
+Image read_image(const std::filesystem::path& path, const ImageChoice& choice) {
+  return decode_image(read_file(path), path.string(), choice);
+}
+
+void check_size(const std::string& file, std::int64_t width, std::int64_t height, const ImageChoice& choice) {
+  if (width <= 0 || height <= 0)
+    refuse(file, "holds a picture of {} x {} pixels; give one with at least one each way", width, height);
+  constexpr auto most = std::int64_t{std::numeric_limits<std::int32_t>::max()};
+  if (width > most || height > most || width > choice.most_pixels / height)
+    refuse(file, "holds a picture of {} x {} pixels, and {} million can be read; cut out the part that matters",
+                                          width, height, static_cast<double>(choice.most_pixels) / 1e6);
+}
+
+std::int64_t chosen_slice(const std::string& file, std::int64_t count, const ImageChoice& choice) {
+  if (count <= 0) refuse(file, "holds no picture; give a file with at least one");
+  if (!choice.slice && count > 1)
+    refuse(file, "is a stack of {} slices; choose one with --slice 0 to {}", count, count - 1);
+  const std::int64_t slice = choice.slice.value_or(0);
+  if (slice < 0 || slice >= count)
+    refuse(file, "has no slice {}; its slices are numbered from 0 to {}", slice, count - 1);
+  return slice;
+}
+
+Image empty_image(const PixelLayout& layout) {
+  Image image{layout.width, layout.height, {}};
+  image.value.resize(image.size());
+  return image;
+}
+
+void take_row(const PixelLayout& layout, const std::uint8_t* samples, int row, Image& image) {
+  std::int32_t* out = image.value.data() + image.index(0, row);
+  switch (layout.bits) {
+    case 8: layout.is_signed ? take<std::int8_t>(layout, samples, row, out) : take<std::uint8_t>(layout, samples, row, out); break;
+    case 16: layout.is_signed ? take<std::int16_t>(layout, samples, row, out) : take<std::uint16_t>(layout, samples, row, out); break;
+    default: layout.is_signed ? take<std::int32_t>(layout, samples, row, out) : take<std::uint32_t>(layout, samples, row, out);
+  }
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,80 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/disk/byte_source.hpp"
+#include "model/image.hpp"
+
+namespace arenite::io {
+
+/// What of a coloured pixel is its value. `none` insists on grey; otherwise a grey pixel is taken as it is.
+enum class Channel : std::uint8_t { none, red, green, blue, mean, grey };  ///< grey: 0.299 red + 0.587 green + 0.114 blue
+
+/// Names of the channels that can be chosen, "red" to "grey"; and the channel of a name (InputError for any other).
+std::vector<std::string> channel_names();
+Channel parse_channel(const std::string& name);
+
+/// Which picture of a file is meant, and how large it may be.
+struct ImageChoice {
+  std::optional<std::int64_t> slice = {};  ///< of a stack, from 0; a file with one slice needs none
+  std::string dataset = {};                ///< of an HDF5 file; empty: the only one that can be meant
+  Channel channel = Channel::none;
+  std::int64_t most_pixels = 100'000'000;  ///< larger ones are refused before memory is asked for
+};
+
+/// A grey picture with 1 to 32 bits a pixel, its stored values unchanged. Without a channel, colour is accepted where red, green and blue are equal,
+/// a palette where its entries are grey (the pixel is then what it shows), and JPEG not at all, as it blurs values across edges; with one, any
+/// colour. Transparency is accepted where there is none; otherwise InputError, as for a file that is no picture, is cut short or too large.
+Image read_image(const std::filesystem::path& path, const ImageChoice& choice = {});
+
+/// The same from the bytes of a file of this name.
+Image decode_image(const std::string& bytes, const std::string& file, const ImageChoice& choice = {});
+
+/// The formats, each in a file of its name; the list is in image.cpp. Of JPEG four inks and what the decoder had to guess are refused, too. Of HDF5 a
+/// two-dimensional dataset of whole numbers is read, or a slice along the first axis of a three-dimensional one; rows point down, as NumPy and HDF5
+/// viewers store and show pictures.
+Image read_png(const std::string& bytes, const std::string& file, const ImageChoice& choice);
+Image read_tiff(const std::string& bytes, const std::string& file, const ImageChoice& choice);
+Image read_jpeg(const std::string& bytes, const std::string& file, const ImageChoice& choice);
+Image read_hdf5_image(const std::string& bytes, const std::string& file, const ImageChoice& choice);
+
+/// How the samples of a row of pixels lie in memory, in this machine's byte order.
+struct PixelLayout {
+  std::string file;  ///< for messages
+  int width = 0, height = 0;
+  int bits = 8;      ///< of a sample: 8, 16 or 32
+  int samples = 1;   ///< of a pixel; the first is grey or an index of the palette, or the first three are a colour
+  bool colour = false, opacity = false, inverted = false, is_signed = false;  ///< opacity: the last sample
+  Channel channel = Channel::none;  ///< what is taken of a colour; none: colour is refused
+  std::vector<std::array<std::uint16_t, 3>> palette;  ///< empty: none
+
+  std::size_t bytes_a_row() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(samples) * static_cast<std::size_t>(bits / 8); }
+};
+
+/// An image of no pixels or more than are allowed is an InputError.
+void check_size(const std::string& file, std::int64_t width, std::int64_t height, const ImageChoice& choice);
+
+/// Takes the slice that is meant of `count`; InputError if it is not said or not there.
+std::int64_t chosen_slice(const std::string& file, std::int64_t count, const ImageChoice& choice);
+
+/// An image of this size whose values are still to be taken.
+Image empty_image(const PixelLayout& layout);
+
+/// Turns one row (0 at the top) into whole numbers. InputError for colour, transparency, indices outside the palette, numbers that do not fit 32 bits
+/// with sign.
+void take_row(const PixelLayout& layout, const std::uint8_t* samples, int row, Image& image);
+
+/// A picture in colour: red, green, blue of 8 bits, row by row from the top left.
+struct ColourPicture {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;  ///< 3 a pixel
+};
+
+/// Writes a PNG file beside and renames it. Throws InputError where the file cannot be written.
+void write_png(const std::filesystem::path& path, const ColourPicture& picture);
+
+}  // namespace arenite::io

@@ -1,0 +1,107 @@
+#include "io/image/image.hpp"
+
+// jpeglib.h needs these two before it.
+#include <cstddef>
+#include <cstdio>
+
+#include <jerror.h>
+#include <jpeglib.h>
+
+#include <csetjmp>
+#include <vector>
+
+#include "core/error.hpp"
+#include "io/image/image.hpp"
+
+namespace arenite::io {
+namespace {
+
+constexpr int most_scans = 500;  // a progressive picture may repeat itself without end; real ones have about ten
+
+/// libjpeg's reader over bytes in memory. libjpeg leaves a failing call by longjmp, so the functions that call it hold nothing that needs a
+/// destructor.
+struct Decoder {
+  jpeg_decompress_struct jpeg{};
+  jpeg_error_mgr errors{};
+  jpeg_progress_mgr progress{};
+  std::jmp_buf leave{};
+  char message[JMSG_LENGTH_MAX] = {};
+
+  explicit Decoder(const std::string& bytes) {
+    jpeg.err = jpeg_std_error(&errors);
+    errors.error_exit = [](j_common_ptr any) { fail(any); };
+    errors.emit_message = warn;
+    jpeg.client_data = this;
+    if (setjmp(leave) != 0) throw std::bad_alloc();  // NOLINT: libjpeg's way
+    jpeg_create_decompress(&jpeg);
+    jpeg_mem_src(&jpeg, reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<unsigned long>(bytes.size()));
+    progress.progress_monitor = [](j_common_ptr any) {
+      if (reinterpret_cast<j_decompress_ptr>(any)->input_scan_number > most_scans) fail(any);
+    };
+    jpeg.progress = &progress;
+  }
+  ~Decoder() { jpeg_destroy_decompress(&jpeg); }
+  Decoder(const Decoder&) = delete;
+  Decoder& operator=(const Decoder&) = delete;
+
+  [[noreturn]] static void fail(j_common_ptr any) {
+    auto* self = static_cast<Decoder*>(any->client_data);
+    self->errors.format_message(any, self->message);
+    std::longjmp(self->leave, 1);  // NOLINT: libjpeg's way
+  }
+  /// The library mends damaged data by guessing and warns; only bytes that it may skip without loss are let pass.
+  static void warn(j_common_ptr any, int level) {
+    if (level < 0 && any->err->msg_code != JWRN_EXTRANEOUS_DATA) fail(any);
+  }
+};
+
+bool read_header(Decoder& d) {
+  if (setjmp(d.leave) != 0) return false;  // NOLINT: libjpeg's way
+  jpeg_read_header(&d.jpeg, TRUE);
+  return true;
+}
+
+bool read_rows(Decoder& d, std::uint8_t* samples, std::size_t stride) {
+  if (setjmp(d.leave) != 0) return false;  // NOLINT: libjpeg's way
+  jpeg_start_decompress(&d.jpeg);
+  while (d.jpeg.output_scanline < d.jpeg.output_height) {
+    JSAMPROW row = samples + stride * d.jpeg.output_scanline;
+    jpeg_read_scanlines(&d.jpeg, &row, 1);
+  }
+  jpeg_finish_decompress(&d.jpeg);
+  return true;
+}
+
+[[noreturn]] void refuse_damaged(const Decoder& d, const std::string& file) {
+  refuse(file, "is a JPEG picture that is cut short or damaged ({}); copy it again", std::string_view(d.message));
+}
+
+}  // namespace
+
+Image read_jpeg(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
+  if (choice.channel == Channel::none)
+    refuse(file, "is a JPEG picture, which blurs values across edges; save the phases as PNG or TIFF");
+  Decoder d(bytes);
+  if (!read_header(d)) refuse_damaged(d, file);
+  check_size(file, d.jpeg.image_width, d.jpeg.image_height, choice);
+  chosen_slice(file, 1, choice);
+  const bool grey = d.jpeg.jpeg_color_space == JCS_GRAYSCALE;
+  if (!grey && d.jpeg.jpeg_color_space != JCS_YCbCr && d.jpeg.jpeg_color_space != JCS_RGB)
+    refuse(file, "is a JPEG picture of printing inks; save it in grey or in red, green and blue");
+  d.jpeg.out_color_space = grey ? JCS_GRAYSCALE : JCS_RGB;
+  PixelLayout layout;
+  layout.file = file;
+  layout.width = static_cast<int>(d.jpeg.image_width);
+  layout.height = static_cast<int>(d.jpeg.image_height);
+  layout.samples = grey ? 1 : 3;
+  layout.colour = !grey;
+  layout.channel = choice.channel;
+  std::vector<std::uint8_t> samples(layout.bytes_a_row() * static_cast<std::size_t>(layout.height));
+  if (!read_rows(d, samples.data(), layout.bytes_a_row())) refuse_damaged(d, file);
+  Image image = empty_image(layout);
+  for (int y = 0; y < layout.height; ++y)
+    take_row(layout, samples.data() + layout.bytes_a_row() * static_cast<std::size_t>(y), y, image);
+  return image;
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,122 @@
+#include <png.h>
+
+#include <algorithm>
+#include <bit>
+#include <csetjmp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.hpp"
+#include "io/disk/file.hpp"
+#include "io/image/image.hpp"
+
+namespace arenite::io {
+namespace {
+
+/// libpng's reader over bytes in memory. libpng leaves a failing call by longjmp, so the functions that call it hold nothing that needs a destructor.
+struct Decoder {
+  std::string_view rest;
+  char message[120] = {};
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+
+  explicit Decoder(std::string_view bytes) : rest(bytes) {
+    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, fail, [](png_structp, png_const_charp) {});
+    info = png != nullptr ? png_create_info_struct(png) : nullptr;
+    if (info == nullptr) throw std::bad_alloc();
+    png_set_read_fn(png, this, take);
+  }
+  ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }
+  Decoder(const Decoder&) = delete;
+  Decoder& operator=(const Decoder&) = delete;
+
+  [[noreturn]] static void fail(png_structp png, png_const_charp text) {
+    auto* self = static_cast<Decoder*>(png_get_error_ptr(png));
+    const std::string_view all(text);
+    all.substr(0, sizeof(self->message) - 1).copy(self->message, sizeof(self->message) - 1);
+    png_longjmp(png, 1);
+  }
+  static void take(png_structp png, png_bytep to, png_size_t count) {
+    auto* self = static_cast<Decoder*>(png_get_io_ptr(png));
+    if (self->rest.size() < count) png_error(png, "it ends too early");
+    self->rest.copy(reinterpret_cast<char*>(to), count);
+    self->rest.remove_prefix(count);
+  }
+};
+
+bool read_header(Decoder& d) {
+  if (setjmp(png_jmpbuf(d.png)) != 0) return false;  // NOLINT: libpng's way
+  png_set_user_limits(d.png, 0x7fffffff, 0x7fffffff);
+  png_set_keep_unknown_chunks(d.png, PNG_HANDLE_CHUNK_NEVER, nullptr, 0);
+  png_read_info(d.png, d.info);
+  png_set_packing(d.png);
+  if constexpr (std::endian::native == std::endian::little) png_set_swap(d.png);
+  png_set_interlace_handling(d.png);
+  png_read_update_info(d.png, d.info);
+  return true;
+}
+
+bool read_rows(Decoder& d, png_bytepp rows) {
+  if (setjmp(png_jmpbuf(d.png)) != 0) return false;  // NOLINT: libpng's way
+  png_read_image(d.png, rows);
+  png_read_end(d.png, nullptr);
+  return true;
+}
+
+[[noreturn]] void refuse_damaged(const Decoder& d, const std::string& file) {
+  refuse(file, "is a PNG picture that is cut short or damaged ({}); copy it again", std::string_view(d.message));
+}
+
+PixelLayout layout_of(const Decoder& d, const std::string& file, Channel channel) {
+  PixelLayout layout;
+  layout.channel = channel;
+  const int type = png_get_color_type(d.png, d.info);
+  layout.file = file;
+  layout.width = static_cast<int>(png_get_image_width(d.png, d.info));
+  layout.height = static_cast<int>(png_get_image_height(d.png, d.info));
+  layout.bits = png_get_bit_depth(d.png, d.info) == 16 ? 16 : 8;
+  layout.samples = png_get_channels(d.png, d.info);
+  layout.colour = (type & PNG_COLOR_MASK_COLOR) != 0 && (type & PNG_COLOR_MASK_PALETTE) == 0;
+  layout.opacity = (type & PNG_COLOR_MASK_ALPHA) != 0;
+  png_colorp colours = nullptr;
+  int count = 0;
+  if ((type & PNG_COLOR_MASK_PALETTE) != 0 && png_get_PLTE(d.png, d.info, &colours, &count) != 0)
+    for (int i = 0; i < count; ++i) layout.palette.push_back({colours[i].red, colours[i].green, colours[i].blue});
+  return layout;
+}
+
+}  // namespace
+
+Image read_png(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
+  Decoder d(bytes);
+  if (!read_header(d)) refuse_damaged(d, file);
+  check_size(file, png_get_image_width(d.png, d.info), png_get_image_height(d.png, d.info), choice);
+  chosen_slice(file, 1, choice);
+  const PixelLayout layout = layout_of(d, file, choice.channel);
+  const std::size_t stride = std::max<std::size_t>(png_get_rowbytes(d.png, d.info), layout.bytes_a_row());
+  std::vector<std::uint8_t> samples(stride * static_cast<std::size_t>(layout.height));
+  std::vector<png_bytep> rows;
+  for (int y = 0; y < layout.height; ++y) rows.push_back(samples.data() + stride * static_cast<std::size_t>(y));
+  if (!read_rows(d, rows.data())) refuse_damaged(d, file);
+  Image image = empty_image(layout);
+  for (int y = 0; y < layout.height; ++y) take_row(layout, rows[static_cast<std::size_t>(y)], y, image);
+  return image;
+}
+
+void write_png(const std::filesystem::path& path, const ColourPicture& picture) {
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = static_cast<png_uint_32>(picture.width);
+  header.height = static_cast<png_uint_32>(picture.height);
+  header.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&header, bytes.data(), &size, 0, picture.rgb.data(), 0, nullptr) == 0)
+    throw std::runtime_error(std::string("cannot make a PNG picture: ") + header.message);
+  bytes.resize(size);
+  write_atomically(path, bytes);
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,38 @@
+#pragma once
+#include <tiffio.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "io/disk/byte_source.hpp"
+
+// Only the files that speak TIFF include this one.
+namespace arenite::io {
+
+/// Bytes as libtiff's file, and its first complaint about them.
+struct TiffSource {
+  Bytes bytes;
+  std::uint64_t at = 0;
+  std::string complaint;
+
+  explicit TiffSource(Bytes from) : bytes(std::move(from)) {}
+  const std::string& file() const { return bytes->name(); }
+  [[noreturn]] void refuse(const std::string& message) const;  ///< InputError
+  [[noreturn]] void refuse_damaged() const;
+};
+
+using Tiff = std::unique_ptr<TIFF, void (*)(TIFF*)>;
+
+/// For reading; null for what is no TIFF. `source` must outlive it. At most `most_at_once` bytes of memory are asked for in one piece, whatever a tag
+/// says.
+Tiff open_tiff(TiffSource& source, std::int64_t most_at_once = std::int64_t{1} << 30);
+
+template <class T>
+T tiff_field(TIFF* tiff, std::uint32_t tag) {
+  T value = 0;
+  TIFFGetFieldDefaulted(tiff, tag, &value);
+  return value;
+}
+
+}  // namespace arenite::io

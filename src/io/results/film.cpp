@@ -1,0 +1,137 @@
+#include "io/disk/store_file.hpp"
+#include "io/results/groups.hpp"
+#include "io/results/results.hpp"
+
+namespace arenite::io {
+namespace {
+
+constexpr std::array maps{Column<LockinMaps, float>{"mean", "K", &LockinMaps::mean},
+                          Column<LockinMaps, float>{"drift", "K/s", &LockinMaps::drift},
+                          Column<LockinMaps, float>{"amplitude", "K", &LockinMaps::amplitude},
+                          Column<LockinMaps, float>{"phase", "rad", &LockinMaps::phase},
+                          Column<LockinMaps, float>{"in_phase", "K", &LockinMaps::in_phase},
+                          Column<LockinMaps, float>{"quadrature", "K", &LockinMaps::quadrature},
+                          Column<LockinMaps, float>{"standard_error", "K", &LockinMaps::standard_error},
+                          Column<LockinMaps, float>{"second_harmonic", "K", &LockinMaps::second_harmonic},
+                          Column<LockinMaps, float>{"residual", "K", &LockinMaps::residual}};
+
+constexpr std::array grain_columns{Column<PictureGrains, double>{"column", "1", &PictureGrains::x},
+                                   Column<PictureGrains, double>{"row", "1", &PictureGrains::y},
+                                   Column<PictureGrains, double>{"radius", "1", &PictureGrains::radius},
+                                   Column<PictureGrains, double>{"position_error", "1", &PictureGrains::position_error},
+                                   Column<PictureGrains, double>{"radius_error", "1", &PictureGrains::radius_error},
+                                   Column<PictureGrains, double>{"brightness", "1", &PictureGrains::brightness},
+                                   Column<PictureGrains, double>{"score", "1", &PictureGrains::score}};
+
+constexpr std::array motion_columns{Column<GrainMotion, double>{"cos_x", "1", &GrainMotion::cos_x},
+                                    Column<GrainMotion, double>{"sin_x", "1", &GrainMotion::sin_x},
+                                    Column<GrainMotion, double>{"cos_y", "1", &GrainMotion::cos_y},
+                                    Column<GrainMotion, double>{"sin_y", "1", &GrainMotion::sin_y},
+                                    Column<GrainMotion, double>{"error", "1", &GrainMotion::error}};
+
+constexpr std::array swing_columns{Column<GrainSwing, double>{"temperature", "K", &GrainSwing::temperature},
+                                   Column<GrainSwing, double>{"sigma_hyd", "Pa", &GrainSwing::sigma_hyd},
+                                   Column<GrainSwing, double>{"error", "Pa", &GrainSwing::error},
+                                   Column<GrainSwing, double>{"pixels", "1", &GrainSwing::pixels}};
+
+constexpr std::array twin_columns{Column<FilmTwin, double>{"swing", "Pa", &FilmTwin::swing},
+                                  Column<FilmTwin, double>{"state", "Pa", &FilmTwin::state}};
+
+/// All columns have a value for each of `size` items, or none has any.
+template <class At, class Owner, std::size_t n>
+void transfer_arrays(const At& at, const char* name, Owner& owner, const std::array<Column<std::remove_const_t<Owner>, double>, n>& columns, std::size_t size) {
+  const auto group = at.group(name);
+  for (const auto& c : columns) {
+    group.array(c.name, owner.*c.member, c.unit);
+    if (const std::size_t count = (owner.*c.member).size(); count > 0) group.same_length({count, size});
+  }
+}
+
+template <class At, class R>
+void transfer_film(const At& at, R& r) {
+  const auto group = at.group("film");
+  group("width", r.film.width);
+  group("height", r.film.height);
+  group("frames", r.film.frames);
+  group("frame_rate [1/s]", r.film.frame_rate);
+  group("integration [s]", r.film.integration);
+  group("format", r.film.format);
+  group.choice("unit", r.film.quantity, FilmQuantity::digital_level, "level", FilmQuantity::kelvin, "K");
+  group("camera", r.film.camera);
+  group("pixel [m]", r.pixel);
+  group("origin_x [m]", r.origin.x);
+  group("origin_y [m]", r.origin.y);
+  if constexpr (At::reads) {
+    constexpr int largest = 1 << 16;
+    if (r.film.width < 0 || r.film.height < 0 || r.film.width > largest || r.film.height > largest) group.at.refuse("has a size that makes no sense");
+    r.maps.width = r.film.width;
+    r.maps.height = r.film.height;
+  }
+}
+
+template <class At, class R>
+void transfer_maps(const At& at, R& r, Shape shape) {
+  const auto group = at.group("maps");
+  group("frequency [1/s]", r.maps.frequency);
+  group("frequency_error [1/s]", r.maps.frequency_error);
+  group("reference_phase [rad]", r.maps.reference_phase);
+  group("frames", r.maps.frames);
+  group.choice("swing", r.maps.convention, SwingConvention::full, "full", SwingConvention::half, "half");
+  group.optional_image("picture", r.picture, shape, "K");
+  group.optional_image("bad", r.bad, shape);
+  for (const auto& m : maps) group.optional_image(m.name, r.maps.*m.member, shape, m.unit);
+}
+
+template <class At, class R>
+void transfer_forces(const At& at, R& r, Shape shape) {
+  const auto group = at.group("forces");
+  group.array("fn_error", r.fn_error, "N");
+  group.array("ft_error", r.ft_error, "N");
+  group.array("presence", r.presence);
+  for (const auto* of_contacts : {&r.fn_error, &r.ft_error, &r.presence})
+    if (!of_contacts->empty()) group.same_length({of_contacts->size(), r.packing.contacts.size()});
+  group("proposed", r.fit.proposed);
+  group("present", r.fit.present);
+  group("present_error", r.fit.present_error);
+  group("over_noise", r.fit.over_noise);
+  group("over_signal", r.fit.over_signal);
+  group("model_error", r.fit.model_error);
+  group("load [N]", r.fit.load);
+  group.array("factor_scale", r.fit.factor_scale);
+  group.array("factor_scale_error", r.fit.factor_scale_error);
+  group.same_length({r.fit.factor_scale.size(), r.fit.factor_scale_error.size()});
+  group.optional_image("picture", r.fit.picture, shape, "K");
+}
+
+template <class At, class R>
+void transfer_result(const At& at, R& r) {
+  transfer_origin(at, r);
+  transfer_film(at, r);
+  const Shape shape{r.film.height, r.film.width};
+  transfer_maps(at, r, shape);
+  transfer_packing(at, r.packing);
+  const std::size_t grains = r.packing.grains.size();
+  transfer_arrays(at, "grains", r.grains, grain_columns, grains);
+  transfer_arrays(at, "motion", r.motion, motion_columns, grains);
+  transfer_arrays(at, "swing", r.swing, swing_columns, grains);
+  transfer_arrays(at, "twin", r.twin, twin_columns, grains);
+  transfer_forces(at, r, shape);
+  transfer_numbers(at, "numbers", r.numbers);
+}
+
+}  // namespace
+
+void write_film_result(const std::filesystem::path& path, const FilmResult& result) {
+  const PutGroup to{Hdf5Writer()};
+  transfer_result(to, result);
+  write_sealed(path, "film", to.at.bytes());
+}
+
+FilmResult read_film_result(const std::filesystem::path& path) {
+  FilmResult result;
+  transfer_result(TakeGroup{Hdf5Reader(read_sealed(path, "film"), path.string())}, result);
+  result.grains.material = result.packing.grains.material;
+  return result;
+}
+
+}  // namespace arenite::io

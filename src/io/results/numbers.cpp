@@ -1,0 +1,132 @@
+#include <cmath>
+#include <limits>
+
+#include "io/disk/file.hpp"
+#include "io/disk/store_file.hpp"
+#include "io/results/groups.hpp"
+#include "io/results/results.hpp"
+#include "io/table/table.hpp"
+
+namespace arenite::io {
+namespace {
+
+struct NumberRows {
+  std::vector<std::string> name, text;
+  std::vector<std::uint8_t> depth, kind;
+  std::vector<double> value;
+
+  void add(const std::string& path, std::uint8_t level, const Numbers& node) {
+    constexpr double exact = 9007199254740992.0;  // integers beyond are kept as text
+    name.push_back(path);
+    depth.push_back(level);
+    kind.push_back(static_cast<std::uint8_t>(node.kind()));
+    const bool number = node.is_number() || node.is_truth();
+    value.push_back(number ? node.get<double>() : std::numeric_limits<double>::quiet_NaN());
+    text.push_back(node.is_text() ? node.get<std::string>() : node.is_integer() && std::abs(value.back()) >= exact ? to_json(node) : "");
+    std::size_t i = 0;
+    for (const Numbers& item : node) {
+      const std::string& own = node.is_tree() ? node.items()[i].first : std::to_string(i);
+      add(path.empty() ? own : path + "." + own, static_cast<std::uint8_t>(level + 1), item);
+      ++i;
+    }
+  }
+};
+
+template <class T>
+Numbers integer_of(double value, const std::string& text) {
+  return text.empty() ? static_cast<T>(value) : parse_number<T>(text).value_or(T{});
+}
+
+Numbers leaf(Numbers::Kind kind, double value, const std::string& text) {
+  switch (kind) {
+    case Numbers::Kind::truth: return value != 0;
+    case Numbers::Kind::integer: return integer_of<std::int64_t>(value, text);
+    case Numbers::Kind::natural: return integer_of<std::uint64_t>(value, text);
+    case Numbers::Kind::real: return value;
+    case Numbers::Kind::text: return text;
+    case Numbers::Kind::list: return Numbers::list();
+    case Numbers::Kind::tree: return Numbers::tree();
+    case Numbers::Kind::unknown: break;
+  }
+  return {};
+}
+
+/// Takes rows from `row` on that lie deeper than their parent.
+Numbers node_at(const NumberRows& table, std::size_t& row) {
+  const std::size_t own = row++;
+  Numbers node = leaf(static_cast<Numbers::Kind>(table.kind[own]), table.value[own], table.text[own]);
+  const std::size_t prefix = table.name[own].empty() ? 0 : table.name[own].size() + 1;
+  while (row < table.name.size() && table.depth[row] == table.depth[own] + 1) {
+    if (table.name[row].size() < prefix) throw NumbersError("a name is shorter than its parent's");
+    const std::string name = table.name[row].substr(prefix);
+    Numbers item = node_at(table, row);
+    if (node.is_list()) node.push_back(std::move(item));
+    else node[name] = std::move(item);
+  }
+  return node;
+}
+
+Numbers read_rows(const Hdf5Reader& at) {
+  const NumberRows table{at.texts("name"), at.texts("text"), at.array<std::uint8_t>("depth"), at.array<std::uint8_t>("kind"), at.array<double>("value")};
+  const std::size_t rows = table.name.size();
+  if (rows == 0) return {};
+  if (table.text.size() != rows || table.depth.size() != rows || table.kind.size() != rows || table.value.size() != rows || table.depth[0] != 0)
+    at.refuse("holds numbers whose columns do not agree");
+  std::size_t row = 0;
+  try {
+    Numbers numbers = node_at(table, row);
+    if (row == rows) return numbers;
+  } catch (const NumbersError&) {
+  }
+  at.refuse("holds numbers that are damaged");
+}
+
+/// With nothing in place of numbers that are not finite.
+Numbers finite(const Numbers& numbers) {
+  if (numbers.is_list()) {
+    Numbers list = Numbers::list();
+    for (const Numbers& item : numbers) list.push_back(finite(item));
+    return list;
+  }
+  if (numbers.is_tree()) {
+    Numbers tree = Numbers::tree();
+    for (const auto& [name, item] : numbers.items()) tree[name] = finite(item);
+    return tree;
+  }
+  return numbers.kind() == Numbers::Kind::real && !std::isfinite(numbers.get<double>()) ? Numbers{} : numbers;
+}
+
+}  // namespace
+
+void write_numbers(const Hdf5Writer& at, const std::string& name, const Numbers& numbers) {
+  NumberRows table;
+  if (numbers.is_known()) table.add("", 0, numbers);
+  const auto group = at.create_group(name);
+  group.write_texts("name", table.name);
+  group.write("depth", table.depth);
+  group.write("kind", table.kind);
+  group.write("value", table.value, "of the name");
+  group.write_texts("text", table.text);
+}
+
+Numbers read_numbers(const Hdf5Reader& at, const std::string& name) {
+  if (at.has_group(name)) return read_rows(at.group(name));
+  const std::string json = at.text(name);
+  if (json.empty()) return {};
+  auto numbers = from_json(json);
+  if (!numbers || !numbers->is_tree()) at.refuse(fmt::format("holds numbers \"{}\" that are damaged", name));
+  return std::move(*numbers);
+}
+
+void write_numbers_file(const std::filesystem::path& path, const Numbers& numbers) {
+  const Hdf5Writer file;
+  write_numbers(file, "numbers", finite(numbers));
+  write_sealed(path, "numbers", file.bytes());
+}
+
+Numbers read_numbers_file(const std::filesystem::path& path, const std::filesystem::path& former_json) {
+  if (std::filesystem::exists(path)) return read_numbers(Hdf5Reader(read_sealed(path, "numbers"), path.string()), "numbers");
+  return std::filesystem::exists(former_json) ? from_json(read_file(former_json)).value_or(Numbers{}) : Numbers{};
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,209 @@
+#include "io/sample/sample.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+#include "io/sample/sample.hpp"
+
+namespace arenite::io {
+namespace {
+
+using Index = std::unordered_map<std::int64_t, std::int32_t>;  // only looked up, never walked through
+
+Domain domain_of(const RawGrains& grains, const SampleOptions& options) {
+  Domain d;
+  d.thickness = options.thickness.value_or(0);
+  d.tilt = grains.tilt;
+  d.periodic_x = grains.periodic_x;
+  d.periodic_y = grains.periodic_y;
+  d.wall[left].position = grains.box_low.x;
+  d.wall[right].position = grains.box_high.x;
+  d.wall[bottom].position = grains.box_low.y;
+  d.wall[top].position = grains.box_high.y;
+  d.wall[left].present = d.wall[right].present = grains.has_box && !d.periodic_x;
+  d.wall[bottom].present = d.wall[top].present = grains.has_box && !d.periodic_y;
+  return d;
+}
+
+/// `closed`: the user gave the box, so that a centre outside is a slip.
+Index add_grains(const RawGrains& raw, const Domain& domain, bool closed, Grains& grains, Problems& problems) {
+  Index index;
+  grains.resize(raw.rows.size());
+  if (raw.rows.empty()) problems.add("there are no grains; give one row a grain");
+  for (std::size_t g = 0; g < raw.rows.size(); ++g) {
+    const RawGrain& row = raw.rows[g];
+    if (!index.emplace(row.id, static_cast<std::int32_t>(g)).second)
+      problems.add(row.line, fmt::format("grain {} appears twice; give every grain its own id", row.id));
+    if (!(row.radius > 0))
+      problems.add(row.line, fmt::format("the radius of grain {} is {:g} m; a radius must be positive", row.id, row.radius));
+    const bool outside_x = !domain.periodic_x && (row.centre.x < domain.wall[left].position || row.centre.x > domain.wall[right].position);
+    const bool outside_y = !domain.periodic_y && (row.centre.y < domain.wall[bottom].position || row.centre.y > domain.wall[top].position);
+    if (closed && (outside_x || outside_y))
+      problems.add(row.line, fmt::format("grain {} lies outside the box; correct its centre, --box or --origin", row.id));
+    if (row.zone < 0 || row.zone > 255)
+      problems.add(row.line, fmt::format("the zone of grain {} is {}; zones are numbers from 0 to 255", row.id, row.zone));
+    else
+      grains.zone[g] = static_cast<std::uint8_t>(row.zone);
+    grains.id[g] = row.id;
+    grains.x[g] = row.centre.x;
+    grains.y[g] = row.centre.y;
+    grains.radius[g] = row.radius;
+  }
+  return index;
+}
+
+/// Where a contact's grains are, and how they lie to each other; n from i to j.
+struct Geometry {
+  Vec2 n;
+  double arm_i = 0, arm_j = 0;
+};
+
+constexpr double far_apart = 2;  ///< centre distance over the sum of radii beyond which a contact cannot be meant
+
+std::optional<Geometry> grain_geometry(const Packing& p, const RawContact& row, std::size_t i, std::size_t j, Problems& problems) {
+  const Vec2 branch = p.domain.nearest_image(p.grains.centre(j) - p.grains.centre(i));
+  const double ri = p.grains.radius[i], rj = p.grains.radius[j];
+  double distance = norm(branch);
+  Geometry g;
+  if (row.normal) {
+    const double length = norm(*row.normal);
+    if (std::abs(length - 1) > 0.05) {
+      problems.add(row.line, fmt::format("the normal has length {:g}; give a unit vector", length));
+      return std::nullopt;
+    }
+    g.n = 1 / length * *row.normal;
+    if (distance > far_apart * (ri + rj)) distance = ri + rj;  // across a periodic side that the centres do not show
+  } else if (distance == 0) {
+    problems.add(row.line, fmt::format("grains {} and {} have the same centre; correct it or give nx, ny", row.i, row.j));
+    return std::nullopt;
+  } else if (ri > 0 && rj > 0 && distance > far_apart * (ri + rj)) {
+    problems.add(row.line, fmt::format("grains {} and {} are {:.3g} times the sum of their radii apart; correct the row, or give "
+                                       "--box and --periodic or nx, ny if they touch across a periodic side",
+                                       row.i, row.j, distance / (ri + rj)));
+    return std::nullopt;
+  } else {
+    g.n = 1 / distance * branch;
+  }
+  const double overlap = ri + rj - distance;
+  g.arm_i = ri - overlap / 2;
+  g.arm_j = rj - overlap / 2;
+  return g;
+}
+
+Geometry wall_geometry(const Packing& p, int side, std::size_t i, bool has_box) {
+  const Vec2 n = -inward_normal(side);
+  const double position = p.domain.wall[static_cast<std::size_t>(side)].position;
+  const double distance = side == left || side == right ? std::abs(p.grains.x[i] - position) : std::abs(p.grains.y[i] - position);
+  return {n, has_box ? distance : p.grains.radius[i], 0};
+}
+
+/// Force components along n (from i to j) and t: of the force on j.
+Vec2 components(const RawContact& row, Vec2 n) {
+  if (!row.force_on_j) return {row.fn, row.ft};
+  return {dot(*row.force_on_j, n), dot(*row.force_on_j, perpendicular(n))};
+}
+
+/// Rows already taken, by their pair of grains; two rows of one pair are the same contact unless their normals differ (a small periodic cell).
+class Taken {
+ public:
+  /// The contact that a row repeats, or -1.
+  std::int64_t find(std::int32_t i, std::int32_t j, Vec2 n, const Contacts& contacts) const {
+    const auto it = by_pair_.find(std::minmax(i, j));
+    if (it == by_pair_.end()) return -1;
+    for (const std::size_t c : it->second) {
+      const Vec2 out = contacts.i[c] == i ? -contacts.normal(c) : contacts.normal(c);  // from this row's i
+      if (dot(out, n) > 0) return static_cast<std::int64_t>(c);
+    }
+    return -1;
+  }
+  void add(std::int32_t i, std::int32_t j, std::size_t c) { by_pair_[std::minmax(i, j)].push_back(c); }
+
+ private:
+  std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::size_t>> by_pair_;
+};
+
+void add_contacts(const RawContacts& raw, const Index& index, bool has_box, const SampleOptions& options, Sample& sample, Problems& problems) {
+  Packing& p = sample.packing;
+  Taken taken;
+  std::vector<int> lines, rows_merged;
+  const auto grain = [&](std::int64_t id, const RawContact& row) -> std::int32_t {
+    const auto it = index.find(id);
+    if (it != index.end()) return it->second;
+    problems.add(row.line, fmt::format("this contact names grain {}, which is not among the grains; add the grain or remove the row", id));
+    return -1;
+  };
+  for (const RawContact& row : raw.rows) {
+    const std::int32_t i = grain(row.i, row), j = row.wall < 0 ? grain(row.j, row) : wall_partner(row.wall);
+    if (i < 0 || (row.wall < 0 && j < 0)) continue;
+    if (i == j) {
+      problems.add(row.line, fmt::format("grain {} cannot touch itself; correct i or j", row.i));
+      continue;
+    }
+    const auto gi = static_cast<std::size_t>(i);
+    const auto geometry = row.wall < 0 ? grain_geometry(p, row, gi, static_cast<std::size_t>(j), problems)
+                                       : std::optional(wall_geometry(p, row.wall, gi, has_box));
+    if (!geometry) continue;
+    const Vec2 f = components(row, geometry->n);
+    if (const auto earlier = taken.find(i, j, geometry->n, p.contacts); earlier >= 0) {
+      const auto c = static_cast<std::size_t>(earlier);
+      if (!options.merge_doubled && !raw.lists_both_ways) {
+        problems.add(row.line, fmt::format("the contact of {} and {} is already in line {}; remove one, or merge them with --doubled merge",
+                                           row.i, row.wall < 0 ? std::to_string(row.j) : side_names[static_cast<std::size_t>(row.wall)], lines[c]));
+        continue;
+      }
+      const double n = ++rows_merged[c];
+      p.contacts.fn[c] += (f.x - p.contacts.fn[c]) / (n + 1);
+      p.contacts.ft[c] += (f.y - p.contacts.ft[c]) / (n + 1);
+      if (!raw.lists_both_ways) ++sample.doubled_rows;
+      continue;
+    }
+    taken.add(i, j, p.contacts.size());
+    lines.push_back(row.line);
+    rows_merged.push_back(0);
+    // The file's n points from i to j and its force acts on j; both turned round, fn and ft keep their signs.
+    p.contacts.add(i, j, -geometry->n, f.x, f.y, geometry->arm_i, geometry->arm_j);
+  }
+}
+
+}  // namespace
+
+void place_box(RawGrains& grains, Problems& problems) {
+  if (grains.rows.empty()) return;
+  Vec2 low = grains.rows.front().centre, high = low;
+  for (const RawGrain& g : grains.rows) {
+    low = {std::min(low.x, g.centre.x), std::min(low.y, g.centre.y)};
+    high = {std::max(high.x, g.centre.x), std::max(high.y, g.centre.y)};
+  }
+  const Vec2 size = grains.box_high - grains.box_low;
+  const auto place = [&](double Vec2::*axis, bool periodic, const char* name) {
+    if (periodic || (low.*axis >= 0 && high.*axis <= size.*axis)) return;
+    if (high.*axis - low.*axis > size.*axis)
+      problems.add(fmt::format("the centres span {:g} m along {}, more than the box's {:g} m; correct --box or --length-unit",
+                                  high.*axis - low.*axis, name, size.*axis));
+    grains.box_low.*axis = 0.5 * (low.*axis + high.*axis) - 0.5 * size.*axis;
+    grains.box_high.*axis = grains.box_low.*axis + size.*axis;
+    grains.notes.push_back(fmt::format("The centres do not lie between 0 and the box's {:g} m along {}, so the box was laid around them, from {:g} m; "
+                                       "--origin places it.", size.*axis, name, grains.box_low.*axis));
+  };
+  place(&Vec2::x, grains.periodic_x, "x");
+  place(&Vec2::y, grains.periodic_y, "y");
+}
+
+void assemble(const RawGrains& grains, const RawContacts& contacts, const SampleOptions& options, Sample& sample,
+              Problems& grain_problems, Problems& contact_problems) {
+  const bool unreadable = contact_problems.any();
+  if (grain_problems.any()) Problems::raise({&grain_problems, &contact_problems});
+  Packing& packing = sample.packing;
+  packing.domain = domain_of(grains, options);
+  const Index index = add_grains(grains, packing.domain, options.box.has_value(), packing.grains, grain_problems);
+  assign_materials(grains, options.materials, packing, grain_problems);
+  if (!unreadable) add_contacts(contacts, index, grains.has_box, options, sample, contact_problems);
+  Problems::raise({&grain_problems, &contact_problems});
+  for (const auto* notes : {&grains.notes, &contacts.notes}) sample.notes.insert(sample.notes.end(), notes->begin(), notes->end());
+}
+
+}  // namespace arenite::io

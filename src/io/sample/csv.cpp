@@ -1,0 +1,182 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "core/error.hpp"
+#include "core/problems.hpp"
+#include "io/disk/file.hpp"
+#include "io/sample/sample.hpp"
+#include "io/table/table.hpp"
+#include "model/packing.hpp"
+
+namespace arenite::io {
+namespace {
+
+/// One column of numbers: where it is and its factor to SI.
+struct Field {
+  std::optional<std::size_t> index;
+  double factor = 1;
+  explicit operator bool() const { return index.has_value(); }
+};
+
+Field find_field(const Table& table, std::initializer_list<std::string_view> names, Dimension dimension, double by_default, Problems& problems) {
+  const auto index = table.find(names);
+  if (!index) return {};
+  const auto& column = table.columns[*index];
+  return {index, factor_or_problem(column.unit, column.name, dimension, by_default, table.header_line, problems)};
+}
+
+/// Columns of a picture's grains, which `arenite grains` writes in pixels where it is not told their width.
+bool in_pixels(const Table& table) {
+  const auto has_px = [](const auto& column) { return column.unit == "px"; };
+  return std::any_of(table.columns.begin(), table.columns.end(), has_px);
+}
+
+/// A length; one in pixels has their width for a factor.
+Field find_length(const Table& table, std::initializer_list<std::string_view> names, const UnitFactors& units, Problems& problems) {
+  if (const Field field{table.find(names), units.pixel}; field && table.columns[*field.index].unit == "px") return field;
+  return find_field(table, names, dimension::length, units.length, problems);
+}
+
+double number(const Table& table, const Table::Row& row, const Field& field, Problems& problems) {
+  return number_or_problem(row.cells[*field.index], table.columns[*field.index].name, field.factor, row.line, problems);
+}
+
+/// Says so where SI was assumed, since a factor of 1000 is easily overlooked.
+void note_assumed_unit(const Table& table, const Field& field, bool chosen, const char* what, const char* si, const char* option,
+                       std::vector<std::string>& notes) {
+  if (field && !chosen && table.columns[*field.index].unit.empty())
+    notes.push_back(fmt::format("The file names no unit of {}, so {} was taken; {} or a header such as \"{} [...]\" says otherwise.",
+                                what, si, option, table.columns[*field.index].name));
+}
+
+void require(const Table& table, bool found, const char* column, const char* kind, Problems& problems) {
+  if (!found) problems.add(table.header_line, fmt::format("there is no column \"{}\"; {}", column, kind));
+}
+
+std::optional<int> wall_by_name(std::string_view cell) {
+  for (int side = 0; side < 4; ++side)
+    if (cell == side_names[static_cast<std::size_t>(side)]) return side;
+  return std::nullopt;
+}
+
+std::int32_t material_of(const RawGrain& row, const Materials& materials, Problems& problems) {
+  if (row.material.empty() && materials.size() == 1) return 0;
+  const auto it = std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == row.material; });
+  if (it != materials.end()) return static_cast<std::int32_t>(it - materials.begin());
+  std::vector<std::string> names;
+  for (const auto& m : materials) names.push_back(m.name);
+  const std::string near = nearest(row.material, names);
+  problems.add(row.line, row.material.empty() ? std::string("this grain names no material; add a column \"material\"")
+                                              : fmt::format("the recipe has no material \"{}\"{}", row.material,
+                                                            near.empty() ? "; add it under [materials]" : fmt::format("; did you mean \"{}\"?", near)));
+  return 0;
+}
+
+bool lies_inside(Vec2 p, const Domain& domain) {
+  return p.x >= domain.wall[left].position && p.x <= domain.wall[right].position && p.y >= domain.wall[bottom].position &&
+         p.y <= domain.wall[top].position;
+}
+
+}  // namespace
+
+RawGrains read_grains_csv(std::string_view text, const std::string& columns, const UnitFactors& units, Problems& problems) {
+  const Table table = read_table(text, columns, problems);
+  RawGrains grains;
+  if (table.columns.empty()) return grains;
+  if (in_pixels(table) && units.pixel == 0) {
+    problems.add(table.header_line, "lengths are in pixels (px), whose width on the sample is not known; give it to `arenite measure` by --pixel, "
+                                    "for example --pixel \"1.6 mm\", or to `arenite grains`, which then writes the table in mm");
+    return grains;
+  }
+  const auto id = table.find({"id", "grain"});
+  const Field x = find_length(table, {"x"}, units, problems);
+  const Field y = find_length(table, {"y"}, units, problems);
+  const Field radius = find_length(table, {"radius", "r"}, units, problems);
+  const Field diameter = find_length(table, {"diameter", "d"}, units, problems);
+  const auto material = table.find({"material"}), zone = table.find({"zone"});
+  constexpr const char* kind = "grains need id, x, y, radius and may have material, zone";
+  require(table, x.index.has_value(), "x", kind, problems);
+  require(table, y.index.has_value(), "y", kind, problems);
+  require(table, radius || diameter, "radius", kind, problems);
+  if (!x || !y || (!radius && !diameter)) return grains;
+  note_assumed_unit(table, x, units.length_chosen, "length", "m", "--length-unit", grains.notes);
+  for (const auto& row : table.rows) {
+    RawGrain grain;
+    grain.line = row.line;
+    grain.id = id ? integer_or_problem(row.cells[*id], "id", row.line, problems) : static_cast<std::int64_t>(grains.rows.size());
+    grain.centre = {number(table, row, x, problems), number(table, row, y, problems)};
+    grain.radius = radius ? number(table, row, radius, problems) : 0.5 * number(table, row, diameter, problems);
+    if (material) grain.material = row.cells[*material];
+    if (zone) grain.zone = integer_or_problem(row.cells[*zone], "zone", row.line, problems);
+    grains.rows.push_back(std::move(grain));
+  }
+  return grains;
+}
+
+RawContacts read_contacts_csv(std::string_view text, const std::string& columns, const UnitFactors& units, Problems& problems) {
+  const Table table = read_table(text, columns, problems);
+  RawContacts contacts;
+  if (table.columns.empty()) return contacts;
+  const auto i = table.find({"i", "id1"}), j = table.find({"j", "id2"});
+  const Field fn = find_field(table, {"fn"}, dimension::force, units.force, problems);
+  const Field ft = find_field(table, {"ft"}, dimension::force, units.force, problems);
+  const Field fx = find_field(table, {"fx"}, dimension::force, units.force, problems);
+  const Field fy = find_field(table, {"fy"}, dimension::force, units.force, problems);
+  const Field nx = find_field(table, {"nx"}, dimension::none, 1, problems);
+  const Field ny = find_field(table, {"ny"}, dimension::none, 1, problems);
+  constexpr const char* kind = "contacts need i, j, fn, ft (or fx, fy for the force on j) and may have nx, ny";
+  require(table, i.has_value(), "i", kind, problems);
+  require(table, j.has_value(), "j", kind, problems);
+  const bool vector = fx && fy && !fn;
+  require(table, fn || vector, "fn", kind, problems);
+  if (nx && !ny) problems.add(table.header_line, "there is a column nx but no ny; give both or neither");
+  if (!i || !j || (!fn && !vector)) return contacts;
+  note_assumed_unit(table, fn ? fn : fx, units.force_chosen, "force", "N", "--force-unit", contacts.notes);
+  for (const auto& row : table.rows) {
+    RawContact contact;
+    contact.line = row.line;
+    contact.i = integer_or_problem(row.cells[*i], "i", row.line, problems);
+    if (const auto wall = wall_by_name(row.cells[*j]))
+      contact.wall = *wall;
+    else
+      contact.j = integer_or_problem(row.cells[*j], "j", row.line, problems);
+    if (vector) {
+      contact.force_on_j = Vec2{number(table, row, fx, problems), number(table, row, fy, problems)};
+    } else {
+      contact.fn = number(table, row, fn, problems);
+      if (ft) contact.ft = number(table, row, ft, problems);
+    }
+    if (nx && ny) contact.normal = Vec2{number(table, row, nx, problems), number(table, row, ny, problems)};
+    contacts.rows.push_back(std::move(contact));
+  }
+  return contacts;
+}
+
+Grains read_placed_grains(const std::filesystem::path& path, const Materials& materials, const Domain& domain) {
+  Problems problems(path.string());
+  const std::string text = read_file(path);
+  const RawGrains raw = read_grains_csv(text, "", {}, problems);
+  Grains grains;
+  grains.resize(raw.rows.size());
+  std::map<std::int64_t, int> line_of;
+  for (std::size_t i = 0; i < raw.rows.size(); ++i) {
+    const RawGrain& row = raw.rows[i];
+    if (const auto [seen, is_new] = line_of.emplace(row.id, row.line); !is_new)
+      problems.add(row.line, fmt::format("grain {} stands in line {} already; give every grain its own id", row.id, seen->second));
+    const Vec2 centre = row.centre + Vec2{domain.wall[left].position, domain.wall[bottom].position};
+    if (!lies_inside(centre, domain))
+      problems.add(row.line, fmt::format("the centre of grain {} at ({:g}, {:g}) m lies outside the frame of {:g} x {:g} m; correct it, "
+                                         "the unit of the column or [frame]", row.id, row.centre.x, row.centre.y, domain.width(), domain.height()));
+    grains.id[i] = row.id;
+    grains.x[i] = centre.x;
+    grains.y[i] = centre.y;
+    grains.radius[i] = row.radius;
+    grains.material[i] = material_of(row, materials, problems);
+  }
+  problems.raise();
+  return grains;
+}
+
+}  // namespace arenite::io

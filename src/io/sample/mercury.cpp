@@ -1,0 +1,103 @@
+#include "io/sample/sample.hpp"
+
+#include <fmt/format.h>
+
+#include "io/table/table.hpp"
+
+namespace arenite::io {
+namespace {
+
+void read_header(const std::vector<std::string_view>& cells, int line, double length, RawGrains& grains, Problems& problems) {
+  const auto bound = [&](std::size_t c) { return number_or_problem(cells[c], "box bound", length, line, problems); };
+  grains.rows.clear();
+  grains.box_low = {bound(2), bound(3)};
+  grains.box_high = {bound(4), bound(5)};
+  grains.has_box = grains.box_high.x > grains.box_low.x && grains.box_high.y > grains.box_low.y;
+}
+
+}  // namespace
+
+RawGrains read_mercury_data(std::string_view text, const UnitFactors& units, Problems& problems) {
+  RawGrains grains;
+  Lines lines(text);
+  std::string_view line;
+  std::int64_t expected = 0, header_line = 0;
+  while (lines.next(line)) {
+    const auto cells = split_blanks(line);
+    if (cells.empty()) continue;
+    const int at = lines.number();
+    if (static_cast<std::int64_t>(grains.rows.size()) == expected) {
+      const auto count = to_integer(cells.front());
+      if (cells.size() != 6 || !count || *count < 0) {
+        problems.add(at, fmt::format("expected \"N time xmin ymin xmax ymax\" of a plane simulation, found {} values; write the "
+                                     "file with system dimension 2", cells.size()));
+        return grains;
+      }
+      expected = *count;
+      header_line = at;
+      read_header(cells, at, units.length, grains, problems);
+      continue;
+    }
+    RawGrain g;
+    g.line = at;
+    g.id = static_cast<std::int64_t>(grains.rows.size());
+    if (cells.size() != 8) {
+      problems.add(at, fmt::format("expected 8 values \"x y vx vy radius angle omega info\", found {}", cells.size()));
+    } else {
+      g.centre = {number_or_problem(cells[0], "x", units.length, at, problems), number_or_problem(cells[1], "y", units.length, at, problems)};
+      g.radius = number_or_problem(cells[4], "radius", units.length, at, problems);
+      g.material = cells[7];
+    }
+    grains.rows.push_back(std::move(g));
+  }
+  if (header_line == 0) problems.add("the file is empty; give a .data file with at least one time step");
+  if (static_cast<std::int64_t>(grains.rows.size()) < expected)
+    problems.add(static_cast<int>(header_line), fmt::format("{} grains are announced, but {} follow; the file is cut off", expected, grains.rows.size()));
+  return grains;
+}
+
+RawContacts read_mercury_fstat(std::string_view text, const UnitFactors& units, Problems& problems) {
+  RawContacts contacts;
+  contacts.lists_both_ways = true;
+  Lines lines(text);
+  std::string_view line;
+  bool in_header = false, any = false;
+  while (lines.next(line)) {
+    const auto cells = split_blanks(line);
+    if (cells.empty()) continue;
+    any = true;
+    if (cells.front().starts_with('#')) {
+      if (!in_header) contacts.rows.clear();  // a new time step
+      in_header = true;
+      continue;
+    }
+    in_header = false;
+    const int at = lines.number();
+    if (cells.size() != 16) {
+      problems.add(at, fmt::format("expected 16 values \"time i j x y z overlap tangential_overlap fn ft nx ny nz tx ty tz\", found {}", cells.size()));
+      continue;
+    }
+    const auto value = [&](std::size_t c, double factor) { return number_or_problem(cells[c], "value " + std::to_string(c + 1), factor, at, problems); };
+    RawContact c;
+    c.line = at;
+    c.i = integer_or_problem(cells[1], "i", at, problems);
+    c.j = integer_or_problem(cells[2], "j", at, problems);
+    const double fn = value(8, units.force), ft = value(9, units.force);
+    const Vec2 n{value(10, 1), value(11, 1)}, t{value(13, 1), value(14, 1)};
+    // n and t belong to the force on grain i; for a wall MercuryDPM turns both round.
+    const Vec2 force_on_i = fn * n + ft * t;
+    if (c.j < 0) {
+      c.wall = side_towards(n);
+      c.force_on_j = force_on_i;
+      c.normal = n;
+    } else {
+      c.force_on_j = -force_on_i;
+      c.normal = -n;
+    }
+    contacts.rows.push_back(c);
+  }
+  if (!any) problems.add("the file is empty; give a .fstat file with at least one time step");
+  return contacts;
+}
+
+}  // namespace arenite::io

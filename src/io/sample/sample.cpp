@@ -1,0 +1,136 @@
+#include "io/sample/sample.hpp"
+
+#include <utility>
+
+#include "core/error.hpp"
+#include "io/sample/sample.hpp"
+#include "io/sample/sample.hpp"
+#include "io/sample/sample.hpp"
+#include "io/sample/sample.hpp"
+#include "io/disk/file.hpp"
+#include "io/table/table.hpp"
+#include "io/sample/sample.hpp"
+
+namespace arenite::io {
+namespace {
+
+std::string_view first_line(std::string_view text) {
+  Lines lines(text);
+  std::string_view line;
+  while (lines.next(line))
+    if (!split_blanks(line).empty()) return line;
+  return {};
+}
+
+bool all_numbers(std::string_view line, std::size_t count) {
+  const auto cells = split_blanks(line);
+  if (cells.size() != count) return false;
+  for (const auto cell : cells)
+    if (!to_number(cell)) return false;
+  return true;
+}
+
+/// A family of files: how its grains are recognised, and how grains and contacts are read. Contacts of every format are also accepted as a table,
+/// since many codes have no format of their own for them.
+struct Format {
+  const char* name;
+  bool (*is_grains)(std::string_view first);
+  bool (*is_contacts)(std::string_view first);
+  RawGrains (*grains)(std::string_view, const SampleOptions&, const UnitFactors&, Problems&);
+  RawContacts (*contacts)(std::string_view, const RawGrains&, const SampleOptions&, const UnitFactors&, Problems&);
+};
+
+constexpr Format formats[] = {
+    {"lammps", [](std::string_view l) { return l.starts_with("ITEM:"); }, [](std::string_view l) { return l.starts_with("ITEM:"); },
+     [](std::string_view t, const SampleOptions&, const UnitFactors& u, Problems& p) { return read_lammps_atoms(t, u, p); },
+     [](std::string_view t, const RawGrains&, const SampleOptions& o, const UnitFactors& u, Problems& p) {
+       return read_lammps_pairs(t, o.contact_columns, u, p);
+     }},
+    {"yade", [](std::string_view l) { return l.starts_with("#format"); }, [](std::string_view l) { return l.starts_with("# vtk DataFile"); },
+     [](std::string_view t, const SampleOptions&, const UnitFactors& u, Problems& p) { return read_yade_spheres(t, u, p); },
+     [](std::string_view t, const RawGrains& g, const SampleOptions&, const UnitFactors& u, Problems& p) {
+       return read_yade_interactions(t, g, u, p);
+     }},
+    {"mercury", [](std::string_view l) { return all_numbers(l, 6); }, [](std::string_view l) { return l.starts_with('#') || all_numbers(l, 16); },
+     [](std::string_view t, const SampleOptions&, const UnitFactors& u, Problems& p) { return read_mercury_data(t, u, p); },
+     [](std::string_view t, const RawGrains&, const SampleOptions&, const UnitFactors& u, Problems& p) { return read_mercury_fstat(t, u, p); }},
+    {"csv", [](std::string_view) { return true; }, [](std::string_view) { return true; },
+     [](std::string_view t, const SampleOptions& o, const UnitFactors& u, Problems& p) { return read_grains_csv(t, o.grain_columns, u, p); },
+     [](std::string_view t, const RawGrains&, const SampleOptions& o, const UnitFactors& u, Problems& p) {
+       return read_contacts_csv(t, o.contact_columns, u, p);
+     }},
+};
+constexpr const Format& csv = formats[std::size(formats) - 1];
+
+const Format& format_of(std::string_view grains, const SampleOptions& options) {
+  for (const Format& format : formats)
+    if (options.format == "auto" ? options.grain_columns.empty() && format.is_grains(first_line(grains)) : options.format == format.name)
+      return format;
+  return csv;
+}
+
+/// Image rows point down; from here on y points up.
+void turn_rows_up(RawGrains& grains) {
+  for (RawGrain& g : grains.rows) g.centre.y = -g.centre.y;
+  std::swap(grains.box_low.y, grains.box_high.y);
+  grains.box_low.y = -grains.box_low.y;
+  grains.box_high.y = -grains.box_high.y;
+  grains.tilt = -grains.tilt;
+}
+void turn_rows_up(RawContacts& contacts) {
+  for (RawContact& c : contacts.rows) {
+    if (c.normal) c.normal->y = -c.normal->y;
+    if (c.force_on_j) c.force_on_j->y = -c.force_on_j->y;
+  }
+}
+
+void apply_box(const SampleOptions& options, RawGrains& grains, Problems& problems) {
+  grains.periodic_x |= options.periodic_x;
+  grains.periodic_y |= options.periodic_y;
+  if (options.box) {
+    grains.has_box = true;
+    grains.tilt = options.tilt;
+    grains.box_low = options.origin.value_or(Vec2{});
+    grains.box_high = grains.box_low + *options.box;
+    if (!options.origin) place_box(grains, problems);
+  }
+  if (!grains.has_box && (grains.periodic_x || grains.periodic_y))
+    problems.add("periodic sides need the size of the cell; give --box LX,LY[,tilt]");
+}
+
+/// The text of a file; one with zero bytes is no text in any encoding that is read here.
+std::string read_text(const std::filesystem::path& path) {
+  std::string text = read_file(path);
+  if (text.find('\0') == std::string::npos) return text;
+  refuse(path.string(), "is no text file; results (.h5) are for `arenite show`, or for `arenite export --to csv`, whose tables can be measured");
+}
+
+}  // namespace
+
+std::vector<std::string> sample_formats() {
+  std::vector<std::string> names;
+  for (const Format& format : formats) names.emplace_back(format.name);
+  return names;
+}
+
+Sample read_sample(const std::filesystem::path& grains_path, const std::filesystem::path& contacts_path, const SampleOptions& options) {
+  const std::string grains_text = read_text(grains_path), contacts_text = contacts_path.empty() ? std::string() : read_text(contacts_path);
+  const UnitFactors units{options.length_unit.value_or(1), options.force_unit.value_or(1), options.length_unit.has_value(),
+                          options.force_unit.has_value(), options.pixel};
+  Problems grain_problems(grains_path.string()), contact_problems(contacts_path.string());
+
+  const Format& format = format_of(grains_text, options);
+  RawGrains grains = format.grains(grains_text, options, units, grain_problems);
+  if (options.y_down) turn_rows_up(grains);
+  if (!grain_problems.any()) apply_box(options, grains, grain_problems);
+  const bool own = format.is_contacts(first_line(contacts_text)) || options.format == format.name;
+  RawContacts contacts;
+  if (!contacts_path.empty()) contacts = (own ? format : csv).contacts(contacts_text, grains, options, units, contact_problems);
+  if (options.y_down) turn_rows_up(contacts);
+
+  Sample sample;
+  assemble(grains, contacts, options, sample, grain_problems, contact_problems);
+  return sample;
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,146 @@
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/problems.hpp"
+#include "core/vec.hpp"
+#include "model/packing.hpp"
+
+namespace arenite::io {
+
+/// What the files of a sample do not say themselves. SI.
+struct SampleOptions {
+  std::string format = "auto";         ///< name of a format (sample_formats), or "auto": by content
+  std::string grain_columns, contact_columns;  ///< for files without header: "id,x,y,-,radius"
+  std::optional<double> length_unit, force_unit;  ///< factors to SI of columns without unit; else SI is taken, with a note
+  double pixel = 0;                    ///< m, width of a pixel on the sample, for tables in pixels; 0: not known
+  std::optional<Vec2> box;             ///< width, height, m
+  std::optional<Vec2> origin;          ///< lower left corner, m; default: the origin if all centres fit, else around them
+  double tilt = 0;                     ///< m
+  bool periodic_x = false, periodic_y = false;
+  std::optional<double> thickness;     ///< m
+  std::optional<std::filesystem::path> materials;  ///< table of material, name, density, stiffness, or of id, material
+  bool y_down = false;                 ///< y counts image rows, which point down: it is turned round, fn and ft kept
+  bool merge_doubled = false;          ///< a contact listed twice is taken once, with the mean of its forces
+};
+
+/// Grains and contacts from anybody's files.
+struct Sample {
+  Packing packing;                     ///< thickness 0 and box of no area where they are not known
+  std::size_t doubled_rows = 0;        ///< rows merged into earlier ones
+  std::vector<std::string> notes;
+};
+
+/// Names of the formats that can be read, for help texts: "csv", "lammps", "yade", "mercury".
+std::vector<std::string> sample_formats();
+
+/// Reads and checks both files; without a name of contacts there are none. Throws InputError with every problem found, up to 20 a file.
+Sample read_sample(const std::filesystem::path& grains, const std::filesystem::path& contacts, const SampleOptions& options);
+
+/// Grains to start a simulation from, as a laboratory gives them: a table with columns id, x, y, radius (or diameter) and material; lengths in m
+/// unless the header names a unit. Centres count from the frame's lower left corner. Throws InputError with every problem found: unknown material, a
+/// grain outside the frame, an id that occurs twice.
+Grains read_placed_grains(const std::filesystem::path& path, const Materials& materials, const Domain& domain);
+
+/// Units of columns that name none, as factors to SI; whether anybody chose them.
+struct UnitFactors {
+  double length = 1, force = 1;
+  bool length_chosen = false, force_chosen = false;
+  double pixel = 0;                    ///< m, of columns in "px"; 0: not known
+};
+
+/// A grain as its file gives it, in SI; `line` says where.
+struct RawGrain {
+  std::int64_t id = 0;
+  Vec2 centre;
+  double radius = 0;
+  std::string material;                ///< as written; empty if the file has none
+  std::int64_t zone = 0;               ///< 0: none; 1: glued
+  int line = 0;
+};
+
+/// A contact as its file gives it, in SI. The force on grain j is fn n + ft t with n from i to j and t = n turned by +90 degrees, or the vector
+/// `force_on_j`.
+struct RawContact {
+  std::int64_t i = 0, j = 0;
+  int wall = -1;                       ///< side (model/packing.hpp) instead of grain j; -1 for a grain
+  double fn = 0, ft = 0;
+  std::optional<Vec2> force_on_j;      ///< instead of fn, ft
+  std::optional<Vec2> normal;          ///< from i to j
+  int line = 0;
+};
+
+struct RawGrains {
+  std::vector<RawGrain> rows;
+  bool has_box = false;
+  Vec2 box_low, box_high;              ///< m
+  bool periodic_x = false, periodic_y = false;
+  double tilt = 0;
+  std::vector<std::string> notes;
+};
+
+struct RawContacts {
+  std::vector<RawContact> rows;
+  bool lists_both_ways = false;        ///< the format itself lists every contact once for each grain
+  std::vector<std::string> notes;
+};
+
+/// The side that a direction points to: the wall of a contact whose file names none.
+inline int side_towards(Vec2 d) {
+  if (std::abs(d.x) > std::abs(d.y)) return d.x < 0 ? left : right;
+  return d.y < 0 ? bottom : top;
+}
+
+/// Puts the corner of a box whose place nobody gave: at the origin if all centres lie in it so, else around the grains. A box smaller than the
+/// grains' extent is a problem unless it is periodic.
+void place_box(RawGrains& grains, Problems& problems);
+
+/// Checks rows against each other and makes a packing of them: numbers of grains become indices, the file's forces on j become the model's forces on
+/// i, arms halve the overlap. Throws InputError with the problems of both files.
+void assemble(const RawGrains& grains, const RawContacts& contacts, const SampleOptions& options, Sample& sample,
+              Problems& grain_problems, Problems& contact_problems);
+
+/// Gives the packing its materials, in the order in which grains name them first, and every grain its material. `file` is a table with a column
+/// material (as the grains write it) and any of name, density, stiffness, thermoelastic_factor; its order then is the materials' order. Or it has
+/// columns id and material, for grains whose file has no material.
+void assign_materials(const RawGrains& raw, const std::optional<std::filesystem::path>& file, Packing& packing, Problems& problems);
+
+/// Grains from a table with columns id, x, y, radius (or diameter) and perhaps material and zone. Units in the header win over `units`. `columns`
+/// stands for a missing header. What is wrong goes to `problems`.
+RawGrains read_grains_csv(std::string_view text, const std::string& columns, const UnitFactors& units, Problems& problems);
+
+/// Contacts from a table with columns i, j and fn, ft (or fx, fy: the force on j) and perhaps nx, ny. j may name a wall: left, right, bottom, top.
+RawContacts read_contacts_csv(std::string_view text, const std::string& columns, const UnitFactors& units, Problems& problems);
+
+/// The last snapshot of a LAMMPS `dump custom` with columns id, type, x, y (or xu, yu; xs, ys) and radius (or diameter), with its box, periodic sides
+/// and tilt.
+RawGrains read_lammps_atoms(std::string_view text, const UnitFactors& units, Problems& problems);
+
+/// The last snapshot of a LAMMPS `dump local` of `property/local patom1 patom2` and `pair/local fx fy [fz] p1 p2 [p3]` of a granular pair style: (fx,
+/// fy) is the normal and (p1, p2) the tangential force, both on atom 1. Columns are known by these names, or by `columns`, or where LAMMPS names them
+/// c_ID[n], by this order.
+RawContacts read_lammps_pairs(std::string_view text, const std::string& columns, const UnitFactors& units, Problems& problems);
+
+/// The last time step of a MercuryDPM .data file of a plane simulation: a line "N time xmin ymin xmax ymax", then N lines "x y vx vy radius angle
+/// omega info"; info is the species. Grains are numbered from 0 in their order.
+RawGrains read_mercury_data(std::string_view text, const UnitFactors& units, Problems& problems);
+
+/// The last time step of a MercuryDPM .fstat file: lines "time i j x y z overlap tangential_overlap fn ft nx ny nz tx ty tz", n pointing to grain i;
+/// j < 0 is a wall. Contacts of two grains are listed once for each of them.
+RawContacts read_mercury_fstat(std::string_view text, const UnitFactors& units, Problems& problems);
+
+/// Spheres written by YADE's export.text or export.textExt: "#format x_y_z_r" (or x_y_z_r_matId, x_y_z_r_attrs, id_x_y_z_r_matId), then one sphere a
+/// line. The plane is x-y, or x-z or y-z where y or x is the same for all. Without ids spheres are numbered from 0 in their order.
+RawGrains read_yade_spheres(std::string_view text, const UnitFactors& units, Problems& problems);
+
+/// Interactions written by YADE's VTKExporter.exportInteractions with what = {'normalForce': 'i.phys.normalForce', 'shearForce':
+/// 'i.phys.shearForce'}: both centres of every interaction and the force on the second body. The file has no ids, so ends are matched with the
+/// centres of `grains`; an end that is no grain's centre is a wall.
+RawContacts read_yade_interactions(std::string_view text, const RawGrains& grains, const UnitFactors& units, Problems& problems);
+
+}  // namespace arenite::io

@@ -1,0 +1,223 @@
+#include "io/sample/sample.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "io/table/table.hpp"
+
+namespace arenite::io {
+namespace {
+
+using Point = std::array<double, 3>;
+
+/// Which two axes span the plane: the one along which no centre differs is left out.
+std::array<std::size_t, 2> plane_of(const std::vector<Point>& points) {
+  for (const std::size_t flat : {2u, 1u, 0u}) {
+    const bool same = std::all_of(points.begin(), points.end(), [&](const Point& p) { return p[flat] == points.front()[flat]; });
+    if (same) return {flat == 0 ? 1u : 0u, flat == 2 ? 1u : 2u};
+  }
+  return {0, 1};
+}
+
+/// Finds the grain whose centre, or a periodic image of it, is a point, to the six digits that YADE writes.
+class Centres {
+ public:
+  explicit Centres(const RawGrains& grains) : grains_(grains) {
+    for (const RawGrain& g : grains.rows) {
+      wrapped_.push_back(wrapped(g.centre));
+      order_.push_back(order_.size());
+    }
+    std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return wrapped_[a].x < wrapped_[b].x; });
+  }
+  /// Index of the grain, or -1.
+  std::int64_t find(Vec2 p) const {
+    const double reach = 1e-5 * (std::abs(p.x) + std::abs(p.y));
+    const Vec2 size = grains_.box_high - grains_.box_low, base = wrapped(p);
+    for (int ky = -grains_.periodic_y; ky <= int{grains_.periodic_y}; ++ky)
+      for (int kx = -grains_.periodic_x; kx <= int{grains_.periodic_x}; ++kx)
+        if (const auto g = near(base + Vec2{kx * size.x + ky * grains_.tilt, ky * size.y}, reach); g >= 0) return g;
+    return -1;
+  }
+
+ private:
+  Vec2 wrapped(Vec2 p) const {
+    const Vec2 size = grains_.box_high - grains_.box_low;
+    if (grains_.periodic_y) {
+      const double n = std::floor((p.y - grains_.box_low.y) / size.y);
+      p = p - n * Vec2{grains_.tilt, size.y};
+    }
+    if (grains_.periodic_x) p.x -= std::floor((p.x - grains_.box_low.x) / size.x) * size.x;
+    return p;
+  }
+  std::int64_t near(Vec2 p, double reach) const {
+    const double most = reach + slack * largest_radius();
+    auto it = std::lower_bound(order_.begin(), order_.end(), p.x - most, [&](std::size_t g, double x) { return wrapped_[g].x < x; });
+    for (; it != order_.end() && wrapped_[*it].x <= p.x + most; ++it)
+      if (norm(wrapped_[*it] - p) <= reach + slack * grains_.rows[*it].radius) return static_cast<std::int64_t>(*it);
+    return -1;
+  }
+  double largest_radius() const {
+    if (largest_ < 0)
+      for (const RawGrain& g : grains_.rows) largest_ = std::max(largest_, g.radius);
+    return largest_;
+  }
+
+  static constexpr double slack = 1e-3;
+  const RawGrains& grains_;
+  std::vector<Vec2> wrapped_;
+  std::vector<std::size_t> order_;
+  mutable double largest_ = -1;
+};
+
+/// Reads the words of a legacy VTK file one after the other, knowing their lines.
+class Words {
+ public:
+  explicit Words(std::string_view text) : lines_(text) {}
+  std::string_view next() {
+    while (at_ == words_.size()) {
+      std::string_view line;
+      if (!lines_.next(line)) return {};
+      words_ = split_blanks(line);
+      at_ = 0;
+    }
+    return words_[at_++];
+  }
+  void skip_line() { at_ = words_.size(); }
+  int line() const { return lines_.number(); }
+
+ private:
+  Lines lines_;
+  std::vector<std::string_view> words_;
+  std::size_t at_ = 0;
+};
+
+std::vector<Point> read_points(Words& words, std::size_t count, double factor, Problems& problems) {
+  std::vector<Point> points(count);
+  for (Point& p : points)
+    for (double& value : p) {
+      const auto word = words.next();
+      if (word.empty()) {
+        problems.add(words.line(), "the file is cut off; write it again");
+        return {};
+      }
+      value = number_or_problem(word, "value", factor, words.line(), problems);
+    }
+  return points;
+}
+
+/// Whether what pushes with this normal force may be a wall of the box: walls lie along sides that are not periodic.
+bool may_be_wall(Vec2 n, const RawGrains& grains) {
+  constexpr double slack = 1e-3;  // six digits, and walls that settled
+  const double x = std::abs(n.x), y = std::abs(n.y);
+  return (y <= slack * x && !grains.periodic_x) || (x <= slack * y && !grains.periodic_y);
+}
+
+std::string not_joined(std::size_t count, std::size_t all, const RawGrains& grains) {
+  const bool cell = grains.periodic_x || grains.periodic_y;
+  return fmt::format("{} of {} interactions end at no grain's centre, and their forces are not those of a wall of the box; {}", count, all,
+                     cell ? "the cell does not join the grains across its periodic sides: correct --box (O.cell.hSize) and --periodic"
+                          : "if they cross a periodic side give the cell by --box and --periodic; spheres and interactions must be written at the same step");
+}
+
+}  // namespace
+
+RawGrains read_yade_spheres(std::string_view text, const UnitFactors& units, Problems& problems) {
+  RawGrains grains;
+  std::vector<Point> centres;
+  Lines lines(text);
+  std::string_view line;
+  std::size_t id_columns = 0, material = 0;
+  while (lines.next(line)) {
+    const auto cells = split_blanks(line);
+    if (cells.empty()) continue;
+    if (cells.front() == "#format" && cells.size() > 1) {
+      id_columns = cells[1].starts_with("id_") ? 1 : 0;
+      if (cells[1].ends_with("_matId")) material = id_columns + 4;
+      continue;
+    }
+    if (cells.front().starts_with('#')) continue;
+    const int at = lines.number();
+    if (cells.size() < id_columns + 4 + (material > 0 ? 1 : 0)) {
+      problems.add(at, fmt::format("expected at least {} values as the #format line says, found {}", id_columns + 4 + (material > 0 ? 1 : 0), cells.size()));
+      continue;
+    }
+    RawGrain g;
+    g.line = at;
+    g.id = id_columns ? integer_or_problem(cells[0], "id", at, problems) : static_cast<std::int64_t>(grains.rows.size());
+    Point p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = number_or_problem(cells[id_columns + k], "coordinate", units.length, at, problems);
+    g.radius = number_or_problem(cells[id_columns + 3], "r", units.length, at, problems);
+    if (material > 0) g.material = cells[material];
+    centres.push_back(p);
+    grains.rows.push_back(std::move(g));
+  }
+  if (centres.empty()) problems.add("the file has no spheres; write them by export.textExt");
+  const auto [a, b] = centres.empty() ? std::array<std::size_t, 2>{0, 1} : plane_of(centres);
+  for (std::size_t g = 0; g < centres.size(); ++g) grains.rows[g].centre = {centres[g][a], centres[g][b]};
+  return grains;
+}
+
+RawContacts read_yade_interactions(std::string_view text, const RawGrains& grains, const UnitFactors& units, Problems& problems) {
+  RawContacts contacts;
+  Words words(text);
+  std::vector<Point> ends, normal, shear;
+  std::size_t count = 0;
+  for (auto word = words.next(); !word.empty(); word = words.next()) {
+    if (word == "POINTS") {
+      count = static_cast<std::size_t>(std::max<std::int64_t>(0, integer_or_problem(words.next(), "number of points", words.line(), problems))) / 2;
+      if (count > text.size()) break;  // more than the file can hold
+      words.skip_line();
+      ends = read_points(words, 2 * count, units.length, problems);
+    } else if (word == "VECTORS") {
+      const auto name = words.next();
+      words.skip_line();
+      auto values = read_points(words, count, units.force, problems);
+      if (name == "normalForce" || name == "fn") normal = std::move(values);
+      if (name == "shearForce" || name == "fs") shear = std::move(values);
+    }
+    if (problems.any()) return contacts;
+  }
+  if (ends.size() != 2 * count || normal.size() != count || shear.size() != count) {
+    problems.add("the vectors normalForce and shearForce are missing; write them by exportInteractions(what={'normalForce': "
+                    "'i.phys.normalForce', 'shearForce': 'i.phys.shearForce'})");
+    return contacts;
+  }
+  const auto [a, b] = ends.empty() ? std::array<std::size_t, 2>{0, 1} : plane_of(ends);
+  const Centres centres(grains);
+  std::size_t not_of_walls = 0, without_grain = 0;
+  for (std::size_t c = 0; c < count; ++c) {
+    const Vec2 first{ends[2 * c][a], ends[2 * c][b]}, second{ends[2 * c + 1][a], ends[2 * c + 1][b]};
+    Vec2 n{normal[c][a], normal[c][b]};
+    Vec2 force = n + Vec2{shear[c][a], shear[c][b]};
+    std::int64_t i = centres.find(first), j = centres.find(second);
+    if (i < 0 && j < 0) {
+      ++without_grain;
+      continue;
+    }
+    RawContact row;
+    if (i < 0) {  // the wall comes first: look from the grain
+      std::swap(i, j);
+      n = -n;
+      force = -force;
+    }
+    row.i = grains.rows[static_cast<std::size_t>(i)].id;
+    row.force_on_j = force;
+    if (j < 0) {
+      not_of_walls += !may_be_wall(n, grains);
+      row.wall = side_towards(n);
+    } else {
+      row.j = grains.rows[static_cast<std::size_t>(j)].id;
+      if (norm(second - first) > 0) row.normal = (1 / norm(second - first)) * (second - first);
+    }
+    contacts.rows.push_back(row);
+  }
+  if (not_of_walls > 0) problems.add(not_joined(not_of_walls, count, grains));
+  if (without_grain > 0)
+    contacts.notes.push_back(fmt::format("{} of {} interactions are of no grain in the list and are left out.", without_grain, count));
+  return contacts;
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,192 @@
+#include "io/table/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace arenite::io {
+namespace {
+
+std::string lower(std::string_view s) {
+  std::string result(s);
+  for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return result;
+}
+
+/// Without the quotes around a cell; a doubled quote inside stays as it is written.
+std::string_view unquoted(std::string_view cell) {
+  return cell.size() >= 2 && cell.front() == '"' && cell.back() == '"' ? cell.substr(1, cell.size() - 2) : cell;
+}
+
+/// Cuts at separators that are not inside quotes.
+std::vector<std::string_view> split(std::string_view line, char separator) {
+  if (separator == ' ') return split_blanks(line);
+  std::vector<std::string_view> cells;
+  std::size_t start = 0;
+  bool quoted = false;
+  for (std::size_t at = 0; at <= line.size(); ++at) {
+    if (at < line.size() && line[at] == '"') quoted = !quoted;
+    if (at < line.size() && (quoted || line[at] != separator)) continue;
+    cells.push_back(unquoted(trimmed(line.substr(start, at - start))));
+    start = at + 1;
+  }
+  return cells;
+}
+
+char separator_of(std::string_view line) {
+  for (const char c : {',', ';', '\t'})
+    if (line.find(c) != std::string_view::npos) return c;
+  return ' ';
+}
+
+/// "x [mm]", "x (mm)" -> x, mm.
+Table::Column column_of(std::string_view cell) {
+  const auto open = cell.find_first_of("[(");
+  const bool closed = open != std::string_view::npos && (cell.back() == ']' || cell.back() == ')');
+  const auto name = trimmed(closed ? cell.substr(0, open) : cell);
+  return {lower(name), std::string(closed ? trimmed(cell.substr(open + 1, cell.size() - open - 2)) : ""), std::string(name)};
+}
+
+bool is_unit(std::string_view cell) {
+  if (cell.empty() || cell == "-" || cell == "px") return true;
+  if (to_number(cell)) return false;
+  try {
+    parse_unit(cell);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// A row of units holds no number at all: "1" is a number, "-" stands for no unit.
+bool is_unit_row(const Table::Row& row) { return std::all_of(row.cells.begin(), row.cells.end(), is_unit); }
+
+void check_header(const Table& table, int line, Problems& problems) {
+  for (std::size_t a = 0; a < table.columns.size(); ++a)
+    for (std::size_t b = a + 1; b < table.columns.size(); ++b)
+      if (!table.columns[a].name.empty() && table.columns[a].name != "-" && table.columns[a].name == table.columns[b].name)
+        problems.add(line, fmt::format("column \"{}\" appears twice; rename or drop one", table.columns[a].name));
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view s) {
+  const auto first = s.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return s.substr(first, s.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::vector<std::string_view> split_blanks(std::string_view line) {
+  std::vector<std::string_view> cells;
+  std::size_t at = 0;
+  while ((at = line.find_first_not_of(" \t\r", at)) != std::string_view::npos) {
+    const auto end = std::min(line.find_first_of(" \t\r", at), line.size());
+    cells.push_back(line.substr(at, end - at));
+    at = end;
+  }
+  return cells;
+}
+
+bool Lines::next(std::string_view& line) {
+  if (rest_.empty()) return false;
+  const auto end = std::min(rest_.find('\n'), rest_.size());
+  line = rest_.substr(0, end);
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  rest_.remove_prefix(std::min(end + 1, rest_.size()));
+  ++number_;
+  return true;
+}
+
+std::optional<std::size_t> Table::find(std::initializer_list<std::string_view> names) const {
+  for (const std::string_view name : names)
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      if (columns[c].name == name) return c;
+  return std::nullopt;
+}
+
+Table read_table(std::string_view text, const std::string& columns, Problems& problems) {
+  Table table;
+  char separator = 0;
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  for (const std::string_view name : columns.empty() ? std::vector<std::string_view>{} : split(columns, ','))
+    table.columns.push_back(column_of(name));
+  check_header(table, 0, problems);
+  Lines lines(text);
+  std::string_view line;
+  bool first_row = true;
+  while (lines.next(line)) {
+    if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
+    if (separator == 0) separator = separator_of(line);
+    Table::Row row{lines.number(), split(line, separator)};
+    if (table.columns.empty()) {
+      table.header_line = row.line;
+      for (const std::string_view cell : row.cells) table.columns.push_back(column_of(cell));
+      check_header(table, row.line, problems);
+      if (to_number(row.cells.front()))
+        problems.add(row.line, "the first row must name the columns, but it holds numbers; add a header such as "
+                               "\"id,x [mm],y [mm],radius [mm]\" or name the columns on the command line");
+      continue;
+    }
+    if (row.cells.size() != table.columns.size()) {
+      problems.add(row.line, fmt::format("this row has {} cells, but there are {} columns; complete or remove it",
+                                         row.cells.size(), table.columns.size()));
+      continue;
+    }
+    if (first_row && is_unit_row(row)) {
+      for (std::size_t c = 0; c < row.cells.size(); ++c)
+        if (table.columns[c].unit.empty() && row.cells[c] != "-") table.columns[c].unit = row.cells[c];
+    } else {
+      table.rows.push_back(std::move(row));
+    }
+    first_row = false;
+  }
+  if (table.columns.empty()) problems.add("the file is empty; give a header row and one row an item");
+  return table;
+}
+
+std::optional<double> to_number(std::string_view cell) {
+  if (cell.starts_with('+')) cell.remove_prefix(1);
+  const auto value = parse_number<double>(cell);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<std::int64_t> to_integer(std::string_view cell) {
+  if (const auto value = parse_number<std::int64_t>(cell)) return value;
+  const auto number = to_number(cell);  // "42.0" and "4.2e1" name grain 42 too
+  if (!number || *number != std::floor(*number) || std::abs(*number) > 9e15) return std::nullopt;
+  return static_cast<std::int64_t>(*number);
+}
+
+bool is_celsius(std::string_view unit) { return unit == "C" || unit == "degC" || unit == "\xc2\xb0" "C"; }
+
+double unit_factor(std::string_view unit, Dimension dimension) {
+  const Unit u = parse_unit(unit);
+  if (!(u.dimension == dimension))
+    throw InputError(fmt::format("\"{}\" is not {}; use a unit such as {}", unit, describe(dimension), si_unit(dimension)));
+  return u.decade < 0 ? u.factor / std::pow(10.0, -u.decade) : u.factor * std::pow(10.0, u.decade);
+}
+
+double factor_or_problem(std::string_view unit, const std::string& column, Dimension dimension, double otherwise, int line, Problems& problems) {
+  try {
+    return unit.empty() ? otherwise : unit_factor(unit, dimension);
+  } catch (const InputError& error) {
+    problems.add(line, fmt::format("column {}: {}", column, error.problems().front().message));
+    return otherwise;
+  }
+}
+
+double number_or_problem(std::string_view cell, const std::string& column, double factor, int line, Problems& problems) {
+  if (const auto value = to_number(cell)) return *value * factor;
+  problems.add(line, fmt::format("{} is \"{}\", which is not a finite number; correct it or remove the row", column, cell));
+  return 0;
+}
+
+std::int64_t integer_or_problem(std::string_view cell, const std::string& column, int line, Problems& problems) {
+  if (const auto value = to_integer(cell)) return *value;
+  problems.add(line, fmt::format("{} is \"{}\", which is not a whole number; give the number of a grain", column, cell));
+  return 0;
+}
+
+}  // namespace arenite::io

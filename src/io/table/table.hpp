@@ -1,0 +1,135 @@
+#pragma once
+#include <charconv>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/problems.hpp"
+#include "core/units.hpp"
+
+namespace arenite::io {
+
+/// Text cut into rows of cells. Separator: comma, semicolon or tab if the first row has one, else blanks. A cell may stand in double quotes. Lines
+/// that start with # and empty lines are skipped. Cells point into the text, which must outlive the table.
+struct Table {
+  struct Row {
+    int line = 0;
+    std::vector<std::string_view> cells;
+  };
+  struct Column {
+    std::string name;                  ///< lower case
+    std::string unit;                  ///< "mm" from "x [mm]", "x (mm)" or a row of units below the header; or empty
+    std::string written;               ///< the name as it was written
+  };
+  std::vector<Column> columns;         ///< from the header; empty if there is none
+  int header_line = 0;                 ///< 0 if columns were given
+  std::vector<Row> rows;               ///< of data
+
+  /// Index of the first column that has one of these names.
+  std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const;
+};
+
+/// Reads a table whose first row is a header; `columns` replaces a missing header ("id,x,y,-,radius"). Ragged rows, an empty file and a header that
+/// is missing or says a column twice go to `problems`.
+Table read_table(std::string_view text, const std::string& columns, Problems& problems);
+
+/// Without the blanks around it.
+std::string_view trimmed(std::string_view text);
+
+/// Cells separated by blanks.
+std::vector<std::string_view> split_blanks(std::string_view line);
+
+/// The lines of a text without their ends, one after the other.
+class Lines {
+ public:
+  explicit Lines(std::string_view text, int first_line = 1) : rest_(text), number_(first_line - 1) {}
+  bool next(std::string_view& line);
+  int number() const { return number_; }  ///< of the last line given, 1-based
+
+ private:
+  std::string_view rest_;
+  int number_;
+};
+
+/// A text that is a number of this type and nothing else; empty otherwise.
+template <class T>
+std::optional<T> parse_number(std::string_view text) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
+/// A whole finite number; empty otherwise ("nan" and "inf" are not numbers here).
+std::optional<double> to_number(std::string_view cell);
+std::optional<std::int64_t> to_integer(std::string_view cell);
+
+/// Whether a temperature in this unit counts from 0 degrees Celsius.
+bool is_celsius(std::string_view unit);
+
+/// Factor to SI of a unit that must have this dimension. Throws InputError without place.
+double unit_factor(std::string_view unit, Dimension dimension);
+
+/// The same of a column that names its unit, a problem at the header's line; `otherwise` where it names none.
+double factor_or_problem(std::string_view unit, const std::string& column, Dimension dimension, double otherwise, int line, Problems& problems);
+
+/// `value` as a number in SI, or a problem at that line that names the column.
+double number_or_problem(std::string_view cell, const std::string& column, double factor, int line, Problems& problems);
+std::int64_t integer_or_problem(std::string_view cell, const std::string& column, int line, Problems& problems);
+
+/// What a column of a laboratory's table can hold.
+struct Quantity {
+  enum class Kind {
+    plain,
+    difference,           ///< of temperature: "C" counts as K
+    absolute_temperature  ///< "C" is counted from absolute zero
+  };
+  std::vector<std::string_view> names;  ///< of the column, lower case, the first for messages
+  Dimension dimension;
+  std::string_view assumed;             ///< unit where the file names none; empty: SI
+  Kind kind = Kind::plain;
+};
+
+/// A table of measurements: columns of quantities with their units, columns of labels. A column's unit stands in brackets ("force [kN]"), in a row
+/// below the header, or behind its name ("force_kN", "surface_energy_kN_per_mm").
+class LaboratoryTable {
+ public:
+  /// Throws InputError for a file that is no table.
+  explicit LaboratoryTable(const std::string& file);
+  LaboratoryTable(const LaboratoryTable&) = delete;
+  LaboratoryTable& operator=(const LaboratoryTable&) = delete;
+
+  const std::string& file() const { return file_; }
+  std::size_t rows() const { return table_.rows.size(); }
+  std::size_t columns() const { return table_.columns.size(); }
+  int line(std::size_t row) const { return table_.rows[row].line; }
+  int header_line() const { return table_.header_line; }
+  const std::string& title(std::size_t column) const { return table_.columns[column].written; }
+  std::string_view cell(std::size_t row, std::size_t column) const { return table_.rows[row].cells[column]; }
+
+  std::optional<std::size_t> find(const Quantity& quantity) const;
+  std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const { return table_.find(names); }
+
+  /// The column in SI, a row each; where an empty cell is no measurement, NaN. Throws InputError with all cells that are not numbers, and for a unit
+  /// of another dimension.
+  std::vector<double> values(std::size_t column, const Quantity& quantity, bool may_be_empty = false);
+
+  /// Units that were assumed.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  std::string file_, text_;
+  Table table_;
+  std::vector<std::string> notes_;
+};
+
+/// Levels and temperatures (K) of a calibration curve.
+struct CalibrationCurve {
+  std::vector<double> level, temperature;
+};
+
+/// From a CSV file with columns level and temperature, in K or, where the header says so, in degrees Celsius ("temperature [C]"). Throws InputError
+/// with every bad row.
+CalibrationCurve read_calibration_curve(const std::string& file);
+
+}  // namespace arenite::io

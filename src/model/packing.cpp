@@ -1,0 +1,42 @@
+#include "model/packing.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace arenite {
+
+void Grains::resize(std::size_t n) {
+  const std::size_t old = size();
+  id.resize(n);
+  for (std::size_t i = old; i < n; ++i) id[i] = static_cast<std::int64_t>(i);
+  for (auto* a : {&x, &y, &radius, &angle, &vx, &vy, &omega}) a->resize(n, 0.0);
+  material.resize(n, 0);
+  zone.resize(n, 0);
+}
+
+Vec2 Domain::nearest_image(Vec2 d) const {
+  if (periodic_y) {
+    const double n = std::nearbyint(d.y / height());
+    d.y -= n * height();
+    d.x -= n * tilt;
+  }
+  if (periodic_x) d.x -= std::nearbyint(d.x / width()) * width();
+  return d;
+}
+
+void Contacts::add(std::int32_t a, std::int32_t b, Vec2 normal, double normal_force, double tangential_force, double arm_a, double arm_b) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  i.push_back(a);
+  j.push_back(b);
+  nx.push_back(normal.x);
+  ny.push_back(normal.y);
+  fn.push_back(normal_force);
+  ft.push_back(tangential_force);
+  arm_i.push_back(arm_a);
+  arm_j.push_back(arm_b);
+  overlap.push_back(unknown);
+  sliding_velocity.push_back(unknown);
+  glued.push_back(0);
+}
+
+}  // namespace arenite

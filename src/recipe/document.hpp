@@ -1,0 +1,57 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace arenite::recipe {
+
+/// Where something stands in the recipe, or which override it came from.
+struct Place {
+  int line = 0, column = 0;  ///< 1-based; 0 if it came from an override
+  std::string override_text; ///< "--set key=value"; empty for the file itself
+  bool wins = false;         ///< set over what the recipe says: of several forms of one value this one counts
+  std::string file = {};     ///< the base that it stands in; empty for the recipe itself
+};
+
+struct Entry;
+
+/// A recipe as it was written: a tree of tables, arrays and values that keep their places. Nothing is checked yet.
+struct Node {
+  enum class Kind { flag, integer, real, text, array, table, date };
+  Kind kind = Kind::table;
+  bool flag = false;
+  std::int64_t integer = 0;
+  double real = 0;
+  std::string text;
+  std::vector<Node> items;     ///< array
+  std::vector<Entry> entries;  ///< table, in the order of the text
+  Place place;
+
+  const Entry* find(std::string_view key) const;
+};
+
+struct Entry {
+  std::string key;
+  Place place;  ///< of the key
+  Node value;
+};
+
+/// Reads TOML. Throws InputError with line and column for what is not TOML.
+Node read_document(std::string_view text, const std::string& file_name);
+
+/// What stands behind an equals sign: TOML, or text without its quotes (350 mm).
+Node parse_value(const std::string& text);
+
+/// The value as TOML on one line: `parse_value` of it gives an equal one.
+std::string toml_literal(const Node& value);
+
+/// Puts a value at a dotted key into the tree, and its place with it; items of arrays are counted from 0. Throws InputError
+/// without place for a key that leads nowhere.
+void set_value(Node& root, const std::string& key, Node value);
+
+/// Puts "key=value" into the tree; the key is dotted, items of arrays are counted from 0, and a value that is not TOML
+/// by itself is text (frame.width=350 mm). Throws InputError for a key that leads nowhere.
+void apply_override(Node& root, const std::string& assignment);
+
+}  // namespace arenite::recipe

@@ -1,0 +1,213 @@
+#include "recipe/keys.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/problems.hpp"
+#include "core/units.hpp"
+
+namespace arenite::recipe {
+namespace {
+
+using Visitor = ParameterVisitor;
+
+void declare(Visitor& v, Material& material) {
+  v.number({"density", "Mass density.", true}, material.density, "kg/m^3", range::positive);
+  v.number({"stiffness", "Contact stiffness k of two grains of this material.", true}, material.stiffness, "kN/mm",
+           range::positive);
+  v.number({"thermoelastic_factor", "Temperature rise per fall of the sum of principal stresses; 0: not known."},
+           material.thermoelastic_factor, "K/MPa", range::not_negative);
+}
+
+/// Names that stand in a column of a CSV.
+bool is_label(const std::string& name) {
+  return !name.empty() && std::none_of(name.begin(), name.end(), [](unsigned char c) {
+    return c < ' ' || c == 127 || c == ',' || c == '"' || c == '\'' || c == ';';
+  });
+}
+
+void declare(Visitor& v, SizeLaw& law) {
+  using Kind = SizeLaw::Kind;
+  v.choice({"law", "How diameters are drawn.", true}, law.kind,
+           {{"fixed", "one diameter"},
+            {"uniform", "evenly between min and max"},
+            {"normal", "Gaussian of mean and deviation, cut to min..max"},
+            {"list", "the values in turn, from the start again when used up"}});
+  v.when(law.kind == Kind::fixed, "law = \"fixed\"", [&](Visitor& inner) {
+    inner.number({"diameter", "The diameter.", true}, law.diameter, "mm", range::positive);
+  });
+  v.when(law.kind == Kind::normal, "law = \"normal\"", [&](Visitor& inner) {
+    inner.number({"mean", "Mean diameter before the cut.", true}, law.mean, "mm", range::positive);
+    inner.number({"deviation", "Standard deviation before the cut.", true}, law.deviation, "mm", range::not_negative);
+  });
+  v.when(law.kind == Kind::uniform || law.kind == Kind::normal, "law = \"uniform\" or \"normal\"", [&](Visitor& inner) {
+    inner.number({"min", "Smallest diameter.", true}, law.min, "mm", range::positive);
+    inner.number({"max", "Largest diameter.", true}, law.max, "mm", range::positive);
+    inner.require(law.max >= law.min, {"max", "min"}, "must not be below min");
+  });
+  v.when(law.kind == Kind::normal, "law = \"normal\"", [&](Visitor& inner) {
+    inner.require(law.mean >= law.min && law.mean <= law.max, {"mean", "min", "max"}, "must lie between min and max");
+  });
+  v.when(law.kind == Kind::list, "law = \"list\"", [&](Visitor& inner) {
+    inner.numbers({"values", "The diameters.", true}, law.values, "mm", range::positive);
+    inner.require(!law.values.empty(), {"values"}, "must hold at least one diameter");
+  });
+}
+
+void require_known_material(Visitor& v, const Population& population, const Materials& materials) {
+  std::vector<std::string> names;
+  for (const auto& material : materials) names.push_back(material.name);
+  const bool known = names.empty() || std::find(names.begin(), names.end(), population.material) != names.end();
+  const std::string near = nearest(population.material, names);
+  v.require(known, {"material"},
+            fmt::format("there is no section [materials.{}]; {}", population.material,
+                        near.empty() ? "add it" : fmt::format("did you mean \"{}\"?", near)));
+}
+
+double largest_diameter(const SizeLaw& law) {
+  if (law.kind == SizeLaw::Kind::fixed) return law.diameter;
+  if (law.kind == SizeLaw::Kind::list) return law.values.empty() ? 0 : *std::max_element(law.values.begin(), law.values.end());
+  return law.max;
+}
+
+}  // namespace
+
+void declare_materials(Visitor& v, Materials& materials) {
+  v.sections({"materials", "Constitutive materials of the grains, by name.", true},
+             {[&] { return materials.size(); }, [&](std::size_t n) { materials.resize(n); },
+              [&](Visitor& inner, std::size_t i) {
+                inner.require(is_label(materials[i].name), {},
+                              "a material's name must not be empty or hold commas, quotes or control characters");
+                declare(inner, materials[i]);
+              },
+              [&](std::size_t i) -> std::string& { return materials[i].name; }});
+}
+
+void declare(Visitor& v, Population& population, const Recipe& recipe) {
+  v.text({"material", "Name of a section of [materials].", true}, population.material);
+  require_known_material(v, population, recipe.materials);
+  v.integer({"count", "Number of grains."}, population.count, {1, 100'000'000});
+  v.number({"ratio", "Share by number of packing.grains, relative to the ratios of the other populations."},
+           population.ratio, "", range::positive);
+  v.require(population.count.has_value() != population.ratio.has_value(), {"ratio", "count"},
+            "give either count or ratio");
+
+  auto& size = population.size;
+  const bool is_fixed = size.kind == SizeLaw::Kind::fixed;
+  std::optional<double> diameter = is_fixed && size.diameter > 0 ? std::optional(size.diameter) : std::nullopt;
+  v.number({"diameter", "Diameter of every grain; short for size = { law = \"fixed\", ... }."}, diameter, "mm",
+           range::positive);
+  if (diameter) size.diameter = *diameter;
+  bool has_law = !is_fixed;
+  v.section({"size", "Size law of the grains, where they are not all equal."}, has_law,
+            [&](Visitor& inner) { declare(inner, size); });
+  v.require(diameter.has_value() != has_law, {"size", "diameter"}, "give either diameter or size");
+  const double width = recipe.frame.width;
+  v.require(width <= 0 || largest_diameter(size) <= width, {"diameter", "size"},
+            fmt::format("the largest grain ({}) is wider than the frame ({})",
+                        format_quantity(largest_diameter(size), "mm"), format_quantity(width, "mm")));
+}
+
+namespace {
+
+using Visitor = ParameterVisitor;
+
+void declare(Visitor& v, FrameParameters& frame, PackingParameters::Method method) {
+  v.when(method != PackingParameters::Method::poisson, "packing.method other than \"poisson\", which makes its own box", [&](Visitor& inner) {
+    inner.number({"width", "Inner width of the frame, or of the periodic cell.", true}, frame.width, "mm", range::positive);
+    std::optional<double> height = frame.height > 0 ? std::optional(frame.height) : std::nullopt;
+    inner.number({"height", "Inner height at the start; if not given, fillings take the one that packing.solid_fraction asks for."},
+                 height, "mm", range::positive);
+    frame.height = height.value_or(0);
+  });
+  v.number({"thickness", "Length of the cylinders, out of the plane.", true}, frame.thickness, "mm", range::positive);
+  v.flag({"periodic_x", "Left and right side are one: no walls there."}, frame.periodic_x);
+  v.flag({"periodic_y", "Bottom and top side are one: no walls there."}, frame.periodic_y);
+}
+
+void declare(Visitor& v, PackingParameters& packing) {
+  using Method = PackingParameters::Method;
+  v.choice({"method", "How the grains get their first places."}, packing.method,
+           {{"random", "at random, then relaxed until overlaps vanish"},
+            {"lattice", "stacked row on row as a triangular lattice"},
+            {"file", "as a CSV of centres, radii and materials says"},
+            {"poisson", "two size classes by fast Poisson disk sampling, as [bidisperse] says"}});
+  v.when(packing.method == Method::random || packing.method == Method::lattice, "method = \"random\" or \"lattice\"", [&](Visitor& inner) {
+    inner.integer({"grains", "Total number of grains, where populations give ratios."}, packing.grains, {0, 100'000'000});
+  });
+  v.when(packing.method == Method::random, "method = \"random\"", [&](Visitor& inner) {
+    inner.number({"solid_fraction", "Area share of the grains that the random filling aims at; loading compacts it."},
+                 packing.solid_fraction, "", range::above(0, 0.9));
+  });
+  v.when(packing.method == Method::file, "method = \"file\"", [&](Visitor& inner) {
+    inner.file({"file", "CSV of the grains: id, x, y, radius, material.", true}, packing.file);
+  });
+}
+
+void declare(Visitor& v, Region& region, const FrameParameters& frame) {
+  v.number({"x", "Centre, from the left side.", true}, region.x, "mm", range::not_negative);
+  v.number({"y", "Centre, from the bottom.", true}, region.y, "mm", range::not_negative);
+  v.require(frame.width <= 0 || region.x <= frame.width, {"x"}, "must lie inside the frame");
+  v.require(frame.height <= 0 || region.y <= frame.height, {"y"}, "must lie inside the frame");
+  v.integer({"count", "The grains nearest to the centre, this many, instead of a shape."}, region.count, {1, 100'000'000});
+  v.when(!region.count, "no count", [&](Visitor& inner) {
+    inner.choice({"shape", "Outline; grains whose centre lies inside are glued."}, region.shape,
+                 {{"circle", "of a radius"}, {"rectangle", "of width and height"}});
+  });
+  v.when(!region.count && region.shape == Region::Shape::circle, "shape = \"circle\"", [&](Visitor& inner) {
+    inner.number({"radius", "Radius of the circle.", true}, region.radius, "mm", range::positive);
+  });
+  v.when(!region.count && region.shape == Region::Shape::rectangle, "shape = \"rectangle\"", [&](Visitor& inner) {
+    inner.number({"width", "Width of the rectangle.", true}, region.width, "mm", range::positive);
+    inner.number({"height", "Height of the rectangle.", true}, region.height, "mm", range::positive);
+  });
+}
+
+void require_grains(Visitor& v, const Recipe& recipe) {
+  using Method = PackingParameters::Method;
+  const auto& populations = recipe.populations;
+  const bool from_file = recipe.packing.method == Method::file, sampled = recipe.packing.method == Method::poisson;
+  v.require(from_file || sampled || !populations.empty(), {"populations", "packing"},
+            "is missing; say which grains there are in [[populations]], or read them with packing.method = \"file\"");
+  v.require(!sampled || populations.empty(), {"populations", "packing"},
+            "the grains come from [bidisperse]; leave out [[populations]], or choose another packing.method");
+  v.require(!from_file || populations.empty(), {"populations", "packing"},
+            "the grains come from packing.file; leave out [[populations]], or choose another packing.method");
+  v.require(!from_file || recipe.frame.height > 0, {"frame"}, "grains from a file need a height; write height = \"... mm\"");
+  const bool shares = std::any_of(populations.begin(), populations.end(), [](const auto& p) { return p.ratio.has_value(); });
+  std::int64_t counted = 0;
+  for (const auto& population : populations) counted += population.count.value_or(0);
+  v.require(!shares || recipe.packing.grains > counted, {"packing", "populations"},
+            fmt::format("populations with a ratio share packing.grains less the {} counted grains; set it higher", counted));
+}
+
+}  // namespace
+
+void declare(ParameterVisitor& v, Recipe& recipe) {
+  v.text({"title", "One line for the head of reports."}, recipe.title);
+  std::int64_t seed = static_cast<std::int64_t>(recipe.seed);
+  v.integer({"seed", "Seed of all random numbers: the same seed gives the same sample."}, seed,
+            {0, std::numeric_limits<std::int64_t>::max()});
+  recipe.seed = static_cast<std::uint64_t>(seed);
+  v.section({"packing", "How the grains are put into the frame."}, [&](Visitor& inner) { declare(inner, recipe.packing); });
+  v.section({"frame", "The frame that holds the grains.", true},
+            [&](Visitor& inner) { declare(inner, recipe.frame, recipe.packing.method); });
+  declare_materials(v, recipe.materials);
+  declare_bidisperse(v, recipe);
+  v.list<Population>({"populations", "Grains of one material and one size law."}, recipe.populations,
+                     [&](Visitor& inner, Population& population) { declare(inner, population, recipe); });
+  require_grains(v, recipe);
+  v.section({"contact", "Forces between grains, and between grains and walls."},
+            [&](Visitor& inner) { declare(inner, recipe.contact); });
+  v.section({"integration", "Newton's equations in time."}, [&](Visitor& inner) { declare(inner, recipe.integration); });
+  v.optional_section<Region>({"glued", "A region whose grains are glued to each other."}, recipe.glued,
+                             [&](Visitor& inner, Region& region) { declare(inner, region, recipe.frame); });
+  v.require(!recipe.glued || recipe.contact.adheres(), {"glued", "contact"},
+            "there is nothing to glue with; set contact.adhesion and contact.surface_energy");
+  v.list<Stage>({"stages", "Loading, stage after stage; each starts where the one before ended.", true}, recipe.stages,
+                [&](Visitor& inner, Stage& stage) { declare(inner, stage, recipe); });
+  declare_second_road(v, recipe);
+}
+
+}  // namespace arenite::recipe

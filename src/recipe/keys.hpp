@@ -1,0 +1,30 @@
+#pragma once
+#include "core/parameters.hpp"
+#include "recipe/film_recipe.hpp"
+#include "recipe/recipe.hpp"
+
+namespace arenite::recipe {
+
+/// Every key of a recipe: its name, unit, range and meaning, and what must hold between keys.
+void declare(ParameterVisitor& visitor, Recipe& recipe);
+
+// The parts of declare(ParameterVisitor&, Recipe&). Where a part's keys must agree with others, it gets the recipe as
+// far as it is known by then.
+void declare(ParameterVisitor& visitor, dem::ContactParameters& contact);
+void declare(ParameterVisitor& visitor, dem::IntegrationParameters& integration);
+void declare_materials(ParameterVisitor& visitor, Materials& materials);
+void declare(ParameterVisitor& visitor, Population& population, const Recipe& recipe);
+void declare(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
+void declare_bidisperse(ParameterVisitor& visitor, Recipe& recipe);
+void declare(ParameterVisitor& visitor, Load& load, const Recipe& recipe);
+/// Cement, raster and loads: what comes after loading by discrete elements.
+void declare_second_road(ParameterVisitor& visitor, Recipe& recipe);
+/// Letters, digits, _ and -: what names of stages and loads are made of.
+bool is_plain_name(const std::string& name);
+
+/// Every key of a film's recipe.
+void declare(ParameterVisitor& visitor, FilmRecipe& recipe);
+/// Those of [camera].
+void declare(ParameterVisitor& visitor, CameraSection& camera);
+
+}  // namespace arenite::recipe

@@ -1,0 +1,217 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "recipe/keys.hpp"
+#include "recipe/recipe.hpp"
+
+namespace arenite::recipe {
+
+const std::vector<Word>& words(cement::CementParameters::Kind) {
+  static const std::vector<Word> list{{"none", "nowhere"},
+                                      {"bridges", "trapezia between neighbouring grains"},
+                                      {"full", "in all space between the grains"},
+                                      {"coating", "a layer of even thickness round every grain"},
+                                      {"menisci", "between two arcs that touch both neighbours, as a liquid would be"}};
+  return list;
+}
+
+const std::vector<Word>& words(peridynamics::Loading) {
+  static const std::vector<Word> list{{"tension", "away from it"}, {"compression", "towards it"}, {"shear", "along it, to the right"}};
+  return list;
+}
+
+const std::vector<Word>& words(peridynamics::LowerEdge) {
+  static const std::vector<Word> list{{"fixed", "nothing moves"}, {"sliding", "free along the row"}};
+  return list;
+}
+
+const std::vector<Word>& words(peridynamics::Method) {
+  static const std::vector<Word> list{{"static_solve", "conjugate gradients with a coarse space cut by grain: seconds"},
+                                      {"relaxation", "adaptive dynamic relaxation: half a minute"},
+                                      {"damped", "dynamics under a fixed viscosity, as the paper does: minutes"}};
+  return list;
+}
+
+const std::vector<Word>& words(Load::Axis) {
+  static const std::vector<Word> list{{"y", ""}, {"x", ""}};
+  return list;
+}
+
+const std::vector<Word>& words(raster::Cavity) {
+  static const std::vector<Word> list{{"pore", "space between grains, matrix or empty"}, {"void", "empty space"}};
+  return list;
+}
+
+namespace {
+
+using Visitor = ParameterVisitor;
+
+bool has_material(const Materials& materials, const std::string& name) {
+  return std::any_of(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
+}
+
+void declare(Visitor& v, BidisperseSection& classes, const Materials& materials) {
+  auto& law = classes.law;
+  v.number({"large_radius", "Mean radius of the large disks.", true}, law.large_radius, "mm", range::positive);
+  v.number({"size_ratio", "gamma: mean large over mean small radius."}, law.size_ratio, "", range::between(1, 20));
+  v.number({"volume_ratio", "theta: area of the large over area of the small disks."}, law.volume_ratio, "", range::above(0, 100));
+  v.number({"deviation", "Standard deviation of each class over its mean radius."}, law.deviation, "", range::between(0, 0.5));
+  v.number({"cut", "Radii are cut at this many standard deviations."}, law.cut, "", range::above(0, 1.9));
+  v.flag({"cut_each_class", "Each class is cut by itself; otherwise both to their common range."}, law.cut_each_class);
+  v.flag({"hold_radius", "A radius is kept until it is placed; otherwise drawn anew at each trial, which favours small ones."},
+         law.hold_radius);
+  v.number({"box_area", "Area of the square box over pi large_radius^2."}, law.box_area, "", range::between(20, 1e6));
+  std::int64_t trials = law.trials;
+  v.integer({"trials", "Places tried round a disk before it is given up."}, trials, {1, 10'000});
+  law.trials = static_cast<int>(trials);
+  v.flag({"maximal", "After the trials every place is filled where a disk of the class still fits; the paper stops with the trials."}, law.maximal);
+  v.number({"tolerance", "Relative error of the volume ratio at which the search for the gap between large disks ends."}, law.tolerance, "",
+           range::between(1e-4, 0.5));
+  v.text({"large", "Material of the large disks, a section of [materials]."}, classes.large);
+  v.text({"small", "Material of the small disks, another section of [materials]."}, classes.small);
+  for (const auto& [key, name] : {std::pair{"large", classes.large}, {"small", classes.small}})
+    v.require(materials.empty() || has_material(materials, name), {key},
+              fmt::format("there is no section [materials.{0}]; add it, or say which material the {1} disks have with bidisperse.{1}",
+                          name, key));
+  v.require(classes.large != classes.small, {"small", "large"},
+            fmt::format("both classes are made of \"{}\"; give each a material of its own, with the same numbers if they are alike", classes.small));
+  v.require(law.deviation * law.cut < 0.95, {"cut", "deviation"}, "radii would be cut at less than 5 % of their mean; lower cut or deviation");
+}
+
+void declare(Visitor& v, CementSection& cement) {
+  using Kind = cement::CementParameters::Kind;
+  auto& law = cement.law;
+  v.choice({"kind", "Where the matrix is."}, law.kind, words(law.kind));
+  v.number({"gap", "Widest surface gap that is bridged, and at which two grains count as neighbours; unless given, 0.075 of the "
+                   "mean large radius."}, cement.gap, "mm", range::not_negative);
+  const bool is_free = law.kind == Kind::bridges || law.kind == Kind::coating || law.kind == Kind::menisci;
+  v.when(is_free, "kind = \"bridges\", \"coating\" or \"menisci\"", [&](Visitor& inner) {
+    inner.number({"saturation", "S_m, the share of the space between grains that is matrix: width, thickness or volume is then found."},
+                 law.saturation, "", range::above(0, 1));
+  });
+  const bool given = !law.saturation;
+  v.when(law.kind == Kind::bridges, "kind = \"bridges\"", [&](Visitor& inner) {
+    inner.flag({"full_width", "width is the whole base of a bridge over the radius, not half of it."}, law.full_width);
+  });
+  v.when(law.kind == Kind::bridges && given, "kind = \"bridges\" without saturation", [&](Visitor& inner) {
+    inner.number({"width", "eta: half base of a bridge over the radius of its grain."}, law.width, "", range::above(0, 2));
+  });
+  v.when(law.kind == Kind::coating && given, "kind = \"coating\" without saturation", [&](Visitor& inner) {
+    inner.number({"thickness", "Thickness of the layer.", true}, law.thickness, "mm", range::positive);
+  });
+  v.when(law.kind == Kind::menisci && given, "kind = \"menisci\" without saturation", [&](Visitor& inner) {
+    inner.number({"volume", "Volume of one meniscus per unit length.", true}, law.volume, "mm^2", range::positive);
+  });
+}
+
+void declare(Visitor& v, RasterSection& raster) {
+  v.integer({"nodes", "Nodes along a side of the square."}, raster.nodes, {7, 32'768});
+  v.number({"crop", "Side of the centred square that is cut out; unless given, 25.6 mean large radii of a sampled packing, otherwise "
+                    "the largest square inside the sample."}, raster.crop, "mm", range::positive);
+  v.flag({"eight_connected", "Pores and voids hang together over corners, too."}, raster.cavities.eight_connected);
+  std::int64_t fewest = raster.cavities.fewest_nodes;
+  v.integer({"fewest_nodes", "Pores and voids of fewer nodes are specks of the raster and left out."}, fewest, {1, 1'000'000});
+  raster.cavities.fewest_nodes = static_cast<int>(fewest);
+  v.flag({"leave_out_border", "Pores and voids that touch the edge are cut, and left out."}, raster.cavities.leave_out_border);
+}
+
+}  // namespace
+
+peridynamics::Stiffness StiffnessSection::resolved() const {
+  return {matrix, interface.value_or(matrix), particle.value_or(4 * matrix), calibrated};
+}
+
+peridynamics::Toughness ToughnessSection::resolved() const {
+  return {matrix, interface.value_or(matrix), particle.value_or(3.5 * matrix)};
+}
+
+void declare_bidisperse(ParameterVisitor& v, Recipe& recipe) {
+  const bool sampled = recipe.packing.method == PackingParameters::Method::poisson;
+  v.when(sampled, "packing.method = \"poisson\"", [&](Visitor& outer) {
+    outer.optional_section<BidisperseSection>(
+        {"bidisperse", "Two size classes of disks in a square box of their own.", sampled}, recipe.bidisperse,
+        [&](Visitor& inner, BidisperseSection& classes) { declare(inner, classes, recipe.materials); });
+  });
+}
+
+void declare_second_road(ParameterVisitor& v, Recipe& recipe) {
+  v.optional_section<CementSection>({"cement", "Binding matrix between the grains, put there when the stages are over."}, recipe.cement,
+                                    [](Visitor& inner, CementSection& cement) { declare(inner, cement); });
+  v.optional_section<RasterSection>({"raster", "The square of nodes that the cemented packing becomes."}, recipe.raster,
+                                    [](Visitor& inner, RasterSection& raster) { declare(inner, raster); });
+  v.list<Load>({"loads", "Loadings of the cemented sample by peridynamics, each from the unloaded state."}, recipe.loads,
+               [&](Visitor& inner, Load& load) { declare(inner, load, recipe); });
+}
+
+namespace {
+
+using Visitor = ParameterVisitor;
+
+void declare(Visitor& v, StiffnessSection& stiffness) {
+  v.number({"matrix", "Young's modulus of bonds between two nodes of matrix."}, stiffness.matrix, "GPa", range::positive);
+  v.number({"interface", "That of bonds between two grains, or grain and matrix; unless given, the matrix's."}, stiffness.interface, "GPa",
+           range::positive);
+  v.number({"particle", "That of bonds inside a grain; unless given, four times the matrix's."}, stiffness.particle, "GPa", range::positive);
+  v.flag({"calibrated", "The lattice's modulus along its axes is the one asked for; false: the continuum's formula, 6 % stiffer."},
+         stiffness.calibrated);
+}
+
+void declare(Visitor& v, ToughnessSection& toughness) {
+  v.number({"matrix", "Fracture toughness of the matrix; it sets the scale of the load."}, toughness.matrix, "MPa m^0.5", range::positive);
+  v.number({"interface", "That of the interfaces; unless given, the matrix's."}, toughness.interface, "MPa m^0.5", range::positive);
+  v.number({"particle", "That of the grains; unless given, 3.5 times the matrix's."}, toughness.particle, "MPa m^0.5", range::positive);
+}
+
+void declare(Visitor& v, stress::StressOptions& statistics) {
+  std::int64_t rows = statistics.clamp_rows;
+  v.integer({"clamp_rows", "Rows of nodes left out at the lower and the upper edge."}, rows, {0, 10'000});
+  statistics.clamp_rows = static_cast<int>(rows);
+  v.flag({"leave_out_surface", "Leave out nodes with a neighbour of another phase or grain."}, statistics.leave_out_surface);
+  v.flag({"leave_out_unloaded", "Leave out nodes without any stress: parts that nothing ties to both edges."}, statistics.leave_out_unloaded);
+  v.flag({"mean_over_area", "The sample's mean counts the void as zero stress; otherwise it is that of particles and matrix."},
+         statistics.mean_over_area);
+}
+
+void require_own_name(Visitor& v, const Load& load, const Recipe& recipe) {
+  v.require(is_plain_name(load.name), {"name"}, "must be made of letters, digits, _ and -");
+  const auto same_load = std::count_if(recipe.loads.begin(), recipe.loads.end(),
+                                       [&](const Load& other) { return &other != &load && other.name == load.name; });
+  const auto same_stage = std::count_if(recipe.stages.begin(), recipe.stages.end(), [&](const Stage& s) { return s.name == load.name; });
+  v.require(same_load + same_stage == 0, {"name"}, fmt::format("another stage or load is called \"{}\"; names must differ", load.name));
+}
+
+}  // namespace
+
+void declare(ParameterVisitor& v, Load& load, const Recipe& recipe) {
+  using peridynamics::Loading;
+  v.text({"name", "Name of the load, used for its file: letters, digits, _ and -.", true}, load.name);
+  require_own_name(v, load, recipe);
+  v.choice({"loading", "How the top row is moved against the bottom row."}, load.loading, words(load.loading));
+  v.choice({"axis", "Axis that runs from the bottom row to the top row; x loads the sample turned."}, load.axis, words(load.axis));
+  v.choice({"lower", "What holds the bottom row."}, load.lower, words(load.lower));
+  v.require(load.loading != Loading::shear || load.lower == peridynamics::LowerEdge::fixed, {"lower", "loading"},
+            "a lower edge that slides carries no shear; fix it, or choose tension or compression");
+  v.flag({"failure", "Load until it breaks: bonds break at the critical stretch of their type, load by load. In compression a sample splits and goes on carrying; max_strain ends it."}, load.failure);
+  v.when(!load.failure, "failure = false", [&](Visitor& inner) {
+    inner.number({"strain", "Displacement of the top row over the height."}, load.strain, "", range::above(0, 0.5));
+    inner.choice({"method", "Way to the field at equilibrium."}, load.method, words(load.method));
+    inner.flag({"exact_stretch", "Stretch of the turned bond, as printed in the paper; otherwise linearised."}, load.exact_stretch);
+    inner.flag({"moduli", "Load along both axes and in shear, too, for moduli and Poisson's ratios of the sample."}, load.moduli);
+    inner.integer({"max_iterations", "Iterations after which a solve gives up; 0: 50, or a million steps of dynamics."}, load.max_iterations,
+                  {0, 1'000'000'000});
+  });
+  v.number({"tolerance", "Residual, relative to that of uniform strain, at which a field is at equilibrium."}, load.tolerance, "",
+           range::between(1e-12, 0.1));
+  v.when(load.failure, "failure = true", [&](Visitor& inner) {
+    inner.number({"max_strain", "The pull ends at this strain,"}, load.max_strain, "", range::above(0, 1));
+    inner.number({"end_stress", "or when the stress has fallen to this share of the largest."}, load.end_stress, "", range::above(0, 1));
+    inner.number({"band", "Bonds within this share of the most overstretched break in one round: larger is faster and coarser."}, load.band, "",
+                 range::between(0, 1));
+    inner.section({"toughness", "At which stretch bonds break."}, [&](Visitor& section) { declare(section, load.toughness); });
+  });
+  v.section({"stiffness", "Young's moduli of the bonds by type."}, [&](Visitor& inner) { declare(inner, load.stiffness); });
+  v.section({"statistics", "Which nodes the statistics leave out."}, [&](Visitor& inner) { declare(inner, load.statistics); });
+}
+
+}  // namespace arenite::recipe

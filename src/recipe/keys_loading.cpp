@@ -1,0 +1,179 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "model/packing.hpp"
+#include "recipe/keys.hpp"
+
+namespace arenite::recipe {
+
+void declare(ParameterVisitor& v, dem::ContactParameters& contact) {
+  v.member({"normal", "Normal force at an overlap h."}, contact.normal);
+  v.choice({"stiffness_rule", "Stiffness of a contact of two materials."}, contact.stiffness_rule,
+           {{"thesis", "k for like grains, k_i k_j/(k_i + k_j) for unlike ones"},
+            {"series", "two springs in series, of 2 k_i and 2 k_j"}});
+  v.choice({"wall_stiffness", "Stiffness of a contact with a wall."}, contact.wall_stiffness,
+           {{"stiffest", "that of the stiffest material"}, {"grain", "that of the grain"}, {"series", "by the series rule"}});
+  v.number({"restitution", "Ratio of speeds after and before a head-on collision; sets the damping of each pair."},
+           contact.restitution, "", range::above(0, 1));
+  v.number({"normal_damping", "Damping coefficient alpha_n of every pair, instead of the one that restitution asks for."},
+           contact.normal_damping, "N s/m", range::not_negative);
+  v.flag({"attractive_dashpot", "Damping may pull at separation; false: contacts without adhesion never pull."},
+         contact.attractive_dashpot);
+  v.member({"friction_law", "Tangential force."}, contact.friction_law);
+  v.number({"friction", "Coefficient mu between grains."}, contact.friction, "", range::not_negative);
+  v.number({"wall_friction", "Coefficient mu at the walls; unless given, that of the grains."}, contact.wall_friction, "",
+           range::not_negative);
+  v.number({"sliding_viscosity", "gamma_s of the regularised law; unless given, the normal damping of the pair."},
+           contact.sliding_viscosity, "N s/m", range::not_negative);
+  v.number({"tangential_stiffness_ratio", "k_t/k_n of the Cundall-Strack spring."}, contact.tangential_stiffness_ratio, "",
+           range::positive);
+  v.choice({"arms", "Lever arms of contact forces."}, contact.arms,
+           {{"contact_point", "to the middle of the overlap"}, {"full_radius", "the radii"}});
+  v.member({"adhesion", "Adhesion between glued grains."}, contact.adhesion);
+  v.number({"surface_energy", "gamma of the adhesion."}, contact.surface_energy, "kN/mm", range::not_negative);
+  v.require(!contact.adheres() || contact.surface_energy > 0, {"surface_energy", "adhesion"},
+            "must be above 0 kN/mm where adhesion acts");
+  v.choice({"effective_radius", "r_eff of the adhesion."}, contact.effective_radius,
+           {{"four_reduced", "4 r_i r_j/(r_i + r_j)"}, {"sum", "r_i + r_j"}, {"geometric_mean", "2 sqrt(r_i r_j)"}});
+  v.choice({"friction_cap", "Coulomb's cap where adhesion pulls."}, contact.friction_cap,
+           {{"raised_by_adhesion", "mu (F_n + |F_c|)"}, {"as_printed", "mu (F_n - |F_c|)"}});
+  v.pairs({"glued_pairs", "Pairs of grains (indices from 0) that are glued, instead of all pairs in the glued region."},
+          contact.glued_pairs);
+}
+
+void declare(ParameterVisitor& v, dem::IntegrationParameters& integration) {
+  v.choice({"integrator", "Scheme for Newton's equations."}, integration.integrator,
+           {{"velocity_verlet", "second order, the sturdiest"},
+            {"leapfrog", "second order, velocities half a step off"},
+            {"gear5", "Gear's fifth-order predictor and corrector; needs small steps where damping is strong"}});
+  v.number({"time_step", "Time step; one beyond the stable step is refused. Unless given, safety sets it, and masses of a stage that do not allow it shorten it."},
+           integration.time_step, "s", range::positive);
+  v.number({"safety", "Time step as a share of the shortest contact time, pi sqrt(m_eff/k)."}, integration.safety, "",
+           range::above(0, 1));
+  v.flag({"rotations", "Grains turn; false: they only move."}, integration.rotations);
+  v.flag({"track_energy", "Account for dissipation and work at every step (slower)."}, integration.track_energy);
+  // A name from elsewhere (--kernel) comes here without having been read, so it may be none of these.
+  static const std::vector<std::string> kernels{"auto", "portable", "avx2", "avx512"};
+  const auto found = std::find(kernels.begin(), kernels.end(), integration.kernel);
+  if (found == kernels.end()) {
+    throw InputError(fmt::format("there is no kernel \"{}\"; take one of: {}", integration.kernel, fmt::join(kernels, ", ")));
+  }
+  int kernel = static_cast<int>(found - kernels.begin());
+  v.choice({"kernel", "Machine code of the contact loop."}, kernel,
+           {{"auto", "the fastest of this processor"},
+            {"portable", "the same bits on every x86-64 processor"},
+            {"avx2", "256-bit vectors"},
+            {"avx512", "512-bit vectors"}});
+  integration.kernel = kernels[static_cast<std::size_t>(kernel)];
+}
+
+namespace {
+
+using Visitor = ParameterVisitor;
+
+void declare(Visitor& v, RestCriterion& rest) {
+  v.number({"unbalanced", "Unbalanced force ratio below this."}, rest.unbalanced, "", range::positive);
+  v.number({"kinetic", "Kinetic over elastic energy below this."}, rest.kinetic, "", range::positive);
+  v.number({"falling", "Share of grains that still fall, weighing and with fewer than two pressed contacts, not above this."}, rest.falling, "", range::not_negative);
+  v.number({"loose_kinetic", "Kinetic energy of the grains that carry nothing (fewer than two pressed contacts) over elastic energy below this; a hundred thousand times `kinetic` unless given, since nothing but rare hits slows them where they do not weigh."}, rest.loose_kinetic, "", range::positive);
+  std::optional<double> mobilisation = rest.mobilisation >= 0 ? std::optional(rest.mobilisation) : std::nullopt;
+  v.number({"mobilisation", "Mean |F_t|/F_n below this as well, if given: tells creep from rest where friction is viscous."},
+           mobilisation, "", range::not_negative);
+  rest.mobilisation = mobilisation.value_or(-1);
+  v.integer({"max_steps", "Steps of one increment, after which the run stops with exit status 3."}, rest.max_steps,
+            {1, 1'000'000'000'000});
+}
+
+void declare(Visitor& v, Cycles& cycles) {
+  int side = static_cast<int>(std::find(side_names.begin(), side_names.end(), cycles.side) - side_names.begin());
+  if (side == 4) side = bottom;
+  v.choice({"side", "The side that cycles."}, side, {{"left", ""}, {"right", ""}, {"bottom", ""}, {"top", ""}});
+  cycles.side = side_names[static_cast<std::size_t>(side)];
+  v.number({"min", "Force at the end of each cycle.", true}, cycles.min, "kN", range::not_negative);
+  v.number({"max", "Force in the middle of each cycle.", true}, cycles.max, "kN", range::positive);
+  v.require(cycles.max > cycles.min, {"max", "min"}, "must be above min");
+  v.integer({"count", "Number of cycles.", true}, cycles.count, {1, 1'000'000});
+  v.integer({"increments", "Increments of each half cycle."}, cycles.increments, {1, 1'000'000});
+}
+
+bool presses(const SideDrive& drive) { return drive.kind == SideDrive::Kind::force || drive.kind == SideDrive::Kind::pressure; }
+
+/// A force on an edge of a periodic cell moves that edge and strains the cell; with the opposite edge free as well, the
+/// cell would drift.
+void require_one_pressing_edge(Visitor& v, const Stage& stage, std::size_t first, bool periodic) {
+  const SideDrive &one = stage.side[first], &other = stage.side[first + 1];
+  const char *name = side_names[first], *opposite = side_names[first + 1];
+  const bool both_at_work = (presses(one) && other.kind != SideDrive::Kind::fixed) || (presses(other) && one.kind != SideDrive::Kind::fixed);
+  v.require(!periodic || !both_at_work, {opposite, name},
+            fmt::format("of the two periodic edges {0} and {1} one presses and the other holds; leave {0} = \"fixed\"", name, opposite));
+}
+
+void require_usable_sides(Visitor& v, const Stage& stage, const FrameParameters& frame) {
+  using Kind = SideDrive::Kind;
+  require_one_pressing_edge(v, stage, left, frame.periodic_x);
+  require_one_pressing_edge(v, stage, bottom, frame.periodic_y);
+  v.require(!stage.gravity || !frame.periodic_y, {"gravity"},
+            "grains would fall for ever through periodic sides; set frame.periodic_y = false");
+  const bool moves = std::any_of(stage.side.begin(), stage.side.end(), [](const SideDrive& drive) { return drive.kind == Kind::velocity; });
+  v.require(!moves || stage.duration, {"duration", "left", "right", "bottom", "top"},
+            "a stage with a moving side never comes to rest; give it a duration, for example duration = \"1 s\"");
+  if (!stage.cycles || stage.cycles->side.empty()) return;  // empty: no section at all, which the reader reports
+  const auto side = std::find(side_names.begin(), side_names.end(), stage.cycles->side) - side_names.begin();
+  v.require(stage.side[static_cast<std::size_t>(side)].kind == Kind::force, {"cycles", side_names[static_cast<std::size_t>(side)]},
+            fmt::format("cycles need a side under force; write {} = {{ force = \"...\" }} in this stage", stage.cycles->side));
+}
+
+}  // namespace
+
+bool is_plain_name(const std::string& name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+}
+
+void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
+  v.text({"name", "Name of the stage, used for its file: letters, digits, _ and -.", true}, stage.name);
+  v.require(is_plain_name(stage.name), {"name"}, "must be made of letters, digits, _ and -");
+  const auto same = std::count_if(recipe.stages.begin(), recipe.stages.end(),
+                                  [&](const Stage& other) { return &other != &stage && other.name == stage.name; });
+  v.require(same == 0, {"name"}, fmt::format("another stage is called \"{}\"; names must differ", stage.name));
+  v.flag({"gravity", "Grains weigh (9.81 m/s^2 downwards)."}, stage.gravity);
+  for (std::size_t side = 0; side < 4; ++side) {
+    auto& drive = stage.side[side];
+    int form = static_cast<int>(drive.kind);
+    v.tagged({side_names[side], "What this side does."}, form, drive.value,
+             {{"fixed", "", "stays where it is", range::any},
+              {"velocity", "mm/s", "moves inward at this speed", range::any},
+              {"force", "kN", "presses on the sample, reached in the stage's increments; of two periodic edges one presses and one is fixed", range::not_negative},
+              {"pressure", "kPa", "presses on the sample, acting in full at once; of two periodic edges one presses and one is fixed", range::not_negative}});
+    drive.kind = static_cast<SideDrive::Kind>(form);
+  }
+  v.integer({"increments", "Equal steps in which forces are reached, each ending at rest."}, stage.increments, {1, 1'000'000});
+  v.number({"duration", "Time after which the stage ends, whether at rest or not; needed where a side moves."},
+           stage.duration, "s", range::positive);
+  v.integer({"frames", "States stored during a stage with a duration; other stages store one an increment."}, stage.frames,
+            {1, 1'000'000});
+  v.number({"friction", "Coefficient mu during this stage only, for example 0 to densify."}, stage.friction, "",
+           range::not_negative);
+  v.number({"drag", "Viscous drag during this stage, as a rate: the force on a grain is -drag m v."}, stage.drag, "1/s", range::not_negative);
+  v.number({"critical_drag", "More drag, as a share of the rate that damps the slowest wave of a crystal of this size critically. About 0.2 brings a jammed packing of any size to rest soonest; it hinders rearrangement, so compact without it first."},
+           stage.critical_drag, "", range::not_negative);
+  v.choice({"masses", "Masses that the grains move with in this stage. Without friction states of rest do not depend on them; with it they keep a trace of the way there."}, stage.masses,
+           {{"own", "their own"},
+            {"even", "such that k/m of all grains is that of the fastest: a sample of unlike sizes compacts in far fewer steps; not with gravity"}});
+  v.require(!stage.gravity || stage.masses == dem::Masses::own, {"masses", "gravity"}, "grains weigh by their own masses; leave gravity or masses out");
+  v.number({"inertial_number", "How fast the sample yields to a side under force or pressure, as a share of sqrt(force times width over mass): larger compacts faster and overshoots more; 1 suits a compaction at P/k of 1e-3 or less."},
+           stage.inertial_number, "", range::positive);
+  v.flag({"glue", "Adhesion acts from this stage on."}, stage.glue);
+  v.require(!stage.glue || recipe.contact.adheres(), {"glue"},
+            "there is nothing to glue with; set contact.adhesion and contact.surface_energy");
+  v.optional_section<Cycles>({"cycles", "Force cycles on one side after the ramp."}, stage.cycles,
+                             [](Visitor& inner, Cycles& cycles) { declare(inner, cycles); });
+  v.section({"rest", "When an increment counts as done."}, [&](Visitor& inner) { declare(inner, stage.rest); });
+  require_usable_sides(v, stage, recipe.frame);
+}
+
+}  // namespace arenite::recipe

@@ -1,0 +1,221 @@
+#include "recipe/reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/problems.hpp"
+
+namespace arenite::recipe {
+namespace {
+
+/// A sentence as a part of another.
+std::string as_phrase(std::string_view sentence) {
+  std::string phrase(sentence);
+  if (phrase.size() > 1 && phrase[0] >= 'A' && phrase[0] <= 'Z') phrase[0] = static_cast<char>(phrase[0] - 'A' + 'a');
+  if (phrase.ends_with('.')) phrase.pop_back();
+  return phrase;
+}
+
+/// Notes which keys a declaration would read, without reading.
+class KeyNames : public ParameterVisitor {
+ public:
+  using ParameterVisitor::choice;
+  using ParameterVisitor::integer;
+  using ParameterVisitor::number;
+  using ParameterVisitor::section;
+  void number(const Key& key, std::optional<double>&, std::string_view, const Range&) override { note(key); }
+  void integer(const Key& key, std::optional<std::int64_t>&, const IntegerRange&) override { note(key); }
+  void flag(const Key& key, bool&) override { note(key); }
+  void text(const Key& key, std::string&) override { note(key); }
+  void file(const Key& key, std::string&) override { note(key); }
+  void numbers(const Key& key, std::vector<double>&, std::string_view, const Range&) override { note(key); }
+  void pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>&) override { note(key); }
+  void choice(const Key& key, int&, const std::vector<Word>&) override { note(key); }
+  void tagged(const Key& key, int&, double&, const std::vector<Form>&) override { note(key); }
+  void section(const Key& key, bool&, const Visit&) override { note(key); }
+  void sections(const Key& key, const Elements&) override { note(key); }
+  void when(bool, std::string_view, const Visit& inside) override { inside(*this); }
+
+  std::vector<std::string> names;
+
+ private:
+  void note(const Key& key) { names.emplace_back(key.name); }
+};
+
+}  // namespace
+
+const char* kind_name(const Node& node) {
+  switch (node.kind) {
+    case Node::Kind::flag: return "true or false";
+    case Node::Kind::integer:
+    case Node::Kind::real: return "a number";
+    case Node::Kind::text: return "a text";
+    case Node::Kind::array: return "a list";
+    case Node::Kind::table: return "a table";
+    case Node::Kind::date: return "a date";
+  }
+  return "something else";
+}
+
+std::string list_of(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
+
+RecipeReader::RecipeReader(const Node& table, std::string path, Reading& reading)
+    : table_(table), path_(std::move(path)), reading_(reading) {}
+
+std::string RecipeReader::path_of(std::string_view name) const {
+  return path_.empty() ? std::string(name) : fmt::format("{}.{}", path_, name);
+}
+
+void RecipeReader::problem(const Place& place, const std::string& path, const std::string& message) {
+  reading_.problems.push_back({file_of(place, reading_), place.line, place.column, path.empty() ? message : fmt::format("{}: {}", path, message)});
+}
+
+void RecipeReader::refuse(const Key& key, const Node& value, const std::string& message) {
+  failed_.emplace(key.name);
+  problem(value.place, path_of(key.name), message);
+}
+
+/// The value of a key, or nothing; a required one that is not there is a problem.
+const Node* RecipeReader::take(const Key& key, const std::string& example) {
+  known_.emplace(key.name);
+  if (const Entry* entry = table_.find(key.name)) return &entry->value;
+  if (key.required) {
+    failed_.emplace(key.name);
+    problem(table_.place, path_of(key.name), fmt::format("is missing; write for example {}", example));
+  }
+  return nullptr;
+}
+
+void RecipeReader::section(const Key& key, bool& present, const Visit& inside) {
+  known_.emplace(key.name);
+  const Entry* entry = table_.find(key.name);
+  if (!entry && key.required) {
+    failed_.emplace(key.name);
+    problem(table_.place, path_of(key.name), fmt::format("is missing; add the section [{}] ({})", path_of(key.name), as_phrase(key.sentence)));
+  }
+  present = entry != nullptr;
+  if (!entry) return;
+  if (entry->value.kind != Node::Kind::table) {
+    return refuse(key, entry->value, fmt::format("is {}, but must be a section [{}]", kind_name(entry->value), path_of(key.name)));
+  }
+  const std::size_t problems_before = reading_.problems.size();
+  RecipeReader reader(entry->value, path_of(key.name), reading_);
+  inside(reader);
+  reader.refuse_unknown_keys();
+  if (reading_.problems.size() > problems_before) failed_.emplace(key.name);
+}
+
+void RecipeReader::sections(const Key& key, const Elements& elements) {
+  known_.emplace(key.name);
+  const bool named = static_cast<bool>(elements.name);
+  const std::string path = path_of(key.name);
+  const std::string heading = named ? fmt::format("[{}.NAME]", path) : fmt::format("[[{}]]", path);
+  const Entry* entry = table_.find(key.name);
+  const std::size_t count = !entry ? 0 : named ? entry->value.entries.size() : entry->value.items.size();
+  if (entry && entry->value.kind != (named ? Node::Kind::table : Node::Kind::array)) {
+    return refuse(key, entry->value, fmt::format("is {}, but must be sections {}", kind_name(entry->value), heading));
+  }
+  if (count == 0 && key.required) {
+    failed_.emplace(key.name);
+    problem(entry ? entry->value.place : table_.place, path, fmt::format("is missing; add a section {} ({})", heading, as_phrase(key.sentence)));
+  }
+  std::vector<std::pair<std::string, const Node*>> nodes;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (named) nodes.emplace_back(entry->value.entries[i].key, &entry->value.entries[i].value);
+    else nodes.emplace_back(std::to_string(i), &entry->value.items[i]);
+  }
+  // Named sections have no order of their own: sorted, the same recipe gives the same indices however it is written.
+  if (named) std::sort(nodes.begin(), nodes.end());
+  elements.resize(nodes.size());
+  const std::size_t problems_before = reading_.problems.size();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (named) elements.name(i) = nodes[i].first;
+    const std::string place = path + "." + nodes[i].first;
+    if (nodes[i].second->kind != Node::Kind::table) {
+      problem(nodes[i].second->place, place, fmt::format("is {}, but must be a section {}", kind_name(*nodes[i].second), heading));
+      continue;
+    }
+    RecipeReader reader(*nodes[i].second, place, reading_);
+    elements.visit(reader, i);
+    reader.refuse_unknown_keys();
+  }
+  if (reading_.problems.size() > problems_before) failed_.emplace(key.name);
+}
+
+void RecipeReader::when(bool active, std::string_view condition, const Visit& inside) {
+  if (active) return inside(*this);
+  KeyNames names;
+  inside(names);
+  for (const auto& name : names.names) {
+    const auto [place, is_new] = conditional_.emplace(name, condition);
+    if (!is_new) place->second += fmt::format(" or {}", condition);
+  }
+}
+
+void RecipeReader::require(bool holds, std::initializer_list<std::string_view> keys, const std::string& message) {
+  if (holds) return;
+  for (const auto key : keys) {
+    if (failed_.count(key) > 0) return;
+  }
+  const std::string path = keys.size() == 0 ? path_ : path_of(*keys.begin());
+  for (const auto key : keys) {
+    if (const Entry* entry = table_.find(key)) return problem(entry->value.place, path, message);
+  }
+  problem(table_.place, path, message);
+}
+
+void RecipeReader::refuse_unknown_keys() {
+  std::vector<std::string> names(known_.begin(), known_.end());
+  for (const auto& entry : table_.entries) {
+    if (known_.count(entry.key) > 0) continue;
+    if (const auto found = conditional_.find(entry.key); found != conditional_.end()) {
+      problem(entry.place, path_of(entry.key), fmt::format("this key goes with {} only; leave it out or change that", found->second));
+      continue;
+    }
+    const std::string near = nearest(entry.key, names);
+    problem(entry.place, path_of(entry.key),
+            near.empty() ? fmt::format("unknown key; the keys here are: {}", list_of(names))
+                         : fmt::format("unknown key; did you mean {}?", near));
+  }
+}
+
+const std::string& file_of(const Place& place, const Reading& reading) {
+  return !place.override_text.empty() ? place.override_text : !place.file.empty() ? place.file : reading.file_name;
+}
+
+void add_problem(Reading& reading, const Place& place, const std::string& path, const std::string& message) {
+  Problem problem{file_of(place, reading), place.line, place.column, fmt::format("{}: {}", path, message)};
+  const auto same = [&](const Problem& p) { return p.message == problem.message && p.line == problem.line && p.file == problem.file; };
+  if (std::none_of(reading.problems.begin(), reading.problems.end(), same)) reading.problems.push_back(std::move(problem));
+}
+
+Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    throw InputError(reading.file_name, 0, fmt::format("the recipe is empty; `arenite init {}` writes one to start from", start_from));
+  }
+  Node root = read_document(text, reading.file_name);
+  lay_base_under(root, reading);
+  for (const auto& assignment : overrides) {
+    try {
+      apply_override(root, assignment);
+    } catch (const InputError& error) {
+      reading.problems.insert(reading.problems.end(), error.problems().begin(), error.problems().end());
+    }
+  }
+  return root;
+}
+
+void read_declared(const Node& root, Reading& reading, const Visit& declare) {
+  RecipeReader reader(root, "", reading);
+  declare(reader);
+  reader.refuse_unknown_keys();
+  if (reading.problems.empty()) return;
+  std::stable_sort(reading.problems.begin(), reading.problems.end(), [](const Problem& a, const Problem& b) {
+    return a.line != b.line ? a.line < b.line : a.column < b.column;
+  });
+  throw InputError(std::move(reading.problems));
+}
+
+}  // namespace arenite::recipe

@@ -1,0 +1,86 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/parameters.hpp"
+#include "recipe/document.hpp"
+
+namespace arenite::recipe {
+
+/// What kind of value was written, for messages: "a number".
+const char* kind_name(const Node& node);
+/// "a, b, c".
+std::string list_of(const std::vector<std::string>& words);
+
+/// What all readers of one recipe share.
+struct Reading {
+  std::string file_name;
+  std::string folder;               ///< where files that the recipe names are looked for
+  bool look_for_files = false;
+  std::vector<Problem> problems;
+  std::vector<std::string> bases = {};  ///< files that the recipe is laid over
+};
+
+/// What a place is reported under: an override, a base or the recipe.
+const std::string& file_of(const Place& place, const Reading& reading);
+/// Adds a problem, once.
+void add_problem(Reading& reading, const Place& place, const std::string& path, const std::string& message);
+
+/// Reads one table of a recipe into what the declarations name; sub-tables get readers of their own. Problems are
+/// collected; whatever is wrong keeps its default.
+class RecipeReader : public ParameterVisitor {
+ public:
+  RecipeReader(const Node& table, std::string path, Reading& reading);
+
+  using ParameterVisitor::choice;
+  using ParameterVisitor::integer;
+  using ParameterVisitor::number;
+  using ParameterVisitor::section;
+  void number(const Key& key, std::optional<double>& value, std::string_view unit, const Range& range) override;
+  void integer(const Key& key, std::optional<std::int64_t>& value, const IntegerRange& range) override;
+  void flag(const Key& key, bool& value) override;
+  void text(const Key& key, std::string& value) override;
+  void file(const Key& key, std::string& value) override;
+  void numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) override;
+  void pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) override;
+  void choice(const Key& key, int& index, const std::vector<Word>& words) override;
+  void tagged(const Key& key, int& form, double& value, const std::vector<Form>& forms) override;
+  void section(const Key& key, bool& present, const Visit& inside) override;
+  void sections(const Key& key, const Elements& elements) override;
+  void when(bool active, std::string_view condition, const Visit& inside) override;
+  void require(bool holds, std::initializer_list<std::string_view> keys, const std::string& message) override;
+
+  /// Call when all keys were visited: what is left over is unknown.
+  void refuse_unknown_keys();
+
+ private:
+  const Node* take(const Key& key, const std::string& example);
+  std::string path_of(std::string_view name) const;
+  void problem(const Place& place, const std::string& path, const std::string& message);
+  void refuse(const Key& key, const Node& value, const std::string& message);
+  std::optional<double> read_number(const Node& node, const std::string& path, std::string_view unit, const Range& range);
+
+  const Node& table_;
+  std::string path_;
+  Reading& reading_;
+  std::set<std::string, std::less<>> known_, failed_;
+  std::map<std::string, std::string, std::less<>> conditional_;  ///< keys that do not exist now, and when they do
+};
+
+/// The tree that a text, its base and its overrides make; problems of base and overrides are collected. For an empty text the InputError names
+/// the template that `arenite init` writes.
+Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from);
+
+/// Reads all keys that a declaration visits. Throws InputError with every problem found, in the order of the text.
+void read_declared(const Node& root, Reading& reading, const Visit& declare);
+
+/// Lays the recipe that the key `base` names under this one, and its base under both: sections are merged key by key, what else
+/// is given here counts instead. A base's [sweep] is left out. The key is taken out of the tree, and the files that were
+/// read are added to `reading.bases`. Throws InputError where there is no such file, or one leads back to itself.
+void lay_base_under(Node& root, Reading& reading);
+
+}  // namespace arenite::recipe

@@ -1,0 +1,220 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "recipe/writer.hpp"
+
+namespace arenite::recipe {
+namespace {
+
+/// { a = 1, b = 2 } of the keys that are set.
+std::string inline_table(const RecordTable& table) {
+  std::vector<std::string> items;
+  for (const auto& record : table) {
+    if (record.literal) items.push_back(fmt::format("{} = {}", record.name, *record.literal));
+  }
+  return fmt::format("{{ {} }}", fmt::join(items, ", "));
+}
+
+/// { a = 1, b = "... mm" } with a form to fill in for each required key.
+std::string inline_form(const RecordTable& table) {
+  std::vector<std::string> items;
+  for (const auto& record : table) {
+    if (record.required || record.literal) {
+      items.push_back(fmt::format("{} = {}", record.name, record.required ? record.form : *record.literal));
+    }
+  }
+  return fmt::format("{{ {} }}", fmt::join(items, ", "));
+}
+
+void write_table(std::string& text, const RecordTable& table) {
+  for (const auto& record : table) {
+    if (record.kind == Record::Kind::section) {
+      if (record.present) text += fmt::format("{} = {}\n", record.name, inline_table(record.tables.front()));
+    } else if (record.literal) {
+      text += fmt::format("{} = {}\n", record.name, *record.literal);
+    }
+  }
+}
+
+std::string heading(const Record& record, std::size_t i) {
+  if (record.kind == Record::Kind::section) return fmt::format("[{}]", record.name);
+  return record.named ? fmt::format("[{}.{}]", record.name, toml_key(record.table_names[i])) : fmt::format("[[{}]]", record.name);
+}
+
+RecordTable values_in(const RecordTable& table) {
+  RecordTable values;
+  for (const auto& record : table)
+    if (record.kind == Record::Kind::value) values.push_back(record);
+  return values;
+}
+
+const Record& record_named(const RecordTable& table, const std::string& name) {
+  return *std::find_if(table.begin(), table.end(), [&](const Record& record) { return record.name == name; });
+}
+
+/// Keys of an inline section that are not at their default.
+RecordTable changed(const RecordTable& table, const RecordTable& defaults) {
+  RecordTable result;
+  for (const auto& record : table) {
+    if (record.literal && (record.required || record.literal != record_named(defaults, record.name).literal)) result.push_back(record);
+  }
+  return result;
+}
+
+std::string explanation(const Record& record) {
+  std::vector<std::string> words;
+  for (const auto& [word, meaning] : record.words) words.push_back(word);
+  return words.empty() ? record.sentence : fmt::format("{} One of: {}", record.sentence, fmt::join(words, ", "));
+}
+
+void write_line(std::string& text, bool active, const std::string& assignment, const std::string& comment) {
+  const std::string start = active ? assignment : "# " + assignment;
+  if (comment.empty()) text += start + "\n";
+  else text += fmt::format("{:<38} # {}\n", start, comment);
+}
+
+/// The lines of one table; keys at their default are comments, and appear only if `explain`.
+void write_commented_table(std::string& text, const RecordTable& table, const RecordTable& defaults, bool explain, bool active) {
+  for (const auto& record : table) {
+    const Record& standard = record_named(defaults, record.name);
+    const std::string comment = explain ? explanation(record) : "";
+    if (record.kind == Record::Kind::section) {
+      const RecordTable differences = changed(record.tables.front(), standard.tables.front());
+      const bool set = active && record.present && !differences.empty();
+      const std::string value = set ? inline_table(differences) : inline_form(record.tables.front());
+      if (set || explain) write_line(text, set, fmt::format("{} = {}", record.name, value), comment);
+      continue;
+    }
+    const bool set = active && record.literal && (record.required || record.literal != standard.literal);
+    const std::string value = record.literal && !(record.required && !active) ? *record.literal : record.form;
+    if (set || explain) write_line(text, set, fmt::format("{} = {}", record.name, value), comment);
+  }
+}
+
+/// Keys that are set against their default, below `path`.
+void add_changes(std::string& text, const std::string& path, const RecordTable& table, const RecordTable& defaults) {
+  for (const auto& record : table) {
+    const Record& standard = record_named(defaults, record.name);
+    const std::string key = path + toml_key(record.name);
+    if (record.kind == Record::Kind::value) {
+      if (record.required || record.literal != standard.literal) text += fmt::format("{} = {}\n", key, record.literal.value_or("not set"));
+      continue;
+    }
+    const bool is_list = record.kind == Record::Kind::sections;
+    if (is_list ? record.tables.empty() : !record.present) {
+      if (!is_list && standard.present) text += fmt::format("{} = not set\n", key);
+      continue;
+    }
+    for (std::size_t i = 0; i < record.tables.size(); ++i) {
+      const std::string inner = !is_list ? key : fmt::format("{}.{}", key, record.named ? toml_key(record.table_names[i]) : std::to_string(i));
+      if (is_list || !standard.present) text += fmt::format("[{}]\n", inner);
+      add_changes(text, inner + ".", record.tables[i], standard.tables.front());
+    }
+  }
+}
+
+}  // namespace
+
+std::string write_toml(const RecordTable& root) {
+  std::string text;
+  for (const auto& record : root) {
+    if (record.kind == Record::Kind::value) {
+      if (record.literal) text += fmt::format("{} = {}\n", record.name, *record.literal);
+      continue;
+    }
+    for (std::size_t i = 0; record.present && i < record.tables.size(); ++i) {
+      text += "\n" + heading(record, i) + "\n";
+      write_table(text, record.tables[i]);
+    }
+  }
+  return text;
+}
+
+std::string write_changes(const RecordTable& root, const RecordTable& all) {
+  std::string text;
+  add_changes(text, "", root, all);
+  return text;
+}
+
+std::string write_commented_toml(const RecordTable& root, const RecordTable& all) {
+  std::string text;
+  write_commented_table(text, values_in(root), all, true, true);
+  for (const auto& record : root) {
+    if (record.kind == Record::Kind::value || record.tables.empty()) continue;
+    text += "\n# " + record.sentence + "\n";
+    for (std::size_t i = 0; i < record.tables.size(); ++i) {
+      if (i > 0) text += "\n";
+      text += (record.present ? "" : "# ") + heading(record, i) + "\n";
+      write_commented_table(text, record.tables[i], record_named(all, record.name).tables.front(), i == 0, record.present);
+    }
+  }
+  return text;
+}
+
+namespace {
+
+/// Text in a cell of a Markdown table.
+std::string cell(const std::string& text) {
+  std::string result;
+  for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);
+  return result;
+}
+
+std::string in_code(const std::string& text) { return "`" + cell(text) + "`"; }
+
+std::string default_of(const Record& record) {
+  if (record.required) return "*required*";
+  return record.literal && record.words.empty() ? in_code(*record.literal) : record.literal ? in_code(*record.literal) : "-";
+}
+
+std::string meaning_of(const Record& record) {
+  std::string text = cell(record.sentence);
+  if (!record.condition.empty()) text += " With " + in_code(record.condition) + ".";
+  if (!record.allowed.empty()) text += fmt::format(" Allowed: {}.", cell(record.allowed));
+  for (const auto& [word, meaning] : record.words) {
+    text += "<br>" + in_code(word) + (meaning.empty() ? "" : ": " + cell(meaning));
+  }
+  return text;
+}
+
+void write_rows(std::string& text, const RecordTable& table) {
+  text += "| key | written as | default | meaning |\n|---|---|---|---|\n";
+  for (const auto& record : table) {
+    if (record.kind == Record::Kind::sections) continue;
+    if (record.kind == Record::Kind::section) {
+      text += fmt::format("| `{}` | `{{ ... }}` | {} | {} See below. |\n", record.name, record.present ? "its keys' defaults" : "-",
+                          cell(record.sentence));
+      continue;
+    }
+    const std::string form = record.words.empty() ? (record.literal && !record.required ? *record.literal : record.form == "..." ? std::string("1") : record.form)
+                                                  : record.words.front().first;
+    text += fmt::format("| `{}` | {} | {} | {} |\n", record.name, in_code(form), default_of(record), meaning_of(record));
+  }
+}
+
+void write_section(std::string& text, const Record& record, const std::string& parent) {
+  const std::string path = parent.empty() ? record.name : parent + "." + record.name;
+  const bool is_list = record.kind == Record::Kind::sections;
+  const std::string heading = !is_list ? fmt::format("[{}]", path) : record.named ? fmt::format("[{}.NAME]", path) : fmt::format("[[{}]]", path);
+  text += fmt::format("\n## `{}`\n\n{}{}\n\n", heading, record.sentence,
+                      record.required ? " Required." : is_list || record.present ? "" : " Optional.");
+  write_rows(text, record.tables.front());
+  for (const auto& inner : record.tables.front()) {
+    if (inner.kind != Record::Kind::value) write_section(text, inner, path);
+  }
+}
+
+}  // namespace
+
+std::string write_key_tables(const RecordTable& all) {
+  std::string text = "## Top of the file\n\n";
+  write_rows(text, values_in(all));
+  for (const auto& record : all) {
+    if (record.kind != Record::Kind::value) write_section(text, record, "");
+  }
+  return text;
+}
+
+}  // namespace arenite::recipe

@@ -1,0 +1,31 @@
+#pragma once
+#include <concepts>
+#include <variant>
+
+#include "solid/peridynamics/laws/elastic_brittle.hpp"
+
+namespace arenite::peridynamics {
+
+/// A bond law gives the force along a bond with its energy, so that a test can hold one against the other's gradient, and tells when the bond breaks. A
+/// whole bond's force is proportional to its extension: the static solver and the search for the next break rely on that.
+template <class L>
+concept BondLaw = requires(const L law, double v) {
+  { L::name } -> std::convertible_to<std::string_view>;
+  L::parameters.size();                                      // of LawParameter, `young` and `toughness` among them
+  { law.force(v, v) } -> std::same_as<double>;               // (extension, modulus); of the kernels' lanes too
+  { law.energy(v, v) } -> std::same_as<double>;              // (extension, modulus)
+  { law.damage(v, v) } -> std::same_as<double>;              // (stretch, critical stretch), 1 at the break
+  { law.critical_stretch(v, v, v) } -> std::same_as<double>;  // (toughness, Young modulus, dx)
+};
+
+/// The laws there are. A new one is a file beside these and a name here; kernels for every instruction set follow, and the choice is visited once, outside
+/// the loops, so the law inlines into them.
+using BondLawChoice = std::variant<ElasticBrittle>;
+
+template <class... L>
+constexpr bool all_bond_laws(std::variant<L...>*) {
+  return (BondLaw<L> && ...);
+}
+static_assert(all_bond_laws(static_cast<BondLawChoice*>(nullptr)));
+
+}  // namespace arenite::peridynamics

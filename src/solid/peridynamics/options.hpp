@@ -1,0 +1,97 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "core/vec.hpp"
+#include "solid/peridynamics/laws/laws.hpp"
+
+/// Bonds between the nodes of a phase map, and what a load does to them (P II.C). Here are the choices.
+namespace arenite::peridynamics {
+
+/// Young moduli of the bond types, Pa (P Table I: E_p = 4 E_m, E_i = E_m).
+struct Stiffness {
+  double matrix = 1, interface = 1, particle = 4;
+  /// The micromodulus that gives the lattice's Young modulus along its axes; otherwise P's nominal one (eq. 5).
+  bool calibrated = true;
+};
+
+/// Fracture toughness of the bond types, Pa m^0.5 (P Table I: K_p = 3.5 K_m, K_i = K_m; K_m sets the load scale).
+struct Toughness {
+  double matrix = 1, interface = 1, particle = 3.5;
+};
+
+/// How the top row of nodes is moved against the bottom row: up, down, or to the right.
+enum class Loading { tension, compression, shear };
+
+/// What holds the bottom row: both components fixed, or free to slide along x (the top row is always held in x).
+enum class LowerEdge { fixed, sliding };
+
+/// A straight cut through all bonds that cross it, in nodes: a notch without width.
+struct Cut {
+  Vec2 from, to;
+};
+
+/// What a long solve tells on its way.
+struct Progress {
+  double share = 0;        ///< of the work that is done, 0 to 1, never falling: for a progress bar
+  int iterations = 0;      ///< of the static solver, or steps, so far
+  double residual = 0;     ///< relative, the latest
+  std::size_t broken = 0;  ///< bonds, where they may break
+  double strain = 0;       ///< that the sample has reached, where bonds may break
+  double stress = 0;       ///< the same for the stress, Pa
+};
+
+/// Called between iterations (of dynamics: every 20 steps) and after each round of breaking bonds; false stops the
+/// work, and what was reached is handed back with the ending `stopped`. Empty: nobody watches.
+using Watch = std::function<bool(const Progress&)>;
+
+/// Ways to the field at equilibrium.
+enum class Method {
+  static_solve,  ///< conjugate gradients with the two-level preconditioner
+  relaxation,    ///< adaptive dynamic relaxation
+  damped         ///< P II.C: explicit dynamics under a fixed viscosity below the critical one
+};
+
+struct LoadOptions {
+  Stiffness stiffness{};
+  Loading loading = Loading::tension;
+  LowerEdge lower = LowerEdge::fixed;
+  Method method = Method::static_solve;
+  double strain = 1e-4;     ///< displacement of the top row over the distance of the two rows
+  double tolerance = 1e-6;  ///< of the residual, relative to that of uniform strain
+  int max_iterations = 0;   ///< 0: a million steps; for the static solve 50, more for tolerances below 1e-6
+  /// P's stretch (|xi + eta| - |xi|)/|xi| along the turned bond; otherwise the linearised one.
+  bool exact_stretch = false;
+  /// Look for hinges in any case; otherwise only where the solve hints at one (a loose node, or many iterations).
+  bool look_for_hinges = false;
+  Watch watch{};
+  BondLawChoice law{};
+};
+
+struct PullState;
+
+/// Is handed a way to the state; a caller that wants it asks for it (copying it takes time).
+using KeepPull = std::function<void(const std::function<PullState()>& state)>;
+
+struct DamageOptions {
+  Stiffness stiffness{};
+  Toughness toughness{};
+  Loading loading = Loading::tension;
+  LowerEdge lower = LowerEdge::fixed;
+  std::vector<Cut> cuts{};
+  double tolerance = 1e-6;  ///< of each static solve
+  double max_strain = 1;    ///< the pull ends here,
+  double end_stress = 0.1;  ///< or when the stress has fallen to this share of the largest,
+  int max_events = 10'000;  ///< or after so many rounds of breaking
+  /// Bonds within this share of the most overstretched break in the same round.
+  double band = 0.05;
+  Watch watch{};
+  /// Called before each round of breaking and, with that round's state, where the watch stopped the work.
+  KeepPull keep{};
+  /// Goes on from here, a state of a pull of the same map with the same options: the result has the same bits as that of a pull in one piece.
+  const PullState* resume = nullptr;
+  BondLawChoice law{};
+};
+
+}  // namespace arenite::peridynamics

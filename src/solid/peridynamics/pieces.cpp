@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <array>
+
+#include "core/joined_sets.hpp"
+#include "solid/peridynamics/support.hpp"
+
+namespace arenite::peridynamics {
+namespace {
+
+/// Owner of every node, -1 for void: its grain; for matrix the grain that a flood through the matrix reaches it from
+/// first; for matrix that touches no grain, one number beyond the grains.
+Buffer<std::int32_t> owners(const PhaseMap& map, const Grid& grid) {
+  Buffer<std::int32_t> owner(grid.padded_size());
+  constexpr std::int32_t unowned = -2;
+  std::fill_n(owner.data(), owner.size(), -1);
+  for (int y = 0; y < grid.height; ++y)
+    for (int x = 0; x < grid.width; ++x) {
+      const auto i = map.index(x, y);
+      owner[grid.index(x, y)] = map.phase[i] == Phase::particle ? map.grain[i] : map.phase[i] == Phase::matrix ? unowned : -1;
+    }
+  std::vector<std::ptrdiff_t> front;
+  const std::array<std::ptrdiff_t, 4> sides{1, -1, grid.stride, -grid.stride};
+  const auto flood_from = [&](std::ptrdiff_t i) {
+    for (const auto step : sides)
+      if (owner[i + step] == unowned) {
+        owner[i + step] = owner[i];
+        front.push_back(i + step);
+      }
+  };
+  for (int y = 0; y < grid.height; ++y)
+    for (int x = 0; x < grid.width; ++x)
+      if (map.phase[map.index(x, y)] == Phase::particle) flood_from(grid.index(x, y));
+  for (std::size_t k = 0; k < front.size(); ++k) flood_from(front[k]);
+  std::replace(owner.data(), owner.data() + owner.size(), unowned, static_cast<std::int32_t>(map.grain_class.size()));
+  return owner;
+}
+
+constexpr int cell = Pieces::cell;
+
+/// A cell of the sample: its first node and how many it has each way.
+struct Cell {
+  int x0, y0, wide, high;
+};
+
+/// Joins the nodes of one cell (by their places in it, y * cell + x) that a bond ties and one owner has.
+void join_nodes(const Bonds& bonds, const Buffer<std::int32_t>& owner, const Cell& c, JoinedSets& sets) {
+  const Grid& grid = bonds.grid;
+  sets.part(static_cast<std::size_t>(cell * cell));
+  for (int y = 0; y < c.high; ++y)
+    for (int x = 0; x < c.wide; ++x) {
+      const std::ptrdiff_t i = grid.index(c.x0 + x, c.y0 + y);
+      if (owner[i] < 0) continue;
+      // Deep inside a grain the two nearest neighbours already tie all nodes together.
+      const bool inside = bonds.group[static_cast<std::ptrdiff_t>(c.y0 + y) * grid.groups + (c.x0 + x) / Grid::lanes] == particle_bond;
+      const std::uint32_t word = bonds.words[i];
+      for (int d = 0; d < (inside ? 4 : bonds_per_node); d += inside ? 3 : 1) {
+        const Offset e = half_bonds[static_cast<unsigned>(d)];
+        if (!(word >> (2 * d) & 3u) || static_cast<unsigned>(x + e.x) >= static_cast<unsigned>(c.wide) || y + e.y >= c.high) continue;
+        if (owner[i + bonds.step(d)] == owner[i]) sets.join(y * cell + x, (y + e.y) * cell + x + e.x);
+      }
+    }
+}
+
+/// Numbers the pieces of one cell in the order of their first node.
+void add_pieces(const Grid& grid, const Buffer<std::int32_t>& owner, const Cell& c, JoinedSets& sets, Pieces& pieces) {
+  std::array<std::int32_t, cell * cell> piece;
+  for (int y = 0; y < c.high; ++y)
+    for (int x = 0; x < c.wide; ++x) {
+      const std::ptrdiff_t i = grid.index(c.x0 + x, c.y0 + y);
+      if (owner[i] < 0) continue;
+      const std::int32_t k = y * cell + x, root = sets.find(k);
+      if (root == k) {
+        piece[static_cast<unsigned>(k)] = pieces.count();
+        pieces.owner.push_back(owner[i]);
+        pieces.cell_x.push_back(c.x0 / cell);
+        pieces.cell_y.push_back(c.y0 / cell);
+        pieces.nodes.push_back(0);
+      }
+      const std::int32_t p = piece[static_cast<unsigned>(root)];
+      pieces.of_node[i] = p;
+      ++pieces.nodes[static_cast<std::size_t>(p)];
+    }
+}
+
+}  // namespace
+
+Pieces cut_into_pieces(const PhaseMap& map, const Bonds& bonds, const std::vector<std::uint8_t>& prescribed) {
+  const Grid& grid = bonds.grid;
+  auto owner = owners(map, grid);
+  for (int y = 0; y < grid.height; ++y)
+    if (prescribed[static_cast<std::size_t>(y)] == both_prescribed) std::fill_n(owner.data() + grid.row(y), grid.width, -1);
+
+  Pieces pieces;
+  pieces.of_node = Buffer<std::int32_t>(grid.padded_size());
+  std::fill_n(pieces.of_node.data(), pieces.of_node.size(), Pieces::none);
+  JoinedSets sets;
+  for (int y0 = 0; y0 < grid.height; y0 += cell)
+    for (int x0 = 0; x0 < grid.width; x0 += cell) {
+      const Cell c{x0, y0, std::min(cell, grid.width - x0), std::min(cell, grid.height - y0)};
+      join_nodes(bonds, owner, c, sets);
+      add_pieces(grid, owner, c, sets, pieces);
+    }
+  return pieces;
+}
+
+}  // namespace arenite::peridynamics

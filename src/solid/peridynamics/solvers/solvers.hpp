@@ -1,0 +1,95 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "solid/peridynamics/kernels/kernels.hpp"
+#include "solid/peridynamics/support.hpp"
+
+/// The ways to the field at equilibrium.
+namespace arenite::peridynamics {
+
+/// How a static solve ended.
+struct StaticReport {
+  bool converged = false;
+  bool stopped = false;  ///< the watch asked for it
+  int iterations = 0;
+  double residual = 0;          ///< relative, of the field that is handed back, worked out anew
+  std::vector<double> history;  ///< relative residual after each iteration, the start first
+  std::int32_t coarse_unknowns = 0;
+  int repairs = 0;              ///< CoarseSpace::repairs
+  std::size_t loose_nodes = 0;  ///< nodes that can move freely in some direction
+};
+
+/// Linearised equilibrium by conjugate gradients with the two-level preconditioner. The object keeps its set-up for
+/// many right sides, and through broken bonds: the preconditioner may lag behind the bonds.
+class StaticSolver {
+ public:
+  /// `pieces` are those that carry (support.hpp), `prescribed` has one entry a row.
+  StaticSolver(const Bonds& bonds, Pieces pieces, std::vector<std::uint8_t> prescribed);
+  ~StaticSolver();
+
+  /// On entry `u` holds the prescribed displacements and a first guess, on return the field at equilibrium. Residuals are relative to that of uniform
+  /// strain (residual_reference). `body`, if given, is a force on every node beside that of the bonds.
+  StaticReport solve(const Bonds& bonds, Field<double>& u, double tolerance, int max_iterations, const Watch& watch = {}, const Field<double>* body = nullptr);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Equilibrium under P's stretch: the linearised solve, again and again, with what it leaves out as a body force. The
+/// error falls by about the strain in each round. Forces that turn a loose node about its hinge are left out: linearly
+/// nothing resists them. Ends with the best field found where rounds stop helping.
+StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vector<std::uint8_t>& prescribed, StaticSolver& solver, Field<double>& u,
+                                 double tolerance, int max_iterations, const Watch& watch = {});
+
+/// What the explicit ways need beside the bonds.
+struct Dynamics {
+  const Bonds& bonds;
+  const std::vector<std::uint8_t>& prescribed;
+  double dx;
+  bool exact_stretch;
+  double tolerance;  ///< relative residual, as in the static solve
+  std::int64_t max_steps;
+  const Watch& watch;
+};
+
+/// P II.C: m u'' = f - nu u', unit mass, viscosity 0.9 of the critical sqrt(2 m k) of the softest bond, central
+/// differences at 0.9 of the stable step. `u` holds prescribed displacements and the start, and then the end.
+StaticReport damped_dynamics(const Dynamics& dynamics, Field<double>& u);
+
+/// Adaptive dynamic relaxation: the mass of a node is its own 2 x 2 stiffness, so that one step fits all; the damping
+/// is critical for the frequency that the Rayleigh quotient of the velocities shows (P. Underwood, 1983).
+StaticReport adaptive_relaxation(const Dynamics& dynamics, Field<double>& u);
+
+/// sum a . a over the nodes of the sample.
+template <class T>
+double square_norm(const Grid& grid, const Field<T>& a);
+
+/// What residuals are relative to: |f(u)| of the sample strained uniformly between its clamps. (The displaced row alone
+/// would give some fifty times more, and a tolerance that says little about stresses.) `u` holds the prescribed
+/// displacements, `work` and `f` are overwritten. Zero only where nothing is displaced or no strain leaves a force.
+template <class T>
+double residual_reference(const Bonds& bonds, const std::vector<std::uint8_t>& prescribed, const Field<double>& u, Field<T>& work, Field<T>& f);
+
+/// Tells a watch how far a residual has come down, on a logarithmic scale from its first value to the tolerance.
+class Reporter {
+ public:
+  Reporter(const Watch& watch, double tolerance) : watch_(watch), tolerance_(tolerance) {}
+
+  bool goes_on(int iterations, double residual) {
+    if (!watch_) return true;
+    if (first_ == 0) first_ = residual;
+    if (residual > 0 && first_ > tolerance_) share_ = std::clamp(std::log(first_ / residual) / std::log(first_ / tolerance_), share_, 1.0);
+    return watch_({share_, iterations, residual, 0, 0, 0});
+  }
+
+ private:
+  const Watch& watch_;
+  double tolerance_, first_ = 0, share_ = 0;
+};
+
+}  // namespace arenite::peridynamics

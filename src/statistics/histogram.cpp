@@ -1,0 +1,142 @@
+#include "statistics/histogram.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "statistics/jackknife.hpp"
+
+namespace arenite::statistics {
+
+double Counts::total() const {
+  double sum = below + above;
+  for (const double c : in) sum += c;
+  return sum;
+}
+
+Counts BlockCounts::without(std::size_t b) const {
+  Counts rest = all;
+  for (std::size_t k = 0; k < rest.in.size(); ++k) rest.in[k] -= block[b].in[k];
+  rest.below -= block[b].below;
+  rest.above -= block[b].above;
+  return rest;
+}
+
+Bins pdf_bins(std::size_t n, const Spread& s) {
+  const double range = s.high - s.low, core = 5.5 * (s.upper_quarter - s.lower_quarter);
+  if (!(range > 1e-12 * std::max(std::abs(s.minimum), std::abs(s.maximum)))) return {};
+  const double number = std::clamp(std::round(0.8 * std::pow(static_cast<double>(n), 0.4)), 10.0, 200.0);
+  const double width = std::max((core > 0 ? std::min(range, core) : range) / number, range / 1000);
+  const double first = std::floor(std::max(s.minimum, s.low - 2 * range) / width);
+  const double last = std::floor(std::min(s.maximum, s.high + 2 * range) / width) + 1;
+  return {first * width, width, static_cast<std::size_t>(last - first)};
+}
+
+BlockCounts count(const BlockedSample& sample, const Bins& bins) {
+  const std::size_t row = bins.count + 2, blocks = static_cast<std::size_t>(sample.blocks);
+  std::vector<std::uint32_t> tally(row * blocks, 0);
+  const double scale = bins.count ? 1 / bins.width : 0, top = static_cast<double>(bins.count);
+  for (std::size_t i = 0; i < sample.x.size(); ++i) {
+    const double k = std::clamp((sample.x[i] - bins.low) * scale, -1.0, top);
+    ++tally[sample.block[i] * row + static_cast<std::size_t>(k + 1)];
+  }
+  BlockCounts result{bins, {std::vector<double>(bins.count, 0.0), 0, 0}, {}};
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const auto* t = tally.data() + b * row;
+    Counts counts{std::vector<double>(t + 1, t + 1 + bins.count), static_cast<double>(t[0]), static_cast<double>(t[row - 1])};
+    for (std::size_t k = 0; k < bins.count; ++k) result.all.in[k] += counts.in[k];
+    result.all.below += counts.below;
+    result.all.above += counts.above;
+    result.block.push_back(std::move(counts));
+  }
+  return result;
+}
+
+double share_above(const Bins& bins, const Counts& counts, double x) {
+  const double total = counts.total(), place = (x - bins.low) / bins.width;
+  double above = counts.above;
+  for (std::size_t k = bins.count; k-- > 0;) {
+    const double part = static_cast<double>(k + 1) - place;
+    if (part <= 0) break;
+    above += std::min(part, 1.0) * counts.in[k];
+  }
+  return above / total;
+}
+
+double quantile(const Bins& bins, const Counts& counts, double p) {
+  double rest = p * counts.total() - counts.below;
+  for (std::size_t k = 0; k < bins.count; ++k) {
+    if (rest <= counts.in[k] && counts.in[k] > 0) return bins.edge(k) + std::max(0.0, rest / counts.in[k]) * bins.width;
+    rest -= counts.in[k];
+  }
+  return bins.edge(bins.count);
+}
+
+std::vector<double> density(const Bins& bins, const Counts& counts) {
+  const double scale = 1 / (counts.total() * bins.width);
+  std::vector<double> y;
+  for (const double c : counts.in) y.push_back(c * scale);
+  return y;
+}
+
+Curve pdf(const BlockCounts& counts) {
+  Curve curve;
+  if (counts.bins.count == 0) return curve;
+  const std::vector<double> y = density(counts.bins, counts.all);
+  std::vector<std::vector<double>> replicates;
+  for (std::size_t b = 0; b < counts.block.size(); ++b)
+    if (const Counts rest = counts.without(b); rest.total() > 0) replicates.push_back(density(counts.bins, rest));
+  const auto estimates = with_errors(y, replicates);
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    curve.x.push_back(counts.bins.centre(k));
+    curve.y.push_back(y[k]);
+    curve.error.push_back(estimates[k].error);
+  }
+  return curve;
+}
+
+std::vector<double> exact_quantiles(std::vector<double> values, const std::vector<double>& p) {
+  std::vector<double> result;
+  auto first = values.begin();
+  for (const double share : p) {
+    const auto rank = static_cast<std::size_t>(share * static_cast<double>(values.size()));
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::min(rank, values.size() - 1));
+    if (at >= first) std::nth_element(first, at, values.end());
+    result.push_back(*at);
+    first = at;
+  }
+  return result;
+}
+
+EvenDensity even_density(const std::vector<double>& x, double factor) {
+  EvenDensity result{{-1, 0.05, 140}, {}};
+  const Bins& bins = result.bins;
+  std::vector<std::size_t> in(bins.count, 0);
+  const double scale = factor / bins.width, shift = bins.low / bins.width, end = static_cast<double>(bins.count);
+  for (const double value : x) {
+    const double at = value * scale - shift;
+    if (at >= 0 && at < end) ++in[static_cast<std::size_t>(at)];
+  }
+  for (const std::size_t n : in) result.density.push_back(static_cast<double>(n) / (static_cast<double>(x.size()) * bins.width));
+  return result;
+}
+
+std::vector<double> smoothed(const std::vector<double>& f) {
+  std::vector<double> smooth;
+  for (std::size_t k = 0; k < f.size(); ++k) {
+    const std::size_t from = k > 0 ? k - 1 : 0, to = std::min(k + 2, f.size());
+    double sum = 0;
+    for (std::size_t j = from; j < to; ++j) sum += f[j];
+    smooth.push_back(sum / static_cast<double>(to - from));
+  }
+  return smooth;
+}
+
+Peak peak_of(const Bins& bins, const Counts& counts) {
+  Peak peak;
+  const std::vector<double> f = smoothed(density(bins, counts));
+  for (std::size_t k = 0; k < f.size(); ++k)
+    if (!(f[k] <= peak.height)) peak = {bins.centre(k), f[k]};
+  return peak;
+}
+
+}  // namespace arenite::statistics

@@ -1,0 +1,179 @@
+#include "statistics/tails.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "statistics/correlation.hpp"
+#include "statistics/jackknife.hpp"
+
+namespace arenite::statistics {
+
+namespace {
+
+/// Vuong's comparison of two fits of the excesses y > 0: exponential of rate beta, half-Gaussian of the same data.
+void compare_with_half_gaussian(const std::vector<double>& y, double beta, ExponentialTail& tail) {
+  double variance = 0;
+  const double n = static_cast<double>(y.size());
+  for (const double v : y) variance += v * v / n;
+  double sum = 0, squares = 0;
+  for (const double v : y) {
+    const double lead = (std::log(beta) - beta * v) - (0.5 * std::log(2 / (std::numbers::pi * variance)) - v * v / (2 * variance));
+    sum += lead;
+    squares += lead * lead;
+  }
+  const double spread = std::sqrt(std::max(0.0, squares - sum * sum / n));
+  tail.likelihood_ratio = sum;
+  if (spread > 0) tail.p_value = 0.5 * std::erfc(sum / spread / std::numbers::sqrt2);
+}
+
+/// What likelihoods of a tail need of its values: number, sum of x - low, sum of (x - 1)^2.
+struct TailSums {
+  double n = 0, excess = 0, squares = 0;
+
+  TailSums without(const TailSums& b) const { return {n - b.n, excess - b.excess, squares - b.squares}; }
+};
+
+std::vector<TailSums> sums_by_block(const BlockedSample& sample, TailRange range) {
+  std::vector<TailSums> sums(static_cast<std::size_t>(sample.blocks));
+  for (std::size_t i = 0; i < sample.x.size(); ++i) {
+    const double x = sample.x[i];
+    if (x < range.low || x >= range.high) continue;
+    TailSums& s = sums[sample.block[i]];
+    s.n += 1;
+    s.excess += x - range.low;
+    s.squares += (x - 1) * (x - 1);
+  }
+  return sums;
+}
+
+Line line_through(const Bins& bins, const Counts& counts, TailRange range) {
+  std::vector<double> x, y;
+  const std::vector<double> f = density(bins, counts);
+  for (std::size_t k = 0; k < bins.count; ++k)
+    if (bins.centre(k) > range.low && bins.centre(k) < range.high && f[k] > 0) {
+      x.push_back(bins.centre(k));
+      y.push_back(std::log(f[k]));
+    }
+  return fit_line(x, y);
+}
+
+/// Lead of the exponential over the Gaussian about 1, and how sure it is by its parts from each block.
+void compare(const std::vector<TailSums>& sums, TailSums all, TailRange range, double slope, TailFit& fit) {
+  const double a = range.low - 1, b = range.high - 1, theta = cut_gaussian_rate(all.squares / all.n, a, b);
+  const double exponential = log_integral_exponential(slope, b - a), gaussian = log_integral_gaussian(theta, a, b);
+  double lead = 0, squares = 0;
+  for (const TailSums& s : sums) {
+    const double part = s.n * (gaussian - exponential) - slope * s.excess + theta * s.squares;
+    lead += part;
+    squares += part * part;
+  }
+  const double blocks = static_cast<double>(sums.size());
+  fit.likelihood_ratio = lead;
+  const double variance = blocks > 1 ? (squares - lead * lead / blocks) * blocks / (blocks - 1) : 0;
+  if (variance > 0) fit.p_value = 0.5 * std::erfc(lead / std::sqrt(2 * variance));
+}
+
+}  // namespace
+
+ExponentialTail exponential_tail(const std::vector<double>& sorted) {
+  ExponentialTail tail;
+  const auto first = std::upper_bound(sorted.begin(), sorted.end(), 1.0);
+  std::vector<double> excess, logarithm;
+  double sum = 0;
+  const double n = static_cast<double>(sorted.size());
+  for (auto it = first; it != sorted.end(); ++it) {
+    excess.push_back(*it - 1);
+    logarithm.push_back(std::log((static_cast<double>(sorted.end() - it) - 0.5) / n));
+    sum += excess.back();
+  }
+  tail.count = excess.size();
+  if (tail.count < 2) return tail;
+  const double count = static_cast<double>(tail.count), beta = count / sum;
+  tail.beta = {beta, beta / std::sqrt(count)};
+  const Line line = fit_line(excess, logarithm);
+  tail.line_beta = {-line.slope, line.slope_error};
+  tail.line_r2 = line.r2;
+  compare_with_half_gaussian(excess, beta, tail);
+  return tail;
+}
+
+double cut_exponential_rate(double mean, double length) {
+  // The mean over the length falls from 1 to 0 as a = s length rises.
+  const auto relative_mean = [](double a) { return std::abs(a) < 1e-4 ? 0.5 - a / 12 : 1 / a - 1 / std::expm1(a); };
+  const double target = mean / length;
+  double low = -1, high = 1;
+  while (relative_mean(low) < target && low > -1e9) low *= 2;
+  while (relative_mean(high) > target && high < 1e9) high *= 2;
+  for (int k = 0; k < 100; ++k) {
+    const double middle = 0.5 * (low + high);
+    (relative_mean(middle) > target ? low : high) = middle;
+  }
+  return 0.5 * (low + high) / length;
+}
+
+double log_integral_exponential(double s, double length) {
+  const double a = s * length;
+  if (std::abs(a) < 1e-8) return std::log(length);
+  return std::log(length) + (a > 0 ? std::log(-std::expm1(-a) / a) : -a + std::log(std::expm1(a) / a));
+}
+
+double log_integral_gaussian(double theta, double a, double b) {
+  if (theta * std::max(a * a, b * b) < 1e-8) return std::log(b - a);
+  const double root = std::sqrt(theta);
+  return std::log(0.5 * std::sqrt(std::numbers::pi) / root * (std::erfc(a * root) - std::erfc(b * root)));
+}
+
+double cut_gaussian_rate(double mean_square, double a, double b) {
+  // Likelihood a value; concave in theta. Its upper end keeps the integral above the smallest numbers.
+  const auto likelihood = [&](double theta) { return -theta * mean_square - log_integral_gaussian(theta, a, b); };
+  const double golden = 0.5 * (std::sqrt(5.0) - 1);
+  double low = 0, high = a > 0 ? 500 / (a * a) : 100 / mean_square;
+  for (int k = 0; k < 100; ++k) {
+    const double span = golden * (high - low), left = high - span, right = low + span;
+    if (likelihood(left) < likelihood(right)) low = left;
+    else high = right;
+  }
+  return 0.5 * (low + high);
+}
+
+TailRange tail_range(const Bins& bins, const Counts& counts) {
+  if (bins.count == 0) return {};
+  const std::vector<double> f = smoothed(density(bins, counts));
+  const double peak = std::max(0.0, *std::max_element(f.begin(), f.end()));
+  std::size_t low = bins.count;
+  while (low > 0 && f[low - 1] < 0.1 * peak) --low;
+  std::size_t high = low;
+  while (high < bins.count && f[high] >= 0.001 * peak) ++high;
+  return {bins.edge(low), bins.edge(high)};
+}
+
+TailFit fit_tail(const BlockedSample& sample, const BlockCounts& counts, const std::vector<double>& replicate_mean) {
+  TailFit fit;
+  const TailRange range = tail_range(counts.bins, counts.all);
+  if (!(range.high > range.low)) return fit;
+  const std::vector<TailSums> sums = sums_by_block(sample, range);
+  TailSums all;
+  for (const TailSums& s : sums) all = {all.n + s.n, all.excess + s.excess, all.squares + s.squares};
+  fit.low = range.low;
+  fit.high = range.high;
+  fit.count = static_cast<std::size_t>(all.n);
+  const Line line = line_through(counts.bins, counts.all, range);
+  if (fit.count < 30 || !std::isfinite(line.slope)) return fit;
+  const double length = range.high - range.low, slope = cut_exponential_rate(all.excess / all.n, length);
+  std::vector<std::vector<double>> replicates;
+  for (std::size_t b = 0; b < sums.size(); ++b) {
+    const TailSums rest = all.without(sums[b]);
+    if (rest.n < 2) continue;
+    replicates.push_back({replicate_mean[b] * cut_exponential_rate(rest.excess / rest.n, length),
+                          -replicate_mean[b] * line_through(counts.bins, counts.without(b), range).slope});
+  }
+  const auto estimates = with_errors({slope, -line.slope}, replicates);
+  fit.slope = estimates[0];
+  fit.line_slope = estimates[1];
+  fit.line_r2 = line.r2;
+  compare(sums, all, range, slope, fit);
+  return fit;
+}
+
+}  // namespace arenite::statistics

@@ -1,0 +1,64 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "statistics/histogram.hpp"
+#include "statistics/numbers.hpp"
+
+namespace arenite::statistics {
+
+/// Exponential tail beyond the mean, x > 1: P = P_0 exp(beta (1 - x)).
+struct ExponentialTail {
+  std::size_t count = 0;
+  Estimate beta;       ///< maximum likelihood; error beta/sqrt(n)
+  Estimate line_beta;  ///< straight line through ln of the cumulative
+  double line_r2 = unknown;
+  double likelihood_ratio = unknown;  ///< ln L(exponential) - ln L(half-Gaussian)
+  double p_value = unknown;           ///< that the exponential's lead is chance (Vuong's test, one-sided)
+};
+
+/// Exponential tail of x beyond 1: maximum likelihood, straight line through ln of the cumulative, and the likelihood ratio against a half-Gaussian
+/// (Vuong's test). `sorted` rises; shares refer to all of its values.
+ExponentialTail exponential_tail(const std::vector<double>& sorted);
+
+/// Exponential fall-off exp(-s x) of the upper tail of values over their own mean (P IV.B), between two x: `low`, beyond which the pdf stays below
+/// 0.1 of its peak, and `high`, where it first falls below 0.001 of it (edges of pdf_bins, running mean of three bins).
+struct TailFit {
+  double low = unknown, high = unknown;
+  std::size_t count = 0;
+  Estimate slope, line_slope;
+  double line_r2 = unknown, likelihood_ratio = unknown, p_value = unknown;
+};
+inline constexpr Declared<TailFit> tail_numbers[] = {
+    {"slope", "", "s by maximum likelihood of the exponential cut at both ends", &TailFit::slope},
+    {"line_slope", "", "s by a straight line through ln pdf in the bins", &TailFit::line_slope},
+    {"line_r2", "", "Share of the variance of ln pdf that the line explains", &TailFit::line_r2},
+    {"low", "", "x from which the pdf stays below 0.1 of its peak", &TailFit::low},
+    {"high", "", "x where the pdf first falls below 0.001 of its peak", &TailFit::high},
+    {"count", "", "Values between low and high", &TailFit::count},
+    {"log_likelihood_ratio", "", "ln L(exponential) - ln L(Gaussian about the mean), both cut at both ends", &TailFit::likelihood_ratio},
+    {"p_value", "", "That the exponential's lead is chance, by its scatter between blocks, one-sided", &TailFit::p_value}};
+
+/// The range of the rule above; {NaN, NaN} where there are no bins.
+struct TailRange {
+  double low = unknown, high = unknown;
+};
+TailRange tail_range(const Bins& bins, const Counts& counts);
+
+/// Fits the tail of x. Errors come from leaving out one block at a time with the range held; `replicate_mean` is the mean of x without each block (1
+/// where x is over the mean of the rest), by which the slope is set right. Unknown for fewer than 30 values or three bins.
+TailFit fit_tail(const BlockedSample& sample, const BlockCounts& counts, const std::vector<double>& replicate_mean);
+
+/// Rate s of the exponential exp(-s y) on 0 <= y <= length that has this mean: the maximum-likelihood fit. Negative where it rises.
+double cut_exponential_rate(double mean, double length);
+
+/// theta >= 0 of exp(-theta u^2) on a <= u <= b that is likeliest for values of this mean square; 0 where none that falls is.
+double cut_gaussian_rate(double mean_square, double a, double b);
+
+/// ln of the integral of exp(-s y) over 0..length.
+double log_integral_exponential(double s, double length);
+
+/// ln of the integral of exp(-theta u^2) over a..b.
+double log_integral_gaussian(double theta, double a, double b);
+
+}  // namespace arenite::statistics

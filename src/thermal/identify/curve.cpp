@@ -1,0 +1,170 @@
+#include "thermal/identify/curve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/median.hpp"
+
+namespace arenite::identify {
+namespace {
+
+constexpr double noise_share = 0.05;         // of the range: smaller swings are no turning points
+constexpr std::size_t fewest_points = 5;
+
+/// A turning point of the force.
+struct Turn {
+  std::size_t at = 0;
+  bool peak = false;
+};
+
+/// The force with compression positive.
+std::vector<double> upright(const std::vector<double>& force) {
+  const auto [low, high] = std::minmax_element(force.begin(), force.end());
+  std::vector<double> f = force;
+  if (-*low > *high)
+    for (double& v : f) v = -v;
+  return f;
+}
+
+std::vector<Turn> turns_of(const std::vector<double>& f) {
+  const auto [low, high] = std::minmax_element(f.begin(), f.end());
+  const double swing = noise_share * (*high - *low);
+  std::vector<Turn> turns;
+  std::size_t extreme = 0;
+  bool rising = true;
+  for (std::size_t k = 0; k < f.size(); ++k) {
+    if (rising ? f[k] > f[extreme] : f[k] < f[extreme]) extreme = k;
+    else if (k > 0 && std::abs(f[k] - f[extreme]) > swing) {
+      turns.push_back({extreme, rising});
+      rising = !rising;
+      extreme = k;
+    }
+  }
+  turns.push_back({extreme, rising});
+  if (turns.front().peak && turns.front().at > 0) turns.insert(turns.begin(), Turn{0, false});
+  return turns;
+}
+
+[[noreturn]] void refuse(const Curve& curve, std::size_t at, const std::string& what) {
+  throw InputError(curve.file, curve.line[at], curve.name.empty() ? what : curve.name + ": " + what);
+}
+
+/// A force that falls back in between is a slip, or rows in a wrong order, and no cycle of its own.
+void check_valleys(const Curve& curve, const std::vector<double>& f, const std::vector<Turn>& turns) {
+  for (std::size_t t = 1; t + 1 < turns.size(); ++t) {
+    if (turns[t].peak) continue;
+    const double lesser = std::min(f[turns[t - 1].at], f[turns[t + 1].at]);
+    if (f[turns[t].at] > 0.5 * lesser)
+      refuse(curve, turns[t].at, fmt::format("the force falls from {:.4g} to {:.4g} N and rises again; a loading must rise steadily: remove what slipped, or sort the rows by time",
+                                             f[turns[t - 1].at], f[turns[t].at]));
+  }
+}
+
+/// Noise of one point, from what neighbours' steps differ by; a slip or two do not change it.
+double noise_of(const Curve& curve, const std::vector<std::size_t>& points) {
+  std::vector<double> bends;
+  for (std::size_t k = 2; k < points.size(); ++k) bends.push_back(std::abs(curve.x[points[k]] - 2 * curve.x[points[k - 1]] + curve.x[points[k - 2]]));
+  return median(std::move(bends)) / (0.6745 * std::sqrt(6.0));
+}
+
+/// The displacement must go one way, but for noise.
+void check_displacement(const Curve& curve, const std::vector<std::size_t>& points, double sense) {
+  const auto moved = [&](std::size_t k) { return sense * curve.x[points[k]]; };
+  double least = moved(0), most = moved(0), back = 0;
+  std::size_t worst = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    most = std::max(most, moved(k)), least = std::min(least, moved(k));
+    if (most - moved(k) > back) back = most - moved(k), worst = k;
+  }
+  if (back > noise_share * (most - least) && back > 8 * noise_of(curve, points))  // noise alone reaches about 7 standard deviations from end to end
+    refuse(curve, points[worst], fmt::format("the displacement runs back by {:.3g} mm while the force goes on; check that force and displacement are the right columns, or remove what slipped", 1e3 * back));
+}
+
+Cycle cycle_between(const Curve& curve, const std::vector<double>& f, std::size_t first, std::size_t last, const StiffnessOptions& options) {
+  Cycle cycle{first, last, std::max(f[first], f[last]), {}, {}};
+  std::vector<std::size_t> points;
+  std::vector<double> force, displacement;
+  for (std::size_t k = first; k <= last; ++k)
+    if (f[k] > options.preload) points.push_back(k), force.push_back(f[k]), displacement.push_back(curve.x[k]);
+  if (points.size() < fewest_points)
+    refuse(curve, last, fmt::format("a cycle has {} points beyond the preload of {:.4g} N; a slope needs at least {}: record more often, or lower the preload with --preload", points.size(),
+                                    options.preload, fewest_points));
+  const Regression line = regress(force, displacement);
+  const auto [least, most] = std::minmax_element(displacement.begin(), displacement.end());
+  const auto range = statistics::confidence_95(line.slope);
+  if (*least == *most || !(range.low > 0 || range.high < 0)) refuse(curve, last, "the displacement does not change with the force beyond its noise; check that it is the right column");
+  check_displacement(curve, points, (options.branch == Branch::loading) == (line.slope.value > 0) ? 1 : -1);
+  const statistics::Measured compliance{std::abs(line.slope.value), line.slope.error, line.slope.freedom};
+  cycle.stiffness = statistics::product({{compliance, -1}});
+  cycle.r2 = line.r2;
+  return cycle;
+}
+
+constexpr std::ptrdiff_t points_before = 10, fewest_before = 5;
+
+/// Scatter of the points up to the peak about their straight line, the peak left out: it was chosen for being high.
+statistics::Measured peak_with_noise(const Curve& curve, std::ptrdiff_t peak) {
+  const double value = curve.y[static_cast<std::size_t>(peak)];
+  const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, peak - points_before), count = peak - first;
+  if (count < fewest_before) return {value};
+  const std::vector<double> x(curve.x.begin() + first, curve.x.begin() + peak), y(curve.y.begin() + first, curve.y.begin() + peak);
+  const Regression line = regress(x, y);
+  if (!std::isfinite(line.slope.value)) return {value};
+  double squares = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double residual = y[k] - line.intercept.value - line.slope.value * x[k];
+    squares += residual * residual;
+  }
+  const double freedom = static_cast<double>(count - 2);
+  return {value, std::sqrt(squares / freedom), freedom};
+}
+
+}  // namespace
+
+std::vector<Cycle> cycles_of(const Curve& curve, const StiffnessOptions& options) {
+  if (curve.x.empty()) throw InputError(curve.file, 0, "holds no points; give one row a point");
+  const std::vector<double> f = upright(curve.y);
+  const auto greatest = std::max_element(f.begin(), f.end());
+  if (*greatest <= options.preload)
+    refuse(curve, static_cast<std::size_t>(greatest - f.begin()),
+           fmt::format("the force never exceeds the preload of {:.4g} N, its maximum is {:.4g} N; give the test's own preload with --preload", options.preload, *greatest));
+  const std::vector<Turn> turns = turns_of(f);
+  check_valleys(curve, f, turns);
+  std::vector<Cycle> cycles;
+  for (std::size_t t = 0; t + 1 < turns.size(); ++t) {
+    if (turns[t].peak == (options.branch == Branch::loading)) continue;
+    if (std::max(f[turns[t].at], f[turns[t + 1].at]) <= options.preload) continue;
+    cycles.push_back(cycle_between(curve, f, turns[t].at, turns[t + 1].at, options));
+  }
+  if (cycles.empty())
+    refuse(curve, curve.x.size() - 1, options.branch == Branch::loading ? "the force never rises; give the loading, or --branch unloading"
+                                                                        : "the force never falls; give the unloading, or --branch loading");
+  return cycles;
+}
+
+PullOff pull_off(const Curve& curve) {
+  const std::string of = curve.name.empty() ? "" : curve.name + ": ";
+  if (curve.y.size() < 3)
+    throw InputError(curve.file, curve.line.empty() ? 0 : curve.line.front(), of + "a pull-off record needs at least three points; give the whole record");
+  const auto at = std::max_element(curve.y.begin(), curve.y.end());
+  const std::ptrdiff_t peak = at - curve.y.begin();
+  if (!(*at > 0))
+    throw InputError(curve.file, curve.line[static_cast<std::size_t>(peak)], of + "the force is never a tension; write tension as positive force");
+  PullOff result{peak_with_noise(curve, peak), false};
+  result.separated = std::any_of(at, curve.y.end(), [&](double force) { return force <= 0.5 * *at; });
+  return result;
+}
+
+statistics::Measured surface_energy(const statistics::Measured& separation_force, const statistics::Measured& stiffness, double radius) {
+  return statistics::product({{{4 / radius}, 0.5}, {stiffness, 0.5}, {separation_force, 0.5}});
+}
+
+Threshold threshold(double gamma, double k, double radius) {
+  const double h = radius * gamma * gamma / (k * k);
+  return {0.25 * k * h, 0.25 * h, h};
+}
+
+}  // namespace arenite::identify

@@ -1,0 +1,94 @@
+#include "thermal/identify/findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.hpp"
+#include "statistics/numbers.hpp"
+#include "statistics/estimate.hpp"
+
+namespace arenite::identify {
+namespace {
+
+using statistics::number;
+
+Numbers numbers(const Finding& f) {
+  const auto interval = statistics::confidence_95(f.value);
+  Numbers j{{"value", number(f.value.value)}, {"error", number(f.value.error)}, {"confidence_95", {number(interval.low), number(interval.high)}}};
+  j["unit"] = f.unit.empty() ? "1" : si_unit(parse_unit(f.unit).dimension);
+  if (std::isfinite(f.value.freedom)) j["degrees_of_freedom"] = f.value.freedom;
+  if (f.stated) j["stated"] = {{"value", f.stated->value}, {"agrees", agrees(f)}};
+  return j;
+}
+
+void put(Numbers& to, const std::vector<Finding>& findings) {
+  for (const auto& f : findings) to[f.name] = numbers(f);
+}
+
+Numbers numbers(const Group& group) {
+  Numbers j{{"name", group.name}, {"count", group.count}};
+  put(j, group.findings);
+  for (const auto& test : group.tests) {
+    Numbers item{{"name", test.name}};
+    put(item, test.findings);
+    j["tests"].push_back(item);
+  }
+  return j;
+}
+
+/// Decimal places of what is printed to half a digit.
+int places_of(double half_digit) { return std::max(0, static_cast<int>(std::lround(-std::log10(2 * half_digit)))); }
+
+std::string comparison(const Finding& f) {
+  const double stated = f.stated->value / f.scale, half = f.stated->half_digit / f.scale, ours = f.value.value / f.scale;
+  const int places = places_of(half);
+  if (agrees(f)) return fmt::format("stated {:.{}f}: agrees", stated, places);
+  return fmt::format("stated {:.{}f}, here {:.{}f}: differs by {:+.{}f} ({:+.2g} %)", stated, places, ours, places, ours - stated, places + 1, 100 * (ours / stated - 1));
+}
+
+std::string line(const Finding& f) {
+  std::string text = statistics::with_error({f.value.value, f.value.error}, 1 / f.scale);
+  if (!f.unit.empty()) text += " " + f.unit;
+  const auto interval = statistics::confidence_95(f.value);
+  if (std::isfinite(interval.low) && interval.high > interval.low) text += fmt::format("  (95 %: {:.4g} to {:.4g})", interval.low / f.scale, interval.high / f.scale);
+  if (f.stated) text += "  " + comparison(f);
+  return text;
+}
+
+std::string readable(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+void put(statistics::Lines& lines, const Group& group) {
+  const std::string counted = fmt::format("{}{}", group.name, group.count > 0 ? fmt::format(" ({})", group.count) : "");
+  for (const auto& f : group.findings) lines.put(counted.empty() ? readable(f.name) : counted + ": " + readable(f.name), line(f));
+  for (const auto& test : group.tests)
+    for (const auto& f : test.findings) lines.put("  " + test.name + ": " + readable(f.name), line(f));
+}
+
+}  // namespace
+
+Numbers numbers(const Identification& i) {
+  Numbers j{{"kind", i.kind}, {"file", i.file}, {"groups", Numbers::list()}};
+  for (const auto& group : i.groups) j["groups"].push_back(numbers(group));
+  if (i.all) j["all"] = numbers(*i.all);
+  j["notes"] = i.notes;
+  return j;
+}
+
+bool agrees(const Finding& f) {
+  return f.stated && std::abs(f.value.value - f.stated->value) <= f.stated->half_digit * (1 + 1e-9) + 1e-12 * std::abs(f.value.value);
+}
+
+std::string to_text(const Identification& i) {
+  statistics::Lines lines;
+  for (const auto& group : i.groups) put(lines, group);
+  if (i.all) put(lines, *i.all);
+  for (const auto& note : i.notes) lines.note(note);
+  return lines.text();
+}
+
+}  // namespace arenite::identify

@@ -1,0 +1,180 @@
+#include "workflow/film_grains.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "core/problems.hpp"
+#include "io/sample/sample.hpp"
+#include "thermal/imaging/circles.hpp"
+
+namespace arenite::workflow {
+
+FilmPlace place_of(const recipe::FilmRecipe& recipe, const FilmInfo& film) {
+  const double pixel = recipe.picture.pixel;
+  const double left_edge = recipe.frame.left.value_or(0.5 * (film.width - 1) - 0.5 * recipe.frame.width / pixel);
+  const double top_edge = recipe.frame.top.value_or(0.5 * (film.height - 1) - 0.5 * recipe.frame.height / pixel);
+  return {{-left_edge * pixel, recipe.frame.height + top_edge * pixel}, pixel};
+}
+
+Domain frame_at(const recipe::FilmRecipe& recipe, double share) {
+  Domain domain;
+  domain.thickness = recipe.frame.thickness;
+  domain.wall[right].position = recipe.frame.width;
+  domain.wall[bottom].position = share * recipe.frame.travel;
+  domain.wall[top].position = recipe.frame.height;
+  return domain;
+}
+
+Materials materials_of(const recipe::FilmRecipe& recipe) {
+  Materials materials;
+  for (const recipe::FilmMaterial& m : recipe.materials) materials.push_back({m.name, 0, m.stiffness, m.thermoelastic_factor});
+  return materials;
+}
+
+Grains in_metres(const PictureGrains& found, const FilmPlace& place) {
+  Grains grains;
+  grains.resize(found.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Vec2 centre = place.metres(found.x[i], found.y[i]);
+    grains.id[i] = static_cast<std::int64_t>(i) + 1;
+    grains.x[i] = centre.x;
+    grains.y[i] = centre.y;
+    grains.radius[i] = found.radius[i] * place.pixel;
+    grains.material[i] = found.material[i];
+  }
+  return grains;
+}
+
+namespace {
+
+imaging::CircleOptions circle_options(const recipe::FilmRecipe& recipe, double pixel) {
+  imaging::CircleOptions options;
+  for (const double r : recipe.picture.radii) options.radii.push_back(r / pixel);
+  return options;
+}
+
+void keep(PictureGrains& grains, const std::vector<std::uint8_t>& kept) {
+  const auto filter = [&](auto& values) {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (kept[i]) values[n++] = values[i];
+    values.resize(n);
+  };
+  for (auto* values : {&grains.x, &grains.y, &grains.radius, &grains.position_error, &grains.radius_error, &grains.brightness, &grains.score})
+    if (!values->empty()) filter(*values);
+  for (auto* values : {&grains.material, &grains.size_class})
+    if (!values->empty()) filter(*values);
+}
+
+/// Screws and edges of the frame look round, too.
+void keep_inside(const recipe::FilmRecipe& recipe, const FilmPlace& place, PictureGrains& grains) {
+  std::vector<std::uint8_t> kept;
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    const Vec2 c = place.metres(grains.x[i], grains.y[i]);
+    const double deep = 0.5 * grains.radius[i] * place.pixel;
+    kept.push_back(c.x > deep && c.x < recipe.frame.width - deep && c.y > deep && c.y < recipe.frame.height - deep);
+  }
+  keep(grains, kept);
+}
+
+/// Share of the smaller radius by which load never presses two grains together.
+constexpr double most_overlap = 0.3;
+
+/// Of two circles that overlap by more than load can press them, the one whose rim shows less is no grain.
+void drop_overlapping(PictureGrains& grains) {
+  std::vector<std::uint8_t> kept(grains.size(), 1);
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double overlap = grains.radius[i] + grains.radius[j] - std::hypot(grains.x[i] - grains.x[j], grains.y[i] - grains.y[j]);
+      if (overlap > most_overlap * std::min(grains.radius[i], grains.radius[j])) kept[grains.score[i] < grains.score[j] ? i : j] = 0;
+    }
+  }
+  keep(grains, kept);
+}
+
+double quantile(std::vector<double> values, double share) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// A pore between three grains may have a round rim, but it is as dark as what is behind the grains.
+void drop_pores(const std::vector<float>& frame, bool bright, PictureGrains& grains) {
+  const std::vector<double> levels(frame.begin(), frame.end());
+  const double behind = quantile(levels, bright ? 0.02 : 0.98), halfway = 0.5 * (behind + quantile(grains.brightness, 0.5));
+  std::vector<std::uint8_t> kept;
+  for (const double b : grains.brightness) kept.push_back(bright ? b > halfway : b < halfway);
+  keep(grains, kept);
+}
+
+/// Grains of a list that overlap by more than load can press them: each pair is a slip of the list.
+void refuse_overlapping(const std::string& file, const Grains& grains) {
+  Problems problems(file);
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double overlap = grains.radius[i] + grains.radius[j] - norm(grains.centre(i) - grains.centre(j));
+      if (overlap > most_overlap * std::min(grains.radius[i], grains.radius[j]))
+        problems.add(fmt::format("grains {} and {} overlap by {:.3g} mm, more than load presses grains together; correct their centres or radii",
+                                    grains.id[j], grains.id[i], 1e3 * overlap));
+    }
+  }
+  problems.raise();
+}
+
+PictureGrains read_list(const recipe::FilmRecipe& recipe, const FilmPlace& place) {
+  const auto file = std::filesystem::path(recipe.source_file).parent_path() / recipe.picture.grains;
+  const Grains read = io::read_placed_grains(file, materials_of(recipe), frame_at(recipe, 0));
+  if (read.size() == 0) throw InputError(file.string(), 0, "lists no grains; give every grain a row");
+  refuse_overlapping(file.string(), read);
+  PictureGrains grains;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    grains.x.push_back(place.column(read.x[i]));
+    grains.y.push_back(place.row(read.y[i]));
+    grains.radius.push_back(read.radius[i] / place.pixel);
+    grains.position_error.push_back(0.3);
+    grains.material.push_back(read.material[i]);
+  }
+  return grains;
+}
+
+/// Grains in a frame fill three quarters of it and more; less speaks of grains that were not found.
+void warn_of_gaps(const recipe::FilmRecipe& recipe, const FilmPlace& place, const PictureGrains& grains, std::vector<std::string>& notes) {
+  constexpr double loose = 0.65;
+  double area = 0;
+  for (const double r : grains.radius) area += std::numbers::pi * r * r * place.pixel * place.pixel;
+  const double share = area / (recipe.frame.width * recipe.frame.height);
+  if (share < loose)
+    notes.push_back(fmt::format("the {} grains that were found cover {:.0f} % of the frame; if the sample fills it, give a sharper or finer optical picture "
+                                "(picture.optical) or a list of the grains (picture.grains)", grains.size(), 100 * share));
+}
+
+/// Circles of the film's own picture, without pores.
+PictureGrains film_grains(const recipe::FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film, const std::vector<float>& frame) {
+  auto found = imaging::find_circles({film.width, film.height, frame}, circle_options(recipe, place.pixel));
+  take_class_radii(found.report.class_radius, found.grains);
+  keep_inside(recipe, place, found.grains);
+  drop_overlapping(found.grains);
+  if (found.grains.size() > 0 && !found.report.between) drop_pores(frame, found.report.bright, found.grains);
+  return std::move(found.grains);
+}
+
+}  // namespace
+
+PictureGrains find_film_grains(const recipe::FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film, const std::vector<float>& frame,
+                               std::vector<std::string>& notes) {
+  if (!recipe.picture.grains.empty()) return read_list(recipe, place);
+  const bool optical = !recipe.picture.optical.empty();
+  PictureGrains grains = optical ? optical_grains(recipe, film, frame, notes) : film_grains(recipe, place, film, frame);
+  if (optical) keep_inside(recipe, place, grains), drop_overlapping(grains);
+  if (grains.size() == 0) throw InputError("the film shows no grains inside the frame; give a list of the grains (picture.grains), or correct [frame]");
+  warn_of_gaps(recipe, place, grains, notes);
+  take_materials(recipe, optical ? recipe.picture.optical : "the film", grains);
+  return grains;
+}
+
+}  // namespace arenite::workflow

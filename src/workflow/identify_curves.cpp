@@ -1,0 +1,173 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "workflow/identify.hpp"
+
+namespace arenite::workflow {
+namespace {
+
+using identify::Finding;
+using identify::Group;
+using identify::Identification;
+using statistics::Measured;
+
+constexpr double kN_per_mm = 1e6;
+const io::Quantity stiffness_quantity{{"stiffness", "k"}, dimension::stiffness, "kN/mm"};
+constexpr const char* needs_of_stiffness =
+    "has no columns for a stiffness; give displacement and force (a record), or stiffness (a table), or a table with the load or specimen in its first column and the "
+    "stiffnesses of one group in each other";
+
+Finding stiffness_finding(const Measured& k) { return {"stiffness", "kN/mm", kN_per_mm, k}; }
+
+std::vector<Finding> findings_of(const Measured& k, const StiffnessRequest& request) {
+  std::vector<Finding> findings{stiffness_finding(k)};
+  if (request.length) findings.push_back({"stiffness_per_length", "MPa", 1e6, statistics::product({{k, 1}, {{*request.length}, -1}})});
+  return findings;
+}
+
+/// Slopes of one group's cycles; the weakest fit goes to `worst_r2`.
+std::vector<std::pair<std::string, Measured>> slopes_of(const io::LaboratoryTable& table, const RowGroup& group, std::size_t force_column, const std::vector<double>& x,
+                                                        const std::vector<double>& y, const StiffnessRequest& request, double& worst_r2) {
+  std::vector<std::pair<std::string, Measured>> slopes;
+  for (const auto& test : tests_of(table, group, force_column)) {
+    const auto cycles = identify::cycles_of(curve_of(table, test, x, y), request.curve);
+    for (std::size_t c = 0; c < cycles.size(); ++c) {
+      const std::string number = cycles.size() > 1 ? fmt::format("cycle {}", c + 1) : "";
+      slopes.emplace_back(fmt::format("{}{}{} to {:.4g} kN", test.name, test.name.empty() || number.empty() ? "" : ", ", number, cycles[c].peak / 1e3), cycles[c].stiffness);
+      worst_r2 = std::min(worst_r2, cycles[c].r2);
+    }
+  }
+  return slopes;
+}
+
+/// Adds a group; its values go to `values` for what all have in common.
+void add_group(Identification& found, const std::string& name, const std::vector<std::pair<std::string, Measured>>& slopes, const StiffnessRequest& request,
+               std::vector<std::vector<double>>& values) {
+  std::vector<double> k;
+  for (const auto& [test, slope] : slopes) k.push_back(slope.value);
+  Group group{name, k.size(), findings_of(k.size() == 1 ? slopes.front().second : statistics::mean_of(k), request)};
+  if (k.size() > 1)
+    for (const auto& [test, slope] : slopes) group.tests.push_back({test, {stiffness_finding(slope)}});
+  found.groups.push_back(std::move(group));
+  values.push_back(std::move(k));
+}
+
+void add_all(Identification& found, const std::vector<std::vector<double>>& values, const StiffnessRequest& request) {
+  if (values.size() < 2) return;
+  std::vector<double> all;
+  for (const auto& group : values) all.insert(all.end(), group.begin(), group.end());
+  found.all = Group{"all", all.size(), findings_of(statistics::mean_of(all), request)};
+  const double chance = statistics::chance_of_equal_means(values);
+  if (std::isfinite(chance))
+    found.notes.push_back(fmt::format("groups alike would differ by as much in {:.2g} % of cases (analysis of variance){}", 100 * chance, chance < 0.05 ? ": they are not alike, and the error of the mean of all is too small" : ""));
+}
+
+}  // namespace
+
+Identification identify_stiffness(const std::string& file, const StiffnessRequest& request) {
+  io::LaboratoryTable table(file);
+  Identification found{"stiffness", file, {}};
+  std::vector<std::vector<double>> values;
+  const auto force = table.find(quantity::force), displacement = table.find(quantity::displacement);
+  if (force && displacement) {
+    const auto x = table.values(*displacement, quantity::displacement), y = table.values(*force, quantity::force);
+    double worst_r2 = 1;
+    const auto groups = groups_of(table);
+    for (const auto& group : groups)
+      add_group(found, group.name.empty() ? "all" : group.name, slopes_of(table, group, *force, x, y, request, worst_r2), request, values);
+    if (worst_r2 < 0.99) found.notes.push_back(fmt::format("the records are not straight (least R^2 {:.3f}): k is the mean slope between preload and peak", worst_r2));
+  } else {
+    for (const auto& group : value_groups(table, stiffness_quantity, needs_of_stiffness)) {
+      std::vector<std::pair<std::string, Measured>> slopes;
+      for (std::size_t k = 0; k < group.values.size(); ++k) {
+        if (!(group.values[k] > 0)) throw InputError(file, group.lines[k], fmt::format("the stiffness is {:.4g} N/m; it must be above 0", group.values[k]));
+        slopes.emplace_back(group.tests[k], Measured{group.values[k]});
+      }
+      add_group(found, group.name.empty() ? "all" : group.name, slopes, request, values);
+    }
+  }
+  add_all(found, values, request);
+  found.notes.insert(found.notes.end(), table.notes().begin(), table.notes().end());
+  compare_with_stated(request.stated, found);
+  return found;
+}
+
+namespace {
+
+const io::Quantity separation_quantity{{"separation_force", "mean_separation_force", "pull_off_force"}, dimension::force, ""};
+constexpr const char* needs_of_adhesion =
+    "has no columns for an adhesion; give displacement (or time) and force (a record), or separation_force (a table), or a table with the specimen in its first column and the "
+    "separation forces of one glue in each other";
+constexpr double no_trace = 50;  // k/gamma above which cohesion does not show in the mechanics (T 2.4.3)
+
+Finding force_finding(const Measured& force) { return {"separation_force", "N", 1, force}; }
+
+std::vector<Finding> findings_of(const Measured& force, const AdhesionRequest& request) {
+  std::vector<Finding> findings{force_finding(force)};
+  if (!request.stiffness || !request.radii) return findings;
+  const double radius = identify::effective_radius(request.effective_radius, request.radii->first, request.radii->second);
+  const Measured gamma = identify::surface_energy(force, *request.stiffness, radius);
+  const auto at = identify::threshold(gamma.value, request.stiffness->value, radius);
+  findings.push_back({"surface_energy", "kN/mm", 1e6, gamma});
+  findings.push_back({"threshold_force", "N", 1, {at.force, force.error, force.freedom}});
+  findings.push_back({"overlap_without_force", "um", 1e-6, {at.free_overlap}});
+  findings.push_back({"stiffness_over_surface_energy", "", 1, {request.stiffness->value / gamma.value}});
+  return findings;
+}
+
+void add_group(Identification& found, const std::string& name, const std::vector<std::pair<std::string, Measured>>& forces, const AdhesionRequest& request) {
+  std::vector<double> values;
+  for (const auto& [test, force] : forces) values.push_back(force.value);
+  const Measured force = forces.size() == 1 ? forces.front().second : statistics::mean_of(values);
+  Group group{name.empty() ? "all" : name, values.size(), findings_of(force, request)};
+  if (forces.size() > 1)
+    for (const auto& [test, each] : forces) group.tests.push_back({test, {force_finding(each)}});
+  if (request.stiffness && request.radii && group.findings.back().value.value > no_trace)
+    found.notes.push_back(fmt::format("{}: with k/gamma above {:.0f} cohesion is not expected to show in a packing's mechanics", group.name, no_trace));
+  found.groups.push_back(std::move(group));
+}
+
+/// The peaks of one group's records.
+std::vector<std::pair<std::string, Measured>> peaks_of(const io::LaboratoryTable& table, const RowGroup& group, std::size_t force_column, const std::vector<double>& x,
+                                                       const std::vector<double>& y, std::vector<std::string>& notes) {
+  std::vector<std::pair<std::string, Measured>> peaks;
+  for (const auto& test : tests_of(table, group, force_column)) {
+    const auto peak = identify::pull_off(curve_of(table, test, x, y));
+    const std::string name = test.name.empty() ? fmt::format("record {}", peaks.size() + 1) : test.name;
+    if (!peak.separated)
+      notes.push_back(fmt::format("{}{}{}: the record ends before the force has fallen to half of its peak; the joint may have held more", group.name, group.name.empty() ? "" : ", ", name));
+    peaks.emplace_back(name, peak.force);
+  }
+  return peaks;
+}
+
+}  // namespace
+
+Identification identify_adhesion(const std::string& file, const AdhesionRequest& request) {
+  io::LaboratoryTable table(file);
+  Identification found{"adhesion", file, {}};
+  const auto force = table.find(quantity::force), displacement = table.find(quantity::displacement), time = table.find(quantity::time);
+  if (force && (displacement || time)) {
+    const auto x = displacement ? table.values(*displacement, quantity::displacement) : table.values(*time, quantity::time);
+    const auto y = table.values(*force, quantity::force);
+    for (const auto& group : groups_of(table)) add_group(found, group.name, peaks_of(table, group, *force, x, y, found.notes), request);
+  } else {
+    for (const auto& group : value_groups(table, separation_quantity, needs_of_adhesion)) {
+      std::vector<std::pair<std::string, Measured>> forces;
+      for (std::size_t k = 0; k < group.values.size(); ++k) {
+        if (!(group.values[k] > 0))
+          throw InputError(file, group.lines[k], fmt::format("{}{}{}: the separation force is {:.4g} N; write tension as a positive force", group.name, group.tests[k].empty() ? "" : ", ", group.tests[k], group.values[k]));
+        forces.emplace_back(group.tests[k], Measured{group.values[k]});
+      }
+      add_group(found, group.name, forces, request);
+    }
+  }
+  if (!request.stiffness || !request.radii) found.notes.push_back("the surface energy needs the stiffness of the pair and the radii: --k \"27.35 kN/mm\" --radius \"6.2 mm\"");
+  found.notes.insert(found.notes.end(), table.notes().begin(), table.notes().end());
+  compare_with_stated(request.stated, found);
+  return found;
+}
+
+}  // namespace arenite::workflow

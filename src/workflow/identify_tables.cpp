@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/problems.hpp"
+#include "workflow/identify.hpp"
+
+namespace arenite::workflow {
+namespace {
+
+constexpr std::array group_labels{"group", "material", "glue", "diameter"};
+constexpr std::array test_labels{"curve", "specimen", "test", "load", "repeat", "cycle", "max_force"};
+
+/// "load", "load_kN", "Load [kN]".
+template <std::size_t n>
+bool is_label(const std::string& title, const std::array<const char*, n>& labels) {
+  std::string name = title;
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::any_of(labels.begin(), labels.end(), [&](const std::string label) { return name == label || name.starts_with(label + "_"); });
+}
+
+/// Rows that say the same in all these columns, in the order of their first.
+std::vector<RowGroup> rows_by(const io::LaboratoryTable& table, const std::vector<std::size_t>& rows, const std::vector<std::size_t>& columns, bool with_titles) {
+  std::vector<RowGroup> groups;
+  for (const std::size_t row : rows) {
+    std::string name;
+    for (const std::size_t c : columns)
+      name += fmt::format("{}{}{}", name.empty() ? "" : ", ", with_titles ? table.title(c) + " " : "", table.cell(row, c));
+    auto it = std::find_if(groups.rbegin(), groups.rend(), [&](const RowGroup& g) { return g.name == name; });
+    if (it == groups.rend()) groups.push_back({name, {}}), it = groups.rbegin();
+    it->rows.push_back(row);
+  }
+  return groups;
+}
+
+template <std::size_t n>
+std::vector<std::size_t> label_columns(const io::LaboratoryTable& table, const std::array<const char*, n>& labels, std::optional<std::size_t> taken) {
+  std::vector<std::size_t> columns;
+  for (std::size_t c = 0; c < table.columns(); ++c)
+    if (c != taken && is_label(table.title(c), labels)) columns.push_back(c);
+  return columns;
+}
+
+/// Half of the last digit of a number as it is written, in its own unit.
+double half_digit(std::string_view cell) {
+  const auto exponent_at = cell.find_first_of("eE");
+  const std::string_view digits = cell.substr(0, exponent_at);
+  const auto point = digits.find('.');
+  const double places = point == std::string_view::npos ? 0 : static_cast<double>(digits.size() - point - 1);
+  const double exponent = exponent_at == std::string_view::npos ? 0 : io::to_number(cell.substr(exponent_at + 1)).value_or(0);
+  return 0.5 * std::pow(10, exponent - places);
+}
+
+}  // namespace
+
+std::vector<RowGroup> groups_of(const io::LaboratoryTable& table) {
+  std::vector<std::size_t> rows(table.rows());
+  for (std::size_t r = 0; r < rows.size(); ++r) rows[r] = r;
+  return rows_by(table, rows, label_columns(table, group_labels, {}), false);
+}
+
+std::vector<RowGroup> tests_of(const io::LaboratoryTable& table, const RowGroup& group, std::optional<std::size_t> taken) {
+  return rows_by(table, group.rows, label_columns(table, test_labels, taken), true);
+}
+
+std::vector<std::size_t> group_columns(const io::LaboratoryTable& table) {
+  if (!is_label(table.title(0), test_labels) && !is_label(table.title(0), group_labels)) return {};
+  std::vector<std::size_t> columns;
+  for (std::size_t c = 1; c < table.columns(); ++c) {
+    if (is_label(table.title(c), test_labels) || is_label(table.title(c), group_labels)) continue;
+    columns.push_back(c);
+  }
+  return columns;
+}
+
+identify::Curve curve_of(const io::LaboratoryTable& table, const RowGroup& test, const std::vector<double>& x, const std::vector<double>& y) {
+  identify::Curve curve{table.file(), test.name, {}, {}, {}};
+  for (const std::size_t row : test.rows) curve.x.push_back(x[row]), curve.y.push_back(y[row]), curve.line.push_back(table.line(row));
+  return curve;
+}
+
+std::vector<ValueGroup> value_groups(io::LaboratoryTable& table, const io::Quantity& quantity, const std::string& needs) {
+  std::vector<ValueGroup> groups;
+  if (const auto column = table.find(quantity)) {
+    const auto values = table.values(*column, quantity);
+    for (const auto& rows : groups_of(table)) {
+      ValueGroup group{rows.name, {}, {}, {}};
+      for (const auto& test : tests_of(table, rows, column))
+        for (const std::size_t row : test.rows) group.values.push_back(values[row]), group.tests.push_back(test.name), group.lines.push_back(table.line(row));
+      groups.push_back(std::move(group));
+    }
+    return groups;
+  }
+  const bool half_a_record = table.find(quantity::force) || table.find(quantity::displacement) || table.find(quantity::time);
+  const auto columns = group_columns(table);
+  const bool load_is_label = table.find(quantity::force) == std::optional<std::size_t>(0) && is_label(table.title(0), test_labels);
+  if (columns.empty() || (half_a_record && !load_is_label)) throw InputError(table.file(), table.header_line(), needs);
+  for (const std::size_t c : columns) {
+    ValueGroup group{table.title(c), {}, {}, {}};
+    const auto values = table.values(c, quantity, true);
+    for (std::size_t row = 0; row < values.size(); ++row) {
+      if (!std::isfinite(values[row])) continue;
+      group.values.push_back(values[row]), group.lines.push_back(table.line(row));
+      group.tests.push_back(table.title(0) + " " + std::string(table.cell(row, 0)));
+    }
+    if (group.values.empty()) throw InputError(table.file(), table.header_line(), fmt::format("column {} holds no value; fill or remove it", table.title(c)));
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+void compare_with_stated(const std::string& file, identify::Identification& found) {
+  if (file.empty()) return;
+  io::LaboratoryTable table(file);
+  std::vector<identify::Group*> groups;
+  for (auto& group : found.groups) groups.push_back(&group);
+  if (found.all) groups.push_back(&*found.all);
+  std::vector<std::string> names;
+  for (const auto* group : groups) names.push_back(group->name);
+  bool any = false;
+  for (auto* group : groups) {
+    for (auto& finding : group->findings) {
+      const std::string mean = "mean_" + finding.name;
+      const io::Quantity quantity{{finding.name, mean}, parse_unit(finding.unit.empty() ? "1" : finding.unit).dimension, finding.unit};
+      const auto column = table.find(quantity);
+      if (!column) continue;
+      const auto values = table.values(*column, quantity, true);
+      for (std::size_t row = 0; row < values.size(); ++row) {
+        any = true;
+        if (table.cell(row, 0) != group->name || !std::isfinite(values[row])) continue;
+        const std::string_view cell = table.cell(row, *column);
+        const double written = io::to_number(cell).value_or(0);
+        finding.stated = identify::Stated{values[row], half_digit(cell) * (written != 0 ? std::abs(values[row] / written) : finding.scale)};
+      }
+    }
+  }
+  if (!any) throw InputError(file, table.header_line(), "states none of the quantities found; name a column stiffness, separation_force or surface_energy");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::string name(table.cell(row, 0));
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    const std::string near = nearest(name, names);
+    throw InputError(file, table.line(row), fmt::format("\"{}\" is none of the groups of {}; {}", name, found.file, near.empty() ? "name them alike" : fmt::format("did you mean \"{}\"?", near)));
+  }
+}
+
+}  // namespace arenite::workflow

@@ -1,0 +1,179 @@
+#include "workflow/run_film.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+#include <optional>
+
+#include "core/error.hpp"
+#include "core/version.hpp"
+#include "io/disk/file.hpp"
+#include "io/disk/store_file.hpp"
+#include "io/film/film.hpp"
+#include "io/results/results.hpp"
+#include "statistics/numbers.hpp"
+#include "workflow/film_checks.hpp"
+#include "workflow/film_grains.hpp"
+#include "workflow/measure_film.hpp"
+#include "workflow/result_folder.hpp"
+#include "workflow/runner.hpp"
+#include "workflow/stage_keys.hpp"
+
+namespace arenite::workflow {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The grains at the smallest load as a table that recipes read; lengths count from the frame's lower left corner.
+std::string table_of(const FilmResult& film) {
+  const Grains grains = in_metres(film.grains, {film.origin, film.pixel});
+  std::string text = "id,x [m],y [m],radius [m],material\n";
+  for (std::size_t i = 0; i < grains.size(); ++i)
+    text += fmt::format("{},{},{},{},{}\n", grains.id[i], grains.x[i], grains.y[i], grains.radius[i],
+                        film.packing.materials[static_cast<std::size_t>(grains.material[i])].name);
+  return text;
+}
+
+recipe::Recipe twin_recipe(const recipe::FilmRecipe& recipe, const fs::path& grains) {
+  recipe::Recipe twin = read_twin_recipe(recipe);
+  twin.populations.clear();
+  twin.packing.method = recipe::PackingParameters::Method::file;
+  twin.packing.file = fs::absolute(grains).string();
+  twin.frame.width = recipe.frame.width;
+  twin.frame.height = recipe.frame.height;
+  return twin;
+}
+
+Packing last_of(const StageResult& stage) { return stage.frames.back().packing; }
+
+}  // namespace
+
+std::vector<double> stress_of_disks(const Packing& packing) {
+  const Contacts& contacts = packing.contacts;
+  std::vector<double> pushed(packing.grains.size(), 0.0);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    pushed[static_cast<std::size_t>(contacts.i[c])] += contacts.fn[c];
+    if (!contacts.is_wall(c)) pushed[static_cast<std::size_t>(contacts.j[c])] += contacts.fn[c];
+  }
+  for (std::size_t i = 0; i < pushed.size(); ++i) pushed[i] /= -2 * std::numbers::pi * packing.grains.radius[i] * packing.domain.thickness;
+  return pushed;
+}
+
+TwinRun run_twin(const recipe::FilmRecipe& recipe, const FilmResult& film, const RunOptions& options) {
+  make_folder(options.out);
+  const fs::path grains = options.out / "grains.csv";
+  io::write_atomically(grains, table_of(film));
+  auto outcome = run(twin_recipe(recipe, grains), options);
+  TwinRun twin;
+  twin.converged = outcome.converged;
+  twin.interrupted = outcome.interrupted;
+  const StageResult *low = nullptr, *high = nullptr;
+  for (const StageResult& stage : outcome.stages) {
+    if (stage.name == recipe.twin->low) low = &stage;
+    if (stage.name == recipe.twin->high) high = &stage;
+    twin.outcome = stage.outcome;
+  }
+  if (low && high) {
+    twin.loaded = last_of(*high);
+    const auto released = stress_of_disks(last_of(*low));
+    twin.stresses.state = stress_of_disks(twin.loaded);
+    for (std::size_t i = 0; i < released.size(); ++i) twin.stresses.swing.push_back(twin.stresses.state[i] - released[i]);
+  }
+  twin.stages = std::move(outcome.stages);
+  return twin;
+}
+
+namespace {
+
+/// False if it was stopped; otherwise `loaded` is the simulated sample at the largest load.
+bool add_twin(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmResult& film, std::vector<StageResult>& stages, Packing& loaded) {
+  RunOptions run = options;
+  run.out = options.out / "twin";
+  run.progress = [&](const Progress& p) {
+    Progress shown = p;
+    shown.name = "twin: " + p.name;
+    shown.stage = 10 + p.stage;
+    shown.stages = 11 + p.stages;
+    options.progress(shown);
+  };
+  auto twin = run_twin(recipe, film, run);
+  if (twin.interrupted) return false;
+  film.twin = std::move(twin.stresses);
+  stages = std::move(twin.stages);
+  loaded = std::move(twin.loaded);
+  if (!twin.converged) options.notice("the simulation beside the film found no equilibrium: " + twin.outcome);
+  return true;
+}
+
+std::string sentence_of(const FilmResult& r) {
+  return fmt::format("{} grains and {} contacts at {:.6g} Hz", r.packing.grains.size(), r.packing.contacts.size(), r.maps.frequency);
+}
+
+/// What was doubted of a stored film.
+std::vector<std::string> doubts_of(const FilmResult& r) {
+  return r.numbers.contains("checks") ? r.numbers["checks"].value("doubts", std::vector<std::string>{}) : std::vector<std::string>{};
+}
+
+/// The film as it came to be known: maps, grains, forces. Nothing if it was stopped.
+std::optional<FilmResult> measured(const fs::path& film, FilmSource& source, const recipe::FilmRecipe& recipe, const FilmRunOptions& options) {
+  FilmResult result;
+  result.name = "film";
+  try {
+    recipe::FilmRecipe led = recipe;
+    if (const auto load = load_signal_of(film, source.info(), recipe.lockin.frequency, options.notice)) {
+      led.lockin.frequency = load->frequency;
+      if (!led.lockin.phase) led.lockin.phase = load->phase;
+    }
+    if (!measure_film(led, options, source, result)) return std::nullopt;
+  } catch (const InputError& error) {
+    throw in_file(error, film.string());
+  }
+  return result;
+}
+
+}  // namespace
+
+StageResult measured_stage(const FilmResult& film) {
+  StageResult stage;
+  stage.name = "measured swing";
+  stage.provenance = film.provenance;
+  stage.outcome = film.outcome;
+  Frame frame;
+  frame.label = "swing between the smallest and the largest load";
+  frame.packing = film.packing;
+  stage.frames.push_back(std::move(frame));
+  return stage;
+}
+
+FilmOutcome run_film(const fs::path& film, const recipe::FilmRecipe& recipe, const FilmRunOptions& options) {
+  FilmOutcome outcome;
+  const auto source = io::open_film(film, reading_of(recipe));
+  refuse_temperatures(recipe, film, source->info());
+  const PlannedStage stage = planned_stage(1, "film", film_key(film, *source, recipe), false, film_key(film, *source, recipe, Names::of_version_0_1));
+  if (recipe.twin) read_twin_recipe(recipe);
+  rename_former(options.out, {stage});
+  outcome.file = options.out / stage.file;
+  const auto make = [&](const fs::path&) -> std::optional<FilmResult> {
+    auto result = measured(film, *source, recipe, options);
+    if (!result) return std::nullopt;
+    Packing loaded;
+    if (recipe.twin && !add_twin(recipe, options, *result, outcome.twin, loaded)) return std::nullopt;
+    result->numbers = film_numbers(*result, loaded.grains.size() > 0 ? &loaded : nullptr);
+    result->outcome = sentence_of(*result);
+    result->provenance = {version, "film", stage.hash, to_toml(recipe), recipe.seed, "", {{"film", film.filename().string()}}};
+    return result;
+  };
+  bool reused = false;
+  auto result = carry_out<FilmResult>({stage, outcome.file, make, io::write_film_result, io::read_film_result, "the film is measured again"}, options, reused);
+  outcome.interrupted = !result;
+  if (!result) return outcome;
+  outcome.result = std::move(*result);
+  if (!reused) return outcome;
+  for (const auto& doubt : doubts_of(outcome.result)) options.notice(doubt);
+  Packing loaded;
+  outcome.interrupted = recipe.twin && !add_twin(recipe, options, outcome.result, outcome.twin, loaded);
+  return outcome;
+}
+
+}  // namespace arenite::workflow

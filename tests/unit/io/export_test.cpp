@@ -1,0 +1,94 @@
+#include "io/export/export.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "support/sample_results.hpp"
+
+namespace {
+using namespace arenite;
+
+Packing sheared_pair() {
+  Packing packing;
+  packing.materials = {{"A", 1, 1, 0}, {"B", 1, 1, 0}, {"C", 1, 1, 0}};
+  auto& d = packing.domain;
+  d.periodic_x = d.periodic_y = true;
+  for (auto& wall : d.wall) wall.present = false;
+  d.wall[right].position = 10;
+  d.wall[top].position = 8;
+  d.tilt = 3;
+  packing.grains.resize(2);
+  packing.grains.x = {1, 4.5};
+  packing.grains.y = {0.5, 7.5};
+  packing.grains.radius = {0.6, 0.6};
+  return packing;
+}
+
+TEST(ExportFrame, AContactAcrossATiltedPeriodicSideEndsAtTheNearImage) {
+  Packing packing = sheared_pair();
+  packing.contacts.add(0, 1, {0, 1}, 1, 0, 0.5, 0.5);
+  const Vec2 end = io::far_end(packing, 0);
+  EXPECT_DOUBLE_EQ(end.x, 1.5);   // 4.5 less the tilt
+  EXPECT_DOUBLE_EQ(end.y, -0.5);  // one cell below
+}
+
+TEST(ExportFrame, ContactTypesNumberThePairsOfMaterialsWhateverTheirOrder) {
+  Packing packing = sheared_pair();
+  packing.grains.resize(3);
+  packing.grains.material = {0, 1, 2};
+  for (std::int32_t a = 0; a < 3; ++a)
+    for (std::int32_t b = 0; b < 3; ++b) packing.contacts.add(a, b, {1, 0}, 1, 0, 1, 1);
+  packing.contacts.add(0, wall_partner(top), {0, -1}, 1, 0, 1, 0);
+  std::vector<int> types;
+  for (std::size_t c = 0; c < packing.contacts.size(); ++c) types.push_back(io::contact_type(packing, c));
+  EXPECT_EQ(types, (std::vector<int>{0, 1, 2, 1, 3, 4, 2, 4, 5, -1}));
+}
+
+TEST(ExportFrame, MeanForceIsOfPushingContactsBetweenGrains) {
+  Packing packing = sheared_pair();
+  packing.contacts.add(0, 1, {1, 0}, 4, 0, 1, 1);
+  packing.contacts.add(0, 1, {1, 0}, 2, 0, 1, 1);
+  packing.contacts.add(0, 1, {1, 0}, -100, 0, 1, 1);
+  packing.contacts.add(0, wall_partner(top), {0, -1}, 50, 0, 1, 0);
+  EXPECT_EQ(io::mean_compressive_force(packing.contacts), 3);
+  EXPECT_EQ(io::mean_compressive_force({}), 0);
+}
+
+TEST(ExportFrame, LammpsBoundsOfATiltedCellEncloseIt) {
+  Frame frame;
+  frame.packing = sheared_pair();
+  const auto dump = io::lammps_frame({0, "shear", &frame, {}}).front().bytes;
+  EXPECT_NE(dump.find("ITEM: BOX BOUNDS xy xz yz pp pp pp\n0 13 3\n0 8 0\n"), std::string::npos) << dump;
+  const auto xyz = io::extxyz_frame({0, "shear", &frame, {}}).front().bytes;
+  EXPECT_NE(xyz.find("Lattice=\"10 0 0 3 8 0 0 0 1\""), std::string::npos) << xyz;
+  EXPECT_NE(xyz.find("pbc=\"T T F\""), std::string::npos) << xyz;
+}
+
+TEST(ExportFrame, EveryFormatTakesASampleWithoutContactsOrGrains) {
+  Frame frame;
+  frame.packing.materials = {{"A", 1, 1, 0}};
+  for (const auto& format : io::export_formats()) {
+    std::set<std::string> names;
+    const io::ExportFrame one{0, "", &frame, {}};
+    for (const auto& file : format.of_loading ? format.of_loading({one}, {}) : format.of_frame(one)) {
+      EXPECT_FALSE(file.bytes.empty()) << file.name;
+      names.insert(file.name);
+    }
+    EXPECT_GE(names.size(), 1u) << format.name;
+  }
+}
+
+TEST(ExportFrame, UnknownNumbersAreEmptyCellsAndNamesWithCommasAreQuotedInTables) {
+  Frame frame;
+  frame.packing = test::row_of_grains(2);
+  frame.packing.materials[0].name = "POM, \"black\"";
+  const auto files = io::csv_frame({3, "load", &frame, {{"sigma_norm", "1", {0.5, std::nan("")}}}});
+  ASSERT_EQ(files.size(), 2u);
+  EXPECT_EQ(files[0].name, "grains_0003.csv");
+  EXPECT_NE(files[0].bytes.find("100,0,0.01,0.0101,\"POM, \"\"black\"\"\",1,0,0,-0,0,0.5\n"), std::string::npos) << files[0].bytes;
+  EXPECT_NE(files[0].bytes.find(",0.003,\n"), std::string::npos) << files[0].bytes;
+  EXPECT_NE(files[1].bytes.find("100,bottom,5,-0.25,0,-1,-1,"), std::string::npos) << files[1].bytes;
+}
+
+}  // namespace

@@ -1,0 +1,100 @@
+#include "io/hdf5/foreign.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstring>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "io/film/film.hpp"
+#include "io/disk/file.hpp"
+#include "support/films.hpp"
+#include "support/pictures.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace {
+using namespace arenite;
+using namespace arenite::io;
+using test::TemporaryFolder;
+
+constexpr hsize_t shape[] = {5, 7, 9};
+
+struct Way {
+  const char* name;
+  std::vector<hsize_t> chunk = {};
+  bool deflate = false, shuffle = false, checksum = false, compact = false, latest = false;
+  hsize_t user_block = 0;
+};
+
+/// 0, 1, 2, ... in a file of its own, written by HDF5 itself.
+void write(const std::filesystem::path& path, const Way& way) {
+  const hid_t creation = H5Pcreate(H5P_FILE_CREATE), access = H5Pcreate(H5P_FILE_ACCESS), set = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_userblock(creation, way.user_block);
+  if (way.latest) H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
+  if (!way.chunk.empty()) H5Pset_chunk(set, 3, way.chunk.data());
+  if (way.compact) H5Pset_layout(set, H5D_COMPACT);
+  if (way.shuffle) H5Pset_shuffle(set);
+  if (way.deflate) H5Pset_deflate(set, 6);
+  if (way.checksum) H5Pset_fletcher32(set);
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), space = H5Screate_simple(3, shape, nullptr);
+  const hid_t data = H5Dcreate2(file, "frames", H5T_STD_U16BE, space, H5P_DEFAULT, set, H5P_DEFAULT);
+  std::vector<std::uint16_t> numbers(315);
+  std::iota(numbers.begin(), numbers.end(), std::uint16_t{0});
+  H5Dwrite(data, H5T_NATIVE_UINT16, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data());
+  H5Dclose(data);
+  H5Sclose(space);
+  H5Fclose(file);
+  for (const hid_t list : {creation, access, set}) H5Pclose(list);
+}
+
+TEST(Hdf5Numbers, AreReadHoweverTheyAreStored) {
+  const TemporaryFolder folder;
+  for (const Way& way : {Way{"piece"}, Way{"beside", {}, false, false, false, true}, Way{"chunks", {2, 3, 4}}, Way{"rows", {2, 3, 9}}, Way{"one", {5, 7, 9}},
+                         Way{"deflated", {2, 3, 4}, true}, Way{"all", {2, 3, 4}, true, true, true}, Way{"odd sum", {1, 3, 3}, false, true, true},
+                         Way{"newest", {2, 3, 4}, true, true, true, false, true}, Way{"bytes before", {2, 3, 4}, true, false, false, false, false, 1024},
+                         Way{"bytes before a piece", {}, false, false, false, false, false, 512}}) {
+    write(folder / "a.h5", way);
+    for (const bool in_memory : {false, true}) {
+      const auto film = in_memory ? open_film(bytes_in_memory(read_file(folder / "a.h5"), "a")) : open_film(folder / "a.h5");
+      ASSERT_EQ(film->info().frames, 5) << way.name;
+      for (const auto& [first, count] : {std::pair{0, 5}, {1, 3}, {4, 1}}) {
+        FrameBlock block;
+        film->read(first, static_cast<std::size_t>(count), block);
+        for (std::size_t i = 0; i < block.level.size(); ++i) ASSERT_EQ(block.level[i], static_cast<std::size_t>(first) * 63 + i) << way.name;
+      }
+    }
+  }
+}
+
+TEST(Hdf5Numbers, AChunkThatWasChangedIsRefused) {
+  const TemporaryFolder folder;
+  for (const Way& way : {Way{"sum", {5, 7, 9}, false, false, true}, Way{"deflated", {5, 7, 9}, true}}) {
+    write(folder / "a.h5", way);
+    std::string bytes = read_file(folder / "a.h5");
+    bytes[bytes.size() - 40] = static_cast<char>(bytes[bytes.size() - 40] ^ 0x10);
+    const std::string said = test::complaint([&] { open_film(bytes_in_memory(bytes, "a")); });
+    EXPECT_NE(said.find("cannot be unpacked; copy the file again"), std::string::npos) << way.name << ": " << said;
+  }
+}
+
+TEST(Hdf5Unpack, NothingLargerThanAskedForIsMade) {
+  EXPECT_EQ(unpack_chunk("abcd", {}, 0, 4), "abcd");
+  EXPECT_FALSE(unpack_chunk("abcd", {}, 0, 5));
+  EXPECT_EQ(unpack_chunk("acbd", {{Hdf5Filter::Kind::shuffle, 2}}, 0, 4), "abcd");
+  EXPECT_EQ(unpack_chunk("acbd", {{Hdf5Filter::Kind::shuffle, 2}}, 1, 4), "acbd");
+  EXPECT_FALSE(unpack_chunk("abcd", {{Hdf5Filter::Kind::deflate, 1}}, 0, 4));
+  EXPECT_FALSE(unpack_chunk("ab", {{Hdf5Filter::Kind::checksum, 1}}, 0, 2));
+}
+
+TEST(OwnProcess, GivesBytesPassesRefusalsAndSurvivesDeath) {
+  std::string long_one(3'000'000, 'x');
+  EXPECT_EQ(in_sandbox("a", [&] { return long_one; }, long_one.size()), long_one);
+  EXPECT_EQ(in_sandbox("a", [] { return std::string(); }, 10), "");
+  EXPECT_EQ(test::complaint([] { in_sandbox("a", []() -> std::string { throw InputError("b", 3, "is wrong; mend it"); }, 10); }), "a: is wrong; mend it");
+  const std::function<std::string()> ends[] = {[]() -> std::string { std::raise(SIGKILL); return ""; }, []() -> std::string { throw 1; },
+                                               []() -> std::string { return std::string(std::size_t{1} << 40, 'x'); }, [] { return std::string(100, 'x'); }};
+  for (const auto& end : ends) EXPECT_EQ(test::complaint([&] { in_sandbox("a", end, 10); }), "a: is damaged; copy it again");
+}
+
+}  // namespace

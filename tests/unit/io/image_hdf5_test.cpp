@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include "io/image/image.hpp"
+#include "io/disk/file.hpp"
+#include "support/pictures.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace {
+using namespace arenite;
+using namespace arenite::test;
+using Values = std::vector<std::int32_t>;
+
+/// A file with datasets of any shape, all of the same numbers.
+class Hdf5Image : public ::testing::Test {
+ protected:
+  Hdf5Image() : path_(folder_ / "a.h5"), file_(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)) {}
+  void write(const char* name, std::vector<hsize_t> shape, hid_t type, std::vector<std::int64_t> values) {
+    const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
+    const hid_t set = H5Dcreate2(file_, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    if (!values.empty()) H5Dwrite(set, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    H5Dclose(set);
+    H5Sclose(space);
+  }
+  std::string bytes() {
+    if (file_ >= 0) H5Fclose(file_);
+    file_ = -1;
+    return io::read_file(path_);
+  }
+  Image decode(const io::ImageChoice& choice = {}) { return io::decode_image(bytes(), "a.h5", choice); }
+  std::string refusal(const io::ImageChoice& choice = {}) {
+    return complaint([&] { decode(choice); });
+  }
+  TemporaryFolder folder_;
+  std::filesystem::path path_;
+  hid_t file_;
+};
+
+TEST_F(Hdf5Image, FindsTheOnlyDatasetThatCanBeAPicture) {
+  write("numbers", {3}, H5T_STD_I32LE, {1, 2, 3});
+  write("fractions", {1, 2}, H5T_IEEE_F64LE, {1, 2});
+  write("map", {2, 3}, H5T_STD_U8BE, {0, 85, 170, 1, 2, 255});
+  const Image image = decode();
+  EXPECT_EQ(image.width, 3);
+  EXPECT_EQ(image.height, 2);
+  EXPECT_EQ(image.value, (Values{0, 85, 170, 1, 2, 255}));
+}
+
+TEST_F(Hdf5Image, AsksWhichOfTwoAndWhichSlice) {
+  write("labels", {1, 2}, H5T_STD_I32LE, {-1, 70000});
+  write("stack", {2, 1, 2}, H5T_STD_U16LE, {1, 2, 3, 4});
+  EXPECT_EQ(refusal(), "a.h5: holds 2 datasets that can be meant; choose one with --dataset: labels, stack");
+  EXPECT_EQ(decode({.slice = {}, .dataset = "labels"}).value, (Values{-1, 70000}));
+  EXPECT_NE(refusal({.slice = {}, .dataset = "stack"}).find("stack of 2 slices"), std::string::npos);
+  EXPECT_EQ(decode({.slice = 1, .dataset = "stack"}).value, (Values{3, 4}));
+  EXPECT_EQ(refusal({.slice = {}, .dataset = "lables"}), "a.h5: has no dataset \"lables\"; it has: labels, stack");
+}
+
+TEST_F(Hdf5Image, RefusesWhatIsNoPicture) {
+  write("fractions", {1, 2}, H5T_IEEE_F64LE, {1, 2});
+  EXPECT_NE(refusal().find("no dataset of whole numbers"), std::string::npos);
+  EXPECT_NE(refusal({.slice = {}, .dataset = "fractions"}).find("not a table of whole numbers"), std::string::npos);
+}
+
+TEST_F(Hdf5Image, RefusesValuesAndSizesBeyondItsMeans) {
+  write("large", {1, 1}, H5T_STD_U32LE, {4000000000});
+  write("huge", {1 << 20, 1 << 20}, H5T_STD_U8LE, {});
+  write("empty", {0, 4}, H5T_STD_U8LE, {});
+  EXPECT_NE(refusal({.slice = {}, .dataset = "large"}).find("the value 4000000000"), std::string::npos);
+  EXPECT_NE(refusal({.slice = {}, .dataset = "huge"}).find("100 million can be read"), std::string::npos);
+  EXPECT_NE(refusal({.slice = {}, .dataset = "empty"}).find("4 x 0 pixels"), std::string::npos);
+}
+
+TEST_F(Hdf5Image, RefusesAFileCutShort) {
+  write("map", {2, 3}, H5T_STD_U8LE, {0, 85, 170, 1, 2, 255});
+  const std::string whole = bytes();
+  for (std::size_t n = 8; n < whole.size(); n += 64)
+    EXPECT_FALSE(complaint([&] { io::decode_image(whole.substr(0, n), "a.h5"); }).empty()) << n;
+}
+
+}  // namespace

@@ -1,0 +1,83 @@
+#include "io/results/groups.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "core/error.hpp"
+
+namespace {
+using namespace arenite;
+
+Numbers any_value() {
+  switch (*rc::gen::inRange(0, 6)) {
+    case 0: return nullptr;
+    case 1: return *rc::gen::arbitrary<bool>();
+    case 2: return *rc::gen::arbitrary<std::int64_t>();
+    case 3: return *rc::gen::arbitrary<std::uint64_t>();
+    case 4: return *rc::gen::arbitrary<double>();
+    default: return *rc::gen::container<std::string>(rc::gen::inRange(' ', '~'));
+  }
+}
+
+Numbers any_numbers(int depth) {
+  const int kind = depth == 0 ? 0 : *rc::gen::inRange(0, 3);
+  if (kind == 0) return any_value();
+  Numbers n = kind == 1 ? Numbers::list() : Numbers::tree();
+  const int count = *rc::gen::inRange(0, 4);
+  for (int k = 0; k < count; ++k) {
+    if (kind == 1) n.push_back(any_numbers(depth - 1));
+    else n[*rc::gen::container<std::string>(rc::gen::element('a', 'b', '.', '0', '/'))] = any_numbers(depth - 1);
+  }
+  return n;
+}
+
+Numbers through_a_file(const Numbers& numbers) {
+  const io::Hdf5Writer file;
+  io::write_numbers(file, "numbers", numbers);
+  return io::read_numbers(io::Hdf5Reader(file.bytes(), "some.h5"), "numbers");
+}
+
+RC_GTEST_PROP(NumbersTable, GivesBackEveryNumberInItsOrder, ()) {
+  Numbers n{{"all", any_numbers(3)}};
+  RC_ASSERT(through_a_file(n) == n);
+}
+
+TEST(NumbersTable, KeepsIntegersThatNoRealHolds) {
+  const Numbers n{{"seed", 18446744073709551615u}, {"low", std::int64_t{-9007199254740993}}, {"text", " padded "}};
+  EXPECT_EQ(through_a_file(n), n);
+  EXPECT_FALSE(through_a_file({}).is_known());
+}
+
+TEST(NumbersTable, NumbersOfVersion01AreRead) {
+  const io::Hdf5Writer file;
+  file.write_text("texture", R"({"grains": 5, "z": {"value": 3.9, "error": 0.1}})");
+  file.write_text("none", "");
+  const io::Hdf5Reader at(file.bytes(), "old.h5");
+  EXPECT_EQ(io::read_numbers(at, "texture")["z"]["value"], 3.9);
+  EXPECT_FALSE(io::read_numbers(at, "none").is_known());
+}
+
+TEST(NumbersTable, WhatIsDamagedIsTold) {
+  for (const char* json : {R"({"grains": )", "[1, 2]", "5", "{\"grains\": \"\xff\"}"}) {
+    const io::Hdf5Writer file;
+    file.write_text("texture", json);
+    EXPECT_THROW(io::read_numbers(io::Hdf5Reader(file.bytes(), "old.h5"), "texture"), InputError) << json;
+  }
+  const auto refused = [](std::vector<std::string> name, std::vector<std::uint8_t> depth, std::vector<std::uint8_t> kind) {
+    const io::Hdf5Writer file;
+    const auto group = file.create_group("n");
+    group.write_texts("name", name);
+    group.write("depth", depth);
+    group.write("kind", kind);
+    group.write("value", std::vector<double>(name.size(), 1.0), "1");
+    group.write_texts("text", std::vector<std::string>(name.size()));
+    EXPECT_THROW(io::read_numbers(io::Hdf5Reader(file.bytes(), "some.h5"), "n"), InputError);
+  };
+  refused({"", "a"}, {0, 1}, {7});       // columns of unlike length
+  refused({"", "a"}, {0, 2}, {7, 4});    // a child without its parent
+  refused({"", "a", "b"}, {0, 0, 0}, {7, 4, 4});
+  refused({"", "a"}, {1, 2}, {7, 4});
+  refused({"", "list", ""}, {0, 1, 2}, {7, 4, 4});  // a real holds nothing
+}
+
+}  // namespace

@@ -1,0 +1,56 @@
+#include "report/run_drawing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "support/numbers_of.hpp"
+
+namespace arenite::report {
+namespace {
+
+using Json = nlohmann::json;
+
+workflow::FinalState state() {
+  workflow::FinalState state;
+  state.packing.materials = {{"POM", 1410, 1e7, 0}, {"HDPE", 950, 1e6, 0}};
+  Grains& grains = state.packing.grains;
+  grains.resize(2);
+  grains.x = {0.11, 0.14};
+  grains.y = {0.02, 0.02};
+  grains.radius = {0.01, 0.02};
+  grains.material = {1, 0};
+  grains.zone = {0, 1};
+  state.packing.contacts.add(0, 1, {-1, 0}, 5, 0, 0.01, 0.02);
+  state.texture.per_grain.sigma_norm = {0.5, 1.5};
+  return state;
+}
+
+TEST(SampleDrawing, GrainsStandInTheirBoxWithMaterialsAndGlue) {
+  const Json j = Json::parse(to_json(sample_drawing(state(), FigureKind::grains)));
+  EXPECT_EQ(j["size"], Json::parse("[60.0,40.0]"));
+  EXPECT_EQ(j["x"], Json::parse("[10.0,40.0]"));
+  EXPECT_EQ(j["y"], Json::parse("[20.0,20.0]"));
+  EXPECT_EQ(j["material"], Json::parse("[1,0]"));
+  EXPECT_EQ(j["glued"], Json::parse("[0,1]"));
+  EXPECT_EQ(j["materials"], Json::parse(R"(["POM","HDPE"])"));
+  EXPECT_FALSE(j.contains("f") || j.contains("stress"));
+}
+
+TEST(SampleDrawing, ForcesOrStressesAreThereWhereTheyAreShown) {
+  EXPECT_EQ(Json::parse(to_json(sample_drawing(state(), FigureKind::forces)))["f"], Json::parse("[1.0]"));
+  EXPECT_EQ(Json::parse(to_json(sample_drawing(state(), FigureKind::stresses)))["stress"], Json::parse("[0.5,1.5]"));
+}
+
+TEST(SampleDrawing, OfAFilmShowsTheGrainsThatWereFound) {
+  const Json j = Json::parse(to_json(film_drawing(test::numbers_of(R"({"found":{"x":[0.1],"y":[0.2],"radius":[0.01],"material":[1],"zone":[1],"sigma_norm":[1.234],"simulation":[1.2]}})"))));
+  EXPECT_EQ(j["size"], Json::parse("[20.0,20.0]"));
+  EXPECT_EQ(j["stress"], Json::parse("[1.23]"));
+  EXPECT_EQ(j["glued"], Json::parse("[1]"));
+  EXPECT_THROW(film_drawing(test::numbers_of(R"({"correlation":0.99})")), InputError);
+  EXPECT_THROW(film_drawing(test::numbers_of("{")), InputError);
+}
+
+}  // namespace
+}  // namespace arenite::report

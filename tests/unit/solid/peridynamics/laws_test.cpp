@@ -1,0 +1,56 @@
+#include "solid/peridynamics/laws/laws.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace arenite::peridynamics {
+namespace {
+
+/// What every bond law keeps to, whatever it is.
+template <class Law>
+class EveryBondLaw : public ::testing::Test {};
+
+template <class>
+struct TypesOf;
+template <class... L>
+struct TypesOf<std::variant<L...>> {
+  using type = ::testing::Types<L...>;
+};
+TYPED_TEST_SUITE(EveryBondLaw, TypesOf<BondLawChoice>::type);
+
+TYPED_TEST(EveryBondLaw, ForceIsTheGradientOfItsEnergy) {
+  const TypeParam law;
+  // The energy is a square: a central difference is exact but for rounding, 1e-16 * E(0.02)/(2e-4 F) of the force.
+  for (const double extension : {-0.02, -0.005, 0.003, 0.02}) {
+    const double step = 1e-4, slope = (law.energy(extension + step, 3.0) - law.energy(extension - step, 3.0)) / (2 * step);
+    EXPECT_NEAR(slope, law.force(extension, 3.0), 1e-12 * std::abs(slope)) << extension;
+  }
+  EXPECT_EQ(law.energy(0.0, 3.0), 0);
+}
+
+TYPED_TEST(EveryBondLaw, ForceIsProportionalToTheExtension) {
+  const TypeParam law;
+  EXPECT_EQ(law.force(8 * 0.003, 3.0), 8 * law.force(0.003, 3.0));
+  EXPECT_EQ(law.force(-0.003, 3.0), -law.force(0.003, 3.0));
+}
+
+TYPED_TEST(EveryBondLaw, BreaksAtItsCriticalStretchAndInStretchOnly) {
+  const TypeParam law;
+  const double critical = law.critical_stretch(1e6, 3e9, 1e-3);
+  EXPECT_GT(critical, 0);
+  EXPECT_EQ(law.damage(critical, critical), 1);
+  EXPECT_LT(law.damage(0.99 * critical, critical), 1);
+  EXPECT_LE(law.damage(-2 * critical, critical), 0);
+}
+
+TYPED_TEST(EveryBondLaw, NamesItsParametersWithUnitsAndRanges) {
+  EXPECT_FALSE(TypeParam::name.empty());
+  for (const LawParameter& p : TypeParam::parameters) {
+    EXPECT_FALSE(p.name.empty() || p.unit.empty() || p.sentence.empty());
+    EXPECT_FALSE(p.range.contains(-1));
+  }
+}
+
+}  // namespace
+}  // namespace arenite::peridynamics

@@ -1,0 +1,87 @@
+#include "thermal/camera/detector.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "thermal/camera/camera.hpp"
+
+namespace arenite::camera {
+namespace {
+
+TEST(FrameNoise, IsCorrelatedAsTold) {
+  for (const double correlation : {0.0, 0.5, 0.9}) {
+    FrameNoise noise(20000, correlation);
+    const std::vector<float> first = noise.of(3, 7), next = noise.of(3, 8), third = noise.of(3, 9);
+    double square = 0, once = 0, twice = 0;
+    for (std::size_t i = 0; i < 20000; ++i) {
+      square += static_cast<double>(first[i]) * static_cast<double>(first[i]) / 20000;
+      once += static_cast<double>(first[i]) * static_cast<double>(next[i]) / 20000;
+      twice += static_cast<double>(first[i]) * static_cast<double>(third[i]) / 20000;
+    }
+    EXPECT_NEAR(square, 1, 0.03);
+    EXPECT_NEAR(once, correlation, 0.03);
+    EXPECT_NEAR(twice, correlation * correlation, 0.03);
+  }
+}
+
+TEST(FrameNoise, IsTheSameInWhateverOrderFramesAreRead) {
+  FrameNoise there(100, 0.7), back(100, 0.7);
+  std::vector<std::vector<float>> frames;
+  for (std::uint64_t n = 0; n < 6; ++n) frames.push_back(there.of(1, n));
+  for (std::uint64_t n = 6; n-- > 0;) EXPECT_EQ(back.of(1, n), frames[n]) << n;
+}
+
+Parameters camera_before_a_plate() {
+  Parameters p;
+  p.optics.width = 40, p.optics.height = 30;
+  p.detector.gain_spread = p.detector.offset_spread = p.detector.bad_share = 0;
+  return p;
+}
+
+std::vector<double> plate(const Parameters& p, std::int64_t frames) {
+  const auto film = uniform_film(p, 296, frames, 5);
+  FrameBlock block;
+  film->read(0, static_cast<std::size_t>(frames), block);
+  return {block.level.begin(), block.level.end()};
+}
+
+constexpr double levels_per_kelvin = 16383 * 6e6 / 1.2e7 * 10.6 / 296;
+
+TEST(VirtualCamera, AllPixelsShareTheCommonNoise) {
+  Parameters p = camera_before_a_plate();
+  p.detector.netd = 0.001, p.detector.common_noise = 0.05;
+  const std::vector<double> level = plate(p, 400);
+  double mean = 0, square = 0;
+  for (std::size_t n = 0; n < 400; ++n) mean += level[n * 1200 + 7] / 400;
+  for (std::size_t n = 0; n < 400; ++n) square += std::pow(level[n * 1200 + 7] - mean, 2) / 400;
+  EXPECT_NEAR(std::sqrt(square) / levels_per_kelvin, 0.05, 0.01);
+  for (std::size_t n = 0; n < 5; ++n) EXPECT_NEAR(level[n * 1200 + 7], level[n * 1200 + 900], 5);
+}
+
+TEST(VirtualCamera, ALineGoesOverTheRows) {
+  Parameters p = camera_before_a_plate();
+  p.detector.netd = 0.001;
+  p.interference = {37, 0.05, 0.25};
+  p.timing.frame_rate = 148;  // four frames a cycle
+  const std::vector<double> level = plate(p, 8);
+  const double swing = 0.05 * levels_per_kelvin, rest = level[1200];  // a quarter of a cycle later, in the first row
+  for (std::size_t row = 0; row < 8; ++row) {
+    EXPECT_NEAR(level[row * 40] - rest, swing * std::cos(1.5707963 * static_cast<double>(row)), 4) << row;
+    EXPECT_NEAR(level[row * 1200] - rest, swing * std::cos(1.5707963 * static_cast<double>(row)), 4) << row;
+  }
+}
+
+TEST(VirtualCamera, TheSceneDriftsAsTold) {
+  Surroundings around;
+  around.drift = 0.01;
+  EXPECT_DOUBLE_EQ(around.warmer(20), 0.2);
+  around.drift_growth = 0.002;
+  EXPECT_DOUBLE_EQ(around.warmer(20), 0.6);
+  around.warm_up = 0.5, around.warm_up_time = 10;
+  EXPECT_DOUBLE_EQ(around.warmer(10), 0.2 + 0.5 * (1 - std::exp(-1.0)));
+  EXPECT_DOUBLE_EQ(around.warmer(0), 0);
+}
+
+}  // namespace
+}  // namespace arenite::camera

@@ -1,0 +1,107 @@
+#include "workflow/film_checks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+
+namespace arenite::workflow {
+namespace {
+
+recipe::FilmRecipe two_materials() {
+  recipe::FilmRecipe recipe;
+  recipe.materials = {{"POM", 0.015e-6, 0.1, 0.9}, {"HDPE", 0.0258e-6, 0.9, 0.9}};
+  recipe.frame.load_swing = 54e3;
+  return recipe;
+}
+
+/// A result whose fit wants the factors so many times larger.
+FilmResult wanting(double pom, double hdpe) {
+  FilmResult r;
+  r.pixel = 1.6e-3;
+  r.maps.frequency = 3;
+  r.packing.grains.resize(8);
+  for (std::size_t g = 0; g < 8; ++g) r.packing.grains.material[g] = static_cast<std::int32_t>(g % 2);
+  r.packing.contacts.add(0, 1, {1, 0}, 100, 0, 0.005, 0.005);
+  r.fit.factor_scale = {pom, hdpe};
+  r.fit.factor_scale_error = {0.01 * pom, 0.01 * hdpe};
+  return r;
+}
+
+std::string all(const std::vector<std::string>& doubts) {
+  std::string text;
+  for (const auto& d : doubts) text += d + '\n';
+  return text;
+}
+
+LockinMaps swinging(double phase) {
+  LockinMaps maps;
+  maps.width = maps.height = 4;
+  maps.mean.assign(16, 296);
+  maps.amplitude.assign(16, 0.05f), maps.phase.assign(16, static_cast<float>(phase)), maps.standard_error.assign(16, 1e-4f);
+  return maps;
+}
+
+TEST(FilmDoubts, NothingIsSaidOfWhatAgrees) {
+  EXPECT_EQ(all(film_doubts(two_materials(), wanting(1.03, 0.98))), "");
+}
+
+TEST(FilmDoubts, MaterialsTakenForEachOtherAreNamed) {
+  const double apart = 0.0258 / 0.015;
+  EXPECT_NE(all(film_doubts(two_materials(), wanting(apart, 1 / apart))).find("the two materials are taken for each other"), std::string::npos);
+}
+
+TEST(FilmDoubts, OneWrongFactorIsNamed) {
+  const std::string said = all(film_doubts(two_materials(), wanting(1, 0.7)));
+  EXPECT_NE(said.find("factor of POM against that of HDPE is 1.43 times"), std::string::npos) << said;
+}
+
+TEST(FilmDoubts, TheScaleOfForcesIsHeldAgainstTheLoad) {
+  for (const double scale : {1 / 1.5, 0.5, 2.0}) EXPECT_NE(all(film_doubts(two_materials(), wanting(scale, scale))).find("the likely causes are load_swing"), std::string::npos) << scale;
+  EXPECT_THROW(film_doubts(two_materials(), wanting(70, 70)), InputError);
+  recipe::FilmRecipe no_load = two_materials();
+  no_load.frame.load_swing = 0;
+  EXPECT_EQ(all(film_doubts(no_load, wanting(2, 2))), "");
+}
+
+TEST(FilmDoubts, AFitThatDoesNotAgreeIsNotMadeToAgreeInSilence) {
+  FilmResult r = wanting(1, 1);
+  r.fit.model_error = 0.3, r.fit.over_signal = 0.4, r.fit.over_noise = 12;
+  EXPECT_NE(all(film_doubts(two_materials(), r)).find("12 times the noise"), std::string::npos);
+}
+
+TEST(FilmDoubts, HeatThatDiffusesAndRimsOfAnotherBlurAreTold) {
+  FilmResult r = wanting(1, 1);
+  r.rim_blur = 0.8;
+  r.maps.frequency = 0.05;
+  const std::string said = all(film_doubts(two_materials(), r));
+  EXPECT_NE(said.find("not adiabatic"), std::string::npos);
+  EXPECT_NE(said.find("forces.blur tells 0.5"), std::string::npos);
+}
+
+TEST(FilmDoubts, PhaseIsHeldAgainstTheFilmsOwn) {
+  const double turn = 2 * std::numbers::pi;
+  EXPECT_NEAR(phase_off(swinging(0.4 * turn), 0.3), 0.1, 1e-6);
+  EXPECT_NEAR(phase_off(swinging(0.45 * turn), -0.5), -0.05, 1e-6);
+  recipe::FilmRecipe recipe = two_materials();
+  recipe.lockin.phase = 0.25 * turn;
+  EXPECT_THROW(refuse_impossible(recipe, swinging(0.5 * turn)), InputError);
+  EXPECT_THROW(refuse_impossible(recipe, swinging(0.75 * turn)), InputError);
+  EXPECT_NO_THROW(refuse_impossible(recipe, swinging(0.3 * turn)));
+  recipe.lockin.phase.reset();
+  EXPECT_NO_THROW(refuse_impossible(recipe, swinging(0.5 * turn)));
+}
+
+TEST(FilmDoubts, LevelsAreNoKelvin) {
+  LockinMaps levels = swinging(0);
+  levels.mean.assign(16, 7800);
+  EXPECT_THROW(refuse_impossible(two_materials(), levels), InputError);
+  levels = swinging(0);
+  levels.amplitude.assign(16, 30);
+  EXPECT_THROW(refuse_impossible(two_materials(), levels), InputError);
+}
+
+}  // namespace
+}  // namespace arenite::workflow
