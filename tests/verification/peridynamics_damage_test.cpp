@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "solid/peridynamics/bonds.hpp"
 #include "solid/peridynamics/damage.hpp"
 #include "solid/peridynamics/lattice.hpp"
 #include "solid/peridynamics/load.hpp"
