@@ -73,8 +73,8 @@ std::string with_unit(Dimension d) {
 
 }  // namespace
 
-bool is_in_reach(double si_value) {
-  const double magnitude = std::abs(si_value);
+bool is_in_reach(double value) {
+  const double magnitude = std::abs(value);
   return magnitude == 0 || (magnitude >= 1e-60 && magnitude <= 1e60);
 }
 
@@ -102,12 +102,12 @@ double parse_si(std::string_view text, Dimension wanted, std::string_view unit) 
                                                    with_unit(wanted), suggested));
 }
 
-std::string format_quantity(double si_value, std::string_view unit) {
-  if (const double factor = unit.empty() ? 1 : parse_unit(unit).factor; factor != 1) return fmt::format("{:.15g} {}", si_value / factor, unit);
+std::string format_quantity(double value, std::string_view unit) {
+  if (const double factor = unit.empty() ? 1 : parse_unit(unit).factor; factor != 1) return fmt::format("{:.15g} {}", value / factor, unit);
   // The shortest digits of the SI value with their exponent moved read back as the very same double.
   const int decade = unit.empty() ? 0 : parse_unit(unit).decade;
   std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), si_value, std::chars_format::scientific).ptr;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific).ptr;
   const std::string_view digits(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
   const std::size_t mark = digits.find('e');
   int exponent = 0;
@@ -119,7 +119,7 @@ std::string format_quantity(double si_value, std::string_view unit) {
   if (negative) number.erase(0, 1);
   std::erase(number, '.');
   const int count = static_cast<int>(number.size());
-  if (si_value == 0) {
+  if (value == 0) {
     number = "0";
   } else if (exponent < -5 || exponent > 8) {
     if (count > 1) number.insert(1, ".");

@@ -43,7 +43,7 @@ Unit parse_unit(std::string_view text);
 
 /// Whether an SI value is 0 or of a magnitude, 1e-60 to 1e60, that is computed with: fourth powers of such numbers are still plain doubles, and no
 /// quantity that is measured lies beyond.
-bool is_in_reach(double si_value);
+bool is_in_reach(double value);
 
 /// Reads "27.35 kN/mm". Throws InputError (without place) for anything that is not one number in reach and a unit.
 Quantity parse_quantity(std::string_view text);
@@ -54,7 +54,7 @@ double parse_si(std::string_view text, Dimension wanted, std::string_view unit =
 
 /// The value written in `unit`, shortest text that reads back as the same double: format_quantity(0.0164, "mm") = "16.4 mm". An empty unit gives the
 /// bare number. For units that are powers of ten of SI.
-std::string format_quantity(double si_value, std::string_view unit);
+std::string format_quantity(double value, std::string_view unit);
 
 /// The SI unit in its usual spelling ("N/m", "Pa", "kg/m^3"); empty for no dimension.
 std::string si_unit(Dimension dimension);

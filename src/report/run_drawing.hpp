@@ -16,7 +16,7 @@ namespace arenite::report {
 Numbers sample_drawing(const workflow::FinalState& state, FigureKind kind);
 
 /// The same of the grains that a film shows, with `stress` as it gives them over their mean; `film` is what is kept of it
-/// (ledger/virtual_film.hpp). Throws InputError if that is no film's.
+/// (campaign/virtual_film.hpp). Throws InputError if that is no film's.
 Numbers film_drawing(const Numbers& film);
 
 /// A cemented sample as JSON for a figure: `size` of the picture in mm, `nodes` across and up, from the top row on runs of equal

@@ -35,7 +35,7 @@ class Engine {
   void set_gravity(Vec2 g);                    ///< m/s^2
   void set_drives(const WallDrives& drives);   ///< from the next step on
   void set_drag(double rate);                  ///< 1/s
-  /// The grains' own masses, or even ones for a compaction (masses.hpp); never with gravity. A step that they do not allow is shortened, or refused
+  /// The grains' own masses, or even ones for a compaction (bounds.hpp); never with gravity. A step that they do not allow is shortened, or refused
   /// (InputError) where it was given.
   void set_masses(Masses masses);
   void set_inertial_number(double number);     ///< how fast the sample yields to its force-controlled sides (walls.hpp)

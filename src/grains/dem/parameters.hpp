@@ -17,7 +17,7 @@ enum class StiffnessRule { thesis, series };      ///< thesis: like pairs k, unl
 enum class WallStiffness { stiffest, grain, series };
 enum class Arms { contact_point, full_radius };
 enum class FrictionCap { raised_by_adhesion, as_printed }; ///< mu (F_n + |F_c|), or T (1.28) with F_c printed negative
-enum class Masses { own, even };                   ///< see dem/masses.hpp
+enum class Masses { own, even };                   ///< see dem/bounds.hpp
 enum class IntegratorKind { velocity_verlet, leapfrog, gear5 };
 
 /// How fast a sample yields to a force on its sides, as a share of sqrt(F H/M): F the force, H the way to the other side, M the mass.

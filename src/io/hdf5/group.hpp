@@ -70,7 +70,7 @@ class Hdf5Writer {
   void set(const std::string& name, std::uint64_t value) const;
   void set(const std::string& name, std::string_view text) const;
 
-  /// The whole file as it stands; its first 512 bytes are free (io/sealed_file.hpp).
+  /// The whole file as it stands; its first 512 bytes are free (io/disk/store_file.hpp).
   std::string bytes() const;
 
  private:
