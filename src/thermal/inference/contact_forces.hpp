@@ -13,7 +13,7 @@ namespace arenite {
 struct InferredForces {
   Contacts contacts;
   std::vector<double> fn_error, ft_error;    ///< N, one a contact
-  std::vector<double> presence;              ///< probability that a contact is there (thermal/inference/contact_forces.hpp), one a contact
+  std::vector<double> presence;              ///< probability that a contact is there (presence.hpp), one a contact
   std::vector<std::uint8_t> present;         ///< 1 for those taken as there: as many as are expected, the likeliest
   std::vector<double> idle;                  ///< probability that it neither is there nor lost a force on the way
   double expected = 0, expected_error = 0;   ///< number of contacts that are there
