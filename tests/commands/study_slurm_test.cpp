@@ -80,7 +80,7 @@ TEST(Study, OnSlurmFortyRunsInFourTasksWithOneKilledAndOneStoppedGiveTheLocalBit
 
   EXPECT_NE(arenite::test::slurp(fs::path(cluster) / ("slurm-" + job + "-4.log")).find("stopped; the same command goes on"), std::string::npos);
   const auto expected = results(local), got = results(cluster);
-  EXPECT_EQ(expected.size(), 40u * 7);
+  EXPECT_EQ(expected.size(), 40u * 8);
   ASSERT_EQ(got.size(), expected.size());
   for (const auto& [name, bytes] : expected) EXPECT_TRUE(got.contains(name) && got.at(name) == bytes) << name;
 }
