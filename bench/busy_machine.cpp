@@ -22,7 +22,7 @@ class BusyLoops {
       const pid_t process = fork();
       if (process == 0) {
         prctl(PR_SET_PDEATHSIG, SIGKILL);
-        for (volatile std::uint64_t turn = 0;; turn = turn + 1) {}
+        for (volatile std::uint64_t turn = 0;;) { turn = turn + 1; }
       }
       if (process > 0) running_.push_back(process);
     }

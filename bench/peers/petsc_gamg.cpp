@@ -152,7 +152,7 @@ Outcome solve_with_petsc(const PhaseMap& map) {
   must(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, s.begin.data(), s.column.data(), s.value.data(), &a));
   must(MatSetBlockSize(a, 2));
   must(MatSetOption(a, MAT_SPD, PETSC_TRUE));
-  Vec place, b, u, r;
+  ::Vec place, b, u, r;
   must(VecCreateSeq(PETSC_COMM_SELF, n, &place));
   must(VecSetBlockSize(place, 2));
   double* xy;
