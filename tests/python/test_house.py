@@ -78,3 +78,22 @@ def test_unit_tests_mirror_sources():
         if not own & stems.get(place_of(test.relative_to(tests)), set()):
             stray.append(str(test.relative_to(ROOT)))
     assert not stray, "\n".join(sorted(stray))
+
+
+def test_hops_of_the_architecture_are_true():
+    """Each file of a chain names what it calls of the next, which has it, too."""
+    chains, chain = [], []
+    for line in (ROOT / "ARCHITECTURE.md").read_text().splitlines():
+        hop = re.match(r"(\d+)\. `([a-z_0-9/.]+)`(?: -> `([A-Za-z_:]+)`)?", line)
+        if hop and hop.group(1) == "1":
+            chain = []
+            chains.append(chain)
+        if hop:
+            chain.append((ROOT / hop.group(2), (hop.group(3) or "").split("::")[-1]))
+    assert len(chains) == 3
+    for chain in chains:
+        assert len(chain) <= 7
+        for (file, call), (following, _) in zip(chain, chain[1:]):
+            assert re.search(rf"\b{call}\b", file.read_text()), f"{file} does not call {call}"
+            beside = following.with_suffix(".hpp")
+            assert any(re.search(rf"\b{call}\b", f.read_text()) for f in (following, beside) if f.exists()), f"{following} has no {call}"
