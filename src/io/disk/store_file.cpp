@@ -16,6 +16,7 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "io/disk/file.hpp"
+#include "io/disk/refuse.hpp"
 #include "io/table/table.hpp"
 
 namespace arenite::io {

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "io/disk/store_file.hpp"
+#include "io/disk/refuse.hpp"
 #include "io/film/formats.hpp"
 
 namespace arenite::io {

@@ -9,6 +9,7 @@
 
 #include "core/median.hpp"
 #include "io/table/table.hpp"
+#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {

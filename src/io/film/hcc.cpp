@@ -8,6 +8,7 @@
 #include "io/film/formats.hpp"
 #include "io/film/film.hpp"
 #include "io/film/formats.hpp"
+#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {

@@ -12,6 +12,7 @@
 #include "io/film/formats.hpp"
 #include "io/hdf5/foreign.hpp"
 #include "io/hdf5/handle.hpp"
+#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "io/film/formats.hpp"
+#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {

@@ -10,6 +10,7 @@
 #include "core/units.hpp"
 #include "io/film/formats.hpp"
 #include "io/table/table.hpp"
+#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {

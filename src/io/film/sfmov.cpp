@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "io/film/formats.hpp"
 #include "io/table/table.hpp"
+#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {

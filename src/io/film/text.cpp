@@ -11,6 +11,7 @@
 #include "io/table/table.hpp"
 #include "io/film/formats.hpp"
 #include "io/table/table.hpp"
+#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/hdf5/handle.hpp"
+#include "io/disk/refuse.hpp"
 
 // HDF5 trusts what it reads. Of files of other programs it is asked little, in a process of its own.
 namespace arenite::io {

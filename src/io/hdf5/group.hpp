@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/disk/refuse.hpp"
+
 namespace arenite::io {
 
 class Hdf5Turn;

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "io/hdf5/handle.hpp"
 #include "statistics/numbers.hpp"
+#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {

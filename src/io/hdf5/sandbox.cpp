@@ -17,6 +17,7 @@
 #include "core/error.hpp"
 #include "io/hdf5/handle.hpp"
 #include "io/disk/file.hpp"
+#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {

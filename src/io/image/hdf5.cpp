@@ -13,6 +13,7 @@
 #include "io/hdf5/handle.hpp"
 #include "io/hdf5/foreign.hpp"
 #include "io/hdf5/foreign.hpp"
+#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {

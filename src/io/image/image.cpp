@@ -12,6 +12,7 @@
 #include "core/problems.hpp"
 #include "io/disk/byte_source.hpp"
 #include "io/disk/file.hpp"
+#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {

@@ -12,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "io/image/image.hpp"
+#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "io/disk/file.hpp"
+#include "io/disk/refuse.hpp"
 #include "io/image/image.hpp"
 
 namespace arenite::io {

@@ -8,6 +8,7 @@
 #include "io/sample/sample.hpp"
 #include "io/sample/sample.hpp"
 #include "io/disk/file.hpp"
+#include "io/disk/refuse.hpp"
 #include "io/table/table.hpp"
 #include "io/sample/sample.hpp"
 
