@@ -1,5 +1,7 @@
 #include "io/disk/file.hpp"
 
+#include "io/disk/refuse.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
