@@ -1,7 +1,5 @@
 #include "io/disk/file.hpp"
 
-#include "io/disk/refuse.hpp"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -16,6 +14,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 
