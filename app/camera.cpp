@@ -48,7 +48,7 @@ void add_camera(Options& command, int& status) {
   command.add("result", a->result, "Folder of a run, or a stage file (.h5), whose states are filmed").required().type("RESULT");
   command.add("--recipe", a->recipe, "Recipe of the film with its [camera] (TOML)").required().type("RECIPE.toml");
   add_overrides(command, a->overrides);
-  command.add("--out", a->out, "Folder of the film, its plates and its recipe (default: out/film)").type("DIR");
+  command.add("--out", a->out, "Folder of the film, its references and its recipe (default: out/film)").type("DIR");
   command.add("--format", a->format, "Format of the films").among(io::film_formats_to_write());
   command.add("--blind", a->blind, "film.toml holds what a laboratory knows and no more: not the lens's blur, the surroundings, the load's phase and the wall's travel");
   command.add("--quiet", a->quiet, "No progress");

@@ -1,7 +1,5 @@
 #include "commands.hpp"
 
-
-
 namespace arenite::app {
 
 const std::vector<Command>& commands() {

@@ -9,7 +9,6 @@
 #include <thread>
 
 #include "commands.hpp"
-#include "core/error.hpp"
 #include "core/version.hpp"
 #include "grains/dem/kernels/kernel.hpp"
 

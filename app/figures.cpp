@@ -7,9 +7,7 @@
 #include <optional>
 
 #include "commands.hpp"
-#include "core/error.hpp"
 #include "core/units.hpp"
-#include "options.hpp"
 
 namespace arenite::app {
 namespace {

@@ -2,25 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 
-#include "core/error.hpp"
-#include "core/units.hpp"
-#include "io/film/film.hpp"
 #include "workflow/result_folder.hpp"
 
 namespace arenite::app {
-namespace {
 
 double above_zero(const char* option, const std::string& text, Dimension dimension, const char* unit) {
   const double value = option_value(option, [&] { return parse_si(text, dimension, unit); });
   if (!(value > 0)) throw InputError(fmt::format("{} is {}; it must be above 0", option, text));
   return value;
 }
-
-}  // namespace
 
 void FilmReading::add_to(Options& command) {
   command.add("--frame-rate", frame_rate, "Instead of what the film says, e.g. \"148 Hz\"").type("FREQUENCY");

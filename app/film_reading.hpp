@@ -3,10 +3,14 @@
 #include <utility>
 #include <vector>
 
+#include "core/units.hpp"
 #include "io/film/film.hpp"
 #include "options.hpp"
 
 namespace arenite::app {
+
+/// The value of an option in SI. Throws InputError that names it for what is no such quantity, or not above 0.
+double above_zero(const char* option, const std::string& text, Dimension dimension, const char* unit);
 
 /// Options that say of a film what it does not say itself, alike in every command that reads one.
 struct FilmReading {

@@ -1,15 +1,9 @@
-
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
 #include "commands.hpp"
-#include "core/error.hpp"
-#include "core/units.hpp"
-#include "io/disk/file.hpp"
 #include "io/table/table.hpp"
-#include "options.hpp"
 #include "report/found_grains.hpp"
 #include "workflow/film_grains.hpp"
 #include "workflow/result_folder.hpp"

@@ -4,9 +4,6 @@
 #include <string>
 
 #include "commands.hpp"
-#include "core/error.hpp"
-#include "core/units.hpp"
-#include "options.hpp"
 #include "workflow/identify.hpp"
 
 namespace arenite::app {
@@ -18,7 +15,7 @@ struct Arguments {
   std::string what, file, stated;
   std::string preload = "1 kN", branch = "loading", length;                                  // stiffness
   std::string k, radius, effective_radius = "four_reduced";                                  // adhesion
-  std::string section, young, poisson, temperature_swing = "full", load_swing = "full";      // factor
+  std::string section, young, poisson, temperature_swing = "full", load_peak_to_peak = "full";      // factor
   std::string responsivity, amplification = "1", emissivity = "1", reference = "296 K", surface = "296 K", band = "3.6 um,5.1 um";
   bool through_origin = false, json = false;
 };
@@ -78,7 +75,7 @@ identify::Identification factor(const Arguments& a) {
   if (!a.poisson.empty()) request.poisson = measured("--poisson", a.poisson, dimension::none, "");
   if (request.poisson && !(request.poisson->value < 1)) throw InputError("--poisson: must be below 1");
   if (a.temperature_swing == "half") request.temperature_swing = workflow::Swing::half;
-  if (a.load_swing == "half") request.stress_swing = workflow::Swing::half;
+  if (a.load_peak_to_peak == "half") request.stress_swing = workflow::Swing::half;
   request.through_origin = a.through_origin;
   if (!a.responsivity.empty()) {
     identify::Detector d;
@@ -113,7 +110,7 @@ void add_thermal(Options& command, Arguments& a) {
   command.add("--poisson", a.poisson, "Factor from strains: Poisson's ratio, e.g. \"0.35 +- 0.02\"").type("NUMBER");
   command.add("--temperature-swing", a.temperature_swing, "Factor: temperatures and signals are full swings (default) or half, the amplitude of a sine")
       .among({"full", "half"}).type("SWING");
-  command.add("--load-swing", a.load_swing, "Factor: stresses, forces and strains are full swings (default) or half; force_max and force_min always give the full one")
+  command.add("--load-swing", a.load_peak_to_peak, "Factor: stresses, forces and strains are full swings (default) or half; force_max and force_min always give the full one")
       .among({"full", "half"}).type("SWING");
   command.add("--through-origin", a.through_origin, "Factor: hold the line to the origin");
 }

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "core/error.hpp"
 #include "io/disk/file.hpp"
 #include "recipe/film_recipe.hpp"
 #include "recipe/recipe.hpp"

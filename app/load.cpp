@@ -6,19 +6,15 @@
 #include <sstream>
 
 #include "commands.hpp"
-#include "core/error.hpp"
 #include "core/units.hpp"
 #include "thermal/imaging/label_grains.hpp"
 #include "io/results/results.hpp"
 #include "io/image/phase_map.hpp"
-#include "io/disk/store_file.hpp"
-#include "options.hpp"
 #include "progress.hpp"
 #include "report/page.hpp"
 #include "report/summary.hpp"
 #include "workflow/field_stages.hpp"
 #include "workflow/result_folder.hpp"
-#include "recipe/recipe.hpp"
 
 namespace arenite::app {
 namespace {
@@ -86,18 +82,12 @@ io::PhaseMapOptions map_options(const Arguments& a) {
   return options;
 }
 
-/// One label for all particles.
-void label_alike(PhaseMap& map) {
-  map.grain_class = {GrainClass::none};
-  for (std::size_t i = 0; i < map.size(); ++i) map.grain[i] = map.phase[i] == Phase::particle ? 0 : -1;
-}
-
 PhaseMap read_map(const Arguments& a) {
   if (io::sealed_kind(a.map) == "field") return io::read_field(a.map).map;
   auto read = io::read_phase_map(a.map, map_options(a));
   for (const auto& note : read.notes) fmt::print(stderr, "{}: {}\n", a.map, note);
   if (read.labelled) return std::move(read.map);
-  if (a.labels == "none") label_alike(read.map);
+  if (a.labels == "none") io::label_alike(read.map);
   else imaging::label_grains(read.map, {a.labels == "watershed" ? imaging::Labelling::watershed : imaging::Labelling::components, a.smoothing});
   return std::move(read.map);
 }

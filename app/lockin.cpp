@@ -7,14 +7,9 @@
 #include <numbers>
 
 #include "commands.hpp"
-#include "core/error.hpp"
 #include "core/median.hpp"
-#include "core/units.hpp"
 #include "film_reading.hpp"
-#include "io/film/film.hpp"
-#include "options.hpp"
 #include "progress.hpp"
-#include "statistics/numbers.hpp"
 #include "workflow/film_checks.hpp"
 #include "workflow/measure_film.hpp"
 
@@ -54,12 +49,8 @@ double read_phase(const std::string& text) {
 std::string unit_of(const FilmInfo& film) { return film.quantity == FilmQuantity::kelvin ? "K" : "level"; }
 
 workflow::Adiabatic adiabatic(const Arguments& a, double frequency) {
-  const double diffusivity = option_value("--diffusivity", [&] { return parse_si(a.diffusivity, dimension::area / dimension::time, "mm^2/s"); });
-  if (!(diffusivity > 0)) throw InputError(fmt::format("--diffusivity is {}; it must be above 0", a.diffusivity));
-  workflow::Adiabatic check(diffusivity, frequency);
-  if (a.pixel.empty()) return check;
-  check.pixel = option_value("--pixel", [&] { return parse_si(a.pixel, dimension::length, "mm"); });
-  if (!(check.pixel > 0)) throw InputError(fmt::format("--pixel is {}; it must be above 0", a.pixel));
+  workflow::Adiabatic check(above_zero("--diffusivity", a.diffusivity, dimension::area / dimension::time, "mm^2/s"), frequency);
+  if (!a.pixel.empty()) check.pixel = above_zero("--pixel", a.pixel, dimension::length, "mm");
   return check;
 }
 
@@ -139,8 +130,7 @@ int execute(Arguments& a) {
   if (!thermography::shows_swing(maps)) fmt::print(stderr, "{}: {}\n", a.film, workflow::no_load_sentence(maps, maps.frequency, "--frequency"));
   else if (maps.swings_at > 0) fmt::print(stderr, "{}: the film swings more at {:.4g} Hz than at {:.6g} Hz, which is a multiple\n", a.film, maps.swings_at, maps.frequency);
   const workflow::Adiabatic heat = adiabatic(a, maps.frequency);
-  if (heat.pixel > 0 && !heat.holds())
-    fmt::print(stderr, "{}\n", heat.sentence());
+  if (heat.pixel > 0 && !heat.holds()) fmt::print(stderr, "{}\n", heat.sentence());
   if (a.json) fmt::print("{}\n", to_json(numbers(maps, a, film->info(), heat), 2));
   else print(maps, a, film->info(), heat);
   return done;

@@ -8,8 +8,6 @@
 #include <string>
 
 #include "commands.hpp"
-#include "core/error.hpp"
-#include "options.hpp"
 #include "statistics/numbers.hpp"
 
 namespace {

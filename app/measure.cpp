@@ -7,14 +7,11 @@
 #include <string>
 
 #include "commands.hpp"
-#include "core/error.hpp"
-#include "core/units.hpp"
 #include "thermal/imaging/proposed_contacts.hpp"
 #include "io/results/results.hpp"
 #include "io/sample/sample.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/table/table.hpp"
-#include "options.hpp"
 #include "solid/stress/stress.hpp"
 #include "grains/texture/texture.hpp"
 

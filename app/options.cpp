@@ -1,4 +1,3 @@
-#include "options.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -7,7 +6,6 @@
 #include <string>
 
 #include "commands.hpp"
-#include "core/problems.hpp"
 #include "core/version.hpp"
 #include "io/table/table.hpp"
 

@@ -66,7 +66,7 @@ void StatusLine::notice(const std::string& sentence) {
 std::string ProgressLine::text(const workflow::Progress& progress) const {
   std::string line = progress.stages > 1 ? fmt::format("{}/{} ", progress.stage, progress.stages - 1) : "";
   line += fmt::format("{:<12}", progress.name);
-  if (progress.reused) return line + " was there already";
+  if (progress.reused) return line + " taken from an earlier run";
   line += fmt::format(" {} {:3.0f} %", bar(progress.share), 100 * progress.share);
   if (progress.step > 0)
     line += fmt::format("  {} {}  {} {:.1e}", progress.field ? "iteration" : "step", progress.step, progress.field ? "residual" : "unbalanced",

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "core/error.hpp"
 #include "io/disk/file.hpp"
 #include "progress.hpp"
 #include "report/page.hpp"

@@ -6,9 +6,7 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "core/error.hpp"
 #include "film_reading.hpp"
-#include "io/film/film.hpp"
 #include "report/summary.hpp"
 #include "validation/studies.hpp"
 

@@ -4,14 +4,9 @@
 #include <utility>
 
 #include "commands.hpp"
-#include "core/error.hpp"
 #include "core/median.hpp"
-#include "core/units.hpp"
 #include "film_reading.hpp"
-#include "io/film/film.hpp"
-#include "options.hpp"
 #include "progress.hpp"
-#include "statistics/numbers.hpp"
 #include "thermal/thermography/step_load.hpp"
 
 namespace arenite::app {

@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "commands.hpp"
-#include "core/error.hpp"
 #include "io/disk/file.hpp"
 #include "progress.hpp"
 #include "campaign/collect.hpp"

@@ -8,7 +8,6 @@
 #include <map>
 #include <set>
 
-#include "core/error.hpp"
 #include "progress.hpp"
 #include "report/run_drawing.hpp"
 #include "report/study_page.hpp"

@@ -131,7 +131,7 @@ Truth resting(const Truth& truth) {
   return {unloaded, truth.high};
 }
 
-/// Grains as one lists them who finds them in a fine picture; lengths count from the frame's lower left inner corner.
+/// Grains as one lists them who finds them in a fine picture; lengths count from the container's lower left inner corner.
 void list_grains(const fs::path& file, const Truth& truth) {
   const Grains& grains = truth.low.grains;
   std::ofstream table(file);

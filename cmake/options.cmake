@@ -4,12 +4,13 @@ add_library(arenite_options INTERFACE)
 target_compile_options(arenite_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -ffp-contract=off)
 # GCC 12 suspects its own std::string of these where the header was compiled beforehand.
-target_compile_options(arenite_options INTERFACE -Wno-array-bounds -Wno-stringop-overflow -Wno-restrict)
+target_compile_options(arenite_options INTERFACE "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-restrict>")
 if(ARENITE_WERROR)
   target_compile_options(arenite_options INTERFACE -Werror)
 endif()
 if(ARENITE_SANITIZE)
-  target_compile_options(arenite_options INTERFACE -fsanitize=${ARENITE_SANITIZE} -fno-omit-frame-pointer -g1)
+  # Instrumented, std::regex looks to GCC 12 as if it read what it never wrote.
+  target_compile_options(arenite_options INTERFACE -fsanitize=${ARENITE_SANITIZE} -fno-omit-frame-pointer -g1 -Wno-maybe-uninitialized)
   target_link_options(arenite_options INTERFACE -fsanitize=${ARENITE_SANITIZE})
   set(CMAKE_CXX_FLAGS_RELEASE "-O1 -DNDEBUG")  # at -O2 the sanitized inner loops take a minute each to compile
 else()

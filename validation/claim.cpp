@@ -24,35 +24,18 @@ const Check* first_that(const std::vector<Check>& checks, Outcome outcome) {
 }  // namespace
 
 const char* word_for(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::holds: return "holds";
-    case Outcome::fails: return "fails";
-    case Outcome::undecided: return "undecided";
-    case Outcome::unknown: break;
-  }
-  return "unknown";
+  constexpr const char* words[] = {"holds", "fails", "undecided", "unknown"};
+  return words[static_cast<int>(outcome)];
 }
 
 const char* word_for(Kind kind) {
-  switch (kind) {
-    case Kind::trend: return "trend";
-    case Kind::number: return "number";
-    case Kind::source: return "source";
-    case Kind::beside: break;
-  }
-  return "beside";
+  constexpr const char* words[] = {"trend", "number", "source", "beside"};
+  return words[static_cast<int>(kind)];
 }
 
 const char* word_for(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::reproduced: return "reproduced";
-    case Verdict::trend_reproduced: return "trend reproduced, numbers not";
-    case Verdict::undecided: return "undecided";
-    case Verdict::not_reproduced: return "not reproduced";
-    case Verdict::source_inconsistent: return "source inconsistent";
-    case Verdict::unknown: break;
-  }
-  return "unknown";
+  constexpr const char* words[] = {"reproduced", "trend reproduced, numbers not", "undecided", "not reproduced", "source inconsistent", "unknown"};
+  return words[static_cast<int>(verdict)];
 }
 
 Verdict Judgement::verdict() const {

@@ -9,7 +9,7 @@ import numpy as np
 import arenite
 from arenite import figures
 
-recipe = arenite.Recipe.template("composite", {"frame.width": "140 mm", "populations.0.count": 48, "populations.1.count": 64})
+recipe = arenite.Recipe.template("composite", {"container.width": "140 mm", "populations.0.count": 48, "populations.1.count": 64})
 print(recipe.title, recipe.stages)
 
 # %% Pack, then load stage by stage; every stage is a function of the packing before it.

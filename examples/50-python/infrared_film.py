@@ -10,13 +10,13 @@ from arenite import figures
 
 here = pathlib.Path(__file__).resolve().parent
 example = here.parent / "40-virtual-experiment"
-sample = arenite.Recipe(example / "sample.toml", {"frame.width": "140 mm", "populations.0.count": 48, "populations.1.count": 64,
+sample = arenite.Recipe(example / "sample.toml", {"container.width": "140 mm", "populations.0.count": 48, "populations.1.count": 64,
                                                   "stages.1.bottom.force": "24 kN", "stages.2.bottom.force": "2.4 kN", "stages.3.bottom.force": "24 kN"})
 states = arenite.run(sample, "states")
 
 # %% A virtual camera films both states: 20 mK of noise, uneven pixels, drift, a frequency that is off.
 frame = states.stages[-2].packing.domain
-camera = {"frame.width": f"{1e3 * frame['width']} mm", "frame.height": f"{1e3 * frame['height']} mm", "camera.frames": 600, "camera.width": 120, "camera.height": 120}
+camera = {"container.width": f"{1e3 * frame['width']} mm", "container.height": f"{1e3 * frame['height']} mm", "camera.frames": 600, "camera.width": 120, "camera.height": 120}
 files = arenite.camera("states", example / "camera.toml", "film", changes=camera)
 print(arenite.film_info(files[0]))
 

@@ -4,11 +4,8 @@
 #include "calls.hpp"
 #include "solid/cement/cement.hpp"
 #include "module.hpp"
-#include "solid/raster/cavities.hpp"
 #include "solid/raster/raster.hpp"
-#include "solid/stress/stress.hpp"
 #include "workflow/field_stages.hpp"
-#include "recipe/recipe.hpp"
 
 namespace arenite::python {
 namespace {

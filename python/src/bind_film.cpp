@@ -7,7 +7,6 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
-#include "core/error.hpp"
 #include "film_source.hpp"
 #include "thermal/imaging/circles.hpp"
 #include "thermal/imaging/proposed_contacts.hpp"

@@ -3,10 +3,7 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
-#include "core/error.hpp"
 #include "film_source.hpp"
-#include "model/film.hpp"
-#include "model/image.hpp"
 #include "module.hpp"
 #include "thermal/thermography/correction.hpp"
 #include "thermal/thermography/frame_statistics.hpp"
@@ -189,7 +186,7 @@ void bind_film_parts(py::module_& m) {
         "Pixels that are not to be believed, as bool (height, width), top row first: dead, hot, blinking and frozen ones, by level and noise of the film or of a film `cold` of an even "
         "plate; with a plate `warm` of another temperature by their answer too.");
   m.def("correct_film", &corrected, py::arg("film"), py::kw_only(), py::arg("cold") = py::none(), py::arg("warm") = py::none(), py::arg("bad_pixels") = true,
-        "All frames of a film in levels, float32 (frames, height, width), corrected: every pixel's offset by a film `cold` of an even plate, gain and offset with a second one, "
+        "All frames of a film in levels, float32 (frames, height, width), corrected: every pixel's offset by a film `cold` of a black-body reference, gain and offset with a second one, "
         "`warm`, and bad pixels replaced by their good neighbours.");
   m.def("film_in_kelvin", &in_kelvin, py::arg("film"), py::arg("recipe"),
         "All frames of a film in K, float32 (frames, height, width), corrected as [correction] and [temperature] of its recipe say.");

@@ -21,6 +21,15 @@ py::dict twin_of(const py::object& self) {
   return d;
 }
 
+/// A picture as large as the maps.
+template <class Get>
+void image_property(py::class_<FilmResult>& c, const char* name, Get get, const char* doc) {
+  c.def_property_readonly(name, [get](const py::object& self) {
+    const auto& f = self.cast<const FilmResult&>();
+    return image_view(get(f), f.maps.height, f.maps.width, self);
+  }, doc);
+}
+
 using RecipeLike = std::variant<recipe::FilmRecipe, Path>;
 
 /// The recipe with changes, read where a file is named.
@@ -71,14 +80,6 @@ void bind_film_road(py::module_& m) {
       .def_readonly("outcome", &FilmResult::outcome, "How it ended, in a sentence.")
       .def_readonly("pixel", &FilmResult::pixel, "Side of a pixel on the sample, m.")
       .def_property_readonly("origin", [](const FilmResult& f) { return py::make_tuple(f.origin.x, f.origin.y); }, "Centre of the upper left pixel, m; y up.")
-      .def_property_readonly("picture", [](const py::object& self) {
-        const auto& f = self.cast<const FilmResult&>();
-        return image_view(f.picture, f.maps.height, f.maps.width, self);
-      }, "Mean of the frames at the smallest load, K.")
-      .def_property_readonly("bad", [](const py::object& self) {
-        const auto& f = self.cast<const FilmResult&>();
-        return image_view(f.bad, f.maps.height, f.maps.width, self);
-      }, "1 for pixels that were replaced by their neighbours, 0 for others; (height, width), uint8.")
       .def_property_readonly("maps", [](const FilmResult& f) -> const LockinMaps& { return f.maps; }, py::return_value_policy::reference_internal, "The lock-in, in K; full swings.")
       .def_property_readonly("grains", [](const FilmResult& f) -> const PictureGrains& { return f.grains; }, py::return_value_policy::reference_internal,
                              "Grains at the smallest load, in pixels.")
@@ -92,10 +93,10 @@ void bind_film_road(py::module_& m) {
   array_property(c, "fn_error", [](const FilmResult& f) -> auto& { return f.fn_error; }, "Standard error of every normal force, N.");
   array_property(c, "ft_error", [](const FilmResult& f) -> auto& { return f.ft_error; }, "Standard error of every tangential force, N.");
   array_property(c, "presence", [](const FilmResult& f) -> auto& { return f.presence; }, "Probability that a contact is there, of the contacts that count as there.");
-  c.def_property_readonly("fitted", [](const py::object& self) {
-    const auto& f = self.cast<const FilmResult&>();
-    return image_view(f.fit.picture, f.maps.height, f.maps.width, self);
-  }, "The picture that the contact forces make, K (height, width), to hold beside maps.in_phase; not a number outside grains.");
+  image_property(c, "picture", [](const FilmResult& f) -> auto& { return f.picture; }, "Mean of the frames at the smallest load, K.");
+  image_property(c, "bad", [](const FilmResult& f) -> auto& { return f.bad; }, "1 for pixels that were replaced by their neighbours, 0 for others; (height, width), uint8.");
+  image_property(c, "fitted", [](const FilmResult& f) -> auto& { return f.fit.picture; },
+                 "The picture that the contact forces make, K (height, width), to hold beside maps.in_phase; not a number outside grains.");
   m.def("film", &film, py::arg("film"), py::arg("recipe"), py::arg("out"), py::arg("changes") = py::dict(), py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
         "The whole road from a film (a file) to grain stresses and contact forces, as `arenite film` goes it; `recipe`: a FilmRecipe or its file (docs/film-recipe.md).");
   m.def("camera", &camera, py::arg("result"), py::arg("recipe"), py::arg("out"), py::arg("format") = "ptw", py::arg("changes") = py::dict(), py::kw_only(),

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "calls.hpp"
-#include "core/error.hpp"
 #include "module.hpp"
 #include "workflow/identify.hpp"
 

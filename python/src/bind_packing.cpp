@@ -7,9 +7,7 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
-#include "core/error.hpp"
 #include "io/sample/sample.hpp"
-#include "model/packing.hpp"
 #include "module.hpp"
 
 namespace arenite::python {
@@ -44,7 +42,7 @@ io::RawGrains rows_of(const ArrayLike& x, const ArrayLike& y, const ArrayLike& r
     const Vec2 centre{centre_x[k], centre_y[k]};
     const bool outside_x = !grains.periodic_x && (centre.x < low.x || centre.x > high.x), outside_y = !grains.periodic_y && (centre.y < low.y || centre.y > high.y);
     if (outside_x || outside_y)
-      throw InputError(fmt::format("the centre of grain {}, ({:g}, {:g}) m, lies outside the frame, which reaches from ({:g}, {:g}) to ({:g}, {:g}) m; "
+      throw InputError(fmt::format("the centre of grain {}, ({:g}, {:g}) m, lies outside the container, which reaches from ({:g}, {:g}) to ({:g}, {:g}) m; "
                                    "correct the centre, or origin, width and height", k, centre.x, centre.y, low.x, low.y, high.x, high.y));
     grains.rows.push_back({static_cast<std::int64_t>(k), centre, radii[k], {}, 0, 0});
   }

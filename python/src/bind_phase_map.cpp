@@ -8,7 +8,6 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
-#include "core/error.hpp"
 #include "thermal/imaging/label_grains.hpp"
 #include "io/image/phase_map.hpp"
 #include "model/cement.hpp"
@@ -36,14 +35,8 @@ PhaseMap map_of(const ArrayLike& phase, const std::optional<ArrayLike>& grain, c
   return map;
 }
 
-/// One label for all particles.
-void label_alike(PhaseMap& map) {
-  map.grain_class = {GrainClass::none};
-  for (std::size_t i = 0; i < map.size(); ++i) map.grain[i] = map.phase[i] == Phase::particle ? 0 : -1;
-}
-
 void label(PhaseMap& map, const std::string& way, double smoothing) {
-  if (way == "none") label_alike(map);
+  if (way == "none") io::label_alike(map);
   else imaging::label_grains(map, {way == "watershed" ? imaging::Labelling::watershed : imaging::Labelling::components, smoothing});
 }
 

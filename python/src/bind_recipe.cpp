@@ -2,7 +2,6 @@
 #include <pybind11/stl.h>
 
 #include "calls.hpp"
-#include "core/error.hpp"
 #include "module.hpp"
 #include "recipe/film_recipe.hpp"
 #include "recipe/recipe.hpp"

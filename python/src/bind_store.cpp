@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include "calls.hpp"
-#include "core/error.hpp"
 #include "core/hash.hpp"
 #include "core/version.hpp"
 #include "grains/dem/run_stage.hpp"

@@ -5,8 +5,6 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
-#include "core/error.hpp"
-#include "core/units.hpp"
 #include "io/table/table.hpp"
 #include "module.hpp"
 #include "report/summary.hpp"

@@ -6,7 +6,6 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
-#include "core/error.hpp"
 #include "io/sample/sample.hpp"
 #include "io/table/table.hpp"
 #include "module.hpp"

@@ -18,7 +18,7 @@ py::dict to_python(const Numbers& numbers);
 /// The same with lists of numbers as arrays; what is not known is NaN there.
 py::dict to_arrays(const Numbers& numbers);
 
-/// {"frame.width": "350 mm"} as the list of "key=value" that the library takes.
+/// {"container.width": "350 mm"} as the list of "key=value" that the library takes.
 std::vector<std::string> overrides_of(const py::dict& changes);
 
 /// Runs `work` without Python's lock. Ctrl-C in the meantime makes `asked_to_stop` true and is raised when `work` has left.

@@ -1,7 +1,6 @@
 #include "film_source.hpp"
 
 #include "arrays.hpp"
-#include "core/error.hpp"
 #include "io/film/film.hpp"
 
 namespace arenite::python {

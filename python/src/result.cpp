@@ -1,8 +1,8 @@
 #include "result.hpp"
 
 #include <algorithm>
+#include <tuple>
 
-#include "core/error.hpp"
 #include "core/version.hpp"
 #include "io/results/results.hpp"
 #include "io/disk/store_file.hpp"
@@ -50,21 +50,6 @@ std::vector<std::string> file_names(const Result& result) {
 
 }  // namespace
 
-Result open_result(const Path& path) {
-  Result r;
-  r.path = path.string();
-  r.run.files = io::stage_files(path);
-  bool& converged = r.run.converged;
-  for (const auto& file : r.run.files) {
-    const std::string kind = io::sealed_kind(file);
-    if (kind == "field") converged = r.run.fields.emplace_back(io::read_field(file)).converged && converged;
-    else if (kind == "film") converged = r.films.emplace_back(io::read_film_result(file)).converged && converged;
-    else converged = r.run.stages.emplace_back(io::read_stage(file)).converged && converged;
-  }
-  r.title = title_of(r);
-  return r;
-}
-
 Result result_of(std::vector<StageResult> stages, std::vector<FieldResult> fields, std::vector<FilmResult> films, std::string title) {
   Result r;
   r.run.stages = std::move(stages);
@@ -73,6 +58,18 @@ Result result_of(std::vector<StageResult> stages, std::vector<FieldResult> field
   r.run.converged = all_converged(r.run.stages) && all_converged(r.run.fields) && all_converged(r.films);
   for (const auto& name : file_names(r)) r.run.files.emplace_back(name);
   r.title = title.empty() ? title_of(r) : std::move(title);
+  return r;
+}
+
+Result open_result(const Path& path) {
+  std::tuple<std::vector<StageResult>, std::vector<FieldResult>, std::vector<FilmResult>> parts;
+  auto files = io::stage_files(path);
+  for (const auto& file : files)
+    std::visit([&]<class Part>(Part&& part) { std::get<std::vector<Part>>(parts).push_back(std::move(part)); }, io::read_result(file));
+  auto& [stages, fields, films] = parts;
+  Result r = result_of(std::move(stages), std::move(fields), std::move(films), {});
+  r.path = path.string();
+  r.run.files = std::move(files);
   return r;
 }
 

@@ -12,7 +12,7 @@
 #include "core/problems.hpp"
 #include "core/units.hpp"
 #include "recipe/reader.hpp"
-#include "statistics/numbers.hpp"
+#include "statistics/measured.hpp"
 
 namespace arenite::campaign {
 namespace {
@@ -23,7 +23,7 @@ constexpr std::size_t most_items = 4;
 
 bool is_number(const Numbers& j) { return j.is_number() || j.is_truth(); }
 
-double number_in(const Numbers& j) { return j.is_truth() ? static_cast<double>(j.get<bool>()) : j.get<double>(); }
+std::optional<double> number_in(const Numbers* j) { return j && is_number(*j) ? std::optional(j->get<double>()) : std::nullopt; }
 
 /// Tensors and pairs, not curves.
 bool is_short(const Numbers& list) {
@@ -38,42 +38,30 @@ void flatten_list(const Numbers& values, const Numbers* errors, const std::strin
     const std::string item = name + "." + std::to_string(i);
     const Numbers* error = errors && errors->is_list() && i < errors->size() ? &(*errors)[i] : nullptr;
     if (values[i].is_list()) flatten_list(values[i], error, item, out);
-    else out.emplace_back(item, Estimate{number_in(values[i]), error && is_number(*error) ? std::optional(number_in(*error)) : std::nullopt});
+    else out.emplace_back(item, Estimate{values[i].get<double>(), number_in(error)});
   }
 }
 
 void flatten_object(const Numbers& j, const std::string& name, Flat& out) {
-  const auto value = j.find("value"), error = j.find("error");
-  if (value != j.end() && is_number(*value)) {
-    out.emplace_back(name, Estimate{number_in(*value), error != j.end() && is_number(*error) ? std::optional(number_in(*error)) : std::nullopt});
-    return;
+  const Numbers *value = j.at_path("/value"), *error = j.at_path("/error");
+  if (const auto number = number_in(value)) {
+    out.emplace_back(name, Estimate{*number, number_in(error)});
+  } else if (value && value->is_list()) {
+    if (is_short(*value)) flatten_list(*value, error, name, out);
+  } else {
+    for (const auto& [key, inner] : j.items())
+      if (key != "provenance") flatten(inner, name.empty() ? key : name + "." + key, out);
   }
-  if (value != j.end() && value->is_list()) {
-    if (is_short(*value)) flatten_list(*value, error != j.end() ? &*error : nullptr, name, out);
-    return;
-  }
-  for (const auto& [key, inner] : j.items())
-    if (key != "provenance") flatten(inner, name.empty() ? key : name + "." + key, out);
 }
 
 void flatten(const Numbers& j, const std::string& name, Flat& out) {
-  if (is_number(j)) out.emplace_back(name, Estimate{number_in(j), std::nullopt});
+  if (is_number(j)) out.emplace_back(name, Estimate{j.get<double>(), std::nullopt});
   else if (j.is_tree()) flatten_object(j, name, out);
   else if (j.is_list() && is_short(j)) flatten_list(j, nullptr, name, out);
   else if (j.is_list())
     for (const Numbers& item : j)
       if (item.is_tree() && item.contains("name") && item["name"].is_text()) flatten(item, name + "." + item["name"].get<std::string>(), out);
 }
-
-}  // namespace
-
-Flat flat_numbers(const Numbers& numbers) {
-  Flat flat;
-  flatten(numbers, "", flat);
-  return flat;
-}
-
-namespace {
 
 using Row = CollectedTable::Row;
 
@@ -122,30 +110,27 @@ std::string quoted(const std::string& cell) {
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
 
-/// Mean and standard error from the scatter; where there is one number only, its own error.
-Estimate mean_of(const std::vector<Estimate>& parts) {
-  if (parts.size() == 1) return {parts[0].value, std::nullopt};
-  double sum = 0, squares = 0;
-  for (const auto& part : parts) sum += part.value;
-  const double n = static_cast<double>(parts.size()), mean = sum / n;
-  for (const auto& part : parts) squares += (part.value - mean) * (part.value - mean);
-  return {mean, std::sqrt(squares / (n - 1) / n)};
-}
-
 Row mean_of(const std::vector<const Row*>& group, std::vector<std::string> values, std::size_t columns) {
   Row mean;
   mean.values = std::move(values);
   mean.runs = group.size();
   for (std::size_t c = 0; c < columns; ++c) {
-    std::vector<Estimate> parts;
+    std::vector<double> parts;
     for (const Row* row : group)
-      if (row->numbers[c] && std::isfinite(row->numbers[c]->value)) parts.push_back(*row->numbers[c]);
-    mean.numbers.push_back(parts.empty() ? std::nullopt : std::optional(mean_of(parts)));
+      if (row->numbers[c] && std::isfinite(row->numbers[c]->value)) parts.push_back(row->numbers[c]->value);
+    const statistics::Measured of_all = statistics::mean_of(parts);
+    mean.numbers.push_back(parts.empty() ? std::nullopt : std::optional(Estimate{of_all.value, parts.size() > 1 ? std::optional(of_all.error) : std::nullopt}));
   }
   return mean;
 }
 
 }  // namespace
+
+Flat flat_numbers(const Numbers& numbers) {
+  Flat flat;
+  flatten(numbers, "", flat);
+  return flat;
+}
 
 CollectedTable collect(const Study& study, const StudyFolder& folder) {
   CollectedTable table;

@@ -43,8 +43,7 @@ Worker::Worker(const std::function<std::string()>& work) {
   pipe_ = ends[0];
 }
 
-Worker::Worker(Worker&& other) noexcept
-    : process_(std::exchange(other.process_, -1)), pipe_(std::exchange(other.pipe_, -1)), heard_(std::move(other.heard_)) {}
+Worker::Worker(Worker&& other) noexcept : process_(std::exchange(other.process_, -1)), pipe_(std::exchange(other.pipe_, -1)), heard_(std::move(other.heard_)) {}
 
 Worker& Worker::operator=(Worker&& other) noexcept {
   std::swap(process_, other.process_);
@@ -57,8 +56,7 @@ Worker::~Worker() {
   if (pipe_ >= 0) ::close(pipe_);
   if (process_ > 0) {
     ask_to_stop();
-    while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
-    }
+    while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {}
   }
 }
 
@@ -71,8 +69,7 @@ std::optional<Worker::End> Worker::end() {
     if (n > 0) heard_.append(buffer.data(), static_cast<std::size_t>(n));
   if (n < 0) return std::nullopt;  // nothing more for now
   int raw = 0;
-  while (::waitpid(process_, &raw, 0) < 0 && errno == EINTR) {
-  }
+  while (::waitpid(process_, &raw, 0) < 0 && errno == EINTR) {}
   process_ = -1;
   End end{heard_, WIFSIGNALED(raw) ? WTERMSIG(raw) : 0, WIFEXITED(raw) ? WEXITSTATUS(raw) : 0};
   return end;
@@ -94,13 +91,8 @@ std::string why_unfinished(const workflow::RunOutcome& outcome) {
 RunState attempt(const Study& study, const StudyRun& run, const StudyFolder& folder, const workflow::Store& store, const StudyOptions& options) {
   recipe::Recipe recipe = recipe_of(study, run);
   recipe.integration.threads = options.threads;
-  workflow::RunOptions run_options;
-  run_options.out = folder.run(run.name);
-  run_options.store = &store;
-  run_options.checkpoint_seconds = options.checkpoint_seconds;
-  run_options.asked_to_stop = options.asked_to_stop;
-  run_options.notice = options.notice;
-  const workflow::RunOutcome outcome = workflow::run(recipe, run_options);
+  const workflow::RunOutcome outcome = workflow::run(recipe, {.out = folder.run(run.name), .notice = options.notice, .asked_to_stop = options.asked_to_stop,
+                                                             .checkpoint_seconds = options.checkpoint_seconds, .store = &store});
   if (outcome.interrupted) return {};
   keep_numbers(folder.run(run.name), options.numbers(outcome));
   if (outcome.converged) return {Kind::done, 0, {}};
@@ -110,8 +102,6 @@ RunState attempt(const Study& study, const StudyRun& run, const StudyFolder& fol
 RunState attempt_whatever_happens(const Study& study, const StudyRun& run, const StudyFolder& folder, const workflow::Store& store, const StudyOptions& options) {
   try {
     return attempt(study, run, folder, store, options);
-  } catch (const InputError& error) {
-    return {Kind::failed, 0, error.what()};
   } catch (const std::bad_alloc&) {
     return {Kind::failed, 0, "the memory does not suffice; do fewer runs at once (--jobs)"};
   } catch (const std::exception& error) {

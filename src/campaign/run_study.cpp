@@ -217,8 +217,6 @@ class Scheduler {
 
 }  // namespace
 
-StudyOutcome run_study(const Study& study, const StudyFolder& folder, const StudyOptions& options) {
-  return Scheduler(study, folder, options).work();
-}
+StudyOutcome run_study(const Study& study, const StudyFolder& folder, const StudyOptions& options) { return Scheduler(study, folder, options).work(); }
 
 }  // namespace arenite::campaign

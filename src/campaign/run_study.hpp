@@ -34,9 +34,8 @@ struct StudyOutcome {
   bool interrupted = false;
 };
 
-/// Runs a study, each run in a process of its own; what was done before is not done again. No run's failure ends the others:
-/// its reason is in the journal and in its status file. Several processes, on several machines that share the disk, may work on
-/// one study at once.
+/// Runs a study, each run in a process of its own; what was done before is not done again. No run's failure ends the others: its reason is in the
+/// journal and in its status file. Several processes, on several machines that share the disk, may work on one study at once.
 [[nodiscard]] StudyOutcome run_study(const Study& study, const StudyFolder& folder, const StudyOptions& options);
 
 /// The runs of one shard, by their places in the study: an equal part, runs of one packing side by side. Of runs with the same

@@ -32,8 +32,7 @@ struct Study {
 /// place and, where not all runs have it, the values of the first run that does.
 Study read_study(const std::string& file, const std::vector<std::string>& overrides = {});
 
-/// The same, but runs are taken from `folder`/runs.tsv where it was written for the same inputs; it is written there else.
-/// `folder` must exist.
+/// The same, but runs are taken from `folder`/runs.tsv where it was written for the same inputs; it is written there else. `folder` must exist.
 Study read_study(const std::string& file, const std::vector<std::string>& overrides, const std::filesystem::path& folder);
 
 /// Runs that version 0.1 did in the study's folder get their names of now, and so do their files.

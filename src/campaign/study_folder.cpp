@@ -7,11 +7,9 @@
 #include <charconv>
 #include <chrono>
 
-#include "campaign/study.hpp"
 #include "core/hash.hpp"
 #include "core/version.hpp"
 #include "io/disk/file.hpp"
-#include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
 #include "io/table/table.hpp"
 #include "workflow/result_folder.hpp"
@@ -137,11 +135,7 @@ constexpr std::string_view first_line = "arenite runs 1";
 
 std::vector<std::string_view> cells_of(std::string_view line) {
   std::vector<std::string_view> cells;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find('\t', begin), line.size());
-    cells.push_back(line.substr(begin, end - begin));
-    begin = end + 1;
-  }
+  for (bool more = true; more; cells.push_back(cut(line))) more = line.find('\t') != line.npos;
   return cells;
 }
 
@@ -163,8 +157,7 @@ std::string line_of(const StudyRun& run) {
 StudyRun run_in(const std::vector<std::string_view>& cells) {
   StudyRun run;
   run.name = cells[1];
-  std::size_t values = 0;
-  std::from_chars(cells[2].data(), cells[2].data() + cells[2].size(), values);
+  const auto values = number_in<std::size_t>(cells[2]);
   for (std::size_t v = 0; v < values; ++v) run.values.emplace_back(cells[3 + 2 * v], cells[4 + 2 * v]);
   for (std::size_t at = 3 + 2 * values; at + 2 < cells.size(); at += 3) {
     run.stages.push_back(workflow::planned_stage(static_cast<int>(run.stages.size()) + 1, std::string(cells[at + 2]), std::string(cells[at]),

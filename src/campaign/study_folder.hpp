@@ -1,5 +1,4 @@
 #pragma once
-#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -33,8 +32,7 @@ struct StudyFolder {
   std::filesystem::path lock(const std::string& name) const { return out / "locks" / name; }
 };
 
-/// How each run stands by the journal, by name; runs that never began are not there. A run that its process left without a
-/// word counts as waiting.
+/// How each run stands by the journal, by name; runs that never began are not there. A run that its process left without a word counts as waiting.
 using RunStates = std::unordered_map<std::string, RunState>;
 RunStates read_states(const StudyFolder& folder);
 

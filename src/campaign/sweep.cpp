@@ -20,16 +20,11 @@ recipe::Node value_of(std::string_view cell, const std::string& unit, const std:
   return value;
 }
 
-}  // namespace
-
-std::vector<Point> table_points(const recipe::Node& file, recipe::Reading& reading, std::vector<std::string>& files) {
-  std::vector<Point> points;
-  if (file.kind != recipe::Node::Kind::text) {
-    add_problem(reading, file.place, "sweep.table", "must be the name of a CSV table, for example \"runs.csv\"");
-    return points;
-  }
+void read_runs_table(const recipe::Node& file, recipe::Reading& reading, Sweep& sweep) {
+  std::vector<Point>& points = sweep.axes.emplace_back();
+  if (file.kind != recipe::Node::Kind::text) return add_problem(reading, file.place, "sweep.table", "must be the name of a CSV table, for example \"runs.csv\"");
   const std::string path = (std::filesystem::path(reading.folder) / file.text).string();
-  files.push_back(path);
+  sweep.files.push_back(path);
   try {
     const std::string text = io::read_file(path);
     Problems problems(path);
@@ -44,17 +39,6 @@ std::vector<Point> table_points(const recipe::Node& file, recipe::Reading& readi
     if (points.empty()) add_problem(reading, file.place, "sweep.table", fmt::format("{} holds no run; add rows below its header", path));
   } catch (const InputError& error) {
     reading.problems.insert(reading.problems.end(), error.problems().begin(), error.problems().end());
-  }
-  return points;
-}
-
-namespace {
-
-void flatten(const recipe::Node& table, const std::string& prefix, const std::function<bool(const recipe::Node&)>& is_leaf, std::vector<Assignment>& out) {
-  for (const auto& entry : table.entries) {
-    const std::string key = prefix + entry.key;
-    if (entry.value.kind == recipe::Node::Kind::table && !is_leaf(entry.value)) flatten(entry.value, key + ".", is_leaf, out);
-    else out.push_back({key, entry.value});
   }
 }
 
@@ -119,7 +103,11 @@ void refuse_doubles(const Sweep& sweep, recipe::Reading& reading) {
 
 std::vector<Assignment> flattened(const recipe::Node& table, const std::function<bool(const recipe::Node&)>& is_leaf) {
   std::vector<Assignment> out;
-  flatten(table, "", is_leaf, out);
+  for (const auto& [key, place, value] : table.entries) {
+    if (value.kind != recipe::Node::Kind::table || is_leaf(value)) out.push_back({key, value});
+    else
+      for (auto& inner : flattened(value, is_leaf)) out.push_back({key + "." + inner.key, std::move(inner.value)});
+  }
   return out;
 }
 
@@ -162,7 +150,7 @@ Sweep read_sweep(const recipe::Node& section, recipe::Reading& reading, std::uin
   for (const auto& [key, place, value] : section.entries) {
     if (key == "grid") read_grid(value, reading, sweep);
     else if (key == "list") read_list(value, reading, sweep);
-    else if (key == "table") sweep.axes.push_back(table_points(value, reading, sweep.files));
+    else if (key == "table") read_runs_table(value, reading, sweep);
     else if (key == "latin_hypercube") sweep.axes.push_back(latin_hypercube_points(value, reading, seed));
     else if (key == "replicates") read_replicates(value, reading, sweep);
     else if (key == "seeds") read_seeds(value, reading, sweep);

@@ -40,7 +40,6 @@ inline constexpr std::size_t most_runs = 1'000'000;
 // The parts of read_sweep, one a form.
 /// Dotted keys of a table and of the tables in it; `is_leaf` says which tables are values by themselves.
 std::vector<Assignment> flattened(const recipe::Node& table, const std::function<bool(const recipe::Node&)>& is_leaf);
-std::vector<Point> table_points(const recipe::Node& file, recipe::Reading& reading, std::vector<std::string>& files);
 std::vector<Point> latin_hypercube_points(const recipe::Node& section, recipe::Reading& reading, std::uint64_t seed);
 
 }  // namespace arenite::campaign

@@ -9,6 +9,7 @@
 #include "core/random.hpp"
 #include "core/units.hpp"
 #include "campaign/sweep.hpp"
+#include "io/table/table.hpp"
 
 namespace arenite::campaign {
 namespace {
@@ -20,23 +21,18 @@ struct Interval {
   bool logarithmic = false, whole = false;
 };
 
-std::string trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(' ');
-  return first == std::string_view::npos ? std::string() : std::string(text.substr(first, text.find_last_not_of(' ') - first + 1));
-}
-
 /// The number and the unit of "27.35 kN/mm".
 std::pair<double, std::string> number_and_unit(const std::string& text) {
   double number = 0;
   const char* const end = std::from_chars(text.data(), text.data() + text.size(), number).ptr;
-  return {number, trimmed(std::string_view(text).substr(static_cast<std::size_t>(end - text.data())))};
+  return {number, std::string(io::trimmed(end))};
 }
 
 /// Reads "1 kN/mm .. 10 kN/mm". Throws InputError without place.
 Interval interval_of(const std::string& text) {
   const auto dots = text.find("..");
   if (dots == std::string::npos) throw InputError("must be two values with two dots between them, for example \"1 kN/mm .. 10 kN/mm\"");
-  const std::string low = trimmed(text.substr(0, dots)), high = trimmed(text.substr(dots + 2));
+  const std::string low(io::trimmed(std::string_view(text).substr(0, dots))), high(io::trimmed(std::string_view(text).substr(dots + 2)));
   const Quantity a = parse_quantity(low), b = parse_quantity(high);
   if (!(a.dimension == b.dimension))
     throw InputError(fmt::format("\"{}\" is {}, but \"{}\" is {}; give both ends in units of one kind", low, describe(a.dimension), high, describe(b.dimension)));
@@ -74,8 +70,7 @@ std::optional<Interval> read_interval(const Assignment& entry, recipe::Reading& 
 }
 
 recipe::Node value_at(const Interval& interval, double share, const recipe::Place& place) {
-  const double at = interval.logarithmic ? interval.low * std::pow(interval.high / interval.low, share)
-                                         : interval.low + share * (interval.high - interval.low);
+  const double at = interval.logarithmic ? interval.low * std::pow(interval.high / interval.low, share) : interval.low + share * (interval.high - interval.low);
   recipe::Node value;
   value.place = place;
   if (interval.whole) {
@@ -91,8 +86,7 @@ recipe::Node value_at(const Interval& interval, double share, const recipe::Plac
   return value;
 }
 
-/// One share of each of `runs` equal strata, in random order. The stream is the key's own, so that a key more or less
-/// changes nothing for the others.
+/// One share of each of `runs` equal strata, in random order. The stream is the key's own, so that a key more or less changes nothing for the others.
 std::vector<double> stratified_shares(std::size_t runs, const std::string& key, std::uint64_t seed) {
   const std::uint64_t index = std::stoull(content_hash(key).substr(0, 16), nullptr, 16);
   RandomStream random(seed, Purpose::sweep, index);

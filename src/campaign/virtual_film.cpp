@@ -5,7 +5,6 @@
 
 #include "core/error.hpp"
 #include "io/results/results.hpp"
-#include "statistics/numbers.hpp"
 #include "workflow/run_film.hpp"
 #include "workflow/result_folder.hpp"
 #include "workflow/shoot_film.hpp"
@@ -74,20 +73,14 @@ Numbers found_grains(const FilmResult& film, const std::vector<double>& truth) {
 }
 
 Numbers texture_of(const FilmResult& film) {
-  texture::Options options;
-  options.rev_sizes = 0;
-  options.grain_sigma_hyd = film.swing.sigma_hyd;
-  auto measured = texture::measure(film.packing, options);
+  auto measured = texture::measure(film.packing, {.rev_sizes = 0, .grain_sigma_hyd = film.swing.sigma_hyd});
   measured.per_grain = {};
   return texture::numbers(measured, true);
 }
 
 /// Shoots the film into `folder` and measures it; nothing if it was stopped.
 std::optional<FilmResult> measured_film(const recipe::FilmRecipe& camera, const fs::path& run, const fs::path& folder, const std::function<bool()>& asked_to_stop) {
-  workflow::ShootOptions shooting;
-  shooting.out = folder;
-  shooting.progress = [&](double) { return !asked_to_stop(); };
-  const auto files = shoot_film(camera, run, shooting);
+  const auto files = workflow::shoot_film(camera, run, {.out = folder, .progress = [&](double) { return !asked_to_stop(); }});
   if (files.empty()) return std::nullopt;
   workflow::FilmRunOptions measuring;
   measuring.out = folder / "result";

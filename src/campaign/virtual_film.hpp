@@ -6,9 +6,6 @@
 #include "statistics/estimate.hpp"
 #include "statistics/numbers.hpp"
 
-#include "statistics/estimate.hpp"
-#include "statistics/numbers.hpp"
-
 namespace arenite::campaign {
 
 /// The study whose films a claim is judged by; those of others are there to be looked at.

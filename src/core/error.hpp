@@ -5,12 +5,12 @@
 
 namespace arenite {
 
-/// One thing that is wrong with the input: where it is, what is wrong, and how to mend it.
+/// One thing that is wrong with the input: where it is, what is wrong, and how to fix it.
 struct Problem {
   std::string file;     ///< as the user named it; empty if there is none
   int line = 0;         ///< 1-based; 0 if unknown
   int column = 0;       ///< 1-based; 0 if unknown
-  std::string message;  ///< one sentence with the mend
+  std::string message;  ///< one sentence with the fix
 };
 
 /// "file:line:column: message", leaving out what is unknown.

@@ -1,7 +1,6 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -27,6 +26,16 @@ template <class T>
 double median_of_finite(std::vector<T> values) {
   std::erase_if(values, [](T v) { return !std::isfinite(v); });
   return median(std::move(values), std::numeric_limits<double>::quiet_NaN());
+}
+
+/// Of values (first) by their weights (second); `none` where there is no value.
+inline double weighted_median(std::vector<std::pair<double, double>> weighed, double none = 0) {
+  std::sort(weighed.begin(), weighed.end());
+  double all = 0, sum = 0;
+  for (const auto& v : weighed) all += v.second;
+  for (const auto& v : weighed)
+    if ((sum += v.second) >= all / 2) return v.first;
+  return none;
 }
 
 /// Medians over the standard deviation: of the size of a normal variable, and of the distance in the plane of a place whose coordinates are normal.

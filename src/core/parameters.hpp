@@ -64,9 +64,8 @@ struct Elements {
   std::function<std::string&(std::size_t)> name;  ///< empty for a list
 };
 
-/// Declares parameters: a struct's declaration calls one function a key, and what that does is up to the visitor:
-/// read a recipe, print the resolved one, document the keys. Each key is thus declared once. Values are in SI; `unit`
-/// is how the value is written and says its dimension.
+/// Declares parameters: a struct's declaration calls one function a key, and what that does is up to the visitor: read a recipe, print the resolved
+/// one, document the keys. Each key is thus declared once. Values are in SI; `unit` is how the value is written and says its dimension.
 class ParameterVisitor {
  public:
   virtual ~ParameterVisitor() = default;

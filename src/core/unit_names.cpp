@@ -17,30 +17,18 @@ struct NamedDimension {
   Dimension dimension;
   std::string_view name, unit;
 };
-constexpr std::array named_dimensions{
-    NamedDimension{dimension::none, "a number without unit", ""},
-    NamedDimension{dimension::length, "a length", "m"},
-    NamedDimension{dimension::mass, "a mass", "kg"},
-    NamedDimension{dimension::time, "a time", "s"},
-    NamedDimension{dimension::temperature, "a temperature", "K"},
-    NamedDimension{dimension::area, "an area", "m^2"},
-    NamedDimension{dimension::volume, "a volume", "m^3"},
-    NamedDimension{dimension::frequency, "a rate", "1/s"},
-    NamedDimension{dimension::velocity, "a velocity", "m/s"},
-    NamedDimension{dimension::acceleration, "an acceleration", "m/s^2"},
-    NamedDimension{dimension::density, "a density", "kg/m^3"},
-    NamedDimension{dimension::force, "a force", "N"},
-    NamedDimension{dimension::pressure, "a pressure", "Pa"},
-    NamedDimension{dimension::energy, "an energy", "J"},
-    NamedDimension{dimension::stiffness, "a force per length", "N/m"},
-    NamedDimension{dimension::damping, "a damping coefficient", "N s/m"},
-    NamedDimension{dimension::thermoelastic_factor, "a thermoelastic factor", "K/Pa"},
-    NamedDimension{dimension::toughness, "a fracture toughness", "Pa m^0.5"},
-};
+constexpr NamedDimension named_dimensions[] = {
+    {dimension::none, "a number without unit", ""}, {dimension::length, "a length", "m"}, {dimension::mass, "a mass", "kg"},
+    {dimension::time, "a time", "s"}, {dimension::temperature, "a temperature", "K"}, {dimension::area, "an area", "m^2"},
+    {dimension::volume, "a volume", "m^3"}, {dimension::frequency, "a rate", "1/s"}, {dimension::velocity, "a velocity", "m/s"},
+    {dimension::acceleration, "an acceleration", "m/s^2"}, {dimension::density, "a density", "kg/m^3"}, {dimension::force, "a force", "N"},
+    {dimension::pressure, "a pressure", "Pa"}, {dimension::energy, "an energy", "J"}, {dimension::stiffness, "a force per length", "N/m"},
+    {dimension::damping, "a damping coefficient", "N s/m"}, {dimension::thermoelastic_factor, "a thermoelastic factor", "K/Pa"},
+    {dimension::toughness, "a fracture toughness", "Pa m^0.5"}};
 
 const NamedDimension* find_name(Dimension d) {
-  const auto* named = std::find_if(named_dimensions.begin(), named_dimensions.end(), [&](const auto& known) { return known.dimension == d; });
-  return named == named_dimensions.end() ? nullptr : named;
+  const auto* named = std::find_if(std::begin(named_dimensions), std::end(named_dimensions), [&](const auto& known) { return known.dimension == d; });
+  return named == std::end(named_dimensions) ? nullptr : named;
 }
 
 struct NamedUnit {
@@ -50,24 +38,20 @@ struct NamedUnit {
 };
 
 constexpr double pi = 3.141592653589793;
-constexpr std::array units{
-    NamedUnit{"m", {1, 0, dimension::length}, true},         NamedUnit{"g", {1, -3, dimension::mass}, true},
-    NamedUnit{"t", {1, 3, dimension::mass}, false},          NamedUnit{"s", {1, 0, dimension::time}, true},
-    NamedUnit{"min", {60, 0, dimension::time}, false},       NamedUnit{"h", {3600, 0, dimension::time}, false},
-    NamedUnit{"K", {1, 0, dimension::temperature}, true},    NamedUnit{"N", {1, 0, dimension::force}, true},
-    NamedUnit{"Pa", {1, 0, dimension::pressure}, true},      NamedUnit{"bar", {1, 5, dimension::pressure}, true},
-    NamedUnit{"J", {1, 0, dimension::energy}, true},         NamedUnit{"W", {1, 0, dimension::energy / dimension::time}, true},
-    NamedUnit{"Hz", {1, 0, dimension::frequency}, true},     NamedUnit{"rad", {1, 0, dimension::none}, false},
-    NamedUnit{"deg", {pi / 180, 0, dimension::none}, false}, NamedUnit{"%", {1, -2, dimension::none}, false},
-    NamedUnit{"1", {1, 0, dimension::none}, false},
-};
+constexpr NamedUnit units[] = {
+    {"m", {1, 0, dimension::length}, true}, {"g", {1, -3, dimension::mass}, true}, {"t", {1, 3, dimension::mass}, false},
+    {"s", {1, 0, dimension::time}, true}, {"min", {60, 0, dimension::time}, false}, {"h", {3600, 0, dimension::time}, false},
+    {"K", {1, 0, dimension::temperature}, true}, {"N", {1, 0, dimension::force}, true}, {"Pa", {1, 0, dimension::pressure}, true},
+    {"bar", {1, 5, dimension::pressure}, true}, {"J", {1, 0, dimension::energy}, true},
+    {"W", {1, 0, dimension::energy / dimension::time}, true}, {"Hz", {1, 0, dimension::frequency}, true},
+    {"rad", {1, 0, dimension::none}, false}, {"deg", {pi / 180, 0, dimension::none}, false}, {"%", {1, -2, dimension::none}, false},
+    {"1", {1, 0, dimension::none}, false}};
 
 struct Prefix {
   std::string_view symbol;
   int decade;
 };
-constexpr std::array prefixes{Prefix{"k", 3},  Prefix{"m", -3}, Prefix{"M", 6},  Prefix{"G", 9},  Prefix{"c", -2},  Prefix{"d", -1}, Prefix{"h", 2},
-                              Prefix{"u", -6}, Prefix{"µ", -6}, Prefix{"μ", -6}, Prefix{"n", -9}, Prefix{"p", -12}, Prefix{"T", 12}};
+constexpr Prefix prefixes[] = {{"k", 3}, {"m", -3}, {"M", 6}, {"G", 9}, {"c", -2}, {"d", -1}, {"h", 2}, {"u", -6}, {"µ", -6}, {"μ", -6}, {"n", -9}, {"p", -12}, {"T", 12}};
 
 std::vector<std::string> all_symbols() {
   std::vector<std::string> symbols;

@@ -95,8 +95,7 @@ double parse_si(std::string_view text, Dimension wanted, std::string_view unit) 
   const Quantity quantity = parse_quantity(text);
   if (quantity.dimension == wanted && (quantity.has_unit || wanted == dimension::none)) return quantity.value;
   const std::string suggested = unit.empty() ? si_unit(wanted) : std::string(unit);
-  if (!quantity.has_unit)
-    throw InputError(fmt::format("\"{0}\" has no unit; write it with its unit, for example \"{0} {1}\"", trimmed(text), suggested));
+  if (!quantity.has_unit) throw InputError(fmt::format("\"{0}\" has no unit; write it with its unit, for example \"{0} {1}\"", trimmed(text), suggested));
   throw InputError(suggested.empty() ? fmt::format("\"{}\" is {}, but a number without unit is needed", trimmed(text), with_unit(quantity.dimension))
                                      : fmt::format("\"{}\" is {}, but {} is needed; write it in {}", trimmed(text), with_unit(quantity.dimension),
                                                    with_unit(wanted), suggested));

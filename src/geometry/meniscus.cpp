@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/vec.hpp"
 #include "geometry/outline.hpp"
 
 namespace arenite::geometry {

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "geometry/cell_grid.hpp"
 #include "geometry/outline.hpp"
 
 namespace arenite::geometry {
@@ -11,7 +11,7 @@ namespace {
 /// Outlines that touch the window, sorted into cells by the rectangles around them.
 class Index {
  public:
-  Index(std::span<const Outline> outlines, const Rectangle& window) : window_(window) {
+  Index(std::span<const Outline> outlines, const Rectangle& window) {
     double extent = 0;
     for (const auto& o : outlines) {
       const Rectangle box = bounds(o);
@@ -20,10 +20,14 @@ class Index {
       boxes.push_back(box);
       extent += std::max(box.width(), box.height());
     }
-    const double cell = outline.empty() ? 1 : extent / static_cast<double>(outline.size());
-    nx_ = cells_along(window.width(), cell);
-    ny_ = cells_along(window.height(), cell);
-    fill();
+    grid_ = {window.x_min, window.y_min, window.width(), window.height(), outline.empty() ? 1 : extent / static_cast<double>(outline.size()), 2000};
+    std::vector<std::int32_t> cell;  // of every pair of an outline and a cell that its rectangle meets
+    for (std::size_t o = 0; o < boxes.size(); ++o)
+      visit(boxes[o], [&](std::int32_t c) {
+        cell.push_back(c);
+        owner_.push_back(static_cast<std::int32_t>(o));
+      });
+    cells_ = {grid_, 0, cell.size(), [&](std::size_t k) { return cell[k]; }};
     seen_.assign(outline.size(), -1);
   }
 
@@ -34,9 +38,9 @@ class Index {
   void find(const Rectangle& box, std::vector<std::int32_t>& found) {
     found.clear();
     ++query_;
-    visit(box, [&](int cell) {
-      for (auto k = start_[cell]; k < start_[cell + 1]; ++k) {
-        const auto o = member_[k];
+    visit(box, [&](std::int32_t cell) {
+      for (auto k = cells_.first[cell]; k < cells_.first[cell + 1]; ++k) {
+        const auto o = owner_[cells_.item[k]];
         if (seen_[o] == query_) continue;
         seen_[o] = query_;
         if (overlap(boxes[o], box)) found.push_back(o);
@@ -45,28 +49,17 @@ class Index {
   }
 
  private:
-  static int cells_along(double length, double cell) { return static_cast<int>(std::clamp(std::ceil(length / cell), 1.0, 2000.0)); }
   template <class Cell>
   void visit(const Rectangle& box, Cell&& cell) const {
-    const auto at = [](double v, double low, double length, int n) { return static_cast<int>(std::clamp(std::floor((v - low) / length * n), 0.0, n - 1.0)); };
-    const int x0 = at(box.x_min, window_.x_min, window_.width(), nx_), x1 = at(box.x_max, window_.x_min, window_.width(), nx_);
-    const int y0 = at(box.y_min, window_.y_min, window_.height(), ny_), y1 = at(box.y_max, window_.y_min, window_.height(), ny_);
-    for (int y = y0; y <= y1; ++y)
-      for (int x = x0; x <= x1; ++x) cell(y * nx_ + x);
-  }
-  void fill() {
-    start_.assign(static_cast<std::size_t>(nx_) * ny_ + 1, 0);
-    for (const auto& box : boxes) visit(box, [&](int cell) { ++start_[cell + 1]; });
-    for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
-    member_.resize(start_.back());
-    auto next = start_;
-    for (std::size_t o = 0; o < boxes.size(); ++o) visit(boxes[o], [&](int cell) { member_[next[cell]++] = static_cast<std::int32_t>(o); });
+    const auto left = grid_.column(box.x_min), right = grid_.column(box.x_max), top = grid_.row(box.y_max);
+    for (auto row = grid_.row(box.y_min); row <= top; ++row)
+      for (auto column = left; column <= right; ++column) cell(row * grid_.columns + column);
   }
 
-  Rectangle window_;
-  int nx_ = 1, ny_ = 1;
+  CellGrid grid_{0, 0, 1, 1, 1};
+  SortedCells cells_{grid_, 0, 0, [](std::size_t) { return 0; }};
   std::int64_t query_ = 0;
-  std::vector<std::int32_t> start_, member_;
+  std::vector<std::int32_t> owner_;
   std::vector<std::int64_t> seen_;
 };
 

@@ -1,27 +1,33 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace arenite {
 
-/// A grey picture, or one of labels: whole numbers row by row from the top left, as pictures are stored.
-struct Image {
-  int width = 0, height = 0;        ///< pixels
-  std::vector<std::int32_t> value;  ///< one a pixel, index x + width row
-
-  std::size_t size() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
-  std::size_t index(int x, int row) const { return static_cast<std::size_t>(x) + static_cast<std::size_t>(width) * static_cast<std::size_t>(row); }
-};
-
-/// The same with fractions: a frame's mean, a map of amplitudes.
-struct FloatImage {
+/// A picture: one value a pixel, row by row from the top left, as pictures are stored.
+template <class T>
+struct Picture {
   int width = 0, height = 0;  ///< pixels
-  std::vector<float> value;   ///< one a pixel, index x + width row
+  std::vector<T> value;       ///< index x + width row
 
   std::size_t size() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
   std::size_t index(int x, int row) const { return static_cast<std::size_t>(x) + static_cast<std::size_t>(width) * static_cast<std::size_t>(row); }
 };
+using Image = Picture<std::int32_t>;  ///< grey, or of labels
+using FloatImage = Picture<float>;    ///< with fractions: a frame's mean, a map of amplitudes
+
+/// Calls visit(column, row, index) for the pixels of a picture whose centres are no farther from (x, y) than `reach` along each axis, row by row.
+template <class Visit>
+void each_pixel_near(double x, double y, double reach, int width, int height, Visit&& visit) {
+  const auto first = [](double v, int n) { return static_cast<int>(std::ceil(std::clamp<double>(v, 0, n))); };
+  const auto last = [](double v, int n) { return static_cast<int>(std::floor(std::clamp<double>(v, -1, n - 1))); };
+  for (int row = first(y - reach, height); row <= last(y + reach, height); ++row)
+    for (int column = first(x - reach, width); column <= last(x + reach, width); ++column)
+      visit(column, row, static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column));
+}
 
 /// Whole numbers as fractions; exact up to 2^24.
 inline FloatImage to_float(const Image& image) { return {image.width, image.height, std::vector<float>(image.value.begin(), image.value.end())}; }

@@ -1,9 +1,15 @@
 #include "model/packing.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace arenite {
+
+std::size_t index_of(const Materials& materials, std::string_view name) {
+  const auto at = std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
+  return static_cast<std::size_t>(at - materials.begin());
+}
 
 void Grains::resize(std::size_t n) {
   const std::size_t old = size();
@@ -12,6 +18,22 @@ void Grains::resize(std::size_t n) {
   for (auto* a : {&x, &y, &radius, &angle, &vx, &vy, &omega}) a->resize(n, 0.0);
   material.resize(n, 0);
   zone.resize(n, 0);
+}
+
+Grains picked(const Grains& from, const std::vector<std::int32_t>& which, Vec2 origin) {
+  Grains grains;
+  grains.resize(which.size());
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    const auto g = static_cast<std::size_t>(which[k]);
+    grains.id[k] = from.id[g];
+    grains.radius[k] = from.radius[g];
+    grains.material[k] = from.material[g];
+    grains.zone[k] = from.zone[g];
+    grains.x[k] = from.x[g] - origin.x;
+    grains.y[k] = from.y[g] - origin.y;
+    grains.angle[k] = from.angle[g];
+  }
+  return grains;
 }
 
 Vec2 Domain::nearest_image(Vec2 d) const {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/vec.hpp"
@@ -19,6 +20,9 @@ struct Material {
 };
 
 using Materials = std::vector<Material>;
+
+/// Place of the material of that name; their number if there is none.
+std::size_t index_of(const Materials& materials, std::string_view name);
 
 /// Grains as a structure of arrays: cylinders of equal length seen end on, so disks. All arrays have one length. Index = position in these arrays =
 /// what Contacts refer to; `id` is the user's name for a grain.
@@ -37,6 +41,9 @@ struct Grains {
   /// Resizes every array; new grains are at rest at the origin, radius 0, id = index.
   void resize(std::size_t n);
 };
+
+/// Those of the grains, at rest, with centres counted from `origin`.
+Grains picked(const Grains& from, const std::vector<std::int32_t>& grains, Vec2 origin = {});
 
 /// The four rigid planes of a frame, in this order everywhere (arrays, files, figures).
 enum Side : int { left = 0, right = 1, bottom = 2, top = 3 };

@@ -10,10 +10,7 @@
 namespace arenite {
 
 PhaseMap make_phase_map(int width, int height, double dx) {
-  PhaseMap map;
-  map.width = width;
-  map.height = height;
-  map.dx = dx;
+  PhaseMap map{width, height, dx, {}, {}, {}};
   map.phase.assign(map.size(), Phase::empty);
   map.grain.assign(map.size(), -1);
   return map;

@@ -51,7 +51,14 @@ std::string toml_literal(const Node& value);
 void set_value(Node& root, const std::string& key, Node value);
 
 /// Puts "key=value" into the tree; the key is dotted, items of arrays are counted from 0, and a value that is not TOML
-/// by itself is text (frame.width=350 mm). Throws InputError for a key that leads nowhere.
+/// by itself is text (container.width=350 mm). Throws InputError for a key that leads nowhere.
 void apply_override(Node& root, const std::string& assignment);
+
+/// Gives keys and words that stand under a former name the one of now; a notice tells of each. Where both stand, the former is left as it is.
+void rename_former_keys(Node& root, std::vector<std::string>& notices);
+/// The same for one dotted key and the value that is put there.
+std::string current_key(std::string_view key, Node& value);
+/// A recipe's text, or its changed keys, with the names of version 0.1, which names of results and seeds of samples follow from.
+std::string under_former_names(std::string_view toml);
 
 }  // namespace arenite::recipe

@@ -43,7 +43,7 @@ void declare(Visitor& v, camera::Detector& detector) {
 
 void declare(Visitor& v, camera::Interference& line) {
   v.number({"line_frequency", "Of a line of the electronics in the film."}, line.frequency, "Hz", range::not_negative);
-  v.number({"line_amplitude", "Half of its swing; 0: there is none."}, line.amplitude, "mK", range::not_negative);
+  v.number({"line_amplitude", "Its amplitude; 0: there is none."}, line.amplitude, "mK", range::not_negative);
   v.number({"line_advance", "Cycles by which its phase goes on from row to row."}, line.advance, "", range::any);
 }
 
@@ -51,7 +51,7 @@ void declare(Visitor& v, camera::Surroundings& around) {
   v.number({"temperature", "Of the sample."}, around.temperature, "K", range::positive);
   v.number({"ambient", "Of the surroundings that the sample mirrors."}, around.ambient, "K", range::positive);
   v.number({"background_emissivity", "Of what is seen between the grains."}, around.background_emissivity, "", range::above(0, 1));
-  v.number({"frame_emissivity", "Of the frame."}, around.frame_emissivity, "", range::above(0, 1));
+  v.number({"container_emissivity", "Of the container."}, around.container_emissivity, "", range::above(0, 1));
   v.number({"drift", "Warming of the whole scene."}, around.drift, "mK/s", range::any);
   v.number({"drift_growth", "By which this rate grows."}, around.drift_growth, "mK/s^2", range::any);
   v.number({"warm_up", "By how much the scene warms beside, exponentially."}, around.warm_up, "K", range::any);
@@ -64,7 +64,7 @@ void declare(Visitor& v, camera::Timing& timing) {
   v.integer({"frames", "Frames that the camera takes."}, timing.frames, {8, 100'000'000});
   v.number({"frame_rate", "Frames in a second."}, timing.frame_rate, "Hz", range::positive);
   v.number({"integration", "Time over which a frame gathers light."}, timing.integration, "us", range::not_negative);
-  v.number({"load_frequency", "Of the load, as it is told."}, timing.load_frequency, "Hz", range::positive);
+  v.number({"load_frequency", "Of the load, as it is reported."}, timing.load_frequency, "Hz", range::positive);
   v.number({"frequency_error", "The true frequency is larger by this share."}, timing.frequency_error, "%", range::between(-0.5, 0.5));
   v.number({"second_harmonic", "Of the load, over the first."}, timing.second_harmonic, "%", range::between(0, 1));
   v.number({"dropped", "Share of frames that are lost."}, timing.dropped, "%", range::between(0, 0.9));
@@ -73,7 +73,7 @@ void declare(Visitor& v, camera::Timing& timing) {
 }  // namespace
 
 void declare(ParameterVisitor& v, CameraSection& camera) {
-  v.text({"low", "Stage at whose end the load is smallest; without it the swing is from no load."}, camera.low);
+  v.text({"low", "Stage at whose end the load is smallest; without it the load varies from none."}, camera.low);
   v.text({"high", "Stage at whose end the load is largest, or a load of the cemented sample.", true}, camera.high);
   declare(v, camera.parameters.optics);
   declare(v, camera.parameters.photograph);
@@ -86,10 +86,10 @@ void declare(ParameterVisitor& v, CameraSection& camera) {
   v.require(camera.parameters.band.high > camera.parameters.band.low, {"band_high", "band_low"}, "must be above band_low");
   v.flag({"motion", "Grains move between their places in the two states."}, camera.parameters.motion);
   v.number({"contact_arc", "Half angle over which a contact presses on a grain, rad; 0: a point."}, camera.parameters.contact_arc, "", range::between(0, 0.8));
-  v.integer({"plate_frames", "Frames in each of the two films of an even plate."}, camera.plate_frames, {1, 1'000'000});
-  v.number({"plate_cold", "Temperature of the first plate."}, camera.plate_cold, "K", range::positive);
-  v.number({"plate_warm", "Temperature of the second plate."}, camera.plate_warm, "K", range::positive);
-  v.require(camera.plate_warm > camera.plate_cold, {"plate_warm", "plate_cold"}, "must be above plate_cold");
+  v.integer({"reference_frames", "Frames in each of the two films of a black-body reference."}, camera.reference_frames, {1, 1'000'000});
+  v.number({"reference_cold", "Temperature of the first reference."}, camera.reference_cold, "K", range::positive);
+  v.number({"reference_warm", "Temperature of the second reference."}, camera.reference_warm, "K", range::positive);
+  v.require(camera.reference_warm > camera.reference_cold, {"reference_warm", "reference_cold"}, "must be above reference_cold");
 }
 
 namespace {
@@ -113,14 +113,14 @@ void declare(Visitor& v, ReadingSection& film) {
   v.text({"dataset", "Of an HDF5 file that holds several that can be films."}, film.dataset);
 }
 
-void declare(Visitor& v, FilmFrame& frame) {
+void declare(Visitor& v, FilmContainer& frame) {
   v.number({"width", "Inner width.", true}, frame.width, "mm", range::positive);
   v.number({"height", "Inner height at the smallest load.", true}, frame.height, "mm", range::positive);
   v.number({"thickness", "Length of the cylinders, out of the plane.", true}, frame.thickness, "mm", range::positive);
-  v.number({"left", "Column of the frame's inner left side in the film; unless given, the frame is in the middle."}, frame.left, "", range::any);
+  v.number({"left", "Column of the container's inner left side in the film; unless given, the container is in the middle."}, frame.left, "", range::any);
   v.number({"top", "Row of its inner upper side, from the top."}, frame.top, "", range::any);
-  v.number({"load_swing", "Force on the lower wall, largest less smallest; 0: not known."}, frame.load_swing, "kN", range::not_negative);
-  v.number({"travel", "Way of the lower wall, upwards, from the smallest to the largest load."}, frame.travel, "mm", range::any);
+  v.number({"load_peak_to_peak", "Force on the lower wall, largest less smallest; 0: not known."}, frame.load_peak_to_peak, "kN", range::not_negative);
+  v.number({"travel", "Displacement of the lower wall, upwards, from the smallest to the largest load."}, frame.travel, "mm", range::any);
 }
 
 void declare(Visitor& v, PictureSection& picture) {
@@ -132,18 +132,18 @@ void declare(Visitor& v, PictureSection& picture) {
 }
 
 void declare(Visitor& v, CorrectionSection& correction) {
-  v.file({"cold", "Film of an even plate: one-point correction of every pixel's offset."}, correction.cold);
-  v.file({"warm", "Film of a warmer plate: with it gains are corrected, too."}, correction.warm);
+  v.file({"cold", "Film of a black-body reference: one-point non-uniformity correction of every pixel's offset."}, correction.cold);
+  v.file({"warm", "Film of a warmer reference: with it gains are corrected, too."}, correction.warm);
   v.require(correction.warm.empty() || !correction.cold.empty(), {"cold", "warm"}, "is needed beside warm");
-  v.number({"cold_temperature", "Of the first plate; 0: not known."}, correction.cold_temperature, "K", range::not_negative);
-  v.number({"warm_temperature", "Of the second plate; 0: not known."}, correction.warm_temperature, "K", range::not_negative);
+  v.number({"cold_temperature", "Of the first reference; 0: not known."}, correction.cold_temperature, "K", range::not_negative);
+  v.number({"warm_temperature", "Of the second reference; 0: not known."}, correction.warm_temperature, "K", range::not_negative);
   v.flag({"bad_pixels", "Pixels that stand out by level, gain or noise are replaced by their neighbours."}, correction.bad_pixels);
 }
 
 void declare(Visitor& v, TemperatureSection& temperature) {
   using From = TemperatureSection::From;
   v.choice({"from", "What turns digital levels into temperatures."}, temperature.from,
-           {{"plates", "the two plates of [correction] and Planck's law between them, emissivity taken into account"},
+           {{"references", "the two black-body references of [correction] and Planck's law between them, emissivity taken into account"},
             {"radiometry", "levels are proportional to photons; Planck's law and the film's mean at [temperature] ambient"},
             {"curve", "a calibration curve"},
             {"film", "the film holds temperatures already"}});
@@ -165,14 +165,14 @@ void declare(Visitor& v, TemperatureSection& temperature) {
 
 void declare(Visitor& v, LockinSection& lockin) {
   v.number({"frequency", "Of the load; it is refined on the film.", true}, lockin.frequency, "Hz", range::positive);
-  v.choice({"method", "How a swing is found in the film."}, lockin.method,
+  v.choice({"method", "How an amplitude is found in the film."}, lockin.method,
            {{"least_squares", "drift and harmonics fitted to every pixel"}, {"nearest_bin", "plain Fourier transform, as in the thesis"}});
   v.integer({"drift", "Order of the polynomial that slow changes follow."}, lockin.drift, {0, 8});
   v.integer({"harmonics", "Multiples of the load frequency that are fitted."}, lockin.harmonics, {1, 4});
   v.number({"phase", "When the load is largest: what its cycle has gone through since the first frame, 360 deg a cycle; unless given, it is found on the film."},
            lockin.phase, "deg", range::between(-2 * std::numbers::pi, 2 * std::numbers::pi));
   v.flag({"motion", "Motion of the grains is fitted and taken out."}, lockin.motion);
-  v.number({"diffusivity", "Of heat in the grains: it is told where heat diffuses not far less than a pixel within a cycle. The default is about that of plastics."},
+  v.number({"diffusivity", "Of heat in the grains: a notice says where heat diffuses not far less than a pixel within a cycle. The default is about that of plastics."},
            lockin.diffusivity, "mm^2/s", range::positive);
 }
 
@@ -181,13 +181,13 @@ void declare(Visitor& v, ForcesSection& forces) {
            {{"pixels", "every pixel of the grains"}, {"means", "the grains' means alone"}, {"none", "no forces"}});
   v.number({"central_share", "Share of a grain's area, round its centre, over which its stress is averaged."}, forces.central_share, "%",
            range::above(0, 1));
-  v.number({"blur", "Standard deviation of the lens' blur, in pixels. Where the rims of the film show another one it is told, and errors hold the difference."}, forces.blur, "", range::between(0, 5));
+  v.number({"blur", "Standard deviation of the lens' blur, in pixels. Where the rims of the film show another one a notice says so, and errors hold the difference."}, forces.blur, "", range::between(0, 5));
   v.number({"friction", "Coefficient of friction: bounds tangential forces of a state."}, forces.friction, "", range::not_negative);
-  v.flag({"state", "The film shows a state that starts from no load, so that the friction cone holds; otherwise the swing between two."},
+  v.flag({"state", "The film shows a state that starts from no load, so that the friction cone holds; otherwise the difference between two."},
          forces.state);
 }
 
-void declare(Visitor& v, TwinSection& twin) {
+void declare(Visitor& v, SimulationSection& twin) {
   v.file({"recipe", "Recipe of the packing; its grains are replaced by those found.", true}, twin.recipe);
   v.text({"low", "Stage at whose end the load is smallest.", true}, twin.low);
   v.text({"high", "Stage at whose end it is largest.", true}, twin.high);
@@ -221,18 +221,18 @@ void declare(ParameterVisitor& v, FilmRecipe& recipe) {
               [&](std::size_t i) -> std::string& { return recipe.materials[i].name; }});
   v.optional_section<ReadingSection>({"film", "What the film does not say about itself, or says wrongly."}, recipe.film,
                                      [](Visitor& inner, ReadingSection& film) { declare(inner, film); });
-  v.section({"frame", "The frame that holds the grains.", true}, [&](Visitor& inner) { declare(inner, recipe.frame); });
+  v.section({"container", "The box that holds the grains.", true}, [&](Visitor& inner) { declare(inner, recipe.container); });
   v.section({"picture", "Where grains are in the film.", true}, [&](Visitor& inner) { declare(inner, recipe.picture); });
-  v.section({"lockin", "From the film to the swing of every pixel.", true}, [&](Visitor& inner) { declare(inner, recipe.lockin); });
+  v.section({"lockin", "From the film to the amplitude of every pixel.", true}, [&](Visitor& inner) { declare(inner, recipe.lockin); });
   v.section({"correction", "Faults of the camera that are taken out of the film."}, [&](Visitor& inner) { declare(inner, recipe.correction); });
   v.section({"temperature", "From digital levels to kelvin."}, [&](Visitor& inner) { declare(inner, recipe.temperature); });
-  v.section({"forces", "From the swing to stresses of grains and forces of contacts."}, [&](Visitor& inner) { declare(inner, recipe.forces); });
-  v.optional_section<TwinSection>({"twin", "A simulation of the same packing, held beside the film."}, recipe.twin,
-                                  [](Visitor& inner, TwinSection& twin) { declare(inner, twin); });
+  v.section({"forces", "From the amplitude to stresses of grains and forces of contacts."}, [&](Visitor& inner) { declare(inner, recipe.forces); });
+  v.optional_section<SimulationSection>({"simulation", "A companion simulation of the same packing, held beside the film."}, recipe.simulation,
+                                  [](Visitor& inner, SimulationSection& twin) { declare(inner, twin); });
   v.optional_section<CameraSection>({"camera", "A virtual camera that films simulated states; for `arenite camera`."}, recipe.camera,
                                     [](Visitor& inner, CameraSection& camera) { declare(inner, camera); });
   // A virtual camera films its plates itself, and its recipe need not say what only a film is measured with.
-  v.require(recipe.camera || has_plates(recipe), {"temperature", "correction"}, needs_plates);
+  v.require(recipe.camera || has_references(recipe), {"temperature", "correction"}, needs_references);
   require_emissivities_used(v, recipe);
 }
 

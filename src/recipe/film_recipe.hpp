@@ -28,12 +28,12 @@ struct ReadingSection {
 };
 
 /// The frame that holds the grains; walls are contact partners and carry the load.
-struct FilmFrame {
+struct FilmContainer {
   double width = 0, height = 0, thickness = 0;  ///< m
   std::optional<double> left, top;  ///< its inner upper left corner in the picture, pixels; centred if not given
-  double load_swing = 0;            ///< force on the lower wall, largest less smallest, N; 0: not known
+  double load_peak_to_peak = 0;            ///< force on the lower wall, largest less smallest, N; 0: not known
   double travel = 0;                ///< of the lower wall, upwards, from the smallest to the largest load, m
-  bool operator==(const FilmFrame&) const = default;
+  bool operator==(const FilmContainer&) const = default;
 };
 
 struct PictureSection {
@@ -46,15 +46,15 @@ struct PictureSection {
 };
 
 struct CorrectionSection {
-  std::string cold, warm;           ///< films of an even plate, for offsets, and gains
+  std::string cold, warm;           ///< films of a black-body reference, for offsets, and gains
   double cold_temperature = 0, warm_temperature = 0;  ///< K
   bool bad_pixels = true;
   bool operator==(const CorrectionSection&) const = default;
 };
 
 struct TemperatureSection {
-  enum class From { plates, radiometry, curve, film };
-  From from = From::plates;
+  enum class From { references, radiometry, curve, film };
+  From from = From::references;
   std::string curve;                ///< CSV of level and temperature
   std::optional<double> emissivity;          ///< of materials that do not say theirs; 0.9 unless given
   std::optional<double> ambient;             ///< of what grains mirror, K; 296 unless given
@@ -85,18 +85,18 @@ struct ForcesSection {
 };
 
 /// A simulation of the same packing, from the positions found.
-struct TwinSection {
+struct SimulationSection {
   std::string recipe;               ///< of the packing
   std::string low, high;            ///< stages whose ends are the smallest and the largest load
-  bool operator==(const TwinSection&) const = default;
+  bool operator==(const SimulationSection&) const = default;
 };
 
 /// Which states a virtual camera films, and how.
 struct CameraSection {
   std::string low, high;            ///< stages; without `low` the swing is from no load
   camera::Parameters parameters;
-  std::int64_t plate_frames = 100;  ///< in each film of an even plate
-  double plate_cold = 291, plate_warm = 301;  ///< K
+  std::int64_t reference_frames = 100;  ///< in each film of a black-body reference
+  double reference_cold = 291, reference_warm = 301;  ///< K
 };
 
 /// What `arenite film` and `arenite camera` are told; one file may serve both.
@@ -104,25 +104,26 @@ struct FilmRecipe {
   std::string title;
   std::uint64_t seed = 1;
   std::string source_file;
+  std::vector<std::string> notices;  ///< what the reader of the recipe found worth a word
   std::optional<ReadingSection> film;
   std::vector<FilmMaterial> materials;
-  FilmFrame frame;
+  FilmContainer container;
   PictureSection picture;
   CorrectionSection correction;
   TemperatureSection temperature;
   LockinSection lockin;
   ForcesSection forces;
-  std::optional<TwinSection> twin;
+  std::optional<SimulationSection> simulation;
   std::optional<CameraSection> camera;
 };
 
 /// Emissivity of every material: its own, that of [temperature], or 0.9.
 std::vector<double> emissivities(const FilmRecipe& recipe);
 
-/// False where temperatures are to come from the two plates (the default) and these are not given.
-bool has_plates(const FilmRecipe& recipe);
-inline constexpr const char* needs_plates =
-    "from is \"plates\" unless given, and needs correction.cold, correction.warm and their temperatures, the warmer one's above the "
+/// False where temperatures are to come from the two black-body references (the default) and these are not given.
+bool has_references(const FilmRecipe& recipe);
+inline constexpr const char* needs_references =
+    "from is \"references\" unless given, and needs correction.cold, correction.warm and their temperatures, the warmer one's above the "
     "other's; give them, or write [temperature] with from = \"film\" (it holds temperatures), \"curve\" or \"radiometry\"";
 
 /// Of a film in kelvin of which nothing says how these were made.

@@ -27,34 +27,6 @@ bool is_label(const std::string& name) {
   });
 }
 
-void declare(Visitor& v, SizeLaw& law) {
-  using Kind = SizeLaw::Kind;
-  v.choice({"law", "How diameters are drawn.", true}, law.kind,
-           {{"fixed", "one diameter"},
-            {"uniform", "evenly between min and max"},
-            {"normal", "Gaussian of mean and deviation, cut to min..max"},
-            {"list", "the values in turn, from the start again when used up"}});
-  v.when(law.kind == Kind::fixed, "law = \"fixed\"", [&](Visitor& inner) {
-    inner.number({"diameter", "The diameter.", true}, law.diameter, "mm", range::positive);
-  });
-  v.when(law.kind == Kind::normal, "law = \"normal\"", [&](Visitor& inner) {
-    inner.number({"mean", "Mean diameter before the cut.", true}, law.mean, "mm", range::positive);
-    inner.number({"deviation", "Standard deviation before the cut.", true}, law.deviation, "mm", range::not_negative);
-  });
-  v.when(law.kind == Kind::uniform || law.kind == Kind::normal, "law = \"uniform\" or \"normal\"", [&](Visitor& inner) {
-    inner.number({"min", "Smallest diameter.", true}, law.min, "mm", range::positive);
-    inner.number({"max", "Largest diameter.", true}, law.max, "mm", range::positive);
-    inner.require(law.max >= law.min, {"max", "min"}, "must not be below min");
-  });
-  v.when(law.kind == Kind::normal, "law = \"normal\"", [&](Visitor& inner) {
-    inner.require(law.mean >= law.min && law.mean <= law.max, {"mean", "min", "max"}, "must lie between min and max");
-  });
-  v.when(law.kind == Kind::list, "law = \"list\"", [&](Visitor& inner) {
-    inner.numbers({"values", "The diameters.", true}, law.values, "mm", range::positive);
-    inner.require(!law.values.empty(), {"values"}, "must hold at least one diameter");
-  });
-}
-
 void require_known_material(Visitor& v, const Population& population, const Materials& materials) {
   std::vector<std::string> names;
   for (const auto& material : materials) names.push_back(material.name);
@@ -63,12 +35,6 @@ void require_known_material(Visitor& v, const Population& population, const Mate
   v.require(known, {"material"},
             fmt::format("there is no section [materials.{}]; {}", population.material,
                         near.empty() ? "add it" : fmt::format("did you mean \"{}\"?", near)));
-}
-
-double largest_diameter(const SizeLaw& law) {
-  if (law.kind == SizeLaw::Kind::fixed) return law.diameter;
-  if (law.kind == SizeLaw::Kind::list) return law.values.empty() ? 0 : *std::max_element(law.values.begin(), law.values.end());
-  return law.max;
 }
 
 }  // namespace
@@ -94,28 +60,27 @@ void declare(Visitor& v, Population& population, const Recipe& recipe) {
             "give either count or ratio");
 
   auto& size = population.size;
-  const bool is_fixed = size.kind == SizeLaw::Kind::fixed;
-  std::optional<double> diameter = is_fixed && size.diameter > 0 ? std::optional(size.diameter) : std::nullopt;
+  auto* const fixed = std::get_if<packing::FixedSize>(&size);
+  std::optional<double> diameter = fixed && fixed->diameter > 0 ? std::optional(fixed->diameter) : std::nullopt;
   v.number({"diameter", "Diameter of every grain; short for size = { law = \"fixed\", ... }."}, diameter, "mm",
            range::positive);
-  if (diameter) size.diameter = *diameter;
-  bool has_law = !is_fixed;
+  if (diameter && fixed) fixed->diameter = *diameter;
+  bool has_law = !fixed;
   v.section({"size", "Size law of the grains, where they are not all equal."}, has_law,
-            [&](Visitor& inner) { declare(inner, size); });
+            [&](Visitor& inner) { inner.member({"law", "How diameters are drawn.", true}, size); });
   v.require(diameter.has_value() != has_law, {"size", "diameter"}, "give either diameter or size");
-  const double width = recipe.frame.width;
-  v.require(width <= 0 || largest_diameter(size) <= width, {"diameter", "size"},
-            fmt::format("the largest grain ({}) is wider than the frame ({})",
-                        format_quantity(largest_diameter(size), "mm"), format_quantity(width, "mm")));
+  const double width = recipe.container.width, largest = std::visit([](const auto& law) { return law.largest(); }, size);
+  v.require(width <= 0 || largest <= width, {"diameter", "size"},
+            fmt::format("the largest grain ({}) is wider than the container ({})", format_quantity(largest, "mm"), format_quantity(width, "mm")));
 }
 
 namespace {
 
 using Visitor = ParameterVisitor;
 
-void declare(Visitor& v, FrameParameters& frame, PackingParameters::Method method) {
+void declare(Visitor& v, ContainerParameters& frame, PackingParameters::Method method) {
   v.when(method != PackingParameters::Method::poisson, "packing.method other than \"poisson\", which makes its own box", [&](Visitor& inner) {
-    inner.number({"width", "Inner width of the frame, or of the periodic cell.", true}, frame.width, "mm", range::positive);
+    inner.number({"width", "Inner width of the container, or of the periodic cell.", true}, frame.width, "mm", range::positive);
     std::optional<double> height = frame.height > 0 ? std::optional(frame.height) : std::nullopt;
     inner.number({"height", "Inner height at the start; if not given, fillings take the one that packing.solid_fraction asks for."},
                  height, "mm", range::positive);
@@ -145,11 +110,11 @@ void declare(Visitor& v, PackingParameters& packing) {
   });
 }
 
-void declare(Visitor& v, Region& region, const FrameParameters& frame) {
+void declare(Visitor& v, Region& region, const ContainerParameters& frame) {
   v.number({"x", "Centre, from the left side.", true}, region.x, "mm", range::not_negative);
   v.number({"y", "Centre, from the bottom.", true}, region.y, "mm", range::not_negative);
-  v.require(frame.width <= 0 || region.x <= frame.width, {"x"}, "must lie inside the frame");
-  v.require(frame.height <= 0 || region.y <= frame.height, {"y"}, "must lie inside the frame");
+  v.require(frame.width <= 0 || region.x <= frame.width, {"x"}, "must lie inside the container");
+  v.require(frame.height <= 0 || region.y <= frame.height, {"y"}, "must lie inside the container");
   v.integer({"count", "The grains nearest to the centre, this many, instead of a shape."}, region.count, {1, 100'000'000});
   v.when(!region.count, "no count", [&](Visitor& inner) {
     inner.choice({"shape", "Outline; grains whose centre lies inside are glued."}, region.shape,
@@ -174,7 +139,7 @@ void require_grains(Visitor& v, const Recipe& recipe) {
             "the grains come from [bidisperse]; leave out [[populations]], or choose another packing.method");
   v.require(!from_file || populations.empty(), {"populations", "packing"},
             "the grains come from packing.file; leave out [[populations]], or choose another packing.method");
-  v.require(!from_file || recipe.frame.height > 0, {"frame"}, "grains from a file need a height; write height = \"... mm\"");
+  v.require(!from_file || recipe.container.height > 0, {"container"}, "grains from a file need a height; write height = \"... mm\"");
   const bool shares = std::any_of(populations.begin(), populations.end(), [](const auto& p) { return p.ratio.has_value(); });
   std::int64_t counted = 0;
   for (const auto& population : populations) counted += population.count.value_or(0);
@@ -190,9 +155,9 @@ void declare(ParameterVisitor& v, Recipe& recipe) {
   v.integer({"seed", "Seed of all random numbers: the same seed gives the same sample."}, seed,
             {0, std::numeric_limits<std::int64_t>::max()});
   recipe.seed = static_cast<std::uint64_t>(seed);
-  v.section({"packing", "How the grains are put into the frame."}, [&](Visitor& inner) { declare(inner, recipe.packing); });
-  v.section({"frame", "The frame that holds the grains.", true},
-            [&](Visitor& inner) { declare(inner, recipe.frame, recipe.packing.method); });
+  v.section({"packing", "How the grains are put into the container."}, [&](Visitor& inner) { declare(inner, recipe.packing); });
+  v.section({"container", "The box, or periodic cell, that holds the grains.", true},
+            [&](Visitor& inner) { declare(inner, recipe.container, recipe.packing.method); });
   declare_materials(v, recipe.materials);
   declare_bidisperse(v, recipe);
   v.list<Population>({"populations", "Grains of one material and one size law."}, recipe.populations,
@@ -202,7 +167,7 @@ void declare(ParameterVisitor& v, Recipe& recipe) {
             [&](Visitor& inner) { declare(inner, recipe.contact); });
   v.section({"integration", "Newton's equations in time."}, [&](Visitor& inner) { declare(inner, recipe.integration); });
   v.optional_section<Region>({"glued", "A region whose grains are glued to each other."}, recipe.glued,
-                             [&](Visitor& inner, Region& region) { declare(inner, region, recipe.frame); });
+                             [&](Visitor& inner, Region& region) { declare(inner, region, recipe.container); });
   v.require(!recipe.glued || recipe.contact.adheres(), {"glued", "contact"},
             "there is nothing to glue with; set contact.adhesion and contact.surface_energy");
   v.list<Stage>({"stages", "Loading, stage after stage; each starts where the one before ended.", true}, recipe.stages,

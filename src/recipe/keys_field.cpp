@@ -57,8 +57,8 @@ void declare(Visitor& v, BidisperseSection& classes, const Materials& materials)
   v.number({"size_ratio", "gamma: mean large over mean small radius."}, law.size_ratio, "", range::between(1, 20));
   v.number({"volume_ratio", "theta: area of the large over area of the small disks."}, law.volume_ratio, "", range::above(0, 100));
   v.number({"deviation", "Standard deviation of each class over its mean radius."}, law.deviation, "", range::between(0, 0.5));
-  v.number({"cut", "Radii are cut at this many standard deviations."}, law.cut, "", range::above(0, 1.9));
-  v.flag({"cut_each_class", "Each class is cut by itself; otherwise both to their common range."}, law.cut_each_class);
+  v.number({"truncation", "Radii are truncated at this many standard deviations."}, law.cut, "", range::above(0, 1.9));
+  v.flag({"truncate_each_class", "Each class is truncated by itself; otherwise both to their common range."}, law.cut_each_class);
   v.flag({"hold_radius", "A radius is kept until it is placed; otherwise drawn anew at each trial, which favours small ones."},
          law.hold_radius);
   v.number({"box_area", "Area of the square box over pi large_radius^2."}, law.box_area, "", range::between(20, 1e6));
@@ -76,7 +76,7 @@ void declare(Visitor& v, BidisperseSection& classes, const Materials& materials)
                           name, key));
   v.require(classes.large != classes.small, {"small", "large"},
             fmt::format("both classes are made of \"{}\"; give each a material of its own, with the same numbers if they are alike", classes.small));
-  v.require(law.deviation * law.cut < 0.95, {"cut", "deviation"}, "radii would be cut at less than 5 % of their mean; lower cut or deviation");
+  v.require(law.deviation * law.cut < 0.95, {"truncation", "deviation"}, "radii would be truncated at less than 5 % of their mean; lower truncation or deviation");
 }
 
 void declare(Visitor& v, CementSection& cement) {
@@ -105,13 +105,13 @@ void declare(Visitor& v, CementSection& cement) {
   });
 }
 
-void declare(Visitor& v, RasterSection& raster) {
+void declare(Visitor& v, GridSection& raster) {
   v.integer({"nodes", "Nodes along a side of the square."}, raster.nodes, {7, 32'768});
   v.number({"crop", "Side of the centred square that is cut out; unless given, 25.6 mean large radii of a sampled packing, otherwise "
                     "the largest square inside the sample."}, raster.crop, "mm", range::positive);
   v.flag({"eight_connected", "Pores and voids hang together over corners, too."}, raster.cavities.eight_connected);
   std::int64_t fewest = raster.cavities.fewest_nodes;
-  v.integer({"fewest_nodes", "Pores and voids of fewer nodes are specks of the raster and left out."}, fewest, {1, 1'000'000});
+  v.integer({"fewest_nodes", "Pores and voids of fewer nodes are specks of the grid and left out."}, fewest, {1, 1'000'000});
   raster.cavities.fewest_nodes = static_cast<int>(fewest);
   v.flag({"leave_out_border", "Pores and voids that touch the edge are cut, and left out."}, raster.cavities.leave_out_border);
 }
@@ -138,8 +138,8 @@ void declare_bidisperse(ParameterVisitor& v, Recipe& recipe) {
 void declare_second_road(ParameterVisitor& v, Recipe& recipe) {
   v.optional_section<CementSection>({"cement", "Binding matrix between the grains, put there when the stages are over."}, recipe.cement,
                                     [](Visitor& inner, CementSection& cement) { declare(inner, cement); });
-  v.optional_section<RasterSection>({"raster", "The square of nodes that the cemented packing becomes."}, recipe.raster,
-                                    [](Visitor& inner, RasterSection& raster) { declare(inner, raster); });
+  v.optional_section<GridSection>({"grid", "The square of nodes that the cemented packing becomes."}, recipe.grid,
+                                    [](Visitor& inner, GridSection& raster) { declare(inner, raster); });
   v.list<Load>({"loads", "Loadings of the cemented sample by peridynamics, each from the unloaded state."}, recipe.loads,
                [&](Visitor& inner, Load& load) { declare(inner, load, recipe); });
 }
@@ -204,9 +204,9 @@ void declare(ParameterVisitor& v, Load& load, const Recipe& recipe) {
   v.number({"tolerance", "Residual, relative to that of uniform strain, at which a field is at equilibrium."}, load.tolerance, "",
            range::between(1e-12, 0.1));
   v.when(load.failure, "failure = true", [&](Visitor& inner) {
-    inner.number({"max_strain", "The pull ends at this strain,"}, load.max_strain, "", range::above(0, 1));
+    inner.number({"max_strain", "The test ends at this strain,"}, load.max_strain, "", range::above(0, 1));
     inner.number({"end_stress", "or when the stress has fallen to this share of the largest."}, load.end_stress, "", range::above(0, 1));
-    inner.number({"band", "Bonds within this share of the most overstretched break in one round: larger is faster and coarser."}, load.band, "",
+    inner.number({"band", "Bonds within this share of the one furthest beyond its critical stretch break in one round: larger is faster and coarser."}, load.band, "",
                  range::between(0, 1));
     inner.section({"toughness", "At which stretch bonds break."}, [&](Visitor& section) { declare(section, load.toughness); });
   });

@@ -30,6 +30,7 @@ void declare(ParameterVisitor& v, dem::ContactParameters& contact) {
            contact.sliding_viscosity, "N s/m", range::not_negative);
   v.number({"tangential_stiffness_ratio", "k_t/k_n of the Cundall-Strack spring."}, contact.tangential_stiffness_ratio, "",
            range::positive);
+  v.member({"rolling", "Moment between two grains that turn against each other."}, contact.rolling);
   v.choice({"arms", "Lever arms of contact forces."}, contact.arms,
            {{"contact_point", "to the middle of the overlap"}, {"full_radius", "the radii"}});
   v.member({"adhesion", "Adhesion between glued grains."}, contact.adhesion);
@@ -74,13 +75,13 @@ namespace {
 
 using Visitor = ParameterVisitor;
 
-void declare(Visitor& v, RestCriterion& rest) {
+void declare(Visitor& v, EquilibriumCriterion& rest) {
   v.number({"unbalanced", "Unbalanced force ratio below this."}, rest.unbalanced, "", range::positive);
   v.number({"kinetic", "Kinetic over elastic energy below this."}, rest.kinetic, "", range::positive);
   v.number({"falling", "Share of grains that still fall, weighing and with fewer than two pressed contacts, not above this."}, rest.falling, "", range::not_negative);
   v.number({"loose_kinetic", "Kinetic energy of the grains that carry nothing (fewer than two pressed contacts) over elastic energy below this; a hundred thousand times `kinetic` unless given, since nothing but rare hits slows them where they do not weigh."}, rest.loose_kinetic, "", range::positive);
   std::optional<double> mobilisation = rest.mobilisation >= 0 ? std::optional(rest.mobilisation) : std::nullopt;
-  v.number({"mobilisation", "Mean |F_t|/F_n below this as well, if given: tells creep from rest where friction is viscous."},
+  v.number({"mobilisation", "Mean |F_t|/F_n below this as well, if given: tells creep from equilibrium where friction is viscous."},
            mobilisation, "", range::not_negative);
   rest.mobilisation = mobilisation.value_or(-1);
   v.integer({"max_steps", "Steps of one increment, after which the run stops with exit status 3."}, rest.max_steps,
@@ -101,6 +102,13 @@ void declare(Visitor& v, Cycles& cycles) {
 
 bool presses(const SideDrive& drive) { return drive.kind == SideDrive::Kind::force || drive.kind == SideDrive::Kind::pressure; }
 
+/// A section with a value for each of the four sides.
+void declare_sides(Visitor& v, const Key& key, const std::function<void(Visitor&, std::size_t)>& one) {
+  v.section(key, [&](Visitor& inner) {
+    for (std::size_t side = 0; side < 4; ++side) one(inner, side);
+  });
+}
+
 /// A force on an edge of a periodic cell moves that edge and strains the cell; with the opposite edge free as well, the
 /// cell would drift.
 void require_one_pressing_edge(Visitor& v, const Stage& stage, std::size_t first, bool periodic) {
@@ -111,15 +119,21 @@ void require_one_pressing_edge(Visitor& v, const Stage& stage, std::size_t first
             fmt::format("of the two periodic edges {0} and {1} one presses and the other holds; leave {0} = \"fixed\"", name, opposite));
 }
 
-void require_usable_sides(Visitor& v, const Stage& stage, const FrameParameters& frame) {
+void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParameters& frame) {
   using Kind = SideDrive::Kind;
   require_one_pressing_edge(v, stage, left, frame.periodic_x);
   require_one_pressing_edge(v, stage, bottom, frame.periodic_y);
   v.require(!stage.gravity || !frame.periodic_y, {"gravity"},
-            "grains would fall for ever through periodic sides; set frame.periodic_y = false");
-  const bool moves = std::any_of(stage.side.begin(), stage.side.end(), [](const SideDrive& drive) { return drive.kind == Kind::velocity; });
+            "grains would fall for ever through periodic sides; set container.periodic_y = false");
+  const bool moves = std::any_of(stage.side.begin(), stage.side.end(), [](const SideDrive& drive) { return drive.kind == Kind::velocity; }) ||
+                     std::any_of(stage.slide.begin(), stage.slide.end(), [](double speed) { return speed != 0; }) || stage.shear_rate != 0;
+  v.require(stage.shear_rate == 0 || (frame.periodic_x && frame.periodic_y), {"shear_rate"},
+            "only a cell that is periodic both ways is sheared so; set container.periodic_x and periodic_y, or let a wall slide");
+  for (std::size_t side = 0; side < 4; ++side)
+    v.require((stage.slide[side] == 0 && !stage.rough[side]) || !(side < bottom ? frame.periodic_x : frame.periodic_y), {"slide", "rough"},
+              fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
   v.require(!moves || stage.duration, {"duration", "left", "right", "bottom", "top"},
-            "a stage with a moving side never comes to rest; give it a duration, for example duration = \"1 s\"");
+            "a stage with a moving side never reaches equilibrium; give it a duration, for example duration = \"1 s\"");
   if (!stage.cycles || stage.cycles->side.empty()) return;  // empty: no section at all, which the reader reports
   const auto side = std::find(side_names.begin(), side_names.end(), stage.cycles->side) - side_names.begin();
   v.require(stage.side[static_cast<std::size_t>(side)].kind == Kind::force, {"cycles", side_names[static_cast<std::size_t>(side)]},
@@ -140,7 +154,17 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   const auto same = std::count_if(recipe.stages.begin(), recipe.stages.end(),
                                   [&](const Stage& other) { return &other != &stage && other.name == stage.name; });
   v.require(same == 0, {"name"}, fmt::format("another stage is called \"{}\"; names must differ", stage.name));
-  v.flag({"gravity", "Grains weigh (9.81 m/s^2 downwards)."}, stage.gravity);
+  v.flag({"gravity", "Grains weigh."}, stage.gravity);
+  v.when(stage.gravity, "gravity = true", [&](Visitor& inner) {
+    inner.number({"gravity_size", "Acceleration of gravity."}, stage.gravity_size, "m/s^2", range::not_negative);
+    inner.number({"gravity_angle", "By which it is turned from straight down, counter-clockwise."}, stage.gravity_angle, "deg", range::any);
+  });
+  declare_sides(v, {"slide", "Walls that move along themselves, left and right upwards, bottom and top to the right."},
+                [&](Visitor& inner, std::size_t side) { inner.number({side_names[side], "Speed along itself."}, stage.slide[side], "mm/s", range::any); });
+  declare_sides(v, {"rough", "Walls that carry grains: those nearer than half their radius as the stage begins go with the wall."},
+                [&](Visitor& inner, std::size_t side) { inner.flag({side_names[side], "This wall is rough."}, stage.rough[side]); });
+  v.number({"shear_rate", "Rate du_x/dy at which a cell that is periodic in x and y is sheared (Lees and Edwards); its top and bottom may press besides."},
+           stage.shear_rate, "1/s", range::any);
   for (std::size_t side = 0; side < 4; ++side) {
     auto& drive = stage.side[side];
     int form = static_cast<int>(drive.kind);
@@ -151,20 +175,20 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
               {"pressure", "kPa", "presses on the sample, acting in full at once; of two periodic edges one presses and one is fixed", range::not_negative}});
     drive.kind = static_cast<SideDrive::Kind>(form);
   }
-  v.integer({"increments", "Equal steps in which forces are reached, each ending at rest."}, stage.increments, {1, 1'000'000});
-  v.number({"duration", "Time after which the stage ends, whether at rest or not; needed where a side moves."},
+  v.integer({"increments", "Equal steps in which forces are reached, each ending in equilibrium."}, stage.increments, {1, 1'000'000});
+  v.number({"duration", "Time after which the stage ends, whether in equilibrium or not; needed where a side moves."},
            stage.duration, "s", range::positive);
-  v.integer({"frames", "States stored during a stage with a duration; other stages store one an increment."}, stage.frames,
+  v.integer({"snapshots", "States stored during a stage with a duration; other stages store one an increment."}, stage.snapshots,
             {1, 1'000'000});
   v.number({"friction", "Coefficient mu during this stage only, for example 0 to densify."}, stage.friction, "",
            range::not_negative);
   v.number({"drag", "Viscous drag during this stage, as a rate: the force on a grain is -drag m v."}, stage.drag, "1/s", range::not_negative);
-  v.number({"critical_drag", "More drag, as a share of the rate that damps the slowest wave of a crystal of this size critically. About 0.2 brings a jammed packing of any size to rest soonest; it hinders rearrangement, so compact without it first."},
+  v.number({"critical_drag", "More drag, as a share of the rate that damps the slowest wave of a crystal of this size critically. About 0.2 brings a jammed packing of any size to equilibrium soonest; it hinders rearrangement, so compact without it first."},
            stage.critical_drag, "", range::not_negative);
-  v.choice({"masses", "Masses that the grains move with in this stage. Without friction states of rest do not depend on them; with it they keep a trace of the way there."}, stage.masses,
-           {{"own", "their own"},
-            {"even", "such that k/m of all grains is that of the fastest: a sample of unlike sizes compacts in far fewer steps; not with gravity"}});
-  v.require(!stage.gravity || stage.masses == dem::Masses::own, {"masses", "gravity"}, "grains weigh by their own masses; leave gravity or masses out");
+  v.choice({"mass_scaling", "MassScaling that the grains move with in this stage. Without friction equilibria do not depend on them; with it they keep a trace of the way there."}, stage.mass_scaling,
+           {{"none", "their own"},
+            {"uniform", "such that k/m of all grains is that of the fastest: a sample of unlike sizes compacts in far fewer steps; not with gravity"}});
+  v.require(!stage.gravity || stage.mass_scaling == dem::MassScaling::none, {"mass_scaling", "gravity"}, "grains weigh by their own masses; leave gravity or mass_scaling out");
   v.number({"inertial_number", "How fast the sample yields to a side under force or pressure, as a share of sqrt(force times width over mass): larger compacts faster and overshoots more; 1 suits a compaction at P/k of 1e-3 or less."},
            stage.inertial_number, "", range::positive);
   v.flag({"glue", "Adhesion acts from this stage on."}, stage.glue);
@@ -172,8 +196,8 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
             "there is nothing to glue with; set contact.adhesion and contact.surface_energy");
   v.optional_section<Cycles>({"cycles", "Force cycles on one side after the ramp."}, stage.cycles,
                              [](Visitor& inner, Cycles& cycles) { declare(inner, cycles); });
-  v.section({"rest", "When an increment counts as done."}, [&](Visitor& inner) { declare(inner, stage.rest); });
-  require_usable_sides(v, stage, recipe.frame);
+  v.section({"equilibrium", "When an increment counts as done."}, [&](Visitor& inner) { declare(inner, stage.equilibrium); });
+  require_usable_sides(v, stage, recipe.container);
 }
 
 }  // namespace arenite::recipe

@@ -92,7 +92,7 @@ void set_value(Node& root, const std::string& key, Node value) {
   Place place = value.place;
   place.wins = true;
   Node* node = &root;
-  for (const auto& word : words_of(key)) node = &step_into(*node, word, place);
+  for (const auto& word : words_of(current_key(key, value))) node = &step_into(*node, word, place);
   set_place(value, place);
   *node = std::move(value);
 }
@@ -100,7 +100,7 @@ void set_value(Node& root, const std::string& key, Node value) {
 void apply_override(Node& root, const std::string& assignment) {
   const auto equals = assignment.find('=');
   try {
-    if (equals == std::string::npos || equals == 0) leads_nowhere("write key=value, for example seed=7 or frame.width=\"350 mm\"");
+    if (equals == std::string::npos || equals == 0) leads_nowhere("write key=value, for example seed=7 or container.width=\"350 mm\"");
     Node value = parse_value(assignment.substr(equals + 1));
     value.place = {0, 0, "--set " + assignment};
     set_value(root, assignment.substr(0, equals), std::move(value));
@@ -161,6 +161,7 @@ void lay_base_under(Node& root, Reading& reading) {
     reading.bases.push_back(path.string());
     Node under = read_document(io::read_file(path.string()), path.string());
     set_file(under, path.string());
+    rename_former_keys(under, reading.notices);
     take(under, "sweep");
     base = take(under, "base");
     lay_under(root, std::move(under));

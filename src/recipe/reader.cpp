@@ -196,6 +196,7 @@ Node read_tree(std::string_view text, Reading& reading, const std::vector<std::s
     throw InputError(reading.file_name, 0, fmt::format("the recipe is empty; `arenite init {}` writes one to start from", start_from));
   }
   Node root = read_document(text, reading.file_name);
+  rename_former_keys(root, reading.notices);
   lay_base_under(root, reading);
   for (const auto& assignment : overrides) {
     try {

@@ -23,6 +23,7 @@ struct Reading {
   bool look_for_files = false;
   std::vector<Problem> problems;
   std::vector<std::string> bases = {};  ///< files that the recipe is laid over
+  std::vector<std::string> notices = {};  ///< what the user should see, though nothing is wrong
 };
 
 /// What a place is reported under: an override, a base or the recipe.

@@ -33,6 +33,7 @@ Recipe read_from(std::string_view text, Reading& reading, const std::vector<std:
     root.entries.erase(sweep);
   }
   read_declared(root, reading, declaration_of(recipe));
+  recipe.notices = reading.notices;
   return recipe;
 }
 
@@ -129,6 +130,7 @@ FilmRecipe read_film_from(std::string_view text, Reading& reading, const std::ve
   FilmRecipe recipe;
   recipe.source_file = reading.file_name;
   read_declared(root, reading, declaration_of(recipe));
+  recipe.notices = reading.notices;
   return recipe;
 }
 
@@ -149,9 +151,9 @@ std::vector<double> emissivities(const FilmRecipe& recipe) {
   return all;
 }
 
-bool has_plates(const FilmRecipe& recipe) {
+bool has_references(const FilmRecipe& recipe) {
   const CorrectionSection& c = recipe.correction;
-  return recipe.temperature.from != TemperatureSection::From::plates ||
+  return recipe.temperature.from != TemperatureSection::From::references ||
          (!c.cold.empty() && !c.warm.empty() && c.cold_temperature > 0 && c.warm_temperature > c.cold_temperature);
 }
 
@@ -197,9 +199,9 @@ FilmRecipe film_template() {
   FilmRecipe recipe;
   recipe.title = "Cylinders of POM and HDPE, cycled between 6 and 60 kN at 3 Hz";
   recipe.materials = {{"HDPE", 0.0258e-6, 0.9, {}}, {"POM", 0.0150e-6, 0.1, {}}};
-  recipe.frame.width = recipe.frame.height = 0.35;
-  recipe.frame.thickness = 0.06;
-  recipe.frame.load_swing = 54e3;
+  recipe.container.width = recipe.container.height = 0.35;
+  recipe.container.thickness = 0.06;
+  recipe.container.load_peak_to_peak = 54e3;
   recipe.picture.pixel = 1.6e-3;
   recipe.temperature.from = TemperatureSection::From::film;
   recipe.lockin.frequency = 3;

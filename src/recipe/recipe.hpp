@@ -24,12 +24,12 @@ using packing::Population;
 using packing::Region;
 using packing::SizeLaw;
 
-struct FrameParameters {
+struct ContainerParameters {
   double width = 0;                    ///< m
   double height = 0;                   ///< m; 0: as packing.solid_fraction asks
   double thickness = 0;                ///< m
   bool periodic_x = false, periodic_y = false;
-  bool operator==(const FrameParameters&) const = default;
+  bool operator==(const ContainerParameters&) const = default;
 };
 
 struct PackingParameters {
@@ -42,7 +42,7 @@ struct PackingParameters {
 };
 
 using dem::Cycles;
-using dem::RestCriterion;
+using dem::EquilibriumCriterion;
 using dem::SideDrive;
 using dem::Stage;
 
@@ -61,11 +61,11 @@ struct CementSection {
 };
 
 /// The nodes that the cemented packing is brought to, and the rules of its pores.
-struct RasterSection {
+struct GridSection {
   std::int64_t nodes = 1024;           ///< a side
   std::optional<double> crop;          ///< side of the square, m; if not given, 25.6 mean large radii, or what fits
   raster::CavityRules cavities;
-  bool operator==(const RasterSection&) const = default;
+  bool operator==(const GridSection&) const = default;
 };
 
 /// Moduli of the bonds, Pa; what is not given follows P Table I.
@@ -99,7 +99,7 @@ struct Load {
   bool moduli = false;                 ///< load it along both axes and in shear, too
   bool failure = false;                ///< pull until it breaks
   double max_strain = 0.1, end_stress = 0.1;
-  double band = 0.05;                  ///< bonds within this share of the most overstretched break in one round
+  double band = 0.05;                  ///< bonds within this share of the one furthest beyond its critical stretch break in one round
   StiffnessSection stiffness;
   ToughnessSection toughness;
   stress::StressOptions statistics;
@@ -112,9 +112,10 @@ struct Recipe {
   std::string title;
   std::uint64_t seed = 1;
   std::string source_file;             ///< as given; relative paths in the recipe start at its folder
+  std::vector<std::string> notices;    ///< what the reader of the recipe found worth a word
   Materials materials;
   std::vector<Population> populations;
-  FrameParameters frame;
+  ContainerParameters container;
   PackingParameters packing;
   dem::ContactParameters contact;
   dem::IntegrationParameters integration;
@@ -122,12 +123,12 @@ struct Recipe {
   std::vector<Stage> stages;
   std::optional<BidisperseSection> bidisperse;
   std::optional<CementSection> cement;
-  std::optional<RasterSection> raster;
+  std::optional<GridSection> grid;
   std::vector<Load> loads;
   /// The sections, or what stands for them where they are not given: no cement, and P's raster.
   CementSection cement_or_none() const;
-  RasterSection raster_or_default() const { return raster.value_or(RasterSection{}); }
-  bool has_field() const { return cement || raster || !loads.empty(); }  ///< goes on to cement, raster and loads
+  GridSection grid_or_default() const { return grid.value_or(GridSection{}); }
+  bool has_field() const { return cement || grid || !loads.empty(); }  ///< goes on to cement, raster and loads
   bool operator==(const Recipe&) const = default;
 };
 

@@ -18,7 +18,7 @@ Stage pressed(std::string name, double pressure) {
   Stage stage;
   stage.name = std::move(name);
   stage.side.fill({SideDrive::Kind::pressure, pressure});
-  stage.masses = dem::Masses::even;
+  stage.mass_scaling = dem::MassScaling::uniform;
   return stage;
 }
 
@@ -27,12 +27,12 @@ Recipe composite() {
   Recipe recipe;
   recipe.title = "Composite of POM and HDPE cylinders, sample 8 of the thesis";
   recipe.seed = 8;
-  recipe.frame.width = 0.35;
-  recipe.frame.thickness = 0.06;
+  recipe.container.width = 0.35;
+  recipe.container.thickness = 0.06;
   recipe.materials = {{"HDPE", 950, 6.43e6, 0.0258e-6}, {"POM", 1410, 27.35e6, 0.0150e-6}};
   recipe.populations = {{"POM", 334, {}, {}}, {"HDPE", 371, {}, {}}};
-  recipe.populations[0].size.diameter = 0.0164;
-  recipe.populations[1].size.diameter = 0.0105;
+  recipe.populations[0].size = packing::FixedSize{0.0164};
+  recipe.populations[1].size = packing::FixedSize{0.0105};
   recipe.contact.friction_law = dem::CundallStrack{};
   recipe.contact.restitution = 0.5;
   recipe.integration.track_energy = true;
@@ -47,19 +47,19 @@ Recipe cemented() {
   recipe.packing.method = PackingParameters::Method::poisson;
   recipe.bidisperse.emplace();
   recipe.bidisperse->law.large_radius = 1e-3;
-  recipe.frame.thickness = 0.01;
+  recipe.container.thickness = 0.01;
   recipe.materials = {{"large", 2500, 1e6, 0}, {"small", 2500, 1e6, 0}};
   recipe.contact.friction_law = dem::CundallStrack{};
   recipe.contact.friction = 0.3;
   recipe.contact.restitution = 0.7;
   recipe.stages = {pressed("compact", 1e4), pressed("rest", 1e4)};
   recipe.stages[0].inertial_number = 1;
-  recipe.stages[0].rest.unbalanced = 0.01;
-  recipe.stages[0].rest.kinetic = 0.05;
+  recipe.stages[0].equilibrium.unbalanced = 0.01;
+  recipe.stages[0].equilibrium.kinetic = 0.05;
   recipe.stages[1].critical_drag = 0.2;
-  recipe.stages[1].rest.kinetic = 1e-5;
+  recipe.stages[1].equilibrium.kinetic = 1e-5;
   recipe.cement.emplace();
-  recipe.raster.emplace();
+  recipe.grid.emplace();
   Load tension;
   tension.name = "tension";
   recipe.loads = {tension};

@@ -6,8 +6,6 @@
 #include "core/error.hpp"
 #include "report/page_document.hpp"
 #include "solid/raster/cavities.hpp"
-#include "solid/raster/cavity_statistics.hpp"
-#include "solid/stress/stress.hpp"
 
 namespace arenite::report {
 namespace {

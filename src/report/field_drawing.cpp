@@ -5,9 +5,6 @@
 #include <numbers>
 #include <vector>
 
-#include "core/error.hpp"
-#include "statistics/numbers.hpp"
-
 namespace arenite::report {
 namespace {
 

@@ -1,10 +1,8 @@
-#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "workflow/film_stresses.hpp"
 #include "report/page_document.hpp"
-#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 namespace {
@@ -133,7 +131,7 @@ Numbers frame_of(const FilmResult& r) {
 Numbers stresses_of(const workflow::FilmStresses& stresses, NumberBlock& block) {
   Numbers all = Numbers::tree();
   for (const workflow::GrainStresses& s : stresses.sources)
-    all[s.source] = {{"mean", statistics::number(s.mean)}, {"sigma_hyd", block.add_reals(s.sigma_hyd)},
+    all[s.source] = {{"mean", s.mean}, {"sigma_hyd", block.add_reals(s.sigma_hyd)},
                      {"sigma_norm", block.add_reals(s.sigma_norm)}, {"statistics", shortened(s.statistics)}};
   return all;
 }

@@ -120,7 +120,7 @@ std::string film_text(const FilmResult& r) {
                                              {"standard error, tangential", "/forces/ft_error_N", "N"}});
   if (lines.has("/checks")) describe_checks(lines, r.numbers["checks"]);
   if (lines.has("/directions/film"))
-    lines.section("Directions of contacts", {{"film: a_c", "/directions/film/a_c"}, {"film: theta_c", "/directions/film/theta_c_deg", "deg"},
+    lines.section("Contact orientations", {{"film: a_c", "/directions/film/a_c"}, {"film: theta_c", "/directions/film/theta_c_deg", "deg"},
                                              {"simulation: a_c", "/directions/twin/a_c"}, {"simulation: theta_c", "/directions/twin/theta_c_deg", "deg"}});
   if (lines.has("/twin"))
     lines.section("Simulation beside the film", {{"swing: correlation", "/twin/swing/all/correlation"}, {"swing: rms of sigma_norm", "/twin/swing/all/rms_sigma_norm"},

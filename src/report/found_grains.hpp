@@ -5,7 +5,6 @@
 #include "core/vec.hpp"
 #include "thermal/imaging/circles.hpp"
 #include "io/image/image.hpp"
-#include "model/image.hpp"
 
 namespace arenite::report {
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "model/result.hpp"
 #include "model/film_result.hpp"
 #include "solid/stress/stress.hpp"
 #include "grains/texture/texture.hpp"

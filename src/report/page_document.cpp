@@ -5,8 +5,6 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "grains/texture/texture.hpp"
-
 namespace arenite::report {
 namespace {
 

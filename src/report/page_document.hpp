@@ -3,10 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "model/phase_map.hpp"
 #include "report/number_block.hpp"
 #include "report/page.hpp"
-#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 

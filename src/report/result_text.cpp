@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "statistics/estimate.hpp"
+#include "grains/dem/run_stage.hpp"
+#include "recipe/recipe.hpp"
 
 namespace arenite::report {
 namespace {
@@ -38,7 +40,7 @@ void describe_sample(TextLines& lines) {
 void describe_load(TextLines& lines) {
   lines.section("Load", {{"loading", "/load/loading"}, {"along", "/load/axis"}, {"strain", "/load/strain"},
                          {"ending", "/load/ending"}, {"iterations", "/load/iterations"}, {"residual", "/load/residual"},
-                         {"defect of the reaction identity", "/load/identity_defect"},
+                         {"reaction-force balance error", "/load/identity_defect"},
                          {"apparent modulus", "/modulus_Pa", "Pa"}, {"Poisson's ratio", "/poisson"},
                          {"E along x", "/moduli/E_x_Pa", "Pa"}, {"E along y", "/moduli/E_y_Pa", "Pa"},
                          {"nu, pulled along x", "/moduli/nu_xy"}, {"nu, pulled along y", "/moduli/nu_yx"}, {"G", "/moduli/G_Pa", "Pa"},
@@ -64,6 +66,70 @@ void describe_component(TextLines& lines, const std::string& name, const Numbers
   }
 }
 
+using statistics::with_error;
+
+void add(TextLines& rows, const std::string& name, const statistics::Estimate& e, const std::string& unit, const std::string& meaning, double scale = 1) {
+  if (std::isfinite(e.value)) rows.add(name, with_error(e, scale) + (unit.empty() ? "" : " " + unit), meaning);
+}
+
+std::string grains_of(const Packing& packing) {
+  const std::size_t all = packing.grains.size();
+  if (packing.materials.size() < 2) return std::to_string(all);
+  std::string parts;
+  for (std::size_t m = 0; m < packing.materials.size(); ++m) {
+    const auto count = std::count(packing.grains.material.begin(), packing.grains.material.end(), static_cast<std::int32_t>(m));
+    parts += fmt::format("{}{} {}", m > 0 ? ", " : "", count, packing.materials[m].name);
+  }
+  return fmt::format("{}: {}", all, parts);
+}
+
+std::string forces_on_sides(const Domain& domain) {
+  std::string text;
+  for (std::size_t side = 0; side < domain.wall.size(); ++side)
+    if (const double f = domain.wall[side].force; domain.wall[side].present)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", side_names[side], std::abs(f) < 1e4 ? fmt::format("{:.4g} N", f) : fmt::format("{:.4g} kN", 1e-3 * f));
+  return text;
+}
+
+/// The criterion that the stage was judged by, or would have been if it had not ended by its time.
+dem::EquilibriumCriterion criterion_of(const Provenance& made) {
+  try {
+    const recipe::Recipe recipe = recipe::parse_recipe(made.recipe, "recipe");
+    for (const auto& stage : recipe.stages)
+      if (stage.name == made.stage) return stage.equilibrium;
+  } catch (const InputError&) {
+  }
+  return {};
+}
+
+std::string state_of(const StageResult& last) {
+  const Equilibrium& now = last.frames.back().equilibrium;
+  const bool rests = last.converged && dem::is_at_rest(now, criterion_of(last.provenance));
+  return fmt::format("{}: {}", rests ? "at rest" : "NOT AT REST", dem::describe(now));
+}
+
+void add_forces(TextLines& rows, const texture::Texture& t) {
+  if (const auto* all = texture::find(t.force.compressive, "all")) {
+    add(rows, "mean normal force <F>", all->mean, "N", "of contacts that push");
+    add(rows, "share above the mean P_0", all->share_above, "", "of contacts with F > <F>");
+    add(rows, "strong forces' decay beta", all->tail.beta, "", "P(F) ~ exp(-beta F/<F>) for F > <F>");
+  }
+  const texture::Stress& s = t.stress;
+  if (!std::isfinite(s.whole.value.xx)) return;
+  const auto [unit, scale] = statistics::stress_unit(std::abs(s.pressure) + s.deviator);
+  rows.add("pressure p", fmt::format("{:.4g} {}", s.pressure * scale + 0.0, unit), "mean of the principal stresses, compression positive");
+  if (s.pressure > 0) rows.add("deviator over pressure q/p", fmt::format("{:.3g}", s.deviator / s.pressure), "q: half the difference of the principal stresses");
+}
+
+void add_fabric(TextLines& rows, const texture::Texture& t) {
+  add(rows, "solid fraction", t.solid_fraction, "", "area of grains over area of the sample");
+  if (const auto* z = texture::find(t.coordination.mean, "all")) add(rows, "coordination z", *z, "", "contacts of a grain with others");
+  if (const auto* z = texture::find(t.coordination.mean, "all without rattlers")) add(rows, "z without rattlers", *z, "", "of grains that carry force");
+  add(rows, "rattlers", t.coordination.rattlers, "", "share of grains with fewer than two contacts that carry force");
+  if (const auto* all = texture::find(t.fabric, "all"))
+    add(rows, "contact anisotropy a_c", all->a_c, "", fmt::format("0: contacts in all directions alike; random ones give {:.2g}", all->noise));
+}
+
 }  // namespace
 
 std::string shown(const Numbers& j) {
@@ -76,29 +142,22 @@ std::string shown(const Numbers& j) {
   return j.contains("error") && j["error"].is_number() ? statistics::with_error({value, j["error"].get<double>()}) : fmt::format("{:.5g}", value);
 }
 
-void TextLines::add(const std::string& name, const std::string& value) {
-  if (!value.empty()) text_ += fmt::format("  {:<34} {}\n", name, value);
-}
-
 void TextLines::add(const std::string& name, const std::string& value, const std::string& meaning) {
   if (value.empty()) return;
+  if (layout_ == Layout::plain) return raw(fmt::format("  {:<34} {}", name, value));
   std::string line = fmt::format("  {:<28} {:<22}{}", name, value, meaning.empty() ? "" : "  " + meaning);
   line.erase(line.find_last_not_of(' ') + 1);
   raw(line);
 }
 
-std::string TextLines::value_at(const std::string& path, const char* unit) const {
+void TextLines::number(const std::string& name, const std::string& path, const char* unit, const char* meaning) {
   const Numbers* at = root_->at_path(path);
   const std::string value = at ? shown(*at) : "";
-  return value.empty() || !*unit ? value : value + " " + unit;
+  add(name, value.empty() || !*unit ? value : value + " " + unit, meaning);
 }
 
-void TextLines::number(const std::string& name, const std::string& path, const char* unit) { add(name, value_at(path, unit)); }
-
-void TextLines::number(const std::string& name, const std::string& path, const char* unit, const char* meaning) { add(name, value_at(path, unit), meaning); }
-
 void TextLines::numbers(std::initializer_list<Row> rows) {
-  for (const Row& row : rows) number(row.name, row.path, row.unit);
+  for (const Row& row : rows) number(row.name, row.path, row.unit, row.meaning);
 }
 
 void TextLines::section(const std::string& text, std::initializer_list<Row> rows) {
@@ -114,30 +173,41 @@ void TextLines::block(std::string_view lines) {
   }
 }
 
+std::string headlines(const StageResult& last, const texture::Texture& t) {
+  TextLines rows(TextLines::Layout::explained);
+  const Frame& frame = last.frames.back();
+  rows.heading(fmt::format("Last state: {} of {}", frame.label, last.name));
+  if (!last.provenance.kernel.empty()) rows.add("state", state_of(last));
+  rows.add("grains", grains_of(frame.packing));
+  rows.add("contacts", fmt::format("{} between grains, {} with walls", t.contacts, t.wall_contacts));
+  rows.add("forces on the walls", forces_on_sides(frame.packing.domain));
+  rows.heading("Away from the walls, each +- its standard error");
+  add_fabric(rows, t);
+  add_forces(rows, t);
+  std::string text = std::move(rows).text();
+  for (const auto& note : t.notes) text += "  note: " + note + "\n";
+  return text;
+}
+
 std::string field_headlines(const Numbers& numbers) {
-  TextLines rows(numbers);
-  rows.heading("Sample on the nodes");
-  rows.number("lengths", "/map/lengths", "", "");
-  rows.number("grains", "/grains/all", "", "");
-  rows.number("void", "/phases/void", "", "share of the area");
-  rows.number("matrix", "/phases/matrix", "", "share of the area");
-  rows.number("S_m", "/S_m", "", "share of the space between grains that matrix fills");
-  rows.number("neighbours Z", "/coordination/Z", "", "grains whose surfaces are near, of a grain");
-  rows.number("pores", "/pores/count", "", "spaces between grains, matrix or not");
-  rows.number("mean volume of pores", "/pores/mean", "", "over pi times the reference radius squared");
-  rows.number("voids", "/voids/count", "", "spaces that nothing fills");
+  TextLines rows(numbers, TextLines::Layout::explained);
+  rows.section("Sample on the nodes", {{"lengths", "/map/lengths"},
+                                       {"grains", "/grains/all"},
+                                       {"void", "/phases/void", "", "share of the area"},
+                                       {"matrix", "/phases/matrix", "", "share of the area"},
+                                       {"S_m", "/S_m", "", "share of the space between grains that matrix fills"},
+                                       {"neighbours Z", "/coordination/Z", "", "grains whose surfaces are near, of a grain"},
+                                       {"pores", "/pores/count", "", "spaces between grains, matrix or not"},
+                                       {"mean volume of pores", "/pores/mean", "", "over pi times the reference radius squared"},
+                                       {"voids", "/voids/count", "", "spaces that nothing fills"}});
   if (numbers.contains("load")) rows.heading("Under load");
-  rows.number("modulus E", "/modulus_Pa", "Pa", "mean stress over strain");
-  rows.number("Poisson's ratio nu", "/poisson", "", "");
-  rows.number("E along x", "/moduli/E_x_Pa", "Pa", "");
-  rows.number("E along y", "/moduli/E_y_Pa", "Pa", "");
-  rows.number("shear modulus G", "/moduli/G_Pa", "Pa", "");
-  rows.number("strength", "/strength_Pa", "Pa", "greatest mean stress");
-  rows.number("strain at strength", "/failure/strain_at_strength", "", "");
+  rows.numbers({{"modulus E", "/modulus_Pa", "Pa", "mean stress over strain"}, {"Poisson's ratio nu", "/poisson"},
+                {"E along x", "/moduli/E_x_Pa", "Pa"}, {"E along y", "/moduli/E_y_Pa", "Pa"}, {"shear modulus G", "/moduli/G_Pa", "Pa"},
+                {"strength", "/strength_Pa", "Pa", "greatest mean stress"}, {"strain at strength", "/failure/strain_at_strength"}});
   if (const Numbers* sets = numbers.at_path("/stress/sigma_yy/sets")) {
     rows.heading("Vertical stress by phase over the mean of the sample");
     for (const auto& [name, set] : sets->items())
-      if (set.contains("mean_over_sample_mean")) rows.add(name, shown(set["mean_over_sample_mean"]), "");
+      if (set.contains("mean_over_sample_mean")) rows.add(name, shown(set["mean_over_sample_mean"]));
   }
   add_notes(rows, numbers);
   return std::move(rows).text();

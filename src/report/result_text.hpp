@@ -5,7 +5,6 @@
 
 #include "grains/texture/texture.hpp"
 #include "model/result.hpp"
-#include "statistics/numbers.hpp"
 
 /// Results as lines for people.
 namespace arenite::report {
@@ -13,22 +12,20 @@ namespace arenite::report {
 /// A number of a result as people read it, "0.842 +- 0.003"; empty where it is not known.
 std::string shown(const Numbers& number);
 
-/// Lines "name  value" under headings, the values in one column. What has no value is left out.
+/// Lines "name  value" under headings, the values in one column; or, explained, with what each means in a third. What has no value is left out.
 class TextLines {
  public:
-  TextLines() = default;
+  enum class Layout { plain, explained };
+  explicit TextLines(Layout layout = Layout::plain) : layout_(layout) {}
   /// With the numbers that `number` looks at, which must outlive the lines.
-  explicit TextLines(const Numbers& root) : root_(&root) {}
+  explicit TextLines(const Numbers& root, Layout layout = Layout::plain) : layout_(layout), root_(&root) {}
 
   void heading(const std::string& text) { text_ += "\n" + text + "\n"; }
-  void add(const std::string& name, const std::string& value);
-  /// With what it means in a third column.
-  void add(const std::string& name, const std::string& value, const std::string& meaning);
+  void add(const std::string& name, const std::string& value, const std::string& meaning = "");
   /// The number at a path such as "/phases/particle", if it is there.
-  void number(const std::string& name, const std::string& path, const char* unit = "");
-  void number(const std::string& name, const std::string& path, const char* unit, const char* meaning);
+  void number(const std::string& name, const std::string& path, const char* unit = "", const char* meaning = "");
   struct Row {
-    const char *name, *path, *unit = "";
+    const char *name, *path, *unit = "", *meaning = "";
   };
   void numbers(std::initializer_list<Row> rows);
   void section(const std::string& text, std::initializer_list<Row> rows);
@@ -39,8 +36,7 @@ class TextLines {
   std::string text() && { return std::move(text_); }
 
  private:
-  std::string value_at(const std::string& path, const char* unit) const;
-
+  Layout layout_;
   const Numbers* root_ = nullptr;
   std::string text_;
 };

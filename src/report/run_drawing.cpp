@@ -5,13 +5,9 @@
 #include <vector>
 
 #include "campaign/virtual_film.hpp"
-#include "core/error.hpp"
 #include "io/disk/file.hpp"
-#include "io/disk/store_file.hpp"
 #include "report/run_means.hpp"
 #include "report/study_page.hpp"
-#include "statistics/numbers.hpp"
-#include "workflow/result_folder.hpp"
 
 namespace arenite::report {
 

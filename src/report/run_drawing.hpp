@@ -3,9 +3,7 @@
 #include <map>
 #include <string>
 
-#include "model/result.hpp"
 #include "report/figure_list.hpp"
-#include "statistics/numbers.hpp"
 #include "workflow/result_folder.hpp"
 
 namespace arenite::report {

@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "statistics/measured.hpp"
-#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 namespace {

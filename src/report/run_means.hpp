@@ -2,7 +2,6 @@
 #include <string>
 #include <vector>
 
-#include "statistics/estimate.hpp"
 #include "statistics/numbers.hpp"
 
 namespace arenite::report {

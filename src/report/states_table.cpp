@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
-#include "grains/texture/texture.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
 #include "report/summary.hpp"
@@ -62,8 +60,8 @@ constexpr Column columns[] = {
 std::vector<StageResult> stages_of(const std::filesystem::path& result) {
   std::vector<StageResult> stages;
   for (const auto& file : io::stage_files(result)) {
-    const std::string kind = io::sealed_kind(file);
-    if (kind != "field" && kind != "film") stages.push_back(io::read_stage(file));
+    auto any = io::read_result(file);
+    if (auto* stage = std::get_if<StageResult>(&any)) stages.push_back(std::move(*stage));
   }
   if (stages.empty()) throw InputError(result.string(), 0, "holds no stages of loading, so there is no course through them; leave out --states");
   return stages;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "core/error.hpp"
 #include "io/table/table.hpp"
 #include "report/run_means.hpp"
 #include "report/study_page.hpp"

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/version.hpp"
 #include "io/disk/file.hpp"
 #include "report/page_template.hpp"
-#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 namespace {
@@ -145,7 +143,7 @@ std::string spread_text(const Figure& figure, const std::vector<FigureCurve>& cu
 std::string study_page(const StudyPage& page) {
   Numbers about{{"title", page.title}};
   const auto done = static_cast<std::size_t>(std::count_if(page.table.rows.begin(), page.table.rows.end(), [](const auto& row) { return row.status == "done"; }));
-  about["runs"] = fmt::format("{} of {} runs; what bars, bands and ticks are stands below each figure", done, page.table.rows.size());
+  about["runs"] = fmt::format("{} of {} runs; the caption of each figure says what its bars, bands and ticks are", done, page.table.rows.size());
   about["made"] = fmt::format("Arenite {}. Dashed lines and crosses are what the text and the tables of the source say.", version);
   about["figures"] = Numbers::list();
   campaign::CollectedTable table = page.table;

@@ -6,8 +6,6 @@
 
 #include "campaign/collect.hpp"
 #include "report/figure_list.hpp"
-#include "statistics/estimate.hpp"
-#include "statistics/numbers.hpp"
 
 namespace arenite::report {
 

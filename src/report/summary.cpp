@@ -2,16 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "core/error.hpp"
 #include "io/results/results.hpp"
 #include "io/disk/store_file.hpp"
 #include "report/result_text.hpp"
-#include "statistics/numbers.hpp"
-#include "recipe/recipe.hpp"
 #include "workflow/run.hpp"
-#include "grains/texture/texture.hpp"
 
 namespace arenite::report {
 namespace {
@@ -88,13 +82,13 @@ Summary::Field::Field(const std::filesystem::path& path, const FieldResult& fiel
 
 Summary::Summary(const std::filesystem::path& result) {
   for (const auto& file : io::stage_files(result)) {
-    const std::string kind = io::sealed_kind(file);
-    if (kind == "field") {
-      fields_.emplace_back(file, io::read_field(file));
-    } else if (kind == "film") {
-      films_.push_back(io::read_film_result(file));
+    auto any = io::read_result(file);
+    if (const auto* field = std::get_if<FieldResult>(&any)) {
+      fields_.emplace_back(file, *field);
+    } else if (auto* film = std::get_if<FilmResult>(&any)) {
+      films_.push_back(std::move(*film));
     } else {
-      StageResult stage = io::read_stage(file);
+      StageResult stage = std::get<StageResult>(std::move(any));
       const std::size_t states = stage.frames.size();
       if (states > 1) stage.frames.erase(stage.frames.begin(), stage.frames.end() - 1);
       stages_.push_back({file.filename().string(), std::move(stage), states});

@@ -3,10 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "model/result.hpp"
-#include "model/film.hpp"
 #include "model/film_result.hpp"
-#include "statistics/numbers.hpp"
 
 namespace arenite::workflow {
 struct RunOutcome;

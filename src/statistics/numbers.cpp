@@ -193,18 +193,10 @@ std::optional<Numbers> from_json(std::string_view text) {
 
 namespace arenite::statistics {
 
-Numbers number(double value) { return std::isfinite(value) ? Numbers(value) : Numbers(nullptr); }
-
-Numbers numbers(const std::vector<double>& values) {
-  Numbers list = Numbers::list();
-  for (const double v : values) list.push_back(number(v));
-  return list;
-}
-
-Numbers matrix(const Tensor2& t) { return {{number(t.xx), number(t.xy)}, {number(t.yx), number(t.yy)}}; }
+Numbers matrix(const Tensor2& t) { return {{t.xx, t.xy}, {t.yx, t.yy}}; }
 
 void put(Numbers& to, const std::string& name, const Estimate& e) {
-  if (std::isfinite(e.value)) to[name] = Numbers{{"value", e.value}, {"error", number(e.error)}};
+  if (std::isfinite(e.value)) to[name] = Numbers{{"value", e.value}, {"error", e.error}};
 }
 void put(Numbers& to, const std::string& name, double value) {
   if (std::isfinite(value)) to[name] = value;

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "statistics/estimate.hpp"
@@ -158,8 +159,7 @@ std::optional<Numbers> from_json(std::string_view text);
 /// What all statistics write their numbers with.
 namespace arenite::statistics {
 
-Numbers number(double value);  ///< not known where it is not finite
-Numbers numbers(const std::vector<double>& values);
+inline Numbers numbers(const std::vector<double>& values) { return values; }
 Numbers matrix(const Tensor2& t);
 Numbers curve(const Curve& c);  ///< {"x", "y", "error"}
 
@@ -174,22 +174,22 @@ void put(Numbers& to, const std::string& name, const ByName<Estimate>& values);
 template <class S>
 struct Declared {
   const char *name, *unit, *sentence;
-  Estimate S::*estimate = nullptr;
-  double S::*value = nullptr;
-  std::size_t S::*count = nullptr;
-  constexpr Declared(const char* n, const char* u, const char* what, Estimate S::*member) : name(n), unit(u), sentence(what), estimate(member) {}
-  constexpr Declared(const char* n, const char* u, const char* what, double S::*member) : name(n), unit(u), sentence(what), value(member) {}
-  constexpr Declared(const char* n, const char* u, const char* what, std::size_t S::*member) : name(n), unit(u), sentence(what), count(member) {}
+  std::variant<Estimate S::*, double S::*, std::size_t S::*, bool S::*, TensorEstimate S::*, Tensor2 S::*, ByName<Estimate> S::*> member;
 };
 
-/// All of a statistic's numbers, in the order of their declaration.
+/// Adds all of a statistic's numbers, in the order of their declaration; counts and truths are always known.
+template <class S, std::size_t N>
+void put_all(Numbers& to, const S& statistic, const Declared<S> (&declared)[N]) {
+  for (const Declared<S>& d : declared)
+    std::visit([&](const auto member) {
+      if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(statistic.*member)>>) to[d.name] = statistic.*member;
+      else put(to, d.name, statistic.*member);
+    }, d.member);
+}
 template <class S, std::size_t N>
 Numbers tree_of(const S& statistic, const Declared<S> (&declared)[N]) {
   Numbers out = Numbers::tree();
-  for (const Declared<S>& d : declared)
-    if (d.estimate) put(out, d.name, statistic.*d.estimate);
-    else if (d.value) put(out, d.name, statistic.*d.value);
-    else out[d.name] = statistic.*d.count;
+  put_all(out, statistic, declared);
   return out;
 }
 

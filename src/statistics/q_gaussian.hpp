@@ -12,11 +12,10 @@ struct QGaussian {
   Estimate q, beta, centre;
   double r2 = unknown;
 };
-inline constexpr Declared<QGaussian> q_gaussian_numbers[] = {
-    {"q", "", "Exponent of the tails; 1: a Gaussian", &QGaussian::q},
-    {"beta", "", "Width, 1/(2 variance) of a Gaussian", &QGaussian::beta},
-    {"centre", "", "mu, where the pdf is highest", &QGaussian::centre},
-    {"r2", "", "Share of the pdf's variance over the bins that the fit explains", &QGaussian::r2}};
+inline constexpr Declared<QGaussian> q_gaussian_numbers[] = {{"q", "", "Exponent of the tails; 1: a Gaussian", &QGaussian::q},
+                                                             {"beta", "", "Width, 1/(2 variance) of a Gaussian", &QGaussian::beta},
+                                                             {"centre", "", "mu, where the pdf is highest", &QGaussian::centre},
+                                                             {"r2", "", "Share of the pdf's variance over the bins that the fit explains", &QGaussian::r2}};
 
 /// The density above, q < 3, beta > 0.
 double q_gaussian_density(double x, double centre, double beta, double q);

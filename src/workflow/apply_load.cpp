@@ -26,16 +26,14 @@ FieldResult upright(const FieldResult& sample, recipe::Load::Axis axis) {
   return result;
 }
 
-peridynamics::LoadOptions load_options(const recipe::Load& load, const peridynamics::Watch& watch) {
-  peridynamics::LoadOptions options;
+/// What loads and pulls to failure have in common.
+template <class Options>
+Options common_options(const recipe::Load& load, const peridynamics::Watch& watch) {
+  Options options;
   options.stiffness = load.stiffness.resolved();
   options.loading = load.loading;
   options.lower = load.lower;
-  options.method = load.method;
-  options.strain = load.strain;
   options.tolerance = load.tolerance;
-  options.max_iterations = static_cast<int>(load.max_iterations);
-  options.exact_stretch = load.exact_stretch;
   options.watch = watch;
   return options;
 }
@@ -59,8 +57,7 @@ std::vector<Crack> cracks_of(const std::vector<peridynamics::BrokenBond>& broken
   std::vector<Crack> cracks;
   for (const auto& bond : broken) {
     const auto step = peridynamics::half_bonds[bond.direction];
-    cracks.push_back({static_cast<float>((bond.x + 0.5 + 0.5 * step.x) * dx), static_cast<float>((bond.y + 0.5 + 0.5 * step.y) * dx), bond.type,
-                      bond.strain});
+    cracks.push_back({static_cast<float>((bond.x + 0.5 + 0.5 * step.x) * dx), static_cast<float>((bond.y + 0.5 + 0.5 * step.y) * dx), bond.type, bond.strain});
   }
   return cracks;
 }
@@ -68,9 +65,7 @@ std::vector<Crack> cracks_of(const std::vector<peridynamics::BrokenBond>& broken
 /// Stresses of the grains of the map from the contact forces of the packing, in the order of the labels; empty without.
 std::vector<Tensor2> contact_stresses(const FieldResult& result) {
   if (result.packing.contacts.size() == 0) return {};
-  texture::Options options;
-  options.rev_sizes = 0;
-  auto sigma = texture::measure(result.packing, options).per_grain.sigma;
+  auto sigma = texture::measure(result.packing, {.rev_sizes = 0}).per_grain.sigma;
   sigma.resize(std::min(sigma.size(), result.map.grain_class.size()));
   return sigma;
 }
@@ -92,16 +87,11 @@ void measure_stress(const recipe::Load& load, FieldResult& result) {
 
 std::optional<FieldResult> pull_apart(const recipe::Load& load, FieldResult result, const peridynamics::Watch& watch, const PullCheckpoint& checkpoint) {
   using Ending = peridynamics::DamageResult::Ending;
-  peridynamics::DamageOptions options;
-  options.stiffness = load.stiffness.resolved();
+  auto options = common_options<peridynamics::DamageOptions>(load, watch);
   options.toughness = load.toughness.resolved();
-  options.loading = load.loading;
-  options.lower = load.lower;
-  options.tolerance = load.tolerance;
   options.max_strain = load.max_strain;
   options.band = load.band;
   options.end_stress = load.end_stress;
-  options.watch = watch;
   options.keep = checkpoint.keep;
   if (checkpoint.resume) options.resume = &*checkpoint.resume;
   auto pulled = peridynamics::pull_to_failure(result.map, options);
@@ -117,8 +107,7 @@ std::optional<FieldResult> pull_apart(const recipe::Load& load, FieldResult resu
 
 }  // namespace
 
-std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample, const peridynamics::Watch& watch,
-                                      const PullCheckpoint& checkpoint) {
+std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample, const peridynamics::Watch& watch, const PullCheckpoint& checkpoint) {
   FieldResult result = upright(sample, load.axis);
   result.name = load.name;
   if (load.failure) {
@@ -126,7 +115,11 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
     if (pulled) measure_stress(load, *pulled);
     return pulled;
   }
-  const auto options = load_options(load, watch);
+  auto options = common_options<peridynamics::LoadOptions>(load, watch);
+  options.method = load.method;
+  options.strain = load.strain;
+  options.max_iterations = static_cast<int>(load.max_iterations);
+  options.exact_stretch = load.exact_stretch;
   auto loaded = peridynamics::load(result.map, options);
   if (loaded.report.ending == peridynamics::Ending::stopped) return std::nullopt;
   result.converged = loaded.report.ending == peridynamics::Ending::solved;

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "workflow/field_stages.hpp"
@@ -28,22 +27,6 @@ class Numbering {
   std::vector<std::int32_t> number_, kept_;
 };
 
-Grains take(const Grains& from, const std::vector<std::int32_t>& kept, Vec2 corner) {
-  Grains grains;
-  grains.resize(kept.size());
-  for (std::size_t k = 0; k < kept.size(); ++k) {
-    const auto g = static_cast<std::size_t>(kept[k]);
-    grains.id[k] = from.id[g];
-    grains.radius[k] = from.radius[g];
-    grains.material[k] = from.material[g];
-    grains.zone[k] = from.zone[g];
-    grains.x[k] = from.x[g] - corner.x;
-    grains.y[k] = from.y[g] - corner.y;
-    grains.angle[k] = from.angle[g];
-  }
-  return grains;
-}
-
 Contacts take(const Contacts& from, const Numbering& numbering) {
   Contacts contacts;
   for (std::size_t c = 0; c < from.size(); ++c) {
@@ -69,6 +52,33 @@ std::vector<Joint> take(const std::vector<Joint>& from, const Numbering& numberi
   return joints;
 }
 
+constexpr double gap_over_radius = 0.075, crop_over_radius = 25.6;  // P's 3 nodes and 1024 nodes of 40 to a large radius
+
+/// Mean radius of the grains of a material (of all: -1); 0 without any.
+double mean_radius(const Packing& packing, std::int32_t material) {
+  double sum = 0, count = 0;
+  for (std::size_t g = 0; g < packing.grains.size(); ++g)
+    if (material < 0 || packing.grains.material[g] == material) sum += packing.grains.radius[g], ++count;
+  return count > 0 ? sum / count : 0;
+}
+
+/// P's crop where nothing else is asked for and the sample is wide enough for it; 0: the largest square.
+double crop_side(const recipe::Recipe& recipe, const recipe::GridSection& section, const Packing& packing, double radius) {
+  if (section.crop) return *section.crop;
+  const double side = crop_over_radius * radius;
+  return recipe.bidisperse && raster::crop_window(packing, 0).width() >= side ? side : 0;
+}
+
+std::string sentence(const SampleReports& reports, const PhaseMap& map, const recipe::GridSection& section) {
+  const auto& r = reports.raster;
+  std::string text = fmt::format("{0} x {0} nodes of {1:.4g} mm, {2} grains; S_m {3:.4f} by geometry; areas on the nodes off by {4:+.2g} % (particles)",
+                                 section.nodes, 1e3 * map.dx, map.grain_class.size(), reports.cement.saturation, 100 * r.particle_area_error);
+  if (r.exact_matrix_area > 0) text += fmt::format(" and {:+.2g} % (matrix)", 100 * r.matrix_area_error);
+  if (r.joints > 0) text += fmt::format("; the thinnest of {} joints spans {} nodes", r.joints, r.thinnest_joint);
+  if (r.lost_joints > 0) text += fmt::format("; {} no node: refine the raster", r.lost_joints == 1 ? "1 joint has" : fmt::format("{} joints have", r.lost_joints));
+  return text;
+}
+
 }  // namespace
 
 CroppedPacking crop(const Packing& packing, const Cement& cement, const std::vector<std::int32_t>& grain_of_label, Vec2 corner) {
@@ -89,7 +99,7 @@ CroppedPacking crop(const Packing& packing, const Cement& cement, const std::vec
   result.packing.materials = packing.materials;
   result.packing.domain = packing.domain;
   for (int side = 0; side < 4; ++side) result.packing.domain.wall[static_cast<std::size_t>(side)].position -= side < 2 ? corner.x : corner.y;
-  result.packing.grains = take(packing.grains, numbering.kept(), corner);
+  result.packing.grains = picked(packing.grains, numbering.kept(), corner);
   result.packing.contacts = take(packing.contacts, numbering);
   result.cement.full = cement.full;
   result.cement.coating = cement.coating;
@@ -114,45 +124,9 @@ Packing transposed(const Packing& packing) {
   return other;
 }
 
-namespace {
-
-constexpr double gap_over_radius = 0.075, crop_over_radius = 25.6;  // P's 3 nodes and 1024 nodes of 40 to a large radius
-
-/// Mean radius of the grains of a material (of all: -1); 0 without any.
-double mean_radius(const Packing& packing, std::int32_t material) {
-  double sum = 0, count = 0;
-  for (std::size_t g = 0; g < packing.grains.size(); ++g)
-    if (material < 0 || packing.grains.material[g] == material) sum += packing.grains.radius[g], ++count;
-  return count > 0 ? sum / count : 0;
-}
-
-std::int32_t index_of(const Materials& materials, const std::string& name) {
-  const auto at = std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
-  return static_cast<std::int32_t>(at - materials.begin());
-}
-
-/// P's crop where nothing else is asked for and the sample is wide enough for it; 0: the largest square.
-double crop_side(const recipe::Recipe& recipe, const recipe::RasterSection& section, const Packing& packing, double radius) {
-  if (section.crop) return *section.crop;
-  const double side = crop_over_radius * radius;
-  return recipe.bidisperse && raster::crop_window(packing, 0).width() >= side ? side : 0;
-}
-
-std::string sentence(const SampleReports& reports, const PhaseMap& map, const recipe::RasterSection& section) {
-  const auto& r = reports.raster;
-  std::string text = fmt::format("{0} x {0} nodes of {1:.4g} mm, {2} grains; S_m {3:.4f} by geometry; areas on the nodes off by {4:+.2g} % (particles)",
-                                 section.nodes, 1e3 * map.dx, map.grain_class.size(), reports.cement.saturation, 100 * r.particle_area_error);
-  if (r.exact_matrix_area > 0) text += fmt::format(" and {:+.2g} % (matrix)", 100 * r.matrix_area_error);
-  if (r.joints > 0) text += fmt::format("; the thinnest of {} joints spans {} nodes", r.joints, r.thinnest_joint);
-  if (r.lost_joints > 0) text += fmt::format("; {} no node: refine the raster", r.lost_joints == 1 ? "1 joint has" : fmt::format("{} joints have", r.lost_joints));
-  return text;
-}
-
-}  // namespace
-
 std::optional<ClassMaterials> class_materials(const recipe::Recipe& recipe, const Packing& packing) {
-  if (recipe.bidisperse)
-    return ClassMaterials{index_of(packing.materials, recipe.bidisperse->large), index_of(packing.materials, recipe.bidisperse->small)};
+  const auto index = [&](const std::string& name) { return static_cast<std::int32_t>(index_of(packing.materials, name)); };
+  if (recipe.bidisperse) return ClassMaterials{index(recipe.bidisperse->large), index(recipe.bidisperse->small)};
   if (packing.materials.size() != 2) return std::nullopt;
   const double a = mean_radius(packing, 0), b = mean_radius(packing, 1);
   if (a == 0 || b == 0 || a == b) return std::nullopt;
@@ -174,7 +148,7 @@ double reference_radius(const recipe::Recipe& recipe, const Packing& packing) {
 }
 
 FieldResult make_cemented_sample(const recipe::Recipe& recipe, const Packing& packing) {
-  const recipe::RasterSection section = recipe.raster_or_default();
+  const recipe::GridSection section = recipe.grid_or_default();
   const auto materials = class_materials(recipe, packing);
   const double radius = reference_radius(recipe, packing);
   SampleReports reports;

@@ -25,41 +25,29 @@ std::vector<double> as_doubles(const std::vector<T>& values) {
   return {values.begin(), values.end()};
 }
 
-std::vector<double> component(const std::vector<Tensor2>& tensors, double Tensor2::*member) {
-  std::vector<double> values;
-  for (const Tensor2& t : tensors) values.push_back(t.*member);
-  return values;
+void add_components(std::vector<io::GrainField>& fields, const std::vector<Tensor2>& stress, std::initializer_list<std::pair<const char*, double Tensor2::*>> wanted) {
+  for (const auto& [name, component] : wanted) {
+    fields.push_back({name, "Pa", {}});
+    for (const Tensor2& t : stress) fields.back().values.push_back(t.*component);
+  }
 }
 
 }  // namespace
 
 std::vector<io::GrainField> derived_fields(const Packing& packing) {
-  texture::Options options;
-  options.rev_sizes = 0;
-  const texture::PerGrain rows = texture::measure(packing, options).per_grain;
-  std::vector<io::GrainField> fields{{"contacts", "1", as_doubles(rows.contacts)},
-                                     {"rattler", "1", as_doubles(rows.rattler)},
-                                     {"sigma_norm", "1", rows.sigma_norm},
-                                     {"psi6", "1", rows.psi6}};
-  if (!rows.sigma.empty()) {
-    fields.push_back({"sigma_hyd", "Pa", rows.sigma_hyd});
-    fields.push_back({"sigma_xx", "Pa", component(rows.sigma, &Tensor2::xx)});
-    fields.push_back({"sigma_xy", "Pa", component(rows.sigma, &Tensor2::xy)});
-    fields.push_back({"sigma_yx", "Pa", component(rows.sigma, &Tensor2::yx)});
-    fields.push_back({"sigma_yy", "Pa", component(rows.sigma, &Tensor2::yy)});
-  }
+  const texture::PerGrain rows = texture::measure(packing, {.rev_sizes = 0}).per_grain;
+  std::vector<io::GrainField> fields{
+      {"contacts", "1", as_doubles(rows.contacts)}, {"rattler", "1", as_doubles(rows.rattler)}, {"sigma_norm", "1", rows.sigma_norm}, {"psi6", "1", rows.psi6}};
+  if (rows.sigma.empty()) return fields;
+  fields.push_back({"sigma_hyd", "Pa", rows.sigma_hyd});
+  add_components(fields, rows.sigma, {{"sigma_xx", &Tensor2::xx}, {"sigma_xy", &Tensor2::xy}, {"sigma_yx", &Tensor2::yx}, {"sigma_yy", &Tensor2::yy}});
   return fields;
 }
 
 std::vector<io::GrainField> derived_fields(const FilmResult& film) {
-  texture::Options options;
-  options.rev_sizes = 0;
-  options.grain_sigma_hyd = film.swing.sigma_hyd;
-  const texture::PerGrain rows = texture::measure(film.packing, options).per_grain;
-  return {{"contacts", "1", as_doubles(rows.contacts)},
-          {"sigma_norm", "1", rows.sigma_norm},
-          {"sigma_hyd", "Pa", film.swing.sigma_hyd},
-          {"sigma_hyd_error", "Pa", film.swing.error}};
+  const texture::PerGrain rows = texture::measure(film.packing, {.rev_sizes = 0, .grain_sigma_hyd = film.swing.sigma_hyd}).per_grain;
+  return {{"contacts", "1", as_doubles(rows.contacts)}, {"sigma_norm", "1", rows.sigma_norm},
+          {"sigma_hyd", "Pa", film.swing.sigma_hyd}, {"sigma_hyd_error", "Pa", film.swing.error}};
 }
 
 std::vector<io::GrainField> fields_of_contacts(const FilmResult& film) {
@@ -76,10 +64,7 @@ std::vector<io::GrainField> derived_fields(const FieldResult& result) {
   std::vector<double> x, y;
   for (const Vec2& centre : rows.centre) x.push_back(centre.x), y.push_back(centre.y);
   std::vector<io::GrainField> fields{{"nodes", "1", as_doubles(rows.nodes)}, {"whole", "1", as_doubles(rows.whole)}, {"x", "m", x}, {"y", "m", y}};
-  if (!loaded) return fields;
-  fields.push_back({"sigma_xx", "Pa", component(rows.stress, &Tensor2::xx)});
-  fields.push_back({"sigma_yy", "Pa", component(rows.stress, &Tensor2::yy)});
-  fields.push_back({"sigma_xy", "Pa", component(rows.stress, &Tensor2::xy)});
+  if (loaded) add_components(fields, rows.stress, {{"sigma_xx", &Tensor2::xx}, {"sigma_yy", &Tensor2::yy}, {"sigma_xy", &Tensor2::xy}});
   return fields;
 }
 
@@ -143,10 +128,6 @@ class ExportFolder {
   std::vector<io::NamedBytes> growing_;
   std::vector<fs::path> written_;
 };
-
-}  // namespace
-
-namespace {
 
 /// Gives a format the states of a loading: each at once, or all at the end, which are kept for that.
 class Loading {

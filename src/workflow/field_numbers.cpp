@@ -5,18 +5,15 @@
 #include <cmath>
 
 #include "model/elasticity/bounds.hpp"
-#include "solid/raster/cavity_statistics.hpp"
+#include "solid/raster/cavities.hpp"
 #include "statistics/numbers.hpp"
 #include "recipe/recipe.hpp"
 
 namespace arenite::workflow {
 namespace {
 
-Numbers number(double value) { return std::isfinite(value) ? Numbers(value) : Numbers(); }
-
 Numbers estimate(const statistics::Estimate& e) {
-  Numbers j = Numbers::tree();
-  j["value"] = number(e.value);
+  Numbers j{{"value", e.value}};
   if (std::isfinite(e.error)) j["error"] = e.error;
   return j;
 }
@@ -48,21 +45,14 @@ bool has_classes(const PhaseMap& map) {
 Numbers phases(const PhaseMap& map) {
   const auto f = raster::phase_fractions(map);
   Numbers j{{"particle", f.particle}, {"matrix", f.matrix}, {"void", f.empty}};
-  if (has_classes(map)) {
-    j["large"] = f.large;
-    j["small"] = f.small;
-  }
+  if (has_classes(map)) j.update({{"large", f.large}, {"small", f.small}});
   return j;
 }
 
 Numbers grains(const PhaseMap& map) {
-  std::array<std::size_t, 3> count{};
-  for (const GrainClass each : map.grain_class) ++count[static_cast<std::size_t>(each)];
+  const auto of = [&](GrainClass one) { return static_cast<std::size_t>(std::count(map.grain_class.begin(), map.grain_class.end(), one)); };
   Numbers j{{"all", map.grain_class.size()}};
-  if (has_classes(map)) {
-    j["large"] = count[static_cast<std::size_t>(GrainClass::large)];
-    j["small"] = count[static_cast<std::size_t>(GrainClass::small)];
-  }
+  if (has_classes(map)) j.update({{"large", of(GrainClass::large)}, {"small", of(GrainClass::small)}});
   return j;
 }
 
@@ -89,31 +79,9 @@ Numbers bounds(const Numbers& phases, const peridynamics::Stiffness& e) {
   return {{"voigt", b.voigt}, {"hashin_shtrikman_upper", b.shtrikman_upper}, {"hashin_shtrikman_lower", b.shtrikman_lower}, {"reuss", b.reuss}};
 }
 
-const char* word(peridynamics::Ending ending) {
-  using peridynamics::Ending;
-  switch (ending) {
-    case Ending::solved: return "solved";
-    case Ending::not_converged: return "not_converged";
-    case Ending::stopped: return "stopped";
-    case Ending::severed: return "severed";
-    case Ending::empty: return "empty";
-  }
-  return "";
-}
-
-const char* word(peridynamics::DamageResult::Ending ending) {
-  using Ending = peridynamics::DamageResult::Ending;
-  switch (ending) {
-    case Ending::severed: return "severed";
-    case Ending::dropped: return "dropped";
-    case Ending::strain_reached: return "strain_reached";
-    case Ending::events_reached: return "events_reached";
-    case Ending::not_converged: return "not_converged";
-    case Ending::stopped: return "stopped";
-    case Ending::no_path: return "no_path";
-  }
-  return "";
-}
+// In the order of peridynamics::Ending and of DamageResult::Ending.
+constexpr const char* endings[] = {"solved", "not_converged", "stopped", "severed", "empty"};
+constexpr const char* damage_endings[] = {"severed", "dropped", "strain_reached", "events_reached", "not_converged", "stopped", "no_path"};
 
 }  // namespace
 
@@ -145,10 +113,7 @@ void add_reports(Numbers& j, const SampleReports& reports) {
   Numbers cement{{"kind", recipe::word_of(reports.section.law.kind)}, {"gap_m", reports.gap}, {"joints", c.joints}};
   if (parameter_names[kind][0] != '\0') cement[parameter_names[kind]] = c.parameter;
   if (reports.section.law.saturation) cement["saturation_error"] = c.saturation_error;
-  if (reports.section.law.kind == cement::CementParameters::Kind::menisci) {
-    cement["ruptured"] = c.ruptured;
-    cement["capped"] = c.capped;
-  }
+  if (reports.section.law.kind == cement::CementParameters::Kind::menisci) cement.update({{"ruptured", c.ruptured}, {"capped", c.capped}});
   j["cement"] = cement;
   j["raster"] = {{"corner_m", {r.window.x_min, r.window.y_min}}, {"side_m", r.window.width()}, {"joints", r.joints},
                  {"lost_joints", r.lost_joints}, {"lost_area_m2", r.lost_area}, {"thinnest_joint_nodes", r.thinnest_joint},
@@ -156,19 +121,12 @@ void add_reports(Numbers& j, const SampleReports& reports) {
   if (reports.coordination) j["coordination"] = coordination(*reports.coordination, reports.gap);
 }
 
-void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadReport& report,
-              const std::optional<peridynamics::EffectiveModuli>& moduli) {
+void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadReport& report, const std::optional<peridynamics::EffectiveModuli>& moduli) {
   Numbers l = as_asked(load);
-  l["strain"] = load.strain;
-  l["method"] = recipe::word_of(load.method);
-  l["ending"] = word(report.ending);
-  l["iterations"] = report.iterations;
-  l["residual"] = report.residual;
-  l["identity_defect"] = report.identity_defect;
-  l["top_force_N_per_m"] = {report.top_force.x, report.top_force.y};
-  l["nodes"] = support(report.support);
-  l["loose_nodes"] = report.loose_nodes;
-  l["hinges"] = report.hinges.size();
+  l.update({{"strain", load.strain}, {"method", recipe::word_of(load.method)}, {"ending", endings[static_cast<int>(report.ending)]},
+            {"iterations", report.iterations}, {"residual", report.residual}, {"identity_defect", report.identity_defect},
+            {"top_force_N_per_m", {report.top_force.x, report.top_force.y}}, {"nodes", support(report.support)},
+            {"loose_nodes", report.loose_nodes}, {"hinges", report.hinges.size()}});
   j["load"] = l;
   if (report.ending == peridynamics::Ending::solved) {
     j["modulus_Pa"] = report.modulus;
@@ -184,9 +142,7 @@ void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::Damag
   Numbers l = as_asked(load);
   const peridynamics::Toughness k = load.toughness.resolved();
   l["toughness_Pa_m0.5"] = {{"matrix", k.matrix}, {"interface", k.interface}, {"particle", k.particle}};
-  l["ending"] = word(result.ending);
-  l["solves"] = result.solves;
-  l["iterations"] = result.iterations;
+  l.update({{"ending", damage_endings[static_cast<int>(result.ending)]}, {"solves", result.solves}, {"iterations", result.iterations}});
   j["load"] = l;
   j["modulus_Pa"] = result.modulus;
   j["strength_Pa"] = result.strength;
@@ -197,9 +153,7 @@ void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::Damag
     if (state.stress == result.strength) failure["strain_at_strength"] = state.strain;
   if (!result.curve.empty()) {
     const auto& last = result.curve.back();
-    failure["work_J_per_m"] = last.work;
-    failure["released_J_per_m"] = last.released;
-    failure["bond_energy_J_per_m"] = last.bond_energy;
+    failure.update({{"work_J_per_m", last.work}, {"released_J_per_m", last.released}, {"bond_energy_J_per_m", last.bond_energy}});
   }
   j["failure"] = failure;
 }

@@ -3,10 +3,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "grains/texture/gap_coordination.hpp"
+#include "grains/texture/texture.hpp"
 #include "model/cement.hpp"
 #include "model/result.hpp"
 #include "model/packing.hpp"
@@ -47,8 +46,7 @@ std::optional<ClassMaterials> class_materials(const recipe::Recipe& recipe, cons
 /// The class of every grain by its material; empty without classes.
 std::vector<GrainClass> classes(const Packing& packing, const std::optional<ClassMaterials>& materials);
 
-/// The radius that gaps and crops are measured by: large_radius of [bidisperse], or the mean radius of the large grains,
-/// or of all, m.
+/// The radius that gaps and crops are measured by: large_radius of [bidisperse], or the mean radius of the large grains, or of all, m.
 double reference_radius(const recipe::Recipe& recipe, const Packing& packing);
 
 /// Cements and rasterises a packing, with its phases, pores, voids and coordination as numbers. Throws InputError for a
@@ -91,8 +89,7 @@ Numbers map_numbers(const PhaseMap& map, const raster::CavityRules& rules, doubl
 void add_reports(Numbers& numbers, const SampleReports& reports);
 
 /// Add numbers of a load to those of its sample.
-void add_load(Numbers& numbers, const recipe::Load& load, const peridynamics::LoadReport& report,
-              const std::optional<peridynamics::EffectiveModuli>& moduli);
+void add_load(Numbers& numbers, const recipe::Load& load, const peridynamics::LoadReport& report, const std::optional<peridynamics::EffectiveModuli>& moduli);
 void add_failure(Numbers& numbers, const recipe::Load& load, const peridynamics::DamageResult& result);
 
 /// Adds how mean stresses of grains agree with those from the contact forces that pressed the packing.

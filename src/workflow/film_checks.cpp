@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 
 #include "core/error.hpp"
@@ -26,57 +25,6 @@ namespace {
 
 // Dead and hot pixels are some per mille of a detector; a film that shows something has far more that are neither.
 bool nearly_all(std::size_t some, const FilmInfo& film) { return 100 * some >= 99 * film.pixels(); }
-
-}  // namespace
-
-void refuse_temperatures(const recipe::FilmRecipe& recipe, const std::filesystem::path& path, const FilmInfo& film) {
-  if (!has_plates(recipe)) throw InputError(recipe.source_file, 0, fmt::format("temperature: {}", recipe::needs_plates));
-  if (recipe.temperature.from == recipe::TemperatureSection::From::film && film.quantity == FilmQuantity::digital_level)
-    throw InputError(path.string(), 0, fmt::format("says that it holds digital levels, and temperature.from = \"film\" of {} takes them for kelvin; "
-                                                   "choose \"plates\", \"curve\" or \"radiometry\" there", recipe.source_file));
-}
-
-void refuse_saturated(const thermography::FrameStatistics& seen, const FilmInfo& film) {
-  const std::size_t saturated = thermography::doubtful(seen, film.bits).saturated;
-  if (nearly_all(saturated, film))
-    throw InputError(fmt::format("{} of {} pixels reach the top of the camera's range ({}), so what they saw is not known; film with a shorter integration",
-                                 saturated, film.pixels(), (1 << film.bits) - 1));
-}
-
-void refuse_constant(const thermography::FrameStatistics& seen, const FilmInfo& film) {
-  const std::size_t constant = thermography::doubtful(seen, film.bits).constant;
-  if (nearly_all(constant, film))
-    throw InputError(fmt::format("{} of {} pixels never change in the first {} frames, not even by noise; give the film as the camera recorded it",
-                                 constant, film.pixels(), seen.frames));
-}
-
-std::string no_load_sentence(const LockinMaps& maps, double frequency, std::string_view told_by) {
-  if (maps.swings_at > 0)
-    return fmt::format("nothing but noise swings at {:.6g} Hz, but the film swings at {:.4g} Hz; if that is the load, give its frequency ({})", frequency,
-                       maps.swings_at, told_by);
-  if (maps.chance < 0.01)
-    return fmt::format("what swings at {:.6g} Hz has no common phase, as under a load, but is a line of the camera; give the frequency of the load ({}), or a film of "
-                       "a loaded sample", frequency, told_by);
-  return fmt::format("nothing but noise swings at {:.6g} Hz; give the frequency of the load ({}), or a film of a loaded sample", frequency, told_by);
-}
-
-void refuse_without_load(const LockinMaps& maps, double told_frequency) {
-  if (!thermography::shows_swing(maps)) throw InputError(no_load_sentence(maps, told_frequency, "lockin.frequency"));
-}
-
-recipe::Recipe read_twin_recipe(const recipe::FilmRecipe& recipe) {
-  const auto file = (std::filesystem::path(recipe.source_file).parent_path() / recipe.twin->recipe).string();
-  recipe::Recipe twin = recipe::read_recipe(file);
-  twin.source_file = file;
-  for (const auto& name : {recipe.twin->low, recipe.twin->high}) {
-    const auto named = [&](const recipe::Stage& stage) { return stage.name == name; };
-    if (std::none_of(twin.stages.begin(), twin.stages.end(), named))
-      throw InputError(file, 0, fmt::format("has no stage \"{}\", which [twin] of {} names", name, recipe.source_file));
-  }
-  return twin;
-}
-
-namespace {
 
 /// Hotter than this is no sample of plastics, rock or glass under a press, and a level of a camera.
 constexpr double hottest = 1000;
@@ -135,8 +83,8 @@ std::string unequal(const recipe::FilmRecipe& recipe, const std::vector<Scale>& 
 }
 
 std::string off_scale(const recipe::FilmRecipe& recipe, double scale) {
-  const double load = 1e-3 * recipe.frame.load_swing;
-  return fmt::format("the film's temperatures make {0} the forces that the load swing of {1:.4g} kN allows; the likely causes are load_swing (told {2} what it is), the "
+  const double load = 1e-3 * recipe.container.load_peak_to_peak;
+  return fmt::format("the film's temperatures make {0} the forces that the load swing of {1:.4g} kN allows; the likely causes are load_peak_to_peak (told {2} what it is), the "
                      "calibration of temperatures, all thermoelastic factors ({0} too small or large alike), or thickness", percent(scale), load, percent(1 / scale));
 }
 
@@ -146,7 +94,7 @@ void add_scales(const recipe::FilmRecipe& recipe, const FilmResult& r, std::vect
   const auto [low, high] = std::minmax_element(scales.begin(), scales.end(), [](const Scale& a, const Scale& b) { return a.log < b.log; });
   const bool alike = beyond(high->log - low->log, std::hypot(high->error, low->error)) < 0;
   if (!alike && std::hypot(high->error, low->error) < 1) doubts.push_back(unequal(recipe, scales));
-  if (recipe.frame.load_swing <= 0) return;
+  if (recipe.container.load_peak_to_peak <= 0) return;
   double sum = 0, weight = 0;
   for (const Scale& s : scales) sum += s.log / (s.error * s.error), weight += 1 / (s.error * s.error);
   const double common = alike ? sum / weight : 0.5 * (low->log + high->log);
@@ -159,6 +107,53 @@ void add_scales(const recipe::FilmRecipe& recipe, const FilmResult& r, std::vect
 }
 
 }  // namespace
+
+void refuse_temperatures(const recipe::FilmRecipe& recipe, const std::filesystem::path& path, const FilmInfo& film) {
+  if (!has_references(recipe)) throw InputError(recipe.source_file, 0, fmt::format("temperature: {}", recipe::needs_references));
+  if (recipe.temperature.from == recipe::TemperatureSection::From::film && film.quantity == FilmQuantity::digital_level)
+    throw InputError(path.string(), 0, fmt::format("says that it holds digital levels, and temperature.from = \"film\" of {} takes them for kelvin; "
+                                                   "choose \"references\", \"curve\" or \"radiometry\" there", recipe.source_file));
+}
+
+void refuse_saturated(const thermography::FrameStatistics& seen, const FilmInfo& film) {
+  const std::size_t saturated = thermography::doubtful(seen, film.bits).saturated;
+  if (nearly_all(saturated, film))
+    throw InputError(fmt::format("{} of {} pixels reach the top of the camera's range ({}), so what they saw is not known; film with a shorter integration",
+                                 saturated, film.pixels(), (1 << film.bits) - 1));
+}
+
+void refuse_constant(const thermography::FrameStatistics& seen, const FilmInfo& film) {
+  const std::size_t constant = thermography::doubtful(seen, film.bits).constant;
+  if (nearly_all(constant, film))
+    throw InputError(fmt::format("{} of {} pixels never change in the first {} frames, not even by noise; give the film as the camera recorded it",
+                                 constant, film.pixels(), seen.frames));
+}
+
+std::string no_load_sentence(const LockinMaps& maps, double frequency, std::string_view told_by) {
+  if (maps.swings_at > 0)
+    return fmt::format("nothing but noise swings at {:.6g} Hz, but the film swings at {:.4g} Hz; if that is the load, give its frequency ({})", frequency,
+                       maps.swings_at, told_by);
+  if (maps.chance < 0.01)
+    return fmt::format("what swings at {:.6g} Hz has no common phase, as under a load, but is a line of the camera; give the frequency of the load ({}), or a film of "
+                       "a loaded sample", frequency, told_by);
+  return fmt::format("nothing but noise swings at {:.6g} Hz; give the frequency of the load ({}), or a film of a loaded sample", frequency, told_by);
+}
+
+void refuse_without_load(const LockinMaps& maps, double told_frequency) {
+  if (!thermography::shows_swing(maps)) throw InputError(no_load_sentence(maps, told_frequency, "lockin.frequency"));
+}
+
+recipe::Recipe read_twin_recipe(const recipe::FilmRecipe& recipe) {
+  const auto file = (std::filesystem::path(recipe.source_file).parent_path() / recipe.simulation->recipe).string();
+  recipe::Recipe twin = recipe::read_recipe(file);
+  twin.source_file = file;
+  for (const auto& name : {recipe.simulation->low, recipe.simulation->high}) {
+    const auto named = [&](const recipe::Stage& stage) { return stage.name == name; };
+    if (std::none_of(twin.stages.begin(), twin.stages.end(), named))
+      throw InputError(file, 0, fmt::format("has no stage \"{}\", which [simulation] of {} names", name, recipe.source_file));
+  }
+  return twin;
+}
 
 double phase_off(const LockinMaps& maps, double told_cycles) {
   std::vector<double> cosine, sine;
@@ -176,7 +171,7 @@ void refuse_impossible(const recipe::FilmRecipe& recipe, const LockinMaps& maps)
   const double level = median_of_finite(maps.mean);
   if (level > hottest)
     throw InputError(fmt::format("its values are about {:.4g}, which are no temperatures of a sample in kelvin: levels of the camera are taken for kelvin; "
-                                 "choose temperature.from = \"plates\", \"curve\" or \"radiometry\", or give the scale of the film", level));
+                                 "choose temperature.from = \"references\", \"curve\" or \"radiometry\", or give the scale of the film", level));
   const double swing = median_of_finite(maps.amplitude);
   if (swing > largest_swing)
     throw InputError(fmt::format("half of its pixels swing by more than {:.3g} K, which no elastic grain does: levels of the camera are taken for kelvin, or "

@@ -39,7 +39,7 @@ std::string no_load_sentence(const LockinMaps& maps, double frequency, std::stri
 /// Throws InputError if the maps hold nothing but noise, or a line of the camera.
 void refuse_without_load(const LockinMaps& maps, double told_frequency);
 
-/// The recipe of the simulation beside the film. Throws InputError if it has not the stages that [twin] names.
+/// The recipe of the simulation beside the film. Throws InputError if it has not the stages that [simulation] names.
 recipe::Recipe read_twin_recipe(const recipe::FilmRecipe& recipe);
 
 /// When the film itself says that the load is largest, against what the recipe tells, in cycles from -0.5 to 0.5. A swing

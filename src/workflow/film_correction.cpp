@@ -85,7 +85,7 @@ thermography::LevelCurve curve_for(const recipe::FilmRecipe& recipe, const FilmI
                                    const std::optional<FrameStatistics>& warm, const FrameStatistics& first, const thermography::GrainSurfaces& surfaces) {
   const auto& [band, surface, emissivity] = surfaces;
   switch (recipe.temperature.from) {
-    case From::plates:
+    case From::references:
       return thermography::curve_by_plates(band, {thermography::plate_level(*cold), recipe.correction.cold_temperature},
                                            {thermography::plate_level(*warm), recipe.correction.warm_temperature}, surface, range_of(film));
     case From::radiometry: return thermography::curve_by_radiometry(band, {thermography::plate_level(first), surface.ambient}, surface, range_of(film));
@@ -99,7 +99,7 @@ thermography::LevelCurve curve_for(const recipe::FilmRecipe& recipe, const FilmI
 void refuse_bare_levels(const FilmInfo& film) {
   if (!film.floating && film.quantity == FilmQuantity::unknown)
     throw InputError("holds whole numbers and does not say what they are, and temperature.from = \"film\" takes them for kelvin; give [film] scale and offset "
-                     "(--scale, --offset), or choose \"plates\", \"curve\" or \"radiometry\"");
+                     "(--scale, --offset), or choose \"references\", \"curve\" or \"radiometry\"");
 }
 
 void note_doubtful(const FrameStatistics& first, const FilmInfo& film, std::vector<std::string>& notes) {

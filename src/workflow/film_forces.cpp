@@ -28,10 +28,7 @@ double place_error(const PictureGrains& grains) {
 constexpr double surface_error = 0.05;  // pixels: of where a grain's rim is, along a line through its centre
 
 imaging::ContactTolerance tolerance_of(double pixel) {
-  imaging::ContactTolerance tolerance;
-  tolerance.pixel = pixel;
-  tolerance.wall_error = 0.1 * pixel;
-  return tolerance;
+  return {.pixel = pixel, .wall_error = 0.1 * pixel};
 }
 
 double widest_gap(double pixel) {
@@ -48,8 +45,7 @@ Contacts touching_at_either_load(const recipe::FilmRecipe& recipe, const FilmRes
   std::set<std::pair<std::int32_t, std::int32_t>> known;
   for (std::size_t c = 0; c < contacts.size(); ++c) known.emplace(contacts.i[c], contacts.j[c]);
   for (std::size_t c = 0; c < opened.size(); ++c)
-    if (known.emplace(opened.i[c], opened.j[c]).second)
-      contacts.add(opened.i[c], opened.j[c], opened.normal(c), 0, 0, opened.arm_i[c], opened.arm_j[c]);
+    if (known.emplace(opened.i[c], opened.j[c]).second) contacts.add(opened.i[c], opened.j[c], opened.normal(c), 0, 0, opened.arm_i[c], opened.arm_j[c]);
   return contacts;
 }
 
@@ -113,7 +109,7 @@ void infer_film_forces(const recipe::FilmRecipe& recipe, FilmResult& r) {
   r.packing.contacts = touching_at_either_load(recipe, r);
   inference::ForceProblem problem{r.packing, {}, {}};
   for (const recipe::FilmMaterial& m : recipe.materials) problem.factor.push_back(m.thermoelastic_factor);
-  if (recipe.frame.load_swing > 0) problem.walls.push_back({bottom, recipe.frame.load_swing, 0.005 * recipe.frame.load_swing});
+  if (recipe.container.load_peak_to_peak > 0) problem.walls.push_back({bottom, recipe.container.load_peak_to_peak, 0.005 * recipe.container.load_peak_to_peak});
   auto options = force_options(recipe, r.grains);
   options.widest_gap = widest_gap(r.pixel);
   const auto infer = [&](const inference::ForceOptions& o) {
@@ -175,8 +171,7 @@ void add_fit_error(FilmResult& r, const PictureGrains& shown, double share) {
   std::vector<double> common;
   for (auto& values : of) common.push_back(median(std::move(values)) / median_of_normal_size);
   for (std::size_t i = 0; i < shown.size(); ++i)
-    if (std::isfinite(difference[i]))
-      r.swing.error[i] = std::hypot(r.swing.error[i], common[static_cast<std::size_t>(shown.material[i])], 0.5 * difference[i]);
+    if (std::isfinite(difference[i])) r.swing.error[i] = std::hypot(r.swing.error[i], common[static_cast<std::size_t>(shown.material[i])], 0.5 * difference[i]);
 }
 
 }  // namespace arenite::workflow

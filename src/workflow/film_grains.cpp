@@ -4,29 +4,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 
 #include "core/error.hpp"
 #include "core/problems.hpp"
 #include "io/sample/sample.hpp"
-#include "thermal/imaging/circles.hpp"
 
 namespace arenite::workflow {
 
 FilmPlace place_of(const recipe::FilmRecipe& recipe, const FilmInfo& film) {
   const double pixel = recipe.picture.pixel;
-  const double left_edge = recipe.frame.left.value_or(0.5 * (film.width - 1) - 0.5 * recipe.frame.width / pixel);
-  const double top_edge = recipe.frame.top.value_or(0.5 * (film.height - 1) - 0.5 * recipe.frame.height / pixel);
-  return {{-left_edge * pixel, recipe.frame.height + top_edge * pixel}, pixel};
+  const double left_edge = recipe.container.left.value_or(0.5 * (film.width - 1) - 0.5 * recipe.container.width / pixel);
+  const double top_edge = recipe.container.top.value_or(0.5 * (film.height - 1) - 0.5 * recipe.container.height / pixel);
+  return {{-left_edge * pixel, recipe.container.height + top_edge * pixel}, pixel};
 }
 
 Domain frame_at(const recipe::FilmRecipe& recipe, double share) {
   Domain domain;
-  domain.thickness = recipe.frame.thickness;
-  domain.wall[right].position = recipe.frame.width;
-  domain.wall[bottom].position = share * recipe.frame.travel;
-  domain.wall[top].position = recipe.frame.height;
+  domain.thickness = recipe.container.thickness;
+  domain.wall[right].position = recipe.container.width;
+  domain.wall[bottom].position = share * recipe.container.travel;
+  domain.wall[top].position = recipe.container.height;
   return domain;
 }
 
@@ -52,12 +50,6 @@ Grains in_metres(const PictureGrains& found, const FilmPlace& place) {
 
 namespace {
 
-imaging::CircleOptions circle_options(const recipe::FilmRecipe& recipe, double pixel) {
-  imaging::CircleOptions options;
-  for (const double r : recipe.picture.radii) options.radii.push_back(r / pixel);
-  return options;
-}
-
 void keep(PictureGrains& grains, const std::vector<std::uint8_t>& kept) {
   const auto filter = [&](auto& values) {
     std::size_t n = 0;
@@ -77,7 +69,7 @@ void keep_inside(const recipe::FilmRecipe& recipe, const FilmPlace& place, Pictu
   for (std::size_t i = 0; i < grains.size(); ++i) {
     const Vec2 c = place.metres(grains.x[i], grains.y[i]);
     const double deep = 0.5 * grains.radius[i] * place.pixel;
-    kept.push_back(c.x > deep && c.x < recipe.frame.width - deep && c.y > deep && c.y < recipe.frame.height - deep);
+    kept.push_back(c.x > deep && c.x < recipe.container.width - deep && c.y > deep && c.y < recipe.container.height - deep);
   }
   keep(grains, kept);
 }
@@ -147,16 +139,15 @@ void warn_of_gaps(const recipe::FilmRecipe& recipe, const FilmPlace& place, cons
   constexpr double loose = 0.65;
   double area = 0;
   for (const double r : grains.radius) area += std::numbers::pi * r * r * place.pixel * place.pixel;
-  const double share = area / (recipe.frame.width * recipe.frame.height);
+  const double share = area / (recipe.container.width * recipe.container.height);
   if (share < loose)
-    notes.push_back(fmt::format("the {} grains that were found cover {:.0f} % of the frame; if the sample fills it, give a sharper or finer optical picture "
+    notes.push_back(fmt::format("the {} grains that were found cover {:.0f} % of the container; if the sample fills it, give a sharper or finer optical picture "
                                 "(picture.optical) or a list of the grains (picture.grains)", grains.size(), 100 * share));
 }
 
 /// Circles of the film's own picture, without pores.
 PictureGrains film_grains(const recipe::FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film, const std::vector<float>& frame) {
-  auto found = imaging::find_circles({film.width, film.height, frame}, circle_options(recipe, place.pixel));
-  take_class_radii(found.report.class_radius, found.grains);
+  auto found = circles_of(recipe, {film.width, film.height, frame}, place.pixel);
   keep_inside(recipe, place, found.grains);
   drop_overlapping(found.grains);
   if (found.grains.size() > 0 && !found.report.between) drop_pores(frame, found.report.bright, found.grains);
@@ -171,7 +162,7 @@ PictureGrains find_film_grains(const recipe::FilmRecipe& recipe, const FilmPlace
   const bool optical = !recipe.picture.optical.empty();
   PictureGrains grains = optical ? optical_grains(recipe, film, frame, notes) : film_grains(recipe, place, film, frame);
   if (optical) keep_inside(recipe, place, grains), drop_overlapping(grains);
-  if (grains.size() == 0) throw InputError("the film shows no grains inside the frame; give a list of the grains (picture.grains), or correct [frame]");
+  if (grains.size() == 0) throw InputError("the film shows no grains inside the container; give a list of the grains (picture.grains), or correct [container]");
   warn_of_gaps(recipe, place, grains, notes);
   take_materials(recipe, optical ? recipe.picture.optical : "the film", grains);
   return grains;

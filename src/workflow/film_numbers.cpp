@@ -12,31 +12,17 @@
 namespace arenite::workflow {
 namespace {
 
+using statistics::Estimate;
+using statistics::put;
+
 Numbers directions_of(const Packing& packing) {
-  texture::Options options;
-  options.rev_sizes = 0;
-  const Numbers measured = texture::numbers(texture::measure(packing, options), true);
+  const Numbers measured = texture::numbers(texture::measure(packing, {.rev_sizes = 0}), true);
   Numbers out = Numbers::tree();
   if (!measured.contains("fabric")) return out;
   for (const char* key : {"contacts", "a_c", "theta_c_deg", "a_c_noise", "sectors"})
     if (measured["fabric"].contains(key)) out[key] = measured["fabric"][key];
   return out;
 }
-
-}  // namespace
-
-Numbers film_directions(const FilmResult& film, const Packing* twin) {
-  Numbers out = Numbers::tree();
-  const auto add = [&](const char* name, const Packing& packing) {
-    if (Numbers directions = directions_of(packing); directions.value("contacts", 0) > 0) out[name] = std::move(directions);
-  };
-  if (film.packing.contacts.size() == 0) return out;
-  add("film", film.packing);
-  if (twin) add("twin", *twin);
-  return out;
-}
-
-namespace {
 
 double median_or_unknown(std::vector<double> values) { return median(std::move(values), statistics::unknown); }
 
@@ -49,20 +35,19 @@ Numbers film_of(const FilmResult& r) {
 Numbers lockin_of(const FilmResult& r) {
   const LockinMaps& m = r.maps;
   Numbers j{{"swing", m.convention == SwingConvention::full ? "full" : "half"}, {"frames", m.frames}};
-  statistics::put(j, "frequency_Hz", statistics::Estimate{m.frequency, m.frequency_error});
-  statistics::put(j, "reference_phase_deg", m.reference_phase * 180 / std::numbers::pi);
-  statistics::put(j, "standard_error_K", median_of_finite(m.standard_error));
-  statistics::put(j, "residual_K", median_of_finite(m.residual));
-  if (!m.second_harmonic.empty()) statistics::put(j, "second_harmonic_K", median_of_finite(m.second_harmonic));
+  put(j, "frequency_Hz", Estimate{m.frequency, m.frequency_error});
+  put(j, "reference_phase_deg", m.reference_phase * 180 / std::numbers::pi);
+  put(j, "standard_error_K", median_of_finite(m.standard_error));
+  put(j, "residual_K", median_of_finite(m.residual));
+  if (!m.second_harmonic.empty()) put(j, "second_harmonic_K", median_of_finite(m.second_harmonic));
   return j;
 }
 
 Numbers grains_of(const FilmResult& r) {
   Numbers j{{"all", r.packing.grains.size()}};
   for (std::size_t m = 0; m < r.packing.materials.size(); ++m)
-    j[r.packing.materials[m].name] =
-        std::count(r.packing.grains.material.begin(), r.packing.grains.material.end(), static_cast<std::int32_t>(m));
-  if (!r.grains.position_error.empty()) statistics::put(j, "position_error_pixels", median_or_unknown(r.grains.position_error));
+    j[r.packing.materials[m].name] = std::count(r.packing.grains.material.begin(), r.packing.grains.material.end(), static_cast<std::int32_t>(m));
+  if (!r.grains.position_error.empty()) put(j, "position_error_pixels", median_or_unknown(r.grains.position_error));
   return j;
 }
 
@@ -72,9 +57,9 @@ Numbers motion_of(const FilmResult& r) {
     travel.push_back(2 * std::hypot(r.motion.cos_x[i], r.motion.sin_x[i], std::hypot(r.motion.cos_y[i], r.motion.sin_y[i])));
   Numbers j = Numbers::tree();
   if (travel.empty()) return j;
-  statistics::put(j, "median_travel_pixels", median_or_unknown(travel));
-  statistics::put(j, "largest_travel_pixels", *std::max_element(travel.begin(), travel.end()));
-  statistics::put(j, "standard_error_pixels", median_or_unknown(r.motion.error));
+  put(j, "median_travel_pixels", median_or_unknown(travel));
+  put(j, "largest_travel_pixels", *std::max_element(travel.begin(), travel.end()));
+  put(j, "standard_error_pixels", median_or_unknown(r.motion.error));
   return j;
 }
 
@@ -90,15 +75,15 @@ Numbers forces_of(const FilmResult& r) {
   for (const double f : between) squares += (f - mean) * (f - mean);
   const auto above = static_cast<double>(std::count_if(between.begin(), between.end(), [&](double f) { return f > mean; }));
   Numbers j{{"proposed", r.fit.proposed}, {"present", contacts.size()}, {"between_grains", between.size()}};
-  statistics::put(j, "present_error", r.fit.present_error);
+  put(j, "present_error", r.fit.present_error);
   if (between.size() > 1) {
     // Of the sample's contacts, and of how many there are: one more or less of those that carry next to nothing.
     const double spread = std::sqrt(squares / (n - 1) / n), counted = mean * r.fit.present_error / n;
-    statistics::put(j, "mean_N", statistics::Estimate{mean, std::hypot(spread, counted)});
-    statistics::put(j, "share_above_mean", statistics::Estimate{above / n, std::sqrt(above * (n - above) / n) / n});
+    put(j, "mean_N", Estimate{mean, std::hypot(spread, counted)});
+    put(j, "share_above_mean", Estimate{above / n, std::sqrt(above * (n - above) / n) / n});
   }
-  statistics::put(j, "fn_error_N", median_or_unknown(r.fn_error));
-  statistics::put(j, "ft_error_N", median_or_unknown(r.ft_error));
+  put(j, "fn_error_N", median_or_unknown(r.fn_error));
+  put(j, "ft_error_N", median_or_unknown(r.ft_error));
   return j;
 }
 
@@ -107,14 +92,14 @@ Numbers checks_of(const FilmResult& r) {
   Numbers j = Numbers::tree();
   const ForceFit& fit = r.fit;
   if (fit.over_noise > 0) {
-    statistics::put(j, "misfit_over_noise", fit.over_noise);
-    statistics::put(j, "misfit_over_signal", fit.over_signal);
-    statistics::put(j, "field_error_that_agrees", fit.model_error);
+    put(j, "misfit_over_noise", fit.over_noise);
+    put(j, "misfit_over_signal", fit.over_signal);
+    put(j, "field_error_that_agrees", fit.model_error);
   }
-  if (r.rim_blur > 0) statistics::put(j, "blur_of_rims_pixels", r.rim_blur);
-  if (fit.load != 0) statistics::put(j, "load_by_forces_N", fit.load);
+  if (r.rim_blur > 0) put(j, "blur_of_rims_pixels", r.rim_blur);
+  if (fit.load != 0) put(j, "load_by_forces_N", fit.load);
   for (std::size_t m = 0; m < fit.factor_scale.size(); ++m)
-    statistics::put(j["factor_scale"], r.packing.materials[m].name, statistics::Estimate{fit.factor_scale[m], fit.factor_scale_error[m]});
+    put(j["factor_scale"], r.packing.materials[m].name, Estimate{fit.factor_scale[m], fit.factor_scale_error[m]});
   j["doubts"] = r.doubts;
   return j;
 }
@@ -136,6 +121,17 @@ Numbers agreement_of(const FilmResult& r, const std::vector<double>& twin, const
 }
 
 }  // namespace
+
+Numbers film_directions(const FilmResult& film, const Packing* twin) {
+  Numbers out = Numbers::tree();
+  const auto add = [&](const char* name, const Packing& packing) {
+    if (Numbers directions = directions_of(packing); directions.value("contacts", 0) > 0) out[name] = std::move(directions);
+  };
+  if (film.packing.contacts.size() == 0) return out;
+  add("film", film.packing);
+  if (twin) add("twin", *twin);
+  return out;
+}
 
 Agreement agreement(const std::vector<double>& one, const std::vector<double>& other, const std::vector<std::uint8_t>& counts) {
   std::vector<double> a, b;
@@ -166,10 +162,7 @@ Numbers film_numbers(const FilmResult& r, const Packing* twin) {
   if (r.fit.proposed > 0) j["checks"] = checks_of(r);
   if (auto directions = film_directions(r, twin); !directions.empty()) j["directions"] = std::move(directions);
   if (r.swing.size() == 0) return j;
-  texture::Options options;
-  options.rev_sizes = 0;
-  options.grain_sigma_hyd = r.swing.sigma_hyd;
-  const auto texture = texture::measure(r.packing, options);
+  const auto texture = texture::measure(r.packing, {.rev_sizes = 0, .grain_sigma_hyd = r.swing.sigma_hyd});
   j["texture"] = texture::numbers(texture);
   if (!r.twin.empty())
     j["twin"] = {{"swing", agreement_of(r, r.twin.swing, texture.per_grain.considered)}, {"state", agreement_of(r, r.twin.state, texture.per_grain.considered)}};

@@ -4,33 +4,16 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "statistics/numbers.hpp"
 
 namespace arenite::workflow {
 namespace {
 
 /// Grains with a finite stress in every source.
-std::vector<std::size_t> known_in_all(const std::vector<GrainStresses>& sources, std::size_t grains) {
-  std::vector<std::size_t> known;
+std::vector<std::int32_t> known_in_all(const std::vector<GrainStresses>& sources, std::size_t grains) {
+  std::vector<std::int32_t> known;
   for (std::size_t g = 0; g < grains; ++g)
-    if (std::all_of(sources.begin(), sources.end(), [&](const GrainStresses& s) { return std::isfinite(s.sigma_hyd[g]); })) known.push_back(g);
+    if (std::all_of(sources.begin(), sources.end(), [&](const GrainStresses& s) { return std::isfinite(s.sigma_hyd[g]); })) known.push_back(static_cast<std::int32_t>(g));
   return known;
-}
-
-/// Those grains alone, without contacts.
-Packing chosen(const Packing& packing, const std::vector<std::size_t>& items) {
-  Packing out{packing.materials, packing.domain, {}, {}};
-  out.grains.resize(items.size());
-  for (std::size_t k = 0; k < items.size(); ++k) {
-    const std::size_t g = items[k];
-    out.grains.x[k] = packing.grains.x[g];
-    out.grains.y[k] = packing.grains.y[g];
-    out.grains.radius[k] = packing.grains.radius[g];
-    out.grains.material[k] = packing.grains.material[g];
-    out.grains.id[k] = packing.grains.id[g];
-    out.grains.zone[k] = packing.grains.zone[g];
-  }
-  return out;
 }
 
 texture::Texture measured(const Packing& packing, texture::Options options) {
@@ -42,10 +25,10 @@ texture::Texture measured(const Packing& packing, texture::Options options) {
 }
 
 /// Fills in what follows from sigma_hyd of the known grains, and which of them count.
-void normalise(GrainStresses& source, const Packing& packing, const std::vector<std::size_t>& known, texture::Options options,
+void normalise(GrainStresses& source, const Packing& packing, const std::vector<std::int32_t>& known, texture::Options options,
                std::vector<std::uint8_t>& considered) {
   options.grain_sigma_hyd.clear();
-  for (const std::size_t g : known) options.grain_sigma_hyd.push_back(source.sigma_hyd[g]);
+  for (const std::int32_t g : known) options.grain_sigma_hyd.push_back(source.sigma_hyd[g]);
   source.sigma_hyd.assign(source.sigma_hyd.size(), statistics::unknown);
   source.sigma_norm = source.sigma_hyd;
   source.statistics = Numbers::tree();
@@ -54,7 +37,7 @@ void normalise(GrainStresses& source, const Packing& packing, const std::vector<
   double sum = 0;
   std::size_t count = 0;
   for (std::size_t k = 0; k < known.size(); ++k) {
-    const std::size_t g = known[k];
+    const auto g = static_cast<std::size_t>(known[k]);
     source.sigma_hyd[g] = options.grain_sigma_hyd[k];
     source.sigma_norm[g] = texture.per_grain.sigma_norm[k];
     considered[g] = texture.per_grain.considered[k];
@@ -78,7 +61,7 @@ FilmStresses film_stresses(const FilmResult& result, const texture::Options& opt
   add("twin_state", result.twin.state);
   if (out.sources.empty()) return out;
   const auto known = known_in_all(out.sources, grains);
-  const Packing packing = chosen(result.packing, known);
+  const Packing packing{result.packing.materials, result.packing.domain, picked(result.packing.grains, known), {}};  // without contacts
   out.considered.assign(grains, 0);
   for (GrainStresses& source : out.sources) normalise(source, packing, known, options, out.considered);
   return out;

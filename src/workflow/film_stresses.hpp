@@ -19,9 +19,8 @@ struct GrainStresses {
   Numbers statistics;          ///< "sigma_norm" as texture::numbers has it; {} where nothing can be measured
 };
 
-/// The stresses of a film and, where it has a twin, of the twin's swing and state. All three are taken over the same grains:
-/// those whose stress is known in each. Grains count as texture has them (without a border where that would leave
-/// none).
+/// The stresses of a film and, where it has a twin, of the twin's swing and state. All three are taken over the same grains: those whose stress is
+/// known in each. Grains count as texture has them (without a border where that would leave none).
 struct FilmStresses {
   std::vector<GrainStresses> sources;
   std::vector<std::uint8_t> considered;  ///< 1 for grains that count; empty without sources

@@ -52,11 +52,7 @@ GrainPicture picture_of_film(const std::filesystem::path& path, const PictureCho
 GrainPicture read_grain_picture(const std::filesystem::path& path, const PictureChoice& choice) {
   io::refuse_other_recording(path);
   if (!is_photograph(path) && io::looks_like_film(path)) return picture_of_film(path, choice);
-  io::ImageChoice how;
-  how.channel = choice.channel;
-  how.dataset = choice.dataset;
-  if (choice.frame) how.slice = choice.frame;
-  return {to_float(io::read_image(path, how)), 1, 0, false};
+  return {to_float(io::read_image(path, {.slice = choice.frame, .dataset = choice.dataset, .channel = choice.channel})), 1, 0, false};
 }
 
 }  // namespace arenite::workflow

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -74,14 +75,15 @@ std::vector<std::size_t> group_columns(const io::LaboratoryTable& table);
 /// A test's record.
 identify::Curve curve_of(const io::LaboratoryTable& table, const RowGroup& test, const std::vector<double>& x, const std::vector<double>& y);
 
-/// Values by group, from a table of one value a row (`column`) or of a column a group.
-struct ValueGroup {
+/// The tests of a group by name, each with what it measured.
+struct TestGroup {
   std::string name;
-  std::vector<double> values;
-  std::vector<std::string> tests;
-  std::vector<int> lines;
+  std::vector<std::pair<std::string, statistics::Measured>> tests;
 };
-std::vector<ValueGroup> value_groups(io::LaboratoryTable& table, const io::Quantity& quantity, const std::string& needs);
+/// What is said of a value that is not above 0.
+using Refusal = std::function<std::string(const std::string& group, const std::string& test, double value)>;
+/// Values that a table tells, by group: one a row, or a column a group. A table of neither kind is refused by what it `needs`.
+std::vector<TestGroup> told_tests(io::LaboratoryTable& table, const io::Quantity& quantity, const std::string& needs, const Refusal& refusal);
 
 /// Puts what `file` states beside the findings of the same name: its first column names a group, or "all".
 void compare_with_stated(const std::string& file, identify::Identification& found);

@@ -19,18 +19,32 @@ constexpr const char* needs_of_stiffness =
     "has no columns for a stiffness; give displacement and force (a record), or stiffness (a table), or a table with the load or specimen in its first column and the "
     "stiffnesses of one group in each other";
 
-Finding stiffness_finding(const Measured& k) { return {"stiffness", "kN/mm", kN_per_mm, k}; }
+using Tests = decltype(TestGroup::tests);
+
+/// Its findings are those of the tests' mean, or of the only one; the first of them is what each test has, too.
+template <class Findings>
+Group group_of(const std::string& name, const Tests& tests, const Findings& findings) {
+  std::vector<double> values;
+  for (const auto& [test, each] : tests) values.push_back(each.value);
+  Group group{name.empty() ? "all" : name, tests.size(), findings(tests.size() == 1 ? tests.front().second : statistics::mean_of(values))};
+  if (tests.size() == 1) return group;
+  for (const auto& [test, each] : tests) {
+    group.tests.push_back({test, {group.findings.front()}});
+    group.tests.back().findings.front().value = each;
+  }
+  return group;
+}
 
 std::vector<Finding> findings_of(const Measured& k, const StiffnessRequest& request) {
-  std::vector<Finding> findings{stiffness_finding(k)};
+  std::vector<Finding> findings{{"stiffness", "kN/mm", kN_per_mm, k}};
   if (request.length) findings.push_back({"stiffness_per_length", "MPa", 1e6, statistics::product({{k, 1}, {{*request.length}, -1}})});
   return findings;
 }
 
 /// Slopes of one group's cycles; the weakest fit goes to `worst_r2`.
-std::vector<std::pair<std::string, Measured>> slopes_of(const io::LaboratoryTable& table, const RowGroup& group, std::size_t force_column, const std::vector<double>& x,
+Tests slopes_of(const io::LaboratoryTable& table, const RowGroup& group, std::size_t force_column, const std::vector<double>& x,
                                                         const std::vector<double>& y, const StiffnessRequest& request, double& worst_r2) {
-  std::vector<std::pair<std::string, Measured>> slopes;
+  Tests slopes;
   for (const auto& test : tests_of(table, group, force_column)) {
     const auto cycles = identify::cycles_of(curve_of(table, test, x, y), request.curve);
     for (std::size_t c = 0; c < cycles.size(); ++c) {
@@ -42,22 +56,12 @@ std::vector<std::pair<std::string, Measured>> slopes_of(const io::LaboratoryTabl
   return slopes;
 }
 
-/// Adds a group; its values go to `values` for what all have in common.
-void add_group(Identification& found, const std::string& name, const std::vector<std::pair<std::string, Measured>>& slopes, const StiffnessRequest& request,
-               std::vector<std::vector<double>>& values) {
-  std::vector<double> k;
-  for (const auto& [test, slope] : slopes) k.push_back(slope.value);
-  Group group{name, k.size(), findings_of(k.size() == 1 ? slopes.front().second : statistics::mean_of(k), request)};
-  if (k.size() > 1)
-    for (const auto& [test, slope] : slopes) group.tests.push_back({test, {stiffness_finding(slope)}});
-  found.groups.push_back(std::move(group));
-  values.push_back(std::move(k));
-}
-
-void add_all(Identification& found, const std::vector<std::vector<double>>& values, const StiffnessRequest& request) {
-  if (values.size() < 2) return;
+void add_all(Identification& found, const std::vector<TestGroup>& groups, const StiffnessRequest& request) {
+  if (groups.size() < 2) return;
   std::vector<double> all;
-  for (const auto& group : values) all.insert(all.end(), group.begin(), group.end());
+  std::vector<std::vector<double>> values(groups.size());
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (const auto& [test, each] : groups[g].tests) values[g].push_back(each.value), all.push_back(each.value);
   found.all = Group{"all", all.size(), findings_of(statistics::mean_of(all), request)};
   const double chance = statistics::chance_of_equal_means(values);
   if (std::isfinite(chance))
@@ -69,26 +73,19 @@ void add_all(Identification& found, const std::vector<std::vector<double>>& valu
 Identification identify_stiffness(const std::string& file, const StiffnessRequest& request) {
   io::LaboratoryTable table(file);
   Identification found{"stiffness", file, {}};
-  std::vector<std::vector<double>> values;
+  std::vector<TestGroup> groups;
   const auto force = table.find(quantity::force), displacement = table.find(quantity::displacement);
   if (force && displacement) {
     const auto x = table.values(*displacement, quantity::displacement), y = table.values(*force, quantity::force);
     double worst_r2 = 1;
-    const auto groups = groups_of(table);
-    for (const auto& group : groups)
-      add_group(found, group.name.empty() ? "all" : group.name, slopes_of(table, group, *force, x, y, request, worst_r2), request, values);
+    for (const auto& group : groups_of(table)) groups.push_back({group.name, slopes_of(table, group, *force, x, y, request, worst_r2)});
     if (worst_r2 < 0.99) found.notes.push_back(fmt::format("the records are not straight (least R^2 {:.3f}): k is the mean slope between preload and peak", worst_r2));
   } else {
-    for (const auto& group : value_groups(table, stiffness_quantity, needs_of_stiffness)) {
-      std::vector<std::pair<std::string, Measured>> slopes;
-      for (std::size_t k = 0; k < group.values.size(); ++k) {
-        if (!(group.values[k] > 0)) throw InputError(file, group.lines[k], fmt::format("the stiffness is {:.4g} N/m; it must be above 0", group.values[k]));
-        slopes.emplace_back(group.tests[k], Measured{group.values[k]});
-      }
-      add_group(found, group.name.empty() ? "all" : group.name, slopes, request, values);
-    }
+    groups = told_tests(table, stiffness_quantity, needs_of_stiffness,
+                        [](const auto&, const auto&, double value) { return fmt::format("the stiffness is {:.4g} N/m; it must be above 0", value); });
   }
-  add_all(found, values, request);
+  for (const auto& [name, tests] : groups) found.groups.push_back(group_of(name, tests, [&](const Measured& k) { return findings_of(k, request); }));
+  add_all(found, groups, request);
   found.notes.insert(found.notes.end(), table.notes().begin(), table.notes().end());
   compare_with_stated(request.stated, found);
   return found;
@@ -102,10 +99,8 @@ constexpr const char* needs_of_adhesion =
     "separation forces of one glue in each other";
 constexpr double no_trace = 50;  // k/gamma above which cohesion does not show in the mechanics (T 2.4.3)
 
-Finding force_finding(const Measured& force) { return {"separation_force", "N", 1, force}; }
-
 std::vector<Finding> findings_of(const Measured& force, const AdhesionRequest& request) {
-  std::vector<Finding> findings{force_finding(force)};
+  std::vector<Finding> findings{{"separation_force", "N", 1, force}};
   if (!request.stiffness || !request.radii) return findings;
   const double radius = identify::effective_radius(request.effective_radius, request.radii->first, request.radii->second);
   const Measured gamma = identify::surface_energy(force, *request.stiffness, radius);
@@ -117,22 +112,17 @@ std::vector<Finding> findings_of(const Measured& force, const AdhesionRequest& r
   return findings;
 }
 
-void add_group(Identification& found, const std::string& name, const std::vector<std::pair<std::string, Measured>>& forces, const AdhesionRequest& request) {
-  std::vector<double> values;
-  for (const auto& [test, force] : forces) values.push_back(force.value);
-  const Measured force = forces.size() == 1 ? forces.front().second : statistics::mean_of(values);
-  Group group{name.empty() ? "all" : name, values.size(), findings_of(force, request)};
-  if (forces.size() > 1)
-    for (const auto& [test, each] : forces) group.tests.push_back({test, {force_finding(each)}});
+void add_group(Identification& found, const std::string& name, const Tests& forces, const AdhesionRequest& request) {
+  found.groups.push_back(group_of(name, forces, [&](const Measured& force) { return findings_of(force, request); }));
+  const Group& group = found.groups.back();
   if (request.stiffness && request.radii && group.findings.back().value.value > no_trace)
     found.notes.push_back(fmt::format("{}: with k/gamma above {:.0f} cohesion is not expected to show in a packing's mechanics", group.name, no_trace));
-  found.groups.push_back(std::move(group));
 }
 
 /// The peaks of one group's records.
-std::vector<std::pair<std::string, Measured>> peaks_of(const io::LaboratoryTable& table, const RowGroup& group, std::size_t force_column, const std::vector<double>& x,
+Tests peaks_of(const io::LaboratoryTable& table, const RowGroup& group, std::size_t force_column, const std::vector<double>& x,
                                                        const std::vector<double>& y, std::vector<std::string>& notes) {
-  std::vector<std::pair<std::string, Measured>> peaks;
+  Tests peaks;
   for (const auto& test : tests_of(table, group, force_column)) {
     const auto peak = identify::pull_off(curve_of(table, test, x, y));
     const std::string name = test.name.empty() ? fmt::format("record {}", peaks.size() + 1) : test.name;
@@ -154,15 +144,10 @@ Identification identify_adhesion(const std::string& file, const AdhesionRequest&
     const auto y = table.values(*force, quantity::force);
     for (const auto& group : groups_of(table)) add_group(found, group.name, peaks_of(table, group, *force, x, y, found.notes), request);
   } else {
-    for (const auto& group : value_groups(table, separation_quantity, needs_of_adhesion)) {
-      std::vector<std::pair<std::string, Measured>> forces;
-      for (std::size_t k = 0; k < group.values.size(); ++k) {
-        if (!(group.values[k] > 0))
-          throw InputError(file, group.lines[k], fmt::format("{}{}{}: the separation force is {:.4g} N; write tension as a positive force", group.name, group.tests[k].empty() ? "" : ", ", group.tests[k], group.values[k]));
-        forces.emplace_back(group.tests[k], Measured{group.values[k]});
-      }
-      add_group(found, group.name, forces, request);
-    }
+    const auto refusal = [](const std::string& group, const std::string& test, double value) {
+      return fmt::format("{}{}{}: the separation force is {:.4g} N; write tension as a positive force", group, test.empty() ? "" : ", ", test, value);
+    };
+    for (const auto& group : told_tests(table, separation_quantity, needs_of_adhesion, refusal)) add_group(found, group.name, group.tests, request);
   }
   if (!request.stiffness || !request.radii) found.notes.push_back("the surface energy needs the stiffness of the pair and the radii: --k \"27.35 kN/mm\" --radius \"6.2 mm\"");
   found.notes.insert(found.notes.end(), table.notes().begin(), table.notes().end());

@@ -122,29 +122,22 @@ struct Causes {
 
 void put_group(io::LaboratoryTable& table, const RowGroup& rows, const Causes& causes, const Column& temperature, const Column& signal, const FactorRequest& request, Identification& found) {
   Group group{rows.name.empty() ? "all" : rows.name, rows.rows.size(), {}};
-  const auto checked = [&](Factor f) {
+  const auto put = [&](bool warms, bool strained, Factor f) {
     if (!std::isfinite(f.factor.value) || !(f.factor.value > 0)) refuse_fit(table, rows, request.through_origin);
-    return f;
+    if (strained && !warms) f.factor = statistics::product({{f.factor, 1}, {identify::stress_over_strain({*request.young, *request.poisson}), 1}});
+    const std::string name = std::string(warms ? "factor" : "signal_constant") + (strained && !causes.stress.empty() ? "_from_strain" : "");
+    put_slope(group, found, {name, warms ? "K/MPa" : "MPa", warms ? K_per_MPa : 1e6, f.factor}, f, warms ? "K" : "");
   };
-  const auto modulus = causes.strain.empty() ? Measured{} : identify::stress_over_strain({*request.young, *request.poisson});
-  const char* from_strain = causes.stress.empty() ? "" : "_from_strain";
-  if (!temperature.empty() && !causes.stress.empty()) {
-    const Factor f = checked(identify::factor_from_stress(picked(causes.stress, rows), picked(temperature, rows), request.through_origin));
-    put_slope(group, found, {"factor", "K/MPa", K_per_MPa, f.factor}, f, "K");
+  const auto of = [&](const Column& column) { return picked(column, rows); };
+  const bool origin = request.through_origin, stressed = !causes.stress.empty(), strained = !causes.strain.empty();
+  if (!temperature.empty()) {
+    if (stressed) put(true, false, identify::factor_from_stress(of(causes.stress), of(temperature), origin));
+    if (strained) put(true, true, identify::factor_from_strain(of(causes.strain), of(temperature), {*request.young, *request.poisson}, origin));
+    put_direct(group, request, group.findings.front().value);
   }
-  if (!temperature.empty() && !causes.strain.empty()) {
-    const Factor f = checked(identify::factor_from_strain(picked(causes.strain, rows), picked(temperature, rows), {*request.young, *request.poisson}, request.through_origin));
-    put_slope(group, found, {std::string("factor") + from_strain, "K/MPa", K_per_MPa, f.factor}, f, "K");
-  }
-  if (!temperature.empty()) put_direct(group, request, group.findings.front().value);
-  if (!signal.empty() && !causes.stress.empty()) {
-    const Factor f = checked(identify::signal_constant(picked(causes.stress, rows), picked(signal, rows), request.through_origin));
-    put_slope(group, found, {"signal_constant", "MPa", 1e6, f.factor}, f, "");
-  }
-  if (!signal.empty() && !causes.strain.empty()) {
-    Factor f = checked(identify::signal_constant(picked(causes.strain, rows), picked(signal, rows), request.through_origin));
-    f.factor = statistics::product({{f.factor, 1}, {modulus, 1}});
-    put_slope(group, found, {std::string("signal_constant") + from_strain, "MPa", 1e6, f.factor}, f, "");
+  if (!signal.empty()) {
+    if (stressed) put(false, false, identify::signal_constant(of(causes.stress), of(signal), origin));
+    if (strained) put(false, true, identify::signal_constant(of(causes.strain), of(signal), origin));
   }
   found.groups.push_back(std::move(group));
 }

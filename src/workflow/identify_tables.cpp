@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -11,15 +10,14 @@
 namespace arenite::workflow {
 namespace {
 
-constexpr std::array group_labels{"group", "material", "glue", "diameter"};
-constexpr std::array test_labels{"curve", "specimen", "test", "load", "repeat", "cycle", "max_force"};
+using Labels = std::vector<std::string>;
+const Labels group_labels{"group", "material", "glue", "diameter"}, test_labels{"curve", "specimen", "test", "load", "repeat", "cycle", "max_force"};
 
 /// "load", "load_kN", "Load [kN]".
-template <std::size_t n>
-bool is_label(const std::string& title, const std::array<const char*, n>& labels) {
+bool is_label(const std::string& title, const Labels& labels) {
   std::string name = title;
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::any_of(labels.begin(), labels.end(), [&](const std::string label) { return name == label || name.starts_with(label + "_"); });
+  return std::any_of(labels.begin(), labels.end(), [&](const std::string& label) { return name == label || name.starts_with(label + "_"); });
 }
 
 /// Rows that say the same in all these columns, in the order of their first.
@@ -27,8 +25,7 @@ std::vector<RowGroup> rows_by(const io::LaboratoryTable& table, const std::vecto
   std::vector<RowGroup> groups;
   for (const std::size_t row : rows) {
     std::string name;
-    for (const std::size_t c : columns)
-      name += fmt::format("{}{}{}", name.empty() ? "" : ", ", with_titles ? table.title(c) + " " : "", table.cell(row, c));
+    for (const std::size_t c : columns) name += fmt::format("{}{}{}", name.empty() ? "" : ", ", with_titles ? table.title(c) + " " : "", table.cell(row, c));
     auto it = std::find_if(groups.rbegin(), groups.rend(), [&](const RowGroup& g) { return g.name == name; });
     if (it == groups.rend()) groups.push_back({name, {}}), it = groups.rbegin();
     it->rows.push_back(row);
@@ -36,8 +33,7 @@ std::vector<RowGroup> rows_by(const io::LaboratoryTable& table, const std::vecto
   return groups;
 }
 
-template <std::size_t n>
-std::vector<std::size_t> label_columns(const io::LaboratoryTable& table, const std::array<const char*, n>& labels, std::optional<std::size_t> taken) {
+std::vector<std::size_t> label_columns(const io::LaboratoryTable& table, const Labels& labels, std::optional<std::size_t> taken) {
   std::vector<std::size_t> columns;
   for (std::size_t c = 0; c < table.columns(); ++c)
     if (c != taken && is_label(table.title(c), labels)) columns.push_back(c);
@@ -82,15 +78,18 @@ identify::Curve curve_of(const io::LaboratoryTable& table, const RowGroup& test,
   return curve;
 }
 
-std::vector<ValueGroup> value_groups(io::LaboratoryTable& table, const io::Quantity& quantity, const std::string& needs) {
-  std::vector<ValueGroup> groups;
+std::vector<TestGroup> told_tests(io::LaboratoryTable& table, const io::Quantity& quantity, const std::string& needs, const Refusal& refusal) {
+  std::vector<TestGroup> groups;
+  const auto add = [&](TestGroup& group, const std::string& test, std::size_t row, double value) {
+    if (!(value > 0)) throw InputError(table.file(), table.line(row), refusal(group.name, test, value));
+    group.tests.push_back({test, {value}});
+  };
   if (const auto column = table.find(quantity)) {
     const auto values = table.values(*column, quantity);
     for (const auto& rows : groups_of(table)) {
-      ValueGroup group{rows.name, {}, {}, {}};
+      TestGroup& group = groups.emplace_back(TestGroup{rows.name, {}});
       for (const auto& test : tests_of(table, rows, column))
-        for (const std::size_t row : test.rows) group.values.push_back(values[row]), group.tests.push_back(test.name), group.lines.push_back(table.line(row));
-      groups.push_back(std::move(group));
+        for (const std::size_t row : test.rows) add(group, test.name, row, values[row]);
     }
     return groups;
   }
@@ -99,15 +98,11 @@ std::vector<ValueGroup> value_groups(io::LaboratoryTable& table, const io::Quant
   const bool load_is_label = table.find(quantity::force) == std::optional<std::size_t>(0) && is_label(table.title(0), test_labels);
   if (columns.empty() || (half_a_record && !load_is_label)) throw InputError(table.file(), table.header_line(), needs);
   for (const std::size_t c : columns) {
-    ValueGroup group{table.title(c), {}, {}, {}};
+    TestGroup& group = groups.emplace_back(TestGroup{table.title(c), {}});
     const auto values = table.values(c, quantity, true);
-    for (std::size_t row = 0; row < values.size(); ++row) {
-      if (!std::isfinite(values[row])) continue;
-      group.values.push_back(values[row]), group.lines.push_back(table.line(row));
-      group.tests.push_back(table.title(0) + " " + std::string(table.cell(row, 0)));
-    }
-    if (group.values.empty()) throw InputError(table.file(), table.header_line(), fmt::format("column {} holds no value; fill or remove it", table.title(c)));
-    groups.push_back(std::move(group));
+    for (std::size_t row = 0; row < values.size(); ++row)
+      if (std::isfinite(values[row])) add(group, table.title(0) + " " + std::string(table.cell(row, 0)), row, values[row]);
+    if (group.tests.empty()) throw InputError(table.file(), table.header_line(), fmt::format("column {} holds no value; fill or remove it", table.title(c)));
   }
   return groups;
 }

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "core/error.hpp"
@@ -16,7 +15,7 @@ namespace {
 
 using Method = recipe::PackingParameters::Method;
 
-Domain frame_of(const recipe::FrameParameters& frame) {
+Domain frame_of(const recipe::ContainerParameters& frame) {
   Domain domain;
   domain.thickness = frame.thickness;
   domain.periodic_x = frame.periodic_x;
@@ -35,24 +34,23 @@ std::string describe(const packing::RelaxReport& report) {
 std::string fill(const recipe::Recipe& recipe, Packing& packing) {
   auto& grains = packing.grains;
   packing.grains = packing::draw_grains(recipe.populations, recipe.materials, recipe.packing.grains, recipe.seed);
-  packing.domain = frame_of(recipe.frame);
+  packing.domain = frame_of(recipe.container);
   double& height = packing.domain.wall[top].position;
-  const bool height_given = recipe.frame.height > 0;
+  const bool height_given = recipe.container.height > 0;
   if (recipe.packing.method == Method::random) {
-    if (!height_given) height = packing::height_for(grains, recipe.frame.width, recipe.packing.solid_fraction);
+    if (!height_given) height = packing::height_for(grains, recipe.container.width, recipe.packing.solid_fraction);
     return "random filling, " + describe(packing::fill_at_random(grains, packing.domain, recipe.seed));
   }
   const double filled = packing::fill_lattice(grains, packing.domain);
   if (!height_given) height = filled;
   if (filled > height * (1 + 1e-12))
-    throw InputError(fmt::format("the lattice is {:g} mm high and the frame only {:g} mm; raise frame.height or leave it out",
-                                 1e3 * filled, 1e3 * height));
+    throw InputError(fmt::format("the lattice is {:g} mm high and the container only {:g} mm; raise container.height or leave it out", 1e3 * filled, 1e3 * height));
   return "triangular lattice";
 }
 
 std::string read(const recipe::Recipe& recipe, Packing& packing) {
   const auto path = std::filesystem::path(recipe.source_file).parent_path() / recipe.packing.file;
-  packing.domain = frame_of(recipe.frame);
+  packing.domain = frame_of(recipe.container);
   packing.grains = io::read_placed_grains(path, recipe.materials, packing.domain);
   const auto report = packing::relax(packing.grains, packing.domain, 1e-3);
   return fmt::format("read from file with overlaps up to {:.2g} %, {}", 100 * report.overlap_before, describe(report));
@@ -61,14 +59,10 @@ std::string read(const recipe::Recipe& recipe, Packing& packing) {
 /// The classes get the materials that [bidisperse] names for them.
 std::string sample(const recipe::Recipe& recipe, Packing& packing) {
   const recipe::BidisperseSection& classes = *recipe.bidisperse;
-  packing.domain = frame_of(recipe.frame);
+  packing.domain = frame_of(recipe.container);
   const auto report = packing::sample_bidisperse(packing, classes.law, recipe.seed);
-  const auto index_of = [&](const std::string& name) {
-    const auto at = std::find_if(recipe.materials.begin(), recipe.materials.end(), [&](const Material& m) { return m.name == name; });
-    return static_cast<std::int32_t>(at - recipe.materials.begin());
-  };
-  const std::int32_t material[] = {index_of(classes.large), index_of(classes.small)};
-  for (auto& m : packing.grains.material) m = material[m];
+  const std::size_t material[] = {index_of(recipe.materials, classes.large), index_of(recipe.materials, classes.small)};
+  for (auto& m : packing.grains.material) m = static_cast<std::int32_t>(material[m]);
   packing.materials = recipe.materials;
   const std::string left_out = report.left_out > 0 ? fmt::format(", {} small disks left out for it", report.left_out) : "";
   return fmt::format("{} large and {} small disks sampled in two steps, mean radii {:.4g} and {:.4g} mm; theta {:.4g} (asked {:g}, error {:+.1g} %) "
@@ -92,12 +86,11 @@ std::string fill_by_method(const recipe::Recipe& recipe, Packing& packing) {
 StageResult make_packing(const recipe::Recipe& recipe) {
   StageResult result;
   result.name = "packing";
-  Frame frame;
+  Frame& frame = result.frames.emplace_back();
   frame.label = "start";
   frame.packing.materials = recipe.materials;
   result.outcome = fill_by_method(recipe, frame.packing);
   if (recipe.glued) packing::mark_region(frame.packing.grains, frame.packing.domain, *recipe.glued);
-  result.frames.push_back(std::move(frame));
   return result;
 }
 

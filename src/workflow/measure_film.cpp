@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 
 #include "workflow/film_checks.hpp"
 #include "workflow/film_grains.hpp"
@@ -14,7 +13,6 @@
 #include "thermal/thermography/grain_motion.hpp"
 #include "thermal/thermography/lockin.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
-#include "thermal/thermography/calibration.hpp"
 #include "thermal/thermography/grain_scene.hpp"
 
 namespace arenite::workflow {
@@ -43,24 +41,14 @@ class Road {
 
  private:
 
-  /// Of the load when it is largest, rad, where the recipe says it.
-  std::optional<double> told_phase() const {
-    return recipe_.lockin.phase;
-  }
-
   thermography::LockinOptions lockin_options(const char* name, std::size_t stage) const {
-    thermography::LockinOptions o;
-    o.frequency = recipe_.lockin.frequency;
-    o.drift_order = static_cast<int>(recipe_.lockin.drift);
-    o.harmonics = static_cast<int>(recipe_.lockin.harmonics);
-    o.convention = SwingConvention::full;
-    o.reference_phase = told_phase();
-    o.threads = options_.threads;
-    o.progress = [this, name, stage](double share) {
+    const auto progress = [this, name, stage](double share) {
       options_.progress({stage, 5, name, share, 0, 0, false, false});
       return !options_.asked_to_stop();
     };
-    return o;
+    const auto& told = recipe_.lockin;
+    return {.frequency = told.frequency, .drift_order = static_cast<int>(told.drift), .harmonics = static_cast<int>(told.harmonics),
+            .convention = SwingConvention::full, .reference_phase = told.phase, .threads = options_.threads, .progress = progress};
   }
 
   bool lock_in(FilmSource& film, FilmResult& r) {
@@ -99,16 +87,13 @@ class Road {
     return true;
   }
 
-  /// Fits the grains' motion and locks in where they are. Grains are found at the smallest load; in the middle of the
-  /// swing they are half their travel further. What swings most is the load at its largest: contacts are as they are then,
-  /// so the maps show the grains there.
+  /// Fits the grains' motion and locks in where they are. Grains are found at the smallest load; in the middle of the swing they are half their
+  /// travel further. What swings most is the load at its largest: contacts are as they are then, so the maps show the grains there.
   void follow(const thermography::PhasePictures& pictures, FilmResult& r) {
     const double largest = r.maps.reference_phase;
     PictureGrains middle = r.grains;
-    thermography::GrainMotionOptions options;
-    options.threads = options_.threads;
     for (int round = 0; round < 3; ++round) {
-      r.motion = thermography::grain_motion(pictures, middle, options);
+      r.motion = thermography::grain_motion(pictures, middle, {.threads = options_.threads});
       for (std::size_t i = 0; i < r.grains.size(); ++i) {
         const double x = r.motion.cos_x[i] * std::cos(largest) + r.motion.sin_x[i] * std::sin(largest);
         const double y = r.motion.cos_y[i] * std::cos(largest) + r.motion.sin_y[i] * std::sin(largest);
@@ -117,7 +102,7 @@ class Road {
       }
     }
     const auto followed = [&](double blur) {
-      return thermography::follow_grains(pictures, r.maps, middle, r.motion, loaded_, told_phase(), options_.threads, blur);
+      return thermography::follow_grains(pictures, r.maps, middle, r.motion, loaded_, recipe_.lockin.phase, options_.threads, blur);
     };
     wider_ = followed(recipe_.forces.blur + blur_step);
     r.rim_blur = thermography::rim_blur(pictures, middle, r.motion, options_.threads);

@@ -9,7 +9,6 @@
 #include <numeric>
 
 #include "core/error.hpp"
-#include "thermal/imaging/circles.hpp"
 #include "thermal/imaging/overlay.hpp"
 #include "thermal/imaging/registration.hpp"
 #include "io/image/image.hpp"
@@ -29,13 +28,11 @@ struct Part {
 
 /// The frame and what is near it, in the middle of the picture: what is round it costs time and looks round, too.
 Part part_near_frame(const recipe::FilmRecipe& recipe, const Image& image, double pixel) {
-  const auto side = [&](double inner, int all) {
-    return std::min(all, static_cast<int>(std::ceil((inner + 2 * margin * recipe.picture.pixel) / pixel)));
-  };
+  const auto side = [&](double inner, int all) { return std::min(all, static_cast<int>(std::ceil((inner + 2 * margin * recipe.picture.pixel) / pixel))); };
   Part part{0, 0, image.width, image.height};
-  if (recipe.frame.left || recipe.frame.top) return part;
-  part.width = side(recipe.frame.width, image.width);
-  part.height = side(recipe.frame.height, image.height);
+  if (recipe.container.left || recipe.container.top) return part;
+  part.width = side(recipe.container.width, image.width);
+  part.height = side(recipe.container.height, image.height);
   part.column = (image.width - part.width) / 2;
   part.row = (image.height - part.height) / 2;
   return part;
@@ -67,9 +64,7 @@ imaging::Overlay lay_over_film(const std::string& file, const PictureGrains& gra
   if (fits(overlay)) return overlay;
   try {
     const auto shown = imaging::find_circles(frame);
-    imaging::RegistrationOptions options;
-    options.scale = first.scale;
-    overlay = imaging::lay_over(grains, imaging::register_circles(grains, shown.grains, options).transform, frame, {2, 0});
+    overlay = imaging::lay_over(grains, imaging::register_circles(grains, shown.grains, {.scale = first.scale}).transform, frame, {2, 0});
   } catch (const InputError&) {
     overlay.rms = 2 * most_rms;
   }
@@ -80,9 +75,12 @@ imaging::Overlay lay_over_film(const std::string& file, const PictureGrains& gra
 
 }  // namespace
 
-void take_class_radii(const std::vector<double>& class_radius, PictureGrains& grains) {
-  for (std::size_t i = 0; i < grains.size(); ++i)
-    if (grains.size_class[i] >= 0) grains.radius[i] = class_radius[static_cast<std::size_t>(grains.size_class[i])];
+imaging::FoundCircles circles_of(const recipe::FilmRecipe& recipe, const FloatImage& picture, double pixel, imaging::CircleOptions options) {
+  for (const double r : recipe.picture.radii) options.radii.push_back(r / pixel);
+  auto found = imaging::find_circles(picture, options);
+  for (std::size_t i = 0; i < found.grains.size(); ++i)
+    if (const auto k = found.grains.size_class[i]; k >= 0) found.grains.radius[i] = found.report.class_radius[static_cast<std::size_t>(k)];
+  return found;
 }
 
 void take_materials(const recipe::FilmRecipe& recipe, const std::string& where, PictureGrains& grains) {
@@ -91,9 +89,7 @@ void take_materials(const recipe::FilmRecipe& recipe, const std::string& where, 
   std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
     return recipe.materials[static_cast<std::size_t>(a)].brightness < recipe.materials[static_cast<std::size_t>(b)].brightness;
   });
-  statistics::ClusterOptions options;
-  options.most = order.size();
-  const auto classes = statistics::cluster(grains.brightness, options);
+  const auto classes = statistics::cluster(grains.brightness, {.most = order.size()});
   if (classes.size() != order.size())
     throw InputError(fmt::format("grains in {} have {} {} of brightness, and the recipe {} materials; give an optical picture in which they differ "
                                  "(picture.optical) or a list of the grains (picture.grains)",
@@ -110,12 +106,8 @@ PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& f
   const Part part = part_near_frame(recipe, whole, fine);
   const FloatImage image = coarser(whole, part, times);
   const double pixel = times * fine;
-  imaging::CircleOptions options;
-  for (const double r : recipe.picture.radii) options.radii.push_back(r / pixel);
-  options.largest = 0.25 * std::min(recipe.frame.width, recipe.frame.height) / pixel;
-  auto found = imaging::find_circles(image, options);
+  auto found = circles_of(recipe, image, pixel, {.largest = 0.25 * std::min(recipe.container.width, recipe.container.height) / pixel});
   if (found.grains.size() < 3) throw InputError(file, 0, fmt::format("shows {} grains; give a picture in which they stand out, or a list of the grains (picture.grains)", found.grains.size()));
-  take_class_radii(found.report.class_radius, found.grains);
   const auto first = told(whole, part, times, film, pixel / recipe.picture.pixel);
   const auto overlay = lay_over_film(file, found.grains, first, {film.width, film.height, frame});
   const Vec2 middle = first.inverse()({0.5 * (film.width - 1), 0.5 * (film.height - 1)}), off = overlay.transform(middle) - first(middle);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -70,12 +71,19 @@ std::string ResultFolder::what_was_put_aside() const {
   for (const auto& format : io::export_formats()) exports.emplace_back(format.name);
   for (const auto& name : exports)
     if (std::error_code error; fs::is_directory(out_ / name, error)) stale += (stale.empty() ? "" : ", ") + (out_ / name).string();
-  return fmt::format("{} of other settings moved to {} and kept there: {}{}", put_aside_.size() == 1 ? "a result" : "results",
-                     (out_ / "earlier").string(), fmt::join(put_aside_, ", "),
-                     stale.empty() ? "" : fmt::format("; still of those settings, so write anew: {}", stale));
+  return fmt::format("{} of other settings moved to {} and kept there: {}{}", put_aside_.size() == 1 ? "a result" : "results", (out_ / "earlier").string(),
+                     fmt::join(put_aside_, ", "), stale.empty() ? "" : fmt::format("; still of those settings, so write anew: {}", stale));
 }
 
 namespace {
+
+/// Along which a stage loads, rad; nothing where it loads along both axes or none.
+std::optional<double> loading_axis(const dem::Stage& stage) {
+  const auto works = [&](std::size_t side) { return stage.side[side].kind != dem::SideDrive::Kind::fixed; };
+  const bool across = works(left) || works(right), along = works(bottom) || works(top);
+  if (across == along) return std::nullopt;
+  return along ? std::numbers::pi / 2 : 0;
+}
 
 /// The files of a result that are of this kind, "result" or "field".
 std::vector<fs::path> files_of(const fs::path& result, std::string_view kind) {
@@ -104,6 +112,27 @@ void refuse_stage(const fs::path& result, const std::string& name) {
     if (const auto stage = io::read_stage(file); !stage.frames.empty()) names.insert(stage.name);
   if (names.empty()) throw InputError(result.string(), 0, "holds no simulated states; give the folder of an `arenite run`");
   throw InputError(result.string(), 0, fmt::format("has no stage \"{}\"; those there are: {}", name, fmt::join(names, ", ")));
+}
+
+texture::Options texture_options(const recipe::Recipe& recipe, std::size_t stage) {
+  texture::Options options;
+  if (recipe.contact.adheres()) options.pull = texture::Pull::adhesion;
+  else if (recipe.contact.attractive_dashpot) options.pull = texture::Pull::dashpots;
+  if (stage == 0) return options;
+  if (recipe.stages[stage - 1].gravity) options.gravity = {0, -dem::standard_gravity};
+  options.load_axis = loading_axis(recipe.stages[stage - 1]);
+  return options;
+}
+
+texture::Options texture_options(const Provenance& provenance) {
+  recipe::Recipe recipe;
+  try {
+    recipe = recipe::parse_recipe(provenance.recipe, "recipe");
+  } catch (const InputError&) {
+    return {};
+  }
+  const auto at = std::find_if(recipe.stages.begin(), recipe.stages.end(), [&](const auto& stage) { return stage.name == provenance.stage; });
+  return texture_options(recipe, at == recipe.stages.end() ? 0 : static_cast<std::size_t>(at - recipe.stages.begin()) + 1);
 }
 
 namespace {

@@ -4,10 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
-#include <functional>
-#include <numbers>
-#include <optional>
+#include <utility>
 
 #include "core/error.hpp"
 #include "grains/dem/run_stage.hpp"
@@ -23,24 +20,26 @@ namespace fs = std::filesystem;
 
 namespace {
 
+std::string force_at_start(int side) { return fmt::format("force_at_start {}", side_names[side]); }
+
+using dem::StageRun;
+constexpr std::pair<const char*, std::int64_t StageRun::*> counts[] = {
+    {"increment", &StageRun::increment}, {"steps_in_increment", &StageRun::steps_in_increment}, {"sample_every", &StageRun::sample_every}, {"checks", &StageRun::checks}};
+
 io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run, const std::string& key) {
   io::Checkpoint checkpoint;
   checkpoint.key = key;
   checkpoint.blobs["engine"] = engine.save();
-  for (int side = 0; side < 4; ++side) checkpoint.numbers[fmt::format("force_at_start {}", side_names[side])] = run.force_at_start[side];
-  checkpoint.integers = {{"increment", run.increment}, {"steps_in_increment", run.steps_in_increment},
-                         {"sample_every", run.sample_every}, {"checks", run.checks}};
+  for (int side = 0; side < 4; ++side) checkpoint.numbers[force_at_start(side)] = run.force_at_start[side];
+  for (const auto& [name, count] : counts) checkpoint.integers[name] = run.*count;
   checkpoint.partial = run.result;
   return checkpoint;
 }
 
 void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::StageRun& run) {
   engine.restore(checkpoint.blobs.at("engine"));
-  for (int side = 0; side < 4; ++side) run.force_at_start[side] = checkpoint.numbers.at(fmt::format("force_at_start {}", side_names[side]));
-  run.increment = checkpoint.integers.at("increment");
-  run.steps_in_increment = checkpoint.integers.at("steps_in_increment");
-  run.sample_every = checkpoint.integers.at("sample_every");
-  run.checks = checkpoint.integers.at("checks");
+  for (int side = 0; side < 4; ++side) run.force_at_start[side] = checkpoint.numbers.at(force_at_start(side));
+  for (const auto& [name, count] : counts) run.*count = checkpoint.integers.at(name);
   run.result = checkpoint.partial;
 }
 
@@ -69,39 +68,6 @@ std::optional<StageResult> load(dem::Engine& engine, const dem::Stage& stage, co
   return std::move(run.result);
 }
 
-/// Along which a stage loads, rad; nothing where it loads along both axes or none.
-std::optional<double> loading_axis(const dem::Stage& stage) {
-  const auto works = [&](std::size_t side) { return stage.side[side].kind != dem::SideDrive::Kind::fixed; };
-  const bool across = works(left) || works(right), along = works(bottom) || works(top);
-  if (across == along) return std::nullopt;
-  return along ? std::numbers::pi / 2 : 0;
-}
-
-}  // namespace
-
-texture::Options texture_options(const recipe::Recipe& recipe, std::size_t stage) {
-  texture::Options options;
-  if (recipe.contact.adheres()) options.pull = texture::Pull::adhesion;
-  else if (recipe.contact.attractive_dashpot) options.pull = texture::Pull::dashpots;
-  if (stage == 0) return options;
-  if (recipe.stages[stage - 1].gravity) options.gravity = {0, -dem::standard_gravity};
-  options.load_axis = loading_axis(recipe.stages[stage - 1]);
-  return options;
-}
-
-texture::Options texture_options(const Provenance& provenance) {
-  recipe::Recipe recipe;
-  try {
-    recipe = recipe::parse_recipe(provenance.recipe, "recipe");
-  } catch (const InputError&) {
-    return {};
-  }
-  const auto at = std::find_if(recipe.stages.begin(), recipe.stages.end(), [&](const auto& stage) { return stage.name == provenance.stage; });
-  return texture_options(recipe, at == recipe.stages.end() ? 0 : static_cast<std::size_t>(at - recipe.stages.begin()) + 1);
-}
-
-namespace {
-
 /// Where a killed pull stood, and how this one is kept: every few seconds, and when it is asked to stop.
 PullCheckpoint checkpoint_of(const fs::path& file, const std::string& key, const RunOptions& options) {
   using clock = std::chrono::steady_clock;
@@ -126,6 +92,7 @@ class Run {
       : recipe_(recipe), options_(options), plan_(plan_of(recipe)), folder_(options.out, plan_), progress_{0, plan_.size(), "packing", 0, 0, 0, false, false} {}
 
   RunOutcome outcome() {
+    for (const std::string& sentence : recipe_.notices) options_.notice(sentence);
     if (const std::string sentence = folder_.what_was_put_aside(); !sentence.empty()) options_.notice(sentence);
     if (pack() && load_grains() && recipe_.has_field()) load_nodes();
     if (outcome_.interrupted) return std::move(outcome_);
@@ -237,9 +204,9 @@ class Run {
       options_.progress(progress_);
       return !options_.asked_to_stop();
     };
-    for (std::size_t l = 0; l < recipe_.loads.size(); ++l) {
-      const recipe::Load& load = recipe_.loads[l];
-      const std::size_t s = first + 1 + l;
+    std::size_t s = first;
+    for (const recipe::Load& load : recipe_.loads) {
+      ++s;
       const auto make = [&](const fs::path& kept) {
         const auto checkpoint = load.failure ? checkpoint_of(kept, plan_[s].hash, options_) : PullCheckpoint{};
         return apply_load(load, outcome_.fields.front(), watch, checkpoint);

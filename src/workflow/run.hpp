@@ -43,11 +43,10 @@ struct RunOutcome {
   std::vector<std::optional<texture::Texture>> measured;
 };
 
-/// Runs a recipe: packing, then its stages one after the other; every stage ends as one file in `options.out`, named by
-/// the hash of all that it depends on. A stage whose file is there is read, not computed again; a run that was killed
-/// goes on from its last checkpoint and ends with the same bytes. Of runs that share a store and want the same stage at once,
-/// one computes it and the others wait. A damaged file counts as none, with a notice. A stage that
-/// finds no equilibrium ends the run; loads of the cemented sample are independent of each other, and the next is tried.
+/// Runs a recipe: packing, then its stages one after the other; every stage ends as one file in `options.out`, named by the hash of all that it
+/// depends on. A stage whose file is there is read, not computed again; a run that was killed goes on from its last checkpoint and ends with the same
+/// bytes. Of runs that share a store and want the same stage at once, one computes it and the others wait. A damaged file counts as none, with a
+/// notice. A stage that finds no equilibrium ends the run; loads of the cemented sample are independent of each other, and the next is tried.
 [[nodiscard]] RunOutcome run(const recipe::Recipe& recipe, const RunOptions& options);
 
 /// How the texture of a stage's states is measured; stage 0 is the packing. Signs refer to the axis along which the stage's

@@ -11,7 +11,6 @@
 #include "io/disk/store_file.hpp"
 #include "io/film/film.hpp"
 #include "io/results/results.hpp"
-#include "statistics/numbers.hpp"
 #include "workflow/film_checks.hpp"
 #include "workflow/film_grains.hpp"
 #include "workflow/measure_film.hpp"
@@ -25,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The grains at the smallest load as a table that recipes read; lengths count from the frame's lower left corner.
+/// The grains at the smallest load as a table that recipes read; lengths count from the container's lower left corner.
 std::string table_of(const FilmResult& film) {
   const Grains grains = in_metres(film.grains, {film.origin, film.pixel});
   std::string text = "id,x [m],y [m],radius [m],material\n";
@@ -40,51 +39,10 @@ recipe::Recipe twin_recipe(const recipe::FilmRecipe& recipe, const fs::path& gra
   twin.populations.clear();
   twin.packing.method = recipe::PackingParameters::Method::file;
   twin.packing.file = fs::absolute(grains).string();
-  twin.frame.width = recipe.frame.width;
-  twin.frame.height = recipe.frame.height;
+  twin.container.width = recipe.container.width;
+  twin.container.height = recipe.container.height;
   return twin;
 }
-
-Packing last_of(const StageResult& stage) { return stage.frames.back().packing; }
-
-}  // namespace
-
-std::vector<double> stress_of_disks(const Packing& packing) {
-  const Contacts& contacts = packing.contacts;
-  std::vector<double> pushed(packing.grains.size(), 0.0);
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    pushed[static_cast<std::size_t>(contacts.i[c])] += contacts.fn[c];
-    if (!contacts.is_wall(c)) pushed[static_cast<std::size_t>(contacts.j[c])] += contacts.fn[c];
-  }
-  for (std::size_t i = 0; i < pushed.size(); ++i) pushed[i] /= -2 * std::numbers::pi * packing.grains.radius[i] * packing.domain.thickness;
-  return pushed;
-}
-
-TwinRun run_twin(const recipe::FilmRecipe& recipe, const FilmResult& film, const RunOptions& options) {
-  make_folder(options.out);
-  const fs::path grains = options.out / "grains.csv";
-  io::write_atomically(grains, table_of(film));
-  auto outcome = run(twin_recipe(recipe, grains), options);
-  TwinRun twin;
-  twin.converged = outcome.converged;
-  twin.interrupted = outcome.interrupted;
-  const StageResult *low = nullptr, *high = nullptr;
-  for (const StageResult& stage : outcome.stages) {
-    if (stage.name == recipe.twin->low) low = &stage;
-    if (stage.name == recipe.twin->high) high = &stage;
-    twin.outcome = stage.outcome;
-  }
-  if (low && high) {
-    twin.loaded = last_of(*high);
-    const auto released = stress_of_disks(last_of(*low));
-    twin.stresses.state = stress_of_disks(twin.loaded);
-    for (std::size_t i = 0; i < released.size(); ++i) twin.stresses.swing.push_back(twin.stresses.state[i] - released[i]);
-  }
-  twin.stages = std::move(outcome.stages);
-  return twin;
-}
-
-namespace {
 
 /// False if it was stopped; otherwise `loaded` is the simulated sample at the largest load.
 bool add_twin(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmResult& film, std::vector<StageResult>& stages, Packing& loaded) {
@@ -104,10 +62,6 @@ bool add_twin(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, F
   loaded = std::move(twin.loaded);
   if (!twin.converged) options.notice("the simulation beside the film found no equilibrium: " + twin.outcome);
   return true;
-}
-
-std::string sentence_of(const FilmResult& r) {
-  return fmt::format("{} grains and {} contacts at {:.6g} Hz", r.packing.grains.size(), r.packing.contacts.size(), r.maps.frequency);
 }
 
 /// What was doubted of a stored film.
@@ -134,33 +88,68 @@ std::optional<FilmResult> measured(const fs::path& film, FilmSource& source, con
 
 }  // namespace
 
+std::vector<double> stress_of_disks(const Packing& packing) {
+  const Contacts& contacts = packing.contacts;
+  std::vector<double> pushed(packing.grains.size(), 0.0);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    pushed[static_cast<std::size_t>(contacts.i[c])] += contacts.fn[c];
+    if (!contacts.is_wall(c)) pushed[static_cast<std::size_t>(contacts.j[c])] += contacts.fn[c];
+  }
+  for (std::size_t i = 0; i < pushed.size(); ++i) pushed[i] /= -2 * std::numbers::pi * packing.grains.radius[i] * packing.domain.thickness;
+  return pushed;
+}
+
+TwinRun run_twin(const recipe::FilmRecipe& recipe, const FilmResult& film, const RunOptions& options) {
+  make_folder(options.out);
+  const fs::path grains = options.out / "grains.csv";
+  io::write_atomically(grains, table_of(film));
+  auto outcome = run(twin_recipe(recipe, grains), options);
+  TwinRun twin;
+  twin.converged = outcome.converged;
+  twin.interrupted = outcome.interrupted;
+  const StageResult *low = nullptr, *high = nullptr;
+  for (const StageResult& stage : outcome.stages) {
+    if (stage.name == recipe.simulation->low) low = &stage;
+    if (stage.name == recipe.simulation->high) high = &stage;
+    twin.outcome = stage.outcome;
+  }
+  if (low && high) {
+    twin.loaded = high->frames.back().packing;
+    const auto released = stress_of_disks(low->frames.back().packing);
+    twin.stresses.state = stress_of_disks(twin.loaded);
+    for (std::size_t i = 0; i < released.size(); ++i) twin.stresses.swing.push_back(twin.stresses.state[i] - released[i]);
+  }
+  twin.stages = std::move(outcome.stages);
+  return twin;
+}
+
 StageResult measured_stage(const FilmResult& film) {
   StageResult stage;
   stage.name = "measured swing";
   stage.provenance = film.provenance;
   stage.outcome = film.outcome;
-  Frame frame;
+  Frame& frame = stage.frames.emplace_back();
   frame.label = "swing between the smallest and the largest load";
   frame.packing = film.packing;
-  stage.frames.push_back(std::move(frame));
   return stage;
 }
 
 FilmOutcome run_film(const fs::path& film, const recipe::FilmRecipe& recipe, const FilmRunOptions& options) {
+  for (const std::string& sentence : recipe.notices) options.notice(sentence);
   FilmOutcome outcome;
   const auto source = io::open_film(film, reading_of(recipe));
   refuse_temperatures(recipe, film, source->info());
   const PlannedStage stage = planned_stage(1, "film", film_key(film, *source, recipe), false, film_key(film, *source, recipe, Names::of_version_0_1));
-  if (recipe.twin) read_twin_recipe(recipe);
+  if (recipe.simulation) read_twin_recipe(recipe);
   rename_former(options.out, {stage});
   outcome.file = options.out / stage.file;
   const auto make = [&](const fs::path&) -> std::optional<FilmResult> {
     auto result = measured(film, *source, recipe, options);
     if (!result) return std::nullopt;
     Packing loaded;
-    if (recipe.twin && !add_twin(recipe, options, *result, outcome.twin, loaded)) return std::nullopt;
+    if (recipe.simulation && !add_twin(recipe, options, *result, outcome.twin, loaded)) return std::nullopt;
     result->numbers = film_numbers(*result, loaded.grains.size() > 0 ? &loaded : nullptr);
-    result->outcome = sentence_of(*result);
+    result->outcome = fmt::format("{} grains and {} contacts at {:.6g} Hz", result->packing.grains.size(), result->packing.contacts.size(), result->maps.frequency);
     result->provenance = {version, "film", stage.hash, to_toml(recipe), recipe.seed, "", {{"film", film.filename().string()}}};
     return result;
   };
@@ -172,7 +161,7 @@ FilmOutcome run_film(const fs::path& film, const recipe::FilmRecipe& recipe, con
   if (!reused) return outcome;
   for (const auto& doubt : doubts_of(outcome.result)) options.notice(doubt);
   Packing loaded;
-  outcome.interrupted = recipe.twin && !add_twin(recipe, options, outcome.result, outcome.twin, loaded);
+  outcome.interrupted = recipe.simulation && !add_twin(recipe, options, outcome.result, outcome.twin, loaded);
   return outcome;
 }
 

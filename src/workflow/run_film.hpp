@@ -1,6 +1,5 @@
 #pragma once
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,9 +24,8 @@ struct FilmOutcome {
 /// A film's grains and the forces that were inferred, as a stage of one state, which pages and files take like simulated ones.
 StageResult measured_stage(const FilmResult& film);
 
-/// The whole road from a film to stresses of grains, contact forces and the simulation beside it; the result is one file
-/// in `options.out`, named by the hash of all that it depends on. Throws InputError for what the recipe and the film do
-/// not allow.
+/// The whole road from a film to stresses of grains, contact forces and the simulation beside it; the result is one file in `options.out`, named by
+/// the hash of all that it depends on. Throws InputError for what the recipe and the film do not allow.
 FilmOutcome run_film(const std::filesystem::path& film, const recipe::FilmRecipe& recipe, const FilmRunOptions& options);
 
 /// What came of the simulation beside a film.
@@ -43,13 +41,13 @@ struct TwinRun {
 /// rim carries them, which is what pixels show. (A stress by branch vectors has arms shortened by the overlaps.)
 std::vector<double> stress_of_disks(const Packing& packing);
 
-/// Simulates the grains that were found in a film, from their places at the smallest load, by the recipe that [twin] names:
+/// Simulates the grains that were found in a film, from their places at the smallest load, by the recipe that [simulation] names:
 /// its packing is replaced, its frame, laws and stages are kept. Results go to `options.out`, as those of `run`. Throws
-/// InputError for a recipe without the stages that [twin] names or without the grains' materials.
+/// InputError for a recipe without the stages that [simulation] names or without the grains' materials.
 TwinRun run_twin(const recipe::FilmRecipe& recipe, const FilmResult& film, const RunOptions& options);
 
 /// Statistics of what a film gave, as `arenite film --json` prints them: frequency, noise, grains by material, motion,
-/// sigma_norm (by the code that measures simulated packings), contact forces, directions of contacts, and the comparison
+/// sigma_norm (by the code that measures simulated packings), contact forces, contact orientations, and the comparison
 /// with the twin, of whose state at the largest load the contacts count.
 Numbers film_numbers(const FilmResult& result, const Packing* twin = nullptr);
 
@@ -62,9 +60,8 @@ struct Agreement {
 /// Grains where `counts` is 0 are left out.
 Agreement agreement(const std::vector<double>& one, const std::vector<double>& other, const std::vector<std::uint8_t>& counts);
 
-/// Directions of the contacts that a film shows and, where it is given, of those of a simulation beside it: "film" and
-/// "twin", each with "contacts", "a_c", "theta_c_deg", "a_c_noise" and the numbers in "sectors" of 10 degrees, over the
-/// same window (without the border). Empty without contacts.
+/// Directions of the contacts that a film shows and, where it is given, of those of a simulation beside it: "film" and "twin", each with "contacts",
+/// "a_c", "theta_c_deg", "a_c_noise" and the numbers in "sectors" of 10 degrees, over the same window (without the border). Empty without contacts.
 Numbers film_directions(const FilmResult& film, const Packing* twin = nullptr);
 
 }  // namespace arenite::workflow

@@ -18,8 +18,7 @@ namespace arenite::workflow {
 
 /// What `read` gives; nothing, and a notice, if its file is damaged.
 template <class Read>
-auto unless_damaged(const std::filesystem::path& file, const RunOptions& options, const char* instead, Read read)
-    -> std::optional<decltype(read())> {
+auto unless_damaged(const std::filesystem::path& file, const RunOptions& options, const char* instead, Read read) -> std::optional<decltype(read())> {
   try {
     return read();
   } catch (const io::DamagedFile&) {

@@ -41,7 +41,7 @@ void forget_secrets(recipe::FilmRecipe& lab) {
   lab.temperature.ambient = unknowing.temperature.ambient;
   lab.lockin.phase.reset();
   lab.forces.blur = unknowing.forces.blur;
-  lab.frame.travel = 0;
+  lab.container.travel = 0;
 }
 
 /// What a laboratory would know of this film, and unless it is `blind` what the camera knows beside.
@@ -53,16 +53,16 @@ recipe::FilmRecipe laboratory_recipe(const recipe::FilmRecipe& recipe, const Pac
   for (recipe::FilmMaterial& m : lab.materials)
     for (const Material& of : high.materials)
       if (of.name == m.name) m.stiffness = of.stiffness;
-  lab.frame = {start.width(), start.height(), start.thickness, {}, {}, load_on_bottom(high) - (low ? load_on_bottom(*low) : 0.0),
+  lab.container = {start.width(), start.height(), start.thickness, {}, {}, load_on_bottom(high) - (low ? load_on_bottom(*low) : 0.0),
                shot.parameters.motion ? high.domain.wall[bottom].position - start.wall[bottom].position : 0};
   lab.picture.pixel = shot.parameters.optics.pixel;
   lab.picture.optical = "optical.tif";
   lab.picture.optical_pixel = shot.parameters.photograph.pixel;
-  lab.correction = {"cold." + ending, "warm." + ending, shot.plate_cold, shot.plate_warm, true};
+  lab.correction = {"cold." + ending, "warm." + ending, shot.reference_cold, shot.reference_warm, true};
   const std::vector<double> emissivity = emissivities(recipe);
   for (std::size_t m = 0; m < lab.materials.size(); ++m) lab.materials[m].emissivity = shot.parameters.surroundings.radiometry ? emissivity[m] : 1;
   lab.temperature = {};
-  lab.temperature.from = recipe::TemperatureSection::From::plates;
+  lab.temperature.from = recipe::TemperatureSection::From::references;
   lab.temperature.band = {shot.parameters.band.low, shot.parameters.band.high};
   lab.temperature.ambient = shot.parameters.surroundings.ambient;
   lab.lockin.frequency = shot.parameters.timing.load_frequency;
@@ -140,8 +140,8 @@ std::vector<fs::path> shoot_film(const recipe::FilmRecipe& recipe, const fs::pat
   make_folder(options.out);
   const auto named = [&](const std::string& name) { return options.out / (name + "." + options.format); };
   const auto quietly = [&](double) { return options.progress(0); };
-  if (!write(named("cold"), *camera::uniform_film(p, shot.plate_cold, shot.plate_frames, recipe.seed), quietly)) return {};
-  if (!write(named("warm"), *camera::uniform_film(p, shot.plate_warm, shot.plate_frames, recipe.seed), quietly)) return {};
+  if (!write(named("cold"), *camera::uniform_film(p, shot.reference_cold, shot.reference_frames, recipe.seed), quietly)) return {};
+  if (!write(named("warm"), *camera::uniform_film(p, shot.reference_warm, shot.reference_frames, recipe.seed), quietly)) return {};
   write_optical(options.out / "optical.tif", camera::optical_picture(scene, p, brightness, recipe.seed));
   if (!write(named("film"), *camera::film(scene, p, recipe.seed), options.progress)) return {};
   io::write_atomically(options.out / "film.toml", to_toml(laboratory));

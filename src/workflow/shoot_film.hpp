@@ -1,5 +1,4 @@
 #pragma once
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -16,7 +15,7 @@ struct ShootOptions {
   std::function<bool(double share)> progress = [](double) { return true; };  ///< false stops
 };
 
-/// Films two simulated states (or one, or a load of the cemented sample, from no load) with the recipe's [camera]. Writes the film, two films of even plates,
+/// Films two simulated states (or one, or a load of the cemented sample, from no load) with the recipe's [camera]. Writes the film, two films of black-body references,
 /// an optical picture at the smallest load, and the recipe film.toml that `arenite film` takes; returns the files, none if it was
 /// stopped. `result` is a run's folder or a file of it. Throws InputError for stages that are not there.
 std::vector<std::filesystem::path> shoot_film(const recipe::FilmRecipe& recipe, const std::filesystem::path& result, const ShootOptions& options);

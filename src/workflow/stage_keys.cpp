@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <string_view>
 
@@ -11,6 +10,7 @@
 #include "io/disk/file.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/film/film.hpp"
+#include "recipe/document.hpp"
 #include "recipe/film_recipe.hpp"
 #include "workflow/measure_film.hpp"
 
@@ -35,16 +35,15 @@ recipe::Recipe without_what_changes_no_bit(recipe::Recipe recipe) {
   return recipe;
 }
 
-/// The laws that version 0.1 wrote into keys which depend on none; its defaults of then.
-dem::ContactParameters no_contact_then() {
+/// The laws that are written into keys which depend on none: version 0.1 wrote its defaults of then.
+dem::ContactParameters no_contact(Names names) {
   dem::ContactParameters contact;
+  if (names == Names::now) return contact;
   contact.restitution = 0.1;
   contact.attractive_dashpot = true;
   contact.friction_law = dem::RegularisedCoulomb{};
   return contact;
 }
-
-dem::ContactParameters no_contact(Names names) { return names == Names::now ? dem::ContactParameters{} : no_contact_then(); }
 
 recipe::Recipe no_loading(Names names) {
   recipe::Recipe recipe;
@@ -54,14 +53,14 @@ recipe::Recipe no_loading(Names names) {
 
 recipe::Recipe without_field(recipe::Recipe recipe) {
   recipe.cement.reset();
-  recipe.raster.reset();
+  recipe.grid.reset();
   recipe.loads.clear();
   return recipe;
 }
 
 template <class Recipe>
 std::string text_of(const Recipe& part, Names names) {
-  return names == Names::now ? changed_keys(part) : to_toml(part);
+  return recipe::under_former_names(names == Names::now ? changed_keys(part) : to_toml(part));
 }
 
 }  // namespace
@@ -90,7 +89,7 @@ std::string stage_key(const recipe::Recipe& recipe, std::size_t s, const std::st
 std::string cement_key(const recipe::Recipe& recipe, const std::string& last_stage_hash, Names names) {
   recipe::Recipe part = no_loading(names);
   part.cement = recipe.cement_or_none();
-  part.raster = recipe.raster_or_default();
+  part.grid = recipe.grid_or_default();
   HashBuilder hash;
   hash.add("cement version", cement_version).add("packing", last_stage_hash).add("recipe", text_of(part, names));
   return hash.hex();
@@ -213,7 +212,7 @@ std::string film_key(const fs::path& film, FilmSource& source, const recipe::Fil
   add("curve", recipe.temperature.curve);
   add("grains", recipe.picture.grains);
   add("optical", recipe.picture.optical);
-  if (recipe.twin) add("twin", recipe.twin->recipe);
+  if (recipe.simulation) add("twin", recipe.simulation->recipe);
   return hash.hex();
 }
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/version.hpp"
-#include "io/disk/file.hpp"
 #include "workflow/result_folder.hpp"
 #include "workflow/runner.hpp"
 
@@ -62,9 +61,7 @@ void Store::drop(const std::string& hash) const { ::unlink(file(hash).c_str()); 
 void Store::note_computed(const PlannedStage& stage, double seconds) const {
   account_.add(fmt::format("computed\t{}\t{}\t{:.6g}", stage.hash, stage.name, seconds));
 }
-void Store::note_begun(const PlannedStage& stage, double seconds) const {
-  account_.add(fmt::format("begun\t{}\t{}\t{:.6g}", stage.hash, stage.name, seconds));
-}
+void Store::note_begun(const PlannedStage& stage, double seconds) const { account_.add(fmt::format("begun\t{}\t{}\t{:.6g}", stage.hash, stage.name, seconds)); }
 void Store::note_reused(const PlannedStage& stage) const { account_.add(fmt::format("reused\t{}\t{}\t0", stage.hash, stage.name)); }
 
 StoreAccount read_account(const fs::path& store) {
@@ -130,9 +127,7 @@ void Claim::drop_stored() const {
   if (!stage_.former_hash.empty()) options_.store->drop(stage_.former_hash);
 }
 
-fs::path Claim::checkpoint(const fs::path& without_store) const {
-  return options_.store ? options_.store->checkpoint(stage_.hash) : without_store;
-}
+fs::path Claim::checkpoint(const fs::path& without_store) const { return options_.store ? options_.store->checkpoint(stage_.hash) : without_store; }
 
 void Claim::computed(const fs::path& file) const {
   if (!options_.store) return;
@@ -145,14 +140,7 @@ void Claim::interrupted() const {
 }
 
 Provenance provenance_of(const recipe::Recipe& recipe, std::size_t s, const PlannedStage& stage, const std::string& kernel) {
-  Provenance p;
-  p.version = version;
-  p.stage = stage.name;
-  p.input_hash = stage.hash;
-  p.recipe = to_toml(part_of(recipe, s));
-  p.seed = recipe.seed;
-  p.kernel = kernel;
-  return p;
+  return {version, stage.name, stage.hash, to_toml(part_of(recipe, s)), recipe.seed, kernel, {}};
 }
 
 }  // namespace arenite::workflow

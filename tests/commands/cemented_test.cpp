@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 const std::string recipe = ARENITE_SOURCE_DIR "/examples/07-cemented-packing/recipe.toml";
-const std::string small = " --quiet --set bidisperse.box_area=60 --set raster.nodes=160 --set 'raster.crop=\"8 mm\"'";
+const std::string small = " --quiet --set bidisperse.box_area=60 --set grid.nodes=160 --set 'grid.crop=\"8 mm\"'";
 
 std::string run(const fs::path& out, const std::string& more = "") { return "run " + recipe + small + " " + more + " --out " + out.string(); }
 
@@ -83,7 +83,7 @@ TEST(Cemented, StoredStagesAreReusedAndDamagedOnesMadeAgainWithTheSameBytes) {
 
 TEST(Cemented, APackingThatDoesNotComeToRestIsNotCemented) {
   const TemporaryFolder folder;
-  const auto ran = arenite(run(folder / "out", "--set stages.0.rest.max_steps=1 --set raster.nodes=400"));
+  const auto ran = arenite(run(folder / "out", "--set stages.0.equilibrium.max_steps=1 --set grid.nodes=400"));
   // One step of compaction cannot come to rest: the packing is as loose as it was sampled, and the run ends there.
   EXPECT_EQ(ran.status, 3) << ran.err;
   EXPECT_TRUE(file_of(folder / "out", "cement").empty());
@@ -113,8 +113,8 @@ TEST(Cemented, ExportsOpenInVtkAndAsTables) {
 
 TEST(Cemented, FailureExampleBreaks) {
   const TemporaryFolder folder;
-  const auto ran = arenite("run " ARENITE_SOURCE_DIR "/examples/08-failure/recipe.toml --quiet --set bidisperse.box_area=30 --set raster.nodes=64 "
-                           "--set 'raster.crop=\"5 mm\"' --out " + (folder / "out").string());
+  const auto ran = arenite("run " ARENITE_SOURCE_DIR "/examples/08-failure/recipe.toml --quiet --set bidisperse.box_area=30 --set grid.nodes=64 "
+                           "--set 'grid.crop=\"5 mm\"' --out " + (folder / "out").string());
   ASSERT_EQ(ran.status, 0) << ran.err;
   const Json j = shown(folder / "out");
   EXPECT_GT(j["strength_Pa"].get<double>(), 0);
@@ -127,8 +127,8 @@ TEST(Cemented, FailureExampleBreaks) {
 TEST(Cemented, BreaksInShearAndSplitsInCompression) {
   const TemporaryFolder folder;
   for (const char* loading : {"shear", "compression"}) {
-    const auto ran = arenite("run " ARENITE_SOURCE_DIR "/examples/08-failure/recipe.toml --quiet --set bidisperse.box_area=30 --set raster.nodes=48 "
-                             "--set 'raster.crop=\"5 mm\"' --set loads.0.band=0.2 --set loads.0.max_strain=4e-3 --set loads.0.loading=" +
+    const auto ran = arenite("run " ARENITE_SOURCE_DIR "/examples/08-failure/recipe.toml --quiet --set bidisperse.box_area=30 --set grid.nodes=48 "
+                             "--set 'grid.crop=\"5 mm\"' --set loads.0.band=0.2 --set loads.0.max_strain=4e-3 --set loads.0.loading=" +
                              std::string(loading) + " --out " + (folder / loading).string());
     ASSERT_EQ(ran.status, 0) << ran.err;
     const Json j = shown(folder / loading);
@@ -141,7 +141,7 @@ TEST(Cemented, BreaksInShearAndSplitsInCompression) {
 TEST(Cemented, ThesisSampleInThreeLoadings) {
   const TemporaryFolder folder;
   const auto ran = arenite("run " ARENITE_SOURCE_DIR "/examples/09-cemented-thesis-sample/recipe.toml --quiet --set populations.0.count=40 "
-                           "--set populations.1.count=44 --set 'frame.width=\"120 mm\"' --set 'stages.1.bottom.force=\"17 kN\"' --set raster.nodes=160 --out " +
+                           "--set populations.1.count=44 --set 'container.width=\"120 mm\"' --set 'stages.1.bottom.force=\"17 kN\"' --set grid.nodes=160 --out " +
                            (folder / "out").string());
   ASSERT_EQ(ran.status, 0) << ran.err;
   const Json j = shown(folder / "out");
@@ -165,7 +165,7 @@ TEST(Cemented, SlipsAreOneSentenceEachAndLeaveNothing) {
            {"--set loads.0.loading=shear --set loads.0.lower=sliding", "carries no shear"},
            {"--set loads.0.name=compact", "names must differ"},
            {"--set bidisperse.small=large", "a material of its own"},
-           {"--set 'frame.width=\"3 mm\"'", "goes with"},
+           {"--set 'container.width=\"3 mm\"'", "goes with"},
            {"--set cement.kind=coating", "cement.thickness: is missing"},
            {"--set cement.kind=full --set cement.saturation=0.5", "goes with"}}) {
     const auto refused = arenite(run(folder / "none", slip));
@@ -189,7 +189,7 @@ TEST(Cemented, FullCementLeavesNoVoid) {
 
 TEST(Cemented, ACropBeyondTheSampleIsRefusedWithItsSize) {
   const TemporaryFolder folder;
-  const auto refused = arenite(run(folder / "out", "--set 'raster.crop=\"80 mm\"'"));
+  const auto refused = arenite(run(folder / "out", "--set 'grid.crop=\"80 mm\"'"));
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
   EXPECT_TRUE(file_of(folder / "out", "cement").empty());

@@ -20,7 +20,7 @@ constexpr const char* factors_exchanged = "--set materials.POM.thermoelastic_fac
 
 double told_load(const VirtualFilm& of) {
   const std::string text = test::slurp(of.at("film/film.toml"));
-  return std::stod(text.substr(text.find("load_swing = \"") + 14));
+  return std::stod(text.substr(text.find("load_peak_to_peak = \"") + 21));
 }
 
 TEST(FilmOutside, AFilmThatAgreesIsNotDoubted) {
@@ -46,7 +46,7 @@ TEST(FilmOutside, MistakesOfALaboratoryAreFound) {
   };
   said(factors_times_one_and_a_half, "times the forces that the load swing");
   said(factors_exchanged, "the two materials are taken for each other");
-  said("--set frame.load_swing='\"" + std::to_string(2 * told_load(of)) + " kN\"'", "the likely causes are load_swing (told 2.0");
+  said("--set container.load_peak_to_peak='\"" + std::to_string(2 * told_load(of)) + " kN\"'", "the likely causes are load_peak_to_peak (told 2.0");
   const auto quadrature = of.film("--set lockin.phase='\"90 deg\"'");
   EXPECT_EQ(quadrature.status, 2);
   EXPECT_NE(quadrature.err.find("lockin.phase = \"90 deg\""), std::string::npos) << quadrature.err;
@@ -61,7 +61,7 @@ TEST(FilmOutside, CountsTakenForKelvinAreRefused) {
   film.about.quantity = {};
   film.level = test::all_of(*source).level;
   io::write_film(of.at("film/counts.tif"), film);
-  of.edit("kelvin.toml", "from = \"plates\"", "from = \"film\"\nassumed_emissivity = 1");
+  of.edit("kelvin.toml", "from = \"references\"", "from = \"film\"\nassumed_emissivity = 1");
   const auto done = test::arenite("film " + of.at("film/counts.tif").string() + " --recipe " + of.at("film/kelvin.toml").string() + " --quiet --out " + of.at("result").string());
   EXPECT_EQ(done.status, 2) << done.err;
   EXPECT_NE(done.err.find("kelvin"), std::string::npos) << done.err;
@@ -147,7 +147,7 @@ TEST(CameraCommand, ABlindRecipeHoldsWhatALaboratoryKnows) {
   EXPECT_EQ(line(told, "phase"), "phase = \"180 deg\"");
   EXPECT_EQ(line(blind, "phase"), "");
   for (const char* key : {"travel", "ambient"}) EXPECT_NE(line(told, key), line(blind, key)) << key;
-  EXPECT_NE(blind.find("load_swing = "), std::string::npos);
+  EXPECT_NE(blind.find("load_peak_to_peak = "), std::string::npos);
   EXPECT_TRUE(test::slurp(of.at("film/film.ptw")) == test::slurp(of.at("blind/film.ptw")));
 }
 

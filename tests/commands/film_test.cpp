@@ -95,7 +95,7 @@ TEST(FilmCommand, UnequalEmissivitiesComeBackWithinTheErrors) {
     EXPECT_NEAR(other.slope, 1, 0.02) << material;
     EXPECT_LT(other.off_in_errors, 1.3 * same.off_in_errors + 0.5) << material;
   }
-  // The same with a curve of black plates a kelvin apart instead of Planck's law between two.
+  // The same with a curve of black bodies a kelvin apart instead of Planck's law between two.
   const auto level_of = [&](const char* name) { return thermography::plate_level(thermography::frame_statistics(*io::open_film(unlike.at(std::string("film/") + name)))); };
   const double cold = level_of("cold.ptw"), warm = level_of("warm.ptw");
   const auto photons = [](double t) { return radiometry::photon_exitance({}, t); };
@@ -104,7 +104,7 @@ TEST(FilmCommand, UnequalEmissivitiesComeBackWithinTheErrors) {
   curve << "level,temperature\n";
   for (double t = 285; t <= 305; ++t) curve << cold + (photons(t) - photons(291)) * (warm - cold) / (photons(301) - photons(291)) << "," << t << "\n";
   curve.close();
-  unlike.edit("curve.toml", "from = \"plates\"", "from = \"curve\"\ncurve = \"curve.csv\"");
+  unlike.edit("curve.toml", "from = \"references\"", "from = \"curve\"\ncurve = \"curve.csv\"");
   std::filesystem::remove_all(unlike.at("result"));
   const auto by_curve = unlike.film("", "film", "curve.toml");
   ASSERT_EQ(by_curve.status, 0) << by_curve.err;
@@ -140,7 +140,7 @@ TEST(FilmCommand, SameSeedSameBytes) {
 TEST(FilmCommand, PutsASimulationOfTheSameGrainsBesideTheFilm) {
   const VirtualFilm of;
   ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
-  of.edit("twin.toml", "[picture]", "[twin]\nrecipe = \"" + (of.at("states") / "recipe.toml").string() + "\"\nlow = \"low\"\nhigh = \"high\"\n\n[picture]");
+  of.edit("twin.toml", "[picture]", "[simulation]\nrecipe = \"" + (of.at("states") / "recipe.toml").string() + "\"\nlow = \"low\"\nhigh = \"high\"\n\n[picture]");
   const auto done = of.film("--json", "film", "twin.toml");
   ASSERT_EQ(done.status, 0) << done.err;
   const Json j = Json::parse(done.out);
@@ -218,7 +218,7 @@ TEST(FilmCommand, RefusesPixelsThatTellNothing) {
   expect_refused(of, of.film("", "constant"), "film.ptw: 9216 of 9216 pixels never change in the first 200 frames");
   change_levels(of, "warm.ptw", "saturated", [](std::uint16_t) { return std::uint16_t{16383}; });
   expect_refused(of, of.film("--set correction.warm='\"../saturated/warm.ptw\"'"), "warm.ptw: 9216 of 9216 pixels reach the top");
-  expect_refused(of, of.film("--set correction.warm='\"cold.ptw\"'"), "the two plates show the same level");
+  expect_refused(of, of.film("--set correction.warm='\"cold.ptw\"'"), "the two references show the same level");
 }
 
 TEST(FilmCommand, RefusesASixteenBitFilmAtItsCeiling) {
@@ -245,19 +245,19 @@ TEST(FilmCommand, RefusesRecipesThatDoNotFit) {
   ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
   of.edit("no-factor.toml", "thermoelastic_factor = \"0.015 K/MPa\"\n", "");
   expect_refused(of, of.film("", "film", "no-factor.toml"), "materials.POM.thermoelastic_factor: is missing");
-  of.edit("twin.toml", "[picture]", "[twin]\nrecipe = \"" + VirtualFilm::example("sample.toml") + "\"\nlow = \"none\"\nhigh = \"high\"\n\n[picture]");
-  expect_refused(of, of.film("", "film", "twin.toml"), "sample.toml: has no stage \"none\", which [twin] of ");
+  of.edit("twin.toml", "[picture]", "[simulation]\nrecipe = \"" + VirtualFilm::example("sample.toml") + "\"\nlow = \"none\"\nhigh = \"high\"\n\n[picture]");
+  expect_refused(of, of.film("", "film", "twin.toml"), "sample.toml: has no stage \"none\", which [simulation] of ");
   std::ofstream(of.at("film/none.csv")) << "id,x [mm],y [mm],radius [mm],material\n";
   expect_refused(of, of.film("--set picture.grains='\"none.csv\"'"), "none.csv: lists no grains");
-  of.edit("empty.toml", "[frame]", "[frame]\nleft = 200.0");
-  expect_refused(of, of.film("", "film", "empty.toml"), "film.ptw: the film shows no grains inside the frame");
+  of.edit("empty.toml", "[container]", "[container]\nleft = 200.0");
+  expect_refused(of, of.film("", "film", "empty.toml"), "film.ptw: the film shows no grains inside the container");
 }
 
 TEST(FilmCommand, RefusesLevelsThatNothingTurnsIntoTemperatures) {
   const VirtualFilm of;
   ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
   expect_refused(of, test::arenite("film " + of.at("film/film.ptw").string() + " --recipe " + VirtualFilm::example("camera.toml") + " --quiet --out " + of.at("none").string()),
-                 "camera.toml: temperature: from is \"plates\" unless given, and needs correction.cold");
+                 "camera.toml: temperature: from is \"references\" unless given, and needs correction.cold");
   std::string text = test::slurp(of.at("film/film.toml"));
   const auto section = text.find("[temperature]");
   text.erase(section, text.find("\n[", section) - section);
@@ -271,7 +271,7 @@ TEST(CameraCommand, RefusesInOneSentence) {
   expect_refused(of, none("--set camera.high='\"nowhere\"'"), "states: has no stage \"nowhere\"; those there are: compact, high, low, packing, prepare");
   std::string text = test::slurp(VirtualFilm::example("camera.toml"));
   const auto pom = text.find("[materials.POM]");
-  std::ofstream(of.at("no-pom.toml")) << text.erase(pom, text.find("[frame]") - pom);
+  std::ofstream(of.at("no-pom.toml")) << text.erase(pom, text.find("[container]") - pom);
   const std::string tail = " --quiet --out " + of.at("none").string();
   expect_refused(of, test::arenite("camera " + of.states() + " --recipe " + of.at("no-pom.toml").string() + tail), "there is no section [materials.POM]");
   expect_refused(of, test::arenite("camera " + of.states() + " --recipe " + of.at("film/film.toml").string() + tail), "there is no section [camera]");

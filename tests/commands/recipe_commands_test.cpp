@@ -43,7 +43,7 @@ TEST(Check, BadRecipeGivesOneLineAProblemOnStderrAndStatusTwo) {
   const TemporaryFolder folder;
   const auto recipe = (folder / "a.toml").string();
   ASSERT_EQ(arenite("init composite " + recipe).status, 0);
-  const auto refused = arenite("check " + recipe + " --set frame.width=350 --set sed=3 --set 'contact.friction=-1'");
+  const auto refused = arenite("check " + recipe + " --set container.width=350 --set sed=3 --set 'contact.friction=-1'");
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(refused.out, "");
   EXPECT_EQ(lines_of(refused.err), 3) << refused.err;

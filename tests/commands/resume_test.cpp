@@ -97,7 +97,7 @@ large_radius = "1 mm"
 size_ratio = 2
 volume_ratio = 1.6
 box_area = 25
-[frame]
+[container]
 thickness = "10 mm"
 [materials.large]
 density = "2500 kg/m^3"
@@ -115,13 +115,13 @@ left = { pressure = "10 kPa" }
 right = { pressure = "10 kPa" }
 bottom = { pressure = "10 kPa" }
 top = { pressure = "10 kPa" }
-masses = "even"
+mass_scaling = "uniform"
 inertial_number = 1
-rest = { unbalanced = 0.01, kinetic = 0.05 }
+equilibrium = { unbalanced = 0.01, kinetic = 0.05 }
 [cement]
 kind = "bridges"
 saturation = 0.6
-[raster]
+[grid]
 nodes = 48
 [[loads]]
 name = "tension"

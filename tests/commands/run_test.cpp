@@ -19,7 +19,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 /// A loose filling of 60 disks of two sizes, and what its frame and stages say.
 std::string recipe(const std::string& frame, const std::string& stages) {
-  return "title = \"A small sample\"\n[frame]\nwidth = \"120 mm\"\nthickness = \"60 mm\"\n" + frame +
+  return "title = \"A small sample\"\n[container]\nwidth = \"120 mm\"\nthickness = \"60 mm\"\n" + frame +
          "[materials.POM]\ndensity = \"1410 kg/m^3\"\nstiffness = \"27.35 kN/mm\"\n"
          "[[populations]]\nmaterial = \"POM\"\ncount = 60\nsize = { law = \"uniform\", min = \"10 mm\", max = \"16 mm\" }\n"
          "[contact]\nrestitution = 0.5\nfriction_law = \"cundall_strack\"\n" + stages;
@@ -111,7 +111,7 @@ TEST(RunFolder, FindsResultsUnderTheirLongNamesOfBefore) {
     fs::rename(path, out / former);
   }
   const auto again = arenite("run " + file + " --out " + out.string());
-  EXPECT_TRUE(contains(again.err, "packing      was there already") && contains(again.err, "load         was there already")) << again.err;
+  EXPECT_TRUE(contains(again.err, "packing      taken from an earlier run") && contains(again.err, "load         taken from an earlier run")) << again.err;
   EXPECT_FALSE(fs::exists(out / "earlier"));
 }
 
@@ -134,7 +134,7 @@ TEST(StageWithoutEquilibrium, EndsWithStatusThreeAndSaysWhatItReached) {
                                              "[[stages]]\nname = \"more\"\ntop = { force = \"2 kN\" }\n"));
   const auto run = arenite("run " + file + " --quiet --out " + (folder / "out").string());
   EXPECT_EQ(run.status, 3) << run.err;
-  EXPECT_TRUE(contains(run.out, "no equilibrium within 400 steps (rest.max_steps): unbalanced force ratio")) << run.out;
+  EXPECT_TRUE(contains(run.out, "no equilibrium within 400 steps (equilibrium.max_steps): unbalanced force ratio")) << run.out;
   EXPECT_FALSE(contains(run.out, "more")) << "no stage starts from one that is not at rest";
 }
 
@@ -165,10 +165,10 @@ TEST(RunThatCannotStart, IsOneLineWithItsPlaceAndLeavesNoFolder) {
   const auto out = folder / "out";
   const auto refused = arenite("run " + file + " --quiet --out " + out.string());
   EXPECT_EQ(refused.status, 2);
-  EXPECT_TRUE(refused.err.starts_with(file + ": the grains cover ") && contains(refused.err, "frame.height")) << refused.err;
+  EXPECT_TRUE(refused.err.starts_with(file + ": the grains cover ") && contains(refused.err, "container.height")) << refused.err;
   EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
   EXPECT_FALSE(fs::exists(out));
-  const auto late = arenite("run " + file + " --quiet --out " + out.string() + " --set 'frame.height=200 mm' --set 'integration.time_step=1 s'");
+  const auto late = arenite("run " + file + " --quiet --out " + out.string() + " --set 'container.height=200 mm' --set 'integration.time_step=1 s'");
   EXPECT_EQ(late.status, 2);
   EXPECT_TRUE(late.err.starts_with("--set integration.time_step=1 s: integration.time_step of 1 s is too long for this packing: ") && contains(late.err, " s would do, "))
       << late.err;
@@ -201,7 +201,7 @@ TEST(Run, ThatCannotGoOnHasAStatusOfItsOwn) {
   const auto file = write(folder, recipe("height = \"200 mm\"\n", "[[stages]]\nname = \"shoot\"\nduration = \"1 s\"\nbottom = { velocity = \"1e6 m/s\" }\n"));
   const auto run = arenite("run " + file + " --quiet --out " + (folder / "out").string());
   EXPECT_EQ(run.status, 3) << run.err;
-  EXPECT_TRUE(contains(run.err, "has left the frame through a wall at step")) << run.err;
+  EXPECT_TRUE(contains(run.err, "has left the container through a wall at step")) << run.err;
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
 }
 

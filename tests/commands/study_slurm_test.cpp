@@ -57,7 +57,7 @@ TEST(Study, OnSlurmFortyRunsInFourTasksWithOneKilledAndOneStoppedGiveTheLocalBit
   const arenite::test::TemporaryFolder folder;
   const std::string recipe = folder / "study.toml", local = folder / "local", cluster = folder / "cluster", script = folder / "study.sh";
   std::ofstream(recipe) << arenite::test::small_cemented_recipe
-                        << "[sweep]\nreplicates = 20\n[sweep.grid]\n\"raster.nodes\" = [96]\n\"cement.width\" = [0.2, 0.4]\n";
+                        << "[sweep]\nreplicates = 20\n[sweep.grid]\n\"grid.nodes\" = [96]\n\"cement.width\" = [0.2, 0.4]\n";
   ASSERT_EQ(arenite::test::arenite("study run " + recipe + " --quiet --out " + local).status, 0);
   const auto wrote = shell(ARENITE_BINARY " study script --slurm " + recipe + " --tasks 4 --jobs 1 --time 0:10:00 --out " + cluster + " > " + script);
   ASSERT_EQ(wrote.status, 0) << wrote.err;

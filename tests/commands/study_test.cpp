@@ -134,13 +134,13 @@ TEST(Study, ShardsDoTheirPartsAtOnceAndTogetherTheWhole) {
 
 TEST(Study, AFailingRunIsListedWithItsReasonAndStopsNoOther) {
   const TemporaryFolder folder;
-  const auto file = write(folder, small_cemented_recipe + "[sweep.grid]\n\"raster.crop\" = [\"80 mm\", \"5 m\"]\n\"stages.0.rest.max_steps\" = [20, 10000000]\n");
+  const auto file = write(folder, small_cemented_recipe + "[sweep.grid]\n\"grid.crop\" = [\"80 mm\", \"5 m\"]\n\"stages.0.equilibrium.max_steps\" = [20, 10000000]\n");
   const auto out = folder / "out";
   const auto run = arenite(study_line("run", file, out, "--quiet"));
   EXPECT_EQ(run.status, 3) << run.err;
   EXPECT_TRUE(contains(run.out, "4 runs: 1 done, 2 unfinished, 1 failed\n")) << run.out;
-  EXPECT_TRUE(contains(run.out, "failed (raster.crop = \"5 m\", stages.0.rest.max_steps = 10000000): ")) << run.out;
-  EXPECT_TRUE(contains(run.out, "unfinished (raster.crop = \"80 mm\", stages.0.rest.max_steps = 20): prepare: ")) << run.out;
+  EXPECT_TRUE(contains(run.out, "failed (grid.crop = \"5 m\", stages.0.equilibrium.max_steps = 10000000): ")) << run.out;
+  EXPECT_TRUE(contains(run.out, "unfinished (grid.crop = \"80 mm\", stages.0.equilibrium.max_steps = 20): prepare: ")) << run.out;
   const auto computed = count(account(out), "computed");
   EXPECT_EQ(arenite(study_line("run", file, out, "--quiet")).status, 3) << "failed runs are done again on demand only";
   EXPECT_EQ(count(account(out), "reused") + computed, count(account(out), "\n"));

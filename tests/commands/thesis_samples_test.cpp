@@ -85,7 +85,7 @@ TEST(ThesisSamples, SeveralRecipesOfOneCommandGetAFolderEach) {
   const TemporaryFolder folder;
   const std::string samples = std::string(ARENITE_SOURCE_DIR) + "/examples/04-thesis-samples/", out = (folder / "out").string();
   const Outcome run = arenite("run " + samples + "sample-10.toml " + samples + "sample-11.toml --quiet --out " + out +
-                              " --set stages.1.increments=1 --set 'stages.1.bottom.force=1 kN' --set 'frame.thickness=50 mm'");
+                              " --set stages.1.increments=1 --set 'stages.1.bottom.force=1 kN' --set 'container.thickness=50 mm'");
   EXPECT_EQ(run.status, 0) << run.err;
   for (const char* name : {"sample-10", "sample-11"}) EXPECT_TRUE(std::filesystem::exists(folder / "out" / name / "report.html")) << name;
   EXPECT_NE(run.out.find("118 POM"), std::string::npos);

@@ -39,21 +39,22 @@ void examine(const Packing& packing) {
 
 void read(char format, const Files& files) {
   Problems grain_problems("grains"), contact_problems("contacts");
-  const io::UnitFactors units;
+  const bool bare = format == 'h';  // without header
+  const io::ReadingHints of_grains{bare ? "id,x,y,radius" : ""}, of_contacts{bare ? "i,j,fn,ft" : ""};
   io::RawGrains grains;
   io::RawContacts contacts;
   if (format == 'l') {
-    grains = io::read_lammps_atoms(files.grains, units, grain_problems);
-    contacts = io::read_lammps_pairs(files.contacts, "", units, contact_problems);
+    grains = io::read_lammps_atoms(files.grains, of_grains, grain_problems);
+    contacts = io::read_lammps_pairs(files.contacts, grains, of_contacts, contact_problems);
   } else if (format == 'y') {
-    grains = io::read_yade_spheres(files.grains, units, grain_problems);
-    contacts = io::read_yade_interactions(files.contacts, grains, units, contact_problems);
+    grains = io::read_yade_spheres(files.grains, of_grains, grain_problems);
+    contacts = io::read_yade_interactions(files.contacts, grains, of_contacts, contact_problems);
   } else if (format == 'm') {
-    grains = io::read_mercury_data(files.grains, units, grain_problems);
-    contacts = io::read_mercury_fstat(files.contacts, units, contact_problems);
+    grains = io::read_mercury_data(files.grains, of_grains, grain_problems);
+    contacts = io::read_mercury_fstat(files.contacts, grains, of_contacts, contact_problems);
   } else {
-    grains = io::read_grains_csv(files.grains, format == 'h' ? "id,x,y,radius" : "", units, grain_problems);
-    contacts = io::read_contacts_csv(files.contacts, format == 'h' ? "i,j,fn,ft" : "", units, contact_problems);
+    grains = io::read_grains_csv(files.grains, of_grains, grain_problems);
+    contacts = io::read_contacts_csv(files.contacts, grains, of_contacts, contact_problems);
   }
   io::SampleOptions options;
   options.merge_doubled = true;

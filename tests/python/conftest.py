@@ -6,7 +6,7 @@ import pytest
 
 sys.path.insert(0, os.environ["ARENITE_PYTHONPATH"])
 root = pathlib.Path(__file__).resolve().parents[2]
-small = {"bidisperse.box_area": 80, "bidisperse.size_ratio": 1.67, "raster.nodes": 128, "raster.crop": "9 mm"}
+small = {"bidisperse.box_area": 80, "bidisperse.size_ratio": 1.67, "grid.nodes": 128, "grid.crop": "9 mm"}
 
 
 @pytest.fixture(scope="session")

@@ -22,7 +22,7 @@ def test_measured_stresses_are_one_a_grain(sigma):
 
 @pytest.mark.parametrize("change, sentence", [
     (dict(radius=[-1e-3]), "radius"), (dict(radius=[np.nan]), "finite"), (dict(x=[np.inf]), "finite"), (dict(width=0), "width"), (dict(periodic="z"), "periodic"),
-    (dict(x=[5.0]), "outside the frame"), (dict(material=[1]), "whole numbers from 0 to 0"), (dict(material=[0.5]), "whole numbers"), (dict(x=["a"]), "x: give numbers"),
+    (dict(x=[5.0]), "outside the container"), (dict(material=[1]), "whole numbers from 0 to 0"), (dict(material=[0.5]), "whole numbers"), (dict(x=["a"]), "x: give numbers"),
     (dict(x=[[1e-3]]), "one dimension"), (dict(width="3 kg"), "width.*length"), (dict(width=[1]), "width.*type list"), (dict(thickness=np.nan), "thickness")])
 def test_packings_that_cannot_be_are_refused(change, sentence):
     given = {"x": [1e-3], "y": [1e-3], "radius": [1e-3], "width": 2e-3, "height": 2e-3, **change}

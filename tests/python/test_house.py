@@ -91,6 +91,7 @@ def test_hops_of_the_architecture_are_true():
         if hop:
             chain.append((ROOT / hop.group(2), (hop.group(3) or "").split("::")[-1]))
     assert len(chains) == 3
+    assert len(chains[0]) == 6  # five hops to the force law
     for chain in chains:
         assert len(chain) <= 7
         for (file, call), (following, _) in zip(chain, chain[1:]):

@@ -34,7 +34,7 @@ def test_without_its_compiled_part_it_says_what_builds_it(tmp_path):
 
 
 def test_a_packing_has_its_velocities_and_its_contacts_theirs():
-    recipe = arenite.Recipe.template("composite", {"populations.0.count": 20, "populations.1.count": 20, "frame.width": "90 mm", "packing.solid_fraction": 0.7, "stages.0.rest.max_steps": 2000})
+    recipe = arenite.Recipe.template("composite", {"populations.0.count": 20, "populations.1.count": 20, "container.width": "90 mm", "packing.solid_fraction": 0.7, "stages.0.equilibrium.max_steps": 2000})
     state = arenite.load_stage(arenite.pack(recipe), recipe, "prepare").packing
     for name in ("vx", "vy", "omega"):
         assert getattr(state, name).shape == state.x.shape
@@ -85,7 +85,7 @@ def test_identification_reads_the_thesis_tables(examples):
 
 
 def test_a_study_becomes_a_table(tmp_path):
-    recipe = arenite.Recipe.template("cemented", {"bidisperse.box_area": 40, "bidisperse.size_ratio": 1.25, "raster.nodes": 64, "raster.crop": "6 mm"})
+    recipe = arenite.Recipe.template("cemented", {"bidisperse.box_area": 40, "bidisperse.size_ratio": 1.25, "grid.nodes": 64, "grid.crop": "6 mm"})
     file = tmp_path / "recipe.toml"
     file.write_text(recipe.toml() + "\n[sweep.grid]\n\"cement.width\" = [0.2, 0.8]\n")
     done = arenite.run_study(str(file), str(tmp_path / "out"))
@@ -97,7 +97,7 @@ def test_a_study_becomes_a_table(tmp_path):
 
 
 def test_a_table_has_the_names_of_the_programs(tmp_path):
-    recipe = arenite.Recipe.template("cemented", {"bidisperse.box_area": 40, "bidisperse.size_ratio": 1.25, "raster.nodes": 64, "raster.crop": "6 mm"})
+    recipe = arenite.Recipe.template("cemented", {"bidisperse.box_area": 40, "bidisperse.size_ratio": 1.25, "grid.nodes": 64, "grid.crop": "6 mm"})
     file, out = tmp_path / "recipe.toml", tmp_path / "out"
     file.write_text(recipe.toml() + '\n[sweep.grid]\n"cement.gap" = ["50 um", "80 um"]\n"cement.kind" = ["bridges"]\n')
     arenite.run_study(file, out)

@@ -56,7 +56,7 @@ def test_progress_is_told_and_a_stage_is_chosen_by_name(recipe):
 
 def test_bad_input_is_a_value_error_with_the_programs_sentence(tmp_path):
     file = tmp_path / "r.toml"
-    file.write_text("[frame]\nwidth = 3\n")
+    file.write_text("[container]\nwidth = 3\n")
     with pytest.raises(ValueError, match=r"r.toml:2.*width"):
         arenite.Recipe(str(file))
     with pytest.raises(ValueError, match="no template"):

@@ -14,7 +14,7 @@ stiffness = "27.35 kN/mm"
 material = "POM"
 count = 60
 size = { law = "uniform", min = "10 mm", max = "16 mm" }
-[frame]
+[container]
 width = "100 mm"
 thickness = "60 mm"
 [packing]
@@ -27,7 +27,7 @@ name = "prepare"
 top = { force = "100 N" }
 [cement]
 kind = "bridges"
-[raster]
+[grid]
 nodes = 64
 [[loads]]
 name = "tension"

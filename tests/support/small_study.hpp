@@ -13,7 +13,7 @@ stiffness = "27.35 kN/mm"
 material = "POM"
 count = 60
 size = { law = "uniform", min = "10 mm", max = "16 mm" }
-[frame]
+[container]
 width = "100 mm"
 thickness = "60 mm"
 [packing]
@@ -30,7 +30,7 @@ top = { force = "100 N" }
 [cement]
 kind = "bridges"
 width = 0.3
-[raster]
+[grid]
 nodes = 64
 [[loads]]
 name = "tension"

@@ -17,13 +17,13 @@ class VirtualFilm {
     const std::string force = " --set stages.1.bottom.force='\"16 kN\"' --set stages.2.bottom.force='\"1.6 kN\"' --set stages.3.bottom.force='\"16 kN\"'";
     const std::string increments = " --set stages.1.increments=2 --set stages.2.increments=2 --set stages.3.increments=2 --set integration.track_energy=false";
     simulated = arenite("run " + example("sample.toml") + " --quiet --out " + states() + " --set populations.0.count=20 --set populations.1.count=22" +
-                        " --set frame.width='\"95 mm\"' --set packing.solid_fraction=0.7" + force + increments);
+                        " --set container.width='\"95 mm\"' --set packing.solid_fraction=0.7" + force + increments);
     filmed = camera("film", overrides);
   }
 
   static std::string example(const std::string& file) { return std::string(ARENITE_SOURCE_DIR) + "/examples/40-virtual-experiment/" + file; }
   static std::string small_camera() {
-    return " --set camera.width=96 --set camera.height=96 --set camera.pixel='\"1.2 mm\"' --set camera.frames=300 --set camera.plate_frames=30";
+    return " --set camera.width=96 --set camera.height=96 --set camera.pixel='\"1.2 mm\"' --set camera.frames=300 --set camera.reference_frames=30";
   }
 
   std::string states() const { return (folder / "states").string(); }

@@ -67,6 +67,16 @@ TEST(Energy, IsClosedToAMillionthOfTheWorkAtAStepOfTcOver500ForEveryLaw) {
         }
 }
 
+TEST(Energy, OfRollingIsClosedToo) {
+  for (const dem::RollingLaw& rolling : std::initializer_list<dem::RollingLaw>{dem::ConstantTorque{0.3}, dem::ElasticPlasticRolling{0.3, 0.3}})
+    for (const auto kind : integrators) {
+      SCOPED_TRACE(std::string(rolling.word()) + ", " + name(kind));
+      dem::ContactParameters law;
+      law.rolling = rolling;
+      EXPECT_LT(compress(law, kind, 500).relative(), 1e-6);
+    }
+}
+
 TEST(Energy, GravityAndDragAreAccountedFor) {
   for (const auto kind : integrators) {
     SCOPED_TRACE(name(kind));

@@ -178,7 +178,7 @@ TEST(StepBound, GearsDampingBoundIsWhereItBlowsUp) {
     dem::IntegrationParameters how = with_step(share * low / rate, IntegratorKind::gear5);
     how.drag = 1e-3;
     Engine engine(p, elastic(), how);
-    bool lost = false;  // the engine notices a grain outside of the frame
+    bool lost = false;  // the engine notices a grain outside of the container
     try {
       engine.set_drag(rate);
       engine.advance(4000);

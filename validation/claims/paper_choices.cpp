@@ -17,16 +17,16 @@ const std::vector<Choice> choices{
     {{{"contact.friction", "0"}}, "without friction"},
     {{{"contact.friction", "0.6"}}, "with friction 0.6"},
     {{{"contact.restitution", "0.4"}}, "with restitution 0.4"},
-    {{{"stages.1.rest.unbalanced", "1e-3"}}, "with rest at 1e-3"},
-    {{{"stages.1.rest.unbalanced", "1e-6"}}, "with rest at 1e-6"},
+    {{{"stages.1.equilibrium.unbalanced", "1e-3"}}, "with rest at 1e-3"},
+    {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "with rest at 1e-6"},
     {{{"bidisperse.trials", "100"}}, "with 100 trials a disk"},
     {{{"bidisperse.maximal", "true"}}, "with every place filled"},
     {{{"bidisperse.hold_radius", "true"}}, "with radii held until they are placed"},
-    {{{"bidisperse.cut_each_class", "true"}}, "with radii cut class by class"},
+    {{{"bidisperse.truncate_each_class", "true"}}, "with radii cut class by class"},
     {{{"cement.gap", "0.05"}}, "with neighbours at 2 instead of 3 nodes"},
-    {{{"raster.nodes", "1280"}}, "with a crop of 32 rbar_L"},
-    {{{"raster.nodes", "512"}}, "with 512 nodes"},
-    {{{"raster.nodes", "2048"}}, "with 2048 nodes"},
+    {{{"grid.nodes", "1280"}}, "with a crop of 32 rbar_L"},
+    {{{"grid.nodes", "512"}}, "with 512 nodes"},
+    {{{"grid.nodes", "2048"}}, "with 2048 nodes"},
 };
 
 using Place = std::tuple<double, double, double>;

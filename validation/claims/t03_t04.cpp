@@ -41,14 +41,14 @@ std::string random_filling(const Results& results) {
 
 }  // namespace
 
-/// Sample #2 is stacked: 1235 disks of one size fit the frame only as a crystal.
+/// Sample #2 is stacked: 1235 disks of one size fit the container only as a crystal.
 Judgement judge_t3(const Results& results) {
   Judgement judgement;
   const Modes modes = six_fold(runs_of(results, sample_2));
   judgement.checks = {every("6-fold amplitude by type of contact", "peaks", modes.amplitude, {.low = 0.5}), every("angle of its peaks from 0, 60, 120 degrees", "0", modes.angle, {.high = 10}, "deg")};
   if (const Value& all = modes.amplitude.front().value; std::isfinite(all.value)) {
     judgement.ours = fmt::format("6-fold amplitude {}, peaks {} degrees away", text_of(all), text_of(modes.angle.front().value));
-    judgement.decides = "Sample #2 starts stacked, as 1235 disks of one size fit the frame only as a crystal." + random_filling(results);
+    judgement.decides = "Sample #2 starts stacked, as 1235 disks of one size fit the container only as a crystal." + random_filling(results);
   }
   add_choices(judgement, results, "6-fold amplitude of #2", sample_2, "fabric.modes.6.amplitude", wanted_above(0.5));
   return judgement;

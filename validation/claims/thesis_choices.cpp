@@ -13,81 +13,72 @@ constexpr double narrow = 0, wide = 5;  // strips left out along the walls, in m
 constexpr const char* least_ratio = "1";
 constexpr const char* greatest_ratio = "10";
 
-/// The choices, then the same states with other borders of the usual study.
-std::vector<Choice> with_borders(std::vector<Choice> choices, const std::string& usual_study, const Where& where = {}) {
-  choices.push_back({where, "without a border", with_border(usual_study, narrow)});
-  choices.push_back({where, "with a border of 5 diameters", with_border(usual_study, wide)});
+const Choice without_friction{{{"contact.friction", "0"}}, "without friction"};
+
+/// Choices of friction, others, then the same states with other borders of the usual study.
+std::vector<Choice> choices_of(const std::string& usual_study, const Choice& frictionless, const std::vector<Choice>& others) {
+  std::vector<Choice> choices{frictionless,
+                              {{{"contact.friction", "0.1"}}, "with friction 0.1"},
+                              {{{"contact.friction", "0.6"}}, "with friction 0.6"},
+                              {{{"contact.wall_friction", "0"}}, "with smooth walls"}};
+  choices.insert(choices.end(), others.begin(), others.end());
+  choices.push_back({{}, "without a border", with_border(usual_study, narrow)});
+  choices.push_back({{}, "with a border of 5 diameters", with_border(usual_study, wide)});
   return choices;
 }
 
 const std::vector<Choice>& in_samples() {
-  static const auto choices = with_borders({
-      {{{"contact.friction", "0"}}, "without friction"},
-      {{{"contact.friction", "0.1"}}, "with friction 0.1"},
-      {{{"contact.friction", "0.6"}}, "with friction 0.6"},
-      {{{"contact.wall_friction", "0"}}, "with smooth walls"},
+  static const auto choices = choices_of("thesis-ch3", without_friction, {
       {{{"contact.friction_law", "regularised_coulomb"}}, "with law R"},
       {{{"contact.restitution", "0.2"}}, "with restitution 0.2"},
       {{{"contact.restitution", "0.9"}}, "with restitution 0.9"},
       {{{"integration.safety", "0.025"}}, "with half the time step"},
-      {{{"stages.1.rest.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
+      {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
       {{{"stages.0.friction", "0"}, {"contact.friction_law", ""}}, "prepared without friction"},
       {{{"stages.1.gravity", "false"}, {"stages.1.bottom.force", ""}}, "without gravity"},
       {{{"stages.1.bottom.force", "200"}}, "under 200 kN"},
       {{{"stages.1.bottom.force", "5"}}, "under 5 kN"},
       {{{"stages.1.bottom.force", "0.5"}}, "under 0.5 kN without gravity"},
-  }, "thesis-ch3");
+  });
   return choices;
 }
 
 const std::vector<Choice>& at_number_ratios() {
-  static const auto choices = with_borders({
-      {{{"contact.friction", "0"}}, "without friction"},
-      {{{"contact.friction", "0.1"}}, "with friction 0.1"},
-      {{{"contact.friction", "0.6"}}, "with friction 0.6"},
-      {{{"contact.wall_friction", "0"}}, "with smooth walls"},
+  static const auto choices = choices_of("thesis-ch4", without_friction, {
       {{}, "with law R", "thesis-ch4-r"},
       {{{"contact.restitution", "0.2"}}, "with restitution 0.2"},
-      {{{"stages.1.rest.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
+      {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
       {{{"packing.solid_fraction", "0.76"}}, "from a solid fraction of 0.76"},
       {{{"stages.0.friction", "0"}}, "prepared without friction"},
-      {{{"frame.width", "350"}}, "in a box of 350 mm"},
+      {{{"container.width", "350"}}, "in a box of 350 mm"},
       {{{"stages.1.bottom.force", "200"}}, "under 200 kN"},
-  }, "thesis-ch4");
+  });
   return choices;
 }
 
 const std::vector<Choice>& with_two_stiffnesses() {
-  static const auto choices = with_borders({
-      {{}, "without friction", "thesis-ch5-smooth"},
-      {{{"contact.friction", "0.1"}}, "with friction 0.1"},
-      {{{"contact.friction", "0.6"}}, "with friction 0.6"},
-      {{{"contact.wall_friction", "0"}}, "with smooth walls"},
+  static const auto choices = choices_of("thesis-ch5", {{}, "without friction", "thesis-ch5-smooth"}, {
       {{}, "with law R", "thesis-ch5-r"},
       {{{"contact.restitution", "0.2"}}, "with restitution 0.2"},
       {{{"contact.restitution", "0.7"}}, "with restitution 0.7"},
       {{{"integration.safety", "0.045"}}, "with half the time step"},
-      {{{"stages.0.rest.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
-  }, "thesis-ch5");
+      {{{"stages.0.equilibrium.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
+  });
   return choices;
 }
 
 const std::vector<Choice>& with_glue() {
-  static const auto choices = with_borders({
-      {{{"contact.friction", "0"}}, "without friction"},
-      {{{"contact.friction", "0.1"}}, "with friction 0.1"},
-      {{{"contact.friction", "0.6"}}, "with friction 0.6"},
-      {{{"contact.wall_friction", "0"}}, "with smooth walls"},
+  static const auto choices = choices_of("thesis-ch6", without_friction, {
       {{{"contact.friction_law", "regularised_coulomb"}}, "with law R"},
       {{{"contact.restitution", "0.9"}}, "with restitution 0.9"},
       {{{"contact.effective_radius", "sum"}}, "with r_eff = r_i + r_j"},
       {{{"contact.effective_radius", "geometric_mean"}}, "with r_eff = 2 sqrt(r_i r_j)"},
       {{{"contact.adhesion", "geometrical_breaking"}}, "with glue that breaks for good"},
-      {{{"stages.1.rest.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
+      {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
       {{{"stages.1.gravity", "false"}}, "without gravity"},
       {{{"stages.1.bottom.force", "200"}}, "under 200 kN"},
       {{{"stages.1.bottom.force", "4"}}, "under 4 kN"},
-  }, "thesis-ch6");
+  });
   return choices;
 }
 

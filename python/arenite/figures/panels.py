@@ -21,7 +21,7 @@ def sigma_norm_tails(figure, state):
 
 
 def forces(figure, state):
-    """Density with its fits, and share above."""
+    """Density with its fits, and survival function."""
     about, names = state.texture["force"], names_of(state.packing)
     side_by_side(figure, [lambda axes: textures.draw_density(axes, about, names),
                           lambda axes: textures.draw_cumulative(axes, about, textures.over_mean, "strong_share", names)])

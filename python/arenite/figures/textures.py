@@ -38,7 +38,7 @@ def draw_cumulative_sets(axes, sets, label=sigma_norm, share="P0", log=True):
             tail = d[share]["value"] * np.exp(d["beta"]["value"] * (1 - line))
             axes.plot(line[tail >= least], tail[tail >= least], "--", color=colour, linewidth=0.9)
     axes.axvline(1, color=soft, linewidth=0.6, linestyle=":")
-    axes.set(xlabel=label, ylabel="share above", xlim=(0, None))
+    axes.set(xlabel=label, ylabel="survival function", xlim=(0, None))
     axes.set(**{"yscale": "log", "ylim": (None, 1)} if log else {"ylim": (0, 1)})
     axes.legend(**{"loc": "lower center", "bbox_to_anchor": (0.5, 1), "handletextpad": 0.2} if log else {"loc": "upper right"})
 

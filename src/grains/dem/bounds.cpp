@@ -39,6 +39,20 @@ double sliding_damping(const Sample& s, double viscosity) {
   return std::visit([&](const auto& law) { return law.damping(viscosity); }, s.laws.friction);
 }
 
+/// Rolling resistance of two equal grains, over r^2.
+struct Rolling {
+  double stiffness, damping;
+};
+
+Rolling rolling_of(const Sample& s, const DiskRecord& d, const Coefficients& c) {
+  if (!s.integration.rotations) return {0, 0};
+  const double area = d.radius * d.radius;
+  return std::visit([&](const auto& law) {
+    const double stiffness = law.stiffness(c.stiffness, 0.5 * d.radius);
+    return Rolling{stiffness / area, law.damping(c.damping, 0.5 * d.radius, stiffness, 0.5 * inertia(d)) / area};
+  }, s.contact.rolling);
+}
+
 struct Rates {
   double frequency_squared = 0, damping = 0;
 };
@@ -50,8 +64,9 @@ Rates lattice_rates(const Sample& s, const DiskRecord& d, double overlap) {
   const double k = tangent_stiffness(s, overlap, c.stiffness);
   const double turning = s.integration.rotations ? 24.0 : 6.0;
   const double normal_damping = 6.0 * damping_factor(s, overlap) * c.damping;
-  return {std::max(6.0 * k, turning * stiffness_ratio(s) * k) / d.mass,
-          std::max(normal_damping, turning * sliding_damping(s, c.viscosity)) / d.mass};
+  const Rolling rolling = rolling_of(s, d, c);
+  return {std::max(6.0 * k, turning * stiffness_ratio(s) * k + 24.0 * rolling.stiffness) / d.mass,
+          std::max(normal_damping, turning * sliding_damping(s, c.viscosity) + 24.0 * rolling.damping) / d.mass};
 }
 
 /// Rates of one contact's springs or dashpots along n and t.
@@ -198,21 +213,21 @@ void renew_dashpots(Sample& s) {
 
 }  // namespace
 
-void give_masses(Sample& s, Masses masses) {
-  s.masses = masses;
+void give_masses(Sample& s, MassScaling masses) {
+  s.mass_scaling = masses;
   double fastest = 0;
   for (std::size_t k = 0; k < s.count; ++k) {
     s.record[k].mass = own_mass(s, k);
     fastest = std::max(fastest, stiffness_of(s, s.record[k]) / s.record[k].mass);
   }
-  if (masses == Masses::even)
+  if (masses == MassScaling::uniform)
     for (std::size_t k = 0; k < s.count; ++k) s.record[k].mass = stiffness_of(s, s.record[k]) / fastest;
   renew_dashpots(s);
   tune_servo(s);
 }
 
 void make_heavy_enough(Sample& s) {
-  if (s.masses != Masses::even) return;
+  if (s.mass_scaling != MassScaling::uniform) return;
   constexpr int rounds = 10;  // one does, unless drag counts: the longest step grows as the root of the mass
   for (int round = 0; round < rounds; ++round) {
     const double short_by = s.dt / step_bounds(s).largest();

@@ -15,9 +15,9 @@ StepBounds step_bounds(const Sample& sample);
 double own_mass(const Sample& sample, std::size_t k);
 
 /// Gives the disks their own masses, or even ones. Even: every grain is as heavy as makes its contacts as fast as those of the grain whose contacts
-/// are fastest, k/m alike. The step stays stable, waves run through grains of unlike sizes as fast as it allows, and states of rest do not change,
+/// are fastest, k/m alike. The step stays stable, waves run through grains of unlike sizes as fast as it allows, and equilibria do not change,
 /// for they do not know masses (but for weight: no gravity then). Dashpots follow the masses, so restitution is kept. Speeds stay.
-void give_masses(Sample& sample, Masses masses);
+void give_masses(Sample& sample, MassScaling mass_scaling);
 
 /// Makes all grains heavier alike, where masses are not their own, until the sample allows its time step: many grains as fast as the fastest may
 /// together be faster than it is alone.

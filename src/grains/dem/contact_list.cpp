@@ -118,9 +118,10 @@ void list_walls(Sample& s) {
   ContactList& list = s.list;
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];
+    const int held_by = wall_that_holds(s, d.grain);
     for (int side = 0; side < 4; ++side) {
       const auto& wall = s.domain.wall[static_cast<std::size_t>(side)];
-      if (!wall.present) continue;
+      if (!wall.present || side == held_by) continue;
       const double place = side < bottom ? d.x : d.y;
       const double distance = (side % 2 == 0) ? place - wall.position : wall.position - place;
       if (distance < d.radius + s.skin) {
@@ -157,6 +158,7 @@ void group_slots(Sample& s) {
 }  // namespace
 
 void list_contacts(Sample& s, const Team& team) {
+  number_held(s);
   make_ghosts(s);
   list_pairs(s, team);
   list_walls(s);
@@ -164,6 +166,8 @@ void list_contacts(Sample& s, const Team& team) {
   s.list.force.assign(s.list.size() + 1, SlotForce{});
   s.list.memory.assign(s.list.size(), 0.0);
   if (std::visit([](const auto& law) { return law.remembers; }, s.contact.normal)) s.list.normal_memory.assign(s.list.size(), 0.0);
+  const bool rolls = !std::holds_alternative<NoRolling>(s.contact.rolling);
+  s.list.rolling_memory.assign(rolls ? s.list.size() : 0, 0.0);
   s.list.bond.assign(s.list.size(), never_touched);
 }
 
@@ -197,7 +201,7 @@ void refresh_ghosts(Sample& s) {
     d = s.record[static_cast<std::size_t>(ghost.source)];
     d.x += ghost.shift_x * width + ghost.shift_y * s.domain.tilt;
     d.y += ghost.shift_y * height;
-    d.vx += ghost.shift_x * stretch_x + ghost.shift_y * s.domain.tilt * stretch_x / width;
+    d.vx += ghost.shift_x * stretch_x + ghost.shift_y * (s.domain.tilt * stretch_x / width + s.shear_rate * height);
     d.vy += ghost.shift_y * stretch_y;
   }
 }

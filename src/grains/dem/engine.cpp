@@ -10,18 +10,12 @@
 #include "grains/dem/bounds.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/kernels/kernel.hpp"
-#include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/measure.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/setup.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
-
-struct Engine::Machine {
-  Sample sample;
-  Team team;
-};
 
 const Kernel& find_kernel(const std::string& asked) {
   const KernelChoice<Kernel> choice{portable_kernel, &avx2_kernel, &avx512_kernel};
@@ -86,35 +80,25 @@ double servo_energy(const Sample& s) {
   return sum;
 }
 
-bool has_driven_edge(const Sample& s) {
-  for (std::size_t side = 0; side < 4; ++side)
-    if (!s.domain.wall[side].present && s.wall[side].drive.kind == WallDrive::Kind::force) return true;
-  return false;
-}
-
-/// See integrators/verlet.hpp.
-template <int extrapolation>
-bool verlet(Sample& s, const Team& team) {
-  return verlet_sweep(s, extrapolation, team);
-}
-
-template <class Sweep>
-void run(Sample& s, const Team& team, std::int64_t steps, Sweep&& sweep) {
-  const bool tracked = s.integration.track_energy;
-  const bool edges = tracked || has_driven_edge(s);
-  if (tracked && !s.ledger.open) open_ledger(s);
-  for (std::int64_t n = 0; n < steps; ++n) {
-    const bool near = sweep(s, team);
-    follow_drift(s);
-    if (near)
-      refresh_ghosts(s);
-    else
-      rebuild_list(s, team);
-    compute_forces(s, team);
-    if (edges) sum_edge_forces(s, team);
-    if (tracked) book_step(s);
+/// Grains nearer to a rough wall than half their radius go with it from now on; one that was held before stays.
+void hold_nearest(Sample& s) {
+  std::vector<HeldGrain> held;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const DiskRecord& d = s.record[k];
+    const int before = wall_that_holds(s, d.grain);
+    for (int side = 0; side < 4; ++side) {
+      const WallBody& body = s.wall[static_cast<std::size_t>(side)];
+      const double plane = s.domain.wall[static_cast<std::size_t>(side)].position;
+      const double distance = inward_sign(static_cast<std::size_t>(side)) * ((side < bottom ? d.x : d.y) - plane);
+      if (!body.rough || (before >= 0 ? before != side : distance > 1.5 * d.radius)) continue;
+      held.push_back(side < bottom ? HeldGrain{d.grain, side, d.x - plane, d.y - body.slid} : HeldGrain{d.grain, side, d.x - body.slid, d.y - plane});
+      break;
+    }
   }
-  sum_edge_forces(s, team);
+  std::sort(held.begin(), held.end(), [](const HeldGrain& a, const HeldGrain& b) { return a.grain < b.grain; });
+  s.held = std::move(held);
+  number_held(s);
+  hold_grains(s);
 }
 
 }  // namespace
@@ -134,9 +118,9 @@ void Engine::set_drag(double rate) {
   s.drag = rate;
 }
 
-void Engine::set_masses(Masses masses) {
+void Engine::set_mass_scaling(MassScaling masses) {
   Sample& s = machine_->sample;
-  if (masses == s.masses) return;
+  if (masses == s.mass_scaling) return;
   synchronise(s);
   const double before = energies_of(s).kinetic;
   give_masses(s, masses);
@@ -144,10 +128,38 @@ void Engine::set_masses(Masses masses) {
   if (const double largest = step_bounds(s).largest(); s.dt > largest) {
     if (s.integration.time_step)
       throw InputError(fmt::format("integration.time_step of {:.4g} s is beyond what this sample allows with {} masses; {:.4g} s would do",
-                                   s.dt, masses == Masses::even ? "even" : "its own", 0.999 * largest));
+                                   s.dt, masses == MassScaling::uniform ? "scaled" : "its own", 0.999 * largest));
     change_step(s, 0.999 * largest);
   }
   if (s.integration.track_energy) s.tally.dissipated_drag += before - energies_of(s).kinetic;
+}
+
+void Engine::set_shear_rate(double rate) {
+  Sample& s = machine_->sample;
+  if (rate == s.shear_rate) return;
+  if (!s.domain.periodic_x || !s.domain.periodic_y) throw InputError("a cell that is sheared must be periodic in x and y");
+  synchronise(s);
+  const double before = energies_of(s).kinetic, middle = 0.5 * (s.domain.wall[bottom].position + s.domain.wall[top].position);
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const double faster = (rate - s.shear_rate) * (s.record[k].y - middle);
+    s.vx[k] += faster;
+    s.record[k].vx += faster;
+  }
+  s.shear_rate = rate;
+  refresh_ghosts(s);
+  if (s.integration.track_energy) s.tally.work_walls += energies_of(s).kinetic - before;
+}
+
+void Engine::set_rough(const std::array<bool, 4>& rough) {
+  Sample& s = machine_->sample;
+  bool changed = false;
+  for (std::size_t side = 0; side < 4; ++side) changed |= rough[side] != s.wall[side].rough;
+  if (!changed) return;
+  synchronise(s);
+  for (std::size_t side = 0; side < 4; ++side) s.wall[side].rough = rough[side] && s.domain.wall[side].present;
+  hold_nearest(s);
+  rebuild_list(s, machine_->team);
+  compute_forces(s, machine_->team);
 }
 
 void Engine::set_inertial_number(double number) {
@@ -175,26 +187,12 @@ void Engine::set_drives(const WallDrives& drives) {
   Sample& s = machine_->sample;
   bool changed = false;
   for (std::size_t side = 0; side < 4; ++side)
-    changed |= drives[side].kind != s.wall[side].drive.kind || drives[side].value != s.wall[side].drive.value;
+    changed |= drives[side] != s.wall[side].drive;
   if (!changed) return;
   synchronise(s);
   const double before = servo_energy(s);
   apply_drives(s, drives);
   if (s.integration.track_energy) s.tally.dissipated_drag += before - servo_energy(s);
-}
-
-void Engine::advance(std::int64_t steps) {
-  Sample& s = machine_->sample;
-  const Team& team = machine_->team;
-  if (steps <= 0) return;
-  switch (s.integration.integrator) {
-    case IntegratorKind::velocity_verlet: return run(s, team, steps, verlet<1>);
-    case IntegratorKind::leapfrog: return run(s, team, steps, verlet<0>);
-    case IntegratorKind::gear5:
-      if (!s.settled) gear_start(s);
-      s.settled = true;
-      return run(s, team, steps, gear_sweep);
-  }
 }
 
 double Engine::time() const { return time_of(machine_->sample); }
@@ -207,6 +205,7 @@ std::int64_t Engine::list_builds() const { return machine_->sample.builds; }
 double Engine::critical_drag() const { return dem::critical_drag(machine_->sample); }
 double Engine::skin() const { return machine_->sample.skin; }
 const IntegrationParameters& Engine::integration() const { return machine_->sample.integration; }
+double Engine::shear_strain() const { return machine_->sample.sheared; }
 const Domain& Engine::domain() const { return machine_->sample.domain; }
 Packing Engine::packing() const { return packing_of(machine_->sample); }
 Energies Engine::energies() const { return energies_of(machine_->sample); }

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -37,9 +38,13 @@ class Engine {
   void set_drag(double rate);                  ///< 1/s
   /// The grains' own masses, or even ones for a compaction (bounds.hpp); never with gravity. A step that they do not allow is shortened, or refused
   /// (InputError) where it was given.
-  void set_masses(Masses masses);
+  void set_mass_scaling(MassScaling mass_scaling);
   void set_inertial_number(double number);     ///< how fast the sample yields to its force-controlled sides (walls.hpp)
   void set_friction(std::optional<double> mu); ///< for grains and walls; nullopt: what the parameters say
+  /// Shears a cell that is periodic both ways, du_x/dy, 1/s (Lees and Edwards 1972); grains are given the velocities of the change at once.
+  void set_shear_rate(double rate);
+  /// Walls, by side, that hold the grains nearer than half their radius; those of walls that are not named are let go.
+  void set_rough(const std::array<bool, 4>& rough);
   void set_glue(bool on);                      ///< adhesion acts; for bonds that break for good: pairs that touch now are bonded
 
   void advance(std::int64_t steps);
@@ -56,6 +61,7 @@ class Engine {
   double skin() const;                         ///< surface gap within which pairs are listed, m
 
   const IntegrationParameters& integration() const;  ///< as given
+  double shear_strain() const;                 ///< by set_shear_rate so far
   const Domain& domain() const;                ///< wall positions, velocities and forces now
   Packing packing() const;                     ///< grains and contacts now, in the caller's order; contacts sorted by (i, j)
   Energies energies() const;                   ///< dissipation and work only if track_energy

@@ -35,8 +35,8 @@ inline Kinematics pair_kinematics(const DiskRecord& a, const DiskRecord& b, Arms
   return c;
 }
 
-/// A disk and a wall; the contact point lies on the plane, and a wall does not move along itself.
-inline Kinematics wall_kinematics(const DiskRecord& a, const Wall& wall, int side, Arms arms) {
+/// A disk and a wall, which moves along itself at `slide`; the contact point lies on the plane.
+inline Kinematics wall_kinematics(const DiskRecord& a, const Wall& wall, double slide, int side, Arms arms) {
   Kinematics c;
   c.normal = inward_normal(side);
   const double distance = side < bottom ? c.normal.x * (a.x - wall.position) : c.normal.y * (a.y - wall.position);
@@ -44,7 +44,7 @@ inline Kinematics wall_kinematics(const DiskRecord& a, const Wall& wall, int sid
   c.overlap = a.radius - distance;
   if (!(c.overlap > 0)) return c;
   c.arm_i = arms == Arms::contact_point ? distance : a.radius;
-  const Vec2 v = side < bottom ? Vec2{a.vx - wall.velocity, a.vy} : Vec2{a.vx, a.vy - wall.velocity};
+  const Vec2 v = side < bottom ? Vec2{a.vx - wall.velocity, a.vy - slide} : Vec2{a.vx - slide, a.vy - wall.velocity};
   c.approach = -dot(v, c.normal);
   c.sliding = dot(v, perpendicular(c.normal)) - a.omega * c.arm_i;
   c.curvature = 1.0 / a.radius;
@@ -55,13 +55,20 @@ inline Kinematics slot_kinematics(const Sample& s, std::size_t slot) {
   const auto& a = s.record[static_cast<std::size_t>(s.list.i[slot])];
   const std::int32_t j = s.list.j[slot];
   if (j >= 0) return pair_kinematics(a, s.record[static_cast<std::size_t>(j)], s.contact.arms);
-  const int side = -1 - j;
-  return wall_kinematics(a, s.domain.wall[static_cast<std::size_t>(side)], side, s.contact.arms);
+  const auto side = static_cast<std::size_t>(-1 - j);
+  return wall_kinematics(a, s.domain.wall[side], s.wall[side].drive.slide, static_cast<int>(side), s.contact.arms);
 }
 
 /// Forces of all listed contacts from the records (whose ghosts are fresh), into the list's slots; then the forces of the walls. Springs of the
 /// friction law move on by one step.
 void compute_forces(Sample& sample, const Team& team = Team());
+
+/// What the rolling law sees of a slot.
+Slip<double> rolling_slip(const Sample& sample, std::size_t slot, double normal_force);
+/// Adds the moments of rolling resistance to the slots' torques.
+void add_rolling_moments(Sample& sample, const Team& team);
+/// What the rolling springs hold, J.
+double rolling_energy(const Sample& sample);
 
 /// Forces of the edges of a periodic cell, the means over all its cuts: (1/W) sum f_x l_x. Not part of compute_forces, because only driven edges and
 /// readers need them.

@@ -8,9 +8,12 @@
 namespace arenite::dem {
 namespace {
 
+constexpr std::size_t along = 4, cell_shear = 8;  // of Snapshot::edge
+
 void add_contacts(const Sample& s, Snapshot& shot) {
   const ContactList& list = s.list;
   const double width = s.domain.width(), height = s.domain.height();
+  shot.springs = rolling_energy(s);
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A& adhesion, const F& friction) {
     for (std::size_t p = 0; p < list.size(); ++p) {
       const Kinematics c = slot_kinematics(s, p);
@@ -41,6 +44,13 @@ void add_contacts(const Sample& s, Snapshot& shot) {
       } else {
         const auto side = static_cast<std::size_t>(-1 - list.j[p]);
         shot.edge[side].dash -= side < bottom ? dash.x : dash.y;
+        shot.edge[along + side].slip -= side < bottom ? slip.y : slip.x;
+      }
+      if (s.shear_rate != 0 && list.j[p] >= static_cast<std::int32_t>(s.count)) {
+        const int images = s.ghost[static_cast<std::size_t>(list.j[p]) - s.count].shift_y;
+        shot.edge[cell_shear].force -= images * f.x;
+        shot.edge[cell_shear].dash -= images * dash.x;
+        shot.edge[cell_shear].slip -= images * slip.x;
       }
       if (s.domain.periodic_x) {
         shot.edge[left].dash -= dash.x * c.branch.x / width;
@@ -88,7 +98,10 @@ Snapshot take(const Sample& s) {
       edge.drive = inward_sign(side) * s.wall[side].drive.value;
       edge.damping = servo_braking(s, side, s.domain.wall[side].velocity);
     }
+    shot.edge[along + side].rate = s.wall[side].drive.slide;
+    shot.edge[along + side].force = s.domain.wall[side].present ? s.domain.wall[side].shear_force : 0.0;
   }
+  shot.edge[cell_shear].rate = s.shear_rate * s.domain.height();
   return shot;
 }
 
@@ -104,8 +117,8 @@ WorkTerms products(const Sample& s, const Snapshot& p, const Snapshot& q) {
     w.drag += (a.drag_x + b.drag_x) * vx + (a.drag_y + b.drag_y) * vy;
     w.gravity += 2 * b.mass * (s.gravity.x * vx + s.gravity.y * vy);
   }
-  for (std::size_t side = 0; side < 4; ++side) {
-    const auto &a = p.edge[side], &b = q.edge[side];
+  for (std::size_t n = 0; n < q.edge.size(); ++n) {
+    const auto &a = p.edge[n], &b = q.edge[n];
     const double rate = 0.5 * b.rate;
     w.dashpots += (a.dash + b.dash) * rate;
     w.friction += (a.slip + b.slip) * rate;

@@ -21,13 +21,13 @@ struct Snapshot {
     double slip_x = 0, slip_y = 0, slip_torque = 0;  ///< tangential forces
     double drag_x = 0, drag_y = 0;
   };
-  /// Along +x or +y: force of the sample on the wall, all of it and by class; force of the drive; servo damping.
+  /// Along its way, +x or +y: force of the sample on the wall, all of it and by class; force of the drive; servo damping.
   struct Edge {
     double rate = 0, force = 0, dash = 0, slip = 0, drive = 0, damping = 0;
     bool servo = false;
   };
   std::vector<Disk> disk;
-  std::array<Edge, 4> edge;
+  std::array<Edge, 9> edge;                      ///< walls along their normals, walls along themselves, and the shear of the cell
   double springs = 0;                            ///< energy of the tangential springs, J
   double normal_springs = 0;                     ///< of normal springs that remember, J
 };

@@ -40,15 +40,17 @@ void add_contacts(const Sample& s, Packing& out) {
   }
 }
 
-/// Of inner disk k, J.
+/// Of inner disk k, J; 0 of one that goes with a wall.
 double kinetic_energy(const Sample& s, std::size_t k) {
+  if (wall_that_holds(s, s.record[k].grain) >= 0) return 0;
   const Motion v = motion_of(s, k);
   const DiskRecord& d = s.record[k];
   return 0.5 * d.mass * (v.vx * v.vx + v.vy * v.vy) + 0.5 * inertia(d) * v.omega * v.omega;
 }
 
-/// Force on inner disk k, its weight included, N.
+/// Force on inner disk k, its weight included, N; 0 on one that goes with a wall.
 double resultant_of(const Sample& s, std::size_t k) {
+  if (wall_that_holds(s, s.record[k].grain) >= 0) return 0;
   const Load load = contact_load(s.list, k);
   const double m = s.record[k].mass;
   return std::hypot(load.fx + m * s.gravity.x, load.fy + m * s.gravity.y);
@@ -126,6 +128,7 @@ Energies energies_of(const Sample& s) {
       e.kinetic += 0.5 * s.wall[side].mass * v * v;
     }
   e.adhesive = adhesive_energy(s);
+  e.elastic += rolling_energy(s);
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A&, const F& friction) {
     const ContactList& list = s.list;
     for (std::size_t p = 0; p < list.size(); ++p) {
@@ -179,6 +182,7 @@ bool is_gear(const Sample& s) { return s.integration.integrator == IntegratorKin
 }  // namespace
 
 Acceleration acceleration_of(const Sample& s, std::size_t k) {
+  if (wall_that_holds(s, s.record[k].grain) >= 0) return {0, 0, 0};
   const Load load = contact_load(s.list, k);
   const DiskRecord& d = s.record[k];
   const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);

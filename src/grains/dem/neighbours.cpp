@@ -19,15 +19,23 @@ void check_places(const Sample& s) {
       const auto& wall = s.domain.wall[static_cast<std::size_t>(side)];
       const double place = side < bottom ? d.x : d.y;
       const double inside = (side % 2 == 0) ? place - wall.position : wall.position - place;
-      if (wall.present && inside < 0) fault = " has left the frame through a wall";
+      if (wall.present && inside < 0) fault = " has left the container through a wall";
     }
     if (fault) {
       const auto id = s.start.grains.id[static_cast<std::size_t>(d.grain)];
       const std::string what = "grain " + std::to_string(id) + fault;
-      if (s.step == 0) throw InputError(what + " before the first step; correct its place, or the frame");
+      if (s.step == 0) throw InputError(what + " before the first step; correct its place, or the container");
       throw CannotGoOn(what + " at step " + std::to_string(s.step) + "; a smaller time step or a gentler load is needed");
     }
   }
+}
+
+/// Across the edges of a sheared cell a grain goes on with the velocity of the image that comes in there.
+void take_to_other_side(Sample& s, std::size_t k, double faster) {
+  const DiskRecord& d = s.record[k];
+  if (s.integration.track_energy) s.tally.work_walls += 0.5 * d.mass * faster * (2 * s.vx[k] + faster);
+  s.vx[k] += faster;
+  s.record[k].vx += faster;
 }
 
 /// A grain that crosses a periodic edge goes on at the opposite one; its own velocity is without the affine motion and does not change, the seen
@@ -35,6 +43,7 @@ void check_places(const Sample& s) {
 void wrap(Sample& s) {
   const auto& w = s.domain.wall;
   const double width = s.domain.width(), height = s.domain.height();
+  if (s.domain.periodic_x) s.domain.tilt -= std::round(s.domain.tilt / width) * width;
   const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
   for (std::size_t k = 0; k < s.count; ++k) {
     auto& d = s.record[k];
@@ -44,6 +53,7 @@ void wrap(Sample& s) {
       d.vy += my.at(y) - my.at(d.y);
       d.y = y;
       d.x -= n * s.domain.tilt;
+      if (n != 0 && s.shear_rate != 0) take_to_other_side(s, k, -n * s.shear_rate * height);
     }
     if (s.domain.periodic_x) {
       const double x = d.x - std::floor((d.x - w[left].position) / width) * width;
@@ -91,7 +101,7 @@ std::size_t find_slot(const ContactList& list, std::int32_t a, std::int32_t b) {
 /// wide, so no pair meets twice.
 void carry_over(Sample& s, const ContactList& before, const std::vector<std::int32_t>& was, const Team& team) {
   ContactList& list = s.list;
-  if (before.size() == 0 || (s.live_bonds.empty() && !remembers(s.laws))) return;
+  if (before.size() == 0 || (s.live_bonds.empty() && !remembers(s.laws) && s.list.rolling_memory.empty())) return;
   team.for_ranges(list.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       const std::int32_t a = was[static_cast<std::size_t>(list.i[p])];
@@ -100,6 +110,7 @@ void carry_over(Sample& s, const ContactList& before, const std::vector<std::int
       if (old == before.size()) continue;
       list.memory[p] = before.memory[old];
       if (!list.normal_memory.empty()) list.normal_memory[p] = before.normal_memory[old];
+      if (!list.rolling_memory.empty()) list.rolling_memory[p] = before.rolling_memory[old];
       list.bond[p] = before.bond[old];
     }
   });
@@ -111,6 +122,12 @@ void rebuild_list(Sample& s, const Team& team) {
   check_places(s);
   wrap(s);
   const std::vector<std::int32_t> was = sort_by_cell(s);
+  number_held(s);
+  for (std::size_t h = 0; h < s.held.size(); ++h) {
+    HeldGrain& held = s.held[h];
+    const DiskRecord& d = s.record[static_cast<std::size_t>(s.held_disk[h])];
+    (held.side < bottom ? held.y : held.x) = (held.side < bottom ? d.y : d.x) - s.wall[static_cast<std::size_t>(held.side)].slid;
+  }
   s.listed_x.resize(s.count);
   s.listed_y.resize(s.count);
   for (std::size_t k = 0; k < s.count; ++k) {
@@ -118,10 +135,40 @@ void rebuild_list(Sample& s, const Team& team) {
     s.listed_y[k] = s.record[k].y;
   }
   s.listed_domain = s.domain;
+  s.listed_sheared = s.sheared;
   ++s.builds;
   std::swap(s.list, s.former);
   list_contacts(s, team);
   carry_over(s, s.former, was, team);
+}
+
+void number_held(Sample& s) {
+  s.held_disk.assign(s.held.size(), 0);
+  if (s.held.empty()) return;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const auto at = std::lower_bound(s.held.begin(), s.held.end(), s.record[k].grain, [](const HeldGrain& h, std::int32_t g) { return h.grain < g; });
+    if (at != s.held.end() && at->grain == s.record[k].grain) s.held_disk[static_cast<std::size_t>(at - s.held.begin())] = static_cast<std::int32_t>(k);
+  }
+}
+
+void hold_grains(Sample& s) {
+  for (std::size_t h = 0; h < s.held.size(); ++h) {
+    const HeldGrain& held = s.held[h];
+    const auto side = static_cast<std::size_t>(held.side), k = static_cast<std::size_t>(s.held_disk[h]);
+    const WallBody& body = s.wall[side];
+    const Wall& wall = s.domain.wall[side];
+    DiskRecord& d = s.record[k];
+    const bool upright = held.side < bottom;
+    d.x = held.x + (upright ? wall.position : body.slid);
+    d.y = held.y + (upright ? body.slid : wall.position);
+    d.vx = upright ? wall.velocity : body.drive.slide;
+    d.vy = upright ? body.drive.slide : wall.velocity;
+    s.vx[k] = upright ? body.rate : body.drive.slide;
+    s.vy[k] = upright ? body.drive.slide : body.rate;
+    d.omega = s.omega[k] = s.ax[k] = s.ay[k] = s.alpha[k] = 0;
+    for (auto& higher : s.higher)
+      if (!higher.empty()) higher[k] = 0;
+  }
 }
 
 double list_leeway(const Sample& s) {
@@ -132,7 +179,7 @@ double list_leeway(const Sample& s) {
   }
   const CellFrame then = cell_frame(s.listed_domain), now = cell_frame(s.domain);
   return 0.5 * (s.skin - reach_of(s) * (std::abs(now.width / then.width - 1) * now.periodic_x +
-                                        std::abs(now.height / then.height - 1) * now.periodic_y));
+                                        std::abs(now.height / then.height - 1) * now.periodic_y + std::abs(s.sheared - s.listed_sheared)));
 }
 
 }  // namespace arenite::dem

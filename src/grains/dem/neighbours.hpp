@@ -12,6 +12,12 @@ void rebuild_list(Sample& sample, const Team& team = Team());
 /// Lists the pairs at the records' present order and places without sorting; what rebuild_list does at its end, and what a restored sample needs.
 void list_contacts(Sample& sample, const Team& team = Team());
 
+/// Finds the inner numbers of the grains that go with rough walls.
+void number_held(Sample& sample);
+
+/// Puts the grains that go with rough walls where these are, with their velocity.
+void hold_grains(Sample& sample);
+
 /// How far a disk may be from its place in the list, less the affine motion of the cell, before the list may miss a contact, m; 0 or less if the
 /// walls or the cell have moved too far for that.
 double list_leeway(const Sample& sample);

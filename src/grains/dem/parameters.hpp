@@ -17,7 +17,7 @@ enum class StiffnessRule { thesis, series };      ///< thesis: like pairs k, unl
 enum class WallStiffness { stiffest, grain, series };
 enum class Arms { contact_point, full_radius };
 enum class FrictionCap { raised_by_adhesion, as_printed }; ///< mu (F_n + |F_c|), or T (1.28) with F_c printed negative
-enum class Masses { own, even };                   ///< see dem/bounds.hpp
+enum class MassScaling { none, uniform };                   ///< see dem/bounds.hpp
 enum class IntegratorKind { velocity_verlet, leapfrog, gear5 };
 
 /// How fast a sample yields to a force on its sides, as a share of sqrt(F H/M): F the force, H the way to the other side, M the mass.
@@ -36,6 +36,7 @@ struct ContactParameters {
   std::optional<double> wall_friction;     ///< mu at walls; that of the grains unless given
   std::optional<double> sliding_viscosity; ///< gamma_s, N s/m; unless given, the alpha_n of the pair
   double tangential_stiffness_ratio = 0.8; ///< k_t/k_n of a friction law's spring
+  RollingLaw rolling = NoRolling{};
   Arms arms = Arms::contact_point;
   Adhesion adhesion = NoAdhesion{};
   double surface_energy = 0;               ///< gamma of the adhesion, N/m (T 1.22), between two glued grains
@@ -67,6 +68,8 @@ struct WallDrive {
   enum class Kind { fixed, velocity, force };
   Kind kind = Kind::fixed;
   double value = 0;  ///< m/s along +x or +y, or N pressing into the sample (compression positive)
+  double slide = 0;  ///< m/s of a wall along itself, along +y (left, right) or +x (bottom, top)
+  bool operator==(const WallDrive&) const = default;
 };
 using WallDrives = std::array<WallDrive, 4>;
 

@@ -17,9 +17,9 @@ std::string describe(const Equilibrium& now) {
   return now.falling > 0 ? text + fmt::format(", {:.2g} % of the grains fall", 100 * now.falling) : text;
 }
 
-bool is_at_rest(const Equilibrium& now, const RestCriterion& rest) {
-  return now.unbalanced_ratio < rest.unbalanced && now.kinetic_ratio < rest.kinetic && now.loose_kinetic < rest.loose_kinetic.value_or(1e5 * rest.kinetic) &&
-         now.falling <= rest.falling && (rest.mobilisation < 0 || now.mobilisation < rest.mobilisation);
+bool is_at_rest(const Equilibrium& now, const EquilibriumCriterion& wanted) {
+  return now.unbalanced_ratio < wanted.unbalanced && now.kinetic_ratio < wanted.kinetic && now.loose_kinetic < wanted.loose_kinetic.value_or(1e5 * wanted.kinetic) &&
+         now.falling <= wanted.falling && (wanted.mobilisation < 0 || now.mobilisation < wanted.mobilisation);
 }
 
 namespace {
@@ -42,7 +42,7 @@ void append(History& history, const char* name, const char* unit, double value) 
   it->values.push_back(value);
 }
 
-void sample(History& history, const Engine& engine, const Equilibrium& now, std::int64_t increment) {
+void sample(History& history, const Engine& engine, const Stage& stage, const Equilibrium& now, std::int64_t increment) {
   append(history, "time", "s", engine.time());
   append(history, "increment", "1", static_cast<double>(increment + 1));
   for (int side = 0; side < 4; ++side) {
@@ -51,6 +51,7 @@ void sample(History& history, const Engine& engine, const Equilibrium& now, std:
     append(history, fmt::format("{}_force", side_names[side]).c_str(), "N", wall.force);
     append(history, fmt::format("{}_shear_force", side_names[side]).c_str(), "N", wall.shear_force);
   }
+  if (stage.shear_rate != 0) append(history, "shear_strain", "1", engine.shear_strain());
   const Energies energies = engine.energies();
   for (const EnergyTerm& term : energy_terms) append(history, term.name, "J", energies.*term.value);
   append(history, "unbalanced_ratio", "1", now.unbalanced_ratio);
@@ -88,14 +89,14 @@ std::int64_t steps_of(const Stage& stage, const Engine& engine) {
 
 void continue_for_a_time(Engine& engine, const Stage& stage, StageRun& run) {
   const std::int64_t total = steps_of(stage, engine);
-  const std::int64_t frames = std::max<std::int64_t>(1, stage.frames);
+  const std::int64_t frames = std::max<std::int64_t>(1, stage.snapshots);
   const std::int64_t next_frame = total * static_cast<std::int64_t>(run.result.frames.size() + 1) / frames;
   engine.set_drives(drives_for(on_the_ramp(stage, run.force_at_start, 1), engine.domain()));
   const std::int64_t steps = std::min(check_interval, next_frame - run.steps_in_increment);
   engine.advance(steps);
   run.steps_in_increment += steps;
   const Equilibrium now = run.latest = engine.equilibrium();
-  if (run.checks++ % run.sample_every == 0) sample(run.result.history, engine, now, 0);
+  if (run.checks++ % run.sample_every == 0) sample(run.result.history, engine, stage, now, 0);
   thin(run);
   if (run.steps_in_increment < next_frame) return;
   const auto k = run.result.frames.size() + 1;
@@ -115,16 +116,16 @@ void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
 
   const Equilibrium now = run.latest = engine.equilibrium();
   const double wall_error = load_error(drives, engine.domain());
-  const bool at_rest = is_at_rest(now, stage.rest) && wall_error < 10 * stage.rest.unbalanced;
-  const bool given_up = !at_rest && run.steps_in_increment >= stage.rest.max_steps;
-  if (run.checks++ % run.sample_every == 0 || at_rest) sample(run.result.history, engine, now, run.increment);
+  const bool at_rest = is_at_rest(now, stage.equilibrium) && wall_error < 10 * stage.equilibrium.unbalanced;
+  const bool given_up = !at_rest && run.steps_in_increment >= stage.equilibrium.max_steps;
+  if (run.checks++ % run.sample_every == 0 || at_rest) sample(run.result.history, engine, stage, now, run.increment);
   thin(run);
   if (!at_rest && !given_up) return;
 
   store_frame(engine, now, increment.label, run.result);
   run.result.converged = run.result.converged && at_rest;
   if (given_up)
-    run.result.outcome = fmt::format("no equilibrium within {} steps{} (rest.max_steps): {}", run.steps_in_increment,
+    run.result.outcome = fmt::format("no equilibrium within {} steps{} (equilibrium.max_steps): {}", run.steps_in_increment,
                                      increments.size() > 1 ? " of " + increment.label : "", describe_pressed(now, drives, engine.domain()));
   run.steps_in_increment = 0;
   run.finished = given_up || ++run.increment == static_cast<std::int64_t>(increments.size());
@@ -134,13 +135,15 @@ void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
 }  // namespace
 
 StageRun begin_stage(Engine& engine, const Stage& stage) {
-  engine.set_gravity(stage.gravity ? Vec2{0, -standard_gravity} : Vec2{});
+  engine.set_gravity(stage.gravity ? stage.gravity_size * Vec2{std::sin(stage.gravity_angle), -std::cos(stage.gravity_angle)} : Vec2{});
   engine.set_friction(stage.friction);
-  if (stage.gravity && stage.masses == Masses::even) throw InputError("grains with even masses cannot weigh; leave gravity or masses out");
-  engine.set_masses(stage.masses);
+  if (stage.gravity && stage.mass_scaling == MassScaling::uniform) throw InputError("grains with scaled masses cannot weigh; leave gravity or mass_scaling out");
+  engine.set_mass_scaling(stage.mass_scaling);
   engine.set_inertial_number(stage.inertial_number);
   engine.set_drag(engine.integration().drag + stage.drag + stage.critical_drag * engine.critical_drag());
   engine.set_glue(stage.glue);
+  engine.set_rough(stage.rough);
+  engine.set_shear_rate(stage.shear_rate);
   StageRun run;
   run.result.name = stage.name;
   for (int side = 0; side < 4; ++side) run.force_at_start[side] = engine.domain().wall[side].force;
@@ -155,11 +158,11 @@ void continue_stage(Engine& engine, const Stage& stage, StageRun& run) {
 double share_done(const Stage& stage, const StageRun& run) {
   if (run.finished) return 1;
   if (stage.duration) {
-    const double frames = static_cast<double>(std::max<std::int64_t>(1, stage.frames));
+    const double frames = static_cast<double>(std::max<std::int64_t>(1, stage.snapshots));
     return std::min(1.0, static_cast<double>(run.result.frames.size()) / frames);
   }
   const double total = static_cast<double>(increments_of(stage, run.force_at_start).size());
-  const double within = std::clamp(std::log(run.latest.unbalanced_ratio) / std::log(stage.rest.unbalanced), 0.0, 0.95);
+  const double within = std::clamp(std::log(run.latest.unbalanced_ratio) / std::log(stage.equilibrium.unbalanced), 0.0, 0.95);
   return (static_cast<double>(run.increment) + within) / total;
 }
 
@@ -180,7 +183,7 @@ void add_half_cycle(std::vector<Increment>& increments, const Stage& stage, cons
                     const std::string& label) {
   for (std::int64_t k = 1; k <= cycles.increments; ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(cycles.increments);
-    Increment increment{stage.side, k == cycles.increments ? label : fmt::format("{}, {} of {}", label, k, cycles.increments)};
+    Increment increment{stage.side, stage.slide, k == cycles.increments ? label : fmt::format("{}, {} of {}", label, k, cycles.increments)};
     increment.side[side_index(cycles.side)] = {SideDrive::Kind::force, from + share * (to - from)};
     increments.push_back(std::move(increment));
   }
@@ -189,7 +192,7 @@ void add_half_cycle(std::vector<Increment>& increments, const Stage& stage, cons
 }  // namespace
 
 Increment on_the_ramp(const Stage& stage, const std::array<double, 4>& force_at_start, double share, std::string label) {
-  Increment increment{stage.side, std::move(label)};
+  Increment increment{stage.side, stage.slide, std::move(label)};
   for (int side = 0; side < 4; ++side) {
     auto& drive = increment.side[side];
     if (is_ramped(drive)) drive.value = force_at_start[side] + share * (drive.value - force_at_start[side]);
@@ -229,6 +232,7 @@ WallDrives drives_for(const Increment& increment, const Domain& domain) {
         drives[side] = {WallDrive::Kind::force, drive.value * loaded_length(domain, side) * domain.thickness};
         break;
     }
+    drives[side].slide = domain.wall[side].present ? increment.slide[side] : 0.0;
   }
   return drives;
 }

@@ -23,7 +23,7 @@ struct StageRun {
 };
 
 /// Whether grains rest by a stage's criterion; what the forces on the sides must reach besides is the stage's to judge.
-bool is_at_rest(const Equilibrium& now, const RestCriterion& rest);
+bool is_at_rest(const Equilibrium& now, const EquilibriumCriterion& rest);
 
 /// The numbers that this is judged by, in words.
 std::string describe(const Equilibrium& now);

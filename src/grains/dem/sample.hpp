@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -43,6 +44,7 @@ struct ContactList {
   std::vector<SlotForce> force;             ///< one more than slots: the last stays 0
   std::vector<double> memory;               ///< of the friction law
   std::vector<double> normal_memory;        ///< of the normal law; empty unless it remembers
+  std::vector<double> rolling_memory;       ///< of the rolling law, turned as the first of the caller's two grains turns; empty unless it remembers
   std::vector<std::uint8_t> bond;           ///< of glued pairs: see BondState
   /// Slots by disk, in groups of four that are filled up with the slot whose force stays 0, so that most disks have as many groups as their
   /// neighbours and the processor guesses the loops' ends right. Those where disk k is i, pairs before walls, are group[first[2k]] to group[first[2k
@@ -69,6 +71,14 @@ struct WallBody {
   double rate = 0;                 ///< integrated velocity (half a step behind under Verlet), m/s along +x or +y
   double acceleration = 0;
   std::array<double, 4> higher{};  ///< Gear's further derivatives
+  double slid = 0;                 ///< way along itself so far, m
+  bool rough = false;              ///< grains near it when it becomes rough go with it
+};
+
+/// A grain that goes with a rough wall: its centre in the wall's own coordinates, which start at `slid` along the wall and at its plane.
+struct HeldGrain {
+  std::int32_t grain = 0, side = 0;  ///< the caller's index
+  double x = 0, y = 0;               ///< m
 };
 
 /// Everything that decides the future, and the set-up that follows from it. Disks are kept in an inner order that follows the cells;
@@ -82,9 +92,10 @@ struct Sample {
   const Kernel* kernel = nullptr;  ///< the inner loops in use
   double dt = 0, dt_at_start = 0;  ///< the step, which other masses may shorten where the program chose it
   double friction = 0, wall_friction = 0, drag = 0;
-  Masses masses = Masses::own;
+  MassScaling mass_scaling = MassScaling::none;
   double inertial_number = default_inertial_number;  ///< of the servo, see walls.hpp
   Vec2 gravity;
+  double shear_rate = 0;           ///< of a cell that is periodic both ways, du_x/dy, 1/s (Lees and Edwards 1972)
   bool glue = true;
 
   Domain domain;
@@ -104,7 +115,10 @@ struct Sample {
   double skin = 0, largest_radius = 0;
   std::vector<double> listed_x, listed_y;        ///< where the disks were when the list was built
   Domain listed_domain;
+  double sheared = 0, listed_sheared = 0;        ///< shear strain by shear_rate so far, and when the list was built
   std::int64_t builds = 0;
+  std::vector<HeldGrain> held;     ///< sorted by grain
+  std::vector<std::int32_t> held_disk;           ///< their inner numbers; renewed with the list
   std::vector<std::uint64_t> live_bonds;         ///< sorted keys of bonds, where these break for good
 
   Energies tally;                  ///< dissipation and work so far
@@ -147,6 +161,12 @@ struct CellFrame {
 };
 inline CellFrame cell_frame(const Domain& d) {
   return {d.periodic_x, d.periodic_y, d.wall[left].position, d.wall[bottom].position, d.width(), d.height()};
+}
+
+/// The wall that a grain (caller's index) goes with; -1 for none.
+inline int wall_that_holds(const Sample& s, std::int32_t grain) {
+  const auto at = std::lower_bound(s.held.begin(), s.held.end(), grain, [](const HeldGrain& h, std::int32_t g) { return h.grain < g; });
+  return at != s.held.end() && at->grain == grain ? at->side : -1;
 }
 
 /// Centres of touching disks, or of disks in the list, are never farther apart, m.

@@ -10,8 +10,8 @@
 namespace arenite::dem {
 namespace {
 
-constexpr std::uint64_t mark = 0x33302d6d65642d61;  // "a-dem-03"; changes with what `transfer` lists
-constexpr std::uint64_t mark_shortened = 0x73302d6d65642d61;  // "a-dem-0s": the same behind a step that was shortened
+constexpr std::uint64_t mark = 0x34302d6d65642d61;  // "a-dem-04"; changes with what `transfer` lists
+constexpr std::uint64_t mark_shortened = 0x74302d6d65642d61;  // "a-dem-0t": the same behind a step that was shortened
 
 template <class Archive>
 void transfer(Archive& a, Wall& wall) {
@@ -27,6 +27,9 @@ void transfer(Archive& a, WallBody& body) {
                   &body.acceleration})
     a(*v);
   for (auto& v : body.higher) a(v);
+  std::uint8_t rough = body.rough;
+  a(body.drive.slide), a(body.slid), a(rough);
+  body.rough = rough != 0;
 }
 
 template <class Archive>
@@ -38,9 +41,9 @@ void transfer(Archive& a, Energies& e) {
 template <class Archive>
 void transfer(Archive& a, Sample& s) {
   std::uint8_t glue = s.glue, settled = s.settled, open = s.ledger.open;
-  auto masses = static_cast<std::int32_t>(s.masses);
+  auto masses = static_cast<std::int32_t>(s.mass_scaling);
   a(masses), a(s.inertial_number);
-  s.masses = static_cast<Masses>(masses);
+  s.mass_scaling = static_cast<MassScaling>(masses);
   a(s.step), a(s.lag), a(s.friction), a(s.wall_friction), a(s.drag), a(s.gravity.x), a(s.gravity.y), a(glue), a(settled), a(open);
   s.glue = glue != 0;
   s.settled = settled != 0;
@@ -48,7 +51,7 @@ void transfer(Archive& a, Sample& s) {
   for (auto& wall : s.domain.wall) transfer(a, wall);
   a(s.domain.tilt);
   for (auto& wall : s.listed_domain.wall) transfer(a, wall);
-  a(s.listed_domain.tilt), a(s.skin), a(s.builds);
+  a(s.listed_domain.tilt), a(s.skin), a(s.builds), a(s.shear_rate), a(s.sheared), a(s.listed_sheared), a(s.held);
   for (auto& body : s.wall) transfer(a, body);
   for (auto* v : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha, &s.listed_x, &s.listed_y}) a(*v);
   for (auto& v : s.higher) a(v);
@@ -69,6 +72,7 @@ template <class Archive>
 void transfer(Archive& a, ContactList& list) {
   for (auto* v : {&list.strength, &list.memory}) a(*v);
   if (!list.normal_memory.empty()) a(list.normal_memory);
+  if (!list.rolling_memory.empty()) a(list.rolling_memory);
   a(list.force);
   a(list.bond);
 }

@@ -45,7 +45,7 @@ void check_parameters(Problems& problems, const Packing& start, const ContactPar
 void check_packing(Problems& problems, const Packing& start) {
   const Domain& domain = start.domain;
   problems.unless(start.grains.size() > 0, "the packing has no grains");
-  problems.unless(positive(domain.width()) && positive(domain.height()), "the frame must have a width and a height above 0");
+  problems.unless(positive(domain.width()) && positive(domain.height()), "the container must have a width and a height above 0");
   problems.unless(positive(domain.thickness), "thickness {} m must be above 0", domain.thickness);
   for (const auto& m : start.materials) {
     problems.unless(positive(m.density), "density {} kg/m^3 of material \"{}\" must be above 0", m.density, m.name);
@@ -62,7 +62,7 @@ void check_packing(Problems& problems, const Packing& start) {
     const auto& w = domain.wall;
     const bool in_x = (!w[left].present || g.x[k] >= w[left].position) && (!w[right].present || g.x[k] <= w[right].position);
     const bool in_y = (!w[bottom].present || g.y[k] >= w[bottom].position) && (!w[top].present || g.y[k] <= w[top].position);
-    problems.unless(in_x && in_y, "the centre of grain {} is outside of the frame", g.id[k]);
+    problems.unless(in_x && in_y, "the centre of grain {} is outside of the container", g.id[k]);
   }
 }
 

@@ -3,6 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/threads.hpp"
+#include "grains/dem/engine.hpp"
 #include "grains/dem/sample.hpp"
 
 namespace arenite::dem {
@@ -31,5 +33,11 @@ std::vector<std::uint8_t> save_sample(const Sample& sample);
 
 /// Throws InputError if the bytes are not a state of this sample (cut short, other grains, other step); the sample is then as it was.
 void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes);
+
+/// What an engine is made of.
+struct Engine::Machine {
+  Sample sample;
+  Team team;
+};
 
 }  // namespace arenite::dem

@@ -13,14 +13,14 @@ namespace arenite::dem {
 inline constexpr double standard_gravity = 9.81;  ///< m/s^2
 
 /// When an increment counts as done.
-struct RestCriterion {
+struct EquilibriumCriterion {
   double unbalanced = 1e-4;            ///< unbalanced force ratio
   double kinetic = 1e-6;               ///< kinetic over elastic energy
   double falling = 1e-3;               ///< share of grains that may still fall
   std::optional<double> loose_kinetic; ///< kinetic energy of grains that carry nothing over elastic energy; unset: 1e5 kinetic
   double mobilisation = -1;            ///< mean |F_t|/F_n below this as well; < 0: not asked
   std::int64_t max_steps = 20'000'000; ///< of one increment; then the stage ends with exit status 3
-  bool operator==(const RestCriterion&) const = default;
+  bool operator==(const EquilibriumCriterion&) const = default;
 };
 
 /// What one side does in a stage. A force is reached from its present value in `increments` equal steps; a pressure acts in full at once.
@@ -43,25 +43,31 @@ struct Cycles {
 /// One stage of loading.
 struct Stage {
   std::string name;
-  bool gravity = false;                ///< 9.81 m/s^2 downwards
+  bool gravity = false;
+  double gravity_size = standard_gravity;  ///< m/s^2
+  double gravity_angle = 0;            ///< rad, by which it is turned from straight down, counter-clockwise
+  std::array<double, 4> slide{};       ///< m/s of each wall along itself, along +y or +x
+  std::array<bool, 4> rough{};         ///< walls that hold the grains nearest to them as the stage begins
+  double shear_rate = 0;               ///< 1/s, of a cell that is periodic both ways
   std::array<SideDrive, 4> side;       ///< in the order of model/packing.hpp
   std::int64_t increments = 1;
   std::optional<double> duration;      ///< s; for stages driven by velocity, which do not end at rest
   std::optional<Cycles> cycles;
-  RestCriterion rest;
+  EquilibriumCriterion equilibrium;
   std::optional<double> friction;      ///< mu during this stage only (e.g. 0 to densify)
   double drag = 0;                     ///< 1/s, during this stage only, on top of the integration's
   double critical_drag = 0;            ///< drag as a multiple of Engine::critical_drag; added to `drag`
-  Masses masses = Masses::own;
+  MassScaling mass_scaling = MassScaling::none;
   double inertial_number = default_inertial_number;
   bool glue = false;                   ///< adhesion acts from this stage on
-  std::int64_t frames = 1;             ///< states stored for stages with a duration; increments store one each
+  std::int64_t snapshots = 1;          ///< states stored for stages with a duration; increments store one each
   bool operator==(const Stage&) const = default;
 };
 
 /// One step of a stage's loading: what every side aims at when the increment is over.
 struct Increment {
   std::array<SideDrive, 4> side;
+  std::array<double, 4> slide{};
   std::string label;
 };
 

@@ -32,9 +32,9 @@ CutNormal law_of(const BidisperseParameters& p, double mean) {
 
 void add_class(const BidisperseParameters& p, double mean, FreeSpace& space, std::vector<Disk>& disks, RandomStream random) {
   space.open_store(2 * mean);
-  const PoissonDiskParameters step{law_of(p, mean), p.maximal ? (1 - p.cut * p.deviation) * mean : 0, p.trials};
-  if (p.hold_radius) fill_holding(space, disks, step, random);
-  else fill_redrawing(space, disks, step, random);
+  const CutNormal law = law_of(p, mean);
+  if (p.hold_radius) fill_holding(space, disks, law, random);
+  else fill_redrawing(space, disks, law, p.trials, p.maximal ? (1 - p.cut * p.deviation) * mean : 0, random);
 }
 
 double mean_radius(const std::vector<Disk>& disks, std::size_t from, std::size_t to) {
@@ -84,8 +84,7 @@ void check(const BidisperseParameters& p) {
   problems.raise();
 }
 
-TwoClasses sample_two_classes(const BidisperseParameters& p, const geometry::Box& box, double gap, std::uint64_t seed,
-                              std::uint64_t attempt) {
+TwoClasses sample_two_classes(const BidisperseParameters& p, const geometry::Box& box, double gap, std::uint64_t seed, std::uint64_t attempt) {
   TwoClasses classes;
   classes.gap = gap;
   FreeSpace space(box, gap);
@@ -118,13 +117,12 @@ BidisperseReport sample_bidisperse(Packing& packing, const BidisperseParameters&
   const double side = std::sqrt(p.box_area * pi) * p.large_radius;
   Domain domain = packing.domain;
   const geometry::Box box = set_box(domain, side);
-  auto [classes, samplings] = find_gap(p, box, seed);
+  TwoClasses classes = find_gap(p, box, seed);
 
   BidisperseReport report;
-  report.samplings = samplings;
+  report.samplings = classes.samplings;
   report.gap = classes.gap;
-  if (classes.volume_ratio() < p.volume_ratio * (1 - p.tolerance))
-    report.left_out = leave_out_small(classes, p.volume_ratio, seed);
+  if (classes.volume_ratio() < p.volume_ratio * (1 - p.tolerance)) report.left_out = leave_out_small(classes, p.volume_ratio, seed);
   report.large = classes.large;
   report.small = classes.disks.size() - classes.large;
   if (report.small < fewest_small) refuse_few_small(p, classes);

@@ -33,7 +33,7 @@ struct BidisperseReport {
   double solid_fraction = 0;         ///< of the whole box
   double mean_large = 0, mean_small = 0;  ///< radii, m
   std::size_t large = 0, small = 0;
-  std::size_t left_out = 0;          ///< small disks taken out again by lot, where every gap leaves too many
+  std::size_t left_out = 0;          ///< small disks removed again at random, where every gap leaves too many
   int samplings = 0;                 ///< of the whole box, until theta came out
 };
 

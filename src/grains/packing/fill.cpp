@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "geometry/close_pairs.hpp"
 
 namespace arenite::packing {
 namespace {
@@ -18,11 +20,149 @@ double disk_area(const Grains& grains) {
   return area;
 }
 
+/// Lengths are in units of the mean radius; stiffness and mass are 1.
+struct Relaxation {
+  Grains& grains;
+  const Domain& domain;
+  double unit, skin;
+  std::vector<geometry::Pair> pairs;
+  std::vector<Vec2> force, velocity, listed_at;
+  double largest_overlap = 0;
+
+  Relaxation(Grains& g, const Domain& d) : grains(g), domain(d) {
+    double sum = 0;
+    for (const double r : g.radius) sum += r;
+    unit = sum / static_cast<double>(g.size());
+    skin = 0.3 * unit;
+    force.resize(g.size());
+    velocity.assign(g.size(), Vec2{});
+    list_pairs();
+  }
+
+  void list_pairs() {
+    const geometry::Box box{domain.wall[left].position, domain.wall[bottom].position, domain.width(), domain.height(), domain.periodic_x, domain.periodic_y};
+    pairs = geometry::close_pairs(grains.x, grains.y, grains.radius, box, skin);
+    listed_at.resize(grains.size());
+    for (std::size_t i = 0; i < grains.size(); ++i) listed_at[i] = grains.centre(i);
+  }
+
+  bool list_is_stale() const {
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+      const Vec2 moved = grains.centre(i) - listed_at[i];
+      if (dot(moved, moved) > 0.25 * skin * skin) return true;
+    }
+    return false;
+  }
+
+  void add_pair_forces() {
+    for (const auto [i, j] : pairs) {
+      const Vec2 d = domain.nearest_image(grains.centre(i) - grains.centre(j));
+      const double reach = grains.radius[i] + grains.radius[j], distance2 = dot(d, d);
+      if (distance2 >= reach * reach) continue;
+      const double distance = std::sqrt(distance2), overlap = reach - distance;
+      // Two centres on one point have no direction; any fixed one parts them.
+      const Vec2 n = distance > 0 ? (1 / distance) * d : Vec2{1, 0};
+      force[i] += (overlap / unit) * n;
+      force[j] -= (overlap / unit) * n;
+      largest_overlap = std::max(largest_overlap, 2 * overlap / reach);
+    }
+  }
+
+  void add_wall_forces() {
+    for (int side = 0; side < 4; ++side) {
+      if (side < 2 ? domain.periodic_x : domain.periodic_y) continue;
+      const Vec2 n = inward_normal(side);
+      const double offset = domain.wall[side].position * (n.x + n.y);
+      for (std::size_t i = 0; i < grains.size(); ++i) {
+        const double overlap = grains.radius[i] - (dot(n, grains.centre(i)) - offset);
+        if (overlap <= 0) continue;
+        force[i] += (overlap / unit) * n;
+        largest_overlap = std::max(largest_overlap, overlap / grains.radius[i]);
+      }
+    }
+  }
+
+  void compute_forces() {
+    std::fill(force.begin(), force.end(), Vec2{});
+    largest_overlap = 0;
+    add_pair_forces();
+    add_wall_forces();
+  }
+
+  void move(double dt) {
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+      velocity[i] += dt * force[i];
+      grains.x[i] += unit * dt * velocity[i].x;
+      grains.y[i] += unit * dt * velocity[i].y;
+    }
+    if (list_is_stale()) {
+      wrap();
+      list_pairs();
+    }
+  }
+
+  void wrap() {
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+      if (domain.periodic_x) grains.x[i] -= domain.width() * std::floor((grains.x[i] - domain.wall[left].position) / domain.width());
+      if (domain.periodic_y) grains.y[i] -= domain.height() * std::floor((grains.y[i] - domain.wall[bottom].position) / domain.height());
+    }
+  }
+};
+
+/// The inertia of FIRE: faster while downhill, stopped when uphill.
+struct Inertia {
+  double dt = 0.1, mixing = 0.1;
+  int downhill_steps = 0;
+
+  void steer(std::vector<Vec2>& velocity, const std::vector<Vec2>& force) {
+    double power = 0, v2 = 0, f2 = 0;
+    for (std::size_t i = 0; i < velocity.size(); ++i) {
+      power += dot(velocity[i], force[i]);
+      v2 += dot(velocity[i], velocity[i]);
+      f2 += dot(force[i], force[i]);
+    }
+    if (power <= 0) {
+      std::fill(velocity.begin(), velocity.end(), Vec2{});
+      dt *= 0.5;
+      mixing = 0.1;
+      downhill_steps = 0;
+      return;
+    }
+    const double along = f2 > 0 ? mixing * std::sqrt(v2 / f2) : 0;
+    for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] = (1 - mixing) * velocity[i] + along * force[i];
+    if (++downhill_steps > 5) {
+      dt = std::min(1.1 * dt, 0.5);
+      mixing *= 0.99;
+    }
+  }
+};
+
 }  // namespace
 
-double height_for(const Grains& grains, double width, double solid_fraction) {
-  return disk_area(grains) / (solid_fraction * width);
+RelaxReport relax(Grains& grains, const Domain& domain, double tolerance, int max_iterations) {
+  RelaxReport report;
+  if (grains.size() == 0) return report;
+  std::vector<Vec2> start(grains.size());
+  for (std::size_t i = 0; i < grains.size(); ++i) start[i] = grains.centre(i);
+
+  Relaxation relaxation(grains, domain);
+  Inertia inertia;
+  relaxation.compute_forces();
+  report.overlap_before = relaxation.largest_overlap;
+  while (relaxation.largest_overlap > tolerance && report.iterations < max_iterations) {
+    inertia.steer(relaxation.velocity, relaxation.force);
+    relaxation.move(inertia.dt);
+    relaxation.compute_forces();
+    ++report.iterations;
+  }
+  relaxation.wrap();
+  report.overlap_after = relaxation.largest_overlap;
+  for (std::size_t i = 0; i < grains.size(); ++i)
+    report.largest_move = std::max(report.largest_move, norm(domain.nearest_image(grains.centre(i) - start[i])));
+  return report;
 }
+
+double height_for(const Grains& grains, double width, double solid_fraction) { return disk_area(grains) / (solid_fraction * width); }
 
 RelaxReport fill_at_random(Grains& grains, const Domain& domain, std::uint64_t seed) {
   for (std::size_t i = 0; i < grains.size(); ++i) {
@@ -34,7 +174,7 @@ RelaxReport fill_at_random(Grains& grains, const Domain& domain, std::uint64_t s
   constexpr double densest = 0.9069;  // equal disks in a triangular lattice
   const double asked = disk_area(grains) / domain.area();
   if (asked > densest)
-    throw InputError(fmt::format("the grains cover {:.3g} times the area of the frame and cannot fit; take fewer, or leave frame.height out with a packing.solid_fraction of 0.80 or less", asked));
+    throw InputError(fmt::format("the grains cover {:.3g} times the area of the container and cannot fit; take fewer, or leave container.height out with a packing.solid_fraction of 0.80 or less", asked));
   const auto report = relax(grains, domain);
   if (report.overlap_after > 0.01)
     throw InputError(fmt::format("a random filling at solid fraction {:.3f} jams with overlaps of {:.1f} % of the radii; "
@@ -51,7 +191,7 @@ double fill_lattice(Grains& grains, const Domain& domain) {
   const int full = static_cast<int>(room);
   const int shifted = room - full >= 0.5 ? full : full - 1;
   if (full < 1 || (shifted < 1 && grains.size() > 1))
-    throw InputError(fmt::format("the frame is {:g} m wide and holds no row of a lattice of {:g} m; widen frame.width", domain.width(), site));
+    throw InputError(fmt::format("the container is {:g} m wide and holds no row of a lattice of {:g} m; widen container.width", domain.width(), site));
   std::size_t i = 0;
   double y = domain.wall[bottom].position + site / 2;
   for (int row = 0; i < grains.size(); ++row, y += rise) {

@@ -52,27 +52,19 @@ Vec2 FreeSpace::place_beside(const Disk& disk, double radius, double angle) cons
   return p;
 }
 
-void FreeSpace::cover_walls(const Disk& disk, double radius, double distance, std::vector<Arc>& arcs) const {
-  const auto cover = [&](double room, double outward) {  // room: how far the centre may move towards the wall
-    if (room >= distance) return;
-    const double half = room <= -distance ? pi : std::acos(room / distance);
-    arcs.push_back({outward - half, outward + half});
-  };
-  if (!box_.periodic_x) {
-    cover(disk.centre.x - radius - box_.x0, pi);
-    cover(box_.x0 + box_.width - radius - disk.centre.x, 0);
-  }
-  if (!box_.periodic_y) {
-    cover(disk.centre.y - radius - box_.y0, -pi / 2);
-    cover(box_.y0 + box_.height - radius - disk.centre.y, pi / 2);
-  }
-}
-
 /// Arcs of the circle of centres round `disk` that other disks or walls forbid, sorted and merged, within [-pi, pi].
 std::vector<FreeSpace::Arc> FreeSpace::covered_arcs(const Disk& disk, double radius) const {
   const double distance = (disk.radius + radius + gap_) * (1 + stand_off);
   std::vector<Arc> arcs;
-  cover_walls(disk, radius, distance, arcs);
+  const auto cover = [&](bool walled, double room, double outward) {  // room: how far the centre may move towards the wall
+    if (!walled || room >= distance) return;
+    const double half = room <= -distance ? pi : std::acos(room / distance);
+    arcs.push_back({outward - half, outward + half});
+  };
+  cover(!box_.periodic_x, disk.centre.x - radius - box_.x0, pi);
+  cover(!box_.periodic_x, box_.x0 + box_.width - radius - disk.centre.x, 0);
+  cover(!box_.periodic_y, disk.centre.y - radius - box_.y0, -pi / 2);
+  cover(!box_.periodic_y, box_.y0 + box_.height - radius - disk.centre.y, pi / 2);
   for (const DiskCells& store : stores_)
     store.any_near(disk.centre, distance + radius + store.largest() + gap_, [&](const Disk& other) {
       const Vec2 d = other.centre - disk.centre;

@@ -86,7 +86,6 @@ class FreeSpace {
     double from, to;
   };
   std::vector<Arc> covered_arcs(const Disk& disk, double radius) const;
-  void cover_walls(const Disk& disk, double radius, double distance, std::vector<Arc>& arcs) const;
 
   geometry::Box box_;
   double gap_;

@@ -12,7 +12,7 @@ namespace {
 
 /// The search ends unfinished after as many samplings as hold so many disks together: a second or two of work.
 constexpr std::size_t most_disks = 200'000;
-constexpr int fewest_samplings = 8;
+constexpr std::size_t fewest_samplings = 8;
 /// What maximal samplings of disks with half their gap around them cover, and both classes together: only first guesses.
 constexpr double covered_with_gap = 0.62, covered = 0.78;
 constexpr double fewest_large = 10;
@@ -60,7 +60,14 @@ class Search {
   Search(const BidisperseParameters& p, const geometry::Box& box, std::uint64_t seed)
       : p_(p), box_(box), seed_(seed), widest_(widest_gap(p)) {}
 
-  GapSearch run() {
+  TwoClasses run() {
+    search();
+    best_.samplings = static_cast<int>(known_.size());
+    return std::move(best_);
+  }
+
+ private:
+  void search() {
     double near = guess(p_), far = near;
     // Steps from the guess, each twice as wide, until the ratio asked for lies between two gaps.
     if (excess_at(near) < 0) {
@@ -69,7 +76,7 @@ class Search {
         near = std::max(0.0, near - step);
         if (excess_at(near) > 0) break;
       }
-      if (known_.back().excess < 0) return std::move(result_);
+      if (known_.back().excess < 0) return;
     } else {
       for (double step = first_step(); !done(); step *= 2) {
         near = far;
@@ -78,28 +85,25 @@ class Search {
         if (far >= widest_ && !done()) refuse();
       }
     }
-    while (!done() && (result_.samplings < fewest_samplings || sampled_disks_ < most_disks)) excess_at(aim(known_, near, far));
-    return std::move(result_);
+    while (!done() && (known_.size() < fewest_samplings || sampled_disks_ < most_disks)) excess_at(aim(known_, near, far));
   }
 
- private:
   double first_step() const { return 0.1 * p_.large_radius; }
 
   double excess_at(double gap) {
     // Every attempt is another sampling, lest the search circles round a gap whose one sampling is off.
     TwoClasses sampled = sample_two_classes(p_, box_, gap, seed_, known_.size());
-    ++result_.samplings;
     sampled_disks_ += sampled.disks.size();
     constexpr double no_small_disks = 5;  // where ln would be infinite
     const double excess = std::min(no_small_disks, std::log(sampled.volume_ratio() / p_.volume_ratio));
-    if (known_.empty() || std::abs(excess) < std::abs(best_)) {
-      best_ = excess;
-      result_.best = std::move(sampled);
+    if (known_.empty() || std::abs(excess) < std::abs(least_)) {
+      least_ = excess;
+      best_ = std::move(sampled);
     }
     known_.push_back({gap, excess});
     return excess;
   }
-  bool done() const { return std::abs(best_) <= std::log1p(p_.tolerance); }
+  bool done() const { return std::abs(least_) <= std::log1p(p_.tolerance); }
 
   [[noreturn]] void refuse() const {
     throw InputError(fmt::format("the volume ratio theta of {:g} is out of reach: in this box even the widest gap between large "
@@ -110,14 +114,14 @@ class Search {
   const BidisperseParameters& p_;
   const geometry::Box& box_;
   std::uint64_t seed_;
-  double widest_, best_ = 0;
+  double widest_, least_ = 0;
   std::size_t sampled_disks_ = 0;
   std::vector<Known> known_;
-  GapSearch result_;
+  TwoClasses best_;
 };
 
 }  // namespace
 
-GapSearch find_gap(const BidisperseParameters& p, const geometry::Box& box, std::uint64_t seed) { return Search(p, box, seed).run(); }
+TwoClasses find_gap(const BidisperseParameters& p, const geometry::Box& box, std::uint64_t seed) { return Search(p, box, seed).run(); }
 
 }  // namespace arenite::packing

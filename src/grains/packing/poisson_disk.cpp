@@ -49,9 +49,9 @@ std::vector<std::size_t> all_of(const std::vector<Disk>& disks) {
   return indices;
 }
 
-bool try_beside(FreeSpace& space, std::vector<Disk>& disks, std::size_t k, const PoissonDiskParameters& p, RandomStream& random) {
-  for (int trial = 0; trial < p.trials; ++trial) {
-    const double radius = p.law.draw(random);
+bool try_beside(FreeSpace& space, std::vector<Disk>& disks, std::size_t k, const CutNormal& law, int trials, RandomStream& random) {
+  for (int trial = 0; trial < trials; ++trial) {
+    const double radius = law.draw(random);
     const Vec2 place = space.place_beside(disks[k], radius, random.uniform(0, 2 * std::numbers::pi));
     if (!space.fits({place, radius})) continue;
     add(space, disks, {place, radius});
@@ -82,31 +82,31 @@ bool fill_beside(FreeSpace& space, std::vector<Disk>& disks, std::size_t k, CutN
 
 }  // namespace
 
-void fill_redrawing(FreeSpace& space, std::vector<Disk>& disks, const PoissonDiskParameters& p, RandomStream& random) {
-  if (disks.empty() && !place_first(space, disks, p.law.draw(random), random)) return;
+void fill_redrawing(FreeSpace& space, std::vector<Disk>& disks, const CutNormal& law, int trials, double least, RandomStream& random) {
+  if (disks.empty() && !place_first(space, disks, law.draw(random), random)) return;
   std::vector<std::size_t> active = all_of(disks);
   while (!active.empty()) {
     const std::size_t pick = random.below(active.size());
-    if (try_beside(space, disks, active[pick], p, random)) {
+    if (try_beside(space, disks, active[pick], law, trials, random)) {
       active.push_back(disks.size() - 1);
     } else {
       active[pick] = active.back();
       active.pop_back();
     }
   }
-  for (std::size_t k = 0; p.least > 0 && k < disks.size(); ++k)
-    while (fill_beside(space, disks, k, p.law, p.least, random)) {}
+  for (std::size_t k = 0; least > 0 && k < disks.size(); ++k)
+    while (fill_beside(space, disks, k, law, least, random)) {}
 }
 
-double fill_holding(FreeSpace& space, std::vector<Disk>& disks, const PoissonDiskParameters& p, RandomStream& random) {
-  double radius = p.law.draw(random);
+double fill_holding(FreeSpace& space, std::vector<Disk>& disks, const CutNormal& law, RandomStream& random) {
+  double radius = law.draw(random);
   if (disks.empty()) {
     if (!place_first(space, disks, radius, random)) return radius;
-    radius = p.law.draw(random);
+    radius = law.draw(random);
   }
   std::vector<std::size_t> active = all_of(disks);
   // A radius that once did not fit beside a disk never will, nor will a larger one: room only shrinks.
-  std::vector<double> too_large(disks.size(), 2 * p.law.high);
+  std::vector<double> too_large(disks.size(), 2 * law.high);
   for (std::size_t tried = 0; tried < active.size();) {
     std::swap(active[tried], active[tried + random.below(active.size() - tried)]);
     const std::size_t k = active[tried];
@@ -115,13 +115,13 @@ double fill_holding(FreeSpace& space, std::vector<Disk>& disks, const PoissonDis
     if (const auto place = space.free_place_beside(disks[k], radius, random)) {
       add(space, disks, {*place, radius});
       active.push_back(disks.size() - 1);
-      too_large.push_back(2 * p.law.high);
-      radius = p.law.draw(random);
+      too_large.push_back(2 * law.high);
+      radius = law.draw(random);
       tried = 0;
       continue;
     }
     too_large[k] = radius;
-    if (radius > p.law.low) continue;
+    if (radius > law.low) continue;
     active[--tried] = active.back();
     active.pop_back();
   }

@@ -13,22 +13,6 @@
 namespace arenite::packing {
 namespace {
 
-double draw_diameter(const SizeLaw& law, std::int64_t k, RandomStream& random) {
-  switch (law.kind) {
-    case SizeLaw::Kind::fixed: return law.diameter;
-    case SizeLaw::Kind::uniform: return random.uniform(law.min, law.max);
-    case SizeLaw::Kind::list: return law.values[static_cast<std::size_t>(k) % law.values.size()];
-    case SizeLaw::Kind::normal: break;
-  }
-  // A cut far out in the tail would make rejection endless; the recipe's range check keeps the cut around the mean.
-  for (int attempt = 0; attempt < 100'000; ++attempt) {
-    const double d = law.mean + law.deviation * random.normal();
-    if (d >= law.min && d <= law.max) return d;
-  }
-  throw InputError(fmt::format("the cut {:g}-{:g} m of the normal size law holds almost none of its grains "
-                               "(mean {:g} m, deviation {:g} m); widen the cut", law.min, law.max, law.mean, law.deviation));
-}
-
 /// Grains of each population; shares by largest remainder, ties to the first.
 std::vector<std::int64_t> counts_of(const std::vector<Population>& populations, std::int64_t total) {
   std::vector<std::int64_t> counts(populations.size(), 0);
@@ -56,22 +40,26 @@ std::vector<std::int64_t> counts_of(const std::vector<Population>& populations, 
 
 std::int32_t material_index(const Materials& materials, const std::string& name) {
   const auto it = std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
-  if (it == materials.end())
-    throw InputError(fmt::format("population of unknown material \"{}\"; add [materials.{}]", name, name));
+  if (it == materials.end()) throw InputError(fmt::format("population of unknown material \"{}\"; add [materials.{}]", name, name));
   return static_cast<std::int32_t>(it - materials.begin());
+}
+
+bool lies_inside(Vec2 from_centre, const Region& region) {
+  if (region.shape == Region::Shape::circle) return dot(from_centre, from_centre) <= region.radius * region.radius;
+  return std::abs(from_centre.x) <= region.width / 2 && std::abs(from_centre.y) <= region.height / 2;
 }
 
 }  // namespace
 
-Grains draw_grains(const std::vector<Population>& populations, const Materials& materials, std::int64_t total,
-                   std::uint64_t seed) {
+Grains draw_grains(const std::vector<Population>& populations, const Materials& materials, std::int64_t total, std::uint64_t seed) {
   std::vector<std::pair<double, std::int32_t>> drawn;
   const auto counts = counts_of(populations, total);
   for (std::size_t p = 0; p < populations.size(); ++p) {
     const auto material = material_index(materials, populations[p].material);
     RandomStream random(seed, Purpose::radius, p);
-    for (std::int64_t k = 0; k < counts[p]; ++k)
-      drawn.emplace_back(draw_diameter(populations[p].size, k, random) / 2, material);
+    std::visit([&](const auto& law) {
+      for (std::int64_t k = 0; k < counts[p]; ++k) drawn.emplace_back(law.draw(k, random) / 2, material);
+    }, populations[p].size);
   }
   if (drawn.empty()) throw InputError("the populations hold no grains; give each a count, or ratios and packing.grains");
 
@@ -82,15 +70,6 @@ Grains draw_grains(const std::vector<Population>& populations, const Materials& 
   for (std::size_t i = 0; i < drawn.size(); ++i) std::tie(grains.radius[i], grains.material[i]) = drawn[i];
   return grains;
 }
-
-namespace {
-
-bool lies_inside(Vec2 from_centre, const Region& region) {
-  if (region.shape == Region::Shape::circle) return dot(from_centre, from_centre) <= region.radius * region.radius;
-  return std::abs(from_centre.x) <= region.width / 2 && std::abs(from_centre.y) <= region.height / 2;
-}
-
-}  // namespace
 
 std::int64_t mark_region(Grains& grains, const Domain& domain, const Region& region) {
   const Vec2 centre{domain.wall[left].position + region.x, domain.wall[bottom].position + region.y};

@@ -4,20 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "grains/packing/size_laws/size_laws.hpp"
 #include "model/packing.hpp"
 
 namespace arenite::packing {
-
-/// A size law of one population; diameters in m.
-struct SizeLaw {
-  enum class Kind { fixed, uniform, normal, list };
-  Kind kind = Kind::fixed;
-  double diameter = 0;                 ///< fixed
-  double min = 0, max = 0;             ///< uniform; cut of normal
-  double mean = 0, deviation = 0;      ///< normal
-  std::vector<double> values;          ///< list: taken in turn, from the start again when used up
-  bool operator==(const SizeLaw&) const = default;
-};
 
 /// Grains of one material and size law; a count, or a share by number of a total.
 struct Population {
@@ -31,14 +21,13 @@ struct Population {
 /// Grains of all populations, in random order, at rest at the origin: radius, material and id are set. Populations with a ratio share `total` less
 /// the counts, by largest remainder. Same seed: same grains.
 /// Throws InputError for an unknown material or a total that leaves no grain.
-Grains draw_grains(const std::vector<Population>& populations, const Materials& materials, std::int64_t total,
-                   std::uint64_t seed);
+Grains draw_grains(const std::vector<Population>& populations, const Materials& materials, std::int64_t total, std::uint64_t seed);
 
 /// A glued region: grains whose centre lies inside are in zone 1.
 struct Region {
   enum class Shape { circle, rectangle };
   Shape shape = Shape::circle;
-  double x = 0, y = 0;                 ///< centre, m from the frame's lower left corner
+  double x = 0, y = 0;                 ///< centre, m from the container's lower left corner
   double radius = 0;                   ///< circle
   double width = 0, height = 0;        ///< rectangle
   std::optional<std::int64_t> count;   ///< the nearest grains to (x, y), that many, instead of a shape

@@ -37,10 +37,7 @@ struct Partners {
 /// Mean over the considered grains of material m (any material for m < 0) of a value of each.
 template <class Value>
 Estimate grain_mean(const View& view, int m, Value value) {
-  Items items;
-  for (const std::size_t g : view.grains)
-    if (m < 0 || view.material(g) == m) items.push_back(g);
-  return mean(items, view.grain_block, value);
+  return mean(m < 0 ? view.grains : view.grains_of(m), view.grain_block, value);
 }
 
 /// Ratio of two sums over the considered grains.

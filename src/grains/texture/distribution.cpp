@@ -57,6 +57,14 @@ void relate(Distribution& d) {
   d.relation = {ratio, ratio * std::hypot(2 * sb / beta, (3 - 2 * a) * sa / product)};
 }
 
+/// The contacts of a set that push (sign = 1) or pull (sign = -1).
+Items of_sign(const View& view, const Items& items, double sign) {
+  Items kept;
+  for (const std::size_t c : items)
+    if (sign * view.pairs().fn[c] > 0) kept.push_back(c);
+  return kept;
+}
+
 }  // namespace
 
 PowerLaw weak_power_law(const std::vector<double>& sorted) {
@@ -74,8 +82,7 @@ PowerLaw weak_power_law(const std::vector<double>& sorted) {
   return law;
 }
 
-Distribution distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value,
-                          double mean_of_all, double scale) {
+Distribution distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value, double mean_of_all, double scale) {
   Distribution d;
   d.count = items.size();
   if (items.empty()) return d;
@@ -103,18 +110,6 @@ Distribution distribution(const Items& items, const std::vector<int>& block_of, 
   d.pdf_over_all = density(sorted);
   return d;
 }
-
-namespace {
-
-/// The contacts of a set that push (sign = 1) or pull (sign = -1).
-Items of_sign(const View& view, const Items& items, double sign) {
-  Items kept;
-  for (const std::size_t c : items)
-    if (sign * view.pairs().fn[c] > 0) kept.push_back(c);
-  return kept;
-}
-
-}  // namespace
 
 /// Normal forces between grains, pushing and pulling ones apart (T Fig. 1.6, 1.9).
 void measure_forces(const View& view, Texture& texture) {

@@ -1,5 +1,3 @@
-#include "grains/texture/gap_coordination.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -38,14 +38,8 @@ void measure_local_order(const View& view, Texture& texture) {
   texture.order.psi6 = mean(touching, view.grain_block, [&](std::size_t g) { return any.psi(g); });
 
   const Six like(view, [&](std::size_t i, std::size_t j) { return view.material(i) == view.material(j); });
-  for (const int m : view.materials()) {
-    Items items;
-    for (const std::size_t g : view.grains)
-      if (view.material(g) == m) items.push_back(g);
-    texture.order.ordered.emplace_back(view.material_name(m), mean(items, view.grain_block, [&](std::size_t g) {
-      return like.count[g] >= 5 && like.psi(g) > 0.9 ? 1.0 : 0.0;
-    }));
-  }
+  const auto ordered = [&](std::size_t g) { return like.count[g] >= 5 && like.psi(g) > 0.9 ? 1.0 : 0.0; };
+  for (const int m : view.materials()) texture.order.ordered.emplace_back(view.material_name(m), mean(view.grains_of(m), view.grain_block, ordered));
 }
 
 }  // namespace arenite::texture

@@ -6,7 +6,6 @@
 
 #include "core/error.hpp"
 #include "grains/texture/view.hpp"
-#include "grains/texture/texture.hpp"
 
 namespace arenite::texture {
 namespace {
@@ -43,8 +42,7 @@ void describe_sample(const View& view, Texture& texture) {
   texture.per_grain.rattler = view.rattler;
   if (!view.has_box)
     texture.notes.push_back("The box is not known, so solid fraction, REV and the stress of the assembly are left out and no border is cut off.");
-  if (!view.has_thickness)
-    texture.notes.push_back("The out-of-plane length is not known, so stresses in Pa are left out.");
+  if (!view.has_thickness) texture.notes.push_back("The out-of-plane length is not known, so stresses in Pa are left out.");
   if (!view.options.load_axis && texture.considered_contacts > 0)
     texture.notes.push_back("The direction of the load is not given: signed anisotropies refer to the sample's own axis of greatest compression, "
                             "about which even chance has a positive sign.");
@@ -80,18 +78,13 @@ Texture measure(const Packing& packing, const Options& options) {
 }
 
 void forget_forces(Texture& t) {
-  const auto by_strength = [](const auto& named) {
-    const std::string& name = named.first;
-    return name.ends_with("strong") || name.ends_with("weak");
-  };
-  t.fabric.erase(std::remove_if(t.fabric.begin(), t.fabric.end(), by_strength), t.fabric.end());
+  const auto by_strength = [](const auto& named) { return named.first.ends_with("strong") || named.first.ends_with("weak"); };
+  std::erase_if(t.fabric, by_strength);
   for (auto& [name, set] : t.fabric) {
     set.a_n = set.theta_n_deg = set.a_t = set.a_c_signed = {};
     set.sector_force.assign(set.sector_force.size(), 0);
   }
-  const auto rattling = [](const auto& named) { return named.first == "all without rattlers"; };
-  auto& mean = t.coordination.mean;
-  mean.erase(std::remove_if(mean.begin(), mean.end(), rattling), mean.end());
+  std::erase_if(t.coordination.mean, [](const auto& named) { return named.first == "all without rattlers"; });
   t.coordination.rattlers = {};
   t.load_axis_deg = unknown;
   t.threshold = {};

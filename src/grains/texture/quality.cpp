@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "grains/texture/view.hpp"
-#include "grains/texture/texture.hpp"
 
 namespace arenite::texture {
 namespace {

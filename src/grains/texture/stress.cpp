@@ -1,9 +1,7 @@
-#include "grains/texture/texture.hpp"
+#include "grains/texture/view.hpp"
 
 #include <cmath>
 #include <numbers>
-
-#include "grains/texture/view.hpp"
 
 namespace arenite::texture {
 namespace {
@@ -71,6 +69,13 @@ void split_by_strength(const View& view, Stress& stress) {
   stress.strong_deviator_share = r[1];
 }
 
+/// What a laboratory could not measure is NaN, and no part of the mean.
+void take_measured(const View& view, PerGrain& rows) {
+  rows.sigma_hyd = view.options.grain_sigma_hyd;
+  const double mean = mean_of_known(view.grains, rows.sigma_hyd);
+  for (const double value : rows.sigma_hyd) rows.sigma_norm.push_back(mean != 0 ? value / mean : 0);
+}
+
 }  // namespace
 
 Tensor2 internal_moment(const Contacts& contacts) {
@@ -128,17 +133,6 @@ void measure_stress(const View& view, Texture& texture) {
   const double axis = 0.5 * std::atan2(-shear, -difference) * 180 / std::numbers::pi;
   stress.axis_deg = axis < 0 ? axis + 180 : axis;
 }
-
-namespace {
-
-/// What a laboratory could not measure is NaN, and no part of the mean.
-void take_measured(const View& view, PerGrain& rows) {
-  rows.sigma_hyd = view.options.grain_sigma_hyd;
-  const double mean = mean_of_known(view.grains, rows.sigma_hyd);
-  for (const double value : rows.sigma_hyd) rows.sigma_norm.push_back(mean != 0 ? value / mean : 0);
-}
-
-}  // namespace
 
 /// Stress of every grain over its own volume (T eq. 1.11). The normalised stress needs no length, since it cancels.
 void measure_grain_stress(const View& view, Texture& texture) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/rectangle.hpp"
 #include "model/packing.hpp"
 #include "statistics/estimate.hpp"
 #include "statistics/numbers.hpp"
@@ -20,21 +21,21 @@ using statistics::TensorEstimate;
 using statistics::find;
 using statistics::unknown;
 
-/// Choices that the definitions leave open (science: T 1.2, 3.2.4, 4.3.1).
 /// What can make contacts pull.
 enum class Pull { measured, adhesion, dashpots };
 
+/// Choices that the definitions leave open (science: T 1.2, 3.2.4, 4.3.1).
 struct Options {
   double border = 2.5;                 ///< strip left out along each wall, in mean diameters (T 3.2.4)
-  std::optional<double> load_axis;     ///< direction of the load for signed anisotropies, rad from x; unset: the direction
+  std::optional<double> load_axis = {};  ///< direction of the load for signed anisotropies, rad from x; unset: the direction
                                        ///< of greatest compression of the sample's own stress
   int rattler_contacts = 2;            ///< a grain with fewer force-bearing contacts than this is a rattler
-  Vec2 gravity;                        ///< m/s^2; for the balance of grains and walls only
+  Vec2 gravity = {};                   ///< m/s^2; for the balance of grains and walls only
   std::uint64_t seed = 1;              ///< of the places of windows
   int rev_sizes = 20, rev_places = 50; ///< windows of the REV study
   int sectors = 18;                    ///< of directions, over half a turn
   Pull pull = Pull::measured;           ///< where a simulation tells; of measured forces pulls are errors unless there is cohesion
-  std::vector<double> grain_sigma_hyd; ///< stress of every grain as a laboratory measured it, Pa; empty: that of its contacts
+  std::vector<double> grain_sigma_hyd = {}; ///< stress of every grain as a laboratory measured it, Pa; empty: that of its contacts
 };
 
 /// Where the statistics are taken: the box without the border, or all grains where there is no box.
@@ -214,5 +215,22 @@ double mass_of(const Packing& packing, std::size_t grain);
 /// What the internal moment must be at rest by the forces on walls and by weight: sum over wall contacts of f (x) x_c plus sum over grains of m g (x)
 /// x.
 Tensor2 wall_moment(const Packing& packing, Vec2 gravity);
+
+/// Mean numbers of neighbours a grain of two classes, large and small, where neighbours are grains whose surfaces are no farther apart than a given
+/// gap (P eqs. 8, 9 and Fig. 5; there the gap is the peridynamic horizon). Errors by leaving out blocks (statistics/jackknife.hpp); NaN where a class
+/// has no grains in the window.
+struct GapCoordination {
+  std::size_t large = 0, small = 0;    ///< grains in the window
+  Estimate ll, ls;         ///< large and small neighbours of a large grain
+  Estimate sl, ss;         ///< large and small neighbours of a small grain
+  Estimate l, s;           ///< Z_l = Z_ll + Z_ls, Z_s = Z_sl + Z_ss
+  Estimate mean;           ///< Z = (Z_l + Z_s)/2
+};
+
+/// Classes are two materials by index; grains of other materials count neither as grains nor as neighbours. Counted are grains whose centre lies in
+/// the window (unset: the whole box), while neighbours may lie anywhere, in periodic images too. `gap` in m, 0 or more; grains that overlap are
+/// neighbours.
+/// Throws InputError for a negative gap or one material for both.
+GapCoordination gap_coordination(const Packing& packing, double gap, int large = 0, int small = 1, const std::optional<geometry::Rectangle>& window = {});
 
 }  // namespace arenite::texture

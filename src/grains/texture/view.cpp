@@ -10,17 +10,10 @@ namespace arenite::texture {
 namespace {
 
 Window inner_window(const Domain& d, double border, bool has_box) {
-  Window w;
-  if (!has_box) return w;
-  w.known = true;
+  if (!has_box) return {};
   const double bx = d.periodic_x ? 0 : border, by = d.periodic_y ? 0 : border;
   const geometry::Rectangle box = box_of(d);
-  w.x_min = box.x_min + bx;
-  w.x_max = box.x_max - bx;
-  w.y_min = box.y_min + by;
-  w.y_max = box.y_max - by;
-  w.border = std::max(bx, by);
-  return w;
+  return {true, box.x_min + bx, box.x_max - bx, box.y_min + by, box.y_max - by, std::max(bx, by)};
 }
 
 /// Grains that carry nothing: those with fewer force-bearing contacts than asked, found by taking them away again and again, since a grain that leans
@@ -80,41 +73,28 @@ double compression_axis(const Packing& packing) {
   return axis < 0 ? axis + std::numbers::pi : axis;
 }
 
-std::string zone_name(int zone) { return zone == 0 ? "dry" : zone == 1 ? "glued" : "zone " + std::to_string(zone); }
-
-std::vector<int> zones_of(const View& view) {
-  std::set<int> zones;
-  for (const std::size_t g : view.grains) zones.insert(view.packing.grains.zone[g]);
-  if (zones.size() == 1 && *zones.begin() == 0) zones.clear();
-  return {zones.begin(), zones.end()};
+/// The kinds that some grains are of, in rising order.
+template <class Kinds>
+std::vector<int> present(const Items& grains, const Kinds& kind) {
+  std::set<int> found;
+  for (const std::size_t g : grains) found.insert(kind[g]);
+  return {found.begin(), found.end()};
 }
 
-template <class Label>
-Items contacts_between(const View& view, int a, int b, Label label) {
-  Items items;
-  for (const std::size_t c : view.contacts) {
-    const int i = label(static_cast<std::size_t>(view.pairs().i[c])), j = label(static_cast<std::size_t>(view.pairs().j[c]));
-    if ((i == a && j == b) || (i == b && j == a)) items.push_back(c);
-  }
-  return items;
-}
+/// A way to tell grains apart: the kind of every grain, and the kinds of considered grains with their names.
+struct Sorting {
+  std::vector<int> kind, kinds;
+  std::vector<std::string> names;
+};
 
-template <class Label, class Name>
-void add_pairs(const View& view, const std::vector<int>& kinds, Label label, Name name, ByName<Items>& sets) {
-  for (std::size_t a = 0; a < kinds.size(); ++a)
-    for (std::size_t b = a; b < kinds.size(); ++b)
-      if (Items items = contacts_between(view, kinds[a], kinds[b], label); !items.empty())
-        sets.emplace_back(name(kinds[a]) + "-" + name(kinds[b]), std::move(items));
-}
-
-template <class Label, class Name>
-void add_kinds(const View& view, const std::vector<int>& kinds, Label label, Name name, ByName<Items>& sets) {
-  for (const int kind : kinds) {
-    Items items;
-    for (const std::size_t g : view.grains)
-      if (label(g) == kind) items.push_back(g);
-    sets.emplace_back(name(kind), std::move(items));
-  }
+/// By material and, where there are zones, by zone.
+std::vector<Sorting> sortings(const View& view) {
+  const Grains& g = view.packing.grains;
+  Sorting material{{g.material.begin(), g.material.end()}, view.materials(), {}}, zone{{g.zone.begin(), g.zone.end()}, present(view.grains, g.zone), {}};
+  for (const int m : material.kinds) material.names.push_back(view.material_name(m));
+  if (zone.kinds == std::vector{0}) return {material};
+  for (const int z : zone.kinds) zone.names.push_back(z == 0 ? "dry" : z == 1 ? "glued" : "zone " + std::to_string(z));
+  return {material, zone};
 }
 
 }  // namespace
@@ -220,44 +200,38 @@ std::string View::material_name(int m) const {
   return index < packing.materials.size() ? packing.materials[index].name : "material " + std::to_string(m);
 }
 
-std::vector<int> View::materials() const {
-  std::set<int> present;
-  for (const std::size_t g : grains) present.insert(material(g));
-  return {present.begin(), present.end()};
+std::vector<int> View::materials() const { return present(grains, packing.grains.material); }
+
+Items View::grains_of(int m) const {
+  Items found;
+  for (const std::size_t g : grains)
+    if (material(g) == m) found.push_back(g);
+  return found;
 }
 
 ByName<Items> contacts_by_type(const View& view) {
   ByName<Items> sets;
-  add_pairs(view, view.materials(), [&](std::size_t g) { return view.material(g); },
-            [&](int m) { return view.material_name(m); }, sets);
-  add_pairs(view, zones_of(view), [&](std::size_t g) { return int{view.packing.grains.zone[g]}; }, zone_name, sets);
+  for (const Sorting& by : sortings(view))
+    for (std::size_t a = 0; a < by.kinds.size(); ++a)
+      for (std::size_t b = a; b < by.kinds.size(); ++b) {
+        Items items;
+        for (const std::size_t c : view.contacts) {
+          const int i = by.kind[static_cast<std::size_t>(view.pairs().i[c])], j = by.kind[static_cast<std::size_t>(view.pairs().j[c])];
+          if (std::min(i, j) == by.kinds[a] && std::max(i, j) == by.kinds[b]) items.push_back(c);
+        }
+        if (!items.empty()) sets.emplace_back(by.names[a] + "-" + by.names[b], std::move(items));
+      }
   return sets;
 }
 
 ByName<Items> grains_by_type(const View& view) {
   ByName<Items> sets{{"all", view.grains}};
-  add_kinds(view, view.materials(), [&](std::size_t g) { return view.material(g); },
-            [&](int m) { return view.material_name(m); }, sets);
-  add_kinds(view, zones_of(view), [&](std::size_t g) { return int{view.packing.grains.zone[g]}; }, zone_name, sets);
+  for (const Sorting& by : sortings(view))
+    for (std::size_t k = 0; k < by.kinds.size(); ++k) {
+      Items& items = sets.emplace_back(by.names[k], Items{}).second;
+      std::copy_if(view.grains.begin(), view.grains.end(), std::back_inserter(items), [&](std::size_t g) { return by.kind[g] == by.kinds[k]; });
+    }
   return sets;
-}
-
-int BlockGrid::block_of(Vec2 p) const {
-  const auto along = [&](double x, double low, double width) {
-    const double share = width > 0 ? (x - low) / width : 0;
-    return static_cast<int>(std::clamp(std::floor(share * per_side), 0.0, per_side - 1.0));
-  };
-  return along(p.y, bounds.y_min, bounds.height()) * per_side + along(p.x, bounds.x_min, bounds.width());
-}
-
-geometry::Rectangle BlockGrid::block(int b) const {
-  const double w = bounds.width() / per_side, h = bounds.height() / per_side;
-  const int column = b % per_side, row = b / per_side;
-  return {bounds.x_min + column * w, bounds.x_min + (column + 1) * w, bounds.y_min + row * h, bounds.y_min + (row + 1) * h};
-}
-
-int blocks_per_side(std::size_t grains) {
-  return std::clamp(static_cast<int>(std::sqrt(static_cast<double>(grains) / 12)), 1, 6);
 }
 
 }  // namespace arenite::texture

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -23,12 +25,23 @@ struct BlockGrid {
   int per_side = 1;
 
   int count() const { return per_side * per_side; }
-  int block_of(Vec2 p) const;                  ///< points outside belong to the nearest block
-  geometry::Rectangle block(int b) const;
+  /// Points outside belong to the nearest block.
+  int block_of(Vec2 p) const {
+    const auto along = [&](double x, double low, double width) {
+      const double share = width > 0 ? (x - low) / width : 0;
+      return static_cast<int>(std::clamp(std::floor(share * per_side), 0.0, per_side - 1.0));
+    };
+    return along(p.y, bounds.y_min, bounds.height()) * per_side + along(p.x, bounds.x_min, bounds.width());
+  }
+  geometry::Rectangle block(int b) const {
+    const double w = bounds.width() / per_side, h = bounds.height() / per_side;
+    const int column = b % per_side, row = b / per_side;
+    return {bounds.x_min + column * w, bounds.x_min + (column + 1) * w, bounds.y_min + row * h, bounds.y_min + (row + 1) * h};
+  }
 };
 
 /// Blocks of about a dozen grains or more, 6 x 6 at most; 1 for a sample too small to be cut.
-int blocks_per_side(std::size_t grains);
+inline int blocks_per_side(std::size_t grains) { return std::clamp(static_cast<int>(std::sqrt(static_cast<double>(grains) / 12)), 1, 6); }
 
 /// What the statistics share: which grains and contacts count, in which block each lies, and the mean force. Contacts with walls count for stress and
 /// balance, never for coordination, fabric or force statistics.
@@ -55,6 +68,7 @@ struct View {
   int material(std::size_t grain) const { return packing.grains.material[grain]; }
   std::string material_name(int m) const;
   std::vector<int> materials() const;  ///< those of considered grains, in rising order
+  Items grains_of(int m) const;        ///< considered ones of material m
 };
 
 /// Named sets of considered contacts by material pair ("POM-HDPE", in the order of materials) and, where there are zones, by zone pair ("dry-glued");
@@ -82,11 +96,9 @@ PowerLaw weak_power_law(const std::vector<double>& sorted);
 
 /// Statistics of `value` over the items, each over their mean. `mean_of_all` is the mean of the set that this one is part of. `scale` turns the mean
 /// into its unit, NaN where that cannot be known.
-Distribution distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value,
-                          double mean_of_all, double scale = 1);
+Distribution distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value, double mean_of_all, double scale = 1);
 
-// One function a statistic. Each fills its own part of the texture; what it cannot compute it
-// leaves unknown, with a note that says why.
+// One function a statistic. Each fills its own part of the texture; what it cannot compute it leaves unknown, with a note that says why.
 void measure_grain_stress(const View& view, Texture& texture);
 void measure_solid_fraction(const View& view, Texture& texture);
 void measure_rev(const View& view, Texture& texture);

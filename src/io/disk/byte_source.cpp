@@ -4,11 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <cstring>
-
-#include "core/error.hpp"
 
 namespace arenite::io {
 namespace {

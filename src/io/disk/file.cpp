@@ -10,10 +10,7 @@
 #include <cstring>
 #include <fstream>
 #include <sstream>
-#include <string>
-#include <utility>
 
-#include "core/error.hpp"
 #include "io/disk/refuse.hpp"
 
 namespace arenite::io {
@@ -64,84 +61,54 @@ bool is_still(int descriptor, const fs::path& name) {
 
 }  // namespace
 
-/// The file beside the target, open and locked; removed again unless it was renamed.
-class AtomicFile::Beside {
- public:
-  explicit Beside(const fs::path& target) : target_(target), name_(target.parent_path() / ("." + target.filename().string() + ".tmp")) {
-    while (!open_locked()) {
-    }
-    if (::ftruncate(descriptor_, 0) != 0) fail();
-  }
-  Beside(const Beside&) = delete;
-  Beside& operator=(const Beside&) = delete;
-  ~Beside() {
-    if (!renamed_) ::unlink(name_.c_str());
-    ::close(descriptor_);
-  }
-
-  void write(std::string_view bytes) {
-    if (const int error = write_all(descriptor_, bytes)) refuse(target_, error);
-  }
-
-  void overwrite(std::uint64_t offset, std::string_view bytes) {
-    while (!bytes.empty()) {
-      const ssize_t n = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-      if (n < 0 && errno == EINTR) continue;
-      if (n < 0) fail();
-      bytes.remove_prefix(static_cast<std::size_t>(n));
-      offset += static_cast<std::uint64_t>(n);
-    }
-  }
-
-  const fs::path& name() const { return name_; }
-
-  void rename_to_target() {
-    if (::fsync(descriptor_) != 0) fail();
-    if (::rename(name_.c_str(), target_.c_str()) != 0) fail();
-    renamed_ = true;
-    flush_folder();
-  }
-
- private:
-  /// False if another process renamed the file away while we waited for its lock: then ours is the other's result.
-  bool open_locked() {
-    descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) refuse(target_, errno);
-    lock(descriptor_, LOCK_EX);
-    if (is_still(descriptor_, name_)) return true;
-    ::close(descriptor_);
-    return false;
-  }
-
-  /// The rename itself must survive a power cut; some file systems cannot flush a folder, which is no fault of the file.
-  void flush_folder() const {
-    const int folder = ::open(target_.has_parent_path() ? target_.parent_path().c_str() : ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folder < 0) return;
-    ::fsync(folder);
-    ::close(folder);
-  }
-
-  [[noreturn]] void fail() const { refuse(target_, errno); }
-
-  fs::path target_, name_;
-  int descriptor_ = -1;
-  bool renamed_ = false;
-};
-
-AtomicFile::AtomicFile(const fs::path& path) {
-  const fs::path target = behind_link(path);
+AtomicFile::AtomicFile(const fs::path& path) : target_(behind_link(path)), beside_(target_.parent_path() / ("." + target_.filename().string() + ".tmp")) {
   std::error_code error;
-  const auto status = fs::status(target, error);
+  const auto status = fs::status(target_, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
     io::refuse(path.string(), "cannot be written: it is {}; give the name of a file", fs::is_directory(status) ? "a folder" : "not a regular file");
-  beside_ = std::make_unique<Beside>(target);
+  while (!open_locked()) {
+  }
+  if (::ftruncate(descriptor_, 0) != 0) refuse(target_, errno);
 }
 
-AtomicFile::~AtomicFile() = default;
-void AtomicFile::write(std::string_view bytes) { beside_->write(bytes); }
-void AtomicFile::overwrite(std::uint64_t offset, std::string_view bytes) { beside_->overwrite(offset, bytes); }
-void AtomicFile::commit() { beside_->rename_to_target(); }
-const fs::path& AtomicFile::beside() const { return beside_->name(); }
+AtomicFile::~AtomicFile() {
+  if (!renamed_) ::unlink(beside_.c_str());
+  ::close(descriptor_);
+}
+
+/// False if another process renamed the file away while we waited for its lock: then ours is the other's result.
+bool AtomicFile::open_locked() {
+  descriptor_ = ::open(beside_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) refuse(target_, errno);
+  lock(descriptor_, LOCK_EX);
+  if (is_still(descriptor_, beside_)) return true;
+  ::close(descriptor_);
+  return false;
+}
+
+void AtomicFile::write(std::string_view bytes) {
+  if (const int error = write_all(descriptor_, bytes)) refuse(target_, error);
+}
+
+void AtomicFile::overwrite(std::uint64_t offset, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) refuse(target_, errno);
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+    offset += static_cast<std::uint64_t>(n);
+  }
+}
+
+void AtomicFile::commit() {
+  if (::fsync(descriptor_) != 0 || ::rename(beside_.c_str(), target_.c_str()) != 0) refuse(target_, errno);
+  renamed_ = true;
+  // The rename itself must survive a power cut; some file systems cannot flush a folder, which is no fault of the file.
+  const int folder = ::open(target_.has_parent_path() ? target_.parent_path().c_str() : ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return;
+  ::fsync(folder);
+  ::close(folder);
+}
 
 void write_atomically(const fs::path& path, std::string_view bytes) {
   AtomicFile file(path);

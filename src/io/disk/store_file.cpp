@@ -11,9 +11,7 @@
 #include <cstring>
 #include <fstream>
 #include <utility>
-#include <vector>
 
-#include "core/error.hpp"
 #include "core/hash.hpp"
 #include "io/disk/file.hpp"
 #include "io/disk/refuse.hpp"
@@ -23,10 +21,6 @@ namespace arenite::io {
 namespace {
 
 constexpr std::string_view hdf5_signature{"\x89HDF\r\n\x1a\n", 8};
-
-std::string seal_text(std::string_view kind, int format, std::size_t length, std::string_view hash) {
-  return fmt::format("arenite {} format {}\nHDF5 from byte {} on\nbytes {}\nxxh3 {}\n", kind, format, seal_size, length, hash);
-}
 
 /// What follows `label` up to the end of its line; empty if the label is not there.
 std::string_view after(std::string_view text, std::string_view label) {
@@ -44,17 +38,9 @@ std::string own_name() {
   return fmt::format("{:020}-{}-{}.log", std::chrono::duration_cast<std::chrono::nanoseconds>(now).count(), host.data(), ::getpid());
 }
 
-}  // namespace
-
-void seal(std::string& bytes, std::string_view kind) {
-  const auto rest = std::string_view(bytes).substr(seal_size);
-  std::string text = seal_text(kind, file_format, bytes.size(), content_hash(rest));
-  text.resize(seal_size, '\0');
-  bytes.replace(0, seal_size, text);
-}
-
+/// Throws unless `bytes` are one whole file of that kind.
 void check_seal(std::string_view bytes, std::string_view kind, const std::filesystem::path& path) {
-  const auto refuse = [&path](std::string message) { throw InputError(path.string(), 0, std::move(message)); };
+  const auto refuse = [&path](const std::string& message) { io::refuse(path.string(), "{}", message); };
   const auto damaged = [&path](std::string message) { throw DamagedFile(path.string(), 0, std::move(message)); };
   if (bytes.empty()) damaged(fmt::format("is empty; a {} of Arenite is written by \"arenite run\"", kind));
   const auto head = bytes.substr(0, seal_size);
@@ -75,8 +61,13 @@ void check_seal(std::string_view bytes, std::string_view kind, const std::filesy
     damaged("was changed or damaged after it was written (its checksum differs); remove it and make it again with \"arenite run\"");
 }
 
+}  // namespace
+
 void write_sealed(const std::filesystem::path& path, std::string_view kind, std::string bytes) {
-  seal(bytes, kind);
+  std::string seal = fmt::format("arenite {} format {}\nHDF5 from byte {} on\nbytes {}\nxxh3 {}\n", kind, file_format, seal_size, bytes.size(),
+                                 content_hash(std::string_view(bytes).substr(seal_size)));
+  seal.resize(seal_size, '\0');
+  bytes.replace(0, seal_size, seal);
   write_atomically(path, bytes);
 }
 
@@ -121,8 +112,6 @@ std::vector<fs::path> stage_files(const fs::path& result) {
   std::sort(files.begin(), files.end());
   return files;
 }
-
-namespace fs = std::filesystem;
 
 AppendLog::AppendLog(const fs::path& folder, std::function<void(const std::string&)> notice) : owner_(::getpid()), notice_(std::move(notice)) {
   std::error_code error;

@@ -22,7 +22,8 @@ class DamagedFile : public InputError {
   using InputError::InputError;
 };
 
-/// Seals `bytes` and writes them to `path`, all or nothing.
+/// Seals `bytes`, of which HDF5 left the first 512 free, and writes them to `path`, all or nothing. `kind` is "result", "field", "film", "numbers" or
+/// "checkpoint".
 void write_sealed(const std::filesystem::path& path, std::string_view kind, std::string bytes);
 
 /// Reads the bytes of a whole file of that kind; InputError for any other, DamagedFile for one that is no longer whole.
@@ -30,12 +31,6 @@ std::string read_sealed(const std::filesystem::path& path, std::string_view kind
 
 /// The kind that a file says it is, from its first line; empty if it is none of ours or cannot be read.
 std::string sealed_kind(const std::filesystem::path& path);
-
-/// Puts the seal into the first 512 bytes, which HDF5 left free. `kind` is "result", "field", "film" or "checkpoint".
-void seal(std::string& bytes, std::string_view kind);
-
-/// Throws InputError (DamagedFile for one that is no longer whole) naming `path` unless `bytes` are one whole file of that kind.
-void check_seal(std::string_view bytes, std::string_view kind, const std::filesystem::path& path);
 
 /// "02-compact-<hash>.h5": place in the loading (from 1), the stage's name in the recipe with what a file name should not hold replaced by "-", and
 /// the first 12 digits of the hash of what made it; the file holds all of them. So a folder's names sort in the order of the loading.

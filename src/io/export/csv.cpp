@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <iterator>
+#include <span>
 
 #include "io/export/export.hpp"
+#include "io/results/groups.hpp"
 
 namespace arenite::io {
 namespace {
@@ -70,9 +72,9 @@ std::string contact_table(const ExportFrame& from) {
 
 std::string node_table(const FieldResult& r) {
   const PhaseMap& map = r.map;
-  const bool loaded = r.field.size() > 0;
   std::string text = "x [m],y [m],phase,grain,class";
-  if (loaded) text += ",ux [m],uy [m],sigma_xx [Pa],sigma_yy [Pa],sigma_xy [Pa]";
+  const std::span<const Column<StressField>> columns(field_columns.data(), r.field.size() > 0 ? field_columns.size() : 0);
+  for (const auto& c : columns) text += "," + title(c.name, c.unit);
   text += '\n';
   const auto classes = class_of_node(map);
   for (int y = 0; y < map.height; ++y)
@@ -80,9 +82,7 @@ std::string node_table(const FieldResult& r) {
       const auto i = map.index(x, y);
       fmt::format_to(Text(text), "{:.8g},{:.8g},{},{},{}", (x + 0.5) * map.dx, (y + 0.5) * map.dx, static_cast<int>(map.phase[i]), map.grain[i],
                      classes[i]);
-      if (loaded)
-        fmt::format_to(Text(text), ",{},{},{},{},{}", static_cast<float>(r.field.ux[i]), static_cast<float>(r.field.uy[i]),
-                       static_cast<float>(r.field.xx[i]), static_cast<float>(r.field.yy[i]), static_cast<float>(r.field.xy[i]));
+      for (const auto& c : columns) fmt::format_to(Text(text), ",{}", static_cast<float>((r.field.*c.member)[i]));
       text += '\n';
     }
   return text;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include "core/error.hpp"
 #include "io/results/groups.hpp"
 #include "io/export/export.hpp"
 #include "io/hdf5/handle.hpp"
@@ -44,18 +43,13 @@ class NetcdfFile {
   void variable(const std::string& name, const std::string& dimension, const std::vector<std::string>& values, const About& about) {
     std::vector<const char*> texts;
     for (const auto& value : values) texts.push_back(value.c_str());
-    const auto set = create(name, {dimension}, *text_type(), values.size(), false);
-    if (!texts.empty()) done(H5Dwrite(*set, *text_type(), H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()));
+    const auto type = text_type(), set = put(name, {dimension}, *type, *type, texts.size(), false, texts.data());
     attribute(*set, "long_name", about.long_name);
     done(H5DSattach_scale(*set, *scale_.at(dimension), 0));
   }
 
   void attribute(const std::string& name, const std::string& text) const { attribute(*file_, name, text); }
-  void attribute(const std::string& name, double value) const {
-    const auto space = made(H5Screate(H5S_SCALAR), H5Sclose);
-    const auto at = made(H5Acreate2(*file_, name.c_str(), H5T_IEEE_F64LE, *space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    done(H5Awrite(*at, H5T_NATIVE_DOUBLE, &value));
-  }
+  void attribute(const std::string& name, double value) const { write_number(*file_, name, value); }
 
   std::string bytes() const { return bytes_of_file(*file_); }
 
@@ -68,35 +62,29 @@ class NetcdfFile {
   }
 
   static void attribute(hid_t owner, const std::string& name, const std::string& text) {
-    const auto space = made(H5Screate(H5S_SCALAR), H5Sclose);
     const auto type = text_type();
-    const auto at = made(H5Acreate2(owner, name.c_str(), *type, *space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
     const char* pointer = text.c_str();
-    done(H5Awrite(*at, *type, static_cast<const void*>(&pointer)));
+    write_attribute(owner, name, *type, *type, static_cast<const void*>(&pointer));
   }
 
-  Hdf5Handle create(const std::string& name, const std::vector<std::string>& dimensions, hid_t type, std::size_t count, bool compress) {
+  Hdf5Handle put(const std::string& name, const std::vector<std::string>& dimensions, hid_t stored, hid_t native, std::size_t count, bool compress, const void* values) {
     std::vector<hsize_t> size;
     for (const auto& d : dimensions) size.push_back(d == name ? count : size_.at(d));
     if (dimensions.front() == name) size_[name] = count;
-    const auto space = made(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
     const auto properties = timeless(H5P_DATASET_CREATE);
     done(H5Pset_attr_creation_order(*properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
     if (compress && count * 8 >= 4096) {
       std::vector<hsize_t> chunk = size;
       chunk.back() = std::min<hsize_t>(chunk.back(), 131'072);
       if (chunk.size() > 1) chunk.front() = std::clamp<hsize_t>(131'072 / chunk.back(), 1, chunk.front());
-      done(H5Pset_chunk(*properties, static_cast<int>(chunk.size()), chunk.data()));
-      done(H5Pset_shuffle(*properties));
-      done(H5Pset_deflate(*properties, 2));
+      pack(*properties, chunk, true, 2);
     }
-    return made(H5Dcreate2(*file_, name.c_str(), type, *space, H5P_DEFAULT, *properties, H5P_DEFAULT), H5Dclose);
+    return write_set(*file_, name, size, stored, native, *properties, values);
   }
 
   template <class T>
   Hdf5Handle put(const std::string& name, const std::vector<std::string>& dimensions, const std::vector<T>& values, const About& about) {
-    const auto set = create(name, dimensions, stored_type<T>(), values.size(), true);
-    if (!values.empty()) done(H5Dwrite(*set, native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+    const auto set = put(name, dimensions, stored_type<T>(), native_type<T>(), values.size(), true, values.data());
     if (!about.units.empty()) attribute(*set, "units", about.units);
     if (!about.long_name.empty()) attribute(*set, "long_name", about.long_name);
     return set;

@@ -68,8 +68,6 @@ std::string contact_dump(const ExportFrame& from) {
   return text + '\n' + rows;
 }
 
-using Text = std::back_insert_iterator<std::string>;
-
 /// A word: what would break a line or a quoted value becomes "_".
 std::string word(std::string text) {
   for (char& c : text)

@@ -90,23 +90,15 @@ VtkPolyData walls_of(const ExportFrame& from) {
   const double t = domain.tilt;
   data.points = {x0, y0, 0, x0 + t, y1, 0, x1, y0, 0, x1 + t, y1, 0, x0, y0, 0, x1, y0, 0, x0 + t, y1, 0, x1 + t, y1, 0};
   std::vector<std::uint8_t> present;
-  std::vector<double> force, shear_force, velocity;
-  for (const Wall& wall : domain.wall) {
-    present.push_back(wall.present ? 1 : 0);
-    force.push_back(wall.force);
-    shear_force.push_back(wall.shear_force);
-    velocity.push_back(wall.velocity);
+  for (const Wall& wall : domain.wall) present.push_back(wall.present ? 1 : 0);
+  data.cell_arrays = {{"side", std::vector<std::int32_t>{left, right, bottom, top}}, {"present", present}};
+  for (const auto& [name, member] : {std::pair{"force", &Wall::force}, {"shear_force", &Wall::shear_force}, {"velocity", &Wall::velocity}}) {
+    std::vector<double> values;
+    for (const Wall& wall : domain.wall) values.push_back(wall.*member);
+    data.cell_arrays.push_back({name, values});
   }
-  data.cell_arrays = {{"side", std::vector<std::int32_t>{left, right, bottom, top}}, {"present", present}, {"force", force},
-                      {"shear_force", shear_force}, {"velocity", velocity}};
   return data;
 }
-
-struct Component {
-  const char* name;
-  std::vector<double> StressField::*member;
-};
-constexpr Component stresses[] = {{"sigma_xx", &StressField::xx}, {"sigma_yy", &StressField::yy}, {"sigma_xy", &StressField::xy}};
 
 std::vector<float> single(const std::vector<double>& values) { return {values.begin(), values.end()}; }
 
@@ -124,30 +116,35 @@ std::vector<float> stress_of(const StressField& field) {
 std::string numbered(const char* what, int number) { return fmt::format("{}_{:04}.vtp", what, number); }
 std::string state_file(int number) { return fmt::format("state_{:04}.vtm", number); }
 
-constexpr const char* parts[] = {"grains", "contacts", "walls"};
+struct Part {
+  const char* name;
+  VtkPolyData (*of)(const ExportFrame&);
+};
+constexpr Part parts[] = {{"grains", grains_of}, {"contacts", contacts_of}, {"walls", walls_of}};
 
 }  // namespace
 
 std::vector<NamedBytes> vtk_frame(const ExportFrame& frame) {
-  return {{numbered("grains", frame.number), vtp_bytes(grains_of(frame))},
-          {numbered("contacts", frame.number), vtp_bytes(contacts_of(frame))},
-          {numbered("walls", frame.number), vtp_bytes(walls_of(frame))},
-          {state_file(frame.number), vtm_bytes({{"grains", numbered("grains", frame.number)},
-                                                {"contacts", numbered("contacts", frame.number)},
-                                                {"walls", numbered("walls", frame.number)}})}};
+  std::vector<NamedBytes> files;
+  std::vector<VtkBlock> blocks;
+  for (const Part& part : parts) {
+    blocks.push_back({part.name, numbered(part.name, frame.number)});
+    files.push_back({blocks.back().file, vtp_bytes(part.of(frame))});
+  }
+  files.push_back({state_file(frame.number), vtm_bytes(blocks)});
+  return files;
 }
 
 /// loading.pvd opens everything, as blocks with names; grains.pvd, contacts.pvd and walls.pvd one thing each, which filters like better.
 std::vector<NamedBytes> vtk_index(const std::vector<double>& times) {
-  std::vector<VtkListed> all;
+  const auto listed = [&](auto name_of) {
+    std::vector<VtkListed> list;
+    for (std::size_t f = 0; f < times.size(); ++f) list.push_back({times[f], name_of(static_cast<int>(f))});
+    return pvd_bytes(list);
+  };
   std::vector<NamedBytes> files;
-  for (int part = 0; part < 3; ++part) {
-    std::vector<VtkListed> one;
-    for (std::size_t f = 0; f < times.size(); ++f) one.push_back({times[f], 0, numbered(parts[part], static_cast<int>(f))});
-    files.push_back({fmt::format("{}.pvd", parts[part]), pvd_bytes(one)});
-  }
-  for (std::size_t f = 0; f < times.size(); ++f) all.push_back({times[f], 0, state_file(static_cast<int>(f))});
-  files.push_back({"loading.pvd", pvd_bytes(all)});
+  for (const Part& part : parts) files.push_back({fmt::format("{}.pvd", part.name), listed([&](int f) { return numbered(part.name, f); })});
+  files.push_back({"loading.pvd", listed(state_file)});
   return files;
 }
 
@@ -159,7 +156,8 @@ std::vector<NamedBytes> vti_field(const ExportField& from) {
   image.point_arrays = {{"phase", phase}, {"grain", r.map.grain}, {"class", class_of_node(r.map)}};
   if (r.field.size() > 0) {
     image.point_arrays.push_back({"displacement", single(in_space(r.field.ux, r.field.uy)), 3});
-    for (const auto& c : stresses) image.point_arrays.push_back({c.name, single(r.field.*c.member)});
+    for (const auto& c : field_columns)
+      if (std::string_view(c.name).starts_with("sigma")) image.point_arrays.push_back({c.name, single(r.field.*c.member)});
     image.point_arrays.push_back({"stress", stress_of(r.field), 6});
   }
   return {{r.name + ".vti", vti_bytes(image)}};

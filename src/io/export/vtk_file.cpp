@@ -55,6 +55,11 @@ std::string escaped(const std::string& text) {
 /// The file in two parts that grow together: the XML and the data that it points into.
 class VtkWriter {
  public:
+  explicit VtkWriter(const char* type) {
+    line("<?xml version=\"1.0\"?>");
+    line("<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">", type);
+  }
+
   template <class... Arguments>
   void line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
     fmt::format_to(std::back_inserter(xml_), format, std::forward<Arguments>(arguments)...);
@@ -101,9 +106,7 @@ class VtkWriter {
 std::string vtp_bytes(const VtkPolyData& data) {
   const std::size_t points = data.points.size() / 3;
   const bool lines = data.cells == VtkPolyData::Cells::lines;
-  VtkWriter file;
-  file.line("<?xml version=\"1.0\"?>");
-  file.line("<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">");
+  VtkWriter file("PolyData");
   file.line("<PolyData>");
   file.line("<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n</FieldData>", data.time);
   file.line("<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">", points,
@@ -123,9 +126,7 @@ std::string vtp_bytes(const VtkPolyData& data) {
 
 std::string vti_bytes(const VtkImage& image) {
   const std::string extent = fmt::format("0 {} 0 {} 0 0", image.width - 1, image.height - 1);
-  VtkWriter file;
-  file.line("<?xml version=\"1.0\"?>");
-  file.line("<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">");
+  VtkWriter file("ImageData");
   file.line("<ImageData WholeExtent=\"{0}\" Origin=\"{1} {1} 0\" Spacing=\"{2} {2} {2}\">", extent, image.dx / 2, image.dx);
   file.line("<Piece Extent=\"{}\">", extent);
   file.arrays("PointData", image.point_arrays);
@@ -143,7 +144,7 @@ std::string vtm_bytes(const std::vector<VtkBlock>& blocks) {
 std::string pvd_bytes(const std::vector<VtkListed>& files) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n";
   for (const auto& f : files)
-    text += fmt::format("<DataSet timestep=\"{}\" part=\"{}\" file=\"{}\"/>\n", f.time, f.part, escaped(f.file));
+    text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", f.time, escaped(f.file));
   return text + "</Collection>\n</VTKFile>\n";
 }
 

@@ -38,7 +38,6 @@ std::string vti_bytes(const VtkImage& image);
 /// The bytes of a .pvd file: which files belong together at which time (s).
 struct VtkListed {
   double time = 0;
-  int part = 0;
   std::string file;
 };
 std::string pvd_bytes(const std::vector<VtkListed>& files);

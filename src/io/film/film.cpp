@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "core/median.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/disk/refuse.hpp"
 #include "io/film/formats.hpp"
@@ -104,6 +106,13 @@ std::filesystem::path sidecar_of(const std::filesystem::path& raw) {
   return {};
 }
 
+template <class Formats>
+std::vector<std::string> names_of(const Formats& formats) {
+  std::vector<std::string> names;
+  for (const auto& format : formats) names.emplace_back(format.name);
+  return names;
+}
+
 const FormatToRead* format_of(const ByteSource& bytes) {
   const std::string head = bytes.text(0, head_size);
   for (const FormatToRead& format : formats_to_read)
@@ -113,11 +122,8 @@ const FormatToRead* format_of(const ByteSource& bytes) {
 
 }  // namespace
 
-std::vector<std::string> film_formats() {
-  std::vector<std::string> names;
-  for (const FormatToRead& format : formats_to_read) names.emplace_back(format.name);
-  return names;
-}
+std::vector<std::string> film_formats() { return names_of(formats_to_read); }
+std::vector<std::string> film_formats_to_write() { return names_of(formats_to_write()); }
 
 void refuse_other_recording(const std::filesystem::path& path) {
   std::error_code error;
@@ -171,12 +177,6 @@ std::string other_recording(const std::filesystem::path& path, std::string_view 
   return fmt::format("{}; export it with {} {}", is->what, is->program, is->as);
 }
 
-std::vector<std::string> film_formats_to_write() {
-  std::vector<std::string> names;
-  for (const FormatToWrite& format : formats_to_write()) names.emplace_back(format.name);
-  return names;
-}
-
 std::string film_format_of(const std::filesystem::path& path) {
   for (const FormatToWrite& format : formats_to_write())
     if (std::find(format.endings.begin(), format.endings.end(), path.extension().string()) != format.endings.end()) return format.name;
@@ -202,6 +202,26 @@ void write_film(const std::filesystem::path& path, FilmSource& film, const std::
     writer->append(block);
   }
   writer->finish();
+}
+
+FrameIntervals frame_intervals(const FilmInfo& info) {
+  FrameIntervals times;
+  const double set = info.frame_rate > 0 ? 1 / info.frame_rate : 0;
+  if (info.time.size() < 2) {
+    times.interval = set;
+    times.duration = set * static_cast<double>(std::max<std::int64_t>(info.frames - 1, 0));
+    return times;
+  }
+  std::vector<double> step(info.time.size() - 1);
+  for (std::size_t i = 0; i < step.size(); ++i) step[i] = info.time[i + 1] - info.time[i];
+  times.interval = median(step);
+  times.duration = info.time.back() - info.time.front();
+  const double unit = set > 0 ? set : times.interval;
+  for (std::size_t i = 0; i < step.size(); ++i) {
+    times.dropped += std::max<std::int64_t>(std::llround(std::min(step[i] / unit, 1e15)) - 1, 0);
+    if (step[i] > 1.5 * times.interval) times.gap.push_back(static_cast<std::int64_t>(i) + 1);
+  }
+  return times;
 }
 
 }  // namespace arenite::io

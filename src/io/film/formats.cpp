@@ -7,7 +7,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/median.hpp"
 #include "io/table/table.hpp"
 #include "io/disk/refuse.hpp"
 
@@ -49,26 +48,30 @@ class PlainFilm : public KnownFilm {
   std::vector<char> buffer_;
 };
 
-using Header = std::string (*)(const FilmInfo&, std::size_t frames);
-
-class HeadedFilmWriter : public FilmWriter {
+class PlainFilmWriter : public FilmWriter {
  public:
-  HeadedFilmWriter(const std::filesystem::path& path, const FilmInfo& info, Header header) : file_(path), info_(info), header_(header) {
-    file_.write(header_(info_, 0));
+  PlainFilmWriter(const std::filesystem::path& path, const FilmInfo& info, const FilmForm& form) : file_(path), info_(info), form_(form) {
+    file_.write(form_.header(info_, 0));
   }
   void append(const FrameBlock& block) override {
-    file_.write(pixel_bytes(info_, block));
+    const std::string_view bytes = pixel_bytes(info_, block);
+    const std::size_t n = form_.before != nullptr ? block.frames : std::min<std::size_t>(block.frames, 1);  // pieces
+    for (std::size_t i = 0, size = n > 0 ? bytes.size() / n : 0; i < n; ++i) {
+      if (form_.before != nullptr) file_.write(form_.before(info_, frames_ + i));
+      file_.write(bytes.substr(i * size, size));
+    }
     frames_ += block.frames;
   }
   void finish() override {
-    file_.overwrite(0, header_(info_, frames_));
+    file_.overwrite(0, form_.header(info_, frames_));
+    if (form_.write_behind != nullptr) form_.write_behind(info_, frames_, file_);
     file_.commit();
   }
 
  private:
   AtomicFile file_;
   FilmInfo info_;
-  Header header_;
+  FilmForm form_;
   std::size_t frames_ = 0;
 };
 
@@ -146,10 +149,11 @@ FilmPointer plain_film(Bytes bytes, FilmInfo info, const PlainLayout& layout, co
   return std::make_unique<PlainFilm>(std::move(bytes), std::move(info), layout);
 }
 
-void take_shape(FilmInfo& info, std::int64_t frames, std::int64_t height, std::int64_t width, NumberType pixel) {
-  info.frames = frames;
-  info.height = static_cast<int>(height);
-  info.width = static_cast<int>(width);
+void take_shape(FilmInfo& info, const std::string& file, const std::vector<std::int64_t>& shape, NumberType pixel, const FilmChoice& choice) {
+  check_film_size(file, shape[2], shape[1], shape[0], choice);
+  info.frames = shape[0];
+  info.height = static_cast<int>(shape[1]);
+  info.width = static_cast<int>(shape[2]);
   info.floating = !is_level(pixel);
   if (!info.floating) info.bits = static_cast<int>(8 * bytes_of(pixel));
 }
@@ -170,8 +174,8 @@ std::string_view pixel_bytes(const FilmInfo& info, const FrameBlock& block) {
   return {reinterpret_cast<const char*>(block.level.data()), pixels * sizeof(std::uint16_t)};
 }
 
-FilmWriterPointer create_headed_film(const std::filesystem::path& path, const FilmInfo& info, Header header) {
-  return std::make_unique<HeadedFilmWriter>(path, info, header);
+FilmWriterPointer create_plain_film(const std::filesystem::path& path, const FilmInfo& info, const FilmForm& form) {
+  return std::make_unique<PlainFilmWriter>(path, info, form);
 }
 
 std::string film_notes(const FilmInfo& info) {
@@ -230,26 +234,6 @@ void take_stamps(FilmInfo& info, std::vector<double> stamp) {
     if (!(stamp[i] > stamp[i - 1]) || !std::isfinite(stamp[i]))
       return info.remarks.push_back(fmt::format("The time stamp of frame {} is not after that of the frame before; stamps are left aside.", i));
   info.time = std::move(stamp);
-}
-
-FrameIntervals frame_intervals(const FilmInfo& info) {
-  FrameIntervals times;
-  const double set = info.frame_rate > 0 ? 1 / info.frame_rate : 0;
-  if (info.time.size() < 2) {
-    times.interval = set;
-    times.duration = set * static_cast<double>(std::max<std::int64_t>(info.frames - 1, 0));
-    return times;
-  }
-  std::vector<double> step(info.time.size() - 1);
-  for (std::size_t i = 0; i < step.size(); ++i) step[i] = info.time[i + 1] - info.time[i];
-  times.interval = median(step);
-  times.duration = info.time.back() - info.time.front();
-  const double unit = set > 0 ? set : times.interval;
-  for (std::size_t i = 0; i < step.size(); ++i) {
-    times.dropped += std::max<std::int64_t>(std::llround(std::min(step[i] / unit, 1e15)) - 1, 0);
-    if (step[i] > 1.5 * times.interval) times.gap.push_back(static_cast<std::int64_t>(i) + 1);
-  }
-  return times;
 }
 
 }  // namespace arenite::io

@@ -89,8 +89,8 @@ void check_layout(const ByteSource& bytes, const FilmInfo& info, const PlainLayo
 /// A film whose pixels lie as they are in a file, checked.
 FilmPointer plain_film(Bytes bytes, FilmInfo info, const PlainLayout& layout, const FilmChoice& choice);
 
-/// Size and kind of pixel of a film that is not plain.
-void take_shape(FilmInfo& info, std::int64_t frames, std::int64_t height, std::int64_t width, NumberType pixel);
+/// Size and kind of pixel of a film, checked (check_film_size).
+void take_shape(FilmInfo& info, const std::string& file, const std::vector<std::int64_t>& frames_height_width, NumberType pixel, const FilmChoice& choice);
 
 /// Takes the frame rate that was chosen, if one was.
 void take_choice(FilmInfo& info, const FilmChoice& choice);
@@ -104,9 +104,14 @@ void take_pixels(const PlainLayout& layout, const char* from, std::size_t count,
 /// The pixels of some frames of a block as they lie in memory. Throws std::invalid_argument for a block that is not of this film.
 std::string_view pixel_bytes(const FilmInfo& info, const FrameBlock& block);
 
-/// Writes one header and then the frames as they lie in memory. The header says how many frames there are, which is known at the end, so it is
-/// written again then and must be as long for any number.
-FilmWriterPointer create_headed_film(const std::filesystem::path& path, const FilmInfo& info, std::string (*header)(const FilmInfo&, std::size_t frames));
+/// What stands before all frames, before each (or null) and behind them (or null); the frames themselves are written as they lie in memory. The header
+/// says how many frames there are, which is known at the end, so it is written again then and must be as long for any number.
+struct FilmForm {
+  std::string (*header)(const FilmInfo&, std::size_t frames);
+  std::string (*before)(const FilmInfo&, std::size_t frame) = nullptr;
+  void (*write_behind)(const FilmInfo&, std::size_t frames, AtomicFile& file) = nullptr;
+};
+FilmWriterPointer create_plain_film(const std::filesystem::path& path, const FilmInfo& info, const FilmForm& form);
 
 /// What a film says about itself as lines "key = value", for formats that have no place of their own for it.
 std::string film_notes(const FilmInfo& info);

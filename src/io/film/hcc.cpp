@@ -2,11 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "core/error.hpp"
-#include "io/film/formats.hpp"
-#include "io/film/film.hpp"
 #include "io/film/formats.hpp"
 #include "io/disk/refuse.hpp"
 

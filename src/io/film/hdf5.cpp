@@ -4,27 +4,21 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
-#include <vector>
 
-#include "core/error.hpp"
-#include "io/film/film.hpp"
 #include "io/film/formats.hpp"
 #include "io/hdf5/foreign.hpp"
-#include "io/hdf5/handle.hpp"
-#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {
 
-H5T_class_t class_of(hid_t set) {
+bool holds_numbers(hid_t set) {
   const auto type = own(H5Dget_type(set), H5Tclose);
-  return type ? H5Tget_class(*type) : H5T_NO_CLASS;
+  return type && (H5Tget_class(*type) == H5T_INTEGER || H5Tget_class(*type) == H5T_FLOAT);
 }
 
-bool can_be_film(hid_t set) { return shape_of(set).size() == 3 && (class_of(set) == H5T_INTEGER || class_of(set) == H5T_FLOAT); }
+bool can_be_film(hid_t set) { return shape_of(set).size() == 3 && holds_numbers(set); }
 
-std::vector<std::string> films_in(hid_t file) { return datasets_in(file, can_be_film); }
+[[noreturn]] void refuse_damaged(const Bytes& bytes) { refuse(bytes->name(), "is an HDF5 file that is cut short or damaged; copy it again"); }
 
 /// Numbers of a chunk, which is read as a whole.
 double most_in_chunk(const FilmChoice& choice) { return std::max(2.0 * static_cast<double>(choice.most_pixels), 1e6); }
@@ -34,8 +28,7 @@ std::vector<double> times_beside(hid_t file, const Bytes& bytes, const std::stri
   const std::string group = film.substr(0, film.rfind('/') == std::string::npos ? 0 : film.rfind('/') + 1);
   for (const char* name : {"time", "times", "timestamps"}) {
     const auto set = own(H5Dopen2(file, (group + name).c_str(), H5P_DEFAULT), H5Dclose);
-    if (!set || shape_of(*set) != std::vector<std::int64_t>{frames} || frames > 100'000'000) continue;
-    if (class_of(*set) != H5T_INTEGER && class_of(*set) != H5T_FLOAT) continue;
+    if (!set || shape_of(*set) != std::vector<std::int64_t>{frames} || frames > 100'000'000 || !holds_numbers(*set)) continue;
     Hdf5Numbers numbers(set, group + name, bytes, 1e8);
     std::string stored;
     numbers.read(0, static_cast<hsize_t>(frames), stored);
@@ -48,26 +41,31 @@ std::vector<double> times_beside(hid_t file, const Bytes& bytes, const std::stri
 
 std::string chosen(hid_t file, const std::string& name, const FilmChoice& choice) {
   if (!choice.dataset.empty()) return choice.dataset;
-  const auto found = films_in(file);
+  const auto found = datasets_in(file, can_be_film);
   if (found.size() == 1) return found.front();
-  if (found.empty()) io::refuse(name, "is an HDF5 file of another program and holds no dataset of numbers with three dimensions (frames x height x width); give a film");
-  io::refuse(name, "holds {} datasets that can be films; choose one with --dataset: {}", found.size(), fmt::join(found, ", "));
+  if (found.empty()) refuse(name, "is an HDF5 file of another program and holds no dataset of numbers with three dimensions (frames x height x width); give a film");
+  refuse(name, "holds {} datasets that can be films; choose one with --dataset: {}", found.size(), fmt::join(found, ", "));
+}
+
+/// A film may lie on a disk that only lets itself be read; the one that is written is locked already.
+Hdf5Handle without_lock() {
+  memory_properties();  // silences HDF5's own messages
+  auto access = made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  done(H5Pset_file_locking(*access, false, true));
+  return access;
 }
 
 Hdf5Handle opened(const Bytes& bytes) {
   if (bytes->path() == nullptr) return open_foreign(bytes->text(0, bytes->size()), bytes->name());
-  memory_properties();  // silences HDF5's own messages
-  const auto access = made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  done(H5Pset_file_locking(*access, false, true));  // a film on a disk that only lets itself be read
-  auto id = own(H5Fopen(bytes->path()->c_str(), H5F_ACC_RDONLY, *access), H5Fclose);
-  if (!id) io::refuse(bytes->name(), "is an HDF5 file that is cut short or damaged; copy it again");
+  auto id = own(H5Fopen(bytes->path()->c_str(), H5F_ACC_RDONLY, *without_lock()), H5Fclose);
+  if (!id) refuse_damaged(bytes);
   return id;
 }
 
 Hdf5Handle film_in(const Hdf5Handle& file, const Bytes& bytes, const std::string& name) {
   auto set = own(H5Dopen2(*file, name.c_str(), H5P_DEFAULT), H5Dclose);
   if (!set || !can_be_film(*set))
-    io::refuse(bytes->name(), "has no dataset \"{}\" of frames x height x width; it has: {}", name, fmt::join(films_in(*file), ", "));
+    refuse(bytes->name(), "has no dataset \"{}\" of frames x height x width; it has: {}", name, fmt::join(datasets_in(*file, can_be_film), ", "));
   return set;
 }
 
@@ -106,7 +104,7 @@ class Hdf5Film : public KnownFilm {
  public:
   Hdf5Film(const Bytes& bytes, const FilmChoice& choice) : bytes_(bytes), most_(most_in_chunk(choice)) {
     prepare_hdf5();
-    take(told([&] { return look(bytes, choice); }), choice);
+    take(told(choice), choice);
     FrameBlock last;  // what is cut short lacks it
     read(info_.frames - 1, 1, last);
   }
@@ -117,7 +115,7 @@ class Hdf5Film : public KnownFilm {
     for (std::size_t n = 0; n < count; n += at_once) {
       const std::size_t part = std::min(at_once, count - n), size = part * pixels * bytes_of(layout_.pixel);
       const std::string stored = in_sandbox(bytes_->name(), [&] { return frames(static_cast<hsize_t>(first) + n, part); }, size, room());
-      if (stored.size() != size) refuse();
+      if (stored.size() != size) refuse_damaged(bytes_);
       take_pixels(layout_, stored.data(), part * pixels, block, n * pixels);
     }
   }
@@ -125,31 +123,28 @@ class Hdf5Film : public KnownFilm {
  private:
   static constexpr std::size_t most_at_once = std::size_t{32} << 20, most_told = std::size_t{2} << 30;  // bytes
 
-  [[noreturn]] void refuse() const { io::refuse(bytes_->name(), "is an HDF5 file that is cut short or damaged; copy it again"); }
   /// A file in memory is copied by HDF5.
   std::size_t room() const { return bytes_->path() != nullptr ? 0 : 3 * static_cast<std::size_t>(bytes_->size()); }
 
-  template <class Work>
-  Facts told(const Work& work) const {
+  Facts told(const FilmChoice& choice) const {
     const auto packed = [&] {
-      const auto bytes = nlohmann::json::to_cbor(nlohmann::json(work()));
+      const auto bytes = nlohmann::json::to_cbor(nlohmann::json(look(bytes_, choice)));
       return std::string(bytes.begin(), bytes.end());
     };
     try {
-      return nlohmann::json::from_cbor(in_sandbox(bytes_->name(), packed, most_told, room())).template get<Facts>();
+      return nlohmann::json::from_cbor(in_sandbox(bytes_->name(), packed, most_told, room())).get<Facts>();
     } catch (const nlohmann::json::exception&) {
-      refuse();
+      refuse_damaged(bytes_);
     }
   }
 
   void take(const Facts& facts, const FilmChoice& choice) {
-    if (facts.shape.size() != 3 || bytes_of(facts.pixel) == 0) refuse();
-    check_film_size(bytes_->name(), facts.shape[2], facts.shape[1], facts.shape[0], choice);
+    if (facts.shape.size() != 3 || bytes_of(facts.pixel) == 0) refuse_damaged(bytes_);
     name_ = facts.name;
     layout_.pixel = facts.pixel;
     layout_.big_endian = facts.big_endian;
     info_.format = "hdf5";
-    take_shape(info_, facts.shape[0], facts.shape[1], facts.shape[2], facts.pixel);
+    take_shape(info_, bytes_->name(), facts.shape, facts.pixel, choice);
     take_notes(facts.notes, info_);
     if (info_.frame_rate == 0) info_.frame_rate = facts.frame_rate;
     if (info_.integration == 0) info_.integration = facts.integration;
@@ -175,12 +170,17 @@ class Hdf5FilmWriter : public FilmWriter {
  public:
   Hdf5FilmWriter(const std::filesystem::path& path, const FilmInfo& info) : file_(path), name_(path.string()), info_(info) {
     const Hdf5Turn turn;
-    memory_properties();  // silences HDF5's own messages
-    const auto access = made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    done(H5Pset_file_locking(*access, false, true));  // the file beside is locked already
-    id_ = own(H5Fcreate(file_.beside().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, *access), H5Fclose);
+    id_ = own(H5Fcreate(file_.beside().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, *without_lock()), H5Fclose);
     if (!id_) refuse();
-    create_set();
+    // The dataset grows frame by frame; no times are stored, so that the same film gives the same bytes.
+    constexpr std::size_t chunk_pixels = std::size_t{1} << 18;
+    const hsize_t announced = info_.frames > 0 ? static_cast<hsize_t>(info_.frames) : H5S_UNLIMITED;
+    const auto size = shape(0), most = shape(H5S_UNLIMITED), chunk = shape(std::clamp<hsize_t>(chunk_pixels / info_.pixels(), 1, announced));
+    const auto space = made(H5Screate_simple(3, size.data(), most.data()), H5Sclose);
+    const auto creation = timeless(H5P_DATASET_CREATE);
+    done(H5Pset_chunk(*creation, 3, chunk.data()));
+    set_ = own(H5Dcreate2(*id_, "frames", info_.floating ? H5T_IEEE_F32LE : H5T_STD_U16LE, *space, H5P_DEFAULT, *creation, H5P_DEFAULT), H5Dclose);
+    if (!set_) refuse();
   }
 
   ~Hdf5FilmWriter() override {
@@ -195,7 +195,8 @@ class Hdf5FilmWriter : public FilmWriter {
     const std::string_view bytes = pixel_bytes(info_, block);
     if (block.frames == 0) return;
     const Hdf5Turn turn;
-    const std::array<hsize_t, 3> start{frames_, 0, 0}, count{block.frames, height(), width()}, whole{frames_ + block.frames, height(), width()};
+    const std::array<hsize_t, 3> start{frames_, 0, 0};
+    const auto count = shape(block.frames), whole = shape(frames_ + block.frames);
     if (H5Dset_extent(*set_, whole.data()) < 0) refuse();
     const auto there = made(H5Dget_space(*set_), H5Sclose), here = made(H5Screate_simple(3, count.data(), nullptr), H5Sclose);
     done(H5Sselect_hyperslab(*there, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr));
@@ -206,7 +207,6 @@ class Hdf5FilmWriter : public FilmWriter {
   void finish() override {
     const Hdf5Turn turn;
     write_notes();
-    write_times();
     set_.reset();
     if (H5Fflush(*id_, H5F_SCOPE_GLOBAL) < 0) refuse();
     id_.reset();
@@ -214,42 +214,17 @@ class Hdf5FilmWriter : public FilmWriter {
   }
 
  private:
-  hsize_t width() const { return static_cast<hsize_t>(info_.width); }
-  hsize_t height() const { return static_cast<hsize_t>(info_.height); }
+  std::array<hsize_t, 3> shape(hsize_t frames) const { return {frames, static_cast<hsize_t>(info_.height), static_cast<hsize_t>(info_.width)}; }
   [[noreturn]] void refuse() const { io::refuse(name_, "cannot be written by HDF5; check that the disk has space"); }
 
-  /// Grows frame by frame; no times are stored, so that the same film gives the same bytes.
-  void create_set() {
-    constexpr std::size_t chunk_pixels = std::size_t{1} << 18;
-    const hsize_t announced = info_.frames > 0 ? static_cast<hsize_t>(info_.frames) : H5S_UNLIMITED;
-    const std::array<hsize_t, 3> size{0, height(), width()}, most{H5S_UNLIMITED, height(), width()},
-        chunk{std::clamp<hsize_t>(chunk_pixels / info_.pixels(), 1, announced), height(), width()};
-    const auto space = made(H5Screate_simple(3, size.data(), most.data()), H5Sclose);
-    const auto creation = timeless(H5P_DATASET_CREATE);
-    done(H5Pset_chunk(*creation, 3, chunk.data()));
-    set_ = own(H5Dcreate2(*id_, "frames", info_.floating ? H5T_IEEE_F32LE : H5T_STD_U16LE, *space, H5P_DEFAULT, *creation, H5P_DEFAULT), H5Dclose);
-    if (!set_) refuse();
-  }
-
-  void number(const char* name, double value) const {
-    if (!(value > 0)) return;
-    const auto space = made(H5Screate(H5S_SCALAR), H5Sclose);
-    const auto attribute = made(H5Acreate2(*set_, name, H5T_IEEE_F64LE, *space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    done(H5Awrite(*attribute, H5T_NATIVE_DOUBLE, &value));
-  }
-
   void write_notes() const {
-    number("frame_rate", info_.frame_rate);
-    number("integration", info_.integration);
-    const std::string notes = film_notes(info_);
-    if (notes.empty()) return;
-    const auto space = made(H5Screate(H5S_SCALAR), H5Sclose), type = made(H5Tcopy(H5T_C_S1), H5Tclose);
-    done(H5Tset_size(*type, notes.size()));
-    const auto attribute = made(H5Acreate2(*set_, "notes", *type, *space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    done(H5Awrite(*attribute, *type, notes.data()));
-  }
-
-  void write_times() const {
+    if (info_.frame_rate > 0) write_number(*set_, "frame_rate", info_.frame_rate);
+    if (info_.integration > 0) write_number(*set_, "integration", info_.integration);
+    if (const std::string notes = film_notes(info_); !notes.empty()) {
+      const auto type = made(H5Tcopy(H5T_C_S1), H5Tclose);
+      done(H5Tset_size(*type, notes.size()));
+      write_attribute(*set_, "notes", *type, *type, notes.data());
+    }
     if (info_.time.empty()) return;
     const hsize_t count = std::min<hsize_t>(frames_, info_.time.size());
     const auto space = made(H5Screate_simple(1, &count, nullptr), H5Sclose);

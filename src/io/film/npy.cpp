@@ -2,10 +2,8 @@
 
 #include <charconv>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "io/film/formats.hpp"
 #include "io/disk/refuse.hpp"
 
@@ -83,12 +81,9 @@ FilmPointer open_npy(const Bytes& bytes, const FilmChoice& choice) {
     refuse(file, "holds numbers of a type that is no pixel ({}); save u1, u2, i2, u4, i4, f4 or f8", type.substr(0, 8));
   if (order.starts_with("True")) refuse(file, "holds its columns first; save it with numpy.ascontiguousarray");
   const auto shape = shape_of(value_of(header, "shape", file), file);
-  check_film_size(file, shape[2], shape[1], shape[0], choice);
   FilmInfo info;
   info.format = "npy";
-  info.frames = shape[0];
-  info.height = static_cast<int>(shape[1]);
-  info.width = static_cast<int>(shape[2]);
+  take_shape(info, file, shape, *pixel, choice);
   PlainLayout layout;
   layout.pixel = *pixel;
   layout.big_endian = type[1] == '>';
@@ -97,6 +92,6 @@ FilmPointer open_npy(const Bytes& bytes, const FilmChoice& choice) {
   return plain_film(bytes, std::move(info), layout, choice);
 }
 
-FilmWriterPointer create_npy_film(const std::filesystem::path& path, const FilmInfo& info) { return create_headed_film(path, info, header); }
+FilmWriterPointer create_npy_film(const std::filesystem::path& path, const FilmInfo& info) { return create_plain_film(path, info, {header}); }
 
 }  // namespace arenite::io

@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
-#include "core/error.hpp"
-#include "io/film/film.hpp"
 #include "io/film/formats.hpp"
 #include "io/disk/refuse.hpp"
 
@@ -67,6 +64,19 @@ bool is_lock_in(const ByteSource& bytes, const Sizes& s) {
   return s.height > 1 && s.width >= 4;
 }
 
+/// Where a header says what the camera is and sees; numbers in a unit of their own.
+struct Name {
+  std::size_t at;
+  std::string FilmInfo::*member;
+};
+struct Number {
+  std::size_t at;
+  double FilmInfo::*member;
+  double unit;
+};
+constexpr Name names[] = {{44, &FilmInfo::camera}, {64, &FilmInfo::lens}, {84, &FilmInfo::filter}};
+constexpr Number numbers[] = {{141, &FilmInfo::emissivity, 1}, {145, &FilmInfo::ambient, 1}, {188, &FilmInfo::band_low, 1e-6}, {192, &FilmInfo::band_high, 1e-6}};
+
 FilmInfo info_of(std::string_view header, const Sizes& s) {
   FilmInfo info;
   info.format = "ptw";
@@ -74,13 +84,8 @@ FilmInfo info_of(std::string_view header, const Sizes& s) {
   info.width = static_cast<int>(s.width);
   info.height = static_cast<int>(s.height);
   info.frames = s.frames;
-  info.camera = name_at(header, 44, 20);
-  info.lens = name_at(header, 64, 20);
-  info.filter = name_at(header, 84, 20);
-  info.emissivity = positive_at(header, 141);
-  info.ambient = positive_at(header, 145);
-  info.band_low = positive_at(header, 188) * 1e-6;
-  info.band_high = positive_at(header, 192) * 1e-6;
+  for (const auto& [at, member] : names) info.*member = name_at(header, at, 20);
+  for (const auto& [at, member, unit] : numbers) info.*member = positive_at(header, at) * unit;
   // A float's 0.01 is a double's 0.00999999978: its seven digits are what was meant.
   const auto meant = [](double v) { return std::stod(fmt::format("{:.7g}", v)); };
   const double period = meant(positive_at(header, 403));
@@ -93,75 +98,43 @@ FilmInfo info_of(std::string_view header, const Sizes& s) {
 
 constexpr std::size_t main_header = 3476, frame_header = 1016;
 
-/// The header places that are read above; the rest is zero.
-class PtwFilmWriter : public FilmWriter {
- public:
-  PtwFilmWriter(const std::filesystem::path& path, const FilmInfo& info) : file_(path), info_(info) {
-    if (info.floating) refuse(path.string(), "cannot hold temperatures: a .ptw film is of levels; write .tif, .npy, .h5 or .sfmov");
-    file_.write(header());
-  }
-  void append(const FrameBlock& block) override {
-    const std::string_view bytes = pixel_bytes(info_, block);
-    const std::size_t frame = 2 * info_.pixels();
-    for (std::size_t i = 0; i < block.frames; ++i) {
-      file_.write(stamp(frames_++));
-      file_.write(bytes.substr(i * frame, frame));
-    }
-  }
-  void finish() override {
-    file_.overwrite(0, header());
-    file_.commit();
-  }
+std::string header(const FilmInfo& info, std::size_t frames) {
+  std::string h(main_header, '\0');
+  const auto words = static_cast<std::int32_t>(info.pixels());
+  h.replace(0, 3, "CED");
+  h.replace(5, 4, "5.60");
+  h[10] = 26;
+  put<std::int32_t>(h, 11, main_header);
+  put<std::int32_t>(h, 15, frame_header);
+  put<std::int32_t>(h, 19, words + static_cast<std::int32_t>(frame_header) / 2);
+  put<std::int32_t>(h, 23, words);
+  put<std::int32_t>(h, 27, static_cast<std::int32_t>(frames));
+  for (const auto& [at, member] : names) h.replace(at, std::min<std::size_t>((info.*member).size(), 19), info.*member, 0, 19);
+  for (const auto& [at, member, unit] : numbers) put<float>(h, at, static_cast<float>(info.*member * std::round(1 / unit)));
+  put<std::int16_t>(h, 377, static_cast<std::int16_t>(info.width));
+  put<std::int16_t>(h, 379, static_cast<std::int16_t>(info.height));
+  put<std::int16_t>(h, 381, static_cast<std::int16_t>(info.bits > 0 ? info.bits : 16));
+  put<float>(h, 403, info.frame_rate > 0 ? static_cast<float>(1 / info.frame_rate) : 0.0F);
+  put<float>(h, 407, static_cast<float>(info.integration));
+  return h;
+}
 
- private:
-  std::string header() const {
-    std::string h(main_header, '\0');
-    const auto words = static_cast<std::int32_t>(info_.pixels());
-    h.replace(0, 3, "CED");
-    h.replace(5, 4, "5.60");
-    h[10] = 26;
-    put<std::int32_t>(h, 11, main_header);
-    put<std::int32_t>(h, 15, frame_header);
-    put<std::int32_t>(h, 19, words + static_cast<std::int32_t>(frame_header) / 2);
-    put<std::int32_t>(h, 23, words);
-    put<std::int32_t>(h, 27, static_cast<std::int32_t>(frames_));
-    const auto name = [&](std::size_t at, const std::string& text) { h.replace(at, std::min<std::size_t>(text.size(), 19), text, 0, 19); };
-    name(44, info_.camera);
-    name(64, info_.lens);
-    name(84, info_.filter);
-    put<float>(h, 141, static_cast<float>(info_.emissivity));
-    put<float>(h, 145, static_cast<float>(info_.ambient));
-    put<float>(h, 188, static_cast<float>(info_.band_low * 1e6));
-    put<float>(h, 192, static_cast<float>(info_.band_high * 1e6));
-    put<std::int16_t>(h, 377, static_cast<std::int16_t>(info_.width));
-    put<std::int16_t>(h, 379, static_cast<std::int16_t>(info_.height));
-    put<std::int16_t>(h, 381, static_cast<std::int16_t>(info_.bits > 0 ? info_.bits : 16));
-    put<float>(h, 403, info_.frame_rate > 0 ? static_cast<float>(1 / info_.frame_rate) : 0.0F);
-    put<float>(h, 407, static_cast<float>(info_.integration));
-    return h;
-  }
-
-  /// Microseconds after midnight, in the places of a camera's own headers; zeros without times.
-  std::string stamp(std::size_t frame) const {
-    std::string h(frame_header, '\0');
-    put<std::uint32_t>(h, 292, static_cast<std::uint32_t>(frame + 1));
-    if (frame >= info_.time.size()) return h;
-    constexpr std::uint64_t day = 86400'000'000;
-    const auto us = static_cast<std::uint64_t>(std::llround(info_.time[frame] * 1e6)) % day;
-    h[81] = static_cast<char>(us / 3600'000'000);
-    h[80] = static_cast<char>(us / 60'000'000 % 60);
-    h[83] = static_cast<char>(us / 1'000'000 % 60);
-    h[82] = static_cast<char>(us / 10'000 % 100);
-    h[160] = static_cast<char>(us / 1000 % 10);
-    put<std::uint16_t>(h, 161, static_cast<std::uint16_t>(us % 1000));
-    put<std::uint64_t>(h, 301, us);
-    return h;
-  }
-
-  AtomicFile file_;
-  FilmInfo info_;
-  std::size_t frames_ = 0;
-};
+/// Microseconds after midnight, in the places of a camera's own headers; zeros without times.
+std::string stamp(const FilmInfo& info, std::size_t frame) {
+  std::string h(frame_header, '\0');
+  put<std::uint32_t>(h, 292, static_cast<std::uint32_t>(frame + 1));
+  if (frame >= info.time.size()) return h;
+  constexpr std::uint64_t day = 86400'000'000;
+  const auto us = static_cast<std::uint64_t>(std::llround(info.time[frame] * 1e6)) % day;
+  h[81] = static_cast<char>(us / 3600'000'000);
+  h[80] = static_cast<char>(us / 60'000'000 % 60);
+  h[83] = static_cast<char>(us / 1'000'000 % 60);
+  h[82] = static_cast<char>(us / 10'000 % 100);
+  h[160] = static_cast<char>(us / 1000 % 10);
+  put<std::uint16_t>(h, 161, static_cast<std::uint16_t>(us % 1000));
+  put<std::uint64_t>(h, 301, us);
+  return h;
+}
 
 }  // namespace
 
@@ -218,6 +191,9 @@ FilmPointer open_ptw(const Bytes& bytes, const FilmChoice& choice) {
   return plain_film(bytes, std::move(info), layout, choice);
 }
 
-FilmWriterPointer create_ptw_film(const std::filesystem::path& path, const FilmInfo& info) { return std::make_unique<PtwFilmWriter>(path, info); }
+FilmWriterPointer create_ptw_film(const std::filesystem::path& path, const FilmInfo& info) {
+  if (info.floating) refuse(path.string(), "cannot hold temperatures: a .ptw film is of levels; write .tif, .npy, .h5 or .sfmov");
+  return create_plain_film(path, info, {header, stamp});
+}
 
 }  // namespace arenite::io

@@ -3,11 +3,7 @@
 
 #include <algorithm>
 #include <map>
-#include <string>
 
-#include "core/error.hpp"
-#include "core/problems.hpp"
-#include "core/units.hpp"
 #include "io/film/formats.hpp"
 #include "io/table/table.hpp"
 #include "io/disk/refuse.hpp"
@@ -40,7 +36,7 @@ std::map<std::string, Value> values_of(std::string_view text, Problems& problems
     const std::size_t equals = line.find('=');
     const std::string key(trimmed(line.substr(0, equals)));
     if (equals == std::string_view::npos) {
-      problems.add(lines.number(), "is no line \"key = value\"; mend it or begin it with #");
+      problems.add(lines.number(), "is no line \"key = value\"; correct it or begin it with #");
       continue;
     }
     if (std::find(known.begin(), known.end(), key) == known.end()) {
@@ -84,7 +80,7 @@ class Sidecar {
     if (const auto bare = to_number(value->text); bare && *bare > 0) return *bare;
     try {
       if (const double si = parse_si(value->text, dimension, unit); si > 0) return si;
-      problems_.add(value->line, fmt::format("{} is not above 0; mend it", key));
+      problems_.add(value->line, fmt::format("{} is not above 0; correct it", key));
     } catch (const InputError& error) {
       problems_.add(value->line, fmt::format("{}: {}", key, error.problems().front().message));
     }
@@ -172,7 +168,7 @@ FilmPointer open_sidecar(const Bytes& bytes, const FilmChoice& choice) {
   const std::uint64_t used = layout.offset + static_cast<std::uint64_t>(there) * layout.stride;
   if (frames < 0 && used - static_cast<std::uint64_t>(frame_header) != film->size())
     refuse(film->name(), "has {} bytes, which is no whole number of frames of {} x {} pixels as {} says; "
-                                                  "mend its sizes or add frames = {}", film->size(), width, height, bytes->name(), there);
+                                                  "correct its sizes or add frames = {}", film->size(), width, height, bytes->name(), there);
   return plain_film(film, std::move(info), layout, choice);
 }
 

@@ -1,11 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "core/error.hpp"
 #include "io/film/formats.hpp"
 #include "io/disk/refuse.hpp"
 
@@ -84,7 +82,6 @@ class Series : public KnownFilm {
     info_.frames *= static_cast<std::int64_t>(members_.size());
     info_.time.clear();
   }
-
 
   void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
     prepare(info_, first, count, block);

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
-#include <string>
 
-#include "core/error.hpp"
 #include "io/film/formats.hpp"
 #include "io/table/table.hpp"
 #include "io/disk/refuse.hpp"
@@ -100,17 +98,14 @@ FilmPointer open_sfmov(const Bytes& bytes, const FilmChoice& choice) {
   Keys keys = keys_of(std::string_view(header).substr(0, data));
   FilmInfo info;
   info.format = "sfmov";
-  const std::int64_t width = count_of(keys, "xPixls", file), height = count_of(keys, "yPixls", file);
-  info.frames = count_of(keys, "NumDPs", file);
-  check_film_size(file, width, height, info.frames, choice);
-  info.width = static_cast<int>(width);
-  info.height = static_cast<int>(height);
+  const std::int64_t width = count_of(keys, "xPixls", file), height = count_of(keys, "yPixls", file), frames = count_of(keys, "NumDPs", file);
+  PlainLayout layout;
+  take_shape(info, file, {frames, height, width}, layout.pixel, choice);
   keys.merge(included(keys, *bytes));
   info.frame_rate = number_of(keys, "FRate_0");
   info.integration = number_of(keys, "ITime_0") * 1e-3;
   info.bits = static_cast<int>(std::min(number_of(keys, "ADBits"), 16.0));
   if (const auto camera = keys.find("Camera"); camera != keys.end()) info.camera = camera->second;
-  PlainLayout layout;
   layout.pixel = pixel_of(keys, file);
   layout.stride = info.pixels() * bytes_of(layout.pixel);
   layout.offset = data + 6;  // the word and the end of its line
@@ -120,6 +115,6 @@ FilmPointer open_sfmov(const Bytes& bytes, const FilmChoice& choice) {
   return plain_film(bytes, std::move(info), layout, choice);
 }
 
-FilmWriterPointer create_sfmov_film(const std::filesystem::path& path, const FilmInfo& info) { return create_headed_film(path, info, header); }
+FilmWriterPointer create_sfmov_film(const std::filesystem::path& path, const FilmInfo& info) { return create_plain_film(path, info, {header}); }
 
 }  // namespace arenite::io

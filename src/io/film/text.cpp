@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "core/error.hpp"
-#include "io/film/formats.hpp"
-#include "io/table/table.hpp"
 #include "io/film/formats.hpp"
 #include "io/table/table.hpp"
 #include "io/disk/refuse.hpp"
@@ -167,7 +163,7 @@ class TextFilm : public KnownFilm {
       const bool whole = each_cell(line, separator_, [&](std::string_view cell) {
         const auto number = number_of(cell, separator_ != ',');
         if (!number)
-          throw InputError(bytes_->name(), lines.number(), fmt::format("holds \"{}\" in column {}, which is no number; mend it", cell.substr(0, 40), column + 1));
+          throw InputError(bytes_->name(), lines.number(), fmt::format("holds \"{}\" in column {}, which is no number; correct it", cell.substr(0, 40), column + 1));
         if (column == info_.width) return false;
         to[column++] = *number;
         return true;

@@ -1,5 +1,4 @@
 #include "io/hdf5/foreign.hpp"
-#include "io/disk/refuse.hpp"
 
 #include <fmt/format.h>
 #include <zlib.h>

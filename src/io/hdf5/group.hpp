@@ -42,7 +42,6 @@ class Hdf5Reader {
  private:
   using Handle = std::shared_ptr<const std::int64_t>;
   using Turn = std::shared_ptr<const Hdf5Turn>;
-  Hdf5Reader(Turn turn, std::string bytes, const std::string& file);
   Hdf5Reader(Turn turn, Handle group, std::string file, std::string place);
   Turn turn_;  // before the handles, which are closed while it lasts
   Handle id_;
@@ -78,7 +77,6 @@ class Hdf5Writer {
  private:
   using Handle = std::shared_ptr<const std::int64_t>;
   using Turn = std::shared_ptr<const Hdf5Turn>;
-  Hdf5Writer(Turn turn, bool compress);
   Hdf5Writer(Turn turn, Handle group, bool compress);
   Turn turn_;  // before the handles, which are closed while it lasts
   Handle id_;

@@ -80,6 +80,25 @@ void keep_order(hid_t properties) {
   done(H5Pset_attr_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
 }
 
+void pack(hid_t properties, const std::vector<hsize_t>& chunk, bool shuffle, unsigned level) {
+  done(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()));
+  if (shuffle) done(H5Pset_shuffle(properties));
+  done(H5Pset_deflate(properties, level));
+}
+
+Hdf5Handle write_set(hid_t group, const std::string& name, const std::vector<hsize_t>& size, hid_t stored, hid_t native, hid_t properties, const void* values) {
+  const auto space = size.empty() ? made(H5Screate(H5S_SCALAR), H5Sclose) : made(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
+  auto set = made(H5Dcreate2(group, name.c_str(), stored, *space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose);
+  if (H5Sget_simple_extent_npoints(*space) > 0) done(H5Dwrite(*set, native, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
+  return set;
+}
+
+void write_attribute(hid_t owner, const std::string& name, hid_t stored, hid_t native, const void* value) {
+  const auto space = made(H5Screate(H5S_SCALAR), H5Sclose);
+  const auto attribute = made(H5Acreate2(owner, name.c_str(), stored, *space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  done(H5Awrite(*attribute, native, value));
+}
+
 std::string unused_name() {
   static std::atomic<int> count{0};
   return fmt::format("arenite in memory {}", ++count);
@@ -138,28 +157,38 @@ std::optional<Hdf5Number> number_of(hid_t type) {
   return std::nullopt;
 }
 
+namespace {
+
+/// Null where there is no attribute of this name, or a damaged one.
+struct Attribute {
+  Hdf5Handle id, space, type;
+  Attribute(hid_t at, const char* name) {
+    if (H5Aexists(at, name) > 0) id = own(H5Aopen(at, name, H5P_DEFAULT), H5Aclose);
+    if (id) space = own(H5Aget_space(*id), H5Sclose), type = own(H5Aget_type(*id), H5Tclose);
+  }
+  bool is_one() const { return space && type && H5Sget_simple_extent_npoints(*space) == 1; }
+};
+
+}  // namespace
+
 double number_attribute(hid_t at, std::initializer_list<const char*> names) {
   for (const char* name : names) {
-    if (H5Aexists(at, name) <= 0) continue;
-    const auto attribute = own(H5Aopen(at, name, H5P_DEFAULT), H5Aclose);
-    const auto space = attribute ? own(H5Aget_space(*attribute), H5Sclose) : nullptr, type = attribute ? own(H5Aget_type(*attribute), H5Tclose) : nullptr;
-    const auto number = type ? number_of(*type) : std::nullopt;
+    const Attribute attribute(at, name);
+    const auto number = attribute.is_one() ? number_of(*attribute.type) : std::nullopt;
     double value = 0;
-    if (!space || !number || H5Aget_storage_size(*attribute) != bytes_of(number->type)) continue;  // not there as a whole
-    if (H5Sget_simple_extent_npoints(*space) == 1 && H5Aread(*attribute, H5T_NATIVE_DOUBLE, &value) >= 0 && value > 0) return value;
+    if (!number || H5Aget_storage_size(*attribute.id) != bytes_of(number->type)) continue;  // not there as a whole
+    if (H5Aread(*attribute.id, H5T_NATIVE_DOUBLE, &value) >= 0 && value > 0) return value;
   }
   return 0;
 }
 
 std::string text_attribute(hid_t at, const char* name) {
-  if (H5Aexists(at, name) <= 0) return {};
-  const auto attribute = own(H5Aopen(at, name, H5P_DEFAULT), H5Aclose);
-  const auto space = attribute ? own(H5Aget_space(*attribute), H5Sclose) : nullptr, type = attribute ? own(H5Aget_type(*attribute), H5Tclose) : nullptr;
-  if (!type || !space || H5Tget_class(*type) != H5T_STRING || H5Tis_variable_str(*type) != 0 || H5Sget_simple_extent_npoints(*space) != 1) return {};
-  const std::size_t size = H5Tget_size(*type);
-  if (size == 0 || size > 65536 || H5Aget_storage_size(*attribute) != size) return {};
+  const Attribute attribute(at, name);
+  if (!attribute.is_one() || H5Tget_class(*attribute.type) != H5T_STRING || H5Tis_variable_str(*attribute.type) != 0) return {};
+  const std::size_t size = H5Tget_size(*attribute.type);
+  if (size == 0 || size > 65536 || H5Aget_storage_size(*attribute.id) != size) return {};
   std::string text(size, '\0');
-  if (H5Aread(*attribute, *type, text.data()) < 0) return {};
+  if (H5Aread(*attribute.id, *attribute.type, text.data()) < 0) return {};
   return text.substr(0, text.find('\0'));
 }
 

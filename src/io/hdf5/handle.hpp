@@ -51,6 +51,13 @@ std::string bytes_of_file(hid_t file, std::size_t before = 0);
 Hdf5Handle timeless(hid_t kind);
 void keep_order(hid_t properties);
 
+/// Chunks and deflates a dataset that is made with these properties.
+void pack(hid_t properties, const std::vector<hsize_t>& chunk, bool shuffle, unsigned level);
+
+/// Writes an array of this size (one value without any) with all its values; and one value as an attribute.
+Hdf5Handle write_set(hid_t group, const std::string& name, const std::vector<hsize_t>& size, hid_t stored, hid_t native, hid_t properties, const void* values);
+void write_attribute(hid_t owner, const std::string& name, hid_t stored, hid_t native, const void* value);
+
 /// How numbers lie in the file (lowest byte first on every machine), and how in memory.
 template <class T> hid_t stored_type();
 template <> inline hid_t stored_type<double>() { return H5T_IEEE_F64LE; }
@@ -66,6 +73,11 @@ template <> inline hid_t native_type<std::int32_t>() { return H5T_NATIVE_INT32; 
 template <> inline hid_t native_type<std::int64_t>() { return H5T_NATIVE_INT64; }
 template <> inline hid_t native_type<std::uint64_t>() { return H5T_NATIVE_UINT64; }
 template <> inline hid_t native_type<std::uint8_t>() { return H5T_NATIVE_UINT8; }
+
+template <class T>
+void write_number(hid_t owner, const std::string& name, T value) {
+  write_attribute(owner, name, stored_type<T>(), native_type<T>(), &value);
+}
 
 /// Files of other programs: one in memory; `file` names it in the InputError of one that is damaged.
 Hdf5Handle open_foreign(std::string bytes, const std::string& file);

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
 #include "io/hdf5/handle.hpp"
 #include "statistics/numbers.hpp"
-#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {
@@ -105,10 +103,7 @@ Hdf5Handle open_root(std::string bytes, const std::string& file) {
 
 }  // namespace
 
-Hdf5Reader::Hdf5Reader(std::string bytes, std::string file) : Hdf5Reader(std::make_shared<Hdf5Turn>(), std::move(bytes), file) {}
-
-Hdf5Reader::Hdf5Reader(Turn turn, std::string bytes, const std::string& file)
-    : Hdf5Reader(std::move(turn), open_root(std::move(bytes), file), file, "") {}
+Hdf5Reader::Hdf5Reader(std::string bytes, std::string file) : turn_(std::make_shared<Hdf5Turn>()), id_(open_root(std::move(bytes), file)), file_(std::move(file)) {}
 
 Hdf5Reader::Hdf5Reader(Turn turn, Handle group, std::string file, std::string place)
     : turn_(std::move(turn)), id_(std::move(group)), file_(std::move(file)), place_(std::move(place)) {}

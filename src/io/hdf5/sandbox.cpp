@@ -14,11 +14,6 @@
 #include <fstream>
 #include <string_view>
 
-#include "core/error.hpp"
-#include "io/hdf5/handle.hpp"
-#include "io/disk/file.hpp"
-#include "io/disk/refuse.hpp"
-
 namespace arenite::io {
 namespace {
 

@@ -1,7 +1,6 @@
 #include "io/hdf5/group.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "io/hdf5/handle.hpp"
 #include "io/disk/store_file.hpp"
@@ -20,8 +19,6 @@ Hdf5Handle text_type(std::size_t length) {
 
 std::string padded(std::string_view text) { return text.empty() ? std::string(1, '\0') : std::string(text); }
 
-Hdf5Handle scalar() { return made(H5Screate(H5S_SCALAR), H5Sclose); }
-
 /// Members keep the order in which they were written, and carry no time of writing.
 Hdf5Handle group_properties() {
   auto properties = timeless(H5P_GROUP_CREATE);
@@ -33,17 +30,8 @@ Hdf5Handle dataset_properties(hsize_t bytes, hsize_t count, bool compress) {
   constexpr hsize_t worth_it = 4096, largest_chunk = 131'072;
   auto properties = timeless(H5P_DATASET_CREATE);
   if (!compress || bytes < worth_it) return properties;
-  const hsize_t chunk = std::min(count, largest_chunk);
-  done(H5Pset_chunk(*properties, 1, &chunk));
-  done(H5Pset_shuffle(*properties));
-  done(H5Pset_deflate(*properties, 2));
+  pack(*properties, {std::min(count, largest_chunk)}, true, 2);
   return properties;
-}
-
-void write_attribute(hid_t owner, const std::string& name, hid_t stored, hid_t native, const void* value) {
-  const auto space = scalar();
-  const auto attribute = made(H5Acreate2(owner, name.c_str(), stored, *space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  done(H5Awrite(*attribute, native, value));
 }
 
 void write_text_attribute(hid_t owner, const std::string& name, std::string_view text) {
@@ -63,9 +51,7 @@ Hdf5Handle new_root() {
 
 }  // namespace
 
-Hdf5Writer::Hdf5Writer(bool compress) : Hdf5Writer(std::make_shared<Hdf5Turn>(), compress) {}
-
-Hdf5Writer::Hdf5Writer(Turn turn, bool compress) : Hdf5Writer(std::move(turn), new_root(), compress) {}
+Hdf5Writer::Hdf5Writer(bool compress) : turn_(std::make_shared<Hdf5Turn>()), id_(new_root()), compress_(compress) {}
 
 Hdf5Writer::Hdf5Writer(Turn turn, Handle group, bool compress) : turn_(std::move(turn)), id_(std::move(group)), compress_(compress) {}
 
@@ -77,11 +63,8 @@ Hdf5Writer Hdf5Writer::create_group(const std::string& name) const {
 template <class T>
 void Hdf5Writer::write(const std::string& name, const std::vector<T>& values, const std::string& unit) const {
   const hsize_t count = values.size();
-  const auto space = made(H5Screate_simple(1, &count, nullptr), H5Sclose);
   const auto properties = dataset_properties(count * sizeof(T), count, compress_);
-  const auto set = made(H5Dcreate2(*id_, name.c_str(), stored_type<T>(), *space, H5P_DEFAULT, *properties, H5P_DEFAULT), H5Dclose);
-  if (count > 0) done(H5Dwrite(*set, native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
-  write_text_attribute(*set, "unit", unit);
+  write_text_attribute(*write_set(*id_, name, {count}, stored_type<T>(), native_type<T>(), *properties, values.data()), "unit", unit);
 }
 template void Hdf5Writer::write(const std::string&, const std::vector<double>&, const std::string&) const;
 template void Hdf5Writer::write(const std::string&, const std::vector<std::int32_t>&, const std::string&) const;
@@ -94,18 +77,10 @@ void Hdf5Writer::write_image(const std::string& name, const std::vector<T>& valu
   if constexpr (std::is_same_v<T, double>)  // faster than HDF5's own conversion
     return write_image(name, std::vector<float>(values.begin(), values.end()), shape, unit);
   constexpr hsize_t values_per_chunk = 1 << 16;
-  const hsize_t size[2] = {static_cast<hsize_t>(shape.rows), static_cast<hsize_t>(shape.columns)};
-  const auto space = made(H5Screate_simple(2, size, nullptr), H5Sclose);
+  const auto rows = static_cast<hsize_t>(shape.rows), columns = static_cast<hsize_t>(shape.columns);
   const auto properties = timeless(H5P_DATASET_CREATE);
-  if (compress_ && size[0] * size[1] > 0) {
-    const hsize_t chunk[2] = {std::clamp<hsize_t>(values_per_chunk / size[1], 1, size[0]), size[1]};
-    done(H5Pset_chunk(*properties, 2, chunk));
-    if (sizeof(T) > 1) done(H5Pset_shuffle(*properties));
-    done(H5Pset_deflate(*properties, 1));
-  }
-  const auto set = made(H5Dcreate2(*id_, name.c_str(), stored_type<T>(), *space, H5P_DEFAULT, *properties, H5P_DEFAULT), H5Dclose);
-  if (size[0] * size[1] > 0) done(H5Dwrite(*set, native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
-  write_text_attribute(*set, "unit", unit);
+  if (compress_ && rows * columns > 0) pack(*properties, {std::clamp<hsize_t>(values_per_chunk / columns, 1, rows), columns}, sizeof(T) > 1, 1);
+  write_text_attribute(*write_set(*id_, name, {rows, columns}, stored_type<T>(), native_type<T>(), *properties, values.data()), "unit", unit);
 }
 template void Hdf5Writer::write_image(const std::string&, const std::vector<double>&, Shape, const std::string&) const;
 template void Hdf5Writer::write_image(const std::string&, const std::vector<float>&, Shape, const std::string&) const;
@@ -114,10 +89,7 @@ template void Hdf5Writer::write_image(const std::string&, const std::vector<std:
 
 void Hdf5Writer::write_text(const std::string& name, std::string_view text) const {
   const auto type = text_type(text.size());
-  const auto space = scalar();
-  const auto properties = dataset_properties(0, 0, false);
-  const auto set = made(H5Dcreate2(*id_, name.c_str(), *type, *space, H5P_DEFAULT, *properties, H5P_DEFAULT), H5Dclose);
-  done(H5Dwrite(*set, *type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded(text).data()));
+  write_set(*id_, name, {}, *type, *type, *timeless(H5P_DATASET_CREATE), padded(text).data());
 }
 
 void Hdf5Writer::write_texts(const std::string& name, const std::vector<std::string>& texts) const {
@@ -127,21 +99,12 @@ void Hdf5Writer::write_texts(const std::string& name, const std::vector<std::str
   for (std::size_t k = 0; k < texts.size(); ++k) texts[k].copy(cells.data() + k * length, length);
   const hsize_t count = texts.size();
   const auto type = text_type(length);
-  const auto space = made(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  const auto properties = dataset_properties(cells.size(), count, compress_);
-  const auto set = made(H5Dcreate2(*id_, name.c_str(), *type, *space, H5P_DEFAULT, *properties, H5P_DEFAULT), H5Dclose);
-  if (count > 0) done(H5Dwrite(*set, *type, H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.data()));
+  write_set(*id_, name, {count}, *type, *type, *dataset_properties(cells.size(), count, compress_), cells.data());
 }
 
-void Hdf5Writer::set(const std::string& name, double value) const {
-  write_attribute(*id_, name, stored_type<double>(), native_type<double>(), &value);
-}
-void Hdf5Writer::set(const std::string& name, std::int64_t value) const {
-  write_attribute(*id_, name, stored_type<std::int64_t>(), native_type<std::int64_t>(), &value);
-}
-void Hdf5Writer::set(const std::string& name, std::uint64_t value) const {
-  write_attribute(*id_, name, stored_type<std::uint64_t>(), native_type<std::uint64_t>(), &value);
-}
+void Hdf5Writer::set(const std::string& name, double value) const { write_number(*id_, name, value); }
+void Hdf5Writer::set(const std::string& name, std::int64_t value) const { write_number(*id_, name, value); }
+void Hdf5Writer::set(const std::string& name, std::uint64_t value) const { write_number(*id_, name, value); }
 void Hdf5Writer::set(const std::string& name, std::string_view text) const { write_text_attribute(*id_, name, text); }
 
 std::string Hdf5Writer::bytes() const {

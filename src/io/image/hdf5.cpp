@@ -5,15 +5,9 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 #include <vector>
 
-#include "core/error.hpp"
-#include "io/image/image.hpp"
-#include "io/hdf5/handle.hpp"
 #include "io/hdf5/foreign.hpp"
-#include "io/hdf5/foreign.hpp"
-#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {
@@ -68,14 +62,13 @@ Image read_hdf5_image(const std::string& bytes, const std::string& file, const I
   prepare_hdf5();
   const auto packed = [&] {
     const Image image = decode(bytes, file, choice);
-    std::string result(sizeof image.width + image.value.size() * sizeof image.value[0], '\0');
-    std::memcpy(result.data(), &image.width, sizeof image.width);
-    std::memcpy(result.data() + sizeof image.width, image.value.data(), result.size() - sizeof image.width);
-    return result;
+    std::string result;
+    append<std::int32_t>(result, image.width);
+    return result.append(reinterpret_cast<const char*>(image.value.data()), image.value.size() * sizeof(std::int32_t));
   };
   const std::string made = in_sandbox(file, packed, 16 + 4 * static_cast<std::size_t>(choice.most_pixels), 12 * static_cast<std::size_t>(choice.most_pixels) + 3 * bytes.size());
   Image image;
-  if (made.size() >= sizeof image.width) std::memcpy(&image.width, made.data(), sizeof image.width);
+  image.width = number_at<std::int32_t>(made, 0);
   const std::size_t pixels = made.size() / sizeof(std::int32_t) - 1;
   if (made.size() < 2 * sizeof(std::int32_t) || image.width <= 0 || pixels % static_cast<std::size_t>(image.width) != 0)
     refuse(file, "is an HDF5 file that is damaged; copy it again");

@@ -1,17 +1,11 @@
 #include "io/image/image.hpp"
 
-#include <fmt/format.h>
-
 #include <cstring>
-#include <iterator>
 #include <limits>
 #include <string_view>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/problems.hpp"
-#include "io/disk/byte_source.hpp"
-#include "io/disk/file.hpp"
 #include "io/disk/refuse.hpp"
 
 namespace arenite::io {
@@ -129,6 +123,12 @@ std::int64_t chosen_slice(const std::string& file, std::int64_t count, const Ima
 Image empty_image(const PixelLayout& layout) {
   Image image{layout.width, layout.height, {}};
   image.value.resize(image.size());
+  return image;
+}
+
+Image image_of(const PixelLayout& layout, const std::vector<std::uint8_t>& samples, std::size_t stride) {
+  Image image = empty_image(layout);
+  for (int y = 0; y < layout.height; ++y) take_row(layout, samples.data() + stride * static_cast<std::size_t>(y), y, image);
   return image;
 }
 

@@ -64,6 +64,9 @@ std::int64_t chosen_slice(const std::string& file, std::int64_t count, const Ima
 /// An image of this size whose values are still to be taken.
 Image empty_image(const PixelLayout& layout);
 
+/// An image of rows of samples that lie `stride` bytes apart.
+Image image_of(const PixelLayout& layout, const std::vector<std::uint8_t>& samples, std::size_t stride);
+
 /// Turns one row (0 at the top) into whole numbers. InputError for colour, transparency, indices outside the palette, numbers that do not fit 32 bits
 /// with sign.
 void take_row(const PixelLayout& layout, const std::uint8_t* samples, int row, Image& image);

@@ -10,8 +10,6 @@
 #include <csetjmp>
 #include <vector>
 
-#include "core/error.hpp"
-#include "io/image/image.hpp"
 #include "io/disk/refuse.hpp"
 
 namespace arenite::io {
@@ -99,10 +97,7 @@ Image read_jpeg(const std::string& bytes, const std::string& file, const ImageCh
   layout.channel = choice.channel;
   std::vector<std::uint8_t> samples(layout.bytes_a_row() * static_cast<std::size_t>(layout.height));
   if (!read_rows(d, samples.data(), layout.bytes_a_row())) refuse_damaged(d, file);
-  Image image = empty_image(layout);
-  for (int y = 0; y < layout.height; ++y)
-    take_row(layout, samples.data() + layout.bytes_a_row() * static_cast<std::size_t>(y), y, image);
-  return image;
+  return image_of(layout, samples, layout.bytes_a_row());
 }
 
 }  // namespace arenite::io

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "core/error.hpp"
-#include "core/problems.hpp"
 #include "io/table/table.hpp"
 #include "io/disk/refuse.hpp"
 
@@ -193,6 +191,11 @@ ForeignMap read_phase_map(const std::filesystem::path& path, const PhaseMapOptio
   if (!choice.slice) choice.slice = options.image.slice;
   const Image labels = read_image(label_path, choice);
   return make_phase_map(picture, &labels, options, path.string(), label_path.string());
+}
+
+void label_alike(PhaseMap& map) {
+  map.grain_class = {GrainClass::none};
+  for (std::size_t i = 0; i < map.size(); ++i) map.grain[i] = map.phase[i] == Phase::particle ? 0 : -1;
 }
 
 std::string_view name_of(Phase phase) { return names[static_cast<std::size_t>(phase)]; }

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "io/image/image.hpp"
-#include "model/image.hpp"
 #include "model/phase_map.hpp"
 
 namespace arenite::io {
@@ -61,5 +60,8 @@ ForeignMap read_phase_map(const std::filesystem::path& path, const PhaseMapOptio
 /// The same from pictures; `labels` may be null. Names are for messages.
 ForeignMap make_phase_map(const Image& picture, const Image* labels, const PhaseMapOptions& options, const std::string& file,
                           const std::string& label_file);
+
+/// One label for all particles of a map.
+void label_alike(PhaseMap& map);
 
 }  // namespace arenite::io

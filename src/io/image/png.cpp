@@ -8,8 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/error.hpp"
-#include "io/disk/file.hpp"
 #include "io/disk/refuse.hpp"
 #include "io/image/image.hpp"
 
@@ -101,9 +99,7 @@ Image read_png(const std::string& bytes, const std::string& file, const ImageCho
   std::vector<png_bytep> rows;
   for (int y = 0; y < layout.height; ++y) rows.push_back(samples.data() + stride * static_cast<std::size_t>(y));
   if (!read_rows(d, rows.data())) refuse_damaged(d, file);
-  Image image = empty_image(layout);
-  for (int y = 0; y < layout.height; ++y) take_row(layout, rows[static_cast<std::size_t>(y)], y, image);
-  return image;
+  return image_of(layout, samples, stride);
 }
 
 void write_png(const std::filesystem::path& path, const ColourPicture& picture) {

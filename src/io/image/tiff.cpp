@@ -8,9 +8,7 @@
 #include <cstring>
 #include <vector>
 
-#include "core/error.hpp"
 #include "io/image/image.hpp"
-#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {

@@ -1,4 +1,3 @@
-#include "io/disk/store_file.hpp"
 #include "io/results/groups.hpp"
 #include "io/results/results.hpp"
 
@@ -37,18 +36,7 @@ constexpr std::array swing_columns{Column<GrainSwing, double>{"temperature", "K"
 constexpr std::array twin_columns{Column<FilmTwin, double>{"swing", "Pa", &FilmTwin::swing},
                                   Column<FilmTwin, double>{"state", "Pa", &FilmTwin::state}};
 
-/// All columns have a value for each of `size` items, or none has any.
-template <class At, class Owner, std::size_t n>
-void transfer_arrays(const At& at, const char* name, Owner& owner, const std::array<Column<std::remove_const_t<Owner>, double>, n>& columns, std::size_t size) {
-  const auto group = at.group(name);
-  for (const auto& c : columns) {
-    group.array(c.name, owner.*c.member, c.unit);
-    if (const std::size_t count = (owner.*c.member).size(); count > 0) group.same_length({count, size});
-  }
-}
-
-template <class At, class R>
-void transfer_film(const At& at, R& r) {
+void transfer_film(const ResultPart& at, FilmResult& r) {
   const auto group = at.group("film");
   group("width", r.film.width);
   group("height", r.film.height);
@@ -61,16 +49,14 @@ void transfer_film(const At& at, R& r) {
   group("pixel [m]", r.pixel);
   group("origin_x [m]", r.origin.x);
   group("origin_y [m]", r.origin.y);
-  if constexpr (At::reads) {
-    constexpr int largest = 1 << 16;
-    if (r.film.width < 0 || r.film.height < 0 || r.film.width > largest || r.film.height > largest) group.at.refuse("has a size that makes no sense");
-    r.maps.width = r.film.width;
-    r.maps.height = r.film.height;
-  }
+  if (!at.reads()) return;
+  constexpr int largest = 1 << 16;
+  if (r.film.width < 0 || r.film.height < 0 || r.film.width > largest || r.film.height > largest) group.take->refuse("has a size that makes no sense");
+  r.maps.width = r.film.width;
+  r.maps.height = r.film.height;
 }
 
-template <class At, class R>
-void transfer_maps(const At& at, R& r, Shape shape) {
+void transfer_maps(const ResultPart& at, FilmResult& r, Shape shape) {
   const auto group = at.group("maps");
   group("frequency [1/s]", r.maps.frequency);
   group("frequency_error [1/s]", r.maps.frequency_error);
@@ -82,8 +68,7 @@ void transfer_maps(const At& at, R& r, Shape shape) {
   for (const auto& m : maps) group.optional_image(m.name, r.maps.*m.member, shape, m.unit);
 }
 
-template <class At, class R>
-void transfer_forces(const At& at, R& r, Shape shape) {
+void transfer_forces(const ResultPart& at, FilmResult& r, Shape shape) {
   const auto group = at.group("forces");
   group.array("fn_error", r.fn_error, "N");
   group.array("ft_error", r.ft_error, "N");
@@ -103,33 +88,27 @@ void transfer_forces(const At& at, R& r, Shape shape) {
   group.optional_image("picture", r.fit.picture, shape, "K");
 }
 
-template <class At, class R>
-void transfer_result(const At& at, R& r) {
+void transfer_result(const ResultPart& at, FilmResult& r) {
   transfer_origin(at, r);
   transfer_film(at, r);
   const Shape shape{r.film.height, r.film.width};
   transfer_maps(at, r, shape);
   transfer_packing(at, r.packing);
   const std::size_t grains = r.packing.grains.size();
-  transfer_arrays(at, "grains", r.grains, grain_columns, grains);
-  transfer_arrays(at, "motion", r.motion, motion_columns, grains);
-  transfer_arrays(at, "swing", r.swing, swing_columns, grains);
-  transfer_arrays(at, "twin", r.twin, twin_columns, grains);
+  transfer_columns(at.group("grains"), r.grains, grain_columns, grains, true);
+  transfer_columns(at.group("motion"), r.motion, motion_columns, grains, true);
+  transfer_columns(at.group("swing"), r.swing, swing_columns, grains, true);
+  transfer_columns(at.group("twin"), r.twin, twin_columns, grains, true);
   transfer_forces(at, r, shape);
   transfer_numbers(at, "numbers", r.numbers);
 }
 
 }  // namespace
 
-void write_film_result(const std::filesystem::path& path, const FilmResult& result) {
-  const PutGroup to{Hdf5Writer()};
-  transfer_result(to, result);
-  write_sealed(path, "film", to.at.bytes());
-}
+void write_film_result(const std::filesystem::path& path, const FilmResult& result) { write_result_file(path, "film", transfer_result, result); }
 
 FilmResult read_film_result(const std::filesystem::path& path) {
-  FilmResult result;
-  transfer_result(TakeGroup{Hdf5Reader(read_sealed(path, "film"), path.string())}, result);
+  FilmResult result = read_result_file(path, "film", transfer_result);
   result.grains.material = result.packing.grains.material;
   return result;
 }

@@ -15,36 +15,29 @@ constexpr Scalar<Material> material_scalars[] = {{"density [kg/m^3]", &Material:
 
 }  // namespace
 
-template <class At, class P>
-void transfer_provenance(const At& at, P& provenance) {
+void transfer_provenance(const ResultPart& at, Provenance& provenance) {
   at("version", provenance.version);
   at("stage", provenance.stage);
   at("input_hash", provenance.input_hash);
   at.seed("seed", provenance.seed);
   at("kernel", provenance.kernel);
-  const auto options = [&] { return at.group("options").at; };
-  if constexpr (At::reads) {
-    provenance.recipe = at.at.text("recipe");
-    const auto from = options();
+  if (at.reads()) {
+    provenance.recipe = at.take->text("recipe");
+    const auto from = at.take->group("options");
     for (const auto& key : from.attribute_names()) provenance.options.emplace_back(key, from.label(key));
   } else {
-    at.at.write_text("recipe", provenance.recipe);
-    const auto to = options();
+    at.put->write_text("recipe", provenance.recipe);
+    const auto to = at.put->create_group("options");
     for (const auto& [key, value] : provenance.options) to.set(key, value);
   }
 }
-template void transfer_provenance(const PutGroup&, const Provenance&);
-template void transfer_provenance(const TakeGroup&, Provenance&);
 
-template <class At, class M>
-void transfer_materials(const At& at, M& materials) {
-  at.each("materials", materials, 2, [](const At& one, auto& material) {
+void transfer_materials(const ResultPart& at, Materials& materials) {
+  at.each("materials", materials, 2, [](const ResultPart& one, Material& material) {
     one("name", material.name);
     for (const auto& s : material_scalars) one(s.name, material.*s.member);
   });
 }
-template void transfer_materials(const PutGroup&, const Materials&);
-template void transfer_materials(const TakeGroup&, Materials&);
 
 bool same(const Materials& a, const Materials& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Material& p, const Material& q) {
@@ -53,8 +46,7 @@ bool same(const Materials& a, const Materials& b) {
   });
 }
 
-template <class At, class D>
-void transfer_domain(const At& at, D& domain) {
+void transfer_domain(const ResultPart& at, Domain& domain) {
   const auto group = at.group("domain");
   group("periodic_x", domain.periodic_x);
   group("periodic_y", domain.periodic_y);
@@ -66,27 +58,30 @@ void transfer_domain(const At& at, D& domain) {
     for (const auto& s : wall_scalars) wall(s.name, domain.wall[side].*s.member);
   }
 }
-template void transfer_domain(const PutGroup&, const Domain&);
-template void transfer_domain(const TakeGroup&, Domain&);
 
-void put_names(const Hdf5Writer& group, const Grains& grains, const Grains* sample) {
-  if (!sample || grains.id != sample->id) group.write("id", grains.id);
-  if (!sample || grains.radius != sample->radius) group.write("radius", grains.radius, "m");
-  if (!sample || grains.material != sample->material) group.write("material", grains.material);
-  if (!sample || grains.zone != sample->zone) group.write("zone", grains.zone);
+void transfer_names(const ResultPart& at, Grains& grains, const Grains* sample) {
+  const auto transfer = [&]<class T>(const char* name, std::vector<T> Grains::*member, const char* unit = "1") {
+    auto& values = grains.*member;
+    if (at.reads() && sample && !at.take->has(name)) values = sample->*member;
+    else if (at.reads() || !sample || values != sample->*member) at.array(name, values, unit);
+  };
+  transfer("id", &Grains::id);
+  transfer("radius", &Grains::radius, "m");
+  transfer("material", &Grains::material);
+  transfer("zone", &Grains::zone);
+  at.same_length({grains.id.size(), grains.radius.size(), grains.material.size(), grains.zone.size()});
 }
 
-void take_names(const Hdf5Reader& group, const Hdf5Reader& sample, Grains& grains) {
-  const auto take = [&]<class T>(const char* name, std::vector<T>& values) { values = (group.has(name) ? group : sample).array<T>(name); };
-  take("id", grains.id);
-  take("radius", grains.radius);
-  take("material", grains.material);
-  take("zone", grains.zone);
-  TakeGroup{group}.same_length({grains.id.size(), grains.radius.size(), grains.material.size(), grains.zone.size()});
+void transfer_grains(const ResultPart& at, Packing& packing, const Grains* sample) {
+  const auto group = at.group("grains");
+  transfer_names(group, packing.grains, sample);
+  transfer_columns(group, packing.grains, grain_state_columns, packing.grains.id.size());
+  const auto kinds = static_cast<std::int64_t>(packing.materials.size());
+  for (const auto m : packing.grains.material)
+    if (at.reads() && (m < 0 || m >= kinds)) at.take->refuse("names a material that does not exist");
 }
 
-template <class At, class C>
-void transfer_contacts(const At& at, C& contacts, std::size_t grains) {
+void transfer_contacts(const ResultPart& at, Contacts& contacts, std::size_t grains) {
   const auto group = at.group("contacts");
   group.note("i and j", "places in the arrays of grains, from 0, not ids; j = -1, -2, -3, -4 is the left, right, bottom, top wall");
   group.note("signs", "n points from j to i, t is n turned by +90 degrees, the force on i is fn n + ft t; fn > 0 pushes");
@@ -94,46 +89,28 @@ void transfer_contacts(const At& at, C& contacts, std::size_t grains) {
   group.array("j", contacts.j);
   transfer_columns(group, contacts, contact_columns, contacts.size());
   group.array("glued", contacts.glued);
-  if constexpr (At::reads) {
-    group.same_length({contacts.size(), contacts.j.size(), contacts.glued.size()});
-    const auto n = static_cast<std::int64_t>(grains);
-    for (std::size_t c = 0; c < contacts.size(); ++c)
-      if (contacts.i[c] < 0 || contacts.i[c] >= n || contacts.j[c] >= n || contacts.j[c] < wall_partner(top))
-        group.at.refuse("names a grain that does not exist");
-  }
-}
-template void transfer_contacts(const PutGroup&, const Contacts&, std::size_t);
-template void transfer_contacts(const TakeGroup&, Contacts&, std::size_t);
-
-void check_materials(const Hdf5Reader& at, const Packing& packing) {
-  const auto kinds = static_cast<std::int64_t>(packing.materials.size());
-  for (const auto m : packing.grains.material)
-    if (m < 0 || m >= kinds) at.refuse("names a material that does not exist");
+  if (!at.reads()) return;
+  group.same_length({contacts.size(), contacts.j.size(), contacts.glued.size()});
+  const auto n = static_cast<std::int64_t>(grains);
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (contacts.i[c] < 0 || contacts.i[c] >= n || contacts.j[c] >= n || contacts.j[c] < wall_partner(top))
+      group.take->refuse("names a grain that does not exist");
 }
 
-template <class At, class P>
-void transfer_packing(const At& at, P& packing) {
+void transfer_packing(const ResultPart& at, Packing& packing) {
   const auto group = at.group("packing");
   transfer_materials(group, packing.materials);
   transfer_domain(group, packing.domain);
-  const auto grains = group.group("grains");
-  if constexpr (At::reads) take_names(grains.at, grains.at, packing.grains);
-  else put_names(grains.at, packing.grains, nullptr);
-  transfer_columns(grains, packing.grains, grain_state_columns, packing.grains.id.size());
-  if constexpr (At::reads) check_materials(group.at, packing);
+  transfer_grains(group, packing, nullptr);
   transfer_contacts(group, packing.contacts, packing.grains.size());
 }
-template void transfer_packing(const PutGroup&, const Packing&);
-template void transfer_packing(const TakeGroup&, Packing&);
 
-void transfer_history(const PutGroup& at, const char* name, const History& history) {
+void transfer_history(const ResultPart& at, const char* name, History& history) {
   const auto group = at.group(name);
-  for (const auto& column : history.columns) group.at.write(column.name, column.values, column.unit);
-}
-
-void transfer_history(const TakeGroup& at, const char* name, History& history) {
-  const auto group = at.group(name).at;
-  for (const auto& own : group.names()) history.columns.push_back({own, group.unit(own), group.array<double>(own)});
+  if (at.reads())
+    for (const auto& own : group.take->names()) history.columns.push_back({own, group.take->unit(own), group.take->array<double>(own)});
+  else
+    for (const auto& column : history.columns) group.put->write(column.name, column.values, column.unit);
 }
 
 }  // namespace arenite::io

@@ -2,7 +2,6 @@
 #include <limits>
 
 #include "io/disk/file.hpp"
-#include "io/disk/store_file.hpp"
 #include "io/results/groups.hpp"
 #include "io/results/results.hpp"
 #include "io/table/table.hpp"

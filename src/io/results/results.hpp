@@ -4,9 +4,9 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "model/result.hpp"
 #include "model/film_result.hpp"
 
 namespace arenite::io {
@@ -33,6 +33,9 @@ void write_film_result(const std::filesystem::path& path, const FilmResult& resu
 
 /// Reads it back. Throws InputError for a file that is missing, foreign, newer, cut short (DamagedFile) or damaged.
 FilmResult read_film_result(const std::filesystem::path& path);
+
+/// Reads a result of whichever kind its file says it is.
+std::variant<StageResult, FieldResult, FilmResult> read_result(const std::filesystem::path& path);
 
 /// Writes a tree of numbers as one HDF5 file, all or nothing; numbers that are not finite become unknown.
 void write_numbers_file(const std::filesystem::path& path, const Numbers& numbers);

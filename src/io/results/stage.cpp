@@ -1,4 +1,3 @@
-#include "io/disk/store_file.hpp"
 #include "io/results/groups.hpp"
 #include "io/results/results.hpp"
 
@@ -17,85 +16,51 @@ constexpr Scalar equilibrium_scalars[] = {{"unbalanced_ratio", &Equilibrium::unb
                                           {"falling", &Equilibrium::falling, false},
                                           {"loose_kinetic_ratio", &Equilibrium::loose_kinetic, false}};
 
-template <class At, class F>
-void transfer_energies(const At& at, F& frame) {
+void transfer_energies(const ResultPart& at, Frame& frame) {
   const auto energies = at.group("energies");
-  for (const EnergyTerm& term : energy_terms) energies((std::string(term.name) + " [J]").c_str(), frame.energies.*term.value);
+  for (const EnergyTerm& term : energy_terms) energies(std::string(term.name) + " [J]", frame.energies.*term.value);
   const auto equilibrium = at.group("equilibrium");
-  for (const auto& s : equilibrium_scalars) {
-    if constexpr (At::reads)
-      if (!s.always && !equilibrium.at.has_attribute(s.name)) continue;
-    equilibrium(s.name, frame.equilibrium.*s.member);
-  }
+  for (const auto& s : equilibrium_scalars)
+    if (s.always || !at.reads() || equilibrium.take->has_attribute(s.name)) equilibrium(s.name, frame.equilibrium.*s.member);
 }
 
-template <class At, class F>
-void transfer_moment(const At& at, F& frame) {
+void transfer_frame(const ResultPart& at, Frame& frame, const Packing& sample) {
   at("time [s]", frame.time);
   at("step", frame.step);
   at("label", frame.label);
-}
-
-void write_frame(const PutGroup& at, const Frame& frame, const Packing& sample) {
-  transfer_moment(at, frame);
-  const Packing& packing = frame.packing;
-  if (!same(packing.materials, sample.materials)) transfer_materials(at, packing.materials);
-  transfer_domain(at, packing.domain);
-  const auto grains = at.group("grains");
-  put_names(grains.at, packing.grains, &sample.grains);
-  transfer_columns(grains, packing.grains, grain_state_columns, packing.grains.size());
-  transfer_contacts(at, packing.contacts, packing.grains.size());
-  transfer_energies(at, frame);
-}
-
-void read_frame(const TakeGroup& at, Frame& frame, const Materials& materials, const Hdf5Reader& sample) {
-  transfer_moment(at, frame);
   Packing& packing = frame.packing;
-  if (at.at.has("materials")) transfer_materials(at, packing.materials);
-  else packing.materials = materials;
+  if (at.reads() ? at.take->has("materials") : !same(packing.materials, sample.materials)) transfer_materials(at, packing.materials);
+  else if (at.reads()) packing.materials = sample.materials;
   transfer_domain(at, packing.domain);
-  const auto grains = at.group("grains");
-  take_names(grains.at, sample, packing.grains);
-  transfer_columns(grains, packing.grains, grain_state_columns, packing.grains.id.size());
-  check_materials(at.at, packing);
+  transfer_grains(at, packing, &sample.grains);
   transfer_contacts(at, packing.contacts, packing.grains.size());
   transfer_energies(at, frame);
 }
 
 /// What stage files and checkpoints have in common.
-void write_result(const PutGroup& at, const StageResult& result) {
+void transfer_result(const ResultPart& at, StageResult& result) {
   transfer_origin(at, result);
-  const Packing sample = result.frames.empty() ? Packing{} : result.frames.front().packing;
+  Packing sample = result.frames.empty() ? Packing{} : result.frames.front().packing;
   transfer_materials(at, sample.materials);
-  put_names(at.group("grains").at, sample.grains, nullptr);
-  at.each("frames", result.frames, 4, [&](const PutGroup& one, const Frame& frame) { write_frame(one, frame, sample); });
+  transfer_names(at.group("grains"), sample.grains, nullptr);
+  at.each("frames", result.frames, 4, [&](const ResultPart& one, Frame& frame) { transfer_frame(one, frame, sample); });
   transfer_history(at, "history", result.history);
   transfer_numbers(at, "texture", result.texture);
   at.array("continuation", result.continuation);
-}
-
-StageResult read_result(const TakeGroup& at) {
-  StageResult result;
-  transfer_origin(at, result);
-  Materials materials;
-  transfer_materials(at, materials);
-  const auto sample = at.at.group("grains");
-  at.each("frames", result.frames, 4, [&](const TakeGroup& one, Frame& frame) { read_frame(one, frame, materials, sample); });
-  transfer_history(at, "history", result.history);
-  transfer_numbers(at, "texture", result.texture);
-  at.array("continuation", result.continuation);
-  return result;
 }
 
 }  // namespace
 
-void write_stage(const std::filesystem::path& path, const StageResult& result) {
-  const Hdf5Writer file;
-  write_result({file}, result);
-  write_sealed(path, "result", file.bytes());
-}
+void write_stage(const std::filesystem::path& path, const StageResult& result) { write_result_file(path, "result", transfer_result, result); }
 
-StageResult read_stage(const std::filesystem::path& path) { return read_result({Hdf5Reader(read_sealed(path, "result"), path.string())}); }
+StageResult read_stage(const std::filesystem::path& path) { return read_result_file(path, "result", transfer_result); }
+
+std::variant<StageResult, FieldResult, FilmResult> read_result(const std::filesystem::path& path) {
+  const std::string kind = sealed_kind(path);
+  if (kind == "field") return read_field(path);
+  if (kind == "film") return read_film_result(path);
+  return read_stage(path);
+}
 
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
   const Hdf5Writer root(false);
@@ -106,7 +71,7 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
   for (const auto& [name, value] : checkpoint.numbers) numbers.set(name, value);
   const auto integers = root.create_group("integers");
   for (const auto& [name, value] : checkpoint.integers) integers.set(name, value);
-  write_result({root.create_group("partial")}, checkpoint.partial);
+  transfer_result(ResultPart(root.create_group("partial")), const_cast<StageResult&>(checkpoint.partial));  // which it only reads
   write_sealed(path, "checkpoint", root.bytes());
 }
 
@@ -120,7 +85,7 @@ std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& path, con
   for (const auto& name : blobs.names()) checkpoint.blobs[name] = blobs.array<std::uint8_t>(name);
   for (const auto& name : numbers.attribute_names()) checkpoint.numbers[name] = numbers.number(name);
   for (const auto& name : integers.attribute_names()) checkpoint.integers[name] = integers.integer(name);
-  checkpoint.partial = read_result({root.group("partial")});
+  transfer_result(ResultPart(root.group("partial")), checkpoint.partial);
   return checkpoint;
 }
 

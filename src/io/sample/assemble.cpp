@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <unordered_map>
-
-#include "io/sample/sample.hpp"
 
 namespace arenite::io {
 namespace {

@@ -141,7 +141,7 @@ void name_by_order(Columns& columns) {
 
 }  // namespace
 
-RawGrains read_lammps_atoms(std::string_view text, const UnitFactors& units, Problems& problems) {
+RawGrains read_lammps_atoms(std::string_view text, const ReadingHints& hints, Problems& problems) {
   RawGrains grains;
   const auto items = last_snapshot(text, problems);
   const Item* atoms = find_item(items, "ATOMS");
@@ -150,7 +150,7 @@ RawGrains read_lammps_atoms(std::string_view text, const UnitFactors& units, Pro
     return grains;
   }
   check_count(items, *atoms, "NUMBER OF ATOMS", problems);
-  read_box(items, units.length, grains, problems);
+  read_box(items, hints.length, grains, problems);
   const Columns columns = columns_of(*atoms, "ATOMS");
   constexpr const char* mend = "dump id type x y radius";
   const std::size_t id = columns.require({"id"}, mend, problems), type = columns.find("type").value_or(columns.names.size());
@@ -163,20 +163,20 @@ RawGrains read_lammps_atoms(std::string_view text, const UnitFactors& units, Pro
     RawGrain g;
     g.line = line;
     g.id = integer_or_problem(cells[id], "id", line, problems);
-    g.centre = {number_or_problem(cells[x], columns.names[x], scaled ? 1 : units.length, line, problems),
-                number_or_problem(cells[y], columns.names[y], scaled ? 1 : units.length, line, problems)};
+    g.centre = {number_or_problem(cells[x], columns.names[x], scaled ? 1 : hints.length, line, problems),
+                number_or_problem(cells[y], columns.names[y], scaled ? 1 : hints.length, line, problems)};
     if (scaled) {
       const Vec2 size = grains.box_high - grains.box_low;
       g.centre = grains.box_low + Vec2{g.centre.x * size.x + g.centre.y * grains.tilt, g.centre.y * size.y};
     }
-    g.radius = half * number_or_problem(cells[r], columns.names[r], units.length, line, problems);
+    g.radius = half * number_or_problem(cells[r], columns.names[r], hints.length, line, problems);
     if (type < columns.names.size()) g.material = cells[type];
     grains.rows.push_back(std::move(g));
   });
   return grains;
 }
 
-RawContacts read_lammps_pairs(std::string_view text, const std::string& names, const UnitFactors& units, Problems& problems) {
+RawContacts read_lammps_pairs(std::string_view text, const RawGrains&, const ReadingHints& hints, Problems& problems) {
   RawContacts contacts;
   const auto items = last_snapshot(text, problems);
   const Item* entries = find_item(items, "ENTRIES");
@@ -186,11 +186,11 @@ RawContacts read_lammps_pairs(std::string_view text, const std::string& names, c
   }
   check_count(items, *entries, "NUMBER OF ENTRIES", problems);
   Columns columns = columns_of(*entries, "ENTRIES");
-  if (names.empty()) {
+  if (hints.columns.empty()) {
     name_by_order(columns);
   } else {
     columns.names.clear();
-    std::string spaced = names;
+    std::string spaced = hints.columns;
     std::replace(spaced.begin(), spaced.end(), ',', ' ');
     for (const auto name : split_blanks(spaced)) columns.names.emplace_back(name);
   }
@@ -198,13 +198,13 @@ RawContacts read_lammps_pairs(std::string_view text, const std::string& names, c
   const auto i = column("patom1", "i"), j = column("patom2", "j"), fx = columns.find("fx"), fy = columns.find("fy");
   // Who names the columns may mean by fx, fy the whole force; LAMMPS's own are the normal force, and p1, p2 the tangential one.
   const auto px = columns.find("p1"), py = columns.find("p2");
-  const bool whole = !names.empty() && !px && !py;
+  const bool whole = !hints.columns.empty() && !px && !py;
   if (!i || !j || !fx || !fy || (!whole && (!px || !py))) {
     problems.add(entries->line, missing_columns(columns_of(*entries, "ENTRIES").names));
     return contacts;
   }
   for_each_row(*entries, columns.names.size(), problems, [&](int line, const auto& cells) {
-    const auto force = [&](std::size_t c) { return number_or_problem(cells[c], columns.names[c], units.force, line, problems); };
+    const auto force = [&](std::size_t c) { return number_or_problem(cells[c], columns.names[c], hints.force, line, problems); };
     RawContact c;
     c.line = line;
     c.i = integer_or_problem(cells[*i], "patom1", line, problems);

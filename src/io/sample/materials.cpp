@@ -6,7 +6,6 @@
 #include <set>
 #include <unordered_map>
 
-#include "core/problems.hpp"
 #include "io/disk/file.hpp"
 #include "io/table/table.hpp"
 

@@ -17,7 +17,7 @@ void read_header(const std::vector<std::string_view>& cells, int line, double le
 
 }  // namespace
 
-RawGrains read_mercury_data(std::string_view text, const UnitFactors& units, Problems& problems) {
+RawGrains read_mercury_data(std::string_view text, const ReadingHints& hints, Problems& problems) {
   RawGrains grains;
   Lines lines(text);
   std::string_view line;
@@ -35,7 +35,7 @@ RawGrains read_mercury_data(std::string_view text, const UnitFactors& units, Pro
       }
       expected = *count;
       header_line = at;
-      read_header(cells, at, units.length, grains, problems);
+      read_header(cells, at, hints.length, grains, problems);
       continue;
     }
     RawGrain g;
@@ -44,8 +44,8 @@ RawGrains read_mercury_data(std::string_view text, const UnitFactors& units, Pro
     if (cells.size() != 8) {
       problems.add(at, fmt::format("expected 8 values \"x y vx vy radius angle omega info\", found {}", cells.size()));
     } else {
-      g.centre = {number_or_problem(cells[0], "x", units.length, at, problems), number_or_problem(cells[1], "y", units.length, at, problems)};
-      g.radius = number_or_problem(cells[4], "radius", units.length, at, problems);
+      g.centre = {number_or_problem(cells[0], "x", hints.length, at, problems), number_or_problem(cells[1], "y", hints.length, at, problems)};
+      g.radius = number_or_problem(cells[4], "radius", hints.length, at, problems);
       g.material = cells[7];
     }
     grains.rows.push_back(std::move(g));
@@ -56,7 +56,7 @@ RawGrains read_mercury_data(std::string_view text, const UnitFactors& units, Pro
   return grains;
 }
 
-RawContacts read_mercury_fstat(std::string_view text, const UnitFactors& units, Problems& problems) {
+RawContacts read_mercury_fstat(std::string_view text, const RawGrains&, const ReadingHints& hints, Problems& problems) {
   RawContacts contacts;
   contacts.lists_both_ways = true;
   Lines lines(text);
@@ -82,7 +82,7 @@ RawContacts read_mercury_fstat(std::string_view text, const UnitFactors& units, 
     c.line = at;
     c.i = integer_or_problem(cells[1], "i", at, problems);
     c.j = integer_or_problem(cells[2], "j", at, problems);
-    const double fn = value(8, units.force), ft = value(9, units.force);
+    const double fn = value(8, hints.force), ft = value(9, hints.force);
     const Vec2 n{value(10, 1), value(11, 1)}, t{value(13, 1), value(14, 1)};
     // n and t belong to the force on grain i; for a wall MercuryDPM turns both round.
     const Vec2 force_on_i = fn * n + ft * t;

@@ -2,15 +2,9 @@
 
 #include <utility>
 
-#include "core/error.hpp"
-#include "io/sample/sample.hpp"
-#include "io/sample/sample.hpp"
-#include "io/sample/sample.hpp"
-#include "io/sample/sample.hpp"
 #include "io/disk/file.hpp"
 #include "io/disk/refuse.hpp"
 #include "io/table/table.hpp"
-#include "io/sample/sample.hpp"
 
 namespace arenite::io {
 namespace {
@@ -37,29 +31,20 @@ struct Format {
   const char* name;
   bool (*is_grains)(std::string_view first);
   bool (*is_contacts)(std::string_view first);
-  RawGrains (*grains)(std::string_view, const SampleOptions&, const UnitFactors&, Problems&);
-  RawContacts (*contacts)(std::string_view, const RawGrains&, const SampleOptions&, const UnitFactors&, Problems&);
+  RawGrains (*grains)(std::string_view, const ReadingHints&, Problems&);
+  RawContacts (*contacts)(std::string_view, const RawGrains&, const ReadingHints&, Problems&);
 };
 
+bool is_lammps(std::string_view first) { return first.starts_with("ITEM:"); }
+bool is_anything(std::string_view) { return true; }
+
 constexpr Format formats[] = {
-    {"lammps", [](std::string_view l) { return l.starts_with("ITEM:"); }, [](std::string_view l) { return l.starts_with("ITEM:"); },
-     [](std::string_view t, const SampleOptions&, const UnitFactors& u, Problems& p) { return read_lammps_atoms(t, u, p); },
-     [](std::string_view t, const RawGrains&, const SampleOptions& o, const UnitFactors& u, Problems& p) {
-       return read_lammps_pairs(t, o.contact_columns, u, p);
-     }},
+    {"lammps", is_lammps, is_lammps, read_lammps_atoms, read_lammps_pairs},
     {"yade", [](std::string_view l) { return l.starts_with("#format"); }, [](std::string_view l) { return l.starts_with("# vtk DataFile"); },
-     [](std::string_view t, const SampleOptions&, const UnitFactors& u, Problems& p) { return read_yade_spheres(t, u, p); },
-     [](std::string_view t, const RawGrains& g, const SampleOptions&, const UnitFactors& u, Problems& p) {
-       return read_yade_interactions(t, g, u, p);
-     }},
+     read_yade_spheres, read_yade_interactions},
     {"mercury", [](std::string_view l) { return all_numbers(l, 6); }, [](std::string_view l) { return l.starts_with('#') || all_numbers(l, 16); },
-     [](std::string_view t, const SampleOptions&, const UnitFactors& u, Problems& p) { return read_mercury_data(t, u, p); },
-     [](std::string_view t, const RawGrains&, const SampleOptions&, const UnitFactors& u, Problems& p) { return read_mercury_fstat(t, u, p); }},
-    {"csv", [](std::string_view) { return true; }, [](std::string_view) { return true; },
-     [](std::string_view t, const SampleOptions& o, const UnitFactors& u, Problems& p) { return read_grains_csv(t, o.grain_columns, u, p); },
-     [](std::string_view t, const RawGrains&, const SampleOptions& o, const UnitFactors& u, Problems& p) {
-       return read_contacts_csv(t, o.contact_columns, u, p);
-     }},
+     read_mercury_data, read_mercury_fstat},
+    {"csv", is_anything, is_anything, read_grains_csv, read_contacts_csv},
 };
 constexpr const Format& csv = formats[std::size(formats) - 1];
 
@@ -116,17 +101,19 @@ std::vector<std::string> sample_formats() {
 
 Sample read_sample(const std::filesystem::path& grains_path, const std::filesystem::path& contacts_path, const SampleOptions& options) {
   const std::string grains_text = read_text(grains_path), contacts_text = contacts_path.empty() ? std::string() : read_text(contacts_path);
-  const UnitFactors units{options.length_unit.value_or(1), options.force_unit.value_or(1), options.length_unit.has_value(),
-                          options.force_unit.has_value(), options.pixel};
+  const ReadingHints of_grains{options.grain_columns, options.length_unit.value_or(1), options.force_unit.value_or(1), options.length_unit.has_value(),
+                               options.force_unit.has_value(), options.pixel};
+  ReadingHints of_contacts = of_grains;
+  of_contacts.columns = options.contact_columns;
   Problems grain_problems(grains_path.string()), contact_problems(contacts_path.string());
 
   const Format& format = format_of(grains_text, options);
-  RawGrains grains = format.grains(grains_text, options, units, grain_problems);
+  RawGrains grains = format.grains(grains_text, of_grains, grain_problems);
   if (options.y_down) turn_rows_up(grains);
   if (!grain_problems.any()) apply_box(options, grains, grain_problems);
   const bool own = format.is_contacts(first_line(contacts_text)) || options.format == format.name;
   RawContacts contacts;
-  if (!contacts_path.empty()) contacts = (own ? format : csv).contacts(contacts_text, grains, options, units, contact_problems);
+  if (!contacts_path.empty()) contacts = (own ? format : csv).contacts(contacts_text, grains, of_contacts, contact_problems);
   if (options.y_down) turn_rows_up(contacts);
 
   Sample sample;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/error.hpp"
-#include "core/problems.hpp"
 #include "io/disk/file.hpp"
 #include "io/table/table.hpp"
 

@@ -48,5 +48,7 @@ Cement make_cement(const Packing& packing, const CementParameters& parameters, c
 
 /// Exact areas of grains and matrix in a window; throws InputError for a window without area.
 Areas exact_areas(const Packing& packing, const Cement& cement, const Window& window);
+/// The same of what is placed in it.
+Areas exact_areas(const PlacedCement& placed, const Window& window);
 
 }  // namespace arenite::cement

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <vector>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "core/root.hpp"
 #include "geometry/close_pairs.hpp"
 #include "geometry/meniscus.hpp"
@@ -56,39 +55,27 @@ std::vector<geometry::Pair> joined_pairs(const Packing& packing, double gap) {
 }
 
 /// Bridges whose half bases are `half_width` times the radii of their grains (P II.B).
-std::vector<Bridge> make_bridges(const Packing& packing, const std::vector<geometry::Pair>& pairs, double half_width) {
-  std::vector<Bridge> bridges;
-  bridges.reserve(pairs.size());
+void add_bridges(const Packing& packing, const std::vector<geometry::Pair>& pairs, double half_width, Cement& cement) {
   const auto& r = packing.grains.radius;
-  for (const auto [i, j] : pairs) bridges.push_back({i, j, half_width * r[i], half_width * r[j]});
-  return bridges;
+  for (const auto [i, j] : pairs) cement.bridges.push_back({i, j, half_width * r[i], half_width * r[j]});
 }
 
-struct Menisci {
-  std::vector<Meniscus> menisci;
-  std::size_t ruptured = 0, capped = 0;
-};
-
-/// A meniscus of one volume (area, m^2) at every pair. Where it is less than the arcs enclose when they meet in the middle
-/// of the gap there is none; where it is more than straight tangents enclose the arcs are straight.
-Menisci make_menisci(const Packing& packing, const std::vector<geometry::Pair>& pairs, double volume) {
-  Menisci made;
-  if (!(volume > 0)) return made;
+/// A meniscus of one volume (area, m^2) at every pair. Where it is less than the arcs enclose when they meet in the middle of the gap there is none;
+/// where it is more than straight tangents enclose the arcs are straight.
+void add_menisci(const Packing& packing, const std::vector<geometry::Pair>& pairs, double volume, Cement& cement, CementReport& report) {
   for (const auto pair : pairs) {
     const geometry::MeniscusDisks disks = disks_of(packing, pair);
     if (!can_hold(disks)) continue;
-    const double least = geometry::meniscus_area(disks, geometry::largest_meniscus_curvature(disks));
     const double most = geometry::meniscus_area(disks, 0);
-    if (volume <= least) {
-      ++made.ruptured;
+    if (volume <= geometry::meniscus_area(disks, geometry::largest_meniscus_curvature(disks))) {
+      ++report.ruptured;
     } else if (volume >= most) {
-      ++made.capped;
-      made.menisci.push_back({pair.i, pair.j, std::numeric_limits<double>::infinity()});
+      ++report.capped;
+      cement.menisci.push_back({pair.i, pair.j, std::numeric_limits<double>::infinity()});
     } else {
-      made.menisci.push_back({pair.i, pair.j, 1 / curvature_of(disks, volume, most)});
+      cement.menisci.push_back({pair.i, pair.j, 1 / curvature_of(disks, volume, most)});
     }
   }
-  return made;
 }
 
 /// The largest volume that a meniscus between two straight tangents holds at any pair, m^2.
@@ -107,24 +94,26 @@ using Kind = CementParameters::Kind;
 double widest(const CementParameters& p) { return p.full_width ? 2 : 1; }
 
 void check(const CementParameters& p, const Window& w) {
-  std::vector<Problem> problems;
-  const auto report = [&](std::string message) { problems.push_back({{}, 0, 0, std::move(message)}); };
+  Problems problems;
   const auto length = [&](const char* what, double value) {
-    if (!(value >= 0) || !std::isfinite(value)) report(fmt::format("{} of {:g} is no length; give at least 0", what, value));
+    problems.unless(value >= 0 && std::isfinite(value), "{} of {:g} is no length; give at least 0", what, value);
   };
   const bool joints = p.kind == Kind::bridges || p.kind == Kind::menisci;
   if (joints) length("the cement's gap", p.gap);
-  if (p.kind == Kind::bridges && !p.saturation && !(p.width >= 0 && p.width <= widest(p)))
-    report(fmt::format("a bridge's width of {:g} radii is out of range; give 0 to {:g}, as wide as the grain", p.width, widest(p)));
+  if (p.kind == Kind::bridges && !p.saturation)
+    problems.unless(p.width >= 0 && p.width <= widest(p), "a bridge's width of {:g} radii is out of range; give 0 to {:g}, as wide as the grain", p.width,
+                    widest(p));
   if (p.kind == Kind::coating && !p.saturation) length("the coating's thickness", p.thickness);
   if (p.kind == Kind::menisci && !p.saturation) length("a meniscus' volume", p.volume);
-  if (p.saturation && !(*p.saturation > 0 && *p.saturation <= 1))
-    report(fmt::format("a matrix saturation of {:g} is out of range; give more than 0, at most 1", *p.saturation));
-  if (p.saturation && (p.kind == Kind::none || (p.kind == Kind::full && *p.saturation != 1)))
-    report(fmt::format("{} cement has no saturation to choose; leave it out or take bridges, coating or menisci", p.kind == Kind::full ? "full" : "no"));
-  if (!(w.width() > 0 && w.height() > 0) || !std::isfinite(w.area()))
-    report(fmt::format("the cement's window is {:g} x {:g} m; give it positive sides", w.width(), w.height()));
-  if (!problems.empty()) throw InputError(std::move(problems));
+  if (p.saturation) {
+    const double s = *p.saturation;
+    problems.unless(s > 0 && s <= 1, "a matrix saturation of {:g} is out of range; give more than 0, at most 1", s);
+    problems.unless(p.kind != Kind::none && (p.kind != Kind::full || s == 1),
+                    "{} cement has no saturation to choose; leave it out or take bridges, coating or menisci", p.kind == Kind::full ? "full" : "no");
+  }
+  problems.unless(w.width() > 0 && w.height() > 0 && std::isfinite(w.area()), "the cement's window is {:g} x {:g} m; give it positive sides", w.width(),
+                  w.height());
+  problems.raise();
 }
 
 /// One kind of cement with its one free parameter: width, thickness or volume.
@@ -139,13 +128,8 @@ class Maker {
     report.parameter = parameter;
     if (p_.kind == Kind::full) cement.full = true;
     if (p_.kind == Kind::coating) cement.coating = parameter;
-    if (p_.kind == Kind::bridges && parameter > 0) cement.bridges = make_bridges(packing_, pairs_, p_.full_width ? 0.5 * parameter : parameter);
-    if (p_.kind == Kind::menisci) {
-      Menisci made = make_menisci(packing_, pairs_, parameter);
-      cement.menisci = std::move(made.menisci);
-      report.ruptured = made.ruptured;
-      report.capped = made.capped;
-    }
+    if (p_.kind == Kind::bridges && parameter > 0) add_bridges(packing_, pairs_, p_.full_width ? 0.5 * parameter : parameter, cement);
+    if (p_.kind == Kind::menisci && parameter > 0) add_menisci(packing_, pairs_, parameter, cement, report);
     report.joints = cement.bridges.size() + cement.menisci.size();
     report.areas = exact_areas(packing_, cement, window_);
     report.saturation = report.areas.saturation();
@@ -201,18 +185,16 @@ class Maker {
 Areas exact_areas(const Packing& packing, const Cement& cement, const Window& window) {
   if (!(window.width() > 0 && window.height() > 0) || !std::isfinite(window.area()))
     throw InputError(fmt::format("the window for exact areas is {:g} x {:g} m; give it positive sides", window.width(), window.height()));
-  const PlacedCement placed = place(packing, cement, window);
+  return exact_areas(place(packing, cement, window), window);
+}
+
+Areas exact_areas(const PlacedCement& placed, const Window& window) {
   auto outlines = grain_outlines(placed);
-  Areas areas{window.area(), geometry::union_area(outlines, placed.window), 0};
-  if (cement.full) {
-    areas.matrix = areas.window - areas.particle;
-    return areas;
-  }
+  const double particle = geometry::union_area(outlines, placed.window);
   const auto matrix = matrix_outlines(placed);
-  if (matrix.empty()) return areas;
   outlines.insert(outlines.end(), matrix.begin(), matrix.end());
-  areas.matrix = std::max(0.0, geometry::union_area(outlines, placed.window) - areas.particle);
-  return areas;
+  const double solid = placed.full ? window.area() : matrix.empty() ? particle : geometry::union_area(outlines, placed.window);
+  return {window.area(), particle, std::max(0.0, solid - particle)};
 }
 
 Cement make_cement(const Packing& packing, const CementParameters& parameters, const Window& window, CementReport& report) {

@@ -28,14 +28,11 @@ bool all_zero(Lane v) {
 /// 0: void, 1: matrix, 2 and more: a grain.
 Buffer<std::int32_t> padded_labels(const PhaseMap& map, const Grid& grid) {
   Buffer<std::int32_t> labels(grid.padded_size());
-  for (int y = 0; y < grid.height; ++y) {
-    std::int32_t* row = labels.data() + grid.row(y);
-    const std::size_t from = map.index(0, y);
-    for (int x = 0; x < grid.width; ++x) {
-      const std::size_t i = from + static_cast<std::size_t>(x);
-      row[x] = map.phase[i] == Phase::particle ? map.grain[i] + 2 : static_cast<std::int32_t>(map.phase[i]);
-    }
-  }
+  std::size_t k = 0;
+  grid.each([&](std::ptrdiff_t i, int) {
+    labels[i] = map.phase[k] == Phase::particle ? map.grain[k] + 2 : static_cast<std::int32_t>(map.phase[k]);
+    ++k;
+  });
   return labels;
 }
 
@@ -111,17 +108,11 @@ void classify_groups(Bonds& bonds, int first, int last) {
 
 void make_cuts(Bonds& bonds, const std::vector<Cut>& cuts) {
   if (cuts.empty()) return;
-  const Grid& grid = bonds.grid;
-  for (int y = 0; y < grid.height; ++y)
-    for (int x = 0; x < grid.width; ++x)
-      for (int d = 0; d < bonds_per_node; ++d) {
-        const Offset e = half_bonds[static_cast<unsigned>(d)];
-        const Vec2 a{static_cast<double>(x), static_cast<double>(y)};
-        const Vec2 b{static_cast<double>(x + e.x), static_cast<double>(y + e.y)};
-        for (const Cut& cut : cuts)
-          if (crosses(cut, a, b)) bonds.break_bond(grid.index(x, y), d);
-      }
-  classify_groups(bonds, 0, grid.height - 1);
+  each_bond(bonds, [&](const Bond& b) {
+    const Vec2 from{static_cast<double>(b.x), static_cast<double>(b.y)}, to{static_cast<double>(b.x + b.step().x), static_cast<double>(b.y + b.step().y)};
+    if (std::any_of(cuts.begin(), cuts.end(), [&](const Cut& cut) { return crosses(cut, from, to); })) bonds.break_bond(b.i, b.d);
+  });
+  classify_groups(bonds, 0, bonds.grid.height - 1);
 }
 
 }  // namespace arenite::peridynamics

@@ -82,12 +82,12 @@ bool Pull::prepare() {
 }
 
 void Pull::uniform_strain() {
-  for (int y = 0; y < map_.height; ++y)
-    for (int x = 0; x < map_.width; ++x)
-      if (map_.phase[map_.index(x, y)] != Phase::empty) {
-        u_.x[bonds_.grid.index(x, y)] = y * map_.dx * way_.x;
-        u_.y[bonds_.grid.index(x, y)] = y * map_.dx * way_.y;
-      }
+  auto phase = map_.phase.begin();
+  bonds_.grid.each([&](std::ptrdiff_t i, int y) {
+    if (*phase++ == Phase::empty) return;
+    u_.x[i] = y * map_.dx * way_.x;
+    u_.y[i] = y * map_.dx * way_.y;
+  });
 }
 
 bool Pull::watched(int iterations, double residual) {
@@ -118,8 +118,7 @@ bool Pull::equilibrate() {
     }
     report = solve(100);
   }
-  const std::vector<std::uint8_t> none(prescribed_.size(), nothing_prescribed);
-  unit_energy_ = -kernels(bonds_.law).force(bonds_, none.data(), plane(u_), plane(f_)) / 2;
+  unit_energy_ = -linear_force(bonds_, u_, f_) / 2;
   unit_force_ = 0;
   for (std::ptrdiff_t i = bonds_.grid.row(map_.height - 1), end = i + map_.width; i < end; ++i) unit_force_ -= f_.x[i] * way_.x + f_.y[i] * way_.y;
   return report.converged;
@@ -149,13 +148,10 @@ void Pull::strain_to(double next) {
 
 void Pull::remember() {
   result_.strength = now_.stress;
-  if (strongest_.words.size() == 0) {
-    strongest_.words = Buffer<std::uint32_t>(bonds_.words.size());
-    strongest_.u = Field<double>(bonds_.words.size());
-  }
-  copy(bonds_.words, strongest_.words);
-  copy(u_, strongest_.u);
-  strongest_.strain = now_.strain;
+  put(bonds_.words, held_.strongest_words);
+  put(u_.x, held_.strongest_ux);
+  put(u_.y, held_.strongest_uy);
+  held_.strongest_strain = now_.strain;
 }
 
 /// Breaks what is stretched beyond the critical stretch, the worst of it.
@@ -209,10 +205,12 @@ void Pull::run() {
 
 DamageResult Pull::finish() {
   if (result_.strength > 0) {
-    for (Buffer<double>* component : {&strongest_.u.x, &strongest_.u.y})
-      for (std::size_t i = 0; i < component->size(); ++i) component->data()[i] *= strongest_.strain;
-    std::swap(bonds_.words, strongest_.words);
-    result_.at_strength = node_stress(bonds_, map_.dx, strongest_.u, false);
+    for (auto* component : {&held_.strongest_ux, &held_.strongest_uy})
+      for (double& u : *component) u *= held_.strongest_strain;
+    put(held_.strongest_words, bonds_.words);
+    put(held_.strongest_ux, u_.x);
+    put(held_.strongest_uy, u_.y);
+    result_.at_strength = node_stress(bonds_, map_.dx, u_, false);
   }
   result_.sentence = sentence_of(result_);
   return std::move(result_);

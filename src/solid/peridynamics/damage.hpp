@@ -26,20 +26,27 @@ struct BrokenBond {
   double strain;           ///< of the sample when it broke
 };
 
+/// What came of a pull so far.
+struct PullRecord {
+  std::vector<DamageState> curve;
+  std::vector<BrokenBond> broken;  ///< in order
+  double strength = 0;             ///< largest stress, Pa
+  double modulus = 0;              ///< of the whole sample, Pa
+  /// Largest |work - elastic - released| over the work: work from the clamp's force, energies from the bonds.
+  double energy_defect = 0;
+  int solves = 0, iterations = 0;
+};
+
 /// Where a pull stands before a round of breaking: all that decides how it goes on, beside its map and options. Arrays by
 /// node are padded (grid.hpp); displacements are m at unit strain.
-struct PullState {
+struct PullState : PullRecord {
   std::int32_t width = 0, height = 0;  ///< nodes of the map
   std::int64_t rounds = 0;             ///< of breaking so far
-  std::int64_t solves = 0, iterations = 0;
   std::vector<std::uint32_t> words;           ///< Bonds::words as they are,
   std::vector<std::uint32_t> words_at_setup;  ///< and when the solver was set up, which it is still
   std::vector<double> ux, uy;                 ///< the last equilibrium: the next solve starts from it
   DamageState now;
-  std::vector<DamageState> curve;
-  std::vector<BrokenBond> broken;
-  double strength = 0, modulus = 0, energy_defect = 0;  ///< so far, as in DamageResult
-  double share = 0;                                     ///< Progress::share
+  double share = 0;                           ///< Progress::share
   /// Bonds and equilibrium when the stress was largest; empty before the first round.
   std::vector<std::uint32_t> strongest_words;
   std::vector<double> strongest_ux, strongest_uy;
@@ -50,17 +57,10 @@ struct PullState {
 std::vector<std::uint8_t> to_bytes(const PullState& state);
 PullState pull_state_of(const std::vector<std::uint8_t>& bytes);
 
-struct DamageResult {
+struct DamageResult : PullRecord {
   enum class Ending { severed, dropped, strain_reached, events_reached, not_converged, stopped, no_path } ending = Ending::no_path;
   std::string sentence;
-  std::vector<DamageState> curve;
-  std::vector<BrokenBond> broken;  ///< in order
-  StressField at_strength;         ///< the field when the stress was largest; size 0 if nothing carried
-  double strength = 0;             ///< largest stress, Pa
-  double modulus = 0;              ///< of the whole sample, Pa
-  /// Largest |work - elastic - released| over the work: work from the clamp's force, energies from the bonds.
-  double energy_defect = 0;
-  int solves = 0, iterations = 0;
+  StressField at_strength;  ///< the field when the stress was largest; size 0 if nothing carried
 };
 
 /// Moves the top row, quasi-statically, breaking bonds as they reach the critical stretch of their type. Loads are found, not stepped: between two

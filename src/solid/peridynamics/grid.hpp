@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <new>
 #include <utility>
+#include <vector>
 
 namespace arenite::peridynamics {
 
@@ -71,6 +72,16 @@ class Buffer {
 
 template <class T>
 void copy(const Buffer<T>& from, Buffer<T>& to) {
+  std::copy_n(from.data(), from.size(), to.data());
+}
+
+/// Between a buffer and a list of the same length.
+template <class T>
+void put(const Buffer<T>& from, std::vector<T>& to) {
+  to.assign(from.data(), from.data() + from.size());
+}
+template <class T>
+void put(const std::vector<T>& from, Buffer<T>& to) {
   std::copy_n(from.data(), from.size(), to.data());
 }
 

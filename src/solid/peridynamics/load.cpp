@@ -35,23 +35,21 @@ struct Specimen {
   Field<double> first_guess() const {
     const Grid& grid = bonds.grid;
     Field<double> u(grid.padded_size());
-    for (int y = 0; y < grid.height; ++y)
-      for (int x = 0; x < grid.width; ++x) {
-        if (map.phase[map.index(x, y)] == Phase::empty) continue;
-        const std::ptrdiff_t i = grid.index(x, y);
-        double share = static_cast<double>(y) / (grid.height - 1);
-        if (!prescribed[static_cast<std::size_t>(y)] && tie[i] != Tie::both) share = tie[i] == Tie::above ? 1 : 0;
-        u.x[i] = share * top_displacement.x;
-        u.y[i] = share * top_displacement.y;
-      }
+    auto phase = map.phase.begin();
+    grid.each([&](std::ptrdiff_t i, int y) {
+      if (*phase++ == Phase::empty) return;
+      double share = static_cast<double>(y) / (grid.height - 1);
+      if (!prescribed[static_cast<std::size_t>(y)] && tie[i] != Tie::both) share = tie[i] == Tie::above ? 1 : 0;
+      u.x[i] = share * top_displacement.x;
+      u.y[i] = share * top_displacement.y;
+    });
     return u;
   }
 
   Field<double> force(const Field<double>& u) const {
     Field<double> f(bonds.grid.padded_size());
-    const std::vector<std::uint8_t> none(prescribed.size(), nothing_prescribed);
     if (options.exact_stretch) exact_force(bonds, map.dx, u, f);
-    else kernels(bonds.law).force(bonds, none.data(), plane(u), plane(f));
+    else linear_force(bonds, u, f);
     return f;
   }
 };
@@ -154,15 +152,9 @@ LoadResult load(const PhaseMap& map, const LoadOptions& options) {
   r.support = s.support;
   Field<double> u = s.first_guess();
   if (s.support.carrying > 0) {
-    StaticReport solved = find_equilibrium(s, u);
-    r.ending = solved.converged ? Ending::solved : solved.stopped ? Ending::stopped : Ending::not_converged;
-    r.iterations = solved.iterations;
-    r.residual = solved.residual;
-    r.history = std::move(solved.history);
-    r.loose_nodes = solved.loose_nodes;
-    r.coarse_unknowns = solved.coarse_unknowns;
-    r.repairs = solved.repairs;
-    const bool suspicious = r.ending == Ending::not_converged || solved.loose_nodes > 0 || (options.method == Method::static_solve && solved.iterations > 25);
+    static_cast<StaticReport&>(r) = find_equilibrium(s, u);
+    r.ending = r.converged ? Ending::solved : r.stopped ? Ending::stopped : Ending::not_converged;
+    const bool suspicious = r.ending == Ending::not_converged || r.loose_nodes > 0 || (options.method == Method::static_solve && r.iterations > 25);
     if (options.look_for_hinges || suspicious) r.hinges = find_hinges(s.bonds);
   } else {
     const bool any = std::any_of(map.phase.begin(), map.phase.end(), [](Phase p) { return p != Phase::empty; });

@@ -34,17 +34,23 @@ struct Hinge {
   bool carries;       ///< the part holds the upper clamp: the load itself passes the hinge
 };
 
-struct LoadReport {
+/// How a solve ended.
+struct StaticReport {
+  bool converged = false;
+  bool stopped = false;  ///< the watch asked for it
+  int iterations = 0;
+  double residual = 0;          ///< relative, of the field that is handed back, worked out anew
+  std::vector<double> history;  ///< relative residual after each iteration, the start first
+  std::int32_t coarse_unknowns = 0;
+  int repairs = 0;              ///< CoarseSpace::repairs
+  std::size_t loose_nodes = 0;  ///< that no bond holds in some direction
+};
+
+struct LoadReport : StaticReport {
   Ending ending = Ending::empty;
   std::string sentence;  ///< the same in words, with what was found loose
   Support support;
-  int iterations = 0;
-  double residual = 0;
-  std::vector<double> history;  ///< of relative residuals
-  std::size_t loose_nodes = 0;  ///< that no bond holds in some direction
-  std::vector<Hinge> hinges;    ///< that were found, if they were looked for
-  std::int32_t coarse_unknowns = 0;
-  int repairs = 0;
+  std::vector<Hinge> hinges;     ///< that were found, if they were looked for
   Vec2 top_force, bottom_force;  ///< of the clamps on the sample per unit thickness, N/m
   /// sum sigma_yy V over F_top (y_top - y_bottom), less one: zero at equilibrium.
   double identity_defect = 0;

@@ -84,7 +84,7 @@ struct DamageOptions {
   double max_strain = 1;    ///< the pull ends here,
   double end_stress = 0.1;  ///< or when the stress has fallen to this share of the largest,
   int max_events = 10'000;  ///< or after so many rounds of breaking
-  /// Bonds within this share of the most overstretched break in the same round.
+  /// Bonds within this share of the one furthest beyond its critical stretch break in the same round.
   double band = 0.05;
   Watch watch{};
   /// Called before each round of breaking and, with that round's state, where the watch stopped the work.

@@ -13,11 +13,11 @@ Buffer<std::int32_t> owners(const PhaseMap& map, const Grid& grid) {
   Buffer<std::int32_t> owner(grid.padded_size());
   constexpr std::int32_t unowned = -2;
   std::fill_n(owner.data(), owner.size(), -1);
-  for (int y = 0; y < grid.height; ++y)
-    for (int x = 0; x < grid.width; ++x) {
-      const auto i = map.index(x, y);
-      owner[grid.index(x, y)] = map.phase[i] == Phase::particle ? map.grain[i] : map.phase[i] == Phase::matrix ? unowned : -1;
-    }
+  std::size_t k = 0;
+  grid.each([&](std::ptrdiff_t i, int) {
+    owner[i] = map.phase[k] == Phase::particle ? map.grain[k] : map.phase[k] == Phase::matrix ? unowned : -1;
+    ++k;
+  });
   std::vector<std::ptrdiff_t> front;
   const std::array<std::ptrdiff_t, 4> sides{1, -1, grid.stride, -grid.stride};
   const auto flood_from = [&](std::ptrdiff_t i) {
@@ -27,10 +27,11 @@ Buffer<std::int32_t> owners(const PhaseMap& map, const Grid& grid) {
         front.push_back(i + step);
       }
   };
-  for (int y = 0; y < grid.height; ++y)
-    for (int x = 0; x < grid.width; ++x)
-      if (map.phase[map.index(x, y)] == Phase::particle) flood_from(grid.index(x, y));
-  for (std::size_t k = 0; k < front.size(); ++k) flood_from(front[k]);
+  auto phase = map.phase.begin();
+  grid.each([&](std::ptrdiff_t i, int) {
+    if (*phase++ == Phase::particle) flood_from(i);
+  });
+  for (std::size_t n = 0; n < front.size(); ++n) flood_from(front[n]);
   std::replace(owner.data(), owner.data() + owner.size(), unowned, static_cast<std::int32_t>(map.grain_class.size()));
   return owner;
 }
@@ -51,7 +52,7 @@ void join_nodes(const Bonds& bonds, const Buffer<std::int32_t>& owner, const Cel
       const std::ptrdiff_t i = grid.index(c.x0 + x, c.y0 + y);
       if (owner[i] < 0) continue;
       // Deep inside a grain the two nearest neighbours already tie all nodes together.
-      const bool inside = bonds.group[static_cast<std::ptrdiff_t>(c.y0 + y) * grid.groups + (c.x0 + x) / Grid::lanes] == particle_bond;
+      const bool inside = bonds.group_at(c.x0 + x, c.y0 + y) == particle_bond;
       const std::uint32_t word = bonds.words[i];
       for (int d = 0; d < (inside ? 4 : bonds_per_node); d += inside ? 3 : 1) {
         const Offset e = half_bonds[static_cast<unsigned>(d)];

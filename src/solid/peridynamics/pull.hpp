@@ -102,14 +102,7 @@ class Pull {
   double unit_force_ = 0;    ///< of the clamp, N/m
   double unit_energy_ = 0;   ///< of all bonds, J/m
   double share_ = 0;         ///< Progress::share
-  PullState held_;           ///< before this round, of what its solve changes
-
-  /// Bonds and equilibrium when the stress was largest.
-  struct Strongest {
-    Buffer<std::uint32_t> words;
-    Field<double> u;
-    double strain = 0;
-  } strongest_;
+  PullState held_;           ///< before this round, of what its solve changes; and the strongest state
 };
 
 }  // namespace arenite::peridynamics

@@ -1,5 +1,4 @@
 // How a pull hands out its state, as a value and as bytes, and takes it back.
-#include <algorithm>
 #include <utility>
 
 #include "core/bytes.hpp"
@@ -43,23 +42,18 @@ void transfer(Archive& a, std::vector<T>& list) {
 /// One list of members for both ways.
 template <class Archive>
 void transfer(Archive& a, PullState& s) {
-  a(s.width), a(s.height), a(s.rounds), a(s.solves), a(s.iterations);
+  a(s.width), a(s.height), a(s.rounds);
+  for (int* count : {&s.solves, &s.iterations}) {
+    std::int64_t wide = *count;
+    a(wide);
+    *count = static_cast<int>(wide);
+  }
   for (auto* words : {&s.words, &s.words_at_setup, &s.strongest_words}) a(*words);
   for (auto* u : {&s.ux, &s.uy, &s.strongest_ux, &s.strongest_uy}) a(*u);
   for (double* v : {&s.strength, &s.modulus, &s.energy_defect, &s.share, &s.strongest_strain}) a(*v);
   transfer(a, s.now);
   transfer(a, s.curve);
   transfer(a, s.broken);
-}
-
-template <class T>
-void put(const Buffer<T>& from, std::vector<T>& to) {
-  to.assign(from.data(), from.data() + from.size());
-}
-
-template <class T>
-void put(const std::vector<T>& from, Buffer<T>& to) {
-  std::copy_n(from.data(), from.size(), to.data());
 }
 
 bool fits(const PullState& s, const PhaseMap& map, std::size_t padded) {
@@ -108,16 +102,10 @@ void Pull::hold() {
 
 PullState Pull::state() const {
   PullState s = held_;
+  static_cast<PullRecord&>(s) = result_;
+  s.solves = held_.solves;  // this round's solve will be done again
+  s.iterations = held_.iterations;
   s.now = now_;
-  s.curve = result_.curve;
-  s.broken = result_.broken;
-  s.strength = result_.strength;
-  s.modulus = result_.modulus;
-  s.energy_defect = result_.energy_defect;
-  put(strongest_.words, s.strongest_words);
-  put(strongest_.u.x, s.strongest_ux);
-  put(strongest_.u.y, s.strongest_uy);
-  s.strongest_strain = strongest_.strain;
   return s;
 }
 
@@ -135,19 +123,10 @@ void Pull::resume(const PullState& s) {
   put(s.ux, u_.x);
   put(s.uy, u_.y);
   rounds_ = s.rounds;
-  result_.solves = static_cast<int>(s.solves);
-  result_.iterations = static_cast<int>(s.iterations);
   share_ = s.share;
   now_ = s.now;
-  result_.curve = s.curve;
-  result_.broken = s.broken;
-  result_.strength = s.strength;
-  result_.modulus = s.modulus;
-  result_.energy_defect = s.energy_defect;
-  strongest_ = {Buffer<std::uint32_t>(s.strongest_words.size()), Field<double>(s.strongest_words.size()), s.strongest_strain};
-  put(s.strongest_words, strongest_.words);
-  put(s.strongest_ux, strongest_.u.x);
-  put(s.strongest_uy, strongest_.u.y);
+  static_cast<PullRecord&>(result_) = s;
+  held_ = s;
 }
 
 }  // namespace arenite::peridynamics

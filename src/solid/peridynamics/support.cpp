@@ -26,30 +26,26 @@ std::vector<std::uint8_t> own_ties(const Bonds& bonds, const Pieces& pieces, con
   const Parts parts{bonds, pieces, prescribed};
   const std::int32_t below = pieces.count();
   std::vector<std::uint8_t> ties(static_cast<std::size_t>(below), 0);
-  for (int y = 0; y < grid.height; ++y)
-    if (prescribed[static_cast<std::size_t>(y)] == y_prescribed)
-      for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i)
-        if (pieces.of_node[i] >= 0) ties[static_cast<std::size_t>(pieces.of_node[i])] |= 1;
+  grid.each([&](std::ptrdiff_t i, int y) {
+    if (prescribed[static_cast<std::size_t>(y)] == y_prescribed && pieces.of_node[i] >= 0) ties[static_cast<std::size_t>(pieces.of_node[i])] |= 1;
+  });
   // The clamps themselves never join parts: a part tied to both is known by its own ties.
   const auto join = [&](std::int32_t a, std::int32_t b) {
     if (a < below && b < below) sets.join(a, b);
     else if (a < below) ties[static_cast<std::size_t>(a)] |= b == below ? 1 : 2;
     else if (b < below) ties[static_cast<std::size_t>(b)] |= a == below ? 1 : 2;
   };
-  for (int y = 0; y < grid.height; ++y)
-    for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) {
-      const std::uint32_t word = bonds.words[i];
-      if (!word) continue;
-      const std::int32_t own = parts.of(i, y);
-      // Where all bonds are whole and alike the nearest ones tell what hangs together.
-      const auto kind = bonds.group[static_cast<std::ptrdiff_t>(y) * grid.groups + (i - grid.row(y)) / Grid::lanes];
-      const bool inside = kind != Bonds::mixed;
-      for (int d = 0; d < (inside ? 4 : bonds_per_node); d += inside ? 3 : 1) {
-        if (!(word >> (2 * d) & 3u)) continue;
-        const std::int32_t other = parts.of(i + bonds.step(d), y + half_bonds[static_cast<unsigned>(d)].y);
-        if (other != own) join(own, other);
-      }
+  grid.each([&](std::ptrdiff_t i, int y) {
+    if (!bonds.words[i]) return;
+    const std::int32_t own = parts.of(i, y);
+    // Where all bonds are whole and alike the nearest ones tell what hangs together.
+    const bool inside = bonds.group_at(static_cast<int>(i - grid.row(y)), y) != Bonds::mixed;
+    for (int d = 0; d < (inside ? 4 : bonds_per_node); d += inside ? 3 : 1) {
+      if (!bonds.type(i, d)) continue;
+      const std::int32_t other = parts.of(i + bonds.step(d), y + half_bonds[static_cast<unsigned>(d)].y);
+      if (other != own) join(own, other);
     }
+  });
   return ties;
 }
 
@@ -83,9 +79,9 @@ void keep_carrying(const Grid& grid, const std::vector<std::uint8_t>& ties, Piec
     kept.cell_y.push_back(pieces.cell_y[p]);
     kept.nodes.push_back(pieces.nodes[p]);
   }
-  for (int y = 0; y < grid.height; ++y)
-    for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i)
-      if (std::int32_t& p = pieces.of_node[i]; p >= 0) p = number[static_cast<std::size_t>(p)];
+  grid.each([&](std::ptrdiff_t i, int) {
+    if (std::int32_t& p = pieces.of_node[i]; p >= 0) p = number[static_cast<std::size_t>(p)];
+  });
   kept.of_node = std::move(pieces.of_node);
   pieces = std::move(kept);
 }
@@ -96,13 +92,9 @@ void cut_loose_bonds(Bonds& bonds, const std::vector<std::uint8_t>& prescribed, 
   const auto carries = [&](std::ptrdiff_t i, int y) {
     return y >= 0 && y < grid.height && (prescribed[static_cast<std::size_t>(y)] == both_prescribed || tie[i] == Tie::both);
   };
-  for (int y = 0; y < grid.height; ++y)
-    for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) {
-      std::uint32_t& word = bonds.words[i];
-      if (!word) continue;
-      for (int d = 0; d < bonds_per_node; ++d)
-        if (!carries(i, y) || !carries(i + bonds.step(d), y + half_bonds[static_cast<unsigned>(d)].y)) word &= ~(3u << (2 * d));
-    }
+  each_bond(bonds, [&](const Bond& b) {
+    if (!carries(b.i, b.y) || !carries(b.j, b.y + b.step().y)) bonds.break_bond(b.i, b.d);
+  });
   classify_groups(bonds, 0, grid.height - 1);
 }
 
@@ -114,9 +106,9 @@ Support prune(Bonds& bonds, Pieces& pieces, const std::vector<std::uint8_t>& pre
   std::vector<std::uint8_t> ties = own_ties(bonds, pieces, prescribed, sets);
   const Support support = share_ties(pieces, sets, ties);
   tie = Buffer<Tie>(grid.padded_size());
-  for (int y = 0; y < grid.height; ++y)
-    for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i)
-      if (pieces.of_node[i] >= 0) tie[i] = static_cast<Tie>(ties[static_cast<std::size_t>(pieces.of_node[i])]);
+  grid.each([&](std::ptrdiff_t i, int) {
+    if (pieces.of_node[i] >= 0) tie[i] = static_cast<Tie>(ties[static_cast<std::size_t>(pieces.of_node[i])]);
+  });
   if (support.carrying == support.solid) return support;
   keep_carrying(grid, ties, pieces);
   cut_loose_bonds(bonds, prescribed, tie);

@@ -1,14 +1,11 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <string>
 
-#include "core/error.hpp"
-#include "solid/raster/cavity_statistics.hpp"
+#include "core/problems.hpp"
+#include "solid/raster/cavities.hpp"
 
 namespace arenite::raster {
 namespace {
@@ -98,11 +95,11 @@ double kernel_width(const std::vector<double>& sorted) {
 }  // namespace
 
 CavityStatistics cavity_statistics(const Cavities& cavities, double dx, double large_radius, const BinRule& bins) {
-  std::vector<Problem> problems;
-  if (!(dx > 0 && large_radius > 0) || !std::isfinite(dx) || !std::isfinite(large_radius))
-    problems.push_back({{}, 0, 0, fmt::format("volumes need a positive node spacing and mean large radius, not {:g} and {:g} m", dx, large_radius)});
-  if (bins.bins < 1) problems.push_back({{}, 0, 0, fmt::format("{} bins hold nothing; give at least one", bins.bins)});
-  if (!problems.empty()) throw InputError(std::move(problems));
+  Problems problems;
+  problems.unless(dx > 0 && large_radius > 0 && std::isfinite(dx) && std::isfinite(large_radius),
+                  "volumes need a positive node spacing and mean large radius, not {:g} and {:g} m", dx, large_radius);
+  problems.unless(bins.bins >= 1, "{} bins hold nothing; give at least one", bins.bins);
+  problems.raise();
   CavityStatistics s;
   s.rules = cavities.rules;
   s.count = cavities.nodes.size(), s.specks = cavities.specks, s.cut = cavities.cut;

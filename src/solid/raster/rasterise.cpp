@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "geometry/outline.hpp"
 #include "model/cement.hpp"
+#include "solid/cement/cement.hpp"
 #include "solid/raster/joints.hpp"
 #include "solid/raster/raster.hpp"
 
@@ -48,6 +48,64 @@ void label_grains(const PlacedCement& placed, const std::vector<GrainClass>& cla
     if (k >= 0) k = label[placed.grains[k].grain];
 }
 
+/// Area of a joint that its own two grains leave bare.
+double bare_area(const JointShape& shape) {
+  const auto& joint = shape.joint();
+  std::vector<geometry::Outline> outlines{geometry::Outline::disk(joint.a, joint.radius_a), geometry::Outline::disk(joint.b, joint.radius_b)};
+  const double reach = 2 * std::max({joint.radius_a, joint.radius_b, joint.half_a, joint.half_b}) + shape.length();
+  const geometry::Rectangle all{joint.a.x - reach, joint.a.x + reach, joint.a.y - reach, joint.a.y + reach};
+  const double grains = geometry::union_area(outlines, all);
+  if (shape.is_meniscus()) add_meniscus_outlines(joint, outlines);
+  else add_bridge_outline(joint, outlines);
+  return geometry::union_area(outlines, all) - grains;
+}
+
+/// Fewest nodes of a joint on a line of the lattice (column or row, whichever lies more across it) that crosses the gap
+/// between its grains; at least the line nearest to the gap's middle is looked at. Lines go on beyond the crop.
+int nodes_across(const Lattice& lattice, const JointShape& shape) {
+  const auto& joint = shape.joint();
+  const Vec2 along = shape.direction();
+  const bool columns = std::abs(along.x) >= std::abs(along.y);
+  const auto component = [&](Vec2 v, bool first) { return first == columns ? v.x : v.y; };
+  const Vec2 from = joint.a + joint.radius_a * along, to = joint.b - joint.radius_b * along, middle = 0.5 * (from + to);
+  const double p = lattice.place(component(from, true)), q = lattice.place(component(to, true));
+  const int nearest = static_cast<int>(std::lround(lattice.place(component(middle, true))));
+  // Overlapping grains have no gap: only the nearest line counts.
+  const bool gap = shape.length() > joint.radius_a + joint.radius_b;
+  const int low = gap ? std::min(nearest, static_cast<int>(std::ceil(std::min(p, q)))) : nearest;
+  const int high = gap ? std::max(nearest, static_cast<int>(std::floor(std::max(p, q)))) : nearest;
+  int fewest = -1;
+  for (int line = low; line <= high; ++line) {
+    const auto inside = [&](int k) {
+      const double u = lattice.at(line), v = lattice.at(k);
+      return shape.contains(columns ? Vec2{u, v} : Vec2{v, u});
+    };
+    const double step = (lattice.at(line) - component(middle, true)) / component(along, true);
+    const int start = static_cast<int>(std::floor(lattice.place(component(middle, false) + step * component(along, false))));
+    int count = 0;
+    for (int k = start; inside(k); --k) ++count;
+    for (int k = start + 1; inside(k); ++k) ++count;
+    fewest = fewest < 0 ? count : std::min(fewest, count);
+  }
+  return fewest;
+}
+
+/// Notes a joint, of which the raster made `matrix_nodes` nodes matrix, if the middle of its gap lies in the crop.
+void note_joint(const Lattice& lattice, const JointShape& shape, int matrix_nodes, RasterReport& report) {
+  const auto& joint = shape.joint();
+  const Vec2 middle = joint.a + 0.5 * (shape.length() + joint.radius_a - joint.radius_b) * shape.direction();
+  const double half = 0.5 * lattice.n * lattice.dx;
+  if (std::abs(middle.x) > half || std::abs(middle.y) > half) return;
+  const int across = nodes_across(lattice, shape);
+  report.thinnest_joint = report.joints == 0 ? across : std::min(report.thinnest_joint, across);
+  ++report.joints;
+  if (matrix_nodes > 0) return;
+  const double bare = bare_area(shape);
+  if (!(bare > 1e-9 * joint.radius_a * joint.radius_b)) return;
+  ++report.lost_joints;
+  report.lost_area += bare;
+}
+
 int draw_joint(const JointShape& shape, const Lattice& lattice, PhaseMap& map) {
   int nodes = 0;
   const auto hull = shape.hull();
@@ -85,13 +143,10 @@ void measure_areas(const PlacedCement& placed, const PhaseMap& map, RasterReport
   for (const Phase p : map.phase) particle += p == Phase::particle, matrix += p == Phase::matrix;
   report.particle_area = static_cast<double>(particle) * report.dx * report.dx;
   report.matrix_area = static_cast<double>(matrix) * report.dx * report.dx;
-  auto outlines = grain_outlines(placed);
-  report.exact_particle_area = geometry::union_area(outlines, placed.window);
-  const auto bare = matrix_outlines(placed);
-  outlines.insert(outlines.end(), bare.begin(), bare.end());
-  const double solid = placed.full ? report.window.area() : bare.empty() ? report.exact_particle_area : geometry::union_area(outlines, placed.window);
-  report.exact_matrix_area = std::max(0.0, solid - report.exact_particle_area);
-  const auto error = [](double counted, double exact) { return exact > 0 ? counted / exact - 1 : 0; };
+  const cement::Areas exact = cement::exact_areas(placed, report.window);
+  report.exact_particle_area = exact.particle;
+  report.exact_matrix_area = exact.matrix;
+  const auto error = [](double counted, double area) { return area > 0 ? counted / area - 1 : 0; };
   report.particle_area_error = error(report.particle_area, report.exact_particle_area);
   report.matrix_area_error = error(report.matrix_area, report.exact_matrix_area);
 }
@@ -125,12 +180,11 @@ geometry::Rectangle sample_of(const Packing& packing) {
 
 PhaseMap rasterise(const Packing& packing, const Cement& cement, const RasterParameters& parameters, const std::vector<GrainClass>& class_of_grain,
                    RasterReport& report) {
-  std::vector<Problem> problems;
-  if (parameters.nodes < 1 || parameters.nodes > 32768)
-    problems.push_back({{}, 0, 0, fmt::format("a raster of {} nodes a side is out of range; give 1 to 32768", parameters.nodes)});
-  if (!class_of_grain.empty() && class_of_grain.size() != packing.grains.size())
-    problems.push_back({{}, 0, 0, fmt::format("{} grains have {} size classes; give one a grain, or none", packing.grains.size(), class_of_grain.size())});
-  if (!problems.empty()) throw InputError(std::move(problems));
+  const std::size_t grains = packing.grains.size(), classes = class_of_grain.size();
+  Problems problems;
+  problems.unless(parameters.nodes >= 1 && parameters.nodes <= 32768, "a raster of {} nodes a side is out of range; give 1 to 32768", parameters.nodes);
+  problems.unless(classes == 0 || classes == grains, "{} grains have {} size classes; give one a grain, or none", grains, classes);
+  problems.raise();
   report = {};
   report.window = crop_window(packing, parameters.crop);
   const int n = static_cast<int>(parameters.nodes);
@@ -139,7 +193,7 @@ PhaseMap rasterise(const Packing& packing, const Cement& cement, const RasterPar
   const Lattice lattice{n, report.dx};
   PhaseMap map = make_phase_map(n, n, report.dx);
   draw_grains(placed, lattice, map);
-  label_grains(placed, class_of_grain, packing.grains.size(), map, report);
+  label_grains(placed, class_of_grain, grains, map, report);
   draw_matrix(placed, lattice, map, report);
   measure_areas(placed, map, report);
   report.smallest_grain = nodes_across_smallest(placed, lattice);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "solid/stress/set_statistics.hpp"
 #include "solid/stress/stress.hpp"
 #include "statistics/jackknife.hpp"
@@ -16,34 +16,39 @@ using statistics::BlockedSample;
 /// The sets that do not overlap; unclassed are particles without class.
 enum class NodeSet : std::uint8_t { left_out, matrix, small, large, unclassed };
 
+/// What is told of: a range of these.
+struct NamedSet {
+  const char* name;
+  NodeSet first, last;
+};
+constexpr NamedSet named_sets[] = {{"all", NodeSet::matrix, NodeSet::unclassed}, {"particle", NodeSet::small, NodeSet::unclassed},
+                                   {"large", NodeSet::large, NodeSet::large}, {"small", NodeSet::small, NodeSet::small},
+                                   {"matrix", NodeSet::matrix, NodeSet::matrix}};
+
 /// Which nodes count, and in which block each lies.
-struct Selection {
+struct Selection : NodeCounts {
   std::vector<NodeSet> set;              ///< one a node
   std::vector<std::uint16_t> block;      ///< one a node
   int blocks = 1;                        ///< in all
   std::vector<double> block_area;        ///< nodes of a block beyond the clamp rows, void included
-  std::size_t nodes = 0, clamp_nodes = 0, surface_nodes = 0, unloaded_nodes = 0;
 };
 
-void check_options(const PhaseMap& map, const StressOptions& options, std::vector<Problem>& problems) {
-  const auto add = [&](std::string message) { problems.push_back({{}, 0, 0, std::move(message)}); };
-  if (options.components.empty()) add("no component of the stress is asked for; name at least one, such as sigma_yy");
-  if (options.clamp_rows < 0) add("the number of clamp rows left out is negative; give 0 or more");
-  if (options.blocks < 1 || options.blocks > 64) add("errors need between 1 and 64 blocks a side");
-  if (options.clamp_rows >= 0 && 2 * options.clamp_rows >= map.height)
-    add(fmt::format("leaving out {} rows at each clamp leaves none of the map's {}; leave out fewer", options.clamp_rows, map.height));
-}
-
-void check_field(const PhaseMap& map, const StressField& field, std::vector<Problem>& problems) {
+void check(const PhaseMap& map, const StressField& field, const StressOptions& options) {
+  arenite::check(map);
+  Problems problems;
+  problems.unless(!options.components.empty(), "no component of the stress is asked for; name at least one, such as sigma_yy");
+  problems.unless(options.clamp_rows >= 0, "the number of clamp rows left out is negative; give 0 or more");
+  problems.unless(options.blocks >= 1 && options.blocks <= 64, "errors need between 1 and 64 blocks a side");
+  problems.unless(options.clamp_rows < 0 || 2 * options.clamp_rows < map.height,
+                  "leaving out {} rows at each clamp leaves none of the map's {}; leave out fewer", options.clamp_rows, map.height);
   const std::size_t n = map.size();
-  if (field.width != map.width || field.height != map.height || field.xx.size() != n || field.yy.size() != n || field.xy.size() != n) {
-    problems.push_back({{}, 0, 0, fmt::format("the stress field has {} x {} nodes and the phase map {} x {}; both must come from the same sample",
-                                              field.width, field.height, map.width, map.height)});
-    return;
-  }
+  const bool fits = field.width == map.width && field.height == map.height && field.xx.size() == n && field.yy.size() == n && field.xy.size() == n;
+  problems.unless(fits, "the stress field has {} x {} nodes and the phase map {} x {}; both must come from the same sample", field.width, field.height,
+                  map.width, map.height);
   double sum = 0;  // a number that is not finite shows in the sum of products with zero
-  for (std::size_t i = 0; i < n; ++i) sum += 0 * field.xx[i] + 0 * field.yy[i] + 0 * field.xy[i];
-  if (!(sum == 0)) problems.push_back({{}, 0, 0, "a stress of the field is not a finite number; solve the sample again"});
+  for (std::size_t i = 0; fits && i < n; ++i) sum += 0 * field.xx[i] + 0 * field.yy[i] + 0 * field.xy[i];
+  problems.unless(sum == 0, "a stress of the field is not a finite number; solve the sample again");
+  problems.raise();
 }
 
 NodeSet set_of(const PhaseMap& map, std::size_t i) {
@@ -69,11 +74,7 @@ bool on_surface(const PhaseMap& map, int x, int y) {
 
 /// Throws InputError where the options, the map and the field do not fit each other or leave nothing.
 Selection select(const PhaseMap& map, const StressField& field, const StressOptions& options) {
-  check(map);
-  std::vector<Problem> problems;
-  check_options(map, options, problems);
-  check_field(map, field, problems);
-  if (!problems.empty()) throw InputError(std::move(problems));
+  check(map, field, options);
   Selection selection;
   const int first = options.clamp_rows, rows = map.height - 2 * first, k = options.blocks;
   selection.set.assign(map.size(), NodeSet::left_out);
@@ -116,13 +117,12 @@ double value(const StressField& field, Component component, std::size_t i) {
   }
 }
 
-template <class Wanted>
-BlockedSample gather(const Selection& selection, const StressField& field, Component component, Wanted&& wanted) {
+BlockedSample gather(const Selection& selection, const StressField& field, Component component, const NamedSet& wanted) {
   BlockedSample sample{{}, {}, selection.blocks};
   sample.x.reserve(selection.nodes);
   sample.block.reserve(selection.nodes);
   for (std::size_t i = 0; i < selection.set.size(); ++i)
-    if (wanted(selection.set[i])) {
+    if (selection.set[i] >= wanted.first && selection.set[i] <= wanted.last) {
       sample.x.push_back(value(field, component, i));
       sample.block.push_back(selection.block[i]);
     }
@@ -176,18 +176,14 @@ ComponentStatistics measure_component(const Selection& selection, const StressFi
   ComponentStatistics result;
   result.component = component;
   const std::string stress = name_of(component);
-  BlockedSample all = gather(selection, field, component, [](NodeSet s) { return s != NodeSet::left_out; });
+  BlockedSample all = gather(selection, field, component, named_sets[0]);
   const Normaliser normaliser = normalise(selection, all, options, result);
   if (!result.over_mean)
     notes.push_back(fmt::format("the sample's mean of {} is near zero, below a tenth of its root mean square: stresses are given over the latter", stress));
-  const auto add = [&](const std::string& name, BlockedSample&& sample) {
-    if (!sample.x.empty()) result.sets.emplace_back(name, describe(stress + " in " + name, sample, normaliser, notes));
-  };
-  add("all", std::move(all));
-  add("particle", gather(selection, field, component, [](NodeSet s) { return s > NodeSet::matrix; }));
-  add("large", gather(selection, field, component, [](NodeSet s) { return s == NodeSet::large; }));
-  add("small", gather(selection, field, component, [](NodeSet s) { return s == NodeSet::small; }));
-  add("matrix", gather(selection, field, component, [](NodeSet s) { return s == NodeSet::matrix; }));
+  for (const NamedSet& set : named_sets) {
+    BlockedSample sample = &set == named_sets ? std::move(all) : gather(selection, field, component, set);
+    if (!sample.x.empty()) result.sets.emplace_back(set.name, describe(fmt::format("{} in {}", stress, set.name), sample, normaliser, notes));
+  }
   return result;
 }
 
@@ -204,12 +200,7 @@ const char* name_of(Component component) {
 
 Statistics measure(const PhaseMap& map, const StressField& field, const StressOptions& options) {
   const Selection selection = select(map, field, options);
-  Statistics result;
-  result.options = options;
-  result.nodes = selection.nodes;
-  result.clamp_nodes = selection.clamp_nodes;
-  result.surface_nodes = selection.surface_nodes;
-  result.unloaded_nodes = selection.unloaded_nodes;
+  Statistics result{selection, options, {}, {}, {}};
   for (const Component component : options.components)
     result.components.push_back(measure_component(selection, field, component, options, result.notes));
   result.grains = measure_grains(map, field, options.clamp_rows, options.blocks);

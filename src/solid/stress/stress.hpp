@@ -85,11 +85,14 @@ struct ComponentStatistics {
   ByName<Distribution> sets;
 };
 
-struct Statistics {
-  StressOptions options;
+struct NodeCounts {
   std::size_t nodes = 0;             ///< considered: particle or matrix
   std::size_t clamp_nodes = 0, surface_nodes = 0;  ///< left out as clamp rows, as outermost ones
   std::size_t unloaded_nodes = 0;    ///< particle or matrix without any stress beyond the clamp rows
+};
+
+struct Statistics : NodeCounts {
+  StressOptions options;
   std::vector<ComponentStatistics> components;
   GrainStresses grains;
   std::vector<std::string> notes;    ///< what could not be computed, and why

@@ -58,7 +58,7 @@ struct Surroundings {
   double temperature = 296;         ///< of the sample at rest, K
   double ambient = 291;             ///< mirrored by what is not black, K
   double background_emissivity = 0.55;  ///< of what is seen between the grains
-  double frame_emissivity = 0.3;    ///< of the frame round the sample
+  double container_emissivity = 0.3;    ///< of the frame round the sample
   std::vector<double> emissivity;   ///< one a material; 0.9 where there is none
   double drift = 0.010;             ///< K/s, of the whole scene
   double drift_growth = 0;          ///< K/s^2, of that rate

@@ -136,7 +136,7 @@ std::vector<float> expose(const Scene& scene, const Parameters& p, double s) {
   Canvas canvas = canvas_for(scene, p.optics, lens.margin);
   const auto& around = p.surroundings;
   paint_frame(canvas, scene, {middle_of(scene), {}}, p.motion ? s : 0, static_cast<float>(exitance_near(p, around.background_emissivity)(0)),
-              static_cast<float>(exitance_near(p, around.frame_emissivity)(0)));
+              static_cast<float>(exitance_near(p, around.container_emissivity)(0)));
   std::vector<Exitance> exitance;
   for (std::size_t m = 0; m < scene.materials.size(); ++m)
     exitance.push_back(exitance_near(p, m < around.emissivity.size() ? around.emissivity[m] : 0.9));

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <utility>
 
+#include "core/error.hpp"
 #include "thermal/camera/camera.hpp"
 #include "thermal/camera/detector.hpp"
-#include "core/error.hpp"
 
 namespace arenite::camera {
 namespace {
@@ -69,13 +71,11 @@ double load_fraction(const Timing& timing, double t) {
   return 0.5 * (1 - smeared(w) * std::cos(w * t)) + 0.5 * timing.second_harmonic * (1 - smeared(2 * w) * std::cos(2 * w * t));
 }
 
-class VirtualFilm : public FilmSource {
+/// Frames that `record` makes, one by one.
+class RecordedFilm : public FilmSource {
  public:
-  VirtualFilm(const Scene& scene, const Parameters& p, std::uint64_t seed)
-      : p_(p), seed_(seed), exposures_(scene, p, 0, 1 + std::max(0.0, p.timing.second_harmonic)), detector_(p, seed),
-        taken_(frames_taken(p.timing, seed)), info_(describe(p, static_cast<std::int64_t>(taken_.size()))) {
-    for (const auto k : taken_) info_.time.push_back(static_cast<double>(k - taken_.front()) / p.timing.frame_rate);
-  }
+  using Record = std::function<void(std::size_t frame, std::uint16_t* level)>;
+  RecordedFilm(FilmInfo info, Record record) : info_(std::move(info)), record_(std::move(record)) {}
 
   const FilmInfo& info() const override { return info_; }
 
@@ -84,58 +84,35 @@ class VirtualFilm : public FilmSource {
     block.frames = count;
     block.value.clear();
     block.level.resize(count * info_.pixels());
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::int64_t frame = taken_[static_cast<std::size_t>(first) + k];
-      const double t = static_cast<double>(frame) / p_.timing.frame_rate;
-      exposures_.between(load_fraction(p_.timing, t), light_);
-      detector_.record(light_, p_.surroundings.warmer(t), t, seed_, static_cast<std::uint64_t>(frame), block.level.data() + k * info_.pixels());
-    }
+    for (std::size_t k = 0; k < count; ++k) record_(static_cast<std::size_t>(first) + k, block.level.data() + k * info_.pixels());
   }
 
  private:
-  Parameters p_;
-  std::uint64_t seed_;
-  Exposures exposures_;
-  Detection detector_;
-  std::vector<std::int64_t> taken_;
   FilmInfo info_;
-  std::vector<float> light_;
-};
-
-class UniformFilm : public FilmSource {
- public:
-  UniformFilm(const Parameters& p, double temperature, std::int64_t frames, std::uint64_t seed)
-      : seed_(seed), stream_(static_cast<std::uint64_t>(temperature * 1e3)), detector_(p, seed), info_(describe(p, frames)),
-        light_(info_.pixels(), static_cast<float>(radiometry::photon_exitance(p.band, temperature) / radiometry::photon_exitance(p.band, 296))) {}
-
-  const FilmInfo& info() const override { return info_; }
-
-  void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
-    block.first = first;
-    block.frames = count;
-    block.value.clear();
-    block.level.resize(count * info_.pixels());
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto frame = static_cast<std::uint64_t>(first) + k;
-      detector_.record(light_, 0, static_cast<double>(frame) / info_.frame_rate, seed_ + stream_, (std::uint64_t{1} << 40) + frame, block.level.data() + k * info_.pixels());
-    }
-  }
-
- private:
-  std::uint64_t seed_, stream_;
-  Detection detector_;
-  FilmInfo info_;
-  std::vector<float> light_;
+  Record record_;
 };
 
 }  // namespace
 
-std::unique_ptr<FilmSource> film(const Scene& scene, const Parameters& parameters, std::uint64_t seed) {
-  return std::make_unique<VirtualFilm>(scene, parameters, seed);
+std::unique_ptr<FilmSource> film(const Scene& scene, const Parameters& p, std::uint64_t seed) {
+  const std::vector<std::int64_t> taken = frames_taken(p.timing, seed);
+  FilmInfo info = describe(p, static_cast<std::int64_t>(taken.size()));
+  for (const auto k : taken) info.time.push_back(static_cast<double>(k - taken.front()) / p.timing.frame_rate);
+  return std::make_unique<RecordedFilm>(std::move(info), [p, seed, taken, exposures = Exposures(scene, p, 0, 1 + std::max(0.0, p.timing.second_harmonic)),
+                                                          detector = Detection(p, seed), light = std::vector<float>()](std::size_t frame, std::uint16_t* level) mutable {
+    const double t = static_cast<double>(taken[frame]) / p.timing.frame_rate;
+    exposures.between(load_fraction(p.timing, t), light);
+    detector.record(light, p.surroundings.warmer(t), t, seed, static_cast<std::uint64_t>(taken[frame]), level);
+  });
 }
 
-std::unique_ptr<FilmSource> uniform_film(const Parameters& parameters, double temperature, std::int64_t frames, std::uint64_t seed) {
-  return std::make_unique<UniformFilm>(parameters, temperature, frames, seed);
+std::unique_ptr<FilmSource> uniform_film(const Parameters& p, double temperature, std::int64_t frames, std::uint64_t seed) {
+  FilmInfo info = describe(p, frames);
+  const std::vector<float> light(info.pixels(), static_cast<float>(radiometry::photon_exitance(p.band, temperature) / radiometry::photon_exitance(p.band, 296)));
+  const std::uint64_t of_its_own = seed + static_cast<std::uint64_t>(temperature * 1e3);
+  return std::make_unique<RecordedFilm>(std::move(info), [light, of_its_own, rate = p.timing.frame_rate, detector = Detection(p, seed)](std::size_t frame, std::uint16_t* level) mutable {
+    detector.record(light, 0, static_cast<double>(frame) / rate, of_its_own, (std::uint64_t{1} << 40) + frame, level);
+  });
 }
 
 }  // namespace arenite::camera

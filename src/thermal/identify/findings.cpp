@@ -12,11 +12,9 @@
 namespace arenite::identify {
 namespace {
 
-using statistics::number;
-
 Numbers numbers(const Finding& f) {
   const auto interval = statistics::confidence_95(f.value);
-  Numbers j{{"value", number(f.value.value)}, {"error", number(f.value.error)}, {"confidence_95", {number(interval.low), number(interval.high)}}};
+  Numbers j{{"value", f.value.value}, {"error", f.value.error}, {"confidence_95", {interval.low, interval.high}}};
   j["unit"] = f.unit.empty() ? "1" : si_unit(parse_unit(f.unit).dimension);
   if (std::isfinite(f.value.freedom)) j["degrees_of_freedom"] = f.value.freedom;
   if (f.stated) j["stated"] = {{"value", f.stated->value}, {"agrees", agrees(f)}};

@@ -23,12 +23,9 @@ void check(const FloatImage& image) {
 double brightness_of(const FloatImage& image, const DiskModel::Disk& disk) {
   const double reach = std::max(1.0, disk.radius * std::sqrt(0.5));
   double sum = 0, count = 0;
-  for (int y = std::max(0, static_cast<int>(disk.y - reach)); y <= std::min(image.height - 1, static_cast<int>(disk.y + reach) + 1); ++y)
-    for (int x = std::max(0, static_cast<int>(disk.x - reach)); x <= std::min(image.width - 1, static_cast<int>(disk.x + reach) + 1); ++x)
-      if (std::hypot(x - disk.x, y - disk.y) <= reach) {
-        sum += static_cast<double>(image.value[image.index(x, y)]);
-        ++count;
-      }
+  each_pixel_near(disk.x, disk.y, reach, image.width, image.height, [&](int x, int y, std::size_t at) {
+    if (std::hypot(x - disk.x, y - disk.y) <= reach) sum += static_cast<double>(image.value[at]), ++count;
+  });
   return count > 0 ? sum / count : disk.level;
 }
 

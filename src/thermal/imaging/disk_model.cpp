@@ -1,10 +1,10 @@
 #include "thermal/imaging/disk_model.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "core/median.hpp"
+#include "statistics/least_squares.hpp"
 
 namespace arenite::imaging {
 namespace {
@@ -52,15 +52,12 @@ double DiskModel::cover(const Disk& disk, int x, int y, double& edge, double& nx
 }
 
 void DiskModel::spread(const Disk& disk, double sign) {
-  const Window w = window(disk);
-  double edge, nx, ny;
-  for (int y = w.y0; y <= w.y1; ++y)
-    for (int x = w.x0; x <= w.x1; ++x) {
-      const double c = sign * cover(disk, x, y, edge, nx, ny);
-      const std::size_t at = image_.index(x, y);
-      covered_[at] += static_cast<float>(c);
-      light_[at] += static_cast<float>(c * disk.level);
-    }
+  each(disk, [&](int x, int y, std::size_t at) {
+    double edge, nx, ny;
+    const double c = sign * cover(disk, x, y, edge, nx, ny);
+    covered_[at] += static_cast<float>(c);
+    light_[at] += static_cast<float>(c * disk.level);
+  });
 }
 
 double DiskModel::left(std::size_t pixel) const {
@@ -71,10 +68,9 @@ double DiskModel::left(std::size_t pixel) const {
 void DiskModel::add(const Circle& circle) {
   Disk disk{circle.x, circle.y, circle.radius, 0, 0, 0, longest_step};
   std::vector<double> inside;
-  const Window w = window(disk);
-  for (int y = w.y0; y <= w.y1; ++y)
-    for (int x = w.x0; x <= w.x1; ++x)
-      if (std::hypot(x - disk.x, y - disk.y) < std::max(0.75, 0.6 * disk.radius)) inside.push_back(static_cast<double>(image_.value[image_.index(x, y)]));
+  each(disk, [&](int x, int y, std::size_t at) {
+    if (std::hypot(x - disk.x, y - disk.y) < std::max(0.75, 0.6 * disk.radius)) inside.push_back(static_cast<double>(image_.value[at]));
+  });
   disk.level = median(std::move(inside));
   disks_.push_back(disk);
 }
@@ -102,65 +98,54 @@ void DiskModel::refresh() {
 
 /// One damped step of a disk; its size in pixels.
 double DiskModel::step(Disk& disk) {
-  const Window w = window(disk);
   const double deep = disk.radius - std::max(3.0, 5 * blur_);  // farther inside nothing is learned of the rim
-  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
-  Eigen::Vector4d right = Eigen::Vector4d::Zero();
-  for (int y = w.y0; y <= w.y1; ++y)
-    for (int x = w.x0; x <= w.x1; ++x) {
-      const double dx = x - disk.x, dy = y - disk.y;
-      if (deep > 0 && dx * dx + dy * dy < deep * deep) continue;
-      double edge, nx, ny;
-      const double c = cover(disk, x, y, edge, nx, ny);
-      if (c < 1e-5) continue;
-      const std::size_t at = image_.index(x, y);
-      const double contrast = disk.level - static_cast<double>(background_[at]), gap = left(at);
-      const Eigen::Vector4d j(contrast * edge * nx, contrast * edge * ny, contrast * edge, c);
-      const double weight = huber_weight(gap, noise_);
-      normal += weight * j * j.transpose();
-      right += weight * gap * j;
-    }
-  const double trace = normal.trace();
+  statistics::SmallNormal<4> equations;
+  each(disk, [&](int x, int y, std::size_t at) {
+    const double dx = x - disk.x, dy = y - disk.y;
+    if (deep > 0 && dx * dx + dy * dy < deep * deep) return;
+    double edge, nx, ny;
+    const double c = cover(disk, x, y, edge, nx, ny);
+    if (c < 1e-5) return;
+    const double contrast = disk.level - static_cast<double>(background_[at]), gap = left(at);
+    equations.add({contrast * edge * nx, contrast * edge * ny, contrast * edge, c}, gap, huber_weight(gap, noise_));
+  });
+  auto& normal = equations.matrix;
+  const double trace = normal[0][0] + normal[1][1] + normal[2][2] + normal[3][3];
   if (!(trace > 0)) return 0;
   const double variance = std::max(noise_ * noise_, 1e-12 * trace);
   if (disk.prior_error > 0) {
     const double stiff = variance / (disk.prior_error * disk.prior_error);
-    normal(2, 2) += stiff;
-    right(2) += stiff * (disk.prior_radius - disk.radius);
+    normal[2][2] += stiff;
+    equations.right[2] += stiff * (disk.prior_radius - disk.radius);
   }
-  for (int i = 0; i < 4; ++i) normal(i, i) *= 1.02;
-  for (int i = 0; i < 3; ++i) normal(i, i) += 1e-3 * (normal(0, 0) + normal(1, 1)) + 1e-30;
-  Eigen::Vector4d move = normal.ldlt().solve(right);
-  if (!move.allFinite()) return 0;
-  const double size = move.head<3>().norm();
-  if (size > longest_step) move *= longest_step / size;
+  for (std::size_t i = 0; i < 4; ++i) normal[i][i] *= 1.02;
+  for (std::size_t i = 0; i < 3; ++i) normal[i][i] += 1e-3 * (normal[0][0] + normal[1][1]) + 1e-30;
+  const auto [x, y, radius, level] = equations.solution();
+  const double size = std::hypot(x, y, radius), part = size > longest_step ? longest_step / size : 1;
+  if (!std::isfinite(size) || !std::isfinite(level)) return 0;
   spread(disk, -1);
-  disk.x += move(0);
-  disk.y += move(1);
-  disk.radius = std::max(least_radius, disk.radius + move(2));
-  disk.level += move(3);
+  disk.x += part * x;
+  disk.y += part * y;
+  disk.radius = std::max(least_radius, disk.radius + part * radius);
+  disk.level += part * level;
   spread(disk, 1);
   return std::min(size, longest_step);
 }
 
 void DiskModel::fit_blur() {
   double top = 0, bottom = 0;
-  for (const Disk& disk : disks_) {
-    const Window w = window(disk);
-    for (int y = w.y0; y <= w.y1; ++y)
-      for (int x = w.x0; x <= w.x1; ++x) {
-        double edge, nx, ny;
-        cover(disk, x, y, edge, nx, ny);
-        if (edge == 0) continue;
-        const std::size_t at = image_.index(x, y);
-        const double q = distance(disk, x, y);
-        const double slope = -(disk.level - static_cast<double>(background_[at])) * edge *
-                             ((disk.radius - q) / blur_ + blur_ / (2 * std::max(q, blur_)));
-        const double gap = left(at), weight = huber_weight(gap, noise_);
-        top += weight * slope * gap;
-        bottom += weight * slope * slope;
-      }
-  }
+  for (const Disk& disk : disks_)
+    each(disk, [&](int x, int y, std::size_t at) {
+      double edge, nx, ny;
+      cover(disk, x, y, edge, nx, ny);
+      if (edge == 0) return;
+      const double q = distance(disk, x, y);
+      const double slope = -(disk.level - static_cast<double>(background_[at])) * edge *
+                           ((disk.radius - q) / blur_ + blur_ / (2 * std::max(q, blur_)));
+      const double gap = left(at), weight = huber_weight(gap, noise_);
+      top += weight * slope * gap;
+      bottom += weight * slope * slope;
+    });
   if (!(bottom > 0)) return;
   const double before = blur_;
   blur_ = std::clamp(blur_ + std::clamp(0.7 * top / bottom, -0.1, 0.1), 0.3, 4.0);
@@ -172,12 +157,10 @@ void DiskModel::fit_blur() {
 
 void DiskModel::measure_noise() {
   std::vector<double> size;
-  for (const Disk& disk : disks_) {
-    const Window w = window(disk);
-    for (int y = w.y0; y <= w.y1; ++y)
-      for (int x = w.x0; x <= w.x1; ++x)
-        if (std::abs(distance(disk, x, y) - disk.radius) < 2 * blur_) size.push_back(std::abs(left(image_.index(x, y))));
-  }
+  for (const Disk& disk : disks_)
+    each(disk, [&](int x, int y, std::size_t at) {
+      if (std::abs(distance(disk, x, y) - disk.radius) < 2 * blur_) size.push_back(std::abs(left(at)));
+    });
   noise_ = median(std::move(size)) / median_of_normal_size;
 }
 

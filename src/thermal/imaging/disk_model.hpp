@@ -97,6 +97,13 @@ class DiskModel {
     int x0, x1, y0, y1;
   };
   Window window(const Disk& disk) const;
+  /// Calls visit(x, y, index) for the pixels of a disk's window.
+  template <class Visit>
+  void each(const Disk& disk, Visit&& visit) const {
+    const Window w = window(disk);
+    for (int y = w.y0; y <= w.y1; ++y)
+      for (int x = w.x0; x <= w.x1; ++x) visit(x, y, image_.index(x, y));
+  }
   double cover(const Disk& disk, int x, int y, double& edge, double& nx, double& ny) const;
   void spread(const Disk& disk, double sign);
   double left(std::size_t pixel) const;

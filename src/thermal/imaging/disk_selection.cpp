@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/median.hpp"
+
 namespace arenite::imaging {
 namespace {
 
@@ -21,16 +23,8 @@ using Evidence = std::vector<DiskModel::Evidence>;
 template <class Of>
 double usual(const Disks& disks, const Evidence& evidence, Of&& of) {
   std::vector<std::pair<double, double>> value_area;
-  double area = 0;
-  for (std::size_t k = 0; k < disks.size(); ++k) {
-    value_area.emplace_back(of(evidence[k]), disks[k].radius * disks[k].radius);
-    area += value_area.back().second;
-  }
-  std::sort(value_area.begin(), value_area.end());
-  double below = 0;
-  for (const auto& [value, part] : value_area)
-    if ((below += part) >= 0.5 * area) return value;
-  return 0;
+  for (std::size_t k = 0; k < disks.size(); ++k) value_area.emplace_back(of(evidence[k]), disks[k].radius * disks[k].radius);
+  return weighted_median(std::move(value_area));
 }
 
 /// Marks dirt and spots: a size that makes up next to nothing of the area found.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "core/error.hpp"
@@ -196,12 +197,7 @@ LabelReport label_grains(PhaseMap& map, const LabelOptions& options) {
   map.grain_class.assign(nodes.size(), GrainClass::none);
   LabelReport report;
   report.grains = static_cast<std::int32_t>(nodes.size());
-  std::size_t all = 0, largest = 0;
-  for (const std::size_t n : nodes) {
-    all += n;
-    largest = std::max(largest, n);
-  }
-  if (all > 0) report.largest_share = static_cast<double>(largest) / static_cast<double>(all);
+  if (!nodes.empty()) report.largest_share = static_cast<double>(std::ranges::max(nodes)) / static_cast<double>(std::accumulate(nodes.begin(), nodes.end(), std::size_t{0}));
   return report;
 }
 

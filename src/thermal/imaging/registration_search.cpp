@@ -16,7 +16,7 @@ constexpr double of_best[] = {0.75, 0.8, 0.85, 0.9};  // score of the best so fa
 }  // namespace
 
 RegistrationSearch::RegistrationSearch(const PictureGrains& from, const PictureGrains& to, const RegistrationOptions& options)
-    : from_(from), to_(to), options_(options), from_grid_(from.x, from.y, 2 * mean_radius(from)), to_grid_(to.x, to.y, 2 * mean_radius(to)) {}
+    : from_(from), to_(to), options_(options), to_grid_(to) {}
 
 RegistrationSearch::Pairs RegistrationSearch::best(Similarity& transform) {
   const std::size_t n = from_.size(), bases = std::min(n, most_bases);

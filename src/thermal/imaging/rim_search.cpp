@@ -185,18 +185,11 @@ bool is_plain(const Slope& slope, double noise, const Circle& circle) {
   double inside = 0, rim = 0, inside_pixels = 1e-9, rim_pixels = 1e-9;
   const auto squared = [](double r) { return r * r; };
   const double core = squared(0.75 * circle.radius), inner = squared(circle.radius - 1.5), outer = squared(circle.radius + 1.5);
-  const int reach = static_cast<int>(circle.radius) + 2, cx = static_cast<int>(std::lround(circle.x)), cy = static_cast<int>(std::lround(circle.y));
-  for (int y = std::max(0, cy - reach); y <= std::min(slope.x.height - 1, cy + reach); ++y)
-    for (int x = std::max(0, cx - reach); x <= std::min(slope.x.width - 1, cx + reach); ++x) {
-      const double away = squared(x - circle.x) + squared(y - circle.y), square = static_cast<double>(slope.square.value[slope.square.index(x, y)]);
-      if (away < core) {
-        inside += square;
-        ++inside_pixels;
-      } else if (away > inner && away < outer) {
-        rim += square;
-        ++rim_pixels;
-      }
-    }
+  each_pixel_near(circle.x, circle.y, circle.radius + 1.5, slope.x.width, slope.x.height, [&](int x, int y, std::size_t at) {
+    const double away = squared(x - circle.x) + squared(y - circle.y), square = static_cast<double>(slope.square.value[at]);
+    if (away < core) inside += square, ++inside_pixels;
+    else if (away > inner && away < outer) rim += square, ++rim_pixels;
+  });
   return inside / inside_pixels - noise * noise < 0.5 * (rim / rim_pixels - noise * noise);
 }
 

@@ -110,10 +110,9 @@ std::vector<char> SearchRounds::open_pixels(double smallest) const {
   const double radius = classes_.size() > 0 ? classes_.mean.front() : smallest;
   for (const auto& disk : model_.disks()) {
     const double away = least_distance(radius, disk.radius);
-    const int x0 = std::max(0, static_cast<int>(disk.x - away)), x1 = std::min(image_.width - 1, static_cast<int>(disk.x + away) + 1);
-    for (int y = std::max(0, static_cast<int>(disk.y - away)); y <= std::min(image_.height - 1, static_cast<int>(disk.y + away) + 1); ++y)
-      for (int x = x0; x <= x1; ++x)
-        if (square(x - disk.x) + square(y - disk.y) < square(away)) open[image_.index(x, y)] = 0;
+    each_pixel_near(disk.x, disk.y, away, image_.width, image_.height, [&](int x, int y, std::size_t at) {
+      if (square(x - disk.x) + square(y - disk.y) < square(away)) open[at] = 0;
+    });
   }
   return open;
 }

@@ -17,7 +17,7 @@ void check_grains(const Packing& packing, Problems& problems) {
   if (!(packing.domain.thickness > 0)) problems.add("the thickness of the sample is not known; give the cylinders' length");
   for (std::size_t g = 0; g < grains.size(); ++g)
     if (!(grains.radius[g] > 0) || !std::isfinite(grains.x[g]) || !std::isfinite(grains.y[g])) {
-      problems.add(fmt::format("grain {} has no finite place and positive radius; mend or remove it", grains.id[g]));
+      problems.add(fmt::format("grain {} has no finite place and positive radius; correct or remove it", grains.id[g]));
       return;
     }
   const Domain& d = packing.domain;
@@ -40,7 +40,7 @@ void check_contacts(const Packing& packing, Problems& problems) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const std::int32_t i = contacts.i[c], j = contacts.j[c];
     if (i < 0 || i >= n || j >= n || j < -4 || i == j)
-      problems.add(fmt::format("contact {} joins {} and {}, of which one is no grain or wall; mend the list of contacts", c, i, j));
+      problems.add(fmt::format("contact {} joins {} and {}, of which one is no grain or wall; correct the list of contacts", c, i, j));
     else if (!seen.insert({std::min(i, j), std::max(i, j)}).second)
       problems.add(fmt::format("the contact of {} and {} is listed twice; keep one", i, j));
   }

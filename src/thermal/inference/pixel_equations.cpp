@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/median.hpp"
+#include "model/image.hpp"
 
 namespace arenite::inference {
 namespace {
@@ -36,17 +37,13 @@ Pixels pixels_of_grains(const SwingPicture& picture, const Packing& packing, con
     for (const Vec2 shift : shifts) {
       const Vec2 centre = packing.grains.centre(g) + shift;
       const double column = (centre.x - picture.first.x) / side, row = (picture.first.y - centre.y) / side, reach = inner / side;
-      const int c0 = std::max(0, static_cast<int>(std::ceil(column - reach))), c1 = std::min(picture.width - 1, static_cast<int>(std::floor(column + reach)));
-      const int r0 = std::max(0, static_cast<int>(std::ceil(row - reach))), r1 = std::min(picture.height - 1, static_cast<int>(std::floor(row + reach)));
-      for (int r = r0; r <= r1; ++r)
-        for (int c = c0; c <= c1; ++c) {
-          const Vec2 x = Vec2{picture.first.x + c * side, picture.first.y - r * side} - centre;
-          const std::size_t p = static_cast<std::size_t>(r) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(c);
-          const float value = picture.value[p], error = picture.error[p];
-          if (norm(x) > inner || !std::isfinite(value) || !std::isfinite(error) || !(error > 0)) continue;
-          const double away = to_contact(x, radius, touches[g]);
-          if (away >= 0.5 * contact_margin * side) pixels[g].push_back({x, value, error, away, p});
-        }
+      each_pixel_near(column, row, reach, picture.width, picture.height, [&](int c, int r, std::size_t p) {
+        const Vec2 x = Vec2{picture.first.x + c * side, picture.first.y - r * side} - centre;
+        const float value = picture.value[p], error = picture.error[p];
+        if (norm(x) > inner || !std::isfinite(value) || !std::isfinite(error) || !(error > 0)) return;
+        const double away = to_contact(x, radius, touches[g]);
+        if (away >= 0.5 * contact_margin * side) pixels[g].push_back({x, value, error, away, p});
+      });
     }
   }
   return pixels;

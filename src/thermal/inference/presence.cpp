@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "core/median.hpp"
+#include "statistics/correlation.hpp"
 
 namespace arenite::inference {
 namespace {
@@ -61,13 +62,12 @@ std::map<int, OverlapLaw> overlap_laws(const Scaled& s) {
   double widest = 0;
   for (const auto& [kind, contacts] : of) {
     if (contacts.size() < 12) continue;
-    const auto n = static_cast<double>(contacts.size());
-    double x = 0, y = 0, xx = 0, xy = 0;
-    for (const std::size_t c : contacts) x += s.f[c] / n, y += s.overlap[c] / n;
-    for (const std::size_t c : contacts) xx += (s.f[c] - x) * (s.f[c] - x), xy += (s.f[c] - x) * (s.overlap[c] - y);
+    std::vector<double> force, overlap;
+    for (const std::size_t c : contacts) force.push_back(s.f[c]), overlap.push_back(s.overlap[c]);
+    const auto m = statistics::second_moments(force, overlap);
     OverlapLaw law;
-    law.slope = xx > 0 ? xy / xx : 0;
-    law.at = y - law.slope * x;
+    law.slope = m.xx > 0 ? m.xy / m.xx : 0;
+    law.at = m.mean_y - law.slope * m.mean_x;
     std::vector<double> rest;
     for (const std::size_t c : contacts) rest.push_back(std::abs(s.overlap[c] - law.at - law.slope * s.f[c]));
     law.spread = std::max(0.02, median(std::move(rest)) / median_of_normal_size);

@@ -30,7 +30,7 @@ void check(const std::vector<LevelPoint>& points) {
   if (points.size() < 2) throw InputError(fmt::format("a calibration curve of {} points is too short; give 2 or more", points.size()));
   for (const LevelPoint& p : points)
     if (!std::isfinite(p.level) || !(p.temperature > 0) || !std::isfinite(p.temperature))
-      throw InputError(fmt::format("a calibration curve has the point ({}, {} K), which cannot be; mend it", p.level, p.temperature));
+      throw InputError(fmt::format("a calibration curve has the point ({}, {} K), which cannot be; correct it", p.level, p.temperature));
 }
 
 constexpr double beyond = 1.5;  // pixels: how far a lens spreads a rim
@@ -39,18 +39,13 @@ constexpr double beyond = 1.5;  // pixels: how far a lens spreads a rim
 std::vector<std::int32_t> material_map(const LockinMaps& maps, const PictureGrains& grains) {
   std::vector<std::int32_t> material(maps.size(), -1);
   std::vector<float> away(maps.size(), std::numeric_limits<float>::infinity());
-  for (std::size_t g = 0; g < grains.size(); ++g) {
-    const double reach = grains.radius[g] + beyond;
-    const auto from = [](double v) { return std::max(0, static_cast<int>(std::ceil(v))); };
-    for (int y = from(grains.y[g] - reach); y < maps.height && y <= grains.y[g] + reach; ++y)
-      for (int x = from(grains.x[g] - reach); x < maps.width && x <= grains.x[g] + reach; ++x) {
-        const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(maps.width) + static_cast<std::size_t>(x);
-        const auto distance = static_cast<float>(std::hypot(x - grains.x[g], y - grains.y[g]) - grains.radius[g]);
-        if (distance > beyond || distance >= away[at]) continue;
-        away[at] = distance;
-        material[at] = grains.material[g];
-      }
-  }
+  for (std::size_t g = 0; g < grains.size(); ++g)
+    each_pixel_near(grains.x[g], grains.y[g], grains.radius[g] + beyond, maps.width, maps.height, [&](int x, int y, std::size_t at) {
+      const auto distance = static_cast<float>(std::hypot(x - grains.x[g], y - grains.y[g]) - grains.radius[g]);
+      if (distance > beyond || distance >= away[at]) return;
+      away[at] = distance;
+      material[at] = grains.material[g];
+    });
   return material;
 }
 
@@ -61,7 +56,7 @@ LevelCurve curve_through(std::vector<LevelPoint> points, const LevelRange& range
   std::sort(points.begin(), points.end(), [](const LevelPoint& a, const LevelPoint& b) { return a.level < b.level; });
   for (std::size_t i = 1; i < points.size(); ++i)
     if (!(points[i].level > points[i - 1].level) || !(points[i].temperature > points[i - 1].temperature))
-      throw InputError(fmt::format("a calibration curve does not rise from level {} to {}; mend its points", points[i - 1].level, points[i].level));
+      throw InputError(fmt::format("a calibration curve does not rise from level {} to {}; correct its points", points[i - 1].level, points[i].level));
   std::size_t k = 1;
   return tabulate(range, [&](double level) {
     while (k + 1 < points.size() && level > points[k].level) ++k;

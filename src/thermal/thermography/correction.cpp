@@ -72,10 +72,10 @@ void correct_offsets(const FrameStatistics& plate, Correction& correction) {
 
 void correct_gains(const FrameStatistics& cold, const FrameStatistics& warm, Correction& correction) {
   if (cold.width != warm.width || cold.height != warm.height)
-    throw InputError(fmt::format("the two plates have {} x {} and {} x {} pixels; film both with the same window", cold.width, cold.height,
+    throw InputError(fmt::format("the two references have {} x {} and {} x {} pixels; film both with the same window", cold.width, cold.height,
                                  warm.width, warm.height));
   const double low = plate_level(cold), step = plate_level(warm) - low;
-  if (!(std::abs(step) > 0)) throw InputError("the two plates show the same level, so gains cannot be found; film them at different temperatures");
+  if (!(std::abs(step) > 0)) throw InputError("the two references show the same level, so gains cannot be found; film them at different temperatures");
   correct_offsets(cold, correction);
   constexpr double least_answer = 0.1;  // of the median pixel's
   for (std::size_t i = 0; i < cold.mean.size(); ++i) {

@@ -37,14 +37,12 @@ std::vector<std::int32_t> owners(const PictureGrains& grains, int width, int hei
   std::vector<double> depth(owner.size(), 0);
   for (std::size_t i = 0; i < grains.size(); ++i) {
     const double x = grains.x[i], y = grains.y[i], r = grains.radius[i];
-    for (int row = std::max(0, static_cast<int>(y - r)); row <= std::min(height - 1, static_cast<int>(y + r)); ++row)
-      for (int column = std::max(0, static_cast<int>(x - r)); column <= std::min(width - 1, static_cast<int>(x + r)); ++column) {
-        const auto p = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
-        const double inside = r - std::hypot(column - x, row - y);
-        if (inside < 0 || (owner[p] >= 0 && inside <= depth[p])) continue;
-        owner[p] = static_cast<std::int32_t>(i);
-        depth[p] = inside;
-      }
+    each_pixel_near(x, y, r, width, height, [&](int column, int row, std::size_t p) {
+      const double inside = r - std::hypot(column - x, row - y);
+      if (inside < 0 || (owner[p] >= 0 && inside <= depth[p])) return;
+      owner[p] = static_cast<std::int32_t>(i);
+      depth[p] = inside;
+    });
   }
   return owner;
 }
@@ -75,19 +73,16 @@ LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, 
   const auto follow = [&](std::size_t i) {
     const SwingOfPixels fit(rest, motion.cos_x[i], motion.sin_x[i], motion.cos_y[i], motion.sin_y[i]);
     const double x = shown.x[i], y = shown.y[i], r = shown.radius[i];
-    const auto first = [](double v) { return std::max(0, static_cast<int>(std::ceil(v))); };
-    for (int row = first(y - r); row <= std::min(maps.height - 1, static_cast<int>(std::floor(y + r))); ++row)
-      for (int column = first(x - r); column <= std::min(maps.width - 1, static_cast<int>(std::floor(x + r))); ++column) {
-        const double out = std::hypot(column - x, row - y);
-        const auto p = static_cast<std::size_t>(row) * static_cast<std::size_t>(maps.width) + static_cast<std::size_t>(column);
-        if (out > r || owner[p] != static_cast<std::int32_t>(i)) continue;
-        Followed f = fit.follow(rest, column + grains.x[i] - x, row + grains.y[i] - y);
-        f.mean += scene.grain[i];
-        put(result, p, f, factor, spread);
-        if (out > 0.7 * r) continue;
-        cosine[i].push_back(f.cosine);
-        sine[i].push_back(f.sine);
-      }
+    each_pixel_near(x, y, r, maps.width, maps.height, [&](int column, int row, std::size_t p) {
+      const double out = std::hypot(column - x, row - y);
+      if (out > r || owner[p] != static_cast<std::int32_t>(i)) return;
+      Followed f = fit.follow(rest, column + grains.x[i] - x, row + grains.y[i] - y);
+      f.mean += scene.grain[i];
+      put(result, p, f, factor, spread);
+      if (out > 0.7 * r) return;
+      cosine[i].push_back(f.cosine);
+      sine[i].push_back(f.sine);
+    });
   };
   Team(threads).for_each(grains.size(), follow);
   if (told_phase) result.reference_phase = *told_phase;

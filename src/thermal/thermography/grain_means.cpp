@@ -41,17 +41,14 @@ double slope(const LockinMaps& maps, double x, double y, double radius) {
 DiskMean disk_mean(const std::vector<float>& map, const std::vector<float>& error, int width, int height, double x, double y, double radius) {
   DiskMean result;
   double sum = 0, squares = 0;
-  const auto first = [](double v) { return static_cast<int>(std::floor(std::clamp(v + 0.5, -1e6, 1e6))); };
-  for (int row = std::max(0, first(y - radius)); row <= std::min(height - 1, first(y + radius)); ++row)
-    for (int column = std::max(0, first(x - radius)); column <= std::min(width - 1, first(x + radius)); ++column) {
-      const auto p = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
-      const auto value = static_cast<double>(map[p]), e = static_cast<double>(error[p]);
-      if (!std::isfinite(value) || !std::isfinite(e)) continue;
-      const double covered = geometry::disk_window_area({x, y}, radius, {column - 0.5, column + 0.5, row - 0.5, row + 0.5});
-      sum += covered * value;
-      squares += covered * covered * e * e;
-      result.area += covered;
-    }
+  each_pixel_near(x, y, radius + 0.5, width, height, [&](int column, int row, std::size_t p) {
+    const auto value = static_cast<double>(map[p]), e = static_cast<double>(error[p]);
+    if (!std::isfinite(value) || !std::isfinite(e)) return;
+    const double covered = geometry::disk_window_area({x, y}, radius, {column - 0.5, column + 0.5, row - 0.5, row + 0.5});
+    sum += covered * value;
+    squares += covered * covered * e * e;
+    result.area += covered;
+  });
   if (result.area > 0) {
     result.mean = sum / result.area;
     result.error = std::sqrt(squares) / result.area;

@@ -1,7 +1,5 @@
 #include "thermal/thermography/grain_motion.hpp"
 
-#include <Eigen/Dense>
-#include <Eigen/Sparse>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,9 +12,7 @@
 namespace arenite::thermography {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Sparse = Eigen::SparseMatrix<double>;
+using statistics::Matrix;
 
 /// Rim of a grain that another grain's rim is seen beside.
 struct OtherRim {
@@ -69,10 +65,7 @@ std::vector<RimPixels> rim_pixels(const PictureGrains& g, int width, int height,
     std::vector<std::size_t> neighbours;
     for (std::size_t j = 0; j < g.size(); ++j)
       if (j != i && std::hypot(g.x[j] - g.x[i], g.y[j] - g.y[i]) < reach + g.radius[j] + reach_of_others) neighbours.push_back(j);
-    const auto first = [](double v) { return std::max(0, static_cast<int>(std::ceil(v))); };
-    for (int row = first(g.y[i] - reach); row <= std::min(height - 1, static_cast<int>(std::floor(g.y[i] + reach))); ++row)
-      for (int column = first(g.x[i] - reach); column <= std::min(width - 1, static_cast<int>(std::floor(g.x[i] + reach))); ++column)
-        add(g, i, neighbours, rim, column, row, rims[i]);
+    each_pixel_near(g.x[i], g.y[i], reach, width, height, [&](int column, int row, std::size_t) { add(g, i, neighbours, rim, column, row, rims[i]); });
   }
   return rims;
 }
@@ -81,9 +74,12 @@ std::vector<RimPixels> rim_pixels(const PictureGrains& g, int width, int height,
 /// right-hand sides (cosine, sine) with the smooth part eliminated; two unknowns a grain.
 struct Left {
   std::vector<std::size_t> grains;
-  MatrixXd normal, side;
+  Matrix normal, side;
   double squares = 0, freedom = 0;  ///< of what there is to explain
   double contrast = 0;              ///< of the grain to what is behind it
+
+  /// Of all grains together.
+  std::size_t unknown(std::size_t own) const { return 2 * grains[own / 2] + own % 2; }
 };
 
 /// Contrast of a grain from its mean picture, where the neighbours' are known.
@@ -102,96 +98,97 @@ double contrast_of(const RimPixels& rim, const std::vector<double>& mean, const 
 /// `motion` and `contrast` are those found so far. Seen from the grain, neighbours that move otherwise swing.
 Left motion_left(const PhasePictures& pictures, const RimPixels& rim, std::size_t grain, const GrainMotion& motion,
                  const std::vector<double>& contrast) {
-  constexpr Index smooth = 6;
+  constexpr std::size_t smooth = 6;
   Left left;
   left.grains = {grain};
   for (const OtherRim& o : rim.others)
     if (std::find(left.grains.begin(), left.grains.end(), o.grain) == left.grains.end()) left.grains.push_back(o.grain);
-  const auto n = static_cast<Index>(rim.x.size()), unknowns = static_cast<Index>(2 * left.grains.size());
-  left.normal = MatrixXd::Zero(unknowns, unknowns);
-  left.side = MatrixXd::Zero(unknowns, 2);
+  const std::size_t n = rim.x.size(), unknowns = 2 * left.grains.size();
+  left.normal = Matrix(unknowns, unknowns);
+  left.side = Matrix(unknowns, 2);
   if (n < smooth + unknowns) return left;
   const SwingOfPixels fit(pictures, motion.cos_x[grain], motion.sin_x[grain], motion.cos_y[grain], motion.sin_y[grain]);
-  MatrixXd part(n, smooth), rest = MatrixXd::Zero(n, unknowns + 2);
+  Matrix part(n, smooth), rest(n, unknowns + 2);
   std::vector<double> mean;
-  for (Index i = 0; i < n; ++i) {
-    const auto p = static_cast<std::size_t>(i);
+  for (std::size_t p = 0; p < n; ++p) {
     const Followed f = fit.follow(pictures, rim.x[p], rim.y[p]);
     mean.push_back(f.mean);
     const double in = rim.inside[p], x = rim.from_centre_x[p], y = rim.from_centre_y[p];
-    part.row(i) << in, in * x, in * y, in * x * x, in * x * y, in * y * y;
-    rest(i, 0) = -f.slope_x, rest(i, 1) = -f.slope_y;
-    rest(i, unknowns) = f.cosine, rest(i, unknowns + 1) = f.sine;
+    const double shape[smooth] = {in, in * x, in * y, in * x * x, in * x * y, in * y * y};
+    for (std::size_t k = 0; k < smooth; ++k) part(p, k) = shape[k];
+    rest(p, 0) = -f.slope_x, rest(p, 1) = -f.slope_y;
+    rest(p, unknowns) = f.cosine, rest(p, unknowns + 1) = f.sine;
   }
   for (const OtherRim& o : rim.others) {
-    const auto row = static_cast<Index>(o.pixel);
-    const auto column = 2 * (std::find(left.grains.begin(), left.grains.end(), o.grain) - left.grains.begin());
+    const std::size_t row = o.pixel, column = 2 * static_cast<std::size_t>(std::find(left.grains.begin(), left.grains.end(), o.grain) - left.grains.begin());
     const double x = contrast[o.grain] * o.slope_x, y = contrast[o.grain] * o.slope_y;
     rest(row, 0) += x, rest(row, 1) += y;
     rest(row, column) -= x, rest(row, column + 1) -= y;
     rest(row, unknowns) += x * (motion.cos_x[o.grain] - motion.cos_x[grain]) + y * (motion.cos_y[o.grain] - motion.cos_y[grain]);
     rest(row, unknowns + 1) += x * (motion.sin_x[o.grain] - motion.sin_x[grain]) + y * (motion.sin_y[o.grain] - motion.sin_y[grain]);
   }
-  for (Index i = 0; i < n; ++i) {
-    const double w = std::sqrt(rim.weight[static_cast<std::size_t>(i)]);
-    part.row(i) *= w;
-    rest.row(i) *= w;
+  for (std::size_t p = 0; p < n; ++p) {
+    const double w = std::sqrt(rim.weight[p]);
+    for (std::size_t k = 0; k < smooth; ++k) part(p, k) *= w;
+    for (std::size_t k = 0; k < unknowns + 2; ++k) rest(p, k) *= w;
   }
   left.contrast = contrast_of(rim, mean, contrast);
-  const Eigen::HouseholderQR<MatrixXd> qr(part);
-  rest = (qr.householderQ().transpose() * rest).eval().bottomRows(n - smooth).eval();
-  left.normal = rest.leftCols(unknowns).transpose() * rest.leftCols(unknowns);
-  left.side = rest.leftCols(unknowns).transpose() * rest.rightCols(2);
-  left.squares = rest.rightCols(2).squaredNorm();
+  const Matrix q = statistics::orthonormal(part).q;
+  rest -= q * transposed_times(q, rest);
+  const Matrix slopes = rest.part(0, unknowns), swing = rest.part(unknowns, 2);
+  left.normal = transposed_times(slopes, slopes);
+  left.side = transposed_times(slopes, swing);
+  left.squares = squares(swing);
   left.freedom = static_cast<double>(2 * (n - smooth - 2));
   return left;
 }
 
 /// All grains' unknowns together: x of grain i at 2 i, y at 2 i + 1.
 struct Together {
-  Sparse normal;
-  MatrixXd side;
+  std::vector<statistics::Entry> normal;
+  Matrix side;
 };
 
 Together assemble(const std::vector<Left>& left) {
-  const auto size = static_cast<Index>(2 * left.size());
-  Together all{Sparse(size, size), MatrixXd::Zero(size, 2)};
-  std::vector<Eigen::Triplet<double>> entries;
+  const std::size_t size = 2 * left.size();
+  Together all{{}, Matrix(size, 2)};
   for (const Left& each : left)
-    for (std::size_t a = 0; a < 2 * each.grains.size(); ++a) {
-      const auto row = static_cast<Index>(2 * each.grains[a / 2] + a % 2), i = static_cast<Index>(a);
-      all.side.row(row) += each.side.row(i);
-      for (std::size_t b = 0; b < 2 * each.grains.size(); ++b)
-        entries.emplace_back(row, static_cast<Index>(2 * each.grains[b / 2] + b % 2), each.normal(i, static_cast<Index>(b)));
+    for (std::size_t a = 0; a < each.side.rows(); ++a) {
+      const std::size_t row = each.unknown(a);
+      for (std::size_t k = 0; k < 2; ++k) all.side(row, k) += each.side(a, k);
+      for (std::size_t b = 0; b < each.side.rows(); ++b) all.normal.push_back({row, each.unknown(b), each.normal(a, b)});
     }
   double trace = 0;
-  for (const auto& e : entries) trace += e.row() == e.col() ? e.value() : 0;
-  for (Index k = 0; k < size; ++k) entries.emplace_back(k, k, 1e-7 * trace / static_cast<double>(size) + 1e-300);
-  all.normal.setFromTriplets(entries.begin(), entries.end());
+  for (const auto& e : all.normal) trace += e.row == e.column ? e.value : 0;
+  for (std::size_t k = 0; k < size; ++k) all.normal.push_back({k, k, 1e-7 * trace / static_cast<double>(size) + 1e-300});
   return all;
 }
 
 /// Steps of all grains that are linear in the place.
-MatrixXd affine_step(const PictureGrains& grains, const Together& all) {
+Matrix affine_step(const PictureGrains& grains, const Together& all) {
   double span = 1;
   for (std::size_t i = 0; i < grains.size(); ++i) span = std::max({span, std::abs(grains.x[i]), std::abs(grains.y[i])});
-  MatrixXd shape = MatrixXd::Zero(all.side.rows(), 6);
+  Matrix shape(all.side.rows(), 6), sums = shape;
   for (std::size_t i = 0; i < grains.size(); ++i)
-    for (Index k = 0; k < 2; ++k)
-      shape.row(static_cast<Index>(2 * i) + k).segment(3 * k, 3) << 1, grains.x[i] / span - 0.5, grains.y[i] / span - 0.5;
-  MatrixXd normal = shape.transpose() * (all.normal * shape);
-  normal.diagonal().array() += 1e-9 * normal.trace() + 1e-300;
-  return shape * normal.ldlt().solve(shape.transpose() * all.side);
+    for (std::size_t k = 0; k < 2; ++k)
+      shape(2 * i + k, 3 * k) = 1, shape(2 * i + k, 3 * k + 1) = grains.x[i] / span - 0.5, shape(2 * i + k, 3 * k + 2) = grains.y[i] / span - 0.5;
+  for (const auto& e : all.normal)
+    for (std::size_t k = 0; k < 6; ++k) sums(e.row, k) += e.value * shape(e.column, k);
+  Matrix normal = transposed_times(shape, sums);
+  double trace = 0;
+  for (std::size_t k = 0; k < 6; ++k) trace += normal(k, k);
+  for (std::size_t k = 0; k < 6; ++k) normal(k, k) += 1e-9 * trace + 1e-300;
+  return shape * solve_symmetric(normal, transposed_times(shape, all.side));
 }
 
 /// Adds the steps, none longer than a pixel; returns the longest.
-double move(const MatrixXd& step, double largest, GrainMotion& motion) {
+double move(const Matrix& step, double largest, GrainMotion& motion) {
   double longest = 0;
   for (std::size_t i = 0; i < motion.size(); ++i)
-    for (Index k = 0; k < 2; ++k) {
+    for (std::size_t k = 0; k < 2; ++k) {
       double& x = k == 0 ? motion.cos_x[i] : motion.sin_x[i];
       double& y = k == 0 ? motion.cos_y[i] : motion.sin_y[i];
-      const double dx = step(static_cast<Index>(2 * i), k), dy = step(static_cast<Index>(2 * i) + 1, k), length = std::hypot(dx, dy);
+      const double dx = step(2 * i, k), dy = step(2 * i + 1, k), length = std::hypot(dx, dy);
       const double part = length > 1 ? 1 / length : 1;
       if (!std::isfinite(length) || std::hypot(x + part * dx, y + part * dy) > largest) continue;
       x += part * dx, y += part * dy;
@@ -201,14 +198,15 @@ double move(const MatrixXd& step, double largest, GrainMotion& motion) {
 }
 
 /// From what the fit leaves on the rim, and the grain's own part of the normal matrix.
-double error_of(const Left& left, const MatrixXd& step) {
-  const Eigen::Matrix2d own = left.normal.topLeftCorner(2, 2);
-  const double trace = own.trace(), determinant = own.determinant();
+double error_of(const Left& left, const Matrix& step) {
+  const Matrix& own = left.normal;
+  const double trace = own(0, 0) + own(1, 1), determinant = own(0, 0) * own(1, 1) - own(0, 1) * own(1, 0);
   if (!(left.freedom > 0) || !(determinant > 1e-12 * trace * trace)) return std::numeric_limits<double>::infinity();
-  MatrixXd local(left.normal.rows(), 2);
-  for (std::size_t a = 0; a < 2 * left.grains.size(); ++a)
-    local.row(static_cast<Index>(a)) = step.row(static_cast<Index>(2 * left.grains[a / 2] + a % 2));
-  const double rest = left.squares - 2 * (local.transpose() * left.side).trace() + (local.transpose() * left.normal * local).trace();
+  Matrix local(own.rows(), 2), unexplained = left.side;
+  for (std::size_t a = 0; a < local.rows(); ++a)
+    for (std::size_t k = 0; k < 2; ++k) local(a, k) = step(left.unknown(a), k);
+  (unexplained += left.side) -= own * local;
+  const double rest = left.squares - statistics::dot(local.column(0), unexplained.column(0), local.size());
   return std::sqrt(std::max(rest, 0.0) / left.freedom * 0.5 * trace / determinant);
 }
 
@@ -236,7 +234,7 @@ GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& gra
     team.for_each(n, [&](std::size_t i) { left[i] = motion_left(pictures, rims[i], i, motion, contrast); });
     for (std::size_t i = 0; i < n; ++i) contrast[i] = left[i].contrast;
     const Together all = assemble(left);
-    const MatrixXd step = turn < affine_turns ? affine_step(grains, all) : MatrixXd(Eigen::SimplicialLDLT<Sparse>(all.normal).solve(all.side));
+    const Matrix step = turn < affine_turns ? affine_step(grains, all) : solve_sparse(all.normal, all.side);
     const double longest = move(step, options.largest, motion);
     if (turn < affine_turns) continue;
     for (std::size_t i = 0; i < n; ++i) motion.error[i] = error_of(left[i], step);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/median.hpp"
 #include "core/threads.hpp"
 #include "thermal/imaging/lens.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
@@ -90,16 +91,6 @@ std::vector<float> draw_disks(const PictureGrains& g, const std::vector<double>&
   return picture;
 }
 
-/// Median over weights, `none` where there are no values.
-double median(std::vector<std::pair<double, double>>& weighed, double none) {
-  std::sort(weighed.begin(), weighed.end());
-  double all = 0, sum = 0;
-  for (const auto& v : weighed) all += v.second;
-  for (const auto& v : weighed)
-    if ((sum += v.second) >= all / 2) return v.first;
-  return none;
-}
-
 /// Most pixels between grains show some grain too: what is left of them without the grains, over their open share. Pixels far
 /// from any grain may show the frame.
 double background_level(const PhasePictures& pictures, const GrainScene& scene, const PictureGrains& grains, const GrainMotion& motion, double blur) {
@@ -111,7 +102,7 @@ double background_level(const PhasePictures& pictures, const GrainScene& scene, 
   std::vector<std::pair<double, double>> pores;  // level and weight
   for (std::size_t p = 0; p < seen.size(); ++p)
     if (open[p] > least && open[p] < most) pores.emplace_back(static_cast<double>((seen[p] - disks[p]) / open[p]), static_cast<double>(open[p] * open[p]));
-  return median(pores, scene.grain.empty() ? 0 : scene.grain.front());
+  return weighted_median(std::move(pores), scene.grain.empty() ? 0 : scene.grain.front());
 }
 
 /// Least mean distance between picture and drawing, by golden section; it has one minimum.

@@ -18,68 +18,71 @@ void legendre(double x, std::size_t count, double* value, double* slope) {
 
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
-Index index(std::size_t i) { return static_cast<Index>(i); }
+using statistics::Matrix;
 
 /// Swings at the frequencies beside, by turning that of the load's by the spacing, again and again.
-void swings_beside(const HarmonicFit& fit, double t, VectorXd& phi) {
+void swings_beside(const HarmonicFit& fit, double t, double* phi) {
   const std::size_t own = fit.harmonic(1);
-  const std::complex<double> load(phi[index(own)], phi[index(own + 1)]), turn = std::polar(1.0, 2 * std::numbers::pi * fit.spacing * t);
+  const std::complex<double> load(phi[own], phi[own + 1]), turn = std::polar(1.0, 2 * std::numbers::pi * fit.spacing * t);
   std::complex<double> power = 1;
   for (int far = 1, left = static_cast<int>(fit.beside.size()); left > 0; ++far) {
     power *= turn;
     for (std::size_t k = 0; k < fit.beside.size(); ++k) {
       if (std::abs(fit.beside[k]) != far) continue;
       const std::complex<double> swing = load * (fit.beside[k] > 0 ? power : std::conj(power));
-      phi[index(fit.side(k))] = swing.real();
-      phi[index(fit.side(k) + 1)] = swing.imag();
+      phi[fit.side(k)] = swing.real();
+      phi[fit.side(k) + 1] = swing.imag();
       --left;
     }
   }
 }
 
-/// The functions that are fitted, at time t.
-void functions_at(const HarmonicFit& fit, double t, bool with_beat, VectorXd& phi) {
+/// The functions that are fitted, at time t; those of the beat are at `beat`, or nowhere.
+void functions_at(const HarmonicFit& fit, double t, double* phi, double* beat) {
   const double x = (t - fit.middle) / fit.half, angle = 2 * std::numbers::pi * fit.frequency * t;
-  legendre(x, fit.drift, phi.data());
+  legendre(x, fit.drift, phi);
   for (std::size_t h = 1; h <= fit.harmonics; ++h) {
-    phi[index(fit.harmonic(h))] = std::cos(static_cast<double>(h) * angle);
-    phi[index(fit.harmonic(h) + 1)] = std::sin(static_cast<double>(h) * angle);
+    phi[fit.harmonic(h)] = std::cos(static_cast<double>(h) * angle);
+    phi[fit.harmonic(h) + 1] = std::sin(static_cast<double>(h) * angle);
   }
   if (!fit.beside.empty()) swings_beside(fit, t, phi);
-  if (!with_beat) return;
-  const Index last = phi.size() - 2, cosine = index(fit.harmonic(1));
-  phi[last] = x * phi[cosine];
-  phi[last + 1] = x * phi[cosine + 1];
+  if (!beat) return;
+  beat[0] = x * phi[fit.harmonic(1)];
+  beat[1] = x * phi[fit.harmonic(1) + 1];
 }
 
 /// Rows: what the film is projected on in this segment, columns: 1 and the weights of the pass.
-void projection(const HarmonicFit& fit, double centre, bool with_beat, MatrixXd& r) {
-  r.setZero();
+Matrix projection(const HarmonicFit& fit, double centre, std::size_t size, std::size_t weights, bool with_beat) {
+  Matrix r(size, weights);
   const double x = (centre - fit.middle) / fit.half;
-  VectorXd p(index(fit.drift));
-  legendre(x, fit.drift, p.data());
-  r.block(0, 0, index(fit.drift), 1) = p;
-  const auto turn = [&](Index row, std::size_t h, double frequency, double size) {
+  legendre(x, fit.drift, r.column(0));
+  const auto turn = [&](std::size_t row, std::size_t h, double frequency, double amount) {
     const double angle = 2 * std::numbers::pi * frequency * centre;
-    const Index column = index(2 * h - 1);
-    r(row, column) = size * std::cos(angle);
-    r(row, column + 1) = -size * std::sin(angle);
-    r(row + 1, column) = size * std::sin(angle);
-    r(row + 1, column + 1) = size * std::cos(angle);
+    const std::size_t column = 2 * h - 1;
+    r(row, column) = amount * std::cos(angle);
+    r(row, column + 1) = -amount * std::sin(angle);
+    r(row + 1, column) = amount * std::sin(angle);
+    r(row + 1, column + 1) = amount * std::cos(angle);
   };
-  for (std::size_t h = 1; h <= fit.harmonics; ++h) turn(index(fit.harmonic(h)), h, static_cast<double>(h) * fit.frequency, 1);
-  for (std::size_t k = 0; k < fit.beside.size(); ++k) turn(index(fit.side(k)), 1, fit.frequency + fit.beside[k] * fit.spacing, 1);
-  if (with_beat) turn(r.rows() - 2, 1, fit.frequency, x);
+  for (std::size_t h = 1; h <= fit.harmonics; ++h) turn(fit.harmonic(h), h, static_cast<double>(h) * fit.frequency, 1);
+  for (std::size_t k = 0; k < fit.beside.size(); ++k) turn(fit.side(k), 1, fit.frequency + fit.beside[k] * fit.spacing, 1);
+  if (with_beat) turn(size - 2, 1, fit.frequency, x);
+  return r;
 }
 
 }  // namespace
 
+statistics::Matrix pass_weights(const SegmentSums& s, std::size_t k) {
+  Matrix g(1 + s.functions, s.first[k + 1] - s.first[k]);
+  for (std::size_t n = 0; n < g.columns(); ++n) {
+    g(0, n) = 1;
+    for (std::size_t m = 0; m < s.functions; ++m) g(m + 1, n) = static_cast<double>(s.weights[(s.first[k] + n) * s.functions + m]);
+  }
+  return g;
+}
+
 double HarmonicFit::inflation(std::size_t frames) const {
-  const auto a = index(harmonic(1));
+  const std::size_t a = harmonic(1);
   return (covariance(a, a) + covariance(a + 1, a + 1)) * static_cast<double>(frames) / 4;
 }
 
@@ -93,30 +96,23 @@ HarmonicFit harmonic_fit(const SegmentSums& s, double frequency, int drift_order
   fit.harmonics = s.functions / 2;
   fit.middle = (s.time.front() + s.time.back()) / 2;
   fit.half = (s.time.back() - s.time.front()) / 2;
-  const Index size = index(fit.drift + s.functions + 2 * fit.beside.size() + (with_beat ? 2 : 0)), weights = index(1 + s.functions), planes = index(s.planes());
-  MatrixXd mixed = MatrixXd::Zero(size, size), tests = mixed, r(size, weights);
-  MatrixXd projections = MatrixXd::Zero(size, index(s.segments()) * planes);
-  fit.normal = mixed;
-  VectorXd phi(size), g(weights);
+  const std::size_t size = fit.drift + s.functions + 2 * fit.beside.size() + (with_beat ? 2 : 0), planes = s.planes();
+  Matrix mixed(size, size), tests(size, size), projections(size, s.segments() * planes);
+  fit.normal = Matrix(size, size);
   for (std::size_t k = 0; k < s.segments(); ++k) {
-    MatrixXd crossed = MatrixXd::Zero(weights, size), squared = MatrixXd::Zero(weights, weights);
-    for (std::size_t n = s.first[k]; n < s.first[k + 1]; ++n) {
-      functions_at(fit, s.time[n], with_beat, phi);
-      g[0] = 1;
-      for (std::size_t m = 0; m < s.functions; ++m) g[index(m + 1)] = static_cast<double>(s.weights[n * s.functions + m]);
-      crossed.noalias() += g * phi.transpose();
-      squared.noalias() += g * g.transpose();
-      fit.normal.noalias() += phi * phi.transpose();
-    }
-    projection(fit, s.centre[k], with_beat, r);
-    mixed.noalias() += r * crossed;
-    tests.noalias() += r * squared * r.transpose();
-    projections.block(0, index(k) * planes, size, weights) = r;
-    projections.col(index(k) * planes + planes - 1) = r * squared.col(0);
+    const Matrix g = pass_weights(s, k);
+    Matrix phi(size, g.columns());
+    for (std::size_t n = 0; n < g.columns(); ++n)
+      functions_at(fit, s.time[s.first[k] + n], phi.column(n), with_beat ? phi.column(n) + size - 2 : nullptr);
+    fit.normal += times_transposed(phi, phi);
+    const Matrix squared = times_transposed(g, g), r = projection(fit, s.centre[k], size, g.rows(), with_beat), turned = r * squared;
+    mixed += r * times_transposed(g, phi);
+    tests += times_transposed(turned, r);
+    std::copy_n(r.column(0), r.size(), projections.column(k * planes));
+    std::copy_n(turned.column(0), size, projections.column(k * planes + planes - 1));
   }
-  const Eigen::PartialPivLU<MatrixXd> inverse(mixed);
-  fit.coefficient = inverse.solve(projections).transpose();
-  fit.covariance = inverse.solve(inverse.solve(tests).transpose());
+  fit.coefficient = transposed(solve(mixed, projections));
+  fit.covariance = solve(mixed, transposed(solve(mixed, tests)));
   return fit;
 }
 
@@ -125,8 +121,7 @@ void fit_pixels(const SegmentSums& sums, const HarmonicFit& fit, std::size_t fro
   out.begin = begin;
   out.count = count;
   out.value.resize(rows * PixelFit::run);
-  const auto stride = static_cast<std::size_t>(fit.coefficient.rows());
-  kernels().combine(sums.view(), fit.coefficient.data() + from * stride, rows, out.value.data(), PixelFit::run, begin, begin + count);
+  kernels().combine(sums.view(), fit.coefficient.column(from), rows, out.value.data(), PixelFit::run, begin, begin + count);
 }
 
 void fit_pixels_with_variance(const SegmentSums& sums, const HarmonicFit& fit, std::size_t begin, std::size_t count, PixelFit& out) {
@@ -139,7 +134,7 @@ void fit_pixels_with_variance(const SegmentSums& sums, const HarmonicFit& fit, s
   const double freedom = static_cast<double>(sums.time.size() - size);
   for (std::size_t m = 0; m < size; ++m)
     for (std::size_t n = 0; n <= m; ++n) {
-      const double weight = (n == m ? 1 : 2) * fit.normal(static_cast<Eigen::Index>(m), static_cast<Eigen::Index>(n));
+      const double weight = (n == m ? 1 : 2) * fit.normal(m, n);
       const double *a = out.value.data() + m * PixelFit::run, *b = out.value.data() + n * PixelFit::run;
       for (std::size_t i = 0; i < count; ++i) out.variance[i] -= weight * a[i] * b[i];
     }

@@ -1,9 +1,9 @@
 #pragma once
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
+#include "statistics/least_squares.hpp"
 #include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
@@ -19,13 +19,13 @@ struct HarmonicFit {
   std::size_t drift = 0;            ///< polynomials, order + 1
   std::size_t harmonics = 0;
   double middle = 0, half = 0;      ///< s
-  Eigen::MatrixXd coefficient;      ///< transposed: (segments x planes) x functions
-  Eigen::MatrixXd covariance;       ///< of the fitted numbers over the variance of the noise
-  Eigen::MatrixXd normal;           ///< sums of products of the fitted functions
+  statistics::Matrix coefficient;   ///< transposed: (segments x planes) x functions
+  statistics::Matrix covariance;    ///< of the fitted numbers over the variance of the noise
+  statistics::Matrix normal;        ///< sums of products of the fitted functions
   double spacing = 0;               ///< Hz
   std::vector<int> beside;          ///< frequencies beside it, so many spacings above or below
 
-  std::size_t size() const { return static_cast<std::size_t>(coefficient.cols()); }
+  std::size_t size() const { return coefficient.columns(); }
   /// Column of cos of harmonic h; sin is next to it.
   std::size_t harmonic(std::size_t h) const { return drift + 2 * (harmonics - h); }
   /// Column of cos of frequency k beside; sin is next to it.
@@ -37,6 +37,9 @@ struct HarmonicFit {
 
 HarmonicFit harmonic_fit(const SegmentSums& sums, double frequency, int drift_order, bool with_beat, double spacing = 0,
                          std::vector<int> beside = {});
+
+/// 1 and the weights of the pass in the frames of segment k: weights x frames.
+statistics::Matrix pass_weights(const SegmentSums& sums, std::size_t k);
 
 /// Legendre polynomials P_0 .. P_order at x and their slopes.
 void legendre(double x, std::size_t count, double* value, double* slope = nullptr);

@@ -15,8 +15,6 @@
 namespace arenite::thermography {
 namespace {
 
-using Eigen::Index;
-
 /// How the swing at the load's frequency stands out of what swings beside it. Noise of real cameras is neither white nor
 /// each pixel's own: frames follow on each other, rows and whole frames flicker together, and the electronics have lines.
 struct NoiseAround {
@@ -66,15 +64,14 @@ struct Swing {
   void add(std::complex<double> z, std::complex<double> load) { power += std::norm(z), square += z * z, along += z * std::conj(load); }
 };
 
-/// Makes the errors of cos and sin equal and independent.
-Eigen::Matrix2d whitening(const HarmonicFit& fit, std::size_t column) {
-  const Eigen::Matrix2d covariance = fit.covariance.block<2, 2>(static_cast<Index>(column), static_cast<Index>(column));
-  return covariance.llt().matrixL().solve(Eigen::Matrix2d::Identity());
-}
+/// Makes the errors of cos and sin equal and independent, by Cholesky's triangle of their covariance.
+struct Whitening {
+  double c, cs, s;
 
-std::complex<double> whitened(const Eigen::Matrix2d& by, double cosine, double sine) {
-  return {by(0, 0) * cosine + by(0, 1) * sine, by(1, 0) * cosine + by(1, 1) * sine};
-}
+  Whitening(const HarmonicFit& fit, std::size_t column)
+      : c(std::sqrt(fit.covariance(column, column))), cs(fit.covariance(column + 1, column) / c), s(std::sqrt(fit.covariance(column + 1, column + 1) - cs * cs)) {}
+  std::complex<double> operator()(double cosine, double sine) const { return {cosine / c, (sine - cs / c * cosine) / s}; }
+};
 
 struct Seen {
   Swing load;
@@ -87,8 +84,8 @@ struct Seen {
 /// them alike, is not seen as a swing at this one.
 Seen look(const SegmentSums& s, const HarmonicFit& fit, const HarmonicFit& wide) {
   const std::size_t sides = wide.beside.size(), own = wide.harmonic(1), all = 1 + sides;
-  std::vector<Eigen::Matrix2d> white;
-  for (std::size_t k = 0; k < all; ++k) white.push_back(whitening(wide, own + 2 * k));
+  std::vector<Whitening> white;
+  for (std::size_t k = 0; k < all; ++k) white.emplace_back(wide, own + 2 * k);
   Seen seen{{}, std::vector<Swing>(sides), std::vector<std::vector<double>>(sides), 0};
   PixelFit base, swings;
   for_some_chunks(s, 64, [&](std::size_t begin, std::size_t count) {
@@ -100,7 +97,7 @@ Seen look(const SegmentSums& s, const HarmonicFit& fit, const HarmonicFit& wide)
       ++seen.pixels;
       std::complex<double> load;
       for (std::size_t k = 0; k < all; ++k) {
-        const auto z = whitened(white[k], swings.value[2 * k * PixelFit::run + i] / noise, swings.value[(2 * k + 1) * PixelFit::run + i] / noise);
+        const auto z = white[k](swings.value[2 * k * PixelFit::run + i] / noise, swings.value[(2 * k + 1) * PixelFit::run + i] / noise);
         if (k == 0) load = z;
         (k == 0 ? seen.load : seen.beside[k - 1]).add(z, load);
         if (k > 0) seen.power[k - 1].push_back(std::norm(z) / 2);

@@ -62,7 +62,7 @@ void fill(const SegmentSums& s, const HarmonicFit& fit, const Team& team, Lockin
   resize(maps, s.pixels, second);
   for (auto& each : swing) each.resize(s.pixels);
   const double factor = maps.convention == SwingConvention::full ? 2 : 1;
-  const auto a = static_cast<Eigen::Index>(fit.harmonic(1));
+  const auto a = fit.harmonic(1);
   const double spread = std::sqrt(maps.noise_ratio * (fit.covariance(a, a) + fit.covariance(a + 1, a + 1)) / 2);
   std::vector<double> value(fit.drift), slope(fit.drift);
   legendre(0, fit.drift, value.data(), slope.data());

@@ -1,9 +1,9 @@
 #include "thermal/thermography/phase_pictures.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "core/threads.hpp"
 #include "thermal/thermography/segment_sums.hpp"
@@ -11,6 +11,8 @@
 
 namespace arenite::thermography {
 namespace {
+
+using statistics::Matrix;
 
 /// One line of `n` numbers that lie `stride` apart: forth and back with the pole of the cubic spline (Unser's filter).
 void filter(float* value, int n, std::ptrdiff_t stride) {
@@ -31,7 +33,7 @@ struct Bins {
   std::vector<std::size_t> of_frame;
   std::vector<double> frames, cosine, sine, cosine2, sine2;
   std::vector<float> slow;          ///< frames x order: Legendre's polynomials P_1, P_2 .. of the time, less their mean over the film
-  Eigen::MatrixXd mean_slow;        ///< parts x order: their means over the frames of every part
+  Matrix mean_slow;                 ///< parts x order: their means over the frames of every part
   std::size_t order = 0;
 };
 
@@ -49,13 +51,13 @@ void weigh_drift(Bins& bins, const std::vector<double>& time) {
     for (std::size_t j = 0; j < now.size(); ++j) mean[j] += now[j] / static_cast<double>(time.size());
   }
   bins.slow.resize(time.size() * bins.order);
-  bins.mean_slow = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(bins.frames.size()), static_cast<Eigen::Index>(bins.order));
+  bins.mean_slow = Matrix(bins.frames.size(), bins.order);
   for (std::size_t n = 0; n < time.size(); ++n) {
     legendre((time[n] - middle) / half, now.size(), now.data());
     for (std::size_t j = 0; j < bins.order; ++j) {
       const double value = now[j + 1] - mean[j + 1];  // so the noise of the drift does not add to that of the pictures' mean
       bins.slow[n * bins.order + j] = static_cast<float>(value);
-      bins.mean_slow(static_cast<Eigen::Index>(bins.of_frame[n]), static_cast<Eigen::Index>(j)) += value / bins.frames[bins.of_frame[n]];
+      bins.mean_slow(bins.of_frame[n], j) += value / bins.frames[bins.of_frame[n]];
     }
   }
 }
@@ -95,30 +97,29 @@ void add(const T* frame, const std::vector<float>& mean, const float* slow, std:
 
 /// What gives a pixel's drift from its weighed sums: least squares of polynomials beside any swing, as frames of a like phase
 /// tell it, whatever the pixel shows within a cycle.
-Eigen::MatrixXd drift_solver(const Bins& bins) {
-  const auto order = static_cast<Eigen::Index>(bins.order);
-  const Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> slow(bins.slow.data(), static_cast<Eigen::Index>(bins.of_frame.size()), order);
-  const Eigen::MatrixXd value = slow.cast<double>();
-  Eigen::MatrixXd normal = value.transpose() * value;
-  for (std::size_t b = 0; b < bins.frames.size(); ++b) {
-    const auto row = bins.mean_slow.row(static_cast<Eigen::Index>(b));
-    normal -= bins.frames[b] * row.transpose() * row;
-  }
-  return normal.inverse();
+Matrix drift_solver(const Bins& bins) {
+  const std::size_t order = bins.order;
+  Matrix normal(order, order);
+  for (std::size_t i = 0; i < order; ++i)
+    for (std::size_t j = 0; j < order; ++j) {
+      for (std::size_t at = 0; at < bins.slow.size(); at += order) normal(i, j) += static_cast<double>(bins.slow[at + i]) * static_cast<double>(bins.slow[at + j]);
+      for (std::size_t b = 0; b < bins.frames.size(); ++b) normal(i, j) -= bins.frames[b] * bins.mean_slow(b, i) * bins.mean_slow(b, j);
+    }
+  return solve(normal, statistics::identity(order, order));
 }
 
 /// Turns the weighed sums into the drift's coefficients. `sums` holds the sums of the pictures.
 void solve_drift(const Bins& bins, const float* sums, std::size_t pixels, float* drift, const Team& team) {
   if (bins.order == 0) return;
-  const Eigen::MatrixXd solver = drift_solver(bins);
-  const auto order = static_cast<Eigen::Index>(bins.order);
+  const Matrix solver = drift_solver(bins);
   team.for_ranges(pixels, [&](std::size_t begin, std::size_t end) {
-    Eigen::VectorXd side(order);
+    std::vector<double> side(bins.order);
     for (std::size_t p = begin; p < end; ++p) {
-      for (Eigen::Index j = 0; j < order; ++j) side[j] = static_cast<double>(drift[static_cast<std::size_t>(j) * pixels + p]);
-      for (std::size_t b = 0; b < bins.frames.size(); ++b) side -= static_cast<double>(sums[b * pixels + p]) * bins.mean_slow.row(static_cast<Eigen::Index>(b)).transpose();
-      side = (solver * side).eval();
-      for (Eigen::Index j = 0; j < order; ++j) drift[static_cast<std::size_t>(j) * pixels + p] = static_cast<float>(side[j]);
+      for (std::size_t j = 0; j < bins.order; ++j) {
+        side[j] = static_cast<double>(drift[j * pixels + p]);
+        for (std::size_t b = 0; b < bins.frames.size(); ++b) side[j] -= static_cast<double>(sums[b * pixels + p]) * bins.mean_slow(b, j);
+      }
+      for (std::size_t j = 0; j < bins.order; ++j) drift[j * pixels + p] = static_cast<float>(std::inner_product(side.begin(), side.end(), solver.column(j), 0.0));
     }
   });
 }
@@ -128,7 +129,7 @@ void finish(const LockinMaps& maps, const Bins& bins, const float* drift, std::s
   for (std::size_t p = 0; p < maps.size(); ++p) {
     picture[p] = maps.mean[p] + picture[p] / static_cast<float>(bins.frames[b]);
     for (std::size_t j = 0; j < bins.order; ++j)
-      picture[p] -= drift[j * maps.size() + p] * static_cast<float>(bins.mean_slow(static_cast<Eigen::Index>(b), static_cast<Eigen::Index>(j)));
+      picture[p] -= drift[j * maps.size() + p] * static_cast<float>(bins.mean_slow(b, j));
     if (!std::isfinite(picture[p])) picture[p] = p > 0 ? picture[p - 1] : 0;
   }
   spline_coefficients(picture, maps.width, maps.height);
@@ -179,18 +180,14 @@ std::vector<float> picture_of(const PhasePictures& pictures, std::size_t k) {
 }
 
 SwingOfPixels::SwingOfPixels(const PhasePictures& p, double cos_x, double sin_x, double cos_y, double sin_y) {
-  const auto n = static_cast<Eigen::Index>(p.size());
-  Eigen::MatrixXd design(n, 5);
+  Matrix design(5, p.size()), weighed = design;
   for (std::size_t k = 0; k < p.size(); ++k) {
     dx_.push_back(cos_x * p.cosine[k] + sin_x * p.sine[k]);
     dy_.push_back(cos_y * p.cosine[k] + sin_y * p.sine[k]);
-    design.row(static_cast<Eigen::Index>(k)) << 1, p.cosine[k], p.sine[k], p.cosine2[k], p.sine2[k];
+    const double functions[] = {1, p.cosine[k], p.sine[k], p.cosine2[k], p.sine2[k]};
+    for (std::size_t m = 0; m < 5; ++m) design(m, k) = functions[m], weighed(m, k) = p.frames[k] * functions[m];
   }
-  const Eigen::VectorXd frames = Eigen::Map<const Eigen::VectorXd>(p.frames.data(), n);
-  const Eigen::MatrixXd weighed = frames.asDiagonal() * design, fit = (design.transpose() * weighed).ldlt().solve(weighed.transpose());
-  fit_.resize(5 * p.size());
-  for (Eigen::Index m = 0; m < 5; ++m)
-    for (Eigen::Index k = 0; k < n; ++k) fit_[static_cast<std::size_t>(m * n + k)] = fit(m, k);
+  fit_ = transposed(solve_symmetric(times_transposed(design, weighed), weighed));
 }
 
 Followed SwingOfPixels::follow(const PhasePictures& p, double x, double y) const {
@@ -202,7 +199,7 @@ Followed SwingOfPixels::follow(const PhasePictures& p, double x, double y) const
     const Resampled here(p.width, p.height, x + dx_[k], y + dy_[k]);
     double slope_x = 0, slope_y = 0;
     value[k] = here.of(p.picture(k), slope_x, slope_y);
-    for (std::size_t m = 0; m < 5; ++m) a[m] += fit_[m * n + k] * value[k];
+    for (std::size_t m = 0; m < 5; ++m) a[m] += fit_(k, m) * value[k];
     frames += p.frames[k];
     noise += p.frames[k] * here.noise();
     f.slope_x += p.frames[k] * slope_x;

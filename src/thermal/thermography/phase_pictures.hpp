@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/film.hpp"
+#include "statistics/least_squares.hpp"
 #include "thermal/thermography/lockin.hpp"
 
 namespace arenite::thermography {
@@ -112,7 +113,7 @@ class SwingOfPixels {
 
  private:
   std::vector<double> dx_, dy_;     ///< motion in every picture
-  std::vector<double> fit_;         ///< 5 x pictures
+  statistics::Matrix fit_;          ///< pictures x 5
 };
 
 }  // namespace arenite::thermography

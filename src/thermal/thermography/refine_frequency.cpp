@@ -1,9 +1,8 @@
 #include "thermal/thermography/refine_frequency.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <numbers>
 
@@ -12,52 +11,53 @@
 namespace arenite::thermography {
 namespace {
 
-using Eigen::Index;
+using statistics::Matrix;
 
 constexpr double turn = 2 * std::numbers::pi;
 
-/// Numbers by which the sums of segment k give its swing by least squares on its mean and harmonics: rows cos, sin.
-Eigen::MatrixXd own_fit(const SegmentSums& s, std::size_t k) {
-  const auto size = static_cast<Index>(1 + s.functions);
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size);
-  Eigen::VectorXd g(size);
-  for (std::size_t n = s.first[k]; n < s.first[k + 1]; ++n) {
-    g[0] = 1;
-    for (std::size_t m = 0; m < s.functions; ++m) g[static_cast<Index>(m + 1)] = static_cast<double>(s.weights[n * s.functions + m]);
-    normal.noalias() += g * g.transpose();
-  }
-  return Eigen::PartialPivLU<Eigen::MatrixXd>(normal).inverse().middleRows(1, 2);
+/// Numbers by which the sums of segment k give its swing by least squares on its mean and harmonics: columns cos, sin.
+Matrix own_fit(const SegmentSums& s, std::size_t k) {
+  const Matrix g = pass_weights(s, k), normal = times_transposed(g, g);
+  return solve(normal, statistics::identity(g.rows(), g.rows())).part(1, 2);
 }
 
-/// Swing of one pixel in every segment, over its spread, so that a wild pixel does not speak for all.
-bool swings_of(const SegmentSums& s, const std::vector<Eigen::MatrixXd>& fits, std::size_t p, Eigen::VectorXcd& swing) {
+/// Swing of one pixel in every segment, over its spread, so that a wild pixel does not speak for all: cosines and then minus sines in column `at`,
+/// sines and then cosines in the next, by which the pixel's swing at some frequency has a real and an imaginary part.
+bool swings_of(const SegmentSums& s, const std::vector<Matrix>& fits, std::size_t p, Matrix& swings, std::size_t at) {
   const SegmentView view = s.view();
   const float* plane = view.sums + view.at(p, 0, 0);
-  double spread = 0;
-  for (std::size_t k = 0; k < s.segments(); ++k, plane += view.planes * chunk) {
-    std::complex<double> z = 0;
+  const std::size_t segments = s.segments();
+  double spread = 0, power = 0;
+  for (std::size_t k = 0; k < segments; ++k, plane += view.planes * chunk) {
+    double c = 0, sn = 0;
     for (std::size_t m = 0; m <= s.functions; ++m) {
       const auto v = static_cast<double>(plane[m * chunk]);
-      z += std::complex<double>(fits[k](0, static_cast<Index>(m)), fits[k](1, static_cast<Index>(m))) * v;
+      c += fits[k](m, 0) * v, sn += fits[k](m, 1) * v;
     }
     const auto sum = static_cast<double>(plane[0]);
     spread += static_cast<double>(plane[(s.functions + 1) * chunk]) - sum * sum / s.frames_of(k);
-    swing[static_cast<Index>(k)] = z * s.frames_of(k);
+    c *= s.frames_of(k), sn *= s.frames_of(k);
+    power += c * c + sn * sn;
+    swings(k, at) = swings(segments + k, at + 1) = c;
+    swings(k, at + 1) = sn;
+    swings(segments + k, at) = -sn;
   }
-  if (!(spread > 0) || !std::isfinite(spread)) return false;
-  swing /= std::sqrt(spread);
-  return swing.allFinite();
+  if (!(spread > 0) || !std::isfinite(spread) || !std::isfinite(power)) return false;
+  for (double* each = swings.column(at); each != swings.column(at + 2); ++each) *each /= std::sqrt(spread);
+  return true;
 }
 
-Eigen::MatrixXcd products(const SegmentSums& s) {
-  std::vector<Eigen::MatrixXd> fits;
+/// Form by which cosines, then sines, of a frequency at the middles of all segments give the power of its swing.
+Matrix products(const SegmentSums& s) {
+  std::vector<Matrix> fits;
   for (std::size_t k = 0; k < s.segments(); ++k) fits.push_back(own_fit(s, k));
-  const auto size = static_cast<Index>(s.segments());
-  Eigen::MatrixXcd sum = Eigen::MatrixXcd::Zero(size, size);
-  Eigen::VectorXcd swing(size);
+  Matrix sum(2 * s.segments(), 2 * s.segments()), swings(2 * s.segments(), 2 * chunk);
   for_some_chunks(s, 64, [&](std::size_t begin, std::size_t count) {
+    std::size_t used = 0;
     for (std::size_t p = begin; p < begin + count; ++p)
-      if (swings_of(s, fits, p, swing)) sum.noalias() += swing.conjugate() * swing.transpose();
+      if (swings_of(s, fits, p, swings, used)) used += 2;
+    const Matrix some = swings.part(0, used);
+    sum += times_transposed(some, some);
   });
   return sum;
 }
@@ -72,11 +72,14 @@ bool segments_show_swings(const SegmentSums& s) {
 double segments_in_step(const SegmentSums& s, const SearchBand& band) {
   const double time = s.time.back() - s.time.front(), segment = time / static_cast<double>(s.segments());
   const double below = std::min(s.frequency - band.low, 0.4 / segment), above = std::min(band.high - s.frequency, 0.4 / segment), step = 1 / (8 * time);
-  const Eigen::MatrixXcd product = products(s);
-  Eigen::VectorXcd phase(product.rows());
+  const Matrix product = products(s);
+  Matrix phase(product.rows(), 1);
   const auto power = [&](double frequency) {
-    for (Index k = 0; k < phase.size(); ++k) phase[k] = std::polar(1.0, turn * frequency * s.centre[static_cast<std::size_t>(k)]);
-    return phase.dot(product * phase).real();
+    for (std::size_t k = 0; k < s.segments(); ++k) {
+      const double angle = turn * frequency * s.centre[k];
+      phase(k, 0) = std::cos(angle), phase(s.segments() + k, 0) = std::sin(angle);
+    }
+    return statistics::dot(phase.column(0), (product * phase).column(0), phase.size());
   };
   int best = 0;
   double most = -1;
@@ -99,12 +102,7 @@ struct BeatSums {
   void operator+=(const BeatSums& o) { swing += o.swing, beat += o.beat, cross += o.cross, noise += o.noise; }
 };
 
-/// By noise alone, and with strong swings held back.
-struct Weighings {
-  BeatSums by_noise, held_back;
-
-  void operator+=(const Weighings& o) { by_noise += o.by_noise, held_back += o.held_back; }
-};
+using Weighings = std::array<BeatSums, 2>;  // by noise alone, and with strong swings held back
 
 struct Step {
   double frequency = 0;  ///< Hz
@@ -125,9 +123,9 @@ class Newton {
       if (run % every == 0) part[run] = beat_of(fit, begin, count);
     });
     Weighings all;
-    for (const auto& each : part) all += each;
-    Step step = solve(fit, all.by_noise);
-    step.of_model = std::abs(step.frequency - solve(fit, all.held_back).frequency);
+    for (const auto& each : part) all[0] += each[0], all[1] += each[1];
+    Step step = solve(fit, all[0]);
+    step.of_model = std::abs(step.frequency - solve(fit, all[1]).frequency);
     return step;
   }
 
@@ -162,7 +160,7 @@ class Newton {
         const double w = typical_ > 0 ? 2 * typical_ / (noise + typical_) : 1;
         return {w * power, w * beat, w * cross, w * w * power * variance};
       };
-      sum += {weighed(variance), weighed(variance + strong_swing * power)};
+      sum[0] += weighed(variance), sum[1] += weighed(variance + strong_swing * power);
     }
     return sum;
   }
@@ -170,7 +168,7 @@ class Newton {
   /// Noise swings, too, but does not beat more than it swings: that share is taken from the power before dividing by it.
   Step solve(const HarmonicFit& fit, const BeatSums& all) const {
     if (!(all.swing > 0)) return {};
-    const auto a = static_cast<Eigen::Index>(fit.harmonic(1)), b = static_cast<Eigen::Index>(fit.size()) - 2;
+    const std::size_t a = fit.harmonic(1), b = fit.size() - 2;
     const double swing_noise = fit.covariance(a, a) + fit.covariance(a + 1, a + 1);
     const double beat_noise = fit.covariance(b, b) + fit.covariance(b + 1, b + 1);
     const double noise = (all.beat - all.cross * all.cross / all.swing) * swing_noise / beat_noise;
@@ -188,15 +186,16 @@ class Newton {
 double explained(const SegmentSums& s, double frequency, int drift_order) {
   const HarmonicFit fit = harmonic_fit(s, frequency, drift_order, false);
   const std::size_t own = fit.harmonic(1);
-  const Eigen::Matrix2d inverse = fit.covariance.block<2, 2>(static_cast<Eigen::Index>(own), static_cast<Eigen::Index>(own)).inverse();
+  const double cc = fit.covariance(own, own), cs = fit.covariance(own, own + 1) + fit.covariance(own + 1, own), ss = fit.covariance(own + 1, own + 1);
+  const double determinant = cc * ss - fit.covariance(own, own + 1) * fit.covariance(own + 1, own);
   double sum = 0;
   PixelFit pixels;
   for_some_chunks(s, 64, [&](std::size_t begin, std::size_t count) {
     fit_pixels_with_variance(s, fit, begin, count, pixels);
     const double freedom = static_cast<double>(s.time.size() - fit.size());
     for (std::size_t i = 0; i < count; ++i) {
-      const Eigen::Vector2d swing(pixels.value[own * PixelFit::run + i], pixels.value[(own + 1) * PixelFit::run + i]);
-      const double power = swing.dot(inverse * swing), rest = freedom * pixels.variance[i];
+      const double c = pixels.value[own * PixelFit::run + i], sn = pixels.value[(own + 1) * PixelFit::run + i];
+      const double power = (ss * c * c - cs * c * sn + cc * sn * sn) / determinant, rest = freedom * pixels.variance[i];
       if (power + rest > 0 && std::isfinite(power + rest)) sum += power / (power + rest);
     }
   });

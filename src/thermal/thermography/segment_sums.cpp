@@ -123,10 +123,10 @@ std::vector<double> frame_times(const FilmInfo& film, double frame_rate) {
     time.resize(frames);
     for (std::size_t n = 0; n < frames; ++n) time[n] = static_cast<double>(n) / rate;
   }
-  if (time.size() != frames) throw InputError(fmt::format("the film has {} frames but {} time stamps; mend its stamps", frames, time.size()));
+  if (time.size() != frames) throw InputError(fmt::format("the film has {} frames but {} time stamps; correct its stamps", frames, time.size()));
   for (std::size_t n = 1; n < frames; ++n)
     if (!(time[n] > time[n - 1]) || !std::isfinite(time[n]))
-      throw InputError(fmt::format("the time stamp of frame {} is not after that of the frame before it; mend its stamps", n));
+      throw InputError(fmt::format("the time stamp of frame {} is not after that of the frame before it; correct its stamps", n));
   return time;
 }
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -13,9 +12,7 @@
 namespace arenite::thermography {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using statistics::Matrix;
 
 void check(const StepOptions& o) {
   if (o.drift_order < 0 || o.drift_order > 4) throw InputError(fmt::format("the drift's order is {}; it must be 0 to 4", o.drift_order));
@@ -24,22 +21,11 @@ void check(const StepOptions& o) {
 
 /// Some thousand pixels of every frame, spread over the picture, less their first value and over their noise from frame to
 /// frame: pixels x frames. Pixels that never change, or are no numbers, are left out. Empty if `progress` stopped it.
-MatrixXd some_pixels(FilmSource& film, const Progress& progress);
-
-/// The time in the middle between the two frames between which the pixels of `series` (pixels x frames, over their noise)
-/// jump most: each split of the film is judged by what polynomials of this order on both sides explain. InputError for too
-/// few frames.
-double find_step(const MatrixXd& series, const std::vector<double>& time, int drift_order);
-
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
-MatrixXd some_pixels(FilmSource& film, const Progress& progress) {
+Matrix some_pixels(FilmSource& film, const Progress& progress) {
   const auto frames = static_cast<std::size_t>(film.info().frames), pixels = film.info().pixels();
   const std::size_t most = std::clamp<std::size_t>((std::size_t{1} << 25) / std::max<std::size_t>(frames, 1), 64, 1024);  // 256 MB
   const std::size_t every = (pixels + most - 1) / most, count = (pixels + every - 1) / every;
-  MatrixXd series(static_cast<Index>(count), static_cast<Index>(frames));
+  Matrix series(count, frames);
   const std::size_t at_once = std::clamp<std::size_t>((std::size_t{1} << 22) / pixels, 1, 256);
   FrameBlock block;
   for (std::size_t n = 0; n < frames; n += at_once) {
@@ -48,62 +34,62 @@ MatrixXd some_pixels(FilmSource& film, const Progress& progress) {
     for (std::size_t f = 0; f < here; ++f)
       for (std::size_t i = 0; i < count; ++i) {
         const std::size_t at = f * pixels + i * every;
-        series(static_cast<Index>(i), static_cast<Index>(n + f)) = block.value.empty() ? static_cast<double>(block.level[at]) : static_cast<double>(block.value[at]);
+        series(i, n + f) = block.value.empty() ? static_cast<double>(block.level[at]) : static_cast<double>(block.value[at]);
       }
     if (progress && !progress(static_cast<double>(n + here) / static_cast<double>(frames))) return {};
   }
-  const VectorXd first = series.col(0);
-  series.colwise() -= first;
-  Index used = 0;
-  const Index last = series.cols() - 1;
-  for (Index i = 0; i < series.rows(); ++i) {
-    const double noise = std::sqrt((series.row(i).tail(last) - series.row(i).head(last)).squaredNorm() / (2 * static_cast<double>(last)));
-    if (noise > 0 && std::isfinite(noise)) series.row(used++) = series.row(i).eval() / noise;
-  }
-  return series.topRows(used);
+  std::vector<double> noise(count);
+  for (std::size_t n = 1; n < frames; ++n)
+    for (std::size_t i = 0; i < count; ++i) noise[i] += std::pow(series(i, n) - series(i, n - 1), 2) / (2 * static_cast<double>(frames - 1));
+  std::vector<std::size_t> used;
+  for (std::size_t i = 0; i < count; ++i)
+    if (noise[i] > 0 && std::isfinite(noise[i])) used.push_back(i);
+  Matrix changing(used.size(), frames);
+  for (std::size_t n = 0; n < frames; ++n)
+    for (std::size_t k = 0; k < used.size(); ++k) changing(k, n) = (series(used[k], n) - series(used[k], 0)) / std::sqrt(noise[used[k]]);
+  return changing;
 }
 
 /// Sums over frames so far: of products of polynomials, and of every pixel's values with them.
 struct Side {
-  MatrixXd normal, value;
+  Matrix normal, value;
 
-  Side(Index size, Index pixels) : normal(MatrixXd::Zero(size, size)), value(MatrixXd::Zero(pixels, size)) {}
-  void add(const VectorXd& phi, const VectorXd& frame, double sign) {
-    normal.noalias() += sign * phi * phi.transpose();
-    value.noalias() += sign * frame * phi.transpose();
+  Side(std::size_t size, std::size_t pixels) : normal(size, size), value(size, pixels) {}
+  void add(const double* phi, const double* frame, double sign) {
+    for (std::size_t j = 0; j < normal.rows(); ++j)
+      for (std::size_t k = 0; k < normal.rows(); ++k) normal(j, k) += sign * phi[j] * phi[k];
+    for (std::size_t p = 0; p < value.columns(); ++p)
+      for (std::size_t k = 0; k < value.rows(); ++k) value(k, p) += sign * frame[p] * phi[k];
   }
-  MatrixXd fitted(const Eigen::LDLT<MatrixXd>& inverse) const { return inverse.solve(value.transpose()); }
+  double explained() const { return statistics::dot(solve_symmetric(normal, value).column(0), value.column(0), value.size()); }
 };
 
 /// The time in the middle between the two frames between which the pixels of `series` (pixels x frames, over their noise)
 /// jump most: each split of the film is judged by what polynomials of this order on both sides explain. InputError for too
 /// few frames.
-double find_step(const MatrixXd& series, const std::vector<double>& time, int drift_order) {
-  const auto frames = static_cast<Index>(time.size()), size = static_cast<Index>(drift_order + 1), margin = size + 2;
+double find_step(const Matrix& series, const std::vector<double>& time, int drift_order) {
+  const std::size_t frames = time.size(), size = static_cast<std::size_t>(drift_order) + 1, margin = size + 2;
   if (frames < 2 * margin) throw InputError("the film has too few frames for a step to be found; give its time, or ask for less drift");
   const double middle = (time.front() + time.back()) / 2, half = (time.back() - time.front()) / 2;
-  MatrixXd phi(size, frames);
-  for (Index n = 0; n < frames; ++n) legendre((time[static_cast<std::size_t>(n)] - middle) / half, static_cast<std::size_t>(size), phi.col(n).data());
+  Matrix phi(size, frames);
+  for (std::size_t n = 0; n < frames; ++n) legendre((time[n] - middle) / half, size, phi.column(n));
   Side before(size, series.rows()), after = before;
-  for (Index n = 0; n < frames; ++n) after.add(phi.col(n), series.col(n), 1);
-  Index best = 0;
+  for (std::size_t n = 0; n < frames; ++n) after.add(phi.column(n), series.column(n), 1);
+  std::size_t best = 0;
   double most = -1;
-  for (Index n = 0; n + margin <= frames; ++n) {
-    if (n >= margin) {
-      const MatrixXd a = before.fitted(Eigen::LDLT<MatrixXd>(before.normal)), b = after.fitted(Eigen::LDLT<MatrixXd>(after.normal));
-      const double explained = (a.array() * before.value.transpose().array()).sum() + (b.array() * after.value.transpose().array()).sum();
-      if (explained > most) most = explained, best = n;
-    }
-    before.add(phi.col(n), series.col(n), 1);
-    after.add(phi.col(n), series.col(n), -1);
+  for (std::size_t n = 0; n + margin <= frames; ++n) {
+    if (n >= margin)
+      if (const double explained = before.explained() + after.explained(); explained > most) most = explained, best = n;
+    before.add(phi.column(n), series.column(n), 1);
+    after.add(phi.column(n), series.column(n), -1);
   }
-  return (time[static_cast<std::size_t>(best - 1)] + time[static_cast<std::size_t>(best)]) / 2;
+  return (time[best - 1] + time[best]) / 2;
 }
 
 /// Weighed sums of all pixels' values, less the pixel's first one.
 class Sums {
  public:
-  Sums(std::size_t pixels, Index size) : pixels_(pixels), base_(pixels), squares_(pixels), sum_(static_cast<std::size_t>(size), std::vector<double>(pixels)) {}
+  Sums(std::size_t pixels, std::size_t size) : pixels_(pixels), base_(pixels), squares_(pixels), sum_(size, std::vector<double>(pixels)) {}
 
   /// False if stopped.
   bool pass(FilmSource& film, const StepSide& side, const Team& team, const std::function<bool(std::size_t)>& progress) {
@@ -121,9 +107,9 @@ class Sums {
 
   double base(std::size_t p) const { return base_[p]; }
   double squares(std::size_t p) const { return squares_[p]; }
-  double at(const VectorXd& functional, std::size_t p) const {
+  double at(const Matrix& functional, std::size_t p) const {
     double sum = 0;
-    for (std::size_t k = 0; k < sum_.size(); ++k) sum += functional[static_cast<Index>(k)] * sum_[k][p];
+    for (std::size_t k = 0; k < sum_.size(); ++k) sum += functional(k, 0) * sum_[k][p];
     return sum;
   }
   double explained(std::size_t p) const {
@@ -145,7 +131,7 @@ class Sums {
           squares_[p] += d * d;
         }
         for (std::size_t k = 0; k < sum_.size(); ++k) {
-          const double w = side.weight(static_cast<Index>(k), static_cast<Index>(first + f));
+          const double w = side.weight(first + f, k);
           for (std::size_t p = begin; p < end; ++p) sum_[k][p] += w * (static_cast<double>(value[p]) - base_[p]);
         }
       }
@@ -161,7 +147,7 @@ void fill(StepMaps& maps, const StepSides& sides, const Sums (&sums)[2]) {
   const std::size_t pixels = static_cast<std::size_t>(maps.width) * static_cast<std::size_t>(maps.height);
   for (auto* map : {&maps.jump, &maps.standard_error, &maps.level, &maps.drift_before, &maps.drift_after, &maps.residual}) map->resize(pixels);
   const double spread = std::sqrt(sides.variance());
-  const double freedom = static_cast<double>(maps.before + maps.after) - static_cast<double>(sides.before.height.size() + sides.after.height.size());
+  const double freedom = static_cast<double>(maps.before + maps.after) - static_cast<double>(sides.before.height.rows() + sides.after.height.rows());
   bool changes = false;
   for (std::size_t p = 0; p < pixels; ++p) {
     const double before = sums[0].base(p) + sums[0].at(sides.before.height, p), after = sums[1].base(p) + sums[1].at(sides.after.height, p);
@@ -177,7 +163,7 @@ void fill(StepMaps& maps, const StepSides& sides, const Sums (&sums)[2]) {
   if (!changes) throw InputError("every pixel of the film is constant in time (or is no number); a step needs a film of a loaded sample");
 }
 
-StepSides sides_at(double step, const MatrixXd& series, const std::vector<double>& time, const StepOptions& o) {
+StepSides sides_at(double step, const Matrix& series, const std::vector<double>& time, const StepOptions& o) {
   if (!(step > time.front() && step < time.back()))
     throw InputError(fmt::format("the step at {:.6g} s is not within the film, which lasts {:.6g} s", step, time.back()));
   const double far = o.window > 0 ? o.window : time.back() + 1;
@@ -201,7 +187,7 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
   if (o.time && !(*o.time > time.front() && *o.time < time.back()))
     throw InputError(fmt::format("the step at {:.6g} s is not within the film, which lasts {:.6g} s", *o.time, time.back()));
   bool stopped = false;
-  const MatrixXd series = some_pixels(film, [&](double share) {
+  const Matrix series = some_pixels(film, [&](double share) {
     stopped = o.progress && !o.progress(share / 2);
     return !stopped;
   });
@@ -218,7 +204,7 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
   maps.drift_order = o.drift_order;
   maps.relaxation_before = sides.before.relaxation;
   maps.relaxation_after = sides.after.relaxation;
-  Sums sums[2] = {Sums(film.info().pixels(), sides.before.height.size()), Sums(film.info().pixels(), sides.after.height.size())};
+  Sums sums[2] = {Sums(film.info().pixels(), sides.before.height.rows()), Sums(film.info().pixels(), sides.after.height.rows())};
   const Team team(o.threads);
   std::size_t read = 0;
   const auto progress = [&](std::size_t frames) {

@@ -4,48 +4,50 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include "core/error.hpp"
 
 namespace arenite::thermography {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
+using statistics::Matrix;
 
 /// Pixels that vary independently, from the mean square correlation of pairs less what chance gives it (Bartlett).
-double independent_pixels(const MatrixXd& residual, const std::vector<double>& lag) {
-  const Index all = residual.rows(), every = std::max<Index>(1, all / 128), count = (all + every - 1) / every;
+double independent_pixels(const Matrix& residual, const std::vector<double>& lag) {
+  const std::size_t all = residual.rows(), every = std::max<std::size_t>(1, all / 128), count = (all + every - 1) / every;
   if (count < 2) return 1;
-  MatrixXd some(count, residual.cols());
-  for (Index i = 0; i < count; ++i) some.row(i) = residual.row(i * every).normalized();
-  const MatrixXd pairs = some * some.transpose();
+  Matrix some(count, residual.columns());
+  for (std::size_t n = 0; n < some.columns(); ++n)
+    for (std::size_t i = 0; i < count; ++i) some(i, n) = residual(i * every, n);
+  const Matrix pairs = times_transposed(some, some);
+  double squares = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < count; ++j)
+      if (pairs(i, i) > 0 && pairs(j, j) > 0) squares += pairs(i, j) * pairs(i, j) / (pairs(i, i) * pairs(j, j));
   const auto n = static_cast<double>(count);
   double chance = 1;
   for (const double r : lag) chance += 2 * r * r;
-  const double square = (pairs.squaredNorm() - n) / (n * (n - 1)) - chance / static_cast<double>(residual.cols());
+  const double square = (squares - n) / (n * (n - 1)) - chance / static_cast<double>(residual.columns());
   return static_cast<double>(all) / (1 + (static_cast<double>(all) - 1) * std::max(square, 0.0));
 }
 
-/// Sums over frames and rows of products of values so many frames apart.
-std::vector<double> products(const MatrixXd& value, Index lags) {
+/// Sums over rows of products of values so many frames apart, of columns that are frames.
+std::vector<double> products(const Matrix& value, std::size_t lags) {
   std::vector<double> sums;
-  for (Index k = 1; k <= lags; ++k) sums.push_back(value.leftCols(value.cols() - k).cwiseProduct(value.rightCols(value.cols() - k)).sum());
+  for (std::size_t k = 1; k <= lags; ++k) sums.push_back(statistics::dot(value.column(0), value.column(k), value.rows() * (value.columns() - k)));
   return sums;
 }
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
 /// Of pixels x frames, left by a fit of the functions `fitted` (functions x frames, orthonormal), which takes some correlation with it.
-ResidualCorrelation residual_correlation(const MatrixXd& residual, const MatrixXd& fitted) {
+ResidualCorrelation residual_correlation(const Matrix& residual, const Matrix& fitted) {
   ResidualCorrelation result;
-  const auto frames = static_cast<double>(residual.cols()), functions = static_cast<double>(fitted.rows());
-  const double squares = residual.squaredNorm();
-  if (residual.size() == 0 || !(squares > 0)) return result;
-  const Index lags = residual.cols() / 4;
+  const auto frames = static_cast<double>(residual.columns()), functions = static_cast<double>(fitted.rows());
+  const double all = squares(residual);
+  if (!(all > 0)) return result;
+  const std::size_t lags = residual.columns() / 4;
   const std::vector<double> seen = products(residual, lags), taken = products(fitted, lags);
   const double lost_in_noise = std::max(1e-3, 2 / std::sqrt(frames * independent_pixels(residual, {})));
   double sum = 1;
@@ -54,7 +56,7 @@ ResidualCorrelation residual_correlation(const MatrixXd& residual, const MatrixX
     result.lag.clear();
     double next = 1;
     for (std::size_t k = 0; k < seen.size(); ++k) {
-      const double r = seen[k] / squares + sum * taken[k] / (frames - functions);
+      const double r = seen[k] / all + sum * taken[k] / (frames - functions);
       if (r < lost_in_noise) break;
       result.lag.push_back(std::min(r, 0.999));
       next += 2 * result.lag.back();
@@ -80,52 +82,50 @@ struct Place {
 
 /// `with_time` adds the function by which the fit changes when the relaxation's time does.
 StepSide side_of(const Place& at, double relaxation, bool with_time = false) {
-  const Index powers = at.order + 1, size = powers + (relaxation > 0 ? 1 : 0) + (with_time ? 1 : 0);
-  StepSide side{at.first, at.count(), relaxation, {}, VectorXd::Zero(size), VectorXd::Zero(size), 0};
+  const std::size_t powers = static_cast<std::size_t>(at.order) + 1, size = powers + (relaxation > 0 ? 1 : 0) + (with_time ? 1 : 0);
   const double length = at.length();
-  VectorXd value(size), slope(size);
+  Matrix value(size, 1), slope = value;
   const auto functions = [&](double t) {
     const double x = (t - at.step) / length;
-    for (Index k = 0; k < powers; ++k) {
-      value[k] = k == 0 ? 1 : value[k - 1] * x;
-      slope[k] = k == 0 ? 0 : static_cast<double>(k) * value[k - 1] / length;
+    for (std::size_t k = 0; k < powers; ++k) {
+      value(k, 0) = k == 0 ? 1 : value(k - 1, 0) * x;
+      slope(k, 0) = k == 0 ? 0 : static_cast<double>(k) * value(k - 1, 0) / length;
     }
     if (relaxation <= 0) return;
     const double since = at.since(t), fall = std::exp(-since / relaxation);
-    value[powers] = fall, slope[powers] = -fall / relaxation;
-    if (with_time) value[powers + 1] = since / length * fall, slope[powers + 1] = (1 - since / relaxation) / length * fall;
+    value(powers, 0) = fall, slope(powers, 0) = -fall / relaxation;
+    if (with_time) value(powers + 1, 0) = since / length * fall, slope(powers + 1, 0) = (1 - since / relaxation) / length * fall;
   };
-  MatrixXd all(static_cast<Index>(side.count), size);
-  for (Index n = 0; n < all.rows(); ++n) {
-    functions(at.time[at.first + static_cast<std::size_t>(n)]);
-    all.row(n) = value;
+  Matrix all(at.count(), size);
+  for (std::size_t n = 0; n < all.rows(); ++n) {
+    functions(at.time[at.first + n]);
+    for (std::size_t k = 0; k < size; ++k) all(n, k) = value(k, 0);
   }
-  const Eigen::HouseholderQR<MatrixXd> qr(all);
-  side.weight = (qr.householderQ() * MatrixXd::Identity(all.rows(), size)).transpose();
-  const MatrixXd r = qr.matrixQR().topRows(size).triangularView<Eigen::Upper>();
+  auto [q, r] = statistics::orthonormal(all);
   functions(at.step);
-  side.height = r.transpose().triangularView<Eigen::Lower>().solve(value);
-  side.slope = r.transpose().triangularView<Eigen::Lower>().solve(slope);
-  return side;
+  for (double* each : {value.column(0), slope.column(0)})  // the functions at the step from those that are orthonormal, by r^T
+    for (std::size_t k = 0; k < size; ++k) {
+      for (std::size_t j = 0; j < k; ++j) each[k] -= r(j, k) * each[j];
+      each[k] /= r(k, k);
+    }
+  return {at.first, at.count(), relaxation, std::move(q), value, slope, 0};
 }
 
-MatrixXd frames_of(const MatrixXd& series, const StepSide& side) { return series.middleCols(static_cast<Index>(side.first), static_cast<Index>(side.count)); }
-
-MatrixXd left_by(const MatrixXd& series, const StepSide& side) {
-  const MatrixXd value = frames_of(series, side);
-  return value - (value * side.weight.transpose()) * side.weight;
+Matrix left_by(const Matrix& series, const StepSide& side) {
+  Matrix value = series.part(side.first, side.count);
+  return value -= times_transposed(value * side.weight, side.weight);
 }
+
+/// Weights of all frames for the last function's number: one column.
+Matrix last_function(const StepSide& side) { return side.weight.part(side.weight.columns() - 1, 1); }
 
 /// The time in which all pixels together relax best: on a ladder of times, then between its rungs.
-double best_relaxation(const MatrixXd& series, const Place& at) {
+double best_relaxation(const Matrix& series, const Place& at) {
   constexpr double rung = 1.25;
   const double shortest = 3 * at.length() / static_cast<double>(at.count());
   const StepSide plain = side_of(at, 0);
-  const MatrixXd rest = left_by(series, plain);
-  const auto explained = [&](double log_time) {
-    const StepSide side = side_of(at, std::exp(log_time));
-    return (rest * side.weight.bottomRows(1).transpose()).squaredNorm();
-  };
+  const Matrix rest = left_by(series, plain);
+  const auto explained = [&](double log_time) { return squares(rest * last_function(side_of(at, std::exp(log_time)))); };
   double best = std::log(shortest), most = -1;
   for (double t = std::log(shortest); t <= std::log(at.length()); t += std::log(rung))
     if (const double e = explained(t); e > most) most = e, best = t;
@@ -138,45 +138,48 @@ double best_relaxation(const MatrixXd& series, const Place& at) {
   return std::exp((low + high) / 2);
 }
 
-MatrixXd joined(const MatrixXd& a, const MatrixXd& b) {
-  MatrixXd all(a.rows(), a.cols() + b.cols());
-  all << a, b;
-  return all;
-}
-
-/// The side with or without the exponential; what is left of one that is not sure is an error.
-StepSide choose(const MatrixXd& series, const Place& at, const StepSide& relaxing, const ResidualCorrelation& noise, double variance) {
-  const StepSide plain = side_of(at, 0);
-  const VectorXd more = relaxing.weight.bottomRows(1).transpose();
-  const double widening = noise.widening(more), explained = (frames_of(series, plain) * more).squaredNorm() / static_cast<double>(series.rows()) / variance / widening;
-  const double wider = relaxing.height_weights().squaredNorm() - plain.height_weights().squaredNorm();
+/// The side with or without the exponential; what is left of one that is not sure is an error. Its functions are orthonormal, so that
+/// the squares of the frames' weights for the height add up to those of the height itself.
+StepSide choose(const Matrix& series, const Place& at, const StepSide& relaxing, const ResidualCorrelation& noise, double variance) {
+  StepSide plain = side_of(at, 0);
+  const Matrix more = last_function(relaxing);
+  const double widening = noise.widening(more);
+  const double explained = squares(series.part(at.first, at.count()) * more) / static_cast<double>(series.rows()) / variance / widening;
   if (explained > chi_squared_above(noise.pixels, 4)) {
     StepSide side = relaxing;
-    side.misfit = std::max(0.0, side_of(at, relaxing.relaxation, true).height_weights().squaredNorm() - relaxing.height_weights().squaredNorm()) / noise.pixels;
+    side.misfit = std::max(0.0, squares(side_of(at, relaxing.relaxation, true).height) - squares(relaxing.height)) / noise.pixels;
     return side;
   }
-  StepSide side = plain;
-  side.misfit = std::max(0.0, wider) * widening * std::max(0.0, explained - std::min(2.0, chi_squared_above(noise.pixels, 3)));
-  return side;
+  const double wider = squares(relaxing.height) - squares(plain.height);
+  plain.misfit = std::max(0.0, wider) * widening * std::max(0.0, explained - std::min(2.0, chi_squared_above(noise.pixels, 3)));
+  return plain;
 }
 
 /// Divides every pixel by what the polynomials leave of it; one of which they leave nothing says nothing of the noise.
-void weigh(MatrixXd& series, const StepSide& before, const StepSide& after) {
-  const VectorXd left = (left_by(series, before).rowwise().squaredNorm() + left_by(series, after).rowwise().squaredNorm()) / static_cast<double>(before.count + after.count);
-  for (Index i = 0; i < series.rows(); ++i) series.row(i) *= left[i] > 0 ? 1 / std::sqrt(left[i]) : 0;
+void weigh(Matrix& series, const StepSide& before, const StepSide& after) {
+  std::vector<double> factor(series.rows());
+  for (const StepSide* side : {&before, &after}) {
+    const Matrix left = left_by(series, *side);
+    for (std::size_t n = 0; n < left.columns(); ++n)
+      for (std::size_t i = 0; i < factor.size(); ++i) factor[i] += left(i, n) * left(i, n) / static_cast<double>(before.count + after.count);
+  }
+  for (double& f : factor) f = f > 0 ? 1 / std::sqrt(f) : 0;
+  for (std::size_t n = 0; n < series.columns(); ++n)
+    for (std::size_t i = 0; i < factor.size(); ++i) series(i, n) *= factor[i];
 }
 
-double freedom(const StepSide& side) { return static_cast<double>(side.count) - static_cast<double>(side.height.size()); }
+/// Of every pixel, at the step.
+Matrix heights(const Matrix& series, const StepSide& side) { return series.part(side.first, side.count) * side.height_weights(); }
+
+double freedom(const StepSide& side) { return static_cast<double>(side.count) - static_cast<double>(side.height.rows()); }
 
 }  // namespace
 
-double ResidualCorrelation::widening(const Eigen::VectorXd& weight) const {
-  double sum = weight.squaredNorm();
-  for (std::size_t k = 1; k <= lag.size() && static_cast<Index>(k) < weight.size(); ++k) {
-    const auto far = static_cast<Index>(k);
-    sum += 2 * lag[k - 1] * weight.head(weight.size() - far).dot(weight.tail(weight.size() - far));
-  }
-  return std::max(sum / weight.squaredNorm(), 1.0);
+double ResidualCorrelation::widening(const Matrix& weight) const {
+  double sum = squares(weight);
+  const double* w = weight.column(0);
+  for (std::size_t k = 1; k <= lag.size() && k < weight.rows(); ++k) sum += 2 * lag[k - 1] * statistics::dot(w, w + k, weight.rows() - k);
+  return std::max(sum / squares(weight), 1.0);
 }
 
 double chi_squared_above(double numbers, double deviations) {
@@ -185,12 +188,14 @@ double chi_squared_above(double numbers, double deviations) {
 }
 
 double StepSides::variance() const {
-  VectorXd weight(static_cast<Index>(before.count + after.count));
-  weight << -before.height_weights(), after.height_weights();
-  return weight.squaredNorm() * noise.widening(weight) + before.misfit + after.misfit;
+  Matrix weight(before.count + after.count, 1);
+  const Matrix low = before.height_weights(), high = after.height_weights();
+  std::transform(low.column(0), low.column(1), weight.column(0), std::negate());
+  std::copy(high.column(0), high.column(1), weight.column(0) + before.count);
+  return squares(weight) * noise.widening(weight) + before.misfit + after.misfit;
 }
 
-StepSides step_sides(MatrixXd series, const std::vector<double>& time, double step, int order, std::size_t first, std::size_t end,
+StepSides step_sides(Matrix series, const std::vector<double>& time, double step, int order, std::size_t first, std::size_t end,
                      std::size_t begin, std::size_t last) {
   const auto check = [&](std::size_t from, std::size_t to, const char* name) {
     if (to >= from + static_cast<std::size_t>(order) + 3) return;
@@ -208,11 +213,15 @@ StepSides step_sides(MatrixXd series, const std::vector<double>& time, double st
   }
   if (series.rows() == 0) return {side[0], side[1], {}, 0};
   const auto noise_of = [&](double& variance) {
-    const MatrixXd left = joined(left_by(series, side[0]), left_by(series, side[1]));
-    variance = left.squaredNorm() / static_cast<double>(left.rows()) / (freedom(side[0]) + freedom(side[1]));
-    MatrixXd fitted = MatrixXd::Zero(side[0].height.size() + side[1].height.size(), left.cols());
-    fitted.topLeftCorner(side[0].height.size(), side[0].weight.cols()) = side[0].weight;
-    fitted.bottomRightCorner(side[1].height.size(), side[1].weight.cols()) = side[1].weight;
+    const std::size_t frames = side[0].count + side[1].count;
+    Matrix left(series.rows(), frames), fitted(side[0].height.rows() + side[1].height.rows(), frames);
+    for (std::size_t k = 0, at = 0, row = 0; k < 2; at += side[k].count, row += side[k].height.rows(), ++k) {
+      const Matrix of_side = left_by(series, side[k]);
+      std::copy_n(of_side.column(0), of_side.size(), left.column(at));
+      for (std::size_t n = 0; n < side[k].count; ++n)
+        for (std::size_t j = 0; j < side[k].height.rows(); ++j) fitted(row + j, at + n) = side[k].weight(n, j);
+    }
+    variance = squares(left) / static_cast<double>(left.rows()) / (freedom(side[0]) + freedom(side[1]));
     return residual_correlation(left, fitted);
   };
   double variance = 0;
@@ -220,9 +229,10 @@ StepSides step_sides(MatrixXd series, const std::vector<double>& time, double st
   for (int k = 0; k < 2; ++k)
     if (side[k].relaxation > 0 && variance > 0) side[k] = choose(series, places[k], side[k], noise, variance);
   StepSides sides{side[0], side[1], noise_of(variance), std::numeric_limits<double>::infinity()};
-  if (variance > 0)
-    sides.evidence = (frames_of(series, side[1]) * side[1].height_weights() - frames_of(series, side[0]) * side[0].height_weights()).squaredNorm() /
-                     static_cast<double>(series.rows()) / variance / sides.variance();
+  if (variance > 0) {
+    Matrix jump = heights(series, side[1]);
+    sides.evidence = squares(jump -= heights(series, side[0])) / static_cast<double>(series.rows()) / variance / sides.variance();
+  }
   return sides;
 }
 

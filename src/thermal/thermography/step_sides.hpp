@@ -1,7 +1,8 @@
 #pragma once
-#include <Eigen/Dense>
 #include <cstddef>
 #include <vector>
+
+#include "statistics/least_squares.hpp"
 
 namespace arenite::thermography {
 
@@ -11,7 +12,7 @@ struct ResidualCorrelation {
   double pixels = 1;                ///< as many independent pixels vary as much together
 
   /// Variance of the weighed sum of a pixel's frames over that in white noise.
-  double widening(const Eigen::VectorXd& weight) const;
+  double widening(const statistics::Matrix& weight) const;
 };
 
 /// Mean square of so many normal numbers that lies `deviations` above what is expected, as a normal number's would (Wilson and Hilferty 1931).
@@ -22,11 +23,11 @@ double chi_squared_above(double numbers, double deviations);
 struct StepSide {
   std::size_t first = 0, count = 0;
   double relaxation = 0;            ///< s in which an exponential beside the polynomial falls to 1/e; 0: there is none
-  Eigen::MatrixXd weight;           ///< functions x frames
-  Eigen::VectorXd height, slope;
+  statistics::Matrix weight;        ///< frames x functions
+  statistics::Matrix height, slope; ///< columns
   double misfit = 0;                ///< squared error of the height by what is not fitted, over the variance of white noise
 
-  Eigen::VectorXd height_weights() const { return weight.transpose() * height; }
+  statistics::Matrix height_weights() const { return weight * height; }
 };
 
 /// Both sides of a step, with what the pixels' noise does there.
@@ -42,7 +43,7 @@ struct StepSides {
 /// pixels relax exponentially: where the pixels of `series` (pixels x frames, each weighed by its noise) show by more than their noise that they do, an
 /// exponential in the time that fits them best is added to a side. `end` is one beyond the last frame of `before`, `begin` the
 /// first of `after`. Throws InputError for a side with too few frames.
-StepSides step_sides(Eigen::MatrixXd series, const std::vector<double>& time, double step, int order, std::size_t first, std::size_t end,
+StepSides step_sides(statistics::Matrix series, const std::vector<double>& time, double step, int order, std::size_t first, std::size_t end,
                      std::size_t begin, std::size_t last);
 
 }  // namespace arenite::thermography

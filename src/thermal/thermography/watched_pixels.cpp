@@ -15,21 +15,21 @@ namespace arenite::thermography {
 namespace {
 
 using Complex = std::complex<double>;
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::MatrixXf;
+using statistics::FloatMatrix;
 
-/// Polynomials that slow changes follow, orthonormal over the frames: order x frames.
-MatrixXd slow_changes(const std::vector<double>& time) {
-  constexpr Index order = 4;
-  MatrixXd slow(static_cast<Index>(time.size()), order);
-  for (Index n = 0; n < slow.rows(); ++n) {
+/// Polynomials that slow changes follow, orthonormal over the frames: frames x order.
+FloatMatrix slow_changes(const std::vector<double>& time) {
+  constexpr std::size_t order = 4;
+  statistics::Matrix slow(time.size(), order);
+  for (std::size_t n = 0; n < slow.rows(); ++n) {
     double row[order];
-    legendre(2 * (time[static_cast<std::size_t>(n)] - time.front()) / (time.back() - time.front()) - 1, order, row);
-    for (Index k = 0; k < order; ++k) slow(n, k) = row[k];
+    legendre(2 * (time[n] - time.front()) / (time.back() - time.front()) - 1, order, row);
+    for (std::size_t k = 0; k < order; ++k) slow(n, k) = row[k];
   }
-  const Eigen::HouseholderQR<MatrixXd> qr(slow);
-  return (qr.householderQ() * MatrixXd::Identity(slow.rows(), order)).transpose();
+  const statistics::Matrix q = statistics::orthonormal(slow).q;
+  FloatMatrix result(slow.rows(), order);
+  std::transform(q.column(0), q.column(order), result.column(0), [](double v) { return static_cast<float>(v); });
+  return result;
 }
 
 /// Sums over pixels at every frequency of a transform with frames in evenly spaced slots.
@@ -39,7 +39,7 @@ struct Spectrum {
   std::vector<Complex> square;
 };
 
-Spectrum spectrum(const MatrixXf& value, const std::vector<double>& time) {
+Spectrum spectrum(const FloatMatrix& value, const std::vector<double>& time) {
   const double rate = 2 * nyquist_frequency(time);
   const auto slot = [&](std::size_t n) { return static_cast<std::size_t>(std::lround((time[n] - time.front()) * rate)); };
   const std::size_t most = 64 * time.size();  // a film with far longer gaps than that has no spectrum
@@ -49,11 +49,11 @@ Spectrum spectrum(const MatrixXf& value, const std::vector<double>& time) {
   Spectrum all{rate / static_cast<double>(size), std::vector<double>(size / 2), std::vector<Complex>(size / 2)};
   Eigen::FFT<double> transform;
   std::vector<Complex> in(size), out(size);
-  for (Index i = 0; i < value.rows(); i += 2) {  // two pixels at once, as real and imaginary part
+  for (std::size_t i = 0; i < value.rows(); i += 2) {  // two pixels at once, as real and imaginary part
     std::fill(in.begin(), in.end(), Complex{});
     const bool pair = i + 1 < value.rows();
     for (std::size_t n = 0; n < time.size(); ++n)
-      in[std::min(slot(n), size - 1)] += Complex(static_cast<double>(value(i, static_cast<Index>(n))), pair ? static_cast<double>(value(i + 1, static_cast<Index>(n))) : 0);
+      in[std::min(slot(n), size - 1)] += Complex(static_cast<double>(value(i, n)), pair ? static_cast<double>(value(i + 1, n)) : 0);
     transform.fwd(out, in);
     for (std::size_t k = 1; k < size / 2; ++k) {
       const Complex a = 0.5 * (out[k] + std::conj(out[size - k])), b = Complex(0, -0.5) * (out[k] - std::conj(out[size - k]));
@@ -76,37 +76,46 @@ double power_around(const std::vector<double>& power, std::size_t k, std::size_t
 }  // namespace
 
 WatchedPixels::WatchedPixels(const SegmentSums& s) : time_(s.time) {
-  const auto frames = static_cast<Index>(s.time.size()), count = static_cast<Index>(s.watched.size());
-  value_ = Eigen::Map<const MatrixXf>(s.seen.data(), count, frames);
-  const MatrixXf slow = slow_changes(time_).cast<float>();
-  value_ -= ((value_ * slow.transpose()).eval() * slow).eval();
-  const Eigen::VectorXf spread = value_.rowwise().norm();
-  Index used = 0;
-  for (Index i = 0; i < count; ++i)
-    if (spread[i] > 0 && std::isfinite(spread[i])) {
-      if (used < i) value_.row(used) = value_.row(i);
-      value_.row(used++) /= spread[i];
-    }
-  value_.conservativeResize(used, frames);
-  for (Index n = 0; n < frames; ++n) {
-    const double share = (time_[static_cast<std::size_t>(n)] - time_.front()) / (time_.back() - time_.front());
-    value_.col(n) *= static_cast<float>(0.5 - 0.5 * std::cos(2 * std::numbers::pi * share));
+  const std::size_t frames = s.time.size(), count = s.watched.size();
+  FloatMatrix all(count, frames);
+  std::copy_n(s.seen.data(), all.size(), all.column(0));
+  const FloatMatrix slow = slow_changes(time_);
+  all -= times_transposed(all * slow, slow);
+  std::vector<float> spread(count);
+  for (std::size_t n = 0; n < frames; ++n)
+    for (std::size_t i = 0; i < count; ++i) spread[i] += all(i, n) * all(i, n);
+  std::vector<std::size_t> used;
+  for (std::size_t i = 0; i < count; ++i)
+    if (spread[i] > 0 && std::isfinite(spread[i])) used.push_back(i);
+  value_ = FloatMatrix(used.size(), frames);
+  for (std::size_t n = 0; n < frames; ++n) {
+    const double share = (time_[n] - time_.front()) / (time_.back() - time_.front());
+    const auto window = static_cast<float>(0.5 - 0.5 * std::cos(2 * std::numbers::pi * share));
+    for (std::size_t k = 0; k < used.size(); ++k) value_(k, n) = all(used[k], n) / std::sqrt(spread[used[k]]) * window;
   }
 }
 
-Eigen::MatrixXcf WatchedPixels::swings(const std::vector<double>& frequencies) const {
-  const auto count = static_cast<Index>(frequencies.size());
-  MatrixXf turn(value_.cols(), 2 * count);
-  for (Index n = 0; n < turn.rows(); ++n)
-    for (Index k = 0; k < count; ++k) {
-      const double cycles = frequencies[static_cast<std::size_t>(k)] * time_[static_cast<std::size_t>(n)];
+std::vector<WatchedPixels::Swing> WatchedPixels::swings(const std::vector<double>& frequencies) const {
+  const std::size_t count = frequencies.size();
+  FloatMatrix turn(value_.columns(), 2 * count);
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t n = 0; n < turn.rows(); ++n) {
+      const double cycles = frequencies[k] * time_[n];
       const auto angle = static_cast<float>(2 * std::numbers::pi * (cycles - std::floor(cycles)));
       turn(n, k) = std::cos(angle), turn(n, count + k) = std::sin(angle);
     }
-  const MatrixXf sums = value_ * turn;
-  Eigen::MatrixXcf z(value_.rows(), count);
-  z.real() = sums.leftCols(count), z.imag() = sums.rightCols(count);
-  return z;
+  const FloatMatrix sums = value_ * turn;
+  std::vector<Swing> swings;
+  for (std::size_t k = 0; k < count; ++k) {
+    Complex square = 0;
+    double power = 0;
+    for (std::size_t i = 0; i < sums.rows(); ++i) {
+      const Complex z(static_cast<double>(sums(i, k)), static_cast<double>(sums(i, count + k)));
+      power += std::norm(z), square += z * z;
+    }
+    swings.push_back({power, std::abs(square)});
+  }
+  return swings;
 }
 
 bool WatchedPixels::have_line(double frequency) const {
@@ -116,9 +125,10 @@ bool WatchedPixels::have_line(double frequency) const {
   for (const int bins : {-9, -7, -5, -3, 3, 5, 7, 9})
     if (const double f = frequency + bins / length; f * length >= 2 && f <= nyquist_frequency(time_)) at.push_back(f);
   if (value_.rows() == 0 || at.size() < 3) return true;  // nothing to compare with
-  const Eigen::VectorXd in_one_phase = swings(at).array().square().colwise().sum().abs().cast<double>();
-  const double beside = static_cast<double>(at.size() - 1);
-  return std::pow(1 + in_one_phase[0] / in_one_phase.tail(in_one_phase.size() - 1).sum(), -beside) < level;
+  const std::vector<Swing> all = swings(at);
+  double around = 0;
+  for (std::size_t k = 1; k < all.size(); ++k) around += all[k].in_one_phase;
+  return std::pow(1 + all[0].in_one_phase / around, -static_cast<double>(at.size() - 1)) < level;
 }
 
 std::optional<double> WatchedPixels::stronger_part(double frequency) const {
@@ -127,11 +137,11 @@ std::optional<double> WatchedPixels::stronger_part(double frequency) const {
   for (const int part : {2, 3, 4})
     if (const double f = frequency / part; f * length >= 4) at.insert(at.end(), {f, f - 2.5 / length, f + 2.5 / length});
   if (value_.rows() == 0 || at.size() < 2) return std::nullopt;
-  const Eigen::VectorXd power = swings(at).cwiseAbs2().colwise().sum().cast<double>();
+  const std::vector<Swing> all = swings(at);
   std::optional<double> best;
-  double most = 4 * power[0];
-  for (Index k = 1; k < power.size(); k += 3)
-    if (power[k] > most && power[k] > 2 * (power[k + 1] + power[k + 2])) most = power[k], best = at[static_cast<std::size_t>(k)];
+  double most = 4 * all[0].power;
+  for (std::size_t k = 1; k < all.size(); k += 3)
+    if (all[k].power > most && all[k].power > 2 * (all[k + 1].power + all[k + 2].power)) most = all[k].power, best = at[k];
   return best;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
-#include <Eigen/Dense>
 #include <optional>
 #include <vector>
 
+#include "statistics/least_squares.hpp"
 #include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
@@ -25,11 +25,14 @@ class WatchedPixels {
   std::optional<double> strongest_line() const;
 
  private:
-  /// Sums over frames of value times e^(2 pi i f t): pixels x frequencies.
-  Eigen::MatrixXcf swings(const std::vector<double>& frequencies) const;
+  /// Of all pixels at one frequency, from sums over frames of value times e^(2 pi i f t).
+  struct Swing {
+    double power = 0, in_one_phase = 0;  ///< sum of |z|^2, and |sum of z^2|
+  };
+  std::vector<Swing> swings(const std::vector<double>& frequencies) const;
 
   const std::vector<double>& time_;
-  Eigen::MatrixXf value_;           ///< pixels x frames
+  statistics::FloatMatrix value_;   ///< pixels x frames
 };
 
 }  // namespace arenite::thermography

@@ -54,44 +54,44 @@ using Lines = std::vector<std::string>;
 
 TEST(Sweep, GridAndReplicatesAreAllCombinationsTheLastVaryingFastest) {
   const test::TemporaryFolder folder;
-  const Study study = study_of(folder, "[sweep]\nreplicates = 2\n[sweep.grid]\n\"frame.width\" = [\"100 mm\", \"0.12 m\"]\ncement.width = [0.1, 0.25]\n");
+  const Study study = study_of(folder, "[sweep]\nreplicates = 2\n[sweep.grid]\n\"container.width\" = [\"100 mm\", \"0.12 m\"]\ncement.width = [0.1, 0.25]\n");
   EXPECT_EQ(descriptions(study),
-            (Lines{"frame.width = \"100 mm\", cement.width = 0.1, seed = 3", "frame.width = \"100 mm\", cement.width = 0.1, seed = 4",
-                   "frame.width = \"100 mm\", cement.width = 0.25, seed = 3", "frame.width = \"100 mm\", cement.width = 0.25, seed = 4",
-                   "frame.width = \"0.12 m\", cement.width = 0.1, seed = 3", "frame.width = \"0.12 m\", cement.width = 0.1, seed = 4",
-                   "frame.width = \"0.12 m\", cement.width = 0.25, seed = 3", "frame.width = \"0.12 m\", cement.width = 0.25, seed = 4"}));
+            (Lines{"container.width = \"100 mm\", cement.width = 0.1, seed = 3", "container.width = \"100 mm\", cement.width = 0.1, seed = 4",
+                   "container.width = \"100 mm\", cement.width = 0.25, seed = 3", "container.width = \"100 mm\", cement.width = 0.25, seed = 4",
+                   "container.width = \"0.12 m\", cement.width = 0.1, seed = 3", "container.width = \"0.12 m\", cement.width = 0.1, seed = 4",
+                   "container.width = \"0.12 m\", cement.width = 0.25, seed = 3", "container.width = \"0.12 m\", cement.width = 0.25, seed = 4"}));
   const recipe::Recipe recipe = recipe_of(study, study.runs[7]);
-  EXPECT_EQ(recipe.frame.width, 0.12);
+  EXPECT_EQ(recipe.container.width, 0.12);
   EXPECT_EQ(recipe.cement->law.width, 0.25);
   EXPECT_EQ(recipe.seed, 4u);
-  EXPECT_EQ(study.keys, (Lines{"frame.width", "cement.width", "seed"}));
+  EXPECT_EQ(study.keys, (Lines{"container.width", "cement.width", "seed"}));
 }
 
 TEST(Sweep, AListGivesEachRunItsOwnKeysAndGoesWithAGrid) {
   const test::TemporaryFolder folder;
-  const Study study = study_of(folder, "[[sweep.list]]\nraster.nodes = 32\n[[sweep.list]]\n\"stages.0.top\" = { pressure = \"2 kPa\" }\n"
+  const Study study = study_of(folder, "[[sweep.list]]\ngrid.nodes = 32\n[[sweep.list]]\n\"stages.0.top\" = { pressure = \"2 kPa\" }\n"
                                        "[sweep.grid]\n\"cement.width\" = [0.1, 0.2]\n");
-  EXPECT_EQ(descriptions(study), (Lines{"raster.nodes = 32, cement.width = 0.1", "raster.nodes = 32, cement.width = 0.2",
+  EXPECT_EQ(descriptions(study), (Lines{"grid.nodes = 32, cement.width = 0.1", "grid.nodes = 32, cement.width = 0.2",
                                         "stages.0.top.pressure = \"2 kPa\", cement.width = 0.1", "stages.0.top.pressure = \"2 kPa\", cement.width = 0.2"}));
   EXPECT_EQ(to_toml(recipe_of(study, study.runs[2])).find("100 N"), std::string::npos) << "of two forms the swept one counts";
 }
 
 TEST(Sweep, ATableGivesARunARowWithUnitsInItsHeadOrItsCells) {
   const test::TemporaryFolder folder;
-  std::ofstream(folder / "runs.csv") << "frame.width [mm],materials.POM.stiffness,cement.width\n100,27 kN/mm,0.1\n120,,0.2\n";
+  std::ofstream(folder / "runs.csv") << "container.width [mm],materials.POM.stiffness,cement.width\n100,27 kN/mm,0.1\n120,,0.2\n";
   const Study study = study_of(folder, "[sweep]\ntable = \"runs.csv\"\n");
-  EXPECT_EQ(descriptions(study), (Lines{"frame.width = \"100 mm\", materials.POM.stiffness = \"27 kN/mm\", cement.width = 0.1",
-                                        "frame.width = \"120 mm\", cement.width = 0.2"}));
+  EXPECT_EQ(descriptions(study), (Lines{"container.width = \"100 mm\", materials.POM.stiffness = \"27 kN/mm\", cement.width = 0.1",
+                                        "container.width = \"120 mm\", cement.width = 0.2"}));
 }
 
 TEST(Sweep, WhatIsWrongInATableIsSaidAtItsRow) {
   const test::TemporaryFolder folder;
-  std::ofstream(folder / "runs.csv") << "frame.widht,cement.width\n100 mm,0.1\n";
+  std::ofstream(folder / "runs.csv") << "container.widht,cement.width\n100 mm,0.1\n";
   try {
     study_of(folder, "[sweep]\ntable = \"runs.csv\"\n");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_TRUE(std::string(error.what()).find("runs.csv:2: frame.widht: unknown key; did you mean width?") != std::string::npos) << error.what();
+    EXPECT_TRUE(std::string(error.what()).find("runs.csv:2: container.widht: unknown key; did you mean width?") != std::string::npos) << error.what();
   }
 }
 
@@ -108,7 +108,7 @@ TEST(Sweep, ALatinHypercubeHasOneRunInEveryStratumOfEveryKey) {
   const test::TemporaryFolder folder;
   const std::string ranges = "\"contact.friction\" = \"0.1 .. 0.5\"\n"
                              "\"materials.POM.stiffness\" = { range = \"1 kN/mm .. 100 kN/mm\", scale = \"log\" }\n"
-                             "\"raster.nodes\" = { range = \"32..95\", whole = true }\n";
+                             "\"grid.nodes\" = { range = \"32..95\", whole = true }\n";
   const Study study = study_of(folder, "[sweep.latin_hypercube]\nruns = 50\n" + ranges);
   ASSERT_EQ(study.runs.size(), 50u);
   const auto strata = [](std::vector<double> values, double low, double high, bool log) {
@@ -118,7 +118,7 @@ TEST(Sweep, ALatinHypercubeHasOneRunInEveryStratumOfEveryKey) {
   };
   EXPECT_EQ(strata(numbers(study, "contact.friction"), 0.1, 0.5, false), 50u);
   EXPECT_EQ(strata(numbers(study, "materials.POM.stiffness"), 1e6, 1e8, true), 50u);
-  for (const double nodes : numbers(study, "raster.nodes")) EXPECT_EQ(nodes, std::round(nodes));
+  for (const double nodes : numbers(study, "grid.nodes")) EXPECT_EQ(nodes, std::round(nodes));
   EXPECT_NE(numbers(study, "contact.friction"), [&] { auto v = numbers(study, "contact.friction"); std::sort(v.begin(), v.end()); return v; }());
   const Study fewer = study_of(folder, "[sweep.latin_hypercube]\nruns = 50\n\"contact.friction\" = \"0.1 .. 0.5\"\n");
   EXPECT_EQ(numbers(fewer, "contact.friction"), numbers(study, "contact.friction")) << "a key more changes nothing for the others";
@@ -128,7 +128,7 @@ TEST(Sweep, ALatinHypercubeHasOneRunInEveryStratumOfEveryKey) {
 
 TEST(Sweep, HashedSeedsBelongToThePackingWhateverIsDoneWithIt) {
   const test::TemporaryFolder folder;
-  const Study study = study_of(folder, "[sweep]\nreplicates = 2\nseeds = \"hashed\"\n[sweep.grid]\n\"frame.width\" = [\"100 mm\", \"120 mm\"]\n\"cement.width\" = [0.1, 0.2]\n");
+  const Study study = study_of(folder, "[sweep]\nreplicates = 2\nseeds = \"hashed\"\n[sweep.grid]\n\"container.width\" = [\"100 mm\", \"120 mm\"]\n\"cement.width\" = [0.1, 0.2]\n");
   ASSERT_EQ(study.runs.size(), 8u);
   const auto seed = [&](std::size_t run) { return study.runs[run].values.back().second; };
   EXPECT_EQ(seed(0), seed(2));
@@ -161,9 +161,9 @@ TEST(Sweep, EveryProblemIsFoundInOnePassWithItsPlace) {
 }
 
 TEST(Sweep, AnInvalidRunIsNamedWithItsValuesAndEachProblemIsToldOnce) {
-  EXPECT_EQ(problems("[sweep.grid]\n\"cement.width\" = [0.1, -1]\n\"frame.widht\" = [\"100 mm\"]\n\"contact.friction\" = [0.1, 0.2]\n"),
-            (Lines{"r.toml:29:24: cement.width: -1 is out of range; it must be above 0, up to 2 (run with cement.width = -1, frame.widht = \"100 mm\", contact.friction = 0.1, and 1 more)",
-                   "r.toml:30:18: frame.widht: unknown key; did you mean width?"}));
+  EXPECT_EQ(problems("[sweep.grid]\n\"cement.width\" = [0.1, -1]\n\"container.widht\" = [\"100 mm\"]\n\"contact.friction\" = [0.1, 0.2]\n"),
+            (Lines{"r.toml:29:24: cement.width: -1 is out of range; it must be above 0, up to 2 (run with cement.width = -1, container.widht = \"100 mm\", contact.friction = 0.1, and 1 more)",
+                   "r.toml:30:22: container.widht: unknown key; did you mean width?"}));
 }
 
 TEST(Sweep, RunsAreReadBackFromTheirTableUntilAnInputChanges) {

@@ -235,7 +235,7 @@ TEST(FilmFormats, RawWithASidecar) {
 TEST(FilmFormats, ARecipeBesideRawFramesIsNotTheirSidecar) {
   const test::TemporaryFolder folder;
   test::spill(folder / "film.raw", data_of<std::uint16_t>(counted()));
-  test::spill(folder / "film.toml", "[frame]\nwidth = \"350 mm\"\nheight = \"350 mm\"\n");
+  test::spill(folder / "film.toml", "[container]\nwidth = \"350 mm\"\nheight = \"350 mm\"\n");
   EXPECT_NE(test::complaint([&] { open_film(folder / "film.raw"); }).find("describe raw frames"), std::string::npos);
   test::spill(folder / "film.txt", "width = 5\nheight = 4\ntype = \"uint16\"\n");
   expect_same(*open_film(folder / "film.raw"), counted());

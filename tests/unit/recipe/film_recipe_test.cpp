@@ -47,7 +47,7 @@ TEST(FilmRecipe, EveryProblemIsReportedInOnePass) {
 
 TEST(FilmRecipe, PlatesNeedTheirTemperatures) {
   FilmRecipe recipe = film_template();
-  recipe.temperature.from = TemperatureSection::From::plates;
+  recipe.temperature.from = TemperatureSection::From::references;
   const auto problems = problems_of(to_toml(recipe));
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_NE(problems[0].message.find("correction.cold"), std::string::npos);
@@ -60,12 +60,12 @@ TEST(FilmRecipe, PlatesAreNeededWhetherOrNotTheSectionIsWritten) {
   text.erase(section, next - section);
   const auto problems = problems_of(text);
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_NE(problems[0].message.find("temperature: from is \"plates\" unless given, and needs correction.cold"), std::string::npos) << problems[0].message;
+  EXPECT_NE(problems[0].message.find("temperature: from is \"references\" unless given, and needs correction.cold"), std::string::npos) << problems[0].message;
 }
 
 TEST(FilmRecipe, TemperaturesOfPlatesWithoutTheirFilmsDoNotSuffice) {
   FilmRecipe recipe = film_template();
-  recipe.temperature.from = TemperatureSection::From::plates;
+  recipe.temperature.from = TemperatureSection::From::references;
   recipe.correction.cold_temperature = 291;
   recipe.correction.warm_temperature = 301;
   EXPECT_EQ(problems_of(to_toml(recipe)).size(), 1u);
@@ -73,7 +73,7 @@ TEST(FilmRecipe, TemperaturesOfPlatesWithoutTheirFilmsDoNotSuffice) {
 
 TEST(FilmRecipe, OneOfACameraNeedsNoPlatesAndReadsBackAsResolved) {
   FilmRecipe recipe = film_template();
-  recipe.temperature.from = TemperatureSection::From::plates;
+  recipe.temperature.from = TemperatureSection::From::references;
   recipe.camera.emplace();
   recipe.camera->high = "high";
   EXPECT_EQ(to_toml(parse_film_recipe(to_toml(recipe), "film.toml")), to_toml(recipe));

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string whole = R"(seed = 3
-[frame]
+[container]
 width = "350 mm"
 thickness = "60 mm"
 [materials.POM]
@@ -60,18 +60,18 @@ TEST_F(RecipeBase, GivesWhatTheRecipeDoesNot) {
   put("a/recipe.toml", whole);
   const std::string file = put("b/recipe.toml", "base = \"../a/recipe.toml\"\n[frame]\nwidth = \"400 mm\"\n[[stages]]\nname = \"other\"\nbottom = { force = \"10 kN\" }\n");
   const Recipe recipe = read_recipe(file);
-  EXPECT_EQ(recipe.frame.width, 0.4);
-  EXPECT_EQ(recipe.frame.thickness, 0.06);
+  EXPECT_EQ(recipe.container.width, 0.4);
+  EXPECT_EQ(recipe.container.thickness, 0.06);
   EXPECT_EQ(recipe.seed, 3u);
   ASSERT_EQ(recipe.stages.size(), 1u);
   EXPECT_EQ(recipe.stages[0].name, "other");
-  EXPECT_EQ(read_recipe(file, {"frame.thickness=50 mm"}).frame.thickness, 0.05);
+  EXPECT_EQ(read_recipe(file, {"container.thickness=50 mm"}).container.thickness, 0.05);
 }
 
 TEST_F(RecipeBase, MayHaveABaseOfItsOwnBesideItself) {
   put("a/recipe.toml", whole);
   put("a/middle.toml", "base = \"recipe.toml\"\n[frame]\nwidth = \"500 mm\"\n");
-  EXPECT_EQ(read_recipe(put("b/recipe.toml", "base = \"../a/middle.toml\"\n")).frame.width, 0.5);
+  EXPECT_EQ(read_recipe(put("b/recipe.toml", "base = \"../a/middle.toml\"\n")).container.width, 0.5);
 }
 
 TEST_F(RecipeBase, MakesTheSameRunsAsTheRecipeWrittenOut) {

@@ -13,7 +13,7 @@
 namespace arenite::recipe {
 namespace {
 
-const std::string smallest = R"([frame]
+const std::string smallest = R"([container]
 width = "350 mm"
 thickness = "60 mm"
 [materials.POM]
@@ -54,15 +54,15 @@ using Lines = std::vector<std::string>;
 
 TEST(Recipe, SmallestRecipeGivesSiValuesAndDefaults) {
   const Recipe recipe = parsed(smallest);
-  EXPECT_EQ(recipe.frame.width, 0.35);
-  EXPECT_EQ(recipe.frame.thickness, 0.06);
+  EXPECT_EQ(recipe.container.width, 0.35);
+  EXPECT_EQ(recipe.container.thickness, 0.06);
   ASSERT_EQ(recipe.materials.size(), 1u);
   EXPECT_EQ(recipe.materials[0].name, "POM");
   EXPECT_EQ(recipe.materials[0].stiffness, 27.35e6);
-  EXPECT_EQ(recipe.populations.at(0).size.diameter, 0.0164);
+  EXPECT_EQ(recipe.populations.at(0).size, SizeLaw(packing::FixedSize{0.0164}));
   EXPECT_EQ(recipe.stages.at(0).side[bottom], (SideDrive{SideDrive::Kind::force, 50e3}));
   EXPECT_EQ(recipe.stages[0].side[top], SideDrive{});
-  EXPECT_EQ(recipe.stages[0].rest, RestCriterion{});
+  EXPECT_EQ(recipe.stages[0].equilibrium, EquilibriumCriterion{});
   EXPECT_EQ(recipe.contact, dem::ContactParameters{});
   EXPECT_EQ(recipe.contact.friction_law, dem::CundallStrack{});  // the field's: friction that holds at rest,
   EXPECT_FALSE(recipe.contact.attractive_dashpot);                          // contacts that do not pull,
@@ -74,7 +74,7 @@ TEST(Recipe, EveryKindOfValueIsUnderstood) {
   const Recipe recipe = parsed(R"(
 title = "all kinds"
 seed = 42
-[frame]
+[container]
 width = "0.35 m"
 height = "35 cm"
 thickness = "60 mm"
@@ -120,7 +120,7 @@ radius = "20 mm"
 name = "shear"
 top = { velocity = "-1 mm/s" }
 duration = "2 s"
-frames = 20
+snapshots = 20
 drag = "3 1/s"
 [[stages]]
 name = "load"
@@ -129,20 +129,20 @@ glue = true
 bottom = { force = "6 kN" }
 top = { pressure = "10 kPa" }
 cycles = { side = "bottom", min = "6 kN", max = "60 kN", count = 3 }
-rest = { unbalanced = 1e-3, mobilisation = 0.01, max_steps = 1e6 }
+equilibrium = { unbalanced = 1e-3, mobilisation = 0.01, max_steps = 1e6 }
 friction = 0
 )");
   EXPECT_EQ(recipe.seed, 42u);
-  EXPECT_EQ(recipe.frame.height, 0.35);
-  EXPECT_TRUE(recipe.frame.periodic_x);
-  EXPECT_FALSE(recipe.frame.periodic_y);
+  EXPECT_EQ(recipe.container.height, 0.35);
+  EXPECT_TRUE(recipe.container.periodic_x);
+  EXPECT_FALSE(recipe.container.periodic_y);
   EXPECT_EQ(recipe.materials.at(1).name, "B 2");
   EXPECT_EQ(recipe.materials[1].stiffness, 6.43e6);
   EXPECT_EQ(recipe.materials[0].thermoelastic_factor, 0.015e-6);
-  EXPECT_EQ(recipe.populations.at(0).size.kind, SizeLaw::Kind::uniform);
-  EXPECT_EQ(recipe.populations[1].size.deviation, 0.002);
+  EXPECT_TRUE(std::holds_alternative<packing::UniformSizes>(recipe.populations.at(0).size));
+  EXPECT_EQ(std::get<packing::NormalSizes>(recipe.populations[1].size).deviation, 0.002);
   EXPECT_EQ(recipe.populations[1].ratio, 2.5);
-  EXPECT_EQ(recipe.populations[2].size.values, (std::vector<double>{0.001, 0.002, 0.004}));
+  EXPECT_EQ(std::get<packing::SizeList>(recipe.populations[2].size).values, (std::vector<double>{0.001, 0.002, 0.004}));
   EXPECT_EQ(recipe.packing.method, PackingParameters::Method::lattice);
   EXPECT_EQ(recipe.packing.grains, 1000);
   EXPECT_EQ(recipe.contact.restitution, 0.2);
@@ -162,8 +162,8 @@ friction = 0
   EXPECT_EQ(load.side[top], (SideDrive{SideDrive::Kind::pressure, 10e3}));
   ASSERT_TRUE(load.cycles);
   EXPECT_EQ(*load.cycles, (Cycles{"bottom", 6e3, 60e3, 3, 5}));
-  EXPECT_EQ(load.rest.mobilisation, 0.01);
-  EXPECT_EQ(load.rest.max_steps, 1'000'000);
+  EXPECT_EQ(load.equilibrium.mobilisation, 0.01);
+  EXPECT_EQ(load.equilibrium.max_steps, 1'000'000);
   EXPECT_EQ(load.friction, 0.0);
 }
 
@@ -182,9 +182,9 @@ TEST(Recipe, OrderOfMaterialsInTheTextDoesNotMatter) {
 
 TEST(BadRecipe, BareNumberForAQuantityIsAnErrorAtItsLine) {
   EXPECT_EQ(problems(replaced(smallest, "\"350 mm\"", "350")),
-            Lines{"r.toml:2:9: frame.width: 350 has no unit; write it with its unit, for example \"350 mm\""});
+            Lines{"r.toml:2:9: container.width: 350 has no unit; write it with its unit, for example \"350 mm\""});
   EXPECT_EQ(problems(replaced(smallest, "350 mm", "350")),
-            Lines{"r.toml:2:9: frame.width: \"350\" has no unit; write it with its unit, for example \"350 mm\""});
+            Lines{"r.toml:2:9: container.width: \"350\" has no unit; write it with its unit, for example \"350 mm\""});
 }
 
 TEST(BadRecipe, WrongDimensionNamesBoth) {
@@ -196,7 +196,7 @@ TEST(BadRecipe, UnknownKeyOffersTheNearest) {
   EXPECT_EQ(problems(smallest + "incremets = 3\n"), Lines{"r.toml:14:1: stages.0.incremets: unknown key; did you mean increments?"});
   EXPECT_EQ(problems("sed = 1\n" + smallest), Lines{"r.toml:1:1: sed: unknown key; did you mean seed?"});
   EXPECT_EQ(problems(replaced(smallest, "thickness", "colour = 3\nthickness")),
-            Lines{"r.toml:3:1: frame.colour: unknown key; the keys here are: height, periodic_x, periodic_y, thickness, width"});
+            Lines{"r.toml:3:1: container.colour: unknown key; the keys here are: height, periodic_x, periodic_y, thickness, width"});
 }
 
 TEST(BadRecipe, UnknownWordOffersTheNearest) {
@@ -223,10 +223,10 @@ TEST(BadRecipe, NumbersMustBeFinite) {
 
 TEST(BadRecipe, MissingKeyAndSectionAreNamed) {
   EXPECT_EQ(problems(replaced(smallest, "thickness = \"60 mm\"\n", "")),
-            Lines{"r.toml:1:1: frame.thickness: is missing; write for example thickness = \"1 mm\""});
+            Lines{"r.toml:1:1: container.thickness: is missing; write for example thickness = \"1 mm\""});
   const auto found = problems("title = \"x\"\n");
   ASSERT_EQ(found.size(), 4u);
-  EXPECT_EQ(found[0], "r.toml:1:1: frame: is missing; add the section [frame] (the frame that holds the grains)");
+  EXPECT_EQ(found[0], "r.toml:1:1: container: is missing; add the section [container] (the box, or periodic cell, that holds the grains)");
   EXPECT_NE(found[1].find("materials"), std::string::npos);
   EXPECT_NE(found[2].find("populations"), std::string::npos);
   EXPECT_NE(found[3].find("stages"), std::string::npos);
@@ -268,7 +268,7 @@ TEST(BadRecipe, OfTwoPeriodicEdgesOnlyOnePresses) {
 
 TEST(BadRecipe, GravityNeedsAFloor) {
   EXPECT_EQ(problems(replaced(smallest, "thickness", "periodic_y = true\nthickness") + "gravity = true\n"),
-            Lines{"r.toml:15:11: stages.0.gravity: grains would fall for ever through periodic sides; set frame.periodic_y = false"});
+            Lines{"r.toml:15:11: stages.0.gravity: grains would fall for ever through periodic sides; set container.periodic_y = false"});
 }
 
 TEST(BadRecipe, CyclesNeedAKnownSideUnderForce) {
@@ -302,7 +302,7 @@ TEST(BadRecipe, CountAndRatioExcludeEachOther) {
 
 TEST(BadRecipe, GrainWiderThanTheFrameIsRefused) {
   EXPECT_EQ(problems(replaced(smallest, "16.4 mm", "16.4 m")),
-            Lines{"r.toml:10:12: populations.0.diameter: the largest grain (16400 mm) is wider than the frame (350 mm)"});
+            Lines{"r.toml:10:12: populations.0.diameter: the largest grain (16400 mm) is wider than the container (350 mm)"});
 }
 
 TEST(BadRecipe, KeyOfAnotherChoiceSaysWhenItExists) {
@@ -353,10 +353,10 @@ TEST(BadRecipe, OtherScriptsStayWithinQuotes) {
 }
 
 TEST(RecipeOverride, ChangesKeysOfTheTopOfSectionsAndOfLists) {
-  const Recipe recipe = parsed(smallest, {"seed=7", "frame.width=\"400 mm\"", "stages.0.bottom.force=60 kN", "contact.friction=0.5",
+  const Recipe recipe = parsed(smallest, {"seed=7", "container.width=\"400 mm\"", "stages.0.bottom.force=60 kN", "contact.friction=0.5",
                                           "populations.0.count = 12", "stages.0.top={pressure = \"1 kPa\"}", "title=two words"});
   EXPECT_EQ(recipe.seed, 7u);
-  EXPECT_EQ(recipe.frame.width, 0.4);
+  EXPECT_EQ(recipe.container.width, 0.4);
   EXPECT_EQ(recipe.stages[0].side[bottom].value, 60e3);
   EXPECT_EQ(recipe.contact.friction, 0.5);
   EXPECT_EQ(recipe.populations[0].count, 12);
@@ -371,8 +371,8 @@ TEST(RecipeOverride, ReplacesTheDriveOfASideWhateverItWas) {
 }
 
 TEST(RecipeOverride, ProblemsNameTheOverride) {
-  EXPECT_EQ(problems(smallest, {"frame.width=350"}),
-            Lines{"--set frame.width=350: frame.width: 350 has no unit; write it with its unit, for example \"350 mm\""});
+  EXPECT_EQ(problems(smallest, {"container.width=350"}),
+            Lines{"--set container.width=350: container.width: 350 has no unit; write it with its unit, for example \"350 mm\""});
   EXPECT_EQ(problems(smallest, {"frme.width=3", "stages.1.name=x", "nothing", "a..b=1"}).size(), 4u);
   EXPECT_EQ(problems(smallest, {"stages.1.name=x"}), Lines{"--set stages.1.name=x: \"1\" is not one of the 1 items, counted from 0"});
 }
@@ -385,7 +385,7 @@ TEST(RecipeFile, WhatCannotBeReadIsOneSentence) {
   const auto file = folder / "from_file.toml";
   std::string text = smallest.substr(0, smallest.find("[[populations]]")) + smallest.substr(smallest.find("[[stages]]"));
   text += "[packing]\nmethod = \"file\"\nfile = \"grains.csv\"\n";
-  text = replaced(text, "[frame]\n", "[frame]\nheight = \"350 mm\"\n");
+  text = replaced(text, "[container]\n", "[container]\nheight = \"350 mm\"\n");
   std::ofstream(file) << text;
   std::filesystem::remove(folder / "grains.csv");
   try {

@@ -31,16 +31,9 @@ std::optional<T> maybe(T value) {
 }
 
 SizeLaw any_size() {
-  SizeLaw size;
-  size.kind = any_of<SizeLaw::Kind>(4);
   const double d = any_number(1e-3);
-  switch (size.kind) {
-    case SizeLaw::Kind::fixed: size.diameter = d; break;
-    case SizeLaw::Kind::normal: size.mean = 1.5 * d; size.deviation = d / 7; [[fallthrough]];
-    case SizeLaw::Kind::uniform: size.min = d; size.max = 2 * d; break;
-    case SizeLaw::Kind::list: size.values = {d, d / 3, 2 * d}; break;
-  }
-  return size;
+  return any_law<SizeLaw>(packing::FixedSize{d}, packing::UniformSizes{d, 2 * d}, packing::NormalSizes{{d, 2 * d}, 1.5 * d, d / 7},
+                          packing::SizeList{{d, d / 3, 2 * d}});
 }
 
 Stage any_stage(int index, bool has_adhesion) {
@@ -53,15 +46,15 @@ Stage any_stage(int index, bool has_adhesion) {
   }
   stage.increments = *rc::gen::inRange(1, 100);
   stage.duration = any_number(1);
-  stage.frames = *rc::gen::inRange(1, 100);
+  stage.snapshots = *rc::gen::inRange(1, 100);
   stage.friction = maybe(any_number(0.1));
   stage.drag = any_number(1);
   stage.critical_drag = any_number(1);
-  stage.masses = stage.gravity ? dem::Masses::own : any_of<dem::Masses>(2);
+  stage.mass_scaling = stage.gravity ? dem::MassScaling::none : any_of<dem::MassScaling>(2);
   stage.inertial_number = any_number(1e-2);
   stage.glue = has_adhesion && *rc::gen::arbitrary<bool>();
   if (stage.side[bottom].kind == SideDrive::Kind::force) stage.cycles = maybe(Cycles{"bottom", any_number(1), any_number(10), 3, 7});
-  stage.rest = {any_number(1e-5), any_number(1e-7), any_number(1e-3), maybe(any_number(1e-2)), maybe(any_number(1e-2)).value_or(-1), 1'000'000};
+  stage.equilibrium = {any_number(1e-5), any_number(1e-7), any_number(1e-3), maybe(any_number(1e-2)), maybe(any_number(1e-2)).value_or(-1), 1'000'000};
   return stage;
 }
 
@@ -80,7 +73,7 @@ CementSection any_cement() {
   return cement;
 }
 
-RasterSection any_raster() {
+GridSection any_raster() {
   return {*rc::gen::inRange(7, 4000), maybe(any_number(0.02)), {*rc::gen::arbitrary<bool>(), *rc::gen::inRange(1, 9), *rc::gen::arbitrary<bool>()}};
 }
 
@@ -116,7 +109,7 @@ Load any_load(int index) {
 void sample_two_classes(Recipe& recipe) {
   recipe.packing = {};
   recipe.packing.method = PackingParameters::Method::poisson;
-  recipe.frame.width = recipe.frame.height = 0;
+  recipe.container.width = recipe.container.height = 0;
   recipe.populations.clear();
   recipe.bidisperse = BidisperseSection{
       {any_number(1e-3), any_number(1), any_number(1), any_number(0.1), any_number(0.5), *rc::gen::arbitrary<bool>(),
@@ -129,7 +122,7 @@ Recipe any_recipe() {
   recipe.source_file = "r.toml";
   recipe.title = *rc::gen::element<std::string>("", "plain", "with \"quotes\" and \\", "Körner, µ", "tab\there\nand line");
   recipe.seed = *rc::gen::inRange<std::uint64_t>(0, std::uint64_t{1} << 62);
-  recipe.frame = {any_number(0.3), maybe(any_number(0.3)).value_or(0), any_number(0.06), false, false};
+  recipe.container = {any_number(0.3), maybe(any_number(0.3)).value_or(0), any_number(0.06), false, false};
   recipe.materials = {{"A", any_number(1e3), any_number(1e6), any_number(1e-8)}, {"B c", any_number(1e3), any_number(1e6), 0}};
   recipe.packing.grains = 1000;
   recipe.packing.solid_fraction = any_number(0.5);
@@ -159,7 +152,7 @@ Recipe any_recipe() {
   for (int i = 0; i < *rc::gen::inRange(1, 4); ++i) recipe.stages.push_back(any_stage(i, has_adhesion));
   if (*rc::gen::arbitrary<bool>()) sample_two_classes(recipe);
   recipe.cement = maybe(any_cement());
-  recipe.raster = maybe(any_raster());
+  recipe.grid = maybe(any_raster());
   for (int i = 0; i < *rc::gen::inRange(0, 3); ++i) recipe.loads.push_back(any_load(i));
   return recipe;
 }

@@ -13,7 +13,7 @@ namespace {
 recipe::FilmRecipe two_materials() {
   recipe::FilmRecipe recipe;
   recipe.materials = {{"POM", 0.015e-6, 0.1, 0.9}, {"HDPE", 0.0258e-6, 0.9, 0.9}};
-  recipe.frame.load_swing = 54e3;
+  recipe.container.load_peak_to_peak = 54e3;
   return recipe;
 }
 
@@ -59,10 +59,10 @@ TEST(FilmDoubts, OneWrongFactorIsNamed) {
 }
 
 TEST(FilmDoubts, TheScaleOfForcesIsHeldAgainstTheLoad) {
-  for (const double scale : {1 / 1.5, 0.5, 2.0}) EXPECT_NE(all(film_doubts(two_materials(), wanting(scale, scale))).find("the likely causes are load_swing"), std::string::npos) << scale;
+  for (const double scale : {1 / 1.5, 0.5, 2.0}) EXPECT_NE(all(film_doubts(two_materials(), wanting(scale, scale))).find("the likely causes are load_peak_to_peak"), std::string::npos) << scale;
   EXPECT_THROW(film_doubts(two_materials(), wanting(70, 70)), InputError);
   recipe::FilmRecipe no_load = two_materials();
-  no_load.frame.load_swing = 0;
+  no_load.container.load_peak_to_peak = 0;
   EXPECT_EQ(all(film_doubts(no_load, wanting(2, 2))), "");
 }
 

@@ -8,7 +8,7 @@ namespace {
 recipe::FilmRecipe framed() {
   recipe::FilmRecipe recipe;
   recipe.materials = {{"POM", 0.015e-6, 0.1, 0.9}, {"HDPE", 0.0258e-6, 0.9, 0.9}};
-  recipe.frame = {0.100, 0.060, 0.05, {}, {}, 0, 0.004};
+  recipe.container = {0.100, 0.060, 0.05, {}, {}, 0, 0.004};
   recipe.picture.pixel = 0.002;
   return recipe;
 }
@@ -24,8 +24,8 @@ TEST(FilmPlace, FrameIsInTheMiddleUnlessItIsGiven) {
   // Down in the picture is down in the frame: its lower left corner is 25 columns left of the middle and 15 rows below it.
   EXPECT_NEAR(place.metres(10, 35).x, 0, 1e-15);
   EXPECT_NEAR(place.metres(10, 35).y, 0, 1e-15);
-  recipe.frame.left = 3;
-  recipe.frame.top = 4;
+  recipe.container.left = 3;
+  recipe.container.top = 4;
   const FilmPlace given = place_of(recipe, film);
   EXPECT_NEAR(given.metres(3, 4).x, 0, 1e-15);
   EXPECT_NEAR(given.metres(3, 4).y, 0.060, 1e-15);

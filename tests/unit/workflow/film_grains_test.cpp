@@ -17,7 +17,7 @@ std::vector<std::string> notes_on_grains(double apart) {
   recipe::FilmRecipe recipe;
   recipe.materials = {{"POM", 0.015e-6}};
   recipe.picture.pixel = 1e-3;
-  recipe.frame.width = recipe.frame.height = 8 * apart * 1e-3;
+  recipe.container.width = recipe.container.height = 8 * apart * 1e-3;
   FilmInfo film;
   film.width = film.height = side;
   std::vector<std::string> notes;
@@ -30,7 +30,7 @@ TEST(FindGrains, WarnsOfGrainsThatCoverLittleOfTheFrame) {
   EXPECT_TRUE(notes_on_grains(12.5).empty());
   const auto notes = notes_on_grains(14);
   ASSERT_EQ(notes.size(), 1u);
-  EXPECT_NE(notes[0].find("the 64 grains that were found cover 58 % of the frame"), std::string::npos) << notes[0];
+  EXPECT_NE(notes[0].find("the 64 grains that were found cover 58 % of the container"), std::string::npos) << notes[0];
   EXPECT_NE(notes[0].find("picture.optical"), std::string::npos);
 }
 

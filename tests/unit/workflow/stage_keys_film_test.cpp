@@ -15,7 +15,7 @@ std::string key_of(const std::filesystem::path& film, const recipe::FilmRecipe& 
   recipe::FilmRecipe alone = recipe;
   alone.correction = {};
   alone.picture.optical.clear();
-  alone.twin.reset();
+  alone.simulation.reset();
   return workflow::film_key(film, *io::open_film(film), alone);
 }
 

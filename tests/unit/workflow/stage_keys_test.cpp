@@ -39,8 +39,8 @@ TEST(StageKeys, ThePackingDependsOnNoLawButItsLoadingDoes) {
 TEST(StageKeys, AKeyAtItsDefaultChangesNoName) {
   const auto before = plan({});
   for (const char* set : {"packing.method=random", "contact.restitution=0.5", "contact.arms=contact_point", "contact.wall_stiffness=stiffest", "integration.safety=0.1",
-                          "integration.rotations=true", "stages.0.gravity=false", "stages.0.increments=1", "stages.0.rest.unbalanced=0.0001", "cement.full_width=false",
-                          "raster.eight_connected=false", "loads.0.strain=0.0001", "loads.0.stiffness.matrix=1 GPa", "loads.0.statistics.clamp_rows=4"}) {
+                          "integration.rotations=true", "stages.0.gravity=false", "stages.0.increments=1", "stages.0.equilibrium.unbalanced=0.0001", "cement.full_width=false",
+                          "grid.eight_connected=false", "loads.0.strain=0.0001", "loads.0.stiffness.matrix=1 GPa", "loads.0.statistics.clamp_rows=4"}) {
     const auto after = plan({set});
     ASSERT_EQ(after.size(), before.size());
     for (std::size_t s = 0; s < before.size(); ++s) EXPECT_EQ(after[s], before[s]) << set << ": " << before[s].name;
@@ -49,9 +49,9 @@ TEST(StageKeys, AKeyAtItsDefaultChangesNoName) {
 
 TEST(StageKeys, AChangedKeyChangesTheNamesOfItsStageAndOfThoseAfterIt) {
   const auto before = plan({});
-  const std::vector<std::pair<const char*, std::size_t>> changes{{"packing.solid_fraction=0.71", 0}, {"seed=4", 0},           {"frame.height=200 mm", 0},
+  const std::vector<std::pair<const char*, std::size_t>> changes{{"packing.solid_fraction=0.71", 0}, {"seed=4", 0},           {"container.height=200 mm", 0},
                                                                  {"contact.restitution=0.2", 1},     {"stages.0.gravity=true", 1}, {"cement.width=0.31", 2},
-                                                                 {"cement.full_width=true", 2},      {"raster.nodes=65", 2},       {"loads.0.strain=0.0002", 3},
+                                                                 {"cement.full_width=true", 2},      {"grid.nodes=65", 2},       {"loads.0.strain=0.0002", 3},
                                                                  {"loads.0.axis=x", 3}};
   for (const auto& [set, first] : changes) {
     const auto after = plan({set});
@@ -62,7 +62,7 @@ TEST(StageKeys, AChangedKeyChangesTheNamesOfItsStageAndOfThoseAfterIt) {
 TEST(StageKeys, AValueThatIsTakenAwayAndASectionThatIsGivenDiffer) {
   EXPECT_NE(plan({"contact.wall_friction=0.3"})[1].hash, plan({})[1].hash);
   EXPECT_NE(plan({"stages.0.duration=1 s"})[1].hash, plan({})[1].hash);
-  EXPECT_EQ(plan({"stages.0.masses=own"})[1].hash, plan({})[1].hash);
+  EXPECT_EQ(plan({"stages.0.mass_scaling=own"})[1].hash, plan({})[1].hash);
 }
 
 }  // namespace

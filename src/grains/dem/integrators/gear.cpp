@@ -118,6 +118,7 @@ class Start {
       d.omega = path[3 * k + 2].rate_at(t);
     }
     if (s.domain.periodic_x) s.domain.tilt *= after.width / before.width;
+    s.domain.tilt += t * s.shear_rate * s.domain.height();
     refresh_ghosts(s);
     compute_forces(s);
     sum_edge_forces(s);

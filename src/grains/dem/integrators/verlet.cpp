@@ -48,7 +48,7 @@ Stretch stretch_y(const CellFrame& then, const CellFrame& now) {
 DiskSweep::DiskSweep(Sample& s)
     : task{s.record.data(), s.list.force.data(), s.list.group.data(), s.list.first.data(), s.vx.data(), s.vy.data(),
            s.omega.data(), s.angle.data(), s.ax.data(), s.ay.data(), s.alpha.data(), {}, s.listed_x.data(),
-           s.listed_y.data(), {}, {}, s.dt, 0, 0, s.drag, s.integration.rotations ? 1.0 : 0.0, 0},
+           s.listed_y.data(), {}, {}, s.dt, 0, 0, s.drag, s.integration.rotations ? 1.0 : 0.0, 0, 0, 0},
       sample_(s),
       before_(cell_frame(s.domain)) {
   for (std::size_t n = 0; n < s.higher.size(); ++n) task.higher[n] = s.higher[n].data();
@@ -69,6 +69,9 @@ bool DiskSweep::run(Kernel::Sweep loop, const Team& team) {
   task.y.listed = stretch_y(listed, after);
   task.x.growth = after.growth_x(before_);
   task.y.growth = after.growth_y(before_);
+  s.sheared += s.dt * s.shear_rate;
+  task.listed_shear = s.sheared - s.listed_sheared;
+  task.middle = 0.5 * (s.domain.wall[bottom].position + s.domain.wall[top].position);
   const double leeway = list_leeway(s);
   task.limit = leeway > 0 ? leeway * leeway : -1.0;
   std::atomic<bool> near = true;
@@ -76,6 +79,9 @@ bool DiskSweep::run(Kernel::Sweep loop, const Team& team) {
     if (!loop(task, begin, end)) near = false;
   });
   if (s.domain.periodic_x) s.domain.tilt *= after.width / before_.width;
+  s.domain.tilt += s.dt * s.shear_rate * s.domain.height();
+  for (WallBody& body : s.wall) body.slid += s.dt * body.drive.slide;
+  hold_grains(s);
   ++s.step;
   return near;
 }

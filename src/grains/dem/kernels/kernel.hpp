@@ -61,6 +61,7 @@ struct SweepTask {
   double dt, kick, ahead;       ///< s, see integrators/verlet.cpp
   double drag;                  ///< 1/s
   double turning;               ///< 1 where grains rotate, else 0
+  double listed_shear, middle;  ///< shear of the cell since the list was built, about the height `middle`, m
   double limit;                 ///< square of the way that a disk may be from its place in the list, m^2
 };
 

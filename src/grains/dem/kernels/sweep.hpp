@@ -64,8 +64,9 @@ ARENITE_INLINE typename Pack<W>::Bits place(const SweepTask& t, std::size_t k, c
   scatter<W>([=](int n) { return &d[n].x; }, x, y);
   scatter<W>([=](int n) { return &d[n].vx; }, vx + t.x.after.at(x), vy + t.y.after.at(y));
   scatter<W>([=](int n) { return &d[n].omega; }, omega, m.radius);
-  const Pack<W> dx = x - t.x.listed.apply(Pack<W>::load(t.listed_x + k));
-  const Pack<W> dy = y - t.y.listed.apply(Pack<W>::load(t.listed_y + k));
+  const Pack<W> y_then = t.y.listed.apply(Pack<W>::load(t.listed_y + k));
+  const Pack<W> dx = x - t.x.listed.apply(Pack<W>::load(t.listed_x + k)) - Pack<W>(t.listed_shear) * (y_then - Pack<W>(t.middle));
+  const Pack<W> dy = y - y_then;
   return dx * dx + dy * dy <= Pack<W>(t.limit);
 }
 

@@ -7,6 +7,7 @@
 #include "grains/dem/laws/hertz.hpp"
 #include "grains/dem/laws/linear.hpp"
 #include "grains/dem/laws/regularised_coulomb.hpp"
+#include "grains/dem/laws/rolling.hpp"
 
 namespace arenite::dem {
 
@@ -53,6 +54,17 @@ concept TangentialContact = ContactLaw<L> && requires(const L law, double v, dou
   requires (!L::remembers) || requires { { law.recall(v, v) } -> std::same_as<double>; };  // (force, k_t)
 };
 
+/// Rolling resistance gives a moment against the turning of two grains, in which Slip counts rad/s, N m s, N m and N m/rad.
+template <class L>
+concept RollingContact = ContactLaw<L> && requires(const L law, double v, double& memory, Slip<double> turning) {
+  { law.coefficient } -> std::convertible_to<double>;        // mu_r: the moment is at most mu_r R F_n
+  { law.stiffness(v, v) } -> std::same_as<double>;           // (k_n, R), N m/rad
+  { law.damping(v, v, v, v) } -> std::same_as<double>;       // (alpha_n, R, stiffness, reduced inertia), N m s
+  { law.moment(turning, memory) } -> std::same_as<double>;   // N m
+  { law.energy(turning, memory) } -> std::same_as<double>;   // what the moment at this memory gives back, J
+  { L::remembers } -> std::convertible_to<bool>;
+};
+
 /// One law of a family, with its own parameters.
 template <class... Law>
 struct OneOf : std::variant<Law...> {
@@ -70,12 +82,15 @@ template <AdhesiveContact... Law>
 using Adhesions = OneOf<Law...>;
 template <TangentialContact... Law>
 using FrictionLaws = OneOf<Law...>;
+template <RollingContact... Law>
+using RollingLaws = OneOf<Law...>;
 
 /// The laws there are. A new one is a file beside these and a word here: recipe keys, their documentation and hashes, kernels for every kind of
 /// processor and the families' tests follow. The choice is visited outside of the loops, so laws inline into them.
 using NormalLaw = NormalLaws<Linear, Hertz>;
 using Adhesion = Adhesions<NoAdhesion, GeometricalAdhesion, BreakingAdhesion>;
 using FrictionLaw = FrictionLaws<NoFriction, RegularisedCoulomb, CundallStrack>;
+using RollingLaw = RollingLaws<NoRolling, ConstantTorque, ElasticPlasticRolling>;
 
 /// The three choices, and the numbers that all contacts share.
 struct ContactLaws {

@@ -37,30 +37,18 @@ BlockDiagonal<double> block_diagonal(const Bonds& bonds) {
   const auto blocks = bond_blocks(bonds);
   std::array<Block, 4> bulk{};
   for (unsigned d = 0; d < bonds_per_node; ++d)
-    for (unsigned t = 1; t < 4; ++t) {
-      bulk[t].xx += 2 * blocks[d][t].xx;
-      bulk[t].xy += 2 * blocks[d][t].xy;
-      bulk[t].yy += 2 * blocks[d][t].yy;
-    }
+    for (unsigned t = 1; t < 4; ++t) bulk[t] = bulk[t] + (blocks[d][t] + blocks[d][t]);
   for (int y = 0; y < grid.height; ++y)
     for (int g = 0; g < grid.groups; ++g) {
       const auto kind = bonds.group[static_cast<std::ptrdiff_t>(y) * grid.groups + g];
       if (kind == Bonds::empty) continue;
       for (std::ptrdiff_t i = grid.row(y) + g * Grid::lanes, end = i + Grid::lanes; i < end; ++i) {
-        Block b{};
-        if (kind != Bonds::mixed) {
-          b = bulk[kind];
-        } else {
-          const std::uint32_t word = bonds.words[i];
-          for (unsigned d = 0; d < bonds_per_node; ++d) {
-            const Block& ahead = blocks[d][word >> (2 * d) & 3u];
-            const Block& behind = blocks[d][bonds.words[i - bonds.step(static_cast<int>(d))] >> (2 * d) & 3u];
-            b = {b.xx + (ahead.xx + behind.xx), b.xy + (ahead.xy + behind.xy), b.yy + (ahead.yy + behind.yy)};
-          }
+        Block b = kind == Bonds::mixed ? Block{} : bulk[kind];
+        for (int d = 0; kind == Bonds::mixed && d < bonds_per_node; ++d) {
+          const auto& of_type = blocks[static_cast<unsigned>(d)];
+          b = b + (of_type[bonds.type(i, d)] + of_type[bonds.type(i - bonds.step(d), d)]);
         }
-        sum.xx[i] = b.xx;
-        sum.xy[i] = b.xy;
-        sum.yy[i] = b.yy;
+        sum.set(i, b);
       }
     }
   return sum;
@@ -69,16 +57,12 @@ BlockDiagonal<double> block_diagonal(const Bonds& bonds) {
 InverseDiagonal inverse_diagonal(const Bonds& bonds, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed) {
   const Grid& grid = bonds.grid;
   InverseDiagonal inverse{BlockDiagonal<float>(grid.padded_size())};
-  for (int y = 0; y < grid.height; ++y)
-    for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) {
-      if (!(diagonal.xx[i] + diagonal.yy[i] > 0)) continue;
-      bool loose = false;
-      const Block b = inverse_of({diagonal.xx[i], diagonal.xy[i], diagonal.yy[i]}, prescribed[static_cast<std::size_t>(y)], loose);
-      inverse.loose += loose;
-      inverse.blocks.xx[i] = static_cast<float>(b.xx);
-      inverse.blocks.xy[i] = static_cast<float>(b.xy);
-      inverse.blocks.yy[i] = static_cast<float>(b.yy);
-    }
+  grid.each([&](std::ptrdiff_t i, int y) {
+    if (!(diagonal.xx[i] + diagonal.yy[i] > 0)) return;
+    bool loose = false;
+    inverse.blocks.set(i, inverse_of({diagonal.xx[i], diagonal.xy[i], diagonal.yy[i]}, prescribed[static_cast<std::size_t>(y)], loose));
+    inverse.loose += loose;
+  });
   return inverse;
 }
 

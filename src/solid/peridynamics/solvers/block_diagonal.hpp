@@ -10,6 +10,7 @@ namespace arenite::peridynamics {
 /// A symmetric 2 x 2 stiffness, Pa.
 struct Block {
   double xx = 0, xy = 0, yy = 0;
+  friend Block operator+(Block a, Block b) { return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy}; }
 };
 
 /// Stiffness of a bond by its direction and type.
@@ -22,6 +23,7 @@ template <class T>
 struct BlockDiagonal {
   Buffer<T> xx, xy, yy;
   explicit BlockDiagonal(std::size_t n) : xx(n), xy(n), yy(n) {}
+  void set(std::ptrdiff_t i, Block b) { xx[i] = static_cast<T>(b.xx), xy[i] = static_cast<T>(b.xy), yy[i] = static_cast<T>(b.yy); }
 };
 
 BlockDiagonal<double> block_diagonal(const Bonds& bonds);

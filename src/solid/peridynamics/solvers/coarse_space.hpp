@@ -24,7 +24,7 @@ struct Coupling {
 /// pairs of pieces that bonds join. In a bottom row that slides, hats move nodes along x only.
 std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed);
 
-/// Hats at the node (x, y) of a cell.
+/// Hats at a node, whose place counts from the corner of any cell.
 const Hats& hats_at(int x, int y);
 
 /// The second level of the static solve: one coarse node at each cell corner for each set of pieces of one owner that hang together there, with a

@@ -18,7 +18,7 @@ std::array<Hats, cell * cell> make_hats() {
   return hats;
 }
 
-const std::array<Hats, cell* cell> all_hats = make_hats();
+const std::array<Hats, cell * cell> all_hats = make_hats();
 
 /// What one node's bonds to one piece sum to: block times hats of the other ends.
 struct Reach {
@@ -34,7 +34,7 @@ struct InnerSums {
     for (int y = 0; y < high; ++y)
       for (int x = low; x < high; ++x)
         for (const Offset e : half_bonds) {
-          const Hats& other = all_hats[static_cast<unsigned>((y + e.y) * cell + x + e.x)];
+          const Hats& other = hats_at(x + e.x, y + e.y);
           const double k = 1 / std::pow(length(e), 3);
           auto& sum = at[static_cast<unsigned>(y * cell + x)];
           sum[0] += k * e.x * e.x * other;
@@ -73,14 +73,14 @@ struct CouplingSum {
   /// A node that only slides along x; the bonds between it and the rows above all start here.
   void add_sliding_node(std::ptrdiff_t i, int x, int y, double diagonal_xx) {
     const std::int32_t p = pieces.of_node[i];
-    const Hats& own = all_hats[static_cast<unsigned>(y * cell + x)];
+    const Hats& own = hats_at(x, y);
     for (unsigned a = 0; a < 4; ++a) self[static_cast<std::size_t>(p)].block[0][a] += own[a] * (0.5 * diagonal_xx * own);
     for (unsigned d = 0; d < bonds_per_node; ++d) {
       const unsigned type = bonds.words[i] >> (2 * d) & 3u;
       const Offset e = half_bonds[d];
       const std::int32_t q = pieces.of_node[i + bonds.step(static_cast<int>(d))];
       if (type == no_bond || q < 0) continue;
-      const Hats& other = all_hats[static_cast<unsigned>(((y + e.y) & (cell - 1)) * cell + ((x + e.x) & (cell - 1)))];
+      const Hats& other = hats_at(x + e.x, y + e.y);
       Coupling& to = q == p ? self[static_cast<std::size_t>(p)] : between(p, q);
       for (unsigned a = 0; a < 4; ++a) {
         to.block[0][a] -= own[a] * blocks[d][type].xx * other;
@@ -89,15 +89,18 @@ struct CouplingSum {
     }
   }
 
-  /// A node deep inside one grain and one cell: its bonds are all alike and reach its own piece only.
-  void add_inner_node(std::ptrdiff_t i, int x, int y, double modulus, const std::array<double, 3>& diagonal) {
-    const Hats& own = all_hats[static_cast<unsigned>(y * cell + x)];
-    const auto& sums = inner_sums.at[static_cast<unsigned>(y * cell + x)];
-    Coupling& within = self[static_cast<std::size_t>(pieces.of_node[i])];
+  /// A node's bonds inside its own piece, whose block times hats is `modulus` times `sums`. They appear as they are and transposed; half of the
+  /// diagonal goes to each.
+  void add_within(std::int32_t p, const Hats& own, const std::array<double, 3>& diagonal, double modulus, const std::array<Hats, 3>& sums) {
     for (unsigned c = 0; c < 3; ++c) {
       const Hats row = 0.5 * diagonal[c] * own - modulus * sums[c];
-      for (unsigned a = 0; a < 4; ++a) within.block[c][a] += own[a] * row;
+      for (unsigned a = 0; a < 4; ++a) self[static_cast<std::size_t>(p)].block[c][a] += own[a] * row;
     }
+  }
+
+  /// A node deep inside one grain and one cell: its bonds are all alike and reach its own piece only.
+  void add_inner_node(std::ptrdiff_t i, int x, int y, double modulus, const std::array<double, 3>& diagonal) {
+    add_within(pieces.of_node[i], hats_at(x, y), diagonal, modulus, inner_sums.at[static_cast<unsigned>(y * cell + x)]);
   }
 
   void add_node(std::ptrdiff_t i, int x, int y, const std::array<double, 3>& diagonal) {
@@ -117,19 +120,14 @@ struct CouplingSum {
         for (at = 0; at < reached && reach[at].q != q;) ++at;
         if (at == reached) reach[reached++] = {q, {}};
       }
-      const Hats& other = all_hats[static_cast<unsigned>(((y + e.y) & (cell - 1)) * cell + ((x + e.x) & (cell - 1)))];
+      const Hats& other = hats_at(x + e.x, y + e.y);
       const Block& block = blocks[d][type];
       reach[at].sum[0] += block.xx * other;
       reach[at].sum[1] += block.xy * other;
       reach[at].sum[2] += block.yy * other;
     }
-    const Hats& own = all_hats[static_cast<unsigned>(y * cell + x)];
-    Coupling& within = self[static_cast<std::size_t>(p)];
-    for (unsigned c = 0; c < 3; ++c) {
-      // The bonds inside a piece appear as they are and transposed; half of the diagonal goes to each.
-      const Hats row = 0.5 * diagonal[c] * own - reach[0].sum[c];
-      for (unsigned a = 0; a < 4; ++a) within.block[c][a] += own[a] * row;
-    }
+    const Hats& own = hats_at(x, y);
+    add_within(p, own, diagonal, 1, reach[0].sum);
     for (unsigned k = 1; k < reached; ++k) {
       Coupling& to = between(p, reach[k].q);
       for (unsigned c = 0; c < 3; ++c)
@@ -140,7 +138,7 @@ struct CouplingSum {
 
 }  // namespace
 
-const Hats& hats_at(int x, int y) { return all_hats[static_cast<unsigned>(y * cell + x)]; }
+const Hats& hats_at(int x, int y) { return all_hats[static_cast<unsigned>((y & (cell - 1)) * cell + (x & (cell - 1)))]; }
 
 std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed) {
   const Grid& grid = bonds.grid;
@@ -152,7 +150,7 @@ std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const 
           const std::ptrdiff_t i = grid.index(x, y);
           if (pieces.of_node[i] < 0 || prescribed[static_cast<std::size_t>(y)]) continue;
           const std::array<double, 3> own{diagonal.xx[i], diagonal.xy[i], diagonal.yy[i]};
-          const bool inside = bonds.group[static_cast<std::ptrdiff_t>(y) * grid.groups + x / Grid::lanes] == particle_bond;
+          const bool inside = bonds.group_at(x, y) == particle_bond;
           if (inside && InnerSums::holds(x - x0, y - y0) && pieces.of_node[i + horizon * grid.stride] >= 0)
             sum.add_inner_node(i, x - x0, y - y0, bonds.modulus(particle_bond), own);
           else sum.add_node(i, x - x0, y - y0, own);

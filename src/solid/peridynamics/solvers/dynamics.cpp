@@ -10,12 +10,6 @@ namespace {
 
 constexpr std::int64_t look_every = 20;  ///< steps between two looks at the residual and the damping
 
-Field<double> copy_of(const Field<double>& u) {
-  Field<double> c(u.x.size());
-  copy(u, c);
-  return c;
-}
-
 /// Force of the bonds where displacements are free, by the stretch asked for.
 void form_force(const Dynamics& s, const Field<double>& u, Field<double>& f) {
   if (!s.exact_stretch) {
@@ -45,13 +39,31 @@ void plain_step(const Grid& grid, const Field<double>& u, Field<double>& older, 
   }
 }
 
-/// Steps until the residual is small: `step(u, older)` moves, `look(u, older)` may set the damping anew.
-template <class Step, class Look>
+/// older := u + a (u - older) + b M f(u).
+struct Step {
+  const BlockPlane* inverse;  ///< M; the unit matrix where it is null
+  double a = 1, b = 0;
+
+  void operator()(const Dynamics& s, const Field<double>& u, Field<double>& older, Field<double>& f) const {
+    const Kernels& k = kernels(s.bonds.law);
+    if (s.exact_stretch) {
+      form_force(s, u, f);
+      plain_step(s.bonds.grid, u, older, f, inverse, a, b);
+    } else if (inverse) {
+      k.relax(s.bonds, plane(u), plane(older), *inverse, a, b);
+    } else {
+      k.stormer(s.bonds, s.prescribed.data(), plane(u), plane(older), a, b);
+    }
+  }
+};
+
+/// Steps until the residual is small; `look(u, older, f)` may set the damping anew.
+template <class Look>
 StaticReport step_to_rest(const Dynamics& s, Field<double>& u, const Step& step, const Look& look) {
   StaticReport report;
-  Field<double> older = copy_of(u), f(s.bonds.grid.padded_size());
+  Field<double> older(s.bonds.grid.padded_size()), f(s.bonds.grid.padded_size());
   const double reference = residual_reference(s.bonds, s.prescribed, u, older, f);
-  older = copy_of(u);
+  copy(u, older);
   if (!(reference > 0)) {
     report.converged = std::isfinite(reference);
     return report;
@@ -71,7 +83,7 @@ StaticReport step_to_rest(const Dynamics& s, Field<double>& u, const Step& step,
       }
       look(u, older, f);
     }
-    step(u, older, f);
+    step(s, u, older, f);
     std::swap(u, older);
   }
 }
@@ -87,18 +99,8 @@ StaticReport damped_dynamics(const Dynamics& s, Field<double>& u) {
   double row_sum = 0;  // of e_x^2/|e|^3 over the 28 bonds: no frequency exceeds sqrt(2 row_sum k/m)
   for (const Offset e : half_bonds) row_sum += (e.x * e.x + e.y * e.y) / std::pow(length(e), 3);
   const double dt = 0.9 * 2 / std::sqrt(2 * row_sum * stiffest), viscosity = 0.9 * std::sqrt(2 * softest);
-  const double half = viscosity * dt / 2, a = (1 - half) / (1 + half), b = dt * dt / (1 + half);
-  return step_to_rest(
-      s, u,
-      [&](Field<double>& now, Field<double>& older, Field<double>& f) {
-        if (!s.exact_stretch) {
-          kernels(s.bonds.law).stormer(s.bonds, s.prescribed.data(), plane(now), plane(older), a, b);
-          return;
-        }
-        form_force(s, now, f);
-        plain_step(s.bonds.grid, now, older, f, nullptr, a, b);
-      },
-      [](const Field<double>&, const Field<double>&, Field<double>&) {});
+  const double half = viscosity * dt / 2;
+  return step_to_rest(s, u, {nullptr, (1 - half) / (1 + half), dt * dt / (1 + half)}, [](const auto&, const auto&, auto&) {});
 }
 
 StaticReport adaptive_relaxation(const Dynamics& s, Field<double>& u) {
@@ -107,7 +109,7 @@ StaticReport adaptive_relaxation(const Dynamics& s, Field<double>& u) {
   const BlockPlane blocks = inverse.plane();
   const Grid& grid = s.bonds.grid;
   const double dt = 0.99 * std::sqrt(2.0);  // D^-1 A stays below 2, so no frequency exceeds sqrt(2)
-  double a = 1, b = dt * dt;
+  Step step{&blocks, 1, dt * dt};
   Field<double> velocity(grid.padded_size());
   const auto look = [&](const Field<double>& now, const Field<double>& older, Field<double>& f) {
     double kinetic = 0;
@@ -119,20 +121,10 @@ StaticReport adaptive_relaxation(const Dynamics& s, Field<double>& u) {
     const double elastic = -kernels(s.bonds.law).force(s.bonds, s.prescribed.data(), plane(velocity), plane(f));
     const double frequency = kinetic > 0 ? std::sqrt(std::max(0.0, elastic / kinetic)) : 0;
     const double half = frequency * dt;  // critical damping c = 2 omega, times dt/2
-    a = (1 - half) / (1 + half);
-    b = dt * dt / (1 + half);
+    step.a = (1 - half) / (1 + half);
+    step.b = dt * dt / (1 + half);
   };
-  return step_to_rest(
-      s, u,
-      [&](Field<double>& now, Field<double>& older, Field<double>& f) {
-        if (!s.exact_stretch) {
-          kernels(s.bonds.law).relax(s.bonds, plane(now), plane(older), blocks, a, b);
-          return;
-        }
-        form_force(s, now, f);
-        plain_step(grid, now, older, f, &blocks, a, b);
-      },
-      look);
+  return step_to_rest(s, u, step, look);
 }
 
 }  // namespace arenite::peridynamics

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "solid/peridynamics/kernels/kernels.hpp"
@@ -10,18 +11,6 @@
 
 /// The ways to the field at equilibrium.
 namespace arenite::peridynamics {
-
-/// How a static solve ended.
-struct StaticReport {
-  bool converged = false;
-  bool stopped = false;  ///< the watch asked for it
-  int iterations = 0;
-  double residual = 0;          ///< relative, of the field that is handed back, worked out anew
-  std::vector<double> history;  ///< relative residual after each iteration, the start first
-  std::int32_t coarse_unknowns = 0;
-  int repairs = 0;              ///< CoarseSpace::repairs
-  std::size_t loose_nodes = 0;  ///< nodes that can move freely in some direction
-};
 
 /// Linearised equilibrium by conjugate gradients with the two-level preconditioner. The object keeps its set-up for
 /// many right sides, and through broken bonds: the preconditioner may lag behind the bonds.
@@ -65,15 +54,41 @@ StaticReport damped_dynamics(const Dynamics& dynamics, Field<double>& u);
 /// is critical for the frequency that the Rayleigh quotient of the velocities shows (P. Underwood, 1983).
 StaticReport adaptive_relaxation(const Dynamics& dynamics, Field<double>& u);
 
+/// f := force of the bonds on every node, clamped ones too; returns sum u . f.
+inline double linear_force(const Bonds& bonds, const Field<double>& u, Field<double>& f) {
+  const std::vector<std::uint8_t> none(static_cast<std::size_t>(bonds.grid.height), nothing_prescribed);
+  return kernels(bonds.law).force(bonds, none.data(), plane(u), plane(f));
+}
+
 /// sum a . a over the nodes of the sample.
 template <class T>
-double square_norm(const Grid& grid, const Field<T>& a);
+double square_norm(const Grid& grid, const Field<T>& a) {
+  double sum = 0;
+  grid.each([&](std::ptrdiff_t i, int) {
+    const double ax = a.x[i], ay = a.y[i];
+    sum += ax * ax + ay * ay;
+  });
+  return sum;
+}
 
 /// What residuals are relative to: |f(u)| of the sample strained uniformly between its clamps. (The displaced row alone
 /// would give some fifty times more, and a tolerance that says little about stresses.) `u` holds the prescribed
 /// displacements, `work` and `f` are overwritten. Zero only where nothing is displaced or no strain leaves a force.
 template <class T>
-double residual_reference(const Bonds& bonds, const std::vector<std::uint8_t>& prescribed, const Field<double>& u, Field<T>& work, Field<T>& f);
+double residual_reference(const Bonds& bonds, const std::vector<std::uint8_t>& prescribed, const Field<double>& u, Field<T>& work, Field<T>& f) {
+  const Grid& grid = bonds.grid;
+  Vec2 top;
+  for (std::ptrdiff_t i = grid.row(grid.height - 1), end = i + grid.width; i < end; ++i)
+    if (std::abs(u.x[i]) + std::abs(u.y[i]) > std::abs(top.x) + std::abs(top.y)) top = {u.x[i], u.y[i]};
+  for (int y = 0; y < grid.height; ++y) {
+    const double share = static_cast<double>(y) / (grid.height - 1) - 0.5;  // about the middle: small numbers
+    std::fill_n(work.x.data() + grid.row(y), grid.width, static_cast<T>(share * top.x));
+    std::fill_n(work.y.data() + grid.row(y), grid.width, static_cast<T>(share * top.y));
+  }
+  if constexpr (std::is_same_v<T, double>) kernels(bonds.law).force(bonds, prescribed.data(), plane(work), plane(f));
+  else kernels(bonds.law).force_float(bonds, prescribed.data(), plane(work), plane(f));
+  return std::sqrt(square_norm(grid, f));
+}
 
 /// Tells a watch how far a residual has come down, on a logarithmic scale from its first value to the tolerance.
 class Reporter {

@@ -32,7 +32,7 @@ Stage pressed_from_all_sides(double pressure) {
   Stage stage;
   stage.name = "press";
   for (auto& side : stage.side) side = {SideDrive::Kind::pressure, pressure};
-  stage.rest.max_steps = 400'000;
+  stage.equilibrium.max_steps = 400'000;
   return stage;
 }
 
@@ -56,7 +56,7 @@ TEST(EvenMasses, KeepTheRestitutionOfUnlikeDisks) {
   IntegrationParameters integration;
   integration.safety = 1.0 / 500;
   Engine engine(p, springy(0.5), integration);
-  engine.set_masses(Masses::even);
+  engine.set_mass_scaling(MassScaling::uniform);
   engine.advance(2000);
   const Packing after = engine.packing();
   EXPECT_NEAR(after.grains.vx[1] - after.grains.vx[0], 0.5, 1e-3);
@@ -69,10 +69,10 @@ TEST(EvenMasses, AreThoseOfTheGrainWithTheFastestContacts) {
   for (const auto k : {light, heavy, soft}) p.grains.vx[k] = 1;
   Engine engine(p, springy(0.5), {});
   const double own = engine.energies().kinetic;
-  engine.set_masses(Masses::even);
+  engine.set_mass_scaling(MassScaling::uniform);
   const double lightest = 1410 * std::numbers::pi * 0.004 * 0.004 * 0.06;
   EXPECT_NEAR(engine.energies().kinetic, 0.5 * lightest * (2 + 6.43 / 27.35), 1e-12 * own);
-  engine.set_masses(Masses::own);
+  engine.set_mass_scaling(MassScaling::none);
   EXPECT_DOUBLE_EQ(engine.energies().kinetic, own);
 }
 
@@ -88,10 +88,10 @@ TEST(EvenMasses, AreHeavyEnoughForTheStepThatTheOwnOnesAllow) {
   integration.time_step = 1e-9;
   integration.time_step = 0.999 * Engine(p, springy(0.5), integration).bounds().largest();
   Engine engine(p, springy(0.5), integration);
-  engine.set_masses(Masses::even);
+  engine.set_mass_scaling(MassScaling::uniform);
   EXPECT_GE(engine.bounds().largest(), *integration.time_step);
   EXPECT_LT(engine.bounds().largest(), 1.01 * *integration.time_step) << "no heavier than needed";
-  engine.set_masses(Masses::own);
+  engine.set_mass_scaling(MassScaling::none);
   EXPECT_NEAR(0.999 * engine.bounds().largest(), *integration.time_step, 1e-12);
 }
 
@@ -122,12 +122,12 @@ TEST(EvenMasses, AStepOfTheProgramsOwnIsShortenedWhereTheGrainsOwnMassesAreTooLi
   for (const auto integrator : {IntegratorKind::velocity_verlet, IntegratorKind::leapfrog, IntegratorKind::gear5}) {
     const auto how = as_long_as_allowed(integrator);
     Engine engine(lattice_about_to_touch(), springy(0.2), how), resumed(lattice_about_to_touch(), springy(0.2), how);
-    engine.set_masses(Masses::even);
+    engine.set_mass_scaling(MassScaling::uniform);
     engine.set_drives(squeezed());
     while (engine.time() < 1e-3) engine.advance(1);
     const double before = engine.time(), step = engine.time_step();
     ASSERT_GT(step, engine.bounds().largest()) << "the case that this is about";
-    engine.set_masses(Masses::own);
+    engine.set_mass_scaling(MassScaling::none);
     EXPECT_LT(engine.time_step(), engine.bounds().largest());
     EXPECT_EQ(engine.time(), before);
     resumed.restore(engine.save());
@@ -144,11 +144,11 @@ TEST(EvenMasses, AStepThatWasGivenIsRefusedWithTheOneThatWouldDo) {
   auto how = as_long_as_allowed(IntegratorKind::velocity_verlet);
   how.time_step = Engine(lattice_about_to_touch(), springy(0.2), how).time_step();
   Engine engine(lattice_about_to_touch(), springy(0.2), how);
-  engine.set_masses(Masses::even);
+  engine.set_mass_scaling(MassScaling::uniform);
   engine.set_drives(squeezed());
   while (engine.time() < 1e-3) engine.advance(1);
   try {
-    engine.set_masses(Masses::own);
+    engine.set_mass_scaling(MassScaling::none);
     FAIL() << "refused";
   } catch (const InputError& e) {
     EXPECT_NE(std::string(e.what()).find("integration.time_step"), std::string::npos) << e.what();
@@ -158,10 +158,10 @@ TEST(EvenMasses, AStepThatWasGivenIsRefusedWithTheOneThatWouldDo) {
 
 TEST(EvenMasses, CompactUnlikeDisksInFarFewerSteps) {
   std::int64_t steps[2];
-  for (const auto masses : {Masses::own, Masses::even}) {
+  for (const auto masses : {MassScaling::none, MassScaling::uniform}) {
     Engine engine(unlike_sizes(), springy(0.5), {});
     Stage stage = pressed_from_all_sides(1e-3 * 27.35e6 / 0.06);
-    stage.masses = masses;
+    stage.mass_scaling = masses;
     stage.inertial_number = 1;
     const StageResult result = run(engine, stage);
     EXPECT_TRUE(result.converged) << result.outcome;
@@ -173,7 +173,7 @@ TEST(EvenMasses, CompactUnlikeDisksInFarFewerSteps) {
 TEST(EvenMasses, AreRefusedWhereGrainsWeigh) {
   Engine engine(unlike_sizes(), springy(0.5), {});
   Stage stage = pressed_from_all_sides(1e5);
-  stage.masses = Masses::even;
+  stage.mass_scaling = MassScaling::uniform;
   stage.gravity = true;
   EXPECT_THROW(begin_stage(engine, stage), InputError);
 }
@@ -181,7 +181,7 @@ TEST(EvenMasses, AreRefusedWhereGrainsWeigh) {
 TEST(EvenMasses, GoOnWithTheSameBitsAfterARestore) {
   Engine whole(crowd(12, 12, 5), springy(0.5), {}), resumed(crowd(12, 12, 5), springy(0.5), {});
   Stage stage = pressed_from_all_sides(1e5);
-  stage.masses = Masses::even;
+  stage.mass_scaling = MassScaling::uniform;
   stage.inertial_number = 0.5;
   begin_stage(whole, stage);
   whole.set_drives({{{WallDrive::Kind::force, 2000}, {}, {WallDrive::Kind::force, 2000}, {}}});

@@ -54,8 +54,8 @@ TEST(Rest, IsNotReachedWhileADiskFallsHoweverSmallItsWeight) {
   EXPECT_NEAR(end.packing.grains.y.back(), radius, 0.01 * radius);
 
   // Where the forces of the pressed disk alone are asked, the other is still on its way.
-  stage.rest.falling = 1;
-  stage.rest.loose_kinetic = 1e9;
+  stage.equilibrium.falling = 1;
+  stage.equilibrium.loose_kinetic = 1e9;
   Engine again(start, contact(), {});
   const StageRun early = to_its_end(again, stage);
   EXPECT_EQ(early.result.frames.back().equilibrium.falling, 0.5);

@@ -174,7 +174,7 @@ TEST(Bidisperse, HeldRadiiEndWithOneThatFitsNowhere) {
     space.open_store(2);
     std::vector<Disk> disks;
     RandomStream random(seed, Purpose::test);
-    const double refused = fill_holding(space, disks, {{1, 0.25, 0.625, 1.375}, 0, 30}, random);
+    const double refused = fill_holding(space, disks, {1, 0.25, 0.625, 1.375}, random);
     Packing packing;
     packing.domain.wall[right].position = packing.domain.wall[top].position = side;
     packing.grains.resize(disks.size());

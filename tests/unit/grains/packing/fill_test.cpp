@@ -16,9 +16,7 @@ Grains disks(std::int64_t n, double min_diameter, double max_diameter) {
   Population p;
   p.material = "A";
   p.count = n;
-  p.size.kind = SizeLaw::Kind::uniform;
-  p.size.min = min_diameter;
-  p.size.max = max_diameter;
+  p.size = UniformSizes{min_diameter, max_diameter};
   return draw_grains({p}, {{"A", 1000, 1e6, 0}}, 0, 1);
 }
 

@@ -15,7 +15,7 @@ const Materials two{{"POM", 1410, 27.35e6, 0}, {"HDPE", 950, 6.43e6, 0}};
 Population of(const std::string& material, double diameter) {
   Population p;
   p.material = material;
-  p.size.diameter = diameter;
+  p.size = FixedSize{diameter};
   return p;
 }
 
@@ -43,9 +43,7 @@ TEST(Population, RatiosShareTheTotalExactly) {
 TEST(Population, UniformAndCutNormalLawsHaveTheirMoments) {
   auto a = of("POM", 0);
   a.count = 20000;
-  a.size.kind = SizeLaw::Kind::uniform;
-  a.size.min = 0.008;
-  a.size.max = 0.016;
+  a.size = UniformSizes{0.008, 0.016};
   auto moments = [](const Grains& g) {
     double m = 0, v = 0;
     for (const double r : g.radius) m += 2 * r;
@@ -56,9 +54,7 @@ TEST(Population, UniformAndCutNormalLawsHaveTheirMoments) {
   const auto [mu, su] = moments(draw_grains({a}, two, 0, 3));
   EXPECT_NEAR(mu, 0.012, 4 * 0.00231 / std::sqrt(20000));
   EXPECT_NEAR(su, 0.008 / std::sqrt(12), 1e-4);
-  a.size.kind = SizeLaw::Kind::normal;
-  a.size.mean = 0.012;
-  a.size.deviation = 0.001;
+  a.size = NormalSizes{{0.008, 0.016}, 0.012, 0.001};
   const auto g = draw_grains({a}, two, 0, 3);
   const auto [mn, sn] = moments(g);
   EXPECT_NEAR(mn, 0.012, 4 * 0.001 / std::sqrt(20000));
@@ -68,9 +64,7 @@ TEST(Population, UniformAndCutNormalLawsHaveTheirMoments) {
 TEST(Population, SameSeedSameGrainsOtherSeedOthers) {
   auto a = of("POM", 0);
   a.count = 100;
-  a.size.kind = SizeLaw::Kind::uniform;
-  a.size.min = 1;
-  a.size.max = 2;
+  a.size = UniformSizes{1, 2};
   EXPECT_EQ(draw_grains({a}, two, 0, 5).radius, draw_grains({a}, two, 0, 5).radius);
   EXPECT_NE(draw_grains({a}, two, 0, 5).radius, draw_grains({a}, two, 0, 6).radius);
 }

@@ -1,4 +1,4 @@
-#include "grains/texture/gap_coordination.hpp"
+#include "grains/texture/texture.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "solid/raster/cavity_statistics.hpp"
+#include "solid/raster/cavities.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

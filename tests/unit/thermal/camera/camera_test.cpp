@@ -10,7 +10,7 @@
 namespace arenite::camera {
 namespace {
 
-/// One disk between two plates, pressed by P, its centre at (x, 0); the frame is far away.
+/// One disk between two references, pressed by P, its centre at (x, 0); the frame is far away.
 Packing pressed_disk(double force, double x = 0) {
   Packing packing;
   packing.materials = {{"POM", 1410, 27.35e6, 0.0150e-6}};
@@ -170,7 +170,7 @@ double centroid_x(const std::vector<float>& picture, float background) {
 TEST(VirtualCamera, GrainsTravelBetweenTheStates) {
   auto p = ideal();
   p.motion = true;
-  p.surroundings.background_emissivity = p.surroundings.frame_emissivity = 0.5;
+  p.surroundings.background_emissivity = p.surroundings.container_emissivity = 0.5;
   const Scene scene = scene_between(pressed_disk(0, -0.004), pressed_disk(0, 0.004), p);
   const auto at = [&](double s) {
     const auto picture = expose(scene, p, s);

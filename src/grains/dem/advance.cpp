@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/kernels/kernel.hpp"
+#include "grains/dem/neighbours.hpp"
+#include "grains/dem/setup.hpp"
+#include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
 namespace {
@@ -92,6 +96,14 @@ void sum_wall_forces(Sample& s) {
     wall.force += list.force[p].fx * n.x + list.force[p].fy * n.y;
     wall.shear_force -= side < bottom ? list.force[p].fy : list.force[p].fx;
   }
+  for (std::size_t h = 0; h < s.held.size(); ++h) {
+    const int side = s.held[h].side;
+    const Load load = contact_load(list, static_cast<std::size_t>(s.held_disk[h]));
+    Wall& wall = s.domain.wall[static_cast<std::size_t>(side)];
+    const Vec2 n = inward_normal(side);
+    wall.force -= load.fx * n.x + load.fy * n.y;
+    wall.shear_force += side < bottom ? load.fy : load.fx;
+  }
 }
 
 }  // namespace
@@ -101,6 +113,7 @@ void compute_forces(Sample& s, const Team& team) {
     if (!s.live_bonds.empty()) end_open_bonds(s, friction);
     evaluate(s, team, normal, adhesion, friction);
   });
+  add_rolling_moments(s, team);
   sum_wall_forces(s);
 }
 
@@ -144,6 +157,55 @@ void sum_edge_forces(Sample& s, const Team& team) {
     w[bottom].force = w[top].force = sum.yy / s.domain.height();
     w[top].shear_force = sum.xy / s.domain.height();
     w[bottom].shear_force = -w[top].shear_force;
+  }
+}
+
+namespace {
+
+bool has_driven_edge(const Sample& s) {
+  for (std::size_t side = 0; side < 4; ++side)
+    if (!s.domain.wall[side].present && s.wall[side].drive.kind == WallDrive::Kind::force) return true;
+  return false;
+}
+
+/// See integrators/verlet.hpp.
+template <int extrapolation>
+bool verlet(Sample& s, const Team& team) {
+  return verlet_sweep(s, extrapolation, team);
+}
+
+template <class Sweep>
+void run(Sample& s, const Team& team, std::int64_t steps, Sweep&& sweep) {
+  const bool tracked = s.integration.track_energy;
+  const bool edges = tracked || has_driven_edge(s);
+  if (tracked && !s.ledger.open) open_ledger(s);
+  for (std::int64_t n = 0; n < steps; ++n) {
+    const bool near = sweep(s, team);
+    follow_drift(s);
+    if (near)
+      refresh_ghosts(s);
+    else
+      rebuild_list(s, team);
+    compute_forces(s, team);
+    if (edges) sum_edge_forces(s, team);
+    if (tracked) book_step(s);
+  }
+  sum_edge_forces(s, team);
+}
+
+}  // namespace
+
+void Engine::advance(std::int64_t steps) {
+  Sample& s = machine_->sample;
+  const Team& team = machine_->team;
+  if (steps <= 0) return;
+  switch (s.integration.integrator) {
+    case IntegratorKind::velocity_verlet: return run(s, team, steps, verlet<1>);
+    case IntegratorKind::leapfrog: return run(s, team, steps, verlet<0>);
+    case IntegratorKind::gear5:
+      if (!s.settled) gear_start(s);
+      s.settled = true;
+      return run(s, team, steps, gear_sweep);
   }
 }
 

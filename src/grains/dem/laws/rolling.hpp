@@ -1,0 +1,59 @@
+#pragma once
+#include "grains/dem/laws/cundall_strack.hpp"
+#include "grains/dem/laws/regularised_coulomb.hpp"
+
+namespace arenite::dem {
+
+// Rolling resistance (Ai, Chen, Rotter and Ooi, Powder Technology 206, 269, 2011): a moment against theta' = omega_i - omega_j that never exceeds
+// mu_r R F_n, R = r_i r_j/(r_i + r_j), at a wall r_i. As a law it is one of friction that sees turning for sliding: rad/s, N m s, N m, N m/rad.
+
+/// Discs roll freely.
+struct NoRolling {
+  static constexpr Word word{"none", "grains roll freely"};
+  static constexpr bool remembers = false;
+  void declare(ParameterVisitor&) {}
+  bool operator==(const NoRolling&) const = default;
+
+  double coefficient = 0;
+  double stiffness(double /*normal*/, double /*radius*/) const { return 0; }
+  double damping(double /*normal*/, double /*radius*/, double /*stiffness*/, double /*inertia*/) const { return 0; }
+  double moment(const Slip<double>& /*turning*/, double& /*memory*/) const { return 0; }
+  double energy(const Slip<double>& /*turning*/, double /*memory*/) const { return 0; }
+};
+
+/// Constant torque (type A): the full moment against the turning, below mu_r R F_n only where turning is so slow that the normal damping times R^2
+/// would give less.
+struct ConstantTorque {
+  static constexpr Word word{"constant_torque", "mu_r R F_n against the turning"};
+  static constexpr bool remembers = false;
+  void declare(ParameterVisitor& v) { v.number({"rolling_friction", "Coefficient mu_r of rolling resistance."}, coefficient, "", range::not_negative); }
+  bool operator==(const ConstantTorque&) const = default;
+
+  double coefficient = 0.1;
+  double stiffness(double /*normal*/, double /*radius*/) const { return 0; }
+  double damping(double normal, double radius, double /*stiffness*/, double /*inertia*/) const { return normal * radius * radius; }
+  double moment(const Slip<double>& turning, double& memory) const { return RegularisedCoulomb{}.tangential(turning, memory); }
+  double energy(const Slip<double>& /*turning*/, double /*memory*/) const { return 0; }
+};
+
+/// Elastic-plastic spring (type C): k_r = 2.25 k_n (mu_r R)^2 with a dashpot of a share of its critical damping, together within mu_r R F_n. It
+/// holds a grain at rest.
+struct ElasticPlasticRolling {
+  static constexpr Word word{"elastic_plastic", "spring of 2.25 k_n (mu_r R)^2 that yields at mu_r R F_n"};
+  static constexpr bool remembers = true;
+  void declare(ParameterVisitor& v) {
+    v.number({"rolling_friction", "Coefficient mu_r of rolling resistance."}, coefficient, "", range::not_negative);
+    v.number({"rolling_damping", "Dashpot of the rolling spring, as a share of its critical damping."}, damping_share, "", range::not_negative);
+  }
+  bool operator==(const ElasticPlasticRolling&) const = default;
+
+  double coefficient = 0.1, damping_share = 0.3;
+  double stiffness(double normal, double radius) const { return 2.25 * normal * coefficient * coefficient * radius * radius; }
+  double damping(double /*normal*/, double /*radius*/, double stiffness, double inertia) const { return 2 * damping_share * std::sqrt(inertia * stiffness); }
+  double moment(const Slip<double>& turning, double& memory) const {
+    return turning.stiffness > 0 ? CundallStrack{}.tangential(turning, memory) : 0.0;
+  }
+  double energy(const Slip<double>& turning, double memory) const { return CundallStrack{}.energy(turning, memory); }
+};
+
+}  // namespace arenite::dem

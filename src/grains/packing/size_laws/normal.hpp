@@ -1,0 +1,31 @@
+#pragma once
+#include <fmt/core.h>
+
+#include "core/error.hpp"
+#include "grains/packing/size_laws/uniform.hpp"
+
+namespace arenite::packing {
+
+/// Drawn again until it lies between min and max.
+struct NormalSizes : UniformSizes {
+  double mean = 0, deviation = 0;  ///< before the cut, m
+
+  static constexpr Word word{"normal", "Gaussian of mean and deviation, cut to min..max"};
+  void declare(ParameterVisitor& visitor) {
+    visitor.number({"mean", "Mean diameter before the cut.", true}, mean, "mm", range::positive);
+    visitor.number({"deviation", "Standard deviation before the cut.", true}, deviation, "mm", range::not_negative);
+    UniformSizes::declare(visitor);
+    visitor.require(mean >= min && mean <= max, {"mean", "min", "max"}, "must lie between min and max");
+  }
+  bool operator==(const NormalSizes&) const = default;
+
+  /// Throws InputError where the cut lies far out in the tail; a recipe keeps it around the mean.
+  double draw(std::int64_t /*k*/, RandomStream& random) const {
+    for (int attempt = 0; attempt < 100'000; ++attempt)
+      if (const double d = mean + deviation * random.normal(); d >= min && d <= max) return d;
+    throw InputError(fmt::format("the cut {:g}-{:g} m of the normal size law holds almost none of its grains (mean {:g} m, deviation {:g} m); widen the cut",
+                                 min, max, mean, deviation));
+  }
+};
+
+}  // namespace arenite::packing

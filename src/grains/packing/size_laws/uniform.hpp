@@ -1,0 +1,24 @@
+#pragma once
+#include <cstdint>
+
+#include "core/parameters.hpp"
+#include "core/random.hpp"
+
+namespace arenite::packing {
+
+struct UniformSizes {
+  double min = 0, max = 0;  ///< m
+
+  static constexpr Word word{"uniform", "evenly between min and max"};
+  void declare(ParameterVisitor& visitor) {
+    visitor.number({"min", "Smallest diameter.", true}, min, "mm", range::positive);
+    visitor.number({"max", "Largest diameter.", true}, max, "mm", range::positive);
+    visitor.require(max >= min, {"max", "min"}, "must not be below min");
+  }
+  bool operator==(const UniformSizes&) const = default;
+
+  double draw(std::int64_t /*k*/, RandomStream& random) const { return random.uniform(min, max); }
+  double largest() const { return max; }
+};
+
+}  // namespace arenite::packing

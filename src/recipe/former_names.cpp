@@ -1,0 +1,147 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "recipe/document.hpp"
+
+namespace arenite::recipe {
+namespace {
+
+/// A key that had another name. Sections come before what they hold, which stands under their name of now; `*` is an item of a list.
+struct FormerKey {
+  std::string_view section, former, now;
+};
+constexpr std::array former_keys{
+    FormerKey{"", "frame", "container"},
+    FormerKey{"", "raster", "grid"},
+    FormerKey{"", "twin", "simulation"},
+    FormerKey{"bidisperse", "cut", "truncation"},
+    FormerKey{"bidisperse", "cut_each_class", "truncate_each_class"},
+    FormerKey{"stages.*", "frames", "snapshots"},
+    FormerKey{"stages.*", "masses", "mass_scaling"},
+    FormerKey{"stages.*", "rest", "equilibrium"},
+    FormerKey{"container", "load_swing", "load_peak_to_peak"},
+    FormerKey{"camera", "frame_emissivity", "container_emissivity"},
+    FormerKey{"camera", "plate_frames", "reference_frames"},
+    FormerKey{"camera", "plate_cold", "reference_cold"},
+    FormerKey{"camera", "plate_warm", "reference_warm"},
+};
+
+/// The same for a word that a choice takes.
+struct FormerWord {
+  std::string_view key, former, now;
+};
+constexpr std::array former_words{
+    FormerWord{"stages.*.mass_scaling", "own", "none"},
+    FormerWord{"stages.*.mass_scaling", "even", "uniform"},
+    FormerWord{"temperature.from", "plates", "references"},
+};
+
+/// Lines that a resolved recipe of version 0.1 did not have: keys that came later, as they stand where nothing else is asked for.
+struct LaterLine {
+  std::string_view section, line;
+};
+constexpr std::array later_lines{
+    LaterLine{"contact", "rolling = \"none\""},
+    LaterLine{"stages.*", "slide = { left = \"0 mm/s\", right = \"0 mm/s\", bottom = \"0 mm/s\", top = \"0 mm/s\" }"},
+    LaterLine{"stages.*", "rough = { left = false, right = false, bottom = false, top = false }"},
+    LaterLine{"stages.*", "shear_rate = \"0 1/s\""},
+    LaterLine{"stages.*", "gravity_size = \"9.81 m/s^2\""},
+    LaterLine{"stages.*", "gravity_angle = \"0 deg\""},
+};
+
+std::string below(std::string_view section, std::string_view key) {
+  const bool is_item = !key.empty() && std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return section.empty() ? std::string(key) : fmt::format("{}.{}", section, is_item ? "*" : key);
+}
+
+std::string_view key_now(std::string_view section, std::string_view former) {
+  for (const FormerKey& each : former_keys)
+    if (each.section == section && each.former == former) return each.now;
+  return former;
+}
+
+std::string_view key_then(std::string_view section, std::string_view now) {
+  for (const FormerKey& each : former_keys)
+    if (each.section == section && each.now == now) return each.former;
+  return now;
+}
+
+void rename_below(Node& node, const std::string& path, std::vector<std::string>& notices) {
+  const auto note = [&](std::string_view former, std::string_view now) {
+    std::string sentence = fmt::format("{} is now called {}; the former name is still read", former, now);
+    if (std::find(notices.begin(), notices.end(), sentence) == notices.end()) notices.push_back(std::move(sentence));
+  };
+  for (const FormerWord& each : former_words) {
+    if (node.kind != Node::Kind::text || node.text != each.former || path != each.key) continue;
+    note(fmt::format("{} = \"{}\"", path, each.former), fmt::format("\"{}\"", each.now));
+    node.text = each.now;
+  }
+  for (Node& item : node.items) rename_below(item, below(path, "0"), notices);
+  for (Entry& entry : node.entries) {
+    const std::string_view now = key_now(path, entry.key);
+    if (now != entry.key && !node.find(now)) {
+      note(below(path, entry.key), now);
+      entry.key = now;
+    }
+    rename_below(entry.value, below(path, entry.key), notices);
+  }
+}
+
+/// The parts of a dotted path, each given the name that `name` finds for it below the parts of now.
+template <class Name>
+std::string renamed_path(std::string_view path, const Name& name, std::string& section) {
+  std::string result;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    const std::string_view word = path.substr(begin, end - begin);
+    const std::string_view other = name(section, word);
+    result += (begin == 0 ? "" : ".") + std::string(other);
+    section = below(section, key_now(section, word));
+    begin = end + 1;
+  }
+  return result;
+}
+
+}  // namespace
+
+void rename_former_keys(Node& root, std::vector<std::string>& notices) { rename_below(root, "", notices); }
+
+std::string current_key(std::string_view key, Node& value) {
+  std::string path;
+  const std::string now = renamed_path(key, key_now, path);
+  std::vector<std::string> none;
+  rename_below(value, path, none);
+  return now;
+}
+
+std::string under_former_names(std::string_view toml) {
+  std::string text, heading;
+  for (std::size_t begin = 0; begin < toml.size();) {
+    const std::size_t end = std::min(toml.find('\n', begin), toml.size());
+    std::string line(toml.substr(begin, end - begin));
+    begin = end + 1;
+    const auto is_later = [&](const LaterLine& each) { return each.section == heading && each.line == line; };
+    if (std::any_of(later_lines.begin(), later_lines.end(), is_later)) continue;
+    const std::size_t open = line.find_first_not_of('['), equals = line.find(" = ");
+    if (open > 0 && open != std::string::npos) {
+      const std::size_t close = line.find(']');
+      heading.clear();
+      line.replace(open, close - open, renamed_path(line.substr(open, close - open), key_then, heading));
+      // An item of a list stands under a heading without its number.
+      if (open == 2) heading += ".*";
+    } else if (equals != std::string::npos) {
+      std::string section = line.find('.') < equals ? "" : heading;
+      const std::string key = renamed_path(line.substr(0, equals), key_then, section);
+      std::string value = line.substr(equals + 3);
+      for (const FormerWord& each : former_words)
+        if (section == each.key && value == fmt::format("\"{}\"", each.now)) value = fmt::format("\"{}\"", each.former);
+      line = fmt::format("{} = {}", key, value);
+    }
+    text += line + "\n";
+  }
+  return text;
+}
+
+}  // namespace arenite::recipe

@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "grains/dem/engine.hpp"
+#include "unit/grains/dem/samples.hpp"
+
+namespace arenite::dem {
+namespace {
+
+Packing periodic_crowd(std::uint64_t seed) {
+  Packing p = testing::crowd(10, 10, seed, 0.0122);
+  p.domain.periodic_x = p.domain.periodic_y = true;
+  return p;
+}
+
+double balance(const Energies& now, const Energies& start) {
+  const auto sum = [](const Energies& e) {
+    return e.kinetic + e.elastic + e.dissipated_normal + e.dissipated_friction + e.dissipated_drag + e.dissipated_breakage - e.work_walls - e.work_gravity;
+  };
+  return sum(now) - sum(start);
+}
+
+IntegrationParameters tracked(double safety, IntegratorKind kind = IntegratorKind::velocity_verlet) {
+  IntegrationParameters integration;
+  integration.track_energy = true;
+  integration.safety = safety;
+  integration.integrator = kind;
+  return integration;
+}
+
+TEST(ShearedCell, MovesFreeGrainsByTheShearAlone) {
+  for (const auto kind : {IntegratorKind::velocity_verlet, IntegratorKind::gear5}) {
+    Packing p = testing::empty_frame(0.2, 0.2);
+    p.domain.periodic_x = p.domain.periodic_y = true;
+    testing::add_grain(p, 0.05, 0.19, 0.003);
+    testing::add_grain(p, 0.15, 0.03, 0.003);
+    p.grains.vy[0] = 1;  // crosses the upper edge
+    IntegrationParameters integration;
+    integration.integrator = kind;
+    Engine engine(p, {}, integration);
+    engine.set_shear_rate(2);
+    while (engine.time() < 0.3) engine.advance(100);
+    const Packing now = engine.packing();
+    const double t = engine.time();
+    // In the plane of all images grain 0 goes on straight with the speed that its first height gave it; one image down, it is slower by rate H.
+    const Vec2 straight{0.05 + 2 * 0.09 * t, 0.19 + t};
+    EXPECT_NEAR(norm(now.domain.nearest_image(now.grains.centre(0) - straight)), 0, 1e-10);
+    EXPECT_NEAR(now.grains.vx[0], 2 * 0.09 - 2 * 0.2 * std::floor((0.19 + t) / 0.2), 1e-10);
+    EXPECT_NEAR(norm(now.domain.nearest_image(now.grains.centre(1) - Vec2{0.15 - 2 * 0.07 * t, 0.03})), 0, 1e-10);
+    EXPECT_NEAR(engine.shear_strain(), 2 * t, 1e-9);
+    EXPECT_LE(std::abs(now.domain.tilt), 0.5 * now.domain.width() + 1e-12);
+  }
+}
+
+TEST(ShearedCell, GivesTheSameMotionWhereverItsEdgesLie) {
+  Packing p = periodic_crowd(3), q = p;
+  const Vec2 shift{0.4 * p.domain.width(), 0.7 * p.domain.height()};
+  for (std::size_t k = 0; k < q.grains.size(); ++k) {
+    q.grains.x[k] = std::fmod(q.grains.x[k] + shift.x, q.domain.width());
+    q.grains.y[k] = std::fmod(q.grains.y[k] + shift.y, q.domain.height());
+  }
+  Engine a(p, {}, {}), b(q, {}, {});
+  a.set_shear_rate(5);
+  b.set_shear_rate(5);
+  a.advance(1500);
+  b.advance(1500);
+  const Packing pa = a.packing(), pb = b.packing();
+  // An image is as much faster as it is higher.
+  const double height = p.domain.height();
+  for (std::size_t k = 0; k < p.grains.size(); ++k) {
+    const double up = pb.grains.y[k] - pa.grains.y[k] - shift.y;
+    EXPECT_NEAR(up - std::round(up / height) * height, 0, 1e-7);
+    const double faster = pb.grains.vx[k] - pa.grains.vx[k] - 5 * (pb.grains.y[k] - pa.grains.y[k]);
+    EXPECT_NEAR(faster, 0, 1e-5);
+  }
+}
+
+TEST(ShearedCell, ClosesItsEnergy) {
+  for (const auto kind : {IntegratorKind::velocity_verlet, IntegratorKind::gear5}) {
+    const Packing p = periodic_crowd(4);
+    Engine engine(p, {}, tracked(0.002, kind));
+    engine.set_shear_rate(20);
+    const Energies start = engine.energies();
+    double t = 0;
+    while (t < 0.01) engine.advance(500), t = engine.time();
+    const Energies now = engine.energies();
+    EXPECT_GT(now.work_walls, 0);
+    EXPECT_NEAR(balance(now, start), 0, 1e-5 * (std::abs(now.work_walls) + start.elastic)) << now.work_walls;
+  }
+}
+
+TEST(ShearedCell, GivesTheSameBitsOnTwoThreadsAndRestored) {
+  const Packing p = testing::crowd(50, 50, 7, 0.0122);
+  Packing periodic = p;
+  periodic.domain.periodic_x = periodic.domain.periodic_y = true;
+  IntegrationParameters one, two;
+  two.threads = 2;
+  Engine a(periodic, {}, one), b(periodic, {}, two), c(periodic, {}, one);
+  for (Engine* e : {&a, &b}) {
+    e->set_shear_rate(10);
+    e->advance(2000);
+  }
+  EXPECT_EQ(a.state_hash(), b.state_hash());
+  c.restore(a.save());
+  a.advance(300);
+  c.advance(300);
+  EXPECT_EQ(a.state_hash(), c.state_hash());
+}
+
+TEST(SlidingWall, DragsAGrainUpToItsSpeed) {
+  Packing p = testing::empty_frame(10, 0.2);
+  testing::add_grain(p, 1, 0.00999, 0.01);
+  ContactParameters contact;
+  contact.friction = 0.5;
+  Engine engine(p, contact, {});
+  engine.set_gravity({0, -9.81});
+  WallDrives drives;
+  drives[bottom].slide = 0.3;
+  engine.set_drives(drives);
+  while (engine.time() < 1) engine.advance(100);
+  const Packing now = engine.packing();
+  // Friction gives m v and, about the centre, I omega = R m v with I = m R^2/2; sliding ends at v + R omega = 3 v = 0.3.
+  EXPECT_NEAR(now.grains.vx[0], 0.1, 2e-4);
+  EXPECT_NEAR(now.grains.vx[0] + now.grains.omega[0] * 0.01, 0.3, 1e-3);
+}
+
+TEST(RoughWall, CarriesTheGrainsNearIt) {
+  const Packing p = testing::crowd(12, 12, 5, 0.0122);
+  Packing cell = p;
+  cell.domain.periodic_x = true;
+  Engine engine(cell, {}, tracked(0.01));
+  WallDrives drives;
+  drives[top] = {WallDrive::Kind::force, 2000};
+  engine.set_drives(drives);
+  engine.advance(4000);
+  engine.set_rough({false, false, true, true});
+  const Packing before = engine.packing();
+  drives[top].slide = 0.5;
+  engine.set_drives(drives);
+  const double t0 = engine.time();
+  const Energies start = engine.energies();
+  engine.advance(20000);
+  const double t = engine.time() - t0;
+  const Packing now = engine.packing();
+  int low = 0, high = 0;
+  const double rise = now.domain.wall[top].position - before.domain.wall[top].position;
+  for (std::size_t k = 0; k < now.grains.size(); ++k) {
+    const double from_top = before.domain.wall[top].position - before.grains.y[k] - before.grains.radius[k];
+    if (before.grains.y[k] < 1.5 * before.grains.radius[k]) {
+      ++low;
+      EXPECT_NEAR(norm(now.domain.nearest_image(now.grains.centre(k) - before.grains.centre(k))), 0, 1e-12);
+    } else if (from_top < 0.5 * before.grains.radius[k]) {
+      ++high;
+      EXPECT_NEAR(norm(now.domain.nearest_image(now.grains.centre(k) - before.grains.centre(k) - Vec2{0.5 * t, rise})), 0, 1e-9);
+    }
+  }
+  EXPECT_GT(low, 3);
+  EXPECT_GT(high, 3);
+  const Energies end = engine.energies();
+  EXPECT_NEAR(balance(end, start), 0, 2e-3 * (end.work_walls - start.work_walls)) << end.work_walls;
+  EXPECT_GT(std::abs(now.domain.wall[top].shear_force), 0.02 * now.domain.wall[top].force);
+}
+
+}  // namespace
+}  // namespace arenite::dem
