@@ -1,36 +1,77 @@
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "commands.hpp"
+#include "core/error.hpp"
 #include "io/disk/file.hpp"
+#include "prediction_text.hpp"
 #include "recipe/film_recipe.hpp"
 #include "recipe/recipe.hpp"
+#include "workflow/predict.hpp"
 
 namespace arenite::app {
 namespace {
 
-/// The recipe as it was understood, of a simulation or of a film.
-std::string resolved(const std::string& file, const std::vector<std::string>& overrides) {
-  if (recipe::describes_film(io::read_file(file))) return recipe::to_toml(recipe::read_film_recipe(file, overrides));
-  return recipe::to_toml(recipe::read_recipe(file, overrides));
+struct Arguments {
+  std::string recipe;
+  std::vector<std::string> overrides;
+  bool quiet = false, json = false;
+};
+
+/// Nothing, and a sentence, where the sample of a recipe cannot be made: the recipe itself is legal.
+std::optional<workflow::Prediction> predicted(const recipe::Recipe& recipe, std::string& why_not) {
+  try {
+    return workflow::predict(recipe);
+  } catch (const InputError& error) {
+    why_not = error.problems().front().message;
+    return std::nullopt;
+  }
+}
+
+/// The recipe goes to stdout, where it may be kept as a recipe; what is predicted of it to stderr.
+void check_simulation(const recipe::Recipe& recipe, bool json) {
+  const std::string text = to_toml(recipe);
+  if (!json) std::fputs(text.c_str(), stdout);
+  std::fflush(stdout);
+  std::string why_not;
+  const auto prediction = predicted(recipe, why_not);
+  if (json) {
+    Numbers numbers = prediction ? prediction_numbers(*prediction) : Numbers::tree({{"warnings", std::vector<std::string>{why_not}}});
+    numbers["recipe"] = text;
+    std::fputs((to_json(numbers, 2) + "\n").c_str(), stdout);
+    return;
+  }
+  std::fputs(prediction ? prediction_text(*prediction).c_str() : fmt::format("\nmind: `arenite run` will refuse this: {}\n", why_not).c_str(), stderr);
+  if (recipe.has_field()) std::fputs("cement, raster and loads come on top of that\n", stderr);
+}
+
+void check_film(const recipe::FilmRecipe& recipe, bool json) {
+  const std::string text = to_toml(recipe);
+  std::fputs(json ? (to_json(Numbers::tree({{"recipe", text}}), 2) + "\n").c_str() : text.c_str(), stdout);
+}
+
+void check(const Arguments& a) {
+  if (recipe::describes_film(io::read_file(a.recipe))) {
+    const auto film = recipe::read_film_recipe(a.recipe, a.overrides);
+    if (!a.quiet) check_film(film, a.json);
+    return;
+  }
+  const auto recipe = recipe::read_recipe(a.recipe, a.overrides);
+  if (!a.quiet) check_simulation(recipe, a.json);
 }
 
 }  // namespace
 
 void add_check(Options& command, int&) {
-  struct Arguments {
-    std::string recipe;
-    std::vector<std::string> overrides;
-    bool quiet = false;
-  };
   const auto arguments = std::make_shared<Arguments>();
   command.add("recipe", arguments->recipe, "Recipe to read (TOML), of a simulation or of a film").required().type("RECIPE.toml");
   add_overrides(command, arguments->overrides);
-  command.add("--quiet", arguments->quiet, "Print nothing but what is wrong");
-  command.work = [arguments] {
-    const std::string text = resolved(arguments->recipe, arguments->overrides);
-    if (!arguments->quiet) std::fputs(text.c_str(), stdout);
-  };
+  command.add("--json", arguments->json, "Print what is predicted as JSON, with the recipe in it");
+  command.add("--quiet", arguments->quiet, "Print nothing but what is wrong").not_with("--json");
+  command.work = [arguments] { check(*arguments); };
 }
 
 }  // namespace arenite::app

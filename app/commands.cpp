@@ -5,10 +5,11 @@ namespace arenite::app {
 const std::vector<Command>& commands() {
   static const std::vector<Command> list{
       {"run", "Run a recipe: packing, loading stage by stage, results and page", add_run},
+      {"watch", "Show a run as it goes on, on a page for this machine's browsers, with a button to stop it", add_watch},
       {"study", "Run many: a recipe with [sweep], on all cores or a cluster", add_study},
       {"verify", "Check the claims of the thesis or the paper by their studies, which it runs", add_verify},
       {"init", "Write a commented recipe to start from", add_init},
-      {"check", "Check a recipe and print it as it was understood", add_check},
+      {"check", "Check a recipe, print it as it was understood, and predict what its run will cost and be like", add_check},
       {"load", "Load anybody's phase map by peridynamics: moduli, stresses by phase, failure", add_load},
       {"lockin", "Lock in a film of a cyclically loaded sample: signed swing, errors and warnings of every pixel", add_lockin},
       {"step", "Measure the jump of temperature at a step of the load, in every pixel of a film", add_step},
@@ -20,6 +21,8 @@ const std::vector<Command>& commands() {
       {"film", "From an infrared film of a loaded packing to stresses of grains and contact forces", add_film},
       {"camera", "Film simulated states with a virtual infrared camera", add_camera},
       {"figures", "Draw journal figures of a result: PDF, SVG, PNG in column width", add_figures},
+      {"animate", "Film a run along its loading: MP4 or GIF, grains by stress, motion or friction", add_animate},
+      {"compare", "Put two results side by side: numbers that differ beyond their errors, curves, a page", add_compare},
       {"doctor", "Say what this installation can do: versions, kernels, threads, helpers found", add_doctor},
       {"completion", "Print the completion script of a shell", add_completion},
       {"man", "Print the manual page, or the reference of all recipe keys", add_man},

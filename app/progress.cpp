@@ -7,6 +7,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <limits>
 
 namespace arenite::app {
 namespace {
@@ -63,6 +64,21 @@ void StatusLine::notice(const std::string& sentence) {
   std::fprintf(stderr, "%s\n", sentence.c_str());
 }
 
+bool StageClock::see(const workflow::Progress& progress) {
+  if (progress.stage == stage_) return false;
+  stage_ = progress.stage;
+  share_at_start_ = progress.share;
+  began_ = std::chrono::steady_clock::now();
+  return true;
+}
+
+double StageClock::seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count(); }
+
+double StageClock::seconds_left(double share) const {
+  const double gained = share - share_at_start_, elapsed = seconds();
+  return gained > 0.02 && elapsed > 1 ? elapsed * (1 - share) / gained : std::numeric_limits<double>::quiet_NaN();
+}
+
 std::string ProgressLine::text(const workflow::Progress& progress) const {
   std::string line = progress.stages > 1 ? fmt::format("{}/{} ", progress.stage, progress.stages - 1) : "";
   line += fmt::format("{:<12}", progress.name);
@@ -71,22 +87,15 @@ std::string ProgressLine::text(const workflow::Progress& progress) const {
   if (progress.step > 0)
     line += fmt::format("  {} {}  {} {:.1e}", progress.field ? "iteration" : "step", progress.step, progress.field ? "residual" : "unbalanced",
                         progress.unbalanced_ratio);
-  const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - stage_began_).count();
-  const double gained = progress.share - share_at_start_;
-  if (progress.share >= 1) return line + fmt::format("  {} in all", whole_seconds(elapsed));
-  if (gained > 0.02 && elapsed > 1) line += fmt::format("  about {} left", whole_seconds(elapsed * (1 - progress.share) / gained));
-  return line;
+  if (progress.share >= 1) return line + fmt::format("  {} in all", whole_seconds(clock_.seconds()));
+  const double left = clock_.seconds_left(progress.share);
+  return std::isnan(left) ? line : line + fmt::format("  about {} left", whole_seconds(left));
 }
 
 void ProgressLine::show(const workflow::Progress& progress) {
   if (quiet_) return;
-  const bool begins = progress.stage != stage_;
-  if (begins) {
-    end();
-    stage_ = progress.stage;
-    share_at_start_ = progress.share;
-    stage_began_ = std::chrono::steady_clock::now();
-  }
+  const bool begins = clock_.see(progress);
+  if (begins) end();
   if (begins || progress.share >= 1 || is_time(std::chrono::milliseconds(100))) write(text(progress));
 }
 

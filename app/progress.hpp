@@ -39,6 +39,20 @@ class StatusLine {
   Clock::time_point last_shown_;
 };
 
+/// How long a stage has been going on, and how long it will, from the share that it has gained since it was first seen.
+class StageClock {
+ public:
+  /// True where another stage than the last one was seen.
+  bool see(const workflow::Progress& progress);
+  double seconds() const;
+  double seconds_left(double share) const;  ///< NaN where too little is known
+
+ private:
+  std::size_t stage_ = static_cast<std::size_t>(-1);
+  double share_at_start_ = 0;
+  std::chrono::steady_clock::time_point began_;
+};
+
 /// Shows where a run stands: on a terminal with a bar and the time left; elsewhere a plain line when a stage begins or ends
 /// and at most one every ten seconds.
 class ProgressLine : public StatusLine {
@@ -48,9 +62,7 @@ class ProgressLine : public StatusLine {
 
  private:
   std::string text(const workflow::Progress& progress) const;
-  std::size_t stage_ = static_cast<std::size_t>(-1);
-  double share_at_start_ = 0;
-  std::chrono::steady_clock::time_point stage_began_;
+  StageClock clock_;
 };
 
 /// The same for a study at work.

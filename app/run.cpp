@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "commands.hpp"
 #include "io/disk/file.hpp"
 #include "progress.hpp"
 #include "report/page.hpp"
 #include "recipe/film_recipe.hpp"
+#include "run_status.hpp"
+#include "watch_server.hpp"
 #include "workflow/run.hpp"
 
 namespace arenite::app {
@@ -21,7 +24,7 @@ struct Arguments {
   std::vector<std::string> recipes, overrides;
   std::string out, kernel;
   int threads = 1;
-  bool quiet = false;
+  bool quiet = false, watch = false;
   double checkpoint_seconds = 30;
 };
 
@@ -46,22 +49,36 @@ InputError blame_overrides(const InputError& error, const std::string& recipe, c
   return InputError(std::move(problems));
 }
 
-Status run_one(const recipe::Recipe& recipe, const fs::path& folder, const Arguments& arguments) {
+/// The run itself, with its line and its status file.
+workflow::RunOutcome carry_out(const recipe::Recipe& recipe, const fs::path& folder, const Arguments& arguments, StatusFile& status) {
   workflow::RunOptions options;
   options.out = folder;
   options.checkpoint_seconds = arguments.checkpoint_seconds;
   options.asked_to_stop = stop_requested;
-  workflow::RunOutcome outcome;
-  {
-    ProgressLine line(arguments.quiet);
-    options.progress = [&](const workflow::Progress& progress) { line.show(progress); };
-    options.notice = [&](const std::string& sentence) { line.notice(sentence); };
-    try {
-      outcome = workflow::run(recipe, options);
-    } catch (const InputError& error) {
-      throw blame_overrides(error, recipe.source_file, arguments.overrides);
-    }
+  ProgressLine line(arguments.quiet);
+  options.progress = [&](const workflow::Progress& progress) {
+    line.show(progress);
+    status.show(progress);
+  };
+  options.notice = [&](const std::string& sentence) { line.notice(sentence); };
+  const bool was_there = fs::exists(folder);
+  try {
+    return workflow::run(recipe, options);
+  } catch (const InputError& error) {
+    status.finish();
+    std::error_code ignored;
+    if (!was_there) fs::remove(folder, ignored);  // only if nothing is in it
+    throw blame_overrides(error, recipe.source_file, arguments.overrides);
+  } catch (...) {
+    status.finish();
+    throw;
   }
+}
+
+Status run_one(const recipe::Recipe& recipe, const fs::path& folder, const Arguments& arguments) {
+  const std::optional<Watcher> watcher = arguments.watch ? std::optional<Watcher>(std::in_place, folder) : std::nullopt;
+  StatusFile status(folder);
+  const workflow::RunOutcome outcome = carry_out(recipe, folder, arguments, status);
   if (outcome.interrupted) {
     fmt::print(stderr, "stopped; the same command goes on from the checkpoint in {}\n", folder.string());
     return other_failure;
@@ -70,6 +87,7 @@ Status run_one(const recipe::Recipe& recipe, const fs::path& folder, const Argum
   for (const auto& field : outcome.fields) fmt::print("{:<12} {}\n", field.name, field.outcome);
   const auto page = folder / "report.html";
   report::write_page(page, {.title = recipe.title, .stages = outcome.stages, .fields = outcome.fields, .measured = outcome.measured});
+  status.finish();
   fmt::print("\nresults: {0}\npage:    {1}   (open it in a browser)\nnumbers: arenite show {0}\n", folder.string(), page.string());
   return outcome.converged ? done : not_converged;
 }
@@ -108,6 +126,7 @@ void add_run(Options& command, int& status) {
   command.add("--threads", arguments->threads, "Threads (default: 1); they change no bit of the results").between(1, 1024).type("N");
   command.add("--kernel", arguments->kernel, "Kernel of the contact loop: auto, portable, avx2, avx512").type("NAME");
   command.add("--checkpoint-every", arguments->checkpoint_seconds, "Seconds between two checkpoints").between(0.0, 1e9).type("S");
+  command.add("--watch", arguments->watch, "Serve a page that shows the run to this machine's browsers as it goes on, and print its address");
   command.add("--quiet", arguments->quiet, "No progress");
   command.work = [arguments, &status] { status = execute(*arguments); };
 }

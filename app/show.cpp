@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "film_reading.hpp"
 #include "report/summary.hpp"
+#include "run_status.hpp"
 #include "validation/studies.hpp"
 
 namespace arenite::app {
@@ -81,6 +82,18 @@ std::string shown(const Arguments& a) {
   return a.json ? to_json(summary.numbers(), 2) + "\n" : a.all ? summary.all() : summary.text();
 }
 
+/// A run that has not come to its end says where it stands before what it has finished.
+std::string shown_with_status(const Arguments& a) {
+  const auto status = a.states ? std::nullopt : read_run_status(a.result);
+  if (!status) return shown(a);
+  const bool has_stages = may_hold_something(a.result);
+  if (!a.json) return run_status_text(a.result) + (has_stages ? "\n" + shown(a) : "");
+  Numbers numbers = has_stages ? report::Summary(a.result).numbers() : Numbers::tree();
+  numbers["running"] = run_status_numbers(*status);
+  numbers["running"]["alive"] = life_of(*status) == Life::running;
+  return to_json(numbers, 2) + "\n";
+}
+
 }  // namespace
 
 void refuse_no_result(const std::string& path) { refuse(path, false); }
@@ -93,7 +106,7 @@ void add_show(Options& command, int&) {
   command.add("--all", a->all, "Print every number, not the headlines alone").not_with("--json");
   command.add("--states", a->states, "Print one row a stored state as CSV: strains, stress and texture along the loading").not_with("--json").not_with("--all");
   a->reading.add_to(command);
-  command.work = [a] { std::fputs(shown(*a).c_str(), stdout); };
+  command.work = [a] { std::fputs(shown_with_status(*a).c_str(), stdout); };
 }
 
 }  // namespace arenite::app

@@ -11,6 +11,7 @@ find_package(HDF5 REQUIRED COMPONENTS C HL)
 find_library(XXHASH_LIBRARY xxhash REQUIRED)
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
 find_library(AMD_LIBRARY amd REQUIRED)
+find_library(HTTPLIB_LIBRARY cpp-httplib REQUIRED)  # of the program alone, for `arenite watch`
 
 add_library(arenite_dependencies INTERFACE)
 target_include_directories(arenite_dependencies SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})

@@ -63,6 +63,8 @@ def python_pages(root):
     text += "".join(f".. py:function:: {signature(node)}\n" + described(getattr(arenite, node.name), "   ") for node in functions)
     text += ".. autofunction:: arenite.run_study\n\n" + heading("Classes", "-") + "".join(class_text(node, arenite) for node in classes)
     figures = heading("Figures in Python") + ".. automodule:: arenite.figures\n   :members:\n   :imported-members:\n"
+    text += "".join(f"\n{heading(title, '-')}.. automodule:: arenite.{name}\n   :members: {members}\n\n" for name, title, members in (
+        ("curves", "Curves of a test", "along, of_states, of_cycles, rheology, Curve"), ("animate", "Films of a run", "save"), ("compare", "Two results", "rows, save_page, save_table, Row")))
     return {"python": text, "figures": figures}
 
 

@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/vec.hpp"
+
 namespace arenite {
 
 /// Name and meaning of one parameter.
@@ -78,6 +80,8 @@ class ParameterVisitor {
   virtual void file(const Key& key, std::string& value) = 0;
   virtual void numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) = 0;
   virtual void pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) = 0;
+  /// Places, each two numbers with units.
+  virtual void points(const Key& key, std::vector<Vec2>& values, std::string_view unit) = 0;
   virtual void choice(const Key& key, int& index, const std::vector<Word>& words) = 0;
   /// One of several forms, some with a quantity: "fixed" or { force = "50 kN" }.
   virtual void tagged(const Key& key, int& form, double& value, const std::vector<Form>& forms) = 0;

@@ -9,6 +9,7 @@ struct Vec;
 template <>
 struct Vec<2> {
   double x = 0, y = 0;
+  bool operator==(const Vec&) const = default;
 };
 template <>
 struct Vec<3> {

@@ -64,22 +64,46 @@ struct Wall {
   double shear_force = 0;  ///< tangential force that the grains exert on it, N, along +y (left, right) or +x (bottom, top)
 };
 
+/// A rigid boundary of straight segments within the frame: a hopper, a gate, a drum, an intruder. It is thin, with grains on either side, and moves as
+/// it is told, whatever the grains do. Like a wall it may be absent.
+struct Boundary {
+  std::string name;
+  std::vector<Vec2> points;  ///< m; a segment joins each with the next
+  bool closed = false;       ///< and the last with the first
+  bool present = true;
+  Vec2 velocity;             ///< m/s
+  double spin = 0;           ///< rad/s, counter-clockwise about the centre
+  Vec2 centre;               ///< m; goes with the velocity
+  Vec2 force;                ///< that the grains exert on it, N
+  double torque = 0;         ///< of the grains about the centre, N m
+  bool operator==(const Boundary&) const = default;
+};
+
+/// The mean of points, m.
+Vec2 mean_point(const std::vector<Vec2>& points);
+
 /// What holds the sample: four walls, or periodic sides (then the walls of that direction are absent, and their positions are the edges of the cell).
 struct Domain {
   std::array<Wall, 4> wall;
   bool periodic_x = false, periodic_y = false;
   double tilt = 0;       ///< x-shift of the upper image of a sheared periodic cell (Lees-Edwards), m
   double thickness = 1;  ///< out-of-plane length L of the cylinders, m
+  std::vector<Boundary> boundaries;  ///< beside the walls
 
   double width() const { return wall[right].position - wall[left].position; }
   double height() const { return wall[top].position - wall[bottom].position; }
   double area() const { return width() * height(); }
   /// The nearest periodic image of a vector between two points; the vector itself where nothing is periodic.
   Vec2 nearest_image(Vec2 d) const;
+  /// How many elements the boundaries have: two a point, the point itself and the segment from it to the next, counted through all boundaries. The
+  /// last segment of an open boundary counts, though nothing touches it.
+  int elements() const;
+  /// The boundary that an element belongs to; -1 for a number beyond them.
+  int boundary_of(int element) const;
 };
 
 /// Contacts as a structure of arrays, each physical contact once. A contact joins grain i with grain j, or with a wall: then j = wall_partner(side) <
-/// 0. n points from j to i, t is n turned by +90 degrees, and the force on i is fn n + ft t (fn > 0 pushes apart); the force on j is the opposite.
+/// 0, which goes on behind the four sides with the elements of boundaries, boundary_partner(element). n points from j to i, t is n turned by +90 degrees, and the force on i is fn n + ft t (fn > 0 pushes apart); the force on j is the opposite.
 /// The contact point lies at x_i - arm_i n and, for two grains, at x_j + arm_j n, so the branch vector from j to i is (arm_i + arm_j) n.
 struct Contacts {
   std::vector<std::int32_t> i, j;
@@ -92,7 +116,9 @@ struct Contacts {
 
   std::size_t size() const { return i.size(); }
   bool is_wall(std::size_t c) const { return j[c] < 0; }
-  int wall_side(std::size_t c) const { return -1 - j[c]; }
+  int wall_side(std::size_t c) const { return -1 - j[c]; }  ///< 4 and more: of a boundary
+  bool is_boundary(std::size_t c) const { return j[c] < -4; }
+  int element(std::size_t c) const { return -5 - j[c]; }    ///< of the boundary that the contact joins
   Vec2 normal(std::size_t c) const { return {nx[c], ny[c]}; }
   Vec2 force_on_i(std::size_t c) const { return {fn[c] * nx[c] - ft[c] * ny[c], fn[c] * ny[c] + ft[c] * nx[c]}; }
   /// Adds one contact; overlap and sliding velocity unknown, not glued.
@@ -100,6 +126,7 @@ struct Contacts {
 };
 
 constexpr std::int32_t wall_partner(int side) { return -1 - side; }
+constexpr std::int32_t boundary_partner(int element) { return -5 - element; }
 
 /// Grains in their frame, with the contacts between them where these are known. This is what one stage hands to the next, and what texture, exports
 /// and figures read, whether it was simulated or measured.

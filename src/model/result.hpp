@@ -44,7 +44,7 @@ struct Equilibrium {
   double unbalanced_ratio = 0;  ///< mean resultant force on a grain (forces, weight) over the mean contact force
   double kinetic_ratio = 0;     ///< kinetic over elastic energy; grains with fewer than two pressed contacts left out
   double mobilisation = 0;      ///< mean |F_t|/F_n of contacts with F_n > 0
-  double wall_speed = 0;        ///< fastest wall, m/s
+  double wall_speed = 0;        ///< fastest wall or point of a boundary, m/s
   double falling = 0;           ///< share of grains that weigh, have fewer than two pressed contacts, and whose weight nothing holds
   double loose_kinetic = 0;     ///< kinetic energy of the grains with fewer than two pressed contacts over the elastic energy
 };

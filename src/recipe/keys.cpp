@@ -100,6 +100,7 @@ void declare(Visitor& v, PackingParameters& packing) {
             {"poisson", "two size classes by fast Poisson disk sampling, as [bidisperse] says"}});
   v.when(packing.method == Method::random || packing.method == Method::lattice, "method = \"random\" or \"lattice\"", [&](Visitor& inner) {
     inner.integer({"grains", "Total number of grains, where populations give ratios."}, packing.grains, {0, 100'000'000});
+    declare_fill_area(inner, packing.area);
   });
   v.when(packing.method == Method::random, "method = \"random\"", [&](Visitor& inner) {
     inner.number({"solid_fraction", "Area share of the grains that the random filling aims at; loading compacts it."},
@@ -170,6 +171,7 @@ void declare(ParameterVisitor& v, Recipe& recipe) {
                              [&](Visitor& inner, Region& region) { declare(inner, region, recipe.container); });
   v.require(!recipe.glued || recipe.contact.adheres(), {"glued", "contact"},
             "there is nothing to glue with; set contact.adhesion and contact.surface_energy");
+  declare_boundaries(v, recipe);
   v.list<Stage>({"stages", "Loading, stage after stage; each starts where the one before ended.", true}, recipe.stages,
                 [&](Visitor& inner, Stage& stage) { declare(inner, stage, recipe); });
   declare_second_road(v, recipe);

@@ -126,14 +126,15 @@ void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParamet
   v.require(!stage.gravity || !frame.periodic_y, {"gravity"},
             "grains would fall for ever through periodic sides; set container.periodic_y = false");
   const bool moves = std::any_of(stage.side.begin(), stage.side.end(), [](const SideDrive& drive) { return drive.kind == Kind::velocity; }) ||
-                     std::any_of(stage.slide.begin(), stage.slide.end(), [](double speed) { return speed != 0; }) || stage.shear_rate != 0;
+                     std::any_of(stage.slide.begin(), stage.slide.end(), [](double speed) { return speed != 0; }) || stage.shear_rate != 0 ||
+                     std::any_of(stage.boundaries.begin(), stage.boundaries.end(), [](const auto& b) { return b.velocity != Vec2{} || b.spin != 0; });
   v.require(stage.shear_rate == 0 || (frame.periodic_x && frame.periodic_y), {"shear_rate"},
             "only a cell that is periodic both ways is sheared so; set container.periodic_x and periodic_y, or let a wall slide");
   for (std::size_t side = 0; side < 4; ++side)
     v.require((stage.slide[side] == 0 && !stage.rough[side]) || !(side < bottom ? frame.periodic_x : frame.periodic_y), {"slide", "rough"},
               fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
-  v.require(!moves || stage.duration, {"duration", "left", "right", "bottom", "top"},
-            "a stage with a moving side never reaches equilibrium; give it a duration, for example duration = \"1 s\"");
+  v.require(!moves || stage.duration, {"duration", "left", "right", "bottom", "top", "boundaries"},
+            "a stage with a moving side or boundary never reaches equilibrium; give it a duration, for example duration = \"1 s\"");
   if (!stage.cycles || stage.cycles->side.empty()) return;  // empty: no section at all, which the reader reports
   const auto side = std::find(side_names.begin(), side_names.end(), stage.cycles->side) - side_names.begin();
   v.require(stage.side[static_cast<std::size_t>(side)].kind == Kind::force, {"cycles", side_names[static_cast<std::size_t>(side)]},
@@ -175,6 +176,7 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
               {"pressure", "kPa", "presses on the sample, acting in full at once; of two periodic edges one presses and one is fixed", range::not_negative}});
     drive.kind = static_cast<SideDrive::Kind>(form);
   }
+  declare_openings(v, stage, recipe);
   v.integer({"increments", "Equal steps in which forces are reached, each ending in equilibrium."}, stage.increments, {1, 1'000'000});
   v.number({"duration", "Time after which the stage ends, whether in equilibrium or not; needed where a side moves."},
            stage.duration, "s", range::positive);

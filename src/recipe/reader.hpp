@@ -48,6 +48,7 @@ class RecipeReader : public ParameterVisitor {
   void file(const Key& key, std::string& value) override;
   void numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) override;
   void pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) override;
+  void points(const Key& key, std::vector<Vec2>& values, std::string_view unit) override;
   void choice(const Key& key, int& index, const std::vector<Word>& words) override;
   void tagged(const Key& key, int& form, double& value, const std::vector<Form>& forms) override;
   void section(const Key& key, bool& present, const Visit& inside) override;

@@ -161,6 +161,25 @@ void RecipeReader::pairs(const Key& key, std::vector<std::pair<std::int32_t, std
   }
 }
 
+void RecipeReader::points(const Key& key, std::vector<Vec2>& values, std::string_view unit) {
+  const std::string example = fmt::format("[[\"0 {0}\", \"0 {0}\"], [\"1 {0}\", \"2 {0}\"]]", unit);
+  const Node* node = take(key, fmt::format("{} = {}", key.name, example));
+  if (!node) return;
+  if (node->kind != Node::Kind::array) return refuse(key, *node, fmt::format("is {}, but must be a list of points", kind_name(*node)));
+  values.clear();
+  for (std::size_t i = 0; i < node->items.size(); ++i) {
+    const Node& item = node->items[i];
+    const std::string path = fmt::format("{}.{}", path_of(key.name), i);
+    if (item.kind != Node::Kind::array || item.items.size() != 2) {
+      refuse(key, item, fmt::format("each point must be two numbers, x and y, such as {}", example));
+      continue;
+    }
+    const auto x = read_number(item.items[0], path + ".0", unit, range::any), y = read_number(item.items[1], path + ".1", unit, range::any);
+    if (x && y) values.push_back({*x, *y});
+    else failed_.emplace(key.name);
+  }
+}
+
 void RecipeReader::choice(const Key& key, int& index, const std::vector<Word>& words) {
   std::vector<std::string> names;
   for (const auto& word : words) names.emplace_back(word.word);

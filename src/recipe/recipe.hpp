@@ -32,11 +32,18 @@ struct ContainerParameters {
   bool operator==(const ContainerParameters&) const = default;
 };
 
+/// The part of the container that is filled, m; unset: up to its side.
+struct FillArea {
+  std::optional<double> left, right, bottom, top;
+  bool operator==(const FillArea&) const = default;
+};
+
 struct PackingParameters {
   enum class Method { random, lattice, file, poisson };
   Method method = Method::random;
   std::int64_t grains = 0;             ///< total, where populations give ratios
   std::string file;                    ///< CSV of centres, radii, materials
+  std::optional<FillArea> area;
   double solid_fraction = 0.78;        ///< of the random filling; loading stages compact it further
   bool operator==(const PackingParameters&) const = default;
 };
@@ -120,6 +127,7 @@ struct Recipe {
   dem::ContactParameters contact;
   dem::IntegrationParameters integration;
   std::optional<Region> glued;
+  std::vector<Boundary> boundaries;    ///< name, points and closed; the rest is the stages' to say
   std::vector<Stage> stages;
   std::optional<BidisperseSection> bidisperse;
   std::optional<CementSection> cement;

@@ -28,9 +28,18 @@ std::string inline_form(const RecordTable& table) {
   return fmt::format("{{ {} }}", fmt::join(items, ", "));
 }
 
+/// [{ a = 1 }, { a = 2 }] of a list within a section; empty for a list without elements.
+std::string inline_list(const std::vector<RecordTable>& tables) {
+  std::vector<std::string> items;
+  for (const auto& table : tables) items.push_back(inline_table(table));
+  return items.empty() ? std::string() : fmt::format("[{}]", fmt::join(items, ", "));
+}
+
 void write_table(std::string& text, const RecordTable& table) {
   for (const auto& record : table) {
-    if (record.kind == Record::Kind::section) {
+    if (record.kind == Record::Kind::sections) {
+      if (!record.tables.empty()) text += fmt::format("{} = {}\n", record.name, inline_list(record.tables));
+    } else if (record.kind == Record::Kind::section) {
       if (record.present) text += fmt::format("{} = {}\n", record.name, inline_table(record.tables.front()));
     } else if (record.literal) {
       text += fmt::format("{} = {}\n", record.name, *record.literal);
@@ -84,6 +93,14 @@ void write_commented_table(std::string& text, const RecordTable& table, const Re
       const RecordTable differences = changed(record.tables.front(), standard.tables.front());
       const bool set = active && record.present && !differences.empty();
       const std::string value = set ? inline_table(differences) : inline_form(record.tables.front());
+      if (set || explain) write_line(text, set, fmt::format("{} = {}", record.name, value), comment);
+      continue;
+    }
+    if (record.kind == Record::Kind::sections) {
+      std::vector<RecordTable> differences;
+      for (const auto& inner : record.tables) differences.push_back(changed(inner, standard.tables.front()));
+      const bool set = active && !differences.empty();
+      const std::string value = set ? inline_list(differences) : fmt::format("[{}]", inline_form(standard.tables.front()));
       if (set || explain) write_line(text, set, fmt::format("{} = {}", record.name, value), comment);
       continue;
     }

@@ -60,7 +60,7 @@ class Recorder : public ParameterVisitor {
   void file(const Key& key, std::string& value) override { text(key, value); }
   void numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) override {
     Record& record = add(key, fmt::format("[{}]", number_form(unit)));
-    record.allowed = fmt::format("each {}", to_string(range, unit));
+    if (const std::string each = to_string(range, unit); !each.empty()) record.allowed = "each " + each;
     std::vector<std::string> items;
     for (const double value : values) items.push_back(number_literal(value, unit));
     if (!values.empty()) record.literal = fmt::format("[{}]", fmt::join(items, ", "));
@@ -69,6 +69,12 @@ class Recorder : public ParameterVisitor {
     Record& record = add(key, "[[0, 1], ...]");
     std::vector<std::string> items;
     for (const auto& [i, j] : values) items.push_back(fmt::format("[{}, {}]", i, j));
+    if (!values.empty()) record.literal = fmt::format("[{}]", fmt::join(items, ", "));
+  }
+  void points(const Key& key, std::vector<Vec2>& values, std::string_view unit) override {
+    Record& record = add(key, fmt::format("[[{0}, {0}], ...]", number_form(unit)));
+    std::vector<std::string> items;
+    for (const Vec2& point : values) items.push_back(fmt::format("[{}, {}]", number_literal(point.x, unit), number_literal(point.y, unit)));
     if (!values.empty()) record.literal = fmt::format("[{}]", fmt::join(items, ", "));
   }
   void choice(const Key& key, int& index, const std::vector<Word>& words) override {

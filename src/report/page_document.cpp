@@ -55,11 +55,24 @@ Numbers contacts_of(const Packing& packing, NumberBlock& block) {
   return out;
 }
 
-Numbers domain_of(const Domain& domain) {
+Numbers boundaries_of(const Domain& domain, NumberBlock& block) {
+  Numbers list = Numbers::list();
+  for (const Boundary& boundary : domain.boundaries) {
+    std::vector<double> x, y;
+    for (const Vec2& p : boundary.points) x.push_back(p.x), y.push_back(p.y);
+    list.push_back({{"name", boundary.name}, {"closed", boundary.closed}, {"present", boundary.present}, {"x", block.add_reals(x)}, {"y", block.add_reals(y)},
+                    {"force", {boundary.force.x, boundary.force.y}}, {"torque", boundary.torque}});
+  }
+  return list;
+}
+
+Numbers domain_of(const Domain& domain, NumberBlock& block) {
   Numbers walls = Numbers::list();
   for (const Wall& wall : domain.wall)
     walls.push_back({{"present", wall.present}, {"position", wall.position}, {"force", wall.force}, {"shear", wall.shear_force}});
-  return {{"walls", walls}, {"periodic", {domain.periodic_x, domain.periodic_y}}, {"tilt", domain.tilt}, {"thickness", domain.thickness}};
+  Numbers out{{"walls", walls}, {"periodic", {domain.periodic_x, domain.periodic_y}}, {"tilt", domain.tilt}, {"thickness", domain.thickness}};
+  if (!domain.boundaries.empty()) out["boundaries"] = boundaries_of(domain, block);
+  return out;
 }
 
 /// The statistics as texture writes them; the rows by grain go into the block.
@@ -78,7 +91,7 @@ Numbers texture_of(const texture::Texture& texture, NumberBlock& block) {
 Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* texture, NumberBlock& block) {
   const Grains& grains = frame.packing.grains;
   const Equilibrium& rest = frame.equilibrium;
-  Numbers out{{"stage", stage}, {"label", frame.label}, {"time", frame.time}, {"step", frame.step}, {"domain", domain_of(frame.packing.domain)},
+  Numbers out{{"stage", stage}, {"label", frame.label}, {"time", frame.time}, {"step", frame.step}, {"domain", domain_of(frame.packing.domain, block)},
               {"x", block.add_reals(grains.x)}, {"y", block.add_reals(grains.y)}, {"angle", block.add_reals(grains.angle)},
               {"pressure", block.add_reals(grain_pressures(frame.packing))}, {"contacts", contacts_of(frame.packing, block)},
               {"equilibrium", {{"unbalanced_ratio", rest.unbalanced_ratio}, {"kinetic_ratio", rest.kinetic_ratio}, {"loose_kinetic_ratio", rest.loose_kinetic},

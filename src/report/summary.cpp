@@ -33,14 +33,24 @@ Numbers walls(const Domain& domain) {
   return j;
 }
 
+Numbers boundaries(const Domain& domain) {
+  Numbers j = Numbers::tree();
+  for (const Boundary& b : domain.boundaries)
+    j[b.name] = {{"present", b.present}, {"centre_m", {b.centre.x, b.centre.y}}, {"velocity_m_s", {b.velocity.x, b.velocity.y}}, {"spin_rad_s", b.spin},
+                 {"force_N", {b.force.x, b.force.y}}, {"torque_N_m", b.torque}};
+  return j;
+}
+
 Numbers state(const Frame& frame) {
   const Equilibrium& q = frame.equilibrium;
   Numbers energies = Numbers::tree();
   for (const EnergyTerm& term : energy_terms) energies[term.name] = frame.energies.*term.value;
-  return {{"label", frame.label}, {"time_s", frame.time}, {"step", frame.step}, {"walls", walls(frame.packing.domain)},
+  Numbers j{{"label", frame.label}, {"time_s", frame.time}, {"step", frame.step}, {"walls", walls(frame.packing.domain)},
           {"equilibrium", {{"unbalanced_ratio", q.unbalanced_ratio}, {"kinetic_ratio", q.kinetic_ratio},
                            {"loose_kinetic_ratio", q.loose_kinetic}, {"falling", q.falling}, {"mobilisation", q.mobilisation}, {"wall_speed_m_s", q.wall_speed}}},
           {"energies_J", energies}};
+  if (!frame.packing.domain.boundaries.empty()) j["boundaries"] = boundaries(frame.packing.domain);
+  return j;
 }
 
 void describe_state(TextLines& lines, const Frame& frame) {
@@ -50,6 +60,8 @@ void describe_state(TextLines& lines, const Frame& frame) {
     if (d.wall[side].present)
       lines.add(fmt::format("{} wall", side_names[side]), fmt::format("at {:.6g} m, force {:.5g} N, along it {:.5g} N", d.wall[side].position,
                                                                       d.wall[side].force, d.wall[side].shear_force));
+  for (const Boundary& b : d.boundaries)
+    if (b.present) lines.add(b.name, fmt::format("force {:.5g} N and {:.5g} N along x and y, torque {:.5g} N m", b.force.x, b.force.y, b.torque));
   if (d.periodic_x || d.periodic_y)
     lines.add("periodic cell", fmt::format("{:.6g} m x {:.6g} m, tilt {:.6g} m", d.width(), d.height(), d.tilt));
   lines.add("unbalanced force ratio", fmt::format("{:.2e}", frame.equilibrium.unbalanced_ratio));

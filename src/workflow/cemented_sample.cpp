@@ -99,6 +99,10 @@ CroppedPacking crop(const Packing& packing, const Cement& cement, const std::vec
   result.packing.materials = packing.materials;
   result.packing.domain = packing.domain;
   for (int side = 0; side < 4; ++side) result.packing.domain.wall[static_cast<std::size_t>(side)].position -= side < 2 ? corner.x : corner.y;
+  for (Boundary& boundary : result.packing.domain.boundaries) {
+    for (Vec2& p : boundary.points) p -= corner;
+    boundary.centre -= corner;
+  }
   result.packing.grains = picked(packing.grains, numbering.kept(), corner);
   result.packing.contacts = take(packing.contacts, numbering);
   result.cement.full = cement.full;
@@ -117,7 +121,13 @@ Packing transposed(const Packing& packing) {
   std::swap(other.contacts.nx, other.contacts.ny);
   for (double& ft : other.contacts.ft) ft = -ft;  // t is n turned counter-clockwise, which a mirror image is not
   for (std::int32_t& j : other.contacts.j)
-    if (j < 0) j = wall_partner((-1 - j) ^ 2);
+    if (j < 0 && j >= wall_partner(top)) j = wall_partner((-1 - j) ^ 2);
+  for (Boundary& boundary : other.domain.boundaries) {
+    for (Vec2& p : boundary.points) std::swap(p.x, p.y);
+    for (Vec2* v : {&boundary.velocity, &boundary.centre, &boundary.force}) std::swap(v->x, v->y);
+    boundary.spin = -boundary.spin;
+    boundary.torque = -boundary.torque;
+  }
   std::swap(other.domain.wall[left], other.domain.wall[bottom]);
   std::swap(other.domain.wall[right], other.domain.wall[top]);
   std::swap(other.domain.periodic_x, other.domain.periodic_y);

@@ -15,7 +15,8 @@ namespace {
 
 using Method = recipe::PackingParameters::Method;
 
-Domain frame_of(const recipe::ContainerParameters& frame) {
+Domain frame_of(const recipe::Recipe& recipe) {
+  const recipe::ContainerParameters& frame = recipe.container;
   Domain domain;
   domain.thickness = frame.thickness;
   domain.periodic_x = frame.periodic_x;
@@ -23,7 +24,18 @@ Domain frame_of(const recipe::ContainerParameters& frame) {
   for (int side = 0; side < 4; ++side) domain.wall[side].present = !(side < 2 ? frame.periodic_x : frame.periodic_y);
   domain.wall[right].position = frame.width;
   domain.wall[top].position = frame.height;
+  domain.boundaries = recipe.boundaries;
+  for (Boundary& boundary : domain.boundaries) boundary.centre = mean_point(boundary.points);
   return domain;
+}
+
+/// The part of a frame that is filled; the frame itself unless a recipe names one.
+Domain area_of(const Domain& frame, const std::optional<recipe::FillArea>& area) {
+  Domain part = frame;
+  if (!area) return part;
+  const std::optional<double> edges[] = {area->left, area->right, area->bottom, area->top};
+  for (int side = 0; side < 4; ++side) part.wall[side].position = edges[side].value_or(frame.wall[side].position);
+  return part;
 }
 
 std::string describe(const packing::RelaxReport& report) {
@@ -34,23 +46,25 @@ std::string describe(const packing::RelaxReport& report) {
 std::string fill(const recipe::Recipe& recipe, Packing& packing) {
   auto& grains = packing.grains;
   packing.grains = packing::draw_grains(recipe.populations, recipe.materials, recipe.packing.grains, recipe.seed);
-  packing.domain = frame_of(recipe.container);
+  packing.domain = frame_of(recipe);
   double& height = packing.domain.wall[top].position;
   const bool height_given = recipe.container.height > 0;
   if (recipe.packing.method == Method::random) {
     if (!height_given) height = packing::height_for(grains, recipe.container.width, recipe.packing.solid_fraction);
-    return "random filling, " + describe(packing::fill_at_random(grains, packing.domain, recipe.seed));
+    const Domain part = area_of(packing.domain, recipe.packing.area);
+    return "random filling, " + describe(packing::fill_at_random(grains, part, recipe.seed));
   }
-  const double filled = packing::fill_lattice(grains, packing.domain);
+  const Domain part = area_of(packing.domain, recipe.packing.area);
+  const double filled = packing::fill_lattice(grains, part), room = part.height();
   if (!height_given) height = filled;
-  if (filled > height * (1 + 1e-12))
-    throw InputError(fmt::format("the lattice is {:g} mm high and the container only {:g} mm; raise container.height or leave it out", 1e3 * filled, 1e3 * height));
+  else if (filled > room * (1 + 1e-12))
+    throw InputError(fmt::format("the lattice is {:g} mm high and the container only {:g} mm; raise container.height or leave it out", 1e3 * filled, 1e3 * room));
   return "triangular lattice";
 }
 
 std::string read(const recipe::Recipe& recipe, Packing& packing) {
   const auto path = std::filesystem::path(recipe.source_file).parent_path() / recipe.packing.file;
-  packing.domain = frame_of(recipe.container);
+  packing.domain = frame_of(recipe);
   packing.grains = io::read_placed_grains(path, recipe.materials, packing.domain);
   const auto report = packing::relax(packing.grains, packing.domain, 1e-3);
   return fmt::format("read from file with overlaps up to {:.2g} %, {}", 100 * report.overlap_before, describe(report));
@@ -59,7 +73,7 @@ std::string read(const recipe::Recipe& recipe, Packing& packing) {
 /// The classes get the materials that [bidisperse] names for them.
 std::string sample(const recipe::Recipe& recipe, Packing& packing) {
   const recipe::BidisperseSection& classes = *recipe.bidisperse;
-  packing.domain = frame_of(recipe.container);
+  packing.domain = frame_of(recipe);
   const auto report = packing::sample_bidisperse(packing, classes.law, recipe.seed);
   const std::size_t material[] = {index_of(recipe.materials, classes.large), index_of(recipe.materials, classes.small)};
   for (auto& m : packing.grains.material) m = static_cast<std::int32_t>(material[m]);

@@ -43,6 +43,18 @@ void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::St
   run.result = checkpoint.partial;
 }
 
+/// Where a stage stands, from what it and its sample say.
+void look_at(const dem::Engine& engine, const dem::Stage& stage, const dem::StageRun& run, Progress& progress) {
+  progress.share = dem::share_done(stage, run);
+  if (stage.duration && !run.finished)  // finer than by the states that are stored
+    progress.share = std::max(progress.share, std::min(0.999, static_cast<double>(run.steps_in_increment) * engine.time_step() / *stage.duration));
+  progress.increment = std::min(run.increment + 1, progress.increments);
+  progress.unbalanced_ratio = run.latest.unbalanced_ratio;
+  progress.step = engine.step();
+  progress.time = engine.time();
+  progress.wall = engine.domain().wall;
+}
+
 /// Runs one stage to its end, or until asked to stop (then nothing is returned, and the checkpoint is on disk).
 std::optional<StageResult> load(dem::Engine& engine, const dem::Stage& stage, const std::string& key, const fs::path& checkpoint_file,
                                 const RunOptions& options, Progress progress) {
@@ -50,12 +62,11 @@ std::optional<StageResult> load(dem::Engine& engine, const dem::Stage& stage, co
   dem::StageRun run = dem::begin_stage(engine, stage);
   const auto checkpoint = unless_damaged(checkpoint_file, options, "the stage begins anew", [&] { return io::read_checkpoint(checkpoint_file, key); });
   if (checkpoint && *checkpoint) restore_from(**checkpoint, engine, run);
+  progress.increments = stage.duration ? 0 : static_cast<std::int64_t>(dem::increments_of(stage, run.force_at_start).size());
   auto saved = clock::now();
   while (!run.finished) {
     dem::continue_stage(engine, stage, run);
-    progress.share = dem::share_done(stage, run);
-    progress.unbalanced_ratio = run.latest.unbalanced_ratio;
-    progress.step = engine.step();
+    look_at(engine, stage, run, progress);
     options.progress(progress);
     const bool stop = options.asked_to_stop();
     if (!run.finished && (stop || std::chrono::duration<double>(clock::now() - saved).count() >= options.checkpoint_seconds)) {
@@ -151,6 +162,7 @@ class Run {
   void begin(std::size_t s) {
     progress_.stage = s;
     progress_.name = plan_[s].name;
+    progress_.key = plan_[s].hash;
     progress_.reused = false;
     progress_.field = plan_[s].field;
     if (!plan_[s].field) return;

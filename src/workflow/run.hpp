@@ -1,10 +1,13 @@
 #pragma once
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "model/packing.hpp"
 #include "model/result.hpp"
 #include "recipe/recipe.hpp"
 #include "grains/texture/texture.hpp"
@@ -20,6 +23,10 @@ struct Progress {
   std::int64_t step = 0;
   bool reused = false;                ///< the stage's file was there already
   bool field = false;                 ///< `step` counts iterations and `unbalanced_ratio` is a residual
+  std::string key{};                  ///< hash of the stage, which its checkpoint carries
+  std::int64_t increment = 0, increments = 0;  ///< the one under way, from 1; 0 where the stage has none
+  double time = 0;                    ///< of the sample, s
+  std::array<Wall, 4> wall{};         ///< now; none is present where `time` is none
 };
 
 class Store;

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <fstream>
@@ -88,6 +89,32 @@ TEST(Check, QuietPrintsWhatIsWrongAlone) {
   EXPECT_EQ(right.out + right.err, "");
   EXPECT_EQ(wrong.status, 2);
   EXPECT_EQ(lines_of(wrong.err), 1) << wrong.err;
+}
+
+TEST(Check, PredictsTheRunOnStderrAndAsNumbers) {
+  const TemporaryFolder folder;
+  const auto recipe = (folder / "a.toml").string();
+  ASSERT_EQ(arenite("init composite " + recipe).status, 0);
+  const auto text = arenite("check " + recipe);
+  EXPECT_EQ(text.status, 0);
+  for (const char* part : {"time step ", "prepare ", "load ", "in all ", "mind: stage load: grains overlap"}) EXPECT_TRUE(contains(text.err, part)) << part;
+  const auto json = nlohmann::json::parse(arenite("check --json " + recipe).out);
+  EXPECT_EQ(json["grains"], 705);
+  EXPECT_GT(json["time_step_s"], 0);
+  EXPECT_LE(json["time_step_s"], json["largest_stable_step_s"]);
+  ASSERT_EQ(json["stages"].size(), 2u);
+  EXPECT_EQ(json["stages"][1]["exact"], false);
+  EXPECT_NEAR(json["stages"][1]["pressure_Pa"].get<double>(), 50e3 / (0.35 * 0.06), 1);
+  EXPECT_TRUE(contains(json["recipe"], "restitution = 0.5\n"));
+}
+
+TEST(Check, OfASampleThatCannotBeMadeIsNoRefusal) {
+  const TemporaryFolder folder;
+  const auto recipe = (folder / "a.toml").string();
+  ASSERT_EQ(arenite("init composite " + recipe).status, 0);
+  const auto checked = arenite("check " + recipe + " --set 'container.height=\"10 mm\"'");
+  EXPECT_EQ(checked.status, 0) << checked.err;
+  EXPECT_TRUE(contains(checked.err, "mind: `arenite run` will refuse this: ")) << checked.err;
 }
 
 TEST(Init, StudyRunsAsItIs) {

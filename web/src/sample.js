@@ -36,6 +36,7 @@ export class Sample {
     const about = this.about.frames[k];
     const frame = { ...about, index: k };
     for (const name of ["x", "y", "angle", "pressure"]) frame[name] = this.#array(about[name]);
+    frame.boundaries = (about.domain.boundaries ?? []).map((boundary) => ({ ...boundary, x: this.#array(boundary.x), y: this.#array(boundary.y) }));
     frame.contacts = {};
     for (const [name, reference] of Object.entries(about.contacts)) frame.contacts[name] = this.#array(reference);
     frame.contacts.type = this.#typesOf(frame.contacts);

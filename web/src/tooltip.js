@@ -1,4 +1,5 @@
 import { h, rich } from "./dom.js";
+import { boundaryElement } from "./packing/chains.js";
 import { materialColour, pairColour } from "./theme.js";
 import { text } from "./text.js";
 
@@ -42,11 +43,15 @@ function grainNumbers(g, sample, frame, theme) {
   return { title: `Grain ${sample.id[g]}, ${sample.name(g)}`, colour: materialColour(theme, sample.material[g]), rows };
 }
 
+/** A wall, or behind the four of them a boundary by the number of its element. */
+function sideName(frame, side) {
+  return side > 3 ? boundaryElement(frame, side - 4).boundary.name : `${["left", "right", "bottom", "top"][side]} wall`;
+}
+
 function contactNumbers(c, sample, frame, theme) {
   const { i, j, fn, ft, type, glued } = frame.contacts;
   const kind = sample.types[type[c]];
-  const sides = ["left", "right", "bottom", "top"];
-  const partner = kind.wall ? `${sides[j[c] - sample.count]} wall` : String(sample.id[j[c]]);
+  const partner = kind.wall ? sideName(frame, j[c] - sample.count) : String(sample.id[j[c]]);
   const rows = [
     ["F_{n}", text.quantity(fn[c], "N")],
     ["F_{t}", text.quantity(ft[c], "N")],

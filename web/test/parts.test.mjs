@@ -5,7 +5,7 @@ import { named, tables } from "../src/field/numbers.js";
 import { histogram, makeScale } from "../src/field/scale.js";
 import { wrapped } from "../src/film/maps.js";
 import { quantityWithError } from "../src/film/tooltip.js";
-import { chainWidth, segmentsOf } from "../src/packing/chains.js";
+import { boundaryElement, chainWidth, segmentsOf } from "../src/packing/chains.js";
 import { Camera } from "../src/camera.js";
 import { State } from "../src/state.js";
 import { prefixOf, text } from "../src/text.js";
@@ -112,6 +112,24 @@ test("without periodic sides a chain goes from centre to centre", () => {
 test("a chain to a wall is level and its round end touches the wall", () => {
   const { sample, frame } = cell(false);
   near(segmentsOf(sample, frame, 1)[0], [0.95, 0.5, 1 - chainWidth(sample, frame, 2) / 2, 0.5]);
+});
+
+test("a chain to a boundary ends where the grain touches it", () => {
+  const { sample, frame } = cell(false);
+  frame.boundaries = [
+    { name: "gate", closed: false, x: [0, 1], y: [0, 0] },
+    { name: "drum", closed: true, x: [0, 1, 1], y: [0.6, 0.6, 2] },
+  ];
+  const ends = (element, at) => {
+    frame.contacts.j[1] = 2 + 4 + element;
+    near(segmentsOf(sample, frame, 1)[0], [0.95, 0.5, ...at]);
+  };
+  ends(1, [0.95, 0]);
+  ends(2, [1, 0]);
+  ends(4 + 1, [0.95, 0.6]);
+  ends(4 + 4, [1, 2]);
+  ends(4 + 5, [0.95 + (1.4 * (1.4 * 0.95 - 0.5 + 0.6) * -1) / (1 + 1.4 * 1.4), 0.5 + (1.4 * 0.95 - 0.5 + 0.6) / (1 + 1.4 * 1.4)]);
+  assert.equal(boundaryElement(frame, 4 + 5).boundary.name, "drum");
 });
 
 test("the width of a chain is proportional to its force", () => {

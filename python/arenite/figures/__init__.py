@@ -12,6 +12,7 @@ from .fields import draw_cracks, draw_field, draw_phases
 from .film_forces import draw_against_twin, draw_certainty, draw_ranked_forces, draw_ranked_stresses
 from .films import draw_bad_pixels, draw_film_grains, draw_map, draw_phase, draw_twin_grains
 from .histories import draw_energies, draw_rest, draw_travel, draw_wall_forces
+from .loadings import draw_against_rate, draw_cycles, draw_friction, draw_pressure, draw_volume
 from .packings import draw_forces, draw_packing
 from .parts import State
 from .saving import Figure, save

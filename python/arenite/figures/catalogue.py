@@ -3,7 +3,7 @@
 import pathlib
 
 from .._core import open as open_result
-from . import densities, failure, fields, film_forces, films, histories, packings, panels, studies, textures
+from . import densities, failure, fields, film_forces, films, histories, loadings, packings, panels, studies, textures
 from .parts import parts_of, same_map
 from .saving import Canvas, Figure, listed, save
 from .style import sigma_norm
@@ -108,6 +108,8 @@ figures = [
     Figure("wall-forces", "stage", one(histories.draw_wall_forces, lambda s: s.history), has_time(*(f"{side}_force" for side in histories.sides))),
     Figure("travel", "stage", travel, lambda s: histories.moving_wall(s.history) is not None),
     Figure("energies", "stage", one(histories.draw_energies, lambda s: s.history), has_time("elastic")),
+    Figure("stress-strain", "stage", loadings.stress_strain, loadings.has_test, 1.1),
+    Figure("cycles", "stage", loadings.cycles, loadings.has_cycles),
     Figure("rest", "stage", one(histories.draw_rest, lambda s: s.history), has_time("unbalanced_ratio")),
     Figure("phases", "field", one(fields.draw_phases, lambda f: f), height=of_field, of_map=True),
     Figure("cavities", "field", one(densities.draw_cavities, lambda f: f.numbers), lambda f: densities.has_cavities(f.numbers), of_map=True),
@@ -147,9 +149,12 @@ def figures_of(result, stage=None, state=None):
 
 
 def study_figures(path):
-    """(figure, part) of all that the page of a study shows and can be drawn yet."""
-    return [(Figure(part["id"], "study", studies.draw_study_figure, height=studies.height_of(part)), part)
-            for part in studies.study_document(path)["figures"] if studies.has_content(part)]
+    """(figure, part) of all that the page of a study shows and can be drawn yet, and `rheology` where its runs are strained at a rate,
+    with or without a page."""
+    runs = loadings.driven_runs(path)
+    parts = studies.study_document(path)["figures"] if studies.has_page(path) or not runs else []
+    found = [(Figure(part["id"], "study", studies.draw_study_figure, height=studies.height_of(part)), part) for part in parts if studies.has_content(part)]
+    return found + [(Figure("rheology", "study", loadings.rheology, height=0.42, wide=True), runs)] * bool(runs)
 
 
 def save_all(result, folder, formats=("pdf",), names=None, width=None, stage=None, state=None):

@@ -17,10 +17,19 @@ _document = re.compile(r'<script type="application/json" id="figures">(.*?)</scr
 stress_map, most_stress, most_stress_of_nodes = "magma_r", 3, 2
 
 
+def page_of(path):
+    path = pathlib.Path(path)
+    return path / "study.html" if path.is_dir() else path
+
+
+def has_page(path):
+    """Whether the figures of a study have been put on a page."""
+    return page_of(path).is_file() and bool(_document.search(page_of(path).read_text(encoding="utf-8")))
+
+
 def study_document(path):
     """What the page of a study shows, as a dict: `title` and `figures`; `path` is the page or the study's folder."""
-    path = pathlib.Path(path)
-    page = path / "study.html" if path.is_dir() else path
+    page = page_of(path)
     found = _document.search(page.read_text(encoding="utf-8")) if page.is_file() else None
     if not found:
         raise ValueError(f"{page}: there is no page of this study yet; `arenite study page RECIPE --out {page.parent}` makes it")
@@ -41,7 +50,7 @@ def is_study(path):
 
 def not_drawn(path):
     """{name: why} of the figures of a study that cannot be drawn yet, or not whole."""
-    return {figure["id"]: figure["missing"] for figure in study_document(path)["figures"] if "missing" in figure} if is_study(path) else {}
+    return {figure["id"]: figure["missing"] for figure in study_document(path)["figures"] if "missing" in figure} if is_study(path) and has_page(path) else {}
 
 
 def label(text):

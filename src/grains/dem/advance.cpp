@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "grains/dem/boundaries.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/neighbours.hpp"
@@ -91,6 +92,7 @@ void sum_wall_forces(Sample& s) {
     if (wall.present) wall.force = wall.shear_force = 0;
   for (std::size_t p = list.pairs; p < list.size(); ++p) {
     const int side = -1 - list.j[p];
+    if (side > top) continue;
     Wall& wall = s.domain.wall[static_cast<std::size_t>(side)];
     const Vec2 n = inward_normal(side);
     wall.force += list.force[p].fx * n.x + list.force[p].fy * n.y;
@@ -109,12 +111,14 @@ void sum_wall_forces(Sample& s) {
 }  // namespace
 
 void compute_forces(Sample& s, const Team& team) {
+  hand_over_memories(s);
   s.laws.visit([&](const auto& normal, const auto& adhesion, const auto& friction) {
     if (!s.live_bonds.empty()) end_open_bonds(s, friction);
     evaluate(s, team, normal, adhesion, friction);
   });
   add_rolling_moments(s, team);
   sum_wall_forces(s);
+  sum_boundary_forces(s);
 }
 
 namespace {

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "grains/dem/boundaries.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "geometry/cell_grid.hpp"
 
@@ -114,8 +115,16 @@ void list_pairs(Sample& s, const Team& team) {
   });
 }
 
+/// Slots of walls and boundaries.
 void list_walls(Sample& s) {
   ContactList& list = s.list;
+  const NearElements elements(s);
+  std::vector<std::int32_t> near;
+  const auto add = [&](std::size_t k, std::int32_t j) {
+    const auto& d = s.record[k];
+    list.resize(list.size() + 1);
+    fill_slot(list, list.size() - 1, k, j, -1, s.coefficients.wall(d.material, d.mass));
+  };
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];
     const int held_by = wall_that_holds(s, d.grain);
@@ -124,11 +133,10 @@ void list_walls(Sample& s) {
       if (!wall.present || side == held_by) continue;
       const double place = side < bottom ? d.x : d.y;
       const double distance = (side % 2 == 0) ? place - wall.position : wall.position - place;
-      if (distance < d.radius + s.skin) {
-        list.resize(list.size() + 1);
-        fill_slot(list, list.size() - 1, k, wall_partner(side), -1, s.coefficients.wall(d.material, d.mass));
-      }
+      if (distance < d.radius + s.skin) add(k, wall_partner(side));
     }
+    elements.find(d, near);
+    for (const std::int32_t e : near) add(k, boundary_partner(e));
   }
 }
 

@@ -44,9 +44,6 @@ Engine::~Engine() = default;
 Engine::Engine(Engine&&) noexcept = default;
 Engine& Engine::operator=(Engine&&) noexcept = default;
 
-namespace {
-
-/// Brings the integrated velocities (and Gear's places) to the present, so that a change of load acts from now on.
 void synchronise(Sample& s) {
   s.ledger.open = false;
   if (s.lag == 0 && !s.settled) return;
@@ -71,6 +68,8 @@ void synchronise(Sample& s) {
   s.lag = 0;
   s.settled = false;
 }
+
+namespace {
 
 double servo_energy(const Sample& s) {
   double sum = 0;

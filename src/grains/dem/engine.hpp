@@ -19,6 +19,12 @@ struct StepBounds {
   double largest() const { return stiffness < damping ? stiffness : damping; }
 };
 
+/// How many grains, and what they weigh by density, radius and thickness, kg.
+struct Amount {
+  std::size_t grains = 0;
+  double mass = 0;
+};
+
 /// The kernel that `asked` means on this machine ("auto": the widest it has). All kernels give the same bits. InputError for one that is unknown or
 /// that the processor lacks.
 std::string kernel_name(const std::string& asked);
@@ -45,6 +51,10 @@ class Engine {
   void set_shear_rate(double rate);
   /// Walls, by side, that hold the grains nearer than half their radius; those of walls that are not named are let go.
   void set_rough(const std::array<bool, 4>& rough);
+  /// Walls, by side, that are taken away; one comes back only where no grain lies beyond it (InputError).
+  void set_open(const std::array<bool, 4>& open);
+  /// How the boundaries of the domain move from now on, one for each.
+  void set_boundaries(const std::vector<BoundaryDrive>& drives);
   void set_glue(bool on);                      ///< adhesion acts; for bonds that break for good: pairs that touch now are bonded
 
   void advance(std::int64_t steps);
@@ -64,6 +74,7 @@ class Engine {
   double shear_strain() const;                 ///< by set_shear_rate so far
   const Domain& domain() const;                ///< wall positions, velocities and forces now
   Packing packing() const;                     ///< grains and contacts now, in the caller's order; contacts sorted by (i, j)
+  Amount below(double height) const;           ///< grains whose centre is below this, m
   Energies energies() const;                   ///< dissipation and work only if track_energy
   Equilibrium equilibrium() const;
   std::uint64_t state_hash() const;            ///< of every bit that decides the future

@@ -51,10 +51,15 @@ inline Kinematics wall_kinematics(const DiskRecord& a, const Wall& wall, double 
   return c;
 }
 
+/// A disk and an element of a boundary. A segment is touched where the centre's foot on its line lies strictly within it, an end point where the centre
+/// lies beyond the segments that meet there: of a corner that juts out one of the three is touched, in a corner that the disk lies in both segments are.
+Kinematics element_kinematics(const Sample& sample, const DiskRecord& disk, std::int32_t element);
+
 inline Kinematics slot_kinematics(const Sample& s, std::size_t slot) {
   const auto& a = s.record[static_cast<std::size_t>(s.list.i[slot])];
   const std::int32_t j = s.list.j[slot];
   if (j >= 0) return pair_kinematics(a, s.record[static_cast<std::size_t>(j)], s.contact.arms);
+  if (j < wall_partner(top)) return element_kinematics(s, a, -5 - j);
   const auto side = static_cast<std::size_t>(-1 - j);
   return wall_kinematics(a, s.domain.wall[side], s.wall[side].drive.slide, static_cast<int>(side), s.contact.arms);
 }

@@ -1,5 +1,6 @@
 #include "grains/dem/ledger.hpp"
 
+#include "grains/dem/boundaries.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/measure.hpp"
 #include "grains/dem/sample.hpp"
@@ -9,6 +10,20 @@ namespace arenite::dem {
 namespace {
 
 constexpr std::size_t along = 4, cell_shear = 8;  // of Snapshot::edge
+
+/// What a contact with a boundary does to it, by class, about its centre as well.
+void add_boundary_contact(const Sample& s, std::size_t slot, const Kinematics& c, Vec2 dash, Vec2 slip, Snapshot& shot) {
+  const DiskRecord& d = s.record[static_cast<std::size_t>(s.list.i[slot])];
+  const std::size_t b = boundary_index(s, s.list.j[slot]);
+  const Vec2 arm = Vec2{d.x, d.y} - c.branch - s.domain.boundaries[b].centre;
+  auto* edge = &shot.boundary[3 * b];
+  edge[0].dash -= dash.x;
+  edge[1].dash -= dash.y;
+  edge[2].dash -= cross(arm, dash);
+  edge[0].slip -= slip.x;
+  edge[1].slip -= slip.y;
+  edge[2].slip += s.list.force[slot].torque_j - cross(arm, slip);
+}
 
 void add_contacts(const Sample& s, Snapshot& shot) {
   const ContactList& list = s.list;
@@ -41,6 +56,8 @@ void add_contacts(const Sample& s, Snapshot& shot) {
         b.slip_x -= slip.x;
         b.slip_y -= slip.y;
         b.slip_torque += list.force[p].torque_j;
+      } else if (list.j[p] < wall_partner(top)) {
+        add_boundary_contact(s, p, c, dash, slip, shot);
       } else {
         const auto side = static_cast<std::size_t>(-1 - list.j[p]);
         shot.edge[side].dash -= side < bottom ? dash.x : dash.y;
@@ -67,6 +84,7 @@ void add_contacts(const Sample& s, Snapshot& shot) {
 Snapshot take(const Sample& s) {
   Snapshot shot;
   shot.disk.resize(s.count);
+  shot.boundary.resize(3 * s.domain.boundaries.size());
   const bool is_gear = s.integration.integrator == IntegratorKind::gear5;
   const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
   for (std::size_t k = 0; k < s.count; ++k) {
@@ -101,6 +119,14 @@ Snapshot take(const Sample& s) {
     shot.edge[along + side].rate = s.wall[side].drive.slide;
     shot.edge[along + side].force = s.domain.wall[side].present ? s.domain.wall[side].shear_force : 0.0;
   }
+  for (std::size_t b = 0; b < s.domain.boundaries.size(); ++b) {
+    const Boundary& boundary = s.domain.boundaries[b];
+    const double rate[] = {boundary.velocity.x, boundary.velocity.y, boundary.spin}, force[] = {boundary.force.x, boundary.force.y, boundary.torque};
+    for (std::size_t n = 0; n < 3; ++n) {
+      shot.boundary[3 * b + n].rate = rate[n];
+      shot.boundary[3 * b + n].force = force[n];
+    }
+  }
   shot.edge[cell_shear].rate = s.shear_rate * s.domain.height();
   return shot;
 }
@@ -117,14 +143,15 @@ WorkTerms products(const Sample& s, const Snapshot& p, const Snapshot& q) {
     w.drag += (a.drag_x + b.drag_x) * vx + (a.drag_y + b.drag_y) * vy;
     w.gravity += 2 * b.mass * (s.gravity.x * vx + s.gravity.y * vy);
   }
-  for (std::size_t n = 0; n < q.edge.size(); ++n) {
-    const auto &a = p.edge[n], &b = q.edge[n];
+  const auto add_edge = [&w](const Snapshot::Edge& a, const Snapshot::Edge& b) {
     const double rate = 0.5 * b.rate;
     w.dashpots += (a.dash + b.dash) * rate;
     w.friction += (a.slip + b.slip) * rate;
     w.walls += b.servo ? (a.drive + b.drive) * rate : -(a.force + b.force) * rate;
     w.servo += (a.damping + b.damping) * rate;
-  }
+  };
+  for (std::size_t n = 0; n < q.edge.size(); ++n) add_edge(p.edge[n], q.edge[n]);
+  for (std::size_t n = 0; n < q.boundary.size(); ++n) add_edge(p.boundary[n], q.boundary[n]);
   return w;
 }
 

@@ -27,6 +27,7 @@ struct Snapshot {
     bool servo = false;
   };
   std::vector<Disk> disk;
+  std::vector<Edge> boundary;                    ///< three each: along +x and +y, and about the centre with torques for forces
   std::array<Edge, 9> edge;                      ///< walls along their normals, walls along themselves, and the shear of the cell
   double springs = 0;                            ///< energy of the tangential springs, J
   double normal_springs = 0;                     ///< of normal springs that remember, J

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "grains/dem/boundaries.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/integrators/nordsieck.hpp"
 #include "grains/dem/walls.hpp"
@@ -171,6 +172,7 @@ Equilibrium equilibrium_of(const Sample& s) {
   q.loose_kinetic = over_elastic(motions.loose, elastic);
   if (s.count > 0) q.falling = static_cast<double>(motions.falling) / static_cast<double>(s.count);
   if (pressed > 0) q.mobilisation = mobilised / static_cast<double>(pressed);
+  q.wall_speed = fastest_point(s.domain);
   for (std::size_t side = 0; side < 4; ++side) q.wall_speed = std::max(q.wall_speed, std::abs(wall_rate(s, side)));
   return q;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "grains/dem/boundaries.hpp"
 
 namespace arenite::dem {
 namespace {
@@ -120,6 +121,7 @@ void carry_over(Sample& s, const ContactList& before, const std::vector<std::int
 
 void rebuild_list(Sample& s, const Team& team) {
   check_places(s);
+  check_crossings(s);
   wrap(s);
   const std::vector<std::int32_t> was = sort_by_cell(s);
   number_held(s);
@@ -140,6 +142,20 @@ void rebuild_list(Sample& s, const Team& team) {
   std::swap(s.list, s.former);
   list_contacts(s, team);
   carry_over(s, s.former, was, team);
+}
+
+geometry::CellGrid cells_of(const Sample& s) {
+  const auto& w = s.domain.wall;
+  std::array<double, 4> edge{w[left].position, w[right].position, w[bottom].position, w[top].position};
+  for (int side = 0; side < 4; ++side) {
+    if (!s.wall[static_cast<std::size_t>(side)].open) continue;
+    const double outward = side % 2 == 0 ? -1.0 : 1.0, size = side < bottom ? s.domain.width() : s.domain.height();
+    double beyond = 0;
+    double& at = edge[static_cast<std::size_t>(side)];
+    for (std::size_t k = 0; k < s.count; ++k) beyond = std::max(beyond, outward * ((side < bottom ? s.record[k].x : s.record[k].y) - at));
+    at += outward * std::min(beyond, size);
+  }
+  return {edge[left], edge[bottom], edge[right] - edge[left], edge[top] - edge[bottom], reach_of(s)};
 }
 
 void number_held(Sample& s) {
@@ -177,6 +193,7 @@ double list_leeway(const Sample& s) {
     const double moved = std::abs(s.domain.wall[side].position - s.listed_domain.wall[side].position);
     if (!periodic && moved > 0.5 * s.skin) return 0;
   }
+  if (farthest_moved(s.listed_domain, s.domain) > 0.5 * s.skin) return 0;
   const CellFrame then = cell_frame(s.listed_domain), now = cell_frame(s.domain);
   return 0.5 * (s.skin - reach_of(s) * (std::abs(now.width / then.width - 1) * now.periodic_x +
                                         std::abs(now.height / then.height - 1) * now.periodic_y + std::abs(s.sheared - s.listed_sheared)));

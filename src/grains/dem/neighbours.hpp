@@ -6,7 +6,7 @@
 namespace arenite::dem {
 
 /// Sorts the disks by cell, wraps them into a periodic cell, makes the ghosts and lists every pair (and wall) closer than the skin. What touching
-/// pairs remember is kept. Throws CannotGoOn, naming grain and step, if a grain has left the walls or a coordinate is not finite.
+/// pairs remember is kept. Throws CannotGoOn, naming grain and step, if a grain has left the walls, gone through a boundary, or a coordinate is not finite.
 void rebuild_list(Sample& sample, const Team& team = Team());
 
 /// Lists the pairs at the records' present order and places without sorting; what rebuild_list does at its end, and what a restored sample needs.
@@ -22,11 +22,8 @@ void hold_grains(Sample& sample);
 /// walls or the cell have moved too far for that.
 double list_leeway(const Sample& sample);
 
-/// Cells as wide as the list reaches.
-inline geometry::CellGrid cells_of(const Sample& s) {
-  const auto& w = s.domain.wall;
-  return {w[left].position, w[bottom].position, s.domain.width(), s.domain.height(), reach_of(s)};
-}
+/// Cells as wide as the list reaches, over the frame; beyond an open side as far as there are disks, but at most the frame's own size.
+geometry::CellGrid cells_of(const Sample& sample);
 
 /// Makes the images of the disks near the right and the upper edge of a periodic cell; all others are the same pairs seen from the other side. The
 /// images' records come behind those of the disks.

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/vec.hpp"
 #include "grains/dem/laws/laws.hpp"
 #include "model/elasticity/disk_field.hpp"
 
@@ -72,5 +73,14 @@ struct WallDrive {
   bool operator==(const WallDrive&) const = default;
 };
 using WallDrives = std::array<WallDrive, 4>;
+
+/// How a boundary moves; see model/packing.hpp.
+struct BoundaryDrive {
+  Vec2 velocity;         ///< m/s
+  double spin = 0;       ///< rad/s, counter-clockwise
+  Vec2 centre;           ///< of the spin, m; goes with the velocity
+  bool present = true;
+  bool operator==(const BoundaryDrive&) const = default;
+};
 
 }  // namespace arenite::dem

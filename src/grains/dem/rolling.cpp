@@ -1,3 +1,4 @@
+#include "grains/dem/boundaries.hpp"
 #include "grains/dem/forces.hpp"
 
 namespace arenite::dem {
@@ -21,6 +22,8 @@ Slip<double> rolling_slip(const Sample& s, std::size_t slot, double normal_force
     turning -= b.omega;
     radius = a.radius * b.radius / (a.radius + b.radius);
     inertia_of_both = inertia(a) * inertia(b) / (inertia(a) + inertia(b));
+  } else if (j < wall_partner(top)) {
+    turning -= boundary_of(s, j).spin;
   }
   return std::visit([&](const auto& law) {
     const double stiffness = law.stiffness(s.list.stiffness[slot], radius);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "grains/dem/stage.hpp"
 
 namespace arenite::dem {
 
@@ -52,6 +51,16 @@ void sample(History& history, const Engine& engine, const Stage& stage, const Eq
     append(history, fmt::format("{}_shear_force", side_names[side]).c_str(), "N", wall.shear_force);
   }
   if (stage.shear_rate != 0) append(history, "shear_strain", "1", engine.shear_strain());
+  for (const Boundary& boundary : engine.domain().boundaries) {
+    append(history, (boundary.name + "_force_x").c_str(), "N", boundary.force.x);
+    append(history, (boundary.name + "_force_y").c_str(), "N", boundary.force.y);
+    append(history, (boundary.name + "_torque").c_str(), "N m", boundary.torque);
+  }
+  if (stage.count_below) {
+    const Amount passed = engine.below(*stage.count_below);
+    append(history, "passed", "1", static_cast<double>(passed.grains));
+    append(history, "passed_mass", "kg", passed.mass);
+  }
   const Energies energies = engine.energies();
   for (const EnergyTerm& term : energy_terms) append(history, term.name, "J", energies.*term.value);
   append(history, "unbalanced_ratio", "1", now.unbalanced_ratio);
@@ -142,6 +151,8 @@ StageRun begin_stage(Engine& engine, const Stage& stage) {
   engine.set_inertial_number(stage.inertial_number);
   engine.set_drag(engine.integration().drag + stage.drag + stage.critical_drag * engine.critical_drag());
   engine.set_glue(stage.glue);
+  engine.set_open(stage.open);
+  engine.set_boundaries(boundary_drives_for(stage, engine.domain()));
   engine.set_rough(stage.rough);
   engine.set_shear_rate(stage.shear_rate);
   StageRun run;
@@ -164,77 +175,6 @@ double share_done(const Stage& stage, const StageRun& run) {
   const double total = static_cast<double>(increments_of(stage, run.force_at_start).size());
   const double within = std::clamp(std::log(run.latest.unbalanced_ratio) / std::log(stage.equilibrium.unbalanced), 0.0, 0.95);
   return (static_cast<double>(run.increment) + within) / total;
-}
-
-namespace {
-
-bool is_ramped(const SideDrive& drive) { return drive.kind == SideDrive::Kind::force; }
-
-int side_index(const std::string& name) {
-  for (int side = 0; side < 4; ++side)
-    if (name == side_names[side]) return side;
-  return bottom;
-}
-
-/// Length of sample that a side's pressure acts on, m.
-double loaded_length(const Domain& domain, int side) { return side < 2 ? domain.height() : domain.width(); }
-
-void add_half_cycle(std::vector<Increment>& increments, const Stage& stage, const Cycles& cycles, double from, double to,
-                    const std::string& label) {
-  for (std::int64_t k = 1; k <= cycles.increments; ++k) {
-    const double share = static_cast<double>(k) / static_cast<double>(cycles.increments);
-    Increment increment{stage.side, stage.slide, k == cycles.increments ? label : fmt::format("{}, {} of {}", label, k, cycles.increments)};
-    increment.side[side_index(cycles.side)] = {SideDrive::Kind::force, from + share * (to - from)};
-    increments.push_back(std::move(increment));
-  }
-}
-
-}  // namespace
-
-Increment on_the_ramp(const Stage& stage, const std::array<double, 4>& force_at_start, double share, std::string label) {
-  Increment increment{stage.side, stage.slide, std::move(label)};
-  for (int side = 0; side < 4; ++side) {
-    auto& drive = increment.side[side];
-    if (is_ramped(drive)) drive.value = force_at_start[side] + share * (drive.value - force_at_start[side]);
-  }
-  return increment;
-}
-
-std::vector<Increment> increments_of(const Stage& stage, const std::array<double, 4>& force_at_start) {
-  std::vector<Increment> increments;
-  const bool ramps = std::any_of(stage.side.begin(), stage.side.end(), is_ramped);
-  const std::int64_t n = ramps ? std::max<std::int64_t>(1, stage.increments) : 1;
-  for (std::int64_t k = 1; k <= n; ++k)
-    increments.push_back(on_the_ramp(stage, force_at_start, static_cast<double>(k) / static_cast<double>(n),
-                                     n == 1 ? std::string("rest") : fmt::format("increment {} of {}", k, n)));
-  if (!stage.cycles) return increments;
-  const auto& cycles = *stage.cycles;
-  const auto& driven = stage.side[side_index(cycles.side)];
-  double from = driven.kind == SideDrive::Kind::force ? driven.value : force_at_start[side_index(cycles.side)];
-  for (std::int64_t c = 1; c <= cycles.count; ++c)
-    for (const auto& [aim, name] : {std::pair{cycles.max, "maximum"}, std::pair{cycles.min, "minimum"}}) {
-      add_half_cycle(increments, stage, cycles, from, aim, fmt::format("cycle {} {}", c, name));
-      from = aim;
-    }
-  return increments;
-}
-
-WallDrives drives_for(const Increment& increment, const Domain& domain) {
-  WallDrives drives;
-  for (int side = 0; side < 4; ++side) {
-    const auto& drive = increment.side[side];
-    const Vec2 inward = inward_normal(side);
-    switch (drive.kind) {
-      case SideDrive::Kind::fixed: drives[side] = {WallDrive::Kind::fixed, 0}; break;
-      case SideDrive::Kind::velocity: drives[side] = {WallDrive::Kind::velocity, drive.value * (inward.x + inward.y)}; break;
-      case SideDrive::Kind::force: drives[side] = {WallDrive::Kind::force, drive.value}; break;
-      case SideDrive::Kind::pressure:
-        drives[side] = {WallDrive::Kind::force, drive.value * loaded_length(domain, side) * domain.thickness};
-        break;
-    }
-    drives[side].slide = domain.wall[side].present ? increment.slide[side] : 0.0;
-  }
-  return drives;
 }
 
 }  // namespace arenite::dem

@@ -35,7 +35,7 @@ struct alignas(32) SlotForce {
 inline bool acts(const SlotForce& f) { return f.fx != 0 || f.fy != 0; }
 
 /// Candidate contacts and what they carry. Slots 0 .. pairs-1 join two disks (i < j, sorted by i; j may be a ghost); the slots behind them join a
-/// disk i with wall `side` (j = wall_partner(side)), sorted by i.
+/// disk i with wall `side` (j = wall_partner(side)) or with an element of a boundary (j = boundary_partner(element)), sorted by i.
 struct ContactList {
   std::size_t pairs = 0;
   std::vector<std::int32_t> i, j;
@@ -73,6 +73,14 @@ struct WallBody {
   std::array<double, 4> higher{};  ///< Gear's further derivatives
   double slid = 0;                 ///< way along itself so far, m
   bool rough = false;              ///< grains near it when it becomes rough go with it
+  bool open = false;               ///< taken away
+};
+
+/// What a disk can touch of a boundary: one of its points, or the segment from there to the next. The number of an element is its place among those
+/// of all boundaries (Domain::elements).
+struct Element {
+  std::int32_t boundary = 0, point = 0;
+  bool segment = false;
 };
 
 /// A grain that goes with a rough wall: its centre in the wall's own coordinates, which start at `slid` along the wall and at its plane.
@@ -100,6 +108,7 @@ struct Sample {
 
   Domain domain;
   std::array<WallBody, 4> wall;
+  std::vector<Element> element;    ///< of the domain's boundaries
   std::int64_t step = 0;
   std::int64_t steps_before = 0;   ///< made before the step was last shortened,
   double time_before = 0;          ///< and the time then, s

@@ -5,6 +5,7 @@
 
 #include "core/bytes.hpp"
 #include "core/error.hpp"
+#include "grains/dem/boundaries.hpp"
 #include "grains/dem/neighbours.hpp"
 
 namespace arenite::dem {
@@ -27,9 +28,19 @@ void transfer(Archive& a, WallBody& body) {
                   &body.acceleration})
     a(*v);
   for (auto& v : body.higher) a(v);
-  std::uint8_t rough = body.rough;
-  a(body.drive.slide), a(body.slid), a(rough);
-  body.rough = rough != 0;
+  auto state = static_cast<std::uint8_t>((body.rough ? 1 : 0) | (body.open ? 2 : 0));
+  a(body.drive.slide), a(body.slid), a(state);
+  body.rough = (state & 1) != 0;
+  body.open = (state & 2) != 0;
+}
+
+template <class Archive>
+void transfer(Archive& a, Boundary& boundary) {
+  std::uint8_t present = boundary.present;
+  a(boundary.points), a(present);
+  boundary.present = present != 0;
+  for (Vec2* v : {&boundary.velocity, &boundary.centre, &boundary.force}) a(v->x), a(v->y);
+  a(boundary.spin), a(boundary.torque);
 }
 
 template <class Archive>
@@ -53,6 +64,9 @@ void transfer(Archive& a, Sample& s) {
   for (auto& wall : s.listed_domain.wall) transfer(a, wall);
   a(s.listed_domain.tilt), a(s.skin), a(s.builds), a(s.shear_rate), a(s.sheared), a(s.listed_sheared), a(s.held);
   for (auto& body : s.wall) transfer(a, body);
+  apply_open(s);
+  for (Domain* domain : {&s.domain, &s.listed_domain})
+    for (Boundary& boundary : domain->boundaries) transfer(a, boundary);
   for (auto* v : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha, &s.listed_x, &s.listed_y}) a(*v);
   for (auto& v : s.higher) a(v);
   a(s.live_bonds);
@@ -109,6 +123,9 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   if (s.record.size() != s.count) ByteReader::fail();
   transfer(read, s);
   if (s.vx.size() != s.count || s.listed_x.size() != s.count) ByteReader::fail();
+  for (std::size_t b = 0; b < s.domain.boundaries.size(); ++b)
+    for (const Domain* domain : {&s.domain, &s.listed_domain})
+      if (domain->boundaries[b].points.size() != sample.domain.boundaries[b].points.size()) ByteReader::fail();
   s.laws = laws_between_steps(s);
 
   // The list as it was built: disks and frame put back to where they were then.

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/problems.hpp"
+#include "grains/dem/boundaries.hpp"
 #include "grains/dem/bounds.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/forces.hpp"
@@ -51,6 +52,7 @@ void check_packing(Problems& problems, const Packing& start) {
     problems.unless(positive(m.density), "density {} kg/m^3 of material \"{}\" must be above 0", m.density, m.name);
     problems.unless(positive(m.stiffness), "stiffness {} N/m of material \"{}\" must be above 0", m.stiffness, m.name);
   }
+  check_boundaries(problems, domain);
   const Grains& g = start.grains;
   for (std::size_t k = 0; k < g.size(); ++k) {
     problems.unless(positive(g.radius[k]), "radius {} m of grain {} must be above 0", g.radius[k], g.id[k]);
@@ -189,6 +191,7 @@ Sample make_sample(const Packing& start, const ContactParameters& contact, const
   s.drag = integration.drag;
   s.domain = start.domain;
   clear_periodic_walls(s.domain);
+  s.element = elements_of(s.domain);
   place_disks(s);
   check_cell(s);
   s.laws = choose_laws(contact, 0.0, 0.0);

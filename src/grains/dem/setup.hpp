@@ -22,6 +22,9 @@ ContactLaws laws_between_steps(const Sample& sample);
 /// Steps from now on are `dt`, s; the time made so far stays.
 void change_step(Sample& sample, double dt);
 
+/// Brings the integrated velocities (and Gear's places) to the present, so that a change of load acts from now on.
+void synchronise(Sample& sample);
+
 double time_of(const Sample& sample);  ///< since the start, s
 
 /// Friction coefficients from the parameters, or `override_mu` at grains and walls alike; none where the law is none.

@@ -40,6 +40,16 @@ struct Cycles {
   bool operator==(const Cycles&) const = default;
 };
 
+/// How a boundary moves in a stage; one that is not named is there, at rest.
+struct BoundaryMotion {
+  std::string name;
+  Vec2 velocity;                       ///< m/s
+  double spin = 0;                     ///< rad/s, counter-clockwise
+  std::optional<Vec2> centre;          ///< of the spin as the stage begins, m; unset: the mean of the points
+  bool absent = false;
+  bool operator==(const BoundaryMotion&) const = default;
+};
+
 /// One stage of loading.
 struct Stage {
   std::string name;
@@ -48,6 +58,9 @@ struct Stage {
   double gravity_angle = 0;            ///< rad, by which it is turned from straight down, counter-clockwise
   std::array<double, 4> slide{};       ///< m/s of each wall along itself, along +y or +x
   std::array<bool, 4> rough{};         ///< walls that hold the grains nearest to them as the stage begins
+  std::array<bool, 4> open{};          ///< walls that are taken away
+  std::vector<BoundaryMotion> boundaries;
+  std::optional<double> count_below;   ///< m; the history counts the grains whose centre is below
   double shear_rate = 0;               ///< 1/s, of a cell that is periodic both ways
   std::array<SideDrive, 4> side;       ///< in the order of model/packing.hpp
   std::int64_t increments = 1;
@@ -80,5 +93,8 @@ std::vector<Increment> increments_of(const Stage& stage, const std::array<double
 
 /// What drives the walls of this domain in an increment: velocities along +x or +y, pressures as forces.
 WallDrives drives_for(const Increment& increment, const Domain& domain);
+
+/// How the boundaries of this domain move in a stage. InputError for a name that none has.
+std::vector<BoundaryDrive> boundary_drives_for(const Stage& stage, const Domain& domain);
 
 }  // namespace arenite::dem

@@ -59,7 +59,8 @@ std::string contact_table(const ExportFrame& from) {
   for (std::size_t k = 0; k < c.size(); ++k) {
     const auto name = [&](std::int32_t grain) { return packing.grains.id[static_cast<std::size_t>(grain)]; };
     fmt::format_to(Text(text), "{},", name(c.i[k]));
-    if (c.is_wall(k)) text += side_names[static_cast<std::size_t>(c.wall_side(k))];
+    if (c.is_boundary(k)) text += packing.domain.boundaries[static_cast<std::size_t>(packing.domain.boundary_of(c.element(k)))].name;
+    else if (c.is_wall(k)) text += side_names[static_cast<std::size_t>(c.wall_side(k))];
     else fmt::format_to(Text(text), "{}", name(c.j[k]));
     for (const double v : {c.fn[k], c.ft[k], 0 - c.nx[k], 0 - c.ny[k]}) cell(text, v);
     fmt::format_to(Text(text), ",{},{},{}", contact_type(packing, k), c.fn[k] > mean ? 1 : 0, int{c.glued[k]});

@@ -79,7 +79,8 @@ VtkPolyData contacts_of(const ExportFrame& from) {
   return data;
 }
 
-/// Four lines, in the order of the sides; `present` is 0 where a side is the edge of a periodic cell.
+/// Four lines, in the order of the sides; `present` is 0 where a side is the edge of a periodic cell. Behind them the segments of boundaries, whose
+/// `side` counts on from 4 and whose force and velocity are without direction.
 VtkPolyData walls_of(const ExportFrame& from) {
   const Domain& domain = from.frame->packing.domain;
   const double x0 = domain.wall[left].position, x1 = domain.wall[right].position;
@@ -89,14 +90,29 @@ VtkPolyData walls_of(const ExportFrame& from) {
   data.cells = VtkPolyData::Cells::lines;
   const double t = domain.tilt;
   data.points = {x0, y0, 0, x0 + t, y1, 0, x1, y0, 0, x1 + t, y1, 0, x0, y0, 0, x1, y0, 0, x0 + t, y1, 0, x1 + t, y1, 0};
+  std::vector<std::int32_t> side{left, right, bottom, top};
   std::vector<std::uint8_t> present;
-  for (const Wall& wall : domain.wall) present.push_back(wall.present ? 1 : 0);
-  data.cell_arrays = {{"side", std::vector<std::int32_t>{left, right, bottom, top}}, {"present", present}};
-  for (const auto& [name, member] : {std::pair{"force", &Wall::force}, {"shear_force", &Wall::shear_force}, {"velocity", &Wall::velocity}}) {
-    std::vector<double> values;
-    for (const Wall& wall : domain.wall) values.push_back(wall.*member);
-    data.cell_arrays.push_back({name, values});
+  std::vector<double> force, shear_force, velocity;
+  for (const Wall& wall : domain.wall) {
+    present.push_back(wall.present ? 1 : 0);
+    force.push_back(wall.force);
+    shear_force.push_back(wall.shear_force);
+    velocity.push_back(wall.velocity);
   }
+  for (std::size_t b = 0; b < domain.boundaries.size(); ++b) {
+    const Boundary& boundary = domain.boundaries[b];
+    const std::size_t n = boundary.points.size();
+    for (std::size_t p = 0; p + (boundary.closed ? 0 : 1) < n; ++p) {
+      const Vec2 from_here = boundary.points[p], to = boundary.points[(p + 1) % n];
+      data.points.insert(data.points.end(), {from_here.x, from_here.y, 0, to.x, to.y, 0});
+      side.push_back(4 + static_cast<std::int32_t>(b));
+      present.push_back(boundary.present ? 1 : 0);
+      force.push_back(norm(boundary.force));
+      shear_force.push_back(0);
+      velocity.push_back(norm(boundary.velocity));
+    }
+  }
+  data.cell_arrays = {{"side", side}, {"present", present}, {"force", force}, {"shear_force", shear_force}, {"velocity", velocity}};
   return data;
 }
 

@@ -13,6 +13,31 @@ constexpr Scalar<Wall> wall_scalars[] = {{"position [m]", &Wall::position}, {"ve
 constexpr Scalar<Material> material_scalars[] = {{"density [kg/m^3]", &Material::density}, {"stiffness [N/m]", &Material::stiffness},
                                                  {"thermoelastic_factor [K/Pa]", &Material::thermoelastic_factor}};
 
+/// The boundaries of a domain, of which most have none: files without them have no such group.
+void transfer_boundaries(const ResultPart& at, std::vector<Boundary>& boundaries) {
+  if (at.reads() ? !at.take->has_group("boundaries") : boundaries.empty()) return;
+  at.each("boundaries", boundaries, 2, [](const ResultPart& one, Boundary& boundary) {
+    one("name", boundary.name);
+    one("closed", boundary.closed);
+    one("present", boundary.present);
+    one("velocity_x [m/s]", boundary.velocity.x);
+    one("velocity_y [m/s]", boundary.velocity.y);
+    one("spin [rad/s]", boundary.spin);
+    one("centre_x [m]", boundary.centre.x);
+    one("centre_y [m]", boundary.centre.y);
+    one("force_x [N]", boundary.force.x);
+    one("force_y [N]", boundary.force.y);
+    one("torque [N m]", boundary.torque);
+    std::vector<double> x, y;
+    for (const Vec2& p : boundary.points) x.push_back(p.x), y.push_back(p.y);
+    one.array("x", x, "m");
+    one.array("y", y, "m");
+    one.same_length({x.size(), y.size()});
+    boundary.points.clear();
+    for (std::size_t p = 0; p < x.size(); ++p) boundary.points.push_back({x[p], y[p]});
+  });
+}
+
 }  // namespace
 
 void transfer_provenance(const ResultPart& at, Provenance& provenance) {
@@ -57,6 +82,7 @@ void transfer_domain(const ResultPart& at, Domain& domain) {
     wall("present", domain.wall[side].present);
     for (const auto& s : wall_scalars) wall(s.name, domain.wall[side].*s.member);
   }
+  transfer_boundaries(group, domain.boundaries);
 }
 
 void transfer_names(const ResultPart& at, Grains& grains, const Grains* sample) {
@@ -81,9 +107,11 @@ void transfer_grains(const ResultPart& at, Packing& packing, const Grains* sampl
     if (at.reads() && (m < 0 || m >= kinds)) at.take->refuse("names a material that does not exist");
 }
 
-void transfer_contacts(const ResultPart& at, Contacts& contacts, std::size_t grains) {
+void transfer_contacts(const ResultPart& at, Contacts& contacts, std::size_t grains, int elements) {
   const auto group = at.group("contacts");
   group.note("i and j", "places in the arrays of grains, from 0, not ids; j = -1, -2, -3, -4 is the left, right, bottom, top wall");
+  if (elements > 0)
+    group.note("j below -4", "-5 - j counts the elements of the boundaries through all of them, two a point: the point, and the segment from it to the next");
   group.note("signs", "n points from j to i, t is n turned by +90 degrees, the force on i is fn n + ft t; fn > 0 pushes");
   group.array("i", contacts.i);
   group.array("j", contacts.j);
@@ -93,7 +121,7 @@ void transfer_contacts(const ResultPart& at, Contacts& contacts, std::size_t gra
   group.same_length({contacts.size(), contacts.j.size(), contacts.glued.size()});
   const auto n = static_cast<std::int64_t>(grains);
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (contacts.i[c] < 0 || contacts.i[c] >= n || contacts.j[c] >= n || contacts.j[c] < wall_partner(top))
+    if (contacts.i[c] < 0 || contacts.i[c] >= n || contacts.j[c] >= n || contacts.j[c] < wall_partner(top) - elements)
       group.take->refuse("names a grain that does not exist");
 }
 
@@ -102,7 +130,7 @@ void transfer_packing(const ResultPart& at, Packing& packing) {
   transfer_materials(group, packing.materials);
   transfer_domain(group, packing.domain);
   transfer_grains(group, packing, nullptr);
-  transfer_contacts(group, packing.contacts, packing.grains.size());
+  transfer_contacts(group, packing.contacts, packing.grains.size(), packing.domain.elements());
 }
 
 void transfer_history(const ResultPart& at, const char* name, History& history) {

@@ -188,8 +188,8 @@ void transfer_domain(const ResultPart& at, Domain& domain);
 void transfer_grains(const ResultPart& at, Packing& packing, const Grains* sample);
 void transfer_names(const ResultPart& grains_at, Grains& grains, const Grains* sample);
 
-/// Contacts; those of grains that do not exist are refused.
-void transfer_contacts(const ResultPart& at, Contacts& contacts, std::size_t grains);
+/// Contacts; those of grains, or of elements of boundaries, that do not exist are refused.
+void transfer_contacts(const ResultPart& at, Contacts& contacts, std::size_t grains, int elements);
 
 /// A whole packing as the group "packing".
 void transfer_packing(const ResultPart& at, Packing& packing);

@@ -33,7 +33,7 @@ void transfer_frame(const ResultPart& at, Frame& frame, const Packing& sample) {
   else if (at.reads()) packing.materials = sample.materials;
   transfer_domain(at, packing.domain);
   transfer_grains(at, packing, &sample.grains);
-  transfer_contacts(at, packing.contacts, packing.grains.size());
+  transfer_contacts(at, packing.contacts, packing.grains.size(), packing.domain.elements());
   transfer_energies(at, frame);
 }
 

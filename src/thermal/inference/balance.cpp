@@ -39,6 +39,7 @@ int kind_of(const Packing& packing, std::size_t c) {
 double overlap_of(const Packing& packing, std::size_t c) {
   const Grains& grains = packing.grains;
   const auto i = static_cast<std::size_t>(packing.contacts.i[c]);
+  if (packing.contacts.is_boundary(c)) return grains.radius[i] - packing.contacts.arm_i[c];
   if (packing.contacts.is_wall(c)) {
     const int side = packing.contacts.wall_side(c);
     const Vec2 inward = inward_normal(side);
@@ -90,7 +91,7 @@ Touches touches_of_grains(const Packing& packing, const std::vector<Vec2>& centr
     const auto i = static_cast<std::size_t>(contacts.i[c]);
     const int contact = static_cast<int>(c);
     if (contacts.is_wall(c)) {
-      touches[i].push_back({contact, -1, inward_normal(contacts.wall_side(c)), 0});
+      touches[i].push_back({contact, -1, contacts.is_boundary(c) ? contacts.normal(c) : inward_normal(contacts.wall_side(c)), 0});
       continue;
     }
     const auto j = static_cast<std::size_t>(contacts.j[c]);

@@ -37,6 +37,20 @@ TEST(PageDocument, NumbersWallsAfterTheGrains) {
   EXPECT_EQ(document["frames"][4]["domain"]["walls"][2]["force"], last.domain.wall[bottom].force);
 }
 
+TEST(PageDocument, HasTheBoundariesOfEachStateThatHasThem) {
+  test::PageSample sample(60);
+  Boundary drum{"drum", {{0, 0}, {1, 0}, {0, 1}}, true, true, {}, 2, {}, {1, -3}, 0.5};
+  Packing& last = sample.stage.frames.back().packing;
+  last.domain.boundaries = {drum};
+  last.contacts.add(0, boundary_partner(5), {0, 1}, 1, 0, 0.005, 0);
+  const Json document = Json::parse(report::page_document(sample.data).json);
+  EXPECT_FALSE(document["frames"][0]["domain"].contains("boundaries"));
+  const Json& stored = document["frames"][4]["domain"]["boundaries"][0];
+  EXPECT_EQ(stored["name"], "drum");
+  EXPECT_EQ(stored["x"]["n"], 3);
+  EXPECT_EQ(stored["force"][1], -3);
+}
+
 TEST(PageDocument, KeepsAboutAThousandRowsOfALongHistoryAndItsLast) {
   test::PageSample sample(60);
   for (auto& column : sample.stage.history.columns) column.values.assign(4096, 1.0);

@@ -22,6 +22,26 @@ export function chainColour(theme, frame, fn) {
   return fn > frame.meanForce ? theme.strong : theme.weak;
 }
 
+/** What a grain touches of the boundaries: elements are counted through all of them, two a point, the point and the segment to the next. */
+export function boundaryElement(frame, element) {
+  let number = element;
+  for (const boundary of frame.boundaries) {
+    const points = boundary.x.length;
+    if (number < 2 * points) return { boundary, from: number >> 1, to: number % 2 ? ((number >> 1) + 1) % points : number >> 1 };
+    number -= 2 * points;
+  }
+  return null;
+}
+
+/** Where a grain at (x, y) touches an element. */
+function footOn(frame, element, x, y) {
+  const { boundary, from, to } = boundaryElement(frame, element);
+  const ax = boundary.x[from], ay = boundary.y[from], dx = boundary.x[to] - ax, dy = boundary.y[to] - ay;
+  const squared = dx * dx + dy * dy;
+  const share = squared > 0 ? ((x - ax) * dx + (y - ay) * dy) / squared : 0;
+  return [ax + share * dx, ay + share * dy];
+}
+
 /** The segments of one contact: centre to centre, or centre to wall; through a periodic side it is drawn at both. */
 export function segmentsOf(sample, frame, c) {
   const { i, j } = frame.contacts;
@@ -29,6 +49,7 @@ export function segmentsOf(sample, frame, c) {
   const x = frame.x[a], y = frame.y[a];
   if (b >= sample.count) {
     const side = b - sample.count;
+    if (side > 3) return [[x, y, ...footOn(frame, side - 4, x, y)]];
     // Ends short of the wall by half the chain's width, so that the round end touches it.
     const inwards = side % 2 === 0 ? 1 : -1;
     const position = frame.domain.walls[side].position + (inwards * chainWidth(sample, frame, frame.contacts.fn[c])) / 2;

@@ -7,7 +7,7 @@ const thick = 5;
 /** What lies over the grains as vectors: walls with the forces on them, and the outline of what the pointer is on. */
 export function overlay(sample, frame, camera, theme, { walls, picked }) {
   const group = s("g", { "font-family": theme.font, "font-size": 11.5 });
-  if (walls) group.append(...wallShapes(sample, frame, camera, theme));
+  if (walls) group.append(...wallShapes(sample, frame, camera, theme), ...boundaryShapes(frame, camera, theme));
   if (picked) group.append(...outline(sample, frame, camera, theme, picked));
   return group;
 }
@@ -37,6 +37,14 @@ function wallShapes(sample, frame, camera, theme) {
       }, text.quantity(wall.force, "N")),
     ].filter(Boolean);
   });
+}
+
+/** Boundaries beside the walls; a dashed line where one is absent. */
+function boundaryShapes(frame, camera, theme) {
+  return frame.boundaries.map(({ x, y, closed, present }) => s(closed ? "polygon" : "polyline", {
+    points: Array.from(x, (_, p) => camera.toScreen(x[p], y[p]).join(",")).join(" "), fill: "none", stroke: theme.wall,
+    "stroke-width": present ? 2.5 : 1, "stroke-dasharray": present ? null : "4 4", "stroke-linejoin": "round", "stroke-linecap": "round", class: "boundary",
+  }));
 }
 
 function outline(sample, frame, camera, theme, { grain, contact }) {

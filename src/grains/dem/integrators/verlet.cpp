@@ -2,6 +2,7 @@
 
 #include <atomic>
 
+#include "grains/dem/boundaries.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/walls.hpp"
 
@@ -69,6 +70,7 @@ bool DiskSweep::run(Kernel::Sweep loop, const Team& team) {
   task.y.listed = stretch_y(listed, after);
   task.x.growth = after.growth_x(before_);
   task.y.growth = after.growth_y(before_);
+  move_boundaries(s.domain, s.dt);
   s.sheared += s.dt * s.shear_rate;
   task.listed_shear = s.sheared - s.listed_sheared;
   task.middle = 0.5 * (s.domain.wall[bottom].position + s.domain.wall[top].position);

@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+
+#include "commands.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "options.hpp"
+#include "python_module.hpp"
+
+namespace arenite::app {
+namespace {
+
+struct Arguments {
+  std::string result, out, by = "material", stage, map, low, high, curve, size;
+  double per_second = 10;
+  bool chains = false;
+};
+
+/// What grains can be coloured by, and the unit of its scale.
+struct Colouring {
+  const char* name;
+  Dimension dimension;
+  const char* unit;
+};
+constexpr Colouring colourings[] = {
+    {"material", dimension::none, ""},         {"forces", dimension::none, ""},           {"pressure", dimension::pressure, "kPa"},
+    {"deviator", dimension::pressure, "kPa"},  {"z", dimension::none, ""},                {"velocity", dimension::velocity, "mm/s"},
+    {"displacement", dimension::length, "mm"}, {"rotation", dimension::none, "deg"},      {"mobilisation", dimension::none, ""}};
+
+std::vector<std::string> names() {
+  std::vector<std::string> list;
+  for (const Colouring& each : colourings) list.emplace_back(each.name);
+  return list;
+}
+
+/// An end of the scale in SI units, as text.
+std::string end_of_scale(const char* option, const std::string& text, const std::string& by) {
+  for (const Colouring& each : colourings)
+    if (by == each.name) return fmt::format("{}", option_value(option, [&] { return parse_si(text, each.dimension, each.unit); }));
+  return text;
+}
+
+/// "1200x800" as "1200" and "800".
+std::vector<std::string> width_and_height(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  const auto is_number = [](const std::string& word) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    return error == std::errc() && end == word.data() + word.size() && value > 0;
+  };
+  if (cross != std::string::npos && is_number(text.substr(0, cross)) && is_number(text.substr(cross + 1))) return {text.substr(0, cross), text.substr(cross + 1)};
+  throw InputError("--size: " + text + " is no size; give pixels, e.g. 1200x800");
+}
+
+void film(const Arguments& a) {
+  refuse_no_result(a.result);
+  // Values stand behind = where they may begin with a minus.
+  std::vector<std::string> words{a.result, "--by", a.by, "--fps", fmt::format("{}", a.per_second)};
+  for (const auto& [option, value] : {std::pair{"--out", a.out}, {"--stage", a.stage}, {"--map", a.map}, {"--curve", a.curve}})
+    if (!value.empty()) words.push_back(fmt::format("{}={}", option, value));
+  for (const auto& [option, value] : {std::pair{"--low", a.low}, {"--high", a.high}})
+    if (!value.empty()) words.push_back(fmt::format("{}={}", option, end_of_scale(option, value, a.by)));
+  if (a.chains) words.emplace_back("--chains");
+  if (!a.size.empty()) {
+    words.emplace_back("--size");
+    for (auto& side : width_and_height(a.size)) words.push_back(std::move(side));
+  }
+  continue_in_python("animations", "arenite.animate", words);
+}
+
+}  // namespace
+
+void add_animate(Options& command, int&) {
+  const auto a = std::make_shared<Arguments>();
+  command.add("result", a->result, "Folder of a run, or a file of it").required().type("RESULT");
+  command.add("--out", a->out, "File to write, .mp4 (by ffmpeg) or .gif (default: animation.mp4 in the result's folder)").type("FILE");
+  command.add("--by", a->by, "What grains are coloured by (default: material); forces: bars alone; displacement and rotation since the first state").among(names()).type("WHAT");
+  command.add("--chains", a->chains, "Draw forces as bars over the grains, too");
+  command.add("--stage", a->stage, "Only the states of this stage; all if not given").type("NAME");
+  command.add("--map", a->map, "Colour map of Matplotlib, e.g. viridis").type("NAME");
+  command.add("--low", a->low, "Lower end of the colours, e.g. \"0 kPa\"; found in the states if not given").type("VALUE");
+  command.add("--high", a->high, "Upper end of the colours, e.g. \"200 kPa\"; found in the states if not given").type("VALUE");
+  command.add("--fps", a->per_second, "States per second (default: 10)").between(0.01, 100).type("NUMBER");
+  command.add("--size", a->size, "Pixels (default: 800x800, with a curve 1200x800)").type("WIDTHxHEIGHT");
+  command.add("--curve{test}", a->curve, "Draw a curve beside, with a mark where the state is: X,Y, e.g. axial_strain,top_force, or test, q/p or mu against strain").type("X,Y");
+  command.work = [a] { film(*a); };
+}
+
+}  // namespace arenite::app

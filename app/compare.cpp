@@ -1,0 +1,37 @@
+#include <memory>
+
+#include "commands.hpp"
+#include "options.hpp"
+#include "python_module.hpp"
+
+namespace arenite::app {
+namespace {
+
+struct Arguments {
+  std::string a, b, out, csv;
+  bool all = false;
+};
+
+void put_side_by_side(const Arguments& a) {
+  refuse_no_result(a.a);
+  refuse_no_result(a.b);
+  std::vector<std::string> words{a.a, a.b};
+  if (!a.out.empty()) words.insert(words.end(), {"--out", a.out});
+  if (!a.csv.empty()) words.insert(words.end(), {"--csv", a.csv});
+  if (a.all) words.emplace_back("--all");
+  continue_in_python("comparisons", "arenite.compare", words);
+}
+
+}  // namespace
+
+void add_compare(Options& command, int&) {
+  const auto a = std::make_shared<Arguments>();
+  command.add("a", a->a, "Folder of a run or a film's result, or a file of it").required().type("A");
+  command.add("b", a->b, "The other").required().type("B");
+  command.add("--out", a->out, "Page to write: settings that differ, curves of both, all numbers (default: compare.html)").type("FILE");
+  command.add("--csv", a->csv, "Write all numbers as a table, too").type("FILE");
+  command.add("--all", a->all, "Print all numbers, not only those that differ beyond two standard errors");
+  command.work = [a] { put_side_by_side(*a); };
+}
+
+}  // namespace arenite::app

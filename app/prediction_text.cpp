@@ -1,0 +1,105 @@
+#include "prediction_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "progress.hpp"
+
+namespace arenite::app {
+namespace {
+
+using workflow::Prediction;
+using workflow::StepLimit;
+using workflow::StagePrediction;
+
+std::string collision_text(const Prediction& p) {
+  return fmt::format("collision ({:.3g} s; {}, {}, radius {:.3g} mm)", p.collision.time, p.collision.with_wall ? "a grain and a wall" : "two grains",
+                     p.material, 1e3 * p.collision.radius);
+}
+
+std::string limit_text(const Prediction& p) {
+  const std::string share = fmt::format("1/{:.3g} of the shortest {}", p.collision.time / p.time_step, collision_text(p));
+  switch (p.limit) {
+    case StepLimit::collision: return share;
+    case StepLimit::stiffness: return "the largest that the stiffness of the contacts allows, " + share;
+    case StepLimit::damping: return "the largest that damping (dashpots and drag) allows, " + share;
+    case StepLimit::given: return "given, " + share;
+  }
+  return share;
+}
+
+const char* word_of(StepLimit limit) {
+  switch (limit) {
+    case StepLimit::collision: return "collision";
+    case StepLimit::stiffness: return "stiffness";
+    case StepLimit::damping: return "damping";
+    case StepLimit::given: return "given";
+  }
+  return "";
+}
+
+/// Two digits of an estimate, behind a mark that says so.
+std::string count_text(std::int64_t steps, bool exact) {
+  if (exact || steps < 100) return fmt::format("{}{}", exact ? "" : "~", steps);
+  const auto unit = static_cast<std::int64_t>(std::pow(10, std::floor(std::log10(static_cast<double>(steps))) - 1));
+  return fmt::format("~{}", (steps + unit / 2) / unit * unit);
+}
+
+std::string flow_text(const StagePrediction& stage) {
+  if (!stage.inertial_number) return "";
+  return fmt::format("{:.2g} ({})", *stage.inertial_number, workflow::flow_regime(*stage.inertial_number));
+}
+
+std::string stage_line(const StagePrediction& s) {
+  return fmt::format("{:<12} {:>12} {:>10} {:>9}  {:<22} {:>8}\n", s.name, count_text(s.steps, s.exact),
+                     fmt::format("{}{:.3g} s", s.exact ? "" : "~", s.duration), "~" + duration_text(s.seconds), flow_text(s),
+                     s.stiffness_number ? fmt::format("{:.2g}", *s.stiffness_number) : "");
+}
+
+}  // namespace
+
+std::string prediction_text(const Prediction& p) {
+  std::string text = fmt::format("\ntime step    {:.3g} s: {}; stable up to {:.3g} s\n", p.time_step, limit_text(p), p.largest_step);
+  if (p.stages.empty()) return text;
+  text += fmt::format("{:<12} {:>12} {:>10} {:>9}  {:<22} {:>8}\n", "stage", "steps", "its time", "computing", "inertial number", "k/P");
+  bool all_exact = true;
+  std::int64_t steps = 0;
+  for (const StagePrediction& stage : p.stages) {
+    text += stage_line(stage);
+    all_exact = all_exact && stage.exact;
+    steps += stage.steps;
+  }
+  const std::string from = p.sample < p.grains ? fmt::format("a sample of {}, for some {} grains", p.sample, p.grains)
+                                               : fmt::format("its {} grains", p.grains);
+  text += fmt::format("in all       {:>12} steps, about {} on one free core, by {:.2g} s a step timed on {}\n", count_text(steps, all_exact),
+                      duration_text(p.seconds()), p.seconds_per_step, from);
+  if (!all_exact) text += "~ is an estimate: a stage that ends at rest lasts until its sample rings no more, which may take half or twice that\n";
+  for (const std::string& warning : p.warnings) text += "mind: " + warning + "\n";
+  return text;
+}
+
+Numbers prediction_numbers(const Prediction& p) {
+  Numbers stages = Numbers::list();
+  for (const StagePrediction& s : p.stages) {
+    Numbers stage = Numbers::tree({{"name", s.name}, {"steps", s.steps}, {"exact", s.exact}, {"duration_s", s.duration},
+                                   {"time_step_s", s.time_step}, {"computing_s", s.seconds}});
+    if (s.pressure > 0) stage["pressure_Pa"] = s.pressure;
+    if (s.inertial_number) {
+      stage["inertial_number"] = *s.inertial_number;
+      stage["flow"] = std::string(workflow::flow_regime(*s.inertial_number));
+    }
+    if (s.stiffness_number) {
+      stage["stiffness_number"] = *s.stiffness_number;
+      stage["overlap_over_diameter"] = *s.overlap;
+    }
+    stages.push_back(std::move(stage));
+  }
+  return Numbers::tree({{"time_step_s", p.time_step}, {"time_step_limited_by", word_of(p.limit)}, {"largest_stable_step_s", p.largest_step},
+                        {"shortest_collision", Numbers::tree({{"time_s", p.collision.time}, {"material", p.material},
+                                                              {"radius_m", p.collision.radius}, {"with_wall", p.collision.with_wall}})},
+                        {"grains", p.grains}, {"grains_timed", p.sample}, {"seconds_per_step", p.seconds_per_step}, {"computing_s", p.seconds()},
+                        {"stages", std::move(stages)}, {"warnings", p.warnings}});
+}
+
+}  // namespace arenite::app

@@ -1,0 +1,222 @@
+#include "run_status.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <ctime>
+#include <limits>
+
+#include "io/disk/file.hpp"
+
+namespace arenite::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* file_name = "status.json";
+
+double now() { return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count(); }
+
+std::string host_name() {
+  char name[256] = {};
+  ::gethostname(name, sizeof name - 1);
+  return name;
+}
+
+/// The machine's boot and the clock ticks from there to the start of a process; empty where there is no such process, or no /proc.
+std::string start_of(std::int64_t process) {
+  try {
+    const std::string stat = io::read_file(fmt::format("/proc/{}/stat", process));
+    std::size_t at = stat.rfind(')');  // the program's name, in brackets, may hold anything
+    for (int field = 2; at != std::string::npos && field < 22; ++field) at = stat.find(' ', at + 1);
+    if (at == std::string::npos) return "";
+    std::string boot = io::read_file("/proc/sys/kernel/random/boot_id");
+    while (!boot.empty() && boot.back() == '\n') boot.pop_back();
+    return boot + " " + stat.substr(at + 1, stat.find(' ', at + 1) - at - 1);
+  } catch (const InputError&) {
+    return "";
+  }
+}
+
+bool is_alive(const RunStatus& status) {
+  if (status.process <= 0 || (::kill(static_cast<pid_t>(status.process), 0) != 0 && errno == ESRCH)) return false;
+  return status.process_start.empty() || start_of(status.process) == status.process_start;
+}
+
+Numbers walls_of(const workflow::Progress& p) {
+  Numbers walls = Numbers::tree();
+  for (std::size_t side = 0; side < 4; ++side)
+    if (p.wall[side].present) walls[side_names[side]] = Numbers::tree({{"position_m", p.wall[side].position}, {"force_N", p.wall[side].force}});
+  return walls;
+}
+
+RunStatus status_from(const Numbers& n) {
+  RunStatus s;
+  workflow::Progress& p = s.progress;
+  p.stage = n.at("stage").get<std::size_t>();
+  p.stages = n.at("stages").get<std::size_t>();
+  p.name = n.at("name").get<std::string>();
+  p.share = n.at("share").get<double>();
+  p.step = n.at("step").get<std::int64_t>();
+  p.unbalanced_ratio = n.at("unbalanced_ratio").get<double>();
+  p.field = n.at("field").get<bool>();
+  p.key = n.at("key").get<std::string>();
+  p.increment = n.at("increment").get<std::int64_t>();
+  p.increments = n.at("increments").get<std::int64_t>();
+  p.time = n.at("time_s").get<double>();
+  for (std::size_t side = 0; side < 4; ++side) {
+    const Numbers* wall = n.at_path(std::string("/walls/") + side_names[side]);
+    p.wall[side].present = wall != nullptr;
+    if (!wall) continue;
+    p.wall[side].position = wall->at("position_m").get<double>();
+    p.wall[side].force = wall->at("force_N").get<double>();
+  }
+  s.stopped = n.at("stopped").get<bool>();
+  s.process = n.at("process").get<std::int64_t>();
+  s.host = n.at("host").get<std::string>();
+  s.process_start = n.at("process_start").get<std::string>();
+  s.began = n.at("began").get<double>();
+  s.stage_began = n.at("stage_began").get<double>();
+  s.heard = n.at("heard").get<double>();
+  s.seconds_left = n.at("seconds_left").is_number() ? n.at("seconds_left").get<double>() : std::numeric_limits<double>::quiet_NaN();
+  return s;
+}
+
+std::string clock_text(double seconds) { return fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::localtime(static_cast<std::time_t>(seconds))); }
+
+std::string where(const workflow::Progress& p) {
+  std::string text = fmt::format("stage {} of {}, {}", p.stage + 1, p.stages, p.name);
+  if (p.increments > 1) text += fmt::format(", increment {} of {}", p.increment, p.increments);
+  text += fmt::format(", {:.0f} %", 100 * p.share);
+  return p.step > 0 ? text + fmt::format(", {} {}", p.field ? "iteration" : "step", p.step) : text;
+}
+
+}  // namespace
+
+std::optional<RunStatus> read_run_status(const fs::path& folder) {
+  try {
+    if (!fs::exists(folder / file_name)) return std::nullopt;
+    const auto numbers = from_json(io::read_file(folder / file_name));
+    return numbers ? std::optional(status_from(*numbers)) : std::nullopt;
+  } catch (const InputError&) {  // removed meanwhile
+    return std::nullopt;
+  } catch (const NumbersError&) {  // of another program
+    return std::nullopt;
+  }
+}
+
+Life life_of(const RunStatus& status) {
+  if (status.stopped) return Life::stopped;
+  if (status.host == host_name()) return is_alive(status) ? Life::running : Life::died;
+  constexpr double silence = 60;
+  return now() - status.heard < silence ? Life::running : Life::unknown;
+}
+
+bool ask_to_stop(const RunStatus& status) {
+  return !status.stopped && status.host == host_name() && is_alive(status) && ::kill(static_cast<pid_t>(status.process), SIGTERM) == 0;
+}
+
+Numbers run_status_numbers(const RunStatus& s) {
+  const workflow::Progress& p = s.progress;
+  return Numbers::tree({{"stage", p.stage}, {"stages", p.stages}, {"name", p.name}, {"share", p.share}, {"increment", p.increment},
+                        {"increments", p.increments}, {"step", p.step}, {"time_s", p.time}, {"unbalanced_ratio", p.unbalanced_ratio}, {"field", p.field},
+                        {"walls", walls_of(p)}, {"seconds_left", s.seconds_left}, {"began", s.began}, {"stage_began", s.stage_began}, {"heard", s.heard},
+                        {"stopped", s.stopped}, {"process", s.process}, {"host", s.host}, {"process_start", s.process_start}, {"key", p.key}});
+}
+
+std::string run_status_text(const fs::path& folder) {
+  const auto status = read_run_status(folder);
+  if (!status) return "";
+  const std::string process = fmt::format("process {} on {}", status->process, status->host), at = where(status->progress);
+  const std::string heard = fmt::format("last heard of {}", clock_text(status->heard));
+  switch (life_of(*status)) {
+    case Life::running: {
+      const std::string left = std::isnan(status->seconds_left) ? "" : fmt::format(", about {} left of the stage", duration_text(status->seconds_left));
+      return fmt::format("Running: {}{}\n  since {}, the stage since {}; {}\n", at, left, clock_text(status->began), clock_text(status->stage_began), process);
+    }
+    case Life::stopped: return fmt::format("Stopped: {}\n  {}; the same command goes on from the checkpoint\n", at, heard);
+    case Life::died: return fmt::format("Ended before its time: {}\n  {} is gone, {}; the same command goes on from the last checkpoint\n", at, process, heard);
+    case Life::unknown: return fmt::format("Not known whether it still runs: {}\n  {}, {}\n", at, process, heard);
+  }
+  return "";
+}
+
+StatusFile::StatusFile(fs::path folder) : folder_(std::move(folder)) {
+  status_.process = ::getpid();
+  status_.host = host_name();
+  status_.process_start = start_of(status_.process);
+  status_.began = status_.stage_began = now();
+  status_.progress.name = "packing";
+  status_.progress.stages = 1;
+  writer_ = std::thread([this] { keep(); });
+}
+
+StatusFile::~StatusFile() {
+  if (!writer_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    over_ = status_.stopped = true;
+  }
+  wake_.notify_all();
+  writer_.join();
+  write();
+}
+
+void StatusFile::finish() {
+  {
+    const std::lock_guard lock(mutex_);
+    over_ = true;
+  }
+  wake_.notify_all();
+  writer_.join();
+  std::error_code ignored;
+  const auto kept = read_run_status(folder_);  // by another run meanwhile, of which two in one folder would be one too many
+  if (!kept || kept->process == status_.process) fs::remove(folder_ / file_name, ignored);
+}
+
+void StatusFile::show(const workflow::Progress& progress) {
+  const std::lock_guard lock(mutex_);
+  if (clock_.see(progress)) status_.stage_began = now();
+  status_.progress = progress;
+  changed_ = true;
+}
+
+void StatusFile::keep() {
+  constexpr std::chrono::milliseconds pause(500);
+  std::unique_lock lock(mutex_);
+  while (!over_) {
+    if (changed_) {
+      changed_ = false;
+      lock.unlock();
+      const bool written = write();
+      lock.lock();
+      changed_ = changed_ || !written;
+    }
+    wake_.wait_for(lock, pause, [this] { return over_; });
+  }
+}
+
+bool StatusFile::write() {
+  RunStatus status;
+  {
+    const std::lock_guard lock(mutex_);
+    status = status_;
+    status.seconds_left = clock_.seconds_left(status.progress.share);
+  }
+  status.heard = now();
+  std::error_code ignored;
+  if (!fs::is_directory(folder_, ignored)) return false;
+  try {
+    io::write_atomically(folder_ / file_name, to_json(run_status_numbers(status), 1) + "\n");
+  } catch (const std::exception&) {  // a full disk ends the run by itself
+    return false;
+  }
+  return true;
+}
+
+}  // namespace arenite::app

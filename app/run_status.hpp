@@ -1,0 +1,63 @@
+#pragma once
+#include <condition_variable>
+#include <cstdint>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "progress.hpp"
+#include "statistics/numbers.hpp"
+#include "workflow/run.hpp"
+
+namespace arenite::app {
+
+/// Where a run stood when it was last heard of: what `status.json` in its folder says.
+struct RunStatus {
+  workflow::Progress progress;
+  bool stopped = false;             ///< in an orderly way, with a checkpoint
+  std::int64_t process = 0;
+  std::string host, process_start;  ///< a process number comes again, its start with it does not
+  double began = 0, stage_began = 0, heard = 0;  ///< s since 1970
+  double seconds_left = 0;          ///< of the stage; NaN where not known
+};
+
+/// Nothing where the folder has no such file, or one that cannot be read.
+std::optional<RunStatus> read_run_status(const std::filesystem::path& folder);
+
+enum class Life { running, stopped, died, unknown };  ///< unknown: of another machine, and not heard of for a minute
+Life life_of(const RunStatus& status);
+
+/// Asks the run to write its checkpoint and leave. False where its process is gone or on another machine.
+bool ask_to_stop(const RunStatus& status);
+
+/// What is running, in lines for people; empty for a folder without a status.
+std::string run_status_text(const std::filesystem::path& folder);
+/// The same for programs.
+Numbers run_status_numbers(const RunStatus& status);
+
+/// Keeps `status.json` of a run, at most every half second and by a thread of its own, so that the run never waits for the disk. Nothing is written
+/// before the folder is there, or where it cannot be; a run that ends whole removes it, one that is stopped leaves it.
+class StatusFile {
+ public:
+  explicit StatusFile(std::filesystem::path folder);
+  ~StatusFile();
+  StatusFile(const StatusFile&) = delete;
+  StatusFile& operator=(const StatusFile&) = delete;
+  void show(const workflow::Progress& progress);
+  void finish();  ///< the file is removed
+
+ private:
+  void keep();
+  bool write();
+  std::filesystem::path folder_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  RunStatus status_;
+  StageClock clock_;
+  bool changed_ = true, over_ = false;
+  std::thread writer_;
+};
+
+}  // namespace arenite::app

@@ -1,0 +1,171 @@
+"""Films of a run along its loading: `save(result, "film.mp4", by="pressure")`, or `python3 -m arenite.animate RESULT`.
+
+ffmpeg makes an MP4 where it is installed; Pillow, which comes with Matplotlib, a GIF.
+"""
+
+import argparse
+import os
+import pathlib
+import sys
+
+from ._core import open as open_result
+
+no_ffmpeg = "ffmpeg is not installed (Debian: apt-get install ffmpeg), so this is a GIF: larger, and with fewer colours"
+colourings = ("material", "forces", "pressure", "deviator", "z", "velocity", "displacement", "rotation", "mobilisation")
+
+
+def save(result, path, by="material", *, stage=None, chains=False, colour_map=None, low=None, high=None, fps=10.0, size=(800, 800), curve=None, progress=None):
+    """Writes the stored states of a result (a Result or its path), or of one `stage`, as a film; gives its path, which ends in .gif
+    instead of .mp4 where ffmpeg is not installed.
+
+    `by`: "material", "forces" (bars alone), "pressure", "deviator" (Pa), "z", "velocity" (m/s), "displacement" (since the first
+    state, m), "rotation" (rad), "mobilisation" (mean |F_t|/(mu F_n) of a grain); `chains`: forces as bars over the grains, too;
+    `colour_map`: a name of Matplotlib's; `low`, `high`: ends of its scale in SI units, found in the states unless given; `fps`:
+    states per second; `size`: width and height in pixels; `curve`: ("axial_strain", "top_force"), columns of `curves.along` or of
+    the history, drawn beside with a mark where the state is, or "test": q/p or mu against strain; `progress(share, "states")` is called meanwhile. Raises ValueError
+    with a sentence."""
+    from .figures import motion, moving
+    from .figures.style import journal_style
+
+    path = pathlib.Path(path)
+    refuse(by, path, colour_map, fps, size)
+    result = open_result(os.fspath(result)) if isinstance(result, (str, os.PathLike)) else result
+    shots = motion.shots_of(result, stage)
+    if path.suffix == ".mp4" and not has_ffmpeg():
+        path = path.with_suffix(".gif")
+    with journal_style(**moving.text_size):
+        even = [2 * (n // 2) for n in size]  # video codecs halve both sides
+        pictures = moving.Pictures(shots, by, chains, colour_map, low, high, even, curve and moving.Beside(result, curve))
+        path.parent.mkdir(parents=True, exist_ok=True)
+        (write_mp4 if path.suffix == ".mp4" else write_gif)(path, pictures, fps, progress or (lambda share, name: None))
+    return path
+
+
+def refuse(by, path, colour_map, fps, size):
+    """ValueError for what cannot be meant."""
+    import matplotlib
+
+    if by not in colourings:
+        raise ValueError(f"grains cannot be coloured by {by}; there are {', '.join(colourings)}")
+    if path.suffix not in (".mp4", ".gif"):
+        raise ValueError(f"{path}: give a name that ends in .mp4 or .gif")
+    if colour_map is not None and colour_map not in matplotlib.colormaps:
+        raise ValueError(f"Matplotlib has no colour map {colour_map}; viridis, magma_r, RdBu_r, cividis and turbo are some that it has")
+    if not 0 < fps <= 100:
+        raise ValueError(f"{fps:g} pictures per second cannot be shown; give up to 100")
+    if not all(100 <= n <= 4000 for n in size):
+        raise ValueError("give 100 to 4000 pixels for width and height")
+
+
+def has_ffmpeg():
+    from matplotlib import animation
+
+    return animation.writers.is_available("ffmpeg")
+
+
+def write_mp4(path, pictures, fps, progress):
+    """By ffmpeg, which is fed with pictures as they are drawn; in a format that every player and slide show reads."""
+    from matplotlib import animation
+
+    writer = animation.FFMpegWriter(fps=fps, codec="h264", extra_args=["-pix_fmt", "yuv420p", "-crf", "20", "-movflags", "+faststart"])
+    with writer.saving(pictures.figure, os.fspath(path), pictures.figure.dpi):
+        for k in range(len(pictures)):
+            pictures.image(k)
+            writer.grab_frame()
+            progress((k + 1) / len(pictures), "states")
+
+
+def write_gif(path, pictures, fps, progress):
+    """By Pillow, without dithering, which would make what stands still flicker."""
+    from PIL import Image
+
+    def image(k):
+        return Image.fromarray(pictures.image(k)[..., :3].copy())
+
+    palette = palette_of([image(k) for k in (0, len(pictures) // 2, len(pictures) - 1)], pictures.style.get("colour_map"))
+    frames = []
+    for k in range(len(pictures)):
+        frames.append(image(k).quantize(palette=palette, dither=Image.Dither.NONE))
+        progress((k + 1) / len(pictures), "states")
+    frames[0].save(path, save_all=True, append_images=frames[1:], duration=max(20, round(100 / fps) * 10), loop=0)
+
+
+def palette_of(images, colour_map=None, scale=176):
+    """256 colours for all states: those of lines, `scale` evenly along the colour map where there is one, the others from some states."""
+    import matplotlib
+    import numpy as np
+    from PIL import Image
+
+    from .figures import style
+
+    sample = Image.new("RGB", (images[0].width, len(images) * images[0].height))
+    for k, part in enumerate(images):
+        sample.paste(part, (0, k * part.height))
+    fixed = ["#ffffff", style.strong, style.weak, style.pale, style.tension, *style.colours]
+    fixed = np.round(255 * matplotlib.colors.to_rgba_array(fixed)[:, :3]).astype(int).ravel().tolist()
+    if colour_map is not None:
+        fixed += matplotlib.colormaps.get_cmap(colour_map)(np.linspace(0, 1, scale), bytes=True)[:, :3].ravel().tolist()
+    palette = Image.new("P", (1, 1))
+    palette.putpalette(fixed + sample.quantize(256 - len(fixed) // 3).getpalette()[:3 * 256 - len(fixed)])
+    return palette
+
+
+def main(words=None):
+    """The command's end in Python: prints the path; 2 and a sentence on stderr for what is refused."""
+    parser = argparse.ArgumentParser(prog="arenite animate", description="A film of a run along its loading: MP4 by ffmpeg, or GIF.")
+    parser.add_argument("result", help="folder of a run, or a file of it")
+    parser.add_argument("--out", help="file to write, .mp4 or .gif (default: animation.mp4 in the result's folder)")
+    parser.add_argument("--by", default="material", choices=colourings)
+    parser.add_argument("--stage", help="only this stage; all unless given")
+    parser.add_argument("--chains", action="store_true", help="forces as bars over the grains")
+    parser.add_argument("--map", metavar="NAME", help="colour map of Matplotlib")
+    parser.add_argument("--low", type=float, help="lower end of the colours, in SI units")
+    parser.add_argument("--high", type=float, help="upper end of the colours, in SI units")
+    parser.add_argument("--fps", type=float, default=10, help="states per second")
+    parser.add_argument("--size", type=int, nargs=2, default=None, metavar=("WIDTH", "HEIGHT"), help="pixels (default: 800 800, with a curve 1200 800)")
+    parser.add_argument("--curve", metavar="X,Y", help="columns drawn beside, such as axial_strain,top_force, or test: q/p or mu against strain")
+    a = parser.parse_args(words)
+    try:
+        written = save(a.result, target(a), a.by, stage=a.stage, chains=a.chains, colour_map=a.map, low=a.low, high=a.high, fps=a.fps,
+                       size=a.size or (1200 if a.curve else 800, 800), curve=a.curve and pair(a.curve), progress=told(sys.stderr))
+    except ValueError as error:
+        return said(str(error))
+    except ImportError as error:
+        return said(f"an animation needs Matplotlib and Pillow (Debian: apt-get install python3-matplotlib python3-pil): {error}")
+    except OSError as error:
+        return said(f"{error.filename or a.out}: cannot be written ({error.strerror or error}); choose another file with --out")
+    if written.suffix == ".gif" and not (a.out or "").endswith(".gif"):
+        print(f"arenite: {no_ffmpeg}", file=sys.stderr)
+    print(written)
+    return 0
+
+
+def target(arguments):
+    result = pathlib.Path(arguments.result)
+    return arguments.out or (result if result.is_dir() else result.parent) / "animation.mp4"
+
+
+def pair(text):
+    """("x", "y") of "x,y", and "test" as it is."""
+    if text == "test":
+        return text
+    names = [name.strip() for name in text.split(",")]
+    if len(names) != 2 or not all(names):
+        raise ValueError(f"--curve {text}: give two names, X,Y, such as axial_strain,top_force")
+    return names
+
+
+def told(stream):
+    """Progress on a terminal, and nothing elsewhere."""
+    if not stream.isatty():
+        return None
+    return lambda share, name: print(f"\r{name} {100 * share:3.0f} %", end="\n" if share == 1 else "", file=stream, flush=True)
+
+
+def said(sentence):
+    print(f"arenite: {sentence}", file=sys.stderr)
+    return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,269 @@
+"""Pictures of stored states one after the other, drawn fast: grains by any number of theirs, force chains, walls and periodic images."""
+
+import dataclasses
+import functools
+import tomllib
+import typing
+
+import numpy as np
+from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
+from matplotlib.patches import Rectangle
+
+from .packings import bars, kind_colours, kinds_of, segments
+from .style import chain_width, colours, diverging_map, even_map, pale, stress_map, strong, tension, weak, widest_chain
+
+
+@dataclasses.dataclass
+class Shot:
+    """A stored state and its stage; `sheared` is how far a sheared cell had come by then (strain), 0 in others."""
+
+    stage: typing.Any
+    frame: typing.Any
+    sheared: float = 0.0
+
+    @property
+    def packing(self):
+        return self.frame.packing
+
+
+def shots_of(result, stage=None):
+    """The stored states of a stage, or of all. Raises ValueError where there are fewer than two."""
+    stages = list(result.stages)
+    if stage is not None and stage not in [part.name for part in stages]:
+        raise ValueError(f"there is no stage {stage}; there are {', '.join(part.name for part in stages)}")
+    shots = [Shot(part, frame, sheared_at(part, frame.time)) for part in stages if stage in (None, part.name) for frame in part.frames]
+    if len(shots) < 2:
+        what = f"the stage {stage}" if stage else "this result"
+        raise ValueError(f"{what} holds {['no', 'one'][len(shots)]} stored state of a loading, which does not move; `snapshots` or `increments` of a stage store more")
+    return shots
+
+
+def sheared_at(stage, time):
+    history = stage.history
+    return float(np.interp(time, history["time"], history["shear_strain"])) if "shear_strain" in history else 0.0
+
+
+def ends_of(packing):
+    """(grain, contact, sign): every contact from the side of each grain that it touches; sign -1 for that which n points away from."""
+    c = packing.contacts
+    inner = np.flatnonzero(c.j >= 0)
+    return np.concatenate([c.i, c.j[inner]]), np.concatenate([np.arange(len(c)), inner]), np.concatenate([np.ones(len(c)), -np.ones(len(inner))])
+
+
+def contact_numbers(packing):
+    """How many contacts each grain has, those with walls too."""
+    return np.bincount(ends_of(packing)[0], minlength=len(packing)).astype(float)
+
+
+def grain_stresses(packing):
+    """Stress tensor of each grain by its contact forces (T 1.11), Pa, tension positive, shape (n, 2, 2)."""
+    c = packing.contacts
+    grain, at, sign = ends_of(packing)
+    n, t = np.column_stack([c.nx, c.ny]), np.column_stack([-c.ny, c.nx])
+    force = (c.fn[:, None] * n + c.ft[:, None] * t)[at] * sign[:, None]
+    arm = np.where(sign > 0, c.arm_i[at], c.arm_j[at])
+    branch = -n[at] * (sign * arm)[:, None]
+    sums = np.zeros((len(packing), 2, 2))
+    np.add.at(sums, grain, force[:, :, None] * branch[:, None, :])
+    return sums / (np.pi * packing.radius**2 * packing.domain["thickness"])[:, None, None]
+
+
+def pressure(shot):
+    return -0.5 * np.trace(grain_stresses(shot.packing), axis1=1, axis2=2)
+
+
+def deviator(shot):
+    """Half the difference of the principal stresses."""
+    s = grain_stresses(shot.packing)
+    return np.hypot(0.5 * (s[:, 0, 0] - s[:, 1, 1]), 0.5 * (s[:, 0, 1] + s[:, 1, 0]))
+
+
+@functools.lru_cache(maxsize=64)
+def friction_of(recipe, stage):
+    """mu between grains in a stage of a recipe; None where it does not say."""
+    told = tomllib.loads(recipe)
+    own = [part.get("friction") for part in told.get("stages", []) if part.get("name") == stage]
+    mu = own[-1] if own and own[-1] is not None else told.get("contact", {}).get("friction")
+    return float(mu) if mu is not None else None
+
+
+def mobilisation(shot):
+    """Mean |F_t|/(mu F_n) of a grain's pressed contacts; 0 without friction, |F_t|/F_n where mu is not told."""
+    c = shot.packing.contacts
+    mu = friction_of(shot.stage.provenance.get("recipe", ""), shot.stage.name)
+    if mu == 0:
+        return np.zeros(len(shot.packing))
+    pressed = c.fn > 0
+    share = np.where(pressed, np.abs(c.ft) / np.where(pressed, c.fn, 1), 0) / (mu or 1)
+    grain, at, _ = ends_of(shot.packing)
+    count = np.bincount(grain, pressed[at], minlength=len(shot.packing))
+    return np.bincount(grain, share[at], minlength=len(shot.packing)) / np.maximum(count, 1)
+
+
+def speed(shot):
+    return np.hypot(shot.packing.vx, shot.packing.vy)
+
+
+def nearest_image(dx, dy, domain):
+    """Of differences of places, the images that are nearest in a periodic cell."""
+    if domain["periodic_y"]:
+        n = np.round(dy / domain["height"])
+        dx, dy = dx - n * domain["tilt"], dy - n * domain["height"]
+    if domain["periodic_x"]:
+        dx = dx - np.round(dx / domain["width"]) * domain["width"]
+    return dx, dy
+
+
+def displacements(shots):
+    """How far grains came since the first state, m, (n, 2) for each; without the shear of a sheared cell. In a periodic cell the way
+    from state to state is the shortest one, so states must not be farther apart than half a cell."""
+    ways = [np.zeros((len(shots[0].packing), 2))]
+    for before, now in zip(shots, shots[1:]):
+        a, b, domain = before.packing, now.packing, now.packing.domain
+        up = nearest_image(0, b.y - a.y, domain)[1]
+        middle = 0.5 * (domain["bottom"]["position"] + domain["top"]["position"])
+        affine = (now.sheared - before.sheared) * (a.y + 0.5 * up - middle)
+        ways.append(ways[-1] + np.column_stack(nearest_image(b.x - a.x - affine, b.y - a.y, domain)))
+    return ways
+
+
+@dataclasses.dataclass
+class Colouring:
+    """How grains are coloured: `values(shots)` gives an array a state, in SI units, and `factor` takes them to `unit`."""
+
+    label: str
+    values: typing.Callable
+    colour_map: typing.Any
+    unit: str = ""
+    factor: float = 1.0
+    low: typing.Any = None   # None: from the states
+    high: typing.Any = None
+    symmetric: bool = False
+
+
+def each(of):
+    return lambda shots: [of(shot) for shot in shots]
+
+
+colourings = {
+    "material": None,
+    "forces": None,
+    "pressure": Colouring("pressure", each(pressure), stress_map, "Pa", low=0.0),
+    "deviator": Colouring("deviator of stress", each(deviator), stress_map, "Pa", low=0.0),
+    "z": Colouring("contacts of a grain", each(lambda shot: contact_numbers(shot.packing)), even_map),
+    "velocity": Colouring("speed", each(speed), even_map, "m/s", low=0.0),
+    "displacement": Colouring("displacement", lambda shots: [np.hypot(*way.T) for way in displacements(shots)], even_map, "m", low=0.0),
+    "rotation": Colouring("rotation", lambda shots: [shot.packing.angle - shots[0].packing.angle for shot in shots], diverging_map, "°", np.pi / 180, symmetric=True),
+    "mobilisation": Colouring(r"mean $|F_{\mathrm{t}}|/(\mu F_{\mathrm{n}})$", each(mobilisation), stress_map, low=0.0, high=1.0),
+}
+
+
+def limits_of(colouring, values, low=None, high=None):
+    """(lowest, highest) in SI units of the colour scale of all states: what is asked for, else the range of all but one in a hundred
+    values at either end."""
+    every = np.concatenate(values)
+    every = every[np.isfinite(every)] if np.any(np.isfinite(every)) else np.zeros(1)
+    found = np.percentile(every, [1, 99])
+    if colouring.symmetric and low is None and high is None:
+        high = max(np.percentile(np.abs(every), 99), 1e-12)
+        low = -high
+    low = next(v for v in (low, colouring.low, found[0]) if v is not None)
+    high = next(v for v in (high, colouring.high, found[1]) if v is not None)
+    return low, high if high > low else low + max(abs(low), 1e-9)
+
+
+def with_images(packing):
+    """(place among the grains, x, y) of grains and of their images across periodic sides that reach into the cell."""
+    d = packing.domain
+    index, x, y = np.arange(len(packing)), packing.x, packing.y
+    if d["periodic_y"]:
+        low, high, r = d["bottom"]["position"], d["top"]["position"], packing.radius
+        below, above = np.flatnonzero(y < low + r), np.flatnonzero(y > high - r)
+        index = np.concatenate([index, below, above])
+        x = np.concatenate([x, x[below] + d["tilt"], x[above] - d["tilt"]])
+        y = np.concatenate([y, y[below] + d["height"], y[above] - d["height"]])
+    if d["periodic_x"]:
+        low, width = d["left"]["position"], d["width"]
+        x = low + np.mod(x - low, width)  # images of a sheared cell lie anywhere along it
+        r = packing.radius[index]
+        left, right = np.flatnonzero(x < low + r), np.flatnonzero(x > low + width - r)
+        index, y = np.concatenate([index, index[left], index[right]]), np.concatenate([y, y[left], y[right]])
+        x = np.concatenate([x, x[left] + width, x[right] - width])
+    return index, x, y
+
+
+def disks(axes, packing, **options):
+    """(collection, place of each of its disks among the grains), periodic images too."""
+    index, x, y = with_images(packing)
+    diameter = 2 * packing.radius[index]
+    drawn = EllipseCollection(diameter, diameter, np.zeros(len(index)), units="xy", offsets=np.column_stack([x, y]), offset_transform=axes.transData, **options)
+    axes.add_collection(drawn, autolim=False)
+    return drawn, index
+
+
+def spokes(axes, packing):
+    """A radius on every grain, by which its turning is seen."""
+    index, x, y = with_images(packing)
+    r, angle = 0.9 * packing.radius[index], packing.angle[index]
+    ends = np.column_stack([x + r * np.cos(angle), y + r * np.sin(angle)])
+    return axes.add_collection(LineCollection(np.stack([np.column_stack([x, y]), ends], axis=1), colors=strong, linewidths=0.6), autolim=False)
+
+
+def chains(axes, packing, mean):
+    """Forces as bars, as wide as they are over `mean`; strong ones, above the mean of this state, dark, pulling ones red. White
+    rims tell these from dark grains."""
+    c = packing.contacts
+    push = c.fn[c.fn > 0]
+    kinds = kinds_of(c.fn, np.mean(push) if len(push) else 1.0, np.zeros(len(c), bool))
+    width = np.mean(packing.radius) * np.minimum(widest_chain, chain_width * np.abs(c.fn) / mean)
+    drawn = []
+    for kind in ("weak", "strong", "tension"):
+        of = kinds == kind
+        shapes = np.concatenate([bars(start[of], end[of], width[of]) for start, end in segments(packing)])
+        drawn.append(axes.add_collection(PolyCollection(shapes, facecolor=kind_colours[kind], edgecolor="white", linewidth=0 if kind == "weak" else 0.3), autolim=False))
+    return drawn
+
+
+def sides(axes, packing):
+    """Walls as thick lines, edges of a periodic cell dashed, and how far a sheared cell's top has gone over its bottom; nothing where a
+    wall was taken away."""
+    d = packing.domain
+    left, right, bottom, top = (d[side]["position"] for side in ("left", "right", "bottom", "top"))
+    lines = {"left": ((left, bottom), (left, top)), "right": ((right, bottom), (right, top)), "bottom": ((left, bottom), (right, bottom)), "top": ((left, top), (right, top))}
+    walls = [line for side, line in lines.items() if d[side]["present"]]
+    edges = [line for side, line in lines.items() if d["periodic_x" if side in ("left", "right") else "periodic_y"]]
+    drawn = [LineCollection(walls, colors=strong, linewidths=1.8, capstyle="projecting"), LineCollection(edges, colors=weak, linewidths=0.7, linestyles="--")]
+    if d["tilt"]:
+        drawn.append(LineCollection([((left, bottom), (left + d["tilt"], top)), ((right, bottom), (right + d["tilt"], top))], colors=tension, linewidths=1.5, linestyles=":", zorder=3))
+    return [axes.add_collection(collection, autolim=False) for collection in drawn]
+
+
+def clip(axes, packing, drawn):
+    """Cuts what reaches across the edges of a periodic cell."""
+    d = packing.domain
+    if d["periodic_x"] or d["periodic_y"]:
+        reach = 0.0 if d["periodic_x"] and d["periodic_y"] else np.max(packing.radius)
+        x, y = (reach * (not d[f"periodic_{axis}"]) for axis in "xy")
+        cell = Rectangle((d["left"]["position"] - x, d["bottom"]["position"] - y), d["width"] + 2 * x, d["height"] + 2 * y, transform=axes.transData)
+        for artist in drawn:
+            artist.set_clip_path(cell)
+
+
+def draw_shot(axes, shot, values=None, norm=None, colour_map=None, mean=None, spoked=False):
+    """One state on axes that keep their limits; gives what is drawn, to be removed before the next. `values`: a number a grain with
+    `norm` and `colour_map`, "material", or None for outlines; `mean`: force chains over this force; `spoked`: turning is shown."""
+    packing = shot.packing
+    of_material = isinstance(values, str)
+    style = {"linewidth": 0.25, "edgecolor": strong} if values is not None else {"linewidth": 0.4, "edgecolor": pale, "facecolor": "none"}
+    grains, index = disks(axes, packing, **style)
+    if of_material:
+        grains.set_facecolor([colours[m % len(colours)] + "bf" for m in packing.material[index]])
+    elif values is not None:
+        grains.set(array=values[index], norm=norm, cmap=colour_map)
+    drawn = [grains]
+    if spoked:
+        drawn.append(spokes(axes, packing))
+    if mean and len(packing.contacts) > 0:
+        drawn += chains(axes, packing, mean)
+    clip(axes, packing, drawn)
+    return drawn + sides(axes, packing)

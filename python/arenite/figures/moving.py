@@ -1,0 +1,157 @@
+"""A figure in which one stored state after the other is drawn, with a curve beside it on which a mark moves."""
+
+import matplotlib
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import BoundaryNorm, Normalize
+from matplotlib.figure import Figure as Canvas
+
+from .. import curves
+from . import motion
+from .loadings import draw_curve
+from .packings import material_key
+from .style import bare, colours, length_bar, scaled, strong
+
+dots = 100  # pixels an inch
+text_size = {"font.size": 9, "axes.labelsize": 9, "xtick.labelsize": 8, "ytick.labelsize": 8, "legend.fontsize": 8}
+
+
+class Pictures:
+    """The states of `shots`; what is the same in all of them is laid out once. Options as those of `arenite.animate.save`."""
+
+    def __init__(self, shots, by, chains=False, colour_map=None, low=None, high=None, size=(800, 800), beside=None):
+        self.shots, self.beside, self.drawn = shots, beside, []
+        self.figure = Canvas(figsize=(size[0] / dots, size[1] / dots), dpi=dots, layout="constrained")
+        FigureCanvasAgg(self.figure)
+        self.figure.get_layout_engine().set(w_pad=0.1, h_pad=0.06)
+        self.axes, side_axes = panels(self.figure, shots, beside)
+        self.values, self.style = look(self.axes, shots, by, chains, colour_map, low, high)
+        self.heading = self.axes.set_title(" ")
+        if beside:
+            beside.begin(side_axes, shots)
+        self.image(len(shots) - 1)
+        self.figure.set_layout_engine("none")  # laid out; for every state anew it would take longer than to draw
+
+    def __len__(self):
+        return len(self.shots)
+
+    def image(self, k):
+        """State k as bytes, (height, width, 4); the next one overwrites them."""
+        for artist in self.drawn:
+            artist.remove()
+        shot = self.shots[k]
+        self.drawn = motion.draw_shot(self.axes, shot, self.values[k], **self.style)
+        self.heading.set_text(f"{shot.stage.name}, {shot.frame.label}, {shot.frame.time:.4g} s")
+        if self.beside:
+            self.beside.show(shot)
+        self.figure.canvas.draw()
+        return np.asarray(self.figure.canvas.buffer_rgba())
+
+
+def panels(figure, shots, beside):
+    """Axes of the picture, which hold the cell of every state, and those of the curve, or None."""
+    axes, side = figure.subplots(1, 2, width_ratios=(1.5, 1)) if beside else (figure.subplots(), None)
+    domains = [shot.packing.domain for shot in shots]
+    (left, right), (bottom, top) = (
+        (min(d[low]["position"] for d in domains), max(d[high]["position"] for d in domains)) for low, high in (("left", "right"), ("bottom", "top")))
+    margin = 0.02 * max(right - left, top - bottom)
+    axes.set(xlim=(left - margin, right + margin), ylim=(bottom - 3 * margin, top + margin))
+    length_bar(axes, right - left, left, bottom - 2.6 * margin)
+    bare(axes)
+    return axes, side
+
+
+def look(axes, shots, by, chains, colour_map, low, high):
+    """(what draw_shot takes as `values` of each state, its other options); draws the key or the colour bar."""
+    style = {"spoked": by == "rotation"}
+    if chains or by == "forces":
+        pushing = [shot.packing.contacts.fn[shot.packing.contacts.fn > 0] for shot in shots]
+        style["mean"] = np.mean(np.concatenate(pushing)) if any(map(len, pushing)) else None
+    colouring = motion.colourings[by]
+    if colouring is None:
+        if by == "material":
+            material_key(axes, shots[-1].packing)
+        return [None if by == "forces" else by] * len(shots), style
+    values = colouring.values(shots)
+    colour_map = matplotlib.colormaps[colour_map] if colour_map else colouring.colour_map
+    if by == "z":
+        norm = whole_numbers(values, low, high)
+    else:
+        norm = Normalize(*motion.limits_of(colouring, values, low, high))
+    bar(axes, colouring, norm, colour_map, by)
+    return values, {**style, "norm": norm, "colour_map": colour_map}
+
+
+def whole_numbers(values, low, high):
+    """A colour a number."""
+    low, high = int(low or 0), int(np.max(np.concatenate(values)) if high is None else high)
+    return BoundaryNorm(np.arange(low, max(high, low + 1) + 2) - 0.5, 256)
+
+
+def bar(axes, colouring, norm, colour_map, by):
+    factor, unit = (colouring.factor, colouring.unit) if colouring.unit in ("°", "") else scaled(max(abs(norm.vmin), abs(norm.vmax)), colouring.unit)
+    shown = axes.figure.colorbar(ScalarMappable(norm, colour_map), ax=axes, label=f"{colouring.label}, {unit}" if unit else colouring.label, shrink=0.8, pad=0.02,
+                                 extend="neither" if by == "z" else "both" if norm.vmin else "max")
+    if by == "z":
+        shown.set_ticks(np.arange(norm.boundaries[0] + 0.5, norm.boundaries[-1]))
+    else:
+        shown.formatter = matplotlib.ticker.FuncFormatter(lambda value, _: f"{value / factor:.4g}")
+        shown.locator = matplotlib.ticker.FixedLocator(factor * matplotlib.ticker.MaxNLocator(6).tick_values(norm.vmin / factor, norm.vmax / factor))
+        shown.update_ticks()
+
+
+class Beside:
+    """Two columns of a stage, one over the other, with a mark where the shown state is; the stage is that of the state. `names`: of x
+    and y, or "test"."""
+
+    def __init__(self, result, names):
+        self.result, self.names = result, names
+
+    def begin(self, axes, shots):
+        self.axes, self.stage, self.columns = axes, None, {}
+        for shot in shots:
+            if shot.stage.name not in self.columns and curves.has_history(shot.stage):
+                self.columns[shot.stage.name] = columns_of(self.result, shot.stage, self.names)
+        self.mark = None
+
+    def show(self, shot):
+        if shot.stage.name != self.stage:
+            self.change(shot.stage)
+        if self.mark:
+            time = shot.stage.history["time"]
+            self.mark.set_data(*([np.interp(shot.frame.time, time, values)] for values, _ in self.columns[self.stage]))
+
+    def change(self, stage):
+        self.axes.clear()
+        self.stage, self.mark = stage.name, None
+        self.axes.set_visible(stage.name in self.columns)
+        if stage.name in self.columns:
+            (x, x_label), (y, y_label) = self.columns[stage.name]
+            draw_curve(self.axes, x, y)
+            self.mark, = self.axes.plot(x[:1], y[:1], "o", color=colours[1], markersize=7, markeredgecolor=strong)
+            self.axes.set(xlabel=x_label, ylabel=y_label)
+            self.axes.set_box_aspect(1)
+
+
+def columns_of(result, stage, names):
+    """((values, label), ...) of two columns of curves.along or of a stage's history, or of a "test". Raises ValueError for what is in neither."""
+    known = curves.along(result, stage.name)
+    known.update({name: curves.Curve(stage.history[name], stage.history_units[name]) for name in stage.history if name not in known})
+    if names == "test":
+        names = ("shear_strain", "mu") if "mu" in known else ("axial_strain", "q_over_p")
+    missing = [name for name in names if name not in known]
+    if missing:
+        raise ValueError(f"the stage {stage.name} has no {' and no '.join(missing)} to draw; there are {', '.join(known)}")
+    return [labelled(name, *known[name]) for name in names]
+
+
+def labelled(name, values, unit):
+    """Values in a handy unit, and "axial strain, %"."""
+    words = {"q_over_p": "$q/p$", "mu": r"$\mu$"}.get(name, name.replace("_", " "))
+    if name.endswith("strain"):
+        return 100 * values, f"{words}, %"
+    if unit in ("", "1"):
+        return values, words
+    factor, unit = scaled(np.nanmax(np.abs(values)), unit)
+    return values / factor, f"{words}, {unit}"

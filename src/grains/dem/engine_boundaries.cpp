@@ -1,0 +1,100 @@
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "grains/dem/boundaries.hpp"
+#include "grains/dem/bounds.hpp"
+#include "grains/dem/engine.hpp"
+#include "grains/dem/forces.hpp"
+#include "grains/dem/measure.hpp"
+#include "grains/dem/neighbours.hpp"
+#include "grains/dem/setup.hpp"
+
+namespace arenite::dem {
+namespace {
+
+/// Lists the contacts anew after something came or went; springs stay as they are. What springs hold of a body that is gone, or that came into the
+/// grains, is work of the sides.
+void list_anew(Sample& s, const Team& team) {
+  const bool tracked = s.integration.track_energy;
+  const double before = tracked ? energies_of(s).elastic : 0;
+  rebuild_list(s, team);
+  s.laws.lead = -s.laws.lag;
+  compute_forces(s, team);
+  s.laws = laws_between_steps(s);
+  if (tracked) s.tally.work_walls += energies_of(s).elastic - before;
+}
+
+std::size_t grains_beyond(const Sample& s, int side) {
+  std::size_t count = 0;
+  const double plane = s.domain.wall[static_cast<std::size_t>(side)].position;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const double place = side < bottom ? s.record[k].x : s.record[k].y;
+    count += side % 2 == 0 ? place < plane : place > plane;
+  }
+  return count;
+}
+
+void check_opening(const Sample& s, int side, bool open) {
+  const bool periodic = side < bottom ? s.domain.periodic_x : s.domain.periodic_y;
+  if (open && periodic) throw InputError(fmt::format("the {} side is periodic and has no wall that could be open", side_names[side]));
+  if (const std::size_t beyond = grains_beyond(s, side); !open && beyond > 0)
+    throw InputError(fmt::format("the {} wall cannot come back, for {} grains lie beyond it; leave that side open", side_names[side], beyond));
+}
+
+}  // namespace
+
+void Engine::set_open(const std::array<bool, 4>& open) {
+  Sample& s = machine_->sample;
+  bool changed = false;
+  for (int side = 0; side < 4; ++side) {
+    const auto at = static_cast<std::size_t>(side);
+    if (open[at] == s.wall[at].open) continue;
+    check_opening(s, side, open[at]);
+    changed = true;
+  }
+  if (!changed) return;
+  synchronise(s);
+  for (std::size_t side = 0; side < 4; ++side) {
+    s.wall[side].open = open[side];
+    if (open[side]) s.domain.wall[side].force = s.domain.wall[side].shear_force = 0;
+  }
+  apply_open(s);
+  list_anew(s, machine_->team);
+}
+
+void Engine::set_boundaries(const std::vector<BoundaryDrive>& drives) {
+  Sample& s = machine_->sample;
+  auto& boundaries = s.domain.boundaries;
+  if (drives.size() != boundaries.size())
+    throw InputError(fmt::format("{} boundaries are to be driven, but there are {}", drives.size(), boundaries.size()));
+  bool changed = false, others_there = false;
+  for (std::size_t b = 0; b < drives.size(); ++b) {
+    const Boundary& now = boundaries[b];
+    const BoundaryDrive& drive = drives[b];
+    changed |= drive != BoundaryDrive{now.velocity, now.spin, now.centre, now.present};
+    others_there |= drive.present != now.present;
+  }
+  if (!changed) return;
+  synchronise(s);
+  for (std::size_t b = 0; b < drives.size(); ++b) {
+    boundaries[b].velocity = drives[b].velocity;
+    boundaries[b].spin = drives[b].spin;
+    boundaries[b].centre = drives[b].centre;
+    boundaries[b].present = drives[b].present;
+  }
+  if (others_there) list_anew(s, machine_->team);
+  else sum_boundary_forces(s);
+}
+
+Amount Engine::below(double height) const {
+  const Sample& s = machine_->sample;
+  Amount amount;
+  for (std::size_t k = 0; k < s.count; ++k)
+    if (s.record[k].y < height) {
+      ++amount.grains;
+      amount.mass += own_mass(s, k);
+    }
+  return amount;
+}
+
+}  // namespace arenite::dem

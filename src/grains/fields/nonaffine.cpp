@@ -1,0 +1,164 @@
+#include "grains/fields/nonaffine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/error.hpp"
+#include "geometry/close_pairs.hpp"
+#include "grains/fields/images.hpp"
+#include "grains/texture/view.hpp"
+
+namespace arenite::fields {
+namespace {
+
+using statistics::unknown;
+
+constexpr Tensor2 no_tensor{unknown, unknown, unknown, unknown};
+
+Vec2 times(const Tensor2& a, Vec2 b) { return {a.xx * b.x + a.xy * b.y, a.yx * b.x + a.yy * b.y}; }
+
+/// What the cell makes of a vector between two states: x stretched by the width, y by the height, and sheared by what the tilt gained.
+/// Along sides that are not periodic nothing is known and nothing needed: there no image is chosen.
+Tensor2 cell_motion(const Domain& before, const Domain& after) {
+  const double wider = before.periodic_x ? after.width() / before.width() : 1;
+  if (!before.periodic_y) return {wider, 0, 0, 1};
+  return {wider, (after.tilt - wider * before.tilt) / before.height(), 0, after.height() / before.height()};
+}
+
+void check(const Packing& before, const Packing& after) {
+  if (before.grains.size() != after.grains.size())
+    throw InputError(
+        fmt::format("states of {} and {} grains; compare states of the same grains", before.grains.size(), after.grains.size()));
+  if (before.domain.periodic_x != after.domain.periodic_x || before.domain.periodic_y != after.domain.periodic_y)
+    throw InputError("one state is periodic along a side where the other has walls; compare states of one sample");
+}
+
+struct Neighbour {
+  std::size_t grain = 0;
+  Vec2 separation;  // from the grain to its neighbour's image, before
+};
+
+/// Of every grain: the cell's grains first, then those images of them that lie within `range` of the cell, all compared pair by pair.
+std::vector<std::vector<Neighbour>> neighbours_within(const Packing& packing, double range) {
+  const Domain& domain = packing.domain;
+  const std::size_t n = packing.grains.size();
+  std::vector<double> x, y;
+  std::vector<std::size_t> of;
+  const auto add = [&](Vec2 p, std::size_t g) {
+    x.push_back(p.x);
+    y.push_back(p.y);
+    of.push_back(g);
+  };
+  for (std::size_t g = 0; g < n; ++g) add(texture::wrapped(domain, packing.grains.centre(g)), g);
+  const geometry::Rectangle cell = texture::box_of(domain);
+  const geometry::Rectangle reach{cell.x_min - range, cell.x_max + range, cell.y_min - range, cell.y_max + range};
+  if (domain.periodic_x || domain.periodic_y)
+    for (std::size_t g = 0; g < n; ++g) {
+      const Vec2 p{x[g], y[g]};
+      // Along a side without images a grain may lie beyond the box: its extent there is all that the reach is.
+      const geometry::Rectangle extent{domain.periodic_x ? p.x : reach.x_min, domain.periodic_x ? p.x : reach.x_max,
+                                       domain.periodic_y ? p.y : reach.y_min, domain.periodic_y ? p.y : reach.y_max};
+      for_each_image(domain, extent, reach, [&](const Image& image) {
+        if (image.columns != 0 || image.rows != 0) add(p + image.shift, g);
+      });
+    }
+  std::vector<std::vector<Neighbour>> list(n);
+  if (n == 0) return list;
+  const auto [x0, x1] = std::minmax_element(x.begin(), x.end());
+  const auto [y0, y1] = std::minmax_element(y.begin(), y.end());
+  const geometry::Box box{*x0, *y0, std::max(*x1 - *x0, range), std::max(*y1 - *y0, range), false, false};
+  const std::vector<double> radius(x.size(), range / 2);
+  for (const auto [first, second] : geometry::close_pairs(x, y, radius, box, 0)) {
+    const auto a = static_cast<std::size_t>(first), b = static_cast<std::size_t>(second);
+    if (of[a] == of[b]) continue;  // a grain and its own image say what the cell did, not what its neighbours did
+    const Vec2 separation{x[b] - x[a], y[b] - y[a]};
+    if (a < n) list[a].push_back({of[b], separation});
+    if (b < n) list[b].push_back({of[a], -separation});
+  }
+  return list;
+}
+
+/// The gradient F that maps vectors `from` to `to` with the least sum of squares: F = (sum to (x) from)(sum from (x) from)^-1.
+Tensor2 best_gradient(std::span<const Vec2> from, std::span<const Vec2> to) {
+  Tensor2 x, y;
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    x += outer(to[k], from[k]);
+    y += outer(from[k], from[k]);
+  }
+  const double determinant = y.xx * y.yy - y.xy * y.yx, size = trace(y);
+  if (from.size() < 3 || !(determinant > 1e-12 * size * size)) return no_tensor;
+  const Tensor2 inverse{y.yy / determinant, -y.xy / determinant, -y.yx / determinant, y.xx / determinant};
+  return {x.xx * inverse.xx + x.xy * inverse.yx, x.xx * inverse.xy + x.xy * inverse.yy, x.yx * inverse.xx + x.yy * inverse.yx,
+          x.yx * inverse.xy + x.yy * inverse.yy};
+}
+
+Vec2 mean_of(const std::vector<Vec2>& points) {
+  Vec2 mean;
+  for (const Vec2 p : points) mean += p / static_cast<double>(points.size());
+  return mean;
+}
+
+}  // namespace
+
+LocalDeformation local_deformation(const Packing& before, const Packing& after, double range) {
+  check(before, after);
+  if (!(range > 0)) throw InputError(fmt::format("neighbours within {:g} m; give a positive length", range));
+  const Tensor2 motion = cell_motion(before.domain, after.domain);
+  const auto list = neighbours_within(before, range);
+  const std::size_t n = before.grains.size();
+  LocalDeformation out{std::vector<std::int32_t>(n), std::vector<Tensor2>(n, no_tensor), std::vector<double>(n, unknown),
+                       std::vector<double>(n, unknown)};
+  std::vector<Vec2> from, to;
+  for (std::size_t g = 0; g < n; ++g) {
+    from.clear();
+    to.clear();
+    for (const Neighbour& k : list[g]) {
+      const Vec2 carried = times(motion, k.separation);
+      from.push_back(k.separation);
+      to.push_back(carried + after.domain.nearest_image(after.grains.centre(k.grain) - after.grains.centre(g) - carried));
+    }
+    out.neighbours[g] = static_cast<std::int32_t>(from.size());
+    const Tensor2 f = best_gradient(from, to);
+    if (std::isnan(f.xx)) continue;
+    out.strain[g] = {f.xx - 1, (f.xy + f.yx) / 2, (f.xy + f.yx) / 2, f.yy - 1};
+    out.rotation[g] = (f.yx - f.xy) / 2;
+    double sum = 0;
+    for (std::size_t k = 0; k < from.size(); ++k) {
+      const Vec2 rest = to[k] - times(f, from[k]);
+      sum += dot(rest, rest);
+    }
+    out.d2min[g] = sum / static_cast<double>(from.size());
+  }
+  return out;
+}
+
+AffineFit affine_fit(const Packing& before, const Packing& after) {
+  check(before, after);
+  const Tensor2 motion = cell_motion(before.domain, after.domain);
+  std::vector<Vec2> from, to;
+  for (std::size_t g = 0; g < before.grains.size(); ++g) {
+    from.push_back(before.grains.centre(g));
+    // Carried along by the cell and by the first grain: the images are those nearest to that.
+    const Vec2 start = g == 0 ? after.grains.centre(0) : to.front(), carried = start + times(motion, from[g] - from.front());
+    to.push_back(carried + after.domain.nearest_image(after.grains.centre(g) - carried));
+  }
+  const Vec2 middle = mean_of(from), middle_after = mean_of(to);
+  for (Vec2& p : from) p = p - middle;
+  for (Vec2& p : to) p = p - middle_after;
+
+  AffineFit fit;
+  fit.gradient = best_gradient(from, to);
+  fit.shift = middle_after - times(fit.gradient, middle);
+  double sum = 0;
+  for (std::size_t g = 0; g < from.size(); ++g) {
+    fit.residual.push_back(to[g] - times(fit.gradient, from[g]));
+    sum += dot(fit.residual.back(), fit.residual.back());
+  }
+  fit.fluctuation = from.empty() ? unknown : std::sqrt(sum / static_cast<double>(from.size()));
+  return fit;
+}
+
+}  // namespace arenite::fields

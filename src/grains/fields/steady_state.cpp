@@ -1,0 +1,106 @@
+#include "grains/fields/steady_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/error.hpp"
+
+namespace arenite::fields {
+namespace {
+
+constexpr std::size_t least_blocks = 6;  // an error from fewer is known to a third at best
+
+/// Sums of samples, counted from their mean to keep digits.
+struct Sums {
+  double origin = 0;
+  std::vector<double> before{0.0};  // sum over the samples before each, and over all
+
+  explicit Sums(std::span<const double> samples) {
+    for (const double v : samples) origin += v / static_cast<double>(samples.size());
+    for (const double v : samples) before.push_back(before.back() + (v - origin));
+  }
+  std::size_t size() const { return before.size() - 1; }
+
+  /// Means of blocks of equal length; samples that fill none are left out at the start, nearest to the transient.
+  std::vector<double> block_means(std::size_t length) const {
+    std::vector<double> means;
+    for (std::size_t k = size() % length; k < size(); k += length)
+      means.push_back(origin + (before[k + length] - before[k]) / static_cast<double>(length));
+    return means;
+  }
+};
+
+/// Where the transient ends, in batches: the least of (sum of squares about the mean of what remains) over the square of its number. Sums
+/// from the end, each mean and sum of squares from those of one batch less (B. P. Welford, Technometrics 4, 419, 1962).
+std::size_t transient(const std::vector<double>& batches, std::size_t limit) {
+  double mean = 0, squares = 0, n = 0, least = HUGE_VAL;
+  std::size_t best = 0;
+  for (std::size_t k = batches.size(); k-- > 0;) {
+    const double step = batches[k] - mean;
+    mean += step / ++n;
+    squares += step * (batches[k] - mean);
+    if (k <= limit && squares / (n * n) <= least) {  // of equal ones the earliest, found last
+      least = squares / (n * n);
+      best = k;
+    }
+  }
+  return best;
+}
+
+/// Variance of the mean by blocks over that of as many independent samples; 1 where nothing varies.
+double variance_ratio(const Sums& sums, std::size_t length, double plain_error) {
+  if (!(plain_error > 0)) return 1;
+  const double ratio = statistics::mean_of(sums.block_means(length)).error / plain_error;
+  return ratio * ratio;
+}
+
+void check(std::span<const double> samples, const SteadyOptions& options) {
+  if (const auto bad = std::find_if(samples.begin(), samples.end(), [](double v) { return !std::isfinite(v); }); bad != samples.end())
+    throw InputError(fmt::format("sample {} of the time series is {}; give finite numbers", bad - samples.begin(), *bad));
+  if (options.batch < 1) throw InputError("batches of no sample; give at least 1");
+  if (!(options.most_cut > 0 && options.most_cut < 1))
+    throw InputError(fmt::format("a transient of {:g} of the series at most; give a share between 0 and 1", options.most_cut));
+}
+
+}  // namespace
+
+SteadyState block_average(std::span<const double> samples) {
+  const std::size_t n = samples.size();
+  SteadyState state;
+  state.count = n;
+  const statistics::Measured plain = statistics::mean_of({samples.begin(), samples.end()});
+  state.mean = {plain.value, statistics::unknown, 0};
+  state.deviation = plain.error * std::sqrt(static_cast<double>(n));
+  state.samples_per_independent = statistics::unknown;
+  if (n < least_blocks) return state;
+  const Sums sums(samples);
+  for (std::size_t length = 1; n / (2 * length) >= least_blocks; ++length) {
+    const double g = variance_ratio(sums, length, plain.error), b = static_cast<double>(length);
+    if (plain.error > 0 && !(b * b * b > 2 * static_cast<double>(n) * g * g)) continue;
+    state.block = 2 * length;
+    state.samples_per_independent = variance_ratio(sums, state.block, plain.error);
+    const statistics::Measured blocked = statistics::mean_of(sums.block_means(state.block));
+    state.mean.error = blocked.error;
+    state.mean.freedom = blocked.freedom;
+    break;
+  }
+  return state;
+}
+
+SteadyState find_steady_state(std::span<const double> samples, const SteadyOptions& options) {
+  check(samples, options);
+  const std::size_t batches = samples.size() / options.batch;
+  const auto limit = static_cast<std::size_t>(options.most_cut * static_cast<double>(batches));
+  // Batches fill the series from its end; what is left over at the start goes with the transient.
+  const std::size_t cut = batches > 0 ? transient(Sums(samples).block_means(options.batch), limit) : 0;
+  const std::size_t twice = std::min(2 * cut, limit), first = twice > 0 ? samples.size() % options.batch + twice * options.batch : 0;
+  SteadyState state = block_average(samples.subspan(first));
+  state.first = first;
+  state.reached = cut < limit && std::isfinite(state.mean.error);
+  return state;
+}
+
+}  // namespace arenite::fields

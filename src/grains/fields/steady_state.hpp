@@ -1,0 +1,40 @@
+#pragma once
+#include <cstddef>
+#include <span>
+
+#include "statistics/measured.hpp"
+
+namespace arenite::fields {
+
+/// Choices that the definitions leave open.
+struct SteadyOptions {
+  std::size_t batch = 5;  ///< samples averaged before the search for the end of the transient
+  double most_cut = 0.5;  ///< share of the series that a transient may take at most
+};
+
+/// The part of a time series, evenly sampled, in which a quantity only fluctuates: the critical state of a sheared sample, say.
+struct SteadyState {
+  bool reached = false;                ///< the transient ends early enough, and the rest is long enough to tell its error
+  std::size_t first = 0;               ///< sample with which the plateau begins
+  std::size_t count = 0;               ///< samples in it
+  statistics::Measured mean;           ///< over the plateau; the error respects correlation, NaN where too few samples are independent
+  double deviation = 0;                ///< standard deviation of samples about the mean
+  double samples_per_independent = 0;  ///< variance of the mean over that of as many independent samples; 1 for white noise
+  std::size_t block = 0;               ///< samples a block, over whose means the error is taken
+};
+
+/// Mean of correlated samples and its error by block averaging (H. Flyvbjerg and H. G. Petersen, J. Chem. Phys. 91, 461, 1989). Blocks are
+/// twice as long as the shortest B with B^3 > 2 n (e_B/e_1)^4, e_B the error that blocks of B give (R. M. Lee et al., Phys. Rev. E 83,
+/// 066706, 2011): that B balances the correlation left between blocks with the scatter of an error from few of them, but since the first to
+/// pass is taken, it passes too early more often than too late. The error has the freedom of the blocks less one; it is NaN where fewer
+/// than six blocks would be left.
+SteadyState block_average(std::span<const double> samples);
+
+/// Finds where the standard error of what remains, taken as if its batches were independent, is least (MSER-5: K. P. White, M. J. Cobb and
+/// S. C. Spratt, Proc. Winter Simulation Conf. 2000, 755), cuts twice as much, for what an exponential transient leaves there is a few
+/// tenths of the error still, and averages the rest. A series that drifts to its end is best cut at the limit, `most_cut`, and so has not
+/// reached a steady state: its numbers are those of the part after the limit. Throws InputError for samples that are not finite, no batch,
+/// and a limit outside (0, 1).
+SteadyState find_steady_state(std::span<const double> samples, const SteadyOptions& options = {});
+
+}  // namespace arenite::fields

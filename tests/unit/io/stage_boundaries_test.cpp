@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "core/error.hpp"
+#include "io/disk/file.hpp"
+#include "io/results/results.hpp"
+
+namespace arenite::io {
+namespace {
+
+StageResult stage_with(std::vector<Boundary> boundaries, std::int32_t partner) {
+  Frame frame;
+  Packing& p = frame.packing;
+  p.materials = {{"glass", 2500, 1e6, 0}};
+  p.grains.resize(1);
+  p.grains.radius[0] = 0.01;
+  p.domain.boundaries = std::move(boundaries);
+  p.contacts.add(0, partner, {0, 1}, 1, 0, 0.01, 0);
+  StageResult stage;
+  stage.name = "turn";
+  stage.frames.push_back(frame);
+  return stage;
+}
+
+const std::vector<Boundary> two{{"gate", {{0, 0}, {1, 0.5}}, false, false, {0.1, 0}, 0, {0.5, 0.25}, {}, 0},
+                                {"drum", {{0, 0}, {1, 0}, {0, 1}}, true, true, {}, -2, {0.25, 0.25}, {1, -3}, 0.5}};
+
+std::filesystem::path file(const char* name) { return std::filesystem::path(::testing::TempDir()) / name; }
+
+TEST(StageBoundaries, ComeBackAsTheyWere) {
+  const auto path = file("boundaries.h5");
+  write_stage(path, stage_with(two, boundary_partner(9)));
+  const StageResult read = read_stage(path);
+  EXPECT_EQ(read.frames[0].packing.domain.boundaries, two);
+  EXPECT_EQ(read.frames[0].packing.domain.boundary_of(read.frames[0].packing.contacts.element(0)), 1);
+  std::filesystem::remove(path);
+}
+
+TEST(StageBoundaries, AContactWithAnElementThatIsNotThereIsRefused) {
+  const auto path = file("no_element.h5");
+  write_stage(path, stage_with(two, boundary_partner(10)));
+  EXPECT_THROW(read_stage(path), InputError);
+  write_stage(path, stage_with({}, boundary_partner(0)));
+  EXPECT_THROW(read_stage(path), InputError);
+  std::filesystem::remove(path);
+}
+
+TEST(StageBoundaries, LeaveNoTraceWhereThereAreNone) {
+  const auto path = file("none.h5");
+  write_stage(path, stage_with({}, wall_partner(bottom)));
+  EXPECT_EQ(read_file(path.string()).find("boundaries"), std::string::npos);
+  EXPECT_TRUE(read_stage(path).frames[0].packing.domain.boundaries.empty());
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace arenite::io

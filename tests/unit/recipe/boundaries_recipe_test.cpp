@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "recipe/recipe.hpp"
+
+namespace arenite::recipe {
+namespace {
+
+const char* const hopper = R"(
+[container]
+width = "100 mm"
+height = "200 mm"
+thickness = "10 mm"
+[packing]
+area = { bottom = "60 mm" }
+[materials.glass]
+density = "2500 kg/m^3"
+stiffness = "1 kN/mm"
+[[populations]]
+material = "glass"
+count = 10
+diameter = "5 mm"
+[[boundaries]]
+name = "floor"
+points = [["0 mm", "50 mm"], ["40 mm", "5 cm"]]
+[[boundaries]]
+name = "drum"
+closed = true
+points = [["0 mm", "0 mm"], ["10 mm", "0 mm"], ["0 mm", "10 mm"]]
+[[stages]]
+name = "turn"
+duration = "1 s"
+count_below = "45 mm"
+open = { right = true }
+[[stages.boundaries]]
+name = "floor"
+absent = true
+[[stages.boundaries]]
+name = "drum"
+velocity = ["0 mm/s", "100 mm/s"]
+spin = "180 deg/s"
+centre = ["1 mm", "2 mm"]
+)";
+
+std::string with(const std::string& from, const std::string& to) {
+  std::string text = hopper;
+  text.replace(text.find(from), from.size(), to);
+  return text;
+}
+
+/// Whether the one problem of a recipe says this.
+::testing::AssertionResult is_refused(const std::string& text, const std::string& part) {
+  try {
+    parse_recipe(text, "r.toml");
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    if (error.problems().size() == 1 && what.find(part) != std::string::npos) return ::testing::AssertionSuccess();
+    return ::testing::AssertionFailure() << what;
+  }
+  return ::testing::AssertionFailure() << "was read";
+}
+
+TEST(BoundariesInRecipes, AreReadAndWritten) {
+  const Recipe recipe = parse_recipe(hopper, "r.toml");
+  ASSERT_EQ(recipe.boundaries.size(), 2u);
+  EXPECT_EQ(recipe.boundaries[0].points, (std::vector<Vec2>{{0, 0.05}, {0.04, 0.05}}));
+  EXPECT_FALSE(recipe.boundaries[0].closed);
+  EXPECT_TRUE(recipe.boundaries[1].closed);
+  EXPECT_EQ(recipe.packing.area->bottom, 0.06);
+  const Stage& stage = recipe.stages[0];
+  EXPECT_EQ(stage.open, (std::array{false, true, false, false}));
+  EXPECT_EQ(stage.count_below, 0.045);
+  ASSERT_EQ(stage.boundaries.size(), 2u);
+  EXPECT_TRUE(stage.boundaries[0].absent);
+  EXPECT_EQ(stage.boundaries[1].velocity, (Vec2{0, 0.1}));
+  EXPECT_DOUBLE_EQ(stage.boundaries[1].spin, std::numbers::pi);
+  EXPECT_EQ(stage.boundaries[1].centre, (Vec2{0.001, 0.002}));
+  EXPECT_TRUE(parse_recipe(to_toml(recipe), "r.toml") == recipe);
+  const Recipe again = parse_recipe(to_commented_toml(recipe), "r.toml");
+  EXPECT_EQ(again.boundaries, recipe.boundaries);
+  EXPECT_EQ(again.stages, recipe.stages);
+}
+
+TEST(BoundariesInRecipes, ThatMakeNoSenseAreRefused) {
+  EXPECT_TRUE(is_refused(with(R"(["0 mm", "50 mm"], )", ""), "must be two or more"));
+  EXPECT_TRUE(is_refused(with(R"(["40 mm", "5 cm"])", R"(["0 mm", "50 mm"])"), "must differ from the one before"));
+  EXPECT_TRUE(is_refused(with(R"(["40 mm", "5 cm"])", R"(["40 mm"])"), "two numbers"));
+  EXPECT_TRUE(is_refused(with(R"("40 mm", "5 cm")", R"("40 mm", 50)"), "has no unit"));
+  EXPECT_TRUE(is_refused(with("name = \"drum\"\nvelocity", "name = \"gate\"\nvelocity"), "there is no boundary \"gate\""));
+  EXPECT_TRUE(is_refused(with("name = \"drum\"\nvelocity", "name = \"floor\"\nvelocity"), "named twice"));
+  EXPECT_TRUE(is_refused(with("[[stages]]\n", "[[boundaries]]\nname = \"left\"\npoints = [[\"0 mm\", \"0 mm\"], [\"1 mm\", \"0 mm\"]]\n[[stages]]\n"),
+                         "not be that of a wall"));
+  EXPECT_TRUE(is_refused(with("duration = \"1 s\"\n", ""), "moving side or boundary"));
+  EXPECT_TRUE(is_refused(with("open = {", "right = { velocity = \"1 mm/s\" }\nopen = {"), "cannot be away"));
+  EXPECT_TRUE(is_refused(with("bottom = \"60 mm\"", "bottom = \"600 mm\""), "must lie in the container"));
+}
+
+TEST(BoundariesInRecipes, LeaveNoTraceWhereThereAreNone) {
+  std::string text = hopper;
+  text = text.substr(0, text.find("[[boundaries]]")) + "[[stages]]\nname = \"rest\"\n";
+  text.replace(text.find("area"), std::string("area = { bottom = \"60 mm\" }").size(), "");
+  const std::string written = to_toml(parse_recipe(text, "r.toml"));
+  for (const char* key : {"boundaries", "open", "count_below", "area"}) EXPECT_EQ(written.find(key), std::string::npos) << key;
+}
+
+}  // namespace
+}  // namespace arenite::recipe
