@@ -17,11 +17,14 @@ std::string inline_table(const RecordTable& table) {
   return fmt::format("{{ {} }}", fmt::join(items, ", "));
 }
 
-/// { a = 1, b = "... mm" } with a form to fill in for each required key.
+/// { a = 1, b = "... mm" } with a form to fill in for each required key, and for every key where none has a value of its own.
 std::string inline_form(const RecordTable& table) {
+  const bool bare = std::none_of(table.begin(), table.end(), [](const Record& record) { return record.required || record.literal; });
   std::vector<std::string> items;
   for (const auto& record : table) {
-    if (record.required || record.literal) {
+    if (bare) {
+      items.push_back(fmt::format("{} = {}", record.name, record.form));
+    } else if (record.required || record.literal) {
       items.push_back(fmt::format("{} = {}", record.name, record.required ? record.form : *record.literal));
     }
   }

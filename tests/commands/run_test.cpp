@@ -56,7 +56,7 @@ fs::path stage_file(const fs::path& out, const std::string& stage) {
 
 TEST(DamagedStageFile, IsComputedAgainWithANoticeAndTheSameBytes) {
   const TemporaryFolder folder;
-  const auto file = write(folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nrest = { max_steps = 400 }\n"));
+  const auto file = write(folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nequilibrium = { max_steps = 400 }\n"));
   const auto out = folder / "out";
   ASSERT_EQ(arenite("run " + file + " --quiet --out " + out.string()).status, 3);
   for (const std::string stage : {"packing", "load"}) {
@@ -77,7 +77,7 @@ TEST(DamagedStageFile, IsComputedAgainWithANoticeAndTheSameBytes) {
   }
 }
 
-const char* const short_load = "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nrest = { max_steps = 400 }\n";
+const char* const short_load = "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nequilibrium = { max_steps = 400 }\n";
 
 TEST(RunFolder, SaysWhatItPutsAsideAndWhichExportsAreStale) {
   const TemporaryFolder folder;
@@ -130,7 +130,7 @@ TEST(RunFolder, AFileWhoseNameAgreesButWhoseHashDoesNotIsMadeAnew) {
 
 TEST(StageWithoutEquilibrium, EndsWithStatusThreeAndSaysWhatItReached) {
   const TemporaryFolder folder;
-  const auto file = write(folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nrest = { max_steps = 400 }\n"
+  const auto file = write(folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nequilibrium = { max_steps = 400 }\n"
                                              "[[stages]]\nname = \"more\"\ntop = { force = \"2 kN\" }\n"));
   const auto run = arenite("run " + file + " --quiet --out " + (folder / "out").string());
   EXPECT_EQ(run.status, 3) << run.err;
@@ -149,7 +149,7 @@ TEST(StageOverATime, SpeaksOfForcesOnSidesOnlyWhereItMeasuresThem) {
 
 TEST(Show, BeginsWithTheTitleAndLeavesOutWhatASampleWithoutContactsHasNot) {
   const TemporaryFolder folder;
-  const auto file = write(folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nrest = { max_steps = 400 }\n"));
+  const auto file = write(folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nequilibrium = { max_steps = 400 }\n"));
   const auto out = folder / "out";
   ASSERT_EQ(arenite("run " + file + " --quiet --out " + out.string()).status, 3);
   const auto shown = arenite("show " + stage_file(out, "packing").string());
@@ -186,7 +186,7 @@ TEST(CommandLine, ThatCannotBeReadIsOneLine) {
 
 TEST(ExportThatCannotEnd, TakesBackWhatItWrote) {
   const TemporaryFolder folder;
-  const auto file = write(folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nincrements = 2\nrest = { unbalanced = 0.01, kinetic = 0.01 }\n"));
+  const auto file = write(folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nincrements = 2\nequilibrium = { unbalanced = 0.01, kinetic = 0.01 }\n"));
   const auto out = (folder / "out").string();
   ASSERT_EQ(arenite("run " + file + " --quiet --out " + out).status, 0);
   // In units of 512 bytes: the loose packing's tables fit below the limit, those of the loaded states do not.

@@ -10,7 +10,7 @@ SOURCES = ROOT / "src"
 FLOORS = [["core"], ["geometry", "statistics"], ["model"], ["io", "grains", "solid", "thermal"], ["recipe"], ["workflow"], ["campaign"], ["report"]]
 # The chambers of a room, from left to right: one includes itself and those before it.
 CHAMBERS = {
-    "grains": ["packing", "dem", "texture"],
+    "grains": ["packing", "dem", "texture", "fields"],
     "solid": ["cement", "raster", "peridynamics", "stress"],
     "thermal": ["radiometry", "imaging", "camera", "thermography", "inference", "identify"],
 }

@@ -142,7 +142,7 @@ GrainRows rows_of_grain(const Placed& placed, std::size_t g, const std::vector<G
                  std::vector<double>(z * pixels.size())};
   for (std::size_t q = 0; q < pixels.size(); ++q) {
     const Vec2 x = pixels[q].place + placed.found[g] - placed.centre[g];
-    double *row = &rows.response[2 * z * q], *turn = &rows.turn[z * q];
+    double *row = rows.response.data() + 2 * z * q, *turn = rows.turn.data() + z * q;
     Vec2 shift;
     fill_row(field, placed.radius[g], x, footprint, row, turn, shift);
     for (std::size_t k = 0; k < 2 * z; ++k) row[k] *= factor;
