@@ -4,8 +4,12 @@
 
 #include "grains/packing/size_laws/fixed.hpp"
 #include "grains/packing/size_laws/list.hpp"
+#include "grains/packing/size_laws/log_normal.hpp"
 #include "grains/packing/size_laws/normal.hpp"
+#include "grains/packing/size_laws/power.hpp"
+#include "grains/packing/size_laws/sieve_curve.hpp"
 #include "grains/packing/size_laws/uniform.hpp"
+#include "grains/packing/size_laws/weibull.hpp"
 
 namespace arenite::packing {
 
@@ -21,6 +25,6 @@ template <DrawsDiameters... Law>
 using SizeLaws = std::variant<Law...>;
 
 /// The size laws there are, the usual one first. A new one is a file beside these and a word here: recipe keys, their documentation and hashes follow.
-using SizeLaw = SizeLaws<FixedSize, UniformSizes, NormalSizes, SizeList>;
+using SizeLaw = SizeLaws<FixedSize, UniformSizes, NormalSizes, SizeList, PowerLawSizes, LogNormalSizes, WeibullSizes, SieveCurve>;
 
 }  // namespace arenite::packing

@@ -1,0 +1,33 @@
+#pragma once
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "grains/packing/size_laws/uniform.hpp"
+
+namespace arenite::packing {
+
+/// Logarithms of diameters are Gaussian; drawn again until it lies between min and max.
+struct LogNormalSizes : UniformSizes {
+  double median = 0, spread = 0;  ///< before the truncation: m, and the standard deviation of ln d
+
+  static constexpr Word word{"log_normal", "ln of the diameter is Gaussian, truncated to min..max"};
+  void declare(ParameterVisitor& visitor) {
+    visitor.number({"median", "Median diameter before the truncation.", true}, median, "mm", range::positive);
+    visitor.number({"spread", "Standard deviation of the natural logarithm of the diameter.", true}, spread, "", range::between(0, 5));
+    UniformSizes::declare(visitor);
+    visitor.require(median >= min && median <= max, {"median", "min", "max"}, "must lie between min and max");
+  }
+  bool operator==(const LogNormalSizes&) const = default;
+
+  /// Throws InputError where the truncation leaves almost nothing; a recipe keeps it around the median.
+  double draw(std::int64_t /*k*/, RandomStream& random) const {
+    for (int attempt = 0; attempt < 100'000; ++attempt)
+      if (const double d = median * std::exp(spread * random.normal()); d >= min && d <= max) return d;
+    throw InputError(fmt::format("between {:g} and {:g} m the log-normal size law has almost none of its grains (median {:g} m, spread {:g}); move min and max apart",
+                                 min, max, median, spread));
+  }
+};
+
+}  // namespace arenite::packing
