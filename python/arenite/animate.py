@@ -19,7 +19,7 @@ def save(result, path, by="material", *, stage=None, chains=False, colour_map=No
     instead of .mp4 where ffmpeg is not installed.
 
     `by`: "material", "forces" (bars alone), "pressure", "deviator" (Pa), "z", "velocity" (m/s), "displacement" (since the first
-    state, m), "rotation" (rad), "mobilisation" (mean |F_t|/(mu F_n) of a grain); `chains`: forces as bars over the grains, too;
+    state, m), "rotation" (rad), "mobilisation" (mean ``|F_t|/(mu F_n)`` of a grain); `chains`: forces as bars over the grains, too;
     `colour_map`: a name of Matplotlib's; `low`, `high`: ends of its scale in SI units, found in the states unless given; `fps`:
     states per second; `size`: width and height in pixels; `curve`: ("axial_strain", "top_force"), columns of `curves.along` or of
     the history, drawn beside with a mark where the state is, or "test": q/p or mu against strain; `progress(share, "states")` is called meanwhile. Raises ValueError

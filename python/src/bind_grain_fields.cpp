@@ -152,7 +152,7 @@ void bind_grain_fields(py::module_& m) {
         "Deformation between two states of the same grains: strain and rotation of every grain's surroundings within `range` (m or text with a unit), d2min (m^2, mean over neighbours; "
         "Falk and Langer 1998), and of all grains the gradient, residual displacements (m) and their root mean square, fluctuation.");
   m.def("friction_state", &friction, py::arg("packing"), py::arg("mu"), py::arg("wall_mu") = py::none(),
-        "Friction at the contacts: mobilisation |F_t|/(mu F_n) and power_W of each; mean and sliding (share of contacts that slide), each (value, error); total_power_W.");
+        "Friction at the contacts: mobilisation (tangential force over mu times the normal one) and power_W of each; mean and sliding (share of contacts that slide), each (value, error); total_power_W.");
   m.def("steady_state", &steady, py::arg("series"),
         "The part of an evenly sampled series in which it only fluctuates: reached, first (sample), mean with its error, which respects correlation, deviation.");
 }

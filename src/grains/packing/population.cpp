@@ -11,6 +11,11 @@
 #include "core/random.hpp"
 
 namespace arenite::packing {
+
+void refuse_truncation(const UniformSizes& law, const char* name, const char* centre) {
+  throw InputError(fmt::format("from {:g} to {:g} m the {} size law has almost none of its grains; move min and max apart, around its {}", law.min, law.max, name, centre));
+}
+
 namespace {
 
 /// Grains of each population; shares by largest remainder, ties to the first.

@@ -1,9 +1,6 @@
 #pragma once
-#include <fmt/core.h>
-
 #include <cmath>
 
-#include "core/error.hpp"
 #include "grains/packing/size_laws/uniform.hpp"
 
 namespace arenite::packing {
@@ -25,8 +22,7 @@ struct LogNormalSizes : UniformSizes {
   double draw(std::int64_t /*k*/, RandomStream& random) const {
     for (int attempt = 0; attempt < 100'000; ++attempt)
       if (const double d = median * std::exp(spread * random.normal()); d >= min && d <= max) return d;
-    throw InputError(fmt::format("between {:g} and {:g} m the log-normal size law has almost none of its grains (median {:g} m, spread {:g}); move min and max apart",
-                                 min, max, median, spread));
+    refuse_truncation(*this, "log-normal", "median");
   }
 };
 

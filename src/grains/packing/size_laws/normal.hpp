@@ -1,7 +1,4 @@
 #pragma once
-#include <fmt/core.h>
-
-#include "core/error.hpp"
 #include "grains/packing/size_laws/uniform.hpp"
 
 namespace arenite::packing {
@@ -23,8 +20,7 @@ struct NormalSizes : UniformSizes {
   double draw(std::int64_t /*k*/, RandomStream& random) const {
     for (int attempt = 0; attempt < 100'000; ++attempt)
       if (const double d = mean + deviation * random.normal(); d >= min && d <= max) return d;
-    throw InputError(fmt::format("the cut {:g}-{:g} m of the normal size law holds almost none of its grains (mean {:g} m, deviation {:g} m); widen the cut",
-                                 min, max, mean, deviation));
+    refuse_truncation(*this, "normal", "mean");
   }
 };
 

@@ -21,4 +21,7 @@ struct UniformSizes {
   double largest() const { return max; }
 };
 
+/// Throws InputError: the truncation of a law leaves almost none of its grains. Lengths in m.
+[[noreturn]] void refuse_truncation(const UniformSizes& law, const char* name, const char* centre);
+
 }  // namespace arenite::packing
