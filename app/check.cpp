@@ -53,13 +53,19 @@ void check_film(const recipe::FilmRecipe& recipe, bool json) {
   std::fputs(json ? (to_json(Numbers::tree({{"recipe", text}}), 2) + "\n").c_str() : text.c_str(), stdout);
 }
 
+void say(const std::vector<std::string>& notices) {
+  for (const std::string& sentence : notices) fmt::print(stderr, "{}\n", sentence);
+}
+
 void check(const Arguments& a) {
   if (recipe::describes_film(io::read_file(a.recipe))) {
     const auto film = recipe::read_film_recipe(a.recipe, a.overrides);
+    say(film.notices);
     if (!a.quiet) check_film(film, a.json);
     return;
   }
   const auto recipe = recipe::read_recipe(a.recipe, a.overrides);
+  say(recipe.notices);
   if (!a.quiet) check_simulation(recipe, a.json);
 }
 

@@ -94,6 +94,7 @@ campaign::StudyOutcome run_missing(const campaign::Study& study, const campaign:
   options.numbers = [](const workflow::RunOutcome& outcome) { return report::Summary(outcome).numbers(); };
   options.asked_to_stop = stop_requested;
   options.notice = [](const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); };
+  for (const std::string& sentence : study.notices) options.notice(sentence);
   StudyLine line(quiet);
   options.progress = [&](const campaign::StudyProgress& progress) { line.show(progress); };
   return campaign::run_study(study, folder, options);

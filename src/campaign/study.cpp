@@ -55,6 +55,7 @@ class RunProblems {
 /// The tree of the recipe, its overrides applied; its [sweep] is taken out of it.
 Sweep take_sweep(Study& study, recipe::Reading& reading) {
   study.tree = recipe::read_tree(io::read_file(study.file), reading, study.overrides, "composite");
+  study.notices = reading.notices;
   auto& entries = study.tree.entries;
   const auto at = std::find_if(entries.begin(), entries.end(), [](const recipe::Entry& entry) { return entry.key == "sweep"; });
   if (at == entries.end())

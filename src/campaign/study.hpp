@@ -22,6 +22,7 @@ struct StudyRun {
 struct Study {
   std::string file, title;
   std::vector<std::string> overrides;                        ///< as given with --set
+  std::vector<std::string> notices;                          ///< what the reader of the recipe found worth a word
   std::vector<std::string> keys;                             ///< that are swept, in order; "seed" last where there are replicates
   std::vector<StudyRun> runs;
   std::vector<std::pair<std::string, std::string>> inputs;   ///< files that it was read from, and their hashes

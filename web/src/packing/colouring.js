@@ -33,6 +33,29 @@ export const colourings = {
       return ramp(theme.stress, (g) => frame.sigmaNorm[g] / top);
     },
   },
+  coordination: {
+    label: "z",
+    scale: () => ({ low: 0, high: 6, title: "Contacts of a grain", map: "size", open: true }),
+    colour: (sample, frame, theme) => ramp(theme.size, (g) => sample.coordination(frame, g) / 6),
+  },
+  displacement: {
+    label: "Displacement",
+    when: (sample) => sample.frameCount > 1,
+    scale: (sample) => ({ low: 0, high: 1e3 * displacementTop(sample), title: "Displacement since the first state of the stage, mm", map: "size", open: true }),
+    colour: (sample, frame, theme) => {
+      const way = displacements(sample, frame), top = displacementTop(sample);
+      return ramp(theme.size, (g) => way[g] / top);
+    },
+  },
+  friction: {
+    label: "|F_{t}|/F_{n}",
+    when: (sample) => sample.frame(sample.frameCount - 1).contacts.ft?.some((force) => force !== 0),
+    scale: () => ({ low: 0, high: 0.5, title: "Mean |F_{t}|/F_{n} at the contacts of a grain", map: "size", open: true }),
+    colour: (sample, frame, theme) => {
+      const mobilised = mobilisations(sample, frame);
+      return ramp(theme.size, (g) => mobilised[g] / 0.5);
+    },
+  },
   zone: {
     label: "Zone",
     when: (sample) => sample.hasZones,
@@ -40,6 +63,35 @@ export const colourings = {
     colour: (sample, frame, theme) => (g) => (sample.zone[g] > 0 ? theme.materialLine[(sample.zone[g] + 1) % 4] : theme.weak),
   },
 };
+
+/** Ways since the first state of the frame's stage, m; over periodic sides the shorter one. */
+function displacements(sample, frame) {
+  const start = sample.frame(sample.about.frames.findIndex(({ stage }) => stage === frame.stage)), { walls } = frame.domain;
+  const width = frame.domain.periodic[0] ? walls[1].position - walls[0].position : Infinity;
+  const height = frame.domain.periodic[1] ? walls[3].position - walls[2].position : Infinity;
+  const shorter = (d, size) => (size < Infinity ? d - size * Math.round(d / size) : d);
+  return frame.x.map((x, g) => {
+    const up = frame.y[g] - start.y[g], rows = height < Infinity ? Math.round(up / height) : 0;
+    return Math.hypot(shorter(x - start.x[g] - rows * (frame.domain.tilt ?? 0), width), shorter(up, height));
+  });
+}
+
+/** Upper end of the scale of displacements: all but a few grains of the last state moved less. */
+function displacementTop(sample) {
+  if (sample.displacementTop) return sample.displacementTop;
+  const sorted = Float32Array.from(displacements(sample, sample.frame(sample.frameCount - 1))).sort();
+  return (sample.displacementTop = Math.max(sorted[Math.floor(0.99 * (sorted.length - 1))], 1e-9));
+}
+
+function mobilisations(sample, frame) {
+  const { start, list } = sample.contactsByGrain(frame), { fn, ft } = frame.contacts;
+  return frame.x.map((_, g) => {
+    let sum = 0, count = 0;
+    for (let c = start[g]; c < start[g + 1]; ++c)
+      if (fn[list[c]] > 0) sum += Math.abs(ft[list[c]]) / fn[list[c]], ++count;
+    return count > 0 ? sum / count : 0;
+  });
+}
 
 function extent(values) {
   let low = Infinity, high = -Infinity;
