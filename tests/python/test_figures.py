@@ -18,7 +18,7 @@ cards = {
     "fabric": ("stage", "contact-directions"), "sigma-norm": ("stage", "sigma-norm"), "forces": ("stage", "forces"), "coordination": ("stage", "coordination"),
     "contact-numbers": ("stage", "contact-numbers"), "rev": ("stage", "rev"), "threshold": ("stage", "threshold"), "course": ("stage", "course"),
     "wall-forces": ("stage", "wall-forces"), "travel": ("stage", "travel"), "energies": ("stage", "energies"), "rest": ("stage", "rest"),
-    "stress-strain": ("field", "stress-strain"), "broken-bonds": ("field", "broken-bonds"), "energy-balance": ("field", "energy-balance"),
+    "test-curves": ("stage", "stress-strain"), "discharge": ("stage", "discharge"), "stress-strain": ("field", "stress-strain"), "broken-bonds": ("field", "broken-bonds"), "energy-balance": ("field", "energy-balance"),
     "stress-pdf": ("field", "stress-pdf"), "cavities": ("field", "cavities"), "convergence": ("field", "convergence"),
     "film-maps": ("film", "beside-simulation"), "film-fit": ("film", "film-fit"), "film-twin": ("film", "against-simulation"), "film-tails": ("film", "tails"), "film-directions": ("film", "contact-directions"),
     "film-forces": ("film", "forces"), "film-certainty": ("film", "certainty"), "film-stresses": ("film", "stresses"),
@@ -27,7 +27,7 @@ cards = {
 pictures = {("stage", "packing"), ("stage", "sigma-norm-map"), ("stage", "force-network"), ("field", "phases"), ("field", "stress"), ("field", "displacement"), ("field", "cracks"),
             ("film", "maps"), ("film", "grains"), ("film", "force-network")}
 # What the page has no cards of.
-printed = {("stage", "stress-strain"), ("stage", "cycles")}
+printed = {("stage", "cycles")}
 components = {("field", f"stress-pdf-{name}") for name in ("xx", "xy", "hyd")}
 
 
@@ -44,7 +44,7 @@ def test_every_card_of_the_page_has_its_figure():
 
 def test_every_figure_of_a_run_is_drawn_and_embeds_its_fonts(result, tmp_path):
     paths = figures.save_all(result, tmp_path, ("pdf", "svg"))
-    stage = {name for kind, name in set(cards.values()) | pictures | printed if kind == "stage"} - {"course", "cycles", "stress-strain"}
+    stage = {name for kind, name in set(cards.values()) | pictures | printed if kind == "stage"} - {"course", "cycles", "stress-strain", "discharge"}
     field = {"stress", "displacement", "stress-pdf", "convergence"}
     expected = {f"rest-{name}" for name in stage} | {"cement-phases", "cement-cavities"} | {f"tension-{name}" for name in field}
     drawn = {p.stem for p in paths} - {f"tension-{name}" for _, name in components} - {"rest-course"}
@@ -301,3 +301,11 @@ def test_stored_states_lie_on_the_travel_of_the_wall(result):
     figures.draw_travel(shown, stage.history, stage.frames)
     line, states = shown.lines
     assert len(states.get_xdata()) == len(stage.frames) and states.get_xdata()[-1] == pytest.approx(line.get_xdata()[-1], abs=1e-3 * np.ptp(line.get_xdata()))
+
+
+def test_the_mass_that_has_passed_is_drawn_over_the_time():
+    axes_of = axes()
+    histories.draw_discharge(axes_of, {"time": np.array([2.0, 2.5, 3.0]), "passed_mass": np.array([0, 0.2, 0.4])})
+    line = axes_of.lines[0]
+    assert line.get_xdata().tolist() == [0, 0.5, 1] and line.get_ydata() == pytest.approx([0, 200, 400])
+    assert axes_of.get_ylabel() == "mass passed, g"

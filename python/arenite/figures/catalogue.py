@@ -110,6 +110,7 @@ figures = [
     Figure("energies", "stage", one(histories.draw_energies, lambda s: s.history), has_time("elastic")),
     Figure("stress-strain", "stage", loadings.stress_strain, loadings.has_test, 1.1),
     Figure("cycles", "stage", loadings.cycles, loadings.has_cycles),
+    Figure("discharge", "stage", one(histories.draw_discharge, lambda s: s.history), has_time("passed_mass")),
     Figure("rest", "stage", one(histories.draw_rest, lambda s: s.history), has_time("unbalanced_ratio")),
     Figure("phases", "field", one(fields.draw_phases, lambda f: f), height=of_field, of_map=True),
     Figure("cavities", "field", one(densities.draw_cavities, lambda f: f.numbers), lambda f: densities.has_cavities(f.numbers), of_map=True),

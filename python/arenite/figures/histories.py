@@ -61,6 +61,14 @@ def draw_energies(axes, history):
         axes.set_ylim(max(values[values > 0].min(), 1e-7 * values.max()) / 2, 2 * values.max())
 
 
+def draw_discharge(axes, history):
+    """Mass of the grains that have passed the height that the recipe counts below."""
+    mass = history["passed_mass"]
+    factor, unit = scaled(1e3 * np.max(np.abs(mass)), "g")
+    axes.plot(_time(history), 1e3 * mass / factor, color=strong)
+    axes.set(xlabel="time, s", ylabel=f"mass passed, {unit}")
+
+
 def draw_rest(axes, history):
     """How far the sample is from equilibrium."""
     _lines(axes, history, [("unbalanced_ratio", "unbalanced force"), ("kinetic_ratio", "kinetic/elastic"), ("mobilisation", r"mean $|F_{\mathrm{t}}|/F_{\mathrm{n}}$")], positive=True, columns=2)
