@@ -24,10 +24,9 @@ struct Colouring {
   Dimension dimension;
   const char* unit;
 };
-constexpr Colouring colourings[] = {
-    {"material", dimension::none, ""},         {"forces", dimension::none, ""},           {"pressure", dimension::pressure, "kPa"},
-    {"deviator", dimension::pressure, "kPa"},  {"z", dimension::none, ""},                {"velocity", dimension::velocity, "mm/s"},
-    {"displacement", dimension::length, "mm"}, {"rotation", dimension::none, "deg"},      {"mobilisation", dimension::none, ""}};
+constexpr Colouring colourings[] = {{"material", dimension::none, ""},         {"forces", dimension::none, ""},      {"pressure", dimension::pressure, "kPa"},
+                                    {"deviator", dimension::pressure, "kPa"},  {"z", dimension::none, ""},           {"velocity", dimension::velocity, "mm/s"},
+                                    {"displacement", dimension::length, "mm"}, {"rotation", dimension::none, "deg"}, {"mobilisation", dimension::none, ""}};
 
 std::vector<std::string> names() {
   std::vector<std::string> list;
@@ -50,7 +49,8 @@ std::vector<std::string> width_and_height(const std::string& text) {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     return error == std::errc() && end == word.data() + word.size() && value > 0;
   };
-  if (cross != std::string::npos && is_number(text.substr(0, cross)) && is_number(text.substr(cross + 1))) return {text.substr(0, cross), text.substr(cross + 1)};
+  if (cross != std::string::npos && is_number(text.substr(0, cross)) && is_number(text.substr(cross + 1)))
+    return {text.substr(0, cross), text.substr(cross + 1)};
   throw InputError("--size: " + text + " is no size; give pixels, e.g. 1200x800");
 }
 
@@ -76,7 +76,9 @@ void add_animate(Options& command, int&) {
   const auto a = std::make_shared<Arguments>();
   command.add("result", a->result, "Folder of a run, or a file of it").required().type("RESULT");
   command.add("--out", a->out, "File to write, .mp4 (by ffmpeg) or .gif (default: animation.mp4 in the result's folder)").type("FILE");
-  command.add("--by", a->by, "What grains are coloured by (default: material); forces: bars alone; displacement and rotation since the first state").among(names()).type("WHAT");
+  command.add("--by", a->by, "What grains are coloured by (default: material); forces: bars alone; displacement and rotation since the first state")
+      .among(names())
+      .type("WHAT");
   command.add("--chains", a->chains, "Draw forces as bars over the grains, too");
   command.add("--stage", a->stage, "Only the states of this stage; all if not given").type("NAME");
   command.add("--map", a->map, "Colour map of Matplotlib, e.g. viridis").type("NAME");
@@ -84,7 +86,10 @@ void add_animate(Options& command, int&) {
   command.add("--high", a->high, "Upper end of the colours, e.g. \"200 kPa\"; found in the states if not given").type("VALUE");
   command.add("--fps", a->per_second, "States per second (default: 10)").between(0.01, 100).type("NUMBER");
   command.add("--size", a->size, "Pixels (default: 800x800, with a curve 1200x800)").type("WIDTHxHEIGHT");
-  command.add("--curve{test}", a->curve, "Draw a curve beside, with a mark where the state is: X,Y, e.g. axial_strain,top_force, or test, q/p or mu against strain").type("X,Y");
+  command
+      .add("--curve{test}", a->curve,
+           "Draw a curve beside, with a mark where the state is: X,Y, e.g. axial_strain,top_force, or test, q/p or mu against strain")
+      .type("X,Y");
   command.work = [a] { film(*a); };
 }
 

@@ -50,7 +50,8 @@ void add_camera(Options& command, int& status) {
   add_overrides(command, a->overrides);
   command.add("--out", a->out, "Folder of the film, its references and its recipe (default: out/film)").type("DIR");
   command.add("--format", a->format, "Format of the films").among(io::film_formats_to_write());
-  command.add("--blind", a->blind, "film.toml holds what a laboratory knows and no more: not the lens's blur, the surroundings, the load's phase and the wall's travel");
+  command.add("--blind", a->blind,
+              "film.toml holds what a laboratory knows and no more: not the lens's blur, the surroundings, the load's phase and the wall's travel");
   command.add("--quiet", a->quiet, "No progress");
   command.work = [a, &status] { status = execute(*a); };
 }

@@ -36,7 +36,8 @@ std::vector<CommandText> command_texts() {
   for (const Command& command : commands()) {
     Options options;
     command.add(options, status);
-    CommandText& text = texts.emplace_back(CommandText{command.name, command.sentence, {{{"-h", "--help"}, "", {}, "Print this help message and exit", false, false}}});
+    CommandText& text =
+        texts.emplace_back(CommandText{command.name, command.sentence, {{{"-h", "--help"}, "", {}, "Print this help message and exit", false, false}}});
     for (const Option& o : options.table) {
       const std::string name = o.name.substr(0, o.name.find('{'));
       const std::string value = o.is_flag() ? "" : !o.value.empty() ? o.value : o.is_named() ? "TEXT" : name;

@@ -1,7 +1,7 @@
-#include <CLI/Version.hpp>
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <zlib.h>
+#include <CLI/Version.hpp>
 
 #include <cstdlib>
 #include <filesystem>

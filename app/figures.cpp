@@ -24,7 +24,8 @@ void draw(const Arguments& a) {
     words.insert(words.end(), a.only.begin(), a.only.end());
   }
   if (!a.out.empty()) words.insert(words.end(), {"--out", a.out});
-  if (!a.width.empty()) words.insert(words.end(), {"--width", fmt::format("{}", 1e3 * option_value("--width", [&] { return parse_si(a.width, dimension::length, "mm"); }))});
+  if (!a.width.empty())
+    words.insert(words.end(), {"--width", fmt::format("{}", 1e3 * option_value("--width", [&] { return parse_si(a.width, dimension::length, "mm"); }))});
   continue_in_python("figures", "arenite.figures", words);
 }
 

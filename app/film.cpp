@@ -7,8 +7,8 @@
 #include "commands.hpp"
 #include "film_reading.hpp"
 #include "progress.hpp"
-#include "report/summary.hpp"
 #include "report/page.hpp"
+#include "report/summary.hpp"
 #include "workflow/run_film.hpp"
 
 namespace arenite::app {
@@ -46,7 +46,8 @@ int execute(const Arguments& a) {
     return other_failure;
   }
   const fs::path page = folder / "report.html";
-  report::write_page(page, {.title = recipe.title.empty() ? fs::path(a.film).filename().string() : recipe.title, .stages = outcome.twin, .films = {&outcome.result, 1}});
+  report::write_page(
+      page, {.title = recipe.title.empty() ? fs::path(a.film).filename().string() : recipe.title, .stages = outcome.twin, .films = {&outcome.result, 1}});
   fmt::print("{}", a.json ? to_json(report::film_numbers(outcome.result), 2) + "\n" : report::film_text(outcome.result));
   if (!a.json) fmt::print("\nresult: {}\npage:   {}   (open it in a browser)\n", outcome.file.string(), page.string());
   return outcome.result.converged ? done : not_converged;

@@ -60,8 +60,7 @@ imaging::CircleOptions circle_options(const Arguments& a, double pixel, const st
 
 imaging::FoundCircles find(const FloatImage& image, const imaging::CircleOptions& options) {
   imaging::FoundCircles found = imaging::find_circles(image, options);
-  if (found.grains.size() == 0)
-    throw InputError("no grains were found; give their radii by --radii, --contrast bright or dark, or a lower --least-score");
+  if (found.grains.size() == 0) throw InputError("no grains were found; give their radii by --radii, --contrast bright or dark, or a lower --least-score");
   if (found.report.material_members.size() < options.materials)
     throw InputError("--materials names " + std::to_string(options.materials) + " materials, but the grains show only " +
                      std::to_string(found.report.material_members.size()) + " brightnesses; name fewer, or give another --channel");
@@ -92,9 +91,7 @@ void find_grains(const Arguments& a) {
     const report::FoundGrains grains{found, pixel, corner, materials, a.picture, picture.image.width, picture.image.height, picture.frames, picture.replaced};
     std::fputs((a.json ? report::grains_json(grains) : report::grains_text(grains)).c_str(), stdout);
     if (!a.out.empty()) store(a, grains, picture.image);
-  } catch (const InputError& error) {
-    throw in_file(error, a.picture);
-  }
+  } catch (const InputError& error) { throw in_file(error, a.picture); }
 }
 
 }  // namespace
@@ -102,17 +99,18 @@ void find_grains(const Arguments& a) {
 void add_grains(Options& command, int&) {
   const auto a = std::make_shared<Arguments>();
   command.add("picture", a->picture, "Picture (PNG, JPEG, TIFF, HDF5) or film of the grains").required().type("IMAGE");
-  command.add("--frame", a->frame, "Frame of a film, or slice of a stack, from 0; default: the mean of all frames")
-      .between(0, 1e12).type("N");
+  command.add("--frame", a->frame, "Frame of a film, or slice of a stack, from 0; default: the mean of all frames").between(0, 1e12).type("N");
   command.add("--mean", a->mean, "Mean of all frames of a film (the default)").not_with("--frame");
   command.add("--radii", a->radii, "Sizes that occur, e.g. \"5.25 mm,8.2 mm\", or in pixels \"3.3,5.1\"; without it they are found").type("LENGTHS");
   command.add("--pixel", a->pixel, "Width of a pixel on the sample, e.g. \"1.6 mm\"; without it lengths are in pixels").type("LENGTH");
   command.add("--materials", a->materials, "Names by brightness, darkest first, e.g. POM,HDPE; without it classes are found").type("NAMES");
   command.add("--channel", a->channel, "What of a coloured pixel counts; default grey").among(io::channel_names()).type("NAME");
   command.add("--contrast", a->contrast, "Grains are bright or dark against what is around them; default: found")
-      .among({"found", "bright", "dark"}).type("WAY");
+      .among({"found", "bright", "dark"})
+      .type("WAY");
   command.add("--least-score", a->least_score, "Share of a grain's rim that must show; default 0.5").between(0.0, 1.0).type("NUMBER");
-  command.add("--origin", a->origin, "Pixel that x and y count from, column and row from the upper left; default: the picture's lower left corner").type("COLUMN,ROW");
+  command.add("--origin", a->origin, "Pixel that x and y count from, column and row from the upper left; default: the picture's lower left corner")
+      .type("COLUMN,ROW");
   command.add("--dataset", a->dataset, "Dataset of an HDF5 file that holds several").type("NAME");
   command.add("--out", a->out, "Folder for the table (grains.csv), the picture with circles (grains.png) and all numbers (grains.json)").type("DIR");
   command.add("--json", a->json, "Print everything as JSON, grain by grain");

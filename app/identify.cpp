@@ -13,16 +13,17 @@ using statistics::Measured;
 
 struct Arguments {
   std::string what, file, stated;
-  std::string preload = "1 kN", branch = "loading", length;                                  // stiffness
-  std::string k, radius, effective_radius = "four_reduced";                                  // adhesion
-  std::string section, young, poisson, temperature_swing = "full", load_peak_to_peak = "full";      // factor
+  std::string preload = "1 kN", branch = "loading", length;                                     // stiffness
+  std::string k, radius, effective_radius = "four_reduced";                                     // adhesion
+  std::string section, young, poisson, temperature_swing = "full", load_peak_to_peak = "full";  // factor
   std::string responsivity, amplification = "1", emissivity = "1", reference = "296 K", surface = "296 K", band = "3.6 um,5.1 um";
   bool through_origin = false, json = false;
 };
 
 double si(const char* option, const std::string& text, Dimension dimension, const char* unit, bool zero_allowed = false) {
   const double value = option_value(option, [&] { return parse_si(text, dimension, unit); });
-  if (!(value > 0) && !(zero_allowed && value == 0)) throw InputError(std::string(option) + ": \"" + text + "\" must be " + (zero_allowed ? "0 or above" : "above 0"));
+  if (!(value > 0) && !(zero_allowed && value == 0))
+    throw InputError(std::string(option) + ": \"" + text + "\" must be " + (zero_allowed ? "0 or above" : "above 0"));
   return value;
 }
 
@@ -101,7 +102,8 @@ void add_mechanical(Options& command, Arguments& a) {
   command.add("--k", a.k, "Adhesion: contact stiffness of the pair, e.g. \"27.35 kN/mm\" or \"27.35 +- 0.40 kN/mm\"").type("STIFFNESS");
   command.add("--radius", a.radius, "Adhesion: radius of both cylinders, or of each: \"6.2 mm,8.2 mm\"").type("R[,R]");
   command.add("--effective-radius", a.effective_radius, "Adhesion: r_eff of unequal radii: 4 r_i r_j/(r_i + r_j) (default), r_i + r_j or 2 sqrt(r_i r_j)")
-      .among({"four_reduced", "sum", "geometric_mean"}).type("NAME");
+      .among({"four_reduced", "sum", "geometric_mean"})
+      .type("NAME");
 }
 
 void add_thermal(Options& command, Arguments& a) {
@@ -109,9 +111,13 @@ void add_thermal(Options& command, Arguments& a) {
   command.add("--young", a.young, "Factor from strains: modulus of the specimen, e.g. \"2.8 +- 0.1 GPa\"").type("MODULUS");
   command.add("--poisson", a.poisson, "Factor from strains: Poisson's ratio, e.g. \"0.35 +- 0.02\"").type("NUMBER");
   command.add("--temperature-swing", a.temperature_swing, "Factor: temperatures and signals are full swings (default) or half, the amplitude of a sine")
-      .among({"full", "half"}).type("SWING");
-  command.add("--load-swing", a.load_peak_to_peak, "Factor: stresses, forces and strains are full swings (default) or half; force_max and force_min always give the full one")
-      .among({"full", "half"}).type("SWING");
+      .among({"full", "half"})
+      .type("SWING");
+  command
+      .add("--load-swing", a.load_peak_to_peak,
+           "Factor: stresses, forces and strains are full swings (default) or half; force_max and force_min always give the full one")
+      .among({"full", "half"})
+      .type("SWING");
   command.add("--through-origin", a.through_origin, "Factor: hold the line to the origin");
 }
 
@@ -129,7 +135,10 @@ void add_detector(Options& command, Arguments& a) {
 void add_identify(Options& command, int&) {
   const auto a = std::make_shared<Arguments>();
   command.add("what", a->what, "What to find").required().among({"stiffness", "factor", "adhesion"}).type("WHAT");
-  command.add("file", a->file, "Records or a table as CSV, with units in its header: displacement and force; stress or strain and temperature; or values by group").required().type("FILE");
+  command
+      .add("file", a->file, "Records or a table as CSV, with units in its header: displacement and force; stress or strain and temperature; or values by group")
+      .required()
+      .type("FILE");
   add_mechanical(command, *a);
   add_thermal(command, *a);
   add_detector(command, *a);

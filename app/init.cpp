@@ -17,9 +17,7 @@ struct InitArguments {
 
 void write_new(const std::string& file, const std::string& text, const std::string& command) {
   std::error_code error;
-  if (std::filesystem::exists(file, error)) {
-    throw InputError(file, 0, "is there already and is left as it is; give another name");
-  }
+  if (std::filesystem::exists(file, error)) { throw InputError(file, 0, "is there already and is left as it is; give another name"); }
   io::write_atomically(file, text);
   std::printf("%s written; now `arenite %s %s`\n", file.c_str(), command.c_str(), file.c_str());
 }
@@ -51,8 +49,7 @@ void add_init(Options& command, int&) {
   std::vector<std::string> names;
   for (const auto& each : all_templates()) names.push_back(each.name);
   command.add("template", arguments->name, "Kind of recipe; without it the kinds are listed").type("TEMPLATE").among(names);
-  command.add("file", arguments->file, "File to write, which must not exist; without it the recipe is printed")
-      .type("FILE");
+  command.add("file", arguments->file, "File to write, which must not exist; without it the recipe is printed").type("FILE");
   command.work = [arguments] {
     if (arguments->name.empty()) return list_templates();
     for (const auto& each : all_templates()) {

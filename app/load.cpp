@@ -7,12 +7,12 @@
 
 #include "commands.hpp"
 #include "core/units.hpp"
-#include "thermal/imaging/label_grains.hpp"
-#include "io/results/results.hpp"
 #include "io/image/phase_map.hpp"
+#include "io/results/results.hpp"
 #include "progress.hpp"
 #include "report/page.hpp"
 #include "report/summary.hpp"
+#include "thermal/imaging/label_grains.hpp"
 #include "workflow/field_stages.hpp"
 #include "workflow/result_folder.hpp"
 
@@ -31,8 +31,8 @@ struct Arguments {
 };
 
 /// "matrix=1 GPa,particle=4 GPa": each into its place.
-void read_by_type(const std::string& text, const char* option, Dimension dimension, const char* unit, double& matrix,
-                  std::optional<double>& interface, std::optional<double>& particle) {
+void read_by_type(const std::string& text, const char* option, Dimension dimension, const char* unit, double& matrix, std::optional<double>& interface,
+                  std::optional<double>& particle) {
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) {
     const auto equals = part.find('=');
@@ -42,9 +42,7 @@ void read_by_type(const std::string& text, const char* option, Dimension dimensi
     double value = 0;
     try {
       value = parse_si(part.substr(equals + 1), dimension, unit);
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}: {}", option, name, error.what()));
-    }
+    } catch (const InputError& error) { throw InputError(fmt::format("{}: {}: {}", option, name, error.what())); }
     if (!(value > 0)) throw InputError(fmt::format("{}: {} is {}; it must be above 0", option, name, part.substr(equals + 1)));
     if (name == "matrix") matrix = value;
     else (name == "interface" ? interface : particle) = value;
@@ -59,8 +57,7 @@ recipe::Load load_of(const Arguments& a) {
   load.lower = recipe::chosen<peridynamics::LowerEdge>(a.lower, "--lower");
   load.method = recipe::chosen<peridynamics::Method>(a.method, "--method");
   read_by_type(a.stiffness, "--stiffness", dimension::pressure, "GPa", load.stiffness.matrix, load.stiffness.interface, load.stiffness.particle);
-  read_by_type(a.toughness, "--toughness", dimension::toughness, "MPa m^0.5", load.toughness.matrix, load.toughness.interface,
-               load.toughness.particle);
+  read_by_type(a.toughness, "--toughness", dimension::toughness, "MPa m^0.5", load.toughness.matrix, load.toughness.interface, load.toughness.particle);
   if (load.failure && a.dx.empty() && io::sealed_kind(a.map) != "field")
     throw InputError("a crack needs a length; give the size of a pixel, for example --dx \"25 um\"");
   return load;
@@ -130,16 +127,16 @@ int execute(const Arguments& a) {
     fmt::print("{}", a.json ? to_json(report::field_numbers(*result), 2) + "\n" : report::field_summary(*result));
     if (!a.out.empty()) store(a, *result);
     return result->converged ? done : not_converged;
-  } catch (const InputError& error) {
-    throw in_file(error, a.map);
-  }
+  } catch (const InputError& error) { throw in_file(error, a.map); }
 }
 
 void add_reading(Options& command, Arguments& a) {
-  command.add("--phases", a.phases, "Which grey value is what, e.g. \"0=void,85=particle,170=matrix\"; a picture of two values needs none")
-      .type("TABLE");
-  command.add("--labels", a.labels, "Grains: components (particles that hang together; default), watershed (cut at necks), none (all one "
-                                           "grain), or a picture whose values number them").type("WAY");
+  command.add("--phases", a.phases, "Which grey value is what, e.g. \"0=void,85=particle,170=matrix\"; a picture of two values needs none").type("TABLE");
+  command
+      .add("--labels", a.labels,
+           "Grains: components (particles that hang together; default), watershed (cut at necks), none (all one "
+           "grain), or a picture whose values number them")
+      .type("WAY");
   command.add("--smoothing", a.smoothing, "Of the watershed: depth of a neck that is not cut, pixels; default 1").type("NUMBER");
   command.add("--crop", a.crop, "Part of the picture, pixels from its upper left corner").type("X,Y,WIDTH,HEIGHT");
   command.add("--slice", a.slice, "Slice of a stack, from 0").between(0, 1e12).type("N");
@@ -162,8 +159,7 @@ void add_loading(Options& command, Arguments& a) {
   command.add("--exact-stretch", load.exact_stretch, "Stretch of the turned bond, not linearised");
   command.add("--moduli", load.moduli, "Load along both axes and in shear, too, for the moduli of the sample");
   command.add("--failure", load.failure, "Pull until it breaks; needs --dx");
-  command.add("--toughness", a.toughness, "Of bonds, e.g. \"matrix=0.1 MPa m^0.5\" (the default; interface alike, particle 3.5 times it)")
-      .type("TOUGHNESS");
+  command.add("--toughness", a.toughness, "Of bonds, e.g. \"matrix=0.1 MPa m^0.5\" (the default; interface alike, particle 3.5 times it)").type("TOUGHNESS");
   command.add("--max-strain", load.max_strain, "A pull to failure ends here at the latest; default 0.1").type("NUMBER");
   command.add("--clamp-rows", load.statistics.clamp_rows, "Rows at both edges that the statistics leave out; default 4").type("N");
   command.add("--leave-out-surface", load.statistics.leave_out_surface, "Statistics without nodes that border another phase or grain");

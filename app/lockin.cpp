@@ -27,9 +27,18 @@ constexpr double degrees = 180 / std::numbers::pi;
 
 /// `phase`: that of the maps, in degrees.
 FilmMaps maps_of(const LockinMaps& m, const std::vector<float>& phase) {
-  return {m.width, m.height, {{"mean", &m.mean}, {"drift", &m.drift}, {"amplitude", &m.amplitude}, {"phase", &phase}, {"in_phase", &m.in_phase},
-                              {"quadrature", &m.quadrature}, {"standard_error", &m.standard_error}, {"noise_floor", &m.noise_floor},
-                              {"second_harmonic", &m.second_harmonic}, {"residual", &m.residual}}};
+  return {m.width,
+          m.height,
+          {{"mean", &m.mean},
+           {"drift", &m.drift},
+           {"amplitude", &m.amplitude},
+           {"phase", &phase},
+           {"in_phase", &m.in_phase},
+           {"quadrature", &m.quadrature},
+           {"standard_error", &m.standard_error},
+           {"noise_floor", &m.noise_floor},
+           {"second_harmonic", &m.second_harmonic},
+           {"residual", &m.residual}}};
 }
 
 std::vector<float> phase_in_degrees(const LockinMaps& m) {
@@ -67,7 +76,9 @@ Numbers numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& film, c
   j["swing"] = m.convention == SwingConvention::full ? "full" : "half";
   j["unit"] = unit_of(film);
   j["reference_phase_deg"] = m.reference_phase * degrees;
-  j["reference"] = a.by_lock_in_line ? "the film's lock-in line" : a.options.reference_phase ? "given" : "found on the film; its sign is the one with which pixels warm on the mean";
+  j["reference"] = a.by_lock_in_line           ? "the film's lock-in line"
+                   : a.options.reference_phase ? "given"
+                                               : "found on the film; its sign is the one with which pixels warm on the mean";
   const std::vector<float> phase = phase_in_degrees(m);
   for (const auto& [name, map] : maps_of(m, phase).named)
     if (!map->empty()) j["median"][name] = median_of_finite(*map);
@@ -91,11 +102,15 @@ void print(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const 
   else if (m.frequency_error > 0) fmt::print(" as given: the film does not tell it");
   fmt::print("\nframes           {} of {} x {} pixels\n", m.frames, m.width, m.height);
   fmt::print("amplitude        {:.4g} {} ({} swing, median)\n", median_of_finite(m.amplitude), unit, m.convention == SwingConvention::full ? "full" : "half");
-  fmt::print("standard error   {:.4g} {} (median)\nnoise floor      {:.4g} {} (median)\n", median_of_finite(m.standard_error), unit, median_of_finite(m.noise_floor), unit);
+  fmt::print("standard error   {:.4g} {} (median)\nnoise floor      {:.4g} {} (median)\n", median_of_finite(m.standard_error), unit,
+             median_of_finite(m.noise_floor), unit);
   if (!m.second_harmonic.empty()) fmt::print("second harmonic  {:.4g} {} (median)\n", median_of_finite(m.second_harmonic), unit);
   fmt::print("residual         {:.4g} {} (median)\n", median_of_finite(m.residual), unit);
   fmt::print("noise            {:.3g} times as much at this frequency as if it were white\n", std::sqrt(m.noise_ratio));
-  fmt::print("reference phase  {:.6g} deg{}\n", m.reference_phase * degrees, a.by_lock_in_line ? ", of the film's lock-in line" : a.options.reference_phase ? "" : ", found on the film up to its sign: pixels warm on the mean");
+  fmt::print("reference phase  {:.6g} deg{}\n", m.reference_phase * degrees,
+             a.by_lock_in_line           ? ", of the film's lock-in line"
+             : a.options.reference_phase ? ""
+                                         : ", found on the film up to its sign: pixels warm on the mean");
   fmt::print("diffusion length {:.4g} mm", 1e3 * heat.length);
   if (heat.pixel > 0) fmt::print(", {:.3g} pixels: the finest detail loses {:.2g} % of its swing", heat.length / heat.pixel, 100 * heat.lost());
   fmt::print("\n");
@@ -119,16 +134,15 @@ int execute(Arguments& a) {
     }
     o.progress = frames_progress(line);
     maps = a.nearest_bin ? thermography::nearest_bin_transform(*film, o) : thermography::lock_in(*film, o);
-  } catch (const InputError& error) {
-    throw in_file(error, a.film);
-  }
+  } catch (const InputError& error) { throw in_file(error, a.film); }
   if (maps.size() == 0) {
     fmt::print(stderr, "stopped; nothing was stored\n");
     return other_failure;
   }
   if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps, phase_in_degrees(maps)));
   if (!thermography::shows_swing(maps)) fmt::print(stderr, "{}: {}\n", a.film, workflow::no_load_sentence(maps, maps.frequency, "--frequency"));
-  else if (maps.swings_at > 0) fmt::print(stderr, "{}: the film swings more at {:.4g} Hz than at {:.6g} Hz, which is a multiple\n", a.film, maps.swings_at, maps.frequency);
+  else if (maps.swings_at > 0)
+    fmt::print(stderr, "{}: the film swings more at {:.4g} Hz than at {:.6g} Hz, which is a multiple\n", a.film, maps.swings_at, maps.frequency);
   const workflow::Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds()) fmt::print(stderr, "{}\n", heat.sentence());
   if (a.json) fmt::print("{}\n", to_json(numbers(maps, a, film->info(), heat), 2));
@@ -147,10 +161,14 @@ void add_lockin(Options& command, int& status) {
   command.add("--drift", a->options.drift_order, "Order of the polynomial that pixels drift by; default 4").type("N");
   command.add("--harmonics", a->options.harmonics, "Of the load frequency; default 2").type("N");
   command.add("--convention", a->convention, "Amplitudes are half of the swing (default) or all of it").among({"half", "full"});
-  command.add("--reference-phase", a->reference_phase, "Of the load: its angle at the first frame before it is largest, e.g. \"90 deg\"; without it found on the film up to its sign").type("ANGLE");
+  command
+      .add("--reference-phase", a->reference_phase,
+           "Of the load: its angle at the first frame before it is largest, e.g. \"90 deg\"; without it found on the film up to its sign")
+      .type("ANGLE");
   command.add("--nearest-bin", a->nearest_bin, "Plain Fourier transform at the nearest bin, mean image subtracted");
   command.add("--no-refinement", a->no_refinement, "Keep the frequency as it is given");
-  command.add("--diffusivity", a->diffusivity, "Of heat in the grains, for the adiabatic check; default \"0.1 mm^2/s\", about that of plastics").type("QUANTITY");
+  command.add("--diffusivity", a->diffusivity, "Of heat in the grains, for the adiabatic check; default \"0.1 mm^2/s\", about that of plastics")
+      .type("QUANTITY");
   command.add("--pixel", a->pixel, "Its side on the sample, e.g. \"1.6 mm\": warns where heat diffuses not far less within a cycle").type("LENGTH");
   a->reading.add_to(command);
   command.add("--threads", a->options.threads, "Threads (default: 1)").between(1, 256).type("N");

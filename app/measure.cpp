@@ -7,13 +7,13 @@
 #include <string>
 
 #include "commands.hpp"
-#include "thermal/imaging/proposed_contacts.hpp"
+#include "grains/texture/texture.hpp"
+#include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
 #include "io/sample/sample.hpp"
-#include "io/disk/store_file.hpp"
 #include "io/table/table.hpp"
 #include "solid/stress/stress.hpp"
-#include "grains/texture/texture.hpp"
+#include "thermal/imaging/proposed_contacts.hpp"
 
 namespace arenite::app {
 namespace {
@@ -35,8 +35,7 @@ double length_of(const std::string& text, double unit) {
 
 std::vector<double> lengths_of(const char* option, const std::string& text, double unit, std::size_t least, std::size_t most) {
   std::vector<double> values;
-  for (const auto& part : parts_of(text))
-    values.push_back(option_value(option, [&] { return length_of(part, unit); }));
+  for (const auto& part : parts_of(text)) values.push_back(option_value(option, [&] { return length_of(part, unit); }));
   if (values.size() < least || values.size() > most)
     throw InputError(std::string(option) + ": expected " + (least == most ? "" : "two or ") + (most == 3 ? "three" : "two") +
                      " lengths separated by commas, for example \"350 mm,350 mm\"");
@@ -85,7 +84,8 @@ void propose_contacts(const MeasureArguments& a, io::Sample& sample, texture::Op
   const std::vector<double>& radius = sample.packing.grains.radius;
   const double mean_radius = std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
   if (tolerance.pixel > mean_radius)
-    throw InputError(fmt::format("--touching: {} is wider than the mean radius of the grains, {:.4g} m; grains so far apart do not touch", a.touching, mean_radius));
+    throw InputError(
+        fmt::format("--touching: {} is wider than the mean radius of the grains, {:.4g} m; grains so far apart do not touch", a.touching, mean_radius));
   sample.packing.contacts = imaging::propose_contacts(sample.packing.grains, sample.packing.domain, {}, tolerance);
   options.rattler_contacts = 0;
   sample.notes.push_back("Contacts are where surfaces are within " + a.touching + " of each other; forces are not known, so what they tell is left out.");
@@ -100,8 +100,7 @@ void measure(const MeasureArguments& a) {
   if (a.contacts.empty()) texture::forget_forces(t);
   t.quality.doubled_rows = sample.doubled_rows;
   t.notes.insert(t.notes.begin(), sample.notes.begin(), sample.notes.end());
-  if (sample.doubled_rows > 0)
-    t.notes.insert(t.notes.begin(), std::to_string(sample.doubled_rows) + " rows repeat a contact and were merged with it.");
+  if (sample.doubled_rows > 0) t.notes.insert(t.notes.begin(), std::to_string(sample.doubled_rows) + " rows repeat a contact and were merged with it.");
   const std::string text = a.json ? to_json(texture::numbers(t, a.curves), 2) + "\n" : texture::to_text(t);
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
@@ -125,12 +124,17 @@ void add_reading(Options& command, MeasureArguments& a) {
   formats.insert(formats.begin(), "auto");
   command.add("--format", a.format, "Format of the files; auto looks at their first line").among(formats).type("NAME");
   command.add("--grain-columns", a.grain_columns, "Columns of a table of grains without header, e.g. \"id,x,y,-,radius\"").type("NAMES");
-  command.add("--columns", a.contact_columns, "Columns of contacts without header, e.g. \"i,j,-,ft [N],fn [N]\" or \"i,j,fx,fy\"; of a LAMMPS dump whose computes are not those that docs/measure.md names, e.g. \"-,patom1,patom2,fx,fy,p1,p2\"").type("NAMES");
+  command
+      .add("--columns", a.contact_columns,
+           "Columns of contacts without header, e.g. \"i,j,-,ft [N],fn [N]\" or \"i,j,fx,fy\"; of a LAMMPS dump whose computes are not those that "
+           "docs/measure.md names, e.g. \"-,patom1,patom2,fx,fy,p1,p2\"")
+      .type("NAMES");
   command.add("--touching", a.touching, "Without a file of contacts: grains touch where their surfaces are no further apart than this; forces are not known")
       .type("LENGTH");
   command.add("--y-down", a.y_down, "y counts image rows, which point down; it is turned round, fn and ft are kept");
   command.add("--doubled", a.doubled, "What to do with a contact listed twice: error, or merge (taken once, mean of its forces)")
-      .among({"error", "merge"}).type("WAY");
+      .among({"error", "merge"})
+      .type("WAY");
 }
 
 /// The stresses of a stored field, measured anew.
@@ -144,8 +148,7 @@ void measure_field(const MeasureArguments& a) {
 }
 
 void add_field_statistics(Options& command, MeasureArguments& a) {
-  command.add("--clamp-rows", a.stress.clamp_rows, "Of a field: rows left out at the lower and the upper edge; default 4")
-      .between(0, 1 << 20).type("N");
+  command.add("--clamp-rows", a.stress.clamp_rows, "Of a field: rows left out at the lower and the upper edge; default 4").between(0, 1 << 20).type("N");
   command.add("--leave-out-surface", a.stress.leave_out_surface, "Of a field: without nodes that border another phase or grain");
   command.add("--leave-out-unloaded", a.stress.leave_out_unloaded, "Of a field: without nodes that carry no stress at all");
   command.add("--mean-over-area", a.stress.mean_over_area, "Of a field: the sample's mean counts the void as zero stress");
@@ -154,7 +157,8 @@ void add_field_statistics(Options& command, MeasureArguments& a) {
 void add_statistics(Options& command, MeasureArguments& a) {
   command.add("--border", a.texture.border, "Strip left out along walls, in mean diameters; default 2.5").between(0.0, 1000.0).type("NUMBER");
   command.add("--load-axis", a.load_axis_deg, "Direction of the load for signed anisotropies, degrees from x; default: greatest compression")
-      .between(0.0, 180.0).type("DEGREES");
+      .between(0.0, 180.0)
+      .type("DEGREES");
   command.add("--seed", a.texture.seed, "Seed of the random places of windows; default 1").type("NUMBER");
   command.add("--json", a.json, "Print all statistics as JSON, each as value and error");
   command.add("--curves", a.curves, "With --json: also histograms, distributions, and values by grain");
@@ -164,9 +168,16 @@ void add_statistics(Options& command, MeasureArguments& a) {
 
 void add_measure(Options& command, int&) {
   const auto a = std::make_shared<MeasureArguments>();
-  command.add("grains", a->grains, "Grains: table id,x,y,radius[,material], LAMMPS dump, YADE text, MercuryDPM .data; or the file of a load (.h5) for its stresses").required().type("GRAINS");
-  command.add("contacts", a->contacts, "Contacts: table i,j,fn,ft[,nx,ny] (force on j is fn n + ft t, n from i to j), LAMMPS local dump, "
-                                              "YADE interactions, MercuryDPM .fstat; none for a field, or with --touching").type("CONTACTS");
+  command
+      .add("grains", a->grains,
+           "Grains: table id,x,y,radius[,material], LAMMPS dump, YADE text, MercuryDPM .data; or the file of a load (.h5) for its stresses")
+      .required()
+      .type("GRAINS");
+  command
+      .add("contacts", a->contacts,
+           "Contacts: table i,j,fn,ft[,nx,ny] (force on j is fn n + ft t, n from i to j), LAMMPS local dump, "
+           "YADE interactions, MercuryDPM .fstat; none for a field, or with --touching")
+      .type("CONTACTS");
   add_statistics(command, *a);
   add_frame(command, *a);
   add_units(command, *a);

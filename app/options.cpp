@@ -15,13 +15,14 @@ namespace {
 void overview() {
   std::puts("Arenite: micromechanics of composite and cemented granular materials\n\nusage: arenite COMMAND [...]\n");
   for (const auto& command : commands()) std::printf("  %-11s %s\n", command.name, command.sentence);
-  std::puts("\nFour workflows:\n"
-            "  composite packings       arenite init composite r.toml, then arenite run r.toml\n"
-            "  cemented packings        arenite init cemented r.toml, then arenite run r.toml; a map of your own: arenite load MAP\n"
-            "  a loaded packing's film  arenite init film r.toml, then arenite film FILM --recipe r.toml\n"
-            "  many runs                arenite init study r.toml, then arenite study run r.toml\n"
-            "\nA result ends in a page, report.html in its folder; a study in study.html, where a figures.toml beside its recipe says\n"
-            "what to draw. In Python: `import arenite`, where every step is a function. `arenite COMMAND --help` tells more.");
+  std::puts(
+      "\nFour workflows:\n"
+      "  composite packings       arenite init composite r.toml, then arenite run r.toml\n"
+      "  cemented packings        arenite init cemented r.toml, then arenite run r.toml; a map of your own: arenite load MAP\n"
+      "  a loaded packing's film  arenite init film r.toml, then arenite film FILM --recipe r.toml\n"
+      "  many runs                arenite init study r.toml, then arenite study run r.toml\n"
+      "\nA result ends in a page, report.html in its folder; a study in study.html, where a figures.toml beside its recipe says\n"
+      "what to draw. In Python: `import arenite`, where every step is a function. `arenite COMMAND --help` tells more.");
 }
 
 /// Refuses an unknown first word with the nearest command, which CLI11 does not offer.
@@ -46,8 +47,11 @@ std::string complaint(const CLI::App& program, const CLI::Error& error) {
 }
 
 CLI::Option* declare(CLI::App& to, const Option& option) {
-  return std::visit([&](auto* target) { return option.is_flag() ? to.add_flag(option.name, *target, option.sentence)
-                                                                : to.add_option(option.name, *target, option.sentence); }, option.to);
+  return std::visit(
+      [&](auto* target) {
+        return option.is_flag() ? to.add_flag(option.name, *target, option.sentence) : to.add_option(option.name, *target, option.sentence);
+      },
+      option.to);
 }
 
 void declare(CLI::App& to, const Options& options) {

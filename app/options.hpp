@@ -15,8 +15,8 @@ namespace arenite::app {
 /// One argument of a command: its name ("result" takes its place in the line, "--out" is named; "--periodic{xy}" means xy where nothing
 /// follows it), what it sets, and its sentence in the help. What is no `bool` takes a value.
 struct Option {
-  using Target = std::variant<bool*, std::string*, std::vector<std::string>*, int*, unsigned*, std::int64_t*, std::uint64_t*, double*,
-                              std::optional<int>*, std::optional<std::int64_t>*, std::optional<std::uint64_t>*, std::optional<double>*>;
+  using Target = std::variant<bool*, std::string*, std::vector<std::string>*, int*, unsigned*, std::int64_t*, std::uint64_t*, double*, std::optional<int>*,
+                              std::optional<std::int64_t>*, std::optional<std::uint64_t>*, std::optional<double>*>;
 
   std::string name;
   Target to;
@@ -45,8 +45,7 @@ struct Options {
   std::string footer;
   std::function<void()> work;
 
-  template <class T>
-  Option& add(std::string name, T& to, std::string sentence) {
+  template <class T> Option& add(std::string name, T& to, std::string sentence) {
     return table.emplace_back(Option{std::move(name), &to, std::move(sentence), {}, {}, {}, {}});
   }
 };
@@ -55,13 +54,10 @@ struct Options {
 int read_command_line(int argc, char** argv);
 
 /// What `read` gives; an error of a value, which has no place, as one of its option.
-template <class Read>
-auto option_value(const char* option, Read read) {
+template <class Read> auto option_value(const char* option, Read read) {
   try {
     return read();
-  } catch (const InputError& error) {
-    throw InputError(std::string(option) + ": " + error.problems().front().message);
-  }
+  } catch (const InputError& error) { throw InputError(std::string(option) + ": " + error.problems().front().message); }
 }
 
 /// Without spaces at both ends.

@@ -10,8 +10,8 @@ namespace arenite::app {
 namespace {
 
 using workflow::Prediction;
-using workflow::StepLimit;
 using workflow::StagePrediction;
+using workflow::StepLimit;
 
 std::string collision_text(const Prediction& p) {
   return fmt::format("collision ({:.3g} s; {}, {}, radius {:.3g} mm)", p.collision.time, p.collision.with_wall ? "a grain and a wall" : "two grains",
@@ -70,8 +70,7 @@ std::string prediction_text(const Prediction& p) {
     all_exact = all_exact && stage.exact;
     steps += stage.steps;
   }
-  const std::string from = p.sample < p.grains ? fmt::format("a sample of {}, for some {} grains", p.sample, p.grains)
-                                               : fmt::format("its {} grains", p.grains);
+  const std::string from = p.sample < p.grains ? fmt::format("a sample of {}, for some {} grains", p.sample, p.grains) : fmt::format("its {} grains", p.grains);
   text += fmt::format("in all       {:>12} steps, about {} on one free core, by {:.2g} s a step timed on {}\n", count_text(steps, all_exact),
                       duration_text(p.seconds()), p.seconds_per_step, from);
   if (!all_exact) text += "~ is an estimate: a stage that ends at rest lasts until its sample rings no more, which may take half or twice that\n";
@@ -82,8 +81,8 @@ std::string prediction_text(const Prediction& p) {
 Numbers prediction_numbers(const Prediction& p) {
   Numbers stages = Numbers::list();
   for (const StagePrediction& s : p.stages) {
-    Numbers stage = Numbers::tree({{"name", s.name}, {"steps", s.steps}, {"exact", s.exact}, {"duration_s", s.duration},
-                                   {"time_step_s", s.time_step}, {"computing_s", s.seconds}});
+    Numbers stage = Numbers::tree(
+        {{"name", s.name}, {"steps", s.steps}, {"exact", s.exact}, {"duration_s", s.duration}, {"time_step_s", s.time_step}, {"computing_s", s.seconds}});
     if (s.pressure > 0) stage["pressure_Pa"] = s.pressure;
     if (s.inertial_number) {
       stage["inertial_number"] = *s.inertial_number;
@@ -95,11 +94,18 @@ Numbers prediction_numbers(const Prediction& p) {
     }
     stages.push_back(std::move(stage));
   }
-  return Numbers::tree({{"time_step_s", p.time_step}, {"time_step_limited_by", word_of(p.limit)}, {"largest_stable_step_s", p.largest_step},
-                        {"shortest_collision", Numbers::tree({{"time_s", p.collision.time}, {"material", p.material},
-                                                              {"radius_m", p.collision.radius}, {"with_wall", p.collision.with_wall}})},
-                        {"grains", p.grains}, {"grains_timed", p.sample}, {"seconds_per_step", p.seconds_per_step}, {"computing_s", p.seconds()},
-                        {"stages", std::move(stages)}, {"warnings", p.warnings}});
+  return Numbers::tree(
+      {{"time_step_s", p.time_step},
+       {"time_step_limited_by", word_of(p.limit)},
+       {"largest_stable_step_s", p.largest_step},
+       {"shortest_collision",
+        Numbers::tree({{"time_s", p.collision.time}, {"material", p.material}, {"radius_m", p.collision.radius}, {"with_wall", p.collision.with_wall}})},
+       {"grains", p.grains},
+       {"grains_timed", p.sample},
+       {"seconds_per_step", p.seconds_per_step},
+       {"computing_s", p.seconds()},
+       {"stages", std::move(stages)},
+       {"warnings", p.warnings}});
 }
 
 }  // namespace arenite::app

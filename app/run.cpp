@@ -8,8 +8,8 @@
 #include "commands.hpp"
 #include "io/disk/file.hpp"
 #include "progress.hpp"
-#include "report/page.hpp"
 #include "recipe/film_recipe.hpp"
+#include "report/page.hpp"
 #include "run_status.hpp"
 #include "watch_server.hpp"
 #include "workflow/run.hpp"
@@ -94,7 +94,10 @@ Status run_one(const recipe::Recipe& recipe, const fs::path& folder, const Argum
 
 recipe::Recipe read(const std::string& file, const std::vector<std::string>& overrides) {
   if (recipe::describes_film(io::read_file(file)))
-    throw InputError(file, 0, fmt::format("is a recipe of a film (`arenite film FILM --recipe {}`), not of a simulation; `arenite init composite r.toml` writes one of a simulation", file));
+    throw InputError(
+        file, 0,
+        fmt::format("is a recipe of a film (`arenite film FILM --recipe {}`), not of a simulation; `arenite init composite r.toml` writes one of a simulation",
+                    file));
   return recipe::read_recipe(file, overrides);
 }
 

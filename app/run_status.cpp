@@ -38,9 +38,7 @@ std::string start_of(std::int64_t process) {
     std::string boot = io::read_file("/proc/sys/kernel/random/boot_id");
     while (!boot.empty() && boot.back() == '\n') boot.pop_back();
     return boot + " " + stat.substr(at + 1, stat.find(' ', at + 1) - at - 1);
-  } catch (const InputError&) {
-    return "";
-  }
+  } catch (const InputError&) { return ""; }
 }
 
 bool is_alive(const RunStatus& status) {
@@ -123,10 +121,26 @@ bool ask_to_stop(const RunStatus& status) {
 
 Numbers run_status_numbers(const RunStatus& s) {
   const workflow::Progress& p = s.progress;
-  return Numbers::tree({{"stage", p.stage}, {"stages", p.stages}, {"name", p.name}, {"share", p.share}, {"increment", p.increment},
-                        {"increments", p.increments}, {"step", p.step}, {"time_s", p.time}, {"unbalanced_ratio", p.unbalanced_ratio}, {"field", p.field},
-                        {"walls", walls_of(p)}, {"seconds_left", s.seconds_left}, {"began", s.began}, {"stage_began", s.stage_began}, {"heard", s.heard},
-                        {"stopped", s.stopped}, {"process", s.process}, {"host", s.host}, {"process_start", s.process_start}, {"key", p.key}});
+  return Numbers::tree({{"stage", p.stage},
+                        {"stages", p.stages},
+                        {"name", p.name},
+                        {"share", p.share},
+                        {"increment", p.increment},
+                        {"increments", p.increments},
+                        {"step", p.step},
+                        {"time_s", p.time},
+                        {"unbalanced_ratio", p.unbalanced_ratio},
+                        {"field", p.field},
+                        {"walls", walls_of(p)},
+                        {"seconds_left", s.seconds_left},
+                        {"began", s.began},
+                        {"stage_began", s.stage_began},
+                        {"heard", s.heard},
+                        {"stopped", s.stopped},
+                        {"process", s.process},
+                        {"host", s.host},
+                        {"process_start", s.process_start},
+                        {"key", p.key}});
 }
 
 std::string run_status_text(const fs::path& folder) {

@@ -16,11 +16,11 @@ namespace arenite::app {
 /// Where a run stood when it was last heard of: what `status.json` in its folder says.
 struct RunStatus {
   workflow::Progress progress;
-  bool stopped = false;             ///< in an orderly way, with a checkpoint
+  bool stopped = false;  ///< in an orderly way, with a checkpoint
   std::int64_t process = 0;
-  std::string host, process_start;  ///< a process number comes again, its start with it does not
+  std::string host, process_start;               ///< a process number comes again, its start with it does not
   double began = 0, stage_began = 0, heard = 0;  ///< s since 1970
-  double seconds_left = 0;          ///< of the stage; NaN where not known
+  double seconds_left = 0;                       ///< of the stage; NaN where not known
 };
 
 /// Nothing where the folder has no such file, or one that cannot be read.

@@ -42,7 +42,8 @@ bool may_hold_something(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     const std::string name = entry->path().filename().string();
-    if (!entry->is_directory(error) && (name.ends_with(".h5") || std::any_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; }))) return true;
+    if (!entry->is_directory(error) && (name.ends_with(".h5") || std::any_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; })))
+      return true;
   }
   return static_cast<bool>(error);
 }
@@ -53,8 +54,10 @@ void refuse(const fs::path& path, bool study_passes) {
   if (fs::is_directory(path, error)) {
     if (is_study(path)) {
       if (study_passes) return;
-      throw InputError(name, 0, fmt::format("is the folder of a study, not a result; give a run of it, {}/runs/NAME; `arenite study status RECIPE --out {}` "
-                                            "tells how it stands", name, name));
+      throw InputError(name, 0,
+                       fmt::format("is the folder of a study, not a result; give a run of it, {}/runs/NAME; `arenite study status RECIPE --out {}` "
+                                   "tells how it stands",
+                                   name, name));
     }
     if (holds_maps(path)) throw InputError(name, 0, fmt::format("holds the maps of a film, each a picture by itself, and is no result; {}", give_a_result));
     if (!may_hold_something(path)) throw InputError(name, 0, fmt::format("is no result; {}", give_a_result));

@@ -20,8 +20,14 @@ struct Arguments {
 };
 
 FilmMaps maps_of(const thermography::StepMaps& m) {
-  return {m.width, m.height, {{"jump", &m.jump}, {"standard_error", &m.standard_error}, {"level", &m.level}, {"drift_before", &m.drift_before},
-                              {"drift_after", &m.drift_after}, {"residual", &m.residual}}};
+  return {m.width,
+          m.height,
+          {{"jump", &m.jump},
+           {"standard_error", &m.standard_error},
+           {"level", &m.level},
+           {"drift_before", &m.drift_before},
+           {"drift_after", &m.drift_after},
+           {"residual", &m.residual}}};
 }
 
 void tell(const thermography::StepMaps& m, const Arguments& a, const FilmInfo& film) {
@@ -31,12 +37,18 @@ void tell(const thermography::StepMaps& m, const Arguments& a, const FilmInfo& f
     fmt::print("frames           {} before, {} after, of {} x {} pixels\n", m.before, m.after, m.width, m.height);
     for (const auto& [side, time] : {std::pair{"before", m.relaxation_before}, std::pair{"after", m.relaxation_after}})
       if (time > 0) fmt::print("relaxation       {:.4g} s, an exponential that pixels follow {}\n", time, side);
-    fmt::print("jump             {:.4g} {} (median)\nstandard error   {:.4g} {} (median)\nresidual         {:.4g} {} (median)\n", median_of_finite(m.jump), unit,
-               median_of_finite(m.standard_error), unit, median_of_finite(m.residual), unit);
+    fmt::print("jump             {:.4g} {} (median)\nstandard error   {:.4g} {} (median)\nresidual         {:.4g} {} (median)\n", median_of_finite(m.jump),
+               unit, median_of_finite(m.standard_error), unit, median_of_finite(m.residual), unit);
     return;
   }
-  Numbers j{{"time_s", m.time}, {"time", a.time.empty() ? "found on the film" : "given"}, {"frames_before", m.before}, {"frames_after", m.after},
-                   {"width", m.width}, {"height", m.height}, {"drift_order", m.drift_order}, {"unit", unit}};
+  Numbers j{{"time_s", m.time},
+            {"time", a.time.empty() ? "found on the film" : "given"},
+            {"frames_before", m.before},
+            {"frames_after", m.after},
+            {"width", m.width},
+            {"height", m.height},
+            {"drift_order", m.drift_order},
+            {"unit", unit}};
   const auto relaxation = [](double time) { return time > 0 ? Numbers(time) : Numbers(); };
   j["relaxation_before_s"] = relaxation(m.relaxation_before);
   j["relaxation_after_s"] = relaxation(m.relaxation_after);
@@ -57,9 +69,7 @@ int execute(Arguments& a) {
     ProgressLine line(a.quiet || a.json);
     o.progress = frames_progress(line);
     maps = thermography::step_load(*film, o);
-  } catch (const InputError& error) {
-    throw in_file(error, a.film);
-  }
+  } catch (const InputError& error) { throw in_file(error, a.film); }
   if (maps.size() == 0) {
     fmt::print(stderr, "stopped; nothing was stored\n");
     return other_failure;

@@ -6,12 +6,12 @@
 #include <memory>
 #include <thread>
 
+#include "campaign/collect.hpp"
 #include "commands.hpp"
 #include "io/disk/file.hpp"
 #include "progress.hpp"
-#include "campaign/collect.hpp"
-#include "workflow/result_folder.hpp"
 #include "study_parts.hpp"
+#include "workflow/result_folder.hpp"
 
 namespace arenite::app {
 namespace {
@@ -85,15 +85,18 @@ int execute(const StudyArguments& arguments) {
   if (arguments.what == "script") {
     if (!arguments.slurm) throw InputError("script: say for which scheduler; --slurm is the one it knows");
     if (!arguments.shard.empty() || arguments.retry)
-      throw InputError(fmt::format("{} goes with run; each task of the script does its own part, of as many as --tasks says, and failed runs wait for another `arenite study run --retry`",
-                                   arguments.shard.empty() ? "--retry" : "--shard"));
+      throw InputError(
+          fmt::format("{} goes with run; each task of the script does its own part, of as many as --tasks says, and failed runs wait for another `arenite "
+                      "study run --retry`",
+                      arguments.shard.empty() ? "--retry" : "--shard"));
     const auto study = campaign::read_study(arguments.recipe, arguments.overrides);  // so that slips show here
     workflow::make_folder(folder.out);
     fmt::print("{}", slurm_script(arguments, folder));
     return done;
   }
   if (arguments.what != "run" && !fs::exists(folder.out))
-    throw InputError(folder.out.string(), 0, fmt::format("there is no such study; `arenite study run {}` makes it, or say where it is with --out", arguments.recipe));
+    throw InputError(folder.out.string(), 0,
+                     fmt::format("there is no such study; `arenite study run {}` makes it, or say where it is with --out", arguments.recipe));
   // Slips of the recipe leave no folder.
   if (!fs::exists(folder.out)) static_cast<void>(campaign::read_study(arguments.recipe, arguments.overrides));
   workflow::make_folder(folder.out);
@@ -114,7 +117,9 @@ void add_study(Options& command, int& status) {
   auto a = std::make_shared<StudyArguments>();
   a->jobs = cores();
   command.add("what", a->what, "What to do: show the runs, run them, say how they stand, gather their numbers, draw its figures, write a script for a cluster")
-      .required().type("WHAT").among({"plan", "run", "status", "collect", "page", "script"});
+      .required()
+      .type("WHAT")
+      .among({"plan", "run", "status", "collect", "page", "script"});
   command.add("recipe", a->recipe, "Recipe with a section [sweep] (TOML)").required().type("RECIPE.toml");
   add_overrides(command, a->overrides);
   command.add("--out", a->out, "Folder of the study (default: out/NAME)").type("DIR");

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "report/figure_list.hpp"
 #include "campaign/run_study.hpp"
+#include "report/figure_list.hpp"
 
 namespace arenite::app {
 

@@ -22,9 +22,9 @@ std::string slurm_script(const StudyArguments& arguments, const campaign::StudyF
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   const fs::path out = fs::absolute(folder.out);
-  std::string line = fmt::format("{} study run {} --out {} --store {} --keep {} --checkpoint-every {:g} --threads {}", quoted(error ? "arenite" : program.string()),
-                                 quoted(fs::absolute(arguments.recipe).string()), quoted(out.string()), quoted(fs::absolute(folder.store).string()),
-                                 arguments.keep, arguments.checkpoint_seconds, arguments.threads);
+  std::string line = fmt::format("{} study run {} --out {} --store {} --keep {} --checkpoint-every {:g} --threads {}",
+                                 quoted(error ? "arenite" : program.string()), quoted(fs::absolute(arguments.recipe).string()), quoted(out.string()),
+                                 quoted(fs::absolute(folder.store).string()), arguments.keep, arguments.checkpoint_seconds, arguments.threads);
   if (arguments.quiet) line += " --quiet";
   for (const auto& assignment : arguments.overrides) line += " --set " + quoted(assignment);
   return fmt::format(
@@ -51,7 +51,8 @@ std::string slurm_script(const StudyArguments& arguments, const campaign::StudyF
       "  [ $status -eq 1 ] && scontrol requeue \"${{SLURM_ARRAY_JOB_ID}}_${{SLURM_ARRAY_TASK_ID}}\"\n"
       "fi\n"
       "exit $status\n",
-      fs::path(arguments.recipe).stem().string() == "recipe" ? fs::absolute(arguments.recipe).parent_path().filename().string() : fs::path(arguments.recipe).stem().string(),
+      fs::path(arguments.recipe).stem().string() == "recipe" ? fs::absolute(arguments.recipe).parent_path().filename().string()
+                                                             : fs::path(arguments.recipe).stem().string(),
       arguments.tasks, arguments.time, arguments.jobs * static_cast<std::size_t>(arguments.threads), out.string(), line, arguments.jobs);
 }
 

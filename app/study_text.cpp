@@ -48,7 +48,8 @@ std::string saved_line(const campaign::StudyFolder& folder) {
   const auto account = workflow::read_account(folder.store);
   if (account.computed + account.reused == 0) return {};
   return fmt::format("store: {} computed in {} of CPU, {} taken from it instead of computed, which saved {} of CPU\n",
-                     counted(account.computed, "stage", "stages"), duration_text(account.seconds_computed), account.reused, duration_text(account.seconds_saved));
+                     counted(account.computed, "stage", "stages"), duration_text(account.seconds_computed), account.reused,
+                     duration_text(account.seconds_saved));
 }
 
 }  // namespace
@@ -64,7 +65,9 @@ std::string plan_text(const campaign::Study& study, const campaign::StudyFolder&
   const double seconds = campaign::seconds_of_missing(study, runs, folder);
   if (std::isnan(seconds)) text += "time: not known yet, since no stage of some names was measured; it will be when the first run has ended\n";
   else if (seconds == 0) text += "time: all stages are there\n";
-  else text += fmt::format("time: about {} of CPU are left, {} with {} at once\n", duration_text(seconds), duration_text(seconds / static_cast<double>(jobs)), counted(jobs, "run", "runs"));
+  else
+    text += fmt::format("time: about {} of CPU are left, {} with {} at once\n", duration_text(seconds), duration_text(seconds / static_cast<double>(jobs)),
+                        counted(jobs, "run", "runs"));
   return text;
 }
 
@@ -111,9 +114,10 @@ std::vector<report::Figure> read_study_figures(const campaign::Study& study) {
 
 std::filesystem::path write_study_figures(const campaign::Study& study, const campaign::StudyFolder& folder) {
   report::RunNumbers numbers;
-  report::StudyPage page{study.title, read_study_figures(study), campaign::collect(study, folder),
-                         [&](const std::string& run, const std::string& path, const report::Figure& figure) { return numbers.with(folder.run(run), path, figure); },
-                         [&](const std::string& run, const report::Figure& figure) { return report::run_drawing(folder.run(run), figure); }};
+  report::StudyPage page{
+      study.title, read_study_figures(study), campaign::collect(study, folder),
+      [&](const std::string& run, const std::string& path, const report::Figure& figure) { return numbers.with(folder.run(run), path, figure); },
+      [&](const std::string& run, const report::Figure& figure) { return report::run_drawing(folder.run(run), figure); }};
   const std::filesystem::path file = folder.out / "study.html";
   report::write_study_page(file, page);
   return file;

@@ -8,17 +8,17 @@
 #include <optional>
 #include <thread>
 
+#include "campaign/virtual_film.hpp"
 #include "commands.hpp"
 #include "core/version.hpp"
 #include "io/disk/file.hpp"
-#include "validation/studies.hpp"
-#include "campaign/virtual_film.hpp"
-#include "validation/report_dots.hpp"
-#include "validation/report.hpp"
-#include "report/study_page.hpp"
 #include "progress.hpp"
-#include "workflow/result_folder.hpp"
+#include "report/study_page.hpp"
 #include "study_parts.hpp"
+#include "validation/report.hpp"
+#include "validation/report_dots.hpp"
+#include "validation/studies.hpp"
+#include "workflow/result_folder.hpp"
 
 namespace arenite::app {
 namespace {
@@ -50,9 +50,7 @@ bool make_films(const campaign::Study& study, const validation::Results& results
   });
 }
 
-bool wanted(const VerifyArguments& a, const std::string& name) {
-  return a.only.empty() || std::find(a.only.begin(), a.only.end(), name) != a.only.end();
-}
+bool wanted(const VerifyArguments& a, const std::string& name) { return a.only.empty() || std::find(a.only.begin(), a.only.end(), name) != a.only.end(); }
 
 /// Where the runs of one of the studies lie; nothing where none are wanted.
 std::optional<campaign::StudyFolder> folder_of(const validation::StudySource& source, const fs::path& out, const VerifyArguments& a) {
@@ -122,17 +120,23 @@ std::string heading(const VerifyArguments& a) {
   char date[16] = "";
   const std::time_t now = std::time(nullptr);
   std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
-  return fmt::format("# The ledger of claims\n\n{}Written by `arenite verify`, version {}, on {}, {} cores of {}.\n\n"
-                     "What is behind ± is a standard error over runs, each with a seed of its own. A check holds where the 95 % interval (Student's t) lies in what is wanted, fails where it lies "
-                     "outside, and is undecided where the bound lies within it. Many like numbers, such as those of all pairs, are one check: it holds if each shows it, and fails if one is outside "
-                     "after Holm's correction. What is said not to depend on something must lie within a margin. Law S has a tangential spring; law R is the thesis's regularised friction, which holds none at rest. "
-                     "{}\n\n",
-                     a.small ? "**Of the small studies: this is no ledger.**\n\n" : "", version, date, std::thread::hardware_concurrency(), processor_name(),
-                     a.csv.empty() ? "`--csv FILE` writes all checks and all choices." : fmt::format("All checks, and all choices, are in [{0}]({0}).", fs::path(a.csv).filename().string()));
+  return fmt::format(
+      "# The ledger of claims\n\n{}Written by `arenite verify`, version {}, on {}, {} cores of {}.\n\n"
+      "What is behind ± is a standard error over runs, each with a seed of its own. A check holds where the 95 % interval (Student's t) lies in what is "
+      "wanted, fails where it lies "
+      "outside, and is undecided where the bound lies within it. Many like numbers, such as those of all pairs, are one check: it holds if each shows it, and "
+      "fails if one is outside "
+      "after Holm's correction. What is said not to depend on something must lie within a margin. Law S has a tangential spring; law R is the thesis's "
+      "regularised friction, which holds none at rest. "
+      "{}\n\n",
+      a.small ? "**Of the small studies: this is no ledger.**\n\n" : "", version, date, std::thread::hardware_concurrency(), processor_name(),
+      a.csv.empty() ? "`--csv FILE` writes all checks and all choices."
+                    : fmt::format("All checks, and all choices, are in [{0}]({0}).", fs::path(a.csv).filename().string()));
 }
 
 bool fails(const validation::Ledger& ledger) {
-  return std::any_of(ledger.claims.begin(), ledger.claims.end(), [](const auto& judged) { return judged.judgement.verdict() == validation::Verdict::not_reproduced; });
+  return std::any_of(ledger.claims.begin(), ledger.claims.end(),
+                     [](const auto& judged) { return judged.judgement.verdict() == validation::Verdict::not_reproduced; });
 }
 
 /// The page, and its pictures in a folder of its name beside it; those of claims that have none any more go.
@@ -181,8 +185,7 @@ int execute(const VerifyArguments& a) {
 void add_verify(Options& command, int& status) {
   auto a = std::make_shared<VerifyArguments>();
   a->jobs = std::max(1u, std::thread::hardware_concurrency());
-  command.add("source", a->sources, "Whose claims: those of the thesis, of the paper, or both")
-      .required().type("SOURCE").among({"thesis", "paper"});
+  command.add("source", a->sources, "Whose claims: those of the thesis, of the paper, or both").required().type("SOURCE").among({"thesis", "paper"});
   command.add("--small", a->small, "Smaller samples and fewer seeds: minutes instead of hours");
   command.add("--json", a->json, "Print the ledger as JSON");
   command.add("--markdown", a->markdown, "Write the ledger as a page of text, too, with its pictures in a folder of that name beside it").type("FILE");
@@ -193,8 +196,7 @@ void add_verify(Options& command, int& status) {
   command.add("--jobs", a->jobs, "Runs at once, each in a process of its own (default: all cores)").between(1, 4096).type("J");
   command.add("--only", a->only, "Run and read this study only; may be repeated").each().type("STUDY");
   command.add("--read", a->read_only, "Run nothing: judge by the runs that are there");
-  command.add("--keep", a->keep, "Keep all files, or of cemented samples and loads only their numbers (default)")
-      .type("WHAT").among({"all", "numbers"});
+  command.add("--keep", a->keep, "Keep all files, or of cemented samples and loads only their numbers (default)").type("WHAT").among({"all", "numbers"});
   command.add("--quiet", a->quiet, "No progress");
   add_overrides(command, a->overrides);
   command.work = [a, &status] { status = execute(*a); };

@@ -43,9 +43,7 @@ bool same(const std::string& a, const std::string& b) {
 }
 
 /// The name that a browser was led here by must be this machine's own, or a page from elsewhere could have its name point here.
-bool is_own_host(const std::string& host, int port) {
-  return host == fmt::format("{}:{}", loopback, port) || host == fmt::format("localhost:{}", port);
-}
+bool is_own_host(const std::string& host, int port) { return host == fmt::format("{}:{}", loopback, port) || host == fmt::format("localhost:{}", port); }
 
 void harden(httplib::Response& response) {
   response.set_header("Cache-Control", "no-store");
@@ -59,7 +57,8 @@ void harden(httplib::Response& response) {
 void send_page(httplib::Response& response, const std::string& page, const char* scripts, const char* to) {
   response.set_header("Content-Security-Policy",
                       fmt::format("default-src 'none'; script-src 'unsafe-inline'{}; style-src 'unsafe-inline'; img-src data: blob:; font-src data:; "
-                                  "worker-src blob:; connect-src {}; form-action 'none'; base-uri 'none'; frame-ancestors 'none'", scripts, to));
+                                  "worker-src blob:; connect-src {}; form-action 'none'; base-uri 'none'; frame-ancestors 'none'",
+                                  scripts, to));
   response.set_content(page, "text/html; charset=utf-8");
 }
 
@@ -116,8 +115,7 @@ class Answers {
 
 }  // namespace
 
-void serve_watch(const std::filesystem::path& folder, int port, const std::function<void(const std::string& url)>& tell,
-                 const std::function<bool()>& is_over) {
+void serve_watch(const std::filesystem::path& folder, int port, const std::function<void(const std::string& url)>& tell, const std::function<bool()>& is_over) {
   httplib::Server server;
   server.new_task_queue = [] { return new httplib::ThreadPool(4); };
   server.set_keep_alive_max_count(1);
@@ -182,9 +180,7 @@ Watcher::Watcher(const std::filesystem::path& folder) {
       let_go_of_output();
     };
     serve_watch(folder, 0, tell, after_end_of(ends[0]));
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "--watch: {}; the run goes on\n", error.what());
-  }
+  } catch (const std::exception& error) { fmt::print(stderr, "--watch: {}; the run goes on\n", error.what()); }
   ::_exit(0);
 }
 

@@ -37,9 +37,7 @@ const char* word_of(Life life) {
 std::string title_of(const fs::path& folder) {
   try {
     return recipe::title_in(io::read_file(folder / "recipe.toml"));
-  } catch (const InputError&) {
-    return "";
-  }
+  } catch (const InputError&) { return ""; }
 }
 
 /// A folder of its own that only this user can read, and that goes with this.

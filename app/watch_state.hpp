@@ -42,10 +42,10 @@ class WatchState {
   Numbers curves() const;
 
   std::filesystem::path folder_;
-  std::map<std::string, Stage> stages_;      ///< by file
-  std::vector<Row> checkpoint_, now_;        ///< of the stage under way: as kept, and as heard since
+  std::map<std::string, Stage> stages_;  ///< by file
+  std::vector<Row> checkpoint_, now_;    ///< of the stage under way: as kept, and as heard since
   std::filesystem::file_time_type checkpoint_time_{};
-  std::string key_;                          ///< of the stage under way
+  std::string key_;  ///< of the stage under way
   std::string page_;
   std::vector<std::filesystem::path> page_files_;
   std::chrono::steady_clock::time_point page_made_{};

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "grains/texture/texture.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
 #include "workflow/run_film.hpp"
 #include "workflow/shoot_film.hpp"
-#include "grains/texture/texture.hpp"
 
 /// camera_table STATES CAMERA.toml SCRATCH [THREADS [WORDS...]]: films simulated states with one property of the camera changed at a
 /// time, measures each film without knowing what was drawn, and prints what grains, stresses and forces are off by. Where
@@ -34,9 +34,9 @@ std::pair<Pair, Vec2> named(int i, int j, Vec2 force_on_i) {
 
 struct Truth {
   Packing low, high;
-  Vec2 corner;                   ///< lower left inner corner at the smallest load
-  std::vector<double> stress;    ///< swing by normal forces, Pa
-  std::map<Pair, Vec2> force;    ///< swing of the contact forces, N
+  Vec2 corner;                 ///< lower left inner corner at the smallest load
+  std::vector<double> stress;  ///< swing by normal forces, Pa
+  std::map<Pair, Vec2> force;  ///< swing of the contact forces, N
   std::vector<std::uint8_t> considered;
 
   Truth(Packing released, Packing loaded) : low(std::move(released)), high(std::move(loaded)), stress(high.grains.size(), 0.0) {
@@ -72,7 +72,7 @@ Packing last_state(const fs::path& states, const std::string& stage) {
 
 struct Errors {
   std::size_t found = 0, missed = 0, wrong_material = 0;
-  double centres = 0;            ///< root mean square at the smallest load, pixels along one axis
+  double centres = 0;  ///< root mean square at the smallest load, pixels along one axis
   workflow::Agreement stress;
   double normal = 0, tangential = 0;  ///< relative L2 errors of contacts between grains
 };
@@ -156,8 +156,8 @@ bool row(const char* name, const std::vector<std::string>& changes, const Truth&
   if (listed) list_grains(folder / "grains.csv", truth), told.emplace_back("picture.grains=\"grains.csv\"");
   const auto outcome = workflow::run_film(folder / "film.ptw", recipe::read_film_recipe((folder / "film.toml").string(), told), run);
   const Errors e = compare(truth, outcome.result);
-  std::printf("| %s%s | %zu | %zu | %zu | %.3f | %.4f | %.4f | %.4f | %.1f | %.1f |\n", name, listed ? ", grains listed" : "", e.found, e.missed, e.wrong_material, e.centres, e.stress.correlation,
-              e.stress.rms_sigma_norm, e.stress.slope, 100 * e.normal, 100 * e.tangential);
+  std::printf("| %s%s | %zu | %zu | %zu | %.3f | %.4f | %.4f | %.4f | %.1f | %.1f |\n", name, listed ? ", grains listed" : "", e.found, e.missed,
+              e.wrong_material, e.centres, e.stress.correlation, e.stress.rms_sigma_norm, e.stress.slope, 100 * e.normal, 100 * e.tangential);
   std::fflush(stdout);
   return 10 * e.missed < e.found;
 }
@@ -176,7 +176,7 @@ struct Row {
   const char* name;
   std::vector<std::string> changes;
   double pixel = 1.6;
-  bool listed = false;           ///< grains are not looked for
+  bool listed = false;  ///< grains are not looked for
 };
 
 /// Each source of error switched off, then what a laboratory can choose; rows that matter most come first.
@@ -202,8 +202,9 @@ std::vector<Row> rows() {
 void table(char** argv, int threads, const std::vector<std::string>& words) {
   const auto recipe = recipe::read_film_recipe(argv[2]);
   const Truth truth(last_state(argv[1], recipe.camera->low), last_state(argv[1], recipe.camera->high));
-  std::printf("| camera | grains | missed | wrong material | centres, px | correlation | rms of sigma_norm | slope | normal, %% | tangential, %% |\n"
-              "|---|---|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "| camera | grains | missed | wrong material | centres, px | correlation | rms of sigma_norm | slope | normal, %% | tangential, %% |\n"
+      "|---|---|---|---|---|---|---|---|---|---|\n");
   const Truth still = resting(truth);
   const auto film_one = [&](Row r) {
     const Truth& seen = !r.changes.empty() && r.changes.front() == at_rest ? still : truth;
@@ -227,11 +228,13 @@ void table(char** argv, int threads, const std::vector<std::string>& words) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 4) return std::fprintf(stderr, "camera_table STATES CAMERA.toml SCRATCH [THREADS [WORDS...]]: folder of the simulated states, recipe of the camera, folder for films, words that name rows (all rows)\n"), 2;
+  if (argc < 4)
+    return std::fprintf(stderr,
+                        "camera_table STATES CAMERA.toml SCRATCH [THREADS [WORDS...]]: folder of the simulated states, recipe of the camera, folder for films, "
+                        "words that name rows (all rows)\n"),
+           2;
   try {
     table(argv, argc > 4 ? std::atoi(argv[4]) : 1, {argv + std::min(argc, 5), argv + argc});
     return 0;
-  } catch (const std::exception& e) {
-    return std::fprintf(stderr, "%s\n", e.what()), 2;
-  }
+  } catch (const std::exception& e) { return std::fprintf(stderr, "%s\n", e.what()), 2; }
 }

@@ -19,8 +19,7 @@ dem::Engine engine_of(const Packing& packing, dem::IntegratorKind integrator, in
 }
 
 /// Advances by `steps` an iteration, calling `before_each` first.
-template <class Prepare>
-void measure(benchmark::State& state, dem::Engine& engine, std::int64_t steps, Prepare&& before_each) {
+template <class Prepare> void measure(benchmark::State& state, dem::Engine& engine, std::int64_t steps, Prepare&& before_each) {
   engine.advance(100);
   const auto builds = engine.list_builds();
   const auto first = engine.step();

@@ -7,8 +7,8 @@
 
 #include "../tests/support/pressed_crystal.hpp"
 #include "../tests/support/swing_picture.hpp"
-#include "thermal/inference/contact_forces.hpp"
 #include "io/results/results.hpp"
+#include "thermal/inference/contact_forces.hpp"
 
 /// force_errors LOW.h5 HIGH.h5: draws the swing between two simulated states as a film would show it, with every source of
 /// error, then with one switched off at a time, and prints what the inferred forces are off by.
@@ -18,11 +18,11 @@ using namespace arenite;
 
 struct Sources {
   test::Drawing drawing;
-  double position = 0.1;         ///< standard error of centres, pixels
-  double offered = 0.2;          ///< pairs with smaller gaps are offered as contacts, pixels
-  double assumed_blur = 0.55;    ///< pixels
-  double wall = 0.005;           ///< error of the load on the lower wall, share
-  bool rolling = true;           ///< contacts have another direction in the low state
+  double position = 0.1;       ///< standard error of centres, pixels
+  double offered = 0.2;        ///< pairs with smaller gaps are offered as contacts, pixels
+  double assumed_blur = 0.55;  ///< pixels
+  double wall = 0.005;         ///< error of the load on the lower wall, share
+  bool rolling = true;         ///< contacts have another direction in the low state
   Sources() { drawing.traction = elasticity::Traction::elliptic, drawing.half_angle = 0.1; }
 };
 
@@ -135,7 +135,5 @@ int main(int argc, char** argv) {
   if (argc != 3) return std::fprintf(stderr, "force_errors LOW.h5 HIGH.h5: stage files of the smallest and the largest load\n"), 2;
   try {
     return run(argv[1], argv[2]);
-  } catch (const std::exception& e) {
-    return std::fprintf(stderr, "%s\n", e.what()), 2;
-  }
+  } catch (const std::exception& e) { return std::fprintf(stderr, "%s\n", e.what()), 2; }
 }

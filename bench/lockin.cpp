@@ -39,7 +39,8 @@ const Film& film(std::size_t frames) {
     const double t = static_cast<double>(n) / rate, swing = 10 * std::cos(2 * std::numbers::pi * load * 1.0003 * t), drift = 8000 + 2 * t;
     const std::size_t from = static_cast<std::size_t>(random.below(noise.size() - pixels));
     for (std::size_t p = 0; p < pixels; ++p)
-      f.level[n * pixels + p] = static_cast<std::uint16_t>(drift + static_cast<double>(p % 320) + swing * static_cast<double>(p % 7) / 7 + static_cast<double>(noise[from + p]));
+      f.level[n * pixels + p] =
+          static_cast<std::uint16_t>(drift + static_cast<double>(p % 320) + swing * static_cast<double>(p % 7) / 7 + static_cast<double>(noise[from + p]));
   }
   return f;
 }

@@ -1,8 +1,8 @@
 #include <benchmark/benchmark.h>
 
 #include "../tests/support/cemented_sample.hpp"
-#include "solid/peridynamics/kernels/kernels.hpp"
 #include "process_use.hpp"
+#include "solid/peridynamics/kernels/kernels.hpp"
 
 namespace {
 
@@ -18,8 +18,7 @@ PhaseMap sample(const benchmark::State& state) {
   return test::cemented_sample(s);
 }
 
-template <class T>
-Field<T> ramp(const Grid& grid) {
+template <class T> Field<T> ramp(const Grid& grid) {
   Field<T> u(grid.padded_size());
   for (int y = 0; y < grid.height; ++y)
     for (int x = 0; x < grid.width; ++x) {
@@ -29,18 +28,15 @@ Field<T> ramp(const Grid& grid) {
   return u;
 }
 
-template <class Pass>
-void measure(benchmark::State& state, const PhaseMap& map, const Pass& pass) {
+template <class Pass> void measure(benchmark::State& state, const PhaseMap& map, const Pass& pass) {
   const double start = cpu_seconds();
   for (auto _ : state) pass();
   const double seconds = cpu_seconds() - start;
-  state.counters["ns_per_node"] =
-      1e9 * seconds / static_cast<double>(state.iterations()) / static_cast<double>(map.size());
+  state.counters["ns_per_node"] = 1e9 * seconds / static_cast<double>(state.iterations()) / static_cast<double>(map.size());
   state.counters["S_m"] = test::matrix_saturation(map);
 }
 
-template <class T>
-void force_of_bonds(benchmark::State& state) {
+template <class T> void force_of_bonds(benchmark::State& state) {
   const PhaseMap map = sample(state);
   const Bonds bonds = make_bonds(map, {});
   const std::vector<std::uint8_t> prescribed(static_cast<std::size_t>(map.height), 0);
@@ -48,8 +44,7 @@ void force_of_bonds(benchmark::State& state) {
   Field<T> f(bonds.grid.padded_size());
   const Kernels& k = kernels();
   measure(state, map, [&] {
-    if constexpr (std::is_same_v<T, double>)
-      benchmark::DoNotOptimize(k.force(bonds, prescribed.data(), plane(u), plane(f)));
+    if constexpr (std::is_same_v<T, double>) benchmark::DoNotOptimize(k.force(bonds, prescribed.data(), plane(u), plane(f)));
     else benchmark::DoNotOptimize(k.force_float(bonds, prescribed.data(), plane(u), plane(f)));
   });
   state.SetLabel(k.name);
@@ -62,9 +57,7 @@ void chebyshev_step(benchmark::State& state) {
   const Field<float> z = ramp<float>(bonds.grid), r = ramp<float>(bonds.grid);
   Field<float> older(n);
   Buffer<float> xx(n), xy(n), yy(n);
-  measure(state, map, [&] {
-    kernels().chebyshev(bonds, plane(z), plane(older), plane(r), {xx.data(), xy.data(), yy.data()}, 0.3f, 0.2f);
-  });
+  measure(state, map, [&] { kernels().chebyshev(bonds, plane(z), plane(older), plane(r), {xx.data(), xy.data(), yy.data()}, 0.3f, 0.2f); });
 }
 
 void explicit_step(benchmark::State& state) {

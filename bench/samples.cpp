@@ -9,8 +9,8 @@ namespace arenite::bench {
 
 namespace {
 
-constexpr double stiffness = 1e7;          // N/m
-constexpr double target_pressure = 1e-3;   // P L/k
+constexpr double stiffness = 1e7;         // N/m
+constexpr double target_pressure = 1e-3;  // P L/k
 
 /// Disks on a jittered square lattice in mixed order, solid fraction 0.6.
 Packing loose(std::size_t n, bool periodic) {
@@ -39,8 +39,7 @@ Packing loose(std::size_t n, bool periodic) {
 
 double pressure(const dem::Engine& engine) {
   const Domain& d = engine.domain();
-  return 0.5 * ((d.wall[left].force + d.wall[right].force) / (2 * d.height()) +
-                (d.wall[bottom].force + d.wall[top].force) / (2 * d.width()));
+  return 0.5 * ((d.wall[left].force + d.wall[right].force) / (2 * d.height()) + (d.wall[bottom].force + d.wall[top].force) / (2 * d.width()));
 }
 
 dem::WallDrives closing(double speed) {

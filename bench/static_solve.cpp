@@ -3,8 +3,8 @@
 #include <map>
 
 #include "../tests/support/cemented_sample.hpp"
-#include "solid/peridynamics/load.hpp"
 #include "process_use.hpp"
+#include "solid/peridynamics/load.hpp"
 
 namespace {
 
@@ -64,16 +64,7 @@ void samples(benchmark::internal::Benchmark* b) {
 }  // namespace
 
 BENCHMARK(static_solve)->Apply(samples);
-BENCHMARK(static_solve)
-    ->Args({2048, 250, 40})
-    ->Args({4096, 250, 40})
-    ->ArgNames({"nodes", "gamma", "bridge"})
-    ->Unit(benchmark::kMillisecond)
-    ->Iterations(1);
-BENCHMARK(adaptive_relaxation)
-    ->Args({1024, 250, 40})
-    ->ArgNames({"nodes", "gamma", "bridge"})
-    ->Unit(benchmark::kMillisecond)
-    ->Iterations(1);
+BENCHMARK(static_solve)->Args({2048, 250, 40})->Args({4096, 250, 40})->ArgNames({"nodes", "gamma", "bridge"})->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK(adaptive_relaxation)->Args({1024, 250, 40})->ArgNames({"nodes", "gamma", "bridge"})->Unit(benchmark::kMillisecond)->Iterations(1);
 
 BENCHMARK_MAIN();

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
+#include "campaign/study_folder.hpp"
 #include "core/hash.hpp"
 #include "io/disk/file.hpp"
-#include "campaign/study_folder.hpp"
 
 // What `arenite study status` reads: the table of runs and the journal of a study of many runs.
 namespace {
@@ -16,7 +16,8 @@ campaign::Study study_of(std::size_t runs) {
   study.keys = {"bidisperse.size_ratio", "cement.width", "seed"};
   const std::string hash(32, 'a');
   for (std::size_t r = 0; r < runs; ++r) {
-    campaign::StudyRun run{"0123456789" + std::to_string(100'000 + r), {{"bidisperse.size_ratio", "1.25"}, {"cement.width", "0.2"}, {"seed", std::to_string(r)}}, {}};
+    campaign::StudyRun run{
+        "0123456789" + std::to_string(100'000 + r), {{"bidisperse.size_ratio", "1.25"}, {"cement.width", "0.2"}, {"seed", std::to_string(r)}}, {}};
     for (const char* stage : {"packing", "compact", "rest", "cement", "tension"}) run.stages.push_back({stage, hash, {}, false});
     study.runs.push_back(std::move(run));
   }

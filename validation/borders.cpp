@@ -26,9 +26,7 @@ void add_with_border(Results& results, const std::string& study, double border, 
         row.numbers.resize(table.names.size());
         row.numbers[column->second] = estimate;
       }
-    } catch (const InputError&) {
-      continue;
-    }
+    } catch (const InputError&) { continue; }
     table.rows.push_back(std::move(row));
   }
   for (auto& row : table.rows) row.numbers.resize(table.names.size());

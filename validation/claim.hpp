@@ -13,19 +13,19 @@ class Results;
 enum class Outcome {
   holds,
   fails,
-  undecided,                            ///< the bound lies within the error of ours, or the error is not known
-  unknown                               ///< runs that decide it are missing
+  undecided,  ///< the bound lies within the error of ours, or the error is not known
+  unknown     ///< runs that decide it are missing
 };
 const char* word_for(Outcome outcome);  ///< "holds", "fails", "undecided", "unknown"
 
 /// What a check asks.
 enum class Kind {
-  trend,                                ///< which way, or whether: what the claim says in words
-  number,                               ///< how much: the source's own numbers
-  source,                               ///< whether the source's own tables bear its words out
-  beside                                ///< told beside the claim; decides nothing
+  trend,   ///< which way, or whether: what the claim says in words
+  number,  ///< how much: the source's own numbers
+  source,  ///< whether the source's own tables bear its words out
+  beside   ///< told beside the claim; decides nothing
 };
-const char* word_for(Kind kind);        ///< "trend", "number", "source", "beside"
+const char* word_for(Kind kind);  ///< "trend", "number", "source", "beside"
 
 /// Where a number is wanted, ends excluded.
 struct Range {
@@ -34,12 +34,12 @@ struct Range {
 
 /// One number held against what the source says of it.
 struct Check {
-  std::string what;                     ///< "z at ratio 10, law S"
-  std::string source;                   ///< what the source has, as text
-  std::string unit;                     ///< of ours
-  std::string wanted;                   ///< what must be true of ours, as text
+  std::string what;    ///< "z at ratio 10, law S"
+  std::string source;  ///< what the source has, as text
+  std::string unit;    ///< of ours
+  std::string wanted;  ///< what must be true of ours, as text
   Value ours;
-  Range range;                          ///< the same as `wanted`, where it is one
+  Range range;  ///< the same as `wanted`, where it is one
   Outcome outcome = Outcome::unknown;
   Kind kind = Kind::trend;
 };
@@ -47,13 +47,13 @@ struct Check {
 /// How a number hangs on what its source leaves open, one choice at a time.
 struct Sensitivity {
   struct Entry {
-    std::string choice;                 ///< "without friction"; empty: as the study has it
+    std::string choice;  ///< "without friction"; empty: as the study has it
     Value value;
-    Outcome outcome = Outcome::unknown; ///< whether it is as wanted
+    Outcome outcome = Outcome::unknown;  ///< whether it is as wanted
   };
-  std::string what, wanted;             ///< wanted of it, as text; empty if nothing is
+  std::string what, wanted;  ///< wanted of it, as text; empty if nothing is
   Range range;
-  std::vector<Entry> entries;           ///< the first as the study has it
+  std::vector<Entry> entries;  ///< the first as the study has it
 };
 
 /// How a claim ends.
@@ -63,9 +63,9 @@ const char* word_for(Verdict verdict);  ///< "reproduced", "trend reproduced, nu
 /// What is said of a claim.
 struct Judgement {
   std::vector<Check> checks;
-  std::string ours;                     ///< beside the source's number, as short as can be; empty: that of the deciding check
-  std::string decides;                  ///< the fact that decides it, if it is no choice: a sentence
-  std::vector<std::string> findings;    ///< what else is worth telling: sentences with numbers
+  std::string ours;                        ///< beside the source's number, as short as can be; empty: that of the deciding check
+  std::string decides;                     ///< the fact that decides it, if it is no choice: a sentence
+  std::vector<std::string> findings;       ///< what else is worth telling: sentences with numbers
   std::vector<Sensitivity> sensitivities;  ///< to friction, damping and what else is not stated
 
   /// A source whose tables contradict its words is inconsistent; otherwise a trend that fails decides, then what is missing,
@@ -81,11 +81,11 @@ std::string what_decides(const Judgement& judgement);
 /// One claim of a source. `id` begins with T (thesis) or P (paper).
 struct Claim {
   const char* id;
-  const char* where;                    ///< chapter and figure of the source
+  const char* where;  ///< chapter and figure of the source
   const char* sentence;
-  const char* number;                   ///< the source's number, as short as can be; "-" where it has none
-  std::vector<std::string> studies;     ///< whose runs decide it
-  const char* figure;                   ///< that shows it on the page of the first of these; "" if none
+  const char* number;                ///< the source's number, as short as can be; "-" where it has none
+  std::vector<std::string> studies;  ///< whose runs decide it
+  const char* figure;                ///< that shows it on the page of the first of these; "" if none
   Judgement (*judge)(const Results&);
 };
 

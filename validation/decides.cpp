@@ -39,7 +39,8 @@ std::string what_mends(const std::vector<Sensitivity>& all) {
   std::string text;
   for (const Sensitivity& found : all) {
     if (found.wanted.empty() || found.entries.front().outcome == Outcome::holds || found.entries.front().outcome == Outcome::unknown) continue;
-    if (const Words words = turned_to(found, Outcome::holds); !words.empty()) text += fmt::format("{}{} is as wanted ({}) {}", text.empty() ? "" : "; ", found.what, found.wanted, listed(words));
+    if (const Words words = turned_to(found, Outcome::holds); !words.empty())
+      text += fmt::format("{}{} is as wanted ({}) {}", text.empty() ? "" : "; ", found.what, found.wanted, listed(words));
   }
   return text.empty() ? text : text + ".";
 }
@@ -51,7 +52,8 @@ std::string what_spoils(const std::vector<Sensitivity>& all) {
   for (const Sensitivity& found : all) {
     if (found.wanted.empty() || found.entries.front().outcome != Outcome::holds) continue;
     for (std::size_t k = 1; k < found.entries.size(); ++k) choices += found.entries[k].outcome != Outcome::unknown;
-    if (const Words words = turned_to(found, Outcome::fails); !words.empty()) text += fmt::format("{}{} is no longer as wanted ({}) {}", text.empty() ? "" : "; ", found.what, found.wanted, listed(words));
+    if (const Words words = turned_to(found, Outcome::fails); !words.empty())
+      text += fmt::format("{}{} is no longer as wanted ({}) {}", text.empty() ? "" : "; ", found.what, found.wanted, listed(words));
   }
   if (!text.empty()) return text + ".";
   return choices > 0 ? "No choice tried here turns it." : "";

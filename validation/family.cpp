@@ -9,7 +9,7 @@
 namespace arenite::validation {
 namespace {
 
-constexpr double one_side = 0.025;     ///< of the 95 % interval that a check alone is judged by
+constexpr double one_side = 0.025;  ///< of the 95 % interval that a check alone is judged by
 
 /// Value over error; sides of zero without one.
 double sureness(const Value& v, double distance) { return v.error > 0 ? distance / v.error : std::copysign(HUGE_VAL, distance); }
@@ -72,11 +72,14 @@ Check every(const std::string& what, const std::string& source, const Family& fa
   check.ours = worst.value;
   check.outcome = Outcome::holds;
   for (const Member& m : family)
-    if (const Outcome one = outcome_of(m.value, range); one != Outcome::holds && check.outcome != Outcome::unknown) check.outcome = one == Outcome::unknown ? one : Outcome::undecided;
+    if (const Outcome one = outcome_of(m.value, range); one != Outcome::holds && check.outcome != Outcome::unknown)
+      check.outcome = one == Outcome::unknown ? one : Outcome::undecided;
   const auto wrong = outside(family, range);
   const auto failing = std::count(wrong.begin(), wrong.end(), true);
   if (failing > 0) check.outcome = Outcome::fails;
-  if (family.size() > 1) check.what += fmt::format(", in {} of {}{}; least sure {}", count_inside(family, range), family.size(), failing > 0 ? fmt::format(", outside in {}", failing) : "", worst.name);
+  if (family.size() > 1)
+    check.what += fmt::format(", in {} of {}{}; least sure {}", count_inside(family, range), family.size(),
+                              failing > 0 ? fmt::format(", outside in {}", failing) : "", worst.name);
   else check.what += ", " + worst.name;
   return check;
 }

@@ -8,7 +8,7 @@
 namespace arenite::validation {
 
 struct Member {
-  std::string name;                     ///< "gamma 2.5, theta 1.4"
+  std::string name;  ///< "gamma 2.5, theta 1.4"
   Value value;
 };
 using Family = std::vector<Member>;

@@ -10,7 +10,7 @@ namespace arenite::validation {
 /// |<exp(i m theta)>| of the contact directions of several runs together, with what as many random directions would give.
 struct PooledMode {
   double contacts = 0;
-  Value amplitude, phase_deg;            ///< phase in [0, 360/m); errors from the scatter of seeds
+  Value amplitude, phase_deg;  ///< phase in [0, 360/m); errors from the scatter of seeds
   double noise = statistics::unknown;
   double noise_of_one = statistics::unknown;  ///< in one run of mean size
 };
@@ -35,8 +35,8 @@ Value slope_over_seeds(const std::vector<Run>& runs, const Number& x, const Numb
 
 /// An exponential tail seen in several runs: means over seeds.
 struct PooledTail {
-  Value lead;                            ///< ln L of the exponential less that of the half-Gaussian, of one run
-  Value r2, beta;                        ///< of the straight line through the logarithm of the share above; the exponential's
+  Value lead;      ///< ln L of the exponential less that of the half-Gaussian, of one run
+  Value r2, beta;  ///< of the straight line through the logarithm of the share above; the exponential's
 };
 /// `name`: of the distribution, "sigma_norm.by_material.POM" or "force".
 PooledTail pooled_tail(const std::vector<Run>& runs, const std::string& name);

@@ -120,7 +120,8 @@ std::vector<Strip> strips_of(const validation::Judgement& judgement) {
   std::vector<Strip> strips;
   for (const Sensitivity& found : judgement.sensitivities) {
     if (!is_drawn(found)) continue;
-    const auto at = std::find_if(strips.begin(), strips.end(), [&](const Strip& strip) { return strip.size() < in_a_strip && same_choices(*strip.front(), found); });
+    const auto at =
+        std::find_if(strips.begin(), strips.end(), [&](const Strip& strip) { return strip.size() < in_a_strip && same_choices(*strip.front(), found); });
     if (at == strips.end()) strips.push_back({&found});
     else at->push_back(&found);
   }
@@ -144,9 +145,11 @@ std::string draw(const Strip& strip, double& top) {
   std::string svg;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const std::string& choice = strip.front()->entries[rows[k]].choice;
-    svg += text_at(margin + label_width - 8, first + row_height * (static_cast<double>(k) + 0.5) + 4, choice.empty() ? "title" : "choice", "end", choice.empty() ? "as it is" : choice);
+    svg += text_at(margin + label_width - 8, first + row_height * (static_cast<double>(k) + 0.5) + 4, choice.empty() ? "title" : "choice", "end",
+                   choice.empty() ? "as it is" : choice);
   }
-  for (std::size_t k = 0; k < strip.size(); ++k) svg += panel(*strip[k], rows, margin + label_width + (panel_width + gap) * static_cast<double>(k), top, title_lines);
+  for (std::size_t k = 0; k < strip.size(); ++k)
+    svg += panel(*strip[k], rows, margin + label_width + (panel_width + gap) * static_cast<double>(k), top, title_lines);
   top = first + row_height * static_cast<double>(rows.size()) + 32;
   return svg;
 }
@@ -176,8 +179,10 @@ std::string ledger_dots(const validation::Judgement& judgement) {
   }
   body += legend(top);
   const double width = std::max(2 * margin + label_width + (panel_width + gap) * static_cast<double>(panels), 660.0), height = top + margin + 6;
-  return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\">\n{2}<rect width=\"100%\" height=\"100%\" class=\"ground\" rx=\"6\"/>\n{3}</svg>\n",
-                     width, height, style, body);
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\">\n{2}<rect width=\"100%\" "
+      "height=\"100%\" class=\"ground\" rx=\"6\"/>\n{3}</svg>\n",
+      width, height, style, body);
 }
 
 }  // namespace arenite::validation

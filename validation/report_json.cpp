@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "validation/report_parts.hpp"
-#include "validation/report.hpp"
 #include "statistics/numbers.hpp"
+#include "validation/report.hpp"
+#include "validation/report_parts.hpp"
 
 namespace arenite::validation {
 namespace {
@@ -62,10 +62,10 @@ std::string cell(const std::string& text) {
 
 std::string cell(double number) { return std::isfinite(number) ? fmt::format("{:.6g}", number) : ""; }
 
-std::string row(const char* claim, const char* kind, const std::string& what, const std::string& choice, const std::string& source, const std::string& wanted, const validation::Value& ours,
-                const std::string& unit, const char* outcome) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", claim, kind, cell(what), cell(choice), cell(source), cell(wanted), cell(ours.value), cell(ours.error),
-                     std::isfinite(ours.error) ? cell(ours.freedom) : "", cell(unit), outcome);
+std::string row(const char* claim, const char* kind, const std::string& what, const std::string& choice, const std::string& source, const std::string& wanted,
+                const validation::Value& ours, const std::string& unit, const char* outcome) {
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", claim, kind, cell(what), cell(choice), cell(source), cell(wanted), cell(ours.value),
+                     cell(ours.error), std::isfinite(ours.error) ? cell(ours.freedom) : "", cell(unit), outcome);
 }
 
 }  // namespace
@@ -74,20 +74,29 @@ std::string ledger_json(const validation::Ledger& ledger) {
   Numbers studies = Numbers::tree(), claims = Numbers::tree();
   for (const auto& study : ledger.studies) studies[study.name] = {{"runs", study.runs}, {"done", study.done}};
   for (const auto& [claim, judgement] : ledger.claims)
-    claims[claim->id] = {{"where", claim->where}, {"sentence", claim->sentence}, {"figure", validation::figure_place(*claim)}, {"verdict", word_for(judgement.verdict())},
-                         {"source", claim->number}, {"ours", ours_text(judgement)}, {"decides", validation::what_decides(judgement)}, {"checks", json_of(judgement.checks)},
-                         {"findings", judgement.findings}, {"sensitivity", json_of(judgement.sensitivities)}};
+    claims[claim->id] = {{"where", claim->where},
+                         {"sentence", claim->sentence},
+                         {"figure", validation::figure_place(*claim)},
+                         {"verdict", word_for(judgement.verdict())},
+                         {"source", claim->number},
+                         {"ours", ours_text(judgement)},
+                         {"decides", validation::what_decides(judgement)},
+                         {"checks", json_of(judgement.checks)},
+                         {"findings", judgement.findings},
+                         {"sensitivity", json_of(judgement.sensitivities)}};
   return to_json(Numbers{{"studies", studies}, {"claims", claims}}, 1) + "\n";
 }
 
 std::string ledger_csv(const validation::Ledger& ledger) {
   std::string text = "claim,kind,what,choice,source,wanted,ours,error,freedom,unit,outcome\n";
   for (const auto& [claim, judgement] : ledger.claims) {
-    for (const Check& c : judgement.checks) text += row(claim->id, word_for(c.kind), c.what, "", c.source, c.wanted, c.ours, c.unit, c.wanted.empty() ? "" : word_for(c.outcome));
+    for (const Check& c : judgement.checks)
+      text += row(claim->id, word_for(c.kind), c.what, "", c.source, c.wanted, c.ours, c.unit, c.wanted.empty() ? "" : word_for(c.outcome));
     for (const Sensitivity& found : judgement.sensitivities)
       for (const auto& entry : found.entries)
         if (std::isfinite(entry.value.value))
-          text += row(claim->id, "choice", found.what, entry.choice.empty() ? "as it is" : entry.choice, "", found.wanted, entry.value, "", found.wanted.empty() ? "" : word_for(entry.outcome));
+          text += row(claim->id, "choice", found.what, entry.choice.empty() ? "as it is" : entry.choice, "", found.wanted, entry.value, "",
+                      found.wanted.empty() ? "" : word_for(entry.outcome));
   }
   return text;
 }
@@ -101,7 +110,8 @@ std::string ledger_verdicts(const validation::Ledger& ledger, bool small) {
 std::vector<std::string> changed_verdicts(const validation::Ledger& ledger, const std::string& expected, const std::string& file, bool small) {
   const Numbers wanted = from_json(expected).value_or(Numbers{});
   if (!wanted.is_tree() || !wanted.contains("of")) throw InputError(file, 0, "this holds no verdicts; write it with arenite verify --verdicts FILE");
-  if (wanted["of"] != size_of(small)) throw InputError(file, 0, fmt::format("these are verdicts of {}; here they are of {}", wanted.value("of", "something else"), size_of(small)));
+  if (wanted["of"] != size_of(small))
+    throw InputError(file, 0, fmt::format("these are verdicts of {}; here they are of {}", wanted.value("of", "something else"), size_of(small)));
   std::vector<std::string> changes;
   for (const auto& [claim, judgement] : ledger.claims) {
     const std::string before = wanted.value(claim->id, "missing"), now = word_for(judgement.verdict());

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "validation/report.hpp"
 #include "validation/report_dots.hpp"
 #include "validation/report_parts.hpp"
-#include "validation/report.hpp"
 
 namespace arenite::validation {
 namespace {
@@ -44,7 +44,8 @@ std::string runs_of(const std::vector<validation::StudyState>& studies) {
   std::size_t done = 0;
   for (const auto& study : studies) {
     done += study.done;
-    if (study.done < study.runs || (study.runs == 0 && progress_of(study) == "not begun")) missing += fmt::format("{}`{}` ({})", missing.empty() ? "" : ", ", study.name, progress_of(study));
+    if (study.done < study.runs || (study.runs == 0 && progress_of(study) == "not begun"))
+      missing += fmt::format("{}`{}` ({})", missing.empty() ? "" : ", ", study.name, progress_of(study));
   }
   return missing.empty() ? fmt::format("All {} runs of the studies are done.", done) : "Runs are missing: " + missing + ".";
 }
@@ -52,7 +53,8 @@ std::string runs_of(const std::vector<validation::StudyState>& studies) {
 /// "20 reproduced, 6 trend reproduced, numbers not, ...".
 std::string counts(const validation::Ledger& ledger) {
   std::string text;
-  for (const Verdict verdict : {Verdict::reproduced, Verdict::trend_reproduced, Verdict::undecided, Verdict::not_reproduced, Verdict::source_inconsistent, Verdict::unknown}) {
+  for (const Verdict verdict :
+       {Verdict::reproduced, Verdict::trend_reproduced, Verdict::undecided, Verdict::not_reproduced, Verdict::source_inconsistent, Verdict::unknown}) {
     const auto count = std::count_if(ledger.claims.begin(), ledger.claims.end(), [=](const Judged& judged) { return judged.judgement.verdict() == verdict; });
     if (count > 0) text += fmt::format("{}{} *{}*", text.empty() ? "" : "; ", count, word_for(verdict));
   }
@@ -63,8 +65,9 @@ std::string table_of(const validation::Ledger& ledger) {
   std::string text = "| claim | | the source's number | ours | verdict | what decides |\n|---|---|---|---|---|---|\n";
   for (const Judged& judged : ledger.claims) {
     const std::string id = judged.claim->id;
-    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", simply_reproduced(judged) ? id : fmt::format("[{}](#{})", id, anchor_of(id)), cell(judged.claim->sentence), cell(judged.claim->number),
-                        cell(with_signs(ours_text(judged.judgement))), word_for(judged.judgement.verdict()), cell(with_signs(validation::what_decides(judged.judgement))));
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", simply_reproduced(judged) ? id : fmt::format("[{}](#{})", id, anchor_of(id)),
+                        cell(judged.claim->sentence), cell(judged.claim->number), cell(with_signs(ours_text(judged.judgement))),
+                        word_for(judged.judgement.verdict()), cell(with_signs(validation::what_decides(judged.judgement))));
   }
   return text;
 }
@@ -74,15 +77,16 @@ std::string open_checks(const std::vector<Check>& checks) {
   std::string rows;
   for (const Check& check : checks)
     if (check.kind != Kind::beside && check.outcome != Outcome::holds)
-      rows += fmt::format("| {} | {} | {} | {} | {} |\n", cell(with_signs(check.what)), cell(check.source), cell(with_signs(ours_text(check))), cell(with_signs(check.wanted)), word_for(check.outcome));
+      rows += fmt::format("| {} | {} | {} | {} | {} |\n", cell(with_signs(check.what)), cell(check.source), cell(with_signs(ours_text(check))),
+                          cell(with_signs(check.wanted)), word_for(check.outcome));
   return rows.empty() ? rows : "\n| what | source | ours | wanted | |\n|---|---|---|---|---|\n" + rows;
 }
 
 std::string section_of(const Judged& judged, const std::string& pictures) {
   const auto& [claim, judgement] = judged;
   const std::string figure = validation::figure_place(*claim);
-  std::string text = fmt::format("\n### {}\n\n**{}.** {} ({}{}). {}", claim->id, word_for(judgement.verdict()), claim->sentence, claim->where, figure.empty() ? "" : fmt::format("; drawn in `{}`", figure),
-                                 validation::what_decides(judgement));
+  std::string text = fmt::format("\n### {}\n\n**{}.** {} ({}{}). {}", claim->id, word_for(judgement.verdict()), claim->sentence, claim->where,
+                                 figure.empty() ? "" : fmt::format("; drawn in `{}`", figure), validation::what_decides(judgement));
   for (const auto& finding : judgement.findings) text += " " + finding;
   text = with_signs(text) + "\n" + open_checks(judgement.checks);
   if (has_dots(judgement)) text += fmt::format("\n![{}: open choices against what is wanted]({}/{}.svg)\n", claim->id, pictures, claim->id);

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "validation/studies.hpp"
-#include "validation/report_parts.hpp"
 #include "validation/report.hpp"
+#include "validation/report_parts.hpp"
+#include "validation/studies.hpp"
 
 namespace arenite::validation {
 namespace {
@@ -17,11 +17,13 @@ using validation::Sensitivity;
 
 std::string line_of(const Check& check) {
   if (check.wanted.empty()) return fmt::format("    {:<9} {}: {}\n", "", check.what, ours_text(check));
-  return fmt::format("    {:<9} {}: {} (source {}, wanted {}; {})\n", word_for(check.outcome), check.what, ours_text(check), check.source, check.wanted, word_for(check.kind));
+  return fmt::format("    {:<9} {}: {} (source {}, wanted {}; {})\n", word_for(check.outcome), check.what, ours_text(check), check.source, check.wanted,
+                     word_for(check.kind));
 }
 
 std::string line_of(const Sensitivity& found) {
-  std::string text = fmt::format("    {}{}: {}", found.what, found.wanted.empty() ? "" : fmt::format(" (wanted {})", found.wanted), validation::text_of(found.entries.front().value));
+  std::string text = fmt::format("    {}{}: {}", found.what, found.wanted.empty() ? "" : fmt::format(" (wanted {})", found.wanted),
+                                 validation::text_of(found.entries.front().value));
   for (std::size_t k = 1; k < found.entries.size(); ++k) {
     const auto& entry = found.entries[k];
     if (!std::isfinite(entry.value.value)) continue;
@@ -56,8 +58,8 @@ std::string ledger_text(const validation::Ledger& ledger) {
   for (const auto& study : ledger.studies) text += fmt::format("{:<24} {}\n", study.name, progress_of(study));
   for (const Judged& judged : ledger.claims) {
     const validation::Judgement& judgement = judged.judgement;
-    text += fmt::format("\n{}  {}\n  {}\n  {}: source {}, ours {}\n  {}\n", judged.claim->id, judged.claim->sentence, judged.claim->where, word_for(judgement.verdict()), judged.claim->number,
-                        ours_text(judgement), validation::what_decides(judgement));
+    text += fmt::format("\n{}  {}\n  {}\n  {}: source {}, ours {}\n  {}\n", judged.claim->id, judged.claim->sentence, judged.claim->where,
+                        word_for(judgement.verdict()), judged.claim->number, ours_text(judgement), validation::what_decides(judgement));
     for (const Check& check : judgement.checks) text += line_of(check);
     for (const auto& finding : judgement.findings) text += fmt::format("  {}\n", finding);
     if (!judgement.sensitivities.empty()) text += "  open choices, one at a time:\n";

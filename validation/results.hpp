@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "statistics/measured.hpp"
 #include "campaign/collect.hpp"
+#include "statistics/measured.hpp"
 
 namespace arenite::validation {
 
@@ -20,11 +20,11 @@ class StudyResults {
   explicit StudyResults(campaign::CollectedTable table, std::filesystem::path folder = {});
 
   const campaign::CollectedTable& table() const { return table_; }
-  const std::filesystem::path& folder() const { return folder_; }         ///< of the study; empty for made-up tables
-  const std::vector<std::size_t>& done() const { return done_; }          ///< places of the rows that are done
+  const std::filesystem::path& folder() const { return folder_; }  ///< of the study; empty for made-up tables
+  const std::vector<std::size_t>& done() const { return done_; }   ///< places of the rows that are done
   bool complete() const { return !table_.rows.empty() && done_.size() == table_.rows.size(); }
-  double number(std::size_t row, std::string_view name) const;            ///< NaN if the run does not have it
-  std::string value(std::size_t row, std::string_view key) const;         ///< of a swept key, without the unit; empty if there is none
+  double number(std::size_t row, std::string_view name) const;     ///< NaN if the run does not have it
+  std::string value(std::size_t row, std::string_view key) const;  ///< of a swept key, without the unit; empty if there is none
 
  private:
   campaign::CollectedTable table_;
@@ -38,9 +38,9 @@ struct Run {
   const StudyResults* study;
   std::size_t row;
   double operator()(std::string_view name) const { return study->number(row, name); }
-  double key(std::string_view name) const;                                ///< a swept value as a number; NaN if it is none
+  double key(std::string_view name) const;  ///< a swept value as a number; NaN if it is none
   std::string text(std::string_view name) const { return study->value(row, name); }
-  std::filesystem::path folder() const;                                   ///< with its stage files
+  std::filesystem::path folder() const;  ///< with its stage files
 };
 
 /// A number of a run: by its flat name, or worked out from several.
@@ -48,8 +48,7 @@ struct Number {
   Number(const char* flat_name) : of([name = std::string(flat_name)](const Run& run) { return run(name); }) {}
   Number(std::string flat_name) : of([name = std::move(flat_name)](const Run& run) { return run(name); }) {}
   template <class F>
-    requires std::is_invocable_r_v<double, F, const Run&>
-  Number(F work_out) : of(std::move(work_out)) {}
+  requires std::is_invocable_r_v<double, F, const Run&> Number(F work_out) : of(std::move(work_out)) {}
   std::function<double(const Run&)> of;
 };
 
@@ -74,7 +73,7 @@ statistics::Measured mean(const Results& results, const std::string& study, cons
 
 /// Means over the runs of each value of a swept key, in rising order of the key.
 struct Point {
-  double x = 0, mean = 0, error = 0;    ///< error NaN for one run
+  double x = 0, mean = 0, error = 0;  ///< error NaN for one run
   std::size_t runs = 0;
 };
 using Series = std::vector<Point>;

@@ -13,9 +13,7 @@ Wanted wanted_below(double bound) {
 Wanted wanted_between(double low, double high) {
   return [=](const Value& v) { return between("", "", v, low, high); };
 }
-Wanted wanted_within(double source, double tolerance) {
-  return wanted_between(source - tolerance, source + tolerance);
-}
+Wanted wanted_within(double source, double tolerance) { return wanted_between(source - tolerance, source + tolerance); }
 Wanted wanted_positive() { return wanted_above(0); }
 Wanted wanted_negative() { return wanted_below(0); }
 Wanted wanted_equivalent(double margin) {

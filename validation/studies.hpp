@@ -13,7 +13,7 @@ struct StudySource {
   std::string name;
   std::vector<std::pair<std::string, std::string>> files;  ///< name and text: recipe.toml, tables, figures.toml
   bool has_runs() const;
-  std::vector<std::string> small;                          ///< KEY=VALUE, as for --set, that make the small version
+  std::vector<std::string> small;  ///< KEY=VALUE, as for --set, that make the small version
 };
 
 /// All of them, by name.

@@ -10,7 +10,7 @@
 namespace arenite::validation {
 namespace {
 
-constexpr double rounding = 1e-12;     ///< what remains of a difference of numbers of order 1 that are equal
+constexpr double rounding = 1e-12;  ///< what remains of a difference of numbers of order 1 that are equal
 
 /// Two digits of the error; of a value without one, four of its own.
 std::string rounded(double number, double decimals) {

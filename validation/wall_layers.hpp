@@ -9,7 +9,7 @@ double share_of_interior(double window, double strip);
 
 /// Solid fraction in a strip along the walls, and within that which the statistics leave out.
 struct WallLayers {
-  double strip_x = 0, strip_y = 0;       ///< width of the strip over that of the box
+  double strip_x = 0, strip_y = 0;  ///< width of the strip over that of the box
   double at_walls = statistics::unknown, within = statistics::unknown;
   /// Of windows of the box's shape with this share of its area, if each of both were even.
   double of_windows(double area_share) const;

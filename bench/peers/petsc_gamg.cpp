@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "../../tests/support/cemented_sample.hpp"
-#include "solid/peridynamics/solvers/solvers.hpp"
 #include "../process_use.hpp"
+#include "solid/peridynamics/solvers/solvers.hpp"
 
 namespace {
 
@@ -30,11 +30,11 @@ void must(PetscErrorCode code) {
 /// Rows of the free nodes in compressed form; what the moved top row pulls with stands on the right.
 struct System {
   Bonds bonds;
-  std::vector<std::ptrdiff_t> node;     ///< of each unknown pair
-  std::vector<std::int32_t> number;     ///< unknown pair of each node, padded; -1: none
+  std::vector<std::ptrdiff_t> node;  ///< of each unknown pair
+  std::vector<std::int32_t> number;  ///< unknown pair of each node, padded; -1: none
   std::vector<PetscInt> begin, column;
   std::vector<double> value, right, start;
-  double unit = 0;                      ///< displacement of the top row
+  double unit = 0;  ///< displacement of the top row
 
   System(const PhaseMap& map, double strain) : bonds(make_bonds(map, {})) {
     const Grid& grid = bonds.grid;
@@ -65,9 +65,7 @@ struct System {
       around.push_back({e, d, true});
       around.push_back({{-e.x, -e.y}, d, false});
     }
-    std::sort(around.begin(), around.end(), [](const Neighbour& a, const Neighbour& b) {
-      return a.e.y != b.e.y ? a.e.y < b.e.y : a.e.x < b.e.x;
-    });
+    std::sort(around.begin(), around.end(), [](const Neighbour& a, const Neighbour& b) { return a.e.y != b.e.y ? a.e.y < b.e.y : a.e.x < b.e.x; });
     const Grid& grid = bonds.grid;
     right.assign(2 * node.size(), 0);
     start.assign(2 * node.size(), 0);
@@ -217,13 +215,13 @@ int main(int argc, char** argv) {
   int none = 0;
   must(PetscInitialize(&none, nullptr, nullptr, nullptr));
   const Outcome peer = solve_with_petsc(map);
-  std::printf("{\"S_m\": %.3f, \"ours_seconds\": %.3f, \"ours_iterations\": %d, \"ours_residual\": %.2e, "
-              "\"ours_peak_MB\": %.0f, \"petsc_assembly_seconds\": %.3f, \"petsc_setup_seconds\": %.3f, "
-              "\"petsc_solve_seconds\": %.3f, \"petsc_iterations\": %d, \"petsc_residual\": %.2e, "
-              "\"petsc_peak_MB\": %.0f, \"modulus_difference\": %.2e}\n",
-              test::matrix_saturation(map), seconds, ours.iterations, ours.residual, memory, peer.assembly, peer.setup,
-              peer.solve, static_cast<int>(peer.iterations), peer.residual, peak_megabytes(),
-              peer.modulus / ours.modulus - 1);
+  std::printf(
+      "{\"S_m\": %.3f, \"ours_seconds\": %.3f, \"ours_iterations\": %d, \"ours_residual\": %.2e, "
+      "\"ours_peak_MB\": %.0f, \"petsc_assembly_seconds\": %.3f, \"petsc_setup_seconds\": %.3f, "
+      "\"petsc_solve_seconds\": %.3f, \"petsc_iterations\": %d, \"petsc_residual\": %.2e, "
+      "\"petsc_peak_MB\": %.0f, \"modulus_difference\": %.2e}\n",
+      test::matrix_saturation(map), seconds, ours.iterations, ours.residual, memory, peer.assembly, peer.setup, peer.solve, static_cast<int>(peer.iterations),
+      peer.residual, peak_megabytes(), peer.modulus / ours.modulus - 1);
   must(PetscFinalize());
   return ours.ending == Ending::solved ? 0 : 3;
 }

@@ -15,8 +15,8 @@ double number_or_text(const Quantity& quantity, Dimension wanted) {
   if (!PyErr_Occurred()) return value;
   PyErr_Clear();
   const std::string unit = si_unit(wanted);
-  throw InputError(fmt::format("is of type {}; give a number{}", Py_TYPE(quantity.ptr())->tp_name,
-                               unit.empty() ? "" : fmt::format(" ({}), or text with a unit", unit)));
+  throw InputError(
+      fmt::format("is of type {}; give a number{}", Py_TYPE(quantity.ptr())->tp_name, unit.empty() ? "" : fmt::format(" ({}), or text with a unit", unit)));
 }
 
 }  // namespace
@@ -26,9 +26,7 @@ double Quantity::si(Dimension wanted, const std::string& name) const {
     const double value = number_or_text(*this, wanted);
     if (!std::isfinite(value)) throw InputError("is not finite; give a number that is");
     return value;
-  } catch (const InputError& error) {
-    throw in_file(error, name);
-  }
+  } catch (const InputError& error) { throw in_file(error, name); }
 }
 
 std::optional<double> si(const std::optional<Quantity>& quantity, Dimension wanted, const std::string& name) {

@@ -15,8 +15,7 @@ const char* in_words(int dimensions) {
 }
 
 /// NumPy alone says what an array may be made of; complex numbers and text it would force into numbers are none.
-template <class Array>
-Array numbers(const ArrayLike& values, int dimensions, const std::string& name) {
+template <class Array> Array numbers(const ArrayLike& values, int dimensions, const std::string& name) {
   const auto plain = py::array::ensure(values);
   const auto refuse = [&] { return InputError(fmt::format("{}: give numbers as a list or an array with {}", name, in_words(dimensions))); };
   if (!plain || plain.ndim() != dimensions || std::string("biuf").find(plain.dtype().kind()) == std::string::npos) {

@@ -14,27 +14,23 @@
 namespace arenite::python {
 
 /// An array of this shape over `values`, which `owner` holds. It cannot be written to: results are what was computed.
-template <class T, std::size_t N>
-py::array_t<T> shaped_view(const std::vector<T>& values, const std::array<py::ssize_t, N>& shape, const py::object& owner) {
+template <class T, std::size_t N> py::array_t<T> shaped_view(const std::vector<T>& values, const std::array<py::ssize_t, N>& shape, const py::object& owner) {
   py::array_t<T> array(std::vector<py::ssize_t>(shape.begin(), shape.end()), values.data(), owner);
   array.attr("setflags")(py::arg("write") = false);
   return array;
 }
 
-template <class T>
-py::array_t<T> view(const std::vector<T>& values, const py::object& owner) {
+template <class T> py::array_t<T> view(const std::vector<T>& values, const py::object& owner) {
   return shaped_view<T, 1>(values, {static_cast<py::ssize_t>(values.size())}, owner);
 }
 
 /// Rows x columns; an empty vector gives an array without rows.
-template <class T>
-py::array_t<T> image_view(const std::vector<T>& values, int rows, int columns, const py::object& owner) {
+template <class T> py::array_t<T> image_view(const std::vector<T>& values, int rows, int columns, const py::object& owner) {
   return shaped_view<T, 2>(values, {values.empty() ? 0 : rows, columns}, owner);
 }
 
 /// One member of every record of a vector, which `owner` holds.
-template <class T, class Record>
-py::array_t<T> member_view(const std::vector<Record>& records, T Record::*member, const py::object& owner) {
+template <class T, class Record> py::array_t<T> member_view(const std::vector<Record>& records, T Record::*member, const py::object& owner) {
   const T* first = records.empty() ? nullptr : &(records.front().*member);
   py::array_t<T> array({static_cast<py::ssize_t>(records.size())}, {static_cast<py::ssize_t>(sizeof(Record))}, first, owner);
   array.attr("setflags")(py::arg("write") = false);
@@ -42,8 +38,7 @@ py::array_t<T> member_view(const std::vector<Record>& records, T Record::*member
 }
 
 /// An array that takes the vector over, to be changed at will: nobody else has it.
-template <class T>
-py::array_t<T> taken_over(std::vector<T> values, std::vector<py::ssize_t> shape = {}) {
+template <class T> py::array_t<T> taken_over(std::vector<T> values, std::vector<py::ssize_t> shape = {}) {
   if (shape.empty()) shape.push_back(static_cast<py::ssize_t>(values.size()));
   auto held = std::make_unique<std::vector<T>>(std::move(values));
   const T* data = held->data();
@@ -57,10 +52,10 @@ inline py::array_t<bool> taken_over_as_bool(std::vector<std::uint8_t> values, st
 }
 
 /// Adds a read-only property `name` that looks into the vector `member` of the object that `part` finds in Owner.
-template <class Class, class Part>
-void array_property(Class& c, const char* name, Part part, const char* doc) {
+template <class Class, class Part> void array_property(Class& c, const char* name, Part part, const char* doc) {
   using Owner = typename Class::type;
-  c.def_property_readonly(name, [part](const py::object& self) { return view(part(self.cast<const Owner&>()), self); }, doc);
+  c.def_property_readonly(
+      name, [part](const py::object& self) { return view(part(self.cast<const Owner&>()), self); }, doc);
 }
 
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;

@@ -2,8 +2,8 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
-#include "solid/cement/cement.hpp"
 #include "module.hpp"
+#include "solid/cement/cement.hpp"
 #include "solid/raster/raster.hpp"
 #include "workflow/field_stages.hpp"
 
@@ -40,9 +40,9 @@ PhaseMap rasterised(const Packing& packing, const Cement& cement, std::int64_t n
   });
 }
 
-FieldResult loaded(const PhaseMap& map, const std::string& loading, const Quantity& strain, const std::string& axis, const std::string& lower, const std::string& method,
-                   const Quantity& tolerance, bool moduli, bool failure, const Quantity& matrix, const std::optional<Quantity>& interface,
-                   const std::optional<Quantity>& particle, const Progress& progress) {
+FieldResult loaded(const PhaseMap& map, const std::string& loading, const Quantity& strain, const std::string& axis, const std::string& lower,
+                   const std::string& method, const Quantity& tolerance, bool moduli, bool failure, const Quantity& matrix,
+                   const std::optional<Quantity>& interface, const std::optional<Quantity>& particle, const Progress& progress) {
   using peridynamics::Loading, peridynamics::LowerEdge, peridynamics::Method;
   recipe::Load load;
   load.name = failure ? "failure" : loading;
@@ -71,26 +71,35 @@ FieldResult loaded(const PhaseMap& map, const std::string& loading, const Quanti
 }  // namespace
 
 void bind_field(py::module_& m) {
-  m.def("cement", &cemented, py::arg("packing"), py::arg("kind") = "bridges", py::kw_only(), py::arg("gap") = 0.0, py::arg("width") = 0.4, py::arg("full_width") = false,
-        py::arg("thickness") = 0.0, py::arg("volume") = 0.0, py::arg("saturation") = py::none(),
-        "Matrix between grains: kind \"bridges\" (surface gap up to `gap`, half base `width` times the radius: P II.B), \"full\", \"coating\" (`thickness`), \"menisci\" (`volume`, "
+  m.def("cement", &cemented, py::arg("packing"), py::arg("kind") = "bridges", py::kw_only(), py::arg("gap") = 0.0, py::arg("width") = 0.4,
+        py::arg("full_width") = false, py::arg("thickness") = 0.0, py::arg("volume") = 0.0, py::arg("saturation") = py::none(),
+        "Matrix between grains: kind \"bridges\" (surface gap up to `gap`, half base `width` times the radius: P II.B), \"full\", \"coating\" (`thickness`), "
+        "\"menisci\" (`volume`, "
         "m^2 each) or \"none\". With `saturation` (S_m) the free parameter is found by program. Lengths in m, or text with a unit.");
   m.def("rasterise", &rasterised, py::arg("packing"), py::arg("cement"), py::kw_only(), py::arg("nodes") = 1024, py::arg("crop") = 0.0,
-        "The centred square of side `crop` (m; 0: the largest that fits) as nodes x nodes, by phase and grain. Of two materials the one with larger grains is class large.");
-  m.def("cavities", [](const PhaseMap& map, const std::string& kind, bool eight_connected, int fewest_nodes, bool leave_out_border) {
-    const raster::CavityRules rules{eight_connected, fewest_nodes, leave_out_border};
-    Call call;
-    return taken_over(call.without_lock([&] { return raster::find_cavities(map, recipe::chosen<raster::Cavity>(kind, "cavity"), rules); }).nodes);
-  }, py::arg("map"), py::arg("kind") = "pore", py::kw_only(), py::arg("eight_connected") = false, py::arg("fewest_nodes") = 5, py::arg("leave_out_border") = true,
-        "Sizes (nodes, int64) of the pores (not grain) or voids (neither grain nor matrix) by flood fill (P III).");
-  m.def("cement_sample", [](const Recipe& recipe, const Packing& packing) {
-    Call call;
-    return call.without_lock([&] { return workflow::make_cemented_sample(recipe, packing); });
-  }, py::arg("recipe"), py::arg("packing"), "Cement and raster as the recipe says, with phases, pores, voids and coordination as numbers.");
-  m.def("load", &loaded, py::arg("map"), py::arg("loading") = "tension", py::kw_only(), py::arg("strain") = 1e-4, py::arg("axis") = "y", py::arg("lower") = "fixed",
-        py::arg("method") = "static_solve", py::arg("tolerance") = 1e-6, py::arg("moduli") = false, py::arg("failure") = false, py::arg("matrix") = "1 GPa",
-        py::arg("interface") = py::none(), py::arg("particle") = py::none(), py::arg("progress") = py::none(),
-        "Loads a phase map by peridynamics (P II.C): \"tension\", \"compression\" or \"shear\" by displacement of the top row. `matrix`, `interface` (E_m), `particle` (4 E_m): moduli of "
+        "The centred square of side `crop` (m; 0: the largest that fits) as nodes x nodes, by phase and grain. Of two materials the one with larger grains is "
+        "class large.");
+  m.def(
+      "cavities",
+      [](const PhaseMap& map, const std::string& kind, bool eight_connected, int fewest_nodes, bool leave_out_border) {
+        const raster::CavityRules rules{eight_connected, fewest_nodes, leave_out_border};
+        Call call;
+        return taken_over(call.without_lock([&] { return raster::find_cavities(map, recipe::chosen<raster::Cavity>(kind, "cavity"), rules); }).nodes);
+      },
+      py::arg("map"), py::arg("kind") = "pore", py::kw_only(), py::arg("eight_connected") = false, py::arg("fewest_nodes") = 5,
+      py::arg("leave_out_border") = true, "Sizes (nodes, int64) of the pores (not grain) or voids (neither grain nor matrix) by flood fill (P III).");
+  m.def(
+      "cement_sample",
+      [](const Recipe& recipe, const Packing& packing) {
+        Call call;
+        return call.without_lock([&] { return workflow::make_cemented_sample(recipe, packing); });
+      },
+      py::arg("recipe"), py::arg("packing"), "Cement and raster as the recipe says, with phases, pores, voids and coordination as numbers.");
+  m.def("load", &loaded, py::arg("map"), py::arg("loading") = "tension", py::kw_only(), py::arg("strain") = 1e-4, py::arg("axis") = "y",
+        py::arg("lower") = "fixed", py::arg("method") = "static_solve", py::arg("tolerance") = 1e-6, py::arg("moduli") = false, py::arg("failure") = false,
+        py::arg("matrix") = "1 GPa", py::arg("interface") = py::none(), py::arg("particle") = py::none(), py::arg("progress") = py::none(),
+        "Loads a phase map by peridynamics (P II.C): \"tension\", \"compression\" or \"shear\" by displacement of the top row. `matrix`, `interface` (E_m), "
+        "`particle` (4 E_m): moduli of "
         "the bonds, Pa or text. `failure`: pulled until it breaks. `moduli`: effective moduli along both axes and in shear too.");
 }
 

@@ -8,19 +8,20 @@
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "film_source.hpp"
+#include "io/film/film.hpp"
+#include "module.hpp"
 #include "thermal/imaging/circles.hpp"
 #include "thermal/imaging/proposed_contacts.hpp"
 #include "thermal/inference/contact_forces.hpp"
-#include "io/film/film.hpp"
-#include "module.hpp"
 #include "thermal/thermography/lockin.hpp"
 #include "thermal/thermography/step_load.hpp"
 
 namespace arenite::python {
 namespace {
 
-LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const Quantity& frame_rate, const std::optional<ArrayLike>& time, bool refine, int drift_order,
-                     int harmonics, bool full_swing, const std::optional<Quantity>& reference_phase, bool nearest_bin, int threads, const Progress& progress) {
+LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const Quantity& frame_rate, const std::optional<ArrayLike>& time, bool refine,
+                     int drift_order, int harmonics, bool full_swing, const std::optional<Quantity>& reference_phase, bool nearest_bin, int threads,
+                     const Progress& progress) {
   thermography::LockinOptions o;
   o.frequency = frequency.si(dimension::frequency, "frequency");
   o.frame_rate = frame_rate.si(dimension::frequency, "frame_rate");
@@ -39,7 +40,8 @@ LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const Quan
   return call.without_lock([&] { return nearest_bin ? thermography::nearest_bin_transform(*source, o) : thermography::lock_in(*source, o); });
 }
 
-py::dict stepped(const FilmLike& film, const std::optional<Quantity>& time, const Quantity& rise, const Quantity& window, int drift_order, const Quantity& frame_rate) {
+py::dict stepped(const FilmLike& film, const std::optional<Quantity>& time, const Quantity& rise, const Quantity& window, int drift_order,
+                 const Quantity& frame_rate) {
   thermography::StepOptions o;
   o.time = si(time, dimension::time, "time");
   o.rise = rise.si(dimension::time, "rise");
@@ -82,17 +84,22 @@ py::array film_frames(const Path& path, std::int64_t first, std::int64_t count) 
   count = std::min(count, i.frames - first);
   FrameBlock block;
   Call call;
-  call.without_lock([&] { film->read(first, static_cast<std::size_t>(count), block); return 0; });
+  call.without_lock([&] {
+    film->read(first, static_cast<std::size_t>(count), block);
+    return 0;
+  });
   std::vector<py::ssize_t> shape{count, i.height, i.width};
   if (i.floating) return taken_over(std::move(block.value), std::move(shape));
   return taken_over(std::move(block.level), std::move(shape));
 }
 
-PictureGrains circles(const ArrayLike& pixels, const std::vector<double>& radii, double smallest, double largest, std::size_t materials, const std::string& contrast) {
+PictureGrains circles(const ArrayLike& pixels, const std::vector<double>& radii, double smallest, double largest, std::size_t materials,
+                      const std::string& contrast) {
   const Floats image = floats(pixels, 2, "image");
   for (const double radius : radii)
     if (!(radius > 0) || !std::isfinite(radius)) throw InputError(fmt::format("radii holds {}; give radii above 0, pixels", radius));
-  if (!(smallest > 0) || !(largest >= 0)) throw InputError(fmt::format("smallest is {} and largest {}; give radii above 0, pixels (largest 0: half the picture)", smallest, largest));
+  if (!(smallest > 0) || !(largest >= 0))
+    throw InputError(fmt::format("smallest is {} and largest {}; give radii above 0, pixels (largest 0: half the picture)", smallest, largest));
   FloatImage picture{static_cast<int>(image.shape(1)), static_cast<int>(image.shape(0)), {image.data(), image.data() + image.size()}};
   imaging::CircleOptions o;
   o.radii = radii;
@@ -129,9 +136,13 @@ std::vector<inference::WallLoad> wall_loads(const std::map<std::string, Quantity
 inference::SwingPicture picture_of(const ArrayLike& swing, const ArrayLike& error, double pixel, Vec2 first) {
   const Floats value = floats(swing, 2, "swing"), errors = floats(error, 2, "error");
   if (value.shape(0) != errors.shape(0) || value.shape(1) != errors.shape(1))
-    throw InputError(fmt::format("the swing has {} x {} pixels and its error {} x {} (height x width); give them one shape", value.shape(0), value.shape(1), errors.shape(0),
-                                 errors.shape(1)));
-  return {static_cast<int>(value.shape(1)), static_cast<int>(value.shape(0)), pixel, first, {value.data(), value.data() + value.size()},
+    throw InputError(fmt::format("the swing has {} x {} pixels and its error {} x {} (height x width); give them one shape", value.shape(0), value.shape(1),
+                                 errors.shape(0), errors.shape(1)));
+  return {static_cast<int>(value.shape(1)),
+          static_cast<int>(value.shape(0)),
+          pixel,
+          first,
+          {value.data(), value.data() + value.size()},
           {errors.data(), errors.data() + errors.size()}};
 }
 
@@ -158,24 +169,33 @@ py::dict inferred(const Packing& packing, const ArrayLike& swing, const ArrayLik
 }  // namespace
 
 void bind_film(py::module_& m) {
-  m.def("lock_in", &locked_in, py::arg("film"), py::arg("frequency"), py::kw_only(), py::arg("frame_rate") = 0.0, py::arg("time") = py::none(), py::arg("refine") = true,
-        py::arg("drift_order") = 4, py::arg("harmonics") = 2, py::arg("full_swing") = false, py::arg("reference_phase") = py::none(), py::arg("nearest_bin") = false,
-        py::arg("threads") = 1, py::arg("progress") = py::none(),
-        "Lock-in of a film: a file, or an array (frames, height, width), uint16 or float32, which is not copied, with its `frame_rate` (Hz) or the `time` of every frame (s). Least squares "
-        "on polynomial drift and harmonics with the frequency (Hz) refined on the film; `reference_phase`: of the load, rad or with its unit (\"90 deg\"); `nearest_bin`: the plain transform of T 1.4.");
-  m.def("step_load", &stepped, py::arg("film"), py::kw_only(), py::arg("time") = py::none(), py::arg("rise") = 0.0, py::arg("window") = 0.0, py::arg("drift_order") = 1,
-        py::arg("frame_rate") = 0.0, "The jump of every pixel at a step of the load (s after the first frame; found on the film if not given): time (s), jump, standard_error, residual (height, width), in the film's unit.");
-  m.def("film_info", &film_info, py::arg("path"), "What a film says about itself: width, height, frames, frame_rate (Hz), integration (s), bits, format, camera.");
-  m.def("read_film", &film_frames, py::arg("path"), py::arg("first") = 0, py::arg("count") = 1, "Frames of a film as an array (frames, height, width), top row first.");
+  m.def("lock_in", &locked_in, py::arg("film"), py::arg("frequency"), py::kw_only(), py::arg("frame_rate") = 0.0, py::arg("time") = py::none(),
+        py::arg("refine") = true, py::arg("drift_order") = 4, py::arg("harmonics") = 2, py::arg("full_swing") = false, py::arg("reference_phase") = py::none(),
+        py::arg("nearest_bin") = false, py::arg("threads") = 1, py::arg("progress") = py::none(),
+        "Lock-in of a film: a file, or an array (frames, height, width), uint16 or float32, which is not copied, with its `frame_rate` (Hz) or the `time` of "
+        "every frame (s). Least squares "
+        "on polynomial drift and harmonics with the frequency (Hz) refined on the film; `reference_phase`: of the load, rad or with its unit (\"90 deg\"); "
+        "`nearest_bin`: the plain transform of T 1.4.");
+  m.def("step_load", &stepped, py::arg("film"), py::kw_only(), py::arg("time") = py::none(), py::arg("rise") = 0.0, py::arg("window") = 0.0,
+        py::arg("drift_order") = 1, py::arg("frame_rate") = 0.0,
+        "The jump of every pixel at a step of the load (s after the first frame; found on the film if not given): time (s), jump, standard_error, residual "
+        "(height, width), in the film's unit.");
+  m.def("film_info", &film_info, py::arg("path"),
+        "What a film says about itself: width, height, frames, frame_rate (Hz), integration (s), bits, format, camera.");
+  m.def("read_film", &film_frames, py::arg("path"), py::arg("first") = 0, py::arg("count") = 1,
+        "Frames of a film as an array (frames, height, width), top row first.");
   m.def("find_grains", &circles, py::arg("image"), py::kw_only(), py::arg("radii") = std::vector<double>{}, py::arg("smallest") = 2.5, py::arg("largest") = 0.0,
         py::arg("materials") = 0, py::arg("contrast") = "found",
-        "Circles in a picture (height, width): centres, radii, material by brightness. `radii`: of the size classes, pixels, if they are known; `materials`: number of brightnesses.");
+        "Circles in a picture (height, width): centres, radii, material by brightness. `radii`: of the size classes, pixels, if they are known; `materials`: "
+        "number of brightnesses.");
   m.def("propose_contacts", &touching, py::arg("packing"), py::kw_only(), py::arg("position_error") = 0.0, py::arg("radius_error") = 0.0,
         "The packing with contacts where surfaces are no farther apart than three standard errors (m); forces are 0.");
   m.def("infer_forces", &inferred, py::arg("packing"), py::arg("swing"), py::arg("error"), py::kw_only(), py::arg("pixel"), py::arg("first"), py::arg("factor"),
         py::arg("walls") = std::map<std::string, Quantity>{}, py::arg("blur") = 0.5,
-        "Contact forces (N) from a picture of the full thermoelastic swing (K, rows from the top): `pixel` (m), `first`: centre of the upper left pixel (m), `factor`: A of every "
-        "material (K/Pa), `walls`: swing of wall forces by side, {\"bottom\": 1000.0} (N, taken as known to 0.1 %); each a number or text with a unit. Gives fn, ft, fn_error, "
+        "Contact forces (N) from a picture of the full thermoelastic swing (K, rows from the top): `pixel` (m), `first`: centre of the upper left pixel (m), "
+        "`factor`: A of every "
+        "material (K/Pa), `walls`: swing of wall forces by side, {\"bottom\": 1000.0} (N, taken as known to 0.1 %); each a number or text with a unit. Gives "
+        "fn, ft, fn_error, "
         "ft_error (N), presence (probability that a contact is there), present (bool: the likeliest, as many as are expected), residual.");
 }
 

@@ -22,12 +22,16 @@ void bind_lockin_maps(py::module_& m) {
       .def_readonly("frequency_error", &LockinMaps::frequency_error, "Hz.")
       .def_readonly("reference_phase", &LockinMaps::reference_phase, "rad.")
       .def_readonly("frames", &LockinMaps::frames, "Number of frames that were used.")
-      .def_property_readonly("full_swing", [](const LockinMaps& l) { return l.convention == SwingConvention::full; }, "Amplitudes are full swings, not half ones.");
-  const auto map = [&c](const char* name, std::vector<float> LockinMaps::* member, const char* doc) {
-    c.def_property_readonly(name, [member](const py::object& self) {
-      const auto& maps = self.cast<const LockinMaps&>();
-      return image_view(maps.*member, maps.height, maps.width, self);
-    }, doc);
+      .def_property_readonly(
+          "full_swing", [](const LockinMaps& l) { return l.convention == SwingConvention::full; }, "Amplitudes are full swings, not half ones.");
+  const auto map = [&c](const char* name, std::vector<float> LockinMaps::*member, const char* doc) {
+    c.def_property_readonly(
+        name,
+        [member](const py::object& self) {
+          const auto& maps = self.cast<const LockinMaps&>();
+          return image_view(maps.*member, maps.height, maps.width, self);
+        },
+        doc);
   };
   map("mean", &LockinMaps::mean, "Level at the middle of the film.");
   map("drift", &LockinMaps::drift, "Slope of the mean, unit/s.");
@@ -44,28 +48,46 @@ void bind_lockin_maps(py::module_& m) {
 void bind_grains(py::module_& m) {
   py::class_<PictureGrains> g(m, "PictureGrains", "Grains found in a picture, in pixels; the pixel in column c and row r has its centre at (c, r).");
   g.def("__len__", &PictureGrains::size, "Number of grains.");
-  array_property(g, "x", [](const PictureGrains& p) -> auto& { return p.x; }, "Centres, pixels.");
-  array_property(g, "y", [](const PictureGrains& p) -> auto& { return p.y; }, "Centres, pixels, downwards.");
-  array_property(g, "radius", [](const PictureGrains& p) -> auto& { return p.radius; }, "Pixels.");
-  array_property(g, "position_error", [](const PictureGrains& p) -> auto& { return p.position_error; }, "Standard error of the centre along one axis, pixels.");
-  array_property(g, "radius_error", [](const PictureGrains& p) -> auto& { return p.radius_error; }, "Pixels.");
-  array_property(g, "brightness", [](const PictureGrains& p) -> auto& { return p.brightness; }, "Mean over the inner half of the disk.");
-  array_property(g, "score", [](const PictureGrains& p) -> auto& { return p.score; }, "Share of the rim that shows an edge.");
-  array_property(g, "material", [](const PictureGrains& p) -> auto& { return p.material; }, "Class by brightness, darkest first; -1 unknown.");
-  array_property(g, "size_class", [](const PictureGrains& p) -> auto& { return p.size_class; }, "Class by radius, smallest first.");
+  array_property(
+      g, "x", [](const PictureGrains& p) -> auto& { return p.x; }, "Centres, pixels.");
+  array_property(
+      g, "y", [](const PictureGrains& p) -> auto& { return p.y; }, "Centres, pixels, downwards.");
+  array_property(
+      g, "radius", [](const PictureGrains& p) -> auto& { return p.radius; }, "Pixels.");
+  array_property(
+      g, "position_error", [](const PictureGrains& p) -> auto& { return p.position_error; }, "Standard error of the centre along one axis, pixels.");
+  array_property(
+      g, "radius_error", [](const PictureGrains& p) -> auto& { return p.radius_error; }, "Pixels.");
+  array_property(
+      g, "brightness", [](const PictureGrains& p) -> auto& { return p.brightness; }, "Mean over the inner half of the disk.");
+  array_property(
+      g, "score", [](const PictureGrains& p) -> auto& { return p.score; }, "Share of the rim that shows an edge.");
+  array_property(
+      g, "material", [](const PictureGrains& p) -> auto& { return p.material; }, "Class by brightness, darkest first; -1 unknown.");
+  array_property(
+      g, "size_class", [](const PictureGrains& p) -> auto& { return p.size_class; }, "Class by radius, smallest first.");
 }
 
 void bind_motion(py::module_& m) {
-  py::class_<GrainMotion> c(m, "GrainMotion", "Motion of every grain at the load frequency f, pixels, y down: x(t) = x + cos_x cos(2 pi f t) + sin_x sin(2 pi f t), t in s after the "
-                                              "first frame.");
+  py::class_<GrainMotion> c(
+      m, "GrainMotion",
+      "Motion of every grain at the load frequency f, pixels, y down: x(t) = x + cos_x cos(2 pi f t) + sin_x sin(2 pi f t), t in s after the "
+      "first frame.");
   c.def("__len__", &GrainMotion::size, "Number of grains.");
-  array_property(c, "cos_x", [](const GrainMotion& p) -> auto& { return p.cos_x; }, "Pixels.");
-  array_property(c, "sin_x", [](const GrainMotion& p) -> auto& { return p.sin_x; }, "Pixels.");
-  array_property(c, "cos_y", [](const GrainMotion& p) -> auto& { return p.cos_y; }, "Pixels.");
-  array_property(c, "sin_y", [](const GrainMotion& p) -> auto& { return p.sin_y; }, "Pixels.");
-  array_property(c, "error", [](const GrainMotion& p) -> auto& { return p.error; }, "Standard error of each of the four, pixels; infinite for a grain that shows no contrast.");
-  c.def_property_readonly("lost", [](const GrainMotion& motion) { return taken_over_as_bool(thermography::lost_grains(motion)); },
-                          "True for grains that the film does not show well enough to follow.");
+  array_property(
+      c, "cos_x", [](const GrainMotion& p) -> auto& { return p.cos_x; }, "Pixels.");
+  array_property(
+      c, "sin_x", [](const GrainMotion& p) -> auto& { return p.sin_x; }, "Pixels.");
+  array_property(
+      c, "cos_y", [](const GrainMotion& p) -> auto& { return p.cos_y; }, "Pixels.");
+  array_property(
+      c, "sin_y", [](const GrainMotion& p) -> auto& { return p.sin_y; }, "Pixels.");
+  array_property(
+      c, "error", [](const GrainMotion& p) -> auto& { return p.error; },
+      "Standard error of each of the four, pixels; infinite for a grain that shows no contrast.");
+  c.def_property_readonly(
+      "lost", [](const GrainMotion& motion) { return taken_over_as_bool(thermography::lost_grains(motion)); },
+      "True for grains that the film does not show well enough to follow.");
 }
 
 using thermography::Correction, thermography::FrameStatistics;
@@ -77,8 +99,8 @@ std::optional<FrameStatistics> plate(const std::optional<FilmLike>& film, const 
   const auto source = film_of(*film);
   const FilmInfo& info = source->info();
   if (info.width != of.width || info.height != of.height)
-    throw InputError(fmt::format("{} has frames of {} x {} pixels, and the film of {} x {}; take the plate with the same camera and window", name, info.width, info.height, of.width,
-                                 of.height));
+    throw InputError(fmt::format("{} has frames of {} x {} pixels, and the film of {} x {}; take the plate with the same camera and window", name, info.width,
+                                 info.height, of.width, of.height));
   return thermography::frame_statistics(*source, frames_looked_at);
 }
 
@@ -110,7 +132,10 @@ py::array_t<float> all_frames(FilmSource& film, const Correction& correction) {
   thermography::CorrectedFilm corrected(film, correction);
   FrameBlock block;
   Call call;
-  call.without_lock([&] { corrected.read(0, static_cast<std::size_t>(info.frames), block); return 0; });
+  call.without_lock([&] {
+    corrected.read(0, static_cast<std::size_t>(info.frames), block);
+    return 0;
+  });
   return taken_over(std::move(block.value), {static_cast<py::ssize_t>(info.frames), info.height, info.width});
 }
 
@@ -143,7 +168,8 @@ py::dict means(const LockinMaps& maps, const PictureGrains& grains, const std::v
 }
 
 thermography::PhasePictures pictures_of(FilmSource& film, const LockinMaps& maps, double frame_rate, Call& call) {
-  if (film.info().width != maps.width || film.info().height != maps.height) throw InputError("the maps are of another film: their size is not that of its frames");
+  if (film.info().width != maps.width || film.info().height != maps.height)
+    throw InputError("the maps are of another film: their size is not that of its frames");
   thermography::LockinOptions o;
   o.frequency = maps.frequency;
   o.frame_rate = frame_rate;
@@ -151,7 +177,8 @@ thermography::PhasePictures pictures_of(FilmSource& film, const LockinMaps& maps
   return thermography::phase_pictures(film, maps, o);
 }
 
-GrainMotion motion_of(const FilmLike& film, const LockinMaps& maps, const PictureGrains& grains, const Quantity& frame_rate, const std::optional<ArrayLike>& time) {
+GrainMotion motion_of(const FilmLike& film, const LockinMaps& maps, const PictureGrains& grains, const Quantity& frame_rate,
+                      const std::optional<ArrayLike>& time) {
   const double rate = frame_rate.si(dimension::frequency, "frame_rate");
   const auto source = film_of(film, rate, time);
   Call call;
@@ -163,7 +190,8 @@ GrainMotion motion_of(const FilmLike& film, const LockinMaps& maps, const Pictur
 
 LockinMaps followed(const FilmLike& film, const LockinMaps& maps, const PictureGrains& grains, const GrainMotion& motion, const Quantity& frame_rate,
                     const std::optional<ArrayLike>& time, double blur) {
-  if (motion.size() != grains.size()) throw InputError(fmt::format("the motion is of {} grains, and there are {}; give grain_motion of these grains", motion.size(), grains.size()));
+  if (motion.size() != grains.size())
+    throw InputError(fmt::format("the motion is of {} grains, and there are {}; give grain_motion of these grains", motion.size(), grains.size()));
   const double rate = frame_rate.si(dimension::frequency, "frame_rate");
   const auto source = film_of(film, rate, time);
   Call call;
@@ -183,20 +211,24 @@ void bind_maps(py::module_& m) {
 
 void bind_film_parts(py::module_& m) {
   m.def("find_bad_pixels", &bad_pixels, py::arg("film"), py::kw_only(), py::arg("cold") = py::none(), py::arg("warm") = py::none(),
-        "Pixels that are not to be believed, as bool (height, width), top row first: dead, hot, blinking and frozen ones, by level and noise of the film or of a film `cold` of an even "
+        "Pixels that are not to be believed, as bool (height, width), top row first: dead, hot, blinking and frozen ones, by level and noise of the film or of "
+        "a film `cold` of an even "
         "plate; with a plate `warm` of another temperature by their answer too.");
   m.def("correct_film", &corrected, py::arg("film"), py::kw_only(), py::arg("cold") = py::none(), py::arg("warm") = py::none(), py::arg("bad_pixels") = true,
-        "All frames of a film in levels, float32 (frames, height, width), corrected: every pixel's offset by a film `cold` of a black-body reference, gain and offset with a second one, "
+        "All frames of a film in levels, float32 (frames, height, width), corrected: every pixel's offset by a film `cold` of a black-body reference, gain and "
+        "offset with a second one, "
         "`warm`, and bad pixels replaced by their good neighbours.");
   m.def("film_in_kelvin", &in_kelvin, py::arg("film"), py::arg("recipe"),
         "All frames of a film in K, float32 (frames, height, width), corrected as [correction] and [temperature] of its recipe say.");
   m.def("grain_means", &means, py::arg("maps"), py::arg("grains"), py::arg("factor"), py::kw_only(), py::arg("share") = 0.5,
-        "Swing of every grain from the mean of the signed map (K) over `share` of its area round its centre: arrays temperature (K), sigma_hyd = -dT/(2 A) and its standard error (Pa, "
+        "Swing of every grain from the mean of the signed map (K) over `share` of its area round its centre: arrays temperature (K), sigma_hyd = -dT/(2 A) and "
+        "its standard error (Pa, "
         "tension positive), pixels (area). `factor`: A of every material (K/Pa, or text with a unit). Full swings, whatever the maps' convention.");
-  m.def("grain_motion", &motion_of, py::arg("film"), py::arg("maps"), py::arg("grains"), py::kw_only(), py::arg("frame_rate") = 0.0, py::arg("time") = py::none(),
+  m.def("grain_motion", &motion_of, py::arg("film"), py::arg("maps"), py::arg("grains"), py::kw_only(), py::arg("frame_rate") = 0.0,
+        py::arg("time") = py::none(),
         "How grains move at the load frequency, by their rims in the film whose lock-in is `maps`; `grains` at their mean places, as maps.mean shows them.");
-  m.def("follow_grains", &followed, py::arg("film"), py::arg("maps"), py::arg("grains"), py::arg("motion"), py::kw_only(), py::arg("frame_rate") = 0.0, py::arg("time") = py::none(),
-        py::arg("blur") = 0.5,
+  m.def("follow_grains", &followed, py::arg("film"), py::arg("maps"), py::arg("grains"), py::arg("motion"), py::kw_only(), py::arg("frame_rate") = 0.0,
+        py::arg("time") = py::none(), py::arg("blur") = 0.5,
         "The maps anew with pixels that follow their grains; swings have no value between grains. `blur` of the lens: standard deviation, pixels.");
 }
 

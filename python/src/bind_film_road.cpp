@@ -22,12 +22,14 @@ py::dict twin_of(const py::object& self) {
 }
 
 /// A picture as large as the maps.
-template <class Get>
-void image_property(py::class_<FilmResult>& c, const char* name, Get get, const char* doc) {
-  c.def_property_readonly(name, [get](const py::object& self) {
-    const auto& f = self.cast<const FilmResult&>();
-    return image_view(get(f), f.maps.height, f.maps.width, self);
-  }, doc);
+template <class Get> void image_property(py::class_<FilmResult>& c, const char* name, Get get, const char* doc) {
+  c.def_property_readonly(
+      name,
+      [get](const py::object& self) {
+        const auto& f = self.cast<const FilmResult&>();
+        return image_view(get(f), f.maps.height, f.maps.width, self);
+      },
+      doc);
 }
 
 using RecipeLike = std::variant<recipe::FilmRecipe, Path>;
@@ -55,7 +57,8 @@ FilmResult film(const Path& path, const RecipeLike& recipe, const Path& out, con
   });
 }
 
-std::vector<std::string> camera(const Path& result, const RecipeLike& recipe, const Path& out, const std::string& format, const py::dict& changes, const Progress& progress) {
+std::vector<std::string> camera(const Path& result, const RecipeLike& recipe, const Path& out, const std::string& format, const py::dict& changes,
+                                const Progress& progress) {
   const auto asked = recipe_of(recipe, changes);
   Call call;
   return call.without_lock([&] {
@@ -79,28 +82,48 @@ void bind_film_road(py::module_& m) {
   c.def_readonly("name", &FilmResult::name, "Of the film.")
       .def_readonly("outcome", &FilmResult::outcome, "How it ended, in a sentence.")
       .def_readonly("pixel", &FilmResult::pixel, "Side of a pixel on the sample, m.")
-      .def_property_readonly("origin", [](const FilmResult& f) { return py::make_tuple(f.origin.x, f.origin.y); }, "Centre of the upper left pixel, m; y up.")
-      .def_property_readonly("maps", [](const FilmResult& f) -> const LockinMaps& { return f.maps; }, py::return_value_policy::reference_internal, "The lock-in, in K; full swings.")
-      .def_property_readonly("grains", [](const FilmResult& f) -> const PictureGrains& { return f.grains; }, py::return_value_policy::reference_internal,
-                             "Grains at the smallest load, in pixels.")
-      .def_property_readonly("packing", [](const FilmResult& f) -> const Packing& { return f.packing; }, py::return_value_policy::reference_internal,
-                             "Grains in metres at the largest load; contact forces are those of the swing.")
+      .def_property_readonly(
+          "origin", [](const FilmResult& f) { return py::make_tuple(f.origin.x, f.origin.y); }, "Centre of the upper left pixel, m; y up.")
+      .def_property_readonly(
+          "maps", [](const FilmResult& f) -> const LockinMaps& { return f.maps; }, py::return_value_policy::reference_internal,
+          "The lock-in, in K; full swings.")
+      .def_property_readonly(
+          "grains", [](const FilmResult& f) -> const PictureGrains& { return f.grains; }, py::return_value_policy::reference_internal,
+          "Grains at the smallest load, in pixels.")
+      .def_property_readonly(
+          "packing", [](const FilmResult& f) -> const Packing& { return f.packing; }, py::return_value_policy::reference_internal,
+          "Grains in metres at the largest load; contact forces are those of the swing.")
       .def_property_readonly("twin", &twin_of, "sigma_hyd (Pa) of the simulation of the same grains: swing and state; empty without one.")
-      .def_property_readonly("numbers", [](const FilmResult& f) { return to_python(report::film_numbers(f)); },
-                             "As `arenite show --json` prints them; the end of a name is its unit.");
-  array_property(c, "sigma_hyd", [](const FilmResult& f) -> auto& { return f.swing.sigma_hyd; }, "Full swing of the hydrostatic stress of every grain, Pa, tension positive.");
-  array_property(c, "sigma_hyd_error", [](const FilmResult& f) -> auto& { return f.swing.error; }, "Its standard error, Pa.");
-  array_property(c, "fn_error", [](const FilmResult& f) -> auto& { return f.fn_error; }, "Standard error of every normal force, N.");
-  array_property(c, "ft_error", [](const FilmResult& f) -> auto& { return f.ft_error; }, "Standard error of every tangential force, N.");
-  array_property(c, "presence", [](const FilmResult& f) -> auto& { return f.presence; }, "Probability that a contact is there, of the contacts that count as there.");
-  image_property(c, "picture", [](const FilmResult& f) -> auto& { return f.picture; }, "Mean of the frames at the smallest load, K.");
-  image_property(c, "bad", [](const FilmResult& f) -> auto& { return f.bad; }, "1 for pixels that were replaced by their neighbours, 0 for others; (height, width), uint8.");
-  image_property(c, "fitted", [](const FilmResult& f) -> auto& { return f.fit.picture; },
-                 "The picture that the contact forces make, K (height, width), to hold beside maps.in_phase; not a number outside grains.");
-  m.def("film", &film, py::arg("film"), py::arg("recipe"), py::arg("out"), py::arg("changes") = py::dict(), py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
-        "The whole road from a film (a file) to grain stresses and contact forces, as `arenite film` goes it; `recipe`: a FilmRecipe or its file (docs/film-recipe.md).");
+      .def_property_readonly(
+          "numbers", [](const FilmResult& f) { return to_python(report::film_numbers(f)); },
+          "As `arenite show --json` prints them; the end of a name is its unit.");
+  array_property(
+      c, "sigma_hyd", [](const FilmResult& f) -> auto& { return f.swing.sigma_hyd; },
+      "Full swing of the hydrostatic stress of every grain, Pa, tension positive.");
+  array_property(
+      c, "sigma_hyd_error", [](const FilmResult& f) -> auto& { return f.swing.error; }, "Its standard error, Pa.");
+  array_property(
+      c, "fn_error", [](const FilmResult& f) -> auto& { return f.fn_error; }, "Standard error of every normal force, N.");
+  array_property(
+      c, "ft_error", [](const FilmResult& f) -> auto& { return f.ft_error; }, "Standard error of every tangential force, N.");
+  array_property(
+      c, "presence", [](const FilmResult& f) -> auto& { return f.presence; }, "Probability that a contact is there, of the contacts that count as there.");
+  image_property(
+      c, "picture", [](const FilmResult& f) -> auto& { return f.picture; }, "Mean of the frames at the smallest load, K.");
+  image_property(
+      c, "bad", [](const FilmResult& f) -> auto& { return f.bad; },
+      "1 for pixels that were replaced by their neighbours, 0 for others; (height, width), uint8.");
+  image_property(
+      c, "fitted", [](const FilmResult& f) -> auto& { return f.fit.picture; },
+      "The picture that the contact forces make, K (height, width), to hold beside maps.in_phase; not a number outside grains.");
+  m.def("film", &film, py::arg("film"), py::arg("recipe"), py::arg("out"), py::arg("changes") = py::dict(), py::kw_only(), py::arg("threads") = 1,
+        py::arg("progress") = py::none(),
+        "The whole road from a film (a file) to grain stresses and contact forces, as `arenite film` goes it; `recipe`: a FilmRecipe or its file "
+        "(docs/film-recipe.md).");
   m.def("camera", &camera, py::arg("result"), py::arg("recipe"), py::arg("out"), py::arg("format") = "ptw", py::arg("changes") = py::dict(), py::kw_only(),
-        py::arg("progress") = py::none(), "Films simulated states of a run's folder with a virtual infrared camera, as [camera] of the recipe says (a FilmRecipe or its file); gives the files that were written.");
+        py::arg("progress") = py::none(),
+        "Films simulated states of a run's folder with a virtual infrared camera, as [camera] of the recipe says (a FilmRecipe or its file); gives the files "
+        "that were written.");
 }
 
 }  // namespace arenite::python

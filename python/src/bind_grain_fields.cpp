@@ -40,7 +40,9 @@ py::dict coarse_grained(const Packing& packing, const Quantity& width, const std
   if (kernel != "lucy" && kernel != "gaussian") throw InputError("kernel \"" + kernel + "\" is neither \"lucy\" nor \"gaussian\"");
   choice.kernel = kernel == "lucy" ? fields::KernelShape::lucy : fields::KernelShape::gaussian;
   Call call;
-  auto f = call.without_lock([&] { return fields::coarse_grain(packing, fields::grid_over(packing.domain, spacing ? spacing->si(dimension::length, "spacing") : choice.width), choice); });
+  auto f = call.without_lock([&] {
+    return fields::coarse_grain(packing, fields::grid_over(packing.domain, spacing ? spacing->si(dimension::length, "spacing") : choice.width), choice);
+  });
   const Shape shape{f.grid.rows, f.grid.columns};
   std::vector<double> x, y;
   for (int c = 0; c < f.grid.columns; ++c) x.push_back(f.grid.point(c, 0).x);
@@ -138,23 +140,30 @@ py::dict steady(const ArrayLike& series) {
 void bind_grain_fields(py::module_& m) {
   m.def("coarse_grained", &coarse_grained, py::arg("packing"), py::arg("width"), py::arg("spacing") = py::none(), py::kw_only(), py::arg("kernel") = "lucy",
         py::arg("tilt_rate") = py::none(),
-        "Coarse-grained fields of a state (Goldhirsch 2010) on a grid of points x, y (m), arrays of rows from below: density (kg/m^3), solid_fraction, velocity (m/s), "
-        "velocity_gradient (1/s), contact_stress and kinetic_stress (Pa, tension positive), wall_force (N/m^3). `width`: standard deviation of the kernel, m or text with a unit; "
+        "Coarse-grained fields of a state (Goldhirsch 2010) on a grid of points x, y (m), arrays of rows from below: density (kg/m^3), solid_fraction, "
+        "velocity (m/s), "
+        "velocity_gradient (1/s), contact_stress and kinetic_stress (Pa, tension positive), wall_force (N/m^3). `width`: standard deviation of the kernel, m "
+        "or text with a unit; "
         "`spacing` of the points, the width unless given; `tilt_rate` of a sheared cell, m/s.");
   m.def("force_chains", &force_chains, py::arg("packing"), py::kw_only(), py::arg("stress_factor") = 1.0, py::arg("angle") = 45.0, py::arg("least") = 3,
-        "Force chains (Peters et al. 2005): chains (lists of grains in order), mean_length (grains), grain_share, mean_stress_Pa. `stress_factor`: of the mean major principal "
+        "Force chains (Peters et al. 2005): chains (lists of grains in order), mean_length (grains), grain_share, mean_stress_Pa. `stress_factor`: of the mean "
+        "major principal "
         "stress; `angle`, degrees; `least` grains of a chain.");
   m.def("strong_clusters", &strong_clusters, py::arg("packing"), py::kw_only(), py::arg("factor") = 1.0,
-        "Clusters of grains joined by contacts above `factor` times the mean force, the largest first: threshold_N, share of strong contacts, grains and contacts of each, of (cluster of every grain, -1: none).");
+        "Clusters of grains joined by contacts above `factor` times the mean force, the largest first: threshold_N, share of strong contacts, grains and "
+        "contacts of each, of (cluster of every grain, -1: none).");
   m.def("loops", &loops, py::arg("packing"), py::kw_only(), py::arg("bearing_only") = true,
         "Smallest cycles of the contact network without rattlers: edges (contacts of each), area (m^2), histogram by number of contacts, mean_edges.");
   m.def("nonaffine", &nonaffine, py::arg("before"), py::arg("after"), py::arg("range"),
-        "Deformation between two states of the same grains: strain and rotation of every grain's surroundings within `range` (m or text with a unit), d2min (m^2, mean over neighbours; "
+        "Deformation between two states of the same grains: strain and rotation of every grain's surroundings within `range` (m or text with a unit), d2min "
+        "(m^2, mean over neighbours; "
         "Falk and Langer 1998), and of all grains the gradient, residual displacements (m) and their root mean square, fluctuation.");
   m.def("friction_state", &friction, py::arg("packing"), py::arg("mu"), py::arg("wall_mu") = py::none(),
-        "Friction at the contacts: mobilisation (tangential force over mu times the normal one) and power_W of each; mean and sliding (share of contacts that slide), each (value, error); total_power_W.");
-  m.def("steady_state", &steady, py::arg("series"),
-        "The part of an evenly sampled series in which it only fluctuates: reached, first (sample), mean with its error, which respects correlation, deviation.");
+        "Friction at the contacts: mobilisation (tangential force over mu times the normal one) and power_W of each; mean and sliding (share of contacts that "
+        "slide), each (value, error); total_power_W.");
+  m.def(
+      "steady_state", &steady, py::arg("series"),
+      "The part of an evenly sampled series in which it only fluctuates: reached, first (sample), mean with its error, which respects correlation, deviation.");
 }
 
 }  // namespace arenite::python

@@ -64,15 +64,19 @@ py::dict factor(const Path& file, const std::optional<Quantity>& section, bool h
 }  // namespace
 
 void bind_identify(py::module_& m) {
-  m.def("identify_stiffness", &stiffness, py::arg("file"), py::kw_only(), py::arg("preload") = 1000.0, py::arg("length") = py::none(), py::arg("branch") = "loading",
-        "Contact stiffness of every group of a file: slope of force-displacement beyond the preload (N, or text with a unit), T ch. 2; per length of the cylinders too if `length` (m) is "
+  m.def("identify_stiffness", &stiffness, py::arg("file"), py::kw_only(), py::arg("preload") = 1000.0, py::arg("length") = py::none(),
+        py::arg("branch") = "loading",
+        "Contact stiffness of every group of a file: slope of force-displacement beyond the preload (N, or text with a unit), T ch. 2; per length of the "
+        "cylinders too if `length` (m) is "
         "given. The dict's names end with their units.");
   m.def("identify_adhesion", &adhesion, py::arg("file"), py::kw_only(), py::arg("stiffness") = py::none(), py::arg("radii") = py::none(),
-        "Separation force and surface energy sqrt(4 k F_c/r_eff) (T eq. 1.25) of every group of a file. `stiffness`: N/m, or (value, error); `radii`: of both cylinders, m; or text with "
+        "Separation force and surface energy sqrt(4 k F_c/r_eff) (T eq. 1.25) of every group of a file. `stiffness`: N/m, or (value, error); `radii`: of both "
+        "cylinders, m; or text with "
         "units.");
   m.def("identify_factor", &factor, py::arg("file"), py::kw_only(), py::arg("section") = py::none(), py::arg("half_temperature_swing") = false,
         py::arg("half_stress_swing") = false, py::arg("young") = py::none(), py::arg("poisson") = py::none(), py::arg("through_origin") = false,
-        "Thermoelastic factor A (K/Pa) of every material of a file, by the ways that its columns allow (T 1.4). `section`: of the specimen, m^2 or \"30.9 mm x 4.9 mm\"; `young` (Pa) and "
+        "Thermoelastic factor A (K/Pa) of every material of a file, by the ways that its columns allow (T 1.4). `section`: of the specimen, m^2 or \"30.9 mm x "
+        "4.9 mm\"; `young` (Pa) and "
         "`poisson` where the file gives strains: a number, or (value, error).");
 }
 

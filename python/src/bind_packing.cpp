@@ -40,10 +40,13 @@ io::RawGrains rows_of(const ArrayLike& x, const ArrayLike& y, const ArrayLike& r
   std::tie(grains.periodic_x, grains.periodic_y) = periodic_directions(frame.periodic);
   for (std::size_t k = 0; k < radii.size(); ++k) {
     const Vec2 centre{centre_x[k], centre_y[k]};
-    const bool outside_x = !grains.periodic_x && (centre.x < low.x || centre.x > high.x), outside_y = !grains.periodic_y && (centre.y < low.y || centre.y > high.y);
+    const bool outside_x = !grains.periodic_x && (centre.x < low.x || centre.x > high.x),
+               outside_y = !grains.periodic_y && (centre.y < low.y || centre.y > high.y);
     if (outside_x || outside_y)
-      throw InputError(fmt::format("the centre of grain {}, ({:g}, {:g}) m, lies outside the container, which reaches from ({:g}, {:g}) to ({:g}, {:g}) m; "
-                                   "correct the centre, or origin, width and height", k, centre.x, centre.y, low.x, low.y, high.x, high.y));
+      throw InputError(
+          fmt::format("the centre of grain {}, ({:g}, {:g}) m, lies outside the container, which reaches from ({:g}, {:g}) to ({:g}, {:g}) m; "
+                      "correct the centre, or origin, width and height",
+                      k, centre.x, centre.y, low.x, low.y, high.x, high.y));
     grains.rows.push_back({static_cast<std::int64_t>(k), centre, radii[k], {}, 0, 0});
   }
   return grains;
@@ -67,7 +70,8 @@ class Columns {
   std::vector<double> numbers(const char* name, std::size_t size) const {
     const auto column = find(name);
     auto values = column ? finite_numbers(*column, fmt::format("contacts[\"{}\"]", name)) : std::vector<double>(size, 0.0);
-    if (values.size() != size) throw InputError(fmt::format("contacts[\"{}\"] has {} values for {} contacts; give arrays of one length", name, values.size(), size));
+    if (values.size() != size)
+      throw InputError(fmt::format("contacts[\"{}\"] has {} values for {} contacts; give arrays of one length", name, values.size(), size));
     return values;
   }
 
@@ -104,8 +108,8 @@ void take_materials(Packing& packing, const std::optional<ArrayLike>& material, 
 
 /// A packing of arrays. `contacts` is None, or anything with columns i and j, and perhaps fn, ft, nx, ny: a dict, a table of
 /// pandas, Contacts. Throws InputError with every row that cannot be meant.
-Packing own_packing(const ArrayLike& x, const ArrayLike& y, const ArrayLike& radius, const std::optional<ArrayLike>& material,
-                    std::vector<Material> materials, const OwnFrame& frame, const py::object& contacts) {
+Packing own_packing(const ArrayLike& x, const ArrayLike& y, const ArrayLike& radius, const std::optional<ArrayLike>& material, std::vector<Material> materials,
+                    const OwnFrame& frame, const py::object& contacts) {
   check_frame(frame);
   io::SampleOptions options;
   options.thickness = frame.thickness;
@@ -120,7 +124,10 @@ Packing make(const ArrayLike& x, const ArrayLike& y, const ArrayLike& radius, co
              const Quantity& width, const Quantity& height, const Quantity& thickness, const std::string& periodic, const py::object& contacts,
              const std::pair<Quantity, Quantity>& origin) {
   const OwnFrame frame{{origin.first.si(dimension::length, "origin"), origin.second.si(dimension::length, "origin")},
-                       width.si(dimension::length, "width"), height.si(dimension::length, "height"), thickness.si(dimension::length, "thickness"), periodic};
+                       width.si(dimension::length, "width"),
+                       height.si(dimension::length, "height"),
+                       thickness.si(dimension::length, "thickness"),
+                       periodic};
   return own_packing(x, y, radius, material, std::move(materials), frame, contacts);
 }
 
@@ -152,33 +159,56 @@ py::dict domain_of(const Packing& p) {
 }
 
 void bind_contacts(py::module_& m) {
-  py::class_<Contacts> c(m, "Contacts", "Contacts, each once: arrays of one length. n points from grain j to grain i, t is n turned by +90 degrees, and the "
-                                        "force on i is fn n + ft t, fn > 0 pushing apart. j = -1, -2, -3, -4 stands for the left, right, bottom, top wall.");
+  py::class_<Contacts> c(m, "Contacts",
+                         "Contacts, each once: arrays of one length. n points from grain j to grain i, t is n turned by +90 degrees, and the "
+                         "force on i is fn n + ft t, fn > 0 pushing apart. j = -1, -2, -3, -4 stands for the left, right, bottom, top wall.");
   c.def("__len__", &Contacts::size, "Number of contacts.");
-  array_property(c, "i", [](const Contacts& k) -> auto& { return k.i; }, "First grain, its place in the packing's arrays (not its id), int32.");
-  array_property(c, "j", [](const Contacts& k) -> auto& { return k.j; }, "Second grain, its place in the packing's arrays, or a wall if negative, int32.");
-  array_property(c, "nx", [](const Contacts& k) -> auto& { return k.nx; }, "Normal, x.");
-  array_property(c, "ny", [](const Contacts& k) -> auto& { return k.ny; }, "Normal, y.");
-  array_property(c, "fn", [](const Contacts& k) -> auto& { return k.fn; }, "Normal force, N, positive in compression.");
-  array_property(c, "ft", [](const Contacts& k) -> auto& { return k.ft; }, "Tangential force, N.");
-  array_property(c, "arm_i", [](const Contacts& k) -> auto& { return k.arm_i; }, "Distance of the contact point from the centre of i, m.");
-  array_property(c, "arm_j", [](const Contacts& k) -> auto& { return k.arm_j; }, "Distance from the centre of j, m; 0 for a wall.");
-  array_property(c, "overlap", [](const Contacts& k) -> auto& { return k.overlap; }, "Overlap h, m; NaN where it is not known.");
-  array_property(c, "sliding_velocity", [](const Contacts& k) -> auto& { return k.sliding_velocity; }, "Tangential velocity at the contact point, m/s; NaN where it is not known.");
-  array_property(c, "glued", [](const Contacts& k) -> auto& { return k.glued; }, "1 where adhesion acts.");
+  array_property(
+      c, "i", [](const Contacts& k) -> auto& { return k.i; }, "First grain, its place in the packing's arrays (not its id), int32.");
+  array_property(
+      c, "j", [](const Contacts& k) -> auto& { return k.j; }, "Second grain, its place in the packing's arrays, or a wall if negative, int32.");
+  array_property(
+      c, "nx", [](const Contacts& k) -> auto& { return k.nx; }, "Normal, x.");
+  array_property(
+      c, "ny", [](const Contacts& k) -> auto& { return k.ny; }, "Normal, y.");
+  array_property(
+      c, "fn", [](const Contacts& k) -> auto& { return k.fn; }, "Normal force, N, positive in compression.");
+  array_property(
+      c, "ft", [](const Contacts& k) -> auto& { return k.ft; }, "Tangential force, N.");
+  array_property(
+      c, "arm_i", [](const Contacts& k) -> auto& { return k.arm_i; }, "Distance of the contact point from the centre of i, m.");
+  array_property(
+      c, "arm_j", [](const Contacts& k) -> auto& { return k.arm_j; }, "Distance from the centre of j, m; 0 for a wall.");
+  array_property(
+      c, "overlap", [](const Contacts& k) -> auto& { return k.overlap; }, "Overlap h, m; NaN where it is not known.");
+  array_property(
+      c, "sliding_velocity", [](const Contacts& k) -> auto& { return k.sliding_velocity; },
+      "Tangential velocity at the contact point, m/s; NaN where it is not known.");
+  array_property(
+      c, "glued", [](const Contacts& k) -> auto& { return k.glued; }, "1 where adhesion acts.");
 }
 
 void bind_grains(py::class_<Packing>& c) {
-  array_property(c, "id", [](const Packing& p) -> auto& { return p.grains.id; }, "The user's name of every grain, int64.");
-  array_property(c, "x", [](const Packing& p) -> auto& { return p.grains.x; }, "Centres, m.");
-  array_property(c, "y", [](const Packing& p) -> auto& { return p.grains.y; }, "Centres, m.");
-  array_property(c, "radius", [](const Packing& p) -> auto& { return p.grains.radius; }, "Radii, m.");
-  array_property(c, "material", [](const Packing& p) -> auto& { return p.grains.material; }, "Place in `materials` of every grain, int32.");
-  array_property(c, "zone", [](const Packing& p) -> auto& { return p.grains.zone; }, "0, or the number of a region: 1 is the glued agglomerate.");
-  array_property(c, "angle", [](const Packing& p) -> auto& { return p.grains.angle; }, "Rotations since the start, rad, counter-clockwise.");
-  array_property(c, "vx", [](const Packing& p) -> auto& { return p.grains.vx; }, "Velocities, m/s.");
-  array_property(c, "vy", [](const Packing& p) -> auto& { return p.grains.vy; }, "Velocities, m/s.");
-  array_property(c, "omega", [](const Packing& p) -> auto& { return p.grains.omega; }, "Angular velocities, rad/s, counter-clockwise.");
+  array_property(
+      c, "id", [](const Packing& p) -> auto& { return p.grains.id; }, "The user's name of every grain, int64.");
+  array_property(
+      c, "x", [](const Packing& p) -> auto& { return p.grains.x; }, "Centres, m.");
+  array_property(
+      c, "y", [](const Packing& p) -> auto& { return p.grains.y; }, "Centres, m.");
+  array_property(
+      c, "radius", [](const Packing& p) -> auto& { return p.grains.radius; }, "Radii, m.");
+  array_property(
+      c, "material", [](const Packing& p) -> auto& { return p.grains.material; }, "Place in `materials` of every grain, int32.");
+  array_property(
+      c, "zone", [](const Packing& p) -> auto& { return p.grains.zone; }, "0, or the number of a region: 1 is the glued agglomerate.");
+  array_property(
+      c, "angle", [](const Packing& p) -> auto& { return p.grains.angle; }, "Rotations since the start, rad, counter-clockwise.");
+  array_property(
+      c, "vx", [](const Packing& p) -> auto& { return p.grains.vx; }, "Velocities, m/s.");
+  array_property(
+      c, "vy", [](const Packing& p) -> auto& { return p.grains.vy; }, "Velocities, m/s.");
+  array_property(
+      c, "omega", [](const Packing& p) -> auto& { return p.grains.omega; }, "Angular velocities, rad/s, counter-clockwise.");
 }
 
 }  // namespace
@@ -193,18 +223,24 @@ void bind_packing(py::module_& m) {
       .def_readonly("thermoelastic_factor", &Material::thermoelastic_factor, "A, K/Pa (T ch. 2).")
       .def("__repr__", [](const Material& of) { return "<arenite.Material " + of.name + ">"; });
   bind_contacts(m);
-  py::class_<Packing> packing(m, "Packing", "Grains in their frame, with the contacts between them where these are known. Arrays look into the packing's own memory.");
+  py::class_<Packing> packing(m, "Packing",
+                              "Grains in their frame, with the contacts between them where these are known. Arrays look into the packing's own memory.");
   packing
       .def(py::init(&make), py::arg("x"), py::arg("y"), py::arg("radius"), py::arg("material") = py::none(), py::arg("materials") = std::vector<Material>{},
            py::kw_only(), py::arg("width"), py::arg("height"), py::arg("thickness") = 1.0, py::arg("periodic") = "", py::arg("contacts") = py::none(),
            py::arg("origin") = std::pair(0.0, 0.0),
-           "A packing of your own: centres and radii (m), width and height of the frame, its depth (m, or text with a unit; 0: not known) and lower left corner `origin`; `periodic` is "
-           "\"\", \"x\", \"y\" or \"xy\". `contacts`: a dict, a table of pandas or Contacts with i and j (grains from 0; j = -1, -2, -3, -4: left, right, bottom, top "
+           "A packing of your own: centres and radii (m), width and height of the frame, its depth (m, or text with a unit; 0: not known) and lower left "
+           "corner `origin`; `periodic` is "
+           "\"\", \"x\", \"y\" or \"xy\". `contacts`: a dict, a table of pandas or Contacts with i and j (grains from 0; j = -1, -2, -3, -4: left, right, "
+           "bottom, top "
            "wall) and, where known, fn and ft (N) and the normal nx, ny from j to i, which follows from the centres otherwise.")
-      .def("__len__", [](const Packing& p) { return p.grains.size(); }, "Number of grains.")
-      .def_property_readonly("contacts", [](const Packing& p) -> const Contacts& { return p.contacts; }, py::return_value_policy::reference_internal,
-                             "Those that are known, with walls too.")
-      .def_property_readonly("materials", [](const Packing& p) { return p.materials; }, "Those that `material` numbers.")
+      .def(
+          "__len__", [](const Packing& p) { return p.grains.size(); }, "Number of grains.")
+      .def_property_readonly(
+          "contacts", [](const Packing& p) -> const Contacts& { return p.contacts; }, py::return_value_policy::reference_internal,
+          "Those that are known, with walls too.")
+      .def_property_readonly(
+          "materials", [](const Packing& p) { return p.materials; }, "Those that `material` numbers.")
       .def_property_readonly("domain", &domain_of, "The frame: position (m), velocity (m/s) and force (N) of every wall, width, height, thickness (m).")
       .def("__repr__", [](const Packing& p) { return fmt::format("<arenite.Packing of {} grains and {} contacts>", p.grains.size(), p.contacts.size()); });
   bind_grains(packing);

@@ -8,10 +8,10 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
-#include "thermal/imaging/label_grains.hpp"
 #include "io/image/phase_map.hpp"
 #include "model/cement.hpp"
 #include "module.hpp"
+#include "thermal/imaging/label_grains.hpp"
 
 namespace arenite::python {
 namespace {
@@ -51,13 +51,15 @@ io::PhaseTable phases_of(const std::variant<std::string, std::map<std::int32_t, 
   return io::parse_phase_table(text);
 }
 
-PhaseMap read_map(const Path& file, const Quantity& dx, const Path& labels, double smoothing, const std::variant<std::string, std::map<std::int32_t, std::string>>& phases,
-                  const std::optional<std::int64_t>& slice, const std::optional<std::tuple<int, int, int, int>>& crop, const std::string& dataset,
-                  const std::optional<std::int64_t>& label_slice, const std::string& label_dataset) {
+PhaseMap read_map(const Path& file, const Quantity& dx, const Path& labels, double smoothing,
+                  const std::variant<std::string, std::map<std::int32_t, std::string>>& phases, const std::optional<std::int64_t>& slice,
+                  const std::optional<std::tuple<int, int, int, int>>& crop, const std::string& dataset, const std::optional<std::int64_t>& label_slice,
+                  const std::string& label_dataset) {
   const std::string way = labels.string();
   const bool by_program = way == "components" || way == "watershed" || way == "none";
   if (!by_program && !std::filesystem::exists(labels))
-    throw InputError(fmt::format("labels is \"{}\", which is no file; give \"components\", \"watershed\", \"none\", or a picture whose values number the grains", way));
+    throw InputError(
+        fmt::format("labels is \"{}\", which is no file; give \"components\", \"watershed\", \"none\", or a picture whose values number the grains", way));
   io::PhaseMapOptions options;
   options.dx = dx.si(dimension::length, "dx");
   if (!(options.dx > 0)) throw InputError(fmt::format("dx is {} m; give a length above 0", options.dx));
@@ -80,37 +82,54 @@ void bind_phase_map(py::module_& m) {
   py::class_<Cement>(m, "Cement", "The binding matrix of a packing, as geometry (P II.B).")
       .def_readonly("full", &Cement::full, "Matrix fills all that is not grain.")
       .def_readonly("coating", &Cement::coating, "Thickness of the layer round every grain, m.")
-      .def_property_readonly("bridges", [](const Cement& c) { return c.bridges.size(); }, "Number of bridges.")
-      .def_property_readonly("menisci", [](const Cement& c) { return c.menisci.size(); }, "Number of menisci.");
+      .def_property_readonly(
+          "bridges", [](const Cement& c) { return c.bridges.size(); }, "Number of bridges.")
+      .def_property_readonly(
+          "menisci", [](const Cement& c) { return c.menisci.size(); }, "Number of menisci.");
   py::class_<PhaseMap>(m, "PhaseMap", "A cemented packing on a square lattice of nodes; arrays are (height, width), the bottom row first.")
       .def(py::init(&map_of), py::arg("phase"), py::arg("grain") = py::none(), py::kw_only(), py::arg("dx"),
-           "A map of your own, copied: `phase` is 0 (void), 1 (matrix) or 2 (particle), `grain` numbers the particles from 0, -1 elsewhere (found by connection if not given), `dx` is the "
+           "A map of your own, copied: `phase` is 0 (void), 1 (matrix) or 2 (particle), `grain` numbers the particles from 0, -1 elsewhere (found by "
+           "connection if not given), `dx` is the "
            "distance of nodes (m, or text with a unit).")
       .def_readonly("width", &PhaseMap::width, "Nodes.")
       .def_readonly("height", &PhaseMap::height, "Nodes.")
       .def_readonly("dx", &PhaseMap::dx, "Distance between neighbouring nodes, m.")
-      .def_property_readonly("phase", [](const py::object& self) {
-        const auto& map = self.cast<const PhaseMap&>();
-        py::array_t<std::uint8_t> array({map.height, map.width}, reinterpret_cast<const std::uint8_t*>(map.phase.data()), self);
-        array.attr("setflags")(py::arg("write") = false);
-        return array;
-      }, "0 void, 1 matrix, 2 particle; uint8, (height, width).")
-      .def_property_readonly("grain", [](const py::object& self) {
-        const auto& map = self.cast<const PhaseMap&>();
-        return image_view(map.grain, map.height, map.width, self);
-      }, "Number of the grain, -1 where there is none; int32, (height, width).")
-      .def_property_readonly("grain_class", [](const py::object& self) {
-        const auto& map = self.cast<const PhaseMap&>();
-        py::array_t<std::uint8_t> array(static_cast<py::ssize_t>(map.grain_class.size()), reinterpret_cast<const std::uint8_t*>(map.grain_class.data()), self);
-        array.attr("setflags")(py::arg("write") = false);
-        return array;
-      }, "0 none, 1 small, 2 large; one a grain, uint8.")
-      .def("__repr__", [](const PhaseMap& map) { return "<arenite.PhaseMap " + std::to_string(map.width) + " x " + std::to_string(map.height) + ">"; });  m.def("read_phase_map", &read_map, py::arg("file"), py::kw_only(), py::arg("dx"), py::arg("labels") = "components", py::arg("smoothing") = 1.0,
+      .def_property_readonly(
+          "phase",
+          [](const py::object& self) {
+            const auto& map = self.cast<const PhaseMap&>();
+            py::array_t<std::uint8_t> array({map.height, map.width}, reinterpret_cast<const std::uint8_t*>(map.phase.data()), self);
+            array.attr("setflags")(py::arg("write") = false);
+            return array;
+          },
+          "0 void, 1 matrix, 2 particle; uint8, (height, width).")
+      .def_property_readonly(
+          "grain",
+          [](const py::object& self) {
+            const auto& map = self.cast<const PhaseMap&>();
+            return image_view(map.grain, map.height, map.width, self);
+          },
+          "Number of the grain, -1 where there is none; int32, (height, width).")
+      .def_property_readonly(
+          "grain_class",
+          [](const py::object& self) {
+            const auto& map = self.cast<const PhaseMap&>();
+            py::array_t<std::uint8_t> array(static_cast<py::ssize_t>(map.grain_class.size()), reinterpret_cast<const std::uint8_t*>(map.grain_class.data()),
+                                            self);
+            array.attr("setflags")(py::arg("write") = false);
+            return array;
+          },
+          "0 none, 1 small, 2 large; one a grain, uint8.")
+      .def("__repr__", [](const PhaseMap& map) { return "<arenite.PhaseMap " + std::to_string(map.width) + " x " + std::to_string(map.height) + ">"; });
+  m.def("read_phase_map", &read_map, py::arg("file"), py::kw_only(), py::arg("dx"), py::arg("labels") = "components", py::arg("smoothing") = 1.0,
         py::arg("phases") = "", py::arg("slice") = py::none(), py::arg("crop") = py::none(), py::arg("dataset") = "", py::arg("label_slice") = py::none(),
         py::arg("label_dataset") = "",
-        "A phase map from a picture (PNG, TIFF, HDF5), as `arenite load` reads it. `dx`: side of a pixel (m, or text with a unit). `labels`: grains are \"components\", cut at necks "
-        "by \"watershed\" (`smoothing`: depth of a neck that is not cut, pixels), \"none\" (all one), or numbered by the values of a picture. `phases`: which grey value is what, "
-        "{0: \"void\", 85: \"particle\", 170: \"matrix\"} or the same as text; a picture of two values needs none. `slice` of a stack, from 0; `crop`: (x, y, width, height), pixels "
+        "A phase map from a picture (PNG, TIFF, HDF5), as `arenite load` reads it. `dx`: side of a pixel (m, or text with a unit). `labels`: grains are "
+        "\"components\", cut at necks "
+        "by \"watershed\" (`smoothing`: depth of a neck that is not cut, pixels), \"none\" (all one), or numbered by the values of a picture. `phases`: which "
+        "grey value is what, "
+        "{0: \"void\", 85: \"particle\", 170: \"matrix\"} or the same as text; a picture of two values needs none. `slice` of a stack, from 0; `crop`: (x, y, "
+        "width, height), pixels "
         "from the upper left corner; `dataset` of an HDF5 file that holds several.");
 }
 

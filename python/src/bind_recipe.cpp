@@ -37,19 +37,26 @@ FilmRecipe changed(const FilmRecipe& recipe, const py::dict& changes) {
 }
 
 void bind_film_recipe(py::module_& m) {
-  py::class_<FilmRecipe>(m, "FilmRecipe", "What `arenite film` and `arenite camera` are told: materials, frame, picture, correction, temperature, lock-in, forces, twin, "
-                                          "camera (docs/film-recipe.md).")
+  py::class_<FilmRecipe>(m, "FilmRecipe",
+                         "What `arenite film` and `arenite camera` are told: materials, frame, picture, correction, temperature, lock-in, forces, twin, "
+                         "camera (docs/film-recipe.md).")
       .def(py::init([](const Path& file, const py::dict& changes) { return recipe::read_film_recipe(file.string(), overrides_of(changes)); }), py::arg("file"),
            py::arg("changes") = py::dict(), "Reads a film's recipe from a file; `changes` as for Recipe.")
-      .def_static("template", [](const py::dict& changes) { return recipe::parse_film_recipe(recipe::to_toml(recipe::film_template()), "film", overrides_of(changes)); },
-                  py::arg("changes") = py::dict(), "The recipe to start from that `arenite init film` writes.")
-      .def_static("from_text", [](const std::string& text, const py::dict& changes) { return recipe::parse_film_recipe(text, "recipe", overrides_of(changes)); },
-                  py::arg("text"), py::arg("changes") = py::dict(), "A film's recipe from TOML text.")
+      .def_static(
+          "template",
+          [](const py::dict& changes) { return recipe::parse_film_recipe(recipe::to_toml(recipe::film_template()), "film", overrides_of(changes)); },
+          py::arg("changes") = py::dict(), "The recipe to start from that `arenite init film` writes.")
+      .def_static(
+          "from_text", [](const std::string& text, const py::dict& changes) { return recipe::parse_film_recipe(text, "recipe", overrides_of(changes)); },
+          py::arg("text"), py::arg("changes") = py::dict(), "A film's recipe from TOML text.")
       .def("changed", py::overload_cast<const FilmRecipe&, const py::dict&>(&changed), py::arg("changes"), "The same recipe with these keys changed.")
-      .def("toml", [](const FilmRecipe& r) { return recipe::to_toml(r); }, "The resolved recipe as TOML, every key with its unit.")
+      .def(
+          "toml", [](const FilmRecipe& r) { return recipe::to_toml(r); }, "The resolved recipe as TOML, every key with its unit.")
       .def_readonly("title", &FilmRecipe::title, "As pages show it.")
       .def_readonly("seed", &FilmRecipe::seed, "Of the virtual camera's noise.")
-      .def("__eq__", [](const FilmRecipe& a, const FilmRecipe& b) { return recipe::to_toml(a) == recipe::to_toml(b); }, py::is_operator(), py::arg("other"), "Whether all keys are equal.")
+      .def(
+          "__eq__", [](const FilmRecipe& a, const FilmRecipe& b) { return recipe::to_toml(a) == recipe::to_toml(b); }, py::is_operator(), py::arg("other"),
+          "Whether all keys are equal.")
       .def("__repr__", [](const FilmRecipe& r) { return "<arenite.FilmRecipe \"" + r.title + "\">"; });
 }
 
@@ -59,31 +66,45 @@ void bind_recipe(py::module_& m) {
   bind_film_recipe(m);
   py::class_<Recipe>(m, "Recipe", "What `arenite run` is told: materials, frame, packing, stages of loading, cement, raster, loads (docs/recipe.md).")
       .def(py::init([](const Path& file, const py::dict& changes) { return recipe::read_recipe(file.string(), overrides_of(changes)); }), py::arg("file"),
-           py::arg("changes") = py::dict(), "Reads a recipe from a file; `changes` are {\"dotted.key\": value}, with units in text: {\"frame.width\": \"35 cm\"}.")
+           py::arg("changes") = py::dict(),
+           "Reads a recipe from a file; `changes` are {\"dotted.key\": value}, with units in text: {\"frame.width\": \"35 cm\"}.")
       .def_static("template", &from_template, py::arg("name"), py::arg("changes") = py::dict(), "A recipe to start from; `templates()` names them.")
-      .def_static("from_text", [](const std::string& text, const py::dict& changes) { return recipe::parse_recipe(text, "recipe", overrides_of(changes)); },
-                  py::arg("text"), py::arg("changes") = py::dict(), "A recipe from TOML text.")
+      .def_static(
+          "from_text", [](const std::string& text, const py::dict& changes) { return recipe::parse_recipe(text, "recipe", overrides_of(changes)); },
+          py::arg("text"), py::arg("changes") = py::dict(), "A recipe from TOML text.")
       .def("changed", py::overload_cast<const Recipe&, const py::dict&>(&changed), py::arg("changes"), "The same recipe with these keys changed.")
-      .def("toml", [](const Recipe& r) { return recipe::to_toml(r); }, "The resolved recipe as TOML, every key with its unit.")
+      .def(
+          "toml", [](const Recipe& r) { return recipe::to_toml(r); }, "The resolved recipe as TOML, every key with its unit.")
       .def_readonly("title", &Recipe::title, "As pages show it.")
       .def_readonly("seed", &Recipe::seed, "Of all random numbers.")
-      .def_property_readonly("stages", [](const Recipe& r) {
-        std::vector<std::string> names;
-        for (const auto& stage : r.stages) names.push_back(stage.name);
-        return names;
-      }, "Names of the stages of loading.")
-      .def_property_readonly("loads", [](const Recipe& r) {
-        std::vector<std::string> names;
-        for (const auto& load : r.loads) names.push_back(load.name);
-        return names;
-      }, "Names of the loads of the cemented sample.")
-      .def("__eq__", [](const Recipe& a, const Recipe& b) { return recipe::to_toml(a) == recipe::to_toml(b); }, py::is_operator(), py::arg("other"), "Whether all keys are equal.")
+      .def_property_readonly(
+          "stages",
+          [](const Recipe& r) {
+            std::vector<std::string> names;
+            for (const auto& stage : r.stages) names.push_back(stage.name);
+            return names;
+          },
+          "Names of the stages of loading.")
+      .def_property_readonly(
+          "loads",
+          [](const Recipe& r) {
+            std::vector<std::string> names;
+            for (const auto& load : r.loads) names.push_back(load.name);
+            return names;
+          },
+          "Names of the loads of the cemented sample.")
+      .def(
+          "__eq__", [](const Recipe& a, const Recipe& b) { return recipe::to_toml(a) == recipe::to_toml(b); }, py::is_operator(), py::arg("other"),
+          "Whether all keys are equal.")
       .def("__repr__", [](const Recipe& r) { return "<arenite.Recipe \"" + r.title + "\">"; });
-  m.def("templates", [] {
-    py::dict d;
-    for (const auto& each : recipe::recipe_templates()) d[each.name] = each.sentence;
-    return d;
-  }, "Names of the recipes to start from, with a sentence each.");
+  m.def(
+      "templates",
+      [] {
+        py::dict d;
+        for (const auto& each : recipe::recipe_templates()) d[each.name] = each.sentence;
+        return d;
+      },
+      "Names of the recipes to start from, with a sentence each.");
 }
 
 }  // namespace arenite::python

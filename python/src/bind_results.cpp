@@ -46,31 +46,45 @@ void bind_stage_results(py::module_& m) {
       .def_readonly("time", &Frame::time, "s since the start of the run.")
       .def_readonly("step", &Frame::step, "Time steps since the start of the run.")
       .def_readonly("label", &Frame::label, "\"increment 3 of 10\", \"cycle 2 maximum\".")
-      .def_property_readonly("packing", [](const Frame& f) -> const Packing& { return f.packing; }, py::return_value_policy::reference_internal,
-                             "Grains and contacts in this state.")
+      .def_property_readonly(
+          "packing", [](const Frame& f) -> const Packing& { return f.packing; }, py::return_value_policy::reference_internal,
+          "Grains and contacts in this state.")
       .def_property_readonly("energies", &energies_of, "By name, J.")
-      .def_property_readonly("unbalanced_ratio", [](const Frame& f) { return f.equilibrium.unbalanced_ratio; },
-                             "Mean resultant force on a grain over the mean contact force.")
-      .def_property_readonly("kinetic_ratio", [](const Frame& f) { return f.equilibrium.kinetic_ratio; }, "Kinetic over elastic energy.")
+      .def_property_readonly(
+          "unbalanced_ratio", [](const Frame& f) { return f.equilibrium.unbalanced_ratio; }, "Mean resultant force on a grain over the mean contact force.")
+      .def_property_readonly(
+          "kinetic_ratio", [](const Frame& f) { return f.equilibrium.kinetic_ratio; }, "Kinetic over elastic energy.")
       .def("__repr__", [](const Frame& f) { return "<arenite.Frame \"" + f.label + "\">"; });
   py::class_<StageResult>(m, "Stage", "The result of one stage of packing or loading.")
       .def_readonly("name", &StageResult::name, "In the recipe.")
       .def_readonly("converged", &StageResult::converged, "Equilibrium was reached in every increment.")
       .def_readonly("outcome", &StageResult::outcome, "How it ended, in a sentence.")
-      .def_property_readonly("frames", [](const py::object& self) {
-        py::list frames;
-        for (const auto& frame : self.cast<const StageResult&>().frames) frames.append(py::cast(&frame, py::return_value_policy::reference_internal, self));
-        return frames;
-      }, "Stored states in time order.")
-      .def_property_readonly("packing", [](const StageResult& s) -> const Packing& {
-        if (s.frames.empty()) throw InputError("this stage stored no state");
-        return s.frames.back().packing;
-      }, py::return_value_policy::reference_internal, "The state that is handed on.")
-      .def_property_readonly("history", [](const py::object& self) { return columns_of(self.cast<const StageResult&>().history, self); },
-                             "Scalars sampled while the stage ran, as arrays by name; `history_units` has their units.")
-      .def_property_readonly("history_units", [](const StageResult& s) { return history_units(s.history); }, "Unit of every column of `history`; empty: none.")
-      .def_property_readonly("texture", [](const StageResult& s) { return to_python(s.texture); }, "Texture of the last state as it was stored, without curves; names as `measure` gives them.")
-      .def_property_readonly("provenance", [](const StageResult& s) { return provenance_of(s.provenance); }, "What made it: version, stage, input_hash, recipe, seed, kernel, options.")
+      .def_property_readonly(
+          "frames",
+          [](const py::object& self) {
+            py::list frames;
+            for (const auto& frame : self.cast<const StageResult&>().frames) frames.append(py::cast(&frame, py::return_value_policy::reference_internal, self));
+            return frames;
+          },
+          "Stored states in time order.")
+      .def_property_readonly(
+          "packing",
+          [](const StageResult& s) -> const Packing& {
+            if (s.frames.empty()) throw InputError("this stage stored no state");
+            return s.frames.back().packing;
+          },
+          py::return_value_policy::reference_internal, "The state that is handed on.")
+      .def_property_readonly(
+          "history", [](const py::object& self) { return columns_of(self.cast<const StageResult&>().history, self); },
+          "Scalars sampled while the stage ran, as arrays by name; `history_units` has their units.")
+      .def_property_readonly(
+          "history_units", [](const StageResult& s) { return history_units(s.history); }, "Unit of every column of `history`; empty: none.")
+      .def_property_readonly(
+          "texture", [](const StageResult& s) { return to_python(s.texture); },
+          "Texture of the last state as it was stored, without curves; names as `measure` gives them.")
+      .def_property_readonly(
+          "provenance", [](const StageResult& s) { return provenance_of(s.provenance); },
+          "What made it: version, stage, input_hash, recipe, seed, kernel, options.")
       .def("__repr__", [](const StageResult& s) { return "<arenite.Stage \"" + s.name + "\": " + s.outcome + ">"; });
 }
 
@@ -89,33 +103,48 @@ void bind_fields(py::module_& m) {
   c.def_readonly("name", &FieldResult::name, "In the recipe.")
       .def_readonly("converged", &FieldResult::converged, "The equilibrium was found to the tolerance.")
       .def_readonly("outcome", &FieldResult::outcome, "How it ended, in a sentence.")
-      .def_property_readonly("map", [](const FieldResult& f) -> const PhaseMap& { return f.map; }, py::return_value_policy::reference_internal,
-                             "Phases and grains of the nodes.")
-      .def_property_readonly("packing", [](const FieldResult& f) -> const Packing& { return f.packing; }, py::return_value_policy::reference_internal,
-                             "What was rasterised, in the map's coordinates; no grains if the map came from a picture.")
-      .def_property_readonly("loaded", [](const FieldResult& f) { return f.field.size() > 0; }, "False for a sample without load, which has no stresses.")
-      .def_property_readonly("numbers", [](const FieldResult& f) { return to_python(f.numbers); },
-                             "Report and statistics as `arenite show --json` prints them; the end of a name is its unit.")
-      .def_property_readonly("convergence", [](const py::object& self) { return columns_of(self.cast<const FieldResult&>().convergence, self); },
-                             "iteration, residual (relative).")
-      .def_property_readonly("curve", [](const py::object& self) { return columns_of(self.cast<const FieldResult&>().curve, self); },
-                             "Of a pull to failure: strain, stress (Pa), work, elastic, released (J/m), broken.")
+      .def_property_readonly(
+          "map", [](const FieldResult& f) -> const PhaseMap& { return f.map; }, py::return_value_policy::reference_internal, "Phases and grains of the nodes.")
+      .def_property_readonly(
+          "packing", [](const FieldResult& f) -> const Packing& { return f.packing; }, py::return_value_policy::reference_internal,
+          "What was rasterised, in the map's coordinates; no grains if the map came from a picture.")
+      .def_property_readonly(
+          "loaded", [](const FieldResult& f) { return f.field.size() > 0; }, "False for a sample without load, which has no stresses.")
+      .def_property_readonly(
+          "numbers", [](const FieldResult& f) { return to_python(f.numbers); },
+          "Report and statistics as `arenite show --json` prints them; the end of a name is its unit.")
+      .def_property_readonly(
+          "convergence", [](const py::object& self) { return columns_of(self.cast<const FieldResult&>().convergence, self); },
+          "iteration, residual (relative).")
+      .def_property_readonly(
+          "curve", [](const py::object& self) { return columns_of(self.cast<const FieldResult&>().curve, self); },
+          "Of a pull to failure: strain, stress (Pa), work, elastic, released (J/m), broken.")
       .def_property_readonly("cracks", &cracks_of,
                              "Broken bonds in the order of breaking: x, y (m, float32), type (1 matrix, 2 interface, 3 particle), strain of the sample.")
-      .def_property_readonly("provenance", [](const FieldResult& f) { return provenance_of(f.provenance); }, "What made it: version, stage, input_hash, recipe, seed, kernel, options.")
-      .def("statistics", [](const FieldResult& f, bool curves) {
-        Call call;
-        stress::StressOptions options;
-        options.components = {stress::Component::yy, stress::Component::xx, stress::Component::xy, stress::Component::hydrostatic};
-        return to_arrays(call.without_lock([&] { return stress::numbers(stress::measure(f.map, f.field, options), curves); }));
-      }, py::kw_only(), py::arg("curves") = true, "Distributions of node stresses by phase (P IV) as a dict: by component (sigma_yy, sigma_xx, sigma_xy, sigma_hyd) and set, each statistic {\"value\", \"error\"}; the end of a name is its unit "
-        "(_Pa), all others are over the mean of the sample or of the set.")
+      .def_property_readonly(
+          "provenance", [](const FieldResult& f) { return provenance_of(f.provenance); },
+          "What made it: version, stage, input_hash, recipe, seed, kernel, options.")
+      .def(
+          "statistics",
+          [](const FieldResult& f, bool curves) {
+            Call call;
+            stress::StressOptions options;
+            options.components = {stress::Component::yy, stress::Component::xx, stress::Component::xy, stress::Component::hydrostatic};
+            return to_arrays(call.without_lock([&] { return stress::numbers(stress::measure(f.map, f.field, options), curves); }));
+          },
+          py::kw_only(), py::arg("curves") = true,
+          "Distributions of node stresses by phase (P IV) as a dict: by component (sigma_yy, sigma_xx, sigma_xy, sigma_hyd) and set, each statistic "
+          "{\"value\", \"error\"}; the end of a name is its unit "
+          "(_Pa), all others are over the mean of the sample or of the set.")
       .def("__repr__", [](const FieldResult& f) { return "<arenite.Field \"" + f.name + "\": " + f.outcome + ">"; });
-  const auto component = [&c](const char* name, std::vector<double> StressField::* member, const char* doc) {
-    c.def_property_readonly(name, [member](const py::object& self) {
-      const auto& field = self.cast<const FieldResult&>().field;
-      return image_view(field.*member, field.height, field.width, self);
-    }, doc);
+  const auto component = [&c](const char* name, std::vector<double> StressField::*member, const char* doc) {
+    c.def_property_readonly(
+        name,
+        [member](const py::object& self) {
+          const auto& field = self.cast<const FieldResult&>().field;
+          return image_view(field.*member, field.height, field.width, self);
+        },
+        doc);
   };
   component("sigma_xx", &StressField::xx, "Pa, tension positive.");
   component("sigma_yy", &StressField::yy, "Pa, tension positive.");

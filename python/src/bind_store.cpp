@@ -27,7 +27,9 @@ Result run(const recipe::Recipe& recipe, const Path& out, int threads, const Pro
   call.without_lock([&] {
     workflow::RunOptions options;
     options.out = out;
-    options.progress = [&](const workflow::Progress& p) { call.tell(progress, (static_cast<double>(p.stage) + p.share) / static_cast<double>(p.stages), p.name); };
+    options.progress = [&](const workflow::Progress& p) {
+      call.tell(progress, (static_cast<double>(p.stage) + p.share) / static_cast<double>(p.stages), p.name);
+    };
     options.asked_to_stop = [&] { return call.asked_to_stop(); };
     return workflow::run(asked, options);
   });
@@ -120,7 +122,8 @@ StageResult load_stage(const Packing& packing, const Recipe& recipe, const py::o
     StageResult result = std::move(run.result);
     result.name = what.name;
     result.provenance = {version, what.name, hash, recipe::to_toml(recipe), recipe.seed, engine.kernel(), {}};
-    if (!result.frames.empty()) result.texture = texture::numbers(texture::measure(result.frames.back().packing, workflow::texture_options(recipe, number + 1)));
+    if (!result.frames.empty())
+      result.texture = texture::numbers(texture::measure(result.frames.back().packing, workflow::texture_options(recipe, number + 1)));
     return result;
   });
 }
@@ -129,51 +132,74 @@ StageResult load_stage(const Packing& packing, const Recipe& recipe, const py::o
 
 void bind_store(py::module_& m) {
   py::class_<Result>(m, "Result", "What a folder or a file of results holds, or parts that were computed one by one.")
-      .def(py::init(&result_of), py::arg("stages") = std::vector<StageResult>{}, py::arg("fields") = std::vector<FieldResult>{}, py::arg("films") = std::vector<FilmResult>{},
-           py::kw_only(), py::arg("title") = "", "Parts (copied) as one result, for figures, `save`, `page` and `export`.")
+      .def(py::init(&result_of), py::arg("stages") = std::vector<StageResult>{}, py::arg("fields") = std::vector<FieldResult>{},
+           py::arg("films") = std::vector<FilmResult>{}, py::kw_only(), py::arg("title") = "",
+           "Parts (copied) as one result, for figures, `save`, `page` and `export`.")
       .def_readonly("path", &Result::path, "Where it was read from; empty for parts put together.")
       .def_readonly("title", &Result::title, "Of the recipe.")
-      .def_property_readonly("converged", [](const Result& r) { return r.run.converged; }, "Every part reached its equilibrium.")
-      .def_property_readonly("stages", [](const Result& r) -> const std::vector<StageResult>& { return r.run.stages; }, "Packing first, then the stages of loading.")
-      .def_property_readonly("fields", [](const Result& r) -> const std::vector<FieldResult>& { return r.run.fields; }, "The cemented sample and its loads.")
+      .def_property_readonly(
+          "converged", [](const Result& r) { return r.run.converged; }, "Every part reached its equilibrium.")
+      .def_property_readonly(
+          "stages", [](const Result& r) -> const std::vector<StageResult>& { return r.run.stages; }, "Packing first, then the stages of loading.")
+      .def_property_readonly(
+          "fields", [](const Result& r) -> const std::vector<FieldResult>& { return r.run.fields; }, "The cemented sample and its loads.")
       .def_readonly("films", &Result::films, "What a film gave.")
-      .def_property_readonly("numbers", [](const Result& r) { return to_python(numbers_of(r)); }, "As `arenite show --json` prints them; the end of a name is its unit.")
+      .def_property_readonly(
+          "numbers", [](const Result& r) { return to_python(numbers_of(r)); }, "As `arenite show --json` prints them; the end of a name is its unit.")
       .def("__repr__", [](const Result& r) {
-        return fmt::format("<arenite.Result {}: {} stages, {} fields, {} films>", r.path.empty() ? r.title : r.path, r.run.stages.size(), r.run.fields.size(), r.films.size());
+        return fmt::format("<arenite.Result {}: {} stages, {} fields, {} films>", r.path.empty() ? r.title : r.path, r.run.stages.size(), r.run.fields.size(),
+                           r.films.size());
       });
-  m.def("open", [](const Path& path) {
-    Call call;
-    return call.without_lock([&] { return open_result(path); });
-  }, py::arg("path"), "Reads a run's folder, or one file of it.");
+  m.def(
+      "open",
+      [](const Path& path) {
+        Call call;
+        return call.without_lock([&] { return open_result(path); });
+      },
+      py::arg("path"), "Reads a run's folder, or one file of it.");
   m.def("run", &run, py::arg("recipe"), py::arg("out"), py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
-        "Runs a recipe: packing, loading stage by stage, cement, raster, loads. What lies in `out` already is not computed again. `progress(share, name)` is called meanwhile.");
-  m.def("save", [](const py::object& what, const Path& folder) {
-    const Result result = any_result(what);
-    Call call;
-    return names_of(call.without_lock([&] { return save(result, folder); }));
-  }, py::arg("result"), py::arg("folder"),
-        "Stores a Result, Stage, Field, FilmResult or Packing as files of the program's own in a folder, which `open`, `arenite show`, `arenite export` and `arenite figures` "
-        "read; gives the files. Other results that lie there are put aside, under earlier/.");
+        "Runs a recipe: packing, loading stage by stage, cement, raster, loads. What lies in `out` already is not computed again. `progress(share, name)` is "
+        "called meanwhile.");
+  m.def(
+      "save",
+      [](const py::object& what, const Path& folder) {
+        const Result result = any_result(what);
+        Call call;
+        return names_of(call.without_lock([&] { return save(result, folder); }));
+      },
+      py::arg("result"), py::arg("folder"),
+      "Stores a Result, Stage, Field, FilmResult or Packing as files of the program's own in a folder, which `open`, `arenite show`, `arenite export` and "
+      "`arenite figures` "
+      "read; gives the files. Other results that lie there are put aside, under earlier/.");
   m.def("export", &exported, py::arg("result"), py::arg("folder"), py::arg("format") = "vtk", py::kw_only(), py::arg("last") = false,
-        "Writes a result (its folder or file, a Result, Stage, Field, FilmResult or Packing) as `arenite export` does: \"vtk\", \"csv\", \"lammps\" or \"extxyz\"; gives the files. `last`: the "
+        "Writes a result (its folder or file, a Result, Stage, Field, FilmResult or Packing) as `arenite export` does: \"vtk\", \"csv\", \"lammps\" or "
+        "\"extxyz\"; gives the files. `last`: the "
         "last state only.");
-  m.def("page", [](const py::object& what, const Path& file) {
-    const Result result = any_result(what);
-    Call call;
-    call.without_lock([&] {
-      report::write_page(file, {result.title, result.run.stages, result.run.fields, result.films, result.run.measured});
-      return 0;
-    });
-  }, py::arg("result"), py::arg("file"), "Writes the page (HTML, all inside) of a Result, Stage, Field, FilmResult or Packing, or of a folder of results.");
+  m.def(
+      "page",
+      [](const py::object& what, const Path& file) {
+        const Result result = any_result(what);
+        Call call;
+        call.without_lock([&] {
+          report::write_page(file, {result.title, result.run.stages, result.run.fields, result.films, result.run.measured});
+          return 0;
+        });
+      },
+      py::arg("result"), py::arg("file"), "Writes the page (HTML, all inside) of a Result, Stage, Field, FilmResult or Packing, or of a folder of results.");
 }
 
 void bind_stages(py::module_& m) {
-  m.def("pack", [](const Recipe& recipe) {
-    Call call;
-    return call.without_lock([&] { return workflow::make_packing(recipe).frames.back().packing; });
-  }, py::arg("recipe"), "The grains in their box before any loading: drawn, placed and relaxed, or read from a file (recipe's [packing]).");
-  m.def("load_stage", &load_stage, py::arg("packing"), py::arg("recipe"), py::arg("stage") = 0, py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
-        "Takes a packing through one stage of the recipe, by number or name: compaction or loading by discrete elements. `progress(share, name)` is called meanwhile. Velocities are kept, "
+  m.def(
+      "pack",
+      [](const Recipe& recipe) {
+        Call call;
+        return call.without_lock([&] { return workflow::make_packing(recipe).frames.back().packing; });
+      },
+      py::arg("recipe"), "The grains in their box before any loading: drawn, placed and relaxed, or read from a file (recipe's [packing]).");
+  m.def("load_stage", &load_stage, py::arg("packing"), py::arg("recipe"), py::arg("stage") = 0, py::kw_only(), py::arg("threads") = 1,
+        py::arg("progress") = py::none(),
+        "Takes a packing through one stage of the recipe, by number or name: compaction or loading by discrete elements. `progress(share, name)` is called "
+        "meanwhile. Velocities are kept, "
         "the history of friction is not.");
 }
 

@@ -5,12 +5,12 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
+#include "campaign/collect.hpp"
+#include "campaign/run_study.hpp"
 #include "io/table/table.hpp"
 #include "module.hpp"
 #include "report/summary.hpp"
-#include "campaign/collect.hpp"
 #include "workflow/result_folder.hpp"
-#include "campaign/run_study.hpp"
 
 namespace arenite::python {
 namespace {
@@ -33,8 +33,7 @@ py::object swept_column(const campaign::CollectedTable& table, std::size_t k) {
   return words;
 }
 
-template <class Value>
-py::object by_row(const campaign::CollectedTable& table, Value value) {
+template <class Value> py::object by_row(const campaign::CollectedTable& table, Value value) {
   py::list list;
   for (const auto& row : table.rows) list.append(value(row));
   return list;
@@ -84,35 +83,45 @@ campaign::Study study_in(const Path& recipe, const Path& out) {
 }  // namespace
 
 void bind_study(py::module_& m) {
-  m.def("study_table", [](const Path& recipe, const Path& out, const std::vector<std::string>& by) {
-    if (!fs::exists(out)) throw InputError(out.string(), 0, "there is no such folder; run_study makes it");
-    const campaign::Study study = campaign::read_study(recipe.string(), {}, out);
-    auto table = campaign::collect(study, campaign::StudyFolder(out));
-    if (!by.empty()) table = campaign::averaged(table, by);
-    return columns_of(table);
-  }, py::arg("recipe"), py::arg("out"), py::arg("by") = std::vector<std::string>{},
-        "The runs of a study as columns, by the names that `arenite study collect` gives them, without units: run, status, swept keys (numbers where they are, in SI: \"frame.width\" in m), "
-        "then all numbers of `arenite show --json` by dotted names, \"NAME_error\" beside them; NaN where a run has none. `by`: means over runs with equal values of these keys, and "
-        "`runs`, how many.");
-  m.def("_run_study", [](const Path& recipe, const Path& out, std::size_t jobs, const Progress& progress) {
-    if (jobs < 1) throw InputError("jobs is 0; give at least 1");
-    Call call;
-    const auto outcome = call.without_lock([&] {
-      const campaign::Study study = study_in(recipe, out);
-      campaign::StudyOptions options;
-      options.jobs = jobs;
-      options.numbers = [](const workflow::RunOutcome& run) { return report::Summary(run).numbers(); };
-      options.progress = [&](const campaign::StudyProgress& p) { call.tell(progress, static_cast<double>(p.done + p.not_done) / static_cast<double>(std::max<std::size_t>(p.runs, 1)), "runs"); };
-      options.asked_to_stop = [&] { return call.asked_to_stop(); };
-      return campaign::run_study(study, campaign::StudyFolder(out), options);
-    });
-    py::dict d;
-    d["done"] = outcome.done;
-    d["not_done"] = outcome.not_done;
-    d["left"] = outcome.left;
-    return d;
-  }, py::arg("recipe"), py::arg("out"), py::kw_only(), py::arg("jobs") = 1, py::arg("progress") = py::none(),
-        "Runs a recipe with [sweep], each run in a process of its own; what was done before is not done again. Gives how many are done, not done, left.");
+  m.def(
+      "study_table",
+      [](const Path& recipe, const Path& out, const std::vector<std::string>& by) {
+        if (!fs::exists(out)) throw InputError(out.string(), 0, "there is no such folder; run_study makes it");
+        const campaign::Study study = campaign::read_study(recipe.string(), {}, out);
+        auto table = campaign::collect(study, campaign::StudyFolder(out));
+        if (!by.empty()) table = campaign::averaged(table, by);
+        return columns_of(table);
+      },
+      py::arg("recipe"), py::arg("out"), py::arg("by") = std::vector<std::string>{},
+      "The runs of a study as columns, by the names that `arenite study collect` gives them, without units: run, status, swept keys (numbers where they are, "
+      "in SI: \"frame.width\" in m), "
+      "then all numbers of `arenite show --json` by dotted names, \"NAME_error\" beside them; NaN where a run has none. `by`: means over runs with equal "
+      "values of these keys, and "
+      "`runs`, how many.");
+  m.def(
+      "_run_study",
+      [](const Path& recipe, const Path& out, std::size_t jobs, const Progress& progress) {
+        if (jobs < 1) throw InputError("jobs is 0; give at least 1");
+        Call call;
+        const auto outcome = call.without_lock([&] {
+          const campaign::Study study = study_in(recipe, out);
+          campaign::StudyOptions options;
+          options.jobs = jobs;
+          options.numbers = [](const workflow::RunOutcome& run) { return report::Summary(run).numbers(); };
+          options.progress = [&](const campaign::StudyProgress& p) {
+            call.tell(progress, static_cast<double>(p.done + p.not_done) / static_cast<double>(std::max<std::size_t>(p.runs, 1)), "runs");
+          };
+          options.asked_to_stop = [&] { return call.asked_to_stop(); };
+          return campaign::run_study(study, campaign::StudyFolder(out), options);
+        });
+        py::dict d;
+        d["done"] = outcome.done;
+        d["not_done"] = outcome.not_done;
+        d["left"] = outcome.left;
+        return d;
+      },
+      py::arg("recipe"), py::arg("out"), py::kw_only(), py::arg("jobs") = 1, py::arg("progress") = py::none(),
+      "Runs a recipe with [sweep], each run in a process of its own; what was done before is not done again. Gives how many are done, not done, left.");
 }
 
 }  // namespace arenite::python

@@ -21,7 +21,8 @@ std::string literal_of(const std::string& key, const py::handle& value) {
     const auto json = py::module_::import("json");
     return json.attr("dumps")(value, py::arg("default") = py::cpp_function(&as_plain)).cast<std::string>();
   } catch (const py::error_already_set&) {
-    throw InputError(fmt::format("changes: {} is of type {}; give a number, text with a unit, True or False, or a list of these", key, Py_TYPE(value.ptr())->tp_name));
+    throw InputError(
+        fmt::format("changes: {} is of type {}; give a number, text with a unit, True or False, or a list of these", key, Py_TYPE(value.ptr())->tp_name));
   }
 }
 

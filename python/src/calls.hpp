@@ -25,8 +25,7 @@ std::vector<std::string> overrides_of(const py::dict& changes);
 /// Processes that `work` forks have no thread of Python's, so nothing is told or asked there.
 class Call {
  public:
-  template <class Work>
-  auto without_lock(Work&& work) {
+  template <class Work> auto without_lock(Work&& work) {
     auto result = [&] {
       const py::gil_scoped_release release;
       return work();

@@ -64,8 +64,9 @@ std::string with_arguments(const std::string& sentence) {
 
 PYBIND11_MODULE(_core, m) {
   namespace py = pybind11;
-  m.doc() = "Micromechanics of composite and cemented granular materials. All numbers are in SI units; stresses are positive in tension, "
-            "contact forces in compression.";
+  m.doc() =
+      "Micromechanics of composite and cemented granular materials. All numbers are in SI units; stresses are positive in tension, "
+      "contact forces in compression.";
   m.attr("__version__") = arenite::version;
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {

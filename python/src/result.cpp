@@ -4,8 +4,8 @@
 #include <tuple>
 
 #include "core/version.hpp"
-#include "io/results/results.hpp"
 #include "io/disk/store_file.hpp"
+#include "io/results/results.hpp"
 #include "workflow/result_folder.hpp"
 
 namespace arenite::python {
@@ -18,8 +18,7 @@ std::string title_of(const Result& r) {
   return {};
 }
 
-template <class Parts>
-bool all_converged(const Parts& parts) {
+template <class Parts> bool all_converged(const Parts& parts) {
   return std::all_of(parts.begin(), parts.end(), [](const auto& part) { return part.converged; });
 }
 

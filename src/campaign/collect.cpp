@@ -27,7 +27,8 @@ std::optional<double> number_in(const Numbers* j) { return j && is_number(*j) ? 
 
 /// Tensors and pairs, not curves.
 bool is_short(const Numbers& list) {
-  return list.size() <= most_items && std::all_of(list.begin(), list.end(), [](const Numbers& item) { return is_number(item) || (item.is_list() && is_short(item)); });
+  return list.size() <= most_items &&
+         std::all_of(list.begin(), list.end(), [](const Numbers& item) { return is_number(item) || (item.is_list() && is_short(item)); });
 }
 
 void flatten(const Numbers& j, const std::string& name, Flat& out);
@@ -71,9 +72,7 @@ std::optional<std::string> unit_of(const std::string& text) {
     if (!parse_quantity(text).has_unit) return std::nullopt;
     const auto start = text.find_first_not_of(' ', text.find_first_not_of("+-.0123456789eE"));
     return text.substr(start);
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
+  } catch (const InputError&) { return std::nullopt; }
 }
 
 /// A column whose quantities all have one unit gets it into its head.
@@ -227,7 +226,9 @@ std::string CollectedTable::json() const {
     for (std::size_t k = 0; k < keys.size(); ++k) {
       if (row.values[k].empty()) continue;
       const recipe::Node value = recipe::parse_value(row.values[k]);
-      Numbers plain = value.kind == recipe::Node::Kind::integer ? Numbers(value.integer) : value.kind == recipe::Node::Kind::real ? Numbers(value.real) : Numbers(row.values[k]);
+      Numbers plain = value.kind == recipe::Node::Kind::integer ? Numbers(value.integer)
+                      : value.kind == recipe::Node::Kind::real  ? Numbers(value.real)
+                                                                : Numbers(row.values[k]);
       swept[keys[k].name] = keys[k].unit.empty() ? std::move(plain) : Numbers{{"value", std::move(plain)}, {"unit", keys[k].unit}};
     }
     for (std::size_t c = 0; c < names.size(); ++c) {

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "statistics/numbers.hpp"
 #include "campaign/study_folder.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::campaign {
 
@@ -22,14 +22,16 @@ std::vector<std::pair<std::string, Estimate>> flat_numbers(const Numbers& number
 /// Runs as rows: first the swept keys, then numbers. Empty cells are empty texts and numbers that a run does not have.
 struct CollectedTable {
   struct Row {
-    std::string run, status;             ///< empty in means
-    std::vector<std::string> values;     ///< by key, without the unit that the whole column has
-    std::size_t runs = 1;                ///< that the row is the mean of
+    std::string run, status;          ///< empty in means
+    std::vector<std::string> values;  ///< by key, without the unit that the whole column has
+    std::size_t runs = 1;             ///< that the row is the mean of
     std::vector<std::optional<Estimate>> numbers;
   };
-  struct Key { std::string name, unit; };  ///< unit empty where values have none, or several
+  struct Key {
+    std::string name, unit;
+  };  ///< unit empty where values have none, or several
   std::vector<Key> keys;
-  std::vector<std::string> names;        ///< of the numbers
+  std::vector<std::string> names;  ///< of the numbers
   std::vector<Row> rows;
   bool means = false;
 

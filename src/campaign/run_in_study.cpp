@@ -91,22 +91,24 @@ std::string why_unfinished(const workflow::RunOutcome& outcome) {
 RunState attempt(const Study& study, const StudyRun& run, const StudyFolder& folder, const workflow::Store& store, const StudyOptions& options) {
   recipe::Recipe recipe = recipe_of(study, run);
   recipe.integration.threads = options.threads;
-  const workflow::RunOutcome outcome = workflow::run(recipe, {.out = folder.run(run.name), .notice = options.notice, .asked_to_stop = options.asked_to_stop,
-                                                             .checkpoint_seconds = options.checkpoint_seconds, .store = &store});
+  const workflow::RunOutcome outcome = workflow::run(recipe, {.out = folder.run(run.name),
+                                                              .notice = options.notice,
+                                                              .asked_to_stop = options.asked_to_stop,
+                                                              .checkpoint_seconds = options.checkpoint_seconds,
+                                                              .store = &store});
   if (outcome.interrupted) return {};
   keep_numbers(folder.run(run.name), options.numbers(outcome));
   if (outcome.converged) return {Kind::done, 0, {}};
   return {Kind::unfinished, 0, why_unfinished(outcome)};
 }
 
-RunState attempt_whatever_happens(const Study& study, const StudyRun& run, const StudyFolder& folder, const workflow::Store& store, const StudyOptions& options) {
+RunState attempt_whatever_happens(const Study& study, const StudyRun& run, const StudyFolder& folder, const workflow::Store& store,
+                                  const StudyOptions& options) {
   try {
     return attempt(study, run, folder, store, options);
   } catch (const std::bad_alloc&) {
     return {Kind::failed, 0, "the memory does not suffice; do fewer runs at once (--jobs)"};
-  } catch (const std::exception& error) {
-    return {Kind::failed, 0, error.what()};
-  }
+  } catch (const std::exception& error) { return {Kind::failed, 0, error.what()}; }
 }
 
 }  // namespace

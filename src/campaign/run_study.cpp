@@ -86,7 +86,12 @@ struct Job {
 class Scheduler {
  public:
   Scheduler(const Study& study, const StudyFolder& folder, const StudyOptions& options)
-      : study_(study), folder_(folder), options_(options), store_(folder.store, options.notice), journal_(folder.journal(), options.notice), next_(study.runs.size(), 0) {
+      : study_(study),
+        folder_(folder),
+        options_(options),
+        store_(folder.store, options.notice),
+        journal_(folder.journal(), options.notice),
+        next_(study.runs.size(), 0) {
     workflow::make_folder(folder.out / "locks");
     if (!options.keep_fields) dropped_.emplace(study, folder, store_);
     for (const std::size_t run : shard_of(study, options.shard, options.shards)) {
@@ -169,8 +174,10 @@ class Scheduler {
       pending_.push_back(run);
       return;
     }
-    const RunState state{Kind::failed, 0, end.signal != 0 ? fmt::format("its process was ended by signal {} ({}); perhaps the memory did not suffice", end.signal, ::strsignal(end.signal))
-                                                          : fmt::format("its process ended with status {} and left no word; perhaps the disk is full", end.status)};
+    const RunState state{Kind::failed, 0,
+                         end.signal != 0
+                             ? fmt::format("its process was ended by signal {} ({}); perhaps the memory did not suffice", end.signal, ::strsignal(end.signal))
+                             : fmt::format("its process ended with status {} and left no word; perhaps the disk is full", end.status)};
     workflow::make_folder(folder_.run(study_.runs[run].name));
     write_status(folder_, study_.runs[run].name, state);
     note_state(journal_, study_.runs[run].name, state);

@@ -5,23 +5,23 @@
 #include <string>
 #include <vector>
 
-#include "workflow/run.hpp"
 #include "campaign/study_folder.hpp"
+#include "workflow/run.hpp"
 
 namespace arenite::campaign {
 
 /// Where a study, or this process's shard of it, stands.
 struct StudyProgress {
-  std::size_t runs = 0, done = 0, not_done = 0, running = 0;   ///< not_done: failed or without equilibrium
+  std::size_t runs = 0, done = 0, not_done = 0, running = 0;       ///< not_done: failed or without equilibrium
   double seconds_left = std::numeric_limits<double>::quiet_NaN();  ///< by what stages of the same name cost; nan: not known yet
 };
 
 struct StudyOptions {
-  std::size_t jobs = 1;                ///< runs at once, one process each
-  int threads = 1;                     ///< in each of them
-  std::size_t shard = 0, shards = 1;   ///< this process does one of `shards` equal parts of the runs
-  bool retry = false;                  ///< runs that failed or found no equilibrium are done again
-  bool keep_fields = true;             ///< false: field files go when their numbers are kept
+  std::size_t jobs = 1;               ///< runs at once, one process each
+  int threads = 1;                    ///< in each of them
+  std::size_t shard = 0, shards = 1;  ///< this process does one of `shards` equal parts of the runs
+  bool retry = false;                 ///< runs that failed or found no equilibrium are done again
+  bool keep_fields = true;            ///< false: field files go when their numbers are kept
   double checkpoint_seconds = 30;
   std::function<Numbers(const workflow::RunOutcome&)> numbers = [](const workflow::RunOutcome&) { return Numbers::tree(); };
   std::function<void(const StudyProgress&)> progress = [](const StudyProgress&) {};

@@ -7,11 +7,11 @@
 #include <set>
 #include <tuple>
 
+#include "campaign/sweep.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "io/disk/file.hpp"
 #include "recipe/reader.hpp"
-#include "campaign/sweep.hpp"
 
 namespace arenite::campaign {
 namespace {
@@ -59,7 +59,8 @@ Sweep take_sweep(Study& study, recipe::Reading& reading) {
   auto& entries = study.tree.entries;
   const auto at = std::find_if(entries.begin(), entries.end(), [](const recipe::Entry& entry) { return entry.key == "sweep"; });
   if (at == entries.end())
-    throw InputError(study.file, 0, fmt::format("has no section [sweep], so it is one run: `arenite run {}`; docs/studies.md tells what [sweep] may hold", study.file));
+    throw InputError(study.file, 0,
+                     fmt::format("has no section [sweep], so it is one run: `arenite run {}`; docs/studies.md tells what [sweep] may hold", study.file));
   const recipe::Node section = at->value;
   entries.erase(at);
   const recipe::Entry* seed = study.tree.find("seed");
@@ -105,9 +106,7 @@ class Expansion {
         }
         finish(std::move(replicate), recipe);
       }
-    } catch (const InputError& error) {
-      problems_.add(error, run);
-    }
+    } catch (const InputError& error) { problems_.add(error, run); }
   }
   bool enough() const { return problems_.enough(); }
   void end(std::size_t combinations) {

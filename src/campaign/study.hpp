@@ -4,29 +4,29 @@
 #include <utility>
 #include <vector>
 
-#include "recipe/recipe.hpp"
 #include "recipe/document.hpp"
+#include "recipe/recipe.hpp"
 #include "workflow/stage_keys.hpp"
 
 namespace arenite::campaign {
 
 /// One run of a study.
 struct StudyRun {
-  std::string name;                                          ///< hash of all that its results depend on, 16 digits
-  std::vector<std::pair<std::string, std::string>> values;   ///< swept keys and their values as TOML, in the order of the sweep
-  std::vector<workflow::PlannedStage> stages;                ///< packing first
-  std::string former{};                                      ///< name of the same run by version 0.1; empty where it was read from runs.tsv
+  std::string name;                                         ///< hash of all that its results depend on, 16 digits
+  std::vector<std::pair<std::string, std::string>> values;  ///< swept keys and their values as TOML, in the order of the sweep
+  std::vector<workflow::PlannedStage> stages;               ///< packing first
+  std::string former{};                                     ///< name of the same run by version 0.1; empty where it was read from runs.tsv
 };
 
 /// A recipe with [sweep] and the runs that it becomes. Runs that differ in nothing that their results depend on have one name.
 struct Study {
   std::string file, title;
-  std::vector<std::string> overrides;                        ///< as given with --set
-  std::vector<std::string> notices;                          ///< what the reader of the recipe found worth a word
-  std::vector<std::string> keys;                             ///< that are swept, in order; "seed" last where there are replicates
+  std::vector<std::string> overrides;  ///< as given with --set
+  std::vector<std::string> notices;    ///< what the reader of the recipe found worth a word
+  std::vector<std::string> keys;       ///< that are swept, in order; "seed" last where there are replicates
   std::vector<StudyRun> runs;
-  std::vector<std::pair<std::string, std::string>> inputs;   ///< files that it was read from, and their hashes
-  recipe::Node tree;                                                 ///< of the recipe without [sweep]
+  std::vector<std::pair<std::string, std::string>> inputs;  ///< files that it was read from, and their hashes
+  recipe::Node tree;                                        ///< of the recipe without [sweep]
 };
 
 /// Reads a recipe with [sweep] and all of its runs. Throws InputError with every problem of every run, each once, with its

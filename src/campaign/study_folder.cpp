@@ -40,8 +40,7 @@ std::string_view cut(std::string_view& line) {
   return cell;
 }
 
-template <class Number>
-Number number_in(std::string_view text) {
+template <class Number> Number number_in(std::string_view text) {
   Number value = 0;
   std::from_chars(text.data(), text.data() + text.size(), value);
   return value;
@@ -58,7 +57,8 @@ std::optional<RunState> state_in(std::string_view line) {
 
 std::string text_of(const RunState& state) {
   std::string reason = state.reason;
-  std::replace_if(reason.begin(), reason.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
+  std::replace_if(
+      reason.begin(), reason.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
   return fmt::format("{}\t{:.6g}\t{}", word_for(state.kind), state.seconds, reason);
 }
 
@@ -160,8 +160,8 @@ StudyRun run_in(const std::vector<std::string_view>& cells) {
   const auto values = number_in<std::size_t>(cells[2]);
   for (std::size_t v = 0; v < values; ++v) run.values.emplace_back(cells[3 + 2 * v], cells[4 + 2 * v]);
   for (std::size_t at = 3 + 2 * values; at + 2 < cells.size(); at += 3) {
-    run.stages.push_back(workflow::planned_stage(static_cast<int>(run.stages.size()) + 1, std::string(cells[at + 2]), std::string(cells[at]),
-                                       cells[at + 1] == "field"));
+    run.stages.push_back(
+        workflow::planned_stage(static_cast<int>(run.stages.size()) + 1, std::string(cells[at + 2]), std::string(cells[at]), cells[at + 1] == "field"));
   }
   return run;
 }
@@ -169,9 +169,7 @@ StudyRun run_in(const std::vector<std::string_view>& cells) {
 bool is_as_it_was(const std::string& file, std::string_view hash) {
   try {
     return content_hash(io::read_file(file)) == hash;
-  } catch (const InputError&) {
-    return false;
-  }
+  } catch (const InputError&) { return false; }
 }
 
 }  // namespace
@@ -193,7 +191,12 @@ void rename_former_runs(const fs::path& out, const Study& study) {
 void write_runs(const std::filesystem::path& file, const Study& study) {
   std::string text = fmt::format("{}\nmade\t{}\n", first_line, made_with(study));
   for (const auto& [path, hash] : study.inputs) text += fmt::format("input\t{}\t{}\n", path, hash);
-  text += fmt::format("title\t{}\n", toml_literal([&] { recipe::Node node; node.kind = recipe::Node::Kind::text; node.text = study.title; return node; }()));
+  text += fmt::format("title\t{}\n", toml_literal([&] {
+                        recipe::Node node;
+                        node.kind = recipe::Node::Kind::text;
+                        node.text = study.title;
+                        return node;
+                      }()));
   for (const auto& key : study.keys) text += fmt::format("key\t{}\n", key);
   for (const auto& run : study.runs) text += line_of(run);
   io::write_atomically(file, text + "end\n");

@@ -5,9 +5,9 @@
 #include <unordered_map>
 #include <vector>
 
+#include "campaign/study.hpp"
 #include "io/disk/store_file.hpp"
 #include "statistics/numbers.hpp"
-#include "campaign/study.hpp"
 
 namespace arenite::campaign {
 
@@ -15,8 +15,8 @@ namespace arenite::campaign {
 struct RunState {
   enum class Kind { waiting, running, done, unfinished, failed };
   Kind kind = Kind::waiting;
-  double seconds = 0;        ///< of CPU in its last attempt
-  std::string reason;        ///< one sentence: of a run without equilibrium, or that failed
+  double seconds = 0;  ///< of CPU in its last attempt
+  std::string reason;  ///< one sentence: of a run without equilibrium, or that failed
   bool settled() const { return kind == Kind::done || kind == Kind::unfinished || kind == Kind::failed; }
 };
 const char* word_for(RunState::Kind kind);

@@ -22,7 +22,8 @@ recipe::Node value_of(std::string_view cell, const std::string& unit, const std:
 
 void read_runs_table(const recipe::Node& file, recipe::Reading& reading, Sweep& sweep) {
   std::vector<Point>& points = sweep.axes.emplace_back();
-  if (file.kind != recipe::Node::Kind::text) return add_problem(reading, file.place, "sweep.table", "must be the name of a CSV table, for example \"runs.csv\"");
+  if (file.kind != recipe::Node::Kind::text)
+    return add_problem(reading, file.place, "sweep.table", "must be the name of a CSV table, for example \"runs.csv\"");
   const std::string path = (std::filesystem::path(reading.folder) / file.text).string();
   sweep.files.push_back(path);
   try {
@@ -37,9 +38,7 @@ void read_runs_table(const recipe::Node& file, recipe::Reading& reading, Sweep& 
       points.push_back(std::move(point));
     }
     if (points.empty()) add_problem(reading, file.place, "sweep.table", fmt::format("{} holds no run; add rows below its header", path));
-  } catch (const InputError& error) {
-    reading.problems.insert(reading.problems.end(), error.problems().begin(), error.problems().end());
-  }
+  } catch (const InputError& error) { reading.problems.insert(reading.problems.end(), error.problems().begin(), error.problems().end()); }
 }
 
 const auto no_table = [](const recipe::Node&) { return false; };

@@ -22,9 +22,9 @@ using Point = std::vector<Assignment>;
 struct Sweep {
   enum class Seeds { consecutive, hashed };
   std::vector<std::vector<Point>> axes;
-  std::int64_t replicates = 0;         ///< runs of each combination with seeds of their own; 0: the recipe's seed
+  std::int64_t replicates = 0;  ///< runs of each combination with seeds of their own; 0: the recipe's seed
   Seeds seeds = Seeds::consecutive;
-  std::vector<std::string> files;      ///< that it was read from, beside the recipe
+  std::vector<std::string> files;  ///< that it was read from, beside the recipe
 
   std::size_t combinations() const;
   Point combination(std::size_t index) const;

@@ -5,10 +5,10 @@
 #include <numeric>
 #include <optional>
 
+#include "campaign/sweep.hpp"
 #include "core/hash.hpp"
 #include "core/random.hpp"
 #include "core/units.hpp"
-#include "campaign/sweep.hpp"
 #include "io/table/table.hpp"
 
 namespace arenite::campaign {
@@ -35,7 +35,8 @@ Interval interval_of(const std::string& text) {
   const std::string low(io::trimmed(std::string_view(text).substr(0, dots))), high(io::trimmed(std::string_view(text).substr(dots + 2)));
   const Quantity a = parse_quantity(low), b = parse_quantity(high);
   if (!(a.dimension == b.dimension))
-    throw InputError(fmt::format("\"{}\" is {}, but \"{}\" is {}; give both ends in units of one kind", low, describe(a.dimension), high, describe(b.dimension)));
+    throw InputError(
+        fmt::format("\"{}\" is {}, but \"{}\" is {}; give both ends in units of one kind", low, describe(a.dimension), high, describe(b.dimension)));
   if (!(a.value < b.value)) throw InputError(fmt::format("\"{}\" is not below \"{}\"; begin with the smaller end", low, high));
   const auto [low_number, low_unit] = number_and_unit(low);
   const auto [high_number, high_unit] = number_and_unit(high);

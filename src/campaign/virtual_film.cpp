@@ -4,11 +4,11 @@
 #include <optional>
 
 #include "core/error.hpp"
-#include "io/results/results.hpp"
-#include "workflow/run_film.hpp"
-#include "workflow/result_folder.hpp"
-#include "workflow/shoot_film.hpp"
 #include "grains/texture/texture.hpp"
+#include "io/results/results.hpp"
+#include "workflow/result_folder.hpp"
+#include "workflow/run_film.hpp"
+#include "workflow/shoot_film.hpp"
 
 namespace arenite::campaign {
 namespace {
@@ -79,7 +79,8 @@ Numbers texture_of(const FilmResult& film) {
 }
 
 /// Shoots the film into `folder` and measures it; nothing if it was stopped.
-std::optional<FilmResult> measured_film(const recipe::FilmRecipe& camera, const fs::path& run, const fs::path& folder, const std::function<bool()>& asked_to_stop) {
+std::optional<FilmResult> measured_film(const recipe::FilmRecipe& camera, const fs::path& run, const fs::path& folder,
+                                        const std::function<bool()>& asked_to_stop) {
   const auto files = workflow::shoot_film(camera, run, {.out = folder, .progress = [&](double) { return !asked_to_stop(); }});
   if (files.empty()) return std::nullopt;
   workflow::FilmRunOptions measuring;
@@ -106,8 +107,8 @@ bool make_film(const fs::path& run, const fs::path& camera_file, const std::stri
   film->packing.grains.zone.assign(simulated.size(), 0);  // who glues grains knows which
   for (std::size_t i = 0; i < simulated.size(); ++i) film->packing.grains.zone[i] = high.grains.zone[simulated[i]];
   const auto found = workflow::agreement(film->swing.sigma_hyd, truth, std::vector<std::uint8_t>(truth.size(), 1));
-  const Numbers j{{"grains", found.grains}, {"correlation", found.correlation}, {"rms_sigma_norm", found.rms_sigma_norm}, {"slope", found.slope},
-               {"found", found_grains(*film, truth)}, {"texture", texture_of(*film)}};
+  const Numbers j{{"grains", found.grains}, {"correlation", found.correlation},    {"rms_sigma_norm", found.rms_sigma_norm},
+                  {"slope", found.slope},   {"found", found_grains(*film, truth)}, {"texture", texture_of(*film)}};
   io::write_numbers_file(run / "virtual-film.hdf5", j);
   fs::remove_all(folder);
   return true;

@@ -11,13 +11,11 @@ namespace arenite {
 
 class ByteWriter {
  public:
-  template <class T>
-  void operator()(const T& value) {
+  template <class T> void operator()(const T& value) {
     static_assert(std::is_arithmetic_v<T>);
     put(&value, sizeof(T));
   }
-  template <class T>
-  void operator()(const std::vector<T>& values) {
+  template <class T> void operator()(const std::vector<T>& values) {
     static_assert(std::is_trivially_copyable_v<T>);
     (*this)(static_cast<std::uint64_t>(values.size()));
     put(values.data(), values.size() * sizeof(T));
@@ -35,13 +33,11 @@ class ByteWriter {
 class ByteReader {
  public:
   explicit ByteReader(const std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
-  template <class T>
-  void operator()(T& value) {
+  template <class T> void operator()(T& value) {
     static_assert(std::is_arithmetic_v<T>);
     take(&value, sizeof(T));
   }
-  template <class T>
-  void operator()(std::vector<T>& values) {
+  template <class T> void operator()(std::vector<T>& values) {
     static_assert(std::is_trivially_copyable_v<T>);
     std::uint64_t size = 0;
     (*this)(size);

@@ -8,22 +8,17 @@
 namespace arenite {
 
 /// The middle of one value or more by size, of two middle ones the larger; the values are left in another order.
-template <class Iterator>
-double median_in_place(Iterator begin, Iterator end) {
+template <class Iterator> double median_in_place(Iterator begin, Iterator end) {
   const auto middle = begin + (end - begin) / 2;
   std::nth_element(begin, middle, end);
   return static_cast<double>(*middle);
 }
 
 /// The same; `none` where there is no value.
-template <class T>
-double median(std::vector<T> values, double none = 0) {
-  return values.empty() ? none : median_in_place(values.begin(), values.end());
-}
+template <class T> double median(std::vector<T> values, double none = 0) { return values.empty() ? none : median_in_place(values.begin(), values.end()); }
 
 /// Of the values that are finite; NaN where none is.
-template <class T>
-double median_of_finite(std::vector<T> values) {
+template <class T> double median_of_finite(std::vector<T> values) {
   std::erase_if(values, [](T v) { return !std::isfinite(v); });
   return median(std::move(values), std::numeric_limits<double>::quiet_NaN());
 }

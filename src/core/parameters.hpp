@@ -112,41 +112,42 @@ class ParameterVisitor {
   }
   /// The words stand in the order of the enumeration.
   template <class Enum>
-    requires std::is_enum_v<Enum>
+  requires std::is_enum_v<Enum>
   void choice(const Key& key, Enum& value, const std::vector<Word>& words) {
     int index = static_cast<int>(value);
     choice(key, index, words);
     value = static_cast<Enum>(index);
   }
   /// One member of a family of types. Each has its `word` and declares its own parameters, which exist only where it is chosen.
-  template <class... Member>
-  void member(const Key& key, std::variant<Member...>& value) {
+  template <class... Member> void member(const Key& key, std::variant<Member...>& value) {
     int index = static_cast<int>(value.index());
     choice(key, index, {Member::word...});
     std::variant<Member...> members[] = {Member{}...};
     auto& chosen = members[index];
     if (value.index() == chosen.index()) chosen = value;
     for (auto& each : members)
-      std::visit([&](auto& it) {
-        when(&each == &chosen, std::string(key.name) + " = \"" + std::string(it.word.word) + "\"", [&](ParameterVisitor& visitor) { it.declare(visitor); });
-      }, each);
+      std::visit(
+          [&](auto& it) {
+            when(&each == &chosen, std::string(key.name) + " = \"" + std::string(it.word.word) + "\"", [&](ParameterVisitor& visitor) { it.declare(visitor); });
+          },
+          each);
     value = chosen;
   }
   void section(const Key& key, const Visit& inside) {
     bool present = true;
     section(key, present, inside);
   }
-  template <class T>
-  void optional_section(const Key& key, std::optional<T>& value, const std::function<void(ParameterVisitor&, T&)>& inside) {
+  template <class T> void optional_section(const Key& key, std::optional<T>& value, const std::function<void(ParameterVisitor&, T&)>& inside) {
     T holder = value.value_or(T{});
     bool present = value.has_value();
     section(key, present, [&](ParameterVisitor& visitor) { inside(visitor, holder); });
     value = present ? std::optional<T>(std::move(holder)) : std::nullopt;
   }
-  template <class T>
-  void list(const Key& key, std::vector<T>& values, const std::function<void(ParameterVisitor&, T&)>& inside) {
-    sections(key, {[&] { return values.size(); }, [&](std::size_t n) { values.resize(n); },
-                   [&](ParameterVisitor& visitor, std::size_t i) { inside(visitor, values[i]); }, {}});
+  template <class T> void list(const Key& key, std::vector<T>& values, const std::function<void(ParameterVisitor&, T&)>& inside) {
+    sections(key, {[&] { return values.size(); },
+                   [&](std::size_t n) { values.resize(n); },
+                   [&](ParameterVisitor& visitor, std::size_t i) { inside(visitor, values[i]); },
+                   {}});
   }
 };
 

@@ -23,8 +23,7 @@ class Problems {
   }
   void add(std::string message) { add(0, std::move(message)); }
   /// Adds a problem without a line if the input is not `good`.
-  template <class... T>
-  void unless(bool good, fmt::format_string<T...> text, T&&... values) {
+  template <class... T> void unless(bool good, fmt::format_string<T...> text, T&&... values) {
     if (!good) add(fmt::format(text, std::forward<T>(values)...));
   }
   bool any() const { return count_ > 0; }

@@ -21,8 +21,7 @@ inline bool machine_has_avx512() {
 }
 
 /// One set of inner loops, compiled for several processors. Those that the compiler cannot make are null.
-template <class Kernels>
-struct KernelChoice {
+template <class Kernels> struct KernelChoice {
   const Kernels& portable;
   const Kernels* avx2;
   const Kernels* avx512;

@@ -8,7 +8,9 @@
 namespace arenite {
 
 RandomStream::RandomStream(std::uint64_t seed, Purpose purpose, std::uint64_t index)
-    : seed_(seed), index_(index), purpose_(static_cast<std::uint32_t>(purpose)) {}
+    : seed_(seed),
+      index_(index),
+      purpose_(static_cast<std::uint32_t>(purpose)) {}
 
 std::uint64_t RandomStream::bits() {
   if (has_spare_) {

@@ -8,8 +8,7 @@
 
 namespace arenite {
 
-template <class Real>
-Real bracketed_root(const std::function<Real(Real)>& f, Real a, Real fa, Real b, Real fb) {
+template <class Real> Real bracketed_root(const std::function<Real(Real)>& f, Real a, Real fa, Real b, Real fb) {
   if (fa != 0 && fb != 0 && (fa < 0) != (fb < 0)) {
     const Real left = a, right = b, f_left = fa, f_right = fb;  // where the bracket starts; a and b close with it
     const auto value = [&](Real x) {

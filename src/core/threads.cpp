@@ -34,8 +34,7 @@ struct alignas(64) Share {
 
 /// Waits in a loop for about 0.05 ms, longer than members ever wait for each other within a step, then goes to sleep: whoever is late by more has
 /// lost its processor, and may need this one.
-template <class T>
-void wait_while(const std::atomic<T>& value, T old) {
+template <class T> void wait_while(const std::atomic<T>& value, T old) {
   for (int turn = 0; turn < 2000; ++turn) {
     if (value.load(std::memory_order_acquire) != old) return;
     _mm_pause();

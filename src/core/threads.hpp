@@ -21,15 +21,13 @@ class Team {
 
   /// Calls work(begin, end) for ranges that make up 0 .. n-1, each once, and returns when all are done. Ranges begin at multiples of eight; how many
   /// there are and who does which changes from call to call, so nothing that is kept may depend on it. `work` must not throw.
-  template <class Work>
-  void for_ranges(std::size_t n, Work&& work) const {
+  template <class Work> void for_ranges(std::size_t n, Work&& work) const {
     if (members_.empty()) return work(std::size_t{0}, n);
     run([](void* what, std::size_t begin, std::size_t end) { (*static_cast<std::remove_reference_t<Work>*>(what))(begin, end); }, &work, n);
   }
 
   /// Calls work(k) for k = 0 .. n-1, each once, by whichever member: for things that take long.
-  template <class Work>
-  void for_each(std::size_t n, const Work& work) const {
+  template <class Work> void for_each(std::size_t n, const Work& work) const {
     for_ranges(8 * n, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin / 8; k < end / 8; ++k) work(k);
     });

@@ -17,14 +17,24 @@ struct NamedDimension {
   Dimension dimension;
   std::string_view name, unit;
 };
-constexpr NamedDimension named_dimensions[] = {
-    {dimension::none, "a number without unit", ""}, {dimension::length, "a length", "m"}, {dimension::mass, "a mass", "kg"},
-    {dimension::time, "a time", "s"}, {dimension::temperature, "a temperature", "K"}, {dimension::area, "an area", "m^2"},
-    {dimension::volume, "a volume", "m^3"}, {dimension::frequency, "a rate", "1/s"}, {dimension::velocity, "a velocity", "m/s"},
-    {dimension::acceleration, "an acceleration", "m/s^2"}, {dimension::density, "a density", "kg/m^3"}, {dimension::force, "a force", "N"},
-    {dimension::pressure, "a pressure", "Pa"}, {dimension::energy, "an energy", "J"}, {dimension::stiffness, "a force per length", "N/m"},
-    {dimension::damping, "a damping coefficient", "N s/m"}, {dimension::thermoelastic_factor, "a thermoelastic factor", "K/Pa"},
-    {dimension::toughness, "a fracture toughness", "Pa m^0.5"}};
+constexpr NamedDimension named_dimensions[] = {{dimension::none, "a number without unit", ""},
+                                               {dimension::length, "a length", "m"},
+                                               {dimension::mass, "a mass", "kg"},
+                                               {dimension::time, "a time", "s"},
+                                               {dimension::temperature, "a temperature", "K"},
+                                               {dimension::area, "an area", "m^2"},
+                                               {dimension::volume, "a volume", "m^3"},
+                                               {dimension::frequency, "a rate", "1/s"},
+                                               {dimension::velocity, "a velocity", "m/s"},
+                                               {dimension::acceleration, "an acceleration", "m/s^2"},
+                                               {dimension::density, "a density", "kg/m^3"},
+                                               {dimension::force, "a force", "N"},
+                                               {dimension::pressure, "a pressure", "Pa"},
+                                               {dimension::energy, "an energy", "J"},
+                                               {dimension::stiffness, "a force per length", "N/m"},
+                                               {dimension::damping, "a damping coefficient", "N s/m"},
+                                               {dimension::thermoelastic_factor, "a thermoelastic factor", "K/Pa"},
+                                               {dimension::toughness, "a fracture toughness", "Pa m^0.5"}};
 
 const NamedDimension* find_name(Dimension d) {
   const auto* named = std::find_if(std::begin(named_dimensions), std::end(named_dimensions), [&](const auto& known) { return known.dimension == d; });
@@ -39,19 +49,19 @@ struct NamedUnit {
 
 constexpr double pi = 3.141592653589793;
 constexpr NamedUnit units[] = {
-    {"m", {1, 0, dimension::length}, true}, {"g", {1, -3, dimension::mass}, true}, {"t", {1, 3, dimension::mass}, false},
-    {"s", {1, 0, dimension::time}, true}, {"min", {60, 0, dimension::time}, false}, {"h", {3600, 0, dimension::time}, false},
-    {"K", {1, 0, dimension::temperature}, true}, {"N", {1, 0, dimension::force}, true}, {"Pa", {1, 0, dimension::pressure}, true},
-    {"bar", {1, 5, dimension::pressure}, true}, {"J", {1, 0, dimension::energy}, true},
-    {"W", {1, 0, dimension::energy / dimension::time}, true}, {"Hz", {1, 0, dimension::frequency}, true},
-    {"rad", {1, 0, dimension::none}, false}, {"deg", {pi / 180, 0, dimension::none}, false}, {"%", {1, -2, dimension::none}, false},
-    {"1", {1, 0, dimension::none}, false}};
+    {"m", {1, 0, dimension::length}, true},      {"g", {1, -3, dimension::mass}, true},    {"t", {1, 3, dimension::mass}, false},
+    {"s", {1, 0, dimension::time}, true},        {"min", {60, 0, dimension::time}, false}, {"h", {3600, 0, dimension::time}, false},
+    {"K", {1, 0, dimension::temperature}, true}, {"N", {1, 0, dimension::force}, true},    {"Pa", {1, 0, dimension::pressure}, true},
+    {"bar", {1, 5, dimension::pressure}, true},  {"J", {1, 0, dimension::energy}, true},   {"W", {1, 0, dimension::energy / dimension::time}, true},
+    {"Hz", {1, 0, dimension::frequency}, true},  {"rad", {1, 0, dimension::none}, false},  {"deg", {pi / 180, 0, dimension::none}, false},
+    {"%", {1, -2, dimension::none}, false},      {"1", {1, 0, dimension::none}, false}};
 
 struct Prefix {
   std::string_view symbol;
   int decade;
 };
-constexpr Prefix prefixes[] = {{"k", 3}, {"m", -3}, {"M", 6}, {"G", 9}, {"c", -2}, {"d", -1}, {"h", 2}, {"u", -6}, {"µ", -6}, {"μ", -6}, {"n", -9}, {"p", -12}, {"T", 12}};
+constexpr Prefix prefixes[] = {{"k", 3},  {"m", -3}, {"M", 6},  {"G", 9},  {"c", -2},  {"d", -1}, {"h", 2},
+                               {"u", -6}, {"µ", -6}, {"μ", -6}, {"n", -9}, {"p", -12}, {"T", 12}};
 
 std::vector<std::string> all_symbols() {
   std::vector<std::string> symbols;

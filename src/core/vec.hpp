@@ -4,62 +4,42 @@
 namespace arenite {
 
 /// Vector of the plane or of space; SI units of whatever it holds.
-template <int D>
-struct Vec;
-template <>
-struct Vec<2> {
+template <int D> struct Vec;
+template <> struct Vec<2> {
   double x = 0, y = 0;
   bool operator==(const Vec&) const = default;
 };
-template <>
-struct Vec<3> {
-  double x = 0, y = 0, z = 0;
-};
+template <> struct Vec<3> { double x = 0, y = 0, z = 0; };
 using Vec2 = Vec<2>;
 using Vec3 = Vec<3>;
 
-template <int D>
-constexpr Vec<D> operator+(Vec<D> a, Vec<D> b) {
+template <int D> constexpr Vec<D> operator+(Vec<D> a, Vec<D> b) {
   if constexpr (D == 2) return {a.x + b.x, a.y + b.y};
   else return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
-template <int D>
-constexpr Vec<D> operator-(Vec<D> a, Vec<D> b) {
+template <int D> constexpr Vec<D> operator-(Vec<D> a, Vec<D> b) {
   if constexpr (D == 2) return {a.x - b.x, a.y - b.y};
   else return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-template <int D>
-constexpr Vec<D> operator-(Vec<D> a) {
+template <int D> constexpr Vec<D> operator-(Vec<D> a) {
   if constexpr (D == 2) return {-a.x, -a.y};
   else return {-a.x, -a.y, -a.z};
 }
-template <int D>
-constexpr Vec<D> operator*(double s, Vec<D> a) {
+template <int D> constexpr Vec<D> operator*(double s, Vec<D> a) {
   if constexpr (D == 2) return {s * a.x, s * a.y};
   else return {s * a.x, s * a.y, s * a.z};
 }
-template <int D>
-constexpr Vec<D> operator/(Vec<D> a, double s) {
+template <int D> constexpr Vec<D> operator/(Vec<D> a, double s) {
   if constexpr (D == 2) return {a.x / s, a.y / s};
   else return {a.x / s, a.y / s, a.z / s};
 }
-template <int D>
-constexpr Vec<D>& operator+=(Vec<D>& a, Vec<D> b) {
-  return a = a + b;
-}
-template <int D>
-constexpr Vec<D>& operator-=(Vec<D>& a, Vec<D> b) {
-  return a = a - b;
-}
-template <int D>
-constexpr double dot(Vec<D> a, Vec<D> b) {
+template <int D> constexpr Vec<D>& operator+=(Vec<D>& a, Vec<D> b) { return a = a + b; }
+template <int D> constexpr Vec<D>& operator-=(Vec<D>& a, Vec<D> b) { return a = a - b; }
+template <int D> constexpr double dot(Vec<D> a, Vec<D> b) {
   if constexpr (D == 2) return a.x * b.x + a.y * b.y;
   else return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-template <int D>
-double norm(Vec<D> a) {
-  return std::sqrt(dot(a, a));
-}
+template <int D> double norm(Vec<D> a) { return std::sqrt(dot(a, a)); }
 /// Out-of-plane component of the cross product.
 constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 constexpr Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }

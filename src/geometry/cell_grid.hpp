@@ -13,7 +13,10 @@ struct CellGrid {
   std::int32_t columns, rows;
 
   CellGrid(double left, double bottom, double width, double height, double size, double most = 4096)
-      : x0(left), y0(bottom), columns(along(width, size, most)), rows(along(height, size, most)) {
+      : x0(left),
+        y0(bottom),
+        columns(along(width, size, most)),
+        rows(along(height, size, most)) {
     inverse_x = columns / width;
     inverse_y = rows / height;
   }
@@ -35,7 +38,8 @@ struct SortedCells {
 
   /// `cell_of(k)` is the cell of item k.
   template <class CellOf>
-  SortedCells(const CellGrid& grid, std::size_t begin, std::size_t end, CellOf&& cell_of) : first(grid.size() + 1, 0), item(end - begin) {
+  SortedCells(const CellGrid& grid, std::size_t begin, std::size_t end, CellOf&& cell_of) : first(grid.size() + 1, 0),
+                                                                                            item(end - begin) {
     std::vector<std::int32_t> cell(end - begin);
     for (std::size_t k = begin; k < end; ++k) ++first[static_cast<std::size_t>(cell[k - begin] = cell_of(k)) + 1];
     std::partial_sum(first.begin(), first.end(), first.begin());

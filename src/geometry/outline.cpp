@@ -93,8 +93,7 @@ void cut_by_line(const Edge& edge, Vec2 p, Vec2 q, Cuts& cuts) {
   for (int k = 0; k < points.count; ++k) add_point(edge, points.at[k], cuts);
 }
 
-template <class IsCovered>
-void add_where(const Edge& edge, Cuts& cuts, IsCovered&& is_covered, std::vector<Part>& parts) {
+template <class IsCovered> void add_where(const Edge& edge, Cuts& cuts, IsCovered&& is_covered, std::vector<Part>& parts) {
   cuts.close();
   for (int k = 0; k + 1 < cuts.count; ++k) {
     const double t0 = cuts.at[k], t1 = cuts.at[k + 1];

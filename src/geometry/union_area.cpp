@@ -49,8 +49,7 @@ class Index {
   }
 
  private:
-  template <class Cell>
-  void visit(const Rectangle& box, Cell&& cell) const {
+  template <class Cell> void visit(const Rectangle& box, Cell&& cell) const {
     const auto left = grid_.column(box.x_min), right = grid_.column(box.x_max), top = grid_.row(box.y_max);
     for (auto row = grid_.row(box.y_min); row <= top; ++row)
       for (auto column = left; column <= right; ++column) cell(row * grid_.columns + column);

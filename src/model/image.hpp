@@ -8,8 +8,7 @@
 namespace arenite {
 
 /// A picture: one value a pixel, row by row from the top left, as pictures are stored.
-template <class T>
-struct Picture {
+template <class T> struct Picture {
   int width = 0, height = 0;  ///< pixels
   std::vector<T> value;       ///< index x + width row
 
@@ -20,8 +19,7 @@ using Image = Picture<std::int32_t>;  ///< grey, or of labels
 using FloatImage = Picture<float>;    ///< with fractions: a frame's mean, a map of amplitudes
 
 /// Calls visit(column, row, index) for the pixels of a picture whose centres are no farther from (x, y) than `reach` along each axis, row by row.
-template <class Visit>
-void each_pixel_near(double x, double y, double reach, int width, int height, Visit&& visit) {
+template <class Visit> void each_pixel_near(double x, double y, double reach, int width, int height, Visit&& visit) {
   const auto first = [](double v, int n) { return static_cast<int>(std::ceil(std::clamp<double>(v, 0, n))); };
   const auto last = [](double v, int n) { return static_cast<int>(std::floor(std::clamp<double>(v, -1, n - 1))); };
   for (int row = first(y - reach, height); row <= last(y + reach, height); ++row)

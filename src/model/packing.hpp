@@ -71,11 +71,11 @@ struct Boundary {
   std::vector<Vec2> points;  ///< m; a segment joins each with the next
   bool closed = false;       ///< and the last with the first
   bool present = true;
-  Vec2 velocity;             ///< m/s
-  double spin = 0;           ///< rad/s, counter-clockwise about the centre
-  Vec2 centre;               ///< m; goes with the velocity
-  Vec2 force;                ///< that the grains exert on it, N
-  double torque = 0;         ///< of the grains about the centre, N m
+  Vec2 velocity;      ///< m/s
+  double spin = 0;    ///< rad/s, counter-clockwise about the centre
+  Vec2 centre;        ///< m; goes with the velocity
+  Vec2 force;         ///< that the grains exert on it, N
+  double torque = 0;  ///< of the grains about the centre, N m
   bool operator==(const Boundary&) const = default;
 };
 
@@ -86,8 +86,8 @@ Vec2 mean_point(const std::vector<Vec2>& points);
 struct Domain {
   std::array<Wall, 4> wall;
   bool periodic_x = false, periodic_y = false;
-  double tilt = 0;       ///< x-shift of the upper image of a sheared periodic cell (Lees-Edwards), m
-  double thickness = 1;  ///< out-of-plane length L of the cylinders, m
+  double tilt = 0;                   ///< x-shift of the upper image of a sheared periodic cell (Lees-Edwards), m
+  double thickness = 1;              ///< out-of-plane length L of the cylinders, m
   std::vector<Boundary> boundaries;  ///< beside the walls
 
   double width() const { return wall[right].position - wall[left].position; }
@@ -118,7 +118,7 @@ struct Contacts {
   bool is_wall(std::size_t c) const { return j[c] < 0; }
   int wall_side(std::size_t c) const { return -1 - j[c]; }  ///< 4 and more: of a boundary
   bool is_boundary(std::size_t c) const { return j[c] < -4; }
-  int element(std::size_t c) const { return -5 - j[c]; }    ///< of the boundary that the contact joins
+  int element(std::size_t c) const { return -5 - j[c]; }  ///< of the boundary that the contact joins
   Vec2 normal(std::size_t c) const { return {nx[c], ny[c]}; }
   Vec2 force_on_i(std::size_t c) const { return {fn[c] * nx[c] - ft[c] * ny[c], fn[c] * ny[c] + ft[c] * nx[c]}; }
   /// Adds one contact; overlap and sliding velocity unknown, not glued.

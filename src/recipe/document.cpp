@@ -21,24 +21,17 @@
 namespace arenite::recipe {
 namespace {
 
-Place place_of(const toml::source_region& region) {
-  return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column), {}};
-}
+Place place_of(const toml::source_region& region) { return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column), {}}; }
 
-bool stands_before(const Place& a, const Place& b) {
-  return a.line != b.line ? a.line < b.line : a.column < b.column;
-}
+bool stands_before(const Place& a, const Place& b) { return a.line != b.line ? a.line < b.line : a.column < b.column; }
 
 Node converted(const toml::node& node);
 
 Node converted_table(const toml::table& table) {
   Node result;
   result.kind = Node::Kind::table;
-  for (const auto& [key, value] : table) {
-    result.entries.push_back({std::string(key.str()), place_of(key.source()), converted(value)});
-  }
-  std::stable_sort(result.entries.begin(), result.entries.end(),
-                   [](const Entry& a, const Entry& b) { return stands_before(a.place, b.place); });
+  for (const auto& [key, value] : table) { result.entries.push_back({std::string(key.str()), place_of(key.source()), converted(value)}); }
+  std::stable_sort(result.entries.begin(), result.entries.end(), [](const Entry& a, const Entry& b) { return stands_before(a.place, b.place); });
   return result;
 }
 
@@ -138,8 +131,7 @@ Node read_document(std::string_view text, const std::string& file_name) {
     return converted(toml::parse(text));
   } catch (const toml::parse_error& error) {
     const Place place = place_of(error.source());
-    throw InputError({Problem{file_name, place.line, place.column,
-                              fmt::format("this is not TOML; {}", reason_in(error.description()))}});
+    throw InputError({Problem{file_name, place.line, place.column, fmt::format("this is not TOML; {}", reason_in(error.description()))}});
   }
 }
 

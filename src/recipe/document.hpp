@@ -8,10 +8,10 @@ namespace arenite::recipe {
 
 /// Where something stands in the recipe, or which override it came from.
 struct Place {
-  int line = 0, column = 0;  ///< 1-based; 0 if it came from an override
-  std::string override_text; ///< "--set key=value"; empty for the file itself
-  bool wins = false;         ///< set over what the recipe says: of several forms of one value this one counts
-  std::string file = {};     ///< the base that it stands in; empty for the recipe itself
+  int line = 0, column = 0;   ///< 1-based; 0 if it came from an override
+  std::string override_text;  ///< "--set key=value"; empty for the file itself
+  bool wins = false;          ///< set over what the recipe says: of several forms of one value this one counts
+  std::string file = {};      ///< the base that it stands in; empty for the recipe itself
 };
 
 struct Entry;

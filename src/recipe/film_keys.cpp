@@ -38,7 +38,8 @@ void declare(Visitor& v, camera::Detector& detector) {
   v.number({"offset_spread", "Standard deviation of their offset over the range."}, detector.offset_spread, "%", range::between(0, 0.5));
   v.number({"bad_share", "Share of pixels that are dead, hot or noisy."}, detector.bad_share, "%", range::between(0, 0.5));
   v.number({"noise_correlation", "Of a pixel's noise in one frame with that in the next."}, detector.noise_correlation, "", range::between(0, 0.95));
-  v.number({"common_noise", "Standard deviation of what all pixels of a frame share beside their own noise."}, detector.common_noise, "mK", range::not_negative);
+  v.number({"common_noise", "Standard deviation of what all pixels of a frame share beside their own noise."}, detector.common_noise, "mK",
+           range::not_negative);
 }
 
 void declare(Visitor& v, camera::Interference& line) {
@@ -56,8 +57,7 @@ void declare(Visitor& v, camera::Surroundings& around) {
   v.number({"drift_growth", "By which this rate grows."}, around.drift_growth, "mK/s^2", range::any);
   v.number({"warm_up", "By how much the scene warms beside, exponentially."}, around.warm_up, "K", range::any);
   v.number({"warm_up_time", "After which 1/e of that is left to come."}, around.warm_up_time, "s", range::positive);
-  v.flag({"radiometry", "Planck's law, emissivities and mirrored surroundings; false: levels are linear in temperature and all is black."},
-         around.radiometry);
+  v.flag({"radiometry", "Planck's law, emissivities and mirrored surroundings; false: levels are linear in temperature and all is black."}, around.radiometry);
 }
 
 void declare(Visitor& v, camera::Timing& timing) {
@@ -97,13 +97,13 @@ namespace {
 using Visitor = ParameterVisitor;
 
 void declare(Visitor& v, FilmMaterial& material) {
-  v.number({"thermoelastic_factor", "A: temperature rise per fall of the sum of principal stresses.", true}, material.thermoelastic_factor,
-           "K/MPa", range::positive);
-  v.number({"brightness", "In the picture that grains are found in; only the order of the materials counts."}, material.brightness, "",
-           range::between(0, 1));
+  v.number({"thermoelastic_factor", "A: temperature rise per fall of the sum of principal stresses.", true}, material.thermoelastic_factor, "K/MPa",
+           range::positive);
+  v.number({"brightness", "In the picture that grains are found in; only the order of the materials counts."}, material.brightness, "", range::between(0, 1));
   v.number({"emissivity", "In the camera's band; unless given, that of [temperature]."}, material.emissivity, "", range::above(0, 1));
-  v.number({"stiffness", "Of its contacts, as in the recipe of a packing: where means leave forces open, they go the stiffer way; 0: not known, alike for all."},
-           material.stiffness, "kN/mm", range::not_negative);
+  v.number(
+      {"stiffness", "Of its contacts, as in the recipe of a packing: where means leave forces open, they go the stiffer way; 0: not known, alike for all."},
+      material.stiffness, "kN/mm", range::not_negative);
 }
 
 void declare(Visitor& v, ReadingSection& film) {
@@ -169,22 +169,24 @@ void declare(Visitor& v, LockinSection& lockin) {
            {{"least_squares", "drift and harmonics fitted to every pixel"}, {"nearest_bin", "plain Fourier transform, as in the thesis"}});
   v.integer({"drift", "Order of the polynomial that slow changes follow."}, lockin.drift, {0, 8});
   v.integer({"harmonics", "Multiples of the load frequency that are fitted."}, lockin.harmonics, {1, 4});
-  v.number({"phase", "When the load is largest: what its cycle has gone through since the first frame, 360 deg a cycle; unless given, it is found on the film."},
-           lockin.phase, "deg", range::between(-2 * std::numbers::pi, 2 * std::numbers::pi));
+  v.number(
+      {"phase", "When the load is largest: what its cycle has gone through since the first frame, 360 deg a cycle; unless given, it is found on the film."},
+      lockin.phase, "deg", range::between(-2 * std::numbers::pi, 2 * std::numbers::pi));
   v.flag({"motion", "Motion of the grains is fitted and taken out."}, lockin.motion);
-  v.number({"diffusivity", "Of heat in the grains: a notice says where heat diffuses not far less than a pixel within a cycle. The default is about that of plastics."},
+  v.number({"diffusivity",
+            "Of heat in the grains: a notice says where heat diffuses not far less than a pixel within a cycle. The default is about that of plastics."},
            lockin.diffusivity, "mm^2/s", range::positive);
 }
 
 void declare(Visitor& v, ForcesSection& forces) {
   v.choice({"from", "What contact forces are inferred from."}, forces.from,
            {{"pixels", "every pixel of the grains"}, {"means", "the grains' means alone"}, {"none", "no forces"}});
-  v.number({"central_share", "Share of a grain's area, round its centre, over which its stress is averaged."}, forces.central_share, "%",
-           range::above(0, 1));
-  v.number({"blur", "Standard deviation of the lens' blur, in pixels. Where the rims of the film show another one a notice says so, and errors hold the difference."}, forces.blur, "", range::between(0, 5));
+  v.number({"central_share", "Share of a grain's area, round its centre, over which its stress is averaged."}, forces.central_share, "%", range::above(0, 1));
+  v.number({"blur",
+            "Standard deviation of the lens' blur, in pixels. Where the rims of the film show another one a notice says so, and errors hold the difference."},
+           forces.blur, "", range::between(0, 5));
   v.number({"friction", "Coefficient of friction: bounds tangential forces of a state."}, forces.friction, "", range::not_negative);
-  v.flag({"state", "The film shows a state that starts from no load, so that the friction cone holds; otherwise the difference between two."},
-         forces.state);
+  v.flag({"state", "The film shows a state that starts from no load, so that the friction cone holds; otherwise the difference between two."}, forces.state);
 }
 
 void declare(Visitor& v, SimulationSection& twin) {
@@ -215,10 +217,10 @@ void declare(ParameterVisitor& v, FilmRecipe& recipe) {
   std::int64_t seed = static_cast<std::int64_t>(recipe.seed);
   v.integer({"seed", "Seed of a virtual camera's random numbers."}, seed, {0, std::numeric_limits<std::int64_t>::max()});
   recipe.seed = static_cast<std::uint64_t>(seed);
-  v.sections({"materials", "Materials of the grains, by name.", true},
-             {[&] { return recipe.materials.size(); }, [&](std::size_t n) { recipe.materials.resize(n); },
-              [&](Visitor& inner, std::size_t i) { declare(inner, recipe.materials[i]); },
-              [&](std::size_t i) -> std::string& { return recipe.materials[i].name; }});
+  v.sections(
+      {"materials", "Materials of the grains, by name.", true},
+      {[&] { return recipe.materials.size(); }, [&](std::size_t n) { recipe.materials.resize(n); },
+       [&](Visitor& inner, std::size_t i) { declare(inner, recipe.materials[i]); }, [&](std::size_t i) -> std::string& { return recipe.materials[i].name; }});
   v.optional_section<ReadingSection>({"film", "What the film does not say about itself, or says wrongly."}, recipe.film,
                                      [](Visitor& inner, ReadingSection& film) { declare(inner, film); });
   v.section({"container", "The box that holds the grains.", true}, [&](Visitor& inner) { declare(inner, recipe.container); });
@@ -228,7 +230,7 @@ void declare(ParameterVisitor& v, FilmRecipe& recipe) {
   v.section({"temperature", "From digital levels to kelvin."}, [&](Visitor& inner) { declare(inner, recipe.temperature); });
   v.section({"forces", "From the amplitude to stresses of grains and forces of contacts."}, [&](Visitor& inner) { declare(inner, recipe.forces); });
   v.optional_section<SimulationSection>({"simulation", "A companion simulation of the same packing, held beside the film."}, recipe.simulation,
-                                  [](Visitor& inner, SimulationSection& twin) { declare(inner, twin); });
+                                        [](Visitor& inner, SimulationSection& twin) { declare(inner, twin); });
   v.optional_section<CameraSection>({"camera", "A virtual camera that films simulated states; for `arenite camera`."}, recipe.camera,
                                     [](Visitor& inner, CameraSection& camera) { declare(inner, camera); });
   // A virtual camera films its plates itself, and its recipe need not say what only a film is measured with.

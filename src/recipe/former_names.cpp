@@ -90,8 +90,7 @@ void rename_below(Node& node, const std::string& path, std::vector<std::string>&
 }
 
 /// The parts of a dotted path, each given the name that `name` finds for it below the parts of now.
-template <class Name>
-std::string renamed_path(std::string_view path, const Name& name, std::string& section) {
+template <class Name> std::string renamed_path(std::string_view path, const Name& name, std::string& section) {
   std::string result;
   for (std::size_t begin = 0; begin <= path.size();) {
     const std::size_t end = std::min(path.find('.', begin), path.size());

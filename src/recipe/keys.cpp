@@ -14,17 +14,15 @@ using Visitor = ParameterVisitor;
 
 void declare(Visitor& v, Material& material) {
   v.number({"density", "Mass density.", true}, material.density, "kg/m^3", range::positive);
-  v.number({"stiffness", "Contact stiffness k of two grains of this material.", true}, material.stiffness, "kN/mm",
-           range::positive);
-  v.number({"thermoelastic_factor", "Temperature rise per fall of the sum of principal stresses; 0: not known."},
-           material.thermoelastic_factor, "K/MPa", range::not_negative);
+  v.number({"stiffness", "Contact stiffness k of two grains of this material.", true}, material.stiffness, "kN/mm", range::positive);
+  v.number({"thermoelastic_factor", "Temperature rise per fall of the sum of principal stresses; 0: not known."}, material.thermoelastic_factor, "K/MPa",
+           range::not_negative);
 }
 
 /// Names that stand in a column of a CSV.
 bool is_label(const std::string& name) {
-  return !name.empty() && std::none_of(name.begin(), name.end(), [](unsigned char c) {
-    return c < ' ' || c == 127 || c == ',' || c == '"' || c == '\'' || c == ';';
-  });
+  return !name.empty() &&
+         std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == 127 || c == ',' || c == '"' || c == '\'' || c == ';'; });
 }
 
 void require_known_material(Visitor& v, const Population& population, const Materials& materials) {
@@ -33,8 +31,7 @@ void require_known_material(Visitor& v, const Population& population, const Mate
   const bool known = names.empty() || std::find(names.begin(), names.end(), population.material) != names.end();
   const std::string near = nearest(population.material, names);
   v.require(known, {"material"},
-            fmt::format("there is no section [materials.{}]; {}", population.material,
-                        near.empty() ? "add it" : fmt::format("did you mean \"{}\"?", near)));
+            fmt::format("there is no section [materials.{}]; {}", population.material, near.empty() ? "add it" : fmt::format("did you mean \"{}\"?", near)));
 }
 
 }  // namespace
@@ -43,8 +40,7 @@ void declare_materials(Visitor& v, Materials& materials) {
   v.sections({"materials", "Constitutive materials of the grains, by name.", true},
              {[&] { return materials.size(); }, [&](std::size_t n) { materials.resize(n); },
               [&](Visitor& inner, std::size_t i) {
-                inner.require(is_label(materials[i].name), {},
-                              "a material's name must not be empty or hold commas, quotes or control characters");
+                inner.require(is_label(materials[i].name), {}, "a material's name must not be empty or hold commas, quotes or control characters");
                 declare(inner, materials[i]);
               },
               [&](std::size_t i) -> std::string& { return materials[i].name; }});
@@ -54,22 +50,20 @@ void declare(Visitor& v, Population& population, const Recipe& recipe) {
   v.text({"material", "Name of a section of [materials].", true}, population.material);
   require_known_material(v, population, recipe.materials);
   v.integer({"count", "Number of grains."}, population.count, {1, 100'000'000});
-  v.number({"ratio", "Share by number of packing.grains, relative to the ratios of the other populations."},
-           population.ratio, "", range::positive);
-  v.require(population.count.has_value() != population.ratio.has_value(), {"ratio", "count"},
-            "give either count or ratio");
+  v.number({"ratio", "Share by number of packing.grains, relative to the ratios of the other populations."}, population.ratio, "", range::positive);
+  v.require(population.count.has_value() != population.ratio.has_value(), {"ratio", "count"}, "give either count or ratio");
 
   auto& size = population.size;
   auto* const fixed = std::get_if<packing::FixedSize>(&size);
   std::optional<double> diameter = fixed && fixed->diameter > 0 ? std::optional(fixed->diameter) : std::nullopt;
-  v.number({"diameter", "Diameter of every grain; short for size = { law = \"fixed\", ... }."}, diameter, "mm",
-           range::positive);
+  v.number({"diameter", "Diameter of every grain; short for size = { law = \"fixed\", ... }."}, diameter, "mm", range::positive);
   if (diameter && fixed) fixed->diameter = *diameter;
   bool has_law = !fixed;
-  v.section({"size", "Size law of the grains, where they are not all equal."}, has_law,
-            [&](Visitor& inner) { inner.member({"law", "How diameters are drawn.", true}, size); });
+  v.section({"size", "Size law of the grains, where they are not all equal."}, has_law, [&](Visitor& inner) {
+    inner.member({"law", "How diameters are drawn.", true}, size);
+  });
   v.require(diameter.has_value() != has_law, {"size", "diameter"}, "give either diameter or size");
-  const double width = recipe.container.width, largest = std::visit([](const auto& law) { return law.largest(); }, size);
+  const double width = recipe.container.width, largest = std::visit([](const auto&law) { return law.largest(); }, size);
   v.require(width <= 0 || largest <= width, {"diameter", "size"},
             fmt::format("the largest grain ({}) is wider than the container ({})", format_quantity(largest, "mm"), format_quantity(width, "mm")));
 }
@@ -82,8 +76,8 @@ void declare(Visitor& v, ContainerParameters& frame, PackingParameters::Method m
   v.when(method != PackingParameters::Method::poisson, "packing.method other than \"poisson\", which makes its own box", [&](Visitor& inner) {
     inner.number({"width", "Inner width of the container, or of the periodic cell.", true}, frame.width, "mm", range::positive);
     std::optional<double> height = frame.height > 0 ? std::optional(frame.height) : std::nullopt;
-    inner.number({"height", "Inner height at the start; if not given, fillings take the one that packing.solid_fraction asks for."},
-                 height, "mm", range::positive);
+    inner.number({"height", "Inner height at the start; if not given, fillings take the one that packing.solid_fraction asks for."}, height, "mm",
+                 range::positive);
     frame.height = height.value_or(0);
   });
   v.number({"thickness", "Length of the cylinders, out of the plane.", true}, frame.thickness, "mm", range::positive);
@@ -103,8 +97,8 @@ void declare(Visitor& v, PackingParameters& packing) {
     declare_fill_area(inner, packing.area);
   });
   v.when(packing.method == Method::random, "method = \"random\"", [&](Visitor& inner) {
-    inner.number({"solid_fraction", "Area share of the grains that the random filling aims at; loading compacts it."},
-                 packing.solid_fraction, "", range::above(0, 0.9));
+    inner.number({"solid_fraction", "Area share of the grains that the random filling aims at; loading compacts it."}, packing.solid_fraction, "",
+                 range::above(0, 0.9));
   });
   v.when(packing.method == Method::file, "method = \"file\"", [&](Visitor& inner) {
     inner.file({"file", "CSV of the grains: id, x, y, radius, material.", true}, packing.file);
@@ -153,8 +147,7 @@ void require_grains(Visitor& v, const Recipe& recipe) {
 void declare(ParameterVisitor& v, Recipe& recipe) {
   v.text({"title", "One line for the head of reports."}, recipe.title);
   std::int64_t seed = static_cast<std::int64_t>(recipe.seed);
-  v.integer({"seed", "Seed of all random numbers: the same seed gives the same sample."}, seed,
-            {0, std::numeric_limits<std::int64_t>::max()});
+  v.integer({"seed", "Seed of all random numbers: the same seed gives the same sample."}, seed, {0, std::numeric_limits<std::int64_t>::max()});
   recipe.seed = static_cast<std::uint64_t>(seed);
   v.section({"packing", "How the grains are put into the container."}, [&](Visitor& inner) { declare(inner, recipe.packing); });
   v.section({"container", "The box, or periodic cell, that holds the grains.", true},
@@ -164,13 +157,11 @@ void declare(ParameterVisitor& v, Recipe& recipe) {
   v.list<Population>({"populations", "Grains of one material and one size law."}, recipe.populations,
                      [&](Visitor& inner, Population& population) { declare(inner, population, recipe); });
   require_grains(v, recipe);
-  v.section({"contact", "Forces between grains, and between grains and walls."},
-            [&](Visitor& inner) { declare(inner, recipe.contact); });
+  v.section({"contact", "Forces between grains, and between grains and walls."}, [&](Visitor& inner) { declare(inner, recipe.contact); });
   v.section({"integration", "Newton's equations in time."}, [&](Visitor& inner) { declare(inner, recipe.integration); });
   v.optional_section<Region>({"glued", "A region whose grains are glued to each other."}, recipe.glued,
                              [&](Visitor& inner, Region& region) { declare(inner, region, recipe.container); });
-  v.require(!recipe.glued || recipe.contact.adheres(), {"glued", "contact"},
-            "there is nothing to glue with; set contact.adhesion and contact.surface_energy");
+  v.require(!recipe.glued || recipe.contact.adheres(), {"glued", "contact"}, "there is nothing to glue with; set contact.adhesion and contact.surface_energy");
   declare_boundaries(v, recipe);
   v.list<Stage>({"stages", "Loading, stage after stage; each starts where the one before ended.", true}, recipe.stages,
                 [&](Visitor& inner, Stage& stage) { declare(inner, stage, recipe); });

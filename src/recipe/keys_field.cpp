@@ -59,8 +59,7 @@ void declare(Visitor& v, BidisperseSection& classes, const Materials& materials)
   v.number({"deviation", "Standard deviation of each class over its mean radius."}, law.deviation, "", range::between(0, 0.5));
   v.number({"truncation", "Radii are truncated at this many standard deviations."}, law.cut, "", range::above(0, 1.9));
   v.flag({"truncate_each_class", "Each class is truncated by itself; otherwise both to their common range."}, law.cut_each_class);
-  v.flag({"hold_radius", "A radius is kept until it is placed; otherwise drawn anew at each trial, which favours small ones."},
-         law.hold_radius);
+  v.flag({"hold_radius", "A radius is kept until it is placed; otherwise drawn anew at each trial, which favours small ones."}, law.hold_radius);
   v.number({"box_area", "Area of the square box over pi large_radius^2."}, law.box_area, "", range::between(20, 1e6));
   std::int64_t trials = law.trials;
   v.integer({"trials", "Places tried round a disk before it is given up."}, trials, {1, 10'000});
@@ -72,23 +71,25 @@ void declare(Visitor& v, BidisperseSection& classes, const Materials& materials)
   v.text({"small", "Material of the small disks, another section of [materials]."}, classes.small);
   for (const auto& [key, name] : {std::pair{"large", classes.large}, {"small", classes.small}})
     v.require(materials.empty() || has_material(materials, name), {key},
-              fmt::format("there is no section [materials.{0}]; add it, or say which material the {1} disks have with bidisperse.{1}",
-                          name, key));
+              fmt::format("there is no section [materials.{0}]; add it, or say which material the {1} disks have with bidisperse.{1}", name, key));
   v.require(classes.large != classes.small, {"small", "large"},
             fmt::format("both classes are made of \"{}\"; give each a material of its own, with the same numbers if they are alike", classes.small));
-  v.require(law.deviation * law.cut < 0.95, {"truncation", "deviation"}, "radii would be truncated at less than 5 % of their mean; lower truncation or deviation");
+  v.require(law.deviation * law.cut < 0.95, {"truncation", "deviation"},
+            "radii would be truncated at less than 5 % of their mean; lower truncation or deviation");
 }
 
 void declare(Visitor& v, CementSection& cement) {
   using Kind = cement::CementParameters::Kind;
   auto& law = cement.law;
   v.choice({"kind", "Where the matrix is."}, law.kind, words(law.kind));
-  v.number({"gap", "Widest surface gap that is bridged, and at which two grains count as neighbours; unless given, 0.075 of the "
-                   "mean large radius."}, cement.gap, "mm", range::not_negative);
+  v.number({"gap",
+            "Widest surface gap that is bridged, and at which two grains count as neighbours; unless given, 0.075 of the "
+            "mean large radius."},
+           cement.gap, "mm", range::not_negative);
   const bool is_free = law.kind == Kind::bridges || law.kind == Kind::coating || law.kind == Kind::menisci;
   v.when(is_free, "kind = \"bridges\", \"coating\" or \"menisci\"", [&](Visitor& inner) {
-    inner.number({"saturation", "S_m, the share of the space between grains that is matrix: width, thickness or volume is then found."},
-                 law.saturation, "", range::above(0, 1));
+    inner.number({"saturation", "S_m, the share of the space between grains that is matrix: width, thickness or volume is then found."}, law.saturation, "",
+                 range::above(0, 1));
   });
   const bool given = !law.saturation;
   v.when(law.kind == Kind::bridges, "kind = \"bridges\"", [&](Visitor& inner) {
@@ -107,8 +108,10 @@ void declare(Visitor& v, CementSection& cement) {
 
 void declare(Visitor& v, GridSection& raster) {
   v.integer({"nodes", "Nodes along a side of the square."}, raster.nodes, {7, 32'768});
-  v.number({"crop", "Side of the centred square that is cut out; unless given, 25.6 mean large radii of a sampled packing, otherwise "
-                    "the largest square inside the sample."}, raster.crop, "mm", range::positive);
+  v.number({"crop",
+            "Side of the centred square that is cut out; unless given, 25.6 mean large radii of a sampled packing, otherwise "
+            "the largest square inside the sample."},
+           raster.crop, "mm", range::positive);
   v.flag({"eight_connected", "Pores and voids hang together over corners, too."}, raster.cavities.eight_connected);
   std::int64_t fewest = raster.cavities.fewest_nodes;
   v.integer({"fewest_nodes", "Pores and voids of fewer nodes are specks of the grid and left out."}, fewest, {1, 1'000'000});
@@ -118,20 +121,15 @@ void declare(Visitor& v, GridSection& raster) {
 
 }  // namespace
 
-peridynamics::Stiffness StiffnessSection::resolved() const {
-  return {matrix, interface.value_or(matrix), particle.value_or(4 * matrix), calibrated};
-}
+peridynamics::Stiffness StiffnessSection::resolved() const { return {matrix, interface.value_or(matrix), particle.value_or(4 * matrix), calibrated}; }
 
-peridynamics::Toughness ToughnessSection::resolved() const {
-  return {matrix, interface.value_or(matrix), particle.value_or(3.5 * matrix)};
-}
+peridynamics::Toughness ToughnessSection::resolved() const { return {matrix, interface.value_or(matrix), particle.value_or(3.5 * matrix)}; }
 
 void declare_bidisperse(ParameterVisitor& v, Recipe& recipe) {
   const bool sampled = recipe.packing.method == PackingParameters::Method::poisson;
   v.when(sampled, "packing.method = \"poisson\"", [&](Visitor& outer) {
-    outer.optional_section<BidisperseSection>(
-        {"bidisperse", "Two size classes of disks in a square box of their own.", sampled}, recipe.bidisperse,
-        [&](Visitor& inner, BidisperseSection& classes) { declare(inner, classes, recipe.materials); });
+    outer.optional_section<BidisperseSection>({"bidisperse", "Two size classes of disks in a square box of their own.", sampled}, recipe.bidisperse,
+                                              [&](Visitor& inner, BidisperseSection& classes) { declare(inner, classes, recipe.materials); });
   });
 }
 
@@ -139,7 +137,7 @@ void declare_second_road(ParameterVisitor& v, Recipe& recipe) {
   v.optional_section<CementSection>({"cement", "Binding matrix between the grains, put there when the stages are over."}, recipe.cement,
                                     [](Visitor& inner, CementSection& cement) { declare(inner, cement); });
   v.optional_section<GridSection>({"grid", "The square of nodes that the cemented packing becomes."}, recipe.grid,
-                                    [](Visitor& inner, GridSection& raster) { declare(inner, raster); });
+                                  [](Visitor& inner, GridSection& raster) { declare(inner, raster); });
   v.list<Load>({"loads", "Loadings of the cemented sample by peridynamics, each from the unloaded state."}, recipe.loads,
                [&](Visitor& inner, Load& load) { declare(inner, load, recipe); });
 }
@@ -150,11 +148,9 @@ using Visitor = ParameterVisitor;
 
 void declare(Visitor& v, StiffnessSection& stiffness) {
   v.number({"matrix", "Young's modulus of bonds between two nodes of matrix."}, stiffness.matrix, "GPa", range::positive);
-  v.number({"interface", "That of bonds between two grains, or grain and matrix; unless given, the matrix's."}, stiffness.interface, "GPa",
-           range::positive);
+  v.number({"interface", "That of bonds between two grains, or grain and matrix; unless given, the matrix's."}, stiffness.interface, "GPa", range::positive);
   v.number({"particle", "That of bonds inside a grain; unless given, four times the matrix's."}, stiffness.particle, "GPa", range::positive);
-  v.flag({"calibrated", "The lattice's modulus along its axes is the one asked for; false: the continuum's formula, 6 % stiffer."},
-         stiffness.calibrated);
+  v.flag({"calibrated", "The lattice's modulus along its axes is the one asked for; false: the continuum's formula, 6 % stiffer."}, stiffness.calibrated);
 }
 
 void declare(Visitor& v, ToughnessSection& toughness) {
@@ -169,14 +165,12 @@ void declare(Visitor& v, stress::StressOptions& statistics) {
   statistics.clamp_rows = static_cast<int>(rows);
   v.flag({"leave_out_surface", "Leave out nodes with a neighbour of another phase or grain."}, statistics.leave_out_surface);
   v.flag({"leave_out_unloaded", "Leave out nodes without any stress: parts that nothing ties to both edges."}, statistics.leave_out_unloaded);
-  v.flag({"mean_over_area", "The sample's mean counts the void as zero stress; otherwise it is that of particles and matrix."},
-         statistics.mean_over_area);
+  v.flag({"mean_over_area", "The sample's mean counts the void as zero stress; otherwise it is that of particles and matrix."}, statistics.mean_over_area);
 }
 
 void require_own_name(Visitor& v, const Load& load, const Recipe& recipe) {
   v.require(is_plain_name(load.name), {"name"}, "must be made of letters, digits, _ and -");
-  const auto same_load = std::count_if(recipe.loads.begin(), recipe.loads.end(),
-                                       [&](const Load& other) { return &other != &load && other.name == load.name; });
+  const auto same_load = std::count_if(recipe.loads.begin(), recipe.loads.end(), [&](const Load& other) { return &other != &load && other.name == load.name; });
   const auto same_stage = std::count_if(recipe.stages.begin(), recipe.stages.end(), [&](const Stage& s) { return s.name == load.name; });
   v.require(same_load + same_stage == 0, {"name"}, fmt::format("another stage or load is called \"{}\"; names must differ", load.name));
 }
@@ -192,7 +186,10 @@ void declare(ParameterVisitor& v, Load& load, const Recipe& recipe) {
   v.choice({"lower", "What holds the bottom row."}, load.lower, words(load.lower));
   v.require(load.loading != Loading::shear || load.lower == peridynamics::LowerEdge::fixed, {"lower", "loading"},
             "a lower edge that slides carries no shear; fix it, or choose tension or compression");
-  v.flag({"failure", "Load until it breaks: bonds break at the critical stretch of their type, load by load. In compression a sample splits and goes on carrying; max_strain ends it."}, load.failure);
+  v.flag({"failure",
+          "Load until it breaks: bonds break at the critical stretch of their type, load by load. In compression a sample splits and goes on carrying; "
+          "max_strain ends it."},
+         load.failure);
   v.when(!load.failure, "failure = false", [&](Visitor& inner) {
     inner.number({"strain", "Displacement of the top row over the height."}, load.strain, "", range::above(0, 0.5));
     inner.choice({"method", "Way to the field at equilibrium."}, load.method, words(load.method));
@@ -201,13 +198,12 @@ void declare(ParameterVisitor& v, Load& load, const Recipe& recipe) {
     inner.integer({"max_iterations", "Iterations after which a solve gives up; 0: 50, or a million steps of dynamics."}, load.max_iterations,
                   {0, 1'000'000'000});
   });
-  v.number({"tolerance", "Residual, relative to that of uniform strain, at which a field is at equilibrium."}, load.tolerance, "",
-           range::between(1e-12, 0.1));
+  v.number({"tolerance", "Residual, relative to that of uniform strain, at which a field is at equilibrium."}, load.tolerance, "", range::between(1e-12, 0.1));
   v.when(load.failure, "failure = true", [&](Visitor& inner) {
     inner.number({"max_strain", "The test ends at this strain,"}, load.max_strain, "", range::above(0, 1));
     inner.number({"end_stress", "or when the stress has fallen to this share of the largest."}, load.end_stress, "", range::above(0, 1));
-    inner.number({"band", "Bonds within this share of the one furthest beyond its critical stretch break in one round: larger is faster and coarser."}, load.band, "",
-                 range::between(0, 1));
+    inner.number({"band", "Bonds within this share of the one furthest beyond its critical stretch break in one round: larger is faster and coarser."},
+                 load.band, "", range::between(0, 1));
     inner.section({"toughness", "At which stretch bonds break."}, [&](Visitor& section) { declare(section, load.toughness); });
   });
   v.section({"stiffness", "Young's moduli of the bonds by type."}, [&](Visitor& inner) { declare(inner, load.stiffness); });

@@ -12,37 +12,30 @@ namespace arenite::recipe {
 void declare(ParameterVisitor& v, dem::ContactParameters& contact) {
   v.member({"normal", "Normal force at an overlap h."}, contact.normal);
   v.choice({"stiffness_rule", "Stiffness of a contact of two materials."}, contact.stiffness_rule,
-           {{"thesis", "k for like grains, k_i k_j/(k_i + k_j) for unlike ones"},
-            {"series", "two springs in series, of 2 k_i and 2 k_j"}});
+           {{"thesis", "k for like grains, k_i k_j/(k_i + k_j) for unlike ones"}, {"series", "two springs in series, of 2 k_i and 2 k_j"}});
   v.choice({"wall_stiffness", "Stiffness of a contact with a wall."}, contact.wall_stiffness,
            {{"stiffest", "that of the stiffest material"}, {"grain", "that of the grain"}, {"series", "by the series rule"}});
-  v.number({"restitution", "Ratio of speeds after and before a head-on collision; sets the damping of each pair."},
-           contact.restitution, "", range::above(0, 1));
-  v.number({"normal_damping", "Damping coefficient alpha_n of every pair, instead of the one that restitution asks for."},
-           contact.normal_damping, "N s/m", range::not_negative);
-  v.flag({"attractive_dashpot", "Damping may pull at separation; false: contacts without adhesion never pull."},
-         contact.attractive_dashpot);
+  v.number({"restitution", "Ratio of speeds after and before a head-on collision; sets the damping of each pair."}, contact.restitution, "",
+           range::above(0, 1));
+  v.number({"normal_damping", "Damping coefficient alpha_n of every pair, instead of the one that restitution asks for."}, contact.normal_damping, "N s/m",
+           range::not_negative);
+  v.flag({"attractive_dashpot", "Damping may pull at separation; false: contacts without adhesion never pull."}, contact.attractive_dashpot);
   v.member({"friction_law", "Tangential force."}, contact.friction_law);
   v.number({"friction", "Coefficient mu between grains."}, contact.friction, "", range::not_negative);
-  v.number({"wall_friction", "Coefficient mu at the walls; unless given, that of the grains."}, contact.wall_friction, "",
+  v.number({"wall_friction", "Coefficient mu at the walls; unless given, that of the grains."}, contact.wall_friction, "", range::not_negative);
+  v.number({"sliding_viscosity", "gamma_s of the regularised law; unless given, the normal damping of the pair."}, contact.sliding_viscosity, "N s/m",
            range::not_negative);
-  v.number({"sliding_viscosity", "gamma_s of the regularised law; unless given, the normal damping of the pair."},
-           contact.sliding_viscosity, "N s/m", range::not_negative);
-  v.number({"tangential_stiffness_ratio", "k_t/k_n of the Cundall-Strack spring."}, contact.tangential_stiffness_ratio, "",
-           range::positive);
+  v.number({"tangential_stiffness_ratio", "k_t/k_n of the Cundall-Strack spring."}, contact.tangential_stiffness_ratio, "", range::positive);
   v.member({"rolling", "Moment between two grains that turn against each other."}, contact.rolling);
-  v.choice({"arms", "Lever arms of contact forces."}, contact.arms,
-           {{"contact_point", "to the middle of the overlap"}, {"full_radius", "the radii"}});
+  v.choice({"arms", "Lever arms of contact forces."}, contact.arms, {{"contact_point", "to the middle of the overlap"}, {"full_radius", "the radii"}});
   v.member({"adhesion", "Adhesion between glued grains."}, contact.adhesion);
   v.number({"surface_energy", "gamma of the adhesion."}, contact.surface_energy, "kN/mm", range::not_negative);
-  v.require(!contact.adheres() || contact.surface_energy > 0, {"surface_energy", "adhesion"},
-            "must be above 0 kN/mm where adhesion acts");
+  v.require(!contact.adheres() || contact.surface_energy > 0, {"surface_energy", "adhesion"}, "must be above 0 kN/mm where adhesion acts");
   v.choice({"effective_radius", "r_eff of the adhesion."}, contact.effective_radius,
            {{"four_reduced", "4 r_i r_j/(r_i + r_j)"}, {"sum", "r_i + r_j"}, {"geometric_mean", "2 sqrt(r_i r_j)"}});
   v.choice({"friction_cap", "Coulomb's cap where adhesion pulls."}, contact.friction_cap,
            {{"raised_by_adhesion", "mu (F_n + |F_c|)"}, {"as_printed", "mu (F_n - |F_c|)"}});
-  v.pairs({"glued_pairs", "Pairs of grains (indices from 0) that are glued, instead of all pairs in the glued region."},
-          contact.glued_pairs);
+  v.pairs({"glued_pairs", "Pairs of grains (indices from 0) that are glued, instead of all pairs in the glued region."}, contact.glued_pairs);
 }
 
 void declare(ParameterVisitor& v, dem::IntegrationParameters& integration) {
@@ -50,18 +43,16 @@ void declare(ParameterVisitor& v, dem::IntegrationParameters& integration) {
            {{"velocity_verlet", "second order, the sturdiest"},
             {"leapfrog", "second order, velocities half a step off"},
             {"gear5", "Gear's fifth-order predictor and corrector; needs small steps where damping is strong"}});
-  v.number({"time_step", "Time step; one beyond the stable step is refused. Unless given, safety sets it, and masses of a stage that do not allow it shorten it."},
-           integration.time_step, "s", range::positive);
-  v.number({"safety", "Time step as a share of the shortest contact time, pi sqrt(m_eff/k)."}, integration.safety, "",
-           range::above(0, 1));
+  v.number(
+      {"time_step", "Time step; one beyond the stable step is refused. Unless given, safety sets it, and masses of a stage that do not allow it shorten it."},
+      integration.time_step, "s", range::positive);
+  v.number({"safety", "Time step as a share of the shortest contact time, pi sqrt(m_eff/k)."}, integration.safety, "", range::above(0, 1));
   v.flag({"rotations", "Grains turn; false: they only move."}, integration.rotations);
   v.flag({"track_energy", "Account for dissipation and work at every step (slower)."}, integration.track_energy);
   // A name from elsewhere (--kernel) comes here without having been read, so it may be none of these.
   static const std::vector<std::string> kernels{"auto", "portable", "avx2", "avx512"};
   const auto found = std::find(kernels.begin(), kernels.end(), integration.kernel);
-  if (found == kernels.end()) {
-    throw InputError(fmt::format("there is no kernel \"{}\"; take one of: {}", integration.kernel, fmt::join(kernels, ", ")));
-  }
+  if (found == kernels.end()) { throw InputError(fmt::format("there is no kernel \"{}\"; take one of: {}", integration.kernel, fmt::join(kernels, ", "))); }
   int kernel = static_cast<int>(found - kernels.begin());
   v.choice({"kernel", "Machine code of the contact loop."}, kernel,
            {{"auto", "the fastest of this processor"},
@@ -78,14 +69,17 @@ using Visitor = ParameterVisitor;
 void declare(Visitor& v, EquilibriumCriterion& rest) {
   v.number({"unbalanced", "Unbalanced force ratio below this."}, rest.unbalanced, "", range::positive);
   v.number({"kinetic", "Kinetic over elastic energy below this."}, rest.kinetic, "", range::positive);
-  v.number({"falling", "Share of grains that still fall, weighing and with fewer than two pressed contacts, not above this."}, rest.falling, "", range::not_negative);
-  v.number({"loose_kinetic", "Kinetic energy of the grains that carry nothing (fewer than two pressed contacts) over elastic energy below this; a hundred thousand times `kinetic` unless given, since nothing but rare hits slows them where they do not weigh."}, rest.loose_kinetic, "", range::positive);
+  v.number({"falling", "Share of grains that still fall, weighing and with fewer than two pressed contacts, not above this."}, rest.falling, "",
+           range::not_negative);
+  v.number({"loose_kinetic",
+            "Kinetic energy of the grains that carry nothing (fewer than two pressed contacts) over elastic energy below this; a hundred thousand times "
+            "`kinetic` unless given, since nothing but rare hits slows them where they do not weigh."},
+           rest.loose_kinetic, "", range::positive);
   std::optional<double> mobilisation = rest.mobilisation >= 0 ? std::optional(rest.mobilisation) : std::nullopt;
-  v.number({"mobilisation", "Mean |F_t|/F_n below this as well, if given: tells creep from equilibrium where friction is viscous."},
-           mobilisation, "", range::not_negative);
+  v.number({"mobilisation", "Mean |F_t|/F_n below this as well, if given: tells creep from equilibrium where friction is viscous."}, mobilisation, "",
+           range::not_negative);
   rest.mobilisation = mobilisation.value_or(-1);
-  v.integer({"max_steps", "Steps of one increment, after which the run stops with exit status 3."}, rest.max_steps,
-            {1, 1'000'000'000'000});
+  v.integer({"max_steps", "Steps of one increment, after which the run stops with exit status 3."}, rest.max_steps, {1, 1'000'000'000'000});
 }
 
 void declare(Visitor& v, Cycles& cycles) {
@@ -123,8 +117,7 @@ void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParamet
   using Kind = SideDrive::Kind;
   require_one_pressing_edge(v, stage, left, frame.periodic_x);
   require_one_pressing_edge(v, stage, bottom, frame.periodic_y);
-  v.require(!stage.gravity || !frame.periodic_y, {"gravity"},
-            "grains would fall for ever through periodic sides; set container.periodic_y = false");
+  v.require(!stage.gravity || !frame.periodic_y, {"gravity"}, "grains would fall for ever through periodic sides; set container.periodic_y = false");
   const bool moves = std::any_of(stage.side.begin(), stage.side.end(), [](const SideDrive& drive) { return drive.kind == Kind::velocity; }) ||
                      std::any_of(stage.slide.begin(), stage.slide.end(), [](double speed) { return speed != 0; }) || stage.shear_rate != 0 ||
                      std::any_of(stage.boundaries.begin(), stage.boundaries.end(), [](const auto& b) { return b.velocity != Vec2{} || b.spin != 0; });
@@ -152,50 +145,57 @@ bool is_plain_name(const std::string& name) {
 void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.text({"name", "Name of the stage, used for its file: letters, digits, _ and -.", true}, stage.name);
   v.require(is_plain_name(stage.name), {"name"}, "must be made of letters, digits, _ and -");
-  const auto same = std::count_if(recipe.stages.begin(), recipe.stages.end(),
-                                  [&](const Stage& other) { return &other != &stage && other.name == stage.name; });
+  const auto same = std::count_if(recipe.stages.begin(), recipe.stages.end(), [&](const Stage& other) { return &other != &stage && other.name == stage.name; });
   v.require(same == 0, {"name"}, fmt::format("another stage is called \"{}\"; names must differ", stage.name));
   v.flag({"gravity", "Grains weigh."}, stage.gravity);
   v.when(stage.gravity, "gravity = true", [&](Visitor& inner) {
     inner.number({"gravity_size", "Acceleration of gravity."}, stage.gravity_size, "m/s^2", range::not_negative);
     inner.number({"gravity_angle", "By which it is turned from straight down, counter-clockwise."}, stage.gravity_angle, "deg", range::any);
   });
-  declare_sides(v, {"slide", "Walls that move along themselves, left and right upwards, bottom and top to the right."},
-                [&](Visitor& inner, std::size_t side) { inner.number({side_names[side], "Speed along itself."}, stage.slide[side], "mm/s", range::any); });
+  declare_sides(v, {"slide", "Walls that move along themselves, left and right upwards, bottom and top to the right."}, [&](Visitor& inner, std::size_t side) {
+    inner.number({side_names[side], "Speed along itself."}, stage.slide[side], "mm/s", range::any);
+  });
   declare_sides(v, {"rough", "Walls that carry grains: those nearer than half their radius as the stage begins go with the wall."},
-                [&](Visitor& inner, std::size_t side) { inner.flag({side_names[side], "This wall is rough."}, stage.rough[side]); });
+                [&](Visitor& inner, std::size_t side) {
+                  inner.flag({side_names[side], "This wall is rough."}, stage.rough[side]);
+                });
   v.number({"shear_rate", "Rate du_x/dy at which a cell that is periodic in x and y is sheared (Lees and Edwards); its top and bottom may press besides."},
            stage.shear_rate, "1/s", range::any);
   for (std::size_t side = 0; side < 4; ++side) {
     auto& drive = stage.side[side];
     int form = static_cast<int>(drive.kind);
-    v.tagged({side_names[side], "What this side does."}, form, drive.value,
-             {{"fixed", "", "stays where it is", range::any},
-              {"velocity", "mm/s", "moves inward at this speed", range::any},
-              {"force", "kN", "presses on the sample, reached in the stage's increments; of two periodic edges one presses and one is fixed", range::not_negative},
-              {"pressure", "kPa", "presses on the sample, acting in full at once; of two periodic edges one presses and one is fixed", range::not_negative}});
+    v.tagged(
+        {side_names[side], "What this side does."}, form, drive.value,
+        {{"fixed", "", "stays where it is", range::any},
+         {"velocity", "mm/s", "moves inward at this speed", range::any},
+         {"force", "kN", "presses on the sample, reached in the stage's increments; of two periodic edges one presses and one is fixed", range::not_negative},
+         {"pressure", "kPa", "presses on the sample, acting in full at once; of two periodic edges one presses and one is fixed", range::not_negative}});
     drive.kind = static_cast<SideDrive::Kind>(form);
   }
   declare_openings(v, stage, recipe);
   v.integer({"increments", "Equal steps in which forces are reached, each ending in equilibrium."}, stage.increments, {1, 1'000'000});
-  v.number({"duration", "Time after which the stage ends, whether in equilibrium or not; needed where a side moves."},
-           stage.duration, "s", range::positive);
-  v.integer({"snapshots", "States stored during a stage with a duration; other stages store one an increment."}, stage.snapshots,
-            {1, 1'000'000});
-  v.number({"friction", "Coefficient mu during this stage only, for example 0 to densify."}, stage.friction, "",
-           range::not_negative);
+  v.number({"duration", "Time after which the stage ends, whether in equilibrium or not; needed where a side moves."}, stage.duration, "s", range::positive);
+  v.integer({"snapshots", "States stored during a stage with a duration; other stages store one an increment."}, stage.snapshots, {1, 1'000'000});
+  v.number({"friction", "Coefficient mu during this stage only, for example 0 to densify."}, stage.friction, "", range::not_negative);
   v.number({"drag", "Viscous drag during this stage, as a rate: the force on a grain is -drag m v."}, stage.drag, "1/s", range::not_negative);
-  v.number({"critical_drag", "More drag, as a share of the rate that damps the slowest wave of a crystal of this size critically. About 0.2 brings a jammed packing of any size to equilibrium soonest; it hinders rearrangement, so compact without it first."},
+  v.number({"critical_drag",
+            "More drag, as a share of the rate that damps the slowest wave of a crystal of this size critically. About 0.2 brings a jammed packing of any size "
+            "to equilibrium soonest; it hinders rearrangement, so compact without it first."},
            stage.critical_drag, "", range::not_negative);
-  v.choice({"mass_scaling", "MassScaling that the grains move with in this stage. Without friction equilibria do not depend on them; with it they keep a trace of the way there."}, stage.mass_scaling,
-           {{"none", "their own"},
-            {"uniform", "such that k/m of all grains is that of the fastest: a sample of unlike sizes compacts in far fewer steps; not with gravity"}});
-  v.require(!stage.gravity || stage.mass_scaling == dem::MassScaling::none, {"mass_scaling", "gravity"}, "grains weigh by their own masses; leave gravity or mass_scaling out");
-  v.number({"inertial_number", "How fast the sample yields to a side under force or pressure, as a share of sqrt(force times width over mass): larger compacts faster and overshoots more; 1 suits a compaction at P/k of 1e-3 or less."},
+  v.choice(
+      {"mass_scaling",
+       "MassScaling that the grains move with in this stage. Without friction equilibria do not depend on them; with it they keep a trace of the way there."},
+      stage.mass_scaling,
+      {{"none", "their own"},
+       {"uniform", "such that k/m of all grains is that of the fastest: a sample of unlike sizes compacts in far fewer steps; not with gravity"}});
+  v.require(!stage.gravity || stage.mass_scaling == dem::MassScaling::none, {"mass_scaling", "gravity"},
+            "grains weigh by their own masses; leave gravity or mass_scaling out");
+  v.number({"inertial_number",
+            "How fast the sample yields to a side under force or pressure, as a share of sqrt(force times width over mass): larger compacts faster and "
+            "overshoots more; 1 suits a compaction at P/k of 1e-3 or less."},
            stage.inertial_number, "", range::positive);
   v.flag({"glue", "Adhesion acts from this stage on."}, stage.glue);
-  v.require(!stage.glue || recipe.contact.adheres(), {"glue"},
-            "there is nothing to glue with; set contact.adhesion and contact.surface_energy");
+  v.require(!stage.glue || recipe.contact.adheres(), {"glue"}, "there is nothing to glue with; set contact.adhesion and contact.surface_energy");
   v.optional_section<Cycles>({"cycles", "Force cycles on one side after the ramp."}, stage.cycles,
                              [](Visitor& inner, Cycles& cycles) { declare(inner, cycles); });
   v.section({"equilibrium", "When an increment counts as done."}, [&](Visitor& inner) { declare(inner, stage.equilibrium); });

@@ -104,9 +104,7 @@ void apply_override(Node& root, const std::string& assignment) {
     Node value = parse_value(assignment.substr(equals + 1));
     value.place = {0, 0, "--set " + assignment};
     set_value(root, assignment.substr(0, equals), std::move(value));
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("--set {}: {}", assignment, error.what()));
-  }
+  } catch (const InputError& error) { throw InputError(fmt::format("--set {}: {}", assignment, error.what())); }
 }
 
 namespace {
@@ -146,7 +144,8 @@ std::string refusal(const Entry& base, const fs::path& path, const Reading& read
   if (base.value.kind != Node::Kind::text || base.value.text.empty()) return "must be the name of another recipe, for example \"../paper/recipe.toml\"";
   if (!reading.look_for_files) return "a recipe that does not come from a file can have no base; write out what it takes from there";
   if (!fs::is_regular_file(path)) return fmt::format("there is no file {}; a base is looked for beside the recipe that names it", path.string());
-  const bool again = is_same(path, reading.file_name) || std::any_of(reading.bases.begin(), reading.bases.end(), [&](const std::string& file) { return is_same(path, file); });
+  const bool again =
+      is_same(path, reading.file_name) || std::any_of(reading.bases.begin(), reading.bases.end(), [&](const std::string& file) { return is_same(path, file); });
   return again ? fmt::format("{} leads back to itself; a recipe cannot be its own base", path.string()) : "";
 }
 

@@ -62,12 +62,9 @@ const char* kind_name(const Node& node) {
 
 std::string list_of(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
 
-RecipeReader::RecipeReader(const Node& table, std::string path, Reading& reading)
-    : table_(table), path_(std::move(path)), reading_(reading) {}
+RecipeReader::RecipeReader(const Node& table, std::string path, Reading& reading) : table_(table), path_(std::move(path)), reading_(reading) {}
 
-std::string RecipeReader::path_of(std::string_view name) const {
-  return path_.empty() ? std::string(name) : fmt::format("{}.{}", path_, name);
-}
+std::string RecipeReader::path_of(std::string_view name) const { return path_.empty() ? std::string(name) : fmt::format("{}.{}", path_, name); }
 
 void RecipeReader::problem(const Place& place, const std::string& path, const std::string& message) {
   reading_.problems.push_back({file_of(place, reading_), place.line, place.column, path.empty() ? message : fmt::format("{}: {}", path, message)});
@@ -177,8 +174,7 @@ void RecipeReader::refuse_unknown_keys() {
     }
     const std::string near = nearest(entry.key, names);
     problem(entry.place, path_of(entry.key),
-            near.empty() ? fmt::format("unknown key; the keys here are: {}", list_of(names))
-                         : fmt::format("unknown key; did you mean {}?", near));
+            near.empty() ? fmt::format("unknown key; the keys here are: {}", list_of(names)) : fmt::format("unknown key; did you mean {}?", near));
   }
 }
 
@@ -202,9 +198,7 @@ Node read_tree(std::string_view text, Reading& reading, const std::vector<std::s
   for (const auto& assignment : overrides) {
     try {
       apply_override(root, assignment);
-    } catch (const InputError& error) {
-      reading.problems.insert(reading.problems.end(), error.problems().begin(), error.problems().end());
-    }
+    } catch (const InputError& error) { reading.problems.insert(reading.problems.end(), error.problems().begin(), error.problems().end()); }
   }
   return root;
 }
@@ -214,9 +208,8 @@ void read_declared(const Node& root, Reading& reading, const Visit& declare) {
   declare(reader);
   reader.refuse_unknown_keys();
   if (reading.problems.empty()) return;
-  std::stable_sort(reading.problems.begin(), reading.problems.end(), [](const Problem& a, const Problem& b) {
-    return a.line != b.line ? a.line < b.line : a.column < b.column;
-  });
+  std::stable_sort(reading.problems.begin(), reading.problems.end(),
+                   [](const Problem& a, const Problem& b) { return a.line != b.line ? a.line < b.line : a.column < b.column; });
   throw InputError(std::move(reading.problems));
 }
 

@@ -19,10 +19,10 @@ std::string list_of(const std::vector<std::string>& words);
 /// What all readers of one recipe share.
 struct Reading {
   std::string file_name;
-  std::string folder;               ///< where files that the recipe names are looked for
+  std::string folder;  ///< where files that the recipe names are looked for
   bool look_for_files = false;
   std::vector<Problem> problems;
-  std::vector<std::string> bases = {};  ///< files that the recipe is laid over
+  std::vector<std::string> bases = {};    ///< files that the recipe is laid over
   std::vector<std::string> notices = {};  ///< what the user should see, though nothing is wrong
 };
 

@@ -12,9 +12,7 @@ namespace arenite::recipe {
 namespace {
 
 bool is_number(const Node& node) { return node.kind == Node::Kind::integer || node.kind == Node::Kind::real; }
-double number_in(const Node& node) {
-  return node.kind == Node::Kind::integer ? static_cast<double>(node.integer) : node.real;
-}
+double number_in(const Node& node) { return node.kind == Node::Kind::integer ? static_cast<double>(node.integer) : node.real; }
 
 std::string as_written(const Node& node) {
   if (node.kind == Node::Kind::text) return "\"" + node.text + "\"";
@@ -47,8 +45,7 @@ std::string tag_of_quantity(const std::string& text, const std::vector<Form>& fo
 
 }  // namespace
 
-std::optional<double> RecipeReader::read_number(const Node& node, const std::string& path, std::string_view unit,
-                                                const Range& range) {
+std::optional<double> RecipeReader::read_number(const Node& node, const std::string& path, std::string_view unit, const Range& range) {
   const Dimension wanted = unit.empty() ? dimension::none : parse_unit(unit).dimension;
   double value = 0;
   if (node.kind == Node::Kind::text) {
@@ -69,12 +66,12 @@ std::optional<double> RecipeReader::read_number(const Node& node, const std::str
     problem(node.place, path, fmt::format("{} is beyond the range of numbers; write 0 or a magnitude from 1e-60 to 1e60", as_written(node)));
     return std::nullopt;
   } else if (unit == "deg") {
-    problem(node.place, path, fmt::format("{} has no unit; write an angle with its unit, for example \"90 deg\" (of a part of a cycle 360 times as much: \"{:.6g} deg\")",
-                                          as_written(node), 360 * value));
+    problem(node.place, path,
+            fmt::format("{} has no unit; write an angle with its unit, for example \"90 deg\" (of a part of a cycle 360 times as much: \"{:.6g} deg\")",
+                        as_written(node), 360 * value));
     return std::nullopt;
   } else if (wanted != dimension::none) {
-    problem(node.place, path, fmt::format("{0} has no unit; write it with its unit, for example \"{0} {1}\"",
-                                          as_written(node), unit));
+    problem(node.place, path, fmt::format("{0} has no unit; write it with its unit, for example \"{0} {1}\"", as_written(node), unit));
     return std::nullopt;
   }
   if (range.contains(value)) return value;
@@ -95,22 +92,19 @@ void RecipeReader::integer(const Key& key, std::optional<std::int64_t>& value, c
   if (!node) return;
   const bool is_whole = node->kind == Node::Kind::real && std::floor(node->real) == node->real && std::abs(node->real) < 1e15;
   if (node->kind != Node::Kind::integer && !is_whole) {
-    return refuse(key, *node, is_number(*node) ? fmt::format("{} is not a whole number", as_written(*node))
-                                                 : fmt::format("is {}, but must be a whole number", kind_name(*node)));
+    return refuse(
+        key, *node,
+        is_number(*node) ? fmt::format("{} is not a whole number", as_written(*node)) : fmt::format("is {}, but must be a whole number", kind_name(*node)));
   }
   const std::int64_t read = is_whole ? static_cast<std::int64_t>(node->real) : node->integer;
-  if (read < range.min || read > range.max) {
-    return refuse(key, *node, fmt::format("{} is out of range; it must be {}", read, to_string(range)));
-  }
+  if (read < range.min || read > range.max) { return refuse(key, *node, fmt::format("{} is out of range; it must be {}", read, to_string(range))); }
   value = read;
 }
 
 void RecipeReader::flag(const Key& key, bool& value) {
   const Node* node = take(key, fmt::format("{} = true", key.name));
   if (!node) return;
-  if (node->kind != Node::Kind::flag) {
-    return refuse(key, *node, fmt::format("is {}, but must be true or false (without quotes)", kind_name(*node)));
-  }
+  if (node->kind != Node::Kind::flag) { return refuse(key, *node, fmt::format("is {}, but must be true or false (without quotes)", kind_name(*node))); }
   value = node->flag;
 }
 
@@ -133,8 +127,7 @@ void RecipeReader::file(const Key& key, std::string& value) {
 }
 
 void RecipeReader::numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) {
-  const Node* node = take(key, unit.empty() ? fmt::format("{} = [1, 2]", key.name)
-                                            : fmt::format("{0} = [\"1 {1}\", \"2 {1}\"]", key.name, unit));
+  const Node* node = take(key, unit.empty() ? fmt::format("{} = [1, 2]", key.name) : fmt::format("{0} = [\"1 {1}\", \"2 {1}\"]", key.name, unit));
   if (!node) return;
   if (node->kind != Node::Kind::array) return refuse(key, *node, fmt::format("is {}, but must be a list", kind_name(*node)));
   values.clear();
@@ -185,14 +178,13 @@ void RecipeReader::choice(const Key& key, int& index, const std::vector<Word>& w
   for (const auto& word : words) names.emplace_back(word.word);
   const Node* node = take(key, fmt::format("{} = \"{}\"", key.name, names.front()));
   if (!node) return;
-  if (node->kind != Node::Kind::text) {
-    return refuse(key, *node, fmt::format("is {}, but must be one of: {}", kind_name(*node), list_of(names)));
-  }
+  if (node->kind != Node::Kind::text) { return refuse(key, *node, fmt::format("is {}, but must be one of: {}", kind_name(*node), list_of(names))); }
   const auto found = std::find(names.begin(), names.end(), node->text);
   if (found == names.end()) {
     const std::string near = nearest(node->text, names);
-    return refuse(key, *node, fmt::format("unknown word \"{}\"; {}it must be one of: {}", node->text,
-                                          near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near), list_of(names)));
+    return refuse(key, *node,
+                  fmt::format("unknown word \"{}\"; {}it must be one of: {}", node->text, near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near),
+                              list_of(names)));
   }
   index = static_cast<int>(found - names.begin());
 }
@@ -213,9 +205,10 @@ void RecipeReader::tagged(const Key& key, int& form, double& value, const std::v
       return;
     }
     const std::string near = nearest(node->text, bare), tag = tag_of_quantity(node->text, forms);
-    return refuse(key, *node, !tag.empty()    ? fmt::format("write {{ {} = \"{}\" }}", tag, node->text)
-                              : near.empty() ? fmt::format("unknown word \"{}\"; write one of: {}", node->text, list_of(ways))
-                                             : fmt::format("unknown word \"{}\"; did you mean \"{}\"?", node->text, near));
+    return refuse(key, *node,
+                  !tag.empty()   ? fmt::format("write {{ {} = \"{}\" }}", tag, node->text)
+                  : near.empty() ? fmt::format("unknown word \"{}\"; write one of: {}", node->text, list_of(ways))
+                                 : fmt::format("unknown word \"{}\"; did you mean \"{}\"?", node->text, near));
   }
   const Entry* only = node->kind == Node::Kind::table ? only_entry(*node) : nullptr;
   if (!only) return refuse(key, *node, "must be one of: " + list_of(ways));

@@ -29,7 +29,8 @@ Recipe read_from(std::string_view text, Reading& reading, const std::vector<std:
   if (sweep != root.entries.end()) {
     reading.problems.push_back({reading.file_name, sweep->place.line, sweep->place.column,
                                 fmt::format("sweep: this recipe is a study of many runs; `arenite study plan {0}` shows them, "
-                                            "`arenite study run {0}` runs them", reading.file_name)});
+                                            "`arenite study run {0}` runs them",
+                                            reading.file_name)});
     root.entries.erase(sweep);
   }
   read_declared(root, reading, declaration_of(recipe));
@@ -87,9 +88,7 @@ std::string title_in(const std::string& text) {
     const Node root = read_document(text, {});
     const Entry* title = root.find("title");
     return title && title->value.kind == Node::Kind::text ? title->value.text : "";
-  } catch (const InputError&) {
-    return {};
-  }
+  } catch (const InputError&) { return {}; }
 }
 
 std::string key_reference() {
@@ -140,9 +139,7 @@ bool describes_film(std::string_view text) {
   try {
     const Node root = read_document(text, {});
     return !of_simulation(root) && (root.find("lockin") || root.find("picture") || root.find("camera"));
-  } catch (const InputError&) {
-    return false;
-  }
+  } catch (const InputError&) { return false; }
 }
 
 std::vector<double> emissivities(const FilmRecipe& recipe) {

@@ -25,9 +25,9 @@ using packing::Region;
 using packing::SizeLaw;
 
 struct ContainerParameters {
-  double width = 0;                    ///< m
-  double height = 0;                   ///< m; 0: as packing.solid_fraction asks
-  double thickness = 0;                ///< m
+  double width = 0;      ///< m
+  double height = 0;     ///< m; 0: as packing.solid_fraction asks
+  double thickness = 0;  ///< m
   bool periodic_x = false, periodic_y = false;
   bool operator==(const ContainerParameters&) const = default;
 };
@@ -41,10 +41,10 @@ struct FillArea {
 struct PackingParameters {
   enum class Method { random, lattice, file, poisson };
   Method method = Method::random;
-  std::int64_t grains = 0;             ///< total, where populations give ratios
-  std::string file;                    ///< CSV of centres, radii, materials
+  std::int64_t grains = 0;  ///< total, where populations give ratios
+  std::string file;         ///< CSV of centres, radii, materials
   std::optional<FillArea> area;
-  double solid_fraction = 0.78;        ///< of the random filling; loading stages compact it further
+  double solid_fraction = 0.78;  ///< of the random filling; loading stages compact it further
   bool operator==(const PackingParameters&) const = default;
 };
 
@@ -62,15 +62,15 @@ struct BidisperseSection {
 
 /// The binding matrix of the packing at the end of its stages.
 struct CementSection {
-  cement::CementParameters law;        ///< its gap is not used,
-  std::optional<double> gap;           ///< but this one, m; if not given, 0.075 mean large radii (P's 3 dx)
+  cement::CementParameters law;  ///< its gap is not used,
+  std::optional<double> gap;     ///< but this one, m; if not given, 0.075 mean large radii (P's 3 dx)
   bool operator==(const CementSection&) const = default;
 };
 
 /// The nodes that the cemented packing is brought to, and the rules of its pores.
 struct GridSection {
-  std::int64_t nodes = 1024;           ///< a side
-  std::optional<double> crop;          ///< side of the square, m; if not given, 25.6 mean large radii, or what fits
+  std::int64_t nodes = 1024;   ///< a side
+  std::optional<double> crop;  ///< side of the square, m; if not given, 25.6 mean large radii, or what fits
   raster::CavityRules cavities;
   bool operator==(const GridSection&) const = default;
 };
@@ -103,10 +103,10 @@ struct Load {
   double strain = 1e-4, tolerance = 1e-6;
   std::int64_t max_iterations = 0;
   bool exact_stretch = false;
-  bool moduli = false;                 ///< load it along both axes and in shear, too
-  bool failure = false;                ///< pull until it breaks
+  bool moduli = false;   ///< load it along both axes and in shear, too
+  bool failure = false;  ///< pull until it breaks
   double max_strain = 0.1, end_stress = 0.1;
-  double band = 0.05;                  ///< bonds within this share of the one furthest beyond its critical stretch break in one round
+  double band = 0.05;  ///< bonds within this share of the one furthest beyond its critical stretch break in one round
   StiffnessSection stiffness;
   ToughnessSection toughness;
   stress::StressOptions statistics;
@@ -118,8 +118,8 @@ struct Load {
 struct Recipe {
   std::string title;
   std::uint64_t seed = 1;
-  std::string source_file;             ///< as given; relative paths in the recipe start at its folder
-  std::vector<std::string> notices;    ///< what the reader of the recipe found worth a word
+  std::string source_file;           ///< as given; relative paths in the recipe start at its folder
+  std::vector<std::string> notices;  ///< what the reader of the recipe found worth a word
   Materials materials;
   std::vector<Population> populations;
   ContainerParameters container;
@@ -127,7 +127,7 @@ struct Recipe {
   dem::ContactParameters contact;
   dem::IntegrationParameters integration;
   std::optional<Region> glued;
-  std::vector<Boundary> boundaries;    ///< name, points and closed; the rest is the stages' to say
+  std::vector<Boundary> boundaries;  ///< name, points and closed; the rest is the stages' to say
   std::vector<Stage> stages;
   std::optional<BidisperseSection> bidisperse;
   std::optional<CementSection> cement;
@@ -178,22 +178,17 @@ const std::vector<Word>& words(Load::Axis);
 const std::vector<Word>& words(raster::Cavity);
 
 /// The word for a value.
-template <class Enum>
-std::string word_of(Enum value) {
-  return std::string(words(value)[static_cast<std::size_t>(value)].word);
-}
+template <class Enum> std::string word_of(Enum value) { return std::string(words(value)[static_cast<std::size_t>(value)].word); }
 
 /// All words without their sentences, as a check of a command line wants them.
-template <class Enum>
-std::vector<std::string> plain_words() {
+template <class Enum> std::vector<std::string> plain_words() {
   std::vector<std::string> plain;
   for (const Word& each : words(Enum{})) plain.emplace_back(each.word);
   return plain;
 }
 
 /// The value that a word stands for. Throws InputError, which calls the choice `what`, for a word that is not among them.
-template <class Enum>
-Enum chosen(std::string_view word, std::string_view what) {
+template <class Enum> Enum chosen(std::string_view word, std::string_view what) {
   const auto& known = words(Enum{});
   std::string list;
   for (std::size_t k = 0; k < known.size(); ++k) {

@@ -193,9 +193,7 @@ std::string meaning_of(const Record& record) {
   std::string text = cell(record.sentence);
   if (!record.condition.empty()) text += " With " + in_code(record.condition) + ".";
   if (!record.allowed.empty()) text += fmt::format(" Allowed: {}.", cell(record.allowed));
-  for (const auto& [word, meaning] : record.words) {
-    text += "<br>" + in_code(word) + (meaning.empty() ? "" : ": " + cell(meaning));
-  }
+  for (const auto& [word, meaning] : record.words) { text += "<br>" + in_code(word) + (meaning.empty() ? "" : ": " + cell(meaning)); }
   return text;
 }
 
@@ -204,11 +202,12 @@ void write_rows(std::string& text, const RecordTable& table) {
   for (const auto& record : table) {
     if (record.kind == Record::Kind::sections) continue;
     if (record.kind == Record::Kind::section) {
-      text += fmt::format("| `{}` | `{{ ... }}` | {} | {} See below. |\n", record.name, record.present ? "its keys' defaults" : "-",
-                          cell(record.sentence));
+      text += fmt::format("| `{}` | `{{ ... }}` | {} | {} See below. |\n", record.name, record.present ? "its keys' defaults" : "-", cell(record.sentence));
       continue;
     }
-    const std::string form = record.words.empty() ? (record.literal && !record.required ? *record.literal : record.form == "..." ? std::string("1") : record.form)
+    const std::string form = record.words.empty() ? (record.literal && !record.required ? *record.literal
+                                                     : record.form == "..."             ? std::string("1")
+                                                                                        : record.form)
                                                   : record.words.front().first;
     text += fmt::format("| `{}` | {} | {} | {} |\n", record.name, in_code(form), default_of(record), meaning_of(record));
   }
@@ -218,8 +217,7 @@ void write_section(std::string& text, const Record& record, const std::string& p
   const std::string path = parent.empty() ? record.name : parent + "." + record.name;
   const bool is_list = record.kind == Record::Kind::sections;
   const std::string heading = !is_list ? fmt::format("[{}]", path) : record.named ? fmt::format("[{}.NAME]", path) : fmt::format("[[{}]]", path);
-  text += fmt::format("\n## `{}`\n\n{}{}\n\n", heading, record.sentence,
-                      record.required ? " Required." : is_list || record.present ? "" : " Optional.");
+  text += fmt::format("\n## `{}`\n\n{}{}\n\n", heading, record.sentence, record.required ? " Required." : is_list || record.present ? "" : " Optional.");
   write_rows(text, record.tables.front());
   for (const auto& inner : record.tables.front()) {
     if (inner.kind != Record::Kind::value) write_section(text, inner, path);

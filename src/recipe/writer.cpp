@@ -85,12 +85,10 @@ class Recorder : public ParameterVisitor {
   void tagged(const Key& key, int& form, double& value, const std::vector<Form>& forms) override {
     Record& record = add(key, "...");
     for (const auto& each : forms) {
-      record.words.emplace_back(
-          each.unit.empty() ? toml_text(each.word) : fmt::format("{{ {} = {} }}", each.word, number_form(each.unit)), each.sentence);
+      record.words.emplace_back(each.unit.empty() ? toml_text(each.word) : fmt::format("{{ {} = {} }}", each.word, number_form(each.unit)), each.sentence);
     }
     const Form& chosen = forms[static_cast<std::size_t>(form)];
-    record.literal = chosen.unit.empty() ? toml_text(chosen.word)
-                                         : fmt::format("{{ {} = {} }}", chosen.word, number_literal(value, chosen.unit));
+    record.literal = chosen.unit.empty() ? toml_text(chosen.word) : fmt::format("{{ {} = {} }}", chosen.word, number_literal(value, chosen.unit));
   }
   void section(const Key& key, bool& present, const Visit& inside) override {
     Record& record = add(key, "{ ... }");

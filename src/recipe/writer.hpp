@@ -18,14 +18,14 @@ struct Record {
   Kind kind = Kind::value;
   std::string name, sentence;
   bool required = false;
-  std::string condition;                ///< `law = "normal"`, if the key exists only then
-  std::optional<std::string> literal;   ///< value in TOML; nothing if it is not set
-  std::string form;                     ///< a literal with dots for what is to be filled in
-  std::string allowed;                  ///< "above 0 mm"
+  std::string condition;                                   ///< `law = "normal"`, if the key exists only then
+  std::optional<std::string> literal;                      ///< value in TOML; nothing if it is not set
+  std::string form;                                        ///< a literal with dots for what is to be filled in
+  std::string allowed;                                     ///< "above 0 mm"
   std::vector<std::pair<std::string, std::string>> words;  ///< of a choice, with their meaning
-  bool present = true;                  ///< of a section
-  std::vector<RecordTable> tables;      ///< section: one; sections: one each
-  std::vector<std::string> table_names; ///< of sections with names
+  bool present = true;                                     ///< of a section
+  std::vector<RecordTable> tables;                         ///< section: one; sections: one each
+  std::vector<std::string> table_names;                    ///< of sections with names
   bool named = false;
 };
 

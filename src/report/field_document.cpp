@@ -27,14 +27,16 @@ double mean_large_radius(const PhaseMap& map) {
 }
 
 Numbers volumes_of(const raster::CavityStatistics& s) {
-  return {{"mean", {{"value", s.mean}, {"error", s.mean_error}}}, {"deviation", {{"value", s.deviation}, {"error", s.deviation_error}}},
+  return {{"mean", {{"value", s.mean}, {"error", s.mean_error}}},
+          {"deviation", {{"value", s.deviation}, {"error", s.deviation_error}}},
           {"cv", {{"value", s.cv}, {"error", s.cv_error}}},
-          {"edge", s.density.edge}, {"density", s.density.density}, {"error", s.density.error}};
+          {"edge", s.density.edge},
+          {"density", s.density.density},
+          {"error", s.density.error}};
 }
 
 /// Labels from 1 on of the nodes that are drawn; 0 where there is none (-1 in the map).
-template <class T>
-std::vector<std::uint32_t> labels_of(const std::vector<T>& label, const Thinning& kept) {
+template <class T> std::vector<std::uint32_t> labels_of(const std::vector<T>& label, const Thinning& kept) {
   std::vector<std::uint32_t> out;
   for (const std::size_t node : kept.node) out.push_back(static_cast<std::uint32_t>(label[node] + 1));
   return out;
@@ -54,8 +56,11 @@ Numbers cavities_of(const PhaseMap& map, const Numbers& numbers, const Thinning&
   for (const auto& [name, kind] : {std::pair{"voids", raster::Cavity::void_}, {"pores", raster::Cavity::pore}}) {
     const raster::Cavities cavities = raster::find_cavities(map, kind, rules);
     Numbers& out = all[name];
-    out = {{"label", block.add_indices(labels_of(cavities.label, kept))}, {"nodes", block.add_indices(unsigned_copy(cavities.nodes))},
-           {"specks", cavities.specks}, {"cut", cavities.cut}, {"fewest_nodes", cavities.rules.fewest_nodes}};
+    out = {{"label", block.add_indices(labels_of(cavities.label, kept))},
+           {"nodes", block.add_indices(unsigned_copy(cavities.nodes))},
+           {"specks", cavities.specks},
+           {"cut", cavities.cut},
+           {"fewest_nodes", cavities.rules.fewest_nodes}};
     if (radius > 0 && !cavities.nodes.empty()) out["volumes"] = volumes_of(raster::cavity_statistics(cavities, map.dx, radius));
   }
   return all;
@@ -68,8 +73,12 @@ bool same_map(const PhaseMap& a, const PhaseMap& b) {
 Numbers map_of(const PhaseMap& map, const Numbers& numbers, const Thinning& kept, NumberBlock& block) {
   std::array<std::size_t, 3> nodes{};
   for (const Phase phase : map.phase) ++nodes[static_cast<std::size_t>(phase)];
-  return {{"width", kept.width}, {"height", kept.height}, {"stride", kept.stride}, {"dx", map.dx},
-          {"full", {map.width, map.height}}, {"nodes", {nodes[0], nodes[1], nodes[2]}},
+  return {{"width", kept.width},
+          {"height", kept.height},
+          {"stride", kept.stride},
+          {"dx", map.dx},
+          {"full", {map.width, map.height}},
+          {"nodes", {nodes[0], nodes[1], nodes[2]}},
           {"phase", block.add_indices(unsigned_copy(kept.of(map.phase)))},
           {"label", block.add_indices(labels_of(map.grain, kept))},
           {"grain_class", block.add_indices(unsigned_copy(map.grain_class))},
@@ -77,8 +86,8 @@ Numbers map_of(const PhaseMap& map, const Numbers& numbers, const Thinning& kept
 }
 
 /// One component on the page's nodes, with mean and extremes over all nodes of the map that are not void.
-Numbers component(const PhaseMap& map, const Thinning& kept, const std::vector<std::uint8_t>& solid,
-                  const std::vector<double>& values, bool companded, NumberBlock& block) {
+Numbers component(const PhaseMap& map, const Thinning& kept, const std::vector<std::uint8_t>& solid, const std::vector<double>& values, bool companded,
+                  NumberBlock& block) {
   double sum = 0, least = INFINITY, most = -INFINITY;
   std::size_t count = 0;
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -134,7 +143,8 @@ Numbers cracks_of(const std::vector<Crack>& cracks, NumberBlock& block) {
     strain.push_back(crack.strain);
     type.push_back(crack.type);
   }
-  return {{"count", cracks.size()}, {"x", block.add_reals(x)}, {"y", block.add_reals(y)}, {"type", block.add_indices(type)}, {"strain", block.add_reals(strain)}};
+  return {
+      {"count", cracks.size()}, {"x", block.add_reals(x)}, {"y", block.add_reals(y)}, {"type", block.add_indices(type)}, {"strain", block.add_reals(strain)}};
 }
 
 /// The densities that the page draws; empty where there is nothing to measure.
@@ -151,10 +161,17 @@ Numbers statistics_of(const FieldPageData& data) {
 
 Numbers field_of(const FieldPageData& data, std::size_t map, const Thinning& kept, NumberBlock& block) {
   const FieldResult& r = *data.result;
-  Numbers out{{"name", r.name}, {"converged", r.converged}, {"outcome", r.outcome}, {"provenance", provenance_of(r.provenance)},
-              {"map", map}, {"components", components_of(r, kept, block)}, {"grains", grains_of(r, block)},
-              {"convergence", history_of(r.convergence, block)}, {"curve", history_of(r.curve, block)},
-              {"numbers", shortened(r.numbers)}, {"statistics", statistics_of(data)}};
+  Numbers out{{"name", r.name},
+              {"converged", r.converged},
+              {"outcome", r.outcome},
+              {"provenance", provenance_of(r.provenance)},
+              {"map", map},
+              {"components", components_of(r, kept, block)},
+              {"grains", grains_of(r, block)},
+              {"convergence", history_of(r.convergence, block)},
+              {"curve", history_of(r.curve, block)},
+              {"numbers", shortened(r.numbers)},
+              {"statistics", statistics_of(data)}};
   out["statistics"].erase("grains");
   if (!r.cracks.empty()) out["cracks"] = cracks_of(r.cracks, block);
   return out;
@@ -169,8 +186,7 @@ Thinning::Thinning(const PhaseMap& map, std::size_t most) {
   height = map.height > 0 ? left(map.height, stride) : 0;
   const int first = stride / 2;
   for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      node.push_back(map.index(std::min(map.width - 1, first + x * stride), std::min(map.height - 1, first + y * stride)));
+    for (int x = 0; x < width; ++x) node.push_back(map.index(std::min(map.width - 1, first + x * stride), std::min(map.height - 1, first + y * stride)));
 }
 
 void add_fields(Numbers& document, const std::vector<FieldPageData>& fields, NumberBlock& block) {

@@ -33,30 +33,23 @@ bool get(const Node& node, bool& value) {
   return node.kind == Kind::flag;
 }
 
-template <class T>
-constexpr const char* wanted = "is a number";
-template <>
-constexpr const char* wanted<std::string> = "is a text in quotes";
-template <>
-constexpr const char* wanted<bool> = "is true or false";
-template <>
-constexpr const char* wanted<std::vector<std::string>> = "is a list of texts";
-template <>
-constexpr const char* wanted<std::vector<double>> = "is a list of numbers";
+template <class T> constexpr const char* wanted = "is a number";
+template <> constexpr const char* wanted<std::string> = "is a text in quotes";
+template <> constexpr const char* wanted<bool> = "is true or false";
+template <> constexpr const char* wanted<std::vector<std::string>> = "is a list of texts";
+template <> constexpr const char* wanted<std::vector<double>> = "is a list of numbers";
 
 /// Reads the keys of one table; what is left over is unknown.
 class Table {
  public:
   Table(const Node& node, const std::string& file, std::vector<Problem>& problems) : node_(node), file_(file), problems_(problems) {}
 
-  template <class T>
-  void read(const std::string& key, T& value, bool needed = false) {
+  template <class T> void read(const std::string& key, T& value, bool needed = false) {
     const Entry* entry = take(key);
     if (!entry && needed) refuse(node_, key, "is missing");
     if (entry && !get(entry->value, value)) refuse(entry->value, key, wanted<T>);
   }
-  template <class T>
-  void read(const std::string& key, std::vector<T>& values) {
+  template <class T> void read(const std::string& key, std::vector<T>& values) {
     const Entry* entry = take(key);
     if (!entry) return;
     if (entry->value.kind != Kind::array) return refuse(entry->value, key, wanted<std::vector<T>>);
@@ -105,7 +98,8 @@ void check_figure(Table& table, const Node& node, const Figure& figure) {
   const bool points = !figure.x.empty() && !figure.y.empty();
   if (figure.kind == FigureKind::plot && figure.curves.empty() && !points) table.refuse(node, "x", "and `y` say what is drawn, or `curves`");
   if (figure.kind == FigureKind::rose && figure.curves.empty()) table.refuse(node, "curves", "say what a rose shows");
-  if (figure.kind == FigureKind::map && (!points || figure.by.empty() || figure.y.size() != 1)) table.refuse(node, "x", ", `by` and one `y` say what a map shows");
+  if (figure.kind == FigureKind::map && (!points || figure.by.empty() || figure.y.size() != 1))
+    table.refuse(node, "x", ", `by` and one `y` say what a map shows");
   if (const std::size_t n = figure.curves.empty() ? figure.y.size() : figure.curves.size(); !figure.names.empty() && figure.names.size() != n)
     table.refuse(node, "names", fmt::format("must be as many as what is drawn: {}", n));
   if (const double n = figure.sectors.value_or(18); !(n >= 2 && n <= 360 && n == std::floor(n))) table.refuse(node, "sectors", "is a whole number, 2 to 360");
@@ -123,8 +117,7 @@ void read_where(Table& table, Where& read) {
     std::vector<std::string> values;
     if (entry.value.kind == Kind::array)
       for (const Node& item : entry.value.items) values.push_back(cell_of(item));
-    else
-      values.push_back(cell_of(entry.value));
+    else values.push_back(cell_of(entry.value));
     read.emplace_back(entry.key, std::move(values));
   }
 }

@@ -10,7 +10,7 @@ namespace arenite::report {
 struct FigureAxis {
   std::string label;
   bool logarithmic = false;
-  std::optional<double> low, high;       ///< unless given, as far as the points reach
+  std::optional<double> low, high;  ///< unless given, as far as the points reach
 };
 
 /// What the text of the source says of a figure: a level, an abscissa or, with both, a point; or a line through the origin.
@@ -22,8 +22,8 @@ struct FigureReference {
 /// Points that the source gives, in a table or in its text; drawn as crosses in the colour of what they stand beside.
 struct SourcePoints {
   std::string name;
-  std::optional<double> part;            ///< which of `y` or `curves`, from 0
-  bool film = false;                     ///< what the source measured, where it also simulated
+  std::optional<double> part;  ///< which of `y` or `curves`, from 0
+  bool film = false;           ///< what the source measured, where it also simulated
   std::vector<double> x, y;
 };
 
@@ -51,22 +51,22 @@ bool shows_a_run(FigureKind kind);
 /// alone, or its curves are densities.
 struct Figure {
   std::string id, title, source, caption;
-  std::string x;                         ///< a swept key or a number; "1/NAME", "27.35/NAME" for a number over it
-  std::vector<std::string> y;            ///< numbers ("stress.sigma_yy.sets.large.variance")
-  std::vector<std::string> curves;       ///< instead of x and y: densities or lists of the runs' numbers
-  std::string curve_x;                   ///< a list that those of `curves` go with, place by place
-  std::vector<std::string> fits;         ///< of `curves`: exponential tails of the runs' numbers, {"slope", "low", "high"}
-  bool share_above = false;              ///< of densities, the share above x
-  bool counts = false;                   ///< of a rose: contacts of a sample, not their share
-  std::optional<double> sectors;         ///< of a rose: into how many; as many as the runs have unless given
-  std::optional<double> window;          ///< share of the box's area of the windows in "window.solid_fraction"
+  std::string x;                    ///< a swept key or a number; "1/NAME", "27.35/NAME" for a number over it
+  std::vector<std::string> y;       ///< numbers ("stress.sigma_yy.sets.large.variance")
+  std::vector<std::string> curves;  ///< instead of x and y: densities or lists of the runs' numbers
+  std::string curve_x;              ///< a list that those of `curves` go with, place by place
+  std::vector<std::string> fits;    ///< of `curves`: exponential tails of the runs' numbers, {"slope", "low", "high"}
+  bool share_above = false;         ///< of densities, the share above x
+  bool counts = false;              ///< of a rose: contacts of a sample, not their share
+  std::optional<double> sectors;    ///< of a rose: into how many; as many as the runs have unless given
+  std::optional<double> window;     ///< share of the box's area of the windows in "window.solid_fraction"
   Spread spread = Spread::error;
-  std::string stage;                     ///< whose last state is shown; the last one's unless given
+  std::string stage;  ///< whose last state is shown; the last one's unless given
   FigureKind kind = FigureKind::plot;
-  std::vector<std::string> names;        ///< of y or of curves, as the key shows them
-  std::string by, by_label;              ///< a swept key: a curve for each of its values
-  std::string by_empty;                  ///< how the key shows runs without that value
-  bool lines = true;                     ///< points are joined
+  std::vector<std::string> names;  ///< of y or of curves, as the key shows them
+  std::string by, by_label;        ///< a swept key: a curve for each of its values
+  std::string by_empty;            ///< how the key shows runs without that value
+  bool lines = true;               ///< points are joined
   FigureAxis x_axis, y_axis;
   Where where;
   std::vector<FigureReference> references;

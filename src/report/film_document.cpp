@@ -1,8 +1,8 @@
 #include <array>
 #include <cmath>
 
-#include "workflow/film_stresses.hpp"
 #include "report/page_document.hpp"
+#include "workflow/film_stresses.hpp"
 
 namespace arenite::report {
 namespace {
@@ -51,10 +51,20 @@ Numbers maps_of(const FilmResult& r, NumberBlock& block) {
 
 Numbers film_of(const FilmResult& r) {
   const FilmInfo& f = r.film;
-  return {{"width", f.width}, {"height", f.height}, {"frames", f.frames}, {"frame_rate", f.frame_rate}, {"integration", f.integration},
-          {"format", f.format}, {"camera", f.camera}, {"unit", f.quantity == FilmQuantity::digital_level ? "DL" : "K"},
-          {"pixel", r.pixel}, {"used", r.maps.frames}, {"frequency", r.maps.frequency}, {"frequency_error", r.maps.frequency_error},
-          {"reference_phase", r.maps.reference_phase}, {"swing", r.maps.convention == SwingConvention::full ? "full" : "half"}};
+  return {{"width", f.width},
+          {"height", f.height},
+          {"frames", f.frames},
+          {"frame_rate", f.frame_rate},
+          {"integration", f.integration},
+          {"format", f.format},
+          {"camera", f.camera},
+          {"unit", f.quantity == FilmQuantity::digital_level ? "DL" : "K"},
+          {"pixel", r.pixel},
+          {"used", r.maps.frames},
+          {"frequency", r.maps.frequency},
+          {"frequency_error", r.maps.frequency_error},
+          {"reference_phase", r.maps.reference_phase},
+          {"swing", r.maps.convention == SwingConvention::full ? "full" : "half"}};
 }
 
 /// Circles where the maps show the grains: from their places in metres, with the errors that they were found with.
@@ -131,8 +141,8 @@ Numbers frame_of(const FilmResult& r) {
 Numbers stresses_of(const workflow::FilmStresses& stresses, NumberBlock& block) {
   Numbers all = Numbers::tree();
   for (const workflow::GrainStresses& s : stresses.sources)
-    all[s.source] = {{"mean", s.mean}, {"sigma_hyd", block.add_reals(s.sigma_hyd)},
-                     {"sigma_norm", block.add_reals(s.sigma_norm)}, {"statistics", shortened(s.statistics)}};
+    all[s.source] = {
+        {"mean", s.mean}, {"sigma_hyd", block.add_reals(s.sigma_hyd)}, {"sigma_norm", block.add_reals(s.sigma_norm)}, {"statistics", shortened(s.statistics)}};
   return all;
 }
 
@@ -160,10 +170,20 @@ Numbers one_film(const FilmPageData& data, NumberBlock& block) {
     if (r.bad[k]) bad.push_back(static_cast<std::uint32_t>(k));
   Numbers materials = Numbers::list();
   for (const Material& m : r.packing.materials) materials.push_back({{"name", m.name}});
-  return {{"name", r.name}, {"converged", r.converged}, {"outcome", r.outcome}, {"provenance", provenance_of(r.provenance)},
-          {"film", film_of(r)}, {"maps", maps_of(r, block)}, {"bad", block.add_indices(bad)}, {"materials", materials},
-          {"grains", grains_of(r, stresses, block)}, {"contacts", contacts_of(r, block)}, {"frame", frame_of(r)},
-          {"stresses", stresses_of(stresses, block)}, {"agreement", agreement_of(r.packing, stresses)}, {"numbers", shortened(r.numbers)}};
+  return {{"name", r.name},
+          {"converged", r.converged},
+          {"outcome", r.outcome},
+          {"provenance", provenance_of(r.provenance)},
+          {"film", film_of(r)},
+          {"maps", maps_of(r, block)},
+          {"bad", block.add_indices(bad)},
+          {"materials", materials},
+          {"grains", grains_of(r, stresses, block)},
+          {"contacts", contacts_of(r, block)},
+          {"frame", frame_of(r)},
+          {"stresses", stresses_of(stresses, block)},
+          {"agreement", agreement_of(r.packing, stresses)},
+          {"numbers", shortened(r.numbers)}};
 }
 
 }  // namespace

@@ -28,22 +28,44 @@ struct Pixels {
 };
 
 Pixels pixels_of(const thermography::FrameStatistics& s, int bits) {
-  return {s.frames, static_cast<double>(*std::min_element(s.least.begin(), s.least.end())), static_cast<double>(*std::max_element(s.most.begin(), s.most.end())),
-          median(s.mean), median(s.noise), thermography::doubtful(s, bits)};
+  return {s.frames,
+          static_cast<double>(*std::min_element(s.least.begin(), s.least.end())),
+          static_cast<double>(*std::max_element(s.most.begin(), s.most.end())),
+          median(s.mean),
+          median(s.noise),
+          thermography::doubtful(s, bits)};
 }
 
 Numbers summary_numbers(const FilmInfo& film, const io::FrameIntervals& times, const Pixels& pixels) {
   const auto known = [](double value) { return value > 0 ? Numbers(value) : Numbers(nullptr); };
-  Numbers j{{"format", film.format}, {"width", film.width}, {"height", film.height}, {"frames", film.frames},
-            {"frame_rate_Hz", known(film.frame_rate)}, {"integration_s", known(film.integration)},
-            {"camera", film.camera}, {"lens", film.lens}, {"filter", film.filter},
-            {"bits", film.bits}, {"floating", film.floating}, {"quantity", name_of(film.quantity)},
-            {"emissivity", known(film.emissivity)}, {"ambient_K", known(film.ambient)}, {"band_low_m", known(film.band_low)},
-            {"band_high_m", known(film.band_high)}, {"stamped", !film.time.empty()},
-            {"frame_interval_s", known(times.interval)}, {"duration_s", known(times.duration)}, {"dropped_frames", times.dropped}};
+  Numbers j{{"format", film.format},
+            {"width", film.width},
+            {"height", film.height},
+            {"frames", film.frames},
+            {"frame_rate_Hz", known(film.frame_rate)},
+            {"integration_s", known(film.integration)},
+            {"camera", film.camera},
+            {"lens", film.lens},
+            {"filter", film.filter},
+            {"bits", film.bits},
+            {"floating", film.floating},
+            {"quantity", name_of(film.quantity)},
+            {"emissivity", known(film.emissivity)},
+            {"ambient_K", known(film.ambient)},
+            {"band_low_m", known(film.band_low)},
+            {"band_high_m", known(film.band_high)},
+            {"stamped", !film.time.empty()},
+            {"frame_interval_s", known(times.interval)},
+            {"duration_s", known(times.duration)},
+            {"dropped_frames", times.dropped}};
   j["gaps_before_frames"] = times.gap;
-  j["pixels"] = {{"frames_read", pixels.frames}, {"least", pixels.least}, {"most", pixels.most}, {"median", pixels.middle},
-                 {"median_noise", pixels.noise}, {"constant", pixels.doubtful.constant}, {"saturated", pixels.doubtful.saturated}};
+  j["pixels"] = {{"frames_read", pixels.frames},
+                 {"least", pixels.least},
+                 {"most", pixels.most},
+                 {"median", pixels.middle},
+                 {"median_noise", pixels.noise},
+                 {"constant", pixels.doubtful.constant},
+                 {"saturated", pixels.doubtful.saturated}};
   j["remarks"] = film.remarks;
   return j;
 }
@@ -56,13 +78,15 @@ std::string summary_text(const FilmInfo& film, const io::FrameIntervals& times, 
   if (film.frame_rate > 0) line("frame rate", fmt::format("{:.6g} Hz", film.frame_rate));
   if (film.integration > 0) line("integration", fmt::format("{:.6g} us", film.integration * 1e6));
   if (times.duration > 0)
-    line("duration", fmt::format("{:.6g} s, a frame every {:.6g} ms ({})", times.duration, times.interval * 1e3, film.time.empty() ? "from the frame rate" : "stamped"));
+    line("duration",
+         fmt::format("{:.6g} s, a frame every {:.6g} ms ({})", times.duration, times.interval * 1e3, film.time.empty() ? "from the frame rate" : "stamped"));
   if (times.dropped > 0)
     line("missing", fmt::format("{} frames of the camera's{}", times.dropped,
                                 times.gap.empty() ? ", evenly" : fmt::format(", before frame {}{}", times.gap[0], times.gap.size() > 1 ? " and others" : "")));
   if (film.quantity == FilmQuantity::kelvin) line("pixels hold", "temperatures, K");
   if (film.quantity == FilmQuantity::digital_level) line("pixels hold", "digital levels");
-  line("pixels", fmt::format("{:.6g} to {:.6g}, median {:.6g}, noise {:.3g} (first {} frames)", pixels.least, pixels.most, pixels.middle, pixels.noise, pixels.frames));
+  line("pixels",
+       fmt::format("{:.6g} to {:.6g}, median {:.6g}, noise {:.3g} (first {} frames)", pixels.least, pixels.most, pixels.middle, pixels.noise, pixels.frames));
   if (pixels.doubtful.constant > 0) line("constant", fmt::format("{} pixels never change", pixels.doubtful.constant));
   if (pixels.doubtful.saturated > 0) line("saturated", fmt::format("{} pixels reach the top of the range", pixels.doubtful.saturated));
   for (const std::string& remark : film.remarks) out += remark + '\n';
@@ -77,7 +101,8 @@ void describe_grains(TextLines& lines, const FilmResult& r) {
                  {"travel, median", "/motion/median_travel_pixels", "pixels"},
                  {"travel, largest", "/motion/largest_travel_pixels", "pixels"}});
   if (!lines.has("/texture/sigma_norm")) return;
-  lines.section("Swing of the grains' stress over its mean", {{"P_0, share above the mean", "/texture/sigma_norm/P0"}, {"beta of the tail", "/texture/sigma_norm/beta"}});
+  lines.section("Swing of the grains' stress over its mean",
+                {{"P_0, share above the mean", "/texture/sigma_norm/P0"}, {"beta of the tail", "/texture/sigma_norm/beta"}});
 }
 
 /// How the forces agree with the film and with what was told beside it.
@@ -104,11 +129,16 @@ FilmSummary film_summary(FilmSource& film, std::size_t most_frames) {
 
 std::string film_text(const FilmResult& r) {
   TextLines lines(r.numbers);
-  lines.section("Film", {{"camera", "/film/camera"}, {"format", "/film/format"}, {"frames", "/film/frames"}, {"frames in a second", "/film/frame_rate_Hz", "Hz"},
+  lines.section("Film", {{"camera", "/film/camera"},
+                         {"format", "/film/format"},
+                         {"frames", "/film/frames"},
+                         {"frames in a second", "/film/frame_rate_Hz", "Hz"},
                          {"pixels that were replaced", "/film/bad_pixels"}});
   lines.section(fmt::format("Lock-in ({} swings)", r.maps.convention == SwingConvention::full ? "full" : "half"),
-                {{"frequency of the load", "/lockin/frequency_Hz", "Hz"}, {"phase of the load", "/lockin/reference_phase_deg", "deg"},
-                 {"standard error of a pixel", "/lockin/standard_error_K", "K"}, {"residual of a frame", "/lockin/residual_K", "K"},
+                {{"frequency of the load", "/lockin/frequency_Hz", "Hz"},
+                 {"phase of the load", "/lockin/reference_phase_deg", "deg"},
+                 {"standard error of a pixel", "/lockin/standard_error_K", "K"},
+                 {"residual of a frame", "/lockin/residual_K", "K"},
                  {"second harmonic", "/lockin/second_harmonic_K", "K"}});
   describe_grains(lines, r);
   if (lines.has("/forces/proposed"))
@@ -120,10 +150,13 @@ std::string film_text(const FilmResult& r) {
                                              {"standard error, tangential", "/forces/ft_error_N", "N"}});
   if (lines.has("/checks")) describe_checks(lines, r.numbers["checks"]);
   if (lines.has("/directions/film"))
-    lines.section("Contact orientations", {{"film: a_c", "/directions/film/a_c"}, {"film: theta_c", "/directions/film/theta_c_deg", "deg"},
-                                             {"simulation: a_c", "/directions/twin/a_c"}, {"simulation: theta_c", "/directions/twin/theta_c_deg", "deg"}});
+    lines.section("Contact orientations", {{"film: a_c", "/directions/film/a_c"},
+                                           {"film: theta_c", "/directions/film/theta_c_deg", "deg"},
+                                           {"simulation: a_c", "/directions/twin/a_c"},
+                                           {"simulation: theta_c", "/directions/twin/theta_c_deg", "deg"}});
   if (lines.has("/twin"))
-    lines.section("Simulation beside the film", {{"swing: correlation", "/twin/swing/all/correlation"}, {"swing: rms of sigma_norm", "/twin/swing/all/rms_sigma_norm"},
+    lines.section("Simulation beside the film", {{"swing: correlation", "/twin/swing/all/correlation"},
+                                                 {"swing: rms of sigma_norm", "/twin/swing/all/rms_sigma_norm"},
                                                  {"state at the largest load: correlation", "/twin/state/all/correlation"},
                                                  {"state at the largest load: rms of sigma_norm", "/twin/state/all/rms_sigma_norm"}});
   return r.outcome + "\n" + std::move(lines).text();

@@ -56,24 +56,30 @@ std::string grains_csv(const FoundGrains& g) {
                                 named ? ",-" : "", fmt::arg("u", unit));
   for (std::size_t k = 0; k < p.size(); ++k)
     out += fmt::format("{},{:.4f},{:.4f},{:.4f}{},{:.4f},{:.4f},{:.6g},{:.3f}\n", k, length(g, p.x[k] - g.corner.x), length(g, g.corner.y - p.y[k]),
-                       length(g, p.radius[k]), named ? "," + material_name(g, p.material[k]) : "", length(g, p.position_error[k]),
-                       length(g, p.radius_error[k]), p.brightness[k], p.score[k]);
+                       length(g, p.radius[k]), named ? "," + material_name(g, p.material[k]) : "", length(g, p.position_error[k]), length(g, p.radius_error[k]),
+                       p.brightness[k], p.score[k]);
   return out;
 }
 
 std::string grains_text(const FoundGrains& g) {
   const imaging::CircleReport& r = g.found.report;
-  std::string out = fmt::format("{} grains in {} x {} pixels, {} than what is around them\n", g.found.grains.size(), g.width, g.height, r.between ? "brighter and darker" : r.bright ? "brighter" : "darker");
+  std::string out = fmt::format("{} grains in {} x {} pixels, {} than what is around them\n", g.found.grains.size(), g.width, g.height,
+                                r.between  ? "brighter and darker"
+                                : r.bright ? "brighter"
+                                           : "darker");
   const auto line = [&](const char* name, const std::string& value) { out += fmt::format("{:<16}{}\n", name, value); };
   if (g.frames > 1) line("picture", fmt::format("mean of {} frames", g.frames));
   if (g.replaced > 0) line("bad pixels", fmt::format("{} replaced by good neighbours", g.replaced));
   for (std::size_t c = 0; c < r.class_radius.size(); ++c)
-    line("size", fmt::format("radius {:.2f} pixels{}: {} grains", r.class_radius[c], g.pixel > 0 ? fmt::format(" = {:.3g} mm", length(g, r.class_radius[c])) : "", r.class_members[c]));
+    line("size", fmt::format("radius {:.2f} pixels{}: {} grains", r.class_radius[c],
+                             g.pixel > 0 ? fmt::format(" = {:.3g} mm", length(g, r.class_radius[c])) : "", r.class_members[c]));
   for (std::size_t m = 0; m < r.material_brightness.size(); ++m) {
     const std::string name = material_name(g, static_cast<std::int32_t>(m));
-    line("material", fmt::format("{}{}brightness {:.5g} +- {:.2g}: {} grains", name, name.empty() ? "" : ", ", r.material_brightness[m], r.material_spread[m], r.material_members[m]));
+    line("material", fmt::format("{}{}brightness {:.5g} +- {:.2g}: {} grains", name, name.empty() ? "" : ", ", r.material_brightness[m], r.material_spread[m],
+                                 r.material_members[m]));
   }
-  line("errors", fmt::format("{:.3f} pixels of a centre, {:.3f} of a radius (medians)", median(g.found.grains.position_error), median(g.found.grains.radius_error)));
+  line("errors",
+       fmt::format("{:.3f} pixels of a centre, {:.3f} of a radius (medians)", median(g.found.grains.position_error), median(g.found.grains.radius_error)));
   line("lens and pixel", fmt::format("blur {:.2f} pixels, noise {:.3g}", r.blur, r.noise));
   if (r.overlapping > 0) line("overlaps", fmt::format("{} pairs beyond their errors, {:.2f} pixels at most", r.overlapping, r.largest_overlap));
   return out;
@@ -82,20 +88,40 @@ std::string grains_text(const FoundGrains& g) {
 std::string grains_json(const FoundGrains& g) {
   const imaging::CircleReport& r = g.found.report;
   const PictureGrains& p = g.found.grains;
-  Numbers j{{"file", g.file}, {"width", g.width}, {"height", g.height}, {"frames", g.frames}, {"bad_pixels_replaced", g.replaced},
-         {"pixel_m", g.pixel > 0 ? Numbers(g.pixel) : Numbers(nullptr)}, {"corner_px", {g.corner.x, g.corner.y}}, {"grains", p.size()}, {"bright", r.bright},
-         {"between", r.between ? Numbers(*r.between) : Numbers(nullptr)},
-         {"blur_px", r.blur}, {"noise", r.noise}, {"overlapping_pairs", r.overlapping}, {"largest_overlap_px", r.largest_overlap},
-         {"median_position_error_px", median(p.position_error)}, {"median_radius_error_px", median(p.radius_error)}};
+  Numbers j{{"file", g.file},
+            {"width", g.width},
+            {"height", g.height},
+            {"frames", g.frames},
+            {"bad_pixels_replaced", g.replaced},
+            {"pixel_m", g.pixel > 0 ? Numbers(g.pixel) : Numbers(nullptr)},
+            {"corner_px", {g.corner.x, g.corner.y}},
+            {"grains", p.size()},
+            {"bright", r.bright},
+            {"between", r.between ? Numbers(*r.between) : Numbers(nullptr)},
+            {"blur_px", r.blur},
+            {"noise", r.noise},
+            {"overlapping_pairs", r.overlapping},
+            {"largest_overlap_px", r.largest_overlap},
+            {"median_position_error_px", median(p.position_error)},
+            {"median_radius_error_px", median(p.radius_error)}};
   j["sizes"] = Numbers::list();
   for (std::size_t c = 0; c < r.class_radius.size(); ++c)
     j["sizes"].push_back({{"radius_px", r.class_radius[c]}, {"spread_px", r.class_spread[c]}, {"grains", r.class_members[c]}});
   j["materials"] = Numbers::list();
   for (std::size_t m = 0; m < r.material_brightness.size(); ++m)
-    j["materials"].push_back({{"name", material_name(g, static_cast<std::int32_t>(m))}, {"brightness", r.material_brightness[m]},
-                              {"spread", r.material_spread[m]}, {"grains", r.material_members[m]}});
-  j["by_grain"] = {{"column_px", p.x}, {"row_px", p.y}, {"radius_px", p.radius}, {"position_error_px", p.position_error},
-                   {"radius_error_px", p.radius_error}, {"brightness", p.brightness}, {"score", p.score}, {"material", p.material}, {"size", p.size_class}};
+    j["materials"].push_back({{"name", material_name(g, static_cast<std::int32_t>(m))},
+                              {"brightness", r.material_brightness[m]},
+                              {"spread", r.material_spread[m]},
+                              {"grains", r.material_members[m]}});
+  j["by_grain"] = {{"column_px", p.x},
+                   {"row_px", p.y},
+                   {"radius_px", p.radius},
+                   {"position_error_px", p.position_error},
+                   {"radius_error_px", p.radius_error},
+                   {"brightness", p.brightness},
+                   {"score", p.score},
+                   {"material", p.material},
+                   {"size", p.size_class}};
   return to_json(j, 2) + '\n';
 }
 

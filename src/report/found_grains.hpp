@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/vec.hpp"
-#include "thermal/imaging/circles.hpp"
 #include "io/image/image.hpp"
+#include "thermal/imaging/circles.hpp"
 
 namespace arenite::report {
 
@@ -15,9 +15,9 @@ struct FoundGrains {
   Vec2 corner;                         ///< pixel (column, row) from which x counts to the right and y up
   std::vector<std::string> materials;  ///< names, darkest first; empty: "class1", "class2", ... where there are several
   std::string file;
-  int width = 0, height = 0;           ///< of the picture, pixels
+  int width = 0, height = 0;  ///< of the picture, pixels
   std::int64_t frames = 1;
-  std::size_t replaced = 0;            ///< bad pixels
+  std::size_t replaced = 0;  ///< bad pixels
 };
 
 /// Table id, x, y, radius, material (read by packing.method = "file" and `measure`), with standard errors, brightness and

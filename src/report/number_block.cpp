@@ -40,8 +40,7 @@ Coding coding_of(std::vector<double> sample, bool companded, double levels) {
 
 static_assert(std::endian::native == std::endian::little, "the block's bytes are written as they lie in memory");
 
-template <class T>
-NumberRef NumberBlock::add(std::span<const T> values, const char* type) {
+template <class T> NumberRef NumberBlock::add(std::span<const T> values, const char* type) {
   const NumberRef ref{bytes_.size(), values.size(), type};
   bytes_.resize(bytes_.size() + values.size_bytes());
   const auto* from = reinterpret_cast<const std::uint8_t*>(values.data());
@@ -104,8 +103,7 @@ double Coding::decoded(std::int32_t code) const {
   return centre + width * (companded ? std::sinh(t) : t);
 }
 
-CodedField code_field(int width, int height, const std::vector<double>& values, const std::vector<std::uint8_t>& known,
-                      bool companded, double levels) {
+CodedField code_field(int width, int height, const std::vector<double>& values, const std::vector<std::uint8_t>& known, bool companded, double levels) {
   std::vector<double> sample;
   for (std::size_t k = 0; k < values.size(); ++k)
     if (known[k] && std::isfinite(values[k])) sample.push_back(values[k]);
@@ -126,7 +124,10 @@ CodedField code_field(int width, int height, const std::vector<double>& values, 
 
 Numbers numbers_of(const CodedField& field, NumberBlock& block) {
   const Coding& c = field.coding;
-  return {{"law", c.companded ? "sinh" : "linear"}, {"centre", c.centre}, {"width", c.width}, {"levels", c.levels},
+  return {{"law", c.companded ? "sinh" : "linear"},
+          {"centre", c.centre},
+          {"width", c.width},
+          {"levels", c.levels},
           {"residual", block.add_indices(field.residual)}};
 }
 
@@ -134,8 +135,7 @@ std::vector<std::int32_t> codes_of(int width, int height, const std::vector<std:
   std::vector<std::int32_t> code(residual.size());
   std::size_t k = 0;
   for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x, ++k)
-      code[k] = median_prediction(code, width, x, y) + static_cast<std::int32_t>(residual[k] >> 1 ^ (0 - (residual[k] & 1)));
+    for (int x = 0; x < width; ++x, ++k) code[k] = median_prediction(code, width, x, y) + static_cast<std::int32_t>(residual[k] >> 1 ^ (0 - (residual[k] & 1)));
   return code;
 }
 

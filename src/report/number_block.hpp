@@ -23,9 +23,9 @@ struct NumberRef {
 /// lets deflate find the repeats of exponents and high bytes), all of them deflated together and written in base64.
 class NumberBlock {
  public:
-  NumberRef add_reals(std::span<const double> values);              ///< rounded to float32
-  NumberRef add_indices(std::span<const std::uint32_t> values);     ///< in the narrowest of u1, u2, u4
-  NumberRef add_integers(std::span<const std::int32_t> values);     ///< i4
+  NumberRef add_reals(std::span<const double> values);           ///< rounded to float32
+  NumberRef add_indices(std::span<const std::uint32_t> values);  ///< in the narrowest of u1, u2, u4
+  NumberRef add_integers(std::span<const std::int32_t> values);  ///< i4
 
   std::size_t size() const { return bytes_.size(); }
   /// The whole block as packed_text.
@@ -61,8 +61,7 @@ Numbers numbers_of(const CodedField& field, NumberBlock& block);
 
 /// `known` says which nodes count. Companded: between the quantiles 0.001 and 0.999 every value comes back to 0.5/levels
 /// of half their distance, beyond them to 0.5/levels of the distance from the middle. Otherwise to 3e-5 of the whole range.
-CodedField code_field(int width, int height, const std::vector<double>& values, const std::vector<std::uint8_t>& known,
-                      bool companded, double levels = 500);
+CodedField code_field(int width, int height, const std::vector<double>& values, const std::vector<std::uint8_t>& known, bool companded, double levels = 500);
 
 /// The codes behind the residuals, as the page finds them.
 std::vector<std::int32_t> codes_of(int width, int height, const std::vector<std::uint32_t>& residual);

@@ -6,8 +6,8 @@
 #include "io/disk/file.hpp"
 #include "report/page_document.hpp"
 #include "report/page_template.hpp"
-#include "workflow/run_film.hpp"
 #include "workflow/run.hpp"
+#include "workflow/run_film.hpp"
 
 namespace arenite::report {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "grains/texture/texture.hpp"
 #include "model/film_result.hpp"
 #include "solid/stress/stress.hpp"
-#include "grains/texture/texture.hpp"
 
 namespace arenite::report {
 

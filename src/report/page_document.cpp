@@ -33,8 +33,11 @@ Numbers materials_of(const Materials& materials) {
 
 Numbers grains_of(const Grains& grains, NumberBlock& block) {
   const std::vector<std::int32_t> ids(grains.id.begin(), grains.id.end());
-  return {{"count", grains.size()}, {"id", block.add_integers(ids)}, {"radius", block.add_reals(grains.radius)},
-          {"material", block.add_indices(unsigned_copy(grains.material))}, {"zone", block.add_indices(unsigned_copy(grains.zone))}};
+  return {{"count", grains.size()},
+          {"id", block.add_integers(ids)},
+          {"radius", block.add_reals(grains.radius)},
+          {"material", block.add_indices(unsigned_copy(grains.material))},
+          {"zone", block.add_indices(unsigned_copy(grains.zone))}};
 }
 
 /// -sigma_hyd of every grain, Pa.
@@ -60,8 +63,13 @@ Numbers boundaries_of(const Domain& domain, NumberBlock& block) {
   for (const Boundary& boundary : domain.boundaries) {
     std::vector<double> x, y;
     for (const Vec2& p : boundary.points) x.push_back(p.x), y.push_back(p.y);
-    list.push_back({{"name", boundary.name}, {"closed", boundary.closed}, {"present", boundary.present}, {"x", block.add_reals(x)}, {"y", block.add_reals(y)},
-                    {"force", {boundary.force.x, boundary.force.y}}, {"torque", boundary.torque}});
+    list.push_back({{"name", boundary.name},
+                    {"closed", boundary.closed},
+                    {"present", boundary.present},
+                    {"x", block.add_reals(x)},
+                    {"y", block.add_reals(y)},
+                    {"force", {boundary.force.x, boundary.force.y}},
+                    {"torque", boundary.torque}});
   }
   return list;
 }
@@ -91,18 +99,33 @@ Numbers texture_of(const texture::Texture& texture, NumberBlock& block) {
 Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* texture, NumberBlock& block) {
   const Grains& grains = frame.packing.grains;
   const Equilibrium& rest = frame.equilibrium;
-  Numbers out{{"stage", stage}, {"label", frame.label}, {"time", frame.time}, {"step", frame.step}, {"domain", domain_of(frame.packing.domain, block)},
-              {"x", block.add_reals(grains.x)}, {"y", block.add_reals(grains.y)}, {"angle", block.add_reals(grains.angle)},
-              {"pressure", block.add_reals(grain_pressures(frame.packing))}, {"contacts", contacts_of(frame.packing, block)},
-              {"equilibrium", {{"unbalanced_ratio", rest.unbalanced_ratio}, {"kinetic_ratio", rest.kinetic_ratio}, {"loose_kinetic_ratio", rest.loose_kinetic},
-                               {"falling", rest.falling}, {"mobilisation", rest.mobilisation}, {"wall_speed", rest.wall_speed}}}};
+  Numbers out{{"stage", stage},
+              {"label", frame.label},
+              {"time", frame.time},
+              {"step", frame.step},
+              {"domain", domain_of(frame.packing.domain, block)},
+              {"x", block.add_reals(grains.x)},
+              {"y", block.add_reals(grains.y)},
+              {"angle", block.add_reals(grains.angle)},
+              {"pressure", block.add_reals(grain_pressures(frame.packing))},
+              {"contacts", contacts_of(frame.packing, block)},
+              {"equilibrium",
+               {{"unbalanced_ratio", rest.unbalanced_ratio},
+                {"kinetic_ratio", rest.kinetic_ratio},
+                {"loose_kinetic_ratio", rest.loose_kinetic},
+                {"falling", rest.falling},
+                {"mobilisation", rest.mobilisation},
+                {"wall_speed", rest.wall_speed}}}};
   if (texture) out["texture"] = texture_of(*texture, block);
   return out;
 }
 
 Numbers stage_of(const StageResult& stage, NumberBlock& block) {
-  return {{"name", stage.name}, {"converged", stage.converged}, {"outcome", stage.outcome},
-          {"history", history_of(stage.history, block)}, {"provenance", provenance_of(stage.provenance)}};
+  return {{"name", stage.name},
+          {"converged", stage.converged},
+          {"outcome", stage.outcome},
+          {"history", history_of(stage.history, block)},
+          {"provenance", provenance_of(stage.provenance)}};
 }
 
 const Frame* last_frame(const PageData& data) {
@@ -138,8 +161,8 @@ Numbers history_of(const History& history, NumberBlock& block) {
 Numbers provenance_of(const Provenance& p) {
   Numbers options = Numbers::tree();
   for (const auto& [name, value] : p.options) options[name] = value;
-  return {{"version", p.version}, {"stage", p.stage}, {"input_hash", p.input_hash}, {"seed", p.seed},
-          {"kernel", p.kernel}, {"recipe", p.recipe}, {"options", options}};
+  return {{"version", p.version}, {"stage", p.stage},   {"input_hash", p.input_hash}, {"seed", p.seed},
+          {"kernel", p.kernel},   {"recipe", p.recipe}, {"options", options}};
 }
 
 Numbers shortened(Numbers numbers) {

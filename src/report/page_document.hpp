@@ -19,8 +19,7 @@ PageDocument page_document(const PageData& data);
 
 // Pieces that packings, fields and films write alike.
 
-template <class T>
-std::vector<std::uint32_t> unsigned_copy(const std::vector<T>& values) {
+template <class T> std::vector<std::uint32_t> unsigned_copy(const std::vector<T>& values) {
   std::vector<std::uint32_t> copy(values.size());
   for (std::size_t k = 0; k < values.size(); ++k) copy[k] = static_cast<std::uint32_t>(values[k]);
   return copy;
@@ -38,13 +37,12 @@ Numbers shortened(Numbers numbers);
 /// A map of up to about a million nodes is drawn whole.
 struct Thinning {
   int stride = 1;
-  int width = 0, height = 0;          ///< nodes that are left
-  std::vector<std::size_t> node;      ///< their indices in the map
+  int width = 0, height = 0;      ///< nodes that are left
+  std::vector<std::size_t> node;  ///< their indices in the map
 
   explicit Thinning(const PhaseMap& map, std::size_t most = 1'200'000);
 
-  template <class T>
-  std::vector<T> of(const std::vector<T>& values) const {
+  template <class T> std::vector<T> of(const std::vector<T>& values) const {
     if (stride == 1) return values;
     std::vector<T> kept(node.size());
     for (std::size_t k = 0; k < node.size(); ++k) kept[k] = values[node[k]];

@@ -17,13 +17,18 @@ void add_notes(TextLines& lines, const Numbers& numbers) {
 }
 
 void describe_sample(TextLines& lines) {
-  lines.section("Sample on the nodes", {{"nodes along x", "/map/width"}, {"nodes along y", "/map/height"},
-                                        {"distance of nodes", "/map/dx_m", "m"}, {"lengths", "/map/lengths"},
+  lines.section("Sample on the nodes", {{"nodes along x", "/map/width"},
+                                        {"nodes along y", "/map/height"},
+                                        {"distance of nodes", "/map/dx_m", "m"},
+                                        {"lengths", "/map/lengths"},
                                         {"grains", "/grains/all"},
                                         {"share of particles", "/phases/particle"},
-                                        {"share of large grains", "/phases/large"}, {"share of small grains", "/phases/small"},
-                                        {"share of matrix", "/phases/matrix"}, {"share of void", "/phases/void"},
-                                        {"S_m (matrix in the pore space)", "/S_m"}, {"S_m by geometry", "/exact/S_m"},
+                                        {"share of large grains", "/phases/large"},
+                                        {"share of small grains", "/phases/small"},
+                                        {"share of matrix", "/phases/matrix"},
+                                        {"share of void", "/phases/void"},
+                                        {"S_m (matrix in the pore space)", "/S_m"},
+                                        {"S_m by geometry", "/exact/S_m"},
                                         {"solid from bottom to top", "/percolates/solid_bottom_top"},
                                         {"void from left to right", "/percolates/void_left_right"},
                                         {"nodes across the thinnest joint", "/raster/thinnest_joint_nodes"},
@@ -38,13 +43,22 @@ void describe_sample(TextLines& lines) {
 }
 
 void describe_load(TextLines& lines) {
-  lines.section("Load", {{"loading", "/load/loading"}, {"along", "/load/axis"}, {"strain", "/load/strain"},
-                         {"ending", "/load/ending"}, {"iterations", "/load/iterations"}, {"residual", "/load/residual"},
+  lines.section("Load", {{"loading", "/load/loading"},
+                         {"along", "/load/axis"},
+                         {"strain", "/load/strain"},
+                         {"ending", "/load/ending"},
+                         {"iterations", "/load/iterations"},
+                         {"residual", "/load/residual"},
                          {"reaction-force balance error", "/load/identity_defect"},
-                         {"apparent modulus", "/modulus_Pa", "Pa"}, {"Poisson's ratio", "/poisson"},
-                         {"E along x", "/moduli/E_x_Pa", "Pa"}, {"E along y", "/moduli/E_y_Pa", "Pa"},
-                         {"nu, pulled along x", "/moduli/nu_xy"}, {"nu, pulled along y", "/moduli/nu_yx"}, {"G", "/moduli/G_Pa", "Pa"},
-                         {"strength", "/strength_Pa", "Pa"}, {"strain at strength", "/failure/strain_at_strength"},
+                         {"apparent modulus", "/modulus_Pa", "Pa"},
+                         {"Poisson's ratio", "/poisson"},
+                         {"E along x", "/moduli/E_x_Pa", "Pa"},
+                         {"E along y", "/moduli/E_y_Pa", "Pa"},
+                         {"nu, pulled along x", "/moduli/nu_xy"},
+                         {"nu, pulled along y", "/moduli/nu_yx"},
+                         {"G", "/moduli/G_Pa", "Pa"},
+                         {"strength", "/strength_Pa", "Pa"},
+                         {"strain at strength", "/failure/strain_at_strength"},
                          {"broken bonds, matrix", "/failure/broken/matrix"},
                          {"broken bonds, interface", "/failure/broken/interface"},
                          {"broken bonds, particle", "/failure/broken/particle"},
@@ -61,8 +75,8 @@ void describe_component(TextLines& lines, const std::string& name, const Numbers
       const Numbers* at = d.at_path(path);
       return at ? shown(*at) : std::string("-");
     };
-    lines.raw(fmt::format("  {:<10} {:>20} {:>20} {:>20} {:>20} {:>20}", set, cell("/mean_over_sample_mean"), cell("/variance"),
-                          cell("/excess_kurtosis"), cell("/tail/slope"), cell("/q_gaussian/q")));
+    lines.raw(fmt::format("  {:<10} {:>20} {:>20} {:>20} {:>20} {:>20}", set, cell("/mean_over_sample_mean"), cell("/variance"), cell("/excess_kurtosis"),
+                          cell("/tail/slope"), cell("/q_gaussian/q")));
   }
 }
 
@@ -87,7 +101,8 @@ std::string forces_on_sides(const Domain& domain) {
   std::string text;
   for (std::size_t side = 0; side < domain.wall.size(); ++side)
     if (const double f = domain.wall[side].force; domain.wall[side].present)
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", side_names[side], std::abs(f) < 1e4 ? fmt::format("{:.4g} N", f) : fmt::format("{:.4g} kN", 1e-3 * f));
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", side_names[side],
+                          std::abs(f) < 1e4 ? fmt::format("{:.4g} N", f) : fmt::format("{:.4g} kN", 1e-3 * f));
   return text;
 }
 
@@ -97,8 +112,7 @@ dem::EquilibriumCriterion criterion_of(const Provenance& made) {
     const recipe::Recipe recipe = recipe::parse_recipe(made.recipe, "recipe");
     for (const auto& stage : recipe.stages)
       if (stage.name == made.stage) return stage.equilibrium;
-  } catch (const InputError&) {
-  }
+  } catch (const InputError&) {}
   return {};
 }
 
@@ -118,7 +132,8 @@ void add_forces(TextLines& rows, const texture::Texture& t) {
   if (!std::isfinite(s.whole.value.xx)) return;
   const auto [unit, scale] = statistics::stress_unit(std::abs(s.pressure) + s.deviator);
   rows.add("pressure p", fmt::format("{:.4g} {}", s.pressure * scale + 0.0, unit), "mean of the principal stresses, compression positive");
-  if (s.pressure > 0) rows.add("deviator over pressure q/p", fmt::format("{:.3g}", s.deviator / s.pressure), "q: half the difference of the principal stresses");
+  if (s.pressure > 0)
+    rows.add("deviator over pressure q/p", fmt::format("{:.3g}", s.deviator / s.pressure), "q: half the difference of the principal stresses");
 }
 
 void add_fabric(TextLines& rows, const texture::Texture& t) {
@@ -201,9 +216,13 @@ std::string field_headlines(const Numbers& numbers) {
                                        {"mean volume of pores", "/pores/mean", "", "over pi times the reference radius squared"},
                                        {"voids", "/voids/count", "", "spaces that nothing fills"}});
   if (numbers.contains("load")) rows.heading("Under load");
-  rows.numbers({{"modulus E", "/modulus_Pa", "Pa", "mean stress over strain"}, {"Poisson's ratio nu", "/poisson"},
-                {"E along x", "/moduli/E_x_Pa", "Pa"}, {"E along y", "/moduli/E_y_Pa", "Pa"}, {"shear modulus G", "/moduli/G_Pa", "Pa"},
-                {"strength", "/strength_Pa", "Pa", "greatest mean stress"}, {"strain at strength", "/failure/strain_at_strength"}});
+  rows.numbers({{"modulus E", "/modulus_Pa", "Pa", "mean stress over strain"},
+                {"Poisson's ratio nu", "/poisson"},
+                {"E along x", "/moduli/E_x_Pa", "Pa"},
+                {"E along y", "/moduli/E_y_Pa", "Pa"},
+                {"shear modulus G", "/moduli/G_Pa", "Pa"},
+                {"strength", "/strength_Pa", "Pa", "greatest mean stress"},
+                {"strain at strength", "/failure/strain_at_strength"}});
   if (const Numbers* sets = numbers.at_path("/stress/sigma_yy/sets")) {
     rows.heading("Vertical stress by phase over the mean of the sample");
     for (const auto& [name, set] : sets->items())

@@ -87,10 +87,12 @@ Numbers sample_drawing(const workflow::FinalState& state, FigureKind kind) {
 }
 
 Numbers film_drawing(const Numbers& film) {
-  if (!film.contains("found")) throw InputError("what is kept of the film holds no grains; remove virtual-film.hdf5 (or virtual-film.json) of this run, and make the film again");
+  if (!film.contains("found"))
+    throw InputError("what is kept of the film holds no grains; remove virtual-film.hdf5 (or virtual-film.json) of this run, and make the film again");
   const Numbers& found = film["found"];
   const auto list = [&](const char* name) { return found[name].get<std::vector<double>>(); };
-  Numbers j = disks_json({list("x"), list("y"), list("radius"), found["material"].get<std::vector<std::int32_t>>(), found["zone"].get<std::vector<std::uint8_t>>()});
+  Numbers j =
+      disks_json({list("x"), list("y"), list("radius"), found["material"].get<std::vector<std::int32_t>>(), found["zone"].get<std::vector<std::uint8_t>>()});
   j["stress"] = stress_json(list("sigma_norm"));
   return j;
 }

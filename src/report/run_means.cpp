@@ -46,7 +46,8 @@ Density read(const Numbers& j) {
 std::vector<double> places(const std::vector<Density>& densities) {
   std::vector<double> x;
   if (densities.front().shared) {
-    const auto& edge = std::max_element(densities.begin(), densities.end(), [](const Density& a, const Density& b) { return a.edge.back() < b.edge.back(); })->edge;
+    const auto& edge =
+        std::max_element(densities.begin(), densities.end(), [](const Density& a, const Density& b) { return a.edge.back() < b.edge.back(); })->edge;
     for (std::size_t k = 0; k + 1 < edge.size(); ++k) x.push_back(0.5 * (edge[k] + edge[k + 1]));
     return x;
   }
@@ -209,8 +210,7 @@ double number_at(const Numbers& run, const std::string& path) {
 bool has_numbers(const Numbers& run, const std::string& path) { return find(run, path) != nullptr; }
 
 statistics::Curve tail_line(const std::vector<Numbers>& runs, const std::string& path, const statistics::Curve& density) {
-  const double slope = mean_number(runs, path + ".slope"), low = mean_number(runs, path + ".low"),
-               high = mean_number(runs, path + ".high");
+  const double slope = mean_number(runs, path + ".slope"), low = mean_number(runs, path + ".low"), high = mean_number(runs, path + ".high");
   if (!std::isfinite(slope)) return regression(mean_number(runs, path + ".beta_line"), density);
   std::vector<double> weight;
   for (const double x : density.x) weight.push_back(x > low && x < high ? 1 : 0);

@@ -13,8 +13,8 @@ struct SampleMean : statistics::Curve {
 
 /// What a mean of lists is of sectors of directions.
 struct Sectors {
-  std::size_t count = 0;                 ///< other ones are shared out into so many, as if they were even within; 0: as they are
-  bool shares = true;                    ///< over the mean of the whole list, or the numbers themselves
+  std::size_t count = 0;  ///< other ones are shared out into so many, as if they were even within; 0: as they are
+  bool shares = true;     ///< over the mean of the whole list, or the numbers themselves
 };
 
 /// Mean over runs of a density in their numbers, at the dotted `path`: {"low", "width", "density"} or {"x", "y"} with the middles

@@ -49,7 +49,8 @@ constexpr Column columns[] = {
     {"a_c_signed", [](const State& s) { return s.anisotropy("all"); }},
     {"a_c_signed_strong", [](const State& s) { return s.anisotropy("strong"); }},
     {"a_c_signed_weak", [](const State& s) { return s.anisotropy("weak"); }},
-    {"strong_share", [](const State& s) {
+    {"strong_share",
+     [](const State& s) {
        const auto* all = texture::find(s.texture.force.compressive, "all");
        return all ? all->share_above.value : 0;
      }},

@@ -30,13 +30,14 @@ std::size_t key_of(const Table& table, const std::string& key, const Figure& fig
 bool is_wanted(const Table& table, const Row& row, const Figure& figure) {
   return std::all_of(figure.where.begin(), figure.where.end(), [&](const auto& where) {
     const std::string& here = row.values[key_of(table, where.first, figure)];
-    return std::any_of(where.second.begin(), where.second.end(), [&](const std::string& value) { return value == here || number_of(value) == number_of(here); });
+    return std::any_of(where.second.begin(), where.second.end(),
+                       [&](const std::string& value) { return value == here || number_of(value) == number_of(here); });
   });
 }
 
 /// The rows of one curve: those that are wanted and have this value of `by`.
 struct Group {
-  std::string value, name;               ///< its name in the key
+  std::string value, name;  ///< its name in the key
   std::vector<const Row*> rows;
 };
 
@@ -90,7 +91,8 @@ std::vector<FigureCurve> list_curves(const Figure& figure, const Table& table, c
       SampleMean mean = mean_of(figure, found, figure.curves[k]);
       if (figure.spread == Spread::deviation)
         for (double& error : mean.error) error *= std::sqrt(static_cast<double>(mean.samples));
-      FigureCurve curve{.name = name_of(figure, group, k), .points = mean, .group = place, .part = k, .film = film, .fewest = mean.samples, .most = mean.samples};
+      FigureCurve curve{
+          .name = name_of(figure, group, k), .points = mean, .group = place, .part = k, .film = film, .fewest = mean.samples, .most = mean.samples};
       FigureCurve fit{.group = place, .part = k, .film = film, .fit = true};
       if (k < figure.fits.size() && !figure.fits[k].empty()) fit.points = tail_line(found, figure.fits[k], mean);
       add_curve(curves, std::move(curve));
@@ -160,7 +162,8 @@ class MeanRows {
   std::size_t samples(const Row& mean, const std::string& y) const {
     const auto at = of_values_.find(mean.values);
     if (at == of_values_.end()) return 0;
-    return static_cast<std::size_t>(std::count_if(at->second.begin(), at->second.end(), [&](const Row* row) { return std::isfinite(value_of(runs_, *row, y).value); }));
+    return static_cast<std::size_t>(
+        std::count_if(at->second.begin(), at->second.end(), [&](const Row* row) { return std::isfinite(value_of(runs_, *row, y).value); }));
   }
 
   const Table& runs_;
@@ -217,7 +220,8 @@ std::vector<std::string> filmed_runs(const std::vector<Figure>& figures, const T
   std::vector<std::string> runs;
   for (const Figure& figure : figures)
     for (const Row& row : table.rows)
-      if (figure.kind == FigureKind::film && is_shown(table, row, figure) && std::find(runs.begin(), runs.end(), row.run) == runs.end()) runs.push_back(row.run);
+      if (figure.kind == FigureKind::film && is_shown(table, row, figure) && std::find(runs.begin(), runs.end(), row.run) == runs.end())
+        runs.push_back(row.run);
   return runs;
 }
 

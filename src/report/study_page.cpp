@@ -84,11 +84,20 @@ Numbers figure_json(const Figure& figure, const std::vector<FigureCurve>& curves
       x.add(at);
       y.add(value);
       if (std::isfinite(error)) y.add(value + error);
-      if (std::isfinite(error) && can_show(figure.y_axis, value - error)) y.add(std::max(value - error, figure.y_axis.logarithmic ? 0.3 * value : value - error));
+      if (std::isfinite(error) && can_show(figure.y_axis, value - error))
+        y.add(std::max(value - error, figure.y_axis.logarithmic ? 0.3 * value : value - error));
       points.push_back({at, value, std::isfinite(error) ? error : 0.0});
     }
     if (!points.empty() && !points.back()[1].is_known()) points.pop_back();
-    if (!points.empty()) series.push_back({{"name", curve.name}, {"group", curve.group}, {"part", curve.part}, {"film", curve.film}, {"fit", curve.fit}, {"beside", curve.beside}, {"source", curve.source}, {"points", points}});
+    if (!points.empty())
+      series.push_back({{"name", curve.name},
+                        {"group", curve.group},
+                        {"part", curve.part},
+                        {"film", curve.film},
+                        {"fit", curve.fit},
+                        {"beside", curve.beside},
+                        {"source", curve.source},
+                        {"points", points}});
   }
   Numbers references = Numbers::list();
   for (const auto& r : figure.references) {
@@ -99,10 +108,20 @@ Numbers figure_json(const Figure& figure, const std::vector<FigureCurve>& curves
     references.push_back(one);
   }
   const std::string name = !figure.curves.empty() ? figure.curves.front() : figure.y.empty() ? "" : figure.y.front();
-  return {{"id", figure.id}, {"kind", word_for(figure.kind)}, {"title", figure.title}, {"source", figure.source}, {"caption", figure.caption}, {"spread", spread_text(figure, curves)},
-          {"lines", figure.lines}, {"density", density}, {"counts", figure.counts},
-          {"ordered", !figure.by.empty()}, {"x", axis_json(figure.x_axis, figure.x, x)}, {"y", axis_json(figure.y_axis, name, y)},
-          {"series", series}, {"references", references}};
+  return {{"id", figure.id},
+          {"kind", word_for(figure.kind)},
+          {"title", figure.title},
+          {"source", figure.source},
+          {"caption", figure.caption},
+          {"spread", spread_text(figure, curves)},
+          {"lines", figure.lines},
+          {"density", density},
+          {"counts", figure.counts},
+          {"ordered", !figure.by.empty()},
+          {"x", axis_json(figure.x_axis, figure.x, x)},
+          {"y", axis_json(figure.y_axis, name, y)},
+          {"series", series},
+          {"references", references}};
 }
 
 /// Curves that no run has the numbers for, by what the key would call them.
@@ -123,9 +142,7 @@ void add_drawing(Numbers& shown, const Figure& figure, const std::string& run, c
   }
   try {
     if (page.drawing) shown["sample"] = page.drawing(run, figure);
-  } catch (const InputError& error) {
-    shown["missing"] = fmt::format("Not drawn: {}.", error.problems().front().message);
-  }
+  } catch (const InputError& error) { shown["missing"] = fmt::format("Not drawn: {}.", error.problems().front().message); }
 }
 
 }  // namespace
@@ -135,14 +152,16 @@ std::string spread_text(const Figure& figure, const std::vector<FigureCurve>& cu
   const std::size_t most = std::max(ours.most, film.most);
   if (most == 0 || figure.kind == FigureKind::map) return "";
   if (most == 1) return "One sample";
-  std::string text = fmt::format("{}: {} over {}", marks_of(figure), figure.spread == Spread::deviation ? "standard deviation" : "standard error", number_of(ours.most > 0 ? ours : film));
+  std::string text = fmt::format("{}: {} over {}", marks_of(figure), figure.spread == Spread::deviation ? "standard deviation" : "standard error",
+                                 number_of(ours.most > 0 ? ours : film));
   if (ours.most > 0 && film.most > 0 && (film.fewest != ours.fewest || film.most != ours.most)) text += fmt::format("; of the film: {}", number_of(film));
   return text;
 }
 
 std::string study_page(const StudyPage& page) {
   Numbers about{{"title", page.title}};
-  const auto done = static_cast<std::size_t>(std::count_if(page.table.rows.begin(), page.table.rows.end(), [](const auto& row) { return row.status == "done"; }));
+  const auto done =
+      static_cast<std::size_t>(std::count_if(page.table.rows.begin(), page.table.rows.end(), [](const auto& row) { return row.status == "done"; }));
   about["runs"] = fmt::format("{} of {} runs; the caption of each figure says what its bars, bands and ticks are", done, page.table.rows.size());
   about["made"] = fmt::format("Arenite {}. Dashed lines and crosses are what the text and the tables of the source say.", version);
   about["figures"] = Numbers::list();
@@ -151,7 +170,8 @@ std::string study_page(const StudyPage& page) {
   for (const Figure& figure : page.figures) {
     const auto curves = curves_of(figure, table, page.numbers);
     about["figures"].push_back(figure_json(figure, curves));
-    if (const auto names = absent(figure, curves); !names.empty()) about["figures"].back()["missing"] = fmt::format("No run has the numbers for it yet: {}.", names);
+    if (const auto names = absent(figure, curves); !names.empty())
+      about["figures"].back()["missing"] = fmt::format("No run has the numbers for it yet: {}.", names);
     if (shows_a_run(figure.kind)) add_drawing(about["figures"].back(), figure, run_of(figure, table), page);
   }
   std::string json = to_json(about, -1);

@@ -13,11 +13,11 @@ namespace arenite::report {
 struct FigureCurve {
   std::string name = {};
   statistics::Curve points = {};
-  std::size_t group = 0, part = 0;       ///< which value of `by`, which of `y` or `curves`
-  bool film = false;                     ///< what a film gives
-  bool fit = false;                      ///< an exponential through the curve before it
-  bool beside = false, source = false;   ///< of `Figure::beside`, of `Figure::source_points`
-  std::size_t fewest = 0, most = 0;      ///< runs that make a point
+  std::size_t group = 0, part = 0;      ///< which value of `by`, which of `y` or `curves`
+  bool film = false;                    ///< what a film gives
+  bool fit = false;                     ///< an exponential through the curve before it
+  bool beside = false, source = false;  ///< of `Figure::beside`, of `Figure::source_points`
+  std::size_t fewest = 0, most = 0;     ///< runs that make a point
 };
 
 /// The numbers of a run, by its name and with what stands at a path of a figure if there is such; empty if it has none.

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "io/results/results.hpp"
 #include "io/disk/store_file.hpp"
+#include "io/results/results.hpp"
 #include "report/result_text.hpp"
 #include "workflow/run.hpp"
 
@@ -12,15 +12,21 @@ namespace {
 
 std::string made_by(const Provenance& p) {
   const std::string title = recipe::title_in(p.recipe);
-  return fmt::format("{}{}Made by Arenite {}, {}{}seed {}; input {}\n", title, title.empty() ? "" : "\n", p.version,
-                     p.kernel.empty() ? "" : "kernel ", p.kernel.empty() ? "" : p.kernel + ", ", p.seed, p.input_hash.substr(0, 12));
+  return fmt::format("{}{}Made by Arenite {}, {}{}seed {}; input {}\n", title, title.empty() ? "" : "\n", p.version, p.kernel.empty() ? "" : "kernel ",
+                     p.kernel.empty() ? "" : p.kernel + ", ", p.seed, p.input_hash.substr(0, 12));
 }
 
 Numbers provenance(const Provenance& p) {
   Numbers options = Numbers::tree();
   for (const auto& [key, value] : p.options) options[key] = value;
-  return {{"title", recipe::title_in(p.recipe)}, {"version", p.version}, {"stage", p.stage}, {"input_hash", p.input_hash}, {"seed", p.seed},
-          {"kernel", p.kernel},   {"options", options}, {"recipe", p.recipe}};
+  return {{"title", recipe::title_in(p.recipe)},
+          {"version", p.version},
+          {"stage", p.stage},
+          {"input_hash", p.input_hash},
+          {"seed", p.seed},
+          {"kernel", p.kernel},
+          {"options", options},
+          {"recipe", p.recipe}};
 }
 
 Numbers walls(const Domain& domain) {
@@ -36,8 +42,8 @@ Numbers walls(const Domain& domain) {
 Numbers boundaries(const Domain& domain) {
   Numbers j = Numbers::tree();
   for (const Boundary& b : domain.boundaries)
-    j[b.name] = {{"present", b.present}, {"centre_m", {b.centre.x, b.centre.y}}, {"velocity_m_s", {b.velocity.x, b.velocity.y}}, {"spin_rad_s", b.spin},
-                 {"force_N", {b.force.x, b.force.y}}, {"torque_N_m", b.torque}};
+    j[b.name] = {{"present", b.present}, {"centre_m", {b.centre.x, b.centre.y}}, {"velocity_m_s", {b.velocity.x, b.velocity.y}},
+                 {"spin_rad_s", b.spin}, {"force_N", {b.force.x, b.force.y}},    {"torque_N_m", b.torque}};
   return j;
 }
 
@@ -45,10 +51,18 @@ Numbers state(const Frame& frame) {
   const Equilibrium& q = frame.equilibrium;
   Numbers energies = Numbers::tree();
   for (const EnergyTerm& term : energy_terms) energies[term.name] = frame.energies.*term.value;
-  Numbers j{{"label", frame.label}, {"time_s", frame.time}, {"step", frame.step}, {"walls", walls(frame.packing.domain)},
-          {"equilibrium", {{"unbalanced_ratio", q.unbalanced_ratio}, {"kinetic_ratio", q.kinetic_ratio},
-                           {"loose_kinetic_ratio", q.loose_kinetic}, {"falling", q.falling}, {"mobilisation", q.mobilisation}, {"wall_speed_m_s", q.wall_speed}}},
-          {"energies_J", energies}};
+  Numbers j{{"label", frame.label},
+            {"time_s", frame.time},
+            {"step", frame.step},
+            {"walls", walls(frame.packing.domain)},
+            {"equilibrium",
+             {{"unbalanced_ratio", q.unbalanced_ratio},
+              {"kinetic_ratio", q.kinetic_ratio},
+              {"loose_kinetic_ratio", q.loose_kinetic},
+              {"falling", q.falling},
+              {"mobilisation", q.mobilisation},
+              {"wall_speed_m_s", q.wall_speed}}},
+            {"energies_J", energies}};
   if (!frame.packing.domain.boundaries.empty()) j["boundaries"] = boundaries(frame.packing.domain);
   return j;
 }
@@ -58,12 +72,11 @@ void describe_state(TextLines& lines, const Frame& frame) {
   const Domain& d = frame.packing.domain;
   for (std::size_t side = 0; side < d.wall.size(); ++side)
     if (d.wall[side].present)
-      lines.add(fmt::format("{} wall", side_names[side]), fmt::format("at {:.6g} m, force {:.5g} N, along it {:.5g} N", d.wall[side].position,
-                                                                      d.wall[side].force, d.wall[side].shear_force));
+      lines.add(fmt::format("{} wall", side_names[side]),
+                fmt::format("at {:.6g} m, force {:.5g} N, along it {:.5g} N", d.wall[side].position, d.wall[side].force, d.wall[side].shear_force));
   for (const Boundary& b : d.boundaries)
     if (b.present) lines.add(b.name, fmt::format("force {:.5g} N and {:.5g} N along x and y, torque {:.5g} N m", b.force.x, b.force.y, b.torque));
-  if (d.periodic_x || d.periodic_y)
-    lines.add("periodic cell", fmt::format("{:.6g} m x {:.6g} m, tilt {:.6g} m", d.width(), d.height(), d.tilt));
+  if (d.periodic_x || d.periodic_y) lines.add("periodic cell", fmt::format("{:.6g} m x {:.6g} m, tilt {:.6g} m", d.width(), d.height(), d.tilt));
   lines.add("unbalanced force ratio", fmt::format("{:.2e}", frame.equilibrium.unbalanced_ratio));
   lines.add("kinetic/elastic energy", fmt::format("{:.2e}", frame.equilibrium.kinetic_ratio));
   lines.add("the same of grains that carry nothing", fmt::format("{:.2e}", frame.equilibrium.loose_kinetic));
@@ -90,7 +103,12 @@ texture::Texture texture_without_rev(const StageResult& last) {
 }  // namespace
 
 Summary::Field::Field(const std::filesystem::path& path, const FieldResult& field)
-    : file(path.filename().string()), name(field.name), outcome(field.outcome), numbers(field.numbers), converged(field.converged), provenance(field.provenance) {}
+    : file(path.filename().string()),
+      name(field.name),
+      outcome(field.outcome),
+      numbers(field.numbers),
+      converged(field.converged),
+      provenance(field.provenance) {}
 
 Summary::Summary(const std::filesystem::path& result) {
   for (const auto& file : io::stage_files(result)) {
@@ -125,14 +143,19 @@ Numbers Summary::numbers() const {
   if (!fields_.empty() && !stages_.empty()) j["texture"] = texture;
   j["provenance"] = provenance(fields_.empty() ? stages_.back().result.provenance : fields_.back().provenance);
   for (const Stage& stage : stages_) {
-    Numbers one{{"name", stage.result.name}, {"file", stage.file}, {"input_hash", stage.result.provenance.input_hash},
-             {"converged", stage.result.converged}, {"outcome", stage.result.outcome}, {"states", stage.states}};
+    Numbers one{
+        {"name", stage.result.name},       {"file", stage.file},    {"input_hash", stage.result.provenance.input_hash}, {"converged", stage.result.converged},
+        {"outcome", stage.result.outcome}, {"states", stage.states}};
     if (!stage.result.frames.empty()) one["last_state"] = state(stage.result.frames.back());
     j["stages"].push_back(one);
   }
   for (const Field& field : fields_)
-    j["stages"].push_back({{"name", field.name}, {"file", field.file}, {"input_hash", field.provenance.input_hash},
-                           {"converged", field.converged}, {"outcome", field.outcome}, {"numbers", field.numbers}});
+    j["stages"].push_back({{"name", field.name},
+                           {"file", field.file},
+                           {"input_hash", field.provenance.input_hash},
+                           {"converged", field.converged},
+                           {"outcome", field.outcome},
+                           {"numbers", field.numbers}});
   return j;
 }
 
@@ -151,7 +174,8 @@ std::string Summary::how_stages_ended() const {
 }
 
 std::string Summary::text() const {
-  const std::string more = "\n`arenite show RESULT --all` prints every number, `--json` the same for programs; docs/measure.md and docs/stress.md say what each is.\n";
+  const std::string more =
+      "\n`arenite show RESULT --all` prints every number, `--json` the same for programs; docs/measure.md and docs/stress.md say what each is.\n";
   if (!films_.empty()) return all();
   if (!fields_.empty()) return how_stages_ended() + field_headlines(fields_.back().numbers) + more;
   const StageResult& last = stages_.back().result;

@@ -21,15 +21,15 @@ class Summary {
   /// The same of a run that has just ended.
   explicit Summary(const workflow::RunOutcome& outcome);
 
-  std::string text() const;   ///< for people: how the stages ended, and the headlines, each with its meaning
-  std::string all() const;    ///< for people: every number
-  Numbers numbers() const;    ///< for programs: the texture's fields, or a field's numbers with "texture", and "provenance" and "stages" beside them
+  std::string text() const;  ///< for people: how the stages ended, and the headlines, each with its meaning
+  std::string all() const;   ///< for people: every number
+  Numbers numbers() const;   ///< for programs: the texture's fields, or a field's numbers with "texture", and "provenance" and "stages" beside them
 
  private:
   std::string how_stages_ended() const;
   struct Stage {
     std::string file;
-    StageResult result;       ///< with its last frame only
+    StageResult result;  ///< with its last frame only
     std::size_t states = 0;
   };
   struct Field {
@@ -50,8 +50,8 @@ Numbers field_numbers(const FieldResult& result);
 
 /// A film in a few numbers: size, times and missing frames, what the camera says, levels and noise of the first frames.
 struct FilmSummary {
-  std::string text;           ///< for people
-  Numbers numbers;            ///< for programs
+  std::string text;  ///< for people
+  Numbers numbers;   ///< for programs
 };
 /// Reads up to `most_frames` of its frames.
 FilmSummary film_summary(FilmSource& film, std::size_t most_frames = 64);

@@ -30,12 +30,10 @@ struct Curve {
 };
 
 /// Values by name ("all", "POM-HDPE", "strong"), in a fixed order.
-template <class T>
-using ByName = std::vector<std::pair<std::string, T>>;
+template <class T> using ByName = std::vector<std::pair<std::string, T>>;
 
 /// The value of that name, or nullptr.
-template <class T>
-const T* find(const ByName<T>& values, std::string_view name) {
+template <class T> const T* find(const ByName<T>& values, std::string_view name) {
   for (const auto& [key, value] : values)
     if (key == name) return &value;
   return nullptr;

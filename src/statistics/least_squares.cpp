@@ -6,33 +6,27 @@
 namespace arenite::statistics {
 namespace {
 
-template <class T>
-using Dense = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
+template <class T> using Dense = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
 Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
-template <class T>
-Eigen::Map<const Dense<T>> seen(const MatrixOf<T>& a) { return {a.column(0), index(a.rows()), index(a.columns())}; }
+template <class T> Eigen::Map<const Dense<T>> seen(const MatrixOf<T>& a) { return {a.column(0), index(a.rows()), index(a.columns())}; }
 
-template <class T>
-Eigen::Map<Dense<T>> seen(MatrixOf<T>& a) { return {a.column(0), index(a.rows()), index(a.columns())}; }
+template <class T> Eigen::Map<Dense<T>> seen(MatrixOf<T>& a) { return {a.column(0), index(a.rows()), index(a.columns())}; }
 
-template <class T>
-MatrixOf<T> product(const MatrixOf<T>& a, const MatrixOf<T>& b) {
+template <class T> MatrixOf<T> product(const MatrixOf<T>& a, const MatrixOf<T>& b) {
   MatrixOf<T> c(a.rows(), b.columns());
   seen(c).noalias() = seen(a) * seen(b);
   return c;
 }
 
-template <class T>
-MatrixOf<T> product_with_transposed(const MatrixOf<T>& a, const MatrixOf<T>& b) {
+template <class T> MatrixOf<T> product_with_transposed(const MatrixOf<T>& a, const MatrixOf<T>& b) {
   MatrixOf<T> c(a.rows(), b.rows());
   seen(c).noalias() = seen(a) * seen(b).transpose();
   return c;
 }
 
-template <class Factors>
-Matrix solved(const Factors& factors, const Matrix& right) {
+template <class Factors> Matrix solved(const Factors& factors, const Matrix& right) {
   Matrix x(right.rows(), right.columns());
   seen(x) = factors.solve(seen(right));
   return x;

@@ -6,8 +6,7 @@
 namespace arenite::statistics {
 
 /// Numbers in columns, one after the other; 0 at first. What works on all of them is compiled once, in least_squares.cpp.
-template <class T>
-class MatrixOf {
+template <class T> class MatrixOf {
  public:
   MatrixOf() = default;
   MatrixOf(std::size_t rows, std::size_t columns) : rows_(rows), columns_(columns), value_(rows * columns) {}
@@ -77,8 +76,7 @@ struct Orthonormal {
 Orthonormal orthonormal(const Matrix& columns);
 
 /// Normal equations of a few unknowns, for places where they are summed and solved a million times.
-template <std::size_t size>
-struct SmallNormal {
+template <std::size_t size> struct SmallNormal {
   std::array<std::array<double, size>, size> matrix{};  ///< the lower triangle
   std::array<double, size> right{};
 

@@ -34,19 +34,15 @@ class Numbers {
   Numbers() = default;
   Numbers(std::nullptr_t) {}
   Numbers(bool value) : kind_(Kind::truth), integer_(value ? 1 : 0) {}
-  template <std::signed_integral T>
-  Numbers(T value) : kind_(Kind::integer), integer_(value) {}
+  template <std::signed_integral T> Numbers(T value) : kind_(Kind::integer), integer_(value) {}
   template <std::unsigned_integral T>
   requires(!std::same_as<T, bool>) Numbers(T value) : kind_(Kind::natural), integer_(static_cast<std::int64_t>(value)) {}
-  template <std::floating_point T>
-  Numbers(T value) : Numbers(real_of(static_cast<double>(value))) {}
+  template <std::floating_point T> Numbers(T value) : Numbers(real_of(static_cast<double>(value))) {}
   Numbers(std::string text) : kind_(Kind::text), text_(std::move(text)) {}
   Numbers(const char* text) : Numbers(std::string(text)) {}
   Numbers(std::string_view text) : Numbers(std::string(text)) {}
-  template <class T>
-  Numbers(const std::vector<T>& values) : kind_(Kind::list), items_(values.begin(), values.end()) {}
-  template <class T>
-  Numbers(const std::map<std::string, T>& values) : kind_(Kind::tree) {
+  template <class T> Numbers(const std::vector<T>& values) : kind_(Kind::list), items_(values.begin(), values.end()) {}
+  template <class T> Numbers(const std::map<std::string, T>& values) : kind_(Kind::tree) {
     for (const auto& [name, value] : values) (*this)[name] = value;
   }
   /// A tree if all are pairs of a name and a value, else a list.
@@ -86,17 +82,11 @@ class Numbers {
   const Numbers& at(std::size_t i) const;
   const Numbers& operator[](std::string_view name) const { return at(name); }
   const Numbers& operator[](const char* name) const { return at(std::string_view(name)); }
-  template <std::integral I>
-  const Numbers& operator[](I i) const {
-    return at(static_cast<std::size_t>(i));
-  }
+  template <std::integral I> const Numbers& operator[](I i) const { return at(static_cast<std::size_t>(i)); }
   /// Adds it where there is none.
   Numbers& operator[](std::string_view name);
   Numbers& operator[](const char* name) { return (*this)[std::string_view(name)]; }
-  template <std::integral I>
-  Numbers& operator[](I i) {
-    return const_cast<Numbers&>(at(static_cast<std::size_t>(i)));
-  }
+  template <std::integral I> Numbers& operator[](I i) { return const_cast<Numbers&>(at(static_cast<std::size_t>(i))); }
   /// What lies at "/fabric/a_c" or "/joints/0/width"; nothing where there is none.
   const Numbers* at_path(std::string_view path) const;
 
@@ -107,8 +97,7 @@ class Numbers {
   void update(const Numbers& other);
 
   /// As a number, truth, text or list of such; throws NumbersError if it is none.
-  template <class T>
-  T get() const {
+  template <class T> T get() const {
     if constexpr (std::same_as<T, bool>) return as_truth();
     else if constexpr (std::is_arithmetic_v<T>) return as_number<T>();
     else if constexpr (std::same_as<T, std::string>) return as_text();
@@ -119,8 +108,7 @@ class Numbers {
       return values;
     }
   }
-  template <class T>
-  T value(std::string_view name, const T& otherwise) const {
+  template <class T> T value(std::string_view name, const T& otherwise) const {
     const auto found = find(name);
     return found == end() ? otherwise : found->template get<T>();
   }
@@ -135,8 +123,7 @@ class Numbers {
   const std::string& as_text() const;
   const Items& as_list() const;
   double as_real() const;
-  template <class T>
-  T as_number() const {
+  template <class T> T as_number() const {
     if (is_integer()) return kind_ == Kind::natural ? static_cast<T>(static_cast<std::uint64_t>(integer_)) : static_cast<T>(integer_);
     return static_cast<T>(as_real());
   }
@@ -171,23 +158,22 @@ void put(Numbers& to, const std::string& name, const Tensor2& t);
 void put(Numbers& to, const std::string& name, const ByName<Estimate>& values);
 
 /// A number of a statistic S, declared once: its name in files and tables, its unit (empty: it has none), what it is, and where it stands.
-template <class S>
-struct Declared {
+template <class S> struct Declared {
   const char *name, *unit, *sentence;
   std::variant<Estimate S::*, double S::*, std::size_t S::*, bool S::*, TensorEstimate S::*, Tensor2 S::*, ByName<Estimate> S::*> member;
 };
 
 /// Adds all of a statistic's numbers, in the order of their declaration; counts and truths are always known.
-template <class S, std::size_t N>
-void put_all(Numbers& to, const S& statistic, const Declared<S> (&declared)[N]) {
+template <class S, std::size_t N> void put_all(Numbers& to, const S& statistic, const Declared<S> (&declared)[N]) {
   for (const Declared<S>& d : declared)
-    std::visit([&](const auto member) {
-      if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(statistic.*member)>>) to[d.name] = statistic.*member;
-      else put(to, d.name, statistic.*member);
-    }, d.member);
+    std::visit(
+        [&](const auto member) {
+          if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(statistic.*member)>>) to[d.name] = statistic.*member;
+          else put(to, d.name, statistic.*member);
+        },
+        d.member);
 }
-template <class S, std::size_t N>
-Numbers tree_of(const S& statistic, const Declared<S> (&declared)[N]) {
+template <class S, std::size_t N> Numbers tree_of(const S& statistic, const Declared<S> (&declared)[N]) {
   Numbers out = Numbers::tree();
   put_all(out, statistic, declared);
   return out;

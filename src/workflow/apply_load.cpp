@@ -27,8 +27,7 @@ FieldResult upright(const FieldResult& sample, recipe::Load::Axis axis) {
 }
 
 /// What loads and pulls to failure have in common.
-template <class Options>
-Options common_options(const recipe::Load& load, const peridynamics::Watch& watch) {
+template <class Options> Options common_options(const recipe::Load& load, const peridynamics::Watch& watch) {
   Options options;
   options.stiffness = load.stiffness.resolved();
   options.loading = load.loading;
@@ -80,9 +79,7 @@ void measure_stress(const recipe::Load& load, FieldResult& result) {
     const auto contacts = contact_stresses(result);
     if (contacts.size() == result.map.grain_class.size() && load.loading != peridynamics::Loading::shear)
       add_agreement(result.numbers, stress::compare(result.map, statistics.grains, contacts));
-  } catch (const InputError& error) {
-    result.numbers["notes"].push_back(fmt::format("no statistics of stress: {}", error.what()));
-  }
+  } catch (const InputError& error) { result.numbers["notes"].push_back(fmt::format("no statistics of stress: {}", error.what())); }
 }
 
 std::optional<FieldResult> pull_apart(const recipe::Load& load, FieldResult result, const peridynamics::Watch& watch, const PullCheckpoint& checkpoint) {

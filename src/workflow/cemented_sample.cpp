@@ -31,8 +31,8 @@ Contacts take(const Contacts& from, const Numbering& numbering) {
   Contacts contacts;
   for (std::size_t c = 0; c < from.size(); ++c) {
     if (!numbering.has(from.i[c]) || (!from.is_wall(c) && !numbering.has(from.j[c]))) continue;
-    contacts.add(numbering[from.i[c]], from.is_wall(c) ? from.j[c] : numbering[from.j[c]], from.normal(c), from.fn[c], from.ft[c],
-                 from.arm_i[c], from.arm_j[c]);
+    contacts.add(numbering[from.i[c]], from.is_wall(c) ? from.j[c] : numbering[from.j[c]], from.normal(c), from.fn[c], from.ft[c], from.arm_i[c],
+                 from.arm_j[c]);
     contacts.overlap.back() = from.overlap[c];
     contacts.sliding_velocity.back() = from.sliding_velocity[c];
     contacts.glued.back() = from.glued[c];
@@ -40,8 +40,7 @@ Contacts take(const Contacts& from, const Numbering& numbering) {
   return contacts;
 }
 
-template <class Joint>
-std::vector<Joint> take(const std::vector<Joint>& from, const Numbering& numbering) {
+template <class Joint> std::vector<Joint> take(const std::vector<Joint>& from, const Numbering& numbering) {
   std::vector<Joint> joints;
   for (Joint joint : from) {
     if (!numbering.has(joint.i) || !numbering.has(joint.j)) continue;
@@ -75,7 +74,8 @@ std::string sentence(const SampleReports& reports, const PhaseMap& map, const re
                                  section.nodes, 1e3 * map.dx, map.grain_class.size(), reports.cement.saturation, 100 * r.particle_area_error);
   if (r.exact_matrix_area > 0) text += fmt::format(" and {:+.2g} % (matrix)", 100 * r.matrix_area_error);
   if (r.joints > 0) text += fmt::format("; the thinnest of {} joints spans {} nodes", r.joints, r.thinnest_joint);
-  if (r.lost_joints > 0) text += fmt::format("; {} no node: refine the raster", r.lost_joints == 1 ? "1 joint has" : fmt::format("{} joints have", r.lost_joints));
+  if (r.lost_joints > 0)
+    text += fmt::format("; {} no node: refine the raster", r.lost_joints == 1 ? "1 joint has" : fmt::format("{} joints have", r.lost_joints));
   return text;
 }
 

@@ -20,12 +20,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-template <class T>
-std::vector<double> as_doubles(const std::vector<T>& values) {
-  return {values.begin(), values.end()};
-}
+template <class T> std::vector<double> as_doubles(const std::vector<T>& values) { return {values.begin(), values.end()}; }
 
-void add_components(std::vector<io::GrainField>& fields, const std::vector<Tensor2>& stress, std::initializer_list<std::pair<const char*, double Tensor2::*>> wanted) {
+void add_components(std::vector<io::GrainField>& fields, const std::vector<Tensor2>& stress,
+                    std::initializer_list<std::pair<const char*, double Tensor2::*>> wanted) {
   for (const auto& [name, component] : wanted) {
     fields.push_back({name, "Pa", {}});
     for (const Tensor2& t : stress) fields.back().values.push_back(t.*component);
@@ -46,8 +44,10 @@ std::vector<io::GrainField> derived_fields(const Packing& packing) {
 
 std::vector<io::GrainField> derived_fields(const FilmResult& film) {
   const texture::PerGrain rows = texture::measure(film.packing, {.rev_sizes = 0, .grain_sigma_hyd = film.swing.sigma_hyd}).per_grain;
-  return {{"contacts", "1", as_doubles(rows.contacts)}, {"sigma_norm", "1", rows.sigma_norm},
-          {"sigma_hyd", "Pa", film.swing.sigma_hyd}, {"sigma_hyd_error", "Pa", film.swing.error}};
+  return {{"contacts", "1", as_doubles(rows.contacts)},
+          {"sigma_norm", "1", rows.sigma_norm},
+          {"sigma_hyd", "Pa", film.swing.sigma_hyd},
+          {"sigma_hyd_error", "Pa", film.swing.error}};
 }
 
 std::vector<io::GrainField> fields_of_contacts(const FilmResult& film) {
@@ -225,9 +225,7 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
   if (loading.is_empty() && !has_field) throw InputError(result.string(), 0, "holds no state to export; run the recipe to its end first");
   try {
     return loading.finish(last);
-  } catch (const InputError& error) {
-    throw in_file(error, result.string());
-  }
+  } catch (const InputError& error) { throw in_file(error, result.string()); }
 }
 
 }  // namespace arenite::workflow

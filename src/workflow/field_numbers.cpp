@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "model/elasticity/bounds.hpp"
+#include "recipe/recipe.hpp"
 #include "solid/raster/cavities.hpp"
 #include "statistics/numbers.hpp"
-#include "recipe/recipe.hpp"
 
 namespace arenite::workflow {
 namespace {
@@ -57,13 +57,13 @@ Numbers grains(const PhaseMap& map) {
 }
 
 Numbers coordination(const texture::GapCoordination& z, double gap) {
-  return {{"gap_m", gap},        {"large_grains", z.large}, {"small_grains", z.small}, {"Z", estimate(z.mean)},  {"Z_l", estimate(z.l)},
+  return {{"gap_m", gap},         {"large_grains", z.large}, {"small_grains", z.small}, {"Z", estimate(z.mean)},  {"Z_l", estimate(z.l)},
           {"Z_s", estimate(z.s)}, {"Z_ll", estimate(z.ll)},  {"Z_ls", estimate(z.ls)},  {"Z_sl", estimate(z.sl)}, {"Z_ss", estimate(z.ss)}};
 }
 
 Numbers support(const peridynamics::Support& s) {
-  return {{"solid", s.solid}, {"carrying", s.carrying}, {"held_below", s.held_below}, {"held_above", s.held_above},
-          {"floating", s.floating}, {"islands", s.islands}};
+  return {{"solid", s.solid},           {"carrying", s.carrying}, {"held_below", s.held_below},
+          {"held_above", s.held_above}, {"floating", s.floating}, {"islands", s.islands}};
 }
 
 Numbers as_asked(const recipe::Load& load) {
@@ -75,7 +75,8 @@ Numbers as_asked(const recipe::Load& load) {
 
 /// Of Young's modulus, by the phases' shares. The lattice's Poisson's ratio is 1/3.
 Numbers bounds(const Numbers& phases, const peridynamics::Stiffness& e) {
-  const auto b = elasticity::modulus_bounds({{phases["particle"].get<double>(), e.particle}, {phases["matrix"].get<double>(), e.matrix}, {phases["void"].get<double>(), 0}}, 1.0 / 3);
+  const auto b = elasticity::modulus_bounds(
+      {{phases["particle"].get<double>(), e.particle}, {phases["matrix"].get<double>(), e.matrix}, {phases["void"].get<double>(), 0}}, 1.0 / 3);
   return {{"voigt", b.voigt}, {"hashin_shtrikman_upper", b.shtrikman_upper}, {"hashin_shtrikman_lower", b.shtrikman_lower}, {"reuss", b.reuss}};
 }
 
@@ -95,10 +96,14 @@ Numbers map_numbers(const PhaseMap& map, const raster::CavityRules& rules, doubl
   j["S_m"] = fractions.saturation;
   if (fractions.small > 0) j["volume_ratio"] = fractions.large / fractions.small;
   const auto through = raster::find_percolation(map, rules.eight_connected);
-  j["percolates"] = {{"solid_bottom_top", through.solid_bottom_top}, {"solid_left_right", through.solid_left_right},
-                     {"void_bottom_top", through.void_bottom_top}, {"void_left_right", through.void_left_right}};
-  j["cavity_rules"] = {{"neighbours", rules.eight_connected ? 8 : 4}, {"fewest_nodes", rules.fewest_nodes},
-                       {"leave_out_border", rules.leave_out_border}, {"reference_radius_m", reference_radius}};
+  j["percolates"] = {{"solid_bottom_top", through.solid_bottom_top},
+                     {"solid_left_right", through.solid_left_right},
+                     {"void_bottom_top", through.void_bottom_top},
+                     {"void_left_right", through.void_left_right}};
+  j["cavity_rules"] = {{"neighbours", rules.eight_connected ? 8 : 4},
+                       {"fewest_nodes", rules.fewest_nodes},
+                       {"leave_out_border", rules.leave_out_border},
+                       {"reference_radius_m", reference_radius}};
   j["pores"] = volumes(map, raster::Cavity::pore, rules, reference_radius);
   j["voids"] = volumes(map, raster::Cavity::void_, rules, reference_radius);
   return j;
@@ -115,18 +120,28 @@ void add_reports(Numbers& j, const SampleReports& reports) {
   if (reports.section.law.saturation) cement["saturation_error"] = c.saturation_error;
   if (reports.section.law.kind == cement::CementParameters::Kind::menisci) cement.update({{"ruptured", c.ruptured}, {"capped", c.capped}});
   j["cement"] = cement;
-  j["raster"] = {{"corner_m", {r.window.x_min, r.window.y_min}}, {"side_m", r.window.width()}, {"joints", r.joints},
-                 {"lost_joints", r.lost_joints}, {"lost_area_m2", r.lost_area}, {"thinnest_joint_nodes", r.thinnest_joint},
+  j["raster"] = {{"corner_m", {r.window.x_min, r.window.y_min}},
+                 {"side_m", r.window.width()},
+                 {"joints", r.joints},
+                 {"lost_joints", r.lost_joints},
+                 {"lost_area_m2", r.lost_area},
+                 {"thinnest_joint_nodes", r.thinnest_joint},
                  {"smallest_grain_nodes", r.smallest_grain}};
   if (reports.coordination) j["coordination"] = coordination(*reports.coordination, reports.gap);
 }
 
 void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadReport& report, const std::optional<peridynamics::EffectiveModuli>& moduli) {
   Numbers l = as_asked(load);
-  l.update({{"strain", load.strain}, {"method", recipe::word_of(load.method)}, {"ending", endings[static_cast<int>(report.ending)]},
-            {"iterations", report.iterations}, {"residual", report.residual}, {"identity_defect", report.identity_defect},
-            {"top_force_N_per_m", {report.top_force.x, report.top_force.y}}, {"nodes", support(report.support)},
-            {"loose_nodes", report.loose_nodes}, {"hinges", report.hinges.size()}});
+  l.update({{"strain", load.strain},
+            {"method", recipe::word_of(load.method)},
+            {"ending", endings[static_cast<int>(report.ending)]},
+            {"iterations", report.iterations},
+            {"residual", report.residual},
+            {"identity_defect", report.identity_defect},
+            {"top_force_N_per_m", {report.top_force.x, report.top_force.y}},
+            {"nodes", support(report.support)},
+            {"loose_nodes", report.loose_nodes},
+            {"hinges", report.hinges.size()}});
   j["load"] = l;
   if (report.ending == peridynamics::Ending::solved) {
     j["modulus_Pa"] = report.modulus;
@@ -134,8 +149,8 @@ void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadRepo
     if (j.contains("phases")) j["modulus_bounds_Pa"] = bounds(j["phases"], load.stiffness.resolved());
   }
   if (moduli)
-    j["moduli"] = {{"E_x_Pa", moduli->young_x}, {"E_y_Pa", moduli->young_y}, {"nu_xy", moduli->poisson_xy},
-                   {"nu_yx", moduli->poisson_yx}, {"G_Pa", moduli->shear}};
+    j["moduli"] = {
+        {"E_x_Pa", moduli->young_x}, {"E_y_Pa", moduli->young_y}, {"nu_xy", moduli->poisson_xy}, {"nu_yx", moduli->poisson_yx}, {"G_Pa", moduli->shear}};
 }
 
 void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::DamageResult& result) {

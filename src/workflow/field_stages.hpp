@@ -7,9 +7,9 @@
 
 #include "grains/texture/texture.hpp"
 #include "model/cement.hpp"
-#include "model/result.hpp"
 #include "model/packing.hpp"
 #include "model/phase_map.hpp"
+#include "model/result.hpp"
 #include "recipe/recipe.hpp"
 #include "solid/cement/cement.hpp"
 #include "solid/peridynamics/damage.hpp"
@@ -78,8 +78,8 @@ struct SampleReports {
   recipe::CementSection section;
   cement::CementReport cement;
   raster::RasterReport raster;
-  double gap = 0;                                            ///< at which grains are neighbours, m
-  std::optional<texture::GapCoordination> coordination;      ///< where there are two classes
+  double gap = 0;                                        ///< at which grains are neighbours, m
+  std::optional<texture::GapCoordination> coordination;  ///< where there are two classes
 };
 
 /// Size, phases, S_m, grains, pores and voids of any map. Volumes of pores and voids are over pi reference_radius^2.

@@ -17,8 +17,9 @@ Adiabatic::Adiabatic(double diffusivity, double frequency, double side) : length
 double Adiabatic::lost() const { return thermography::swing_lost_to_diffusion(length, pixel); }
 
 std::string Adiabatic::sentence() const {
-  return fmt::format("heat diffuses {:.3g} pixels far within a cycle, not far less than one: the finest detail of the swing is not adiabatic; raise the load frequency",
-                     length / pixel);
+  return fmt::format(
+      "heat diffuses {:.3g} pixels far within a cycle, not far less than one: the finest detail of the swing is not adiabatic; raise the load frequency",
+      length / pixel);
 }
 
 namespace {
@@ -76,16 +77,23 @@ std::string unequal(const recipe::FilmRecipe& recipe, const std::vector<Scale>& 
   const std::string &first = recipe.materials[low->material].name, &second = recipe.materials[high->material].name;
   const double ratio = std::exp(high->log - low->log);
   if (taken_for(scales, *low, recipe, 0.5 * (low->log + high->log)))
-    return fmt::format("forces between {0} and {1} agree only if each has the other's thermoelastic factor: the two materials are taken for each other; "
-                       "check their brightness (or the list of grains) and their factors", first, second);
-  return fmt::format("forces between {0} and {1} agree only if the factor of {1} against that of {0} is {2} what the recipe has; check thermoelastic_factor "
-                     "and emissivity of both", first, second, percent(ratio));
+    return fmt::format(
+        "forces between {0} and {1} agree only if each has the other's thermoelastic factor: the two materials are taken for each other; "
+        "check their brightness (or the list of grains) and their factors",
+        first, second);
+  return fmt::format(
+      "forces between {0} and {1} agree only if the factor of {1} against that of {0} is {2} what the recipe has; check thermoelastic_factor "
+      "and emissivity of both",
+      first, second, percent(ratio));
 }
 
 std::string off_scale(const recipe::FilmRecipe& recipe, double scale) {
   const double load = 1e-3 * recipe.container.load_peak_to_peak;
-  return fmt::format("the film's temperatures make {0} the forces that the load swing of {1:.4g} kN allows; the likely causes are load_peak_to_peak (told {2} what it is), the "
-                     "calibration of temperatures, all thermoelastic factors ({0} too small or large alike), or thickness", percent(scale), load, percent(1 / scale));
+  return fmt::format(
+      "the film's temperatures make {0} the forces that the load swing of {1:.4g} kN allows; the likely causes are load_peak_to_peak (told {2} what it is), "
+      "the "
+      "calibration of temperatures, all thermoelastic factors ({0} too small or large alike), or thickness",
+      percent(scale), load, percent(1 / scale));
 }
 
 void add_scales(const recipe::FilmRecipe& recipe, const FilmResult& r, std::vector<std::string>& doubts) {
@@ -111,8 +119,10 @@ void add_scales(const recipe::FilmRecipe& recipe, const FilmResult& r, std::vect
 void refuse_temperatures(const recipe::FilmRecipe& recipe, const std::filesystem::path& path, const FilmInfo& film) {
   if (!has_references(recipe)) throw InputError(recipe.source_file, 0, fmt::format("temperature: {}", recipe::needs_references));
   if (recipe.temperature.from == recipe::TemperatureSection::From::film && film.quantity == FilmQuantity::digital_level)
-    throw InputError(path.string(), 0, fmt::format("says that it holds digital levels, and temperature.from = \"film\" of {} takes them for kelvin; "
-                                                   "choose \"references\", \"curve\" or \"radiometry\" there", recipe.source_file));
+    throw InputError(path.string(), 0,
+                     fmt::format("says that it holds digital levels, and temperature.from = \"film\" of {} takes them for kelvin; "
+                                 "choose \"references\", \"curve\" or \"radiometry\" there",
+                                 recipe.source_file));
 }
 
 void refuse_saturated(const thermography::FrameStatistics& seen, const FilmInfo& film) {
@@ -125,8 +135,8 @@ void refuse_saturated(const thermography::FrameStatistics& seen, const FilmInfo&
 void refuse_constant(const thermography::FrameStatistics& seen, const FilmInfo& film) {
   const std::size_t constant = thermography::doubtful(seen, film.bits).constant;
   if (nearly_all(constant, film))
-    throw InputError(fmt::format("{} of {} pixels never change in the first {} frames, not even by noise; give the film as the camera recorded it",
-                                 constant, film.pixels(), seen.frames));
+    throw InputError(fmt::format("{} of {} pixels never change in the first {} frames, not even by noise; give the film as the camera recorded it", constant,
+                                 film.pixels(), seen.frames));
 }
 
 std::string no_load_sentence(const LockinMaps& maps, double frequency, std::string_view told_by) {
@@ -134,8 +144,10 @@ std::string no_load_sentence(const LockinMaps& maps, double frequency, std::stri
     return fmt::format("nothing but noise swings at {:.6g} Hz, but the film swings at {:.4g} Hz; if that is the load, give its frequency ({})", frequency,
                        maps.swings_at, told_by);
   if (maps.chance < 0.01)
-    return fmt::format("what swings at {:.6g} Hz has no common phase, as under a load, but is a line of the camera; give the frequency of the load ({}), or a film of "
-                       "a loaded sample", frequency, told_by);
+    return fmt::format(
+        "what swings at {:.6g} Hz has no common phase, as under a load, but is a line of the camera; give the frequency of the load ({}), or a film of "
+        "a loaded sample",
+        frequency, told_by);
   return fmt::format("nothing but noise swings at {:.6g} Hz; give the frequency of the load ({}), or a film of a loaded sample", frequency, told_by);
 }
 
@@ -170,19 +182,24 @@ double phase_off(const LockinMaps& maps, double told_cycles) {
 void refuse_impossible(const recipe::FilmRecipe& recipe, const LockinMaps& maps) {
   const double level = median_of_finite(maps.mean);
   if (level > hottest)
-    throw InputError(fmt::format("its values are about {:.4g}, which are no temperatures of a sample in kelvin: levels of the camera are taken for kelvin; "
-                                 "choose temperature.from = \"references\", \"curve\" or \"radiometry\", or give the scale of the film", level));
+    throw InputError(
+        fmt::format("its values are about {:.4g}, which are no temperatures of a sample in kelvin: levels of the camera are taken for kelvin; "
+                    "choose temperature.from = \"references\", \"curve\" or \"radiometry\", or give the scale of the film",
+                    level));
   const double swing = median_of_finite(maps.amplitude);
   if (swing > largest_swing)
-    throw InputError(fmt::format("half of its pixels swing by more than {:.3g} K, which no elastic grain does: levels of the camera are taken for kelvin, or "
-                                 "the calibration is wrong; check [temperature]", swing));
+    throw InputError(
+        fmt::format("half of its pixels swing by more than {:.3g} K, which no elastic grain does: levels of the camera are taken for kelvin, or "
+                    "the calibration is wrong; check [temperature]",
+                    swing));
   if (!recipe.lockin.phase) return;
   const double told = *recipe.lockin.phase / (2 * std::numbers::pi), off = phase_off(maps, told);  // in cycles
   if (std::abs(off) > phase_refused)
-    throw InputError(fmt::format("it swings {:.4g} deg {} the phase that lockin.phase = \"{:.4g} deg\" tells ({}); give \"{:.4g} deg\", or leave lockin.phase out to have it found",
-                                 360 * std::abs(off), off > 0 ? "after" : "before", 360 * told,
-                                 std::abs(off) > 0.5 - phase_refused ? "half a cycle: it cools where it should warm" : "warming stress swings in phase with its load",
-                                 360 * wrapped(told + off)));
+    throw InputError(fmt::format(
+        "it swings {:.4g} deg {} the phase that lockin.phase = \"{:.4g} deg\" tells ({}); give \"{:.4g} deg\", or leave lockin.phase out to have it found",
+        360 * std::abs(off), off > 0 ? "after" : "before", 360 * told,
+        std::abs(off) > 0.5 - phase_refused ? "half a cycle: it cools where it should warm" : "warming stress swings in phase with its load",
+        360 * wrapped(told + off)));
 }
 
 std::vector<std::string> film_doubts(const recipe::FilmRecipe& recipe, const FilmResult& r) {
@@ -190,18 +207,22 @@ std::vector<std::string> film_doubts(const recipe::FilmRecipe& recipe, const Fil
   if (recipe.lockin.phase) {
     const double off = phase_off(r.maps, *recipe.lockin.phase / (2 * std::numbers::pi));
     if (std::abs(off) > phase_doubted)
-      doubts.push_back(fmt::format("grains swing {:.3g} deg off the phase that lockin.phase tells; check it, and that heat does not diffuse over pixels "
-                                   "within a cycle (`arenite lockin --diffusivity --pixel`)", 360 * std::abs(off)));
+      doubts.push_back(
+          fmt::format("grains swing {:.3g} deg off the phase that lockin.phase tells; check it, and that heat does not diffuse over pixels "
+                      "within a cycle (`arenite lockin --diffusivity --pixel`)",
+                      360 * std::abs(off)));
   }
   if (const Adiabatic heat(recipe.lockin.diffusivity, r.maps.frequency, r.pixel); !heat.holds()) doubts.push_back(heat.sentence());
   if (r.rim_blur > 0 && std::abs(r.rim_blur - recipe.forces.blur) > blur_doubted)
-    doubts.push_back(fmt::format("rims of grains are blurred as by {:.2g} pixels, and forces.blur tells {:.2g}; give what the camera's lens does", r.rim_blur, recipe.forces.blur));
+    doubts.push_back(fmt::format("rims of grains are blurred as by {:.2g} pixels, and forces.blur tells {:.2g}; give what the camera's lens does", r.rim_blur,
+                                 recipe.forces.blur));
   if (r.packing.contacts.size() == 0) return doubts;
   add_scales(recipe, r, doubts);
   if (r.fit.model_error > field_doubted)
-    doubts.push_back(fmt::format("forces and pixels agree only if the stress fields of disks are off by {:.0f} % of their signal: what is left is {:.0f} % of the signal and "
-                                 "{:.3g} times the noise; the likely causes are wrong circles, a wrong blur, materials or grains that are no cylinders",
-                                 100 * r.fit.model_error, 100 * r.fit.over_signal, r.fit.over_noise));
+    doubts.push_back(fmt::format(
+        "forces and pixels agree only if the stress fields of disks are off by {:.0f} % of their signal: what is left is {:.0f} % of the signal and "
+        "{:.3g} times the noise; the likely causes are wrong circles, a wrong blur, materials or grains that are no cylinders",
+        100 * r.fit.model_error, 100 * r.fit.over_signal, r.fit.over_noise));
   return doubts;
 }
 

@@ -10,10 +10,10 @@
 #include "core/error.hpp"
 #include "io/film/film.hpp"
 #include "io/table/table.hpp"
-#include "thermal/thermography/frame_statistics.hpp"
 #include "thermal/thermography/calibration.hpp"
-#include "thermal/thermography/segment_sums.hpp"
 #include "thermal/thermography/correction.hpp"
+#include "thermal/thermography/frame_statistics.hpp"
+#include "thermal/thermography/segment_sums.hpp"
 #include "workflow/film_checks.hpp"
 
 namespace arenite::workflow {
@@ -33,14 +33,13 @@ std::optional<FrameStatistics> plate(const recipe::FilmRecipe& recipe, const std
   const auto path = beside(recipe, file);
   const auto source = io::open_film(path, reading_of(recipe));
   if (source->info().width != film.width || source->info().height != film.height)
-    throw InputError(path.string(), 0, fmt::format("has frames of {} x {} pixels, and the film of {} x {}; take the plate with the same camera and window",
-                                                   source->info().width, source->info().height, film.width, film.height));
+    throw InputError(path.string(), 0,
+                     fmt::format("has frames of {} x {} pixels, and the film of {} x {}; take the plate with the same camera and window", source->info().width,
+                                 source->info().height, film.width, film.height));
   auto seen = thermography::frame_statistics(*source, frames_looked_at);
   try {
     refuse_saturated(seen, source->info());
-  } catch (const InputError& error) {
-    throw in_file(error, path.string());
-  }
+  } catch (const InputError& error) { throw in_file(error, path.string()); }
   return seen;
 }
 
@@ -51,7 +50,8 @@ radiometry::Band band_of(const recipe::FilmRecipe& recipe, const FilmInfo& film,
   const auto um = [](double low, double high) { return fmt::format("{:.3g} to {:.3g} um", 1e6 * low, 1e6 * high); };
   if (!told.empty()) {
     if (film_says && (std::abs(film.band_low / told[0] - 1) > 0.01 || std::abs(film.band_high / told[1] - 1) > 0.01))
-      notes.push_back(fmt::format("the film says that its camera sees {}; {} is taken, as temperature.band says", um(film.band_low, film.band_high), um(told[0], told[1])));
+      notes.push_back(
+          fmt::format("the film says that its camera sees {}; {} is taken, as temperature.band says", um(film.band_low, film.band_high), um(told[0], told[1])));
     return {told[0], told[1]};
   }
   if (film_says) return {film.band_low, film.band_high};
@@ -98,8 +98,9 @@ thermography::LevelCurve curve_for(const recipe::FilmRecipe& recipe, const FilmI
 /// Whole numbers of which nothing says what they are would be temperatures in steps of a kelvin.
 void refuse_bare_levels(const FilmInfo& film) {
   if (!film.floating && film.quantity == FilmQuantity::unknown)
-    throw InputError("holds whole numbers and does not say what they are, and temperature.from = \"film\" takes them for kelvin; give [film] scale and offset "
-                     "(--scale, --offset), or choose \"references\", \"curve\" or \"radiometry\"");
+    throw InputError(
+        "holds whole numbers and does not say what they are, and temperature.from = \"film\" takes them for kelvin; give [film] scale and offset "
+        "(--scale, --offset), or choose \"references\", \"curve\" or \"radiometry\"");
 }
 
 void note_doubtful(const FrameStatistics& first, const FilmInfo& film, std::vector<std::string>& notes) {

@@ -27,9 +27,7 @@ double place_error(const PictureGrains& grains) {
 
 constexpr double surface_error = 0.05;  // pixels: of where a grain's rim is, along a line through its centre
 
-imaging::ContactTolerance tolerance_of(double pixel) {
-  return {.pixel = pixel, .wall_error = 0.1 * pixel};
-}
+imaging::ContactTolerance tolerance_of(double pixel) { return {.pixel = pixel, .wall_error = 0.1 * pixel}; }
 
 double widest_gap(double pixel) {
   const auto tolerance = tolerance_of(pixel);

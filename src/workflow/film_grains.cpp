@@ -111,8 +111,8 @@ void refuse_overlapping(const std::string& file, const Grains& grains) {
     for (std::size_t j = 0; j < i; ++j) {
       const double overlap = grains.radius[i] + grains.radius[j] - norm(grains.centre(i) - grains.centre(j));
       if (overlap > most_overlap * std::min(grains.radius[i], grains.radius[j]))
-        problems.add(fmt::format("grains {} and {} overlap by {:.3g} mm, more than load presses grains together; correct their centres or radii",
-                                    grains.id[j], grains.id[i], 1e3 * overlap));
+        problems.add(fmt::format("grains {} and {} overlap by {:.3g} mm, more than load presses grains together; correct their centres or radii", grains.id[j],
+                                 grains.id[i], 1e3 * overlap));
     }
   }
   problems.raise();
@@ -141,8 +141,10 @@ void warn_of_gaps(const recipe::FilmRecipe& recipe, const FilmPlace& place, cons
   for (const double r : grains.radius) area += std::numbers::pi * r * r * place.pixel * place.pixel;
   const double share = area / (recipe.container.width * recipe.container.height);
   if (share < loose)
-    notes.push_back(fmt::format("the {} grains that were found cover {:.0f} % of the container; if the sample fills it, give a sharper or finer optical picture "
-                                "(picture.optical) or a list of the grains (picture.grains)", grains.size(), 100 * share));
+    notes.push_back(
+        fmt::format("the {} grains that were found cover {:.0f} % of the container; if the sample fills it, give a sharper or finer optical picture "
+                    "(picture.optical) or a list of the grains (picture.grains)",
+                    grains.size(), 100 * share));
 }
 
 /// Circles of the film's own picture, without pores.

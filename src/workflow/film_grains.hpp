@@ -17,8 +17,8 @@ namespace arenite::workflow {
 
 /// The one place where rows that point down become heights: pixels of a film as metres from the container's lower left inner corner at the smallest load.
 struct FilmPlace {
-  Vec2 origin;                      ///< centre of the upper left pixel, m
-  double pixel = 1;                 ///< m
+  Vec2 origin;       ///< centre of the upper left pixel, m
+  double pixel = 1;  ///< m
   Vec2 metres(double column, double row) const { return {origin.x + column * pixel, origin.y - row * pixel}; }
   double column(double x) const { return (x - origin.x) / pixel; }
   double row(double y) const { return (origin.y - y) / pixel; }
@@ -57,16 +57,16 @@ imaging::FoundCircles circles_of(const recipe::FilmRecipe& recipe, const FloatIm
 
 /// What of a file is looked at for grains.
 struct PictureChoice {
-  std::optional<std::int64_t> frame = {};      ///< of a film, from 0; none: the mean of all frames
-  io::Channel channel = io::Channel::grey;     ///< of a coloured picture
-  std::string dataset = {};                    ///< of an HDF5 file
+  std::optional<std::int64_t> frame = {};   ///< of a film, from 0; none: the mean of all frames
+  io::Channel channel = io::Channel::grey;  ///< of a coloured picture
+  std::string dataset = {};                 ///< of an HDF5 file
 };
 
 /// A picture to find grains in.
 struct GrainPicture {
   FloatImage image;
-  std::int64_t frames = 1;                     ///< that it is the mean of
-  std::size_t replaced = 0;                    ///< bad pixels that stand replaced by good neighbours
+  std::int64_t frames = 1;   ///< that it is the mean of
+  std::size_t replaced = 0;  ///< bad pixels that stand replaced by good neighbours
   bool film = false;
 };
 

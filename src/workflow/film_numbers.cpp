@@ -27,9 +27,10 @@ Numbers directions_of(const Packing& packing) {
 double median_or_unknown(std::vector<double> values) { return median(std::move(values), statistics::unknown); }
 
 Numbers film_of(const FilmResult& r) {
-  return {{"format", r.film.format}, {"camera", r.film.camera}, {"width", r.film.width}, {"height", r.film.height}, {"frames", r.film.frames},
-          {"frame_rate_Hz", r.film.frame_rate}, {"pixel_m", r.pixel},
-          {"bad_pixels", std::count(r.bad.begin(), r.bad.end(), std::uint8_t{1})}};
+  return {{"format", r.film.format}, {"camera", r.film.camera},
+          {"width", r.film.width},   {"height", r.film.height},
+          {"frames", r.film.frames}, {"frame_rate_Hz", r.film.frame_rate},
+          {"pixel_m", r.pixel},      {"bad_pixels", std::count(r.bad.begin(), r.bad.end(), std::uint8_t{1})}};
 }
 
 Numbers lockin_of(const FilmResult& r) {
@@ -165,7 +166,8 @@ Numbers film_numbers(const FilmResult& r, const Packing* twin) {
   const auto texture = texture::measure(r.packing, {.rev_sizes = 0, .grain_sigma_hyd = r.swing.sigma_hyd});
   j["texture"] = texture::numbers(texture);
   if (!r.twin.empty())
-    j["twin"] = {{"swing", agreement_of(r, r.twin.swing, texture.per_grain.considered)}, {"state", agreement_of(r, r.twin.state, texture.per_grain.considered)}};
+    j["twin"] = {{"swing", agreement_of(r, r.twin.swing, texture.per_grain.considered)},
+                 {"state", agreement_of(r, r.twin.state, texture.per_grain.considered)}};
   return j;
 }
 

@@ -12,7 +12,8 @@ namespace {
 std::vector<std::int32_t> known_in_all(const std::vector<GrainStresses>& sources, std::size_t grains) {
   std::vector<std::int32_t> known;
   for (std::size_t g = 0; g < grains; ++g)
-    if (std::all_of(sources.begin(), sources.end(), [&](const GrainStresses& s) { return std::isfinite(s.sigma_hyd[g]); })) known.push_back(static_cast<std::int32_t>(g));
+    if (std::all_of(sources.begin(), sources.end(), [&](const GrainStresses& s) { return std::isfinite(s.sigma_hyd[g]); }))
+      known.push_back(static_cast<std::int32_t>(g));
   return known;
 }
 

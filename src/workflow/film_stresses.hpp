@@ -3,20 +3,20 @@
 #include <string>
 #include <vector>
 
+#include "grains/texture/texture.hpp"
 #include "model/film_result.hpp"
 #include "statistics/correlation.hpp"
 #include "statistics/numbers.hpp"
-#include "grains/texture/texture.hpp"
 
 namespace arenite::workflow {
 
 /// Stress of the grains from one source, Pa, tension positive, over the mean of the grains that count.
 struct GrainStresses {
-  std::string source;                    ///< "film", "twin_swing", "twin_state"
-  std::vector<double> sigma_hyd;         ///< one a grain; NaN where it is not known in every source
-  std::vector<double> sigma_norm;        ///< likewise
-  double mean = statistics::unknown;     ///< that sigma_norm is over, Pa
-  Numbers statistics;          ///< "sigma_norm" as texture::numbers has it; {} where nothing can be measured
+  std::string source;                 ///< "film", "twin_swing", "twin_state"
+  std::vector<double> sigma_hyd;      ///< one a grain; NaN where it is not known in every source
+  std::vector<double> sigma_norm;     ///< likewise
+  double mean = statistics::unknown;  ///< that sigma_norm is over, Pa
+  Numbers statistics;                 ///< "sigma_norm" as texture::numbers has it; {} where nothing can be measured
 };
 
 /// The stresses of a film and, where it has a twin, of the twin's swing and state. All three are taken over the same grains: those whose stress is
@@ -30,10 +30,10 @@ FilmStresses film_stresses(const FilmResult& result, const texture::Options& opt
 
 /// How the film (y) follows its twin (x) over the grains that are known in both.
 struct StressRelation {
-  std::string set;                       ///< "all", or a material
+  std::string set;  ///< "all", or a material
   statistics::Relation relation;
-  double rms = statistics::unknown;      ///< root mean square of the difference, Pa
-  double rms_norm = statistics::unknown; ///< likewise of sigma_norm
+  double rms = statistics::unknown;       ///< root mean square of the difference, Pa
+  double rms_norm = statistics::unknown;  ///< likewise of sigma_norm
 };
 
 /// "all" first, then by material where there are several; sets of less than three grains are left out.

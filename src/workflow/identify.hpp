@@ -16,8 +16,8 @@ namespace arenite::workflow {
 
 struct StiffnessRequest {
   identify::StiffnessOptions curve;
-  std::optional<double> length;      ///< of the cylinders, m; gives the stiffness of a unit of length too
-  std::string stated;                ///< file of what a source states for the same groups; or empty
+  std::optional<double> length;  ///< of the cylinders, m; gives the stiffness of a unit of length too
+  std::string stated;            ///< file of what a source states for the same groups; or empty
 };
 
 /// Contact stiffness of every group of a file. Records (columns displacement, force; perhaps a group and a test) are cut into
@@ -26,8 +26,8 @@ struct StiffnessRequest {
 identify::Identification identify_stiffness(const std::string& file, const StiffnessRequest& request);
 
 struct AdhesionRequest {
-  std::optional<statistics::Measured> stiffness;             ///< of the pair, N/m
-  std::optional<std::pair<double, double>> radii;            ///< of both cylinders, m
+  std::optional<statistics::Measured> stiffness;   ///< of the pair, N/m
+  std::optional<std::pair<double, double>> radii;  ///< of both cylinders, m
   identify::EffectiveRadius effective_radius = identify::EffectiveRadius::four_reduced;
   std::string stated;
 };
@@ -39,11 +39,11 @@ identify::Identification identify_adhesion(const std::string& file, const Adhesi
 enum class Swing { full, half };
 
 struct FactorRequest {
-  std::optional<double> section;                             ///< of the specimen, m^2, where the file gives forces
-  std::optional<statistics::Measured> young, poisson;        ///< where it gives strains
+  std::optional<double> section;                       ///< of the specimen, m^2, where the file gives forces
+  std::optional<statistics::Measured> young, poisson;  ///< where it gives strains
   Swing temperature_swing = Swing::full, stress_swing = Swing::full;
   bool through_origin = false;
-  std::optional<identify::Detector> detector;                ///< for the constant of a raw signal
+  std::optional<identify::Detector> detector;  ///< for the constant of a raw signal
   std::string stated;
 };
 

@@ -16,14 +16,14 @@ using statistics::Measured;
 constexpr double kN_per_mm = 1e6;
 const io::Quantity stiffness_quantity{{"stiffness", "k"}, dimension::stiffness, "kN/mm"};
 constexpr const char* needs_of_stiffness =
-    "has no columns for a stiffness; give displacement and force (a record), or stiffness (a table), or a table with the load or specimen in its first column and the "
+    "has no columns for a stiffness; give displacement and force (a record), or stiffness (a table), or a table with the load or specimen in its first column "
+    "and the "
     "stiffnesses of one group in each other";
 
 using Tests = decltype(TestGroup::tests);
 
 /// Its findings are those of the tests' mean, or of the only one; the first of them is what each test has, too.
-template <class Findings>
-Group group_of(const std::string& name, const Tests& tests, const Findings& findings) {
+template <class Findings> Group group_of(const std::string& name, const Tests& tests, const Findings& findings) {
   std::vector<double> values;
   for (const auto& [test, each] : tests) values.push_back(each.value);
   Group group{name.empty() ? "all" : name, tests.size(), findings(tests.size() == 1 ? tests.front().second : statistics::mean_of(values))};
@@ -42,14 +42,15 @@ std::vector<Finding> findings_of(const Measured& k, const StiffnessRequest& requ
 }
 
 /// Slopes of one group's cycles; the weakest fit goes to `worst_r2`.
-Tests slopes_of(const io::LaboratoryTable& table, const RowGroup& group, std::size_t force_column, const std::vector<double>& x,
-                                                        const std::vector<double>& y, const StiffnessRequest& request, double& worst_r2) {
+Tests slopes_of(const io::LaboratoryTable& table, const RowGroup& group, std::size_t force_column, const std::vector<double>& x, const std::vector<double>& y,
+                const StiffnessRequest& request, double& worst_r2) {
   Tests slopes;
   for (const auto& test : tests_of(table, group, force_column)) {
     const auto cycles = identify::cycles_of(curve_of(table, test, x, y), request.curve);
     for (std::size_t c = 0; c < cycles.size(); ++c) {
       const std::string number = cycles.size() > 1 ? fmt::format("cycle {}", c + 1) : "";
-      slopes.emplace_back(fmt::format("{}{}{} to {:.4g} kN", test.name, test.name.empty() || number.empty() ? "" : ", ", number, cycles[c].peak / 1e3), cycles[c].stiffness);
+      slopes.emplace_back(fmt::format("{}{}{} to {:.4g} kN", test.name, test.name.empty() || number.empty() ? "" : ", ", number, cycles[c].peak / 1e3),
+                          cycles[c].stiffness);
       worst_r2 = std::min(worst_r2, cycles[c].r2);
     }
   }
@@ -65,7 +66,8 @@ void add_all(Identification& found, const std::vector<TestGroup>& groups, const 
   found.all = Group{"all", all.size(), findings_of(statistics::mean_of(all), request)};
   const double chance = statistics::chance_of_equal_means(values);
   if (std::isfinite(chance))
-    found.notes.push_back(fmt::format("groups alike would differ by as much in {:.2g} % of cases (analysis of variance){}", 100 * chance, chance < 0.05 ? ": they are not alike, and the error of the mean of all is too small" : ""));
+    found.notes.push_back(fmt::format("groups alike would differ by as much in {:.2g} % of cases (analysis of variance){}", 100 * chance,
+                                      chance < 0.05 ? ": they are not alike, and the error of the mean of all is too small" : ""));
 }
 
 }  // namespace
@@ -79,7 +81,8 @@ Identification identify_stiffness(const std::string& file, const StiffnessReques
     const auto x = table.values(*displacement, quantity::displacement), y = table.values(*force, quantity::force);
     double worst_r2 = 1;
     for (const auto& group : groups_of(table)) groups.push_back({group.name, slopes_of(table, group, *force, x, y, request, worst_r2)});
-    if (worst_r2 < 0.99) found.notes.push_back(fmt::format("the records are not straight (least R^2 {:.3f}): k is the mean slope between preload and peak", worst_r2));
+    if (worst_r2 < 0.99)
+      found.notes.push_back(fmt::format("the records are not straight (least R^2 {:.3f}): k is the mean slope between preload and peak", worst_r2));
   } else {
     groups = told_tests(table, stiffness_quantity, needs_of_stiffness,
                         [](const auto&, const auto&, double value) { return fmt::format("the stiffness is {:.4g} N/m; it must be above 0", value); });
@@ -95,7 +98,8 @@ namespace {
 
 const io::Quantity separation_quantity{{"separation_force", "mean_separation_force", "pull_off_force"}, dimension::force, ""};
 constexpr const char* needs_of_adhesion =
-    "has no columns for an adhesion; give displacement (or time) and force (a record), or separation_force (a table), or a table with the specimen in its first column and the "
+    "has no columns for an adhesion; give displacement (or time) and force (a record), or separation_force (a table), or a table with the specimen in its "
+    "first column and the "
     "separation forces of one glue in each other";
 constexpr double no_trace = 50;  // k/gamma above which cohesion does not show in the mechanics (T 2.4.3)
 
@@ -120,14 +124,15 @@ void add_group(Identification& found, const std::string& name, const Tests& forc
 }
 
 /// The peaks of one group's records.
-Tests peaks_of(const io::LaboratoryTable& table, const RowGroup& group, std::size_t force_column, const std::vector<double>& x,
-                                                       const std::vector<double>& y, std::vector<std::string>& notes) {
+Tests peaks_of(const io::LaboratoryTable& table, const RowGroup& group, std::size_t force_column, const std::vector<double>& x, const std::vector<double>& y,
+               std::vector<std::string>& notes) {
   Tests peaks;
   for (const auto& test : tests_of(table, group, force_column)) {
     const auto peak = identify::pull_off(curve_of(table, test, x, y));
     const std::string name = test.name.empty() ? fmt::format("record {}", peaks.size() + 1) : test.name;
     if (!peak.separated)
-      notes.push_back(fmt::format("{}{}{}: the record ends before the force has fallen to half of its peak; the joint may have held more", group.name, group.name.empty() ? "" : ", ", name));
+      notes.push_back(fmt::format("{}{}{}: the record ends before the force has fallen to half of its peak; the joint may have held more", group.name,
+                                  group.name.empty() ? "" : ", ", name));
     peaks.emplace_back(name, peak.force);
   }
   return peaks;
@@ -149,7 +154,8 @@ Identification identify_adhesion(const std::string& file, const AdhesionRequest&
     };
     for (const auto& group : told_tests(table, separation_quantity, needs_of_adhesion, refusal)) add_group(found, group.name, group.tests, request);
   }
-  if (!request.stiffness || !request.radii) found.notes.push_back("the surface energy needs the stiffness of the pair and the radii: --k \"27.35 kN/mm\" --radius \"6.2 mm\"");
+  if (!request.stiffness || !request.radii)
+    found.notes.push_back("the surface energy needs the stiffness of the pair and the radii: --k \"27.35 kN/mm\" --radius \"6.2 mm\"");
   found.notes.insert(found.notes.end(), table.notes().begin(), table.notes().end());
   compare_with_stated(request.stated, found);
   return found;

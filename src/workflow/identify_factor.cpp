@@ -19,14 +19,18 @@ using Column = std::vector<double>;
 constexpr double K_per_MPa = 1e-6;
 const Quantity stress_quantity{{"stress", "sigma", "stress_swing", "stress_amplitude"}, dimension::pressure, ""};
 const Quantity force_quantity{{"force", "f", "force_swing", "force_amplitude"}, dimension::force, ""};
-const Quantity force_max_quantity{{"force_max", "f_max", "max_force"}, dimension::force, ""}, force_min_quantity{{"force_min", "f_min", "min_force"}, dimension::force, ""};
+const Quantity force_max_quantity{{"force_max", "f_max", "max_force"}, dimension::force, ""},
+    force_min_quantity{{"force_min", "f_min", "min_force"}, dimension::force, ""};
 const Quantity section_quantity{{"section", "area"}, dimension::area, ""};
 const Quantity strain_quantity{{"strain", "eps"}, dimension::none, ""};
 const Quantity first_strain_quantity{{"strain_1", "strain_x"}, dimension::none, ""}, second_strain_quantity{{"strain_2", "strain_y"}, dimension::none, ""};
-const Quantity temperature_quantity{{"temperature", "dt", "temperature_swing", "temperature_amplitude"}, dimension::temperature, "", Quantity::Kind::difference};
+const Quantity temperature_quantity{
+    {"temperature", "dt", "temperature_swing", "temperature_amplitude"}, dimension::temperature, "", Quantity::Kind::difference};
 const Quantity signal_quantity{{"signal", "s"}, dimension::none, ""};
-constexpr const char* needs = "has no columns for a factor; give a cause (stress, or force_min and force_max, or strain) beside a response (temperature or signal), or the properties alpha, "
-                              "temperature, density and heat_capacity";
+constexpr const char* needs =
+    "has no columns for a factor; give a cause (stress, or force_min and force_max, or strain) beside a response (temperature or signal), or the properties "
+    "alpha, "
+    "temperature, density and heat_capacity";
 
 void scale(Column& values, double factor) {
   for (double& v : values) v *= factor;
@@ -56,7 +60,8 @@ Column stresses(io::LaboratoryTable& table, const FactorRequest& request, std::s
   }
   const auto section = table.find(section_quantity);
   if (!section && !request.section)
-    throw InputError(table.file(), table.header_line(), "forces need the specimen's section; give a column \"section [mm^2]\" or --section \"30.9 mm x 4.9 mm\"");
+    throw InputError(table.file(), table.header_line(),
+                     "forces need the specimen's section; give a column \"section [mm^2]\" or --section \"30.9 mm x 4.9 mm\"");
   const Column area = section ? table.values(*section, section_quantity) : Column(force.size(), *request.section);
   for (std::size_t k = 0; k < force.size(); ++k) {
     if (!(area[k] > 0)) throw InputError(table.file(), table.line(k), "the section is not above 0; give the area that carries the force");
@@ -78,7 +83,8 @@ Column strains(io::LaboratoryTable& table, const FactorRequest& request) {
     return {};
   }
   if (!request.young || !request.poisson)
-    throw InputError(table.file(), table.header_line(), "strains need the modulus and Poisson's ratio of the specimen; give --young \"2.8 +- 0.1 GPa\" --poisson \"0.35 +- 0.02\"");
+    throw InputError(table.file(), table.header_line(),
+                     "strains need the modulus and Poisson's ratio of the specimen; give --young \"2.8 +- 0.1 GPa\" --poisson \"0.35 +- 0.02\"");
   scale(strain, request.stress_swing == Swing::half ? 2 : 1);
   return strain;
 }
@@ -92,8 +98,11 @@ Column picked(const Column& from, const RowGroup& group) {
 [[noreturn]] void refuse_fit(const io::LaboratoryTable& table, const RowGroup& group, bool through_origin) {
   const std::string of = group.name.empty() ? "" : group.name + ": ";
   if (group.rows.size() <= (through_origin ? 1U : 2U))
-    throw InputError(table.file(), table.line(group.rows.back()), fmt::format("{}{} points are too few for a slope with an error; give at least {}", of, group.rows.size(), through_origin ? "two" : "three, or --through-origin"));
-  throw InputError(table.file(), table.line(group.rows.front()), of + "the load is the same in every row, or nothing answers to it; give tests at several loads");
+    throw InputError(table.file(), table.line(group.rows.back()),
+                     fmt::format("{}{} points are too few for a slope with an error; give at least {}", of, group.rows.size(),
+                                 through_origin ? "two" : "three, or --through-origin"));
+  throw InputError(table.file(), table.line(group.rows.front()),
+                   of + "the load is the same in every row, or nothing answers to it; give tests at several loads");
 }
 
 /// The findings of one slope: what it is, and its intercept, which a linear answer has at 0.
@@ -103,7 +112,8 @@ void put_slope(Group& group, Identification& found, const Finding& finding, cons
   if (!std::isfinite(intercept.error)) return;
   group.findings.push_back({finding.name + "_intercept", intercept_unit, 1, intercept});
   const auto range = statistics::confidence_95(intercept);
-  if (range.low > 0 || range.high < 0) found.notes.push_back(fmt::format("{}: the line misses the origin beyond its error; see whether the response is linear in the load", group.name));
+  if (range.low > 0 || range.high < 0)
+    found.notes.push_back(fmt::format("{}: the line misses the origin beyond its error; see whether the response is linear in the load", group.name));
 }
 
 /// `factor` by value: it may stand in the group that grows.
@@ -120,7 +130,8 @@ struct Causes {
   Column stress, strain;
 };
 
-void put_group(io::LaboratoryTable& table, const RowGroup& rows, const Causes& causes, const Column& temperature, const Column& signal, const FactorRequest& request, Identification& found) {
+void put_group(io::LaboratoryTable& table, const RowGroup& rows, const Causes& causes, const Column& temperature, const Column& signal,
+               const FactorRequest& request, Identification& found) {
   Group group{rows.name.empty() ? "all" : rows.name, rows.rows.size(), {}};
   const auto put = [&](bool warms, bool strained, Factor f) {
     if (!std::isfinite(f.factor.value) || !(f.factor.value > 0)) refuse_fit(table, rows, request.through_origin);
@@ -148,11 +159,15 @@ void from_properties(io::LaboratoryTable& table, const FactorRequest& request, I
     Quantity quantity, error;
   };
   const std::vector<Property> properties{
-      {&identify::Properties::expansion, {{"expansion", "alpha"}, dimension::none / dimension::temperature, ""}, {{"expansion_error", "alpha_error"}, dimension::none / dimension::temperature, ""}},
-      {&identify::Properties::temperature, {{"temperature", "t0", "t_0"}, dimension::temperature, "", Quantity::Kind::absolute_temperature},
+      {&identify::Properties::expansion,
+       {{"expansion", "alpha"}, dimension::none / dimension::temperature, ""},
+       {{"expansion_error", "alpha_error"}, dimension::none / dimension::temperature, ""}},
+      {&identify::Properties::temperature,
+       {{"temperature", "t0", "t_0"}, dimension::temperature, "", Quantity::Kind::absolute_temperature},
        {{"temperature_error", "t0_error", "t_0_error"}, dimension::temperature, "", Quantity::Kind::difference}},
       {&identify::Properties::density, {{"density", "rho"}, dimension::density, ""}, {{"density_error", "rho_error"}, dimension::density, ""}},
-      {&identify::Properties::heat_capacity, {{"heat_capacity", "cp", "c_p"}, dimension::energy / dimension::mass / dimension::temperature, ""},
+      {&identify::Properties::heat_capacity,
+       {{"heat_capacity", "cp", "c_p"}, dimension::energy / dimension::mass / dimension::temperature, ""},
        {{"heat_capacity_error", "cp_error", "c_p_error"}, dimension::energy / dimension::mass / dimension::temperature, ""}}};
   std::vector<identify::Properties> rows(table.rows());
   for (const auto& p : properties) {
@@ -169,7 +184,10 @@ void from_properties(io::LaboratoryTable& table, const FactorRequest& request, I
   for (const auto& group : groups_of(table)) {
     for (const std::size_t row : group.rows) {
       const Measured factor = identify::factor_from_properties(rows[row]);
-      Group one{group.rows.size() > 1 || group.name.empty() ? fmt::format("{}line {}", group.name.empty() ? "" : group.name + ", ", table.line(row)) : group.name, 1, {{"factor", "K/MPa", K_per_MPa, factor}}};
+      Group one{
+          group.rows.size() > 1 || group.name.empty() ? fmt::format("{}line {}", group.name.empty() ? "" : group.name + ", ", table.line(row)) : group.name,
+          1,
+          {{"factor", "K/MPa", K_per_MPa, factor}}};
       put_direct(one, request, factor);
       found.groups.push_back(std::move(one));
     }
@@ -195,8 +213,10 @@ Identification identify_factor(const std::string& file, const FactorRequest& req
     scale(temperature, swing), scale(signal, swing);
     for (const auto& group : groups_of(table)) put_group(table, group, causes, temperature, signal, request, found);
     if (!causes.stress.empty()) found.notes.push_back("the stress is " + way);
-    found.notes.push_back(fmt::format("responses are taken as {} swings, loads as {} swings; the factor is that of full swings (maximum minus minimum) on both sides, as the thesis's: say --temperature-swing half for the amplitudes of a sine",
-                                      request.temperature_swing == Swing::half ? "half" : "full", request.stress_swing == Swing::half ? "half" : "full"));
+    found.notes.push_back(
+        fmt::format("responses are taken as {} swings, loads as {} swings; the factor is that of full swings (maximum minus minimum) on both sides, as the "
+                    "thesis's: say --temperature-swing half for the amplitudes of a sine",
+                    request.temperature_swing == Swing::half ? "half" : "full", request.stress_swing == Swing::half ? "half" : "full"));
   }
   found.notes.insert(found.notes.end(), table.notes().begin(), table.notes().end());
   compare_with_stated(request.stated, found);

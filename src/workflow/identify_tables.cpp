@@ -21,7 +21,8 @@ bool is_label(const std::string& title, const Labels& labels) {
 }
 
 /// Rows that say the same in all these columns, in the order of their first.
-std::vector<RowGroup> rows_by(const io::LaboratoryTable& table, const std::vector<std::size_t>& rows, const std::vector<std::size_t>& columns, bool with_titles) {
+std::vector<RowGroup> rows_by(const io::LaboratoryTable& table, const std::vector<std::size_t>& rows, const std::vector<std::size_t>& columns,
+                              bool with_titles) {
   std::vector<RowGroup> groups;
   for (const std::size_t row : rows) {
     std::string name;
@@ -137,7 +138,9 @@ void compare_with_stated(const std::string& file, identify::Identification& foun
     const std::string name(table.cell(row, 0));
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     const std::string near = nearest(name, names);
-    throw InputError(file, table.line(row), fmt::format("\"{}\" is none of the groups of {}; {}", name, found.file, near.empty() ? "name them alike" : fmt::format("did you mean \"{}\"?", near)));
+    throw InputError(
+        file, table.line(row),
+        fmt::format("\"{}\" is none of the groups of {}; {}", name, found.file, near.empty() ? "name them alike" : fmt::format("did you mean \"{}\"?", near)));
   }
 }
 

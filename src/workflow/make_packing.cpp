@@ -3,10 +3,10 @@
 #include <filesystem>
 
 #include "core/error.hpp"
-#include "io/sample/sample.hpp"
 #include "grains/packing/bidisperse.hpp"
 #include "grains/packing/fill.hpp"
 #include "grains/packing/population.hpp"
+#include "io/sample/sample.hpp"
 #include "workflow/run.hpp"
 
 namespace arenite::workflow {
@@ -39,8 +39,8 @@ Domain area_of(const Domain& frame, const std::optional<recipe::FillArea>& area)
 }
 
 std::string describe(const packing::RelaxReport& report) {
-  return fmt::format("relaxed in {} iterations, largest move {:.3g} mm, largest overlap left {:.2g} % of the mean radius of two grains",
-                     report.iterations, 1e3 * report.largest_move, 100 * report.overlap_after);
+  return fmt::format("relaxed in {} iterations, largest move {:.3g} mm, largest overlap left {:.2g} % of the mean radius of two grains", report.iterations,
+                     1e3 * report.largest_move, 100 * report.overlap_after);
 }
 
 std::string fill(const recipe::Recipe& recipe, Packing& packing) {
@@ -58,7 +58,8 @@ std::string fill(const recipe::Recipe& recipe, Packing& packing) {
   const double filled = packing::fill_lattice(grains, part), room = part.height();
   if (!height_given) height = filled;
   else if (filled > room * (1 + 1e-12))
-    throw InputError(fmt::format("the lattice is {:g} mm high and the container only {:g} mm; raise container.height or leave it out", 1e3 * filled, 1e3 * room));
+    throw InputError(
+        fmt::format("the lattice is {:g} mm high and the container only {:g} mm; raise container.height or leave it out", 1e3 * filled, 1e3 * room));
   return "triangular lattice";
 }
 
@@ -79,10 +80,11 @@ std::string sample(const recipe::Recipe& recipe, Packing& packing) {
   for (auto& m : packing.grains.material) m = static_cast<std::int32_t>(material[m]);
   packing.materials = recipe.materials;
   const std::string left_out = report.left_out > 0 ? fmt::format(", {} small disks left out for it", report.left_out) : "";
-  return fmt::format("{} large and {} small disks sampled in two steps, mean radii {:.4g} and {:.4g} mm; theta {:.4g} (asked {:g}, error {:+.1g} %) "
-                     "with a gap of {:.3g} mm between large ones{}; solid fraction {:.3f}",
-                     report.large, report.small, 1e3 * report.mean_large, 1e3 * report.mean_small, report.volume_ratio,
-                     classes.law.volume_ratio, 100 * report.volume_ratio_error, 1e3 * report.gap, left_out, report.solid_fraction);
+  return fmt::format(
+      "{} large and {} small disks sampled in two steps, mean radii {:.4g} and {:.4g} mm; theta {:.4g} (asked {:g}, error {:+.1g} %) "
+      "with a gap of {:.3g} mm between large ones{}; solid fraction {:.3f}",
+      report.large, report.small, 1e3 * report.mean_large, 1e3 * report.mean_small, report.volume_ratio, classes.law.volume_ratio,
+      100 * report.volume_ratio_error, 1e3 * report.gap, left_out, report.solid_fraction);
 }
 
 std::string fill_by_method(const recipe::Recipe& recipe, Packing& packing) {

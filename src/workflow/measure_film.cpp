@@ -7,13 +7,13 @@
 #include <limits>
 #include <numbers>
 
-#include "workflow/film_checks.hpp"
-#include "workflow/film_grains.hpp"
 #include "thermal/thermography/grain_means.hpp"
 #include "thermal/thermography/grain_motion.hpp"
+#include "thermal/thermography/grain_scene.hpp"
 #include "thermal/thermography/lockin.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
-#include "thermal/thermography/grain_scene.hpp"
+#include "workflow/film_checks.hpp"
+#include "workflow/film_grains.hpp"
 
 namespace arenite::workflow {
 namespace {
@@ -21,7 +21,10 @@ namespace {
 class Road {
  public:
   Road(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& source)
-      : recipe_(recipe), options_(options), source_(source), place_(place_of(recipe, source.info())) {}
+      : recipe_(recipe),
+        options_(options),
+        source_(source),
+        place_(place_of(recipe, source.info())) {}
 
   /// False if it was stopped.
   bool run(FilmResult& r) {
@@ -40,21 +43,25 @@ class Road {
   }
 
  private:
-
   thermography::LockinOptions lockin_options(const char* name, std::size_t stage) const {
     const auto progress = [this, name, stage](double share) {
       options_.progress({stage, 5, name, share, 0, 0, false, false});
       return !options_.asked_to_stop();
     };
     const auto& told = recipe_.lockin;
-    return {.frequency = told.frequency, .drift_order = static_cast<int>(told.drift), .harmonics = static_cast<int>(told.harmonics),
-            .convention = SwingConvention::full, .reference_phase = told.phase, .threads = options_.threads, .progress = progress};
+    return {.frequency = told.frequency,
+            .drift_order = static_cast<int>(told.drift),
+            .harmonics = static_cast<int>(told.harmonics),
+            .convention = SwingConvention::full,
+            .reference_phase = told.phase,
+            .threads = options_.threads,
+            .progress = progress};
   }
 
   bool lock_in(FilmSource& film, FilmResult& r) {
     const auto options = lockin_options("lock-in", 1);
     r.maps = recipe_.lockin.method == recipe::LockinSection::Method::nearest_bin ? thermography::nearest_bin_transform(film, options)
-                                                                         : thermography::lock_in(film, options);
+                                                                                 : thermography::lock_in(film, options);
     if (r.maps.size() == 0) return false;
     refuse_without_load(r.maps, recipe_.lockin.frequency);
     refuse_impossible(recipe_, r.maps);
@@ -117,7 +124,8 @@ class Road {
     // Places at the largest load are those found plus all of the way that was fitted.
     PictureGrains uncertain = loaded_;
     for (std::size_t i = 0; i < r.motion.size(); ++i)
-      if (!uncertain.position_error.empty() && std::isfinite(r.motion.error[i])) uncertain.position_error[i] = std::hypot(uncertain.position_error[i], 2 * r.motion.error[i]);
+      if (!uncertain.position_error.empty() && std::isfinite(r.motion.error[i]))
+        uncertain.position_error[i] = std::hypot(uncertain.position_error[i], 2 * r.motion.error[i]);
     r.swing = thermography::grain_means(r.maps, uncertain, means);
     if (wider_.size() > 0) {
       constexpr double least = 0.05;  // what rims tell of the blur at best
@@ -152,8 +160,8 @@ class Road {
   FilmSource& source_;
   FilmPlace place_;
   static constexpr double blur_step = 0.1;  // pixels
-  LockinMaps wider_;                ///< with rims taken off as a lens blurred by a step more shows them
-  PictureGrains loaded_;            ///< at the largest load
+  LockinMaps wider_;                        ///< with rims taken off as a lens blurred by a step more shows them
+  PictureGrains loaded_;                    ///< at the largest load
 };
 
 }  // namespace

@@ -10,8 +10,8 @@
 #include "model/film.hpp"
 #include "model/film_result.hpp"
 #include "recipe/film_recipe.hpp"
-#include "thermal/thermography/correction.hpp"
 #include "thermal/thermography/calibration.hpp"
+#include "thermal/thermography/correction.hpp"
 #include "thermal/thermography/load_signal.hpp"
 #include "workflow/run_film.hpp"
 
@@ -20,10 +20,10 @@ namespace arenite::workflow {
 /// What is done to a film before it is looked at, as its recipe says.
 struct FilmCorrection {
   thermography::Correction correction;
-  std::vector<std::uint8_t> bad;    ///< 1 for pixels that are replaced
+  std::vector<std::uint8_t> bad;         ///< 1 for pixels that are replaced
   thermography::GrainSurfaces surfaces;  ///< what is left to do where materials are known: their emissivities, if these differ
-  bool kelvin = false;              ///< what comes out are temperatures
-  std::vector<std::string> notes;   ///< what a user should know: constant or saturated pixels
+  bool kelvin = false;                   ///< what comes out are temperatures
+  std::vector<std::string> notes;        ///< what a user should know: constant or saturated pixels
 };
 
 /// How the film and its plates are to be read, where the recipe says it.

@@ -9,16 +9,16 @@
 #include <numeric>
 
 #include "core/error.hpp"
-#include "thermal/imaging/overlay.hpp"
-#include "thermal/imaging/registration.hpp"
 #include "io/image/image.hpp"
 #include "statistics/clusters.hpp"
+#include "thermal/imaging/overlay.hpp"
+#include "thermal/imaging/registration.hpp"
 
 namespace arenite::workflow {
 namespace {
 
-constexpr double enough = 2;               // pixels of the optical picture along one of the film tell centres to a hundredth
-constexpr double margin = 10;              // pixels of the film round the frame in which its grains may lie
+constexpr double enough = 2;                               // pixels of the optical picture along one of the film tell centres to a hundredth
+constexpr double margin = 10;                              // pixels of the film round the frame in which its grains may lie
 constexpr double least_correlation = 0.3, most_rms = 0.5;  // of an overlay that is believed; pixels of the film
 
 /// Part of a picture; pixels count from there.
@@ -65,9 +65,7 @@ imaging::Overlay lay_over_film(const std::string& file, const PictureGrains& gra
   try {
     const auto shown = imaging::find_circles(frame);
     overlay = imaging::lay_over(grains, imaging::register_circles(grains, shown.grains, {.scale = first.scale}).transform, frame, {2, 0});
-  } catch (const InputError&) {
-    overlay.rms = 2 * most_rms;
-  }
+  } catch (const InputError&) { overlay.rms = 2 * most_rms; }
   if (!fits(overlay))
     throw InputError(file, 0, "does not fit on the film; take it at the smallest load from the same side, and give its scale (picture.optical_pixel)");
   return overlay;
@@ -91,9 +89,10 @@ void take_materials(const recipe::FilmRecipe& recipe, const std::string& where, 
   });
   const auto classes = statistics::cluster(grains.brightness, {.most = order.size()});
   if (classes.size() != order.size())
-    throw InputError(fmt::format("grains in {} have {} {} of brightness, and the recipe {} materials; give an optical picture in which they differ "
-                                 "(picture.optical) or a list of the grains (picture.grains)",
-                                 where, classes.size(), classes.size() == 1 ? "kind" : "kinds", order.size()));
+    throw InputError(
+        fmt::format("grains in {} have {} {} of brightness, and the recipe {} materials; give an optical picture in which they differ "
+                    "(picture.optical) or a list of the grains (picture.grains)",
+                    where, classes.size(), classes.size() == 1 ? "kind" : "kinds", order.size()));
   grains.material.clear();
   for (const auto k : classes.of) grains.material.push_back(order[static_cast<std::size_t>(k)]);
 }
@@ -107,14 +106,16 @@ PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& f
   const FloatImage image = coarser(whole, part, times);
   const double pixel = times * fine;
   auto found = circles_of(recipe, image, pixel, {.largest = 0.25 * std::min(recipe.container.width, recipe.container.height) / pixel});
-  if (found.grains.size() < 3) throw InputError(file, 0, fmt::format("shows {} grains; give a picture in which they stand out, or a list of the grains (picture.grains)", found.grains.size()));
+  if (found.grains.size() < 3)
+    throw InputError(file, 0,
+                     fmt::format("shows {} grains; give a picture in which they stand out, or a list of the grains (picture.grains)", found.grains.size()));
   const auto first = told(whole, part, times, film, pixel / recipe.picture.pixel);
   const auto overlay = lay_over_film(file, found.grains, first, {film.width, film.height, frame});
   const Vec2 middle = first.inverse()({0.5 * (film.width - 1), 0.5 * (film.height - 1)}), off = overlay.transform(middle) - first(middle);
-  notes.push_back(fmt::format("the optical picture shows {} grains; it lies {:.2f} pixels of the film to the left and {:.2f} above, turned by {:.2f} degrees, "
-                              "its scale is {:+.2f} % off, and grains in the film are {:.2f} pixels (rms) from where it has them",
-                              found.grains.size(), off.x, off.y, overlay.transform.rotation * 180 / std::numbers::pi,
-                              100 * (overlay.transform.scale / first.scale - 1), overlay.rms));
+  notes.push_back(fmt::format(
+      "the optical picture shows {} grains; it lies {:.2f} pixels of the film to the left and {:.2f} above, turned by {:.2f} degrees, "
+      "its scale is {:+.2f} % off, and grains in the film are {:.2f} pixels (rms) from where it has them",
+      found.grains.size(), off.x, off.y, overlay.transform.rotation * 180 / std::numbers::pi, 100 * (overlay.transform.scale / first.scale - 1), overlay.rms));
   auto grains = imaging::apply(overlay.transform, std::move(found.grains));
   for (double& error : grains.position_error) error = std::hypot(error, overlay.shift_error);
   return grains;

@@ -21,9 +21,7 @@ double collision_time(double reduced_mass, double stiffness) { return std::numbe
 
 std::int64_t steps_of(double duration, double time_step) { return static_cast<std::int64_t>(std::ceil(duration / time_step)); }
 
-double inertial_number(double rate, double diameter, double density, double pressure) {
-  return std::abs(rate) * diameter * std::sqrt(density / pressure);
-}
+double inertial_number(double rate, double diameter, double density, double pressure) { return std::abs(rate) * diameter * std::sqrt(density / pressure); }
 
 std::string_view flow_regime(double number) { return number < 1e-3 ? "quasi-static" : number <= 0.1 ? "dense flow" : "inertial"; }
 
@@ -83,12 +81,12 @@ namespace {
 
 /// A sample as a whole.
 struct Bulk {
-  double diameter = 0;        ///< mean, m
-  double density = 0;         ///< of the grains, kg/m^3
+  double diameter = 0;  ///< mean, m
+  double density = 0;   ///< of the grains, kg/m^3
   double solid_fraction = 0;
-  double stiffness = 0;       ///< of the softest pair of its materials, N/m
+  double stiffness = 0;  ///< of the softest pair of its materials, N/m
   double width = 0, height = 0, thickness = 0;
-  double larger = 1;          ///< how much wider it is than the sample that was made
+  double larger = 1;  ///< how much wider it is than the sample that was made
 };
 
 Bulk bulk_of(const Packing& packing, const dem::ContactParameters& contact) {
@@ -309,9 +307,7 @@ Prediction predict(const recipe::Recipe& recipe) {
   try {
     dem::Engine timed(start, recipe.contact, recipe.integration);
     p.seconds_per_step = measured_step(timed, recipe.stages.front()) / share;
-  } catch (const CannotGoOn& error) {
-    p.warnings.push_back(fmt::format("stage {}: {}", recipe.stages.front().name, error.what()));
-  }
+  } catch (const CannotGoOn& error) { p.warnings.push_back(fmt::format("stage {}: {}", recipe.stages.front().name, error.what())); }
   for (StagePrediction& stage : p.stages) stage.seconds = p.seconds_per_step * static_cast<double>(stage.steps);
   warn(p, recipe);
   return p;

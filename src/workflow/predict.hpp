@@ -42,8 +42,8 @@ double settling_time(double period, double drag, double unbalanced, bool pressed
 
 /// The pair whose collision is shortest: two grains alike, or a grain and a wall.
 struct ShortestCollision {
-  double time = 0;             ///< s
-  double radius = 0;           ///< m
+  double time = 0;    ///< s
+  double radius = 0;  ///< m
   std::int32_t material = 0;
   bool with_wall = false;
 };
@@ -54,26 +54,26 @@ enum class StepLimit { collision, stiffness, damping, given };
 
 struct StagePrediction {
   std::string name;
-  double time_step = 0;        ///< s
-  double duration = 0;         ///< s of the sample's time
+  double time_step = 0;  ///< s
+  double duration = 0;   ///< s of the sample's time
   std::int64_t steps = 0;
-  bool exact = false;          ///< steps follow from a duration; else they are an estimate
-  double seconds = 0;          ///< of one processor
-  double pressure = 0;         ///< Pa, the largest that its sides or its weight exert; 0: none known
+  bool exact = false;                                                ///< steps follow from a duration; else they are an estimate
+  double seconds = 0;                                                ///< of one processor
+  double pressure = 0;                                               ///< Pa, the largest that its sides or its weight exert; 0: none known
   std::optional<double> inertial_number, stiffness_number, overlap;  ///< overlap: over the diameter
 };
 
 struct Prediction {
-  std::size_t grains = 0;      ///< of the recipe, where it says how many
-  std::size_t sample = 0;      ///< of the sample that was made to look at; fewer where the recipe's would take long
+  std::size_t grains = 0;                  ///< of the recipe, where it says how many
+  std::size_t sample = 0;                  ///< of the sample that was made to look at; fewer where the recipe's would take long
   double time_step = 0, largest_step = 0;  ///< s; the largest that is stable
   StepLimit limit = StepLimit::collision;
   ShortestCollision collision;
-  std::string material;        ///< of that collision
-  double seconds_per_step = 0; ///< of one processor, for all grains
+  std::string material;         ///< of that collision
+  double seconds_per_step = 0;  ///< of one processor, for all grains
   std::vector<StagePrediction> stages;
   std::vector<std::string> warnings;  ///< what is legal but costly or unphysical, a sentence each
-  double seconds() const;      ///< of all stages
+  double seconds() const;             ///< of all stages
 };
 
 /// Looks at the recipe's sample before its loading, or at a small one of the same kind where that is large, and times some hundred steps of it.

@@ -128,9 +128,7 @@ texture::Options texture_options(const Provenance& provenance) {
   recipe::Recipe recipe;
   try {
     recipe = recipe::parse_recipe(provenance.recipe, "recipe");
-  } catch (const InputError&) {
-    return {};
-  }
+  } catch (const InputError&) { return {}; }
   const auto at = std::find_if(recipe.stages.begin(), recipe.stages.end(), [&](const auto& stage) { return stage.name == provenance.stage; });
   return texture_options(recipe, at == recipe.stages.end() ? 0 : static_cast<std::size_t>(at - recipe.stages.begin()) + 1);
 }

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "grains/texture/texture.hpp"
-#include "model/result.hpp"
 #include "model/packing.hpp"
+#include "model/result.hpp"
 #include "statistics/numbers.hpp"
 #include "workflow/stage_keys.hpp"
 

@@ -23,8 +23,10 @@ namespace {
 std::string force_at_start(int side) { return fmt::format("force_at_start {}", side_names[side]); }
 
 using dem::StageRun;
-constexpr std::pair<const char*, std::int64_t StageRun::*> counts[] = {
-    {"increment", &StageRun::increment}, {"steps_in_increment", &StageRun::steps_in_increment}, {"sample_every", &StageRun::sample_every}, {"checks", &StageRun::checks}};
+constexpr std::pair<const char*, std::int64_t StageRun::*> counts[] = {{"increment", &StageRun::increment},
+                                                                       {"steps_in_increment", &StageRun::steps_in_increment},
+                                                                       {"sample_every", &StageRun::sample_every},
+                                                                       {"checks", &StageRun::checks}};
 
 io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run, const std::string& key) {
   io::Checkpoint checkpoint;
@@ -100,7 +102,11 @@ PullCheckpoint checkpoint_of(const fs::path& file, const std::string& key, const
 class Run {
  public:
   Run(const recipe::Recipe& recipe, const RunOptions& options)
-      : recipe_(recipe), options_(options), plan_(plan_of(recipe)), folder_(options.out, plan_), progress_{0, plan_.size(), "packing", 0, 0, 0, false, false} {}
+      : recipe_(recipe),
+        options_(options),
+        plan_(plan_of(recipe)),
+        folder_(options.out, plan_),
+        progress_{0, plan_.size(), "packing", 0, 0, 0, false, false} {}
 
   RunOutcome outcome() {
     for (const std::string& sentence : recipe_.notices) options_.notice(sentence);
@@ -148,10 +154,13 @@ class Run {
 
   bool add_field(std::size_t s, const std::function<std::optional<FieldResult>(const fs::path& checkpoint)>& make) {
     begin(s);
-    auto result = carry_out_stage<FieldResult>(s, io::write_field, io::read_field, [&](const fs::path& checkpoint) {
-      options_.progress(progress_);
-      return make(checkpoint);
-    }, "");
+    auto result = carry_out_stage<FieldResult>(
+        s, io::write_field, io::read_field,
+        [&](const fs::path& checkpoint) {
+          options_.progress(progress_);
+          return make(checkpoint);
+        },
+        "");
     if (!result) return false;
     show_done();
     outcome_.converged = outcome_.converged && result->converged;
@@ -176,7 +185,8 @@ class Run {
   }
 
   bool pack() {
-    const bool made = add_stage(0, [&](const fs::path&) { return std::optional(make_packing(recipe_)); }, "");
+    const bool made = add_stage(
+        0, [&](const fs::path&) { return std::optional(make_packing(recipe_)); }, "");
     if (!made) return false;
     show_done();
     io::write_atomically(folder_ / "recipe.toml", to_toml(recipe_));

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "grains/texture/texture.hpp"
 #include "model/packing.hpp"
 #include "model/result.hpp"
 #include "recipe/recipe.hpp"
-#include "grains/texture/texture.hpp"
 
 namespace arenite::workflow {
 
@@ -21,12 +21,12 @@ struct Progress {
   double share = 0;                   ///< of the stage, 0 to 1
   double unbalanced_ratio = 0;
   std::int64_t step = 0;
-  bool reused = false;                ///< the stage's file was there already
-  bool field = false;                 ///< `step` counts iterations and `unbalanced_ratio` is a residual
-  std::string key{};                  ///< hash of the stage, which its checkpoint carries
+  bool reused = false;                         ///< the stage's file was there already
+  bool field = false;                          ///< `step` counts iterations and `unbalanced_ratio` is a residual
+  std::string key{};                           ///< hash of the stage, which its checkpoint carries
   std::int64_t increment = 0, increments = 0;  ///< the one under way, from 1; 0 where the stage has none
-  double time = 0;                    ///< of the sample, s
-  std::array<Wall, 4> wall{};         ///< now; none is present where `time` is none
+  double time = 0;                             ///< of the sample, s
+  std::array<Wall, 4> wall{};                  ///< now; none is present where `time` is none
 };
 
 class Store;
@@ -35,17 +35,17 @@ struct RunOptions {
   std::filesystem::path out;
   std::function<void(const Progress&)> progress = [](const Progress&) {};
   std::function<void(const std::string&)> notice = [](const std::string&) {};  ///< a sentence the user should see
-  std::function<bool()> asked_to_stop = [] { return false; };  ///< true: checkpoint and leave
-  double checkpoint_seconds = 30;     ///< between two checkpoints
-  const Store* store = nullptr;       ///< stages that are there are taken from it, and what is computed is put there
+  std::function<bool()> asked_to_stop = [] { return false; };                  ///< true: checkpoint and leave
+  double checkpoint_seconds = 30;                                              ///< between two checkpoints
+  const Store* store = nullptr;                                                ///< stages that are there are taken from it, and what is computed is put there
 };
 
 struct RunOutcome {
   bool converged = true;
-  bool interrupted = false;           ///< asked to stop; the next run goes on from the checkpoint
+  bool interrupted = false;                  ///< asked to stop; the next run goes on from the checkpoint
   std::vector<std::filesystem::path> files;  ///< one a stage, in order
   std::vector<StageResult> stages;
-  std::vector<FieldResult> fields;    ///< the cemented sample and its loads, after the stages
+  std::vector<FieldResult> fields;  ///< the cemented sample and its loads, after the stages
   /// Texture of the last state of each of `stages`, as texture_options of the recipe asks; nothing where the stage was there already.
   std::vector<std::optional<texture::Texture>> measured;
 };

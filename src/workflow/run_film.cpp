@@ -80,9 +80,7 @@ std::optional<FilmResult> measured(const fs::path& film, FilmSource& source, con
       if (!led.lockin.phase) led.lockin.phase = load->phase;
     }
     if (!measure_film(led, options, source, result)) return std::nullopt;
-  } catch (const InputError& error) {
-    throw in_file(error, film.string());
-  }
+  } catch (const InputError& error) { throw in_file(error, film.string()); }
   return result;
 }
 
@@ -149,7 +147,8 @@ FilmOutcome run_film(const fs::path& film, const recipe::FilmRecipe& recipe, con
     Packing loaded;
     if (recipe.simulation && !add_twin(recipe, options, *result, outcome.twin, loaded)) return std::nullopt;
     result->numbers = film_numbers(*result, loaded.grains.size() > 0 ? &loaded : nullptr);
-    result->outcome = fmt::format("{} grains and {} contacts at {:.6g} Hz", result->packing.grains.size(), result->packing.contacts.size(), result->maps.frequency);
+    result->outcome =
+        fmt::format("{} grains and {} contacts at {:.6g} Hz", result->packing.grains.size(), result->packing.contacts.size(), result->maps.frequency);
     result->provenance = {version, "film", stage.hash, to_toml(recipe), recipe.seed, "", {{"film", film.filename().string()}}};
     return result;
   };

@@ -18,7 +18,7 @@ struct FilmOutcome {
   bool interrupted = false;
   std::filesystem::path file;
   FilmResult result;
-  std::vector<StageResult> twin;    ///< stages of the simulation beside the film
+  std::vector<StageResult> twin;  ///< stages of the simulation beside the film
 };
 
 /// A film's grains and the forces that were inferred, as a stage of one state, which pages and files take like simulated ones.
@@ -30,8 +30,8 @@ FilmOutcome run_film(const std::filesystem::path& film, const recipe::FilmRecipe
 
 /// What came of the simulation beside a film.
 struct TwinRun {
-  FilmTwin stresses;                ///< empty if it was stopped or did not come to rest
-  Packing loaded;                   ///< at the largest load; without grains as `stresses` is empty
+  FilmTwin stresses;  ///< empty if it was stopped or did not come to rest
+  Packing loaded;     ///< at the largest load; without grains as `stresses` is empty
   std::vector<StageResult> stages;
   std::string outcome;
   bool converged = true, interrupted = false;

@@ -49,8 +49,7 @@ class Claim {
 };
 
 /// A stage: what it is called, where its result lies, and how that is made, written and read. A new kind of stage is one such record.
-template <class Result>
-struct StageRecord {
+template <class Result> struct StageRecord {
   PlannedStage key;
   std::filesystem::path file;
   std::function<std::optional<Result>(const std::filesystem::path& checkpoint)> make;  ///< nothing if it was stopped
@@ -61,8 +60,7 @@ struct StageRecord {
 
 /// Carries out a stage: its result comes from the run's folder, or from the store, or is made, written and read, so that what follows
 /// sees the same numbers either way. Of those who want it at once one makes it. `reused` says that it was there; nothing if it was stopped.
-template <class Result>
-std::optional<Result> carry_out(const StageRecord<Result>& stage, const RunOptions& options, bool& reused) {
+template <class Result> std::optional<Result> carry_out(const StageRecord<Result>& stage, const RunOptions& options, bool& reused) {
   const auto look = [&]() -> std::optional<Result> {
     if (!std::filesystem::exists(stage.file)) return std::nullopt;
     auto found = unless_damaged(stage.file, options, stage.again, [&] { return stage.read(stage.file); });

@@ -26,7 +26,8 @@ void take_materials(Packing& packing, const recipe::FilmRecipe& recipe, camera::
     const auto same = [&](const recipe::FilmMaterial& m) { return m.name == material.name; };
     const auto at = std::find_if(recipe.materials.begin(), recipe.materials.end(), same);
     if (at == recipe.materials.end())
-      throw InputError(recipe.source_file, 0, fmt::format("there is no section [materials.{0}], which grains of the sample are made of; add it", material.name));
+      throw InputError(recipe.source_file, 0,
+                       fmt::format("there is no section [materials.{0}], which grains of the sample are made of; add it", material.name));
     material.thermoelastic_factor = at->thermoelastic_factor;
     p.surroundings.emissivity.push_back(emissivity[static_cast<std::size_t>(at - recipe.materials.begin())]);
     brightness.push_back(at->brightness);
@@ -53,8 +54,13 @@ recipe::FilmRecipe laboratory_recipe(const recipe::FilmRecipe& recipe, const Pac
   for (recipe::FilmMaterial& m : lab.materials)
     for (const Material& of : high.materials)
       if (of.name == m.name) m.stiffness = of.stiffness;
-  lab.container = {start.width(), start.height(), start.thickness, {}, {}, load_on_bottom(high) - (low ? load_on_bottom(*low) : 0.0),
-               shot.parameters.motion ? high.domain.wall[bottom].position - start.wall[bottom].position : 0};
+  lab.container = {start.width(),
+                   start.height(),
+                   start.thickness,
+                   {},
+                   {},
+                   load_on_bottom(high) - (low ? load_on_bottom(*low) : 0.0),
+                   shot.parameters.motion ? high.domain.wall[bottom].position - start.wall[bottom].position : 0};
   lab.picture.pixel = shot.parameters.optics.pixel;
   lab.picture.optical = "optical.tif";
   lab.picture.optical_pixel = shot.parameters.photograph.pixel;
@@ -104,7 +110,8 @@ struct Shot {
   recipe::FilmRecipe laboratory;
 };
 
-Shot shot_of_field(const recipe::FilmRecipe& recipe, FieldResult& field, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending, bool blind) {
+Shot shot_of_field(const recipe::FilmRecipe& recipe, FieldResult& field, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending,
+                   bool blind) {
   if (!recipe.camera->low.empty()) throw InputError(recipe.source_file, 0, "a load of a cemented sample is filmed from no load; leave out camera.low");
   take_materials(field.packing, recipe, p, brightness);
   Shot shot{camera::scene_of_field(field, p), {}};
@@ -115,7 +122,8 @@ Shot shot_of_field(const recipe::FilmRecipe& recipe, FieldResult& field, camera:
   return shot;
 }
 
-Shot shot_of_states(const recipe::FilmRecipe& recipe, Packing& high, const fs::path& result, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending, bool blind) {
+Shot shot_of_states(const recipe::FilmRecipe& recipe, Packing& high, const fs::path& result, camera::Parameters& p, std::vector<double>& brightness,
+                    const std::string& ending, bool blind) {
   const std::string& released = recipe.camera->low;
   std::optional<Packing> low;
   if (!released.empty() && !(low = last_state(result, released))) refuse_stage(result, released);
@@ -134,8 +142,8 @@ std::vector<fs::path> shoot_film(const recipe::FilmRecipe& recipe, const fs::pat
   auto state = last_state(result, shot.high);
   auto field = state ? std::nullopt : load_named(result, shot.high);
   if (!state && !field) refuse_stage(result, shot.high);
-  const auto [scene, laboratory] =
-      state ? shot_of_states(recipe, *state, result, p, brightness, options.format, options.blind) : shot_of_field(recipe, *field, p, brightness, options.format, options.blind);
+  const auto [scene, laboratory] = state ? shot_of_states(recipe, *state, result, p, brightness, options.format, options.blind)
+                                         : shot_of_field(recipe, *field, p, brightness, options.format, options.blind);
 
   make_folder(options.out);
   const auto named = [&](const std::string& name) { return options.out / (name + "." + options.format); };

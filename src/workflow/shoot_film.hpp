@@ -10,8 +10,8 @@ namespace arenite::workflow {
 
 struct ShootOptions {
   std::filesystem::path out;
-  std::string format = "ptw";       ///< of the films
-  bool blind = false;               ///< film.toml has no more than a laboratory knows: no blur, surroundings, phase or travel of the wall
+  std::string format = "ptw";  ///< of the films
+  bool blind = false;          ///< film.toml has no more than a laboratory knows: no blur, surroundings, phase or travel of the wall
   std::function<bool(double share)> progress = [](double) { return true; };  ///< false stops
 };
 

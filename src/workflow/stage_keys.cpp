@@ -58,8 +58,7 @@ recipe::Recipe without_field(recipe::Recipe recipe) {
   return recipe;
 }
 
-template <class Recipe>
-std::string text_of(const Recipe& part, Names names) {
+template <class Recipe> std::string text_of(const Recipe& part, Names names) {
   return recipe::under_former_names(names == Names::now ? changed_keys(part) : to_toml(part));
 }
 
@@ -105,7 +104,8 @@ std::string load_key(const recipe::Load& load, const std::string& cement_hash, N
 
 PlannedStage planned_stage(int place, std::string name, std::string hash, bool field, std::string former_hash) {
   PlannedStage stage{name, hash, io::stage_file_name(place, name, hash), field, former_hash, {io::full_stage_file_name(place, name, hash)}};
-  if (!former_hash.empty()) stage.former.insert(stage.former.end(), {io::stage_file_name(place, name, former_hash), io::full_stage_file_name(place, name, former_hash)});
+  if (!former_hash.empty())
+    stage.former.insert(stage.former.end(), {io::stage_file_name(place, name, former_hash), io::full_stage_file_name(place, name, former_hash)});
   return stage;
 }
 
@@ -160,10 +160,7 @@ void add_file(HashBuilder& hash, const fs::path& path) {
     hash.add("part", content_hash(std::string_view(part).substr(0, static_cast<std::size_t>(file.gcount()))));
 }
 
-template <class T>
-std::string_view bytes_of(const std::vector<T>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
-}
+template <class T> std::string_view bytes_of(const std::vector<T>& values) { return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)}; }
 
 void add_frames(HashBuilder& hash, FilmSource& source) {
   const std::int64_t frames = source.info().frames;

@@ -36,10 +36,10 @@ std::string film_key(const std::filesystem::path& film, FilmSource& source, cons
 
 /// One stage of a run: the packing, a loading, the cemented sample, or a load of it; or a film.
 struct PlannedStage {
-  std::string name, hash, file;        ///< file: its name in the run's folder
-  bool field = false;                  ///< cemented sample or load
-  std::string former_hash{};           ///< by version 0.1
-  std::vector<std::string> former{};   ///< names of its file by version 0.1 and before
+  std::string name, hash, file;       ///< file: its name in the run's folder
+  bool field = false;                 ///< cemented sample or load
+  std::string former_hash{};          ///< by version 0.1
+  std::vector<std::string> former{};  ///< names of its file by version 0.1 and before
   /// Whether a result with this hash is that of the stage.
   bool names(const std::string& of) const { return of == hash || (!former_hash.empty() && of == former_hash); }
   bool operator==(const PlannedStage& other) const { return name == other.name && hash == other.hash && file == other.file && field == other.field; }

@@ -33,7 +33,8 @@ fs::path in_folder(const fs::path& folder, const std::string& hash) { return fol
 fs::path stored_file(const fs::path& store, const std::string& hash) { return in_folder(store, hash).string() + ".h5"; }
 
 Store::Store(fs::path folder, std::function<void(const std::string&)> notice)
-    : folder_(std::move(folder)), account_((make_folder(folder_ / "locks"), folder_ / "account"), std::move(notice)) {}
+    : folder_(std::move(folder)),
+      account_((make_folder(folder_ / "locks"), folder_ / "account"), std::move(notice)) {}
 
 fs::path Store::file(const std::string& hash) const { return stored_file(folder_, hash); }
 fs::path Store::checkpoint(const std::string& hash) const {

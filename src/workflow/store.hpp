@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "io/disk/store_file.hpp"
 #include "io/disk/file.hpp"
+#include "io/disk/store_file.hpp"
 #include "workflow/stage_keys.hpp"
 
 namespace arenite::workflow {
@@ -46,9 +46,12 @@ class Store {
 
 /// What the stages of a store cost, in CPU seconds, and what sharing them saved.
 struct StoreAccount {
-  struct Mean { double sum = 0; std::size_t count = 0; };
-  std::map<std::string, double> cost;         ///< by hash
-  std::map<std::string, Mean> by_name;        ///< of stages of that name
+  struct Mean {
+    double sum = 0;
+    std::size_t count = 0;
+  };
+  std::map<std::string, double> cost;   ///< by hash
+  std::map<std::string, Mean> by_name;  ///< of stages of that name
   std::size_t computed = 0, reused = 0;
   double seconds_computed = 0, seconds_saved = 0;
 };

@@ -95,7 +95,8 @@ TEST(Cemented, ExportsOpenInVtkAndAsTables) {
   const fs::path file = file_of(folder / "out", "tension");
   const auto done = arenite("export " + file.string() + " --to vtk --out " + (folder / "vtk").string());
   ASSERT_EQ(done.status, 0) << done.err;
-  const auto read = test::shell("/usr/bin/python3 " ARENITE_SOURCE_DIR "/tests/commands/compare_vti.py " + file.string() + " " + (folder / "vtk/tension.vti").string());
+  const auto read =
+      test::shell("/usr/bin/python3 " ARENITE_SOURCE_DIR "/tests/commands/compare_vti.py " + file.string() + " " + (folder / "vtk/tension.vti").string());
   EXPECT_EQ(read.status, 0) << read.err;
   ASSERT_EQ(arenite("export " + file.string() + " --to csv --out " + (folder / "csv").string()).status, 0);
   const std::string nodes = io::read_file(folder / "csv/tension_nodes.csv");
@@ -113,8 +114,10 @@ TEST(Cemented, ExportsOpenInVtkAndAsTables) {
 
 TEST(Cemented, FailureExampleBreaks) {
   const TemporaryFolder folder;
-  const auto ran = arenite("run " ARENITE_SOURCE_DIR "/examples/08-failure/recipe.toml --quiet --set bidisperse.box_area=30 --set grid.nodes=64 "
-                           "--set 'grid.crop=\"5 mm\"' --out " + (folder / "out").string());
+  const auto ran = arenite("run " ARENITE_SOURCE_DIR
+                           "/examples/08-failure/recipe.toml --quiet --set bidisperse.box_area=30 --set grid.nodes=64 "
+                           "--set 'grid.crop=\"5 mm\"' --out " +
+                           (folder / "out").string());
   ASSERT_EQ(ran.status, 0) << ran.err;
   const Json j = shown(folder / "out");
   EXPECT_GT(j["strength_Pa"].get<double>(), 0);
@@ -127,7 +130,8 @@ TEST(Cemented, FailureExampleBreaks) {
 TEST(Cemented, BreaksInShearAndSplitsInCompression) {
   const TemporaryFolder folder;
   for (const char* loading : {"shear", "compression"}) {
-    const auto ran = arenite("run " ARENITE_SOURCE_DIR "/examples/08-failure/recipe.toml --quiet --set bidisperse.box_area=30 --set grid.nodes=48 "
+    const auto ran = arenite("run " ARENITE_SOURCE_DIR
+                             "/examples/08-failure/recipe.toml --quiet --set bidisperse.box_area=30 --set grid.nodes=48 "
                              "--set 'grid.crop=\"5 mm\"' --set loads.0.band=0.2 --set loads.0.max_strain=4e-3 --set loads.0.loading=" +
                              std::string(loading) + " --out " + (folder / loading).string());
     ASSERT_EQ(ran.status, 0) << ran.err;
@@ -140,9 +144,11 @@ TEST(Cemented, BreaksInShearAndSplitsInCompression) {
 
 TEST(Cemented, ThesisSampleInThreeLoadings) {
   const TemporaryFolder folder;
-  const auto ran = arenite("run " ARENITE_SOURCE_DIR "/examples/09-cemented-thesis-sample/recipe.toml --quiet --set populations.0.count=40 "
-                           "--set populations.1.count=44 --set 'container.width=\"120 mm\"' --set 'stages.1.bottom.force=\"17 kN\"' --set grid.nodes=160 --out " +
-                           (folder / "out").string());
+  const auto ran =
+      arenite("run " ARENITE_SOURCE_DIR
+              "/examples/09-cemented-thesis-sample/recipe.toml --quiet --set populations.0.count=40 "
+              "--set populations.1.count=44 --set 'container.width=\"120 mm\"' --set 'stages.1.bottom.force=\"17 kN\"' --set grid.nodes=160 --out " +
+              (folder / "out").string());
   ASSERT_EQ(ran.status, 0) << ran.err;
   const Json j = shown(folder / "out");
   EXPECT_NEAR(j["exact"]["S_m"].get<double>(), 0.5, 1e-4);
@@ -156,18 +162,18 @@ TEST(Cemented, ThesisSampleInThreeLoadings) {
 
 TEST(Cemented, SlipsAreOneSentenceEachAndLeaveNothing) {
   const TemporaryFolder folder;
-  for (const auto& [slip, words] : std::vector<std::pair<std::string, std::string>>{
-           {"--set bidisperse.volume_ratio=90", "out of reach"},
-           {"--set bidisperse.size_ratio=0.5", "out of range"},
-           {"--set 'loads.0.stiffness.matrix=\"-1 GPa\"'", "above 0"},
-           {"--set 'loads.0.stiffness.matrix=\"1 kN\"'", "a pressure"},
-           {"--set loads.0.loading=twist", "unknown word"},
-           {"--set loads.0.loading=shear --set loads.0.lower=sliding", "carries no shear"},
-           {"--set loads.0.name=compact", "names must differ"},
-           {"--set bidisperse.small=large", "a material of its own"},
-           {"--set 'container.width=\"3 mm\"'", "goes with"},
-           {"--set cement.kind=coating", "cement.thickness: is missing"},
-           {"--set cement.kind=full --set cement.saturation=0.5", "goes with"}}) {
+  for (const auto& [slip, words] :
+       std::vector<std::pair<std::string, std::string>>{{"--set bidisperse.volume_ratio=90", "out of reach"},
+                                                        {"--set bidisperse.size_ratio=0.5", "out of range"},
+                                                        {"--set 'loads.0.stiffness.matrix=\"-1 GPa\"'", "above 0"},
+                                                        {"--set 'loads.0.stiffness.matrix=\"1 kN\"'", "a pressure"},
+                                                        {"--set loads.0.loading=twist", "unknown word"},
+                                                        {"--set loads.0.loading=shear --set loads.0.lower=sliding", "carries no shear"},
+                                                        {"--set loads.0.name=compact", "names must differ"},
+                                                        {"--set bidisperse.small=large", "a material of its own"},
+                                                        {"--set 'container.width=\"3 mm\"'", "goes with"},
+                                                        {"--set cement.kind=coating", "cement.thickness: is missing"},
+                                                        {"--set cement.kind=full --set cement.saturation=0.5", "goes with"}}) {
     const auto refused = arenite(run(folder / "none", slip));
     EXPECT_EQ(refused.status, 2) << slip;
     EXPECT_NE(refused.err.find(words), std::string::npos) << slip << "\n" << refused.err;

@@ -68,8 +68,7 @@ TEST_F(Export, LammpsItselfReadsTheDumpAtItsStep) {
   const auto grains = test::two_frames(6).frames[1].packing.grains;
   std::istringstream dump(io::read_file(folder / "out.dump"));
   std::string line;
-  while (std::getline(dump, line) && !line.starts_with("ITEM: ATOMS")) {
-  }
+  while (std::getline(dump, line) && !line.starts_with("ITEM: ATOMS")) {}
   for (std::size_t i = 0; i < grains.size(); ++i) {
     int type = 0;
     double x = 0, y = 0, vy = 0;

@@ -15,8 +15,10 @@ using namespace arenite;
 using test::VirtualFilm;
 using Json = nlohmann::json;
 
-constexpr const char* factors_times_one_and_a_half = "--set materials.POM.thermoelastic_factor='\"0.0225 K/MPa\"' --set materials.HDPE.thermoelastic_factor='\"0.0387 K/MPa\"'";
-constexpr const char* factors_exchanged = "--set materials.POM.thermoelastic_factor='\"0.0258 K/MPa\"' --set materials.HDPE.thermoelastic_factor='\"0.015 K/MPa\"'";
+constexpr const char* factors_times_one_and_a_half =
+    "--set materials.POM.thermoelastic_factor='\"0.0225 K/MPa\"' --set materials.HDPE.thermoelastic_factor='\"0.0387 K/MPa\"'";
+constexpr const char* factors_exchanged =
+    "--set materials.POM.thermoelastic_factor='\"0.0258 K/MPa\"' --set materials.HDPE.thermoelastic_factor='\"0.015 K/MPa\"'";
 
 double told_load(const VirtualFilm& of) {
   const std::string text = test::slurp(of.at("film/film.toml"));
@@ -62,7 +64,8 @@ TEST(FilmOutside, CountsTakenForKelvinAreRefused) {
   film.level = test::all_of(*source).level;
   io::write_film(of.at("film/counts.tif"), film);
   of.edit("kelvin.toml", "from = \"references\"", "from = \"film\"\nassumed_emissivity = 1");
-  const auto done = test::arenite("film " + of.at("film/counts.tif").string() + " --recipe " + of.at("film/kelvin.toml").string() + " --quiet --out " + of.at("result").string());
+  const auto done = test::arenite("film " + of.at("film/counts.tif").string() + " --recipe " + of.at("film/kelvin.toml").string() + " --quiet --out " +
+                                  of.at("result").string());
   EXPECT_EQ(done.status, 2) << done.err;
   EXPECT_NE(done.err.find("kelvin"), std::string::npos) << done.err;
 }

@@ -4,12 +4,12 @@
 #include <set>
 
 #include "io/film/film.hpp"
-#include "thermal/radiometry/band.hpp"
-#include "workflow/run_film.hpp"
 #include "support/films.hpp"
 #include "support/virtual_film.hpp"
-#include "thermal/thermography/frame_statistics.hpp"
+#include "thermal/radiometry/band.hpp"
 #include "thermal/thermography/correction.hpp"
+#include "thermal/thermography/frame_statistics.hpp"
+#include "workflow/run_film.hpp"
 
 namespace {
 using namespace arenite;
@@ -21,7 +21,8 @@ Vec2 lower_left(const Packing& p) { return {p.domain.wall[left].position, p.doma
 TEST(FilmCommand, GivesBackTheStressesOfTheSimulationThatWasFilmed) {
   const VirtualFilm virtual_film;
   ASSERT_EQ(virtual_film.filmed.status, 0) << virtual_film.simulated.err << virtual_film.filmed.err;
-  for (const char* name : {"film.ptw", "cold.ptw", "warm.ptw", "optical.tif", "film.toml"}) EXPECT_TRUE(std::filesystem::exists(virtual_film.at("film") / name)) << name;
+  for (const char* name : {"film.ptw", "cold.ptw", "warm.ptw", "optical.tif", "film.toml"})
+    EXPECT_TRUE(std::filesystem::exists(virtual_film.at("film") / name)) << name;
   const auto done = virtual_film.film("--json");
   ASSERT_EQ(done.status, 0) << done.err;
   EXPECT_TRUE(std::filesystem::file_size(virtual_film.at("result/report.html")) > 100'000);
@@ -48,7 +49,9 @@ TEST(FilmCommand, GivesBackTheStressesOfTheSimulationThatWasFilmed) {
     const Vec2 found = film.origin + Vec2{film.grains.x[i] * film.pixel, -film.grains.y[i] * film.pixel}, moved = film.packing.grains.centre(i);
     off_at_low += std::pow(norm(low.grains.centre(match[i]) - corner - found) / film.pixel, 2) / 42;
     const double border = 0.010;
-    if (moved.x < border || moved.x > 0.095 - border || moved.y < high.domain.wall[bottom].position - corner.y + border || moved.y > low.domain.height() - border) continue;
+    if (moved.x < border || moved.x > 0.095 - border || moved.y < high.domain.wall[bottom].position - corner.y + border ||
+        moved.y > low.domain.height() - border)
+      continue;
     off_at_high += std::pow(norm(high.grains.centre(match[i]) - corner - moved) / film.pixel, 2);
     ++away;
   }
@@ -96,7 +99,9 @@ TEST(FilmCommand, UnequalEmissivitiesComeBackWithinTheErrors) {
     EXPECT_LT(other.off_in_errors, 1.3 * same.off_in_errors + 0.5) << material;
   }
   // The same with a curve of black bodies a kelvin apart instead of Planck's law between two.
-  const auto level_of = [&](const char* name) { return thermography::plate_level(thermography::frame_statistics(*io::open_film(unlike.at(std::string("film/") + name)))); };
+  const auto level_of = [&](const char* name) {
+    return thermography::plate_level(thermography::frame_statistics(*io::open_film(unlike.at(std::string("film/") + name))));
+  };
   const double cold = level_of("cold.ptw"), warm = level_of("warm.ptw");
   const auto photons = [](double t) { return radiometry::photon_exitance({}, t); };
   std::ofstream curve(unlike.at("film/curve.csv"));
@@ -114,7 +119,8 @@ TEST(FilmCommand, UnequalEmissivitiesComeBackWithinTheErrors) {
 TEST(FilmCommand, TakesABareArrayThatIsToldWhatItIs) {
   const VirtualFilm of("--set camera.motion=false --format npy");
   ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
-  const std::string film = "film " + of.at("film/film.npy").string() + " --recipe " + of.at("film/film.toml").string() + " --quiet --out " + of.at("result").string();
+  const std::string film =
+      "film " + of.at("film/film.npy").string() + " --recipe " + of.at("film/film.toml").string() + " --quiet --out " + of.at("result").string();
   const auto bare = arenite::test::arenite(film);
   EXPECT_EQ(bare.status, 2);
   EXPECT_NE(bare.err.find("give the frame rate (--frame-rate, frame_rate in [film] of a recipe"), std::string::npos) << bare.err;
@@ -140,7 +146,8 @@ TEST(FilmCommand, SameSeedSameBytes) {
 TEST(FilmCommand, PutsASimulationOfTheSameGrainsBesideTheFilm) {
   const VirtualFilm of;
   ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
-  of.edit("twin.toml", "[picture]", "[simulation]\nrecipe = \"" + (of.at("states") / "recipe.toml").string() + "\"\nlow = \"low\"\nhigh = \"high\"\n\n[picture]");
+  of.edit("twin.toml", "[picture]",
+          "[simulation]\nrecipe = \"" + (of.at("states") / "recipe.toml").string() + "\"\nlow = \"low\"\nhigh = \"high\"\n\n[picture]");
   const auto done = of.film("--json", "film", "twin.toml");
   ASSERT_EQ(done.status, 0) << done.err;
   const Json j = Json::parse(done.out);
@@ -229,7 +236,9 @@ TEST(FilmCommand, RefusesASixteenBitFilmAtItsCeiling) {
   film.about.frame_rate = 148;
   for (auto& level : film.level) level = 65535;
   io::write_film(of.at("film/white.tif"), film);
-  expect_refused(of, test::arenite("film " + of.at("film/white.tif").string() + " --recipe " + of.at("film/film.toml").string() + " --quiet --out " + of.at("result").string()),
+  expect_refused(of,
+                 test::arenite("film " + of.at("film/white.tif").string() + " --recipe " + of.at("film/film.toml").string() + " --quiet --out " +
+                               of.at("result").string()),
                  "white.tif: 9216 of 9216 pixels reach the top of the camera's range (65535)");
 }
 
@@ -256,7 +265,9 @@ TEST(FilmCommand, RefusesRecipesThatDoNotFit) {
 TEST(FilmCommand, RefusesLevelsThatNothingTurnsIntoTemperatures) {
   const VirtualFilm of;
   ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
-  expect_refused(of, test::arenite("film " + of.at("film/film.ptw").string() + " --recipe " + VirtualFilm::example("camera.toml") + " --quiet --out " + of.at("none").string()),
+  expect_refused(of,
+                 test::arenite("film " + of.at("film/film.ptw").string() + " --recipe " + VirtualFilm::example("camera.toml") + " --quiet --out " +
+                               of.at("none").string()),
                  "camera.toml: temperature: from is \"references\" unless given, and needs correction.cold");
   std::string text = test::slurp(of.at("film/film.toml"));
   const auto section = text.find("[temperature]");
@@ -275,7 +286,8 @@ TEST(CameraCommand, RefusesInOneSentence) {
   const std::string tail = " --quiet --out " + of.at("none").string();
   expect_refused(of, test::arenite("camera " + of.states() + " --recipe " + of.at("no-pom.toml").string() + tail), "there is no section [materials.POM]");
   expect_refused(of, test::arenite("camera " + of.states() + " --recipe " + of.at("film/film.toml").string() + tail), "there is no section [camera]");
-  expect_refused(of, test::arenite("camera " + of.at("film").string() + " --recipe " + VirtualFilm::example("camera.toml") + tail), "film: holds no stage file");
+  expect_refused(of, test::arenite("camera " + of.at("film").string() + " --recipe " + VirtualFilm::example("camera.toml") + tail),
+                 "film: holds no stage file");
 }
 
 }  // namespace

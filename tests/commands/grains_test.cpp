@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "io/sample/sample.hpp"
 #include "io/image/image.hpp"
+#include "io/sample/sample.hpp"
 #include "support/drawn_picture.hpp"
 #include "support/films.hpp"
 #include "support/program.hpp"
@@ -42,7 +42,8 @@ void expect_refused(const std::string& arguments, const std::string& file, const
 TEST(GrainsCommand, WritesATableThatASimulationStartsFrom) {
   const TemporaryFolder folder;
   write_picture(folder / "a.png", some_disks());
-  const auto run = arenite("grains " + (folder / "a.png").string() + " --radii \"8 mm,12.8 mm\" --pixel \"1.6 mm\" --materials POM,HDPE --origin 5,55 --json --out " + (folder / "o").string());
+  const auto run = arenite("grains " + (folder / "a.png").string() +
+                           " --radii \"8 mm,12.8 mm\" --pixel \"1.6 mm\" --materials POM,HDPE --origin 5,55 --json --out " + (folder / "o").string());
   ASSERT_EQ(run.status, 0) << run.err;
   const Json j = Json::parse(run.out);
   EXPECT_EQ(j["grains"], 12);
@@ -58,7 +59,8 @@ TEST(GrainsCommand, WritesATableThatASimulationStartsFrom) {
   for (const auto& d : some_disks()) {
     int at = 0;
     for (std::size_t g = 0; g < grains.size(); ++g)
-      if (std::hypot(grains.x[g] - (d.x - 5) * 1.6e-3, grains.y[g] - (55 - d.y) * 1.6e-3) < 0.05 * 1.6e-3 && std::abs(grains.radius[g] - d.radius * 1.6e-3) < 0.1e-3) {
+      if (std::hypot(grains.x[g] - (d.x - 5) * 1.6e-3, grains.y[g] - (55 - d.y) * 1.6e-3) < 0.05 * 1.6e-3 &&
+          std::abs(grains.radius[g] - d.radius * 1.6e-3) < 0.1e-3) {
         ++at;
         EXPECT_EQ(grains.material[g], d.level < 0.8 ? 1 : 0);
       }

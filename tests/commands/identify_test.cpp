@@ -42,7 +42,8 @@ TEST(Identify, AdhesionOfTheThesissTable) {
     EXPECT_EQ(gamma["unit"], "N/m");
   }
   const Json wide = found("adhesion " + data("separation-force.csv") + " --k '27.35 +- 0.80 kN/mm' --radius '6.2 mm,8.2 mm' --effective-radius sum");
-  EXPECT_NEAR(wide["groups"][0]["surface_energy"]["value"].get<double>() / j["groups"][0]["surface_energy"]["value"].get<double>(), std::sqrt(12.4 / 14.4), 1e-12);
+  EXPECT_NEAR(wide["groups"][0]["surface_energy"]["value"].get<double>() / j["groups"][0]["surface_energy"]["value"].get<double>(), std::sqrt(12.4 / 14.4),
+              1e-12);
   const auto forces = arenite("identify adhesion " + data("separation-force.csv"));
   EXPECT_EQ(forces.status, 0);
   EXPECT_NE(forces.out.find("8.14 +- 0.83 N"), std::string::npos) << forces.out;
@@ -52,7 +53,8 @@ TEST(Identify, AdhesionOfTheThesissTable) {
 TEST(Identify, StiffnessBesideWhatIsPrinted) {
   const auto run = arenite("identify stiffness " + data("contact-stiffness-pom.csv") + " --stated " + data("stated-stiffness-pom.csv"));
   ASSERT_EQ(run.status, 0) << run.err;
-  for (const char* words : {"stated 29.27: agrees", "stated 25.45, here 25.63: differs by +0.180 (+0.71 %)", "stated 27.33: agrees", "stated 27.35, here 27.41: differs"})
+  for (const char* words :
+       {"stated 29.27: agrees", "stated 25.45, here 25.63: differs by +0.180 (+0.71 %)", "stated 27.33: agrees", "stated 27.35, here 27.41: differs"})
     EXPECT_NE(run.out.find(words), std::string::npos) << words << "\n" << run.out;
   const Json j = found("stiffness " + data("contact-stiffness-hdpe.csv") + " --length '60 mm' --stated " + data("stated-stiffness-hdpe.csv"));
   EXPECT_EQ(j["groups"][0]["stiffness"]["stated"]["agrees"], false);
@@ -67,7 +69,8 @@ std::string records() {
     for (int repeat = 1; repeat <= 2; ++repeat)
       for (int p = 0; p < 100; ++p) {
         const double force = 0.08 * p;
-        text += std::to_string(diameter) + "," + std::to_string(repeat) + "," + std::to_string(-0.1 - force / (diameter < 10 ? 30.0 : 25.0) + 1e-3 * random.normal()) + "," + std::to_string(-force) + "\n";
+        text += std::to_string(diameter) + "," + std::to_string(repeat) + "," +
+                std::to_string(-0.1 - force / (diameter < 10 ? 30.0 : 25.0) + 1e-3 * random.normal()) + "," + std::to_string(-force) + "\n";
       }
   return text;
 }
@@ -89,7 +92,8 @@ TEST(Identify, AdhesionOfRecords) {
   const TemporaryFolder folder;
   std::string text = "specimen,displacement [mm],force [N]\n";
   for (const double peak : {100.0, 130.0})
-    for (int p = 0; p < 60; ++p) text += std::to_string(int(peak)) + "," + std::to_string(0.01 * p) + "," + std::to_string(p <= 40 ? peak * p / 40 : 0.0) + "\n";
+    for (int p = 0; p < 60; ++p)
+      text += std::to_string(int(peak)) + "," + std::to_string(0.01 * p) + "," + std::to_string(p <= 40 ? peak * p / 40 : 0.0) + "\n";
   const auto file = (folder / "pull.csv").string();
   test::spill(file, text);
   const Json j = found("adhesion " + file + " --k '27.35 kN/mm' --radius '6.2 mm'");
@@ -103,7 +107,8 @@ std::string calibration(double of_full_swing) {
   std::string text = "material,force_min [N],force_max [N],dT [mK]\n";
   int k = 0;
   for (const double force : {200.0, 400.0, 600.0, 800.0})
-    text += "POM," + std::to_string(0.1 * force) + "," + std::to_string(force) + "," + std::to_string(of_full_swing * 1e3 * (0.0150 * 0.9 * force / (30.9 * 4.9) + (k++ % 2 ? 2e-4 : -2e-4))) + "\n";
+    text += "POM," + std::to_string(0.1 * force) + "," + std::to_string(force) + "," +
+            std::to_string(of_full_swing * 1e3 * (0.0150 * 0.9 * force / (30.9 * 4.9) + (k++ % 2 ? 2e-4 : -2e-4))) + "\n";
   return text;
 }
 
@@ -113,7 +118,8 @@ TEST(Identify, FactorByStressAndItsSwings) {
   test::spill(full, calibration(1));
   test::spill(half, calibration(0.5));
   const std::string section = " --section '30.9 mm x 4.9 mm'";
-  const Json a = found("factor " + full + section)["groups"][0]["factor"], b = found("factor " + half + section + " --temperature-swing half")["groups"][0]["factor"];
+  const Json a = found("factor " + full + section)["groups"][0]["factor"],
+             b = found("factor " + half + section + " --temperature-swing half")["groups"][0]["factor"];
   EXPECT_NEAR(a["value"].get<double>() * 1e6, 0.0150, 3e-4);
   EXPECT_NEAR(a["value"].get<double>(), b["value"].get<double>(), 1e-12);
   EXPECT_LT(a["confidence_95"][0].get<double>() * 1e6, 0.0150);
@@ -152,7 +158,8 @@ TEST(Identify, BadInputIsOneSentenceAndStatusTwo) {
   refused("displacement [N],force [N]\n1,2\n", "stiffness " + file, "a.csv:1: column displacement: \"N\" is not a length");
   refused("displacement [mm],force [N]\n1,200\n2,400\n3,600\n", "stiffness " + file, "a.csv:4: the force never exceeds the preload of 1000 N");
   refused("displacement [mm],force [kN]\n1,0\n2,2\n3,4\n", "stiffness " + file, "a.csv:4: a cycle has 2 points beyond the preload");
-  refused("displacement [mm],force [kN]\n1,2\n2,3\n3,4\n4,5\n5,4\n6,5\n7,6\n8,7\n", "stiffness " + file, "a.csv:6: the force falls from 5000 to 4000 N and rises again");
+  refused("displacement [mm],force [kN]\n1,2\n2,3\n3,4\n4,5\n5,4\n6,5\n7,6\n8,7\n", "stiffness " + file,
+          "a.csv:6: the force falls from 5000 to 4000 N and rises again");
   refused("displacement [mm],force [kN]\n1,2\n2,x\n", "stiffness " + file, "a.csv:3: force is \"x\", which is not a finite number");
   refused("repeat,stiffness [kN/mm]\n1,2\n2,0\n", "stiffness " + file, "a.csv:3: the stiffness is 0 N/m; it must be above 0");
   refused("specimen,force [N]\n1,2\n", "adhesion " + file, "a.csv:1: has no columns for an adhesion");

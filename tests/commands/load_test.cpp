@@ -63,7 +63,8 @@ TEST(Load, StoresFieldAndPageAndMeasuresThemAgain) {
 
 TEST(Load, PageMeasuresStressesAsTheNumbersDo) {
   const TemporaryFolder folder;
-  const auto loaded = arenite("load " + layers(folder / "map.h5") + " --phases 1=particle,2=matrix --clamp-rows 8 --leave-out-surface --out " + (folder / "out").string());
+  const auto loaded =
+      arenite("load " + layers(folder / "map.h5") + " --phases 1=particle,2=matrix --clamp-rows 8 --leave-out-surface --out " + (folder / "out").string());
   ASSERT_EQ(loaded.status, 0) << loaded.err;
   const Json field = test::document_of_page(folder / "out/report.html")["fields"][0];
   const Json &page = field["statistics"], &numbers = field["numbers"]["stress"];
@@ -89,21 +90,21 @@ TEST(Load, SlipsAreOneSentenceEach) {
   const std::string map = layers(folder / "map.h5"), thin = picture(folder / "thin.h5", 4, 4, "x < 2, 1, 2");
   const std::string three = picture(folder / "three.h5", 40, 40, "x < 20, y // 20, 2");
   const std::string of_one = picture(folder / "one.h5", 40, 40, "x < 90, 0, 1");
-  for (const auto& [arguments, words] : std::vector<std::pair<std::string, std::string>>{
-           {three, "--phases"},
-           {map + " --phases 1=particle", "2"},
-           {map + " --phases 1=particle,2=glue", "glue"},
-           {of_one + " --phases 0=void", "one"},
-           {thin + " --phases 1=particle,2=matrix", "7"},
-           {map + " --phases 1=particle,2=matrix --stiffness 'matrix=-1 GPa'", "above 0"},
-           {map + " --phases 1=particle,2=matrix --stiffness 'matrix=1 kN'", "a pressure"},
-           {map + " --phases 1=particle,2=matrix --stiffness soft", "not of the form"},
-           {map + " --phases 1=particle,2=matrix --failure", "--dx"},
-           {map + " --phases 1=particle,2=matrix --loading shear --lower sliding", "carries no shear"},
-           {map + " --phases 1=particle,2=matrix --strain -1", "strain"},
-           {map + " --phases 1=particle,2=matrix --crop 50,50,20,20", "crop"},
-           {map + " --phases 1=particle,2=matrix --dx '0 um'", "above 0"},
-           {(folder / "none.png").string(), "none.png"}}) {
+  for (const auto& [arguments, words] :
+       std::vector<std::pair<std::string, std::string>>{{three, "--phases"},
+                                                        {map + " --phases 1=particle", "2"},
+                                                        {map + " --phases 1=particle,2=glue", "glue"},
+                                                        {of_one + " --phases 0=void", "one"},
+                                                        {thin + " --phases 1=particle,2=matrix", "7"},
+                                                        {map + " --phases 1=particle,2=matrix --stiffness 'matrix=-1 GPa'", "above 0"},
+                                                        {map + " --phases 1=particle,2=matrix --stiffness 'matrix=1 kN'", "a pressure"},
+                                                        {map + " --phases 1=particle,2=matrix --stiffness soft", "not of the form"},
+                                                        {map + " --phases 1=particle,2=matrix --failure", "--dx"},
+                                                        {map + " --phases 1=particle,2=matrix --loading shear --lower sliding", "carries no shear"},
+                                                        {map + " --phases 1=particle,2=matrix --strain -1", "strain"},
+                                                        {map + " --phases 1=particle,2=matrix --crop 50,50,20,20", "crop"},
+                                                        {map + " --phases 1=particle,2=matrix --dx '0 um'", "above 0"},
+                                                        {(folder / "none.png").string(), "none.png"}}) {
     const auto refused = arenite("load " + arguments + " --out " + (folder / "out").string());
     EXPECT_EQ(refused.status, 2) << arguments << refused.out;
     EXPECT_NE(refused.err.find(words), std::string::npos) << arguments << "\n" << refused.err;

@@ -31,7 +31,8 @@ TEST(LockInCommand, PrintsNumbersAndWritesMaps) {
   EXPECT_NEAR(j["frequency_Hz"].get<double>(), 3, 5 * j["frequency_error_Hz"].get<double>());
   EXPECT_EQ(j["swing"], "half");
   EXPECT_NEAR(j["median"]["amplitude"].get<double>(), 1.22, 0.01);
-  for (const char* name : {"in_phase.tif", "residual.tif", "second_harmonic.tif", "noise_floor.tif"}) EXPECT_TRUE(std::filesystem::exists(folder / "maps" / name)) << name;
+  for (const char* name : {"in_phase.tif", "residual.tif", "second_harmonic.tif", "noise_floor.tif"})
+    EXPECT_TRUE(std::filesystem::exists(folder / "maps" / name)) << name;
   const auto full = arenite("lockin " + film_in(folder) + " --frequency 3Hz --json --convention full --nearest-bin");
   ASSERT_EQ(full.status, 0) << full.err;
   EXPECT_EQ(Json::parse(full.out)["method"], "nearest_bin");
@@ -50,7 +51,8 @@ TEST(LockInCommand, SaysWhereTheFilmShowsNoLoad) {
   EXPECT_EQ(noise.status, 0) << noise.err;
   EXPECT_NE(noise.err.find("still.h5: nothing but noise swings at "), std::string::npos) << noise.err;
   EXPECT_EQ(Json::parse(noise.out)["shows_load"], false);
-  const auto loaded = arenite("lockin " + film_in(folder) + " --frequency 3Hz --json"), elsewhere = arenite("lockin " + film_in(folder) + " --frequency 30Hz --json");
+  const auto loaded = arenite("lockin " + film_in(folder) + " --frequency 3Hz --json"),
+             elsewhere = arenite("lockin " + film_in(folder) + " --frequency 30Hz --json");
   EXPECT_EQ(loaded.err, "");
   EXPECT_EQ(Json::parse(loaded.out)["shows_load"], true);
   EXPECT_EQ(elsewhere.status, 2);
@@ -78,7 +80,8 @@ TEST(LockInCommand, RefusesACycleThatDriftCouldBe) {
   io::write_film(folder / "film.h5", film);
   const auto refused = arenite("lockin " + (folder / "film.h5").string() + " --frame-rate 148Hz --frequency 3Hz --out " + (folder / "none").string());
   EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("holds 1.01 cycles of 3 Hz, too few to tell the swing from a drift of order 4; ask for less drift"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("holds 1.01 cycles of 3 Hz, too few to tell the swing from a drift of order 4; ask for less drift"), std::string::npos)
+      << refused.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "none"));
 }
 
@@ -111,7 +114,8 @@ TEST(LockInCommand, IsLedByTheLockInLineOfAFilm) {
     const double angle = 2 * 3.14159265358979 * 3 * static_cast<double>(f) / 148;
     for (std::size_t x = 0; x < width; ++x)
       with_line.level.push_back(x < 4 ? mark[x] : static_cast<std::uint16_t>(std::lround(8000 + 1000 * std::cos(angle - 0.7))));
-    for (std::size_t p = 0; p < pixels; ++p) with_line.level.push_back(static_cast<std::uint16_t>(std::lround(5000 + 100 * film.value[static_cast<std::size_t>(f) * pixels + p])));
+    for (std::size_t p = 0; p < pixels; ++p)
+      with_line.level.push_back(static_cast<std::uint16_t>(std::lround(5000 + 100 * film.value[static_cast<std::size_t>(f) * pixels + p])));
   }
   test::spill(folder / "a.ptw", test::ptw(with_line, 1 / 148.0));
   const auto led = arenite("lockin " + (folder / "a.ptw").string() + " --frequency 3.3Hz --frame-rate 148Hz --json");
@@ -191,7 +195,8 @@ TEST(StepCommand, SaysThatAJumpRelaxes) {
   still.noise = 0.02;
   still.frames = 1480;
   Film film = still.draw();
-  for (std::size_t i = 740 * 45; i < film.value.size(); ++i) film.value[i] += static_cast<float>(0.75 * std::exp(-(static_cast<double>(i / 45) - 740) / 148 / 1.5));
+  for (std::size_t i = 740 * 45; i < film.value.size(); ++i)
+    film.value[i] += static_cast<float>(0.75 * std::exp(-(static_cast<double>(i / 45) - 740) / 148 / 1.5));
   io::write_film(folder / "film.npy", film);
   const std::string step = "step " + (folder / "film.npy").string() + " --frame-rate 148Hz --time 4.997s";
   const auto found = arenite(step + " --json"), told = arenite(step);
@@ -211,7 +216,8 @@ TEST(LockInCommand, RefusesInOneSentence) {
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "none"));
   }
-  for (const char* slip : {" --pixel 0mm", " --diffusivity 1mm", " --reference-phase x"}) EXPECT_EQ(arenite("lockin " + film + " --frequency 3Hz" + slip).status, 2) << slip;
+  for (const char* slip : {" --pixel 0mm", " --diffusivity 1mm", " --reference-phase x"})
+    EXPECT_EQ(arenite("lockin " + film + " --frequency 3Hz" + slip).status, 2) << slip;
   test::SwingingFilm tiny;
   Film of_one = tiny.draw();
   std::fill(of_one.value.begin(), of_one.value.end(), 1.f);

@@ -47,8 +47,8 @@ TEST(MeasureShearedPacking, LeansToTheCompressionOfShearAndObeysStressForceFabri
   const Json t = sheared("5000", "31.38775");
   const Json stress = t["stress"]["value"];
   const double xx = stress[0][0], yy = stress[1][1], xy = stress[0][1], yx = stress[1][0];
-  EXPECT_LT(xx, 0);  // compression
-  EXPECT_GT(xy, 0);  // sheared to the right
+  EXPECT_LT(xx, 0);               // compression
+  EXPECT_GT(xy, 0);               // sheared to the right
   EXPECT_NEAR(xy / yx, 1, 1e-3);  // no torque is left on grains
   EXPECT_NEAR(value(t["fabric"]["theta_c_deg"]), 135, 3 * error(t["fabric"]["theta_c_deg"]));
   const double ratio = std::hypot(0.5 * (xx - yy), xy) / (-0.5 * (xx + yy));
@@ -59,8 +59,7 @@ TEST(MeasureShearedPacking, LeansToTheCompressionOfShearAndObeysStressForceFabri
   EXPECT_GT(value(t["fabric"]["sets"]["strong"]["a_c_signed"]), value(t["fabric"]["sets"]["weak"]["a_c_signed"]) + 0.2);
   // The sum over grains is the sum over contacts.
   for (int a = 0; a < 2; ++a)
-    for (int b = 0; b < 2; ++b)
-      EXPECT_NEAR(t["stress_details"]["sum_over_grains"][a][b].get<double>(), stress[a][b].get<double>(), 1e-12 * std::abs(xx));
+    for (int b = 0; b < 2; ++b) EXPECT_NEAR(t["stress_details"]["sum_over_grains"][a][b].get<double>(), stress[a][b].get<double>(), 1e-12 * std::abs(xx));
 }
 
 TEST(MeasureShearedPacking, DoesNotDependOnTheLineThatCutsTheCell) {
@@ -139,7 +138,7 @@ TEST(MeasureYade, AContactAcrossAPeriodicSideIsNeverTakenForAWalls) {
   const Json t = measured(files + "--box 0.6167414232494,0.6167414232494 --periodic");
   EXPECT_EQ(t["contacts"], 130);
   EXPECT_EQ(t["wall_contacts"], 0);
-  EXPECT_LT(t["quality"]["median_imbalance"], 1e-4);  // YADE writes six digits
+  EXPECT_LT(t["quality"]["median_imbalance"], 1e-4);                                // YADE writes six digits
   const auto wrong = arenite("measure " + files + "--box 0.623,0.623 --periodic");  // 1 % off
   EXPECT_EQ(wrong.status, 2);
   EXPECT_NE(wrong.err.find("19 of 130 interactions end at no grain's centre"), std::string::npos) << wrong.err;
@@ -176,8 +175,12 @@ TEST(MeasureCommand, PrintsTheSameBytesTwiceAndATableWithoutJson) {
 
 TEST(MeasureCommand, RefusesBadOptionsWithStatusTwo) {
   const std::string folder = source + "/tests/data/lammps/", files = folder + "atoms.dump " + folder + "pairs.dump ";
-  for (const auto& [options, part] : {std::pair{"--box 3", "--box"}, {"--box 3,-4", "must be positive"}, {"--length-unit kN", "not a length"},
-                                      {"--thickness 0", "--thickness"}, {"--force-unit smoots", "smoots"}, {"--format pfc", "pfc"},
+  for (const auto& [options, part] : {std::pair{"--box 3", "--box"},
+                                      {"--box 3,-4", "must be positive"},
+                                      {"--length-unit kN", "not a length"},
+                                      {"--thickness 0", "--thickness"},
+                                      {"--force-unit smoots", "smoots"},
+                                      {"--format pfc", "pfc"},
                                       {"--materials /nowhere.csv", "/nowhere.csv"}}) {
     const Outcome run = arenite("measure " + files + options);
     EXPECT_EQ(run.status, 2) << options;

@@ -63,7 +63,11 @@ TEST(Page, OfAStudyIsPaintedInABrowser) {
       "beside = [{ name = \"0.2\", x = \"gamma\", y = \"z\", where = { width = 0.2 } }]\nsource_points = [{ name = \"T\", x = [1, 5], y = [12, 16] }]\n"
       "[[figures]]\nid = \"tails\"\ntitle = \"Tails\"\ncurves = [\"pdf\"]\nfits = [\"tail\"]\nreferences = [{ slope = 1 }]\n",
       "figures.toml");
-  const auto numbers = [](const std::string& run, const std::string&, const report::Figure&) { return test::numbers_of(std::string(run == "1" ? R"({"pdf":{"low":0,"width":1,"density":[0.2,0.5,0.3]},)" : R"({"pdf":{"low":0,"width":1,"density":[0.3,0.5,0.2]},)") + R"("sectors":[1,3,2,2],"strong":[4,1,1,2],"film":{"pdf":{"low":0,"width":1,"density":[0.3,0.4,0.3]}},"tail":{"slope":1,"low":0.5,"high":2.5}})"); };
+  const auto numbers = [](const std::string& run, const std::string&, const report::Figure&) {
+    return test::numbers_of(
+        std::string(run == "1" ? R"({"pdf":{"low":0,"width":1,"density":[0.2,0.5,0.3]},)" : R"({"pdf":{"low":0,"width":1,"density":[0.3,0.5,0.2]},)") +
+        R"("sectors":[1,3,2,2],"strong":[4,1,1,2],"film":{"pdf":{"low":0,"width":1,"density":[0.3,0.4,0.3]}},"tail":{"slope":1,"low":0.5,"high":2.5}})");
+  };
   const auto drawing = [](const std::string&, const report::Figure& figure) -> Numbers {
     if (figure.kind == report::FigureKind::film) throw InputError("no film of this run was made");
     if (figure.kind == report::FigureKind::phases) return test::numbers_of(R"({"size":[2,1],"nodes":[4,2],"phases":[0,3,1,4,4,1]})");

@@ -185,8 +185,7 @@ TEST(Completion, ScriptsAreAcceptedByTheirShellAndKnowEveryCommand) {
   EXPECT_EQ(bash.status, 0);
   const std::string load = "source <(" + std::string(ARENITE_BINARY) + " completion bash); ";
   const auto words = [&](const std::string& line, int word) {
-    return shell("bash -c '" + load + "COMP_WORDS=(" + line + "); COMP_CWORD=" + std::to_string(word) +
-                 "; _arenite; echo \"${COMPREPLY[@]}\"'").out;
+    return shell("bash -c '" + load + "COMP_WORDS=(" + line + "); COMP_CWORD=" + std::to_string(word) + "; _arenite; echo \"${COMPREPLY[@]}\"'").out;
   };
   EXPECT_EQ(words("arenite che", 1), "check\n");
   EXPECT_TRUE(contains(words("arenite check --", 2), "--set"));

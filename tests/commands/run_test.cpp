@@ -22,7 +22,8 @@ std::string recipe(const std::string& frame, const std::string& stages) {
   return "title = \"A small sample\"\n[container]\nwidth = \"120 mm\"\nthickness = \"60 mm\"\n" + frame +
          "[materials.POM]\ndensity = \"1410 kg/m^3\"\nstiffness = \"27.35 kN/mm\"\n"
          "[[populations]]\nmaterial = \"POM\"\ncount = 60\nsize = { law = \"uniform\", min = \"10 mm\", max = \"16 mm\" }\n"
-         "[contact]\nrestitution = 0.5\nfriction_law = \"cundall_strack\"\n" + stages;
+         "[contact]\nrestitution = 0.5\nfriction_law = \"cundall_strack\"\n" +
+         stages;
 }
 
 std::string write(const TemporaryFolder& folder, const std::string& text) {
@@ -130,8 +131,9 @@ TEST(RunFolder, AFileWhoseNameAgreesButWhoseHashDoesNotIsMadeAnew) {
 
 TEST(StageWithoutEquilibrium, EndsWithStatusThreeAndSaysWhatItReached) {
   const TemporaryFolder folder;
-  const auto file = write(folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nequilibrium = { max_steps = 400 }\n"
-                                             "[[stages]]\nname = \"more\"\ntop = { force = \"2 kN\" }\n"));
+  const auto file = write(folder, recipe("",
+                                         "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nequilibrium = { max_steps = 400 }\n"
+                                         "[[stages]]\nname = \"more\"\ntop = { force = \"2 kN\" }\n"));
   const auto run = arenite("run " + file + " --quiet --out " + (folder / "out").string());
   EXPECT_EQ(run.status, 3) << run.err;
   EXPECT_TRUE(contains(run.out, "no equilibrium within 400 steps (equilibrium.max_steps): unbalanced force ratio")) << run.out;
@@ -170,7 +172,8 @@ TEST(RunThatCannotStart, IsOneLineWithItsPlaceAndLeavesNoFolder) {
   EXPECT_FALSE(fs::exists(out));
   const auto late = arenite("run " + file + " --quiet --out " + out.string() + " --set 'container.height=200 mm' --set 'integration.time_step=1 s'");
   EXPECT_EQ(late.status, 2);
-  EXPECT_TRUE(late.err.starts_with("--set integration.time_step=1 s: integration.time_step of 1 s is too long for this packing: ") && contains(late.err, " s would do, "))
+  EXPECT_TRUE(late.err.starts_with("--set integration.time_step=1 s: integration.time_step of 1 s is too long for this packing: ") &&
+              contains(late.err, " s would do, "))
       << late.err;
   EXPECT_EQ(std::count(late.err.begin(), late.err.end(), '\n'), 1) << late.err;
 }
@@ -186,7 +189,8 @@ TEST(CommandLine, ThatCannotBeReadIsOneLine) {
 
 TEST(ExportThatCannotEnd, TakesBackWhatItWrote) {
   const TemporaryFolder folder;
-  const auto file = write(folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nincrements = 2\nequilibrium = { unbalanced = 0.01, kinetic = 0.01 }\n"));
+  const auto file = write(
+      folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nincrements = 2\nequilibrium = { unbalanced = 0.01, kinetic = 0.01 }\n"));
   const auto out = (folder / "out").string();
   ASSERT_EQ(arenite("run " + file + " --quiet --out " + out).status, 0);
   // In units of 512 bytes: the loose packing's tables fit below the limit, those of the loaded states do not.

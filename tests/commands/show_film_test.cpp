@@ -53,7 +53,9 @@ TEST(ShowFilm, ADamagedFilmIsOneSentenceAndStatusTwo) {
 TEST(ShowFilm, WhatIsNoFilmIsNamedForWhatItIs) {
   const TemporaryFolder folder;
   test::spill(folder / "a.seq", std::string("FFF\0\0\0\1\2 recorded", 17));
-  test::spill(folder / "b.mp4", std::string("\0\0\0\x18" "ftypmp42", 12));
+  test::spill(folder / "b.mp4", std::string("\0\0\0\x18"
+                                            "ftypmp42",
+                                            12));
   const std::string seq = (folder / "a.seq").string(), mp4 = (folder / "b.mp4").string();
   for (const std::string& run : {"show " + seq, "lockin " + seq + " --frequency 3Hz", "step " + seq, "grains " + seq}) {
     const auto refused = arenite(run);

@@ -95,9 +95,10 @@ TEST(Show, StatesHaveTheirUnitsInTheHeads) {
   io::write_stage(folder / "01-compact.h5", sample());
   const auto shown = arenite("show --states " + (folder / "01-compact.h5").string());
   ASSERT_EQ(shown.status, 0) << shown.err;
-  EXPECT_EQ(shown.out.substr(0, shown.out.find('\n')),
-            "stage,label,time [s],strain_x,strain_y,volume_strain,p [Pa],q [Pa],q_over_p,solid_fraction,z,z_without_rattlers,rattlers,a_c_signed,a_c_signed_strong,"
-            "a_c_signed_weak,strong_share,q_on_strong,mobilisation");
+  EXPECT_EQ(
+      shown.out.substr(0, shown.out.find('\n')),
+      "stage,label,time [s],strain_x,strain_y,volume_strain,p [Pa],q [Pa],q_over_p,solid_fraction,z,z_without_rattlers,rattlers,a_c_signed,a_c_signed_strong,"
+      "a_c_signed_weak,strong_share,q_on_strong,mobilisation");
   EXPECT_EQ(std::count(shown.out.begin(), shown.out.end(), '\n'), 3);  // and one row for each of two states
 }
 
@@ -139,7 +140,8 @@ TEST(Show, IsShortAndSaysWhatItsSymbolsMean) {
   ASSERT_EQ(all.status, 0) << all.err;
   EXPECT_LE(std::count(shown.out.begin(), shown.out.end(), '\n'), 30) << shown.out;
   EXPECT_GT(all.out.size(), shown.out.size());
-  for (const char* part : {"coordination z", "contacts of a grain with others", "contact anisotropy a_c", "mean normal force <F>", "P(F) ~ exp(-beta F/<F>)", "--all"})
+  for (const char* part :
+       {"coordination z", "contacts of a grain with others", "contact anisotropy a_c", "mean normal force <F>", "P(F) ~ exp(-beta F/<F>)", "--all"})
     EXPECT_NE(shown.out.find(part), std::string::npos) << part << "\n" << shown.out;
   EXPECT_NE(all.out.find("dissipated by friction"), std::string::npos) << all.out;
 }
@@ -165,8 +167,8 @@ TEST(Show, BadFilesGiveStatus2AndOneSentence) {
   io::write_atomically(folder / "cut.h5", whole.substr(0, whole.size() / 3));
   io::write_atomically(folder / "foreign.h5", whole.substr(512));
   io::write_atomically(folder / "empty.h5", "");
-  for (const auto& [name, words] : std::map<std::string, std::string>{
-           {"cut.h5", "cut short"}, {"foreign.h5", "another program"}, {"empty.h5", "is empty"}, {"none.h5", "no such file"}}) {
+  for (const auto& [name, words] :
+       std::map<std::string, std::string>{{"cut.h5", "cut short"}, {"foreign.h5", "another program"}, {"empty.h5", "is empty"}, {"none.h5", "no such file"}}) {
     const auto shown = arenite("show " + (folder / name).string());
     EXPECT_EQ(shown.status, 2) << name;
     EXPECT_NE(shown.err.find(words), std::string::npos) << shown.err;

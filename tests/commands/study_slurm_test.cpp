@@ -20,9 +20,7 @@ class OneBoxSlurm {
  public:
   OneBoxSlurm() : start(shell(script + " start " + folder.path().string())) {}
   ~OneBoxSlurm() { shell(script + " stop " + folder.path().string()); }
-  std::string operator()(const std::string& line) const {
-    return shell("SLURM_CONF=" + (folder / "slurm.conf").string() + " " + line).out;
-  }
+  std::string operator()(const std::string& line) const { return shell("SLURM_CONF=" + (folder / "slurm.conf").string() + " " + line).out; }
 
  private:
   const std::string script = ARENITE_SOURCE_DIR "/tests/commands/one_box_slurm.sh";
@@ -41,8 +39,7 @@ std::map<std::string, std::string> results(const fs::path& study) {
 }
 
 /// Looks every tenth of a second; false if it did not come about in time.
-template <class Condition>
-bool comes_about(double seconds, Condition condition) {
+template <class Condition> bool comes_about(double seconds, Condition condition) {
   for (int k = 0; k < static_cast<int>(10 * seconds); ++k) {
     if (condition()) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(100));

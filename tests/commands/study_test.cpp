@@ -134,7 +134,8 @@ TEST(Study, ShardsDoTheirPartsAtOnceAndTogetherTheWhole) {
 
 TEST(Study, AFailingRunIsListedWithItsReasonAndStopsNoOther) {
   const TemporaryFolder folder;
-  const auto file = write(folder, small_cemented_recipe + "[sweep.grid]\n\"grid.crop\" = [\"80 mm\", \"5 m\"]\n\"stages.0.equilibrium.max_steps\" = [20, 10000000]\n");
+  const auto file =
+      write(folder, small_cemented_recipe + "[sweep.grid]\n\"grid.crop\" = [\"80 mm\", \"5 m\"]\n\"stages.0.equilibrium.max_steps\" = [20, 10000000]\n");
   const auto out = folder / "out";
   const auto run = arenite(study_line("run", file, out, "--quiet"));
   EXPECT_EQ(run.status, 3) << run.err;

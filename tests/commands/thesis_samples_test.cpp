@@ -39,8 +39,8 @@ void expect_balance(const Json& result, double sample_weight) {
   const Json walls = result["stages"].back()["last_state"]["walls"];
   const auto force = [&](const char* side, const char* kind) { return walls[side][kind].get<double>(); };
   EXPECT_NEAR(force("bottom", "force_N"), 50e3, 50);
-  const double vertical = force("bottom", "force_N") - force("top", "force_N") - force("left", "shear_force_N") -
-                          force("right", "shear_force_N") - sample_weight;
+  const double vertical =
+      force("bottom", "force_N") - force("top", "force_N") - force("left", "shear_force_N") - force("right", "shear_force_N") - sample_weight;
   const double horizontal = force("left", "force_N") - force("right", "force_N") - force("bottom", "shear_force_N") - force("top", "shear_force_N");
   const double residual = 1e-4 * value(result["force"]["mean_N"]) * result["grains"].get<double>();
   EXPECT_LT(std::abs(vertical), residual);
@@ -94,7 +94,8 @@ TEST(ThesisSamples, SeveralRecipesOfOneCommandGetAFolderEach) {
 TEST(ThesisSamples, AllTwelveAreRecipesWithTheTablesNumbers) {
   int grains = 0;
   for (int n = 1; n <= 12; ++n) {
-    const Outcome checked = arenite("check " + std::string(ARENITE_SOURCE_DIR) + "/examples/04-thesis-samples/sample-" + (n < 10 ? "0" : "") + std::to_string(n) + ".toml");
+    const Outcome checked =
+        arenite("check " + std::string(ARENITE_SOURCE_DIR) + "/examples/04-thesis-samples/sample-" + (n < 10 ? "0" : "") + std::to_string(n) + ".toml");
     ASSERT_EQ(checked.status, 0) << checked.err;
     for (std::size_t at = checked.out.find("count = "); at != std::string::npos; at = checked.out.find("count = ", at + 1))
       grains += std::stoi(checked.out.substr(at + 8));

@@ -1,9 +1,9 @@
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
-#include <nlohmann/json.hpp>
 #include <sys/socket.h>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <csignal>
@@ -36,7 +36,8 @@ top = { pressure = "50 kPa" }
 name = "shear"
 right = { pressure = "50 kPa" }
 top = { velocity = "1 mm/s" }
-duration = ")" + std::string(duration) + "\"\n";
+duration = ")" +
+         std::string(duration) + "\"\n";
 }
 
 void wait(int milliseconds) { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); }

@@ -78,14 +78,13 @@ TEST_P(EnergyBalance, ClosesAndConverges) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, EnergyBalance,
-    ::testing::Values(
-        Case{"verlet", IntegratorKind::velocity_verlet, dem::Linear{}, dem::RegularisedCoulomb{}, dem::NoAdhesion{}, false, 1.7},
-        Case{"verlet_springs_glue", IntegratorKind::velocity_verlet, dem::Linear{}, dem::CundallStrack{}, dem::GeometricalAdhesion{}, false, 1.0},
-        Case{"verlet_breaking", IntegratorKind::velocity_verlet, dem::Linear{}, dem::CundallStrack{}, dem::BreakingAdhesion{}, false, 1.0},
-        Case{"verlet_periodic", IntegratorKind::velocity_verlet, dem::Linear{}, dem::CundallStrack{}, dem::NoAdhesion{}, true, 1.7},
-        Case{"leapfrog_hertz", IntegratorKind::leapfrog, dem::Hertz{}, dem::RegularisedCoulomb{}, dem::NoAdhesion{}, false, 1.7},
-        Case{"gear", IntegratorKind::gear5, dem::Linear{}, dem::RegularisedCoulomb{}, dem::NoAdhesion{}, false, 1.0},
-        Case{"gear_hertz_periodic", IntegratorKind::gear5, dem::Hertz{}, dem::RegularisedCoulomb{}, dem::NoAdhesion{}, true, 1.0}),
+    ::testing::Values(Case{"verlet", IntegratorKind::velocity_verlet, dem::Linear{}, dem::RegularisedCoulomb{}, dem::NoAdhesion{}, false, 1.7},
+                      Case{"verlet_springs_glue", IntegratorKind::velocity_verlet, dem::Linear{}, dem::CundallStrack{}, dem::GeometricalAdhesion{}, false, 1.0},
+                      Case{"verlet_breaking", IntegratorKind::velocity_verlet, dem::Linear{}, dem::CundallStrack{}, dem::BreakingAdhesion{}, false, 1.0},
+                      Case{"verlet_periodic", IntegratorKind::velocity_verlet, dem::Linear{}, dem::CundallStrack{}, dem::NoAdhesion{}, true, 1.7},
+                      Case{"leapfrog_hertz", IntegratorKind::leapfrog, dem::Hertz{}, dem::RegularisedCoulomb{}, dem::NoAdhesion{}, false, 1.7},
+                      Case{"gear", IntegratorKind::gear5, dem::Linear{}, dem::RegularisedCoulomb{}, dem::NoAdhesion{}, false, 1.0},
+                      Case{"gear_hertz_periodic", IntegratorKind::gear5, dem::Hertz{}, dem::RegularisedCoulomb{}, dem::NoAdhesion{}, true, 1.0}),
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

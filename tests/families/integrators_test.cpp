@@ -12,8 +12,8 @@ namespace {
 struct Case {
   const char* name;
   IntegratorKind integrator;
-  double damping;       ///< share of the critical
-  double least_order;   ///< of position and velocity after half a period
+  double damping;      ///< share of the critical
+  double least_order;  ///< of position and velocity after half a period
 };
 
 /// One disk squeezed between two walls swings as x'' = -2 (k/m) x - 2 (alpha/m) x' for ever.
@@ -53,15 +53,12 @@ TEST_P(Integrators, ConvergeAtTheirOrderOnAContactThatSwings) {
   EXPECT_LT(order, c.least_order + 1.7) << coarse << " " << fine;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, Integrators,
-    ::testing::Values(Case{"verlet", IntegratorKind::velocity_verlet, 0, 1.9},
-                      Case{"verlet_damped", IntegratorKind::velocity_verlet, 0.05, 1.9},
-                      Case{"leapfrog", IntegratorKind::leapfrog, 0, 1.9},
-                      Case{"leapfrog_damped", IntegratorKind::leapfrog, 0.05, 0.9},
-                      Case{"gear", IntegratorKind::gear5, 0, 3.9},
-                      Case{"gear_damped", IntegratorKind::gear5, 0.05, 3.9}),
-    [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(All, Integrators,
+                         ::testing::Values(Case{"verlet", IntegratorKind::velocity_verlet, 0, 1.9},
+                                           Case{"verlet_damped", IntegratorKind::velocity_verlet, 0.05, 1.9},
+                                           Case{"leapfrog", IntegratorKind::leapfrog, 0, 1.9}, Case{"leapfrog_damped", IntegratorKind::leapfrog, 0.05, 0.9},
+                                           Case{"gear", IntegratorKind::gear5, 0, 3.9}, Case{"gear_damped", IntegratorKind::gear5, 0.05, 3.9}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace arenite::dem

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "io/film/formats.hpp"
 #include "io/film/film.hpp"
+#include "io/film/formats.hpp"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "core/error.hpp"
-#include "thermal/imaging/label_grains.hpp"
 #include "io/image/phase_map.hpp"
+#include "thermal/imaging/label_grains.hpp"
 
 namespace {
 
@@ -48,9 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!read.labelled) imaging::label_grains(read.map, {imaging::Labelling::watershed, 0.5});
     try {
       check(read.map);
-    } catch (const InputError&) {
-      std::abort();
-    }
+    } catch (const InputError&) { std::abort(); }
   } catch (const InputError& error) {
     if (error.problems().empty()) std::abort();
   }

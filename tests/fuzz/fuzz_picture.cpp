@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "thermal/imaging/label_grains.hpp"
 #include "io/image/phase_map.hpp"
+#include "thermal/imaging/label_grains.hpp"
 
 namespace {
 
@@ -34,9 +34,7 @@ void label_and_examine(io::ForeignMap& read) {
   if (!read.labelled) imaging::label_grains(read.map, {imaging::Labelling::watershed, 1});
   try {
     check(read.map);
-  } catch (const InputError&) {
-    std::abort();
-  }
+  } catch (const InputError&) { std::abort(); }
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 #include "core/random.hpp"
 #include "geometry/close_pairs.hpp"
-#include "model/phase_map.hpp"
 #include "grains/packing/fill.hpp"
+#include "model/phase_map.hpp"
 
 namespace arenite::test {
 
@@ -65,15 +65,12 @@ inline PhaseMap cemented_sample(const CementedSample& sample) {
   const double side = 25.6, per_node = side / sample.nodes;
   const Grains grains = pressed_disks(sample, side);
   PhaseMap map = make_phase_map(sample.nodes, sample.nodes, 1e-3 * per_node);
-  for (std::size_t g = 0; g < grains.size(); ++g)
-    map.grain_class.push_back(grains.material[g] ? GrainClass::large : GrainClass::small);
+  for (std::size_t g = 0; g < grains.size(); ++g) map.grain_class.push_back(grains.material[g] ? GrainClass::large : GrainClass::small);
 
   std::vector<double> depth(map.size(), 0);
   const auto visit = [&](double x0, double x1, double y0, double y1, auto&& node) {
     const auto low = [&](double a) { return std::max(0, static_cast<int>(std::ceil(a / per_node - 0.5))); };
-    const auto high = [&](double a) {
-      return std::min(sample.nodes - 1, static_cast<int>(std::floor(a / per_node - 0.5)));
-    };
+    const auto high = [&](double a) { return std::min(sample.nodes - 1, static_cast<int>(std::floor(a / per_node - 0.5))); };
     for (int y = low(y0); y <= high(y1); ++y)
       for (int x = low(x0); x <= high(x1); ++x) node(map.index(x, y), (x + 0.5) * per_node, (y + 0.5) * per_node);
   };
@@ -96,19 +93,15 @@ inline PhaseMap cemented_sample(const CementedSample& sample) {
     for (auto& p : map.phase) p = p == Phase::empty ? Phase::matrix : p;
     return map;
   }
-  for (const auto [a, b] :
-       geometry::close_pairs(grains.x, grains.y, grains.radius, {0, 0, side, side, true, true}, sample.gap))
+  for (const auto [a, b] : geometry::close_pairs(grains.x, grains.y, grains.radius, {0, 0, side, side, true, true}, sample.gap))
     images([&](double sx, double sy) {
       const double ax = grains.x[a] + sx, ay = grains.y[a] + sy;
-      const double dx = std::remainder(grains.x[b] - grains.x[a], side),
-                   dy = std::remainder(grains.y[b] - grains.y[a], side);
+      const double dx = std::remainder(grains.x[b] - grains.x[a], side), dy = std::remainder(grains.y[b] - grains.y[a], side);
       const double l2 = dx * dx + dy * dy, wide = sample.bridge * std::max(grains.radius[a], grains.radius[b]);
-      visit(std::min(ax, ax + dx) - wide, std::max(ax, ax + dx) + wide, std::min(ay, ay + dy) - wide,
-            std::max(ay, ay + dy) + wide, [&](std::size_t i, double x, double y) {
-              const double t = ((x - ax) * dx + (y - ay) * dy) / l2,
-                           across = std::abs((x - ax) * dy - (y - ay) * dx) / std::sqrt(l2);
-              if (t < 0 || t > 1 || across > sample.bridge * ((1 - t) * grains.radius[a] + t * grains.radius[b]))
-                return;
+      visit(std::min(ax, ax + dx) - wide, std::max(ax, ax + dx) + wide, std::min(ay, ay + dy) - wide, std::max(ay, ay + dy) + wide,
+            [&](std::size_t i, double x, double y) {
+              const double t = ((x - ax) * dx + (y - ay) * dy) / l2, across = std::abs((x - ax) * dy - (y - ay) * dx) / std::sqrt(l2);
+              if (t < 0 || t > 1 || across > sample.bridge * ((1 - t) * grains.radius[a] + t * grains.radius[b])) return;
               if (map.phase[i] == Phase::empty) map.phase[i] = Phase::matrix;
             });
     });

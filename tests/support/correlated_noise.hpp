@@ -11,8 +11,8 @@ namespace arenite::test {
 /// Noise as real cameras have it: of each pixel, and of all pixels together, correlated from frame to frame (first-order
 /// autoregressive), each by the recursion itself from its stationary state on.
 struct CorrelatedNoise {
-  double own = 0.02, common = 0;    ///< standard deviations
-  double correlation = 0;           ///< of one frame with the next
+  double own = 0.02, common = 0;  ///< standard deviations
+  double correlation = 0;         ///< of one frame with the next
   std::uint64_t seed = 1;
 
   void add_to(Film& film) const {

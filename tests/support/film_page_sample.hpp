@@ -7,9 +7,9 @@
 #include "core/random.hpp"
 #include "model/elasticity/disk_field.hpp"
 #include "report/page.hpp"
-#include "workflow/run_film.hpp"
 #include "support/numbers_of.hpp"
 #include "support/page_sample.hpp"
+#include "workflow/run_film.hpp"
 
 namespace arenite::test {
 
@@ -32,7 +32,7 @@ struct FilmPageSample {
     find_grains();
     infer_forces();
     film.numbers = numbers_of(R"({"frequency_Hz": {"value": 3.0002, "error": 0.0001}, "noise_mK": 1.1, "grains": )" + std::to_string(grains) +
-                        R"(, "forces": {"residual": 1.02, "null_space": 0}, "directions": )" + to_json(workflow::film_directions(film, &truth_)) + "}");
+                              R"(, "forces": {"residual": 1.02, "null_space": 0}, "directions": )" + to_json(workflow::film_directions(film, &truth_)) + "}");
     data.title = "A film of <two> materials in a frame";
     maps_only.name = "maps";
     maps_only.outcome = "Locked in at the load frequency.";
@@ -54,7 +54,7 @@ struct FilmPageSample {
   FilmPageSample& operator=(const FilmPageSample&) = delete;
 
  private:
-  static constexpr double noise_ = 1.2e-3;                   // K, of a half swing
+  static constexpr double noise_ = 1.2e-3;                     // K, of a half swing
   static constexpr double factor_[2] = {0.015e-6, 0.0258e-6};  // K/Pa
   Packing truth_;
   RandomStream random_{11, Purpose::test, 77};

@@ -16,13 +16,13 @@ struct MovingDisks {
   std::size_t frames = 400;
   double rate = 148, frequency = 3;
   double noise = 0.020;
-  double travel = 3;                ///< pixels, full swing of the lowest disk
-  double apart = 0.3;               ///< pixels, by which disks differ
+  double travel = 3;   ///< pixels, full swing of the lowest disk
+  double apart = 0.3;  ///< pixels, by which disks differ
   double thermal = 0.05, tilt = 0.5;
-  double contrast = 1.5;            ///< K
+  double contrast = 1.5;  ///< K
   double radius = 4.6;
-  double gap = 0.1;                 ///< pixels between neighbours
-  double curve = 0, warm_up = 0;    ///< K by which the scene warms, as the square of the time, and exponentially within a fifth of the film
+  double gap = 0.1;               ///< pixels between neighbours
+  double curve = 0, warm_up = 0;  ///< K by which the scene warms, as the square of the time, and exponentially within a fifth of the film
   std::uint64_t seed = 7;
 
   double drift(double share) const { return curve * share * share - warm_up * std::expm1(-5 * share); }
@@ -44,7 +44,9 @@ struct MovingDisks {
 
   double amplitude_x(std::size_t i) const { return -0.5 * apart * std::sin(2.0 * static_cast<double>(i)); }
   double amplitude_y(const PictureGrains& g, std::size_t i) const { return 0.5 * (travel * g.y[i] / height + apart * std::sin(1.3 * static_cast<double>(i))); }
-  double warming(const PictureGrains& g, std::size_t i, double x) const { return thermal * (1 + 0.5 * std::sin(static_cast<double>(i))) * (1 + tilt * (x - g.x[i]) / radius); }
+  double warming(const PictureGrains& g, std::size_t i, double x) const {
+    return thermal * (1 + 0.5 * std::sin(static_cast<double>(i))) * (1 + tilt * (x - g.x[i]) / radius);
+  }
 
   /// u(t) = amplitude s, warming s/2 with s = -cos(2 pi f t): the load is largest when cos is -1.
   Film draw() const {

@@ -23,12 +23,10 @@ inline Contacts elastic_contacts(const Grains& grains, const Domain& domain, dou
   }
   for (std::size_t g = 0; g < grains.size(); ++g) {
     const double r = grains.radius[g];
-    const double gap[4] = {grains.x[g] - domain.wall[left].position, domain.wall[right].position - grains.x[g],
-                           grains.y[g] - domain.wall[bottom].position, domain.wall[top].position - grains.y[g]};
+    const double gap[4] = {grains.x[g] - domain.wall[left].position, domain.wall[right].position - grains.x[g], grains.y[g] - domain.wall[bottom].position,
+                           domain.wall[top].position - grains.y[g]};
     for (int side = 0; side < 4; ++side)
-      if (gap[side] < r)
-        contacts.add(static_cast<std::int32_t>(g), wall_partner(side), inward_normal(side), stiffness * (r - gap[side]), 0,
-                     gap[side], 0);
+      if (gap[side] < r) contacts.add(static_cast<std::int32_t>(g), wall_partner(side), inward_normal(side), stiffness * (r - gap[side]), 0, gap[side], 0);
   }
   return contacts;
 }
@@ -36,8 +34,7 @@ inline Contacts elastic_contacts(const Grains& grains, const Domain& domain, dou
 inline void load_walls(Packing& packing) {
   for (Wall& wall : packing.domain.wall) wall.force = 0;
   for (std::size_t c = 0; c < packing.contacts.size(); ++c)
-    if (packing.contacts.is_wall(c))
-      packing.domain.wall[static_cast<std::size_t>(packing.contacts.wall_side(c))].force += packing.contacts.fn[c];
+    if (packing.contacts.is_wall(c)) packing.domain.wall[static_cast<std::size_t>(packing.contacts.wall_side(c))].force += packing.contacts.fn[c];
 }
 
 /// A run of five states as it might come from the store, with the texture of each; the first contact of the last
@@ -61,13 +58,18 @@ struct PageSample {
     domain.wall[right].position = domain.wall[top].position = std::sqrt(area / 0.72);
     packing::fill_at_random(grains, domain, 7);
     const double lowest = domain.height() * (1 - 0.72 / 0.845), step = (domain.height() * (1 - 0.72 / 0.9) - lowest) / 4;
-    History history{{{"time", "s", {}}, {"bottom_position", "m", {}}, {"bottom_force", "N", {}}, {"top_force", "N", {}},
-                     {"left_force", "N", {}}, {"right_force", "N", {}}, {"elastic", "J", {}}, {"kinetic", "J", {}}}};
+    History history{{{"time", "s", {}},
+                     {"bottom_position", "m", {}},
+                     {"bottom_force", "N", {}},
+                     {"top_force", "N", {}},
+                     {"left_force", "N", {}},
+                     {"right_force", "N", {}},
+                     {"elastic", "J", {}},
+                     {"kinetic", "J", {}}}};
     for (int k = 0; k < 5; ++k) {
       const double before = domain.wall[bottom].position;
       domain.wall[bottom].position = lowest + k * step;
-      for (std::size_t g = 0; g < count; ++g)
-        grains.y[g] += (domain.wall[bottom].position - before) * (1 - grains.y[g] / domain.wall[top].position);
+      for (std::size_t g = 0; g < count; ++g) grains.y[g] += (domain.wall[bottom].position - before) * (1 - grains.y[g] / domain.wall[top].position);
       packing::relax(grains, domain, 1e-9, 4000);
       stage.frames.push_back(state(grains, domain, k));
       record(history, stage.frames.back());
@@ -83,8 +85,7 @@ struct PageSample {
     stage.provenance = {"0.1.0", "load", "0123456789abcdef", "title = \"<two> materials & a frame\"\n", 7, "portable", {}};
     data.title = "Two materials <in> a frame";
     data.stages = {&stage};
-    for (std::size_t f = 0; f < stage.frames.size(); ++f)
-      data.textures.push_back({0, f, texture::measure(stage.frames[f].packing)});
+    for (std::size_t f = 0; f < stage.frames.size(); ++f) data.textures.push_back({0, f, texture::measure(stage.frames[f].packing)});
   }
 
   PageSample(const PageSample&) = delete;
@@ -96,8 +97,7 @@ struct PageSample {
     frame.time = 0.1 * (k + 1);
     frame.step = 10000 * (k + 1);
     frame.label = "increment " + std::to_string(k + 1) + " of 5";
-    frame.packing = {{{"POM", 1410, 27.35e6, 0.015e-6}, {"HDPE", 950, 6.43e6, 0.0258e-6}}, domain, grains,
-                     elastic_contacts(grains, domain, 6e6)};
+    frame.packing = {{{"POM", 1410, 27.35e6, 0.015e-6}, {"HDPE", 950, 6.43e6, 0.0258e-6}}, domain, grains, elastic_contacts(grains, domain, 6e6)};
     load_walls(frame.packing);
     return frame;
   }
@@ -106,8 +106,8 @@ struct PageSample {
     const auto& wall = frame.packing.domain.wall;
     double elastic = 0;
     for (const double fn : frame.packing.contacts.fn) elastic += fn * fn / (2 * 6e6);
-    const double row[8] = {frame.time, wall[bottom].position, wall[bottom].force, wall[top].force,
-                           wall[left].force, wall[right].force, elastic, 1e-6 * elastic};
+    const double row[8] = {frame.time, wall[bottom].position, wall[bottom].force, wall[top].force, wall[left].force, wall[right].force,
+                           elastic,    1e-6 * elastic};
     for (std::size_t c = 0; c < 8; ++c) history.columns[c].values.push_back(row[c]);
   }
 };

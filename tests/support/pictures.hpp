@@ -22,9 +22,7 @@ namespace arenite::test {
 inline std::string complaint(const std::function<void()>& act) {
   try {
     act();
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  } catch (const InputError& error) { return error.what(); }
   return "";
 }
 
@@ -50,8 +48,8 @@ inline std::string png(std::uint32_t width, std::uint32_t height, char bits, Png
   compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(raw.data()), static_cast<uLong>(raw.size()));
   packed.resize(size);
   const std::string header = big_endian(width) + big_endian(height) + std::string{bits, static_cast<char>(kind), 0, 0, 0};
-  return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", header) + (colours.empty() ? "" : png_chunk("PLTE", colours)) +
-         png_chunk("IDAT", packed) + png_chunk("IEND", "");
+  return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", header) + (colours.empty() ? "" : png_chunk("PLTE", colours)) + png_chunk("IDAT", packed) +
+         png_chunk("IEND", "");
 }
 
 inline std::string grey_png(std::uint32_t width, std::uint32_t height, const std::string& pixels) {

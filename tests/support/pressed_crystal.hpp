@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "thermal/inference/normal_equations.hpp"
-#include "thermal/inference/balance.hpp"
 #include "model/packing.hpp"
+#include "thermal/inference/balance.hpp"
+#include "thermal/inference/normal_equations.hpp"
 
 namespace arenite::test {
 
@@ -58,7 +58,8 @@ inline Packing pressed_crystal(int columns, int rows, double radius, std::uint64
   for (std::int32_t i = 0; i < n; ++i) {
     const Vec2 a = p.grains.centre(static_cast<std::size_t>(i));
     for (std::int32_t j = i + 1; j < n; ++j)
-      if (const Vec2 d = a - p.grains.centre(static_cast<std::size_t>(j)); norm(d) < 2.001 * radius) p.contacts.add(i, j, (1 / norm(d)) * d, 0, 0, radius, radius);
+      if (const Vec2 d = a - p.grains.centre(static_cast<std::size_t>(j)); norm(d) < 2.001 * radius)
+        p.contacts.add(i, j, (1 / norm(d)) * d, 0, 0, radius, radius);
     const double gap[4] = {a.x, p.domain.wall[right].position - a.x, a.y, p.domain.wall[top].position - a.y};
     for (int side = 0; side < 4; ++side)
       if (gap[side] < 1.001 * radius) p.contacts.add(i, wall_partner(side), inward_normal(side), 0, 0, radius, 0);

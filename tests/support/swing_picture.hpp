@@ -5,8 +5,8 @@
 
 #include "core/random.hpp"
 #include "model/elasticity/disk_field.hpp"
-#include "thermal/inference/contact_forces.hpp"
 #include "model/packing.hpp"
+#include "thermal/inference/contact_forces.hpp"
 
 namespace arenite::test {
 
@@ -14,13 +14,13 @@ namespace arenite::test {
 /// another road than the inverse's, which knows no raster.
 struct Drawing {
   double pixel = 1.6e-3;
-  double blur = 0.5;               ///< pixels
-  double noise = 0.3e-3;           ///< K, of every pixel
-  double stated_error = 0;         ///< K; 0: the noise
-  int fine = 8;                    ///< raster cells along a pixel
+  double blur = 0.5;        ///< pixels
+  double noise = 0.3e-3;    ///< K, of every pixel
+  double stated_error = 0;  ///< K; 0: the noise
+  int fine = 8;             ///< raster cells along a pixel
   elasticity::Traction traction = elasticity::Traction::point;
-  double half_angle = 0.08;        ///< of arcs, rad
-  Vec2 offset{0.31, -0.17};        ///< of the raster of pixels, pixels
+  double half_angle = 0.08;  ///< of arcs, rad
+  Vec2 offset{0.31, -0.17};  ///< of the raster of pixels, pixels
   std::uint64_t seed = 1;
 };
 

@@ -10,8 +10,7 @@
 namespace arenite::test {
 
 /// A film of `of.frames` (or at `of.time`, s) whose pixel p has the level of.at(p, t) and normal noise.
-template <class Pixels>
-Film draw_film(const Pixels& of) {
+template <class Pixels> Film draw_film(const Pixels& of) {
   Film film;
   film.about.width = of.width;
   film.about.height = of.height;
@@ -23,8 +22,7 @@ Film draw_film(const Pixels& of) {
   for (std::size_t n = 0; n < static_cast<std::size_t>(film.about.frames); ++n) {
     RandomStream random(of.seed, Purpose::test, n);
     const double t = of.time.empty() ? static_cast<double>(n) / of.rate : of.time[n];
-    for (std::size_t p = 0; p < pixels; ++p)
-      film.value.push_back(static_cast<float>(of.at(p, t) + (of.noise > 0 ? of.noise * random.normal() : 0)));
+    for (std::size_t p = 0; p < pixels; ++p) film.value.push_back(static_cast<float>(of.at(p, t) + (of.noise > 0 ? of.noise * random.normal() : 0)));
   }
   return film;
 }
@@ -35,14 +33,14 @@ struct SwingingFilm {
   int width = 9, height = 5;
   std::size_t frames = 800;
   double rate = 148, frequency = 3;
-  double drift = 0, curve = 0;      ///< unit/s, unit/s^2
-  double amplitude = 1;             ///< times 1 + p/100
-  double second = 0;                ///< of that
+  double drift = 0, curve = 0;  ///< unit/s, unit/s^2
+  double amplitude = 1;         ///< times 1 + p/100
+  double second = 0;            ///< of that
   double noise = 0;
-  double phase = 0.4;               ///< rad, times 1 - 2 (p odd)
+  double phase = 0.4;  ///< rad, times 1 - 2 (p odd)
   double mean = 20;
   std::uint64_t seed = 1;
-  std::vector<double> time;         ///< s; even if empty
+  std::vector<double> time;  ///< s; even if empty
 
   double amplitude_of(std::size_t p) const { return amplitude * (1 + static_cast<double>(p % 100) / 100); }
   double phase_of(std::size_t p) const { return p % 2 ? -phase : phase; }

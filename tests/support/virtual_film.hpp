@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "io/results/results.hpp"
 #include "io/disk/store_file.hpp"
+#include "io/results/results.hpp"
 #include "support/program.hpp"
 
 namespace arenite::test {
@@ -34,7 +34,8 @@ class VirtualFilm {
   }
   /// `arenite film` of the film in that folder by the recipe there, into the folder "result".
   Outcome film(const std::string& more = "", const std::string& from = "film", const std::string& recipe = "film.toml") const {
-    return arenite("film " + at(from + "/film.ptw").string() + " --recipe " + at("film/" + recipe).string() + " --quiet --out " + at("result").string() + " " + more);
+    return arenite("film " + at(from + "/film.ptw").string() + " --recipe " + at("film/" + recipe).string() + " --quiet --out " + at("result").string() + " " +
+                   more);
   }
   /// The recipe of the film with one piece of text in place of another, beside it under this name.
   void edit(const std::string& name, const std::string& from, const std::string& to) const {

@@ -26,7 +26,7 @@ struct Bond {
 };
 
 constexpr double ra = 8.2e-3, rb = 6.2e-3;
-const Bond bond{k_pom, glue, 4 * ra * rb / (ra + rb)};
+const Bond bond{k_pom, glue, 4 * ra* rb / (ra + rb)};
 
 dem::ContactParameters glued(Adhesion kind, double restitution = 1) {
   dem::ContactParameters law = frictionless(restitution);
@@ -65,9 +65,8 @@ TEST(Adhesion, ForceIsKhMinusGammaRootRh) {
 }
 
 TEST(Adhesion, EffectiveRadiusIsFourReducedByDefaultAndTheOthersOnRequest) {
-  const std::pair<EffectiveRadius, double> options[] = {{EffectiveRadius::four_reduced, 4 * ra * rb / (ra + rb)},
-                                                        {EffectiveRadius::sum, ra + rb},
-                                                        {EffectiveRadius::geometric_mean, 2 * std::sqrt(ra * rb)}};
+  const std::pair<EffectiveRadius, double> options[] = {
+      {EffectiveRadius::four_reduced, 4 * ra * rb / (ra + rb)}, {EffectiveRadius::sum, ra + rb}, {EffectiveRadius::geometric_mean, 2 * std::sqrt(ra * rb)}};
   const double h = 1e-5;
   for (const auto& [option, r_eff] : options) {
     dem::ContactParameters law = glued(dem::GeometricalAdhesion{});
@@ -127,8 +126,7 @@ TEST(Adhesion, EscapeSpeedIsThatOfTheBondEnergyAndTheRestIsKept) {
   for (const auto integrator : integrators)
     for (const double share : {0.99, 1.01, 1.25}) {
       SCOPED_TRACE(std::string(name(integrator)) + ", " + std::to_string(share));
-      Engine engine(pair(bond.equilibrium(), share * escape), glued(dem::GeometricalAdhesion{}),
-                    with_step(fine_step(), integrator));
+      Engine engine(pair(bond.equilibrium(), share * escape), glued(dem::GeometricalAdhesion{}), with_step(fine_step(), integrator));
       double farthest = bond.equilibrium();
       for (int part = 0; part < 400; ++part) {
         engine.advance(100);
@@ -171,9 +169,7 @@ TEST(Adhesion, CarriesAWeightJustBelowThePullOffForceAndDropsOneJustAbove) {
     engine.advance(20000);
     const Packing now = engine.packing();
     EXPECT_EQ(find_contact(now, 0, 1).has_value(), share < 1) << share;
-    if (const auto c = find_contact(now, 0, 1)) {
-      EXPECT_NEAR(now.contacts.fn[*c], -share * bond.pull_off(), 1e-3 * bond.pull_off());
-    }
+    if (const auto c = find_contact(now, 0, 1)) { EXPECT_NEAR(now.contacts.fn[*c], -share * bond.pull_off(), 1e-3 * bond.pull_off()); }
   }
 }
 

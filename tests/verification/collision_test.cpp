@@ -30,8 +30,8 @@ struct Outcome {
 };
 
 /// Steps until a contact came and went.
-Outcome collide(const Packing& start, const dem::ContactParameters& law, const dem::IntegrationParameters& how,
-                double approach, const std::function<double(const Packing&)>& separation_speed) {
+Outcome collide(const Packing& start, const dem::ContactParameters& law, const dem::IntegrationParameters& how, double approach,
+                const std::function<double(const Packing&)>& separation_speed) {
   Engine engine(start, law, how);
   Outcome out;
   int in_contact = 0;
@@ -115,8 +115,7 @@ TEST(Collision, RestitutionOnAWallIsTheOneAskedForWithTheWholeMassAndTheStiffest
           p.grains.vx[0] = -speed * n.x;
           p.grains.vy[0] = -speed * n.y;
           add(p, {{0.05, 0.05}, r, pom});  // out of the way; walls are as stiff as the stiffest grain of the sample
-          const Outcome out = collide(p, frictionless(e), with_step(dt, kind), speed,
-                                      [&](const Packing& now) { return dot(velocity(now, 0), n); });
+          const Outcome out = collide(p, frictionless(e), with_step(dt, kind), speed, [&](const Packing& now) { return dot(velocity(now, 0), n); });
           EXPECT_NEAR(out.restitution, e, restitution_tolerance(e, pi / 2000, kind));
           const double zeta = damping_ratio(e);
           EXPECT_NEAR(out.duration, tc / std::sqrt(1 - zeta * zeta), 3 * dt);
@@ -140,8 +139,7 @@ TEST(Collision, DeepestOverlapAndForceOfAnElasticCollisionAreVOverOmegaAndKTimes
 /// (Schwager and Poeschel, Granular Matter 9, 465, 2007).
 double clipped_restitution(double zeta) {
   const double s = std::sqrt(1 - zeta * zeta);
-  const double angle = zeta < std::sqrt(0.5) ? pi - std::atan2(2 * zeta * s, 1 - 2 * zeta * zeta)
-                                             : std::atan2(2 * zeta * s, 2 * zeta * zeta - 1);
+  const double angle = zeta < std::sqrt(0.5) ? pi - std::atan2(2 * zeta * s, 1 - 2 * zeta * zeta) : std::atan2(2 * zeta * s, 2 * zeta * zeta - 1);
   return std::exp(-zeta / s * angle);
 }
 

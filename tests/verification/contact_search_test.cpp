@@ -61,8 +61,7 @@ TEST(ContactSearch, MissesNoneOfTheContactsThatTryingAllPairsFinds) {
     bool x, y;
     double tilt;
   };
-  for (const Cell cell : {Cell{false, false, 0}, Cell{true, false, 0}, Cell{false, true, 0}, Cell{true, true, 0},
-                          Cell{true, true, 0.05}}) {
+  for (const Cell cell : {Cell{false, false, 0}, Cell{true, false, 0}, Cell{false, true, 0}, Cell{true, true, 0}, Cell{true, true, 0.05}}) {
     SCOPED_TRACE(std::string(cell.x ? "periodic in x " : "") + (cell.y ? "periodic in y " : "") + std::to_string(cell.tilt));
     Engine engine(gas(cell.x, cell.y, cell.tilt), frictionless(0.9), with_step(2e-7));
     std::size_t seen = 0;

@@ -33,8 +33,7 @@ TEST(Crystal, HasTheModuliOfATriangularLatticeOfNormalAndTangentialSprings) {
       Engine engine(start, law, with_step(contact_time(0.5 * mass(start, 0), k_pom) / 100));
       const std::int64_t steps = 5000;
       const double t = static_cast<double>(steps) * engine.time_step();
-      engine.set_drives({dem::WallDrive{}, moved(-strain.x * start.domain.width() / t), dem::WallDrive{},
-                         moved(-strain.y * start.domain.height() / t)});
+      engine.set_drives({dem::WallDrive{}, moved(-strain.x * start.domain.width() / t), dem::WallDrive{}, moved(-strain.y * start.domain.height() / t)});
       engine.advance(steps);
       engine.set_drives({});
       engine.advance(10000);
@@ -42,8 +41,7 @@ TEST(Crystal, HasTheModuliOfATriangularLatticeOfNormalAndTangentialSprings) {
       EXPECT_NEAR(1 - p.domain.width() / start.domain.width(), strain.x, 1e-7 * strain.x);
       Tensor2 s;
       for (std::size_t c = 0; c < p.contacts.size(); ++c)
-        s += 1 / p.domain.area() *
-             outer(p.contacts.force_on_i(c), (p.contacts.arm_i[c] + p.contacts.arm_j[c]) * p.contacts.normal(c));
+        s += 1 / p.domain.area() * outer(p.contacts.force_on_i(c), (p.contacts.arm_i[c] + p.contacts.arm_j[c]) * p.contacts.normal(c));
       const double kt = friction == dem::NoFriction{} ? 0 : 0.8 * k_pom;
       const double c11 = std::sqrt(3) / 4 * (3 * k_pom + kt), c12 = std::sqrt(3) / 4 * (k_pom - kt);
       // Small strain: corrections of its own order; the springs' sum by the trapezoidal rule.

@@ -15,9 +15,7 @@ using dem::IntegratorKind;
 using dem::NormalLaw;
 
 double stored(const Energies& e) { return e.kinetic + e.elastic + e.adhesive; }
-double lost(const Energies& e) {
-  return e.dissipated_normal + e.dissipated_friction + e.dissipated_drag + e.dissipated_breakage;
-}
+double lost(const Energies& e) { return e.dissipated_normal + e.dissipated_friction + e.dissipated_drag + e.dissipated_breakage; }
 double work(const Energies& e) { return e.work_walls + e.work_gravity; }
 
 struct Balance {
@@ -27,8 +25,8 @@ struct Balance {
 
 /// Two walls close in on some tens of disks at a metre a second, until overlaps reach some parts in a thousand. (The
 /// share that is lost track of at each new contact grows with the speed.)
-Balance compress(const dem::ContactParameters& law, IntegratorKind kind, double share_of_contact_time,
-                 const Packing& start = shaken_lattice(7, 7, 1), Vec2 g = {}, double drag = 0) {
+Balance compress(const dem::ContactParameters& law, IntegratorKind kind, double share_of_contact_time, const Packing& start = shaken_lattice(7, 7, 1),
+                 Vec2 g = {}, double drag = 0) {
   dem::IntegrationParameters how = with_step(shortest_contact_time() / share_of_contact_time, kind);
   how.track_energy = true;
   how.drag = drag;
@@ -38,8 +36,8 @@ Balance compress(const dem::ContactParameters& law, IntegratorKind kind, double 
   const Energies before = engine.energies();
   engine.advance(static_cast<std::int64_t>(30 * share_of_contact_time));
   const Energies after = engine.energies();
-  return {stored(after) - stored(before) + lost(after) - lost(before) - work(after) + work(before),
-          std::abs(work(after) - work(before)), lost(after) - lost(before)};
+  return {stored(after) - stored(before) + lost(after) - lost(before) - work(after) + work(before), std::abs(work(after) - work(before)),
+          lost(after) - lost(before)};
 }
 
 std::string describe(NormalLaw normal, FrictionLaw friction, Adhesion adhesion, IntegratorKind kind) {
@@ -98,7 +96,10 @@ Packing squeezed() {
   for (int r = 0; r < 6; ++r)
     for (int c = 0; c < 6; ++c)
       add(p, {{6e-3 + 12e-3 * (c + 0.5 * (r % 2)), 6e-3 + 12e-3 * std::sqrt(0.75) * r},
-              6.01e-3, pom, {random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2)}, random.uniform(-3, 3)});
+              6.01e-3,
+              pom,
+              {random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2)},
+              random.uniform(-3, 3)});
   return p;
 }
 

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "thermal/imaging/circles.hpp"
 #include "io/image/image.hpp"
 #include "support/found_grains.hpp"
+#include "thermal/imaging/circles.hpp"
 
 namespace {
 using namespace arenite;
@@ -26,9 +26,8 @@ TEST_P(ThesisSample, IsFoundToATenthOfAPixelAtTheThesisPixel) {
   EXPECT_EQ(found.report.material_brightness.size(), 2u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, ThesisSample, ::testing::Values("sample-02", "sample-02-other", "sample-08", "sample-12"), [](const auto& one) {
-  return one.param == "sample-02-other" ? std::string("02_other") : one.param.substr(7);
-});
+INSTANTIATE_TEST_SUITE_P(Of, ThesisSample, ::testing::Values("sample-02", "sample-02-other", "sample-08", "sample-12"),
+                         [](const auto& one) { return one.param == "sample-02-other" ? std::string("02_other") : one.param.substr(7); });
 
 /// examples/data/photoelastic-disks/README.md counts them by eye.
 TEST(PhotoelasticDisks, AreAllFoundInTheirTwoSizesAndNoneInvented) {

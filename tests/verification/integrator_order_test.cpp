@@ -18,8 +18,8 @@ struct Convergence {
   double order(int i) const { return std::log2(error[i] / error[i + 1]); }
 };
 
-Convergence converge(const Packing& start, const dem::ContactParameters& law, IntegratorKind kind, double end, int n,
-                     double g, const std::function<Vec2(const Packing&)>& error) {
+Convergence converge(const Packing& start, const dem::ContactParameters& law, IntegratorKind kind, double end, int n, double g,
+                     const std::function<Vec2(const Packing&)>& error) {
   Convergence c{};
   for (int level = 0; level < 3; ++level) {
     const int steps = n << level;
@@ -63,8 +63,7 @@ TEST(IntegratorOrder, UndampedOscillationConvergesWithTheStepSquaredOrBetter) {
   const OnTheWall disk;
   const double end = 2.3 * 2 * pi / disk.omega;
   for (const auto kind : integrators) {
-    const Convergence c = converge(disk.start, elastic(), kind, end, 150, disk.g,
-                                   [&](const Packing& p) { return disk.error(p, 0, end); });
+    const Convergence c = converge(disk.start, elastic(), kind, end, 150, disk.g, [&](const Packing& p) { return disk.error(p, 0, end); });
     expect_convergence(c, least_order(kind), 0.02, kind);
   }
 }
@@ -76,8 +75,7 @@ TEST(IntegratorOrder, DampingLowersItForLeapfrogOnly) {
   dem::ContactParameters law = elastic();
   law.normal_damping = 2 * zeta * std::sqrt(k_pom * mass(disk.start, 0));
   for (const auto kind : integrators) {
-    const Convergence c = converge(disk.start, law, kind, end, 200, disk.g,
-                                   [&](const Packing& p) { return disk.error(p, zeta, end); });
+    const Convergence c = converge(disk.start, law, kind, end, 200, disk.g, [&](const Packing& p) { return disk.error(p, zeta, end); });
     expect_convergence(c, kind == IntegratorKind::leapfrog ? 0.95 : least_order(kind), 0.01, kind);
   }
 }
@@ -103,9 +101,7 @@ TEST(IntegratorOrder, HoldsForTheNonlinearGluedPair) {
   law.adhesion = dem::GeometricalAdhesion{};
   law.surface_energy = gamma;
   const double m = 0.5 * mass(p, 0), end = 2.3 * 2 * pi / std::sqrt(0.5 * k_pom / m);
-  const Vec2 exact = runge_kutta({h0, 0}, end, 40000, [&](double h, double) {
-    return -(k_pom * h - gamma * std::sqrt(r_eff * h)) / m;
-  });
+  const Vec2 exact = runge_kutta({h0, 0}, end, 40000, [&](double h, double) { return -(k_pom * h - gamma * std::sqrt(r_eff * h)) / m; });
   for (const auto kind : integrators) {
     const Convergence c = converge(p, law, kind, end, 150, 0, [&](const Packing& now) {
       const double h = 2 * radius - (now.grains.x[1] - now.grains.x[0]);

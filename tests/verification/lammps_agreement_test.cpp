@@ -48,27 +48,25 @@ Packing flying_disks() {
 
 void write_input(const std::filesystem::path& folder, const Packing& p, const Law& law) {
   std::ofstream data(folder / "data");
-  data << "flying disks\n\n" << p.grains.size() << " atoms\n1 atom types\n\n"
+  data << "flying disks\n\n"
+       << p.grains.size() << " atoms\n1 atom types\n\n"
        << fmt::format("{0} {1} xlo xhi\n{0} {1} ylo yhi\n-0.01 0.01 zlo zhi\n\nAtoms # sphere\n\n", -size, 2 * size);
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
     const double r = p.grains.radius[k];  // LAMMPS takes the density of a sphere
-    data << fmt::format("{} 1 {:.17g} {:.17g} {:.17g} {:.17g} 0\n", k + 1, 2 * r, 0.75 * mass / (pi * r * r * r), p.grains.x[k],
-                        p.grains.y[k]);
+    data << fmt::format("{} 1 {:.17g} {:.17g} {:.17g} {:.17g} 0\n", k + 1, 2 * r, 0.75 * mass / (pi * r * r * r), p.grains.x[k], p.grains.y[k]);
   }
   data << "\nVelocities\n\n";
   for (std::size_t k = 0; k < p.grains.size(); ++k)
     data << fmt::format("{} {:.17g} {:.17g} 0 0 0 {:.17g}\n", k + 1, p.grains.vx[k], p.grains.vy[k], p.grains.omega[k]);
 
   const auto coefficients = [&](double reduced_mass) {
-    return fmt::format("{:.17g} 0 {:.17g} {:.17g} {:.17g} 1", stiffness, law.damping / reduced_mass,
-                       law.viscosity / reduced_mass, law.friction);
+    return fmt::format("{:.17g} 0 {:.17g} {:.17g} {:.17g} 1", stiffness, law.damping / reduced_mass, law.viscosity / reduced_mass, law.friction);
   };
   std::ofstream(folder / "in") << "units si\ndimension 2\natom_style sphere\nnewton off\ncomm_modify vel yes\n"
                                   "boundary f f p\nread_data data\n"
                                << "pair_style gran/hooke " << coefficients(0.5 * mass) << "\npair_coeff * *\n"
                                << "neighbor 2e-3 bin\nneigh_modify delay 0 every 1 check yes\n"
-                               << fmt::format("timestep {:.17g}\n", time_step())
-                               << "fix weight all gravity 9.81 vector 0 -1 0\nfix move all nve/sphere disc\n"
+                               << fmt::format("timestep {:.17g}\n", time_step()) << "fix weight all gravity 9.81 vector 0 -1 0\nfix move all nve/sphere disc\n"
                                << "fix sides all wall/gran hooke " << coefficients(mass) << " xplane 0 " << size << "\n"
                                << "fix ends all wall/gran hooke " << coefficients(mass) << " yplane 0 " << size << "\n"
                                << "fix plane all enforce2d\ndump state all custom " << steps << " state id x y fx fy\n"

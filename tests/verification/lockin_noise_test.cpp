@@ -97,9 +97,7 @@ TEST(LockInNoise, ARealCameraAtRestShowsNoLoadAtAnyFrequency) {
     o.frequency = 1 + 15.0 * k / 123;
     try {
       loaded += shows_swing(lock_in(*film, o)) ? 1 : 0;
-    } catch (const InputError& error) {
-      EXPECT_TRUE(false) << o.frequency << " " << error.what();
-    }
+    } catch (const InputError& error) { EXPECT_TRUE(false) << o.frequency << " " << error.what(); }
   }
   EXPECT_LE(loaded, 1);
 }
@@ -109,7 +107,8 @@ TEST(LockInNoise, ALineOverTheRowsIsNoLoad) {
   Film film = swing.draw();
   CorrelatedNoise{}.add_to(film);
   for (std::size_t i = 0; i < film.value.size(); ++i)
-    film.value[i] += static_cast<float>(0.03 * std::cos(2 * std::numbers::pi * (3 * static_cast<double>(i / 1024) / swing.rate + 0.19 * static_cast<double>(i % 1024 / 32))));
+    film.value[i] += static_cast<float>(
+        0.03 * std::cos(2 * std::numbers::pi * (3 * static_cast<double>(i / 1024) / swing.rate + 0.19 * static_cast<double>(i % 1024 / 32))));
   LockinOptions o;
   o.frequency = 3;
   const LockinMaps maps = lock_in(film, o);
@@ -170,9 +169,7 @@ TEST(LockInFrequency, OfFewCyclesIsKeptAndNoAmplitudeRunsAway) {
         o.drift_order = drift;
         try {
           const LockinMaps maps = lock_in(film, o);
-          if (cycles < 2) {
-            EXPECT_EQ(maps.frequency, 3);
-          }
+          if (cycles < 2) { EXPECT_EQ(maps.frequency, 3); }
           EXPECT_NEAR(maps.frequency, 3, 0.1);
           for (std::size_t p = 0; p < maps.size(); ++p)
             EXPECT_NEAR(maps.amplitude[p], swing.amplitude_of(p), 6 * static_cast<double>(maps.standard_error[p]) + 2e-3) << cycles << " " << drift;

@@ -233,7 +233,9 @@ TEST(LockIn, SignsFollowTheReference) {
   EXPECT_NEAR(told.in_phase[3], truth.amplitude_of(3) * std::cos(1.0), 1e-5);
   EXPECT_NEAR(told.quadrature[3], -truth.amplitude_of(3) * std::sin(1.0), 1e-5);
   for (const double c : {1.0, 0.3, -2.0}) {  // most pixels follow the load, some the other way
-    EXPECT_NEAR(std::remainder(reference_phase({3 * std::cos(c), -std::cos(c), 2 * std::cos(c)}, {3 * std::sin(c), -std::sin(c), 2 * std::sin(c)}) - c, 2 * std::numbers::pi), 0, 1e-12);
+    EXPECT_NEAR(std::remainder(reference_phase({3 * std::cos(c), -std::cos(c), 2 * std::cos(c)}, {3 * std::sin(c), -std::sin(c), 2 * std::sin(c)}) - c,
+                               2 * std::numbers::pi),
+                0, 1e-12);
   }
 }
 
@@ -267,9 +269,7 @@ TEST(LockIn, NearestBinIsTheTransformOfTheFilmLessItsMeanImage) {
   EXPECT_NEAR(plain.phase[p], std::arg(sum), 1e-5);
 }
 
-TEST(LockIn, DiffusionLengthOfPlasticAtThreeHertz) {
-  EXPECT_NEAR(diffusion_length(1.0e-7, 3), 0.103e-3, 1e-6);
-}
+TEST(LockIn, DiffusionLengthOfPlasticAtThreeHertz) { EXPECT_NEAR(diffusion_length(1.0e-7, 3), 0.103e-3, 1e-6); }
 
 }  // namespace
 }  // namespace arenite::thermography

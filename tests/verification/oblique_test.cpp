@@ -21,8 +21,7 @@ struct Oblique {
   double tangential_impulse() const { return mass(before, 0) * (before.grains.vy[0] - after.grains.vy[0]); }
 };
 
-Oblique run(double tangential_speed, dem::ContactParameters law, double spin0 = 0, double spin1 = 0,
-            double steps_in_contact = 4000) {
+Oblique run(double tangential_speed, dem::ContactParameters law, double spin0 = 0, double spin1 = 0, double steps_in_contact = 4000) {
   Oblique o;
   Packing p = box(1, 1);
   const double ra = 8.2e-3, rb = 5.25e-3;
@@ -108,8 +107,7 @@ TEST(ObliqueCollision, FrictionStopsWhereTheDashpotPulls) {
     law.attractive_dashpot = attractive;
     const Oblique o = run(14 * mu * normal_speed, law);
     // Onset of the dashpot within one step: 2 zeta omega dt.
-    EXPECT_NEAR(o.tangential_impulse(), mu * m * normal_speed * (1 + clipped),
-                mu * m * normal_speed * 2 * zeta * pi / 4000 * 2)
+    EXPECT_NEAR(o.tangential_impulse(), mu * m * normal_speed * (1 + clipped), mu * m * normal_speed * 2 * zeta * pi / 4000 * 2)
         << (attractive ? "attractive dashpot kept" : "clipped");
   }
 }

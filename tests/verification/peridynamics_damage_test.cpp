@@ -36,8 +36,7 @@ double running_strain_over_griffith(int height) {
   double strain = 0;
   for (const auto& state : result.curve) strain = std::max(strain, state.strain);
   const double micromodulus = nominal_micromodulus * calibration_factor();
-  const double stretch = ElasticBrittle{}.critical_stretch(weak.matrix, 1, map.dx),
-               toughness = crack_energy_axis(micromodulus) * stretch * stretch * map.dx;
+  const double stretch = ElasticBrittle{}.critical_stretch(weak.matrix, 1, map.dx), toughness = crack_energy_axis(micromodulus) * stretch * stretch * map.dx;
   const double griffith = std::sqrt(2 * toughness / (lattice_moduli(micromodulus).c1111 * (height - 1) * map.dx));
   return strain / griffith;
 }
@@ -58,8 +57,7 @@ TEST(Damage, PlateBreaksAlongItsNotch) {
   options.cuts = {{{-1, 23.5}, {24, 23.5}}};
   options.end_stress = 1e-3;
   const auto result = pull_to_failure(map, options);
-  EXPECT_TRUE(result.ending == DamageResult::Ending::severed || result.ending == DamageResult::Ending::dropped)
-      << result.sentence;
+  EXPECT_TRUE(result.ending == DamageResult::Ending::severed || result.ending == DamageResult::Ending::dropped) << result.sentence;
   EXPECT_GT(result.broken.size(), 24u * 10);
   std::size_t astray = 0;  // a few give at the corners of the clamps, where the plate may not contract
   for (const auto& bond : result.broken) astray += std::abs(bond.y + half_bonds[bond.direction].y / 2.0 - 23.5) > 4;
@@ -71,8 +69,7 @@ TEST(Damage, PlateBreaksAlongItsNotch) {
 TEST(Damage, CementedPackingBreaksInMatrixAndInterfaceNotInGrains) {
   const PhaseMap map = test::cemented_sample({.nodes = 64, .size_ratio = 2, .bridge = 0.4});
   const auto result = pull_to_failure(map, {.toughness = weak});
-  EXPECT_TRUE(result.ending == DamageResult::Ending::severed || result.ending == DamageResult::Ending::dropped)
-      << result.sentence;
+  EXPECT_TRUE(result.ending == DamageResult::Ending::severed || result.ending == DamageResult::Ending::dropped) << result.sentence;
   std::size_t in_grains = 0;
   for (const auto& bond : result.broken) in_grains += bond.type == particle_bond;
   EXPECT_LT(in_grains, result.broken.size() / 10);
@@ -86,10 +83,8 @@ double largest_stretch(const StressField& field) {
     for (int x = 0; x < field.width; ++x)
       for (const Offset e : half_bonds) {
         if (x + e.x < 0 || x + e.x >= field.width || y + e.y >= field.height) continue;
-        const auto i = static_cast<std::size_t>(x + field.width * y),
-                   j = static_cast<std::size_t>(x + e.x + field.width * (y + e.y));
-        largest = std::max(largest, (e.x * (field.ux[j] - field.ux[i]) + e.y * (field.uy[j] - field.uy[i])) /
-                                        ((e.x * e.x + e.y * e.y) * field.dx));
+        const auto i = static_cast<std::size_t>(x + field.width * y), j = static_cast<std::size_t>(x + e.x + field.width * (y + e.y));
+        largest = std::max(largest, (e.x * (field.ux[j] - field.ux[i]) + e.y * (field.uy[j] - field.uy[i])) / ((e.x * e.x + e.y * e.y) * field.dx));
       }
   return largest;
 }
@@ -172,9 +167,7 @@ TEST(Damage, NonsenseIsRefused) {
   EXPECT_THROW(pull_to_failure(map, {.band = -0.1}), InputError);
 }
 
-TEST(Damage, SampleWithoutAPathIsNamed) {
-  EXPECT_EQ(pull_to_failure(make_phase_map(20, 20, 1), {}).ending, DamageResult::Ending::no_path);
-}
+TEST(Damage, SampleWithoutAPathIsNamed) { EXPECT_EQ(pull_to_failure(make_phase_map(20, 20, 1), {}).ending, DamageResult::Ending::no_path); }
 
 }  // namespace
 }  // namespace arenite::peridynamics

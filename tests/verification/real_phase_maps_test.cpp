@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "thermal/imaging/label_grains.hpp"
 #include "io/image/phase_map.hpp"
 #include "solid/peridynamics/load.hpp"
+#include "thermal/imaging/label_grains.hpp"
 
 namespace {
 using namespace arenite;

@@ -18,7 +18,8 @@ struct Case {
   dem::IntegrationParameters how;
 
   Case(FrictionLaw friction, IntegratorKind kind, bool periodic = false)
-      : start(shaken_lattice(20, 20, 9, periodic, 3)), how(with_step(shortest_contact_time() / 100, kind)) {
+      : start(shaken_lattice(20, 20, 9, periodic, 3)),
+        how(with_step(shortest_contact_time() / 100, kind)) {
     law.friction_law = friction;
     law.restitution = 0.5;
     law.attractive_dashpot = true;
@@ -35,8 +36,7 @@ struct Case {
   }
 };
 
-template <class F>
-void for_each_run(F f) {
+template <class F> void for_each_run(F f) {
   for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}})
     for (const auto kind : integrators)
       for (const bool periodic : {false, true}) {
@@ -114,8 +114,7 @@ TEST(Reproducibility, EveryKernelGivesTheBitsOfThePortableOne) {
       EXPECT_EQ(a.contacts.fn, b.contacts.fn) << fast.kernel();
       EXPECT_EQ(a.contacts.ft, b.contacts.ft) << fast.kernel();
       for (const int side : {left, right, bottom, top})
-        EXPECT_EQ(fast.domain().wall[static_cast<std::size_t>(side)].position,
-                  portable.domain().wall[static_cast<std::size_t>(side)].position);
+        EXPECT_EQ(fast.domain().wall[static_cast<std::size_t>(side)].position, portable.domain().wall[static_cast<std::size_t>(side)].position);
     }
   });
 }
@@ -150,8 +149,7 @@ TEST(Reproducibility, AnElasticSampleRunsBackToItsStartWhenVelocitiesAreTurnedRo
     Engine back(turned, elastic(), how);
     back.advance(1000);
     const Packing end = back.packing();
-    for (std::size_t i = 0; i < end.grains.size(); ++i)
-      EXPECT_LT(norm(end.grains.centre(i) - start.grains.centre(i)), 1e-8 * 6e-3) << name(kind);
+    for (std::size_t i = 0; i < end.grains.size(); ++i) EXPECT_LT(norm(end.grains.centre(i) - start.grains.centre(i)), 1e-8 * 6e-3) << name(kind);
   }
 }
 

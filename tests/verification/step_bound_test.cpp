@@ -31,8 +31,7 @@ std::optional<double> offered(const Packing& start, const dem::ContactParameters
     const std::string text = refusal.what();
     const std::regex seconds(R"(([0-9.]+(e[-+]?[0-9]+)?) ?s\b)");
     double least = 1;
-    for (std::sregex_iterator it(text.begin(), text.end(), seconds), end; it != end; ++it)
-      least = std::min(least, std::stod((*it)[1]));
+    for (std::sregex_iterator it(text.begin(), text.end(), seconds), end; it != end; ++it) least = std::min(least, std::stod((*it)[1]));
     EXPECT_LT(least, 1) << text;
     return least;
   }
@@ -56,8 +55,8 @@ TEST(StepBound, AStepBeyondItIsRefusedAndTheOneOfferedIsAcceptedAndStable) {
       EXPECT_LT(engine.energies().kinetic + engine.energies().elastic, [&] {
         double sum = 0;
         for (std::size_t i = 0; i < start.grains.size(); ++i)
-          sum += 0.5 * mass(start, i) * dot(velocity(start, i), velocity(start, i)) +
-                 0.5 * disk_inertia(start, i) * start.grains.omega[i] * start.grains.omega[i];
+          sum +=
+              0.5 * mass(start, i) * dot(velocity(start, i), velocity(start, i)) + 0.5 * disk_inertia(start, i) * start.grains.omega[i] * start.grains.omega[i];
         return sum;
       }());
     }
@@ -182,9 +181,7 @@ TEST(StepBound, GearsDampingBoundIsWhereItBlowsUp) {
     try {
       engine.set_drag(rate);
       engine.advance(4000);
-    } catch (const std::exception&) {
-      lost = true;
-    }
+    } catch (const std::exception&) { lost = true; }
     const double speed = norm(velocity(engine.packing(), 0));
     if (share < 1) {
       EXPECT_FALSE(lost);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support.hpp"
 #include "grains/texture/texture.hpp"
+#include "support.hpp"
 
 namespace arenite::verification {
 namespace {

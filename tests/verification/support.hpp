@@ -14,9 +14,9 @@ namespace arenite::verification {
 
 using std::numbers::pi;
 
-inline constexpr double gravity = 9.81;     ///< m/s^2
-inline constexpr double k_pom = 27.35e6;    ///< N/m
-inline constexpr double k_hdpe = 6.43e6;    ///< N/m
+inline constexpr double gravity = 9.81;   ///< m/s^2
+inline constexpr double k_pom = 27.35e6;  ///< N/m
+inline constexpr double k_hdpe = 6.43e6;  ///< N/m
 inline constexpr std::int32_t pom = 0, hdpe = 1;
 
 struct Disk {
@@ -61,12 +61,9 @@ inline void add(Packing& p, const Disk& disk) {
 
 inline double mass(const Packing& p, std::size_t i) {
   const Grains& g = p.grains;
-  return p.materials[static_cast<std::size_t>(g.material[i])].density * pi * g.radius[i] * g.radius[i] *
-         p.domain.thickness;
+  return p.materials[static_cast<std::size_t>(g.material[i])].density * pi * g.radius[i] * g.radius[i] * p.domain.thickness;
 }
-inline double disk_inertia(const Packing& p, std::size_t i) {
-  return 0.5 * mass(p, i) * p.grains.radius[i] * p.grains.radius[i];
-}
+inline double disk_inertia(const Packing& p, std::size_t i) { return 0.5 * mass(p, i) * p.grains.radius[i] * p.grains.radius[i]; }
 inline double reduced(double a, double b) { return a * b / (a + b); }
 inline Vec2 velocity(const Packing& p, std::size_t i) { return {p.grains.vx[i], p.grains.vy[i]}; }
 
@@ -108,15 +105,13 @@ inline dem::ContactParameters elastic() {
   c.normal_damping = 0;
   return c;
 }
-inline dem::IntegrationParameters with_step(double dt,
-                                            dem::IntegratorKind kind = dem::IntegratorKind::velocity_verlet) {
+inline dem::IntegrationParameters with_step(double dt, dem::IntegratorKind kind = dem::IntegratorKind::velocity_verlet) {
   dem::IntegrationParameters p;
   p.time_step = dt;
   p.integrator = kind;
   return p;
 }
-inline constexpr dem::IntegratorKind integrators[] = {dem::IntegratorKind::velocity_verlet,
-                                                      dem::IntegratorKind::leapfrog, dem::IntegratorKind::gear5};
+inline constexpr dem::IntegratorKind integrators[] = {dem::IntegratorKind::velocity_verlet, dem::IntegratorKind::leapfrog, dem::IntegratorKind::gear5};
 inline const char* name(dem::IntegratorKind kind) {
   constexpr const char* names[] = {"velocity Verlet", "leapfrog", "Gear"};
   return names[static_cast<int>(kind)];
@@ -143,8 +138,7 @@ inline Packing shaken_lattice(int columns, int rows, std::uint64_t seed, bool pe
       disk.radius = largest * random.uniform(0.984, 1);
       disk.material = random.uniform() < 0.5 ? pom : hdpe;
       const double shake = largest - disk.radius;
-      disk.centre = {largest + pitch * (c + 0.5 * (r % 2)) + shake * random.uniform(-0.5, 0.5),
-                     largest + row * r + shake * random.uniform(-0.5, 0.5)};
+      disk.centre = {largest + pitch * (c + 0.5 * (r % 2)) + shake * random.uniform(-0.5, 0.5), largest + row * r + shake * random.uniform(-0.5, 0.5)};
       disk.velocity = {speed * random.uniform(-1, 1), speed * random.uniform(-1, 1)};
       disk.spin = speed / largest * random.uniform(-1, 1);
       add(p, disk);
@@ -159,8 +153,7 @@ inline dem::WallDrive moved(double speed) { return {dem::WallDrive::Kind::veloci
 inline dem::WallDrive pressed(double force) { return {dem::WallDrive::Kind::force, force}; }
 
 /// Steps in blocks until the sample is at rest by the ledger's criterion; false if it never is.
-inline bool settle(dem::Engine& engine, double unbalanced = 1e-6, double kinetic = 1e-12, int blocks = 400,
-                   std::int64_t block = 500) {
+inline bool settle(dem::Engine& engine, double unbalanced = 1e-6, double kinetic = 1e-12, int blocks = 400, std::int64_t block = 500) {
   for (int b = 0; b < blocks; ++b) {
     engine.advance(block);
     const Equilibrium e = engine.equilibrium();

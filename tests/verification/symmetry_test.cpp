@@ -18,21 +18,27 @@ struct Motion {
   const char* name;
   std::function<Vec2(Vec2, double width, double height)> point;
   std::function<Vec2(Vec2)> vector;
-  double turning;                ///< sign of rotations
-  std::array<int, 4> to;         ///< where each wall goes
-  std::array<double, 4> speed;   ///< sign of each wall's velocity there
+  double turning;               ///< sign of rotations
+  std::array<int, 4> to;        ///< where each wall goes
+  std::array<double, 4> speed;  ///< sign of each wall's velocity there
   bool swaps_axes;
 };
 
 const Motion mirror{"mirrored left to right",
-                    [](Vec2 p, double w, double) { return Vec2{w - p.x, p.y}; },
-                    [](Vec2 v) { return Vec2{-v.x, v.y}; },
+                    [](Vec2 p, double w, double) {
+                      return Vec2{w - p.x, p.y};
+                    },
+                    [](Vec2 v) {
+                      return Vec2{-v.x, v.y};
+                    },
                     -1,
                     {right, left, bottom, top},
                     {-1, -1, 1, 1},
                     false};
 const Motion quarter_turn{"turned by a quarter",
-                          [](Vec2 p, double, double h) { return Vec2{h - p.y, p.x}; },
+                          [](Vec2 p, double, double h) {
+                            return Vec2{h - p.y, p.x};
+                          },
                           [](Vec2 v) { return perpendicular(v); },
                           1,
                           {bottom, top, right, left},
@@ -58,8 +64,7 @@ Packing moved_by(const Motion& motion, Packing p) {
 
 const dem::WallDrives drives{moved(0.7), pressed(800), moved(1.5), pressed(500)};
 
-Packing run(const Packing& start, const dem::ContactParameters& law, const dem::WallDrives& how, Vec2 g,
-            dem::IntegratorKind kind, std::int64_t steps = 4000) {
+Packing run(const Packing& start, const dem::ContactParameters& law, const dem::WallDrives& how, Vec2 g, dem::IntegratorKind kind, std::int64_t steps = 4000) {
   Engine engine(start, law, with_step(shortest_contact_time() / 100, kind));
   engine.set_drives(how);
   engine.set_gravity(g);
@@ -132,12 +137,9 @@ TEST(Symmetry, RenumberedGrainsGetTheSameForcesAndPaths) {
     const Packing a = run(start, with(friction), drives, {0, -2000}, dem::IntegratorKind::velocity_verlet);
     const Packing b = run(shuffled, with(friction), drives, {0, -2000}, dem::IntegratorKind::velocity_verlet);
     ASSERT_EQ(a.contacts.size(), b.contacts.size());
-    for (std::size_t s = 0; s < n; ++s)
-      EXPECT_LT(norm(b.grains.centre(s) - a.grains.centre(order[s])), 1e-9 * 6e-3);
+    for (std::size_t s = 0; s < n; ++s) EXPECT_LT(norm(b.grains.centre(s) - a.grains.centre(order[s])), 1e-9 * 6e-3);
     for (std::size_t c = 0; c < b.contacts.size(); ++c) {
-      const auto grain = [&](std::int32_t k) {
-        return k < 0 ? k : static_cast<std::int32_t>(order[static_cast<std::size_t>(k)]);
-      };
+      const auto grain = [&](std::int32_t k) { return k < 0 ? k : static_cast<std::int32_t>(order[static_cast<std::size_t>(k)]); };
       const auto same = find_contact(a, grain(b.contacts.i[c]), grain(b.contacts.j[c]));
       ASSERT_TRUE(same.has_value());
       EXPECT_NEAR(b.contacts.fn[c], a.contacts.fn[*same], 1e-6);
@@ -206,8 +208,7 @@ TEST(Symmetry, ACellTiltedByItsWholeWidthIsTheUprightOne) {
   const Packing a = run(start, with(dem::CundallStrack{}), none, {}, dem::IntegratorKind::velocity_verlet);
   const Packing b = run(tilted, with(dem::CundallStrack{}), none, {}, dem::IntegratorKind::velocity_verlet);
   EXPECT_EQ(a.contacts.size(), b.contacts.size());
-  for (std::size_t i = 0; i < a.grains.size(); ++i)
-    EXPECT_LT(norm(a.domain.nearest_image(b.grains.centre(i) - a.grains.centre(i))), 1e-9 * 6e-3);
+  for (std::size_t i = 0; i < a.grains.size(); ++i) EXPECT_LT(norm(a.domain.nearest_image(b.grains.centre(i) - a.grains.centre(i))), 1e-9 * 6e-3);
 }
 
 }  // namespace

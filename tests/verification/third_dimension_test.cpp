@@ -31,9 +31,7 @@ struct Collision {
   double reduced_mass() const { return a.mass * b.mass / (a.mass + b.mass); }
   double contact_time() const { return std::numbers::pi * std::sqrt(reduced_mass() / stiffness); }
   /// Velocity of the touching point of a past that of b.
-  Vec3 sliding() const {
-    return a.velocity - b.velocity - cross(a.radius * a.spin + b.radius * b.spin, n);
-  }
+  Vec3 sliding() const { return a.velocity - b.velocity - cross(a.radius * a.spin + b.radius * b.spin, n); }
   Vec3 momentum() const { return a.mass * a.velocity + b.mass * b.velocity; }
   Vec3 angular_momentum() const {
     return a.mass * cross(a.place, a.velocity) + b.mass * cross(b.place, b.velocity) + a.inertia() * a.spin + b.inertia() * b.spin;
@@ -49,8 +47,7 @@ struct Collision {
     a.place = b.place + (a.radius + b.radius) * n;
   }
 
-  template <class N, class F>
-  void run(const N& normal, const F& friction_law) {
+  template <class N, class F> void run(const N& normal, const F& friction_law) {
     const double dt = contact_time() / 20000, k = stiffness;
     laws.lead = laws.lag = 0.5 * dt;
     ContactState<double, Vec3> c{};
@@ -99,8 +96,7 @@ void expect_near(Vec3 a, Vec3 b, double tolerance) {
 }
 
 /// Momentum and angular momentum are kept to rounding, whatever the laws are: forces are opposite and meet in one point.
-template <class N, class F>
-void collide(Collision& c, const N& normal, const F& friction) {
+template <class N, class F> void collide(Collision& c, const N& normal, const F& friction) {
   c.approach();
   const Vec3 momentum = c.momentum(), angular = c.angular_momentum();
   c.run(normal, friction);

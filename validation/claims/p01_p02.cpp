@@ -26,7 +26,8 @@ Family excess_spreads(const PairMeans& rho) {
   Family family;
   if (!std::isfinite(spread(rho, 5))) return family;
   for (const double gamma : gammas(rho))
-    if (gamma < 5) family.push_back({fmt::format("gamma {:g}", gamma), jackknifed(rho, [=](const PairMeans& some) { return spread(some, gamma) - spread(some, 5); })});
+    if (gamma < 5)
+      family.push_back({fmt::format("gamma {:g}", gamma), jackknifed(rho, [=](const PairMeans& some) { return spread(some, gamma) - spread(some, 5); })});
   return family;
 }
 
@@ -61,13 +62,16 @@ void add_choices_p2(Judgement& j, const Results& results) {
   add_choices(j, results, "Z_s, gamma 3.33, theta 6", at("coordination.Z_s", 3.33, 6), wanted_between(2.8, 4.5));
   add_choices(j, results, "Z_s, fall from gamma 1 to 2, theta 1.6", change("coordination.Z_s", 2, 1, 1.6), wanted_positive());
   add_choices(j, results, "Z_s, fall from gamma 1 to 3.33, theta 6", change("coordination.Z_s", 3.33, 1, 6), wanted_positive());
-  add_choices(j, results, "R^2 of Z_ls against gamma, theta 6", [](const Samples& samples) { return straightness(pair_means(samples, "coordination.Z_ls"), 6, Against::gamma); }, wanted_above(0.98));
+  add_choices(
+      j, results, "R^2 of Z_ls against gamma, theta 6",
+      [](const Samples& samples) { return straightness(pair_means(samples, "coordination.Z_ls"), 6, Against::gamma); }, wanted_above(0.98));
 }
 
 /// "0.826 to 0.879": the least and the greatest pair.
 std::string ends(const PairMeans& means, const char* name) {
   if (means.empty()) return {};
-  const auto [least, greatest] = std::minmax_element(means.begin(), means.end(), [](const PairMean& a, const PairMean& b) { return a.value.value < b.value.value; });
+  const auto [least, greatest] =
+      std::minmax_element(means.begin(), means.end(), [](const PairMean& a, const PairMean& b) { return a.value.value < b.value.value; });
   return fmt::format("{} {} to {}", name, text_of(least->value), text_of(greatest->value));
 }
 
@@ -108,8 +112,10 @@ Judgement judge_p2(const Results& results) {
               with_gamma("Z_sl", "falls", z("Z_sl"), -1),
               with_gamma("Z_ll", "falls", z_ll, -1),
               straight("Z_ls", "nearly linear; bound of P3", z_ls, Against::gamma),
-              every("Z_s at the least gamma over that where it is lowest", "first falls", by_theta(z_s, [&](double theta) { return dip(z_s, theta).fall; }), {.low = 0}),
-              every("Z_s at the greatest gamma over that where it is lowest", "then rises", by_theta(z_s, [&](double theta) { return dip(z_s, theta).rise; }), {.low = 0}),
+              every("Z_s at the least gamma over that where it is lowest", "first falls", by_theta(z_s, [&](double theta) { return dip(z_s, theta).fall; }),
+                    {.low = 0}),
+              every("Z_s at the greatest gamma over that where it is lowest", "then rises", by_theta(z_s, [&](double theta) { return dip(z_s, theta).rise; }),
+                    {.low = 0}),
               every("Z_ll where theta <= 1.6 and gamma >= 2.5, or theta 2.2 and gamma 5", "< 1", members(few_large), {.high = 1}),
               number(every("Z_ll where theta <= 2.2 and gamma > 2", "< 1", members(as_stated), {.high = 1}))};
   if (!z_l.empty()) j.ours = ends(z_l, "Z_l") + ", " + ends(z_s, "Z_s");

@@ -14,7 +14,9 @@ PairMeans classed(const PairMeans& means) {
   return only(means, [](const PairMean& m) { return m.gamma >= 1.43; });
 }
 
-PairMeans small_less_large(const Samples& samples) { return difference(stress_means(samples, "small", "variance"), stress_means(samples, "large", "variance")); }
+PairMeans small_less_large(const Samples& samples) {
+  return difference(stress_means(samples, "small", "variance"), stress_means(samples, "large", "variance"));
+}
 
 std::vector<Check> asked_p5(const Samples& samples) {
   return {in_range("99.99 % quantile of stress over the mean", "about 2", stress_means(samples, "all", "quantiles.99.99 %"), 1.8, 2.2),
@@ -37,7 +39,8 @@ Family at_the_end(const PairMeans& means) {
 std::vector<Check> asked_p6(const Samples& samples) {
   const PairMeans large = stress_means(samples, "large", "mean_over_sample_mean"), small = stress_means(samples, "small", "mean_over_sample_mean");
   return {number(in_range("mean stress in large grains", "about 1.07", large, 1.04, 1.10)),
-          every("mean in large grains, change over all gamma", "whatever gamma", by_theta(large, [&](double theta) { return change_with_gamma(large, theta); }), {-0.03, 0.03}),
+          every("mean in large grains, change over all gamma", "whatever gamma", by_theta(large, [&](double theta) { return change_with_gamma(large, theta); }),
+                {-0.03, 0.03}),
           with_gamma("the mean in small grains", "falls", small, -1),
           every("mean in small grains at the greatest gamma", "below 1", at_the_end(small), {.high = 1})};
 }
@@ -52,7 +55,9 @@ double straight_slope(const std::vector<PairMeans>& xy) { return plain_slope(aga
 double straight_r2(const std::vector<PairMeans>& xy) { return line_r2(against(xy[0], xy[1])); }
 
 /// Variance in large grains against the scatter of pores: the abscissa and the ordinate.
-std::vector<PairMeans> variance_by_pores(const Samples& samples) { return {pair_means(samples, "pores.deviation"), stress_means(samples, "large", "variance")}; }
+std::vector<PairMeans> variance_by_pores(const Samples& samples) {
+  return {pair_means(samples, "pores.deviation"), stress_means(samples, "large", "variance")};
+}
 
 Value when_three(const std::vector<PairMeans>& xy, double (*number)(const std::vector<PairMeans>&)) {
   return against(xy[0], xy[1]).size() < 3 ? Value() : jackknifed(xy, number);
@@ -70,7 +75,8 @@ std::vector<Check> asked_p7(const Samples& samples) {
   const auto xy = variance_by_pores(samples);
   std::vector<Check> checks{above("R^2 of one line through all pairs", "linear", line_through_all(samples), 0.9)};
   if (thetas(xy[0]).size() > 1)
-    checks.push_back(every("slope at one theta over that of all", "one line", by_theta(xy[0], [&](double theta) { return relative_slope(xy, theta); }), {0.7, 1.3}));
+    checks.push_back(
+        every("slope at one theta over that of all", "one line", by_theta(xy[0], [&](double theta) { return relative_slope(xy, theta); }), {0.7, 1.3}));
   return checks;
 }
 
@@ -105,8 +111,11 @@ Judgement judge_p5(const Results& results) {
   add_compression(j, results);
   add_shear(j, results, asked_p5);
   for (const double gamma : {1.0, 5.0})
-    add_choices(j, results, fmt::format("99.99 % quantile over the mean, gamma {:g}, theta 1.4", gamma), at("all", "quantiles.99.99 %", gamma, 1.4), wanted_between(1.8, 2.2));
-  add_choices(j, results, "Variance in small less that in large grains, gamma 5, theta 1.4", [](const Samples& s) { return of_pair(small_less_large(s), 5, 1.4); }, wanted_positive());
+    add_choices(j, results, fmt::format("99.99 % quantile over the mean, gamma {:g}, theta 1.4", gamma), at("all", "quantiles.99.99 %", gamma, 1.4),
+                wanted_between(1.8, 2.2));
+  add_choices(
+      j, results, "Variance in small less that in large grains, gamma 5, theta 1.4", [](const Samples& s) { return of_pair(small_less_large(s), 5, 1.4); },
+      wanted_positive());
   return j;
 }
 
@@ -123,8 +132,11 @@ Judgement judge_p6(const Results& results) {
   for (const double theta : {1.4, 6.0}) {
     const auto in_small = [=](double gamma) { return at("small", "mean_over_sample_mean", gamma, theta); };
     add_choices(j, results, fmt::format("Mean in small grains at gamma 5, theta {:g}", theta), in_small(5), wanted_below(1));
-    add_choices(j, results, fmt::format("Mean in small grains, change from gamma 1 to 5, theta {:g}", theta), [=](const Samples& s) { return difference(in_small(5)(s), in_small(1)(s)); }, wanted_negative());
-    add_choices(j, results, fmt::format("Mean in large grains at gamma 5, theta {:g}", theta), at("large", "mean_over_sample_mean", 5, theta), wanted_between(1.04, 1.10));
+    add_choices(
+        j, results, fmt::format("Mean in small grains, change from gamma 1 to 5, theta {:g}", theta),
+        [=](const Samples& s) { return difference(in_small(5)(s), in_small(1)(s)); }, wanted_negative());
+    add_choices(j, results, fmt::format("Mean in large grains at gamma 5, theta {:g}", theta), at("large", "mean_over_sample_mean", 5, theta),
+                wanted_between(1.04, 1.10));
   }
   return j;
 }
@@ -135,8 +147,10 @@ Judgement judge_p7(const Results& results) {
   const auto xy = variance_by_pores(samples);
   Judgement j;
   j.checks = asked_p7(samples);
-  if (const Value all = when_three(xy, straight_slope); std::isfinite(all.value)) j.ours = fmt::format("R^2 {}, slope {}", text_of(line_through_all(samples)), text_of(all));
-  for (const double theta : thetas(xy[0])) j.checks.push_back(reported(fmt::format("R^2 of the line at theta {:g}", theta), when_three({of_theta(xy[0], theta), xy[1]}, straight_r2)));
+  if (const Value all = when_three(xy, straight_slope); std::isfinite(all.value))
+    j.ours = fmt::format("R^2 {}, slope {}", text_of(line_through_all(samples)), text_of(all));
+  for (const double theta : thetas(xy[0]))
+    j.checks.push_back(reported(fmt::format("R^2 of the line at theta {:g}", theta), when_three({of_theta(xy[0], theta), xy[1]}, straight_r2)));
   add_shear(j, results, asked_p7);
   add_choices(j, results, "R^2 of one line through the pairs", line_through_all, wanted_above(0.9));
   return j;

@@ -13,13 +13,15 @@
 namespace arenite::validation {
 namespace {
 
-constexpr double shown_theta = 1.4;    ///< of the paper's figures
+constexpr double shown_theta = 1.4;  ///< of the paper's figures
 constexpr const char* classes[] = {"large", "small"};
 
 PairMeans shown(const PairMeans& means) { return of_theta(means, shown_theta); }
 
 /// The lead of the exponential over the half-Gaussian.
-PairMeans lead_of_exponential(const Samples& samples, const std::string& set, double width) { return stress_means(samples, set, "tail.log_likelihood_ratio", width); }
+PairMeans lead_of_exponential(const Samples& samples, const std::string& set, double width) {
+  return stress_means(samples, set, "tail.log_likelihood_ratio", width);
+}
 
 /// Claimed at low saturation: bridges of eta 0.2 and 0.4.
 bool is_low(double width) { return width < 0.5; }
@@ -50,8 +52,10 @@ Leads leads_of_exponential(const Samples& samples, const std::string& set, bool 
 
 void add_exponential(std::vector<Check>& checks, const Samples& samples) {
   for (const char* set : classes) {
-    checks.push_back(in_all(fmt::format("ln L of exponential less half-Gaussian, {} grains, eta <= 0.4", set), "exponential at low S_m", leads_of_exponential(samples, set, true), +1));
-    checks.push_back(beside(in_all(fmt::format("ln L of exponential less half-Gaussian, {} grains, eta > 0.4", set), "-", leads_of_exponential(samples, set, false), +1)));
+    checks.push_back(in_all(fmt::format("ln L of exponential less half-Gaussian, {} grains, eta <= 0.4", set), "exponential at low S_m",
+                            leads_of_exponential(samples, set, true), +1));
+    checks.push_back(
+        beside(in_all(fmt::format("ln L of exponential less half-Gaussian, {} grains, eta > 0.4", set), "-", leads_of_exponential(samples, set, false), +1)));
   }
 }
 
@@ -66,9 +70,11 @@ Value growth_with_saturation(const Samples& samples, const std::string& set, dou
 void add_growth(std::vector<Check>& checks, const Samples& samples) {
   for (const char* set : classes) {
     Family slopes;
-    for (const double gamma : gammas(shown(stress_means(samples, set, "tail.slope", samples.widths.front())))) slopes.push_back({fmt::format("gamma {:g}", gamma), growth_with_saturation(samples, set, gamma)});
+    for (const double gamma : gammas(shown(stress_means(samples, set, "tail.slope", samples.widths.front()))))
+      slopes.push_back({fmt::format("gamma {:g}", gamma), growth_with_saturation(samples, set, gamma)});
     checks.push_back(every(fmt::format("slope of s against S_m, {} grains, theta 1.4", set), "grows", slopes, {.low = 0}));
-    checks.push_back(positive(fmt::format("slope of s against gamma at high less that at low S_m, {} grains, theta 1.4", set), "grows", growth_of_effect(samples, set)));
+    checks.push_back(
+        positive(fmt::format("slope of s against gamma at high less that at low S_m, {} grains, theta 1.4", set), "grows", growth_of_effect(samples, set)));
   }
 }
 
@@ -85,7 +91,8 @@ void add_matrix_peak(std::vector<Check>& checks, const Samples& samples) {
   const auto scatter = [&](double width) { return stress_means(samples, "matrix", "own_variance", width); };
   const bool all = std::find(samples.widths.begin(), samples.widths.end(), 0.4) != samples.widths.end();
   const double from = all ? 0.4 : samples.widths.front(), to = all ? 0.8 : samples.widths.back();
-  checks.push_back(on_the_whole(fmt::format("matrix, variance over its mean, from eta {:g} to {:g}", from, to), "broad at low S_m", members(difference(scatter(to), scatter(from))), -1));
+  checks.push_back(on_the_whole(fmt::format("matrix, variance over its mean, from eta {:g} to {:g}", from, to), "broad at low S_m",
+                                members(difference(scatter(to), scatter(from))), -1));
 }
 
 std::vector<Check> asked_p9(const Samples& samples) {
@@ -128,9 +135,12 @@ Judgement judge_p9(const Results& results) {
   for (const std::string set : classes) {
     for (const double width : {0.2, 1.0})
       for (const double gamma : {1.0, 5.0})
-        add_choices(j, results, fmt::format("ln L of exponential less half-Gaussian, {} grains, eta {:g}, gamma {:g}, theta 1.4", set, width, gamma),
-                    [=](const Samples& s) { return of_pair(lead_of_exponential(s, set, width), gamma, shown_theta); }, width < 0.5 ? wanted_positive() : Wanted());
-    add_choices(j, results, "Slope of s against gamma at high less that at low S_m, " + set + " grains, theta 1.4", [=](const Samples& s) { return growth_of_effect(s, set); }, wanted_positive());
+        add_choices(
+            j, results, fmt::format("ln L of exponential less half-Gaussian, {} grains, eta {:g}, gamma {:g}, theta 1.4", set, width, gamma),
+            [=](const Samples& s) { return of_pair(lead_of_exponential(s, set, width), gamma, shown_theta); }, width < 0.5 ? wanted_positive() : Wanted());
+    add_choices(
+        j, results, "Slope of s against gamma at high less that at low S_m, " + set + " grains, theta 1.4",
+        [=](const Samples& s) { return growth_of_effect(s, set); }, wanted_positive());
   }
   return j;
 }
@@ -141,14 +151,17 @@ Judgement judge_p10(const Results& results) {
   Judgement j;
   j.checks = asked_p10(samples);
   for (const double width : samples.widths)
-    j.checks.push_back(beside(on_the_whole(fmt::format("largest node, small less large grains, eta {:g}", width), "highest in small grains", members(small_less_large(samples, "maximum", width)), +1)));
+    j.checks.push_back(beside(on_the_whole(fmt::format("largest node, small less large grains, eta {:g}", width), "highest in small grains",
+                                           members(small_less_large(samples, "maximum", width)), +1)));
   add_shear(j, results, asked_p10);
   for (const double width : {0.2, 1.0})
-    add_choices(j, results, fmt::format("99.9 % quantile in small less large grains, eta {:g}, gamma 5, theta 1.4", width),
-                [=](const Samples& s) { return of_pair(small_less_large(s, "quantiles.99.9 %", width), 5, shown_theta); }, wanted_positive());
+    add_choices(
+        j, results, fmt::format("99.9 % quantile in small less large grains, eta {:g}, gamma 5, theta 1.4", width),
+        [=](const Samples& s) { return of_pair(small_less_large(s, "quantiles.99.9 %", width), 5, shown_theta); }, wanted_positive());
   for (const double gamma : {1.0, 5.0})
-    add_choices(j, results, fmt::format("Share of matrix above the sample's mean, from eta 0.2 to 1, gamma {:g}, theta 1.4", gamma),
-                [=](const Samples& s) { return of_pair(matrix_above_mean(s, 0.2, 1), gamma, shown_theta); }, wanted_negative());
+    add_choices(
+        j, results, fmt::format("Share of matrix above the sample's mean, from eta 0.2 to 1, gamma {:g}, theta 1.4", gamma),
+        [=](const Samples& s) { return of_pair(matrix_above_mean(s, 0.2, 1), gamma, shown_theta); }, wanted_negative());
   return j;
 }
 

@@ -33,9 +33,9 @@ Value lead_of_greatest(const PairMeans& kurtosis) {
 
 std::vector<Check> asked_p12(const Samples& samples) {
   const PairMeans kurtosis = kurtosis_of(samples);
-  return {with_gamma("q", "grows", q_of(samples), +1),
-          with_gamma("the excess kurtosis in large grains", "highest at the largest gamma", kurtosis, +1),
-          on_the_whole("excess kurtosis at the largest gamma less that at another", "highest there", lead_of_greatest(kurtosis), leads_of_greatest(kurtosis), +1)};
+  return {
+      with_gamma("q", "grows", q_of(samples), +1), with_gamma("the excess kurtosis in large grains", "highest at the largest gamma", kurtosis, +1),
+      on_the_whole("excess kurtosis at the largest gamma less that at another", "highest there", lead_of_greatest(kurtosis), leads_of_greatest(kurtosis), +1)};
 }
 
 }  // namespace
@@ -47,8 +47,12 @@ Judgement judge_p12(const Results& results) {
   j.checks = asked_p12(samples);
   add_shear(j, results, asked_p12);
   for (const double theta : {1.4, 6.0}) {
-    add_choices(j, results, fmt::format("Slope of q against gamma, theta {:g}", theta), [=](const Samples& s) { return slope(against_gamma(q_of(s), theta)); }, wanted_positive());
-    add_choices(j, results, fmt::format("Slope of the excess kurtosis against gamma, theta {:g}", theta), [=](const Samples& s) { return slope(against_gamma(kurtosis_of(s), theta)); }, wanted_positive());
+    add_choices(
+        j, results, fmt::format("Slope of q against gamma, theta {:g}", theta), [=](const Samples& s) { return slope(against_gamma(q_of(s), theta)); },
+        wanted_positive());
+    add_choices(
+        j, results, fmt::format("Slope of the excess kurtosis against gamma, theta {:g}", theta),
+        [=](const Samples& s) { return slope(against_gamma(kurtosis_of(s), theta)); }, wanted_positive());
   }
   return j;
 }

@@ -71,19 +71,22 @@ void tell_samples(Judgement& judgement, const Results& results, const Samples& u
 
 void tell_difference(Judgement& judgement, const std::string& what, const Check& everywhere, const Check& there) {
   if (everywhere.outcome == there.outcome || everywhere.outcome == Outcome::unknown) return;
-  judgement.findings.push_back(fmt::format("{}: with all pairs {} ({}), with those that choices are made at {} ({}).", what, text_of(everywhere.ours), word_for(everywhere.outcome), text_of(there.ours),
-                                           word_for(there.outcome)));
+  judgement.findings.push_back(fmt::format("{}: with all pairs {} ({}), with those that choices are made at {} ({}).", what, text_of(everywhere.ours),
+                                           word_for(everywhere.outcome), text_of(there.ours), word_for(there.outcome)));
 }
 
 }  // namespace
 
-void add_choices(Judgement& judgement, const Results& results, const std::string& what, const std::function<Value(const Samples&)>& value, const Wanted& wanted) {
+void add_choices(Judgement& judgement, const Results& results, const std::string& what, const std::function<Value(const Samples&)>& value,
+                 const Wanted& wanted) {
   const Samples usual = where_chosen(results);
   if (usual.runs.empty() || !std::isfinite(value(usual).value)) return;
   tell_samples(judgement, results, usual);
   if (wanted) tell_difference(judgement, what, wanted(value(paper_samples(results))), wanted(value(usual)));
   const Choice as_it_is{};
-  add_sensitivity(judgement, what, as_it_is, choices, [&](const Choice& choice) { return value(choice.where.empty() ? usual : chosen(results, choice.where, usual)); }, wanted);
+  add_sensitivity(
+      judgement, what, as_it_is, choices, [&](const Choice& choice) { return value(choice.where.empty() ? usual : chosen(results, choice.where, usual)); },
+      wanted);
 }
 
 }  // namespace arenite::validation

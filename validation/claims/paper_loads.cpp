@@ -46,8 +46,10 @@ void add_compression(Judgement& judgement, const Results& results) {
     for (const Run& pulled : loaded(results, "tension"))
       if (same_sample(pushed, pulled)) compare(pushed, pulled, compared);
   if (compared.runs == 0) return;
-  judgement.findings.push_back(fmt::format("Compression is tension with the sign turned: of {} numbers of {} samples loaded both ways {} differ by a bit or more, so what is found in tension holds there, too.",
-                                           compared.numbers, compared.runs, compared.different));
+  judgement.findings.push_back(
+      fmt::format("Compression is tension with the sign turned: of {} numbers of {} samples loaded both ways {} differ by a bit or more, so what is found in "
+                  "tension holds there, too.",
+                  compared.numbers, compared.runs, compared.different));
 }
 
 }  // namespace arenite::validation

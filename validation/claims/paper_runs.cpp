@@ -9,8 +9,7 @@
 namespace arenite::validation {
 namespace {
 
-template <class Of>
-std::vector<double> different(const PairMeans& means, Of of) {
+template <class Of> std::vector<double> different(const PairMeans& means, Of of) {
   std::vector<double> values;
   for (const PairMean& m : means) values.push_back(of(m));
   std::sort(values.begin(), values.end());

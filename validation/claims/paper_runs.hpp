@@ -16,8 +16,8 @@ inline constexpr double full = 0;
 /// The runs that a claim of the paper is judged by.
 struct Samples {
   std::vector<Run> runs;
-  std::vector<double> widths;            ///< of the bridges, rising
-  std::string component = "sigma_yy";    ///< of the node stress: along the load
+  std::vector<double> widths;          ///< of the bridges, rising
+  std::string component = "sigma_yy";  ///< of the node stress: along the load
 };
 /// The study "paper": pulled, bridges of five widths.
 Samples paper_samples(const Results& results);

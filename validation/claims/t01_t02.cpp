@@ -3,8 +3,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "validation/claims/claims.hpp"
 #include "validation/checks.hpp"
+#include "validation/claims/claims.hpp"
 #include "workflow/identify.hpp"
 
 namespace arenite::validation {
@@ -52,8 +52,11 @@ Judgement judge_t1(const Results& results) {
     if (std::isfinite(check.ours.value)) judgement.ours += fmt::format("{}{:.3f}", judgement.ours.empty() ? "" : ", ", check.ours.value);
   }
   if (!judgement.ours.empty()) judgement.ours += " kN/mm";
-  judgement.decides = "The mean of the fourth glue's five separation forces gives 1.0608 kN/mm, which the thesis prints as 1.060; to three significant digits all four are reproduced.";
-  judgement.findings.emplace_back("r_eff = 12.4 mm for two equal cylinders of that diameter is what gives these digits; 4 R*, r_i + r_j and 2 sqrt(r_i r_j) agree there.");
+  judgement.decides =
+      "The mean of the fourth glue's five separation forces gives 1.0608 kN/mm, which the thesis prints as 1.060; to three significant digits all four are "
+      "reproduced.";
+  judgement.findings.emplace_back(
+      "r_eff = 12.4 mm for two equal cylinders of that diameter is what gives these digits; 4 R*, r_i + r_j and 2 sqrt(r_i r_j) agree there.");
   return judgement;
 }
 
@@ -67,13 +70,17 @@ Judgement judge_t2(const Results& results) {
   const auto* hdpe_mean = finding(hdpe, "all", "stiffness");
   if (!hdpe_mean && !hdpe.groups.empty()) hdpe_mean = finding(hdpe, hdpe.groups.front().name, "stiffness");
   const auto add = [&](Kind kind, const char* how, double d16, double d_all, double d_hdpe) {
-    for (const auto& [what, found, printed] : {std::tuple{"k of POM, 16.4 mm", finding(pom, "D16.4mm", "stiffness"), d16}, {"k of POM, all", finding(pom, "all", "stiffness"), d_all}, {"k of HDPE", hdpe_mean, d_hdpe}})
+    for (const auto& [what, found, printed] : {std::tuple{"k of POM, 16.4 mm", finding(pom, "D16.4mm", "stiffness"), d16},
+                                               {"k of POM, all", finding(pom, "all", "stiffness"), d_all},
+                                               {"k of HDPE", hdpe_mean, d_hdpe}})
       judgement.checks.push_back(as(kind, rounds_to(fmt::format("{}, {}", what, how), found, printed, 0.00501)));
   };
   add(Kind::source, "mean printed below its column", 25.45, 27.35, 6.43);
   add(Kind::number, "mean of the printed column", 25.63, 27.41, 6.42);
-  if (const Check& all = judgement.checks[1]; std::isfinite(all.ours.value)) judgement.ours = fmt::format("{} and {} kN/mm", text_of(all.ours), text_of(judgement.checks[2].ours));
-  judgement.decides = "The thesis prints 25.45 below a column of table 2.1 whose mean is 25.63; its overall mean of 27.35, where 27.41 is due, follows from that slip.";
+  if (const Check& all = judgement.checks[1]; std::isfinite(all.ours.value))
+    judgement.ours = fmt::format("{} and {} kN/mm", text_of(all.ours), text_of(judgement.checks[2].ours));
+  judgement.decides =
+      "The thesis prints 25.45 below a column of table 2.1 whose mean is 25.63; its overall mean of 27.35, where 27.41 is due, follows from that slip.";
   return judgement;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 /// The mode of each type of contact.
 struct Modes {
-  Family amplitude, angle;               ///< angle from the wanted direction, degrees
+  Family amplitude, angle;  ///< angle from the wanted direction, degrees
 };
 Modes six_fold(const std::vector<Run>& runs) {
   Modes modes;
@@ -35,8 +35,9 @@ std::string random_filling(const Results& results) {
   const auto runs = results.runs("thesis-ch3-random");
   if (runs.empty()) return {};
   const PooledMode all = pooled_mode(runs, "", 6);
-  return fmt::format(" From a random filling ({} samples) the 6-fold amplitude is {} (noise {:.2g}), of one sample {} in the mean, at a solid fraction of {}.", runs.size(), text_of(all.amplitude), all.noise,
-                     text_of(mean_over_seeds(runs, "fabric.modes.6.amplitude")), text_of(mean_over_seeds(runs, "solid_fraction")));
+  return fmt::format(" From a random filling ({} samples) the 6-fold amplitude is {} (noise {:.2g}), of one sample {} in the mean, at a solid fraction of {}.",
+                     runs.size(), text_of(all.amplitude), all.noise, text_of(mean_over_seeds(runs, "fabric.modes.6.amplitude")),
+                     text_of(mean_over_seeds(runs, "solid_fraction")));
 }
 
 }  // namespace
@@ -45,7 +46,8 @@ std::string random_filling(const Results& results) {
 Judgement judge_t3(const Results& results) {
   Judgement judgement;
   const Modes modes = six_fold(runs_of(results, sample_2));
-  judgement.checks = {every("6-fold amplitude by type of contact", "peaks", modes.amplitude, {.low = 0.5}), every("angle of its peaks from 0, 60, 120 degrees", "0", modes.angle, {.high = 10}, "deg")};
+  judgement.checks = {every("6-fold amplitude by type of contact", "peaks", modes.amplitude, {.low = 0.5}),
+                      every("angle of its peaks from 0, 60, 120 degrees", "0", modes.angle, {.high = 10}, "deg")};
   if (const Value& all = modes.amplitude.front().value; std::isfinite(all.value)) {
     judgement.ours = fmt::format("6-fold amplitude {}, peaks {} degrees away", text_of(all), text_of(modes.angle.front().value));
     judgement.decides = "Sample #2 starts stacked, as 1235 disks of one size fit the container only as a crystal." + random_filling(results);
@@ -63,10 +65,12 @@ Judgement judge_t4(const Results& results) {
                       number(near_direction("direction of POM-POM contacts from 45 degrees, #12", pom_12, "0", 45, 90))};
   if (pom_8.contacts > 0) {
     judgement.ours = fmt::format("POM-POM of #8 at {}, of #12 at {} degrees", text_of(pom_8.phase_deg), text_of(pom_12.phase_deg));
-    judgement.decides = fmt::format("#12 has {:.0f} POM-POM contacts in all samples together, the laboratory had those of one: there a direction is noise.", pom_12.contacts);
+    judgement.decides =
+        fmt::format("#12 has {:.0f} POM-POM contacts in all samples together, the laboratory had those of one: there a direction is noise.", pom_12.contacts);
   }
   for (const auto& [name, mode] : {std::pair{"#8", pom_8}, {"#12", pom_12}})
-    judgement.checks.push_back(reported(fmt::format("a_c of POM-POM contacts, {} (noise {:.2g}, {:.0f} contacts)", name, 2 * mode.noise, mode.contacts), weighted_sum({{2, mode.amplitude}})));
+    judgement.checks.push_back(reported(fmt::format("a_c of POM-POM contacts, {} (noise {:.2g}, {:.0f} contacts)", name, 2 * mode.noise, mode.contacts),
+                                        weighted_sum({{2, mode.amplitude}})));
   add_choices(judgement, results, "a_c of all contacts of #8", sample_8, "fabric.a_c", wanted_below(0.15));
   add_choices(judgement, results, "Signed a_c of POM-POM contacts of #8", sample_8, "fabric.sets.POM-POM.a_c_signed");
   return judgement;

@@ -81,7 +81,8 @@ constexpr double plateau = 0.01;
 Judgement judge_t5(const Results& results) {
   Judgement judgement;
   Family all, single, measured;
-  for (const auto& [sample, percent] : {std::pair{sample_2, std::array{47.4, 50.2, 50.9}}, {sample_8, std::array{46.3, 47.2, 45.1}}, {sample_12, std::array{45.6, 50.9, 44.3}}}) {
+  for (const auto& [sample, percent] :
+       {std::pair{sample_2, std::array{47.4, 50.2, 50.9}}, {sample_8, std::array{46.3, 47.2, 45.1}}, {sample_12, std::array{45.6, 50.9, 44.3}}}) {
     const auto runs = runs_of(results, sample);
     all.push_back({sample.name, mean_over_seeds(runs, "sigma_norm.P0")});
     measured.push_back({fmt::format("{} all", sample.name), {percent[0] / 100, 0}});
@@ -90,13 +91,15 @@ Judgement judge_t5(const Results& results) {
       measured.push_back({single.back().name, {percent[k] / 100, 0}});
     }
   }
-  judgement.checks = {every("share above the mean, all grains", "< 0.5", all, {.high = 0.5}), every("share above the mean, one material", "<= 0.52 (table 3.2: 0.443 to 0.509)", single, {.high = 0.52}),
+  judgement.checks = {every("share above the mean, all grains", "< 0.5", all, {.high = 0.5}),
+                      every("share above the mean, one material", "<= 0.52 (table 3.2: 0.443 to 0.509)", single, {.high = 0.52}),
                       as(Kind::source, every("share above the mean that table 3.2 prints", "fewer than half", measured, {.high = 0.5}))};
   for (const Member& m : all)
     if (std::isfinite(m.value.value)) judgement.ours += fmt::format("{}{} {}", judgement.ours.empty() ? "" : ", ", m.name, text_of(m.value));
   judgement.decides = "Table 3.2 itself prints 50.2 and 50.9 % for POM and HDPE of #2 and 50.9 % for POM of #12, where its sentence says fewer than half.";
   if (const auto filled = results.runs("thesis-ch3-random"); !filled.empty())
-    judgement.findings.push_back(fmt::format("HDPE of #2 has {} from the lattice and {} from random fillings.", text_of(single[1].value), text_of(mean_over_seeds(filled, "sigma_norm.by_material.HDPE.P0"))));
+    judgement.findings.push_back(fmt::format("HDPE of #2 has {} from the lattice and {} from random fillings.", text_of(single[1].value),
+                                             text_of(mean_over_seeds(filled, "sigma_norm.by_material.HDPE.P0"))));
   add_choices(judgement, results, "Share of #8's grains above the mean", sample_8, "sigma_norm.P0", wanted_below(0.5));
   add_choices(judgement, results, "Share of #2's HDPE grains above their mean", sample_2, "sigma_norm.by_material.HDPE.P0", wanted_below(0.52));
   return judgement;
@@ -117,7 +120,9 @@ Judgement judge_t7(const Results& results) {
                       positive("mean force of POM-POM over HDPE-HDPE, less 1", "> 0", force)};
   if (!runs.empty()) judgement.ours = fmt::format("largest stress {} more in HDPE, mean force {} more in POM-POM", text_of(most), text_of(force));
   add_choices(judgement, results, "Mean force of #12's POM-POM over HDPE-HDPE, less 1", sample_12, ratio_of_means, wanted_positive());
-  add_choices(judgement, results, "Largest grain stress of #12's HDPE over POM, less 1", sample_12, [](const Run& run) { return maximum("HDPE").of(run) / maximum("POM").of(run) - 1; }, wanted_positive());
+  add_choices(
+      judgement, results, "Largest grain stress of #12's HDPE over POM, less 1", sample_12,
+      [](const Run& run) { return maximum("HDPE").of(run) / maximum("POM").of(run) - 1; }, wanted_positive());
   return judgement;
 }
 
@@ -144,15 +149,21 @@ Judgement judge_t18(const Results& results) {
   }
   judgement.checks = {equivalent("solid fraction at 90 % of the area over that at 20 %, less 1, #11", "settles", mean_value(changes), plateau),
                       every("solid fraction of windows between 20 and 90 % over their mean, less 1, #11", "settles", departures(curves), {-plateau, plateau})};
-  for (const auto& [what, values] : {std::pair{"solid fraction in a strip of 2.5 mean diameters along the walls, #11", &at_walls}, {"solid fraction within it, #11", &within},
+  for (const auto& [what, values] : {std::pair{"solid fraction in a strip of 2.5 mean diameters along the walls, #11", &at_walls},
+                                     {"solid fraction within it, #11", &within},
                                      {"change between 20 and 90 % if all that is missing lies in the outermost half diameter, #11", &by_thin_layers},
-                                     {"change between 20 and 90 % if it is even over the strip, #11", &by_wide_layers}, {"change between 20 and 90 % of windows that stay out of the strip, #11", &inner_changes}})
+                                     {"change between 20 and 90 % if it is even over the strip, #11", &by_wide_layers},
+                                     {"change between 20 and 90 % of windows that stay out of the strip, #11", &inner_changes}})
     judgement.checks.push_back(reported(what, mean_value(*values)));
   if (!changes.empty()) {
     judgement.ours = fmt::format("changes by {} of {}", text_of(mean_value(changes)), text_of(mean_value(fractions)));
-    judgement.decides = fmt::format("The margin is 1 %. What change there is comes from the looser layers along the walls, which large windows all hold: windows that stay out of them change by {}.", text_of(mean_value(inner_changes)));
+    judgement.decides = fmt::format(
+        "The margin is 1 %. What change there is comes from the looser layers along the walls, which large windows all hold: windows that stay out of them "
+        "change by {}.",
+        text_of(mean_value(inner_changes)));
   }
-  add_choices(judgement, results, "Solid fraction of #11 at 90 % of the area over that at 20 %, less 1", sample_11, change_over_plateau, wanted_equivalent(plateau));
+  add_choices(judgement, results, "Solid fraction of #11 at 90 % of the area over that at 20 %, less 1", sample_11, change_over_plateau,
+              wanted_equivalent(plateau));
   return judgement;
 }
 

@@ -14,7 +14,7 @@ namespace {
 /// Tails that are asked the same.
 struct Tails {
   std::string what;
-  double least_r2 = 0;                   ///< of the straight line through the logarithm, as the thesis drew it
+  double least_r2 = 0;  ///< of the straight line through the logarithm, as the thesis drew it
   Family r2, lead, beta;
 };
 
@@ -33,7 +33,8 @@ void judge_tails(Judgement& judgement, const Tails& tails) {
 void tell_tails(Judgement& judgement, const Tails& tails) {
   for (std::size_t k = 0; k < tails.lead.size(); ++k) {
     const std::string& name = tails.lead[k].name;
-    judgement.checks.push_back(beside(positive(fmt::format("lead of the exponential over the half-Gaussian in a sample, {}, {}", tails.what, name), "exponential", tails.lead[k].value)));
+    judgement.checks.push_back(beside(
+        positive(fmt::format("lead of the exponential over the half-Gaussian in a sample, {}, {}", tails.what, name), "exponential", tails.lead[k].value)));
     judgement.checks.push_back(reported(fmt::format("beta, {}, {}", tails.what, name), tails.beta[k].value));
   }
 }
@@ -46,7 +47,10 @@ std::string thinner(const Tails& tails) {
     thin += outcome_of(m.value, {.high = 0}) == Outcome::holds;
     if (!most || m.value.value < most->value.value) most = &m;
   }
-  return most && std::isfinite(most->value.value) ? fmt::format("of {} are thinner than exponential in {} of {} (lead of the exponential least in {}: {} a sample)", tails.what, thin, tails.lead.size(), most->name, text_of(most->value)) : "";
+  return most && std::isfinite(most->value.value)
+             ? fmt::format("of {} are thinner than exponential in {} of {} (lead of the exponential least in {}: {} a sample)", tails.what, thin,
+                           tails.lead.size(), most->name, text_of(most->value))
+             : "";
 }
 
 /// Forces against stresses, and against the load, in the same samples.
@@ -60,19 +64,24 @@ void add_reasons(Judgement& judgement, const Results& results) {
     judgement.checks.push_back(reported(fmt::format("beta of forces, {}, mean overlap {:.2g} of a diameter", what, mean_overlap(runs)), force.beta));
     judgement.checks.push_back(reported(fmt::format("beta of stresses, {}", what), stress.beta));
   };
-  const auto of_load = [&](const char* load) { return results.runs("thesis-choices", {{"populations.0.count", sample_8.pom_grains}, {"stages.1.bottom.force", load}}); };
+  const auto of_load = [&](const char* load) {
+    return results.runs("thesis-choices", {{"populations.0.count", sample_8.pom_grains}, {"stages.1.bottom.force", load}});
+  };
   say("#2 under 50 kN", runs_of(results, sample_2));
   say("#8 under 50 kN", runs_of(results, sample_8));
   say("#8 under 5 kN", of_load("5"));
   say("#8 under 0.5 kN", of_load("0.5"));
   say("chapter 5 under 100 N", results.runs("thesis-ch5"));
   if (samples > 0)
-    judgement.findings.push_back(fmt::format("A grain's stress adds up the forces of all its contacts, and adding up thins a tail: beta of stresses is above that of forces in {} of {} cases.", thinner, samples));
+    judgement.findings.push_back(fmt::format(
+        "A grain's stress adds up the forces of all its contacts, and adding up thins a tail: beta of stresses is above that of forces in {} of {} cases.",
+        thinner, samples));
   add_choices(judgement, results, "R^2 of the line, stresses of #8", sample_8, "sigma_norm.line_r2", wanted_above(0.95));
   add_choices(judgement, results, "R^2 of the line, stresses of #2's HDPE", sample_2, "sigma_norm.by_material.HDPE.line_r2", wanted_above(0.90));
   add_choices(judgement, results, "Lead of the exponential for stresses of #8", sample_8, "sigma_norm.log_likelihood_ratio");
   add_choices(judgement, results, "beta of stresses of #8", sample_8, "sigma_norm.beta");
-  add_choices_of_ratios(judgement, results, "R^2 of the line, forces of POM-POM", "force.by_type.POM-POM.line_r2", {wanted_above(0.90), wanted_above(0.90), {}});
+  add_choices_of_ratios(judgement, results, "R^2 of the line, forces of POM-POM", "force.by_type.POM-POM.line_r2",
+                        {wanted_above(0.90), wanted_above(0.90), {}});
   add_glue_choices(judgement, results, "R^2 of the line, stresses of chapter 6", "sigma_norm.line_r2", wanted_above(0.95));
 }
 
@@ -106,7 +115,9 @@ Judgement judge_t6(const Results& results) {
     if (const std::string shape = thinner(*tails); !shape.empty()) shapes += (shapes.empty() ? "" : "; ") + shape;
   }
   for (const Tails* tails : {&all_stresses, &some_stresses, &all_forces, &some_forces}) tell_tails(judgement, *tails);
-  if (!shapes.empty()) judgement.decides = "A straight line in semi-log, as the thesis drew it, does not see how a tail bends; by the likelihood against a half-Gaussian tails " + shapes + ".";
+  if (!shapes.empty())
+    judgement.decides =
+        "A straight line in semi-log, as the thesis drew it, does not see how a tail bends; by the likelihood against a half-Gaussian tails " + shapes + ".";
   add_reasons(judgement, results);
   return judgement;
 }

@@ -20,7 +20,8 @@ void tell_ends(Judgement& judgement, const char* law, const Results& results, co
     judgement.checks.push_back(reported(fmt::format("share of rattlers at ratio {:g}, {}", end.x, law), value_of(end)));
     judgement.checks.push_back(reported(fmt::format("mean overlap over diameter at ratio {:g}, {}", end.x, law), {overlap(end.x)}));
   }
-  judgement.checks.push_back(reported(fmt::format("mean |F_t|/F_n, {}", law), mean_over_seeds(results.runs(study), "stages.load.last_state.equilibrium.mobilisation")));
+  judgement.checks.push_back(
+      reported(fmt::format("mean |F_t|/F_n, {}", law), mean_over_seeds(results.runs(study), "stages.load.last_state.equilibrium.mobilisation")));
 }
 
 }  // namespace
@@ -29,7 +30,8 @@ void tell_ends(Judgement& judgement, const char* law, const Results& results, co
 Judgement judge_t8(const Results& results) {
   Judgement judgement;
   for (const auto& [law, study] : laws_of_chapter_4) {
-    const Series z = series(results, study, number_ratio(), "coordination.all"), bearing = series(results, study, number_ratio(), "coordination.without_rattlers");
+    const Series z = series(results, study, number_ratio(), "coordination.all"),
+                 bearing = series(results, study, number_ratio(), "coordination.without_rattlers");
     judgement.checks.push_back(monotone(fmt::format("slope of z against the ratio, {}", law), "rises", z, +1));
     judgement.checks.push_back(monotone(fmt::format("slope of z without rattlers against the ratio, {}", law), "rises", bearing, +1));
     judgement.checks.push_back(number(within(fmt::format("z at the least ratio, {}", law), first_of(z), 4.3, 0.1)));

@@ -29,7 +29,8 @@ constexpr Typed types_of_chapter_5[] = {{study_5, "A-A"}, {study_5, "A-B"}, {stu
 
 /// The least and the greatest.
 std::string ends(const Family& family) {
-  const auto [least, greatest] = std::minmax_element(family.begin(), family.end(), [](const Member& a, const Member& b) { return a.value.value < b.value.value; });
+  const auto [least, greatest] =
+      std::minmax_element(family.begin(), family.end(), [](const Member& a, const Member& b) { return a.value.value < b.value.value; });
   return fmt::format("{} ({}) to {} ({})", text_of(least->value), least->name, text_of(greatest->value), greatest->name);
 }
 
@@ -41,12 +42,14 @@ Judgement judge_t9(const Results& results) {
     return mean_over_seeds(results.runs(study), [&](const Run& run) { return run(form + "POM-ANY") - run(form + "HDPE-ANY"); });
   };
   const auto asked = [&](const char* study) {
-    return std::vector<Check>{slope_goes(results, study, "z(HDPE-HDPE)", "coordination.HDPE-HDPE", +1), slope_goes(results, study, "z(POM-POM)", "coordination.POM-POM", -1),
+    return std::vector<Check>{slope_goes(results, study, "z(HDPE-HDPE)", "coordination.HDPE-HDPE", +1),
+                              slope_goes(results, study, "z(POM-POM)", "coordination.POM-POM", -1),
                               positive("z(POM-ANY) less z(HDPE-ANY)", "> 0", lead(study, "coordination."))};
   };
   Judgement judgement;
   judgement.checks = asked(study_4);
-  judgement.checks.push_back(number(positive("z(POM-ANY) less z(HDPE-ANY), unlike contacts counted twice as in the thesis", "> 0", lead(study_4, "coordination.unlike_contacts_twice."))));
+  judgement.checks.push_back(number(
+      positive("z(POM-ANY) less z(HDPE-ANY), unlike contacts counted twice as in the thesis", "> 0", lead(study_4, "coordination.unlike_contacts_twice."))));
   if (const Value& both = judgement.checks[2].ours; std::isfinite(both.value))
     judgement.ours = fmt::format("slopes {} and {}, POM-ANY {} above", text_of(judgement.checks[0].ours), text_of(judgement.checks[1].ours), text_of(both));
   add_beside(judgement, "under law R", asked("thesis-ch4-r"));
@@ -70,7 +73,8 @@ Judgement judge_t10(const Results& results) {
     Family both = all;
     both.insert(both.end(), typed.begin(), typed.end());
     return std::vector<Check>{every("share of contacts above the mean, all and each type", "fewer than half", both, {.high = 0.5}),
-                              number(every("share of contacts above the mean, all", "about 0.4", all, {0.36, 0.44})), number(every("share of contacts above their own mean, each type", "about 0.4", typed, {0.36, 0.44}))};
+                              number(every("share of contacts above the mean, all", "about 0.4", all, {0.36, 0.44})),
+                              number(every("share of contacts above their own mean, each type", "about 0.4", typed, {0.36, 0.44}))};
   };
   Judgement judgement;
   const auto [all, typed] = asked(study_4, study_5);
@@ -79,10 +83,12 @@ Judgement judge_t10(const Results& results) {
   const auto [all_r, typed_r] = asked("thesis-ch4-r", "thesis-ch5-r");
   add_beside(judgement, "under law R", checks(all_r, typed_r));
   judgement.checks.push_back(reported("share of POM-POM less that of HDPE-HDPE, ch. 4", mean_over_seeds(results.runs(study_4), [](const Run& run) {
-    return run("force.by_type.POM-POM.strong_share") - run("force.by_type.HDPE-HDPE.strong_share");
-  })));
-  add_choices_of_ratios(judgement, results, "Share of contacts above the mean", "force.strong_share", {wanted_within(0.40, 0.04), wanted_within(0.40, 0.04), {}});
-  add_choices_of_ratios(judgement, results, "Share of POM-POM above their mean", "force.by_type.POM-POM.strong_share", {wanted_within(0.40, 0.04), wanted_within(0.40, 0.04), {}});
+                                        return run("force.by_type.POM-POM.strong_share") - run("force.by_type.HDPE-HDPE.strong_share");
+                                      })));
+  add_choices_of_ratios(judgement, results, "Share of contacts above the mean", "force.strong_share",
+                        {wanted_within(0.40, 0.04), wanted_within(0.40, 0.04), {}});
+  add_choices_of_ratios(judgement, results, "Share of POM-POM above their mean", "force.by_type.POM-POM.strong_share",
+                        {wanted_within(0.40, 0.04), wanted_within(0.40, 0.04), {}});
   add_stiffness_choices(judgement, results, "Share of contacts above the mean", "force.strong_share", wanted_within(0.40, 0.04));
   return judgement;
 }
@@ -92,7 +98,8 @@ Judgement judge_t11(const Results& results) {
   const char* triangular = "local_order.triangular_share.HDPE";
   const auto signal = [](const Run& run) { return run("fabric.modes.6.amplitude") / run("fabric.modes.6.noise"); };
   Family below_8, above_8;
-  for (const Point& p : series(results, study_4, number_ratio(), signal)) (p.x < 8 ? below_8 : above_8).push_back({fmt::format("ratio {:g}", p.x), value_of(p)});
+  for (const Point& p : series(results, study_4, number_ratio(), signal))
+    (p.x < 8 ? below_8 : above_8).push_back({fmt::format("ratio {:g}", p.x), value_of(p)});
   std::erase_if(above_8, [](const Member& m) { return m.name == "ratio 8"; });
   const Series share = series(results, study_4, number_ratio(), triangular);
   Judgement judgement;
@@ -100,8 +107,11 @@ Judgement judge_t11(const Results& results) {
                       number(every("6-fold amplitude over its noise, ratios below 8", "quasi-isotropic", below_8, {.high = 3})),
                       number(every("6-fold amplitude over its noise, ratios above 8", "ordered", above_8, {.low = 3}))};
   if (share.size() > 1)
-    judgement.ours = fmt::format("share in triangular order {} at ratio {:g}, {} at {:g}", text_of(value_of(share.front())), share.front().x, text_of(value_of(share.back())), share.back().x);
-  add_beside(judgement, "under law R", {monotone("slope against the ratio of the share of HDPE grains in triangular order", "rises", series(results, "thesis-ch4-r", number_ratio(), triangular), +1)});
+    judgement.ours = fmt::format("share in triangular order {} at ratio {:g}, {} at {:g}", text_of(value_of(share.front())), share.front().x,
+                                 text_of(value_of(share.back())), share.back().x);
+  add_beside(judgement, "under law R",
+             {monotone("slope against the ratio of the share of HDPE grains in triangular order", "rises",
+                       series(results, "thesis-ch4-r", number_ratio(), triangular), +1)});
   add_choices_of_ratios(judgement, results, "Share of HDPE grains in triangular order", triangular, {{}, {}, wanted_positive()});
   add_choices_of_ratios(judgement, results, "6-fold amplitude over its noise", signal, {wanted_below(3), wanted_above(3), {}});
   return judgement;
@@ -118,7 +128,8 @@ Judgement judge_t12(const Results& results) {
     judgement.checks.push_back(positive(fmt::format("a_c of POM-POM contacts along the load (noise {:.2g}), {}", 2 * pom.noise, law), "leans", along));
     judgement.checks.push_back(positive(fmt::format("the same less that of all contacts, {}", law), "> 0", difference(along, all)));
     judgement.checks.push_back(reported(fmt::format("a_c of all contacts along the load, {}", law), all));
-    if (!runs.empty()) judgement.ours += fmt::format("{}{}: a_c {} at {} degrees", judgement.ours.empty() ? "" : "; ", law, text_of(along), text_of(pom.phase_deg));
+    if (!runs.empty())
+      judgement.ours += fmt::format("{}{}: a_c {} at {} degrees", judgement.ours.empty() ? "" : "; ", law, text_of(along), text_of(pom.phase_deg));
   }
   add_choices_of_ratios(judgement, results, "Signed a_c of POM-POM contacts", "fabric.sets.POM-POM.a_c_signed", {wanted_positive(), wanted_positive(), {}});
   return judgement;
@@ -136,18 +147,23 @@ Judgement judge_t19(const Results& results) {
     };
   };
   const auto asked = [&](const char* study) {
-    return std::vector<Check>{slope_goes(results, study, "the share of HDPE-HDPE above the whole network's mean", "force.by_type.HDPE-HDPE.share_above_mean_of_all", +1),
-                              slope_goes(results, study, "the share of POM-POM above the whole network's mean", "force.by_type.POM-POM.share_above_mean_of_all", -1),
-                              positive("largest force of POM-POM over that of the other types, less 1", "> 0", mean_over_seeds(results.runs(study), over_others("maximum")))};
+    return std::vector<Check>{
+        slope_goes(results, study, "the share of HDPE-HDPE above the whole network's mean", "force.by_type.HDPE-HDPE.share_above_mean_of_all", +1),
+        slope_goes(results, study, "the share of POM-POM above the whole network's mean", "force.by_type.POM-POM.share_above_mean_of_all", -1),
+        positive("largest force of POM-POM over that of the other types, less 1", "> 0", mean_over_seeds(results.runs(study), over_others("maximum")))};
   };
   Judgement judgement;
   judgement.checks = asked(study_4);
   if (std::isfinite(judgement.checks[2].ours.value))
-    judgement.ours = fmt::format("slopes {} and {}; largest force of POM-POM {} above", text_of(judgement.checks[0].ours), text_of(judgement.checks[1].ours), text_of(judgement.checks[2].ours));
-  judgement.checks.push_back(reported("mean force of POM-POM over the greater mean of the other types, less 1", mean_over_seeds(results.runs(study_4), over_others(""))));
+    judgement.ours = fmt::format("slopes {} and {}; largest force of POM-POM {} above", text_of(judgement.checks[0].ours), text_of(judgement.checks[1].ours),
+                                 text_of(judgement.checks[2].ours));
+  judgement.checks.push_back(
+      reported("mean force of POM-POM over the greater mean of the other types, less 1", mean_over_seeds(results.runs(study_4), over_others(""))));
   add_beside(judgement, "under law R", asked("thesis-ch4-r"));
-  add_choices_of_ratios(judgement, results, "Share of HDPE-HDPE above the whole network's mean", "force.by_type.HDPE-HDPE.share_above_mean_of_all", {{}, {}, wanted_positive()});
-  add_choices_of_ratios(judgement, results, "Share of POM-POM above the whole network's mean", "force.by_type.POM-POM.share_above_mean_of_all", {{}, {}, wanted_negative()});
+  add_choices_of_ratios(judgement, results, "Share of HDPE-HDPE above the whole network's mean", "force.by_type.HDPE-HDPE.share_above_mean_of_all",
+                        {{}, {}, wanted_positive()});
+  add_choices_of_ratios(judgement, results, "Share of POM-POM above the whole network's mean", "force.by_type.POM-POM.share_above_mean_of_all",
+                        {{}, {}, wanted_negative()});
   return judgement;
 }
 

@@ -32,7 +32,9 @@ Number strong_share(std::string type) {
 
 /// z between k_A/k_B = 1 and 10 over z itself: what its slope against the logarithm gives for a decade, seed by seed.
 Value change_a_decade(const std::vector<Run>& runs, const Number& number) {
-  return ratio(slope_over_seeds(runs, [](const Run& run) { return std::log10(stiffness_ratio(run)); }, number), mean_over_seeds(runs, number));
+  return ratio(slope_over_seeds(
+                   runs, [](const Run& run) { return std::log10(stiffness_ratio(run)); }, number),
+               mean_over_seeds(runs, number));
 }
 
 /// Steady: no further apart than this part over a decade of the ratio.
@@ -48,15 +50,20 @@ Judgement judge_t13(const Results& results) {
   Family shares;
   for (const auto& [type, share] : {std::pair{"A-B", 0.50}, {"A-A", 0.25}, {"B-B", 0.25}})
     shares.push_back({type, difference(mean_over_seeds(runs, fmt::format("coordination.share_of_contacts.{}", type)), {share, 0})});
-  judgement.checks = {equivalent("change of z over a decade of k_A/k_B, over z", "steady", change, steady),
-                      equivalent("change of z without rattlers over a decade of k_A/k_B, over it", "steady", change_a_decade(runs, "coordination.without_rattlers"), steady),
-                      every("share of a type of contact less a half (A-B), a quarter (A-A, B-B)", "0", shares, {-0.05, 0.05}),
-                      number(within("z(A-B), its part of z", z_ab, 1.75, 0.1))};
+  judgement.checks = {
+      equivalent("change of z over a decade of k_A/k_B, over z", "steady", change, steady),
+      equivalent("change of z without rattlers over a decade of k_A/k_B, over it", "steady", change_a_decade(runs, "coordination.without_rattlers"), steady),
+      every("share of a type of contact less a half (A-B), a quarter (A-A, B-B)", "0", shares, {-0.05, 0.05}),
+      number(within("z(A-B), its part of z", z_ab, 1.75, 0.1))};
   if (std::isfinite(change.value)) judgement.ours = fmt::format("z changes by {} of itself over a decade; z(A-B) {}", text_of(change), text_of(z_ab));
   for (const auto& [law, study] : laws)
-    for (const auto& [what, name] : {std::pair{"z", "coordination.all"}, {"z without rattlers", "coordination.without_rattlers"}, {"z(A-B)", "coordination.parts_of_z.A-B"},
-                                     {"share of rattlers", "coordination.rattlers"}, {"mean |F_t|/F_n", "stages.load.last_state.equilibrium.mobilisation"}})
-      if (const auto of_law = results.runs(study); !of_law.empty()) judgement.checks.push_back(reported(fmt::format("{}, {}", what, law), mean_over_seeds(of_law, name)));
+    for (const auto& [what, name] : {std::pair{"z", "coordination.all"},
+                                     {"z without rattlers", "coordination.without_rattlers"},
+                                     {"z(A-B)", "coordination.parts_of_z.A-B"},
+                                     {"share of rattlers", "coordination.rattlers"},
+                                     {"mean |F_t|/F_n", "stages.load.last_state.equilibrium.mobilisation"}})
+      if (const auto of_law = results.runs(study); !of_law.empty())
+        judgement.checks.push_back(reported(fmt::format("{}, {}", what, law), mean_over_seeds(of_law, name)));
   add_stiffness_change(judgement, results, "Change of z over a decade of k_A/k_B, over z", change_a_decade, "coordination.all", wanted_equivalent(steady));
   add_stiffness_choices(judgement, results, "z(A-B), its part of z,", "coordination.parts_of_z.A-B", wanted_within(1.75, 0.1));
   return judgement;
@@ -64,18 +71,24 @@ Judgement judge_t13(const Results& results) {
 
 /// Directions of the strong and the weak network.
 Judgement judge_t14(const Results& results) {
-  const auto anisotropy = [&](const char* study, const std::string& set) { return mean_over_seeds(results.runs(study), fmt::format("fabric.sets.{}.a_c_signed", set)); };
+  const auto anisotropy = [&](const char* study, const std::string& set) {
+    return mean_over_seeds(results.runs(study), fmt::format("fabric.sets.{}.a_c_signed", set));
+  };
   const auto noise = [&](const char* study, const std::string& set) { return mean_over_seeds(results.runs(study), noise_of_a_c(set)).value; };
   const auto asked = [&](const char* study) {
-    return std::vector<Check>{positive("signed a_c of strong contacts", "leans", anisotropy(study, "strong")),
-                              positive("signed a_c of strong less that of weak contacts", "> 0", mean_over_seeds(results.runs(study), signed_lead("strong", "weak"))),
-                              below("signed a_c of weak contacts", "does not lean", anisotropy(study, "weak"), std::isfinite(noise(study, "weak")) ? noise(study, "weak") : 0)};
+    return std::vector<Check>{
+        positive("signed a_c of strong contacts", "leans", anisotropy(study, "strong")),
+        positive("signed a_c of strong less that of weak contacts", "> 0", mean_over_seeds(results.runs(study), signed_lead("strong", "weak"))),
+        below("signed a_c of weak contacts", "does not lean", anisotropy(study, "weak"), std::isfinite(noise(study, "weak")) ? noise(study, "weak") : 0)};
   };
   Judgement judgement;
   judgement.checks = asked("thesis-ch5");
   judgement.checks.back().wanted += ", what as many random directions give";
-  for (const std::string set : {"A-A weak", "B-B weak"}) judgement.checks.push_back(differs(fmt::format("signed a_c of {} contacts", set), "not isotropic", anisotropy("thesis-ch5", set), noise("thesis-ch5", set)));
-  if (const Value& strong = judgement.checks.front().ours; std::isfinite(strong.value)) judgement.ours = fmt::format("signed a_c: strong {}, weak {}", text_of(strong), text_of(anisotropy("thesis-ch5", "weak")));
+  for (const std::string set : {"A-A weak", "B-B weak"})
+    judgement.checks.push_back(
+        differs(fmt::format("signed a_c of {} contacts", set), "not isotropic", anisotropy("thesis-ch5", set), noise("thesis-ch5", set)));
+  if (const Value& strong = judgement.checks.front().ours; std::isfinite(strong.value))
+    judgement.ours = fmt::format("signed a_c: strong {}, weak {}", text_of(strong), text_of(anisotropy("thesis-ch5", "weak")));
   add_beside(judgement, "under law R", asked("thesis-ch5-r"));
   add_beside(judgement, "without friction, the control,", asked("thesis-ch5-smooth"));
   add_stiffness_choices(judgement, results, "Signed a_c of strong contacts", "fabric.sets.strong.a_c_signed", wanted_positive());
@@ -92,15 +105,17 @@ Judgement judge_t20(const Results& results) {
       quarters.push_back({type, mean_over_seeds(runs, strong_share(type))});
       leads.push_back({type, mean_over_seeds(runs, [&](const Run& run) { return strong_share("A-B").of(run) - strong_share(type).of(run); })});
     }
-    return std::vector<Check>{every("share of A-B among strong contacts less that of another type", "most", leads, {.low = 0}), number(every("share of A-A, B-B among strong contacts", "a quarter each", quarters, {0.20, 0.30})),
+    return std::vector<Check>{every("share of A-B among strong contacts less that of another type", "most", leads, {.low = 0}),
+                              number(every("share of A-A, B-B among strong contacts", "a quarter each", quarters, {0.20, 0.30})),
                               positive("signed a_c of A-A contacts", "leans slightly", mean_over_seeds(runs, "fabric.sets.A-A.a_c_signed"))};
   };
   Judgement judgement;
   judgement.checks = asked("thesis-ch5");
   const auto runs = results.runs("thesis-ch5");
   if (!runs.empty())
-    judgement.ours = fmt::format("A-B {}, A-A {}, B-B {}; signed a_c of A-A {}", text_of(mean_over_seeds(runs, strong_share("A-B"))), text_of(mean_over_seeds(runs, strong_share("A-A"))),
-                                 text_of(mean_over_seeds(runs, strong_share("B-B"))), text_of(judgement.checks.back().ours));
+    judgement.ours = fmt::format("A-B {}, A-A {}, B-B {}; signed a_c of A-A {}", text_of(mean_over_seeds(runs, strong_share("A-B"))),
+                                 text_of(mean_over_seeds(runs, strong_share("A-A"))), text_of(mean_over_seeds(runs, strong_share("B-B"))),
+                                 text_of(judgement.checks.back().ours));
   judgement.checks.push_back(reported("noise of one sample's a_c of A-A contacts", {mean_over_seeds(runs, noise_of_a_c("A-A")).value, 0}));
   add_beside(judgement, "under law R", asked("thesis-ch5-r"));
   add_beside(judgement, "without friction", asked("thesis-ch5-smooth"));

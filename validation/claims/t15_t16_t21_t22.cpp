@@ -25,7 +25,8 @@ Value change_by_glue(const Results& results, const char* energy, const Number& n
   std::vector<double> changes;
   for (const Run& with : results.runs("thesis-ch6", {{key, energy}}))
     for (const Run& without : results.runs("thesis-ch6", {{key, no_glue}}))
-      if (const double change = number.of(with) / number.of(without) - 1; with.text("seed") == without.text("seed") && std::isfinite(change)) changes.push_back(change);
+      if (const double change = number.of(with) / number.of(without) - 1; with.text("seed") == without.text("seed") && std::isfinite(change))
+        changes.push_back(change);
   return changes.empty() ? Value() : statistics::mean_of(changes);
 }
 
@@ -34,7 +35,8 @@ Family traces(const Results& results, const char* energy) {
   const std::vector<std::pair<const char*, Number>> numbers{
       {"mean stress inside over outside", [](const Run& run) { return 1 + lead_of_glued(run); }},
       {"share of glued grains above their mean", "sigma_norm.by_material.glued.P0"},
-      {"contacts between glued grains, of one", [](const Run& run) { return run("force.by_type.glued-glued.count") / run("sigma_norm.by_material.glued.count"); }},
+      {"contacts between glued grains, of one",
+       [](const Run& run) { return run("force.by_type.glued-glued.count") / run("sigma_norm.by_material.glued.count"); }},
       {"share of these above their mean force", "force.by_type.glued-glued.strong_share"},
       {"mean force between glued grains over that of all", [](const Run& run) { return run("force.by_type.glued-glued.mean_N") / run("force.mean_N"); }},
       {"z of all grains", "coordination.all"},
@@ -77,7 +79,8 @@ Judgement judge_t15(const Results& results) {
   Judgement judgement;
   const auto runs = glued(results);
   Family shares, from_table;
-  for (const auto& [zone, number, share] : {std::tuple{"all", "sigma_norm.P0", 48.0}, {"without adhesion", "sigma_norm.by_material.dry.P0", 48.0},
+  for (const auto& [zone, number, share] : {std::tuple{"all", "sigma_norm.P0", 48.0},
+                                            {"without adhesion", "sigma_norm.by_material.dry.P0", 48.0},
                                             {"with adhesion", "sigma_norm.by_material.glued.P0", 49.4}}) {
     const Value ours = mean_over_seeds(runs, [number = number](const Run& run) { return 100 * run(number); });
     shares.push_back({zone, ours});
@@ -85,7 +88,8 @@ Judgement judge_t15(const Results& results) {
     if (std::isfinite(ours.value)) judgement.ours += fmt::format("{}{}", judgement.ours.empty() ? "" : ", ", text_of(ours));
   }
   if (!judgement.ours.empty()) judgement.ours += " %";
-  judgement.checks = {every("share of grains above the mean", "less than half", shares, {.high = 50}, "%"), number(every("share of grains above the mean less table 6.1's", "0", from_table, {-4, 4}, "%"))};
+  judgement.checks = {every("share of grains above the mean", "less than half", shares, {.high = 50}, "%"),
+                      number(every("share of grains above the mean less table 6.1's", "0", from_table, {-4, 4}, "%"))};
   add_glue_choices(judgement, results, "Share of grains above the mean", "sigma_norm.P0", wanted_below(0.5));
   return judgement;
 }
@@ -104,9 +108,11 @@ Judgement judge_t16(const Results& results) {
     over_noise.push_back({name, weighted_sum({{1 / mode.noise_of_one, along}})});
     angle.push_back({name, angle_from(mode, 45, 90)});
     parts.push_back(reported(fmt::format("4-fold part along 45 degrees, {} (noise {:.2g}, of one sample {:.2g})", name, mode.noise, mode.noise_of_one), along));
-    if (set.empty() && mode.contacts > 0) judgement.ours = fmt::format("4-fold part along 45 degrees {} (noise of one sample {:.2g})", text_of(along), mode.noise_of_one);
+    if (set.empty() && mode.contacts > 0)
+      judgement.ours = fmt::format("4-fold part along 45 degrees {} (noise of one sample {:.2g})", text_of(along), mode.noise_of_one);
   }
-  judgement.checks = {every("4-fold part along 45 degrees over the noise of one sample", "peaks", over_noise, {.low = 1}), every("angle of its peaks from 45 degrees", "0", angle, {.high = 15}, "deg")};
+  judgement.checks = {every("4-fold part along 45 degrees over the noise of one sample", "peaks", over_noise, {.low = 1}),
+                      every("angle of its peaks from 45 degrees", "0", angle, {.high = 15}, "deg")};
   judgement.checks.insert(judgement.checks.end(), parts.begin(), parts.end());
   judgement.decides = "The laboratory's grains were stacked by hand and their places are lost; these samples start from random fillings.";
   add_glue_choices(judgement, results, "4-fold amplitude", "fabric.modes.4.amplitude");
@@ -117,21 +123,25 @@ Judgement judge_t16(const Results& results) {
 Judgement judge_t21(const Results& results) {
   Judgement judgement;
   const auto runs = glued(results);
-  const Value rare = mean_over_seeds(runs, "force.tensile_share"), inside = mean_over_seeds(runs, lead_of_glued), tiny = mean_over_seeds(runs, [](const Run& run) {
-    const double ratio = run("force.tensile.mean_over_compressive_mean");
-    return std::isfinite(ratio) || !(run("force.tensile_share") == 0) ? ratio : 0;
-  });
+  const Value rare = mean_over_seeds(runs, "force.tensile_share"), inside = mean_over_seeds(runs, lead_of_glued),
+              tiny = mean_over_seeds(runs, [](const Run&run) {
+                const double ratio = run("force.tensile.mean_over_compressive_mean");
+                return std::isfinite(ratio) || !(run("force.tensile_share") == 0) ? ratio : 0;
+              });
   judgement.checks = {below("share of contacts that pull", "few", rare, 0.05), below("mean pull over mean push", "very small", tiny, 0.05),
                       negative("mean stress inside of the agglomerate over outside, less 1", "chains avoid it", inside)};
-  if (std::isfinite(rare.value)) judgement.ours = fmt::format("{} of the contacts, {} of the push; inside over outside, less 1: {}", text_of(rare), text_of(tiny), text_of(inside));
+  if (std::isfinite(rare.value))
+    judgement.ours = fmt::format("{} of the contacts, {} of the push; inside over outside, less 1: {}", text_of(rare), text_of(tiny), text_of(inside));
   for (const char* gamma : {"0.5", "0.2735", no_glue}) {
     const auto weaker = results.runs("thesis-ch6", {{key, gamma}});
     judgement.checks.push_back(reported(fmt::format("mean stress inside over outside, less 1, gamma {} kN/mm", gamma), mean_over_seeds(weaker, lead_of_glued)));
     judgement.checks.push_back(reported(fmt::format("share of contacts that pull, gamma {} kN/mm", gamma), mean_over_seeds(weaker, "force.tensile_share")));
   }
   if (const Value glue = change_by_glue(results, "1.060", [](const Run& run) { return 1 + lead_of_glued(run); }); std::isfinite(glue.value))
-    judgement.findings.push_back(fmt::format("In the same packings glue changes the stress inside over that outside by {} of itself, seed by seed; with next to no glue the same grains in the middle of the sample have {} of it more than those around.",
-                                             text_of(glue), text_of(mean_over_seeds(results.runs("thesis-ch6", {{key, no_glue}}), lead_of_glued))));
+    judgement.findings.push_back(
+        fmt::format("In the same packings glue changes the stress inside over that outside by {} of itself, seed by seed; with next to no glue the same grains "
+                    "in the middle of the sample have {} of it more than those around.",
+                    text_of(glue), text_of(mean_over_seeds(results.runs("thesis-ch6", {{key, no_glue}}), lead_of_glued))));
   add_glue_choices(judgement, results, "Mean stress inside over outside, less 1", lead_of_glued, wanted_negative());
   add_glue_choices(judgement, results, "Share of contacts that pull", "force.tensile_share", wanted_below(0.05));
   return judgement;
@@ -150,7 +160,10 @@ Judgement judge_t22(const Results& results) {
   if (!strong.empty()) {
     judgement.ours = fmt::format("largest change {}", text_of(judgement.checks.front().ours));
     judgement.decides = fmt::format("The margin is 5 %, in the same packings with and without glue. The control at {} {}: {} {}.", stiffness_over("1.060"),
-                                    control.outcome == Outcome::holds ? "shows a trace" : control.outcome == Outcome::fails ? "has none either" : "shows none beyond its error", control.what, text_of(control.ours));
+                                    control.outcome == Outcome::holds   ? "shows a trace"
+                                    : control.outcome == Outcome::fails ? "has none either"
+                                                                        : "shows none beyond its error",
+                                    control.what, text_of(control.ours));
   }
   return judgement;
 }

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "validation/claims/claims.hpp"
-#include "validation/checks.hpp"
-#include "validation/pooled.hpp"
 #include "campaign/virtual_film.hpp"
+#include "validation/checks.hpp"
+#include "validation/claims/claims.hpp"
+#include "validation/pooled.hpp"
 
 namespace arenite::validation {
 
@@ -15,11 +15,15 @@ Judgement judge_t17(const Results& results) {
   const auto runs = results.runs(campaign::filmed_study);
   const Value correlation = mean_over_seeds(runs, [](const Run& run) { return campaign::film_agreement(run.folder()).correlation; });
   const Value rms = mean_over_seeds(runs, [](const Run& run) { return campaign::film_agreement(run.folder()).rms_sigma_norm; });
-  judgement.checks = {above("correlation of sigma_norm with the simulation's, NETD 20 mK", "the same field", correlation, 0.98), below("rms error of sigma_norm, NETD 20 mK", "the same field", rms, 0.05)};
+  judgement.checks = {above("correlation of sigma_norm with the simulation's, NETD 20 mK", "the same field", correlation, 0.98),
+                      below("rms error of sigma_norm, NETD 20 mK", "the same field", rms, 0.05)};
   if (std::isfinite(correlation.value)) judgement.ours = fmt::format("correlation {}, rms error {}", text_of(correlation), text_of(rms));
-  judgement.checks.push_back(reported("slope of stresses found against true ones", mean_over_seeds(runs, [](const Run& run) { return campaign::film_agreement(run.folder()).slope; })));
-  judgement.checks.push_back(reported("grains whose stress the films give", mean_over_seeds(runs, [](const Run& run) { return campaign::film_agreement(run.folder()).grains; })));
-  judgement.decides = "The camera films the field of stress that the simulation has; friction and damping decide which field that is, not how well it is found.";
+  judgement.checks.push_back(reported("slope of stresses found against true ones",
+                                      mean_over_seeds(runs, [](const Run& run) { return campaign::film_agreement(run.folder()).slope; })));
+  judgement.checks.push_back(
+      reported("grains whose stress the films give", mean_over_seeds(runs, [](const Run& run) { return campaign::film_agreement(run.folder()).grains; })));
+  judgement.decides =
+      "The camera films the field of stress that the simulation has; friction and damping decide which field that is, not how well it is found.";
   return judgement;
 }
 

@@ -15,7 +15,8 @@ std::map<double, std::vector<Course>> courses(const Samples& samples, const std:
   std::map<double, std::map<std::string, Course>> found;
   for (const Run& run : samples.runs) {
     const double saturation = run("S_m"), tail = run("stress." + samples.component + ".sets." + set + ".tail.slope");
-    if (theta_of(run) == 1.4 && cement_of(run) != full && std::isfinite(saturation * tail)) found[gamma_of(run)][run.text("seed")].emplace_back(saturation, tail);
+    if (theta_of(run) == 1.4 && cement_of(run) != full && std::isfinite(saturation * tail))
+      found[gamma_of(run)][run.text("seed")].emplace_back(saturation, tail);
   }
   std::map<double, std::vector<Course>> all;
   for (auto& [gamma, seeds] : found)

@@ -28,57 +28,61 @@ std::vector<Choice> choices_of(const std::string& usual_study, const Choice& fri
 }
 
 const std::vector<Choice>& in_samples() {
-  static const auto choices = choices_of("thesis-ch3", without_friction, {
-      {{{"contact.friction_law", "regularised_coulomb"}}, "with law R"},
-      {{{"contact.restitution", "0.2"}}, "with restitution 0.2"},
-      {{{"contact.restitution", "0.9"}}, "with restitution 0.9"},
-      {{{"integration.safety", "0.025"}}, "with half the time step"},
-      {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
-      {{{"stages.0.friction", "0"}, {"contact.friction_law", ""}}, "prepared without friction"},
-      {{{"stages.1.gravity", "false"}, {"stages.1.bottom.force", ""}}, "without gravity"},
-      {{{"stages.1.bottom.force", "200"}}, "under 200 kN"},
-      {{{"stages.1.bottom.force", "5"}}, "under 5 kN"},
-      {{{"stages.1.bottom.force", "0.5"}}, "under 0.5 kN without gravity"},
-  });
+  static const auto choices = choices_of("thesis-ch3", without_friction,
+                                         {
+                                             {{{"contact.friction_law", "regularised_coulomb"}}, "with law R"},
+                                             {{{"contact.restitution", "0.2"}}, "with restitution 0.2"},
+                                             {{{"contact.restitution", "0.9"}}, "with restitution 0.9"},
+                                             {{{"integration.safety", "0.025"}}, "with half the time step"},
+                                             {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
+                                             {{{"stages.0.friction", "0"}, {"contact.friction_law", ""}}, "prepared without friction"},
+                                             {{{"stages.1.gravity", "false"}, {"stages.1.bottom.force", ""}}, "without gravity"},
+                                             {{{"stages.1.bottom.force", "200"}}, "under 200 kN"},
+                                             {{{"stages.1.bottom.force", "5"}}, "under 5 kN"},
+                                             {{{"stages.1.bottom.force", "0.5"}}, "under 0.5 kN without gravity"},
+                                         });
   return choices;
 }
 
 const std::vector<Choice>& at_number_ratios() {
-  static const auto choices = choices_of("thesis-ch4", without_friction, {
-      {{}, "with law R", "thesis-ch4-r"},
-      {{{"contact.restitution", "0.2"}}, "with restitution 0.2"},
-      {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
-      {{{"packing.solid_fraction", "0.76"}}, "from a solid fraction of 0.76"},
-      {{{"stages.0.friction", "0"}}, "prepared without friction"},
-      {{{"container.width", "350"}}, "in a box of 350 mm"},
-      {{{"stages.1.bottom.force", "200"}}, "under 200 kN"},
-  });
+  static const auto choices = choices_of("thesis-ch4", without_friction,
+                                         {
+                                             {{}, "with law R", "thesis-ch4-r"},
+                                             {{{"contact.restitution", "0.2"}}, "with restitution 0.2"},
+                                             {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
+                                             {{{"packing.solid_fraction", "0.76"}}, "from a solid fraction of 0.76"},
+                                             {{{"stages.0.friction", "0"}}, "prepared without friction"},
+                                             {{{"container.width", "350"}}, "in a box of 350 mm"},
+                                             {{{"stages.1.bottom.force", "200"}}, "under 200 kN"},
+                                         });
   return choices;
 }
 
 const std::vector<Choice>& with_two_stiffnesses() {
-  static const auto choices = choices_of("thesis-ch5", {{}, "without friction", "thesis-ch5-smooth"}, {
-      {{}, "with law R", "thesis-ch5-r"},
-      {{{"contact.restitution", "0.2"}}, "with restitution 0.2"},
-      {{{"contact.restitution", "0.7"}}, "with restitution 0.7"},
-      {{{"integration.safety", "0.045"}}, "with half the time step"},
-      {{{"stages.0.equilibrium.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
-  });
+  static const auto choices = choices_of("thesis-ch5", {{}, "without friction", "thesis-ch5-smooth"},
+                                         {
+                                             {{}, "with law R", "thesis-ch5-r"},
+                                             {{{"contact.restitution", "0.2"}}, "with restitution 0.2"},
+                                             {{{"contact.restitution", "0.7"}}, "with restitution 0.7"},
+                                             {{{"integration.safety", "0.045"}}, "with half the time step"},
+                                             {{{"stages.0.equilibrium.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
+                                         });
   return choices;
 }
 
 const std::vector<Choice>& with_glue() {
-  static const auto choices = choices_of("thesis-ch6", without_friction, {
-      {{{"contact.friction_law", "regularised_coulomb"}}, "with law R"},
-      {{{"contact.restitution", "0.9"}}, "with restitution 0.9"},
-      {{{"contact.effective_radius", "sum"}}, "with r_eff = r_i + r_j"},
-      {{{"contact.effective_radius", "geometric_mean"}}, "with r_eff = 2 sqrt(r_i r_j)"},
-      {{{"contact.adhesion", "geometrical_breaking"}}, "with glue that breaks for good"},
-      {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
-      {{{"stages.1.gravity", "false"}}, "without gravity"},
-      {{{"stages.1.bottom.force", "200"}}, "under 200 kN"},
-      {{{"stages.1.bottom.force", "4"}}, "under 4 kN"},
-  });
+  static const auto choices = choices_of("thesis-ch6", without_friction,
+                                         {
+                                             {{{"contact.friction_law", "regularised_coulomb"}}, "with law R"},
+                                             {{{"contact.restitution", "0.9"}}, "with restitution 0.9"},
+                                             {{{"contact.effective_radius", "sum"}}, "with r_eff = r_i + r_j"},
+                                             {{{"contact.effective_radius", "geometric_mean"}}, "with r_eff = 2 sqrt(r_i r_j)"},
+                                             {{{"contact.adhesion", "geometrical_breaking"}}, "with glue that breaks for good"},
+                                             {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
+                                             {{{"stages.1.gravity", "false"}}, "without gravity"},
+                                             {{{"stages.1.bottom.force", "200"}}, "under 200 kN"},
+                                             {{{"stages.1.bottom.force", "4"}}, "under 4 kN"},
+                                         });
   return choices;
 }
 
@@ -97,7 +101,8 @@ bool is_one_of(const std::string& value, std::initializer_list<const char*> want
 
 }  // namespace
 
-void add_choices(Judgement& judgement, const Results& results, const std::string& what, const LaboratorySample& sample, const Number& number, const Wanted& wanted) {
+void add_choices(Judgement& judgement, const Results& results, const std::string& what, const LaboratorySample& sample, const Number& number,
+                 const Wanted& wanted) {
   add_sensitivity(judgement, what, {{}, "", "thesis-ch3"}, in_samples(), mean_of(results, "thesis-choices", where(sample), number), wanted);
 }
 
@@ -107,7 +112,9 @@ void add_choices_of_ratios(Judgement& judgement, const Results& results, const s
   const Choice usual{{}, "", "thesis-ch4"};
   add_sensitivity(judgement, what + " at ratio 1", usual, at_number_ratios(), first, wanted.first);
   add_sensitivity(judgement, what + " at ratio 10", usual, at_number_ratios(), last, wanted.last);
-  add_sensitivity(judgement, what + ", change from ratio 1 to 10", usual, at_number_ratios(), [&](const Choice& choice) { return difference(last(choice), first(choice)); }, wanted.change);
+  add_sensitivity(
+      judgement, what + ", change from ratio 1 to 10", usual, at_number_ratios(), [&](const Choice& choice) { return difference(last(choice), first(choice)); },
+      wanted.change);
 }
 
 void add_stiffness_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number, const Wanted& wanted) {
@@ -115,8 +122,11 @@ void add_stiffness_choices(Judgement& judgement, const Results& results, const s
                   mean_of(results, "thesis-choices-stiffness", {{"materials.B.stiffness", "2.735"}}, number), wanted);
 }
 
-void add_stiffness_change(Judgement& judgement, const Results& results, const std::string& what, Value (*change)(const std::vector<Run>&, const Number&), const Number& number, const Wanted& wanted) {
-  const auto of = [&](const Choice& choice) { return change(results.runs(choice.study.empty() ? "thesis-choices-stiffness" : choice.study, choice.where), number); };
+void add_stiffness_change(Judgement& judgement, const Results& results, const std::string& what, Value (*change)(const std::vector<Run>&, const Number&),
+                          const Number& number, const Wanted& wanted) {
+  const auto of = [&](const Choice& choice) {
+    return change(results.runs(choice.study.empty() ? "thesis-choices-stiffness" : choice.study, choice.where), number);
+  };
   add_sensitivity(judgement, what, {{}, "", "thesis-ch5"}, with_two_stiffnesses(), of, wanted);
 }
 

@@ -12,13 +12,15 @@ namespace arenite::validation {
 // of the studies thesis-choices of the chapter, and for another border the same states measured again.
 
 /// Of a sample of chapter 3.
-void add_choices(Judgement& judgement, const Results& results, const std::string& what, const LaboratorySample& sample, const Number& number, const Wanted& wanted = {});
+void add_choices(Judgement& judgement, const Results& results, const std::string& what, const LaboratorySample& sample, const Number& number,
+                 const Wanted& wanted = {});
 /// Of chapter 4 at the least and the greatest number ratio and between them.
 void add_choices_of_ratios(Judgement& judgement, const Results& results, const std::string& what, const Number& number, const WantedAtEnds& wanted = {});
 /// Of chapter 5 at k_A/k_B = 10.
 void add_stiffness_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number, const Wanted& wanted = {});
 /// Of its change with k_A/k_B, worked out from all runs of a choice.
-void add_stiffness_change(Judgement& judgement, const Results& results, const std::string& what, Value (*change)(const std::vector<Run>&, const Number&), const Number& number, const Wanted& wanted);
+void add_stiffness_change(Judgement& judgement, const Results& results, const std::string& what, Value (*change)(const std::vector<Run>&, const Number&),
+                          const Number& number, const Wanted& wanted);
 /// Of chapter 6, with glue and with next to none; something is wanted with glue only.
 void add_glue_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number, const Wanted& wanted = {});
 

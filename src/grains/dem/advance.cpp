@@ -14,8 +14,7 @@ namespace arenite::dem {
 namespace {
 
 /// Ends the bonds that break for good where their contact has opened; the energy of the tangential spring is lost.
-template <class F>
-void end_open_bonds(Sample& s, const F& friction) {
+template <class F> void end_open_bonds(Sample& s, const F& friction) {
   for (std::size_t p = 0; p < s.list.pairs; ++p) {
     if (!(s.list.strength[p] > 0)) continue;
     auto& bond = s.list.bond[p];
@@ -32,20 +31,27 @@ void end_open_bonds(Sample& s, const F& friction) {
   }
 }
 
-double lowest_force(const Sample& s) {
-  return s.contact.attractive_dashpot ? -std::numeric_limits<double>::infinity() : 0.0;
-}
+double lowest_force(const Sample& s) { return s.contact.attractive_dashpot ? -std::numeric_limits<double>::infinity() : 0.0; }
 
 PairTask pair_task(Sample& s) {
   ContactList& list = s.list;
-  return {s.record.data(),         list.i.data(),         list.j.data(),        list.stiffness.data(),
-          list.damping.data(),     list.viscosity.data(), list.strength.data(), list.memory.data(),
-          list.normal_memory.data(), list.force.data(), s.friction, lowest_force(s), s.contact.arms == Arms::contact_point ? 0.5 : 0.0};
+  return {s.record.data(),
+          list.i.data(),
+          list.j.data(),
+          list.stiffness.data(),
+          list.damping.data(),
+          list.viscosity.data(),
+          list.strength.data(),
+          list.memory.data(),
+          list.normal_memory.data(),
+          list.force.data(),
+          s.friction,
+          lowest_force(s),
+          s.contact.arms == Arms::contact_point ? 0.5 : 0.0};
 }
 
 /// Wall slots begin .. end-1, counted from the first.
-template <class N, class A, class F>
-void evaluate_walls(Sample& s, const N& normal, const A& adhesion, const F& friction, std::size_t begin, std::size_t end) {
+template <class N, class A, class F> void evaluate_walls(Sample& s, const N& normal, const A& adhesion, const F& friction, std::size_t begin, std::size_t end) {
   ContactList& list = s.list;
   const double floor = lowest_force(s);
   for (std::size_t p = list.pairs + begin; p < list.pairs + end; ++p) {
@@ -64,8 +70,7 @@ void evaluate_walls(Sample& s, const N& normal, const A& adhesion, const F& fric
     const ContactForce<double> f = contact_force(s.laws, normal, adhesion, friction, state, memory);
     list.memory[p] = memory.slip;
     if constexpr (N::remembers) list.normal_memory[p] = memory.normal;
-    force = {f.normal * c.normal.x - f.tangential * c.normal.y, f.normal * c.normal.y + f.tangential * c.normal.x,
-             -c.arm_i * f.tangential, 0};
+    force = {f.normal * c.normal.x - f.tangential * c.normal.y, f.normal * c.normal.y + f.tangential * c.normal.x, -c.arm_i * f.tangential, 0};
   }
 }
 
@@ -73,15 +78,13 @@ void evaluate_walls(Sample& s, const N& normal, const A& adhesion, const F& fric
 constexpr std::size_t pairs_of_a_wall = 4;
 
 /// All slots in one go of the team: pairs, then walls.
-template <class N, class A, class F>
-void evaluate(Sample& s, const Team& team, const N& normal, const A& adhesion, const F& friction) {
+template <class N, class A, class F> void evaluate(Sample& s, const Team& team, const N& normal, const A& adhesion, const F& friction) {
   const PairTask task = pair_task(s);
   const auto loop = s.kernel->pairs[loop_index(s.laws)];
   const std::size_t pairs = s.list.pairs, walls = s.list.size() - pairs;
   team.for_ranges(pairs + pairs_of_a_wall * walls, [&](std::size_t begin, std::size_t end) {
     if (begin < pairs) loop(task, s.laws, begin, std::min(end, pairs));
-    if (end > pairs)
-      evaluate_walls(s, normal, adhesion, friction, (std::max(begin, pairs) - pairs) / pairs_of_a_wall, (end - pairs) / pairs_of_a_wall);
+    if (end > pairs) evaluate_walls(s, normal, adhesion, friction, (std::max(begin, pairs) - pairs) / pairs_of_a_wall, (end - pairs) / pairs_of_a_wall);
   });
 }
 
@@ -173,23 +176,17 @@ bool has_driven_edge(const Sample& s) {
 }
 
 /// See integrators/verlet.hpp.
-template <int extrapolation>
-bool verlet(Sample& s, const Team& team) {
-  return verlet_sweep(s, extrapolation, team);
-}
+template <int extrapolation> bool verlet(Sample& s, const Team& team) { return verlet_sweep(s, extrapolation, team); }
 
-template <class Sweep>
-void run(Sample& s, const Team& team, std::int64_t steps, Sweep&& sweep) {
+template <class Sweep> void run(Sample& s, const Team& team, std::int64_t steps, Sweep&& sweep) {
   const bool tracked = s.integration.track_energy;
   const bool edges = tracked || has_driven_edge(s);
   if (tracked && !s.ledger.open) open_ledger(s);
   for (std::int64_t n = 0; n < steps; ++n) {
     const bool near = sweep(s, team);
     follow_drift(s);
-    if (near)
-      refresh_ghosts(s);
-    else
-      rebuild_list(s, team);
+    if (near) refresh_ghosts(s);
+    else rebuild_list(s, team);
     compute_forces(s, team);
     if (edges) sum_edge_forces(s, team);
     if (tracked) book_step(s);

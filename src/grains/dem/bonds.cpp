@@ -40,8 +40,7 @@ void bond_touching_pairs(Sample& s) {
   for (std::size_t p = 0; p < list.pairs; ++p) {
     const auto& a = s.record[static_cast<std::size_t>(list.i[p])];
     const auto& b = s.record[static_cast<std::size_t>(list.j[p])];
-    list.strength[p] = s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius,
-                                           is_glued(s, a.grain, b.grain)).strength;
+    list.strength[p] = s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius, is_glued(s, a.grain, b.grain)).strength;
   }
 }
 

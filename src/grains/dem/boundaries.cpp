@@ -212,7 +212,8 @@ void check_crossings(const Sample& s) {
     const int before = side_of(segment_at(s.listed_domain.boundaries[b], point), {s.listed_x[k], s.listed_y[k]});
     if (before * side_of(segment_at(now, point), {s.record[k].x, s.record[k].y}) >= 0) continue;
     const auto id = s.start.grains.id[static_cast<std::size_t>(s.record[k].grain)];
-    throw CannotGoOn(fmt::format("grain {} has gone through the boundary \"{}\" at step {}; a smaller time step or a gentler load is needed", id, now.name, s.step));
+    throw CannotGoOn(
+        fmt::format("grain {} has gone through the boundary \"{}\" at step {}; a smaller time step or a gentler load is needed", id, now.name, s.step));
   }
 }
 

@@ -51,9 +51,7 @@ void sum_boundary_forces(Sample& sample);
 void apply_open(Sample& sample);
 
 /// The boundary of a partner j < wall_partner(top).
-inline std::size_t boundary_index(const Sample& s, std::int32_t j) {
-  return static_cast<std::size_t>(s.element[static_cast<std::size_t>(-5 - j)].boundary);
-}
+inline std::size_t boundary_index(const Sample& s, std::int32_t j) { return static_cast<std::size_t>(s.element[static_cast<std::size_t>(-5 - j)].boundary); }
 inline const Boundary& boundary_of(const Sample& s, std::int32_t j) { return s.domain.boundaries[boundary_index(s, j)]; }
 
 }  // namespace arenite::dem

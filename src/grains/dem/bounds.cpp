@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "grains/dem/neighbours.hpp"
 #include "grains/dem/forces.hpp"
+#include "grains/dem/neighbours.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
@@ -47,10 +47,12 @@ struct Rolling {
 Rolling rolling_of(const Sample& s, const DiskRecord& d, const Coefficients& c) {
   if (!s.integration.rotations) return {0, 0};
   const double area = d.radius * d.radius;
-  return std::visit([&](const auto& law) {
-    const double stiffness = law.stiffness(c.stiffness, 0.5 * d.radius);
-    return Rolling{stiffness / area, law.damping(c.damping, 0.5 * d.radius, stiffness, 0.5 * inertia(d)) / area};
-  }, s.contact.rolling);
+  return std::visit(
+      [&](const auto& law) {
+        const double stiffness = law.stiffness(c.stiffness, 0.5 * d.radius);
+        return Rolling{stiffness / area, law.damping(c.damping, 0.5 * d.radius, stiffness, 0.5 * inertia(d)) / area};
+      },
+      s.contact.rolling);
 }
 
 struct Rates {
@@ -136,12 +138,14 @@ Rates network_rates(const Sample& s) {
   for (std::size_t p = 0; p < s.list.size(); ++p) {
     const Kinematics c = slot_kinematics(s, p);
     if (!(c.overlap > 0)) continue;
-    std::visit([&](const auto& law) {
-      const double k = law.tangent(c.overlap, s.list.stiffness[p], c.curvature);
-      springs.push_back({p, c, k, ratio * k});
-      const double factor = s.laws.constant_damping ? 1.0 : law.damping_factor(c.overlap, c.curvature);
-      dashpots.push_back({p, c, factor * s.list.damping[p], sliding_damping(s, s.list.viscosity[p])});
-    }, s.laws.normal);
+    std::visit(
+        [&](const auto& law) {
+          const double k = law.tangent(c.overlap, s.list.stiffness[p], c.curvature);
+          springs.push_back({p, c, k, ratio * k});
+          const double factor = s.laws.constant_damping ? 1.0 : law.damping_factor(c.overlap, c.curvature);
+          dashpots.push_back({p, c, factor * s.list.damping[p], sliding_damping(s, s.list.viscosity[p])});
+        },
+        s.laws.normal);
   }
   return {1.05 * largest_rate(s, springs), 1.05 * largest_rate(s, dashpots)};
 }
@@ -186,8 +190,7 @@ double own_mass(const Sample& s, std::size_t k) {
   const Grains& g = s.start.grains;
   const auto grain = static_cast<std::size_t>(s.record[k].grain);
   const double r = g.radius[grain];
-  return s.start.materials[static_cast<std::size_t>(g.material[grain])].density * std::numbers::pi * r * r *
-         s.domain.thickness;
+  return s.start.materials[static_cast<std::size_t>(g.material[grain])].density * std::numbers::pi * r * r * s.domain.thickness;
 }
 
 namespace {

@@ -36,7 +36,9 @@ double damping_ratio(double restitution, bool may_pull) {
 }
 
 CoefficientTable::CoefficientTable(const Materials& materials, const Grains& grains, const ContactParameters& contact)
-    : count_(materials.size()), damping_ratio_(damping_ratio(contact.restitution, contact.attractive_dashpot)), contact_(contact) {
+    : count_(materials.size()),
+      damping_ratio_(damping_ratio(contact.restitution, contact.attractive_dashpot)),
+      contact_(contact) {
   double stiffest = 0;
   for (const int m : grains.material) stiffest = std::max(stiffest, materials[static_cast<std::size_t>(m)].stiffness);
   for (std::size_t a = 0; a < count_; ++a) {
@@ -58,14 +60,12 @@ double CoefficientTable::damping(double stiffness, double reduced_mass) const {
   return contact_.normal_damping.value_or(damping_ratio_ * std::sqrt(reduced_mass * stiffness));
 }
 
-Coefficients CoefficientTable::pair(int material_i, int material_j, double mass_i, double mass_j, double radius_i,
-                                    double radius_j, bool glued) const {
+Coefficients CoefficientTable::pair(int material_i, int material_j, double mass_i, double mass_j, double radius_i, double radius_j, bool glued) const {
   Coefficients c;
   c.stiffness = pair_[index(material_i, material_j)];
   c.damping = damping(c.stiffness, mass_i * mass_j / (mass_i + mass_j));
   c.viscosity = contact_.sliding_viscosity.value_or(c.damping);
-  if (glued)
-    c.strength = contact_.surface_energy * std::sqrt(elasticity::effective_radius(contact_.effective_radius, radius_i, radius_j));
+  if (glued) c.strength = contact_.surface_energy * std::sqrt(elasticity::effective_radius(contact_.effective_radius, radius_i, radius_j));
   return c;
 }
 

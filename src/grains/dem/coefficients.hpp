@@ -23,8 +23,7 @@ class CoefficientTable {
   CoefficientTable(const Materials& materials, const Grains& grains, const ContactParameters& contact);
 
   /// Two grains, by material, mass (kg) and radius.
-  Coefficients pair(int material_i, int material_j, double mass_i, double mass_j, double radius_i, double radius_j,
-                    bool glued) const;
+  Coefficients pair(int material_i, int material_j, double mass_i, double mass_j, double radius_i, double radius_j, bool glued) const;
   /// A grain and a wall, m_eff = m.
   Coefficients wall(int material, double mass) const;
 

@@ -1,16 +1,15 @@
 #include <algorithm>
 
+#include "geometry/cell_grid.hpp"
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/neighbours.hpp"
-#include "geometry/cell_grid.hpp"
 
 namespace arenite::dem {
 namespace {
 
 /// Partners of disk k that come after it: disks are sorted by cell, so they are the rest of its cell and the next one, and three cells of the row
 /// above.
-void find_near_disks(const Sample& s, const geometry::CellGrid& grid, const geometry::SortedCells& cells, std::size_t k,
-                     std::vector<std::int32_t>& near) {
+void find_near_disks(const Sample& s, const geometry::CellGrid& grid, const geometry::SortedCells& cells, std::size_t k, std::vector<std::int32_t>& near) {
   const auto& a = s.record[k];
   const std::int32_t row = grid.row(a.y), column = grid.column(a.x);
   const std::int32_t from = std::max(column - 1, 0), to = std::min(column + 1, grid.columns - 1);
@@ -29,8 +28,7 @@ void find_near_disks(const Sample& s, const geometry::CellGrid& grid, const geom
 }
 
 /// Ghosts near disk k, in any cell around its own.
-void find_near_ghosts(const Sample& s, const geometry::CellGrid& grid, const geometry::SortedCells& ghosts, std::size_t k,
-                      std::vector<std::int32_t>& near) {
+void find_near_ghosts(const Sample& s, const geometry::CellGrid& grid, const geometry::SortedCells& ghosts, std::size_t k, std::vector<std::int32_t>& near) {
   const auto& a = s.record[k];
   const std::int32_t row = grid.row(a.y), column = grid.column(a.x);
   const auto begin = static_cast<std::ptrdiff_t>(near.size());
@@ -60,8 +58,7 @@ std::vector<Found> find_partners(const Sample& s, const Team& team) {
   const auto cell_of = [&](std::size_t k) { return grid.cell(s.record[k].x, s.record[k].y); };
   const geometry::SortedCells inner(grid, 0, n, cell_of), images(grid, n, s.record.size(), cell_of);
   // Ghosts lie beyond the right and the upper edge.
-  const double reach = reach_of(s), right_zone = s.domain.wall[right].position - reach,
-               upper_zone = s.domain.wall[top].position - reach;
+  const double reach = reach_of(s), right_zone = s.domain.wall[right].position - reach, upper_zone = s.domain.wall[top].position - reach;
   std::vector<Found> blocks((n + disks_of_block - 1) / disks_of_block);
   team.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t block = begin; block < end; ++block) {
@@ -97,8 +94,7 @@ void fill_block(Sample& s, std::size_t block, const Found& found, std::size_t sl
       const std::int32_t j = found.partner[next++];
       const auto& b = s.record[static_cast<std::size_t>(j)];
       const std::int32_t owner = j < n ? j : s.ghost[static_cast<std::size_t>(j - n)].source;
-      fill_slot(s.list, slot, k, j, owner,
-                s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius, is_glued(s, a.grain, b.grain)));
+      fill_slot(s.list, slot, k, j, owner, s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius, is_glued(s, a.grain, b.grain)));
     }
     ++k;
   }
@@ -154,9 +150,7 @@ void group_slots(Sample& s) {
   for (std::size_t q = 0; q < 2 * s.count; ++q) list.first[q + 1] = list.first[q] + groups(used[q]);
   list.group.assign(static_cast<std::size_t>(list.first.back()), none);
   std::vector<std::int32_t> next = list.first;
-  const auto put = [&](std::size_t q, std::size_t p) {
-    list.group[static_cast<std::size_t>(next[q]++)] = static_cast<std::int32_t>(p);
-  };
+  const auto put = [&](std::size_t q, std::size_t p) { list.group[static_cast<std::size_t>(next[q]++)] = static_cast<std::int32_t>(p); };
   for (std::size_t p = 0; p < list.size(); ++p) {
     put(2 * static_cast<std::size_t>(list.i[p]), p);
     if (list.owner[p] >= 0) put(2 * static_cast<std::size_t>(list.owner[p]) + 1, p);
@@ -191,8 +185,7 @@ void make_ghosts(Sample& s) {
     for (int ix = iy == 0 ? 1 : -across; ix <= across; ++ix)
       for (std::size_t k = 0; k < s.count; ++k) {
         const double x = s.record[k].x + ix * width + iy * s.domain.tilt, y = s.record[k].y + iy * height;
-        const bool near_x = !s.domain.periodic_x ||
-                            (x > w[left].position - reach && x < w[right].position + reach);
+        const bool near_x = !s.domain.periodic_x || (x > w[left].position - reach && x < w[right].position + reach);
         if (near_x && y < w[top].position + reach) s.ghost.push_back({static_cast<std::int32_t>(k), ix, iy});
       }
   s.record.resize(s.count + s.ghost.size());

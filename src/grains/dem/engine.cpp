@@ -74,8 +74,7 @@ namespace {
 double servo_energy(const Sample& s) {
   double sum = 0;
   for (std::size_t side = 0; side < 4; ++side)
-    if (s.wall[side].drive.kind == WallDrive::Kind::force)
-      sum += 0.5 * s.wall[side].mass * s.wall[side].rate * s.wall[side].rate;
+    if (s.wall[side].drive.kind == WallDrive::Kind::force) sum += 0.5 * s.wall[side].mass * s.wall[side].rate * s.wall[side].rate;
   return sum;
 }
 
@@ -126,8 +125,8 @@ void Engine::set_mass_scaling(MassScaling masses) {
   make_heavy_enough(s);
   if (const double largest = step_bounds(s).largest(); s.dt > largest) {
     if (s.integration.time_step)
-      throw InputError(fmt::format("integration.time_step of {:.4g} s is beyond what this sample allows with {} masses; {:.4g} s would do",
-                                   s.dt, masses == MassScaling::uniform ? "scaled" : "its own", 0.999 * largest));
+      throw InputError(fmt::format("integration.time_step of {:.4g} s is beyond what this sample allows with {} masses; {:.4g} s would do", s.dt,
+                                   masses == MassScaling::uniform ? "scaled" : "its own", 0.999 * largest));
     change_step(s, 0.999 * largest);
   }
   if (s.integration.track_energy) s.tally.dissipated_drag += before - energies_of(s).kinetic;
@@ -185,8 +184,7 @@ void Engine::set_glue(bool on) {
 void Engine::set_drives(const WallDrives& drives) {
   Sample& s = machine_->sample;
   bool changed = false;
-  for (std::size_t side = 0; side < 4; ++side)
-    changed |= drives[side] != s.wall[side].drive;
+  for (std::size_t side = 0; side < 4; ++side) changed |= drives[side] != s.wall[side].drive;
   if (!changed) return;
   synchronise(s);
   const double before = servo_energy(s);

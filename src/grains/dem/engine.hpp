@@ -14,8 +14,8 @@ namespace arenite::dem {
 
 /// Largest steps that the sample in hand allows, s.
 struct StepBounds {
-  double stiffness = 0;   ///< from the largest eigenfrequency bound of a grain's contacts
-  double damping = 0;     ///< from the largest damping rate (dashpots, sliding viscosity with rotation)
+  double stiffness = 0;  ///< from the largest eigenfrequency bound of a grain's contacts
+  double damping = 0;    ///< from the largest damping rate (dashpots, sliding viscosity with rotation)
   double largest() const { return stiffness < damping ? stiffness : damping; }
 };
 
@@ -39,14 +39,14 @@ class Engine {
   Engine(Engine&&) noexcept;
   Engine& operator=(Engine&&) noexcept;
 
-  void set_gravity(Vec2 g);                    ///< m/s^2
-  void set_drives(const WallDrives& drives);   ///< from the next step on
-  void set_drag(double rate);                  ///< 1/s
+  void set_gravity(Vec2 g);                   ///< m/s^2
+  void set_drives(const WallDrives& drives);  ///< from the next step on
+  void set_drag(double rate);                 ///< 1/s
   /// The grains' own masses, or even ones for a compaction (bounds.hpp); never with gravity. A step that they do not allow is shortened, or refused
   /// (InputError) where it was given.
   void set_mass_scaling(MassScaling mass_scaling);
-  void set_inertial_number(double number);     ///< how fast the sample yields to its force-controlled sides (walls.hpp)
-  void set_friction(std::optional<double> mu); ///< for grains and walls; nullopt: what the parameters say
+  void set_inertial_number(double number);      ///< how fast the sample yields to its force-controlled sides (walls.hpp)
+  void set_friction(std::optional<double> mu);  ///< for grains and walls; nullopt: what the parameters say
   /// Shears a cell that is periodic both ways, du_x/dy, 1/s (Lees and Edwards 1972); grains are given the velocities of the change at once.
   void set_shear_rate(double rate);
   /// Walls, by side, that hold the grains nearer than half their radius; those of walls that are not named are let go.
@@ -55,7 +55,7 @@ class Engine {
   void set_open(const std::array<bool, 4>& open);
   /// How the boundaries of the domain move from now on, one for each.
   void set_boundaries(const std::vector<BoundaryDrive>& drives);
-  void set_glue(bool on);                      ///< adhesion acts; for bonds that break for good: pairs that touch now are bonded
+  void set_glue(bool on);  ///< adhesion acts; for bonds that break for good: pairs that touch now are bonded
 
   void advance(std::int64_t steps);
 
@@ -63,21 +63,21 @@ class Engine {
   std::int64_t step() const;
   double time_step() const;
   StepBounds bounds() const;
-  std::string kernel() const;                  ///< name of the kernel in use
+  std::string kernel() const;  ///< name of the kernel in use
 
   std::size_t grain_count() const;
-  std::int64_t list_builds() const;            ///< how often the contact list has been built
-  double critical_drag() const;                ///< that damps the slowest wave of a crystal of this size critically, 1/s
-  double skin() const;                         ///< surface gap within which pairs are listed, m
+  std::int64_t list_builds() const;  ///< how often the contact list has been built
+  double critical_drag() const;      ///< that damps the slowest wave of a crystal of this size critically, 1/s
+  double skin() const;               ///< surface gap within which pairs are listed, m
 
   const IntegrationParameters& integration() const;  ///< as given
-  double shear_strain() const;                 ///< by set_shear_rate so far
-  const Domain& domain() const;                ///< wall positions, velocities and forces now
-  Packing packing() const;                     ///< grains and contacts now, in the caller's order; contacts sorted by (i, j)
-  Amount below(double height) const;           ///< grains whose centre is below this, m
-  Energies energies() const;                   ///< dissipation and work only if track_energy
+  double shear_strain() const;                       ///< by set_shear_rate so far
+  const Domain& domain() const;                      ///< wall positions, velocities and forces now
+  Packing packing() const;                           ///< grains and contacts now, in the caller's order; contacts sorted by (i, j)
+  Amount below(double height) const;                 ///< grains whose centre is below this, m
+  Energies energies() const;                         ///< dissipation and work only if track_energy
   Equilibrium equilibrium() const;
-  std::uint64_t state_hash() const;            ///< of every bit that decides the future
+  std::uint64_t state_hash() const;  ///< of every bit that decides the future
 
   /// The whole state as bytes, and back: an engine built from the same start and parameters and then restored goes on with the same bits as if it had
   /// never stopped.

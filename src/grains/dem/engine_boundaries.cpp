@@ -65,8 +65,7 @@ void Engine::set_open(const std::array<bool, 4>& open) {
 void Engine::set_boundaries(const std::vector<BoundaryDrive>& drives) {
   Sample& s = machine_->sample;
   auto& boundaries = s.domain.boundaries;
-  if (drives.size() != boundaries.size())
-    throw InputError(fmt::format("{} boundaries are to be driven, but there are {}", drives.size(), boundaries.size()));
+  if (drives.size() != boundaries.size()) throw InputError(fmt::format("{} boundaries are to be driven, but there are {}", drives.size(), boundaries.size()));
   bool changed = false, others_there = false;
   for (std::size_t b = 0; b < drives.size(); ++b) {
     const Boundary& now = boundaries[b];

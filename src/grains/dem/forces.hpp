@@ -8,9 +8,9 @@ namespace arenite::dem {
 
 /// Geometry and relative motion of a contact, in the conventions of model/packing.hpp.
 struct Kinematics {
-  double overlap = 0;    ///< h; <= 0 where apart
-  Vec2 normal;           ///< from j (or the wall) to i
-  Vec2 branch;           ///< x_i - x_j; for a wall the vector from its plane to x_i
+  double overlap = 0;  ///< h; <= 0 where apart
+  Vec2 normal;         ///< from j (or the wall) to i
+  Vec2 branch;         ///< x_i - x_j; for a wall the vector from its plane to x_i
   double arm_i = 0, arm_j = 0;
   double approach = 0;   ///< dh/dt
   double sliding = 0;    ///< v_s

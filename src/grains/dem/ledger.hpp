@@ -17,7 +17,7 @@ struct Snapshot {
   struct Disk {
     double vx = 0, vy = 0, omega = 0;
     double mass = 0;
-    double dash_x = 0, dash_y = 0;               ///< normal dashpots
+    double dash_x = 0, dash_y = 0;                   ///< normal dashpots
     double slip_x = 0, slip_y = 0, slip_torque = 0;  ///< tangential forces
     double drag_x = 0, drag_y = 0;
   };
@@ -27,10 +27,10 @@ struct Snapshot {
     bool servo = false;
   };
   std::vector<Disk> disk;
-  std::vector<Edge> boundary;                    ///< three each: along +x and +y, and about the centre with torques for forces
-  std::array<Edge, 9> edge;                      ///< walls along their normals, walls along themselves, and the shear of the cell
-  double springs = 0;                            ///< energy of the tangential springs, J
-  double normal_springs = 0;                     ///< of normal springs that remember, J
+  std::vector<Edge> boundary;  ///< three each: along +x and +y, and about the centre with torques for forces
+  std::array<Edge, 9> edge;    ///< walls along their normals, walls along themselves, and the shear of the cell
+  double springs = 0;          ///< energy of the tangential springs, J
+  double normal_springs = 0;   ///< of normal springs that remember, J
 };
 
 /// Account of dissipation and work, closed by the scheme's own identity where there is one. Under Verlet a step changes sum m v^2/2 - (dt^2/8) m a^2
@@ -38,10 +38,10 @@ struct Snapshot {
 /// its energy, so what stays open is the second term (0 at rest) and the steps in which a contact opens or closes. Under Gear the powers are
 /// integrated by the Adams-Moulton rule of fourth order. What friction takes from the motion and its springs do not store is dissipated.
 struct Ledger {
-  bool open = false;                             ///< `last` belongs to the present state
+  bool open = false;  ///< `last` belongs to the present state
   Snapshot last;
-  std::array<WorkTerms, 3> powers{};             ///< Gear: now, one and two steps ago
-  int known = 0;                                 ///< how many of them are
+  std::array<WorkTerms, 3> powers{};  ///< Gear: now, one and two steps ago
+  int known = 0;                      ///< how many of them are
 };
 
 /// Takes the present state as the start of the next step, after the drives, gravity or drag have changed.

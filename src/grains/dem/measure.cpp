@@ -31,10 +31,8 @@ void add_contacts(const Sample& s, Packing& out) {
     const Kinematics c = slot_kinematics(s, row.slot);
     const Vec2 f{s.list.force[row.slot].fx, s.list.force[row.slot].fy};
     const double fn = dot(f, c.normal), ft = dot(f, perpendicular(c.normal));
-    if (row.swapped)
-      out.contacts.add(row.i, row.j, -c.normal, fn, ft, c.arm_j, c.arm_i);
-    else
-      out.contacts.add(row.i, row.j, c.normal, fn, ft, c.arm_i, c.arm_j);
+    if (row.swapped) out.contacts.add(row.i, row.j, -c.normal, fn, ft, c.arm_j, c.arm_i);
+    else out.contacts.add(row.i, row.j, c.normal, fn, ft, c.arm_i, c.arm_j);
     out.contacts.overlap.back() = c.overlap;
     out.contacts.sliding_velocity.back() = c.sliding;
     out.contacts.glued.back() = s.list.strength[row.slot] > 0 ? 1 : 0;
@@ -85,11 +83,12 @@ double over_elastic(double kinetic, double elastic) {
 
 double adhesive_energy(const Sample& s) {
   double sum = 0;
-  std::visit([&](const auto& adhesion) {
-    for (std::size_t p = 0; p < s.list.pairs; ++p)
-      if (const Kinematics c = slot_kinematics(s, p); c.overlap > 0)
-        sum += adhesion.energy(c.overlap, s.list.strength[p]);
-  }, s.laws.adhesion);
+  std::visit(
+      [&](const auto& adhesion) {
+        for (std::size_t p = 0; p < s.list.pairs; ++p)
+          if (const Kinematics c = slot_kinematics(s, p); c.overlap > 0) sum += adhesion.energy(c.overlap, s.list.strength[p]);
+      },
+      s.laws.adhesion);
   return sum;
 }
 
@@ -136,8 +135,8 @@ Energies energies_of(const Sample& s) {
       const Kinematics c = slot_kinematics(s, p);
       if (!(c.overlap > 0)) continue;
       const double remembered = N::remembers ? list.normal_memory[p] : 0.0;
-      e.elastic += normal.energy(c.overlap, list.stiffness[p], c.curvature, remembered) +
-                   friction.energy(s.laws.slip(c.sliding, list.stiffness[p]), list.memory[p]);
+      e.elastic +=
+          normal.energy(c.overlap, list.stiffness[p], c.curvature, remembered) + friction.energy(s.laws.slip(c.sliding, list.stiffness[p]), list.memory[p]);
     }
   });
   return e;
@@ -164,8 +163,8 @@ Equilibrium equilibrium_of(const Sample& s) {
     }
   }
   if (s.count > 0 && resultant > 0)
-    q.unbalanced_ratio = normal_sum > 0 ? (resultant / static_cast<double>(s.count)) * static_cast<double>(contacts) / normal_sum
-                                        : std::numeric_limits<double>::infinity();
+    q.unbalanced_ratio =
+        normal_sum > 0 ? (resultant / static_cast<double>(s.count)) * static_cast<double>(contacts) / normal_sum : std::numeric_limits<double>::infinity();
   const Motions motions = motions_of(s, pressed_contacts);
   const double elastic = energies_of(s).elastic;
   q.kinetic_ratio = over_elastic(motions.bearing, elastic);
@@ -188,8 +187,7 @@ Acceleration acceleration_of(const Sample& s, std::size_t k) {
   const Load load = contact_load(s.list, k);
   const DiskRecord& d = s.record[k];
   const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
-  return {load.fx / d.mass + s.gravity.x - s.drag * (d.vx - mx.at(d.x)),
-          load.fy / d.mass + s.gravity.y - s.drag * (d.vy - my.at(d.y)),
+  return {load.fx / d.mass + s.gravity.x - s.drag * (d.vx - mx.at(d.x)), load.fy / d.mass + s.gravity.y - s.drag * (d.vy - my.at(d.y)),
           s.integration.rotations ? load.torque / inertia(d) : 0.0};
 }
 
@@ -198,8 +196,7 @@ Motion motion_of(const Sample& s, std::size_t k) {
     if (!s.settled) return {s.vx[k], s.vy[k], s.omega[k]};
     const Acceleration a = acceleration_of(s, k);
     const double share = 0.5 * gear_velocity_share * s.dt;
-    return {s.vx[k] + share * (a.ax - s.ax[k]), s.vy[k] + share * (a.ay - s.ay[k]),
-            s.omega[k] + share * (a.alpha - s.alpha[k])};
+    return {s.vx[k] + share * (a.ax - s.ax[k]), s.vy[k] + share * (a.ay - s.ay[k]), s.omega[k] + share * (a.alpha - s.alpha[k])};
   }
   if (s.lag == 0) return {s.vx[k], s.vy[k], s.omega[k]};
   const Acceleration a = acceleration_of(s, k);

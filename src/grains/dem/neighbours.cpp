@@ -64,8 +64,7 @@ void wrap(Sample& s) {
   }
 }
 
-template <class T>
-void permute(std::vector<T>& values, const std::vector<std::int32_t>& order) {
+template <class T> void permute(std::vector<T>& values, const std::vector<std::int32_t>& order) {
   if (values.empty()) return;
   std::vector<T> old(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(order.size()));
   for (std::size_t k = 0; k < order.size(); ++k) values[k] = old[static_cast<std::size_t>(order[k])];
@@ -74,8 +73,7 @@ void permute(std::vector<T>& values, const std::vector<std::int32_t>& order) {
 /// Returns the former number of every disk.
 std::vector<std::int32_t> sort_by_cell(Sample& s) {
   const geometry::CellGrid grid = cells_of(s);
-  std::vector<std::int32_t> order =
-      geometry::SortedCells(grid, 0, s.count, [&](std::size_t k) { return grid.cell(s.record[k].x, s.record[k].y); }).item;
+  std::vector<std::int32_t> order = geometry::SortedCells(grid, 0, s.count, [&](std::size_t k) { return grid.cell(s.record[k].x, s.record[k].y); }).item;
   s.record.resize(s.count);
   permute(s.record, order);
   for (auto* a : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha}) permute(*a, order);
@@ -195,8 +193,8 @@ double list_leeway(const Sample& s) {
   }
   if (farthest_moved(s.listed_domain, s.domain) > 0.5 * s.skin) return 0;
   const CellFrame then = cell_frame(s.listed_domain), now = cell_frame(s.domain);
-  return 0.5 * (s.skin - reach_of(s) * (std::abs(now.width / then.width - 1) * now.periodic_x +
-                                        std::abs(now.height / then.height - 1) * now.periodic_y + std::abs(s.sheared - s.listed_sheared)));
+  return 0.5 * (s.skin - reach_of(s) * (std::abs(now.width / then.width - 1) * now.periodic_x + std::abs(now.height / then.height - 1) * now.periodic_y +
+                                        std::abs(s.sheared - s.listed_sheared)));
 }
 
 }  // namespace arenite::dem

@@ -14,10 +14,10 @@ namespace arenite::dem {
 
 using elasticity::EffectiveRadius;
 
-enum class StiffnessRule { thesis, series };      ///< thesis: like pairs k, unlike k_i k_j/(k_i + k_j); series: always 1/(1/2k_i + 1/2k_j)
+enum class StiffnessRule { thesis, series };  ///< thesis: like pairs k, unlike k_i k_j/(k_i + k_j); series: always 1/(1/2k_i + 1/2k_j)
 enum class WallStiffness { stiffest, grain, series };
 enum class Arms { contact_point, full_radius };
-enum class FrictionCap { raised_by_adhesion, as_printed }; ///< mu (F_n + |F_c|), or T (1.28) with F_c printed negative
+enum class FrictionCap { raised_by_adhesion, as_printed };  ///< mu (F_n + |F_c|), or T (1.28) with F_c printed negative
 enum class MassScaling { none, uniform };                   ///< see dem/bounds.hpp
 enum class IntegratorKind { velocity_verlet, leapfrog, gear5 };
 
@@ -29,18 +29,18 @@ struct ContactParameters {
   NormalLaw normal = Linear{};
   StiffnessRule stiffness_rule = StiffnessRule::thesis;
   WallStiffness wall_stiffness = WallStiffness::stiffest;
-  double restitution = 0.5;                ///< of a binary collision at zero friction; sets alpha_n by pair unless given
-  std::optional<double> normal_damping;    ///< alpha_n, N s/m, the same for every pair
-  bool attractive_dashpot = false;         ///< false: F_n of non-cohesive contacts is clipped at 0
+  double restitution = 0.5;              ///< of a binary collision at zero friction; sets alpha_n by pair unless given
+  std::optional<double> normal_damping;  ///< alpha_n, N s/m, the same for every pair
+  bool attractive_dashpot = false;       ///< false: F_n of non-cohesive contacts is clipped at 0
   FrictionLaw friction_law = CundallStrack{};
-  double friction = 0.3;                   ///< mu between grains
-  std::optional<double> wall_friction;     ///< mu at walls; that of the grains unless given
-  std::optional<double> sliding_viscosity; ///< gamma_s, N s/m; unless given, the alpha_n of the pair
-  double tangential_stiffness_ratio = 0.8; ///< k_t/k_n of a friction law's spring
+  double friction = 0.3;                    ///< mu between grains
+  std::optional<double> wall_friction;      ///< mu at walls; that of the grains unless given
+  std::optional<double> sliding_viscosity;  ///< gamma_s, N s/m; unless given, the alpha_n of the pair
+  double tangential_stiffness_ratio = 0.8;  ///< k_t/k_n of a friction law's spring
   RollingLaw rolling = NoRolling{};
   Arms arms = Arms::contact_point;
   Adhesion adhesion = NoAdhesion{};
-  double surface_energy = 0;               ///< gamma of the adhesion, N/m (T 1.22), between two glued grains
+  double surface_energy = 0;  ///< gamma of the adhesion, N/m (T 1.22), between two glued grains
   EffectiveRadius effective_radius = EffectiveRadius::four_reduced;
   FrictionCap friction_cap = FrictionCap::raised_by_adhesion;
   /// Pairs (indices) glued one by one; if empty, every two grains whose zone is > 0 are.
@@ -76,9 +76,9 @@ using WallDrives = std::array<WallDrive, 4>;
 
 /// How a boundary moves; see model/packing.hpp.
 struct BoundaryDrive {
-  Vec2 velocity;         ///< m/s
-  double spin = 0;       ///< rad/s, counter-clockwise
-  Vec2 centre;           ///< of the spin, m; goes with the velocity
+  Vec2 velocity;    ///< m/s
+  double spin = 0;  ///< rad/s, counter-clockwise
+  Vec2 centre;      ///< of the spin, m; goes with the velocity
   bool present = true;
   bool operator==(const BoundaryDrive&) const = default;
 };

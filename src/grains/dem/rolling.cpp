@@ -25,41 +25,51 @@ Slip<double> rolling_slip(const Sample& s, std::size_t slot, double normal_force
   } else if (j < wall_partner(top)) {
     turning -= boundary_of(s, j).spin;
   }
-  return std::visit([&](const auto& law) {
-    const double stiffness = law.stiffness(s.list.stiffness[slot], radius);
-    return Slip<double>{sense(s, slot) * turning, law.damping(s.list.damping[slot], radius, stiffness, inertia_of_both),
-                        std::max(law.coefficient * radius * normal_force, 0.0), stiffness, s.laws.lead, s.laws.lag};
-  }, s.contact.rolling);
+  return std::visit(
+      [&](const auto& law) {
+        const double stiffness = law.stiffness(s.list.stiffness[slot], radius);
+        return Slip<double>{sense(s, slot) * turning,
+                            law.damping(s.list.damping[slot], radius, stiffness, inertia_of_both),
+                            std::max(law.coefficient * radius * normal_force, 0.0),
+                            stiffness,
+                            s.laws.lead,
+                            s.laws.lag};
+      },
+      s.contact.rolling);
 }
 
 void add_rolling_moments(Sample& s, const Team& team) {
   if (std::holds_alternative<NoRolling>(s.contact.rolling)) return;
-  std::visit([&](const auto& law) {
-    team.for_ranges(s.list.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t p = begin; p < end; ++p) {
-        SlotForce& force = s.list.force[p];
-        double& memory = s.list.rolling_memory[p];
-        const Kinematics c = acts(force) ? slot_kinematics(s, p) : Kinematics{};
-        const double normal_force = force.fx * c.normal.x + force.fy * c.normal.y;
-        if (!(normal_force > 0)) {
-          memory = 0;
-          continue;
-        }
-        const double moment = sense(s, p) * law.moment(rolling_slip(s, p, normal_force), memory);
-        force.torque_i += moment;
-        force.torque_j -= moment;
-      }
-    });
-  }, s.contact.rolling);
+  std::visit(
+      [&](const auto& law) {
+        team.for_ranges(s.list.size(), [&](std::size_t begin, std::size_t end) {
+          for (std::size_t p = begin; p < end; ++p) {
+            SlotForce& force = s.list.force[p];
+            double& memory = s.list.rolling_memory[p];
+            const Kinematics c = acts(force) ? slot_kinematics(s, p) : Kinematics{};
+            const double normal_force = force.fx * c.normal.x + force.fy * c.normal.y;
+            if (!(normal_force > 0)) {
+              memory = 0;
+              continue;
+            }
+            const double moment = sense(s, p) * law.moment(rolling_slip(s, p, normal_force), memory);
+            force.torque_i += moment;
+            force.torque_j -= moment;
+          }
+        });
+      },
+      s.contact.rolling);
 }
 
 double rolling_energy(const Sample& s) {
   if (s.list.rolling_memory.empty()) return 0;
   double sum = 0;
-  std::visit([&](const auto& law) {
-    for (std::size_t p = 0; p < s.list.size(); ++p)
-      if (s.list.rolling_memory[p] != 0) sum += law.energy(rolling_slip(s, p, 0), s.list.rolling_memory[p]);
-  }, s.contact.rolling);
+  std::visit(
+      [&](const auto& law) {
+        for (std::size_t p = 0; p < s.list.size(); ++p)
+          if (s.list.rolling_memory[p] != 0) sum += law.energy(rolling_slip(s, p, 0), s.list.rolling_memory[p]);
+      },
+      s.contact.rolling);
   return sum;
 }
 

@@ -17,14 +17,15 @@ std::string describe(const Equilibrium& now) {
 }
 
 bool is_at_rest(const Equilibrium& now, const EquilibriumCriterion& wanted) {
-  return now.unbalanced_ratio < wanted.unbalanced && now.kinetic_ratio < wanted.kinetic && now.loose_kinetic < wanted.loose_kinetic.value_or(1e5 * wanted.kinetic) &&
-         now.falling <= wanted.falling && (wanted.mobilisation < 0 || now.mobilisation < wanted.mobilisation);
+  return now.unbalanced_ratio < wanted.unbalanced && now.kinetic_ratio < wanted.kinetic &&
+         now.loose_kinetic < wanted.loose_kinetic.value_or(1e5 * wanted.kinetic) && now.falling <= wanted.falling &&
+         (wanted.mobilisation < 0 || now.mobilisation < wanted.mobilisation);
 }
 
 namespace {
 
-constexpr std::int64_t check_interval = 200;    // steps between two looks at equilibrium
-constexpr std::size_t history_rows = 4096;      // beyond this every second row is dropped
+constexpr std::int64_t check_interval = 200;  // steps between two looks at equilibrium
+constexpr std::size_t history_rows = 4096;    // beyond this every second row is dropped
 
 /// Largest departure of a force-driven wall from its aim, relative to the aim.
 double load_error(const WallDrives& drives, const Domain& domain) {
@@ -92,9 +93,7 @@ std::string describe_pressed(const Equilibrium& now, const WallDrives& drives, c
   return describe(now) + (presses ? fmt::format(", forces on the sides within {:.1e} of their aim", load_error(drives, domain)) : "");
 }
 
-std::int64_t steps_of(const Stage& stage, const Engine& engine) {
-  return static_cast<std::int64_t>(std::ceil(*stage.duration / engine.time_step()));
-}
+std::int64_t steps_of(const Stage& stage, const Engine& engine) { return static_cast<std::int64_t>(std::ceil(*stage.duration / engine.time_step())); }
 
 void continue_for_a_time(Engine& engine, const Stage& stage, StageRun& run) {
   const std::int64_t total = steps_of(stage, engine);
@@ -146,7 +145,8 @@ void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
 StageRun begin_stage(Engine& engine, const Stage& stage) {
   engine.set_gravity(stage.gravity ? stage.gravity_size * Vec2{std::sin(stage.gravity_angle), -std::cos(stage.gravity_angle)} : Vec2{});
   engine.set_friction(stage.friction);
-  if (stage.gravity && stage.mass_scaling == MassScaling::uniform) throw InputError("grains with scaled masses cannot weigh; leave gravity or mass_scaling out");
+  if (stage.gravity && stage.mass_scaling == MassScaling::uniform)
+    throw InputError("grains with scaled masses cannot weigh; leave gravity or mass_scaling out");
   engine.set_mass_scaling(stage.mass_scaling);
   engine.set_inertial_number(stage.inertial_number);
   engine.set_drag(engine.integration().drag + stage.drag + stage.critical_drag * engine.critical_drag());

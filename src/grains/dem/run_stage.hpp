@@ -12,14 +12,14 @@ namespace arenite::dem {
 
 /// A stage under way: everything besides the engine's own state that decides how it goes on, so that a checkpoint of both resumes with the same bits.
 struct StageRun {
-  std::array<double, 4> force_at_start{};   ///< N
-  std::int64_t increment = 0;               ///< the one under way
+  std::array<double, 4> force_at_start{};  ///< N
+  std::int64_t increment = 0;              ///< the one under way
   std::int64_t steps_in_increment = 0;
-  std::int64_t sample_every = 1;            ///< checks between two rows of the history
+  std::int64_t sample_every = 1;  ///< checks between two rows of the history
   std::int64_t checks = 0;
   bool finished = false;
-  Equilibrium latest;                       ///< what the last look at the sample found
-  StageResult result;                       ///< frames and history so far
+  Equilibrium latest;  ///< what the last look at the sample found
+  StageResult result;  ///< frames and history so far
 };
 
 /// Whether grains rest by a stage's criterion; what the forces on the sides must reach besides is the stage's to judge.

@@ -39,13 +39,13 @@ inline bool acts(const SlotForce& f) { return f.fx != 0 || f.fy != 0; }
 struct ContactList {
   std::size_t pairs = 0;
   std::vector<std::int32_t> i, j;
-  std::vector<std::int32_t> owner;          ///< the disk that takes the reaction: j, or the source of the ghost j
+  std::vector<std::int32_t> owner;  ///< the disk that takes the reaction: j, or the source of the ghost j
   std::vector<double> stiffness, damping, viscosity, strength;
-  std::vector<SlotForce> force;             ///< one more than slots: the last stays 0
-  std::vector<double> memory;               ///< of the friction law
-  std::vector<double> normal_memory;        ///< of the normal law; empty unless it remembers
-  std::vector<double> rolling_memory;       ///< of the rolling law, turned as the first of the caller's two grains turns; empty unless it remembers
-  std::vector<std::uint8_t> bond;           ///< of glued pairs: see BondState
+  std::vector<SlotForce> force;        ///< one more than slots: the last stays 0
+  std::vector<double> memory;          ///< of the friction law
+  std::vector<double> normal_memory;   ///< of the normal law; empty unless it remembers
+  std::vector<double> rolling_memory;  ///< of the rolling law, turned as the first of the caller's two grains turns; empty unless it remembers
+  std::vector<std::uint8_t> bond;      ///< of glued pairs: see BondState
   /// Slots by disk, in groups of four that are filled up with the slot whose force stays 0, so that most disks have as many groups as their
   /// neighbours and the processor guesses the loops' ends right. Those where disk k is i, pairs before walls, are group[first[2k]] to group[first[2k
   /// + 1]]; those where it owns the reaction go on to first[2k + 2].
@@ -92,7 +92,7 @@ struct HeldGrain {
 /// Everything that decides the future, and the set-up that follows from it. Disks are kept in an inner order that follows the cells;
 /// `record[k].grain` leads back to the caller's.
 struct Sample {
-  Packing start;                   ///< as given: materials, ids, zones; its contacts are dropped after the start
+  Packing start;  ///< as given: materials, ids, zones; its contacts are dropped after the start
   ContactParameters contact;
   IntegrationParameters integration;
   CoefficientTable coefficients;
@@ -103,36 +103,36 @@ struct Sample {
   MassScaling mass_scaling = MassScaling::none;
   double inertial_number = default_inertial_number;  ///< of the servo, see walls.hpp
   Vec2 gravity;
-  double shear_rate = 0;           ///< of a cell that is periodic both ways, du_x/dy, 1/s (Lees and Edwards 1972)
+  double shear_rate = 0;  ///< of a cell that is periodic both ways, du_x/dy, 1/s (Lees and Edwards 1972)
   bool glue = true;
 
   Domain domain;
   std::array<WallBody, 4> wall;
-  std::vector<Element> element;    ///< of the domain's boundaries
+  std::vector<Element> element;  ///< of the domain's boundaries
   std::int64_t step = 0;
-  std::int64_t steps_before = 0;   ///< made before the step was last shortened,
-  double time_before = 0;          ///< and the time then, s
-  double lag = 0;                  ///< how far the integrated velocities are behind the positions, s: 0 or dt/2
+  std::int64_t steps_before = 0;  ///< made before the step was last shortened,
+  double time_before = 0;         ///< and the time then, s
+  double lag = 0;                 ///< how far the integrated velocities are behind the positions, s: 0 or dt/2
 
-  std::size_t count = 0;           ///< disks; the records behind them are ghosts
+  std::size_t count = 0;  ///< disks; the records behind them are ghosts
   std::vector<DiskRecord> record;
-  std::vector<double> vx, vy, omega, angle;      ///< integrated velocities, less the affine motion of a periodic cell
-  std::vector<double> ax, ay, alpha;             ///< last accelerations
-  std::array<std::vector<double>, 9> higher;     ///< Gear: third to fifth derivatives of x, y, angle
+  std::vector<double> vx, vy, omega, angle;   ///< integrated velocities, less the affine motion of a periodic cell
+  std::vector<double> ax, ay, alpha;          ///< last accelerations
+  std::array<std::vector<double>, 9> higher;  ///< Gear: third to fifth derivatives of x, y, angle
   std::vector<Ghost> ghost;
-  ContactList list, former;        ///< `former`: the list before the last rebuild, kept for its memory
+  ContactList list, former;  ///< `former`: the list before the last rebuild, kept for its memory
   double skin = 0, largest_radius = 0;
-  std::vector<double> listed_x, listed_y;        ///< where the disks were when the list was built
+  std::vector<double> listed_x, listed_y;  ///< where the disks were when the list was built
   Domain listed_domain;
-  double sheared = 0, listed_sheared = 0;        ///< shear strain by shear_rate so far, and when the list was built
+  double sheared = 0, listed_sheared = 0;  ///< shear strain by shear_rate so far, and when the list was built
   std::int64_t builds = 0;
-  std::vector<HeldGrain> held;     ///< sorted by grain
-  std::vector<std::int32_t> held_disk;           ///< their inner numbers; renewed with the list
-  std::vector<std::uint64_t> live_bonds;         ///< sorted keys of bonds, where these break for good
+  std::vector<HeldGrain> held;            ///< sorted by grain
+  std::vector<std::int32_t> held_disk;    ///< their inner numbers; renewed with the list
+  std::vector<std::uint64_t> live_bonds;  ///< sorted keys of bonds, where these break for good
 
-  Energies tally;                  ///< dissipation and work so far
-  Ledger ledger;                   ///< only if track_energy
-  bool settled = false;            ///< the integrator has its starting values
+  Energies tally;        ///< dissipation and work so far
+  Ledger ledger;         ///< only if track_energy
+  bool settled = false;  ///< the integrator has its starting values
 };
 
 /// Key of an unordered pair of grains (caller's indices).
@@ -148,9 +148,7 @@ inline std::uint64_t slot_key(const Sample& s, std::size_t slot) {
 }
 
 /// Affine motion of a periodic cell, one direction each: homogeneous between two edges.
-inline AffineMotion affine_between(const Wall& a, const Wall& b) {
-  return {a.position, a.velocity, (b.velocity - a.velocity) / (b.position - a.position)};
-}
+inline AffineMotion affine_between(const Wall& a, const Wall& b) { return {a.position, a.velocity, (b.velocity - a.velocity) / (b.position - a.position)}; }
 inline AffineMotion affine_x(const Domain& d) { return d.periodic_x ? affine_between(d.wall[left], d.wall[right]) : AffineMotion{}; }
 inline AffineMotion affine_y(const Domain& d) { return d.periodic_y ? affine_between(d.wall[bottom], d.wall[top]) : AffineMotion{}; }
 
@@ -158,19 +156,13 @@ inline AffineMotion affine_y(const Domain& d) { return d.periodic_y ? affine_bet
 struct CellFrame {
   bool periodic_x = false, periodic_y = false;
   double left_edge = 0, bottom_edge = 0, width = 1, height = 1;
-  double x_from(const CellFrame& old, double x) const {
-    return periodic_x ? left_edge + (x - old.left_edge) * (width / old.width) : x;
-  }
+  double x_from(const CellFrame& old, double x) const { return periodic_x ? left_edge + (x - old.left_edge) * (width / old.width) : x; }
   /// Relative growth since an earlier frame.
   double growth_x(const CellFrame& old) const { return periodic_x ? width / old.width - 1 : 0; }
   double growth_y(const CellFrame& old) const { return periodic_y ? height / old.height - 1 : 0; }
-  double y_from(const CellFrame& old, double y) const {
-    return periodic_y ? bottom_edge + (y - old.bottom_edge) * (height / old.height) : y;
-  }
+  double y_from(const CellFrame& old, double y) const { return periodic_y ? bottom_edge + (y - old.bottom_edge) * (height / old.height) : y; }
 };
-inline CellFrame cell_frame(const Domain& d) {
-  return {d.periodic_x, d.periodic_y, d.wall[left].position, d.wall[bottom].position, d.width(), d.height()};
-}
+inline CellFrame cell_frame(const Domain& d) { return {d.periodic_x, d.periodic_y, d.wall[left].position, d.wall[bottom].position, d.width(), d.height()}; }
 
 /// The wall that a grain (caller's index) goes with; -1 for none.
 inline int wall_that_holds(const Sample& s, std::int32_t grain) {

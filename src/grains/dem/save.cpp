@@ -11,22 +11,18 @@
 namespace arenite::dem {
 namespace {
 
-constexpr std::uint64_t mark = 0x34302d6d65642d61;  // "a-dem-04"; changes with what `transfer` lists
+constexpr std::uint64_t mark = 0x34302d6d65642d61;            // "a-dem-04"; changes with what `transfer` lists
 constexpr std::uint64_t mark_shortened = 0x74302d6d65642d61;  // "a-dem-0t": the same behind a step that was shortened
 
-template <class Archive>
-void transfer(Archive& a, Wall& wall) {
+template <class Archive> void transfer(Archive& a, Wall& wall) {
   for (auto* v : {&wall.position, &wall.velocity, &wall.force, &wall.shear_force}) a(*v);
 }
 
-template <class Archive>
-void transfer(Archive& a, WallBody& body) {
+template <class Archive> void transfer(Archive& a, WallBody& body) {
   auto kind = static_cast<std::int32_t>(body.drive.kind);
   a(kind);
   body.drive.kind = static_cast<WallDrive::Kind>(kind);
-  for (auto* v : {&body.drive.value, &body.mass, &body.impedance, &body.sample_mass, &body.drift, &body.rate,
-                  &body.acceleration})
-    a(*v);
+  for (auto* v : {&body.drive.value, &body.mass, &body.impedance, &body.sample_mass, &body.drift, &body.rate, &body.acceleration}) a(*v);
   for (auto& v : body.higher) a(v);
   auto state = static_cast<std::uint8_t>((body.rough ? 1 : 0) | (body.open ? 2 : 0));
   a(body.drive.slide), a(body.slid), a(state);
@@ -34,8 +30,7 @@ void transfer(Archive& a, WallBody& body) {
   body.open = (state & 2) != 0;
 }
 
-template <class Archive>
-void transfer(Archive& a, Boundary& boundary) {
+template <class Archive> void transfer(Archive& a, Boundary& boundary) {
   std::uint8_t present = boundary.present;
   a(boundary.points), a(present);
   boundary.present = present != 0;
@@ -43,14 +38,12 @@ void transfer(Archive& a, Boundary& boundary) {
   a(boundary.spin), a(boundary.torque);
 }
 
-template <class Archive>
-void transfer(Archive& a, Energies& e) {
+template <class Archive> void transfer(Archive& a, Energies& e) {
   for (const EnergyTerm& term : energy_terms) a(e.*term.value);
 }
 
 /// One list of members for both ways.
-template <class Archive>
-void transfer(Archive& a, Sample& s) {
+template <class Archive> void transfer(Archive& a, Sample& s) {
   std::uint8_t glue = s.glue, settled = s.settled, open = s.ledger.open;
   auto masses = static_cast<std::int32_t>(s.mass_scaling);
   a(masses), a(s.inertial_number);
@@ -76,14 +69,10 @@ void transfer(Archive& a, Sample& s) {
     for (auto* v : {&w.dashpots, &w.friction, &w.drag, &w.gravity, &w.walls, &w.servo}) a(*v);
 }
 
-template <class Archive>
-void transfer_step(Archive& a, Sample& s) {
-  a(s.dt), a(s.steps_before), a(s.time_before);
-}
+template <class Archive> void transfer_step(Archive& a, Sample& s) { a(s.dt), a(s.steps_before), a(s.time_before); }
 
 /// The slots' contents; their number follows from the list.
-template <class Archive>
-void transfer(Archive& a, ContactList& list) {
+template <class Archive> void transfer(Archive& a, ContactList& list) {
   for (auto* v : {&list.strength, &list.memory}) a(*v);
   if (!list.normal_memory.empty()) a(list.normal_memory);
   if (!list.rolling_memory.empty()) a(list.rolling_memory);
@@ -116,8 +105,8 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   std::memcpy(&step, &s.dt_at_start, sizeof step);
   if (header[0] != mark && header[0] != mark_shortened) ByteReader::fail();
   if (header[1] != s.count || header[2] != step)
-    throw InputError("the stored state belongs to another sample or time step (" + std::to_string(header[1]) +
-                     " grains; here " + std::to_string(s.count) + ")");
+    throw InputError("the stored state belongs to another sample or time step (" + std::to_string(header[1]) + " grains; here " + std::to_string(s.count) +
+                     ")");
   if (header[0] == mark_shortened) transfer_step(read, s);
   read(s.record);
   if (s.record.size() != s.count) ByteReader::fail();

@@ -9,9 +9,9 @@
 #include "core/problems.hpp"
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/bounds.hpp"
-#include "grains/dem/neighbours.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/kernels/kernel.hpp"
+#include "grains/dem/neighbours.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
@@ -20,27 +20,20 @@ namespace {
 bool positive(double v) { return std::isfinite(v) && v > 0; }
 bool not_negative(double v) { return std::isfinite(v) && v >= 0; }
 
-void check_parameters(Problems& problems, const Packing& start, const ContactParameters& contact,
-                      const IntegrationParameters& integration) {
-  problems.unless(contact.restitution > 0 && contact.restitution <= 1,
-                  "restitution {} must be above 0 and at most 1", contact.restitution);
+void check_parameters(Problems& problems, const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration) {
+  problems.unless(contact.restitution > 0 && contact.restitution <= 1, "restitution {} must be above 0 and at most 1", contact.restitution);
   problems.unless(not_negative(contact.friction), "friction {} must be a number >= 0", contact.friction);
-  problems.unless(not_negative(contact.wall_friction.value_or(0)), "wall friction {} must be a number >= 0",
-                  contact.wall_friction.value_or(0));
-  problems.unless(not_negative(contact.normal_damping.value_or(0)), "normal damping {} N s/m must be >= 0",
-                  contact.normal_damping.value_or(0));
-  problems.unless(not_negative(contact.sliding_viscosity.value_or(0)), "sliding viscosity {} N s/m must be >= 0",
-                  contact.sliding_viscosity.value_or(0));
-  problems.unless(positive(contact.tangential_stiffness_ratio), "tangential stiffness ratio {} must be above 0",
-                  contact.tangential_stiffness_ratio);
+  problems.unless(not_negative(contact.wall_friction.value_or(0)), "wall friction {} must be a number >= 0", contact.wall_friction.value_or(0));
+  problems.unless(not_negative(contact.normal_damping.value_or(0)), "normal damping {} N s/m must be >= 0", contact.normal_damping.value_or(0));
+  problems.unless(not_negative(contact.sliding_viscosity.value_or(0)), "sliding viscosity {} N s/m must be >= 0", contact.sliding_viscosity.value_or(0));
+  problems.unless(positive(contact.tangential_stiffness_ratio), "tangential stiffness ratio {} must be above 0", contact.tangential_stiffness_ratio);
   problems.unless(not_negative(contact.surface_energy), "surface energy {} N/m must be >= 0", contact.surface_energy);
   problems.unless(positive(integration.safety), "safety {} must be above 0", integration.safety);
   problems.unless(not_negative(integration.drag), "drag {} 1/s must be >= 0", integration.drag);
   problems.unless(integration.threads >= 1, "threads {} must be 1 or more", integration.threads);
   const auto n = static_cast<std::int32_t>(start.grains.size());
   for (const auto& [a, b] : contact.glued_pairs)
-    problems.unless(a >= 0 && b >= 0 && a < n && b < n && a != b,
-                    "glued pair ({}, {}) must name two of the {} grains", a, b, n);
+    problems.unless(a >= 0 && b >= 0 && a < n && b < n && a != b, "glued pair ({}, {}) must name two of the {} grains", a, b, n);
 }
 
 void check_packing(Problems& problems, const Packing& start) {
@@ -56,11 +49,9 @@ void check_packing(Problems& problems, const Packing& start) {
   const Grains& g = start.grains;
   for (std::size_t k = 0; k < g.size(); ++k) {
     problems.unless(positive(g.radius[k]), "radius {} m of grain {} must be above 0", g.radius[k], g.id[k]);
-    problems.unless(std::isfinite(g.x[k] + g.y[k] + g.vx[k] + g.vy[k] + g.omega[k]),
-                    "grain {} has a coordinate or velocity that is not a number", g.id[k]);
+    problems.unless(std::isfinite(g.x[k] + g.y[k] + g.vx[k] + g.vy[k] + g.omega[k]), "grain {} has a coordinate or velocity that is not a number", g.id[k]);
     problems.unless(g.material[k] >= 0 && static_cast<std::size_t>(g.material[k]) < start.materials.size(),
-                    "material {} of grain {} is not among the {} materials", g.material[k], g.id[k],
-                    start.materials.size());
+                    "material {} of grain {} is not among the {} materials", g.material[k], g.id[k], start.materials.size());
     const auto& w = domain.wall;
     const bool in_x = (!w[left].present || g.x[k] >= w[left].position) && (!w[right].present || g.x[k] <= w[right].position);
     const bool in_y = (!w[bottom].present || g.y[k] >= w[bottom].position) && (!w[top].present || g.y[k] <= w[top].position);
@@ -93,10 +84,10 @@ void place_disks(Sample& s) {
 void check_cell(const Sample& s) {
   Problems problems;
   const double needed = 2.0 * reach_of(s);
-  problems.unless(!s.domain.periodic_x || s.domain.width() >= needed,
-                  "a periodic cell {} m wide is too narrow for its grains; {} m would do", s.domain.width(), needed);
-  problems.unless(!s.domain.periodic_y || s.domain.height() >= needed,
-                  "a periodic cell {} m high is too low for its grains; {} m would do", s.domain.height(), needed);
+  problems.unless(!s.domain.periodic_x || s.domain.width() >= needed, "a periodic cell {} m wide is too narrow for its grains; {} m would do", s.domain.width(),
+                  needed);
+  problems.unless(!s.domain.periodic_y || s.domain.height() >= needed, "a periodic cell {} m high is too low for its grains; {} m would do", s.domain.height(),
+                  needed);
   problems.raise();
 }
 
@@ -106,10 +97,10 @@ void choose_step(Sample& s) {
   s.dt = asked.value_or(std::min(s.integration.safety * shortest_contact_time(s), bounds.largest()));
   if (!positive(s.dt)) throw InputError(fmt::format("time step {} s must be above 0", s.dt));
   if (s.dt > bounds.largest())
-    throw InputError(fmt::format("integration.time_step of {:.4g} s is too long for this packing: {} would make its motion grow without end; "
-                                 "{:.4g} s would do, or leave the key out",
-                                 s.dt, bounds.damping < bounds.stiffness ? "damping (dashpots and drag)" : "the stiffness of its contacts",
-                                 0.999 * bounds.largest()));
+    throw InputError(
+        fmt::format("integration.time_step of {:.4g} s is too long for this packing: {} would make its motion grow without end; "
+                    "{:.4g} s would do, or leave the key out",
+                    s.dt, bounds.damping < bounds.stiffness ? "damping (dashpots and drag)" : "the stiffness of its contacts", 0.999 * bounds.largest()));
   s.dt_at_start = s.dt;
 }
 
@@ -149,8 +140,14 @@ double lead_of(const Sample& s) { return s.integration.integrator == IntegratorK
 }  // namespace
 
 ContactLaws choose_laws(const ContactParameters& contact, double lead, double lag) {
-  return {contact.normal, contact.adhesion, contact.friction_law, lead, lag, contact.tangential_stiffness_ratio,
-          contact.friction_cap == FrictionCap::raised_by_adhesion ? 1.0 : -1.0, contact.normal_damping.has_value()};
+  return {contact.normal,
+          contact.adhesion,
+          contact.friction_law,
+          lead,
+          lag,
+          contact.tangential_stiffness_ratio,
+          contact.friction_cap == FrictionCap::raised_by_adhesion ? 1.0 : -1.0,
+          contact.normal_damping.has_value()};
 }
 
 ContactLaws laws_between_steps(const Sample& s) {

@@ -20,8 +20,7 @@ int side_index(const std::string& name) {
 /// Length of sample that a side's pressure acts on, m.
 double loaded_length(const Domain& domain, int side) { return side < 2 ? domain.height() : domain.width(); }
 
-void add_half_cycle(std::vector<Increment>& increments, const Stage& stage, const Cycles& cycles, double from, double to,
-                    const std::string& label) {
+void add_half_cycle(std::vector<Increment>& increments, const Stage& stage, const Cycles& cycles, double from, double to, const std::string& label) {
   for (std::int64_t k = 1; k <= cycles.increments; ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(cycles.increments);
     Increment increment{stage.side, stage.slide, k == cycles.increments ? label : fmt::format("{}, {} of {}", label, k, cycles.increments)};
@@ -69,9 +68,7 @@ WallDrives drives_for(const Increment& increment, const Domain& domain) {
       case SideDrive::Kind::fixed: drives[side] = {WallDrive::Kind::fixed, 0}; break;
       case SideDrive::Kind::velocity: drives[side] = {WallDrive::Kind::velocity, drive.value * (inward.x + inward.y)}; break;
       case SideDrive::Kind::force: drives[side] = {WallDrive::Kind::force, drive.value}; break;
-      case SideDrive::Kind::pressure:
-        drives[side] = {WallDrive::Kind::force, drive.value * loaded_length(domain, side) * domain.thickness};
-        break;
+      case SideDrive::Kind::pressure: drives[side] = {WallDrive::Kind::force, drive.value * loaded_length(domain, side) * domain.thickness}; break;
     }
     drives[side].slide = domain.wall[side].present ? increment.slide[side] : 0.0;
   }

@@ -14,12 +14,12 @@ inline constexpr double standard_gravity = 9.81;  ///< m/s^2
 
 /// When an increment counts as done.
 struct EquilibriumCriterion {
-  double unbalanced = 1e-4;            ///< unbalanced force ratio
-  double kinetic = 1e-6;               ///< kinetic over elastic energy
-  double falling = 1e-3;               ///< share of grains that may still fall
-  std::optional<double> loose_kinetic; ///< kinetic energy of grains that carry nothing over elastic energy; unset: 1e5 kinetic
-  double mobilisation = -1;            ///< mean |F_t|/F_n below this as well; < 0: not asked
-  std::int64_t max_steps = 20'000'000; ///< of one increment; then the stage ends with exit status 3
+  double unbalanced = 1e-4;             ///< unbalanced force ratio
+  double kinetic = 1e-6;                ///< kinetic over elastic energy
+  double falling = 1e-3;                ///< share of grains that may still fall
+  std::optional<double> loose_kinetic;  ///< kinetic energy of grains that carry nothing over elastic energy; unset: 1e5 kinetic
+  double mobilisation = -1;             ///< mean |F_t|/F_n below this as well; < 0: not asked
+  std::int64_t max_steps = 20'000'000;  ///< of one increment; then the stage ends with exit status 3
   bool operator==(const EquilibriumCriterion&) const = default;
 };
 
@@ -27,25 +27,25 @@ struct EquilibriumCriterion {
 struct SideDrive {
   enum class Kind { fixed, velocity, force, pressure };
   Kind kind = Kind::fixed;
-  double value = 0;                    ///< m/s inward, N, or Pa
+  double value = 0;  ///< m/s inward, N, or Pa
   bool operator==(const SideDrive&) const = default;
 };
 
 /// Force cycles on one side after the ramp, e.g. 6-60 kN (T 3.2.1); each half cycle is a ramp to rest.
 struct Cycles {
-  std::string side;                    ///< "left", "right", "bottom", "top"
-  double min = 0, max = 0;             ///< N
+  std::string side;         ///< "left", "right", "bottom", "top"
+  double min = 0, max = 0;  ///< N
   std::int64_t count = 0;
-  std::int64_t increments = 5;         ///< a half cycle
+  std::int64_t increments = 5;  ///< a half cycle
   bool operator==(const Cycles&) const = default;
 };
 
 /// How a boundary moves in a stage; one that is not named is there, at rest.
 struct BoundaryMotion {
   std::string name;
-  Vec2 velocity;                       ///< m/s
-  double spin = 0;                     ///< rad/s, counter-clockwise
-  std::optional<Vec2> centre;          ///< of the spin as the stage begins, m; unset: the mean of the points
+  Vec2 velocity;               ///< m/s
+  double spin = 0;             ///< rad/s, counter-clockwise
+  std::optional<Vec2> centre;  ///< of the spin as the stage begins, m; unset: the mean of the points
   bool absent = false;
   bool operator==(const BoundaryMotion&) const = default;
 };
@@ -55,25 +55,25 @@ struct Stage {
   std::string name;
   bool gravity = false;
   double gravity_size = standard_gravity;  ///< m/s^2
-  double gravity_angle = 0;            ///< rad, by which it is turned from straight down, counter-clockwise
-  std::array<double, 4> slide{};       ///< m/s of each wall along itself, along +y or +x
-  std::array<bool, 4> rough{};         ///< walls that hold the grains nearest to them as the stage begins
-  std::array<bool, 4> open{};          ///< walls that are taken away
+  double gravity_angle = 0;                ///< rad, by which it is turned from straight down, counter-clockwise
+  std::array<double, 4> slide{};           ///< m/s of each wall along itself, along +y or +x
+  std::array<bool, 4> rough{};             ///< walls that hold the grains nearest to them as the stage begins
+  std::array<bool, 4> open{};              ///< walls that are taken away
   std::vector<BoundaryMotion> boundaries;
-  std::optional<double> count_below;   ///< m; the history counts the grains whose centre is below
-  double shear_rate = 0;               ///< 1/s, of a cell that is periodic both ways
-  std::array<SideDrive, 4> side;       ///< in the order of model/packing.hpp
+  std::optional<double> count_below;  ///< m; the history counts the grains whose centre is below
+  double shear_rate = 0;              ///< 1/s, of a cell that is periodic both ways
+  std::array<SideDrive, 4> side;      ///< in the order of model/packing.hpp
   std::int64_t increments = 1;
-  std::optional<double> duration;      ///< s; for stages driven by velocity, which do not end at rest
+  std::optional<double> duration;  ///< s; for stages driven by velocity, which do not end at rest
   std::optional<Cycles> cycles;
   EquilibriumCriterion equilibrium;
-  std::optional<double> friction;      ///< mu during this stage only (e.g. 0 to densify)
-  double drag = 0;                     ///< 1/s, during this stage only, on top of the integration's
-  double critical_drag = 0;            ///< drag as a multiple of Engine::critical_drag; added to `drag`
+  std::optional<double> friction;  ///< mu during this stage only (e.g. 0 to densify)
+  double drag = 0;                 ///< 1/s, during this stage only, on top of the integration's
+  double critical_drag = 0;        ///< drag as a multiple of Engine::critical_drag; added to `drag`
   MassScaling mass_scaling = MassScaling::none;
   double inertial_number = default_inertial_number;
-  bool glue = false;                   ///< adhesion acts from this stage on
-  std::int64_t snapshots = 1;          ///< states stored for stages with a duration; increments store one each
+  bool glue = false;           ///< adhesion acts from this stage on
+  std::int64_t snapshots = 1;  ///< states stored for stages with a duration; increments store one each
   bool operator==(const Stage&) const = default;
 };
 

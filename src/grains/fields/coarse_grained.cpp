@@ -16,19 +16,16 @@ namespace {
 using statistics::unknown;
 
 /// Calls visit(index, point) for the points of a grid in a rectangle.
-template <class Visit>
-void for_points_in(const Grid& grid, const geometry::Rectangle& part, Visit&& visit) {
+template <class Visit> void for_points_in(const Grid& grid, const geometry::Rectangle& part, Visit&& visit) {
   const auto first = [](double low, double origin, double step, int count) {
     return static_cast<int>(std::clamp(std::ceil((low - origin) / step - 0.5), 0.0, static_cast<double>(count)));
   };
   const double dx = grid.bounds.width() / grid.columns, dy = grid.bounds.height() / grid.rows;
-  const int column0 = first(part.x_min, grid.bounds.x_min, dx, grid.columns),
-            column1 = first(part.x_max, grid.bounds.x_min, dx, grid.columns);
+  const int column0 = first(part.x_min, grid.bounds.x_min, dx, grid.columns), column1 = first(part.x_max, grid.bounds.x_min, dx, grid.columns);
   const int row0 = first(part.y_min, grid.bounds.y_min, dy, grid.rows), row1 = first(part.y_max, grid.bounds.y_min, dy, grid.rows);
   for (int row = row0; row < row1; ++row)
     for (int column = column0; column < column1; ++column)
-      visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(column),
-            grid.point(column, row));
+      visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(column), grid.point(column, row));
 }
 
 /// Rectangle around a line from a to b, wider by `reach` on every side.
@@ -36,9 +33,7 @@ geometry::Rectangle around(Vec2 a, Vec2 b, double reach) {
   return {std::min(a.x, b.x) - reach, std::max(a.x, b.x) + reach, std::min(a.y, b.y) - reach, std::max(a.y, b.y) + reach};
 }
 
-geometry::Rectangle moved(const geometry::Rectangle& r, Vec2 by) {
-  return {r.x_min + by.x, r.x_max + by.x, r.y_min + by.y, r.y_max + by.y};
-}
+geometry::Rectangle moved(const geometry::Rectangle& r, Vec2 by) { return {r.x_min + by.x, r.x_max + by.x, r.y_min + by.y, r.y_max + by.y}; }
 
 /// How fast an image of the cell moves against the cell itself.
 Vec2 image_velocity(const Domain& domain, const CoarseGraining& choice, const Image& image) {
@@ -122,11 +117,10 @@ void add_contacts(const Packing& packing, const Kernel& kernel, CoarseFields& fi
 void check(const Packing& packing, const Grid& grid) {
   const Domain& domain = packing.domain;
   if (!(domain.width() > 0 && domain.height() > 0)) throw InputError("the box is not known; coarse-grained fields need its size");
-  if (!(domain.thickness > 0))
-    throw InputError(fmt::format("a thickness of {:g} m; coarse-grained fields need a positive one", domain.thickness));
+  if (!(domain.thickness > 0)) throw InputError(fmt::format("a thickness of {:g} m; coarse-grained fields need a positive one", domain.thickness));
   if (grid.columns < 1 || grid.rows < 1 || !(grid.bounds.width() > 0 && grid.bounds.height() > 0))
-    throw InputError(fmt::format("a grid of {} x {} points over {:g} m x {:g} m; give at least one point and a positive area", grid.columns,
-                                 grid.rows, grid.bounds.width(), grid.bounds.height()));
+    throw InputError(fmt::format("a grid of {} x {} points over {:g} m x {:g} m; give at least one point and a positive area", grid.columns, grid.rows,
+                                 grid.bounds.width(), grid.bounds.height()));
 }
 
 }  // namespace

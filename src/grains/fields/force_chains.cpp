@@ -31,8 +31,7 @@ std::int32_t other_end(const Contacts& contacts, std::int32_t c, std::int32_t g)
 }
 
 /// Contacts that may join two highly loaded grains, the straightest first.
-std::vector<Candidate> candidates(const Contacts& contacts, const std::vector<GrainCompression>& grains, double threshold,
-                                  double least_cosine) {
+std::vector<Candidate> candidates(const Contacts& contacts, const std::vector<GrainCompression>& grains, double threshold, double least_cosine) {
   std::vector<Candidate> found;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (contacts.is_wall(c) || contacts.fn[c] <= 0) continue;
@@ -41,8 +40,7 @@ std::vector<Candidate> candidates(const Contacts& contacts, const std::vector<Gr
     if (!(a.major > threshold && b.major > threshold)) continue;
     const double at_i = dot(a.direction, -contacts.normal(c)), at_j = dot(b.direction, contacts.normal(c));
     if (std::abs(at_i) < least_cosine || std::abs(at_j) < least_cosine) continue;
-    found.push_back({std::abs(at_i) + std::abs(at_j), static_cast<std::int32_t>(c), static_cast<std::int8_t>(at_i > 0),
-                     static_cast<std::int8_t>(at_j > 0)});
+    found.push_back({std::abs(at_i) + std::abs(at_j), static_cast<std::int32_t>(c), static_cast<std::int8_t>(at_i > 0), static_cast<std::int8_t>(at_j > 0)});
   }
   std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) { return a.alignment > b.alignment; });
   return found;

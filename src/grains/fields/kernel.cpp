@@ -41,10 +41,8 @@ double gaussian_along(double p, double t0, double t1) {
 
 }  // namespace
 
-Kernel::Kernel(KernelShape shape, double width)
-    : shape_(shape), width_(width), reach_(width * (shape == KernelShape::gaussian ? gaussian_reach : lucy_reach)) {
-  if (!(width > 0) || !std::isfinite(width))
-    throw InputError(fmt::format("a coarse-graining width of {:g} m; give a positive length", width));
+Kernel::Kernel(KernelShape shape, double width) : shape_(shape), width_(width), reach_(width * (shape == KernelShape::gaussian ? gaussian_reach : lucy_reach)) {
+  if (!(width > 0) || !std::isfinite(width)) throw InputError(fmt::format("a coarse-graining width of {:g} m; give a positive length", width));
 }
 
 double Kernel::value(Vec2 d) const {

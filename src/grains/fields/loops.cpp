@@ -47,8 +47,7 @@ std::vector<std::uint8_t> kept_contacts(const Contacts& contacts, std::vector<st
       if (!kept[c]) continue;
       kept[c] = 0;
       const auto other = static_cast<std::size_t>(contacts.i[c]) == g ? contacts.j[c] : contacts.i[c];
-      if (--degree[static_cast<std::size_t>(other)] < 2 && in_network[static_cast<std::size_t>(other)])
-        leave(static_cast<std::size_t>(other));
+      if (--degree[static_cast<std::size_t>(other)] < 2 && in_network[static_cast<std::size_t>(other)]) leave(static_cast<std::size_t>(other));
     }
   }
   return kept;
@@ -71,15 +70,10 @@ Network network_of(const Packing& packing, bool bearing_only) {
   }
   net.next.resize(net.from.size());
   for (auto& around : leaving) {
-    const auto direction = [&](std::int32_t h) {
-      return std::atan2(net.step[static_cast<std::size_t>(h)].y, net.step[static_cast<std::size_t>(h)].x);
-    };
-    std::sort(around.begin(), around.end(), [&](std::int32_t a, std::int32_t b) {
-      return std::pair{direction(a), a} < std::pair{direction(b), b};
-    });
+    const auto direction = [&](std::int32_t h) { return std::atan2(net.step[static_cast<std::size_t>(h)].y, net.step[static_cast<std::size_t>(h)].x); };
+    std::sort(around.begin(), around.end(), [&](std::int32_t a, std::int32_t b) { return std::pair{direction(a), a} < std::pair{direction(b), b}; });
     // Who comes in against the half-edge h goes on by the one before it, counter-clockwise order.
-    for (std::size_t k = 0; k < around.size(); ++k)
-      net.next[static_cast<std::size_t>(around[k] ^ 1)] = around[(k + around.size() - 1) % around.size()];
+    for (std::size_t k = 0; k < around.size(); ++k) net.next[static_cast<std::size_t>(around[k] ^ 1)] = around[(k + around.size() - 1) % around.size()];
   }
   return net;
 }

@@ -30,8 +30,7 @@ Tensor2 cell_motion(const Domain& before, const Domain& after) {
 
 void check(const Packing& before, const Packing& after) {
   if (before.grains.size() != after.grains.size())
-    throw InputError(
-        fmt::format("states of {} and {} grains; compare states of the same grains", before.grains.size(), after.grains.size()));
+    throw InputError(fmt::format("states of {} and {} grains; compare states of the same grains", before.grains.size(), after.grains.size()));
   if (before.domain.periodic_x != after.domain.periodic_x || before.domain.periodic_y != after.domain.periodic_y)
     throw InputError("one state is periodic along a side where the other has walls; compare states of one sample");
 }
@@ -59,8 +58,8 @@ std::vector<std::vector<Neighbour>> neighbours_within(const Packing& packing, do
     for (std::size_t g = 0; g < n; ++g) {
       const Vec2 p{x[g], y[g]};
       // Along a side without images a grain may lie beyond the box: its extent there is all that the reach is.
-      const geometry::Rectangle extent{domain.periodic_x ? p.x : reach.x_min, domain.periodic_x ? p.x : reach.x_max,
-                                       domain.periodic_y ? p.y : reach.y_min, domain.periodic_y ? p.y : reach.y_max};
+      const geometry::Rectangle extent{domain.periodic_x ? p.x : reach.x_min, domain.periodic_x ? p.x : reach.x_max, domain.periodic_y ? p.y : reach.y_min,
+                                       domain.periodic_y ? p.y : reach.y_max};
       for_each_image(domain, extent, reach, [&](const Image& image) {
         if (image.columns != 0 || image.rows != 0) add(p + image.shift, g);
       });
@@ -109,8 +108,7 @@ LocalDeformation local_deformation(const Packing& before, const Packing& after, 
   const Tensor2 motion = cell_motion(before.domain, after.domain);
   const auto list = neighbours_within(before, range);
   const std::size_t n = before.grains.size();
-  LocalDeformation out{std::vector<std::int32_t>(n), std::vector<Tensor2>(n, no_tensor), std::vector<double>(n, unknown),
-                       std::vector<double>(n, unknown)};
+  LocalDeformation out{std::vector<std::int32_t>(n), std::vector<Tensor2>(n, no_tensor), std::vector<double>(n, unknown), std::vector<double>(n, unknown)};
   std::vector<Vec2> from, to;
   for (std::size_t g = 0; g < n; ++g) {
     from.clear();

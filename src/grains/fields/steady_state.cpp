@@ -27,8 +27,7 @@ struct Sums {
   /// Means of blocks of equal length; samples that fill none are left out at the start, nearest to the transient.
   std::vector<double> block_means(std::size_t length) const {
     std::vector<double> means;
-    for (std::size_t k = size() % length; k < size(); k += length)
-      means.push_back(origin + (before[k + length] - before[k]) / static_cast<double>(length));
+    for (std::size_t k = size() % length; k < size(); k += length) means.push_back(origin + (before[k + length] - before[k]) / static_cast<double>(length));
     return means;
   }
 };

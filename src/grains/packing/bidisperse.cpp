@@ -56,16 +56,16 @@ void hand_over(const TwoClasses& classes, Grains& grains) {
 
 [[noreturn]] void refuse_few_small(const BidisperseParameters& p, const TwoClasses& classes) {
   const double small = p.large_radius / p.size_ratio;
-  throw InputError(fmt::format("the volume ratio theta of {:g} is out of reach: it leaves {} small disks, and {} are the fewest; "
-                               "this box reaches about {:.2g}, a larger one more",
-                               p.volume_ratio, classes.disks.size() - classes.large, fewest_small,
-                               classes.area_large / (static_cast<double>(fewest_small) * pi * small * small)));
+  throw InputError(fmt::format(
+      "the volume ratio theta of {:g} is out of reach: it leaves {} small disks, and {} are the fewest; "
+      "this box reaches about {:.2g}, a larger one more",
+      p.volume_ratio, classes.disks.size() - classes.large, fewest_small, classes.area_large / (static_cast<double>(fewest_small) * pi * small * small)));
 }
 
 }  // namespace
 
 void check(const BidisperseParameters& p) {
-  constexpr double smallest_box = 25;      // a few disks along a side: below it classes have no meaning
+  constexpr double smallest_box = 25;  // a few disks along a side: below it classes have no meaning
   constexpr double most_disks = 2e6;
   Problems problems;
   const auto finite_above = [](double v, double least) { return std::isfinite(v) && v > least; };
@@ -79,8 +79,8 @@ void check(const BidisperseParameters& p) {
   problems.unless(finite_above(p.volume_ratio, 0), "the volume ratio theta is {:g}; it must be positive", p.volume_ratio);
   const double most = box ? std::sqrt(most_disks / p.box_area) : 1;
   problems.unless(p.size_ratio >= 1 && p.size_ratio <= most,
-                  "the size ratio gamma is {:g}; in this box it can be from 1 to {:.0f}, beyond which there are more than {:g} small disks",
-                  p.size_ratio, std::floor(most), most_disks);
+                  "the size ratio gamma is {:g}; in this box it can be from 1 to {:.0f}, beyond which there are more than {:g} small disks", p.size_ratio,
+                  std::floor(most), most_disks);
   problems.raise();
 }
 

@@ -9,32 +9,32 @@ namespace arenite::packing {
 /// leaves room, then small ones without. Near size_ratio 1 a class is only a label: with P's common cut at 1 both are one population, and what sets
 /// them apart is which step placed them.
 struct BidisperseParameters {
-  double large_radius = 0;           ///< mean, m
-  double size_ratio = 2.5;           ///< gamma = mean large over mean small radius, 1 or more
-  double volume_ratio = 1.4;         ///< theta = area of large over area of small disks
-  double deviation = 0.25;           ///< standard deviation of each class over its mean radius
-  double cut = 1.5;                  ///< radii are cut at this many standard deviations
-  bool cut_each_class = false;       ///< cut every class by itself; otherwise P's common range, from the small mean less
-                                     ///< its cut to the large mean plus its cut
-  bool hold_radius = false;          ///< a radius is kept until it is placed; otherwise drawn anew at each trial (P),
-                                     ///< which favours small ones
-  double box_area = 900;             ///< over pi large_radius^2
-  int trials = 30;                   ///< places tried round a disk before it is given up (redrawn radii)
-  bool maximal = false;              ///< afterwards every place is filled where a disk of the class still fits (redrawn
-                                     ///< radii); otherwise the sampling ends with the trials (P)
-  double tolerance = 0.01;           ///< relative error of theta at which the search for the gap ends
+  double large_radius = 0;      ///< mean, m
+  double size_ratio = 2.5;      ///< gamma = mean large over mean small radius, 1 or more
+  double volume_ratio = 1.4;    ///< theta = area of large over area of small disks
+  double deviation = 0.25;      ///< standard deviation of each class over its mean radius
+  double cut = 1.5;             ///< radii are cut at this many standard deviations
+  bool cut_each_class = false;  ///< cut every class by itself; otherwise P's common range, from the small mean less
+                                ///< its cut to the large mean plus its cut
+  bool hold_radius = false;     ///< a radius is kept until it is placed; otherwise drawn anew at each trial (P),
+                                ///< which favours small ones
+  double box_area = 900;        ///< over pi large_radius^2
+  int trials = 30;              ///< places tried round a disk before it is given up (redrawn radii)
+  bool maximal = false;         ///< afterwards every place is filled where a disk of the class still fits (redrawn
+                                ///< radii); otherwise the sampling ends with the trials (P)
+  double tolerance = 0.01;      ///< relative error of theta at which the search for the gap ends
   bool operator==(const BidisperseParameters&) const = default;
 };
 
 struct BidisperseReport {
-  double gap = 0;                    ///< d_min between large disks, m: found so that theta comes out
-  double volume_ratio = 0;           ///< reached
-  double volume_ratio_error = 0;     ///< reached over asked, less 1
-  double solid_fraction = 0;         ///< of the whole box
+  double gap = 0;                         ///< d_min between large disks, m: found so that theta comes out
+  double volume_ratio = 0;                ///< reached
+  double volume_ratio_error = 0;          ///< reached over asked, less 1
+  double solid_fraction = 0;              ///< of the whole box
   double mean_large = 0, mean_small = 0;  ///< radii, m
   std::size_t large = 0, small = 0;
-  std::size_t left_out = 0;          ///< small disks removed again at random, where every gap leaves too many
-  int samplings = 0;                 ///< of the whole box, until theta came out
+  std::size_t left_out = 0;  ///< small disks removed again at random, where every gap leaves too many
+  int samplings = 0;         ///< of the whole box, until theta came out
 };
 
 /// Grains of materials 0 (large, first in the arrays) and 1 (small) in the square box of the domain, which is set here; sides are walls or periodic

@@ -33,10 +33,10 @@ void check(const BidisperseParameters& parameters);
 /// Disks of both classes, large ones first.
 struct TwoClasses {
   std::vector<Disk> disks;
-  std::size_t large = 0;               ///< how many
-  double gap = 0;                      ///< between large ones, m
+  std::size_t large = 0;                  ///< how many
+  double gap = 0;                         ///< between large ones, m
   double area_large = 0, area_small = 0;  ///< m^2
-  int samplings = 0;                   ///< that the search took
+  int samplings = 0;                      ///< that the search took
 
   double volume_ratio() const { return area_large / area_small; }
 };

@@ -157,8 +157,7 @@ RelaxReport relax(Grains& grains, const Domain& domain, double tolerance, int ma
   }
   relaxation.wrap();
   report.overlap_after = relaxation.largest_overlap;
-  for (std::size_t i = 0; i < grains.size(); ++i)
-    report.largest_move = std::max(report.largest_move, norm(domain.nearest_image(grains.centre(i) - start[i])));
+  for (std::size_t i = 0; i < grains.size(); ++i) report.largest_move = std::max(report.largest_move, norm(domain.nearest_image(grains.centre(i) - start[i])));
   return report;
 }
 
@@ -174,13 +173,17 @@ RelaxReport fill_at_random(Grains& grains, const Domain& domain, std::uint64_t s
   constexpr double densest = 0.9069;  // equal disks in a triangular lattice
   const double asked = disk_area(grains) / domain.area();
   if (asked > densest)
-    throw InputError(fmt::format("the grains cover {:.3g} times the area of the container and cannot fit; take fewer, or leave container.height out with a packing.solid_fraction of 0.80 or less", asked));
+    throw InputError(
+        fmt::format("the grains cover {:.3g} times the area of the container and cannot fit; take fewer, or leave container.height out with a "
+                    "packing.solid_fraction of 0.80 or less",
+                    asked));
   const auto report = relax(grains, domain);
   if (report.overlap_after > 0.01)
-    throw InputError(fmt::format("a random filling at solid fraction {:.3f} jams with overlaps of {:.1f} % of the radii; "
-                                 "give it room (packing.solid_fraction of {:.2f} or less, or a larger frame.height) and let a "
-                                 "loading stage compact it",
-                                 asked, 100 * report.overlap_after, std::min(0.80, std::floor(100 * asked) / 100 - 0.03)));
+    throw InputError(
+        fmt::format("a random filling at solid fraction {:.3f} jams with overlaps of {:.1f} % of the radii; "
+                    "give it room (packing.solid_fraction of {:.2f} or less, or a larger frame.height) and let a "
+                    "loading stage compact it",
+                    asked, 100 * report.overlap_after, std::min(0.80, std::floor(100 * asked) / 100 - 0.03)));
   return report;
 }
 

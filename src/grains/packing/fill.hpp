@@ -7,9 +7,9 @@ namespace arenite::packing {
 
 /// What a relaxation found and did; overlaps are relative to the mean radius of the two grains (a wall counts as the grain).
 struct RelaxReport {
-  double overlap_before = 0;   ///< largest
-  double overlap_after = 0;    ///< largest
-  double largest_move = 0;     ///< m
+  double overlap_before = 0;  ///< largest
+  double overlap_after = 0;   ///< largest
+  double largest_move = 0;    ///< m
   int iterations = 0;
 };
 

@@ -27,8 +27,7 @@ class DiskCells {
   double largest() const { return largest_; }
 
   /// Whether `holds(image)` is true for any disk whose image may lie nearer to `point` than `reach`, centre to centre.
-  template <class Predicate>
-  bool any_near(Vec2 point, double reach, Predicate holds) const {
+  template <class Predicate> bool any_near(Vec2 point, double reach, Predicate holds) const {
     int row0 = grid_.free_row(point.y - reach), row1 = grid_.free_row(point.y + reach);
     int column0 = grid_.free_column(point.x - reach), column1 = grid_.free_column(point.x + reach);
     if (!box_.periodic_y) row0 = std::max(row0, 0), row1 = std::min(row1, grid_.rows - 1);

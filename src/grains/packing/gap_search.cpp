@@ -18,9 +18,7 @@ constexpr double covered_with_gap = 0.62, covered = 0.78;
 constexpr double fewest_large = 10;
 
 /// The gap at which about `fewest_large` large disks are left.
-double widest_gap(const BidisperseParameters& p) {
-  return 2 * (std::sqrt(covered_with_gap * p.box_area / fewest_large) - 1) * p.large_radius;
-}
+double widest_gap(const BidisperseParameters& p) { return 2 * (std::sqrt(covered_with_gap * p.box_area / fewest_large) - 1) * p.large_radius; }
 
 double guess(const BidisperseParameters& p) {
   const double large = covered * p.volume_ratio / (1 + p.volume_ratio);
@@ -29,7 +27,7 @@ double guess(const BidisperseParameters& p) {
 
 /// A gap and how far the ratio reached there is above the one asked for.
 struct Known {
-  double gap, excess;                  ///< m; ln of the ratio over the one asked for, falls with the gap
+  double gap, excess;  ///< m; ln of the ratio over the one asked for, falls with the gap
 };
 
 /// Where the straight line through known points, the nearest to the aim weighing most, reaches the aim. Ratios scatter by a few per cent from
@@ -57,8 +55,7 @@ double aim(const std::vector<Known>& known, double near, double far) {
 
 class Search {
  public:
-  Search(const BidisperseParameters& p, const geometry::Box& box, std::uint64_t seed)
-      : p_(p), box_(box), seed_(seed), widest_(widest_gap(p)) {}
+  Search(const BidisperseParameters& p, const geometry::Box& box, std::uint64_t seed) : p_(p), box_(box), seed_(seed), widest_(widest_gap(p)) {}
 
   TwoClasses run() {
     search();
@@ -106,9 +103,10 @@ class Search {
   bool done() const { return std::abs(least_) <= std::log1p(p_.tolerance); }
 
   [[noreturn]] void refuse() const {
-    throw InputError(fmt::format("the volume ratio theta of {:g} is out of reach: in this box even the widest gap between large "
-                                 "disks, {:.3g} of their mean radius, gives {:.3g}; ask for more or take a larger box",
-                                 p_.volume_ratio, widest_ / p_.large_radius, p_.volume_ratio * std::exp(known_.back().excess)));
+    throw InputError(
+        fmt::format("the volume ratio theta of {:g} is out of reach: in this box even the widest gap between large "
+                    "disks, {:.3g} of their mean radius, gives {:.3g}; ask for more or take a larger box",
+                    p_.volume_ratio, widest_ / p_.large_radius, p_.volume_ratio * std::exp(known_.back().excess)));
   }
 
   const BidisperseParameters& p_;

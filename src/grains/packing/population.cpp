@@ -13,7 +13,8 @@
 namespace arenite::packing {
 
 void refuse_truncation(const UniformSizes& law, const char* name, const char* centre) {
-  throw InputError(fmt::format("from {:g} to {:g} m the {} size law has almost none of its grains; move min and max apart, around its {}", law.min, law.max, name, centre));
+  throw InputError(
+      fmt::format("from {:g} to {:g} m the {} size law has almost none of its grains; move min and max apart, around its {}", law.min, law.max, name, centre));
 }
 
 namespace {
@@ -62,9 +63,11 @@ Grains draw_grains(const std::vector<Population>& populations, const Materials& 
   for (std::size_t p = 0; p < populations.size(); ++p) {
     const auto material = material_index(materials, populations[p].material);
     RandomStream random(seed, Purpose::radius, p);
-    std::visit([&](const auto& law) {
-      for (std::int64_t k = 0; k < counts[p]; ++k) drawn.emplace_back(law.draw(k, random) / 2, material);
-    }, populations[p].size);
+    std::visit(
+        [&](const auto& law) {
+          for (std::int64_t k = 0; k < counts[p]; ++k) drawn.emplace_back(law.draw(k, random) / 2, material);
+        },
+        populations[p].size);
   }
   if (drawn.empty()) throw InputError("the populations hold no grains; give each a count, or ratios and packing.grains");
 

@@ -13,7 +13,7 @@ namespace arenite::packing {
 struct Population {
   std::string material;
   std::optional<std::int64_t> count;
-  std::optional<double> ratio;         ///< relative to the other populations' ratios
+  std::optional<double> ratio;  ///< relative to the other populations' ratios
   SizeLaw size;
   bool operator==(const Population&) const = default;
 };
@@ -27,10 +27,10 @@ Grains draw_grains(const std::vector<Population>& populations, const Materials& 
 struct Region {
   enum class Shape { circle, rectangle };
   Shape shape = Shape::circle;
-  double x = 0, y = 0;                 ///< centre, m from the container's lower left corner
-  double radius = 0;                   ///< circle
-  double width = 0, height = 0;        ///< rectangle
-  std::optional<std::int64_t> count;   ///< the nearest grains to (x, y), that many, instead of a shape
+  double x = 0, y = 0;                ///< centre, m from the container's lower left corner
+  double radius = 0;                  ///< circle
+  double width = 0, height = 0;       ///< rectangle
+  std::optional<std::int64_t> count;  ///< the nearest grains to (x, y), that many, instead of a shape
   bool operator==(const Region&) const = default;
 };
 

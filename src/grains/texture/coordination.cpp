@@ -35,14 +35,12 @@ struct Partners {
 };
 
 /// Mean over the considered grains of material m (any material for m < 0) of a value of each.
-template <class Value>
-Estimate grain_mean(const View& view, int m, Value value) {
+template <class Value> Estimate grain_mean(const View& view, int m, Value value) {
   return mean(m < 0 ? view.grains : view.grains_of(m), view.grain_block, value);
 }
 
 /// Ratio of two sums over the considered grains.
-template <class Top, class Under>
-Estimate ratio(const View& view, Top top, Under under) {
+template <class Top, class Under> Estimate ratio(const View& view, Top top, Under under) {
   const auto add = [&](std::size_t g, double* sums) {
     sums[0] += top(g);
     sums[1] += under(g);
@@ -58,20 +56,18 @@ Estimate ratio(const View& view, Top top, Under under) {
 void measure_coordination(const View& view, Texture& texture) {
   const Partners partners(view);
   Coordination& z = texture.coordination;
-  for (std::size_t g = 0; g < view.packing.grains.size(); ++g)
-    texture.per_grain.contacts.push_back(static_cast<std::int32_t>(partners.all(g)));
+  for (std::size_t g = 0; g < view.packing.grains.size(); ++g) texture.per_grain.contacts.push_back(static_cast<std::int32_t>(partners.all(g)));
   if (view.grains.empty()) return;
   const auto all = [&](std::size_t g) { return partners.all(g); };
 
   z.mean.emplace_back("all", grain_mean(view, -1, all));
-  z.mean.emplace_back("all without rattlers",
-                      ratio(view, [&](std::size_t g) { return view.rattler[g] ? 0.0 : partners.bearing[g]; },
-                            [&](std::size_t g) { return view.rattler[g] ? 0.0 : 1.0; }));
+  z.mean.emplace_back("all without rattlers", ratio(
+                                                  view, [&](std::size_t g) { return view.rattler[g] ? 0.0 : partners.bearing[g]; },
+                                                  [&](std::size_t g) { return view.rattler[g] ? 0.0 : 1.0; }));
   const std::vector<int> materials = view.materials();
   for (const int x : materials)
     for (const int y : materials)
-      z.mean.emplace_back(view.material_name(x) + "-" + view.material_name(y),
-                          grain_mean(view, x, [&](std::size_t g) { return partners.with(g, y); }));
+      z.mean.emplace_back(view.material_name(x) + "-" + view.material_name(y), grain_mean(view, x, [&](std::size_t g) { return partners.with(g, y); }));
   for (const int x : materials) {
     const std::string any = view.material_name(x) + "-ANY";
     z.mean.emplace_back(any, grain_mean(view, x, all));

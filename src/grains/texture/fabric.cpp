@@ -92,9 +92,9 @@ void fill_sectors(const View& view, const Items& items, Fabric& f) {
 }
 
 Fabric fabric_of(const View& view, const Items& items) {
-  const auto r = jackknife_of_sums(items, view.contact_block, terms,
-                                   [&](std::size_t c, double* sums) { add_contact(view.pairs(), c, sums); },
-                                   [&](const std::vector<double>& s) { return evaluate(s, view.load_axis); }, periods);
+  const auto r = jackknife_of_sums(
+      items, view.contact_block, terms, [&](std::size_t c, double* sums) { add_contact(view.pairs(), c, sums); },
+      [&](const std::vector<double>& s) { return evaluate(s, view.load_axis); }, periods);
   Fabric f;
   f.contacts = items.size();
   f.phi.value = {r[phi_xx].value, r[phi_xy].value, r[phi_xy].value, r[phi_yy].value};
@@ -107,8 +107,7 @@ Fabric fabric_of(const View& view, const Items& items) {
   f.a_t = r[a_t];
   const double noise = resultant_noise(items.size());
   f.noise = 2 * noise;
-  for (std::size_t k = 0; k < 3; ++k)
-    f.modes[k] = {2 * static_cast<int>(k + 1), r[amplitude2 + 2 * k], r[phase2 + 2 * k], noise};
+  for (std::size_t k = 0; k < 3; ++k) f.modes[k] = {2 * static_cast<int>(k + 1), r[amplitude2 + 2 * k], r[phase2 + 2 * k], noise};
   fill_sectors(view, items, f);
   return f;
 }
@@ -151,8 +150,8 @@ void measure_threshold(const View& view, Texture& texture) {
   for (int k = 0; k <= 40; ++k) {
     const double threshold = 0.1 * k;
     const auto below = static_cast<std::size_t>(
-        std::upper_bound(sorted.begin(), sorted.end(), threshold * view.mean_force,
-                         [&](double force, std::size_t c) { return force < contacts.fn[c]; }) - sorted.begin());
+        std::upper_bound(sorted.begin(), sorted.end(), threshold * view.mean_force, [&](double force, std::size_t c) { return force < contacts.fn[c]; }) -
+        sorted.begin());
     curve.threshold.push_back(threshold);
     push(curve.below, curve.below_noise, sum[below], below);
     push(curve.above, curve.above_noise, sum.back() - sum[below], sorted.size() - below);

@@ -14,7 +14,7 @@ namespace {
 /// Grains in the cell, followed by those of their periodic images that can touch a grain in it.
 struct Images {
   std::vector<double> x, y, radius;
-  std::vector<std::size_t> of;         ///< the grain
+  std::vector<std::size_t> of;  ///< the grain
 
   void add(Vec2 p, double r, std::size_t grain) {
     x.push_back(p.x);
@@ -68,15 +68,12 @@ std::vector<std::array<int, 2>> count_neighbours(const Packing& packing, const I
   return count;
 }
 
-bool holds(const geometry::Rectangle& window, Vec2 p) {
-  return p.x >= window.x_min && p.x <= window.x_max && p.y >= window.y_min && p.y <= window.y_max;
-}
+bool holds(const geometry::Rectangle& window, Vec2 p) { return p.x >= window.x_min && p.x <= window.x_max && p.y >= window.y_min && p.y <= window.y_max; }
 
 std::vector<int> blocks_of(const Images& images, std::size_t grains, std::size_t counted, const geometry::Rectangle& window) {
   const BlockGrid blocks{window, blocks_per_side(counted)};
   std::vector<int> block(grains);
-  for (std::size_t g = 0; g < grains; ++g)
-    block[g] = blocks.per_side > 1 ? blocks.block_of({images.x[g], images.y[g]}) : static_cast<int>(g);
+  for (std::size_t g = 0; g < grains; ++g) block[g] = blocks.per_side > 1 ? blocks.block_of({images.x[g], images.y[g]}) : static_cast<int>(g);
   return block;
 }
 
@@ -90,8 +87,7 @@ std::vector<double> means(const std::vector<double>& sums) {
 
 }  // namespace
 
-GapCoordination gap_coordination(const Packing& packing, double gap, int large, int small,
-                                 const std::optional<geometry::Rectangle>& window) {
+GapCoordination gap_coordination(const Packing& packing, double gap, int large, int small, const std::optional<geometry::Rectangle>& window) {
   if (!(gap >= 0)) throw InputError(fmt::format("neighbours up to a surface gap of {:g} m; give 0 or more", gap));
   if (large == small) throw InputError("large and small grains are of one material; give each class its own");
   const Images images = images_of(packing, gap);

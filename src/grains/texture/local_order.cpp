@@ -10,8 +10,7 @@ struct Six {
   std::vector<std::complex<double>> sum;
   std::vector<int> count;
 
-  template <class Keep>
-  Six(const View& view, Keep keep) : sum(view.packing.grains.size()), count(view.packing.grains.size(), 0) {
+  template <class Keep> Six(const View& view, Keep keep) : sum(view.packing.grains.size()), count(view.packing.grains.size(), 0) {
     for (std::size_t c = 0; c < view.pairs().size(); ++c) {
       if (view.pairs().is_wall(c)) continue;
       const auto i = static_cast<std::size_t>(view.pairs().i[c]), j = static_cast<std::size_t>(view.pairs().j[c]);

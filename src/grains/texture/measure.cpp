@@ -44,12 +44,13 @@ void describe_sample(const View& view, Texture& texture) {
     texture.notes.push_back("The box is not known, so solid fraction, REV and the stress of the assembly are left out and no border is cut off.");
   if (!view.has_thickness) texture.notes.push_back("The out-of-plane length is not known, so stresses in Pa are left out.");
   if (!view.options.load_axis && texture.considered_contacts > 0)
-    texture.notes.push_back("The direction of the load is not given: signed anisotropies refer to the sample's own axis of greatest compression, "
-                            "about which even chance has a positive sign.");
+    texture.notes.push_back(
+        "The direction of the load is not given: signed anisotropies refer to the sample's own axis of greatest compression, "
+        "about which even chance has a positive sign.");
   const bool walled = view.has_box && !(view.packing.domain.periodic_x && view.packing.domain.periodic_y);
   if (walled && view.options.border > 0 && view.window.border == 0)
-    texture.notes.push_back(fmt::format("The sample is too small to leave out {:g} mean diameters along its walls, so it is taken whole.",
-                                        view.options.border));
+    texture.notes.push_back(
+        fmt::format("The sample is too small to leave out {:g} mean diameters along its walls, so it is taken whole.", view.options.border));
 }
 
 /// A grain wider than a periodic cell covers itself, and the cell as often as it pleases.
@@ -59,8 +60,9 @@ void check_widths(const Packing& packing) {
   for (std::size_t g = 0; g < grains.size(); ++g)
     for (const auto& [periodic, side] : {std::pair(d.periodic_x, d.width()), std::pair(d.periodic_y, d.height())})
       if (periodic && side > 0 && !(2 * grains.radius[g] <= (1 + 1e-9) * side))
-        throw InputError(fmt::format("grain {} is {:.4g} m wide in a periodic cell of {:.4g} m, so that it would cover itself; correct the unit of the radii, or the cell",
-                                     grains.id[g], 2 * grains.radius[g], side));
+        throw InputError(
+            fmt::format("grain {} is {:.4g} m wide in a periodic cell of {:.4g} m, so that it would cover itself; correct the unit of the radii, or the cell",
+                        grains.id[g], 2 * grains.radius[g], side));
 }
 
 }  // namespace

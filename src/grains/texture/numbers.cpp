@@ -13,8 +13,7 @@ using statistics::numbers;
 using statistics::put;
 
 /// The numbers of the set "all" with those of the others in a group.
-template <class T, class Make>
-Numbers by_set(const ByName<T>& sets, const char* group, const Make& make) {
+template <class T, class Make> Numbers by_set(const ByName<T>& sets, const char* group, const Make& make) {
   Numbers j = Numbers::tree();
   for (const auto& [name, set] : sets)
     if (name == "all") j.update(make(set));
@@ -50,8 +49,10 @@ Numbers fabric(const Texture& t, bool curves) {
   put(j, "load_axis_deg", t.load_axis_deg);
   if (curves && !t.threshold.threshold.empty())
     j["threshold"] = {{"force", numbers(t.threshold.threshold)},
-                      {"a_c_below", numbers(t.threshold.below)}, {"noise_below", numbers(t.threshold.below_noise)},
-                      {"a_c_above", numbers(t.threshold.above)}, {"noise_above", numbers(t.threshold.above_noise)}};
+                      {"a_c_below", numbers(t.threshold.below)},
+                      {"noise_below", numbers(t.threshold.below_noise)},
+                      {"a_c_above", numbers(t.threshold.above)},
+                      {"noise_above", numbers(t.threshold.above_noise)}};
   return j;
 }
 
@@ -118,8 +119,7 @@ Numbers quality(const Quality& q) {
 }
 
 Numbers rows(const PerGrain& g) {
-  Numbers j{{"considered", g.considered}, {"rattler", g.rattler}, {"contacts", g.contacts},
-         {"sigma_norm", numbers(g.sigma_norm)}, {"psi6", numbers(g.psi6)}};
+  Numbers j{{"considered", g.considered}, {"rattler", g.rattler}, {"contacts", g.contacts}, {"sigma_norm", numbers(g.sigma_norm)}, {"psi6", numbers(g.psi6)}};
   if (!g.sigma_hyd.empty()) j["sigma_hyd_Pa"] = numbers(g.sigma_hyd);
   for (const Tensor2& t : g.sigma) j["sigma_Pa"].push_back(matrix(t));
   return j;
@@ -173,14 +173,13 @@ Numbers numbers(const Texture& t, bool curves) {
       put(j["force"]["tensile"], "mean_over_compressive_mean", t.force.tensile_mean_ratio);
     }
   }
-  if (!t.sigma_norm.sets.empty())
-    j["sigma_norm"] = distributions(t.sigma_norm.sets, "mean_Pa", "P0", "by_material", curves);
+  if (!t.sigma_norm.sets.empty()) j["sigma_norm"] = distributions(t.sigma_norm.sets, "mean_Pa", "P0", "by_material", curves);
   j["local_order"] = Numbers::tree();
   put(j["local_order"], "psi6", t.order.psi6);
   put(j["local_order"], "triangular_share", t.order.ordered);
   if (!t.rev.mean.empty())
-    j["rev"] = {{"area_share", numbers(t.rev.area_share)}, {"mean", numbers(t.rev.mean)},
-                {"deviation", numbers(t.rev.deviation)}, {"error", numbers(t.rev.error)}};
+    j["rev"] = {
+        {"area_share", numbers(t.rev.area_share)}, {"mean", numbers(t.rev.mean)}, {"deviation", numbers(t.rev.deviation)}, {"error", numbers(t.rev.error)}};
   j["quality"] = quality(t.quality);
   j["notes"] = t.notes;
   if (curves) j["by_grain"] = rows(t.per_grain);

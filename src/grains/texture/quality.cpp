@@ -59,22 +59,23 @@ void measure_friction(const View& view, Quality& quality) {
 void measure_quality(const View& view, Texture& texture) {
   Quality& quality = texture.quality;
   if (view.contacts.empty()) return;
-  quality.negative_forces = static_cast<std::size_t>(
-      std::count_if(view.contacts.begin(), view.contacts.end(), [&](std::size_t c) { return view.pairs().fn[c] < 0; }));
+  quality.negative_forces =
+      static_cast<std::size_t>(std::count_if(view.contacts.begin(), view.contacts.end(), [&](std::size_t c) { return view.pairs().fn[c] < 0; }));
   quality.negative_share = static_cast<double>(quality.negative_forces) / static_cast<double>(view.contacts.size());
   if (view.mean_force > 0) quality.median_imbalance = median_resultant(view) / view.mean_force;
   measure_friction(view, quality);
   if (quality.negative_forces > 0)
-    texture.notes.push_back(fmt::format("{} of {} normal forces pull; {}.", quality.negative_forces, view.contacts.size(),
-                                        why_they_pull(view.options.pull)));
+    texture.notes.push_back(fmt::format("{} of {} normal forces pull; {}.", quality.negative_forces, view.contacts.size(), why_they_pull(view.options.pull)));
   double largest = 0;
   for (const std::size_t c : view.contacts) largest = std::max(largest, view.pairs().fn[c]);
   if (largest > 50 * view.mean_force && view.mean_force > 0)
-    texture.notes.push_back(fmt::format("The largest force is {:.3g} times the mean, so a few rows decide the mean and all that hangs on it.",
-                                        largest / view.mean_force));
+    texture.notes.push_back(
+        fmt::format("The largest force is {:.3g} times the mean, so a few rows decide the mean and all that hangs on it.", largest / view.mean_force));
   if (quality.median_imbalance > 0.1)
-    texture.notes.push_back(fmt::format("Grains are not in balance: the median resultant is {:.2g} of the mean force, so stresses "
-                                        "depend on where moments are taken.", quality.median_imbalance));
+    texture.notes.push_back(
+        fmt::format("Grains are not in balance: the median resultant is {:.2g} of the mean force, so stresses "
+                    "depend on where moments are taken.",
+                    quality.median_imbalance));
 }
 
 }  // namespace arenite::texture

@@ -124,8 +124,7 @@ void measure_stress(const View& view, Texture& texture) {
   stress.inner = inner_stress(view, moments);
   stress.grains = {};
   for (const Tensor2& m : moments) stress.grains += 1 / volume * m;
-  if (!domain.periodic_x && !domain.periodic_y && texture.wall_contacts > 0)
-    stress.walls = 1 / volume * wall_moment(view.packing, view.options.gravity);
+  if (!domain.periodic_x && !domain.periodic_y && texture.wall_contacts > 0) stress.walls = 1 / volume * wall_moment(view.packing, view.options.gravity);
   const Tensor2& s = stress.whole.value;
   const double difference = s.xx - s.yy, shear = s.xy + s.yx;
   stress.pressure = -0.5 * trace(s);

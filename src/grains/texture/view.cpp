@@ -43,8 +43,7 @@ std::vector<std::uint8_t> find_rattlers(const Packing& packing, int least) {
     if (rattler[g]) continue;
     rattler[g] = 1;
     for (const std::int32_t p : partners[g])
-      if (--bearing[static_cast<std::size_t>(p)] < least && !rattler[static_cast<std::size_t>(p)])
-        open.push_back(static_cast<std::size_t>(p));
+      if (--bearing[static_cast<std::size_t>(p)] < least && !rattler[static_cast<std::size_t>(p)]) open.push_back(static_cast<std::size_t>(p));
   }
   return rattler;
 }
@@ -74,8 +73,7 @@ double compression_axis(const Packing& packing) {
 }
 
 /// The kinds that some grains are of, in rising order.
-template <class Kinds>
-std::vector<int> present(const Items& grains, const Kinds& kind) {
+template <class Kinds> std::vector<int> present(const Items& grains, const Kinds& kind) {
   std::set<int> found;
   for (const std::size_t g : grains) found.insert(kind[g]);
   return {found.begin(), found.end()};
@@ -99,9 +97,7 @@ std::vector<Sorting> sortings(const View& view) {
 
 }  // namespace
 
-geometry::Rectangle box_of(const Domain& d) {
-  return {d.wall[left].position, d.wall[right].position, d.wall[bottom].position, d.wall[top].position};
-}
+geometry::Rectangle box_of(const Domain& d) { return {d.wall[left].position, d.wall[right].position, d.wall[bottom].position, d.wall[top].position}; }
 
 Items known(const Items& items, const std::vector<double>& values) {
   Items found;
@@ -138,8 +134,7 @@ double covered_area(const Domain& domain, Vec2 centre, double radius, const geom
   for (int m = m0; m <= m1; ++m) {
     const Vec2 row{centre.x + m * domain.tilt, centre.y + m * domain.height()};
     const auto [k0, k1] = images(window.x_min - radius - row.x, window.x_max + radius - row.x, domain.width(), domain.periodic_x);
-    for (int k = k0; k <= k1; ++k)
-      area += geometry::disk_window_area({row.x + k * domain.width(), row.y}, radius, window);
+    for (int k = k0; k <= k1; ++k) area += geometry::disk_window_area({row.x + k * domain.width(), row.y}, radius, window);
   }
   return area;
 }
@@ -154,8 +149,8 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
 
   window = inner_window(domain, options.border * mean_diameter, has_box);
   const auto inside = [&](Vec2 q) {
-    return !window.known || ((domain.periodic_x || (q.x >= window.x_min && q.x <= window.x_max)) &&
-                             (domain.periodic_y || (q.y >= window.y_min && q.y <= window.y_max)));
+    return !window.known ||
+           ((domain.periodic_x || (q.x >= window.x_min && q.x <= window.x_max)) && (domain.periodic_y || (q.y >= window.y_min && q.y <= window.y_max)));
   };
   const auto take_grains = [&] {
     for (std::size_t g = 0; g < all.size(); ++g)
@@ -172,8 +167,7 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
 
   blocks = {bounds_of(*this), blocks_per_side(grains.size())};
   const bool cut = blocks.per_side > 1;  // a sample too small to be cut: every item is its own block
-  for (std::size_t g = 0; g < all.size(); ++g)
-    grain_block.push_back(cut ? blocks.block_of(wrapped(domain, all.centre(g))) : static_cast<int>(g));
+  for (std::size_t g = 0; g < all.size(); ++g) grain_block.push_back(cut ? blocks.block_of(wrapped(domain, all.centre(g))) : static_cast<int>(g));
   double sum = 0;
   std::size_t pushing = 0;
   for (std::size_t c = 0; c < pairs().size(); ++c) {

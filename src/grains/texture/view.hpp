@@ -11,12 +11,12 @@
 
 namespace arenite::texture {
 
+using statistics::exponential_tail;
 using statistics::Items;
 using statistics::jackknife;
 using statistics::jackknife_of_sums;
 using statistics::mean;
 using statistics::standard_error;
-using statistics::exponential_tail;
 
 /// A rectangle cut into k x k equal blocks. Neighbouring grains and contacts are not independent, so errors come from the scatter between blocks, not
 /// between grains.
@@ -53,14 +53,14 @@ struct View {
   bool has_box = false, has_thickness = false;
   double mean_diameter = 0;
   Window window;
-  Items grains;                        ///< considered: centre in the window
-  Items contacts;                      ///< considered: between grains, contact point in the window
-  std::vector<std::uint8_t> considered;  ///< by grain
-  std::vector<std::uint8_t> rattler;     ///< by grain
-  BlockGrid blocks;                    ///< over the window
+  Items grains;                                 ///< considered: centre in the window
+  Items contacts;                               ///< considered: between grains, contact point in the window
+  std::vector<std::uint8_t> considered;         ///< by grain
+  std::vector<std::uint8_t> rattler;            ///< by grain
+  BlockGrid blocks;                             ///< over the window
   std::vector<int> grain_block, contact_block;  ///< by grain, by contact
-  double mean_force = 0;               ///< of considered contacts that push, N; 0 if none does
-  double load_axis = 0;                ///< rad
+  double mean_force = 0;                        ///< of considered contacts that push, N; 0 if none does
+  double load_axis = 0;                         ///< rad
 
   const Contacts& pairs() const { return packing.contacts; }
   Vec2 contact_point(std::size_t c) const;  ///< in the periodic cell

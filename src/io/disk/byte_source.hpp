@@ -47,33 +47,24 @@ inline bool is_level(NumberType type) { return type == NumberType::u8 || type ==
 static_assert(std::endian::native == std::endian::little);
 
 /// A number of this type at a place of some bytes, lowest byte first; 0 beyond their end.
-template <class T>
-T number_at(std::string_view bytes, std::size_t at) {
+template <class T> T number_at(std::string_view bytes, std::size_t at) {
   T value{};
   if (at <= bytes.size() && bytes.size() - at >= sizeof(T)) std::memcpy(&value, bytes.data() + at, sizeof(T));
   return value;
 }
 
 /// Puts a number into bytes, or at their end, lowest byte first.
-template <class T>
-void put(std::string& bytes, std::size_t at, std::type_identity_t<T> value) {
-  std::memcpy(bytes.data() + at, &value, sizeof(T));
-}
-template <class T>
-void append(std::string& bytes, std::type_identity_t<T> value) {
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
-}
+template <class T> void put(std::string& bytes, std::size_t at, std::type_identity_t<T> value) { std::memcpy(bytes.data() + at, &value, sizeof(T)); }
+template <class T> void append(std::string& bytes, std::type_identity_t<T> value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof(T)); }
 
-template <class T>
-T swapped(T value) {
+template <class T> T swapped(T value) {
   char bytes[sizeof(T)];
   std::memcpy(bytes, &value, sizeof(T));
   std::reverse(bytes, bytes + sizeof(T));
   std::memcpy(&value, bytes, sizeof(T));
   return value;
 }
-template <class T, class Take>
-void each_number_of(bool big_endian, const char* from, std::size_t count, Take&& take) {
+template <class T, class Take> void each_number_of(bool big_endian, const char* from, std::size_t count, Take&& take) {
   for (std::size_t i = 0; i < count; ++i) {
     T value;
     std::memcpy(&value, from + i * sizeof(T), sizeof(T));
@@ -82,8 +73,7 @@ void each_number_of(bool big_endian, const char* from, std::size_t count, Take&&
 }
 
 /// Calls `take` with place and value of every one of `count` stored numbers.
-template <class Take>
-void each_number(NumberType type, bool big_endian, const char* from, std::size_t count, Take&& take) {
+template <class Take> void each_number(NumberType type, bool big_endian, const char* from, std::size_t count, Take&& take) {
   switch (type) {
     case NumberType::u8: return each_number_of<std::uint8_t>(false, from, count, take);
     case NumberType::i8: return each_number_of<std::int8_t>(false, from, count, take);

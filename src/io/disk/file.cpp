@@ -48,14 +48,14 @@ fs::path behind_link(const fs::path& path) {
 /// False if it is somebody else's.
 bool lock(int descriptor, int how) {
   int result = 0;
-  while ((result = ::flock(descriptor, how)) != 0 && errno == EINTR) {
-  }
+  while ((result = ::flock(descriptor, how)) != 0 && errno == EINTR) {}
   return result == 0;
 }
 
 /// Whoever held a lock before may have removed or renamed the file between our opening and locking it.
 bool is_still(int descriptor, const fs::path& name) {
-  struct stat opened{}, named{};
+  struct stat opened {
+  }, named{};
   return ::fstat(descriptor, &opened) == 0 && ::stat(name.c_str(), &named) == 0 && opened.st_ino == named.st_ino;
 }
 
@@ -66,8 +66,7 @@ AtomicFile::AtomicFile(const fs::path& path) : target_(behind_link(path)), besid
   const auto status = fs::status(target_, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
     io::refuse(path.string(), "cannot be written: it is {}; give the name of a file", fs::is_directory(status) ? "a folder" : "not a regular file");
-  while (!open_locked()) {
-  }
+  while (!open_locked()) {}
   if (::ftruncate(descriptor_, 0) != 0) refuse(target_, errno);
 }
 
@@ -125,8 +124,7 @@ std::string read_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream bytes;
   if (in && in.peek() != std::ifstream::traits_type::eof()) bytes << in.rdbuf();
-  if (!in.is_open() || in.bad())
-    throw InputError(path.string(), 0, std::string("cannot be read: ") + std::strerror(errno) + "; check its permissions");
+  if (!in.is_open() || in.bad()) throw InputError(path.string(), 0, std::string("cannot be read: ") + std::strerror(errno) + "; check its permissions");
   return std::move(bytes).str();
 }
 

@@ -23,7 +23,7 @@ class AtomicFile {
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
   ~AtomicFile();
-  void write(std::string_view bytes);                          ///< appends
+  void write(std::string_view bytes);                            ///< appends
   void overwrite(std::uint64_t offset, std::string_view bytes);  ///< of what was written
   void commit();
   const std::filesystem::path& beside() const { return beside_; }  ///< where the bytes are until then

@@ -9,8 +9,7 @@
 namespace arenite::io {
 
 /// What is wrong with a file, and what mends it: InputError, as a sentence after the file's name.
-template <class... A>
-[[noreturn]] void refuse(const std::string& file, fmt::format_string<A...> sentence, A&&... arguments) {
+template <class... A> [[noreturn]] void refuse(const std::string& file, fmt::format_string<A...> sentence, A&&... arguments) {
   throw InputError(file, 0, fmt::format(sentence, std::forward<A>(arguments)...));
 }
 

@@ -55,8 +55,9 @@ void check_seal(std::string_view bytes, std::string_view kind, const std::filesy
   if (format > file_format)
     refuse(fmt::format("was written by a newer Arenite (file format {}, this one reads up to {}); update Arenite", format, file_format));
   if (after(head, "\nbytes ") != std::to_string(bytes.size()))
-    damaged(fmt::format("has not the length it was written with ({} bytes are here): it was cut short or added to; remove it and make it again with \"arenite run\"",
-                        bytes.size()));
+    damaged(fmt::format(
+        "has not the length it was written with ({} bytes are here): it was cut short or added to; remove it and make it again with \"arenite run\"",
+        bytes.size()));
   if (after(head, "\nxxh3 ") != content_hash(bytes.substr(seal_size)))
     damaged("was changed or damaged after it was written (its checksum differs); remove it and make it again with \"arenite run\"");
 }
@@ -88,9 +89,7 @@ std::string read_sealed(const std::filesystem::path& path, std::string_view kind
 
 namespace fs = std::filesystem;
 
-std::string stage_file_name(int place, std::string_view stage, std::string_view hash) {
-  return full_stage_file_name(place, stage, hash.substr(0, 12));
-}
+std::string stage_file_name(int place, std::string_view stage, std::string_view hash) { return full_stage_file_name(place, stage, hash.substr(0, 12)); }
 
 std::string full_stage_file_name(int place, std::string_view stage, std::string_view hash) {
   std::string name(stage);

@@ -81,8 +81,7 @@ std::string node_table(const FieldResult& r) {
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x) {
       const auto i = map.index(x, y);
-      fmt::format_to(Text(text), "{:.8g},{:.8g},{},{},{}", (x + 0.5) * map.dx, (y + 0.5) * map.dx, static_cast<int>(map.phase[i]), map.grain[i],
-                     classes[i]);
+      fmt::format_to(Text(text), "{:.8g},{:.8g},{},{},{}", (x + 0.5) * map.dx, (y + 0.5) * map.dx, static_cast<int>(map.phase[i]), map.grain[i], classes[i]);
       for (const auto& c : columns) fmt::format_to(Text(text), ",{}", static_cast<float>((r.field.*c.member)[i]));
       text += '\n';
     }
@@ -116,8 +115,7 @@ std::string curve_table(const History& curve) {
 }  // namespace
 
 std::vector<NamedBytes> csv_frame(const ExportFrame& frame) {
-  return {{fmt::format("grains_{:04}.csv", frame.number), grain_table(frame)},
-          {fmt::format("contacts_{:04}.csv", frame.number), contact_table(frame)}};
+  return {{fmt::format("grains_{:04}.csv", frame.number), grain_table(frame)}, {fmt::format("contacts_{:04}.csv", frame.number), contact_table(frame)}};
 }
 
 /// Phases are 0 void, 1 matrix, 2 particle; classes 0 none, 1 small, 2 large.

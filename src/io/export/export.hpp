@@ -15,8 +15,8 @@ struct GrainField {
 
 /// One state of the loading, as every export format gets it.
 struct ExportFrame {
-  int number = 0;               ///< place in the loading, from 0
-  std::string stage;            ///< name of the stage it belongs to
+  int number = 0;     ///< place in the loading, from 0
+  std::string stage;  ///< name of the stage it belongs to
   const Frame* frame = nullptr;
   std::vector<GrainField> fields;
   std::vector<GrainField> of_contacts = {};

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 
-#include "io/results/groups.hpp"
 #include "io/export/export.hpp"
 #include "io/hdf5/handle.hpp"
+#include "io/results/groups.hpp"
 
 // One netCDF-4 file, which is HDF5 whose dimensions are named: arrays over (time, grain) and (time, side), and the contacts of all states in one row,
 // since their number changes (docs/hdf5.md).
@@ -25,19 +25,16 @@ class NetcdfFile {
   };
 
   /// A dimension with its coordinate.
-  template <class T>
-  void dimension(const std::string& name, const std::vector<T>& values, const About& about) {
+  template <class T> void dimension(const std::string& name, const std::vector<T>& values, const About& about) {
     const auto set = put(name, {name}, values, about);
     done(H5DSset_scale(*set, name.c_str()));
     scale_[name] = set;
   }
 
   /// An array over dimensions that are there.
-  template <class T>
-  void variable(const std::string& name, const std::vector<std::string>& dimensions, const std::vector<T>& values, const About& about) {
+  template <class T> void variable(const std::string& name, const std::vector<std::string>& dimensions, const std::vector<T>& values, const About& about) {
     const auto set = put(name, dimensions, values, about);
-    for (std::size_t d = 0; d < dimensions.size(); ++d)
-      done(H5DSattach_scale(*set, *scale_.at(dimensions[d]), static_cast<unsigned>(d)));
+    for (std::size_t d = 0; d < dimensions.size(); ++d) done(H5DSattach_scale(*set, *scale_.at(dimensions[d]), static_cast<unsigned>(d)));
   }
 
   void variable(const std::string& name, const std::string& dimension, const std::vector<std::string>& values, const About& about) {
@@ -67,7 +64,8 @@ class NetcdfFile {
     write_attribute(owner, name, *type, *type, static_cast<const void*>(&pointer));
   }
 
-  Hdf5Handle put(const std::string& name, const std::vector<std::string>& dimensions, hid_t stored, hid_t native, std::size_t count, bool compress, const void* values) {
+  Hdf5Handle put(const std::string& name, const std::vector<std::string>& dimensions, hid_t stored, hid_t native, std::size_t count, bool compress,
+                 const void* values) {
     std::vector<hsize_t> size;
     for (const auto& d : dimensions) size.push_back(d == name ? count : size_.at(d));
     if (dimensions.front() == name) size_[name] = count;
@@ -82,8 +80,7 @@ class NetcdfFile {
     return write_set(*file_, name, size, stored, native, *properties, values);
   }
 
-  template <class T>
-  Hdf5Handle put(const std::string& name, const std::vector<std::string>& dimensions, const std::vector<T>& values, const About& about) {
+  template <class T> Hdf5Handle put(const std::string& name, const std::vector<std::string>& dimensions, const std::vector<T>& values, const About& about) {
     const auto set = put(name, dimensions, stored_type<T>(), native_type<T>(), values.size(), true, values.data());
     if (!about.units.empty()) attribute(*set, "units", about.units);
     if (!about.long_name.empty()) attribute(*set, "long_name", about.long_name);
@@ -98,16 +95,14 @@ class NetcdfFile {
 using Frames = std::vector<ExportFrame>;
 
 /// One number of each state.
-template <class Value>
-std::vector<double> by_time(const Frames& frames, Value value) {
+template <class Value> std::vector<double> by_time(const Frames& frames, Value value) {
   std::vector<double> values;
   for (const auto& f : frames) values.push_back(value(*f.frame));
   return values;
 }
 
 /// An array of each state, one after the other.
-template <class T, class Array>
-std::vector<T> joined(const Frames& frames, Array array) {
+template <class T, class Array> std::vector<T> joined(const Frames& frames, Array array) {
   std::vector<T> all;
   for (const auto& f : frames) {
     const auto& part = array(f);
@@ -154,22 +149,40 @@ void put_grains(NetcdfFile& file, const Frames& frames) {
   const std::vector<std::string> over{"time", "grain"};
   const bool same_radii = std::all_of(frames.begin(), frames.end(), [&](const auto& f) { return f.frame->packing.grains.radius == first.radius; });
   if (same_radii) file.variable("radius", {"grain"}, first.radius, {"m", ""});
-  else file.variable("radius", over, joined<double>(frames, [](const auto& f) -> auto& { return f.frame->packing.grains.radius; }), {"m", ""});
+  else
+    file.variable("radius", over,
+                  joined<double>(
+                      frames, [](const auto& f) -> auto& { return f.frame->packing.grains.radius; }),
+                  {"m", ""});
   std::string names;
   for (const auto& m : frames.front().frame->packing.materials) names += (names.empty() ? "" : ", ") + m.name;
   file.variable("material", {"grain"}, first.material, {"1", "place in the list of materials: " + names});
-  file.variable("zone", over, joined<std::uint8_t>(frames, [](const auto& f) -> auto& { return f.frame->packing.grains.zone; }), {"1", "1 where grains may be glued"});
+  file.variable("zone", over,
+                joined<std::uint8_t>(
+                    frames, [](const auto& f) -> auto& { return f.frame->packing.grains.zone; }),
+                {"1", "1 where grains may be glued"});
   for (const auto& column : grain_state_columns)
-    file.variable(column.name, over, joined<double>(frames, [&](const auto& f) -> auto& { return f.frame->packing.grains.*column.member; }), {column.unit, ""});
+    file.variable(column.name, over,
+                  joined<double>(
+                      frames, [&](const auto& f) -> auto& { return f.frame->packing.grains.*column.member; }),
+                  {column.unit, ""});
   if (frames.size() > 1) {
     const std::vector<double> none(first.size(), 0.0);
-    file.variable("ux", over, joined<double>(frames, [&](const auto& f) -> auto& { return f.ux.empty() ? none : f.ux; }), {"m", "displacement along x since the first state"});
-    file.variable("uy", over, joined<double>(frames, [&](const auto& f) -> auto& { return f.uy.empty() ? none : f.uy; }), {"m", "displacement along y since the first state"});
+    file.variable("ux", over,
+                  joined<double>(
+                      frames, [&](const auto& f) -> auto& { return f.ux.empty() ? none : f.ux; }),
+                  {"m", "displacement along x since the first state"});
+    file.variable("uy", over,
+                  joined<double>(
+                      frames, [&](const auto& f) -> auto& { return f.uy.empty() ? none : f.uy; }),
+                  {"m", "displacement along y since the first state"});
   }
   for (std::size_t k = 0; k < frames.front().fields.size(); ++k) {
     const GrainField& field = frames.front().fields[k];
     if (std::any_of(frames.begin(), frames.end(), [&](const auto& f) { return f.fields.size() <= k || f.fields[k].name != field.name; })) continue;
-    file.variable(field.name, over, joined<double>(frames, [k](const auto& f) -> auto& { return f.fields[k].values; }),
+    file.variable(field.name, over,
+                  joined<double>(
+                      frames, [k](const auto& f) -> auto& { return f.fields[k].values; }),
                   {field.unit, field.unit == "Pa" ? "stress of the grain, tension positive" : ""});
   }
 }
@@ -192,8 +205,12 @@ void put_contacts(NetcdfFile& file, const Frames& frames) {
   file.variable("contact_j", {"contact"}, j, {"1", "id of the other grain; walls are -1 left, -2 right, -3 bottom, -4 top"});
   for (const auto& column : contact_columns)
     file.variable(std::string("contact_") + column.name, {"contact"},
-                  joined<double>(frames, [&](const auto& f) -> auto& { return f.frame->packing.contacts.*column.member; }), {column.unit, ""});
-  file.variable("contact_glued", {"contact"}, joined<std::uint8_t>(frames, [](const auto& f) -> auto& { return f.frame->packing.contacts.glued; }),
+                  joined<double>(
+                      frames, [&](const auto& f) -> auto& { return f.frame->packing.contacts.*column.member; }),
+                  {column.unit, ""});
+  file.variable("contact_glued", {"contact"},
+                joined<std::uint8_t>(
+                    frames, [](const auto& f) -> auto& { return f.frame->packing.contacts.glued; }),
                 {"1", "1 where adhesion acts"});
 }
 
@@ -204,8 +221,9 @@ std::vector<NamedBytes> netcdf_loading(const Frames& frames, const Provenance& p
   file.attribute("source", "Arenite " + provenance.version);
   file.attribute("input_hash", provenance.input_hash);
   file.attribute("recipe", provenance.recipe);
-  file.attribute("signs", "contact_n points from j to i, t is n turned by +90 degrees, the force on i is fn n + ft t (fn > 0 pushes); "
-                          "stress is positive in tension");
+  file.attribute("signs",
+                 "contact_n points from j to i, t is n turned by +90 degrees, the force on i is fn n + ft t (fn > 0 pushes); "
+                 "stress is positive in tension");
   file.attribute("thickness_m", frames.front().frame->packing.domain.thickness);
   put_states(file, frames);
   put_walls(file, frames);

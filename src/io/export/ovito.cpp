@@ -21,11 +21,11 @@ std::string header(const ExportFrame& from, const char* what, std::size_t count)
   std::string text = from.number == 0 ? "ITEM: UNITS\nsi\n" : "";
   fmt::format_to(Text(text), "ITEM: TIME\n{}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF {}\n{}\n", from.frame->time, from.frame->step, what, count);
   if (tilt == 0)
-    fmt::format_to(Text(text), "ITEM: BOX BOUNDS {} {} pp\n{} {}\n{} {}\n{} {}\n", x, y, x0, x1, domain.wall[bottom].position,
-                   domain.wall[top].position, -half, half);
+    fmt::format_to(Text(text), "ITEM: BOX BOUNDS {} {} pp\n{} {}\n{} {}\n{} {}\n", x, y, x0, x1, domain.wall[bottom].position, domain.wall[top].position, -half,
+                   half);
   else
-    fmt::format_to(Text(text), "ITEM: BOX BOUNDS xy xz yz {} {} pp\n{} {} {}\n{} {} 0\n{} {} 0\n", x, y, x0 + std::min(tilt, 0.0),
-                   x1 + std::max(tilt, 0.0), tilt, domain.wall[bottom].position, domain.wall[top].position, -half, half);
+    fmt::format_to(Text(text), "ITEM: BOX BOUNDS xy xz yz {} {} pp\n{} {} {}\n{} {} 0\n{} {} 0\n", x, y, x0 + std::min(tilt, 0.0), x1 + std::max(tilt, 0.0),
+                   tilt, domain.wall[bottom].position, domain.wall[top].position, -half, half);
   return text;
 }
 
@@ -36,8 +36,8 @@ std::string grain_dump(const ExportFrame& from) {
   for (const auto& field : from.fields) text += " " + field.name;
   text += '\n';
   for (std::size_t i = 0; i < g.size(); ++i) {
-    fmt::format_to(Text(text), "{} {} {} {} 0 {} {} {} 0 {} {} {}", g.id[i], g.material[i] + 1, g.x[i], g.y[i], g.radius[i], g.vx[i], g.vy[i],
-                   g.omega[i], g.angle[i], int{g.zone[i]});
+    fmt::format_to(Text(text), "{} {} {} {} 0 {} {} {} 0 {} {} {}", g.id[i], g.material[i] + 1, g.x[i], g.y[i], g.radius[i], g.vx[i], g.vy[i], g.omega[i],
+                   g.angle[i], int{g.zone[i]});
     for (const auto& field : from.fields) fmt::format_to(Text(text), " {}", field.values[i]);
     text += '\n';
   }
@@ -56,8 +56,8 @@ std::string contact_dump(const ExportFrame& from) {
     if (c.is_wall(k)) continue;
     const Vec2 n = c.normal(k), normal = c.fn[k] * n, tangential = c.ft[k] * perpendicular(n);
     fmt::format_to(Text(rows), "{} {} {} {} 0 {} {} 0 {} {} {} {}", packing.grains.id[static_cast<std::size_t>(c.i[k])],
-                   packing.grains.id[static_cast<std::size_t>(c.j[k])], normal.x, normal.y, tangential.x, tangential.y, contact_type(packing, k), c.fn[k] > mean ? 1 : 0, int{c.glued[k]},
-                   c.arm_i[k] + c.arm_j[k]);
+                   packing.grains.id[static_cast<std::size_t>(c.j[k])], normal.x, normal.y, tangential.x, tangential.y, contact_type(packing, k),
+                   c.fn[k] > mean ? 1 : 0, int{c.glued[k]}, c.arm_i[k] + c.arm_j[k]);
     for (const auto& column : contact_columns) fmt::format_to(Text(rows), " {}", (c.*column.member)[k]);
     rows += '\n';
     ++count;
@@ -77,9 +77,8 @@ std::string word(std::string text) {
 
 std::string comment_line(const ExportFrame& from) {
   const Domain& d = from.frame->packing.domain;
-  std::string text = fmt::format("Lattice=\"{} 0 0 {} {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"{} {} F\"", d.width(), d.tilt, d.height(),
-                                 d.thickness, d.wall[left].position, d.wall[bottom].position, -0.5 * d.thickness, d.periodic_x ? "T" : "F",
-                                 d.periodic_y ? "T" : "F");
+  std::string text = fmt::format("Lattice=\"{} 0 0 {} {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"{} {} F\"", d.width(), d.tilt, d.height(), d.thickness,
+                                 d.wall[left].position, d.wall[bottom].position, -0.5 * d.thickness, d.periodic_x ? "T" : "F", d.periodic_y ? "T" : "F");
   fmt::format_to(Text(text), " Time={} Step={} Stage={} Label=\"{}\" Properties=species:S:1:pos:R:3:radius:R:1:id:I:1:zone:I:1:velo:R:3:angle:R:1:omega:R:1",
                  from.frame->time, from.frame->step, word(from.stage), word(from.frame->label));
   for (const auto& field : from.fields) text += ":" + word(field.name) + ":R:1";
@@ -88,9 +87,7 @@ std::string comment_line(const ExportFrame& from) {
 
 }  // namespace
 
-std::vector<NamedBytes> lammps_frame(const ExportFrame& frame) {
-  return {{"grains.dump", grain_dump(frame)}, {"contacts.dump", contact_dump(frame)}};
-}
+std::vector<NamedBytes> lammps_frame(const ExportFrame& frame) { return {{"grains.dump", grain_dump(frame)}, {"contacts.dump", contact_dump(frame)}}; }
 
 std::vector<NamedBytes> extxyz_frame(const ExportFrame& from) {
   const Packing& packing = from.frame->packing;
@@ -99,8 +96,8 @@ std::vector<NamedBytes> extxyz_frame(const ExportFrame& from) {
   for (const auto& material : packing.materials) species.push_back(word(material.name));
   std::string text = fmt::format("{}\n{}\n", g.size(), comment_line(from));
   for (std::size_t i = 0; i < g.size(); ++i) {
-    fmt::format_to(Text(text), "{} {} {} 0 {} {} {} {} {} 0 {} {}", species[static_cast<std::size_t>(g.material[i])], g.x[i], g.y[i], g.radius[i],
-                   g.id[i], int{g.zone[i]}, g.vx[i], g.vy[i], g.angle[i], g.omega[i]);
+    fmt::format_to(Text(text), "{} {} {} 0 {} {} {} {} {} 0 {} {}", species[static_cast<std::size_t>(g.material[i])], g.x[i], g.y[i], g.radius[i], g.id[i],
+                   int{g.zone[i]}, g.vx[i], g.vy[i], g.angle[i], g.omega[i]);
     for (const auto& field : from.fields) fmt::format_to(Text(text), " {}", field.values[i]);
     text += '\n';
   }

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "io/results/groups.hpp"
 #include "io/export/export.hpp"
 #include "io/export/vtk_file.hpp"
+#include "io/results/groups.hpp"
 
 namespace arenite::io {
 namespace {
@@ -39,9 +39,9 @@ VtkPolyData grains_of(const ExportFrame& from) {
   VtkPolyData data;
   data.time = from.frame->time;
   data.points = in_space(grains.x, grains.y);
-  data.point_arrays = {{"id", grains.id},       {"radius", grains.radius},
-                       {"material", grains.material}, {"zone", grains.zone},
-                       {"velocity", in_space(grains.vx, grains.vy), 3}, {"angle", grains.angle}, {"omega", grains.omega}};
+  data.point_arrays = {
+      {"id", grains.id},       {"radius", grains.radius}, {"material", grains.material}, {"zone", grains.zone}, {"velocity", in_space(grains.vx, grains.vy), 3},
+      {"angle", grains.angle}, {"omega", grains.omega}};
   if (from.ux.size() == grains.size()) data.point_arrays.push_back({"displacement", in_space(from.ux, from.uy), 3});
   for (const auto& field : from.fields) data.point_arrays.push_back({field.name, field.values});
   if (auto stress = stress_of(from); !stress.empty()) data.point_arrays.push_back({"stress", std::move(stress), 9});
@@ -73,8 +73,8 @@ VtkPolyData contacts_of(const ExportFrame& from) {
     fx.push_back(force.x), fy.push_back(force.y);
   }
   data.point_arrays = {{"fn", force_at_ends}};  // on points as well: ParaView's tubes take their radius from there
-  data.cell_arrays = {{"i", id_i}, {"j", id_j}, {"type", type}, {"strong", strong}, {"glued", contacts.glued},
-                      {"force", in_space(fx, fy), 3}};  // on i, the line's first end
+  data.cell_arrays = {
+      {"i", id_i}, {"j", id_j}, {"type", type}, {"strong", strong}, {"glued", contacts.glued}, {"force", in_space(fx, fy), 3}};  // on i, the line's first end
   for (const auto& column : contact_columns) data.cell_arrays.push_back({column.name, contacts.*column.member});
   return data;
 }

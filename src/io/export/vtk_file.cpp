@@ -60,16 +60,14 @@ class VtkWriter {
     line("<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">", type);
   }
 
-  template <class... Arguments>
-  void line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+  template <class... Arguments> void line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
     fmt::format_to(std::back_inserter(xml_), format, std::forward<Arguments>(arguments)...);
     xml_ += '\n';
   }
 
-  template <class T>
-  void array(const std::string& name, int components, const std::vector<T>& values) {
-    line("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>", vtk_type<T>, escaped(name),
-         components, data_.size());
+  template <class T> void array(const std::string& name, int components, const std::vector<T>& values) {
+    line("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>", vtk_type<T>, escaped(name), components,
+         data_.size());
     data_ += compressed(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
   }
 
@@ -109,8 +107,8 @@ std::string vtp_bytes(const VtkPolyData& data) {
   VtkWriter file("PolyData");
   file.line("<PolyData>");
   file.line("<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n</FieldData>", data.time);
-  file.line("<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">", points,
-            lines ? 0 : points, lines ? points / 2 : 0);
+  file.line("<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">", points, lines ? 0 : points,
+            lines ? points / 2 : 0);
   file.arrays("PointData", data.point_arrays);
   file.arrays("CellData", data.cell_arrays);
   file.line("<Points>");
@@ -143,8 +141,7 @@ std::string vtm_bytes(const std::vector<VtkBlock>& blocks) {
 
 std::string pvd_bytes(const std::vector<VtkListed>& files) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n";
-  for (const auto& f : files)
-    text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", f.time, escaped(f.file));
+  for (const auto& f : files) text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", f.time, escaped(f.file));
   return text + "</Collection>\n</VTKFile>\n";
 }
 

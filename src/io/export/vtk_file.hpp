@@ -17,9 +17,9 @@ struct VtkArray {
 struct VtkPolyData {
   enum class Cells { vertices, lines };  ///< a vertex per point; a line per two successive points
   Cells cells = Cells::vertices;
-  std::vector<double> points;            ///< x, y, z of each, m
+  std::vector<double> points;  ///< x, y, z of each, m
   std::vector<VtkArray> point_arrays, cell_arrays;
-  double time = 0;                       ///< s; stored as TimeValue
+  double time = 0;  ///< s; stored as TimeValue
 };
 
 /// The bytes of a .vtp file (VTK XML PolyData, appended raw data, zlib), as ParaView and VTK >= 6 read them.
@@ -28,7 +28,7 @@ std::string vtp_bytes(const VtkPolyData& data);
 /// Values at the nodes of a square lattice, row after row; the first node lies at (dx/2, dx/2).
 struct VtkImage {
   int width = 0, height = 0;
-  double dx = 1;                         ///< m
+  double dx = 1;  ///< m
   std::vector<VtkArray> point_arrays;
 };
 

@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "core/median.hpp"
-#include "io/disk/store_file.hpp"
 #include "io/disk/refuse.hpp"
+#include "io/disk/store_file.hpp"
 #include "io/film/formats.hpp"
 
 namespace arenite::io {
@@ -26,14 +26,10 @@ struct FormatToRead {
 
 /// In the order in which they are tried: text last, for it has no mark.
 constexpr FormatToRead formats_to_read[] = {
-    {"ptw", true, is_ptw, open_ptw},
-    {"npy", true, is_npy, open_npy},
-    {"tiff", true, is_tiff, open_tiff_film},
-    {"hdf5", true, is_hdf5, open_hdf5_film},
-    {"sfmov", true, is_sfmov, open_sfmov},
-    {"hcc", false, is_hcc, open_hcc},
-    {"raw", false, is_sidecar, open_sidecar},
-    {"text", false, is_text_film, open_text_film},
+    {"ptw", true, is_ptw, open_ptw},          {"npy", true, is_npy, open_npy},
+    {"tiff", true, is_tiff, open_tiff_film},  {"hdf5", true, is_hdf5, open_hdf5_film},
+    {"sfmov", true, is_sfmov, open_sfmov},    {"hcc", false, is_hcc, open_hcc},
+    {"raw", false, is_sidecar, open_sidecar}, {"text", false, is_text_film, open_text_film},
 };
 
 struct FormatToWrite {
@@ -82,8 +78,14 @@ struct Mark {
 };
 
 constexpr std::array marks{
-    Mark{0, "FFF\0"sv, ".seq"},       Mark{0, "AFF\0"sv, ".seq"},          Mark{0, "\xffIRB"sv, ".irb"},        Mark{4, "ftyp"sv, ".mp4"},
-    Mark{4, "moov"sv, ".mov"},        Mark{8, "AVI "sv, ".avi"},           Mark{0, "\x1a\x45\xdf\xa3"sv, ".mkv"}, Mark{0, "\0\0\0\1\x67"sv, ".h264"},
+    Mark{0, "FFF\0"sv, ".seq"},
+    Mark{0, "AFF\0"sv, ".seq"},
+    Mark{0, "\xffIRB"sv, ".irb"},
+    Mark{4, "ftyp"sv, ".mp4"},
+    Mark{4, "moov"sv, ".mov"},
+    Mark{8, "AVI "sv, ".avi"},
+    Mark{0, "\x1a\x45\xdf\xa3"sv, ".mkv"},
+    Mark{0, "\0\0\0\1\x67"sv, ".h264"},
     Mark{0, "\x30\x26\xb2\x75"sv, ".wmv"},
 };
 
@@ -106,8 +108,7 @@ std::filesystem::path sidecar_of(const std::filesystem::path& raw) {
   return {};
 }
 
-template <class Formats>
-std::vector<std::string> names_of(const Formats& formats) {
+template <class Formats> std::vector<std::string> names_of(const Formats& formats) {
   std::vector<std::string> names;
   for (const auto& format : formats) names.emplace_back(format.name);
   return names;
@@ -137,8 +138,9 @@ void refuse_other_recording(const std::filesystem::path& path) {
 std::unique_ptr<FilmSource> open_film(const Bytes& bytes, const FilmChoice& choice) {
   if (bytes->size() == 0) refuse(bytes->name(), "is empty; copy it again");
   if (const FormatToRead* format = format_of(*bytes)) return scaled_film(format->open(bytes, choice), choice);
-  refuse(bytes->name(), "is no film: neither .ptw, .sfmov, .hcc, .npy, TIFF, HDF5 nor frames as text; "
-                                     "describe raw frames in a text beside it, NAME.txt with the lines width = .., height = .. and type = ..");
+  refuse(bytes->name(),
+         "is no film: neither .ptw, .sfmov, .hcc, .npy, TIFF, HDF5 nor frames as text; "
+         "describe raw frames in a text beside it, NAME.txt with the lines width = .., height = .. and type = ..");
 }
 
 std::unique_ptr<FilmSource> open_film(const std::filesystem::path& path, const FilmChoice& choice) {
@@ -173,7 +175,8 @@ std::string other_recording(const std::filesystem::path& path, std::string_view 
     if (is == nullptr && head.size() > mark.at && head.substr(mark.at).starts_with(mark.bytes)) is = with_ending(mark.ending);
   if (is == nullptr) return {};
   if (is->program.empty())
-    return fmt::format("{}: compressed colours, of which the swing of a few millikelvin is lost; export the camera's own levels or temperatures, {}", is->what, levels);
+    return fmt::format("{}: compressed colours, of which the swing of a few millikelvin is lost; export the camera's own levels or temperatures, {}", is->what,
+                       levels);
   return fmt::format("{}; export it with {} {}", is->what, is->program, is->as);
 }
 
@@ -188,7 +191,7 @@ std::unique_ptr<FilmWriter> create_film(const std::filesystem::path& path, const
   for (const FormatToWrite& known : formats_to_write())
     if (known.name == name) return known.create(path, info);
   refuse(path.string(), "asks for no format that films are written in; they are {} (name it so, or .tif, .npy, .h5, .sfmov, .ptw)",
-                                                 fmt::join(film_formats_to_write(), ", "));
+         fmt::join(film_formats_to_write(), ", "));
 }
 
 void write_film(const std::filesystem::path& path, FilmSource& film, const std::string& format) {

@@ -13,10 +13,10 @@ namespace arenite::io {
 
 /// What is meant of a file, and how large a film may be.
 struct FilmChoice {
-  std::string dataset = {};                  ///< of an HDF5 file; empty: the only one that can be meant
-  std::optional<double> frame_rate = {};     ///< Hz, instead of what the film says; its time stamps are then left aside
+  std::string dataset = {};                       ///< of an HDF5 file; empty: the only one that can be meant
+  std::optional<double> frame_rate = {};          ///< Hz, instead of what the film says; its time stamps are then left aside
   std::optional<double> scale = {}, offset = {};  ///< K: pixels become scale * number + offset, whatever the film says that they are
-  std::int64_t most_pixels = 100'000'000;    ///< in a frame; larger ones are refused before memory is asked for
+  std::int64_t most_pixels = 100'000'000;         ///< in a frame; larger ones are refused before memory is asked for
 };
 
 /// Names of the formats that can be read, for help texts. The content decides, not the name.

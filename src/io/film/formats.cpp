@@ -7,8 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "io/table/table.hpp"
 #include "io/disk/refuse.hpp"
+#include "io/table/table.hpp"
 
 namespace arenite::io {
 namespace {
@@ -39,8 +39,7 @@ class PlainFilm : public KnownFilm {
   static constexpr std::size_t most_at_once = std::size_t{4} << 20;  // bytes in the buffer, if a frame is smaller
 
   void take(std::uint64_t at, std::size_t count, char* to, std::int64_t frame) const {
-    if (bytes_->read(at, count, to) != count)
-      refuse(bytes_->name(), "became shorter while frame {} was read; copy it again", frame);
+    if (bytes_->read(at, count, to) != count) refuse(bytes_->name(), "became shorter while frame {} was read; copy it again", frame);
   }
 
   Bytes bytes_;
@@ -85,11 +84,10 @@ struct NotedText {
 };
 constexpr NotedNumber noted_times[] = {{"frame_rate", &FilmInfo::frame_rate}, {"integration", &FilmInfo::integration}};
 constexpr NotedText noted_texts[] = {{"camera", &FilmInfo::camera}, {"lens", &FilmInfo::lens}, {"filter", &FilmInfo::filter}};
-constexpr NotedNumber noted_optics[] = {{"emissivity", &FilmInfo::emissivity}, {"ambient", &FilmInfo::ambient},
-                                        {"band_low", &FilmInfo::band_low}, {"band_high", &FilmInfo::band_high}};
+constexpr NotedNumber noted_optics[] = {
+    {"emissivity", &FilmInfo::emissivity}, {"ambient", &FilmInfo::ambient}, {"band_low", &FilmInfo::band_low}, {"band_high", &FilmInfo::band_high}};
 
-template <class Take>
-void each_note(std::string_view text, Take&& take) {
+template <class Take> void each_note(std::string_view text, Take&& take) {
   Lines lines(text);
   std::string_view line;
   while (lines.next(line))
@@ -131,8 +129,7 @@ void check_layout(const ByteSource& bytes, const FilmInfo& info, const PlainLayo
   check_film_size(bytes.name(), info.width, info.height, info.frames, choice);
   const std::int64_t there = frames_there(bytes, layout, info.pixels());
   if (there < info.frames)
-    refuse(bytes.name(), "is cut short: it announces {} frames of {} x {} pixels and holds {}; copy it again",
-                                                  info.frames, info.width, info.height, there);
+    refuse(bytes.name(), "is cut short: it announces {} frames of {} x {} pixels and holds {}; copy it again", info.frames, info.width, info.height, there);
 }
 
 void take_choice(FilmInfo& info, const FilmChoice& choice) {
@@ -198,9 +195,12 @@ void take_notes(std::string_view text, FilmInfo& info) {
   each_note(text, [&](std::string_view noted, std::string_view value) {
     const auto number = to_number(value);
     const double positive = number && *number > 0 ? *number : 0;
-    for (const auto& [key, member] : noted_times) if (key == noted) info.*member = positive;
-    for (const auto& [key, member] : noted_optics) if (key == noted) info.*member = positive;
-    for (const auto& [key, member] : noted_texts) if (key == noted) info.*member = value;
+    for (const auto& [key, member] : noted_times)
+      if (key == noted) info.*member = positive;
+    for (const auto& [key, member] : noted_optics)
+      if (key == noted) info.*member = positive;
+    for (const auto& [key, member] : noted_texts)
+      if (key == noted) info.*member = value;
     if (noted == "bits") info.bits = static_cast<int>(std::min(positive, 16.0));
     if (noted == "quantity" && value == "K") info.quantity = FilmQuantity::kelvin;
     if (noted == "quantity" && value == "DL") info.quantity = FilmQuantity::digital_level;

@@ -73,7 +73,7 @@ struct PlainLayout {
   std::uint64_t offset = 0, stride = 0;  ///< bytes
   NumberType pixel = NumberType::u16;
   bool big_endian = false;
-  bool scaled = false;                   ///< a pixel is scale * number + shift, floating
+  bool scaled = false;  ///< a pixel is scale * number + shift, floating
   double scale = 1, shift = 0;
 };
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/film/formats.hpp"
 #include "io/disk/refuse.hpp"
+#include "io/film/formats.hpp"
 
 namespace arenite::io {
 namespace {
@@ -16,8 +16,7 @@ constexpr std::size_t needed = 256;
 
 std::string header_of(const ByteSource& bytes, std::uint64_t at, std::int64_t frame) {
   std::string header = bytes.text(at, needed);
-  if (header.size() < needed || !header.starts_with("TC"))
-    refuse(bytes.name(), "has no header before frame {}; copy it again", frame);
+  if (header.size() < needed || !header.starts_with("TC")) refuse(bytes.name(), "has no header before frame {}; copy it again", frame);
   return header;
 }
 
@@ -44,7 +43,9 @@ void take_scale(std::string_view header, FilmInfo& info, PlainLayout& layout) {
   layout.scale = std::ldexp(1.0, number_at<std::int8_t>(header, 16));
   layout.shift = number_at<float>(header, 12);
   if (!layout.scaled) info.quantity = FilmQuantity::digital_level;
-  else if (mode == temperatures) info.remarks.emplace_back("The camera made temperatures of its levels; whether from 0 K or 0 degrees Celsius the file does not say, and swings do not care.");
+  else if (mode == temperatures)
+    info.remarks.emplace_back(
+        "The camera made temperatures of its levels; whether from 0 K or 0 degrees Celsius the file does not say, and swings do not care.");
   else info.remarks.emplace_back("The camera made radiances of its levels.");
 }
 

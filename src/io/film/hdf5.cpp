@@ -33,7 +33,8 @@ std::vector<double> times_beside(hid_t file, const Bytes& bytes, const std::stri
     std::string stored;
     numbers.read(0, static_cast<hsize_t>(frames), stored);
     std::vector<double> time(static_cast<std::size_t>(frames));
-    each_number(numbers.number().type, numbers.number().big_endian, stored.data(), time.size(), [&](std::size_t i, auto v) { time[i] = static_cast<double>(v); });
+    each_number(numbers.number().type, numbers.number().big_endian, stored.data(), time.size(),
+                [&](std::size_t i, auto v) { time[i] = static_cast<double>(v); });
     return time;
   }
   return {};
@@ -43,7 +44,8 @@ std::string chosen(hid_t file, const std::string& name, const FilmChoice& choice
   if (!choice.dataset.empty()) return choice.dataset;
   const auto found = datasets_in(file, can_be_film);
   if (found.size() == 1) return found.front();
-  if (found.empty()) refuse(name, "is an HDF5 file of another program and holds no dataset of numbers with three dimensions (frames x height x width); give a film");
+  if (found.empty())
+    refuse(name, "is an HDF5 file of another program and holds no dataset of numbers with three dimensions (frames x height x width); give a film");
   refuse(name, "holds {} datasets that can be films; choose one with --dataset: {}", found.size(), fmt::join(found, ", "));
 }
 
@@ -114,7 +116,8 @@ class Hdf5Film : public KnownFilm {
     const std::size_t pixels = info_.pixels(), at_once = std::max<std::size_t>(1, most_at_once / (pixels * bytes_of(layout_.pixel)));
     for (std::size_t n = 0; n < count; n += at_once) {
       const std::size_t part = std::min(at_once, count - n), size = part * pixels * bytes_of(layout_.pixel);
-      const std::string stored = in_sandbox(bytes_->name(), [&] { return frames(static_cast<hsize_t>(first) + n, part); }, size, room());
+      const std::string stored = in_sandbox(
+          bytes_->name(), [&] { return frames(static_cast<hsize_t>(first) + n, part); }, size, room());
       if (stored.size() != size) refuse_damaged(bytes_);
       take_pixels(layout_, stored.data(), part * pixels, block, n * pixels);
     }
@@ -133,9 +136,7 @@ class Hdf5Film : public KnownFilm {
     };
     try {
       return nlohmann::json::from_cbor(in_sandbox(bytes_->name(), packed, most_told, room())).get<Facts>();
-    } catch (const nlohmann::json::exception&) {
-      refuse_damaged(bytes_);
-    }
+    } catch (const nlohmann::json::exception&) { refuse_damaged(bytes_); }
   }
 
   void take(const Facts& facts, const FilmChoice& choice) {

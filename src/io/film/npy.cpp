@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "io/film/formats.hpp"
 #include "io/disk/refuse.hpp"
+#include "io/film/formats.hpp"
 
 namespace arenite::io {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "io/film/formats.hpp"
 #include "io/disk/refuse.hpp"
+#include "io/film/formats.hpp"
 
 namespace arenite::io {
 namespace {
@@ -30,7 +30,7 @@ struct Sizes {
 };
 
 Sizes sizes_of(std::string_view header, const std::string& file) {
-  Sizes s{number_at<std::int32_t>(header, 11), number_at<std::int32_t>(header, 15), number_at<std::int32_t>(header, 23),
+  Sizes s{number_at<std::int32_t>(header, 11), number_at<std::int32_t>(header, 15),  number_at<std::int32_t>(header, 23),
           number_at<std::int32_t>(header, 27), number_at<std::int16_t>(header, 377), number_at<std::int16_t>(header, 379)};
   if (s.main < 411 || s.main > (1 << 24) || s.frame_header < 0 || s.frame_header > (1 << 24))
     refuse(file, "says that its headers have {} and {} bytes, which no .ptw film has; copy it again", s.main, s.frame_header);
@@ -75,7 +75,8 @@ struct Number {
   double unit;
 };
 constexpr Name names[] = {{44, &FilmInfo::camera}, {64, &FilmInfo::lens}, {84, &FilmInfo::filter}};
-constexpr Number numbers[] = {{141, &FilmInfo::emissivity, 1}, {145, &FilmInfo::ambient, 1}, {188, &FilmInfo::band_low, 1e-6}, {192, &FilmInfo::band_high, 1e-6}};
+constexpr Number numbers[] = {
+    {141, &FilmInfo::emissivity, 1}, {145, &FilmInfo::ambient, 1}, {188, &FilmInfo::band_low, 1e-6}, {192, &FilmInfo::band_high, 1e-6}};
 
 FilmInfo info_of(std::string_view header, const Sizes& s) {
   FilmInfo info;
@@ -158,7 +159,8 @@ std::vector<double> lock_in_line(const std::filesystem::path& film) {
   for (std::int64_t frame = 0; frame < s.frames; ++frame) {
     lines.push_back(line_of(frame));
     if (lines.back().size() != first.size()) return {};  // cut short, which reading it as a film says
-    for (std::size_t i = 0; i < words; ++i) changes[i] = changes[i] != 0 || number_at<std::uint16_t>(lines.back(), 2 * i) != number_at<std::uint16_t>(first, 2 * i);
+    for (std::size_t i = 0; i < words; ++i)
+      changes[i] = changes[i] != 0 || number_at<std::uint16_t>(lines.back(), 2 * i) != number_at<std::uint16_t>(first, 2 * i);
   }
   const auto counted = static_cast<double>(std::count(changes.begin(), changes.end(), 1));
   if (counted == 0) return {};
@@ -184,7 +186,9 @@ FilmPointer open_ptw(const Bytes& bytes, const FilmChoice& choice) {
   if (is_lock_in(*bytes, s)) {
     info.height -= 1;
     layout.offset += static_cast<std::uint64_t>(2 * s.width);
-    info.remarks.emplace_back("A lock-in film: the first line of its frames holds the lock-in signal and is left out of the picture; it gives the frequency and the phase of the load.");
+    info.remarks.emplace_back(
+        "A lock-in film: the first line of its frames holds the lock-in signal and is left out of the picture; it gives the frequency and the phase of the "
+        "load.");
   }
   check_layout(*bytes, info, layout, choice);  // before stamps are read of frames that are not there
   if (!choice.frame_rate) read_stamps(*bytes, s, info);

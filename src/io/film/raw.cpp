@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <map>
 
+#include "io/disk/refuse.hpp"
 #include "io/film/formats.hpp"
 #include "io/table/table.hpp"
-#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {
@@ -16,9 +16,8 @@ struct Value {
   std::string text;
 };
 
-const std::vector<std::string> known{"file",         "width",       "height",     "frames", "type",        "byte_order",
-                                     "offset",       "frame_header", "frame_trailer", "frame_rate", "integration", "bits",
-                                     "camera",       "quantity"};
+const std::vector<std::string> known{"file",         "width",         "height",     "frames",      "type", "byte_order", "offset",
+                                     "frame_header", "frame_trailer", "frame_rate", "integration", "bits", "camera",     "quantity"};
 
 /// Lines "key = value"; # begins a remark outside quotes.
 std::map<std::string, Value> values_of(std::string_view text, Problems& problems) {
@@ -81,15 +80,13 @@ class Sidecar {
     try {
       if (const double si = parse_si(value->text, dimension, unit); si > 0) return si;
       problems_.add(value->line, fmt::format("{} is not above 0; correct it", key));
-    } catch (const InputError& error) {
-      problems_.add(value->line, fmt::format("{}: {}", key, error.problems().front().message));
-    }
+    } catch (const InputError& error) { problems_.add(value->line, fmt::format("{}: {}", key, error.problems().front().message)); }
     return 0;
   }
   NumberType pixel() {
-    static const std::map<std::string, NumberType, std::less<>> types{
-        {"uint8", NumberType::u8},    {"uint16", NumberType::u16}, {"int16", NumberType::i16},   {"uint32", NumberType::u32},
-        {"int32", NumberType::i32},   {"float32", NumberType::f32}, {"float64", NumberType::f64}};
+    static const std::map<std::string, NumberType, std::less<>> types{{"uint8", NumberType::u8},   {"uint16", NumberType::u16}, {"int16", NumberType::i16},
+                                                                      {"uint32", NumberType::u32}, {"int32", NumberType::i32},  {"float32", NumberType::f32},
+                                                                      {"float64", NumberType::f64}};
     const auto found = types.find(text("type"));
     if (found != types.end()) return found->second;
     problems_.add(find("type") != nullptr ? find("type")->line : 0,
@@ -167,8 +164,10 @@ FilmPointer open_sidecar(const Bytes& bytes, const FilmChoice& choice) {
   // Without a count the file must end with a frame, or the sizes are not those of the film.
   const std::uint64_t used = layout.offset + static_cast<std::uint64_t>(there) * layout.stride;
   if (frames < 0 && used - static_cast<std::uint64_t>(frame_header) != film->size())
-    refuse(film->name(), "has {} bytes, which is no whole number of frames of {} x {} pixels as {} says; "
-                                                  "correct its sizes or add frames = {}", film->size(), width, height, bytes->name(), there);
+    refuse(film->name(),
+           "has {} bytes, which is no whole number of frames of {} x {} pixels as {} says; "
+           "correct its sizes or add frames = {}",
+           film->size(), width, height, bytes->name(), there);
   return plain_film(film, std::move(info), layout, choice);
 }
 

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/film/formats.hpp"
 #include "io/disk/refuse.hpp"
+#include "io/film/formats.hpp"
 
 namespace arenite::io {
 
@@ -104,8 +104,8 @@ class Series : public KnownFilm {
     const FilmInfo& it = current_->info();
     if (each_ == 0 || (it.width == info_.width && it.height == info_.height && it.frames == each_ && it.floating == info_.floating)) return;
     throw InputError(members_[member].string(), 0,
-                     fmt::format("holds {} frames of {} x {} pixels, but {} holds {} of {} x {}; a series must be all alike", it.frames, it.width,
-                                 it.height, members_[0].filename().string(), each_, info_.width, info_.height));
+                     fmt::format("holds {} frames of {} x {} pixels, but {} holds {} of {} x {}; a series must be all alike", it.frames, it.width, it.height,
+                                 members_[0].filename().string(), each_, info_.width, info_.height));
   }
 
   std::vector<fs::path> members_;

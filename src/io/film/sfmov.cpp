@@ -4,9 +4,9 @@
 #include <cctype>
 #include <map>
 
+#include "io/disk/refuse.hpp"
 #include "io/film/formats.hpp"
 #include "io/table/table.hpp"
-#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {
@@ -75,8 +75,8 @@ NumberType pixel_of(const Keys& keys, const std::string& file) {
 constexpr std::size_t count_width = 12;
 
 std::string header(const FilmInfo& info, std::size_t frames) {
-  std::string text = fmt::format("HdSize auto\r\nNumDPs {:0{}}\r\nxPixls {}\r\nyPixls {}\r\nDaType {}\r\n", frames, count_width, info.width,
-                                 info.height, info.floating ? "Flt32" : "UInt16");
+  std::string text = fmt::format("HdSize auto\r\nNumDPs {:0{}}\r\nxPixls {}\r\nyPixls {}\r\nDaType {}\r\n", frames, count_width, info.width, info.height,
+                                 info.floating ? "Flt32" : "UInt16");
   if (info.bits > 0) text += fmt::format("ADBits {}\r\n", info.bits);
   if (info.frame_rate > 0) text += fmt::format("FRate_0 {}\r\n", info.frame_rate);
   if (info.integration > 0) text += fmt::format("ITime_0 {}\r\n", info.integration * 1e3);

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "io/disk/refuse.hpp"
 #include "io/film/formats.hpp"
 #include "io/table/table.hpp"
-#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {
@@ -77,8 +77,7 @@ std::optional<float> number_of(std::string_view cell, bool decimal_comma) {
 }
 
 /// Calls `take` with each cell of a row; a separator at the end of a line ends it. False if `take` says so.
-template <class Take>
-bool each_cell(std::string_view line, char separator, Take&& take) {
+template <class Take> bool each_cell(std::string_view line, char separator, Take&& take) {
   std::size_t at = 0;
   while (at < line.size()) {
     if (separator == ' ') {
@@ -123,8 +122,7 @@ class TextFilm : public KnownFilm {
       }
       if (info_.width == 0) info_.width = cells_of(line);
       if (rows++ == 0) places_.push_back({lines.begin(), lines.number() - 1});
-      if (info_.frames == 0 && std::int64_t{rows} * info_.width > choice.most_pixels)
-        check_film_size(bytes_->name(), info_.width, rows, 1, choice);
+      if (info_.frames == 0 && std::int64_t{rows} * info_.width > choice.most_pixels) check_film_size(bytes_->name(), info_.width, rows, 1, choice);
     }
     end_frame(rows, lines.number() + 1);
     if (info_.frames == 0) refuse(bytes_->name(), "holds no rows of numbers, which as text would be frames; give a film or a result");
@@ -163,14 +161,14 @@ class TextFilm : public KnownFilm {
       const bool whole = each_cell(line, separator_, [&](std::string_view cell) {
         const auto number = number_of(cell, separator_ != ',');
         if (!number)
-          throw InputError(bytes_->name(), lines.number(), fmt::format("holds \"{}\" in column {}, which is no number; correct it", cell.substr(0, 40), column + 1));
+          throw InputError(bytes_->name(), lines.number(),
+                           fmt::format("holds \"{}\" in column {}, which is no number; correct it", cell.substr(0, 40), column + 1));
         if (column == info_.width) return false;
         to[column++] = *number;
         return true;
       });
       if (!whole || column != info_.width)
-        throw InputError(bytes_->name(), lines.number(), fmt::format("is a row of {} numbers, but the first has {}; complete it",
-                                                                     cells_of(line), info_.width));
+        throw InputError(bytes_->name(), lines.number(), fmt::format("is a row of {} numbers, but the first has {}; complete it", cells_of(line), info_.width));
     }
   }
 

@@ -69,7 +69,8 @@ std::string description_of(TIFF* tiff) {
 class TiffFilm : public KnownFilm {
  public:
   TiffFilm(const Bytes& bytes, const FilmChoice& choice)
-      : source_(bytes), tiff_(open_tiff(source_, std::max<std::int64_t>(std::int64_t{1} << 24, choice.most_pixels * 16))) {
+      : source_(bytes),
+        tiff_(open_tiff(source_, std::max<std::int64_t>(std::int64_t{1} << 24, choice.most_pixels * 16))) {
     if (!tiff_) source_.refuse_damaged();
     places_ = page_places(source_);
     if (places_.empty()) source_.refuse("holds no frame; record the film again");
@@ -213,12 +214,17 @@ void write_directories(const FilmInfo& info, std::size_t frames, AtomicFile& fil
     if (i < info.time.size()) notes += fmt::format("time = {:.9f}\n", info.time[i]);
     const auto width = static_cast<std::uint64_t>(info.width), height = static_cast<std::uint64_t>(info.height);
     const Type of_place = large ? long8 : long_;
-    std::vector<Entry> entries{{256, long_, width}, {257, long_, height}, {258, short_, info.floating ? 32U : 16U},
+    std::vector<Entry> entries{{256, long_, width},
+                               {257, long_, height},
+                               {258, short_, info.floating ? 32U : 16U},
                                {259, short_, 1},   // not compressed
                                {262, short_, 1}};  // black is the smallest
     if (!notes.empty()) entries.push_back({270, ascii, 0, notes + '\0'});
     entries.insert(entries.end(), {{273, of_place, start + i * size},  // one strip
-                                   {277, short_, 1}, {278, long_, height}, {279, of_place, size}, {339, short_, info.floating ? 3U : 1U}});
+                                   {277, short_, 1},
+                                   {278, long_, height},
+                                   {279, of_place, size},
+                                   {339, short_, info.floating ? 3U : 1U}});
     const std::string bytes = directory_bytes(entries, large, at, i + 1 == frames);
     file.write(bytes);
     at += bytes.size();

@@ -99,9 +99,7 @@ void Hdf5Numbers::look_at_piece(double bytes) {
   begin_ = begin;
 }
 
-void Hdf5Numbers::refuse(const std::string& what) const {
-  io::refuse(file_->name(), "holds a dataset \"{}\" {}", name_, what);
-}
+void Hdf5Numbers::refuse(const std::string& what) const { io::refuse(file_->name(), "holds a dataset \"{}\" {}", name_, what); }
 
 void Hdf5Numbers::read_compact() {
   compact_.resize(slab() * extent_[0]);
@@ -123,8 +121,7 @@ void Hdf5Numbers::look_at_chunks(hid_t creation, double most) {
   whole_at_edges_ = H5Pget_chunk_opts(creation, &edges) < 0 || (edges & H5D_CHUNK_DONT_FILTER_PARTIAL_CHUNKS) == 0;
   H5D_fill_value_t fill = H5D_FILL_VALUE_DEFAULT;
   const auto type = own(H5Dget_type(*set_), H5Tclose);
-  if (H5Pfill_value_defined(creation, &fill) >= 0 && fill == H5D_FILL_VALUE_USER_DEFINED && type &&
-      H5Pget_fill_value(creation, *type, fill_.data()) < 0)
+  if (H5Pfill_value_defined(creation, &fill) >= 0 && fill == H5D_FILL_VALUE_USER_DEFINED && type && H5Pget_fill_value(creation, *type, fill_.data()) < 0)
     refuse("that is damaged; copy the file again");
   look_at_filters(creation);
 }
@@ -170,7 +167,8 @@ const std::string& Hdf5Numbers::chunk_at(const Place& at) {
     std::string packed;
     std::uint32_t skipped = 0;
     if (stored <= chunk_bytes_ + chunk_bytes_ / 8 + 4096 && stored <= file_->size()) packed.resize(stored);
-    if (packed.empty() || H5Dread_chunk(*set_, H5P_DEFAULT, at.data(), &skipped, packed.data()) < 0) refuse("that is cut short or damaged; copy the file again");
+    if (packed.empty() || H5Dread_chunk(*set_, H5P_DEFAULT, at.data(), &skipped, packed.data()) < 0)
+      refuse("that is cut short or damaged; copy the file again");
     bool inside = true;
     for (std::size_t axis = 0; axis < 3; ++axis) inside = inside && chunk_[axis] <= extent_[axis] - at[axis];
     auto plain = unpack_chunk(std::move(packed), inside || whole_at_edges_ ? filters_ : std::vector<Hdf5Filter>{}, skipped, chunk_bytes_);

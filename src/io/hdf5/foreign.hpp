@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "io/hdf5/handle.hpp"
 #include "io/disk/refuse.hpp"
+#include "io/hdf5/handle.hpp"
 
 // HDF5 trusts what it reads. Of files of other programs it is asked little, in a process of its own.
 namespace arenite::io {
@@ -52,16 +52,16 @@ class Hdf5Numbers {
   Place extent_{1, 1, 1};  ///< the shape, filled up with 1 at the end
   Hdf5Number number_;
   H5D_layout_t layout_ = H5D_CONTIGUOUS;
-  std::uint64_t begin_ = 0;     ///< of a table in one piece
-  std::string compact_;         ///< a table that is kept beside its description
+  std::uint64_t begin_ = 0;  ///< of a table in one piece
+  std::string compact_;      ///< a table that is kept beside its description
   Place chunk_{1, 1, 1};
   std::size_t chunk_bytes_ = 0;
   bool whole_at_edges_ = true;  ///< chunks that reach over the edge are packed as others
   std::vector<Hdf5Filter> filters_;
-  std::string fill_;            ///< the number in what was never written
+  std::string fill_;  ///< the number in what was never written
   Place held_at_{};
   bool held_ = false;
-  std::string chunk_held_;      ///< the chunk that was read last
+  std::string chunk_held_;  ///< the chunk that was read last
 };
 
 /// Bytes that `work` makes in a sandbox, a fork of this process that may use a gigabyte, twice `most` and `room` bytes more and a minute of the

@@ -18,21 +18,21 @@ class Hdf5Reader {
   /// The root group of a file, given as its bytes; `file` is its name, for messages.
   Hdf5Reader(std::string bytes, std::string file);
 
-  bool has(const std::string& name) const;           ///< a member
+  bool has(const std::string& name) const;  ///< a member
   bool has_group(const std::string& name) const;
   bool has_attribute(const std::string& name) const;
   Hdf5Reader group(const std::string& name) const;
   std::vector<std::string> names() const;            ///< of members, in the order in which they were written
   std::vector<std::string> attribute_names() const;  ///< likewise
-  template <class T>  // double, std::int32_t, std::int64_t, std::uint8_t
+  template <class T>                                 // double, std::int32_t, std::int64_t, std::uint8_t
   std::vector<T> array(const std::string& name) const;
   /// Two-dimensional arrays of this shape, row after row.
   template <class T>  // double, float, std::int32_t, std::uint8_t
   std::vector<T> image(const std::string& name, int rows, int columns) const;
-  std::string unit(const std::string& name) const;   ///< of an array
-  std::string text(const std::string& name) const;   ///< written by write_text
+  std::string unit(const std::string& name) const;                ///< of an array
+  std::string text(const std::string& name) const;                ///< written by write_text
   std::vector<std::string> texts(const std::string& name) const;  ///< written by write_texts
-  double number(const std::string& name) const;      ///< attribute
+  double number(const std::string& name) const;                   ///< attribute
   std::int64_t integer(const std::string& name) const;
   std::uint64_t natural(const std::string& name) const;
   std::string label(const std::string& name) const;  ///< attribute that is text
@@ -61,12 +61,14 @@ class Hdf5Writer {
   template <class T>  // double, std::int32_t, std::int64_t, std::uint8_t
   void write(const std::string& name, const std::vector<T>& values, const std::string& unit = "1") const;
   /// Two-dimensional arrays, row after row. Numbers of a field are stored in single precision.
-  struct Shape { int rows = 0, columns = 0; };
+  struct Shape {
+    int rows = 0, columns = 0;
+  };
   template <class T>  // double, float, std::int32_t, std::uint8_t
   void write_image(const std::string& name, const std::vector<T>& values, Shape shape, const std::string& unit = "1") const;
-  void write_text(const std::string& name, std::string_view text) const;   ///< any length, UTF-8
+  void write_text(const std::string& name, std::string_view text) const;                   ///< any length, UTF-8
   void write_texts(const std::string& name, const std::vector<std::string>& texts) const;  ///< one-dimensional array
-  void set(const std::string& name, double value) const;                   ///< attribute
+  void set(const std::string& name, double value) const;                                   ///< attribute
   void set(const std::string& name, std::int64_t value) const;
   void set(const std::string& name, std::uint64_t value) const;
   void set(const std::string& name, std::string_view text) const;

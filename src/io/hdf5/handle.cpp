@@ -87,7 +87,8 @@ void pack(hid_t properties, const std::vector<hsize_t>& chunk, bool shuffle, uns
 }
 
 Hdf5Handle write_set(hid_t group, const std::string& name, const std::vector<hsize_t>& size, hid_t stored, hid_t native, hid_t properties, const void* values) {
-  const auto space = size.empty() ? made(H5Screate(H5S_SCALAR), H5Sclose) : made(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
+  const auto space =
+      size.empty() ? made(H5Screate(H5S_SCALAR), H5Sclose) : made(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
   auto set = made(H5Dcreate2(group, name.c_str(), stored, *space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose);
   if (H5Sget_simple_extent_npoints(*space) > 0) done(H5Dwrite(*set, native, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
   return set;
@@ -145,8 +146,8 @@ std::vector<std::string> datasets_in(hid_t file, bool (*fits)(hid_t set)) {
 std::optional<Hdf5Number> number_of(hid_t type) {
   using enum NumberType;
   const std::tuple<hid_t, hid_t, NumberType> known[] = {
-      {H5T_STD_U8LE, H5T_STD_U8BE, u8},    {H5T_STD_I8LE, H5T_STD_I8BE, i8},    {H5T_STD_U16LE, H5T_STD_U16BE, u16}, {H5T_STD_I16LE, H5T_STD_I16BE, i16},
-      {H5T_STD_U32LE, H5T_STD_U32BE, u32}, {H5T_STD_I32LE, H5T_STD_I32BE, i32}, {H5T_STD_U64LE, H5T_STD_U64BE, u64}, {H5T_STD_I64LE, H5T_STD_I64BE, i64},
+      {H5T_STD_U8LE, H5T_STD_U8BE, u8},      {H5T_STD_I8LE, H5T_STD_I8BE, i8},     {H5T_STD_U16LE, H5T_STD_U16BE, u16}, {H5T_STD_I16LE, H5T_STD_I16BE, i16},
+      {H5T_STD_U32LE, H5T_STD_U32BE, u32},   {H5T_STD_I32LE, H5T_STD_I32BE, i32},  {H5T_STD_U64LE, H5T_STD_U64BE, u64}, {H5T_STD_I64LE, H5T_STD_I64BE, i64},
       {H5T_IEEE_F32LE, H5T_IEEE_F32BE, f32}, {H5T_IEEE_F64LE, H5T_IEEE_F64BE, f64}};
   const auto base = H5Tget_class(type) == H5T_ENUM ? own(H5Tget_super(type), H5Tclose) : nullptr;
   const hid_t it = base ? *base : type;

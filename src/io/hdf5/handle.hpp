@@ -74,8 +74,7 @@ template <> inline hid_t native_type<std::int64_t>() { return H5T_NATIVE_INT64; 
 template <> inline hid_t native_type<std::uint64_t>() { return H5T_NATIVE_UINT64; }
 template <> inline hid_t native_type<std::uint8_t>() { return H5T_NATIVE_UINT8; }
 
-template <class T>
-void write_number(hid_t owner, const std::string& name, T value) {
+template <class T> void write_number(hid_t owner, const std::string& name, T value) {
   write_attribute(owner, name, stored_type<T>(), native_type<T>(), &value);
 }
 

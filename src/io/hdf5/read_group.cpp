@@ -41,8 +41,7 @@ bool has_shape(hid_t set, int rank, hsize_t* size) {
   return space && H5Sget_simple_extent_ndims(*space) == rank && H5Sget_simple_extent_dims(*space, size, nullptr) >= 0;
 }
 
-template <class T>
-std::vector<T> read_values(const Hdf5Reader& at, hid_t set, const std::string& name, hsize_t count) {
+template <class T> std::vector<T> read_values(const Hdf5Reader& at, hid_t set, const std::string& name, hsize_t count) {
   std::vector<T> values(count);
   if (count > 0 && H5Dread(set, native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
     at.refuse(fmt::format("holds an array \"{}\" that cannot be read", name));
@@ -55,8 +54,7 @@ Hdf5Handle open_attribute(const Hdf5Reader& at, hid_t owner, const std::string& 
   return attribute;
 }
 
-template <class T>
-T read_number(const Hdf5Reader& at, hid_t owner, const std::string& name) {
+template <class T> T read_number(const Hdf5Reader& at, hid_t owner, const std::string& name) {
   const auto attribute = open_attribute(at, owner, name);
   const auto space = own(H5Aget_space(*attribute), H5Sclose);
   T value{};
@@ -67,8 +65,7 @@ T read_number(const Hdf5Reader& at, hid_t owner, const std::string& name) {
 
 /// Length of a fixed-length text type; refuses any other type.
 std::size_t text_length(const Hdf5Reader& at, const Hdf5Handle& type, const std::string& name) {
-  if (!type || H5Tget_class(*type) != H5T_STRING || H5Tis_variable_str(*type) != 0)
-    at.refuse(fmt::format("holds \"{}\", which is not text", name));
+  if (!type || H5Tget_class(*type) != H5T_STRING || H5Tis_variable_str(*type) != 0) at.refuse(fmt::format("holds \"{}\", which is not text", name));
   return H5Tget_size(*type);
 }
 
@@ -103,10 +100,16 @@ Hdf5Handle open_root(std::string bytes, const std::string& file) {
 
 }  // namespace
 
-Hdf5Reader::Hdf5Reader(std::string bytes, std::string file) : turn_(std::make_shared<Hdf5Turn>()), id_(open_root(std::move(bytes), file)), file_(std::move(file)) {}
+Hdf5Reader::Hdf5Reader(std::string bytes, std::string file)
+    : turn_(std::make_shared<Hdf5Turn>()),
+      id_(open_root(std::move(bytes), file)),
+      file_(std::move(file)) {}
 
 Hdf5Reader::Hdf5Reader(Turn turn, Handle group, std::string file, std::string place)
-    : turn_(std::move(turn)), id_(std::move(group)), file_(std::move(file)), place_(std::move(place)) {}
+    : turn_(std::move(turn)),
+      id_(std::move(group)),
+      file_(std::move(file)),
+      place_(std::move(place)) {}
 
 bool Hdf5Reader::has(const std::string& name) const { return H5Lexists(*id_, name.c_str(), H5P_DEFAULT) > 0; }
 
@@ -134,8 +137,7 @@ std::vector<std::string> Hdf5Reader::attribute_names() const {
   return listed(*this, status, std::move(found));
 }
 
-template <class T>
-std::vector<T> Hdf5Reader::array(const std::string& name) const {
+template <class T> std::vector<T> Hdf5Reader::array(const std::string& name) const {
   const auto set = open_set(*this, *id_, name, "array");
   hsize_t count = 0;
   if (!has_shape(*set, 1, &count)) refuse(fmt::format("holds \"{}\", which is not a one-dimensional array", name));
@@ -146,8 +148,7 @@ template std::vector<std::int32_t> Hdf5Reader::array(const std::string&) const;
 template std::vector<std::int64_t> Hdf5Reader::array(const std::string&) const;
 template std::vector<std::uint8_t> Hdf5Reader::array(const std::string&) const;
 
-template <class T>
-std::vector<T> Hdf5Reader::image(const std::string& name, int rows, int columns) const {
+template <class T> std::vector<T> Hdf5Reader::image(const std::string& name, int rows, int columns) const {
   if constexpr (std::is_same_v<T, double>) {
     const auto single = image<float>(name, rows, columns);
     return {single.begin(), single.end()};
@@ -163,16 +164,13 @@ template std::vector<float> Hdf5Reader::image(const std::string&, int, int) cons
 template std::vector<std::int32_t> Hdf5Reader::image(const std::string&, int, int) const;
 template std::vector<std::uint8_t> Hdf5Reader::image(const std::string&, int, int) const;
 
-std::string Hdf5Reader::unit(const std::string& name) const {
-  return read_text_attribute(*this, *open_set(*this, *id_, name, "array"), "unit");
-}
+std::string Hdf5Reader::unit(const std::string& name) const { return read_text_attribute(*this, *open_set(*this, *id_, name, "array"), "unit"); }
 
 std::string Hdf5Reader::text(const std::string& name) const {
   const auto set = open_set(*this, *id_, name, "text");
   const auto type = own(H5Dget_type(*set), H5Tclose);
   std::string text(text_length(*this, type, name), '\0');
-  if (H5Dread(*set, *type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
-    refuse(fmt::format("holds a text \"{}\" that cannot be read", name));
+  if (H5Dread(*set, *type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0) refuse(fmt::format("holds a text \"{}\" that cannot be read", name));
   return checked(*this, std::move(text), name);
 }
 
@@ -181,8 +179,7 @@ std::vector<std::string> Hdf5Reader::texts(const std::string& name) const {
   const auto type = own(H5Dget_type(*set), H5Tclose);
   const std::size_t length = text_length(*this, type, name);
   hsize_t count = 0;
-  if (!has_shape(*set, 1, &count) || count > most_texts / length)
-    refuse(fmt::format("holds \"{}\", which is not a list of texts", name));
+  if (!has_shape(*set, 1, &count) || count > most_texts / length) refuse(fmt::format("holds \"{}\", which is not a list of texts", name));
   std::string cells(count * length, '\0');
   if (count > 0 && H5Dread(*set, *type, H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.data()) < 0) refuse(fmt::format("holds texts \"{}\" that cannot be read", name));
   std::vector<std::string> out;

@@ -51,9 +51,7 @@ void confine(std::size_t room) {
   } catch (const InputError& error) {
     kind = is_refused;
     result = error.problems().empty() ? std::string() : error.problems().front().message;
-  } catch (...) {
-    kind = has_failed;
-  }
+  } catch (...) { kind = has_failed; }
   write_all(to, result);  // who reads finds by the letter's absence what did not get through
   write_all(to, std::string_view(&kind, 1));
   _exit(0);
@@ -110,9 +108,7 @@ std::string in_sandbox(const std::string& file, const std::function<std::string(
   std::exception_ptr error;
   try {
     bytes = receive(ends[0], std::max(most, longest_refusal) + 1);
-  } catch (...) {
-    error = std::current_exception();
-  }
+  } catch (...) { error = std::current_exception(); }
   close(ends[0]);
   if (bytes.empty()) kill(process, SIGKILL);
   while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) {}

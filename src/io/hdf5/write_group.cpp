@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "io/hdf5/handle.hpp"
 #include "io/disk/store_file.hpp"
+#include "io/hdf5/handle.hpp"
 
 namespace arenite::io {
 namespace {
@@ -60,8 +60,7 @@ Hdf5Writer Hdf5Writer::create_group(const std::string& name) const {
   return {turn_, std::move(id), compress_};
 }
 
-template <class T>
-void Hdf5Writer::write(const std::string& name, const std::vector<T>& values, const std::string& unit) const {
+template <class T> void Hdf5Writer::write(const std::string& name, const std::vector<T>& values, const std::string& unit) const {
   const hsize_t count = values.size();
   const auto properties = dataset_properties(count * sizeof(T), count, compress_);
   write_text_attribute(*write_set(*id_, name, {count}, stored_type<T>(), native_type<T>(), *properties, values.data()), "unit", unit);
@@ -72,8 +71,7 @@ template void Hdf5Writer::write(const std::string&, const std::vector<std::int64
 template void Hdf5Writer::write(const std::string&, const std::vector<std::uint8_t>&, const std::string&) const;
 
 /// Chunks of some rows, lightly deflated: an image of a million nodes is written in a moment.
-template <class T>
-void Hdf5Writer::write_image(const std::string& name, const std::vector<T>& values, Shape shape, const std::string& unit) const {
+template <class T> void Hdf5Writer::write_image(const std::string& name, const std::vector<T>& values, Shape shape, const std::string& unit) const {
   if constexpr (std::is_same_v<T, double>)  // faster than HDF5's own conversion
     return write_image(name, std::vector<float>(values.begin(), values.end()), shape, unit);
   constexpr hsize_t values_per_chunk = 1 << 16;

@@ -66,7 +66,8 @@ Image read_hdf5_image(const std::string& bytes, const std::string& file, const I
     append<std::int32_t>(result, image.width);
     return result.append(reinterpret_cast<const char*>(image.value.data()), image.value.size() * sizeof(std::int32_t));
   };
-  const std::string made = in_sandbox(file, packed, 16 + 4 * static_cast<std::size_t>(choice.most_pixels), 12 * static_cast<std::size_t>(choice.most_pixels) + 3 * bytes.size());
+  const std::string made =
+      in_sandbox(file, packed, 16 + 4 * static_cast<std::size_t>(choice.most_pixels), 12 * static_cast<std::size_t>(choice.most_pixels) + 3 * bytes.size());
   Image image;
   image.width = number_at<std::int32_t>(made, 0);
   const std::size_t pixels = made.size() / sizeof(std::int32_t) - 1;

@@ -25,11 +25,10 @@ constexpr Format formats[] = {
     {is_hdf5, read_hdf5_image},
 };
 
-constexpr std::pair<const char*, Channel> channels[] = {{"red", Channel::red},   {"green", Channel::green}, {"blue", Channel::blue},
-                                                        {"mean", Channel::mean}, {"grey", Channel::grey}};
+constexpr std::pair<const char*, Channel> channels[] = {
+    {"red", Channel::red}, {"green", Channel::green}, {"blue", Channel::blue}, {"mean", Channel::mean}, {"grey", Channel::grey}};
 
-template <class T>
-std::int64_t sample(const std::uint8_t* samples, std::size_t i) {
+template <class T> std::int64_t sample(const std::uint8_t* samples, std::size_t i) {
   T value;
   std::memcpy(&value, samples + i * sizeof(T), sizeof(T));
   return value;
@@ -50,14 +49,12 @@ std::int64_t seen(const PixelLayout& layout, std::int64_t red, std::int64_t gree
 }
 
 std::int64_t shown(const PixelLayout& layout, std::int64_t index, int x, int row) {
-  if (index >= static_cast<std::int64_t>(layout.palette.size()))
-    refuse(layout.file, "is damaged: pixel {}, {} is not in its palette; copy it again", x, row);
+  if (index >= static_cast<std::int64_t>(layout.palette.size())) refuse(layout.file, "is damaged: pixel {}, {} is not in its palette; copy it again", x, row);
   const auto& entry = layout.palette[static_cast<std::size_t>(index)];
   return seen(layout, entry[0], entry[1], entry[2], x, row);
 }
 
-template <class T>
-void take(const PixelLayout& layout, const std::uint8_t* samples, int row, std::int32_t* out) {
+template <class T> void take(const PixelLayout& layout, const std::uint8_t* samples, int row, std::int32_t* out) {
   const auto per_pixel = static_cast<std::size_t>(layout.samples);
   constexpr auto most = std::int64_t{std::numeric_limits<T>::max()};
   for (int x = 0; x < layout.width; ++x) {
@@ -68,8 +65,7 @@ void take(const PixelLayout& layout, const std::uint8_t* samples, int row, std::
       refuse(layout.file, "is transparent at pixel {}, {}; save it without transparency", x, row);
     if (!layout.palette.empty()) value = shown(layout, value, x, row);
     if (layout.inverted) value = most - value;
-    if (value > std::numeric_limits<std::int32_t>::max())
-      refuse(layout.file, "holds the value {} at pixel {}, {}; values go up to 2147483647", value, x, row);
+    if (value > std::numeric_limits<std::int32_t>::max()) refuse(layout.file, "holds the value {} at pixel {}, {}; values go up to 2147483647", value, x, row);
     out[x] = static_cast<std::int32_t>(value);
   }
 }
@@ -86,8 +82,7 @@ Channel parse_channel(const std::string& name) {
   for (const auto& [known, channel] : channels)
     if (name == known) return channel;
   const std::string near = nearest(name, channel_names());
-  throw InputError("there is no channel \"" + name + "\"" +
-                   (near.empty() ? "; choose red, green, blue, mean or grey" : "; did you mean \"" + near + "\"?"));
+  throw InputError("there is no channel \"" + name + "\"" + (near.empty() ? "; choose red, green, blue, mean or grey" : "; did you mean \"" + near + "\"?"));
 }
 
 Image decode_image(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
@@ -97,26 +92,21 @@ Image decode_image(const std::string& bytes, const std::string& file, const Imag
   refuse(file, "is neither PNG, TIFF, JPEG nor HDF5; save the picture as one of these");
 }
 
-Image read_image(const std::filesystem::path& path, const ImageChoice& choice) {
-  return decode_image(read_file(path), path.string(), choice);
-}
+Image read_image(const std::filesystem::path& path, const ImageChoice& choice) { return decode_image(read_file(path), path.string(), choice); }
 
 void check_size(const std::string& file, std::int64_t width, std::int64_t height, const ImageChoice& choice) {
-  if (width <= 0 || height <= 0)
-    refuse(file, "holds a picture of {} x {} pixels; give one with at least one each way", width, height);
+  if (width <= 0 || height <= 0) refuse(file, "holds a picture of {} x {} pixels; give one with at least one each way", width, height);
   constexpr auto most = std::int64_t{std::numeric_limits<std::int32_t>::max()};
   if (width > most || height > most || width > choice.most_pixels / height)
-    refuse(file, "holds a picture of {} x {} pixels, and {} million can be read; cut out the part that matters",
-                                          width, height, static_cast<double>(choice.most_pixels) / 1e6);
+    refuse(file, "holds a picture of {} x {} pixels, and {} million can be read; cut out the part that matters", width, height,
+           static_cast<double>(choice.most_pixels) / 1e6);
 }
 
 std::int64_t chosen_slice(const std::string& file, std::int64_t count, const ImageChoice& choice) {
   if (count <= 0) refuse(file, "holds no picture; give a file with at least one");
-  if (!choice.slice && count > 1)
-    refuse(file, "is a stack of {} slices; choose one with --slice 0 to {}", count, count - 1);
+  if (!choice.slice && count > 1) refuse(file, "is a stack of {} slices; choose one with --slice 0 to {}", count, count - 1);
   const std::int64_t slice = choice.slice.value_or(0);
-  if (slice < 0 || slice >= count)
-    refuse(file, "has no slice {}; its slices are numbered from 0 to {}", slice, count - 1);
+  if (slice < 0 || slice >= count) refuse(file, "has no slice {}; its slices are numbered from 0 to {}", slice, count - 1);
   return slice;
 }
 

@@ -46,11 +46,11 @@ Image read_hdf5_image(const std::string& bytes, const std::string& file, const I
 struct PixelLayout {
   std::string file;  ///< for messages
   int width = 0, height = 0;
-  int bits = 8;      ///< of a sample: 8, 16 or 32
-  int samples = 1;   ///< of a pixel; the first is grey or an index of the palette, or the first three are a colour
+  int bits = 8;     ///< of a sample: 8, 16 or 32
+  int samples = 1;  ///< of a pixel; the first is grey or an index of the palette, or the first three are a colour
   bool colour = false, opacity = false, inverted = false, is_signed = false;  ///< opacity: the last sample
-  Channel channel = Channel::none;  ///< what is taken of a colour; none: colour is refused
-  std::vector<std::array<std::uint16_t, 3>> palette;  ///< empty: none
+  Channel channel = Channel::none;                                            ///< what is taken of a colour; none: colour is refused
+  std::vector<std::array<std::uint16_t, 3>> palette;                          ///< empty: none
 
   std::size_t bytes_a_row() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(samples) * static_cast<std::size_t>(bits / 8); }
 };

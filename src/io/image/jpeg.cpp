@@ -78,8 +78,7 @@ bool read_rows(Decoder& d, std::uint8_t* samples, std::size_t stride) {
 }  // namespace
 
 Image read_jpeg(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
-  if (choice.channel == Channel::none)
-    refuse(file, "is a JPEG picture, which blurs values across edges; save the phases as PNG or TIFF");
+  if (choice.channel == Channel::none) refuse(file, "is a JPEG picture, which blurs values across edges; save the phases as PNG or TIFF");
   Decoder d(bytes);
   if (!read_header(d)) refuse_damaged(d, file);
   check_size(file, d.jpeg.image_width, d.jpeg.image_height, choice);

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "io/table/table.hpp"
 #include "io/disk/refuse.hpp"
+#include "io/table/table.hpp"
 
 namespace arenite::io {
 namespace {
@@ -16,8 +16,10 @@ Image cropped(Image image, const std::optional<Crop>& crop, const std::string& f
   if (!crop) return image;
   const auto [x, y, width, height] = *crop;
   if (x < 0 || y < 0 || width <= 0 || height <= 0 || width > image.width - x || height > image.height - y)
-    refuse(file, "has {} x {} pixels, and the crop {},{},{},{} does not lie inside; give X,Y of its upper left "
-                                          "pixel, width, height", image.width, image.height, x, y, width, height);
+    refuse(file,
+           "has {} x {} pixels, and the crop {},{},{},{} does not lie inside; give X,Y of its upper left "
+           "pixel, width, height",
+           image.width, image.height, x, y, width, height);
   Image part{width, height, {}};
   part.value.reserve(part.size());
   for (int row = y; row < y + height; ++row) {
@@ -28,8 +30,7 @@ Image cropped(Image image, const std::optional<Crop>& crop, const std::string& f
 }
 
 /// The only place where rows are turned round: row 0 of a picture is at the top, row 0 of a map at the bottom.
-template <class T>
-std::vector<T> bottom_first(const std::vector<T>& top_first, int width, int height) {
+template <class T> std::vector<T> bottom_first(const std::vector<T>& top_first, int width, int height) {
   std::vector<T> turned;
   turned.reserve(top_first.size());
   for (int row = height - 1; row >= 0; --row) {
@@ -64,11 +65,15 @@ void number_grains(PhaseMap& map, const std::vector<std::int32_t>& label, const 
   }
   std::vector<Problem> problems;
   if (bare > 0)
-    problems.push_back({file, 0, 0, fmt::format("has no label for {} particle pixels, the first at {}; label them, or leave the labels "
-                                                "out and let grains be found", bare, pixel(map, first_bare, options.crop))});
+    problems.push_back({file, 0, 0,
+                        fmt::format("has no label for {} particle pixels, the first at {}; label them, or leave the labels "
+                                    "out and let grains be found",
+                                    bare, pixel(map, first_bare, options.crop))});
   if (outside > 0)
-    problems.push_back({file, 0, 0, fmt::format("labels {} pixels that are no particle, the first at {}; write 0 there, or say with "
-                                                "--phases that they are particle", outside, pixel(map, first_outside, options.crop))});
+    problems.push_back({file, 0, 0,
+                        fmt::format("labels {} pixels that are no particle, the first at {}; write 0 there, or say with "
+                                    "--phases that they are particle",
+                                    outside, pixel(map, first_outside, options.crop))});
   if (!problems.empty()) throw InputError(std::move(problems));
   map.grain_class.assign(number.size(), GrainClass::none);
 }
@@ -109,8 +114,7 @@ std::string listed(const Counts& counts, std::size_t total) {
 std::string proposal(const Counts& counts) {
   std::string text;
   for (auto it = counts.begin(); it != counts.end(); ++it)
-    text += fmt::format("{}{}={}", text.empty() ? "" : ",", it->first,
-                        it == counts.begin() ? "void" : std::next(it) == counts.end() ? "particle" : "matrix");
+    text += fmt::format("{}{}={}", text.empty() ? "" : ",", it->first, it == counts.begin() ? "void" : std::next(it) == counts.end() ? "particle" : "matrix");
   return text;
 }
 
@@ -119,10 +123,11 @@ PhaseTable guess(const Counts& counts, std::size_t total, const std::string& fil
     refuse(file, "has the value {} everywhere: nothing tells particles from void; give a picture of at least two values", counts.begin()->first);
   constexpr std::size_t too_many = 8;
   if (counts.size() > too_many)
-    refuse(file, "has {} values, {}: no phase map; a photograph must be segmented first, and grain labels are "
-                                          "given with --labels beside a phase map", counts.size(), listed(counts, total));
-  if (counts.size() > 2)
-    refuse(file, "has the values {}; say which phase each is, for example with --phases {}", listed(counts, total), proposal(counts));
+    refuse(file,
+           "has {} values, {}: no phase map; a photograph must be segmented first, and grain labels are "
+           "given with --labels beside a phase map",
+           counts.size(), listed(counts, total));
+  if (counts.size() > 2) refuse(file, "has the values {}; say which phase each is, for example with --phases {}", listed(counts, total), proposal(counts));
   notes.push_back(fmt::format("Values {}: the lower was taken as void, the higher as particle.", listed(counts, total)));
   return {{counts.begin()->first, Phase::empty}, {counts.rbegin()->first, Phase::particle}};
 }
@@ -159,21 +164,18 @@ Crop parse_crop(std::string_view text) {
   return crop;
 }
 
-ForeignMap make_phase_map(const Image& picture, const Image* labels, const PhaseMapOptions& options, const std::string& file,
-                          const std::string& label_file) {
-  if (!(options.dx > 0) || !std::isfinite(options.dx))
-    throw InputError(fmt::format("the side of a pixel is {:g} m; give a positive length", options.dx));
+ForeignMap make_phase_map(const Image& picture, const Image* labels, const PhaseMapOptions& options, const std::string& file, const std::string& label_file) {
+  if (!(options.dx > 0) || !std::isfinite(options.dx)) throw InputError(fmt::format("the side of a pixel is {:g} m; give a positive length", options.dx));
   if (labels != nullptr && (labels->width != picture.width || labels->height != picture.height))
-    refuse(label_file, "has {} x {} pixels and the phase map {} x {}; give labels of the same picture", labels->width,
-                                                labels->height, picture.width, picture.height);
+    refuse(label_file, "has {} x {} pixels and the phase map {} x {}; give labels of the same picture", labels->width, labels->height, picture.width,
+           picture.height);
   const Image part = cropped(picture, options.crop, file);
   Image marks;
   if (labels != nullptr) marks = cropped(*labels, options.crop, label_file);
   ForeignMap result;
   PhaseMap& map = result.map;
   map = arenite::make_phase_map(part.width, part.height, options.dx);
-  map.phase = bottom_first(assign_phases(part, options.phases, labels != nullptr && several_values(marks), file, result.notes),
-                           part.width, part.height);
+  map.phase = bottom_first(assign_phases(part, options.phases, labels != nullptr && several_values(marks), file, result.notes), part.width, part.height);
   if (labels == nullptr) return result;
   if (std::find(map.phase.begin(), map.phase.end(), Phase::particle) == map.phase.end())
     refuse(label_file, "gives labels to a map without particles; leave them out, or say with --phases which value is particle");
@@ -184,8 +186,7 @@ ForeignMap make_phase_map(const Image& picture, const Image* labels, const Phase
 
 ForeignMap read_phase_map(const std::filesystem::path& path, const PhaseMapOptions& options) {
   const Image picture = read_image(path, options.image);
-  if (!options.labels && options.label_image.dataset.empty())
-    return make_phase_map(picture, nullptr, options, path.string(), {});
+  if (!options.labels && options.label_image.dataset.empty()) return make_phase_map(picture, nullptr, options, path.string(), {});
   const auto label_path = options.labels.value_or(path);
   ImageChoice choice = options.label_image;
   if (!choice.slice) choice.slice = options.image.slice;
@@ -207,14 +208,12 @@ PhaseTable parse_phase_table(std::string_view text) {
     text.remove_prefix(std::min(text.size(), row.size() + 1));
     const std::size_t at = row.find('=');
     const auto value = parse_number<std::int32_t>(row.substr(0, at));
-    if (at == std::string_view::npos || !value)
-      throw InputError(fmt::format("\"{}\" says no phase of a value; {}", row, form));
+    if (at == std::string_view::npos || !value) throw InputError(fmt::format("\"{}\" says no phase of a value; {}", row, form));
     const std::string name(row.substr(at + 1));
     const auto* found = std::find(std::begin(names), std::end(names), name);
     if (found == std::end(names)) {
       const std::string near = nearest(name, {std::begin(names), std::end(names)});
-      throw InputError(fmt::format("\"{}\" is no phase{}; phases are void, matrix and particle", name,
-                                   near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+      throw InputError(fmt::format("\"{}\" is no phase{}; phases are void, matrix and particle", name, near.empty() ? "" : "; did you mean \"" + near + "\"?"));
     }
     if (!table.emplace(*value, static_cast<Phase>(found - std::begin(names))).second)
       throw InputError(fmt::format("the value {} is given a phase twice; leave one of them out", *value));
@@ -223,8 +222,7 @@ PhaseTable parse_phase_table(std::string_view text) {
   return table;
 }
 
-std::vector<Phase> assign_phases(const Image& image, const PhaseTable& given, bool several_grains, const std::string& file,
-                                 std::vector<std::string>& notes) {
+std::vector<Phase> assign_phases(const Image& image, const PhaseTable& given, bool several_grains, const std::string& file, std::vector<std::string>& notes) {
   const Counts counts = count_values(image);
   if (counts.empty()) refuse(file, "holds no pixels; give a picture with at least one");
   const PhaseTable table = given.empty() ? guess(counts, image.size(), file, notes) : given;

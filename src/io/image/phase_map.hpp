@@ -24,8 +24,7 @@ std::string_view name_of(Phase phase);
 /// Phase of every pixel, in the picture's order. Without a table (an empty one) a picture of exactly two values is guessed: the lower is void, the
 /// higher particle, and `notes` says so. Every other picture without a table, a value that the table lacks, and a picture of one phase only (unless
 /// it is particle and `several_grains`) is an InputError that lists the values with their shares.
-std::vector<Phase> assign_phases(const Image& image, const PhaseTable& table, bool several_grains, const std::string& file,
-                                 std::vector<std::string>& notes);
+std::vector<Phase> assign_phases(const Image& image, const PhaseTable& table, bool several_grains, const std::string& file, std::vector<std::string>& notes);
 
 /// A rectangle of a picture: its upper left pixel, as picture viewers count, and its size.
 struct Crop {
@@ -47,7 +46,7 @@ struct PhaseMapOptions {
 
 /// A phase map from a picture. Picture rows point down; row 0 of the map is the bottom.
 struct ForeignMap {
-  PhaseMap map;           ///< without labels: `grain` is -1 everywhere and `grain_class` empty, to be labelled
+  PhaseMap map;  ///< without labels: `grain` is -1 everywhere and `grain_class` empty, to be labelled
   bool labelled = false;
   std::vector<std::string> notes;
 };
@@ -58,8 +57,7 @@ struct ForeignMap {
 ForeignMap read_phase_map(const std::filesystem::path& path, const PhaseMapOptions& options);
 
 /// The same from pictures; `labels` may be null. Names are for messages.
-ForeignMap make_phase_map(const Image& picture, const Image* labels, const PhaseMapOptions& options, const std::string& file,
-                          const std::string& label_file);
+ForeignMap make_phase_map(const Image& picture, const Image* labels, const PhaseMapOptions& options, const std::string& file, const std::string& label_file);
 
 /// One label for all particles of a map.
 void label_alike(PhaseMap& map);

@@ -76,8 +76,7 @@ void read_tiles(TIFF* tiff, const TiffSource& source, int width, int y, Band& ba
   for (std::uint32_t x = 0, column = 0; x < static_cast<std::uint32_t>(width); x += tile_width, ++column) {
     if (TIFFReadTile(tiff, tile.data(), x, static_cast<std::uint32_t>(y), 0, 0) < 0) source.refuse_damaged();
     for (int r = 0; r < band.count; ++r)
-      std::memcpy(band.bytes.data() + static_cast<std::size_t>(r) * band.stride + column * across,
-                  tile.data() + static_cast<std::size_t>(r) * across, across);
+      std::memcpy(band.bytes.data() + static_cast<std::size_t>(r) * band.stride + column * across, tile.data() + static_cast<std::size_t>(r) * across, across);
   }
 }
 
@@ -91,8 +90,7 @@ Band make_band(TIFF* tiff, const TiffSource& source, const PixelLayout& layout, 
     const auto wide = tiff_field<std::uint32_t>(tiff, TIFFTAG_TILEWIDTH), high = tiff_field<std::uint32_t>(tiff, TIFFTAG_TILELENGTH);
     if (wide == 0 || high == 0 || TIFFTileSize(tiff) <= 0) source.refuse_damaged();
     check_size(source.file(), std::int64_t{wide} + layout.width, high, choice);
-    if (TIFFTileRowSize(tiff) * 8 < tmsize_t{wide} * layout.samples * bits || wide * static_cast<unsigned>(bits) % 8 != 0)
-      source.refuse_damaged();
+    if (TIFFTileRowSize(tiff) * 8 < tmsize_t{wide} * layout.samples * bits || wide * static_cast<unsigned>(bits) % 8 != 0) source.refuse_damaged();
     band.count = static_cast<int>(high);
     const auto tiles = (static_cast<std::uint32_t>(layout.width) + wide - 1) / wide;
     band.stride = std::max(needed, tiles * static_cast<std::size_t>(TIFFTileRowSize(tiff)));
@@ -169,12 +167,12 @@ Tiff open_tiff(TiffSource& source, std::int64_t most_at_once) {
   const std::unique_ptr<TIFFOpenOptions, void (*)(TIFFOpenOptions*)> options(TIFFOpenOptionsAlloc(), TIFFOpenOptionsFree);
   TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), most_at_once);
   TIFFOpenOptionsSetErrorHandlerExtR(options.get(), complain, &source);
-  TIFFOpenOptionsSetWarningHandlerExtR(options.get(), [](TIFF*, void*, const char*, const char*, va_list) { return 1; }, nullptr);
+  TIFFOpenOptionsSetWarningHandlerExtR(
+      options.get(), [](TIFF*, void*, const char*, const char*, va_list) { return 1; }, nullptr);
   // "m": no mapping into memory, for the bytes come through us.
   return {TIFFClientOpenExt(
-              "picture", "rm", &source, read_bytes, [](thandle_t, void*, tmsize_t) -> tmsize_t { return 0; }, seek,
-              [](thandle_t) { return 0; }, [](thandle_t h) -> toff_t { return static_cast<TiffSource*>(h)->bytes->size(); }, nullptr,
-              nullptr, options.get()),
+              "picture", "rm", &source, read_bytes, [](thandle_t, void*, tmsize_t) -> tmsize_t { return 0; }, seek, [](thandle_t) { return 0; },
+              [](thandle_t h) -> toff_t { return static_cast<TiffSource*>(h)->bytes->size(); }, nullptr, nullptr, options.get()),
           TIFFClose};
 }
 

@@ -29,8 +29,7 @@ using Tiff = std::unique_ptr<TIFF, void (*)(TIFF*)>;
 /// says.
 Tiff open_tiff(TiffSource& source, std::int64_t most_at_once = std::int64_t{1} << 30);
 
-template <class T>
-T tiff_field(TIFF* tiff, std::uint32_t tag) {
+template <class T> T tiff_field(TIFF* tiff, std::uint32_t tag) {
   T value = 0;
   TIFFGetFieldDefaulted(tiff, tag, &value);
   return value;

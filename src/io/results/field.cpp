@@ -4,8 +4,7 @@
 namespace arenite::io {
 namespace {
 
-template <class Joints>
-void check_ends(const ResultPart& at, const Joints& joints, std::size_t grains) {
+template <class Joints> void check_ends(const ResultPart& at, const Joints& joints, std::size_t grains) {
   if (!at.reads()) return;
   for (const auto& joint : joints)
     for (const std::int32_t g : {joint.i, joint.j})
@@ -24,8 +23,7 @@ void transfer_cement(const ResultPart& at, Cement& cement, std::size_t grains) {
   check_ends(menisci, cement.menisci, grains);
 }
 
-template <class To, class From>
-std::vector<To> converted(const std::vector<From>& values) {
+template <class To, class From> std::vector<To> converted(const std::vector<From>& values) {
   std::vector<To> result;
   result.reserve(values.size());
   for (const From value : values) result.push_back(static_cast<To>(value));
@@ -55,9 +53,7 @@ void transfer_map(const ResultPart& at, PhaseMap& map) {
   map.grain_class = converted<GrainClass>(classes);
   try {
     check(map);
-  } catch (const InputError& error) {
-    group.take->refuse(error.what());
-  }
+  } catch (const InputError& error) { group.take->refuse(error.what()); }
 }
 
 /// A field that is there; none is where nothing was loaded.
@@ -80,7 +76,8 @@ void transfer_field(const ResultPart& at, FieldResult& result) {
   transfer_stresses(at, result.field, result.map);
   transfer_history(at, "convergence", result.convergence);
   transfer_history(at, "curve", result.curve);
-  at.group("cracks").records(result.cracks, Named{"x", &Crack::x, "m"}, Named{"y", &Crack::y, "m"}, Named{"type", &Crack::type}, Named{"strain", &Crack::strain});
+  at.group("cracks").records(result.cracks, Named{"x", &Crack::x, "m"}, Named{"y", &Crack::y, "m"}, Named{"type", &Crack::type},
+                             Named{"strain", &Crack::strain});
   transfer_numbers(at, "numbers", result.numbers);
 }
 

@@ -22,19 +22,16 @@ constexpr std::array grain_columns{Column<PictureGrains, double>{"column", "1", 
                                    Column<PictureGrains, double>{"brightness", "1", &PictureGrains::brightness},
                                    Column<PictureGrains, double>{"score", "1", &PictureGrains::score}};
 
-constexpr std::array motion_columns{Column<GrainMotion, double>{"cos_x", "1", &GrainMotion::cos_x},
-                                    Column<GrainMotion, double>{"sin_x", "1", &GrainMotion::sin_x},
-                                    Column<GrainMotion, double>{"cos_y", "1", &GrainMotion::cos_y},
-                                    Column<GrainMotion, double>{"sin_y", "1", &GrainMotion::sin_y},
-                                    Column<GrainMotion, double>{"error", "1", &GrainMotion::error}};
+constexpr std::array motion_columns{
+    Column<GrainMotion, double>{"cos_x", "1", &GrainMotion::cos_x}, Column<GrainMotion, double>{"sin_x", "1", &GrainMotion::sin_x},
+    Column<GrainMotion, double>{"cos_y", "1", &GrainMotion::cos_y}, Column<GrainMotion, double>{"sin_y", "1", &GrainMotion::sin_y},
+    Column<GrainMotion, double>{"error", "1", &GrainMotion::error}};
 
-constexpr std::array swing_columns{Column<GrainSwing, double>{"temperature", "K", &GrainSwing::temperature},
-                                   Column<GrainSwing, double>{"sigma_hyd", "Pa", &GrainSwing::sigma_hyd},
-                                   Column<GrainSwing, double>{"error", "Pa", &GrainSwing::error},
-                                   Column<GrainSwing, double>{"pixels", "1", &GrainSwing::pixels}};
+constexpr std::array swing_columns{
+    Column<GrainSwing, double>{"temperature", "K", &GrainSwing::temperature}, Column<GrainSwing, double>{"sigma_hyd", "Pa", &GrainSwing::sigma_hyd},
+    Column<GrainSwing, double>{"error", "Pa", &GrainSwing::error}, Column<GrainSwing, double>{"pixels", "1", &GrainSwing::pixels}};
 
-constexpr std::array twin_columns{Column<FilmTwin, double>{"swing", "Pa", &FilmTwin::swing},
-                                  Column<FilmTwin, double>{"state", "Pa", &FilmTwin::state}};
+constexpr std::array twin_columns{Column<FilmTwin, double>{"swing", "Pa", &FilmTwin::swing}, Column<FilmTwin, double>{"state", "Pa", &FilmTwin::state}};
 
 void transfer_film(const ResultPart& at, FilmResult& r) {
   const auto group = at.group("film");

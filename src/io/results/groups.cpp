@@ -3,15 +3,14 @@
 namespace arenite::io {
 namespace {
 
-template <class Owner>
-struct Scalar {
+template <class Owner> struct Scalar {
   const char* name;
   double Owner::*member;
 };
-constexpr Scalar<Wall> wall_scalars[] = {{"position [m]", &Wall::position}, {"velocity [m/s]", &Wall::velocity},
-                                         {"force [N]", &Wall::force}, {"shear_force [N]", &Wall::shear_force}};
-constexpr Scalar<Material> material_scalars[] = {{"density [kg/m^3]", &Material::density}, {"stiffness [N/m]", &Material::stiffness},
-                                                 {"thermoelastic_factor [K/Pa]", &Material::thermoelastic_factor}};
+constexpr Scalar<Wall> wall_scalars[] = {
+    {"position [m]", &Wall::position}, {"velocity [m/s]", &Wall::velocity}, {"force [N]", &Wall::force}, {"shear_force [N]", &Wall::shear_force}};
+constexpr Scalar<Material> material_scalars[] = {
+    {"density [kg/m^3]", &Material::density}, {"stiffness [N/m]", &Material::stiffness}, {"thermoelastic_factor [K/Pa]", &Material::thermoelastic_factor}};
 
 /// The boundaries of a domain, of which most have none: files without them have no such group.
 void transfer_boundaries(const ResultPart& at, std::vector<Boundary>& boundaries) {

@@ -21,19 +21,17 @@ namespace arenite::io {
 using Shape = Hdf5Writer::Shape;
 
 /// One member of a record, as an array of all records: name, place and SI unit.
-template <class T, class Member>
-struct Named {
+template <class T, class Member> struct Named {
   const char* name;
   Member T::*member;
   const char* unit = "1";
 };
-template <class T, class Member>
-Named(const char*, Member T::*, const char* = "1") -> Named<T, Member>;
+template <class T, class Member> Named(const char*, Member T::*, const char* = "1") -> Named<T, Member>;
 
 /// A part of a result as a group of a file that is written or read. It is transferred by one function, which names its members in their order: so one
 /// list serves both ways. What is written is not changed.
 struct ResultPart {
-  std::optional<Hdf5Writer> put;  ///< a group that is written, or
+  std::optional<Hdf5Writer> put;   ///< a group that is written, or
   std::optional<Hdf5Reader> take;  ///< one that is read
 
   explicit ResultPart(Hdf5Writer to) : put(std::move(to)) {}
@@ -44,8 +42,7 @@ struct ResultPart {
   /// An attribute: real or whole number, truth or text.
   void operator()(const std::string& name, double& value) const { reads() ? void(value = take->number(name)) : put->set(name, value); }
   void operator()(const std::string& name, std::string& text) const { reads() ? void(text = take->label(name)) : put->set(name, text); }
-  template <std::integral T>
-  void operator()(const std::string& name, T& value) const {
+  template <std::integral T> void operator()(const std::string& name, T& value) const {
     if (!reads()) return put->set(name, static_cast<std::int64_t>(value));
     const std::int64_t stored = take->integer(name);
     if constexpr (std::is_same_v<T, bool>) {
@@ -61,27 +58,22 @@ struct ResultPart {
     if (put) put->set(name, text);
   }
   /// One of two words.
-  template <class T>
-  void choice(const char* name, T& value, T one, const char* word, T other, const char* other_word) const {
+  template <class T> void choice(const char* name, T& value, T one, const char* word, T other, const char* other_word) const {
     if (reads()) value = take->label(name) == word ? one : other;
     else put->set(name, std::string_view(value == one ? word : other_word));
   }
-  template <class T>
-  void array(const char* name, std::vector<T>& values, const char* unit = "1") const {
+  template <class T> void array(const char* name, std::vector<T>& values, const char* unit = "1") const {
     reads() ? void(values = take->array<T>(name)) : put->write(name, values, unit);
   }
-  template <class T>
-  void image(const char* name, std::vector<T>& values, Shape shape, const char* unit = "1") const {
+  template <class T> void image(const char* name, std::vector<T>& values, Shape shape, const char* unit = "1") const {
     reads() ? void(values = take->image<T>(name, shape.rows, shape.columns)) : put->write_image(name, values, shape, unit);
   }
   /// One that need not be there.
-  template <class T>
-  void optional_image(const char* name, std::vector<T>& values, Shape shape, const char* unit = "1") const {
+  template <class T> void optional_image(const char* name, std::vector<T>& values, Shape shape, const char* unit = "1") const {
     if (reads() ? take->has(name) : !values.empty()) image(name, values, shape, unit);
   }
   /// A numbered group for each item.
-  template <class T, class Use>
-  void each(const char* name, std::vector<T>& items, int digits, Use use) const {
+  template <class T, class Use> void each(const char* name, std::vector<T>& items, int digits, Use use) const {
     const auto all = group(name);
     if (reads())
       for (const auto& own : all.take->names()) use(all.group(own), items.emplace_back());
@@ -89,8 +81,7 @@ struct ResultPart {
       for (std::size_t i = 0; i < items.size(); ++i) use(all.group(fmt::format("{:0{}}", i, digits)), items[i]);
   }
   /// Members of all records, each as an array; single precision is kept in double.
-  template <class T, class... Members>
-  void records(std::vector<T>& items, const Named<T, Members>&... members) const {
+  template <class T, class... Members> void records(std::vector<T>& items, const Named<T, Members>&... members) const {
     bool first = true;
     const auto transfer = [&]<class Member>(const Named<T, Member>& of) {
       std::vector<std::conditional_t<std::is_same_v<Member, float>, double, Member>> values;
@@ -105,7 +96,8 @@ struct ResultPart {
   }
   /// Refuses arrays that were read and do not go together.
   void same_length(std::initializer_list<std::size_t> sizes) const {
-    if (reads() && std::any_of(sizes.begin(), sizes.end(), [&](std::size_t size) { return size != *sizes.begin(); })) take->refuse("holds arrays of different lengths");
+    if (reads() && std::any_of(sizes.begin(), sizes.end(), [&](std::size_t size) { return size != *sizes.begin(); }))
+      take->refuse("holds arrays of different lengths");
   }
 };
 
@@ -116,16 +108,14 @@ void write_result_file(const std::filesystem::path& path, std::string_view kind,
   transfer(ResultPart(file), const_cast<Result&>(result));  // which does not change what it writes
   write_sealed(path, kind, file.bytes());
 }
-template <class Result>
-Result read_result_file(const std::filesystem::path& path, std::string_view kind, void (*transfer)(const ResultPart&, Result&)) {
+template <class Result> Result read_result_file(const std::filesystem::path& path, std::string_view kind, void (*transfer)(const ResultPart&, Result&)) {
   Result result;
   transfer(ResultPart(Hdf5Reader(read_sealed(path, kind), path.string())), result);
   return result;
 }
 
 /// A column of real numbers: name, SI unit ("1" if it has none) and where it lives. Every format takes its columns here.
-template <class Owner, class Value = double>
-struct Column {
+template <class Owner, class Value = double> struct Column {
   const char* name;
   const char* unit;
   std::vector<Value> Owner::*member;
@@ -166,8 +156,7 @@ void transfer_columns(const ResultPart& at, Owner& owner, const Columns& columns
 
 /// What made a result, its name and how it ended, as the groups "provenance" and "outcome"; the file itself says in its attributes what it is.
 void transfer_provenance(const ResultPart& at, Provenance& provenance);
-template <class Result>
-void transfer_origin(const ResultPart& at, Result& result) {
+template <class Result> void transfer_origin(const ResultPart& at, Result& result) {
   at.note("source", "Arenite " + result.provenance.version);
   at.note("stage", result.name);
   at.note("layout", "docs/hdf5.md of Arenite says what lies where; `arenite export --to netcdf` writes arrays over (time, grain)");

@@ -31,8 +31,7 @@ struct NumberRows {
   }
 };
 
-template <class T>
-Numbers integer_of(double value, const std::string& text) {
+template <class T> Numbers integer_of(double value, const std::string& text) {
   return text.empty() ? static_cast<T>(value) : parse_number<T>(text).value_or(T{});
 }
 
@@ -75,8 +74,7 @@ Numbers read_rows(const Hdf5Reader& at) {
   try {
     Numbers numbers = node_at(table, row);
     if (row == rows) return numbers;
-  } catch (const NumbersError&) {
-  }
+  } catch (const NumbersError&) {}
   at.refuse("holds numbers that are damaged");
 }
 

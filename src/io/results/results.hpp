@@ -50,7 +50,7 @@ struct Checkpoint {
   std::map<std::string, std::vector<std::uint8_t>> blobs;  ///< e.g. "engine"
   std::map<std::string, double> numbers;
   std::map<std::string, std::int64_t> integers;
-  StageResult partial;                                     ///< frames and history so far
+  StageResult partial;  ///< frames and history so far
 };
 
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);

@@ -35,16 +35,12 @@ Index add_grains(const RawGrains& raw, const Domain& domain, bool closed, Grains
     const RawGrain& row = raw.rows[g];
     if (!index.emplace(row.id, static_cast<std::int32_t>(g)).second)
       problems.add(row.line, fmt::format("grain {} appears twice; give every grain its own id", row.id));
-    if (!(row.radius > 0))
-      problems.add(row.line, fmt::format("the radius of grain {} is {:g} m; a radius must be positive", row.id, row.radius));
+    if (!(row.radius > 0)) problems.add(row.line, fmt::format("the radius of grain {} is {:g} m; a radius must be positive", row.id, row.radius));
     const bool outside_x = !domain.periodic_x && (row.centre.x < domain.wall[left].position || row.centre.x > domain.wall[right].position);
     const bool outside_y = !domain.periodic_y && (row.centre.y < domain.wall[bottom].position || row.centre.y > domain.wall[top].position);
-    if (closed && (outside_x || outside_y))
-      problems.add(row.line, fmt::format("grain {} lies outside the box; correct its centre, --box or --origin", row.id));
-    if (row.zone < 0 || row.zone > 255)
-      problems.add(row.line, fmt::format("the zone of grain {} is {}; zones are numbers from 0 to 255", row.id, row.zone));
-    else
-      grains.zone[g] = static_cast<std::uint8_t>(row.zone);
+    if (closed && (outside_x || outside_y)) problems.add(row.line, fmt::format("grain {} lies outside the box; correct its centre, --box or --origin", row.id));
+    if (row.zone < 0 || row.zone > 255) problems.add(row.line, fmt::format("the zone of grain {} is {}; zones are numbers from 0 to 255", row.id, row.zone));
+    else grains.zone[g] = static_cast<std::uint8_t>(row.zone);
     grains.id[g] = row.id;
     grains.x[g] = row.centre.x;
     grains.y[g] = row.centre.y;
@@ -141,15 +137,15 @@ void add_contacts(const RawContacts& raw, const Index& index, bool has_box, cons
       continue;
     }
     const auto gi = static_cast<std::size_t>(i);
-    const auto geometry = row.wall < 0 ? grain_geometry(p, row, gi, static_cast<std::size_t>(j), problems)
-                                       : std::optional(wall_geometry(p, row.wall, gi, has_box));
+    const auto geometry =
+        row.wall < 0 ? grain_geometry(p, row, gi, static_cast<std::size_t>(j), problems) : std::optional(wall_geometry(p, row.wall, gi, has_box));
     if (!geometry) continue;
     const Vec2 f = components(row, geometry->n);
     if (const auto earlier = taken.find(i, j, geometry->n, p.contacts); earlier >= 0) {
       const auto c = static_cast<std::size_t>(earlier);
       if (!options.merge_doubled && !raw.lists_both_ways) {
-        problems.add(row.line, fmt::format("the contact of {} and {} is already in line {}; remove one, or merge them with --doubled merge",
-                                           row.i, row.wall < 0 ? std::to_string(row.j) : side_names[static_cast<std::size_t>(row.wall)], lines[c]));
+        problems.add(row.line, fmt::format("the contact of {} and {} is already in line {}; remove one, or merge them with --doubled merge", row.i,
+                                           row.wall < 0 ? std::to_string(row.j) : side_names[static_cast<std::size_t>(row.wall)], lines[c]));
         continue;
       }
       const double n = ++rows_merged[c];
@@ -179,19 +175,21 @@ void place_box(RawGrains& grains, Problems& problems) {
   const auto place = [&](double Vec2::*axis, bool periodic, const char* name) {
     if (periodic || (low.*axis >= 0 && high.*axis <= size.*axis)) return;
     if (high.*axis - low.*axis > size.*axis)
-      problems.add(fmt::format("the centres span {:g} m along {}, more than the box's {:g} m; correct --box or --length-unit",
-                                  high.*axis - low.*axis, name, size.*axis));
+      problems.add(fmt::format("the centres span {:g} m along {}, more than the box's {:g} m; correct --box or --length-unit", high.*axis - low.*axis, name,
+                               size.*axis));
     grains.box_low.*axis = 0.5 * (low.*axis + high.*axis) - 0.5 * size.*axis;
     grains.box_high.*axis = grains.box_low.*axis + size.*axis;
-    grains.notes.push_back(fmt::format("The centres do not lie between 0 and the box's {:g} m along {}, so the box was laid around them, from {:g} m; "
-                                       "--origin places it.", size.*axis, name, grains.box_low.*axis));
+    grains.notes.push_back(
+        fmt::format("The centres do not lie between 0 and the box's {:g} m along {}, so the box was laid around them, from {:g} m; "
+                    "--origin places it.",
+                    size.*axis, name, grains.box_low.*axis));
   };
   place(&Vec2::x, grains.periodic_x, "x");
   place(&Vec2::y, grains.periodic_y, "y");
 }
 
-void assemble(const RawGrains& grains, const RawContacts& contacts, const SampleOptions& options, Sample& sample,
-              Problems& grain_problems, Problems& contact_problems) {
+void assemble(const RawGrains& grains, const RawContacts& contacts, const SampleOptions& options, Sample& sample, Problems& grain_problems,
+              Problems& contact_problems) {
   const bool unreadable = contact_problems.any();
   if (grain_problems.any()) Problems::raise({&grain_problems, &contact_problems});
   Packing& packing = sample.packing;

@@ -44,8 +44,8 @@ double number(const Table& table, const Table::Row& row, const Field& field, Pro
 void note_assumed_unit(const Table& table, const Field& field, bool chosen, const char* what, const char* si, const char* option,
                        std::vector<std::string>& notes) {
   if (field && !chosen && table.columns[*field.index].unit.empty())
-    notes.push_back(fmt::format("The file names no unit of {}, so {} was taken; {} or a header such as \"{} [...]\" says otherwise.",
-                                what, si, option, table.columns[*field.index].name));
+    notes.push_back(fmt::format("The file names no unit of {}, so {} was taken; {} or a header such as \"{} [...]\" says otherwise.", what, si, option,
+                                table.columns[*field.index].name));
 }
 
 void require(const Table& table, bool found, const char* column, const char* kind, Problems& problems) {
@@ -72,8 +72,7 @@ std::int32_t material_of(const RawGrain& row, const Materials& materials, Proble
 }
 
 bool lies_inside(Vec2 p, const Domain& domain) {
-  return p.x >= domain.wall[left].position && p.x <= domain.wall[right].position && p.y >= domain.wall[bottom].position &&
-         p.y <= domain.wall[top].position;
+  return p.x >= domain.wall[left].position && p.x <= domain.wall[right].position && p.y >= domain.wall[bottom].position && p.y <= domain.wall[top].position;
 }
 
 }  // namespace
@@ -83,8 +82,9 @@ RawGrains read_grains_csv(std::string_view text, const ReadingHints& hints, Prob
   RawGrains grains;
   if (table.columns.empty()) return grains;
   if (in_pixels(table) && hints.pixel == 0) {
-    problems.add(table.header_line, "lengths are in pixels (px), whose width on the sample is not known; give it to `arenite measure` by --pixel, "
-                                    "for example --pixel \"1.6 mm\", or to `arenite grains`, which then writes the table in mm");
+    problems.add(table.header_line,
+                 "lengths are in pixels (px), whose width on the sample is not known; give it to `arenite measure` by --pixel, "
+                 "for example --pixel \"1.6 mm\", or to `arenite grains`, which then writes the table in mm");
     return grains;
   }
   const auto id = table.find({"id", "grain"});
@@ -135,10 +135,8 @@ RawContacts read_contacts_csv(std::string_view text, const RawGrains&, const Rea
     RawContact contact;
     contact.line = row.line;
     contact.i = integer_or_problem(row.cells[*i], "i", row.line, problems);
-    if (const auto wall = wall_by_name(row.cells[*j]))
-      contact.wall = *wall;
-    else
-      contact.j = integer_or_problem(row.cells[*j], "j", row.line, problems);
+    if (const auto wall = wall_by_name(row.cells[*j])) contact.wall = *wall;
+    else contact.j = integer_or_problem(row.cells[*j], "j", row.line, problems);
     if (vector) {
       contact.force_on_j = Vec2{number(table, row, fx, problems), number(table, row, fy, problems)};
     } else {
@@ -165,7 +163,8 @@ Grains read_placed_grains(const std::filesystem::path& path, const Materials& ma
     const Vec2 centre = row.centre + Vec2{domain.wall[left].position, domain.wall[bottom].position};
     if (!lies_inside(centre, domain))
       problems.add(row.line, fmt::format("the centre of grain {} at ({:g}, {:g}) m lies outside the container of {:g} x {:g} m; correct it, "
-                                         "the unit of the column or [frame]", row.id, row.centre.x, row.centre.y, domain.width(), domain.height()));
+                                         "the unit of the column or [frame]",
+                                         row.id, row.centre.x, row.centre.y, domain.width(), domain.height()));
     grains.id[i] = row.id;
     grains.x[i] = centre.x;
     grains.y[i] = centre.y;

@@ -68,14 +68,12 @@ Columns columns_of(const Item& item, std::string_view title) {
 }
 
 /// Rows with as many cells as columns; the others are problems.
-template <class Use>
-void for_each_row(const Item& item, std::size_t columns, Problems& problems, Use use) {
+template <class Use> void for_each_row(const Item& item, std::size_t columns, Problems& problems, Use use) {
   for (const auto& [number, line] : item.body) {
     const auto cells = split_blanks(line);
     if (cells.size() != columns)
       problems.add(number, fmt::format("this row has {} values, but there are {} columns; the dump is cut off or damaged", cells.size(), columns));
-    else
-      use(number, cells);
+    else use(number, cells);
   }
 }
 
@@ -122,9 +120,10 @@ std::string missing_columns(const std::vector<std::string>& names) {
     found += (found.empty() ? "" : " ") + name;
     example += (example.empty() ? "" : ",") + (is_opaque(name) && next < wanted.size() ? wanted[next++] : std::string("-"));
   }
-  return fmt::format("which of the columns ({}) are the two grains and the force is not known; name them in their order by --columns, with \"-\" for "
-                     "those not needed, e.g. --columns \"{}\" (patom1 patom2 of property/local, fx fy and the tangential p1 p2 of pair/local)",
-                     found, next == wanted.size() ? example : "-,patom1,patom2,fx,fy,p1,p2");
+  return fmt::format(
+      "which of the columns ({}) are the two grains and the force is not known; name them in their order by --columns, with \"-\" for "
+      "those not needed, e.g. --columns \"{}\" (patom1 patom2 of property/local, fx fy and the tangential p1 p2 of pair/local)",
+      found, next == wanted.size() ? example : "-,patom1,patom2,fx,fy,p1,p2");
 }
 
 /// Columns of a dump that LAMMPS named after computes: index, two atoms, then forces in the documented order.

@@ -30,7 +30,8 @@ RawGrains read_mercury_data(std::string_view text, const ReadingHints& hints, Pr
       const auto count = to_integer(cells.front());
       if (cells.size() != 6 || !count || *count < 0) {
         problems.add(at, fmt::format("expected \"N time xmin ymin xmax ymax\" of a plane simulation, found {} values; write the "
-                                     "file with system dimension 2", cells.size()));
+                                     "file with system dimension 2",
+                                     cells.size()));
         return grains;
       }
       expected = *count;

@@ -40,8 +40,8 @@ bool is_anything(std::string_view) { return true; }
 
 constexpr Format formats[] = {
     {"lammps", is_lammps, is_lammps, read_lammps_atoms, read_lammps_pairs},
-    {"yade", [](std::string_view l) { return l.starts_with("#format"); }, [](std::string_view l) { return l.starts_with("# vtk DataFile"); },
-     read_yade_spheres, read_yade_interactions},
+    {"yade", [](std::string_view l) { return l.starts_with("#format"); }, [](std::string_view l) { return l.starts_with("# vtk DataFile"); }, read_yade_spheres,
+     read_yade_interactions},
     {"mercury", [](std::string_view l) { return all_numbers(l, 6); }, [](std::string_view l) { return l.starts_with('#') || all_numbers(l, 16); },
      read_mercury_data, read_mercury_fstat},
     {"csv", is_anything, is_anything, read_grains_csv, read_contacts_csv},
@@ -50,8 +50,7 @@ constexpr const Format& csv = formats[std::size(formats) - 1];
 
 const Format& format_of(std::string_view grains, const SampleOptions& options) {
   for (const Format& format : formats)
-    if (options.format == "auto" ? options.grain_columns.empty() && format.is_grains(first_line(grains)) : options.format == format.name)
-      return format;
+    if (options.format == "auto" ? options.grain_columns.empty() && format.is_grains(first_line(grains)) : options.format == format.name) return format;
   return csv;
 }
 
@@ -80,8 +79,7 @@ void apply_box(const SampleOptions& options, RawGrains& grains, Problems& proble
     grains.box_high = grains.box_low + *options.box;
     if (!options.origin) place_box(grains, problems);
   }
-  if (!grains.has_box && (grains.periodic_x || grains.periodic_y))
-    problems.add("periodic sides need the size of the cell; give --box LX,LY[,tilt]");
+  if (!grains.has_box && (grains.periodic_x || grains.periodic_y)) problems.add("periodic sides need the size of the cell; give --box LX,LY[,tilt]");
 }
 
 /// The text of a file; one with zero bytes is no text in any encoding that is read here.
@@ -101,8 +99,8 @@ std::vector<std::string> sample_formats() {
 
 Sample read_sample(const std::filesystem::path& grains_path, const std::filesystem::path& contacts_path, const SampleOptions& options) {
   const std::string grains_text = read_text(grains_path), contacts_text = contacts_path.empty() ? std::string() : read_text(contacts_path);
-  const ReadingHints of_grains{options.grain_columns, options.length_unit.value_or(1), options.force_unit.value_or(1), options.length_unit.has_value(),
-                               options.force_unit.has_value(), options.pixel};
+  const ReadingHints of_grains{options.grain_columns,           options.length_unit.value_or(1), options.force_unit.value_or(1),
+                               options.length_unit.has_value(), options.force_unit.has_value(),  options.pixel};
   ReadingHints of_contacts = of_grains;
   of_contacts.columns = options.contact_columns;
   Problems grain_problems(grains_path.string()), contact_problems(contacts_path.string());

@@ -14,24 +14,24 @@ namespace arenite::io {
 
 /// What the files of a sample do not say themselves. SI.
 struct SampleOptions {
-  std::string format = "auto";         ///< name of a format (sample_formats), or "auto": by content
-  std::string grain_columns, contact_columns;  ///< for files without header: "id,x,y,-,radius"
+  std::string format = "auto";                    ///< name of a format (sample_formats), or "auto": by content
+  std::string grain_columns, contact_columns;     ///< for files without header: "id,x,y,-,radius"
   std::optional<double> length_unit, force_unit;  ///< factors to SI of columns without unit; else SI is taken, with a note
-  double pixel = 0;                    ///< m, width of a pixel on the sample, for tables in pixels; 0: not known
-  std::optional<Vec2> box;             ///< width, height, m
-  std::optional<Vec2> origin;          ///< lower left corner, m; default: the origin if all centres fit, else around them
-  double tilt = 0;                     ///< m
+  double pixel = 0;                               ///< m, width of a pixel on the sample, for tables in pixels; 0: not known
+  std::optional<Vec2> box;                        ///< width, height, m
+  std::optional<Vec2> origin;                     ///< lower left corner, m; default: the origin if all centres fit, else around them
+  double tilt = 0;                                ///< m
   bool periodic_x = false, periodic_y = false;
-  std::optional<double> thickness;     ///< m
+  std::optional<double> thickness;                 ///< m
   std::optional<std::filesystem::path> materials;  ///< table of material, name, density, stiffness, or of id, material
-  bool y_down = false;                 ///< y counts image rows, which point down: it is turned round, fn and ft kept
-  bool merge_doubled = false;          ///< a contact listed twice is taken once, with the mean of its forces
+  bool y_down = false;                             ///< y counts image rows, which point down: it is turned round, fn and ft kept
+  bool merge_doubled = false;                      ///< a contact listed twice is taken once, with the mean of its forces
 };
 
 /// Grains and contacts from anybody's files.
 struct Sample {
-  Packing packing;                     ///< thickness 0 and box of no area where they are not known
-  std::size_t doubled_rows = 0;        ///< rows merged into earlier ones
+  Packing packing;               ///< thickness 0 and box of no area where they are not known
+  std::size_t doubled_rows = 0;  ///< rows merged into earlier ones
   std::vector<std::string> notes;
 };
 
@@ -52,7 +52,7 @@ struct ReadingHints {
   std::string columns = {};
   double length = 1, force = 1;
   bool length_chosen = false, force_chosen = false;
-  double pixel = 0;                    ///< m, of columns in "px"; 0: not known
+  double pixel = 0;  ///< m, of columns in "px"; 0: not known
 };
 
 /// A grain as its file gives it, in SI; `line` says where.
@@ -60,8 +60,8 @@ struct RawGrain {
   std::int64_t id = 0;
   Vec2 centre;
   double radius = 0;
-  std::string material;                ///< as written; empty if the file has none
-  std::int64_t zone = 0;               ///< 0: none; 1: glued
+  std::string material;   ///< as written; empty if the file has none
+  std::int64_t zone = 0;  ///< 0: none; 1: glued
   int line = 0;
 };
 
@@ -69,17 +69,17 @@ struct RawGrain {
 /// `force_on_j`.
 struct RawContact {
   std::int64_t i = 0, j = 0;
-  int wall = -1;                       ///< side (model/packing.hpp) instead of grain j; -1 for a grain
+  int wall = -1;  ///< side (model/packing.hpp) instead of grain j; -1 for a grain
   double fn = 0, ft = 0;
-  std::optional<Vec2> force_on_j;      ///< instead of fn, ft
-  std::optional<Vec2> normal;          ///< from i to j
+  std::optional<Vec2> force_on_j;  ///< instead of fn, ft
+  std::optional<Vec2> normal;      ///< from i to j
   int line = 0;
 };
 
 struct RawGrains {
   std::vector<RawGrain> rows;
   bool has_box = false;
-  Vec2 box_low, box_high;              ///< m
+  Vec2 box_low, box_high;  ///< m
   bool periodic_x = false, periodic_y = false;
   double tilt = 0;
   std::vector<std::string> notes;
@@ -87,7 +87,7 @@ struct RawGrains {
 
 struct RawContacts {
   std::vector<RawContact> rows;
-  bool lists_both_ways = false;        ///< the format itself lists every contact once for each grain
+  bool lists_both_ways = false;  ///< the format itself lists every contact once for each grain
   std::vector<std::string> notes;
 };
 
@@ -103,8 +103,8 @@ void place_box(RawGrains& grains, Problems& problems);
 
 /// Checks rows against each other and makes a packing of them: numbers of grains become indices, the file's forces on j become the model's forces on
 /// i, arms halve the overlap. Throws InputError with the problems of both files.
-void assemble(const RawGrains& grains, const RawContacts& contacts, const SampleOptions& options, Sample& sample,
-              Problems& grain_problems, Problems& contact_problems);
+void assemble(const RawGrains& grains, const RawContacts& contacts, const SampleOptions& options, Sample& sample, Problems& grain_problems,
+              Problems& contact_problems);
 
 /// Gives the packing its materials, in the order in which grains name them first, and every grain its material. `file` is a table with a column
 /// material (as the grains write it) and any of name, density, stiffness, thermoelastic_factor; its order then is the materials' order. Or it has

@@ -180,8 +180,9 @@ RawContacts read_yade_interactions(std::string_view text, const RawGrains& grain
     if (problems.any()) return contacts;
   }
   if (ends.size() != 2 * count || normal.size() != count || shear.size() != count) {
-    problems.add("the vectors normalForce and shearForce are missing; write them by exportInteractions(what={'normalForce': "
-                    "'i.phys.normalForce', 'shearForce': 'i.phys.shearForce'})");
+    problems.add(
+        "the vectors normalForce and shearForce are missing; write them by exportInteractions(what={'normalForce': "
+        "'i.phys.normalForce', 'shearForce': 'i.phys.shearForce'})");
     return contacts;
   }
   const auto [a, b] = ends.empty() ? std::array<std::size_t, 2>{0, 1} : plane_of(ends);
@@ -214,8 +215,7 @@ RawContacts read_yade_interactions(std::string_view text, const RawGrains& grain
     contacts.rows.push_back(row);
   }
   if (not_of_walls > 0) problems.add(not_joined(not_of_walls, count, grains));
-  if (without_grain > 0)
-    contacts.notes.push_back(fmt::format("{} of {} interactions are of no grain in the list and are left out.", without_grain, count));
+  if (without_grain > 0) contacts.notes.push_back(fmt::format("{} of {} interactions are of no grain in the list and are left out.", without_grain, count));
   return contacts;
 }
 

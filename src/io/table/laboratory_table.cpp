@@ -17,9 +17,7 @@ std::string unit_behind(const Table::Column& column, std::string_view name, cons
   if (quantity.dimension == dimension::temperature && is_celsius(unit)) return unit;
   try {
     return parse_unit(unit).dimension == quantity.dimension ? unit : "";
-  } catch (const InputError&) {
-    return {};
-  }
+  } catch (const InputError&) { return {}; }
 }
 
 std::string unit_of(const Table::Column& column, const Quantity& quantity) {
@@ -51,7 +49,8 @@ std::vector<double> LaboratoryTable::values(std::size_t column, const Quantity& 
   std::string unit = unit_of(table_.columns[column], quantity);
   if (unit.empty() && !(quantity.dimension == dimension::none)) {
     unit = quantity.assumed.empty() ? si_unit(quantity.dimension) : std::string(quantity.assumed);
-    const std::string note = fmt::format("the file names no unit of {}, so {} was taken; a header such as \"{} [{}]\" says otherwise", title(column), unit, title(column), unit);
+    const std::string note =
+        fmt::format("the file names no unit of {}, so {} was taken; a header such as \"{} [{}]\" says otherwise", title(column), unit, title(column), unit);
     if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(note);
   }
   if (quantity.dimension == dimension::temperature && is_celsius(unit)) {

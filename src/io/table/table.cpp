@@ -55,9 +55,7 @@ bool is_unit(std::string_view cell) {
   try {
     parse_unit(cell);
     return true;
-  } catch (const InputError&) {
-    return false;
-  }
+  } catch (const InputError&) { return false; }
 }
 
 /// A row of units holds no number at all: "1" is a number, "-" stands for no unit.
@@ -110,8 +108,7 @@ Table read_table(std::string_view text, const std::string& columns, Problems& pr
   Table table;
   char separator = 0;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  for (const std::string_view name : columns.empty() ? std::vector<std::string_view>{} : split(columns, ','))
-    table.columns.push_back(column_of(name));
+  for (const std::string_view name : columns.empty() ? std::vector<std::string_view>{} : split(columns, ',')) table.columns.push_back(column_of(name));
   check_header(table, 0, problems);
   Lines lines(text);
   std::string_view line;
@@ -125,13 +122,13 @@ Table read_table(std::string_view text, const std::string& columns, Problems& pr
       for (const std::string_view cell : row.cells) table.columns.push_back(column_of(cell));
       check_header(table, row.line, problems);
       if (to_number(row.cells.front()))
-        problems.add(row.line, "the first row must name the columns, but it holds numbers; add a header such as "
-                               "\"id,x [mm],y [mm],radius [mm]\" or name the columns on the command line");
+        problems.add(row.line,
+                     "the first row must name the columns, but it holds numbers; add a header such as "
+                     "\"id,x [mm],y [mm],radius [mm]\" or name the columns on the command line");
       continue;
     }
     if (row.cells.size() != table.columns.size()) {
-      problems.add(row.line, fmt::format("this row has {} cells, but there are {} columns; complete or remove it",
-                                         row.cells.size(), table.columns.size()));
+      problems.add(row.line, fmt::format("this row has {} cells, but there are {} columns; complete or remove it", row.cells.size(), table.columns.size()));
       continue;
     }
     if (first_row && is_unit_row(row)) {
@@ -159,12 +156,16 @@ std::optional<std::int64_t> to_integer(std::string_view cell) {
   return static_cast<std::int64_t>(*number);
 }
 
-bool is_celsius(std::string_view unit) { return unit == "C" || unit == "degC" || unit == "\xc2\xb0" "C"; }
+bool is_celsius(std::string_view unit) {
+  return unit == "C" || unit == "degC" ||
+         unit ==
+             "\xc2\xb0"
+             "C";
+}
 
 double unit_factor(std::string_view unit, Dimension dimension) {
   const Unit u = parse_unit(unit);
-  if (!(u.dimension == dimension))
-    throw InputError(fmt::format("\"{}\" is not {}; use a unit such as {}", unit, describe(dimension), si_unit(dimension)));
+  if (!(u.dimension == dimension)) throw InputError(fmt::format("\"{}\" is not {}; use a unit such as {}", unit, describe(dimension), si_unit(dimension)));
   return u.decade < 0 ? u.factor / std::pow(10.0, -u.decade) : u.factor * std::pow(10.0, u.decade);
 }
 

@@ -18,13 +18,13 @@ struct Table {
     std::vector<std::string_view> cells;
   };
   struct Column {
-    std::string name;                  ///< lower case
-    std::string unit;                  ///< "mm" from "x [mm]", "x (mm)" or a row of units below the header; or empty
-    std::string written;               ///< the name as it was written
+    std::string name;     ///< lower case
+    std::string unit;     ///< "mm" from "x [mm]", "x (mm)" or a row of units below the header; or empty
+    std::string written;  ///< the name as it was written
   };
-  std::vector<Column> columns;         ///< from the header; empty if there is none
-  int header_line = 0;                 ///< 0 if columns were given
-  std::vector<Row> rows;               ///< of data
+  std::vector<Column> columns;  ///< from the header; empty if there is none
+  int header_line = 0;          ///< 0 if columns were given
+  std::vector<Row> rows;        ///< of data
 
   /// Index of the first column that has one of these names.
   std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const;
@@ -53,8 +53,7 @@ class Lines {
 };
 
 /// A text that is a number of this type and nothing else; empty otherwise.
-template <class T>
-std::optional<T> parse_number(std::string_view text) {
+template <class T> std::optional<T> parse_number(std::string_view text) {
   T value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
@@ -86,7 +85,7 @@ struct Quantity {
   };
   std::vector<std::string_view> names;  ///< of the column, lower case, the first for messages
   Dimension dimension;
-  std::string_view assumed;             ///< unit where the file names none; empty: SI
+  std::string_view assumed;  ///< unit where the file names none; empty: SI
   Kind kind = Kind::plain;
 };
 

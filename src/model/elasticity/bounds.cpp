@@ -14,8 +14,7 @@ struct Moduli {
 Moduli moduli_of(double young, double poisson) { return {young / (2 * (1 - poisson)), young / (2 * (1 + poisson))}; }
 
 /// (sum of c_i/(m_i + around))^-1 - around, the mixture in a matrix that `around` stands for.
-template <class Of>
-double mixed(const std::vector<Share>& phases, double around, Of of) {
+template <class Of> double mixed(const std::vector<Share>& phases, double around, Of of) {
   double sum = 0;
   for (const Share& phase : phases) {
     if (!(phase.area > 0)) continue;

@@ -48,8 +48,7 @@ const ArcNodes& arc_nodes(Traction traction, double distance) {
 Vec2 force_of(const RimForce& f) { return f.fn * f.normal + f.ft * perpendicular(f.normal); }
 
 /// Calls what(share, rho, outward normal) for every point that carries a share of the force; rho from there to x.
-template <class What>
-void each_point(const Disk& disk, const RimForce& f, Vec2 x, const What& what) {
+template <class What> void each_point(const Disk& disk, const RimForce& f, Vec2 x, const What& what) {
   const double half = disk.traction == Traction::point ? 0 : f.half_angle;
   const Vec2 outward = -f.normal, direct = x - disk.radius * outward;
   if (half <= 0) return what(1.0, direct, outward);

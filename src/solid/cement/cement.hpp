@@ -14,11 +14,11 @@ using Window = geometry::Rectangle;
 struct CementParameters {
   enum class Kind { none, bridges, full, coating, menisci };
   Kind kind = Kind::bridges;
-  double gap = 0;                    ///< ell: widest surface gap that is bridged, m (bridges, menisci)
-  double width = 0.4;                ///< eta: half base of a bridge over the radius of its grain (bridges)
-  bool full_width = false;           ///< eta is the whole base over the radius
-  double thickness = 0;              ///< of the layer, m (coating)
-  double volume = 0;                 ///< of one meniscus, m^2 per unit length (menisci)
+  double gap = 0;           ///< ell: widest surface gap that is bridged, m (bridges, menisci)
+  double width = 0.4;       ///< eta: half base of a bridge over the radius of its grain (bridges)
+  bool full_width = false;  ///< eta is the whole base over the radius
+  double thickness = 0;     ///< of the layer, m (coating)
+  double volume = 0;        ///< of one meniscus, m^2 per unit length (menisci)
   /// S_m, the share of the space between grains that is matrix: width, thickness or volume is found so that it is met.
   std::optional<double> saturation;
   bool operator==(const CementParameters&) const = default;
@@ -32,13 +32,13 @@ struct Areas {
 };
 
 struct CementReport {
-  Areas areas;                       ///< exact, in the window
-  double saturation = 0;             ///< S_m of these
-  double saturation_error = 0;       ///< S_m less the one asked for; 0 where none was
-  double parameter = 0;              ///< width, thickness (m) or volume (m^2) used; 0 for none and full
-  std::size_t joints = 0;            ///< bridges or menisci made, in the whole packing
-  std::size_t ruptured = 0;          ///< menisci too small to span their gap, so not there
-  std::size_t capped = 0;            ///< menisci that hold less than asked: their arcs are straight and can hold no more
+  Areas areas;                  ///< exact, in the window
+  double saturation = 0;        ///< S_m of these
+  double saturation_error = 0;  ///< S_m less the one asked for; 0 where none was
+  double parameter = 0;         ///< width, thickness (m) or volume (m^2) used; 0 for none and full
+  std::size_t joints = 0;       ///< bridges or menisci made, in the whole packing
+  std::size_t ruptured = 0;     ///< menisci too small to span their gap, so not there
+  std::size_t capped = 0;       ///< menisci that hold less than asked: their arcs are straight and can hold no more
 };
 
 /// The matrix of a packing; walls hold none, periodic sides do. With a saturation asked for, the free parameter of the kind

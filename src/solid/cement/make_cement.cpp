@@ -146,8 +146,7 @@ class Maker {
   }
 
   /// A parameter that gives at least the saturation, or the one beyond which there is no more matrix to be had.
-  template <class Excess>
-  double high_enough(Excess&& excess) const {
+  template <class Excess> double high_enough(Excess&& excess) const {
     if (p_.kind == Kind::bridges) return widest(p_);
     if (p_.kind == Kind::menisci) return largest_meniscus_volume(packing_, pairs_);
     // Thick layers overlap each other many times, so a thickness is approached from below.

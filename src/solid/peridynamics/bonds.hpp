@@ -59,8 +59,7 @@ struct Bond {
 };
 
 /// Every whole bond that starts in row y once, handed to `visit(Bond)`; a visitor may break the bond that it is handed.
-template <class Visit>
-void each_bond_of_row(const Bonds& bonds, int y, const Visit& visit) {
+template <class Visit> void each_bond_of_row(const Bonds& bonds, int y, const Visit& visit) {
   for (int x = 0; x < bonds.grid.width; ++x) {
     const std::ptrdiff_t i = bonds.grid.index(x, y);
     const std::uint32_t word = bonds.words[i];
@@ -71,8 +70,7 @@ void each_bond_of_row(const Bonds& bonds, int y, const Visit& visit) {
 }
 
 /// The same for all rows, upwards.
-template <class Visit>
-void each_bond(const Bonds& bonds, const Visit& visit) {
+template <class Visit> void each_bond(const Bonds& bonds, const Visit& visit) {
   for (int y = 0; y < bonds.grid.height; ++y) each_bond_of_row(bonds, y, visit);
 }
 

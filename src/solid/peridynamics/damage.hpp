@@ -40,13 +40,13 @@ struct PullRecord {
 /// Where a pull stands before a round of breaking: all that decides how it goes on, beside its map and options. Arrays by
 /// node are padded (grid.hpp); displacements are m at unit strain.
 struct PullState : PullRecord {
-  std::int32_t width = 0, height = 0;  ///< nodes of the map
-  std::int64_t rounds = 0;             ///< of breaking so far
+  std::int32_t width = 0, height = 0;         ///< nodes of the map
+  std::int64_t rounds = 0;                    ///< of breaking so far
   std::vector<std::uint32_t> words;           ///< Bonds::words as they are,
   std::vector<std::uint32_t> words_at_setup;  ///< and when the solver was set up, which it is still
   std::vector<double> ux, uy;                 ///< the last equilibrium: the next solve starts from it
   DamageState now;
-  double share = 0;                           ///< Progress::share
+  double share = 0;  ///< Progress::share
   /// Bonds and equilibrium when the stress was largest; empty before the first round.
   std::vector<std::uint32_t> strongest_words;
   std::vector<double> strongest_ux, strongest_uy;

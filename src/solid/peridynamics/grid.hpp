@@ -26,8 +26,7 @@ struct Grid {
   std::ptrdiff_t row(int y) const { return (y + 3) * stride + vector; }
   std::ptrdiff_t index(int x, int y) const { return row(y) + x; }
   /// Every node of the sample in the map's order: visit(i, y).
-  template <class Visit>
-  void each(const Visit& visit) const {
+  template <class Visit> void each(const Visit& visit) const {
     for (int y = 0; y < height; ++y)
       for (std::ptrdiff_t i = row(y), end = i + width; i < end; ++i) visit(i, y);
   }
@@ -36,8 +35,7 @@ struct Grid {
 
 /// A zeroed array of plain numbers straight from the system, in large pages where it gives them: the stencil walks over
 /// a dozen rows at once, and small pages would run it out of address translations.
-template <class T>
-class Buffer {
+template <class T> class Buffer {
  public:
   Buffer() = default;
   explicit Buffer(std::size_t n) : size_(n), bytes_((n * sizeof(T) + page - 1) / page * page) {
@@ -70,37 +68,25 @@ class Buffer {
   std::size_t size_ = 0, bytes_ = 0;
 };
 
-template <class T>
-void copy(const Buffer<T>& from, Buffer<T>& to) {
-  std::copy_n(from.data(), from.size(), to.data());
-}
+template <class T> void copy(const Buffer<T>& from, Buffer<T>& to) { std::copy_n(from.data(), from.size(), to.data()); }
 
 /// Between a buffer and a list of the same length.
-template <class T>
-void put(const Buffer<T>& from, std::vector<T>& to) {
-  to.assign(from.data(), from.data() + from.size());
-}
-template <class T>
-void put(const std::vector<T>& from, Buffer<T>& to) {
-  std::copy_n(from.data(), from.size(), to.data());
-}
+template <class T> void put(const Buffer<T>& from, std::vector<T>& to) { to.assign(from.data(), from.data() + from.size()); }
+template <class T> void put(const std::vector<T>& from, Buffer<T>& to) { std::copy_n(from.data(), from.size(), to.data()); }
 
 /// A plane vector at every node of a grid.
-template <class T>
-struct Field {
+template <class T> struct Field {
   Buffer<T> x, y;
   Field() = default;
   explicit Field(std::size_t padded_size) : x(padded_size), y(padded_size) {}
 };
 
-template <class T>
-void copy(const Field<T>& from, Field<T>& to) {
+template <class T> void copy(const Field<T>& from, Field<T>& to) {
   copy(from.x, to.x);
   copy(from.y, to.y);
 }
 
-template <class T>
-void set_zero(Field<T>& a) {
+template <class T> void set_zero(Field<T>& a) {
   std::fill_n(a.x.data(), a.x.size(), T(0));
   std::fill_n(a.y.data(), a.y.size(), T(0));
 }

@@ -9,8 +9,7 @@ namespace arenite::peridynamics {
 namespace {
 
 /// Force on the first node of every bond, N/m, handed to `visit(i, j, e, force)`.
-template <class Visit>
-void each_exact_bond(const Bonds& bonds, double dx, const Field<double>& u, const Visit& visit) {
+template <class Visit> void each_exact_bond(const Bonds& bonds, double dx, const Field<double>& u, const Visit& visit) {
   std::visit(
       [&](const auto& law) {
         each_bond(bonds, [&](const Bond& b) {

@@ -15,36 +15,42 @@ namespace arenite::peridynamics {
 class FailureCriterion {
  public:
   FailureCriterion(const Bonds& bonds, double dx, const std::array<double, 4>& critical, const Field<double>& u)
-      : bonds_(bonds), dx_(dx), critical_(critical), u_(u), by_row_(static_cast<std::size_t>(bonds.grid.height)) {}
+      : bonds_(bonds),
+        dx_(dx),
+        critical_(critical),
+        u_(u),
+        by_row_(static_cast<std::size_t>(bonds.grid.height)) {}
 
   /// The law's damage at the linearised stretch: both stretches times |e|^2 dx, e in nodes.
-  template <BondLaw Law>
-  double ratio(const Law& law, const Bond& b) const {
+  template <BondLaw Law> double ratio(const Law& law, const Bond& b) const {
     const Offset e = b.step();
     return law.damage(e.x * (u_.x[b.j] - u_.x[b.i]) + e.y * (u_.y[b.j] - u_.y[b.i]), (e.x * e.x + e.y * e.y) * dx_ * critical_[b.type]);
   }
 
   /// Largest ratio of all bonds, 0 where none is stretched. Notes it row by row for `each_above`.
   double largest() {
-    std::visit([&](const auto& law) {
-      for (int y = 0; y < bonds_.grid.height; ++y) {
-        double& worst = by_row_[static_cast<std::size_t>(y)] = 0;
-        each_bond_of_row(bonds_, y, [&](const Bond& b) { worst = std::max(worst, ratio(law, b)); });
-      }
-    }, bonds_.law);
+    std::visit(
+        [&](const auto& law) {
+          for (int y = 0; y < bonds_.grid.height; ++y) {
+            double& worst = by_row_[static_cast<std::size_t>(y)] = 0;
+            each_bond_of_row(bonds_, y, [&](const Bond& b) { worst = std::max(worst, ratio(law, b)); });
+          }
+        },
+        bonds_.law);
     return *std::max_element(by_row_.begin(), by_row_.end());
   }
 
   /// Bonds whose ratio is `limit` or more, as `largest` last saw them, in order: `visit(Bond, ratio)`.
-  template <class Visit>
-  void each_above(double limit, const Visit& visit) const {
-    std::visit([&](const auto& law) {
-      for (int y = 0; y < bonds_.grid.height; ++y)
-        if (by_row_[static_cast<std::size_t>(y)] >= limit)
-          each_bond_of_row(bonds_, y, [&](const Bond& b) {
-            if (const double r = ratio(law, b); r >= limit) visit(b, r);
-          });
-    }, bonds_.law);
+  template <class Visit> void each_above(double limit, const Visit& visit) const {
+    std::visit(
+        [&](const auto& law) {
+          for (int y = 0; y < bonds_.grid.height; ++y)
+            if (by_row_[static_cast<std::size_t>(y)] >= limit)
+              each_bond_of_row(bonds_, y, [&](const Bond& b) {
+                if (const double r = ratio(law, b); r >= limit) visit(b, r);
+              });
+        },
+        bonds_.law);
   }
 
  private:

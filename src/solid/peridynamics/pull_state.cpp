@@ -11,28 +11,22 @@ namespace {
 
 constexpr std::uint64_t mark = 0x31302d6c6c75702d;  // "-pull-01"; changes with what `transfer` lists
 
-template <class Archive>
-void transfer(Archive& a, DamageState& s) {
+template <class Archive> void transfer(Archive& a, DamageState& s) {
   std::uint64_t broken = s.broken;
   for (double* v : {&s.strain, &s.stress, &s.work, &s.elastic, &s.released, &s.bond_energy}) a(*v);
   a(broken);
   s.broken = broken;
 }
 
-template <class Archive>
-void transfer(Archive& a, BrokenBond& b) {
-  a(b.x), a(b.y), a(b.direction), a(b.type), a(b.strain);
-}
+template <class Archive> void transfer(Archive& a, BrokenBond& b) { a(b.x), a(b.y), a(b.direction), a(b.type), a(b.strain); }
 
 void resize(ByteWriter&, std::uint64_t, const auto&) {}
-template <class T>
-void resize(ByteReader& read, std::uint64_t size, std::vector<T>& list) {
+template <class T> void resize(ByteReader& read, std::uint64_t size, std::vector<T>& list) {
   if (size > read.left()) ByteReader::fail();
   list.resize(size);
 }
 
-template <class Archive, class T>
-void transfer(Archive& a, std::vector<T>& list) {
+template <class Archive, class T> void transfer(Archive& a, std::vector<T>& list) {
   std::uint64_t size = list.size();
   a(size);
   resize(a, size, list);
@@ -40,8 +34,7 @@ void transfer(Archive& a, std::vector<T>& list) {
 }
 
 /// One list of members for both ways.
-template <class Archive>
-void transfer(Archive& a, PullState& s) {
+template <class Archive> void transfer(Archive& a, PullState& s) {
   a(s.width), a(s.height), a(s.rounds);
   for (int* count : {&s.solves, &s.iterations}) {
     std::int64_t wide = *count;

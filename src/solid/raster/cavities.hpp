@@ -12,17 +12,17 @@ enum class Cavity { pore, void_ };
 
 /// Rules of the flood fill; results are reported with them.
 struct CavityRules {
-  bool eight_connected = false;      ///< otherwise the four nearest nodes are neighbours
-  int fewest_nodes = 5;              ///< smaller ones are specks of the raster and left out
-  bool leave_out_border = true;      ///< those that touch the edge of the map are cut
+  bool eight_connected = false;  ///< otherwise the four nearest nodes are neighbours
+  int fewest_nodes = 5;          ///< smaller ones are specks of the raster and left out
+  bool leave_out_border = true;  ///< those that touch the edge of the map are cut
   bool operator==(const CavityRules&) const = default;
 };
 
 struct Cavities {
   CavityRules rules;
-  std::vector<std::int32_t> label;   ///< one a node: index of its cavity, -1 outside or left out
-  std::vector<std::int64_t> nodes;   ///< one a cavity that counts, in order of their first node
-  std::size_t specks = 0, cut = 0;   ///< left out as too small, as touching the border (whatever their size)
+  std::vector<std::int32_t> label;  ///< one a node: index of its cavity, -1 outside or left out
+  std::vector<std::int64_t> nodes;  ///< one a cavity that counts, in order of their first node
+  std::size_t specks = 0, cut = 0;  ///< left out as too small, as touching the border (whatever their size)
 };
 
 /// Throws InputError for a negative least size.
@@ -39,17 +39,17 @@ struct Percolation {
 Percolation find_percolation(const PhaseMap& map, bool eight_connected_voids = false);
 
 struct BinRule {
-  bool logarithmic = true;           ///< bins of like width in the logarithm of the volume; otherwise from 0, like width
-  int bins = 30;                     ///< at most; edges lie half-way between whole numbers of nodes, so narrow ones merge
+  bool logarithmic = true;  ///< bins of like width in the logarithm of the volume; otherwise from 0, like width
+  int bins = 30;            ///< at most; edges lie half-way between whole numbers of nodes, so narrow ones merge
   bool operator==(const BinRule&) const = default;
 };
 
 /// Probability density of the volumes; integrates to 1 over the bins.
 struct VolumeDensity {
   BinRule rule;
-  std::vector<double> edge;          ///< one more than bins, rising
+  std::vector<double> edge;  ///< one more than bins, rising
   std::vector<std::size_t> count;
-  std::vector<double> density, error;///< standard error by counting: sqrt(k (1 - k/n))/(n width)
+  std::vector<double> density, error;  ///< standard error by counting: sqrt(k (1 - k/n))/(n width)
 };
 
 /// Volumes of single cavities over pi rbar_L^2 (P III, Figs. 6-8).
@@ -59,8 +59,8 @@ struct CavityStatistics {
   double mean = 0, deviation = 0, cv = 0;  ///< deviation with n - 1; 0 where fewer than two cavities count
   /// Standard errors from the moments of the sample; those of deviation and cv hold for many cavities.
   double mean_error = 0, deviation_error = 0, cv_error = 0;
-  double peak = 0;                   ///< where the density is highest (density_peak)
-  double tenth = 0, median = 0;      ///< volumes that a tenth and half of the cavities stay below
+  double peak = 0;               ///< where the density is highest (density_peak)
+  double tenth = 0, median = 0;  ///< volumes that a tenth and half of the cavities stay below
   VolumeDensity density;
 };
 

@@ -24,8 +24,7 @@ struct Lattice {
 };
 
 /// Calls row(y, x0, x1) for every row of nodes with those in the disk: distance^2 <= radius^2 as computed.
-template <class Row>
-void visit_disk(const Lattice& lattice, Vec2 centre, double radius, Row&& row) {
+template <class Row> void visit_disk(const Lattice& lattice, Vec2 centre, double radius, Row&& row) {
   const double r2 = radius * radius;
   const int top = std::min(lattice.n - 1, lattice.last(centre.y + radius) + 1);
   for (int y = std::max(0, lattice.first(centre.y - radius) - 1); y <= top; ++y) {
@@ -47,8 +46,7 @@ void visit_disk(const Lattice& lattice, Vec2 centre, double radius, Row&& row) {
 }
 
 /// Calls row(y, x0, x1) for every row of nodes that may lie in the polygon, one node wider on both sides.
-template <class Row>
-void visit_polygon(const Lattice& lattice, const Vec2* corner, int corners, Row&& row) {
+template <class Row> void visit_polygon(const Lattice& lattice, const Vec2* corner, int corners, Row&& row) {
   double low = corner[0].y, high = low;
   for (int k = 1; k < corners; ++k) low = std::min(low, corner[k].y), high = std::max(high, corner[k].y);
   const double slack = 1e-6 * lattice.dx;

@@ -16,8 +16,7 @@ namespace {
 using Items = statistics::Items;
 
 /// Named sets of those grains that `wanted` holds for: "all", and "large", "small" where the map has both or one.
-template <class Wanted>
-ByName<Items> grains_by_class(const PhaseMap& map, Wanted&& wanted) {
+template <class Wanted> ByName<Items> grains_by_class(const PhaseMap& map, Wanted&& wanted) {
   ByName<Items> sets{{"all", {}}, {"large", {}}, {"small", {}}};
   for (std::size_t g = 0; g < map.grain_class.size(); ++g) {
     if (!wanted(g)) continue;

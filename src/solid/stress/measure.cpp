@@ -21,16 +21,18 @@ struct NamedSet {
   const char* name;
   NodeSet first, last;
 };
-constexpr NamedSet named_sets[] = {{"all", NodeSet::matrix, NodeSet::unclassed}, {"particle", NodeSet::small, NodeSet::unclassed},
-                                   {"large", NodeSet::large, NodeSet::large}, {"small", NodeSet::small, NodeSet::small},
+constexpr NamedSet named_sets[] = {{"all", NodeSet::matrix, NodeSet::unclassed},
+                                   {"particle", NodeSet::small, NodeSet::unclassed},
+                                   {"large", NodeSet::large, NodeSet::large},
+                                   {"small", NodeSet::small, NodeSet::small},
                                    {"matrix", NodeSet::matrix, NodeSet::matrix}};
 
 /// Which nodes count, and in which block each lies.
 struct Selection : NodeCounts {
-  std::vector<NodeSet> set;              ///< one a node
-  std::vector<std::uint16_t> block;      ///< one a node
-  int blocks = 1;                        ///< in all
-  std::vector<double> block_area;        ///< nodes of a block beyond the clamp rows, void included
+  std::vector<NodeSet> set;          ///< one a node
+  std::vector<std::uint16_t> block;  ///< one a node
+  int blocks = 1;                    ///< in all
+  std::vector<double> block_area;    ///< nodes of a block beyond the clamp rows, void included
 };
 
 void check(const PhaseMap& map, const StressField& field, const StressOptions& options) {
@@ -103,8 +105,7 @@ Selection select(const PhaseMap& map, const StressField& field, const StressOpti
       selection.set[i] = set;
       ++selection.nodes;
     }
-  if (selection.nodes == 0)
-    throw InputError("no node is left to measure stresses in; the map is void, or the options leave out every node that is not");
+  if (selection.nodes == 0) throw InputError("no node is left to measure stresses in; the map is void, or the options leave out every node that is not");
   return selection;
 }
 
@@ -171,8 +172,8 @@ Normaliser normalise(const Selection& selection, const BlockedSample& all, const
   return normaliser;
 }
 
-ComponentStatistics measure_component(const Selection& selection, const StressField& field, Component component,
-                                      const StressOptions& options, std::vector<std::string>& notes) {
+ComponentStatistics measure_component(const Selection& selection, const StressField& field, Component component, const StressOptions& options,
+                                      std::vector<std::string>& notes) {
   ComponentStatistics result;
   result.component = component;
   const std::string stress = name_of(component);
@@ -201,8 +202,7 @@ const char* name_of(Component component) {
 Statistics measure(const PhaseMap& map, const StressField& field, const StressOptions& options) {
   const Selection selection = select(map, field, options);
   Statistics result{selection, options, {}, {}, {}};
-  for (const Component component : options.components)
-    result.components.push_back(measure_component(selection, field, component, options, result.notes));
+  for (const Component component : options.components) result.components.push_back(measure_component(selection, field, component, options, result.notes));
   result.grains = measure_grains(map, field, options.clamp_rows, options.blocks);
   return result;
 }

@@ -69,8 +69,11 @@ Numbers grains(const GrainStresses& g, bool rows) {
 }
 
 Numbers options(const StressOptions& o) {
-  return {{"clamp_rows", o.clamp_rows}, {"leave_out_surface", o.leave_out_surface}, {"leave_out_unloaded", o.leave_out_unloaded},
-          {"sample_mean_over", o.mean_over_area ? "area" : "particles and matrix"}, {"blocks", o.blocks}};
+  return {{"clamp_rows", o.clamp_rows},
+          {"leave_out_surface", o.leave_out_surface},
+          {"leave_out_unloaded", o.leave_out_unloaded},
+          {"sample_mean_over", o.mean_over_area ? "area" : "particles and matrix"},
+          {"blocks", o.blocks}};
 }
 
 using statistics::Lines;

@@ -15,8 +15,17 @@ using statistics::BlockCounts;
 using statistics::BlockedSample;
 using statistics::Counts;
 
-constexpr std::array<std::pair<const char*, double>, 11> quantile_shares{{{"0.01 %", 1e-4}, {"0.1 %", 1e-3}, {"1 %", 0.01},
-  {"5 %", 0.05}, {"25 %", 0.25}, {"50 %", 0.5}, {"75 %", 0.75}, {"95 %", 0.95}, {"99 %", 0.99}, {"99.9 %", 0.999}, {"99.99 %", 0.9999}}};
+constexpr std::array<std::pair<const char*, double>, 11> quantile_shares{{{"0.01 %", 1e-4},
+                                                                          {"0.1 %", 1e-3},
+                                                                          {"1 %", 0.01},
+                                                                          {"5 %", 0.05},
+                                                                          {"25 %", 0.25},
+                                                                          {"50 %", 0.5},
+                                                                          {"75 %", 0.75},
+                                                                          {"95 %", 0.95},
+                                                                          {"99 %", 0.99},
+                                                                          {"99.9 %", 0.999},
+                                                                          {"99.99 %", 0.9999}}};
 
 /// Sums of powers of d = x - shift.
 struct Powers {
@@ -59,10 +68,10 @@ std::vector<Powers> powers_by_block(const BlockedSample& sample, double shift) {
 /// Everything below is in units of `unit`: the set's own mean, or what stands in for it.
 struct Scaled {
   BlockedSample& x;
-  double unit = 1, centre = 1;           ///< Pa; mean of x
-  std::vector<Powers> powers;            ///< of x - centre, by block
+  double unit = 1, centre = 1;  ///< Pa; mean of x
+  std::vector<Powers> powers;   ///< of x - centre, by block
   Powers all;
-  std::vector<double> unit_without;      ///< the unit without each block over the unit
+  std::vector<double> unit_without;  ///< the unit without each block over the unit
 };
 
 Scaled scale(BlockedSample& sigma, const Normaliser& normaliser) {
@@ -89,8 +98,7 @@ void describe_moments(const Scaled& s, const Normaliser& normaliser, Distributio
   const std::vector<double> values = values_of(s, s.all, 1, normaliser.value);
   std::vector<std::vector<double>> replicates;
   for (std::size_t b = 0; b < s.powers.size(); ++b)
-    if (const Powers rest = s.all - s.powers[b]; rest.n > 0)
-      replicates.push_back(values_of(s, rest, s.unit_without[b], normaliser.without[b]));
+    if (const Powers rest = s.all - s.powers[b]; rest.n > 0) replicates.push_back(values_of(s, rest, s.unit_without[b], normaliser.without[b]));
   const auto e = statistics::with_errors(values, replicates);
   d.mean = e[0];
   d.relative_mean = e[1];

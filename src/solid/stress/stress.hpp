@@ -25,11 +25,11 @@ using statistics::unknown;
 
 /// Mean stress of every grain over its nodes, Pa, tension positive; arrays as long as PhaseMap::grain_class.
 struct GrainStresses {
-  std::vector<std::int64_t> nodes;       ///< in the map, surface nodes included; 0: the grain has none
-  std::vector<std::uint8_t> whole;       ///< 1 where no node lies on the map's edge or in a clamp row
-  std::vector<Vec2> centre;              ///< of its nodes, m from the map's lower left corner
-  std::vector<Tensor2> stress;           ///< zero without nodes
-  ByName<TensorEstimate> mean;           ///< of whole grains, each grain alike: "all", "large", "small"
+  std::vector<std::int64_t> nodes;  ///< in the map, surface nodes included; 0: the grain has none
+  std::vector<std::uint8_t> whole;  ///< 1 where no node lies on the map's edge or in a clamp row
+  std::vector<Vec2> centre;         ///< of its nodes, m from the map's lower left corner
+  std::vector<Tensor2> stress;      ///< zero without nodes
+  ByName<TensorEstimate> mean;      ///< of whole grains, each grain alike: "all", "large", "small"
 };
 
 /// Mean stress tensors of the grains of a map, and means by class with errors over blocks x blocks of the map. Without a field (of
@@ -40,13 +40,13 @@ GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int 
 /// (field over its mean) against (contacts over their mean).
 struct Agreement {
   std::size_t grains = 0;
-  Estimate correlation;                  ///< Pearson's; error by leaving out one grain at a time
+  Estimate correlation;  ///< Pearson's; error by leaving out one grain at a time
   Estimate slope;
-  double rms = unknown;                  ///< of the difference
+  double rms = unknown;  ///< of the difference
 };
 
 struct GrainComparison {
-  ByName<Agreement> yy, hydrostatic;     ///< "all", "large", "small"
+  ByName<Agreement> yy, hydrostatic;  ///< "all", "large", "small"
 };
 
 /// Compares the mean stresses of whole grains with stresses of the same grains from contact forces (one tensor a grain of the map, any unit;
@@ -55,47 +55,47 @@ GrainComparison compare(const PhaseMap& map, const GrainStresses& grains, const 
 
 /// One component in one set of nodes. x is the stress over the sample's mean, or over the set's own.
 struct Distribution {
-  std::size_t count = 0;             ///< nodes
-  Estimate mean;                     ///< Pa
-  Estimate relative_mean;            ///< over the sample's
-  Estimate variance;                 ///< of the stress over the sample's mean
-  Estimate own_variance;             ///< of the stress over the set's own mean
+  std::size_t count = 0;   ///< nodes
+  Estimate mean;           ///< Pa
+  Estimate relative_mean;  ///< over the sample's
+  Estimate variance;       ///< of the stress over the sample's mean
+  Estimate own_variance;   ///< of the stress over the set's own mean
   Estimate skewness, excess_kurtosis;
-  Estimate share_above;              ///< share of nodes above the set's own mean
-  Estimate share_above_all;          ///< above the sample's
-  ByName<Estimate> quantiles;        ///< over the sample's mean; "0.01 %" to "99.99 %"
+  Estimate share_above;                         ///< share of nodes above the set's own mean
+  Estimate share_above_all;                     ///< above the sample's
+  ByName<Estimate> quantiles;                   ///< over the sample's mean; "0.01 %" to "99.99 %"
   double minimum = unknown, maximum = unknown;  ///< over the sample's mean
-  statistics::TailFit tail;          ///< of the stress over the set's own mean (P IV.B, Fig. 14d)
-  statistics::QGaussian q_gaussian;  ///< of the stress over the set's own mean (P IV.A)
-  statistics::Peak peak;             ///< of the pdf of the stress over the set's own mean
-  statistics::EvenDensity even_pdf;      ///< of the stress over the sample's mean, in bins that all samples share
-  statistics::EvenDensity own_even_pdf;  ///< of the stress over the set's own mean
-  Curve pdf;                         ///< of the stress over the sample's mean (P Figs. 9 and 13)
-  Curve own_pdf;                     ///< of the stress over the set's own mean (P Fig. 14)
+  statistics::TailFit tail;                     ///< of the stress over the set's own mean (P IV.B, Fig. 14d)
+  statistics::QGaussian q_gaussian;             ///< of the stress over the set's own mean (P IV.A)
+  statistics::Peak peak;                        ///< of the pdf of the stress over the set's own mean
+  statistics::EvenDensity even_pdf;             ///< of the stress over the sample's mean, in bins that all samples share
+  statistics::EvenDensity own_even_pdf;         ///< of the stress over the set's own mean
+  Curve pdf;                                    ///< of the stress over the sample's mean (P Figs. 9 and 13)
+  Curve own_pdf;                                ///< of the stress over the set's own mean (P Fig. 14)
 };
 
 /// One component in every set. Names: "all" (particles and matrix), "particle", "large", "small" (where the map has
 /// classes), "matrix"; sets without nodes are left out.
 struct ComponentStatistics {
   Component component = Component::yy;
-  bool over_mean = true;             ///< false: the sample's mean is near zero (below a tenth of the root mean square);
-                                     ///< the root mean square stands in for it, and nothing is given over own means
-  Estimate sample_mean;              ///< Pa; the one of the two below that stresses are divided by
+  bool over_mean = true;                     ///< false: the sample's mean is near zero (below a tenth of the root mean square);
+                                             ///< the root mean square stands in for it, and nothing is given over own means
+  Estimate sample_mean;                      ///< Pa; the one of the two below that stresses are divided by
   Estimate mean_over_nodes, mean_over_area;  ///< Pa; of particles and matrix, and with the void as zero
   ByName<Distribution> sets;
 };
 
 struct NodeCounts {
-  std::size_t nodes = 0;             ///< considered: particle or matrix
+  std::size_t nodes = 0;                           ///< considered: particle or matrix
   std::size_t clamp_nodes = 0, surface_nodes = 0;  ///< left out as clamp rows, as outermost ones
-  std::size_t unloaded_nodes = 0;    ///< particle or matrix without any stress beyond the clamp rows
+  std::size_t unloaded_nodes = 0;                  ///< particle or matrix without any stress beyond the clamp rows
 };
 
 struct Statistics : NodeCounts {
   StressOptions options;
   std::vector<ComponentStatistics> components;
   GrainStresses grains;
-  std::vector<std::string> notes;    ///< what could not be computed, and why
+  std::vector<std::string> notes;  ///< what could not be computed, and why
 };
 
 /// Measures everything. Throws InputError where map and field have other sizes, no node is left, a stress is not a

@@ -82,12 +82,11 @@ const std::vector<float>& FrameNoise::of(std::uint64_t seed, std::uint64_t frame
   return sum_;
 }
 
-double Surroundings::warmer(double time) const {
-  return drift * time + 0.5 * drift_growth * time * time - warm_up * std::expm1(-time / warm_up_time);
-}
+double Surroundings::warmer(double time) const { return drift * time + 0.5 * drift_growth * time * time - warm_up * std::expm1(-time / warm_up_time); }
 
 Detection::Detection(const Parameters& p, std::uint64_t seed)
-    : noise_(static_cast<std::size_t>(p.optics.width * p.optics.height), p.detector.noise_correlation), interference_(p.interference),
+    : noise_(static_cast<std::size_t>(p.optics.width * p.optics.height), p.detector.noise_correlation),
+      interference_(p.interference),
       width_(static_cast<std::size_t>(p.optics.width)) {
   const auto& d = p.detector;
   highest_ = static_cast<float>((1 << d.bits) - 1);
@@ -100,8 +99,7 @@ Detection::Detection(const Parameters& p, std::uint64_t seed)
   RandomStream random(seed, Purpose::detector);
   const auto pixels = static_cast<std::size_t>(p.optics.width * p.optics.height);
   for (std::size_t i = 0; i < pixels; ++i) {
-    Pixel pixel{static_cast<float>(levels * (1 + d.gain_spread * random.normal())),
-                static_cast<float>(highest_ * d.offset_spread * random.normal()), 1};
+    Pixel pixel{static_cast<float>(levels * (1 + d.gain_spread * random.normal())), static_cast<float>(highest_ * d.offset_spread * random.normal()), 1};
     switch (defect_of(random, d.bad_share)) {
       case Defect::none: break;
       case Defect::dead: pixel.gain *= 0.02f; break;

@@ -21,7 +21,7 @@ class FrameNoise {
   const std::vector<float>& innovation(std::uint64_t seed, std::uint64_t frame);
 
   std::size_t count_;
-  std::vector<float> weight_;       ///< of this frame's innovation and those before it
+  std::vector<float> weight_;                          ///< of this frame's innovation and those before it
   std::map<std::uint64_t, std::vector<float>> known_;  ///< innovations of the last frames
   std::vector<float> sum_;
 };
@@ -36,12 +36,14 @@ class Detection {
   void record(const std::vector<float>& light, double warmer, double time, std::uint64_t seed, std::uint64_t frame, std::uint16_t* level);
 
  private:
-  struct Pixel { float gain, offset, noise; };  ///< levels per unit of light, levels, times the others' noise
+  struct Pixel {
+    float gain, offset, noise;
+  };  ///< levels per unit of light, levels, times the others' noise
   std::vector<Pixel> pixel_;
   FrameNoise noise_;
   Interference interference_;
   std::size_t width_;
-  double common_ = 0;               ///< in light
+  double common_ = 0;                                  ///< in light
   double light_per_kelvin_ = 0, shot_ = 0, read_ = 0;  ///< of 1; variance per light; variance: in light
   float highest_ = 0;
 };

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "thermal/camera/camera.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "thermal/camera/camera.hpp"
 #include "thermal/imaging/lens.hpp"
 
 namespace arenite::camera {
@@ -34,9 +34,9 @@ Exitance exitance_near(const Parameters& p, double emissivity) {
 /// Points of the scene on a grid finer than the pixels, row by row from the top.
 struct Canvas {
   int width, height;
-  double step, left, top;           ///< of the first point, m
+  double step, left, top;  ///< of the first point, m
   std::vector<float> light;
-  std::vector<float> depth;         ///< of the point in the grain that is seen there, m^2: power distance, below 0
+  std::vector<float> depth;  ///< of the point in the grain that is seen there, m^2: power distance, below 0
   double x(int c) const { return left + c * step; }
   double y(int r) const { return top - r * step; }
 };
@@ -51,8 +51,10 @@ Canvas canvas_for(const Scene& scene, const Optics& optics, int margin) {
   const int n = static_cast<int>(optics.supersampling);
   const double points = static_cast<double>(optics.width) * static_cast<double>(optics.height) * n * n;
   if (points > most_points)
-    throw InputError(fmt::format("a picture of {} x {} pixels with {} x {} points each is too large, {:.2g} points; lower camera.width, height or "
-                                 "supersampling, or raise optical_pixel", optics.width, optics.height, n, n, points));
+    throw InputError(
+        fmt::format("a picture of {} x {} pixels with {} x {} points each is too large, {:.2g} points; lower camera.width, height or "
+                    "supersampling, or raise optical_pixel",
+                    optics.width, optics.height, n, n, points));
   Canvas canvas{static_cast<int>(optics.width) * n + 2 * margin, static_cast<int>(optics.height) * n + 2 * margin, optics.pixel / n, 0, 0, {}, {}};
   const Vec2 middle = middle_of(scene);
   canvas.left = middle.x - 0.5 * (canvas.width - 1) * canvas.step;
@@ -78,8 +80,7 @@ struct View {
 
 void paint_frame(Canvas& canvas, const Scene& scene, const View& view, double s, float background, float frame) {
   double edge[4];
-  for (int side = 0; side < 4; ++side)
-    edge[side] = scene.low.wall[side].position + s * (scene.high.wall[side].position - scene.low.wall[side].position);
+  for (int side = 0; side < 4; ++side) edge[side] = scene.low.wall[side].position + s * (scene.high.wall[side].position - scene.low.wall[side].position);
   for (int r = 0; r < canvas.height; ++r) {
     float* row = canvas.light.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(canvas.width);
     for (int c = 0; c < canvas.width; ++c) {
@@ -92,8 +93,7 @@ void paint_frame(Canvas& canvas, const Scene& scene, const View& view, double s,
 
 /// Calls paint(point of the canvas, offset from the centre) for every point in the disk. Grains that press on each other are
 /// parted by a straight line: a point in both belongs to the one whose rim is further away.
-template <class Paint>
-void each_point(Canvas& canvas, Vec2 centre, double radius, Paint paint) {
+template <class Paint> void each_point(Canvas& canvas, Vec2 centre, double radius, Paint paint) {
   const auto clamped = [](double v, int n) { return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(n))); };
   const int r0 = clamped(std::ceil((canvas.top - centre.y - radius) / canvas.step), canvas.height);
   const int r1 = clamped(std::floor((canvas.top - centre.y + radius) / canvas.step) + 1, canvas.height);
@@ -138,8 +138,7 @@ std::vector<float> expose(const Scene& scene, const Parameters& p, double s) {
   paint_frame(canvas, scene, {middle_of(scene), {}}, p.motion ? s : 0, static_cast<float>(exitance_near(p, around.background_emissivity)(0)),
               static_cast<float>(exitance_near(p, around.container_emissivity)(0)));
   std::vector<Exitance> exitance;
-  for (std::size_t m = 0; m < scene.materials.size(); ++m)
-    exitance.push_back(exitance_near(p, m < around.emissivity.size() ? around.emissivity[m] : 0.9));
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) exitance.push_back(exitance_near(p, m < around.emissivity.size() ? around.emissivity[m] : 0.9));
   for (std::size_t i = 0; i < scene.grains.size(); ++i) {
     const auto m = static_cast<std::size_t>(scene.grains.material[i]);
     const double warming = -scene.materials[m].thermoelastic_factor * s;

@@ -14,8 +14,7 @@ namespace {
 /// The patch of a grain of that radius, in cells that wide, m. `swing(middle, away)` is the mean of sigma_kk over the cell
 /// whose middle lies there, seen from the grain's centre and `away` from it, Pa. It is asked for a ring of cells beyond
 /// the rim too, so that what lies between cells can be read off; cells farther out stay 0.
-template <class Swing>
-Patch fill_patch(double radius, double cell, const Swing& swing) {
+template <class Swing> Patch fill_patch(double radius, double cell, const Swing& swing) {
   Patch patch;
   patch.cells = 2 * static_cast<int>(std::ceil(radius / cell)) + 2;
   patch.cell = cell;
@@ -35,8 +34,10 @@ void check_points(const Grains& grains, std::size_t count, const Optics& optics)
   double points = 0;
   for (std::size_t g = 0; g < count; ++g) points += 4 * (grains.radius[g] / cell) * (grains.radius[g] / cell);
   if (!(points <= most_points))
-    throw InputError(fmt::format("pixels of {:.3g} mm with {} x {} points each lay {:.2g} points over the grains, too many to look at; raise camera.pixel or "
-                                 "lower supersampling", 1e3 * optics.pixel, optics.supersampling, optics.supersampling, points));
+    throw InputError(
+        fmt::format("pixels of {:.3g} mm with {} x {} points each lay {:.2g} points over the grains, too many to look at; raise camera.pixel or "
+                    "lower supersampling",
+                    1e3 * optics.pixel, optics.supersampling, optics.supersampling, points));
 }
 
 /// The grains of a packing as disks under their contact forces.
@@ -193,7 +194,8 @@ Scene scene_of_field(const FieldResult& result, const Parameters& parameters) {
   const int points = std::clamp(static_cast<int>(std::ceil(cell / result.map.dx)), 1, 16);
   for (std::size_t g = 0; g < grains; ++g) {
     const GrainNodes nodes(result, static_cast<std::int32_t>(g));
-    scene.swing.push_back(fill_patch(scene.grains.radius[g], cell, [&](Vec2 middle, double) { return cell_mean(nodes, scene.grains.centre(g) + middle, cell, points); }));
+    scene.swing.push_back(
+        fill_patch(scene.grains.radius[g], cell, [&](Vec2 middle, double) { return cell_mean(nodes, scene.grains.centre(g) + middle, cell, points); }));
   }
   return scene;
 }

@@ -25,8 +25,8 @@ class Exposures {
     const int intervals = std::clamp(static_cast<int>(std::ceil(12 * travel * (high - low))), 24, 400);
     step_ = (high - low) / intervals;
     if (const double bytes = 4.0 * (intervals + 3) * static_cast<double>(p.optics.width) * static_cast<double>(p.optics.height); bytes > most_bytes)
-      throw InputError(fmt::format("{} pictures of {} x {} pixels between the two loads take {:.2g} GB; lower camera.width and height", intervals + 3, p.optics.width,
-                                   p.optics.height, 1e-9 * bytes));
+      throw InputError(fmt::format("{} pictures of {} x {} pixels between the two loads take {:.2g} GB; lower camera.width and height", intervals + 3,
+                                   p.optics.width, p.optics.height, 1e-9 * bytes));
     for (int k = -1; k <= intervals + 1; ++k) picture_.push_back(expose(scene, p, low + k * step_));
   }
 
@@ -98,21 +98,24 @@ std::unique_ptr<FilmSource> film(const Scene& scene, const Parameters& p, std::u
   const std::vector<std::int64_t> taken = frames_taken(p.timing, seed);
   FilmInfo info = describe(p, static_cast<std::int64_t>(taken.size()));
   for (const auto k : taken) info.time.push_back(static_cast<double>(k - taken.front()) / p.timing.frame_rate);
-  return std::make_unique<RecordedFilm>(std::move(info), [p, seed, taken, exposures = Exposures(scene, p, 0, 1 + std::max(0.0, p.timing.second_harmonic)),
-                                                          detector = Detection(p, seed), light = std::vector<float>()](std::size_t frame, std::uint16_t* level) mutable {
-    const double t = static_cast<double>(taken[frame]) / p.timing.frame_rate;
-    exposures.between(load_fraction(p.timing, t), light);
-    detector.record(light, p.surroundings.warmer(t), t, seed, static_cast<std::uint64_t>(taken[frame]), level);
-  });
+  return std::make_unique<RecordedFilm>(
+      std::move(info), [p, seed, taken, exposures = Exposures(scene, p, 0, 1 + std::max(0.0, p.timing.second_harmonic)), detector = Detection(p, seed),
+                        light = std::vector<float>()](std::size_t frame, std::uint16_t* level) mutable {
+        const double t = static_cast<double>(taken[frame]) / p.timing.frame_rate;
+        exposures.between(load_fraction(p.timing, t), light);
+        detector.record(light, p.surroundings.warmer(t), t, seed, static_cast<std::uint64_t>(taken[frame]), level);
+      });
 }
 
 std::unique_ptr<FilmSource> uniform_film(const Parameters& p, double temperature, std::int64_t frames, std::uint64_t seed) {
   FilmInfo info = describe(p, frames);
-  const std::vector<float> light(info.pixels(), static_cast<float>(radiometry::photon_exitance(p.band, temperature) / radiometry::photon_exitance(p.band, 296)));
+  const std::vector<float> light(info.pixels(),
+                                 static_cast<float>(radiometry::photon_exitance(p.band, temperature) / radiometry::photon_exitance(p.band, 296)));
   const std::uint64_t of_its_own = seed + static_cast<std::uint64_t>(temperature * 1e3);
-  return std::make_unique<RecordedFilm>(std::move(info), [light, of_its_own, rate = p.timing.frame_rate, detector = Detection(p, seed)](std::size_t frame, std::uint16_t* level) mutable {
-    detector.record(light, 0, static_cast<double>(frame) / rate, of_its_own, (std::uint64_t{1} << 40) + frame, level);
-  });
+  return std::make_unique<RecordedFilm>(
+      std::move(info), [light, of_its_own, rate = p.timing.frame_rate, detector = Detection(p, seed)](std::size_t frame, std::uint16_t* level) mutable {
+        detector.record(light, 0, static_cast<double>(frame) / rate, of_its_own, (std::uint64_t{1} << 40) + frame, level);
+      });
 }
 
 }  // namespace arenite::camera

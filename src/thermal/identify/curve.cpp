@@ -11,7 +11,7 @@
 namespace arenite::identify {
 namespace {
 
-constexpr double noise_share = 0.05;         // of the range: smaller swings are no turning points
+constexpr double noise_share = 0.05;  // of the range: smaller swings are no turning points
 constexpr std::size_t fewest_points = 5;
 
 /// A turning point of the force.
@@ -58,8 +58,9 @@ void check_valleys(const Curve& curve, const std::vector<double>& f, const std::
     if (turns[t].peak) continue;
     const double lesser = std::min(f[turns[t - 1].at], f[turns[t + 1].at]);
     if (f[turns[t].at] > 0.5 * lesser)
-      refuse(curve, turns[t].at, fmt::format("the force falls from {:.4g} to {:.4g} N and rises again; a loading must rise steadily: remove what slipped, or sort the rows by time",
-                                             f[turns[t - 1].at], f[turns[t].at]));
+      refuse(curve, turns[t].at,
+             fmt::format("the force falls from {:.4g} to {:.4g} N and rises again; a loading must rise steadily: remove what slipped, or sort the rows by time",
+                         f[turns[t - 1].at], f[turns[t].at]));
   }
 }
 
@@ -80,7 +81,11 @@ void check_displacement(const Curve& curve, const std::vector<std::size_t>& poin
     if (most - moved(k) > back) back = most - moved(k), worst = k;
   }
   if (back > noise_share * (most - least) && back > 8 * noise_of(curve, points))  // noise alone reaches about 7 standard deviations from end to end
-    refuse(curve, points[worst], fmt::format("the displacement runs back by {:.3g} mm while the force goes on; check that force and displacement are the right columns, or remove what slipped", 1e3 * back));
+    refuse(
+        curve, points[worst],
+        fmt::format(
+            "the displacement runs back by {:.3g} mm while the force goes on; check that force and displacement are the right columns, or remove what slipped",
+            1e3 * back));
 }
 
 Cycle cycle_between(const Curve& curve, const std::vector<double>& f, std::size_t first, std::size_t last, const StiffnessOptions& options) {
@@ -90,12 +95,15 @@ Cycle cycle_between(const Curve& curve, const std::vector<double>& f, std::size_
   for (std::size_t k = first; k <= last; ++k)
     if (f[k] > options.preload) points.push_back(k), force.push_back(f[k]), displacement.push_back(curve.x[k]);
   if (points.size() < fewest_points)
-    refuse(curve, last, fmt::format("a cycle has {} points beyond the preload of {:.4g} N; a slope needs at least {}: record more often, or lower the preload with --preload", points.size(),
-                                    options.preload, fewest_points));
+    refuse(
+        curve, last,
+        fmt::format("a cycle has {} points beyond the preload of {:.4g} N; a slope needs at least {}: record more often, or lower the preload with --preload",
+                    points.size(), options.preload, fewest_points));
   const Regression line = regress(force, displacement);
   const auto [least, most] = std::minmax_element(displacement.begin(), displacement.end());
   const auto range = statistics::confidence_95(line.slope);
-  if (*least == *most || !(range.low > 0 || range.high < 0)) refuse(curve, last, "the displacement does not change with the force beyond its noise; check that it is the right column");
+  if (*least == *most || !(range.low > 0 || range.high < 0))
+    refuse(curve, last, "the displacement does not change with the force beyond its noise; check that it is the right column");
   check_displacement(curve, points, (options.branch == Branch::loading) == (line.slope.value > 0) ? 1 : -1);
   const statistics::Measured compliance{std::abs(line.slope.value), line.slope.error, line.slope.freedom};
   cycle.stiffness = statistics::product({{compliance, -1}});
@@ -130,7 +138,8 @@ std::vector<Cycle> cycles_of(const Curve& curve, const StiffnessOptions& options
   const auto greatest = std::max_element(f.begin(), f.end());
   if (*greatest <= options.preload)
     refuse(curve, static_cast<std::size_t>(greatest - f.begin()),
-           fmt::format("the force never exceeds the preload of {:.4g} N, its maximum is {:.4g} N; give the test's own preload with --preload", options.preload, *greatest));
+           fmt::format("the force never exceeds the preload of {:.4g} N, its maximum is {:.4g} N; give the test's own preload with --preload", options.preload,
+                       *greatest));
   const std::vector<Turn> turns = turns_of(f);
   check_valleys(curve, f, turns);
   std::vector<Cycle> cycles;
@@ -140,8 +149,9 @@ std::vector<Cycle> cycles_of(const Curve& curve, const StiffnessOptions& options
     cycles.push_back(cycle_between(curve, f, turns[t].at, turns[t + 1].at, options));
   }
   if (cycles.empty())
-    refuse(curve, curve.x.size() - 1, options.branch == Branch::loading ? "the force never rises; give the loading, or --branch unloading"
-                                                                        : "the force never falls; give the unloading, or --branch loading");
+    refuse(curve, curve.x.size() - 1,
+           options.branch == Branch::loading ? "the force never rises; give the loading, or --branch unloading"
+                                             : "the force never falls; give the unloading, or --branch loading");
   return cycles;
 }
 

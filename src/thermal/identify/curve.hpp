@@ -11,24 +11,24 @@ namespace arenite::identify {
 
 /// A record of a test as it was measured: y against x, both SI, with the line of the file that each point stands in.
 struct Curve {
-  std::string file;               ///< for messages
-  std::string name;               ///< of the test ("specimen 2"); empty where a file holds one
+  std::string file;  ///< for messages
+  std::string name;  ///< of the test ("specimen 2"); empty where a file holds one
   std::vector<double> x, y;
-  std::vector<int> line;          ///< as long as x and y
+  std::vector<int> line;  ///< as long as x and y
 };
 
 enum class Branch { loading, unloading };
 
 struct StiffnessOptions {
-  double preload = 1000;            ///< N; only what lies beyond it counts, so that the cylinder does not settle any more (T 2.2.2)
+  double preload = 1000;  ///< N; only what lies beyond it counts, so that the cylinder does not settle any more (T 2.2.2)
   Branch branch = Branch::loading;
 };
 
 /// One loading (or unloading) of a curve: points first to last, both included.
 struct Cycle {
   std::size_t first = 0, last = 0;
-  double peak = 0;                  ///< greatest force, N, positive
-  statistics::Measured stiffness;   ///< N/m
+  double peak = 0;                 ///< greatest force, N, positive
+  statistics::Measured stiffness;  ///< N/m
   double r2 = statistics::unknown;
 };
 
@@ -41,15 +41,15 @@ struct Cycle {
 /// without coming below half of its peak, or the displacement runs back.
 std::vector<Cycle> cycles_of(const Curve& curve, const StiffnessOptions& options = {});
 
-using elasticity::EffectiveRadius;
 using elasticity::effective_radius;
+using elasticity::EffectiveRadius;
 
 /// Separation force of a pull-off record, N: the peak of the force y (tension positive) over displacement or time x (T Fig. 2.12).
 /// Its error is the scatter of up to ten points before the peak about their straight line, unknown where there are fewer
 /// than five. Throws InputError with file and line if the record holds no tension or fewer than three points.
 struct PullOff {
   statistics::Measured force;
-  bool separated = true;   ///< false where the record ends before the force has fallen to half of its peak
+  bool separated = true;  ///< false where the record ends before the force has fallen to half of its peak
 };
 PullOff pull_off(const Curve& curve);
 

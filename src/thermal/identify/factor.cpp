@@ -23,9 +23,7 @@ Factor factor_from_strain(const std::vector<double>& strain, const std::vector<d
   return f;
 }
 
-Measured factor_from_properties(const Properties& p) {
-  return product({{p.expansion, 1}, {p.temperature, 1}, {p.density, -1}, {p.heat_capacity, -1}});
-}
+Measured factor_from_properties(const Properties& p) { return product({{p.expansion, 1}, {p.temperature, 1}, {p.density, -1}, {p.heat_capacity, -1}}); }
 
 Factor signal_constant(const std::vector<double>& stress, const std::vector<double>& signal, bool through_origin) {
   Factor f = factor_from_stress(stress, signal, through_origin);

@@ -11,7 +11,7 @@ namespace arenite::identify {
 /// of the signed course, where compression warms, give the same A: the slope's sign is dropped.
 struct Factor {
   statistics::Measured factor;
-  Regression line;          ///< what the factor is the slope of
+  Regression line;  ///< what the factor is the slope of
 };
 Factor factor_from_stress(const std::vector<double>& stress, const std::vector<double>& temperature, bool through_origin = false);
 
@@ -28,10 +28,10 @@ Factor factor_from_strain(const std::vector<double>& strain, const std::vector<d
 
 /// What a factor follows from without a test.
 struct Properties {
-  statistics::Measured expansion;     ///< alpha, 1/K
-  statistics::Measured temperature;   ///< T_0, K
-  statistics::Measured density;       ///< kg/m^3
-  statistics::Measured heat_capacity; ///< c_p, J/kg/K
+  statistics::Measured expansion;      ///< alpha, 1/K
+  statistics::Measured temperature;    ///< T_0, K
+  statistics::Measured density;        ///< kg/m^3
+  statistics::Measured heat_capacity;  ///< c_p, J/kg/K
 };
 
 /// A = alpha T_0/(rho c_p), K/Pa (T eq. 1.55).
@@ -46,8 +46,8 @@ struct Detector {
   statistics::Measured responsivity;         ///< D = 1/(n B' Z T^(n-1)) at its own temperature, K a level (T eq. 1.67)
   statistics::Measured amplification{1, 0};  ///< F
   statistics::Measured emissivity{1, 0};
-  double reference = 296;                    ///< T_D: the temperature D holds at, K
-  double surface = 296;                      ///< T_E: the specimen's, K
+  double reference = 296;  ///< T_D: the temperature D holds at, K
+  double surface = 296;    ///< T_E: the specimen's, K
   radiometry::Band band;
 };
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/units.hpp"
-#include "statistics/numbers.hpp"
 #include "statistics/estimate.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::identify {
 namespace {
@@ -43,14 +43,16 @@ std::string comparison(const Finding& f) {
   const double stated = f.stated->value / f.scale, half = f.stated->half_digit / f.scale, ours = f.value.value / f.scale;
   const int places = places_of(half);
   if (agrees(f)) return fmt::format("stated {:.{}f}: agrees", stated, places);
-  return fmt::format("stated {:.{}f}, here {:.{}f}: differs by {:+.{}f} ({:+.2g} %)", stated, places, ours, places, ours - stated, places + 1, 100 * (ours / stated - 1));
+  return fmt::format("stated {:.{}f}, here {:.{}f}: differs by {:+.{}f} ({:+.2g} %)", stated, places, ours, places, ours - stated, places + 1,
+                     100 * (ours / stated - 1));
 }
 
 std::string line(const Finding& f) {
   std::string text = statistics::with_error({f.value.value, f.value.error}, 1 / f.scale);
   if (!f.unit.empty()) text += " " + f.unit;
   const auto interval = statistics::confidence_95(f.value);
-  if (std::isfinite(interval.low) && interval.high > interval.low) text += fmt::format("  (95 %: {:.4g} to {:.4g})", interval.low / f.scale, interval.high / f.scale);
+  if (std::isfinite(interval.low) && interval.high > interval.low)
+    text += fmt::format("  (95 %: {:.4g} to {:.4g})", interval.low / f.scale, interval.high / f.scale);
   if (f.stated) text += "  " + comparison(f);
   return text;
 }

@@ -15,10 +15,10 @@ struct Stated {
 
 /// One identified quantity.
 struct Finding {
-  std::string name;                 ///< "surface_energy", as in JSON
-  std::string unit;                 ///< in which it is shown, "kN/mm"
-  double scale = 1;                 ///< of one such unit, SI
-  statistics::Measured value;       ///< SI
+  std::string name;            ///< "surface_energy", as in JSON
+  std::string unit;            ///< in which it is shown, "kN/mm"
+  double scale = 1;            ///< of one such unit, SI
+  statistics::Measured value;  ///< SI
   std::optional<Stated> stated = {};
 };
 
@@ -34,15 +34,15 @@ struct Test {
 /// Quantities of tests alike: one diameter, one glue, one material.
 struct Group {
   std::string name;
-  std::size_t count = 0;            ///< of values or points that it rests on
+  std::size_t count = 0;  ///< of values or points that it rests on
   std::vector<Finding> findings;
   std::vector<Test> tests = {};
 };
 
 struct Identification {
-  std::string kind, file;           ///< "stiffness", "adhesion", "factor"
+  std::string kind, file;  ///< "stiffness", "adhesion", "factor"
   std::vector<Group> groups;
-  std::optional<Group> all = {};    ///< over all groups, where that has a meaning
+  std::optional<Group> all = {};  ///< over all groups, where that has a meaning
   std::vector<std::string> notes = {};
 };
 

@@ -31,7 +31,7 @@ double brightness_of(const FloatImage& image, const DiskModel::Disk& disk) {
 
 /// A pore between three grains may have a round rim, but it is as grey as what is behind grains of both kinds.
 std::vector<char> pores(const std::vector<double>& brightness, double between) {
-  constexpr double least = 0.3;     // of the usual distance from the level between grains
+  constexpr double least = 0.3;  // of the usual distance from the level between grains
   std::vector<double> away;
   for (const double b : brightness) away.push_back(std::abs(b - between));
   std::vector<char> out(away.size(), 0);
@@ -75,7 +75,8 @@ FoundCircles find_circles(const FloatImage& image, const CircleOptions& options)
   const auto& disks = search.model.disks();
   std::vector<std::size_t> order(disks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return disks[a].y != disks[b].y ? disks[a].y < disks[b].y : disks[a].x < disks[b].x; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return disks[a].y != disks[b].y ? disks[a].y < disks[b].y : disks[a].x < disks[b].x; });
   const auto errors = search.model.errors();
   const auto evidence = search.model.evidence();
   std::vector<double> brightness;

@@ -11,29 +11,29 @@ namespace arenite::imaging {
 enum class GrainContrast : std::uint8_t { found, bright, dark };
 
 struct CircleOptions {
-  std::vector<double> radii = {}; ///< of the size classes, pixels; empty: found
+  std::vector<double> radii = {};      ///< of the size classes, pixels; empty: found
   double smallest = 2.5, largest = 0;  ///< radii looked for where none are given, pixels; 0: half the picture's smaller side
   GrainContrast contrast = GrainContrast::found;
-  std::size_t materials = 0;      ///< classes of brightness; 0: found
-  double least_score = 0.5;       ///< share of the rim that must show
+  std::size_t materials = 0;  ///< classes of brightness; 0: found
+  double least_score = 0.5;   ///< share of the rim that must show
 };
 
 /// What was found besides the grains.
 struct CircleReport {
   bool bright = true;
-  std::optional<double> between = {};  ///< grey level between grains, where some are brighter and some darker
-  double blur = 0;                ///< standard deviation of lens and pixel, pixels
-  double noise = 0;               ///< of the picture near rims, in its unit
-  std::vector<double> class_radius, class_spread;         ///< pixels; smallest class first
+  std::optional<double> between = {};              ///< grey level between grains, where some are brighter and some darker
+  double blur = 0;                                 ///< standard deviation of lens and pixel, pixels
+  double noise = 0;                                ///< of the picture near rims, in its unit
+  std::vector<double> class_radius, class_spread;  ///< pixels; smallest class first
   std::vector<std::size_t> class_members;
   std::vector<double> material_brightness, material_spread;  ///< darkest first
   std::vector<std::size_t> material_members;
-  double largest_overlap = 0;     ///< of two circles, pixels
-  std::size_t overlapping = 0;    ///< pairs that overlap by more than three standard errors and 2 % of the smaller radius
+  double largest_overlap = 0;   ///< of two circles, pixels
+  std::size_t overlapping = 0;  ///< pairs that overlap by more than three standard errors and 2 % of the smaller radius
 };
 
 struct FoundCircles {
-  PictureGrains grains;           ///< row by row: by y, then x
+  PictureGrains grains;  ///< row by row: by y, then x
   CircleReport report;
 };
 

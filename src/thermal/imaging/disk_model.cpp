@@ -20,7 +20,10 @@ double distance(const DiskModel::Disk& disk, int x, int y) {
 }  // namespace
 
 DiskModel::DiskModel(const FloatImage& image, double blur, bool bright, std::optional<double> between)
-    : image_(image), bright_(bright), between_(between), blur_(blur) {
+    : image_(image),
+      bright_(bright),
+      between_(between),
+      blur_(blur) {
   refresh();
 }
 
@@ -140,8 +143,7 @@ void DiskModel::fit_blur() {
       cover(disk, x, y, edge, nx, ny);
       if (edge == 0) return;
       const double q = distance(disk, x, y);
-      const double slope = -(disk.level - static_cast<double>(background_[at])) * edge *
-                           ((disk.radius - q) / blur_ + blur_ / (2 * std::max(q, blur_)));
+      const double slope = -(disk.level - static_cast<double>(background_[at])) * edge * ((disk.radius - q) / blur_ + blur_ / (2 * std::max(q, blur_)));
       const double gap = left(at), weight = huber_weight(gap, noise_);
       top += weight * slope * gap;
       bottom += weight * slope * slope;

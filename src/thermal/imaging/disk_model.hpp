@@ -76,12 +76,12 @@ class DiskModel {
   std::vector<Disk>& disks() { return disks_; }  ///< after a change, call refresh()
   const std::vector<Disk>& disks() const { return disks_; }
   double blur() const { return blur_; }
-  double noise() const { return noise_; }       ///< robust standard deviation of what the fit leaves near rims
+  double noise() const { return noise_; }  ///< robust standard deviation of what the fit leaves near rims
   double background(double x, double y) const;
-  void refresh();                               ///< net, coverage and levels anew from the disks
+  void refresh();  ///< net, coverage and levels anew from the disks
   /// Steps of all disks, in every `between`-th sweep; in the others only of those that still move.
   void fit(int sweeps, int between = 1);
-  FloatImage residual() const;                  ///< picture minus model
+  FloatImage residual() const;  ///< picture minus model
   /// From the normal matrix of each disk and those that touch its pixels, held against the noise.
   std::vector<Errors> errors() const;
   /// How well each disk shows, in the picture with all others taken away.
@@ -98,8 +98,7 @@ class DiskModel {
   };
   Window window(const Disk& disk) const;
   /// Calls visit(x, y, index) for the pixels of a disk's window.
-  template <class Visit>
-  void each(const Disk& disk, Visit&& visit) const {
+  template <class Visit> void each(const Disk& disk, Visit&& visit) const {
     const Window w = window(disk);
     for (int y = w.y0; y <= w.y1; ++y)
       for (int x = w.x0; x <= w.x1; ++x) visit(x, y, image_.index(x, y));
@@ -124,7 +123,7 @@ class DiskModel {
   std::vector<Disk> disks_;
   double blur_, noise_ = 0;
   int spacing_ = 32, columns_ = 0, rows_ = 0;
-  std::vector<double> node_;                    ///< background at the net's nodes
+  std::vector<double> node_;  ///< background at the net's nodes
   std::vector<float> background_, covered_, light_;
 };
 

@@ -11,17 +11,16 @@ namespace {
 
 constexpr double least_explained = 0.75;  // of a disk's squares; the rest is noise, marks, neighbours that are not found yet
 constexpr double rim_of_usual = 0.8, unexplained_of_usual = 4, few_unexplained = 0.05;  // against the median disk's; share that is never too much
-constexpr double least_contrast = 0.2;    // of the usual contrast
-constexpr double least_area = 0.005;      // share of all disks' area that a size needs
-constexpr double other_size = 1.28;       // times the radius
-constexpr double most_overlap = 0.3;      // of the smaller radius, in disks that are fitted
+constexpr double least_contrast = 0.2;                                                  // of the usual contrast
+constexpr double least_area = 0.005;                                                    // share of all disks' area that a size needs
+constexpr double other_size = 1.28;                                                     // times the radius
+constexpr double most_overlap = 0.3;                                                    // of the smaller radius, in disks that are fitted
 
 using Disks = std::vector<DiskModel::Disk>;
 using Evidence = std::vector<DiskModel::Evidence>;
 
 /// What the median disk by area has: many specks beside few grains do not set the measure.
-template <class Of>
-double usual(const Disks& disks, const Evidence& evidence, Of&& of) {
+template <class Of> double usual(const Disks& disks, const Evidence& evidence, Of&& of) {
   std::vector<std::pair<double, double>> value_area;
   for (std::size_t k = 0; k < disks.size(); ++k) value_area.emplace_back(of(evidence[k]), disks[k].radius * disks[k].radius);
   return weighted_median(std::move(value_area));

@@ -15,7 +15,7 @@ constexpr double least_share = 0.01, deepest_valley = 0.5;
 using Histogram = std::array<double, bins>;
 
 struct Scale {
-  double low, width;                ///< of the first bin, of a bin
+  double low, width;  ///< of the first bin, of a bin
 };
 
 Histogram histogram_of(const FloatImage& image, const Scale& scale) {
@@ -56,7 +56,7 @@ double members(const Histogram& count, std::size_t peak) {
 }
 
 constexpr std::size_t most_levels = 2;
-constexpr double most_share = 0.6;   // of the pixels on both sides of a level that disks must account for
+constexpr double most_share = 0.6;  // of the pixels on both sides of a level that disks must account for
 
 /// Pixels that are farther from a level than half of what the farthest are.
 double pixels_away_from(double level, const FloatImage& image) {

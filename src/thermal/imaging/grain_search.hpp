@@ -11,10 +11,10 @@
 namespace arenite::imaging {
 
 struct RimOptions {
-  bool bright = true;                 ///< disks brighter than what is around them
-  double smallest = 1.6, largest = 8; ///< radii of the steepest slope, pixels; in small disks it lies up to 1 pixel inside the rim
-  double least = 0.1;                 ///< score below which a circle is not listed
-  std::span<const char> open = {};    ///< one a pixel, 0 where no centre can lie; empty: everywhere
+  bool bright = true;                  ///< disks brighter than what is around them
+  double smallest = 1.6, largest = 8;  ///< radii of the steepest slope, pixels; in small disks it lies up to 1 pixel inside the rim
+  double least = 0.1;                  ///< score below which a circle is not listed
+  std::span<const char> open = {};     ///< one a pixel, 0 where no centre can lie; empty: everywhere
 };
 
 /// Circles whose rims show edges: the slope along the normal in a ring, against the root mean square slope nearby, each

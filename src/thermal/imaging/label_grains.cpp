@@ -19,8 +19,7 @@ namespace {
 std::vector<std::int32_t> along_columns(const PhaseMap& map, std::int32_t far) {
   std::vector<std::int32_t> g(map.size());
   const auto width = static_cast<std::size_t>(map.width);
-  for (std::size_t i = 0; i < g.size(); ++i)
-    g[i] = map.phase[i] != Phase::particle ? 0 : i < width ? far : std::min(far, g[i - width] + 1);
+  for (std::size_t i = 0; i < g.size(); ++i) g[i] = map.phase[i] != Phase::particle ? 0 : i < width ? far : std::min(far, g[i - width] + 1);
   for (std::size_t i = g.size() - width; i-- > 0;) g[i] = std::min(g[i], g[i + width] + 1);
   return g;
 }
@@ -45,8 +44,7 @@ class Envelope {
     std::size_t k = top_;
     for (int x = width; x-- > 0;) {
       while (start_[k - 1] > x) --k;
-      out[x] = static_cast<std::int32_t>(
-          std::min<std::int64_t>(value(g, centre_[k - 1], x), std::numeric_limits<std::int32_t>::max()));
+      out[x] = static_cast<std::int32_t>(std::min<std::int64_t>(value(g, centre_[k - 1], x), std::numeric_limits<std::int32_t>::max()));
     }
   }
 
@@ -90,7 +88,10 @@ std::vector<std::int32_t> by_depth(const std::vector<std::int32_t>& squared) {
 class Basins {
  public:
   Basins(const PhaseMap& map, const std::vector<std::int32_t>& squared, double smoothing)
-      : map_(map), squared_(squared), smoothing_(smoothing), label_(map.size(), -1) {}
+      : map_(map),
+        squared_(squared),
+        smoothing_(smoothing),
+        label_(map.size(), -1) {}
 
   std::vector<std::int32_t> flood() {
     for (const std::int32_t i : by_depth(squared_)) take(static_cast<std::size_t>(i));
@@ -197,7 +198,8 @@ LabelReport label_grains(PhaseMap& map, const LabelOptions& options) {
   map.grain_class.assign(nodes.size(), GrainClass::none);
   LabelReport report;
   report.grains = static_cast<std::int32_t>(nodes.size());
-  if (!nodes.empty()) report.largest_share = static_cast<double>(std::ranges::max(nodes)) / static_cast<double>(std::accumulate(nodes.begin(), nodes.end(), std::size_t{0}));
+  if (!nodes.empty())
+    report.largest_share = static_cast<double>(std::ranges::max(nodes)) / static_cast<double>(std::accumulate(nodes.begin(), nodes.end(), std::size_t{0}));
   return report;
 }
 

@@ -12,10 +12,10 @@
 namespace arenite::imaging {
 namespace {
 
-constexpr double rim = 0.8;              // pixels: blur of lens and pixel in the cover, roughly
-constexpr double beyond = 3;             // pixels round the grains that count
+constexpr double rim = 0.8;   // pixels: blur of lens and pixel in the cover, roughly
+constexpr double beyond = 3;  // pixels round the grains that count
 constexpr double usual_blur = 0.7, outlier = 3;
-constexpr double radius_known = 0.01;    // share: radii are those of the circles
+constexpr double radius_known = 0.01;  // share: radii are those of the circles
 constexpr int rounds = 3;
 
 /// What circles cover, in a window that reaches a little beyond them.
@@ -130,7 +130,8 @@ void refine(const PictureGrains& circles, const FloatImage& picture, Overlay& fo
     }
     if (from.size() < 3) return;
     found.transform = fit_similarity(from, to, false);
-    for (std::size_t i = 0; i < at.size(); ++i) away[i] = norm(found.transform(Vec2{circles.x[i], circles.y[i]}) - Vec2{model.disks()[i].x, model.disks()[i].y});
+    for (std::size_t i = 0; i < at.size(); ++i)
+      away[i] = norm(found.transform(Vec2{circles.x[i], circles.y[i]}) - Vec2{model.disks()[i].x, model.disks()[i].y});
   }
   found.rms = robust_rms(away);
 }

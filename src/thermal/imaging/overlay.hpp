@@ -1,20 +1,20 @@
 #pragma once
 #include "core/vec.hpp"
-#include "thermal/imaging/registration.hpp"
 #include "model/image.hpp"
+#include "thermal/imaging/registration.hpp"
 
 namespace arenite::imaging {
 
 struct OverlayOptions {
-  double reach = 8;                 ///< how far the circles may lie off their first place, pixels
-  double turn = 0.035;              ///< how far they may be turned, rad
+  double reach = 8;     ///< how far the circles may lie off their first place, pixels
+  double turn = 0.035;  ///< how far they may be turned, rad
 };
 
 /// How circles lie on a picture that shows the same grains.
 struct Overlay {
-  Similarity transform;             ///< from the circles' picture to this one
-  double correlation = 0;           ///< of the picture with the area that the circles cover; below 0 where grains are darker
-  double rms = 0;                   ///< between circles that were fitted one by one and their places, along one axis, pixels
+  Similarity transform;                        ///< from the circles' picture to this one
+  double correlation = 0;                      ///< of the picture with the area that the circles cover; below 0 where grains are darker
+  double rms = 0;                              ///< between circles that were fitted one by one and their places, along one axis, pixels
   double shift_error = 0, rotation_error = 0;  ///< standard errors: pixels at the middle of the grains, rad
 };
 

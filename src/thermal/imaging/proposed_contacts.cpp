@@ -69,8 +69,7 @@ Images images_of(const Grains& grains, const Domain& domain, double reach) {
   // One image row below suffices for pairs across that side; sideways the shift may carry images beyond both edges.
   if (domain.periodic_y) copy({-domain.tilt, -domain.height()}, [&](Vec2 p) { return p.y > domain.wall[bottom].position - reach; });
   if (domain.periodic_x) {
-    for (std::size_t k = 0; k < images.of.size(); ++k)
-      images.x[k] -= std::floor((images.x[k] - domain.wall[left].position) / domain.width()) * domain.width();
+    for (std::size_t k = 0; k < images.of.size(); ++k) images.x[k] -= std::floor((images.x[k] - domain.wall[left].position) / domain.width()) * domain.width();
     copy({-domain.width(), 0}, [&](Vec2 p) { return p.x > domain.wall[left].position - reach; });
   }
   return images;

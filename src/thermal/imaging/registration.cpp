@@ -16,10 +16,12 @@ Vec2 turned(Vec2 p, double scale, double rotation, bool mirrored) {
   return {c * x - s * p.y, s * x + c * p.y};
 }
 
-constexpr double outlier = 4;                // standard deviations
+constexpr double outlier = 4;  // standard deviations
 
 void check(const PictureGrains& grains, const char* which) {
-  if (grains.size() < 3) throw InputError(std::string("the ") + which + " picture shows " + std::to_string(grains.size()) + " grains; three are needed to lay one picture on another");
+  if (grains.size() < 3)
+    throw InputError(std::string("the ") + which + " picture shows " + std::to_string(grains.size()) +
+                     " grains; three are needed to lay one picture on another");
   for (std::size_t k = 0; k < grains.size(); ++k)
     if (!std::isfinite(grains.x[k]) || !std::isfinite(grains.y[k]) || !(grains.radius[k] > 0))
       throw InputError(std::string("grain ") + std::to_string(k) + " of the " + which + " picture has no place or no positive radius");
@@ -112,7 +114,8 @@ Registration register_circles(const PictureGrains& from, const PictureGrains& to
   r.matched = static_cast<double>(r.pairs.size()) / smaller;
   if (r.pairs.size() < 3 || r.matched < options.least_matched)
     throw InputError("the grains of the two pictures do not fit on each other: at best " + std::to_string(r.pairs.size()) + " of " +
-                     std::to_string(static_cast<std::size_t>(smaller)) + " find a partner; check that both show the same sample, allow a mirrored picture, or give the scale");
+                     std::to_string(static_cast<std::size_t>(smaller)) +
+                     " find a partner; check that both show the same sample, allow a mirrored picture, or give the scale");
   for (int pass = 0; pass < 4; ++pass) {
     r.pairs = search.matches(r.transform, search.all());
     leave_out(from, to, r.transform, r.pairs);

@@ -7,16 +7,19 @@
 namespace arenite::imaging {
 namespace {
 
-constexpr double reach_of_match = 0.3;       // of the smaller radius: two different grains cannot both be so near
-constexpr double sharpest = 0.02;            // of a radius: what lies nearer than this is not told apart
-constexpr double base_length = 10;           // mean radii: long enough to tell the direction, short enough to be whole
+constexpr double reach_of_match = 0.3;  // of the smaller radius: two different grains cannot both be so near
+constexpr double sharpest = 0.02;       // of a radius: what lies nearer than this is not told apart
+constexpr double base_length = 10;      // mean radii: long enough to tell the direction, short enough to be whole
 constexpr std::size_t most_bases = 60, test_grains = 12, agreeing_bases = 3;
 constexpr double of_best[] = {0.75, 0.8, 0.85, 0.9};  // score of the best so far below which growing ends, stage by stage
 
 }  // namespace
 
 RegistrationSearch::RegistrationSearch(const PictureGrains& from, const PictureGrains& to, const RegistrationOptions& options)
-    : from_(from), to_(to), options_(options), to_grid_(to) {}
+    : from_(from),
+      to_(to),
+      options_(options),
+      to_grid_(to) {}
 
 RegistrationSearch::Pairs RegistrationSearch::best(Similarity& transform) {
   const std::size_t n = from_.size(), bases = std::min(n, most_bases);

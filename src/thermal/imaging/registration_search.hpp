@@ -23,11 +23,12 @@ inline double mean_radius(const PictureGrains& grains) {
 class CentreGrid {
  public:
   explicit CentreGrid(const PictureGrains& grains)
-      : grains_(grains), grid_(grid_over(grains)), cells_(grid_, 0, grains.size(), [&](std::size_t k) { return grid_.cell(grains.x[k], grains.y[k]); }) {}
+      : grains_(grains),
+        grid_(grid_over(grains)),
+        cells_(grid_, 0, grains.size(), [&](std::size_t k) { return grid_.cell(grains.x[k], grains.y[k]); }) {}
 
   /// Calls visit(index, squared distance) for every place no farther than `reach`.
-  template <class Visit>
-  void within(Vec2 p, double reach, Visit visit) const {
+  template <class Visit> void within(Vec2 p, double reach, Visit visit) const {
     const auto at = [&](double x, std::int32_t row) { return static_cast<std::size_t>(row * grid_.columns + grid_.column(x)); };
     for (std::int32_t row = grid_.row(p.y - reach); row <= grid_.row(p.y + reach); ++row)
       for (std::int32_t k = cells_.first[at(p.x - reach, row)]; k < cells_.first[at(p.x + reach, row) + 1]; ++k) {

@@ -156,7 +156,8 @@ void search_level(const FloatImage& image, double first, double last, double sca
     FloatImage after = scores_at(slope, radii[k + 1], noise, runs);
     for (int y = 1; y + 1 < image.height; ++y)
       for (int x = 1; x + 1 < image.width; ++x)
-        if ((open.empty() || open[here.index(x, y)] != 0) && here.value[here.index(x, y)] > static_cast<float>(options.least) && is_summit(before, here, after, x, y))
+        if ((open.empty() || open[here.index(x, y)] != 0) && here.value[here.index(x, y)] > static_cast<float>(options.least) &&
+            is_summit(before, here, after, x, y))
           found.push_back({(x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5, radii[k] * scale, here.value[here.index(x, y)]});
     before = std::move(here);
     here = std::move(after);

@@ -9,9 +9,9 @@ namespace arenite::imaging {
 namespace {
 
 constexpr int most_rounds = 24, most_passes = 8;  // rounds of all passes together: a picture of grains takes a handful
-constexpr double first_blur = 0.7;              // pixels
-constexpr double overlap_of_candidates = 0.45;  // of the smaller radius: centres are known to a pixel only, and the
-                                                // neighbours of a disk that is not found yet are drawn towards it
+constexpr double first_blur = 0.7;                // pixels
+constexpr double overlap_of_candidates = 0.45;    // of the smaller radius: centres are known to a pixel only, and the
+                                                  // neighbours of a disk that is not found yet are drawn towards it
 
 double square(double v) { return v * v; }
 
@@ -40,7 +40,11 @@ RimOptions first_range(const FloatImage& image, const CircleOptions& options, bo
 }
 
 SearchRounds::SearchRounds(const FloatImage& image, bool bright, const CircleOptions& options, std::optional<double> between)
-    : image_(image), bright_(bright), options_(options), between_(between), model_(image, first_blur, bright, between) {
+    : image_(image),
+      bright_(bright),
+      options_(options),
+      between_(between),
+      model_(image, first_blur, bright, between) {
   for (const double r : options.radii) {
     classes_.mean.push_back(r);
     classes_.spread.push_back(0.003 * r);

@@ -103,7 +103,8 @@ std::vector<char> halved_open(std::span<const char> open, int width, int height)
     for (int x = 0; x < width; ++x) {
       if (open[static_cast<std::size_t>(x) + static_cast<std::size_t>(width) * static_cast<std::size_t>(y)] == 0) continue;
       for (int j = std::max(0, y / 2 - 1); j <= std::min(h - 1, y / 2 + 1); ++j)
-        for (int i = std::max(0, x / 2 - 1); i <= std::min(w - 1, x / 2 + 1); ++i) half[static_cast<std::size_t>(i) + static_cast<std::size_t>(w) * static_cast<std::size_t>(j)] = 1;
+        for (int i = std::max(0, x / 2 - 1); i <= std::min(w - 1, x / 2 + 1); ++i)
+          half[static_cast<std::size_t>(i) + static_cast<std::size_t>(w) * static_cast<std::size_t>(j)] = 1;
     }
   return half;
 }

@@ -167,8 +167,7 @@ std::vector<double> compliances(const Packing& packing) {
 
 void add_energy(NormalEquations& equations, const Unknowns& unknowns, const Packing& packing, double prior) {
   const std::vector<double> compliance = compliances(packing);
-  for (int u = 0; u < static_cast<int>(2 * unknowns.contacts); ++u)
-    equations.add_diagonal(u, compliance[static_cast<std::size_t>(u / 2)] / (prior * prior), 0);
+  for (int u = 0; u < static_cast<int>(2 * unknowns.contacts); ++u) equations.add_diagonal(u, compliance[static_cast<std::size_t>(u / 2)] / (prior * prior), 0);
 }
 
 InferredForces finish(const ForceProblem& problem, const ForceOptions& options, const NormalEquations& equations, const Unknowns& unknowns,

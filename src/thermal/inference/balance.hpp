@@ -10,9 +10,9 @@ namespace arenite::inference {
 /// A contact as one of its grains has it: `normal` points into the grain; the force on it is fn normal + ft t.
 struct Touch {
   int contact = 0;
-  int partner = -1;       ///< the other grain; -1: a wall
+  int partner = -1;  ///< the other grain; -1: a wall
   Vec2 normal;
-  double distance = 0;    ///< between the two centres, m; 0 at a wall
+  double distance = 0;  ///< between the two centres, m; 0 at a wall
 };
 
 using Touches = std::vector<std::vector<Touch>>;  ///< of every grain
@@ -28,9 +28,9 @@ void check_problem(const ForceProblem& problem, const ForceOptions& options, boo
 /// fitted, the changes of their scales come last.
 struct Unknowns {
   std::size_t contacts = 0, grains = 0;
-  double force = 1;         ///< N
-  double move = 0;          ///< m; 0: centres stay
-  std::size_t scales = 0;   ///< materials whose factor is fitted; 0: factors stay
+  double force = 1;        ///< N
+  double move = 0;         ///< m; 0: centres stay
+  std::size_t scales = 0;  ///< materials whose factor is fitted; 0: factors stay
 
   int count() const { return scale(scales); }
   int centre(std::size_t g) const { return static_cast<int>(2 * (contacts + g)); }

@@ -27,8 +27,8 @@ void check_grains(const Packing& packing, Problems& problems) {
     const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
     const double overlap = grains.radius[i] + grains.radius[j] - norm(d.nearest_image(grains.centre(i) - grains.centre(j)));
     if (overlap > 0.4 * std::min(grains.radius[i], grains.radius[j]))
-      problems.add(fmt::format("grains {} and {} overlap by {:.2g} mm, more than a fifth of the smaller diameter; check their centres and radii",
-                                 grains.id[i], grains.id[j], 1e3 * overlap));
+      problems.add(fmt::format("grains {} and {} overlap by {:.2g} mm, more than a fifth of the smaller diameter; check their centres and radii", grains.id[i],
+                               grains.id[j], 1e3 * overlap));
   }
 }
 
@@ -41,8 +41,7 @@ void check_contacts(const Packing& packing, Problems& problems) {
     const std::int32_t i = contacts.i[c], j = contacts.j[c];
     if (i < 0 || i >= n || j >= n || j < -4 || i == j)
       problems.add(fmt::format("contact {} joins {} and {}, of which one is no grain or wall; correct the list of contacts", c, i, j));
-    else if (!seen.insert({std::min(i, j), std::max(i, j)}).second)
-      problems.add(fmt::format("the contact of {} and {} is listed twice; keep one", i, j));
+    else if (!seen.insert({std::min(i, j), std::max(i, j)}).second) problems.add(fmt::format("the contact of {} and {} is listed twice; keep one", i, j));
   }
 }
 
@@ -54,7 +53,7 @@ void check_factors(const ForceProblem& problem, Problems& problems) {
     if (known || !reported.insert(m).second) continue;
     const bool named = m >= 0 && index < problem.packing.materials.size();
     problems.add(fmt::format("material {} has no thermoelastic factor; give thermoelastic_factor, e.g. \"0.0150 K/MPa\"",
-                               named ? problem.packing.materials[index].name : std::to_string(m)));
+                             named ? problem.packing.materials[index].name : std::to_string(m)));
   }
 }
 
@@ -67,7 +66,9 @@ void check_walls(const ForceProblem& problem, Problems& problems) {
     }
     bool touched = false;
     for (std::size_t c = 0; c < contacts.size(); ++c) touched |= contacts.is_wall(c) && contacts.wall_side(c) == wall.side;
-    if (!touched) problems.add(fmt::format("the {} wall carries a load, but no contact with it is proposed; check the walls' places", side_names[static_cast<std::size_t>(wall.side)]));
+    if (!touched)
+      problems.add(fmt::format("the {} wall carries a load, but no contact with it is proposed; check the walls' places",
+                               side_names[static_cast<std::size_t>(wall.side)]));
   }
 }
 

@@ -12,20 +12,20 @@ namespace arenite {
 /// are standard errors and checks, one a contact or one a grain.
 struct InferredForces {
   Contacts contacts;
-  std::vector<double> fn_error, ft_error;    ///< N, one a contact
-  std::vector<double> presence;              ///< probability that a contact is there (presence.hpp), one a contact
-  std::vector<std::uint8_t> present;         ///< 1 for those taken as there: as many as are expected, the likeliest
-  std::vector<double> idle;                  ///< probability that it neither is there nor lost a force on the way
-  double expected = 0, expected_error = 0;   ///< number of contacts that are there
-  std::vector<double> imbalance;             ///< |sum of forces| of each grain, N
-  int null_space = 0;                        ///< directions of force that the data do not determine (means only)
-  std::size_t pixels = 0;                    ///< that were used
-  double residual = 0;                       ///< root mean square of data minus fit over the data's and the fields' standard error
-  double over_noise = 0;                     ///< the same over the measured noise alone: chi, 1 where nothing but noise is left
-  double over_signal = 0;                    ///< median size of data minus fit over that of the data
-  double model_error = 0;                    ///< of the fields, share of a grain's signal, with which `residual` came out
+  std::vector<double> fn_error, ft_error;                ///< N, one a contact
+  std::vector<double> presence;                          ///< probability that a contact is there (presence.hpp), one a contact
+  std::vector<std::uint8_t> present;                     ///< 1 for those taken as there: as many as are expected, the likeliest
+  std::vector<double> idle;                              ///< probability that it neither is there nor lost a force on the way
+  double expected = 0, expected_error = 0;               ///< number of contacts that are there
+  std::vector<double> imbalance;                         ///< |sum of forces| of each grain, N
+  int null_space = 0;                                    ///< directions of force that the data do not determine (means only)
+  std::size_t pixels = 0;                                ///< that were used
+  double residual = 0;                                   ///< root mean square of data minus fit over the data's and the fields' standard error
+  double over_noise = 0;                                 ///< the same over the measured noise alone: chi, 1 where nothing but noise is left
+  double over_signal = 0;                                ///< median size of data minus fit over that of the data
+  double model_error = 0;                                ///< of the fields, share of a grain's signal, with which `residual` came out
   std::vector<double> factor_scale, factor_scale_error;  ///< one a material: the film wants its factor so many times larger
-  std::vector<float> fitted;                 ///< what the forces make the picture show, K; no number outside grains
+  std::vector<float> fitted;                             ///< what the forces make the picture show, K; no number outside grains
   int iterations = 0;
 };
 
@@ -36,16 +36,16 @@ namespace arenite::inference {
 /// A signed picture of the thermoelastic swing (of LockinMaps::in_phase, made a full swing), rows from the top.
 struct SwingPicture {
   int width = 0, height = 0;
-  double pixel = 0;                 ///< side of a pixel, m
-  Vec2 first;                       ///< centre of the pixel in column 0 and row 0 (top left), m, y up
-  std::vector<float> value;         ///< K: warming when the load rises
-  std::vector<float> error;         ///< standard error, K; a pixel without a positive one is left out
+  double pixel = 0;          ///< side of a pixel, m
+  Vec2 first;                ///< centre of the pixel in column 0 and row 0 (top left), m, y up
+  std::vector<float> value;  ///< K: warming when the load rises
+  std::vector<float> error;  ///< standard error, K; a pixel without a positive one is left out
 };
 
 /// Normal force that the grains exert on a wall, of the same swing or state.
 struct WallLoad {
-  int side = 0;                     ///< model/packing.hpp
-  double force = 0, error = 0;      ///< N, compression positive
+  int side = 0;                 ///< model/packing.hpp
+  double force = 0, error = 0;  ///< N, compression positive
 };
 
 /// What the forces obey beside the data. A single state has f = x_1 (n + mu t) + x_2 (n - mu t) with x >= 0. The swing
@@ -54,24 +54,24 @@ struct WallLoad {
 enum class Inequality { none, cone };
 
 struct ForceOptions {
-  double blur = 0.5;                ///< standard deviation of the lens's Gaussian, pixels
-  double rim_margin = 0.5;          ///< pixels whose centre is nearer to the rim are left out, pixels
-  double contact_margin = 2.5;      ///< nearer than this to a contact point (pixels) the fields' error grows with the cube of the
-                                    ///< distance's inverse (unknown spread of the force); pixels nearer than half of it are left out
-  double model_error = 0.02;        ///< standard error of the fields themselves, share of a grain's signal: a first guess
-  bool fit_model_error = true;      ///< the guess is mended until data and fit differ as their errors say; what it came to
-                                    ///< is told, and what the measured errors alone say of the fit
-  bool fit_factors = false;         ///< the factor of every material is an unknown, too: how many times larger the film wants it
-  double position_error = 0.1;      ///< standard error of grain centres, pixels; 0: centres are taken as exact
-  double balance_error = 1e-2;      ///< standard error of a grain's balance, share of the mean contact force
-  double prior = 0;                 ///< elastic regularisation: standard deviation of a contact's force about the elastic
-                                    ///< solution, in mean contact forces; 0: 10 (next to nothing) for pixels, and for means
-                                    ///< what makes them likeliest (MacKay's evidence)
+  double blur = 0.5;            ///< standard deviation of the lens's Gaussian, pixels
+  double rim_margin = 0.5;      ///< pixels whose centre is nearer to the rim are left out, pixels
+  double contact_margin = 2.5;  ///< nearer than this to a contact point (pixels) the fields' error grows with the cube of the
+                                ///< distance's inverse (unknown spread of the force); pixels nearer than half of it are left out
+  double model_error = 0.02;    ///< standard error of the fields themselves, share of a grain's signal: a first guess
+  bool fit_model_error = true;  ///< the guess is mended until data and fit differ as their errors say; what it came to
+                                ///< is told, and what the measured errors alone say of the fit
+  bool fit_factors = false;     ///< the factor of every material is an unknown, too: how many times larger the film wants it
+  double position_error = 0.1;  ///< standard error of grain centres, pixels; 0: centres are taken as exact
+  double balance_error = 1e-2;  ///< standard error of a grain's balance, share of the mean contact force
+  double prior = 0;             ///< elastic regularisation: standard deviation of a contact's force about the elastic
+                                ///< solution, in mean contact forces; 0: 10 (next to nothing) for pixels, and for means
+                                ///< what makes them likeliest (MacKay's evidence)
   Inequality inequality = Inequality::none;
-  double friction = 0.5;            ///< mu of the cone
-  Vec2 gravity;                     ///< m/s^2; zero for a swing, where weights cancel
-  double widest_gap = 0;            ///< between grains or to walls that are proposed as contacts, m; 0: as the proposals show
-  int iterations = 3;               ///< of forces and centres together
+  double friction = 0.5;  ///< mu of the cone
+  Vec2 gravity;           ///< m/s^2; zero for a swing, where weights cancel
+  double widest_gap = 0;  ///< between grains or to walls that are proposed as contacts, m; 0: as the proposals show
+  int iterations = 3;     ///< of forces and centres together
 };
 
 /// Grains as found (domain with thickness and periodicity), and proposed contacts, whose forces are not read. Normals of

@@ -24,7 +24,8 @@ Profile profile(double u, double blur) {
 class GrainField {
  public:
   GrainField(double radius, double length, const std::vector<Touch>& touches, const std::vector<double>& force)
-      : scale_(1 / (std::numbers::pi * length)), over_radius_(1 / radius) {
+      : scale_(1 / (std::numbers::pi * length)),
+        over_radius_(1 / radius) {
     for (const Touch& t : touches) {
       const auto c = 2 * static_cast<std::size_t>(t.contact);
       const Vec2 pull = force[c] * t.normal + force[c + 1] * perpendicular(t.normal);
@@ -96,9 +97,7 @@ double seen_of(const GrainField& field, double radius, Vec2 from_centre, const F
   return sum;
 }
 
-GrainField field_of(const Placed& placed, std::size_t g) {
-  return {placed.radius[g], placed.length, placed.touches[g], placed.force};
-}
+GrainField field_of(const Placed& placed, std::size_t g) { return {placed.radius[g], placed.length, placed.touches[g], placed.force}; }
 
 /// One pixel of the grain itself: a pixel that sees nothing else sees a harmonic field as in its centre. The centre moves
 /// by d: a point of the grain is then seen at a place d farther, where the pixel's weight is slope.d larger.

@@ -15,8 +15,8 @@ double normal_sum(const Packing& packing, std::size_t g, double sigma_hyd) {
 
 bool known(double error) { return error > 0 && std::isfinite(error); }
 
-void add_means(NormalEquations& equations, const Unknowns& unknowns, const Packing& packing, const Touches& touches,
-               const std::vector<double>& sigma_hyd, const std::vector<double>& error) {
+void add_means(NormalEquations& equations, const Unknowns& unknowns, const Packing& packing, const Touches& touches, const std::vector<double>& sigma_hyd,
+               const std::vector<double>& error) {
   for (std::size_t g = 0; g < touches.size(); ++g) {
     if (!known(error[g]) || touches[g].empty()) continue;
     std::vector<int> columns;
@@ -61,8 +61,7 @@ InferredForces infer_from_means(const ForceProblem& problem, const std::vector<d
                                 const ForceOptions& options) {
   check_problem(problem, options, false);
   const Packing& packing = problem.packing;
-  if (sigma_hyd.size() != packing.grains.size() || error.size() != sigma_hyd.size())
-    throw InputError("mean stresses need a value and an error for each grain");
+  if (sigma_hyd.size() != packing.grains.size() || error.size() != sigma_hyd.size()) throw InputError("mean stresses need a value and an error for each grain");
   std::vector<Vec2> centres;
   for (std::size_t g = 0; g < packing.grains.size(); ++g) centres.push_back(packing.grains.centre(g));
   const Touches touches = touches_of_grains(packing, centres);
@@ -89,9 +88,8 @@ InferredForces infer_from_means(const ForceProblem& problem, const std::vector<d
     }
   }
   const NormalEquations equations = equations_with(prior, error);
-  std::vector<double> force = options.inequality == Inequality::cone
-                                  ? equations.solve_in_cone(static_cast<int>(unknowns.contacts), options.friction)
-                                  : equations.solve();
+  std::vector<double> force =
+      options.inequality == Inequality::cone ? equations.solve_in_cone(static_cast<int>(unknowns.contacts), options.friction) : equations.solve();
   for (double& f : force) f *= unknowns.force;
   InferredForces out = finish(problem, options, equations, unknowns, touches, force);
   out.null_space = null_space(problem, touches, error);

@@ -57,8 +57,8 @@ void NormalEquations::add_diagonal(int unknown, double weight, double right) {
 
 // Z = (L D L^T)^-1 obeys Z = D^-1 L^-1 + (1 - L^T) Z. Column j below the diagonal: Z_ij = -sum_k Z_ik L_kj over the rows k
 // of L's column j; all Z_ik needed lie in columns right of j and in the pattern.
-std::vector<double> selected_inverse_diagonal(const std::vector<int>& begin, const std::vector<int>& row,
-                                              const std::vector<double>& value, const std::vector<double>& d) {
+std::vector<double> selected_inverse_diagonal(const std::vector<int>& begin, const std::vector<int>& row, const std::vector<double>& value,
+                                              const std::vector<double>& d) {
   const std::size_t n = d.size();
   std::vector<double> diagonal(n), z(value.size()), sum(n, 0.0), factor(n, 0.0);
   std::vector<char> wanted(n, 0);
@@ -93,8 +93,9 @@ namespace {
 std::vector<double> values(const Vector& v) { return {v.data(), v.data() + v.size()}; }
 
 [[noreturn]] void refuse() {
-  throw InputError("the contact forces cannot be solved for: loads, thermoelastic factors and errors of pixels differ by too many orders of "
-                   "magnitude, or nothing holds a contact; check their units and the places of grains and walls");
+  throw InputError(
+      "the contact forces cannot be solved for: loads, thermoelastic factors and errors of pixels differ by too many orders of "
+      "magnitude, or nothing holds a contact; check their units and the places of grains and walls");
 }
 
 /// Places of grains move by a solution: what is no number must not get there.

@@ -15,8 +15,7 @@ class NormalEquations {
   NormalEquations& operator=(NormalEquations&&) noexcept;
 
   /// Equations in the unknowns `columns` (each once): rows one after the other, columns.size() numbers each.
-  void add(const std::vector<int>& columns, const std::vector<double>& rows, const std::vector<double>& right,
-           const std::vector<double>& weight);
+  void add(const std::vector<int>& columns, const std::vector<double>& rows, const std::vector<double>& right, const std::vector<double>& weight);
   void add_diagonal(int unknown, double weight, double right);
 
   /// The minimum. With a cone, unknowns 2 c and 2 c + 1 (c < contacts) are fn and ft of a contact and obey
@@ -37,7 +36,7 @@ class NormalEquations {
 
 /// Diagonal of the inverse of L D L^T, L with unit diagonal, by columns (rows ascending, the unit diagonal may be stored),
 /// from Takahashi's recurrence: only entries in the pattern of L are computed.
-std::vector<double> selected_inverse_diagonal(const std::vector<int>& begin, const std::vector<int>& row,
-                                              const std::vector<double>& value, const std::vector<double>& d);
+std::vector<double> selected_inverse_diagonal(const std::vector<int>& begin, const std::vector<int>& row, const std::vector<double>& value,
+                                              const std::vector<double>& d);
 
 }  // namespace arenite::inference

@@ -14,8 +14,7 @@ std::vector<Vec2> images(const Domain& domain) {
   std::vector<Vec2> shifts;
   const int nx = domain.periodic_x ? 1 : 0, ny = domain.periodic_y ? 1 : 0;
   for (int b = -ny; b <= ny; ++b)
-    for (int a = -nx - (b ? nx : 0); a <= nx + (b ? nx : 0); ++a)
-      shifts.push_back({a * domain.width() * nx + b * domain.tilt, b * domain.height() * ny});
+    for (int a = -nx - (b ? nx : 0); a <= nx + (b ? nx : 0); ++a) shifts.push_back({a * domain.width() * nx + b * domain.tilt, b * domain.height() * ny});
   return shifts;
 }
 
@@ -96,7 +95,8 @@ void PixelEquations::add_grain(NormalEquations& equations, const Unknowns& unkno
       for (std::size_t k = 0; k < z; ++k) add_turn(unknowns, touches, k, found.turn[z * q + k], row);
     }
     if (unknowns.scales > 0)  // factors of the present forces: a hundredth more factor is a hundredth more warming
-      for (std::size_t k = 0; k < 2 * z; ++k) row[n - 1] += found.response[2 * z * q + k] * placed_.force[2 * static_cast<std::size_t>(touches[k / 2].contact) + k % 2];
+      for (std::size_t k = 0; k < 2 * z; ++k)
+        row[n - 1] += found.response[2 * z * q + k] * placed_.force[2 * static_cast<std::size_t>(touches[k / 2].contact) + k % 2];
     const double error = pixels_[g][q].error, close = std::max(1.0, contact_margin_ / pixels_[g][q].to_contact);
     const double model = model_error_ * signal * close * close * close;
     b.right.push_back(pixels_[g][q].value - found.spill[q]);

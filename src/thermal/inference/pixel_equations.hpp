@@ -12,7 +12,7 @@ namespace arenite::inference {
 /// of the point (seen from the pixel), 1/m. Harmonic fields are seen as in the centre, whatever the blur.
 struct Footprint {
   struct Point {
-    Vec2 place;      ///< m from the pixel's centre
+    Vec2 place;  ///< m from the pixel's centre
     double weight;
     Vec2 slope;
   };
@@ -25,10 +25,10 @@ struct Footprint {
 
 /// A pixel that belongs to a grain.
 struct GrainPixel {
-  Vec2 place;           ///< centre of the pixel, m, seen from the grain's centre as it was found
-  float value, error;   ///< K
-  double to_contact;    ///< distance from the nearest contact point, m
-  std::size_t number;   ///< in the picture
+  Vec2 place;          ///< centre of the pixel, m, seen from the grain's centre as it was found
+  float value, error;  ///< K
+  double to_contact;   ///< distance from the nearest contact point, m
+  std::size_t number;  ///< in the picture
 };
 
 using Pixels = std::vector<std::vector<GrainPixel>>;  ///< of every grain
@@ -45,21 +45,21 @@ struct Near {
 
 /// Where grains are and what presses them, as far as known.
 struct Placed {
-  double length = 1;                        ///< m, out of plane
-  std::vector<double> radius, factor;       ///< m; K/Pa, one a grain
-  std::vector<Vec2> centre, found;          ///< m: as refined, as the pixels are told from
-  Touches touches;  ///< with normals between refined centres
+  double length = 1;                   ///< m, out of plane
+  std::vector<double> radius, factor;  ///< m; K/Pa, one a grain
+  std::vector<Vec2> centre, found;     ///< m: as refined, as the pixels are told from
+  Touches touches;                     ///< with normals between refined centres
   std::vector<std::vector<Near>> near;
-  std::vector<double> force;                ///< fn and ft of every contact, N
+  std::vector<double> force;  ///< fn and ft of every contact, N
 };
 
 /// Equations of the pixels of one grain: warming = sum over its touches of (fn, ft) times `response` + what spills over
 /// from other grains + slopes times changes of the grain's centre and of its normals' directions.
 struct GrainRows {
-  std::vector<double> response;   ///< K/N, pixels x (2 touches)
-  std::vector<double> spill;      ///< K
-  std::vector<double> shift;      ///< K/m, pixels x 2: the centre moves
-  std::vector<double> turn;       ///< K/rad, pixels x touches: a normal turns counter-clockwise
+  std::vector<double> response;  ///< K/N, pixels x (2 touches)
+  std::vector<double> spill;     ///< K
+  std::vector<double> shift;     ///< K/m, pixels x 2: the centre moves
+  std::vector<double> turn;      ///< K/rad, pixels x touches: a normal turns counter-clockwise
 };
 
 GrainRows rows_of_grain(const Placed& placed, std::size_t grain, const std::vector<GrainPixel>& pixels, const Footprint& footprint);
@@ -80,7 +80,12 @@ class PixelEquations {
   /// `material` of every grain; `model_error` as a share of a grain's signal; `contact_margin` in m.
   PixelEquations(const Placed& placed, const Pixels& pixels, const std::vector<std::int32_t>& material, const Footprint& footprint, double model_error,
                  double contact_margin)
-      : placed_(placed), pixels_(pixels), material_(material), footprint_(footprint), model_error_(model_error), contact_margin_(contact_margin) {}
+      : placed_(placed),
+        pixels_(pixels),
+        material_(material),
+        footprint_(footprint),
+        model_error_(model_error),
+        contact_margin_(contact_margin) {}
 
   void add_to(NormalEquations& equations, const Unknowns& unknowns);
   /// At the solution x; pixels have as many degrees of freedom as there are beyond `taken`.

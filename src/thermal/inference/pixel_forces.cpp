@@ -27,8 +27,9 @@ void check_pixels(const Packing& packing, const Pixels& pixels) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const auto i = static_cast<std::size_t>(contacts.i[c]);
     if (!pixels[i].empty() || (!contacts.is_wall(c) && !pixels[static_cast<std::size_t>(contacts.j[c])].empty())) continue;
-    problems.add(fmt::format("no pixel of the picture sees the contact of grain {} with {}; leave the contact out or lower the margins",
-                               packing.grains.id[i], contacts.is_wall(c) ? std::string("a wall") : fmt::format("grain {}", packing.grains.id[static_cast<std::size_t>(contacts.j[c])])));
+    problems.add(
+        fmt::format("no pixel of the picture sees the contact of grain {} with {}; leave the contact out or lower the margins", packing.grains.id[i],
+                    contacts.is_wall(c) ? std::string("a wall") : fmt::format("grain {}", packing.grains.id[static_cast<std::size_t>(contacts.j[c])])));
   }
   problems.raise();
 }
@@ -95,7 +96,8 @@ void add_positions(NormalEquations& equations, const Unknowns& unknowns, const P
 /// Factors stay near what was told, as far as nothing else says: without a load only their ratio shows.
 void add_factors(NormalEquations& equations, const Unknowns& unknowns, const std::vector<double>& scale) {
   constexpr double free = 3;
-  for (std::size_t m = 0; m < unknowns.scales; ++m) equations.add_diagonal(unknowns.scale(m), 1 / (free * free * scale[m] * scale[m]), (1 - scale[m]) / scale[m]);
+  for (std::size_t m = 0; m < unknowns.scales; ++m)
+    equations.add_diagonal(unknowns.scale(m), 1 / (free * free * scale[m] * scale[m]), (1 - scale[m]) / scale[m]);
 }
 
 /// Takes over the solution.

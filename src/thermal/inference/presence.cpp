@@ -13,7 +13,7 @@
 namespace arenite::inference {
 namespace {
 
-constexpr double strong = 0.3;           // mean forces; from here on noise takes no contact for another
+constexpr double strong = 0.3;  // mean forces; from here on noise takes no contact for another
 /// Borders of the steps, in mean forces: of contacts that lost their force and are gone, and of those that are there.
 constexpr std::array gone{-1.5, -0.3, 0.0};
 constexpr std::array there{-1.5, -0.3, 0.0, 0.3, 0.6, 1.0, 1.5, 2.2, 3.0, 6.0};

@@ -14,10 +14,10 @@ struct ContactEvidence {
 };
 
 struct Presence {
-  std::vector<double> probability;   ///< that the contact is there
-  std::vector<double> idle;          ///< that it neither is there nor lost a force on the way, so that no equation needs it
-  double expected = 0, error = 0;    ///< number of contacts that are there
-  double error_scale = 1;            ///< by which forces of contacts that are not there scatter more than their errors say
+  std::vector<double> probability;  ///< that the contact is there
+  std::vector<double> idle;         ///< that it neither is there nor lost a force on the way, so that no equation needs it
+  double expected = 0, error = 0;   ///< number of contacts that are there
+  double error_scale = 1;           ///< by which forces of contacts that are not there scatter more than their errors say
 };
 
 /// Probability of every proposed contact. Forces and overlaps of all of them are taken as a mixture: contacts that are not

@@ -72,8 +72,7 @@ double temperature_of_exitance(const Band& band, double exitance) {
 }
 
 double seen_exitance(const Band& band, const Surface& surface, double temperature) {
-  return surface.emissivity * photon_exitance(band, temperature) +
-         (1 - surface.emissivity) * photon_exitance(band, surface.ambient);
+  return surface.emissivity * photon_exitance(band, temperature) + (1 - surface.emissivity) * photon_exitance(band, surface.ambient);
 }
 
 double temperature_of_seen(const Band& band, const Surface& surface, double exitance) {

@@ -16,12 +16,12 @@ namespace {
 /// So many numbers that what lies between them is straight to a thousandth of what a camera resolves.
 constexpr std::size_t numbers = 8193;
 
-template <class Law>
-LevelCurve tabulate(const LevelRange& range, Law&& law) {
+template <class Law> LevelCurve tabulate(const LevelRange& range, Law&& law) {
   LevelCurve curve;
   curve.first = range.low;
   curve.step = (range.high - range.low) / static_cast<double>(numbers - 1);
-  if (!(curve.step > 0)) throw InputError(fmt::format("levels from {} to {} are no range for a calibration curve; give a lower and a higher one", range.low, range.high));
+  if (!(curve.step > 0))
+    throw InputError(fmt::format("levels from {} to {} are no range for a calibration curve; give a lower and a higher one", range.low, range.high));
   for (std::size_t i = 0; i < numbers; ++i) curve.temperature.push_back(static_cast<float>(law(range.low + static_cast<double>(i) * curve.step)));
   return curve;
 }
@@ -86,7 +86,8 @@ LevelCurve curve_by_plates(const radiometry::Band& band, const LevelPoint& cold,
 
 LevelCurve curve_by_radiometry(const radiometry::Band& band, const LevelPoint& known, const radiometry::Surface& surface, const LevelRange& range) {
   if (!(known.temperature > 0) || !(known.level > 0))
-    throw InputError(fmt::format("a level of {} at {} K makes no calibration; give a level above 0 and a temperature above 0 K", known.level, known.temperature));
+    throw InputError(
+        fmt::format("a level of {} at {} K makes no calibration; give a level above 0 and a temperature above 0 K", known.level, known.temperature));
   const double photons = radiometry::photon_exitance(band, known.temperature) / known.level;
   return tabulate(range, [&](double level) { return radiometry::temperature_of_seen(band, surface, photons * level); });
 }
@@ -98,9 +99,11 @@ void see_surfaces(LockinMaps& maps, const PictureGrains& grains, const GrainSurf
   for (std::size_t i = 0; i < maps.size(); ++i) {
     if (material[i] < 0 || !std::isfinite(maps.mean[i])) continue;
     const double emissivity = surfaces.emissivity[static_cast<std::size_t>(material[i])];
-    const auto true_one = radiometry::taken_for_another(surfaces.band, surfaces.assumed, {emissivity, surfaces.assumed.ambient}, static_cast<double>(maps.mean[i]));
+    const auto true_one =
+        radiometry::taken_for_another(surfaces.band, surfaces.assumed, {emissivity, surfaces.assumed.ambient}, static_cast<double>(maps.mean[i]));
     maps.mean[i] = static_cast<float>(true_one.temperature);
-    for (auto* map : {&maps.drift, &maps.amplitude, &maps.in_phase, &maps.quadrature, &maps.standard_error, &maps.noise_floor, &maps.second_harmonic, &maps.residual})
+    for (auto* map :
+         {&maps.drift, &maps.amplitude, &maps.in_phase, &maps.quadrature, &maps.standard_error, &maps.noise_floor, &maps.second_harmonic, &maps.residual})
       if (!map->empty()) (*map)[i] *= static_cast<float>(true_one.factor);
   }
 }

@@ -27,18 +27,17 @@ LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band&
 
 /// Radiometry between two black plates: the level is a straight line of the photons in the band, and a surface that is
 /// not black shows eps N(T) + (1 - eps) N(T_amb).
-LevelCurve curve_by_plates(const radiometry::Band& band, const LevelPoint& cold, const LevelPoint& warm,
-                           const radiometry::Surface& surface, const LevelRange& range = {});
+LevelCurve curve_by_plates(const radiometry::Band& band, const LevelPoint& cold, const LevelPoint& warm, const radiometry::Surface& surface,
+                           const LevelRange& range = {});
 
 /// Radiometry with one level known, which is that of a black surface: levels are proportional to photons.
-LevelCurve curve_by_radiometry(const radiometry::Band& band, const LevelPoint& known, const radiometry::Surface& surface,
-                               const LevelRange& range = {});
+LevelCurve curve_by_radiometry(const radiometry::Band& band, const LevelPoint& known, const radiometry::Surface& surface, const LevelRange& range = {});
 
 /// What temperatures were made with, and what grains are.
 struct GrainSurfaces {
   radiometry::Band band;
-  radiometry::Surface assumed;      ///< of everything in the film, so far
-  std::vector<double> emissivity;   ///< of every material; empty: nothing is known of them
+  radiometry::Surface assumed;     ///< of everything in the film, so far
+  std::vector<double> emissivity;  ///< of every material; empty: nothing is known of them
 };
 
 /// Maps in kelvin that were made as if everything were the assumed surface, as each grain's own material shows them: its pixels' mean, and

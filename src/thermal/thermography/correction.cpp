@@ -11,8 +11,7 @@
 namespace arenite::thermography {
 namespace {
 
-template <class T>
-void take_levels(const Correction& c, const T* in, float* out, std::size_t n) {
+template <class T> void take_levels(const Correction& c, const T* in, float* out, std::size_t n) {
   if (c.gain.empty()) {
     for (std::size_t i = 0; i < n; ++i) out[i] = static_cast<float>(in[i]);
     return;
@@ -72,8 +71,8 @@ void correct_offsets(const FrameStatistics& plate, Correction& correction) {
 
 void correct_gains(const FrameStatistics& cold, const FrameStatistics& warm, Correction& correction) {
   if (cold.width != warm.width || cold.height != warm.height)
-    throw InputError(fmt::format("the two references have {} x {} and {} x {} pixels; film both with the same window", cold.width, cold.height,
-                                 warm.width, warm.height));
+    throw InputError(
+        fmt::format("the two references have {} x {} and {} x {} pixels; film both with the same window", cold.width, cold.height, warm.width, warm.height));
   const double low = plate_level(cold), step = plate_level(warm) - low;
   if (!(std::abs(step) > 0)) throw InputError("the two references show the same level, so gains cannot be found; film them at different temperatures");
   correct_offsets(cold, correction);

@@ -11,8 +11,8 @@ namespace arenite::thermography {
 /// Digital level to temperature, as numbers at equal steps of the level between which it is straight; beyond the ends
 /// the end pieces go on.
 struct LevelCurve {
-  double first = 0, step = 1;       ///< levels
-  std::vector<float> temperature;   ///< K, at least two; empty: levels stay levels
+  double first = 0, step = 1;      ///< levels
+  std::vector<float> temperature;  ///< K, at least two; empty: levels stay levels
 };
 
 /// A pixel that is not believed, and the pixels whose mean stands in for it.
@@ -27,11 +27,11 @@ std::vector<Replacement> replacements(const std::vector<std::uint8_t>& bad, int 
 /// What is done to every frame of a film, in this order; an empty array does nothing. Arrays are rows from the top.
 struct Correction {
   int width = 0, height = 0;
-  std::vector<float> gain, offset;       ///< level = gain * level + offset, pixel by pixel
+  std::vector<float> gain, offset;  ///< level = gain * level + offset, pixel by pixel
   LevelCurve curve;
   std::vector<Replacement> bad;
-  std::vector<float> reference;          ///< subtracted: a corrected frame at rest, in the unit of the result
-  std::vector<std::uint8_t> mask;        ///< 0: not of interest, given as 0
+  std::vector<float> reference;    ///< subtracted: a corrected frame at rest, in the unit of the result
+  std::vector<std::uint8_t> mask;  ///< 0: not of interest, given as 0
 };
 
 /// Corrects the frames of a block into `out`, frame after frame. Throws InputError if the correction is for another size.

@@ -14,8 +14,7 @@ struct Sums {
   std::vector<float> before;
 };
 
-template <class T>
-void add_frame(const T* pixel, bool first, Sums& sums, FrameStatistics& s) {
+template <class T> void add_frame(const T* pixel, bool first, Sums& sums, FrameStatistics& s) {
   const std::size_t n = s.mean.size();
   for (std::size_t i = 0; i < n; ++i) {
     const auto x = static_cast<float>(pixel[i]);
@@ -53,7 +52,8 @@ Neighbours neighbours(const std::vector<float>& picture, int width, int height, 
   for (int r = std::max(row - 1, 0); r <= std::min(row + 1, height - 1); ++r)
     for (int c = std::max(column - 1, 0); c <= std::min(column + 1, width - 1); ++c)
       if (r != row || c != column)
-        n.value[static_cast<std::size_t>(n.count++)] = static_cast<double>(picture[static_cast<std::size_t>(r) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c)]);
+        n.value[static_cast<std::size_t>(n.count++)] =
+            static_cast<double>(picture[static_cast<std::size_t>(r) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c)]);
   return n;
 }
 

@@ -12,8 +12,8 @@ struct FrameStatistics {
   int width = 0, height = 0;
   std::size_t frames = 0;
   std::vector<float> mean;
-  std::vector<float> noise;         ///< standard deviation from frame to frame: half the mean square of differences of
-                                    ///< frames that follow each other, which slow changes hardly touch; 0 for one frame
+  std::vector<float> noise;  ///< standard deviation from frame to frame: half the mean square of differences of
+                             ///< frames that follow each other, which slow changes hardly touch; 0 for one frame
   std::vector<float> least, most;
 };
 
@@ -28,9 +28,9 @@ Doubtful doubtful(const FrameStatistics& statistics, int bits);
 
 /// How far a pixel may stand out, in robust standard deviations (1.4826 times the median of absolute deviations).
 struct BadPixelLimits {
-  double level = 8;   ///< beyond all but two of its eight neighbours, in what these and the whole picture scatter
-  double gain = 8;    ///< answer to two plates, against that of all pixels
-  double noise = 8;   ///< logarithm of the noise, against that of all pixels
+  double level = 8;  ///< beyond all but two of its eight neighbours, in what these and the whole picture scatter
+  double gain = 8;   ///< answer to two plates, against that of all pixels
+  double noise = 8;  ///< logarithm of the noise, against that of all pixels
 };
 
 /// Why a pixel is not believed: one or more of these.

@@ -15,24 +15,26 @@ namespace {
 
 void check(const PictureGrains& grains, const GrainMeanOptions& o) {
   std::vector<Problem> problems;
-  if (!(o.share > 0 && o.share <= 1)) problems.push_back({{}, 0, 0, fmt::format("the share of a grain's area is {}; it must be above 0 and at most 1", o.share)});
+  if (!(o.share > 0 && o.share <= 1))
+    problems.push_back({{}, 0, 0, fmt::format("the share of a grain's area is {}; it must be above 0 and at most 1", o.share)});
   std::set<std::int32_t> missing;
   for (const auto m : grains.material) {
     const auto k = static_cast<std::size_t>(m);
     if (m < 0 || k >= o.factor.size() || !(o.factor[k] > 0) || !std::isfinite(o.factor[k])) missing.insert(m);
   }
   for (const auto m : missing)
-    problems.push_back({{}, 0, 0, m < 0 ? std::string("some grains have no material; name the material of every grain")
-                                        : fmt::format("material {} has no thermoelastic factor above 0; give it, for example \"0.0150 K/MPa\"", m)});
+    problems.push_back({{},
+                        0,
+                        0,
+                        m < 0 ? std::string("some grains have no material; name the material of every grain")
+                              : fmt::format("material {} has no thermoelastic factor above 0; give it, for example \"0.0150 K/MPa\"", m)});
   if (!problems.empty()) throw InputError(std::move(problems));
 }
 
 /// Length of the slope of a disk's mean when its centre is shifted, a pixel.
 double slope(const LockinMaps& maps, double x, double y, double radius) {
   constexpr double step = 0.5;
-  const auto mean = [&](double dx, double dy) {
-    return disk_mean(maps.in_phase, maps.standard_error, maps.width, maps.height, x + dx, y + dy, radius).mean;
-  };
+  const auto mean = [&](double dx, double dy) { return disk_mean(maps.in_phase, maps.standard_error, maps.width, maps.height, x + dx, y + dy, radius).mean; };
   return std::hypot(mean(step, 0) - mean(-step, 0), mean(0, step) - mean(0, -step)) / (2 * step);
 }
 

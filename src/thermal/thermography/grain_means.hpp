@@ -7,7 +7,7 @@
 namespace arenite::thermography {
 
 struct GrainMeanOptions {
-  double share = 0.5;               ///< of a grain's area that is averaged, round its centre
+  double share = 0.5;  ///< of a grain's area that is averaged, round its centre
   /// Thermoelastic factor A of every material, K/Pa: dT = -A d(sigma_kk), so that d(sigma_hyd) = -dT/(2 A). It belongs to
   /// the full swing of both, from the smallest to the largest load.
   std::vector<double> factor;
@@ -22,9 +22,9 @@ GrainSwing grain_means(const LockinMaps& maps, const PictureGrains& grains, cons
 
 /// Mean of a map over a disk by covered area, pixels without a value left out.
 struct DiskMean {
-  double mean = 0;                  ///< no number where no pixel has a value
-  double error = 0;                 ///< from the pixels' errors
-  double area = 0;                  ///< pixels
+  double mean = 0;   ///< no number where no pixel has a value
+  double error = 0;  ///< from the pixels' errors
+  double area = 0;   ///< pixels
 };
 
 /// Mean of `map` (width x height, rows from the top) over a disk, centre and radius in pixels; `error` is the map of the

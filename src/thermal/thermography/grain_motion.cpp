@@ -16,18 +16,18 @@ using statistics::Matrix;
 
 /// Rim of a grain that another grain's rim is seen beside.
 struct OtherRim {
-  std::size_t pixel = 0, grain = 0; ///< of the list, and of the grains
-  double inside = 0;                ///< share of the pixel in that grain
-  double slope_x = 0, slope_y = 0;  ///< of that share, a pixel
+  std::size_t pixel = 0, grain = 0;  ///< of the list, and of the grains
+  double inside = 0;                 ///< share of the pixel in that grain
+  double slope_x = 0, slope_y = 0;   ///< of that share, a pixel
 };
 
 /// Pixels on both sides of a grain's rim that are in no other grain.
 struct RimPixels {
-  std::vector<double> x, y;                         ///< pixels
-  std::vector<double> from_centre_x, from_centre_y; ///< over the radius
-  std::vector<double> inside;                       ///< share of the pixel in the grain, over the width of a blurred rim
+  std::vector<double> x, y;                          ///< pixels
+  std::vector<double> from_centre_x, from_centre_y;  ///< over the radius
+  std::vector<double> inside;                        ///< share of the pixel in the grain, over the width of a blurred rim
   std::vector<double> weight;
-  std::vector<OtherRim> others;     ///< blurred rims of neighbours that reach into these pixels
+  std::vector<OtherRim> others;  ///< blurred rims of neighbours that reach into these pixels
 };
 
 /// Width of a rim that lens and pixels blur: the share inside falls off as erfc(distance/blur)/2.
@@ -96,8 +96,7 @@ double contrast_of(const RimPixels& rim, const std::vector<double>& mean, const 
 }
 
 /// `motion` and `contrast` are those found so far. Seen from the grain, neighbours that move otherwise swing.
-Left motion_left(const PhasePictures& pictures, const RimPixels& rim, std::size_t grain, const GrainMotion& motion,
-                 const std::vector<double>& contrast) {
+Left motion_left(const PhasePictures& pictures, const RimPixels& rim, std::size_t grain, const GrainMotion& motion, const std::vector<double>& contrast) {
   constexpr std::size_t smooth = 6;
   Left left;
   left.grains = {grain};

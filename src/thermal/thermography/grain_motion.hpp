@@ -9,9 +9,9 @@
 namespace arenite::thermography {
 
 struct GrainMotionOptions {
-  double rim = 2.5;                 ///< pixels inside and outside the rim that show where a grain is
-  double largest = 8;               ///< pixels; a larger amplitude is not believed
-  int iterations = 12;              ///< at most
+  double rim = 2.5;     ///< pixels inside and outside the rim that show where a grain is
+  double largest = 8;   ///< pixels; a larger amplitude is not believed
+  int iterations = 12;  ///< at most
   int threads = 1;
 };
 

@@ -13,7 +13,7 @@
 namespace arenite::thermography {
 namespace {
 
-constexpr int fine = 4;             ///< points a pixel, along each axis
+constexpr int fine = 4;  ///< points a pixel, along each axis
 
 struct Canvas {
   int width, height, margin;
@@ -23,7 +23,9 @@ struct Canvas {
 };
 
 /// Half-planes that neighbours leave to a disk: inside where x nx + y ny < reach, from its centre.
-struct Chord { double nx, ny, reach; };
+struct Chord {
+  double nx, ny, reach;
+};
 
 double cover(double out) { return std::clamp(0.5 - out * fine, 0.0, 1.0); }
 
@@ -106,8 +108,7 @@ double background_level(const PhasePictures& pictures, const GrainScene& scene, 
 }
 
 /// Least mean distance between picture and drawing, by golden section; it has one minimum.
-template <class Distance>
-double nearest(double low, double high, const Distance& distance) {
+template <class Distance> double nearest(double low, double high, const Distance& distance) {
   const double golden = 0.5 * (std::sqrt(5.0) - 1);
   double a = high - golden * (high - low), b = low + golden * (high - low), at_a = distance(a), at_b = distance(b);
   while (high - low > 0.02) {
@@ -132,8 +133,8 @@ GrainScene grain_scene(const PhasePictures& pictures, const PictureGrains& grain
   return scene;
 }
 
-PhasePictures without_scene(const PhasePictures& pictures, const GrainScene& scene, const PictureGrains& grains, const GrainMotion& motion,
-                            double blur, int threads) {
+PhasePictures without_scene(const PhasePictures& pictures, const GrainScene& scene, const PictureGrains& grains, const GrainMotion& motion, double blur,
+                            int threads) {
   PhasePictures rest = pictures;
   Team(threads).for_each(rest.size(), [&](std::size_t k) {
     std::vector<float> drawn = draw_disks(grains_in(rest, k, grains, motion), scene.grain, scene.background, blur, rest.width, rest.height);

@@ -86,8 +86,7 @@ double HarmonicFit::inflation(std::size_t frames) const {
   return (covariance(a, a) + covariance(a + 1, a + 1)) * static_cast<double>(frames) / 4;
 }
 
-HarmonicFit harmonic_fit(const SegmentSums& s, double frequency, int drift_order, bool with_beat, double spacing,
-                         std::vector<int> beside) {
+HarmonicFit harmonic_fit(const SegmentSums& s, double frequency, int drift_order, bool with_beat, double spacing, std::vector<int> beside) {
   HarmonicFit fit;
   fit.frequency = frequency;
   fit.spacing = spacing;
@@ -102,8 +101,7 @@ HarmonicFit harmonic_fit(const SegmentSums& s, double frequency, int drift_order
   for (std::size_t k = 0; k < s.segments(); ++k) {
     const Matrix g = pass_weights(s, k);
     Matrix phi(size, g.columns());
-    for (std::size_t n = 0; n < g.columns(); ++n)
-      functions_at(fit, s.time[s.first[k] + n], phi.column(n), with_beat ? phi.column(n) + size - 2 : nullptr);
+    for (std::size_t n = 0; n < g.columns(); ++n) functions_at(fit, s.time[s.first[k] + n], phi.column(n), with_beat ? phi.column(n) + size - 2 : nullptr);
     fit.normal += times_transposed(phi, phi);
     const Matrix squared = times_transposed(g, g), r = projection(fit, s.centre[k], size, g.rows(), with_beat), turned = r * squared;
     mixed += r * times_transposed(g, phi);
@@ -116,8 +114,7 @@ HarmonicFit harmonic_fit(const SegmentSums& s, double frequency, int drift_order
   return fit;
 }
 
-void fit_pixels(const SegmentSums& sums, const HarmonicFit& fit, std::size_t from, std::size_t rows, std::size_t begin, std::size_t count,
-                PixelFit& out) {
+void fit_pixels(const SegmentSums& sums, const HarmonicFit& fit, std::size_t from, std::size_t rows, std::size_t begin, std::size_t count, PixelFit& out) {
   out.begin = begin;
   out.count = count;
   out.value.resize(rows * PixelFit::run);

@@ -15,15 +15,15 @@ namespace arenite::thermography {
 /// segment: what is of the fitted form is found exactly, with a standard error larger than that of plain least squares by
 /// less than a per cent.
 struct HarmonicFit {
-  double frequency = 0;             ///< Hz
-  std::size_t drift = 0;            ///< polynomials, order + 1
+  double frequency = 0;   ///< Hz
+  std::size_t drift = 0;  ///< polynomials, order + 1
   std::size_t harmonics = 0;
-  double middle = 0, half = 0;      ///< s
-  statistics::Matrix coefficient;   ///< transposed: (segments x planes) x functions
-  statistics::Matrix covariance;    ///< of the fitted numbers over the variance of the noise
-  statistics::Matrix normal;        ///< sums of products of the fitted functions
-  double spacing = 0;               ///< Hz
-  std::vector<int> beside;          ///< frequencies beside it, so many spacings above or below
+  double middle = 0, half = 0;     ///< s
+  statistics::Matrix coefficient;  ///< transposed: (segments x planes) x functions
+  statistics::Matrix covariance;   ///< of the fitted numbers over the variance of the noise
+  statistics::Matrix normal;       ///< sums of products of the fitted functions
+  double spacing = 0;              ///< Hz
+  std::vector<int> beside;         ///< frequencies beside it, so many spacings above or below
 
   std::size_t size() const { return coefficient.columns(); }
   /// Column of cos of harmonic h; sin is next to it.
@@ -35,8 +35,7 @@ struct HarmonicFit {
   double inflation(std::size_t frames) const;
 };
 
-HarmonicFit harmonic_fit(const SegmentSums& sums, double frequency, int drift_order, bool with_beat, double spacing = 0,
-                         std::vector<int> beside = {});
+HarmonicFit harmonic_fit(const SegmentSums& sums, double frequency, int drift_order, bool with_beat, double spacing = 0, std::vector<int> beside = {});
 
 /// 1 and the weights of the pass in the frames of segment k: weights x frames.
 statistics::Matrix pass_weights(const SegmentSums& sums, std::size_t k);
@@ -49,26 +48,23 @@ struct PixelFit {
   static constexpr std::size_t run = 16 * chunk;
   std::size_t begin = 0, count = 0;
   std::vector<double> value;
-  std::vector<double> variance;     ///< of the noise, from what the fit leaves; only if asked for
+  std::vector<double> variance;  ///< of the noise, from what the fit leaves; only if asked for
 };
 
 /// The numbers `from` .. `from + rows - 1` of the fit for pixels begin .. begin + count - 1, of which there are at most `run`.
-void fit_pixels(const SegmentSums& sums, const HarmonicFit& fit, std::size_t from, std::size_t rows, std::size_t begin, std::size_t count,
-                PixelFit& out);
+void fit_pixels(const SegmentSums& sums, const HarmonicFit& fit, std::size_t from, std::size_t rows, std::size_t begin, std::size_t count, PixelFit& out);
 
 /// All numbers, relative to the film's first frame, and the variance.
 void fit_pixels_with_variance(const SegmentSums& sums, const HarmonicFit& fit, std::size_t begin, std::size_t count, PixelFit& out);
 
 /// Calls work(run number, first pixel, pixels) for all runs of all pixels, on the whole team.
-template <class Work>
-void for_runs(const SegmentSums& sums, const Team& team, const Work& work) {
+template <class Work> void for_runs(const SegmentSums& sums, const Team& team, const Work& work) {
   const std::size_t runs = (sums.pixels + PixelFit::run - 1) / PixelFit::run;
   team.for_each(runs, [&](std::size_t r) { work(r, r * PixelFit::run, std::min(PixelFit::run, sums.pixels - r * PixelFit::run)); });
 }
 
 /// Calls work(first pixel, pixels) for at most about `most` chunks of pixels, spread over the picture.
-template <class Work>
-void for_some_chunks(const SegmentSums& sums, std::size_t most, const Work& work) {
+template <class Work> void for_some_chunks(const SegmentSums& sums, std::size_t most, const Work& work) {
   const std::size_t chunks = (sums.pixels + chunk - 1) / chunk, every = std::max<std::size_t>(1, chunks / most);
   for (std::size_t c = 0; c < chunks; c += every) work(c * chunk, std::min(chunk, sums.pixels - c * chunk));
 }

@@ -58,9 +58,9 @@ std::vector<int> frequencies_beside(const SegmentSums& s, const HarmonicFit& fit
 
 /// Sums over pixels of swings z = cos + i sin, each over its error in white noise of the pixel's residual.
 struct Swing {
-  double power = 0;                ///< |z|^2
-  std::complex<double> square = 0; ///< z^2: nothing where phases are of all kinds
-  std::complex<double> along = 0;  ///< z times the conjugate of the load's
+  double power = 0;                 ///< |z|^2
+  std::complex<double> square = 0;  ///< z^2: nothing where phases are of all kinds
+  std::complex<double> along = 0;   ///< z times the conjugate of the load's
   void add(std::complex<double> z, std::complex<double> load) { power += std::norm(z), square += z * z, along += z * std::conj(load); }
 };
 
@@ -69,7 +69,9 @@ struct Whitening {
   double c, cs, s;
 
   Whitening(const HarmonicFit& fit, std::size_t column)
-      : c(std::sqrt(fit.covariance(column, column))), cs(fit.covariance(column + 1, column) / c), s(std::sqrt(fit.covariance(column + 1, column + 1) - cs * cs)) {}
+      : c(std::sqrt(fit.covariance(column, column))),
+        cs(fit.covariance(column + 1, column) / c),
+        s(std::sqrt(fit.covariance(column + 1, column + 1) - cs * cs)) {}
   std::complex<double> operator()(double cosine, double sine) const { return {cosine / c, (sine - cs / c * cosine) / s}; }
 };
 
@@ -174,8 +176,10 @@ bool shows_swing(const LockinMaps& maps) {
 void refuse_too_few_cycles(const HarmonicFit& fit, const SegmentSums& s) {
   if (fit.inflation(s.time.size()) < 50) return;
   const double length = film_length(s.time);
-  throw InputError(fmt::format("the film of {:.4g} s holds {:.3g} cycles of {:.6g} Hz, too few to tell the swing from a drift of order {}; ask for less drift, or "
-                               "give a longer film", length, length * fit.frequency, fit.frequency, fit.drift - 1));
+  throw InputError(
+      fmt::format("the film of {:.4g} s holds {:.3g} cycles of {:.6g} Hz, too few to tell the swing from a drift of order {}; ask for less drift, or "
+                  "give a longer film",
+                  length, length * fit.frequency, fit.frequency, fit.drift - 1));
 }
 
 void judge_swing(const SegmentSums& s, const HarmonicFit& fit, const std::optional<FrequencyFit>& refined, LockinMaps& maps) {
@@ -194,8 +198,10 @@ void judge_swing(const SegmentSums& s, const HarmonicFit& fit, const std::option
   const int digits = static_cast<int>(std::ceil(std::log10(*elsewhere * film_length(s.time)))) + 2;  // a hundredth of a cycle over the film
   const std::string there = fmt::format("{:.{}g} Hz", *elsewhere, std::max(digits, 3));
   if (clear)
-    throw InputError(fmt::format("the film swings more at {} than at {:.6g} Hz, which is a multiple; give the frequency of the load, {}", there, s.frequency, there));
-  throw InputError(fmt::format("nothing but noise swings at {:.6g} Hz, but the film swings at {}; if that is the load, give this frequency", s.frequency, there));
+    throw InputError(
+        fmt::format("the film swings more at {} than at {:.6g} Hz, which is a multiple; give the frequency of the load, {}", there, s.frequency, there));
+  throw InputError(
+      fmt::format("nothing but noise swings at {:.6g} Hz, but the film swings at {}; if that is the load, give this frequency", s.frequency, there));
 }
 
 }  // namespace arenite::thermography

@@ -15,7 +15,7 @@ namespace {
 constexpr double least_share = 0.5;
 
 struct Fit {
-  double left = 0;                  ///< squares that the fit leaves
+  double left = 0;  ///< squares that the fit leaves
   double cosine = 0, sine = 0;
 };
 

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "core/error.hpp"
-#include "thermal/thermography/segment_sums.hpp"
-#include "thermal/thermography/refine_frequency.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
+#include "thermal/thermography/refine_frequency.hpp"
+#include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -26,8 +26,10 @@ int possible_harmonics(const std::vector<double>& time, const LockinOptions& o) 
   if (time.size() < 2) throw InputError("a lock-in needs a film of many frames; this has one");
   const double nyquist = nyquist_frequency(time), cycles = o.frequency * (time.back() - time.front());
   if (o.frequency >= nyquist)
-    throw InputError(fmt::format("the load frequency of {:.6g} Hz is at or above the Nyquist frequency of {:.6g} Hz, half the frame rate; "
-                                 "such a film does not show the load's cycle", o.frequency, nyquist));
+    throw InputError(
+        fmt::format("the load frequency of {:.6g} Hz is at or above the Nyquist frequency of {:.6g} Hz, half the frame rate; "
+                    "such a film does not show the load's cycle",
+                    o.frequency, nyquist));
   const double frame = 0.5 / nyquist;
   if (cycles + o.frequency * frame < 1 - 1e-9)
     throw InputError(fmt::format("the film of {:.4g} s holds {:.3g} cycles of {:.6g} Hz; a lock-in needs at least one", time.back() - time.front() + frame,
@@ -50,8 +52,8 @@ void refuse_constant(const SegmentSums& s) {
 }
 
 void resize(LockinMaps& maps, std::size_t n, bool second) {
-  for (auto* map : {&maps.mean, &maps.drift, &maps.amplitude, &maps.phase, &maps.in_phase, &maps.quadrature, &maps.standard_error,
-                    &maps.noise_floor, &maps.residual})
+  for (auto* map :
+       {&maps.mean, &maps.drift, &maps.amplitude, &maps.phase, &maps.in_phase, &maps.quadrature, &maps.standard_error, &maps.noise_floor, &maps.residual})
     map->resize(n);
   if (second) maps.second_harmonic.resize(n);
 }

@@ -7,15 +7,15 @@
 namespace arenite::thermography {
 
 struct LockinOptions {
-  double frequency = 0;             ///< of the load, Hz
-  bool refine = true;               ///< find the frequency on the film, near the given one
-  int drift_order = 4;              ///< of the polynomial in time that every pixel may drift by, 0 to 8; that of 4 follows a warm-up of a fifth of the film to 1 %
-  int harmonics = 2;                ///< of the load frequency, 1 to 4; those above the Nyquist frequency are left out
+  double frequency = 0;  ///< of the load, Hz
+  bool refine = true;    ///< find the frequency on the film, near the given one
+  int drift_order = 4;   ///< of the polynomial in time that every pixel may drift by, 0 to 8; that of 4 follows a warm-up of a fifth of the film to 1 %
+  int harmonics = 2;     ///< of the load frequency, 1 to 4; those above the Nyquist frequency are left out
   SwingConvention convention = SwingConvention::half;
   /// Phase of the load, rad: the load is largest when 2 pi f t equals it, t in s after the first frame. Without it the
   /// phase is found on the film up to half a turn, see `reference_phase`.
   std::optional<double> reference_phase;
-  double frame_rate = 0;            ///< Hz; used where the film says neither rate nor times
+  double frame_rate = 0;  ///< Hz; used where the film says neither rate nor times
   int threads = 1;
   Progress progress;
 };

@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "core/threads.hpp"
-#include "thermal/thermography/segment_sums.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
+#include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -32,8 +32,8 @@ void filter(float* value, int n, std::ptrdiff_t stride) {
 struct Bins {
   std::vector<std::size_t> of_frame;
   std::vector<double> frames, cosine, sine, cosine2, sine2;
-  std::vector<float> slow;          ///< frames x order: Legendre's polynomials P_1, P_2 .. of the time, less their mean over the film
-  Matrix mean_slow;                 ///< parts x order: their means over the frames of every part
+  std::vector<float> slow;  ///< frames x order: Legendre's polynomials P_1, P_2 .. of the time, less their mean over the film
+  Matrix mean_slow;         ///< parts x order: their means over the frames of every part
   std::size_t order = 0;
 };
 
@@ -102,7 +102,8 @@ Matrix drift_solver(const Bins& bins) {
   Matrix normal(order, order);
   for (std::size_t i = 0; i < order; ++i)
     for (std::size_t j = 0; j < order; ++j) {
-      for (std::size_t at = 0; at < bins.slow.size(); at += order) normal(i, j) += static_cast<double>(bins.slow[at + i]) * static_cast<double>(bins.slow[at + j]);
+      for (std::size_t at = 0; at < bins.slow.size(); at += order)
+        normal(i, j) += static_cast<double>(bins.slow[at + i]) * static_cast<double>(bins.slow[at + j]);
       for (std::size_t b = 0; b < bins.frames.size(); ++b) normal(i, j) -= bins.frames[b] * bins.mean_slow(b, i) * bins.mean_slow(b, j);
     }
   return solve(normal, statistics::identity(order, order));
@@ -119,7 +120,8 @@ void solve_drift(const Bins& bins, const float* sums, std::size_t pixels, float*
         side[j] = static_cast<double>(drift[j * pixels + p]);
         for (std::size_t b = 0; b < bins.frames.size(); ++b) side[j] -= static_cast<double>(sums[b * pixels + p]) * bins.mean_slow(b, j);
       }
-      for (std::size_t j = 0; j < bins.order; ++j) drift[j * pixels + p] = static_cast<float>(std::inner_product(side.begin(), side.end(), solver.column(j), 0.0));
+      for (std::size_t j = 0; j < bins.order; ++j)
+        drift[j * pixels + p] = static_cast<float>(std::inner_product(side.begin(), side.end(), solver.column(j), 0.0));
     }
   });
 }
@@ -128,8 +130,7 @@ void solve_drift(const Bins& bins, const float* sums, std::size_t pixels, float*
 void finish(const LockinMaps& maps, const Bins& bins, const float* drift, std::size_t b, float* picture) {
   for (std::size_t p = 0; p < maps.size(); ++p) {
     picture[p] = maps.mean[p] + picture[p] / static_cast<float>(bins.frames[b]);
-    for (std::size_t j = 0; j < bins.order; ++j)
-      picture[p] -= drift[j * maps.size() + p] * static_cast<float>(bins.mean_slow(b, j));
+    for (std::size_t j = 0; j < bins.order; ++j) picture[p] -= drift[j * maps.size() + p] * static_cast<float>(bins.mean_slow(b, j));
     if (!std::isfinite(picture[p])) picture[p] = p > 0 ? picture[p - 1] : 0;
   }
   spline_coefficients(picture, maps.width, maps.height);

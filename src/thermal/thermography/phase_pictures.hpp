@@ -54,8 +54,8 @@ class Resampled {
  private:
   double line(const float* picture, int j, const double (&w)[4]) const {
     const float* row = picture + static_cast<std::ptrdiff_t>(row_[j]) * width_;
-    return w[0] * static_cast<double>(row[column_[0]]) + w[1] * static_cast<double>(row[column_[1]]) +
-           w[2] * static_cast<double>(row[column_[2]]) + w[3] * static_cast<double>(row[column_[3]]);
+    return w[0] * static_cast<double>(row[column_[0]]) + w[1] * static_cast<double>(row[column_[1]]) + w[2] * static_cast<double>(row[column_[2]]) +
+           w[3] * static_cast<double>(row[column_[3]]);
   }
 
   static void weigh(double u, double (&w)[4], double (&s)[4]) {
@@ -80,10 +80,10 @@ class Resampled {
 /// moves or warms with the load is in these few pictures with all of the film's signal to noise.
 struct PhasePictures {
   int width = 0, height = 0;
-  std::vector<double> frames;       ///< in every picture
+  std::vector<double> frames;  ///< in every picture
   /// Means over the frames of every picture of cos and sin of the phase 2 pi f t and of twice the phase.
   std::vector<double> cosine, sine, cosine2, sine2;
-  std::vector<float> spline;        ///< pictures x height x width: coefficients of the cubic spline through the pixels
+  std::vector<float> spline;  ///< pictures x height x width: coefficients of the cubic spline through the pixels
 
   std::size_t size() const { return frames.size(); }
   std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
@@ -101,7 +101,7 @@ std::vector<float> picture_of(const PhasePictures& pictures, std::size_t k);
 struct Followed {
   double mean = 0, cosine = 0, sine = 0, cosine2 = 0, sine2 = 0;
   double slope_x = 0, slope_y = 0;
-  double variance = 0;              ///< of one frame's noise, from what the swings leave
+  double variance = 0;  ///< of one frame's noise, from what the swings leave
 };
 
 /// Least squares of mean and two harmonics in places that move with a grain.
@@ -112,8 +112,8 @@ class SwingOfPixels {
   Followed follow(const PhasePictures& pictures, double x, double y) const;
 
  private:
-  std::vector<double> dx_, dy_;     ///< motion in every picture
-  statistics::Matrix fit_;          ///< pictures x 5
+  std::vector<double> dx_, dy_;  ///< motion in every picture
+  statistics::Matrix fit_;       ///< pictures x 5
 };
 
 }  // namespace arenite::thermography

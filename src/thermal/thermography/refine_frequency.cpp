@@ -63,9 +63,7 @@ Matrix products(const SegmentSums& s) {
 }
 
 /// Whether segments are long enough, one and a half cycles, to show swings each by itself.
-bool segments_show_swings(const SegmentSums& s) {
-  return s.frequency * (s.time.back() - s.time.front()) >= 1.5 * static_cast<double>(s.segments());
-}
+bool segments_show_swings(const SegmentSums& s) { return s.frequency * (s.time.back() - s.time.front()) >= 1.5 * static_cast<double>(s.segments()); }
 
 /// Where the swings that the segments show, each by itself, are most in step: the frequency of the band to about a tenth of a
 /// cycle over the film. Looks at some thousand pixels.
@@ -105,9 +103,9 @@ struct BeatSums {
 using Weighings = std::array<BeatSums, 2>;  // by noise alone, and with strong swings held back
 
 struct Step {
-  double frequency = 0;  ///< Hz
+  double frequency = 0;                                    ///< Hz
   double error = std::numeric_limits<double>::infinity();  ///< by noise
-  double of_model = 0;  ///< what the weights make of it
+  double of_model = 0;                                     ///< what the weights make of it
 };
 
 class Newton {
@@ -220,9 +218,7 @@ SearchBand search_band(const std::vector<double>& time, double frequency) {
   return {std::max(frequency - reach, 1 / length), std::min(frequency + reach, nyquist_frequency(time) - 0.5 / length)};
 }
 
-double frequencies_in(const SearchBand& band, const std::vector<double>& time) {
-  return band.empty() ? 1 : 1 + 2 * (band.high - band.low) * film_length(time);
-}
+double frequencies_in(const SearchBand& band, const std::vector<double>& time) { return band.empty() ? 1 : 1 + 2 * (band.high - band.low) * film_length(time); }
 
 FrequencyFit refine_frequency(const SegmentSums& sums, int drift_order, const Team& team) {
   const SearchBand band = search_band(sums.time, sums.frequency);

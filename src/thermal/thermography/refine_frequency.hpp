@@ -16,7 +16,7 @@ struct FrequencyFit {
 /// Where a frequency is looked for: within 2 % or two cycles over the film, but never below one cycle over it or above
 /// the Nyquist frequency. Below two cycles swing and drift are too alike for a frequency to be found.
 struct SearchBand {
-  double low = 0, high = 0;         ///< Hz
+  double low = 0, high = 0;  ///< Hz
   bool empty() const { return !(low < high); }
 };
 

@@ -50,8 +50,7 @@ void watch(SegmentSums& s) {
   s.seen.resize(s.time.size() * count);
 }
 
-template <class T>
-struct Pass {
+template <class T> struct Pass {
   SegmentSums& s;
   const Team& team;
   std::vector<float> reference;
@@ -81,7 +80,9 @@ struct Pass {
   void refer(const T* frame, std::size_t k, std::size_t begin, std::size_t end) {
     const SegmentView view = s.view();
     for (std::size_t p = begin; p < end; ++p) reference[p] = static_cast<float>(frame[p]);
-    if (k == 0) std::copy(reference.begin() + static_cast<std::ptrdiff_t>(begin), reference.begin() + static_cast<std::ptrdiff_t>(end), s.base.begin() + static_cast<std::ptrdiff_t>(begin));
+    if (k == 0)
+      std::copy(reference.begin() + static_cast<std::ptrdiff_t>(begin), reference.begin() + static_cast<std::ptrdiff_t>(end),
+                s.base.begin() + static_cast<std::ptrdiff_t>(begin));
     for (std::size_t from = begin; from < end; from += chunk) {
       float* plane = s.sums.get() + view.at(from, k, 0);
       std::fill_n(plane, s.planes() * chunk, 0.f);
@@ -91,8 +92,7 @@ struct Pass {
 };
 
 /// Hands out the frames of a block or of the memory, cut at the ends of segments.
-template <class T>
-bool pass_over(SegmentSums& s, const Team& team, FilmSource& film, const T* memory, const Progress& progress) {
+template <class T> bool pass_over(SegmentSums& s, const Team& team, FilmSource& film, const T* memory, const Progress& progress) {
   Pass<T> pass{s, team, std::vector<float>(s.pixels)};
   const std::size_t at_once = std::max<std::size_t>(16, block_bytes / (s.pixels * sizeof(T)) / 16 * 16);
   FrameBlock block;
@@ -119,7 +119,9 @@ std::vector<double> frame_times(const FilmInfo& film, double frame_rate) {
   std::vector<double> time = film.time;
   if (time.empty()) {
     const double rate = frame_rate > 0 ? frame_rate : film.frame_rate;
-    if (!(rate > 0) || !std::isfinite(rate)) throw InputError("the film does not say how many frames it has a second; give the frame rate (--frame-rate, frame_rate in [film] of a recipe or beside raw frames)");
+    if (!(rate > 0) || !std::isfinite(rate))
+      throw InputError(
+          "the film does not say how many frames it has a second; give the frame rate (--frame-rate, frame_rate in [film] of a recipe or beside raw frames)");
     time.resize(frames);
     for (std::size_t n = 0; n < frames; ++n) time[n] = static_cast<double>(n) / rate;
   }
@@ -154,8 +156,8 @@ SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double freq
   watch(s);
   s.base.resize(s.pixels);
   s.sums.reset(new float[s.view().at((s.pixels + chunk - 1) / chunk * chunk, 0, 0)]);
-  const bool done = film.info().floating ? pass_over(s, team, film, film.values_in_memory(), progress)
-                                         : pass_over(s, team, film, film.levels_in_memory(), progress);
+  const bool done =
+      film.info().floating ? pass_over(s, team, film, film.values_in_memory(), progress) : pass_over(s, team, film, film.levels_in_memory(), progress);
   if (!done) s.sums.reset();
   return s;
 }

@@ -29,17 +29,17 @@ using Progress = std::function<bool(double share)>;
 /// the sum of their squares. Fits for all frequencies near by follow from these sums: segments are turned against each
 /// other and need not be read again. Values are taken relative to the first frame of the segment.
 struct SegmentSums {
-  std::vector<double> time;         ///< s after the first frame, one a frame
-  std::vector<std::size_t> first;   ///< first frame of every segment, and the end
-  std::vector<double> centre;       ///< time of the middle of every segment, s
-  double frequency = 0;             ///< of the weights, Hz
-  std::size_t functions = 0;        ///< cos and sin of all harmonics
-  std::vector<float> weights;       ///< frames x functions
+  std::vector<double> time;        ///< s after the first frame, one a frame
+  std::vector<std::size_t> first;  ///< first frame of every segment, and the end
+  std::vector<double> centre;      ///< time of the middle of every segment, s
+  double frequency = 0;            ///< of the weights, Hz
+  std::size_t functions = 0;       ///< cos and sin of all harmonics
+  std::vector<float> weights;      ///< frames x functions
   std::size_t pixels = 0;
-  std::vector<float> base;          ///< first frame
-  std::vector<std::size_t> watched; ///< some pixels spread over the picture, whose every value is kept
-  std::vector<float> seen;          ///< frames x watched, less the pixel's first value
-  std::unique_ptr<float[]> sums;    ///< see SegmentView; planes 1, functions, squares, first frame less the film's first
+  std::vector<float> base;           ///< first frame
+  std::vector<std::size_t> watched;  ///< some pixels spread over the picture, whose every value is kept
+  std::vector<float> seen;           ///< frames x watched, less the pixel's first value
+  std::unique_ptr<float[]> sums;     ///< see SegmentView; planes 1, functions, squares, first frame less the film's first
 
   std::size_t segments() const { return centre.size(); }
   std::size_t planes() const { return functions + 3; }

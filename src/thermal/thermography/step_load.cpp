@@ -119,8 +119,7 @@ class Sums {
   }
 
  private:
-  template <class T>
-  void add(const T* frames, std::size_t first, std::size_t count, const StepSide& side, const Team& team) {
+  template <class T> void add(const T* frames, std::size_t first, std::size_t count, const StepSide& side, const Team& team) {
     team.for_ranges(pixels_, [&](std::size_t begin, std::size_t end) {
       if (first == 0)
         for (std::size_t p = begin; p < end; ++p) base_[p] = static_cast<double>(frames[p]);
@@ -169,7 +168,8 @@ StepSides sides_at(double step, const Matrix& series, const std::vector<double>&
   const double far = o.window > 0 ? o.window : time.back() + 1;
   const auto after_time = [&](double t) { return static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin()); };
   const auto from_time = [&](double t) { return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin()); };
-  return step_sides(series, time, step, o.drift_order, from_time(step - far), from_time(step - o.rise / 2), after_time(step + o.rise / 2), after_time(step + far));
+  return step_sides(series, time, step, o.drift_order, from_time(step - far), from_time(step - o.rise / 2), after_time(step + o.rise / 2),
+                    after_time(step + far));
 }
 
 /// Throws where the jumps that were sought in so many frames are no more than noise makes them once in a hundred films.

@@ -21,15 +21,15 @@ struct StepOptions {
 /// What a film shows of one step of the load, in the film's unit, rows from the top.
 struct StepMaps {
   int width = 0, height = 0;
-  double time = 0;                   ///< of the middle of the step, s after the first frame
-  std::size_t before = 0, after = 0; ///< frames used
+  double time = 0;                    ///< of the middle of the step, s after the first frame
+  std::size_t before = 0, after = 0;  ///< frames used
   int drift_order = 0;
   double relaxation_before = 0, relaxation_after = 0;  ///< s, of the exponential that was fitted on a side beside the polynomial; 0: none was
-  std::vector<float> jump;           ///< after less before, both continued to the middle of the step: -A times the stress step
-  std::vector<float> standard_error; ///< of the jump, from the residual, its correlation and what the fit may miss
-  std::vector<float> level;          ///< before, continued to the middle of the step
-  std::vector<float> drift_before, drift_after;  ///< slopes there, unit/s
-  std::vector<float> residual;       ///< root mean square of what the fit leaves
+  std::vector<float> jump;                             ///< after less before, both continued to the middle of the step: -A times the stress step
+  std::vector<float> standard_error;                   ///< of the jump, from the residual, its correlation and what the fit may miss
+  std::vector<float> level;                            ///< before, continued to the middle of the step
+  std::vector<float> drift_before, drift_after;        ///< slopes there, unit/s
+  std::vector<float> residual;                         ///< root mean square of what the fit leaves
 
   std::size_t size() const { return jump.size(); }
 };

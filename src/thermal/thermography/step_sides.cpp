@@ -195,12 +195,14 @@ double StepSides::variance() const {
   return squares(weight) * noise.widening(weight) + before.misfit + after.misfit;
 }
 
-StepSides step_sides(Matrix series, const std::vector<double>& time, double step, int order, std::size_t first, std::size_t end,
-                     std::size_t begin, std::size_t last) {
+StepSides step_sides(Matrix series, const std::vector<double>& time, double step, int order, std::size_t first, std::size_t end, std::size_t begin,
+                     std::size_t last) {
   const auto check = [&](std::size_t from, std::size_t to, const char* name) {
     if (to >= from + static_cast<std::size_t>(order) + 3) return;
-    throw InputError(fmt::format("the film has {} frames {} the step at {:.6g} s that can be used, too few for a drift of order {}; give another time, a longer "
-                                 "window, a shorter rise or less drift", to > from ? to - from : 0, name, step, order));
+    throw InputError(
+        fmt::format("the film has {} frames {} the step at {:.6g} s that can be used, too few for a drift of order {}; give another time, a longer "
+                    "window, a shorter rise or less drift",
+                    to > from ? to - from : 0, name, step, order));
   };
   check(first, end, "before");
   check(begin, last, "after");

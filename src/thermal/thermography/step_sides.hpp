@@ -8,8 +8,8 @@ namespace arenite::thermography {
 
 /// How what a fit leaves goes together, from frame to frame and from pixel to pixel.
 struct ResidualCorrelation {
-  std::vector<double> lag;          ///< of a pixel with itself so many frames later, from 1 on, until it is lost in noise
-  double pixels = 1;                ///< as many independent pixels vary as much together
+  std::vector<double> lag;  ///< of a pixel with itself so many frames later, from 1 on, until it is lost in noise
+  double pixels = 1;        ///< as many independent pixels vary as much together
 
   /// Variance of the weighed sum of a pixel's frames over that in white noise.
   double widening(const statistics::Matrix& weight) const;
@@ -22,10 +22,10 @@ double chi_squared_above(double numbers, double deviations);
 /// these frames: a number of the fit is a weighed sum of values. Heights and slopes are those of the functions at the step.
 struct StepSide {
   std::size_t first = 0, count = 0;
-  double relaxation = 0;            ///< s in which an exponential beside the polynomial falls to 1/e; 0: there is none
-  statistics::Matrix weight;        ///< frames x functions
-  statistics::Matrix height, slope; ///< columns
-  double misfit = 0;                ///< squared error of the height by what is not fitted, over the variance of white noise
+  double relaxation = 0;             ///< s in which an exponential beside the polynomial falls to 1/e; 0: there is none
+  statistics::Matrix weight;         ///< frames x functions
+  statistics::Matrix height, slope;  ///< columns
+  double misfit = 0;                 ///< squared error of the height by what is not fitted, over the variance of white noise
 
   statistics::Matrix height_weights() const { return weight * height; }
 };
@@ -34,7 +34,7 @@ struct StepSide {
 struct StepSides {
   StepSide before, after;
   ResidualCorrelation noise;
-  double evidence = 0;              ///< mean square of the pixels' jumps over what noise alone would make them; infinite without noise
+  double evidence = 0;  ///< mean square of the pixels' jumps over what noise alone would make them; infinite without noise
   /// Variance of the jump over that of a frame's white noise.
   double variance() const;
 };
@@ -43,7 +43,7 @@ struct StepSides {
 /// pixels relax exponentially: where the pixels of `series` (pixels x frames, each weighed by its noise) show by more than their noise that they do, an
 /// exponential in the time that fits them best is added to a side. `end` is one beyond the last frame of `before`, `begin` the
 /// first of `after`. Throws InputError for a side with too few frames.
-StepSides step_sides(statistics::Matrix series, const std::vector<double>& time, double step, int order, std::size_t first, std::size_t end,
-                     std::size_t begin, std::size_t last);
+StepSides step_sides(statistics::Matrix series, const std::vector<double>& time, double step, int order, std::size_t first, std::size_t end, std::size_t begin,
+                     std::size_t last);
 
 }  // namespace arenite::thermography

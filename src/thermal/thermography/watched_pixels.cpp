@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/median.hpp"
-#include "thermal/thermography/segment_sums.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
+#include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
 namespace {

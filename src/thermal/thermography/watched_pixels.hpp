@@ -32,7 +32,7 @@ class WatchedPixels {
   std::vector<Swing> swings(const std::vector<double>& frequencies) const;
 
   const std::vector<double>& time_;
-  statistics::FloatMatrix value_;   ///< pixels x frames
+  statistics::FloatMatrix value_;  ///< pixels x frames
 };
 
 }  // namespace arenite::thermography

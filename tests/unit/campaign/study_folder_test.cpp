@@ -9,14 +9,14 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/error.hpp"
-#include "io/disk/file.hpp"
 #include "campaign/collect.hpp"
 #include "campaign/run_study.hpp"
-#include "workflow/store.hpp"
+#include "core/error.hpp"
+#include "io/disk/file.hpp"
 #include "support/numbers_of.hpp"
 #include "support/small_study.hpp"
 #include "support/temporary_folder.hpp"
+#include "workflow/store.hpp"
 
 namespace arenite::campaign {
 namespace {
@@ -57,7 +57,8 @@ TEST(Journal, TheLastWordOnEachOfTwentyThousandRunsCounts) {
   {
     const io::AppendLog one(place.journal()), two(place.journal());
     for (int r = 0; r < 20'000; ++r) note_state(one, "run" + std::to_string(r), {Kind::running, 0, {}});
-    for (int r = 0; r < 20'000; ++r) note_state(two, "run" + std::to_string(r), r % 100 == 0 ? RunState{Kind::failed, 1, "no\treason\nat all"} : RunState{Kind::done, 2.5, {}});
+    for (int r = 0; r < 20'000; ++r)
+      note_state(two, "run" + std::to_string(r), r % 100 == 0 ? RunState{Kind::failed, 1, "no\treason\nat all"} : RunState{Kind::done, 2.5, {}});
   }
   const auto states = read_states(place);
   ASSERT_EQ(states.size(), 20'000u);
@@ -135,7 +136,8 @@ TEST(FlatNumbers, HaveDottedNamesAndTheirErrors) {
     "sigma": {"value": [[1, 2], [3, 4]], "error": [[0.1, 0.2], [0.3, null]]}, "stages": [{"name": "load", "n": 7}], "none": null,
     "provenance": {"seed": 1}})"));
   std::string text;
-  for (const auto& [name, e] : numbers) text += name + "=" + std::to_string(e.value).substr(0, 3) + (e.error ? "+-" + std::to_string(*e.error).substr(0, 3) : "") + " ";
+  for (const auto& [name, e] : numbers)
+    text += name + "=" + std::to_string(e.value).substr(0, 3) + (e.error ? "+-" + std::to_string(*e.error).substr(0, 3) : "") + " ";
   EXPECT_EQ(text, "a=1.5+-0.1 b.c=2.0 sigma.0.0=1.0+-0.1 sigma.0.1=2.0+-0.2 sigma.1.0=3.0+-0.3 sigma.1.1=4.0 stages.load.n=7.0 ");
 }
 
@@ -152,8 +154,9 @@ TEST(Collect, MeansOverReplicatesCarryTheStandardErrorOfTheScatter) {
     write_status(place, study.runs[r].name, {Kind::done, 1, {}});
   }
   const auto table = collect(study, place);
-  EXPECT_EQ(table.csv(), "run,status,cement.width [mm],seed,x,x_error\nrun0,done,0,0,0,0.5\nrun1,done,1,0,1,0.5\nrun2,done,0,1,2,0.5\n"
-                         "run3,done,1,1,3,0.5\nrun4,done,0,2,4,0.5\nrun5,waiting,1,2,,\n");
+  EXPECT_EQ(table.csv(),
+            "run,status,cement.width [mm],seed,x,x_error\nrun0,done,0,0,0,0.5\nrun1,done,1,0,1,0.5\nrun2,done,0,1,2,0.5\n"
+            "run3,done,1,1,3,0.5\nrun4,done,0,2,4,0.5\nrun5,waiting,1,2,,\n");
   // 0, 2, 4: mean 2, standard deviation 2, error 2/sqrt(3); 1, 3: mean 2, standard deviation sqrt(2), error 1.
   const auto means = averaged(table, {"cement.width"});
   ASSERT_EQ(means.rows.size(), 2u);

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <set>
 
-#include "core/error.hpp"
 #include "campaign/study.hpp"
+#include "core/error.hpp"
 #include "support/small_study.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -69,8 +69,9 @@ TEST(Sweep, GridAndReplicatesAreAllCombinationsTheLastVaryingFastest) {
 
 TEST(Sweep, AListGivesEachRunItsOwnKeysAndGoesWithAGrid) {
   const test::TemporaryFolder folder;
-  const Study study = study_of(folder, "[[sweep.list]]\ngrid.nodes = 32\n[[sweep.list]]\n\"stages.0.top\" = { pressure = \"2 kPa\" }\n"
-                                       "[sweep.grid]\n\"cement.width\" = [0.1, 0.2]\n");
+  const Study study = study_of(folder,
+                               "[[sweep.list]]\ngrid.nodes = 32\n[[sweep.list]]\n\"stages.0.top\" = { pressure = \"2 kPa\" }\n"
+                               "[sweep.grid]\n\"cement.width\" = [0.1, 0.2]\n");
   EXPECT_EQ(descriptions(study), (Lines{"grid.nodes = 32, cement.width = 0.1", "grid.nodes = 32, cement.width = 0.2",
                                         "stages.0.top.pressure = \"2 kPa\", cement.width = 0.1", "stages.0.top.pressure = \"2 kPa\", cement.width = 0.2"}));
   EXPECT_EQ(to_toml(recipe_of(study, study.runs[2])).find("100 N"), std::string::npos) << "of two forms the swept one counts";
@@ -106,9 +107,10 @@ std::vector<double> numbers(const Study& study, const std::string& key) {
 
 TEST(Sweep, ALatinHypercubeHasOneRunInEveryStratumOfEveryKey) {
   const test::TemporaryFolder folder;
-  const std::string ranges = "\"contact.friction\" = \"0.1 .. 0.5\"\n"
-                             "\"materials.POM.stiffness\" = { range = \"1 kN/mm .. 100 kN/mm\", scale = \"log\" }\n"
-                             "\"grid.nodes\" = { range = \"32..95\", whole = true }\n";
+  const std::string ranges =
+      "\"contact.friction\" = \"0.1 .. 0.5\"\n"
+      "\"materials.POM.stiffness\" = { range = \"1 kN/mm .. 100 kN/mm\", scale = \"log\" }\n"
+      "\"grid.nodes\" = { range = \"32..95\", whole = true }\n";
   const Study study = study_of(folder, "[sweep.latin_hypercube]\nruns = 50\n" + ranges);
   ASSERT_EQ(study.runs.size(), 50u);
   const auto strata = [](std::vector<double> values, double low, double high, bool log) {
@@ -119,7 +121,11 @@ TEST(Sweep, ALatinHypercubeHasOneRunInEveryStratumOfEveryKey) {
   EXPECT_EQ(strata(numbers(study, "contact.friction"), 0.1, 0.5, false), 50u);
   EXPECT_EQ(strata(numbers(study, "materials.POM.stiffness"), 1e6, 1e8, true), 50u);
   for (const double nodes : numbers(study, "grid.nodes")) EXPECT_EQ(nodes, std::round(nodes));
-  EXPECT_NE(numbers(study, "contact.friction"), [&] { auto v = numbers(study, "contact.friction"); std::sort(v.begin(), v.end()); return v; }());
+  EXPECT_NE(numbers(study, "contact.friction"), [&] {
+    auto v = numbers(study, "contact.friction");
+    std::sort(v.begin(), v.end());
+    return v;
+  }());
   const Study fewer = study_of(folder, "[sweep.latin_hypercube]\nruns = 50\n\"contact.friction\" = \"0.1 .. 0.5\"\n");
   EXPECT_EQ(numbers(fewer, "contact.friction"), numbers(study, "contact.friction")) << "a key more changes nothing for the others";
   const Study other = study_of(folder, "[sweep.latin_hypercube]\nruns = 50\n\"contact.friction\" = \"0.1 .. 0.5\"\n", {"seed=4"});
@@ -128,7 +134,8 @@ TEST(Sweep, ALatinHypercubeHasOneRunInEveryStratumOfEveryKey) {
 
 TEST(Sweep, HashedSeedsBelongToThePackingWhateverIsDoneWithIt) {
   const test::TemporaryFolder folder;
-  const Study study = study_of(folder, "[sweep]\nreplicates = 2\nseeds = \"hashed\"\n[sweep.grid]\n\"container.width\" = [\"100 mm\", \"120 mm\"]\n\"cement.width\" = [0.1, 0.2]\n");
+  const Study study = study_of(
+      folder, "[sweep]\nreplicates = 2\nseeds = \"hashed\"\n[sweep.grid]\n\"container.width\" = [\"100 mm\", \"120 mm\"]\n\"cement.width\" = [0.1, 0.2]\n");
   ASSERT_EQ(study.runs.size(), 8u);
   const auto seed = [&](std::size_t run) { return study.runs[run].values.back().second; };
   EXPECT_EQ(seed(0), seed(2));
@@ -150,7 +157,8 @@ TEST(Sweep, NamesFollowFromWhatARunDependsOnAndFromNothingElse) {
 }
 
 TEST(Sweep, EveryProblemIsFoundInOnePassWithItsPlace) {
-  EXPECT_EQ(problems("[sweep]\nreplicate = 2\n[sweep.grid]\n\"cement.width\" = 0.1\n[[sweep.list]]\nseed = 1\n[sweep.latin_hypercube]\nruns = 5\n\"contact.friction\" = \"0.5 .. 0.1\"\n"),
+  EXPECT_EQ(problems("[sweep]\nreplicate = 2\n[sweep.grid]\n\"cement.width\" = 0.1\n[[sweep.list]]\nseed = 1\n[sweep.latin_hypercube]\nruns = "
+                     "5\n\"contact.friction\" = \"0.5 .. 0.1\"\n"),
             (Lines{"r.toml:29:1: sweep.replicate: unknown key; did you mean replicates?",
                    "r.toml:31:18: sweep.grid.cement.width: must be a list of the values that the key takes, for example [1, 1.25, 1.67]",
                    "r.toml:36:22: sweep.latin_hypercube.contact.friction: \"0.5\" is not below \"0.1\"; begin with the smaller end"}));
@@ -162,7 +170,8 @@ TEST(Sweep, EveryProblemIsFoundInOnePassWithItsPlace) {
 
 TEST(Sweep, AnInvalidRunIsNamedWithItsValuesAndEachProblemIsToldOnce) {
   EXPECT_EQ(problems("[sweep.grid]\n\"cement.width\" = [0.1, -1]\n\"container.widht\" = [\"100 mm\"]\n\"contact.friction\" = [0.1, 0.2]\n"),
-            (Lines{"r.toml:29:24: cement.width: -1 is out of range; it must be above 0, up to 2 (run with cement.width = -1, container.widht = \"100 mm\", contact.friction = 0.1, and 1 more)",
+            (Lines{"r.toml:29:24: cement.width: -1 is out of range; it must be above 0, up to 2 (run with cement.width = -1, container.widht = \"100 mm\", "
+                   "contact.friction = 0.1, and 1 more)",
                    "r.toml:30:22: container.widht: unknown key; did you mean width?"}));
 }
 

@@ -11,8 +11,7 @@
 namespace arenite::geometry {
 namespace {
 
-std::vector<Pair> by_brute_force(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& r,
-                                 const Box& box, double gap) {
+std::vector<Pair> by_brute_force(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& r, const Box& box, double gap) {
   std::vector<Pair> pairs;
   for (int i = 0; i < static_cast<int>(x.size()); ++i)
     for (int j = i + 1; j < static_cast<int>(x.size()); ++j) {
@@ -26,15 +25,13 @@ std::vector<Pair> by_brute_force(const std::vector<double>& x, const std::vector
 }
 
 bool same(const std::vector<Pair>& a, const std::vector<Pair>& b) {
-  return a.size() == b.size() &&
-         std::equal(a.begin(), a.end(), b.begin(), [](Pair p, Pair q) { return p.i == q.i && p.j == q.j; });
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](Pair p, Pair q) { return p.i == q.i && p.j == q.j; });
 }
 
 RC_GTEST_PROP(ClosePairs, AreThoseThatComparingAllWithAllFinds, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
   const auto n = *rc::gen::inRange(0, 120);
-  const Box box{-1, 2, *rc::gen::element(3.0, 10.0, 40.0), *rc::gen::element(3.0, 8.0, 30.0),
-                      *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
+  const Box box{-1, 2, *rc::gen::element(3.0, 10.0, 40.0), *rc::gen::element(3.0, 8.0, 30.0), *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
   RandomStream random(seed, Purpose::test);
   std::vector<double> x, y, r;
   for (int i = 0; i < n; ++i) {
@@ -45,8 +42,10 @@ RC_GTEST_PROP(ClosePairs, AreThoseThatComparingAllWithAllFinds, ()) {
   }
   if (!box.periodic_x && !box.periodic_y) RC_CLASSIFY(true, "walls");
   std::vector<double> wx = x, wy = y;
-  if (box.periodic_x) for (auto& v : wx) v -= box.width * std::floor((v - box.x0) / box.width);
-  if (box.periodic_y) for (auto& v : wy) v -= box.height * std::floor((v - box.y0) / box.height);
+  if (box.periodic_x)
+    for (auto& v : wx) v -= box.width * std::floor((v - box.x0) / box.width);
+  if (box.periodic_y)
+    for (auto& v : wy) v -= box.height * std::floor((v - box.y0) / box.height);
   RC_ASSERT(same(close_pairs(wx, wy, r, box, 0.2), by_brute_force(wx, wy, r, box, 0.2)));
 }
 

@@ -26,9 +26,7 @@ double by_quadrature(Vec2 c, double r, const Rectangle& w) {
   return sum;
 }
 
-TEST(DiskWindowArea, OfADiskInsideIsTheWholeDisk) {
-  EXPECT_DOUBLE_EQ(disk_window_area({0.3, 0.4}, 0.2, {0, 1, 0, 1}), pi * 0.04);
-}
+TEST(DiskWindowArea, OfADiskInsideIsTheWholeDisk) { EXPECT_DOUBLE_EQ(disk_window_area({0.3, 0.4}, 0.2, {0, 1, 0, 1}), pi * 0.04); }
 
 TEST(DiskWindowArea, OfADiskOutsideIsNothing) {
   EXPECT_EQ(disk_window_area({-0.2, 0.5}, 0.2, {0, 1, 0, 1}), 0);
@@ -40,9 +38,7 @@ TEST(DiskWindowArea, OnASideIsHalfAndOnACornerAQuarter) {
   EXPECT_NEAR(disk_window_area({1, 1}, 0.2, {0, 1, 0, 1}), pi * 0.01, 1e-15);
 }
 
-TEST(DiskWindowArea, OfADiskAroundTheWindowIsTheWindow) {
-  EXPECT_NEAR(disk_window_area({0.5, 0.5}, 5, {0, 1, 0, 1}), 1, 1e-13);
-}
+TEST(DiskWindowArea, OfADiskAroundTheWindowIsTheWindow) { EXPECT_NEAR(disk_window_area({0.5, 0.5}, 5, {0, 1, 0, 1}), 1, 1e-13); }
 
 TEST(DiskWindowArea, OfASegmentHasItsClosedForm) {
   const double r = 1.3, d = 0.4;  // the side cuts at distance d from the centre

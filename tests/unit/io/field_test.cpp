@@ -125,8 +125,9 @@ TEST(FieldFile, LabelsThatPointNowhereAreRefused) {
 TEST(FieldFile, OpenToOtherProgramsWithUnits) {
   const TemporaryFolder folder;
   io::write_field(folder / "f.h5", small_field());
-  const auto seen = test::shell("/usr/bin/python3 -c \"import h5py; f = h5py.File('" + (folder / "f.h5").string() +
-                                "'); s = f['field/sigma_yy']; print(s.shape, s.dtype, s.attrs['unit'].decode(), f['map/phase'][0, 6], f['map'].attrs['dx [m]'])\"");
+  const auto seen =
+      test::shell("/usr/bin/python3 -c \"import h5py; f = h5py.File('" + (folder / "f.h5").string() +
+                  "'); s = f['field/sigma_yy']; print(s.shape, s.dtype, s.attrs['unit'].decode(), f['map/phase'][0, 6], f['map'].attrs['dx [m]'])\"");
   ASSERT_EQ(seen.status, 0) << seen.err;
   EXPECT_EQ(seen.out, "(9, 12) float32 Pa 0 2.5e-05\n");
 }

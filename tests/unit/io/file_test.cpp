@@ -22,9 +22,7 @@ namespace fs = std::filesystem;
 std::string complaint(const std::function<void()>& act) {
   try {
     act();
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  } catch (const InputError& error) { return error.what(); }
   return "";
 }
 

@@ -46,9 +46,9 @@ TEST(FilmFormats, PtwWithStampsOverMidnight) {
   EXPECT_NEAR(read->info().time[2], 0.02, 1e-9);
   EXPECT_TRUE(opened(test::ptw(film), {.frame_rate = 50.0})->info().time.empty());
   EXPECT_EQ(opened(test::ptw(film), {.frame_rate = 50.0})->info().frame_rate, 50);
-  EXPECT_TRUE(opened(test::ptw(film, 0))->info().time.empty());                 // one stamp for all says nothing
-  EXPECT_EQ(opened(test::ptw(film, -0.001))->info().remarks.size(), 1U);        // nor do stamps that run backwards
-  expect_same(*opened(test::ptw(film, 0.01, 500, 0)), film);                    // other sizes of headers
+  EXPECT_TRUE(opened(test::ptw(film, 0))->info().time.empty());           // one stamp for all says nothing
+  EXPECT_EQ(opened(test::ptw(film, -0.001))->info().remarks.size(), 1U);  // nor do stamps that run backwards
+  expect_same(*opened(test::ptw(film, 0.01, 500, 0)), film);              // other sizes of headers
 }
 
 TEST(FilmFormats, PtwLockInLineIsLeftOut) {
@@ -119,8 +119,7 @@ TEST(FilmFormats, Hcc) {
   EXPECT_EQ(test::all_of(*scaled).value[8 * 4 + 1], 10 + 1001 / 16.0F);
 }
 
-template <class T>
-std::string data_of(const Film& film) {
+template <class T> std::string data_of(const Film& film) {
   std::string bytes;
   for (const std::uint16_t v : film.level) test::add(bytes, static_cast<T>(v));
   return bytes;
@@ -160,7 +159,8 @@ void write_tiff(const std::filesystem::path& path, const Film& film, const char*
     TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_LZW);
     std::vector<char> buffer;
     const auto put = [&](std::size_t pixel) {
-      if (film.about.floating) buffer.insert(buffer.end(), reinterpret_cast<const char*>(&film.value[pixel]), reinterpret_cast<const char*>(&film.value[pixel] + 1));
+      if (film.about.floating)
+        buffer.insert(buffer.end(), reinterpret_cast<const char*>(&film.value[pixel]), reinterpret_cast<const char*>(&film.value[pixel] + 1));
       else buffer.insert(buffer.end(), reinterpret_cast<const char*>(&film.level[pixel]), reinterpret_cast<const char*>(&film.level[pixel]) + bits / 8);
     };
     const auto width = static_cast<std::size_t>(film.about.width), height = static_cast<std::size_t>(film.about.height);
@@ -221,8 +221,9 @@ TEST(FilmFormats, RawWithASidecar) {
   std::string bytes(100, 'x');
   for (int f = 0; f < 3; ++f) bytes += std::string(7, 'h') + data_of<std::uint16_t>(film).substr(static_cast<std::size_t>(40 * f), 40) + "tt";
   test::spill(folder / "a.raw", bytes);
-  test::spill(folder / "a.toml", "# a film\nwidth = 5\nheight = 4  # rows\ntype = \"uint16\"\noffset = 100\nframe_header = 7\nframe_trailer = 2\n"
-                                 "frame_rate = \"148 Hz\"\nintegration = \"1500 us\"\ncamera = \"C #1\"\nquantity = \"DL\"\n");
+  test::spill(folder / "a.toml",
+              "# a film\nwidth = 5\nheight = 4  # rows\ntype = \"uint16\"\noffset = 100\nframe_header = 7\nframe_trailer = 2\n"
+              "frame_rate = \"148 Hz\"\nintegration = \"1500 us\"\ncamera = \"C #1\"\nquantity = \"DL\"\n");
   for (const char* name : {"a.raw", "a.toml"}) {
     const auto read = open_film(folder / name);
     expect_same(*read, film);
@@ -260,7 +261,8 @@ TEST(FilmFormats, AnyFilmCanBeToldItsScale) {
 TEST(FilmFormats, SeriesOfFilesInTheOrderOfTheirNumbers) {
   const test::TemporaryFolder folder;
   std::filesystem::create_directory(folder / "frames");
-  for (int f = 0; f < 12; ++f) test::spill(folder / ("frames/f" + std::to_string(f) + ".asc"), std::to_string(1000 * f) + " " + std::to_string(1000 * f + 1) + "\n");
+  for (int f = 0; f < 12; ++f)
+    test::spill(folder / ("frames/f" + std::to_string(f) + ".asc"), std::to_string(1000 * f) + " " + std::to_string(1000 * f + 1) + "\n");
   test::spill(folder / "frames/notes.md", "by hand\n");
   const Film film = as_floating(counted(2, 1, 12));
   expect_same(*open_film(folder / "frames"), film);

@@ -51,7 +51,8 @@ TEST(FilmResultFile, ReadsBackWhatWasWritten) {
     EXPECT_EQ(back.grains.*column, r.grains.*column);
   for (auto column : {&GrainMotion::cos_x, &GrainMotion::sin_x, &GrainMotion::cos_y, &GrainMotion::sin_y, &GrainMotion::error})
     EXPECT_EQ(back.motion.*column, r.motion.*column);
-  for (auto column : {&GrainSwing::temperature, &GrainSwing::sigma_hyd, &GrainSwing::error, &GrainSwing::pixels}) EXPECT_EQ(back.swing.*column, r.swing.*column);
+  for (auto column : {&GrainSwing::temperature, &GrainSwing::sigma_hyd, &GrainSwing::error, &GrainSwing::pixels})
+    EXPECT_EQ(back.swing.*column, r.swing.*column);
   EXPECT_EQ(back.twin.swing, r.twin.swing);
   EXPECT_EQ(back.twin.state, r.twin.state);
   EXPECT_EQ(back.packing.grains.material, r.packing.grains.material);

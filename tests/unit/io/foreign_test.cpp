@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "core/error.hpp"
-#include "io/film/film.hpp"
 #include "io/disk/file.hpp"
+#include "io/film/film.hpp"
 #include "support/films.hpp"
 #include "support/pictures.hpp"
 #include "support/temporary_folder.hpp"
@@ -89,11 +89,23 @@ TEST(Hdf5Unpack, NothingLargerThanAskedForIsMade) {
 
 TEST(OwnProcess, GivesBytesPassesRefusalsAndSurvivesDeath) {
   std::string long_one(3'000'000, 'x');
-  EXPECT_EQ(in_sandbox("a", [&] { return long_one; }, long_one.size()), long_one);
-  EXPECT_EQ(in_sandbox("a", [] { return std::string(); }, 10), "");
-  EXPECT_EQ(test::complaint([] { in_sandbox("a", []() -> std::string { throw InputError("b", 3, "is wrong; correct it"); }, 10); }), "a: is wrong; correct it");
-  const std::function<std::string()> ends[] = {[]() -> std::string { std::raise(SIGKILL); return ""; }, []() -> std::string { throw 1; },
-                                               []() -> std::string { return std::string(std::size_t{1} << 40, 'x'); }, [] { return std::string(100, 'x'); }};
+  EXPECT_EQ(in_sandbox(
+                "a", [&] { return long_one; }, long_one.size()),
+            long_one);
+  EXPECT_EQ(in_sandbox(
+                "a", [] { return std::string(); }, 10),
+            "");
+  EXPECT_EQ(test::complaint([] {
+              in_sandbox(
+                  "a", []() -> std::string { throw InputError("b", 3, "is wrong; correct it"); }, 10);
+            }),
+            "a: is wrong; correct it");
+  const std::function<std::string()> ends[] = {[]() -> std::string {
+                                                 std::raise(SIGKILL);
+                                                 return "";
+                                               },
+                                               []() -> std::string { throw 1; }, []() -> std::string { return std::string(std::size_t{1} << 40, 'x'); },
+                                               [] { return std::string(100, 'x'); }};
   for (const auto& end : ends) EXPECT_EQ(test::complaint([&] { in_sandbox("a", end, 10); }), "a: is damaged; copy it again");
 }
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
-#include "io/image/image.hpp"
 #include "io/disk/file.hpp"
+#include "io/image/image.hpp"
 #include "support/pictures.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -74,8 +74,7 @@ TEST_F(Hdf5Image, RefusesValuesAndSizesBeyondItsMeans) {
 TEST_F(Hdf5Image, RefusesAFileCutShort) {
   write("map", {2, 3}, H5T_STD_U8LE, {0, 85, 170, 1, 2, 255});
   const std::string whole = bytes();
-  for (std::size_t n = 8; n < whole.size(); n += 64)
-    EXPECT_FALSE(complaint([&] { io::decode_image(whole.substr(0, n), "a.h5"); }).empty()) << n;
+  for (std::size_t n = 8; n < whole.size(); n += 64) EXPECT_FALSE(complaint([&] { io::decode_image(whole.substr(0, n), "a.h5"); }).empty()) << n;
 }
 
 }  // namespace

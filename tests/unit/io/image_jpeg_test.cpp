@@ -9,9 +9,7 @@ namespace {
 using namespace arenite;
 using namespace arenite::test;
 
-Image decode(const std::string& bytes, io::Channel channel = io::Channel::grey) {
-  return io::decode_image(bytes, "a.jpg", {.channel = channel});
-}
+Image decode(const std::string& bytes, io::Channel channel = io::Channel::grey) { return io::decode_image(bytes, "a.jpg", {.channel = channel}); }
 std::string refusal(const std::string& bytes) {
   return complaint([&] { decode(bytes); });
 }
@@ -28,8 +26,7 @@ std::string slopes(unsigned width, unsigned height, int samples) {
 void expect_slopes(const Image& image, int per_x, int per_y, int constant, int tolerance) {
   ASSERT_EQ(image.value.size(), image.size());
   for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      EXPECT_NEAR(image.value[image.index(x, y)], per_x * x + per_y * y + constant, tolerance) << x << ", " << y;
+    for (int x = 0; x < image.width; ++x) EXPECT_NEAR(image.value[image.index(x, y)], per_x * x + per_y * y + constant, tolerance) << x << ", " << y;
 }
 
 TEST(JpegImage, ReadsGreyAndTheChannelsOfColourRowByRowFromTheTop) {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "io/image/image.hpp"
 #include "io/disk/file.hpp"
+#include "io/image/image.hpp"
 #include "support/pictures.hpp"
 #include "support/temporary_folder.hpp"
 

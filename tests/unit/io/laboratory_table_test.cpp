@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "support/program.hpp"
 #include "support/films.hpp"
+#include "support/program.hpp"
 
 namespace {
 using namespace arenite;

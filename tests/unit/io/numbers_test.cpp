@@ -73,8 +73,8 @@ TEST(NumbersTable, WhatIsDamagedIsTold) {
     group.write_texts("text", std::vector<std::string>(name.size()));
     EXPECT_THROW(io::read_numbers(io::Hdf5Reader(file.bytes(), "some.h5"), "n"), InputError);
   };
-  refused({"", "a"}, {0, 1}, {7});       // columns of unlike length
-  refused({"", "a"}, {0, 2}, {7, 4});    // a child without its parent
+  refused({"", "a"}, {0, 1}, {7});     // columns of unlike length
+  refused({"", "a"}, {0, 2}, {7, 4});  // a child without its parent
   refused({"", "a", "b"}, {0, 0, 0}, {7, 4, 4});
   refused({"", "a"}, {1, 2}, {7, 4});
   refused({"", "list", ""}, {0, 1, 2}, {7, 4, 4});  // a real holds nothing

@@ -105,10 +105,12 @@ TEST(PhaseMapImage, NumbersGrainsByTheirFirstNodeFromTheBottom) {
 TEST(PhaseMapImage, NamesLabelsThatDoNotFitTheMap) {
   const Image picture{3, 1, {85, 85, 170}};
   const Image few{3, 1, {4, 0, 0}}, many{3, 1, {4, 4, 4}}, both{3, 1, {0, 4, 4}}, narrow{2, 1, {4, 4}};
-  EXPECT_EQ(refusal(picture, with(electrode), &few), "labels.png: has no label for 1 particle pixels, the first at 1, 0; label them, or "
-                                                     "leave the labels out and let grains be found");
-  EXPECT_EQ(refusal(picture, with(electrode), &many), "labels.png: labels 1 pixels that are no particle, the first at 2, 0; write 0 "
-                                                      "there, or say with --phases that they are particle");
+  EXPECT_EQ(refusal(picture, with(electrode), &few),
+            "labels.png: has no label for 1 particle pixels, the first at 1, 0; label them, or "
+            "leave the labels out and let grains be found");
+  EXPECT_EQ(refusal(picture, with(electrode), &many),
+            "labels.png: labels 1 pixels that are no particle, the first at 2, 0; write 0 "
+            "there, or say with --phases that they are particle");
   const std::string two_problems = refusal(picture, with(electrode), &both);
   EXPECT_EQ(std::count(two_problems.begin(), two_problems.end(), '\n'), 1) << two_problems;
   EXPECT_NE(refusal(picture, with(electrode), &narrow).find("has 2 x 1 pixels and the phase map 3 x 1"), std::string::npos);

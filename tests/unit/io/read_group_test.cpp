@@ -14,9 +14,7 @@ using io::Hdf5Writer;
 std::string complaint(const std::function<void()>& act) {
   try {
     act();
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  } catch (const InputError& error) { return error.what(); }
   return "";
 }
 
@@ -33,8 +31,7 @@ Hdf5Reader sample() {
 
 TEST(Hdf5Reader, TellsTheFileAndThePlaceOfWhatIsMissing) {
   const auto frame = sample().group("frames").group("0000");
-  EXPECT_EQ(complaint([&] { frame.array<double>("y"); }),
-            "some.h5: /frames/0000 has no array \"y\"; remove the file and make it again with \"arenite run\"");
+  EXPECT_EQ(complaint([&] { frame.array<double>("y"); }), "some.h5: /frames/0000 has no array \"y\"; remove the file and make it again with \"arenite run\"");
   EXPECT_NE(complaint([&] { frame.group("contacts"); }).find("no group \"contacts\""), std::string::npos);
   EXPECT_NE(complaint([&] { frame.number("step"); }).find("no attribute \"step\""), std::string::npos);
   EXPECT_NE(complaint([&] { frame.text("label"); }).find("no text \"label\""), std::string::npos);

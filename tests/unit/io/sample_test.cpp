@@ -60,9 +60,7 @@ TEST(SampleCsv, TurnsTheFilesForceOnJIntoTheModelsForceOnI) {
 }
 
 TEST(SampleCsv, ReadsUnitsFromTheHeaderARowOfUnitsOrOptions) {
-  const auto radius = [](const std::string& grains, const SampleOptions& o = {}) {
-    return Files(grains, "i,j,fn,ft\n").read(o).packing.grains.radius.at(0);
-  };
+  const auto radius = [](const std::string& grains, const SampleOptions& o = {}) { return Files(grains, "i,j,fn,ft\n").read(o).packing.grains.radius.at(0); };
   SampleOptions millimetres;
   millimetres.length_unit = 1e-3;
   EXPECT_DOUBLE_EQ(radius("id,x [mm],y [mm],radius [mm]\n1,0,0,16.4\n"), 0.0164);
@@ -73,9 +71,7 @@ TEST(SampleCsv, ReadsUnitsFromTheHeaderARowOfUnitsOrOptions) {
   EXPECT_DOUBLE_EQ(radius("# a comment\n\nid,x,y,radius [mm]\r\n1,0,0,16.4\r\n", millimetres), 0.0164);
 }
 
-TEST(SampleCsv, DoesNotTakeARowOfOnesForUnits) {
-  EXPECT_EQ(Files("id,x,y,radius\n1,1,1,1\n", "i,j,fn,ft\n").read().packing.grains.size(), 1u);
-}
+TEST(SampleCsv, DoesNotTakeARowOfOnesForUnits) { EXPECT_EQ(Files("id,x,y,radius\n1,1,1,1\n", "i,j,fn,ft\n").read().packing.grains.size(), 1u); }
 
 TEST(SampleCsv, ReadsQuotedCellsAndZones) {
   const Packing p = Files("id,x,y,radius,material,zone\n1,0,0,1,\"POM, black\",1\n2,3,0,1,HDPE,0\n", "i,j,fn,ft\n").read().packing;
@@ -94,8 +90,7 @@ TEST(SampleCsv, SaysWhereItAssumedAUnit) {
 TEST(SampleCsv, ReportsEveryProblemOfBothFilesInOnePassWithItsLine) {
   const std::string text = Files("id,x,y,radius\n1,0,0,1\n2,1.9,zero,1\n", "i,j,fn,ft\n1,2,nan,0\n1,2\n").problems();
   expect_part(text, "grains.csv:3: y is \"zero\", which is not a finite number");
-  const std::string checked = Files("id,x,y,radius\n1,0,0,-3\n2,1.9,0,1\n2,3.8,0,1\n",
-                                    "i,j,fn,ft\n1,2,5,0\n2,1,5,0\n1,44,5,0\n1,1,5,0\n").problems();
+  const std::string checked = Files("id,x,y,radius\n1,0,0,-3\n2,1.9,0,1\n2,3.8,0,1\n", "i,j,fn,ft\n1,2,5,0\n2,1,5,0\n1,44,5,0\n1,1,5,0\n").problems();
   expect_part(checked, "grains.csv:2: the radius of grain 1 is -3 m; a radius must be positive");
   expect_part(checked, "grains.csv:4: grain 2 appears twice");
   expect_part(checked, "contacts.csv:3: the contact of 2 and 1 is already in line 2");
@@ -180,9 +175,9 @@ const std::string mercury_data =
     "3 0.5 0 0 4 2\n1 1 0 0 1 0 0 0\n2.9 1 0 0 1 0 0 0\n1 1.8 0 0 0.1 0 0 1\n";
 const std::string mercury_fstat =
     "# 0.5 0\n# 0 0 0 4 2 0\n# 1 1 0 0 0 0\n"
-    "0.5 0 1 1.95 1 0 0.1 0 10 3 -1 0 0 0 1 0\n"   // force on 0: (-10, 3)
-    "0.5 1 0 1.95 1 0 0.1 0 10 3 1 0 0 0 -1 0\n"   // the same contact, for grain 1
-    "0.5 0 -1 0 1 0 0 0 7 1 -1 0 0 0 -1 0\n";      // left wall: MercuryDPM turns n and t round, force on 0: (7, 1)
+    "0.5 0 1 1.95 1 0 0.1 0 10 3 -1 0 0 0 1 0\n"  // force on 0: (-10, 3)
+    "0.5 1 0 1.95 1 0 0.1 0 10 3 1 0 0 0 -1 0\n"  // the same contact, for grain 1
+    "0.5 0 -1 0 1 0 0 0 7 1 -1 0 0 0 -1 0\n";     // left wall: MercuryDPM turns n and t round, force on 0: (7, 1)
 
 TEST(SampleMercury, ReadsTheLastStepContactsOnceAndWalls) {
   const Sample s = Files(mercury_data, mercury_fstat).read();

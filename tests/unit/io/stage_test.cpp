@@ -10,8 +10,8 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "io/results/groups.hpp"
 #include "io/disk/file.hpp"
+#include "io/results/groups.hpp"
 #include "support/sample_results.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -31,9 +31,7 @@ void spill(const std::filesystem::path& path, std::string_view bytes) {
 std::string complaint_about(const std::filesystem::path& path) {
   try {
     read_stage(path);
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  } catch (const InputError& error) { return error.what(); }
   return "";
 }
 
@@ -43,8 +41,7 @@ class Bits {
   void add(double v) { text_ += std::to_string(std::bit_cast<std::uint64_t>(v)) + ","; }
   void add(std::int64_t v) { text_ += std::to_string(v) + ","; }
   void add(const std::string& v) { text_ += std::to_string(v.size()) + ":" + v + ","; }
-  template <class T>
-  void add(const std::vector<T>& values) {
+  template <class T> void add(const std::vector<T>& values) {
     text_ += "[";
     for (const auto& v : values) {
       if constexpr (std::is_floating_point_v<T>) add(v);
@@ -85,18 +82,18 @@ void add(Bits& bits, const Frame& f) {
   for (const auto* a : {&c.nx, &c.ny, &c.fn, &c.ft, &c.arm_i, &c.arm_j, &c.overlap, &c.sliding_velocity}) bits.add(*a);
   bits.add(c.glued);
   const auto& e = f.energies;
-  for (const double v : {e.kinetic, e.elastic, e.adhesive, e.dissipated_normal, e.dissipated_friction, e.dissipated_drag,
-                         e.dissipated_breakage, e.work_walls, e.work_gravity})
+  for (const double v :
+       {e.kinetic, e.elastic, e.adhesive, e.dissipated_normal, e.dissipated_friction, e.dissipated_drag, e.dissipated_breakage, e.work_walls, e.work_gravity})
     bits.add(v);
-  for (const double v : {f.equilibrium.unbalanced_ratio, f.equilibrium.kinetic_ratio, f.equilibrium.mobilisation, f.equilibrium.wall_speed, f.equilibrium.falling,
-                         f.equilibrium.loose_kinetic})
+  for (const double v : {f.equilibrium.unbalanced_ratio, f.equilibrium.kinetic_ratio, f.equilibrium.mobilisation, f.equilibrium.wall_speed,
+                         f.equilibrium.falling, f.equilibrium.loose_kinetic})
     bits.add(v);
 }
 
 std::string bits_of(const StageResult& r) {
   Bits bits;
-  for (const auto& s : {r.provenance.version, r.provenance.stage, r.provenance.input_hash, r.provenance.recipe, r.provenance.kernel, r.name,
-                        r.outcome, to_json(r.texture)})
+  for (const auto& s :
+       {r.provenance.version, r.provenance.stage, r.provenance.input_hash, r.provenance.recipe, r.provenance.kernel, r.name, r.outcome, to_json(r.texture)})
     bits.add(s);
   bits.add(static_cast<std::int64_t>(r.provenance.seed));
   for (const auto& [key, value] : r.provenance.options) {
@@ -114,9 +111,7 @@ std::string bits_of(const StageResult& r) {
   return bits.text();
 }
 
-double any_double() {
-  return std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());
-}
+double any_double() { return std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>()); }
 
 std::string any_text() { return *rc::gen::container<std::string>(rc::gen::inRange<char>(1, 127)); }
 
@@ -176,8 +171,7 @@ StageResult any_result() {
   for (int f = 0; f < frames; ++f) r.frames.push_back(any_frame(n, sample));
   const int columns = *rc::gen::inRange(0, 4);
   const std::size_t samples = *rc::gen::inRange<std::size_t>(0, 1500);
-  for (int c = 0; c < columns; ++c)
-    r.history.columns.push_back({"column " + std::to_string(9 - c), any_text(), std::vector<double>(samples, any_double())});
+  for (int c = 0; c < columns; ++c) r.history.columns.push_back({"column " + std::to_string(9 - c), any_text(), std::vector<double>(samples, any_double())});
   return r;
 }
 
@@ -246,11 +240,19 @@ TEST(StageFile, TextThatIsDamagedUnderARightSealIsTold) {
     write_stage(folder / "sealed.h5", result);
     return complaint_about(folder / "sealed.h5");
   };
-  EXPECT_EQ(complaint([](StageResult& r) { r.texture = {{"grains", 5}, {"note", "a \\ and \xc3\xa4"}}; r.outcome = "at rest \xc3\xa4 \"so\" \\"; }), "");
+  EXPECT_EQ(complaint([](StageResult& r) {
+              r.texture = {{"grains", 5}, {"note", "a \\ and \xc3\xa4"}};
+              r.outcome = "at rest \xc3\xa4 \"so\" \\";
+            }),
+            "");
   const std::string no_text = "at \xff rest";
-  for (const auto& spoil : std::vector<std::function<void(StageResult&)>>{[&](StageResult& r) { r.outcome = no_text; }, [&](StageResult& r) { r.provenance.recipe = no_text; },
-                                                                          [&](StageResult& r) { r.frames[0].label = no_text; }, [&](StageResult& r) { r.texture = {{"note", no_text}}; }, [&](StageResult& r) { r.provenance.options[0].second = no_text; },
-                                                                          [&](StageResult& r) { r.history.columns[0].unit = no_text; }})
+  for (const auto& spoil : std::vector<std::function<void(StageResult&)>>{
+           [&](StageResult& r) { r.outcome = no_text; }, [&](StageResult& r) { r.provenance.recipe = no_text; },
+           [&](StageResult& r) { r.frames[0].label = no_text; },
+           [&](StageResult& r) {
+             r.texture = {{"note", no_text}};
+           },
+           [&](StageResult& r) { r.provenance.options[0].second = no_text; }, [&](StageResult& r) { r.history.columns[0].unit = no_text; }})
     EXPECT_NE(complaint(spoil).find("damaged"), std::string::npos);
 }
 

@@ -46,14 +46,17 @@ int with_room_for(rlim_t bytes, int (*work)(const std::filesystem::path&), const
 
 TEST(AppendLog, TellsOnceThatLinesAreLost) {
   const test::TemporaryFolder folder;
-  const int told = with_room_for(10, [](const std::filesystem::path& where) {
-    int count = 0;
-    const AppendLog log(where, [&](const std::string& sentence) { count += sentence.find("lines are being lost") != std::string::npos ? 1 : 100; });
-    log.add("seven77");
-    log.add("this one is torn");
-    log.add("this one is lost");
-    return count;
-  }, folder.path());
+  const int told = with_room_for(
+      10,
+      [](const std::filesystem::path& where) {
+        int count = 0;
+        const AppendLog log(where, [&](const std::string& sentence) { count += sentence.find("lines are being lost") != std::string::npos ? 1 : 100; });
+        log.add("seven77");
+        log.add("this one is torn");
+        log.add("this one is lost");
+        return count;
+      },
+      folder.path());
   EXPECT_EQ(told, 1);
   EXPECT_EQ(lines_in(folder.path()), (std::vector<std::string>{"seven77"}));
 }

@@ -13,8 +13,8 @@ using arenite::io::stage_files;
 
 TEST(RunFolder, ListsStagesInTheOrderOfTheLoading) {
   const test::TemporaryFolder folder;
-  for (const auto& name : {stage_file_name(10, "unload", "f0"), stage_file_name(2, "a b/c", "e0"), stage_file_name(1, "z", "d0"),
-                           std::string("report.html"), std::string(".01-z-d0.h5.tmp")})
+  for (const auto& name : {stage_file_name(10, "unload", "f0"), stage_file_name(2, "a b/c", "e0"), stage_file_name(1, "z", "d0"), std::string("report.html"),
+                           std::string(".01-z-d0.h5.tmp")})
     io::write_atomically(folder / name, "x");
   const auto files = stage_files(folder.path());
   ASSERT_EQ(files.size(), 3u);
@@ -29,9 +29,7 @@ TEST(RunFolder, NamesHoldTheFirstTwelveDigitsOfTheHash) {
   EXPECT_EQ(arenite::io::full_stage_file_name(1, "packing", hash), "01-packing-" + hash + ".h5");
 }
 
-TEST(RunFolder, AFileIsItsOwnList) {
-  EXPECT_EQ(stage_files("some.h5"), std::vector<std::filesystem::path>{"some.h5"});
-}
+TEST(RunFolder, AFileIsItsOwnList) { EXPECT_EQ(stage_files("some.h5"), std::vector<std::filesystem::path>{"some.h5"}); }
 
 TEST(RunFolder, WithoutStagesIsAnInputError) {
   const test::TemporaryFolder folder;

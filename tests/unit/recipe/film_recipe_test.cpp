@@ -13,9 +13,7 @@ namespace {
 std::vector<Problem> problems_of(const std::string& text) {
   try {
     parse_film_recipe(text, "film.toml");
-  } catch (const InputError& error) {
-    return error.problems();
-  }
+  } catch (const InputError& error) { return error.problems(); }
   return {};
 }
 
@@ -119,7 +117,8 @@ TEST(FilmRecipe, APhaseIsAnAngleWithItsUnit) {
 }
 
 TEST(FilmRecipe, SaysWhatAFilmDoesNotSay) {
-  const auto recipe = parse_film_recipe(to_toml(film_template()) + "\n[film]\nframe_rate = \"148 Hz\"\nscale = \"10 mK\"\noffset = \"-273.15 K\"\n", "film.toml");
+  const auto recipe =
+      parse_film_recipe(to_toml(film_template()) + "\n[film]\nframe_rate = \"148 Hz\"\nscale = \"10 mK\"\noffset = \"-273.15 K\"\n", "film.toml");
   ASSERT_TRUE(recipe.film);
   EXPECT_EQ(recipe.film->frame_rate, 148);
   EXPECT_DOUBLE_EQ(recipe.film->scale.value_or(0), 0.01);

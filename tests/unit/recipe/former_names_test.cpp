@@ -11,7 +11,8 @@ namespace arenite::recipe {
 namespace {
 
 std::string recipe_with(const std::string& container, const std::string& snapshots, const std::string& equilibrium, const std::string& masses) {
-  return "[" + container + "]\nwidth = \"350 mm\"\nthickness = \"60 mm\"\n[materials.POM]\ndensity = \"1410 kg/m^3\"\nstiffness = \"27 kN/mm\"\n"
+  return "[" + container +
+         "]\nwidth = \"350 mm\"\nthickness = \"60 mm\"\n[materials.POM]\ndensity = \"1410 kg/m^3\"\nstiffness = \"27 kN/mm\"\n"
          "[[populations]]\nmaterial = \"POM\"\ncount = 10\ndiameter = \"16 mm\"\n[[stages]]\nname = \"load\"\n" +
          snapshots + " = 3\n" + masses + "\n" + equilibrium + " = { unbalanced = 1e-3 }\n";
 }

@@ -4,9 +4,9 @@
 
 #include <fstream>
 
+#include "campaign/study.hpp"
 #include "core/error.hpp"
 #include "recipe/recipe.hpp"
-#include "campaign/study.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace arenite::recipe {
@@ -58,7 +58,8 @@ class RecipeBase : public ::testing::Test {
 
 TEST_F(RecipeBase, GivesWhatTheRecipeDoesNot) {
   put("a/recipe.toml", whole);
-  const std::string file = put("b/recipe.toml", "base = \"../a/recipe.toml\"\n[frame]\nwidth = \"400 mm\"\n[[stages]]\nname = \"other\"\nbottom = { force = \"10 kN\" }\n");
+  const std::string file =
+      put("b/recipe.toml", "base = \"../a/recipe.toml\"\n[frame]\nwidth = \"400 mm\"\n[[stages]]\nname = \"other\"\nbottom = { force = \"10 kN\" }\n");
   const Recipe recipe = read_recipe(file);
   EXPECT_EQ(recipe.container.width, 0.4);
   EXPECT_EQ(recipe.container.thickness, 0.06);
@@ -104,9 +105,7 @@ TEST_F(RecipeBase, HasItsOwnMistakes) {
   EXPECT_NE(said.find("did you mean friction?"), std::string::npos) << said;
 }
 
-TEST_F(RecipeBase, IsForFilesOnly) {
-  EXPECT_THROW(parse_recipe("base = \"a.toml\"\n", "memory"), InputError);
-}
+TEST_F(RecipeBase, IsForFilesOnly) { EXPECT_THROW(parse_recipe("base = \"a.toml\"\n", "memory"), InputError); }
 
 }  // namespace
 }  // namespace arenite::recipe

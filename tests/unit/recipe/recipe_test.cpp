@@ -28,9 +28,7 @@ name = "load"
 bottom = { force = "50 kN" }
 )";
 
-Recipe parsed(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  return parse_recipe(text, "r.toml", overrides);
-}
+Recipe parsed(const std::string& text, const std::vector<std::string>& overrides = {}) { return parse_recipe(text, "r.toml", overrides); }
 
 /// Every problem as main prints it, in order.
 std::vector<std::string> problems(const std::string& text, const std::vector<std::string>& overrides = {}) {
@@ -65,8 +63,8 @@ TEST(Recipe, SmallestRecipeGivesSiValuesAndDefaults) {
   EXPECT_EQ(recipe.stages[0].equilibrium, EquilibriumCriterion{});
   EXPECT_EQ(recipe.contact, dem::ContactParameters{});
   EXPECT_EQ(recipe.contact.friction_law, dem::CundallStrack{});  // the field's: friction that holds at rest,
-  EXPECT_FALSE(recipe.contact.attractive_dashpot);                          // contacts that do not pull,
-  EXPECT_EQ(recipe.contact.restitution, 0.5);                               // moderate damping
+  EXPECT_FALSE(recipe.contact.attractive_dashpot);               // contacts that do not pull,
+  EXPECT_EQ(recipe.contact.restitution, 0.5);                    // moderate damping
   EXPECT_EQ(recipe.seed, 1u);
 }
 
@@ -217,8 +215,7 @@ TEST(BadRecipe, ValueOutOfRangeNamesTheRange) {
 TEST(BadRecipe, NumbersMustBeFinite) {
   EXPECT_EQ(problems(smallest + "[contact]\nfriction = nan\n"), Lines{"r.toml:15:12: contact.friction: must be a finite number"});
   EXPECT_EQ(problems(smallest + "[contact]\nfriction = -inf\n"), Lines{"r.toml:15:12: contact.friction: must be a finite number"});
-  EXPECT_EQ(problems(replaced(smallest, "16.4 mm", "nan mm")),
-            Lines{"r.toml:10:12: populations.0.diameter: \"nan mm\" is not a finite number"});
+  EXPECT_EQ(problems(replaced(smallest, "16.4 mm", "nan mm")), Lines{"r.toml:10:12: populations.0.diameter: \"nan mm\" is not a finite number"});
 }
 
 TEST(BadRecipe, MissingKeyAndSectionAreNamed) {
@@ -233,8 +230,7 @@ TEST(BadRecipe, MissingKeyAndSectionAreNamed) {
 }
 
 TEST(BadRecipe, WrongKindsOfValueAreRefused) {
-  EXPECT_EQ(problems(smallest + "gravity = \"yes\"\n"),
-            Lines{"r.toml:14:11: stages.0.gravity: is a text, but must be true or false (without quotes)"});
+  EXPECT_EQ(problems(smallest + "gravity = \"yes\"\n"), Lines{"r.toml:14:11: stages.0.gravity: is a text, but must be true or false (without quotes)"});
   EXPECT_EQ(problems(smallest + "increments = 2.5\n"), Lines{"r.toml:14:14: stages.0.increments: 2.5 is not a whole number"});
   EXPECT_EQ(problems(replaced(smallest, "\"POM\"", "3")), Lines{"r.toml:8:12: populations.0.material: is a number, but must be a text in quotes"});
   EXPECT_EQ(problems(replaced(smallest, "\"16.4 mm\"", "[1]")),
@@ -252,8 +248,7 @@ TEST(BadRecipe, QuantityWithoutItsTagIsOfferedWithIt) {
   const std::string drive = "{ force = \"50 kN\" }";
   EXPECT_EQ(problems(replaced(smallest, drive, "\"50 kN\"")), Lines{"r.toml:13:10: stages.0.bottom: write { force = \"50 kN\" }"});
   EXPECT_EQ(problems(replaced(smallest, drive, "\"5 kPa\"")), Lines{"r.toml:13:10: stages.0.bottom: write { pressure = \"5 kPa\" }"});
-  EXPECT_EQ(problems(replaced(smallest, drive, "\"fixd\"")),
-            Lines{"r.toml:13:10: stages.0.bottom: unknown word \"fixd\"; did you mean \"fixed\"?"});
+  EXPECT_EQ(problems(replaced(smallest, drive, "\"fixd\"")), Lines{"r.toml:13:10: stages.0.bottom: unknown word \"fixd\"; did you mean \"fixed\"?"});
 }
 
 TEST(BadRecipe, OfTwoPeriodicEdgesOnlyOnePresses) {
@@ -276,15 +271,12 @@ TEST(BadRecipe, CyclesNeedAKnownSideUnderForce) {
   EXPECT_EQ(problems(smallest + cycles).at(0).find("r.toml:14:19: stages.0.cycles.side: unknown word \"botom\"; did you mean \"bottom\"?"), 0u);
   const auto not_driven = problems(smallest + replaced(cycles, "botom", "left"));
   EXPECT_EQ(not_driven, Lines{"r.toml:14:10: stages.0.cycles: cycles need a side under force; write left = { force = \"...\" } in this stage"});
-  EXPECT_EQ(problems(smallest + replaced(replaced(cycles, "botom", "bottom"), "60 kN", "6 kN")),
-            Lines{"r.toml:14:49: stages.0.cycles.max: must be above min"});
+  EXPECT_EQ(problems(smallest + replaced(replaced(cycles, "botom", "bottom"), "60 kN", "6 kN")), Lines{"r.toml:14:49: stages.0.cycles.max: must be above min"});
 }
 
 TEST(BadRecipe, StageNamesDifferAndAreFileNames) {
-  EXPECT_EQ(problems(smallest + "[[stages]]\nname = \"load\"\n").back(),
-            "r.toml:15:8: stages.1.name: another stage is called \"load\"; names must differ");
-  EXPECT_EQ(problems(replaced(smallest, "\"load\"", "\"../load\"")),
-            Lines{"r.toml:12:8: stages.0.name: must be made of letters, digits, _ and -"});
+  EXPECT_EQ(problems(smallest + "[[stages]]\nname = \"load\"\n").back(), "r.toml:15:8: stages.1.name: another stage is called \"load\"; names must differ");
+  EXPECT_EQ(problems(replaced(smallest, "\"load\"", "\"../load\"")), Lines{"r.toml:12:8: stages.0.name: must be made of letters, digits, _ and -"});
 }
 
 TEST(BadRecipe, MovingSideNeedsADuration) {
@@ -293,8 +285,7 @@ TEST(BadRecipe, MovingSideNeedsADuration) {
 }
 
 TEST(BadRecipe, CountAndRatioExcludeEachOther) {
-  EXPECT_EQ(problems(replaced(smallest, "count = 10", "count = 10\nratio = 1")),
-            Lines{"r.toml:10:9: populations.0.ratio: give either count or ratio"});
+  EXPECT_EQ(problems(replaced(smallest, "count = 10", "count = 10\nratio = 1")), Lines{"r.toml:10:9: populations.0.ratio: give either count or ratio"});
   EXPECT_EQ(problems(replaced(smallest, "count = 10\n", "")), Lines{"r.toml:7:1: populations.0.ratio: give either count or ratio"});
   EXPECT_EQ(problems(replaced(smallest, "count = 10", "ratio = 1")).size(), 1u);
   EXPECT_TRUE(problems(replaced(smallest, "count = 10", "ratio = 1") + "[packing]\ngrains = 100\n").empty());

@@ -15,20 +15,11 @@ namespace {
 /// A positive double of many digits, in the given decade.
 double any_number(double scale) { return scale * (1 + *rc::gen::inRange<int>(0, 1'000'000'000) * 1e-9 / 3); }
 
-template <class Family, class... Law>
-Family any_law(Law... law) {
-  return *rc::gen::element<Family>(law...);
-}
+template <class Family, class... Law> Family any_law(Law... law) { return *rc::gen::element<Family>(law...); }
 
-template <class Enum>
-Enum any_of(int count) {
-  return static_cast<Enum>(*rc::gen::inRange(0, count));
-}
+template <class Enum> Enum any_of(int count) { return static_cast<Enum>(*rc::gen::inRange(0, count)); }
 
-template <class T>
-std::optional<T> maybe(T value) {
-  return *rc::gen::arbitrary<bool>() ? std::optional<T>(value) : std::nullopt;
-}
+template <class T> std::optional<T> maybe(T value) { return *rc::gen::arbitrary<bool>() ? std::optional<T>(value) : std::nullopt; }
 
 SizeLaw any_size() {
   const double d = any_number(1e-3);
@@ -111,10 +102,11 @@ void sample_two_classes(Recipe& recipe) {
   recipe.packing.method = PackingParameters::Method::poisson;
   recipe.container.width = recipe.container.height = 0;
   recipe.populations.clear();
-  recipe.bidisperse = BidisperseSection{
-      {any_number(1e-3), any_number(1), any_number(1), any_number(0.1), any_number(0.5), *rc::gen::arbitrary<bool>(),
-       *rc::gen::arbitrary<bool>(), any_number(100), *rc::gen::inRange(1, 100), *rc::gen::arbitrary<bool>(), any_number(0.01)},
-      "B c", "A"};
+  recipe.bidisperse =
+      BidisperseSection{{any_number(1e-3), any_number(1), any_number(1), any_number(0.1), any_number(0.5), *rc::gen::arbitrary<bool>(),
+                         *rc::gen::arbitrary<bool>(), any_number(100), *rc::gen::inRange(1, 100), *rc::gen::arbitrary<bool>(), any_number(0.01)},
+                        "B c",
+                        "A"};
 }
 
 Recipe any_recipe() {

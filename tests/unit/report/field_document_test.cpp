@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "report/page_document.hpp"
-#include "workflow/field_stages.hpp"
 #include "support/field_page_sample.hpp"
+#include "workflow/field_stages.hpp"
 
 using namespace arenite;
 using Json = nlohmann::json;

@@ -91,7 +91,8 @@ TEST(FilmDocument, StaysSmallForALargeCamera) {
     return values;
   };
   large.picture = noise(296);
-  for (auto* map : {&large.maps.amplitude, &large.maps.phase, &large.maps.in_phase, &large.maps.second_harmonic, &large.maps.standard_error, &large.maps.residual})
+  for (auto* map :
+       {&large.maps.amplitude, &large.maps.phase, &large.maps.in_phase, &large.maps.second_harmonic, &large.maps.standard_error, &large.maps.residual})
     *map = noise(0);
   EXPECT_LT(report::page_document({"film", {}, {}, {}, {{&large, {}}}}).numbers.size(), 4'000'000u);
 }

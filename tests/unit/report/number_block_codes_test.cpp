@@ -58,9 +58,7 @@ TEST(FieldCodes, OfADisplacementAreFineOverItsWholeRange) {
     if (field.known[k]) kept.push_back(field.values[k]);
   const auto [least, most] = std::minmax_element(kept.begin(), kept.end());
   for (std::size_t k = 0; k < values.size(); ++k)
-    if (field.known[k]) {
-      EXPECT_NEAR(values[k], field.values[k], 3.1e-5 * (*most - *least));
-    }
+    if (field.known[k]) { EXPECT_NEAR(values[k], field.values[k], 3.1e-5 * (*most - *least)); }
 }
 
 TEST(FieldCodes, OfOneValueOrNoneStand) {

@@ -20,7 +20,10 @@ campaign::CollectedTable table() {
   for (const char* gamma : {"2", "1"})
     for (const char* cement : {"", "full"})
       for (const char* seed : {"1", "3"})
-        t.rows.push_back({std::to_string(run++), "done", {gamma, cement, seed}, 1,
+        t.rows.push_back({std::to_string(run++),
+                          "done",
+                          {gamma, cement, seed},
+                          1,
                           {campaign::Estimate{10 * std::stod(gamma) + std::stod(seed), {}}, campaign::Estimate{std::stod(gamma) / 4, {}}}});
   return t;
 }
@@ -45,7 +48,8 @@ TEST(StudyFigures, ACurveForEachValueOfAKeyNumbersOfXAndInverses) {
 }
 
 TEST(StudyFigures, DensitiesAreMeansOverRuns) {
-  const auto even = mean_density(test::numbers_of({R"({"a":{"pdf":{"low":0,"width":0.5,"density":[1,3]}}})", R"({"a":{"pdf":{"low":0,"width":0.5,"density":[2,4]}}})", "{}"}), "a.pdf");
+  const auto even = mean_density(
+      test::numbers_of({R"({"a":{"pdf":{"low":0,"width":0.5,"density":[1,3]}}})", R"({"a":{"pdf":{"low":0,"width":0.5,"density":[2,4]}}})", "{}"}), "a.pdf");
   EXPECT_EQ(even.x, (std::vector<double>{0.25, 0.75}));
   EXPECT_EQ(even.y, (std::vector<double>{1.5, 3.5}));
   EXPECT_DOUBLE_EQ(even.error[0], 0.5);
@@ -124,7 +128,8 @@ TEST(StudyFigures, WhatAFilmGivesIsMarked) {
 }
 
 TEST(StudyFigures, TheShareAboveADensityStandsAtTheLowerEdgesWithTheErrorOfTheSharesOfTheSamples) {
-  const auto above = mean_share_above(test::numbers_of({R"({"pdf":{"low":0,"width":0.5,"density":[0.8,0.8,0.4]}})", R"({"pdf":{"low":0,"width":0.5,"density":[1.2,0.8]}})"}), "pdf");
+  const auto above = mean_share_above(
+      test::numbers_of({R"({"pdf":{"low":0,"width":0.5,"density":[0.8,0.8,0.4]}})", R"({"pdf":{"low":0,"width":0.5,"density":[1.2,0.8]}})"}), "pdf");
   EXPECT_EQ(above.x, (std::vector<double>{0, 0.5, 1}));
   EXPECT_EQ(above.samples, 2u);
   ASSERT_EQ(above.y.size(), 3u);
@@ -153,13 +158,20 @@ TEST(StudyFigures, RosesShowNumbersWithTheirErrorsAndShareSectorsOut) {
 }
 
 TEST(StudyFigures, DeviationsStandWhereTheFigureAsksForThem) {
-  const auto of = [](const std::string& spread) { return curves_of(figures("x = \"gamma\"\ny = [\"z\"]\n" + spread + "where = { cement = \"full\" }").front(), table(), none).front(); };
+  const auto of = [](const std::string& spread) {
+    return curves_of(figures("x = \"gamma\"\ny = [\"z\"]\n" + spread + "where = { cement = \"full\" }").front(), table(), none).front();
+  };
   EXPECT_DOUBLE_EQ(of("").points.error[0], 1);
   EXPECT_DOUBLE_EQ(of("spread = \"deviation\"\n").points.error[0], std::sqrt(2.0));
   EXPECT_EQ(of("").most, 2u);
   EXPECT_THROW(figures("x = \"gamma\"\ny = [\"z\"]\nspread = \"range\""), InputError);
-  const NumbersOf numbers = [](const std::string& run, const std::string&, const Figure&) { return test::numbers_of("{\"s\":[" + std::string(run == "6" ? "1" : "3") + ",2]}"); };
-  const auto rose = curves_of(figures("kind = \"rose\"\ncurves = [\"s\"]\ncounts = true\nspread = \"deviation\"\nwhere = { gamma = 1, cement = \"full\" }").front(), table(), numbers).front();
+  const NumbersOf numbers = [](const std::string& run, const std::string&, const Figure&) {
+    return test::numbers_of("{\"s\":[" + std::string(run == "6" ? "1" : "3") + ",2]}");
+  };
+  const auto rose =
+      curves_of(figures("kind = \"rose\"\ncurves = [\"s\"]\ncounts = true\nspread = \"deviation\"\nwhere = { gamma = 1, cement = \"full\" }").front(), table(),
+                numbers)
+          .front();
   EXPECT_EQ(rose.points.y, (std::vector<double>{2, 2}));
   EXPECT_DOUBLE_EQ(rose.points.error[0], std::sqrt(2.0));
 }
@@ -173,7 +185,8 @@ TEST(StudyFigures, WhatBarsAreAndOverHowManySamplesIsSaid) {
   };
   EXPECT_EQ(said("x = \"gamma\"\ny = [\"z\"]\nwhere = { cement = \"full\" }"), "Bars: standard error over 2 samples");
   EXPECT_EQ(said("x = \"gamma\"\ny = [\"z\"]\nspread = \"deviation\"\nwhere = { cement = \"full\" }"), "Bars: standard deviation over 2 samples");
-  EXPECT_EQ(said("kind = \"rose\"\ncurves = [\"s\", \"film.s\"]\nwhere = { gamma = 1, cement = \"full\" }"), "Ticks: standard error over 2 samples; of the film: one sample");
+  EXPECT_EQ(said("kind = \"rose\"\ncurves = [\"s\", \"film.s\"]\nwhere = { gamma = 1, cement = \"full\" }"),
+            "Ticks: standard error over 2 samples; of the film: one sample");
   EXPECT_EQ(said("kind = \"rose\"\ncurves = [\"s\"]\nwhere = { seed = 1, gamma = 1, cement = \"full\" }"), "One sample");
   EXPECT_EQ(said("kind = \"grains\""), "");
 }
@@ -181,7 +194,9 @@ TEST(StudyFigures, WhatBarsAreAndOverHowManySamplesIsSaid) {
 TEST(StudyFigures, OtherRunsAndTheSourcesPointsStandBeside) {
   const auto curves = curves_of(figures("x = \"gamma\"\ny = [\"z\"]\nwhere = { cement = \"\" }\n"
                                         "beside = [{ name = \"full\", x = \"0\", y = \"z\", where = { cement = \"full\" } }]\n"
-                                        "source_points = [{ name = \"T\", film = true, x = [1, 2], y = [3, 4] }]").front(), table(), none);
+                                        "source_points = [{ name = \"T\", film = true, x = [1, 2], y = [3, 4] }]")
+                                    .front(),
+                                table(), none);
   ASSERT_EQ(curves.size(), 3u);
   EXPECT_FALSE(curves[0].beside || curves[0].source);
   EXPECT_TRUE(curves[1].beside);
@@ -203,8 +218,8 @@ TEST(StudyFigures, ARegressionOfASharePassesThroughAnExponentialOne) {
   std::string density;  // of P = 0.4 exp(2 (1 - x)) above 1
   for (int k = 0; k < 60; ++k) density += (k ? "," : "") + std::to_string(k < 10 ? 0.6 : 4 * (std::exp(2 * (1 - 0.1 * k)) - std::exp(2 * (1 - 0.1 * (k + 1)))));
   const std::string text = R"({"d":{"pdf":{"low":0,"width":0.1,"density":[)" + density + R"(]},"beta_line":{"value":2,"error":0.1}}})";
-  const auto curves = curves_of(figures("curves = [\"d.pdf\"]\nfits = [\"d\"]\nshare_above = true\nwhere = { gamma = 1, cement = \"\", seed = 1 }").front(), table(),
-                                [&](const std::string&, const std::string&, const Figure&) { return test::numbers_of(text); });
+  const auto curves = curves_of(figures("curves = [\"d.pdf\"]\nfits = [\"d\"]\nshare_above = true\nwhere = { gamma = 1, cement = \"\", seed = 1 }").front(),
+                                table(), [&](const std::string&, const std::string&, const Figure&) { return test::numbers_of(text); });
   ASSERT_EQ(curves.size(), 2u);
   ASSERT_TRUE(curves[1].fit);
   EXPECT_DOUBLE_EQ(curves[1].points.x.front(), 1);

@@ -10,9 +10,7 @@
 namespace arenite::statistics {
 namespace {
 
-TEST(Correlation, EqualValuesShareTheirRank) {
-  EXPECT_EQ(ranks({3, 1, 3, 2, 3}), (std::vector<double>{4, 1, 4, 2, 4}));
-}
+TEST(Correlation, EqualValuesShareTheirRank) { EXPECT_EQ(ranks({3, 1, 3, 2, 3}), (std::vector<double>{4, 1, 4, 2, 4})); }
 
 TEST(Correlation, SpearmanSeesOrderAndPearsonALine) {
   std::vector<double> x, rising, line;

@@ -9,8 +9,7 @@
 namespace arenite::statistics {
 
 /// n independent values of `draw(random)`, dealt out to the blocks in turn.
-template <class Draw>
-BlockedSample drawn(std::size_t n, std::uint64_t seed, Draw&& draw, int blocks = 36) {
+template <class Draw> BlockedSample drawn(std::size_t n, std::uint64_t seed, Draw&& draw, int blocks = 36) {
   RandomStream random(seed, Purpose::test);
   BlockedSample sample{{}, {}, blocks};
   for (std::size_t k = 0; k < n; ++k) {

@@ -11,7 +11,8 @@ namespace arenite::statistics {
 namespace {
 
 TEST(BlockedSample, CountsAreThoseOfASearchInEveryBlock) {
-  const BlockedSample sample = drawn(5000, 1, [](RandomStream& r) { return r.normal(); }, 7);
+  const BlockedSample sample = drawn(
+      5000, 1, [](RandomStream& r) { return r.normal(); }, 7);
   const Bins bins{-1.5, 0.25, 10};
   const BlockCounts counts = count(sample, bins);
   for (std::size_t b = 0; b < 7; ++b) {
@@ -70,8 +71,7 @@ TEST(BlockedSample, QuantilesByRankAreThoseOfTheSortedValues) {
 
 TEST(BlockedSample, QuantileAndShareInBinsAreEachOthersInverse) {
   const BlockCounts counts = counted(drawn(20000, 4, [](RandomStream& r) { return r.normal(); }));
-  for (const double p : {0.01, 0.3, 0.5, 0.9, 0.995})
-    EXPECT_NEAR(share_above(counts.bins, counts.all, quantile(counts.bins, counts.all, p)), 1 - p, 1e-9);
+  for (const double p : {0.01, 0.3, 0.5, 0.9, 0.995}) EXPECT_NEAR(share_above(counts.bins, counts.all, quantile(counts.bins, counts.all, p)), 1 - p, 1e-9);
 }
 
 }  // namespace

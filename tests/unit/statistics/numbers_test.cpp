@@ -8,7 +8,8 @@ namespace {
 using namespace arenite;
 
 TEST(Numbers, BracesMakeTreesAndLists) {
-  const Numbers n{{"z", 3.5}, {"fabric", {{"a_c", {{"value", 0.1}, {"error", 0.01}}}, {"sectors", {1, 2, 3}}}}, {"notes", Numbers::list()}, {"twice", {"a", "b"}}};
+  const Numbers n{
+      {"z", 3.5}, {"fabric", {{"a_c", {{"value", 0.1}, {"error", 0.01}}}, {"sectors", {1, 2, 3}}}}, {"notes", Numbers::list()}, {"twice", {"a", "b"}}};
   EXPECT_TRUE(n.is_tree());
   EXPECT_EQ(n["z"].get<double>(), 3.5);
   EXPECT_EQ(n["fabric"]["sectors"].get<std::vector<int>>(), (std::vector<int>{1, 2, 3}));
@@ -18,7 +19,8 @@ TEST(Numbers, BracesMakeTreesAndLists) {
 }
 
 TEST(Numbers, KeepTheirOrderAndEveryDigitThroughJson) {
-  const std::string text = R"({"b":18446744073709551615,"a":-9223372036854775808,"pi":3.141592653589793,"yes":true,"none":null,"word":"\u00e4\n","list":[[1,2.5],{}]})";
+  const std::string text =
+      R"({"b":18446744073709551615,"a":-9223372036854775808,"pi":3.141592653589793,"yes":true,"none":null,"word":"\u00e4\n","list":[[1,2.5],{}]})";
   const auto n = from_json(text);
   ASSERT_TRUE(n);
   EXPECT_EQ((*n)["b"].get<std::uint64_t>(), std::numeric_limits<std::uint64_t>::max());

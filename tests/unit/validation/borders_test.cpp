@@ -2,18 +2,21 @@
 
 #include <gtest/gtest.h>
 
-#include "workflow/result_folder.hpp"
-#include "workflow/run.hpp"
 #include "support/small_study.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/validation/made_up_table.hpp"
+#include "workflow/result_folder.hpp"
+#include "workflow/run.hpp"
 
 namespace arenite::validation {
 namespace {
 
 TEST(Borders, MeasureTheSameStatesWithAnotherStripLeftOut) {
   const test::TemporaryFolder folder;
-  const auto recipe = recipe::parse_recipe(test::small_packing_recipe + "solid_fraction = 0.7\n[contact]\nfriction_law = \"cundall_strack\"\n[[stages]]\nname = \"load\"\ntop = { force = \"100 N\" }\n", "recipe.toml");
+  const auto recipe =
+      recipe::parse_recipe(test::small_packing_recipe +
+                               "solid_fraction = 0.7\n[contact]\nfriction_law = \"cundall_strack\"\n[[stages]]\nname = \"load\"\ntop = { force = \"100 N\" }\n",
+                           "recipe.toml");
   workflow::RunOptions options;
   options.out = folder.path() / "runs" / "first";
   ASSERT_TRUE(workflow::run(recipe, options).converged);

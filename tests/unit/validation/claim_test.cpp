@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "report/figure_list.hpp"
 #include "validation/checks.hpp"
 #include "validation/results.hpp"
 #include "validation/studies.hpp"
-#include "report/figure_list.hpp"
 
 namespace arenite::validation {
 namespace {
@@ -51,9 +51,7 @@ TEST(Verdict, IsUnknownWhileRunsAreMissingUnlessATrendFails) {
   EXPECT_EQ(of({{trend, unknown}, {trend, fails}}).verdict(), Verdict::not_reproduced);
 }
 
-TEST(Verdict, OfASourceThatContradictsItselfIsNeither) {
-  EXPECT_EQ(of({{trend, fails}, {source, fails}}).verdict(), Verdict::source_inconsistent);
-}
+TEST(Verdict, OfASourceThatContradictsItselfIsNeither) { EXPECT_EQ(of({{trend, fails}, {source, fails}}).verdict(), Verdict::source_inconsistent); }
 
 TEST(Verdict, DoesNotHangOnWhatIsToldBeside) {
   EXPECT_EQ(of({{trend, holds}, {beside, fails}, {beside, unknown}}).verdict(), Verdict::reproduced);
@@ -78,7 +76,8 @@ TEST(WhatDecides, IsNoChoiceThatDiffersByChance) {
 
 TEST(WhatDecides, OfWhatIsReproducedIsTheChoiceThatSpoilsIt) {
   Judgement judgement = of({{trend, holds}});
-  judgement.sensitivities = {{"z", "> 2", {.low = 2}, {{"", {3, 0.1, 4}, holds}, {"without friction", {1, 0.1, 4}, fails}, {"with drag", {3.1, 0.1, 4}, holds}}}};
+  judgement.sensitivities = {
+      {"z", "> 2", {.low = 2}, {{"", {3, 0.1, 4}, holds}, {"without friction", {1, 0.1, 4}, fails}, {"with drag", {3.1, 0.1, 4}, holds}}}};
   EXPECT_EQ(what_decides(judgement), "z is no longer as wanted (> 2) without friction.");
   judgement.sensitivities[0].entries.erase(judgement.sensitivities[0].entries.begin() + 1);
   EXPECT_EQ(what_decides(judgement), "No choice tried here turns it.");
@@ -98,7 +97,8 @@ TEST(Claims, HaveTheirFigureOnThePageOfTheirFirstStudy) {
   for (const Claim& claim : claims()) {
     if (figure_place(claim).empty()) continue;
     const auto figures = report::read_figures(embedded_text(claim.studies.front(), "figures.toml"), claim.studies.front());
-    EXPECT_TRUE(std::any_of(figures.begin(), figures.end(), [&](const auto& figure) { return figure.id == claim.figure; })) << claim.id << ": " << figure_place(claim);
+    EXPECT_TRUE(std::any_of(figures.begin(), figures.end(), [&](const auto& figure) { return figure.id == claim.figure; }))
+        << claim.id << ": " << figure_place(claim);
   }
 }
 

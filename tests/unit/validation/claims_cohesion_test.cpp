@@ -3,14 +3,22 @@
 
 #include <cmath>
 
-#include "validation/claims/claims.hpp"
 #include "unit/validation/made_up_table.hpp"
+#include "validation/claims/claims.hpp"
 
 namespace arenite::validation {
 namespace {
 
-const std::vector<std::string> numbers{"sigma_norm.by_material.glued.mean_Pa", "sigma_norm.by_material.dry.mean_Pa", "sigma_norm.by_material.glued.P0", "force.by_type.glued-glued.count", "sigma_norm.by_material.glued.count", "force.by_type.glued-glued.strong_share",
-                                       "force.by_type.glued-glued.mean_N", "force.mean_N", "coordination.all", "force.strong_share"};
+const std::vector<std::string> numbers{"sigma_norm.by_material.glued.mean_Pa",
+                                       "sigma_norm.by_material.dry.mean_Pa",
+                                       "sigma_norm.by_material.glued.P0",
+                                       "force.by_type.glued-glued.count",
+                                       "sigma_norm.by_material.glued.count",
+                                       "force.by_type.glued-glued.strong_share",
+                                       "force.by_type.glued-glued.mean_N",
+                                       "force.mean_N",
+                                       "coordination.all",
+                                       "force.strong_share"};
 
 /// `effect` of a surface energy in kN/mm on the stress inside, a part of it; seeds differ by a tenth, and by `scatter` from glue to glue.
 Results made_up(double (*effect)(double gamma), double scatter = 0.004) {
@@ -19,7 +27,8 @@ Results made_up(double (*effect)(double gamma), double scatter = 0.004) {
     for (int seed = 1; seed <= 8; ++seed) {
       const double packing = 1 + 0.1 * std::sin(7.0 * seed), chance = scatter * noise({1.0 * seed, std::stod(gamma)});
       const double inside = packing * (1 + effect(std::stod(gamma)) + chance);
-      runs.push_back({{gamma, std::to_string(seed)}, {inside, packing, 0.5 * (1 + chance), 160 * packing, 77, 0.4, 100 * packing, 110 * packing, 4 * packing, 0.4}});
+      runs.push_back(
+          {{gamma, std::to_string(seed)}, {inside, packing, 0.5 * (1 + chance), 160 * packing, 77, 0.4, 100 * packing, 110 * packing, 4 * packing, 0.4}});
     }
   Results results;
   results.add("thesis-ch6", made_up_table({"contact.surface_energy", "seed"}, numbers, runs));

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "validation/claims/claims.hpp"
 #include "unit/validation/made_up_table.hpp"
+#include "validation/claims/claims.hpp"
 
 namespace arenite::validation {
 namespace {
@@ -16,7 +16,8 @@ Results full_samples(const std::vector<std::string>& names, const std::function<
   std::vector<MadeUpRun> runs;
   for (const char* gamma : {"1", "1.11", "1.25", "1.43", "1.67", "2", "2.5", "3.33", "5"})
     for (const char* theta : {"1.4", "6"})
-      for (int seed = 1; seed <= 5; ++seed) runs.push_back({{gamma, theta, "full", "", std::to_string(seed)}, numbers(std::stod(gamma), noise({std::stod(gamma), std::stod(theta), 1.0 * seed}))});
+      for (int seed = 1; seed <= 5; ++seed)
+        runs.push_back({{gamma, theta, "full", "", std::to_string(seed)}, numbers(std::stod(gamma), noise({std::stod(gamma), std::stod(theta), 1.0 * seed}))});
   Results results;
   results.add("paper", made_up_table(keys, names, runs));
   return results;
@@ -37,9 +38,10 @@ TEST(ShapeOfThePdf, IsATrendAndNotTheLastAgainstTheGreatestOfTheOthers) {
 }
 
 Judgement means(double large, double large_slope, double small_end, double scatter) {
-  return judge_p6(full_samples({"stress.sigma_yy.sets.large.mean_over_sample_mean", "stress.sigma_yy.sets.small.mean_over_sample_mean"}, [=](double gamma, double chance) {
-    return std::vector<double>{large + large_slope * (gamma - 3) + scatter * chance, 1.07 - (1.07 - small_end) * (gamma - 1) / 4 + scatter * chance};
-  }));
+  return judge_p6(
+      full_samples({"stress.sigma_yy.sets.large.mean_over_sample_mean", "stress.sigma_yy.sets.small.mean_over_sample_mean"}, [=](double gamma, double chance) {
+        return std::vector<double>{large + large_slope * (gamma - 3) + scatter * chance, 1.07 - (1.07 - small_end) * (gamma - 1) / 4 + scatter * chance};
+      }));
 }
 
 TEST(MeansByClass, BelowOneIsBelowOne) {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "validation/claims/claims.hpp"
 #include "unit/validation/made_up_table.hpp"
+#include "validation/claims/claims.hpp"
 
 namespace arenite::validation {
 namespace {
@@ -19,8 +19,9 @@ Judgement steady(double change, double scatter) {
     }
   Results results;
   results.add("thesis-ch5", made_up_table({"materials.B.stiffness", "seed"},
-                                          {"coordination.all", "coordination.without_rattlers", "coordination.share_of_contacts.A-B", "coordination.share_of_contacts.A-A",
-                                           "coordination.share_of_contacts.B-B", "coordination.parts_of_z.A-B"}, runs));
+                                          {"coordination.all", "coordination.without_rattlers", "coordination.share_of_contacts.A-B",
+                                           "coordination.share_of_contacts.A-A", "coordination.share_of_contacts.B-B", "coordination.parts_of_z.A-B"},
+                                          runs));
   return judge_t13(results);
 }
 
@@ -40,7 +41,8 @@ Judgement rising(double from, double to, double step_down) {
       runs.push_back({{std::to_string(ratio), std::to_string(seed)}, {z, z + 0.05}});
     }
   Results results;
-  for (const char* study : {"thesis-ch4", "thesis-ch4-r"}) results.add(study, made_up_table({"populations.1.ratio", "seed"}, {"coordination.all", "coordination.without_rattlers"}, runs));
+  for (const char* study : {"thesis-ch4", "thesis-ch4-r"})
+    results.add(study, made_up_table({"populations.1.ratio", "seed"}, {"coordination.all", "coordination.without_rattlers"}, runs));
   return judge_t8(results);
 }
 
@@ -57,7 +59,8 @@ TEST(SharesAboveTheMean, AreSetAgainstATableThatContradictsItsSentence) {
   for (const char* pom : {"638", "334", "86"})
     for (int seed = 1; seed <= 5; ++seed) runs.push_back({{pom, std::to_string(seed)}, {0.45 + 0.001 * seed, 0.46 + 0.001 * seed, 0.47 + 0.001 * seed}});
   Results results;
-  results.add("thesis-ch3", made_up_table({"populations.0.count", "seed"}, {"sigma_norm.P0", "sigma_norm.by_material.POM.P0", "sigma_norm.by_material.HDPE.P0"}, runs));
+  results.add("thesis-ch3",
+              made_up_table({"populations.0.count", "seed"}, {"sigma_norm.P0", "sigma_norm.by_material.POM.P0", "sigma_norm.by_material.HDPE.P0"}, runs));
   const Judgement judgement = judge_t5(results);
   EXPECT_EQ(judgement.checks[0].outcome, Outcome::holds);
   EXPECT_EQ(judgement.checks[1].outcome, Outcome::holds);

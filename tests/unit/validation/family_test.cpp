@@ -51,7 +51,7 @@ TEST(Every, HoldsIfEachShowsItAndTellsTheLeastSure) {
 
 TEST(Every, OneThatStraysByChanceAmongManyFailsNothing) {
   Family family = alike(45, 1, 0.1);
-  family[7].value = {-0.35, 0.1, 4};      // 3.5 errors: alone it fails
+  family[7].value = {-0.35, 0.1, 4};  // 3.5 errors: alone it fails
   EXPECT_EQ(every("", "", {family[7]}, {.low = 0}).outcome, Outcome::fails);
   EXPECT_EQ(every("", "", family, {.low = 0}).outcome, Outcome::undecided);
   family[7].value = {-2, 0.1, 4};

@@ -51,7 +51,8 @@ TEST(PaperChoices, SayWhereAllPairsGiveAnotherVerdict) {
   Judgement j;
   add_choices(j, made_up(), "z", greatest, wanted_below(3));
   ASSERT_EQ(j.findings.size(), 2u);
-  EXPECT_NE(j.findings[1].find("with all pairs 5.0200 +- 0.0058 (fails), with those that choices are made at 2.0200 +- 0.0058 (holds)"), std::string::npos) << j.findings[1];
+  EXPECT_NE(j.findings[1].find("with all pairs 5.0200 +- 0.0058 (fails), with those that choices are made at 2.0200 +- 0.0058 (holds)"), std::string::npos)
+      << j.findings[1];
 }
 
 TEST(PaperChoices, CountWhereTheyAreMadeAtEveryPair) {

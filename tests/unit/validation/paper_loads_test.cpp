@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "validation/claims/paper_checks.hpp"
 #include "unit/validation/made_up_table.hpp"
+#include "validation/claims/paper_checks.hpp"
 
 namespace arenite::validation {
 namespace {

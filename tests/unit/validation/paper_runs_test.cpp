@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "validation/claims/paper_checks.hpp"
 #include "unit/validation/made_up_table.hpp"
+#include "validation/claims/paper_checks.hpp"
 
 namespace arenite::validation {
 namespace {
@@ -21,7 +21,8 @@ Results results(const std::string& name, double (*number)(double gamma, double t
         for (int seed = 0; seed < 3; ++seed) {
           const bool is_full = width[0] == '\0';
           const double value = number(std::stod(gamma), std::stod(theta), is_full ? 0 : std::stod(width), seed);
-          t.rows.push_back({std::to_string(t.rows.size()), "done", {gamma, theta, is_full ? "full" : "", width, std::to_string(seed)}, 1, {campaign::Estimate{value, {}}}});
+          t.rows.push_back(
+              {std::to_string(t.rows.size()), "done", {gamma, theta, is_full ? "full" : "", width, std::to_string(seed)}, 1, {campaign::Estimate{value, {}}}});
         }
   Results r;
   r.add("paper", t);
@@ -131,7 +132,9 @@ TEST(PaperChecks, TheLowestOfNoisyMeansIsNoDip) {
   const Dip none = dip(z(level, full), 6);
   EXPECT_NE(positive("", "", none.fall).outcome, Outcome::holds);
   EXPECT_NE(positive("", "", none.rise).outcome, Outcome::holds);
-  const auto dipped = results("z", [](double gamma, double theta, double width, int seed) { return (gamma == 2 ? 0 : gamma) + 0.05 * noise({gamma, theta, width, 1.0 * seed}); });
+  const auto dipped = results("z", [](double gamma, double theta, double width, int seed) {
+    return (gamma == 2 ? 0 : gamma) + 0.05 * noise({gamma, theta, width, 1.0 * seed});
+  });
   const Dip found = dip(z(dipped, full), 6);
   EXPECT_EQ(positive("", "", found.fall).outcome, Outcome::holds);
   EXPECT_NEAR(found.fall.value, 1, 0.1);

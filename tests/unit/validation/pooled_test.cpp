@@ -61,7 +61,7 @@ TEST(Pooled, TailsAreMeansOverSeeds) {
   const std::vector<std::string> names{"force.log_likelihood_ratio", "force.line_r2", "force.beta"};
   const Results results = made_up(names, {{{"1", "1"}, {2, 0.98, 1.2}}, {{"2", "1"}, {4, 0.98, 1.2}}, {{"1", "2"}, {5, 0.96, 1.4}}});
   const PooledTail tail = pooled_tail(results.runs("made-up"), "force");
-  EXPECT_DOUBLE_EQ(tail.lead.value, 4);   // seeds have 3 and 5
+  EXPECT_DOUBLE_EQ(tail.lead.value, 4);  // seeds have 3 and 5
   EXPECT_DOUBLE_EQ(tail.lead.error, 1);
   EXPECT_EQ(tail.lead.freedom, 1);
   EXPECT_NEAR(tail.r2.value, 0.97, 1e-12);
@@ -78,7 +78,8 @@ TEST(Pooled, RandomDirectionsLieNowhereAlongAnAxis) {
   EXPECT_NEAR(none.error, 0.2 / std::sqrt(2.0) / std::sqrt(11.0), 1e-9);
   EXPECT_EQ(none.freedom, 11);
   EXPECT_NEAR(mean_over_seeds(results.runs("made-up"), "fabric.modes.2.amplitude").value, 0.2, 1e-12);
-  const Results across = made_up({"fabric.contacts", "fabric.modes.2.amplitude", "fabric.modes.2.phase_deg"}, {{{"1", "1"}, {100, 0.3, 0}}, {{"1", "2"}, {300, 0.1, 0}}});
+  const Results across =
+      made_up({"fabric.contacts", "fabric.modes.2.amplitude", "fabric.modes.2.phase_deg"}, {{{"1", "1"}, {100, 0.3, 0}}, {{"1", "2"}, {300, 0.1, 0}}});
   EXPECT_NEAR(pooled_along(across.runs("made-up"), "", 2, 90).value, -0.15, 1e-12);
 }
 

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "unit/validation/made_up_table.hpp"
 #include "validation/claims/thesis_choices.hpp"
 #include "validation/pooled.hpp"
-#include "unit/validation/made_up_table.hpp"
 
 namespace arenite::validation {
 namespace {
@@ -57,7 +57,8 @@ TEST(Sensitivity, OfTheStiffnessRatioIsWorkedOutFromTheRunsOfItsStudy) {
   const auto table = [](double factor) {
     std::vector<MadeUpRun> runs;
     for (const char* stiffness : {"27.35", "6.8375", "2.735"})
-      for (const char* seed : {"1", "2"}) runs.push_back({{stiffness, "0.1", seed}, {factor * 27.35 / std::stod(stiffness) * std::stod(seed) + 100 * std::stod(seed)}});
+      for (const char* seed : {"1", "2"})
+        runs.push_back({{stiffness, "0.1", seed}, {factor * 27.35 / std::stod(stiffness) * std::stod(seed) + 100 * std::stod(seed)}});
     return made_up_table({"materials.B.stiffness", "contact.friction", "seed"}, {"z"}, runs);
   };
   Results results;

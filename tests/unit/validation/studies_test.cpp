@@ -20,7 +20,8 @@ TEST(Studies, CanAllBeReadWholeAndSmall) {
   const test::TemporaryFolder folder;
   for (const StudySource& source : studies()) {
     if (!source.has_runs()) continue;
-    for (const bool small : {false, true}) EXPECT_FALSE(unpack_study(source, folder.path() / (small ? "small" : "whole") / source.name, small).runs.empty()) << source.name;
+    for (const bool small : {false, true})
+      EXPECT_FALSE(unpack_study(source, folder.path() / (small ? "small" : "whole") / source.name, small).runs.empty()) << source.name;
   }
 }
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "validation/checks.hpp"
 #include "unit/validation/made_up_table.hpp"
+#include "validation/checks.hpp"
 
 namespace arenite::validation {
 namespace {
@@ -19,7 +19,8 @@ Samples made_up(double (*slope)(double gamma, double saturation), Results& resul
         const double g = std::stod(gamma), saturation = std::stod(width) * (0.5 + 0.08 * g);
         runs.push_back({{gamma, "1.4", "bridges", width, std::to_string(seed)}, {saturation, slope(g, saturation) + 0.01 * noise({1.0 * seed, g})}});
       }
-  results.add("paper", made_up_table({"bidisperse.size_ratio", "bidisperse.volume_ratio", "cement.kind", "cement.width", "seed"}, {"S_m", "stress.sigma_yy.sets.large.tail.slope"}, runs));
+  results.add("paper", made_up_table({"bidisperse.size_ratio", "bidisperse.volume_ratio", "cement.kind", "cement.width", "seed"},
+                                     {"S_m", "stress.sigma_yy.sets.large.tail.slope"}, runs));
   return paper_samples(results);
 }
 

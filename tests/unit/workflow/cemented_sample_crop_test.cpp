@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
-#include "support/page_sample.hpp"
 #include "grains/texture/texture.hpp"
+#include "support/page_sample.hpp"
 
 namespace arenite::workflow {
 namespace {

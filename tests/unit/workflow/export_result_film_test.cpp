@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "io/disk/file.hpp"
 #include "io/export/export.hpp"
 #include "io/results/results.hpp"
-#include "io/disk/file.hpp"
-#include "workflow/export_result.hpp"
 #include "support/film_page_sample.hpp"
 #include "support/program.hpp"
+#include "workflow/export_result.hpp"
 
 namespace {
 

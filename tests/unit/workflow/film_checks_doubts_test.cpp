@@ -44,9 +44,7 @@ LockinMaps swinging(double phase) {
   return maps;
 }
 
-TEST(FilmDoubts, NothingIsSaidOfWhatAgrees) {
-  EXPECT_EQ(all(film_doubts(two_materials(), wanting(1.03, 0.98))), "");
-}
+TEST(FilmDoubts, NothingIsSaidOfWhatAgrees) { EXPECT_EQ(all(film_doubts(two_materials(), wanting(1.03, 0.98))), ""); }
 
 TEST(FilmDoubts, MaterialsTakenForEachOtherAreNamed) {
   const double apart = 0.0258 / 0.015;
@@ -59,7 +57,8 @@ TEST(FilmDoubts, OneWrongFactorIsNamed) {
 }
 
 TEST(FilmDoubts, TheScaleOfForcesIsHeldAgainstTheLoad) {
-  for (const double scale : {1 / 1.5, 0.5, 2.0}) EXPECT_NE(all(film_doubts(two_materials(), wanting(scale, scale))).find("the likely causes are load_peak_to_peak"), std::string::npos) << scale;
+  for (const double scale : {1 / 1.5, 0.5, 2.0})
+    EXPECT_NE(all(film_doubts(two_materials(), wanting(scale, scale))).find("the likely causes are load_peak_to_peak"), std::string::npos) << scale;
   EXPECT_THROW(film_doubts(two_materials(), wanting(70, 70)), InputError);
   recipe::FilmRecipe no_load = two_materials();
   no_load.container.load_peak_to_peak = 0;

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <rapidcheck/gtest.h>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <rapidcheck/gtest.h>
 
-#include "support/film_page_sample.hpp"
 #include "grains/texture/texture.hpp"
+#include "support/film_page_sample.hpp"
 
 namespace arenite::workflow {
 namespace {
@@ -127,7 +127,8 @@ TEST(FilmTwin, StressOfDisksIsTheMeanOfTheirClosedForm) {
   for (const double r : p.grains.radius) disks.push_back({r, p.domain.thickness, {}, elasticity::Traction::point});
   for (std::size_t c = 0; c < p.contacts.size(); ++c) {
     disks[static_cast<std::size_t>(p.contacts.i[c])].forces.push_back({p.contacts.normal(c), p.contacts.fn[c], p.contacts.ft[c], 0});
-    if (!p.contacts.is_wall(c)) disks[static_cast<std::size_t>(p.contacts.j[c])].forces.push_back({-1 * p.contacts.normal(c), p.contacts.fn[c], p.contacts.ft[c], 0});
+    if (!p.contacts.is_wall(c))
+      disks[static_cast<std::size_t>(p.contacts.j[c])].forces.push_back({-1 * p.contacts.normal(c), p.contacts.fn[c], p.contacts.ft[c], 0});
   }
   const auto stress = stress_of_disks(p);
   for (std::size_t g = 0; g < disks.size(); ++g) {

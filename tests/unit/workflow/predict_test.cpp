@@ -73,7 +73,8 @@ recipe::Recipe elastic(const std::string& stages) {
 }
 
 TEST(Prediction, TheStepOfUndampedGrainsIsATenthOfTheShortestCollision) {
-  const auto p = workflow::predict(elastic("[[stages]]\nname = \"shear\"\nright = { pressure = \"20 kPa\" }\ntop = { velocity = \"10 mm/s\" }\nduration = \"10 ms\"\n"));
+  const auto p =
+      workflow::predict(elastic("[[stages]]\nname = \"shear\"\nright = { pressure = \"20 kPa\" }\ntop = { velocity = \"10 mm/s\" }\nduration = \"10 ms\"\n"));
   EXPECT_EQ(p.limit, workflow::StepLimit::collision);
   EXPECT_NEAR(p.time_step, 0.1 * p.collision.time, 1e-15);
   EXPECT_EQ(p.grains, 60u);
@@ -87,8 +88,9 @@ TEST(Prediction, TheStepOfUndampedGrainsIsATenthOfTheShortestCollision) {
 }
 
 TEST(Prediction, WarnsOfSoftGrainsFastSidesAndTinySteps) {
-  auto recipe = elastic("[[stages]]\nname = \"press\"\nright = { pressure = \"20 MPa\" }\ntop = { pressure = \"20 MPa\" }\n"
-                        "[[stages]]\nname = \"slam\"\nright = { pressure = \"1 Pa\" }\ntop = { velocity = \"1 m/s\" }\nduration = \"1 ms\"\n");
+  auto recipe = elastic(
+      "[[stages]]\nname = \"press\"\nright = { pressure = \"20 MPa\" }\ntop = { pressure = \"20 MPa\" }\n"
+      "[[stages]]\nname = \"slam\"\nright = { pressure = \"1 Pa\" }\ntop = { velocity = \"1 m/s\" }\nduration = \"1 ms\"\n");
   recipe.integration.time_step = 1e-9;
   const auto p = workflow::predict(recipe);
   EXPECT_EQ(p.limit, workflow::StepLimit::given);

@@ -2,14 +2,17 @@
 
 #include <numbers>
 
-#include "workflow/run.hpp"
 #include "support/small_study.hpp"
+#include "workflow/run.hpp"
 
 namespace arenite::workflow {
 namespace {
 
 texture::Options options_with(const std::string& contact) {
-  return texture_options(recipe::parse_recipe(test::small_packing_recipe + "[contact]\n" + contact + "[[stages]]\nname = \"load\"\ngravity = true\ntop = { force = \"1 kN\" }\n", "r.toml"), 1);
+  return texture_options(
+      recipe::parse_recipe(test::small_packing_recipe + "[contact]\n" + contact + "[[stages]]\nname = \"load\"\ngravity = true\ntop = { force = \"1 kN\" }\n",
+                           "r.toml"),
+      1);
 }
 
 TEST(TextureOptions, TellWhatMayPull) {

@@ -11,7 +11,9 @@
 namespace arenite::workflow {
 namespace {
 
-std::vector<PlannedStage> plan(const std::vector<std::string>& overrides) { return plan_of(recipe::parse_recipe(test::small_cemented_recipe, "recipe.toml", overrides)); }
+std::vector<PlannedStage> plan(const std::vector<std::string>& overrides) {
+  return plan_of(recipe::parse_recipe(test::small_cemented_recipe, "recipe.toml", overrides));
+}
 
 std::vector<std::string> hashes(const std::string& contact, Names names = Names::now) {
   std::string text = test::small_cemented_recipe;
@@ -24,9 +26,8 @@ std::vector<std::string> hashes(const std::string& contact, Names names = Names:
 
 TEST(StageKeys, OfVersion01AreKnownStill) {
   // A key that came later must not be in them. As they were under the same laws when friction faded at rest and dashpots pulled unless told otherwise.
-  const std::vector<std::string> then{
-      "0840ec9a17f553ed681e5476a31a827e", "713edf97a3d4af188158ee980ae0e314", "aab9335786702e4c53728275d6cdaebd",
-      "5365ff5b33ab251901cf938c3bd4ff7f"};
+  const std::vector<std::string> then{"0840ec9a17f553ed681e5476a31a827e", "713edf97a3d4af188158ee980ae0e314", "aab9335786702e4c53728275d6cdaebd",
+                                      "5365ff5b33ab251901cf938c3bd4ff7f"};
   EXPECT_EQ(hashes("friction_law = \"cundall_strack\"\nrestitution = 0.5\nattractive_dashpot = true\n", Names::of_version_0_1), then);
 }
 
@@ -38,9 +39,10 @@ TEST(StageKeys, ThePackingDependsOnNoLawButItsLoadingDoes) {
 
 TEST(StageKeys, AKeyAtItsDefaultChangesNoName) {
   const auto before = plan({});
-  for (const char* set : {"packing.method=random", "contact.restitution=0.5", "contact.arms=contact_point", "contact.wall_stiffness=stiffest", "integration.safety=0.1",
-                          "integration.rotations=true", "stages.0.gravity=false", "stages.0.increments=1", "stages.0.equilibrium.unbalanced=0.0001", "cement.full_width=false",
-                          "grid.eight_connected=false", "loads.0.strain=0.0001", "loads.0.stiffness.matrix=1 GPa", "loads.0.statistics.clamp_rows=4"}) {
+  for (const char* set :
+       {"packing.method=random", "contact.restitution=0.5", "contact.arms=contact_point", "contact.wall_stiffness=stiffest", "integration.safety=0.1",
+        "integration.rotations=true", "stages.0.gravity=false", "stages.0.increments=1", "stages.0.equilibrium.unbalanced=0.0001", "cement.full_width=false",
+        "grid.eight_connected=false", "loads.0.strain=0.0001", "loads.0.stiffness.matrix=1 GPa", "loads.0.statistics.clamp_rows=4"}) {
     const auto after = plan({set});
     ASSERT_EQ(after.size(), before.size());
     for (std::size_t s = 0; s < before.size(); ++s) EXPECT_EQ(after[s], before[s]) << set << ": " << before[s].name;
@@ -49,10 +51,11 @@ TEST(StageKeys, AKeyAtItsDefaultChangesNoName) {
 
 TEST(StageKeys, AChangedKeyChangesTheNamesOfItsStageAndOfThoseAfterIt) {
   const auto before = plan({});
-  const std::vector<std::pair<const char*, std::size_t>> changes{{"packing.solid_fraction=0.71", 0}, {"seed=4", 0},           {"container.height=200 mm", 0},
-                                                                 {"contact.restitution=0.2", 1},     {"stages.0.gravity=true", 1}, {"cement.width=0.31", 2},
-                                                                 {"cement.full_width=true", 2},      {"grid.nodes=65", 2},       {"loads.0.strain=0.0002", 3},
-                                                                 {"loads.0.axis=x", 3}};
+  const std::vector<std::pair<const char*, std::size_t>> changes{{"packing.solid_fraction=0.71", 0}, {"seed=4", 0},
+                                                                 {"container.height=200 mm", 0},     {"contact.restitution=0.2", 1},
+                                                                 {"stages.0.gravity=true", 1},       {"cement.width=0.31", 2},
+                                                                 {"cement.full_width=true", 2},      {"grid.nodes=65", 2},
+                                                                 {"loads.0.strain=0.0002", 3},       {"loads.0.axis=x", 3}};
   for (const auto& [set, first] : changes) {
     const auto after = plan({set});
     for (std::size_t s = 0; s < before.size(); ++s) EXPECT_EQ(after[s].hash == before[s].hash, s < first) << set << ": " << before[s].name;

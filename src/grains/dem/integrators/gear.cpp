@@ -3,9 +3,9 @@
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/integrators/nordsieck.hpp"
+#include "grains/dem/measure.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/setup.hpp"
-#include "grains/dem/measure.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
@@ -41,9 +41,7 @@ namespace {
 /// One coordinate (of a disk or a wall) while the starting values are sought: derivatives 0 to 5, unscaled.
 struct Path {
   double value, rate, bend, jerk = 0, snap = 0, crackle = 0;
-  double at(double t) const {
-    return value + t * (rate + t / 2 * (bend + t / 3 * (jerk + t / 4 * (snap + t / 5 * crackle))));
-  }
+  double at(double t) const { return value + t * (rate + t / 2 * (bend + t / 3 * (jerk + t / 4 * (snap + t / 5 * crackle)))); }
   double rate_at(double t) const { return rate + t * (bend + t / 2 * (jerk + t / 3 * (snap + t / 4 * crackle))); }
   /// From accelerations at -2h, -h, h, 2h and the one in the middle.
   void fit(const std::array<double, 4>& a, double h) {
@@ -132,8 +130,7 @@ class Start {
       const auto [ax, ay, alpha] = acceleration_of(s, k);
       a.insert(a.end(), {ax, ay, alpha});
     }
-    for (std::size_t side = 0; side < 4; ++side)
-      a.push_back(wall_acceleration(s, side, s.domain.wall[side].velocity));
+    for (std::size_t side = 0; side < 4; ++side) a.push_back(wall_acceleration(s, side, s.domain.wall[side].velocity));
     return a;
   }
 

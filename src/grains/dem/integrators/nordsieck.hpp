@@ -7,8 +7,7 @@ inline constexpr double gear_position_share = 3.0 / 16.0, gear_velocity_share = 
 
 /// Gear's predictor-corrector of fifth order in Nordsieck's scaling, q_k = dt^k/k! d^k x/dt^k, with the coefficients for a second-order equation
 /// whose force depends on velocity: 3/16, 251/360, 1, 11/18, 1/6, 1/60. V is a number type.
-template <class V>
-struct Nordsieck {
+template <class V> struct Nordsieck {
   V q0, q1, q2, q3, q4, q5;
 
   /// `error` = dt^2/2 (a - predicted a).

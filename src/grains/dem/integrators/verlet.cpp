@@ -47,9 +47,30 @@ Stretch stretch_y(const CellFrame& then, const CellFrame& now) {
 }  // namespace
 
 DiskSweep::DiskSweep(Sample& s)
-    : task{s.record.data(), s.list.force.data(), s.list.group.data(), s.list.first.data(), s.vx.data(), s.vy.data(),
-           s.omega.data(), s.angle.data(), s.ax.data(), s.ay.data(), s.alpha.data(), {}, s.listed_x.data(),
-           s.listed_y.data(), {}, {}, s.dt, 0, 0, s.drag, s.integration.rotations ? 1.0 : 0.0, 0, 0, 0},
+    : task{s.record.data(),
+           s.list.force.data(),
+           s.list.group.data(),
+           s.list.first.data(),
+           s.vx.data(),
+           s.vy.data(),
+           s.omega.data(),
+           s.angle.data(),
+           s.ax.data(),
+           s.ay.data(),
+           s.alpha.data(),
+           {},
+           s.listed_x.data(),
+           s.listed_y.data(),
+           {},
+           {},
+           s.dt,
+           0,
+           0,
+           s.drag,
+           s.integration.rotations ? 1.0 : 0.0,
+           0,
+           0,
+           0},
       sample_(s),
       before_(cell_frame(s.domain)) {
   for (std::size_t n = 0; n < s.higher.size(); ++n) task.higher[n] = s.higher[n].data();

@@ -26,27 +26,21 @@ struct PairTask {
 /// Velocity of an affine motion along one direction: `at_edge` + `gradient` (x - edge).
 struct AffineMotion {
   double edge = 0, at_edge = 0, gradient = 0;
-  template <class V>
-  V at(V x) const {
-    return V(at_edge) + V(gradient) * (x - V(edge));
-  }
+  template <class V> V at(V x) const { return V(at_edge) + V(gradient) * (x - V(edge)); }
 };
 
 /// Where a growing or moving cell takes a point; as it stands, the identity.
 struct Stretch {
   double from = 0, scale = 1, to = 0;
-  template <class V>
-  V apply(V x) const {
-    return V(to) + (x - V(from)) * V(scale);
-  }
+  template <class V> V apply(V x) const { return V(to) + (x - V(from)) * V(scale); }
 };
 
 /// What the sweep over the disks needs along x or y.
 struct SweepAxis {
-  double gravity = 0;           ///< m/s^2
-  AffineMotion before, after;   ///< of the cell, at the start and the end of the step
-  Stretch moved, listed;        ///< the cell's change in the step, and since the list was built
-  double growth = 0;            ///< of the cell in the step, relative
+  double gravity = 0;          ///< m/s^2
+  AffineMotion before, after;  ///< of the cell, at the start and the end of the step
+  Stretch moved, listed;       ///< the cell's change in the step, and since the list was built
+  double growth = 0;           ///< of the cell in the step, relative
 };
 
 /// What a step of an integrator reads and changes; the arrays are those of Sample and ContactList.

@@ -11,33 +11,27 @@
 
 namespace arenite::dem {
 
-template <int W>
-struct RawPack;
-template <>
-struct RawPack<1> {
+template <int W> struct RawPack;
+template <> struct RawPack<1> {
   typedef double Numbers __attribute__((vector_size(8)));
   typedef std::int64_t Bits __attribute__((vector_size(8)));
 };
-template <>
-struct RawPack<2> {
+template <> struct RawPack<2> {
   typedef double Numbers __attribute__((vector_size(16)));
   typedef std::int64_t Bits __attribute__((vector_size(16)));
 };
-template <>
-struct RawPack<4> {
+template <> struct RawPack<4> {
   typedef double Numbers __attribute__((vector_size(32)));
   typedef std::int64_t Bits __attribute__((vector_size(32)));
 };
-template <>
-struct RawPack<8> {
+template <> struct RawPack<8> {
   typedef double Numbers __attribute__((vector_size(64)));
   typedef std::int64_t Bits __attribute__((vector_size(64)));
 };
 
 /// W doubles computed side by side, one contact each: the number type that the laws are written over, beside double. Every operation is the exactly
 /// rounded one of a single double, so a lane's bits do not depend on W.
-template <int W>
-struct Pack {
+template <int W> struct Pack {
   using Raw = typename RawPack<W>::Numbers;
   using Bits = typename RawPack<W>::Bits;
   Raw raw;
@@ -81,8 +75,7 @@ ARENITE_INLINE Piece load_piece(const double* p) {
 }
 
 /// piece(first), piece(first + 2), ..., of W records, side by side.
-template <int W, class PieceOf>
-ARENITE_INLINE typename Pack<W>::Raw every_second(int first, PieceOf&& piece) {
+template <int W, class PieceOf> ARENITE_INLINE typename Pack<W>::Raw every_second(int first, PieceOf&& piece) {
   if constexpr (W == 2) {
     return piece(first);
   } else if constexpr (W == 4) {
@@ -98,22 +91,19 @@ ARENITE_INLINE typename Pack<W>::Raw every_second(int first, PieceOf&& piece) {
 }
 
 /// First and second numbers of a's and b's pieces in turn: a0 b0 a1 b1 ...
-template <int W>
-ARENITE_INLINE Pack<W> first_numbers(typename Pack<W>::Raw a, typename Pack<W>::Raw b) {
+template <int W> ARENITE_INLINE Pack<W> first_numbers(typename Pack<W>::Raw a, typename Pack<W>::Raw b) {
   if constexpr (W == 2) return __builtin_shufflevector(a, b, 0, 2);
   if constexpr (W == 4) return __builtin_shufflevector(a, b, 0, 4, 2, 6);
   if constexpr (W == 8) return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
 }
-template <int W>
-ARENITE_INLINE Pack<W> second_numbers(typename Pack<W>::Raw a, typename Pack<W>::Raw b) {
+template <int W> ARENITE_INLINE Pack<W> second_numbers(typename Pack<W>::Raw a, typename Pack<W>::Raw b) {
   if constexpr (W == 2) return __builtin_shufflevector(a, b, 1, 3);
   if constexpr (W == 4) return __builtin_shufflevector(a, b, 1, 5, 3, 7);
   if constexpr (W == 8) return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
 }
 
 /// Sorts piece(0), ..., piece(W - 1) into a pack of their first and one of their second numbers.
-template <int W, class PieceOf>
-ARENITE_INLINE void sort_pieces(PieceOf&& piece, Pack<W>& first, Pack<W>& second) {
+template <int W, class PieceOf> ARENITE_INLINE void sort_pieces(PieceOf&& piece, Pack<W>& first, Pack<W>& second) {
   if constexpr (W == 1) {
     first = Pack<W>(piece(0)[0]);
     second = Pack<W>(piece(0)[1]);
@@ -125,14 +115,12 @@ ARENITE_INLINE void sort_pieces(PieceOf&& piece, Pack<W>& first, Pack<W>& second
 }
 
 /// Reads two neighbouring doubles at address(0), ..., address(W - 1) into one pack each.
-template <int W, class Address>
-ARENITE_INLINE void gather(Address&& address, Pack<W>& first, Pack<W>& second) {
+template <int W, class Address> ARENITE_INLINE void gather(Address&& address, Pack<W>& first, Pack<W>& second) {
   sort_pieces<W>([&](int k) { return load_piece(address(k)); }, first, second);
 }
 
 /// The inverse of gather.
-template <int W, class Address>
-ARENITE_INLINE void scatter(Address&& address, Pack<W> first, Pack<W> second) {
+template <int W, class Address> ARENITE_INLINE void scatter(Address&& address, Pack<W> first, Pack<W> second) {
   if constexpr (W == 1) {
     address(0)[0] = first.raw[0];
     address(0)[1] = second.raw[0];

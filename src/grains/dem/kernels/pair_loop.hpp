@@ -6,8 +6,7 @@
 namespace arenite::dem {
 
 /// What the pair loop needs of W disks.
-template <int W>
-struct DiskPack {
+template <int W> struct DiskPack {
   Pack<W> x, y, vx, vy, omega, radius;
 
   ARENITE_INLINE DiskPack(const DiskRecord* record, const std::int32_t* index) {
@@ -19,8 +18,7 @@ struct DiskPack {
 
 /// Forces of W slots from p on.
 template <int W, class N, class A, class F>
-ARENITE_INLINE void pair_batch(const PairTask& t, const ContactLaws& shared, const N& normal, const A& adhesion, const F& friction,
-                               std::size_t p) {
+ARENITE_INLINE void pair_batch(const PairTask& t, const ContactLaws& shared, const N& normal, const A& adhesion, const F& friction, std::size_t p) {
   using V = Pack<W>;
   const V zero(0.0);
   const DiskPack<W> a(t.record, t.i + p), b(t.record, t.j + p);
@@ -54,14 +52,12 @@ ARENITE_INLINE void pair_batch(const PairTask& t, const ContactLaws& shared, con
   if constexpr (N::remembers) select(touching_now, memory.normal, zero).store(t.normal_memory + p);
   if constexpr (F::remembers) select(touching_now, memory.slip, zero).store(t.memory + p);
   scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].fx; }, fn * nx - ft * ny, fn * ny + ft * nx);
-  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_i; }, zero - arm_i * ft,
-             zero - arm_j * ft);
+  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_i; }, zero - arm_i * ft, zero - arm_j * ft);
 }
 
 /// `flatten` compiles the laws into the loop: as calls they would double its time.
 template <int W, class N, class A, class F>
-__attribute__((flatten)) void pair_loop(const PairTask& given, const ContactLaws& laws, std::size_t begin,
-                                        std::size_t end) {
+__attribute__((flatten)) void pair_loop(const PairTask& given, const ContactLaws& laws, std::size_t begin, std::size_t end) {
   const PairTask task = given;  // a copy that no store can reach stays in registers
   const ContactLaws shared = laws;
   const N normal = *std::get_if<N>(&shared.normal);

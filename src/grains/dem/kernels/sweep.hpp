@@ -17,8 +17,7 @@ ARENITE_INLINE Pack<4> sum_of_groups(const SweepTask& t, std::size_t q) {
 }
 
 /// Contact forces on W disks from k on; the same sums as contact_load.
-template <int W>
-struct LoadPack {
+template <int W> struct LoadPack {
   Pack<W> fx, fy, torque;
 
   ARENITE_INLINE LoadPack(const SweepTask& t, std::size_t k) {
@@ -36,8 +35,7 @@ struct LoadPack {
 };
 
 /// W disks as they were seen by the forces, and their accelerations.
-template <int W>
-struct MotionPack {
+template <int W> struct MotionPack {
   Pack<W> x, y, radius, ax, ay, alpha;
 
   ARENITE_INLINE MotionPack(const SweepTask& t, std::size_t k) {
@@ -58,8 +56,8 @@ struct MotionPack {
 
 /// Puts W disks where they are seen next. All bits set where a disk is near enough to its place in the list.
 template <int W>
-ARENITE_INLINE typename Pack<W>::Bits place(const SweepTask& t, std::size_t k, const MotionPack<W>& m, Pack<W> x, Pack<W> y,
-                                   Pack<W> vx, Pack<W> vy, Pack<W> omega) {
+ARENITE_INLINE typename Pack<W>::Bits place(const SweepTask& t, std::size_t k, const MotionPack<W>& m, Pack<W> x, Pack<W> y, Pack<W> vx, Pack<W> vy,
+                                            Pack<W> omega) {
   DiskRecord* d = t.record + k;
   scatter<W>([=](int n) { return &d[n].x; }, x, y);
   scatter<W>([=](int n) { return &d[n].vx; }, vx + t.x.after.at(x), vy + t.y.after.at(y));
@@ -71,8 +69,7 @@ ARENITE_INLINE typename Pack<W>::Bits place(const SweepTask& t, std::size_t k, c
 }
 
 /// W disks at a time by Batch<W>, the last ones singly.
-template <int W, template <int> class Batch>
-__attribute__((flatten)) bool sweep(const SweepTask& task, std::size_t begin, std::size_t end) {
+template <int W, template <int> class Batch> __attribute__((flatten)) bool sweep(const SweepTask& task, std::size_t begin, std::size_t end) {
   const SweepTask t = task;  // a copy that no store can reach stays in registers
   auto near = Pack<W>(0.0) <= Pack<W>(0.0);
   bool last_near = true;
@@ -84,8 +81,7 @@ __attribute__((flatten)) bool sweep(const SweepTask& task, std::size_t begin, st
 }
 
 /// One step of velocity Verlet for W disks (integrators/integrators.hpp).
-template <int W>
-struct VerletBatch {
+template <int W> struct VerletBatch {
   ARENITE_INLINE static typename Pack<W>::Bits run(const SweepTask& t, std::size_t k) {
     using V = Pack<W>;
     const MotionPack<W> m(t, k);
@@ -106,8 +102,8 @@ struct VerletBatch {
 /// Corrects one coordinate of W disks and predicts its next values. Returns the way made in the step, from `start` on; `growth` is that of a periodic
 /// cell, which carries a way along for what is left of the step.
 template <int W>
-ARENITE_INLINE Pack<W> correct_and_predict(const SweepTask& t, std::size_t k, std::size_t axis, double* velocity,
-                                           double* acceleration, Pack<W> now, Pack<W> start, double growth) {
+ARENITE_INLINE Pack<W> correct_and_predict(const SweepTask& t, std::size_t k, std::size_t axis, double* velocity, double* acceleration, Pack<W> now,
+                                           Pack<W> start, double growth) {
   using V = Pack<W>;
   const double half = 0.5 * t.dt * t.dt;
   double *const q3 = t.higher[3 * axis] + k, *const q4 = t.higher[3 * axis + 1] + k, *const q5 = t.higher[3 * axis + 2] + k;
@@ -125,8 +121,7 @@ ARENITE_INLINE Pack<W> correct_and_predict(const SweepTask& t, std::size_t k, st
 }
 
 /// One fused sweep of Gear's method for W disks (integrators/integrators.hpp).
-template <int W>
-struct GearBatch {
+template <int W> struct GearBatch {
   ARENITE_INLINE static typename Pack<W>::Bits run(const SweepTask& t, std::size_t k) {
     using V = Pack<W>;
     const V zero(0.0);

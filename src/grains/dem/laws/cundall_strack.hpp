@@ -14,20 +14,15 @@ struct CundallStrack {
   void declare(ParameterVisitor&) {}
   bool operator==(const CundallStrack&) const = default;
 
-  template <class V, class T>
-  T tangential(const Slip<V, T>& slip, T& memory) const {
+  template <class V, class T> T tangential(const Slip<V, T>& slip, T& memory) const {
     using lane::within;
     const T pull = within(slip.stiffness * (memory + slip.lead * slip.velocity), slip.cap);
     memory = pull / slip.stiffness + slip.lag * slip.velocity;
     return T{} - within(pull + slip.viscosity * slip.velocity, slip.cap);
   }
   /// xi at the last evaluation, which saw this slip.
-  template <class V, class T>
-  T spring(const Slip<V, T>& slip, T memory) const {
-    return memory - slip.lag * slip.velocity;
-  }
-  template <class V, class T>
-  V energy(const Slip<V, T>& slip, T memory) const {
+  template <class V, class T> T spring(const Slip<V, T>& slip, T memory) const { return memory - slip.lag * slip.velocity; }
+  template <class V, class T> V energy(const Slip<V, T>& slip, T memory) const {
     using lane::dot;
     const T xi = spring(slip, memory);
     return dot(V(0.5) * slip.stiffness * xi, xi);

@@ -10,10 +10,8 @@ struct NoAdhesion {
   void declare(ParameterVisitor&) {}
   bool operator==(const NoAdhesion&) const = default;
 
-  template <class V>
-  V attraction(V /*h*/, V /*strength*/) const { return V(0.0); }
-  template <class V>
-  V energy(V /*h*/, V /*strength*/) const { return V(0.0); }
+  template <class V> V attraction(V /*h*/, V /*strength*/) const { return V(0.0); }
+  template <class V> V energy(V /*h*/, V /*strength*/) const { return V(0.0); }
 };
 
 /// Geometrical adhesion, an attraction gamma sqrt(r_eff h) while two glued grains touch (T eq. 1.22-1.25). `strength` = gamma sqrt(r_eff), 0 for a
@@ -24,13 +22,11 @@ struct GeometricalAdhesion {
   void declare(ParameterVisitor&) {}
   bool operator==(const GeometricalAdhesion&) const = default;
 
-  template <class V>
-  V attraction(V h, V strength) const {
+  template <class V> V attraction(V h, V strength) const {
     using lane::sqrt;
     return strength * sqrt(h);
   }
-  template <class V>
-  V energy(V h, V strength) const {
+  template <class V> V energy(V h, V strength) const {
     using lane::sqrt;
     return V(-2.0 / 3.0) * strength * h * sqrt(h);
   }

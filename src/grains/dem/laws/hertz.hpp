@@ -13,24 +13,20 @@ struct Hertz {
   void declare(ParameterVisitor&) {}
   bool operator==(const Hertz&) const = default;
 
-  template <class V>
-  V elastic(V h, V stiffness, V curvature, V& /*memory*/) const {
+  template <class V> V elastic(V h, V stiffness, V curvature, V& /*memory*/) const {
     using lane::sqrt;
     return stiffness * h * sqrt(h * curvature);
   }
-  template <class V>
-  V energy(V h, V stiffness, V curvature, V /*memory*/) const {
+  template <class V> V energy(V h, V stiffness, V curvature, V /*memory*/) const {
     using lane::sqrt;
     return V(0.4) * stiffness * h * h * sqrt(h * curvature);
   }
-  template <class V>
-  V damping_factor(V h, V curvature) const {
+  template <class V> V damping_factor(V h, V curvature) const {
     using lane::sqrt;
     return V(1.118033988749895) * sqrt(sqrt(h * curvature));
   }
   /// At h = strength sqrt(R*)/(3 k).
-  template <class V>
-  V pull_off(V strength, V stiffness, V curvature) const {
+  template <class V> V pull_off(V strength, V stiffness, V curvature) const {
     using lane::sqrt;
     return V(2.0 / 3.0) * strength * sqrt(strength / (V(3.0) * stiffness * sqrt(curvature)));
   }

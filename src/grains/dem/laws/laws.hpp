@@ -30,7 +30,9 @@ concept NormalContact = ContactLaw<L> && requires(const L law, double v, double&
   { law.damping_factor(v, v) } -> std::same_as<double>;      // (h, curvature): share of alpha_n with which the dashpot acts
   { law.pull_off(v, v, v) } -> std::same_as<double>;         // (strength, stiffness, curvature): greatest net pull against an attraction strength sqrt(h), N
   { law.tangent(v, v, v) } -> std::same_as<double>;          // (h, stiffness, curvature): largest slope on [0, h], N/m, for the stable step
-  requires (!L::remembers) || requires { { law.recall(v, v, v, v) } -> std::same_as<double>; };  // (force, h, stiffness, curvature)
+  requires(!L::remembers) || requires {
+    { law.recall(v, v, v, v) } -> std::same_as<double>;
+  };  // (force, h, stiffness, curvature)
 };
 
 /// An adhesion gives the attraction of two glued grains, >= 0, its potential, <= 0 and 0 at h = 0, and whether bonds break for good.
@@ -46,44 +48,39 @@ concept AdhesiveContact = ContactLaw<L> && requires(const L law, double v) {
 /// when contacts are listed anew, and `recall` gives it for a contact that is met at rest.
 template <class L>
 concept TangentialContact = ContactLaw<L> && requires(const L law, double v, double& memory, Slip<double> slip, Slip<double, Vec3> in_space, Vec3& path) {
-  { law.tangential(slip, memory) } -> std::same_as<double>;    // N
+  { law.tangential(slip, memory) } -> std::same_as<double>;  // N
   { law.tangential(in_space, path) } -> std::same_as<Vec3>;
-  { law.energy(slip, memory) } -> std::same_as<double>;        // what the force at this memory gives back, J
-  { law.tangent(v) } -> std::same_as<double>;                  // (k_t): largest slope in the slip, N/m, for the stable step
-  { law.damping(v) } -> std::same_as<double>;                  // (gamma_s): largest slope in its velocity, N s/m
-  requires (!L::remembers) || requires { { law.recall(v, v) } -> std::same_as<double>; };  // (force, k_t)
+  { law.energy(slip, memory) } -> std::same_as<double>;  // what the force at this memory gives back, J
+  { law.tangent(v) } -> std::same_as<double>;            // (k_t): largest slope in the slip, N/m, for the stable step
+  { law.damping(v) } -> std::same_as<double>;            // (gamma_s): largest slope in its velocity, N s/m
+  requires(!L::remembers) || requires {
+    { law.recall(v, v) } -> std::same_as<double>;
+  };  // (force, k_t)
 };
 
 /// Rolling resistance gives a moment against the turning of two grains, in which Slip counts rad/s, N m s, N m and N m/rad.
 template <class L>
 concept RollingContact = ContactLaw<L> && requires(const L law, double v, double& memory, Slip<double> turning) {
-  { law.coefficient } -> std::convertible_to<double>;        // mu_r: the moment is at most mu_r R F_n
-  { law.stiffness(v, v) } -> std::same_as<double>;           // (k_n, R), N m/rad
-  { law.damping(v, v, v, v) } -> std::same_as<double>;       // (alpha_n, R, stiffness, reduced inertia), N m s
-  { law.moment(turning, memory) } -> std::same_as<double>;   // N m
-  { law.energy(turning, memory) } -> std::same_as<double>;   // what the moment at this memory gives back, J
+  { law.coefficient } -> std::convertible_to<double>;       // mu_r: the moment is at most mu_r R F_n
+  { law.stiffness(v, v) } -> std::same_as<double>;          // (k_n, R), N m/rad
+  { law.damping(v, v, v, v) } -> std::same_as<double>;      // (alpha_n, R, stiffness, reduced inertia), N m s
+  { law.moment(turning, memory) } -> std::same_as<double>;  // N m
+  { law.energy(turning, memory) } -> std::same_as<double>;  // what the moment at this memory gives back, J
   { L::remembers } -> std::convertible_to<bool>;
 };
 
 /// One law of a family, with its own parameters.
-template <class... Law>
-struct OneOf : std::variant<Law...> {
+template <class... Law> struct OneOf : std::variant<Law...> {
   using std::variant<Law...>::variant;
   std::string_view word() const {
     return std::visit([](const auto& law) { return law.word.word; }, *this);
   }
-  friend bool operator==(const OneOf& a, const OneOf& b) {
-    return static_cast<const std::variant<Law...>&>(a) == static_cast<const std::variant<Law...>&>(b);
-  }
+  friend bool operator==(const OneOf& a, const OneOf& b) { return static_cast<const std::variant<Law...>&>(a) == static_cast<const std::variant<Law...>&>(b); }
 };
-template <NormalContact... Law>
-using NormalLaws = OneOf<Law...>;
-template <AdhesiveContact... Law>
-using Adhesions = OneOf<Law...>;
-template <TangentialContact... Law>
-using FrictionLaws = OneOf<Law...>;
-template <RollingContact... Law>
-using RollingLaws = OneOf<Law...>;
+template <NormalContact... Law> using NormalLaws = OneOf<Law...>;
+template <AdhesiveContact... Law> using Adhesions = OneOf<Law...>;
+template <TangentialContact... Law> using FrictionLaws = OneOf<Law...>;
+template <RollingContact... Law> using RollingLaws = OneOf<Law...>;
 
 /// The laws there are. A new one is a file beside these and a word here: recipe keys, their documentation and hashes, kernels for every kind of
 /// processor and the families' tests follow. The choice is visited outside of the loops, so laws inline into them.
@@ -97,16 +94,13 @@ struct ContactLaws {
   NormalLaw normal;
   Adhesion adhesion;
   FrictionLaw friction;
-  double lead = 0, lag = 0;           ///< of Slip, s
-  double stiffness_ratio = 0;         ///< k_t/k_n
-  double cap_sign = 1;                ///< the friction cap is mu (F_n + cap_sign |F_c|): 1 raised by adhesion, -1 as T (1.28) is printed
-  bool constant_damping = false;      ///< alpha_n was given as a number: dashpots act with it whatever the overlap
+  double lead = 0, lag = 0;       ///< of Slip, s
+  double stiffness_ratio = 0;     ///< k_t/k_n
+  double cap_sign = 1;            ///< the friction cap is mu (F_n + cap_sign |F_c|): 1 raised by adhesion, -1 as T (1.28) is printed
+  bool constant_damping = false;  ///< alpha_n was given as a number: dashpots act with it whatever the overlap
 
   /// Calls `see` with the three laws by their types.
-  template <class See>
-  decltype(auto) visit(See&& see) const {
-    return std::visit(see, normal, adhesion, friction);
-  }
+  template <class See> decltype(auto) visit(See&& see) const { return std::visit(see, normal, adhesion, friction); }
   /// The slip that a contact has in the plane, where no force is asked for.
   Slip<double> slip(double velocity, double stiffness) const { return {velocity, 0, 0, stiffness_ratio * stiffness, lead, lag}; }
 };
@@ -117,38 +111,35 @@ inline bool remembers(const ContactLaws& laws) {
 }
 
 /// Forces of one contact, N: on i along n and t.
-template <class V, class T = V>
-struct ContactForce {
+template <class V, class T = V> struct ContactForce {
   V normal;
   T tangential;
 };
 
 /// What the laws see of one contact.
-template <class V, class T = V>
-struct ContactState {
-  V overlap;        ///< h > 0, m
-  V approach;       ///< dh/dt, m/s
-  T sliding;        ///< v_s, m/s
-  V curvature;      ///< 1/R*, 1/m
-  V stiffness;      ///< N/m
-  V damping;        ///< alpha_n, N s/m
-  V viscosity;      ///< gamma_s, N s/m
-  V strength;       ///< gamma sqrt(r_eff) where the pair is glued, else 0
-  V friction;       ///< mu
-  V floor;          ///< lowest F_n: -infinity, or 0 where the dashpot may not pull
+template <class V, class T = V> struct ContactState {
+  V overlap;    ///< h > 0, m
+  V approach;   ///< dh/dt, m/s
+  T sliding;    ///< v_s, m/s
+  V curvature;  ///< 1/R*, 1/m
+  V stiffness;  ///< N/m
+  V damping;    ///< alpha_n, N s/m
+  V viscosity;  ///< gamma_s, N s/m
+  V strength;   ///< gamma sqrt(r_eff) where the pair is glued, else 0
+  V friction;   ///< mu
+  V floor;      ///< lowest F_n: -infinity, or 0 where the dashpot may not pull
 };
 
 /// What the laws remember of one contact.
-template <class V, class T = V>
-struct ContactMemory {
+template <class V, class T = V> struct ContactMemory {
   V normal{};
   T slip{};
 };
 
 /// The laws composed: F_n = elastic + dashpot - attraction, F_t within mu (F_n + F_c), the cap never below 0.
 template <class V, class T, NormalContact N, AdhesiveContact A, TangentialContact F>
-inline ContactForce<V, T> contact_force(const ContactLaws& shared, const N& normal, const A& adhesion, const F& friction,
-                                        const ContactState<V, T>& c, ContactMemory<V, T>& memory) {
+inline ContactForce<V, T> contact_force(const ContactLaws& shared, const N& normal, const A& adhesion, const F& friction, const ContactState<V, T>& c,
+                                        ContactMemory<V, T>& memory) {
   using lane::max;
   const V elastic = normal.elastic(c.overlap, c.stiffness, c.curvature, memory.normal);
   const V damping = shared.constant_damping ? c.damping : normal.damping_factor(c.overlap, c.curvature) * c.damping;

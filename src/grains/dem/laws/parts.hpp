@@ -16,20 +16,15 @@ inline double select(bool condition, double yes, double no) { return condition ?
 inline double dot(double a, double b) { return a * b; }
 
 /// a held within [-bound, bound], bound >= 0.
-template <class V>
-V within(V a, V bound) {
-  return max(min(a, bound), V(0.0) - bound);
-}
-template <int D>
-Vec<D> within(Vec<D> a, double bound) {
+template <class V> V within(V a, V bound) { return max(min(a, bound), V(0.0) - bound); }
+template <int D> Vec<D> within(Vec<D> a, double bound) {
   const double size = norm(a);
   return size > bound ? (bound / size) * a : a;
 }
 }  // namespace lane
 
 /// What a friction law sees of one contact. T counts along the contact: it is V in the plane, a vector in space.
-template <class V, class T = V>
-struct Slip {
+template <class V, class T = V> struct Slip {
   T velocity;   ///< v_s, m/s
   V viscosity;  ///< gamma_s, N s/m
   V cap;        ///< greatest force, N

@@ -10,10 +10,8 @@ struct NoFriction {
   void declare(ParameterVisitor&) {}
   bool operator==(const NoFriction&) const = default;
 
-  template <class V, class T>
-  T tangential(const Slip<V, T>& /*slip*/, T& /*memory*/) const { return T{}; }
-  template <class V, class T>
-  V energy(const Slip<V, T>& /*slip*/, T /*memory*/) const { return V(0.0); }
+  template <class V, class T> T tangential(const Slip<V, T>& /*slip*/, T& /*memory*/) const { return T{}; }
+  template <class V, class T> V energy(const Slip<V, T>& /*slip*/, T /*memory*/) const { return V(0.0); }
   double tangent(double /*stiffness*/) const { return 0; }
   double damping(double /*viscosity*/) const { return 0; }
 };
@@ -25,14 +23,12 @@ struct RegularisedCoulomb {
   void declare(ParameterVisitor&) {}
   bool operator==(const RegularisedCoulomb&) const = default;
 
-  template <class V, class T>
-  T tangential(const Slip<V, T>& slip, T& /*memory*/) const {
+  template <class V, class T> T tangential(const Slip<V, T>& slip, T& /*memory*/) const {
     using lane::within;
     return T{} - within(slip.viscosity * slip.velocity, slip.cap);
   }
   /// Stores nothing.
-  template <class V, class T>
-  V energy(const Slip<V, T>& /*slip*/, T /*memory*/) const { return V(0.0); }
+  template <class V, class T> V energy(const Slip<V, T>& /*slip*/, T /*memory*/) const { return V(0.0); }
   double tangent(double /*stiffness*/) const { return 0; }
   double damping(double viscosity) const { return viscosity; }
 };

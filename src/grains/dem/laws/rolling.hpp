@@ -50,9 +50,7 @@ struct ElasticPlasticRolling {
   double coefficient = 0.1, damping_share = 0.3;
   double stiffness(double normal, double radius) const { return 2.25 * normal * coefficient * coefficient * radius * radius; }
   double damping(double /*normal*/, double /*radius*/, double stiffness, double inertia) const { return 2 * damping_share * std::sqrt(inertia * stiffness); }
-  double moment(const Slip<double>& turning, double& memory) const {
-    return turning.stiffness > 0 ? CundallStrack{}.tangential(turning, memory) : 0.0;
-  }
+  double moment(const Slip<double>& turning, double& memory) const { return turning.stiffness > 0 ? CundallStrack{}.tangential(turning, memory) : 0.0; }
   double energy(const Slip<double>& turning, double memory) const { return CundallStrack{}.energy(turning, memory); }
 };
 

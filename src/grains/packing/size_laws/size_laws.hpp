@@ -21,8 +21,7 @@ concept DrawsDiameters = std::default_initializable<L> && std::equality_comparab
   { law.draw(std::int64_t{}, random) } -> std::same_as<double>;  // of grain k of its population, m
   { law.largest() } -> std::same_as<double>;                     // no grain is wider, m
 };
-template <DrawsDiameters... Law>
-using SizeLaws = std::variant<Law...>;
+template <DrawsDiameters... Law> using SizeLaws = std::variant<Law...>;
 
 /// The size laws there are, the usual one first. A new one is a file beside these and a word here: recipe keys, their documentation and hashes follow.
 using SizeLaw = SizeLaws<FixedSize, UniformSizes, NormalSizes, SizeList, PowerLawSizes, LogNormalSizes, WeibullSizes, SieveCurve>;

@@ -16,18 +16,15 @@ struct Avx2 {
   static constexpr int bytes = 32, sum_lanes = 4;
   static __m256d fma(__m256d a, __m256d b, __m256d c) { return _mm256_fmadd_pd(a, b, c); }
   static __m256 fma(__m256 a, __m256 b, __m256 c) { return _mm256_fmadd_ps(a, b, c); }
-  template <int lanes>
-  struct Words {
+  template <int lanes> struct Words {
     Vector<std::int32_t, 4 * lanes> w;
     explicit Words(const std::uint32_t* p) { std::memcpy(&w, p, sizeof w); }
   };
   /// Modulus by bond type: one of four floats, looked up by two bits of each word.
-  template <class L>
-  struct Table {
+  template <class L> struct Table {
     __m256 v;
     explicit Table(const float* four) : v(_mm256_broadcast_ps(reinterpret_cast<const __m128*>(four))) {}
-    template <int shift>
-    L find(typename L::Words words) const {
+    template <int shift> L find(typename L::Words words) const {
       if constexpr (L::lanes == 8) return {_mm256_permutevar_ps(v, reinterpret_cast<__m256i>(words.w >> shift))};
       else return {_mm256_cvtps_pd(_mm_permutevar_ps(_mm256_castps256_ps128(v), reinterpret_cast<__m128i>(words.w >> shift)))};
     }

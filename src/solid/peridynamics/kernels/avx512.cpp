@@ -17,8 +17,7 @@ struct Avx512 {
   static __m512d fma(__m512d a, __m512d b, __m512d c) { return _mm512_fmadd_pd(a, b, c); }
   static __m512 fma(__m512 a, __m512 b, __m512 c) { return _mm512_fmadd_ps(a, b, c); }
   static __m256d fma(__m256d a, __m256d b, __m256d c) { return _mm256_fmadd_pd(a, b, c); }
-  template <int lanes>
-  struct Words {
+  template <int lanes> struct Words {
     __m512i w;
     explicit Words(const std::uint32_t* p) {
       if constexpr (lanes == 16) w = _mm512_loadu_si512(p);
@@ -26,15 +25,13 @@ struct Avx512 {
     }
   };
   /// Modulus by bond type, looked up by two bits of each word: the look-up takes three or four bits, so the four stand several times.
-  template <class L>
-  struct Table {
+  template <class L> struct Table {
     typename L::V v;
     explicit Table(const float* four) {
       if constexpr (L::lanes == 16) v = _mm512_broadcast_f32x4(_mm_loadu_ps(four));
       else v = _mm512_cvtps_pd(_mm256_broadcast_ps(reinterpret_cast<const __m128*>(four)));
     }
-    template <int shift>
-    L find(typename L::Words words) const {
+    template <int shift> L find(typename L::Words words) const {
       if constexpr (L::lanes == 16) return {_mm512_permutexvar_ps(_mm512_srli_epi32(words.w, shift), v)};
       else return {_mm512_permutexvar_pd(_mm512_srli_epi64(words.w, shift), v)};
     }

@@ -1,5 +1,5 @@
-#include "core/processor.hpp"
 #include "solid/peridynamics/kernels/kernels.hpp"
+#include "core/processor.hpp"
 
 namespace arenite::peridynamics {
 

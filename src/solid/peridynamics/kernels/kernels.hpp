@@ -9,20 +9,13 @@
 namespace arenite::peridynamics {
 
 /// Plain pointers to one padded plane field.
-template <class T>
-struct Plane {
+template <class T> struct Plane {
   T *x, *y;
   operator Plane<const T>() const requires(!std::is_const_v<T>) { return {x, y}; }
 };
 
-template <class T>
-Plane<T> plane(Field<T>& f) {
-  return {f.x.data(), f.y.data()};
-}
-template <class T>
-Plane<const T> plane(const Field<T>& f) {
-  return {f.x.data(), f.y.data()};
-}
+template <class T> Plane<T> plane(Field<T>& f) { return {f.x.data(), f.y.data()}; }
+template <class T> Plane<const T> plane(const Field<T>& f) { return {f.x.data(), f.y.data()}; }
 
 /// Symmetric 2 x 2 block of a node, the inverse of its diagonal stiffness.
 struct BlockPlane {

@@ -5,18 +5,13 @@
 namespace arenite::peridynamics {
 
 /// The compiler's own vector type.
-template <class T, int bytes>
-struct VectorOf {
-  typedef T type __attribute__((vector_size(bytes)));
-};
-template <class T, int bytes>
-using Vector = typename VectorOf<T, bytes>::type;
+template <class T, int bytes> struct VectorOf { typedef T type __attribute__((vector_size(bytes))); };
+template <class T, int bytes> using Vector = typename VectorOf<T, bytes>::type;
 
 /// As many numbers as a vector of the machine holds. `Machine` says how wide its vectors are (`bytes`), how many doubles a sum is kept in (`sum_lanes`),
 /// how a b + c is rounded (`fma`), and how one of four moduli is found for every lane (`Words`, `Table`). Each is a type of its own source, in an unnamed
 /// namespace, so that nothing compiled for one processor is ever linked into another's loops.
-template <class Machine, class T>
-struct Lanes {
+template <class Machine, class T> struct Lanes {
   using Scalar = T;
   static constexpr int lanes = Machine::bytes / static_cast<int>(sizeof(T));
   using V = Vector<T, Machine::bytes>;
@@ -39,14 +34,12 @@ struct Lanes {
 };
 
 /// Doubles kept in single precision.
-template <class Doubles>
-void store_rough(Doubles a, float* p) {
+template <class Doubles> void store_rough(Doubles a, float* p) {
   using Rough = Vector<float, sizeof(a.v) / 2>;
   const Rough rough = __builtin_convertvector(a.v, Rough);
   std::memcpy(p, &rough, sizeof rough);
 }
-template <class Doubles>
-Doubles load_rough(const float* p) {
+template <class Doubles> Doubles load_rough(const float* p) {
   using Rough = Vector<float, sizeof(Doubles::v) / 2>;
   Rough rough;
   std::memcpy(&rough, p, sizeof rough);
@@ -54,11 +47,9 @@ Doubles load_rough(const float* p) {
 }
 
 /// A sum of products a b of the two components of a plane field, in the doubles that the machine keeps sums in, lower lanes first.
-template <class Machine>
-class Sum {
+template <class Machine> class Sum {
  public:
-  template <class V>
-  void add(V ax, V bx, V ay, V by) {
+  template <class V> void add(V ax, V bx, V ay, V by) {
     [&]<std::size_t... k>(std::index_sequence<k...>) { ((v_ = Machine::fma(part<k>(ax), part<k>(bx), Machine::fma(part<k>(ay), part<k>(by), v_))), ...); }
     (std::make_index_sequence<V::lanes / n>());
   }
@@ -73,8 +64,7 @@ class Sum {
   static constexpr int n = Machine::sum_lanes;
   using D = Vector<double, n * sizeof(double)>;
 
-  template <std::size_t k, class V>
-  static D part(V a) {
+  template <std::size_t k, class V> static D part(V a) {
     Vector<typename V::Scalar, n * sizeof(typename V::Scalar)> p;
     std::memcpy(&p, reinterpret_cast<const char*>(&a.v) + k * sizeof p, sizeof p);
     return __builtin_convertvector(p, D);

@@ -5,19 +5,16 @@
 namespace arenite::peridynamics {
 
 /// The passes of Kernels for one machine and one law.
-template <class Machine, BondLaw Law>
-struct Passes {
+template <class Machine, BondLaw Law> struct Passes {
   using Doubles = Lanes<Machine, double>;
   using Floats = Lanes<Machine, float>;
 
   /// 1 where a component of a row is free to move, 0 where its displacement is prescribed.
-  template <class V>
-  static Force<V> freedom(std::uint8_t prescribed) {
+  template <class V> static Force<V> freedom(std::uint8_t prescribed) {
     return {Stencil<V, Law>::all(prescribed & x_prescribed ? 0 : 1), Stencil<V, Law>::all(prescribed & y_prescribed ? 0 : 1)};
   }
 
-  template <class V, class T = typename V::Scalar>
-  static double force(const Bonds& bonds, const std::uint8_t* prescribed, Plane<const T> u, Plane<T> f) {
+  template <class V, class T = typename V::Scalar> static double force(const Bonds& bonds, const std::uint8_t* prescribed, Plane<const T> u, Plane<T> f) {
     Sum<Machine> sum;
     Force<V> open{};
     Stencil<V, Law>(bonds, u).sweep([&](int y) { open = freedom<V>(prescribed[y]); },
@@ -152,13 +149,9 @@ struct Passes {
 };
 
 /// The passes for every law that there is.
-template <class Machine, class... Law>
-constexpr KernelSet every_law(const char* name, std::variant<Law...>*) {
+template <class Machine, class... Law> constexpr KernelSet every_law(const char* name, std::variant<Law...>*) {
   return {name, {Passes<Machine, Law>::table(name)...}};
 }
-template <class Machine>
-constexpr KernelSet kernel_set(const char* name) {
-  return every_law<Machine>(name, static_cast<BondLawChoice*>(nullptr));
-}
+template <class Machine> constexpr KernelSet kernel_set(const char* name) { return every_law<Machine>(name, static_cast<BondLawChoice*>(nullptr)); }
 
 }  // namespace arenite::peridynamics

@@ -6,22 +6,16 @@ namespace {
 /// What every x86-64 carries out: vectors of 16 bytes, products and sums rounded apart, so that the bits are the same everywhere.
 struct Portable {
   static constexpr int bytes = 16, sum_lanes = 2;
-  template <class V>
-  static V fma(V a, V b, V c) {
-    return a * b + c;
-  }
-  template <int lanes>
-  struct Words {
+  template <class V> static V fma(V a, V b, V c) { return a * b + c; }
+  template <int lanes> struct Words {
     std::uint32_t w[lanes];
     explicit Words(const std::uint32_t* p) { std::memcpy(w, p, sizeof w); }
   };
   /// Modulus by bond type: one of four floats, looked up by two bits of each word.
-  template <class L>
-  struct Table {
+  template <class L> struct Table {
     typename L::Scalar four[4];
     explicit Table(const float* p) : four{p[0], p[1], p[2], p[3]} {}
-    template <int shift>
-    L find(typename L::Words w) const {
+    template <int shift> L find(typename L::Words w) const {
       typename L::Scalar found[L::lanes];
       for (int i = 0; i < L::lanes; ++i) found[i] = four[w.w[i] >> shift & 3u];
       return L::load(found);

@@ -16,14 +16,10 @@ namespace arenite::peridynamics {
 /// Place of a half bond among those that reach as many rows: 3 stay in theirs, 5 reach the next, 5 the one after, 1 the third.
 inline constexpr std::array<int, bonds_per_node> place{0, 1, 2, 0, 0, 0, 1, 1, 2, 2, 3, 4, 3, 4};
 
-template <class V>
-struct Force {
-  V x, y;
-};
+template <class V> struct Force { V x, y; };
 
 /// p . u for the primitive direction of half bond d.
-template <int d, class V>
-[[gnu::always_inline]] inline V along(V x, V y, V two) {
+template <int d, class V> [[gnu::always_inline]] inline V along(V x, V y, V two) {
   constexpr int px = half_bonds[d].x, py = half_bonds[d].y;
   if constexpr (py == 0) return x;
   else if constexpr (px == 0) return y;
@@ -35,8 +31,7 @@ template <int d, class V>
   else return two * y - x;
 }
 
-template <class V, BondLaw Law>
-class Stencil {
+template <class V, BondLaw Law> class Stencil {
  public:
   using T = typename V::Scalar;
   static constexpr int lanes = V::lanes;
@@ -49,8 +44,7 @@ class Stencil {
 
   /// Calls `then(i, own, force)` for every vector of nodes from i on, tile by tile, rows upwards in each;
   /// `row(y)` is called before each row of a tile.
-  template <class Row, class Then>
-  [[gnu::always_inline]] void sweep(const Row& row, const Then& then) {
+  template <class Row, class Then> [[gnu::always_inline]] void sweep(const Row& row, const Then& then) {
     for (int x = 0; x < grid_.row_vectors() * Grid::vector; x += tile) {
       const int nodes = std::min(tile, grid_.row_vectors() * Grid::vector - x);
       std::memset(ring_, 0, sizeof ring_);
@@ -67,8 +61,7 @@ class Stencil {
   struct Rows {
     T *r0, *r1, *r2, *r3;
   };
-  template <int d>
-  static T* in(const Rows& rows) {
+  template <int d> static T* in(const Rows& rows) {
     constexpr int reach = half_bonds[d].y;
     T* const base = reach == 0 ? rows.r0 : reach == 1 ? rows.r1 : reach == 2 ? rows.r2 : rows.r3;
     return base + place[d] * pitch;
@@ -116,8 +109,7 @@ class Stencil {
     }
   }
 
-  template <class Then>
-  [[gnu::always_inline]] void add(std::ptrdiff_t first, int nodes, const Rows starting, const Rows ending, const Then& then) const {
+  template <class Then> [[gnu::always_inline]] void add(std::ptrdiff_t first, int nodes, const Rows starting, const Rows ending, const Then& then) const {
     const double root2 = std::sqrt(2.0), root5 = std::sqrt(5.0), scale = bonds_.scale;
     const V axis1 = all(scale), axis2 = all(scale / 2), axis3 = all(scale / 3), two = V::all(2);
     const V diagonal1 = all(scale / (2 * root2)), diagonal2 = all(scale / (4 * root2)), knight = all(scale / (5 * root5));

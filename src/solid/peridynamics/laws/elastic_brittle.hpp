@@ -24,10 +24,7 @@ struct ElasticBrittle {
   static constexpr std::array parameters{young, toughness};
 
   /// Force along the bond at an extension; `modulus` is force over extension.
-  template <class V>
-  [[gnu::always_inline]] inline V force(V extension, V modulus) const {
-    return modulus * extension;
-  }
+  template <class V> [[gnu::always_inline]] inline V force(V extension, V modulus) const { return modulus * extension; }
   /// Work done on the way to an extension: the integral of `force`.
   double energy(double extension, double modulus) const { return modulus * extension * extension / 2; }
   /// How near a bond is to breaking, 1 where it breaks. Stretch only breaks it.

@@ -11,10 +11,10 @@ namespace arenite::peridynamics {
 template <class L>
 concept BondLaw = requires(const L law, double v) {
   { L::name } -> std::convertible_to<std::string_view>;
-  L::parameters.size();                                      // of LawParameter, `young` and `toughness` among them
-  { law.force(v, v) } -> std::same_as<double>;               // (extension, modulus); of the kernels' lanes too
-  { law.energy(v, v) } -> std::same_as<double>;              // (extension, modulus)
-  { law.damage(v, v) } -> std::same_as<double>;              // (stretch, critical stretch), 1 at the break
+  L::parameters.size();                                       // of LawParameter, `young` and `toughness` among them
+  { law.force(v, v) } -> std::same_as<double>;                // (extension, modulus); of the kernels' lanes too
+  { law.energy(v, v) } -> std::same_as<double>;               // (extension, modulus)
+  { law.damage(v, v) } -> std::same_as<double>;               // (stretch, critical stretch), 1 at the break
   { law.critical_stretch(v, v, v) } -> std::same_as<double>;  // (toughness, Young modulus, dx)
 };
 
@@ -22,10 +22,7 @@ concept BondLaw = requires(const L law, double v) {
 /// the loops, so the law inlines into them.
 using BondLawChoice = std::variant<ElasticBrittle>;
 
-template <class... L>
-constexpr bool all_bond_laws(std::variant<L...>*) {
-  return (BondLaw<L> && ...);
-}
+template <class... L> constexpr bool all_bond_laws(std::variant<L...>*) { return (BondLaw<L> && ...); }
 static_assert(all_bond_laws(static_cast<BondLawChoice*>(nullptr)));
 
 }  // namespace arenite::peridynamics

@@ -19,8 +19,7 @@ BondBlocks bond_blocks(const Bonds& bonds);
 
 /// Symmetric 2 x 2 stiffness of every node against its neighbours held fast, Pa, or the inverse of it. Padded. The
 /// coarse matrix needs it in double: rounded to single it would outweigh the bonds and cost the sum its definiteness.
-template <class T>
-struct BlockDiagonal {
+template <class T> struct BlockDiagonal {
   Buffer<T> xx, xy, yy;
   explicit BlockDiagonal(std::size_t n) : xx(n), xy(n), yy(n) {}
   void set(std::ptrdiff_t i, Block b) { xx[i] = static_cast<T>(b.xx), xy[i] = static_cast<T>(b.xy), yy[i] = static_cast<T>(b.yy); }

@@ -52,7 +52,8 @@ BlockMatrix gathered(const std::vector<std::int64_t>& begin, const std::vector<E
 }  // namespace
 
 CoarseSpace::CoarseSpace(const Bonds& bonds, Pieces pieces, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed)
-    : grid_(bonds.grid), pieces_(std::move(pieces)) {
+    : grid_(bonds.grid),
+      pieces_(std::move(pieces)) {
   const auto sums = couplings(bonds, pieces_, diagonal, prescribed);
   number_corners(sums);
   list_runs(prescribed);

@@ -18,7 +18,7 @@ std::array<Hats, cell * cell> make_hats() {
   return hats;
 }
 
-const std::array<Hats, cell * cell> all_hats = make_hats();
+const std::array<Hats, cell* cell> all_hats = make_hats();
 
 /// What one node's bonds to one piece sum to: block times hats of the other ends.
 struct Reach {

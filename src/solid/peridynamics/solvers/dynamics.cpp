@@ -58,8 +58,7 @@ struct Step {
 };
 
 /// Steps until the residual is small; `look(u, older, f)` may set the damping anew.
-template <class Look>
-StaticReport step_to_rest(const Dynamics& s, Field<double>& u, const Step& step, const Look& look) {
+template <class Look> StaticReport step_to_rest(const Dynamics& s, Field<double>& u, const Step& step, const Look& look) {
   StaticReport report;
   Field<double> older(s.bonds.grid.padded_size()), f(s.bonds.grid.padded_size());
   const double reference = residual_reference(s.bonds, s.prescribed, u, older, f);

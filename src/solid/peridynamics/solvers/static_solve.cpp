@@ -25,7 +25,9 @@ struct StaticSolver::State {
   std::array<Coefficient, degree> coefficient;
 
   State(const Bonds& bonds, Pieces pieces, std::vector<std::uint8_t> rows, const BlockDiagonal<double>& diagonal)
-      : prescribed(std::move(rows)), inverse(inverse_diagonal(bonds, diagonal, prescribed)), coarse(bonds, std::move(pieces), diagonal, prescribed) {
+      : prescribed(std::move(rows)),
+        inverse(inverse_diagonal(bonds, diagonal, prescribed)),
+        coarse(bonds, std::move(pieces), diagonal, prescribed) {
     for (Field<float>* field : {&r, &p, &f, &z, &other, &left}) *field = Field<float>(bonds.grid.padded_size());
     const double centre = (highest + lowest) / 2, half = (highest - lowest) / 2;
     double rho = half / centre;

@@ -13,9 +13,7 @@ struct Floats {
   static constexpr std::size_t lanes = 8;
   __m256 v;
   static Floats load(const float* p) { return {_mm256_loadu_ps(p)}; }
-  static Floats load(const std::uint16_t* p) {
-    return {_mm256_cvtepi32_ps(_mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(p))))};
-  }
+  static Floats load(const std::uint16_t* p) { return {_mm256_cvtepi32_ps(_mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(p))))}; }
   static Floats all(float c) { return {_mm256_set1_ps(c)}; }
   void store(float* p) const { _mm256_storeu_ps(p, v); }
   friend Floats operator+(Floats a, Floats b) { return {_mm256_add_ps(a.v, b.v)}; }

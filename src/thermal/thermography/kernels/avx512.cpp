@@ -13,9 +13,7 @@ struct Floats {
   static constexpr std::size_t lanes = 16;
   __m512 v;
   static Floats load(const float* p) { return {_mm512_loadu_ps(p)}; }
-  static Floats load(const std::uint16_t* p) {
-    return {_mm512_cvtepi32_ps(_mm512_cvtepu16_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p))))};
-  }
+  static Floats load(const std::uint16_t* p) { return {_mm512_cvtepi32_ps(_mm512_cvtepu16_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p))))}; }
   static Floats all(float c) { return {_mm512_set1_ps(c)}; }
   void store(float* p) const { _mm512_storeu_ps(p, v); }
   friend Floats operator+(Floats a, Floats b) { return {_mm512_add_ps(a.v, b.v)}; }

@@ -6,14 +6,13 @@ namespace arenite::thermography {
 
 /// Frames one after the other and what they are weighed with. Of every pixel, d = value - reference is taken, which is
 /// small and, for digital levels, exact in single precision.
-template <class T>
-struct WeighedFrames {
-  const T* frames;        ///< first frame; the next is `pixels` further
-  std::size_t pixels;     ///< of a frame
-  std::size_t count;      ///< frames
-  const float* weights;   ///< count x functions
-  std::size_t functions;  ///< 2, 4, 6 or 8
-  const float* reference; ///< one a pixel
+template <class T> struct WeighedFrames {
+  const T* frames;         ///< first frame; the next is `pixels` further
+  std::size_t pixels;      ///< of a frame
+  std::size_t count;       ///< frames
+  const float* weights;    ///< count x functions
+  std::size_t functions;   ///< 2, 4, 6 or 8
+  const float* reference;  ///< one a pixel
 };
 
 /// Sums are kept in chunks of so many pixels, all sums of a chunk one after the other.
@@ -25,9 +24,7 @@ struct SegmentView {
   std::size_t segments, planes;
 
   /// Where pixel p has plane k of segment s.
-  std::size_t at(std::size_t p, std::size_t s, std::size_t k) const {
-    return ((p / chunk * segments + s) * planes + k) * chunk + p % chunk;
-  }
+  std::size_t at(std::size_t p, std::size_t s, std::size_t k) const { return ((p / chunk * segments + s) * planes + k) * chunk + p % chunk; }
 };
 
 /// The passes over pixels that take the time, compiled once for each kind of machine. Pixels begin .. end - 1 are done,
@@ -39,13 +36,12 @@ struct Kernels {
   void (*add_levels)(const WeighedFrames<std::uint16_t>&, float* sums, std::size_t stride, std::size_t begin, std::size_t end);
   void (*add_values)(const WeighedFrames<float>&, float* sums, std::size_t stride, std::size_t begin, std::size_t end);
   /// out[m apart + p - begin] = sum over segments and planes of coefficient[m][s][k] sums, for m = 0 .. rows - 1.
-  void (*combine)(const SegmentView&, const double* coefficient, std::size_t rows, double* out, std::size_t apart, std::size_t begin,
-                  std::size_t end);
+  void (*combine)(const SegmentView&, const double* coefficient, std::size_t rows, double* out, std::size_t apart, std::size_t begin, std::size_t end);
   /// out[p - begin] = sum over all frames of (d + last plane)^2, where segment s has frames[s] frames.
   void (*power)(const SegmentView&, const double* frames, double* out, std::size_t begin, std::size_t end);
 };
 
-extern const Kernels* const avx2_kernels;    ///< null where the compiler cannot make them
+extern const Kernels* const avx2_kernels;  ///< null where the compiler cannot make them
 extern const Kernels* const avx512_kernels;
 
 /// The kernels for this machine; "portable", "avx2" or "avx512" asks for one by name, nullptr if it cannot run here.

@@ -10,8 +10,7 @@ namespace arenite::thermography {
 namespace {
 
 /// One number at a time: what is left over at the end of a row of lanes, and machines without lanes.
-template <class T>
-struct One {
+template <class T> struct One {
   static constexpr std::size_t lanes = 1;
   T v;
   static One load(const float* p) { return {static_cast<T>(*p)}; }
@@ -76,16 +75,14 @@ void add_frames(const WeighedFrames<T>& f, float* sums, std::size_t stride, std:
   }
 }
 
-template <class Floats, class T>
-void add(const WeighedFrames<T>& f, float* sums, std::size_t stride, std::size_t begin, std::size_t end) {
+template <class Floats, class T> void add(const WeighedFrames<T>& f, float* sums, std::size_t stride, std::size_t begin, std::size_t end) {
   if (f.functions == 2) add_frames<Floats, 2>(f, sums, stride, begin, end);
   else if (f.functions == 4) add_frames<Floats, 4>(f, sums, stride, begin, end);
   else if (f.functions == 6) add_frames<Floats, 6>(f, sums, stride, begin, end);
   else add_frames<Floats, 8>(f, sums, stride, begin, end);
 }
 
-template <class V, int rows>
-inline void combine_at(const SegmentView& s, std::size_t p, const double* coefficient, double* out, std::size_t apart) {
+template <class V, int rows> inline void combine_at(const SegmentView& s, std::size_t p, const double* coefficient, double* out, std::size_t apart) {
   V sum[rows];
   for (int m = 0; m < rows; ++m) sum[m] = V::all(0);
   const std::size_t count = s.segments * s.planes;
@@ -117,8 +114,7 @@ void combine(const SegmentView& s, const double* coefficient, std::size_t rows, 
   if (m < rows) rest[rows - m - 1](s, coefficient + m * count, out + m * apart, apart, begin, end);
 }
 
-template <class V>
-inline void power_at(const SegmentView& s, std::size_t p, const double* frames, double* out) {
+template <class V> inline void power_at(const SegmentView& s, std::size_t p, const double* frames, double* out) {
   V sum = V::all(0);
   const float* plane = s.sums + s.at(p, 0, 0);
   for (std::size_t q = 0; q < s.segments; ++q, plane += s.planes * chunk) {
@@ -128,16 +124,14 @@ inline void power_at(const SegmentView& s, std::size_t p, const double* frames, 
   sum.store(out);
 }
 
-template <class Doubles>
-void power(const SegmentView& s, const double* frames, double* out, std::size_t begin, std::size_t end) {
+template <class Doubles> void power(const SegmentView& s, const double* frames, double* out, std::size_t begin, std::size_t end) {
   std::size_t p = begin;
   for (; p + Doubles::lanes <= end; p += Doubles::lanes) power_at<Doubles>(s, p, frames, out + (p - begin));
   for (; p < end; ++p) power_at<One<double>>(s, p, frames, out + (p - begin));
 }
 
 /// The passes in lanes of these types, each of which loads, stores, adds and multiplies as One does.
-template <class Floats, class Doubles>
-constexpr Kernels table_of(const char* name) {
+template <class Floats, class Doubles> constexpr Kernels table_of(const char* name) {
   return {name, add<Floats, std::uint16_t>, add<Floats, float>, combine<Doubles>, power<Doubles>};
 }
 

@@ -98,9 +98,7 @@ TEST(Options, EveryProblemOfTheInputIsReportedInOnePass) {
   try {
     Engine(p, contact, {});
     FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_GE(error.problems().size(), 6u) << error.what();
-  }
+  } catch (const InputError& error) { EXPECT_GE(error.problems().size(), 6u) << error.what(); }
 }
 
 }  // namespace

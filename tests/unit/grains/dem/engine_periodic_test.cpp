@@ -16,8 +16,7 @@ Packing periodic_crowd(std::uint64_t seed, double pitch) {
 }
 
 double mass_of(const Packing& p, std::size_t k) {
-  return p.materials[static_cast<std::size_t>(p.grains.material[k])].density * std::numbers::pi * p.grains.radius[k] *
-         p.grains.radius[k] * p.domain.thickness;
+  return p.materials[static_cast<std::size_t>(p.grains.material[k])].density * std::numbers::pi * p.grains.radius[k] * p.grains.radius[k] * p.domain.thickness;
 }
 
 TEST(PeriodicCell, KeepsItsMomentum) {

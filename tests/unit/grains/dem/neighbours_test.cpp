@@ -21,10 +21,8 @@ std::set<std::uint64_t> near_pairs(const Packing& p, double gap) {
     for (std::size_t b = a + 1; b < g.size(); ++b)
       for (int iy = -2 * ay; iy <= 2 * ay; ++iy)
         for (int ix = -2 * ax; ix <= 2 * ax; ++ix) {
-          const Vec2 d{g.x[a] - g.x[b] + ix * p.domain.width() + iy * p.domain.tilt,
-                       g.y[a] - g.y[b] + iy * p.domain.height()};
-          if (norm(d) < g.radius[a] + g.radius[b] + gap)
-            found.insert(pair_key(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)));
+          const Vec2 d{g.x[a] - g.x[b] + ix * p.domain.width() + iy * p.domain.tilt, g.y[a] - g.y[b] + iy * p.domain.height()};
+          if (norm(d) < g.radius[a] + g.radius[b] + gap) found.insert(pair_key(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)));
         }
   return found;
 }
@@ -84,8 +82,8 @@ TEST_P(Neighbours, StayCompleteWhileGrainsAndWallsMove) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cells, Neighbours,
-                         ::testing::Values(Cell{false, false, 0}, Cell{true, false, 0}, Cell{false, true, 0},
-                                           Cell{true, true, 0}, Cell{true, true, 0.3}, Cell{true, true, -0.45}));
+                         ::testing::Values(Cell{false, false, 0}, Cell{true, false, 0}, Cell{false, true, 0}, Cell{true, true, 0}, Cell{true, true, 0.3},
+                                           Cell{true, true, -0.45}));
 
 TEST(PeriodicCell, TooNarrowForItsGrainsIsRefused) {
   Packing p = testing::empty_frame(0.02, 0.2);

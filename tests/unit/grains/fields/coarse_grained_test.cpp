@@ -38,8 +38,7 @@ double total(const std::vector<double>& values) {
   for (const double v : values) sum += v;
   return sum;
 }
-template <class T>
-std::vector<double> part(const std::vector<T>& values, double T::*member) {
+template <class T> std::vector<double> part(const std::vector<T>& values, double T::*member) {
   std::vector<double> out;
   for (const T& v : values) out.push_back(v.*member);
   return out;
@@ -59,8 +58,7 @@ Sums sums_of(const Packing& p) {
     s.momentum += m * v;
     s.momentum_size += m * norm(v);
   }
-  for (std::size_t c = 0; c < p.contacts.size(); ++c)
-    s.moment_size += norm(p.contacts.force_on_i(c)) * (p.contacts.arm_i[c] + p.contacts.arm_j[c]);
+  for (std::size_t c = 0; c < p.contacts.size(); ++c) s.moment_size += norm(p.contacts.force_on_i(c)) * (p.contacts.arm_i[c] + p.contacts.arm_j[c]);
   return s;
 }
 
@@ -179,8 +177,7 @@ TEST(CoarseGrained, BalancesForcesByTheContactStressAlone) {
   const std::vector<double> push = divergence(grid, part(f.contact_stress, &Tensor2::xx), part(f.contact_stress, &Tensor2::xy));
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column)
-      EXPECT_NEAR(push[static_cast<std::size_t>(row * grid.columns + column)], rates_at(p, grid.point(column, row), 0.8).momentum.x,
-                  1e-12 * largest(push));
+      EXPECT_NEAR(push[static_cast<std::size_t>(row * grid.columns + column)], rates_at(p, grid.point(column, row), 0.8).momentum.x, 1e-12 * largest(push));
   EXPECT_EQ(largest(part(f.kinetic_stress, &Tensor2::xx)), 0);
 }
 

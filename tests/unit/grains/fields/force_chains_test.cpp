@@ -80,8 +80,7 @@ TEST(ForceChains, FindsTheLoadedColumnOfALattice) {
 
 TEST(ForceChains, CloseAroundAPeriodicCell) {
   Packing p = test::square_lattice(6);
-  for (std::size_t c = 0; c < p.contacts.size(); ++c)
-    p.contacts.fn[c] = std::abs(p.contacts.ny[c]) < 0.5 ? 0.5 : p.contacts.i[c] % 2 == 0 ? 3 : 1;
+  for (std::size_t c = 0; c < p.contacts.size(); ++c) p.contacts.fn[c] = std::abs(p.contacts.ny[c]) < 0.5 ? 0.5 : p.contacts.i[c] % 2 == 0 ? 3 : 1;
   const ForceChains f = find_force_chains(p);
   EXPECT_EQ(f.chains.size(), 3u);
   EXPECT_EQ(f.ring, (std::vector<std::uint8_t>{1, 1, 1}));
@@ -164,8 +163,7 @@ TEST(ForceChains, RefusesAnAngleThatIsNone) {
 
 TEST(StrongClusters, OfALatticeAreItsLoadedColumns) {
   Packing p = test::square_lattice(6);
-  for (std::size_t c = 0; c < p.contacts.size(); ++c)
-    p.contacts.fn[c] = std::abs(p.contacts.ny[c]) > 0.5 && p.contacts.i[c] % 6 == 1 ? 3 : 0.5;
+  for (std::size_t c = 0; c < p.contacts.size(); ++c) p.contacts.fn[c] = std::abs(p.contacts.ny[c]) > 0.5 && p.contacts.i[c] % 6 == 1 ? 3 : 0.5;
   const StrongClusters s = strong_clusters(p);
   EXPECT_EQ(s.grains, std::vector<std::size_t>{6});
   EXPECT_EQ(s.contacts_of, std::vector<std::size_t>{6});

@@ -33,8 +33,7 @@ TEST(Images, AreAllThatOverlapTheWindow) {
       for (int column = -24; column <= 24; ++column) {
         if ((row != 0 && !domain.periodic_y) || (column != 0 && !domain.periodic_x)) continue;
         const double x = 3 * column + row * domain.tilt, y = 2 * row;
-        if (geometry::overlap({extent.x_min + x, extent.x_max + x, extent.y_min + y, extent.y_max + y}, window))
-          wanted.insert({column, row});
+        if (geometry::overlap({extent.x_min + x, extent.x_max + x, extent.y_min + y, extent.y_max + y}, window)) wanted.insert({column, row});
       }
     EXPECT_EQ(found, wanted);
   }

@@ -14,8 +14,7 @@ namespace {
 constexpr double width = 0.7;
 
 /// Composite Simpson's rule.
-template <class F>
-double integral(double from, double to, int pieces, F&& f) {
+template <class F> double integral(double from, double to, int pieces, F&& f) {
   const double h = (to - from) / (2 * pieces);
   double sum = f(from) + f(to);
   for (int k = 1; k < 2 * pieces; ++k) sum += (k % 2 ? 4 : 2) * f(from + k * h);
@@ -33,9 +32,7 @@ TEST_P(Kernels, HaveIntegralOneAndTheirWidthAsDeviationAlongAnAxis) {
   // Simpson's rule errs by (reach/2000)^4 of the fourth derivative, a few times 1e-11 at most; beyond the reach lie 2.1e-16 of the
   // Gaussian.
   const auto moment = [&](int power) {
-    return integral(0, kernel.reach(), 1000, [&](double r) {
-      return 2 * std::numbers::pi * std::pow(r, power + 1) * kernel.value({0, r});
-    });
+    return integral(0, kernel.reach(), 1000, [&](double r) { return 2 * std::numbers::pi * std::pow(r, power + 1) * kernel.value({0, r}); });
   };
   EXPECT_NEAR(moment(0), 1, 1e-10);
   EXPECT_NEAR(std::sqrt(moment(2) / 2), width, 1e-10);  // <r^2> = <x^2> + <y^2>; what lies beyond weighs 72 w^2 times 2.1e-16

@@ -15,8 +15,7 @@ namespace {
 double total_area(const Loops& loops) { return std::accumulate(loops.area.begin(), loops.area.end(), 0.0); }
 
 /// Contacts for which `keep(c)` holds.
-template <class Keep>
-Packing with_contacts(Packing p, Keep keep) {
+template <class Keep> Packing with_contacts(Packing p, Keep keep) {
   const Contacts old = std::move(p.contacts);
   p.contacts = {};
   for (std::size_t c = 0; c < old.size(); ++c)
@@ -48,8 +47,7 @@ TEST(Loops, OfAPeriodicLatticeAreItsMeshes) {
 
 TEST(Loops, GrowWhereAGrainIsMissing) {
   // Without one grain and its six contacts, six triangles become one loop of six.
-  const Packing p =
-      with_contacts(test::triangular_lattice(6), [](const Contacts& c, std::size_t k) { return c.i[k] != 14 && c.j[k] != 14; });
+  const Packing p = with_contacts(test::triangular_lattice(6), [](const Contacts& c, std::size_t k) { return c.i[k] != 14 && c.j[k] != 14; });
   const Loops loops = find_loops(p);
   EXPECT_EQ(loops.rattlers, 1u);
   EXPECT_EQ(loops.histogram, (std::vector<std::size_t>{0, 0, 0, 66, 0, 0, 1}));
@@ -80,9 +78,8 @@ TEST(Loops, OfAStripAroundTheCellHaveTwoOutlines) {
       for (auto* a : {&p.contacts.i, &p.contacts.j}) std::reverse(a->begin(), a->end());
       for (auto* a : {&p.contacts.nx, &p.contacts.ny}) std::reverse(a->begin(), a->end());
     }
-    const Loops loops = find_loops(with_contacts(std::move(p), [&](const Contacts& c, std::size_t k) {
-      return there[static_cast<std::size_t>(c.i[k])] && there[static_cast<std::size_t>(c.j[k])];
-    }));
+    const Loops loops = find_loops(with_contacts(
+        std::move(p), [&](const Contacts& c, std::size_t k) { return there[static_cast<std::size_t>(c.i[k])] && there[static_cast<std::size_t>(c.j[k])]; }));
     EXPECT_EQ(loops.outlines, 2u);
     EXPECT_EQ(loops.edges.size(), loops.contacts - loops.grains);
     EXPECT_EQ(loops.edges.size(), loops.histogram.at(4));
@@ -92,8 +89,7 @@ TEST(Loops, OfAStripAroundTheCellHaveTwoOutlines) {
 TEST(Loops, LeaveOutWhatDanglesAndPassABridgeOnBothSides) {
   // Two triangles joined by one contact, and a tail of two grains.
   Packing p = test::empty_box(20, 20);
-  for (const Vec2 c : {Vec2{1, 1}, Vec2{2, 0.5}, Vec2{2, 1.5}, Vec2{3, 1.5}, Vec2{4, 1}, Vec2{4, 2}, Vec2{5, 2}, Vec2{6, 2}})
-    test::add_grain(p, c, 0.6);
+  for (const Vec2 c : {Vec2{1, 1}, Vec2{2, 0.5}, Vec2{2, 1.5}, Vec2{3, 1.5}, Vec2{4, 1}, Vec2{4, 2}, Vec2{5, 2}, Vec2{6, 2}}) test::add_grain(p, c, 0.6);
   for (const auto& [i, j] : {std::pair{0, 1}, {1, 2}, {2, 0}, {2, 3}, {3, 4}, {4, 5}, {5, 3}, {5, 6}, {6, 7}})
     test::add_contact(p, static_cast<std::size_t>(i), static_cast<std::size_t>(j), 1);
   Loops loops = find_loops(p);
@@ -114,8 +110,7 @@ TEST(Loops, OfAnyPlaneNetworkObeyEuler) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     RandomStream random(seed, Purpose::test);
     const double kept = random.uniform(0.3, 1);
-    const Packing p =
-        with_contacts(cut_open(test::triangular_lattice(12)), [&](const Contacts&, std::size_t) { return random.uniform() < kept; });
+    const Packing p = with_contacts(cut_open(test::triangular_lattice(12)), [&](const Contacts&, std::size_t) { return random.uniform() < kept; });
     const Loops loops = find_loops(p);
     EXPECT_EQ(loops.edges.size() + loops.grains, loops.contacts + loops.parts);
     EXPECT_EQ(loops.outlines, loops.parts);

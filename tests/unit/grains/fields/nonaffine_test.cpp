@@ -50,10 +50,9 @@ TEST(NonAffine, AnAffineMotionLeavesNothing) {
     double tilt;
     Tensor2 f;
   };
-  for (const Case& c :
-       {Case{false, false, 0, {1.1, 0.3, -0.4, 0.9}},                                      // with a rotation
-        Case{true, true, 0, {1.02, 0.1, 0, 0.97}}, Case{true, true, 3.3, {1, 4.7, 0, 1}},  // sheared by 470 %
-        Case{true, true, -40, {0.5, -0.6, 0, 1.3}}, Case{true, false, 0, {1.2, 0, 0, 0.7}}, Case{false, true, 0, {1.2, 0, 0, 0.7}}}) {
+  for (const Case& c : {Case{false, false, 0, {1.1, 0.3, -0.4, 0.9}},                                      // with a rotation
+                        Case{true, true, 0, {1.02, 0.1, 0, 0.97}}, Case{true, true, 3.3, {1, 4.7, 0, 1}},  // sheared by 470 %
+                        Case{true, true, -40, {0.5, -0.6, 0, 1.3}}, Case{true, false, 0, {1.2, 0, 0, 0.7}}, Case{false, true, 0, {1.2, 0, 0, 0.7}}}) {
     const Packing before = scattered(4, c.periodic_x, c.periodic_y, c.tilt), after = moved(before, c.f, {1.7, c.periodic_y ? -0.9 : 0.0});
     const LocalDeformation local = local_deformation(before, after, 3);
     for (std::size_t g = 0; g < before.grains.size(); ++g) {
@@ -105,9 +104,7 @@ TEST(NonAffine, KnowsTheGrainThatLeftTheRest) {
   const AffineFit fit = affine_fit(before, after);
   EXPECT_LT(fit.fluctuation, std::sqrt(0.01 / 64));
   EXPECT_GT(fit.fluctuation, std::sqrt(0.01 / 64 * (1 - 4.0 / 64)));
-  EXPECT_EQ(
-      std::max_element(fit.residual.begin(), fit.residual.end(), [](Vec2 a, Vec2 b) { return norm(a) < norm(b); }) - fit.residual.begin(),
-      27);
+  EXPECT_EQ(std::max_element(fit.residual.begin(), fit.residual.end(), [](Vec2 a, Vec2 b) { return norm(a) < norm(b); }) - fit.residual.begin(), 27);
 }
 
 TEST(NonAffine, MeasuresTheNoiseOnTopOfAShear) {

@@ -38,8 +38,7 @@ double smallest_gap(const Packing& p, std::size_t from, std::size_t to) {
   double least = INFINITY;
   const Grains& g = p.grains;
   for (std::size_t i = from; i < to; ++i) {
-    for (std::size_t j = from; j < i; ++j)
-      least = std::min(least, norm(p.domain.nearest_image(g.centre(i) - g.centre(j))) - g.radius[i] - g.radius[j]);
+    for (std::size_t j = from; j < i; ++j) least = std::min(least, norm(p.domain.nearest_image(g.centre(i) - g.centre(j))) - g.radius[i] - g.radius[j]);
     if (p.domain.wall[left].present) least = std::min({least, g.x[i] - g.radius[i], p.domain.width() - g.x[i] - g.radius[i]});
     if (p.domain.wall[bottom].present) least = std::min({least, g.y[i] - g.radius[i], p.domain.height() - g.y[i] - g.radius[i]});
   }
@@ -232,8 +231,7 @@ TEST(Bidisperse, ReachesTheVolumeRatioAskedForAndReportsWhatItIs) {
     Packing packing;
     const auto report = sample_bidisperse(packing, parameters(gamma, theta, 900), 2);
     double area[2] = {0, 0};
-    for (std::size_t i = 0; i < packing.grains.size(); ++i)
-      area[packing.grains.material[i]] += pi * packing.grains.radius[i] * packing.grains.radius[i];
+    for (std::size_t i = 0; i < packing.grains.size(); ++i) area[packing.grains.material[i]] += pi * packing.grains.radius[i] * packing.grains.radius[i];
     EXPECT_NEAR(area[0] / area[1], theta, 0.0101 * theta) << gamma;
     EXPECT_NEAR(report.volume_ratio, area[0] / area[1], 1e-9) << gamma;
     EXPECT_NEAR(report.volume_ratio_error, area[0] / area[1] / theta - 1, 1e-9) << gamma;
@@ -289,9 +287,7 @@ TEST(Bidisperse, EveryBadParameterIsNamedAtOnce) {
   try {
     sample_bidisperse(packing, p, 1);
     FAIL() << "accepted";
-  } catch (const InputError& e) {
-    EXPECT_EQ(e.problems().size(), 7u);
-  }
+  } catch (const InputError& e) { EXPECT_EQ(e.problems().size(), 7u); }
 }
 
 }  // namespace

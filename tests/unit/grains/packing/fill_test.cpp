@@ -73,9 +73,7 @@ TEST(Fill, AnImpossibleSolidFractionIsRefusedWithTheMend) {
   try {
     fill_at_random(g, box, 1);
     FAIL() << "a solid fraction of 0.95 was accepted";
-  } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find("solid_fraction"), std::string::npos);
-  }
+  } catch (const InputError& e) { EXPECT_NE(std::string(e.what()).find("solid_fraction"), std::string::npos); }
 }
 
 TEST(Fill, SmallOverlapsOfMeasuredCentresAreRelaxedAndReported) {

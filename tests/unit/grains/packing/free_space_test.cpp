@@ -59,8 +59,7 @@ TEST(FreeSpace, AGapAndWallsTakeRoomAndAPeriodicSideGivesIt) {
 
 RC_GTEST_PROP(FreeSpace, HasAPlaceBesideADiskExactlyWhereSomeAngleFits, ()) {
   RandomStream random(*rc::gen::arbitrary<std::uint64_t>(), Purpose::test);
-  const geometry::Box box{-1, 2, *rc::gen::element(3.0, 8.0), *rc::gen::element(3.0, 8.0), *rc::gen::arbitrary<bool>(),
-                          *rc::gen::arbitrary<bool>()};
+  const geometry::Box box{-1, 2, *rc::gen::element(3.0, 8.0), *rc::gen::element(3.0, 8.0), *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
   FreeSpace space(box, *rc::gen::element(0.0, 0.3));
   std::vector<Disk> disks;
   for (const double size : {1.0, 0.3}) {

@@ -11,8 +11,7 @@ namespace {
 
 constexpr int count = 20'000;
 
-template <class Law>
-std::vector<double> sorted_draws(const Law& law) {
+template <class Law> std::vector<double> sorted_draws(const Law& law) {
   RandomStream random(7, Purpose::test);
   std::vector<double> d(count);
   for (int k = 0; k < count; ++k) d[static_cast<std::size_t>(k)] = law.draw(k, random);
@@ -21,8 +20,7 @@ std::vector<double> sorted_draws(const Law& law) {
 }
 
 /// Kolmogorov and Smirnov's distance; beyond 1.95/sqrt(n) in one of a thousand samples of the distribution itself.
-template <class Law, class Distribution>
-void expect_drawn_from(const Law& law, Distribution&& below) {
+template <class Law, class Distribution> void expect_drawn_from(const Law& law, Distribution&& below) {
   const auto d = sorted_draws(law);
   double distance = 0;
   for (std::size_t k = 0; k < d.size(); ++k) distance = std::max(distance, std::abs(below(d[k]) - (static_cast<double>(k) + 0.5) / count));

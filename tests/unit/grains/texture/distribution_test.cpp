@@ -91,8 +91,7 @@ TEST(Distribution, RelationOfExponentsHoldsForAPairThatObeysIt) {
   const double beta = std::sqrt(2.0), k = 1 / (1 + 1 / beta);
   RandomStream random(4, Purpose::test);
   std::vector<double> force;
-  for (int n = 0; n < 40000; ++n)
-    force.push_back(random.uniform() < k ? random.uniform() : 1 - std::log(1 - random.uniform()) / beta);
+  for (int n = 0; n < 40000; ++n) force.push_back(random.uniform() < k ? random.uniform() : 1 - std::log(1 - random.uniform()) / beta);
   Items items(force.size());
   std::iota(items.begin(), items.end(), 0);
   const Distribution d = distribution(items, std::vector<int>(force.size(), 0), force, 1);
@@ -127,15 +126,17 @@ TEST(Jackknife, OfCorrelatedValuesIsThatOfTheirBlocks) {
 
 TEST(Jackknife, OfAnAngleDoesNotJumpWhereItWraps) {
   const std::vector<double> angle{179, 1, 178, 2};
-  const auto estimate = jackknife({0, 1, 2, 3}, {0, 1, 2, 3}, [&](const Items& items) {
-    double x = 0, y = 0;
-    for (const std::size_t i : items) {
-      x += std::cos(angle[i] * std::acos(-1.0) / 90);
-      y += std::sin(angle[i] * std::acos(-1.0) / 90);
-    }
-    const double mean = std::atan2(y, x) * 90 / std::acos(-1.0);
-    return std::vector<double>{mean < 0 ? mean + 180 : mean};
-  }, {180});
+  const auto estimate = jackknife({0, 1, 2, 3}, {0, 1, 2, 3},
+                                  [&](const Items& items) {
+                                    double x = 0, y = 0;
+                                    for (const std::size_t i : items) {
+                                      x += std::cos(angle[i] * std::acos(-1.0) / 90);
+                                      y += std::sin(angle[i] * std::acos(-1.0) / 90);
+                                    }
+                                    const double mean = std::atan2(y, x) * 90 / std::acos(-1.0);
+                                    return std::vector<double>{mean < 0 ? mean + 180 : mean};
+                                  },
+                                  {180});
   EXPECT_LT(estimate[0].error, 2);
 }
 

@@ -29,13 +29,12 @@ inline void add_grain(Packing& p, Vec2 centre, double radius, int material = 0) 
 inline void add_contact(Packing& p, std::size_t i, std::size_t j, double fn, double ft = 0) {
   const Vec2 branch = p.domain.nearest_image(p.grains.centre(i) - p.grains.centre(j));
   const double d = norm(branch), h = p.grains.radius[i] + p.grains.radius[j] - d;
-  p.contacts.add(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), 1 / d * branch, fn, ft, p.grains.radius[i] - h / 2,
-                 p.grains.radius[j] - h / 2);
+  p.contacts.add(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), 1 / d * branch, fn, ft, p.grains.radius[i] - h / 2, p.grains.radius[j] - h / 2);
 }
 
 inline void add_wall_contact(Packing& p, std::size_t i, int side, double fn, double ft = 0) {
-  const double arm = side == left || side == right ? std::abs(p.grains.x[i] - p.domain.wall[side].position)
-                                                   : std::abs(p.grains.y[i] - p.domain.wall[side].position);
+  const double arm =
+      side == left || side == right ? std::abs(p.grains.x[i] - p.domain.wall[side].position) : std::abs(p.grains.y[i] - p.domain.wall[side].position);
   p.contacts.add(static_cast<std::int32_t>(i), wall_partner(side), inward_normal(side), fn, ft, arm, 0);
 }
 

@@ -68,8 +68,7 @@ TEST(Bridges, BetweenTwoEqualDisksHaveTheClosedFormsArea) {
     for (const double eta : {0.2, 0.6, 1.0}) {
       const Packing two = disks({{-0.3, 0.1, 1}, {-0.3 + 0.6 * (2 + gap), 0.1 + 0.8 * (2 + gap), 1}}, 10);
       EXPECT_NEAR(matrix(two, bridges(0.08, eta)), bridge_area(1, gap, eta), 1e-12);
-      EXPECT_NEAR(matrix(two, bridges(0.08, eta, true)),
-                  bridge_area(1, gap, eta / 2), 1e-12);
+      EXPECT_NEAR(matrix(two, bridges(0.08, eta, true)), bridge_area(1, gap, eta / 2), 1e-12);
     }
 }
 
@@ -84,9 +83,7 @@ TEST(Bridges, FillAPoreOfThreeGrainsAtHalfWidthOverRootThree) {
   const double h = std::sqrt(3.0);
   const Packing three = disks({{-1, 0, 1}, {1, 0, 1}, {0, h, 1}}, 10);
   const Window pore{-0.5, 0.5, 0.3, 1.1};  // holds the pore's middle and much of its sides
-  const auto saturation = [&](double eta) {
-    return made(three, bridges(1e-9, eta), pore).saturation;
-  };
+  const auto saturation = [&](double eta) { return made(three, bridges(1e-9, eta), pore).saturation; };
   EXPECT_NEAR(saturation(1 / h + 1e-6), 1, 1e-12);
   EXPECT_LT(saturation(1 / h - 1e-3), 1 - 1e-7);
 }
@@ -165,9 +162,8 @@ TEST(Saturation, OutOfReachNamesWhatIsInReach) {
 TEST(Cement, BadInputIsNamed) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Packing two = disks({{-1, 0, 1}, {1, 0, 1}}, 10);
-  for (const auto& p : {bridges(-1, 0.4), bridges(nan, 0.4), bridges(0.1, -0.1), bridges(0.1, 1.01), bridges(0.1, 2.01, true),
-                        coating(-1), coating(nan), menisci(0.1, -1), with_saturation(bridges(0.1, 0), 0),
-                        with_saturation(coating(0), 1.1), with_saturation(of_kind(Kind::none), 0.5)})
+  for (const auto& p : {bridges(-1, 0.4), bridges(nan, 0.4), bridges(0.1, -0.1), bridges(0.1, 1.01), bridges(0.1, 2.01, true), coating(-1), coating(nan),
+                        menisci(0.1, -1), with_saturation(bridges(0.1, 0), 0), with_saturation(coating(0), 1.1), with_saturation(of_kind(Kind::none), 0.5)})
     EXPECT_THROW(made(two, p), InputError);
   EXPECT_THROW(made(two, bridges(0.1, 0.4), {0, 0, 0, 1}), InputError);
   EXPECT_THROW(made(disks({{0, 0, -1}}, 10), bridges(0.1, 0.4)), InputError);

@@ -39,8 +39,7 @@ TEST(Bonds, TypeFollowsWhatTheTwoNodesAre) {
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x)
       for (int d = 0; d < bonds_per_node; ++d)
-        ASSERT_EQ(bonds.type(bonds.grid.index(x, y), d), type_by_rule(map, x, y, half_bonds[static_cast<unsigned>(d)]))
-            << x << " " << y << " " << d;
+        ASSERT_EQ(bonds.type(bonds.grid.index(x, y), d), type_by_rule(map, x, y, half_bonds[static_cast<unsigned>(d)])) << x << " " << y << " " << d;
 }
 
 TEST(Bonds, GroupsAreUniformOnlyDeepInsideOnePhase) {
@@ -58,8 +57,7 @@ TEST(Bonds, ModulusIsThePapersOrCalibrated) {
   EXPECT_NEAR(make_bonds(map, s).modulus(particle_bond), 8e9 * nominal_micromodulus, 1);
   EXPECT_NEAR(make_bonds(map, s).modulus(interface_bond), 3e9 * nominal_micromodulus, 1);
   s.calibrated = true;
-  EXPECT_NEAR(make_bonds(map, s).modulus(matrix_bond), 2e9 * nominal_micromodulus * 0.9394877,
-              2e9 * nominal_micromodulus * 1e-7);
+  EXPECT_NEAR(make_bonds(map, s).modulus(matrix_bond), 2e9 * nominal_micromodulus * 0.9394877, 2e9 * nominal_micromodulus * 1e-7);
 }
 
 TEST(Bonds, NarrowMapsAndBadModuliAreRefused) {

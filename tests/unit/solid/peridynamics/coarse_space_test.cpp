@@ -15,8 +15,7 @@ struct Prepared {
   Bonds bonds;
   std::vector<std::uint8_t> prescribed;
   Pieces pieces;
-  explicit Prepared(double bridge)
-      : map(test::cemented_sample({.nodes = 96, .size_ratio = 2.5, .bridge = bridge})), bonds(make_bonds(map, {})) {
+  explicit Prepared(double bridge) : map(test::cemented_sample({.nodes = 96, .size_ratio = 2.5, .bridge = bridge})), bonds(make_bonds(map, {})) {
     prescribed.assign(static_cast<std::size_t>(map.height), 0);
     prescribed.front() = prescribed.back() = both_prescribed;
     pieces = cut_into_pieces(map, bonds, prescribed);
@@ -35,9 +34,7 @@ TEST(Pieces, EveryPieceHasOneOwnerAndOneCellAndHoldsTogether) {
       const auto k = static_cast<std::size_t>(p);
       ASSERT_EQ(s.pieces.cell_x[k], x / Pieces::cell);
       ASSERT_EQ(s.pieces.cell_y[k], y / Pieces::cell);
-      if (s.map.phase[s.map.index(x, y)] == Phase::particle) {
-        ASSERT_EQ(s.pieces.owner[k], s.map.grain[s.map.index(x, y)]);
-      }
+      if (s.map.phase[s.map.index(x, y)] == Phase::particle) { ASSERT_EQ(s.pieces.owner[k], s.map.grain[s.map.index(x, y)]); }
       ++nodes[k];
     }
   EXPECT_EQ(nodes, s.pieces.nodes);
@@ -59,8 +56,7 @@ void expect_energy_of_bonds(Prepared s, Prescribed bottom) {
       const Hats& h = hats_at(x % Pieces::cell, y % Pieces::cell);
       for (unsigned a = 0; a < 4; ++a) {
         u.x[i] += h[a] * corner[8 * static_cast<std::size_t>(p) + 2 * a];
-        if (!s.prescribed[static_cast<std::size_t>(y)])
-          u.y[i] += h[a] * corner[8 * static_cast<std::size_t>(p) + 2 * a + 1];
+        if (!s.prescribed[static_cast<std::size_t>(y)]) u.y[i] += h[a] * corner[8 * static_cast<std::size_t>(p) + 2 * a + 1];
       }
     }
   const double wanted = -kernels().force(s.bonds, s.prescribed.data(), plane(u), plane(f));
@@ -70,8 +66,8 @@ void expect_energy_of_bonds(Prepared s, Prescribed bottom) {
       for (unsigned b = 0; b < 4; ++b) {
         const double* p = &corner[8 * static_cast<std::size_t>(c.p) + 2 * a];
         const double* q = &corner[8 * static_cast<std::size_t>(c.q) + 2 * b];
-        energy += (c.p == c.q ? 1 : 2) * (c.block[0][a][b] * p[0] * q[0] + c.block[1][a][b] * p[0] * q[1] +
-                                          c.block[3][a][b] * p[1] * q[0] + c.block[2][a][b] * p[1] * q[1]);
+        energy += (c.p == c.q ? 1 : 2) *
+                  (c.block[0][a][b] * p[0] * q[0] + c.block[1][a][b] * p[0] * q[1] + c.block[3][a][b] * p[1] * q[0] + c.block[2][a][b] * p[1] * q[1]);
       }
   EXPECT_NEAR(energy / wanted, 1, 1e-12);
 }

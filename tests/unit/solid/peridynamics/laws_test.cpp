@@ -8,15 +8,10 @@ namespace arenite::peridynamics {
 namespace {
 
 /// What every bond law keeps to, whatever it is.
-template <class Law>
-class EveryBondLaw : public ::testing::Test {};
+template <class Law> class EveryBondLaw : public ::testing::Test {};
 
-template <class>
-struct TypesOf;
-template <class... L>
-struct TypesOf<std::variant<L...>> {
-  using type = ::testing::Types<L...>;
-};
+template <class> struct TypesOf;
+template <class... L> struct TypesOf<std::variant<L...>> { using type = ::testing::Types<L...>; };
 TYPED_TEST_SUITE(EveryBondLaw, TypesOf<BondLawChoice>::type);
 
 TYPED_TEST(EveryBondLaw, ForceIsTheGradientOfItsEnergy) {

@@ -26,9 +26,7 @@ struct Recorded {
     o.keep = [this](const auto& state) { states.push_back(state()); };
     result = pull_to_failure(map, o);
   }
-  DamageOptions options() const {
-    return {.toughness = {1e-5, 1e-5, 3.5e-5}, .tolerance = tolerance, .end_stress = 0.02, .max_events = 70, .band = band};
-  }
+  DamageOptions options() const { return {.toughness = {1e-5, 1e-5, 3.5e-5}, .tolerance = tolerance, .end_stress = 0.02, .max_events = 70, .band = band}; }
 };
 
 /// A plate that breaks so far through that the solver is set up anew on the way.
@@ -48,8 +46,8 @@ void expect_same_bits(const DamageResult& a, const DamageResult& b) {
   ASSERT_EQ(a.curve.size(), b.curve.size());
   for (std::size_t k = 0; k < a.curve.size(); ++k) {
     const DamageState &s = a.curve[k], &t = b.curve[k];
-    for (const auto member : {&DamageState::strain, &DamageState::stress, &DamageState::work, &DamageState::elastic,
-                              &DamageState::released, &DamageState::bond_energy})
+    for (const auto member :
+         {&DamageState::strain, &DamageState::stress, &DamageState::work, &DamageState::elastic, &DamageState::released, &DamageState::bond_energy})
       ASSERT_EQ(s.*member, t.*member) << k;
     ASSERT_EQ(s.broken, t.broken);
   }
@@ -85,8 +83,7 @@ TEST(PullState, ResumedThePullHasTheBitsOfOneInOnePiece) {
 
 TEST(PullState, ResumedItsSolverIsSetUpForTheBondsThatItWasSetUpForBefore) {
   std::size_t renewed = 0;
-  for (const PullState& state : plate().states)
-    renewed += state.words_at_setup != plate().states[0].words_at_setup && state.words_at_setup != state.words;
+  for (const PullState& state : plate().states) renewed += state.words_at_setup != plate().states[0].words_at_setup && state.words_at_setup != state.words;
   ASSERT_GT(renewed, 3u);
   expect_resumes_after_every(5, plate());
 }

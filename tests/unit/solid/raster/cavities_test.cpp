@@ -40,8 +40,7 @@ PhaseMap random_map(int width, int height) {
 Cavities by_brute_force(const PhaseMap& map, Cavity kind, const CavityRules& rules) {
   std::vector<std::int32_t> label(map.size(), -1);
   for (std::size_t k = 0; k < map.size(); ++k)
-    if (kind == Cavity::pore ? map.phase[k] != Phase::particle : map.phase[k] == Phase::empty)
-      label[k] = static_cast<std::int32_t>(k);
+    if (kind == Cavity::pore ? map.phase[k] != Phase::particle : map.phase[k] == Phase::empty) label[k] = static_cast<std::int32_t>(k);
   for (bool changed = true; changed;) {
     changed = false;
     for (int y = 0; y < map.height; ++y)
@@ -96,11 +95,7 @@ RC_GTEST_PROP(Cavities, AreThoseThatBruteForceFinds, ()) {
 }
 
 TEST(Cavities, OfASmallMapAreTheOnesSeen) {
-  const PhaseMap map = map_of({"oooooooo",
-                               "o..oxx.o",
-                               "o..ox..o",
-                               "o.ooooo.",
-                               "oooooooo"});
+  const PhaseMap map = map_of({"oooooooo", "o..oxx.o", "o..ox..o", "o.ooooo.", "oooooooo"});
   const Cavities voids = find_cavities(map, Cavity::void_), pores = find_cavities(map, Cavity::pore);
   EXPECT_EQ(voids.nodes, (std::vector<std::int64_t>{5}));
   EXPECT_EQ(voids.specks, 1u);

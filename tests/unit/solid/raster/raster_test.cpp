@@ -32,10 +32,8 @@ Packing random_packing(RandomStream& random, int n) {
 Cement random_cement(RandomStream& random, int n) {
   Cement cement;
   for (int k = 0; k + 1 < n; ++k) {
-    if (k % 3 == 0)
-      cement.menisci.push_back({k, k + 1, random.uniform(0.2, 3)});
-    else
-      cement.bridges.push_back({k, k + 1, 0.25, 0.5});
+    if (k % 3 == 0) cement.menisci.push_back({k, k + 1, random.uniform(0.2, 3)});
+    else cement.bridges.push_back({k, k + 1, 0.25, 0.5});
   }
   if (n % 2) cement.coating = 0.25;
   return cement;
@@ -100,8 +98,7 @@ TEST(Raster, NodesBetweenOverlappingGrainsGoToTheOneTheyAreDeeperIn) {
 TEST(Raster, LabelsNameTheGrainsThatHaveNodesAndKeepTheirClass) {
   RasterReport report;
   const Packing packing = disks({{-2.5, 0, 0.4}, {0, 0, 0.5}, {0.4, 2.4, 0.3}, {0.8, 0, 0.25}}, 3);
-  const PhaseMap map = rasterise(packing, {}, {40, 2}, {GrainClass::large, GrainClass::large, GrainClass::small, GrainClass::small},
-                                 report);
+  const PhaseMap map = rasterise(packing, {}, {40, 2}, {GrainClass::large, GrainClass::large, GrainClass::small, GrainClass::small}, report);
   EXPECT_EQ(report.grain_of_label, (std::vector<std::int32_t>{1, 3}));
   EXPECT_EQ(map.grain_class, (std::vector<GrainClass>{GrainClass::large, GrainClass::small}));
   EXPECT_EQ(report.window.x_min, -1);
@@ -127,7 +124,7 @@ TEST(Raster, ThinAndLostBridgesAreReported) {
   };
   EXPECT_EQ(report_of(0.25).thinnest_joint, 5);  // rows at -0.15, -0.05, 0.05, 0.15, 0.25
   EXPECT_EQ(report_of(0.25).lost_joints, 0u);
-  const RasterReport lost = report_of(0.03);     // between two rows of nodes
+  const RasterReport lost = report_of(0.03);  // between two rows of nodes
   EXPECT_EQ(lost.thinnest_joint, 0);
   EXPECT_EQ(lost.lost_joints, 1u);
   EXPECT_NEAR(lost.lost_area, 0.06 * 0.5, 1e-4);

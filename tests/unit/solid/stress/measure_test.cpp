@@ -219,9 +219,7 @@ TEST(NodeStress, UnloadedPartsAreCountedAndLeftOutOnDemand) {
 std::string refusal(const PhaseMap& map, const StressField& field, const StressOptions& options = {}) {
   try {
     measure(map, field, options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  } catch (const InputError& error) { return error.what(); }
   return "";
 }
 

@@ -14,8 +14,7 @@ inline StressField no_stress(const PhaseMap& map) {
 }
 
 /// sigma_yy = f(x, y) in every node that is not void, x and y being node numbers.
-template <class F>
-StressField pulled(const PhaseMap& map, F&& f) {
+template <class F> StressField pulled(const PhaseMap& map, F&& f) {
   StressField field = no_stress(map);
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x)

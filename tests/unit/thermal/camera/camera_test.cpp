@@ -211,17 +211,17 @@ TEST(VirtualCamera, WhatWouldTakeHoursIsRefusedAtOnce) {
       const Scene scene = scene_of_state(pressed_disk(1e4), p);
       optical_picture(scene, p, {0.5}, 1);
       film(scene, p, 1);
-    } catch (const InputError& error) {
-      return error.what();
-    }
+    } catch (const InputError& error) { return error.what(); }
     return "";
   };
   EXPECT_EQ(refusal([](Parameters&) {}), "");
   EXPECT_NE(refusal([](Parameters& p) { p.optics.pixel = 1e-9; }).find("raise camera.pixel"), std::string::npos);
   EXPECT_NE(refusal([](Parameters& p) { p.photograph.pixel = 1e-12; }).find("optical_pixel"), std::string::npos);
   EXPECT_NE(refusal([](Parameters& p) { p.photograph.pixel = 1e50; }).find("optical_pixel"), std::string::npos);
-  EXPECT_NE(refusal([](Parameters& p) { p.optics.width = p.optics.height = 8192, p.optics.pixel = p.photograph.pixel = 1e-2; }).find("too large"), std::string::npos);
-  EXPECT_NE(refusal([](Parameters& p) { p.optics.width = p.optics.height = 7000, p.optics.supersampling = 1, p.photograph.pixel = 0.5; }).find("GB"), std::string::npos);
+  EXPECT_NE(refusal([](Parameters& p) { p.optics.width = p.optics.height = 8192, p.optics.pixel = p.photograph.pixel = 1e-2; }).find("too large"),
+            std::string::npos);
+  EXPECT_NE(refusal([](Parameters& p) { p.optics.width = p.optics.height = 7000, p.optics.supersampling = 1, p.photograph.pixel = 0.5; }).find("GB"),
+            std::string::npos);
 }
 
 TEST(VirtualCamera, MaterialWithoutFactorIsRefused) {

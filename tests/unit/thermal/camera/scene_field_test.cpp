@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "thermal/camera/camera.hpp"
 #include "core/error.hpp"
+#include "thermal/camera/camera.hpp"
 
 namespace arenite::camera {
 namespace {

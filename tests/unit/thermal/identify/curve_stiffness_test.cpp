@@ -32,9 +32,7 @@ Curve record(const std::vector<double>& peaks, int points = 200, double noise = 
 std::string complaint(const Curve& curve, const identify::StiffnessOptions& options = {}) {
   try {
     cycles_of(curve, options);
-  } catch (const InputError& error) {
-    return to_string(error.problems().front());
-  }
+  } catch (const InputError& error) { return to_string(error.problems().front()); }
   return "";
 }
 
@@ -83,8 +81,10 @@ TEST(Stiffness, NoiseOfTheForceMakesNoCycles) {
 }
 
 TEST(Stiffness, BadRecordsAreOneSentenceWithTheirLine) {
-  EXPECT_EQ(complaint(record({800})), "test.csv:201: the force never exceeds the preload of 1000 N, its maximum is 800 N; give the test's own preload with --preload");
-  EXPECT_NE(complaint(record({6000}, 4)).find("a cycle has 3 points beyond the preload of 1000 N; a slope needs at least 5"), std::string::npos) << complaint(record({6000}, 4));
+  EXPECT_EQ(complaint(record({800})),
+            "test.csv:201: the force never exceeds the preload of 1000 N, its maximum is 800 N; give the test's own preload with --preload");
+  EXPECT_NE(complaint(record({6000}, 4)).find("a cycle has 3 points beyond the preload of 1000 N; a slope needs at least 5"), std::string::npos)
+      << complaint(record({6000}, 4));
   Curve slipped = record({6000});
   for (std::size_t p = 120; p < 125; ++p) slipped.y[p] -= 900;
   EXPECT_NE(complaint(slipped).find("test.csv:122: the force falls from"), std::string::npos) << complaint(slipped);

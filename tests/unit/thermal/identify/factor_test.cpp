@@ -60,7 +60,8 @@ TEST(Factor, RawSignalRoutesAgree) {
   const double levels_per_photon = 3e-18, factor = 0.0150e-6, swing = 2e6;  // Z; K/Pa; Pa
   d.responsivity = {1 / (levels_per_photon * radiometry::photon_exitance_slope(d.band, d.reference))};
   const double warming = factor * swing;
-  const double signal = levels_per_photon * 0.9 * (radiometry::photon_exitance(d.band, 310 + warming / 2) - radiometry::photon_exitance(d.band, 310 - warming / 2));
+  const double signal =
+      levels_per_photon * 0.9 * (radiometry::photon_exitance(d.band, 310 + warming / 2) - radiometry::photon_exitance(d.band, 310 - warming / 2));
   const auto direct = direct_constant(d, band_correction(d), {factor});
   EXPECT_NEAR(direct.value, swing / signal, 1e-6 * swing / signal);
   EXPECT_NEAR(direct.error / direct.value, 0.01 / 0.9, 1e-12);

@@ -55,9 +55,7 @@ TEST(Circles, MayBeBlackAndWhiteOnGreyAndTouch) {
   EXPECT_NEAR(found.report.class_radius[1], 17, 0.05);
 }
 
-TEST(Circles, AreNotFoundInNoise) {
-  EXPECT_EQ(imaging::find_circles(draw({}, {.width = 80, .height = 60, .noise = 0.1})).grains.size(), 0u);
-}
+TEST(Circles, AreNotFoundInNoise) { EXPECT_EQ(imaging::find_circles(draw({}, {.width = 80, .height = 60, .noise = 0.1})).grains.size(), 0u); }
 
 TEST(Circles, RefusesPicturesThatShowNothing) {
   EXPECT_EQ(complaint([] { imaging::find_circles({}); }), "the picture is empty; give one that shows grains");

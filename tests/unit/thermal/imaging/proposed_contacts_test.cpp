@@ -84,7 +84,8 @@ TEST(ProposedContacts, WithWallsPointInwardAndLieInTheirPlane) {
   EXPECT_NEAR(one.arm_i[0], 0.95, 1e-12);
   EXPECT_EQ(one.arm_j[0], 0);
   EXPECT_NEAR(one.overlap[0], 0.05, 1e-12);
-  EXPECT_EQ(pairs_of(propose_contacts(grains, domain, {}, tolerance(0.02))), (std::set<std::pair<int, int>>{{0, wall_partner(left)}, {0, wall_partner(right)}, {0, wall_partner(top)}}));
+  EXPECT_EQ(pairs_of(propose_contacts(grains, domain, {}, tolerance(0.02))),
+            (std::set<std::pair<int, int>>{{0, wall_partner(left)}, {0, wall_partner(right)}, {0, wall_partner(top)}}));
   domain.wall[right].present = false;
   EXPECT_EQ(propose_contacts(grains, domain, {}, tolerance(0)).size(), 0u);
 }

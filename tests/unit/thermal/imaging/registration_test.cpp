@@ -95,7 +95,8 @@ TEST_P(Registered, WithoutAGuessThoughGrainsAreMissingInventedAndOff) {
     const Similarity truth{std::exp(random.uniform(-1.5, 1.5)), random.uniform(-3, 3), {300 * random.uniform(), -200 * random.uniform()}, round % 3 == 0};
     std::vector<int> of_a, of_b;
     const auto seed = static_cast<std::uint64_t>(round) + 1;
-    const PictureGrains optical = spoiled(imaging::apply(truth.inverse(), thermal), {.missing = 0.1, .invented = 0.03, .error = 0.03 / truth.scale, .radius_error = 0.02, .seed = seed}, of_a);
+    const PictureGrains optical = spoiled(imaging::apply(truth.inverse(), thermal),
+                                          {.missing = 0.1, .invented = 0.03, .error = 0.03 / truth.scale, .radius_error = 0.02, .seed = seed}, of_a);
     const PictureGrains hot = spoiled(thermal, {.missing = 0.1, .invented = 0.03, .error = 0.05, .radius_error = 0.02, .seed = seed + 100}, of_b);
     const imaging::Registration r = register_circles(optical, hot, {.mirror = round % 2 == 0 ? Mirror::found : (truth.mirrored ? Mirror::yes : Mirror::no)});
     expect_alike(r.transform, truth, 0.05);
@@ -118,7 +119,8 @@ TEST_P(Registered, WithAGuessOfScaleAndWithoutRadii) {
   EXPECT_GT(r.matched, 0.97);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Registered, ::testing::Values("sample-02", "sample-08", "sample-12"), [](const auto& one) { return std::string(one.param).substr(7); });
+INSTANTIATE_TEST_SUITE_P(Of, Registered, ::testing::Values("sample-02", "sample-08", "sample-12"),
+                         [](const auto& one) { return std::string(one.param).substr(7); });
 
 TEST(Registration, FindsAPartInTheWhole) {
   const PictureGrains whole = found("sample-08");

@@ -34,7 +34,8 @@ SwingPicture sampled(const Packing& p, double pixels = 8) {
     for (std::size_t k = 0; k < picture.value.size(); ++k) {
       const auto w = static_cast<std::size_t>(picture.width);
       const Vec2 x = picture.first + picture.pixel * Vec2{static_cast<double>(k % w), -static_cast<double>(k / w)} - p.grains.centre(g);
-      if (norm(x) < 0.95 * radius) picture.value[k] = static_cast<float>(-factors(p)[static_cast<std::size_t>(p.grains.material[g])] * elasticity::sigma_kk(disks[g], x));
+      if (norm(x) < 0.95 * radius)
+        picture.value[k] = static_cast<float>(-factors(p)[static_cast<std::size_t>(p.grains.material[g])] * elasticity::sigma_kk(disks[g], x));
     }
   return picture;
 }
@@ -205,13 +206,12 @@ TEST(ContactForces, WallLoadsAreKept) {
   EXPECT_NEAR(found / load, 1.01, 1e-6);
 }
 
-void expect_problem(const std::string& words, const Packing& packing, const std::vector<double>& factor, const SwingPicture& picture, const ForceOptions& options = {}) {
+void expect_problem(const std::string& words, const Packing& packing, const std::vector<double>& factor, const SwingPicture& picture,
+                    const ForceOptions& options = {}) {
   try {
     infer_from_pixels({packing, factor, {}}, picture, options);
     ADD_FAILURE() << "accepted: " << words;
-  } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find(words), std::string::npos) << e.what();
-  }
+  } catch (const InputError& e) { EXPECT_NE(std::string(e.what()).find(words), std::string::npos) << e.what(); }
 }
 
 TEST(ContactForces, BadInputIsToldInASentence) {

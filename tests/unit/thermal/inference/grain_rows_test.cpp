@@ -22,7 +22,8 @@ Placed two_grains() {
 }
 
 /// Pixels in the middle, beside the rim and beside the other grain.
-const std::vector<GrainPixel> pixels{{{0.3e-3, 0.5e-3}, 0, 1, 1, 0}, {{5.6e-3, -1e-3}, 0, 1, 1, 1}, {{-3e-3, 4.5e-3}, 0, 1, 1, 2}, {{-5.4e-3, 2e-3}, 0, 1, 1, 3}};
+const std::vector<GrainPixel> pixels{
+    {{0.3e-3, 0.5e-3}, 0, 1, 1, 0}, {{5.6e-3, -1e-3}, 0, 1, 1, 1}, {{-3e-3, 4.5e-3}, 0, 1, 1, 2}, {{-5.4e-3, 2e-3}, 0, 1, 1, 3}};
 
 /// Warming of every pixel.
 std::vector<double> warming(const Placed& p) {

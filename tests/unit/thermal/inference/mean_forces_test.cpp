@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "thermal/inference/contact_forces.hpp"
-#include "thermal/inference/balance.hpp"
 #include "support/pressed_crystal.hpp"
+#include "thermal/inference/balance.hpp"
+#include "thermal/inference/contact_forces.hpp"
 
 namespace arenite::inference {
 namespace {

@@ -46,9 +46,7 @@ TEST(Presence, CountsContactsThatAreThereWhateverTheNoise) {
       for (std::size_t c = 0; c < taken.size(); ++c) count += taken[c], sum += taken[c] * d.evidence.fn[c], wrong += taken[c] != d.there[c];
       EXPECT_NEAR(sum / count, d.mean, 0.02 * d.mean) << noise << ' ' << told;
       EXPECT_LT(wrong, 1300 * (0.01 + noise)) << noise << ' ' << told;
-      if (noise > 0.01) {
-        EXPECT_NEAR(found.error_scale, 1 / told, 0.25 / told) << noise << ' ' << told;
-      }
+      if (noise > 0.01) { EXPECT_NEAR(found.error_scale, 1 / told, 0.25 / told) << noise << ' ' << told; }
     }
 }
 

@@ -33,8 +33,7 @@ struct Camera {
   int width = 24, height = 16;
   double gain(std::size_t p) const { return 1 + 0.02 * scatter(static_cast<std::uint32_t>(p)); }
   double offset(std::size_t p) const { return 200 * scatter(static_cast<std::uint32_t>(p) + 50000); }
-  template <class Scene>
-  Film look(int frames, double noise, Scene&& scene) const {
+  template <class Scene> Film look(int frames, double noise, Scene&& scene) const {
     Film film = test::counted(width, height, frames, true);
     for (std::size_t i = 0; i < film.value.size(); ++i) {
       const std::size_t p = i % film.about.pixels();
@@ -177,7 +176,8 @@ TEST(Correction, DeadAndHotPixelsOfARealCamera) {
   EXPECT_GT(count, 50);
   EXPECT_LT(count, 768);  // one in a hundred
   // Its most striking ones: 10803 among 5288, 5171 among 5290, 5073 among 5319.
-  for (const auto& [column, row] : {std::pair{54, 26}, std::pair{56, 10}, std::pair{260, 52}}) EXPECT_TRUE(bad[static_cast<std::size_t>(320 * row + column)] & bad_level);
+  for (const auto& [column, row] : {std::pair{54, 26}, std::pair{56, 10}, std::pair{260, 52}})
+    EXPECT_TRUE(bad[static_cast<std::size_t>(320 * row + column)] & bad_level);
   Correction correction{320, 240, {}, {}, {}, replacements(bad, 320, 240), {}, {}};
   CorrectedFilm seen(*film, correction);
   const FrameStatistics after = frame_statistics(seen);

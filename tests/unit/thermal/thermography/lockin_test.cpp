@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/swinging_film.hpp"
 #include "core/error.hpp"
+#include "support/swinging_film.hpp"
 #include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {

@@ -64,7 +64,8 @@ TEST(StepLoad, StandardErrorsAreTrue) {
   options.time = 0.4;
   const StepMaps maps = step_load(film, options);
   double square = 0;
-  for (std::size_t p = 0; p < maps.size(); ++p) square += std::pow((static_cast<double>(maps.jump[p]) - stepping.jump(p)) / static_cast<double>(maps.standard_error[p]), 2);
+  for (std::size_t p = 0; p < maps.size(); ++p)
+    square += std::pow((static_cast<double>(maps.jump[p]) - stepping.jump(p)) / static_cast<double>(maps.standard_error[p]), 2);
   EXPECT_NEAR(square / static_cast<double>(maps.size()), 1, 0.1);
   // A line through n points has this variance one point beyond its end.
   const auto beyond = [](double n) { return (4 * n + 2) / (n * (n - 1)); };
