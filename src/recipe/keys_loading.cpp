@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 #include "model/packing.hpp"
 #include "recipe/keys.hpp"
 
@@ -39,10 +40,9 @@ void declare(ParameterVisitor& v, dem::ContactParameters& contact) {
 }
 
 void declare(ParameterVisitor& v, dem::IntegrationParameters& integration) {
-  v.choice({"integrator", "Scheme for Newton's equations."}, integration.integrator,
-           {{"velocity_verlet", "second order, the sturdiest"},
-            {"leapfrog", "second order, velocities half a step off"},
-            {"gear5", "Gear's fifth-order predictor and corrector; needs small steps where damping is strong"}});
+  std::vector<Word> schemes;
+  for (const dem::Integrator* scheme : dem::integrators) schemes.push_back(scheme->word);
+  v.choice({"integrator", "Scheme for Newton's equations."}, integration.integrator, schemes);
   v.number(
       {"time_step", "Time step; one beyond the stable step is refused. Unless given, safety sets it, and masses of a stage that do not allow it shorten it."},
       integration.time_step, "s", range::positive);

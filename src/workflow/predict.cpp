@@ -10,33 +10,28 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/root.hpp"
 #include "grains/dem/coefficients.hpp"
 #include "grains/dem/engine.hpp"
 #include "grains/dem/run_stage.hpp"
+#include "grains/texture/texture.hpp"
 #include "workflow/run.hpp"
 
 namespace arenite::workflow {
 
 double collision_time(double reduced_mass, double stiffness) { return std::numbers::pi * std::sqrt(reduced_mass / stiffness); }
 
-std::int64_t steps_of(double duration, double time_step) { return static_cast<std::int64_t>(std::ceil(duration / time_step)); }
-
 double inertial_number(double rate, double diameter, double density, double pressure) { return std::abs(rate) * diameter * std::sqrt(density / pressure); }
 
 std::string_view flow_regime(double number) { return number < 1e-3 ? "quasi-static" : number <= 0.1 ? "dense flow" : "inertial"; }
 
 double overlap_under(const dem::NormalLaw& law, double stiffness, double diameter, double force) {
-  const auto force_at = [&](double h) {
+  const auto excess = [&](double h) {
     double memory = 0;
-    return std::visit([&](const auto& normal) { return normal.elastic(h, stiffness, 4 / diameter, memory); }, law);
+    return std::visit([&](const auto& normal) { return normal.elastic(h, stiffness, 4 / diameter, memory); }, law) - force;
   };
-  if (force_at(diameter) <= force) return diameter;
-  double low = 0, high = diameter;
-  for (int halving = 0; halving < 100; ++halving) {
-    const double middle = 0.5 * (low + high);
-    (force_at(middle) < force ? low : high) = middle;
-  }
-  return high;
+  const double most = excess(diameter);
+  return most <= 0 ? diameter : bracketed_root<double>(excess, 0, -force, diameter, most);
 }
 
 double stiffness_number(const dem::NormalLaw& law, double stiffness, double diameter, double thickness, double pressure) {
@@ -52,11 +47,6 @@ double settling_time(double period, double drag, double unbalanced, bool pressed
 
 namespace {
 
-double mass_of(const Packing& p, std::size_t k) {
-  const double r = p.grains.radius[k];
-  return p.materials[static_cast<std::size_t>(p.grains.material[k])].density * std::numbers::pi * r * r * p.domain.thickness;
-}
-
 /// As the engine bounds it: Hertz contacts count as stiff as at an overlap of 2 %.
 double tangent(const dem::ContactParameters& contact, double stiffness) {
   return std::visit([&](const auto& law) { return law.tangent(0.02, stiffness, 1.0); }, contact.normal);
@@ -69,7 +59,7 @@ ShortestCollision shortest_collision(const Packing& packing, const dem::ContactP
   ShortestCollision shortest;
   for (std::size_t k = 0; k < packing.grains.size(); ++k) {
     const std::int32_t material = packing.grains.material[k];
-    const double mass = mass_of(packing, k), radius = packing.grains.radius[k];
+    const double mass = texture::mass_of(packing, k), radius = packing.grains.radius[k];
     const double pair = collision_time(0.5 * mass, tangent(contact, table.pair_stiffness(material, material)));
     const double wall = collision_time(mass, tangent(contact, table.wall_stiffness(material)));
     if (const double time = std::min(pair, wall); shortest.time == 0 || time < shortest.time) shortest = {time, radius, material, wall < pair};
@@ -94,7 +84,7 @@ Bulk bulk_of(const Packing& packing, const dem::ContactParameters& contact) {
   Bulk bulk{0, 0, 0, 0, packing.domain.width(), packing.domain.height(), packing.domain.thickness, 1};
   double mass = 0, area = 0;
   for (std::size_t k = 0; k < g.size(); ++k) {
-    mass += mass_of(packing, k);
+    mass += texture::mass_of(packing, k);
     area += std::numbers::pi * g.radius[k] * g.radius[k];
     bulk.diameter += 2 * g.radius[k] / static_cast<double>(g.size());
   }
@@ -188,7 +178,7 @@ StagePrediction predict_stage(dem::Engine& engine, const recipe::Recipe& recipe,
   p.exact = stage.duration.has_value();
   if (p.exact) {
     p.duration = *stage.duration;
-    p.steps = steps_of(p.duration, p.time_step);
+    p.steps = dem::steps_of(p.duration, p.time_step);
     return p;
   }
   const double critical = engine.critical_drag() / bulk.larger;
@@ -199,7 +189,7 @@ StagePrediction predict_stage(dem::Engine& engine, const recipe::Recipe& recipe,
       std::all_of(stage.side.begin(), stage.side.end(), [](const auto& side) { return side.kind == Kind::force || side.kind == Kind::pressure; });
   const double settling = settling_time(4 * std::numbers::pi / critical, drag, stage.equilibrium.unbalanced, all_round);
   p.duration = closing_time(stage, pressures, without_friction, bulk) + increments * settling;
-  p.steps = steps_of(p.duration, p.time_step);
+  p.steps = dem::steps_of(p.duration, p.time_step);
   return p;
 }
 
@@ -272,7 +262,8 @@ void warn(Prediction& p, const recipe::Recipe& recipe) {
                                        *stage.inertial_number));
     if (const double each = static_cast<double>(stage.steps) / static_cast<double>(dem::increments_of(recipe.stages[s], {}).size());
         !stage.exact && each > static_cast<double>(recipe.stages[s].equilibrium.max_steps))
-      p.warnings.push_back(fmt::format("stage {}: an increment may need more than rest.max_steps = {}", stage.name, recipe.stages[s].equilibrium.max_steps));
+      p.warnings.push_back(
+          fmt::format("stage {}: an increment may need more than equilibrium.max_steps = {}", stage.name, recipe.stages[s].equilibrium.max_steps));
   }
 }
 

@@ -16,9 +16,6 @@ namespace arenite::workflow {
 /// How long two bodies on a linear spring touch, without damping, s: pi sqrt(m/k), of their reduced mass, kg, and stiffness, N/m.
 double collision_time(double reduced_mass, double stiffness);
 
-/// Steps that a duration takes.
-std::int64_t steps_of(double duration, double time_step);
-
 /// I = rate d sqrt(rho/P) of a shear or closing rate, 1/s, of grains of mean diameter d and density rho under the pressure P (GDR MiDi 2004):
 /// the time that a grain takes to fall into a gap over the time of a change of neighbours.
 double inertial_number(double rate, double diameter, double density, double pressure);

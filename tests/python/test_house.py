@@ -2,6 +2,7 @@
 
 import pathlib
 import re
+import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "src"
@@ -98,3 +99,11 @@ def test_hops_of_the_architecture_are_true():
             assert re.search(rf"\b{call}\b", file.read_text()), f"{file} does not call {call}"
             beside = following.with_suffix(".hpp")
             assert any(re.search(rf"\b{call}\b", f.read_text()) for f in (following, beside) if f.exists()), f"{following} has no {call}"
+
+
+def test_sources_are_formatted():
+    rooms = ["app", "bench", "python", "src", "tests", "validation"]
+    sources = [str(p) for room in rooms for p in sorted((ROOT / room).rglob("*.?pp"))]
+    assert len(sources) > 500
+    outcome = subprocess.run(["clang-format-14", "--dry-run", "-Werror", *sources], cwd=ROOT, capture_output=True, text=True)
+    assert outcome.returncode == 0, "run clang-format-14 -i on these:\n" + "\n".join(sorted({line.split(":")[0] for line in outcome.stderr.splitlines() if ": error:" in line}))

@@ -175,15 +175,19 @@ bool has_driven_edge(const Sample& s) {
   return false;
 }
 
-/// See integrators/verlet.hpp.
-template <int extrapolation> bool verlet(Sample& s, const Team& team) { return verlet_sweep(s, extrapolation, team); }
+}  // namespace
 
-template <class Sweep> void run(Sample& s, const Team& team, std::int64_t steps, Sweep&& sweep) {
+void Engine::advance(std::int64_t steps) {
+  Sample& s = machine_->sample;
+  const Team& team = machine_->team;
+  if (steps <= 0) return;
+  const Integrator& integrator = integrator_of(s);
+  if (integrator.start) integrator.start(s);
   const bool tracked = s.integration.track_energy;
   const bool edges = tracked || has_driven_edge(s);
   if (tracked && !s.ledger.open) open_ledger(s);
   for (std::int64_t n = 0; n < steps; ++n) {
-    const bool near = sweep(s, team);
+    const bool near = integrator.sweep(s, team);
     follow_drift(s);
     if (near) refresh_ghosts(s);
     else rebuild_list(s, team);
@@ -192,22 +196,6 @@ template <class Sweep> void run(Sample& s, const Team& team, std::int64_t steps,
     if (tracked) book_step(s);
   }
   sum_edge_forces(s, team);
-}
-
-}  // namespace
-
-void Engine::advance(std::int64_t steps) {
-  Sample& s = machine_->sample;
-  const Team& team = machine_->team;
-  if (steps <= 0) return;
-  switch (s.integration.integrator) {
-    case IntegratorKind::velocity_verlet: return run(s, team, steps, verlet<1>);
-    case IntegratorKind::leapfrog: return run(s, team, steps, verlet<0>);
-    case IntegratorKind::gear5:
-      if (!s.settled) gear_start(s);
-      s.settled = true;
-      return run(s, team, steps, gear_sweep);
-  }
 }
 
 }  // namespace arenite::dem

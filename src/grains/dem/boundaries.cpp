@@ -108,11 +108,7 @@ Kinematics element_kinematics(const Sample& s, const DiskRecord& d, std::int32_t
   c.overlap = d.radius - distance;
   if (!(c.overlap > 0)) return c;
   c.normal = distance > 0 ? c.branch / distance : perpendicular(along) / norm(along);
-  c.arm_i = s.contact.arms == Arms::contact_point ? distance : d.radius;
-  const Vec2 v = Vec2{d.vx, d.vy} - boundary.velocity - boundary.spin * perpendicular(foot - boundary.centre);
-  c.approach = -dot(v, c.normal);
-  c.sliding = dot(v, perpendicular(c.normal)) - d.omega * c.arm_i;
-  c.curvature = 1.0 / d.radius;
+  lean_on(c, d, distance, Vec2{d.vx, d.vy} - boundary.velocity - boundary.spin * perpendicular(foot - boundary.centre), s.contact.arms);
   return c;
 }
 

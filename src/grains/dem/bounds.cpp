@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "grains/dem/forces.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/walls.hpp"
 
@@ -175,13 +176,9 @@ StepBounds step_bounds(const Sample& s) {
   const double omega = std::sqrt(r.frequency_squared), lambda = r.damping + s.drag;
   constexpr double margin = 0.9;
   StepBounds bounds;
-  // Combined bounds have the form p (omega dt)^2 + q lambda dt = 1. Verlet: the growing mode flips sign every step, p = 1/4, q = 1 where forces see
-  // the velocity at the end of the step and 1/2 where they see that of its middle. Gear: fitted to the eigenvalues of its step, q = 1/0.163, p =
-  // 1.57; without damping it grows from omega dt = 0.33 on.
-  double p = 0.25, q = 1, undamped = 2;
-  if (s.integration.integrator == IntegratorKind::leapfrog) q = 0.5;
-  if (s.integration.integrator == IntegratorKind::gear5) p = 1.57, q = 1 / 0.163, undamped = 0.33;
-  bounds.stiffness = margin * undamped / omega;
+  const Integrator& scheme = integrator_of(s);
+  const double p = scheme.p, q = scheme.q;
+  bounds.stiffness = margin * scheme.undamped / omega;
   bounds.damping = margin * 2.0 / (q * lambda + std::sqrt(q * q * lambda * lambda + 4 * p * omega * omega));
   return bounds;
 }

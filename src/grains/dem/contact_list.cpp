@@ -123,10 +123,10 @@ void list_walls(Sample& s) {
   };
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];
-    const int held_by = wall_that_holds(s, d.grain);
+    const HeldGrain* held = find_held(s, d.grain);
     for (int side = 0; side < 4; ++side) {
       const auto& wall = s.domain.wall[static_cast<std::size_t>(side)];
-      if (!wall.present || side == held_by) continue;
+      if (!wall.present || (held && held->side == side)) continue;
       const double place = side < bottom ? d.x : d.y;
       const double distance = (side % 2 == 0) ? place - wall.position : wall.position - place;
       if (distance < d.radius + s.skin) add(k, wall_partner(side));
@@ -160,7 +160,6 @@ void group_slots(Sample& s) {
 }  // namespace
 
 void list_contacts(Sample& s, const Team& team) {
-  number_held(s);
   make_ghosts(s);
   list_pairs(s, team);
   list_walls(s);

@@ -78,27 +78,6 @@ double servo_energy(const Sample& s) {
   return sum;
 }
 
-/// Grains nearer to a rough wall than half their radius go with it from now on; one that was held before stays.
-void hold_nearest(Sample& s) {
-  std::vector<HeldGrain> held;
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const DiskRecord& d = s.record[k];
-    const int before = wall_that_holds(s, d.grain);
-    for (int side = 0; side < 4; ++side) {
-      const WallBody& body = s.wall[static_cast<std::size_t>(side)];
-      const double plane = s.domain.wall[static_cast<std::size_t>(side)].position;
-      const double distance = inward_sign(static_cast<std::size_t>(side)) * ((side < bottom ? d.x : d.y) - plane);
-      if (!body.rough || (before >= 0 ? before != side : distance > 1.5 * d.radius)) continue;
-      held.push_back(side < bottom ? HeldGrain{d.grain, side, d.x - plane, d.y - body.slid} : HeldGrain{d.grain, side, d.x - body.slid, d.y - plane});
-      break;
-    }
-  }
-  std::sort(held.begin(), held.end(), [](const HeldGrain& a, const HeldGrain& b) { return a.grain < b.grain; });
-  s.held = std::move(held);
-  number_held(s);
-  hold_grains(s);
-}
-
 }  // namespace
 
 void Engine::set_gravity(Vec2 g) {
@@ -146,18 +125,6 @@ void Engine::set_shear_rate(double rate) {
   s.shear_rate = rate;
   refresh_ghosts(s);
   if (s.integration.track_energy) s.tally.work_walls += energies_of(s).kinetic - before;
-}
-
-void Engine::set_rough(const std::array<bool, 4>& rough) {
-  Sample& s = machine_->sample;
-  bool changed = false;
-  for (std::size_t side = 0; side < 4; ++side) changed |= rough[side] != s.wall[side].rough;
-  if (!changed) return;
-  synchronise(s);
-  for (std::size_t side = 0; side < 4; ++side) s.wall[side].rough = rough[side] && s.domain.wall[side].present;
-  hold_nearest(s);
-  rebuild_list(s, machine_->team);
-  compute_forces(s, machine_->team);
 }
 
 void Engine::set_inertial_number(double number) {

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "core/error.hpp"
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/bounds.hpp"
@@ -8,6 +11,7 @@
 #include "grains/dem/measure.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/setup.hpp"
+#include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
 namespace {
@@ -41,7 +45,39 @@ void check_opening(const Sample& s, int side, bool open) {
     throw InputError(fmt::format("the {} wall cannot come back, for {} grains lie beyond it; leave that side open", side_names[side], beyond));
 }
 
+/// Grains nearer to a rough wall than half their radius go with it from now on; one that was held before stays.
+void hold_nearest(Sample& s) {
+  std::vector<HeldGrain> held;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const DiskRecord& d = s.record[k];
+    const HeldGrain* before = find_held(s, d.grain);
+    for (int side = 0; side < 4; ++side) {
+      const WallBody& body = s.wall[static_cast<std::size_t>(side)];
+      const double plane = s.domain.wall[static_cast<std::size_t>(side)].position;
+      const double distance = inward_sign(static_cast<std::size_t>(side)) * ((side < bottom ? d.x : d.y) - plane);
+      if (!body.rough || (before ? before->side != side : distance > 1.5 * d.radius)) continue;
+      held.push_back(side < bottom ? HeldGrain{d.grain, side, d.x - plane, d.y - body.slid} : HeldGrain{d.grain, side, d.x - body.slid, d.y - plane});
+      break;
+    }
+  }
+  std::sort(held.begin(), held.end(), [](const HeldGrain& a, const HeldGrain& b) { return a.grain < b.grain; });
+  s.held = std::move(held);
+  number_held(s);
+  hold_grains(s);
+}
+
 }  // namespace
+
+void Engine::set_rough(const std::array<bool, 4>& rough) {
+  Sample& s = machine_->sample;
+  bool changed = false;
+  for (std::size_t side = 0; side < 4; ++side) changed |= rough[side] != s.wall[side].rough;
+  if (!changed) return;
+  synchronise(s);
+  for (std::size_t side = 0; side < 4; ++side) s.wall[side].rough = rough[side] && s.domain.wall[side].present;
+  hold_nearest(s);
+  list_anew(s, machine_->team);
+}
 
 void Engine::set_open(const std::array<bool, 4>& open) {
   Sample& s = machine_->sample;

@@ -17,6 +17,14 @@ struct Kinematics {
   double curvature = 0;  ///< 1/R*
 };
 
+/// What follows of the branch and the normal for a disk that lies against something rigid, seen at the velocity `v` from there.
+inline void lean_on(Kinematics& c, const DiskRecord& a, double distance, Vec2 v, Arms arms) {
+  c.arm_i = arms == Arms::contact_point ? distance : a.radius;
+  c.approach = -dot(v, c.normal);
+  c.sliding = dot(v, perpendicular(c.normal)) - a.omega * c.arm_i;
+  c.curvature = 1.0 / a.radius;
+}
+
 /// Two disks. Where they are apart only the overlap is meant.
 inline Kinematics pair_kinematics(const DiskRecord& a, const DiskRecord& b, Arms arms) {
   Kinematics c;
@@ -43,11 +51,8 @@ inline Kinematics wall_kinematics(const DiskRecord& a, const Wall& wall, double 
   c.branch = distance * c.normal;
   c.overlap = a.radius - distance;
   if (!(c.overlap > 0)) return c;
-  c.arm_i = arms == Arms::contact_point ? distance : a.radius;
   const Vec2 v = side < bottom ? Vec2{a.vx - wall.velocity, a.vy - slide} : Vec2{a.vx - slide, a.vy - wall.velocity};
-  c.approach = -dot(v, c.normal);
-  c.sliding = dot(v, perpendicular(c.normal)) - a.omega * c.arm_i;
-  c.curvature = 1.0 / a.radius;
+  lean_on(c, a, distance, v, arms);
   return c;
 }
 

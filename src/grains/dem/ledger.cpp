@@ -2,6 +2,7 @@
 
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/forces.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/measure.hpp"
 #include "grains/dem/sample.hpp"
 #include "grains/dem/walls.hpp"
@@ -85,11 +86,11 @@ Snapshot take(const Sample& s) {
   Snapshot shot;
   shot.disk.resize(s.count);
   shot.boundary.resize(3 * s.domain.boundaries.size());
-  const bool is_gear = s.integration.integrator == IntegratorKind::gear5;
+  const bool corrects = integrator_of(s).corrects();
   const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
   for (std::size_t k = 0; k < s.count; ++k) {
     const DiskRecord& d = s.record[k];
-    const Motion v = is_gear ? motion_of(s, k) : Motion{s.vx[k], s.vy[k], s.omega[k]};
+    const Motion v = corrects ? motion_of(s, k) : Motion{s.vx[k], s.vy[k], s.omega[k]};
     auto& disk = shot.disk[static_cast<std::size_t>(d.grain)];
     disk.vx = v.vx;
     disk.vy = v.vy;
@@ -109,7 +110,7 @@ Snapshot take(const Sample& s) {
   }
   for (std::size_t side = 0; side < 4; ++side) {
     auto& edge = shot.edge[side];
-    edge.rate = is_gear ? wall_rate(s, side) : s.wall[side].rate;
+    edge.rate = corrects ? wall_rate(s, side) : s.wall[side].rate;
     edge.force = -inward_sign(side) * s.domain.wall[side].force;
     edge.servo = s.wall[side].drive.kind == WallDrive::Kind::force;
     if (edge.servo) {
@@ -198,7 +199,7 @@ void book_step(Sample& s) {
   Ledger& ledger = s.ledger;
   Snapshot now = take(s);
   WorkTerms work;
-  if (s.integration.integrator == IntegratorKind::gear5) {
+  if (integrator_of(s).corrects()) {
     WorkTerms power;
     add(power, 1, products(s, now, now));
     work = integrate(ledger, power, s.dt);

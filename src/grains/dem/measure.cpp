@@ -6,7 +6,7 @@
 
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/forces.hpp"
-#include "grains/dem/integrators/nordsieck.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
@@ -41,7 +41,7 @@ void add_contacts(const Sample& s, Packing& out) {
 
 /// Of inner disk k, J; 0 of one that goes with a wall.
 double kinetic_energy(const Sample& s, std::size_t k) {
-  if (wall_that_holds(s, s.record[k].grain) >= 0) return 0;
+  if (find_held(s, s.record[k].grain)) return 0;
   const Motion v = motion_of(s, k);
   const DiskRecord& d = s.record[k];
   return 0.5 * d.mass * (v.vx * v.vx + v.vy * v.vy) + 0.5 * inertia(d) * v.omega * v.omega;
@@ -49,7 +49,7 @@ double kinetic_energy(const Sample& s, std::size_t k) {
 
 /// Force on inner disk k, its weight included, N; 0 on one that goes with a wall.
 double resultant_of(const Sample& s, std::size_t k) {
-  if (wall_that_holds(s, s.record[k].grain) >= 0) return 0;
+  if (find_held(s, s.record[k].grain)) return 0;
   const Load load = contact_load(s.list, k);
   const double m = s.record[k].mass;
   return std::hypot(load.fx + m * s.gravity.x, load.fy + m * s.gravity.y);
@@ -176,14 +176,8 @@ Equilibrium equilibrium_of(const Sample& s) {
   return q;
 }
 
-namespace {
-
-bool is_gear(const Sample& s) { return s.integration.integrator == IntegratorKind::gear5; }
-
-}  // namespace
-
 Acceleration acceleration_of(const Sample& s, std::size_t k) {
-  if (wall_that_holds(s, s.record[k].grain) >= 0) return {0, 0, 0};
+  if (find_held(s, s.record[k].grain)) return {0, 0, 0};
   const Load load = contact_load(s.list, k);
   const DiskRecord& d = s.record[k];
   const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
@@ -192,10 +186,10 @@ Acceleration acceleration_of(const Sample& s, std::size_t k) {
 }
 
 Motion motion_of(const Sample& s, std::size_t k) {
-  if (is_gear(s)) {
+  if (const Integrator& scheme = integrator_of(s); scheme.corrects()) {
     if (!s.settled) return {s.vx[k], s.vy[k], s.omega[k]};
     const Acceleration a = acceleration_of(s, k);
-    const double share = 0.5 * gear_velocity_share * s.dt;
+    const double share = 0.5 * scheme.velocity_share * s.dt;
     return {s.vx[k] + share * (a.ax - s.ax[k]), s.vy[k] + share * (a.ay - s.ay[k]), s.omega[k] + share * (a.alpha - s.alpha[k])};
   }
   if (s.lag == 0) return {s.vx[k], s.vy[k], s.omega[k]};
@@ -205,23 +199,26 @@ Motion motion_of(const Sample& s, std::size_t k) {
 
 Vec2 place_of(const Sample& s, std::size_t k) {
   const Vec2 place{s.record[k].x, s.record[k].y};
-  if (!is_gear(s) || !s.settled) return place;
+  const Integrator& scheme = integrator_of(s);
+  if (!scheme.corrects() || !s.settled) return place;
   const Acceleration a = acceleration_of(s, k);
-  return place + 0.5 * gear_position_share * s.dt * s.dt * Vec2{a.ax - s.ax[k], a.ay - s.ay[k]};
+  return place + 0.5 * scheme.position_share * s.dt * s.dt * Vec2{a.ax - s.ax[k], a.ay - s.ay[k]};
 }
 
 double wall_rate(const Sample& s, std::size_t side) {
   const WallBody& body = s.wall[side];
   const double a = wall_acceleration(s, side, s.domain.wall[side].velocity);
-  if (is_gear(s)) return s.settled ? body.rate + 0.5 * gear_velocity_share * s.dt * (a - body.acceleration) : body.rate;
+  if (const Integrator& scheme = integrator_of(s); scheme.corrects())
+    return s.settled ? body.rate + 0.5 * scheme.velocity_share * s.dt * (a - body.acceleration) : body.rate;
   return body.rate + s.lag * a;
 }
 
 double wall_place(const Sample& s, std::size_t side) {
   const double place = s.domain.wall[side].position;
-  if (!is_gear(s) || !s.settled) return place;
+  const Integrator& scheme = integrator_of(s);
+  if (!scheme.corrects() || !s.settled) return place;
   const double a = wall_acceleration(s, side, s.domain.wall[side].velocity);
-  return place + 0.5 * gear_position_share * s.dt * s.dt * (a - s.wall[side].acceleration);
+  return place + 0.5 * scheme.position_share * s.dt * s.dt * (a - s.wall[side].acceleration);
 }
 
 }  // namespace arenite::dem

@@ -159,10 +159,8 @@ geometry::CellGrid cells_of(const Sample& s) {
 void number_held(Sample& s) {
   s.held_disk.assign(s.held.size(), 0);
   if (s.held.empty()) return;
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const auto at = std::lower_bound(s.held.begin(), s.held.end(), s.record[k].grain, [](const HeldGrain& h, std::int32_t g) { return h.grain < g; });
-    if (at != s.held.end() && at->grain == s.record[k].grain) s.held_disk[static_cast<std::size_t>(at - s.held.begin())] = static_cast<std::int32_t>(k);
-  }
+  for (std::size_t k = 0; k < s.count; ++k)
+    if (const HeldGrain* held = find_held(s, s.record[k].grain)) s.held_disk[static_cast<std::size_t>(held - s.held.data())] = static_cast<std::int32_t>(k);
 }
 
 void hold_grains(Sample& s) {

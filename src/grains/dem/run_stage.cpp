@@ -16,6 +16,8 @@ std::string describe(const Equilibrium& now) {
   return now.falling > 0 ? text + fmt::format(", {:.2g} % of the grains fall", 100 * now.falling) : text;
 }
 
+std::int64_t steps_of(double duration, double time_step) { return static_cast<std::int64_t>(std::ceil(duration / time_step)); }
+
 bool is_at_rest(const Equilibrium& now, const EquilibriumCriterion& wanted) {
   return now.unbalanced_ratio < wanted.unbalanced && now.kinetic_ratio < wanted.kinetic &&
          now.loose_kinetic < wanted.loose_kinetic.value_or(1e5 * wanted.kinetic) && now.falling <= wanted.falling &&
@@ -93,10 +95,8 @@ std::string describe_pressed(const Equilibrium& now, const WallDrives& drives, c
   return describe(now) + (presses ? fmt::format(", forces on the sides within {:.1e} of their aim", load_error(drives, domain)) : "");
 }
 
-std::int64_t steps_of(const Stage& stage, const Engine& engine) { return static_cast<std::int64_t>(std::ceil(*stage.duration / engine.time_step())); }
-
 void continue_for_a_time(Engine& engine, const Stage& stage, StageRun& run) {
-  const std::int64_t total = steps_of(stage, engine);
+  const std::int64_t total = steps_of(*stage.duration, engine.time_step());
   const std::int64_t frames = std::max<std::int64_t>(1, stage.snapshots);
   const std::int64_t next_frame = total * static_cast<std::int64_t>(run.result.frames.size() + 1) / frames;
   engine.set_drives(drives_for(on_the_ramp(stage, run.force_at_start, 1), engine.domain()));

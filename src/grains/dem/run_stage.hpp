@@ -28,11 +28,14 @@ bool is_at_rest(const Equilibrium& now, const EquilibriumCriterion& rest);
 /// The numbers that this is judged by, in words.
 std::string describe(const Equilibrium& now);
 
+/// Steps that a duration takes.
+std::int64_t steps_of(double duration, double time_step);
+
 /// Sets gravity, friction, drag and glue of the stage and notes the walls' forces.
 StageRun begin_stage(Engine& engine, const Stage& stage);
 
 /// Goes on for one check interval: moves the sample, looks whether the increment is at rest (or its time is over), stores a frame at its end and
-/// takes up the next. Sets `run.finished` after the last, or when an increment cannot come to rest within `rest.max_steps` (result.converged is then
+/// takes up the next. Sets `run.finished` after the last, or when an increment cannot come to rest within `equilibrium.max_steps` (result.converged is then
 /// false and result.outcome says what was reached).
 void continue_stage(Engine& engine, const Stage& stage, StageRun& run);
 

@@ -44,7 +44,7 @@ struct ContactList {
   std::vector<SlotForce> force;        ///< one more than slots: the last stays 0
   std::vector<double> memory;          ///< of the friction law
   std::vector<double> normal_memory;   ///< of the normal law; empty unless it remembers
-  std::vector<double> rolling_memory;  ///< of the rolling law, turned as the first of the caller's two grains turns; empty unless it remembers
+  std::vector<double> rolling_memory;  ///< of the rolling law, turned as the first of the caller's two grains turns; empty without one
   std::vector<std::uint8_t> bond;      ///< of glued pairs: see BondState
   /// Slots by disk, in groups of four that are filled up with the slot whose force stays 0, so that most disks have as many groups as their
   /// neighbours and the processor guesses the loops' ends right. Those where disk k is i, pairs before walls, are group[first[2k]] to group[first[2k
@@ -164,10 +164,10 @@ struct CellFrame {
 };
 inline CellFrame cell_frame(const Domain& d) { return {d.periodic_x, d.periodic_y, d.wall[left].position, d.wall[bottom].position, d.width(), d.height()}; }
 
-/// The wall that a grain (caller's index) goes with; -1 for none.
-inline int wall_that_holds(const Sample& s, std::int32_t grain) {
+/// Of a grain (caller's index) that goes with a rough wall; nullptr of any other.
+inline const HeldGrain* find_held(const Sample& s, std::int32_t grain) {
   const auto at = std::lower_bound(s.held.begin(), s.held.end(), grain, [](const HeldGrain& h, std::int32_t g) { return h.grain < g; });
-  return at != s.held.end() && at->grain == grain ? at->side : -1;
+  return at != s.held.end() && at->grain == grain ? &*at : nullptr;
 }
 
 /// Centres of touching disks, or of disks in the list, are never farther apart, m.

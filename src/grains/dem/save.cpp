@@ -125,6 +125,7 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
     s.record[k].x = s.listed_x[k];
     s.record[k].y = s.listed_y[k];
   }
+  number_held(s);
   list_contacts(s);
   const std::size_t slots = s.list.size();
   transfer(read, s.list);

@@ -10,6 +10,7 @@
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/bounds.hpp"
 #include "grains/dem/forces.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/walls.hpp"
@@ -135,7 +136,7 @@ void clear_periodic_walls(Domain& domain) {
 }
 
 /// Share of a step by which the places are ahead of the velocities that memories of friction are fed with.
-double lead_of(const Sample& s) { return s.integration.integrator == IntegratorKind::leapfrog ? 1.0 : 0.5; }
+double lead_of(const Sample& s) { return integrator_of(s).lead; }
 
 }  // namespace
 

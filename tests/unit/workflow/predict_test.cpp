@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "grains/dem/run_stage.hpp"
 #include "support/small_study.hpp"
 
 namespace arenite {
@@ -36,8 +37,8 @@ TEST(Collision, OfTwoEqualDisksLastsHalfAPeriodOfTheirSpring) {
 }
 
 TEST(Steps, AreADurationOverTheStepRoundedUp) {
-  EXPECT_EQ(workflow::steps_of(0.5, 1e-3), 500);
-  EXPECT_EQ(workflow::steps_of(0.5004, 1e-3), 501);
+  EXPECT_EQ(dem::steps_of(0.5, 1e-3), 500);
+  EXPECT_EQ(dem::steps_of(0.5004, 1e-3), 501);
 }
 
 TEST(InertialNumber, IsThatOfAHandCalculation) {
@@ -80,7 +81,7 @@ TEST(Prediction, TheStepOfUndampedGrainsIsATenthOfTheShortestCollision) {
   EXPECT_EQ(p.grains, 60u);
   ASSERT_EQ(p.stages.size(), 1u);
   EXPECT_TRUE(p.stages[0].exact);
-  EXPECT_EQ(p.stages[0].steps, workflow::steps_of(0.01, p.time_step));
+  EXPECT_EQ(p.stages[0].steps, dem::steps_of(0.01, p.time_step));
   EXPECT_EQ(p.stages[0].pressure, 20e3);
   EXPECT_NEAR(*p.stages[0].stiffness_number, 27.35e6 / (20e3 * 0.06), 1e-3);
   EXPECT_GT(*p.stages[0].inertial_number, 0);

@@ -20,9 +20,8 @@ void move_walls(Sample& s, double kick, double ahead) {
   }
 }
 
-}  // namespace
-
-bool verlet_sweep(Sample& s, double extrapolation, const Team& team) {
+/// See integrators.hpp for `extrapolation`, its c.
+template <int extrapolation> bool verlet(Sample& s, const Team& team) {
   const double kick = s.lag + 0.5 * s.dt, ahead = extrapolation * 0.5 * s.dt;
   DiskSweep sweep(s);
   sweep.task.kick = kick;
@@ -31,6 +30,11 @@ bool verlet_sweep(Sample& s, double extrapolation, const Team& team) {
   s.lag = 0.5 * s.dt;
   return sweep.run(s.kernel->verlet, team);
 }
+
+}  // namespace
+
+const Integrator velocity_verlet{{"velocity_verlet", "second order, the sturdiest"}, verlet<1>, nullptr, 0, 0, 0.5, 0.25, 1, 2};
+const Integrator leapfrog{{"leapfrog", "second order, velocities half a step off"}, verlet<0>, nullptr, 0, 0, 1, 0.25, 0.5, 2};
 
 namespace {
 

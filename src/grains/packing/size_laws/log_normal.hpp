@@ -18,11 +18,8 @@ struct LogNormalSizes : UniformSizes {
   }
   bool operator==(const LogNormalSizes&) const = default;
 
-  /// Throws InputError where the truncation leaves almost nothing; a recipe keeps it around the median.
   double draw(std::int64_t /*k*/, RandomStream& random) const {
-    for (int attempt = 0; attempt < 100'000; ++attempt)
-      if (const double d = median * std::exp(spread * random.normal()); d >= min && d <= max) return d;
-    refuse_truncation(*this, "log-normal", "median");
+    return truncated(*this, "log-normal", "median", [&] { return median * std::exp(spread * random.normal()); });
   }
 };
 

@@ -16,11 +16,8 @@ struct NormalSizes : UniformSizes {
   }
   bool operator==(const NormalSizes&) const = default;
 
-  /// Throws InputError where the cut lies far out in the tail; a recipe keeps it around the mean.
   double draw(std::int64_t /*k*/, RandomStream& random) const {
-    for (int attempt = 0; attempt < 100'000; ++attempt)
-      if (const double d = mean + deviation * random.normal(); d >= min && d <= max) return d;
-    refuse_truncation(*this, "normal", "mean");
+    return truncated(*this, "normal", "mean", [&] { return mean + deviation * random.normal(); });
   }
 };
 

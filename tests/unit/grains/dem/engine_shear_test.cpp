@@ -141,7 +141,13 @@ TEST(RoughWall, CarriesTheGrainsNearIt) {
   engine.set_drives(drives);
   const double t0 = engine.time();
   const Energies start = engine.energies();
-  engine.advance(20000);
+  engine.advance(60000);
+  double shear = 0, normal = 0;
+  for (int look = 0; look < 100; ++look) {
+    engine.advance(400);
+    shear += engine.domain().wall[top].shear_force;
+    normal += engine.domain().wall[top].force;
+  }
   const double t = engine.time() - t0;
   const Packing now = engine.packing();
   int low = 0, high = 0;
@@ -160,7 +166,22 @@ TEST(RoughWall, CarriesTheGrainsNearIt) {
   EXPECT_GT(high, 3);
   const Energies end = engine.energies();
   EXPECT_NEAR(balance(end, start), 0, 2e-3 * (end.work_walls - start.work_walls)) << end.work_walls;
-  EXPECT_GT(std::abs(now.domain.wall[top].shear_force), 0.02 * now.domain.wall[top].force);
+  EXPECT_LT(shear, -0.1 * normal) << shear / normal;  // grains between rough walls have a friction of 0.2 to 0.4; a state alone fluctuates
+}
+
+TEST(RoughWall, ThatHoldsNoGrainLeavesTheSpringsOfFrictionAsTheyAre) {
+  Packing p = testing::crowd(8, 8, 5, 0.0122);
+  for (auto& y : p.grains.y) y += 0.02;
+  p.domain.wall[top].position += 0.02;
+  Engine engine(p, {}, {});
+  engine.advance(200);
+  const Packing before = engine.packing();
+  engine.set_rough({false, false, true, false});
+  const Packing after = engine.packing();
+  ASSERT_EQ(after.contacts.size(), before.contacts.size());
+  // Stages begin between steps, where velocities are brought up to the places: forces see that, which is not the springs' way.
+  engine.set_rough({false, false, false, false});
+  EXPECT_EQ(engine.packing().contacts.ft, after.contacts.ft);
 }
 
 }  // namespace
