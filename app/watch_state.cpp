@@ -7,10 +7,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
+#include <variant>
 
 #include "core/error.hpp"
 #include "io/disk/file.hpp"
-#include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
 #include "recipe/recipe.hpp"
 #include "report/page.hpp"
@@ -65,10 +66,10 @@ std::string page_of(const std::vector<fs::path>& files, const std::string& title
   std::vector<FieldResult> fields;
   std::vector<FilmResult> films;
   for (const fs::path& file : files) {
-    const std::string kind = io::sealed_kind(file);
-    if (kind == "result") stages.push_back(io::read_stage(file));
-    if (kind == "field") fields.push_back(io::read_field(file));
-    if (kind == "film") films.push_back(io::read_film_result(file));
+    auto any = io::read_result(file);
+    if (auto* stage = std::get_if<StageResult>(&any)) stages.push_back(std::move(*stage));
+    if (auto* field = std::get_if<FieldResult>(&any)) fields.push_back(std::move(*field));
+    if (auto* film = std::get_if<FilmResult>(&any)) films.push_back(std::move(*film));
   }
   const PrivateFolder folder;
   report::write_page(folder / "page.html", {.title = title, .stages = stages, .fields = fields, .films = films});
@@ -114,16 +115,10 @@ void WatchState::read_stages() {
     const std::string name = file.filename().string();
     if (stages_.contains(name)) continue;
     try {
-      const std::string kind = io::sealed_kind(file);
-      if (kind == "result") {
-        const StageResult stage = io::read_stage(file);
-        stages_[name] = {stage.name, stage.outcome, rows_of(stage.history)};
-      } else if (kind == "field") {
-        const FieldResult field = io::read_field(file);
-        stages_[name] = {field.name, field.outcome, {}};
-      } else {
-        stages_[name] = {name, "", {}};
-      }
+      const auto any = io::read_result(file);
+      stages_[name] = {name, "", {}};
+      if (const auto* stage = std::get_if<StageResult>(&any)) stages_[name] = {stage->name, stage->outcome, rows_of(stage->history)};
+      if (const auto* field = std::get_if<FieldResult>(&any)) stages_[name] = {field->name, field->outcome, {}};
     } catch (const InputError&) {  // damaged, or moved aside meanwhile
     }
   }
