@@ -57,7 +57,7 @@ int run_command(const StudyArguments& arguments, const campaign::Study& study, c
     return other_failure;
   }
   fmt::print("\nresults: {0}\nnumbers: arenite study collect {1} --out {0}\n", folder.out.string(), arguments.recipe);
-  if (fs::exists(figures_of(study))) fmt::print("page:    {}\n", write_study_figures(study, folder).string());
+  fmt::print("page:    {}\n", write_study_figures(study, folder).string());
   return outcome.not_done > 0 ? not_converged : done;
 }
 

@@ -9,6 +9,8 @@
 #include <set>
 
 #include "progress.hpp"
+#include "report/default_figures.hpp"
+#include "report/page.hpp"
 #include "report/run_drawing.hpp"
 #include "report/study_page.hpp"
 #include "report/summary.hpp"
@@ -108,16 +110,41 @@ std::filesystem::path figures_of(const campaign::Study& study) { return std::fil
 std::vector<report::Figure> read_study_figures(const campaign::Study& study) {
   const std::filesystem::path declared = figures_of(study);
   std::ifstream in(declared, std::ios::binary);
+  if (!in && !std::filesystem::exists(declared)) return {};
   if (!in) throw InputError(declared.string(), 0, "cannot be read; it declares the figures of the study, one [[figures]] each (docs/studies.md)");
   return report::read_figures({std::istreambuf_iterator<char>(in), {}}, declared.string());
 }
 
+namespace {
+
+constexpr std::size_t most_pages = 24;  // of runs, each some megabytes
+
+/// The page of a run, made where it is not there; relative to the study's page. Of many runs the folder, which a browser lists.
+std::string link_to_run(const campaign::StudyFolder& folder, const std::string& run, bool with_page) {
+  const std::filesystem::path of_run = folder.run(run), page = of_run / "report.html";
+  const auto from_study = [&](const std::filesystem::path& path) { return path.lexically_relative(folder.out).generic_string(); };
+  if (std::filesystem::exists(page)) return from_study(page);
+  if (!std::filesystem::exists(of_run)) return {};
+  if (!with_page || !report::has_result_files(of_run)) return from_study(of_run) + "/";
+  report::write_page_of(page, of_run, run);
+  return from_study(page);
+}
+
+}  // namespace
+
 std::filesystem::path write_study_figures(const campaign::Study& study, const campaign::StudyFolder& folder) {
   report::RunNumbers numbers;
+  auto table = campaign::collect(study, folder);
+  auto figures = read_study_figures(study);
+  if (figures.empty()) figures = report::default_figures(table);
+  const bool few = table.rows.size() <= most_pages;
   report::StudyPage page{
-      study.title, read_study_figures(study), campaign::collect(study, folder),
+      study.title,
+      std::move(figures),
+      std::move(table),
       [&](const std::string& run, const std::string& path, const report::Figure& figure) { return numbers.with(folder.run(run), path, figure); },
-      [&](const std::string& run, const report::Figure& figure) { return report::run_drawing(folder.run(run), figure); }};
+      [&](const std::string& run, const report::Figure& figure) { return report::run_drawing(folder.run(run), figure); },
+      [&](const std::string& run) { return link_to_run(folder, run, few); }};
   const std::filesystem::path file = folder.out / "study.html";
   report::write_study_page(file, page);
   return file;

@@ -9,6 +9,7 @@ import pathlib
 import sys
 
 from ._core import open as open_result
+from ._said import said
 
 no_ffmpeg = "ffmpeg is not installed (Debian: apt-get install ffmpeg), so this is a GIF: larger, and with fewer colours"
 colourings = ("material", "forces", "pressure", "deviator", "z", "velocity", "displacement", "rotation", "mobilisation")
@@ -160,11 +161,6 @@ def told(stream):
     if not stream.isatty():
         return None
     return lambda share, name: print(f"\r{name} {100 * share:3.0f} %", end="\n" if share == 1 else "", file=stream, flush=True)
-
-
-def said(sentence):
-    print(f"arenite: {sentence}", file=sys.stderr)
-    return 2
 
 
 if __name__ == "__main__":

@@ -14,6 +14,7 @@ import re
 import sys
 
 from ._core import open as open_result
+from ._said import said
 
 beyond, within, equal, untold, alone = "beyond errors", "within errors", "equal", "no errors told", "in one only"
 sure = 2  # standard errors of the difference
@@ -218,11 +219,6 @@ def main(words=None):
     print(summary(found))
     print(f"page:    {written}   (open it in a browser)")
     return 0
-
-
-def said(sentence):
-    print(f"arenite: {sentence}", file=sys.stderr)
-    return 2
 
 
 if __name__ == "__main__":

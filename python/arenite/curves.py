@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ._core import measure
+from ._core import measure, steady_state
 
 dissipations = ["dissipated_normal", "dissipated_friction", "dissipated_drag", "dissipated_breakage"]
 
@@ -267,24 +267,20 @@ def ends_of(stage, cycles):
     return np.array([before[-1] if before else stage.history["time"][0]] + [stage.frames[low].time for _, low in cycles.values()])
 
 
-def steady_mean(values, blocks=10):
-    """(mean, standard error) of the second half of a series, by the scatter of the means of `blocks` blocks: neighbours in time are
-    not independent."""
-    values = values[len(values) // 2:]
-    values = values[np.isfinite(values)]
-    if len(values) == 0:
-        return np.nan, np.nan
-    means = np.array([np.mean(block) for block in np.array_split(values, min(blocks, len(values)))])
-    return np.mean(values), np.std(means, ddof=1) / np.sqrt(len(means)) if len(means) > 1 else np.nan
+def steady(values):
+    """(mean, standard error) of the steady part of a series (`arenite.steady_state`): neighbours in time are not independent."""
+    known = values[np.isfinite(values)]
+    found = steady_state(known) if len(known) else {"mean": np.nan, "error": np.nan}
+    return found["mean"], found["error"]
 
 
 def rheology(results, stage=None):
-    """mu(I) and phi(I) of sheared runs: `inertial_number`, `mu` and `solid_fraction`, each the mean over the second half of a run
+    """mu(I) and phi(I) of sheared runs: `inertial_number`, `mu` and `solid_fraction`, each the mean over the steady part of a run
     with its error (`mu_error`, `solid_fraction_error`), in the order of I. mu is q/p where nothing is sheared along a wall."""
     rows = []
     for result in results:
         found = along(result, stage)
         friction = np.abs(found["mu"].values) if "mu" in found else found["q_over_p"].values
-        rows.append([steady_mean(found["inertial_number"].values)[0], *steady_mean(friction), *steady_mean(found["solid_fraction"].values)])
+        rows.append([steady(found["inertial_number"].values)[0], *steady(friction), *steady(found["solid_fraction"].values)])
     table = np.array(sorted(rows), float).reshape(-1, 5).T
     return {name: Curve(values, "1") for name, values in zip(["inertial_number", "mu", "mu_error", "solid_fraction", "solid_fraction_error"], table)}

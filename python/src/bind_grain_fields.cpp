@@ -131,6 +131,9 @@ py::dict steady(const ArrayLike& series) {
   d["first"] = found.first;
   d["mean"] = found.mean.value;
   d["error"] = found.mean.error;
+  const auto interval = statistics::confidence_95(found.mean);
+  d["low_95"] = interval.low;
+  d["high_95"] = interval.high;
   d["deviation"] = found.deviation;
   return d;
 }
@@ -163,7 +166,8 @@ void bind_grain_fields(py::module_& m) {
         "slide), each (value, error); total_power_W.");
   m.def(
       "steady_state", &steady, py::arg("series"),
-      "The part of an evenly sampled series in which it only fluctuates: reached, first (sample), mean with its error, which respects correlation, deviation.");
+      "The part of an evenly sampled series in which it only fluctuates: reached, first (sample), mean with its error, which respects correlation, low_95 and "
+      "high_95, deviation.");
 }
 
 }  // namespace arenite::python

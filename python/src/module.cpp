@@ -88,6 +88,7 @@ PYBIND11_MODULE(_core, m) {
   arenite::python::bind_film_parts(m);
   arenite::python::bind_film_road(m);
   arenite::python::bind_results(m);
+  arenite::python::bind_curves(m);
   arenite::python::bind_store(m);
   arenite::python::bind_stages(m);
   arenite::python::bind_field(m);

@@ -55,6 +55,13 @@ NumberRef NumberBlock::add_reals(std::span<const double> values) {
   return add<float>(narrow, "f4");
 }
 
+NumberRef NumberBlock::add_coarse(std::span<const double> values) {
+  std::vector<float> narrow(values.begin(), values.end());
+  for (float& value : narrow)
+    if (std::isfinite(value)) value = std::bit_cast<float>((std::bit_cast<std::uint32_t>(value) + 0x800u) & ~0xfffu);
+  return add<float>(narrow, "f4");
+}
+
 NumberRef NumberBlock::add_indices(std::span<const std::uint32_t> values) {
   const std::uint32_t largest = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
   if (largest < 0x100) {

@@ -24,6 +24,7 @@ struct NumberRef {
 class NumberBlock {
  public:
   NumberRef add_reals(std::span<const double> values);           ///< rounded to float32
+  NumberRef add_coarse(std::span<const double> values);          ///< float32 with 11 bits behind the first: three digits, half the bytes
   NumberRef add_indices(std::span<const std::uint32_t> values);  ///< in the narrowest of u1, u2, u4
   NumberRef add_integers(std::span<const std::int32_t> values);  ///< i4
 

@@ -2,8 +2,13 @@
 
 #include <deque>
 #include <stdexcept>
+#include <variant>
+#include <vector>
 
+#include "core/error.hpp"
 #include "io/disk/file.hpp"
+#include "io/disk/store_file.hpp"
+#include "io/results/results.hpp"
 #include "report/page_document.hpp"
 #include "report/page_template.hpp"
 #include "workflow/run.hpp"
@@ -79,6 +84,25 @@ void write_page(const std::filesystem::path& path, const ResultParts& result) {
     add_stage(data, result.stages[s], workflow::texture_options(result.stages[s].provenance), s < result.measured.size() ? result.measured[s] : std::nullopt);
   for (const FieldResult& field : result.fields) data.fields.push_back({&field, statistics_of(field)});
   write_page(path, data);
+}
+
+bool has_result_files(const std::filesystem::path& folder) {
+  try {
+    return !io::stage_files(folder).empty();
+  } catch (const InputError&) { return false; }
+}
+
+void write_page_of(const std::filesystem::path& path, const std::filesystem::path& result, const std::string& title) {
+  std::vector<StageResult> stages;
+  std::vector<FieldResult> fields;
+  std::vector<FilmResult> films;
+  for (const auto& file : io::stage_files(result)) {
+    auto any = io::read_result(file);
+    if (auto* stage = std::get_if<StageResult>(&any)) stages.push_back(std::move(*stage));
+    else if (auto* field = std::get_if<FieldResult>(&any)) fields.push_back(std::move(*field));
+    else films.push_back(std::move(std::get<FilmResult>(any)));
+  }
+  write_page(path, {.title = title, .stages = stages, .fields = fields, .films = films});
 }
 
 void write_page(const std::filesystem::path& path, const PageData& data) { io::write_atomically(path, page(data)); }

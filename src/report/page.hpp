@@ -58,6 +58,10 @@ struct ResultParts {
 /// InputError when the system refuses.
 void write_page(const std::filesystem::path& path, const ResultParts& result);
 
+/// The page of what a folder holds, stages, fields and films. Throws InputError for a file that cannot be read.
+void write_page_of(const std::filesystem::path& path, const std::filesystem::path& result, const std::string& title);
+bool has_result_files(const std::filesystem::path& folder);
+
 /// The page as one HTML text: script, styles and data inside, no request to anywhere. States whose number of grains
 /// differs from the last one's are left out.
 std::string page(const PageData& data);

@@ -2,8 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <utility>
+
+#include "report/packing_layers.hpp"
+#include "report/test_curves.hpp"
 
 namespace arenite::report {
 namespace {
@@ -40,14 +46,24 @@ Numbers grains_of(const Grains& grains, NumberBlock& block) {
           {"zone", block.add_indices(unsigned_copy(grains.zone))}};
 }
 
-/// -sigma_hyd of every grain, Pa.
-std::vector<double> grain_pressures(const Packing& packing) {
-  std::vector<double> pressure;
+/// What the page knows of every grain in a state: pressure p = -sigma_hyd and deviator q of its stress, Pa (half the sum and half the difference
+/// of the principal ones), its velocity and its spin. Of a state at rest the last two are left out.
+void add_grain_values(Numbers& out, const Packing& packing, NumberBlock& block) {
+  std::vector<double> pressure, deviator;
   for (const Tensor2& moment : texture::grain_moments(packing)) {
-    const double r = packing.grains.radius[pressure.size()];
-    pressure.push_back(-0.5 * trace(moment) / (std::numbers::pi * r * r * packing.domain.thickness));
+    const double r = packing.grains.radius[pressure.size()], volume = std::numbers::pi * r * r * packing.domain.thickness;
+    pressure.push_back(-0.5 * trace(moment) / volume);
+    deviator.push_back(0.5 * std::hypot(moment.xx - moment.yy, moment.xy + moment.yx) / volume);
   }
-  return pressure;
+  out["pressure"] = block.add_reals(pressure);
+  out["deviator"] = block.add_coarse(deviator);
+  const Grains& grains = packing.grains;
+  const auto rests = [](double v) { return v == 0; };
+  if (!std::ranges::all_of(grains.vx, rests) || !std::ranges::all_of(grains.vy, rests)) {
+    out["vx"] = block.add_coarse(grains.vx);
+    out["vy"] = block.add_coarse(grains.vy);
+  }
+  if (!std::ranges::all_of(grains.omega, rests)) out["spin"] = block.add_coarse(grains.omega);
 }
 
 Numbers contacts_of(const Packing& packing, NumberBlock& block) {
@@ -107,7 +123,6 @@ Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* 
               {"x", block.add_reals(grains.x)},
               {"y", block.add_reals(grains.y)},
               {"angle", block.add_reals(grains.angle)},
-              {"pressure", block.add_reals(grain_pressures(frame.packing))},
               {"contacts", contacts_of(frame.packing, block)},
               {"equilibrium",
                {{"unbalanced_ratio", rest.unbalanced_ratio},
@@ -116,22 +131,42 @@ Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* 
                 {"falling", rest.falling},
                 {"mobilisation", rest.mobilisation},
                 {"wall_speed", rest.wall_speed}}}};
+  add_grain_values(out, frame.packing, block);
   if (texture) out["texture"] = texture_of(*texture, block);
   return out;
 }
 
+Numbers test_of(const TestCurves& curves, NumberBlock& block) {
+  Numbers out{{"strain_name", curves.strain_name}, {"ratio_name", curves.ratio_name()}};
+  for (const auto& [name, values] : {std::pair{"strain", &curves.strain}, {"ratio", &curves.ratio}, {"volume", &curves.volume}})
+    out[name] = block.add_reals(thinned(*values));
+  if (const auto state = critical_state(curves)) out["critical_state"] = shortened(numbers_of(curves, *state));
+  return out;
+}
+
 Numbers stage_of(const StageResult& stage, NumberBlock& block) {
-  return {{"name", stage.name},
-          {"converged", stage.converged},
-          {"outcome", stage.outcome},
-          {"history", history_of(stage.history, block)},
-          {"provenance", provenance_of(stage.provenance)}};
+  Numbers out{{"name", stage.name},
+              {"converged", stage.converged},
+              {"outcome", stage.outcome},
+              {"history", history_of(stage.history, block)},
+              {"provenance", provenance_of(stage.provenance)}};
+  if (const auto curves = test_curves(stage)) out["test"] = test_of(*curves, block);
+  return out;
 }
 
 const Frame* last_frame(const PageData& data) {
   for (auto stage = data.stages.rbegin(); stage != data.stages.rend(); ++stage)
     if (!(*stage)->frames.empty()) return &(*stage)->frames.back();
   return nullptr;
+}
+
+/// Fields of every so many states, so that they are no more than the page can carry.
+std::size_t states_per_fields(const PageData& data) {
+  constexpr std::size_t most = 60'000;  // cells
+  std::size_t cells = 0;
+  for (const StageResult* stage : data.stages)
+    for (const Frame& frame : stage->frames) cells += std::min<std::size_t>(frame.packing.grains.size(), 2500);
+  return 1 + cells / most;
 }
 
 const texture::Texture* find_texture(const PageData& data, std::size_t stage, std::size_t frame) {
@@ -180,12 +215,20 @@ PageDocument page_document(const PageData& data) {
     document["materials"] = materials_of(last->packing.materials);
     document["grains"] = grains_of(last->packing.grains, block);
   }
+  const std::size_t every = states_per_fields(data);
   for (std::size_t s = 0; s < data.stages.size(); ++s) {
     stages.push_back(stage_of(*data.stages[s], block));
-    for (std::size_t f = 0; f < data.stages[s]->frames.size(); ++f)
-      if (const Frame& frame = data.stages[s]->frames[f]; frame.packing.grains.size() == last->packing.grains.size())
-        frames.push_back(frame_of(frame, s, find_texture(data, s, f), block));
+    const auto& states = data.stages[s]->frames;
+    for (std::size_t f = 0; f < states.size(); ++f) {
+      if (states[f].packing.grains.size() != last->packing.grains.size()) continue;
+      frames.push_back(frame_of(states[f], s, find_texture(data, s, f), block));
+      if (f + 1 == states.size() || f % every == 0)
+        if (Numbers fields = coarse_fields_of(states[f].packing, shear_rate_at(*data.stages[s], states[f].time), block); fields.is_known())
+          frames.back()["fields"] = std::move(fields);
+    }
   }
+  if (last)
+    if (Numbers sizes = size_curves_of(last->packing, data.stages.back()->provenance.recipe, block); sizes.is_known()) document["sizes"] = std::move(sizes);
   document["stages"] = std::move(stages);
   document["frames"] = std::move(frames);
   if (!data.fields.empty()) add_fields(document, data.fields, block);

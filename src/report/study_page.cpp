@@ -7,6 +7,7 @@
 
 #include "core/version.hpp"
 #include "io/disk/file.hpp"
+#include "report/default_figures.hpp"
 #include "report/page_template.hpp"
 
 namespace arenite::report {
@@ -163,7 +164,10 @@ std::string study_page(const StudyPage& page) {
   const auto done =
       static_cast<std::size_t>(std::count_if(page.table.rows.begin(), page.table.rows.end(), [](const auto& row) { return row.status == "done"; }));
   about["runs"] = fmt::format("{} of {} runs; the caption of each figure says what its bars, bands and ticks are", done, page.table.rows.size());
-  about["made"] = fmt::format("Arenite {}. Dashed lines and crosses are what the text and the tables of the source say.", version);
+  const bool has_source =
+      std::ranges::any_of(page.figures, [](const Figure& f) { return !f.source.empty() || !f.references.empty() || !f.source_points.empty(); });
+  about["made"] = fmt::format("Arenite {}.{}", version, has_source ? " Dashed lines and crosses are what the text and the tables of the source say." : "");
+  about["table"] = runs_table(page.table, page.link);
   about["figures"] = Numbers::list();
   campaign::CollectedTable table = page.table;
   std::erase_if(table.rows, [](const auto& row) { return row.status != "done"; });

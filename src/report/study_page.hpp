@@ -48,6 +48,7 @@ struct StudyPage {
   NumbersOf numbers;
   /// What a figure shows of one run, run_drawing; may throw InputError, whose sentence the figure then says.
   std::function<Numbers(const std::string& run, const Figure& figure)> drawing = {};
+  std::function<std::string(const std::string& run)> link = {};  ///< to the page of a run from that of the study; empty where there is none
 };
 
 /// One HTML file without references to others: all figures with their curves, error bars and what the source says.

@@ -5,6 +5,7 @@
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
 #include "report/result_text.hpp"
+#include "report/test_curves.hpp"
 #include "workflow/run.hpp"
 
 namespace arenite::report {
@@ -129,7 +130,7 @@ Summary::Summary(const std::filesystem::path& result) {
 Summary::Summary(const workflow::RunOutcome& outcome) {
   auto file = outcome.files.begin();
   for (const StageResult& s : outcome.stages) {
-    StageResult stage{s.provenance, s.name, s.converged, s.outcome, {}, {}, s.texture, {}};
+    StageResult stage{s.provenance, s.name, s.converged, s.outcome, {}, s.history, s.texture, {}};
     if (!s.frames.empty()) stage.frames.push_back(s.frames.back());
     stages_.push_back({(file++)->filename().string(), std::move(stage), s.frames.size()});
   }
@@ -147,6 +148,8 @@ Numbers Summary::numbers() const {
         {"name", stage.result.name},       {"file", stage.file},    {"input_hash", stage.result.provenance.input_hash}, {"converged", stage.result.converged},
         {"outcome", stage.result.outcome}, {"states", stage.states}};
     if (!stage.result.frames.empty()) one["last_state"] = state(stage.result.frames.back());
+    if (const auto curves = test_curves(stage.result))
+      if (const auto critical = critical_state(*curves)) one["critical_state"] = j["critical_state"] = numbers_of(*curves, *critical);
     j["stages"].push_back(one);
   }
   for (const Field& field : fields_)
@@ -180,7 +183,7 @@ std::string Summary::text() const {
   if (!fields_.empty()) return how_stages_ended() + field_headlines(fields_.back().numbers) + more;
   const StageResult& last = stages_.back().result;
   if (last.frames.empty()) return how_stages_ended();
-  return how_stages_ended() + headlines(last, texture_without_rev(last)) + more;
+  return how_stages_ended() + headlines(last, texture_without_rev(last)) + critical_state_text(last) + more;
 }
 
 std::string Summary::all() const {

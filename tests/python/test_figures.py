@@ -11,11 +11,12 @@ import arenite
 import arenite.figures as figures
 import numpy as np
 import pytest
-from arenite.figures import catalogue, densities, fields, film_forces, films, histories, packings, panels, saving, style
+from arenite.figures import catalogue, densities, fields, film_forces, films, histories, loadings, motion, packings, panels, samples, saving, style
 
 # The figures of the page by their ids, and the journal's: of a stage, a field or a film.
 cards = {
     "fabric": ("stage", "contact-directions"), "sigma-norm": ("stage", "sigma-norm"), "forces": ("stage", "forces"), "coordination": ("stage", "coordination"),
+    "grain-scatter": ("stage", "grain-scatter"), "size-curve": ("stage", "size-curve"), "coarse-fields": ("stage", "coarse-fields"),
     "contact-numbers": ("stage", "contact-numbers"), "rev": ("stage", "rev"), "threshold": ("stage", "threshold"), "course": ("stage", "course"),
     "wall-forces": ("stage", "wall-forces"), "travel": ("stage", "travel"), "energies": ("stage", "energies"), "rest": ("stage", "rest"),
     "test-curves": ("stage", "stress-strain"), "discharge": ("stage", "discharge"), "stress-strain": ("field", "stress-strain"), "broken-bonds": ("field", "broken-bonds"), "energy-balance": ("field", "energy-balance"),
@@ -44,7 +45,7 @@ def test_every_card_of_the_page_has_its_figure():
 
 def test_every_figure_of_a_run_is_drawn_and_embeds_its_fonts(result, tmp_path):
     paths = figures.save_all(result, tmp_path, ("pdf", "svg"))
-    stage = {name for kind, name in set(cards.values()) | pictures | printed if kind == "stage"} - {"course", "cycles", "stress-strain", "discharge"}
+    stage = {name for kind, name in set(cards.values()) | pictures | printed if kind == "stage"} - {"course", "cycles", "stress-strain", "discharge", "size-curve"}
     field = {"stress", "displacement", "stress-pdf", "convergence"}
     expected = {f"rest-{name}" for name in stage} | {"cement-phases", "cement-cavities"} | {f"tension-{name}" for name in field}
     drawn = {p.stem for p in paths} - {f"tension-{name}" for _, name in components} - {"rest-course"}
@@ -309,3 +310,52 @@ def test_the_mass_that_has_passed_is_drawn_over_the_time():
     line = axes_of.lines[0]
     assert line.get_xdata().tolist() == [0, 0.5, 1] and line.get_ydata() == pytest.approx([0, 200, 400])
     assert axes_of.get_ylabel() == "mass passed, g"
+
+
+def test_the_size_curve_is_by_mass_and_keeps_to_the_law():
+    text = """[materials.glass]
+density = "2500 kg/m^3"
+stiffness = "1 kN/mm"
+[[populations]]
+material = "glass"
+count = 400
+size = { law = "uniform", min = "1 mm", max = "3 mm" }
+[packing]
+method = "random"
+solid_fraction = 0.4
+[container]
+width = "70 mm"
+thickness = "10 mm"
+[[stages]]
+name = "press"
+top = { pressure = "1 kPa" }
+"""
+    recipe = arenite.Recipe.from_text(text)
+    asked = arenite.asked_size_curve(recipe)
+    d = np.array([1.5e-3, 2e-3, 2.5e-3])
+    share = (d**3 - 1e-9) / (27e-9 - 1e-9)  # of the mass, as d^2, of diameters spread evenly
+    assert np.interp(d, asked["diameter"], asked["passing"]) == pytest.approx(share, abs=0.01)
+    packing = arenite.pack(recipe)
+    measured = arenite.size_curve(packing)
+    whole = np.sum(packing.radius**2)
+    assert [np.interp(x, measured["diameter"], measured["passing"]) for x in d] == pytest.approx([np.sum(packing.radius[2 * packing.radius <= x]**2) / whole for x in d], abs=0.012)
+    shown = axes()
+    figures.draw_size_curve(shown, measured, asked)
+    assert [line.get_label() for line in shown.lines] == ["measured", "asked"] and shown.lines[0].get_ydata()[-1] == 100
+
+
+def test_a_critical_state_is_drawn_where_it_was_found():
+    shown = axes()
+    loadings.draw_critical_state(shown, {"from": 0.2, "to": 1.0, "mu": {"value": 0.4, "error": 0.01, "low_95": 0.38, "high_95": 0.42}})
+    assert shown.lines[0].get_xdata() == pytest.approx([20, 100]) and shown.lines[0].get_ydata() == pytest.approx([0.4, 0.4])
+    assert "0.400 ± 0.020" in shown.lines[0].get_label()
+
+
+def test_fields_are_those_of_the_state(result):
+    state = next(part for _, part in figures.figures_of(result))
+    fields = samples.fields_of(state)
+    picture, label = figures.draw_coarse_field(axes(), fields, "solid_fraction")
+    assert np.asarray(picture.get_array()) == pytest.approx(fields["solid_fraction"]) and "solid fraction" in label
+    shown = axes()
+    figures.draw_grains_against(shown, motion.Shot(state.stage, state.frame))
+    assert sum(len(line.get_xdata()) for line in shown.lines) == len(state.packing)

@@ -40,6 +40,32 @@ inline void load_walls(Packing& packing) {
 /// A run of five states as it might come from the store, with the texture of each; the first contact of the last
 /// state pulls.
 struct PageSample {
+  static constexpr const char* recipe = R"(title = "<two> materials & a frame"
+[materials.POM]
+density = "1410 kg/m^3"
+stiffness = "27.35 kN/mm"
+[materials.HDPE]
+density = "950 kg/m^3"
+stiffness = "6.43 kN/mm"
+[[populations]]
+material = "POM"
+ratio = 1
+diameter = "16.4 mm"
+[[populations]]
+material = "HDPE"
+ratio = 1
+diameter = "10.5 mm"
+[packing]
+method = "random"
+grains = 260
+solid_fraction = 0.5
+[container]
+width = "300 mm"
+thickness = "60 mm"
+[[stages]]
+name = "load"
+bottom = { pressure = "1 kPa" }
+)";
   StageResult stage;
   report::PageData data;
 
@@ -65,7 +91,10 @@ struct PageSample {
                      {"left_force", "N", {}},
                      {"right_force", "N", {}},
                      {"elastic", "J", {}},
-                     {"kinetic", "J", {}}}};
+                     {"kinetic", "J", {}},
+                     {"top_position", "m", {}},
+                     {"left_position", "m", {}},
+                     {"right_position", "m", {}}}};
     for (int k = 0; k < 5; ++k) {
       const double before = domain.wall[bottom].position;
       domain.wall[bottom].position = lowest + k * step;
@@ -82,7 +111,7 @@ struct PageSample {
     stage.name = "load";
     stage.outcome = "Equilibrium in all 5 increments.";
     stage.history = history;
-    stage.provenance = {"0.1.0", "load", "0123456789abcdef", "title = \"<two> materials & a frame\"\n", 7, "portable", {}};
+    stage.provenance = {"0.1.0", "load", "0123456789abcdef", recipe, 7, "portable", {}};
     data.title = "Two materials <in> a frame";
     data.stages = {&stage};
     for (std::size_t f = 0; f < stage.frames.size(); ++f) data.textures.push_back({0, f, texture::measure(stage.frames[f].packing)});
@@ -99,6 +128,11 @@ struct PageSample {
     frame.label = "increment " + std::to_string(k + 1) + " of 5";
     frame.packing = {{{"POM", 1410, 27.35e6, 0.015e-6}, {"HDPE", 950, 6.43e6, 0.0258e-6}}, domain, grains, elastic_contacts(grains, domain, 6e6)};
     load_walls(frame.packing);
+    // Moves to the right the faster the higher, and turns clockwise.
+    for (std::size_t g = 0; g < grains.size(); ++g) {
+      frame.packing.grains.vx[g] = 0.1 * grains.y[g];
+      frame.packing.grains.omega[g] = -0.05 * k;
+    }
     return frame;
   }
 
@@ -106,9 +140,9 @@ struct PageSample {
     const auto& wall = frame.packing.domain.wall;
     double elastic = 0;
     for (const double fn : frame.packing.contacts.fn) elastic += fn * fn / (2 * 6e6);
-    const double row[8] = {frame.time, wall[bottom].position, wall[bottom].force, wall[top].force, wall[left].force, wall[right].force,
-                           elastic,    1e-6 * elastic};
-    for (std::size_t c = 0; c < 8; ++c) history.columns[c].values.push_back(row[c]);
+    const double row[] = {frame.time, wall[bottom].position, wall[bottom].force, wall[top].force,     wall[left].force,    wall[right].force,
+                          elastic,    1e-6 * elastic,        wall[top].position, wall[left].position, wall[right].position};
+    for (std::size_t c = 0; c < history.columns.size(); ++c) history.columns[c].values.push_back(row[c]);
   }
 };
 

@@ -16,14 +16,15 @@ const hintTime = 1600;  // ms
 export class CanvasView {
   constructor(state, { name, label, margin, key = "key", legendHeight, parts, beside = [] }) {
     Object.assign(this, { state, margin, legendHeight, camera: new Camera(), stale: new Set(parts), picked: null });
-    this.canvas = h("canvas", { class: name, tabindex: 0, "aria-label": `${label}: ${gestureWords}` });
+    this.canvas = h("canvas", { class: name, tabindex: 0, role: "img", "aria-label": `${label}: ${gestureWords}` });
     this.over = s("svg", { class: "over" });
     this.hint = h("p", { class: "hint", role: "status" }, hintWords);
     this.stage = h("div", { class: "stage" }, this.canvas, this.over, this.hint, beside);
     this.key = s("svg", { class: key });
     this.element = h("div", { class: "view" }, this.stage, this.key);
     this.tooltip = new Tooltip(this.stage);
-    new ResizeObserver(() => this.#resize()).observe(this.stage);
+    new ResizeObserver(() => window.matchMedia("print").matches || this.#resize()).observe(this.stage);
+    window.addEventListener("beforeprint", () => this.draw());  // no frame passes before the page is laid out for paper
   }
 
   get theme() { return themeOf(this.state.get("theme")); }

@@ -29,6 +29,9 @@ export function rich(text) {
   });
 }
 
+/** The text without what lowers and raises. */
+export const plain = (text) => String(text).replace(/[_^]\{([^}]*)\}/g, "$1");
+
 /** The same inside an SVG: every <text> with "_{...}", whole or in parts, gets lowered tspans. */
 export function richSvg(svg) {
   for (const text of svg.querySelectorAll("text, tspan")) {

@@ -1,3 +1,4 @@
+import { forms, keepInAddress } from "./address.js";
 import { loadData } from "./block.js";
 import { h } from "./dom.js";
 import { FieldResult, PhaseMap } from "./field/result.js";
@@ -10,7 +11,7 @@ import { provenance } from "./provenance.js";
 import { Sample } from "./sample.js";
 import { State } from "./state.js";
 import { tabs } from "./tabs.js";
-import { followTheme, preferredTheme } from "./theme.js";
+import { followTheme, preferredTheme, themeOf } from "./theme.js";
 
 /** The packing if there is one, then every result on a grid, then every film. */
 function partsOf(sample, fields, films, state) {
@@ -31,12 +32,13 @@ async function main() {
     const films = (about.films ?? []).map((film) => new FilmResult(film, block, about.title));
     const last = films.length ? `film-${films.length - 1}` : fields.length ? `field-${fields.length - 1}` : "packing";
     const state = new State({ theme: preferredTheme(), tab: last });
+    keepInAddress(state, { tab: forms.word(["packing", ...fields.map((_, k) => `field-${k}`), ...films.map((_, k) => `film-${k}`)]) });
     const parts = partsOf(sample, fields, films, state);
     if (parts.length === 0) throw new Error("this result holds no state of a packing");
     followTheme(state);
     const { elements, made } = tabs(parts, state);
     page.replaceChildren(header(about.title, sample, fields, films, state), ...elements, provenance([...sample.stages, ...[...fields, ...films].map((result) => result.about)]));
-    window.arenite = { state, made, ...made.get("packing"), get field() { return made.get(state.get("tab")); }, get film() { return made.get(state.get("tab")); } };
+    window.arenite = { state, made, ...made.get("packing"), get field() { return made.get(state.get("tab")); }, get film() { return made.get(state.get("tab")); }, get theme() { return themeOf(state.get("theme")); } };
     document.documentElement.dataset.ready = "true";
   } catch (error) {
     page.replaceChildren(h("p", { class: "failure" }, `The page cannot be drawn: ${error.message}.`));

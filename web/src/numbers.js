@@ -1,4 +1,5 @@
 import { h, rich } from "./dom.js";
+import { criticalTiles } from "./figures/test_curves.js";
 import { prefixOf, text } from "./text.js";
 import { tile } from "./tile.js";
 
@@ -93,20 +94,22 @@ function forces({ force: f }) {
   ]);
 }
 
-/** The six numbers that one asks for first. */
+/** The six numbers that one asks for first; those of a critical state before all others. */
 export function headlines(sample, state) {
   const box = h("div", { class: "headlines" });
   const refresh = () => {
     const t = sample.texture(state.get("frame"));
     if (!t) return box.replaceChildren();
+    const critical = criticalTiles(sample.stages[sample.about.frames[state.get("frame")].stage]).map((tile) => [...tile, 1, ""]);
     const tiles = [
+      ...critical,
       ["solid fraction", "\u03c6", t.solid_fraction, 1, ""],
       ["coordination", "z", t.coordination?.all, 1, ""],
       ["anisotropy", "a_{c}", t.fabric?.a_c, 1, ""],
       ["mean force", "\u27e8F_{n}\u27e9", t.force?.mean_N, null, "N"],
       ["strong contacts", "", t.force?.strong_share, 100, "%"],
       ["grains above mean", "P_{0}", t.sigma_norm?.P0, 100, "%"],
-    ];
+    ].slice(0, 6);
     box.replaceChildren(...tiles.map(([name, symbol, estimate, scale, unit]) => {
       if (!estimate) return tile(name, symbol, "\u2013");
       const { factor, prefix } = scale === null ? prefixOf(estimate.value, unit) : { factor: 1 / scale, prefix: "" };

@@ -11,7 +11,8 @@ export class Sample {
     this.about = about;
     this.title = about.title;
     this.materials = about.materials ?? [];
-    this.stages = about.stages.map((stage) => ({ ...stage, history: columnsOf(block, stage.history) }));
+    this.stages = about.stages.map((stage) => ({ ...stage, history: columnsOf(block, stage.history), test: unpacked(block, stage.test) }));
+    this.sizes = about.sizes ? { asked: unpacked(block, about.sizes.asked), measured: unpacked(block, about.sizes.measured) } : null;
     this.frameCount = about.frames.length;
     this.count = about.grains?.count ?? 0;
     if (about.grains)
@@ -36,6 +37,7 @@ export class Sample {
     const about = this.about.frames[k];
     const frame = { ...about, index: k };
     for (const name of ["x", "y", "angle", "pressure"]) frame[name] = this.#array(about[name]);
+    for (const name of ["deviator", "vx", "vy", "spin"]) frame[name] = about[name] ? this.#array(about[name]) : new Float32Array(this.count);
     frame.boundaries = (about.domain.boundaries ?? []).map((boundary) => ({ ...boundary, x: this.#array(boundary.x), y: this.#array(boundary.y) }));
     frame.contacts = {};
     for (const [name, reference] of Object.entries(about.contacts)) frame.contacts[name] = this.#array(reference);
@@ -55,6 +57,14 @@ export class Sample {
     if (known.length === 0) return null;
     const nearest = known.reduce((best, f) => (Math.abs(f - k) < Math.abs(best - k) ? f : best));
     return { ...this.about.frames[nearest].texture, frame: nearest };
+  }
+
+  /** The coarse-grained fields of a frame, or of the nearest that has them; null where none has. */
+  fields(k) {
+    const known = this.about.frames.map((frame, f) => (frame.fields ? f : -1)).filter((f) => f >= 0);
+    if (known.length === 0) return null;
+    const nearest = known.reduce((best, f) => (Math.abs(f - k) < Math.abs(best - k) ? f : best)), about = this.about.frames[nearest];
+    return (about.unpackedFields ??= { ...unpacked(this.#block, about.fields), frame: nearest });
   }
 
   /** Hydrostatic stress of each grain over the mean of the grains that the texture considers (of all without texture). */
@@ -107,6 +117,12 @@ export class Sample {
   }
 
   name(grain) { return text.material(this.materials[this.material[grain]]); }
+}
+
+/** A tree whose arrays are in their place. */
+function unpacked(block, about) {
+  if (!about) return null;
+  return Object.fromEntries(Object.entries(about).map(([name, value]) => [name, value?.as ? unpack(block, value) : value]));
 }
 
 function contactTypes(materials) {

@@ -30,6 +30,8 @@ export function saveSvg(name, svg, theme) {
   download(`${name}.svg`, new Blob([svgText(svg, theme)], { type: "image/svg+xml" }));
 }
 
+export function saveText(name, type, content) { download(name, new Blob([content], { type })); }
+
 function loadImage(url) {
   return new Promise((resolve, reject) => {
     const image = new Image();

@@ -16,5 +16,5 @@ export function tabs(parts, state) {
   };
   state.watch(["tab"], refresh);
   refresh();
-  return { elements: [...(parts.length > 1 ? [h("nav", { class: "tabs", role: "tablist" }, buttons)] : []), holder], made };
+  return { elements: [...(parts.length > 1 ? [h("div", { class: "tabs", role: "tablist", "aria-label": "Results" }, buttons)] : []), holder], made };
 }

@@ -1,4 +1,4 @@
-import { interpolateMagma, interpolateViridis } from "d3-scale-chromatic";
+import { interpolateCividis, interpolateMagma, interpolateViridis } from "d3-scale-chromatic";
 
 const families = 'Inter, ui-sans-serif, system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", "Noto Sans", ' +
   '"Liberation Sans", Arial, sans-serif';
@@ -49,6 +49,11 @@ const dark = {
   crack: [null, "#e29bff", "#ffffff", "#63e0c8"], cross: { pull: "#ffffff", push: "#ff5c98" },
 };
 
+/** The maps by which a reader may colour a quantity. */
+export const colourMaps = [["viridis", "Viridis"], ["magma", "Magma"], ["cividis", "Cividis"], ["diverging", "Blue\u2013amber"], ["grey", "Grey"]];
+for (const theme of [light, dark])
+  theme.maps = { viridis: theme.size, magma: theme.stress, cividis: (t) => interpolateCividis(theme === light ? 1 - t : t), diverging: theme.diverging, grey: theme === light ? (t) => theme.grey(1 - t) : theme.grey };
+
 const preference = () => window.matchMedia("(prefers-color-scheme: dark)");
 
 export const themeOf = (name) => (name === "dark" ? dark : light);
@@ -59,6 +64,12 @@ export function followTheme(state) {
   preference().addEventListener("change", () => state.set({ theme: preferredTheme() }));
   state.watch(["theme"], apply);
   apply();
+  let shown = null;  // on paper the page is light
+  window.addEventListener("beforeprint", () => {
+    shown = state.get("theme");
+    state.set({ theme: "light" });
+  });
+  window.addEventListener("afterprint", () => shown && state.set({ theme: shown }));
 }
 
 export const preferredTheme = () => (preference().matches ? "dark" : "light");

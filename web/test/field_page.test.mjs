@@ -295,4 +295,28 @@ test("on a narrow screen everything stands in one column and nothing is cut off"
   }
 });
 
+test("the slider draws the sample as it was deformed: each node where it went, magnified as it says", async (page) => {
+  await page.setViewportSize({ width: 1400, height: 900 });
+  await tab(page, "Tension");
+  await set(page, { show: "phases", outlines: false, crosses: false, deform: 1 });
+  await settle(page);
+  const said = await page.locator('section.sample:visible .threshold:has([data-slider="deform"]) output').innerText();
+  const { times, nodes } = await page.evaluate(() => {
+    const { view, result } = window.arenite.field, { map } = result, box = view.canvas.getBoundingClientRect(), [ux, uy] = [result.values("ux"), result.values("uy")], found = [];
+    const inside = (k) => [-2, -1, 0, 1, 2].every((j) => [-2, -1, 0, 1, 2].every((i) => map.kind[k + i + map.width * j] === map.kind[k]));
+    for (let tries = 0; tries < 50000 && found.length < 12; ++tries) {
+      const x = 4 + ((tries * 7919) % (map.width - 8)), y = Math.floor(map.height * 0.6) + ((tries * 104729) % (Math.floor(map.height * 0.3))), k = x + map.width * y;
+      if (map.kind[k] < 2 || !inside(k)) continue;
+      const [wx, wy] = map.placeOf(k), [px, py] = view.camera.toScreen(wx + view.times * ux[k], wy + view.times * uy[k]), [qx, qy] = view.camera.toScreen(wx, wy);
+      found.push({ x: px + box.left, y: py + box.top, moved: Math.hypot(px - qx, py - qy), kind: map.kind[k] });
+    }
+    return { times: view.times, nodes: found };
+  });
+  assert.match(said, /^\u00d7/);
+  assert.ok(times > 1 && nodes.length > 5 && nodes.some(({ moved }) => moved > 10), `${times}, ${nodes.length} nodes`);
+  const picture = await painted(page);
+  for (const { x, y, kind } of nodes) assert.ok(difference(await picture(x, y), light.kind[kind]) <= 3, `kind ${kind}: ${await picture(x, y)}`);
+  await set(page, { deform: 0 });
+});
+
 await runTests(process.argv[2], tests);

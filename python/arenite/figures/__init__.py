@@ -15,6 +15,7 @@ from .histories import draw_energies, draw_rest, draw_travel, draw_wall_forces
 from .loadings import draw_against_rate, draw_cycles, draw_friction, draw_pressure, draw_volume
 from .packings import draw_forces, draw_packing
 from .parts import State
+from .samples import draw_coarse_field, draw_grains_against, draw_size_curve
 from .saving import Figure, save
 from .studies import draw_study_figure, draw_study_map, draw_study_nodes, draw_study_plot, draw_study_rose, draw_study_sample, study_document
 from .style import column_width, journal_style, page_width

@@ -4,6 +4,7 @@ import argparse
 import pathlib
 import sys
 
+from .._said import said
 from .catalogue import save_all
 from .studies import not_drawn
 
@@ -21,23 +22,18 @@ def main():
     try:
         paths = save_all(result, out, a.format, a.only, a.width and a.width / 25.4)
     except ValueError as error:
-        sys.exit(_refuse(str(error)))
+        sys.exit(said(str(error)))
     except (ArithmeticError, AttributeError, LookupError, MemoryError, RuntimeError, TypeError) as error:  # numbers of another shape than this version's
-        sys.exit(_refuse(f"{a.result}: holds what these figures cannot draw ({type(error).__name__}: {error}); make the result again with `arenite run`"))
+        sys.exit(said(f"{a.result}: holds what these figures cannot draw ({type(error).__name__}: {error}); make the result again with `arenite run`"))
     except OSError as error:
-        sys.exit(_refuse(f"{error.filename or out}: cannot be written ({error.strerror or error}); choose another folder with --out"))
+        sys.exit(said(f"{error.filename or out}: cannot be written ({error.strerror or error}); choose another folder with --out"))
     for path in paths:
         print(path)
     for name, sentence in not_drawn(result).items():
         if not a.only or name in a.only:
             print(f"{name}: {sentence}", file=sys.stderr)
     if not paths:
-        sys.exit(_refuse(f"{a.result}: holds nothing that these figures show"))
-
-
-def _refuse(sentence):
-    print(f"arenite: {sentence}", file=sys.stderr)
-    return 2
+        sys.exit(said(f"{a.result}: holds nothing that these figures show"))
 
 
 main()

@@ -3,7 +3,7 @@
 import pathlib
 
 from .._core import open as open_result
-from . import densities, failure, fields, film_forces, films, histories, loadings, packings, panels, studies, textures
+from . import densities, failure, fields, film_forces, films, histories, loadings, packings, panels, samples, studies, textures
 from .parts import parts_of, same_map
 from .saving import Canvas, Figure, listed, save
 from .style import sigma_norm
@@ -100,6 +100,9 @@ figures = [
     Figure("contact-directions", "stage", panels.roses, has("fabric", "sectors"), panels.roses_height, True),
     Figure("sigma-norm", "stage", panels.sigma_norm_tails, has("sigma_norm", "cumulative"), 0.45, True),
     Figure("forces", "stage", panels.forces, has("force", "pdf"), 0.46, True),
+    Figure("grain-scatter", "stage", samples.grain_scatter, has_contacts),
+    Figure("size-curve", "stage", samples.size_curves, lambda s: samples.recipe_of(s) is not None),
+    Figure("coarse-fields", "stage", samples.coarse_fields, samples.has_box, samples.fields_height, True),
     Figure("coordination", "stage", coordination, has("coordination", "all")),
     Figure("contact-numbers", "stage", one(textures.draw_contact_numbers, lambda s: s.texture["coordination"]), has("coordination", "histogram")),
     Figure("rev", "stage", one(textures.draw_rev, lambda s: s.texture), has("rev")),

@@ -6,6 +6,7 @@ import tomllib
 import numpy as np
 
 from .. import curves
+from .._core import critical_state
 from .._core import open as open_result
 from .style import colours, scaled, soft, strong
 
@@ -42,6 +43,15 @@ def strain_of(found):
     """(values in percent, what they are) against which a test is drawn: the shear strain where something is sheared along a wall."""
     name = "shear_strain" if "mu" in found else "axial_strain"
     return 100 * found[name].values, f"{name.replace('_', ' ')}, %"
+
+
+def draw_critical_state(axes, critical):
+    """The plateau of the ratio over the strain that it was taken from, with its band of 95 % (`arenite.critical_state`)."""
+    about = critical["mu" if "mu" in critical else "q_over_p"]
+    ends = 100 * np.array([critical["from"], critical["to"]])
+    axes.fill_between(ends, about["low_95"], about["high_95"], color=colours[3], alpha=0.35, linewidth=0)
+    axes.plot(ends, [about["value"]] * 2, color=colours[3], label=f"critical state: {about['value']:.3f} ± {0.5 * (about['high_95'] - about['low_95']):.3f}")
+    axes.legend(loc="lower right")
 
 
 def draw_friction(axes, found):
@@ -82,6 +92,9 @@ def stress_strain(figure, state):
     found = curves.curves_of(test_of(state))
     upper, lower = figure.subplots(2, 1, sharex=True)
     draw_friction(upper, found)
+    critical = critical_state(state.stage)
+    if critical:
+        draw_critical_state(upper, critical)
     is_confined = "mu" not in found and np.allclose(found["volumetric_strain"].values, found["axial_strain"].values, atol=1e-9)
     (draw_pressure if is_confined else draw_volume)(lower, found)
     upper.set_xlabel("")

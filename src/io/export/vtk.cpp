@@ -164,6 +164,27 @@ std::vector<NamedBytes> vtk_index(const std::vector<double>& times) {
   return files;
 }
 
+namespace {
+
+/// The bonds that broke, a point each, in the order of breaking.
+VtkPolyData cracks_of(const std::vector<Crack>& cracks) {
+  VtkPolyData data;
+  std::vector<std::int32_t> order;
+  std::vector<std::uint8_t> type;
+  std::vector<double> strain;
+  for (const Crack& crack : cracks) {
+    data.points.insert(data.points.end(), {crack.x, crack.y, 0});
+    order.push_back(static_cast<std::int32_t>(order.size()));
+    type.push_back(crack.type);
+    strain.push_back(crack.strain);
+  }
+  data.point_arrays = {{"order", order}, {"type", type}, {"strain", strain}};
+  return data;
+}
+
+}  // namespace
+
+/// The nodes as a picture (NAME.vti); of a pull to failure the broken bonds too, NAME-cracks.vtp.
 std::vector<NamedBytes> vti_field(const ExportField& from) {
   const FieldResult& r = *from.result;
   VtkImage image{r.map.width, r.map.height, r.map.dx, {}};
@@ -176,7 +197,9 @@ std::vector<NamedBytes> vti_field(const ExportField& from) {
       if (std::string_view(c.name).starts_with("sigma")) image.point_arrays.push_back({c.name, single(r.field.*c.member)});
     image.point_arrays.push_back({"stress", stress_of(r.field), 6});
   }
-  return {{r.name + ".vti", vti_bytes(image)}};
+  std::vector<NamedBytes> files{{r.name + ".vti", vti_bytes(image)}};
+  if (!r.cracks.empty()) files.push_back({r.name + "-cracks.vtp", vtp_bytes(cracks_of(r.cracks))});
+  return files;
 }
 
 }  // namespace arenite::io

@@ -3,6 +3,7 @@ import { h, rich } from "../dom.js";
 import { text } from "../text.js";
 import { cavityKinds } from "./cavities.js";
 import { available, components } from "./components.js";
+import { magnification } from "./deformation.js";
 import { Picture } from "./picture.js";
 import { stepSlider } from "./steps.js";
 import { FieldView } from "./view.js";
@@ -14,10 +15,10 @@ export function fieldPanel(result, state, title) {
     h("div", { class: "controls" },
       choice("Show", "show", state, shows(result)), only(state, isField, componentChoice(result, state)),
       h("span", { class: "saves" },
-        h("button", { class: "save", title: "Save the picture as SVG", onclick: () => picture.saveSvg() }, "SVG"),
-        h("button", { class: "save", title: "Save the picture as PNG", onclick: () => picture.savePng() }, "PNG"))),
+        h("button", { class: "save", title: "Save the picture as SVG", "aria-label": `Save the picture of \u201c${title}\u201d as SVG`, onclick: () => picture.saveSvg() }, "SVG"),
+        h("button", { class: "save", title: "Save the picture as PNG", "aria-label": `Save the picture of \u201c${title}\u201d as PNG`, onclick: () => picture.savePng() }, "PNG"))),
     h("div", { class: "controls second" }, scaleControls(state), cavityControls(state)),
-    h("div", { class: "controls second" }, fieldOverlays(state), overlays(result, state)),
+    h("div", { class: "controls second" }, fieldOverlays(state), overlays(result, state), result.has("ux") ? deformationControl(result, state) : null),
     view.element, note(result), result.steps > 1 ? stepSlider(result, state) : null);
   return { panel, view };
 }
@@ -65,6 +66,22 @@ function thresholdControl(state) {
   state.watch(["threshold", "chains"], refresh);
   refresh();
   return h("div", { class: "choice threshold" }, toggle("Chains", "chains", state, "Only what carries more than so many times the mean"), h("div", { class: "track" }, slider), output);
+}
+
+/** How far nodes are drawn from where they were. */
+function deformationControl(result, state) {
+  const output = h("output");
+  const slider = h("input", { type: "range", min: 0, max: 1, step: 0.02, "data-slider": "deform", "aria-label": "Deformation, drawn larger", oninput: (event) => state.set({ deform: Number(event.target.value) }) });
+  const refresh = () => {
+    const share = state.get("deform");
+    slider.value = share;
+    slider.style.setProperty("--done", `${100 * share}%`);
+    output.textContent = share > 0 ? `\u00d7\u2009${text.number(magnification(result, share), 2)}` : "none";
+  };
+  state.watch(["deform"], refresh);
+  refresh();
+  const title = result.cracks ? "Displacements at the largest stress, drawn larger" : "Displacements, drawn larger";
+  return h("div", { class: "choice threshold", title }, h("span", { class: "name" }, "Deformed"), h("div", { class: "track" }, slider), output);
 }
 
 function cavityControls(state) {

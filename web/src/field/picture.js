@@ -33,7 +33,9 @@ export class Picture {
 }
 
 /** The nodes in sight, a pixel each; a chosen grain stands out as on the screen. */
-function nodes({ result, state, theme, camera, look }) {
+function nodes(view) {
+  const { result, state, theme, camera, look } = view;
+  if (look.deformed) return s("image", { href: painted(view), x: 0, y: 0, width: camera.width, height: camera.height });
   const { map } = result, d = map.spacing;
   const [left, top] = camera.toWorld(0, 0), [right, bottom] = camera.toWorld(camera.width, camera.height);
   const x0 = Math.max(0, Math.floor(left / d)), x1 = Math.min(map.width, Math.ceil(right / d));
@@ -58,6 +60,12 @@ function nodes({ result, state, theme, camera, look }) {
   });
 }
 
+/** What is on the canvas; cracks are drawn on it. */
+function painted(view) {
+  view.paint();
+  return view.canvas.toDataURL("image/png");
+}
+
 function bars(view) {
   const { camera } = view;
   return s("g", { "stroke-linecap": "round" }, view.bars().map(({ ends, width, colour, size }) => {
@@ -67,8 +75,9 @@ function bars(view) {
   }));
 }
 
-function dots({ result, camera, theme, broken }) {
+function dots({ result, camera, theme, broken, look }) {
   const group = s("g"), { cracks } = result;
+  if (look.deformed) return group;
   const r = Math.max(1.5, 0.55 * result.map.about.dx * camera.scale).toFixed(2);
   for (let k = 0; k < broken; ++k) {
     const [cx, cy] = camera.toScreen(cracks.x[k], cracks.y[k]);

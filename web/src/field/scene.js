@@ -1,6 +1,7 @@
 import createRegl from "regl";
 import { segmentDrawing } from "../packing/segments.js";
 import { bytes } from "../theme.js";
+import { deformedDrawing, nodeBuffers } from "./deformation.js";
 import { gridDrawing } from "./grid.js";
 
 const unit = (colour) => bytes(colour).map((v) => v / 255);
@@ -22,7 +23,22 @@ export class FieldScene {
     this.layers = Object.fromEntries(["crosses", "cracks"].map((name) => [name, { count: 0, ...Object.fromEntries(["ends", "width", "colour"].map((part) => [part, regl.buffer({ usage: "dynamic", length: 4 })])) }]));
   }
 
-  setPaint(rgba) { this.paint({ width: this.map.width, height: this.map.height, data: rgba, min: "linear", mag: "linear" }); }
+  /** Nodes where they went, made when they are first asked for. */
+  #displaced(result, rgba) {
+    if (!this.deformed) {
+      const { nodes, place, move } = nodeBuffers(result, this.origin), { regl } = this;
+      this.deformed = { nodes, draw: deformedDrawing(regl), place: regl.buffer(place), move: regl.buffer(move), colour: regl.buffer({ usage: "dynamic", length: 4 }), count: nodes.length };
+    }
+    if (this.deformed.of === rgba) return;
+    const all = new Uint32Array(rgba.buffer);
+    this.deformed.of = rgba;
+    this.deformed.colour({ data: new Uint8Array(Uint32Array.from(this.deformed.nodes, (k) => all[k]).buffer), usage: "dynamic" });
+  }
+
+  setPaint(rgba) {
+    this.rgba = rgba;
+    this.paint({ width: this.map.width, height: this.map.height, data: rgba, min: "linear", mag: "linear" });
+  }
 
   setLayer(name, { ends, width, colour, count }) {
     const layer = this.layers[name];
@@ -33,13 +49,19 @@ export class FieldScene {
     layer.colour({ data: colour, usage: "dynamic" });
   }
 
-  draw(camera, pixelRatio, theme, { outline, chosen, fade }) {
+  draw(camera, pixelRatio, theme, { outline, chosen, fade, deformed = null }) {
     const pixelsPerMetre = camera.scale * pixelRatio;
     const perMetre = [2 * camera.scale / camera.width, 2 * camera.scale / camera.height];
     const pixelsPerNode = pixelsPerMetre * this.map.spacing;
     this.regl.poll();
     this.regl.clear({ color: [...unit(theme.card), 1] });
-    this.grid({
+    if (deformed) {
+      this.#displaced(deformed.result, this.rgba);
+      this.deformed.draw({
+        ...this.deformed, middle: [camera.x - this.origin.x, camera.y - this.origin.y], perMetre, times: deformed.times, size: Math.max(1, 1.12 * pixelsPerNode + 0.5),
+        background: unit(theme.card), fade,
+      });
+    } else this.grid({
       middle: [camera.x, camera.y], perMetre, size: this.size, nodes: [this.map.width, this.map.height], paint: this.paint, label: this.label,
       background: unit(theme.card), ink: unit(theme.field.outline), pixelsPerNode, chosen: chosen ?? 0, fade,
       outline: outline ? Math.min(0.75, 0.2 + 0.25 * pixelsPerNode) : 0,

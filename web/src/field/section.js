@@ -1,7 +1,9 @@
+import { forms, keepInAddress } from "../address.js";
 import { h } from "../dom.js";
 import { figureCard } from "../figures/card.js";
 import { fieldFigures } from "../figures/index.js";
 import { State } from "../state.js";
+import { available } from "./components.js";
 import { fieldHeadlines } from "./headlines.js";
 import { resultNumbers } from "./numbers.js";
 import { fieldPanel } from "./panel.js";
@@ -14,13 +16,14 @@ function begin(result, page) {
     theme: page.get("theme"),
     show: result.loaded && !result.cracks ? "field" : "phases", component, around: "mean", law: "linear", clip: "0.1", by: "node",
     chains: false, threshold: 1, outlines: result.map.counts.length > 0 && result.map.grainClass.length < 3000, crosses: false, cavities: "any", norm: "sample",
-    cracks: Boolean(result.cracks), step: Math.max(0, result.steps - 1), playing: false, grain: 0,
+    cracks: Boolean(result.cracks), step: Math.max(0, result.steps - 1), playing: false, grain: 0, deform: 0,
   });
 }
 
 /** One result on a grid with its figures and tables: { element, state, view }. */
 export function fieldSection(result, page) {
   const state = begin(result, page);
+  keepInAddress(state, { show: forms.word(["phases", "field"]), component: forms.word(available(result)), step: forms.whole(result.steps), grain: forms.whole(result.grains.nodes.length + 1), deform: forms.share }, `${result.name}-`);
   page.watch(["theme"], () => state.set({ theme: page.get("theme") }));
   const { panel, view } = fieldPanel(result, state, result.title);
   const figures = fieldFigures.filter((figure) => figure.when({}, result)).map((figure) => figureCard(figure, result, state));

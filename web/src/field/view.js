@@ -3,6 +3,7 @@ import { s } from "../dom.js";
 import { closeUp } from "./close_up.js";
 import { brokenAt, crackBuffers } from "./cracks.js";
 import { barBuffers, crossesInGrain, crossesOf } from "./crosses.js";
+import { displacedBox, magnification } from "./deformation.js";
 import { legend, legendHeight } from "./legend.js";
 import { paint } from "./paint.js";
 import { FieldScene } from "./scene.js";
@@ -24,23 +25,29 @@ export class FieldView extends CanvasView {
     state.watch(["crosses", "theme"], () => this.refresh("crosses"));
     state.watch(["step", "cracks", "theme"], () => this.refresh("cracks"));
     state.watch(["outlines"], () => this.refresh());
+    state.watch(["deform"], () => {
+      if (this.camera.fitted) this.fit();
+      this.refresh("crosses", "cracks");
+    });
     state.watch(["grain"], () => {
       this.#look();
       this.refresh("crosses");
     });
   }
 
-  get extent() { return this.result.map.box; }
+  /** How many times displacements are drawn larger; 0: as it was before it was loaded. */
+  get times() { return this.state.get("deform") > 0 ? magnification(this.result, this.state.get("deform")) : 0; }
+  get extent() { return this.times ? displacedBox(this.result, this.times) : this.result.map.box; }
   get broken() { return this.state.get("cracks") ? brokenAt(this.result, this.state.get("step")) : 0; }
   get look() {
     const { state } = this;
     const veiled = this.result.cracks && state.get("cracks") && state.get("show") !== "field";
-    return { outline: state.get("outlines"), chosen: state.get("grain"), fade: veiled ? 0.45 : 0 };
+    return { outline: state.get("outlines"), chosen: state.get("grain"), fade: veiled ? 0.45 : 0, deformed: this.times ? { result: this.result, times: this.times } : null };
   }
 
   bars() {
     const { result, state } = this, grain = state.get("grain");
-    if (!state.get("crosses") || !result.loaded) return [];
+    if (!state.get("crosses") || !result.loaded || this.times) return [];
     return grain ? crossesInGrain(result, this.theme, grain - 1) : crossesOf(result, this.theme);
   }
 
@@ -57,7 +64,7 @@ export class FieldView extends CanvasView {
     const { result, scene, state, theme, broken } = this;
     if (stale.has("paint")) scene.setPaint(paint(result, state, theme));
     if (stale.has("crosses")) scene.setLayer("crosses", barBuffers(this.bars(), scene.origin));
-    if (stale.has("cracks")) scene.setLayer("cracks", broken ? crackBuffers(result, broken, theme, scene.origin) : { count: 0 });
+    if (stale.has("cracks")) scene.setLayer("cracks", broken ? crackBuffers(result, broken, theme, scene.origin, this.times) : { count: 0 });
   }
 
   paint(pixelRatio = this.pixelRatio) { this.scene.draw(this.camera, pixelRatio, this.theme, this.look); }
@@ -72,7 +79,8 @@ export class FieldView extends CanvasView {
     this.over.replaceChildren(s("rect", { x: x - size / 2, y: y - size / 2, width: size, height: size, fill: "none", stroke: this.theme.ink, "stroke-width": 1.5 }));
   }
 
-  #node([px, py]) { return this.result.map.nodeAt(...this.camera.toWorld(px, py)); }
+  /** None in a deformed picture, where another one may lie. */
+  #node([px, py]) { return this.times ? null : this.result.map.nodeAt(...this.camera.toWorld(px, py)); }
 
   #choose(place) {
     const node = this.#node(place);

@@ -1,8 +1,9 @@
-import { h, rich, s } from "../dom.js";
-import { choice } from "../choice.js";
-import { fileName, savePng, saveSvg, svgText } from "../save.js";
+import { h, plain, rich, s } from "../dom.js";
+import { choice, picker } from "../choice.js";
+import { fileName, savePng, saveSvg, saveText, svgText } from "../save.js";
 import { themeOf } from "../theme.js";
 import { text } from "../text.js";
+import { csvOf, rowsOf } from "./csv.js";
 
 /** A figure in its frame: title, key, drawing, caption and the buttons that save it. It follows the slider, the theme
     and the room it has. */
@@ -15,12 +16,14 @@ export function figureCard(figure, sample, state) {
     const { width, height } = picture().viewBox.baseVal;
     return savePng(name(), svgText(picture(), theme()), width, height, 3);
   };
-  const card = h("figure", { class: `card figure${figure.wide ? " wide" : ""}`, "data-figure": figure.id },
+  const saveButton = (form, onclick) => h("button", { class: "save", "data-save": form, title: `Save this figure as ${form.toUpperCase()}`, "aria-label": `Save \u201c${plain(figure.title)}\u201d as ${form.toUpperCase()}`, onclick }, form.toUpperCase());
+  const card = h("figure", { class: `card figure${figure.wide ? " wide" : ""}`, "data-figure": figure.id, "aria-label": plain(figure.title) },
     h("figcaption", { class: "title" }, h("h3", {}, rich(figure.title)),
       h("span", { class: "saves" },
         Object.entries(figure.choices ?? {}).map(([key, [label, options]]) => choice(label, key, state, options)),
-        h("button", { class: "save", "data-save": "svg", title: "Save this figure as SVG", onclick: () => saveSvg(name(), picture(), theme()) }, "SVG"),
-        h("button", { class: "save", "data-save": "png", title: "Save this figure as PNG", onclick: asPng }, "PNG"))),
+        Object.entries(figure.pickers ?? {}).map(([key, [label, optionsOf]]) => picker(label, key, state, optionsOf(sample))),
+        saveButton("svg", () => saveSvg(name(), picture(), theme())), saveButton("png", asPng),
+        saveButton("csv", () => saveText(`${name()}.csv`, "text/csv", csvOf(picture()))))),
     keys, drawing, h("p", { class: "caption" }, rich(figure.caption)));
   const follows = figure.follows === true ? ["frame"] : figure.follows ?? [];
   let drawn = "";
@@ -36,12 +39,19 @@ export function figureCard(figure, sample, state) {
     keys.replaceChildren(...(there && figure.key ? figure.key(about).map(entry) : []));
     const before = drawing.clientHeight;
     drawing.replaceChildren((there && figure.draw(about)) || h("p", { class: "nothing" }, "Nothing of this kind in this state."));
+    label(picture(), figure);
     drawing.style.minHeight = picture() ? "" : `${before}px`;  // the page does not jump while the slider passes by
-    card.querySelectorAll(".save").forEach((button) => { button.disabled = !picture(); });
+    card.querySelectorAll(".save").forEach((button) => { button.disabled = !picture() || (button.dataset.save === "csv" && !rowsOf(picture()).length); });
   };
   new ResizeObserver(() => draw(false)).observe(drawing);
   state.watch(["theme", "frame", ...follows], () => draw(false));
   return card;
+}
+
+/** What is drawn, in words for who does not see it. */
+function label(svg, { title, caption }) {
+  svg?.setAttribute("role", "img");
+  svg?.setAttribute("aria-label", `${plain(title)}: ${plain(caption)}`);
 }
 
 /** The key's symbols: strokes within 18 by 8. */

@@ -33,8 +33,11 @@ function drawn(theme, { width, height = 250, x = {}, y = {}, marks, tips = null,
   svg.removeAttribute("class");
   svg.querySelectorAll("style").forEach((style) => style.remove());
   svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+  svg.numbers = tips ? [{ x: wordsOf(x), y: wordsOf(y), points: tips.points }] : [];
   return richSvg(svg);
 }
+
+const wordsOf = ({ label, short, unit }) => [short ?? label ?? "", unit].filter(Boolean).join(", ");
 
 export function decades([low, high]) {
   const list = [];
@@ -71,6 +74,7 @@ export function sideBySide(width, draw, gap = 18) {
     else x += part + gap;
     whole.append(p);
   });
+  whole.numbers = parts.flatMap((p) => p.numbers ?? []);
   const style = parts[0].getAttribute("style");
   if (style) whole.setAttribute("style", style);
   for (const name of ["font-family", "font-size", "fill", "text-anchor"])

@@ -4,8 +4,8 @@ import { chart, logAxis, points, sampled, sideBySide } from "./chart.js";
 
 const ends = (sets) => Math.max(2.5, ...sets.map(({ d }) => d.maximum ?? 0)) * 1.03;
 
-/** Survival function and its tail P_0 exp(beta (1 - x)), one line a set. */
-export function cumulativeChart(theme, sets, { x, y, semilog, width, height = 262 }) {
+/** Survival function and its tail P_0 exp(beta (1 - x)), one line a set; a line at the value `selected`. */
+export function cumulativeChart(theme, sets, { x, y, semilog, width, height = 262, selected = null }) {
   const top = ends(sets);
   const least = Math.min(...sets.map(({ d }) => 1 / d.count)) * 0.7;
   const shown = (list) => (semilog ? list.filter((p) => p.y >= least) : list);
@@ -21,6 +21,7 @@ export function cumulativeChart(theme, sets, { x, y, semilog, width, height = 26
     tips: { points: data },
     marks: [
       Plot.ruleX([1], { stroke: theme.soft, strokeDasharray: "2 3" }),
+      selected === null ? null : Plot.ruleX([selected], { stroke: theme.accent, strokeWidth: 2, className: "selected" }),
       Plot.line(data, { x: "x", y: "y", z: "name", stroke: "colour", strokeWidth: 1.1, strokeOpacity: 0.35 }),
       Plot.dot(data, { x: "x", y: "y", fill: "colour", r: 1.8 }),
       ...fits.map(({ line, colour }) => Plot.line(line, { x: "x", y: "y", stroke: colour, strokeWidth: 1.5, strokeDasharray: "6 3" })),
@@ -29,7 +30,7 @@ export function cumulativeChart(theme, sets, { x, y, semilog, width, height = 26
 }
 
 function materialSets(sample, theme, distribution) {
-  const { by_material: parts = {}, ...all } = distribution;
+  const { by_material = {}, ...all } = distribution, parts = sample.materials.length > 1 ? by_material : {};  // or there is one more of all
   return [{ name: "all", d: all, colour: theme.strong }, ...Object.entries(parts).map(([name, d]) => {
     const m = sample.materials.findIndex((material) => material.name === name);
     return { name, d, colour: m >= 0 ? materialLine(theme, m) : theme.mixedLine[1] };
@@ -37,7 +38,7 @@ function materialSets(sample, theme, distribution) {
 }
 
 function typeSets(sample, theme, distribution) {
-  const { by_type: parts = {}, ...all } = distribution;
+  const { by_type = {}, ...all } = distribution, parts = sample.materials.length > 1 ? by_type : {};
   return [{ name: "all", d: all, colour: theme.strong }, ...Object.entries(parts).map(([name, d]) => {
     const type = sample.types.find((t) => t.key === name || t.key.split("-").reverse().join("-") === name);
     return { name: type?.label ?? name, d, colour: type ? pairColour(theme, type) : theme.mixedLine[1] };
@@ -51,12 +52,14 @@ const key = (sets, shareName) => sets.map(({ name, colour, d }) => ({
 export const stressDistribution = {
   id: "sigma-norm", title: "Normalised stress of grains, \u03c3_{norm} = \u03c3_{hyd}/\u27e8\u03c3_{hyd}\u27e9", wide: true,
   caption: "P: survival function, the share of grains above \u03c3_{norm}. Dashed: P_{0} exp[\u03b2(1 \u2212 \u03c3_{norm})], maximum likelihood.",
+  follows: ["selected"],
   when: (texture) => texture.sigma_norm?.cumulative,
   key: ({ sample, texture, theme }) => key(materialSets(sample, theme, texture.sigma_norm), "P0"),
-  draw({ sample, texture, theme, width }) {
+  draw({ sample, state, texture, theme, width }) {
+    const chosen = state.get("selected"), selected = chosen === null ? null : sample.frame(texture.frame).sigmaNorm[chosen];
     const sets = materialSets(sample, theme, texture.sigma_norm);
     const axes = { x: "\u03c3_{norm}", y: "P(\u03c3_{norm})" };
-    return sideBySide(width, [false, true].map((semilog) => (part) => cumulativeChart(theme, sets, { ...axes, semilog, width: part })));
+    return sideBySide(width, [false, true].map((semilog) => (part) => cumulativeChart(theme, sets, { ...axes, semilog, width: part, selected })));
   },
 };
 

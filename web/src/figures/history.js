@@ -4,7 +4,8 @@ import { chart, decadesAround, logAxis } from "./chart.js";
 
 const sides = ["bottom", "top", "left", "right"];
 
-const stageOf = (sample, state) => sample.stages[sample.about.frames[state.get("frame")].stage];
+/** The stage of the state that is shown. */
+export const stageOf = (sample, state) => sample.stages[sample.about.frames[state.get("frame")].stage];
 
 /** The columns of these names of one stage: { name, rows: [{ x: time since the stage began, s; y }] }. */
 function columns(stage, names) {

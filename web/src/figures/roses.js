@@ -31,6 +31,7 @@ function sets(sample, texture, theme) {
   if (found("strong")) list.push({ label: "strong", colour: theme.strong, set: named.strong, inner: named.strong });
   if (found("weak")) list.push({ label: "weak", colour: theme.weak, set: named.weak });
   for (const type of sample.types) {
+    if (sample.materials.length === 1 && !type.wall) continue;  // they are all
     const name = [type.key, type.wall ? "" : `${type.key.split("-").reverse().join("-")}`].find((key) => found(key));
     if (name) list.push({ label: type.label, colour: pairColour(theme, type), set: named[name], inner: found(`${name} strong`) });
   }

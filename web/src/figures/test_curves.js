@@ -1,40 +1,33 @@
 import * as Plot from "@observablehq/plot";
 import { prefixOf } from "../text.js";
 import { chart, sideBySide } from "./chart.js";
+import { stageOf } from "./history.js";
 
-const stageOf = (sample, state) => sample.stages[sample.about.frames[state.get("frame")].stage];
+const ratioLabels = { mu: "friction, shear over normal force", q_over_p: "q/p by the forces on the sides" };
+const symbols = { mu: "\u03bc", q_over_p: "q/p" };
 
-/** Walls along a test, row by row: width and height of the sample, m; pressures on its sides over their sum. */
-function walls(history) {
-  const of = (name) => history[name]?.values;
-  const [l, r, b, t] = ["left", "right", "bottom", "top"].map((side) => of(`${side}_position`));
-  if (!l || !r || !b || !t || l.length < 3) return null;
-  const mean = (one, other, k) => 0.5 * ((of(`${one}_force`)?.[k] ?? 0) + (of(`${other}_force`)?.[k] ?? 0));
-  return Array.from(l, (_, k) => {
-    const width = r[k] - l[k], height = t[k] - b[k];
-    return { width, height, x: mean("left", "right", k) / height, y: mean("bottom", "top", k) / width, shear: of("top_shear_force")?.[k] ?? 0, normal: of("top_force")?.[k] ?? 0 };
-  });
-}
-
-/** What a stage was strained by: { label, of: row -> strain, % } of the shear, or of the side that moves farthest. */
-function strainOf(history, rows) {
-  if (history.shear_strain) return { label: "shear strain", unit: "", of: (k) => Math.abs(history.shear_strain.values[k]) };
-  const first = rows[0], last = rows.at(-1), x = 1 - last.width / first.width, y = 1 - last.height / first.height;
-  if (Math.max(Math.abs(x), Math.abs(y)) < 2e-3) return null;
-  const along = Math.abs(y) >= Math.abs(x) ? "height" : "width";
-  return { label: `strain of the ${along}`, unit: "%", of: (k) => 100 * (1 - rows[k][along] / first[along]) };
-}
-
+/** The curves of a stage as the program measured them: { strain, ratio: [{ x, y }], volume, critical }. Strains of sides in per cent. */
 function curvesOf(stage) {
-  const rows = stage.history && walls(stage.history), strain = rows && strainOf(stage.history, rows);
-  if (!strain) return null;
-  const sheared = Boolean(stage.history.shear_strain), area = rows[0].width * rows[0].height;
-  const ratio = (row) => (sheared ? (row.normal > 0 ? Math.abs(row.shear) / row.normal : null) : row.x + row.y > 0 ? Math.abs(row.y - row.x) / (row.x + row.y) : null);
+  const { test } = stage;
+  if (!test) return null;
+  const factor = test.strain_name === "shear strain" ? 1 : 100;
+  const against = (values, scale) => Array.from(test.strain, (x, k) => ({ x: factor * x, y: scale * values[k] })).filter(({ y }) => Number.isFinite(y) && Math.abs(y) < 200);
+  const critical = test.critical_state;
   return {
-    strain, ratioLabel: sheared ? "friction, shear over normal force" : "q/p by the forces on the sides",
-    ratio: rows.map((row, k) => ({ x: strain.of(k), y: ratio(row) })).filter(({ y }) => y !== null && y < 2),
-    volume: rows.map((row, k) => ({ x: strain.of(k), y: 100 * (1 - (row.width * row.height) / area) })),
+    strain: { label: test.strain_name, unit: factor === 1 ? "" : "%" }, symbol: symbols[test.ratio_name], ratioLabel: ratioLabels[test.ratio_name],
+    ratio: against(test.ratio, 1).filter(({ y }) => y < 2), volume: against(test.volume, 100),
+    critical: critical && { from: factor * critical.from, to: factor * critical.to, ratio: half(critical[test.ratio_name]), solid: half(critical.solid_fraction) },
   };
+}
+
+/** A number of the critical state with half its 95 % interval as error. */
+const half = ({ value, low_95: low, high_95: high }) => ({ value, low, high, error: (high - low) / 2 });
+
+/** What a stage's critical state says, for the headlines: [[name, symbol, { value, error }]]; none without one. */
+export function criticalTiles(stage) {
+  const curves = curvesOf(stage);
+  if (!curves?.critical) return [];
+  return [["critical state, 95 %", curves.symbol, curves.critical.ratio], ["critical state, 95 %", "\u03c6", curves.critical.solid]];
 }
 
 /** The curve thinned to means over about as many stretches as can be told apart. */
@@ -49,7 +42,17 @@ function smooth(points, most = 160) {
   return result;
 }
 
-function panel(theme, strain, points, y, width) {
+/** The plateau's band of 95 % and its mean, over the strain that it was taken from. */
+function plateau(theme, critical) {
+  if (!critical) return [];
+  const ends = [critical.from, critical.to].map((x) => ({ x, y: critical.ratio.value, low: critical.ratio.low, high: critical.ratio.high }));
+  return [
+    Plot.areaY(ends, { x: "x", y1: "low", y2: "high", fill: theme.accent, fillOpacity: 0.25 }),
+    Plot.line(ends, { x: "x", y: "y", stroke: theme.accent, strokeWidth: 1.7 }),
+  ];
+}
+
+function panel(theme, strain, points, y, width, critical = null) {
   const curve = smooth(points);
   return chart(theme, {
     width, height: 236, marginLeft: 60,
@@ -57,19 +60,24 @@ function panel(theme, strain, points, y, width) {
     marks: [
       ...(curve === points ? [] : [Plot.line(points, { x: "x", y: "y", stroke: theme.weak, strokeOpacity: 0.35, strokeWidth: 0.7 })]),
       Plot.line(curve, { x: "x", y: "y", stroke: theme.strong, strokeWidth: 1.7 }),
+      ...plateau(theme, critical),
     ],
   });
 }
 
 export const testCurves = {
   id: "test-curves", title: "Curves of the test", wide: true, follows: true,
-  caption: "Of the stage shown, from the forces on its sides and their places: stress ratio and volumetric strain (compaction positive) against strain; thin: every sample, line: means.",
+  caption: "Of the stage shown, from the forces on its sides and their places: stress ratio and volumetric strain (compaction positive) against strain; thin: every sample, line: means. Coloured: the critical state, over the strain where the ratio only fluctuates, with its 95 % band.",
   when: (texture, sample) => sample.stages.some((stage) => curvesOf(stage)),
+  key: ({ sample, state, theme }) => {
+    const critical = curvesOf(stageOf(sample, state))?.critical, { symbol } = curvesOf(stageOf(sample, state)) ?? {};
+    return critical ? [{ name: "critical state", colour: theme.accent, values: [[symbol, critical.ratio], ["\u03c6", critical.solid]] }] : [];
+  },
   draw({ sample, state, theme, width }) {
     const curves = curvesOf(stageOf(sample, state));
     if (!curves) return null;
     return sideBySide(width, [
-      (part) => panel(theme, curves.strain, curves.ratio, { label: curves.ratioLabel, nice: true }, part),
+      (part) => panel(theme, curves.strain, curves.ratio, { label: curves.ratioLabel, nice: true }, part, curves.critical),
       (part) => panel(theme, curves.strain, curves.volume, { label: "volumetric strain", unit: "%", nice: true }, part),
     ]);
   },

@@ -16,8 +16,8 @@ export function filmPanel(film, state) {
     h("div", { class: "controls" },
       choice("", "map", state, available(film).map((name) => [name, maps[name].label])),
       h("span", { class: "saves" },
-        h("button", { class: "save", title: "Save the picture as SVG", onclick: () => view.saveSvg() }, "SVG"),
-        h("button", { class: "save", title: "Save the picture as PNG", onclick: () => view.savePng() }, "PNG"))),
+        h("button", { class: "save", title: "Save the picture as SVG", "aria-label": "Save the picture of the film as SVG", onclick: () => view.saveSvg() }, "SVG"),
+        h("button", { class: "save", title: "Save the picture as PNG", "aria-label": "Save the picture of the film as PNG", onclick: () => view.savePng() }, "PNG"))),
     h("div", { class: "controls second" }, overlays(film, state), scale),
     view.element);
   return { panel, view };

@@ -1,96 +1,61 @@
+import { prefixOf } from "../text.js";
 import { bytes, materialColour } from "../theme.js";
+import { quantities, topOf, valuesOf } from "./quantities.js";
+import { shareOf } from "./scale.js";
 
 /** How far grains fade towards the background while force chains lie over them. */
 export const fadeUnderChains = (mode) => (mode === "material" ? 0.5 : 0.3);
 
-/** How grains may be coloured. A member gives: label; `scale(sample)` = { low, high, symbol, unit } or null where the
-    colours are names; `colour(sample, frame, theme)` = function from a grain to a colour. A new one is one more row. */
+const fromZero = (name, least = 0) => (sample) => [0, Math.max(topOf(name, sample), least)];
+const bothWays = (name, least = 0) => (sample) => [-Math.max(topOf(name, sample), least), Math.max(topOf(name, sample), least)];
+
+/** How grains may be coloured. By a quantity: `range(sample)` = [low, high] and `map`, which the reader may change; `title` where it is not the
+    quantity's label. By names: `colour(sample, theme)` = function from a grain to a colour, and `key(sample, theme)` = [[name, colour]]. A
+    new one is one more row. */
 export const colourings = {
   material: {
     label: "Material",
-    scale: () => null,
-    colour: (sample, frame, theme) => {
-      const table = sample.materials.map((_, m) => materialColour(theme, m));
-      return (g) => table[sample.material[g]];
-    },
+    colour: (sample, theme) => (g) => materialColour(theme, sample.material[g]),
   },
-  size: {
-    label: "Size",
-    scale: (sample) => {
-      const [low, high] = extent(sample.radius);
-      return { low: 2e3 * low, high: 2e3 * high, title: "Diameter, mm", map: "size" };
-    },
-    colour: (sample, frame, theme) => {
-      const [low, high] = extent(sample.radius);
-      return ramp(theme.size, (g) => (high > low ? (sample.radius[g] - low) / (high - low) : 0.5));
-    },
-  },
-  stress: {
-    label: "\u03c3_{norm}",
-    scale: (sample) => ({ low: 0, high: stressTop(sample), title: "\u03c3_{norm} = \u03c3_{hyd} / \u27e8\u03c3_{hyd}\u27e9", map: "stress", open: true }),
-    colour: (sample, frame, theme) => {
-      const top = stressTop(sample);
-      return ramp(theme.stress, (g) => frame.sigmaNorm[g] / top);
-    },
-  },
-  coordination: {
-    label: "z",
-    scale: () => ({ low: 0, high: 6, title: "Contacts of a grain", map: "size", open: true }),
-    colour: (sample, frame, theme) => ramp(theme.size, (g) => sample.coordination(frame, g) / 6),
-  },
-  displacement: {
-    label: "Displacement",
-    when: (sample) => sample.frameCount > 1,
-    scale: (sample) => ({ low: 0, high: 1e3 * displacementTop(sample), title: "Displacement since the first state of the stage, mm", map: "size", open: true }),
-    colour: (sample, frame, theme) => {
-      const way = displacements(sample, frame), top = displacementTop(sample);
-      return ramp(theme.size, (g) => way[g] / top);
-    },
-  },
-  friction: {
-    label: "|F_{t}|/F_{n}",
-    when: (sample) => sample.frame(sample.frameCount - 1).contacts.ft?.some((force) => force !== 0),
-    scale: () => ({ low: 0, high: 0.5, title: "Mean |F_{t}|/F_{n} at the contacts of a grain", map: "size", open: true }),
-    colour: (sample, frame, theme) => {
-      const mobilised = mobilisations(sample, frame);
-      return ramp(theme.size, (g) => mobilised[g] / 0.5);
-    },
-  },
+  size: { range: (sample) => extent(sample.radius).map((r) => 2 * r), map: "viridis", closed: true },
+  stress: { title: "\u03c3_{norm} = \u03c3_{hyd} / \u27e8\u03c3_{hyd}\u27e9", range: (sample) => [0, Math.max(1, Math.ceil(2 * topOf("stress", sample)) / 2)], map: "magma" },
+  pressure: { range: fromZero("pressure"), map: "magma" },
+  deviator: { range: fromZero("deviator"), map: "magma" },
+  coordination: { title: "Contacts of a grain", range: () => [0, 6], map: "viridis" },
+  displacement: { title: "Displacement since the first state of the stage", range: fromZero("displacement", 1e-9), map: "viridis" },
+  rotation: { title: "Rotation since the first state of the stage, counter-clockwise", range: bothWays("rotation", 1e-6), map: "diverging" },
+  speed: { range: fromZero("speed", 1e-12), map: "viridis" },
+  vx: { range: bothWays("vx", 1e-12), map: "diverging" },
+  vy: { range: bothWays("vy", 1e-12), map: "diverging" },
+  spin: { title: "Angular velocity, counter-clockwise", range: bothWays("spin", 1e-9), map: "diverging" },
+  friction: { title: "Mean |F_{t}|/F_{n} at the contacts of a grain", range: () => [0, 0.5], map: "viridis" },
   zone: {
     label: "Zone",
     when: (sample) => sample.hasZones,
-    scale: () => null,
-    colour: (sample, frame, theme) => (g) => (sample.zone[g] > 0 ? theme.materialLine[(sample.zone[g] + 1) % 4] : theme.weak),
+    colour: (sample, theme) => (g) => (sample.zone[g] > 0 ? theme.materialLine[(sample.zone[g] + 1) % 4] : theme.weak),
+    key: (sample, theme) => [["outside", theme.weak], ["inside the region", theme.materialLine[2]]],
   },
 };
 
-/** Ways since the first state of the frame's stage, m; over periodic sides the shorter one. */
-function displacements(sample, frame) {
-  const start = sample.frame(sample.about.frames.findIndex(({ stage }) => stage === frame.stage)), { walls } = frame.domain;
-  const width = frame.domain.periodic[0] ? walls[1].position - walls[0].position : Infinity;
-  const height = frame.domain.periodic[1] ? walls[3].position - walls[2].position : Infinity;
-  const shorter = (d, size) => (size < Infinity ? d - size * Math.round(d / size) : d);
-  return frame.x.map((x, g) => {
-    const up = frame.y[g] - start.y[g], rows = height < Infinity ? Math.round(up / height) : 0;
-    return Math.hypot(shorter(x - start.x[g] - rows * (frame.domain.tilt ?? 0), width), shorter(up, height));
-  });
+/** Those that a sample has: [[mode, label]]. */
+export function colouringsOf(sample) {
+  return Object.entries(colourings).filter(([mode, { when = quantities[mode]?.when }]) => when?.(sample) ?? true)
+    .map(([mode, { label }]) => [mode, label ?? quantities[mode].label]);
 }
 
-/** Upper end of the scale of displacements: all but a few grains of the last state moved less. */
-function displacementTop(sample) {
-  if (sample.displacementTop) return sample.displacementTop;
-  const sorted = Float32Array.from(displacements(sample, sample.frame(sample.frameCount - 1))).sort();
-  return (sample.displacementTop = Math.max(sorted[Math.floor(0.99 * (sorted.length - 1))], 1e-9));
-}
+const decadesOfLog = 3;  // below the upper end, where the lower one is no positive number
 
-function mobilisations(sample, frame) {
-  const { start, list } = sample.contactsByGrain(frame), { fn, ft } = frame.contacts;
-  return frame.x.map((_, g) => {
-    let sum = 0, count = 0;
-    for (let c = start[g]; c < start[g + 1]; ++c)
-      if (fn[list[c]] > 0) sum += Math.abs(ft[list[c]]) / fn[list[c]], ++count;
-    return count > 0 ? sum / count : 0;
-  });
+/** What the colours of a quantity mean: { low, high (SI), log, map, title, unit, factor }; null where they are names. What the reader chose
+    (`scales` of the state, by mode) goes before the usual. */
+export function scaleOf(sample, state, mode = state.get("colour")) {
+  const { range, map, closed, title } = colourings[mode];
+  if (!range) return null;
+  const [least, most] = range(sample), chosen = state.get("scales")?.[mode] ?? {};
+  const { factor, prefix } = prefixOf(Math.max(Math.abs(least), Math.abs(most)), quantities[mode].unit);
+  const high = chosen.high ?? most, log = Boolean(chosen.log) && high > 0;
+  let low = chosen.low ?? least;
+  if (log && !(low > 0 && low < high)) low = high / 10 ** decadesOfLog;
+  return { low, high, log, map: chosen.map ?? map, open: !closed || chosen.high !== undefined, title: title ?? quantities[mode].label, factor, unit: prefix + quantities[mode].unit };
 }
 
 function extent(values) {
@@ -99,23 +64,16 @@ function extent(values) {
   return [low, high];
 }
 
-function ramp(map, of) {
-  const table = Array.from({ length: 256 }, (_, k) => map(k / 255));
-  return (g) => table[Math.round(255 * Math.min(1, Math.max(0, of(g) || 0)))];
-}
-
-/** Upper end of the stress scale: all but a few grains lie below; one scale for all frames, so that they compare. */
-function stressTop(sample) {
-  if (sample.stressTop) return sample.stressTop;
-  const last = sample.frame(sample.frameCount - 1);
-  const sorted = Float32Array.from(last.sigmaNorm).sort();
-  const high = sorted[Math.floor(0.99 * (sorted.length - 1))];
-  return (sample.stressTop = Math.max(1, Math.ceil(2 * high) / 2));
+/** Function from a grain to its colour; `scale` = that of the quantity (scale.js), null where colours have names. */
+export function grainColour(sample, frame, mode, scale, theme) {
+  if (!scale) return colourings[mode].colour(sample, theme);
+  const values = valuesOf(mode, sample, frame), map = theme.maps[scale.map], table = Array.from({ length: 256 }, (_, k) => map(k / 255));
+  return (g) => table[Math.round(255 * shareOf(scale, values[g]))];
 }
 
 /** Colours of all grains as bytes for the graphics card. */
-export function grainColours(sample, frame, mode, theme) {
-  const colour = colourings[mode].colour(sample, frame, theme);
+export function grainColours(sample, frame, mode, scale, theme) {
+  const colour = grainColour(sample, frame, mode, scale, theme);
   const known = new Map();
   const out = new Uint8Array(4 * sample.count);
   for (let g = 0; g < sample.count; ++g) {

@@ -3,30 +3,31 @@ import { materialColour } from "../theme.js";
 import { text } from "../text.js";
 import { scaleBar } from "../scale_bar.js";
 import { chainWidth } from "./chains.js";
-import { colourings } from "./colouring.js";
+import { colourings, scaleOf } from "./colouring.js";
+import { middleOf } from "./scale.js";
 
 export const legendHeight = 62;
 
 /** The strip below the packing: what the colours mean, how thick which force is, and a bar of known length. */
 export function legend(sample, frame, camera, theme, state, width) {
   const group = s("g", { "font-family": theme.font, "font-size": 11.5, fill: theme.soft });
-  group.append(colourKey(sample, frame, theme, state.get("colour"), width));
+  group.append(colourKey(sample, theme, state, width));
   group.append(scaleBar(camera, theme, width));
   if (state.get("chains") && frame.meanForce > 0) group.append(chainKey(sample, frame, camera, theme, width));
   return richSvg(group);
 }
 
-function colourKey(sample, frame, theme, mode, width) {
-  const scale = colourings[mode].scale(sample);
+function colourKey(sample, theme, state, width) {
+  const scale = scaleOf(sample, state);
   if (scale) return ramp(scale, theme, Math.min(190, width * 0.34));
-  if (mode !== "material") return s("g", {}, dot(6, 15, theme.weak), label(18, 15, "outside"), dot(82, 15, theme.materialLine[2]), label(94, 15, "inside the region"));
+  const names = colourings[state.get("colour")].key?.(sample, theme) ??
+    sample.materials.map(({ name }, m) => [`${name} (${text.count(sample.materialCounts[m])})`, materialColour(theme, m)]);
   const key = s("g");
   let x = 6;
-  sample.materials.forEach((material, m) => {
-    const name = `${material.name} (${text.count(sample.materialCounts[m])})`;
-    key.append(dot(x + 1, 15, materialColour(theme, m), theme), label(x + 13, 15, name));
+  for (const [name, colour] of names) {
+    key.append(dot(x + 1, 15, colour, theme), label(x + 13, 15, name));
     x += 34 + 6.4 * name.length;
-  });
+  }
   return key;
 }
 
@@ -36,13 +37,12 @@ function dot(x, y, fill, theme) {
 
 function ramp(scale, theme, length) {
   const group = s("g");
-  const steps = 48, map = theme[scale.map];
+  const steps = 48, map = theme.maps[scale.map], write = (v) => text.number(v / scale.factor, 3);
   for (let k = 0; k < steps; ++k)
     group.append(s("rect", { x: (k * length) / steps, y: 18, width: length / steps + 0.6, height: 9, fill: map((k + 0.5) / steps) }));
-  const middle = (scale.low + scale.high) / 2;
-  group.append(label(0, 8, scale.title), label(0, 37, text.number(scale.low, 3)),
-    label(length / 2, 37, text.number(middle, 3), "middle"),
-    label(length, 37, (scale.open ? "\u2265\u202f" : "") + text.number(scale.high, 3), "end"));
+  const title = scale.unit ? `${scale.title}, ${scale.unit}` : scale.title;
+  group.append(label(0, 8, title), label(0, 37, write(scale.low)), label(length / 2, 37, write(middleOf(scale)), "middle"),
+    label(length, 37, (scale.open ? "\u2265\u202f" : "") + write(scale.high), "end"));
   return group;
 }
 

@@ -5,9 +5,10 @@ import { chainWidth, segmentsOf } from "./chains.js";
 const thick = 5;
 
 /** What lies over the grains as vectors: walls with the forces on them, and the outline of what the pointer is on. */
-export function overlay(sample, frame, camera, theme, { walls, picked }) {
+export function overlay(sample, frame, camera, theme, { walls, picked = null, selected = null }) {
   const group = s("g", { "font-family": theme.font, "font-size": 11.5 });
   if (walls) group.append(...wallShapes(sample, frame, camera, theme), ...boundaryShapes(frame, camera, theme));
+  if (selected !== null) group.append(ring(sample, frame, camera, selected, theme.card, 5), ring(sample, frame, camera, selected, theme.accent, 3, "selected"));
   if (picked) group.append(...outline(sample, frame, camera, theme, picked));
   return group;
 }
@@ -47,10 +48,14 @@ function boundaryShapes(frame, camera, theme) {
   }));
 }
 
+function ring(sample, frame, camera, grain, stroke, width, name = null) {
+  const [cx, cy] = camera.toScreen(frame.x[grain], frame.y[grain]);
+  return s("circle", { cx, cy, r: sample.radius[grain] * camera.scale + 1, fill: "none", stroke, "stroke-width": width, class: name });
+}
+
 function outline(sample, frame, camera, theme, { grain, contact }) {
   if (grain !== undefined) {
-    const [cx, cy] = camera.toScreen(frame.x[grain], frame.y[grain]);
-    return [s("circle", { cx, cy, r: sample.radius[grain] * camera.scale + 1, fill: "none", stroke: theme.ink, "stroke-width": 2 })];
+    return [ring(sample, frame, camera, grain, theme.ink, 2)];
   }
   const width = Math.max(3, chainWidth(sample, frame, frame.contacts.fn[contact]) * camera.scale) + 3;
   return segmentsOf(sample, frame, contact).map(([ax, ay, bx, by]) => {

@@ -1,15 +1,14 @@
-import { choice } from "../choice.js";
 import { h } from "../dom.js";
 import { pairColour, themeOf } from "../theme.js";
 import { text } from "../text.js";
-import { colourings } from "./colouring.js";
+import { colourControls } from "./colour_controls.js";
 import { timeline } from "./timeline.js";
 import { PackingView } from "./view.js";
 
 /** The card with the packing: what to colour, which chains to show, the picture and the slider over the loading. */
 export function packingPanel(sample, state) {
   const view = new PackingView(sample, state);
-  const svgButton = h("button", { class: "save", onclick: () => view.saveSvg() }, "SVG");
+  const svgButton = h("button", { class: "save", "aria-label": "Save the picture of the packing as SVG", onclick: () => view.saveSvg() }, "SVG");
   const refreshSave = () => {
     svgButton.disabled = !view.fewEnoughForSvg;
     svgButton.title = view.fewEnoughForSvg ? "Save the picture as SVG" : "Too many grains for an SVG: save a PNG";
@@ -18,9 +17,9 @@ export function packingPanel(sample, state) {
   refreshSave();
   const panel = h("section", { class: "card packing", "aria-label": "Packing" },
     h("div", { class: "controls" },
-      choice("Grains", "colour", state, Object.entries(colourings).filter(([, c]) => c.when?.(sample) ?? true).map(([key, c]) => [key, c.label])),
+      colourControls(sample, state),
       chainControls(sample, state),
-      h("span", { class: "saves" }, svgButton, h("button", { class: "save", title: "Save the picture as PNG", onclick: () => view.savePng() }, "PNG"))),
+      h("span", { class: "saves" }, svgButton, h("button", { class: "save", title: "Save the picture as PNG", "aria-label": "Save the picture of the packing as PNG", onclick: () => view.savePng() }, "PNG"))),
     typeFilter(sample, state),
     view.element,
     timeline(sample, state));

@@ -1,6 +1,6 @@
 import { s } from "../dom.js";
 import { chainColour, chainWidth, segmentsOf, shownContacts } from "./chains.js";
-import { colourings, fadeUnderChains } from "./colouring.js";
+import { fadeUnderChains, grainColour, scaleOf } from "./colouring.js";
 import { legend, legendHeight } from "./legend.js";
 import { overlay } from "./overlay.js";
 
@@ -24,7 +24,7 @@ export function packingSvg(sample, frame, camera, theme, state) {
 }
 
 function grains(sample, frame, camera, theme, state) {
-  const colour = colourings[state.get("colour")].colour(sample, frame, theme);
+  const colour = grainColour(sample, frame, state.get("colour"), scaleOf(sample, state), theme);
   const opacity = state.get("chains") ? 1 - fadeUnderChains(state.get("colour")) : 1;
   const group = s("g", { "fill-opacity": opacity, stroke: theme.ink, "stroke-opacity": 0.3, "stroke-width": 0.75 });
   for (let g = 0; g < sample.count; ++g) {

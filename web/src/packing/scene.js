@@ -1,7 +1,7 @@
 import createRegl from "regl";
 import { bytes } from "../theme.js";
 import { chainBuffers } from "./chains.js";
-import { fadeUnderChains, grainColours } from "./colouring.js";
+import { fadeUnderChains, grainColours, scaleOf } from "./colouring.js";
 import { diskDrawing } from "./disks.js";
 import { segmentDrawing } from "./segments.js";
 
@@ -40,8 +40,8 @@ export class Scene {
     this.grains.angle({ data: frame.angle, usage: "dynamic" });
   }
 
-  updateColours(frame, mode, theme) {
-    this.grains.colour({ data: grainColours(this.sample, frame, mode, theme), usage: "dynamic" });
+  updateColours(frame, state, theme) {
+    this.grains.colour({ data: grainColours(this.sample, frame, state.get("colour"), scaleOf(this.sample, state), theme), usage: "dynamic" });
   }
 
   updateChains(state, frame, theme) {

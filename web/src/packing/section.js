@@ -1,9 +1,14 @@
+import { forms, keepInAddress } from "../address.js";
 import { h } from "../dom.js";
 import { figureCard } from "../figures/card.js";
+import { layers } from "../figures/coarse_fields.js";
 import { figures } from "../figures/index.js";
 import { headlines, numbersTable } from "../numbers.js";
 import { State } from "../state.js";
+import { colouringsOf } from "./colouring.js";
+import { grainTable } from "./grain_table.js";
 import { packingPanel } from "./panel.js";
+import { knownQuantities } from "./quantities.js";
 
 function begin(sample, page) {
   return new State({
@@ -15,17 +20,31 @@ function begin(sample, page) {
     strength: "all",
     types: new Set(sample.types.keys()),
     marks: false,
+    scales: {},        // what the reader changed of the colours, by colouring
+    selected: null,    // the grain that was clicked, in the picture, the table or a chart
+    pointed: null,     // the grain whose row or point the pointer is on
+    across: "size", up: "stress", field: sample.fields(sample.frameCount - 1)?.vx ? "speed" : "solid_fraction",
+  });
+}
+
+/** What a link to the page keeps of the reader's choice. */
+function keep(sample, state) {
+  const names = knownQuantities(sample).map(([name]) => name);
+  keepInAddress(state, {
+    frame: forms.whole(sample.frameCount), colour: forms.word(colouringsOf(sample).map(([mode]) => mode)), scales: forms.tree, chains: forms.truth,
+    strength: forms.word(["all", "strong", "weak", "tensile"]), marks: forms.truth, selected: forms.whole(sample.count), across: forms.word(names), up: forms.word(names), field: forms.word(Object.keys(layers)),
   });
 }
 
 /** The packing with its figures and tables: { element, sample, state, view }. */
 export function packingSection(sample, page) {
   const state = begin(sample, page);
+  keep(sample, state);
   page.watch(["theme"], () => state.set({ theme: page.get("theme") }));
   const texture = sample.texture(state.get("frame"));
   const drawable = figures.filter((figure) => figure.when(texture ?? {}, sample));
   const { panel, view } = packingPanel(sample, state);
   const cards = h("div", { class: "figures" }, drawable.map((figure) => figureCard(figure, sample, state)));
-  const element = h("div", {}, h("main", {}, panel, h("div", { class: "results" }, headlines(sample, state), cards)), numbersTable(sample, state));
+  const element = h("div", {}, h("main", {}, panel, h("div", { class: "results" }, headlines(sample, state), cards)), numbersTable(sample, state), grainTable(sample, state));
   return { element, sample, state, view };
 }

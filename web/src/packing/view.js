@@ -9,16 +9,20 @@ import { Scene } from "./scene.js";
 
 const label = "The packing";
 
+/** The grain whose row of the table, or point of a chart, the pointer is on. */
+const pointed = (state) => (state.get("pointed") === null ? null : { grain: state.get("pointed") });
+
 /** The picture of the packing: canvas, overlay, legend and what the pointer does on them. */
 export class PackingView extends CanvasView {
   constructor(sample, state) {
     super(state, { name: "grains", label, margin: 26, legendHeight, parts: ["positions", "colours", "chains"] });
     this.sample = sample;
     this.scene = new Scene(this.canvas, sample);
-    this.listen();
+    this.listen({ click: () => this.select() });
     state.watch(["frame"], () => this.refresh("positions", "colours", "chains"));
-    state.watch(["colour"], () => this.refresh("colours"));
+    state.watch(["colour", "scales"], () => this.refresh("colours"));
     state.watch(["theme"], () => this.refresh("colours", "chains"));
+    state.watch(["selected", "pointed"], () => this.sized && this.drawOverlay());
     state.watch(["chains", "types", "strength", "marks"], () => this.refresh("chains"));
   }
 
@@ -45,7 +49,7 @@ export class PackingView extends CanvasView {
   update(stale) {
     const { frame, theme, state } = this;
     if (stale.has("positions")) this.scene.updatePositions(frame);
-    if (stale.has("colours")) this.scene.updateColours(frame, state.get("colour"), theme);
+    if (stale.has("colours")) this.scene.updateColours(frame, state, theme);
     if (stale.has("chains")) this.scene.updateChains(state, frame, theme);
   }
 
@@ -54,7 +58,7 @@ export class PackingView extends CanvasView {
   legend() { return legend(this.sample, this.frame, this.camera, this.theme, this.state, this.camera.width); }
 
   drawOverlay() {
-    this.over.replaceChildren(overlay(this.sample, this.frame, this.camera, this.theme, { walls: true, picked: this.picked }));
+    this.over.replaceChildren(overlay(this.sample, this.frame, this.camera, this.theme, { walls: true, picked: this.picked ?? pointed(this.state), selected: this.state.get("selected") }));
   }
 
   pick([px, py]) {
@@ -66,6 +70,12 @@ export class PackingView extends CanvasView {
     this.picked = contact !== null ? { contact } : { grain };
     this.drawOverlay();
     this.tooltip.show(this.picked, this.sample, this.frame, this.theme, [px, py]);
+  }
+
+  /** The grain under the pointer, which table and charts mark too; none where it is there already, or where no grain is. */
+  select() {
+    const grain = this.picked?.grain ?? null;
+    this.state.set({ selected: grain === this.state.get("selected") ? null : grain });
   }
 
   get name() { return fileName(this.sample.title, "packing", this.state.get("colour")); }

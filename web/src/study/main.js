@@ -3,6 +3,7 @@ import { figureCard } from "../figures/card.js";
 import { State } from "../state.js";
 import { followTheme, preferredTheme } from "../theme.js";
 import { studyFigure } from "./figure.js";
+import { runsTable } from "./runs_table.js";
 
 function head(about, state) {
   const button = h("button", { class: "theme", title: "Light or dark", onclick: () => state.set({ theme: state.get("theme") === "dark" ? "light" : "dark" }) }, "\u25d0");
@@ -18,7 +19,7 @@ function main() {
     const sample = { title: about.title, texture: () => null };
     const cards = about.figures.map((figure) => figureCard(studyFigure(figure), sample, state));
     cards.forEach((card, k) => { card.id = about.figures[k].id; });
-    page.replaceChildren(head(about, state), h("div", { class: "figures study" }, cards), h("footer", {}, h("p", {}, about.made)));
+    page.replaceChildren(head(about, state), h("div", { class: "figures study" }, cards), about.table && runsTable(about.title, about.table), h("footer", {}, h("p", {}, about.made)));
     document.getElementById(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
     document.documentElement.dataset.ready = "true";
   } catch (error) {

@@ -1,0 +1,187 @@
+#include "report/test_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "core/error.hpp"
+#include "recipe/recipe.hpp"
+#include "report/result_text.hpp"
+
+namespace arenite::report {
+namespace {
+
+constexpr double least_strain = 2e-3;
+constexpr double unloaded = 0.01;  // of the largest stress in the stage: ratios to less are noise
+
+const std::vector<double>* column(const History& history, const std::string& name) {
+  for (const auto& c : history.columns)
+    if (c.name == name) return &c.values;
+  return nullptr;
+}
+
+struct Sides {
+  std::vector<double> time, width, height;  ///< s, m
+  std::vector<double> normal_x, normal_y;   ///< mean forces on the sides, N
+  std::vector<double> along_x, along_y;     ///< half the difference of the shear forces on bottom and top, on left and right, N
+};
+
+/// Mean of two columns, or half their difference; zeros where there is none.
+std::vector<double> half_sum(const History& history, const std::string& one, const std::string& other, double sign, std::size_t rows) {
+  std::vector<double> result(rows, 0.0);
+  const auto *a = column(history, one), *b = column(history, other);
+  for (std::size_t k = 0; k < rows; ++k) result[k] = 0.5 * ((a ? (*a)[k] : 0) + sign * (b ? (*b)[k] : 0));
+  return result;
+}
+
+std::optional<Sides> sides_of(const History& history) {
+  const auto* time = column(history, "time");
+  if (!time || time->size() < 3) return {};
+  const std::size_t rows = time->size();
+  for (const char* side : side_names)
+    if (!column(history, std::string(side) + "_position")) return {};
+  Sides s;
+  s.time = *time;
+  s.width = half_sum(history, "right_position", "left_position", -1, rows);
+  s.height = half_sum(history, "top_position", "bottom_position", -1, rows);
+  for (auto* size : {&s.width, &s.height})
+    for (double& v : *size) v *= 2;
+  s.normal_x = half_sum(history, "left_force", "right_force", 1, rows);
+  s.normal_y = half_sum(history, "bottom_force", "top_force", 1, rows);
+  s.along_x = half_sum(history, "bottom_shear_force", "top_shear_force", -1, rows);
+  s.along_y = half_sum(history, "left_shear_force", "right_shear_force", -1, rows);
+  return s;
+}
+
+/// How fast each wall slides along itself, as the stage's recipe says.
+std::array<double, 4> slide_of(const StageResult& stage) {
+  try {
+    for (const auto& one : recipe::parse_recipe(stage.provenance.recipe, "recipe").stages)
+      if (one.name == stage.name) return one.slide;
+  } catch (const InputError&) {}
+  return {};
+}
+
+/// Strain by sides that slide at these speeds: the rate is their difference over their distance.
+std::vector<double> slid(const Sides& s, double difference, const std::vector<double>& distance) {
+  std::vector<double> strain(s.time.size(), 0.0);
+  for (std::size_t k = 1; k < strain.size(); ++k)
+    strain[k] = strain[k - 1] + 0.5 * difference * (1 / distance[k - 1] + 1 / distance[k]) * (s.time[k] - s.time[k - 1]);
+  return strain;
+}
+
+void strain_by_sides(TestCurves& curves, const Sides& s) {
+  const double x = 1 - s.width.back() / s.width.front(), y = 1 - s.height.back() / s.height.front();
+  const bool upright = std::abs(y) >= std::abs(x);
+  const auto& size = upright ? s.height : s.width;
+  curves.strain_name = upright ? "strain of the height" : "strain of the width";
+  for (const double v : size) curves.strain.push_back(1 - v / size.front());
+}
+
+/// a/b, NaN where b is all but nothing.
+std::vector<double> ratio(const std::vector<double>& a, const std::vector<double>& b) {
+  const double least = unloaded * *std::ranges::max_element(b);
+  std::vector<double> result;
+  for (std::size_t k = 0; k < a.size(); ++k) result.push_back(b[k] > least && b[k] > 0 ? std::abs(a[k]) / b[k] : statistics::unknown);
+  return result;
+}
+
+std::vector<double> q_over_p(const Sides& s) {
+  std::vector<double> p, q;
+  for (std::size_t k = 0; k < s.time.size(); ++k) {
+    const double xx = s.normal_x[k] / s.height[k], yy = s.normal_y[k] / s.width[k], tau = s.along_x[k] / s.width[k];
+    p.push_back(0.5 * (xx + yy));
+    q.push_back(std::hypot(0.5 * (xx - yy), tau));
+  }
+  return ratio(q, p);
+}
+
+double area_of_grains(const Packing& packing) {
+  double area = 0;
+  for (const double r : packing.grains.radius) area += std::numbers::pi * r * r;
+  return area;
+}
+
+/// Shear along the sides, in a cell that is sheared or between walls that slide. False where neither is.
+bool strain_by_shear(TestCurves& curves, const StageResult& stage, const Sides& s) {
+  const auto slide = slide_of(stage);
+  const double along_x = slide[top] - slide[bottom], along_y = slide[right] - slide[left];
+  if (const auto* sheared = column(stage.history, "shear_strain"))
+    for (const double v : *sheared) curves.strain.push_back(std::abs(v - sheared->front()));
+  else if (along_x != 0 || along_y != 0) curves.strain = along_x != 0 ? slid(s, std::abs(along_x), s.height) : slid(s, std::abs(along_y), s.width);
+  else return false;
+  curves.strain_name = "shear strain";
+  curves.sheared = true;
+  curves.ratio = along_x == 0 && along_y != 0 ? ratio(s.along_y, s.normal_x) : ratio(s.along_x, s.normal_y);
+  return true;
+}
+
+statistics::Measured over(const std::vector<double>& values, std::size_t first) { return fields::block_average(std::span(values).subspan(first)).mean; }
+
+Numbers with_interval(const statistics::Measured& m) {
+  const auto interval = statistics::confidence_95(m);
+  return {{"value", m.value}, {"error", m.error}, {"low_95", interval.low}, {"high_95", interval.high}};
+}
+
+}  // namespace
+
+std::optional<TestCurves> test_curves(const StageResult& stage) {
+  const auto s = sides_of(stage.history);
+  if (!s || stage.frames.empty() || !(s->width.front() > 0) || !(s->height.front() > 0)) return {};
+  TestCurves curves;
+  if (!strain_by_shear(curves, stage, *s)) {
+    strain_by_sides(curves, *s);
+    curves.ratio = q_over_p(*s);
+  }
+  if (std::ranges::none_of(curves.strain, [](double v) { return std::abs(v) >= least_strain; })) return {};
+  const double grains = area_of_grains(stage.frames.back().packing), start = s->width.front() * s->height.front();
+  for (std::size_t k = 0; k < s->time.size(); ++k) {
+    const double area = s->width[k] * s->height[k];
+    curves.volume.push_back(1 - area / start);
+    curves.solid_fraction.push_back(grains / area);
+  }
+  return curves;
+}
+
+std::optional<CriticalState> critical_state(const TestCurves& curves) {
+  const auto loaded = std::ranges::find_if(curves.ratio, [](double v) { return std::isfinite(v); });
+  const auto offset = static_cast<std::size_t>(loaded - curves.ratio.begin());
+  const std::vector<double> ratio(loaded, curves.ratio.end());
+  const double last = curves.strain.back(), farthest = *std::ranges::max_element(curves.strain);
+  if (ratio.size() < 60 || !(last >= 0.95 * farthest) || std::ranges::any_of(ratio, [](double v) { return !std::isfinite(v); })) return {};
+  const auto steady = fields::find_steady_state(ratio);
+  const auto solid = fields::find_steady_state(std::span(curves.solid_fraction).subspan(offset));
+  const std::size_t first = offset + std::max(steady.first, solid.first);
+  const auto plateau = over(curves.ratio, first);
+  if (!steady.reached || !std::isfinite(plateau.error) || last - curves.strain[first] < 0.2 * last) return {};
+  return CriticalState{curves.strain[first], last, plateau, over(curves.solid_fraction, first)};
+}
+
+std::string critical_state_text(const StageResult& stage) {
+  const auto curves = test_curves(stage);
+  const auto state = curves ? critical_state(*curves) : std::nullopt;
+  if (!state) return {};
+  const auto shown = [](const statistics::Measured& m) {
+    const auto interval = statistics::confidence_95(m);
+    return statistics::with_error({m.value, 0.5 * (interval.high - interval.low)});
+  };
+  TextLines rows(TextLines::Layout::explained);
+  rows.heading(fmt::format("Critical state: {} from {:.3g} to {:.3g}, each +- its 95 % error", curves->strain_name, state->from, state->to));
+  rows.add(curves->sheared ? "friction mu" : "q/p", shown(state->ratio),
+           curves->sheared ? "shear over normal stress on the sides" : "by the forces on the sides");
+  rows.add("solid fraction", shown(state->solid_fraction), "of the whole box");
+  return std::move(rows).text();
+}
+
+Numbers numbers_of(const TestCurves& curves, const CriticalState& state) {
+  return {{"strain", curves.strain_name},
+          {"from", state.from},
+          {"to", state.to},
+          {curves.ratio_name(), with_interval(state.ratio)},
+          {"solid_fraction", with_interval(state.solid_fraction)}};
+}
+
+}  // namespace arenite::report

@@ -1,0 +1,43 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grains/fields/steady_state.hpp"
+#include "model/result.hpp"
+
+namespace arenite::report {
+
+/// What was sampled while a stage strained its sample, row by row of its history.
+struct TestCurves {
+  std::string strain_name;             ///< "shear strain", "strain of the height", "strain of the width"
+  bool sheared = false;                ///< along the sides: the ratio is shear over normal stress there, "mu"; else q over p of the sides, "q_over_p"
+  std::vector<double> strain;          ///< since the first row, positive where a side shortens
+  std::vector<double> ratio;           ///< NaN where the sides are all but unloaded
+  std::vector<double> volume;          ///< volumetric strain since the first row, compaction positive
+  std::vector<double> solid_fraction;  ///< of the whole box
+
+  std::string ratio_name() const { return sheared ? "mu" : "q_over_p"; }
+};
+
+/// From the forces on the sides and their places. Nothing for a stage that strains by less than 0.2 %, or kept no history of its sides.
+std::optional<TestCurves> test_curves(const StageResult& stage);
+
+/// The critical state: the part of a test in which its ratio only fluctuates while the strain goes on.
+struct CriticalState {
+  double from = 0, to = 0;  ///< strain
+  statistics::Measured ratio, solid_fraction;
+};
+
+/// Where the transients of both have ended (fields::find_steady_state). Nothing where the test was cyclic, where its strain all but stops, or where
+/// the ratio drifts to the end; the solid fraction is without an error where too few of its fluctuations fit into the test.
+std::optional<CriticalState> critical_state(const TestCurves& curves);
+
+/// As `arenite show --json` and the page have it: from, to, and value, error, low_95, high_95 of the ratio, by its name, and of the solid fraction.
+Numbers numbers_of(const TestCurves& curves, const CriticalState& state);
+
+/// For people, under a heading; empty where there is none.
+std::string critical_state_text(const StageResult& stage);
+
+}  // namespace arenite::report
