@@ -179,11 +179,13 @@ bool has_driven_edge(const Sample& s) {
 template <int extrapolation> bool verlet(Sample& s, const Team& team) { return verlet_sweep(s, extrapolation, team); }
 
 template <class Sweep> void run(Sample& s, const Team& team, std::int64_t steps, Sweep&& sweep) {
-  const bool tracked = s.integration.track_energy;
+  const bool tracked = s.integration.track_energy, programmed = !s.programmes.list.empty();
   const bool edges = tracked || has_driven_edge(s);
   if (tracked && !s.ledger.open) open_ledger(s);
   for (std::int64_t n = 0; n < steps; ++n) {
+    if (programmed) follow_velocities(s);
     const bool near = sweep(s, team);
+    if (programmed) follow_loads(s);
     follow_drift(s);
     if (near) refresh_ghosts(s);
     else rebuild_list(s, team);
