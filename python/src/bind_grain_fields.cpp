@@ -6,7 +6,9 @@
 #include "calls.hpp"
 #include "core/error.hpp"
 #include "grains/fields/coarse_grained.hpp"
+#include "grains/fields/discharge.hpp"
 #include "grains/fields/force_chains.hpp"
+#include "grains/fields/free_surface.hpp"
 #include "grains/fields/friction.hpp"
 #include "grains/fields/loops.hpp"
 #include "grains/fields/nonaffine.hpp"
@@ -138,9 +140,49 @@ py::dict steady(const ArrayLike& series) {
   return d;
 }
 
+py::dict discharge(const ArrayLike& time, const ArrayLike& passed) {
+  const auto found = fields::find_discharge(to_vector(time, "time"), to_vector(passed, "passed"));
+  py::dict d;
+  d["steady"] = found.steady;
+  d["rate"] = py::make_tuple(found.rate.value, found.rate.error);
+  d["begin"] = found.begin;
+  d["end"] = found.end;
+  return d;
+}
+
+py::dict free_surface(const Packing& packing, const Quantity& gravity_angle, double gap) {
+  const double turned = gravity_angle.si(dimension::none, "gravity_angle");
+  Call call;
+  auto found = call.without_lock([&] {
+    fields::SurfaceOptions options;
+    options.gap = gap;
+    return fields::find_free_surface(packing, {std::sin(turned), -std::cos(turned)}, options);
+  });
+  const auto angle = [](const statistics::Estimate& e) { return py::make_tuple(e.value, e.error); };
+  py::dict d;
+  d["place"] = taken_over(std::move(found.place));
+  d["height"] = taken_over(std::move(found.height));
+  d["grains"] = found.grains;
+  d["left"] = found.left;
+  d["right"] = found.right;
+  d["bottom"] = found.bottom;
+  d["top"] = found.top;
+  d["angle"] = angle(found.angle);
+  d["left_angle"] = angle(found.left_flank.angle);
+  d["right_angle"] = angle(found.right_flank.angle);
+  return d;
+}
+
 }  // namespace
 
 void bind_grain_fields(py::module_& m) {
+  m.def("discharge", &discharge, py::arg("time"), py::arg("passed"),
+        "How fast something passes, from amounts passed at times (`passed_mass` of a history): rate (value, error) of the steady part between begin and end "
+        "(s), without where it sets in and runs dry; steady says whether there is one, else the rate has no error.");
+  m.def("free_surface", &free_surface, py::arg("packing"), py::kw_only(), py::arg("gravity_angle") = 0.0, py::arg("gap") = 0.1,
+        "Surface of the largest set of grains that hang together (surfaces nearer than `gap` mean diameters): place and height (m) of its upper rim, grains, "
+        "left, right, bottom, top (m), and the angle of its flanks in rad by a line through the middle of their height, each (value, error). "
+        "`gravity_angle`: by which gravity is turned from straight down, counter-clockwise, rad or text with a unit.");
   m.def("coarse_grained", &coarse_grained, py::arg("packing"), py::arg("width"), py::arg("spacing") = py::none(), py::kw_only(), py::arg("kernel") = "lucy",
         py::arg("tilt_rate") = py::none(),
         "Coarse-grained fields of a state (Goldhirsch 2010) on a grid of points x, y (m), arrays of rows from below: density (kg/m^3), solid_fraction, "

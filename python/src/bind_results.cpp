@@ -80,6 +80,9 @@ void bind_stage_results(py::module_& m) {
       .def_property_readonly(
           "history_units", [](const StageResult& s) { return history_units(s.history); }, "Unit of every column of `history`; empty: none.")
       .def_property_readonly(
+          "cycles", [](const py::object& self) { return columns_of(self.cast<const StageResult&>().cycles, self); },
+          "Of a stage with cycles the columns of `history` at the end of each half, behind `cycle` (from 1) and `at_maximum` (1, else 0).")
+      .def_property_readonly(
           "texture", [](const StageResult& s) { return to_python(s.texture); },
           "Texture of the last state as it was stored, without curves; names as `measure` gives them.")
       .def_property_readonly(

@@ -82,6 +82,8 @@ class ParameterVisitor {
   virtual void pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) = 0;
   /// Places, each two numbers with units.
   virtual void points(const Key& key, std::vector<Vec2>& values, std::string_view unit) = 0;
+  /// A quantity over time: pairs of a time (x, s) and a value (y), or the name of a CSV file of two such columns.
+  virtual void series(const Key& key, std::vector<Vec2>& values, std::string_view unit) = 0;
   virtual void choice(const Key& key, int& index, const std::vector<Word>& words) = 0;
   /// One of several forms, some with a quantity: "fixed" or { force = "50 kN" }.
   virtual void tagged(const Key& key, int& form, double& value, const std::vector<Form>& forms) = 0;

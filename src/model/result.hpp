@@ -88,6 +88,7 @@ struct StageResult {
   std::string outcome;        ///< one sentence
   std::vector<Frame> frames;  ///< in time order; the last is the state handed on
   History history;
+  History cycles;                          ///< of a stage with cycles: a row at the end of each half, as in the history, behind "cycle" and "at_maximum"
   Numbers texture;                         ///< texture of the last frame, as `show --json` gives it; empty if not measured
   std::vector<std::uint8_t> continuation;  ///< the engine's state at the end, for the next stage; empty if there is none
 };

@@ -21,6 +21,11 @@ void declare_fill_area(ParameterVisitor& visitor, std::optional<FillArea>& area)
 void declare_boundaries(ParameterVisitor& visitor, Recipe& recipe);
 /// Of a stage, which sides are open, how boundaries move, and what is counted as having passed.
 void declare_openings(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
+/// Of a stage, tables in time that drive it, and cycles of strain.
+void declare_programmes(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
+void declare_strain_cycles(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
+/// Of cycles, how many have their states stored.
+void declare_store_every(ParameterVisitor& visitor, std::optional<std::int64_t>& every);
 /// Cement, raster and loads: what comes after loading by discrete elements.
 void declare_second_road(ParameterVisitor& visitor, Recipe& recipe);
 /// Letters, digits, _ and -: what names of stages and loads are made of.

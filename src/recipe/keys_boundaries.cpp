@@ -98,7 +98,9 @@ void declare_openings(Visitor& v, Stage& stage, const Recipe& recipe) {
               for (std::size_t side = 0; side < 4; ++side) inner.flag({side_names[side], "This side is open."}, stage.open[side]);
             });
   for (std::size_t side = 0; side < 4; ++side) {
-    const bool still = stage.side[side].kind == SideDrive::Kind::fixed && stage.slide[side] == 0 && !stage.rough[side];
+    const bool slides_later =
+        std::any_of(stage.programmes.begin(), stage.programmes.end(), [&](const auto& p) { return p.of == dem::Programme::slide + static_cast<int>(side); });
+    const bool still = stage.side[side].kind == SideDrive::Kind::fixed && stage.slide[side] == 0 && !slides_later && !stage.rough[side];
     v.require(!stage.open[side] || still, {"open", side_names[side], "slide", "rough"},
               fmt::format("the {} wall cannot be away and move, press or hold grains in one stage", side_names[side]));
     v.require(!stage.open[side] || !(side < bottom ? recipe.container.periodic_x : recipe.container.periodic_y), {"open"},

@@ -92,6 +92,7 @@ void declare(Visitor& v, Cycles& cycles) {
   v.require(cycles.max > cycles.min, {"max", "min"}, "must be above min");
   v.integer({"count", "Number of cycles.", true}, cycles.count, {1, 1'000'000});
   v.integer({"increments", "Increments of each half cycle."}, cycles.increments, {1, 1'000'000});
+  declare_store_every(v, cycles.store_every);
 }
 
 bool presses(const SideDrive& drive) { return drive.kind == SideDrive::Kind::force || drive.kind == SideDrive::Kind::pressure; }
@@ -172,6 +173,7 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
          {"pressure", "kPa", "presses on the sample, acting in full at once; of two periodic edges one presses and one is fixed", range::not_negative}});
     drive.kind = static_cast<SideDrive::Kind>(form);
   }
+  declare_programmes(v, stage, recipe);
   declare_openings(v, stage, recipe);
   v.integer({"increments", "Equal steps in which forces are reached, each ending in equilibrium."}, stage.increments, {1, 1'000'000});
   v.number({"duration", "Time after which the stage ends, whether in equilibrium or not; needed where a side moves."}, stage.duration, "s", range::positive);
@@ -198,6 +200,7 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.require(!stage.glue || recipe.contact.adheres(), {"glue"}, "there is nothing to glue with; set contact.adhesion and contact.surface_energy");
   v.optional_section<Cycles>({"cycles", "Force cycles on one side after the ramp."}, stage.cycles,
                              [](Visitor& inner, Cycles& cycles) { declare(inner, cycles); });
+  declare_strain_cycles(v, stage, recipe);
   v.section({"equilibrium", "When an increment counts as done."}, [&](Visitor& inner) { declare(inner, stage.equilibrium); });
   require_usable_sides(v, stage, recipe.container);
 }

@@ -33,6 +33,7 @@ class KeyNames : public ParameterVisitor {
   void numbers(const Key& key, std::vector<double>&, std::string_view, const Range&) override { note(key); }
   void pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>&) override { note(key); }
   void points(const Key& key, std::vector<Vec2>&, std::string_view) override { note(key); }
+  void series(const Key& key, std::vector<Vec2>&, std::string_view) override { note(key); }
   void choice(const Key& key, int&, const std::vector<Word>&) override { note(key); }
   void tagged(const Key& key, int&, double&, const std::vector<Form>&) override { note(key); }
   void section(const Key& key, bool&, const Visit&) override { note(key); }

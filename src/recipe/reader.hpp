@@ -49,6 +49,7 @@ class RecipeReader : public ParameterVisitor {
   void numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) override;
   void pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) override;
   void points(const Key& key, std::vector<Vec2>& values, std::string_view unit) override;
+  void series(const Key& key, std::vector<Vec2>& values, std::string_view unit) override;
   void choice(const Key& key, int& index, const std::vector<Word>& words) override;
   void tagged(const Key& key, int& form, double& value, const std::vector<Form>& forms) override;
   void section(const Key& key, bool& present, const Visit& inside) override;
@@ -65,6 +66,7 @@ class RecipeReader : public ParameterVisitor {
   void problem(const Place& place, const std::string& path, const std::string& message);
   void refuse(const Key& key, const Node& value, const std::string& message);
   std::optional<double> read_number(const Node& node, const std::string& path, std::string_view unit, const Range& range);
+  void read_series(const Key& key, const Node& file, std::vector<Vec2>& values, std::string_view unit);
 
   const Node& table_;
   std::string path_;

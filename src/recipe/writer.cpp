@@ -71,12 +71,8 @@ class Recorder : public ParameterVisitor {
     for (const auto& [i, j] : values) items.push_back(fmt::format("[{}, {}]", i, j));
     if (!values.empty()) record.literal = fmt::format("[{}]", fmt::join(items, ", "));
   }
-  void points(const Key& key, std::vector<Vec2>& values, std::string_view unit) override {
-    Record& record = add(key, fmt::format("[[{0}, {0}], ...]", number_form(unit)));
-    std::vector<std::string> items;
-    for (const Vec2& point : values) items.push_back(fmt::format("[{}, {}]", number_literal(point.x, unit), number_literal(point.y, unit)));
-    if (!values.empty()) record.literal = fmt::format("[{}]", fmt::join(items, ", "));
-  }
+  void points(const Key& key, std::vector<Vec2>& values, std::string_view unit) override { add_pairs(key, values, unit, unit); }
+  void series(const Key& key, std::vector<Vec2>& values, std::string_view unit) override { add_pairs(key, values, "s", unit); }
   void choice(const Key& key, int& index, const std::vector<Word>& words) override {
     Record& record = add(key, "\"...\"");
     for (const auto& word : words) record.words.emplace_back(toml_text(word.word), word.sentence);
@@ -129,6 +125,13 @@ class Recorder : public ParameterVisitor {
     record.form = std::move(form);
     table_.push_back(std::move(record));
     return table_.back();
+  }
+
+  void add_pairs(const Key& key, const std::vector<Vec2>& values, std::string_view unit_x, std::string_view unit_y) {
+    Record& record = add(key, fmt::format("[[{}, {}], ...]", number_form(unit_x), number_form(unit_y)));
+    std::vector<std::string> items;
+    for (const Vec2& pair : values) items.push_back(fmt::format("[{}, {}]", number_literal(pair.x, unit_x), number_literal(pair.y, unit_y)));
+    if (!values.empty()) record.literal = fmt::format("[{}]", fmt::join(items, ", "));
   }
 
   RecordTable& table_;

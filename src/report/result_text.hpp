@@ -45,6 +45,8 @@ class TextLines {
 
 /// The last state of a stage.
 std::string headlines(const StageResult& last, const texture::Texture& texture);
+/// What flows under its weight, from the numbers of its stage: rate of discharge, free surface. Empty where nothing does.
+std::string flow_text(const Numbers& numbers);
 /// A result on nodes, from its numbers (FieldResult::numbers).
 std::string field_headlines(const Numbers& numbers);
 

@@ -130,7 +130,7 @@ Summary::Summary(const std::filesystem::path& result) {
 Summary::Summary(const workflow::RunOutcome& outcome) {
   auto file = outcome.files.begin();
   for (const StageResult& s : outcome.stages) {
-    StageResult stage{s.provenance, s.name, s.converged, s.outcome, {}, s.history, s.texture, {}};
+    StageResult stage{s.provenance, s.name, s.converged, s.outcome, {}, s.history, {}, s.texture, {}};
     if (!s.frames.empty()) stage.frames.push_back(s.frames.back());
     stages_.push_back({(file++)->filename().string(), std::move(stage), s.frames.size()});
   }
@@ -183,7 +183,7 @@ std::string Summary::text() const {
   if (!fields_.empty()) return how_stages_ended() + field_headlines(fields_.back().numbers) + more;
   const StageResult& last = stages_.back().result;
   if (last.frames.empty()) return how_stages_ended();
-  return how_stages_ended() + headlines(last, texture_without_rev(last)) + critical_state_text(last) + more;
+  return how_stages_ended() + flow_text(last.texture) + headlines(last, texture_without_rev(last)) + critical_state_text(last) + more;
 }
 
 std::string Summary::all() const {
@@ -196,7 +196,7 @@ std::string Summary::all() const {
     lines.heading("Texture of the last state");
     lines.block(texture::to_text(texture_without_rev(last)));
   }
-  return how_stages_ended() + std::move(lines).text();
+  return how_stages_ended() + flow_text(last.texture) + std::move(lines).text();
 }
 
 std::string field_summary(const FieldResult& result) {

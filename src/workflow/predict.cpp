@@ -103,14 +103,23 @@ Bulk bulk_of(const Packing& packing, const dem::ContactParameters& contact) {
 
 using Kind = dem::SideDrive::Kind;
 
+/// What a side does at its most.
+double largest_drive(const dem::Stage& stage, std::size_t side) {
+  double value = stage.side[side].value;
+  for (const dem::Programme& programme : stage.programmes)
+    if (programme.drives_side() && programme.side() == static_cast<int>(side))
+      for (const Vec2& row : programme.table) value = std::max(value, std::abs(row.y));
+  return value;
+}
+
 /// Along x (axis 0) or y (1): Pa, the larger of what its two sides press with; 0 where none presses.
 double pressure_along(const dem::Stage& stage, const Bulk& bulk, std::size_t axis) {
   const double loaded = (axis == 0 ? bulk.height : bulk.width) * bulk.thickness;
   double pressure = 0;
   for (std::size_t side = 2 * axis; side < 2 * axis + 2; ++side) {
     const dem::SideDrive& drive = stage.side[side];
-    if (drive.kind == Kind::pressure) pressure = std::max(pressure, drive.value);
-    if (drive.kind == Kind::force) pressure = std::max(pressure, drive.value / loaded);
+    if (drive.kind == Kind::pressure) pressure = std::max(pressure, largest_drive(stage, side));
+    if (drive.kind == Kind::force) pressure = std::max(pressure, largest_drive(stage, side) / loaded);
     if (drive.kind == Kind::force && stage.cycles && stage.cycles->side == side_names[side]) pressure = std::max(pressure, stage.cycles->max / loaded);
   }
   return pressure;
@@ -125,7 +134,7 @@ double weight(const dem::Stage& stage, const Bulk& bulk) {
 double closing_rate(const dem::Stage& stage, const Bulk& bulk) {
   double rate = 0;
   for (std::size_t side = 0; side < 4; ++side)
-    if (stage.side[side].kind == Kind::velocity) rate = std::max(rate, std::abs(stage.side[side].value) / (side < 2 ? bulk.width : bulk.height));
+    if (stage.side[side].kind == Kind::velocity) rate = std::max(rate, std::abs(largest_drive(stage, side)) / (side < 2 ? bulk.width : bulk.height));
   return rate;
 }
 
@@ -133,7 +142,12 @@ double closing_rate(const dem::Stage& stage, const Bulk& bulk) {
 double shear_rate(const dem::Stage& stage, const Bulk& bulk) {
   const double across = std::abs(stage.slide[right] - stage.slide[left]) / bulk.width;
   const double along = std::abs(stage.slide[top] - stage.slide[bottom]) / bulk.height;
-  return std::max({std::abs(stage.shear_rate), across, along});
+  double rate = std::max({std::abs(stage.shear_rate), across, along});
+  if (stage.strain_cycles) rate = std::max(rate, stage.strain_cycles->rate);
+  for (const dem::Programme& programme : stage.programmes)
+    if (programme.of == dem::Programme::shear_rate)
+      for (const Vec2& row : programme.table) rate = std::max(rate, std::abs(row.y));
+  return rate;
 }
 
 /// The pressures of a stage, Pa: the largest, and the one that confines it. Sides that only move or stand keep what the stage before left.
@@ -175,15 +189,17 @@ StagePrediction predict_stage(dem::Engine& engine, const recipe::Recipe& recipe,
   }
   if (const double rate = std::max(closing_rate(stage, bulk), shear_rate(stage, bulk)); rate > 0 && pressures.confining > 0)
     p.inertial_number = inertial_number(rate, bulk.diameter, bulk.density, pressures.confining);
-  p.exact = stage.duration.has_value();
+  p.exact = stage.duration || stage.strain_cycles;
   if (p.exact) {
-    p.duration = *stage.duration;
+    p.duration = stage.duration.value_or(0);
+    for (std::int64_t half = 0; half < dem::increment_count(stage) && stage.strain_cycles; ++half)
+      p.duration += static_cast<double>(dem::strain_half(*stage.strain_cycles, half, p.time_step).steps) * p.time_step;
     p.steps = dem::steps_of(p.duration, p.time_step);
     return p;
   }
   const double critical = engine.critical_drag() / bulk.larger;
   const double drag = recipe.integration.drag + stage.drag + stage.critical_drag * critical;
-  const auto increments = static_cast<double>(dem::increments_of(stage, {}).size());
+  const auto increments = static_cast<double>(dem::increment_count(stage));
   const bool without_friction = stage.friction.value_or(recipe.contact.friction) < 0.05;
   const bool all_round =
       std::all_of(stage.side.begin(), stage.side.end(), [](const auto& side) { return side.kind == Kind::force || side.kind == Kind::pressure; });
@@ -260,7 +276,7 @@ void warn(Prediction& p, const recipe::Recipe& recipe) {
     if (stage.inertial_number && *stage.inertial_number > 0.1 && closes)
       p.warnings.push_back(fmt::format("stage {}: I = {:.2g}: it is deformed faster than grains can make way; below 1e-3 it would be quasi-static", stage.name,
                                        *stage.inertial_number));
-    if (const double each = static_cast<double>(stage.steps) / static_cast<double>(dem::increments_of(recipe.stages[s], {}).size());
+    if (const double each = static_cast<double>(stage.steps) / static_cast<double>(dem::increment_count(recipe.stages[s]));
         !stage.exact && each > static_cast<double>(recipe.stages[s].equilibrium.max_steps))
       p.warnings.push_back(
           fmt::format("stage {}: an increment may need more than equilibrium.max_steps = {}", stage.name, recipe.stages[s].equilibrium.max_steps));

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "grains/dem/run_stage.hpp"
+#include "grains/fields/flow_numbers.hpp"
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
 #include "workflow/field_stages.hpp"
@@ -64,7 +65,7 @@ std::optional<StageResult> load(dem::Engine& engine, const dem::Stage& stage, co
   dem::StageRun run = dem::begin_stage(engine, stage);
   const auto checkpoint = unless_damaged(checkpoint_file, options, "the stage begins anew", [&] { return io::read_checkpoint(checkpoint_file, key); });
   if (checkpoint && *checkpoint) restore_from(**checkpoint, engine, run);
-  progress.increments = stage.duration ? 0 : static_cast<std::int64_t>(dem::increments_of(stage, run.force_at_start).size());
+  progress.increments = stage.duration ? 0 : dem::increment_count(stage);
   auto saved = clock::now();
   while (!run.finished) {
     dem::continue_stage(engine, stage, run);
@@ -142,6 +143,7 @@ class Run {
       if (made && !made->frames.empty()) {
         texture = texture::measure(made->frames.back().packing, texture_options(recipe_, s));
         made->texture = texture::numbers(*texture);
+        if (s > 0) add_flow(s, *made);
       }
       return made;
     };
@@ -150,6 +152,12 @@ class Run {
     outcome_.stages.push_back(std::move(*result));
     outcome_.measured.push_back(std::move(texture));
     return true;
+  }
+
+  void add_flow(std::size_t s, StageResult& made) const {
+    const bool was_loaded = s > 1 && !outcome_.stages.back().frames.empty();
+    const Numbers flow = fields::flow_numbers(made, recipe_.stages[s - 1], was_loaded ? &outcome_.stages.back().frames.back().packing : nullptr);
+    for (const auto& [name, part] : flow.items()) made.texture[name] = part;
   }
 
   bool add_field(std::size_t s, const std::function<std::optional<FieldResult>(const fs::path& checkpoint)>& make) {

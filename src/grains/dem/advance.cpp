@@ -183,11 +183,13 @@ void Engine::advance(std::int64_t steps) {
   if (steps <= 0) return;
   const Integrator& integrator = integrator_of(s);
   if (integrator.start) integrator.start(s);
-  const bool tracked = s.integration.track_energy;
+  const bool tracked = s.integration.track_energy, programmed = !s.programmes.list.empty();
   const bool edges = tracked || has_driven_edge(s);
   if (tracked && !s.ledger.open) open_ledger(s);
   for (std::int64_t n = 0; n < steps; ++n) {
+    if (programmed) follow_velocities(s);
     const bool near = integrator.sweep(s, team);
+    if (programmed) follow_loads(s);
     follow_drift(s);
     if (near) refresh_ghosts(s);
     else rebuild_list(s, team);

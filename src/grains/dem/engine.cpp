@@ -116,16 +116,11 @@ void Engine::set_shear_rate(double rate) {
   if (rate == s.shear_rate) return;
   if (!s.domain.periodic_x || !s.domain.periodic_y) throw InputError("a cell that is sheared must be periodic in x and y");
   synchronise(s);
-  const double before = energies_of(s).kinetic, middle = 0.5 * (s.domain.wall[bottom].position + s.domain.wall[top].position);
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const double faster = (rate - s.shear_rate) * (s.record[k].y - middle);
-    s.vx[k] += faster;
-    s.record[k].vx += faster;
-  }
-  s.shear_rate = rate;
+  change_shear_rate(s, rate);
   refresh_ghosts(s);
-  if (s.integration.track_energy) s.tally.work_walls += energies_of(s).kinetic - before;
 }
+
+void Engine::set_programmes(Programmes programmes) { machine_->sample.programmes = std::move(programmes); }
 
 void Engine::set_inertial_number(double number) {
   if (!(number > 0)) throw InputError(fmt::format("inertial number {} must be above 0", number));
@@ -148,8 +143,9 @@ void Engine::set_glue(bool on) {
   s.ledger.open = false;
 }
 
-void Engine::set_drives(const WallDrives& drives) {
+void Engine::set_drives(const WallDrives& asked) {
   Sample& s = machine_->sample;
+  const WallDrives drives = under_programmes(s, asked);
   bool changed = false;
   for (std::size_t side = 0; side < 4; ++side) changed |= drives[side] != s.wall[side].drive;
   if (!changed) return;

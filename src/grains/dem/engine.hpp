@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "grains/dem/parameters.hpp"
+#include "grains/dem/programme.hpp"
 #include "model/packing.hpp"
 #include "model/result.hpp"
 
@@ -41,7 +42,10 @@ class Engine {
 
   void set_gravity(Vec2 g);                   ///< m/s^2
   void set_drives(const WallDrives& drives);  ///< from the next step on
-  void set_drag(double rate);                 ///< 1/s
+  /// Tables that sides, shear and gravity follow from now on, step by step; what they drive the other functions leave to them. `begin` and the gravity
+  /// that they turn or scale are of the caller. They are no part of `save`: set them before `restore`.
+  void set_programmes(Programmes programmes);
+  void set_drag(double rate);  ///< 1/s
   /// The grains' own masses, or even ones for a compaction (bounds.hpp); never with gravity. A step that they do not allow is shortened, or refused
   /// (InputError) where it was given.
   void set_mass_scaling(MassScaling mass_scaling);

@@ -84,6 +84,7 @@ void add_contacts(const Sample& s, Snapshot& shot) {
 
 Snapshot take(const Sample& s) {
   Snapshot shot;
+  shot.gravity = s.gravity;
   shot.disk.resize(s.count);
   shot.boundary.resize(3 * s.domain.boundaries.size());
   const bool corrects = integrator_of(s).corrects();
@@ -135,6 +136,7 @@ Snapshot take(const Sample& s) {
 /// Sums of the mean force over the two times, times the velocities of the second.
 WorkTerms products(const Sample& s, const Snapshot& p, const Snapshot& q) {
   WorkTerms w;
+  const Vec2 gravity = p.gravity + q.gravity;
   for (std::size_t k = 0; k < q.disk.size(); ++k) {
     const auto &a = p.disk[k], &b = q.disk[k];
     const double vx = 0.5 * b.vx, vy = 0.5 * b.vy, omega = 0.5 * b.omega;
@@ -142,7 +144,7 @@ WorkTerms products(const Sample& s, const Snapshot& p, const Snapshot& q) {
     w.friction += (a.slip_x + b.slip_x) * vx + (a.slip_y + b.slip_y) * vy;
     if (s.integration.rotations) w.friction += (a.slip_torque + b.slip_torque) * omega;
     w.drag += (a.drag_x + b.drag_x) * vx + (a.drag_y + b.drag_y) * vy;
-    w.gravity += 2 * b.mass * (s.gravity.x * vx + s.gravity.y * vy);
+    w.gravity += b.mass * (gravity.x * vx + gravity.y * vy);
   }
   const auto add_edge = [&w](const Snapshot::Edge& a, const Snapshot::Edge& b) {
     const double rate = 0.5 * b.rate;

@@ -2,6 +2,8 @@
 #include <array>
 #include <vector>
 
+#include "core/vec.hpp"
+
 namespace arenite::dem {
 
 struct Sample;
@@ -29,6 +31,7 @@ struct Snapshot {
   std::vector<Disk> disk;
   std::vector<Edge> boundary;  ///< three each: along +x and +y, and about the centre with torques for forces
   std::array<Edge, 9> edge;    ///< walls along their normals, walls along themselves, and the shear of the cell
+  Vec2 gravity;                ///< m/s^2
   double springs = 0;          ///< energy of the tangential springs, J
   double normal_springs = 0;   ///< of normal springs that remember, J
 };

@@ -44,6 +44,11 @@ void append(History& history, const char* name, const char* unit, double value) 
   it->values.push_back(value);
 }
 
+bool shears_cell(const Stage& stage) {
+  return stage.shear_rate != 0 || (stage.strain_cycles && stage.strain_cycles->of == "shear") ||
+         std::any_of(stage.programmes.begin(), stage.programmes.end(), [](const Programme& p) { return p.of == Programme::shear_rate; });
+}
+
 void sample(History& history, const Engine& engine, const Stage& stage, const Equilibrium& now, std::int64_t increment) {
   append(history, "time", "s", engine.time());
   append(history, "increment", "1", static_cast<double>(increment + 1));
@@ -53,7 +58,7 @@ void sample(History& history, const Engine& engine, const Stage& stage, const Eq
     append(history, fmt::format("{}_force", side_names[side]).c_str(), "N", wall.force);
     append(history, fmt::format("{}_shear_force", side_names[side]).c_str(), "N", wall.shear_force);
   }
-  if (stage.shear_rate != 0) append(history, "shear_strain", "1", engine.shear_strain());
+  if (shears_cell(stage)) append(history, "shear_strain", "1", engine.shear_strain());
   for (const Boundary& boundary : engine.domain().boundaries) {
     append(history, (boundary.name + "_force_x").c_str(), "N", boundary.force.x);
     append(history, (boundary.name + "_force_y").c_str(), "N", boundary.force.y);
@@ -114,9 +119,49 @@ void continue_for_a_time(Engine& engine, const Stage& stage, StageRun& run) {
   run.result.outcome = fmt::format("{:g} s passed; {}", *stage.duration, describe(now));
 }
 
+/// The end of increment or half cycle `run.increment`: a row for the curves against cycles, and a state.
+void end_increment(const Engine& engine, const Stage& stage, const Equilibrium& now, const std::string& label, StageRun& run) {
+  const CyclePlace place = cycle_place(stage, run.increment);
+  if (place.ends_half) {
+    append(run.result.cycles, "cycle", "1", static_cast<double>(place.cycle));
+    append(run.result.cycles, "at_maximum", "1", place.at_maximum ? 1.0 : 0.0);
+    sample(run.result.cycles, engine, stage, now, run.increment);
+  }
+  if (is_stored(stage, place)) store_frame(engine, now, label, run.result);
+  run.steps_in_increment = 0;
+}
+
+/// The side goes on at the speed of its half cycle, or the cell is sheared at that rate.
+void drive_strain(Engine& engine, const Stage& stage, const StageRun& run, const StrainHalf& half) {
+  const StrainCycles& cycles = *stage.strain_cycles;
+  const double rate = (half.to - half.from) / (static_cast<double>(half.steps) * engine.time_step());
+  Increment increment = on_the_ramp(stage, run.force_at_start, 1);
+  if (cycles.of == "shear") engine.set_shear_rate(rate);
+  for (std::size_t side = 0; side < 4; ++side)
+    if (cycles.of == side_names[side]) increment.side[side] = {SideDrive::Kind::velocity, rate * run.size_at_start[side / 2]};
+  engine.set_drives(drives_for(increment, engine.domain()));
+}
+
+void continue_strain_cycles(Engine& engine, const Stage& stage, StageRun& run) {
+  const StrainHalf half = strain_half(*stage.strain_cycles, run.increment, engine.time_step());
+  drive_strain(engine, stage, run, half);
+  const std::int64_t steps = std::min(check_interval, half.steps - run.steps_in_increment);
+  engine.advance(steps);
+  run.steps_in_increment += steps;
+  const Equilibrium now = run.latest = engine.equilibrium();
+  const bool ends = run.steps_in_increment == half.steps;
+  if (run.checks++ % run.sample_every == 0 || ends) sample(run.result.history, engine, stage, now, run.increment);
+  thin(run);
+  if (!ends) return;
+  const CyclePlace place = cycle_place(stage, run.increment);
+  end_increment(engine, stage, now, fmt::format("cycle {} {}", place.cycle, place.at_maximum ? "maximum" : "minimum"), run);
+  run.finished = ++run.increment == increment_count(stage);
+  if (run.finished) run.result.outcome = fmt::format("{} cycles of strain passed; {}", stage.strain_cycles->count, describe(now));
+}
+
 void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
-  const auto increments = increments_of(stage, run.force_at_start);
-  const auto& increment = increments[static_cast<std::size_t>(run.increment)];
+  const std::int64_t increments = increment_count(stage);
+  const Increment increment = increment_at(stage, run.force_at_start, run.increment);
   const WallDrives drives = drives_for(increment, engine.domain());
   engine.set_drives(drives);
   engine.advance(check_interval);
@@ -130,13 +175,15 @@ void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
   thin(run);
   if (!at_rest && !given_up) return;
 
-  store_frame(engine, now, increment.label, run.result);
   run.result.converged = run.result.converged && at_rest;
-  if (given_up)
+  if (given_up) {
+    store_frame(engine, now, increment.label, run.result);
     run.result.outcome = fmt::format("no equilibrium within {} steps{} (equilibrium.max_steps): {}", run.steps_in_increment,
-                                     increments.size() > 1 ? " of " + increment.label : "", describe_pressed(now, drives, engine.domain()));
-  run.steps_in_increment = 0;
-  run.finished = given_up || ++run.increment == static_cast<std::int64_t>(increments.size());
+                                     increments > 1 ? " of " + increment.label : "", describe_pressed(now, drives, engine.domain()));
+  } else {
+    end_increment(engine, stage, now, increment.label, run);
+  }
+  run.finished = given_up || ++run.increment == increments;
   if (run.finished && !given_up) run.result.outcome = fmt::format("equilibrium: {}", describe_pressed(now, drives, engine.domain()));
 }
 
@@ -155,14 +202,17 @@ StageRun begin_stage(Engine& engine, const Stage& stage) {
   engine.set_boundaries(boundary_drives_for(stage, engine.domain()));
   engine.set_rough(stage.rough);
   engine.set_shear_rate(stage.shear_rate);
+  engine.set_programmes({stage.programmes, engine.time(), stage.gravity_size, stage.gravity_angle});
   StageRun run;
   run.result.name = stage.name;
+  run.size_at_start = {engine.domain().width(), engine.domain().height()};
   for (int side = 0; side < 4; ++side) run.force_at_start[side] = engine.domain().wall[side].force;
   return run;
 }
 
 void continue_stage(Engine& engine, const Stage& stage, StageRun& run) {
-  if (stage.duration) continue_for_a_time(engine, stage, run);
+  if (stage.strain_cycles) continue_strain_cycles(engine, stage, run);
+  else if (stage.duration) continue_for_a_time(engine, stage, run);
   else continue_to_rest(engine, stage, run);
 }
 
@@ -172,7 +222,8 @@ double share_done(const Stage& stage, const StageRun& run) {
     const double frames = static_cast<double>(std::max<std::int64_t>(1, stage.snapshots));
     return std::min(1.0, static_cast<double>(run.result.frames.size()) / frames);
   }
-  const double total = static_cast<double>(increments_of(stage, run.force_at_start).size());
+  const auto total = static_cast<double>(increment_count(stage));
+  if (stage.strain_cycles) return static_cast<double>(run.increment) / total;
   const double within = std::clamp(std::log(run.latest.unbalanced_ratio) / std::log(stage.equilibrium.unbalanced), 0.0, 0.95);
   return (static_cast<double>(run.increment) + within) / total;
 }

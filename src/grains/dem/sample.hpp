@@ -9,6 +9,7 @@
 #include "grains/dem/laws/laws.hpp"
 #include "grains/dem/ledger.hpp"
 #include "grains/dem/parameters.hpp"
+#include "grains/dem/programme.hpp"
 #include "model/packing.hpp"
 #include "model/result.hpp"
 
@@ -105,6 +106,7 @@ struct Sample {
   Vec2 gravity;
   double shear_rate = 0;  ///< of a cell that is periodic both ways, du_x/dy, 1/s (Lees and Edwards 1972)
   bool glue = true;
+  Programmes programmes;  ///< of the stage under way; not saved, since every stage sets them
 
   Domain domain;
   std::array<WallBody, 4> wall;

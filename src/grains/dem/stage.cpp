@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.hpp"
 
@@ -20,13 +21,21 @@ int side_index(const std::string& name) {
 /// Length of sample that a side's pressure acts on, m.
 double loaded_length(const Domain& domain, int side) { return side < 2 ? domain.height() : domain.width(); }
 
-void add_half_cycle(std::vector<Increment>& increments, const Stage& stage, const Cycles& cycles, double from, double to, const std::string& label) {
-  for (std::int64_t k = 1; k <= cycles.increments; ++k) {
-    const double share = static_cast<double>(k) / static_cast<double>(cycles.increments);
-    Increment increment{stage.side, stage.slide, k == cycles.increments ? label : fmt::format("{}, {} of {}", label, k, cycles.increments)};
-    increment.side[side_index(cycles.side)] = {SideDrive::Kind::force, from + share * (to - from)};
-    increments.push_back(std::move(increment));
-  }
+std::int64_t ramp_increments(const Stage& stage) {
+  return std::any_of(stage.side.begin(), stage.side.end(), is_ramped) ? std::max<std::int64_t>(1, stage.increments) : 1;
+}
+
+/// Increment `k` of the cycles, counted from 0.
+Increment cycle_increment(const Stage& stage, double start, std::int64_t k) {
+  const Cycles& cycles = *stage.cycles;
+  const std::int64_t half = k / cycles.increments, step = k % cycles.increments + 1;
+  const bool up = half % 2 == 0;
+  const double from = half == 0 ? start : up ? cycles.min : cycles.max, to = up ? cycles.max : cycles.min;
+  const double share = static_cast<double>(step) / static_cast<double>(cycles.increments);
+  const std::string label = fmt::format("cycle {} {}", half / 2 + 1, up ? "maximum" : "minimum");
+  Increment increment{stage.side, stage.slide, step == cycles.increments ? label : fmt::format("{}, {} of {}", label, step, cycles.increments)};
+  increment.side[side_index(cycles.side)] = {SideDrive::Kind::force, from + share * (to - from)};
+  return increment;
 }
 
 }  // namespace
@@ -40,23 +49,40 @@ Increment on_the_ramp(const Stage& stage, const std::array<double, 4>& force_at_
   return increment;
 }
 
-std::vector<Increment> increments_of(const Stage& stage, const std::array<double, 4>& force_at_start) {
-  std::vector<Increment> increments;
-  const bool ramps = std::any_of(stage.side.begin(), stage.side.end(), is_ramped);
-  const std::int64_t n = ramps ? std::max<std::int64_t>(1, stage.increments) : 1;
-  for (std::int64_t k = 1; k <= n; ++k)
-    increments.push_back(on_the_ramp(stage, force_at_start, static_cast<double>(k) / static_cast<double>(n),
-                                     n == 1 ? std::string("rest") : fmt::format("increment {} of {}", k, n)));
-  if (!stage.cycles) return increments;
-  const auto& cycles = *stage.cycles;
-  const auto& driven = stage.side[side_index(cycles.side)];
-  double from = driven.kind == SideDrive::Kind::force ? driven.value : force_at_start[side_index(cycles.side)];
-  for (std::int64_t c = 1; c <= cycles.count; ++c)
-    for (const auto& [aim, name] : {std::pair{cycles.max, "maximum"}, std::pair{cycles.min, "minimum"}}) {
-      add_half_cycle(increments, stage, cycles, from, aim, fmt::format("cycle {} {}", c, name));
-      from = aim;
-    }
-  return increments;
+std::int64_t increment_count(const Stage& stage) {
+  if (stage.strain_cycles) return 2 * stage.strain_cycles->count;
+  return ramp_increments(stage) + (stage.cycles ? 2 * stage.cycles->count * stage.cycles->increments : 0);
+}
+
+Increment increment_at(const Stage& stage, const std::array<double, 4>& force_at_start, std::int64_t k) {
+  const std::int64_t n = ramp_increments(stage);
+  if (k < n)
+    return on_the_ramp(stage, force_at_start, static_cast<double>(k + 1) / static_cast<double>(n),
+                       n == 1 ? std::string("rest") : fmt::format("increment {} of {}", k + 1, n));
+  const int side = side_index(stage.cycles->side);
+  return cycle_increment(stage, is_ramped(stage.side[side]) ? stage.side[side].value : force_at_start[side], k - n);
+}
+
+CyclePlace cycle_place(const Stage& stage, std::int64_t k) {
+  if (stage.strain_cycles) return {k / 2 + 1, true, k % 2 == 0};
+  const std::int64_t ramp = ramp_increments(stage);
+  if (!stage.cycles || k < ramp) return {};
+  const std::int64_t half = (k - ramp) / stage.cycles->increments;
+  return {half / 2 + 1, (k - ramp + 1) % stage.cycles->increments == 0, half % 2 == 0};
+}
+
+bool is_stored(const Stage& stage, const CyclePlace& place) {
+  const auto every = stage.strain_cycles ? stage.strain_cycles->store_every : stage.cycles ? stage.cycles->store_every : std::nullopt;
+  if (place.cycle <= 1 || !every) return true;
+  return place.cycle % *every == 0 || place.cycle == (stage.strain_cycles ? stage.strain_cycles->count : stage.cycles->count);
+}
+
+StrainHalf strain_half(const StrainCycles& cycles, std::int64_t half, double time_step) {
+  StrainHalf h;
+  h.from = half == 0 ? 0 : half % 2 == 0 ? cycles.min : cycles.max;
+  h.to = half % 2 == 0 ? cycles.max : cycles.min;
+  h.steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(std::abs(h.to - h.from) / (cycles.rate * time_step))));
+  return h;
 }
 
 WallDrives drives_for(const Increment& increment, const Domain& domain) {

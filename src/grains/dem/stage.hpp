@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "grains/dem/parameters.hpp"
+#include "grains/dem/programme.hpp"
 #include "model/packing.hpp"
 
 namespace arenite::dem {
@@ -36,8 +37,20 @@ struct Cycles {
   std::string side;         ///< "left", "right", "bottom", "top"
   double min = 0, max = 0;  ///< N
   std::int64_t count = 0;
-  std::int64_t increments = 5;  ///< a half cycle
+  std::int64_t increments = 5;              ///< a half cycle
+  std::optional<std::int64_t> store_every;  ///< states are stored in the first cycle and every so many; unset: in all
   bool operator==(const Cycles&) const = default;
+};
+
+/// Cycles of strain at a given rate: one side goes in and out, or a periodic cell is sheared to and fro, between two strains of the sample as the
+/// stage begins. The first half cycle goes from there to `max`.
+struct StrainCycles {
+  std::string of;  ///< "left", "right", "bottom", "top": shortening, positive inward; "shear"
+  double min = 0, max = 0;
+  double rate = 0;  ///< 1/s, of the strain
+  std::int64_t count = 0;
+  std::optional<std::int64_t> store_every;  ///< as of Cycles
+  bool operator==(const StrainCycles&) const = default;
 };
 
 /// How a boundary moves in a stage; one that is not named is there, at rest.
@@ -66,6 +79,8 @@ struct Stage {
   std::int64_t increments = 1;
   std::optional<double> duration;  ///< s; for stages driven by velocity, which do not end at rest
   std::optional<Cycles> cycles;
+  std::optional<StrainCycles> strain_cycles;
+  std::vector<Programme> programmes;  ///< need a duration; of sides, slides and the like that these drive the values above are those at the beginning
   EquilibriumCriterion equilibrium;
   std::optional<double> friction;  ///< mu during this stage only (e.g. 0 to densify)
   double drag = 0;                 ///< 1/s, during this stage only, on top of the integration's
@@ -87,9 +102,29 @@ struct Increment {
 /// What the sides of a stage aim at with a share (0 to 1) of the way from the start's forces (N) done; pressures act in full from the start.
 Increment on_the_ramp(const Stage& stage, const std::array<double, 4>& force_at_start, double share, std::string label = {});
 
-/// The increments of a stage, in order. Forces go from what acts at the start (N; compression positive) to their values in equal steps, pressures act
-/// in full at once; cycles follow, each half cycle a ramp of its own.
-std::vector<Increment> increments_of(const Stage& stage, const std::array<double, 4>& force_at_start);
+/// How many increments a stage has, or half cycles of strain.
+std::int64_t increment_count(const Stage& stage);
+
+/// One of them, counted from 0. Forces go from what acts at the start (N; compression positive) to their values in equal steps, pressures act in full
+/// at once; cycles follow, each half cycle a ramp of its own.
+Increment increment_at(const Stage& stage, const std::array<double, 4>& force_at_start, std::int64_t k);
+
+/// Where in the cycles the end of an increment, or of a half cycle of strain, lies.
+struct CyclePlace {
+  std::int64_t cycle = 0;  ///< from 1; 0 before the cycles
+  bool ends_half = false, at_maximum = false;
+};
+CyclePlace cycle_place(const Stage& stage, std::int64_t k);
+
+/// Whether the state at a place is stored.
+bool is_stored(const Stage& stage, const CyclePlace& place);
+
+/// One half cycle of strain, counted from 0.
+struct StrainHalf {
+  double from = 0, to = 0;  ///< strains
+  std::int64_t steps = 1;   ///< that it takes
+};
+StrainHalf strain_half(const StrainCycles& cycles, std::int64_t half, double time_step);
 
 /// What drives the walls of this domain in an increment: velocities along +x or +y, pressures as forces.
 WallDrives drives_for(const Increment& increment, const Domain& domain);

@@ -45,6 +45,7 @@ void transfer_result(const ResultPart& at, StageResult& result) {
   transfer_names(at.group("grains"), sample.grains, nullptr);
   at.each("frames", result.frames, 4, [&](const ResultPart& one, Frame& frame) { transfer_frame(one, frame, sample); });
   transfer_history(at, "history", result.history);
+  if (at.reads() ? at.take->has_group("cycles") : !result.cycles.columns.empty()) transfer_history(at, "cycles", result.cycles);
   transfer_numbers(at, "texture", result.texture);
   at.array("continuation", result.continuation);
 }

@@ -1,0 +1,90 @@
+#include "grains/dem/programme.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grains/dem/measure.hpp"
+#include "grains/dem/setup.hpp"
+
+namespace arenite::dem {
+
+double Programme::at(double time) const {
+  if (const double period = table.back().x; repeat && period > 0) time -= period * std::floor(time / period);
+  const auto after = std::upper_bound(table.begin(), table.end(), time, [](double t, const Vec2& row) { return t < row.x; });
+  if (after == table.begin()) return table.front().y;
+  if (after == table.end()) return table.back().y;
+  const Vec2 &a = *(after - 1), &b = *after;
+  return a.y + (time - a.x) / (b.x - a.x) * (b.y - a.y);
+}
+
+const Programme* Programmes::find(int of) const {
+  const auto at = std::find_if(list.begin(), list.end(), [&](const Programme& p) { return p.of == of; });
+  return at == list.end() ? nullptr : &*at;
+}
+
+const Programme* Programmes::of_side(int side) const {
+  const auto at = std::find_if(list.begin(), list.end(), [&](const Programme& p) { return p.drives_side() && p.side() == side; });
+  return at == list.end() ? nullptr : &*at;
+}
+
+void change_shear_rate(Sample& s, double rate) {
+  if (rate == s.shear_rate) return;
+  const bool tracked = s.integration.track_energy;
+  const double before = tracked ? energies_of(s).kinetic : 0, middle = 0.5 * (s.domain.wall[bottom].position + s.domain.wall[top].position);
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const double faster = (rate - s.shear_rate) * (s.record[k].y - middle);
+    s.vx[k] += faster;
+    s.record[k].vx += faster;
+  }
+  s.shear_rate = rate;
+  if (tracked) s.tally.work_walls += energies_of(s).kinetic - before;
+}
+
+void follow_velocities(Sample& s) {
+  const double time = time_of(s) + 0.5 * s.dt - s.programmes.begin;
+  for (const Programme& p : s.programmes.list) {
+    if (p.of == Programme::shear_rate) change_shear_rate(s, p.at(time));
+    if (p.of >= Programme::slide && p.of < Programme::shear_rate) s.wall[static_cast<std::size_t>(p.of - Programme::slide)].drive.slide = p.at(time);
+    if (!p.drives_side() || p.drive() != 0) continue;
+    const auto side = static_cast<std::size_t>(p.side());
+    const Vec2 inward = inward_normal(p.side());
+    s.wall[side].drive.value = s.wall[side].rate = s.domain.wall[side].velocity = p.at(time) * (inward.x + inward.y);
+  }
+}
+
+namespace {
+
+/// N, of a side under force or pressure.
+double load_of(const Sample& s, const Programme& p, double time) {
+  const double value = p.at(time);
+  if (p.drive() == 1) return value;
+  return value * (p.side() < bottom ? s.domain.height() : s.domain.width()) * s.domain.thickness;
+}
+
+}  // namespace
+
+void follow_loads(Sample& s) {
+  const double time = time_of(s) - s.programmes.begin;
+  for (const Programme& p : s.programmes.list)
+    if (p.drives_side() && p.drive() != 0) s.wall[static_cast<std::size_t>(p.side())].drive.value = load_of(s, p, time);
+  const Programme *size = s.programmes.find(Programme::gravity_size), *angle = s.programmes.find(Programme::gravity_angle);
+  if (!size && !angle) return;
+  const double g = size ? size->at(time) : s.programmes.gravity_size, turned = angle ? angle->at(time) : s.programmes.gravity_angle;
+  s.gravity = g * Vec2{std::sin(turned), -std::cos(turned)};
+}
+
+WallDrives under_programmes(const Sample& s, WallDrives drives) {
+  for (const Programme& p : s.programmes.list) {
+    if (p.of >= Programme::slide && p.of < Programme::shear_rate) {
+      const auto side = static_cast<std::size_t>(p.of - Programme::slide);
+      drives[side].slide = s.wall[side].drive.slide;
+    }
+    if (!p.drives_side()) continue;
+    const auto side = static_cast<std::size_t>(p.side());
+    if (p.drive() != 0) drives[side].value = load_of(s, p, time_of(s) - s.programmes.begin);
+    else if (s.wall[side].drive.kind == WallDrive::Kind::velocity) drives[side].value = s.wall[side].drive.value;
+  }
+  return drives;
+}
+
+}  // namespace arenite::dem

@@ -1,0 +1,95 @@
+#include "grains/fields/flow_numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "grains/fields/discharge.hpp"
+#include "grains/fields/free_surface.hpp"
+#include "grains/fields/steady_state.hpp"
+
+namespace arenite::fields {
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+Numbers estimate(double value, double error, double scale = 1) { return {{"value", scale * value}, {"error", scale * error}}; }
+
+const std::vector<double>* column(const History& history, const char* name) {
+  const auto at = std::find_if(history.columns.begin(), history.columns.end(), [&](const auto& c) { return c.name == name; });
+  return at == history.columns.end() ? nullptr : &at->values;
+}
+
+Numbers discharge_numbers(const StageResult& result) {
+  const auto *time = column(result.history, "time"), *mass = column(result.history, "passed_mass"), *grains = column(result.history, "passed");
+  if (!time || !mass || !grains || time->size() < 2) return Numbers::tree();
+  const Discharge by_mass = find_discharge(*time, *mass), by_grains = find_discharge(*time, *grains);
+  if (!std::isfinite(by_mass.rate.value)) return Numbers::tree();
+  Numbers j{{"steady", by_mass.steady},
+            {"rate_kg_s", estimate(by_mass.rate.value, by_mass.rate.error)},
+            {"rate_grains_s", estimate(by_grains.rate.value, by_grains.rate.error)},
+            {"begin_s", by_mass.begin},
+            {"end_s", by_mass.end}};
+  if (const double opening = narrowest_opening(result.frames.back().packing.domain); std::isfinite(opening)) j["opening_m"] = opening;
+  return j;
+}
+
+bool has_free_surface(const dem::Stage& stage) {
+  using Kind = dem::SideDrive::Kind;
+  return stage.gravity && stage.gravity_size > 0 &&
+         std::none_of(stage.side.begin(), stage.side.end(), [](const auto& side) { return side.kind == Kind::force || side.kind == Kind::pressure; });
+}
+
+/// Mean angle of the states in which it only fluctuates: of a drum that turns, say.
+void put_mean_angle(Numbers& j, const StageResult& result, Vec2 gravity) {
+  std::vector<double> angles;
+  for (const Frame& frame : result.frames)
+    if (const double angle = find_free_surface(frame.packing, gravity).angle.value; std::isfinite(angle)) angles.push_back(angle);
+  const auto steady = find_steady_state(angles, {1, 0.5});
+  if (!steady.reached) return;
+  j["mean_angle_deg"] = estimate(steady.mean.value, steady.mean.error, degrees);
+  j["states_in_mean"] = steady.count;
+}
+
+/// Way of the farther front, and beside the column that was there before. A front of grains is known to half a grain.
+void put_runout(Numbers& j, const FreeSurface& now, const FreeSurface& then) {
+  const double width = then.right - then.left, way = std::max(now.right - then.right, then.left - now.left);
+  const double height = std::accumulate(then.height.begin(), then.height.end(), 0.0) / static_cast<double>(then.height.size()) - then.bottom;
+  j["runout_m"] = estimate(way, 0.5 * now.diameter);
+  j["runout_over_width"] = estimate(way / width, 0.5 * now.diameter / width);
+  j["width_before_m"] = width;
+  j["height_before_m"] = height;
+  j["aspect_ratio_before"] = height / width;
+  j["height_over_width"] = (now.top - now.bottom) / width;
+}
+
+Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, const Packing* before) {
+  const Vec2 gravity{std::sin(stage.gravity_angle), -std::cos(stage.gravity_angle)};
+  const FreeSurface now = find_free_surface(result.frames.back().packing, gravity);
+  Numbers j{{"grains", now.grains}, {"left_m", now.left}, {"right_m", now.right}, {"bottom_m", now.bottom}, {"top_m", now.top}};
+  const auto put_angle = [&j](const char* name, const statistics::Estimate& angle) {
+    if (std::isfinite(angle.value)) j[name] = estimate(angle.value, angle.error, degrees);
+  };
+  put_angle("angle_deg", now.angle);
+  put_angle("left_angle_deg", now.left_flank.angle);
+  put_angle("right_angle_deg", now.right_flank.angle);
+  if (stage.duration && result.frames.size() >= 12) put_mean_angle(j, result, gravity);
+  if (before) {
+    const FreeSurface then = find_free_surface(*before, gravity);
+    if (!then.height.empty()) put_runout(j, now, then);
+  }
+  return j;
+}
+
+}  // namespace
+
+Numbers flow_numbers(const StageResult& result, const dem::Stage& stage, const Packing* before) {
+  Numbers j = Numbers::tree();
+  if (result.frames.empty() || result.frames.back().packing.grains.size() == 0) return j;
+  if (Numbers discharge = discharge_numbers(result); !discharge.empty()) j["discharge"] = std::move(discharge);
+  if (has_free_surface(stage)) j["surface"] = surface_numbers(result, stage, before);
+  return j;
+}
+
+}  // namespace arenite::fields

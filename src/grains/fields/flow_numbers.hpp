@@ -1,0 +1,11 @@
+#pragma once
+#include "grains/dem/stage.hpp"
+#include "model/result.hpp"
+
+namespace arenite::fields {
+
+/// Numbers of what flows under its weight, each with its error: "discharge" of a stage that counts what passes, "surface" of one that weighs and on
+/// which no side presses from above: angle of repose, ends, and the run-out since the state `before` (null: none); empty where it is neither.
+Numbers flow_numbers(const StageResult& result, const dem::Stage& stage, const Packing* before);
+
+}  // namespace arenite::fields

@@ -1,0 +1,146 @@
+#include "grains/fields/free_surface.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "core/joined_sets.hpp"
+#include "geometry/close_pairs.hpp"
+#include "statistics/correlation.hpp"
+#include "statistics/jackknife.hpp"
+
+namespace arenite::fields {
+namespace {
+
+constexpr std::size_t blocks = 8;         // of neighbouring columns, for the error of a slope
+constexpr std::size_t least_columns = 8;  // that a line is laid through
+
+/// Grains that hang together, turned so that gravity points down.
+struct Body {
+  std::vector<double> x, y, radius;
+};
+
+std::vector<std::size_t> largest_set(const Grains& g, double gap) {
+  const auto pair = [](const std::vector<double>& v) { return std::minmax_element(v.begin(), v.end()); };
+  const auto [x0, x1] = pair(g.x);
+  const auto [y0, y1] = pair(g.y);
+  const double rim = *std::max_element(g.radius.begin(), g.radius.end()) + gap;
+  JoinedSets sets(g.size());
+  for (const auto& p : geometry::close_pairs(g.x, g.y, g.radius, {*x0 - rim, *y0 - rim, *x1 - *x0 + 2 * rim, *y1 - *y0 + 2 * rim, false, false}, gap))
+    sets.join(p.i, p.j);
+  std::vector<std::vector<std::size_t>> members(g.size());
+  for (std::size_t k = 0; k < g.size(); ++k) members[static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(k)))].push_back(k);
+  return *std::max_element(members.begin(), members.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+}
+
+Body body_of(const Packing& packing, Vec2 up, double gap) {
+  Body body;
+  const Grains& g = packing.grains;
+  for (const std::size_t k : largest_set(g, gap)) {
+    body.x.push_back(g.x[k] * up.y - g.y[k] * up.x);
+    body.y.push_back(g.x[k] * up.x + g.y[k] * up.y);
+    body.radius.push_back(g.radius[k]);
+  }
+  return body;
+}
+
+/// The upper rim in the middle of columns of this width; none where a column has no grain.
+void trace_rim(const Body& body, double width, FreeSurface& surface) {
+  const auto columns = static_cast<std::size_t>(std::max(1.0, std::floor((surface.right - surface.left) / width)));
+  std::vector<double> rim(columns, -std::numeric_limits<double>::infinity());
+  for (std::size_t k = 0; k < body.x.size(); ++k) {
+    const double first = (body.x[k] - body.radius[k] - surface.left) / width - 0.5, last = (body.x[k] + body.radius[k] - surface.left) / width - 0.5;
+    for (auto c = static_cast<std::ptrdiff_t>(std::max(0.0, std::ceil(first))); c <= last && c < static_cast<std::ptrdiff_t>(columns); ++c) {
+      const double off = surface.left + (static_cast<double>(c) + 0.5) * width - body.x[k];
+      auto& highest = rim[static_cast<std::size_t>(c)];
+      highest = std::max(highest, body.y[k] + std::sqrt(std::max(0.0, body.radius[k] * body.radius[k] - off * off)));
+    }
+  }
+  for (std::size_t c = 0; c < columns; ++c) {
+    if (!std::isfinite(rim[c])) continue;
+    surface.place.push_back(surface.left + (static_cast<double>(c) + 0.5) * width);
+    surface.height.push_back(rim[c]);
+  }
+}
+
+/// Angle by which the profile falls along `sign` x between two columns, first and last of a flank.
+Flank flank_between(const FreeSurface& s, std::size_t first, std::size_t last, double sign, const SurfaceOptions& options) {
+  Flank flank;
+  const auto [low, high] = std::minmax_element(s.height.begin() + static_cast<std::ptrdiff_t>(first), s.height.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  const double drop = *high - *low;
+  if (drop < options.least_drop * s.diameter) return flank;
+  // From the last column above the part to the first below it, so that a bump of one grain does not tear it.
+  const auto share = [&](std::size_t c) { return (s.height[c] - *low) / drop; };
+  const std::size_t from = sign > 0 ? first : last, to = sign > 0 ? last : first;
+  const auto next = [&](std::size_t c) { return sign > 0 ? c + 1 : c - 1; };
+  std::size_t begin = from, end = to;
+  for (std::size_t c = from; c != to; c = next(c))
+    if (share(c) > options.high) begin = c;
+  for (std::size_t c = begin; c != to; c = next(c))
+    if (share(c) < options.low) {
+      end = c;
+      break;
+    }
+  statistics::Items items;
+  for (std::size_t c = std::min(begin, end); c <= std::max(begin, end); ++c) items.push_back(c);
+  flank.columns = items.size();
+  if (items.size() < least_columns) return flank;
+  std::vector<int> block(s.height.size(), 0);
+  for (std::size_t k = 0; k < items.size(); ++k) block[items[k]] = static_cast<int>(k * blocks / items.size());
+  const auto slope = [&](const statistics::Items& some) {
+    std::vector<double> x, y;
+    for (const std::size_t c : some) x.push_back(s.place[c]), y.push_back(s.height[c]);
+    return std::vector<double>{std::atan(-sign * statistics::fit_line(x, y).slope)};
+  };
+  flank.angle = statistics::jackknife(items, block, slope).front();
+  return flank;
+}
+
+void measure_flanks(FreeSurface& s, const SurfaceOptions& options) {
+  const auto begin = s.height.begin(), top = std::max_element(begin, s.height.end());
+  const auto apex = static_cast<std::size_t>(top - begin);
+  const auto foot_left = static_cast<std::size_t>(std::min_element(begin, top + 1) - begin);
+  const auto foot_right = static_cast<std::size_t>(std::min_element(top, s.height.end()) - begin);
+  if (foot_left < apex) s.left_flank = flank_between(s, foot_left, apex, -1, options);
+  if (foot_right > apex) s.right_flank = flank_between(s, apex, foot_right, 1, options);
+  double sum = 0, value = 0, square = 0;
+  for (const Flank* flank : {&s.left_flank, &s.right_flank}) {
+    if (!std::isfinite(flank->angle.value)) continue;
+    const auto weight = static_cast<double>(flank->columns);
+    sum += weight;
+    value += weight * flank->angle.value;
+    square += weight * weight * flank->angle.error * flank->angle.error;
+  }
+  if (sum > 0) s.angle = {value / sum, std::sqrt(square) / sum};
+}
+
+}  // namespace
+
+FreeSurface find_free_surface(const Packing& packing, Vec2 gravity, const SurfaceOptions& options) {
+  const double g = norm(gravity);
+  if (!(g > 0) || !std::isfinite(g)) throw InputError("gravity has no direction, so there is no surface; give one, for example straight down");
+  if (packing.grains.size() == 0) throw InputError("there are no grains that could have a surface");
+  if (!(options.low >= 0 && options.low < options.high && options.high <= 1) || !(options.gap >= 0))
+    throw InputError(fmt::format("a line through {:g} to {:g} of a flank and grains that hang together up to {:g} diameters make no sense", options.low,
+                                 options.high, options.gap));
+  FreeSurface surface;
+  for (const double r : packing.grains.radius) surface.diameter += 2 * r / static_cast<double>(packing.grains.size());
+  const Body body = body_of(packing, -1.0 / g * gravity, options.gap * surface.diameter);
+  surface.grains = body.x.size();
+  surface.left = surface.bottom = HUGE_VAL;
+  surface.right = surface.top = -HUGE_VAL;
+  for (std::size_t k = 0; k < body.x.size(); ++k) {
+    surface.left = std::min(surface.left, body.x[k] - body.radius[k]);
+    surface.right = std::max(surface.right, body.x[k] + body.radius[k]);
+    surface.bottom = std::min(surface.bottom, body.y[k] - body.radius[k]);
+    surface.top = std::max(surface.top, body.y[k] + body.radius[k]);
+  }
+  trace_rim(body, surface.diameter, surface);
+  if (!surface.place.empty()) measure_flanks(surface, options);
+  return surface;
+}
+
+}  // namespace arenite::fields

@@ -1,0 +1,41 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "core/vec.hpp"
+#include "model/packing.hpp"
+#include "statistics/estimate.hpp"
+
+namespace arenite::fields {
+
+/// One side of a heap or layer: its surface from the highest place down to the lowest on that side.
+struct Flank {
+  statistics::Estimate angle;  ///< rad below the horizontal; unknown where the flank is too short to tell
+  std::size_t columns = 0;     ///< of the profile that the line is laid through
+};
+
+/// The surface of what hangs together, seen with gravity pointing down. Lengths along the horizontal and the vertical are counted from the
+/// frame's origin.
+struct FreeSurface {
+  std::vector<double> place, height;  ///< m; the highest rim above each of the columns, which are a mean diameter apart
+  std::size_t grains = 0;             ///< that hang together
+  double left = 0, right = 0;         ///< ends of the grains that hang together, m
+  double bottom = 0, top = 0;         ///< m
+  double diameter = 0;                ///< mean diameter, m
+  Flank left_flank, right_flank;      ///< that fall to the left and to the right
+  statistics::Estimate angle;         ///< of both flanks by their columns, rad; unknown where there is none
+};
+
+/// Choices that the definition of a surface leaves open.
+struct SurfaceOptions {
+  double gap = 0.1;              ///< mean diameters between surfaces up to which two grains hang together: single grains that roll ahead do not
+  double low = 0.2, high = 0.8;  ///< part of a flank's height that the line is laid through: neither the rounded top nor the thin toe
+  double least_drop = 4;         ///< mean diameters that a flank falls at least
+};
+
+/// The largest set of grains that hang together, its upper rim column by column, and the slope of its flanks by a straight line through the middle
+/// of their height, with the error by leaving out one of eight blocks of neighbouring columns at a time. Periodic sides do not count as neighbours.
+/// Throws InputError where gravity has no direction, there are no grains, and for ranges that make no sense.
+FreeSurface find_free_surface(const Packing& packing, Vec2 gravity, const SurfaceOptions& options = {});
+
+}  // namespace arenite::fields

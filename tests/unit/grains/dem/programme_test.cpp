@@ -1,0 +1,185 @@
+#include "grains/dem/programme.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "grains/dem/run_stage.hpp"
+#include "unit/grains/dem/samples.hpp"
+
+namespace arenite::dem {
+namespace {
+
+using testing::add_grain;
+using testing::crowd;
+using testing::empty_frame;
+
+constexpr int velocity_of(int side) { return Programme::drives * side; }
+constexpr int force_on(int side) { return Programme::drives * side + 1; }
+constexpr int pressure_on(int side) { return Programme::drives * side + 2; }
+
+Stage stage_with(std::vector<Programme> programmes, double duration) {
+  Stage stage;
+  stage.name = "load";
+  stage.duration = duration;
+  stage.programmes = std::move(programmes);
+  for (const Programme& p : stage.programmes)
+    if (p.drives_side()) stage.side[static_cast<std::size_t>(p.side())] = {static_cast<SideDrive::Kind>(1 + p.drive()), p.table.front().y};
+  return stage;
+}
+
+TEST(Programme, IsLinearBetweenItsRowsJumpsWhereTwoHaveOneTimeAndBeginsAnew) {
+  Programme p{0, {{1, 10}, {2, 20}, {2, 5}, {4, 7}}, false};
+  EXPECT_EQ(p.at(-1), 10);
+  EXPECT_EQ(p.at(0.5), 10);
+  EXPECT_EQ(p.at(1.25), 12.5);
+  EXPECT_EQ(p.at(2), 5);
+  EXPECT_EQ(p.at(3), 6);
+  EXPECT_EQ(p.at(9), 7);
+  p.repeat = true;
+  EXPECT_EQ(p.at(4.5), 10);
+  EXPECT_EQ(p.at(9.25), 12.5);
+  EXPECT_EQ(p.at(8003), 6);
+}
+
+TEST(Programme, MovesAWallByTheAreaBelowItsVelocities) {
+  Packing start = empty_frame(0.2, 0.2);
+  add_grain(start, 0.1, 0.1, 0.005);
+  for (const IntegratorKind kind : {IntegratorKind::velocity_verlet, IntegratorKind::gear5}) {
+    IntegrationParameters integration;
+    integration.integrator = kind;
+    Engine engine(start, {}, integration);
+    const Stage stage = stage_with({{velocity_of(top), {{0, 0}, {0.002, 2}, {0.004, -1}}}, {velocity_of(left), {{0, 1}, {0.001, 1}, {0.001, 0}}}}, 0.004);
+    StageRun run = begin_stage(engine, stage);
+    while (!run.finished) continue_stage(engine, stage, run);
+    // Triangles of 0.002 s x 2 m/s / 2 and the way down to -1 m/s; where a table bends within a step, the square of that is lost at most.
+    const double bend = 2000 * engine.time_step() * engine.time_step(), late = engine.time() - 0.004;
+    EXPECT_NEAR(0.2 - engine.domain().wall[top].position, 0.002 + 0.001 - late, bend);
+    EXPECT_NEAR(engine.domain().wall[left].position, 0.001, engine.time_step());  // it stops within a step
+    EXPECT_NEAR(engine.domain().wall[top].velocity, 1, 2000 * engine.time_step());
+  }
+}
+
+TEST(Programme, TurnsAndScalesTheWeightOfAFreeGrain) {
+  Packing start = empty_frame(10, 10);
+  add_grain(start, 5, 5, 0.005);
+  IntegrationParameters integration;
+  integration.track_energy = true;
+  Engine engine(start, {}, integration);
+  Stage stage = stage_with({{Programme::gravity_size, {{0, 0}, {0.1, 10}}}}, 0.1);
+  stage.gravity = true;
+  stage.gravity_size = 0;
+  stage.gravity_angle = std::numbers::pi / 2;  // along +x
+  StageRun run = begin_stage(engine, stage);
+  while (!run.finished) continue_stage(engine, stage, run);
+  const Packing end = engine.packing();
+  const double dt = engine.time_step();         // what the last step lies beyond the end of the table
+  EXPECT_NEAR(end.grains.vx[0], 0.5, 10 * dt);  // 100 m/s^3 t^2/2
+  EXPECT_NEAR(end.grains.x[0] - 5, 100 * 1e-3 / 6, dt);
+  EXPECT_NEAR(end.grains.vy[0], 0, 1e-12);
+  const Energies e = engine.energies();
+  EXPECT_NEAR(e.work_gravity, e.kinetic, 1e-6 * e.kinetic);
+}
+
+/// Disks of one size on a triangular lattice in a periodic cell, touching.
+Packing crystal() {
+  const double d = 0.012, columns = 6, rows = 6;
+  Packing p = empty_frame(columns * d, rows * d * std::sqrt(0.75));
+  p.domain.periodic_x = p.domain.periodic_y = true;
+  for (Wall& wall : p.domain.wall) wall.present = false;
+  for (int r = 0; r < rows; ++r)
+    for (int c = 0; c < columns; ++c) add_grain(p, d * (0.25 + c + 0.5 * (r % 2)), d * std::sqrt(0.75) * (r + 0.5), d / 2);
+  return p;
+}
+
+TEST(Programme, HoldsACrystalOnAPathOfStressAtAGivenRatio) {
+  const Packing start = crystal();
+  ContactParameters law;
+  law.friction_law = NoFriction{};
+  Engine engine(start, law, {});
+  const double c11 = std::sqrt(3) / 4 * 3 * 27.35e6 / 0.06, c12 = c11 / 3, peak = 2e6, time = 0.05;  // Pa, of springs 60 mm long
+  Stage stage = stage_with({{pressure_on(top), {{0, 0}, {time, peak}}}, {pressure_on(right), {{0, 0}, {time, 0.6 * peak}}}}, time);
+  stage.drag = 3000;
+  StageRun run = begin_stage(engine, stage);
+  double share = 0.25;
+  while (!run.finished) {
+    continue_stage(engine, stage, run);
+    if (engine.time() < share * time) continue;
+    share += 0.25;
+    const Domain& d = engine.domain();
+    const double yy = engine.time() / time * peak, xx = 0.6 * yy;
+    EXPECT_NEAR(d.wall[top].force / (d.width() * d.thickness), yy, 0.005 * peak);
+    EXPECT_NEAR(d.wall[right].force / (d.height() * d.thickness), xx, 0.005 * peak);
+    // Hooke's law of the lattice, up to strains of their own order (0.4 %), and what the sides lag behind.
+    const double det = c11 * c11 - c12 * c12;
+    EXPECT_NEAR(1 - d.height() / start.domain.height(), (c11 * yy - c12 * xx) / det, 0.01 * peak * c11 / det);
+    EXPECT_NEAR(1 - d.width() / start.domain.width(), (c11 * xx - c12 * yy) / det, 0.01 * peak * c11 / det);
+  }
+  EXPECT_GT(share, 1);
+}
+
+TEST(Programme, DoesTheWorkThatTheSampleTakes) {
+  Packing start = crystal();
+  for (Wall& wall : start.domain.wall) wall.present = true;
+  start.domain.periodic_x = start.domain.periodic_y = false;
+  for (int side = 0; side < 4; ++side) {  // rows that stand off stay inside, all but touching
+    const Vec2 inward = inward_normal(side);
+    start.domain.wall[static_cast<std::size_t>(side)].position -= (inward.x + inward.y) * (side < bottom ? 0.003 : 0.0009);
+  }
+  ContactParameters law;
+  law.friction = 0.4;
+  IntegrationParameters integration;
+  integration.track_energy = true;
+  integration.safety = 0.005;
+  Engine engine(start, law, integration);
+  Stage stage = stage_with({{force_on(top), {{0, 0}, {0.002, 4e3}, {0.003, 1e3}}},
+                            {Programme::slide + top, {{0, 0}, {0.003, 0.2}}},
+                            {Programme::gravity_angle, {{0, 0}, {0.003, 1}}}},
+                           0.003);
+  stage.gravity = true;
+  stage.gravity_size = 500;
+  StageRun run = begin_stage(engine, stage);
+  const Energies before = engine.energies();
+  while (!run.finished) continue_stage(engine, stage, run);
+  const Energies e = engine.energies();
+  const double kept = e.kinetic + e.elastic - before.kinetic - before.elastic;
+  const double lost = e.dissipated_normal + e.dissipated_friction + e.dissipated_drag;
+  EXPECT_GT(std::abs(e.work_walls), 1e-4);
+  EXPECT_GT(std::abs(e.work_gravity), 1e-6);
+  EXPECT_NEAR(kept + lost, e.work_walls + e.work_gravity, 1e-5 * (std::abs(e.work_walls) + lost));
+}
+
+TEST(Programme, ResumesToTheSameBits) {
+  Packing start = crowd(10, 10, 3, 0.0125);
+  start.domain.periodic_x = start.domain.periodic_y = true;
+  for (Wall& wall : start.domain.wall) wall.present = false;
+  Stage stage = stage_with({{pressure_on(top), {{0, 1e5}, {0.002, 1e6}, {0.003, 5e5}}, true},
+                            {velocity_of(right), {{0, 0}, {0.002, 0.5}}},
+                            {Programme::shear_rate, {{0, 0}, {0.001, 20}, {0.001, -20}}}},
+                           0.004);
+  Engine whole(start, {}, {}), cut(start, {}, {});
+  whole.advance(100);
+  cut.advance(100);
+  const std::vector<std::uint8_t> at_start = cut.save();
+  StageRun one = begin_stage(whole, stage);
+  while (!one.finished) continue_stage(whole, stage, one);
+
+  StageRun first = begin_stage(cut, stage);
+  for (int k = 0; k < 7; ++k) continue_stage(cut, stage, first);
+  ASSERT_FALSE(first.finished);
+  const auto bytes = cut.save();
+  Engine again(start, {}, {});
+  again.restore(at_start);
+  StageRun second = begin_stage(again, stage);
+  again.restore(bytes);
+  second.steps_in_increment = first.steps_in_increment;
+  second.checks = first.checks;
+  second.result = first.result;
+  while (!second.finished) continue_stage(again, stage, second);
+  EXPECT_EQ(again.state_hash(), whole.state_hash());
+  EXPECT_NEAR(whole.shear_strain(), 0.01 - 0.06, 1e-4);
+}
+
+}  // namespace
+}  // namespace arenite::dem

@@ -1,0 +1,66 @@
+#include "grains/fields/flow_numbers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace arenite::fields {
+namespace {
+
+/// A column of disks three wide, or what became of it: a ramp to the right.
+Packing column(bool fallen) {
+  Packing p;
+  p.materials = {{"glass", 2500, 1e6, 0}};
+  for (int c = 0; c < (fallen ? 60 : 20); ++c)
+    for (int r = 0; r < (fallen ? 30 - c / 2 : 40); ++r) {
+      p.grains.resize(p.grains.size() + 1);
+      p.grains.x.back() = 0.01 * (c + 0.5);
+      p.grains.y.back() = 0.01 * (r + 0.5);
+      p.grains.radius.back() = 0.005;
+    }
+  return p;
+}
+
+StageResult result() {
+  StageResult r;
+  r.frames.push_back({1, 1000, "end", column(true), {}, {}});
+  std::vector<double> time, grains, mass;
+  for (int k = 0; k <= 400; ++k) {
+    time.push_back(0.01 * k);
+    grains.push_back(std::max(0, 5 * (k - 50) + k * k % 7));
+    mass.push_back(0.002 * grains.back());
+  }
+  r.history.columns = {{"time", "s", time}, {"passed", "1", grains}, {"passed_mass", "kg", mass}};
+  return r;
+}
+
+TEST(FlowNumbers, TellDischargeAngleAndRunOut) {
+  dem::Stage stage;
+  stage.gravity = true;
+  const Packing before = column(false);
+  const Numbers n = flow_numbers(result(), stage, &before);
+  EXPECT_NEAR(n["discharge"]["rate_grains_s"]["value"].get<double>(), 500, 5);
+  EXPECT_NEAR(n["discharge"]["rate_kg_s"]["value"].get<double>(), 1, 0.01);
+  EXPECT_TRUE(n["discharge"]["steady"].get<bool>());
+  EXPECT_FALSE(n["discharge"].contains("opening_m"));
+  const Numbers& surface = n["surface"];
+  EXPECT_NEAR(surface["angle_deg"]["value"].get<double>(), 26.57, 0.5);
+  EXPECT_NEAR(surface["runout_m"]["value"].get<double>(), 0.4, 1e-9);
+  EXPECT_NEAR(surface["runout_m"]["error"].get<double>(), 0.005, 1e-12);
+  EXPECT_NEAR(surface["runout_over_width"]["value"].get<double>(), 2, 1e-9);
+  EXPECT_NEAR(surface["aspect_ratio_before"].get<double>(), 2, 0.01);
+}
+
+TEST(FlowNumbers, AreNoneWithoutWeightAndUnderAPressingSide) {
+  StageResult still = result();
+  still.history = {};
+  dem::Stage stage;
+  EXPECT_TRUE(flow_numbers(still, stage, nullptr).empty());
+  stage.gravity = true;
+  EXPECT_FALSE(flow_numbers(still, stage, nullptr)["surface"].contains("runout_m"));
+  stage.side[top] = {dem::SideDrive::Kind::force, 1};
+  EXPECT_TRUE(flow_numbers(still, stage, nullptr).empty());
+}
+
+}  // namespace
+}  // namespace arenite::fields

@@ -1,0 +1,81 @@
+#include "grains/fields/free_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+
+namespace arenite::fields {
+namespace {
+
+constexpr double radius = 0.0025, degree = std::numbers::pi / 180;
+
+/// Disks in rows, all whose centres lie below a roof that falls from its ridge to the left and to the right, turned about the origin.
+Packing heap(double ridge, double height, double left_angle, double right_angle, double turned = 0) {
+  Packing p;
+  p.materials = {{"glass", 2500, 1e6, 0}};
+  Grains& g = p.grains;
+  const double row = std::sqrt(3) * radius;
+  for (int r = 0; r * row < height; ++r)
+    for (int c = -400; c < 400; ++c) {
+      const double x = ridge + (2 * c + r % 2) * radius, y = r * row;
+      const double roof = height - (x < ridge ? (ridge - x) * std::tan(left_angle) : (x - ridge) * std::tan(right_angle));
+      if (y > roof || x < 0) continue;
+      g.resize(g.size() + 1);
+      g.x.back() = x * std::cos(turned) - y * std::sin(turned);
+      g.y.back() = x * std::sin(turned) + y * std::cos(turned);
+      g.radius.back() = radius;
+    }
+  return p;
+}
+
+Vec2 down(double turned = 0) { return {9.81 * std::sin(turned), -9.81 * std::cos(turned)}; }
+
+TEST(FreeSurface, HasTheAnglesOfAHeapThatWasBuiltWithThem) {
+  const Packing p = heap(0.4, 0.12, 20 * degree, 31 * degree);
+  const FreeSurface s = find_free_surface(p, down());
+  EXPECT_EQ(s.grains, p.grains.size());
+  EXPECT_NEAR(s.left_flank.angle.value / degree, 20, 0.6);
+  EXPECT_NEAR(s.right_flank.angle.value / degree, 31, 0.6);
+  for (const Flank* flank : {&s.left_flank, &s.right_flank}) EXPECT_LT(flank->angle.error, degree);
+  EXPECT_GT(s.angle.value, s.left_flank.angle.value);
+  EXPECT_LT(s.angle.value, s.right_flank.angle.value);
+  EXPECT_NEAR(s.top, 0.12, 2 * radius);
+  EXPECT_NEAR(s.right, 0.4 + 0.12 / std::tan(31 * degree), 2 * radius);
+}
+
+TEST(FreeSurface, IsTheSameHoweverFrameAndGravityAreTurned) {
+  const FreeSurface straight = find_free_surface(heap(0, 0.12, 25 * degree, 25 * degree), down());
+  EXPECT_EQ(straight.left_flank.columns, 0u);  // the ridge stands at the left end
+  EXPECT_NEAR(straight.angle.value / degree, 25, 0.6);
+  for (const double turned : {0.3, -1.2, 2.5}) {
+    const FreeSurface s = find_free_surface(heap(0, 0.12, 25 * degree, 25 * degree, turned), down(turned));
+    EXPECT_NEAR(s.angle.value, straight.angle.value, 1e-6);
+    EXPECT_NEAR(s.right - s.left, straight.right - straight.left, 1e-9);
+  }
+}
+
+TEST(FreeSurface, LeavesOutGrainsThatRolledAhead) {
+  Packing p = heap(0, 0.12, 25 * degree, 25 * degree);
+  const FreeSurface before = find_free_surface(p, down());
+  Grains& g = p.grains;
+  g.resize(g.size() + 1);
+  g.x.back() = before.right + 0.05;
+  g.radius.back() = radius;
+  const FreeSurface after = find_free_surface(p, down());
+  EXPECT_EQ(after.right, before.right);
+  EXPECT_EQ(after.grains, before.grains);
+}
+
+TEST(FreeSurface, HasNoAngleWhereItIsFlatAndRefusesWhatMakesNoSense) {
+  const Packing flat = heap(0, 0.05, 0, 1e-9);
+  EXPECT_TRUE(std::isnan(find_free_surface(flat, down()).angle.value));
+  EXPECT_THROW(find_free_surface(flat, {}), InputError);
+  EXPECT_THROW(find_free_surface(Packing{}, down()), InputError);
+  EXPECT_THROW(find_free_surface(flat, down(), {0.1, 0.8, 0.2, 4}), InputError);
+}
+
+}  // namespace
+}  // namespace arenite::fields
