@@ -9,6 +9,7 @@ import { fitMaps } from "./film_fit.js";
 import { certainty, rankedForces } from "./film_forces.js";
 import { rankedStresses, stressMaps } from "./film_grains.js";
 import { againstTwin, stressTails } from "./film_twin.js";
+import { grainBonds } from "./grain_bonds.js";
 import { approach, energies, forceDisplacement, wallForces } from "./history.js";
 import { roses } from "./roses.js";
 import { contactNumbers, coordination, rev, threshold } from "./structure.js";
@@ -18,7 +19,7 @@ import { discharge, testCurves } from "./test_curves.js";
     there anything to draw), `draw({ sample, state, texture, theme, width })` -> SVG; `key` (entries above the drawing),
     `wide` (takes a whole row), `follows` (redrawn at every frame, or when one of these keys of the state changes), `choices`
     (keys of the state with their options, beside the title). A new figure is one more row. */
-export const figures = [testCurves, discharge, roses, stressDistribution, forceDistribution, coordination, contactNumbers, rev, threshold, course, wallForces, forceDisplacement, energies, approach];
+export const figures = [testCurves, grainBonds, discharge, roses, stressDistribution, forceDistribution, coordination, contactNumbers, rev, threshold, course, wallForces, forceDisplacement, energies, approach];
 
 /** Every figure of a cemented sample or its field, likewise; `sample` is its FieldResult and there is no texture. */
 export const fieldFigures = [stressStrain, brokenBonds, energyBalance, stressDensities, cavityVolumes, convergence];
