@@ -158,6 +158,30 @@ py::dict domain_of(const Packing& p) {
   return d;
 }
 
+/// Bonds as arrays of one length, by name.
+py::dict bonds_of(const Packing& packing) {
+  const auto& bonds = packing.bonds;
+  const auto column = [&](auto get) {
+    std::vector<std::decay_t<decltype(get(bonds.front()))>> values;
+    for (const Bond& bond : bonds) values.push_back(get(bond));
+    return taken_over(std::move(values));
+  };
+  py::dict d;
+  d["i"] = column([](const Bond& b) { return b.i; });
+  d["j"] = column([](const Bond& b) { return b.j; });
+  d["broken"] = column([](const Bond& b) { return static_cast<std::int32_t>(b.broken); });
+  d["time"] = column([](const Bond& b) { return b.time; });
+  d["x"] = column([](const Bond& b) { return b.place.x; });
+  d["y"] = column([](const Bond& b) { return b.place.y; });
+  d["fn"] = column([](const Bond& b) { return b.fn; });
+  d["ft"] = column([](const Bond& b) { return b.ft; });
+  d["moment"] = column([](const Bond& b) { return b.moment; });
+  d["energy"] = column([](const Bond& b) { return b.energy; });
+  d["load"] = column([](const Bond& b) { return b.load; });
+  d["length"] = column([](const Bond& b) { return b.length; });
+  return d;
+}
+
 void bind_contacts(py::module_& m) {
   py::class_<Contacts> c(m, "Contacts",
                          "Contacts, each once: arrays of one length. n points from grain j to grain i, t is n turned by +90 degrees, and the "
@@ -239,6 +263,11 @@ void bind_packing(py::module_& m) {
       .def_property_readonly(
           "contacts", [](const Packing& p) -> const Contacts& { return p.contacts; }, py::return_value_policy::reference_internal,
           "Those that are known, with walls too.")
+      .def_property_readonly(
+          "bonds", &bonds_of,
+          "Bonds by name, arrays of one length: grains i < j (places in the arrays), broken (0 holds, 1 in tension, 2 in bending, 3 in shear), time (s) and "
+          "place x, y (m) of the break, fn, ft (N, signs as of contacts) and moment on i (N m) now, energy (J, as it broke), load (stress over strength), "
+          "length (m, as made).")
       .def_property_readonly(
           "materials", [](const Packing& p) { return p.materials; }, "Those that `material` numbers.")
       .def_property_readonly("domain", &domain_of, "The frame: position (m), velocity (m/s) and force (N) of every wall, width, height, thickness (m).")

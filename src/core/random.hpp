@@ -15,6 +15,7 @@ enum class Purpose : std::uint32_t {
   dropped_frames = 9,
   sweep = 10,
   photograph = 11,
+  bonds = 12,
   test = 99
 };
 

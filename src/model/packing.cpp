@@ -82,4 +82,14 @@ void Contacts::add(std::int32_t a, std::int32_t b, Vec2 normal, double normal_fo
   glued.push_back(0);
 }
 
+Vec2 branch_of(const Packing& packing, const Bond& bond) {
+  const Grains& g = packing.grains;
+  return packing.domain.nearest_image(g.centre(static_cast<std::size_t>(bond.i)) - g.centre(static_cast<std::size_t>(bond.j)));
+}
+
+Vec2 force_on_i(const Packing& packing, const Bond& bond) {
+  const Vec2 branch = branch_of(packing, bond), n = branch / norm(branch);
+  return bond.fn * n + bond.ft * perpendicular(n);
+}
+
 }  // namespace arenite

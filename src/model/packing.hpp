@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/vec.hpp"
+#include "model/bond.hpp"
 
 namespace arenite {
 
@@ -135,6 +136,11 @@ struct Packing {
   Domain domain;
   Grains grains;
   Contacts contacts;
+  std::vector<Bond> bonds;  ///< sorted by (i, j), broken ones as well
 };
+
+/// From j to i of a bond now, m, and its force on i, N.
+Vec2 branch_of(const Packing& packing, const Bond& bond);
+Vec2 force_on_i(const Packing& packing, const Bond& bond);
 
 }  // namespace arenite

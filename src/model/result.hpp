@@ -14,7 +14,7 @@ namespace arenite {
 /// Energies of a sample, J. Closed when kinetic + elastic + adhesive = work_walls + work_gravity - dissipated_* + what was there at the start.
 struct Energies {
   double kinetic = 0;              ///< translation and rotation of grains, motion of servo walls
-  double elastic = 0;              ///< springs, normal and tangential
+  double elastic = 0;              ///< springs of contacts and bonds
   double adhesive = 0;             ///< potential of the adhesion, <= 0
   double dissipated_normal = 0;    ///< by normal dashpots
   double dissipated_friction = 0;  ///< by sliding and tangential viscosity

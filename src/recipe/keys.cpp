@@ -161,7 +161,8 @@ void declare(ParameterVisitor& v, Recipe& recipe) {
   v.section({"integration", "Newton's equations in time."}, [&](Visitor& inner) { declare(inner, recipe.integration); });
   v.optional_section<Region>({"glued", "A region whose grains are glued to each other."}, recipe.glued,
                              [&](Visitor& inner, Region& region) { declare(inner, region, recipe.container); });
-  v.require(!recipe.glued || recipe.contact.adheres(), {"glued", "contact"}, "there is nothing to glue with; set contact.adhesion and contact.surface_energy");
+  v.require(!recipe.glued || recipe.contact.adheres() || recipe.contact.has_bonds(), {"glued", "contact"},
+            "there is nothing to glue with; set contact.adhesion and contact.surface_energy, or contact.bonds");
   declare_boundaries(v, recipe);
   v.list<Stage>({"stages", "Loading, stage after stage; each starts where the one before ended.", true}, recipe.stages,
                 [&](Visitor& inner, Stage& stage) { declare(inner, stage, recipe); });

@@ -28,6 +28,7 @@ void declare(ParameterVisitor& v, dem::ContactParameters& contact) {
            range::not_negative);
   v.number({"tangential_stiffness_ratio", "k_t/k_n of the Cundall-Strack spring."}, contact.tangential_stiffness_ratio, "", range::positive);
   v.member({"rolling", "Moment between two grains that turn against each other."}, contact.rolling);
+  v.member({"bonds", "Cement that joins two grains from the stage that makes it on."}, contact.bonds);
   v.choice({"arms", "Lever arms of contact forces."}, contact.arms, {{"contact_point", "to the middle of the overlap"}, {"full_radius", "the radii"}});
   v.member({"adhesion", "Adhesion between glued grains."}, contact.adhesion);
   v.number({"surface_energy", "gamma of the adhesion."}, contact.surface_energy, "kN/mm", range::not_negative);
@@ -198,6 +199,9 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
            stage.inertial_number, "", range::positive);
   v.flag({"glue", "Adhesion acts from this stage on."}, stage.glue);
   v.require(!stage.glue || recipe.contact.adheres(), {"glue"}, "there is nothing to glue with; set contact.adhesion and contact.surface_energy");
+  v.flag({"bond", "Grains that touch as the stage begins, or nearly (bond_gap), are bonded from then on; where glued grains are marked, only those."},
+         stage.bond);
+  v.require(!stage.bond || recipe.contact.has_bonds(), {"bond"}, "there is nothing to bond with; set contact.bonds = \"parallel\"");
   v.optional_section<Cycles>({"cycles", "Force cycles on one side after the ramp."}, stage.cycles,
                              [](Visitor& inner, Cycles& cycles) { declare(inner, cycles); });
   declare_strain_cycles(v, stage, recipe);

@@ -74,6 +74,17 @@ Numbers contacts_of(const Packing& packing, NumberBlock& block) {
   return out;
 }
 
+/// Bonds that hold, and how the others broke.
+Numbers bonds_of(const Packing& packing, NumberBlock& block) {
+  std::vector<std::uint32_t> i, j, broken;
+  for (const Bond& bond : packing.bonds) {
+    i.push_back(static_cast<std::uint32_t>(bond.i));
+    j.push_back(static_cast<std::uint32_t>(bond.j));
+    broken.push_back(static_cast<std::uint32_t>(bond.broken));
+  }
+  return {{"i", block.add_indices(i)}, {"j", block.add_indices(j)}, {"broken", block.add_indices(broken)}};
+}
+
 Numbers boundaries_of(const Domain& domain, NumberBlock& block) {
   Numbers list = Numbers::list();
   for (const Boundary& boundary : domain.boundaries) {
@@ -132,6 +143,7 @@ Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* 
                 {"mobilisation", rest.mobilisation},
                 {"wall_speed", rest.wall_speed}}}};
   add_grain_values(out, frame.packing, block);
+  if (!frame.packing.bonds.empty()) out["bonds"] = bonds_of(frame.packing, block);
   if (texture) out["texture"] = texture_of(*texture, block);
   return out;
 }

@@ -19,13 +19,13 @@ cards = {
     "grain-scatter": ("stage", "grain-scatter"), "size-curve": ("stage", "size-curve"), "coarse-fields": ("stage", "coarse-fields"),
     "contact-numbers": ("stage", "contact-numbers"), "rev": ("stage", "rev"), "threshold": ("stage", "threshold"), "course": ("stage", "course"),
     "wall-forces": ("stage", "wall-forces"), "travel": ("stage", "travel"), "energies": ("stage", "energies"), "rest": ("stage", "rest"),
-    "test-curves": ("stage", "stress-strain"), "discharge": ("stage", "discharge"), "stress-strain": ("field", "stress-strain"), "broken-bonds": ("field", "broken-bonds"), "energy-balance": ("field", "energy-balance"),
+    "test-curves": ("stage", "stress-strain"), "grain-bonds": ("stage", "broken-bonds"), "discharge": ("stage", "discharge"), "stress-strain": ("field", "stress-strain"), "broken-bonds": ("field", "broken-bonds"), "energy-balance": ("field", "energy-balance"),
     "stress-pdf": ("field", "stress-pdf"), "cavities": ("field", "cavities"), "convergence": ("field", "convergence"),
     "film-maps": ("film", "beside-simulation"), "film-fit": ("film", "film-fit"), "film-twin": ("film", "against-simulation"), "film-tails": ("film", "tails"), "film-directions": ("film", "contact-directions"),
     "film-forces": ("film", "forces"), "film-certainty": ("film", "certainty"), "film-stresses": ("film", "stresses"),
 }
 # What the page shows in its pictures and not on cards.
-pictures = {("stage", "packing"), ("stage", "sigma-norm-map"), ("stage", "force-network"), ("field", "phases"), ("field", "stress"), ("field", "displacement"), ("field", "cracks"),
+pictures = {("stage", "packing"), ("stage", "sigma-norm-map"), ("stage", "force-network"), ("stage", "cracks"), ("field", "phases"), ("field", "stress"), ("field", "displacement"), ("field", "cracks"),
             ("film", "maps"), ("film", "grains"), ("film", "force-network")}
 # What the page has no cards of.
 printed = {("stage", "cycles")}
@@ -45,7 +45,7 @@ def test_every_card_of_the_page_has_its_figure():
 
 def test_every_figure_of_a_run_is_drawn_and_embeds_its_fonts(result, tmp_path):
     paths = figures.save_all(result, tmp_path, ("pdf", "svg"))
-    stage = {name for kind, name in set(cards.values()) | pictures | printed if kind == "stage"} - {"course", "cycles", "stress-strain", "discharge", "size-curve"}
+    stage = {name for kind, name in set(cards.values()) | pictures | printed if kind == "stage"} - {"course", "cycles", "stress-strain", "discharge", "size-curve", "broken-bonds", "cracks"}
     field = {"stress", "displacement", "stress-pdf", "convergence"}
     expected = {f"rest-{name}" for name in stage} | {"cement-phases", "cement-cavities"} | {f"tension-{name}" for name in field}
     drawn = {p.stem for p in paths} - {f"tension-{name}" for _, name in components} - {"rest-course"}

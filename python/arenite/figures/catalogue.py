@@ -3,7 +3,7 @@
 import pathlib
 
 from .._core import open as open_result
-from . import densities, failure, fields, film_forces, films, histories, loadings, packings, panels, samples, studies, textures
+from . import bonds, densities, failure, fields, film_forces, films, histories, loadings, packings, panels, samples, studies, textures
 from .parts import parts_of, same_map
 from .saving import Canvas, Figure, listed, save
 from .style import sigma_norm
@@ -113,6 +113,8 @@ figures = [
     Figure("energies", "stage", one(histories.draw_energies, lambda s: s.history), has_time("elastic")),
     Figure("stress-strain", "stage", loadings.stress_strain, loadings.has_test, 1.1),
     Figure("cycles", "stage", loadings.cycles, loadings.has_cycles),
+    Figure("broken-bonds", "stage", one(bonds.draw_broken_bonds, lambda s: s.history), lambda s: bonds.has_broken(s.history)),
+    Figure("cracks", "stage", one(bonds.draw_cracks, lambda s: s.packing), lambda s: bonds.has_broken(s.history), of_packing),
     Figure("discharge", "stage", one(histories.draw_discharge, lambda s: s.history), has_time("passed_mass")),
     Figure("rest", "stage", one(histories.draw_rest, lambda s: s.history), has_time("unbalanced_ratio")),
     Figure("phases", "field", one(fields.draw_phases, lambda f: f), height=of_field, of_map=True),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/kernels/kernel.hpp"
@@ -120,6 +121,7 @@ void compute_forces(Sample& s, const Team& team) {
     evaluate(s, team, normal, adhesion, friction);
   });
   add_rolling_moments(s, team);
+  add_bond_forces(s, team);
   sum_wall_forces(s);
   sum_boundary_forces(s);
 }
@@ -134,7 +136,7 @@ Vec2 branch_of(const Sample& s, std::size_t slot) {
   return {a.x - b.x, a.y - b.y};
 }
 
-/// Sum over all contacts of force times branch; by blocks of slots, so that it does not depend on the number of threads.
+/// Sum over all contacts and bonds of force times branch; by blocks of slots, so that it does not depend on the number of threads.
 Tensor2 sum_of_moments(const Sample& s, const Team& team) {
   constexpr std::size_t slots_of_block = 512;
   const ContactList& list = s.list;
@@ -146,6 +148,8 @@ Tensor2 sum_of_moments(const Sample& s, const Team& team) {
   });
   Tensor2 sum;
   for (const Tensor2& block : blocks) sum += block;
+  for (std::size_t b = 0; b < s.bond_slots.size(); ++b)
+    if (const SlotForce& f = list.force[bond_force_place(list, b)]; acts(f)) sum += outer({f.fx, f.fy}, beam_motion(s, s.bond_slots[b]).branch);
   return sum;
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "grains/dem/bonds.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/neighbours.hpp"
@@ -155,7 +156,7 @@ Rates network_rates(const Sample& s) {
 
 double shortest_contact_time(const Sample& s) {
   const double overlap = reference_overlap(s);
-  double shortest = std::numeric_limits<double>::infinity();
+  double shortest = shortest_bond_time(s);
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];
     const double pair = 0.5 * d.mass / tangent_stiffness(s, overlap, s.coefficients.pair_stiffness(d.material, d.material));
@@ -173,6 +174,9 @@ StepBounds step_bounds(const Sample& s) {
     r.frequency_squared = std::max(r.frequency_squared, grain.frequency_squared);
     r.damping = std::max(r.damping, grain.damping);
   }
+  const BondRates bonds = bond_rates(s);
+  r.frequency_squared += bonds.frequency_squared;
+  r.damping += bonds.damping;
   const double omega = std::sqrt(r.frequency_squared), lambda = r.damping + s.drag;
   constexpr double margin = 0.9;
   StepBounds bounds;
@@ -209,6 +213,7 @@ void renew_dashpots(Sample& s) {
     list.damping[p] = c.damping;
     list.viscosity[p] = c.viscosity;
   }
+  renew_bond_dashpots(s);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 namespace arenite::dem {
 
-/// Shortest contact time T_c = pi sqrt(m_eff/k) of any two grains of the sample (or a grain and a wall), s.
+/// Shortest contact time T_c = pi sqrt(m_eff/k) of any two grains of the sample (or a grain and a wall), those on bonds included, s.
 double shortest_contact_time(const Sample& sample);
 
 /// Largest stable steps of the sample's integrator, from the stiffest and the most damped grain. A grain counts with its contacts now or with six of

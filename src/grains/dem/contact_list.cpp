@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "geometry/cell_grid.hpp"
+#include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/neighbours.hpp"
 
@@ -146,6 +147,10 @@ void group_slots(Sample& s) {
     ++used[2 * static_cast<std::size_t>(list.i[p])];
     if (list.owner[p] >= 0) ++used[2 * static_cast<std::size_t>(list.owner[p]) + 1];
   }
+  for (const BondSlot& bond : s.bond_slots) {
+    ++used[2 * static_cast<std::size_t>(bond.i)];
+    ++used[2 * static_cast<std::size_t>(bond.j) + 1];
+  }
   list.first.assign(2 * s.count + 1, 0);
   for (std::size_t q = 0; q < 2 * s.count; ++q) list.first[q + 1] = list.first[q] + groups(used[q]);
   list.group.assign(static_cast<std::size_t>(list.first.back()), none);
@@ -155,6 +160,10 @@ void group_slots(Sample& s) {
     put(2 * static_cast<std::size_t>(list.i[p]), p);
     if (list.owner[p] >= 0) put(2 * static_cast<std::size_t>(list.owner[p]) + 1, p);
   }
+  for (std::size_t b = 0; b < s.bond_slots.size(); ++b) {
+    put(2 * static_cast<std::size_t>(s.bond_slots[b].i), bond_force_place(list, b));
+    put(2 * static_cast<std::size_t>(s.bond_slots[b].j) + 1, bond_force_place(list, b));
+  }
 }
 
 }  // namespace
@@ -163,8 +172,9 @@ void list_contacts(Sample& s, const Team& team) {
   make_ghosts(s);
   list_pairs(s, team);
   list_walls(s);
+  list_bonds(s);
   group_slots(s);
-  s.list.force.assign(s.list.size() + 1, SlotForce{});
+  s.list.force.assign(bond_force_place(s.list, s.bond_slots.size()), SlotForce{});
   s.list.memory.assign(s.list.size(), 0.0);
   if (std::visit([](const auto& law) { return law.remembers; }, s.contact.normal)) s.list.normal_memory.assign(s.list.size(), 0.0);
   const bool rolls = !std::holds_alternative<NoRolling>(s.contact.rolling);

@@ -102,12 +102,7 @@ void Engine::set_mass_scaling(MassScaling masses) {
   const double before = energies_of(s).kinetic;
   give_masses(s, masses);
   make_heavy_enough(s);
-  if (const double largest = step_bounds(s).largest(); s.dt > largest) {
-    if (s.integration.time_step)
-      throw InputError(fmt::format("integration.time_step of {:.4g} s is beyond what this sample allows with {} masses; {:.4g} s would do", s.dt,
-                                   masses == MassScaling::uniform ? "scaled" : "its own", 0.999 * largest));
-    change_step(s, 0.999 * largest);
-  }
+  allow_step(s, masses == MassScaling::uniform ? "scaled masses" : "its own masses");
   if (s.integration.track_energy) s.tally.dissipated_drag += before - energies_of(s).kinetic;
 }
 

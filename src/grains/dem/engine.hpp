@@ -26,6 +26,13 @@ struct Amount {
   double mass = 0;
 };
 
+/// The bonds that there are, and that there were.
+struct BondCount {
+  std::size_t intact = 0, in_tension = 0, in_bending = 0, in_shear = 0;  ///< whole ones; those broken so
+  double energy = 0;                                                     ///< of the whole ones, J
+  std::size_t made() const { return intact + in_tension + in_bending + in_shear; }
+};
+
 /// The kernel that `asked` means on this machine ("auto": the widest it has). All kernels give the same bits. InputError for one that is unknown or
 /// that the processor lacks.
 std::string kernel_name(const std::string& asked);
@@ -60,6 +67,9 @@ class Engine {
   /// How the boundaries of the domain move from now on, one for each.
   void set_boundaries(const std::vector<BoundaryDrive>& drives);
   void set_glue(bool on);  ///< adhesion acts; for bonds that break for good: pairs that touch now are bonded
+  /// Bonds grains that touch now or nearly (contact.bonds), free of stress, unless they are or were bonded already. A step that the bonds do not allow
+  /// is shortened, or refused (InputError) where it was given.
+  void make_bonds();
 
   void advance(std::int64_t steps);
 
@@ -79,7 +89,8 @@ class Engine {
   const Domain& domain() const;                      ///< wall positions, velocities and forces now
   Packing packing() const;                           ///< grains and contacts now, in the caller's order; contacts sorted by (i, j)
   Amount below(double height) const;                 ///< grains whose centre is below this, m
-  Energies energies() const;                         ///< dissipation and work only if track_energy
+  BondCount bond_count() const;
+  Energies energies() const;  ///< dissipation and work only if track_energy
   Equilibrium equilibrium() const;
   std::uint64_t state_hash() const;  ///< of every bit that decides the future
 

@@ -14,10 +14,7 @@
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
-namespace {
 
-/// Lists the contacts anew after something came or went; springs stay as they are. What springs hold of a body that is gone, or that came into the
-/// grains, is work of the sides.
 void list_anew(Sample& s, const Team& team) {
   const bool tracked = s.integration.track_energy;
   const double before = tracked ? energies_of(s).elastic : 0;
@@ -27,6 +24,8 @@ void list_anew(Sample& s, const Team& team) {
   s.laws = laws_between_steps(s);
   if (tracked) s.tally.work_walls += energies_of(s).elastic - before;
 }
+
+namespace {
 
 std::size_t grains_beyond(const Sample& s, int side) {
   std::size_t count = 0;

@@ -1,5 +1,6 @@
 #include "grains/dem/ledger.hpp"
 
+#include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/integrators/integrators.hpp"
@@ -82,6 +83,30 @@ void add_contacts(const Sample& s, Snapshot& shot) {
   });
 }
 
+/// Dashpots of bonds, and what bonds do to the shear of the cell.
+void add_bonds(const Sample& s, Snapshot& shot) {
+  for (std::size_t n = 0; n < s.bond_slots.size(); ++n) {
+    const BondSlot& b = s.bond_slots[n];
+    if (b.state != BondSlot::State::holds) continue;
+    const BeamMotion m = beam_motion(s, b);
+    const SlotForce dash = beam_dashpots(b, m);
+    auto& disk_i = shot.disk[static_cast<std::size_t>(s.record[static_cast<std::size_t>(b.i)].grain)];
+    disk_i.dash_x += dash.fx;
+    disk_i.dash_y += dash.fy;
+    disk_i.dash_torque += dash.torque_i;
+    auto& disk_j = shot.disk[static_cast<std::size_t>(s.record[static_cast<std::size_t>(b.j)].grain)];
+    disk_j.dash_x -= dash.fx;
+    disk_j.dash_y -= dash.fy;
+    disk_j.dash_torque += dash.torque_j;
+    if (s.shear_rate != 0) {
+      shot.edge[cell_shear].force -= b.shift_y * s.list.force[bond_force_place(s.list, n)].fx;
+      shot.edge[cell_shear].dash -= b.shift_y * dash.fx;
+    }
+    if (s.domain.periodic_x) shot.edge[left].dash -= dash.fx * m.branch.x / s.domain.width();
+    if (s.domain.periodic_y) shot.edge[bottom].dash -= dash.fy * m.branch.y / s.domain.height();
+  }
+}
+
 Snapshot take(const Sample& s) {
   Snapshot shot;
   shot.gravity = s.gravity;
@@ -101,6 +126,7 @@ Snapshot take(const Sample& s) {
     disk.drag_y = -s.drag * d.mass * (d.vy - my.at(d.y));
   }
   add_contacts(s, shot);
+  add_bonds(s, shot);
   if (s.domain.periodic_x) {
     shot.edge[right].dash = -shot.edge[left].dash;
     shot.edge[right].slip = -shot.edge[left].slip;
@@ -142,7 +168,10 @@ WorkTerms products(const Sample& s, const Snapshot& p, const Snapshot& q) {
     const double vx = 0.5 * b.vx, vy = 0.5 * b.vy, omega = 0.5 * b.omega;
     w.dashpots += (a.dash_x + b.dash_x) * vx + (a.dash_y + b.dash_y) * vy;
     w.friction += (a.slip_x + b.slip_x) * vx + (a.slip_y + b.slip_y) * vy;
-    if (s.integration.rotations) w.friction += (a.slip_torque + b.slip_torque) * omega;
+    if (s.integration.rotations) {
+      w.dashpots += (a.dash_torque + b.dash_torque) * omega;
+      w.friction += (a.slip_torque + b.slip_torque) * omega;
+    }
     w.drag += (a.drag_x + b.drag_x) * vx + (a.drag_y + b.drag_y) * vy;
     w.gravity += b.mass * (gravity.x * vx + gravity.y * vy);
   }

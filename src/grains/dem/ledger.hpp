@@ -19,7 +19,7 @@ struct Snapshot {
   struct Disk {
     double vx = 0, vy = 0, omega = 0;
     double mass = 0;
-    double dash_x = 0, dash_y = 0;                   ///< normal dashpots
+    double dash_x = 0, dash_y = 0, dash_torque = 0;  ///< normal dashpots, dashpots of bonds
     double slip_x = 0, slip_y = 0, slip_torque = 0;  ///< tangential forces
     double drag_x = 0, drag_y = 0;
   };

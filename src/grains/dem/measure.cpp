@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/integrators/integrators.hpp"
@@ -116,6 +117,7 @@ Packing packing_of(const Sample& s) {
   }
   out.contacts = {};
   add_contacts(s, out);
+  out.bonds = bonds_of(s);
   return out;
 }
 
@@ -128,7 +130,7 @@ Energies energies_of(const Sample& s) {
       e.kinetic += 0.5 * s.wall[side].mass * v * v;
     }
   e.adhesive = adhesive_energy(s);
-  e.elastic += rolling_energy(s);
+  e.elastic += rolling_energy(s) + bond_energy(s);
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A&, const F& friction) {
     const ContactList& list = s.list;
     for (std::size_t p = 0; p < list.size(); ++p) {
@@ -161,6 +163,14 @@ Equilibrium equilibrium_of(const Sample& s) {
       ++pressed_contacts[static_cast<std::size_t>(s.list.i[p])];
       if (s.list.j[p] >= 0) ++pressed_contacts[static_cast<std::size_t>(s.list.owner[p])];
     }
+  }
+  for (std::size_t n = 0; n < s.bond_slots.size(); ++n) {
+    const BondSlot& b = s.bond_slots[n];
+    const SlotForce& f = s.list.force[bond_force_place(s.list, n)];
+    if (!acts(f)) continue;
+    normal_sum += std::hypot(f.fx, f.fy);
+    ++contacts;
+    for (const std::int32_t k : {b.i, b.j}) ++pressed_contacts[static_cast<std::size_t>(k)];
   }
   if (s.count > 0 && resultant > 0)
     q.unbalanced_ratio =

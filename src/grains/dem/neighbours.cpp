@@ -158,9 +158,15 @@ geometry::CellGrid cells_of(const Sample& s) {
 
 void number_held(Sample& s) {
   s.held_disk.assign(s.held.size(), 0);
+  s.held_angle.assign(s.held.size(), 0.0);
   if (s.held.empty()) return;
-  for (std::size_t k = 0; k < s.count; ++k)
-    if (const HeldGrain* held = find_held(s, s.record[k].grain)) s.held_disk[static_cast<std::size_t>(held - s.held.data())] = static_cast<std::int32_t>(k);
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const HeldGrain* held = find_held(s, s.record[k].grain);
+    if (!held) continue;
+    const auto h = static_cast<std::size_t>(held - s.held.data());
+    s.held_disk[h] = static_cast<std::int32_t>(k);
+    s.held_angle[h] = s.angle[k];
+  }
 }
 
 void hold_grains(Sample& s) {
@@ -177,6 +183,7 @@ void hold_grains(Sample& s) {
     d.vy = upright ? body.drive.slide : wall.velocity;
     s.vx[k] = upright ? body.rate : body.drive.slide;
     s.vy[k] = upright ? body.drive.slide : body.rate;
+    s.angle[k] = s.held_angle[h];
     d.omega = s.omega[k] = s.ax[k] = s.ay[k] = s.alpha[k] = 0;
     for (auto& higher : s.higher)
       if (!higher.empty()) higher[k] = 0;

@@ -32,6 +32,9 @@ void make_ghosts(Sample& sample);
 /// Copies the sources of ghosts to their images (positions and seen velocities).
 void refresh_ghosts(Sample& sample);
 
+/// Grains a and b (caller's indices) were declared glued: by name, or by their zones where no pair is named.
+bool is_marked_as_glued(const Sample& sample, std::int32_t a, std::int32_t b);
+
 /// Grains a and b (caller's indices) attract each other.
 bool is_glued(const Sample& sample, std::int32_t a, std::int32_t b);
 

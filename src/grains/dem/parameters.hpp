@@ -38,6 +38,7 @@ struct ContactParameters {
   std::optional<double> sliding_viscosity;  ///< gamma_s, N s/m; unless given, the alpha_n of the pair
   double tangential_stiffness_ratio = 0.8;  ///< k_t/k_n of a friction law's spring
   RollingLaw rolling = NoRolling{};
+  BondLaw bonds = NoBonds{};
   Arms arms = Arms::contact_point;
   Adhesion adhesion = NoAdhesion{};
   double surface_energy = 0;  ///< gamma of the adhesion, N/m (T 1.22), between two glued grains
@@ -49,6 +50,9 @@ struct ContactParameters {
 
   bool adheres() const {
     return std::visit([](const auto& law) { return law.attracts; }, adhesion);
+  }
+  bool has_bonds() const {
+    return std::visit([](const auto& law) { return law.bonds; }, bonds);
   }
 };
 

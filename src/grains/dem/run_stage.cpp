@@ -69,6 +69,13 @@ void sample(History& history, const Engine& engine, const Stage& stage, const Eq
     append(history, "passed", "1", static_cast<double>(passed.grains));
     append(history, "passed_mass", "kg", passed.mass);
   }
+  if (const BondCount bonds = engine.bond_count(); bonds.made() > 0) {
+    append(history, "bonds", "1", static_cast<double>(bonds.intact));
+    append(history, "broken_in_tension", "1", static_cast<double>(bonds.in_tension));
+    append(history, "broken_in_bending", "1", static_cast<double>(bonds.in_bending));
+    append(history, "broken_in_shear", "1", static_cast<double>(bonds.in_shear));
+    append(history, "bond_energy", "J", bonds.energy);
+  }
   const Energies energies = engine.energies();
   for (const EnergyTerm& term : energy_terms) append(history, term.name, "J", energies.*term.value);
   append(history, "unbalanced_ratio", "1", now.unbalanced_ratio);
@@ -198,6 +205,7 @@ StageRun begin_stage(Engine& engine, const Stage& stage) {
   engine.set_inertial_number(stage.inertial_number);
   engine.set_drag(engine.integration().drag + stage.drag + stage.critical_drag * engine.critical_drag());
   engine.set_glue(stage.glue);
+  if (stage.bond) engine.make_bonds();
   engine.set_open(stage.open);
   engine.set_boundaries(boundary_drives_for(stage, engine.domain()));
   engine.set_rough(stage.rough);

@@ -42,13 +42,13 @@ struct ContactList {
   std::vector<std::int32_t> i, j;
   std::vector<std::int32_t> owner;  ///< the disk that takes the reaction: j, or the source of the ghost j
   std::vector<double> stiffness, damping, viscosity, strength;
-  std::vector<SlotForce> force;        ///< one more than slots: the last stays 0
+  std::vector<SlotForce> force;        ///< one more than slots, which stays 0; behind it those of bonds
   std::vector<double> memory;          ///< of the friction law
   std::vector<double> normal_memory;   ///< of the normal law; empty unless it remembers
   std::vector<double> rolling_memory;  ///< of the rolling law, turned as the first of the caller's two grains turns; empty without one
   std::vector<std::uint8_t> bond;      ///< of glued pairs: see BondState
-  /// Slots by disk, in groups of four that are filled up with the slot whose force stays 0, so that most disks have as many groups as their
-  /// neighbours and the processor guesses the loops' ends right. Those where disk k is i, pairs before walls, are group[first[2k]] to group[first[2k
+  /// Slots (and bonds' places) by disk, in groups of four that are filled up with the slot whose force stays 0, so that most disks have as many groups as their
+  /// neighbours and the processor guesses the loops' ends right. Those where disk k is i, pairs before walls before bonds, are group[first[2k]] to group[first[2k
   /// + 1]]; those where it owns the reaction go on to first[2k + 2].
   std::vector<std::int32_t> group, first;
 
@@ -62,6 +62,22 @@ struct ContactList {
 
 /// A bond that breaks for good is gone once its contact has opened again.
 enum BondState : std::uint8_t { never_touched = 0, touching = 1 };
+
+/// A bond that holds, with what follows from its making and from where its disks are numbered now. Its force stands behind those of the contacts, in
+/// ContactList::force at bond_force_place.
+struct BondSlot {
+  enum class State : std::int32_t { holds, breaking, broken };
+  std::int32_t bond = 0;                  ///< place in Sample::bonds
+  std::int32_t i = 0, j = 0;              ///< inner numbers of its disks
+  std::int32_t shift_x = 0, shift_y = 0;  ///< cells by which the image of j that is meant is away from j
+  State state = State::holds;
+  double length = 0, arm_i = 0, arm_j = 0;  ///< when it was made, m; the arms to its middle between the two surfaces
+  Vec2 normal;                              ///< then, from j to i
+  double angle_i = 0, angle_j = 0;          ///< then, rad
+  Beam beam;
+  double strength = 1;                                                ///< over that of the law
+  double normal_damping = 0, shear_damping = 0, bending_damping = 0;  ///< N s/m, N s/m, N m s
+};
 
 /// One wall, or one edge of a periodic cell, as a body that moves along its axis.
 struct WallBody {
@@ -130,7 +146,10 @@ struct Sample {
   std::int64_t builds = 0;
   std::vector<HeldGrain> held;            ///< sorted by grain
   std::vector<std::int32_t> held_disk;    ///< their inner numbers; renewed with the list
-  std::vector<std::uint64_t> live_bonds;  ///< sorted keys of bonds, where these break for good
+  std::vector<double> held_angle;         ///< and their angles, which do not change
+  std::vector<std::uint64_t> live_bonds;  ///< sorted keys of glued pairs, where these part for good
+  std::vector<Bond> bonds;                ///< sorted by their grains; without the forces of now
+  std::vector<BondSlot> bond_slots;       ///< of the bonds that held when the list was built
 
   Energies tally;        ///< dissipation and work so far
   Ledger ledger;         ///< only if track_energy
@@ -142,6 +161,9 @@ inline std::uint64_t pair_key(std::int32_t a, std::int32_t b) {
   const auto low = static_cast<std::uint32_t>(a < b ? a : b), high = static_cast<std::uint32_t>(a < b ? b : a);
   return (std::uint64_t{low} << 32) | high;
 }
+
+/// Where the force of bond slot b stands in the list.
+inline std::size_t bond_force_place(const ContactList& list, std::size_t b) { return list.size() + 1 + b; }
 
 inline std::uint64_t slot_key(const Sample& s, std::size_t slot) {
   const std::int32_t a = s.record[static_cast<std::size_t>(s.list.i[slot])].grain;

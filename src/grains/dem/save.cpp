@@ -11,8 +11,9 @@
 namespace arenite::dem {
 namespace {
 
-constexpr std::uint64_t mark = 0x34302d6d65642d61;            // "a-dem-04"; changes with what `transfer` lists
-constexpr std::uint64_t mark_shortened = 0x74302d6d65642d61;  // "a-dem-0t": the same behind a step that was shortened
+// "a-dem-04"; changes with what `transfer` lists. States behind a shortened step and those with bonds have more to say: "a-dem-0t", "a-dem-0b",
+// "a-dem-0u" with both.
+constexpr std::uint64_t mark = 0x34302d6d65642d61, mark_shortened = 0x74302d6d65642d61, mark_bonded = 0x62302d6d65642d61, mark_both = 0x75302d6d65642d61;
 
 template <class Archive> void transfer(Archive& a, Wall& wall) {
   for (auto* v : {&wall.position, &wall.velocity, &wall.force, &wall.shear_force}) a(*v);
@@ -71,6 +72,48 @@ template <class Archive> void transfer(Archive& a, Sample& s) {
 
 template <class Archive> void transfer_step(Archive& a, Sample& s) { a(s.dt), a(s.steps_before), a(s.time_before); }
 
+/// What bonds remember and how they ended; what they hold now follows. Column by column, for a record may have gaps.
+template <class Archive> void transfer(Archive& a, std::vector<Bond>& bonds) {
+  auto count = static_cast<std::uint64_t>(bonds.size());
+  a(count);
+  if constexpr (std::is_same_v<Archive, ByteReader>) {
+    if (count > a.left() / sizeof(double)) ByteReader::fail();
+    bonds.resize(count);
+  }
+  for (Bond& b : bonds) {
+    auto broken = static_cast<std::int32_t>(b.broken);
+    a(b.i), a(b.j), a(broken);
+    b.broken = static_cast<BondBreak>(broken);
+    for (double* v : {&b.length, &b.normal.x, &b.normal.y, &b.angle_i, &b.angle_j, &b.energy, &b.load, &b.time, &b.place.x, &b.place.y}) a(*v);
+  }
+}
+
+/// Bonds that broke since the list was built keep their places in it.
+std::vector<std::int32_t> broken_in_list(const Sample& s) {
+  std::vector<std::int32_t> bonds;
+  for (const BondSlot& b : s.bond_slots)
+    if (b.state == BondSlot::State::broken) bonds.push_back(b.bond);
+  return bonds;
+}
+
+void read_bonds(ByteReader& read, Sample& s, std::vector<std::int32_t>& broken) {
+  transfer(read, s.bonds), read(broken);
+  for (const Bond& b : s.bonds)
+    if (b.i < 0 || b.j < 0 || static_cast<std::size_t>(std::max(b.i, b.j)) >= s.count) ByteReader::fail();
+  for (const std::int32_t b : broken)
+    if (b < 0 || static_cast<std::size_t>(b) >= s.bonds.size()) ByteReader::fail();
+}
+
+/// The list as it was built, with what has broken since.
+void list_with_bonds(Sample& s, const std::vector<std::int32_t>& broken) {
+  const std::vector<Bond> bonds = s.bonds;
+  for (const std::int32_t b : broken) s.bonds[static_cast<std::size_t>(b)].broken = BondBreak::none;
+  list_contacts(s);
+  s.bonds = bonds;
+  for (BondSlot& b : s.bond_slots)
+    if (s.bonds[static_cast<std::size_t>(b.bond)].broken != BondBreak::none) b.state = BondSlot::State::broken;
+}
+
 /// The slots' contents; their number follows from the list.
 template <class Archive> void transfer(Archive& a, ContactList& list) {
   for (auto* v : {&list.strength, &list.memory}) a(*v);
@@ -86,11 +129,13 @@ std::vector<std::uint8_t> save_sample(const Sample& sample) {
   ByteWriter write;
   auto& s = const_cast<Sample&>(sample);  // the writer does not change what it is given
   const bool shortened = s.dt != s.dt_at_start;
-  std::uint64_t header[3] = {shortened ? mark_shortened : mark, s.count, 0};
+  const bool bonded = !s.bonds.empty();
+  std::uint64_t header[3] = {bonded ? (shortened ? mark_both : mark_bonded) : (shortened ? mark_shortened : mark), s.count, 0};
   std::memcpy(&header[2], &s.dt_at_start, sizeof s.dt_at_start);
   for (auto& v : header) write(v);
   std::vector<DiskRecord> disks(s.record.begin(), s.record.begin() + static_cast<std::ptrdiff_t>(s.count));
   if (shortened) transfer_step(write, s);
+  if (bonded) transfer(write, s.bonds), write(broken_in_list(s));
   write(disks);
   transfer(write, s);
   transfer(write, s.list);
@@ -103,11 +148,15 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   std::uint64_t header[3] = {}, step = 0;
   for (auto& v : header) read(v);
   std::memcpy(&step, &s.dt_at_start, sizeof step);
-  if (header[0] != mark && header[0] != mark_shortened) ByteReader::fail();
+  const bool bonded = header[0] == mark_bonded || header[0] == mark_both, shortened = header[0] == mark_shortened || header[0] == mark_both;
+  if (header[0] != mark && !bonded && !shortened) ByteReader::fail();
   if (header[1] != s.count || header[2] != step)
     throw InputError("the stored state belongs to another sample or time step (" + std::to_string(header[1]) + " grains; here " + std::to_string(s.count) +
                      ")");
-  if (header[0] == mark_shortened) transfer_step(read, s);
+  if (shortened) transfer_step(read, s);
+  std::vector<std::int32_t> broken;
+  s.bonds.clear();
+  if (bonded) read_bonds(read, s, broken);
   read(s.record);
   if (s.record.size() != s.count) ByteReader::fail();
   transfer(read, s);
@@ -126,10 +175,10 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
     s.record[k].y = s.listed_y[k];
   }
   number_held(s);
-  list_contacts(s);
+  list_with_bonds(s, broken);
   const std::size_t slots = s.list.size();
   transfer(read, s.list);
-  if (s.list.force.size() != slots + 1 || s.list.memory.size() != slots || !read.at_end()) ByteReader::fail();
+  if (s.list.force.size() != slots + 1 + s.bond_slots.size() || s.list.memory.size() != slots || !read.at_end()) ByteReader::fail();
   s.domain = domain;
   std::copy(disks.begin(), disks.end(), s.record.begin());
   refresh_ghosts(s);

@@ -33,6 +33,9 @@ void check_parameters(Problems& problems, const Packing& start, const ContactPar
   problems.unless(not_negative(integration.drag), "drag {} 1/s must be >= 0", integration.drag);
   problems.unless(integration.threads >= 1, "threads {} must be 1 or more", integration.threads);
   const auto n = static_cast<std::int32_t>(start.grains.size());
+  for (const Bond& bond : start.bonds)
+    problems.unless(bond.i >= 0 && bond.i < bond.j && bond.j < n && bond.length > 0, "bond ({}, {}) must join two of the {} grains, the lower first", bond.i,
+                    bond.j, n);
   for (const auto& [a, b] : contact.glued_pairs)
     problems.unless(a >= 0 && b >= 0 && a < n && b < n && a != b, "glued pair ({}, {}) must name two of the {} grains", a, b, n);
 }
@@ -128,6 +131,12 @@ void recall_contacts(Sample& s) {
   });
 }
 
+/// Bonds of the packing go on where the law has any.
+void recall_bonds(Sample& s) {
+  if (s.contact.has_bonds()) s.bonds = s.start.bonds;
+  s.start.bonds.clear();
+}
+
 /// The periodic sides have no walls; their `wall` entries are the edges of the cell.
 void clear_periodic_walls(Domain& domain) {
   if (domain.periodic_x) domain.wall[left].present = domain.wall[right].present = false;
@@ -165,6 +174,15 @@ void change_step(Sample& s, double dt) {
   s.laws = laws_between_steps(s);
 }
 
+void allow_step(Sample& s, const char* what) {
+  const double largest = step_bounds(s).largest();
+  if (!(s.dt > largest)) return;
+  if (s.integration.time_step)
+    throw InputError(
+        fmt::format("integration.time_step of {:.4g} s is beyond what this sample allows with {}; {:.4g} s would do", s.dt, what, 0.999 * largest));
+  change_step(s, 0.999 * largest);
+}
+
 void apply_friction(Sample& s, std::optional<double> override_mu) {
   s.friction = override_mu.value_or(s.contact.friction);
   s.wall_friction = override_mu.value_or(s.contact.wall_friction.value_or(s.contact.friction));
@@ -191,6 +209,7 @@ Sample make_sample(const Packing& start, const ContactParameters& contact, const
   clear_periodic_walls(s.domain);
   s.element = elements_of(s.domain);
   place_disks(s);
+  recall_bonds(s);
   check_cell(s);
   s.laws = choose_laws(contact, 0.0, 0.0);
   tune_servo(s);

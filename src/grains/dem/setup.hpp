@@ -19,6 +19,13 @@ ContactLaws choose_laws(const ContactParameters& contact, double lead, double la
 /// The laws as the integrator evaluates them from step to step: memories of friction know the step.
 ContactLaws laws_between_steps(const Sample& sample);
 
+/// Lists the contacts anew after something came or went; springs stay as they are. What springs hold of a body that is gone, or that came into the
+/// grains, is work of the sides.
+void list_anew(Sample& sample, const Team& team);
+
+/// Shortens a step that masses and bonds of now do not allow; InputError, with `what` they are, where it was given.
+void allow_step(Sample& sample, const char* what);
+
 /// Steps from now on are `dt`, s; the time made so far stays.
 void change_step(Sample& sample, double dt);
 

@@ -88,6 +88,7 @@ struct Stage {
   MassScaling mass_scaling = MassScaling::none;
   double inertial_number = default_inertial_number;
   bool glue = false;           ///< adhesion acts from this stage on
+  bool bond = false;           ///< bonds are made as the stage begins
   std::int64_t snapshots = 1;  ///< states stored for stages with a duration; increments store one each
   bool operator==(const Stage&) const = default;
 };

@@ -11,6 +11,16 @@ Tensor2 moment_of(const Contacts& contacts, std::size_t c) {
   return outer(contacts.force_on_i(c), -(contacts.arm_i[c] + contacts.arm_j[c]) * contacts.normal(c));
 }
 
+/// f (x) l of one bond.
+Tensor2 moment_of(const Packing& packing, const Bond& bond) { return outer(force_on_i(packing, bond), -branch_of(packing, bond)); }
+
+/// Where the branch of a bond touches grain i.
+Vec2 middle_of(const Packing& packing, const Bond& bond) {
+  const auto i = static_cast<std::size_t>(bond.i);
+  const Vec2 branch = branch_of(packing, bond);
+  return packing.grains.centre(i) - packing.grains.radius[i] / norm(branch) * branch;
+}
+
 /// Standard error, component by component, of the mean of equal blocks.
 Tensor2 block_error(const std::vector<Tensor2>& density) {
   const auto component = [&](double Tensor2::*part) {
@@ -28,7 +38,11 @@ TensorEstimate whole_stress(const View& view) {
   std::vector<Tensor2> density(static_cast<std::size_t>(blocks.count()));
   for (std::size_t c = 0; c < view.pairs().size(); ++c)
     density[static_cast<std::size_t>(blocks.block_of(view.contact_point(c)))] += blocks.count() / volume * moment_of(view.pairs(), c);
-  return {1 / volume * internal_moment(view.pairs()), block_error(density)};
+  for (const Bond& bond : view.packing.bonds)
+    density[static_cast<std::size_t>(blocks.block_of(middle_of(view.packing, bond)))] += blocks.count() / volume * moment_of(view.packing, bond);
+  Tensor2 sum = internal_moment(view.pairs());
+  sum += bond_moment(view.packing);
+  return {1 / volume * sum, block_error(density)};
 }
 
 /// Grains bring their moment in proportion to the area that lies in the window.
@@ -84,6 +98,12 @@ Tensor2 internal_moment(const Contacts& contacts) {
   return sum;
 }
 
+Tensor2 bond_moment(const Packing& packing) {
+  Tensor2 sum;
+  for (const Bond& bond : packing.bonds) sum += moment_of(packing, bond);
+  return sum;
+}
+
 std::vector<Tensor2> grain_moments(const Packing& packing) {
   const auto& contacts = packing.contacts;
   std::vector<Tensor2> moments(packing.grains.size());
@@ -91,6 +111,13 @@ std::vector<Tensor2> grain_moments(const Packing& packing) {
     const Vec2 f = contacts.force_on_i(c), n = contacts.normal(c);
     moments[static_cast<std::size_t>(contacts.i[c])] += outer(f, -contacts.arm_i[c] * n);
     if (!contacts.is_wall(c)) moments[static_cast<std::size_t>(contacts.j[c])] += outer(-f, contacts.arm_j[c] * n);
+  }
+  for (const Bond& bond : packing.bonds) {
+    const auto i = static_cast<std::size_t>(bond.i), j = static_cast<std::size_t>(bond.j);
+    const double ri = packing.grains.radius[i], rj = packing.grains.radius[j];
+    const Tensor2 moment = moment_of(packing, bond);
+    moments[i] += ri / (ri + rj) * moment;
+    moments[j] += rj / (ri + rj) * moment;
   }
   return moments;
 }

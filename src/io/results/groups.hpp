@@ -180,6 +180,9 @@ void transfer_names(const ResultPart& grains_at, Grains& grains, const Grains* s
 /// Contacts; those of grains, or of elements of boundaries, that do not exist are refused.
 void transfer_contacts(const ResultPart& at, Contacts& contacts, std::size_t grains, int elements);
 
+/// Bonds, of which most packings have none: files without them have no such group. Those of grains that do not exist are refused.
+void transfer_bonds(const ResultPart& at, std::vector<Bond>& bonds, std::size_t grains);
+
 /// A whole packing as the group "packing".
 void transfer_packing(const ResultPart& at, Packing& packing);
 

@@ -12,6 +12,7 @@ import { againstTwin, stressTails } from "./film_twin.js";
 import { coarseFields } from "./coarse_fields.js";
 import { sizeCurve } from "./size_curve.js";
 import { grainScatter } from "./grain_scatter.js";
+import { grainBonds } from "./grain_bonds.js";
 import { approach, energies, forceDisplacement, wallForces } from "./history.js";
 import { roses } from "./roses.js";
 import { contactNumbers, coordination, rev, threshold } from "./structure.js";
@@ -22,7 +23,7 @@ import { discharge, testCurves } from "./test_curves.js";
     `wide` (takes a whole row), `follows` (redrawn at every frame, or when one of these keys of the state changes), `choices`
     (keys of the state with their options, beside the title), `pickers` (the same as lists: key = [label, function of the sample that gives the
     options]). A new figure is one more row. */
-export const figures = [testCurves, discharge, roses, stressDistribution, forceDistribution, grainScatter, sizeCurve, coarseFields, coordination, contactNumbers, rev, threshold, course, wallForces, forceDisplacement, energies, approach];
+export const figures = [testCurves, grainBonds, discharge, roses, stressDistribution, forceDistribution, grainScatter, sizeCurve, coarseFields, coordination, contactNumbers, rev, threshold, course, wallForces, forceDisplacement, energies, approach];
 
 /** Every figure of a cemented sample or its field, likewise; `sample` is its FieldResult and there is no texture. */
 export const fieldFigures = [stressStrain, brokenBonds, energyBalance, stressDensities, cavityVolumes, convergence];

@@ -6,6 +6,7 @@
 #include "grains/dem/laws/geometrical_adhesion.hpp"
 #include "grains/dem/laws/hertz.hpp"
 #include "grains/dem/laws/linear.hpp"
+#include "grains/dem/laws/parallel_bond.hpp"
 #include "grains/dem/laws/regularised_coulomb.hpp"
 #include "grains/dem/laws/rolling.hpp"
 
@@ -69,6 +70,20 @@ concept RollingContact = ContactLaw<L> && requires(const L law, double v, double
   { L::remembers } -> std::convertible_to<bool>;
 };
 
+/// A bond gives the beam between two grains, the forces and the energy of its strain, and what its stresses break.
+template <class L>
+concept BeamLaw = ContactLaw<L> && requires(const L law, double v, const Beam& beam, const BeamStrain& strain, const BeamForce& force) {
+  { L::bonds } -> std::convertible_to<bool>;
+  { law.gap } -> std::convertible_to<double>;      // greatest one that it bridges, over the mean radius
+  { law.damping } -> std::convertible_to<double>;  // of its dashpots, over the critical one
+  { law.scatter } -> std::convertible_to<double>;  // standard deviation of strengths over their mean, drawn with `seed`
+  { law.seed } -> std::convertible_to<std::int64_t>;
+  { law.beam(v, v, v) } -> std::same_as<Beam>;  // (length, smaller radius, thickness), m
+  { law.elastic(beam, strain) } -> std::same_as<BeamForce>;
+  { law.energy(beam, strain) } -> std::same_as<double>;  // J; `elastic` is its gradient
+  { law.load(beam, force) } -> std::same_as<BeamLoad>;
+};
+
 /// One law of a family, with its own parameters.
 template <class... Law> struct OneOf : std::variant<Law...> {
   using std::variant<Law...>::variant;
@@ -81,6 +96,7 @@ template <NormalContact... Law> using NormalLaws = OneOf<Law...>;
 template <AdhesiveContact... Law> using Adhesions = OneOf<Law...>;
 template <TangentialContact... Law> using FrictionLaws = OneOf<Law...>;
 template <RollingContact... Law> using RollingLaws = OneOf<Law...>;
+template <BeamLaw... Law> using BondLaws = OneOf<Law...>;
 
 /// The laws there are. A new one is a file beside these and a word here: recipe keys, their documentation and hashes, kernels for every kind of
 /// processor and the families' tests follow. The choice is visited outside of the loops, so laws inline into them.
@@ -88,6 +104,7 @@ using NormalLaw = NormalLaws<Linear, Hertz>;
 using Adhesion = Adhesions<NoAdhesion, GeometricalAdhesion, BreakingAdhesion>;
 using FrictionLaw = FrictionLaws<NoFriction, RegularisedCoulomb, CundallStrack>;
 using RollingLaw = RollingLaws<NoRolling, ConstantTorque, ElasticPlasticRolling>;
+using BondLaw = BondLaws<NoBonds, ParallelBond>;
 
 /// The three choices, and the numbers that all contacts share.
 struct ContactLaws {

@@ -1,0 +1,69 @@
+"""Bonds between grains that break while a stage runs (`Packing.bonds`, `Stage.history`)."""
+
+import numpy as np
+from matplotlib.collections import LineCollection
+from matplotlib.lines import Line2D
+
+from .histories import moving_wall, sides
+from .packings import circles, frame
+from .style import key_below, pale, scaled, tension, weak
+
+kinds = {1: ("tension", tension), 2: ("bending", "#e69f00"), 3: ("shear", "#0072b2")}  # as `broken` counts them
+opposite = {"left": "right", "right": "left", "bottom": "top", "top": "bottom"}
+
+
+def has_broken(history):
+    return any(np.max(history.get(f"broken_in_{name}", [0])) > 0 for name, _ in kinds.values())
+
+
+def strain(history, side):
+    """Shortening of the sample by that wall since the stage began."""
+    position, other = history[f"{side}_position"], history[f"{opposite[side]}_position"][0]
+    return sides[side] * (position - position[0]) / abs(position[0] - other)
+
+
+def draw_broken_bonds(axes, history):
+    """Broken bonds by kind against the strain by the wall that moves farthest, with the force on it; against time where none moves."""
+    side = moving_wall(history)
+    x = 100 * strain(history, side) if side else history["time"] - history["time"][0]
+    for name, colour in kinds.values():
+        axes.plot(x, history[f"broken_in_{name}"], color=colour, label=name)
+    axes.set(xlabel=f"strain by the {side} wall, %" if side else "time, s", ylabel="broken bonds", ylim=(0, None))
+    axes.legend(loc="upper left")
+    if not side:
+        return
+    force = history[f"{side}_force"]
+    factor, unit = scaled(np.abs(force).max(), "N")
+    axes.set_zorder(1)
+    axes.patch.set_visible(False)
+    right = axes.twinx()
+    right.plot(x, force / factor, color=weak, linewidth=0.8)
+    right.set_ylabel(f"force on the {side} wall, {unit}", color=weak)
+    axes.tick_params(right=False)
+
+
+def segments(packing, chosen, across):
+    """From centre to centre of these bonds, or as wide as they are across them; none through a periodic side."""
+    i, j = packing.bonds["i"][chosen], packing.bonds["j"][chosen]
+    a, b = (np.column_stack([packing.x[k], packing.y[k]]) for k in (i, j))
+    near = np.all(np.abs(b - a) < 0.5 * np.array([packing.domain["width"], packing.domain["height"]]), axis=1)
+    a, b, ri, rj = a[near], b[near], packing.radius[i][near, None], packing.radius[j][near, None]
+    if not across:
+        return np.stack([a, b], axis=1)
+    way, middle = b - a, a + ri / (ri + rj) * (b - a)
+    half = np.minimum(ri, rj) / np.linalg.norm(way, axis=1)[:, None] * np.column_stack([-way[:, 1], way[:, 0]])
+    return np.stack([middle - half, middle + half], axis=1)
+
+
+def draw_cracks(axes, packing):
+    """Grains with the bonds that hold, and a crack for each that broke, by kind."""
+    broken = packing.bonds["broken"]
+    axes.add_collection(circles(packing.x, packing.y, packing.radius, linewidth=0.2, edgecolor=pale, facecolor="#f4f4f4"))
+    frame(axes, packing)
+    axes.add_collection(LineCollection(segments(packing, broken == 0, False), colors=weak, linewidths=0.35))
+    handles = [Line2D([], [], color=weak, linewidth=0.6, label=f"holds {np.sum(broken == 0)}")]
+    for kind, (name, colour) in kinds.items():
+        if np.any(broken == kind):
+            axes.add_collection(LineCollection(segments(packing, broken == kind, True), colors=colour, linewidths=1.1))
+            handles.append(Line2D([], [], color=colour, label=f"{name} {np.sum(broken == kind)}"))
+    key_below(axes, handles)

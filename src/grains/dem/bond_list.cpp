@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/random.hpp"
+#include "grains/dem/bonds.hpp"
+#include "grains/dem/neighbours.hpp"
+
+namespace arenite::dem {
+namespace {
+
+/// 1 over the masses that two disks move with in a bond's three strains: 1/kg, 1/kg and 1/(kg m^2).
+struct Mobility {
+  double normal, shear, bending;
+};
+Mobility mobility(const Sample& s, const BondSlot& b, double share_i = 1, double share_j = 1) {
+  const DiskRecord &a = s.record[static_cast<std::size_t>(b.i)], &c = s.record[static_cast<std::size_t>(b.j)];
+  const double normal = share_i / a.mass + share_j / c.mass;
+  if (!s.integration.rotations) return {normal, normal, 0};
+  const double turn_i = share_i / inertia(a), turn_j = share_j / inertia(c);
+  return {normal, normal + b.arm_i * b.arm_i * turn_i + b.arm_j * b.arm_j * turn_j, turn_i + turn_j};
+}
+
+/// Dashpots that damp two free grains by that share of the critical damping.
+void tune_dashpots(const Sample& s, BondSlot& b, double share) {
+  const Mobility m = mobility(s, b);
+  b.normal_damping = 2 * share * std::sqrt(b.beam.normal / m.normal);
+  b.shear_damping = 2 * share * std::sqrt(b.beam.shear / m.shear);
+  b.bending_damping = m.bending > 0 ? 2 * share * std::sqrt(b.beam.bending / m.bending) : 0;
+}
+
+/// Cells from x to the image nearest to it: the number to add to that of `y`.
+void choose_image(const Sample& s, Vec2 d, BondSlot& b) {
+  if (s.domain.periodic_y) {
+    b.shift_y = static_cast<std::int32_t>(std::nearbyint(d.y / s.domain.height()));
+    d.x -= b.shift_y * s.domain.tilt;
+  }
+  if (s.domain.periodic_x) b.shift_x = static_cast<std::int32_t>(std::nearbyint(d.x / s.domain.width()));
+}
+
+/// Strength of a bond over that of all; it depends on nothing but its grains and the seed.
+double strength_of(const Bond& bond, double scatter, std::int64_t seed) {
+  if (!(scatter > 0)) return 1;
+  return std::max(1 + scatter * RandomStream(static_cast<std::uint64_t>(seed), Purpose::bonds, pair_key(bond.i, bond.j)).normal(), 0.1);
+}
+
+BondSlot slot_of(const Sample& s, std::size_t place, const std::vector<std::int32_t>& number) {
+  const Bond& bond = s.bonds[place];
+  BondSlot b;
+  b.bond = static_cast<std::int32_t>(place);
+  b.i = number[static_cast<std::size_t>(bond.i)];
+  b.j = number[static_cast<std::size_t>(bond.j)];
+  const DiskRecord &a = s.record[static_cast<std::size_t>(b.i)], &c = s.record[static_cast<std::size_t>(b.j)];
+  choose_image(s, {a.x - c.x, a.y - c.y}, b);
+  b.length = bond.length;
+  b.arm_i = bond.length * a.radius / (a.radius + c.radius);
+  b.arm_j = bond.length - b.arm_i;
+  b.normal = bond.normal;
+  b.angle_i = bond.angle_i;
+  b.angle_j = bond.angle_j;
+  std::visit(
+      [&](const auto& law) {
+        b.beam = law.beam(bond.length, std::min(a.radius, c.radius), s.domain.thickness);
+        tune_dashpots(s, b, law.damping);
+        b.strength = strength_of(bond, law.scatter, law.seed);
+      },
+      s.contact.bonds);
+  return b;
+}
+
+bool is_before(const Bond& a, const Bond& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; }
+
+Bond bond_between(const Sample& s, std::int32_t i, std::int32_t j, Vec2 branch) {
+  const auto g = [&](std::int32_t k) { return static_cast<std::size_t>(k); };
+  const std::int32_t a = s.record[g(i)].grain, b = s.record[g(j)].grain;
+  Bond bond;
+  bond.i = std::min(a, b);
+  bond.j = std::max(a, b);
+  bond.length = norm(branch);
+  bond.normal = (a < b ? 1.0 : -1.0) / bond.length * branch;
+  bond.angle_i = s.angle[g(a < b ? i : j)];
+  bond.angle_j = s.angle[g(a < b ? j : i)];
+  return bond;
+}
+
+}  // namespace
+
+void bond_near_pairs(Sample& s) {
+  const double bridged = std::visit([](const auto& law) { return law.gap; }, s.contact.bonds);
+  double mean_radius = 0;
+  for (std::size_t k = 0; k < s.count; ++k) mean_radius += s.record[k].radius / static_cast<double>(s.count);
+  const std::vector<Bond> before = s.bonds;
+  const auto& zone = s.start.grains.zone;
+  const bool marked = !s.contact.glued_pairs.empty() || std::any_of(zone.begin(), zone.end(), [](std::uint8_t z) { return z > 0; });
+  for (std::size_t p = 0; p < s.list.pairs; ++p) {
+    const DiskRecord &a = s.record[static_cast<std::size_t>(s.list.i[p])], &b = s.record[static_cast<std::size_t>(s.list.j[p])];
+    const Vec2 branch{a.x - b.x, a.y - b.y};
+    const double reach = (1 + 1e-6) * (a.radius + b.radius) + bridged * mean_radius;
+    if (dot(branch, branch) >= reach * reach || (marked && !is_marked_as_glued(s, a.grain, b.grain))) continue;
+    const Bond bond = bond_between(s, s.list.i[p], s.list.owner[p], branch);
+    if (!std::binary_search(before.begin(), before.end(), bond, is_before)) s.bonds.push_back(bond);
+  }
+  std::sort(s.bonds.begin(), s.bonds.end(), is_before);
+}
+
+void list_bonds(Sample& s) {
+  s.bond_slots.clear();
+  if (s.bonds.empty()) return;
+  std::vector<std::int32_t> number(s.count);
+  for (std::size_t k = 0; k < s.count; ++k) number[static_cast<std::size_t>(s.record[k].grain)] = static_cast<std::int32_t>(k);
+  for (std::size_t place = 0; place < s.bonds.size(); ++place)
+    if (s.bonds[place].broken == BondBreak::none) s.bond_slots.push_back(slot_of(s, place, number));
+}
+
+void renew_bond_dashpots(Sample& s) {
+  const double share = std::visit([](const auto& law) { return law.damping; }, s.contact.bonds);
+  for (BondSlot& b : s.bond_slots) tune_dashpots(s, b, share);
+}
+
+BondRates bond_rates(const Sample& s) {
+  std::vector<double> of_grain(s.count, 0.0);
+  for (const BondSlot& b : s.bond_slots)
+    for (const std::int32_t k : {b.i, b.j}) of_grain[static_cast<std::size_t>(k)] += 1;
+  BondRates rates;
+  for (const BondSlot& b : s.bond_slots) {
+    const Mobility m = mobility(s, b, of_grain[static_cast<std::size_t>(b.i)], of_grain[static_cast<std::size_t>(b.j)]);
+
+    rates.frequency_squared = std::max(rates.frequency_squared, std::max(b.beam.normal * m.normal, b.beam.shear * m.shear + b.beam.bending * m.bending));
+    rates.damping = std::max(rates.damping, std::max(b.normal_damping * m.normal, b.shear_damping * m.shear + b.bending_damping * m.bending));
+  }
+  return rates;
+}
+
+double shortest_bond_time(const Sample& s) {
+  double fastest = 0;
+  for (const BondSlot& b : s.bond_slots) {
+    const Mobility m = mobility(s, b);
+    const DiskRecord &a = s.record[static_cast<std::size_t>(b.i)], &c = s.record[static_cast<std::size_t>(b.j)];
+    const double contact = s.coefficients.pair_stiffness(a.material, c.material);
+    fastest = std::max({fastest, (b.beam.normal + contact) * m.normal, b.beam.shear * m.shear, b.beam.bending * m.bending});
+  }
+  return fastest > 0 ? std::numbers::pi / std::sqrt(fastest) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace arenite::dem

@@ -1,0 +1,49 @@
+#pragma once
+#include "core/threads.hpp"
+#include "grains/dem/forces.hpp"
+
+namespace arenite::dem {
+
+/// Bonds every two grains whose gap is at most what the law bridges (grains that touch: to a millionth of their radii), where glued grains are marked
+/// only those, unless they have or had a bond already. The list must have just been built.
+void bond_near_pairs(Sample& sample);
+
+/// Lists the bonds that hold, by the disks' present numbers and places. Part of list_contacts.
+void list_bonds(Sample& sample);
+
+/// Dashpots of the listed bonds, from the present masses.
+void renew_bond_dashpots(Sample& sample);
+
+/// Where a bond's grains are now, and how it is strained.
+struct BeamMotion {
+  Vec2 branch, normal;  ///< from the meant image of j to i
+  double distance = 0;
+  BeamStrain strain, rate;
+};
+BeamMotion beam_motion(const Sample& sample, const BondSlot& slot);
+
+/// A bond's force on i and its torques, from what the beam answers with.
+SlotForce beam_slot_force(const BondSlot& slot, const BeamMotion& motion, const BeamForce& force);
+/// What its dashpots have in that.
+SlotForce beam_dashpots(const BondSlot& slot, const BeamMotion& motion);
+
+/// Fills the bonds' places in the list of forces and ends the bonds whose stresses exceed their strength; what they held is booked as dissipated.
+void add_bond_forces(Sample& sample, const Team& team);
+
+/// All bonds there are and were, with their forces now, by the caller's grains.
+std::vector<Bond> bonds_of(const Sample& sample);
+
+/// What the bonds hold, J.
+double bond_energy(const Sample& sample);
+
+/// Bounds of the rates that bonds add to those of the contacts: squared frequency, 1/s^2, and damping, 1/s. Each bond is given its share of its
+/// grains' masses: a grain's over the number of its bonds.
+struct BondRates {
+  double frequency_squared = 0, damping = 0;
+};
+BondRates bond_rates(const Sample& sample);
+
+/// Shortest half period of two grains on their bond, with their contact beside it, s; infinite without bonds.
+double shortest_bond_time(const Sample& sample);
+
+}  // namespace arenite::dem

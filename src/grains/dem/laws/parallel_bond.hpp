@@ -1,0 +1,93 @@
+#pragma once
+#include <cmath>
+#include <numbers>
+
+#include "grains/dem/laws/parts.hpp"
+#include "model/bond.hpp"
+
+namespace arenite::dem {
+
+/// A bond's section and its stiffness against its three strains.
+struct Beam {
+  double area = 0, section_modulus = 0;       ///< m^2, m^3
+  double normal = 0, shear = 0, bending = 0;  ///< N/m, N/m, N m/rad
+};
+
+/// How a bond is strained: longer than it was made, the ways of both grains' surfaces across it, and the turn of i against j.
+struct BeamStrain {
+  double stretch = 0, shear = 0, bending = 0;  ///< m, m, rad
+};
+
+/// What it answers with: tension (> 0 pulls), shear force and bending moment.
+struct BeamForce {
+  double tension = 0, shear = 0, moment = 0;  ///< N, N, N m
+};
+
+/// The greatest stress over the strength for it, and which that is.
+struct BeamLoad {
+  double share = 0;
+  BondBreak kind = BondBreak::none;
+};
+
+/// Grains without cement.
+struct NoBonds {
+  static constexpr Word word{"none", "no cement between grains"};
+  static constexpr bool bonds = false;
+  void declare(ParameterVisitor&) {}
+  bool operator==(const NoBonds&) const = default;
+
+  double gap = 0, damping = 0, scatter = 0;
+  std::int64_t seed = 0;
+  Beam beam(double /*length*/, double /*radius*/, double /*thickness*/) const { return {}; }
+  BeamForce elastic(const Beam&, const BeamStrain&) const { return {}; }
+  double energy(const Beam&, const BeamStrain&) const { return 0; }
+  BeamLoad load(const Beam&, const BeamForce&) const { return {}; }
+};
+
+/// Parallel bond (Potyondy and Cundall, Int. J. Rock Mech. 41, 1329, 2004) of half width R = share times the smaller radius: A = 2 R t, I = 2 R^3 t/3,
+/// k_n = E A/l, k_s = k_n over the stiffness ratio, k_b = E I/l. It breaks where T/A + |M| R/I reaches the tensile strength or |Q|/A the cohesion,
+/// raised by tan(phi) times the pressure on its section. Between two grains it acts beside their contact.
+struct ParallelBond {
+  static constexpr Word word{"parallel", "beams that take tension, shear and bending and break for good"};
+  static constexpr bool bonds = true;
+  void declare(ParameterVisitor& v) {
+    v.number({"bond_modulus", "Young's modulus E of the bonds.", true}, modulus, "GPa", range::positive);
+    v.number({"bond_stiffness_ratio", "Normal over shear stiffness of the bonds."}, stiffness_ratio, "", range::positive);
+    v.number({"bond_width", "Half width of a bond over the smaller of its two radii."}, width, "", range::above(0, 1));
+    v.number({"bond_tensile_strength", "Tensile strength of the bonds, that of their most stretched fibre.", true}, tensile_strength, "MPa", range::positive);
+    v.number({"bond_cohesion", "Shear strength of the bonds where nothing presses on them.", true}, cohesion, "MPa", range::positive);
+    v.number({"bond_friction_angle", "Angle by which pressure on a bond raises its shear strength."}, friction_angle, "deg",
+             range::between(0, 80 * std::numbers::pi / 180));
+    v.number({"bond_strength_scatter", "Standard deviation of the bonds' strengths, normally distributed, over their mean; none is below a tenth of it."},
+             scatter, "", range::between(0, 0.5));
+    v.integer({"bond_seed", "Seed of that scatter."}, seed, {0, 1'000'000'000});
+    v.number({"bond_damping", "Dashpots of the bonds, as a share of their critical damping."}, damping, "", range::between(0, 1));
+    v.number({"bond_gap", "Greatest gap between two grains that is bonded, over the mean radius."}, gap, "", range::between(0, 0.1));
+  }
+  bool operator==(const ParallelBond&) const = default;
+
+  double modulus = 1e9, stiffness_ratio = 2.5, width = 1;
+  double tensile_strength = 1e7, cohesion = 1e7, friction_angle = 0;  ///< Pa, Pa, rad
+  double scatter = 0, damping = 0, gap = 0;
+  std::int64_t seed = 1;
+
+  Beam beam(double length, double radius, double thickness) const {
+    const double half = width * radius, area = 2 * half * thickness, normal = modulus * area / length;
+    return {area, area * half / 3, normal, normal / stiffness_ratio, normal * half * half / 3};
+  }
+  BeamForce elastic(const Beam& beam, const BeamStrain& strain) const {
+    return {beam.normal * strain.stretch, beam.shear * strain.shear, beam.bending * strain.bending};
+  }
+  double energy(const Beam& beam, const BeamStrain& s) const {
+    return 0.5 * (beam.normal * s.stretch * s.stretch + beam.shear * s.shear * s.shear + beam.bending * s.bending * s.bending);
+  }
+  BeamLoad load(const Beam& beam, const BeamForce& force) const {
+    const double mean = force.tension / beam.area, bent = std::abs(force.moment) / beam.section_modulus;
+    const double strength = cohesion + std::tan(friction_angle) * lane::max(-mean, 0.0);
+    const BeamLoad pull{(mean + bent) / tensile_strength, mean > bent ? BondBreak::tension : BondBreak::bending};
+    const BeamLoad across{std::abs(force.shear) / (beam.area * strength), BondBreak::shear};
+    return pull.share >= across.share ? pull : across;
+  }
+};
+
+}  // namespace arenite::dem
