@@ -9,6 +9,7 @@ name, c in along(result).items()})`.
 
 import re
 import tomllib
+import types
 from typing import NamedTuple
 
 import numpy as np
@@ -99,7 +100,7 @@ def sheared_by(test):
     history = test.stage.history
     if "shear_strain" in history:
         return history["shear_strain"] - history["shear_strain"][0]
-    slide = slides(test.stage)
+    slide = {side: speed_in_time(test.stage, f"slide.{side}", speed) for side, speed in slides(test.stage).items()}
     rate = np.zeros(len(history["time"]))
     for one, other, axis in (("top", "bottom", "y"), ("right", "left", "x")):
         rate = rate + (slide.get(one, 0) - slide.get(other, 0)) / extent(history, axis)
@@ -108,12 +109,31 @@ def sheared_by(test):
     return np.concatenate([[0], np.cumsum(0.5 * (rate[1:] + rate[:-1]) * np.diff(history["time"]))])
 
 
-def slides(stage):
-    """{side: m/s} of walls that move along themselves, from the stage's recipe."""
+def stage_recipe(stage):
+    """What the recipe says of a stage; {} where it is not known."""
     recipe = tomllib.loads(stage.provenance.get("recipe", ""))
     told = [part for part in recipe.get("stages", []) if part.get("name") == stage.name]
-    speeds = {side: speed_of(text) for side, text in told[-1].get("slide", {}).items()} if told else {}
-    return {side: speed for side, speed in speeds.items() if speed}
+    return told[-1] if told else {}
+
+
+def slides(stage):
+    """{side: m/s} of walls that move along themselves, from the stage's recipe; at the beginning, where a programme drives them."""
+    told = stage_recipe(stage)
+    speeds = {side: speed_of(text) for side, text in told.get("slide", {}).items()}
+    driven = {programme["of"].removeprefix("slide.") for programme in told.get("programmes", []) if programme["of"].startswith("slide.")}
+    return {side: speed for side, speed in speeds.items() if speed or side in driven}
+
+
+def speed_in_time(stage, of, speed):
+    """m/s at every row of the history: of the stage's programme for `of`, else `speed`."""
+    time = stage.history["time"] - stage.history["time"][0]
+    for programme in stage_recipe(stage).get("programmes", []):
+        if programme["of"] == of:
+            rows = [(float(str(at).split()[0]), speed_of(value)) for at, value in programme["table"]]
+            if programme.get("repeat"):
+                time = np.mod(time, rows[-1][0])
+            return np.interp(time, *np.array(rows).T)
+    return np.full(len(time), speed)
 
 
 def speed_of(text):
@@ -258,6 +278,37 @@ def cycles_of(test):
     spent = energies(test.stage.history).get("dissipated_energy")
     if spent:
         found["dissipated_energy"] = Curve(np.diff(np.interp(ends_of(test.stage, cycles), test.stage.history["time"], spent.values)), "J")
+    return found
+
+
+def every_cycle(result, stage=None):
+    """Strains, stresses and energies of `along` at the largest and at the smallest load or strain of every cycle, of a stage with `cycles` or
+    `strain_cycles`, whether their states are stored or not: `cycle`, `axial_strain_maximum`, `shear_strain_minimum`; `accumulated_strain` of the
+    smallest since the end of the first. Raises ValueError for a stage without."""
+    return every_cycle_of(find_test(result, stage))
+
+
+def every_cycle_of(test):
+    """As `every_cycle`, of a Test."""
+    table, history = dict(getattr(test.stage, "cycles", {})), test.stage.history
+    if not table:
+        raise ValueError(f"the stage {test.stage.name} has no whole cycle")
+    before = test.before or types.SimpleNamespace(domain={"width": extent(history, "x")[0], "height": extent(history, "y")[0]})
+    rows = types.SimpleNamespace(name=test.stage.name, history=table, frames=test.stage.frames, provenance=test.stage.provenance)
+    of_rows = curves_of(Test(rows, before))
+    if "shear_strain" in table:
+        of_rows["shear_strain"] = Curve(table["shear_strain"] - history["shear_strain"][0], "1")
+    whole = len(table["cycle"]) // 2
+    found = {"cycle": Curve(table["cycle"][1::2][:whole], "1")}
+    for name, curve in of_rows.items():
+        if name not in ("time", "inertial_number"):
+            found[f"{name}_maximum"], found[f"{name}_minimum"] = Curve(curve.values[0:2 * whole:2], curve.unit), Curve(curve.values[1:2 * whole:2], curve.unit)
+    told = stage_recipe(test.stage)
+    side = told.get("strain_cycles", {}).get("of") or told.get("cycles", {}).get("side")
+    for end in ("maximum", "minimum") if side in ("left", "right", "bottom", "top") else ():  # which axis cycles, not which has shortened in the end
+        found[f"axial_strain_{end}"] = found[f"strain_{'x' if side in ('left', 'right') else 'y'}_{end}"]
+    low = found["axial_strain_minimum"].values
+    found["accumulated_strain"] = Curve(low - low[0], "1")
     return found
 
 

@@ -3,7 +3,7 @@
 import pathlib
 
 from .._core import open as open_result
-from . import bonds, densities, failure, fields, film_forces, films, histories, loadings, packings, panels, samples, studies, textures
+from . import bonds, densities, failure, fields, film_forces, films, flows, histories, loadings, packings, panels, samples, studies, textures
 from .parts import parts_of, same_map
 from .saving import Canvas, Figure, listed, save
 from .style import sigma_norm
@@ -155,11 +155,13 @@ def figures_of(result, stage=None, state=None):
 
 
 def study_figures(path):
-    """(figure, part) of all that the page of a study shows and can be drawn yet, and `rheology` where its runs are strained at a rate,
-    with or without a page."""
-    runs = loadings.driven_runs(path)
-    parts = studies.study_document(path)["figures"] if studies.has_page(path) or not runs else []
+    """(figure, part) of all that the page of a study shows and can be drawn yet, `rheology` where its runs are strained at a rate, and what
+    `flows` draws of discharges, collapses, silos and critical states, with or without a page."""
+    runs, flow = loadings.driven_runs(path), flows.kind_of(path)
+    parts = studies.study_document(path)["figures"] if studies.has_page(path) or not (runs or flow) else []
     found = [(Figure(part["id"], "study", studies.draw_study_figure, height=studies.height_of(part)), part) for part in parts if studies.has_content(part)]
+    if flow:
+        found.append((Figure(flow, "study", flows.drawings[flow], height=0.42 if flow == "critical-state" else 0.7, wide=flow == "critical-state"), path))
     return found + [(Figure("rheology", "study", loadings.rheology, height=0.42, wide=True), runs)] * bool(runs)
 
 

@@ -101,20 +101,28 @@ def stress_strain(figure, state):
 
 
 def has_cycles(state):
-    return curves.has_history(state.stage) and len(curves.whole_cycles(state.stage)) > 1
+    return curves.has_history(state.stage) and (has_table(state) or len(curves.whole_cycles(state.stage)) > 1)
+
+
+def has_table(state):
+    """Whether every cycle is known, stored or not; results of former versions know those that are stored."""
+    return len(getattr(state.stage, "cycles", {}).get("cycle", [])) > 3
 
 
 def draw_cycles(axes, found):
-    """Axial strain at the largest and the smallest load against the number of the cycle; `found` as curves.of_cycles gives it."""
+    """Axial strain at the largest and the smallest load against the number of the cycle; `found` as curves.of_cycles or curves.every_cycle
+    gives it."""
+    few = len(found["cycle"].values) <= 50
     for end, marker, colour in (("maximum", "o", colours[1]), ("minimum", "s", colours[0])):
-        axes.plot(found["cycle"].values, 100 * found[f"axial_strain_{end}"].values, f"{marker}-", color=colour, label=f"{end} of the load")
+        axes.plot(found["cycle"].values, 100 * found[f"axial_strain_{end}"].values, f"{marker}-" if few else "-", color=colour, label=f"{end} of the load")
     axes.set(xlabel="cycle", ylabel="axial strain, %")
     axes.xaxis.get_major_locator().set_params(integer=True)
     axes.legend()
 
 
 def cycles(figure, state):
-    draw_cycles(figure.add_subplot(), curves.cycles_of(test_of(state)))
+    test = test_of(state)
+    draw_cycles(figure.add_subplot(), curves.every_cycle_of(test) if has_table(state) else curves.cycles_of(test))
 
 
 def draw_against_rate(axes, found, name):

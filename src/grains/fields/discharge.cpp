@@ -12,7 +12,7 @@
 namespace arenite::fields {
 namespace {
 
-constexpr std::size_t intervals = 120;  // that the time of flow is parted into: enough for blocks, and each with more than a grain or two
+constexpr std::size_t intervals = 400;  // that the time of flow is parted into: enough to find where it is steady, and for blocks within
 
 void check(const std::vector<double>& time, const std::vector<double>& passed) {
   if (time.size() != passed.size()) throw InputError(fmt::format("there are {} times and {} amounts passed; give one a time", time.size(), passed.size()));
@@ -46,11 +46,9 @@ Discharge find_discharge(const std::vector<double>& time, const std::vector<doub
     const double t = time[first] + static_cast<double>(k) * width;
     rates.push_back((at(time, passed, t + width) - at(time, passed, t)) / width);
   }
-  const SteadyOptions options{2, 0.5};
-  const SteadyState from_end = find_steady_state(std::vector<double>(rates.rbegin(), rates.rend()), options);
-  rates.resize(rates.size() - from_end.first);
-  const SteadyState steady = find_steady_state(rates, options);
-  found.steady = from_end.reached && steady.reached;
+  rates.resize(rates.size() - find_steady_state(std::vector<double>(rates.rbegin(), rates.rend())).first);
+  const SteadyState steady = find_steady_state(rates);
+  found.steady = steady.reached;
   found.begin = time[first] + static_cast<double>(found.steady ? steady.first : 0) * width;
   found.end = found.steady ? time[first] + static_cast<double>(rates.size()) * width : time[last];
   found.rate.value = (at(time, passed, found.end) - at(time, passed, found.begin)) / (found.end - found.begin);

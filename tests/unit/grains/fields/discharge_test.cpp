@@ -42,7 +42,7 @@ TEST(Discharge, IsTheRateOfItsSteadyPartWithAnErrorThatCoversIt) {
     ++steady;
     EXPECT_GT(d.begin, 0.3);
     EXPECT_LT(d.end, 2.5);
-    EXPECT_GT(d.end - d.begin, 1.0);
+    EXPECT_GT(d.end - d.begin, 0.5);
     EXPECT_NEAR(d.rate.value, 1000, 100) << k;
     EXPECT_LT(d.rate.error, 30);
     const auto interval = statistics::confidence_95(d.rate);

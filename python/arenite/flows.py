@@ -1,0 +1,171 @@
+"""What studies of flows under weight and of shear come to: discharge against opening (Beverloo), run-out against aspect ratio, pressure at
+the bottom of a silo against its filling (Janssen), solid fraction and friction of the critical state against the grains' friction.
+
+Each gives a dict of names, {"opening": Curve(values, unit), ...}, one value a result in the order of the abscissa, errors beside them
+("rate_error"), and the fits give {"exponent": (value, error), ...}.
+"""
+
+import tomllib
+
+import numpy as np
+
+from . import curves
+from ._core import free_surface, steady_state
+from .curves import Curve
+
+
+def table(rows, names):
+    """{name: Curve} of rows in the order of their first number; `names` of (name, unit)."""
+    values = np.array(sorted(rows), float).reshape(-1, len(names)).T
+    return {name: Curve(column, unit) for (name, unit), column in zip(names, values)}
+
+
+def last_numbers(result, part):
+    """What the last stage has measured under this name; {} where it has nothing."""
+    stages = list(result.stages)
+    return stages[-1].texture.get(part, {}) if stages else {}
+
+
+def estimate(number):
+    """(value, error) of a number as results hold it, NaN where it is not known."""
+    return [np.nan if number.get(key) is None else number[key] for key in ("value", "error")]
+
+
+def discharges(results):
+    """`opening` (m, the narrowest way between boundaries) and `rate` (kg/s) with its error, of results whose last stage discharges."""
+    found = [last_numbers(result, "discharge") for result in results]
+    rows = [[n["opening_m"], *estimate(n["rate_kg_s"])] for n in found if "opening_m" in n]
+    return table(rows, [("opening", "m"), ("rate", "kg/s"), ("rate_error", "kg/s")])
+
+
+def runouts(results):
+    """Of results whose last stage is a collapse: `aspect_ratio`, height over width, before; `runout`, way of the front over that width,
+    with its error; `height` of the deposit over that width; `angle` of the deposit (deg) with its error."""
+    rows = []
+    for n in (last_numbers(result, "surface") for result in results):
+        if "runout_over_width" in n:
+            rows.append([n["aspect_ratio_before"], *estimate(n["runout_over_width"]), n["height_over_width"], *estimate(n.get("angle_deg", {}))])
+    return table(rows, [(name, "1") for name in ("aspect_ratio", "runout", "runout_error", "height")] + [("angle", "deg"), ("angle_error", "deg")])
+
+
+def silo_state(result):
+    """Of a silo whose floor sinks: [height of the filling, force on the floor with its error, weight, wall friction mobilised, its pressure
+    ratio K = <sigma_xx>/<sigma_yy>, width, depth], means over the part of the last stage in which the floor's force is steady."""
+    stage = list(result.stages)[-1]
+    history, packing = stage.history, stage.frames[-1].packing
+    floor = steady_state(history["bottom_force"])
+    steady = slice(floor["first"], None)
+    density = np.array([material.density for material in packing.materials])[packing.material]
+    thickness, width = packing.domain["thickness"], packing.domain["width"]
+    weight = 9.81 * np.pi * thickness * np.sum(density * packing.radius**2)
+    surface = free_surface(packing)
+    sides = np.mean(history["left_force"][steady]) + np.mean(history["right_force"][steady])
+    states = [frame.packing for frame in stage.frames]
+    sigma = sum(mean_stress(state) for state in states)
+    return [np.mean(surface["height"]) - surface["bottom"], floor["mean"], floor["error"], weight, (weight - floor["mean"]) / sides, sigma[0] / sigma[1], width, thickness]
+
+
+def mean_stress(packing):
+    """Sum over contacts of force times branch, along x and y: the mean stress but for the area, which is one for both."""
+    c = packing.contacts
+    branch, fn, ft = c.arm_i + c.arm_j, c.fn, c.ft
+    return np.array([np.sum((fn * c.nx - ft * c.ny) * branch * c.nx), np.sum((fn * c.ny + ft * c.nx) * branch * c.ny)])
+
+
+def silos(results):
+    """`height` of the filling (m), mean `pressure` on the floor (Pa) with its error, what a liquid of the same bulk density would press with
+    (`hydrostatic`), `wall_friction` as mobilised, `ratio` K of horizontal and vertical stress, `width` (m), of results whose floor sinks in the
+    last stage."""
+    rows = []
+    for height, force, error, weight, friction, ratio, width, depth in map(silo_state, results):
+        rows.append([height, force / (width * depth), error / (width * depth), weight / (width * depth), friction, ratio, width])
+    return table(rows, [("height", "m"), ("pressure", "Pa"), ("pressure_error", "Pa"), ("hydrostatic", "Pa"), ("wall_friction", "1"), ("ratio", "1"), ("width", "m")])
+
+
+def friction_of(result):
+    """mu between grains, of the recipe of the last stage."""
+    recipe = tomllib.loads(list(result.stages)[-1].provenance["recipe"])
+    return float(recipe["stages"][-1].get("friction", recipe["contact"]["friction"]))
+
+
+def critical_states(results, stage=None):
+    """Plateaus of sheared or compressed samples against the grains' `friction`: `mu` (of the sheared plane; q/p where nothing is sheared) and
+    `solid_fraction`, with errors that respect correlation; `reached` is 0 where a sample still changes."""
+    rows = []
+    for result in results:
+        found = curves.along(result, stage)
+        stress = steady_state(np.abs(found["mu"].values) if "mu" in found else found["q_over_p"].values)
+        solid = steady_state(found["solid_fraction"].values)
+        rows.append([friction_of(result), stress["mean"], stress["error"], solid["mean"], solid["error"], stress["reached"] and solid["reached"]])
+    return table(rows, [(name, "1") for name in ("friction", "mu", "mu_error", "solid_fraction", "solid_fraction_error", "reached")])
+
+
+def fit(model, start, x, y, error, rounds=200):
+    """Least squares of y = model(x, parameters) weighed by `error`, by Levenberg's and Marquardt's method: (parameters, their standard
+    errors), which are scaled up where the points scatter more than their errors say. Errors that are not known count as the largest that is,
+    or all alike."""
+    known = np.isfinite(error) & (error > 0)
+    scale = np.where(known, error, np.max(error[known])) if np.any(known) else np.full(len(y), np.std(y) if len(y) > 1 else 1.0)
+    p, damping = np.array(start, float), 1e-3
+    residual = (y - model(x, p)) / scale
+    for _ in range(rounds):
+        steps = 1e-6 * np.maximum(np.abs(p), 1e-9)
+        slope = np.array([(model(x, p + step) - model(x, p - step)) / (2 * np.max(step)) / scale for step in np.diag(steps)]).T
+        normal = slope.T @ slope
+        trial = p + np.linalg.solve(normal + damping * np.diag(np.diag(normal)), slope.T @ residual)
+        new = (y - model(x, trial)) / scale
+        better = np.all(np.isfinite(new)) and np.sum(new**2) <= np.sum(residual**2)
+        done = better and np.sum(residual**2) - np.sum(new**2) < 1e-12 * np.sum(new**2)
+        if better:
+            p, residual = trial, new
+        damping = damping / 5 if better else damping * 5
+        if done or damping > 1e12:
+            break
+    freedom = max(1, len(y) - len(p))
+    spread = max(1.0, np.sum(residual**2) / freedom) if np.any(known) else np.sum(residual**2) / freedom
+    return p, np.sqrt(np.diag(np.linalg.inv(normal)) * spread)
+
+
+def named(names, found):
+    return {name: (float(value), float(error)) for name, value, error in zip(names, *found)}
+
+
+def fit_beverloo(found, exponent=None):
+    """W = a (D - w)^n of `discharges`: `factor` a, `lost_width` w (m; k d) and, unless it is given, `exponent` n. In two dimensions n = 3/2
+    (Beverloo, Leniger and van de Velde, Chem. Eng. Sci. 15, 260, 1961) and a = C rho_b sqrt(g) times the out-of-plane length."""
+    x, y, error = (found[name].values for name in ("opening", "rate", "rate_error"))
+    n = 1.5 if exponent is None else exponent
+    slope, intercept = np.polyfit(x, y ** (1 / n), 1)
+    start = [slope**n, max(-intercept / slope, 0)]
+
+    def model(d, p):
+        return p[0] * np.maximum(d - p[1], 1e-9) ** (p[2] if len(p) > 2 else n)
+
+    return named(["factor", "lost_width", "exponent"], fit(model, start + ([n] if exponent is None else []), x, y, error))
+
+
+def fit_power(x, y, error):
+    """y = a x^n: `factor`, `exponent`."""
+    n, log_a = np.polyfit(np.log(x), np.log(y), 1)
+    return named(["factor", "exponent"], fit(lambda at, p: p[0] * at ** p[1], [np.exp(log_a), n], x, y, error))
+
+
+def fit_runout(found, low=2.0, high=2.0):
+    """Power laws of `runouts` below and above aspect ratios: {"low": ..., "high": ...} as fit_power gives them. Grains on a plane spread by
+    about a below 2 to 3 and by a^(2/3) to a^0.7 above (Lube et al., Phys. Rev. E 72, 041301, 2005; Lajeunesse, Monnier and Homsy, Phys. Fluids
+    17, 103302, 2005; Staron and Hinch, J. Fluid Mech. 545, 1, 2005). The points count alike: what scatters is the front, not its place."""
+    x, y = found["aspect_ratio"].values, found["runout"].values
+    parts = {"low": x <= low, "high": x >= high}
+    return {name: fit_power(x[part], y[part], 0.05 * y[part]) for name, part in parts.items() if np.sum(part) > 2}
+
+
+def fit_janssen(found):
+    """p = p_s (1 - exp(-H/l)) of `silos` (Janssen 1895): `saturation` p_s (Pa), `length` l (m); `length_by_stresses`, W/(2 mu_w K) with the wall
+    friction and the ratio of stresses measured in the higher half of the fillings, where they are those of the saturated part."""
+    x, y, error = (found[name].values for name in ("height", "pressure", "pressure_error"))
+    start = [np.max(y), np.max(y) / max(np.max(found["hydrostatic"].values / x), 1e-300)]
+    result = named(["saturation", "length"], fit(lambda h, p: p[0] * -np.expm1(-h / p[1]), start, x, y, error))
+    upper = slice(len(x) // 2, None)
+    lengths = (found["width"].values / (2 * found["wall_friction"].values * found["ratio"].values))[upper]
+    result["length_by_stresses"] = (float(np.mean(lengths)), float(np.std(lengths, ddof=1) / np.sqrt(len(lengths))) if len(lengths) > 1 else np.nan)
+    return result
