@@ -49,20 +49,20 @@ def runouts(results):
 
 
 def silo_state(result):
-    """Of a silo whose floor sinks: [height of the filling, force on the floor with its error, weight, wall friction mobilised, its pressure
-    ratio K = <sigma_xx>/<sigma_yy>, width, depth], means over the part of the last stage in which the floor's force is steady."""
+    """Of a silo whose floor sinks: [height of the filling, force on the floor with its error, weight, wall friction mobilised, ratio
+    K = <sigma_xx>/<sigma_yy>, width, depth], means over the second half of the last stage."""
     stage = list(result.stages)[-1]
     history, packing = stage.history, stage.frames[-1].packing
-    floor = steady_state(history["bottom_force"])
-    steady = slice(floor["first"], None)
+    floor, error = curves.steady_mean(history["bottom_force"])
+    half = slice(len(history["bottom_force"]) // 2, None)
     density = np.array([material.density for material in packing.materials])[packing.material]
     thickness, width = packing.domain["thickness"], packing.domain["width"]
     weight = 9.81 * np.pi * thickness * np.sum(density * packing.radius**2)
     surface = free_surface(packing)
-    sides = np.mean(history["left_force"][steady]) + np.mean(history["right_force"][steady])
-    states = [frame.packing for frame in stage.frames]
+    sides = np.mean(history["left_force"][half]) + np.mean(history["right_force"][half])
+    states = [frame.packing for frame in stage.frames[len(stage.frames) // 2:]]
     sigma = sum(mean_stress(state) for state in states)
-    return [np.mean(surface["height"]) - surface["bottom"], floor["mean"], floor["error"], weight, (weight - floor["mean"]) / sides, sigma[0] / sigma[1], width, thickness]
+    return [np.mean(surface["height"]) - surface["bottom"], floor, error, weight, (weight - floor) / sides, sigma[0] / sigma[1], width, thickness]
 
 
 def mean_stress(packing):
@@ -150,7 +150,7 @@ def fit_power(x, y, error):
     return named(["factor", "exponent"], fit(lambda at, p: p[0] * at ** p[1], [np.exp(log_a), n], x, y, error))
 
 
-def fit_runout(found, low=2.0, high=2.0):
+def fit_runout(found, low=2.5, high=2.5):
     """Power laws of `runouts` below and above aspect ratios: {"low": ..., "high": ...} as fit_power gives them. Grains on a plane spread by
     about a below 2 to 3 and by a^(2/3) to a^0.7 above (Lube et al., Phys. Rev. E 72, 041301, 2005; Lajeunesse, Monnier and Homsy, Phys. Fluids
     17, 103302, 2005; Staron and Hinch, J. Fluid Mech. 545, 1, 2005). The points count alike: what scatters is the front, not its place."""

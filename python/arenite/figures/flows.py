@@ -57,11 +57,9 @@ def done_runs(study):
     """Results of a study's runs that are done."""
     path = pathlib.Path(study)
     results = []
-    for run in sorted(((path if path.is_dir() else path.parent) / "runs").glob("*")):
-        try:
-            results.append(open_result(str(run)))
-        except ValueError:  # not done yet, or failed
-            continue
+    for run in sorted(((path if path.is_dir() else path.parent) / "runs").glob("*/status")):
+        if run.read_text(encoding="utf-8").split()[:1] == ["done"]:
+            results.append(open_result(str(run.parent)))
     return results
 
 
@@ -101,7 +99,7 @@ def kind_of(study):
         return "runout"
     if weighs and all(isinstance(stage.get("bottom"), dict) and "velocity" in stage["bottom"] for stage in stages):
         return "janssen"
-    if all(sheared) and len({recipe["contact"]["friction"] for recipe in recipes}) > 2:
+    if all(sheared) and len({recipe.get("contact", {}).get("friction") for recipe in recipes}) > 2:
         return "critical-state"
     return None
 

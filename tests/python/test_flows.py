@@ -1,0 +1,81 @@
+"""Fits of flows under weight against laws they are made with, and a silo that is made up."""
+
+import types
+
+import arenite
+import numpy as np
+import pytest
+from arenite import curves, flows
+from arenite.figures import flows as drawings
+
+
+def points(x, y, error, names, units):
+    return {name: curves.Curve(np.array(values, float), unit) for name, values, unit in zip(names, (x, y, error), units)}
+
+
+def a_run(**parts):
+    return types.SimpleNamespace(stages=[types.SimpleNamespace(texture=parts)])
+
+
+def test_beverloos_law_is_found_again():
+    opening = np.array([0.03, 0.04, 0.055, 0.075, 0.1])
+    rate = 33 * (opening - 0.0096) ** 1.5
+    runs = [a_run(discharge={"opening_m": d, "rate_kg_s": {"value": w, "error": 0.01 * w}}) for d, w in zip(opening, rate)]
+    found = flows.discharges([runs[k] for k in (3, 0, 4, 1, 2)] + [a_run()])
+    assert found["opening"].values == pytest.approx(opening) and found["rate"].unit == "kg/s"
+    law = flows.fit_beverloo(found)
+    assert law["exponent"][0] == pytest.approx(1.5, abs=1e-4) and law["lost_width"][0] == pytest.approx(0.0096, abs=1e-5)
+    assert 0.02 < law["exponent"][1] < 0.2
+    assert flows.fit_beverloo(found, exponent=1.5)["factor"][0] == pytest.approx(33, rel=1e-6)
+
+
+def test_errors_of_fits_are_those_of_many_samples():
+    generator = np.random.default_rng(1)
+    x = np.array([1.0, 2, 3, 5, 8, 13])
+    fits = [flows.fit_power(x, 2 * x**0.7 * (1 + 0.05 * generator.normal(size=6)), 0.05 * 2 * x**0.7)["exponent"] for _ in range(300)]
+    values, errors = np.array(fits).T
+    assert np.mean(values) == pytest.approx(0.7, abs=0.01)
+    assert np.mean(errors) == pytest.approx(np.std(values), rel=0.35)
+
+
+def test_both_regimes_of_run_out_are_found_again():
+    aspect = np.array([0.5, 0.8, 1.3, 2, 3, 4.5, 7, 11, 17])
+    way = np.where(aspect < 2.5, 2 * aspect, 2 * 2.5 ** (1 / 3) * aspect ** (2 / 3))
+    surface = [{"aspect_ratio_before": a, "runout_over_width": {"value": r, "error": 0.02}, "height_over_width": 1.0} for a, r in zip(aspect, way)]
+    laws = flows.fit_runout(flows.runouts([a_run(surface=s) for s in surface]))
+    assert laws["low"]["exponent"][0] == pytest.approx(1, abs=1e-4) and laws["high"]["exponent"][0] == pytest.approx(2 / 3, abs=1e-4)
+
+
+def test_janssens_law_is_found_again():
+    height = np.array([0.05, 0.1, 0.2, 0.3, 0.5, 0.8])
+    found = {"height": curves.Curve(height, "m"), "pressure": curves.Curve(900 * -np.expm1(-height / 0.12), "Pa"), "pressure_error": curves.Curve(np.full(6, 5.0), "Pa")}
+    found.update(hydrostatic=curves.Curve(7500 * height, "Pa"), wall_friction=curves.Curve(np.full(6, 0.4), "1"), ratio=curves.Curve(np.full(6, 0.8), "1"), width=curves.Curve(np.full(6, 0.08), "m"))
+    law = flows.fit_janssen(found)
+    assert law["saturation"][0] == pytest.approx(900, rel=1e-4) and law["length"][0] == pytest.approx(0.12, rel=1e-4)
+    assert law["length_by_stresses"][0] == pytest.approx(0.08 / 0.64)
+
+
+def test_a_silo_tells_what_its_walls_carry():
+    x, y = np.meshgrid(np.arange(4) + 0.5, np.arange(6) + 0.5)
+    material = arenite.Material("clay", density=1000.0)
+    packing = arenite.Packing(0.01 * x.ravel(), 0.01 * y.ravel(), np.full(24, 0.005), materials=[material], width=0.04, height=0.1, thickness=0.1)
+    weight = 9.81 * 1000 * 0.1 * 24 * np.pi * 0.005**2
+    history = {"bottom_force": 0.6 * weight + 1e-3 * np.cos(np.arange(200.0) * 2.1), "left_force": np.full(200, 0.5 * weight), "right_force": np.full(200, 0.5 * weight)}
+    stage = types.SimpleNamespace(history=history, frames=[types.SimpleNamespace(packing=packing)])
+    with pytest.warns(RuntimeWarning):  # no contact tells the ratio of stresses
+        found = flows.silos([types.SimpleNamespace(stages=[stage])])
+    assert found["height"].values == pytest.approx([0.06], rel=1e-6)
+    assert found["pressure"].values == pytest.approx([0.6 * weight / 0.004], rel=1e-3)
+    assert found["wall_friction"].values == pytest.approx([0.4], rel=1e-3)
+
+
+def test_figures_know_which_study_is_which(tmp_path):
+    stages = {"beverloo": 'gravity = true\ncount_below = "1 mm"', "runout": "gravity = true\nopen = { right = true }", "janssen": 'gravity = true\nbottom = { velocity = "-5 mm/s" }',
+              "critical-state": 'shear_rate = "1 1/s"'}
+    for kind, stage in stages.items():
+        for k in range(3):
+            run = tmp_path / kind / "runs" / str(k)
+            run.mkdir(parents=True)
+            (run / "recipe.toml").write_text(f"[contact]\nfriction = 0.{k}\n[[stages]]\n{stage}\n")
+        assert drawings.kind_of(tmp_path / kind) == kind
+    assert drawings.kind_of(tmp_path / "none") is None
