@@ -53,7 +53,7 @@ def silo_state(result):
     K = <sigma_xx>/<sigma_yy>, width, depth], means over the second half of the last stage."""
     stage = list(result.stages)[-1]
     history, packing = stage.history, stage.frames[-1].packing
-    floor, error = curves.steady_mean(history["bottom_force"])
+    floor, error = late_mean(history["bottom_force"])
     half = slice(len(history["bottom_force"]) // 2, None)
     density = np.array([material.density for material in packing.materials])[packing.material]
     thickness, width = packing.domain["thickness"], packing.domain["width"]
@@ -63,6 +63,12 @@ def silo_state(result):
     states = [frame.packing for frame in stage.frames[len(stage.frames) // 2:]]
     sigma = sum(mean_stress(state) for state in states)
     return [np.mean(surface["height"]) - surface["bottom"], floor, error, weight, (weight - floor) / sides, sigma[0] / sigma[1], width, thickness]
+
+
+def late_mean(values, blocks=10):
+    """(mean, standard error) of the second half of a series, by the scatter of the means of blocks: neighbours in time are not independent."""
+    means = [np.mean(block) for block in np.array_split(values[len(values) // 2:], blocks)]
+    return np.mean(means), np.std(means, ddof=1) / np.sqrt(blocks)
 
 
 def mean_stress(packing):

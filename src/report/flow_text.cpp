@@ -25,6 +25,13 @@ std::string flow_text(const Numbers& numbers) {
                   {"run-out over width", "/surface/runout_over_width", "", "over the width as the stage began"},
                   {"aspect ratio before", "/surface/aspect_ratio_before", "", "height over width as the stage began"}});
   }
+  if (rows.has("/floor")) {
+    rows.section("Floor of a silo, over the second half of the stage",
+                 {{"pressure", "/floor/pressure_Pa", "Pa"},
+                  {"of a liquid as heavy", "/floor/hydrostatic_Pa", "Pa"},
+                  {"height of the filling", "/floor/height_m", "m"},
+                  {"wall friction mobilised", "/floor/wall_friction", "", "weight that the walls carry over their normal force"}});
+  }
   return std::move(rows).text();
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <span>
 
 #include "grains/fields/discharge.hpp"
 #include "grains/fields/free_surface.hpp"
@@ -64,6 +65,34 @@ void put_runout(Numbers& j, const FreeSurface& now, const FreeSurface& then) {
   j["height_over_width"] = (now.top - now.bottom) / width;
 }
 
+/// Mean of the second half of a column, and its error by blocks.
+statistics::Measured late_mean(const History& history, const char* name) {
+  const std::vector<double>* values = column(history, name);
+  return values ? block_average(std::span(*values).subspan(values->size() / 2)).mean : statistics::Measured{};
+}
+
+/// What presses on the floor of a silo, and which share of their normal force its walls hold the filling back with.
+void put_floor(Numbers& j, const StageResult& result, const FreeSurface& now, double weight) {
+  const Domain& d = result.frames.back().packing.domain;
+  if (!d.wall[bottom].present || !d.wall[left].present || !d.wall[right].present) return;
+  const statistics::Measured force = late_mean(result.history, "bottom_force");
+  const double sides = late_mean(result.history, "left_force").value + late_mean(result.history, "right_force").value, area = d.width() * d.thickness;
+  if (!(force.value > 0) || !(sides > 0)) return;
+  j["height_m"] = std::accumulate(now.height.begin(), now.height.end(), 0.0) / static_cast<double>(now.height.size()) - now.bottom;
+  j["pressure_Pa"] = estimate(force.value, force.error, 1 / area);
+  j["hydrostatic_Pa"] = weight / area;
+  j["wall_friction"] = (weight - force.value) / sides;
+}
+
+double weight_of(const Packing& packing, double gravity) {
+  double mass = 0;
+  for (std::size_t k = 0; k < packing.grains.size(); ++k) {
+    const double r = packing.grains.radius[k];
+    mass += packing.materials[static_cast<std::size_t>(packing.grains.material[k])].density * std::numbers::pi * r * r * packing.domain.thickness;
+  }
+  return gravity * mass;
+}
+
 Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, const Packing* before) {
   const Vec2 gravity{std::sin(stage.gravity_angle), -std::cos(stage.gravity_angle)};
   const FreeSurface now = find_free_surface(result.frames.back().packing, gravity);
@@ -88,7 +117,13 @@ Numbers flow_numbers(const StageResult& result, const dem::Stage& stage, const P
   Numbers j = Numbers::tree();
   if (result.frames.empty() || result.frames.back().packing.grains.size() == 0) return j;
   if (Numbers discharge = discharge_numbers(result); !discharge.empty()) j["discharge"] = std::move(discharge);
-  if (has_free_surface(stage)) j["surface"] = surface_numbers(result, stage, before);
+  if (!has_free_surface(stage)) return j;
+  j["surface"] = surface_numbers(result, stage, before);
+  if (!stage.duration || stage.gravity_angle != 0) return j;
+  Numbers floor = Numbers::tree();
+  const Packing& packing = result.frames.back().packing;
+  put_floor(floor, result, find_free_surface(packing, {0, -1}), weight_of(packing, stage.gravity_size));
+  if (!floor.empty()) j["floor"] = std::move(floor);
   return j;
 }
 

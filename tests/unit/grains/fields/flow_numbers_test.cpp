@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace arenite::fields {
 namespace {
@@ -49,6 +50,28 @@ TEST(FlowNumbers, TellDischargeAngleAndRunOut) {
   EXPECT_NEAR(surface["runout_m"]["error"].get<double>(), 0.005, 1e-12);
   EXPECT_NEAR(surface["runout_over_width"]["value"].get<double>(), 2, 1e-9);
   EXPECT_NEAR(surface["aspect_ratio_before"].get<double>(), 2, 0.01);
+}
+
+TEST(FlowNumbers, TellTheFloorOfASilo) {
+  StageResult silo = result();
+  silo.history.columns.resize(1);
+  const std::size_t rows = silo.history.columns[0].values.size();
+  for (const auto& [name, force] : {std::pair{"bottom_force", 60.0}, {"left_force", 50.0}, {"right_force", 50.0}}) {
+    silo.history.columns.push_back({name, "N", std::vector<double>(rows, force)});
+    for (std::size_t k = 0; k < rows; ++k) silo.history.columns.back().values[k] += (k < rows / 3 ? 100 : 0.5 * std::cos(2.4 * static_cast<double>(k)));
+  }
+  Packing& packing = silo.frames.back().packing;
+  packing.domain.wall[right].position = 0.6;
+  packing.domain.thickness = 0.1;
+  dem::Stage stage;
+  stage.gravity = true;
+  stage.duration = 4;
+  const Numbers floor = flow_numbers(silo, stage, nullptr)["floor"];
+  EXPECT_NEAR(floor["pressure_Pa"]["value"].get<double>(), 1000, 2);
+  EXPECT_LT(floor["pressure_Pa"]["error"].get<double>(), 2);
+  const double weight = 9.81 * 2500 * 0.1 * std::numbers::pi * 25e-6 * static_cast<double>(packing.grains.size());
+  EXPECT_NEAR(floor["hydrostatic_Pa"].get<double>(), weight / 0.06, 1e-6 * weight / 0.06);
+  EXPECT_NEAR(floor["wall_friction"].get<double>(), (weight - 60) / 100, 1e-2);
 }
 
 TEST(FlowNumbers, AreNoneWithoutWeightAndUnderAPressingSide) {
