@@ -105,6 +105,18 @@ TEST(Prediction, WarnsOfSoftGrainsFastSidesAndTinySteps) {
   EXPECT_GT(p.stages[0].steps, 0);
 }
 
+TEST(Prediction, OfProgrammesAndCyclesOfStrainKnowsWhatTheyAskFor) {
+  const auto p = workflow::predict(
+      elastic("[[stages]]\nname = \"ramp\"\nright = { pressure = \"20 kPa\" }\nduration = \"10 ms\"\n"
+              "[[stages.programmes]]\nof = \"top.pressure\"\ntable = [[\"0 s\", \"1 kPa\"], [\"5 ms\", \"300 kPa\"], [\"10 ms\", \"2 kPa\"]]\n"
+              "[[stages]]\nname = \"cycle\"\nstrain_cycles = { of = \"top\", max = 0.01, rate = \"2 1/s\", count = 30 }\n"));
+  EXPECT_EQ(p.stages[0].pressure, 300e3);
+  EXPECT_TRUE(p.stages[1].exact);
+  // 60 half cycles of 5 ms, each rounded up to whole steps.
+  EXPECT_NEAR(p.stages[1].duration, 0.3, 60 * p.time_step);
+  EXPECT_EQ(p.stages[1].steps, 60 * dem::steps_of(0.005, p.time_step));
+}
+
 TEST(Prediction, OfALargeSampleLooksAtASmallOneOfTheSameKind) {
   auto recipe = elastic("[[stages]]\nname = \"shear\"\nright = { pressure = \"20 kPa\" }\ntop = { velocity = \"10 mm/s\" }\nduration = \"10 ms\"\n");
   const auto small = workflow::predict(recipe);
