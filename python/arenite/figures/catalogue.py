@@ -162,7 +162,7 @@ def study_figures(path):
     found = [(Figure(part["id"], "study", studies.draw_study_figure, height=studies.height_of(part)), part) for part in parts if studies.has_content(part)]
     if flow:
         found.append((Figure(flow, "study", flows.drawings[flow], height=0.42 if flow == "critical-state" else 0.7, wide=flow == "critical-state"), path))
-    return found + [(Figure("rheology", "study", loadings.rheology, height=0.42, wide=True), runs)] * bool(runs)
+    return found + [(Figure("rheology", "study", loadings.rheology, height=0.42, wide=True), runs)] * bool(runs and flow in (None, "critical-state"))
 
 
 def save_all(result, folder, formats=("pdf",), names=None, width=None, stage=None, state=None):

@@ -30,7 +30,7 @@ def draw_runout(axes, found):
     for name, law in flows.fit_runout(found).items():
         a = found["aspect_ratio"].values
         at = np.geomspace(np.min(a), 3, 20) if name == "low" else np.geomspace(1.5, np.max(a), 20)
-        axes.plot(at, law["factor"][0] * at ** law["exponent"][0], color=soft, zorder=0, label=rf"$\propto a^{{{law['exponent'][0]:.2f}}}$")
+        axes.plot(at, law["factor"][0] * at ** law["exponent"][0], color=soft, linestyle="-" if name == "low" else "--", zorder=0, label=rf"$\propto a^{{{law['exponent'][0]:.2f}}}$")
     axes.set(xlabel="aspect ratio $a$", ylabel=r"run-out $(L_\infty - L_0)/L_0$", xscale="log", yscale="log")
     axes.legend()
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <span>
 
 #include "grains/fields/discharge.hpp"
 #include "grains/fields/free_surface.hpp"
@@ -57,18 +56,27 @@ void put_mean_angle(Numbers& j, const StageResult& result, Vec2 gravity) {
 void put_runout(Numbers& j, const FreeSurface& now, const FreeSurface& then) {
   const double width = then.right - then.left, way = std::max(now.right - then.right, then.left - now.left);
   const double height = std::accumulate(then.height.begin(), then.height.end(), 0.0) / static_cast<double>(then.height.size()) - then.bottom;
-  j["runout_m"] = estimate(way, 0.5 * now.diameter);
-  j["runout_over_width"] = estimate(way / width, 0.5 * now.diameter / width);
+  if (way > 0.5 * now.diameter) {
+    j["runout_m"] = estimate(way, 0.5 * now.diameter);
+    j["runout_over_width"] = estimate(way / width, 0.5 * now.diameter / width);
+  }
   j["width_before_m"] = width;
   j["height_before_m"] = height;
   j["aspect_ratio_before"] = height / width;
   j["height_over_width"] = (now.top - now.bottom) / width;
 }
 
-/// Mean of the second half of a column, and its error by blocks.
+/// Mean of the second half of a column, and its error by the scatter of ten blocks: neighbours in time are not independent.
 statistics::Measured late_mean(const History& history, const char* name) {
+  constexpr std::size_t blocks = 10;
   const std::vector<double>* values = column(history, name);
-  return values ? block_average(std::span(*values).subspan(values->size() / 2)).mean : statistics::Measured{};
+  const std::size_t length = values ? values->size() / 2 / blocks : 0;
+  std::vector<double> means;
+  for (std::size_t b = 0; b < blocks && length > 0; ++b) {
+    const auto end = values->end() - static_cast<std::ptrdiff_t>(b * length);
+    means.push_back(std::accumulate(end - static_cast<std::ptrdiff_t>(length), end, 0.0) / static_cast<double>(length));
+  }
+  return statistics::mean_of(means);
 }
 
 /// What presses on the floor of a silo, and which share of their normal force its walls hold the filling back with.
