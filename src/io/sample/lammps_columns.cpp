@@ -61,6 +61,13 @@ bool lies(const std::vector<Row>& rows, const std::vector<Vec2>& branches, std::
   return telling > 0 && static_cast<double>(fitting) >= enough * static_cast<double>(telling);
 }
 
+/// Whether the vectors in two columns are the branches themselves (dx, dy of pair/local).
+bool are_branches(const std::vector<Row>& rows, const std::vector<Vec2>& branches, std::size_t x) {
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (std::abs(norm(Vec2{rows[k][x], rows[k][x + 1]}) - norm(branches[k])) > most_deviation * norm(branches[k])) return false;
+  return true;
+}
+
 bool all_zero(const std::vector<Row>& rows, std::size_t c) {
   return std::ranges::all_of(rows, [&](const Row& row) { return row[c] == 0; });
 }
@@ -81,13 +88,15 @@ std::optional<PairColumns> find_pair_columns(const std::vector<std::vector<std::
   for (const Row& row : numbers) branches.push_back(geometry.branch(row[i], row[i + 1]));
   for (std::size_t x = 0; x + 1 < n; ++x) {
     if (x + 1 >= i && x <= i + 1) continue;
-    if (!lies(numbers, branches, x, x + 1, true)) continue;
-    for (std::size_t p = x + 2; p + 1 < n; ++p) {
-      const bool across = lies(numbers, branches, p, p + 1, false);
-      // Without friction all is zero: behind fx and fy, or behind fz too where as many follow as fz, p1, p2 and p3 are.
-      const bool none = all_zero(numbers, p) && all_zero(numbers, p + 1) && p == (n - (x + 2) >= 4 ? x + 3 : x + 2);
-      if (across || none) return PairColumns{candidates[i], candidates[i + 1], candidates[x], candidates[x + 1], candidates[p], candidates[p + 1]};
-    }
+    if (!lies(numbers, branches, x, x + 1, true) || are_branches(numbers, branches, x)) continue;
+    const auto with = [&](std::size_t p) {
+      return PairColumns{candidates[i], candidates[i + 1], candidates[x], candidates[x + 1], candidates[p], candidates[p + 1]};
+    };
+    for (std::size_t p = x + 2; p + 1 < n; ++p)
+      if (lies(numbers, branches, p, p + 1, false)) return with(p);
+    // Without friction all is zero: behind fx and fy, or behind fz too where as many follow as fz, p1, p2 and p3 are.
+    const std::size_t p = n - (x + 2) >= 4 ? x + 3 : x + 2;
+    if (p + 1 < n && all_zero(numbers, p) && all_zero(numbers, p + 1)) return with(p);
   }
   return {};
 }
