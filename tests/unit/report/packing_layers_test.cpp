@@ -46,12 +46,3 @@ TEST(PackingLayers, SizeCurvesAreThereWhereALawWasAskedFor) {
   without.stage.provenance.recipe = "title = \"grains of a file\"\n";
   EXPECT_FALSE(Json::parse(report::page_document(without.data).json).contains("sizes"));
 }
-
-TEST(PackingLayers, TheRateOfShearIsThatOfTheHistory) {
-  StageResult stage;
-  stage.history.columns = {{"time", "s", {1, 2, 3, 4}}, {"shear_strain", "", {0, 2, 4, 5}}};
-  EXPECT_EQ(report::shear_rate_at(stage, 1), 2);
-  EXPECT_EQ(report::shear_rate_at(stage, 2.5), 2);
-  EXPECT_EQ(report::shear_rate_at(stage, 9), 1);
-  EXPECT_EQ(report::shear_rate_at({}, 1), 0);
-}
