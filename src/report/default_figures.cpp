@@ -27,12 +27,12 @@ const std::vector<MainNumber>& known_numbers() {
       {"solid_fraction", "solid fraction"},
       {"coordination.all", "coordination z"},
       {"coordination.Z", "neighbours Z"},
-      {"fabric.a_c", "anisotropy a_c"},
+      {"fabric.a_c", "anisotropy a_{c}"},
       {"stress_details.pressure_Pa", "pressure p, Pa"},
       {"stress_details.deviator_Pa", "deviator q, Pa"},
       {"force.mean_N", "mean force, N"},
       {"sigma_norm.P0", "grains above the mean stress"},
-      {"S_m", "matrix in the pores S_m"},
+      {"S_m", "matrix in the pores S_{m}"},
       {"agreement.twin_swing.all.correlation", "correlation with the simulation"},
   };
   return numbers;

@@ -2,27 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/error.hpp"
-#include "grains/fields/coarse_grained.hpp"
 #include "grains/packing/size_curve.hpp"
 #include "recipe/recipe.hpp"
+#include "workflow/coarse_fields.hpp"
 
 namespace arenite::report {
 namespace {
 
 constexpr double most_cells = 2500;
-
-double mean_diameter(const Grains& grains) {
-  return 2 * std::accumulate(grains.radius.begin(), grains.radius.end(), 0.0) / static_cast<double>(std::max<std::size_t>(1, grains.size()));
-}
-
-const std::vector<double>* column(const History& history, const std::string& name) {
-  for (const auto& c : history.columns)
-    if (c.name == name) return &c.values;
-  return nullptr;
-}
 
 Numbers curve_of(const packing::SizeCurve& curve, NumberBlock& block) {
   return {{"diameter", block.add_reals(curve.diameter)}, {"passing", block.add_coarse(curve.passing)}};
@@ -30,22 +19,10 @@ Numbers curve_of(const packing::SizeCurve& curve, NumberBlock& block) {
 
 }  // namespace
 
-double shear_rate_at(const StageResult& stage, double time) {
-  const auto *strain = column(stage.history, "shear_strain"), *times = column(stage.history, "time");
-  if (!strain || !times || times->size() < 2) return 0;
-  const auto after = std::clamp<std::ptrdiff_t>(std::ranges::lower_bound(*times, time) - times->begin(), 1, static_cast<std::ptrdiff_t>(times->size()) - 1);
-  const auto k = static_cast<std::size_t>(after);
-  const double span = (*times)[k] - (*times)[k - 1];
-  return span > 0 ? ((*strain)[k] - (*strain)[k - 1]) / span : 0;
-}
-
 Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock& block) {
-  if (packing.grains.size() == 0 || !(packing.domain.width() > 0) || !(packing.domain.height() > 0) || !(packing.domain.thickness > 0)) return {};
-  const double diameter = mean_diameter(packing.grains), spacing = std::max(diameter, std::sqrt(packing.domain.area() / most_cells));
-  fields::CoarseGraining choice;
-  choice.width = spacing;
-  if (shear_rate != 0) choice.tilt_rate = shear_rate * packing.domain.height();
-  const auto f = fields::coarse_grain(packing, fields::grid_over(packing.domain, spacing), choice);
+  if (!workflow::has_fields(packing)) return {};
+  const double spacing = std::max(workflow::mean_diameter(packing.grains), std::sqrt(packing.domain.area() / most_cells));
+  const auto f = workflow::coarse_fields(packing, shear_rate, spacing, spacing);
   std::vector<double> vx, vy, pressure, deviator, shear, kinetic;
   for (std::size_t k = 0; k < f.grid.size(); ++k) {
     const Tensor2 c = f.contact_stress[k], t = f.kinetic_stress[k];
@@ -57,7 +34,7 @@ Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock&
     kinetic.push_back(-0.5 * trace(t));
   }
   const auto& b = f.grid.bounds;
-  Numbers out{{"bounds", {b.x_min, b.x_max, b.y_min, b.y_max}}, {"columns", f.grid.columns}, {"rows", f.grid.rows}, {"width", choice.width}};
+  Numbers out{{"bounds", {b.x_min, b.x_max, b.y_min, b.y_max}}, {"columns", f.grid.columns}, {"rows", f.grid.rows}, {"width", spacing}};
   out["solid_fraction"] = block.add_coarse(f.solid_fraction);
   out["density"] = block.add_coarse(f.density);
   out["pressure"] = block.add_coarse(pressure);

@@ -10,9 +10,6 @@ namespace arenite::report {
 /// or as a cell where the sample has many. `shear_rate`, 1/s: of a cell that is sheared. Not known without grains or box.
 Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock& block);
 
-/// How fast the stage sheared its cell at a time, 1/s, from its history; 0 where it did not.
-double shear_rate_at(const StageResult& stage, double time);
-
 /// Asked and measured size curve of the grains that the recipe asked a size law for; not known where it asked for none.
 Numbers size_curves_of(const Packing& packing, const std::string& recipe, NumberBlock& block);
 

@@ -12,6 +12,7 @@
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
 #include "solid/stress/stress.hpp"
+#include "workflow/coarse_fields.hpp"
 #include "workflow/run_film.hpp"
 
 namespace arenite::workflow {
@@ -142,12 +143,13 @@ class Loading {
   /// A stage begins with the state that the one before it ended with, which is there already.
   bool has(double time) const { return !times_.empty() && time == times_.back(); }
 
-  void add(const std::string& stage, Frame frame, std::vector<io::GrainField> fields, std::vector<io::GrainField> of_contacts) {
+  void add(const std::string& stage, Frame frame, std::vector<io::GrainField> fields, std::vector<io::GrainField> of_contacts, double shear_rate = 0) {
     times_.push_back(frame.time);
     move_to(frame.packing);
     frames_.push_back(std::move(frame));
     io::ExportFrame one{static_cast<int>(times_.size()) - 1, stage, &frames_.back(), std::move(fields), std::move(of_contacts)};
     if (times_.size() > 1) one.ux = ux_, one.uy = uy_;
+    if (format_.wants_grid) one.grid = grid_fields(frames_.back().packing, shear_rate);
     if (format_.of_loading) {
       all_.push_back(std::move(one));
       return;
@@ -219,7 +221,8 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
     for (Frame& frame : stage.frames) {
       if (loading.has(frame.time)) continue;
       auto fields = derived_fields(frame.packing);
-      loading.add(stage.name, std::move(frame), std::move(fields), {});
+      const double rate = shear_rate_at(stage.history, frame.time);
+      loading.add(stage.name, std::move(frame), std::move(fields), {}, rate);
     }
   }
   if (loading.is_empty() && !has_field) throw InputError(result.string(), 0, "holds no state to export; run the recipe to its end first");

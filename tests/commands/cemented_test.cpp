@@ -125,6 +125,10 @@ TEST(Cemented, FailureExampleBreaks) {
   EXPECT_LT(j["failure"]["energy_defect"].get<double>(), 1e-3);
   ASSERT_EQ(arenite("export " + file_of(folder / "out", "failure").string() + " --to csv --out " + (folder / "csv").string()).status, 0);
   EXPECT_TRUE(io::read_file(folder / "csv/failure_curve.csv").starts_with("strain,stress [Pa],work [J/m]"));
+  ASSERT_EQ(arenite("export " + file_of(folder / "out", "failure").string() + " --to vtk --out " + (folder / "vtk").string()).status, 0);
+  const auto read = test::shell("/usr/bin/python3 " ARENITE_SOURCE_DIR "/tests/commands/compare_cracks.py " + file_of(folder / "out", "failure").string() +
+                                " " + (folder / "vtk/failure-cracks.vtp").string());
+  EXPECT_EQ(read.status, 0) << read.err;
 }
 
 TEST(Cemented, BreaksInShearAndSplitsInCompression) {

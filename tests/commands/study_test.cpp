@@ -197,6 +197,19 @@ TEST(Study, FiguresShowOneRunsStatesAndFieldsWhetherTheseWereKeptOrNot) {
   EXPECT_EQ(count(page, "\"materials\":[\"POM\"]"), 2u);
 }
 
+TEST(Study, WithoutFiguresOfItsOwnHasAPageOfItsRunsAndMainNumbers) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, small_study);
+  const auto ran = arenite(study_line("run", file, folder / "out", "--quiet"));
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_TRUE(contains(ran.out, "page:    ")) << ran.out;
+  const std::string page = slurp(folder / "out" / "study.html");
+  for (const char* part : {"\"id\":\"modulus_Pa\"", "\"id\":\"S_m\"", "\"keys\":[\"cement.width\",\"seed\"]"}) EXPECT_TRUE(contains(page, part)) << part;
+  EXPECT_FALSE(contains(page, "the source say"));
+  EXPECT_EQ(count(page, "\"link\":\"runs/"), 6u);
+  for (const auto& run : fs::directory_iterator(folder / "out" / "runs")) EXPECT_TRUE(contains(slurp(run.path() / "report.html"), "</html>"));
+}
+
 TEST(Study, ThePlanTellsRunsSharedStagesAndTimeWithoutTouchingTheDisk) {
   const TemporaryFolder folder;
   const auto file = write(folder, small_study);

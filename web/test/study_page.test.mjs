@@ -1,5 +1,6 @@
 // Opens the page of a study and asserts what is painted. Usage: node study_page.test.mjs PAGE.html
 import assert from "node:assert/strict";
+import { saved } from "./browser.mjs";
 import { runTests, settle, tipOf } from "./run.mjs";
 
 const tests = [];
@@ -161,6 +162,21 @@ test("light and dark differ and both are drawn", async (page) => {
   await settle(page);
   assert.notEqual(await colour(), light);
   assert.equal((await drawing(page, "points")).dots, 4);
+});
+
+test("the table lists every run with its values and main numbers, and a click on a head sorts it", async (page) => {
+  const rows = page.locator(".runs tr[data-run]"), cells = async (k) => (await rows.locator(`td:nth-child(${k})`).allInnerTexts()).map((cell) => Number(cell.split(" ")[0]));
+  assert.equal(await rows.count(), 8);
+  assert.deepEqual(await page.locator(".runs thead th").allInnerTexts(), ["run", "status", "gamma", "width", "seed", "z"]);
+  await page.click('.runs th button:text-is("z")');
+  const rising = await cells(6);
+  assert.deepEqual(rising, [...rising].sort((a, b) => a - b));
+  await page.click('.runs th button:text-is("z")');
+  assert.deepEqual(await cells(6), [...rising].reverse());
+  assert.equal(await page.locator('.runs th[aria-sort="descending"]').innerText(), "z");
+  const table = (await saved(page, '.runs [data-save="csv"]')).toString("utf8").trim().split("\n");
+  assert.equal(table[0], 'run,status,gamma,width,seed,z,"z, standard error"');
+  assert.equal(table.length, 9);
 });
 
 await runTests(process.argv[2], tests);

@@ -13,6 +13,15 @@ struct GrainField {
   std::vector<double> values;
 };
 
+/// Fields of a state on the centres of equal cells of a rectangle, row by row from the bottom.
+struct GridFields {
+  double left = 0, bottom = 0, dx = 1, dy = 1;  ///< m
+  int columns = 0, rows = 0;
+  std::vector<GrainField> scalars{};                          ///< one value a point
+  std::vector<double> vx{}, vy{};                             ///< m/s; NaN where no grain is near
+  std::vector<double> stress_xx{}, stress_yy{}, stress_xy{};  ///< Pa, tension positive, with the kinetic part
+};
+
 /// One state of the loading, as every export format gets it.
 struct ExportFrame {
   int number = 0;     ///< place in the loading, from 0
@@ -21,6 +30,7 @@ struct ExportFrame {
   std::vector<GrainField> fields;
   std::vector<GrainField> of_contacts = {};
   std::vector<double> ux{}, uy{};  ///< m, of every grain since the first state; empty if there is none before this
+  GridFields grid{};               ///< for a format that wants it; without columns where the state has none
 };
 
 /// A result on nodes, as export formats get it.
@@ -42,6 +52,7 @@ struct ExportFormat {
   std::vector<NamedBytes> (*index)(const std::vector<double>& times);
   std::vector<NamedBytes> (*of_field)(const ExportField&);  ///< nullptr: holds grains only
   std::vector<NamedBytes> (*of_loading)(const std::vector<ExportFrame>&, const Provenance&) = nullptr;
+  bool wants_grid = false;  ///< coarse-grained fields, ExportFrame::grid
 };
 
 /// All formats: one file and one row each.
@@ -65,6 +76,8 @@ std::vector<NamedBytes> lammps_frame(const ExportFrame& frame);
 std::vector<NamedBytes> extxyz_frame(const ExportFrame& frame);
 std::vector<NamedBytes> csv_frame(const ExportFrame& frame);
 std::vector<NamedBytes> netcdf_loading(const std::vector<ExportFrame>& frames, const Provenance& provenance);
+std::vector<NamedBytes> fields_frame(const ExportFrame& frame);
+std::vector<NamedBytes> fields_index(const std::vector<double>& times);
 std::vector<NamedBytes> vti_field(const ExportField& field);
 std::vector<NamedBytes> csv_field(const ExportField& field);
 

@@ -125,7 +125,8 @@ std::string vtp_bytes(const VtkPolyData& data) {
 std::string vti_bytes(const VtkImage& image) {
   const std::string extent = fmt::format("0 {} 0 {} 0 0", image.width - 1, image.height - 1);
   VtkWriter file("ImageData");
-  file.line("<ImageData WholeExtent=\"{0}\" Origin=\"{1} {1} 0\" Spacing=\"{2} {2} {2}\">", extent, image.dx / 2, image.dx);
+  file.line("<ImageData WholeExtent=\"{}\" Origin=\"{} {} 0\" Spacing=\"{} {} {}\">", extent, image.left + image.dx / 2, image.bottom + image.dy / 2, image.dx,
+            image.dy, image.dx);
   file.line("<Piece Extent=\"{}\">", extent);
   file.arrays("PointData", image.point_arrays);
   file.line("</Piece>\n</ImageData>");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "io/sample/lammps_columns.hpp"
 #include "io/table/table.hpp"
 
 namespace arenite::io {
@@ -126,11 +127,19 @@ std::string missing_columns(const std::vector<std::string>& names) {
       found, next == wanted.size() ? example : "-,patom1,patom2,fx,fy,p1,p2");
 }
 
-/// Columns of a dump that LAMMPS named after computes: index, two atoms, then forces in the documented order.
-void name_by_order(Columns& columns) {
+/// Columns of a dump that LAMMPS named after computes: by what they hold, else index, two atoms, then forces in the documented order.
+void name_columns(Columns& columns, const Item& entries, const RawGrains& grains) {
   std::vector<std::size_t> at;
   for (std::size_t c = 0; c < columns.names.size(); ++c)
     if (is_opaque(columns.names[c])) at.push_back(c);
+  std::vector<std::vector<std::string_view>> rows;
+  for (const auto& [number, line] : entries.body) rows.push_back(split_blanks(line));
+  if (const auto found = find_pair_columns(rows, at, grains)) {
+    for (const auto& [name, c] :
+         {std::pair{"patom1", found->i}, {"patom2", found->j}, {"fx", found->fx}, {"fy", found->fy}, {"p1", found->p1}, {"p2", found->p2}})
+      columns.names[c] = name;
+    return;
+  }
   static const std::vector<std::string> plane{"patom1", "patom2", "fx", "fy", "p1", "p2"};
   static const std::vector<std::string> space{"patom1", "patom2", "fx", "fy", "fz", "p1", "p2", "p3"};
   const auto& names = at.size() == space.size() ? space : plane;
@@ -175,7 +184,7 @@ RawGrains read_lammps_atoms(std::string_view text, const ReadingHints& hints, Pr
   return grains;
 }
 
-RawContacts read_lammps_pairs(std::string_view text, const RawGrains&, const ReadingHints& hints, Problems& problems) {
+RawContacts read_lammps_pairs(std::string_view text, const RawGrains& grains, const ReadingHints& hints, Problems& problems) {
   RawContacts contacts;
   const auto items = last_snapshot(text, problems);
   const Item* entries = find_item(items, "ENTRIES");
@@ -186,7 +195,7 @@ RawContacts read_lammps_pairs(std::string_view text, const RawGrains&, const Rea
   check_count(items, *entries, "NUMBER OF ENTRIES", problems);
   Columns columns = columns_of(*entries, "ENTRIES");
   if (hints.columns.empty()) {
-    name_by_order(columns);
+    name_columns(columns, *entries, grains);
   } else {
     columns.names.clear();
     std::string spaced = hints.columns;

@@ -211,8 +211,20 @@ std::string lammps_pairs(const std::string& columns, const std::string& row) {
   return "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n1\nITEM: ENTRIES " + columns + "\n" + row + "\n";
 }
 
+TEST(SampleLammps, FindsColumnsByWhatTheyHold) {
+  const auto forces = [](const std::string& columns, const std::string& row) {
+    const Contacts contacts = Files(lammps_atoms, lammps_pairs(columns, row)).read().packing.contacts;
+    return std::pair(contacts.fn.at(0), contacts.ft.at(0));
+  };
+  const std::pair expected(3.0, 1.0);
+  EXPECT_EQ(forces("index c_pl[1] c_pl[2] c_ff[1] c_ff[2] c_ff[3] c_ff[4] c_ff[5]", "1 1 2 -3 0 0 -1 0.9"), expected);        // one more at the end
+  EXPECT_EQ(forces("c_pl[1] c_pl[2] c_ff[1] c_ff[2] c_ff[3] c_ff[4] c_ff[5] c_ff[6]", "1 2 0.9 3 -3 0 0 -1"), expected);      // dist force fx fy p1 p2
+  EXPECT_EQ(forces("c_pl[1] c_pl[2] c_f[1] c_f[2] c_f[3] c_f[4] c_f[5] c_f[6] c_f[7]", "1 2 -0.9 0 -3 0 0 0 -1"), expected);  // dx dy fx fy fz p1 p2
+  EXPECT_EQ(forces("c_f[1] c_f[2] c_f[3] c_f[4] c_pl[1] c_pl[2] c_f[5] c_f[6] c_f[7]", "0.9 3 -3 0 1 2 0 -1 0"), expected);   // grains behind
+}
+
 TEST(SampleLammps, ColumnsThatNobodyCanTellApartAreOneProblemWithWhatToWrite) {
-  const Files files(lammps_atoms, lammps_pairs("index c_pl[1] c_pl[2] c_ff[1] c_ff[2] c_ff[3] c_ff[4] c_ff[5]", "1 1 2 -3 0 0 -1 0.9"));
+  const Files files(lammps_atoms, lammps_pairs("index c_pl[1] c_pl[2] c_ff[1] c_ff[2] c_ff[3] c_ff[4] c_ff[5]", "1 1 2 -3 -3 0 -1 0.9"));
   const std::string text = files.problems();
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
   expect_part(text, "contacts.csv:5: which of the columns (index c_pl[1] c_pl[2] c_ff[1] c_ff[2] c_ff[3] c_ff[4] c_ff[5])");
@@ -220,7 +232,7 @@ TEST(SampleLammps, ColumnsThatNobodyCanTellApartAreOneProblemWithWhatToWrite) {
   SampleOptions named;
   named.contact_columns = "-,patom1,patom2,fx,fy,p1,p2,-";
   EXPECT_DOUBLE_EQ(files.read(named).packing.contacts.fn.at(0), 3);
-  EXPECT_DOUBLE_EQ(files.read(named).packing.contacts.ft.at(0), 1);
+  EXPECT_DOUBLE_EQ(files.read(named).packing.contacts.ft.at(0), 4);
 }
 
 TEST(SampleLammps, TakesTheWholeForceWhereTheUserNamesItAlone) {

@@ -1,0 +1,38 @@
+#include <fmt/format.h>
+
+#include "io/export/export.hpp"
+#include "io/export/vtk_file.hpp"
+
+namespace arenite::io {
+namespace {
+
+std::string numbered(int number) { return fmt::format("fields_{:04}.vti", number); }
+
+std::vector<double> in_space(const std::vector<double>& x, const std::vector<double>& y) {
+  std::vector<double> vectors;
+  for (std::size_t k = 0; k < x.size(); ++k) vectors.insert(vectors.end(), {x[k], y[k], 0});
+  return vectors;
+}
+
+}  // namespace
+
+/// Points of ImageData with `velocity`, `stress` (xx, yy, zz, xy, yz, xz) and the scalars. Nothing for a state without a box.
+std::vector<NamedBytes> fields_frame(const ExportFrame& from) {
+  const GridFields& g = from.grid;
+  if (g.columns == 0) return {};
+  VtkImage image{g.columns, g.rows, g.dx, {}, g.dy, g.left, g.bottom};
+  for (const GrainField& field : g.scalars) image.point_arrays.push_back({field.name, field.values});
+  image.point_arrays.push_back({"velocity", in_space(g.vx, g.vy), 3});
+  std::vector<double> stress;
+  for (std::size_t k = 0; k < g.stress_xx.size(); ++k) stress.insert(stress.end(), {g.stress_xx[k], g.stress_yy[k], 0, g.stress_xy[k], 0, 0});
+  image.point_arrays.push_back({"stress", stress, 6});
+  return {{numbered(from.number), vti_bytes(image)}};
+}
+
+std::vector<NamedBytes> fields_index(const std::vector<double>& times) {
+  std::vector<VtkListed> list;
+  for (std::size_t f = 0; f < times.size(); ++f) list.push_back({times[f], numbered(static_cast<int>(f))});
+  return {{"fields.pvd", pvd_bytes(list)}};
+}
+
+}  // namespace arenite::io

@@ -1,0 +1,48 @@
+#include "report/packing_layers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "report/page_document.hpp"
+#include "support/page_sample.hpp"
+
+using namespace arenite;
+using Json = nlohmann::json;
+
+TEST(PackingLayers, APageHasFieldsOfItsStatesAndMotionWhereGrainsMove) {
+  test::PageSample sample(60);
+  for (double& v : sample.stage.frames[0].packing.grains.vx) v = 0;
+  const Json document = Json::parse(report::page_document(sample.data).json);
+  for (const Json& frame : document["frames"]) {
+    const Json& fields = frame["fields"];
+    EXPECT_EQ(fields["solid_fraction"]["n"].get<int>(), fields["columns"].get<int>() * fields["rows"].get<int>());
+    EXPECT_EQ(frame["deviator"]["n"], 60);
+  }
+  EXPECT_FALSE(document["frames"][0].contains("vx"));
+  EXPECT_FALSE(document["frames"][0]["fields"].contains("vx"));
+  EXPECT_TRUE(document["frames"][1].contains("vx"));
+  EXPECT_TRUE(document["frames"][1]["fields"].contains("kinetic"));
+}
+
+TEST(PackingLayers, ALongLoadingHasFieldsOfSomeStatesAndOfTheLast) {
+  test::PageSample sample(60);
+  const Frame one = sample.stage.frames.back();
+  sample.stage.frames.assign(2500, one);
+  sample.data.textures.clear();
+  const Json frames = Json::parse(report::page_document(sample.data).json)["frames"];
+  std::size_t with = 0;
+  for (const Json& frame : frames) with += frame.contains("fields") ? 1 : 0;
+  EXPECT_LT(with, 1000u);
+  EXPECT_GT(with, 100u);
+  EXPECT_TRUE(frames.back().contains("fields"));
+}
+
+TEST(PackingLayers, SizeCurvesAreThereWhereALawWasAskedFor) {
+  const test::PageSample sample(60);
+  const Json asked = Json::parse(report::page_document(sample.data).json);
+  EXPECT_GE(asked["sizes"]["asked"]["diameter"]["n"].get<int>(), 3);
+  test::PageSample without(60);
+  without.stage.provenance.recipe = "title = \"grains of a file\"\n";
+  EXPECT_FALSE(Json::parse(report::page_document(without.data).json).contains("sizes"));
+}

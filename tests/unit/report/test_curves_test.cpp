@@ -1,0 +1,118 @@
+#include "report/test_curves.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/random.hpp"
+
+namespace arenite::report {
+namespace {
+
+/// A box of 100 by 100 mm, 10 mm thick, with one grain, whose columns are to be filled.
+struct Loading {
+  StageResult stage;
+
+  explicit Loading(std::size_t rows, bool sheared) {
+    stage.name = "shear";
+    Frame frame;
+    frame.packing.grains.resize(1);
+    frame.packing.grains.radius = {0.05};
+    frame.packing.domain.thickness = 0.01;
+    stage.frames.push_back(frame);
+    for (const char* name : {"time", "left_position", "right_position", "bottom_position", "top_position", "left_force", "right_force", "bottom_force",
+                             "top_force", "bottom_shear_force", "top_shear_force"})
+      stage.history.columns.push_back({name, "", std::vector<double>(rows, 0.0)});
+    if (sheared) stage.history.columns.push_back({"shear_strain", "", std::vector<double>(rows, 0.0)});
+    for (std::size_t k = 0; k < rows; ++k) {
+      of("time")[k] = static_cast<double>(k);
+      of("right_position")[k] = of("top_position")[k] = 0.1;
+    }
+  }
+
+  std::vector<double>& of(const std::string& name) {
+    for (auto& c : stage.history.columns)
+      if (c.name == name) return c.values;
+    throw std::logic_error(name);
+  }
+};
+
+/// Friction rises to `plateau` within a tenth of the test and fluctuates by 0.02 from sample to sample.
+Loading steady_shear(double plateau, std::size_t rows = 2000) {
+  Loading test(rows, true);
+  RandomStream random(5, Purpose::order);
+  for (std::size_t k = 0; k < rows; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(rows - 1);
+    const double mu = plateau * (1 - std::exp(-50 * share)) + 0.02 * random.normal();
+    test.of("shear_strain")[k] = 4 * share;
+    test.of("bottom_force")[k] = test.of("top_force")[k] = 100;
+    test.of("bottom_shear_force")[k] = 100 * mu;
+    test.of("top_shear_force")[k] = -100 * mu;
+    test.of("top_position")[k] = 0.1 * (1 + 1e-3 * random.normal());
+  }
+  return test;
+}
+
+TEST(TestCurves, OfABiaxialTestAreStrainRatioAndVolumeOfTheSides) {
+  Loading test(5, false);
+  test.of("top_position") = {0.1, 0.0975, 0.095, 0.0925, 0.09};
+  test.of("right_position") = {0.1, 0.1, 0.101, 0.102, 0.103};
+  for (std::size_t k = 0; k < 5; ++k) {
+    test.of("bottom_force")[k] = test.of("top_force")[k] = 3e3 * 0.01 * test.of("right_position")[k];  // 3 kPa
+    test.of("left_force")[k] = test.of("right_force")[k] = 1e3 * 0.01 * test.of("top_position")[k];    // 1 kPa
+  }
+  const auto curves = test_curves(test.stage);
+  ASSERT_TRUE(curves);
+  EXPECT_EQ(curves->strain_name, "strain of the height");
+  EXPECT_EQ(curves->ratio_name(), "q_over_p");
+  EXPECT_NEAR(curves->strain[4], 0.1, 1e-12);
+  EXPECT_NEAR(curves->ratio[4], 0.5, 1e-12);  // (3 - 1)/(3 + 1)
+  EXPECT_NEAR(curves->volume[4], 1 - 0.09 * 0.103 / 0.01, 1e-12);
+  EXPECT_NEAR(curves->solid_fraction[0], std::numbers::pi * 0.05 * 0.05 / 0.01, 1e-12);
+}
+
+TEST(TestCurves, AreNotThoseOfAStageThatHardlyStrains) {
+  Loading test(5, false);
+  test.of("top_position") = {0.1, 0.09999, 0.09998, 0.09997, 0.09996};
+  EXPECT_FALSE(test_curves(test.stage));
+  test.stage.history.columns.clear();
+  EXPECT_FALSE(test_curves(test.stage));
+}
+
+TEST(TestCurves, ACriticalStateCoversWhatMadeIt) {
+  int covered = 0;
+  for (const double plateau : {0.2, 0.25, 0.3, 0.35, 0.4}) {
+    const auto curves = test_curves(steady_shear(plateau).stage);
+    ASSERT_TRUE(curves);
+    EXPECT_EQ(curves->ratio_name(), "mu");
+    const auto state = critical_state(*curves);
+    ASSERT_TRUE(state) << plateau;
+    EXPECT_GT(state->from, 0.05) << "the rise is counted";
+    EXPECT_LT(state->from, 2);
+    EXPECT_DOUBLE_EQ(state->to, 4);
+    EXPECT_LT(state->ratio.error, 2e-3);
+    const auto [low, high] = statistics::confidence_95(state->ratio);
+    covered += low <= plateau && plateau <= high ? 1 : 0;
+    EXPECT_NEAR(state->solid_fraction.value, std::numbers::pi / 4, 2e-4);
+    const Numbers j = numbers_of(*curves, *state);
+    EXPECT_NEAR(j["mu"]["value"].get<double>(), plateau, 5e-3);
+    EXPECT_LT(j["mu"]["low_95"].get<double>(), j["mu"]["high_95"].get<double>());
+  }
+  EXPECT_GE(covered, 4);
+  EXPECT_NE(critical_state_text(steady_shear(0.3).stage).find("friction mu"), std::string::npos);
+}
+
+TEST(TestCurves, NoCriticalStateWhereTheRatioDriftsOrTheStrainTurns) {
+  Loading rising = steady_shear(0.3);
+  for (std::size_t k = 0; k < 2000; ++k)
+    rising.of("bottom_shear_force")[k] = 0.02 * static_cast<double>(k), rising.of("top_shear_force")[k] = -rising.of("bottom_shear_force")[k];
+  EXPECT_FALSE(critical_state(*test_curves(rising.stage)));
+  Loading back = steady_shear(0.3);
+  for (std::size_t k = 0; k < 2000; ++k) back.of("shear_strain")[k] = std::sin(static_cast<double>(k) * 0.01);
+  EXPECT_FALSE(critical_state(*test_curves(back.stage)));
+  EXPECT_TRUE(critical_state_text(back.stage).empty());
+}
+
+}  // namespace
+}  // namespace arenite::report

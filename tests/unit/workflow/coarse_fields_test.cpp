@@ -1,0 +1,32 @@
+#include "workflow/coarse_fields.hpp"
+
+#include <gtest/gtest.h>
+
+namespace arenite::workflow {
+namespace {
+
+TEST(CoarseFields, TheRateOfShearIsThatOfTheHistory) {
+  const History history{{{"time", "s", {1, 2, 3, 4}}, {"shear_strain", "", {0, 2, 4, 5}}}};
+  EXPECT_EQ(shear_rate_at(history, 1), 2);
+  EXPECT_EQ(shear_rate_at(history, 2.5), 2);
+  EXPECT_EQ(shear_rate_at(history, 9), 1);
+  EXPECT_EQ(shear_rate_at({}, 1), 0);
+}
+
+TEST(CoarseFields, NeedGrainsAndABox) {
+  Packing packing;
+  EXPECT_FALSE(has_fields(packing));
+  packing.materials = {{"glass", 2500, 1, 0}};
+  packing.grains.resize(2);
+  packing.grains.radius = {1, 3};
+  EXPECT_FALSE(has_fields(packing));
+  EXPECT_EQ(mean_diameter(packing.grains), 4);
+  packing.domain.wall[right].position = packing.domain.wall[top].position = 20;
+  packing.domain.thickness = 2;
+  EXPECT_TRUE(has_fields(packing));
+  const auto f = coarse_fields(packing, 0, 1, 2);
+  EXPECT_EQ(f.grid.columns, 10);
+}
+
+}  // namespace
+}  // namespace arenite::workflow
