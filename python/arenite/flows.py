@@ -96,13 +96,16 @@ def friction_of(result):
 
 def critical_states(results, stage=None):
     """Plateaus of sheared or compressed samples against the grains' `friction`: `mu` (of the sheared plane; q/p where nothing is sheared) and
-    `solid_fraction`, with errors that respect correlation; `reached` is 0 where a sample still changes."""
+    `solid_fraction`, with errors that respect correlation; `reached` is 0 where a plateau is not sure (`arenite.steady_state`): the means are
+    then those of the second half."""
     rows = []
     for result in results:
         found = curves.along(result, stage)
-        stress = steady_state(np.abs(found["mu"].values) if "mu" in found else found["q_over_p"].values)
-        solid = steady_state(found["solid_fraction"].values)
-        rows.append([friction_of(result), stress["mean"], stress["error"], solid["mean"], solid["error"], stress["reached"] and solid["reached"]])
+        stress = np.abs(found["mu"].values) if "mu" in found else found["q_over_p"].values
+        means = [steady_state(values[np.isfinite(values)]) for values in (stress, found["solid_fraction"].values)]
+        late = [late_mean(stress[np.isfinite(stress)]), late_mean(found["solid_fraction"].values)]
+        told = [(plateau["mean"], plateau["error"]) if plateau["reached"] else half for plateau, half in zip(means, late)]
+        rows.append([friction_of(result), *told[0], *told[1], all(plateau["reached"] for plateau in means)])
     return table(rows, [(name, "1") for name in ("friction", "mu", "mu_error", "solid_fraction", "solid_fraction_error", "reached")])
 
 

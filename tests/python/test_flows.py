@@ -69,6 +69,21 @@ def test_a_silo_tells_what_its_walls_carry():
     assert found["wall_friction"].values == pytest.approx([0.4], rel=1e-3)
 
 
+def test_a_plateau_is_told_with_its_error_whether_it_is_sure_or_not(monkeypatch):
+    generator = np.random.default_rng(2)
+    noise = 0.01 * generator.normal(size=(2, 4000))
+    drift = np.linspace(0, 1, 4000)
+    recipe = '[contact]\nfriction = 0.4\n[[stages]]\nname = "shear"\n'
+    result = types.SimpleNamespace(stages=[types.SimpleNamespace(provenance={"recipe": recipe})])
+    for change, reached in ((0, 1), (0.2, 0)):
+        found = {"mu": curves.Curve(-0.26 - noise[0], "1"), "solid_fraction": curves.Curve(0.81 + noise[1] + change * drift, "1")}
+        monkeypatch.setattr(curves, "along", lambda result, stage=None, found=found: found)
+        states = flows.critical_states([result])
+        assert states["reached"].values == [reached] and states["friction"].values == [0.4]
+        assert abs(states["mu"].values[0] - 0.26) < 4 * states["mu_error"].values[0] < 0.004
+        assert states["solid_fraction"].values[0] == pytest.approx(0.81 + 0.75 * change, abs=2e-3) and states["solid_fraction_error"].values[0] > 1e-4
+
+
 def test_figures_know_which_study_is_which(tmp_path):
     stages = {"beverloo": 'gravity = true\ncount_below = "1 mm"', "runout": "gravity = true\nopen = { right = true }", "janssen": 'gravity = true\nbottom = { velocity = "-5 mm/s" }',
               "critical-state": 'shear_rate = "1 1/s"'}
