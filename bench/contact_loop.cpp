@@ -44,6 +44,18 @@ void at_rest(benchmark::State& state, const Packing& (*packing)(), dem::Integrat
   measure(state, engine, 2'000'000 / static_cast<std::int64_t>(engine.grain_count()), [] {});
 }
 
+/// Springs of friction and rolling resistance at every contact, as LAMMPS's granular style with linear_history and sds has them.
+void rolling(benchmark::State& state, dem::IntegratorKind integrator) {
+  dem::ContactParameters contact = bench::contact_parameters();
+  contact.friction_law = dem::CundallStrack{};
+  contact.rolling = dem::ElasticPlasticRolling{0.1};
+  dem::IntegrationParameters integration;
+  integration.integrator = integrator;
+  integration.safety = 0.05;
+  dem::Engine engine(bench::walls_4000(), contact, integration);
+  measure(state, engine, 500, [] {});
+}
+
 /// Walls that open and close again on the jammed sample so fast that the list is rebuilt about every 20 steps.
 void compaction(benchmark::State& state, dem::IntegratorKind integrator) {
   dem::Engine engine = engine_of(bench::walls_4000(), integrator);
@@ -65,6 +77,8 @@ ARENITE_CASE("periodic_100000/verlet", at_rest, e, bench::periodic_100000, verle
 ARENITE_CASE("periodic_100000/gear", at_rest, f, bench::periodic_100000, gear, 1);
 ARENITE_CASE("compaction_4000/verlet", compaction, g, verlet);
 ARENITE_CASE("compaction_4000/gear", compaction, h, gear);
+ARENITE_CASE("rolling_4000/verlet", rolling, i, verlet);
+ARENITE_CASE("rolling_4000/gear", rolling, j, gear);
 
 }  // namespace
 
