@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
+
 namespace arenite::workflow {
 namespace {
 
@@ -26,6 +28,11 @@ TEST(CoarseFields, NeedGrainsAndABox) {
   EXPECT_TRUE(has_fields(packing));
   const auto f = coarse_fields(packing, 0, 1, 2);
   EXPECT_EQ(f.grid.columns, 10);
+  const auto g = grid_fields(packing, 0);
+  EXPECT_EQ(g.columns, 10);
+  EXPECT_EQ(g.dx, 2);
+  EXPECT_EQ(g.stress_xx.size(), 100u);
+  EXPECT_THROW(grid_fields({}, 0), InputError);
 }
 
 }  // namespace
