@@ -1,13 +1,11 @@
-#include "workflow/coarse_fields.hpp"
+#include "grains/fields/state_fields.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
-
-namespace arenite::workflow {
+namespace arenite::fields {
 namespace {
 
-TEST(CoarseFields, TheRateOfShearIsThatOfTheHistory) {
+TEST(StateFields, TheRateOfShearIsThatOfTheHistory) {
   const History history{{{"time", "s", {1, 2, 3, 4}}, {"shear_strain", "", {0, 2, 4, 5}}}};
   EXPECT_EQ(shear_rate_at(history, 1), 2);
   EXPECT_EQ(shear_rate_at(history, 2.5), 2);
@@ -15,7 +13,7 @@ TEST(CoarseFields, TheRateOfShearIsThatOfTheHistory) {
   EXPECT_EQ(shear_rate_at({}, 1), 0);
 }
 
-TEST(CoarseFields, NeedGrainsAndABox) {
+TEST(StateFields, NeedGrainsAndABox) {
   Packing packing;
   EXPECT_FALSE(has_fields(packing));
   packing.materials = {{"glass", 2500, 1, 0}};
@@ -28,12 +26,7 @@ TEST(CoarseFields, NeedGrainsAndABox) {
   EXPECT_TRUE(has_fields(packing));
   const auto f = coarse_fields(packing, 0, 1, 2);
   EXPECT_EQ(f.grid.columns, 10);
-  const auto g = grid_fields(packing, 0);
-  EXPECT_EQ(g.columns, 10);
-  EXPECT_EQ(g.dx, 2);
-  EXPECT_EQ(g.stress_xx.size(), 100u);
-  EXPECT_THROW(grid_fields({}, 0), InputError);
 }
 
 }  // namespace
-}  // namespace arenite::workflow
+}  // namespace arenite::fields
