@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "io/disk/store_file.hpp"
 #include "progress.hpp"
 #include "report/default_figures.hpp"
 #include "report/page.hpp"
@@ -125,8 +126,10 @@ std::string link_to_run(const campaign::StudyFolder& folder, const std::string& 
   const auto from_study = [&](const std::filesystem::path& path) { return path.lexically_relative(folder.out).generic_string(); };
   if (std::filesystem::exists(page)) return from_study(page);
   if (!std::filesystem::exists(of_run)) return {};
-  if (!with_page || !report::has_result_files(of_run)) return from_study(of_run) + "/";
-  report::write_page_of(page, of_run, run);
+  if (!with_page) return from_study(of_run) + "/";
+  try {
+    report::write_page(page, io::stage_files(of_run), run);
+  } catch (const InputError&) { return from_study(of_run) + "/"; }  // nothing that a page shows
   return from_study(page);
 }
 

@@ -62,17 +62,8 @@ class PrivateFolder {
 };
 
 std::string page_of(const std::vector<fs::path>& files, const std::string& title) {
-  std::vector<StageResult> stages;
-  std::vector<FieldResult> fields;
-  std::vector<FilmResult> films;
-  for (const fs::path& file : files) {
-    auto any = io::read_result(file);
-    if (auto* stage = std::get_if<StageResult>(&any)) stages.push_back(std::move(*stage));
-    if (auto* field = std::get_if<FieldResult>(&any)) fields.push_back(std::move(*field));
-    if (auto* film = std::get_if<FilmResult>(&any)) films.push_back(std::move(*film));
-  }
   const PrivateFolder folder;
-  report::write_page(folder / "page.html", {.title = title, .stages = stages, .fields = fields, .films = films});
+  report::write_page(folder / "page.html", files, title);
   return io::read_file(folder / "page.html");
 }
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "grains/fields/state_fields.hpp"
 #include "grains/packing/size_curve.hpp"
 #include "recipe/recipe.hpp"
-#include "workflow/coarse_fields.hpp"
 
 namespace arenite::report {
 namespace {
@@ -20,9 +20,9 @@ Numbers curve_of(const packing::SizeCurve& curve, NumberBlock& block) {
 }  // namespace
 
 Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock& block) {
-  if (!workflow::has_fields(packing)) return {};
-  const double spacing = std::max(workflow::mean_diameter(packing.grains), std::sqrt(packing.domain.area() / most_cells));
-  const auto f = workflow::coarse_fields(packing, shear_rate, spacing, spacing);
+  if (!fields::has_fields(packing)) return {};
+  const double spacing = std::max(fields::mean_diameter(packing.grains), std::sqrt(packing.domain.area() / most_cells));
+  const auto f = fields::coarse_fields(packing, shear_rate, spacing, spacing);
   std::vector<double> vx, vy, pressure, deviator, shear, kinetic;
   for (std::size_t k = 0; k < f.grid.size(); ++k) {
     const Tensor2 c = f.contact_stress[k], t = f.kinetic_stress[k];

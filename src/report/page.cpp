@@ -5,9 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/error.hpp"
 #include "io/disk/file.hpp"
-#include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
 #include "report/page_document.hpp"
 #include "report/page_template.hpp"
@@ -86,17 +84,11 @@ void write_page(const std::filesystem::path& path, const ResultParts& result) {
   write_page(path, data);
 }
 
-bool has_result_files(const std::filesystem::path& folder) {
-  try {
-    return !io::stage_files(folder).empty();
-  } catch (const InputError&) { return false; }
-}
-
-void write_page_of(const std::filesystem::path& path, const std::filesystem::path& result, const std::string& title) {
+void write_page(const std::filesystem::path& path, const std::vector<std::filesystem::path>& files, const std::string& title) {
   std::vector<StageResult> stages;
   std::vector<FieldResult> fields;
   std::vector<FilmResult> films;
-  for (const auto& file : io::stage_files(result)) {
+  for (const auto& file : files) {
     auto any = io::read_result(file);
     if (auto* stage = std::get_if<StageResult>(&any)) stages.push_back(std::move(*stage));
     else if (auto* field = std::get_if<FieldResult>(&any)) fields.push_back(std::move(*field));

@@ -58,9 +58,8 @@ struct ResultParts {
 /// InputError when the system refuses.
 void write_page(const std::filesystem::path& path, const ResultParts& result);
 
-/// The page of what a folder holds, stages, fields and films. Throws InputError for a file that cannot be read.
-void write_page_of(const std::filesystem::path& path, const std::filesystem::path& result, const std::string& title);
-bool has_result_files(const std::filesystem::path& folder);
+/// The page of these files of stages, fields and films. Throws InputError for a file that cannot be read.
+void write_page(const std::filesystem::path& path, const std::vector<std::filesystem::path>& files, const std::string& title);
 
 /// The page as one HTML text: script, styles and data inside, no request to anywhere. States whose number of grains
 /// differs from the last one's are left out.

@@ -8,9 +8,9 @@
 #include <numbers>
 #include <utility>
 
+#include "grains/fields/state_fields.hpp"
 #include "report/packing_layers.hpp"
 #include "report/test_curves.hpp"
-#include "workflow/coarse_fields.hpp"
 
 namespace arenite::report {
 namespace {
@@ -236,7 +236,7 @@ PageDocument page_document(const PageData& data) {
       if (states[f].packing.grains.size() != last->packing.grains.size()) continue;
       frames.push_back(frame_of(states[f], s, find_texture(data, s, f), block));
       if (f + 1 == states.size() || f % every == 0)
-        if (Numbers fields = coarse_fields_of(states[f].packing, workflow::shear_rate_at(data.stages[s]->history, states[f].time), block); fields.is_known())
+        if (Numbers fields = coarse_fields_of(states[f].packing, fields::shear_rate_at(data.stages[s]->history, states[f].time), block); fields.is_known())
           frames.back()["fields"] = std::move(fields);
     }
   }

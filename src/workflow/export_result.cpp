@@ -7,16 +7,15 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "grains/fields/state_fields.hpp"
 #include "grains/texture/texture.hpp"
 #include "io/disk/file.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
 #include "solid/stress/stress.hpp"
-#include "workflow/coarse_fields.hpp"
 #include "workflow/run_film.hpp"
 
 namespace arenite::workflow {
-
 namespace fs = std::filesystem;
 
 namespace {
@@ -130,6 +129,23 @@ class ExportFolder {
   std::vector<fs::path> written_;
 };
 
+/// Smeared over a mean diameter, two points a diameter.
+io::GridFields grid_fields(const Packing& packing, double shear_rate) {
+  if (!fields::has_fields(packing)) throw InputError("this result has no box of known thickness, which coarse-grained fields need");
+  const double width = fields::mean_diameter(packing.grains);
+  const auto f = fields::coarse_fields(packing, shear_rate, width, 0.5 * width);
+  const auto& b = f.grid.bounds;
+  io::GridFields g{b.x_min, b.y_min, b.width() / f.grid.columns, b.height() / f.grid.rows, f.grid.columns, f.grid.rows};
+  g.scalars = {{"solid_fraction", "1", f.solid_fraction}, {"density", "kg/m^3", f.density}, {"kinetic_pressure", "Pa", {}}};
+  for (std::size_t k = 0; k < f.grid.size(); ++k) {
+    const Tensor2 c = f.contact_stress[k], t = f.kinetic_stress[k];
+    g.vx.push_back(f.velocity[k].x), g.vy.push_back(f.velocity[k].y);
+    g.stress_xx.push_back(c.xx + t.xx), g.stress_yy.push_back(c.yy + t.yy), g.stress_xy.push_back(0.5 * (c.xy + c.yx + t.xy + t.yx));
+    g.scalars.back().values.push_back(-0.5 * trace(t));
+  }
+  return g;
+}
+
 /// Gives a format the states of a loading: each at once, or all at the end, which are kept for that.
 class Loading {
  public:
@@ -220,8 +236,8 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
     if (last_only && stage.frames.size() > 1) stage.frames.erase(stage.frames.begin(), stage.frames.end() - 1);
     for (Frame& frame : stage.frames) {
       if (loading.has(frame.time)) continue;
+      const double rate = fields::shear_rate_at(stage.history, frame.time);
       auto fields = derived_fields(frame.packing);
-      const double rate = shear_rate_at(stage.history, frame.time);
       loading.add(stage.name, std::move(frame), std::move(fields), {}, rate);
     }
   }

@@ -71,7 +71,7 @@ TEST(Study, TheSamePackingUnderSeveralCementsIsMadeOnceAndTheResultsAreThoseOfSi
   std::ofstream(one) << small_cemented_recipe;
   ASSERT_EQ(arenite("run " + one.string() + " --quiet --set seed=4 --set cement.width=0.4 --out " + (folder / "single").string()).status, 0);
   const auto files = results(out);
-  EXPECT_EQ(files.size(), 6u * 8);
+  EXPECT_EQ(files.size(), 6u * 9);  // with the page of each run
   int compared = 0;
   for (const auto& entry : fs::directory_iterator(folder / "single")) {
     if (entry.path().extension() != ".h5") continue;

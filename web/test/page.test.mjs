@@ -157,6 +157,8 @@ test("the table of grains and the figures are saved as tables of numbers", async
   assert.equal(curve[0], 'of,"diameter, mm","passing, %"');
   const last = curve.filter((line) => line.startsWith("measured")).at(-1).split(",");
   assert.ok(Math.abs(Number(last[1]) - 16.4) < 1e-4 && Number(last[2]) === 100, last.join());
+  const rose = (await saved(page, '[data-figure="fabric"] [data-save="csv"]')).toString("utf8").trim().split("\n");
+  assert.equal(rose.length, 1 + 18 * (await page.locator('[data-figure="fabric"] .drawing > svg > g').count()));
   const cells = (await saved(page, '[data-figure="coarse-fields"] [data-save="csv"]')).toString("utf8").trim().split("\n");
   assert.match(cells[0], /^"x, m","y, m",\u03c6,/);
 });

@@ -70,13 +70,28 @@ TEST(ExportFrame, EveryFormatTakesASampleWithoutContactsOrGrains) {
   frame.packing.materials = {{"A", 1, 1, 0}};
   for (const auto& format : io::export_formats()) {
     std::set<std::string> names;
-    const io::ExportFrame one{0, "", &frame, {}};
+    io::ExportFrame one{0, "", &frame, {}};
+    if (format.wants_grid) one.grid = {0, 0, 1, 1, 1, 1, {}, {0}, {0}, {0}, {0}, {0}};
     for (const auto& file : format.of_loading ? format.of_loading({one}, {}) : format.of_frame(one)) {
       EXPECT_FALSE(file.bytes.empty()) << file.name;
       names.insert(file.name);
     }
     EXPECT_GE(names.size(), 1u) << format.name;
   }
+}
+
+TEST(ExportFrame, FieldsAreAnImageOfTheBoxWithVectorsAndTensors) {
+  io::ExportFrame one;
+  one.number = 7;
+  EXPECT_TRUE(io::fields_frame(one).empty());
+  one.grid = {1, 2, 0.5, 0.25, 2, 1, {{"density", "kg/m^3", {3, 4}}}, {1, 2}, {0, 0}, {-1, -1}, {-2, -2}, {0.5, 0.5}};
+  const auto files = io::fields_frame(one);
+  ASSERT_EQ(files.size(), 1u);
+  EXPECT_EQ(files[0].name, "fields_0007.vti");
+  for (const char* part : {"WholeExtent=\"0 1 0 0 0 0\" Origin=\"1.25 2.125 0\" Spacing=\"0.5 0.25 0.5\"", "Name=\"density\" NumberOfComponents=\"1\"",
+                           "Name=\"velocity\" NumberOfComponents=\"3\"", "Name=\"stress\" NumberOfComponents=\"6\""})
+    EXPECT_NE(files[0].bytes.find(part), std::string::npos) << part;
+  EXPECT_NE(io::fields_index({0, 0.5}).front().bytes.find("timestep=\"0.5\" part=\"0\" file=\"fields_0001.vti\""), std::string::npos);
 }
 
 TEST(ExportFrame, UnknownNumbersAreEmptyCellsAndNamesWithCommasAreQuotedInTables) {

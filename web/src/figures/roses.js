@@ -20,6 +20,7 @@ export const roses = {
       const x = (k % perRow + 0.5) * cell, y = Math.floor(k / perRow) * height + 26 + radius + 10;
       svg.append(s("g", { transform: `translate(${x} ${y})` }, rose(set, radius, theme, texture.fabric.load_axis_deg)));
     });
+    svg.numbers = [{ x: "direction, \u00b0", y: "contacts", points: list.flatMap(({ label, set }) => set.sectors.map((y, k) => ({ name: label, x: ((k + 0.5) * 180) / set.sectors.length, y }))) }];
     return richSvg(svg);
   },
 };

@@ -13,7 +13,7 @@ function columnsOf(sample) {
   ];
   return [...names, ...knownQuantities(sample).map(([key, { symbol, label, unit }]) => {
     const { factor, prefix } = prefixOf(topOf(key, sample), unit);
-    return { key, head: symbol, label, unit: prefix + unit, si: unit, factor, write: (v) => text.number(v / factor), of: (frame) => {
+    return { key, head: symbol, label, unit: prefix + unit, si: unit, factor, write: (v) => (key === "coordination" ? String(v) : text.number(v / factor)), of: (frame) => {
       const values = valuesOf(key, sample, frame);
       return (g) => values[g];
     } };
@@ -72,6 +72,7 @@ export function grainTable(sample, state) {
   state.watch(["selected"], show);
   scroller.append(h("table", {}, h("thead", {}, h("tr", {}, heads)), body));
   sort();
+  if (state.get("selected") !== null) requestAnimationFrame(show);
 
   const csv = () => {
     const lines = [columns.map(({ key, si }) => (si ? `${key}_${si.replace("/", "_")}` : key)).join(","), ...order.map((g) => values.map((of) => of(g)).join(","))];

@@ -1,11 +1,11 @@
-#include "workflow/coarse_fields.hpp"
+#include "grains/fields/state_fields.hpp"
 
 #include <gtest/gtest.h>
 
-namespace arenite::workflow {
+namespace arenite::fields {
 namespace {
 
-TEST(CoarseFields, TheRateOfShearIsThatOfTheHistory) {
+TEST(StateFields, TheRateOfShearIsThatOfTheHistory) {
   const History history{{{"time", "s", {1, 2, 3, 4}}, {"shear_strain", "", {0, 2, 4, 5}}}};
   EXPECT_EQ(shear_rate_at(history, 1), 2);
   EXPECT_EQ(shear_rate_at(history, 2.5), 2);
@@ -13,7 +13,7 @@ TEST(CoarseFields, TheRateOfShearIsThatOfTheHistory) {
   EXPECT_EQ(shear_rate_at({}, 1), 0);
 }
 
-TEST(CoarseFields, NeedGrainsAndABox) {
+TEST(StateFields, NeedGrainsAndABox) {
   Packing packing;
   EXPECT_FALSE(has_fields(packing));
   packing.materials = {{"glass", 2500, 1, 0}};
@@ -29,4 +29,4 @@ TEST(CoarseFields, NeedGrainsAndABox) {
 }
 
 }  // namespace
-}  // namespace arenite::workflow
+}  // namespace arenite::fields

@@ -1,9 +1,8 @@
 #pragma once
 #include "grains/fields/coarse_grained.hpp"
-#include "io/export/export.hpp"
 #include "model/result.hpp"
 
-namespace arenite::workflow {
+namespace arenite::fields {
 
 /// How fast a stage sheared its cell at a time, 1/s, from its history; 0 where it did not.
 double shear_rate_at(const History& history, double time);
@@ -15,9 +14,6 @@ double mean_diameter(const Grains& grains);
 bool has_fields(const Packing& packing);
 
 /// Fields of a state over its whole box, smeared by Lucy's function of that width, at points so far apart (m).
-fields::CoarseFields coarse_fields(const Packing& packing, double shear_rate, double width, double spacing);
+CoarseFields coarse_fields(const Packing& packing, double shear_rate, double width, double spacing);
 
-/// For exports: smeared over a mean diameter, two points a diameter. Throws InputError for a state without grains or a box of known thickness.
-io::GridFields grid_fields(const Packing& packing, double shear_rate);
-
-}  // namespace arenite::workflow
+}  // namespace arenite::fields
