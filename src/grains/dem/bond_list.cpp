@@ -56,7 +56,9 @@ BondSlot slot_of(const Sample& s, std::size_t place, const std::vector<std::int3
   b.length = bond.length;
   b.arm_i = bond.length * a.radius / (a.radius + c.radius);
   b.arm_j = bond.length - b.arm_i;
-  b.normal = bond.normal;
+  const Vec2 branch = Vec2{a.x - c.x, a.y - c.y} - image_place(s, b);
+  b.normal = branch / norm(branch);
+  b.turned = std::atan2(cross(bond.normal, b.normal), dot(bond.normal, b.normal));
   b.angle_i = bond.angle_i;
   b.angle_j = bond.angle_j;
   std::visit(

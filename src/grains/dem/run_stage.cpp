@@ -100,6 +100,12 @@ std::string describe_pressed(const Equilibrium& now, const WallDrives& drives, c
   return describe(now) + (presses ? fmt::format(", forces on the sides within {:.1e} of their aim", load_error(drives, domain)) : "");
 }
 
+/// How many of the bonds have broken; nothing where there are none.
+std::string describe_bonds(const Engine& engine) {
+  const BondCount bonds = engine.bond_count();
+  return bonds.made() > 0 ? fmt::format("; {} of {} bonds broken", bonds.made() - bonds.intact, bonds.made()) : "";
+}
+
 std::int64_t steps_of(const Stage& stage, const Engine& engine) { return static_cast<std::int64_t>(std::ceil(*stage.duration / engine.time_step())); }
 
 void continue_for_a_time(Engine& engine, const Stage& stage, StageRun& run) {
@@ -118,7 +124,7 @@ void continue_for_a_time(Engine& engine, const Stage& stage, StageRun& run) {
   store_frame(engine, now, frames == 1 ? std::string("end") : fmt::format("{} of {}", k, frames), run.result);
   if (static_cast<std::int64_t>(k) < frames) return;
   run.finished = true;
-  run.result.outcome = fmt::format("{:g} s passed; {}", *stage.duration, describe(now));
+  run.result.outcome = fmt::format("{:g} s passed; {}{}", *stage.duration, describe(now), describe_bonds(engine));
 }
 
 void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
@@ -144,7 +150,7 @@ void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
                                      increments.size() > 1 ? " of " + increment.label : "", describe_pressed(now, drives, engine.domain()));
   run.steps_in_increment = 0;
   run.finished = given_up || ++run.increment == static_cast<std::int64_t>(increments.size());
-  if (run.finished && !given_up) run.result.outcome = fmt::format("equilibrium: {}", describe_pressed(now, drives, engine.domain()));
+  if (run.finished && !given_up) run.result.outcome = fmt::format("equilibrium: {}{}", describe_pressed(now, drives, engine.domain()), describe_bonds(engine));
 }
 
 }  // namespace

@@ -71,8 +71,9 @@ struct BondSlot {
   std::int32_t shift_x = 0, shift_y = 0;  ///< cells by which the image of j that is meant is away from j
   State state = State::holds;
   double length = 0, arm_i = 0, arm_j = 0;  ///< when it was made, m; the arms to its middle between the two surfaces
-  Vec2 normal;                              ///< then, from j to i
-  double angle_i = 0, angle_j = 0;          ///< then, rad
+  Vec2 normal;                              ///< from j to i when the list was built
+  double turned = 0;                        ///< how far that was turned from the normal when the bond was made, rad
+  double angle_i = 0, angle_j = 0;          ///< of the grains when it was made, rad
   Beam beam;
   double strength = 1;                                                ///< over that of the law
   double normal_damping = 0, shear_damping = 0, bending_damping = 0;  ///< N s/m, N s/m, N m s
