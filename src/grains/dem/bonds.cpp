@@ -2,8 +2,8 @@
 
 #include <atomic>
 #include <cmath>
-#include <numbers>
 
+#include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/setup.hpp"
 
 namespace arenite::dem {
@@ -26,40 +26,10 @@ Vec2 image_velocity(const Sample& s, const BondSlot& b) {
   return {b.shift_x * stretch_x + b.shift_y * (s.domain.tilt * stretch_x / s.domain.width() + s.shear_rate * s.domain.height()), b.shift_y * stretch_y};
 }
 
-/// The angle of this sine and cosine. Since the list was built a bond has turned little, and the arc sine's series does to the last bit.
-double angle_of(double sine, double cosine) {
-  if (!(std::abs(sine) < 0.15 && cosine > 0)) return std::atan2(sine, cosine);
-  constexpr double terms[] = {135135.0 / 9676800, 10395.0 / 599040, 945.0 / 42240, 105.0 / 3456, 15.0 / 336, 3.0 / 40, 1.0 / 6, 1.0};
-  const double q = sine * sine;
-  double sum = 2027025.0 / 175472640;
-  for (const double term : terms) sum = sum * q + term;
-  return sine * sum;
-}
-
-double within_half_turn(double angle) {
-  constexpr double turn = 2 * std::numbers::pi;
-  return std::abs(angle) < 0.5 * turn ? angle : angle - turn * std::nearbyint(angle / turn);
-}
-
 /// Rate of the strain at these velocities of its two disks.
 BeamStrain strain_rate(const BondSlot& b, const BeamMotion& m, Vec2 velocity, double turning_i, double turning_j) {
   const double across = dot(velocity, perpendicular(m.normal)) / m.distance;
   return {dot(velocity, m.normal), b.arm_i * turning_i + b.arm_j * turning_j - b.length * across, turning_i - turning_j};
-}
-
-/// Part of the loop over the bonds, and a call there would cost a quarter of it.
-[[gnu::always_inline]] inline BeamMotion motion_of_beam(const Sample& s, const BondSlot& b) {
-  const auto i = static_cast<std::size_t>(b.i), j = static_cast<std::size_t>(b.j);
-  const DiskRecord &a = s.record[i], &c = s.record[j];
-  const Vec2 place = image_place(s, b);
-  BeamMotion m;
-  m.branch = {a.x - c.x - place.x, a.y - c.y - place.y};
-  m.distance = norm(m.branch);
-  m.normal = (1 / m.distance) * m.branch;
-  const double turned = b.turned + angle_of(cross(b.normal, m.normal), dot(b.normal, m.normal));
-  const double turn_i = within_half_turn(s.angle[i] - b.angle_i - turned), turn_j = within_half_turn(s.angle[j] - b.angle_j - turned);
-  m.strain = {m.distance - b.length, b.arm_i * turn_i + b.arm_j * turn_j, turn_i - turn_j};
-  return m;
 }
 
 /// Energy that the sample loses with a bond. Half of its last step's work was still done by it, that of its force then at the velocities before.
@@ -88,16 +58,26 @@ void note_break(Sample& s, BondSlot& b, const BeamMotion& m, const BeamLoad& loa
 
 /// What broke in this step is booked in the order of bonds, whoever found it.
 void book_breaks(Sample& s) {
-  for (BondSlot& b : s.bond_slots) {
-    if (b.state != State::breaking) continue;
-    b.state = State::broken;
-    s.tally.dissipated_breakage += s.bonds[static_cast<std::size_t>(b.bond)].energy;
+  for (std::size_t n = 0; n < s.bond_slots.size(); ++n) {
+    if (s.bond_slots[n].state != State::breaking) continue;
+    end_bond(s, n);
+    s.tally.dissipated_breakage += s.bonds[static_cast<std::size_t>(s.bond_slots[n].bond)].energy;
   }
 }
 
 }  // namespace
 
-BeamMotion beam_motion(const Sample& s, const BondSlot& b) { return motion_of_beam(s, b); }
+BeamMotion beam_motion(const Sample& s, const BondSlot& b) {
+  const auto i = static_cast<std::size_t>(b.i), j = static_cast<std::size_t>(b.j);
+  BeamMotion m;
+  m.branch = Vec2{s.record[i].x - s.record[j].x, s.record[i].y - s.record[j].y} - image_place(s, b);
+  m.distance = norm(m.branch);
+  m.normal = m.branch / m.distance;
+  const double turned = std::atan2(cross(b.normal, m.normal), dot(b.normal, m.normal));
+  const double turn_i = s.angle[i] - b.angle_i - turned, turn_j = s.angle[j] - b.angle_j - turned;
+  m.strain = {m.distance - b.length, b.arm_i * turn_i + b.arm_j * turn_j, turn_i - turn_j};
+  return m;
+}
 
 SlotForce beam_slot_force(const BondSlot& b, const BeamMotion& m, const BeamForce& f) {
   const double across = f.shear * b.length / m.distance;
@@ -111,30 +91,59 @@ BeamForce beam_dashpots(const Sample& s, const BondSlot& b, const BeamMotion& m)
   return {b.normal_damping * rate.stretch, b.shear_damping * rate.shear, b.bending_damping * rate.bending};
 }
 
+namespace {
+
+/// The periodic images that bonds mean, where they are now.
+void move_images(Sample& s) {
+  BondNumbers& numbers = s.bond_numbers;
+  for (const std::int32_t slot : numbers.across) {
+    const auto n = static_cast<std::size_t>(slot);
+    const Vec2 place = image_place(s, s.bond_slots[n]), velocity = image_velocity(s, s.bond_slots[n]);
+    numbers.column[beam_image_x][n] = place.x;
+    numbers.column[beam_image_y][n] = place.y;
+    numbers.column[beam_image_vx][n] = velocity.x;
+    numbers.column[beam_image_vy][n] = velocity.y;
+  }
+}
+
+/// One bond, by the law itself. True if it breaks.
+template <class Law> bool look_at(Sample& s, const Law& law, std::size_t n) {
+  BondSlot& b = s.bond_slots[n];
+  SlotForce& force = s.list.force[bond_force_place(s.list, n)];
+  force = {};
+  if (b.state != State::holds) return false;
+  const BeamMotion m = beam_motion(s, b);
+  const BeamForce f = law.elastic(b.beam, m.strain);
+  if (const BeamLoad load = law.load(b.beam, f); load.share >= b.strength) {
+    note_break(s, b, m, load, energy_of_break(s, b, m, f, law.energy(b.beam, m.strain)));
+    return true;
+  }
+  const BeamForce dash = beam_dashpots(s, b, m);
+  force = beam_slot_force(b, m, {f.tension + dash.tension, f.shear + dash.shear, f.moment + dash.moment});
+  return false;
+}
+
+BondTask bond_task(Sample& s) {
+  BondNumbers& numbers = s.bond_numbers;
+  BondTask task{s.record.data(),     s.angle.data(), numbers.i.data(), numbers.j.data(), {}, &s.list.force[bond_force_place(s.list, 0)],
+                numbers.look.data(), numbers.damped};
+  for (std::size_t q = 0; q < bond_columns; ++q) task.column[q] = numbers.column[q].data();
+  return task;
+}
+
+}  // namespace
+
 void add_bond_forces(Sample& s, const Team& team) {
   if (s.bond_slots.empty()) return;
+  move_images(s);
+  const BondTask task = bond_task(s);
   std::atomic<bool> broke = false;
   std::visit(
       [&](const auto& law) {
         team.for_ranges(s.bond_slots.size(), [&](std::size_t begin, std::size_t end) {
-          for (std::size_t n = begin; n < end; ++n) {
-            BondSlot& b = s.bond_slots[n];
-            SlotForce& force = s.list.force[bond_force_place(s.list, n)];
-            force = {};
-            if (b.state != State::holds) continue;
-            const BeamMotion m = motion_of_beam(s, b);
-            BeamForce f = law.elastic(b.beam, m.strain);
-            if (const BeamLoad load = law.load(b.beam, f); load.share >= b.strength) {
-              note_break(s, b, m, load, energy_of_break(s, b, m, f, law.energy(b.beam, m.strain)));
-              broke = true;
-              continue;
-            }
-            if (b.normal_damping > 0) {
-              const BeamForce dash = beam_dashpots(s, b, m);
-              f = {f.tension + dash.tension, f.shear + dash.shear, f.moment + dash.moment};
-            }
-            force = beam_slot_force(b, m, f);
-          }
+          if (!s.kernel->bonds(task, begin, end)) return;
+          for (std::size_t n = begin; n < end; ++n)
+            if (task.look[n] != 0 && look_at(s, law, n)) broke = true;
         });
       },
       s.contact.bonds);

@@ -11,6 +11,9 @@ void bond_near_pairs(Sample& sample);
 /// Lists the bonds that hold, by the disks' present numbers and places. Part of list_contacts.
 void list_bonds(Sample& sample);
 
+/// Takes a bond out of the list, in which it keeps its place until the list is built anew.
+void end_bond(Sample& sample, std::size_t slot);
+
 /// Where the image of j that a bond means is away from j, m.
 Vec2 image_place(const Sample& sample, const BondSlot& slot);
 
