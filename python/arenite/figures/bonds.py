@@ -43,7 +43,7 @@ def draw_broken_bonds(axes, history):
 
 
 def segments(packing, chosen, across):
-    """From centre to centre of these bonds, or as wide as they are across them; none through a periodic side."""
+    """From centre to centre of these bonds, or as wide as they are across them, where the grains are still near; none through a periodic side."""
     i, j = packing.bonds["i"][chosen], packing.bonds["j"][chosen]
     a, b = (np.column_stack([packing.x[k], packing.y[k]]) for k in (i, j))
     near = np.all(np.abs(b - a) < 0.5 * np.array([packing.domain["width"], packing.domain["height"]]), axis=1)
@@ -51,8 +51,9 @@ def segments(packing, chosen, across):
     if not across:
         return np.stack([a, b], axis=1)
     way, middle = b - a, a + ri / (ri + rj) * (b - a)
-    half = np.minimum(ri, rj) / np.linalg.norm(way, axis=1)[:, None] * np.column_stack([-way[:, 1], way[:, 0]])
-    return np.stack([middle - half, middle + half], axis=1)
+    length = np.linalg.norm(way, axis=1)[:, None]
+    half = np.minimum(ri, rj) / length * np.column_stack([-way[:, 1], way[:, 0]])
+    return np.stack([middle - half, middle + half], axis=1)[(length < 1.5 * (ri + rj))[:, 0]]
 
 
 def draw_cracks(axes, packing):

@@ -45,6 +45,12 @@ double strength_of(const Bond& bond, double scatter, std::int64_t seed) {
   return std::max(1 + scatter * RandomStream(static_cast<std::uint64_t>(seed), Purpose::bonds, pair_key(bond.i, bond.j)).normal(), 0.1);
 }
 
+/// This angle, or one whole turns away, that is nearest to an angle of now.
+double unstrained(double angle, double now) {
+  constexpr double turn = 2 * std::numbers::pi;
+  return angle + turn * std::nearbyint((now - angle) / turn);
+}
+
 BondSlot slot_of(const Sample& s, std::size_t place, const std::vector<std::int32_t>& number) {
   const Bond& bond = s.bonds[place];
   BondSlot b;
@@ -56,17 +62,60 @@ BondSlot slot_of(const Sample& s, std::size_t place, const std::vector<std::int3
   b.length = bond.length;
   b.arm_i = bond.length * a.radius / (a.radius + c.radius);
   b.arm_j = bond.length - b.arm_i;
-  b.normal = bond.normal;
-  b.angle_i = bond.angle_i;
-  b.angle_j = bond.angle_j;
+  const Vec2 branch = Vec2{a.x - c.x, a.y - c.y} - image_place(s, b);
+  b.normal = branch / norm(branch);
+  const double turned = std::atan2(cross(bond.normal, b.normal), dot(bond.normal, b.normal));
+  b.angle_i = unstrained(bond.angle_i + turned, s.angle[static_cast<std::size_t>(b.i)]);
+  b.angle_j = unstrained(bond.angle_j + turned, s.angle[static_cast<std::size_t>(b.j)]);
   std::visit(
       [&](const auto& law) {
         b.beam = law.beam(bond.length, std::min(a.radius, c.radius), s.domain.thickness);
         tune_dashpots(s, b, law.damping);
         b.strength = strength_of(bond, law.scatter, law.seed);
+        if constexpr (law.bonds) {
+          b.tensile = b.strength * law.tensile_strength;
+          b.cohesion = b.strength * law.cohesion;
+        }
       },
       s.contact.bonds);
   return b;
+}
+
+/// A strength that no stress is within: the loop hands the bond over, which then has no force.
+constexpr double never_holds = -std::numeric_limits<double>::infinity();
+
+/// The slots' numbers as the loop reads them.
+void line_up(Sample& s) {
+  BondNumbers& numbers = s.bond_numbers;
+  numbers = {};
+  numbers.look.resize(s.bond_slots.size());
+  for (auto& column : numbers.column) column.assign(s.bond_slots.size(), 0.0);
+  for (std::size_t n = 0; n < s.bond_slots.size(); ++n) {
+    const BondSlot& b = s.bond_slots[n];
+    numbers.i.push_back(b.i);
+    numbers.j.push_back(b.j);
+    if (b.shift_x != 0 || b.shift_y != 0) numbers.across.push_back(static_cast<std::int32_t>(n));
+    numbers.damped |= b.normal_damping > 0;
+    const std::pair<BondColumn, double> values[] = {{beam_length, b.length},
+                                                    {beam_arm_i, b.arm_i},
+                                                    {beam_arm_j, b.arm_j},
+                                                    {beam_nx, b.normal.x},
+                                                    {beam_ny, b.normal.y},
+                                                    {beam_angle_i, b.angle_i},
+                                                    {beam_angle_j, b.angle_j},
+                                                    {beam_normal, b.beam.normal},
+                                                    {beam_shear, b.beam.shear},
+                                                    {beam_bending, b.beam.bending},
+                                                    {beam_normal_damping, b.normal_damping},
+                                                    {beam_shear_damping, b.shear_damping},
+                                                    {beam_bending_damping, b.bending_damping},
+                                                    {beam_per_area, b.beam.per_area},
+                                                    {beam_per_section, b.beam.per_section},
+                                                    {beam_tensile, b.state == BondSlot::State::holds ? b.tensile : never_holds},
+                                                    {beam_cohesion, b.cohesion},
+                                                    {beam_friction, b.strength * b.beam.friction}};
+    for (const auto& [column, value] : values) numbers.column[column][n] = value;
+  }
 }
 
 bool is_before(const Bond& a, const Bond& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; }
@@ -111,11 +160,18 @@ void list_bonds(Sample& s) {
   for (std::size_t k = 0; k < s.count; ++k) number[static_cast<std::size_t>(s.record[k].grain)] = static_cast<std::int32_t>(k);
   for (std::size_t place = 0; place < s.bonds.size(); ++place)
     if (s.bonds[place].broken == BondBreak::none) s.bond_slots.push_back(slot_of(s, place, number));
+  line_up(s);
+}
+
+void end_bond(Sample& s, std::size_t slot) {
+  s.bond_slots[slot].state = BondSlot::State::broken;
+  s.bond_numbers.column[beam_tensile][slot] = never_holds;
 }
 
 void renew_bond_dashpots(Sample& s) {
   const double share = std::visit([](const auto& law) { return law.damping; }, s.contact.bonds);
   for (BondSlot& b : s.bond_slots) tune_dashpots(s, b, share);
+  if (!s.bond_slots.empty()) line_up(s);
 }
 
 BondRates bond_rates(const Sample& s) {

@@ -2,34 +2,28 @@
 
 #include <atomic>
 #include <cmath>
-#include <numbers>
 
+#include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/setup.hpp"
 
 namespace arenite::dem {
+
+Vec2 image_place(const Sample& s, const BondSlot& b) {
+  if ((b.shift_x | b.shift_y) == 0) return {};
+  return {b.shift_x * s.domain.width() + b.shift_y * s.domain.tilt, b.shift_y * s.domain.height()};
+}
+
 namespace {
 
 using State = BondSlot::State;
 
-/// Where the image of j that a bond means is away from j, and how fast it moves beside it.
-Vec2 image_place(const Sample& s, const BondSlot& b) { return {b.shift_x * s.domain.width() + b.shift_y * s.domain.tilt, b.shift_y * s.domain.height()}; }
+/// How fast that image moves beside j.
 Vec2 image_velocity(const Sample& s, const BondSlot& b) {
+  if ((b.shift_x | b.shift_y) == 0) return {};
   const auto& w = s.domain.wall;
   const double stretch_x = s.domain.periodic_x ? w[right].velocity - w[left].velocity : 0;
   const double stretch_y = s.domain.periodic_y ? w[top].velocity - w[bottom].velocity : 0;
   return {b.shift_x * stretch_x + b.shift_y * (s.domain.tilt * stretch_x / s.domain.width() + s.shear_rate * s.domain.height()), b.shift_y * stretch_y};
-}
-
-/// The angle of this sine and cosine. Bonds turn little, so nearly always the arc sine's series does, to the last bit.
-double angle_of(double sine, double cosine) {
-  if (!(std::abs(sine) < 0.05 && cosine > 0)) return std::atan2(sine, cosine);
-  const double q = sine * sine;
-  return sine * (1 + q * (1.0 / 6 + q * (3.0 / 40 + q * (15.0 / 336 + q * (105.0 / 3456 + q * (945.0 / 42240))))));
-}
-
-double within_half_turn(double angle) {
-  constexpr double turn = 2 * std::numbers::pi;
-  return std::abs(angle) < 0.5 * turn ? angle : angle - turn * std::nearbyint(angle / turn);
 }
 
 /// Rate of the strain at these velocities of its two disks.
@@ -64,10 +58,10 @@ void note_break(Sample& s, BondSlot& b, const BeamMotion& m, const BeamLoad& loa
 
 /// What broke in this step is booked in the order of bonds, whoever found it.
 void book_breaks(Sample& s) {
-  for (BondSlot& b : s.bond_slots) {
-    if (b.state != State::breaking) continue;
-    b.state = State::broken;
-    s.tally.dissipated_breakage += s.bonds[static_cast<std::size_t>(b.bond)].energy;
+  for (std::size_t n = 0; n < s.bond_slots.size(); ++n) {
+    if (s.bond_slots[n].state != State::breaking) continue;
+    end_bond(s, n);
+    s.tally.dissipated_breakage += s.bonds[static_cast<std::size_t>(s.bond_slots[n].bond)].energy;
   }
 }
 
@@ -75,16 +69,13 @@ void book_breaks(Sample& s) {
 
 BeamMotion beam_motion(const Sample& s, const BondSlot& b) {
   const auto i = static_cast<std::size_t>(b.i), j = static_cast<std::size_t>(b.j);
-  const DiskRecord &a = s.record[i], &c = s.record[j];
-  const Vec2 place = image_place(s, b), velocity = image_velocity(s, b);
   BeamMotion m;
-  m.branch = {a.x - c.x - place.x, a.y - c.y - place.y};
+  m.branch = Vec2{s.record[i].x - s.record[j].x, s.record[i].y - s.record[j].y} - image_place(s, b);
   m.distance = norm(m.branch);
   m.normal = m.branch / m.distance;
-  const double turned = angle_of(cross(b.normal, m.normal), dot(b.normal, m.normal));
-  const double turn_i = within_half_turn(s.angle[i] - b.angle_i - turned), turn_j = within_half_turn(s.angle[j] - b.angle_j - turned);
+  const double turned = std::atan2(cross(b.normal, m.normal), dot(b.normal, m.normal));
+  const double turn_i = s.angle[i] - b.angle_i - turned, turn_j = s.angle[j] - b.angle_j - turned;
   m.strain = {m.distance - b.length, b.arm_i * turn_i + b.arm_j * turn_j, turn_i - turn_j};
-  m.rate = strain_rate(b, m, {a.vx - c.vx - velocity.x, a.vy - c.vy - velocity.y}, a.omega, c.omega);
   return m;
 }
 
@@ -94,33 +85,65 @@ SlotForce beam_slot_force(const BondSlot& b, const BeamMotion& m, const BeamForc
           -f.shear * b.arm_j + f.moment};
 }
 
-SlotForce beam_dashpots(const BondSlot& b, const BeamMotion& m) {
-  return beam_slot_force(b, m, {b.normal_damping * m.rate.stretch, b.shear_damping * m.rate.shear, b.bending_damping * m.rate.bending});
+BeamForce beam_dashpots(const Sample& s, const BondSlot& b, const BeamMotion& m) {
+  const DiskRecord &a = s.record[static_cast<std::size_t>(b.i)], &c = s.record[static_cast<std::size_t>(b.j)];
+  const BeamStrain rate = strain_rate(b, m, Vec2{a.vx - c.vx, a.vy - c.vy} - image_velocity(s, b), a.omega, c.omega);
+  return {b.normal_damping * rate.stretch, b.shear_damping * rate.shear, b.bending_damping * rate.bending};
 }
+
+namespace {
+
+/// The periodic images that bonds mean, where they are now.
+void move_images(Sample& s) {
+  BondNumbers& numbers = s.bond_numbers;
+  for (const std::int32_t slot : numbers.across) {
+    const auto n = static_cast<std::size_t>(slot);
+    const Vec2 place = image_place(s, s.bond_slots[n]), velocity = image_velocity(s, s.bond_slots[n]);
+    numbers.column[beam_image_x][n] = place.x;
+    numbers.column[beam_image_y][n] = place.y;
+    numbers.column[beam_image_vx][n] = velocity.x;
+    numbers.column[beam_image_vy][n] = velocity.y;
+  }
+}
+
+/// One bond, by the law itself. True if it breaks.
+template <class Law> bool look_at(Sample& s, const Law& law, std::size_t n) {
+  BondSlot& b = s.bond_slots[n];
+  SlotForce& force = s.list.force[bond_force_place(s.list, n)];
+  force = {};
+  if (b.state != State::holds) return false;
+  const BeamMotion m = beam_motion(s, b);
+  const BeamForce f = law.elastic(b.beam, m.strain);
+  if (const BeamLoad load = law.load(b.beam, f); load.share >= b.strength) {
+    note_break(s, b, m, load, energy_of_break(s, b, m, f, law.energy(b.beam, m.strain)));
+    return true;
+  }
+  const BeamForce dash = beam_dashpots(s, b, m);
+  force = beam_slot_force(b, m, {f.tension + dash.tension, f.shear + dash.shear, f.moment + dash.moment});
+  return false;
+}
+
+BondTask bond_task(Sample& s) {
+  BondNumbers& numbers = s.bond_numbers;
+  BondTask task{s.record.data(),     s.angle.data(), numbers.i.data(), numbers.j.data(), {}, &s.list.force[bond_force_place(s.list, 0)],
+                numbers.look.data(), numbers.damped};
+  for (std::size_t q = 0; q < bond_columns; ++q) task.column[q] = numbers.column[q].data();
+  return task;
+}
+
+}  // namespace
 
 void add_bond_forces(Sample& s, const Team& team) {
   if (s.bond_slots.empty()) return;
+  move_images(s);
+  const BondTask task = bond_task(s);
   std::atomic<bool> broke = false;
   std::visit(
       [&](const auto& law) {
         team.for_ranges(s.bond_slots.size(), [&](std::size_t begin, std::size_t end) {
-          for (std::size_t n = begin; n < end; ++n) {
-            BondSlot& b = s.bond_slots[n];
-            SlotForce& force = s.list.force[bond_force_place(s.list, n)];
-            force = {};
-            if (b.state != State::holds) continue;
-            const BeamMotion m = beam_motion(s, b);
-            BeamForce f = law.elastic(b.beam, m.strain);
-            if (const BeamLoad load = law.load(b.beam, f); load.share >= b.strength) {
-              note_break(s, b, m, load, energy_of_break(s, b, m, f, law.energy(b.beam, m.strain)));
-              broke = true;
-              continue;
-            }
-            f.tension += b.normal_damping * m.rate.stretch;
-            f.shear += b.shear_damping * m.rate.shear;
-            f.moment += b.bending_damping * m.rate.bending;
-            force = beam_slot_force(b, m, f);
-          }
+          if (!s.kernel->bonds(task, begin, end)) return;
+          for (std::size_t n = begin; n < end; ++n)
+            if (task.look[n] != 0 && look_at(s, law, n)) broke = true;
         });
       },
       s.contact.bonds);

@@ -11,6 +11,12 @@ void bond_near_pairs(Sample& sample);
 /// Lists the bonds that hold, by the disks' present numbers and places. Part of list_contacts.
 void list_bonds(Sample& sample);
 
+/// Takes a bond out of the list, in which it keeps its place until the list is built anew.
+void end_bond(Sample& sample, std::size_t slot);
+
+/// Where the image of j that a bond means is away from j, m.
+Vec2 image_place(const Sample& sample, const BondSlot& slot);
+
 /// Dashpots of the listed bonds, from the present masses.
 void renew_bond_dashpots(Sample& sample);
 
@@ -18,14 +24,14 @@ void renew_bond_dashpots(Sample& sample);
 struct BeamMotion {
   Vec2 branch, normal;  ///< from the meant image of j to i
   double distance = 0;
-  BeamStrain strain, rate;
+  BeamStrain strain;
 };
 BeamMotion beam_motion(const Sample& sample, const BondSlot& slot);
 
 /// A bond's force on i and its torques, from what the beam answers with.
 SlotForce beam_slot_force(const BondSlot& slot, const BeamMotion& motion, const BeamForce& force);
 /// What its dashpots have in that.
-SlotForce beam_dashpots(const BondSlot& slot, const BeamMotion& motion);
+BeamForce beam_dashpots(const Sample& sample, const BondSlot& slot, const BeamMotion& motion);
 
 /// Fills the bonds' places in the list of forces and ends the bonds whose stresses exceed their strength; what they held is booked as dissipated.
 void add_bond_forces(Sample& sample, const Team& team);

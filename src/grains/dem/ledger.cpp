@@ -89,7 +89,7 @@ void add_bonds(const Sample& s, Snapshot& shot) {
     const BondSlot& b = s.bond_slots[n];
     if (b.state != BondSlot::State::holds) continue;
     const BeamMotion m = beam_motion(s, b);
-    const SlotForce dash = beam_dashpots(b, m);
+    const SlotForce dash = beam_slot_force(b, m, beam_dashpots(s, b, m));
     auto& disk_i = shot.disk[static_cast<std::size_t>(s.record[static_cast<std::size_t>(b.i)].grain)];
     disk_i.dash_x += dash.fx;
     disk_i.dash_y += dash.fy;

@@ -11,9 +11,8 @@ double sense(const Sample& s, std::size_t slot) {
   return s.record[static_cast<std::size_t>(s.list.i[slot])].grain < s.record[static_cast<std::size_t>(j)].grain ? 1 : -1;
 }
 
-}  // namespace
-
-Slip<double> rolling_slip(const Sample& s, std::size_t slot, double normal_force) {
+/// What a rolling law sees of a slot.
+template <class Law> Slip<double> slip_of(const Sample& s, const Law& law, std::size_t slot, double normal_force) {
   const auto& a = s.record[static_cast<std::size_t>(s.list.i[slot])];
   const std::int32_t j = s.list.j[slot];
   double turning = a.omega, radius = a.radius, inertia_of_both = inertia(a);
@@ -25,17 +24,30 @@ Slip<double> rolling_slip(const Sample& s, std::size_t slot, double normal_force
   } else if (j < wall_partner(top)) {
     turning -= boundary_of(s, j).spin;
   }
-  return std::visit(
-      [&](const auto& law) {
-        const double stiffness = law.stiffness(s.list.stiffness[slot], radius);
-        return Slip<double>{sense(s, slot) * turning,
-                            law.damping(s.list.damping[slot], radius, stiffness, inertia_of_both),
-                            std::max(law.coefficient * radius * normal_force, 0.0),
-                            stiffness,
-                            s.laws.lead,
-                            s.laws.lag};
-      },
-      s.contact.rolling);
+  const double stiffness = law.stiffness(s.list.stiffness[slot], radius);
+  return {sense(s, slot) * turning,
+          law.damping(s.list.damping[slot], radius, stiffness, inertia_of_both),
+          std::max(law.coefficient * radius * normal_force, 0.0),
+          stiffness,
+          s.laws.lead,
+          s.laws.lag};
+}
+
+/// Force of a slot along its normal; 0 where apart.
+double normal_force_of(const Sample& s, std::size_t slot) {
+  const SlotForce& force = s.list.force[slot];
+  if (!acts(force)) return 0;
+  const std::int32_t j = s.list.j[slot];
+  if (j < 0) return dot(Vec2{force.fx, force.fy}, slot_kinematics(s, slot).normal);
+  const auto &a = s.record[static_cast<std::size_t>(s.list.i[slot])], &b = s.record[static_cast<std::size_t>(j)];
+  const Vec2 branch{a.x - b.x, a.y - b.y};
+  return dot(Vec2{force.fx, force.fy}, branch) / norm(branch);
+}
+
+}  // namespace
+
+Slip<double> rolling_slip(const Sample& s, std::size_t slot, double normal_force) {
+  return std::visit([&](const auto& law) { return slip_of(s, law, slot, normal_force); }, s.contact.rolling);
 }
 
 void add_rolling_moments(Sample& s, const Team& team) {
@@ -46,13 +58,12 @@ void add_rolling_moments(Sample& s, const Team& team) {
           for (std::size_t p = begin; p < end; ++p) {
             SlotForce& force = s.list.force[p];
             double& memory = s.list.rolling_memory[p];
-            const Kinematics c = acts(force) ? slot_kinematics(s, p) : Kinematics{};
-            const double normal_force = force.fx * c.normal.x + force.fy * c.normal.y;
+            const double normal_force = normal_force_of(s, p);
             if (!(normal_force > 0)) {
               memory = 0;
               continue;
             }
-            const double moment = sense(s, p) * law.moment(rolling_slip(s, p, normal_force), memory);
+            const double moment = sense(s, p) * law.moment(slip_of(s, law, p, normal_force), memory);
             force.torque_i += moment;
             force.torque_j -= moment;
           }

@@ -107,6 +107,12 @@ std::string describe_pressed(const Equilibrium& now, const WallDrives& drives, c
   return describe(now) + (presses ? fmt::format(", forces on the sides within {:.1e} of their aim", load_error(drives, domain)) : "");
 }
 
+/// How many of the bonds have broken; nothing where there are none.
+std::string describe_bonds(const Engine& engine) {
+  const BondCount bonds = engine.bond_count();
+  return bonds.made() > 0 ? fmt::format("; {} of {} bonds broken", bonds.made() - bonds.intact, bonds.made()) : "";
+}
+
 void continue_for_a_time(Engine& engine, const Stage& stage, StageRun& run) {
   const std::int64_t total = steps_of(*stage.duration, engine.time_step());
   const std::int64_t frames = std::max<std::int64_t>(1, stage.snapshots);
@@ -123,7 +129,7 @@ void continue_for_a_time(Engine& engine, const Stage& stage, StageRun& run) {
   store_frame(engine, now, frames == 1 ? std::string("end") : fmt::format("{} of {}", k, frames), run.result);
   if (static_cast<std::int64_t>(k) < frames) return;
   run.finished = true;
-  run.result.outcome = fmt::format("{:g} s passed; {}", *stage.duration, describe(now));
+  run.result.outcome = fmt::format("{:g} s passed; {}{}", *stage.duration, describe(now), describe_bonds(engine));
 }
 
 /// The end of increment or half cycle `run.increment`: a row for the curves against cycles, and a state.
@@ -163,7 +169,7 @@ void continue_strain_cycles(Engine& engine, const Stage& stage, StageRun& run) {
   const CyclePlace place = cycle_place(stage, run.increment);
   end_increment(engine, stage, now, fmt::format("cycle {} {}", place.cycle, place.at_maximum ? "maximum" : "minimum"), run);
   run.finished = ++run.increment == increment_count(stage);
-  if (run.finished) run.result.outcome = fmt::format("{} cycles of strain passed; {}", stage.strain_cycles->count, describe(now));
+  if (run.finished) run.result.outcome = fmt::format("{} cycles of strain passed; {}{}", stage.strain_cycles->count, describe(now), describe_bonds(engine));
 }
 
 void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
@@ -191,7 +197,7 @@ void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
     end_increment(engine, stage, now, increment.label, run);
   }
   run.finished = given_up || ++run.increment == increments;
-  if (run.finished && !given_up) run.result.outcome = fmt::format("equilibrium: {}", describe_pressed(now, drives, engine.domain()));
+  if (run.finished && !given_up) run.result.outcome = fmt::format("equilibrium: {}{}", describe_pressed(now, drives, engine.domain()), describe_bonds(engine));
 }
 
 }  // namespace

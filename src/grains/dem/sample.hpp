@@ -72,11 +72,21 @@ struct BondSlot {
   std::int32_t shift_x = 0, shift_y = 0;  ///< cells by which the image of j that is meant is away from j
   State state = State::holds;
   double length = 0, arm_i = 0, arm_j = 0;  ///< when it was made, m; the arms to its middle between the two surfaces
-  Vec2 normal;                              ///< then, from j to i
-  double angle_i = 0, angle_j = 0;          ///< then, rad
+  Vec2 normal;                              ///< from j to i when the list was built
+  double angle_i = 0, angle_j = 0;          ///< that the grains have where it is not bent and has this normal, rad
   Beam beam;
   double strength = 1;                                                ///< over that of the law
+  double tensile = 0, cohesion = 0;                                   ///< that of this bond, Pa
   double normal_damping = 0, shear_damping = 0, bending_damping = 0;  ///< N s/m, N s/m, N m s
+};
+
+/// The slots' numbers side by side, for the loop over them.
+struct BondNumbers {
+  std::vector<std::int32_t> i, j;
+  std::array<std::vector<double>, bond_columns> column;
+  std::vector<std::uint8_t> look;
+  std::vector<std::int32_t> across;  ///< slots that mean another image of j than j itself
+  bool damped = false;
 };
 
 /// One wall, or one edge of a periodic cell, as a body that moves along its axis.
@@ -150,6 +160,7 @@ struct Sample {
   std::vector<std::uint64_t> live_bonds;  ///< sorted keys of glued pairs, where these part for good
   std::vector<Bond> bonds;                ///< sorted by their grains; without the forces of now
   std::vector<BondSlot> bond_slots;       ///< of the bonds that held when the list was built
+  BondNumbers bond_numbers;
 
   Energies tally;        ///< dissipation and work so far
   Ledger ledger;         ///< only if track_energy

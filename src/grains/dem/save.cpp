@@ -5,6 +5,7 @@
 
 #include "core/bytes.hpp"
 #include "core/error.hpp"
+#include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/neighbours.hpp"
 
@@ -110,8 +111,8 @@ void list_with_bonds(Sample& s, const std::vector<std::int32_t>& broken) {
   for (const std::int32_t b : broken) s.bonds[static_cast<std::size_t>(b)].broken = BondBreak::none;
   list_contacts(s);
   s.bonds = bonds;
-  for (BondSlot& b : s.bond_slots)
-    if (s.bonds[static_cast<std::size_t>(b.bond)].broken != BondBreak::none) b.state = BondSlot::State::broken;
+  for (std::size_t n = 0; n < s.bond_slots.size(); ++n)
+    if (s.bonds[static_cast<std::size_t>(s.bond_slots[n].bond)].broken != BondBreak::none) end_bond(s, n);
 }
 
 /// The slots' contents; their number follows from the list.

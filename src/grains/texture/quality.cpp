@@ -8,7 +8,7 @@
 namespace arenite::texture {
 namespace {
 
-/// Median |sum F| over grains with at least three contacts, walls and weight included.
+/// Median |sum F| over grains with at least three contacts or bonds, walls and weight included.
 double median_resultant(const View& view) {
   const auto& contacts = view.pairs();
   std::vector<Vec2> sum(view.packing.grains.size());
@@ -20,6 +20,13 @@ double median_resultant(const View& view) {
     if (contacts.is_wall(c)) continue;
     sum[static_cast<std::size_t>(contacts.j[c])] -= f;
     ++count[static_cast<std::size_t>(contacts.j[c])];
+  }
+  for (const Bond& bond : view.packing.bonds) {
+    if (bond.broken != BondBreak::none) continue;
+    const Vec2 f = force_on_i(view.packing, bond);
+    sum[static_cast<std::size_t>(bond.i)] += f;
+    sum[static_cast<std::size_t>(bond.j)] -= f;
+    for (const std::int32_t g : {bond.i, bond.j}) ++count[static_cast<std::size_t>(g)];
   }
   const Vec2 gravity = view.options.gravity;
   if (gravity.x != 0 || gravity.y != 0)

@@ -307,6 +307,15 @@ TEST(BadRecipe, GlueNeedsAnAdhesion) {
             "r.toml:15:12: contact.surface_energy: must be above 0 kN/mm where adhesion acts");
 }
 
+TEST(BadRecipe, BondsNeedALawAndItsStrengths) {
+  EXPECT_EQ(problems(smallest + "bond = true\n").at(0).find("r.toml:14:8: stages.0.bond: there is nothing to bond with"), 0u);
+  const auto missing = problems(smallest + "bond = true\n[contact]\nbonds = \"parallel\"\n");
+  ASSERT_EQ(missing.size(), 3u);
+  EXPECT_NE(missing.at(0).find("contact.bond_modulus"), std::string::npos);
+  const std::string whole = "[contact]\nbonds = \"parallel\"\nbond_modulus = \"1 GPa\"\nbond_tensile_strength = \"1 MPa\"\nbond_cohesion = \"1 MPa\"\n";
+  EXPECT_TRUE(problems(smallest + "bond = true\n" + whole).empty());
+}
+
 TEST(BadRecipe, AllProblemsComeInOnePassInTheOrderOfTheText) {
   std::string text = replaced(smallest, "\"350 mm\"", "350");
   text = replaced(text, "kg/m^3", "kg/m^2");

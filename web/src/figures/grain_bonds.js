@@ -25,7 +25,7 @@ function axisOf(stage) {
 
 /** Bonds between grains that broke, by what broke them. */
 export const grainBonds = {
-  id: "grain-bonds", title: "Broken bonds", follows: true,
+  id: "grain-bonds", title: "Broken bonds", wide: true, follows: true,
   caption: "Bonds between grains that have broken, by what broke them, over the strain of the stage shown. In the picture each is a crack between its grains.",
   when: (texture, sample) => sample.stages.some(hasBroken),
   key: ({ theme }) => kinds.map((name, k) => ({ name, colour: colours(theme)[k], values: [] })),

@@ -1,8 +1,9 @@
 import { s } from "../dom.js";
 
 const crackShare = 0.9;  // of the smaller radius, on either side
+const farthest = 1.5;    // of the radii's sum: beyond it there are two pieces, and no crack to be seen
 
-/** Bonds that hold as thin lines from centre to centre, and a crack across each that broke; none across a periodic side. */
+/** Bonds that hold as thin lines from centre to centre, and a crack across each that broke, where its grains are still near; none across a periodic side. */
 export function bondShapes(sample, frame, camera, theme) {
   const { i, j, broken } = frame.bonds;
   const box = sample.box(frame);
@@ -16,6 +17,7 @@ export function bondShapes(sample, frame, camera, theme) {
       continue;
     }
     const ri = sample.radius[i[b]], rj = sample.radius[j[b]], share = ri / (ri + rj), length = Math.hypot(dx, dy);
+    if (length > farthest * (ri + rj)) continue;
     const half = crackShare * Math.min(ri, rj) / length, x = ax + share * dx, y = ay + share * dy;
     cracks[broken[b] - 1].push(line(camera, x - half * dy, y + half * dx, x + half * dy, y - half * dx));
   }

@@ -23,6 +23,45 @@ struct PairTask {
   double arm_share;  ///< of the overlap that each arm lacks: 1/2 (contact point) or 0 (full radius)
 };
 
+/// What the loop over the bonds reads of each, one array a number: the branch and its direction when the list was built, the arms, the angles that the
+/// grains have where nothing is strained, the Beam, its dashpots and strengths, and the place and velocity of the image of j beside j.
+enum BondColumn : std::size_t {
+  beam_length,
+  beam_arm_i,
+  beam_arm_j,
+  beam_nx,
+  beam_ny,
+  beam_angle_i,
+  beam_angle_j,
+  beam_normal,
+  beam_shear,
+  beam_bending,
+  beam_normal_damping,
+  beam_shear_damping,
+  beam_bending_damping,
+  beam_per_area,
+  beam_per_section,
+  beam_tensile,
+  beam_cohesion,
+  beam_friction,
+  beam_image_x,
+  beam_image_y,
+  beam_image_vx,
+  beam_image_vy,
+  bond_columns
+};
+
+/// What the loop over the bonds reads and fills; the arrays are those of BondNumbers.
+struct BondTask {
+  const DiskRecord* record;
+  const double* angle;
+  const std::int32_t *i, *j;
+  std::array<const double*, bond_columns> column;
+  SlotForce* force;
+  std::uint8_t* look;  ///< where a bond may break, or has turned far since the list was built: then it is not for the loop to say
+  bool damped;
+};
+
 /// Velocity of an affine motion along one direction: `at_edge` + `gradient` (x - edge).
 struct AffineMotion {
   double edge = 0, at_edge = 0, gradient = 0;
@@ -75,6 +114,9 @@ struct Kernel {
   /// A step of disks begin .. end-1. False if the list has become stale.
   using Sweep = bool (*)(const SweepTask&, std::size_t begin, std::size_t end);
   Sweep verlet, gear;
+  /// Forces of bonds begin .. end-1. True if some need a closer look.
+  using BondLoop = bool (*)(const BondTask&, std::size_t begin, std::size_t end);
+  BondLoop bonds;
 };
 
 extern const Kernel portable_kernel, avx2_kernel, avx512_kernel;

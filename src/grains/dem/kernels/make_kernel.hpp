@@ -1,6 +1,7 @@
 #pragma once
 #include <utility>
 
+#include "grains/dem/kernels/bond_loop.hpp"
 #include "grains/dem/kernels/pair_loop.hpp"
 #include "grains/dem/kernels/sweep.hpp"
 
@@ -15,7 +16,7 @@ template <int W, std::size_t... Q> constexpr std::array<Kernel::PairLoop, law_tr
 
 /// All loops for W contacts or disks at a time.
 template <int W> constexpr Kernel make_kernel(const char* name) {
-  return {name, pair_loops<W>(std::make_index_sequence<law_triples>{}), sweep<W, VerletBatch>, sweep<W, GearBatch>};
+  return {name, pair_loops<W>(std::make_index_sequence<law_triples>{}), sweep<W, VerletBatch>, sweep<W, GearBatch>, bond_loop<W>};
 }
 
 }  // namespace arenite::dem

@@ -7,10 +7,12 @@
 
 namespace arenite::dem {
 
-/// A bond's section and its stiffness against its three strains.
+/// What a bond's forces and stresses follow from: its stiffness against its three strains, 1 over its section and section modulus, and what pressure
+/// adds to its shear strength.
 struct Beam {
-  double area = 0, section_modulus = 0;       ///< m^2, m^3
   double normal = 0, shear = 0, bending = 0;  ///< N/m, N/m, N m/rad
+  double per_area = 0, per_section = 0;       ///< 1/m^2, 1/m^3
+  double friction = 0;                        ///< tan(phi)
 };
 
 /// How a bond is strained: longer than it was made, the ways of both grains' surfaces across it, and the turn of i against j.
@@ -73,7 +75,7 @@ struct ParallelBond {
 
   Beam beam(double length, double radius, double thickness) const {
     const double half = width * radius, area = 2 * half * thickness, normal = modulus * area / length;
-    return {area, area * half / 3, normal, normal / stiffness_ratio, normal * half * half / 3};
+    return {normal, normal / stiffness_ratio, normal * half * half / 3, 1 / area, 3 / (area * half), std::tan(friction_angle)};
   }
   BeamForce elastic(const Beam& beam, const BeamStrain& strain) const {
     return {beam.normal * strain.stretch, beam.shear * strain.shear, beam.bending * strain.bending};
@@ -82,10 +84,9 @@ struct ParallelBond {
     return 0.5 * (beam.normal * s.stretch * s.stretch + beam.shear * s.shear * s.shear + beam.bending * s.bending * s.bending);
   }
   BeamLoad load(const Beam& beam, const BeamForce& force) const {
-    const double mean = force.tension / beam.area, bent = std::abs(force.moment) / beam.section_modulus;
-    const double strength = cohesion + std::tan(friction_angle) * lane::max(-mean, 0.0);
+    const double mean = force.tension * beam.per_area, bent = std::abs(force.moment) * beam.per_section;
     const BeamLoad pull{(mean + bent) / tensile_strength, mean > bent ? BondBreak::tension : BondBreak::bending};
-    const BeamLoad across{std::abs(force.shear) / (beam.area * strength), BondBreak::shear};
+    const BeamLoad across{std::abs(force.shear) * beam.per_area / (cohesion + beam.friction * lane::max(-mean, 0.0)), BondBreak::shear};
     return pull.share >= across.share ? pull : across;
   }
 };

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "grains/dem/engine.hpp"
+#include "grains/dem/run_stage.hpp"
 #include "grains/dem/setup.hpp"
 #include "unit/grains/dem/samples.hpp"
 
@@ -226,6 +227,47 @@ TEST(Bonds, SameBitsOnTwoThreadsAndRestored) {
     c.advance(7);
     ASSERT_EQ(a.state_hash(), c.state_hash()) << n;
   }
+}
+
+TEST(Bonds, OfAStageAreToldInHistoryStatesAndOutcome) {
+  ContactParameters contact = cemented(5e7);
+  contact.friction = 0.5;
+  Engine engine(testing::crowd(20, 20, 6, 0.0122), contact, {});
+  Stage stage;
+  stage.bond = true;
+  stage.side[right] = {SideDrive::Kind::velocity, 0.5};
+  stage.duration = 3e-3;
+  StageRun run = begin_stage(engine, stage);
+  while (!run.finished) continue_stage(engine, stage, run);
+  const auto column = [&](const std::string& name) {
+    for (const auto& c : run.result.history.columns)
+      if (c.name == name) return c.values;
+    return std::vector<double>{};
+  };
+  const BondCount count = engine.bond_count();
+  ASSERT_GT(count.made() - count.intact, 10u);
+  EXPECT_NE(run.result.outcome.find("bonds broken"), std::string::npos);
+  EXPECT_EQ(column("bonds").size(), column("time").size());
+  EXPECT_EQ(column("bonds").back() + column("broken_in_tension").back() + column("broken_in_bending").back() + column("broken_in_shear").back(),
+            static_cast<double>(count.made()));
+  const Packing& end = run.result.frames.back().packing;
+  ASSERT_EQ(end.bonds.size(), count.made());
+  double energy = 0;
+  std::size_t broken = 0;
+  for (const Bond& bond : end.bonds) {
+    if (bond.broken == BondBreak::none) {
+      energy += bond.energy;
+      EXPECT_LT(bond.load, 1);
+      continue;
+    }
+    ++broken;
+    EXPECT_GE(bond.load, 1);
+    EXPECT_EQ(bond.fn, 0);
+    EXPECT_GT(bond.time, 0);
+    EXPECT_GT(bond.place.x, 0);
+  }
+  EXPECT_EQ(broken, count.made() - count.intact);
+  EXPECT_NEAR(energy, count.energy, 1e-12 * energy);
 }
 
 TEST(Bonds, AreHandedOnWithThePacking) {

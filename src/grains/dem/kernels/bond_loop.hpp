@@ -1,0 +1,83 @@
+#pragma once
+#include "grains/dem/kernels/kernel.hpp"
+#include "grains/dem/kernels/pack.hpp"
+#include "grains/dem/sample.hpp"
+
+namespace arenite::dem {
+
+/// The arc sine, to the last bit where |sine| < 0.15.
+template <int W> ARENITE_INLINE Pack<W> small_angle(Pack<W> sine) {
+  constexpr double terms[] = {135135.0 / 9676800, 10395.0 / 599040, 945.0 / 42240, 105.0 / 3456, 15.0 / 336, 3.0 / 40, 1.0 / 6, 1.0};
+  const Pack<W> q = sine * sine;
+  Pack<W> sum(2027025.0 / 175472640);
+  for (const double term : terms) sum = sum * q + Pack<W>(term);
+  return sine * sum;
+}
+
+template <int W> ARENITE_INLINE Pack<W> picked_numbers(const double* values, const std::int32_t* index) {
+  Pack<W> numbers;
+  for (int k = 0; k < W; ++k) numbers.raw[k] = values[index[k]];
+  return numbers;
+}
+
+/// Forces of W bonds from p on; the same as beam_motion and beam_slot_force say of one. Notes which need a closer look: those that may break, and
+/// those that have turned far since the list was built.
+template <int W, bool damped> ARENITE_INLINE bool bond_batch(const BondTask& t, std::size_t p) {
+  using V = Pack<W>;
+  const auto column = [&](BondColumn which) { return V::load(t.column[which] + p); };
+  const std::int32_t *i = t.i + p, *j = t.j + p;
+  const V zero(0.0), one(1.0);
+  V xi, yi, xj, yj;
+  gather<W>([=](int k) { return &t.record[i[k]].x; }, xi, yi);
+  gather<W>([=](int k) { return &t.record[j[k]].x; }, xj, yj);
+  const V dx = xi - xj - column(beam_image_x), dy = yi - yj - column(beam_image_y);
+  const V squared = dx * dx + dy * dy, distance = sqrt(squared), inverse = distance * (one / squared);
+  const V nx = inverse * dx, ny = inverse * dy, nx0 = column(beam_nx), ny0 = column(beam_ny);
+  const V sine = nx0 * ny - ny0 * nx, cosine = nx0 * nx + ny0 * ny, turned = small_angle(sine);
+  const V turn_i = picked_numbers<W>(t.angle, i) - column(beam_angle_i) - turned, turn_j = picked_numbers<W>(t.angle, j) - column(beam_angle_j) - turned;
+  const V length = column(beam_length), arm_i = column(beam_arm_i), arm_j = column(beam_arm_j);
+  V tension = column(beam_normal) * (distance - length), shear = column(beam_shear) * (arm_i * turn_i + arm_j * turn_j),
+    moment = column(beam_bending) * (turn_i - turn_j);
+
+  const V per_area = column(beam_per_area), mean = tension * per_area;
+  const V fibre = mean + max(moment, zero - moment) * column(beam_per_section), across = max(shear, zero - shear) * per_area;
+  const V shear_limit = column(beam_cohesion) + column(beam_friction) * max(zero - mean, zero);
+  const auto look = ~(fibre <= column(beam_tensile)) | ~(across <= shear_limit) | ~(max(sine, zero - sine) <= V(0.15)) | ~(cosine > zero);
+
+  if constexpr (damped) {
+    V vxi, vyi, vxj, vyj, wi, wj, spare;
+    gather<W>([=](int k) { return &t.record[i[k]].vx; }, vxi, vyi);
+    gather<W>([=](int k) { return &t.record[j[k]].vx; }, vxj, vyj);
+    gather<W>([=](int k) { return &t.record[i[k]].omega; }, wi, spare);
+    gather<W>([=](int k) { return &t.record[j[k]].omega; }, wj, spare);
+    const V ux = vxi - vxj - column(beam_image_vx), uy = vyi - vyj - column(beam_image_vy);
+    tension = tension + column(beam_normal_damping) * (ux * nx + uy * ny);
+    shear = shear + column(beam_shear_damping) * (arm_i * wi + arm_j * wj - length * ((uy * nx - ux * ny) * inverse));
+    moment = moment + column(beam_bending_damping) * (wi - wj);
+  }
+  const V along = shear * length * inverse;
+  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].fx; }, zero - tension * nx - along * ny, along * nx - tension * ny);
+  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_i; }, zero - shear * arm_i - moment, moment - shear * arm_j);
+  bool any = false;
+  for (int k = 0; k < W; ++k) {
+    t.look[p + static_cast<std::size_t>(k)] = look[k] != 0;
+    any |= look[k] != 0;
+  }
+  return any;
+}
+
+template <int W, bool damped> __attribute__((flatten)) bool bond_range(const BondTask& given, std::size_t begin, std::size_t end) {
+  const BondTask task = given;  // a copy that no store can reach stays in registers
+  bool any = false;
+  std::size_t p = begin;
+  for (; p + W <= end; p += W) any |= bond_batch<W, damped>(task, p);
+  for (; p < end; ++p) any |= bond_batch<1, damped>(task, p);
+  return any;
+}
+
+/// Bonds begin .. end-1. True if some need a closer look.
+template <int W> bool bond_loop(const BondTask& task, std::size_t begin, std::size_t end) {
+  return task.damped ? bond_range<W, true>(task, begin, end) : bond_range<W, false>(task, begin, end);
+}
+
+}  // namespace arenite::dem

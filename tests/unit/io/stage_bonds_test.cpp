@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "core/error.hpp"
+#include "io/disk/file.hpp"
+#include "io/results/results.hpp"
+
+namespace arenite::io {
+namespace {
+
+StageResult stage_with(std::vector<Bond> bonds) {
+  Frame frame;
+  frame.packing.materials = {{"glass", 2500, 1e6, 0}};
+  frame.packing.grains.resize(3);
+  frame.packing.grains.radius = {0.01, 0.01, 0.01};
+  frame.packing.bonds = std::move(bonds);
+  StageResult stage;
+  stage.name = "press";
+  stage.frames.push_back(frame);
+  return stage;
+}
+
+const Bond whole{0, 1, 0.02, {0.6, 0.8}, 0.1, -0.2, 5, -3, 0.01, 2e-3, 0.7, BondBreak::none, 0, {}};
+const Bond torn{1, 2, 0.021, {1, 0}, 0.3, 0.4, 0, 0, 0, 1e-3, 1.001, BondBreak::bending, 2.5, {0.5, 0.25}};
+
+std::filesystem::path file(const char* name) { return std::filesystem::path(::testing::TempDir()) / name; }
+
+void expect_same(const Bond& a, const Bond& b) {
+  EXPECT_EQ(a.i, b.i);
+  EXPECT_EQ(a.j, b.j);
+  EXPECT_EQ(a.broken, b.broken);
+  EXPECT_EQ(a.normal, b.normal);
+  EXPECT_EQ(a.place, b.place);
+  for (double Bond::*member : {&Bond::length, &Bond::angle_i, &Bond::angle_j, &Bond::fn, &Bond::ft, &Bond::moment, &Bond::energy, &Bond::load, &Bond::time})
+    EXPECT_EQ(a.*member, b.*member);
+}
+
+TEST(StageBonds, ComeBackAsTheyWere) {
+  const auto path = file("bonds.h5");
+  write_stage(path, stage_with({whole, torn}));
+  const StageResult read = read_stage(path);
+  ASSERT_EQ(read.frames[0].packing.bonds.size(), 2u);
+  expect_same(read.frames[0].packing.bonds[0], whole);
+  expect_same(read.frames[0].packing.bonds[1], torn);
+  std::filesystem::remove(path);
+}
+
+TEST(StageBonds, OfGrainsThatAreNotThereAreRefused) {
+  const auto path = file("no_grain.h5");
+  for (Bond wrong : {whole, torn}) {
+    wrong.j = wrong.i == 0 ? 0 : 3;
+    write_stage(path, stage_with({wrong}));
+    EXPECT_THROW(read_stage(path), InputError);
+  }
+  std::filesystem::remove(path);
+}
+
+TEST(StageBonds, LeaveNoTraceWhereThereAreNone) {
+  const auto path = file("no_bonds.h5");
+  write_stage(path, stage_with({}));
+  EXPECT_EQ(read_file(path.string()).find("bonds"), std::string::npos);
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace arenite::io
