@@ -17,7 +17,7 @@ std::string flow_text(const Numbers& numbers) {
                  {{"angle of repose", "/surface/angle_deg", "deg", "of the flanks in the last state, by the middle of their height"},
                   {"the same to the left", "/surface/left_angle_deg", "deg"},
                   {"the same to the right", "/surface/right_angle_deg", "deg"},
-                  {"mean angle", "/surface/mean_angle_deg", "deg", "over the stored states in which it only fluctuates"},
+                  {"mean angle", "/surface/mean_angle_deg", "deg", "over the second half of the states, where it only fluctuates"},
                   {"left end", "/surface/left_m", "m"},
                   {"right end", "/surface/right_m", "m"},
                   {"highest grain", "/surface/top_m", "m"},

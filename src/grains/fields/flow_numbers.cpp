@@ -7,7 +7,6 @@
 
 #include "grains/fields/discharge.hpp"
 #include "grains/fields/free_surface.hpp"
-#include "grains/fields/steady_state.hpp"
 
 namespace arenite::fields {
 namespace {
@@ -41,15 +40,19 @@ bool has_free_surface(const dem::Stage& stage) {
          std::none_of(stage.side.begin(), stage.side.end(), [](const auto& side) { return side.kind == Kind::force || side.kind == Kind::pressure; });
 }
 
-/// Mean angle of the states in which it only fluctuates: of a drum that turns, say.
+/// Mean angle over the second half of the states, of a drum that turns, say; nothing where it still changes, or stands still. Errors by the scatter of
+/// states, which lie far apart in time.
 void put_mean_angle(Numbers& j, const StageResult& result, Vec2 gravity) {
   std::vector<double> angles;
-  for (const Frame& frame : result.frames)
-    if (const double angle = find_free_surface(frame.packing, gravity).angle.value; std::isfinite(angle)) angles.push_back(angle);
-  const auto steady = find_steady_state(angles, {1, 0.5});
-  if (!steady.reached) return;
-  j["mean_angle_deg"] = estimate(steady.mean.value, steady.mean.error, degrees);
-  j["states_in_mean"] = steady.count;
+  for (std::size_t k = result.frames.size() / 2; k < result.frames.size(); ++k)
+    if (const double angle = find_free_surface(result.frames[k].packing, gravity).angle.value; std::isfinite(angle)) angles.push_back(angle);
+  if (angles.size() < 6) return;
+  const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
+  const statistics::Measured all = statistics::mean_of(angles), one = statistics::mean_of({angles.begin(), middle}),
+                             two = statistics::mean_of({middle, angles.end()});
+  if (!(all.error > 0) || !(std::abs(one.value - two.value) < 3 * std::hypot(one.error, two.error))) return;
+  j["mean_angle_deg"] = estimate(all.value, all.error, degrees);
+  j["states_in_mean"] = angles.size();
 }
 
 /// Way of the farther front, and beside the column that was there before. A front of grains is known to half a grain.
