@@ -44,15 +44,21 @@ void at_rest(benchmark::State& state, const Packing& (*packing)(), dem::Integrat
   measure(state, engine, 2'000'000 / static_cast<std::int64_t>(engine.grain_count()), [] {});
 }
 
-/// Springs of friction and rolling resistance at every contact, as LAMMPS's granular style with linear_history and sds has them.
-void rolling(benchmark::State& state, dem::IntegratorKind integrator) {
+/// Springs of friction and rolling resistance at every contact, as LAMMPS's granular style with linear_history and sds has them; and bonds besides.
+void rolling(benchmark::State& state, dem::IntegratorKind integrator, bool bonded) {
   dem::ContactParameters contact = bench::contact_parameters();
   contact.friction_law = dem::CundallStrack{};
   contact.rolling = dem::ElasticPlasticRolling{0.1};
   dem::IntegrationParameters integration;
   integration.integrator = integrator;
   integration.safety = 0.05;
+  dem::ParallelBond bond;
+  bond.modulus = 1e8;
+  bond.tensile_strength = bond.cohesion = 1e30;
+  bond.gap = 0.05;
+  if (bonded) contact.bonds = bond;
   dem::Engine engine(bench::walls_4000(), contact, integration);
+  if (bonded) engine.make_bonds();
   measure(state, engine, 500, [] {});
 }
 
@@ -77,8 +83,9 @@ ARENITE_CASE("periodic_100000/verlet", at_rest, e, bench::periodic_100000, verle
 ARENITE_CASE("periodic_100000/gear", at_rest, f, bench::periodic_100000, gear, 1);
 ARENITE_CASE("compaction_4000/verlet", compaction, g, verlet);
 ARENITE_CASE("compaction_4000/gear", compaction, h, gear);
-ARENITE_CASE("rolling_4000/verlet", rolling, i, verlet);
-ARENITE_CASE("rolling_4000/gear", rolling, j, gear);
+ARENITE_CASE("rolling_4000/verlet", rolling, i, verlet, false);
+ARENITE_CASE("rolling_4000/gear", rolling, j, gear, false);
+ARENITE_CASE("bonded_4000/verlet", rolling, k, verlet, true);
 
 }  // namespace
 
