@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "io/sample/sample.hpp"
+#include "model/shapes.hpp"
 #include "module.hpp"
 
 namespace arenite::python {
@@ -182,6 +184,29 @@ py::dict bonds_of(const Packing& packing) {
   return d;
 }
 
+py::array_t<double> rows_of_points(const std::vector<Vec2>& points) {
+  py::array_t<double> rows({points.size(), std::size_t{2}});
+  auto at = rows.mutable_unchecked<2>();
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    at(static_cast<py::ssize_t>(k), 0) = points[k].x;
+    at(static_cast<py::ssize_t>(k), 1) = points[k].y;
+  }
+  return rows;
+}
+
+py::array_t<double> levers_of(const Contacts& contacts) {
+  std::vector<Vec2> points;
+  for (std::size_t c = 0; c < contacts.size(); ++c) points.push_back(contacts.lever_i(c));
+  return rows_of_points(points);
+}
+
+/// One array a grain; of disks, too.
+py::list outlines_of(const Packing& packing) {
+  py::list all;
+  for (std::size_t g = 0; g < packing.grains.size(); ++g) all.append(rows_of_points(outline_of(packing.grains, g, 0.1)));
+  return all;
+}
+
 void bind_contacts(py::module_& m) {
   py::class_<Contacts> c(m, "Contacts",
                          "Contacts, each once: arrays of one length. n points from grain j to grain i, t is n turned by +90 degrees, and the "
@@ -210,6 +235,9 @@ void bind_contacts(py::module_& m) {
       "Tangential velocity at the contact point, m/s; NaN where it is not known.");
   array_property(
       c, "glued", [](const Contacts& k) -> auto& { return k.glued; }, "1 where adhesion acts.");
+  c.def_property_readonly(
+      "points", [](const Contacts& k) { return levers_of(k); },
+      "Contact points from the centre of grain i, m, n x 2; off the normal through it where grains are no disks.");
 }
 
 void bind_grains(py::class_<Packing>& c) {
@@ -220,7 +248,7 @@ void bind_grains(py::class_<Packing>& c) {
   array_property(
       c, "y", [](const Packing& p) -> auto& { return p.grains.y; }, "Centres, m.");
   array_property(
-      c, "radius", [](const Packing& p) -> auto& { return p.grains.radius; }, "Radii, m.");
+      c, "radius", [](const Packing& p) -> auto& { return p.grains.radius; }, "Radii, m; of grains that are no disks those of the disks of their area.");
   array_property(
       c, "material", [](const Packing& p) -> auto& { return p.grains.material; }, "Place in `materials` of every grain, int32.");
   array_property(
@@ -271,6 +299,19 @@ void bind_packing(py::module_& m) {
       .def_property_readonly(
           "materials", [](const Packing& p) { return p.materials; }, "Those that `material` numbers.")
       .def_property_readonly("domain", &domain_of, "The frame: position (m), velocity (m/s) and force (N) of every wall, width, height, thickness (m).")
+      .def_property_readonly(
+          "are_disks", [](const Packing& p) { return p.grains.shapes.empty(); }, "Whether all grains are disks.")
+      .def("outlines", &outlines_of, "Points along the rim of every grain as it lies, m: a list of arrays n x 2, counter-clockwise, not closed.")
+      .def_property_readonly(
+          "gyration",
+          [](const Packing& p) {
+            const Grains& g = p.grains;
+            py::array_t<double> radii(static_cast<py::ssize_t>(g.size()));
+            for (std::size_t k = 0; k < g.size(); ++k)
+              radii.mutable_at(static_cast<py::ssize_t>(k)) = g.shapes.empty() ? g.radius[k] / std::numbers::sqrt2 : g.shapes.gyration[k];
+            return radii;
+          },
+          "Radius of gyration of every grain about its centre of mass, m.")
       .def("__repr__", [](const Packing& p) { return fmt::format("<arenite.Packing of {} grains and {} contacts>", p.grains.size(), p.contacts.size()); });
   bind_grains(packing);
 }

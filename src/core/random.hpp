@@ -16,6 +16,7 @@ enum class Purpose : std::uint32_t {
   sweep = 10,
   photograph = 11,
   bonds = 12,
+  orientation = 13,
   test = 99
 };
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "model/shapes.hpp"
+
 namespace arenite {
 
 std::size_t index_of(const Materials& materials, std::string_view name) {
@@ -32,6 +34,7 @@ Grains picked(const Grains& from, const std::vector<std::int32_t>& which, Vec2 o
     grains.x[k] = from.x[g] - origin.x;
     grains.y[k] = from.y[g] - origin.y;
     grains.angle[k] = from.angle[g];
+    if (!from.shapes.empty()) add_shape(grains.shapes, shape_of(from, g), from.shapes.gyration[g]);
   }
   return grains;
 }

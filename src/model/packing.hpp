@@ -25,17 +25,30 @@ using Materials = std::vector<Material>;
 /// Place of the material of that name; their number if there is none.
 std::size_t index_of(const Materials& materials, std::string_view name);
 
-/// Grains as a structure of arrays: cylinders of equal length seen end on, so disks. All arrays have one length. Index = position in these arrays =
-/// what Contacts refer to; `id` is the user's name for a grain.
+/// What grains are that are no single disks (shapes.hpp): rigid, of several disks each. Grain g has the disks first[g] to first[g + 1] - 1. Empty where
+/// all grains are disks; else a grain that is one has itself.
+struct Shapes {
+  std::vector<std::int32_t> first;   ///< by grain, and one more
+  std::vector<double> x, y;          ///< by disk: its place from the grain's centre of mass where the grain's angle is 0, m
+  std::vector<double> radius;        ///< by disk, m
+  std::vector<std::uint8_t> filled;  ///< by grain; 1: the convex polygon of its disks' centres, counter-clockwise, widened by their common radius
+  std::vector<double> gyration;      ///< by grain: radius of gyration about the centre of mass, m
+  bool empty() const { return first.empty(); }
+  bool operator==(const Shapes&) const = default;
+};
+
+/// Grains as a structure of arrays: cylinders of equal length seen end on, so disks unless `shapes` says otherwise. All arrays have one length.
+/// Index = position in these arrays = what Contacts refer to; `id` is the user's name for a grain.
 struct Grains {
   std::vector<std::int64_t> id;
-  std::vector<double> x, y;            ///< centre, m
-  std::vector<double> radius;          ///< m
+  std::vector<double> x, y;            ///< centre of mass, m
+  std::vector<double> radius;          ///< m; of a grain that is no disk that of the disk of its area
   std::vector<std::int32_t> material;  ///< index into Materials
   std::vector<double> angle;           ///< rotation since the start, rad, counter-clockwise
   std::vector<double> vx, vy;          ///< m/s
   std::vector<double> omega;           ///< rad/s
   std::vector<std::uint8_t> zone;      ///< 0: none; > 0: number of a region (1: glued agglomerate)
+  Shapes shapes;
 
   std::size_t size() const { return x.size(); }
   Vec2 centre(std::size_t i) const { return {x[i], y[i]}; }
@@ -105,15 +118,17 @@ struct Domain {
 
 /// Contacts as a structure of arrays, each physical contact once. A contact joins grain i with grain j, or with a wall: then j = wall_partner(side) <
 /// 0, which goes on behind the four sides with the elements of boundaries, boundary_partner(element). n points from j to i, t is n turned by +90 degrees, and the force on i is fn n + ft t (fn > 0 pushes apart); the force on j is the opposite.
-/// The contact point lies at x_i - arm_i n and, for two grains, at x_j + arm_j n, so the branch vector from j to i is (arm_i + arm_j) n.
+/// The contact point lies at x_i - arm_i n and, for two disks, at x_j + arm_j n, so the branch vector from j to i is (arm_i + arm_j) n. The arms of
+/// grains that are no disks begin off their centres, and two of them may meet in more than one contact.
 struct Contacts {
   std::vector<std::int32_t> i, j;
   std::vector<double> nx, ny;
-  std::vector<double> fn, ft;            ///< N
-  std::vector<double> arm_i, arm_j;      ///< m; arm_j = 0 for a wall
-  std::vector<double> overlap;           ///< h, m; NaN where the source of the data does not say
-  std::vector<double> sliding_velocity;  ///< v_s, m/s; NaN where unknown
-  std::vector<std::uint8_t> glued;       ///< 1 where adhesion acts
+  std::vector<double> fn, ft;                              ///< N
+  std::vector<double> arm_i, arm_j;                        ///< m; arm_j = 0 for a wall
+  std::vector<double> overlap;                             ///< h, m; NaN where the source of the data does not say
+  std::vector<double> sliding_velocity;                    ///< v_s, m/s; NaN where unknown
+  std::vector<std::uint8_t> glued;                         ///< 1 where adhesion acts
+  std::vector<double> off_i_x, off_i_y, off_j_x, off_j_y;  ///< from the centre to where the arm begins, m; empty where all grains are disks
 
   std::size_t size() const { return i.size(); }
   bool is_wall(std::size_t c) const { return j[c] < 0; }
@@ -122,6 +137,17 @@ struct Contacts {
   int element(std::size_t c) const { return -5 - j[c]; }  ///< of the boundary that the contact joins
   Vec2 normal(std::size_t c) const { return {nx[c], ny[c]}; }
   Vec2 force_on_i(std::size_t c) const { return {fn[c] * nx[c] - ft[c] * ny[c], fn[c] * ny[c] + ft[c] * nx[c]}; }
+  /// From the centre of grain i to the contact point; the same of grain j (0 for a wall), m.
+  Vec2 lever_i(std::size_t c) const {
+    const Vec2 arm = -arm_i[c] * normal(c);
+    return off_i_x.empty() ? arm : Vec2{off_i_x[c], off_i_y[c]} + arm;
+  }
+  Vec2 lever_j(std::size_t c) const {
+    const Vec2 arm = arm_j[c] * normal(c);
+    return off_j_x.empty() ? arm : Vec2{off_j_x[c], off_j_y[c]} + arm;
+  }
+  /// From the centre of grain i to that of grain j, or to the wall, m.
+  Vec2 branch(std::size_t c) const { return off_i_x.empty() ? -(arm_i[c] + arm_j[c]) * normal(c) : lever_i(c) - lever_j(c); }
   /// Adds one contact; overlap and sliding velocity unknown, not glued.
   void add(std::int32_t i, std::int32_t j, Vec2 normal, double fn, double ft, double arm_i, double arm_j);
 };

@@ -46,6 +46,7 @@ constexpr std::array later_lines{
     LaterLine{"contact", "rolling = \"none\""},
     LaterLine{"contact", "bonds = \"none\""},
     LaterLine{"stages.*", "bond = false"},
+    LaterLine{"populations.*", "shape = \"disk\""},
     LaterLine{"stages.*", "slide = { left = \"0 mm/s\", right = \"0 mm/s\", bottom = \"0 mm/s\", top = \"0 mm/s\" }"},
     LaterLine{"stages.*", "rough = { left = false, right = false, bottom = false, top = false }"},
     LaterLine{"stages.*", "shear_rate = \"0 1/s\""},

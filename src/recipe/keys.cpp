@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <variant>
 
 #include "core/problems.hpp"
 #include "core/units.hpp"
@@ -63,6 +65,7 @@ void declare(Visitor& v, Population& population, const Recipe& recipe) {
     inner.member({"law", "How diameters are drawn.", true}, size);
   });
   v.require(diameter.has_value() != has_law, {"size", "diameter"}, "give either diameter or size");
+  v.member({"shape", "What a grain is; diameters of grains that are no disks are those of the disks of their area."}, population.shape);
   const double width = recipe.container.width, largest = std::visit([](const auto&law) { return law.largest(); }, size);
   v.require(width <= 0 || largest <= width, {"diameter", "size"},
             fmt::format("the largest grain ({}) is wider than the container ({})", format_quantity(largest, "mm"), format_quantity(width, "mm")));
@@ -142,6 +145,25 @@ void require_grains(Visitor& v, const Recipe& recipe) {
             fmt::format("populations with a ratio share packing.grains less the {} counted grains; set it higher", counted));
 }
 
+/// What only disks can be part of.
+void require_movable_shapes(Visitor& v, const Recipe& recipe) {
+  using packing::PolygonShape;
+  const auto any = [&](auto is_meant) {
+    return std::any_of(recipe.populations.begin(), recipe.populations.end(), [&](const auto& p) { return is_meant(p.shape); });
+  };
+  const bool disks = !any([](const auto& shape) { return !std::holds_alternative<packing::DiskShape>(shape); });
+  const bool polygons = any([](const auto& shape) { return std::holds_alternative<PolygonShape>(shape); });
+  const bool rough = std::any_of(recipe.stages.begin(), recipe.stages.end(), [](const Stage& stage) { return stage.rough != std::array<bool, 4>{}; });
+  v.require(disks || !recipe.has_field(), {"populations", "cement"},
+            "grains that are no disks cannot be cemented and loaded as a field; leave out [cement], [grid] and [[loads]]");
+  v.require(disks || recipe.integration.integrator != dem::IntegratorKind::gear5, {"populations", "integration"},
+            "grains that are no disks need integration.integrator = \"velocity_verlet\" or \"leapfrog\"");
+  v.require(disks || !recipe.contact.has_bonds(), {"populations", "contact"}, "bonds join disks only; leave contact.bonds at \"none\"");
+  v.require(disks || !rough, {"populations", "stages"}, "rough walls hold disks only; take smooth walls with friction for clumps and polygons");
+  v.require(!polygons || recipe.boundaries.empty(), {"populations", "boundaries"},
+            "boundaries beside the walls do not know polygons yet; take shape = \"clump\"");
+}
+
 }  // namespace
 
 void declare(ParameterVisitor& v, Recipe& recipe) {
@@ -167,6 +189,7 @@ void declare(ParameterVisitor& v, Recipe& recipe) {
   v.list<Stage>({"stages", "Loading, stage after stage; each starts where the one before ended.", true}, recipe.stages,
                 [&](Visitor& inner, Stage& stage) { declare(inner, stage, recipe); });
   declare_second_road(v, recipe);
+  require_movable_shapes(v, recipe);
 }
 
 }  // namespace arenite::recipe

@@ -30,7 +30,7 @@ Recipe composite() {
   recipe.container.width = 0.35;
   recipe.container.thickness = 0.06;
   recipe.materials = {{"HDPE", 950, 6.43e6, 0.0258e-6}, {"POM", 1410, 27.35e6, 0.0150e-6}};
-  recipe.populations = {{"POM", 334, {}, {}}, {"HDPE", 371, {}, {}}};
+  recipe.populations = {{"POM", 334, {}, {}, {}}, {"HDPE", 371, {}, {}, {}}};
   recipe.populations[0].size = packing::FixedSize{0.0164};
   recipe.populations[1].size = packing::FixedSize{0.0105};
   recipe.contact.friction_law = dem::CundallStrack{};

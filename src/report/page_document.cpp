@@ -12,6 +12,8 @@
 #include "report/packing_layers.hpp"
 #include "report/test_curves.hpp"
 
+#include "model/shapes.hpp"
+
 namespace arenite::report {
 namespace {
 
@@ -38,13 +40,30 @@ Numbers materials_of(const Materials& materials) {
   return list;
 }
 
+/// Rims of grains that are no disks, from their centres where their angles are 0: those of grain g are points first[g] to first[g + 1] - 1.
+Numbers shapes_of(Grains grains, NumberBlock& block) {
+  grains.angle.assign(grains.size(), 0.0);
+  std::vector<std::uint32_t> first{0};
+  std::vector<double> x, y;
+  for (std::size_t g = 0; g < grains.size(); ++g) {
+    for (const Vec2& p : outline_of(grains, g, 0.3)) {
+      x.push_back(p.x - grains.x[g]);
+      y.push_back(p.y - grains.y[g]);
+    }
+    first.push_back(static_cast<std::uint32_t>(x.size()));
+  }
+  return {{"first", block.add_indices(first)}, {"x", block.add_reals(x)}, {"y", block.add_reals(y)}};
+}
+
 Numbers grains_of(const Grains& grains, NumberBlock& block) {
   const std::vector<std::int32_t> ids(grains.id.begin(), grains.id.end());
-  return {{"count", grains.size()},
-          {"id", block.add_integers(ids)},
-          {"radius", block.add_reals(grains.radius)},
-          {"material", block.add_indices(unsigned_copy(grains.material))},
-          {"zone", block.add_indices(unsigned_copy(grains.zone))}};
+  Numbers out = {{"count", grains.size()},
+                 {"id", block.add_integers(ids)},
+                 {"radius", block.add_reals(grains.radius)},
+                 {"material", block.add_indices(unsigned_copy(grains.material))},
+                 {"zone", block.add_indices(unsigned_copy(grains.zone))}};
+  if (!grains.shapes.empty()) out["shapes"] = shapes_of(grains, block);
+  return out;
 }
 
 /// What the page knows of every grain in a state: pressure p = -sigma_hyd and deviator q of its stress, Pa (half the sum and half the difference

@@ -140,6 +140,9 @@ void add_fabric(TextLines& rows, const texture::Texture& t) {
   add(rows, "solid fraction", t.solid_fraction, "", "area of grains over area of the sample");
   if (const auto* z = texture::find(t.coordination.mean, "all")) add(rows, "coordination z", *z, "", "contacts of a grain with others");
   if (const auto* z = texture::find(t.coordination.mean, "all without rattlers")) add(rows, "z without rattlers", *z, "", "of grains that carry force");
+  if (const auto* z = texture::find(t.coordination.mean, "all, neighbours"))
+    add(rows, "touching neighbours", *z, "", "grains that a grain touches, in one contact or more");
+  if (t.long_axes.grains > 0) add(rows, "order of long axes", t.long_axes.order, "", fmt::format("0: at random; random ones give {:.2g}", t.long_axes.noise));
   add(rows, "rattlers", t.coordination.rattlers, "", "share of grains with fewer than two contacts that carry force");
   if (const auto* all = texture::find(t.fabric, "all"))
     add(rows, "contact anisotropy a_c", all->a_c, "", fmt::format("0: contacts in all directions alike; random ones give {:.2g}", all->noise));

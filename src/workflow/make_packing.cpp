@@ -1,6 +1,10 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 #include "grains/packing/bidisperse.hpp"
@@ -43,6 +47,32 @@ std::string describe(const packing::RelaxReport& report) {
                      1e3 * report.largest_move, 100 * report.overlap_after);
 }
 
+/// While it lives, the grains are the circles around them, so that they may be put anywhere at any angle.
+class Circles {
+ public:
+  explicit Circles(Grains& grains) : grains_(grains), own_(packing::circle_radii(grains)) { std::swap(grains_.radius, own_); }
+  ~Circles() { std::swap(grains_.radius, own_); }
+  Circles(const Circles&) = delete;
+  Circles& operator=(const Circles&) = delete;
+
+  /// Throws InputError where grains that are no disks get no room to be put down.
+  void check_room(const Domain& domain) const {
+    constexpr double most = 0.8;
+    double around = 0, within = 0;
+    for (const double r : grains_.radius) around += std::numbers::pi * r * r / domain.area();
+    for (const double r : own_) within += std::numbers::pi * r * r / domain.area();
+    if (!grains_.shapes.empty() && around > most)
+      throw InputError(
+          fmt::format("the circles around the grains cover {:.3g} of the container; start from a packing.solid_fraction of {:.2f} or less and let a "
+                      "loading stage compact it",
+                      around, std::floor(100 * within * most / around) / 100));
+  }
+
+ private:
+  Grains& grains_;
+  std::vector<double> own_;
+};
+
 std::string fill(const recipe::Recipe& recipe, Packing& packing) {
   auto& grains = packing.grains;
   packing.grains = packing::draw_grains(recipe.populations, recipe.materials, recipe.packing.grains, recipe.seed);
@@ -52,9 +82,12 @@ std::string fill(const recipe::Recipe& recipe, Packing& packing) {
   if (recipe.packing.method == Method::random) {
     if (!height_given) height = packing::height_for(grains, recipe.container.width, recipe.packing.solid_fraction);
     const Domain part = area_of(packing.domain, recipe.packing.area);
+    const Circles circles(grains);
+    circles.check_room(part);
     return "random filling, " + describe(packing::fill_at_random(grains, part, recipe.seed));
   }
   const Domain part = area_of(packing.domain, recipe.packing.area);
+  const Circles circles(grains);
   const double filled = packing::fill_lattice(grains, part), room = part.height();
   if (!height_given) height = filled;
   else if (filled > room * (1 + 1e-12))

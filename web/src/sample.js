@@ -17,6 +17,7 @@ export class Sample {
     this.count = about.grains?.count ?? 0;
     if (about.grains)
       for (const name of ["id", "radius", "material", "zone"]) this[name] = this.#array(about.grains[name]);
+    if (about.grains?.shapes) this.shapes = Object.fromEntries(["first", "x", "y"].map((name) => [name, this.#array(about.grains.shapes[name])]));
     this.types = contactTypes(this.materials);
     this.meanRadius = this.count ? this.radius.reduce((sum, r) => sum + r, 0) / this.count : 1;
     this.materialCounts = this.materials.map((_, m) => (this.count ? this.material.reduce((sum, other) => sum + (other === m), 0) : 0));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/integrators/integrators.hpp"
@@ -121,6 +122,7 @@ void compute_forces(Sample& s, const Team& team) {
     evaluate(s, team, normal, adhesion, friction);
   });
   add_rolling_moments(s, team);
+  if (!s.foot.empty()) take_reactions_to_owners(s, team);
   add_bond_forces(s, team);
   sum_wall_forces(s);
   sum_boundary_forces(s);
@@ -131,9 +133,9 @@ namespace {
 /// Vector from j (or the plane of the wall) to i.
 Vec2 branch_of(const Sample& s, std::size_t slot) {
   const std::int32_t j = s.list.j[slot];
-  if (j < 0) return slot_kinematics(s, slot).branch;
+  if (j < 0) return between_centres(s, slot, slot_kinematics(s, slot).branch);
   const DiskRecord &a = s.record[static_cast<std::size_t>(s.list.i[slot])], &b = s.record[static_cast<std::size_t>(j)];
-  return {a.x - b.x, a.y - b.y};
+  return between_centres(s, slot, {a.x - b.x, a.y - b.y});
 }
 
 /// Sum over all contacts and bonds of force times branch; by blocks of slots, so that it does not depend on the number of threads.

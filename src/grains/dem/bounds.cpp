@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/integrators/integrators.hpp"
@@ -73,6 +74,22 @@ Rates lattice_rates(const Sample& s, const DiskRecord& d, double overlap) {
           std::max(normal_damping, turning * sliding_damping(s, c.viscosity) + 24.0 * rolling.damping) / d.mass};
 }
 
+/// The same for a body in a crowd of its like. Translation and
+/// rotation may act together.
+Rates crowded_rates(const Sample& s, const Body& b, double overlap) {
+  const DiskRecord& d = s.record[static_cast<std::size_t>(s.part_disk[static_cast<std::size_t>(b.first)])];
+  const Coefficients c = s.coefficients.pair(d.material, d.material, d.mass, d.mass, d.radius, d.radius, false);
+  const double k = tangent_stiffness(s, overlap, c.stiffness), normal_damping = damping_factor(s, overlap) * c.damping;
+  const double along = stiffness_ratio(s) * k, sliding = sliding_damping(s, c.viscosity);
+  const Crowd crowd = crowd_around(s, b);
+  const Rolling rolling = rolling_of(s, d, c);
+  const double turning = s.integration.rotations ? 2.0 / b.inertia() : 0.0, area = crowd.contacts * d.radius * d.radius;
+  const auto rate = [&](double normal, double tangential, double roll) {
+    return crowd.contacts * (normal + tangential) / b.mass + turning * (normal * crowd.normal_levers + tangential * crowd.tangential_levers + roll * area);
+  };
+  return {rate(k, along, rolling.stiffness), rate(normal_damping, sliding, rolling.damping)};
+}
+
 /// Rates of one contact's springs or dashpots along n and t.
 struct Pull {
   std::size_t slot;
@@ -83,34 +100,37 @@ struct Pull {
 /// Largest eigenvalue of M^-1 sum over contacts of (along_n n n + along_t t t), rotations included, by power iteration. It starts from all grains
 /// turning alike, which in a dense packing is close to the fastest mode.
 double largest_rate(const Sample& s, const std::vector<Pull>& pulls) {
-  const std::size_t n = s.count;
+  const std::vector<Mover> movers = movers_of(s);
+  const std::size_t n = movers.size();
   std::vector<double> v(3 * n), w(3 * n);
   for (std::size_t k = 0; k < n; ++k) {
     v[3 * k] = k % 2 == 0 ? 0.3 : -0.2;
     v[3 * k + 1] = k % 3 == 0 ? -0.25 : 0.15;
-    v[3 * k + 2] = s.integration.rotations ? 1.0 / s.record[k].radius : 0.0;
+    v[3 * k + 2] = s.integration.rotations ? 1.0 / movers[k].size : 0.0;
   }
   double rate = 0;
   for (int round = 0; round < 100; ++round) {
     double size = 0;  // v M v, then v scaled to 1
     for (std::size_t k = 0; k < n; ++k) {
-      const DiskRecord& d = s.record[k];
-      size += d.mass * (v[3 * k] * v[3 * k] + v[3 * k + 1] * v[3 * k + 1]) + inertia(d) * v[3 * k + 2] * v[3 * k + 2];
+      const Mover& d = movers[k];
+      size += d.mass * (v[3 * k] * v[3 * k] + v[3 * k + 1] * v[3 * k + 1]) + d.inertia * v[3 * k + 2] * v[3 * k + 2];
     }
     if (!(size > 0)) return 0;
     for (double& q : v) q /= std::sqrt(size);
     std::fill(w.begin(), w.end(), 0.0);
     double power = 0;
     for (const Pull& p : pulls) {
-      const auto i = 3 * static_cast<std::size_t>(s.list.i[p.slot]);
+      const std::size_t i = 3 * moving(s, s.list.i[p.slot]);
       const bool wall = s.list.j[p.slot] < 0;
-      const auto j = wall ? i : 3 * static_cast<std::size_t>(s.list.owner[p.slot]);
+      const std::size_t j = wall ? i : 3 * moving(s, s.list.owner[p.slot]);
       const Vec2 normal = p.at.normal, t = perpendicular(normal);
       Vec2 u{v[i], v[i + 1]};
       double slide = -v[i + 2] * p.at.arm_i;
+      if (!s.part.empty()) u += v[i + 2] * perpendicular(lever_of(s, static_cast<std::size_t>(s.list.i[p.slot])));
       if (!wall) {
         u -= {v[j], v[j + 1]};
         slide -= v[j + 2] * p.at.arm_j;
+        if (!s.part.empty()) u -= v[j + 2] * perpendicular(partner_lever(s, p.slot));
       }
       const double fn = p.along_n * dot(u, normal), ft = p.along_t * (dot(u, t) + slide);
       power += fn * dot(u, normal) + ft * (dot(u, t) + slide);
@@ -118,16 +138,18 @@ double largest_rate(const Sample& s, const std::vector<Pull>& pulls) {
       w[i] += f.x;
       w[i + 1] += f.y;
       w[i + 2] -= p.at.arm_i * ft;
+      if (!s.part.empty()) w[i + 2] += cross(lever_of(s, static_cast<std::size_t>(s.list.i[p.slot])), f);
       if (wall) continue;
       w[j] -= f.x;
       w[j + 1] -= f.y;
       w[j + 2] -= p.at.arm_j * ft;
+      if (!s.part.empty()) w[j + 2] -= cross(partner_lever(s, p.slot), f);
     }
     rate = power;
     for (std::size_t k = 0; k < n; ++k) {
-      v[3 * k] = w[3 * k] / s.record[k].mass;
-      v[3 * k + 1] = w[3 * k + 1] / s.record[k].mass;
-      v[3 * k + 2] = s.integration.rotations ? w[3 * k + 2] / inertia(s.record[k]) : 0.0;
+      v[3 * k] = w[3 * k] / movers[k].mass;
+      v[3 * k + 1] = w[3 * k + 1] / movers[k].mass;
+      v[3 * k + 2] = s.integration.rotations ? w[3 * k + 2] / movers[k].inertia : 0.0;
     }
   }
   return rate;
@@ -159,9 +181,16 @@ double shortest_contact_time(const Sample& s) {
   double shortest = shortest_bond_time(s);
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];
+    if (is_part(s, k)) continue;
     const double pair = 0.5 * d.mass / tangent_stiffness(s, overlap, s.coefficients.pair_stiffness(d.material, d.material));
     const double wall = d.mass / tangent_stiffness(s, overlap, s.coefficients.wall_stiffness(d.material));
     shortest = std::min(shortest, std::numbers::pi * std::sqrt(std::min(pair, wall)));
+  }
+  for (const Body& b : s.body) {
+    const auto& d = s.record[static_cast<std::size_t>(s.part_disk[static_cast<std::size_t>(b.first)])];
+    const double pair = 0.5 / tangent_stiffness(s, overlap, s.coefficients.pair_stiffness(d.material, d.material));
+    const double wall = 1 / tangent_stiffness(s, overlap, s.coefficients.wall_stiffness(d.material));
+    shortest = std::min(shortest, std::numbers::pi * std::sqrt(lightest_mass(s, b) * std::min(pair, wall)));
   }
   return shortest;
 }
@@ -169,8 +198,9 @@ double shortest_contact_time(const Sample& s) {
 StepBounds step_bounds(const Sample& s) {
   Rates r = network_rates(s);
   const double overlap = reference_overlap(s);
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const Rates grain = lattice_rates(s, s.record[k], overlap);
+  for (std::size_t k = 0; k < s.count + s.body.size(); ++k) {
+    if (k < s.count && is_part(s, k)) continue;
+    const Rates grain = k < s.count ? lattice_rates(s, s.record[k], overlap) : crowded_rates(s, s.body[k - s.count], overlap);
     r.frequency_squared = std::max(r.frequency_squared, grain.frequency_squared);
     r.damping = std::max(r.damping, grain.damping);
   }
@@ -185,62 +215,6 @@ StepBounds step_bounds(const Sample& s) {
   bounds.stiffness = margin * scheme.undamped / omega;
   bounds.damping = margin * 2.0 / (q * lambda + std::sqrt(q * q * lambda * lambda + 4 * p * omega * omega));
   return bounds;
-}
-
-double own_mass(const Sample& s, std::size_t k) {
-  const Grains& g = s.start.grains;
-  const auto grain = static_cast<std::size_t>(s.record[k].grain);
-  const double r = g.radius[grain];
-  return s.start.materials[static_cast<std::size_t>(g.material[grain])].density * std::numbers::pi * r * r * s.domain.thickness;
-}
-
-namespace {
-
-double stiffness_of(const Sample& s, const DiskRecord& d) { return s.coefficients.pair_stiffness(d.material, d.material); }
-
-/// Dashpots of the listed contacts, from the present masses.
-void renew_dashpots(Sample& s) {
-  ContactList& list = s.list;
-  for (std::size_t p = 0; p < list.size(); ++p) {
-    const DiskRecord& a = s.record[static_cast<std::size_t>(list.i[p])];
-    Coefficients c;
-    if (list.j[p] < 0) {
-      c = s.coefficients.wall(a.material, a.mass);
-    } else {
-      const DiskRecord& b = s.record[static_cast<std::size_t>(list.owner[p])];
-      c = s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius, is_glued(s, a.grain, b.grain));
-    }
-    list.damping[p] = c.damping;
-    list.viscosity[p] = c.viscosity;
-  }
-  renew_bond_dashpots(s);
-}
-
-}  // namespace
-
-void give_masses(Sample& s, MassScaling masses) {
-  s.mass_scaling = masses;
-  double fastest = 0;
-  for (std::size_t k = 0; k < s.count; ++k) {
-    s.record[k].mass = own_mass(s, k);
-    fastest = std::max(fastest, stiffness_of(s, s.record[k]) / s.record[k].mass);
-  }
-  if (masses == MassScaling::uniform)
-    for (std::size_t k = 0; k < s.count; ++k) s.record[k].mass = stiffness_of(s, s.record[k]) / fastest;
-  renew_dashpots(s);
-  tune_servo(s);
-}
-
-void make_heavy_enough(Sample& s) {
-  if (s.mass_scaling != MassScaling::uniform) return;
-  constexpr int rounds = 10;  // one does, unless drag counts: the longest step grows as the root of the mass
-  for (int round = 0; round < rounds; ++round) {
-    const double short_by = s.dt / step_bounds(s).largest();
-    if (short_by <= 1) return;
-    for (std::size_t k = 0; k < s.count; ++k) s.record[k].mass *= 1.002 * short_by * short_by;
-    renew_dashpots(s);
-    tune_servo(s);
-  }
 }
 
 }  // namespace arenite::dem

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "geometry/cell_grid.hpp"
+#include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/neighbours.hpp"
@@ -69,6 +70,7 @@ std::vector<Found> find_partners(const Sample& s, const Team& team) {
         const auto& a = s.record[k];
         find_near_disks(s, grid, inner, k, partner);
         if (!s.ghost.empty() && (a.x > right_zone || a.y > upper_zone)) find_near_ghosts(s, grid, images, k, partner);
+        if (!s.part.empty()) drop_own_disks(s, k, partner, before);
         count.push_back(static_cast<std::int32_t>(partner.size() - before));
       }
     }
@@ -110,6 +112,24 @@ void list_pairs(Sample& s, const Team& team) {
   team.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t block = begin; block < end; ++block) fill_block(s, block, blocks[block], first[block]);
   });
+}
+
+/// Slots of disks that may touch polygons, behind those of pairs of disks.
+void list_feet(Sample& s, const Team& team) {
+  s.foot = find_feet(s, team);
+  ContactList& list = s.list;
+  const std::size_t ghosts = s.ghost.size();
+  for (const Foot& foot : s.foot) {
+    const auto owner = s.part_disk[static_cast<std::size_t>(s.body[static_cast<std::size_t>(foot.body)].first)];
+    const auto &a = s.record[static_cast<std::size_t>(foot.disk)], &b = s.record[static_cast<std::size_t>(owner)];
+    s.ghost.push_back({owner, foot.shift_x, foot.shift_y});
+    list.resize(list.size() + 1);
+    fill_slot(list, list.size() - 1, static_cast<std::size_t>(foot.disk), static_cast<std::int32_t>(s.count + s.ghost.size() - 1), owner,
+              s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius, false));
+  }
+  list.pairs += s.ghost.size() - ghosts;
+  s.record.resize(s.count + s.ghost.size());
+  refresh_feet(s);
 }
 
 /// Slots of walls and boundaries.
@@ -169,8 +189,10 @@ void group_slots(Sample& s) {
 }  // namespace
 
 void list_contacts(Sample& s, const Team& team) {
+  number_parts(s);
   make_ghosts(s);
   list_pairs(s, team);
+  if (!s.body.empty()) list_feet(s, team);
   list_walls(s);
   list_bonds(s);
   group_slots(s);
@@ -185,6 +207,7 @@ void list_contacts(Sample& s, const Team& team) {
 /// Images to the right and above only: every pair across an edge then occurs once, as (disk, ghost).
 void make_ghosts(Sample& s) {
   s.ghost.clear();
+  s.foot.clear();
   s.record.resize(s.count);
   const double reach = reach_of(s);
   const auto& w = s.domain.wall;
@@ -205,7 +228,7 @@ void refresh_ghosts(Sample& s) {
   const double width = s.domain.width(), height = s.domain.height();
   const double stretch_x = s.domain.periodic_x ? s.domain.wall[right].velocity - s.domain.wall[left].velocity : 0;
   const double stretch_y = s.domain.periodic_y ? s.domain.wall[top].velocity - s.domain.wall[bottom].velocity : 0;
-  for (std::size_t g = 0; g < s.ghost.size(); ++g) {
+  for (std::size_t g = 0; g < s.ghost.size() - s.foot.size(); ++g) {
     const Ghost& ghost = s.ghost[g];
     DiskRecord& d = s.record[s.count + g];
     d = s.record[static_cast<std::size_t>(ghost.source)];
@@ -214,6 +237,7 @@ void refresh_ghosts(Sample& s) {
     d.vx += ghost.shift_x * stretch_x + ghost.shift_y * (s.domain.tilt * stretch_x / width + s.shear_rate * height);
     d.vy += ghost.shift_y * stretch_y;
   }
+  refresh_feet(s);
 }
 
 }  // namespace arenite::dem

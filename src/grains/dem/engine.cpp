@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/processor.hpp"
+#include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bounds.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/kernels/kernel.hpp"
@@ -52,7 +53,10 @@ void synchronise(Sample& s) {
     rate[side] = wall_rate(s, side);
     place[side] = wall_place(s, side);
   }
+  std::vector<Motion> moved;
+  for (const Body& b : s.body) moved.push_back(motion_of(s, b));
   for (std::size_t k = 0; k < s.count; ++k) {
+    if (is_part(s, k)) continue;
     const Motion v = motion_of(s, k);
     const Vec2 x = place_of(s, k);
     s.vx[k] = v.vx;
@@ -60,6 +64,11 @@ void synchronise(Sample& s) {
     s.omega[k] = v.omega;
     s.record[k].x = x.x;
     s.record[k].y = x.y;
+  }
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    s.body[b].vx = moved[b].vx;
+    s.body[b].vy = moved[b].vy;
+    s.body[b].omega = moved[b].omega;
   }
   for (std::size_t side = 0; side < 4; ++side) {
     s.wall[side].rate = rate[side];
@@ -155,7 +164,7 @@ std::int64_t Engine::step() const { return machine_->sample.step; }
 double Engine::time_step() const { return machine_->sample.dt; }
 StepBounds Engine::bounds() const { return step_bounds(machine_->sample); }
 std::string Engine::kernel() const { return machine_->sample.kernel->name; }
-std::size_t Engine::grain_count() const { return machine_->sample.count; }
+std::size_t Engine::grain_count() const { return dem::grain_count(machine_->sample); }
 std::int64_t Engine::list_builds() const { return machine_->sample.builds; }
 double Engine::critical_drag() const { return dem::critical_drag(machine_->sample); }
 double Engine::skin() const { return machine_->sample.skin; }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/bounds.hpp"
 #include "grains/dem/engine.hpp"
@@ -72,6 +73,7 @@ void Engine::set_rough(const std::array<bool, 4>& rough) {
   bool changed = false;
   for (std::size_t side = 0; side < 4; ++side) changed |= rough[side] != s.wall[side].rough;
   if (!changed) return;
+  if (!s.part.empty()) throw InputError("rough walls hold disks only; take smooth walls with friction for clumps and polygons");
   synchronise(s);
   for (std::size_t side = 0; side < 4; ++side) s.wall[side].rough = rough[side] && s.domain.wall[side].present;
   hold_nearest(s);
@@ -124,9 +126,14 @@ Amount Engine::below(double height) const {
   const Sample& s = machine_->sample;
   Amount amount;
   for (std::size_t k = 0; k < s.count; ++k)
-    if (s.record[k].y < height) {
+    if (s.record[k].y < height && !is_part(s, k)) {
       ++amount.grains;
       amount.mass += own_mass(s, k);
+    }
+  for (const Body& b : s.body)
+    if (b.y < height) {
+      ++amount.grains;
+      amount.mass += own_mass_of(s, b);
     }
   return amount;
 }

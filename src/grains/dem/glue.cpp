@@ -8,6 +8,7 @@ bool is_marked_as_glued(const Sample& s, std::int32_t a, std::int32_t b) {
   const auto& zone = s.start.grains.zone;
   const auto& glued = s.contact.glued_pairs;  // sorted, low index first
   if (glued.empty()) return zone[static_cast<std::size_t>(a)] > 0 && zone[static_cast<std::size_t>(b)] > 0;
+  a = grain_of(s, a), b = grain_of(s, b);
   return std::binary_search(glued.begin(), glued.end(), std::pair{std::min(a, b), std::max(a, b)});
 }
 

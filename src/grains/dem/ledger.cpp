@@ -1,5 +1,6 @@
 #include "grains/dem/ledger.hpp"
 
+#include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/forces.hpp"
@@ -27,6 +28,12 @@ void add_boundary_contact(const Sample& s, std::size_t slot, const Kinematics& c
   edge[2].slip += s.list.force[slot].torque_j - cross(arm, slip);
 }
 
+/// Moments of a disk's forces about the centre of its body.
+void add_about_body(Vec2 lever, Vec2 dash, Vec2 slip, Snapshot::Disk& body) {
+  body.dash_torque += cross(lever, dash);
+  body.slip_torque += cross(lever, slip);
+}
+
 void add_contacts(const Sample& s, Snapshot& shot) {
   const ContactList& list = s.list;
   const double width = s.domain.width(), height = s.domain.height();
@@ -45,19 +52,22 @@ void add_contacts(const Sample& s, Snapshot& shot) {
       }
       const Vec2 dash = (dot(f, c.normal) - spring) * c.normal, slip = dot(f, t) * t;
       shot.springs += friction.energy(s.laws.slip(c.sliding, list.stiffness[p]), list.memory[p]);
-      auto& a = shot.disk[static_cast<std::size_t>(s.record[static_cast<std::size_t>(list.i[p])].grain)];
+      const std::int32_t first = s.record[static_cast<std::size_t>(list.i[p])].grain;
+      auto& a = shot.disk[mover_of(s, first)];
+      add_about_body(lever_of(s, static_cast<std::size_t>(list.i[p])), dash, slip, a);
       a.dash_x += dash.x;
       a.dash_y += dash.y;
       a.slip_x += slip.x;
       a.slip_y += slip.y;
       a.slip_torque += list.force[p].torque_i;
       if (list.j[p] >= 0) {
-        auto& b = shot.disk[static_cast<std::size_t>(s.record[static_cast<std::size_t>(list.owner[p])].grain)];
+        auto& b = shot.disk[mover_of(s, s.record[static_cast<std::size_t>(list.owner[p])].grain)];
+        add_about_body(partner_lever(s, p), -dash, -slip, b);
         b.dash_x -= dash.x;
         b.dash_y -= dash.y;
         b.slip_x -= slip.x;
         b.slip_y -= slip.y;
-        b.slip_torque += list.force[p].torque_j;
+        b.slip_torque += own_torque_j(s, p);
       } else if (list.j[p] < wall_partner(top)) {
         add_boundary_contact(s, p, c, dash, slip, shot);
       } else {
@@ -65,19 +75,19 @@ void add_contacts(const Sample& s, Snapshot& shot) {
         shot.edge[side].dash -= side < bottom ? dash.x : dash.y;
         shot.edge[along + side].slip -= side < bottom ? slip.y : slip.x;
       }
-      if (s.shear_rate != 0 && list.j[p] >= static_cast<std::int32_t>(s.count)) {
-        const int images = s.ghost[static_cast<std::size_t>(list.j[p]) - s.count].shift_y;
+      if (const int images = s.shear_rate != 0 ? rows_between(s, p) : 0; images != 0) {
         shot.edge[cell_shear].force -= images * f.x;
         shot.edge[cell_shear].dash -= images * dash.x;
         shot.edge[cell_shear].slip -= images * slip.x;
       }
+      const Vec2 branch = between_centres(s, p, c.branch);
       if (s.domain.periodic_x) {
-        shot.edge[left].dash -= dash.x * c.branch.x / width;
-        shot.edge[left].slip -= slip.x * c.branch.x / width;
+        shot.edge[left].dash -= dash.x * branch.x / width;
+        shot.edge[left].slip -= slip.x * branch.x / width;
       }
       if (s.domain.periodic_y) {
-        shot.edge[bottom].dash -= dash.y * c.branch.y / height;
-        shot.edge[bottom].slip -= slip.y * c.branch.y / height;
+        shot.edge[bottom].dash -= dash.y * branch.y / height;
+        shot.edge[bottom].slip -= slip.y * branch.y / height;
       }
     }
   });
@@ -110,12 +120,13 @@ void add_bonds(const Sample& s, Snapshot& shot) {
 Snapshot take(const Sample& s) {
   Snapshot shot;
   shot.gravity = s.gravity;
-  shot.disk.resize(s.count);
+  shot.disk.resize(s.count + s.body.size());
   shot.boundary.resize(3 * s.domain.boundaries.size());
   const bool corrects = integrator_of(s).corrects();
   const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
   for (std::size_t k = 0; k < s.count; ++k) {
     const DiskRecord& d = s.record[k];
+    if (is_part(s, k)) continue;
     const Motion v = corrects ? motion_of(s, k) : Motion{s.vx[k], s.vy[k], s.omega[k]};
     auto& disk = shot.disk[static_cast<std::size_t>(d.grain)];
     disk.vx = v.vx;
@@ -124,6 +135,16 @@ Snapshot take(const Sample& s) {
     disk.mass = d.mass;
     disk.drag_x = -s.drag * d.mass * (d.vx - mx.at(d.x));
     disk.drag_y = -s.drag * d.mass * (d.vy - my.at(d.y));
+  }
+  for (std::size_t n = 0; n < s.body.size(); ++n) {
+    const Body& b = s.body[n];
+    auto& disk = shot.disk[s.count + n];
+    disk.vx = b.vx;
+    disk.vy = b.vy;
+    disk.omega = b.omega;
+    disk.mass = b.mass;
+    disk.drag_x = -s.drag * b.mass * (b.seen_x - mx.at(b.x));
+    disk.drag_y = -s.drag * b.mass * (b.seen_y - my.at(b.y));
   }
   add_contacts(s, shot);
   add_bonds(s, shot);

@@ -13,7 +13,7 @@ struct WorkTerms {
   double dashpots = 0, friction = 0, drag = 0, gravity = 0, walls = 0, servo = 0;
 };
 
-/// Forces by class and velocities at one time: what the work of a step is made of. Grains by the caller's index. Under Verlet the velocities are
+/// Forces by class and velocities at one time: what the work of a step is made of. Disks by the index of Sample::start, then bodies (mover_of). Under Verlet the velocities are
 /// those of the middle of the step that ends there.
 struct Snapshot {
   struct Disk {

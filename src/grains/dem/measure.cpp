@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
+#include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/forces.hpp"
@@ -15,10 +18,11 @@ namespace {
 
 void add_contacts(const Sample& s, Packing& out) {
   struct Row {
-    std::int32_t i, j;
+    std::int32_t i, j;  ///< disks
     std::size_t slot;
     bool swapped;
   };
+  const auto grain = [&](std::int32_t disk) { return disk < 0 ? disk : grain_of(s, disk); };
   std::vector<Row> rows;
   for (std::size_t p = 0; p < s.list.size(); ++p) {
     if (!(slot_kinematics(s, p).overlap > 0)) continue;
@@ -27,13 +31,15 @@ void add_contacts(const Sample& s, Packing& out) {
     const bool swapped = b >= 0 && b < a;
     rows.push_back(swapped ? Row{b, a, p, true} : Row{a, b, p, false});
   }
-  std::sort(rows.begin(), rows.end(), [](const Row& p, const Row& q) { return p.i != q.i ? p.i < q.i : p.j < q.j; });
+  std::sort(rows.begin(), rows.end(),
+            [&](const Row& p, const Row& q) { return std::tuple(grain(p.i), grain(p.j), p.i, p.j) < std::tuple(grain(q.i), grain(q.j), q.i, q.j); });
   for (const Row& row : rows) {
     const Kinematics c = slot_kinematics(s, row.slot);
     const Vec2 f{s.list.force[row.slot].fx, s.list.force[row.slot].fy};
     const double fn = dot(f, c.normal), ft = dot(f, perpendicular(c.normal));
-    if (row.swapped) out.contacts.add(row.i, row.j, -c.normal, fn, ft, c.arm_j, c.arm_i);
-    else out.contacts.add(row.i, row.j, c.normal, fn, ft, c.arm_i, c.arm_j);
+    if (row.swapped) out.contacts.add(grain(row.i), grain(row.j), -c.normal, fn, ft, c.arm_j, c.arm_i);
+    else out.contacts.add(grain(row.i), grain(row.j), c.normal, fn, ft, c.arm_i, c.arm_j);
+    if (!s.part.empty()) add_levers(s, row.slot, row.swapped, out.contacts);
     out.contacts.overlap.back() = c.overlap;
     out.contacts.sliding_velocity.back() = c.sliding;
     out.contacts.glued.back() = s.list.strength[row.slot] > 0 ? 1 : 0;
@@ -42,15 +48,19 @@ void add_contacts(const Sample& s, Packing& out) {
 
 /// Of inner disk k, J; 0 of one that goes with a wall.
 double kinetic_energy(const Sample& s, std::size_t k) {
-  if (find_held(s, s.record[k].grain)) return 0;
+  if (is_part(s, k) || find_held(s, s.record[k].grain)) return 0;
   const Motion v = motion_of(s, k);
   const DiskRecord& d = s.record[k];
   return 0.5 * d.mass * (v.vx * v.vx + v.vy * v.vy) + 0.5 * inertia(d) * v.omega * v.omega;
 }
 
-/// Force on inner disk k, its weight included, N; 0 on one that goes with a wall.
+/// Force on inner disk k, or on a body (see moving), its weight included, N; 0 on one that goes with a wall or a body.
 double resultant_of(const Sample& s, std::size_t k) {
-  if (find_held(s, s.record[k].grain)) return 0;
+  if (k >= s.count) {
+    const Body& b = s.body[k - s.count];
+    return norm(load_on(s, b).force + b.mass * s.gravity);
+  }
+  if (is_part(s, k) || find_held(s, s.record[k].grain)) return 0;
   const Load load = contact_load(s.list, k);
   const double m = s.record[k].mass;
   return std::hypot(load.fx + m * s.gravity.x, load.fy + m * s.gravity.y);
@@ -66,10 +76,11 @@ struct Motions {
 Motions motions_of(const Sample& s, const std::vector<int>& pressed_contacts) {
   const double g = norm(s.gravity);
   Motions motions;
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const bool loose = pressed_contacts[k] < 2;
-    (loose ? motions.loose : motions.bearing) += kinetic_energy(s, k);
-    if (loose && g > 0 && resultant_of(s, k) > 0.5 * s.record[k].mass * g) ++motions.falling;
+  for (std::size_t k = 0; k < s.count + s.body.size(); ++k) {
+    const bool loose = pressed_contacts[k] < 2, is_body = k >= s.count;
+    (loose ? motions.loose : motions.bearing) += is_body ? kinetic_energy(s, s.body[k - s.count]) : kinetic_energy(s, k);
+    const double mass = is_body ? s.body[k - s.count].mass : s.record[k].mass;
+    if (loose && g > 0 && resultant_of(s, k) > 0.5 * mass * g) ++motions.falling;
   }
   return motions;
 }
@@ -97,7 +108,7 @@ Packing packing_of(const Sample& s) {
   Packing out;
   out.materials = s.start.materials;
   out.domain = s.domain;
-  out.grains = s.start.grains;
+  out.grains = s.part.empty() ? s.start.grains : s.given;
   for (std::size_t side = 0; side < 4; ++side) {
     out.domain.wall[side].velocity = wall_rate(s, side);
     out.domain.wall[side].position = wall_place(s, side);
@@ -105,7 +116,8 @@ Packing packing_of(const Sample& s) {
   const AffineMotion mx = affine_x(out.domain), my = affine_y(out.domain);
   for (std::size_t k = 0; k < s.count; ++k) {
     const DiskRecord& d = s.record[k];
-    const auto g = static_cast<std::size_t>(d.grain);
+    if (is_part(s, k)) continue;
+    const auto g = static_cast<std::size_t>(grain_of(s, d.grain));
     const Motion v = motion_of(s, k);
     const Vec2 place = place_of(s, k);
     out.grains.x[g] = place.x;
@@ -115,6 +127,7 @@ Packing packing_of(const Sample& s) {
     out.grains.vy[g] = v.vy + my.at(d.y);
     out.grains.omega[g] = v.omega;
   }
+  for (const Body& b : s.body) put_body(s, b, mx, my, out.grains);
   out.contacts = {};
   add_contacts(s, out);
   out.bonds = bonds_of(s);
@@ -124,6 +137,7 @@ Packing packing_of(const Sample& s) {
 Energies energies_of(const Sample& s) {
   Energies e = s.tally;
   for (std::size_t k = 0; k < s.count; ++k) e.kinetic += kinetic_energy(s, k);
+  for (const Body& b : s.body) e.kinetic += kinetic_energy(s, b);
   for (std::size_t side = 0; side < 4; ++side)
     if (s.wall[side].drive.kind == WallDrive::Kind::force) {
       const double v = wall_rate(s, side);
@@ -146,10 +160,11 @@ Energies energies_of(const Sample& s) {
 
 Equilibrium equilibrium_of(const Sample& s) {
   Equilibrium q;
-  std::vector<int> pressed_contacts(s.count, 0);
+  std::vector<int> pressed_contacts(s.count + s.body.size(), 0);
+  const auto grains = static_cast<double>(grain_count(s));
   double resultant = 0, normal_sum = 0, mobilised = 0;
   std::size_t contacts = 0, pressed = 0;
-  for (std::size_t k = 0; k < s.count; ++k) resultant += resultant_of(s, k);
+  for (std::size_t k = 0; k < pressed_contacts.size(); ++k) resultant += resultant_of(s, k);
   for (std::size_t p = 0; p < s.list.size(); ++p) {
     const Kinematics c = slot_kinematics(s, p);
     if (!(c.overlap > 0)) continue;
@@ -160,8 +175,8 @@ Equilibrium equilibrium_of(const Sample& s) {
     if (fn > 0) {
       mobilised += std::abs(ft) / fn;
       ++pressed;
-      ++pressed_contacts[static_cast<std::size_t>(s.list.i[p])];
-      if (s.list.j[p] >= 0) ++pressed_contacts[static_cast<std::size_t>(s.list.owner[p])];
+      ++pressed_contacts[moving(s, s.list.i[p])];
+      if (s.list.j[p] >= 0) ++pressed_contacts[moving(s, s.list.owner[p])];
     }
   }
   for (std::size_t n = 0; n < s.bond_slots.size(); ++n) {
@@ -170,16 +185,15 @@ Equilibrium equilibrium_of(const Sample& s) {
     if (!acts(f)) continue;
     normal_sum += std::hypot(f.fx, f.fy);
     ++contacts;
-    for (const std::int32_t k : {b.i, b.j}) ++pressed_contacts[static_cast<std::size_t>(k)];
+    for (const std::int32_t k : {b.i, b.j}) ++pressed_contacts[moving(s, k)];
   }
   if (s.count > 0 && resultant > 0)
-    q.unbalanced_ratio =
-        normal_sum > 0 ? (resultant / static_cast<double>(s.count)) * static_cast<double>(contacts) / normal_sum : std::numeric_limits<double>::infinity();
+    q.unbalanced_ratio = normal_sum > 0 ? (resultant / grains) * static_cast<double>(contacts) / normal_sum : std::numeric_limits<double>::infinity();
   const Motions motions = motions_of(s, pressed_contacts);
   const double elastic = energies_of(s).elastic;
   q.kinetic_ratio = over_elastic(motions.bearing, elastic);
   q.loose_kinetic = over_elastic(motions.loose, elastic);
-  if (s.count > 0) q.falling = static_cast<double>(motions.falling) / static_cast<double>(s.count);
+  if (s.count > 0) q.falling = static_cast<double>(motions.falling) / grains;
   if (pressed > 0) q.mobilisation = mobilised / static_cast<double>(pressed);
   q.wall_speed = fastest_point(s.domain);
   for (std::size_t side = 0; side < 4; ++side) q.wall_speed = std::max(q.wall_speed, std::abs(wall_rate(s, side)));

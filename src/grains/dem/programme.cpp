@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/measure.hpp"
 #include "grains/dem/setup.hpp"
 
@@ -36,7 +37,13 @@ void change_shear_rate(Sample& s, double rate) {
     s.vx[k] += faster;
     s.record[k].vx += faster;
   }
+  for (Body& b : s.body) {
+    const double faster = (rate - s.shear_rate) * (b.y - middle);
+    b.vx += faster;
+    b.seen_x += faster;
+  }
   s.shear_rate = rate;
+  place_parts(s);
   if (tracked) s.tally.work_walls += energies_of(s).kinetic - before;
 }
 

@@ -116,6 +116,33 @@ struct HeldGrain {
   double x = 0, y = 0;               ///< m
 };
 
+/// A rigid grain of several disks, which go where it goes.
+struct Body {
+  std::int32_t first = 0, count = 0;              ///< its disks, by their place in Sample::start
+  std::int64_t filled = 0;                        ///< see Shapes; a whole number of words, for a state is told by its bytes
+  double gyration = 0, mass = 0;                  ///< m, kg
+  double x = 0, y = 0, angle = 0;                 ///< of the centre of mass
+  double vx = 0, vy = 0, omega = 0;               ///< integrated velocities, less the affine motion of a periodic cell
+  double seen_x = 0, seen_y = 0, seen_omega = 0;  ///< those that the forces see
+  double inertia() const { return mass * gyration * gyration; }
+};
+
+/// A disk of a body, or one for itself.
+struct BodyDisk {
+  std::int32_t grain = 0, body = -1;      ///< the caller's index; -1 for a grain that is a disk
+  double x = 0, y = 0;                    ///< from the centre of mass where the body's angle is 0, m
+  std::int32_t shift_x = 0, shift_y = 0;  ///< periodic cells between the disk and its body's centre
+};
+
+/// Where a disk may touch a polygon: the point of the polygon's core nearest to the disk's centre, seen as a disk of the polygon's rounding that goes
+/// with it. Its record stands behind those of the ghosts, and its slot joins the disk with it. Each corner meets the other polygon by itself, so the
+/// energy is a sum over corners of squared distances from convex cores, and the force runs on without a jump from a side over a corner.
+struct Foot {
+  std::int32_t disk = 0, body = 0;        ///< inner number; the polygon
+  std::int32_t shift_x = 0, shift_y = 0;  ///< periodic cells from the body's centre to the image that is meant
+  Vec2 lever;                             ///< from the body's centre, m
+};
+
 /// Everything that decides the future, and the set-up that follows from it. Disks are kept in an inner order that follows the cells;
 /// `record[k].grain` leads back to the caller's.
 struct Sample {
@@ -147,13 +174,20 @@ struct Sample {
   std::vector<double> vx, vy, omega, angle;   ///< integrated velocities, less the affine motion of a periodic cell
   std::vector<double> ax, ay, alpha;          ///< last accelerations
   std::array<std::vector<double>, 9> higher;  ///< Gear: third to fifth derivatives of x, y, angle
-  std::vector<Ghost> ghost;
+  std::vector<Ghost> ghost;                   ///< and behind them one for each foot
+  std::vector<Foot> foot;
   ContactList list, former;  ///< `former`: the list before the last rebuild, kept for its memory
   double skin = 0, largest_radius = 0;
   std::vector<double> listed_x, listed_y;  ///< where the disks were when the list was built
   Domain listed_domain;
   double sheared = 0, listed_sheared = 0;  ///< shear strain by shear_rate so far, and when the list was built
   std::int64_t builds = 0;
+  Grains given;  ///< the caller's, where some are no disks: `start` then has their disks, and "grain" within means a disk
+  std::vector<Body> body;
+  std::vector<BodyDisk> part;           ///< by disk of `start`; empty where all grains are disks
+  std::vector<std::int32_t> part_disk;  ///< the disks' inner numbers; renewed with the list
+  std::vector<Vec2> lever;              ///< by inner number: from the centre of a disk's body to its own; empty like `part`
+
   std::vector<HeldGrain> held;            ///< sorted by grain
   std::vector<std::int32_t> held_disk;    ///< their inner numbers; renewed with the list
   std::vector<double> held_angle;         ///< and their angles, which do not change
@@ -204,6 +238,24 @@ inline const HeldGrain* find_held(const Sample& s, std::int32_t grain) {
   const auto at = std::lower_bound(s.held.begin(), s.held.end(), grain, [](const HeldGrain& h, std::int32_t g) { return h.grain < g; });
   return at != s.held.end() && at->grain == grain ? &*at : nullptr;
 }
+
+/// The body that a disk of `start` belongs to; -1 for none. The caller's index of its grain.
+inline std::int32_t body_of(const Sample& s, std::int32_t disk) { return s.part.empty() ? -1 : s.part[static_cast<std::size_t>(disk)].body; }
+inline std::int32_t grain_of(const Sample& s, std::int32_t disk) { return s.part.empty() ? disk : s.part[static_cast<std::size_t>(disk)].grain; }
+inline bool is_part(const Sample& s, std::size_t k) { return body_of(s, s.record[k].grain) >= 0; }
+/// Where a disk that is a grain, or the body of one that is not, stands in arrays over the disks of `start` and the bodies behind them.
+inline std::size_t mover_of(const Sample& s, std::int32_t disk) {
+  const std::int32_t body = body_of(s, disk);
+  return body < 0 ? static_cast<std::size_t>(disk) : s.count + static_cast<std::size_t>(body);
+}
+/// slot_key for the caller's grains.
+inline std::uint64_t grain_key(const Sample& s, std::size_t slot) {
+  const std::int32_t a = s.record[static_cast<std::size_t>(s.list.i[slot])].grain;
+  const std::int32_t j = s.list.j[slot];
+  return pair_key(grain_of(s, a), j < 0 ? j : grain_of(s, s.record[static_cast<std::size_t>(s.list.owner[slot])].grain));
+}
+inline Vec2 lever_of(const Sample& s, std::size_t k) { return s.lever.empty() ? Vec2{} : s.lever[k]; }
+inline std::size_t grain_count(const Sample& s) { return s.part.empty() ? s.count : s.given.size(); }
 
 /// Centres of touching disks, or of disks in the list, are never farther apart, m.
 inline double reach_of(const Sample& s) { return 2.0 * s.largest_radius + s.skin; }

@@ -65,6 +65,7 @@ template <class Archive> void transfer(Archive& a, Sample& s) {
   for (auto* v : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha, &s.listed_x, &s.listed_y}) a(*v);
   for (auto& v : s.higher) a(v);
   a(s.live_bonds);
+  if (!s.part.empty()) a(s.body), a(s.part);
   transfer(a, s.tally);
   a(s.ledger.known);
   for (auto& w : s.ledger.powers)
@@ -162,6 +163,7 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   if (s.record.size() != s.count) ByteReader::fail();
   transfer(read, s);
   if (s.vx.size() != s.count || s.listed_x.size() != s.count) ByteReader::fail();
+  if (s.body.size() != sample.body.size() || s.part.size() != sample.part.size()) ByteReader::fail();
   for (std::size_t b = 0; b < s.domain.boundaries.size(); ++b)
     for (const Domain* domain : {&s.domain, &s.listed_domain})
       if (domain->boundaries[b].points.size() != sample.domain.boundaries[b].points.size()) ByteReader::fail();

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/problems.hpp"
+#include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/bounds.hpp"
 #include "grains/dem/forces.hpp"
@@ -83,11 +84,12 @@ void place_disks(Sample& s) {
     sum += r;
   }
   s.skin = 0.15 * sum / static_cast<double>(s.count);
+  if (!s.part.empty()) s.skin = skin_of_bodies(s);
 }
 
 void check_cell(const Sample& s) {
   Problems problems;
-  const double needed = 2.0 * reach_of(s);
+  const double needed = std::max(2.0 * reach_of(s), cell_for_bodies(s));
   problems.unless(!s.domain.periodic_x || s.domain.width() >= needed, "a periodic cell {} m wide is too narrow for its grains; {} m would do", s.domain.width(),
                   needed);
   problems.unless(!s.domain.periodic_y || s.domain.height() >= needed, "a periodic cell {} m high is too low for its grains; {} m would do", s.domain.height(),
@@ -117,8 +119,9 @@ void recall_contacts(Sample& s) {
   std::sort(met.begin(), met.end());
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A& adhesion, const F& friction) {
     for (std::size_t p = 0; p < s.list.size(); ++p) {
-      const std::uint64_t key = slot_key(s, p);
-      const auto found = std::lower_bound(met.begin(), met.end(), std::pair{key, std::size_t{0}});
+      const std::uint64_t key = grain_key(s, p);
+      auto found = std::lower_bound(met.begin(), met.end(), std::pair{key, std::size_t{0}});
+      while (found != met.end() && found->first == key && !is_of_slot(s, c, found->second, p)) ++found;
       if (found == met.end() || found->first != key) continue;
       const std::size_t q = found->second;
       const double k = s.list.stiffness[p], kt = s.laws.slip(0, k).stiffness;
@@ -192,10 +195,11 @@ Sample make_sample(const Packing& start, const ContactParameters& contact, const
   Problems problems;
   check_parameters(problems, start, contact, integration);
   check_packing(problems, start);
+  check_shapes(problems, start, contact, integration);
   problems.raise();
 
   Sample s;
-  s.start = start;
+  s.start = disks_of(start);
   s.contact = contact;
   s.integration = integration;
   s.kernel = &find_kernel(integration.kernel);
@@ -208,6 +212,7 @@ Sample make_sample(const Packing& start, const ContactParameters& contact, const
   s.domain = start.domain;
   clear_periodic_walls(s.domain);
   s.element = elements_of(s.domain);
+  make_bodies(s, start.grains);
   place_disks(s);
   recall_bonds(s);
   check_cell(s);

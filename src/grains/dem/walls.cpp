@@ -18,10 +18,11 @@ void tune_servo(Sample& s) {
   double mass = 0, stiffness = 0;
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];
-    mass += d.mass;
+    if (!is_part(s, k)) mass += d.mass;
     stiffness += s.coefficients.pair_stiffness(d.material, d.material) / static_cast<double>(s.count);
   }
-  const double layers = std::sqrt(static_cast<double>(std::max<std::size_t>(s.count, 1)));
+  for (const Body& b : s.body) mass += b.mass;
+  const double layers = std::sqrt(static_cast<double>(std::max<std::size_t>(grain_count(s), 1)));
   const double aspect = s.domain.width() / s.domain.height();
   for (std::size_t side = 0; side < 4; ++side) {
     s.wall[side].mass = mass * std::max(0.05, std::min(1.0, 2.0 / layers));

@@ -101,7 +101,7 @@ void add_contacts(const Packing& packing, const Kernel& kernel, CoarseFields& fi
   const double length = packing.domain.thickness;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Vec2 start = packing.grains.centre(static_cast<std::size_t>(contacts.i[c])), force = contacts.force_on_i(c) / length;
-    const Vec2 branch = -(contacts.arm_i[c] + contacts.arm_j[c]) * contacts.normal(c);
+    const Vec2 branch = contacts.branch(c);
     const Tensor2 moment = outer(force, branch);
     const geometry::Rectangle extent = around(start, start + branch, kernel.reach());
     for_each_image(packing.domain, extent, fields.grid.bounds, [&](const Image& image) {

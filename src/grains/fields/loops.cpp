@@ -61,7 +61,7 @@ Network network_of(const Packing& packing, bool bearing_only) {
   std::vector<std::vector<std::int32_t>> leaving(packing.grains.size());
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (!kept[c]) continue;
-    const Vec2 branch = -(contacts.arm_i[c] + contacts.arm_j[c]) * contacts.normal(c);
+    const Vec2 branch = contacts.branch(c);
     for (const auto& [grain, step] : {std::pair{contacts.i[c], branch}, std::pair{contacts.j[c], -branch}}) {
       leaving[static_cast<std::size_t>(grain)].push_back(static_cast<std::int32_t>(net.from.size()));
       net.from.push_back(grain);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -57,15 +58,49 @@ bool lies_inside(Vec2 from_centre, const Region& region) {
 
 }  // namespace
 
+namespace {
+
+/// Shapes of grains whose population is known, and their angles; nothing where all are disks.
+void give_shapes(Grains& grains, const std::vector<Population>& populations, const std::vector<std::size_t>& population, std::uint64_t seed) {
+  if (std::all_of(populations.begin(), populations.end(), [](const Population& p) { return std::holds_alternative<DiskShape>(p.shape); })) return;
+  std::vector<Shape> unit;
+  std::vector<double> gyration;
+  for (const Population& p : populations) {
+    unit.push_back(scaled_to(std::visit([](const auto& shape) { return shape.make(); }, p.shape), 1));
+    gyration.push_back(gyration_of(unit.back()));
+  }
+  for (std::size_t g = 0; g < grains.size(); ++g) {
+    Shape shape = unit[population[g]];
+    for (Vec2& place : shape.place) place = grains.radius[g] * place;
+    for (double& radius : shape.radius) radius *= grains.radius[g];
+    if (std::holds_alternative<DiskShape>(populations[population[g]].shape)) shape.place.front() = {};
+    add_shape(grains.shapes, shape, grains.radius[g] * gyration[population[g]]);
+    grains.angle[g] = RandomStream(seed, Purpose::orientation, g).uniform(0, 2 * std::numbers::pi);
+  }
+}
+
+}  // namespace
+
+std::vector<double> circle_radii(const Grains& grains) {
+  std::vector<double> radii = grains.radius;
+  for (std::size_t g = 0; g < radii.size() && !grains.shapes.empty(); ++g) radii[g] = reach_of(shape_of(grains, g));
+  return radii;
+}
+
 Grains draw_grains(const std::vector<Population>& populations, const Materials& materials, std::int64_t total, std::uint64_t seed) {
-  std::vector<std::pair<double, std::int32_t>> drawn;
+  struct Drawn {
+    double radius;
+    std::int32_t material;
+    std::size_t population;
+  };
+  std::vector<Drawn> drawn;
   const auto counts = counts_of(populations, total);
   for (std::size_t p = 0; p < populations.size(); ++p) {
     const auto material = material_index(materials, populations[p].material);
     RandomStream random(seed, Purpose::radius, p);
     std::visit(
         [&](const auto& law) {
-          for (std::int64_t k = 0; k < counts[p]; ++k) drawn.emplace_back(law.draw(k, random) / 2, material);
+          for (std::int64_t k = 0; k < counts[p]; ++k) drawn.push_back({law.draw(k, random) / 2, material, p});
         },
         populations[p].size);
   }
@@ -75,7 +110,13 @@ Grains draw_grains(const std::vector<Population>& populations, const Materials& 
   for (std::size_t i = drawn.size() - 1; i > 0; --i) std::swap(drawn[i], drawn[order.below(i + 1)]);
   Grains grains;
   grains.resize(drawn.size());
-  for (std::size_t i = 0; i < drawn.size(); ++i) std::tie(grains.radius[i], grains.material[i]) = drawn[i];
+  std::vector<std::size_t> population;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    grains.radius[i] = drawn[i].radius;
+    grains.material[i] = drawn[i].material;
+    population.push_back(drawn[i].population);
+  }
+  give_shapes(grains, populations, population, seed);
   return grains;
 }
 

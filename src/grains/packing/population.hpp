@@ -4,24 +4,29 @@
 #include <string>
 #include <vector>
 
+#include "grains/packing/shapes/grain_shapes.hpp"
 #include "grains/packing/size_laws/size_laws.hpp"
 #include "model/packing.hpp"
 
 namespace arenite::packing {
 
-/// Grains of one material and size law; a count, or a share by number of a total.
+/// Grains of one material, shape and size law; a count, or a share by number of a total.
 struct Population {
   std::string material;
   std::optional<std::int64_t> count;
   std::optional<double> ratio;  ///< relative to the other populations' ratios
-  SizeLaw size;
+  SizeLaw size;                 ///< diameters; of grains that are no disks those of the disks of their area
+  GrainShape shape;
   bool operator==(const Population&) const = default;
 };
 
-/// Grains of all populations, in random order, at rest at the origin: radius, material and id are set. Populations with a ratio share `total` less
+/// Grains of all populations, in random order, at rest at the origin: radius, material, id and shape are set, and a random angle where not all are disks. Populations with a ratio share `total` less
 /// the counts, by largest remainder. Same seed: same grains.
 /// Throws InputError for an unknown material or a total that leaves no grain.
 Grains draw_grains(const std::vector<Population>& populations, const Materials& materials, std::int64_t total, std::uint64_t seed);
+
+/// Radius of the smallest circle about each grain's centre that holds it, m.
+std::vector<double> circle_radii(const Grains& grains);
 
 /// A glued region: grains whose centre lies inside are in zone 1.
 struct Region {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "grains/texture/view.hpp"
 
@@ -49,6 +50,18 @@ template <class Top, class Under> Estimate ratio(const View& view, Top top, Unde
   return jackknife_of_sums(view.grains, view.grain_block, 2, add, quotient)[0];
 }
 
+/// Mean number of other grains that a grain touches, in however many contacts.
+Estimate neighbours(const View& view) {
+  const auto& contacts = view.pairs();
+  std::vector<std::set<std::int32_t>> touched(view.packing.grains.size());
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (contacts.is_wall(c)) continue;
+    touched[static_cast<std::size_t>(contacts.i[c])].insert(contacts.j[c]);
+    touched[static_cast<std::size_t>(contacts.j[c])].insert(contacts.i[c]);
+  }
+  return mean(view.grains, view.grain_block, [&](std::size_t g) { return static_cast<double>(touched[g].size()); });
+}
+
 }  // namespace
 
 /// Every considered grain brings the ends of its own contacts, so that N_AB is half the number of such ends and z of a sample without border is 2
@@ -64,6 +77,7 @@ void measure_coordination(const View& view, Texture& texture) {
   z.mean.emplace_back("all without rattlers", ratio(
                                                   view, [&](std::size_t g) { return view.rattler[g] ? 0.0 : partners.bearing[g]; },
                                                   [&](std::size_t g) { return view.rattler[g] ? 0.0 : 1.0; }));
+  if (!view.packing.grains.shapes.empty()) z.mean.emplace_back("all, neighbours", neighbours(view));
   const std::vector<int> materials = view.materials();
   for (const int x : materials)
     for (const int y : materials)

@@ -27,6 +27,7 @@ constexpr Statistic statistics[] = {
     {"stress", measure_stress},
     {"normalised stress", measure_sigma_norm},
     {"local order", measure_local_order},
+    {"long axes", measure_long_axes},
     {"quality", measure_quality},
 };
 

@@ -177,6 +177,11 @@ Numbers numbers(const Texture& t, bool curves) {
   j["local_order"] = Numbers::tree();
   put(j["local_order"], "psi6", t.order.psi6);
   put(j["local_order"], "triangular_share", t.order.ordered);
+  if (t.long_axes.grains > 0) {
+    j["long_axes"] = {{"grains", t.long_axes.grains}, {"noise", t.long_axes.noise}};
+    put(j["long_axes"], "order", t.long_axes.order);
+    put(j["long_axes"], "direction_deg", t.long_axes.direction_deg);
+  }
   if (!t.rev.mean.empty())
     j["rev"] = {
         {"area_share", numbers(t.rev.area_share)}, {"mean", numbers(t.rev.mean)}, {"deviation", numbers(t.rev.deviation)}, {"error", numbers(t.rev.error)}};
@@ -209,6 +214,9 @@ std::string to_text(const Texture& t) {
       put_distribution(lines, name == "all" ? "sigma_hyd" : "sigma_hyd " + name, stress, unit, scale);
     }
   lines.put("psi_6", t.order.psi6);
+  if (const LongAxes& a = t.long_axes; a.grains > 0)
+    lines.put("order of long axes, direction",
+              fmt::format("{}, {} deg; random directions give {:.2g}", with_error(a.order), with_error(a.direction_deg), a.noise));
   lines.put("median imbalance of grains", Estimate{t.quality.median_imbalance, unknown}, "of the mean force");
   lines.put("largest |F_t|/F_n", Estimate{t.quality.friction_ratio_max, unknown});
   for (const auto& note : t.notes) lines.note(note);

@@ -7,9 +7,7 @@ namespace arenite::texture {
 namespace {
 
 /// f (x) l of one contact.
-Tensor2 moment_of(const Contacts& contacts, std::size_t c) {
-  return outer(contacts.force_on_i(c), -(contacts.arm_i[c] + contacts.arm_j[c]) * contacts.normal(c));
-}
+Tensor2 moment_of(const Contacts& contacts, std::size_t c) { return outer(contacts.force_on_i(c), contacts.branch(c)); }
 
 /// f (x) l of one bond.
 Tensor2 moment_of(const Packing& packing, const Bond& bond) { return outer(force_on_i(packing, bond), -branch_of(packing, bond)); }
@@ -108,9 +106,9 @@ std::vector<Tensor2> grain_moments(const Packing& packing) {
   const auto& contacts = packing.contacts;
   std::vector<Tensor2> moments(packing.grains.size());
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const Vec2 f = contacts.force_on_i(c), n = contacts.normal(c);
-    moments[static_cast<std::size_t>(contacts.i[c])] += outer(f, -contacts.arm_i[c] * n);
-    if (!contacts.is_wall(c)) moments[static_cast<std::size_t>(contacts.j[c])] += outer(-f, contacts.arm_j[c] * n);
+    const Vec2 f = contacts.force_on_i(c);
+    moments[static_cast<std::size_t>(contacts.i[c])] += outer(f, contacts.lever_i(c));
+    if (!contacts.is_wall(c)) moments[static_cast<std::size_t>(contacts.j[c])] += outer(-f, contacts.lever_j(c));
   }
   for (const Bond& bond : packing.bonds) {
     const auto i = static_cast<std::size_t>(bond.i), j = static_cast<std::size_t>(bond.j);
@@ -133,8 +131,7 @@ Tensor2 wall_moment(const Packing& packing, Vec2 gravity) {
   const Grains& grains = packing.grains;
   Tensor2 sum;
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (contacts.is_wall(c))
-      sum += outer(contacts.force_on_i(c), grains.centre(static_cast<std::size_t>(contacts.i[c])) - contacts.arm_i[c] * contacts.normal(c));
+    if (contacts.is_wall(c)) sum += outer(contacts.force_on_i(c), grains.centre(static_cast<std::size_t>(contacts.i[c])) + contacts.lever_i(c));
   if (gravity.x == 0 && gravity.y == 0) return sum;
   for (std::size_t g = 0; g < grains.size(); ++g) sum += mass_of(packing, g) * outer(gravity, grains.centre(g));
   return sum;

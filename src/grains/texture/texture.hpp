@@ -52,7 +52,7 @@ struct Rev {
 };
 
 /// Mean numbers of contacts a grain. Names: "all", "all without rattlers", "POM-POM", "POM-HDPE" (HDPE neighbours of a POM grain), "POM-ANY" = (2
-/// N_XX + N_XY)/N_X.
+/// N_XX + N_XY)/N_X; of grains that are no disks "all, neighbours" as well, which counts two grains that meet in several contacts once.
 struct Coordination {
   ByName<Estimate> mean;
   ByName<Estimate> doubled;       ///< T 4.3.1: 2 (N_XX + N_XY)/N_X, unlike contacts twice; "POM-ANY"
@@ -152,6 +152,14 @@ struct LocalOrder {
   ByName<Estimate> ordered;  ///< by material: share of X grains with at least 5 X contacts and psi_6 of these > 0.9
 };
 
+/// Directions of the long axes of grains that have one: of second moments of shape that differ.
+struct LongAxes {
+  std::size_t grains = 0;
+  Estimate order;          ///< |<exp(2 i theta)>|: 0 at random, 1 all alike; half the difference of the principal values of <2 a (x) a>
+  Estimate direction_deg;  ///< its direction, [0, 180)
+  double noise = unknown;  ///< of the order of so many random directions, 0.886/sqrt(n)
+};
+
 /// How far the data are from a packing at rest; nothing is corrected.
 struct Quality {
   std::size_t doubled_rows = 0;  ///< merged while reading
@@ -179,6 +187,7 @@ struct Texture {
   Stress stress;
   SigmaNorm sigma_norm;
   LocalOrder order;
+  LongAxes long_axes;  ///< of grains that are no disks
   PerGrain per_grain;
   Quality quality;
   std::vector<std::string> notes;  ///< what could not be computed, and why

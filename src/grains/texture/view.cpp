@@ -62,8 +62,10 @@ double compression_axis(const Packing& packing) {
   const auto& contacts = packing.contacts;
   double difference = 0, shear = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const Vec2 f = contacts.force_on_i(c), n = contacts.normal(c);
-    const double d = contacts.arm_i[c] + contacts.arm_j[c];
+    const Vec2 f = contacts.force_on_i(c);
+    const bool disks = contacts.off_i_x.empty();
+    const double d = disks ? contacts.arm_i[c] + contacts.arm_j[c] : 1;
+    const Vec2 n = disks ? contacts.normal(c) : -contacts.branch(c);
     difference += d * (f.x * n.x - f.y * n.y);
     shear += d * (f.x * n.y + f.y * n.x);
   }
@@ -186,7 +188,7 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
 
 Vec2 View::contact_point(std::size_t c) const {
   const Vec2 centre = packing.grains.centre(static_cast<std::size_t>(pairs().i[c]));
-  return wrapped(packing.domain, centre - pairs().arm_i[c] * pairs().normal(c));
+  return wrapped(packing.domain, centre + pairs().lever_i(c));
 }
 
 std::string View::material_name(int m) const {

@@ -109,6 +109,7 @@ void measure_forces(const View& view, Texture& texture);
 void measure_stress(const View& view, Texture& texture);
 void measure_sigma_norm(const View& view, Texture& texture);
 void measure_local_order(const View& view, Texture& texture);
+void measure_long_axes(const View& view, Texture& texture);
 void measure_quality(const View& view, Texture& texture);
 
 }  // namespace arenite::texture

@@ -40,7 +40,7 @@ int contact_type(const Packing& packing, std::size_t contact) {
 Vec2 far_end(const Packing& packing, std::size_t contact) {
   const auto& contacts = packing.contacts;
   const Vec2 from = packing.grains.centre(static_cast<std::size_t>(contacts.i[contact]));
-  if (contacts.is_wall(contact)) return from - contacts.arm_i[contact] * contacts.normal(contact);
+  if (contacts.is_wall(contact)) return from + contacts.lever_i(contact);
   return from + packing.domain.nearest_image(packing.grains.centre(static_cast<std::size_t>(contacts.j[contact])) - from);
 }
 

@@ -3,6 +3,7 @@
 #include "io/export/export.hpp"
 #include "io/export/vtk_file.hpp"
 #include "io/results/groups.hpp"
+#include "model/shapes.hpp"
 
 namespace arenite::io {
 namespace {
@@ -116,6 +117,27 @@ VtkPolyData walls_of(const ExportFrame& from) {
   return data;
 }
 
+/// Lines along the rims of grains.
+VtkPolyData rims_of(const ExportFrame& from) {
+  const Grains& grains = from.frame->packing.grains;
+  VtkPolyData data;
+  data.time = from.frame->time;
+  data.cells = VtkPolyData::Cells::lines;
+  std::vector<std::int64_t> id;
+  std::vector<std::int32_t> material;
+  for (std::size_t g = 0; g < grains.size(); ++g) {
+    const std::vector<Vec2> rim = outline_of(grains, g);
+    for (std::size_t k = 0; k < rim.size(); ++k) {
+      const Vec2 next = rim[(k + 1) % rim.size()];
+      data.points.insert(data.points.end(), {rim[k].x, rim[k].y, 0, next.x, next.y, 0});
+      id.push_back(grains.id[g]);
+      material.push_back(grains.material[g]);
+    }
+  }
+  data.cell_arrays = {{"id", id}, {"material", material}};
+  return data;
+}
+
 std::vector<float> single(const std::vector<double>& values) { return {values.begin(), values.end()}; }
 
 /// VTK's order of a symmetric tensor: xx, yy, zz, xy, yz, xz.
@@ -137,16 +159,19 @@ struct Part {
   VtkPolyData (*of)(const ExportFrame&);
 };
 constexpr Part parts[] = {{"grains", grains_of}, {"contacts", contacts_of}, {"walls", walls_of}};
+constexpr Part outlines{"outlines", rims_of};  // beside them, where grains are no disks
 
 }  // namespace
 
 std::vector<NamedBytes> vtk_frame(const ExportFrame& frame) {
   std::vector<NamedBytes> files;
   std::vector<VtkBlock> blocks;
-  for (const Part& part : parts) {
+  const auto add = [&](const Part& part) {
     blocks.push_back({part.name, numbered(part.name, frame.number)});
     files.push_back({blocks.back().file, vtp_bytes(part.of(frame))});
-  }
+  };
+  for (const Part& part : parts) add(part);
+  if (!frame.frame->packing.grains.shapes.empty()) add(outlines);
   files.push_back({state_file(frame.number), vtm_bytes(blocks)});
   return files;
 }

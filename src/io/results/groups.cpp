@@ -84,6 +84,35 @@ void transfer_domain(const ResultPart& at, Domain& domain) {
   transfer_boundaries(group, domain.boundaries);
 }
 
+namespace {
+
+/// What grains are that are no disks; files of disks have no such group.
+void transfer_shapes(const ResultPart& at, Grains& grains, const Grains* sample) {
+  Shapes& shapes = grains.shapes;
+  if (at.reads() && !at.take->has_group("shapes")) {
+    if (sample) shapes = sample->shapes;
+    return;
+  }
+  if (!at.reads() && (shapes.empty() || (sample && shapes == sample->shapes))) return;
+  const auto group = at.group("shapes");
+  group.note("first", "grain g has the disks first[g] to first[g + 1] - 1, at x and y from its centre of mass where its angle is 0");
+  group.note("filled", "1: the convex polygon of the disks' centres widened by their common radius; 0: the union of the disks");
+  group.array("first", shapes.first);
+  group.array("x", shapes.x, "m");
+  group.array("y", shapes.y, "m");
+  group.array("radius", shapes.radius, "m");
+  group.array("filled", shapes.filled);
+  group.array("gyration", shapes.gyration, "m");
+  if (!at.reads()) return;
+  const std::size_t n = grains.id.size(), disks = shapes.x.size();
+  group.same_length({n, shapes.first.empty() ? n + 1 : shapes.first.size() - 1, shapes.filled.size(), shapes.gyration.size()});
+  group.same_length({disks, shapes.y.size(), shapes.radius.size()});
+  const bool rising = std::is_sorted(shapes.first.begin(), shapes.first.end()) && shapes.first.front() == 0;
+  if (!rising || shapes.first.back() != static_cast<std::int32_t>(disks)) group.take->refuse("names disks of grains that do not exist");
+}
+
+}  // namespace
+
 void transfer_names(const ResultPart& at, Grains& grains, const Grains* sample) {
   const auto transfer = [&]<class T>(const char* name, std::vector<T> Grains::*member, const char* unit = "1") {
     auto& values = grains.*member;
@@ -95,6 +124,7 @@ void transfer_names(const ResultPart& at, Grains& grains, const Grains* sample) 
   transfer("material", &Grains::material);
   transfer("zone", &Grains::zone);
   at.same_length({grains.id.size(), grains.radius.size(), grains.material.size(), grains.zone.size()});
+  transfer_shapes(at, grains, sample);
 }
 
 void transfer_grains(const ResultPart& at, Packing& packing, const Grains* sample) {
@@ -116,6 +146,10 @@ void transfer_contacts(const ResultPart& at, Contacts& contacts, std::size_t gra
   group.array("j", contacts.j);
   transfer_columns(group, contacts, contact_columns, contacts.size());
   group.array("glued", contacts.glued);
+  if (at.reads() ? group.take->has(lever_columns.front().name) : !contacts.off_i_x.empty()) {
+    group.note("off_i_x", "the arms of i and j begin this far off the centres, which a grain that is no disk needs");
+    transfer_columns(group, contacts, lever_columns, contacts.size());
+  }
   if (!at.reads()) return;
   group.same_length({contacts.size(), contacts.j.size(), contacts.glued.size()});
   const auto n = static_cast<std::int64_t>(grains);

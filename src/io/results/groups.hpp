@@ -138,6 +138,10 @@ inline constexpr std::array<Column<Contacts>, 8> contact_columns{{{"nx", "1", &C
                                                                   {"overlap", "m", &Contacts::overlap},
                                                                   {"sliding_velocity", "m/s", &Contacts::sliding_velocity}}};
 
+/// Of contacts of grains that are no disks; files of disks have none.
+inline constexpr std::array<Column<Contacts>, 4> lever_columns{
+    {{"off_i_x", "m", &Contacts::off_i_x}, {"off_i_y", "m", &Contacts::off_i_y}, {"off_j_x", "m", &Contacts::off_j_x}, {"off_j_y", "m", &Contacts::off_j_y}}};
+
 /// Displacements and stresses of a field's nodes.
 inline constexpr std::array<Column<StressField>, 5> field_columns{{{"ux", "m", &StressField::ux},
                                                                    {"uy", "m", &StressField::uy},

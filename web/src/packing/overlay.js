@@ -2,6 +2,7 @@ import { s } from "../dom.js";
 import { text } from "../text.js";
 import { bondShapes } from "./bonds.js";
 import { chainWidth, segmentsOf } from "./chains.js";
+import { rimOf } from "./shapes.js";
 
 const thick = 5;
 
@@ -56,6 +57,10 @@ function ring(sample, frame, camera, grain, stroke, width, name = null) {
 }
 
 function outline(sample, frame, camera, theme, { grain, contact }) {
+  if (grain !== undefined && sample.shapes) {
+    const points = rimOf(sample, frame, grain).map(([x, y]) => camera.toScreen(x, y).join(",")).join(" ");
+    return [s("polygon", { points, fill: "none", stroke: theme.ink, "stroke-width": 2 })];
+  }
   if (grain !== undefined) {
     return [ring(sample, frame, camera, grain, theme.ink, 2)];
   }

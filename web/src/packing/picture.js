@@ -3,6 +3,7 @@ import { chainColour, chainWidth, segmentsOf, shownContacts } from "./chains.js"
 import { fadeUnderChains, grainColour, scaleOf } from "./colouring.js";
 import { legend, legendHeight } from "./legend.js";
 import { overlay } from "./overlay.js";
+import { rimOf } from "./shapes.js";
 
 export const mostVectors = 20000;
 
@@ -27,6 +28,11 @@ function grains(sample, frame, camera, theme, state) {
   const colour = grainColour(sample, frame, state.get("colour"), scaleOf(sample, state), theme);
   const opacity = state.get("chains") ? 1 - fadeUnderChains(state.get("colour")) : 1;
   const group = s("g", { "fill-opacity": opacity, stroke: theme.ink, "stroke-opacity": 0.3, "stroke-width": 0.75 });
+  if (sample.shapes) {
+    const corners = (g) => rimOf(sample, frame, g).map(([x, y]) => camera.toScreen(x, y).map((v) => v.toFixed(2)).join(",")).join(" ");
+    for (let g = 0; g < sample.count; ++g) group.append(s("polygon", { points: corners(g), fill: colour(g) }));
+    return group;
+  }
   for (let g = 0; g < sample.count; ++g) {
     const [cx, cy] = camera.toScreen(frame.x[g], frame.y[g]);
     group.append(s("circle", { cx: cx.toFixed(2), cy: cy.toFixed(2), r: (sample.radius[g] * camera.scale).toFixed(2), fill: colour(g) }));

@@ -4,6 +4,7 @@ import { chainBuffers } from "./chains.js";
 import { fadeUnderChains, grainColours, scaleOf } from "./colouring.js";
 import { diskDrawing } from "./disks.js";
 import { segmentDrawing } from "./segments.js";
+import { ShapeScene } from "./shapes.js";
 
 const unit = (colour) => bytes(colour).map((v) => v / 255);
 
@@ -13,12 +14,13 @@ export class Scene {
     this.sample = sample;
     this.regl = createRegl({
       canvas,
-      extensions: ["ANGLE_instanced_arrays"],
+      extensions: ["ANGLE_instanced_arrays", ...(sample.shapes ? ["OES_element_index_uint"] : [])],
       attributes: { antialias: false, alpha: false, preserveDrawingBuffer: true },
     });
     const corner = this.regl.buffer([[-1, -1], [1, -1], [-1, 1], [1, 1]]);
     this.disks = diskDrawing(this.regl, corner);
     this.segments = segmentDrawing(this.regl, corner);
+    if (sample.shapes) this.shapes = new ShapeScene(this.regl, sample, this.segments);
     const box = sample.box(sample.frame(sample.frameCount - 1));
     // Positions go to the card relative to the middle of the box, where float32 is finest.
     this.origin = { x: (box.left + box.right) / 2, y: (box.bottom + box.top) / 2 };
@@ -38,10 +40,13 @@ export class Scene {
     }
     this.grains.centre({ data: centre, usage: "dynamic" });
     this.grains.angle({ data: frame.angle, usage: "dynamic" });
+    this.shapes?.updatePositions(frame, this.origin);
   }
 
   updateColours(frame, state, theme) {
-    this.grains.colour({ data: grainColours(this.sample, frame, state.get("colour"), scaleOf(this.sample, state), theme), usage: "dynamic" });
+    const colours = grainColours(this.sample, frame, state.get("colour"), scaleOf(this.sample, state), theme);
+    this.grains.colour({ data: colours, usage: "dynamic" });
+    this.shapes?.updateColours(colours, bytes(theme.ink));
   }
 
   updateChains(state, frame, theme) {
@@ -64,7 +69,8 @@ export class Scene {
     };
     this.regl.poll();
     this.regl.clear({ color: [...unit(theme.card), 1] });
-    this.disks({ ...view, ...this.grains, count: this.sample.count });
+    if (this.shapes) this.shapes.draw(view);
+    else this.disks({ ...view, ...this.grains, count: this.sample.count });
     if (chains && this.chains.count) this.segments({ ...view, ...this.chains });
   }
 }

@@ -2,6 +2,7 @@
 
 #include <atomic>
 
+#include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/boundaries.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/walls.hpp"
@@ -102,15 +103,17 @@ bool DiskSweep::run(Kernel::Sweep loop, const Team& team) {
   const double leeway = list_leeway(s);
   task.limit = leeway > 0 ? leeway * leeway : -1.0;
   std::atomic<bool> near = true;
-  team.for_ranges(s.count, [&](std::size_t begin, std::size_t end) {
-    if (!loop(task, begin, end)) near = false;
-  });
+  if (has_single_disks(s))
+    team.for_ranges(s.count, [&](std::size_t begin, std::size_t end) {
+      if (!loop(task, begin, end)) near = false;
+    });
   if (s.domain.periodic_x) s.domain.tilt *= after.width / before_.width;
   s.domain.tilt += s.dt * s.shear_rate * s.domain.height();
   for (WallBody& body : s.wall) body.slid += s.dt * body.drive.slide;
   hold_grains(s);
+  const bool bodies_near = move_bodies(s, task, team);
   ++s.step;
-  return near;
+  return near && bodies_near;
 }
 
 }  // namespace arenite::dem

@@ -1,0 +1,108 @@
+#pragma once
+#include "core/problems.hpp"
+#include "core/threads.hpp"
+#include "grains/dem/kernels/kernel.hpp"
+#include "grains/dem/measure.hpp"
+#include "grains/dem/sample.hpp"
+
+namespace arenite::dem {
+
+// Rigid grains of several disks. The disks are in the list of contacts like any others, but not with those of their own body; the forces on them move
+// the body, and it moves them.
+
+void check_shapes(Problems& problems, const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration);
+
+/// The packing with each disk of its grains as a grain; itself where all grains are disks. Contacts stay as they are.
+Packing disks_of(const Packing& packing);
+
+/// Fills `given`, `body` and `part` of a sample whose `start` is made by disks_of; nothing where all grains are disks.
+void make_bodies(Sample& sample, const Grains& given);
+
+/// The skin of the list by the sizes of the grains, m.
+double skin_of_bodies(const Sample& sample);
+
+/// The least side of a periodic cell in which no body meets itself, or another twice over its sides, m.
+double cell_for_bodies(const Sample& sample);
+
+/// Mass of a body by density, area and thickness, kg.
+double own_mass_of(const Sample& sample, const Body& body);
+
+/// Gives the bodies the mass that their disks' records have: a record's is that of all that its contacts move.
+void take_masses(Sample& sample);
+
+/// Finds the inner numbers of the disks.
+void number_parts(Sample& sample);
+
+/// Takes the pairs of one body's own disks and those with corners of polygons, which feet stand for, out of the partners of disk k, from `from` on.
+void drop_own_disks(const Sample& sample, std::size_t k, std::vector<std::int32_t>& partner, std::size_t from);
+
+/// Wraps the bodies' centres and their disks into a periodic cell.
+void wrap_bodies(Sample& sample);
+
+bool has_single_disks(const Sample& sample);
+
+/// A step of all bodies: forces on their disks at the start of the step take them and their disks to its end. False if the list has become stale.
+bool move_bodies(Sample& sample, const SweepTask& task, const Team& team);
+
+/// Puts the disks of all bodies where these are, with their velocity.
+void place_parts(Sample& sample);
+
+/// Force on a body by its disks' contacts, N, and their torque about its centre, N m.
+struct BodyLoad {
+  Vec2 force;
+  double torque = 0;
+};
+BodyLoad load_on(const Sample& sample, const Body& body);
+
+/// Velocity now, without the affine motion; see motion_of.
+Motion motion_of(const Sample& sample, const Body& body);
+double kinetic_energy(const Sample& sample, const Body& body);
+
+/// From the centre of the grain of j, or the wall, to that of i, where `branch` joins the disks, m.
+Vec2 between_centres(const Sample& sample, std::size_t slot, Vec2 branch);
+
+/// The places where disks may touch polygons, by disk.
+std::vector<Foot> find_feet(const Sample& sample, const Team& team);
+/// Puts the feet's records where they are now.
+void refresh_feet(Sample& sample);
+/// The foot of a slot; null of any other.
+const Foot* foot_of(const Sample& sample, std::size_t slot);
+/// Adds to the slots of feet the torques that their reactions have about the disks that own them.
+void take_reactions_to_owners(Sample& sample, const Team& team);
+/// Rows of periodic cells from the centre of i's grain to that of j's.
+int rows_between(const Sample& sample, std::size_t slot);
+
+/// From the centre of j's body to where its force of a slot acts, m; 0 of a wall and of a disk that is a grain.
+Vec2 partner_lever(const Sample& sample, std::size_t slot);
+
+/// Torque of a slot on j about the point that partner_lever leads to, N m.
+double own_torque_j(const Sample& sample, std::size_t slot);
+
+/// All that moves for itself, for the bounds of the step: disks of `record` (one of a body counts for nothing, with mass 1), then bodies.
+struct Mover {
+  double mass = 1, inertia = 1, size = 1;  ///< kg, kg m^2, m
+};
+std::vector<Mover> movers_of(const Sample& sample);
+/// Where the body of inner disk k, or the disk itself, stands among them.
+std::size_t moving(const Sample& sample, std::int32_t k);
+
+/// Contacts in six directions around each of a body's disks, less those within it, or of polygons that meet each side with a side of their own, two at
+/// either end; and the sums of their squared levers along n and t, m^2.
+struct Crowd {
+  double contacts = 0, normal_levers = 0, tangential_levers = 0;
+};
+Crowd crowd_around(const Sample& sample, const Body& body);
+
+/// The least mass that a contact of a body feels, its rotation included, kg.
+double lightest_mass(const Sample& sample, const Body& body);
+
+/// Place, angle and velocity of a body's grain; the affine motion is that of the cell now.
+void put_body(const Sample& sample, const Body& body, const AffineMotion& along_x, const AffineMotion& along_y, Grains& grains);
+
+/// Where the arms begin of the contact that was added last, which is the slot's, perhaps with i and j swapped.
+void add_levers(const Sample& sample, std::size_t slot, bool swapped, Contacts& contacts);
+
+/// Whether a contact of the caller's packing is the one of a slot that joins the same grains.
+bool is_of_slot(const Sample& sample, const Contacts& contacts, std::size_t contact, std::size_t slot);
+
+}  // namespace arenite::dem

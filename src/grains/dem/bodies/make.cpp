@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "grains/dem/bodies/bodies.hpp"
+#include "model/shapes.hpp"
+
+namespace arenite::dem {
+namespace {
+
+bool is_disk(const Shapes& shapes, std::size_t g) {
+  const auto d = static_cast<std::size_t>(shapes.first[g]);
+  return shapes.first[g + 1] - shapes.first[g] == 1 && shapes.x[d] == 0 && shapes.y[d] == 0;
+}
+
+/// Corners of a filled shape turn counter-clockwise and have one radius.
+bool is_convex(const Shape& shape) {
+  const std::size_t n = shape.place.size();
+  bool sound = n >= 3;
+  for (std::size_t k = 0; k < n && sound; ++k) {
+    const Vec2 here = shape.place[k], next = shape.place[(k + 1) % n], after = shape.place[(k + 2) % n];
+    sound = cross(next - here, after - next) > 0 && shape.radius[k] == shape.radius[0];
+  }
+  return sound;
+}
+
+}  // namespace
+
+void check_shapes(Problems& problems, const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration) {
+  const Shapes& shapes = start.grains.shapes;
+  if (shapes.empty()) return;
+  const std::size_t grains = start.grains.size(), disks = shapes.x.size();
+  bool sound = shapes.first.size() == grains + 1 && shapes.filled.size() == grains && shapes.gyration.size() == grains && shapes.y.size() == disks &&
+               shapes.radius.size() == disks && shapes.first.front() == 0 && shapes.first.back() == static_cast<std::int32_t>(disks);
+  for (std::size_t g = 0; g < grains && sound; ++g) sound = shapes.first[g + 1] > shapes.first[g] && shapes.gyration[g] > 0;
+  for (std::size_t d = 0; d < disks && sound; ++d) sound = std::isfinite(shapes.x[d] + shapes.y[d]) && std::isfinite(shapes.radius[d]) && shapes.radius[d] > 0;
+  problems.unless(sound, "the shapes of the grains must give every grain its disks, with radii above 0, and a radius of gyration above 0");
+  bool filled = false;
+  for (std::size_t g = 0; g < grains && sound; ++g)
+    if (shapes.filled[g]) {
+      filled = true;
+      problems.unless(is_convex(shape_of(start.grains, g)), "grain {} must be a convex polygon, corners counter-clockwise, of one rounding",
+                      start.grains.id[g]);
+    }
+  problems.unless(!filled || start.domain.boundaries.empty(), "boundaries beside the walls do not know polygons yet; take grains that are clumps of disks");
+  problems.unless(!filled || !contact.adheres(), "polygons do not adhere yet; leave contact.adhesion at \"none\", or take clumps of disks");
+  problems.unless(!contact.has_bonds(), "bonds join disks only; leave contact.bonds at \"none\"");
+  problems.unless(integration.integrator != IntegratorKind::gear5,
+                  "grains that are no disks need integration.integrator = \"velocity_verlet\" or \"leapfrog\"; gear5 moves disks only");
+}
+
+Packing disks_of(const Packing& from) {
+  const Shapes& shapes = from.grains.shapes;
+  if (shapes.empty()) return from;
+  Packing packing;
+  packing.materials = from.materials;
+  packing.domain = from.domain;
+  packing.contacts = from.contacts;
+  const Grains& g = from.grains;
+  Grains& disks = packing.grains;
+  disks.resize(shapes.x.size());
+  for (std::size_t k = 0; k < g.size(); ++k) {
+    const Vec2 by = direction(g.angle[k]);
+    for (auto d = static_cast<std::size_t>(shapes.first[k]); d < static_cast<std::size_t>(shapes.first[k + 1]); ++d) {
+      const Vec2 arm = turned({shapes.x[d], shapes.y[d]}, by), v = g.omega[k] * perpendicular(arm);
+      disks.id[d] = g.id[k];
+      disks.x[d] = g.x[k] + arm.x;
+      disks.y[d] = g.y[k] + arm.y;
+      disks.radius[d] = shapes.radius[d];
+      disks.material[d] = g.material[k];
+      disks.angle[d] = g.angle[k];
+      disks.vx[d] = g.vx[k] + v.x;
+      disks.vy[d] = g.vy[k] + v.y;
+      disks.omega[d] = g.omega[k];
+      disks.zone[d] = g.zone[k];
+    }
+  }
+  return packing;
+}
+
+void make_bodies(Sample& s, const Grains& given) {
+  const Shapes& shapes = given.shapes;
+  if (shapes.empty()) return;
+  s.given = given;
+  s.part.resize(shapes.x.size());
+  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
+  for (std::size_t g = 0; g < given.size(); ++g) {
+    const bool single = is_disk(shapes, g);
+    const auto body = single ? -1 : static_cast<std::int32_t>(s.body.size());
+    for (auto d = static_cast<std::size_t>(shapes.first[g]); d < static_cast<std::size_t>(shapes.first[g + 1]); ++d)
+      s.part[d] = {static_cast<std::int32_t>(g), body, shapes.x[d], shapes.y[d]};
+    if (single) continue;
+    Body& b = s.body.emplace_back();
+    b.first = shapes.first[g];
+    b.count = shapes.first[g + 1] - shapes.first[g];
+    b.filled = shapes.filled[g];
+    b.gyration = shapes.gyration[g];
+    b.mass = own_mass_of(s, b);
+    b.x = given.x[g];
+    b.y = given.y[g];
+    b.angle = given.angle[g];
+    b.seen_x = given.vx[g];
+    b.seen_y = given.vy[g];
+    b.vx = b.seen_x - mx.at(b.x);
+    b.vy = b.seen_y - my.at(b.y);
+    b.omega = b.seen_omega = s.integration.rotations ? given.omega[g] : 0.0;
+  }
+  s.part_disk.resize(s.part.size());
+  for (std::size_t d = 0; d < s.part.size(); ++d) s.part_disk[d] = static_cast<std::int32_t>(d);
+  s.lever.assign(s.part.size(), Vec2{});
+}
+
+double skin_of_bodies(const Sample& s) {
+  double sum = 0;
+  for (const double r : s.given.radius) sum += r;
+  return 0.15 * sum / static_cast<double>(s.given.size());
+}
+
+double cell_for_bodies(const Sample& s) {
+  double reach = 0;
+  for (std::size_t d = 0; d < s.part.size(); ++d) reach = std::max(reach, norm(Vec2{s.part[d].x, s.part[d].y}) + s.start.grains.radius[d]);
+  return 4 * reach + 2 * s.skin;
+}
+
+double own_mass_of(const Sample& s, const Body& b) {
+  const auto g = static_cast<std::size_t>(s.part[static_cast<std::size_t>(b.first)].grain);
+  const double r = s.given.radius[g];
+  return s.start.materials[static_cast<std::size_t>(s.given.material[g])].density * std::numbers::pi * r * r * s.domain.thickness;
+}
+
+void take_masses(Sample& s) {
+  for (Body& b : s.body) b.mass = s.record[static_cast<std::size_t>(s.part_disk[static_cast<std::size_t>(b.first)])].mass;
+}
+
+bool has_single_disks(const Sample& s) {
+  std::size_t parts = 0;
+  for (const Body& b : s.body) parts += static_cast<std::size_t>(b.count);
+  return parts < s.count;
+}
+
+bool is_of_slot(const Sample& s, const Contacts& c, std::size_t q, std::size_t slot) {
+  if (s.part.empty() || c.off_i_x.empty()) return true;
+  const auto k = static_cast<std::size_t>(s.list.i[slot]);
+  Vec2 i = lever_of(s, k), j = partner_lever(s, slot);
+  if (s.list.j[slot] >= 0 && grain_of(s, s.record[k].grain) != c.i[q]) std::swap(i, j);
+  const double near = 1e-6 * s.given.radius[static_cast<std::size_t>(c.i[q])];
+  return norm(i - Vec2{c.off_i_x[q], c.off_i_y[q]}) <= near && norm(j - Vec2{c.off_j_x[q], c.off_j_y[q]}) <= near;
+}
+
+}  // namespace arenite::dem

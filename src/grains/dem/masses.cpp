@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <numbers>
+
+#include "grains/dem/bodies/bodies.hpp"
+#include "grains/dem/bonds.hpp"
+#include "grains/dem/bounds.hpp"
+#include "grains/dem/neighbours.hpp"
+#include "grains/dem/walls.hpp"
+
+namespace arenite::dem {
+
+double own_mass(const Sample& s, std::size_t k) {
+  const Grains& g = s.start.grains;
+  const auto grain = static_cast<std::size_t>(s.record[k].grain);
+  if (const std::int32_t body = body_of(s, s.record[k].grain); body >= 0) return own_mass_of(s, s.body[static_cast<std::size_t>(body)]);
+  const double r = g.radius[grain];
+  return s.start.materials[static_cast<std::size_t>(g.material[grain])].density * std::numbers::pi * r * r * s.domain.thickness;
+}
+
+namespace {
+
+double stiffness_of(const Sample& s, const DiskRecord& d) { return s.coefficients.pair_stiffness(d.material, d.material); }
+
+/// Dashpots of the listed contacts, from the present masses.
+void renew_dashpots(Sample& s) {
+  ContactList& list = s.list;
+  for (std::size_t p = 0; p < list.size(); ++p) {
+    const DiskRecord& a = s.record[static_cast<std::size_t>(list.i[p])];
+    Coefficients c;
+    if (list.j[p] < 0) {
+      c = s.coefficients.wall(a.material, a.mass);
+    } else {
+      const DiskRecord& b = s.record[static_cast<std::size_t>(list.owner[p])];
+      c = s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius, is_glued(s, a.grain, b.grain));
+    }
+    list.damping[p] = c.damping;
+    list.viscosity[p] = c.viscosity;
+  }
+  renew_bond_dashpots(s);
+}
+
+}  // namespace
+
+void give_masses(Sample& s, MassScaling masses) {
+  s.mass_scaling = masses;
+  double fastest = 0;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    s.record[k].mass = own_mass(s, k);
+    fastest = std::max(fastest, stiffness_of(s, s.record[k]) / s.record[k].mass);
+  }
+  if (masses == MassScaling::uniform)
+    for (std::size_t k = 0; k < s.count; ++k) s.record[k].mass = stiffness_of(s, s.record[k]) / fastest;
+  take_masses(s);
+  renew_dashpots(s);
+  tune_servo(s);
+}
+
+void make_heavy_enough(Sample& s) {
+  if (s.mass_scaling != MassScaling::uniform) return;
+  constexpr int rounds = 10;  // one does, unless drag counts: the longest step grows as the root of the mass
+  for (int round = 0; round < rounds; ++round) {
+    const double short_by = s.dt / step_bounds(s).largest();
+    if (short_by <= 1) return;
+    for (std::size_t k = 0; k < s.count; ++k) s.record[k].mass *= 1.002 * short_by * short_by;
+    take_masses(s);
+    renew_dashpots(s);
+    tune_servo(s);
+  }
+}
+
+}  // namespace arenite::dem

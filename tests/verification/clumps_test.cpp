@@ -1,0 +1,292 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "model/shapes.hpp"
+#include "support.hpp"
+
+namespace arenite::verification {
+namespace {
+
+using dem::Engine;
+
+/// A grain of equal disks whose centres lie at these places, about its centre of mass, with the area of a disk of `radius`.
+struct Clump {
+  std::vector<Vec2> places;
+  Vec2 centre;
+  double radius = 6.2e-3, angle = 0;
+  Vec2 velocity = {};
+  double spin = 0;
+};
+
+void add(Packing& p, const Clump& clump) {
+  Shape shape{clump.places, std::vector<double>(clump.places.size(), 1.0), false};
+  shape = scaled_to(shape, clump.radius);
+  add_shape(p.grains.shapes, shape, gyration_of(shape));
+  add(p, Disk{clump.centre, clump.radius, pom, clump.velocity, clump.spin});
+  p.grains.angle.back() = clump.angle;
+}
+
+const std::vector<Vec2> dumbbell{{-0.8, 0}, {0.8, 0}}, bent{{-1, 0}, {0.2, 0.1}, {0.9, 1.1}};
+
+struct Motion {
+  Vec2 momentum;
+  double angular = 0, kinetic = 0;
+};
+/// About the origin.
+Motion motion_of(const Packing& p) {
+  Motion sum;
+  const Grains& g = p.grains;
+  for (std::size_t k = 0; k < g.size(); ++k) {
+    const double m = mass(p, k), inertia = m * g.shapes.gyration[k] * g.shapes.gyration[k];
+    const Vec2 v{g.vx[k], g.vy[k]};
+    sum.momentum += m * v;
+    sum.angular += m * cross(g.centre(k), v) + inertia * g.omega[k];
+    sum.kinetic += 0.5 * m * dot(v, v) + 0.5 * inertia * g.omega[k] * g.omega[k];
+  }
+  return sum;
+}
+
+TEST(Clumps, OneThatFliesKeepsMomentumAngularMomentumAndEnergy) {
+  Packing p = box(1, 1);
+  add(p, Clump{bent, {0.3, 0.4}, 6.2e-3, 0.4, {1.5, -0.7}, 90});
+  Engine engine(p, {}, with_step(5e-7));
+  const Motion before = motion_of(engine.packing());
+  engine.advance(20'000);
+  const Packing end = engine.packing();
+  const Motion after = motion_of(end);
+  EXPECT_NEAR(end.grains.x[0], 0.3 + 0.01 * 1.5, 1e-12);
+  EXPECT_NEAR(end.grains.y[0], 0.4 - 0.01 * 0.7, 1e-12);
+  EXPECT_NEAR(end.grains.angle[0], 0.4 + 0.01 * 90, 1e-11);
+  EXPECT_NEAR(after.momentum.x / before.momentum.x, 1, 1e-12);
+  EXPECT_NEAR(after.momentum.y / before.momentum.y, 1, 1e-12);
+  EXPECT_NEAR(after.angular / before.angular, 1, 1e-12);
+  EXPECT_NEAR(after.kinetic / before.kinetic, 1, 1e-12);
+  EXPECT_NEAR(engine.energies().kinetic / before.kinetic, 1, 1e-12);
+}
+
+TEST(Clumps, CollisionKeepsMomentumAndAngularMomentum) {
+  Packing p = box(1, 1);
+  add(p, Clump{bent, {0.3, 0.4}, 6.2e-3, 0.4, {1.5, -0.7}, 60});
+  add(p, Clump{dumbbell, {0.315, 0.404}, 7e-3, -1, {-1, 0.2}, -45});
+  dem::ContactParameters law;
+  law.friction = 0.5;
+  law.restitution = 0.6;
+  Engine engine(p, law, {});
+  const Motion before = motion_of(engine.packing());
+  bool met = false;
+  for (int n = 0; n < 400; ++n) {
+    engine.advance(20);
+    met = met || engine.packing().contacts.size() > 0;
+    const Motion now = motion_of(engine.packing());
+    ASSERT_NEAR(now.momentum.x / before.momentum.x, 1, 1e-12);
+    ASSERT_NEAR(now.momentum.y / before.momentum.y, 1, 1e-12);
+    ASSERT_NEAR(now.angular / before.angular, 1, 1e-12);
+  }
+  EXPECT_TRUE(met);
+  EXPECT_LT(motion_of(engine.packing()).kinetic, 0.95 * before.kinetic);
+  EXPECT_EQ(engine.packing().contacts.size(), 0U);
+}
+
+/// Two dumbbells, each at right angles to the way, meet with one disk each, a lever b beside both centres. Equal grains with radius of gyration i that
+/// meet at +v and -v, without friction or loss, exchange the impulse 2 m v/(1 + b^2/i^2).
+TEST(Clumps, ImpulseAndSpinOfAnEccentricCollisionAreTheClosedForm) {
+  Packing p = box(1, 1);
+  add(p, Clump{dumbbell, {0.3, 0.4}, 6.2e-3, pi / 2, {1, 0}});
+  const double lever = p.grains.shapes.x[1], disk = p.grains.shapes.radius[0], gyration = p.grains.shapes.gyration[0];
+  add(p, Clump{dumbbell, {0.3 + 2 * disk + 1e-5, 0.4 + 2 * lever}, 6.2e-3, pi / 2, {-1, 0}});
+  dem::IntegrationParameters how;
+  how.safety = 0.001;
+  Engine engine(p, elastic(), how);
+  while (engine.packing().contacts.size() == 0) engine.advance(50);
+  while (engine.packing().contacts.size() > 0) engine.advance(50);
+  const Packing end = engine.packing();
+  const double impulse = 2 / (1 + lever * lever / (gyration * gyration)), spin = impulse * lever / (gyration * gyration);
+  EXPECT_NEAR(end.grains.vx[0], 1 - impulse, 1e-3);
+  EXPECT_NEAR(end.grains.vx[1], impulse - 1, 1e-3);
+  EXPECT_NEAR(end.grains.omega[0] / spin, 1, 1e-3);
+  EXPECT_NEAR(end.grains.omega[1] / spin, 1, 1e-3);
+}
+
+/// Dumbbells end on end feel the whole mass: the pair's restitution is the asked one.
+TEST(Clumps, CentralCollisionHasTheRestitutionThatIsAsked) {
+  for (const double restitution : {1.0, 0.7, 0.3}) {
+    Packing p = box(1, 1);
+    add(p, Clump{dumbbell, {0.3, 0.4}, 6.2e-3, 0, {1, 0}});
+    add(p, Clump{dumbbell, {0.3 + 2 * (p.grains.shapes.x[1] + p.grains.shapes.radius[1]) + 1e-5, 0.4}, 6.2e-3, 0, {-1, 0}});
+    dem::ContactParameters law;
+    law.restitution = restitution;
+    dem::IntegrationParameters how;
+    how.safety = 0.002;
+    Engine engine(p, law, how);
+    while (engine.packing().contacts.size() == 0) engine.advance(50);
+    while (engine.packing().contacts.size() > 0) engine.advance(50);
+    EXPECT_NEAR(engine.packing().grains.vx[1], restitution, 2e-3);
+    EXPECT_NEAR(engine.packing().grains.vx[0], -restitution, 2e-3);
+  }
+}
+
+/// Moments of the union of two disks of radius 1 whose centres are 2 c apart, by closed form.
+TEST(Clumps, AreaAndInertiaOfADumbbellAreTheClosedForm) {
+  const double c = 0.8, half = std::acos(c), lens = 2 * half - std::sin(2 * half);
+  const double area = 2 * pi - lens;
+  // Of a disk about a point c off its centre less half the lens about its own middle, twice.
+  const double disk = pi / 2 + pi * c * c;
+  const double h = std::sqrt(1 - c * c);
+  // Half lens, x from 0 to 1 - c: integral of (x^2 + y^2) over |y| < sqrt(1 - (x + c)^2), by substitution u = x + c.
+  double segment = 0;
+  const int n = 20'000;
+  for (int k = 0; k < n; ++k) {  // midpoint in the angle, u = cos t
+    const double t = half * (k + 0.5) / n, u = std::cos(t), y = std::sin(t);
+    segment += ((u - c) * (u - c) * 2 * y + 2 * y * y * y / 3) * y * half / n;
+  }
+  EXPECT_GT(h, 0);
+  const Shape shape{{{-c, 0}, {c, 0}}, {1, 1}, false};
+  const geometry::Moments m = geometry::moments_within(rim_of(shape));
+  EXPECT_NEAR(m.area, area, 1e-13);
+  EXPECT_NEAR(m.centre.x, 0, 1e-14);
+  EXPECT_NEAR(m.polar, 2 * disk - 2 * segment, 1e-8);
+  // Disks that only touch: twice (1/2 + 1) pi.
+  const geometry::Moments touching = geometry::moments_within(rim_of({{{-1, 0}, {1, 0}}, {1, 1}, false}));
+  EXPECT_NEAR(touching.polar, 3 * pi, 1e-12);
+  EXPECT_NEAR(touching.area, 2 * pi, 1e-13);
+}
+
+/// Some tens of clumps on a lattice at many angles, moving about.
+Packing crowd(bool periodic, std::uint64_t seed = 1, int side = 6) {
+  const double pitch = 0.0185;
+  Packing p = periodic ? periodic_cell(side * pitch, side * pitch) : box(side * pitch, side * pitch);
+  RandomStream random(seed, Purpose::test);
+  for (int q = 0; q < side * side; ++q) {
+    const Vec2 at{(q % side + 0.5) * pitch, (q / side + 0.5) * pitch};
+    add(p, Clump{q % 3 == 0 ? dumbbell : bent, at, 5e-3, random.uniform(0, 6), {random.uniform(-1, 1), random.uniform(-1, 1)}, random.uniform(-50, 50)});
+  }
+  return p;
+}
+
+/// The crowd pressed together until every grain touches several others.
+Packing pressed(bool periodic, int side = 6) {
+  dem::ContactParameters smooth;
+  smooth.friction = 0;
+  smooth.restitution = 0.3;
+  Engine engine(crowd(periodic, 1, side), smooth, {});
+  const double speed = side > 6 ? 100 : 2;
+  engine.set_drives({moved(speed), moved(-speed), moved(speed), moved(-speed)});
+  while (engine.packing().contacts.size() < static_cast<std::size_t>((side > 6 ? 1 : 2.5) * side * side)) engine.advance(50);
+  return engine.packing();
+}
+
+TEST(Clumps, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
+  for (const int boundary : {0, 1, 2}) {  // walls, periodic, periodic and sheared
+    dem::ContactParameters law;
+    law.friction = 0.4;
+    law.restitution = 0.4;
+    dem::IntegrationParameters how;
+    how.safety = 1.0 / 500;
+    how.track_energy = true;
+    Engine engine(pressed(boundary > 0), law, how);
+    engine.set_drives({moved(0.8), moved(-0.8), moved(0.8), moved(-0.8)});
+    if (boundary == 2) engine.set_shear_rate(30);
+    const Energies before = engine.energies();
+    engine.advance(15'000);
+    const Energies after = engine.energies();
+    const double stored = after.kinetic + after.elastic - before.kinetic - before.elastic, work = after.work_walls - before.work_walls;
+    const double lost = after.dissipated_normal + after.dissipated_friction + after.dissipated_drag;
+    EXPECT_GT(after.dissipated_friction, 0);
+    EXPECT_GT(after.elastic, 5 * before.elastic);
+    EXPECT_NEAR((stored + lost - work) / work, 0, 1e-6) << boundary;
+  }
+}
+
+TEST(Clumps, SameBitsOnOneAndTwoThreadsAndForEveryKernel) {
+  const Packing p = pressed(true, 48);  // enough for two threads
+  std::uint64_t hash = 0;
+  for (const char* kernel : {"portable", "auto"})
+    for (const int threads : {1, 2}) {
+      dem::IntegrationParameters how;
+      how.threads = threads;
+      how.kernel = kernel;
+      Engine engine(p, {}, how);
+      engine.set_drives({moved(5), moved(-5), moved(5), moved(-5)});
+      engine.advance(300);
+      if (hash == 0) hash = engine.state_hash();
+      EXPECT_EQ(engine.state_hash(), hash) << kernel << " " << threads;
+      EXPECT_GT(engine.packing().contacts.size(), 1000U);
+    }
+}
+
+TEST(Clumps, AStateThatIsSavedAndRestoredGoesOnWithTheSameBits) {
+  const Packing p = crowd(true, 5);
+  Engine whole(p, {}, {});
+  whole.set_shear_rate(20);
+  whole.advance(1733);
+  const auto bytes = whole.save();
+  whole.advance(2000);
+  Engine resumed(p, {}, {});
+  resumed.restore(bytes);
+  resumed.advance(2000);
+  EXPECT_GT(whole.list_builds(), 3);
+  EXPECT_EQ(resumed.state_hash(), whole.state_hash());
+}
+
+/// The force on a clump is minus the slope of the elastic energy: without friction and dashpots, against moving it by hand.
+TEST(Clumps, ForceIsMinusTheGradientOfTheEnergy) {
+  dem::ContactParameters law;
+  law.friction = 0;
+  law.restitution = 1;
+  dem::IntegrationParameters how;
+  how.safety = 1e-4;
+  Packing p = box(1, 1);
+  add(p, Clump{bent, {0.3, 0.4}, 6.2e-3, 0.4});
+  add(p, Clump{dumbbell, {0.311, 0.4052}, 6.2e-3, -1});
+  const double mass_of_one = mass(p, 0), inertia = mass_of_one * std::pow(p.grains.shapes.gyration[0], 2);
+  const auto energy = [&](double dx, double dy, double turn) {
+    Packing moved = p;
+    moved.grains.x[0] += dx;
+    moved.grains.y[0] += dy;
+    moved.grains.angle[0] += turn;
+    return Engine(moved, law, how).energies().elastic;
+  };
+  ASSERT_GT(energy(0, 0, 0), 0);
+  Engine engine(p, law, how);
+  const double dt = engine.time_step();
+  engine.advance(1);
+  engine.set_gravity({1e-30, 0});  // brings velocities to the time of the places
+  const Packing end = engine.packing();
+  const double h = 1e-8;
+  const Vec2 force{-(energy(h, 0, 0) - energy(-h, 0, 0)) / (2 * h), -(energy(0, h, 0) - energy(0, -h, 0)) / (2 * h)};
+  const double turn = h / 6.2e-3, torque = -(energy(0, 0, turn) - energy(0, 0, -turn)) / (2 * turn);
+  EXPECT_NEAR(mass_of_one * end.grains.vx[0] / dt, force.x, 1e-5 * norm(force));
+  EXPECT_NEAR(mass_of_one * end.grains.vy[0] / dt, force.y, 1e-5 * norm(force));
+  EXPECT_NEAR(inertia * end.grains.omega[0] / dt, torque, 1e-5 * std::abs(torque));
+}
+
+/// A dumbbell lying on a slope stays below the angle of friction and slides by g (sin - mu cos) above it.
+TEST(Clumps, ALyingDumbbellSlidesAboveTheAngleOfFriction) {
+  const double mu = 0.4;
+  for (const double slope : {0.9 * std::atan(mu), 1.2 * std::atan(mu)}) {
+    Packing p = box(2, 1);
+    add(p, Clump{dumbbell, {0.1, 0}, 6.2e-3});
+    p.grains.y[0] = p.grains.shapes.radius[0] - 0.5 * mass(p, 0) * gravity * std::cos(slope) / k_pom;
+    dem::ContactParameters law;
+    law.friction = mu;
+    law.restitution = 0.3;
+    Engine engine(p, law, {});
+    engine.set_gravity(gravity * Vec2{std::sin(slope), -std::cos(slope)});
+    while (engine.time() < 0.05) engine.advance(100);
+    const Packing first = engine.packing();
+    const double then = engine.time();
+    while (engine.time() < 0.1) engine.advance(100);
+    const Packing end = engine.packing();
+    const double acceleration = (end.grains.vx[0] - first.grains.vx[0]) / (engine.time() - then);
+    if (slope < std::atan(mu)) EXPECT_NEAR(end.grains.vx[0], 0, 1e-6);
+    else EXPECT_NEAR(acceleration / (gravity * (std::sin(slope) - mu * std::cos(slope))), 1, 1e-5);
+    ASSERT_EQ(end.contacts.size(), 2U);
+    EXPECT_NEAR(end.contacts.fn[0] + end.contacts.fn[1], mass(p, 0) * gravity * std::cos(slope), 1e-3 * mass(p, 0) * gravity);
+    EXPECT_NEAR(end.grains.angle[0], 0, 1e-5);
+  }
+}
+
+}  // namespace
+}  // namespace arenite::verification

@@ -1,0 +1,329 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "grains/packing/shapes/polygon.hpp"
+#include "model/shapes.hpp"
+#include "support.hpp"
+
+namespace arenite::verification {
+namespace {
+
+using dem::Engine;
+
+/// A rounded polygon with the area of a disk of `radius`.
+struct Polygon {
+  std::int64_t corners = 4;
+  Vec2 centre;
+  double angle = 0;
+  Vec2 velocity = {};
+  double spin = 0, radius = 6.2e-3, aspect = 1, rounding = 0.1;
+};
+
+void add(Packing& p, const Polygon& polygon) {
+  const Shape shape = scaled_to(packing::PolygonShape{polygon.corners, polygon.aspect, polygon.rounding}.make(), polygon.radius);
+  add_shape(p.grains.shapes, shape, gyration_of(shape));
+  add(p, Disk{polygon.centre, polygon.radius, pom, polygon.velocity, polygon.spin});
+  p.grains.angle.back() = polygon.angle;
+}
+
+double half_side(const Packing& p, std::size_t g) { return p.grains.shapes.x[static_cast<std::size_t>(p.grains.shapes.first[g])]; }
+double rounding(const Packing& p, std::size_t g) { return p.grains.shapes.radius[static_cast<std::size_t>(p.grains.shapes.first[g])]; }
+
+TEST(Polygons, AreaAndInertiaOfARoundedSquareAreTheClosedForm) {
+  const double a = 2, r = 0.3;  // a square of side a, widened by r
+  const Shape shape{{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}, {r, r, r, r}, true};
+  const geometry::Moments m = geometry::moments_within(rim_of(shape));
+  EXPECT_NEAR(m.area, a * a + 4 * a * r + pi * r * r, 1e-13);
+  EXPECT_NEAR(norm(m.centre), 0, 1e-15);
+  // Square, four strips, four quarter disks about their corners: a quarter disk's centroid is 4 r/3 pi off the corner both ways.
+  const double strip = a * r * ((a * a + r * r) / 12 + std::pow((a + r) / 2, 2)), quarter = pi * r * r / 4, off = 4 * r / (3 * pi);
+  const double corner = pi * r * r * r * r / 8 + quarter * (2 * std::pow(a / 2 + off, 2) - 2 * off * off);
+  EXPECT_NEAR(m.polar, std::pow(a, 4) / 6 + 4 * strip + 4 * corner, 1e-12);
+  const Shape equal = scaled_to(packing::PolygonShape{5, 1.7, 0.2}.make(), 1);
+  EXPECT_NEAR(geometry::moments_within(rim_of(equal)).area, pi, 1e-13);
+  EXPECT_NEAR(equal.radius.front(), 0.2, 1e-13);
+}
+
+struct Sums {
+  Vec2 momentum;
+  double angular = 0, kinetic = 0;
+};
+Sums motion_of(const Packing& p) {
+  Sums sum;
+  const Grains& g = p.grains;
+  for (std::size_t k = 0; k < g.size(); ++k) {
+    const double m = mass(p, k), inertia = m * g.shapes.gyration[k] * g.shapes.gyration[k];
+    const Vec2 v{g.vx[k], g.vy[k]};
+    sum.momentum += m * v;
+    sum.angular += m * cross(g.centre(k), v) + inertia * g.omega[k];
+    sum.kinetic += 0.5 * m * dot(v, v) + 0.5 * inertia * g.omega[k] * g.omega[k];
+  }
+  return sum;
+}
+
+TEST(Polygons, CollisionKeepsMomentumAndAngularMomentum) {
+  for (const double restitution : {1.0, 0.5}) {
+    Packing p = box(1, 1);
+    add(p, Polygon{4, {0.3, 0.4}, 0.4, {1.5, -0.7}, 60});
+    add(p, Polygon{3, {0.317, 0.404}, -1, {-1, 0.2}, -45});
+    dem::ContactParameters law;
+    law.friction = restitution < 1 ? 0.5 : 0;
+    law.restitution = restitution;
+    dem::IntegrationParameters how;
+    how.safety = 0.02;
+    Engine engine(p, law, how);
+    const Sums before = motion_of(engine.packing());
+    std::size_t most = 0;
+    for (int n = 0; n < 800; ++n) {
+      engine.advance(20);
+      most = std::max(most, engine.packing().contacts.size());
+      const Sums now = motion_of(engine.packing());
+      ASSERT_NEAR(now.momentum.x / before.momentum.x, 1, 1e-12);
+      ASSERT_NEAR(now.momentum.y / before.momentum.y, 1, 1e-12);
+      ASSERT_NEAR(now.angular / before.angular, 1, 1e-12);
+    }
+    EXPECT_GT(most, 0U);
+    EXPECT_EQ(engine.packing().contacts.size(), 0U);
+    if (restitution == 1) EXPECT_NEAR(motion_of(engine.packing()).kinetic / before.kinetic, 1, 1e-3);
+    else EXPECT_LT(motion_of(engine.packing()).kinetic, 0.95 * before.kinetic);
+  }
+}
+
+/// The upper one stands on the lower one, half a millimetre to the side; both have friction and dashpots.
+TEST(Polygons, TwoSquaresRestOnEachOther) {
+  Packing p = box(0.2, 0.2);
+  add(p, Polygon{4, {0.1, 0}, 0});
+  const double half = half_side(p, 0), r = rounding(p, 0), own_weight = mass(p, 0) * gravity;
+  p.grains.y[0] = half + r;
+  add(p, Polygon{4, {0.1005, 3 * half + 3 * r}, 0});
+  dem::ContactParameters law;
+  law.restitution = 0.2;
+  Engine engine(p, law, {});
+  engine.set_gravity({0, -gravity});
+  while (engine.time() < 0.1) engine.advance(200);
+  const Packing first = engine.packing();
+  while (engine.time() < 0.3) engine.advance(200);
+  const Packing end = engine.packing();
+  double on_wall = 0, between = 0;
+  std::size_t walls = 0;
+  for (std::size_t c = 0; c < end.contacts.size(); ++c) {
+    if (end.contacts.is_wall(c)) on_wall += end.contacts.fn[c], ++walls;
+    else between += dot(end.contacts.force_on_i(c), {0, 1});
+  }
+  EXPECT_EQ(walls, 2U);
+  EXPECT_EQ(end.contacts.size(), 4U);  // a corner of each on the other's side
+  EXPECT_NEAR(on_wall / (2 * own_weight), 1, 1e-9);
+  EXPECT_NEAR(-between / own_weight, 1, 1e-9);
+  for (std::size_t g = 0; g < 2; ++g) {
+    EXPECT_NEAR(end.grains.x[g], first.grains.x[g], 1e-12);
+    EXPECT_NEAR(end.grains.y[g], first.grains.y[g], 1e-12);
+    EXPECT_NEAR(end.grains.x[g], p.grains.x[g], 1e-8);
+    EXPECT_NEAR(end.grains.angle[g], 0, 1e-6);
+    EXPECT_LT(std::abs(end.grains.vy[g]) + std::abs(end.grains.vx[g]), 1e-9);
+  }
+  // Its weight acts 0.5 mm off the middle of the two contacts, which are 2 half - 0.5 mm apart.
+  const double apart = 2 * half - 0.5e-3;
+  for (std::size_t c = 0; c < end.contacts.size(); ++c)
+    if (!end.contacts.is_wall(c)) {
+      const bool left_one = end.grains.x[0] + end.contacts.lever_i(c).x < 0.1;
+      EXPECT_NEAR(end.contacts.fn[c] / own_weight, 0.5 + (left_one ? -1 : 1) * 0.25e-3 / apart, 1e-5);
+    }
+  EXPECT_LT(engine.equilibrium().unbalanced_ratio, 1e-6);
+}
+
+TEST(Polygons, ASquareSlidesAboveTheAngleOfFriction) {
+  const double mu = 0.4;
+  for (const double slope : {0.95 * std::atan(mu), 1.1 * std::atan(mu)}) {
+    Packing p = box(2, 1);
+    add(p, Polygon{4, {0.1, 0}});
+    p.grains.y[0] = half_side(p, 0) + rounding(p, 0);
+    dem::ContactParameters law;
+    law.friction = mu;
+    law.restitution = 0.2;
+    Engine engine(p, law, {});
+    engine.set_gravity(gravity * Vec2{std::sin(slope), -std::cos(slope)});
+    while (engine.time() < 0.1) engine.advance(100);
+    const Packing first = engine.packing();
+    const double then = engine.time();
+    while (engine.time() < 0.2) engine.advance(100);
+    const Packing end = engine.packing();
+    const double acceleration = (end.grains.vx[0] - first.grains.vx[0]) / (engine.time() - then);
+    if (slope < std::atan(mu)) EXPECT_NEAR(end.grains.vx[0], 0, 1e-8);
+    else EXPECT_NEAR(acceleration / (gravity * (std::sin(slope) - mu * std::cos(slope))), 1, 1e-6);
+    EXPECT_EQ(end.contacts.size(), 2U);
+  }
+}
+
+/// What a stage hands to the next: an engine built from a packing with its contacts goes on with the friction that it found.
+TEST(Polygons, TangentialForcesOfAPackingAreTakenUp) {
+  const double slope = 0.2;
+  Packing p = box(2, 1);
+  add(p, Polygon{4, {0.1, 0}});
+  const double half = half_side(p, 0), r = rounding(p, 0);
+  p.grains.y[0] = half + r;
+  add(p, Polygon{4, {0.1, 3 * half + 3 * r}});
+  dem::ContactParameters law;
+  law.friction = 0.5;
+  law.restitution = 0.2;
+  Engine first(p, law, {});
+  first.set_gravity(gravity * Vec2{std::sin(slope), -std::cos(slope)});
+  while (first.time() < 0.2) first.advance(100);
+  const Packing then = first.packing(), now = Engine(then, law, {}).packing();
+  ASSERT_EQ(then.contacts.size(), 6U);
+  ASSERT_EQ(now.contacts.size(), 6U);
+  double largest = 0;
+  for (std::size_t c = 0; c < then.contacts.size(); ++c) {
+    largest = std::max(largest, std::abs(then.contacts.ft[c]));
+    EXPECT_NEAR(now.contacts.ft[c], then.contacts.ft[c], 1e-4 * mass(p, 0) * gravity);
+  }
+  EXPECT_GT(largest, 0.05 * mass(p, 0) * gravity);
+}
+
+/// Corner on side, side on side and corner on corner.
+TEST(Polygons, ForceIsMinusTheGradientOfTheEnergy) {
+  const dem::ContactParameters law = elastic();
+  struct Pose {
+    Vec2 place;
+    double angle;
+    std::size_t contacts;
+  };
+  Packing alone = box(1, 1);
+  add(alone, Polygon{});
+  const double half = half_side(alone, 0), r = rounding(alone, 0), deep = 1e-5, diagonal = (2 * r - deep) / std::sqrt(2);
+  const Pose poses[] = {{{0.3 + half + 2 * r + half * std::sqrt(2.0) - deep, 0.4003}, pi / 4, 1},
+                        {{0.3 + 2 * half + 2 * r - deep, 0.4011}, 1e-4, 2},
+                        {{0.3 + 2 * half + diagonal, 0.4 + 2 * half + diagonal}, 0.002, 2}};
+  for (const Pose& pose : poses) {
+    Packing p = box(1, 1);
+    add(p, Polygon{4, {0.3, 0.4}});
+    add(p, Polygon{4, pose.place, pose.angle});
+    dem::IntegrationParameters how;
+    how.safety = 1e-4;
+    const auto energy = [&](double dx, double dy, double turn) {
+      Packing moved = p;
+      moved.grains.x[1] += dx;
+      moved.grains.y[1] += dy;
+      moved.grains.angle[1] += turn;
+      return Engine(moved, law, how).energies().elastic;
+    };
+    Engine engine(p, law, how);
+    EXPECT_EQ(engine.packing().contacts.size(), pose.contacts);
+    const double dt = engine.time_step(), m = mass(p, 1), inertia = m * std::pow(p.grains.shapes.gyration[1], 2);
+    engine.advance(1);
+    engine.set_gravity({1e-30, 0});
+    const Packing end = engine.packing();
+    const double h = 1e-9, turn = h / half;
+    const Vec2 force{-(energy(h, 0, 0) - energy(-h, 0, 0)) / (2 * h), -(energy(0, h, 0) - energy(0, -h, 0)) / (2 * h)};
+    const double torque = -(energy(0, 0, turn) - energy(0, 0, -turn)) / (2 * turn);
+    ASSERT_GT(norm(force), 1);
+    // Velocities are those of the end of the step: half the force of its start, half that of its end.
+    EXPECT_NEAR(m * end.grains.vx[1] / dt, force.x, 1e-5 * norm(force));
+    EXPECT_NEAR(m * end.grains.vy[1] / dt, force.y, 1e-5 * norm(force));
+    EXPECT_NEAR(inertia * end.grains.omega[1] / dt, torque, 1e-5 * half * norm(force));
+  }
+}
+
+/// Energy and force run on without a jump where a corner slides off the end of a side.
+TEST(Polygons, ForceIsContinuousWhereASideEnds) {
+  Packing alone = box(1, 1);
+  add(alone, Polygon{});
+  const double half = half_side(alone, 0), r = rounding(alone, 0);
+  const auto force = [&](double beyond) {
+    Packing p = box(1, 1);
+    add(p, Polygon{4, {0.3, 0.4}});
+    add(p, Polygon{4, {0.3 + half + beyond, 0.4 + half + half * std::sqrt(2.0) + 2 * r - 1e-5}, pi / 4});
+    Vec2 sum;
+    const Packing now = Engine(p, elastic(), {}).packing();
+    for (std::size_t c = 0; c < now.contacts.size(); ++c) sum += now.contacts.force_on_i(c);
+    return sum;
+  };
+  const Vec2 before = force(-1e-9), after = force(1e-9);
+  EXPECT_GT(norm(before), 100);
+  EXPECT_LT(norm(after - before), 1e-4 * norm(before));
+}
+
+Packing crowd(bool periodic, std::uint64_t seed = 1, int side = 6) {
+  const double pitch = 0.0172;
+  Packing p = periodic ? periodic_cell(side * pitch, side * pitch) : box(side * pitch, side * pitch);
+  RandomStream random(seed, Purpose::test);
+  for (int q = 0; q < side * side; ++q)
+    add(p, Polygon{3 + q % 4,
+                   {(q % side + 0.5) * pitch, (q / side + 0.5) * pitch},
+                   random.uniform(0, 6),
+                   {random.uniform(-1, 1), random.uniform(-1, 1)},
+                   random.uniform(-50, 50),
+                   5.5e-3,
+                   q % 2 == 0 ? 1.0 : 1.5,
+                   0.15});
+  return p;
+}
+
+Packing pressed(bool periodic, int side = 6) {
+  dem::ContactParameters smooth;
+  smooth.friction = 0;
+  smooth.restitution = 0.3;
+  Engine engine(crowd(periodic, 1, side), smooth, {});
+  const double speed = side > 6 ? 100 : 2;
+  engine.set_drives({moved(speed), moved(-speed), moved(speed), moved(-speed)});
+  while (engine.packing().contacts.size() < static_cast<std::size_t>((side > 6 ? 1 : 2.5) * side * side)) engine.advance(50);
+  return engine.packing();
+}
+
+TEST(Polygons, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
+  for (const int boundary : {0, 1, 2}) {  // walls, periodic, periodic and sheared
+    dem::ContactParameters law;
+    law.friction = 0.4;
+    law.restitution = 0.4;
+    dem::IntegrationParameters how;
+    how.safety = 1.0 / 500;
+    how.track_energy = true;
+    Engine engine(pressed(boundary > 0), law, how);
+    engine.set_drives({moved(0.8), moved(-0.8), moved(0.8), moved(-0.8)});
+    if (boundary == 2) engine.set_shear_rate(30);
+    const Energies before = engine.energies();
+    engine.advance(15'000);
+    const Energies after = engine.energies();
+    const double stored = after.kinetic + after.elastic - before.kinetic - before.elastic, work = after.work_walls - before.work_walls;
+    const double lost = after.dissipated_normal + after.dissipated_friction + after.dissipated_drag;
+    EXPECT_GT(after.dissipated_friction, 0);
+    EXPECT_GT(after.elastic, 5 * before.elastic);
+    EXPECT_NEAR((stored + lost - work) / work, 0, 1e-6) << boundary << " work " << work << " lost " << lost << " stored " << stored;
+  }
+}
+
+TEST(Polygons, SameBitsOnOneAndTwoThreadsAndForEveryKernel) {
+  const Packing p = pressed(true, 48);  // enough for two threads
+  std::uint64_t hash = 0;
+  for (const char* kernel : {"portable", "auto"})
+    for (const int threads : {1, 2}) {
+      dem::IntegrationParameters how;
+      how.threads = threads;
+      how.kernel = kernel;
+      Engine engine(p, {}, how);
+      engine.set_drives({moved(5), moved(-5), moved(5), moved(-5)});
+      engine.advance(300);
+      if (hash == 0) hash = engine.state_hash();
+      EXPECT_EQ(engine.state_hash(), hash) << kernel << " " << threads;
+      EXPECT_GT(engine.packing().contacts.size(), 1000U);
+    }
+}
+
+TEST(Polygons, AStateThatIsSavedAndRestoredGoesOnWithTheSameBits) {
+  const Packing p = pressed(true);
+  Engine whole(p, {}, {});
+  whole.set_drives({moved(0.5), moved(-0.5), moved(0.5), moved(-0.5)});
+  whole.set_shear_rate(20);
+  whole.advance(511);
+  const auto bytes = whole.save();
+  whole.advance(1000);
+  ASSERT_GT(whole.packing().contacts.size(), 60U);
+  EXPECT_GT(whole.list_builds(), 3);
+  Engine resumed(p, {}, {});
+  resumed.restore(bytes);
+  resumed.advance(1000);
+  EXPECT_EQ(resumed.state_hash(), whole.state_hash());
+}
+
+}  // namespace
+}  // namespace arenite::verification
