@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include "core/error.hpp"
 #include "recipe/recipe.hpp"
@@ -99,6 +100,19 @@ std::vector<double> q_over_p(const Sides& s) {
   return ratio(q, p);
 }
 
+/// The stress along the axis, Pa, of a test in which nothing presses across it; nothing where something does.
+std::optional<std::vector<double>> uniaxial_stress(const Sides& s, double thickness) {
+  std::vector<double> x, y;
+  for (std::size_t k = 0; k < s.time.size(); ++k) {
+    x.push_back(s.normal_x[k] / (s.height[k] * thickness));
+    y.push_back(s.normal_y[k] / (s.width[k] * thickness));
+  }
+  const auto largest = [](const std::vector<double>& v) { return std::abs(*std::ranges::max_element(v, {}, [](double a) { return std::abs(a); })); };
+  if (largest(x) <= unloaded * largest(y)) return y;
+  if (largest(y) <= unloaded * largest(x)) return x;
+  return {};
+}
+
 double area_of_grains(const Packing& packing) {
   double area = 0;
   for (const double r : packing.grains.radius) area += std::numbers::pi * r * r;
@@ -134,7 +148,9 @@ std::optional<TestCurves> test_curves(const StageResult& stage) {
   TestCurves curves;
   if (!strain_by_shear(curves, stage, *s)) {
     strain_by_sides(curves, *s);
-    curves.ratio = q_over_p(*s);
+    auto stress = uniaxial_stress(*s, stage.frames.back().packing.domain.thickness);
+    curves.confined = !stress;
+    curves.ratio = stress ? std::move(*stress) : q_over_p(*s);
   }
   if (std::ranges::none_of(curves.strain, [](double v) { return std::abs(v) >= least_strain; })) return {};
   const double grains = area_of_grains(stage.frames.back().packing), start = s->width.front() * s->height.front();
@@ -147,6 +163,7 @@ std::optional<TestCurves> test_curves(const StageResult& stage) {
 }
 
 std::optional<CriticalState> critical_state(const TestCurves& curves) {
+  if (!curves.confined) return {};
   const auto loaded = std::ranges::find_if(curves.ratio, [](double v) { return std::isfinite(v); });
   const auto offset = static_cast<std::size_t>(loaded - curves.ratio.begin());
   const std::vector<double> ratio(loaded, curves.ratio.end());

@@ -13,12 +13,13 @@ namespace arenite::report {
 struct TestCurves {
   std::string strain_name;             ///< "shear strain", "strain of the height", "strain of the width"
   bool sheared = false;                ///< along the sides: the ratio is shear over normal stress there, "mu"; else q over p of the sides, "q_over_p"
+  bool confined = true;                ///< across its axis, too; else the ratio would always be 1, and in its stead is the stress along the axis, Pa
   std::vector<double> strain;          ///< since the first row, positive where a side shortens
   std::vector<double> ratio;           ///< NaN where the sides are all but unloaded
   std::vector<double> volume;          ///< volumetric strain since the first row, compaction positive
   std::vector<double> solid_fraction;  ///< of the whole box
 
-  std::string ratio_name() const { return sheared ? "mu" : "q_over_p"; }
+  std::string ratio_name() const { return sheared ? "mu" : confined ? "q_over_p" : "axial_stress"; }
 };
 
 /// From the forces on the sides and their places. Nothing for a stage that strains by less than 0.2 %, or kept no history of its sides.

@@ -191,3 +191,12 @@ def test_a_study_whose_runs_are_strained_at_a_rate_has_its_rheology(tmp_path, mo
     assert not loadings.driven_runs(tmp_path)
     with pytest.raises(ValueError, match="there is no page of this study yet"):
         figures.save_all(tmp_path, tmp_path / "figures")
+
+
+def test_without_confinement_the_stress_is_drawn():
+    press = {side: np.array([0, 1e3, 2e3]) for side in ("bottom", "top")}
+    found = curves.along(alone(a_stage([0.1] * 3, [0.1, 0.0999, 0.0998], press)))
+    drawn = saving.Canvas().add_subplot()
+    loadings.draw_friction(drawn, found)
+    assert drawn.get_ylabel().startswith("stress along the axis") and len(drawn.lines) == 1
+    assert drawn.lines[0].get_ydata()[-1] > 0

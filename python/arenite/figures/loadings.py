@@ -54,9 +54,24 @@ def draw_critical_state(axes, critical):
     axes.legend(loc="lower right")
 
 
+def uniaxial_stress(found):
+    """The stress along the axis where nothing presses across it, so that q/p says nothing; else None."""
+    if "mu" in found:
+        return None
+    stresses = [found[name].values for name in ("sigma_xx", "sigma_yy") if name in found]
+    *small, large = sorted(stresses, key=lambda values: np.max(np.abs(values)))
+    return large if all(np.max(np.abs(values)) <= 0.01 * np.max(np.abs(large)) for values in small) else None
+
+
 def draw_friction(axes, found):
-    """q/p, or shear over normal stress of a sheared cell, against strain; `found` as curves.along gives it."""
+    """q/p, or shear over normal stress of a sheared cell, or the stress of a test without confinement, against strain; `found` as curves.along gives it."""
     x, label = strain_of(found)
+    stress = uniaxial_stress(found)
+    if stress is not None:
+        factor, unit = scaled(np.max(np.abs(stress)), "Pa")
+        draw_curve(axes, x, stress / factor)
+        axes.set(xlabel=label, ylabel=f"stress along the axis, {unit}")
+        return
     name = "mu" if "mu" in found else "q_over_p"
     draw_curve(axes, x, found[name].values)
     axes.set(xlabel=label, ylabel=names[name])
@@ -75,7 +90,7 @@ def has_test(state):
     if not curves.has_history(state.stage):
         return False
     history = state.stage.history
-    stressed = all(np.any(history.get(f"{side}_force", 0)) for side in ("left", "bottom"))
+    stressed = any(np.any(history.get(f"{side}_force", 0)) for side in ("left", "bottom"))
     return stressed and np.ptp(strain_of(curves.curves_of(test_of(state)))[0]) > 1e-3
 
 
@@ -95,7 +110,7 @@ def stress_strain(figure, state):
     critical = critical_state(state.stage)
     if critical:
         draw_critical_state(upper, critical)
-    is_confined = "mu" not in found and np.allclose(found["volumetric_strain"].values, found["axial_strain"].values, atol=1e-9)
+    is_confined = "mu" not in found and uniaxial_stress(found) is None and np.allclose(found["volumetric_strain"].values, found["axial_strain"].values, atol=1e-9)
     (draw_pressure if is_confined else draw_volume)(lower, found)
     upper.set_xlabel("")
 

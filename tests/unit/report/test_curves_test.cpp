@@ -72,6 +72,18 @@ TEST(TestCurves, OfABiaxialTestAreStrainRatioAndVolumeOfTheSides) {
   EXPECT_NEAR(curves->solid_fraction[0], std::numbers::pi * 0.05 * 0.05 / 0.01, 1e-12);
 }
 
+TEST(TestCurves, WithoutConfinementAreOfTheStressAlongTheAxis) {
+  Loading test(5, false);
+  test.of("top_position") = {0.1, 0.0999, 0.0998, 0.0997, 0.0996};
+  test.stage.frames.back().packing.domain.thickness = 0.06;
+  for (std::size_t k = 0; k < 5; ++k) test.of("bottom_force")[k] = test.of("top_force")[k] = 600.0 * static_cast<double>(k);
+  const auto curves = test_curves(test.stage);
+  ASSERT_TRUE(curves);
+  EXPECT_EQ(curves->ratio_name(), "axial_stress");
+  EXPECT_NEAR(curves->ratio[4], 2400 / (0.1 * 0.06), 1e-6);
+  EXPECT_FALSE(critical_state(*curves));
+}
+
 TEST(TestCurves, AreNotThoseOfAStageThatHardlyStrains) {
   Loading test(5, false);
   test.of("top_position") = {0.1, 0.09999, 0.09998, 0.09997, 0.09996};

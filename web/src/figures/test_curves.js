@@ -3,7 +3,7 @@ import { prefixOf } from "../text.js";
 import { chart, sideBySide } from "./chart.js";
 import { stageOf } from "./history.js";
 
-const ratioLabels = { mu: "friction, shear over normal force", q_over_p: "q/p by the forces on the sides" };
+const ratioLabels = { mu: "friction, shear over normal force", q_over_p: "q/p by the forces on the sides", axial_stress: "stress along the axis" };
 const symbols = { mu: "\u03bc", q_over_p: "q/p" };
 
 /** The curves of a stage as the program measured them: { strain, ratio: [{ x, y }], volume, critical }. Strains of sides in per cent. */
@@ -13,10 +13,20 @@ function curvesOf(stage) {
   const factor = test.strain_name === "shear strain" ? 1 : 100;
   const against = (values, scale) => Array.from(test.strain, (x, k) => ({ x: factor * x, y: scale * values[k] })).filter(({ y }) => Number.isFinite(y) && Math.abs(y) < 200);
   const critical = test.critical_state;
+  if (test.ratio_name === "axial_stress") return { ...uniaxial(test, factor), volume: against(test.volume, 100) };
   return {
     strain: { label: test.strain_name, unit: factor === 1 ? "" : "%" }, symbol: symbols[test.ratio_name], ratioLabel: ratioLabels[test.ratio_name],
     ratio: against(test.ratio, 1).filter(({ y }) => y < 2), volume: against(test.volume, 100),
     critical: critical && { from: factor * critical.from, to: factor * critical.to, ratio: half(critical[test.ratio_name]), solid: half(critical.solid_fraction) },
+  };
+}
+
+/** The stress of a test without confinement, whose ratio says nothing. */
+function uniaxial(test, factor) {
+  const { factor: size, prefix } = prefixOf(Math.max(...Array.from(test.ratio, Math.abs)), "Pa");
+  return {
+    strain: { label: test.strain_name, unit: "%" }, ratioLabel: ratioLabels.axial_stress, ratioUnit: `${prefix}Pa`,
+    ratio: Array.from(test.strain, (x, k) => ({ x: factor * x, y: test.ratio[k] / size })).filter(({ y }) => Number.isFinite(y)),
   };
 }
 
@@ -67,7 +77,7 @@ function panel(theme, strain, points, y, width, critical = null) {
 
 export const testCurves = {
   id: "test-curves", title: "Curves of the test", wide: true, follows: true,
-  caption: "Of the stage shown, from the forces on its sides and their places: stress ratio and volumetric strain (compaction positive) against strain; thin: every sample, line: means. Coloured: the critical state, over the strain where the ratio only fluctuates, with its 95 % band.",
+  caption: "Of the stage shown, from the forces on its sides and their places: stress ratio (without confinement: the stress) and volumetric strain (compaction positive) against strain; thin: every sample, line: means. Coloured: the critical state, over the strain where the ratio only fluctuates, with its 95 % band.",
   when: (texture, sample) => sample.stages.some((stage) => curvesOf(stage)),
   key: ({ sample, state, theme }) => {
     const critical = curvesOf(stageOf(sample, state))?.critical, { symbol } = curvesOf(stageOf(sample, state)) ?? {};
@@ -77,7 +87,7 @@ export const testCurves = {
     const curves = curvesOf(stageOf(sample, state));
     if (!curves) return null;
     return sideBySide(width, [
-      (part) => panel(theme, curves.strain, curves.ratio, { label: curves.ratioLabel, nice: true }, part, curves.critical),
+      (part) => panel(theme, curves.strain, curves.ratio, { label: curves.ratioLabel, unit: curves.ratioUnit, nice: true }, part, curves.critical),
       (part) => panel(theme, curves.strain, curves.volume, { label: "volumetric strain", unit: "%", nice: true }, part),
     ]);
   },
