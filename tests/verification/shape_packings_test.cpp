@@ -43,9 +43,10 @@ TEST(ShapePackings, PentagonsWithoutFrictionAreIsostaticAndAsDenseAsPublished) {
   std::string text = io::read_file(example);
   for (std::size_t at = text.find(dumbbell); at != std::string::npos; at = text.find(dumbbell))
     text.replace(at, dumbbell.size(), "shape = \"polygon\"\ncorners = 5\n");
-  const texture::Texture t = texture_of(recipe::parse_recipe(
-      text, "pentagons.toml",
-      {"populations.0.count=50", "populations.1.count=50", "populations.1.diameter=10 mm", "packing.solid_fraction=0.45", "container.width=150 mm"}));
+  const texture::Texture t =
+      texture_of(recipe::parse_recipe(text, "pentagons.toml",
+                                      {"populations.0.count=50", "populations.1.count=50", "populations.1.diameter=10 mm", "packing.solid_fraction=0.45",
+                                       "container.width=150 mm", "stages.1.equilibrium.unbalanced=1e-3", "stages.1.equilibrium.kinetic=1e-3"}));
   EXPECT_NEAR(mean_of(t, "all without rattlers"), 6, 0.4);
   EXPECT_NEAR(t.solid_fraction.value, 0.85, 0.03);
   EXPECT_EQ(t.long_axes.grains, 0U);
