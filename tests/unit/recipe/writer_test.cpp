@@ -118,7 +118,7 @@ Recipe any_recipe() {
   recipe.materials = {{"A", any_number(1e3), any_number(1e6), any_number(1e-8)}, {"B c", any_number(1e3), any_number(1e6), 0}};
   recipe.packing.grains = 1000;
   recipe.packing.solid_fraction = any_number(0.5);
-  for (const char* material : {"A", "B c"}) recipe.populations.push_back({material, {}, any_number(1), any_size()});
+  for (const char* material : {"A", "B c"}) recipe.populations.push_back({material, {}, any_number(1), any_size(), {}});
   auto& contact = recipe.contact;
   contact.normal = any_law<dem::NormalLaw>(dem::Linear{}, dem::Hertz{});
   contact.stiffness_rule = any_of<dem::StiffnessRule>(2);

@@ -36,7 +36,7 @@ TEST(SizeCurve, WeighsMaterialsByTheirDensities) {
 }
 
 TEST(SizeCurve, OfALawIsItsClosedForm) {
-  Population uniform{"glass", 300, {}, UniformSizes{1e-3, 3e-3}};
+  Population uniform{"glass", 300, {}, UniformSizes{1e-3, 3e-3}, {}};
   const auto curve = asked_size_curve({uniform}, glass, 0);
   for (const double d : {1.4e-3, 2e-3, 2.6e-3}) EXPECT_NEAR(at(curve, d), (std::pow(d, 3) - 1e-9) / (27e-9 - 1e-9), 0.008) << d;
 }
@@ -45,19 +45,19 @@ TEST(SizeCurve, OfASieveCurveIsTheCurve) {
   SieveCurve sieves;
   sieves.sieves = {1e-3, 2e-3, 4e-3};
   sieves.passing = {0, 0.3, 1};
-  const auto curve = asked_size_curve({{"glass", {}, 1.0, sieves}}, glass, 500);
+  const auto curve = asked_size_curve({{"glass", {}, 1.0, sieves, {}}}, glass, 500);
   EXPECT_NEAR(at(curve, 1.5e-3), 0.15, 0.01);
   EXPECT_NEAR(at(curve, 2e-3), 0.3, 0.01);
   EXPECT_NEAR(at(curve, 3e-3), 0.65, 0.01);
 }
 
 TEST(SizeCurve, KeepsTheSharesOfPopulations) {
-  const std::vector<Population> two{{"glass", 4, {}, FixedSize{1e-3}}, {"glass", 1, {}, FixedSize{2e-3}}};
+  const std::vector<Population> two{{"glass", 4, {}, FixedSize{1e-3}, {}}, {"glass", 1, {}, FixedSize{2e-3}, {}}};
   EXPECT_NEAR(at(asked_size_curve(two, glass, 0), 1.5e-3), 0.5, 1e-12);
 }
 
 TEST(SizeCurve, OfManyGrainsHasFewPoints) {
-  Population uniform{"glass", 5000, {}, UniformSizes{1e-3, 3e-3}};
+  Population uniform{"glass", 5000, {}, UniformSizes{1e-3, 3e-3}, {}};
   EXPECT_LE(measured_size_curve(draw_grains({uniform}, glass, 0, 3), glass).diameter.size(), 210u);
   EXPECT_TRUE(measured_size_curve({}, glass).diameter.empty());
 }
