@@ -44,7 +44,7 @@ void add_contacts(const Sample& s, Snapshot& shot) {
         spring = normal.elastic(c.overlap, list.stiffness[p], c.curvature, none) + spring;
       }
       const Vec2 dash = (dot(f, c.normal) - spring) * c.normal, slip = dot(f, t) * t;
-      shot.springs += friction.energy(s.laws.slip(c.sliding, list.stiffness[p]), list.memory[p]);
+      shot.springs += friction.energy(s.laws.slip(c.sliding, sliding_stiffness(s, normal, p, c)), list.memory[p]);
       auto& a = shot.disk[static_cast<std::size_t>(s.record[static_cast<std::size_t>(list.i[p])].grain)];
       a.dash_x += dash.x;
       a.dash_y += dash.y;

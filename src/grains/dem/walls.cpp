@@ -19,7 +19,7 @@ void tune_servo(Sample& s) {
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];
     mass += d.mass;
-    stiffness += s.coefficients.pair_stiffness(d.material, d.material) / static_cast<double>(s.count);
+    stiffness += s.coefficients.pair_stiffness(d.material, d.material, d.radius, d.radius) / static_cast<double>(s.count);
   }
   const double layers = std::sqrt(static_cast<double>(std::max<std::size_t>(s.count, 1)));
   const double aspect = s.domain.width() / s.domain.height();
