@@ -273,6 +273,8 @@ void bind_packing(py::module_& m) {
       .def_readonly("density", &Material::density, "kg/m^3")
       .def_readonly("stiffness", &Material::stiffness, "Contact stiffness k, N/m (T ch. 2).")
       .def_readonly("thermoelastic_factor", &Material::thermoelastic_factor, "A, K/Pa (T ch. 2).")
+      .def_readonly("youngs_modulus", &Material::youngs_modulus, "Young's modulus E, Pa; None if the recipe does not say.")
+      .def_readonly("poisson", &Material::poisson, "Poisson's ratio nu; None if the recipe does not say.")
       .def("__repr__", [](const Material& of) { return "<arenite.Material " + of.name + ">"; });
   bind_contacts(m);
   py::class_<Packing> packing(m, "Packing",

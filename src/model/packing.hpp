@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,9 +15,11 @@ namespace arenite {
 /// A constitutive material of grains; parameters that concern a pair follow from two of these (dem/laws).
 struct Material {
   std::string name;
-  double density = 0;               ///< kg/m^3
-  double stiffness = 0;             ///< contact stiffness k, N/m (T ch. 2)
-  double thermoelastic_factor = 0;  ///< A, K/Pa (T ch. 2); 0 if not known
+  double density = 0;                         ///< kg/m^3
+  double stiffness = 0;                       ///< contact stiffness k, N/m (T ch. 2)
+  double thermoelastic_factor = 0;            ///< A, K/Pa (T ch. 2); 0 if not known
+  std::optional<double> youngs_modulus = {};  ///< E, Pa, and
+  std::optional<double> poisson = {};         ///< Poisson's ratio nu, for laws of these
   bool operator==(const Material&) const = default;
 };
 

@@ -16,7 +16,13 @@ using Visitor = ParameterVisitor;
 
 void declare(Visitor& v, Material& material) {
   v.number({"density", "Mass density.", true}, material.density, "kg/m^3", range::positive);
-  v.number({"stiffness", "Contact stiffness k of two grains of this material.", true}, material.stiffness, "kN/mm", range::positive);
+  v.number({"youngs_modulus", "Young's modulus E, for contact.normal = \"hertz_mindlin\"."}, material.youngs_modulus, "GPa", range::positive);
+  v.number({"poisson", "Poisson's ratio nu, for the same."}, material.poisson, "", range::between(0, 0.5));
+  std::optional<double> stiffness = material.stiffness > 0 ? std::optional(material.stiffness) : std::nullopt;
+  const bool elastic = material.youngs_modulus && material.poisson;
+  v.number({"stiffness", "Contact stiffness k of two grains of this material; not needed beside E and nu where these make the contacts.", !elastic}, stiffness,
+           "kN/mm", range::positive);
+  material.stiffness = stiffness.value_or(0);
   v.number({"thermoelastic_factor", "Temperature rise per fall of the sum of principal stresses; 0: not known."}, material.thermoelastic_factor, "K/MPa",
            range::not_negative);
 }
@@ -46,6 +52,19 @@ void declare_materials(Visitor& v, Materials& materials) {
                 declare(inner, materials[i]);
               },
               [&](std::size_t i) -> std::string& { return materials[i].name; }});
+}
+
+void require_constants(Visitor& v, const Recipe& recipe) {
+  const bool by_moduli = recipe.contact.takes_moduli();
+  for (const Material& m : recipe.materials) {
+    if (by_moduli) {
+      v.require(m.youngs_modulus && m.poisson, {"contact", "materials"},
+                fmt::format("normal = \"{}\" needs E and nu; write youngs_modulus and poisson in [materials.{}]", dem::HertzMindlin::word.word, m.name));
+    } else {
+      v.require(m.stiffness > 0, {"contact", "materials"},
+                fmt::format("the normal law needs a stiffness; write it in [materials.{}], or take normal = \"{}\"", m.name, dem::HertzMindlin::word.word));
+    }
+  }
 }
 
 void declare(Visitor& v, Population& population, const Recipe& recipe) {
@@ -180,6 +199,7 @@ void declare(ParameterVisitor& v, Recipe& recipe) {
                      [&](Visitor& inner, Population& population) { declare(inner, population, recipe); });
   require_grains(v, recipe);
   v.section({"contact", "Forces between grains, and between grains and walls."}, [&](Visitor& inner) { declare(inner, recipe.contact); });
+  require_constants(v, recipe);
   v.section({"integration", "Newton's equations in time."}, [&](Visitor& inner) { declare(inner, recipe.integration); });
   v.optional_section<Region>({"glued", "A region whose grains are glued to each other."}, recipe.glued,
                              [&](Visitor& inner, Region& region) { declare(inner, region, recipe.container); });

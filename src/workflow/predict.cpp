@@ -60,8 +60,8 @@ ShortestCollision shortest_collision(const Packing& packing, const dem::ContactP
   for (std::size_t k = 0; k < packing.grains.size(); ++k) {
     const std::int32_t material = packing.grains.material[k];
     const double mass = texture::mass_of(packing, k), radius = packing.grains.radius[k];
-    const double pair = collision_time(0.5 * mass, tangent(contact, table.pair_stiffness(material, material)));
-    const double wall = collision_time(mass, tangent(contact, table.wall_stiffness(material)));
+    const double pair = collision_time(0.5 * mass, tangent(contact, table.pair_stiffness(material, material, radius, radius)));
+    const double wall = collision_time(mass, tangent(contact, table.wall_stiffness(material, radius)));
     if (const double time = std::min(pair, wall); shortest.time == 0 || time < shortest.time) shortest = {time, radius, material, wall < pair};
   }
   return shortest;
@@ -95,7 +95,7 @@ Bulk bulk_of(const Packing& packing, const dem::ContactParameters& contact) {
   for (std::size_t a = 0; a < packing.materials.size(); ++a)
     for (std::size_t b = 0; b <= a; ++b)
       if (there(a) && there(b)) {
-        const double k = table.pair_stiffness(static_cast<int>(a), static_cast<int>(b));
+        const double k = table.pair_stiffness(static_cast<int>(a), static_cast<int>(b), bulk.diameter / 2, bulk.diameter / 2);
         bulk.stiffness = bulk.stiffness == 0 ? k : std::min(bulk.stiffness, k);
       }
   return bulk;

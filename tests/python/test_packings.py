@@ -159,3 +159,44 @@ def test_stages_are_stored_exported_and_shown_as_a_page(recipe, tmp_path):
     with pytest.raises(ValueError, match="result is a folder"):
         arenite.save(3, tmp_path / "empty")
     assert not (tmp_path / "empty").exists()
+
+
+def test_forces_follow_from_the_moduli_of_the_materials(tmp_path):
+    recipe = arenite.Recipe.from_text("""[container]
+width = "30 mm"
+height = "30 mm"
+thickness = "10 mm"
+[[populations]]
+material = "hard"
+count = 40
+diameter = "3 mm"
+[[populations]]
+material = "soft"
+count = 20
+diameter = "4 mm"
+[materials.hard]
+density = "2500 kg/m^3"
+youngs_modulus = "0.7 GPa"
+poisson = 0.22
+[materials.soft]
+density = "1100 kg/m^3"
+youngs_modulus = "0.1 GPa"
+poisson = 0.45
+[contact]
+normal = "hertz_mindlin"
+[[stages]]
+name = "press"
+right = { force = "20 N" }
+top = { force = "20 N" }
+equilibrium = { unbalanced = 1e-5, kinetic = 1e-10 }
+""")
+    packing = arenite.open(arenite.run(recipe, str(tmp_path / "out")).path).stages[-1].packing  # as stored
+    constants = {m.name: (m.youngs_modulus, m.poisson) for m in packing.materials}
+    assert constants == {"hard": (0.7e9, 0.22), "soft": (0.1e9, 0.45)} and arenite.Material("other").poisson is None
+    yields = np.array([(1 - m.poisson**2) / m.youngs_modulus for m in packing.materials])[packing.material]
+    c, r = packing.contacts, packing.radius
+    i, j = (np.asarray(k)[np.asarray(c.j) >= 0] for k in (c.i, c.j))
+    overlap = r[i] + r[j] - np.hypot(packing.x[i] - packing.x[j], packing.y[i] - packing.y[j])
+    force = 4 / 3 / (yields[i] + yields[j]) * np.sqrt(r[i] * r[j] / (r[i] + r[j])) * overlap**1.5
+    pressed = np.asarray(c.fn)[np.asarray(c.j) >= 0]
+    assert len(pressed) > 50 and np.abs(force - pressed).max() < 1e-4 * pressed.max()

@@ -16,7 +16,7 @@ namespace arenite::dem {
 namespace {
 
 /// Ends the bonds that break for good where their contact has opened; the energy of the tangential spring is lost.
-template <class F> void end_open_bonds(Sample& s, const F& friction) {
+template <class N, class F> void end_open_bonds(Sample& s, const N& normal, const F& friction) {
   for (std::size_t p = 0; p < s.list.pairs; ++p) {
     if (!(s.list.strength[p] > 0)) continue;
     auto& bond = s.list.bond[p];
@@ -26,7 +26,7 @@ template <class F> void end_open_bonds(Sample& s, const F& friction) {
       bond = never_touched;
       s.list.strength[p] = 0;
       s.live_bonds.erase(std::lower_bound(s.live_bonds.begin(), s.live_bonds.end(), slot_key(s, p)));
-      const double lost = friction.energy(s.laws.slip(0, s.list.stiffness[p]), s.list.memory[p]);
+      const double lost = friction.energy(s.laws.slip(0, sliding_stiffness(s, normal, p, {})), s.list.memory[p]);
       s.tally.dissipated_breakage += lost;
       s.tally.dissipated_friction -= lost;
     }
@@ -37,19 +37,13 @@ double lowest_force(const Sample& s) { return s.contact.attractive_dashpot ? -st
 
 PairTask pair_task(Sample& s) {
   ContactList& list = s.list;
-  return {s.record.data(),
-          list.i.data(),
-          list.j.data(),
-          list.stiffness.data(),
-          list.damping.data(),
-          list.viscosity.data(),
-          list.strength.data(),
-          list.memory.data(),
-          list.normal_memory.data(),
-          list.force.data(),
-          s.friction,
-          lowest_force(s),
-          s.contact.arms == Arms::contact_point ? 0.5 : 0.0};
+  return {s.record.data(),      list.i.data(),
+          list.j.data(),        list.stiffness.data(),
+          list.damping.data(),  list.viscosity.data(),
+          list.strength.data(), list.shear.data(),
+          list.memory.data(),   list.normal_memory.data(),
+          list.force.data(),    s.friction,
+          lowest_force(s),      s.contact.arms == Arms::contact_point ? 0.5 : 0.0};
 }
 
 /// Wall slots begin .. end-1, counted from the first.
@@ -65,8 +59,8 @@ template <class N, class A, class F> void evaluate_walls(Sample& s, const N& nor
       if constexpr (N::remembers) list.normal_memory[p] = 0;
       continue;
     }
-    const ContactState<double> state{c.overlap,       c.approach,        c.sliding,        c.curvature,     list.stiffness[p],
-                                     list.damping[p], list.viscosity[p], list.strength[p], s.wall_friction, floor};
+    const ContactState<double> state{c.overlap,         c.approach,       c.sliding,       c.curvature, list.stiffness[p], list.damping[p],
+                                     list.viscosity[p], list.strength[p], s.wall_friction, floor,       list.shear[p]};
     ContactMemory<double> memory{0, list.memory[p]};
     if constexpr (N::remembers) memory.normal = list.normal_memory[p];
     const ContactForce<double> f = contact_force(s.laws, normal, adhesion, friction, state, memory);
@@ -118,7 +112,7 @@ void sum_wall_forces(Sample& s) {
 void compute_forces(Sample& s, const Team& team) {
   hand_over_memories(s);
   s.laws.visit([&](const auto& normal, const auto& adhesion, const auto& friction) {
-    if (!s.live_bonds.empty()) end_open_bonds(s, friction);
+    if (!s.live_bonds.empty()) end_open_bonds(s, normal, friction);
     evaluate(s, team, normal, adhesion, friction);
   });
   add_rolling_moments(s, team);

@@ -193,7 +193,7 @@ double shortest_bond_time(const Sample& s) {
   for (const BondSlot& b : s.bond_slots) {
     const Mobility m = mobility(s, b);
     const DiskRecord &a = s.record[static_cast<std::size_t>(b.i)], &c = s.record[static_cast<std::size_t>(b.j)];
-    const double contact = s.coefficients.pair_stiffness(a.material, c.material);
+    const double contact = s.coefficients.pair_stiffness(a.material, c.material, a.radius, c.radius);
     fastest = std::max({fastest, (b.beam.normal + contact) * m.normal, b.beam.shear * m.shear, b.beam.bending * m.bending});
   }
   return fastest > 0 ? std::numbers::pi / std::sqrt(fastest) : std::numeric_limits<double>::infinity();

@@ -32,9 +32,13 @@ double damping_factor(const Sample& s, double overlap) {
   return s.laws.constant_damping ? 1.0 : std::visit([&](const auto& law) { return law.damping_factor(overlap, 1.0); }, s.laws.normal);
 }
 
+/// Share of gamma_s with which sliding is braked where the dashpot along the normal has this share of alpha_n.
+double viscosity_factor(const Sample& s, double damping_factor) { return s.contact.takes_moduli() && !s.laws.constant_viscosity ? damping_factor : 1.0; }
+
 /// Tangent stiffness of friction over the normal one.
 double stiffness_ratio(const Sample& s) {
-  return std::visit([&](const auto& law) { return law.tangent(s.laws.stiffness_ratio); }, s.laws.friction);
+  const double ratio = s.contact.takes_moduli() ? s.coefficients.largest_shear() : s.laws.stiffness_ratio;
+  return std::visit([&](const auto& law) { return law.tangent(ratio); }, s.laws.friction);
 }
 
 double sliding_damping(const Sample& s, double viscosity) {
@@ -68,10 +72,10 @@ Rates lattice_rates(const Sample& s, const DiskRecord& d, double overlap) {
   const Coefficients c = s.coefficients.pair(d.material, d.material, d.mass, d.mass, d.radius, d.radius, false);
   const double k = tangent_stiffness(s, overlap, c.stiffness);
   const double turning = s.integration.rotations ? 24.0 : 6.0;
-  const double normal_damping = 6.0 * damping_factor(s, overlap) * c.damping;
+  const double factor = damping_factor(s, overlap), normal_damping = 6.0 * factor * c.damping;
   const Rolling rolling = rolling_of(s, d, c);
   return {std::max(6.0 * k, turning * stiffness_ratio(s) * k + 24.0 * rolling.stiffness) / d.mass,
-          std::max(normal_damping, turning * sliding_damping(s, c.viscosity) + 24.0 * rolling.damping) / d.mass};
+          std::max(normal_damping, turning * sliding_damping(s, viscosity_factor(s, factor) * c.viscosity) + 24.0 * rolling.damping) / d.mass};
 }
 
 /// The same for a body in a crowd of its like. Translation and
@@ -79,8 +83,8 @@ Rates lattice_rates(const Sample& s, const DiskRecord& d, double overlap) {
 Rates crowded_rates(const Sample& s, const Body& b, double overlap) {
   const DiskRecord& d = s.record[static_cast<std::size_t>(s.part_disk[static_cast<std::size_t>(b.first)])];
   const Coefficients c = s.coefficients.pair(d.material, d.material, d.mass, d.mass, d.radius, d.radius, false);
-  const double k = tangent_stiffness(s, overlap, c.stiffness), normal_damping = damping_factor(s, overlap) * c.damping;
-  const double along = stiffness_ratio(s) * k, sliding = sliding_damping(s, c.viscosity);
+  const double k = tangent_stiffness(s, overlap, c.stiffness), factor = damping_factor(s, overlap), normal_damping = factor * c.damping;
+  const double along = stiffness_ratio(s) * k, sliding = sliding_damping(s, viscosity_factor(s, factor) * c.viscosity);
   const Crowd crowd = crowd_around(s, b);
   const Rolling rolling = rolling_of(s, d, c);
   const double turning = s.integration.rotations ? 2.0 / b.inertia() : 0.0, area = crowd.contacts * d.radius * d.radius;
@@ -167,7 +171,7 @@ Rates network_rates(const Sample& s) {
           const double k = law.tangent(c.overlap, s.list.stiffness[p], c.curvature);
           springs.push_back({p, c, k, ratio * k});
           const double factor = s.laws.constant_damping ? 1.0 : law.damping_factor(c.overlap, c.curvature);
-          dashpots.push_back({p, c, factor * s.list.damping[p], sliding_damping(s, s.list.viscosity[p])});
+          dashpots.push_back({p, c, factor * s.list.damping[p], sliding_damping(s, viscosity_factor(s, factor) * s.list.viscosity[p])});
         },
         s.laws.normal);
   }
@@ -182,14 +186,14 @@ double shortest_contact_time(const Sample& s) {
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];
     if (is_part(s, k)) continue;
-    const double pair = 0.5 * d.mass / tangent_stiffness(s, overlap, s.coefficients.pair_stiffness(d.material, d.material));
-    const double wall = d.mass / tangent_stiffness(s, overlap, s.coefficients.wall_stiffness(d.material));
+    const double pair = 0.5 * d.mass / tangent_stiffness(s, overlap, s.coefficients.pair_stiffness(d.material, d.material, d.radius, d.radius));
+    const double wall = d.mass / tangent_stiffness(s, overlap, s.coefficients.wall_stiffness(d.material, d.radius));
     shortest = std::min(shortest, std::numbers::pi * std::sqrt(std::min(pair, wall)));
   }
   for (const Body& b : s.body) {
     const auto& d = s.record[static_cast<std::size_t>(s.part_disk[static_cast<std::size_t>(b.first)])];
-    const double pair = 0.5 / tangent_stiffness(s, overlap, s.coefficients.pair_stiffness(d.material, d.material));
-    const double wall = 1 / tangent_stiffness(s, overlap, s.coefficients.wall_stiffness(d.material));
+    const double pair = 0.5 / tangent_stiffness(s, overlap, s.coefficients.pair_stiffness(d.material, d.material, d.radius, d.radius));
+    const double wall = 1 / tangent_stiffness(s, overlap, s.coefficients.wall_stiffness(d.material, d.radius));
     shortest = std::min(shortest, std::numbers::pi * std::sqrt(lightest_mass(s, b) * std::min(pair, wall)));
   }
   return shortest;

@@ -86,6 +86,7 @@ void fill_slot(ContactList& list, std::size_t p, std::size_t i, std::int32_t j, 
   list.damping[p] = c.damping;
   list.viscosity[p] = c.viscosity;
   list.strength[p] = c.strength;
+  list.shear[p] = c.shear;
 }
 
 void fill_block(Sample& s, std::size_t block, const Found& found, std::size_t slot) {
@@ -140,7 +141,7 @@ void list_walls(Sample& s) {
   const auto add = [&](std::size_t k, std::int32_t j) {
     const auto& d = s.record[k];
     list.resize(list.size() + 1);
-    fill_slot(list, list.size() - 1, k, j, -1, s.coefficients.wall(d.material, d.mass));
+    fill_slot(list, list.size() - 1, k, j, -1, s.coefficients.wall(d.material, d.mass, d.radius));
   };
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 
 #include "core/threads.hpp"
@@ -67,6 +68,11 @@ inline Kinematics slot_kinematics(const Sample& s, std::size_t slot) {
   if (j < wall_partner(top)) return element_kinematics(s, a, -5 - j);
   const auto side = static_cast<std::size_t>(-1 - j);
   return wall_kinematics(a, s.domain.wall[side], s.wall[side].drive.slide, static_cast<int>(side), s.contact.arms);
+}
+
+/// k_t of a slot that is met so, N/m.
+template <class N> double sliding_stiffness(const Sample& s, const N& normal, std::size_t slot, const Kinematics& c) {
+  return sliding_stiffness(s.laws, normal, std::max(c.overlap, 0.0), s.list.stiffness[slot], c.curvature, s.list.shear[slot]);
 }
 
 /// Forces of all listed contacts from the records (whose ghosts are fresh), into the list's slots; then the forces of the walls. Springs of the

@@ -51,7 +51,7 @@ void add_contacts(const Sample& s, Snapshot& shot) {
         spring = normal.elastic(c.overlap, list.stiffness[p], c.curvature, none) + spring;
       }
       const Vec2 dash = (dot(f, c.normal) - spring) * c.normal, slip = dot(f, t) * t;
-      shot.springs += friction.energy(s.laws.slip(c.sliding, list.stiffness[p]), list.memory[p]);
+      shot.springs += friction.energy(s.laws.slip(c.sliding, sliding_stiffness(s, normal, p, c)), list.memory[p]);
       const std::int32_t first = s.record[static_cast<std::size_t>(list.i[p])].grain;
       auto& a = shot.disk[mover_of(s, first)];
       add_about_body(lever_of(s, static_cast<std::size_t>(list.i[p])), dash, slip, a);

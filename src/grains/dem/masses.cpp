@@ -19,7 +19,7 @@ double own_mass(const Sample& s, std::size_t k) {
 
 namespace {
 
-double stiffness_of(const Sample& s, const DiskRecord& d) { return s.coefficients.pair_stiffness(d.material, d.material); }
+double stiffness_of(const Sample& s, const DiskRecord& d) { return s.coefficients.pair_stiffness(d.material, d.material, d.radius, d.radius); }
 
 /// Dashpots of the listed contacts, from the present masses.
 void renew_dashpots(Sample& s) {
@@ -28,7 +28,7 @@ void renew_dashpots(Sample& s) {
     const DiskRecord& a = s.record[static_cast<std::size_t>(list.i[p])];
     Coefficients c;
     if (list.j[p] < 0) {
-      c = s.coefficients.wall(a.material, a.mass);
+      c = s.coefficients.wall(a.material, a.mass, a.radius);
     } else {
       const DiskRecord& b = s.record[static_cast<std::size_t>(list.owner[p])];
       c = s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius, is_glued(s, a.grain, b.grain));

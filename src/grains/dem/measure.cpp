@@ -151,8 +151,8 @@ Energies energies_of(const Sample& s) {
       const Kinematics c = slot_kinematics(s, p);
       if (!(c.overlap > 0)) continue;
       const double remembered = N::remembers ? list.normal_memory[p] : 0.0;
-      e.elastic +=
-          normal.energy(c.overlap, list.stiffness[p], c.curvature, remembered) + friction.energy(s.laws.slip(c.sliding, list.stiffness[p]), list.memory[p]);
+      e.elastic += normal.energy(c.overlap, list.stiffness[p], c.curvature, remembered) +
+                   friction.energy(s.laws.slip(c.sliding, sliding_stiffness(s, normal, p, c)), list.memory[p]);
     }
   });
   return e;

@@ -51,6 +51,10 @@ struct ContactParameters {
   bool adheres() const {
     return std::visit([](const auto& law) { return law.attracts; }, adhesion);
   }
+  /// The normal law is one of materials' E and nu.
+  bool takes_moduli() const {
+    return std::visit([]<class N>(const N&) { return ElasticContact<N>; }, normal);
+  }
   bool has_bonds() const {
     return std::visit([](const auto& law) { return law.bonds; }, bonds);
   }

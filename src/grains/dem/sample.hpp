@@ -40,11 +40,11 @@ inline bool acts(const SlotForce& f) { return f.fx != 0 || f.fy != 0; }
 struct ContactList {
   std::size_t pairs = 0;
   std::vector<std::int32_t> i, j;
-  std::vector<std::int32_t> owner;  ///< the disk that takes the reaction: j, or the source of the ghost j
-  std::vector<double> stiffness, damping, viscosity, strength;
-  std::vector<SlotForce> force;        ///< one more than slots, which stays 0; behind it those of bonds
-  std::vector<double> memory;          ///< of the friction law
-  std::vector<double> normal_memory;   ///< of the normal law; empty unless it remembers
+  std::vector<std::int32_t> owner;                                     ///< the disk that takes the reaction: j, or the source of the ghost j
+  std::vector<double> stiffness, damping, viscosity, strength, shear;  ///< Coefficients of each
+  std::vector<SlotForce> force;                                        ///< one more than slots, which stays 0; behind it those of bonds
+  std::vector<double> memory;                                          ///< of the friction law
+  std::vector<double> normal_memory;                                   ///< of the normal law; empty unless it remembers
   std::vector<double> rolling_memory;  ///< of the rolling law, turned as the first of the caller's two grains turns; empty without one
   std::vector<std::uint8_t> bond;      ///< of glued pairs: see BondState
   /// Slots (and bonds' places) by disk, in groups of four that are filled up with the slot whose force stays 0, so that most disks have as many groups as their
@@ -56,7 +56,7 @@ struct ContactList {
   /// What group_slots and list_contacts fill is not touched.
   void resize(std::size_t slots) {
     for (auto* a : {&i, &j, &owner}) a->resize(slots);
-    for (auto* a : {&stiffness, &damping, &viscosity, &strength}) a->resize(slots);
+    for (auto* a : {&stiffness, &damping, &viscosity, &strength, &shear}) a->resize(slots);
   }
 };
 

@@ -41,14 +41,26 @@ void check_parameters(Problems& problems, const Packing& start, const ContactPar
     problems.unless(a >= 0 && b >= 0 && a < n && b < n && a != b, "glued pair ({}, {}) must name two of the {} grains", a, b, n);
 }
 
-void check_packing(Problems& problems, const Packing& start) {
+/// What a law of E and nu needs of a material.
+void check_moduli(Problems& problems, const Material& m) {
+  const bool both = m.youngs_modulus && m.poisson;
+  problems.unless(both, "material \"{}\" has no {}, which the normal law \"{}\" needs", m.name, m.youngs_modulus ? "poisson" : "youngs_modulus",
+                  HertzMindlin::word.word);
+  problems.unless(!m.youngs_modulus || positive(*m.youngs_modulus), "youngs_modulus {} Pa of material \"{}\" must be above 0", m.youngs_modulus.value_or(0),
+                  m.name);
+  const double nu = m.poisson.value_or(0);
+  problems.unless(nu >= 0 && nu <= 0.5, "poisson {} of material \"{}\" must lie between 0 and 0.5", nu, m.name);
+}
+
+void check_packing(Problems& problems, const Packing& start, bool by_moduli) {
   const Domain& domain = start.domain;
   problems.unless(start.grains.size() > 0, "the packing has no grains");
   problems.unless(positive(domain.width()) && positive(domain.height()), "the container must have a width and a height above 0");
   problems.unless(positive(domain.thickness), "thickness {} m must be above 0", domain.thickness);
   for (const auto& m : start.materials) {
     problems.unless(positive(m.density), "density {} kg/m^3 of material \"{}\" must be above 0", m.density, m.name);
-    problems.unless(positive(m.stiffness), "stiffness {} N/m of material \"{}\" must be above 0", m.stiffness, m.name);
+    if (by_moduli) check_moduli(problems, m);
+    else problems.unless(positive(m.stiffness), "stiffness {} N/m of material \"{}\" must be above 0", m.stiffness, m.name);
   }
   check_boundaries(problems, domain);
   const Grains& g = start.grains;
@@ -124,9 +136,9 @@ void recall_contacts(Sample& s) {
       while (found != met.end() && found->first == key && !is_of_slot(s, c, found->second, p)) ++found;
       if (found == met.end() || found->first != key) continue;
       const std::size_t q = found->second;
-      const double k = s.list.stiffness[p], kt = s.laws.slip(0, k).stiffness;
+      const double k = s.list.stiffness[p], kt = sliding_stiffness(s, normal, p, slot_kinematics(s, p));
       if constexpr (F::remembers)
-        if (c.ft[q] != 0 && std::isfinite(c.ft[q])) s.list.memory[p] = friction.recall(c.ft[q], kt);
+        if (c.ft[q] != 0 && std::isfinite(c.ft[q]) && kt > 0) s.list.memory[p] = friction.recall(c.ft[q], kt);
       if constexpr (N::remembers)
         if (const Kinematics at = slot_kinematics(s, p); at.overlap > 0 && std::isfinite(c.fn[q]))
           s.list.normal_memory[p] = normal.recall(c.fn[q] + adhesion.attraction(at.overlap, s.list.strength[p]), at.overlap, k, at.curvature);
@@ -160,7 +172,8 @@ ContactLaws choose_laws(const ContactParameters& contact, double lead, double la
           lag,
           contact.tangential_stiffness_ratio,
           contact.friction_cap == FrictionCap::raised_by_adhesion ? 1.0 : -1.0,
-          contact.normal_damping.has_value()};
+          contact.normal_damping.has_value(),
+          contact.normal_damping.has_value() || contact.sliding_viscosity.has_value()};
 }
 
 ContactLaws laws_between_steps(const Sample& s) {
@@ -194,7 +207,7 @@ void apply_friction(Sample& s, std::optional<double> override_mu) {
 Sample make_sample(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration) {
   Problems problems;
   check_parameters(problems, start, contact, integration);
-  check_packing(problems, start);
+  check_packing(problems, start, contact.takes_moduli());
   check_shapes(problems, start, contact, integration);
   problems.raise();
 

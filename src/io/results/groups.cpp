@@ -12,6 +12,20 @@ constexpr Scalar<Wall> wall_scalars[] = {
 constexpr Scalar<Material> material_scalars[] = {
     {"density [kg/m^3]", &Material::density}, {"stiffness [N/m]", &Material::stiffness}, {"thermoelastic_factor [K/Pa]", &Material::thermoelastic_factor}};
 
+struct Constant {
+  const char* name;
+  std::optional<double> Material::*member;
+};
+constexpr Constant material_constants[] = {{"youngs_modulus [Pa]", &Material::youngs_modulus}, {"poisson", &Material::poisson}};
+
+/// A number that need not be there.
+void transfer_constant(const ResultPart& at, const char* name, std::optional<double>& value) {
+  if (at.reads() ? !at.take->has_attribute(name) : !value) return;
+  double number = value.value_or(0);
+  at(name, number);
+  value = number;
+}
+
 /// The boundaries of a domain, of which most have none: files without them have no such group.
 void transfer_boundaries(const ResultPart& at, std::vector<Boundary>& boundaries) {
   if (at.reads() ? !at.take->has_group("boundaries") : boundaries.empty()) return;
@@ -60,13 +74,15 @@ void transfer_materials(const ResultPart& at, Materials& materials) {
   at.each("materials", materials, 2, [](const ResultPart& one, Material& material) {
     one("name", material.name);
     for (const auto& s : material_scalars) one(s.name, material.*s.member);
+    for (const auto& c : material_constants) transfer_constant(one, c.name, material.*c.member);
   });
 }
 
 bool same(const Materials& a, const Materials& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Material& p, const Material& q) {
     const auto is_same = [&](const auto& s) { return p.*s.member == q.*s.member; };
-    return p.name == q.name && std::all_of(std::begin(material_scalars), std::end(material_scalars), is_same);
+    return p.name == q.name && std::all_of(std::begin(material_scalars), std::end(material_scalars), is_same) &&
+           std::all_of(std::begin(material_constants), std::end(material_constants), is_same);
   });
 }
 

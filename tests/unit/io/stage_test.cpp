@@ -61,7 +61,7 @@ void add(Bits& bits, const Frame& f) {
   bits.add(f.label);
   for (const auto& m : f.packing.materials) {
     bits.add(m.name);
-    for (const double v : {m.density, m.stiffness, m.thermoelastic_factor}) bits.add(v);
+    for (const double v : {m.density, m.stiffness, m.thermoelastic_factor, m.youngs_modulus.value_or(-1), m.poisson.value_or(-1)}) bits.add(v);
   }
   const auto& d = f.packing.domain;
   for (const auto& w : d.wall) {
@@ -162,6 +162,7 @@ StageResult any_result() {
   const auto n = *rc::gen::inRange<std::size_t>(0, 6);
   Packing sample;
   sample.materials = {{any_text(), any_double(), 1, 2}, {any_text(), 3, any_double(), 4}};
+  if (*rc::gen::arbitrary<bool>()) sample.materials[1].youngs_modulus = 7e10, sample.materials[1].poisson = 0.22;
   sample.grains.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     sample.grains.radius[i] = any_double();

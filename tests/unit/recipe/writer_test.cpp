@@ -116,11 +116,12 @@ Recipe any_recipe() {
   recipe.seed = *rc::gen::inRange<std::uint64_t>(0, std::uint64_t{1} << 62);
   recipe.container = {any_number(0.3), maybe(any_number(0.3)).value_or(0), any_number(0.06), false, false};
   recipe.materials = {{"A", any_number(1e3), any_number(1e6), any_number(1e-8)}, {"B c", any_number(1e3), any_number(1e6), 0}};
+  for (Material& m : recipe.materials) m.youngs_modulus = any_number(1e9), m.poisson = 0.25;
   recipe.packing.grains = 1000;
   recipe.packing.solid_fraction = any_number(0.5);
   for (const char* material : {"A", "B c"}) recipe.populations.push_back({material, {}, any_number(1), any_size(), {}});
   auto& contact = recipe.contact;
-  contact.normal = any_law<dem::NormalLaw>(dem::Linear{}, dem::Hertz{});
+  contact.normal = any_law<dem::NormalLaw>(dem::Linear{}, dem::Hertz{}, dem::HertzMindlin{});
   contact.stiffness_rule = any_of<dem::StiffnessRule>(2);
   contact.wall_stiffness = any_of<dem::WallStiffness>(3);
   contact.restitution = any_number(0.1);

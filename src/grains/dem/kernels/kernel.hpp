@@ -15,7 +15,7 @@ struct SlotForce;
 struct PairTask {
   const DiskRecord* record;
   const std::int32_t *i, *j;
-  const double *stiffness, *damping, *viscosity, *strength;
+  const double *stiffness, *damping, *viscosity, *strength, *shear;
   double *memory, *normal_memory;
   SlotForce* force;
   double friction;   ///< mu

@@ -33,16 +33,17 @@ ARENITE_INLINE void pair_batch(const PairTask& t, const ContactLaws& shared, con
   const V strength = V::load(t.strength + p);
   V floor(t.floor);
   if constexpr (A::attracts) floor = select(strength > zero, V(-__builtin_inf()), floor);
-  const ContactState<V> state{overlap,
-                              zero - (ux * nx + uy * ny),
-                              uy * nx - ux * ny - a.omega * arm_i - b.omega * arm_j,
-                              V(1.0) / a.radius + V(1.0) / b.radius,
-                              V::load(t.stiffness + p),
-                              V::load(t.damping + p),
-                              V::load(t.viscosity + p),
-                              strength,
-                              V(t.friction),
-                              floor};
+  ContactState<V> state{overlap,
+                        zero - (ux * nx + uy * ny),
+                        uy * nx - ux * ny - a.omega * arm_i - b.omega * arm_j,
+                        V(1.0) / a.radius + V(1.0) / b.radius,
+                        V::load(t.stiffness + p),
+                        V::load(t.damping + p),
+                        V::load(t.viscosity + p),
+                        strength,
+                        V(t.friction),
+                        floor};
+  if constexpr (ElasticContact<N>) state.shear = V::load(t.shear + p);
   ContactMemory<V> memory;
   if constexpr (N::remembers) memory.normal = V::load(t.normal_memory + p);
   if constexpr (F::remembers) memory.slip = V::load(t.memory + p);

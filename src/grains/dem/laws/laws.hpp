@@ -4,7 +4,7 @@
 
 #include "grains/dem/laws/cundall_strack.hpp"
 #include "grains/dem/laws/geometrical_adhesion.hpp"
-#include "grains/dem/laws/hertz.hpp"
+#include "grains/dem/laws/hertz_mindlin.hpp"
 #include "grains/dem/laws/linear.hpp"
 #include "grains/dem/laws/parallel_bond.hpp"
 #include "grains/dem/laws/regularised_coulomb.hpp"
@@ -34,6 +34,12 @@ concept NormalContact = ContactLaw<L> && requires(const L law, double v, double&
   requires(!L::remembers) || requires {
     { law.recall(v, v, v, v) } -> std::same_as<double>;
   };  // (force, h, stiffness, curvature)
+};
+
+/// A normal law of materials' E and nu, whose pairs have k = (4/3) E* R*, also says with what the spring of friction grows.
+template <class L>
+concept ElasticContact = NormalContact<L> && requires(const L law, double v) {
+  { law.sliding_base(v, v, v) } -> std::same_as<double>;  // (h, stiffness, curvature), N/m
 };
 
 /// An adhesion gives the attraction of two glued grains, >= 0, its potential, <= 0 and 0 at h = 0, and whether bonds break for good.
@@ -100,7 +106,7 @@ template <BeamLaw... Law> using BondLaws = OneOf<Law...>;
 
 /// The laws there are. A new one is a file beside these and a word here: recipe keys, their documentation and hashes, kernels for every kind of
 /// processor and the families' tests follow. The choice is visited outside of the loops, so laws inline into them.
-using NormalLaw = NormalLaws<Linear, Hertz>;
+using NormalLaw = NormalLaws<Linear, Hertz, HertzMindlin>;
 using Adhesion = Adhesions<NoAdhesion, GeometricalAdhesion, BreakingAdhesion>;
 using FrictionLaw = FrictionLaws<NoFriction, RegularisedCoulomb, CundallStrack>;
 using RollingLaw = RollingLaws<NoRolling, ConstantTorque, ElasticPlasticRolling>;
@@ -111,15 +117,16 @@ struct ContactLaws {
   NormalLaw normal;
   Adhesion adhesion;
   FrictionLaw friction;
-  double lead = 0, lag = 0;       ///< of Slip, s
-  double stiffness_ratio = 0;     ///< k_t/k_n
-  double cap_sign = 1;            ///< the friction cap is mu (F_n + cap_sign |F_c|): 1 raised by adhesion, -1 as T (1.28) is printed
-  bool constant_damping = false;  ///< alpha_n was given as a number: dashpots act with it whatever the overlap
+  double lead = 0, lag = 0;         ///< of Slip, s
+  double stiffness_ratio = 0;       ///< k_t/k_n
+  double cap_sign = 1;              ///< the friction cap is mu (F_n + cap_sign |F_c|): 1 raised by adhesion, -1 as T (1.28) is printed
+  bool constant_damping = false;    ///< alpha_n was given as a number: dashpots act with it whatever the overlap
+  bool constant_viscosity = false;  ///< gamma_s, or alpha_n for it, was given as a number
 
   /// Calls `see` with the three laws by their types.
   template <class See> decltype(auto) visit(See&& see) const { return std::visit(see, normal, adhesion, friction); }
-  /// The slip that a contact has in the plane, where no force is asked for.
-  Slip<double> slip(double velocity, double stiffness) const { return {velocity, 0, 0, stiffness_ratio * stiffness, lead, lag}; }
+  /// The slip that a contact with this k_t has in the plane, where no force is asked for.
+  Slip<double> slip(double velocity, double stiffness) const { return {velocity, 0, 0, stiffness, lead, lag}; }
 };
 
 /// Some law keeps a number a contact.
@@ -145,6 +152,7 @@ template <class V, class T = V> struct ContactState {
   V strength;   ///< gamma sqrt(r_eff) where the pair is glued, else 0
   V friction;   ///< mu
   V floor;      ///< lowest F_n: -infinity, or 0 where the dashpot may not pull
+  V shear{};    ///< 4 G*/E*, see HertzMindlin; of other laws not read
 };
 
 /// What the laws remember of one contact.
@@ -152,6 +160,12 @@ template <class V, class T = V> struct ContactMemory {
   V normal{};
   T slip{};
 };
+
+/// k_t of a contact, N/m. `shear` as in ContactState.
+template <class V, NormalContact N> inline V sliding_stiffness(const ContactLaws& shared, const N& normal, V overlap, V stiffness, V curvature, V shear) {
+  if constexpr (ElasticContact<N>) return shear * normal.sliding_base(overlap, stiffness, curvature);
+  else return V(shared.stiffness_ratio) * stiffness;
+}
 
 /// The laws composed: F_n = elastic + dashpot - attraction, F_t within mu (F_n + F_c), the cap never below 0.
 template <class V, class T, NormalContact N, AdhesiveContact A, TangentialContact F>
@@ -164,7 +178,11 @@ inline ContactForce<V, T> contact_force(const ContactLaws& shared, const N& norm
   V shift(0.0);
   if constexpr (A::attracts) shift = V(shared.cap_sign) * normal.pull_off(c.strength, c.stiffness, c.curvature);
   const V cap = max(c.friction * (fn + shift), V(0.0));
-  const Slip<V, T> slip{c.sliding, c.viscosity, cap, V(shared.stiffness_ratio) * c.stiffness, V(shared.lead), V(shared.lag)};
+  V viscosity = c.viscosity;
+  if constexpr (ElasticContact<N>)
+    if (!shared.constant_viscosity) viscosity = normal.damping_factor(c.overlap, c.curvature) * viscosity;
+  const V spring = sliding_stiffness(shared, normal, c.overlap, c.stiffness, c.curvature, c.shear);
+  const Slip<V, T> slip{c.sliding, viscosity, cap, spring, V(shared.lead), V(shared.lag)};
   return {fn, friction.tangential(slip, memory.slip)};
 }
 
