@@ -62,6 +62,25 @@ TEST(StepBound, AStepBeyondItIsRefusedAndTheOneOfferedIsAcceptedAndStable) {
     }
 }
 
+TEST(StepBound, OfHertzContactsKnowsThatTheSpringOfFrictionDoesNotSoftenWithTheOverlap) {
+  // Six contacts with equals that all turn alike: omega^2 = 24 k_t/m, k_t = 0.8 k however small the overlap.
+  const Packing start = shaken_lattice(6, 6, 1, false, 0.5);
+  dem::ContactParameters law;
+  law.normal = dem::Hertz{};
+  law.friction_law = dem::CundallStrack{};
+  law.friction = 0.5;
+  double omega = 0;
+  for (std::size_t i = 0; i < start.grains.size(); ++i) {
+    const double k = start.materials[static_cast<std::size_t>(start.grains.material[i])].stiffness;
+    omega = std::max(omega, std::sqrt(24 * law.tangential_stiffness_ratio * k / mass(start, i)));
+  }
+  for (const auto kind : {IntegratorKind::velocity_verlet, IntegratorKind::leapfrog}) {
+    const Engine engine(start, law, with_step(1e-9, kind));
+    EXPECT_LE(engine.bounds().stiffness, 2 / omega) << name(kind);
+    EXPECT_GE(engine.bounds().stiffness, 1.7 / omega) << name(kind);
+  }
+}
+
 TEST(StepBound, IsNeverLooserThanTheClosedFormOfOneDiskOnAWall) {
   // omega dt < 2 for Verlet and leapfrog; damping lowers it.
   Packing p = box(0.1, 0.1);

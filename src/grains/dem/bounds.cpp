@@ -35,10 +35,15 @@ double damping_factor(const Sample& s, double overlap) {
 /// Share of gamma_s with which sliding is braked where the dashpot along the normal has this share of alpha_n.
 double viscosity_factor(const Sample& s, double damping_factor) { return s.contact.takes_moduli() && !s.laws.constant_viscosity ? damping_factor : 1.0; }
 
-/// Tangent stiffness of friction over the normal one.
-double stiffness_ratio(const Sample& s) {
-  const double ratio = s.contact.takes_moduli() ? s.coefficients.largest_shear() : s.laws.stiffness_ratio;
-  return std::visit([&](const auto& law) { return law.tangent(ratio); }, s.laws.friction);
+/// Steepest slope of friction in the slip where its spring has this stiffness, N/m.
+double sliding_slope(const Sample& s, double spring) {
+  return std::visit([&](const auto& law) { return law.tangent(spring); }, s.laws.friction);
+}
+
+/// The same of a contact at a reference overlap. Not every law's spring of friction softens with the overlap as the normal one does.
+double sliding_slope(const Sample& s, double overlap, double stiffness) {
+  const double shear = s.contact.takes_moduli() ? s.coefficients.largest_shear() : 0;
+  return sliding_slope(s, std::visit([&](const auto& law) { return sliding_stiffness(s.laws, law, overlap, stiffness, 1.0, shear); }, s.laws.normal));
 }
 
 double sliding_damping(const Sample& s, double viscosity) {
@@ -74,7 +79,7 @@ Rates lattice_rates(const Sample& s, const DiskRecord& d, double overlap) {
   const double turning = s.integration.rotations ? 24.0 : 6.0;
   const double factor = damping_factor(s, overlap), normal_damping = 6.0 * factor * c.damping;
   const Rolling rolling = rolling_of(s, d, c);
-  return {std::max(6.0 * k, turning * stiffness_ratio(s) * k + 24.0 * rolling.stiffness) / d.mass,
+  return {std::max(6.0 * k, turning * sliding_slope(s, overlap, c.stiffness) + 24.0 * rolling.stiffness) / d.mass,
           std::max(normal_damping, turning * sliding_damping(s, viscosity_factor(s, factor) * c.viscosity) + 24.0 * rolling.damping) / d.mass};
 }
 
@@ -84,7 +89,7 @@ Rates crowded_rates(const Sample& s, const Body& b, double overlap) {
   const DiskRecord& d = s.record[static_cast<std::size_t>(s.part_disk[static_cast<std::size_t>(b.first)])];
   const Coefficients c = s.coefficients.pair(d.material, d.material, d.mass, d.mass, d.radius, d.radius, false);
   const double k = tangent_stiffness(s, overlap, c.stiffness), factor = damping_factor(s, overlap), normal_damping = factor * c.damping;
-  const double along = stiffness_ratio(s) * k, sliding = sliding_damping(s, viscosity_factor(s, factor) * c.viscosity);
+  const double along = sliding_slope(s, overlap, c.stiffness), sliding = sliding_damping(s, viscosity_factor(s, factor) * c.viscosity);
   const Crowd crowd = crowd_around(s, b);
   const Rolling rolling = rolling_of(s, d, c);
   const double turning = s.integration.rotations ? 2.0 / b.inertia() : 0.0, area = crowd.contacts * d.radius * d.radius;
@@ -162,14 +167,13 @@ double largest_rate(const Sample& s, const std::vector<Pull>& pulls) {
 /// Rates of the contacts that there are; power iteration comes from below, hence the 5 %.
 Rates network_rates(const Sample& s) {
   std::vector<Pull> springs, dashpots;
-  const double ratio = stiffness_ratio(s);
   for (std::size_t p = 0; p < s.list.size(); ++p) {
     const Kinematics c = slot_kinematics(s, p);
     if (!(c.overlap > 0)) continue;
     std::visit(
         [&](const auto& law) {
           const double k = law.tangent(c.overlap, s.list.stiffness[p], c.curvature);
-          springs.push_back({p, c, k, ratio * k});
+          springs.push_back({p, c, k, sliding_slope(s, sliding_stiffness(s, law, p, c))});
           const double factor = s.laws.constant_damping ? 1.0 : law.damping_factor(c.overlap, c.curvature);
           dashpots.push_back({p, c, factor * s.list.damping[p], sliding_damping(s, viscosity_factor(s, factor) * s.list.viscosity[p])});
         },
