@@ -13,7 +13,7 @@ function curvesOf(stage) {
   const factor = test.strain_name === "shear strain" ? 1 : 100;
   const against = (values, scale) => Array.from(test.strain, (x, k) => ({ x: factor * x, y: scale * values[k] })).filter(({ y }) => Number.isFinite(y) && Math.abs(y) < 200);
   const critical = test.critical_state;
-  if (test.ratio_name === "axial_stress") return { ...uniaxial(test, factor), volume: against(test.volume, 100) };
+  if (test.ratio_name === "axial_stress") return uniaxial(test, factor);
   return {
     strain: { label: test.strain_name, unit: factor === 1 ? "" : "%" }, symbol: symbols[test.ratio_name], ratioLabel: ratioLabels[test.ratio_name],
     ratio: against(test.ratio, 1).filter(({ y }) => y < 2), volume: against(test.volume, 100),
@@ -21,7 +21,7 @@ function curvesOf(stage) {
   };
 }
 
-/** The stress of a test without confinement, whose ratio says nothing. */
+/** The stress of a test without confinement: its ratio says nothing, and its volume is not that of the box. */
 function uniaxial(test, factor) {
   const { factor: size, prefix } = prefixOf(Math.max(...Array.from(test.ratio, Math.abs)), "Pa");
   return {
@@ -86,8 +86,9 @@ export const testCurves = {
   draw({ sample, state, theme, width }) {
     const curves = curvesOf(stageOf(sample, state));
     if (!curves) return null;
+    if (!curves.volume) return panel(theme, curves.strain, curves.ratio, { label: curves.ratioLabel, unit: curves.ratioUnit, nice: true }, width);
     return sideBySide(width, [
-      (part) => panel(theme, curves.strain, curves.ratio, { label: curves.ratioLabel, unit: curves.ratioUnit, nice: true }, part, curves.critical),
+      (part) => panel(theme, curves.strain, curves.ratio, { label: curves.ratioLabel, nice: true }, part, curves.critical),
       (part) => panel(theme, curves.strain, curves.volume, { label: "volumetric strain", unit: "%", nice: true }, part),
     ]);
   },
