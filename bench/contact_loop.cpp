@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include "core/threads.hpp"
 #include "process_use.hpp"
 #include "samples.hpp"
 
@@ -81,11 +82,20 @@ ARENITE_CASE("walls_4000/verlet/two_threads", at_rest, c, bench::walls_4000, ver
 ARENITE_CASE("walls_4000/gear/two_threads", at_rest, d, bench::walls_4000, gear, 2)->UseRealTime();
 ARENITE_CASE("periodic_100000/verlet", at_rest, e, bench::periodic_100000, verlet, 1);
 ARENITE_CASE("periodic_100000/gear", at_rest, f, bench::periodic_100000, gear, 1);
+ARENITE_CASE("periodic_100000/verlet/two_threads", at_rest, l, bench::periodic_100000, verlet, 2)->UseRealTime();
 ARENITE_CASE("compaction_4000/verlet", compaction, g, verlet);
 ARENITE_CASE("compaction_4000/gear", compaction, h, gear);
 ARENITE_CASE("rolling_4000/verlet", rolling, i, verlet, false);
 ARENITE_CASE("rolling_4000/gear", rolling, j, gear, false);
 ARENITE_CASE("bonded_4000/verlet", rolling, k, verlet, true);
+
+/// Two meetings of two threads with nothing to do, as a step has them: what a step of two threads pays beside its own work.
+void meetings(benchmark::State& state) {
+  const Team team(2);
+  for (auto _ : state)
+    for (int meeting = 0; meeting < 2; ++meeting) team.for_ranges(4000, [](std::size_t begin, std::size_t) { benchmark::DoNotOptimize(begin); });
+}
+BENCHMARK(meetings)->Name("two_meetings/two_threads")->Unit(benchmark::kMicrosecond)->UseRealTime();
 
 }  // namespace
 
