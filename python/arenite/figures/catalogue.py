@@ -179,10 +179,10 @@ def save_all(result, folder, formats=("pdf",), names=None, width=None, stage=Non
     for figure, part in found:
         if names and figure.name not in names:
             continue
-        for form in listed(formats):
-            path = folder / (f"{figure.name}.{form}" if of_study else f"{part.name.replace(' ', '-')}-{figure.name}.{form}")
-            save(figure, part, path, width)
-            paths.append(path)
+        stem = figure.name if of_study else f"{part.name.replace(' ', '-')}-{figure.name}"
+        new = [folder / f"{stem}.{form}" for form in listed(formats)]
+        save(figure, part, new, width)
+        paths += new
     return paths
 
 

@@ -23,18 +23,22 @@ class Figure:
     of_map: bool = False  # shows nothing but the map, and so only the first of the fields that have the same
 
 
-def save(figure, part, path, width=None, **style):
-    """Draws one figure into a file; its ending (pdf, svg, png) decides the format. `width`: inches; one or two columns if not given."""
+def save(figure, part, paths, width=None, **style):
+    """Draws one figure into a file or, once for all, into several; their endings (pdf, svg, png) decide the format. `width`: inches; one or two
+    columns if not given."""
     with journal_style(**style):
         width = width or (page_width if figure.wide else column_width)
         height = figure.height(part) if callable(figure.height) else figure.height
         canvas = Canvas(figsize=(width, width * height), layout="constrained")
         figure.draw(canvas, part)
-        # Without a date the same result gives the same bytes.
-        metadata = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}.get(pathlib.Path(path).suffix[1:], {})
-        canvas.savefig(path, metadata=metadata)
-    if pathlib.Path(path).suffix == ".svg":
-        number_clips(pathlib.Path(path))
+        # Laid out once and by one renderer: where things stand does not depend on the formats asked for.
+        canvas.get_layout_engine().execute(canvas)
+        canvas.set_layout_engine("none")
+        for path in map(pathlib.Path, [paths] if isinstance(paths, (str, pathlib.Path)) else paths):
+            # Without a date the same result gives the same bytes.
+            canvas.savefig(path, metadata={"pdf": {"CreationDate": None}, "svg": {"Date": None}}.get(path.suffix[1:], {}))
+            if path.suffix == ".svg":
+                number_clips(path)
 
 
 def number_clips(path):
