@@ -21,7 +21,7 @@ files = arenite.camera("states", example / "camera.toml", "film", changes=camera
 print(arenite.film_info(files[0]))
 
 # %% The film alone: lock-in with the frequency refined on all pixels.
-maps = arenite.lock_in(files[0], "3 Hz", full_swing=True)
+maps = arenite.lock_in(files[0], "3 Hz", peak_to_peak=True)
 print(f"{maps.frequency:.5f} +- {maps.frequency_error:.5f} Hz, noise floor {np.median(maps.noise_floor):.2f} levels")
 
 # %% The whole road: grains found, followed and weighed, forces inferred.

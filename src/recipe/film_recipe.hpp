@@ -27,7 +27,7 @@ struct ReadingSection {
   bool operator==(const ReadingSection&) const = default;
 };
 
-/// The frame that holds the grains; walls are contact partners and carry the load.
+/// The container that holds the grains; walls are contact partners and carry the load.
 struct FilmContainer {
   double width = 0, height = 0, thickness = 0;  ///< m
   std::optional<double> left, top;              ///< its inner upper left corner in the picture, pixels; centred if not given
@@ -80,7 +80,7 @@ struct ForcesSection {
   double central_share = 0.5;  ///< of a grain's area, for its mean
   double blur = 0.5;           ///< of the lens, pixels
   double friction = 0.3;
-  bool state = false;  ///< the film shows a state (from no load) and no swing: the friction cone holds
+  bool state = false;  ///< the film shows a state (from no load) and no difference: the friction cone holds
   bool operator==(const ForcesSection&) const = default;
 };
 
@@ -93,13 +93,13 @@ struct SimulationSection {
 
 /// Which states a virtual camera films, and how.
 struct CameraSection {
-  std::string low, high;  ///< stages; without `low` the swing is from no load
+  std::string low, high;  ///< stages; without `low` the load varies from none
   camera::Parameters parameters;
   std::int64_t reference_frames = 100;                ///< in each film of a black-body reference
   double reference_cold = 291, reference_warm = 301;  ///< K
 };
 
-/// What `arenite film` and `arenite camera` are told; one file may serve both.
+/// What `arenite film` and `arenite camera` are given; one file may serve both.
 struct FilmRecipe {
   std::string title;
   std::uint64_t seed = 1;

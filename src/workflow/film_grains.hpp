@@ -24,11 +24,11 @@ struct FilmPlace {
   double row(double y) const { return (origin.y - y) / pixel; }
 };
 
-/// Where the recipe says the frame is in the picture, or in its middle.
+/// Where the recipe says the container is in the picture, or in its middle.
 FilmPlace place_of(const recipe::FilmRecipe& recipe, const FilmInfo& film);
 
-/// The frame when the load is at this share of its swing; the lower wall has travelled so far.
-Domain frame_at(const recipe::FilmRecipe& recipe, double share);
+/// The container when the load has gone this share from its smallest to its largest; the lower wall has travelled so far.
+Domain container_at(const recipe::FilmRecipe& recipe, double share);
 
 /// Materials of the recipe, with what a film does not know left 0.
 Materials materials_of(const recipe::FilmRecipe& recipe);
@@ -52,7 +52,7 @@ PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& f
 /// the InputError for one that cannot be parted.
 void take_materials(const recipe::FilmRecipe& recipe, const std::string& where, PictureGrains& grains);
 
-/// Circles of the recipe's radii; those of one class have one radius, which their mean tells better than each by itself. `pixel` of the picture in m.
+/// Circles of the recipe's radii; those of one class have one radius, which their mean gives better than each by itself. `pixel` of the picture in m.
 imaging::FoundCircles circles_of(const recipe::FilmRecipe& recipe, const FloatImage& picture, double pixel, imaging::CircleOptions options = {});
 
 /// What of a file is looked at for grains.

@@ -35,7 +35,7 @@ Numbers film_of(const FilmResult& r) {
 
 Numbers lockin_of(const FilmResult& r) {
   const LockinMaps& m = r.maps;
-  Numbers j{{"swing", m.convention == SwingConvention::full ? "full" : "half"}, {"frames", m.frames}};
+  Numbers j{{"convention", name_of(m.convention)}, {"frames", m.frames}};
   put(j, "frequency_Hz", Estimate{m.frequency, m.frequency_error});
   put(j, "reference_phase_deg", m.reference_phase * 180 / std::numbers::pi);
   put(j, "standard_error_K", median_of_finite(m.standard_error));
@@ -105,10 +105,10 @@ Numbers checks_of(const FilmResult& r) {
   return j;
 }
 
-Numbers agreement_of(const FilmResult& r, const std::vector<double>& twin, const std::vector<std::uint8_t>& considered) {
+Numbers agreement_of(const FilmResult& r, const std::vector<double>& simulation, const std::vector<std::uint8_t>& considered) {
   Numbers j = Numbers::tree();
   const auto add = [&](const std::string& name, const std::vector<std::uint8_t>& counts) {
-    const Agreement a = agreement(r.swing.sigma_hyd, twin, counts);
+    const Agreement a = agreement(r.peak_to_peak.sigma_hyd, simulation, counts);
     if (a.grains < 3) return;
     j[name] = {{"grains", a.grains}, {"correlation", a.correlation}, {"rms_sigma_norm", a.rms_sigma_norm}, {"slope", a.slope}};
   };
@@ -123,14 +123,14 @@ Numbers agreement_of(const FilmResult& r, const std::vector<double>& twin, const
 
 }  // namespace
 
-Numbers film_directions(const FilmResult& film, const Packing* twin) {
+Numbers film_directions(const FilmResult& film, const Packing* simulation) {
   Numbers out = Numbers::tree();
   const auto add = [&](const char* name, const Packing& packing) {
     if (Numbers directions = directions_of(packing); directions.value("contacts", 0) > 0) out[name] = std::move(directions);
   };
   if (film.packing.contacts.size() == 0) return out;
   add("film", film.packing);
-  if (twin) add("twin", *twin);
+  if (simulation) add("simulation", *simulation);
   return out;
 }
 
@@ -158,16 +158,16 @@ Agreement agreement(const std::vector<double>& one, const std::vector<double>& o
   return result;
 }
 
-Numbers film_numbers(const FilmResult& r, const Packing* twin) {
+Numbers film_numbers(const FilmResult& r, const Packing* simulation) {
   Numbers j{{"film", film_of(r)}, {"lockin", lockin_of(r)}, {"grains", grains_of(r)}, {"motion", motion_of(r)}, {"forces", forces_of(r)}};
   if (r.fit.proposed > 0) j["checks"] = checks_of(r);
-  if (auto directions = film_directions(r, twin); !directions.empty()) j["directions"] = std::move(directions);
-  if (r.swing.size() == 0) return j;
-  const auto texture = texture::measure(r.packing, {.rev_sizes = 0, .grain_sigma_hyd = r.swing.sigma_hyd});
+  if (auto directions = film_directions(r, simulation); !directions.empty()) j["directions"] = std::move(directions);
+  if (r.peak_to_peak.size() == 0) return j;
+  const auto texture = texture::measure(r.packing, {.rev_sizes = 0, .grain_sigma_hyd = r.peak_to_peak.sigma_hyd});
   j["texture"] = texture::numbers(texture);
-  if (!r.twin.empty())
-    j["twin"] = {{"swing", agreement_of(r, r.twin.swing, texture.per_grain.considered)},
-                 {"state", agreement_of(r, r.twin.state, texture.per_grain.considered)}};
+  if (!r.simulation.empty())
+    j["simulation"] = {{"peak_to_peak", agreement_of(r, r.simulation.peak_to_peak, texture.per_grain.considered)},
+                       {"state", agreement_of(r, r.simulation.state, texture.per_grain.considered)}};
   return j;
 }
 

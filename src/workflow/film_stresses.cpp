@@ -57,9 +57,9 @@ FilmStresses film_stresses(const FilmResult& result, const texture::Options& opt
   const auto add = [&](const char* name, const std::vector<double>& values) {
     if (grains > 0 && values.size() == grains) out.sources.push_back({name, values, {}, statistics::unknown, {}});
   };
-  add("film", result.swing.sigma_hyd);
-  add("twin_swing", result.twin.swing);
-  add("twin_state", result.twin.state);
+  add("film", result.peak_to_peak.sigma_hyd);
+  add("simulation_peak_to_peak", result.simulation.peak_to_peak);
+  add("simulation_state", result.simulation.state);
   if (out.sources.empty()) return out;
   const auto known = known_in_all(out.sources, grains);
   const Packing packing{result.packing.materials, result.packing.domain, picked(result.packing.grains, known), {}, {}};  // without contacts and bonds
@@ -68,17 +68,17 @@ FilmStresses film_stresses(const FilmResult& result, const texture::Options& opt
   return out;
 }
 
-std::vector<StressRelation> stress_relations(const Packing& packing, const GrainStresses& film, const GrainStresses& twin) {
+std::vector<StressRelation> stress_relations(const Packing& packing, const GrainStresses& film, const GrainStresses& simulation) {
   std::vector<StressRelation> all;
   const auto add = [&](const std::string& name, int material) {
     std::vector<double> x, y;
     double squares = 0, squares_norm = 0;
     for (std::size_t g = 0; g < film.sigma_hyd.size(); ++g) {
-      if ((material >= 0 && packing.grains.material[g] != material) || !std::isfinite(film.sigma_hyd[g]) || !std::isfinite(twin.sigma_hyd[g])) continue;
-      x.push_back(twin.sigma_hyd[g]);
+      if ((material >= 0 && packing.grains.material[g] != material) || !std::isfinite(film.sigma_hyd[g]) || !std::isfinite(simulation.sigma_hyd[g])) continue;
+      x.push_back(simulation.sigma_hyd[g]);
       y.push_back(film.sigma_hyd[g]);
-      squares += std::pow(film.sigma_hyd[g] - twin.sigma_hyd[g], 2);
-      squares_norm += std::pow(film.sigma_norm[g] - twin.sigma_norm[g], 2);
+      squares += std::pow(film.sigma_hyd[g] - simulation.sigma_hyd[g], 2);
+      squares_norm += std::pow(film.sigma_norm[g] - simulation.sigma_norm[g], 2);
     }
     const auto count = static_cast<double>(x.size());
     if (x.size() >= 3) all.push_back({name, statistics::relate(x, y), std::sqrt(squares / count), std::sqrt(squares_norm / count)});

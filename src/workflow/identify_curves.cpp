@@ -84,8 +84,8 @@ Identification identify_stiffness(const std::string& file, const StiffnessReques
     if (worst_r2 < 0.99)
       found.notes.push_back(fmt::format("the records are not straight (least R^2 {:.3f}): k is the mean slope between preload and peak", worst_r2));
   } else {
-    groups = told_tests(table, stiffness_quantity, needs_of_stiffness,
-                        [](const auto&, const auto&, double value) { return fmt::format("the stiffness is {:.4g} N/m; it must be above 0", value); });
+    groups = tabulated_tests(table, stiffness_quantity, needs_of_stiffness,
+                             [](const auto&, const auto&, double value) { return fmt::format("the stiffness is {:.4g} N/m; it must be above 0", value); });
   }
   for (const auto& [name, tests] : groups) found.groups.push_back(group_of(name, tests, [&](const Measured& k) { return findings_of(k, request); }));
   add_all(found, groups, request);
@@ -152,7 +152,7 @@ Identification identify_adhesion(const std::string& file, const AdhesionRequest&
     const auto refusal = [](const std::string& group, const std::string& test, double value) {
       return fmt::format("{}{}{}: the separation force is {:.4g} N; write tension as a positive force", group, test.empty() ? "" : ", ", test, value);
     };
-    for (const auto& group : told_tests(table, separation_quantity, needs_of_adhesion, refusal)) add_group(found, group.name, group.tests, request);
+    for (const auto& group : tabulated_tests(table, separation_quantity, needs_of_adhesion, refusal)) add_group(found, group.name, group.tests, request);
   }
   if (!request.stiffness || !request.radii)
     found.notes.push_back("the surface energy needs the stiffness of the pair and the radii: --k \"27.35 kN/mm\" --radius \"6.2 mm\"");

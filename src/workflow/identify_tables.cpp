@@ -79,7 +79,7 @@ identify::Curve curve_of(const io::LaboratoryTable& table, const RowGroup& test,
   return curve;
 }
 
-std::vector<TestGroup> told_tests(io::LaboratoryTable& table, const io::Quantity& quantity, const std::string& needs, const Refusal& refusal) {
+std::vector<TestGroup> tabulated_tests(io::LaboratoryTable& table, const io::Quantity& quantity, const std::string& needs, const Refusal& refusal) {
   std::vector<TestGroup> groups;
   const auto add = [&](TestGroup& group, const std::string& test, std::size_t row, double value) {
     if (!(value > 0)) throw InputError(table.file(), table.line(row), refusal(group.name, test, value));

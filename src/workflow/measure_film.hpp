@@ -26,16 +26,16 @@ struct FilmCorrection {
   std::vector<std::string> notes;        ///< what a user should know: constant or saturated pixels
 };
 
-/// How the film and its plates are to be read, where the recipe says it.
+/// How the film and its references are to be read, where the recipe says it.
 io::FilmChoice reading_of(const recipe::FilmRecipe& recipe);
 
-/// Reads plates and curve, and looks at the film's first frames for bad pixels. Throws InputError for plates of another size
+/// Reads references and curve, and looks at the film's first frames for bad pixels. Throws InputError for references of another size
 /// and films that do not hold what [temperature] says.
 FilmCorrection make_correction(const recipe::FilmRecipe& recipe, FilmSource& film);
 
 /// The load's cycle from the lock-in line of a .ptw film; nothing for films without. `notice` is called where the line shows no cycle near the
-/// frequency that was told, or another one.
-std::optional<thermography::LoadSignal> load_signal_of(const std::filesystem::path& path, const FilmInfo& film, double told,
+/// given frequency, or another one.
+std::optional<thermography::LoadSignal> load_signal_of(const std::filesystem::path& path, const FilmInfo& film, double given,
                                                        const std::function<void(const std::string&)>& notice);
 
 /// Proposes contacts between the grains of `result.packing` and infers their forces from its maps, or from the means of
@@ -45,9 +45,9 @@ void infer_film_forces(const recipe::FilmRecipe& recipe, FilmResult& result);
 
 /// Adds to the errors of the stresses what a blur of the lens that is known to `blur_error` only leaves; `wider` are the
 /// stresses when rims are taken off with a blur larger by `step` (pixels).
-void add_blur_error(GrainSwing& swing, const GrainSwing& wider, double step, double blur_error);
+void add_blur_error(PeakToPeak& change, const PeakToPeak& wider, double step, double blur_error);
 
-/// Adds what noise does not tell, once the forces are known: the mean over a grain's centre differs from the mean that the
+/// Adds what noise does not explain, once the forces are known: the mean over a grain's centre differs from the mean that the
 /// forces (held by the balance of all grains) put there, seen through the same lens and pixels. The median difference of
 /// the grains of a material is the error of all of them that rim, motion and the camera's fixed pattern leave; a grain whose own
 /// difference is larger than that is less sure. `shown` are the grains in the maps' pixels, `share` the part averaged.

@@ -17,8 +17,8 @@
 namespace arenite::workflow {
 namespace {
 
-constexpr double enough = 2;                               // pixels of the optical picture along one of the film tell centres to a hundredth
-constexpr double margin = 10;                              // pixels of the film round the frame in which its grains may lie
+constexpr double enough = 2;                               // pixels of the optical picture along one of the film give centres to a hundredth
+constexpr double margin = 10;                              // pixels of the film round the container in which its grains may lie
 constexpr double least_correlation = 0.3, most_rms = 0.5;  // of an overlay that is believed; pixels of the film
 
 /// Part of a picture; pixels count from there.
@@ -26,8 +26,8 @@ struct Part {
   int column = 0, row = 0, width = 0, height = 0;
 };
 
-/// The frame and what is near it, in the middle of the picture: what is round it costs time and looks round, too.
-Part part_near_frame(const recipe::FilmRecipe& recipe, const Image& image, double pixel) {
+/// The container and what is near it, in the middle of the picture: what is round it costs time and looks round, too.
+Part part_near_container(const recipe::FilmRecipe& recipe, const Image& image, double pixel) {
   const auto side = [&](double inner, int all) { return std::min(all, static_cast<int>(std::ceil((inner + 2 * margin * recipe.picture.pixel) / pixel))); };
   Part part{0, 0, image.width, image.height};
   if (recipe.container.left || recipe.container.top) return part;
@@ -51,8 +51,8 @@ FloatImage coarser(const Image& image, const Part& part, int times) {
   return out;
 }
 
-/// Both pictures have one middle and the scales that the recipe tells.
-imaging::Similarity told(const Image& whole, const Part& part, int times, const FilmInfo& film, double scale) {
+/// Both pictures have one middle and the scales that the recipe gives.
+imaging::Similarity given(const Image& whole, const Part& part, int times, const FilmInfo& film, double scale) {
   const auto first = [&](int begin, int all) { return (begin + 0.5 * (times - 1) - 0.5 * (all - 1)) / times; };
   return {scale, 0, {0.5 * (film.width - 1) + scale * first(part.column, whole.width), 0.5 * (film.height - 1) + scale * first(part.row, whole.height)}, false};
 }
@@ -102,14 +102,14 @@ PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& f
   const double fine = recipe.picture.optical_pixel > 0 ? recipe.picture.optical_pixel : recipe.picture.pixel;
   const int times = std::max(1, static_cast<int>(recipe.picture.pixel / (enough * fine) + 1e-6));
   const Image whole = io::read_image(file);
-  const Part part = part_near_frame(recipe, whole, fine);
+  const Part part = part_near_container(recipe, whole, fine);
   const FloatImage image = coarser(whole, part, times);
   const double pixel = times * fine;
   auto found = circles_of(recipe, image, pixel, {.largest = 0.25 * std::min(recipe.container.width, recipe.container.height) / pixel});
   if (found.grains.size() < 3)
     throw InputError(file, 0,
                      fmt::format("shows {} grains; give a picture in which they stand out, or a list of the grains (picture.grains)", found.grains.size()));
-  const auto first = told(whole, part, times, film, pixel / recipe.picture.pixel);
+  const auto first = given(whole, part, times, film, pixel / recipe.picture.pixel);
   const auto overlay = lay_over_film(file, found.grains, first, {film.width, film.height, frame});
   const Vec2 middle = first.inverse()({0.5 * (film.width - 1), 0.5 * (film.height - 1)}), off = overlay.transform(middle) - first(middle);
   notes.push_back(fmt::format(

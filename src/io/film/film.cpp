@@ -175,8 +175,8 @@ std::string other_recording(const std::filesystem::path& path, std::string_view 
     if (is == nullptr && head.size() > mark.at && head.substr(mark.at).starts_with(mark.bytes)) is = with_ending(mark.ending);
   if (is == nullptr) return {};
   if (is->program.empty())
-    return fmt::format("{}: compressed colours, of which the swing of a few millikelvin is lost; export the camera's own levels or temperatures, {}", is->what,
-                       levels);
+    return fmt::format("{}: compressed colours, in which an amplitude of a few millikelvin is lost; export the camera's own levels or temperatures, {}",
+                       is->what, levels);
   return fmt::format("{}; export it with {} {}", is->what, is->program, is->as);
 }
 

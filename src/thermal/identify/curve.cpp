@@ -11,7 +11,7 @@
 namespace arenite::identify {
 namespace {
 
-constexpr double noise_share = 0.05;  // of the range: smaller swings are no turning points
+constexpr double noise_share = 0.05;  // of the range: smaller changes are no turning points
 constexpr std::size_t fewest_points = 5;
 
 /// A turning point of the force.
@@ -31,13 +31,13 @@ std::vector<double> upright(const std::vector<double>& force) {
 
 std::vector<Turn> turns_of(const std::vector<double>& f) {
   const auto [low, high] = std::minmax_element(f.begin(), f.end());
-  const double swing = noise_share * (*high - *low);
+  const double least = noise_share * (*high - *low);
   std::vector<Turn> turns;
   std::size_t extreme = 0;
   bool rising = true;
   for (std::size_t k = 0; k < f.size(); ++k) {
     if (rising ? f[k] > f[extreme] : f[k] < f[extreme]) extreme = k;
-    else if (k > 0 && std::abs(f[k] - f[extreme]) > swing) {
+    else if (k > 0 && std::abs(f[k] - f[extreme]) > least) {
       turns.push_back({extreme, rising});
       rising = !rising;
       extreme = k;

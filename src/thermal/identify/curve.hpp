@@ -36,7 +36,7 @@ struct Cycle {
 /// force (N); which sign compression has is found out. k is one over the slope of the displacement against the force, over
 /// the points whose force exceeds the preload: the test controls the force, the noise is in the displacement, and points
 /// chosen by what the line is drawn against leave its slope unbiased.
-/// Cycles are cut at the turning points of the force, swings below 5 % of its range being noise. Throws InputError with
+/// Cycles are cut at the turning points of the force, changes below 5 % of its range being noise. Throws InputError with
 /// file and line if the preload is not reached, a cycle has fewer than five points beyond it, the force falls back in a loading
 /// without coming below half of its peak, or the displacement runs back.
 std::vector<Cycle> cycles_of(const Curve& curve, const StiffnessOptions& options = {});

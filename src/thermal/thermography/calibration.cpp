@@ -73,10 +73,10 @@ LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band&
   return curve;
 }
 
-LevelCurve curve_by_plates(const radiometry::Band& band, const LevelPoint& cold, const LevelPoint& warm, const radiometry::Surface& surface,
-                           const LevelRange& range) {
+LevelCurve curve_by_references(const radiometry::Band& band, const LevelPoint& cold, const LevelPoint& warm, const radiometry::Surface& surface,
+                               const LevelRange& range) {
   if (!(cold.temperature > 0) || !(warm.temperature > cold.temperature) || cold.level == warm.level)
-    throw InputError(fmt::format("plates of {} K and {} K at levels {} and {} make no calibration; film a colder and a warmer one", cold.temperature,
+    throw InputError(fmt::format("references of {} K and {} K at levels {} and {} make no calibration; film a colder and a warmer one", cold.temperature,
                                  warm.temperature, cold.level, warm.level));
   const double low = radiometry::photon_exitance(band, cold.temperature), high = radiometry::photon_exitance(band, warm.temperature);
   return tabulate(range, [&](double level) {

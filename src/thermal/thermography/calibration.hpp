@@ -25,10 +25,10 @@ LevelCurve curve_through(std::vector<LevelPoint> points, const LevelRange& range
 /// The same for a surface that is not black: what a level says of the photons stays, and a part of them is mirrored.
 LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band& band, const radiometry::Surface& surface, const LevelRange& range = {});
 
-/// Radiometry between two black plates: the level is a straight line of the photons in the band, and a surface that is
+/// Radiometry between two black-body references: the level is a straight line of the photons in the band, and a surface that is
 /// not black shows eps N(T) + (1 - eps) N(T_amb).
-LevelCurve curve_by_plates(const radiometry::Band& band, const LevelPoint& cold, const LevelPoint& warm, const radiometry::Surface& surface,
-                           const LevelRange& range = {});
+LevelCurve curve_by_references(const radiometry::Band& band, const LevelPoint& cold, const LevelPoint& warm, const radiometry::Surface& surface,
+                               const LevelRange& range = {});
 
 /// Radiometry with one level known, which is that of a black surface: levels are proportional to photons.
 LevelCurve curve_by_radiometry(const radiometry::Band& band, const LevelPoint& known, const radiometry::Surface& surface, const LevelRange& range = {});
@@ -41,7 +41,7 @@ struct GrainSurfaces {
 };
 
 /// Maps in kelvin that were made as if everything were the assumed surface, as each grain's own material shows them: its pixels' mean, and
-/// what swings about it by the slope of Planck's law there. A pixel belongs to the grain that covers its middle, and those just beyond a rim
+/// what varies about it by the slope of Planck's law there. A pixel belongs to the grain that covers its middle, and those just beyond a rim
 /// to the nearest grain; the rest stays as it is. Maps are unchanged where materials are as assumed.
 void see_surfaces(LockinMaps& maps, const PictureGrains& grains, const GrainSurfaces& surfaces);
 

@@ -58,22 +58,22 @@ std::vector<Replacement> replacements(const std::vector<std::uint8_t>& bad, int 
   return list;
 }
 
-double plate_level(const FrameStatistics& plate) { return median(plate.mean); }
+double reference_level(const FrameStatistics& reference) { return median(reference.mean); }
 
-void correct_offsets(const FrameStatistics& plate, Correction& correction) {
-  correction.width = plate.width;
-  correction.height = plate.height;
-  const double level = plate_level(plate);
-  correction.gain.assign(plate.mean.size(), 1);
-  correction.offset.resize(plate.mean.size());
-  for (std::size_t i = 0; i < plate.mean.size(); ++i) correction.offset[i] = static_cast<float>(level - static_cast<double>(plate.mean[i]));
+void correct_offsets(const FrameStatistics& reference, Correction& correction) {
+  correction.width = reference.width;
+  correction.height = reference.height;
+  const double level = reference_level(reference);
+  correction.gain.assign(reference.mean.size(), 1);
+  correction.offset.resize(reference.mean.size());
+  for (std::size_t i = 0; i < reference.mean.size(); ++i) correction.offset[i] = static_cast<float>(level - static_cast<double>(reference.mean[i]));
 }
 
 void correct_gains(const FrameStatistics& cold, const FrameStatistics& warm, Correction& correction) {
   if (cold.width != warm.width || cold.height != warm.height)
     throw InputError(
         fmt::format("the two references have {} x {} and {} x {} pixels; film both with the same window", cold.width, cold.height, warm.width, warm.height));
-  const double low = plate_level(cold), step = plate_level(warm) - low;
+  const double low = reference_level(cold), step = reference_level(warm) - low;
   if (!(std::abs(step) > 0)) throw InputError("the two references show the same level, so gains cannot be found; film them at different temperatures");
   correct_offsets(cold, correction);
   constexpr double least_answer = 0.1;  // of the median pixel's
@@ -81,7 +81,7 @@ void correct_gains(const FrameStatistics& cold, const FrameStatistics& warm, Cor
     const double answer = (static_cast<double>(warm.mean[i]) - static_cast<double>(cold.mean[i])) / step;
     const double gain = answer > least_answer ? 1 / answer : 1;
     correction.gain[i] = static_cast<float>(gain);
-    // Of the rounded gain, so that the cold plate is met exactly.
+    // Of the rounded gain, so that the cold reference is met exactly.
     correction.offset[i] = static_cast<float>(low - static_cast<double>(correction.gain[i]) * static_cast<double>(cold.mean[i]));
   }
 }

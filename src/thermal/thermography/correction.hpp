@@ -30,7 +30,7 @@ struct Correction {
   std::vector<float> gain, offset;  ///< level = gain * level + offset, pixel by pixel
   LevelCurve curve;
   std::vector<Replacement> bad;
-  std::vector<float> reference;    ///< subtracted: a corrected frame at rest, in the unit of the result
+  std::vector<float> reference;    ///< subtracted: a corrected frame of the unloaded sample, in the unit of the result
   std::vector<std::uint8_t> mask;  ///< 0: not of interest, given as 0
 };
 
@@ -52,16 +52,16 @@ class CorrectedFilm : public FilmSource {
   FrameBlock part_;
 };
 
-/// One-point correction: every pixel's offset, from the mean frame of a film of a black-body reference. Every pixel then shows the
-/// plate at the median level of all.
-void correct_offsets(const FrameStatistics& plate, Correction& correction);
+/// One-point correction: every pixel's offset, from the mean frame of a film of a black-body reference. Every pixel then shows it
+/// at the median level of all.
+void correct_offsets(const FrameStatistics& reference, Correction& correction);
 
 /// Two-point correction: gain and offset of every pixel, from two black-body references of different temperature, so that every
 /// pixel shows each of them at its median level. A pixel that hardly answers keeps gain 1 (find_bad_pixels finds it).
-/// Throws InputError for plates of different size, or that do not differ.
+/// Throws InputError for references of different size, or that do not differ.
 void correct_gains(const FrameStatistics& cold, const FrameStatistics& warm, Correction& correction);
 
-/// The median level of a plate: where a correction puts it.
-double plate_level(const FrameStatistics& plate);
+/// The median level of a reference: where a correction puts it.
+double reference_level(const FrameStatistics& reference);
 
 }  // namespace arenite::thermography

@@ -63,15 +63,16 @@ std::vector<double> joined(const std::vector<std::vector<double>>& parts) {
 }  // namespace
 
 LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, const PictureGrains& grains, const GrainMotion& motion,
-                         const PictureGrains& shown, std::optional<double> told_phase, int threads, double blur) {
+                         const PictureGrains& shown, std::optional<double> given_phase, int threads, double blur) {
   LockinMaps result = maps;
-  const double factor = maps.convention == SwingConvention::full ? 2 : 1, spread = factor * std::sqrt(2 * maps.noise_ratio / static_cast<double>(maps.frames));
+  const double factor = maps.convention == AmplitudeConvention::peak_to_peak ? 2 : 1,
+               spread = factor * std::sqrt(2 * maps.noise_ratio / static_cast<double>(maps.frames));
   const GrainScene scene = grain_scene(pictures, grains, motion, blur, threads);
   const PhasePictures rest = without_scene(pictures, scene, grains, motion, blur, threads);
   const std::vector<std::int32_t> owner = owners(shown, maps.width, maps.height);
   std::vector<std::vector<double>> cosine(grains.size()), sine(grains.size());
   const auto follow = [&](std::size_t i) {
-    const SwingOfPixels fit(rest, motion.cos_x[i], motion.sin_x[i], motion.cos_y[i], motion.sin_y[i]);
+    const PixelHarmonics fit(rest, motion.cos_x[i], motion.sin_x[i], motion.cos_y[i], motion.sin_y[i]);
     const double x = shown.x[i], y = shown.y[i], r = shown.radius[i];
     each_pixel_near(x, y, r, maps.width, maps.height, [&](int column, int row, std::size_t p) {
       const double out = std::hypot(column - x, row - y);
@@ -85,7 +86,7 @@ LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, 
     });
   };
   Team(threads).for_each(grains.size(), follow);
-  if (told_phase) result.reference_phase = *told_phase;
+  if (given_phase) result.reference_phase = *given_phase;
   else if (grains.size() > 0) result.reference_phase = reference_phase(joined(cosine), joined(sine));
   project(result);
   forget_outside(result, owner);

@@ -29,7 +29,7 @@ Doubtful doubtful(const FrameStatistics& statistics, int bits);
 /// How far a pixel may stand out, in robust standard deviations (1.4826 times the median of absolute deviations).
 struct BadPixelLimits {
   double level = 8;  ///< beyond all but two of its eight neighbours, in what these and the whole picture scatter
-  double gain = 8;   ///< answer to two plates, against that of all pixels
+  double gain = 8;   ///< answer to two references, against that of all pixels
   double noise = 8;  ///< logarithm of the noise, against that of all pixels
 };
 
@@ -40,7 +40,7 @@ enum BadPixel : std::uint8_t { bad_level = 1, bad_gain = 2, bad_noise = 4 };
 /// that touch are found. An edge in the picture is no fault, since a pixel at it has neighbours of its own side. Noise is judged from eight frames on.
 std::vector<std::uint8_t> find_bad_pixels(const FrameStatistics& film, const BadPixelLimits& limits = {});
 
-/// Marks those, and pixels whose answer to two plates stands out.
+/// Marks those, and pixels whose answer to two references stands out.
 std::vector<std::uint8_t> find_bad_pixels(const FrameStatistics& cold, const FrameStatistics& warm, const BadPixelLimits& limits = {});
 
 }  // namespace arenite::thermography

@@ -58,7 +58,7 @@ std::vector<Chord> chords_of(const PictureGrains& g, std::size_t i) {
 
 /// Mean over the grain's inner pixels, at least the one in its middle.
 double inner_level(const PhasePictures& pictures, const PictureGrains& g, const GrainMotion& m, std::size_t i) {
-  const SwingOfPixels fit(pictures, m.cos_x[i], m.sin_x[i], m.cos_y[i], m.sin_y[i]);
+  const PixelHarmonics fit(pictures, m.cos_x[i], m.sin_x[i], m.cos_y[i], m.sin_y[i]);
   const double inner = std::max(0.5, std::min(0.8 * g.radius[i], g.radius[i] - 2.5));
   double sum = 0, n = 0;
   const int reach = static_cast<int>(inner);

@@ -30,8 +30,8 @@ struct HarmonicFit {
   std::size_t harmonic(std::size_t h) const { return drift + 2 * (harmonics - h); }
   /// Column of cos of frequency k beside; sin is next to it.
   std::size_t side(std::size_t k) const { return drift + 2 * (harmonics + k); }
-  /// Variance of a swing over that of as many frames' noise that have nothing but the swing to tell: 1 in a film of many
-  /// cycles, far more where drift and harmonics can do what the swing does.
+  /// Variance of the amplitude over what it would be if nothing else were fitted to as many frames: 1 in a film of many
+  /// cycles, far more where drift and harmonics can do what the load's frequency does.
   double inflation(std::size_t frames) const;
 };
 

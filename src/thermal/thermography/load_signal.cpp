@@ -41,13 +41,13 @@ double left_by_line(const std::vector<double>& time, const std::vector<double>& 
 
 }  // namespace
 
-std::optional<LoadSignal> fit_load_signal(const std::vector<double>& time, const std::vector<double>& signal, double told) {
-  if (time.size() != signal.size() || time.size() < 8 || !(told > 0)) return std::nullopt;
+std::optional<LoadSignal> fit_load_signal(const std::vector<double>& time, const std::vector<double>& signal, double given) {
+  if (time.size() != signal.size() || time.size() < 8 || !(given > 0)) return std::nullopt;
   const auto n = static_cast<double>(time.size());
   const double middle = std::accumulate(time.begin(), time.end(), 0.0) / n, length = time.back() - time.front();
   std::vector<double> t;
   for (const double each : time) t.push_back(each - middle);
-  const double nyquist = 0.5 * (n - 1) / length, first = std::max(told / 2, 2 / length), last = std::min(2 * told, 0.95 * nyquist);
+  const double nyquist = 0.5 * (n - 1) / length, first = std::max(given / 2, 2 / length), last = std::min(2 * given, 0.95 * nyquist);
   double step = 1 / (8 * length), best = 0, least = left_by_line(t, signal);
   const double all = least;
   for (double f = first; f <= last; f += step)

@@ -10,9 +10,9 @@ struct LoadSignal {
   double phase = 0;                           ///< rad: the signal is largest when 2 pi f t equals it
 };
 
-/// The cycle that takes most of a signal's squares, between half and twice the frequency that was told, by least squares of a straight line,
+/// The cycle that takes most of a signal's squares, between half and twice the frequency that is given, by least squares of a straight line,
 /// cosine and sine at the times of its frames (s). Nothing where it takes less than half of what the line leaves (a square wave's takes 0.81),
 /// and where the signal holds less than two cycles.
-std::optional<LoadSignal> fit_load_signal(const std::vector<double>& time, const std::vector<double>& signal, double told);
+std::optional<LoadSignal> fit_load_signal(const std::vector<double>& time, const std::vector<double>& signal, double given);
 
 }  // namespace arenite::thermography

@@ -58,12 +58,12 @@ void resize(LockinMaps& maps, std::size_t n, bool second) {
   if (second) maps.second_harmonic.resize(n);
 }
 
-/// Fills all maps but those that need the reference; cos and sin of the first harmonic go to `swing`.
-void fill(const SegmentSums& s, const HarmonicFit& fit, const Team& team, LockinMaps& maps, std::vector<double> (&swing)[2]) {
+/// Fills all maps but those that need the reference; cos and sin of the first harmonic go to `phasor`.
+void fill(const SegmentSums& s, const HarmonicFit& fit, const Team& team, LockinMaps& maps, std::vector<double> (&phasor)[2]) {
   const bool second = fit.harmonics > 1;
   resize(maps, s.pixels, second);
-  for (auto& each : swing) each.resize(s.pixels);
-  const double factor = maps.convention == SwingConvention::full ? 2 : 1;
+  for (auto& each : phasor) each.resize(s.pixels);
+  const double factor = maps.convention == AmplitudeConvention::peak_to_peak ? 2 : 1;
   const auto a = fit.harmonic(1);
   const double spread = std::sqrt(maps.noise_ratio * (fit.covariance(a, a) + fit.covariance(a + 1, a + 1)) / 2);
   std::vector<double> value(fit.drift), slope(fit.drift);
@@ -79,8 +79,8 @@ void fill(const SegmentSums& s, const HarmonicFit& fit, const Team& team, Lockin
       const double c = number(fit.harmonic(1)), sn = number(fit.harmonic(1) + 1), noise = std::sqrt(pixels.variance[i]);
       maps.mean[p] = static_cast<float>(mean);
       maps.drift[p] = static_cast<float>(drift / fit.half);
-      swing[0][p] = factor * c;
-      swing[1][p] = factor * sn;
+      phasor[0][p] = factor * c;
+      phasor[1][p] = factor * sn;
       maps.amplitude[p] = static_cast<float>(factor * std::sqrt(c * c + sn * sn));
       maps.phase[p] = static_cast<float>(std::atan2(sn, c));
       maps.standard_error[p] = static_cast<float>(factor * spread * noise);
@@ -118,11 +118,11 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
   maps.convention = o.convention;
   const HarmonicFit fit = harmonic_fit(sums, maps.frequency, o.drift_order, false);
   refuse_too_few_cycles(fit, sums);
-  judge_swing(sums, fit, refined, maps);
-  std::vector<double> swing[2];
-  fill(sums, fit, team, maps, swing);
-  maps.reference_phase = o.reference_phase ? *o.reference_phase : reference_phase(swing[0], swing[1]);
-  project(maps, swing[0], swing[1]);
+  judge_amplitude(sums, fit, refined, maps);
+  std::vector<double> phasor[2];
+  fill(sums, fit, team, maps, phasor);
+  maps.reference_phase = o.reference_phase ? *o.reference_phase : reference_phase(phasor[0], phasor[1]);
+  project(maps, phasor[0], phasor[1]);
   return maps;
 }
 
@@ -144,7 +144,7 @@ double reference_phase(const std::vector<double>& cosine, const std::vector<doub
 
 double diffusion_length(double diffusivity, double frequency) { return std::sqrt(diffusivity / (std::numbers::pi * frequency)); }
 
-double swing_lost_to_diffusion(double diffusion_length, double pixel) {
+double amplitude_lost_to_diffusion(double diffusion_length, double pixel) {
   const double wave = std::numbers::pi * diffusion_length / pixel;
   return 1 - 1 / std::hypot(1.0, wave * wave / 2);
 }

@@ -65,10 +65,10 @@ TEST(VirtualCamera, ALineGoesOverTheRows) {
   p.interference = {37, 0.05, 0.25};
   p.timing.frame_rate = 148;  // four frames a cycle
   const std::vector<double> level = plate(p, 8);
-  const double swing = 0.05 * levels_per_kelvin, rest = level[1200];  // a quarter of a cycle later, in the first row
+  const double amplitude = 0.05 * levels_per_kelvin, rest = level[1200];  // a quarter of a cycle later, in the first row
   for (std::size_t row = 0; row < 8; ++row) {
-    EXPECT_NEAR(level[row * 40] - rest, swing * std::cos(1.5707963 * static_cast<double>(row)), 4) << row;
-    EXPECT_NEAR(level[row * 1200] - rest, swing * std::cos(1.5707963 * static_cast<double>(row)), 4) << row;
+    EXPECT_NEAR(level[row * 40] - rest, amplitude * std::cos(1.5707963 * static_cast<double>(row)), 4) << row;
+    EXPECT_NEAR(level[row * 1200] - rest, amplitude * std::cos(1.5707963 * static_cast<double>(row)), 4) << row;
   }
 }
 
