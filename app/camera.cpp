@@ -5,7 +5,7 @@
 #include "commands.hpp"
 #include "io/film/film.hpp"
 #include "progress.hpp"
-#include "workflow/render_film.hpp"
+#include "workflow/run_film.hpp"
 
 namespace arenite::app {
 namespace {

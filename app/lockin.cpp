@@ -10,7 +10,6 @@
 #include "core/median.hpp"
 #include "film_reading.hpp"
 #include "progress.hpp"
-#include "workflow/film_checks.hpp"
 #include "workflow/measure_film.hpp"
 
 namespace arenite::app {
@@ -27,18 +26,9 @@ constexpr double degrees = 180 / std::numbers::pi;
 
 /// `phase`: that of the maps, in degrees.
 FilmMaps maps_of(const LockinMaps& m, const std::vector<float>& phase) {
-  return {m.width,
-          m.height,
-          {{"mean", &m.mean},
-           {"drift", &m.drift},
-           {"amplitude", &m.amplitude},
-           {"phase", &phase},
-           {"in_phase", &m.in_phase},
-           {"quadrature", &m.quadrature},
-           {"standard_error", &m.standard_error},
-           {"noise_floor", &m.noise_floor},
-           {"second_harmonic", &m.second_harmonic},
-           {"residual", &m.residual}}};
+  FilmMaps maps{m.width, m.height, {}};
+  for (const auto& [name, unit, values] : lockin_maps) maps.named.emplace_back(name, values == &LockinMaps::phase ? &phase : &(m.*values));
+  return maps;
 }
 
 std::vector<float> phase_in_degrees(const LockinMaps& m) {

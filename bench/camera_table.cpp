@@ -14,7 +14,6 @@
 #include "grains/texture/texture.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
-#include "workflow/render_film.hpp"
 #include "workflow/run_film.hpp"
 
 /// camera_table STATES CAMERA.toml SCRATCH [THREADS [WORDS...]]: films simulated states with one property of the camera changed at a

@@ -6,8 +6,6 @@
 #include "film_source.hpp"
 #include "module.hpp"
 #include "thermal/thermography/correction.hpp"
-#include "thermal/thermography/frame_statistics.hpp"
-#include "thermal/thermography/grain_means.hpp"
 #include "thermal/thermography/grain_motion.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
 #include "workflow/measure_film.hpp"

@@ -6,7 +6,6 @@
 #include "calls.hpp"
 #include "module.hpp"
 #include "report/summary.hpp"
-#include "workflow/render_film.hpp"
 #include "workflow/run_film.hpp"
 
 namespace arenite::python {

@@ -6,7 +6,6 @@
 #include "core/error.hpp"
 #include "grains/texture/texture.hpp"
 #include "io/results/results.hpp"
-#include "workflow/render_film.hpp"
 #include "workflow/result_folder.hpp"
 #include "workflow/run_film.hpp"
 

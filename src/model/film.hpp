@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -34,6 +36,14 @@ struct FrameBlock {
   std::size_t frames = 0;
   std::vector<std::uint16_t> level;
   std::vector<float> value;
+
+  /// Names the frames, and gives the array that holds such a film's pixels their size.
+  void prepare(const FilmInfo& film, std::int64_t from, std::size_t count) {
+    first = from;
+    frames = count;
+    level.resize(film.floating ? 0 : count * film.pixels());
+    value.resize(film.floating ? count * film.pixels() : 0);
+  }
 };
 
 /// A film that is read part by part: its frames need never be in memory together.
@@ -56,13 +66,10 @@ struct Film : FilmSource {
   std::vector<float> value;          ///< the same in floating numbers
   const FilmInfo& info() const override { return about; }
   void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
-    const auto begin = first * static_cast<std::ptrdiff_t>(about.pixels()), end = begin + static_cast<std::ptrdiff_t>(count * about.pixels());
-    block.first = first;
-    block.frames = count;
-    block.level.clear();
-    block.value.clear();
-    if (about.floating) block.value.assign(value.begin() + begin, value.begin() + end);
-    else block.level.assign(level.begin() + begin, level.begin() + end);
+    const auto begin = first * static_cast<std::ptrdiff_t>(about.pixels());
+    block.prepare(about, first, count);
+    std::copy_n(value.begin() + (about.floating ? begin : 0), block.value.size(), block.value.begin());
+    std::copy_n(level.begin() + (about.floating ? 0 : begin), block.level.size(), block.level.begin());
   }
   const std::uint16_t* levels_in_memory() const override { return level.empty() ? nullptr : level.data(); }
   const float* values_in_memory() const override { return value.empty() ? nullptr : value.data(); }
@@ -101,6 +108,22 @@ struct LockinMaps {
 
   std::size_t size() const { return mean.size(); }
 };
+
+/// A map by its name in files and Python, with its unit for a film in kelvin.
+struct LockinMap {
+  const char *name, *unit;
+  std::vector<float> LockinMaps::*values;
+};
+inline constexpr std::array lockin_maps{LockinMap{"mean", "K", &LockinMaps::mean},
+                                        LockinMap{"drift", "K/s", &LockinMaps::drift},
+                                        LockinMap{"amplitude", "K", &LockinMaps::amplitude},
+                                        LockinMap{"phase", "rad", &LockinMaps::phase},
+                                        LockinMap{"in_phase", "K", &LockinMaps::in_phase},
+                                        LockinMap{"quadrature", "K", &LockinMaps::quadrature},
+                                        LockinMap{"standard_error", "K", &LockinMaps::standard_error},
+                                        LockinMap{"noise_floor", "K", &LockinMaps::noise_floor},
+                                        LockinMap{"second_harmonic", "K", &LockinMaps::second_harmonic},
+                                        LockinMap{"residual", "K", &LockinMaps::residual}};
 
 /// Motion of every grain at the load frequency, in pixels (y down): x(t) = x_mean + Re[(cx + i sx) exp(-i 2 pi f t)], that is cx cos(2 pi f t) + sx
 /// sin(2 pi f t); t in s after the first frame.

@@ -70,9 +70,7 @@ void declare(Visitor& v, camera::Timing& timing) {
   v.number({"dropped", "Share of frames that are lost."}, timing.dropped, "%", range::between(0, 0.9));
 }
 
-}  // namespace
-
-void declare(ParameterVisitor& v, CameraSection& camera) {
+void declare(Visitor& v, CameraSection& camera) {
   v.text({"low", "Stage at whose end the load is smallest; without it the load varies from none."}, camera.low);
   v.text({"high", "Stage at whose end the load is largest, or a load of the cemented sample.", true}, camera.high);
   declare(v, camera.parameters.optics);
@@ -91,10 +89,6 @@ void declare(ParameterVisitor& v, CameraSection& camera) {
   v.number({"reference_warm", "Temperature of the second reference."}, camera.reference_warm, "K", range::positive);
   v.require(camera.reference_warm > camera.reference_cold, {"reference_warm", "reference_cold"}, "must be above reference_cold");
 }
-
-namespace {
-
-using Visitor = ParameterVisitor;
 
 void declare(Visitor& v, FilmMaterial& material) {
   v.number({"thermoelastic_factor", "A: temperature rise per fall of the sum of principal stresses.", true}, material.thermoelastic_factor, "K/MPa",
@@ -194,10 +188,6 @@ void declare(Visitor& v, SimulationSection& simulation) {
   v.text({"low", "Stage at whose end the load is smallest.", true}, simulation.low);
   v.text({"high", "Stage at whose end it is largest.", true}, simulation.high);
 }
-
-}  // namespace
-
-namespace {
 
 /// Emissivities that nothing would read, or that contradict each other.
 void require_emissivities_used(Visitor& v, const FilmRecipe& recipe) {

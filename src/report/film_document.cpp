@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "report/page_document.hpp"
-#include "workflow/film_stresses.hpp"
+#include "workflow/run_film.hpp"
 
 namespace arenite::report {
 namespace {

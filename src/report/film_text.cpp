@@ -6,7 +6,7 @@
 #include "io/film/film.hpp"
 #include "report/result_text.hpp"
 #include "report/summary.hpp"
-#include "thermal/thermography/frame_statistics.hpp"
+#include "thermal/thermography/correction.hpp"
 
 namespace arenite::report {
 namespace {

@@ -1,4 +1,4 @@
-#include "workflow/film_checks.hpp"
+#include "workflow/measure_film.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 
 #include "core/error.hpp"
 #include "core/median.hpp"
-#include "thermal/thermography/lockin.hpp"
 
 namespace arenite::workflow {
 
@@ -78,8 +77,8 @@ std::string unequal(const recipe::FilmRecipe& recipe, const std::vector<Scale>& 
   const double ratio = std::exp(high->log - low->log);
   if (taken_for(scales, *low, recipe, 0.5 * (low->log + high->log)))
     return fmt::format(
-        "forces between {0} and {1} agree only if each has the other's thermoelastic factor: the two materials are taken for each other; "
-        "check their brightness (or the list of grains) and their factors",
+        "forces between {0} and {1} agree only if each has the other's thermoelastic factor: the two materials are taken for each other; check their "
+        "brightness (or the list of grains) and their factors",
         first, second);
   return fmt::format(
       "forces between {0} and {1} agree only if the factor of {1} against that of {0} is {2} what the recipe has; check thermoelastic_factor "

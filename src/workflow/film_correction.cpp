@@ -4,17 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <optional>
 
 #include "core/error.hpp"
-#include "io/film/film.hpp"
 #include "io/table/table.hpp"
-#include "thermal/thermography/calibration.hpp"
-#include "thermal/thermography/correction.hpp"
-#include "thermal/thermography/frame_statistics.hpp"
-#include "thermal/thermography/segment_sums.hpp"
-#include "workflow/film_checks.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
 
 namespace arenite::workflow {
 namespace {

@@ -2,18 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <initializer_list>
 #include <set>
 #include <utility>
-#include <vector>
 
 #include "core/error.hpp"
 #include "core/median.hpp"
 #include "thermal/imaging/proposed_contacts.hpp"
 #include "thermal/inference/contact_forces.hpp"
-#include "thermal/thermography/grain_means.hpp"
-#include "workflow/film_grains.hpp"
+#include "thermal/thermography/grain_motion.hpp"
 
 namespace arenite::workflow {
 namespace {

@@ -85,7 +85,8 @@ using Refusal = std::function<std::string(const std::string& group, const std::s
 /// Values that a table holds, by group: one a row, or a column a group. A table of neither kind is refused by what it `needs`.
 std::vector<TestGroup> tabulated_tests(io::LaboratoryTable& table, const io::Quantity& quantity, const std::string& needs, const Refusal& refusal);
 
-/// Puts what `file` states beside the findings of the same name: its first column names a group, or "all".
-void compare_with_stated(const std::string& file, identify::Identification& found);
+/// Adds the table's notes to what was found, and puts what the file `stated` (or none) says beside the findings of the same name: its first column
+/// names a group, or "all".
+identify::Identification finished(identify::Identification found, const io::LaboratoryTable& table, const std::string& stated);
 
 }  // namespace arenite::workflow

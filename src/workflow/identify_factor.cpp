@@ -29,8 +29,7 @@ const Quantity temperature_quantity{
 const Quantity signal_quantity{{"signal", "s"}, dimension::none, ""};
 constexpr const char* needs =
     "has no columns for a factor; give a cause (stress, or force_min and force_max, or strain) beside a response (temperature or signal), or the properties "
-    "alpha, "
-    "temperature, density and heat_capacity";
+    "alpha, temperature, density and heat_capacity";
 
 const char* words_of(AmplitudeConvention convention) { return convention == AmplitudeConvention::peak_to_peak ? "peak-to-peak values" : "amplitudes"; }
 
@@ -220,9 +219,7 @@ Identification identify_factor(const std::string& file, const FactorRequest& req
                     "thesis's: say --temperature-convention amplitude for the amplitudes of a sine",
                     words_of(request.temperature), words_of(request.load)));
   }
-  found.notes.insert(found.notes.end(), table.notes().begin(), table.notes().end());
-  compare_with_stated(request.stated, found);
-  return found;
+  return finished(std::move(found), table, request.stated);
 }
 
 }  // namespace arenite::workflow

@@ -108,8 +108,9 @@ std::vector<TestGroup> tabulated_tests(io::LaboratoryTable& table, const io::Qua
   return groups;
 }
 
-void compare_with_stated(const std::string& file, identify::Identification& found) {
-  if (file.empty()) return;
+identify::Identification finished(identify::Identification found, const io::LaboratoryTable& source, const std::string& file) {
+  found.notes.insert(found.notes.end(), source.notes().begin(), source.notes().end());
+  if (file.empty()) return found;
   io::LaboratoryTable table(file);
   std::vector<identify::Group*> groups;
   for (auto& group : found.groups) groups.push_back(&group);
@@ -142,6 +143,7 @@ void compare_with_stated(const std::string& file, identify::Identification& foun
         file, table.line(row),
         fmt::format("\"{}\" is none of the groups of {}; {}", name, found.file, near.empty() ? "name them alike" : fmt::format("did you mean \"{}\"?", near)));
   }
+  return found;
 }
 
 }  // namespace arenite::workflow

@@ -7,13 +7,8 @@
 #include <limits>
 #include <numbers>
 
-#include "thermal/thermography/grain_means.hpp"
 #include "thermal/thermography/grain_motion.hpp"
-#include "thermal/thermography/grain_scene.hpp"
-#include "thermal/thermography/lockin.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
-#include "workflow/film_checks.hpp"
-#include "workflow/film_grains.hpp"
 
 namespace arenite::workflow {
 namespace {

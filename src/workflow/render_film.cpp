@@ -1,4 +1,4 @@
-#include "workflow/render_film.hpp"
+#include "workflow/run_film.hpp"
 
 #include <fmt/format.h>
 
@@ -79,21 +79,6 @@ recipe::FilmRecipe laboratory_recipe(const recipe::FilmRecipe& recipe, const Pac
   return lab;
 }
 
-/// Copies a film frame by frame; false if it was stopped.
-bool write(const fs::path& file, FilmSource& film, const std::function<bool(double)>& progress) {
-  const FilmInfo& info = film.info();
-  const auto writer = io::create_film(file, info);
-  FrameBlock block;
-  constexpr std::int64_t together = 32;
-  for (std::int64_t k = 0; k < info.frames; k += together) {
-    film.read(k, static_cast<std::size_t>(std::min(together, info.frames - k)), block);
-    writer->append(block);
-    if (!progress(static_cast<double>(k) / static_cast<double>(info.frames))) return false;
-  }
-  writer->finish();
-  return true;
-}
-
 void write_optical(const fs::path& file, const FloatImage& picture) {
   Film film;
   film.about.width = picture.width;
@@ -148,10 +133,10 @@ std::vector<fs::path> render_film(const recipe::FilmRecipe& recipe, const fs::pa
   make_folder(options.out);
   const auto named = [&](const std::string& name) { return options.out / (name + "." + options.format); };
   const auto quietly = [&](double) { return options.progress(0); };
-  if (!write(named("cold"), *camera::uniform_film(p, section.reference_cold, section.reference_frames, recipe.seed), quietly)) return {};
-  if (!write(named("warm"), *camera::uniform_film(p, section.reference_warm, section.reference_frames, recipe.seed), quietly)) return {};
+  if (!io::write_film(named("cold"), *camera::uniform_film(p, section.reference_cold, section.reference_frames, recipe.seed), {}, quietly)) return {};
+  if (!io::write_film(named("warm"), *camera::uniform_film(p, section.reference_warm, section.reference_frames, recipe.seed), {}, quietly)) return {};
   write_optical(options.out / "optical.tif", camera::optical_picture(scene, p, brightness, recipe.seed));
-  if (!write(named("film"), *camera::film(scene, p, recipe.seed), options.progress)) return {};
+  if (!io::write_film(named("film"), *camera::film(scene, p, recipe.seed), {}, options.progress)) return {};
   io::write_atomically(options.out / "film.toml", to_toml(laboratory));
   return {named("film"), named("cold"), named("warm"), options.out / "optical.tif", options.out / "film.toml"};
 }

@@ -11,8 +11,6 @@
 #include "io/disk/store_file.hpp"
 #include "io/film/film.hpp"
 #include "io/results/results.hpp"
-#include "workflow/film_checks.hpp"
-#include "workflow/film_grains.hpp"
 #include "workflow/measure_film.hpp"
 #include "workflow/result_folder.hpp"
 #include "workflow/runner.hpp"

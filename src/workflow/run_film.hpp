@@ -1,10 +1,14 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "grains/texture/texture.hpp"
 #include "model/film_result.hpp"
 #include "recipe/film_recipe.hpp"
+#include "statistics/correlation.hpp"
 #include "statistics/numbers.hpp"
 #include "workflow/run.hpp"
 
@@ -63,5 +67,46 @@ Agreement agreement(const std::vector<double>& one, const std::vector<double>& o
 /// Directions of the contacts that a film shows and, where it is given, of those of its companion simulation: "film" and "simulation", each with "contacts",
 /// "a_c", "theta_c_deg", "a_c_noise" and the numbers in "sectors" of 10 degrees, over the same window (without the border). Empty without contacts.
 Numbers film_directions(const FilmResult& film, const Packing* simulation = nullptr);
+
+/// Stress of the grains from one source, Pa, tension positive, over the mean of the grains that count.
+struct GrainStresses {
+  std::string source;                 ///< "film", "simulation_peak_to_peak", "simulation_state"
+  std::vector<double> sigma_hyd;      ///< one a grain; NaN where it is not known in every source
+  std::vector<double> sigma_norm;     ///< likewise
+  double mean = statistics::unknown;  ///< that sigma_norm is over, Pa
+  Numbers statistics;                 ///< "sigma_norm" as texture::numbers has it; {} where nothing can be measured
+};
+
+/// The stresses of a film and, where there is one, of its companion simulation, peak to peak and as the state at the largest load. All three are taken over the same grains: those whose stress is
+/// known in each. Grains count as texture has them (without a border where that would leave none).
+struct FilmStresses {
+  std::vector<GrainStresses> sources;
+  std::vector<std::uint8_t> considered;  ///< 1 for grains that count; empty without sources
+};
+
+FilmStresses film_stresses(const FilmResult& result, const texture::Options& options);
+
+/// How the film (y) follows its companion simulation (x) over the grains that are known in both.
+struct StressRelation {
+  std::string set;  ///< "all", or a material
+  statistics::Relation relation;
+  double rms = statistics::unknown;       ///< root mean square of the difference, Pa
+  double rms_norm = statistics::unknown;  ///< likewise of sigma_norm
+};
+
+/// "all" first, then by material where there are several; sets of less than three grains are left out.
+std::vector<StressRelation> stress_relations(const Packing& packing, const GrainStresses& film, const GrainStresses& simulation);
+
+struct RenderOptions {
+  std::filesystem::path out;
+  std::string format = "ptw";  ///< of the films
+  bool blind = false;          ///< film.toml has no more than a laboratory knows: no blur, surroundings, phase or travel of the wall
+  std::function<bool(double share)> progress = [](double) { return true; };  ///< false stops
+};
+
+/// Films two simulated states (or one, or a load of the cemented sample, from no load) with the recipe's [camera]. Writes the film, two films of black-body references,
+/// an optical picture at the smallest load, and the recipe film.toml that `arenite film` takes; returns the files, none if it was
+/// stopped. `result` is a run's folder or a file of it. Throws InputError for stages that are not there.
+std::vector<std::filesystem::path> render_film(const recipe::FilmRecipe& recipe, const std::filesystem::path& result, const RenderOptions& options);
 
 }  // namespace arenite::workflow

@@ -8,7 +8,6 @@
 #include "support/virtual_film.hpp"
 #include "thermal/radiometry/band.hpp"
 #include "thermal/thermography/correction.hpp"
-#include "thermal/thermography/frame_statistics.hpp"
 #include "workflow/run_film.hpp"
 
 namespace {

@@ -5,8 +5,7 @@
 
 #include "core/random.hpp"
 #include "model/packing.hpp"
-#include "thermal/inference/balance.hpp"
-#include "thermal/inference/normal_equations.hpp"
+#include "thermal/inference/equations.hpp"
 
 namespace arenite::test {
 

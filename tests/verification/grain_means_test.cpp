@@ -1,4 +1,4 @@
-#include "thermal/thermography/grain_means.hpp"
+#include "thermal/thermography/grain_motion.hpp"
 
 #include <gtest/gtest.h>
 

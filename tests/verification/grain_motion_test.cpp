@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "../support/moving_disks_film.hpp"
-#include "thermal/thermography/grain_means.hpp"
 
 namespace arenite::thermography {
 namespace {

@@ -4,16 +4,6 @@
 namespace arenite::io {
 namespace {
 
-constexpr std::array maps{Column<LockinMaps, float>{"mean", "K", &LockinMaps::mean},
-                          Column<LockinMaps, float>{"drift", "K/s", &LockinMaps::drift},
-                          Column<LockinMaps, float>{"amplitude", "K", &LockinMaps::amplitude},
-                          Column<LockinMaps, float>{"phase", "rad", &LockinMaps::phase},
-                          Column<LockinMaps, float>{"in_phase", "K", &LockinMaps::in_phase},
-                          Column<LockinMaps, float>{"quadrature", "K", &LockinMaps::quadrature},
-                          Column<LockinMaps, float>{"standard_error", "K", &LockinMaps::standard_error},
-                          Column<LockinMaps, float>{"second_harmonic", "K", &LockinMaps::second_harmonic},
-                          Column<LockinMaps, float>{"residual", "K", &LockinMaps::residual}};
-
 constexpr std::array grain_columns{Column<PictureGrains, double>{"column", "1", &PictureGrains::x},
                                    Column<PictureGrains, double>{"row", "1", &PictureGrains::y},
                                    Column<PictureGrains, double>{"radius", "1", &PictureGrains::radius},
@@ -89,7 +79,8 @@ void transfer_maps(const ResultPart& at, FilmResult& r, Shape shape) {
                former ? "half" : name_of(AmplitudeConvention::amplitude));
   group.optional_image("picture", r.picture, shape, "K");
   group.optional_image("bad", r.bad, shape);
-  for (const auto& m : maps) group.optional_image(m.name, r.maps.*m.member, shape, m.unit);
+  for (const auto& [name, unit, values] : lockin_maps)
+    if (values != &LockinMaps::noise_floor) group.optional_image(name, r.maps.*values, shape, unit);  // which follows from the standard error
 }
 
 void transfer_forces(const ResultPart& at, FilmResult& r, Shape shape) {

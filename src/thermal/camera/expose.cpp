@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "thermal/camera/camera.hpp"
-#include "thermal/imaging/lens.hpp"
+#include "thermal/imaging/blur.hpp"
 
 namespace arenite::camera {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "thermal/identify/regression.hpp"
+#include "thermal/identify/curve.hpp"
 #include "thermal/radiometry/band.hpp"
 
 namespace arenite::identify {

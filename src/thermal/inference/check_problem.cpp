@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "core/problems.hpp"
 #include "geometry/close_pairs.hpp"
-#include "thermal/inference/balance.hpp"
+#include "thermal/inference/equations.hpp"
 
 namespace arenite::inference {
 namespace {

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "thermal/inference/balance.hpp"
+#include "thermal/inference/equations.hpp"
 
 namespace arenite::inference {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "thermal/inference/balance.hpp"
+#include "thermal/inference/equations.hpp"
 
 namespace arenite::inference {
 

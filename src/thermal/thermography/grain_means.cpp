@@ -1,8 +1,7 @@
-#include "thermal/thermography/grain_means.hpp"
+#include "thermal/thermography/grain_motion.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>

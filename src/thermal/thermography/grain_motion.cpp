@@ -7,7 +7,6 @@
 
 #include "core/median.hpp"
 #include "core/threads.hpp"
-#include "thermal/thermography/phase_pictures.hpp"
 
 namespace arenite::thermography {
 namespace {

@@ -10,7 +10,6 @@
 #include "core/error.hpp"
 #include "core/median.hpp"
 #include "thermal/thermography/lockin.hpp"
-#include "thermal/thermography/watched_pixels.hpp"
 
 namespace arenite::thermography {
 namespace {

@@ -1,13 +1,10 @@
 #include "thermal/thermography/phase_pictures.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <numeric>
 
 #include "core/threads.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
-#include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
 namespace {

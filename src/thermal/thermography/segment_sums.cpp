@@ -1,4 +1,4 @@
-#include "thermal/thermography/segment_sums.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/film.hpp"
-#include "thermal/thermography/segment_sums.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
 
 namespace arenite::thermography {
 

@@ -1,15 +1,12 @@
-#include "thermal/thermography/watched_pixels.hpp"
+#include "thermal/thermography/refine_frequency.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
-#include <vector>
 
 #include "core/median.hpp"
-#include "thermal/thermography/harmonic_fit.hpp"
-#include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
 namespace {

@@ -1,4 +1,4 @@
-#include "workflow/film_checks.hpp"
+#include "workflow/measure_film.hpp"
 
 #include <gtest/gtest.h>
 

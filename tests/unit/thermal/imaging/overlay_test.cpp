@@ -1,4 +1,4 @@
-#include "thermal/imaging/overlay.hpp"
+#include "thermal/imaging/registration.hpp"
 
 #include <gtest/gtest.h>
 

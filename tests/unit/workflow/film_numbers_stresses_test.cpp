@@ -1,4 +1,4 @@
-#include "workflow/film_stresses.hpp"
+#include "workflow/run_film.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "thermal/thermography/calibration.hpp"
+#include "thermal/thermography/correction.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,17 +1,15 @@
-#include "workflow/film_grains.hpp"
+#include "workflow/measure_film.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <numeric>
 
 #include "core/error.hpp"
-#include "io/image/image.hpp"
 #include "statistics/clusters.hpp"
-#include "thermal/imaging/overlay.hpp"
 #include "thermal/imaging/registration.hpp"
 
 namespace arenite::workflow {
@@ -71,6 +69,39 @@ imaging::Overlay lay_over_film(const std::string& file, const PictureGrains& gra
   return overlay;
 }
 
+/// Photographs, which open as films of one frame, too, where they are grey.
+bool is_photograph(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  constexpr std::array<std::string_view, 3> endings{".png", ".jpg", ".jpeg"};
+  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+GrainPicture picture_of_film(const std::filesystem::path& path, const PictureChoice& choice) {
+  const auto film = io::open_film(path, {.dataset = choice.dataset});
+  const FilmInfo& info = film->info();
+  if (choice.frame && (*choice.frame < 0 || *choice.frame >= info.frames))
+    throw InputError(path.string(), 0, fmt::format("holds {} frames; there is no frame {} (frames count from 0)", info.frames, *choice.frame));
+  const thermography::FrameStatistics statistics = thermography::frame_statistics(*film);
+  GrainPicture picture{{info.width, info.height, statistics.mean}, static_cast<std::int64_t>(statistics.frames), 0, true};
+  const std::vector<std::uint8_t> bad = thermography::find_bad_pixels(statistics);
+  thermography::Correction correction;
+  correction.width = info.width;
+  correction.height = info.height;
+  correction.bad = thermography::replacements(bad, info.width, info.height);
+  picture.replaced = correction.bad.size();
+  FrameBlock block;
+  if (choice.frame) {
+    film->read(*choice.frame, 1, block);
+    picture.frames = 1;
+  } else {
+    block.frames = 1;
+    block.value = std::move(picture.image.value);
+  }
+  thermography::apply(correction, block, picture.image.value);
+  return picture;
+}
+
 }  // namespace
 
 imaging::FoundCircles circles_of(const recipe::FilmRecipe& recipe, const FloatImage& picture, double pixel, imaging::CircleOptions options) {
@@ -119,6 +150,12 @@ PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& f
   auto grains = imaging::apply(overlay.transform, std::move(found.grains));
   for (double& error : grains.position_error) error = std::hypot(error, overlay.shift_error);
   return grains;
+}
+
+GrainPicture read_grain_picture(const std::filesystem::path& path, const PictureChoice& choice) {
+  io::refuse_other_recording(path);
+  if (!is_photograph(path) && io::looks_like_film(path)) return picture_of_film(path, choice);
+  return {to_float(io::read_image(path, {.slice = choice.frame, .dataset = choice.dataset, .channel = choice.channel})), 1, 0, false};
 }
 
 }  // namespace arenite::workflow

@@ -1,4 +1,4 @@
-#include "thermal/thermography/load_signal.hpp"
+#include "thermal/thermography/lockin.hpp"
 
 #include <gtest/gtest.h>
 
