@@ -209,7 +209,7 @@ std::string film_key(const fs::path& film, FilmSource& source, const recipe::Fil
   add("curve", recipe.temperature.curve);
   add("grains", recipe.picture.grains);
   add("optical", recipe.picture.optical);
-  if (recipe.simulation) add("twin", recipe.simulation->recipe);
+  if (recipe.simulation) add("twin", recipe.simulation->recipe);  // as results have been named by since version 0.1
   return hash.hex();
 }
 

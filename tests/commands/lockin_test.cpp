@@ -69,7 +69,7 @@ TEST(LockInCommand, ShowsNoLoadInAFilmOfACameraAtRest) {
   EXPECT_EQ(still.status, 0) << still.err;  // a line of the electronics is there
   EXPECT_EQ(Json::parse(still.out)["shows_load"], false);
   EXPECT_LT(Json::parse(still.out)["share_in_one_phase"].get<double>(), 0.5);
-  EXPECT_NE(still.err.find(" oscillation at 4.6"), std::string::npos) << still.err;
+  EXPECT_NE(still.err.find(" only noise at 4.6"), std::string::npos) << still.err;
 }
 
 TEST(LockInCommand, RefusesACycleThatDriftCouldBe) {

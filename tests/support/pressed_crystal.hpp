@@ -67,7 +67,7 @@ inline Packing pressed_crystal(int columns, int rows, double radius, std::uint64
   return p;
 }
 
-/// The same, its forces not told.
+/// The same, its forces not given.
 inline Packing without_forces(Packing p) {
   p.contacts.fn.assign(p.contacts.size(), 0.0);
   p.contacts.ft.assign(p.contacts.size(), 0.0);

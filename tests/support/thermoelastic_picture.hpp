@@ -11,7 +11,7 @@
 namespace arenite::test {
 
 /// How a picture is drawn from known forces. Everything is painted on a fine raster, blurred there and summed into pixels:
-/// another road than the inverse's, which knows no raster.
+/// in another way than the inverse does, which knows no raster.
 struct Drawing {
   double pixel = 1.6e-3;
   double blur = 0.5;        ///< pixels

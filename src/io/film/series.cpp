@@ -16,7 +16,7 @@ namespace {
 /// Whether a name fits a pattern in which * stands for anything, and nothing else for what it is not.
 bool fits(const std::string& name, std::string_view pattern) {
   std::string exact;
-  for (const char c : pattern) exact += c == '*' ? "*" : std::string("\") + c;
+  for (const char c : pattern) exact += c == '*' ? "*" : std::string("\\") + c;
   return ::fnmatch(exact.c_str(), name.c_str(), 0) == 0;
 }
 

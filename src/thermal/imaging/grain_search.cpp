@@ -68,41 +68,6 @@ double pixels_away_from(double level, const FloatImage& image) {
   return static_cast<double>(std::count_if(away.begin(), away.end(), [half = *far / 2](double v) { return v > half; }));
 }
 
-/// The rims that the picture shows, searched once for all that begin with them.
-class Rims {
- public:
-  Rims(const FloatImage& image, const CircleOptions& options) : image_(image), options_(options) {}
-  const std::vector<Circle>& of(bool bright) {
-    const std::size_t sign = bright ? 1 : 0;
-    if (!searched_[sign]) seen_[sign] = search_rims(image_, first_range(image_, options_, bright));
-    searched_[sign] = true;
-    return seen_[sign];
-  }
-  std::vector<Circle> of_both() {
-    std::vector<Circle> both = of(true);
-    both.insert(both.end(), of(false).begin(), of(false).end());
-    return both;
-  }
-
- private:
-  const FloatImage& image_;
-  const CircleOptions& options_;
-  std::array<std::vector<Circle>, 2> seen_;
-  std::array<bool, 2> searched_{};
-};
-
-/// Disks on both sides of a level, if the picture has one, and they account for most of what is not of that level.
-std::optional<DiskSearch> search_both(const FloatImage& image, const CircleOptions& options, Rims& rims) {
-  auto levels = levels_between(image);
-  levels.resize(std::min(levels.size(), most_levels));
-  for (const double level : levels) {
-    SearchRounds both(image, true, options, level);
-    both.begin(rims.of_both());
-    if (both.area() >= most_share * pixels_away_from(level, image)) return both.finish();
-  }
-  return std::nullopt;
-}
-
 constexpr double least_explained = 0.75;  // of a disk's squares; the rest is noise, marks, neighbours that are not found yet
 constexpr double rim_of_usual = 0.8, unexplained_of_usual = 4, few_unexplained = 0.05;  // against the median disk's; share that is never too much
 constexpr double least_contrast = 0.2;                                                  // of the usual contrast
@@ -163,12 +128,25 @@ std::vector<double> levels_between(const FloatImage& image) {
 }
 
 DiskSearch search_disks(const FloatImage& image, const CircleOptions& options) {
-  Rims rims(image, options);
-  if (options.contrast == GrainContrast::found)
-    if (auto both = search_both(image, options, rims)) return std::move(*both);
+  std::array<std::optional<std::vector<Circle>>, 2> seen;
+  const auto rims = [&](bool bright) -> const std::vector<Circle>& {  // searched once for all that begin with them
+    auto& own = seen[bright ? 1 : 0];
+    if (!own) own = search_rims(image, first_range(image, options, bright));
+    return *own;
+  };
+  std::vector<double> levels;
+  if (options.contrast == GrainContrast::found) levels = levels_between(image);
+  levels.resize(std::min(levels.size(), most_levels));
+  for (const double level : levels) {  // disks on both sides of it, if they account for most of what is not of that level
+    std::vector<Circle> first = rims(true);
+    first.insert(first.end(), rims(false).begin(), rims(false).end());
+    SearchRounds both(image, true, options, level);
+    both.begin(std::move(first));
+    if (both.area() >= most_share * pixels_away_from(level, image)) return both.finish();
+  }
   SearchRounds bright(image, true, options), dark(image, false, options);
-  if (options.contrast != GrainContrast::dark) bright.begin(rims.of(true));
-  if (options.contrast != GrainContrast::bright) dark.begin(rims.of(false));
+  if (options.contrast != GrainContrast::dark) bright.begin(rims(true));
+  if (options.contrast != GrainContrast::bright) dark.begin(rims(false));
   return bright.gain() >= dark.gain() ? bright.finish() : dark.finish();
 }
 

@@ -7,6 +7,46 @@
 
 namespace arenite::inference {
 
+/// Sums of squares of linear equations: sum of weight (row . x - right)^2, kept as normal equations H x = b. Rows come in
+/// small dense blocks that share their columns.
+class NormalEquations {
+ public:
+  explicit NormalEquations(int unknowns) : right_(static_cast<std::size_t>(unknowns)) {}
+
+  /// Equations in the unknowns `columns` (each once): rows one after the other, columns.size() numbers each.
+  void add(const std::vector<int>& columns, const std::vector<double>& rows, const std::vector<double>& right, const std::vector<double>& weight);
+  void add_diagonal(int unknown, double weight, double right);
+
+  /// The minimum. With a cone, unknowns 2 c and 2 c + 1 (c < contacts) are fn and ft of a contact and obey
+  /// |ft| <= mu fn; found by an interior-point method (Mehrotra 1992).
+  std::vector<double> solve() const;
+  std::vector<double> solve_in_cone(int contacts, double mu) const;
+  /// Diagonal of the inverse of H, by Takahashi's recurrence on the factor's pattern.
+  std::vector<double> inverse_diagonal() const;
+  /// Number of eigenvalues of H below `threshold` times its largest diagonal entry, by Sylvester's law of inertia.
+  int small_eigenvalues(double threshold) const;
+
+  int unknowns() const { return static_cast<int>(right_.size()); }
+
+  /// Of the lower triangle of H, as Eigen takes it; those of one place add up.
+  struct Entry {
+    int i, j;
+    double w;
+    int row() const { return i; }
+    int col() const { return j; }
+    double value() const { return w; }
+  };
+
+ private:
+  std::vector<Entry> lower_;
+  std::vector<double> right_;
+};
+
+/// Diagonal of the inverse of L D L^T, L with unit diagonal, by columns (rows ascending, the unit diagonal may be stored),
+/// from Takahashi's recurrence: only entries in the pattern of L are computed.
+std::vector<double> selected_inverse_diagonal(const std::vector<int>& begin, const std::vector<int>& row, const std::vector<double>& value,
+                                              const std::vector<double>& d);
+
 /// A contact as one of its grains has it: `normal` points into the grain; the force on it is fn normal + ft t.
 struct Touch {
   int contact = 0;
@@ -59,46 +99,6 @@ void add_energy(NormalEquations& equations, const Unknowns& unknowns, const Pack
 /// What both ways of inference hand back: forces `force` (N), errors from the inverse of `equations`.
 InferredForces finish(const ForceProblem& problem, const ForceOptions& options, const NormalEquations& equations, const Unknowns& unknowns,
                       const Touches& touches, const std::vector<double>& force);
-
-/// Sums of squares of linear equations: sum of weight (row . x - right)^2, kept as normal equations H x = b. Rows come in
-/// small dense blocks that share their columns.
-class NormalEquations {
- public:
-  explicit NormalEquations(int unknowns) : right_(static_cast<std::size_t>(unknowns)) {}
-
-  /// Equations in the unknowns `columns` (each once): rows one after the other, columns.size() numbers each.
-  void add(const std::vector<int>& columns, const std::vector<double>& rows, const std::vector<double>& right, const std::vector<double>& weight);
-  void add_diagonal(int unknown, double weight, double right);
-
-  /// The minimum. With a cone, unknowns 2 c and 2 c + 1 (c < contacts) are fn and ft of a contact and obey
-  /// |ft| <= mu fn; found by an interior-point method (Mehrotra 1992).
-  std::vector<double> solve() const;
-  std::vector<double> solve_in_cone(int contacts, double mu) const;
-  /// Diagonal of the inverse of H, by Takahashi's recurrence on the factor's pattern.
-  std::vector<double> inverse_diagonal() const;
-  /// Number of eigenvalues of H below `threshold` times its largest diagonal entry, by Sylvester's law of inertia.
-  int small_eigenvalues(double threshold) const;
-
-  int unknowns() const { return static_cast<int>(right_.size()); }
-
-  /// Of the lower triangle of H, as Eigen takes it; those of one place add up.
-  struct Entry {
-    int i, j;
-    double w;
-    int row() const { return i; }
-    int col() const { return j; }
-    double value() const { return w; }
-  };
-
- private:
-  std::vector<Entry> lower_;
-  std::vector<double> right_;
-};
-
-/// Diagonal of the inverse of L D L^T, L with unit diagonal, by columns (rows ascending, the unit diagonal may be stored),
-/// from Takahashi's recurrence: only entries in the pattern of L are computed.
-std::vector<double> selected_inverse_diagonal(const std::vector<int>& begin, const std::vector<int>& row, const std::vector<double>& value,
-                                              const std::vector<double>& d);
 
 /// What is known of proposed contacts, one value each: the normal force inferred with all of them in the equations, its
 /// standard error, and by how much the two surfaces overlap in the picture (below 0: they are apart).

@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/problems.hpp"
-#include "geometry/close_pairs.hpp"
+#include "thermal/imaging/proposed_contacts.hpp"
 #include "thermal/inference/pixel_equations.hpp"
 
 namespace arenite::inference {
@@ -58,14 +58,7 @@ std::vector<std::vector<Near>> near_grains(const Packing& packing, double gap) {
     const Vec2 apart = grains.centre(i) - grains.centre(j);
     near[i].push_back({j, apart - d.nearest_image(apart)});
   };
-  if (d.tilt != 0) {  // few and for tests of other codes' cells: every pair
-    for (std::size_t i = 0; i < grains.size(); ++i)
-      for (std::size_t j = 0; j < grains.size(); ++j)
-        if (i != j && norm(d.nearest_image(grains.centre(i) - grains.centre(j))) < grains.radius[i] + grains.radius[j] + gap) add(i, j);
-    return near;
-  }
-  const geometry::Box box{d.wall[left].position, d.wall[bottom].position, d.width(), d.height(), d.periodic_x, d.periodic_y};
-  for (const geometry::Pair& pair : geometry::close_pairs(grains.x, grains.y, grains.radius, box, gap)) {
+  for (const geometry::Pair& pair : imaging::pairs_within(grains, d, gap)) {
     add(static_cast<std::size_t>(pair.i), static_cast<std::size_t>(pair.j));
     add(static_cast<std::size_t>(pair.j), static_cast<std::size_t>(pair.i));
   }

@@ -71,13 +71,13 @@ TEST(FilmDoubts, AFitThatDoesNotAgreeIsNotMadeToAgreeInSilence) {
   EXPECT_NE(all(film_doubts(two_materials(), r)).find("12 times the noise"), std::string::npos);
 }
 
-TEST(FilmDoubts, HeatThatDiffusesAndRimsOfAnotherBlurAreTold) {
+TEST(FilmDoubts, HeatThatDiffusesAndRimsOfAnotherBlurAreReported) {
   FilmResult r = wanting(1, 1);
   r.rim_blur = 0.8;
   r.maps.frequency = 0.05;
   const std::string said = all(film_doubts(two_materials(), r));
   EXPECT_NE(said.find("not adiabatic"), std::string::npos);
-  EXPECT_NE(said.find("forces.blur tells 0.5"), std::string::npos);
+  EXPECT_NE(said.find("forces.blur is 0.5"), std::string::npos);
 }
 
 TEST(FilmDoubts, PhaseIsHeldAgainstTheFilmsOwn) {

@@ -104,7 +104,7 @@ RC_GTEST_PROP(ContactForces, AreLinearInThePicture, ()) {
   RC_ASSERT(relative_error(fs.contacts.fn, expected) < 2e-3);
 }
 
-/// The thesis's pixel, lens and noise; a picture drawn by another road; centres off by a tenth of a pixel.
+/// The thesis's pixel, lens and noise; a picture drawn in another way; centres off by a tenth of a pixel.
 struct Film {
   Packing truth = pressed_crystal(9, 8, 6e-3, 3), found = without_forces(truth);
   Drawing drawing;
