@@ -5,7 +5,7 @@
 #include "commands.hpp"
 #include "io/film/film.hpp"
 #include "progress.hpp"
-#include "workflow/shoot_film.hpp"
+#include "workflow/run_film.hpp"
 
 namespace arenite::app {
 namespace {
@@ -22,7 +22,7 @@ int execute(const Arguments& a) {
   std::vector<std::filesystem::path> files;
   {
     ProgressLine line(a.quiet);
-    workflow::ShootOptions options;
+    workflow::RenderOptions options;
     options.out = a.out;
     options.format = a.format;
     options.blind = a.blind;
@@ -30,7 +30,7 @@ int execute(const Arguments& a) {
       line.show({1, 2, "film", share, 0, 0, false, false});
       return !stop_requested();
     };
-    files = workflow::shoot_film(recipe, a.result, options);
+    files = workflow::render_film(recipe, a.result, options);
   }
   if (files.empty()) {
     fmt::print(stderr, "stopped; the film is not written\n");

@@ -11,7 +11,7 @@ const std::vector<Command>& commands() {
       {"init", "Write a commented recipe to start from", add_init},
       {"check", "Check a recipe, print it as it was understood, and predict what its run will cost and be like", add_check},
       {"load", "Load anybody's phase map by peridynamics: moduli, stresses by phase, failure", add_load},
-      {"lockin", "Lock in a film of a cyclically loaded sample: signed swing, errors and warnings of every pixel", add_lockin},
+      {"lockin", "Lock in a film of a cyclically loaded sample: signed amplitude, errors and warnings of every pixel", add_lockin},
       {"step", "Measure the jump of temperature at a step of the load, in every pixel of a film", add_step},
       {"grains", "Find grains in a picture: centres, radii and materials, as a table to measure or simulate", add_grains},
       {"show", "Summarise a result (what, when, outcome, walls, energies, texture) or a film", add_show},

@@ -26,7 +26,7 @@ struct Arguments {
 
 int execute(const Arguments& a) {
   std::vector<std::string> overrides = a.overrides;
-  for (auto& told : a.reading.overrides()) overrides.push_back(std::move(told));
+  for (auto& given : a.reading.overrides()) overrides.push_back(std::move(given));
   const auto recipe = recipe::read_film_recipe(a.recipe, overrides);
   const fs::path folder = a.out.empty() ? fs::path("out") / fs::path(a.film).stem() : fs::path(a.out);
   watch_for_signals();
@@ -42,12 +42,12 @@ int execute(const Arguments& a) {
     outcome = workflow::run_film(a.film, recipe, options);
   }
   if (outcome.interrupted) {
-    fmt::print(stderr, "stopped; what the twin had computed is kept in {}\n", folder.string());
+    fmt::print(stderr, "stopped; what the simulation had computed is kept in {}\n", folder.string());
     return other_failure;
   }
   const fs::path page = folder / "report.html";
   report::write_page(
-      page, {.title = recipe.title.empty() ? fs::path(a.film).filename().string() : recipe.title, .stages = outcome.twin, .films = {&outcome.result, 1}});
+      page, {.title = recipe.title.empty() ? fs::path(a.film).filename().string() : recipe.title, .stages = outcome.simulation, .films = {&outcome.result, 1}});
   fmt::print("{}", a.json ? to_json(report::film_numbers(outcome.result), 2) + "\n" : report::film_text(outcome.result));
   if (!a.json) fmt::print("\nresult: {}\npage:   {}   (open it in a browser)\n", outcome.file.string(), page.string());
   return outcome.result.converged ? done : not_converged;
@@ -61,7 +61,7 @@ void add_film(Options& command, int& status) {
   command.add("--recipe", a->recipe, "Recipe of the film (TOML); `arenite init film` writes one").required().type("RECIPE.toml");
   add_overrides(command, a->overrides);
   a->reading.add_to(command);
-  command.add("--out", a->out, "Folder of the result, the twin and the page (default: out/NAME)").type("DIR");
+  command.add("--out", a->out, "Folder of the result, the simulation and the page (default: out/NAME)").type("DIR");
   command.add("--threads", a->threads, "Threads (default: 1); they change no bit of the results").between(1, 1024).type("N");
   command.add("--json", a->json, "Print all numbers as JSON");
   command.add("--quiet", a->quiet, "No progress");

@@ -5,7 +5,7 @@
 #include "commands.hpp"
 #include "io/table/table.hpp"
 #include "report/found_grains.hpp"
-#include "workflow/film_grains.hpp"
+#include "workflow/measure_film.hpp"
 #include "workflow/result_folder.hpp"
 
 namespace arenite::app {

@@ -13,9 +13,9 @@ using statistics::Measured;
 
 struct Arguments {
   std::string what, file, stated;
-  std::string preload = "1 kN", branch = "loading", length;                                     // stiffness
-  std::string k, radius, effective_radius = "four_reduced";                                     // adhesion
-  std::string section, young, poisson, temperature_swing = "full", load_peak_to_peak = "full";  // factor
+  std::string preload = "1 kN", branch = "loading", length;                                                        // stiffness
+  std::string k, radius, effective_radius = "four_reduced";                                                        // adhesion
+  std::string section, young, poisson, temperature_convention = "peak-to-peak", load_convention = "peak-to-peak";  // factor
   std::string responsivity, amplification = "1", emissivity = "1", reference = "296 K", surface = "296 K", band = "3.6 um,5.1 um";
   bool through_origin = false, json = false;
 };
@@ -75,8 +75,8 @@ identify::Identification factor(const Arguments& a) {
   if (!a.young.empty()) request.young = measured("--young", a.young, dimension::pressure, "GPa");
   if (!a.poisson.empty()) request.poisson = measured("--poisson", a.poisson, dimension::none, "");
   if (request.poisson && !(request.poisson->value < 1)) throw InputError("--poisson: must be below 1");
-  if (a.temperature_swing == "half") request.temperature_swing = workflow::Swing::half;
-  if (a.load_peak_to_peak == "half") request.stress_swing = workflow::Swing::half;
+  if (a.temperature_convention == "amplitude") request.temperature = AmplitudeConvention::amplitude;
+  if (a.load_convention == "amplitude") request.load = AmplitudeConvention::amplitude;
   request.through_origin = a.through_origin;
   if (!a.responsivity.empty()) {
     identify::Detector d;
@@ -110,14 +110,13 @@ void add_thermal(Options& command, Arguments& a) {
   command.add("--section", a.section, "Factor: section that carries the force, \"30.9 mm x 4.9 mm\" or \"151.4 mm^2\"").type("AREA");
   command.add("--young", a.young, "Factor from strains: modulus of the specimen, e.g. \"2.8 +- 0.1 GPa\"").type("MODULUS");
   command.add("--poisson", a.poisson, "Factor from strains: Poisson's ratio, e.g. \"0.35 +- 0.02\"").type("NUMBER");
-  command.add("--temperature-swing", a.temperature_swing, "Factor: temperatures and signals are full swings (default) or half, the amplitude of a sine")
-      .among({"full", "half"})
-      .type("SWING");
-  command
-      .add("--load-swing", a.load_peak_to_peak,
-           "Factor: stresses, forces and strains are full swings (default) or half; force_max and force_min always give the full one")
-      .among({"full", "half"})
-      .type("SWING");
+  const auto convention = [&](const char* name, const char* former, std::string& to, const char* sentence) {
+    command.add(name, to, sentence).among({"peak-to-peak", "amplitude"}).formerly("full", "peak-to-peak").formerly("half", "amplitude").formerly(former);
+  };
+  convention("--temperature-convention", "--temperature-swing", a.temperature_convention,
+             "Factor: temperatures and signals are peak to peak (default) or the amplitude of a sine");
+  convention("--load-convention", "--load-swing", a.load_convention,
+             "Factor: stresses, forces and strains are peak to peak (default) or amplitudes; force_max and force_min always give the peak-to-peak force");
   command.add("--through-origin", a.through_origin, "Factor: hold the line to the origin");
 }
 

@@ -10,14 +10,13 @@
 #include "core/median.hpp"
 #include "film_reading.hpp"
 #include "progress.hpp"
-#include "workflow/film_checks.hpp"
 #include "workflow/measure_film.hpp"
 
 namespace arenite::app {
 namespace {
 
 struct Arguments {
-  std::string film, frequency, out, convention = "half", format = "tiff", diffusivity = "0.1 mm^2/s", pixel, reference_phase;
+  std::string film, frequency, out, convention = "amplitude", format = "tiff", diffusivity = "0.1 mm^2/s", pixel, reference_phase;
   FilmReading reading;
   thermography::LockinOptions options;
   bool nearest_bin = false, no_refinement = false, by_lock_in_line = false, json = false, quiet = false;
@@ -27,18 +26,9 @@ constexpr double degrees = 180 / std::numbers::pi;
 
 /// `phase`: that of the maps, in degrees.
 FilmMaps maps_of(const LockinMaps& m, const std::vector<float>& phase) {
-  return {m.width,
-          m.height,
-          {{"mean", &m.mean},
-           {"drift", &m.drift},
-           {"amplitude", &m.amplitude},
-           {"phase", &phase},
-           {"in_phase", &m.in_phase},
-           {"quadrature", &m.quadrature},
-           {"standard_error", &m.standard_error},
-           {"noise_floor", &m.noise_floor},
-           {"second_harmonic", &m.second_harmonic},
-           {"residual", &m.residual}}};
+  FilmMaps maps{m.width, m.height, {}};
+  for (const auto& [name, unit, values] : lockin_maps) maps.named.emplace_back(name, values == &LockinMaps::phase ? &phase : &(m.*values));
+  return maps;
 }
 
 std::vector<float> phase_in_degrees(const LockinMaps& m) {
@@ -73,7 +63,7 @@ Numbers numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& film, c
   j["height"] = m.height;
   j["drift_order"] = m.drift_order;
   j["harmonics"] = m.harmonics;
-  j["swing"] = m.convention == SwingConvention::full ? "full" : "half";
+  j["convention"] = name_of(m.convention);
   j["unit"] = unit_of(film);
   j["reference_phase_deg"] = m.reference_phase * degrees;
   j["reference"] = a.by_lock_in_line           ? "the film's lock-in line"
@@ -83,14 +73,14 @@ Numbers numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& film, c
   for (const auto& [name, map] : maps_of(m, phase).named)
     if (!map->empty()) j["median"][name] = median_of_finite(*map);
   j["noise_ratio"] = m.noise_ratio;
-  j["shows_load"] = thermography::shows_swing(m);
+  j["shows_load"] = thermography::shows_load(m);
   j["chance_of_noise"] = m.chance;
   j["share_in_one_phase"] = m.one_phase;
-  if (m.swings_at > 0) j["swings_at_Hz"] = m.swings_at;
+  if (m.other_frequency > 0) j["other_frequency_Hz"] = m.other_frequency;
   j["diffusion_length_m"] = heat.length;
   if (heat.pixel > 0) {
     j["adiabatic"] = heat.holds();
-    j["swing_lost_in_finest_detail"] = heat.lost();
+    j["amplitude_lost_in_finest_detail"] = heat.lost();
   }
   return j;
 }
@@ -99,9 +89,10 @@ void print(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const 
   const std::string unit = unit_of(film);
   fmt::print("frequency        {:.9g} Hz", m.frequency);
   if (m.frequency_error > 0 && std::isfinite(m.frequency_error)) fmt::print(" +- {:.1e}", m.frequency_error);
-  else if (m.frequency_error > 0) fmt::print(" as given: the film does not tell it");
+  else if (m.frequency_error > 0) fmt::print(" as given: the film does not show it");
   fmt::print("\nframes           {} of {} x {} pixels\n", m.frames, m.width, m.height);
-  fmt::print("amplitude        {:.4g} {} ({} swing, median)\n", median_of_finite(m.amplitude), unit, m.convention == SwingConvention::full ? "full" : "half");
+  fmt::print("amplitude        {:.4g} {} ({}median)\n", median_of_finite(m.amplitude), unit,
+             m.convention == AmplitudeConvention::peak_to_peak ? "peak to peak, " : "");
   fmt::print("standard error   {:.4g} {} (median)\nnoise floor      {:.4g} {} (median)\n", median_of_finite(m.standard_error), unit,
              median_of_finite(m.noise_floor), unit);
   if (!m.second_harmonic.empty()) fmt::print("second harmonic  {:.4g} {} (median)\n", median_of_finite(m.second_harmonic), unit);
@@ -112,7 +103,7 @@ void print(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const 
              : a.options.reference_phase ? ""
                                          : ", found on the film up to its sign: pixels warm on the mean");
   fmt::print("diffusion length {:.4g} mm", 1e3 * heat.length);
-  if (heat.pixel > 0) fmt::print(", {:.3g} pixels: the finest detail loses {:.2g} % of its swing", heat.length / heat.pixel, 100 * heat.lost());
+  if (heat.pixel > 0) fmt::print(", {:.3g} pixels: the finest detail loses {:.2g} % of its amplitude", heat.length / heat.pixel, 100 * heat.lost());
   fmt::print("\n");
 }
 
@@ -120,9 +111,9 @@ int execute(Arguments& a) {
   thermography::LockinOptions& o = a.options;
   o.frequency = option_value("--frequency", [&] { return parse_si(a.frequency, dimension::frequency, "Hz"); });
   o.refine = !a.no_refinement;
-  o.convention = a.convention == "full" ? SwingConvention::full : SwingConvention::half;
+  o.convention = a.convention == "peak-to-peak" ? AmplitudeConvention::peak_to_peak : AmplitudeConvention::amplitude;
   if (!a.reference_phase.empty()) o.reference_phase = read_phase(a.reference_phase);
-  adiabatic(a, 1);  // slips are told before a long film is read
+  adiabatic(a, 1);  // slips are reported before a long film is read
   const auto film = io::open_film(a.film, a.reading.choice());
   watch_for_signals();
   LockinMaps maps;
@@ -140,9 +131,9 @@ int execute(Arguments& a) {
     return other_failure;
   }
   if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps, phase_in_degrees(maps)));
-  if (!thermography::shows_swing(maps)) fmt::print(stderr, "{}: {}\n", a.film, workflow::no_load_sentence(maps, maps.frequency, "--frequency"));
-  else if (maps.swings_at > 0)
-    fmt::print(stderr, "{}: the film swings more at {:.4g} Hz than at {:.6g} Hz, which is a multiple\n", a.film, maps.swings_at, maps.frequency);
+  if (!thermography::shows_load(maps)) fmt::print(stderr, "{}: {}\n", a.film, workflow::no_load_sentence(maps, maps.frequency, "--frequency"));
+  else if (maps.other_frequency > 0)
+    fmt::print(stderr, "{}: the amplitude is larger at {:.4g} Hz than at {:.6g} Hz, which is a multiple\n", a.film, maps.other_frequency, maps.frequency);
   const workflow::Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds()) fmt::print(stderr, "{}\n", heat.sentence());
   if (a.json) fmt::print("{}\n", to_json(numbers(maps, a, film->info(), heat), 2));
@@ -160,7 +151,10 @@ void add_lockin(Options& command, int& status) {
   command.add("--format", a->format, "Of the maps").among({"tiff", "npy", "hdf5"});
   command.add("--drift", a->options.drift_order, "Order of the polynomial that pixels drift by; default 4").type("N");
   command.add("--harmonics", a->options.harmonics, "Of the load frequency; default 2").type("N");
-  command.add("--convention", a->convention, "Amplitudes are half of the swing (default) or all of it").among({"half", "full"});
+  command.add("--convention", a->convention, "What maps hold: the amplitude (default) or twice that, peak to peak")
+      .among({"amplitude", "peak-to-peak"})
+      .formerly("half", "amplitude")
+      .formerly("full", "peak-to-peak");
   command
       .add("--reference-phase", a->reference_phase,
            "Of the load: its angle at the first frame before it is largest, e.g. \"90 deg\"; without it found on the film up to its sign")

@@ -46,20 +46,24 @@ std::string complaint(const CLI::App& program, const CLI::Error& error) {
   return command + ": " + error.what() + "; `" + command + " --help` tells what it takes";
 }
 
-CLI::Option* declare(CLI::App& to, const Option& option) {
-  return std::visit(
-      [&](auto* target) {
-        return option.is_flag() ? to.add_flag(option.name, *target, option.sentence) : to.add_option(option.name, *target, option.sentence);
-      },
-      option.to);
+CLI::Option* declare(CLI::App& to, const Option& option, const std::string& name) {
+  CLI::Option* declared = std::visit(
+      [&](auto* target) { return option.is_flag() ? to.add_flag(name, *target, option.sentence) : to.add_option(name, *target, option.sentence); }, option.to);
+  if (!option.choices.empty()) declared->check(CLI::IsMember(option.choices));
+  if (option.range) declared->check(CLI::Range(option.range->first, option.range->second).description(""));
+  const auto now = [former = option.former_choices](std::string& word) {
+    if (const auto at = former.find(word); at != former.end()) word = at->second;
+    return std::string();
+  };
+  if (!option.former_choices.empty()) declared->transform(CLI::Validator(now, ""));
+  return declared;
 }
 
 void declare(CLI::App& to, const Options& options) {
   for (const Option& option : options.table) {
-    CLI::Option* declared = declare(to, option);
+    for (const auto& former : option.former_names) declare(to, option, former)->group("");
+    CLI::Option* declared = declare(to, option, option.name);
     if (!option.value.empty()) declared->type_name(option.value);
-    if (!option.choices.empty()) declared->check(CLI::IsMember(option.choices));
-    if (option.range) declared->check(CLI::Range(option.range->first, option.range->second).description(""));
     if (option.is_required) declared->required();
     if (option.one_at_a_time) declared->allow_extra_args(false);
   }

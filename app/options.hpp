@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,9 +21,11 @@ struct Option {
 
   std::string name;
   Target to;
-  std::string sentence, value;       ///< `value` is what the help calls what follows, "DIR"
-  std::vector<std::string> choices;  ///< words that are allowed; all, if empty
-  std::vector<std::string> without;  ///< names of options that it cannot stand with
+  std::string sentence, value;                        ///< `value` is what the help calls what follows, "DIR"
+  std::vector<std::string> choices;                   ///< words that are allowed; all, if empty
+  std::vector<std::string> without;                   ///< names of options that it cannot stand with
+  std::vector<std::string> former_names;              ///< still read, in no help
+  std::map<std::string, std::string> former_choices;  ///< words that are read as others
   std::optional<std::pair<double, double>> range;
   bool is_required = false, one_at_a_time = false;
 
@@ -34,6 +37,8 @@ struct Option {
   Option& type(std::string text) { return value = std::move(text), *this; }
   Option& among(std::vector<std::string> words) { return choices = std::move(words), *this; }
   Option& between(double low, double high) { return range = {low, high}, *this; }
+  Option& formerly(std::string former) { return former_names.push_back(std::move(former)), *this; }
+  Option& formerly(std::string word, std::string now) { return former_choices.emplace(std::move(word), std::move(now)), *this; }
   Option& not_with(std::string other) { return without.push_back(std::move(other)), *this; }
   /// Of a list: each value has the name before it.
   Option& each() { return one_at_a_time = true, *this; }
@@ -46,7 +51,7 @@ struct Options {
   std::function<void()> work;
 
   template <class T> Option& add(std::string name, T& to, std::string sentence) {
-    return table.emplace_back(Option{std::move(name), &to, std::move(sentence), {}, {}, {}, {}});
+    return table.emplace_back(Option{std::move(name), &to, std::move(sentence), {}, {}, {}, {}, {}, {}});
   }
 };
 

@@ -15,7 +15,6 @@
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
 #include "workflow/run_film.hpp"
-#include "workflow/shoot_film.hpp"
 
 /// camera_table STATES CAMERA.toml SCRATCH [THREADS [WORDS...]]: films simulated states with one property of the camera changed at a
 /// time, measures each film without knowing what was drawn, and prints what grains, stresses and forces are off by. Where
@@ -35,8 +34,8 @@ std::pair<Pair, Vec2> named(int i, int j, Vec2 force_on_i) {
 struct Truth {
   Packing low, high;
   Vec2 corner;                 ///< lower left inner corner at the smallest load
-  std::vector<double> stress;  ///< swing by normal forces, Pa
-  std::map<Pair, Vec2> force;  ///< swing of the contact forces, N
+  std::vector<double> stress;  ///< peak to peak, by normal forces, Pa
+  std::map<Pair, Vec2> force;  ///< peak to peak, of contacts, N
   std::vector<std::uint8_t> considered;
 
   Truth(Packing released, Packing loaded) : low(std::move(released)), high(std::move(loaded)), stress(high.grains.size(), 0.0) {
@@ -102,7 +101,7 @@ Errors compare(const Truth& truth, const FilmResult& film) {
   const std::size_t grains = film.packing.grains.size();
   std::vector<std::size_t> match(grains, 0);
   std::vector<std::uint8_t> seen(truth.low.grains.size(), 0), counts;
-  std::vector<double> swing;
+  std::vector<double> change;
   double square = 0;
   for (std::size_t i = 0; i < grains; ++i) {
     const Vec2 at = film.origin + Vec2{film.grains.x[i] * film.pixel, -film.grains.y[i] * film.pixel} + truth.corner;
@@ -113,13 +112,13 @@ Errors compare(const Truth& truth, const FilmResult& film) {
     seen[k] = 1;
     e.wrong_material += film.packing.materials[static_cast<std::size_t>(film.packing.grains.material[i])].name !=
                         truth.low.materials[static_cast<std::size_t>(truth.low.grains.material[k])].name;
-    swing.push_back(truth.stress[k]);
+    change.push_back(truth.stress[k]);
     counts.push_back(truth.considered[k]);
   }
   for (const auto s : seen) e.missed += s == 0;
   e.found = grains;
   e.centres = std::sqrt(square / static_cast<double>(grains));
-  e.stress = workflow::agreement(film.swing.sigma_hyd, swing, counts);
+  e.stress = workflow::agreement(film.peak_to_peak.sigma_hyd, change, counts);
   compare_forces(truth, film, match, e);
   return e;
 }
@@ -146,15 +145,15 @@ bool row(const char* name, const std::vector<std::string>& changes, const Truth&
   const fs::path folder = fs::path(argv[3]) / "film";
   fs::remove_all(folder);
   const auto recipe = recipe::read_film_recipe(argv[2], changes);
-  workflow::ShootOptions shoot;
-  shoot.out = folder;
-  workflow::shoot_film(recipe, argv[1], shoot);
+  workflow::RenderOptions render;
+  render.out = folder;
+  workflow::render_film(recipe, argv[1], render);
   workflow::FilmRunOptions run;
   run.out = folder / "result";
   run.threads = threads;
-  std::vector<std::string> told{"forces.state=false"};
-  if (listed) list_grains(folder / "grains.csv", truth), told.emplace_back("picture.grains=\"grains.csv\"");
-  const auto outcome = workflow::run_film(folder / "film.ptw", recipe::read_film_recipe((folder / "film.toml").string(), told), run);
+  std::vector<std::string> given{"forces.state=false"};
+  if (listed) list_grains(folder / "grains.csv", truth), given.emplace_back("picture.grains=\"grains.csv\"");
+  const auto outcome = workflow::run_film(folder / "film.ptw", recipe::read_film_recipe((folder / "film.toml").string(), given), run);
   const Errors e = compare(truth, outcome.result);
   std::printf("| %s%s | %zu | %zu | %zu | %.3f | %.4f | %.4f | %.4f | %.1f | %.1f |\n", name, listed ? ", grains listed" : "", e.found, e.missed,
               e.wrong_material, e.centres, e.stress.correlation, e.stress.rms_sigma_norm, e.stress.slope, 100 * e.normal, 100 * e.tangential);

@@ -6,11 +6,11 @@
 #include <string>
 
 #include "../tests/support/pressed_crystal.hpp"
-#include "../tests/support/swing_picture.hpp"
+#include "../tests/support/thermoelastic_picture.hpp"
 #include "io/results/results.hpp"
 #include "thermal/inference/contact_forces.hpp"
 
-/// force_errors LOW.h5 HIGH.h5: draws the swing between two simulated states as a film would show it, with every source of
+/// force_errors LOW.h5 HIGH.h5: draws the difference of two simulated states as a film would show it, with every source of
 /// error, then with one switched off at a time, and prints what the inferred forces are off by.
 namespace {
 
@@ -28,22 +28,22 @@ struct Sources {
 
 using Pair = std::pair<int, int>;
 
-/// The high state with the swing's forces; contacts that only the low state has are added.
-Packing swing_between(const Packing& low, const Packing& high) {
-  Packing swing = high;
+/// The high state with the forces' differences; contacts that only the low state has are added.
+Packing difference(const Packing& low, const Packing& high) {
+  Packing change = high;
   std::map<Pair, std::size_t> at;
   for (std::size_t c = 0; c < high.contacts.size(); ++c) at[{high.contacts.i[c], high.contacts.j[c]}] = c;
   for (std::size_t c = 0; c < low.contacts.size(); ++c) {
     const auto i = low.contacts.i[c], j = low.contacts.j[c];
     if (const auto it = at.find({i, j}); it != at.end()) {
-      swing.contacts.fn[it->second] -= low.contacts.fn[c], swing.contacts.ft[it->second] -= low.contacts.ft[c];
+      change.contacts.fn[it->second] -= low.contacts.fn[c], change.contacts.ft[it->second] -= low.contacts.ft[c];
       continue;
     }
     Vec2 n = low.contacts.normal(c);
     if (j >= 0) n = high.grains.centre(static_cast<std::size_t>(i)) - high.grains.centre(static_cast<std::size_t>(j));
-    swing.contacts.add(i, j, (1 / norm(n)) * n, -low.contacts.fn[c], -low.contacts.ft[c], low.contacts.arm_i[c], low.contacts.arm_j[c]);
+    change.contacts.add(i, j, (1 / norm(n)) * n, -low.contacts.fn[c], -low.contacts.ft[c], low.contacts.arm_i[c], low.contacts.arm_j[c]);
   }
-  return swing;
+  return change;
 }
 
 void offer(Packing& found, double gap) {
@@ -60,15 +60,15 @@ void offer(Packing& found, double gap) {
 }
 
 void report(const char* name, const Packing& low, const Packing& high, const Sources& s) {
-  const Packing truth = swing_between(low, high);
+  const Packing truth = difference(low, high);
   const std::vector<double> factor = test::factors(truth);
-  inference::SwingPicture picture = test::draw_swing(s.rolling ? high : truth, factor, s.drawing);
+  inference::ThermoelasticPicture picture = test::draw_thermoelastic(s.rolling ? high : truth, factor, s.drawing);
   if (s.rolling) {  // fields of both states, in the frame of their grains
     Packing before = low;
     before.grains = high.grains;
     test::Drawing clean = s.drawing;
     clean.noise = 0;
-    const inference::SwingPicture first = test::draw_swing(before, factor, clean);
+    const inference::ThermoelasticPicture first = test::draw_thermoelastic(before, factor, clean);
     for (std::size_t k = 0; k < picture.value.size(); ++k) picture.value[k] -= first.value[k];
   }
   picture.error.assign(picture.value.size(), static_cast<float>(std::max(s.drawing.noise, 1e-4)));
@@ -87,17 +87,17 @@ void report(const char* name, const Packing& low, const Packing& high, const Sou
   inference::ForceOptions options;
   options.blur = s.assumed_blur;
   const InferredForces f = inference::infer_from_pixels({test::without_forces(found), factor, {{bottom, (1 + s.wall) * load, 0.005 * load}}}, picture, options);
-  Packing told = truth;  // offered contacts carry nothing
-  told.contacts.fn.resize(f.contacts.size()), told.contacts.ft.resize(f.contacts.size());
+  Packing given = truth;  // offered contacts carry nothing
+  given.contacts.fn.resize(f.contacts.size()), given.contacts.ft.resize(f.contacts.size());
   double above = 0, found_above = 0, kept = 0, score = 0;
   for (std::size_t c = 0; c < f.contacts.size(); ++c) {
-    score += std::pow((f.contacts.fn[c] - told.contacts.fn[c]) / f.fn_error[c], 2) / static_cast<double>(f.contacts.size());
+    score += std::pow((f.contacts.fn[c] - given.contacts.fn[c]) / f.fn_error[c], 2) / static_cast<double>(f.contacts.size());
     if (c >= truth.contacts.size()) kept += f.present[c];
-    else above += told.contacts.fn[c] > mean, found_above += f.contacts.fn[c] > mean;
+    else above += given.contacts.fn[c] > mean, found_above += f.contacts.fn[c] > mean;
   }
   const auto real = static_cast<double>(truth.contacts.size()), offered = static_cast<double>(f.contacts.size()) - real;
-  std::printf("| %s | %.2f | %.2f | %+.3f | %.1f | %.0f of %.0f |\n", name, 100 * test::relative_error(f.contacts.fn, told.contacts.fn),
-              100 * test::relative_error(f.contacts.ft, told.contacts.ft), (found_above - above) / real, std::sqrt(score), kept, offered);
+  std::printf("| %s | %.2f | %.2f | %+.3f | %.1f | %.0f of %.0f |\n", name, 100 * test::relative_error(f.contacts.fn, given.contacts.fn),
+              100 * test::relative_error(f.contacts.ft, given.contacts.ft), (found_above - above) / real, std::sqrt(score), kept, offered);
 }
 
 int run(const char* low_file, const char* high_file) {

@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include "../tests/support/pressed_crystal.hpp"
-#include "../tests/support/swing_picture.hpp"
+#include "../tests/support/thermoelastic_picture.hpp"
 #include "thermal/inference/contact_forces.hpp"
 
 /// Contact forces of some 700 grains from some 26 000 pixels at the thesis's pixel, lens and noise, on one core; the
@@ -13,7 +13,7 @@ using inference::ForceOptions;
 
 struct Sample {
   Packing truth = test::pressed_crystal(28, 28, 6.6e-3, 1), found = test::without_forces(truth);
-  inference::SwingPicture picture = test::draw_swing(truth, test::factors(truth), {});
+  inference::ThermoelasticPicture picture = test::draw_thermoelastic(truth, test::factors(truth), {});
   std::vector<double> sigma, error;
 
   Sample() {

@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double rate = 148, load = 3;
 
-/// 320 x 240 x 8880 levels of 14 bit, unless fewer frames are asked for: a swing, drift and noise, written once.
+/// 320 x 240 x 8880 levels of 14 bit, unless fewer frames are asked for: an oscillation, drift and noise, written once.
 const Film& film(std::size_t frames) {
   static Film f;
   if (f.about.frames == static_cast<std::int64_t>(frames)) return f;
@@ -36,11 +36,11 @@ const Film& film(std::size_t frames) {
   RandomStream random(1, Purpose::test);
   for (float& v : noise) v = static_cast<float>(4 * random.normal());
   for (std::size_t n = 0; n < frames; ++n) {
-    const double t = static_cast<double>(n) / rate, swing = 10 * std::cos(2 * std::numbers::pi * load * 1.0003 * t), drift = 8000 + 2 * t;
+    const double t = static_cast<double>(n) / rate, signal = 10 * std::cos(2 * std::numbers::pi * load * 1.0003 * t), drift = 8000 + 2 * t;
     const std::size_t from = static_cast<std::size_t>(random.below(noise.size() - pixels));
     for (std::size_t p = 0; p < pixels; ++p)
       f.level[n * pixels + p] =
-          static_cast<std::uint16_t>(drift + static_cast<double>(p % 320) + swing * static_cast<double>(p % 7) / 7 + static_cast<double>(noise[from + p]));
+          static_cast<std::uint16_t>(drift + static_cast<double>(p % 320) + signal * static_cast<double>(p % 7) / 7 + static_cast<double>(noise[from + p]));
   }
   return f;
 }

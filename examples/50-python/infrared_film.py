@@ -21,10 +21,10 @@ files = arenite.camera("states", example / "camera.toml", "film", changes=camera
 print(arenite.film_info(files[0]))
 
 # %% The film alone: lock-in with the frequency refined on all pixels.
-maps = arenite.lock_in(files[0], "3 Hz", full_swing=True)
+maps = arenite.lock_in(files[0], "3 Hz", peak_to_peak=True)
 print(f"{maps.frequency:.5f} +- {maps.frequency_error:.5f} Hz, noise floor {np.median(maps.noise_floor):.2f} levels")
 
-# %% The whole road: grains found, followed and weighed, forces inferred.
+# %% The whole workflow: grains found, followed and weighed, forces inferred.
 result = arenite.film(files[0], files[-1], "measured")
 print(f"{len(result.grains)} grains, {len(result.packing.contacts)} contacts")
 print(f"median error of a normal force: {np.median(result.fn_error):.1f} N of {np.mean(np.abs(result.packing.contacts.fn)):.0f} N")

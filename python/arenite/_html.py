@@ -55,7 +55,7 @@ def phase_map(self):
 
 
 def lockin_maps(self):
-    return _table([("frequency", f"{self.frequency:.6g} Hz"), ("frames", str(self.frames))]) + _picture("draw_map", self.in_phase, label="signed swing")
+    return _table([("frequency", f"{self.frequency:.6g} Hz"), ("frames", str(self.frames))]) + _picture("draw_map", self.in_phase, label="signed amplitude")
 
 
 def film_result(self):

@@ -20,7 +20,7 @@ namespace arenite::python {
 namespace {
 
 LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const Quantity& frame_rate, const std::optional<ArrayLike>& time, bool refine,
-                     int drift_order, int harmonics, bool full_swing, const std::optional<Quantity>& reference_phase, bool nearest_bin, int threads,
+                     int drift_order, int harmonics, bool peak_to_peak, const std::optional<Quantity>& reference_phase, bool nearest_bin, int threads,
                      const Progress& progress) {
   thermography::LockinOptions o;
   o.frequency = frequency.si(dimension::frequency, "frequency");
@@ -29,7 +29,7 @@ LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const Quan
   o.refine = refine;
   o.drift_order = drift_order;
   o.harmonics = harmonics;
-  o.convention = full_swing ? SwingConvention::full : SwingConvention::half;
+  o.convention = peak_to_peak ? AmplitudeConvention::peak_to_peak : AmplitudeConvention::amplitude;
   o.threads = threads;
   o.reference_phase = si(reference_phase, dimension::none, "reference_phase");
   Call call;
@@ -133,10 +133,10 @@ std::vector<inference::WallLoad> wall_loads(const std::map<std::string, Quantity
   return loads;
 }
 
-inference::SwingPicture picture_of(const ArrayLike& swing, const ArrayLike& error, double pixel, Vec2 first) {
-  const Floats value = floats(swing, 2, "swing"), errors = floats(error, 2, "error");
+inference::ThermoelasticPicture picture_of(const ArrayLike& signal, const ArrayLike& error, double pixel, Vec2 first) {
+  const Floats value = floats(signal, 2, "signal"), errors = floats(error, 2, "error");
   if (value.shape(0) != errors.shape(0) || value.shape(1) != errors.shape(1))
-    throw InputError(fmt::format("the swing has {} x {} pixels and its error {} x {} (height x width); give them one shape", value.shape(0), value.shape(1),
+    throw InputError(fmt::format("the signal has {} x {} pixels and its error {} x {} (height x width); give them one shape", value.shape(0), value.shape(1),
                                  errors.shape(0), errors.shape(1)));
   return {static_cast<int>(value.shape(1)),
           static_cast<int>(value.shape(0)),
@@ -146,10 +146,10 @@ inference::SwingPicture picture_of(const ArrayLike& swing, const ArrayLike& erro
           {errors.data(), errors.data() + errors.size()}};
 }
 
-py::dict inferred(const Packing& packing, const ArrayLike& swing, const ArrayLike& error, const Quantity& pixel, const std::pair<Quantity, Quantity>& first,
+py::dict inferred(const Packing& packing, const ArrayLike& signal, const ArrayLike& error, const Quantity& pixel, const std::pair<Quantity, Quantity>& first,
                   const std::vector<Quantity>& factor, const std::map<std::string, Quantity>& walls, double blur) {
   const Vec2 corner{first.first.si(dimension::length, "first"), first.second.si(dimension::length, "first")};
-  const auto picture = picture_of(swing, error, pixel.si(dimension::length, "pixel"), corner);
+  const auto picture = picture_of(signal, error, pixel.si(dimension::length, "pixel"), corner);
   inference::ForceProblem problem{packing, si(factor, dimension::thermoelastic_factor, "factor"), wall_loads(walls)};
   inference::ForceOptions o;
   o.blur = blur;
@@ -170,8 +170,8 @@ py::dict inferred(const Packing& packing, const ArrayLike& swing, const ArrayLik
 
 void bind_film(py::module_& m) {
   m.def("lock_in", &locked_in, py::arg("film"), py::arg("frequency"), py::kw_only(), py::arg("frame_rate") = 0.0, py::arg("time") = py::none(),
-        py::arg("refine") = true, py::arg("drift_order") = 4, py::arg("harmonics") = 2, py::arg("full_swing") = false, py::arg("reference_phase") = py::none(),
-        py::arg("nearest_bin") = false, py::arg("threads") = 1, py::arg("progress") = py::none(),
+        py::arg("refine") = true, py::arg("drift_order") = 4, py::arg("harmonics") = 2, py::arg("peak_to_peak") = false,
+        py::arg("reference_phase") = py::none(), py::arg("nearest_bin") = false, py::arg("threads") = 1, py::arg("progress") = py::none(),
         "Lock-in of a film: a file, or an array (frames, height, width), uint16 or float32, which is not copied, with its `frame_rate` (Hz) or the `time` of "
         "every frame (s). Least squares "
         "on polynomial drift and harmonics with the frequency (Hz) refined on the film; `reference_phase`: of the load, rad or with its unit (\"90 deg\"); "
@@ -190,11 +190,13 @@ void bind_film(py::module_& m) {
         "number of brightnesses.");
   m.def("propose_contacts", &touching, py::arg("packing"), py::kw_only(), py::arg("position_error") = 0.0, py::arg("radius_error") = 0.0,
         "The packing with contacts where surfaces are no farther apart than three standard errors (m); forces are 0.");
-  m.def("infer_forces", &inferred, py::arg("packing"), py::arg("swing"), py::arg("error"), py::kw_only(), py::arg("pixel"), py::arg("first"), py::arg("factor"),
-        py::arg("walls") = std::map<std::string, Quantity>{}, py::arg("blur") = 0.5,
-        "Contact forces (N) from a picture of the full thermoelastic swing (K, rows from the top): `pixel` (m), `first`: centre of the upper left pixel (m), "
+  m.def("infer_forces", &inferred, py::arg("packing"), py::arg("signal"), py::arg("error"), py::kw_only(), py::arg("pixel"), py::arg("first"),
+        py::arg("factor"), py::arg("walls") = std::map<std::string, Quantity>{}, py::arg("blur") = 0.5,
+        "Contact forces (N) from a picture of the thermoelastic signal, peak to peak (K, rows from the top): `pixel` (m), `first`: centre of the upper left "
+        "pixel (m), "
         "`factor`: A of every "
-        "material (K/Pa), `walls`: swing of wall forces by side, {\"bottom\": 1000.0} (N, taken as known to 0.1 %); each a number or text with a unit. Gives "
+        "material (K/Pa), `walls`: wall forces by side, peak to peak, {\"bottom\": 1000.0} (N, taken as known to 0.1 %); each a number or text with a unit. "
+        "Gives "
         "fn, ft, fn_error, "
         "ft_error (N), presence (probability that a contact is there), present (bool: the likeliest, as many as are expected), residual.");
 }

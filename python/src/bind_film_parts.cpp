@@ -6,13 +6,11 @@
 #include "film_source.hpp"
 #include "module.hpp"
 #include "thermal/thermography/correction.hpp"
-#include "thermal/thermography/frame_statistics.hpp"
-#include "thermal/thermography/grain_means.hpp"
 #include "thermal/thermography/grain_motion.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
 #include "workflow/measure_film.hpp"
 
-/// The steps of the road from a film to grain stresses, each by itself, with the maps and grains that they give.
+/// The steps of the workflow from a film to grain stresses, each by itself, with the maps and grains that they give.
 namespace arenite::python {
 namespace {
 
@@ -23,7 +21,7 @@ void bind_lockin_maps(py::module_& m) {
       .def_readonly("reference_phase", &LockinMaps::reference_phase, "rad.")
       .def_readonly("frames", &LockinMaps::frames, "Number of frames that were used.")
       .def_property_readonly(
-          "full_swing", [](const LockinMaps& l) { return l.convention == SwingConvention::full; }, "Amplitudes are full swings, not half ones.");
+          "peak_to_peak", [](const LockinMaps& l) { return l.convention == AmplitudeConvention::peak_to_peak; }, "Amplitudes are peak to peak.");
   const auto map = [&c](const char* name, std::vector<float> LockinMaps::*member, const char* doc) {
     c.def_property_readonly(
         name,
@@ -35,10 +33,10 @@ void bind_lockin_maps(py::module_& m) {
   };
   map("mean", &LockinMaps::mean, "Level at the middle of the film.");
   map("drift", &LockinMaps::drift, "Slope of the mean, unit/s.");
-  map("amplitude", &LockinMaps::amplitude, "Of the swing at the load frequency.");
+  map("amplitude", &LockinMaps::amplitude, "At the load frequency.");
   map("phase", &LockinMaps::phase, "rad.");
-  map("in_phase", &LockinMaps::in_phase, "Signed swing: positive where a pixel warms when the load rises.");
-  map("quadrature", &LockinMaps::quadrature, "Swing a quarter of a cycle off.");
+  map("in_phase", &LockinMaps::in_phase, "Signed: positive where a pixel warms when the load rises.");
+  map("quadrature", &LockinMaps::quadrature, "A quarter of a cycle off.");
   map("standard_error", &LockinMaps::standard_error, "Of `in_phase`.");
   map("noise_floor", &LockinMaps::noise_floor, "Amplitude that noise alone shows on the mean.");
   map("second_harmonic", &LockinMaps::second_harmonic, "Amplitude at twice the frequency: slip, plasticity.");
@@ -94,37 +92,37 @@ using thermography::Correction, thermography::FrameStatistics;
 
 constexpr std::size_t frames_looked_at = 200;
 
-std::optional<FrameStatistics> plate(const std::optional<FilmLike>& film, const FilmInfo& of, const char* name) {
+std::optional<FrameStatistics> reference(const std::optional<FilmLike>& film, const FilmInfo& of, const char* name) {
   if (!film) return std::nullopt;
   const auto source = film_of(*film);
   const FilmInfo& info = source->info();
   if (info.width != of.width || info.height != of.height)
-    throw InputError(fmt::format("{} has frames of {} x {} pixels, and the film of {} x {}; take the plate with the same camera and window", name, info.width,
-                                 info.height, of.width, of.height));
+    throw InputError(fmt::format("{} has frames of {} x {} pixels, and the film of {} x {}; film the reference with the same camera and window", name,
+                                 info.width, info.height, of.width, of.height));
   return thermography::frame_statistics(*source, frames_looked_at);
 }
 
-struct Plates {
+struct References {
   std::optional<FrameStatistics> cold, warm;
 };
 
-Plates plates_of(const FilmInfo& film, const std::optional<FilmLike>& cold, const std::optional<FilmLike>& warm) {
-  if (warm && !cold) throw InputError("warm is given without cold; one plate alone is `cold`");
-  return {plate(cold, film, "cold"), plate(warm, film, "warm")};
+References references_of(const FilmInfo& film, const std::optional<FilmLike>& cold, const std::optional<FilmLike>& warm) {
+  if (warm && !cold) throw InputError("warm is given without cold; one reference alone is `cold`");
+  return {reference(cold, film, "cold"), reference(warm, film, "warm")};
 }
 
-std::vector<std::uint8_t> bad_in(FilmSource& film, const Plates& plates) {
-  auto bad = plates.warm ? thermography::find_bad_pixels(*plates.cold, *plates.warm)
-                         : thermography::find_bad_pixels(plates.cold ? *plates.cold : thermography::frame_statistics(film, frames_looked_at));
+std::vector<std::uint8_t> bad_in(FilmSource& film, const References& references) {
+  auto bad = references.warm ? thermography::find_bad_pixels(*references.cold, *references.warm)
+                             : thermography::find_bad_pixels(references.cold ? *references.cold : thermography::frame_statistics(film, frames_looked_at));
   for (auto& each : bad) each = each != 0;
   return bad;
 }
 
 py::array_t<bool> bad_pixels(const FilmLike& film, const std::optional<FilmLike>& cold, const std::optional<FilmLike>& warm) {
   const auto source = film_of(film);
-  const Plates plates = plates_of(source->info(), cold, warm);
+  const References references = references_of(source->info(), cold, warm);
   Call call;
-  return taken_over_as_bool(call.without_lock([&] { return bad_in(*source, plates); }), {source->info().height, source->info().width});
+  return taken_over_as_bool(call.without_lock([&] { return bad_in(*source, references); }), {source->info().height, source->info().width});
 }
 
 py::array_t<float> all_frames(FilmSource& film, const Correction& correction) {
@@ -142,13 +140,13 @@ py::array_t<float> all_frames(FilmSource& film, const Correction& correction) {
 py::array_t<float> corrected(const FilmLike& film, const std::optional<FilmLike>& cold, const std::optional<FilmLike>& warm, bool replace_bad_pixels) {
   const auto source = film_of(film);
   const FilmInfo& info = source->info();
-  const Plates plates = plates_of(info, cold, warm);
+  const References references = references_of(info, cold, warm);
   Correction correction;
   correction.width = info.width;
   correction.height = info.height;
-  if (plates.warm) thermography::correct_gains(*plates.cold, *plates.warm, correction);
-  else if (plates.cold) thermography::correct_offsets(*plates.cold, correction);
-  if (replace_bad_pixels) correction.bad = thermography::replacements(bad_in(*source, plates), info.width, info.height);
+  if (references.warm) thermography::correct_gains(*references.cold, *references.warm, correction);
+  else if (references.cold) thermography::correct_offsets(*references.cold, correction);
+  if (replace_bad_pixels) correction.bad = thermography::replacements(bad_in(*source, references), info.width, info.height);
   return all_frames(*source, correction);
 }
 
@@ -158,12 +156,12 @@ py::array_t<float> in_kelvin(const FilmLike& film, const recipe::FilmRecipe& rec
 }
 
 py::dict means(const LockinMaps& maps, const PictureGrains& grains, const std::vector<Quantity>& factor, double share) {
-  auto swing = thermography::grain_means(maps, grains, {share, si(factor, dimension::thermoelastic_factor, "factor")});
+  auto found = thermography::grain_means(maps, grains, {share, si(factor, dimension::thermoelastic_factor, "factor")});
   py::dict d;
-  d["temperature"] = taken_over(std::move(swing.temperature));
-  d["sigma_hyd"] = taken_over(std::move(swing.sigma_hyd));
-  d["error"] = taken_over(std::move(swing.error));
-  d["pixels"] = taken_over(std::move(swing.pixels));
+  d["temperature"] = taken_over(std::move(found.temperature));
+  d["sigma_hyd"] = taken_over(std::move(found.sigma_hyd));
+  d["error"] = taken_over(std::move(found.error));
+  d["pixels"] = taken_over(std::move(found.pixels));
   return d;
 }
 
@@ -212,8 +210,8 @@ void bind_maps(py::module_& m) {
 void bind_film_parts(py::module_& m) {
   m.def("find_bad_pixels", &bad_pixels, py::arg("film"), py::kw_only(), py::arg("cold") = py::none(), py::arg("warm") = py::none(),
         "Pixels that are not to be believed, as bool (height, width), top row first: dead, hot, blinking and frozen ones, by level and noise of the film or of "
-        "a film `cold` of an even "
-        "plate; with a plate `warm` of another temperature by their answer too.");
+        "a film `cold` of a black-body "
+        "reference; with a second one `warm` of another temperature by their answer too.");
   m.def("correct_film", &corrected, py::arg("film"), py::kw_only(), py::arg("cold") = py::none(), py::arg("warm") = py::none(), py::arg("bad_pixels") = true,
         "All frames of a film in levels, float32 (frames, height, width), corrected: every pixel's offset by a film `cold` of a black-body reference, gain and "
         "offset with a second one, "
@@ -221,15 +219,16 @@ void bind_film_parts(py::module_& m) {
   m.def("film_in_kelvin", &in_kelvin, py::arg("film"), py::arg("recipe"),
         "All frames of a film in K, float32 (frames, height, width), corrected as [correction] and [temperature] of its recipe say.");
   m.def("grain_means", &means, py::arg("maps"), py::arg("grains"), py::arg("factor"), py::kw_only(), py::arg("share") = 0.5,
-        "Swing of every grain from the mean of the signed map (K) over `share` of its area round its centre: arrays temperature (K), sigma_hyd = -dT/(2 A) and "
+        "Peak-to-peak change of every grain from the mean of the signed map (K) over `share` of its area round its centre: arrays temperature (K), sigma_hyd = "
+        "-dT/(2 A) and "
         "its standard error (Pa, "
-        "tension positive), pixels (area). `factor`: A of every material (K/Pa, or text with a unit). Full swings, whatever the maps' convention.");
+        "tension positive), pixels (area). `factor`: A of every material (K/Pa, or text with a unit). Whatever the maps' convention.");
   m.def("grain_motion", &motion_of, py::arg("film"), py::arg("maps"), py::arg("grains"), py::kw_only(), py::arg("frame_rate") = 0.0,
         py::arg("time") = py::none(),
         "How grains move at the load frequency, by their rims in the film whose lock-in is `maps`; `grains` at their mean places, as maps.mean shows them.");
   m.def("follow_grains", &followed, py::arg("film"), py::arg("maps"), py::arg("grains"), py::arg("motion"), py::kw_only(), py::arg("frame_rate") = 0.0,
         py::arg("time") = py::none(), py::arg("blur") = 0.5,
-        "The maps anew with pixels that follow their grains; swings have no value between grains. `blur` of the lens: standard deviation, pixels.");
+        "The maps anew with pixels that follow their grains; amplitudes have no value between grains. `blur` of the lens: standard deviation, pixels.");
 }
 
 }  // namespace arenite::python

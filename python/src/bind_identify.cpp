@@ -48,12 +48,12 @@ py::dict adhesion(const Path& file, const std::optional<MeasuredLike>& stiffness
   return to_python(identify::numbers(workflow::identify_adhesion(file.string(), request)));
 }
 
-py::dict factor(const Path& file, const std::optional<Quantity>& section, bool half_temperature, bool half_stress, const std::optional<MeasuredLike>& young,
-                const std::optional<MeasuredLike>& poisson, bool through_origin) {
+py::dict factor(const Path& file, const std::optional<Quantity>& section, bool temperature_amplitudes, bool load_amplitudes,
+                const std::optional<MeasuredLike>& young, const std::optional<MeasuredLike>& poisson, bool through_origin) {
   workflow::FactorRequest request;
   request.section = section_of(section);
-  request.temperature_swing = half_temperature ? workflow::Swing::half : workflow::Swing::full;
-  request.stress_swing = half_stress ? workflow::Swing::half : workflow::Swing::full;
+  if (temperature_amplitudes) request.temperature = AmplitudeConvention::amplitude;
+  if (load_amplitudes) request.load = AmplitudeConvention::amplitude;
   request.young = measured(young, dimension::pressure, "young");
   request.poisson = measured(poisson, dimension::none, "poisson");
   if (request.poisson && !(request.poisson->value < 1)) throw InputError("poisson: must be below 1");
@@ -73,9 +73,10 @@ void bind_identify(py::module_& m) {
         "Separation force and surface energy sqrt(4 k F_c/r_eff) (T eq. 1.25) of every group of a file. `stiffness`: N/m, or (value, error); `radii`: of both "
         "cylinders, m; or text with "
         "units.");
-  m.def("identify_factor", &factor, py::arg("file"), py::kw_only(), py::arg("section") = py::none(), py::arg("half_temperature_swing") = false,
-        py::arg("half_stress_swing") = false, py::arg("young") = py::none(), py::arg("poisson") = py::none(), py::arg("through_origin") = false,
-        "Thermoelastic factor A (K/Pa) of every material of a file, by the ways that its columns allow (T 1.4). `section`: of the specimen, m^2 or \"30.9 mm x "
+  m.def("identify_factor", &factor, py::arg("file"), py::kw_only(), py::arg("section") = py::none(), py::arg("temperature_amplitudes") = false,
+        py::arg("load_amplitudes") = false, py::arg("young") = py::none(), py::arg("poisson") = py::none(), py::arg("through_origin") = false,
+        "Thermoelastic factor A (K/Pa) of every material of a file, by the ways that its columns allow (T 1.4). Columns hold peak-to-peak values unless "
+        "`temperature_amplitudes` or `load_amplitudes`. `section`: of the specimen, m^2 or \"30.9 mm x "
         "4.9 mm\"; `young` (Pa) and "
         "`poisson` where the file gives strains: a number, or (value, error).");
 }

@@ -29,7 +29,7 @@ Recipe changed(const Recipe& recipe, const py::dict& changes) {
   return result;
 }
 
-/// As for recipes of packings: films of plates and the recipe of the twin lie beside the file.
+/// As for recipes of packings: films of references and the recipe of the companion simulation lie beside the file.
 FilmRecipe changed(const FilmRecipe& recipe, const py::dict& changes) {
   FilmRecipe result = recipe::parse_film_recipe(recipe::to_toml(recipe), recipe.source_file, overrides_of(changes));
   result.source_file = recipe.source_file;
@@ -37,9 +37,10 @@ FilmRecipe changed(const FilmRecipe& recipe, const py::dict& changes) {
 }
 
 void bind_film_recipe(py::module_& m) {
-  py::class_<FilmRecipe>(m, "FilmRecipe",
-                         "What `arenite film` and `arenite camera` are told: materials, frame, picture, correction, temperature, lock-in, forces, twin, "
-                         "camera (docs/film-recipe.md).")
+  py::class_<FilmRecipe>(
+      m, "FilmRecipe",
+      "What `arenite film` and `arenite camera` are given: materials, container, picture, correction, temperature, lock-in, forces, simulation, "
+      "camera (docs/film-recipe.md).")
       .def(py::init([](const Path& file, const py::dict& changes) { return recipe::read_film_recipe(file.string(), overrides_of(changes)); }), py::arg("file"),
            py::arg("changes") = py::dict(), "Reads a film's recipe from a file; `changes` as for Recipe.")
       .def_static(

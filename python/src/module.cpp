@@ -13,7 +13,7 @@ namespace arenite::python {
 namespace {
 
 /// Options whose argument has another name than they have; longer ones first.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 7> renamed{{{"--temperature-swing half", "half_temperature_swing"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> renamed{{{"--temperature-convention amplitude", "temperature_amplitudes"},
                                                                                 {"--doubled merge", "merge_doubled"},
                                                                                 {"--touching", "propose_contacts"},
                                                                                 {"--columns", "contact_columns"},
@@ -86,7 +86,7 @@ PYBIND11_MODULE(_core, m) {
   arenite::python::bind_maps(m);
   arenite::python::bind_film(m);
   arenite::python::bind_film_parts(m);
-  arenite::python::bind_film_road(m);
+  arenite::python::bind_film_workflow(m);
   arenite::python::bind_results(m);
   arenite::python::bind_curves(m);
   arenite::python::bind_store(m);

@@ -17,7 +17,7 @@ void bind_curves(pybind11::module_& m);
 void bind_store(pybind11::module_& m);
 void bind_stages(pybind11::module_& m);
 void bind_field(pybind11::module_& m);
-void bind_film_road(pybind11::module_& m);
+void bind_film_workflow(pybind11::module_& m);
 void bind_identify(pybind11::module_& m);
 void bind_study(pybind11::module_& m);
 

@@ -8,7 +8,6 @@
 #include "io/results/results.hpp"
 #include "workflow/result_folder.hpp"
 #include "workflow/run_film.hpp"
-#include "workflow/shoot_film.hpp"
 
 namespace arenite::campaign {
 namespace {
@@ -37,12 +36,12 @@ std::vector<std::size_t> simulated_grains(const FilmResult& film, const Packing&
   return nearest;
 }
 
-/// Swings of these grains from `low`, if there is one, to `high`.
-std::vector<double> true_swing(const std::vector<std::size_t>& grains, const Packing* low, const Packing& high) {
+/// Stress of these grains in `high` less that in `low`, if there is one.
+std::vector<double> true_change(const std::vector<std::size_t>& grains, const Packing* low, const Packing& high) {
   const auto loaded = workflow::stress_of_disks(high), released = low ? workflow::stress_of_disks(*low) : std::vector<double>(loaded.size(), 0.0);
-  std::vector<double> swing;
-  for (const std::size_t g : grains) swing.push_back(loaded[g] - released[g]);
-  return swing;
+  std::vector<double> change;
+  for (const std::size_t g : grains) change.push_back(loaded[g] - released[g]);
+  return change;
 }
 
 std::vector<double> over_mean(std::vector<double> values) {
@@ -56,7 +55,7 @@ std::vector<double> over_mean(std::vector<double> values) {
 /// Those whose stress is known.
 Numbers found_grains(const FilmResult& film, const std::vector<double>& truth) {
   const Grains& grains = film.packing.grains;
-  const auto found = over_mean(film.swing.sigma_hyd), simulated = over_mean(truth);
+  const auto found = over_mean(film.peak_to_peak.sigma_hyd), simulated = over_mean(truth);
   Numbers j = Numbers::tree();
   for (const char* name : {"x", "y", "radius", "material", "zone", "sigma_norm", "simulation"}) j[name] = Numbers::list();
   for (std::size_t i = 0; i < grains.size(); ++i) {
@@ -73,15 +72,15 @@ Numbers found_grains(const FilmResult& film, const std::vector<double>& truth) {
 }
 
 Numbers texture_of(const FilmResult& film) {
-  auto measured = texture::measure(film.packing, {.rev_sizes = 0, .grain_sigma_hyd = film.swing.sigma_hyd});
+  auto measured = texture::measure(film.packing, {.rev_sizes = 0, .grain_sigma_hyd = film.peak_to_peak.sigma_hyd});
   measured.per_grain = {};
   return texture::numbers(measured, true);
 }
 
-/// Shoots the film into `folder` and measures it; nothing if it was stopped.
+/// Renders the film into `folder` and measures it; nothing if it was stopped.
 std::optional<FilmResult> measured_film(const recipe::FilmRecipe& camera, const fs::path& run, const fs::path& folder,
                                         const std::function<bool()>& asked_to_stop) {
-  const auto files = workflow::shoot_film(camera, run, {.out = folder, .progress = [&](double) { return !asked_to_stop(); }});
+  const auto files = workflow::render_film(camera, run, {.out = folder, .progress = [&](double) { return !asked_to_stop(); }});
   if (files.empty()) return std::nullopt;
   workflow::FilmRunOptions measuring;
   measuring.out = folder / "result";
@@ -103,10 +102,10 @@ bool make_film(const fs::path& run, const fs::path& camera_file, const std::stri
   if (!camera.camera->low.empty()) low = state_of(run, camera.camera->low);
   const Packing high = state_of(run, camera.camera->high);
   const auto simulated = simulated_grains(*film, low ? *low : high);
-  const auto truth = true_swing(simulated, low ? &*low : nullptr, high);
+  const auto truth = true_change(simulated, low ? &*low : nullptr, high);
   film->packing.grains.zone.assign(simulated.size(), 0);  // who glues grains knows which
   for (std::size_t i = 0; i < simulated.size(); ++i) film->packing.grains.zone[i] = high.grains.zone[simulated[i]];
-  const auto found = workflow::agreement(film->swing.sigma_hyd, truth, std::vector<std::uint8_t>(truth.size(), 1));
+  const auto found = workflow::agreement(film->peak_to_peak.sigma_hyd, truth, std::vector<std::uint8_t>(truth.size(), 1));
   const Numbers j{{"grains", found.grains}, {"correlation", found.correlation},    {"rms_sigma_norm", found.rms_sigma_norm},
                   {"slope", found.slope},   {"found", found_grains(*film, truth)}, {"texture", texture_of(*film)}};
   io::write_numbers_file(run / "virtual-film.hdf5", j);

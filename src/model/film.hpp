@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -34,6 +36,14 @@ struct FrameBlock {
   std::size_t frames = 0;
   std::vector<std::uint16_t> level;
   std::vector<float> value;
+
+  /// Names the frames, and gives the array that holds such a film's pixels their size.
+  void prepare(const FilmInfo& film, std::int64_t from, std::size_t count) {
+    first = from;
+    frames = count;
+    level.resize(film.floating ? 0 : count * film.pixels());
+    value.resize(film.floating ? count * film.pixels() : 0);
+  }
 };
 
 /// A film that is read part by part: its frames need never be in memory together.
@@ -56,38 +66,40 @@ struct Film : FilmSource {
   std::vector<float> value;          ///< the same in floating numbers
   const FilmInfo& info() const override { return about; }
   void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
-    const auto begin = first * static_cast<std::ptrdiff_t>(about.pixels()), end = begin + static_cast<std::ptrdiff_t>(count * about.pixels());
-    block.first = first;
-    block.frames = count;
-    block.level.clear();
-    block.value.clear();
-    if (about.floating) block.value.assign(value.begin() + begin, value.begin() + end);
-    else block.level.assign(level.begin() + begin, level.begin() + end);
+    const auto begin = first * static_cast<std::ptrdiff_t>(about.pixels());
+    block.prepare(about, first, count);
+    std::copy_n(value.begin() + (about.floating ? begin : 0), block.value.size(), block.value.begin());
+    std::copy_n(level.begin() + (about.floating ? 0 : begin), block.level.size(), block.level.begin());
   }
   const std::uint16_t* levels_in_memory() const override { return level.empty() ? nullptr : level.data(); }
   const float* values_in_memory() const override { return value.empty() ? nullptr : value.data(); }
 };
 
-/// How the size of a swing is told: half of it (the amplitude of its cosine) or all of it (from smallest to largest).
-enum class SwingConvention { half, full };
+/// How the size of an oscillation is given: the amplitude of its cosine, or twice that, from its smallest to its largest value.
+enum class AmplitudeConvention { amplitude, peak_to_peak };
 
-/// What a lock-in finds in every pixel of a film, in the film's unit (digital level or K), rows from the top. A swing at the load frequency f is a_1
+/// "amplitude" or "peak_to_peak", as in files and JSON.
+inline const char* name_of(AmplitudeConvention convention) { return convention == AmplitudeConvention::peak_to_peak ? "peak_to_peak" : "amplitude"; }
+/// What makes a value of this convention peak to peak.
+inline double to_peak_to_peak(AmplitudeConvention convention) { return convention == AmplitudeConvention::peak_to_peak ? 1 : 2; }
+
+/// What a lock-in finds in every pixel of a film, in the film's unit (digital level or K), rows from the top. The oscillation at the load frequency f is a_1
 /// cos(2 pi f t - phase); `in_phase` is a_1 cos(phase - reference): signed, positive where the pixel warms when the load rises.
 struct LockinMaps {
   int width = 0, height = 0;
-  double frequency = 0;                                ///< refined, Hz
-  double frequency_error = 0;                          ///< standard error, Hz
-  double reference_phase = 0;                          ///< rad
-  std::size_t frames = 0;                              ///< used
-  double noise_ratio = 1;                              ///< variance of the noise at the load's frequency over what the residual would be there if it were white
-  double chance = 0;                                   ///< how often noise alone swings as much in one phase as the pixels do at this frequency
-  double one_phase = 1;                                ///< share of the swing above the noise that has one phase, or its opposite, in all pixels
-  double swings_at = 0;                                ///< Hz, elsewhere, where the load's frequency shows nothing; 0: nowhere
-  int drift_order = 0, harmonics = 1;                  ///< that were fitted
-  SwingConvention convention = SwingConvention::half;  ///< of every amplitude below
-  std::vector<float> mean;                             ///< at the middle of the film
-  std::vector<float> drift;                            ///< slope of the mean, unit/s
-  std::vector<float> amplitude, phase;                 ///< -, rad
+  double frequency = 0;                ///< refined, Hz
+  double frequency_error = 0;          ///< standard error, Hz
+  double reference_phase = 0;          ///< rad
+  std::size_t frames = 0;              ///< used
+  double noise_ratio = 1;              ///< variance of the noise at the load's frequency over what the residual would be there if it were white
+  double chance = 0;                   ///< how often noise alone has as much amplitude in one phase as the pixels have at this frequency
+  double one_phase = 1;                ///< share of the amplitude above the noise that has one phase, or its opposite, in all pixels
+  double other_frequency = 0;          ///< Hz, at which the film oscillates where the load's frequency shows nothing; 0: none
+  int drift_order = 0, harmonics = 1;  ///< that were fitted
+  AmplitudeConvention convention = AmplitudeConvention::amplitude;  ///< of every amplitude below
+  std::vector<float> mean;                                          ///< at the middle of the film
+  std::vector<float> drift;                                         ///< slope of the mean, unit/s
+  std::vector<float> amplitude, phase;                              ///< -, rad
   std::vector<float> in_phase, quadrature;
   std::vector<float> standard_error;   ///< of in_phase, from the residual, the noise's ratio and the normal matrix
   std::vector<float> noise_floor;      ///< amplitude that noise alone shows on the mean, sqrt(pi/2) standard errors
@@ -97,6 +109,22 @@ struct LockinMaps {
   std::size_t size() const { return mean.size(); }
 };
 
+/// A map by its name in files and Python, with its unit for a film in kelvin.
+struct LockinMap {
+  const char *name, *unit;
+  std::vector<float> LockinMaps::*values;
+};
+inline constexpr std::array lockin_maps{LockinMap{"mean", "K", &LockinMaps::mean},
+                                        LockinMap{"drift", "K/s", &LockinMaps::drift},
+                                        LockinMap{"amplitude", "K", &LockinMaps::amplitude},
+                                        LockinMap{"phase", "rad", &LockinMaps::phase},
+                                        LockinMap{"in_phase", "K", &LockinMaps::in_phase},
+                                        LockinMap{"quadrature", "K", &LockinMaps::quadrature},
+                                        LockinMap{"standard_error", "K", &LockinMaps::standard_error},
+                                        LockinMap{"noise_floor", "K", &LockinMaps::noise_floor},
+                                        LockinMap{"second_harmonic", "K", &LockinMaps::second_harmonic},
+                                        LockinMap{"residual", "K", &LockinMaps::residual}};
+
 /// Motion of every grain at the load frequency, in pixels (y down): x(t) = x_mean + Re[(cx + i sx) exp(-i 2 pi f t)], that is cx cos(2 pi f t) + sx
 /// sin(2 pi f t); t in s after the first frame.
 struct GrainMotion {
@@ -105,10 +133,10 @@ struct GrainMotion {
   std::size_t size() const { return cos_x.size(); }
 };
 
-/// Swing of the stress of every grain between the smallest and the largest load, as a film shows it.
-struct GrainSwing {
-  std::vector<double> temperature;  ///< full swing of the mean over the grain's centre, K
-  std::vector<double> sigma_hyd;    ///< full swing of (sigma_1 + sigma_2)/2, Pa; tension positive
+/// Peak-to-peak change of temperature and stress of every grain between the smallest and the largest load, as a film shows it.
+struct PeakToPeak {
+  std::vector<double> temperature;  ///< of the mean over the grain's centre, K
+  std::vector<double> sigma_hyd;    ///< of (sigma_1 + sigma_2)/2, Pa; tension positive
   std::vector<double> error;        ///< standard error of sigma_hyd from pixel noise and position error, Pa
   std::vector<double> pixels;       ///< area that was averaged, pixels
   std::size_t size() const { return temperature.size(); }

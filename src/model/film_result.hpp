@@ -12,23 +12,23 @@
 
 namespace arenite {
 
-/// What a simulation of the same grains says beside the film; arrays as long as the grains, Pa, tension positive.
-struct FilmTwin {
-  std::vector<double> swing;  ///< sigma_hyd at the largest load less that at the smallest
-  std::vector<double> state;  ///< sigma_hyd at the largest load, as the thesis compares
-  bool empty() const { return swing.empty(); }
+/// What a companion simulation of the same grains gives; arrays as long as the grains, Pa, tension positive.
+struct FilmSimulation {
+  std::vector<double> peak_to_peak;  ///< sigma_hyd at the largest load less that at the smallest
+  std::vector<double> state;         ///< sigma_hyd at the largest load, as the thesis compares
+  bool empty() const { return peak_to_peak.empty(); }
 };
 
-/// How contact forces agree with what they were inferred from, and with what was told beside the film.
+/// How contact forces agree with what they were inferred from, and with what was given beside the film.
 struct ForceFit {
   std::size_t proposed = 0;                              ///< contacts
-  double present = 0, present_error = 0;                 ///< number of contacts that are there, as far as forces and gaps tell
-  std::vector<float> picture;                            ///< full swing that the forces make the maps show, K, rows from the top; no number outside grains
+  double present = 0, present_error = 0;                 ///< number of contacts that are there, as far as forces and gaps show
+  std::vector<float> picture;                            ///< peak to peak, as the forces make the maps show it, K, rows from the top; no number outside grains
   double over_noise = 0;                                 ///< root mean square of measured less fitted over the measured noise alone (chi)
   double over_signal = 0;                                ///< median size of measured less fitted over that of the measured
-  double load = 0;                                       ///< on the lower wall by forces that were not told it, N; 0: not known
+  double load = 0;                                       ///< on the lower wall by forces inferred without it, N; 0: not known
   double model_error = 0;                                ///< error of the disks' fields, share of the signal, that makes the two agree
-  std::vector<double> factor_scale, factor_scale_error;  ///< one a material: the film wants its factor so many times larger
+  std::vector<double> factor_scale, factor_scale_error;  ///< one a material: the film asks for a factor so many times larger
 };
 
 /// What a film of a loaded packing gives: maps in kelvin, rows from the top, and grains. Grains and contacts with their inferred forces are
@@ -46,14 +46,14 @@ struct FilmResult {
   LockinMaps maps;                ///< where motion was taken out, with the grains as they are at the largest load
   PictureGrains grains;           ///< at the smallest load
   GrainMotion motion;             ///< empty where none was fitted
-  GrainSwing swing;
-  Packing packing;                         ///< in metres at the largest load; forces are those of the swing
+  PeakToPeak peak_to_peak;
+  Packing packing;                         ///< in metres at the largest load; forces are peak to peak
   std::vector<double> fn_error, ft_error;  ///< N, one a contact
   std::vector<double> presence;            ///< probability that each of the packing's contacts is there; the others that were proposed are not kept
   ForceFit fit;                            ///< how well the forces agree with the film and the load; empty without forces
   double rim_blur = 0;                     ///< of the lens as the rims show it, pixels; 0: not known
-  std::vector<std::string> doubts;         ///< what the film says against what was told beside it, one sentence each
-  FilmTwin twin;
+  std::vector<std::string> doubts;         ///< what the film says against what was given beside it, one sentence each
+  FilmSimulation simulation;
   Numbers numbers;
 };
 

@@ -70,9 +70,7 @@ void declare(Visitor& v, camera::Timing& timing) {
   v.number({"dropped", "Share of frames that are lost."}, timing.dropped, "%", range::between(0, 0.9));
 }
 
-}  // namespace
-
-void declare(ParameterVisitor& v, CameraSection& camera) {
+void declare(Visitor& v, CameraSection& camera) {
   v.text({"low", "Stage at whose end the load is smallest; without it the load varies from none."}, camera.low);
   v.text({"high", "Stage at whose end the load is largest, or a load of the cemented sample.", true}, camera.high);
   declare(v, camera.parameters.optics);
@@ -92,10 +90,6 @@ void declare(ParameterVisitor& v, CameraSection& camera) {
   v.require(camera.reference_warm > camera.reference_cold, {"reference_warm", "reference_cold"}, "must be above reference_cold");
 }
 
-namespace {
-
-using Visitor = ParameterVisitor;
-
 void declare(Visitor& v, FilmMaterial& material) {
   v.number({"thermoelastic_factor", "A: temperature rise per fall of the sum of principal stresses.", true}, material.thermoelastic_factor, "K/MPa",
            range::positive);
@@ -113,14 +107,14 @@ void declare(Visitor& v, ReadingSection& film) {
   v.text({"dataset", "Of an HDF5 file that holds several that can be films."}, film.dataset);
 }
 
-void declare(Visitor& v, FilmContainer& frame) {
-  v.number({"width", "Inner width.", true}, frame.width, "mm", range::positive);
-  v.number({"height", "Inner height at the smallest load.", true}, frame.height, "mm", range::positive);
-  v.number({"thickness", "Length of the cylinders, out of the plane.", true}, frame.thickness, "mm", range::positive);
-  v.number({"left", "Column of the container's inner left side in the film; unless given, the container is in the middle."}, frame.left, "", range::any);
-  v.number({"top", "Row of its inner upper side, from the top."}, frame.top, "", range::any);
-  v.number({"load_peak_to_peak", "Force on the lower wall, largest less smallest; 0: not known."}, frame.load_peak_to_peak, "kN", range::not_negative);
-  v.number({"travel", "Displacement of the lower wall, upwards, from the smallest to the largest load."}, frame.travel, "mm", range::any);
+void declare(Visitor& v, FilmContainer& container) {
+  v.number({"width", "Inner width.", true}, container.width, "mm", range::positive);
+  v.number({"height", "Inner height at the smallest load.", true}, container.height, "mm", range::positive);
+  v.number({"thickness", "Length of the cylinders, out of the plane.", true}, container.thickness, "mm", range::positive);
+  v.number({"left", "Column of the container's inner left side in the film; unless given, the container is in the middle."}, container.left, "", range::any);
+  v.number({"top", "Row of its inner upper side, from the top."}, container.top, "", range::any);
+  v.number({"load_peak_to_peak", "Force on the lower wall, largest less smallest; 0: not known."}, container.load_peak_to_peak, "kN", range::not_negative);
+  v.number({"travel", "Displacement of the lower wall, upwards, from the smallest to the largest load."}, container.travel, "mm", range::any);
 }
 
 void declare(Visitor& v, PictureSection& picture) {
@@ -189,15 +183,11 @@ void declare(Visitor& v, ForcesSection& forces) {
   v.flag({"state", "The film shows a state that starts from no load, so that the friction cone holds; otherwise the difference between two."}, forces.state);
 }
 
-void declare(Visitor& v, SimulationSection& twin) {
-  v.file({"recipe", "Recipe of the packing; its grains are replaced by those found.", true}, twin.recipe);
-  v.text({"low", "Stage at whose end the load is smallest.", true}, twin.low);
-  v.text({"high", "Stage at whose end it is largest.", true}, twin.high);
+void declare(Visitor& v, SimulationSection& simulation) {
+  v.file({"recipe", "Recipe of the packing; its grains are replaced by those found.", true}, simulation.recipe);
+  v.text({"low", "Stage at whose end the load is smallest.", true}, simulation.low);
+  v.text({"high", "Stage at whose end it is largest.", true}, simulation.high);
 }
-
-}  // namespace
-
-namespace {
 
 /// Emissivities that nothing would read, or that contradict each other.
 void require_emissivities_used(Visitor& v, const FilmRecipe& recipe) {
@@ -230,10 +220,10 @@ void declare(ParameterVisitor& v, FilmRecipe& recipe) {
   v.section({"temperature", "From digital levels to kelvin."}, [&](Visitor& inner) { declare(inner, recipe.temperature); });
   v.section({"forces", "From the amplitude to stresses of grains and forces of contacts."}, [&](Visitor& inner) { declare(inner, recipe.forces); });
   v.optional_section<SimulationSection>({"simulation", "A companion simulation of the same packing, held beside the film."}, recipe.simulation,
-                                        [](Visitor& inner, SimulationSection& twin) { declare(inner, twin); });
+                                        [](Visitor& inner, SimulationSection& simulation) { declare(inner, simulation); });
   v.optional_section<CameraSection>({"camera", "A virtual camera that films simulated states; for `arenite camera`."}, recipe.camera,
                                     [](Visitor& inner, CameraSection& camera) { declare(inner, camera); });
-  // A virtual camera films its plates itself, and its recipe need not say what only a film is measured with.
+  // A virtual camera films its references itself, and its recipe need not say what only a film is measured with.
   v.require(recipe.camera || has_references(recipe), {"temperature", "correction"}, needs_references);
   require_emissivities_used(v, recipe);
 }

@@ -16,7 +16,6 @@ struct FilmMaterial {
   double brightness = 0;                  ///< in the picture that grains are found in; only the order counts
   std::optional<double> emissivity = {};  ///< in the camera's band; unless given, that of [temperature]
   double stiffness = 0;                   ///< of its contacts, N/m; 0: not known, alike for all
-  bool operator==(const FilmMaterial&) const = default;
 };
 
 /// What a film does not say about itself, or says wrongly.
@@ -24,16 +23,14 @@ struct ReadingSection {
   std::optional<double> frame_rate;     ///< Hz
   std::optional<double> scale, offset;  ///< K: pixels become scale * number + offset
   std::string dataset;                  ///< of an HDF5 file that holds several
-  bool operator==(const ReadingSection&) const = default;
 };
 
-/// The frame that holds the grains; walls are contact partners and carry the load.
+/// The container that holds the grains; walls are contact partners and carry the load.
 struct FilmContainer {
   double width = 0, height = 0, thickness = 0;  ///< m
   std::optional<double> left, top;              ///< its inner upper left corner in the picture, pixels; centred if not given
   double load_peak_to_peak = 0;                 ///< force on the lower wall, largest less smallest, N; 0: not known
   double travel = 0;                            ///< of the lower wall, upwards, from the smallest to the largest load, m
-  bool operator==(const FilmContainer&) const = default;
 };
 
 struct PictureSection {
@@ -42,14 +39,12 @@ struct PictureSection {
   std::string optical;        ///< picture of an ordinary camera for materials; empty: the film's own frames
   double optical_pixel = 0;   ///< m; 0: as `pixel`
   std::vector<double> radii;  ///< size classes, m; empty: found
-  bool operator==(const PictureSection&) const = default;
 };
 
 struct CorrectionSection {
   std::string cold, warm;                             ///< films of a black-body reference, for offsets, and gains
   double cold_temperature = 0, warm_temperature = 0;  ///< K
   bool bad_pixels = true;
-  bool operator==(const CorrectionSection&) const = default;
 };
 
 struct TemperatureSection {
@@ -60,7 +55,6 @@ struct TemperatureSection {
   std::optional<double> ambient;             ///< of what grains mirror, K; 296 unless given
   std::optional<double> assumed_emissivity;  ///< that the temperatures of a film in kelvin were made with
   std::vector<double> band;                  ///< shortest and longest wavelength, m; empty: what the film says, or 3.6 to 5.1 um
-  bool operator==(const TemperatureSection&) const = default;
 };
 
 struct LockinSection {
@@ -71,7 +65,6 @@ struct LockinSection {
   std::optional<double> phase;  ///< when the load is largest, rad after the first frame; found on the film if not given
   bool motion = true;           ///< grains' motion is fitted and taken out
   double diffusivity = 1e-7;    ///< of heat in the grains, m^2/s, about that of plastics
-  bool operator==(const LockinSection&) const = default;
 };
 
 struct ForcesSection {
@@ -80,26 +73,24 @@ struct ForcesSection {
   double central_share = 0.5;  ///< of a grain's area, for its mean
   double blur = 0.5;           ///< of the lens, pixels
   double friction = 0.3;
-  bool state = false;  ///< the film shows a state (from no load) and no swing: the friction cone holds
-  bool operator==(const ForcesSection&) const = default;
+  bool state = false;  ///< the film shows a state (from no load) and no difference: the friction cone holds
 };
 
 /// A simulation of the same packing, from the positions found.
 struct SimulationSection {
   std::string recipe;     ///< of the packing
   std::string low, high;  ///< stages whose ends are the smallest and the largest load
-  bool operator==(const SimulationSection&) const = default;
 };
 
 /// Which states a virtual camera films, and how.
 struct CameraSection {
-  std::string low, high;  ///< stages; without `low` the swing is from no load
+  std::string low, high;  ///< stages; without `low` the load varies from none
   camera::Parameters parameters;
   std::int64_t reference_frames = 100;                ///< in each film of a black-body reference
   double reference_cold = 291, reference_warm = 301;  ///< K
 };
 
-/// What `arenite film` and `arenite camera` are told; one file may serve both.
+/// What `arenite film` and `arenite camera` are given; one file may serve both.
 struct FilmRecipe {
   std::string title;
   std::uint64_t seed = 1;

@@ -33,7 +33,5 @@ bool is_plain_name(const std::string& name);
 
 /// Every key of a film's recipe.
 void declare(ParameterVisitor& visitor, FilmRecipe& recipe);
-/// Those of [camera].
-void declare(ParameterVisitor& visitor, CameraSection& camera);
 
 }  // namespace arenite::recipe

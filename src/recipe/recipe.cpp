@@ -186,7 +186,7 @@ std::string to_commented_toml(const FilmRecipe& recipe) {
 std::string film_key_reference() {
   FilmRecipe defaults;
   return "# The recipe of a film\n\n"
-         "What `arenite film` and `arenite camera` are told beside the film itself. It is written as every recipe\n"
+         "What `arenite film` and `arenite camera` are given beside the film itself. It is written as every recipe\n"
          "([recipe.md](recipe.md)): TOML, quantities with their units, every problem reported at once. `arenite init film` writes a\n"
          "commented one to start from. This page is generated: `arenite man --film-keys`.\n\n" +
          write_key_tables(record_of_all_keys(declaration_of(defaults)));

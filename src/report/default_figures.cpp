@@ -33,7 +33,7 @@ const std::vector<MainNumber>& known_numbers() {
       {"force.mean_N", "mean force, N"},
       {"sigma_norm.P0", "grains above the mean stress"},
       {"S_m", "matrix in the pores S_{m}"},
-      {"agreement.twin_swing.all.correlation", "correlation with the simulation"},
+      {"agreement.simulation_peak_to_peak.all.correlation", "correlation with the simulation"},
   };
   return numbers;
 }

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "report/page_document.hpp"
-#include "workflow/film_stresses.hpp"
+#include "workflow/run_film.hpp"
 
 namespace arenite::report {
 namespace {
@@ -64,7 +64,7 @@ Numbers film_of(const FilmResult& r) {
           {"frequency", r.maps.frequency},
           {"frequency_error", r.maps.frequency_error},
           {"reference_phase", r.maps.reference_phase},
-          {"swing", r.maps.convention == SwingConvention::full ? "full" : "half"}};
+          {"convention", name_of(r.maps.convention)}};
 }
 
 /// Circles where the maps show the grains: from their places in metres, with the errors that they were found with.
@@ -102,9 +102,9 @@ Numbers grains_of(const FilmResult& r, const workflow::FilmStresses& stresses, N
   reals("radius", circles.radius);
   reals("position_error", circles.position_error);
   reals("radius_error", circles.radius_error);
-  reals("temperature", r.swing.temperature);
-  reals("sigma_hyd", r.swing.sigma_hyd);
-  reals("error", r.swing.error);
+  reals("temperature", r.peak_to_peak.temperature);
+  reals("sigma_hyd", r.peak_to_peak.sigma_hyd);
+  reals("error", r.peak_to_peak.error);
   reals("motion_x", way(r.motion.cos_x, r.motion.sin_x, r.maps.reference_phase));
   reals("motion_y", way(r.motion.cos_y, r.motion.sin_y, r.maps.reference_phase));
   reals("motion_error", r.motion.error);
@@ -129,7 +129,7 @@ Numbers contacts_of(const FilmResult& r, NumberBlock& block) {
   return out;
 }
 
-/// The frame's inner sides in pixels: left, right, bottom, top; y down.
+/// The container's inner sides in pixels: left, right, bottom, top; y down.
 Numbers frame_of(const FilmResult& r) {
   const Domain& domain = r.packing.domain;
   if (!(r.pixel > 0) || !(domain.area() > 0)) return nullptr;
@@ -146,7 +146,7 @@ Numbers stresses_of(const workflow::FilmStresses& stresses, NumberBlock& block) 
   return all;
 }
 
-/// What relates the twin's swing and state to the film's swing.
+/// What relates the simulation's peak-to-peak stress and state to the film's.
 Numbers agreement_of(const Packing& packing, const workflow::FilmStresses& stresses) {
   Numbers all = Numbers::tree();
   if (stresses.sources.empty() || stresses.sources[0].source != "film") return all;

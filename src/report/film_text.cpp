@@ -6,7 +6,7 @@
 #include "io/film/film.hpp"
 #include "report/result_text.hpp"
 #include "report/summary.hpp"
-#include "thermal/thermography/frame_statistics.hpp"
+#include "thermal/thermography/correction.hpp"
 
 namespace arenite::report {
 namespace {
@@ -101,19 +101,20 @@ void describe_grains(TextLines& lines, const FilmResult& r) {
                  {"travel, median", "/motion/median_travel_pixels", "pixels"},
                  {"travel, largest", "/motion/largest_travel_pixels", "pixels"}});
   if (!lines.has("/texture/sigma_norm")) return;
-  lines.section("Swing of the grains' stress over its mean",
+  lines.section("Peak-to-peak stress of the grains over its mean",
                 {{"P_0, share above the mean", "/texture/sigma_norm/P0"}, {"beta of the tail", "/texture/sigma_norm/beta"}});
 }
 
-/// How the forces agree with the film and with what was told beside it.
+/// How the forces agree with the film and with what was given beside it.
 void describe_checks(TextLines& lines, const Numbers& checks) {
   lines.section("Forces against film and load", {{"left by the fit over the noise", "/checks/misfit_over_noise"},
                                                  {"left by the fit over the signal", "/checks/misfit_over_signal"},
                                                  {"error of fields that agrees", "/checks/field_error_that_agrees"},
-                                                 {"load by forces not told it", "/checks/load_by_forces_N", "N"},
+                                                 {"load by forces inferred without it", "/checks/load_by_forces_N", "N"},
                                                  {"blur of the rims", "/checks/blur_of_rims_pixels", "pixels"}});
   if (checks.contains("factor_scale"))
-    for (const auto& [name, value] : checks["factor_scale"].items()) lines.number("factor wanted over told, " + name, "/checks/factor_scale/" + name);
+    for (const auto& [name, value] : checks["factor_scale"].items())
+      lines.number("factor that fits over the given one, " + name, "/checks/factor_scale/" + name);
   if (checks.contains("doubts"))
     for (const auto& doubt : checks["doubts"]) lines.raw("! " + doubt.get<std::string>());
 }
@@ -134,7 +135,7 @@ std::string film_text(const FilmResult& r) {
                          {"frames", "/film/frames"},
                          {"frames in a second", "/film/frame_rate_Hz", "Hz"},
                          {"pixels that were replaced", "/film/bad_pixels"}});
-  lines.section(fmt::format("Lock-in ({} swings)", r.maps.convention == SwingConvention::full ? "full" : "half"),
+  lines.section(r.maps.convention == AmplitudeConvention::peak_to_peak ? "Lock-in (peak to peak)" : "Lock-in (amplitudes)",
                 {{"frequency of the load", "/lockin/frequency_Hz", "Hz"},
                  {"phase of the load", "/lockin/reference_phase_deg", "deg"},
                  {"standard error of a pixel", "/lockin/standard_error_K", "K"},
@@ -142,23 +143,23 @@ std::string film_text(const FilmResult& r) {
                  {"second harmonic", "/lockin/second_harmonic_K", "K"}});
   describe_grains(lines, r);
   if (lines.has("/forces/proposed"))
-    lines.section("Contact forces (swing)", {{"contacts proposed", "/forces/proposed"},
-                                             {"of these there", "/forces/present"},
-                                             {"mean normal force", "/forces/mean_N", "N"},
-                                             {"share above the mean", "/forces/share_above_mean"},
-                                             {"standard error, normal", "/forces/fn_error_N", "N"},
-                                             {"standard error, tangential", "/forces/ft_error_N", "N"}});
+    lines.section("Contact forces (peak to peak)", {{"contacts proposed", "/forces/proposed"},
+                                                    {"of these there", "/forces/present"},
+                                                    {"mean normal force", "/forces/mean_N", "N"},
+                                                    {"share above the mean", "/forces/share_above_mean"},
+                                                    {"standard error, normal", "/forces/fn_error_N", "N"},
+                                                    {"standard error, tangential", "/forces/ft_error_N", "N"}});
   if (lines.has("/checks")) describe_checks(lines, r.numbers["checks"]);
   if (lines.has("/directions/film"))
     lines.section("Contact orientations", {{"film: a_c", "/directions/film/a_c"},
                                            {"film: theta_c", "/directions/film/theta_c_deg", "deg"},
-                                           {"simulation: a_c", "/directions/twin/a_c"},
-                                           {"simulation: theta_c", "/directions/twin/theta_c_deg", "deg"}});
-  if (lines.has("/twin"))
-    lines.section("Simulation beside the film", {{"swing: correlation", "/twin/swing/all/correlation"},
-                                                 {"swing: rms of sigma_norm", "/twin/swing/all/rms_sigma_norm"},
-                                                 {"state at the largest load: correlation", "/twin/state/all/correlation"},
-                                                 {"state at the largest load: rms of sigma_norm", "/twin/state/all/rms_sigma_norm"}});
+                                           {"simulation: a_c", "/directions/simulation/a_c"},
+                                           {"simulation: theta_c", "/directions/simulation/theta_c_deg", "deg"}});
+  if (lines.has("/simulation"))
+    lines.section("Companion simulation", {{"peak to peak: correlation", "/simulation/peak_to_peak/all/correlation"},
+                                           {"peak to peak: rms of sigma_norm", "/simulation/peak_to_peak/all/rms_sigma_norm"},
+                                           {"state at the largest load: correlation", "/simulation/state/all/correlation"},
+                                           {"state at the largest load: rms of sigma_norm", "/simulation/state/all/rms_sigma_norm"}});
   return r.outcome + "\n" + std::move(lines).text();
 }
 

@@ -75,7 +75,7 @@ void write_page(const std::filesystem::path& path, const ResultParts& result) {
     data.films.push_back({&film});
     if (film.packing.grains.size() == 0) continue;
     texture::Options options;
-    options.grain_sigma_hyd = film.swing.sigma_hyd;
+    options.grain_sigma_hyd = film.peak_to_peak.sigma_hyd;
     add_stage(data, measured.emplace_back(workflow::measured_stage(film)), options);
   }
   for (std::size_t s = 0; s < result.stages.size(); ++s)

@@ -26,7 +26,7 @@ struct FieldPageData {
 };
 
 /// What a film of a loaded packing gave. `options` say which grains count in the statistics of grain stresses, which are
-/// measured for the page, of the film and of its twin alike.
+/// measured for the page, of the film and of its companion simulation alike.
 struct FilmPageData {
   const FilmResult* result = nullptr;
   texture::Options options{};

@@ -54,7 +54,7 @@ struct Thinning {
 void add_fields(Numbers& document, const std::vector<FieldPageData>& fields, NumberBlock& block);
 
 /// Adds "films" (one a result) to the page's document: maps, grains in pixels, contacts and, where there are any, the
-/// statistics of grain stresses and what relates them to the twin's.
+/// statistics of grain stresses and what relates them to the companion simulation's.
 void add_films(Numbers& document, const std::vector<FilmPageData>& films, NumberBlock& block);
 
 }  // namespace arenite::report

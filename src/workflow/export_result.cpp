@@ -43,11 +43,11 @@ std::vector<io::GrainField> derived_fields(const Packing& packing) {
 }
 
 std::vector<io::GrainField> derived_fields(const FilmResult& film) {
-  const texture::PerGrain rows = texture::measure(film.packing, {.rev_sizes = 0, .grain_sigma_hyd = film.swing.sigma_hyd}).per_grain;
+  const texture::PerGrain rows = texture::measure(film.packing, {.rev_sizes = 0, .grain_sigma_hyd = film.peak_to_peak.sigma_hyd}).per_grain;
   return {{"contacts", "1", as_doubles(rows.contacts)},
           {"sigma_norm", "1", rows.sigma_norm},
-          {"sigma_hyd", "Pa", film.swing.sigma_hyd},
-          {"sigma_hyd_error", "Pa", film.swing.error}};
+          {"sigma_hyd", "Pa", film.peak_to_peak.sigma_hyd},
+          {"sigma_hyd_error", "Pa", film.peak_to_peak.error}};
 }
 
 std::vector<io::GrainField> fields_of_contacts(const FilmResult& film) {

@@ -11,7 +11,7 @@ namespace arenite::workflow {
 /// length sigma_hyd and the components of sigma (Pa, tension positive).
 std::vector<io::GrainField> derived_fields(const Packing& packing);
 
-/// What a film says of every grain: contacts, sigma_norm, and the swing of sigma_hyd (Pa, tension positive) with its error.
+/// What a film says of every grain: contacts, sigma_norm, and the peak-to-peak sigma_hyd (Pa, tension positive) with its error.
 std::vector<io::GrainField> derived_fields(const FilmResult& film);
 
 /// What a film says of every contact beside its forces: their standard errors and the probability that it is there.

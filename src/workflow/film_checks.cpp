@@ -1,4 +1,4 @@
-#include "workflow/film_checks.hpp"
+#include "workflow/measure_film.hpp"
 
 #include <fmt/format.h>
 
@@ -8,17 +8,16 @@
 
 #include "core/error.hpp"
 #include "core/median.hpp"
-#include "thermal/thermography/lockin.hpp"
 
 namespace arenite::workflow {
 
 Adiabatic::Adiabatic(double diffusivity, double frequency, double side) : length(thermography::diffusion_length(diffusivity, frequency)), pixel(side) {}
 
-double Adiabatic::lost() const { return thermography::swing_lost_to_diffusion(length, pixel); }
+double Adiabatic::lost() const { return thermography::amplitude_lost_to_diffusion(length, pixel); }
 
 std::string Adiabatic::sentence() const {
   return fmt::format(
-      "heat diffuses {:.3g} pixels far within a cycle, not far less than one: the finest detail of the swing is not adiabatic; raise the load frequency",
+      "heat diffuses {:.3g} pixels far within a cycle, not far less than one: the finest detail of the signal is not adiabatic; raise the load frequency",
       length / pixel);
 }
 
@@ -30,8 +29,8 @@ bool nearly_all(std::size_t some, const FilmInfo& film) { return 100 * some >= 9
 /// Hotter than this is no sample of plastics, rock or glass under a press, and a level of a camera.
 constexpr double hottest = 1000;
 /// No grain stays elastic at a stress that warms it by so much.
-constexpr double largest_swing = 5;
-/// Of a cycle: what rims, integration and heat leave at most; and where most of the swing is lost.
+constexpr double largest_amplitude = 5;
+/// Of a cycle: what rims, integration and heat leave at most; and where most of the amplitude is lost.
 constexpr double phase_doubted = 0.03, phase_refused = 0.125;
 /// Factors of two to four per cent are what references differ by; ten are doubted, four times refused.
 constexpr double scale_doubted = 1.1, scale_refused = 4;
@@ -48,8 +47,8 @@ struct Scale {
   double log, error;
 };
 
-/// Materials whose scale the film tells.
-std::vector<Scale> told_scales(const FilmResult& r) {
+/// Materials whose scale the film shows.
+std::vector<Scale> known_scales(const FilmResult& r) {
   std::vector<Scale> scales;
   for (std::size_t m = 0; m < r.fit.factor_scale.size(); ++m) {
     const auto grains = std::count(r.packing.grains.material.begin(), r.packing.grains.material.end(), static_cast<std::int32_t>(m));
@@ -78,8 +77,8 @@ std::string unequal(const recipe::FilmRecipe& recipe, const std::vector<Scale>& 
   const double ratio = std::exp(high->log - low->log);
   if (taken_for(scales, *low, recipe, 0.5 * (low->log + high->log)))
     return fmt::format(
-        "forces between {0} and {1} agree only if each has the other's thermoelastic factor: the two materials are taken for each other; "
-        "check their brightness (or the list of grains) and their factors",
+        "forces between {0} and {1} agree only if each has the other's thermoelastic factor: the two materials are taken for each other; check their "
+        "brightness (or the list of grains) and their factors",
         first, second);
   return fmt::format(
       "forces between {0} and {1} agree only if the factor of {1} against that of {0} is {2} what the recipe has; check thermoelastic_factor "
@@ -90,14 +89,13 @@ std::string unequal(const recipe::FilmRecipe& recipe, const std::vector<Scale>& 
 std::string off_scale(const recipe::FilmRecipe& recipe, double scale) {
   const double load = 1e-3 * recipe.container.load_peak_to_peak;
   return fmt::format(
-      "the film's temperatures make {0} the forces that the load swing of {1:.4g} kN allows; the likely causes are load_peak_to_peak (told {2} what it is), "
-      "the "
-      "calibration of temperatures, all thermoelastic factors ({0} too small or large alike), or thickness",
+      "the film's temperatures give {} the forces that the peak-to-peak load of {:.4g} kN allows; the likely causes are load_peak_to_peak or all thermoelastic "
+      "factors (given as {} their true values), the calibration of temperatures, or thickness",
       percent(scale), load, percent(1 / scale));
 }
 
 void add_scales(const recipe::FilmRecipe& recipe, const FilmResult& r, std::vector<std::string>& doubts) {
-  const auto scales = told_scales(r);
+  const auto scales = known_scales(r);
   if (scales.empty()) return;
   const auto [low, high] = std::minmax_element(scales.begin(), scales.end(), [](const Scale& a, const Scale& b) { return a.log < b.log; });
   const bool alike = beyond(high->log - low->log, std::hypot(high->error, low->error)) < 0;
@@ -110,7 +108,7 @@ void add_scales(const recipe::FilmRecipe& recipe, const FilmResult& r, std::vect
   // Where materials stand for each other their mean is off by what their factors and numbers make it: nothing more to say.
   if (!alike && std::abs(common) < 0.5 * (high->log - low->log)) return;
   const std::string sentence = off_scale(recipe, std::exp(common));
-  if (std::abs(common) > std::log(scale_refused)) throw InputError(sentence + "; no forces are told of such a film");
+  if (std::abs(common) > std::log(scale_refused)) throw InputError(sentence + "; no forces are inferred from such a film");
   doubts.push_back(sentence);
 }
 
@@ -139,35 +137,35 @@ void refuse_constant(const thermography::FrameStatistics& seen, const FilmInfo& 
                                  film.pixels(), seen.frames));
 }
 
-std::string no_load_sentence(const LockinMaps& maps, double frequency, std::string_view told_by) {
-  if (maps.swings_at > 0)
-    return fmt::format("nothing but noise swings at {:.6g} Hz, but the film swings at {:.4g} Hz; if that is the load, give its frequency ({})", frequency,
-                       maps.swings_at, told_by);
+std::string no_load_sentence(const LockinMaps& maps, double frequency, std::string_view given_by) {
+  if (maps.other_frequency > 0)
+    return fmt::format("the film shows only noise at {:.6g} Hz, but an oscillation at {:.4g} Hz; if that is the load, give its frequency ({})", frequency,
+                       maps.other_frequency, given_by);
   if (maps.chance < 0.01)
     return fmt::format(
-        "what swings at {:.6g} Hz has no common phase, as under a load, but is a line of the camera; give the frequency of the load ({}), or a film of "
+        "what the film shows at {:.6g} Hz has no common phase, as under a load, but is a line of the camera; give the frequency of the load ({}), or a film of "
         "a loaded sample",
-        frequency, told_by);
-  return fmt::format("nothing but noise swings at {:.6g} Hz; give the frequency of the load ({}), or a film of a loaded sample", frequency, told_by);
+        frequency, given_by);
+  return fmt::format("the film shows only noise at {:.6g} Hz; give the frequency of the load ({}), or a film of a loaded sample", frequency, given_by);
 }
 
-void refuse_without_load(const LockinMaps& maps, double told_frequency) {
-  if (!thermography::shows_swing(maps)) throw InputError(no_load_sentence(maps, told_frequency, "lockin.frequency"));
+void refuse_without_load(const LockinMaps& maps, double given_frequency) {
+  if (!thermography::shows_load(maps)) throw InputError(no_load_sentence(maps, given_frequency, "lockin.frequency"));
 }
 
-recipe::Recipe read_twin_recipe(const recipe::FilmRecipe& recipe) {
+recipe::Recipe read_companion_recipe(const recipe::FilmRecipe& recipe) {
   const auto file = (std::filesystem::path(recipe.source_file).parent_path() / recipe.simulation->recipe).string();
-  recipe::Recipe twin = recipe::read_recipe(file);
-  twin.source_file = file;
+  recipe::Recipe companion = recipe::read_recipe(file);
+  companion.source_file = file;
   for (const auto& name : {recipe.simulation->low, recipe.simulation->high}) {
     const auto named = [&](const recipe::Stage& stage) { return stage.name == name; };
-    if (std::none_of(twin.stages.begin(), twin.stages.end(), named))
+    if (std::none_of(companion.stages.begin(), companion.stages.end(), named))
       throw InputError(file, 0, fmt::format("has no stage \"{}\", which [simulation] of {} names", name, recipe.source_file));
   }
-  return twin;
+  return companion;
 }
 
-double phase_off(const LockinMaps& maps, double told_cycles) {
+double phase_off(const LockinMaps& maps, double given_cycles) {
   std::vector<double> cosine, sine;
   for (std::size_t p = 0; p < maps.size(); ++p) {
     const auto a = static_cast<double>(maps.amplitude[p]), phase = static_cast<double>(maps.phase[p]);
@@ -176,7 +174,7 @@ double phase_off(const LockinMaps& maps, double told_cycles) {
     sine.push_back(a * std::sin(phase));
   }
   if (cosine.empty()) return 0;
-  return wrapped(thermography::reference_phase(cosine, sine) / (2 * std::numbers::pi) - told_cycles);
+  return wrapped(thermography::reference_phase(cosine, sine) / (2 * std::numbers::pi) - given_cycles);
 }
 
 void refuse_impossible(const recipe::FilmRecipe& recipe, const LockinMaps& maps) {
@@ -186,20 +184,19 @@ void refuse_impossible(const recipe::FilmRecipe& recipe, const LockinMaps& maps)
         fmt::format("its values are about {:.4g}, which are no temperatures of a sample in kelvin: levels of the camera are taken for kelvin; "
                     "choose temperature.from = \"references\", \"curve\" or \"radiometry\", or give the scale of the film",
                     level));
-  const double swing = median_of_finite(maps.amplitude);
-  if (swing > largest_swing)
+  const double amplitude = median_of_finite(maps.amplitude);
+  if (amplitude > largest_amplitude)
     throw InputError(
-        fmt::format("half of its pixels swing by more than {:.3g} K, which no elastic grain does: levels of the camera are taken for kelvin, or "
+        fmt::format("half of its pixels have amplitudes above {:.3g} K, as no elastic grain has: levels of the camera are taken for kelvin, or "
                     "the calibration is wrong; check [temperature]",
-                    swing));
+                    amplitude));
   if (!recipe.lockin.phase) return;
-  const double told = *recipe.lockin.phase / (2 * std::numbers::pi), off = phase_off(maps, told);  // in cycles
+  const double given = *recipe.lockin.phase / (2 * std::numbers::pi), off = phase_off(maps, given);  // in cycles
   if (std::abs(off) > phase_refused)
     throw InputError(fmt::format(
-        "it swings {:.4g} deg {} the phase that lockin.phase = \"{:.4g} deg\" tells ({}); give \"{:.4g} deg\", or leave lockin.phase out to have it found",
-        360 * std::abs(off), off > 0 ? "after" : "before", 360 * told,
-        std::abs(off) > 0.5 - phase_refused ? "half a cycle: it cools where it should warm" : "warming stress swings in phase with its load",
-        360 * wrapped(told + off)));
+        "it warms {:.4g} deg {} the phase that lockin.phase = \"{:.4g} deg\" gives ({}); give \"{:.4g} deg\", or leave lockin.phase out to have it found",
+        360 * std::abs(off), off > 0 ? "after" : "before", 360 * given,
+        std::abs(off) > 0.5 - phase_refused ? "half a cycle: it cools where it should warm" : "warming is in phase with its load", 360 * wrapped(given + off)));
 }
 
 std::vector<std::string> film_doubts(const recipe::FilmRecipe& recipe, const FilmResult& r) {
@@ -208,13 +205,13 @@ std::vector<std::string> film_doubts(const recipe::FilmRecipe& recipe, const Fil
     const double off = phase_off(r.maps, *recipe.lockin.phase / (2 * std::numbers::pi));
     if (std::abs(off) > phase_doubted)
       doubts.push_back(
-          fmt::format("grains swing {:.3g} deg off the phase that lockin.phase tells; check it, and that heat does not diffuse over pixels "
+          fmt::format("grains warm {:.3g} deg off the phase that lockin.phase gives; check it, and that heat does not diffuse over pixels "
                       "within a cycle (`arenite lockin --diffusivity --pixel`)",
                       360 * std::abs(off)));
   }
   if (const Adiabatic heat(recipe.lockin.diffusivity, r.maps.frequency, r.pixel); !heat.holds()) doubts.push_back(heat.sentence());
   if (r.rim_blur > 0 && std::abs(r.rim_blur - recipe.forces.blur) > blur_doubted)
-    doubts.push_back(fmt::format("rims of grains are blurred as by {:.2g} pixels, and forces.blur tells {:.2g}; give what the camera's lens does", r.rim_blur,
+    doubts.push_back(fmt::format("rims of grains are blurred as by {:.2g} pixels, and forces.blur is {:.2g}; give what the camera's lens does", r.rim_blur,
                                  recipe.forces.blur));
   if (r.packing.contacts.size() == 0) return doubts;
   add_scales(recipe, r, doubts);

@@ -4,17 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <optional>
 
 #include "core/error.hpp"
-#include "io/film/film.hpp"
 #include "io/table/table.hpp"
-#include "thermal/thermography/calibration.hpp"
-#include "thermal/thermography/correction.hpp"
-#include "thermal/thermography/frame_statistics.hpp"
-#include "thermal/thermography/segment_sums.hpp"
-#include "workflow/film_checks.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
 
 namespace arenite::workflow {
 namespace {
@@ -28,14 +21,14 @@ std::filesystem::path beside(const recipe::FilmRecipe& recipe, const std::string
   return std::filesystem::path(recipe.source_file).parent_path() / file;
 }
 
-std::optional<FrameStatistics> plate(const recipe::FilmRecipe& recipe, const std::string& file, const FilmInfo& film) {
+std::optional<FrameStatistics> reference(const recipe::FilmRecipe& recipe, const std::string& file, const FilmInfo& film) {
   if (file.empty()) return std::nullopt;
   const auto path = beside(recipe, file);
   const auto source = io::open_film(path, reading_of(recipe));
   if (source->info().width != film.width || source->info().height != film.height)
     throw InputError(path.string(), 0,
-                     fmt::format("has frames of {} x {} pixels, and the film of {} x {}; take the plate with the same camera and window", source->info().width,
-                                 source->info().height, film.width, film.height));
+                     fmt::format("has frames of {} x {} pixels, and the film of {} x {}; film the reference with the same camera and window",
+                                 source->info().width, source->info().height, film.width, film.height));
   auto seen = thermography::frame_statistics(*source, frames_looked_at);
   try {
     refuse_saturated(seen, source->info());
@@ -43,16 +36,16 @@ std::optional<FrameStatistics> plate(const recipe::FilmRecipe& recipe, const std
   return seen;
 }
 
-/// The band that the recipe tells, the film, or none of them.
+/// The band that the recipe gives, the film, or none of them.
 radiometry::Band band_of(const recipe::FilmRecipe& recipe, const FilmInfo& film, std::vector<std::string>& notes) {
   const bool film_says = film.band_low > 0 && film.band_high > film.band_low;
-  const auto& told = recipe.temperature.band;
+  const auto& given = recipe.temperature.band;
   const auto um = [](double low, double high) { return fmt::format("{:.3g} to {:.3g} um", 1e6 * low, 1e6 * high); };
-  if (!told.empty()) {
-    if (film_says && (std::abs(film.band_low / told[0] - 1) > 0.01 || std::abs(film.band_high / told[1] - 1) > 0.01))
-      notes.push_back(
-          fmt::format("the film says that its camera sees {}; {} is taken, as temperature.band says", um(film.band_low, film.band_high), um(told[0], told[1])));
-    return {told[0], told[1]};
+  if (!given.empty()) {
+    if (film_says && (std::abs(film.band_low / given[0] - 1) > 0.01 || std::abs(film.band_high / given[1] - 1) > 0.01))
+      notes.push_back(fmt::format("the film says that its camera sees {}; {} is taken, as temperature.band says", um(film.band_low, film.band_high),
+                                  um(given[0], given[1])));
+    return {given[0], given[1]};
   }
   if (film_says) return {film.band_low, film.band_high};
   const radiometry::Band usual;
@@ -86,9 +79,9 @@ thermography::LevelCurve curve_for(const recipe::FilmRecipe& recipe, const FilmI
   const auto& [band, surface, emissivity] = surfaces;
   switch (recipe.temperature.from) {
     case From::references:
-      return thermography::curve_by_plates(band, {thermography::plate_level(*cold), recipe.correction.cold_temperature},
-                                           {thermography::plate_level(*warm), recipe.correction.warm_temperature}, surface, range_of(film));
-    case From::radiometry: return thermography::curve_by_radiometry(band, {thermography::plate_level(first), surface.ambient}, surface, range_of(film));
+      return thermography::curve_by_references(band, {thermography::reference_level(*cold), recipe.correction.cold_temperature},
+                                               {thermography::reference_level(*warm), recipe.correction.warm_temperature}, surface, range_of(film));
+    case From::radiometry: return thermography::curve_by_radiometry(band, {thermography::reference_level(first), surface.ambient}, surface, range_of(film));
     case From::curve: return read_curve(recipe, film, surfaces);
     case From::film: break;
   }
@@ -114,8 +107,8 @@ void note_doubtful(const FrameStatistics& first, const FilmInfo& film, std::vect
 bool corrects_surfaces(const recipe::FilmRecipe& recipe) {
   const auto& t = recipe.temperature;
   if (t.from != From::film || t.assumed_emissivity) return true;
-  const bool given = std::any_of(recipe.materials.begin(), recipe.materials.end(), [](const auto& m) { return m.emissivity.has_value(); });
-  if (given || t.emissivity || t.ambient || !t.band.empty()) throw InputError(recipe.source_file, 0, fmt::format("temperature: {}", recipe::unread_emissivity));
+  const bool own = std::any_of(recipe.materials.begin(), recipe.materials.end(), [](const auto& m) { return m.emissivity.has_value(); });
+  if (own || t.emissivity || t.ambient || !t.band.empty()) throw InputError(recipe.source_file, 0, fmt::format("temperature: {}", recipe::unread_emissivity));
   return false;
 }
 
@@ -132,7 +125,7 @@ FilmCorrection make_correction(const recipe::FilmRecipe& recipe, FilmSource& fil
   const auto first = thermography::frame_statistics(film, frames_looked_at);
   refuse_saturated(first, info);
   refuse_constant(first, info);
-  const auto cold = plate(recipe, recipe.correction.cold, info), warm = plate(recipe, recipe.correction.warm, info);
+  const auto cold = reference(recipe, recipe.correction.cold, info), warm = reference(recipe, recipe.correction.warm, info);
   FilmCorrection made;
   note_doubtful(first, info, made.notes);
   auto& correction = made.correction;
@@ -151,16 +144,16 @@ FilmCorrection make_correction(const recipe::FilmRecipe& recipe, FilmSource& fil
   return made;
 }
 
-std::optional<thermography::LoadSignal> load_signal_of(const std::filesystem::path& path, const FilmInfo& film, double told,
+std::optional<thermography::LoadSignal> load_signal_of(const std::filesystem::path& path, const FilmInfo& film, double given,
                                                        const std::function<void(const std::string&)>& notice) {
   const auto line = io::lock_in_line(path);
   if (line.empty()) return std::nullopt;
   const auto time = thermography::frame_times(film);
-  const auto signal = thermography::fit_load_signal(time, line, told);
+  const auto signal = thermography::fit_load_signal(time, line, given);
   if (!signal) {
-    notice(fmt::format("the film's lock-in line shows no cycle near {:.6g} Hz; it is left aside", told));
-  } else if (std::abs(signal->frequency - told) > 1 / (time.back() - time.front())) {
-    notice(fmt::format("the film's lock-in line cycles at {:.6g} Hz, and not at the {:.6g} Hz that were told; it is taken", signal->frequency, told));
+    notice(fmt::format("the film's lock-in line shows no cycle near {:.6g} Hz; it is left aside", given));
+  } else if (std::abs(signal->frequency - given) > 1 / (time.back() - time.front())) {
+    notice(fmt::format("the film's lock-in line cycles at {:.6g} Hz, and not at the given {:.6g} Hz; it is taken", signal->frequency, given));
   }
   return signal;
 }

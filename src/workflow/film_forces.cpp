@@ -2,18 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <initializer_list>
 #include <set>
 #include <utility>
-#include <vector>
 
 #include "core/error.hpp"
 #include "core/median.hpp"
 #include "thermal/imaging/proposed_contacts.hpp"
 #include "thermal/inference/contact_forces.hpp"
-#include "thermal/thermography/grain_means.hpp"
-#include "workflow/film_grains.hpp"
+#include "thermal/thermography/grain_motion.hpp"
 
 namespace arenite::workflow {
 namespace {
@@ -39,7 +36,7 @@ Contacts touching_at_either_load(const recipe::FilmRecipe& recipe, const FilmRes
   const imaging::GrainErrors errors{std::vector<double>(r.packing.grains.size(), surface_error * r.pixel), {}};
   Contacts contacts = imaging::propose_contacts(r.packing.grains, r.packing.domain, errors, tolerance);
   const Grains before = in_metres(r.grains, {r.origin, r.pixel});
-  const Contacts opened = imaging::propose_contacts(before, frame_at(recipe, 0), errors, tolerance);
+  const Contacts opened = imaging::propose_contacts(before, container_at(recipe, 0), errors, tolerance);
   std::set<std::pair<std::int32_t, std::int32_t>> known;
   for (std::size_t c = 0; c < contacts.size(); ++c) known.emplace(contacts.i[c], contacts.j[c]);
   for (std::size_t c = 0; c < opened.size(); ++c)
@@ -58,15 +55,15 @@ inference::ForceOptions force_options(const recipe::FilmRecipe& recipe, const Pi
   return options;
 }
 
-inference::SwingPicture picture_of(const FilmResult& r) {
-  inference::SwingPicture picture{r.film.width, r.film.height, r.pixel, r.origin, r.maps.in_phase, r.maps.standard_error};
-  const float to_full = r.maps.convention == SwingConvention::full ? 1 : 2;
+inference::ThermoelasticPicture picture_of(const FilmResult& r) {
+  inference::ThermoelasticPicture picture{r.film.width, r.film.height, r.pixel, r.origin, r.maps.in_phase, r.maps.standard_error};
+  const auto to_full = static_cast<float>(to_peak_to_peak(r.maps.convention));
   for (auto* values : {&picture.value, &picture.error})
     for (float& v : *values) v *= to_full;
   return picture;
 }
 
-constexpr const char* nothing_presses = "no contact between grains swings with the load; check lockin.phase, the places of the grains and the film";
+constexpr const char* nothing_presses = "no contact between grains is pressed as the load rises; check lockin.phase, the places of the grains and the film";
 
 /// Those contacts of the packing that are wanted, with their forces; `also` is thinned out likewise.
 void keep(Contacts& contacts, const std::vector<std::uint8_t>& wanted, std::initializer_list<std::vector<double>*> also) {
@@ -88,8 +85,8 @@ double load_on(int side, const Contacts& contacts) {
   return sum;
 }
 
-/// What the forces say of the load that they are not told, and of the factors that they are told.
-void hold_against_load(inference::ForceProblem problem, const inference::SwingPicture& picture, inference::ForceOptions options, ForceFit& fit) {
+/// The load by forces that are inferred without it, and the factors that fit the film.
+void hold_against_load(inference::ForceProblem problem, const inference::ThermoelasticPicture& picture, inference::ForceOptions options, ForceFit& fit) {
   options.inequality = inference::Inequality::none;
   const auto walls = std::exchange(problem.walls, {});
   if (!walls.empty()) fit.load = load_on(walls.front().side, inference::infer_from_pixels(problem, picture, options).contacts);
@@ -112,7 +109,7 @@ void infer_film_forces(const recipe::FilmRecipe& recipe, FilmResult& r) {
   options.widest_gap = widest_gap(r.pixel);
   const auto infer = [&](const inference::ForceOptions& o) {
     return recipe.forces.from == From::pixels ? inference::infer_from_pixels(problem, picture_of(r), o)
-                                              : inference::infer_from_means(problem, r.swing.sigma_hyd, r.swing.error, o);
+                                              : inference::infer_from_means(problem, r.peak_to_peak.sigma_hyd, r.peak_to_peak.error, o);
   };
   // Contacts that carry nothing only take from the others' accuracy; those that opened on the way lost a force.
   // They are told apart before a cone bends their forces.
@@ -138,20 +135,20 @@ void infer_film_forces(const recipe::FilmRecipe& recipe, FilmResult& r) {
   r.packing.contacts = std::move(kept.contacts);
   r.fn_error = std::move(kept.fn_error);
   r.ft_error = std::move(kept.ft_error);
-  // From here on the film's contacts are those that are there: one set for all that is told of it.
+  // From here on the film's contacts are those that are there: one set for all that is reported of it.
   keep(r.packing.contacts, present, {&r.fn_error, &r.ft_error, &r.presence});
 }
 
-void add_blur_error(GrainSwing& swing, const GrainSwing& wider, double step, double blur_error) {
-  for (std::size_t i = 0; i < swing.size(); ++i) {
-    const double slope = (wider.sigma_hyd[i] - swing.sigma_hyd[i]) / step;
-    if (std::isfinite(slope)) swing.error[i] = std::hypot(swing.error[i], slope * blur_error);
+void add_blur_error(PeakToPeak& change, const PeakToPeak& wider, double step, double blur_error) {
+  for (std::size_t i = 0; i < change.size(); ++i) {
+    const double slope = (wider.sigma_hyd[i] - change.sigma_hyd[i]) / step;
+    if (std::isfinite(slope)) change.error[i] = std::hypot(change.error[i], slope * blur_error);
   }
 }
 
 void add_fit_error(FilmResult& r, const PictureGrains& shown, double share) {
   if (r.fit.picture.empty()) return;
-  const double to_full = r.maps.convention == SwingConvention::full ? 1 : 2;
+  const double to_full = to_peak_to_peak(r.maps.convention);
   const std::size_t materials = r.packing.materials.size();
   std::vector<double> difference(shown.size(), std::nan(""));
   std::vector<std::vector<double>> of(materials);
@@ -169,7 +166,8 @@ void add_fit_error(FilmResult& r, const PictureGrains& shown, double share) {
   std::vector<double> common;
   for (auto& values : of) common.push_back(median(std::move(values)) / median_of_normal_size);
   for (std::size_t i = 0; i < shown.size(); ++i)
-    if (std::isfinite(difference[i])) r.swing.error[i] = std::hypot(r.swing.error[i], common[static_cast<std::size_t>(shown.material[i])], 0.5 * difference[i]);
+    if (std::isfinite(difference[i]))
+      r.peak_to_peak.error[i] = std::hypot(r.peak_to_peak.error[i], common[static_cast<std::size_t>(shown.material[i])], 0.5 * difference[i]);
 }
 
 }  // namespace arenite::workflow

@@ -1,4 +1,4 @@
-#include "workflow/film_grains.hpp"
+#include "workflow/measure_film.hpp"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ FilmPlace place_of(const recipe::FilmRecipe& recipe, const FilmInfo& film) {
   return {{-left_edge * pixel, recipe.container.height + top_edge * pixel}, pixel};
 }
 
-Domain frame_at(const recipe::FilmRecipe& recipe, double share) {
+Domain container_at(const recipe::FilmRecipe& recipe, double share) {
   Domain domain;
   domain.thickness = recipe.container.thickness;
   domain.wall[right].position = recipe.container.width;
@@ -63,7 +63,7 @@ void keep(PictureGrains& grains, const std::vector<std::uint8_t>& kept) {
     if (!values->empty()) filter(*values);
 }
 
-/// Screws and edges of the frame look round, too.
+/// Screws and edges of the container look round, too.
 void keep_inside(const recipe::FilmRecipe& recipe, const FilmPlace& place, PictureGrains& grains) {
   std::vector<std::uint8_t> kept;
   for (std::size_t i = 0; i < grains.size(); ++i) {
@@ -120,7 +120,7 @@ void refuse_overlapping(const std::string& file, const Grains& grains) {
 
 PictureGrains read_list(const recipe::FilmRecipe& recipe, const FilmPlace& place) {
   const auto file = std::filesystem::path(recipe.source_file).parent_path() / recipe.picture.grains;
-  const Grains read = io::read_placed_grains(file, materials_of(recipe), frame_at(recipe, 0));
+  const Grains read = io::read_placed_grains(file, materials_of(recipe), container_at(recipe, 0));
   if (read.size() == 0) throw InputError(file.string(), 0, "lists no grains; give every grain a row");
   refuse_overlapping(file.string(), read);
   PictureGrains grains;
@@ -134,7 +134,7 @@ PictureGrains read_list(const recipe::FilmRecipe& recipe, const FilmPlace& place
   return grains;
 }
 
-/// Grains in a frame fill three quarters of it and more; less speaks of grains that were not found.
+/// Grains in a container fill three quarters of it and more; less means that grains were not found.
 void warn_of_gaps(const recipe::FilmRecipe& recipe, const FilmPlace& place, const PictureGrains& grains, std::vector<std::string>& notes) {
   constexpr double loose = 0.65;
   double area = 0;

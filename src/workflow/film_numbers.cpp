@@ -4,10 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/error.hpp"
 #include "core/median.hpp"
-#include "grains/texture/texture.hpp"
-#include "statistics/correlation.hpp"
-#include "statistics/numbers.hpp"
 
 namespace arenite::workflow {
 namespace {
@@ -35,7 +33,7 @@ Numbers film_of(const FilmResult& r) {
 
 Numbers lockin_of(const FilmResult& r) {
   const LockinMaps& m = r.maps;
-  Numbers j{{"swing", m.convention == SwingConvention::full ? "full" : "half"}, {"frames", m.frames}};
+  Numbers j{{"convention", name_of(m.convention)}, {"frames", m.frames}};
   put(j, "frequency_Hz", Estimate{m.frequency, m.frequency_error});
   put(j, "reference_phase_deg", m.reference_phase * 180 / std::numbers::pi);
   put(j, "standard_error_K", median_of_finite(m.standard_error));
@@ -105,10 +103,10 @@ Numbers checks_of(const FilmResult& r) {
   return j;
 }
 
-Numbers agreement_of(const FilmResult& r, const std::vector<double>& twin, const std::vector<std::uint8_t>& considered) {
+Numbers agreement_of(const FilmResult& r, const std::vector<double>& simulation, const std::vector<std::uint8_t>& considered) {
   Numbers j = Numbers::tree();
   const auto add = [&](const std::string& name, const std::vector<std::uint8_t>& counts) {
-    const Agreement a = agreement(r.swing.sigma_hyd, twin, counts);
+    const Agreement a = agreement(r.peak_to_peak.sigma_hyd, simulation, counts);
     if (a.grains < 3) return;
     j[name] = {{"grains", a.grains}, {"correlation", a.correlation}, {"rms_sigma_norm", a.rms_sigma_norm}, {"slope", a.slope}};
   };
@@ -121,16 +119,57 @@ Numbers agreement_of(const FilmResult& r, const std::vector<double>& twin, const
   return j;
 }
 
+/// Grains with a finite stress in every source.
+std::vector<std::int32_t> known_in_all(const std::vector<GrainStresses>& sources, std::size_t grains) {
+  std::vector<std::int32_t> known;
+  for (std::size_t g = 0; g < grains; ++g)
+    if (std::all_of(sources.begin(), sources.end(), [&](const GrainStresses& s) { return std::isfinite(s.sigma_hyd[g]); }))
+      known.push_back(static_cast<std::int32_t>(g));
+  return known;
+}
+
+texture::Texture measured(const Packing& packing, texture::Options options) {
+  options.rev_sizes = options.rev_places = 1;  // the packing's own tab shows these
+  auto texture = texture::measure(packing, options);
+  if (texture.considered_grains > 0 || options.border == 0) return texture;
+  options.border = 0;
+  return texture::measure(packing, options);
+}
+
+/// Fills in what follows from sigma_hyd of the known grains, and which of them count.
+void normalise(GrainStresses& source, const Packing& packing, const std::vector<std::int32_t>& known, texture::Options options,
+               std::vector<std::uint8_t>& considered) {
+  options.grain_sigma_hyd.clear();
+  for (const std::int32_t g : known) options.grain_sigma_hyd.push_back(source.sigma_hyd[g]);
+  source.sigma_hyd.assign(source.sigma_hyd.size(), statistics::unknown);
+  source.sigma_norm = source.sigma_hyd;
+  source.statistics = Numbers::tree();
+  if (known.empty()) return;
+  const texture::Texture texture = measured(packing, options);
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    const auto g = static_cast<std::size_t>(known[k]);
+    source.sigma_hyd[g] = options.grain_sigma_hyd[k];
+    source.sigma_norm[g] = texture.per_grain.sigma_norm[k];
+    considered[g] = texture.per_grain.considered[k];
+    if (considered[g]) sum += source.sigma_hyd[g], ++count;
+  }
+  if (count > 0) source.mean = sum / static_cast<double>(count);
+  const Numbers numbers = texture::numbers(texture, true);
+  if (numbers.contains("sigma_norm")) source.statistics = numbers["sigma_norm"];
+}
+
 }  // namespace
 
-Numbers film_directions(const FilmResult& film, const Packing* twin) {
+Numbers film_directions(const FilmResult& film, const Packing* simulation) {
   Numbers out = Numbers::tree();
   const auto add = [&](const char* name, const Packing& packing) {
     if (Numbers directions = directions_of(packing); directions.value("contacts", 0) > 0) out[name] = std::move(directions);
   };
   if (film.packing.contacts.size() == 0) return out;
   add("film", film.packing);
-  if (twin) add("twin", *twin);
+  if (simulation) add("simulation", *simulation);
   return out;
 }
 
@@ -141,9 +180,7 @@ Agreement agreement(const std::vector<double>& one, const std::vector<double>& o
     a.push_back(one[i]);
     b.push_back(other[i]);
   }
-  Agreement result;
-  result.grains = a.size();
-  if (a.size() < 2) return result;
+  if (a.size() < 2) return {a.size()};
   double mean_a = 0, mean_b = 0, ab = 0, bb = 0, square = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     mean_a += a[i] / static_cast<double>(a.size());
@@ -152,23 +189,58 @@ Agreement agreement(const std::vector<double>& one, const std::vector<double>& o
     bb += b[i] * b[i];
   }
   for (std::size_t i = 0; i < a.size(); ++i) square += std::pow(a[i] / mean_a - b[i] / mean_b, 2);
-  result.correlation = statistics::pearson(a, b);
-  result.rms_sigma_norm = std::sqrt(square / static_cast<double>(a.size()));
-  result.slope = ab / bb;
-  return result;
+  return {a.size(), statistics::pearson(a, b), std::sqrt(square / static_cast<double>(a.size())), ab / bb};
 }
 
-Numbers film_numbers(const FilmResult& r, const Packing* twin) {
+Numbers film_numbers(const FilmResult& r, const Packing* simulation) {
   Numbers j{{"film", film_of(r)}, {"lockin", lockin_of(r)}, {"grains", grains_of(r)}, {"motion", motion_of(r)}, {"forces", forces_of(r)}};
   if (r.fit.proposed > 0) j["checks"] = checks_of(r);
-  if (auto directions = film_directions(r, twin); !directions.empty()) j["directions"] = std::move(directions);
-  if (r.swing.size() == 0) return j;
-  const auto texture = texture::measure(r.packing, {.rev_sizes = 0, .grain_sigma_hyd = r.swing.sigma_hyd});
+  if (auto directions = film_directions(r, simulation); !directions.empty()) j["directions"] = std::move(directions);
+  if (r.peak_to_peak.size() == 0) return j;
+  const auto texture = texture::measure(r.packing, {.rev_sizes = 0, .grain_sigma_hyd = r.peak_to_peak.sigma_hyd});
   j["texture"] = texture::numbers(texture);
-  if (!r.twin.empty())
-    j["twin"] = {{"swing", agreement_of(r, r.twin.swing, texture.per_grain.considered)},
-                 {"state", agreement_of(r, r.twin.state, texture.per_grain.considered)}};
+  if (!r.simulation.empty())
+    j["simulation"] = {{"peak_to_peak", agreement_of(r, r.simulation.peak_to_peak, texture.per_grain.considered)},
+                       {"state", agreement_of(r, r.simulation.state, texture.per_grain.considered)}};
   return j;
+}
+
+FilmStresses film_stresses(const FilmResult& result, const texture::Options& options) {
+  FilmStresses out;
+  const std::size_t grains = result.packing.grains.size();
+  const auto add = [&](const char* name, const std::vector<double>& values) {
+    if (grains > 0 && values.size() == grains) out.sources.push_back({name, values, {}, statistics::unknown, {}});
+  };
+  add("film", result.peak_to_peak.sigma_hyd);
+  add("simulation_peak_to_peak", result.simulation.peak_to_peak);
+  add("simulation_state", result.simulation.state);
+  if (out.sources.empty()) return out;
+  const auto known = known_in_all(out.sources, grains);
+  const Packing packing{result.packing.materials, result.packing.domain, picked(result.packing.grains, known), {}, {}};  // without contacts and bonds
+  out.considered.assign(grains, 0);
+  for (GrainStresses& source : out.sources) normalise(source, packing, known, options, out.considered);
+  return out;
+}
+
+std::vector<StressRelation> stress_relations(const Packing& packing, const GrainStresses& film, const GrainStresses& simulation) {
+  std::vector<StressRelation> all;
+  const auto add = [&](const std::string& name, int material) {
+    std::vector<double> x, y;
+    double squares = 0, squares_norm = 0;
+    for (std::size_t g = 0; g < film.sigma_hyd.size(); ++g) {
+      if ((material >= 0 && packing.grains.material[g] != material) || !std::isfinite(film.sigma_hyd[g]) || !std::isfinite(simulation.sigma_hyd[g])) continue;
+      x.push_back(simulation.sigma_hyd[g]);
+      y.push_back(film.sigma_hyd[g]);
+      squares += std::pow(film.sigma_hyd[g] - simulation.sigma_hyd[g], 2);
+      squares_norm += std::pow(film.sigma_norm[g] - simulation.sigma_norm[g], 2);
+    }
+    const auto count = static_cast<double>(x.size());
+    if (x.size() >= 3) all.push_back({name, statistics::relate(x, y), std::sqrt(squares / count), std::sqrt(squares_norm / count)});
+  };
+  add("all", -1);
+  if (packing.materials.size() > 1)
+    for (std::size_t m = 0; m < packing.materials.size(); ++m) add(packing.materials[m].name, static_cast<int>(m));
+  return all;
 }
 
 }  // namespace arenite::workflow

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/table/table.hpp"
+#include "model/film.hpp"
 #include "thermal/identify/curve.hpp"
 #include "thermal/identify/factor.hpp"
 #include "thermal/identify/findings.hpp"
@@ -36,12 +37,11 @@ struct AdhesionRequest {
 /// (columns displacement or time, force) or tables of separation forces, one a row or a column a group.
 identify::Identification identify_adhesion(const std::string& file, const AdhesionRequest& request);
 
-enum class Swing { full, half };
-
 struct FactorRequest {
   std::optional<double> section;                       ///< of the specimen, m^2, where the file gives forces
   std::optional<statistics::Measured> young, poisson;  ///< where it gives strains
-  Swing temperature_swing = Swing::full, stress_swing = Swing::full;
+  /// How the file gives temperatures and signals, and stresses, forces and strains.
+  AmplitudeConvention temperature = AmplitudeConvention::peak_to_peak, load = AmplitudeConvention::peak_to_peak;
   bool through_origin = false;
   std::optional<identify::Detector> detector;  ///< for the constant of a raw signal
   std::string stated;
@@ -66,7 +66,7 @@ struct RowGroup {
 /// Rows by the column group, material, glue or diameter; one group without a name where there is none.
 std::vector<RowGroup> groups_of(const io::LaboratoryTable& table);
 
-/// What tells tests of a group apart: columns curve, specimen, test, load, repeat or cycle other than `taken`; "load_kN -3, repeat 1".
+/// The tests of a group by what tells them apart: columns curve, specimen, test, load, repeat or cycle other than `taken`; "load_kN -3, repeat 1".
 std::vector<RowGroup> tests_of(const io::LaboratoryTable& table, const RowGroup& group, std::optional<std::size_t> taken = {});
 
 /// The columns of numbers of a table that has labels in its first column and a group in every other; empty if it is no such table.
@@ -82,10 +82,11 @@ struct TestGroup {
 };
 /// What is said of a value that is not above 0.
 using Refusal = std::function<std::string(const std::string& group, const std::string& test, double value)>;
-/// Values that a table tells, by group: one a row, or a column a group. A table of neither kind is refused by what it `needs`.
-std::vector<TestGroup> told_tests(io::LaboratoryTable& table, const io::Quantity& quantity, const std::string& needs, const Refusal& refusal);
+/// Values that a table holds, by group: one a row, or a column a group. A table of neither kind is refused by what it `needs`.
+std::vector<TestGroup> tabulated_tests(io::LaboratoryTable& table, const io::Quantity& quantity, const std::string& needs, const Refusal& refusal);
 
-/// Puts what `file` states beside the findings of the same name: its first column names a group, or "all".
-void compare_with_stated(const std::string& file, identify::Identification& found);
+/// Adds the table's notes to what was found, and puts what the file `stated` (or none) says beside the findings of the same name: its first column
+/// names a group, or "all".
+identify::Identification finished(identify::Identification found, const io::LaboratoryTable& table, const std::string& stated);
 
 }  // namespace arenite::workflow

@@ -17,8 +17,7 @@ constexpr double kN_per_mm = 1e6;
 const io::Quantity stiffness_quantity{{"stiffness", "k"}, dimension::stiffness, "kN/mm"};
 constexpr const char* needs_of_stiffness =
     "has no columns for a stiffness; give displacement and force (a record), or stiffness (a table), or a table with the load or specimen in its first column "
-    "and the "
-    "stiffnesses of one group in each other";
+    "and the stiffnesses of one group in each other";
 
 using Tests = decltype(TestGroup::tests);
 
@@ -84,14 +83,12 @@ Identification identify_stiffness(const std::string& file, const StiffnessReques
     if (worst_r2 < 0.99)
       found.notes.push_back(fmt::format("the records are not straight (least R^2 {:.3f}): k is the mean slope between preload and peak", worst_r2));
   } else {
-    groups = told_tests(table, stiffness_quantity, needs_of_stiffness,
-                        [](const auto&, const auto&, double value) { return fmt::format("the stiffness is {:.4g} N/m; it must be above 0", value); });
+    groups = tabulated_tests(table, stiffness_quantity, needs_of_stiffness,
+                             [](const auto&, const auto&, double value) { return fmt::format("the stiffness is {:.4g} N/m; it must be above 0", value); });
   }
   for (const auto& [name, tests] : groups) found.groups.push_back(group_of(name, tests, [&](const Measured& k) { return findings_of(k, request); }));
   add_all(found, groups, request);
-  found.notes.insert(found.notes.end(), table.notes().begin(), table.notes().end());
-  compare_with_stated(request.stated, found);
-  return found;
+  return finished(std::move(found), table, request.stated);
 }
 
 namespace {
@@ -99,8 +96,7 @@ namespace {
 const io::Quantity separation_quantity{{"separation_force", "mean_separation_force", "pull_off_force"}, dimension::force, ""};
 constexpr const char* needs_of_adhesion =
     "has no columns for an adhesion; give displacement (or time) and force (a record), or separation_force (a table), or a table with the specimen in its "
-    "first column and the "
-    "separation forces of one glue in each other";
+    "first column and the separation forces of one glue in each other";
 constexpr double no_trace = 50;  // k/gamma above which cohesion does not show in the mechanics (T 2.4.3)
 
 std::vector<Finding> findings_of(const Measured& force, const AdhesionRequest& request) {
@@ -152,13 +148,11 @@ Identification identify_adhesion(const std::string& file, const AdhesionRequest&
     const auto refusal = [](const std::string& group, const std::string& test, double value) {
       return fmt::format("{}{}{}: the separation force is {:.4g} N; write tension as a positive force", group, test.empty() ? "" : ", ", test, value);
     };
-    for (const auto& group : told_tests(table, separation_quantity, needs_of_adhesion, refusal)) add_group(found, group.name, group.tests, request);
+    for (const auto& group : tabulated_tests(table, separation_quantity, needs_of_adhesion, refusal)) add_group(found, group.name, group.tests, request);
   }
   if (!request.stiffness || !request.radii)
     found.notes.push_back("the surface energy needs the stiffness of the pair and the radii: --k \"27.35 kN/mm\" --radius \"6.2 mm\"");
-  found.notes.insert(found.notes.end(), table.notes().begin(), table.notes().end());
-  compare_with_stated(request.stated, found);
-  return found;
+  return finished(std::move(found), table, request.stated);
 }
 
 }  // namespace arenite::workflow

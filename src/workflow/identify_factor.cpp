@@ -17,32 +17,33 @@ using statistics::Measured;
 using Column = std::vector<double>;
 
 constexpr double K_per_MPa = 1e-6;
-const Quantity stress_quantity{{"stress", "sigma", "stress_swing", "stress_amplitude"}, dimension::pressure, ""};
-const Quantity force_quantity{{"force", "f", "force_swing", "force_amplitude"}, dimension::force, ""};
+const Quantity stress_quantity{{"stress", "sigma", "stress_peak_to_peak", "stress_amplitude", "stress_swing"}, dimension::pressure, ""};
+const Quantity force_quantity{{"force", "f", "force_peak_to_peak", "force_amplitude", "force_swing"}, dimension::force, ""};
 const Quantity force_max_quantity{{"force_max", "f_max", "max_force"}, dimension::force, ""},
     force_min_quantity{{"force_min", "f_min", "min_force"}, dimension::force, ""};
 const Quantity section_quantity{{"section", "area"}, dimension::area, ""};
 const Quantity strain_quantity{{"strain", "eps"}, dimension::none, ""};
 const Quantity first_strain_quantity{{"strain_1", "strain_x"}, dimension::none, ""}, second_strain_quantity{{"strain_2", "strain_y"}, dimension::none, ""};
 const Quantity temperature_quantity{
-    {"temperature", "dt", "temperature_swing", "temperature_amplitude"}, dimension::temperature, "", Quantity::Kind::difference};
+    {"temperature", "dt", "temperature_peak_to_peak", "temperature_amplitude", "temperature_swing"}, dimension::temperature, "", Quantity::Kind::difference};
 const Quantity signal_quantity{{"signal", "s"}, dimension::none, ""};
 constexpr const char* needs =
     "has no columns for a factor; give a cause (stress, or force_min and force_max, or strain) beside a response (temperature or signal), or the properties "
-    "alpha, "
-    "temperature, density and heat_capacity";
+    "alpha, temperature, density and heat_capacity";
+
+const char* words_of(AmplitudeConvention convention) { return convention == AmplitudeConvention::peak_to_peak ? "peak-to-peak values" : "amplitudes"; }
 
 void scale(Column& values, double factor) {
   for (double& v : values) v *= factor;
 }
 
-/// Stress swings in the convention asked for, empty where the file has neither stresses nor forces.
+/// Peak-to-peak stresses, empty where the file has neither stresses nor forces.
 Column stresses(io::LaboratoryTable& table, const FactorRequest& request, std::string& way) {
-  const double swing = request.stress_swing == Swing::half ? 2 : 1;
+  const double to_full = to_peak_to_peak(request.load);
   if (const auto column = table.find(stress_quantity)) {
     way = "stress";
     Column stress = table.values(*column, stress_quantity);
-    scale(stress, swing);
+    scale(stress, to_full);
     return stress;
   }
   Column force;
@@ -54,7 +55,7 @@ Column stresses(io::LaboratoryTable& table, const FactorRequest& request, std::s
   } else if (const auto column = table.find(force_quantity)) {
     way = "force/section";
     force = table.values(*column, force_quantity);
-    scale(force, swing);
+    scale(force, to_full);
   } else {
     return {};
   }
@@ -70,7 +71,7 @@ Column stresses(io::LaboratoryTable& table, const FactorRequest& request, std::s
   return force;
 }
 
-/// Swings of the sum of both in-plane strains, or empty.
+/// Peak-to-peak sums of both in-plane strains, or empty.
 Column strains(io::LaboratoryTable& table, const FactorRequest& request) {
   Column strain;
   if (const auto column = table.find(strain_quantity)) {
@@ -85,7 +86,7 @@ Column strains(io::LaboratoryTable& table, const FactorRequest& request) {
   if (!request.young || !request.poisson)
     throw InputError(table.file(), table.header_line(),
                      "strains need the modulus and Poisson's ratio of the specimen; give --young \"2.8 +- 0.1 GPa\" --poisson \"0.35 +- 0.02\"");
-  scale(strain, request.stress_swing == Swing::half ? 2 : 1);
+  scale(strain, to_peak_to_peak(request.load));
   return strain;
 }
 
@@ -209,18 +210,16 @@ Identification identify_factor(const std::string& file, const FactorRequest& req
     Column temperature, signal;
     if (temperature_column) temperature = table.values(*temperature_column, temperature_quantity);
     if (signal_column) signal = table.values(*signal_column, signal_quantity);
-    const double swing = request.temperature_swing == Swing::half ? 2 : 1;
-    scale(temperature, swing), scale(signal, swing);
+    const double to_full = to_peak_to_peak(request.temperature);
+    scale(temperature, to_full), scale(signal, to_full);
     for (const auto& group : groups_of(table)) put_group(table, group, causes, temperature, signal, request, found);
     if (!causes.stress.empty()) found.notes.push_back("the stress is " + way);
     found.notes.push_back(
-        fmt::format("responses are taken as {} swings, loads as {} swings; the factor is that of full swings (maximum minus minimum) on both sides, as the "
-                    "thesis's: say --temperature-swing half for the amplitudes of a sine",
-                    request.temperature_swing == Swing::half ? "half" : "full", request.stress_swing == Swing::half ? "half" : "full"));
+        fmt::format("responses are taken as {}, loads as {}; the factor is that of peak-to-peak values (maximum minus minimum) on both sides, as the "
+                    "thesis's: say --temperature-convention amplitude for the amplitudes of a sine",
+                    words_of(request.temperature), words_of(request.load)));
   }
-  found.notes.insert(found.notes.end(), table.notes().begin(), table.notes().end());
-  compare_with_stated(request.stated, found);
-  return found;
+  return finished(std::move(found), table, request.stated);
 }
 
 }  // namespace arenite::workflow

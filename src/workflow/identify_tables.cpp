@@ -79,7 +79,7 @@ identify::Curve curve_of(const io::LaboratoryTable& table, const RowGroup& test,
   return curve;
 }
 
-std::vector<TestGroup> told_tests(io::LaboratoryTable& table, const io::Quantity& quantity, const std::string& needs, const Refusal& refusal) {
+std::vector<TestGroup> tabulated_tests(io::LaboratoryTable& table, const io::Quantity& quantity, const std::string& needs, const Refusal& refusal) {
   std::vector<TestGroup> groups;
   const auto add = [&](TestGroup& group, const std::string& test, std::size_t row, double value) {
     if (!(value > 0)) throw InputError(table.file(), table.line(row), refusal(group.name, test, value));
@@ -108,8 +108,9 @@ std::vector<TestGroup> told_tests(io::LaboratoryTable& table, const io::Quantity
   return groups;
 }
 
-void compare_with_stated(const std::string& file, identify::Identification& found) {
-  if (file.empty()) return;
+identify::Identification finished(identify::Identification found, const io::LaboratoryTable& source, const std::string& file) {
+  found.notes.insert(found.notes.end(), source.notes().begin(), source.notes().end());
+  if (file.empty()) return found;
   io::LaboratoryTable table(file);
   std::vector<identify::Group*> groups;
   for (auto& group : found.groups) groups.push_back(&group);
@@ -142,6 +143,7 @@ void compare_with_stated(const std::string& file, identify::Identification& foun
         file, table.line(row),
         fmt::format("\"{}\" is none of the groups of {}; {}", name, found.file, near.empty() ? "name them alike" : fmt::format("did you mean \"{}\"?", near)));
   }
+  return found;
 }
 
 }  // namespace arenite::workflow

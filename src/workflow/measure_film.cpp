@@ -7,20 +7,15 @@
 #include <limits>
 #include <numbers>
 
-#include "thermal/thermography/grain_means.hpp"
 #include "thermal/thermography/grain_motion.hpp"
-#include "thermal/thermography/grain_scene.hpp"
-#include "thermal/thermography/lockin.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
-#include "workflow/film_checks.hpp"
-#include "workflow/film_grains.hpp"
 
 namespace arenite::workflow {
 namespace {
 
-class Road {
+class Measurement {
  public:
-  Road(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& source)
+  Measurement(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& source)
       : recipe_(recipe),
         options_(options),
         source_(source),
@@ -48,12 +43,12 @@ class Road {
       options_.progress({stage, 5, name, share, 0, 0, false, false});
       return !options_.asked_to_stop();
     };
-    const auto& told = recipe_.lockin;
-    return {.frequency = told.frequency,
-            .drift_order = static_cast<int>(told.drift),
-            .harmonics = static_cast<int>(told.harmonics),
-            .convention = SwingConvention::full,
-            .reference_phase = told.phase,
+    const auto& given = recipe_.lockin;
+    return {.frequency = given.frequency,
+            .drift_order = static_cast<int>(given.drift),
+            .harmonics = static_cast<int>(given.harmonics),
+            .convention = AmplitudeConvention::peak_to_peak,
+            .reference_phase = given.phase,
             .threads = options_.threads,
             .progress = progress};
   }
@@ -94,8 +89,8 @@ class Road {
     return true;
   }
 
-  /// Fits the grains' motion and locks in where they are. Grains are found at the smallest load; in the middle of the swing they are half their
-  /// travel further. What swings most is the load at its largest: contacts are as they are then, so the maps show the grains there.
+  /// Fits the grains' motion and locks in where they are. Grains are found at the smallest load; in the middle of the cycle they are half their
+  /// travel further. The largest amplitude is that of the largest load: contacts are as they are then, so the maps show the grains there.
   void follow(const thermography::PhasePictures& pictures, FilmResult& r) {
     const double largest = r.maps.reference_phase;
     PictureGrains middle = r.grains;
@@ -126,15 +121,16 @@ class Road {
     for (std::size_t i = 0; i < r.motion.size(); ++i)
       if (!uncertain.position_error.empty() && std::isfinite(r.motion.error[i]))
         uncertain.position_error[i] = std::hypot(uncertain.position_error[i], 2 * r.motion.error[i]);
-    r.swing = thermography::grain_means(r.maps, uncertain, means);
+    r.peak_to_peak = thermography::grain_means(r.maps, uncertain, means);
     if (wider_.size() > 0) {
-      constexpr double least = 0.05;  // what rims tell of the blur at best
-      add_blur_error(r.swing, thermography::grain_means(wider_, uncertain, means), blur_step, std::max(least, std::abs(r.rim_blur - recipe_.forces.blur)));
+      constexpr double least = 0.05;  // what rims show of the blur at best
+      add_blur_error(r.peak_to_peak, thermography::grain_means(wider_, uncertain, means), blur_step,
+                     std::max(least, std::abs(r.rim_blur - recipe_.forces.blur)));
     }
     forget_lost(r);
     r.packing.materials = materials_of(recipe_);
     r.packing.grains = in_metres(loaded_, place_);
-    r.packing.domain = frame_at(recipe_, recipe_.lockin.motion ? 1 : 0);
+    r.packing.domain = container_at(recipe_, recipe_.lockin.motion ? 1 : 0);
     infer_film_forces(recipe_, r);
     add_fit_error(r, loaded_, recipe_.forces.central_share);
     r.doubts = film_doubts(recipe_, r);
@@ -148,8 +144,8 @@ class Road {
     const auto lost = thermography::lost_grains(r.motion);
     for (std::size_t i = 0; i < lost.size(); ++i) {
       if (!lost[i]) continue;
-      r.swing.temperature[i] = r.swing.sigma_hyd[i] = std::numeric_limits<double>::quiet_NaN();
-      r.swing.error[i] = std::numeric_limits<double>::infinity();
+      r.peak_to_peak.temperature[i] = r.peak_to_peak.sigma_hyd[i] = std::numeric_limits<double>::quiet_NaN();
+      r.peak_to_peak.error[i] = std::numeric_limits<double>::infinity();
     }
     if (const auto count = std::count(lost.begin(), lost.end(), 1); count > 0)
       options_.notice(fmt::format("{} of {} grains move in a way that the film does not show well enough; their stress is left unknown", count, lost.size()));
@@ -167,7 +163,7 @@ class Road {
 }  // namespace
 
 bool measure_film(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& film, FilmResult& result) {
-  return Road(recipe, options, film).run(result);
+  return Measurement(recipe, options, film).run(result);
 }
 
 }  // namespace arenite::workflow

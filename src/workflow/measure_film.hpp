@@ -4,15 +4,21 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/vec.hpp"
 #include "io/film/film.hpp"
+#include "io/image/image.hpp"
 #include "model/film.hpp"
 #include "model/film_result.hpp"
+#include "model/image.hpp"
+#include "model/packing.hpp"
 #include "recipe/film_recipe.hpp"
-#include "thermal/thermography/calibration.hpp"
+#include "recipe/recipe.hpp"
+#include "thermal/imaging/circles.hpp"
 #include "thermal/thermography/correction.hpp"
-#include "thermal/thermography/load_signal.hpp"
+#include "thermal/thermography/lockin.hpp"
 #include "workflow/run_film.hpp"
 
 namespace arenite::workflow {
@@ -26,16 +32,16 @@ struct FilmCorrection {
   std::vector<std::string> notes;        ///< what a user should know: constant or saturated pixels
 };
 
-/// How the film and its plates are to be read, where the recipe says it.
+/// How the film and its references are to be read, where the recipe says it.
 io::FilmChoice reading_of(const recipe::FilmRecipe& recipe);
 
-/// Reads plates and curve, and looks at the film's first frames for bad pixels. Throws InputError for plates of another size
+/// Reads references and curve, and looks at the film's first frames for bad pixels. Throws InputError for references of another size
 /// and films that do not hold what [temperature] says.
 FilmCorrection make_correction(const recipe::FilmRecipe& recipe, FilmSource& film);
 
 /// The load's cycle from the lock-in line of a .ptw film; nothing for films without. `notice` is called where the line shows no cycle near the
-/// frequency that was told, or another one.
-std::optional<thermography::LoadSignal> load_signal_of(const std::filesystem::path& path, const FilmInfo& film, double told,
+/// given frequency, or another one.
+std::optional<thermography::LoadSignal> load_signal_of(const std::filesystem::path& path, const FilmInfo& film, double given,
                                                        const std::function<void(const std::string&)>& notice);
 
 /// Proposes contacts between the grains of `result.packing` and infers their forces from its maps, or from the means of
@@ -45,9 +51,9 @@ void infer_film_forces(const recipe::FilmRecipe& recipe, FilmResult& result);
 
 /// Adds to the errors of the stresses what a blur of the lens that is known to `blur_error` only leaves; `wider` are the
 /// stresses when rims are taken off with a blur larger by `step` (pixels).
-void add_blur_error(GrainSwing& swing, const GrainSwing& wider, double step, double blur_error);
+void add_blur_error(PeakToPeak& change, const PeakToPeak& wider, double step, double blur_error);
 
-/// Adds what noise does not tell, once the forces are known: the mean over a grain's centre differs from the mean that the
+/// Adds what noise does not explain, once the forces are known: the mean over a grain's centre differs from the mean that the
 /// forces (held by the balance of all grains) put there, seen through the same lens and pixels. The median difference of
 /// the grains of a material is the error of all of them that rim, motion and the camera's fixed pattern leave; a grain whose own
 /// difference is larger than that is less sure. `shown` are the grains in the maps' pixels, `share` the part averaged.
@@ -56,5 +62,107 @@ void add_fit_error(FilmResult& result, const PictureGrains& shown, double share)
 /// Measures a film: correction, lock-in, grains in the picture, their motion, stresses and contact forces, into `result`.
 /// False if it was stopped. Throws InputError, without the film's name, for what the recipe and the film do not allow.
 bool measure_film(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& film, FilmResult& result);
+
+/// The one place where rows that point down become heights: pixels of a film as metres from the container's lower left inner corner at the smallest load.
+struct FilmPlace {
+  Vec2 origin;       ///< centre of the upper left pixel, m
+  double pixel = 1;  ///< m
+  Vec2 metres(double column, double row) const { return {origin.x + column * pixel, origin.y - row * pixel}; }
+  double column(double x) const { return (x - origin.x) / pixel; }
+  double row(double y) const { return (origin.y - y) / pixel; }
+};
+
+/// Where the recipe says the container is in the picture, or in its middle.
+FilmPlace place_of(const recipe::FilmRecipe& recipe, const FilmInfo& film);
+
+/// The container when the load has gone this share from its smallest to its largest; the lower wall has travelled so far.
+Domain container_at(const recipe::FilmRecipe& recipe, double share);
+
+/// Materials of the recipe, with what a film does not know left 0.
+Materials materials_of(const recipe::FilmRecipe& recipe);
+
+/// Grains of a picture in metres, numbered from 1.
+Grains in_metres(const PictureGrains& grains, const FilmPlace& place);
+
+/// Grains at the smallest load, in the film's pixels, with materials as the recipe numbers them: hand-made (picture.grains), or found in the optical
+/// picture and laid over the film, or found in `frame`, the film's own picture at that load (K or levels, rows from the top). `notes` gets what a
+/// user should know. Throws InputError where there are no grains, or as many brightnesses as materials cannot be told apart.
+PictureGrains find_film_grains(const recipe::FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film, const std::vector<float>& frame,
+                               std::vector<std::string>& notes);
+
+/// Grains found in an ordinary camera's picture of the sample at the smallest load (picture.optical) and carried to where `frame`, the film's own
+/// picture at that load, shows them; in the film's pixels, with brightnesses of the optical picture and no materials. Both pictures nearly have the
+/// same middle (8 pixels of the film, 2 degrees); one that lies elsewhere is laid on grains that the film itself shows. `notes` gets how the pictures
+/// lie. Throws InputError where there are no grains or they fit nowhere.
+PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& film, const std::vector<float>& frame, std::vector<std::string>& notes);
+
+/// Materials of grains by their brightness, parted into as many classes as the recipe has materials; `where` names the picture in
+/// the InputError for one that cannot be parted.
+void take_materials(const recipe::FilmRecipe& recipe, const std::string& where, PictureGrains& grains);
+
+/// Circles of the recipe's radii; those of one class have one radius, which their mean gives better than each by itself. `pixel` of the picture in m.
+imaging::FoundCircles circles_of(const recipe::FilmRecipe& recipe, const FloatImage& picture, double pixel, imaging::CircleOptions options = {});
+
+/// What of a file is looked at for grains.
+struct PictureChoice {
+  std::optional<std::int64_t> frame = {};   ///< of a film, from 0; none: the mean of all frames
+  io::Channel channel = io::Channel::grey;  ///< of a coloured picture
+  std::string dataset = {};                 ///< of an HDF5 file
+};
+
+/// A picture to find grains in.
+struct GrainPicture {
+  FloatImage image;
+  std::int64_t frames = 1;   ///< that it is the mean of
+  std::size_t replaced = 0;  ///< bad pixels that stand replaced by good neighbours
+  bool film = false;
+};
+
+/// Reads a picture or a film; in a film bad pixels (by level, and by noise from eight frames on) are replaced. InputError
+/// for a file that is neither, or a frame that the film does not hold.
+GrainPicture read_grain_picture(const std::filesystem::path& path, const PictureChoice& choice = {});
+
+/// Whether heat stays where it came to be within a cycle of the load.
+struct Adiabatic {
+  double length = 0, pixel = 0;  ///< that heat diffuses, and the side of a pixel, m; no pixel: unknown
+
+  /// `diffusivity` of heat in the grains, m^2/s; `frequency` of the load, Hz.
+  Adiabatic(double diffusivity, double frequency, double side = 0);
+  double lost() const;  ///< share of the finest detail's amplitude
+  /// At a fifth of a pixel the finest detail loses 2 % of its amplitude and lags by 11 degrees.
+  bool holds() const { return length <= pixel / 5; }
+  std::string sentence() const;  ///< what to say where it does not hold
+};
+
+/// Throws InputError if the film's levels cannot become temperatures in the way that the recipe says.
+void refuse_temperatures(const recipe::FilmRecipe& recipe, const std::filesystem::path& path, const FilmInfo& film);
+
+/// Throws InputError if nearly all pixels of a film reach the top of its range.
+void refuse_saturated(const thermography::FrameStatistics& seen, const FilmInfo& film);
+
+/// Throws InputError if nearly all pixels of a film stay as they are from its first frame on.
+void refuse_constant(const thermography::FrameStatistics& seen, const FilmInfo& film);
+
+/// What to say of maps that show no load, a film without one or at a wrong frequency; `given_by` is the key or option that gives it.
+std::string no_load_sentence(const LockinMaps& maps, double frequency, std::string_view given_by);
+
+/// Throws InputError if the maps hold nothing but noise, or a line of the camera.
+void refuse_without_load(const LockinMaps& maps, double given_frequency);
+
+/// The recipe of the companion simulation. Throws InputError if it has not the stages that [simulation] names.
+recipe::Recipe read_companion_recipe(const recipe::FilmRecipe& recipe);
+
+/// When the film itself says that the load is largest, against what the recipe gives, in cycles from -0.5 to 0.5. A signal
+/// that heat does not blur is in phase with the load everywhere; of the two ends the film takes that at which pixels warm.
+double phase_off(const LockinMaps& maps, double given_cycles);
+
+/// Throws InputError for maps that cannot be those of a load as the recipe gives it: values that are no temperatures, amplitudes
+/// of kelvins, a phase that is off by an eighth of a cycle or more.
+void refuse_impossible(const recipe::FilmRecipe& recipe, const LockinMaps& maps);
+
+/// What the forces and the film say against what was given beside them, one sentence each with the likely causes: phase,
+/// factors of the materials one against another, the scale of temperatures and forces against the load, and what the fit
+/// leaves. Throws InputError where they have nothing to do with each other.
+std::vector<std::string> film_doubts(const recipe::FilmRecipe& recipe, const FilmResult& result);
 
 }  // namespace arenite::workflow

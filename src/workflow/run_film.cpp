@@ -11,8 +11,6 @@
 #include "io/disk/store_file.hpp"
 #include "io/film/film.hpp"
 #include "io/results/results.hpp"
-#include "workflow/film_checks.hpp"
-#include "workflow/film_grains.hpp"
 #include "workflow/measure_film.hpp"
 #include "workflow/result_folder.hpp"
 #include "workflow/runner.hpp"
@@ -34,33 +32,35 @@ std::string table_of(const FilmResult& film) {
   return text;
 }
 
-recipe::Recipe twin_recipe(const recipe::FilmRecipe& recipe, const fs::path& grains) {
-  recipe::Recipe twin = read_twin_recipe(recipe);
-  twin.populations.clear();
-  twin.packing.method = recipe::PackingParameters::Method::file;
-  twin.packing.file = fs::absolute(grains).string();
-  twin.container.width = recipe.container.width;
-  twin.container.height = recipe.container.height;
-  return twin;
+recipe::Recipe companion_recipe(const recipe::FilmRecipe& recipe, const fs::path& grains) {
+  recipe::Recipe companion = read_companion_recipe(recipe);
+  companion.populations.clear();
+  companion.packing.method = recipe::PackingParameters::Method::file;
+  companion.packing.file = fs::absolute(grains).string();
+  companion.container.width = recipe.container.width;
+  companion.container.height = recipe.container.height;
+  return companion;
 }
 
 /// False if it was stopped; otherwise `loaded` is the simulated sample at the largest load.
-bool add_twin(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmResult& film, std::vector<StageResult>& stages, Packing& loaded) {
+bool add_companion(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmResult& film, std::vector<StageResult>& stages, Packing& loaded) {
   RunOptions run = options;
-  run.out = options.out / "twin";
+  run.out = options.out / "simulation";
+  // Before version 0.2 it was called the twin; what is stored there goes on being used.
+  if (const fs::path former = options.out / "twin"; fs::exists(former) && !fs::exists(run.out)) fs::rename(former, run.out);
   run.progress = [&](const Progress& p) {
     Progress shown = p;
-    shown.name = "twin: " + p.name;
+    shown.name = "simulation: " + p.name;
     shown.stage = 10 + p.stage;
     shown.stages = 11 + p.stages;
     options.progress(shown);
   };
-  auto twin = run_twin(recipe, film, run);
-  if (twin.interrupted) return false;
-  film.twin = std::move(twin.stresses);
-  stages = std::move(twin.stages);
-  loaded = std::move(twin.loaded);
-  if (!twin.converged) options.notice("the simulation beside the film found no equilibrium: " + twin.outcome);
+  auto companion = run_companion(recipe, film, run);
+  if (companion.interrupted) return false;
+  film.simulation = std::move(companion.stresses);
+  stages = std::move(companion.stages);
+  loaded = std::move(companion.loaded);
+  if (!companion.converged) options.notice("the companion simulation found no equilibrium: " + companion.outcome);
   return true;
 }
 
@@ -97,37 +97,37 @@ std::vector<double> stress_of_disks(const Packing& packing) {
   return pushed;
 }
 
-TwinRun run_twin(const recipe::FilmRecipe& recipe, const FilmResult& film, const RunOptions& options) {
+CompanionRun run_companion(const recipe::FilmRecipe& recipe, const FilmResult& film, const RunOptions& options) {
   make_folder(options.out);
   const fs::path grains = options.out / "grains.csv";
   io::write_atomically(grains, table_of(film));
-  auto outcome = run(twin_recipe(recipe, grains), options);
-  TwinRun twin;
-  twin.converged = outcome.converged;
-  twin.interrupted = outcome.interrupted;
+  auto outcome = run(companion_recipe(recipe, grains), options);
+  CompanionRun companion;
+  companion.converged = outcome.converged;
+  companion.interrupted = outcome.interrupted;
   const StageResult *low = nullptr, *high = nullptr;
   for (const StageResult& stage : outcome.stages) {
     if (stage.name == recipe.simulation->low) low = &stage;
     if (stage.name == recipe.simulation->high) high = &stage;
-    twin.outcome = stage.outcome;
+    companion.outcome = stage.outcome;
   }
   if (low && high) {
-    twin.loaded = high->frames.back().packing;
+    companion.loaded = high->frames.back().packing;
     const auto released = stress_of_disks(low->frames.back().packing);
-    twin.stresses.state = stress_of_disks(twin.loaded);
-    for (std::size_t i = 0; i < released.size(); ++i) twin.stresses.swing.push_back(twin.stresses.state[i] - released[i]);
+    companion.stresses.state = stress_of_disks(companion.loaded);
+    for (std::size_t i = 0; i < released.size(); ++i) companion.stresses.peak_to_peak.push_back(companion.stresses.state[i] - released[i]);
   }
-  twin.stages = std::move(outcome.stages);
-  return twin;
+  companion.stages = std::move(outcome.stages);
+  return companion;
 }
 
 StageResult measured_stage(const FilmResult& film) {
   StageResult stage;
-  stage.name = "measured swing";
+  stage.name = "measured peak to peak";
   stage.provenance = film.provenance;
   stage.outcome = film.outcome;
   Frame& frame = stage.frames.emplace_back();
-  frame.label = "swing between the smallest and the largest load";
+  frame.label = "change between the smallest and the largest load";
   frame.packing = film.packing;
   return stage;
 }
@@ -138,14 +138,14 @@ FilmOutcome run_film(const fs::path& film, const recipe::FilmRecipe& recipe, con
   const auto source = io::open_film(film, reading_of(recipe));
   refuse_temperatures(recipe, film, source->info());
   const PlannedStage stage = planned_stage(1, "film", film_key(film, *source, recipe), false, film_key(film, *source, recipe, Names::of_version_0_1));
-  if (recipe.simulation) read_twin_recipe(recipe);
+  if (recipe.simulation) read_companion_recipe(recipe);
   rename_former(options.out, {stage});
   outcome.file = options.out / stage.file;
   const auto make = [&](const fs::path&) -> std::optional<FilmResult> {
     auto result = measured(film, *source, recipe, options);
     if (!result) return std::nullopt;
     Packing loaded;
-    if (recipe.simulation && !add_twin(recipe, options, *result, outcome.twin, loaded)) return std::nullopt;
+    if (recipe.simulation && !add_companion(recipe, options, *result, outcome.simulation, loaded)) return std::nullopt;
     result->numbers = film_numbers(*result, loaded.grains.size() > 0 ? &loaded : nullptr);
     result->outcome =
         fmt::format("{} grains and {} contacts at {:.6g} Hz", result->packing.grains.size(), result->packing.contacts.size(), result->maps.frequency);
@@ -160,7 +160,7 @@ FilmOutcome run_film(const fs::path& film, const recipe::FilmRecipe& recipe, con
   if (!reused) return outcome;
   for (const auto& doubt : doubts_of(outcome.result)) options.notice(doubt);
   Packing loaded;
-  outcome.interrupted = recipe.simulation && !add_twin(recipe, options, outcome.result, outcome.twin, loaded);
+  outcome.interrupted = recipe.simulation && !add_companion(recipe, options, outcome.result, outcome.simulation, loaded);
   return outcome;
 }
 

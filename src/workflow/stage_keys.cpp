@@ -198,18 +198,18 @@ std::string film_key(const fs::path& film, FilmSource& source, const recipe::Fil
   hash.add("film version", film_version).add("recipe", text_of(recipe, names));
   add_film(hash, "film", film, source);
   const auto beside = [&](const std::string& file) { return fs::path(recipe.source_file).parent_path() / file; };
-  const auto add_plate = [&](const char* name, const std::string& file) {
+  const auto add_reference = [&](const char* name, const std::string& file) {
     if (!file.empty()) add_film(hash, name, beside(file), *io::open_film(beside(file), reading_of(recipe)));
   };
   const auto add = [&](const char* name, const std::string& file) {
     if (!file.empty()) hash.add(name, content_hash(io::read_file(beside(file))));
   };
-  add_plate("cold", recipe.correction.cold);
-  add_plate("warm", recipe.correction.warm);
+  add_reference("cold", recipe.correction.cold);
+  add_reference("warm", recipe.correction.warm);
   add("curve", recipe.temperature.curve);
   add("grains", recipe.picture.grains);
   add("optical", recipe.picture.optical);
-  if (recipe.simulation) add("twin", recipe.simulation->recipe);
+  if (recipe.simulation) add("twin", recipe.simulation->recipe);  // as results have been named by since version 0.1
   return hash.hex();
 }
 

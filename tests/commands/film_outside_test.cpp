@@ -20,7 +20,7 @@ constexpr const char* factors_times_one_and_a_half =
 constexpr const char* factors_exchanged =
     "--set materials.POM.thermoelastic_factor='\"0.0258 K/MPa\"' --set materials.HDPE.thermoelastic_factor='\"0.015 K/MPa\"'";
 
-double told_load(const VirtualFilm& of) {
+double given_load(const VirtualFilm& of) {
   const std::string text = test::slurp(of.at("film/film.toml"));
   return std::stod(text.substr(text.find("load_peak_to_peak = \"") + 21));
 }
@@ -31,7 +31,7 @@ TEST(FilmOutside, AFilmThatAgreesIsNotDoubted) {
   ASSERT_EQ(done.status, 0) << done.err;
   const Json checks = Json::parse(done.out).at("checks");
   EXPECT_EQ(checks.at("doubts").size(), 0u) << checks.dump(2);
-  EXPECT_NEAR(checks.at("load_by_forces_N").get<double>() / (1e3 * told_load(of)), 1, 0.05);
+  EXPECT_NEAR(checks.at("load_by_forces_N").get<double>() / (1e3 * given_load(of)), 1, 0.05);
   for (const auto& [name, scale] : checks.at("factor_scale").items()) EXPECT_NEAR(scale.at("value").get<double>(), 1, 0.08) << name;
 }
 
@@ -46,9 +46,10 @@ TEST(FilmOutside, MistakesOfALaboratoryAreFound) {
     const auto again = of.film("--json " + changes);  // from the store
     EXPECT_NE(again.err.find(words), std::string::npos) << again.err;
   };
-  said(factors_times_one_and_a_half, "times the forces that the load swing");
+  said(factors_times_one_and_a_half, "times the forces that the peak-to-peak load");
   said(factors_exchanged, "the two materials are taken for each other");
-  said("--set container.load_peak_to_peak='\"" + std::to_string(2 * told_load(of)) + " kN\"'", "the likely causes are load_peak_to_peak (told 2.0");
+  said("--set container.load_peak_to_peak='\"" + std::to_string(2 * given_load(of)) + " kN\"'",
+       "the likely causes are load_peak_to_peak or all thermoelastic factors (given as 2.0");
   const auto quadrature = of.film("--set lockin.phase='\"90 deg\"'");
   EXPECT_EQ(quadrature.status, 2);
   EXPECT_NE(quadrature.err.find("lockin.phase = \"90 deg\""), std::string::npos) << quadrature.err;
@@ -83,8 +84,8 @@ Judged judged(const VirtualFilm& of, const Json& j) {
   Judged out;
   double within = 0, known = 0;
   for (std::size_t i = 0; i < match.size(); ++i) {
-    if (!std::isfinite(film.swing.error[i])) continue;
-    within += std::abs(film.swing.sigma_hyd[i] - (loaded[match[i]] - released[match[i]])) < 2 * film.swing.error[i], ++known;
+    if (!std::isfinite(film.peak_to_peak.error[i])) continue;
+    within += std::abs(film.peak_to_peak.sigma_hyd[i] - (loaded[match[i]] - released[match[i]])) < 2 * film.peak_to_peak.error[i], ++known;
   }
   out.covered = within / known;
   out.contacts = static_cast<double>(film.packing.contacts.size());
@@ -142,14 +143,14 @@ TEST(FilmOutside, ErrorsCoverNoiseThatIsCorrelatedInTime) {
 TEST(CameraCommand, ABlindRecipeHoldsWhatALaboratoryKnows) {
   const VirtualFilm of;
   ASSERT_EQ(of.camera("blind", "--blind").status, 0);
-  const std::string told = test::slurp(of.at("film/film.toml")), blind = test::slurp(of.at("blind/film.toml"));
+  const std::string informed = test::slurp(of.at("film/film.toml")), blind = test::slurp(of.at("blind/film.toml"));
   const auto line = [](const std::string& text, const std::string& key) {
     const auto at = text.find("\n" + key + " = ");
     return at == std::string::npos ? std::string() : text.substr(at + 1, text.find('\n', at + 1) - at - 1);
   };
-  EXPECT_EQ(line(told, "phase"), "phase = \"180 deg\"");
+  EXPECT_EQ(line(informed, "phase"), "phase = \"180 deg\"");
   EXPECT_EQ(line(blind, "phase"), "");
-  for (const char* key : {"travel", "ambient"}) EXPECT_NE(line(told, key), line(blind, key)) << key;
+  for (const char* key : {"travel", "ambient"}) EXPECT_NE(line(informed, key), line(blind, key)) << key;
   EXPECT_NE(blind.find("load_peak_to_peak = "), std::string::npos);
   EXPECT_TRUE(test::slurp(of.at("film/film.ptw")) == test::slurp(of.at("blind/film.ptw")));
 }

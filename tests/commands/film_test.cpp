@@ -8,7 +8,6 @@
 #include "support/virtual_film.hpp"
 #include "thermal/radiometry/band.hpp"
 #include "thermal/thermography/correction.hpp"
-#include "thermal/thermography/frame_statistics.hpp"
 #include "workflow/run_film.hpp"
 
 namespace {
@@ -29,7 +28,7 @@ TEST(FilmCommand, GivesBackTheStressesOfTheSimulationThatWasFilmed) {
   const Json j = Json::parse(done.out);
   EXPECT_EQ(j["grains"]["POM"], 20);
   EXPECT_EQ(j["grains"]["HDPE"], 22);
-  EXPECT_EQ(j["lockin"]["swing"], "full");
+  EXPECT_EQ(j["lockin"]["convention"], "peak_to_peak");
   EXPECT_NEAR(j["lockin"]["frequency_Hz"]["value"].get<double>(), 3.003, 3 * j["lockin"]["frequency_Hz"]["error"].get<double>());
   EXPECT_GT(j["motion"]["largest_travel_pixels"].get<double>(), 1.5);
 
@@ -39,11 +38,11 @@ TEST(FilmCommand, GivesBackTheStressesOfTheSimulationThatWasFilmed) {
   const auto match = test::nearest_of(film.packing.grains, high.grains, corner);
   EXPECT_EQ(std::set<std::size_t>(match.begin(), match.end()).size(), 42u);
   const auto released = test::stress_by_forces(low), loaded = test::stress_by_forces(high);
-  std::vector<double> swing;
+  std::vector<double> change;
   double off_at_low = 0, off_at_high = 0;
   int away = 0;
   for (std::size_t i = 0; i < match.size(); ++i) {
-    swing.push_back(loaded[match[i]] - released[match[i]]);
+    change.push_back(loaded[match[i]] - released[match[i]]);
     EXPECT_EQ(film.packing.materials[static_cast<std::size_t>(film.packing.grains.material[i])].name,
               high.materials[static_cast<std::size_t>(high.grains.material[match[i]])].name);
     const Vec2 found = film.origin + Vec2{film.grains.x[i] * film.pixel, -film.grains.y[i] * film.pixel}, moved = film.packing.grains.centre(i);
@@ -58,7 +57,7 @@ TEST(FilmCommand, GivesBackTheStressesOfTheSimulationThatWasFilmed) {
   EXPECT_LT(std::sqrt(off_at_low), 0.1);
   EXPECT_GT(away, 20);
   EXPECT_LT(std::sqrt(off_at_high / away), 0.1);
-  const auto agreement = workflow::agreement(film.swing.sigma_hyd, swing, std::vector<std::uint8_t>(42, 1));
+  const auto agreement = workflow::agreement(film.peak_to_peak.sigma_hyd, change, std::vector<std::uint8_t>(42, 1));
   EXPECT_EQ(agreement.grains, 42u);
   EXPECT_GT(agreement.correlation, 0.98);
   EXPECT_LT(agreement.rms_sigma_norm, 0.05);
@@ -78,10 +77,10 @@ OfMaterial of_material(const VirtualFilm& of, std::int32_t material) {
   double both = 0, square = 0, off = 0, n = 0;
   for (std::size_t i = 0; i < match.size(); ++i) {
     if (film.packing.grains.material[i] != material) continue;
-    const double truth = loaded[match[i]] - released[match[i]], found = film.swing.sigma_hyd[i];
+    const double truth = loaded[match[i]] - released[match[i]], found = film.peak_to_peak.sigma_hyd[i];
     both += found * truth;
     square += truth * truth;
-    off += std::pow((found - truth) / film.swing.error[i], 2);
+    off += std::pow((found - truth) / film.peak_to_peak.error[i], 2);
     ++n;
   }
   return {both / square, std::sqrt(off / n)};
@@ -100,7 +99,7 @@ TEST(FilmCommand, UnequalEmissivitiesComeBackWithinTheErrors) {
   }
   // The same with a curve of black bodies a kelvin apart instead of Planck's law between two.
   const auto level_of = [&](const char* name) {
-    return thermography::plate_level(thermography::frame_statistics(*io::open_film(unlike.at(std::string("film/") + name))));
+    return thermography::reference_level(thermography::frame_statistics(*io::open_film(unlike.at(std::string("film/") + name))));
   };
   const double cold = level_of("cold.ptw"), warm = level_of("warm.ptw");
   const auto photons = [](double t) { return radiometry::photon_exitance({}, t); };
@@ -124,8 +123,8 @@ TEST(FilmCommand, TakesABareArrayThatIsToldWhatItIs) {
   const auto bare = arenite::test::arenite(film);
   EXPECT_EQ(bare.status, 2);
   EXPECT_NE(bare.err.find("give the frame rate (--frame-rate, frame_rate in [film] of a recipe"), std::string::npos) << bare.err;
-  const auto told = arenite::test::arenite(film + " --frame-rate 148Hz");
-  EXPECT_EQ(told.status, 0) << told.err;
+  const auto given = arenite::test::arenite(film + " --frame-rate 148Hz");
+  EXPECT_EQ(given.status, 0) << given.err;
   const auto slip = arenite::test::arenite(film + " --frame-rate 148");
   EXPECT_EQ(slip.status, 2);
   EXPECT_NE(slip.err.find("--frame-rate"), std::string::npos) << slip.err;
@@ -146,21 +145,21 @@ TEST(FilmCommand, SameSeedSameBytes) {
 TEST(FilmCommand, PutsASimulationOfTheSameGrainsBesideTheFilm) {
   const VirtualFilm of;
   ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
-  of.edit("twin.toml", "[picture]",
+  of.edit("companion.toml", "[picture]",
           "[simulation]\nrecipe = \"" + (of.at("states") / "recipe.toml").string() + "\"\nlow = \"low\"\nhigh = \"high\"\n\n[picture]");
-  const auto done = of.film("--json", "film", "twin.toml");
+  const auto done = of.film("--json", "film", "companion.toml");
   ASSERT_EQ(done.status, 0) << done.err;
   const Json j = Json::parse(done.out);
   const FilmResult film = of.result();
-  for (const auto& file : io::stage_files(of.at("result/twin")))
+  for (const auto& file : io::stage_files(of.at("result/simulation")))
     if (file.filename().string().find("-high-") != std::string::npos) {
       const auto loaded = test::stress_by_forces(io::read_stage(file).frames.back().packing);
-      ASSERT_EQ(film.twin.state.size(), loaded.size());
-      for (std::size_t i = 0; i < loaded.size(); ++i) EXPECT_NEAR(film.twin.state[i], loaded[i], 1e-9 * std::abs(loaded[i])) << i;
+      ASSERT_EQ(film.simulation.state.size(), loaded.size());
+      for (std::size_t i = 0; i < loaded.size(); ++i) EXPECT_NEAR(film.simulation.state[i], loaded[i], 1e-9 * std::abs(loaded[i])) << i;
     }
-  ASSERT_EQ(film.twin.state.size(), 42u);
-  EXPECT_GT(workflow::agreement(film.swing.sigma_hyd, film.twin.swing, std::vector<std::uint8_t>(42, 1)).correlation, 0.2);
-  for (const char* what : {"film", "twin"}) {
+  ASSERT_EQ(film.simulation.state.size(), 42u);
+  EXPECT_GT(workflow::agreement(film.peak_to_peak.sigma_hyd, film.simulation.peak_to_peak, std::vector<std::uint8_t>(42, 1)).correlation, 0.2);
+  for (const char* what : {"film", "simulation"}) {
     const Json& directions = j.at("directions").at(what);  // of the few contacts away from the border
     EXPECT_GT(directions.at("contacts"), 0) << what;
     EXPECT_EQ(directions.at("sectors").size(), 18u) << what;
@@ -194,13 +193,13 @@ void expect_refused(const VirtualFilm& of, const test::Outcome& outcome, const s
 TEST(FilmCommand, RefusesWhatTheFilmDoesNotShow) {
   const VirtualFilm of("--set camera.high='\"low\"'");
   ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
-  expect_refused(of, of.film(), "film.ptw: nothing but noise swings at 3 Hz");
+  expect_refused(of, of.film(), "film.ptw: the film shows only noise at 3 Hz");
   expect_refused(of, of.film("--set lockin.frequency='\"80 Hz\"'"), "film.ptw: the load frequency of 80 Hz is at or above the Nyquist frequency");
   expect_refused(of, of.film("--set lockin.frequency='\"0.2 Hz\"'"), "film.ptw: the film of 2.027 s holds 0.404 cycles");
   const auto cold = [&](const std::string& to) { std::filesystem::copy_file(of.at("film/cold.ptw"), of.at(to)); };
   std::filesystem::create_directory(of.at("plate"));
   cold("plate/film.ptw");
-  expect_refused(of, of.film("--set lockin.frequency='\"30 Hz\"'", "plate"), "film.ptw: nothing but noise swings at 30 Hz");
+  expect_refused(of, of.film("--set lockin.frequency='\"30 Hz\"'", "plate"), "film.ptw: the film shows only noise at 30 Hz");
   ASSERT_EQ(of.camera("wide", "--set camera.width=80").status, 0);
   expect_refused(of, of.film("--set correction.warm='\"../wide/warm.ptw\"'"), "warm.ptw: has frames of 80 x 96 pixels, and the film of 96 x 96");
 }
@@ -254,8 +253,9 @@ TEST(FilmCommand, RefusesRecipesThatDoNotFit) {
   ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
   of.edit("no-factor.toml", "thermoelastic_factor = \"0.015 K/MPa\"\n", "");
   expect_refused(of, of.film("", "film", "no-factor.toml"), "materials.POM.thermoelastic_factor: is missing");
-  of.edit("twin.toml", "[picture]", "[simulation]\nrecipe = \"" + VirtualFilm::example("sample.toml") + "\"\nlow = \"none\"\nhigh = \"high\"\n\n[picture]");
-  expect_refused(of, of.film("", "film", "twin.toml"), "sample.toml: has no stage \"none\", which [simulation] of ");
+  of.edit("companion.toml", "[picture]",
+          "[simulation]\nrecipe = \"" + VirtualFilm::example("sample.toml") + "\"\nlow = \"none\"\nhigh = \"high\"\n\n[picture]");
+  expect_refused(of, of.film("", "film", "companion.toml"), "sample.toml: has no stage \"none\", which [simulation] of ");
   std::ofstream(of.at("film/none.csv")) << "id,x [mm],y [mm],radius [mm],material\n";
   expect_refused(of, of.film("--set picture.grains='\"none.csv\"'"), "none.csv: lists no grains");
   of.edit("empty.toml", "[container]", "[container]\nleft = 200.0");

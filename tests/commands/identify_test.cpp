@@ -103,31 +103,32 @@ TEST(Identify, AdhesionOfRecords) {
 }
 
 /// POM as in T 2.3: force ratio 0.1, section 30.9 x 4.9 mm^2, A = 0.0150 K/MPa.
-std::string calibration(double of_full_swing) {
+std::string calibration(double of_peak_to_peak) {
   std::string text = "material,force_min [N],force_max [N],dT [mK]\n";
   int k = 0;
   for (const double force : {200.0, 400.0, 600.0, 800.0})
     text += "POM," + std::to_string(0.1 * force) + "," + std::to_string(force) + "," +
-            std::to_string(of_full_swing * 1e3 * (0.0150 * 0.9 * force / (30.9 * 4.9) + (k++ % 2 ? 2e-4 : -2e-4))) + "\n";
+            std::to_string(of_peak_to_peak * 1e3 * (0.0150 * 0.9 * force / (30.9 * 4.9) + (k++ % 2 ? 2e-4 : -2e-4))) + "\n";
   return text;
 }
 
-TEST(Identify, FactorByStressAndItsSwings) {
+TEST(Identify, FactorByStressAndItsConventions) {
   const TemporaryFolder folder;
   const auto full = (folder / "full.csv").string(), half = (folder / "half.csv").string();
   test::spill(full, calibration(1));
   test::spill(half, calibration(0.5));
   const std::string section = " --section '30.9 mm x 4.9 mm'";
   const Json a = found("factor " + full + section)["groups"][0]["factor"],
-             b = found("factor " + half + section + " --temperature-swing half")["groups"][0]["factor"];
+             b = found("factor " + half + section + " --temperature-convention amplitude")["groups"][0]["factor"];
   EXPECT_NEAR(a["value"].get<double>() * 1e6, 0.0150, 3e-4);
   EXPECT_NEAR(a["value"].get<double>(), b["value"].get<double>(), 1e-12);
+  EXPECT_EQ(found("factor " + half + section + " --temperature-swing half --load-swing full")["groups"][0]["factor"], b);  // former names
   EXPECT_LT(a["confidence_95"][0].get<double>() * 1e6, 0.0150);
   EXPECT_GT(a["confidence_95"][1].get<double>() * 1e6, 0.0150);
   EXPECT_EQ(a["unit"], "K/Pa");
   const auto text = arenite("identify factor " + full + section).out;
   EXPECT_NE(text.find("the stress is (F_max - F_min)/section"), std::string::npos) << text;
-  EXPECT_NE(text.find("responses are taken as full swings"), std::string::npos) << text;
+  EXPECT_NE(text.find("responses are taken as peak-to-peak values"), std::string::npos) << text;
 }
 
 TEST(Identify, FactorByStrainPropertiesAndSignal) {

@@ -6,8 +6,8 @@
 
 #include "io/film/film.hpp"
 #include "support/films.hpp"
+#include "support/oscillating_film.hpp"
 #include "support/program.hpp"
-#include "support/swinging_film.hpp"
 
 namespace {
 using namespace arenite;
@@ -16,9 +16,9 @@ using test::TemporaryFolder;
 using Json = nlohmann::json;
 
 std::string film_in(const TemporaryFolder& folder, double noise = 0.1) {
-  test::SwingingFilm swing;
-  swing.noise = noise;
-  Film film = swing.draw();
+  test::OscillatingFilm oscillating;
+  oscillating.noise = noise;
+  Film film = oscillating.draw();
   io::write_film(folder / "film.h5", film);
   return (folder / "film.h5").string() + " --frame-rate 148Hz";
 }
@@ -29,19 +29,19 @@ TEST(LockInCommand, PrintsNumbersAndWritesMaps) {
   ASSERT_EQ(done.status, 0) << done.err;
   const Json j = Json::parse(done.out);
   EXPECT_NEAR(j["frequency_Hz"].get<double>(), 3, 5 * j["frequency_error_Hz"].get<double>());
-  EXPECT_EQ(j["swing"], "half");
+  EXPECT_EQ(j["convention"], "amplitude");
   EXPECT_NEAR(j["median"]["amplitude"].get<double>(), 1.22, 0.01);
   for (const char* name : {"in_phase.tif", "residual.tif", "second_harmonic.tif", "noise_floor.tif"})
     EXPECT_TRUE(std::filesystem::exists(folder / "maps" / name)) << name;
   const auto full = arenite("lockin " + film_in(folder) + " --frequency 3Hz --json --convention full --nearest-bin");
   ASSERT_EQ(full.status, 0) << full.err;
   EXPECT_EQ(Json::parse(full.out)["method"], "nearest_bin");
-  EXPECT_EQ(Json::parse(full.out)["swing"], "full");
+  EXPECT_EQ(Json::parse(full.out)["convention"], "peak_to_peak");
 }
 
 TEST(LockInCommand, SaysWhereTheFilmShowsNoLoad) {
   const TemporaryFolder folder;
-  test::SwingingFilm still;
+  test::OscillatingFilm still;
   still.amplitude = 0;
   still.noise = 0.1;
   still.width = still.height = 40;
@@ -49,19 +49,19 @@ TEST(LockInCommand, SaysWhereTheFilmShowsNoLoad) {
   io::write_film(folder / "still.h5", film);
   const auto noise = arenite("lockin " + (folder / "still.h5").string() + " --frame-rate 148Hz --frequency 3Hz --json");
   EXPECT_EQ(noise.status, 0) << noise.err;
-  EXPECT_NE(noise.err.find("still.h5: nothing but noise swings at "), std::string::npos) << noise.err;
+  EXPECT_NE(noise.err.find("still.h5: the film shows only noise at "), std::string::npos) << noise.err;
   EXPECT_EQ(Json::parse(noise.out)["shows_load"], false);
   const auto loaded = arenite("lockin " + film_in(folder) + " --frequency 3Hz --json"),
              elsewhere = arenite("lockin " + film_in(folder) + " --frequency 30Hz --json");
   EXPECT_EQ(loaded.err, "");
   EXPECT_EQ(Json::parse(loaded.out)["shows_load"], true);
   EXPECT_EQ(elsewhere.status, 2);
-  EXPECT_NE(elsewhere.err.find("film.h5: nothing but noise swings at 30 Hz, but the film swings at 3 Hz"), std::string::npos) << elsewhere.err;
+  EXPECT_NE(elsewhere.err.find("film.h5: the film shows only noise at 30 Hz, but an oscillation at 3 Hz"), std::string::npos) << elsewhere.err;
   const auto kept = arenite("lockin " + film_in(folder) + " --frequency 30Hz --no-refinement --json");
   EXPECT_EQ(kept.status, 0);
-  EXPECT_NE(kept.err.find("but the film swings at 3"), std::string::npos) << kept.err;
+  EXPECT_NE(kept.err.find("but an oscillation at 3"), std::string::npos) << kept.err;
   EXPECT_EQ(Json::parse(kept.out)["shows_load"], false);
-  EXPECT_NEAR(Json::parse(kept.out)["swings_at_Hz"].get<double>(), 3, 0.02);
+  EXPECT_NEAR(Json::parse(kept.out)["other_frequency_Hz"].get<double>(), 3, 0.02);
 }
 
 TEST(LockInCommand, ShowsNoLoadInAFilmOfACameraAtRest) {
@@ -69,18 +69,18 @@ TEST(LockInCommand, ShowsNoLoadInAFilmOfACameraAtRest) {
   EXPECT_EQ(still.status, 0) << still.err;  // a line of the electronics is there
   EXPECT_EQ(Json::parse(still.out)["shows_load"], false);
   EXPECT_LT(Json::parse(still.out)["share_in_one_phase"].get<double>(), 0.5);
-  EXPECT_NE(still.err.find(" swings at 4.6"), std::string::npos) << still.err;
+  EXPECT_NE(still.err.find(" only noise at 4.6"), std::string::npos) << still.err;
 }
 
 TEST(LockInCommand, RefusesACycleThatDriftCouldBe) {
   const TemporaryFolder folder;
-  test::SwingingFilm swing;
-  swing.frames = 50;
-  Film film = swing.draw();
+  test::OscillatingFilm oscillating;
+  oscillating.frames = 50;
+  Film film = oscillating.draw();
   io::write_film(folder / "film.h5", film);
   const auto refused = arenite("lockin " + (folder / "film.h5").string() + " --frame-rate 148Hz --frequency 3Hz --out " + (folder / "none").string());
   EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("holds 1.01 cycles of 3 Hz, too few to tell the swing from a drift of order 4; ask for less drift"), std::string::npos)
+  EXPECT_NE(refused.err.find("holds 1.01 cycles of 3 Hz, too few to separate the load from a drift of order 4; ask for less drift"), std::string::npos)
       << refused.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "none"));
 }
@@ -100,9 +100,9 @@ TEST(LockInCommand, PhasesAreAnglesInDegrees) {
 
 TEST(LockInCommand, IsLedByTheLockInLineOfAFilm) {
   const TemporaryFolder folder;
-  test::SwingingFilm swing;
-  swing.noise = 0.1;
-  Film film = swing.draw();
+  test::OscillatingFilm oscillating;
+  oscillating.noise = 0.1;
+  Film film = oscillating.draw();
   // The same film as levels, with a line above it that holds the mark and the load: its frequency, a quarter of a cycle ahead.
   Film with_line;
   with_line.about = film.about;
@@ -129,8 +129,8 @@ TEST(LockInCommand, IsLedByTheLockInLineOfAFilm) {
 
 TEST(LockInCommand, TakesAStackOfTiffThatIsToldItsFrameRateAndScale) {
   const TemporaryFolder folder;
-  test::SwingingFilm swing;
-  Film film = swing.draw();
+  test::OscillatingFilm oscillating;
+  Film film = oscillating.draw();
   film.about.frame_rate = 0;
   film.about.time.clear();
   io::write_film(folder / "stack.tif", film);
@@ -151,7 +151,7 @@ TEST(LockInCommand, NamesTheOptionOfAValueThatHasNoUnit) {
   EXPECT_EQ(refused.err, "arenite lockin: --frequency: \"3\" has no unit; write it with its unit, for example \"3 Hz\"\n");
 }
 
-TEST(LockInCommand, SaysWhetherTheSwingIsAdiabatic) {
+TEST(LockInCommand, SaysWhetherTheSignalIsAdiabatic) {
   const TemporaryFolder folder;
   const std::string lockin = "lockin " + film_in(folder) + " --frequency 3Hz --no-refinement --json --diffusivity '0.1 mm^2/s' --pixel ";
   const auto coarse = arenite(lockin + "1.6mm"), fine = arenite(lockin + "0.3mm");
@@ -162,12 +162,12 @@ TEST(LockInCommand, SaysWhetherTheSwingIsAdiabatic) {
   EXPECT_NE(fine.err.find("0.343 pixels far within a cycle"), std::string::npos) << fine.err;
   EXPECT_EQ(fine.status, 0);
   EXPECT_EQ(Json::parse(fine.out)["adiabatic"], false);
-  EXPECT_NEAR(Json::parse(fine.out)["swing_lost_in_finest_detail"].get<double>(), 1 - 1 / std::sqrt(1 + std::pow(0.5818, 2)), 1e-3);
+  EXPECT_NEAR(Json::parse(fine.out)["amplitude_lost_in_finest_detail"].get<double>(), 1 - 1 / std::sqrt(1 + std::pow(0.5818, 2)), 1e-3);
 }
 
 TEST(StepCommand, MeasuresTheJumpAndWritesMaps) {
   const TemporaryFolder folder;
-  test::SwingingFilm still;
+  test::OscillatingFilm still;
   still.amplitude = 0;
   still.drift = 0.2;
   still.noise = 0.05;
@@ -190,7 +190,7 @@ TEST(StepCommand, MeasuresTheJumpAndWritesMaps) {
 
 TEST(StepCommand, SaysThatAJumpRelaxes) {
   const TemporaryFolder folder;
-  test::SwingingFilm still;
+  test::OscillatingFilm still;
   still.amplitude = 0;
   still.noise = 0.02;
   still.frames = 1480;
@@ -199,12 +199,12 @@ TEST(StepCommand, SaysThatAJumpRelaxes) {
     film.value[i] += static_cast<float>(0.75 * std::exp(-(static_cast<double>(i / 45) - 740) / 148 / 1.5));
   io::write_film(folder / "film.npy", film);
   const std::string step = "step " + (folder / "film.npy").string() + " --frame-rate 148Hz --time 4.997s";
-  const auto found = arenite(step + " --json"), told = arenite(step);
+  const auto found = arenite(step + " --json"), text = arenite(step);
   ASSERT_EQ(found.status, 0) << found.err;
   EXPECT_NEAR(Json::parse(found.out)["relaxation_after_s"].get<double>(), 1.5, 0.05);
   EXPECT_TRUE(Json::parse(found.out)["relaxation_before_s"].is_null());
   EXPECT_NEAR(Json::parse(found.out)["median"]["jump"].get<double>(), 0.75, 0.01);
-  EXPECT_NE(told.out.find("relaxation       1."), std::string::npos) << told.out;
+  EXPECT_NE(text.out.find("relaxation       1."), std::string::npos) << text.out;
 }
 
 TEST(LockInCommand, RefusesInOneSentence) {
@@ -218,7 +218,7 @@ TEST(LockInCommand, RefusesInOneSentence) {
   }
   for (const char* slip : {" --pixel 0mm", " --diffusivity 1mm", " --reference-phase x"})
     EXPECT_EQ(arenite("lockin " + film + " --frequency 3Hz" + slip).status, 2) << slip;
-  test::SwingingFilm tiny;
+  test::OscillatingFilm tiny;
   Film of_one = tiny.draw();
   std::fill(of_one.value.begin(), of_one.value.end(), 1.f);
   io::write_film(folder / "still.npy", of_one);

@@ -44,7 +44,7 @@ def test_maps_that_cannot_be_are_refused(options, sentence):
         arenite.PhaseMap([[2, 2]], **options)
 
 
-def test_pictures_of_a_swing_and_its_error_have_one_shape():
+def test_pictures_of_a_signal_and_its_error_have_one_shape():
     packing = arenite.propose_contacts(grains(), position_error=1e-9)
     with pytest.raises(ValueError, match="one shape"):
         arenite.infer_forces(packing, np.zeros((40, 60)), np.ones((60, 40)), pixel=1e-3, first=(0, 0), factor=[15e-9])

@@ -21,7 +21,7 @@ cards = {
     "wall-forces": ("stage", "wall-forces"), "travel": ("stage", "travel"), "energies": ("stage", "energies"), "rest": ("stage", "rest"),
     "test-curves": ("stage", "stress-strain"), "grain-bonds": ("stage", "broken-bonds"), "discharge": ("stage", "discharge"), "stress-strain": ("field", "stress-strain"), "broken-bonds": ("field", "broken-bonds"), "energy-balance": ("field", "energy-balance"),
     "stress-pdf": ("field", "stress-pdf"), "cavities": ("field", "cavities"), "convergence": ("field", "convergence"),
-    "film-maps": ("film", "beside-simulation"), "film-fit": ("film", "film-fit"), "film-twin": ("film", "against-simulation"), "film-tails": ("film", "tails"), "film-directions": ("film", "contact-directions"),
+    "film-maps": ("film", "beside-simulation"), "film-fit": ("film", "film-fit"), "film-simulation": ("film", "against-simulation"), "film-tails": ("film", "tails"), "film-directions": ("film", "contact-directions"),
     "film-forces": ("film", "forces"), "film-certainty": ("film", "certainty"), "film-stresses": ("film", "stresses"),
 }
 # What the page shows in its pictures and not on cards.
@@ -204,7 +204,7 @@ def test_roses_are_of_all_of_strong_and_weak_contacts_and_of_types(result):
 
 
 def test_directions_of_a_film_and_its_simulation_are_on_one_scale():
-    sets = {"film": {"contacts": 18, "sectors": [1] * 18}, "twin": {"contacts": 18, "sectors": [3, 1, 0] * 4 + [0, 0, 0, 0, 0, 2]}}
+    sets = {"film": {"contacts": 18, "sectors": [1] * 18}, "simulation": {"contacts": 18, "sectors": [3, 1, 0] * 4 + [0, 0, 0, 0, 0, 2]}}
     canvas = saving.Canvas()
     panels.film_roses(canvas, types.SimpleNamespace(numbers={"directions": sets}))
     film, simulation = canvas.axes
@@ -216,10 +216,10 @@ def test_tails_of_a_film_are_those_of_the_stresses_that_it_gives(result):
     packing = result.stages[-1].packing
     sigma = arenite.measure_grains(packing)["sigma_hyd"]
     canvas = saving.Canvas()
-    panels.film_tails(canvas, types.SimpleNamespace(packing=packing, sigma_hyd=sigma, twin={"swing": 2 * sigma, "state": sigma**2}))
-    film, swing, state = [line for line in canvas.axes[0].lines if not line.get_label().startswith("_")]
-    assert [line.get_label().split(", $")[0] for line in (film, swing, state)] == ["film", "simulation, swing", "simulation, state"]
-    assert film.get_xydata() == pytest.approx(swing.get_xydata())  # over their means
+    panels.film_tails(canvas, types.SimpleNamespace(packing=packing, sigma_hyd=sigma, simulation={"peak_to_peak": 2 * sigma, "state": sigma**2}))
+    film, change, state = [line for line in canvas.axes[0].lines if not line.get_label().startswith("_")]
+    assert [line.get_label().split(", $")[0] for line in (film, change, state)] == ["film", "simulation, peak to peak", "simulation, state"]
+    assert film.get_xydata() == pytest.approx(change.get_xydata())  # over their means
     stored = arenite.measure(packing)["sigma_norm"]
     shown = [x for x, y in zip(stored["cumulative"]["x"], stored["cumulative"]["y"]) if y >= 0.7 / stored["count"]]
     assert list(film.get_xdata()) == pytest.approx(shown)
@@ -229,7 +229,7 @@ def test_tails_of_a_film_are_those_of_the_stresses_that_it_gives(result):
 
 
 def a_film(amplitude=1.0):
-    """Two by two pixels whose swing is late by a quarter, on time, opposite, and lost in noise."""
+    """Two by two pixels whose signal is late by a quarter, on time, opposite, and lost in noise."""
     phase, size = np.array([[1.0, 0.5], [0.5 - np.pi, 3.0]]), (2, 2)
     maps = types.SimpleNamespace(phase=phase, reference_phase=0.5, amplitude=np.array([[amplitude] * 2, [amplitude, 0.01]]), standard_error=np.full(size, 0.02), in_phase=np.array([[0.1, 0.4], [-0.2, 0.0]]),
                                  second_harmonic=np.zeros((0, 2)), residual=np.ones(size))

@@ -3,8 +3,8 @@ import numpy as np
 import pytest
 
 
-def swinging(frames=600, rate=148.0, frequency=3.02, dtype=np.float32):
-    """Every pixel swings by its own amplitude on a slope."""
+def oscillating(frames=600, rate=148.0, frequency=3.02, dtype=np.float32):
+    """Every pixel oscillates by its own amplitude on a slope."""
     t = np.arange(frames) / rate
     amplitude = np.linspace(0.5, 20, 12 * 10).reshape(12, 10)
     film = 5000 + 3 * t[:, None, None] + amplitude * np.cos(2 * np.pi * frequency * t)[:, None, None]
@@ -14,7 +14,7 @@ def swinging(frames=600, rate=148.0, frequency=3.02, dtype=np.float32):
 
 
 def test_lock_in_of_an_array_finds_amplitudes_and_the_frequency_off_the_bin():
-    film, amplitude = swinging()
+    film, amplitude = oscillating()
     maps = arenite.lock_in(film, 3.0, frame_rate=148.0)
     assert maps.frequency == pytest.approx(3.02, abs=1e-5)
     assert np.allclose(maps.amplitude, amplitude, rtol=2e-3)
@@ -22,14 +22,14 @@ def test_lock_in_of_an_array_finds_amplitudes_and_the_frequency_off_the_bin():
 
 
 def test_levels_are_taken_as_they_are_and_times_may_be_uneven():
-    film, amplitude = swinging(dtype=np.uint16)
+    film, amplitude = oscillating(dtype=np.uint16)
     keep = np.arange(len(film)) % 7 != 3
-    maps = arenite.lock_in(film[keep], 3.0, time=(np.arange(len(film)) / 148.0)[keep], full_swing=True)
-    assert np.allclose(maps.amplitude, 2 * amplitude, atol=0.6) and maps.full_swing
+    maps = arenite.lock_in(film[keep], 3.0, time=(np.arange(len(film)) / 148.0)[keep], peak_to_peak=True)
+    assert np.allclose(maps.amplitude, 2 * amplitude, atol=0.6) and maps.peak_to_peak
 
 
 def test_a_nearest_bin_is_off_where_least_squares_is_not():
-    film, amplitude = swinging(frames=148)
+    film, amplitude = oscillating(frames=148)
     plain = arenite.lock_in(film, 3.02, frame_rate=148.0, nearest_bin=True, drift_order=0)
     fitted = arenite.lock_in(film, 3.02, frame_rate=148.0, drift_order=1)
     assert np.abs(fitted.amplitude / amplitude - 1).max() < np.abs(plain.amplitude / amplitude - 1).max()
@@ -58,8 +58,8 @@ def test_forces_of_a_compressed_disk():
     with np.errstate(divide="ignore"):
         field = -2 * force / (np.pi * length) * ((radius - y) / (x**2 + (radius - y) ** 2) + (radius + y) / (x**2 + (radius + y) ** 2)) + 2 * force / (np.pi * 2 * radius * length) * 2
     inside = np.hypot(x, y) < radius
-    swing = np.where(inside & np.isfinite(field), -field * 15e-9, 0)
-    found = arenite.infer_forces(packing, swing, np.where(inside, 1e-5, 0), pixel=pixel, first=first, factor=[15e-9], walls={"bottom": force, "top": force}, blur=0.0)
+    signal = np.where(inside & np.isfinite(field), -field * 15e-9, 0)
+    found = arenite.infer_forces(packing, signal, np.where(inside, 1e-5, 0), pixel=pixel, first=first, factor=[15e-9], walls={"bottom": force, "top": force}, blur=0.0)
     assert np.allclose(found["fn"], force, rtol=0.02)
 
 
@@ -72,7 +72,7 @@ def test_films_of_files(examples):
 
 
 def test_what_films_do_not_allow_is_a_value_error():
-    film, _ = swinging(frames=40)
+    film, _ = oscillating(frames=40)
     with pytest.raises(ValueError):
         arenite.lock_in(film, 100.0, frame_rate=148.0)
     with pytest.raises(ValueError, match="frames, height, width"):
@@ -80,7 +80,7 @@ def test_what_films_do_not_allow_is_a_value_error():
 
 
 def plates_and_film(frames=16):
-    """A camera whose pixels have gains and offsets of their own, one of them dead, looking at plates and at a picture."""
+    """A camera whose pixels have gains and offsets of their own, one of them dead, looking at black-body references and at a picture."""
     random = np.random.default_rng(3)
     gain, offset = 1 + 0.1 * random.standard_normal((24, 32)), 50 * random.standard_normal((24, 32))
 
@@ -113,8 +113,8 @@ def rocking_disks(frames=400, rate=100.0, frequency=3.0, move=0.4, warm=-0.01):
     y, x = np.mgrid[0:40, 0:70]
     film = np.full((frames, 40, 70), 295.0)
     for cx, cy in [(20.0, 20.0), (50.0, 20.0)]:
-        swing = np.cos(2 * np.pi * frequency * t)[:, None, None]
-        film += (5 + warm * swing) * np.clip(12 - np.hypot(x - cx - move * swing, y - cy), 0, 1)
+        cycle = np.cos(2 * np.pi * frequency * t)[:, None, None]
+        film += (5 + warm * cycle) * np.clip(12 - np.hypot(x - cx - move * cycle, y - cy), 0, 1)
     return film.astype(np.float32)
 
 
@@ -126,9 +126,9 @@ def test_grains_are_followed_and_weighed():
     assert len(motion) == len(grains) == 2 and not motion.lost.any()
     assert np.allclose(np.hypot(motion.cos_x, motion.sin_x), 0.4, atol=0.03) and np.allclose(motion.cos_y, 0, atol=0.03)
     followed = arenite.follow_grains(film, maps, grains, motion, frame_rate=100.0)
-    swing = arenite.grain_means(followed, grains, ["0.015 K/MPa"])
-    assert np.allclose(np.abs(swing["temperature"]), 0.02, rtol=0.05)
-    assert np.allclose(swing["sigma_hyd"], -swing["temperature"] / (2 * 15e-9))
+    found = arenite.grain_means(followed, grains, ["0.015 K/MPa"])
+    assert np.allclose(np.abs(found["temperature"]), 0.02, rtol=0.05)
+    assert np.allclose(found["sigma_hyd"], -found["temperature"] / (2 * 15e-9))
     with pytest.raises(ValueError, match="another film"):
         arenite.grain_motion(film[:, 1:], maps, grains, frame_rate=100.0)
 

@@ -13,7 +13,7 @@
 
 namespace arenite::test {
 
-/// What a film of a frame with disks of two materials might have given: warming as the closed form has it, with noise;
+/// What a film of a container with disks of two materials might have given: warming as the closed form has it, with noise;
 /// forces and grain stresses are the true ones with errors as large as they say. Some contacts are not there; two
 /// pixels are bad. Beside it the maps alone, as of a film without grains, and the grains' stresses alone.
 struct FilmPageSample {
@@ -24,7 +24,7 @@ struct FilmPageSample {
     const PageSample run(grains);
     truth_ = run.stage.frames[3].packing;
     film.name = "film";
-    film.outcome = "Every grain of the frame was found.";
+    film.outcome = "Every grain of the container was found.";
     film.provenance = {"0.1.0", "film", "89ab0123456789ab", "title = \"<film> of a frame\"\n", 5, "portable", {}};
     film.pixel = pixel;
     place_camera();
@@ -46,7 +46,7 @@ struct FilmPageSample {
     stresses_only.origin = film.origin;
     stresses_only.packing = film.packing;
     stresses_only.packing.contacts = {};
-    stresses_only.swing = film.swing;
+    stresses_only.peak_to_peak = film.peak_to_peak;
     data.films = {{&maps_only, {}}, {&stresses_only, {}}, {&film, {}}};
   }
 
@@ -54,14 +54,14 @@ struct FilmPageSample {
   FilmPageSample& operator=(const FilmPageSample&) = delete;
 
  private:
-  static constexpr double noise_ = 1.2e-3;                     // K, of a half swing
+  static constexpr double noise_ = 1.2e-3;                     // K, of an amplitude
   static constexpr double factor_[2] = {0.015e-6, 0.0258e-6};  // K/Pa
   Packing truth_;
   RandomStream random_{11, Purpose::test, 77};
 
   void place_camera() {
     const Domain& box = truth_.domain;
-    constexpr int border = 6;  // pixels around the frame
+    constexpr int border = 6;  // pixels around the container
     film.film.width = static_cast<int>(std::ceil(box.width() / film.pixel)) + 2 * border;
     film.film.height = static_cast<int>(std::ceil(box.height() / film.pixel)) + 2 * border;
     film.film.frames = 1480;
@@ -84,9 +84,9 @@ struct FilmPageSample {
     return all;
   }
 
-  /// Mean over four points of a pixel: {picture, half swing}, K.
+  /// Mean over four points of a pixel: {picture, amplitude}, K.
   std::pair<double, double> seen(const std::vector<elasticity::Disk>& all, Vec2 pixel) const {
-    double warmth = 0, swing = 0;
+    double warmth = 0, amplitude = 0;
     for (const Vec2 part : {Vec2{-0.25, -0.25}, Vec2{0.25, -0.25}, Vec2{-0.25, 0.25}, Vec2{0.25, 0.25}}) {
       const Vec2 at = pixel + film.pixel * part;
       warmth += 294.2 / 4;
@@ -95,10 +95,10 @@ struct FilmPageSample {
         if (norm(x) >= all[g].radius) continue;
         const int m = truth_.grains.material[g];
         warmth += (m == 0 ? 0.9 : 2.1) / 4;
-        swing -= factor_[m] * elasticity::sigma_kk(all[g], x) / 8;
+        amplitude -= factor_[m] * elasticity::sigma_kk(all[g], x) / 8;
       }
     }
-    return {warmth, swing};
+    return {warmth, amplitude};
   }
 
   void draw_maps() {
@@ -113,15 +113,15 @@ struct FilmPageSample {
     const auto real = [](double v) { return static_cast<float>(v); };
     for (int row = 0; row < maps.height; ++row)
       for (int column = 0; column < maps.width; ++column) {
-        const auto [warmth, swing] = seen(all, film.origin + Vec2{column * film.pixel, -row * film.pixel});
-        const double cosine = swing + noise_ * random_.normal(), sine = noise_ * random_.normal();
+        const auto [warmth, amplitude] = seen(all, film.origin + Vec2{column * film.pixel, -row * film.pixel});
+        const double cosine = amplitude + noise_ * random_.normal(), sine = noise_ * random_.normal();
         film.picture.push_back(real(warmth + 0.02 * random_.normal()));
         maps.mean.push_back(film.picture.back());
         maps.in_phase.push_back(real(cosine));
         maps.quadrature.push_back(real(sine));
         maps.amplitude.push_back(real(std::hypot(cosine, sine)));
         maps.phase.push_back(real(std::remainder(maps.reference_phase + std::atan2(sine, cosine), 2 * std::numbers::pi)));
-        maps.residual.push_back(real(0.022 * (1 + 0.03 * random_.normal()) + 0.02 * std::abs(swing)));
+        maps.residual.push_back(real(0.022 * (1 + 0.03 * random_.normal()) + 0.02 * std::abs(amplitude)));
         maps.standard_error.push_back(real(maps.residual.back() / 18 * (1 + 0.05 * random_.normal())));
         maps.second_harmonic.push_back(real(std::hypot(noise_ * random_.normal(), noise_ * random_.normal())));
       }
@@ -147,12 +147,12 @@ struct FilmPageSample {
       film.motion.sin_y.push_back(0);
       film.motion.error.push_back(0.02);
       const double sigma = elasticity::mean_sigma_kk(all[g]) / 2, error = 0.02e6 + 0.03 * std::abs(sigma);
-      film.swing.sigma_hyd.push_back(sigma + error * random_.normal());
-      film.swing.temperature.push_back(-2 * factor_[grains.material[g]] * film.swing.sigma_hyd.back());
-      film.swing.error.push_back(error);
-      film.swing.pixels.push_back(40);
-      film.twin.swing.push_back(sigma * (1 + 0.18 * random_.normal()) - 0.05e6 * std::abs(random_.normal()));
-      film.twin.state.push_back(1.15 * film.twin.swing.back() * (1 + 0.1 * random_.normal()) - 0.04e6);
+      film.peak_to_peak.sigma_hyd.push_back(sigma + error * random_.normal());
+      film.peak_to_peak.temperature.push_back(-2 * factor_[grains.material[g]] * film.peak_to_peak.sigma_hyd.back());
+      film.peak_to_peak.error.push_back(error);
+      film.peak_to_peak.pixels.push_back(40);
+      film.simulation.peak_to_peak.push_back(sigma * (1 + 0.18 * random_.normal()) - 0.05e6 * std::abs(random_.normal()));
+      film.simulation.state.push_back(1.15 * film.simulation.peak_to_peak.back() * (1 + 0.1 * random_.normal()) - 0.04e6);
     }
   }
 

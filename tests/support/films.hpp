@@ -18,7 +18,7 @@ inline void spill(const std::filesystem::path& path, const std::string& bytes) {
 template <class T> void add(std::string& bytes, T value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof(T)); }
 template <class T> void set(std::string& bytes, std::size_t at, T value) { std::memcpy(bytes.data() + at, &value, sizeof(T)); }
 
-/// A film whose every number is told by its place: 1000 frame + 10 row + column.
+/// A film whose every number is given by its place: 1000 frame + 10 row + column.
 inline Film counted(int width = 5, int height = 4, int frames = 3, bool floating = false) {
   Film film;
   film.about.width = width;

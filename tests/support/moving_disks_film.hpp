@@ -16,7 +16,7 @@ struct MovingDisks {
   std::size_t frames = 400;
   double rate = 148, frequency = 3;
   double noise = 0.020;
-  double travel = 3;   ///< pixels, full swing of the lowest disk
+  double travel = 3;   ///< pixels, peak to peak, of the lowest disk
   double apart = 0.3;  ///< pixels, by which disks differ
   double thermal = 0.05, tilt = 0.5;
   double contrast = 1.5;  ///< K

@@ -5,8 +5,7 @@
 
 #include "core/random.hpp"
 #include "model/packing.hpp"
-#include "thermal/inference/balance.hpp"
-#include "thermal/inference/normal_equations.hpp"
+#include "thermal/inference/equations.hpp"
 
 namespace arenite::test {
 
@@ -68,7 +67,7 @@ inline Packing pressed_crystal(int columns, int rows, double radius, std::uint64
   return p;
 }
 
-/// The same, its forces not told.
+/// The same, its forces not given.
 inline Packing without_forces(Packing p) {
   p.contacts.fn.assign(p.contacts.size(), 0.0);
   p.contacts.ft.assign(p.contacts.size(), 0.0);

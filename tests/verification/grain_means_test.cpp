@@ -1,4 +1,4 @@
-#include "thermal/thermography/grain_means.hpp"
+#include "thermal/thermography/grain_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -48,10 +48,10 @@ TEST(GrainMeans, AnyConcentricDiskHasTheGrainsMean) {
   for (const double s : {0.2, 0.5, 0.8})
     for (const double at : {0.0, 0.31, 0.5}) {
       const LockinMaps maps = harmonic(0.05, 18 + at, 14 - at / 3, 6.3);
-      const GrainSwing swing = grain_means(maps, one_grain(18 + at, 14 - at / 3, 6.3), share(s));
+      const PeakToPeak found = grain_means(maps, one_grain(18 + at, 14 - at / 3, 6.3), share(s));
       // pixels on the rim of the disk are taken as a whole, with the part of them that it covers
-      EXPECT_NEAR(swing.temperature[0] / 2, 0.05, 0.06) << s << " " << at;
-      EXPECT_NEAR(swing.pixels[0], s * 3.14159265 * 6.3 * 6.3, 1e-6);
+      EXPECT_NEAR(found.temperature[0] / 2, 0.05, 0.06) << s << " " << at;
+      EXPECT_NEAR(found.pixels[0], s * 3.14159265 * 6.3 * 6.3, 1e-6);
     }
 }
 
@@ -74,19 +74,19 @@ TEST(GrainMeans, DiskUnderContactForcesHasItsMeanStress) {
         const bool inside = std::hypot(centre.x, centre.y) < radius - 0.71 * pixel;
         maps.in_phase.push_back(inside ? static_cast<float>(-factor * elasticity::square_mean(disk, centre, pixel)) : 7.f);
       }
-    maps.convention = SwingConvention::full;
+    maps.convention = AmplitudeConvention::peak_to_peak;
     maps.standard_error.assign(maps.in_phase.size(), 0.f);
-    const GrainSwing swing = grain_means(maps, one_grain(x0, y0, radius / pixel), share(0.5));
-    worst = std::max(worst, std::abs(swing.sigma_hyd[0] / (elasticity::mean_sigma_kk(disk) / 2) - 1));
+    const PeakToPeak found = grain_means(maps, one_grain(x0, y0, radius / pixel), share(0.5));
+    worst = std::max(worst, std::abs(found.sigma_hyd[0] / (elasticity::mean_sigma_kk(disk) / 2) - 1));
   }
   EXPECT_LT(worst, 0.01);  // whole pixels would be off by 3 to 6 %
 }
 
-TEST(GrainMeans, HalfSwingsAreDoubled) {
+TEST(GrainMeans, AmplitudesAreDoubled) {
   LockinMaps maps = harmonic(0.05, 18, 14, 6, 0, 0, 0, 0);
-  const GrainSwing half = grain_means(maps, one_grain(18, 14, 6), share(0.5));
-  maps.convention = SwingConvention::full;
-  const GrainSwing full = grain_means(maps, one_grain(18, 14, 6), share(0.5));
+  const PeakToPeak half = grain_means(maps, one_grain(18, 14, 6), share(0.5));
+  maps.convention = AmplitudeConvention::peak_to_peak;
+  const PeakToPeak full = grain_means(maps, one_grain(18, 14, 6), share(0.5));
   EXPECT_NEAR(half.temperature[0], 0.1, 1e-8);
   EXPECT_NEAR(half.sigma_hyd[0], -0.1 / (2 * 0.015e-6), 1);  // warmer: compressed
   EXPECT_NEAR(full.sigma_hyd[0], -0.05 / (2 * 0.015e-6), 1);
@@ -97,7 +97,7 @@ TEST(GrainMeans, ErrorIsThatOfRepeatedDraws) {
   const double x0 = 18.3, y0 = 14.6, noise = 0.02, off = 0.1;
   PictureGrains grain = one_grain(x0, y0, 6);
   grain.position_error = {off};
-  double sum = 0, told = 0;
+  double sum = 0, reported = 0;
   const int draws = 400;
   for (int n = 0; n < draws; ++n) {
     RandomStream random(static_cast<std::uint64_t>(n), Purpose::test);
@@ -106,20 +106,20 @@ TEST(GrainMeans, ErrorIsThatOfRepeatedDraws) {
     maps.standard_error.assign(maps.in_phase.size(), static_cast<float>(noise));
     grain.x = {x0 + off * random.normal()};
     grain.y = {y0 + off * random.normal()};
-    const GrainSwing swing = grain_means(maps, grain, share(0.5));
-    sum += std::pow(swing.temperature[0] - 0.1, 2);
-    told += std::pow(swing.error[0] * 2 * 0.015e-6, 2);
+    const PeakToPeak found = grain_means(maps, grain, share(0.5));
+    sum += std::pow(found.temperature[0] - 0.1, 2);
+    reported += std::pow(found.error[0] * 2 * 0.015e-6, 2);
   }
-  EXPECT_NEAR(std::sqrt(sum / told), 1, 0.12);
+  EXPECT_NEAR(std::sqrt(sum / reported), 1, 0.12);
 }
 
 TEST(GrainMeans, PixelsWithoutAValueAreLeftOut) {
   LockinMaps maps = harmonic(0.05, 18, 14, 6, 0, 0, 0, 0);
   maps.in_phase[14 * 40 + 18] = std::nanf("");
-  const GrainSwing swing = grain_means(maps, one_grain(18, 14, 6), share(0.5));
-  EXPECT_NEAR(swing.temperature[0], 0.1, 1e-8);
-  EXPECT_NEAR(swing.pixels[0], 0.5 * 3.14159265 * 36 - 1, 1e-6);
-  const GrainSwing outside = grain_means(maps, one_grain(-50, 14, 6), share(0.5));
+  const PeakToPeak found = grain_means(maps, one_grain(18, 14, 6), share(0.5));
+  EXPECT_NEAR(found.temperature[0], 0.1, 1e-8);
+  EXPECT_NEAR(found.pixels[0], 0.5 * 3.14159265 * 36 - 1, 1e-6);
+  const PeakToPeak outside = grain_means(maps, one_grain(-50, 14, 6), share(0.5));
   EXPECT_EQ(outside.pixels[0], 0);
   EXPECT_TRUE(std::isinf(outside.error[0]));
 }

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "../support/moving_disks_film.hpp"
-#include "thermal/thermography/grain_means.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -37,14 +36,14 @@ Seen look(const test::MovingDisks& disks) {
   return seen;
 }
 
-/// Root mean square error of the grains' full temperature swings, K.
+/// Root mean square error of the grains' peak-to-peak temperatures, K.
 double error_of_means(const test::MovingDisks& disks, const Seen& seen, const LockinMaps& maps) {
   GrainMeanOptions o;
   o.factor = {1e-8, 1e-8};
-  const GrainSwing swing = grain_means(maps, seen.grains, o);
+  const PeakToPeak found = grain_means(maps, seen.grains, o);
   double sum = 0;
-  for (std::size_t i = 0; i < swing.size(); ++i) sum += std::pow(swing.temperature[i] - disks.warming(seen.grains, i, seen.grains.x[i]), 2);
-  return std::sqrt(sum / static_cast<double>(swing.size()));
+  for (std::size_t i = 0; i < found.size(); ++i) sum += std::pow(found.temperature[i] - disks.warming(seen.grains, i, seen.grains.x[i]), 2);
+  return std::sqrt(sum / static_cast<double>(found.size()));
 }
 
 TEST(GrainMotion, IsFoundAndTakenOut) {
@@ -72,7 +71,7 @@ TEST(GrainMotion, DriftIsTakenOutOfTheGrainsThatMove) {
   EXPECT_LT(error_of_means(disks, warming, warming.still), 1.05 * error_of_means(disks, none, none.still));
 }
 
-/// Root mean square error of the swing in pixels from 1 to 2 pixels below rims, K.
+/// Root mean square error of the amplitude in pixels from 1 to 2 pixels below rims, K.
 double error_below_rims(const test::MovingDisks& disks, const PictureGrains& grains, const LockinMaps& maps) {
   double sum = 0, n = 0;
   for (std::size_t i = 0; i < grains.size(); ++i)
@@ -94,7 +93,7 @@ TEST(GrainMotion, LeavesLittleBelowRims) {
   const PictureGrains grains = disks.grains();
   LockinOptions o;
   o.frequency = disks.frequency;
-  o.convention = SwingConvention::full;
+  o.convention = AmplitudeConvention::peak_to_peak;
   const LockinMaps maps = lock_in(film, o);
   GrainMotion motion;
   for (std::size_t i = 0; i < grains.size(); ++i) {

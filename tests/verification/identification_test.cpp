@@ -75,13 +75,13 @@ TEST(Identification, MeanOfTable22) {
   EXPECT_EQ(found.groups[0].tests.size(), 6U);
 }
 
-TEST(Identification, FactorsFromPropertiesSayThatTheThesissAreOfFullSwings) {
+TEST(Identification, FactorsFromPropertiesSayThatTheThesissArePeakToPeak) {
   const auto found = workflow::identify_factor(table("properties.csv"), {});
   ASSERT_EQ(found.groups.size(), 2U);
   const double measured[] = {0.0150e-6, 0.0258e-6};  // T 2.3
   for (std::size_t g = 0; g < 2; ++g) {
     const double from_properties = finding(found.groups[g], "factor").value.value;
-    EXPECT_NEAR(from_properties / measured[g], 1, 0.06);  // half swings would be off by 2
+    EXPECT_NEAR(from_properties / measured[g], 1, 0.06);  // amplitudes would be off by 2
   }
 }
 

@@ -7,12 +7,12 @@
 #include <complex>
 #include <numbers>
 
-#include "../support/swinging_film.hpp"
+#include "../support/oscillating_film.hpp"
 
 namespace arenite::thermography {
 namespace {
 
-using test::SwingingFilm;
+using test::OscillatingFilm;
 
 double rms(const std::vector<double>& v) {
   double sum = 0;
@@ -28,7 +28,7 @@ LockinOptions at(double frequency, bool refine = true) {
 }
 
 /// Largest errors of amplitude (relative) and phase over all pixels.
-std::pair<double, double> worst(const LockinMaps& maps, const SwingingFilm& truth, double factor = 1) {
+std::pair<double, double> worst(const LockinMaps& maps, const OscillatingFilm& truth, double factor = 1) {
   double amplitude = 0, phase = 0;
   for (std::size_t p = 0; p < maps.size(); ++p) {
     amplitude = std::max(amplitude, std::abs(static_cast<double>(maps.amplitude[p]) / (factor * truth.amplitude_of(p)) - 1));
@@ -37,8 +37,8 @@ std::pair<double, double> worst(const LockinMaps& maps, const SwingingFilm& trut
   return {amplitude, phase};
 }
 
-SwingingFilm drifting() {
-  SwingingFilm f;
+OscillatingFilm drifting() {
+  OscillatingFilm f;
   f.frames = 777;  // 15.75 cycles
   f.drift = 0.7;
   f.curve = -0.05;
@@ -47,7 +47,7 @@ SwingingFilm drifting() {
 }
 
 TEST(LockIn, FindsAmplitudeAndPhaseOffTheBinWithDriftAndHarmonics) {
-  const SwingingFilm truth = drifting();
+  const OscillatingFilm truth = drifting();
   Film film = truth.draw();
   const LockinMaps maps = lock_in(film, at(3, false));
   const auto [amplitude, phase] = worst(maps, truth);
@@ -61,23 +61,23 @@ TEST(LockIn, FindsAmplitudeAndPhaseOffTheBinWithDriftAndHarmonics) {
 }
 
 TEST(LockIn, FindsTheFrequencyThatTheFilmHas) {
-  for (const double told : {3.0, 3.003, 2.997, 3.02, 2.95}) {
-    SwingingFilm truth = drifting();
+  for (const double given : {3.0, 3.003, 2.997, 3.02, 2.95}) {
+    OscillatingFilm truth = drifting();
     truth.frames = 4001;
     truth.width = 4;
     truth.frequency = 3.000123;
     Film film = truth.draw();
-    const LockinMaps maps = lock_in(film, at(told));
-    EXPECT_NEAR(maps.frequency, truth.frequency, 1e-7) << told;
+    const LockinMaps maps = lock_in(film, at(given));
+    EXPECT_NEAR(maps.frequency, truth.frequency, 1e-7) << given;
     const auto [amplitude, phase] = worst(maps, truth);
-    EXPECT_LT(amplitude, 1e-5) << told;
-    EXPECT_LT(phase, 2e-5) << told;
+    EXPECT_LT(amplitude, 1e-5) << given;
+    EXPECT_LT(phase, 2e-5) << given;
   }
 }
 
 /// Smallest standard error of a frequency from N frames in T seconds with white noise s and amplitudes a that is possible:
 /// sqrt(24/(N sum a^2)) s/(2 pi T), Hz.
-double cramer_rao(const SwingingFilm& f) {
+double cramer_rao(const OscillatingFilm& f) {
   double power = 0;
   for (std::size_t p = 0; p < static_cast<std::size_t>(f.width * f.height); ++p) power += f.amplitude_of(p) * f.amplitude_of(p);
   const auto frames = static_cast<double>(f.frames);
@@ -85,7 +85,7 @@ double cramer_rao(const SwingingFilm& f) {
 }
 
 TEST(LockIn, FindsTheFrequencyOfManyCyclesFarFromTheNominal) {
-  SwingingFilm truth;
+  OscillatingFilm truth;
   truth.width = 3, truth.height = 2;
   truth.frames = 40000;  // 1351 cycles: a nominal frequency that is 1e-3 off loses more than one of them
   truth.rate = 74, truth.frequency = 2.5 * (1 + 1e-3);
@@ -97,54 +97,54 @@ TEST(LockIn, FindsTheFrequencyOfManyCyclesFarFromTheNominal) {
 }
 
 TEST(LockIn, ErrorIsTheNoiseTimesRootOfTwoOverFrames) {
-  SwingingFilm truth;
+  OscillatingFilm truth;
   truth.width = 32, truth.height = 32;
   truth.noise = 0.020, truth.amplitude = 0.030;
   truth.frames = 800;
   Film film = truth.draw();
   const LockinMaps maps = lock_in(film, at(3));
-  std::vector<double> in_phase, told;
+  std::vector<double> in_phase, reported;
   for (std::size_t p = 0; p < maps.size(); ++p) {
     in_phase.push_back(static_cast<double>(maps.in_phase[p]) - truth.amplitude_of(p) * std::cos(truth.phase_of(p) - maps.reference_phase));
-    told.push_back(static_cast<double>(maps.standard_error[p]));
+    reported.push_back(static_cast<double>(maps.standard_error[p]));
   }
   EXPECT_NEAR(rms(in_phase), 0.020 * std::sqrt(2.0 / 800), 0.06e-3);
-  EXPECT_NEAR(rms(told), 0.020 * std::sqrt(2.0 / 800), 0.02e-3);
-  EXPECT_NEAR(rms(told), 1e-3, 0.02e-3);
+  EXPECT_NEAR(rms(reported), 0.020 * std::sqrt(2.0 / 800), 0.02e-3);
+  EXPECT_NEAR(rms(reported), 1e-3, 0.02e-3);
 }
 
-TEST(LockIn, NoiseFloorIsWhatPixelsWithoutSwingShow) {
-  SwingingFilm truth;
+TEST(LockIn, NoiseFloorIsWhatPixelsWithoutLoadShow) {
+  OscillatingFilm truth;
   truth.width = 40, truth.height = 30;
   truth.noise = 0.020, truth.amplitude = 0;
   Film film = truth.draw();
   const LockinMaps maps = lock_in(film, at(3, false));
-  double shown = 0, told = 0;
-  for (std::size_t p = 0; p < maps.size(); ++p) shown += static_cast<double>(maps.amplitude[p]), told += static_cast<double>(maps.noise_floor[p]);
-  EXPECT_NEAR(shown / told, 1, 0.05);
+  double shown = 0, reported = 0;
+  for (std::size_t p = 0; p < maps.size(); ++p) shown += static_cast<double>(maps.amplitude[p]), reported += static_cast<double>(maps.noise_floor[p]);
+  EXPECT_NEAR(shown / reported, 1, 0.05);
 }
 
 TEST(LockIn, FrequencyIsAsGoodAsTheCramerRaoBound) {
   std::vector<double> off;
-  SwingingFilm truth;
+  OscillatingFilm truth;
   truth.width = 8, truth.height = 4;
   truth.frames = 1000;
   truth.noise = 0.5;
-  double told = 0;
+  double reported = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     truth.seed = seed;
     Film film = truth.draw();
     const LockinMaps maps = lock_in(film, at(3.003));
     off.push_back(maps.frequency - truth.frequency);
-    told += maps.frequency_error / 60;  // each from its own film's noise, of 32 pixels
+    reported += maps.frequency_error / 60;  // each from its own film's noise, of 32 pixels
   }
   const double bound = cramer_rao(truth);
-  EXPECT_NEAR(told / bound, 1, 0.05);
+  EXPECT_NEAR(reported / bound, 1, 0.05);
   EXPECT_NEAR(rms(off) / bound, 1, 0.3);  // 60 draws: 9 % standard error
 }
 
 TEST(LockIn, AFilmOfNoiseKeepsTheNominalFrequencyOrSaysHowUnsureItIs) {
-  SwingingFilm truth;
+  OscillatingFilm truth;
   truth.amplitude = 0, truth.noise = 1;
   Film film = truth.draw();
   const LockinMaps maps = lock_in(film, at(3));
@@ -152,7 +152,7 @@ TEST(LockIn, AFilmOfNoiseKeepsTheNominalFrequencyOrSaysHowUnsureItIs) {
 }
 
 TEST(LockIn, WildPixelsDoNotMoveTheFrequency) {
-  SwingingFilm truth;
+  OscillatingFilm truth;
   truth.noise = 0.02, truth.frames = 2000;
   Film film = truth.draw();
   RandomStream random(5, Purpose::test);
@@ -166,7 +166,7 @@ TEST(LockIn, WildPixelsDoNotMoveTheFrequency) {
 }
 
 TEST(LockIn, DroppedFramesAreSeenFromTheTimes) {
-  SwingingFilm truth = drifting();
+  OscillatingFilm truth = drifting();
   for (std::size_t n = 0; n < 2500; ++n)
     if (n % 97 > 4 && (n < 900 || n > 1333)) truth.time.push_back(static_cast<double>(n) / truth.rate);
   Film film = truth.draw();
@@ -178,7 +178,7 @@ TEST(LockIn, DroppedFramesAreSeenFromTheTimes) {
 }
 
 TEST(LockIn, DigitalLevelsGiveWhatFloatsGive) {
-  SwingingFilm truth = drifting();
+  OscillatingFilm truth = drifting();
   truth.mean = 8000, truth.amplitude = 12;
   truth.noise = 2;
   Film floats = truth.draw(), levels = truth.levels(1);
@@ -190,7 +190,7 @@ TEST(LockIn, DigitalLevelsGiveWhatFloatsGive) {
 }
 
 TEST(LockIn, LevelsFarFromZeroLoseNothingToRounding) {
-  SwingingFilm truth = drifting();
+  OscillatingFilm truth = drifting();
   truth.frames = 6000;
   truth.mean = 60000, truth.amplitude = 8, truth.drift = 2, truth.curve = 0;
   truth.noise = 3;
@@ -207,14 +207,14 @@ TEST(LockIn, LevelsFarFromZeroLoseNothingToRounding) {
   }
 }
 
-TEST(LockIn, FullSwingIsTwiceTheHalf) {
-  const SwingingFilm truth = drifting();
+TEST(LockIn, PeakToPeakIsTwiceTheAmplitude) {
+  const OscillatingFilm truth = drifting();
   Film film = truth.draw();
   LockinOptions o = at(3, false);
-  o.convention = SwingConvention::full;
+  o.convention = AmplitudeConvention::peak_to_peak;
   const LockinMaps full = lock_in(film, o), half = lock_in(film, at(3, false));
   EXPECT_LT(worst(full, truth, 2).first, 2e-6);
-  EXPECT_EQ(full.convention, SwingConvention::full);
+  EXPECT_EQ(full.convention, AmplitudeConvention::peak_to_peak);
   EXPECT_FLOAT_EQ(full.in_phase[3], 2 * half.in_phase[3]);
   EXPECT_FLOAT_EQ(full.second_harmonic[3], 2 * half.second_harmonic[3]);
   EXPECT_FLOAT_EQ(full.standard_error[3], 2 * half.standard_error[3]);
@@ -222,16 +222,16 @@ TEST(LockIn, FullSwingIsTwiceTheHalf) {
 }
 
 TEST(LockIn, SignsFollowTheReference) {
-  SwingingFilm truth;
+  OscillatingFilm truth;
   truth.phase = 0.5;  // even pixels +0.5 rad, odd ones -0.5 rad
   Film film = truth.draw();
   LockinOptions o = at(3, false);
   o.reference_phase = 0.5;
-  const LockinMaps told = lock_in(film, o);
-  EXPECT_NEAR(told.in_phase[2], truth.amplitude_of(2), 1e-5);
-  EXPECT_NEAR(told.quadrature[2], 0, 1e-5);
-  EXPECT_NEAR(told.in_phase[3], truth.amplitude_of(3) * std::cos(1.0), 1e-5);
-  EXPECT_NEAR(told.quadrature[3], -truth.amplitude_of(3) * std::sin(1.0), 1e-5);
+  const LockinMaps reported = lock_in(film, o);
+  EXPECT_NEAR(reported.in_phase[2], truth.amplitude_of(2), 1e-5);
+  EXPECT_NEAR(reported.quadrature[2], 0, 1e-5);
+  EXPECT_NEAR(reported.in_phase[3], truth.amplitude_of(3) * std::cos(1.0), 1e-5);
+  EXPECT_NEAR(reported.quadrature[3], -truth.amplitude_of(3) * std::sin(1.0), 1e-5);
   for (const double c : {1.0, 0.3, -2.0}) {  // most pixels follow the load, some the other way
     EXPECT_NEAR(std::remainder(reference_phase({3 * std::cos(c), -std::cos(c), 2 * std::cos(c)}, {3 * std::sin(c), -std::sin(c), 2 * std::sin(c)}) - c,
                                2 * std::numbers::pi),
@@ -240,7 +240,7 @@ TEST(LockIn, SignsFollowTheReference) {
 }
 
 TEST(LockIn, NearestBinIsOffByUpToOneLessTwoOverPi) {
-  SwingingFilm truth;
+  OscillatingFilm truth;
   truth.width = 2, truth.height = 1;
   truth.frames = 148 * 40;
   for (const double off : {0.0, 0.25, 0.5}) {
@@ -255,7 +255,7 @@ TEST(LockIn, NearestBinIsOffByUpToOneLessTwoOverPi) {
 }
 
 TEST(LockIn, NearestBinIsTheTransformOfTheFilmLessItsMeanImage) {
-  SwingingFilm truth = drifting();
+  OscillatingFilm truth = drifting();
   truth.noise = 0.1;
   Film film = truth.draw();
   const LockinMaps plain = nearest_bin_transform(film, at(3));

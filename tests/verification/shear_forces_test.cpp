@@ -5,7 +5,7 @@
 
 #include "io/sample/sample.hpp"
 #include "support/pressed_crystal.hpp"
-#include "support/swing_picture.hpp"
+#include "support/thermoelastic_picture.hpp"
 
 /// The forces of another code (1024 disks under slow shear, friction coefficient 0.1, sheared periodic cell): inverted
 /// from grain sums and from a picture, and compared with its own.
@@ -94,7 +94,7 @@ TEST(ForcesOfAnotherCode, FollowFromAPicture) {
   const Packing p = sheared();
   test::Drawing d;
   d.pixel = 0.3, d.fine = 4, d.noise = 0.01 * mean_size(mean_stresses(p));
-  SwingPicture picture = test::draw_swing(with_images(p, 33.5), {1}, d);
+  ThermoelasticPicture picture = test::draw_thermoelastic(with_images(p, 33.5), {1}, d);
   for (int r = 0; r < picture.height; ++r)
     for (int c = 0; c < picture.width; ++c) {
       const Vec2 x = picture.first + picture.pixel * Vec2{static_cast<double>(c), -static_cast<double>(r)};

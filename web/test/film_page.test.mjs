@@ -58,7 +58,7 @@ test("the picture is bright where grains are warm, and its pixels come back in k
   assert.ok(brightness(await picture(corner.x, corner.y)) < 60);
 });
 
-test("the signed swing is amber where the load warms and neutral outside", async (page) => {
+test("the signed amplitude is amber where the load warms and neutral outside", async (page) => {
   await show(page, { map: "in_phase" });
   const picture = await painted(page), strong = (await grains(page)).filter(({ norm }) => norm > 1.2);
   for (const { x, y } of strong.slice(0, 10)) {
@@ -213,13 +213,13 @@ test("zoomed in, a pixel is a square of one colour; 0 shows all again", async (p
 
 test("every figure is drawn and saved as a whole SVG, and its choices redraw it", async (page) => {
   const names = await page.locator("[data-figure]:visible").evaluateAll((all) => all.map((f) => f.dataset.figure));
-  assert.deepEqual(names, ["film-maps", "film-twin", "film-tails", "film-directions", "film-fit", "film-forces", "film-certainty", "film-stresses"]);
+  assert.deepEqual(names, ["film-maps", "film-simulation", "film-tails", "film-directions", "film-fit", "film-forces", "film-certainty", "film-stresses"]);
   for (const name of names) {
     const source = (await saved(page, `[data-figure="${name}"] [data-save="svg"]:visible`)).toString("utf8");
     assert.ok(source.match(/<(path|rect|circle|line)/g).length > 5, `${name} is bare`);
     assert.doesNotMatch(source, /NaN|undefined|var\(--/, name);
   }
-  for (const [name, key, value] of [["film-twin", "twin", "state"], ["film-twin", "over", "unit"], ["film-forces", "component", "ft"]]) {
+  for (const [name, key, value] of [["film-simulation", "companion", "state"], ["film-simulation", "over", "unit"], ["film-forces", "component", "ft"]]) {
     const drawing = page.locator(`[data-figure="${name}"]:visible .drawing`), first = await drawing.innerHTML();
     await page.click(`[data-figure="${name}"] [data-choice="${key}"]:visible [data-value="${value}"]`);
     await settle(page);
@@ -228,16 +228,16 @@ test("every figure is drawn and saved as a whole SVG, and its choices redraw it"
 });
 
 test("film and simulation are compared grain by grain, with the correlation in the corner", async (page) => {
-  await set(page, { twin: "swing", over: "mean" });
+  await set(page, { companion: "peak_to_peak", over: "mean" });
   await settle(page);
-  const { dots, whiskers, words } = await page.locator('[data-figure="film-twin"]:visible .drawing').evaluate((box) => ({
+  const { dots, whiskers, words } = await page.locator('[data-figure="film-simulation"]:visible .drawing').evaluate((box) => ({
     dots: box.querySelectorAll("circle").length, whiskers: box.querySelectorAll('g[aria-label="rule"] line').length, words: box.textContent }));
   assert.equal(dots, 260);
   assert.equal(whiskers, 260);
   const said = Number(words.match(/r = (0\.\d+)/)[1]);
   const own = await page.evaluate(() => {
-    const { film, twin_swing: twin } = window.arenite.film.film.stresses, mean = (v) => v.reduce((a, b) => a + b, 0) / v.length;
-    const [a, b] = [film.sigma_hyd, twin.sigma_hyd].map((v) => Array.from(v)), [ma, mb] = [mean(a), mean(b)];
+    const { film, simulation_peak_to_peak: simulation } = window.arenite.film.film.stresses, mean = (v) => v.reduce((a, b) => a + b, 0) / v.length;
+    const [a, b] = [film.sigma_hyd, simulation.sigma_hyd].map((v) => Array.from(v)), [ma, mb] = [mean(a), mean(b)];
     const sum = (f) => a.reduce((total, _, g) => total + f(a[g] - ma, b[g] - mb), 0);
     return sum((p, q) => p * q) / Math.sqrt(sum((p) => p * p) * sum((_, q) => q * q));
   });
@@ -253,14 +253,14 @@ test("directions of contacts in film and simulation stand side by side on one sc
   assert.deepEqual(roses.map((r) => r.name), ["film", "simulation"]);
   assert.deepEqual(roses[0].radii, roses[1].radii);
   const said = await page.evaluate(() => window.arenite.film.film.numbers.directions);
-  for (const [k, set] of [said.film, said.twin].entries()) {
+  for (const [k, set] of [said.film, said.simulation].entries()) {
     assert.equal(roses[k].petals, 36);
     assert.equal(set.sectors.reduce((a, b) => a + b, 0), set.contacts);
     const shown = Number(roses[k].words.match(/= (0\.\d+)/)[1]);
     assert.ok(Math.abs(shown - set.a_c.value) < 0.01, `${roses[k].words}: ${set.a_c.value}`);
     assert.match(roses[k].words, /\u00b0|noise/);
   }
-  assert.match(await page.locator('[data-figure="film-twin"]:visible .caption').innerText(), /0\.4 to 0\.5.*friction.*history is lost/);
+  assert.match(await page.locator('[data-figure="film-simulation"]:visible .caption').innerText(), /0\.4 to 0\.5.*friction.*history is lost/);
 });
 
 test("forces carry error bars of one standard error", async (page) => {
@@ -280,9 +280,9 @@ test("forces carry error bars of one standard error", async (page) => {
 });
 
 test("the pointer on a chart names the grain or the contact with its error and unit", async (page) => {
-  await set(page, { twin: "swing", over: "unit" });
+  await set(page, { companion: "peak_to_peak", over: "unit" });
   await settle(page);
-  const grain = await tipOf(page, "film-twin"), contact = await tipOf(page, "film-forces");
+  const grain = await tipOf(page, "film-simulation"), contact = await tipOf(page, "film-forces");
   assert.match(grain.join("\n"), /^Grain \d+, (POM|HDPE)\nsimulation, \u2212\u03c3hyd \u2212?[\d.]+\u202f[kM]Pa\nfilm, \u2212\u03c3hyd \u2212?[\d.]+ \u00b1 [\d.]+\u202f[kM]Pa$/);
   assert.match(contact.join("\n"), /^Contact \d+\u2009\u2013\u2009.*\nrank \d+\nFn \u2212?[\d.]+ \u00b1 [\d.]+\u202fk?N$/);
   await set(page, { over: "mean" });

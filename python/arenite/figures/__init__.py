@@ -9,8 +9,8 @@ from .catalogue import figures, figures_of, save_all, study_figures
 from .densities import draw_cavities, draw_densities
 from .failure import draw_broken_bonds, draw_convergence, draw_energy_balance, draw_stress_strain
 from .fields import draw_cracks, draw_field, draw_phases
-from .film_forces import draw_against_twin, draw_certainty, draw_ranked_forces, draw_ranked_stresses
-from .films import draw_bad_pixels, draw_film_grains, draw_map, draw_phase, draw_twin_grains
+from .film_forces import draw_against_simulation, draw_certainty, draw_ranked_forces, draw_ranked_stresses
+from .films import draw_bad_pixels, draw_film_grains, draw_map, draw_phase, draw_simulated_grains
 from .histories import draw_energies, draw_rest, draw_travel, draw_wall_forces
 from .loadings import draw_against_rate, draw_cycles, draw_friction, draw_pressure, draw_volume
 from .packings import draw_forces, draw_packing

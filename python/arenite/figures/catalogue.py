@@ -72,8 +72,8 @@ def has_forces(film):
     return len(film.fn_error) > 0
 
 
-def has_twin(film):
-    return len(film.twin) > 0
+def has_simulation(film):
+    return len(film.simulation) > 0
 
 
 def density_figure(component, name):
@@ -137,8 +137,8 @@ figures = [
     Figure("forces", "film", panels.ranked_forces, has_forces, 0.4, True),
     Figure("certainty", "film", one(film_forces.draw_certainty, lambda f: f), has_forces),
     Figure("force-network", "film", film_network, has_forces, of_packing),
-    Figure("beside-simulation", "film", panels.beside, has_twin, 0.38, True),
-    Figure("against-simulation", "film", panels.against, has_twin, 0.48, True),
+    Figure("beside-simulation", "film", panels.beside, has_simulation, 0.38, True),
+    Figure("against-simulation", "film", panels.against, has_simulation, 0.48, True),
     Figure("tails", "film", panels.film_tails, lambda f: len(f.sigma_hyd) > 1),
     Figure("contact-directions", "film", panels.film_roses, lambda f: "film" in f.numbers.get("directions", {}), lambda f: 0.68 if len(panels.film_rose_sets(f)) > 1 else 1.1),
 ]

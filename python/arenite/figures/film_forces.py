@@ -6,7 +6,7 @@ from matplotlib.colors import to_rgba
 from .films import mean_stress, normalised
 from .style import colours, force_symbols, scaled, sigma_norm, soft, strong, tension
 
-twin_names = {"swing": "simulation, swing", "state": "simulation, state"}
+simulation_names = {"peak_to_peak": "simulation, peak to peak", "state": "simulation, state"}
 
 
 def materials_of(film):
@@ -27,18 +27,18 @@ def certainty_sets(film):
     return [(name, colour, which) for name, colour, which in [(f"{np.sum(~may)} there", strong, ~may), (f"{np.sum(may)} may be absent", tension, may)] if which.any()]
 
 
-def draw_against_twin(axes, film, which="swing"):
+def draw_against_simulation(axes, film, which="peak_to_peak"):
     """Film against simulation, grain by grain; the correlation is the stored one, of the grains away from the border."""
-    x, y = normalised(film, film.twin[which]), normalised(film, film.sigma_hyd)
+    x, y = normalised(film, film.simulation[which]), normalised(film, film.sigma_hyd)
     error = film.sigma_hyd_error / abs(mean_stress(film, film.sigma_hyd))
     for name, colour, of in materials_of(film):
         axes.errorbar(x[of], y[of], yerr=error[of], fmt=".", color=colour, markersize=2, elinewidth=0.3, alpha=0.7, label=name)
     ends = [min(0, np.nanmin(x), np.nanmin(y)), max(np.nanmax(x), np.nanmax(y))]
     axes.plot(ends, ends, "--", color=soft)
-    agreement = film.numbers.get("twin", {}).get(which, {}).get("all", {})
+    agreement = film.numbers.get("simulation", {}).get(which, {}).get("all", {})
     if "correlation" in agreement:
         axes.text(0.04, 0.96, f"$r$ = {agreement['correlation']:.3f}", transform=axes.transAxes, va="top")
-    axes.set(xlabel=f"{twin_names[which]}, {sigma_norm}", ylabel=f"film, {sigma_norm}")
+    axes.set(xlabel=f"{simulation_names[which]}, {sigma_norm}", ylabel=f"film, {sigma_norm}")
     axes.legend(loc="lower right")
 
 
@@ -55,7 +55,7 @@ def _ranked(axes, values, errors, unit, label, sets):
 
 
 def draw_ranked_forces(axes, film, component="fn"):
-    """Forces of the swing in order, normal or tangential ("ft"), with standard errors; contacts that may be absent apart."""
+    """Peak-to-peak forces in order, normal or tangential ("ft"), with standard errors; contacts that may be absent apart."""
     errors = film.fn_error if component == "fn" else film.ft_error
     _ranked(axes, np.asarray(getattr(film.packing.contacts, component)), errors, "N", f"${force_symbols[component]}$", certainty_sets(film))
 

@@ -40,9 +40,9 @@ def draw_map(axes, values, label=None, share=0.005, colour_map="inferno", about=
 
 
 def draw_fit(figure, film):
-    """The film's swing, what the contact forces make of it, and the first less the second: full swings on one scale."""
+    """What the film shows, what the contact forces make of it, and the first less the second: peak to peak on one scale."""
     fitted = np.asarray(film.fitted, float)
-    full = 1 if film.maps.full_swing else 2
+    full = 1 if film.maps.peak_to_peak else 2
     measured = np.where(np.isfinite(fitted), full * np.asarray(film.maps.in_phase, float), np.nan)
     known = measured[np.isfinite(measured)]
     reach = np.quantile(np.abs(known), 0.99) if known.size else 1
@@ -54,7 +54,7 @@ def draw_fit(figure, film):
 
 
 def phase_after_load(maps):
-    """Phase of the swing after that of the load, degrees in (-180, 180]."""
+    """Phase of the signal after that of the load, degrees in (-180, 180]."""
     angle = np.degrees(np.asarray(maps.phase, float) - maps.reference_phase)
     return angle - 360 * np.ceil(angle / 360 - 0.5)
 
@@ -128,6 +128,6 @@ def draw_film_grains(axes, film, most=most_stress):
     return _disks(axes, film, normalised(film, film.sigma_hyd), most)
 
 
-def draw_twin_grains(axes, film, which="swing", most=most_stress):
-    """The same of the simulation beside the film, its "swing" or its "state"."""
-    return _disks(axes, film, normalised(film, film.twin[which]), most)
+def draw_simulated_grains(axes, film, which="peak_to_peak", most=most_stress):
+    """The same of the companion simulation, "peak_to_peak" or its "state"."""
+    return _disks(axes, film, normalised(film, film.simulation[which]), most)

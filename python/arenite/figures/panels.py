@@ -57,13 +57,13 @@ def roses_height(state):
 
 
 def film_rose_sets(film):
-    names = [("film", "film", strong), ("twin", "simulation", colours[1])]
+    names = [("film", "film", strong), ("simulation", "simulation", colours[1])]
     found = film.numbers["directions"]
     return [(name, found[key], None, colour) for key, name, colour in names if "sectors" in found.get(key, {})]
 
 
 def film_roses(figure, film):
-    """Contacts whose force swings in the film, and those of the simulation beside it at the largest load, on one scale."""
+    """Contacts whose force changes in the film, and those of the simulation beside it at the largest load, on one scale."""
     sets = film_rose_sets(film)
     draw_roses(figure, sets, reach=max(textures.reach_of(of) for _, of, _, _ in sets), columns=2)
 
@@ -113,8 +113,8 @@ def film_maps(figure, film):
 
 
 def beside(figure, film):
-    names = [name for name in film_forces.twin_names if name in film.twin]
-    draws = [("film", films.draw_film_grains)] + [(film_forces.twin_names[name], lambda axes, f, name=name: films.draw_twin_grains(axes, f, name)) for name in names]
+    names = [name for name in film_forces.simulation_names if name in film.simulation]
+    draws = [("film", films.draw_film_grains)] + [(film_forces.simulation_names[name], lambda axes, f, name=name: films.draw_simulated_grains(axes, f, name)) for name in names]
     for k, (title, draw) in enumerate(draws):
         axes = figure.add_subplot(1, len(draws), k + 1)
         shown = draw(axes, film)
@@ -123,12 +123,12 @@ def beside(figure, film):
 
 
 def against(figure, film):
-    side_by_side(figure, [lambda axes, name=name: film_forces.draw_against_twin(axes, film, name) for name in film_forces.twin_names if name in film.twin])
+    side_by_side(figure, [lambda axes, name=name: film_forces.draw_against_simulation(axes, film, name) for name in film_forces.simulation_names if name in film.simulation])
 
 
 def film_tails(figure, film):
-    """Film, and the swing and the state of the simulation beside it."""
-    sets = [("film", film.sigma_hyd, strong)] + [(film_forces.twin_names[name], film.twin[name], colour) for name, colour in (("swing", colours[1]), ("state", colours[2])) if name in film.twin]
+    """Film, and the peak-to-peak stress and the state of its companion simulation."""
+    sets = [("film", film.sigma_hyd, strong)] + [(film_forces.simulation_names[name], film.simulation[name], colour) for name, colour in (("peak_to_peak", colours[1]), ("state", colours[2])) if name in film.simulation]
     textures.draw_cumulative_sets(figure.add_subplot(), [(name, measure(film.packing, sigma_hyd=sigma).get("sigma_norm", {}), colour) for name, sigma, colour in sets])
 
 

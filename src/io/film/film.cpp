@@ -175,8 +175,8 @@ std::string other_recording(const std::filesystem::path& path, std::string_view 
     if (is == nullptr && head.size() > mark.at && head.substr(mark.at).starts_with(mark.bytes)) is = with_ending(mark.ending);
   if (is == nullptr) return {};
   if (is->program.empty())
-    return fmt::format("{}: compressed colours, of which the swing of a few millikelvin is lost; export the camera's own levels or temperatures, {}", is->what,
-                       levels);
+    return fmt::format("{}: compressed colours, in which an amplitude of a few millikelvin is lost; export the camera's own levels or temperatures, {}",
+                       is->what, levels);
   return fmt::format("{}; export it with {} {}", is->what, is->program, is->as);
 }
 
@@ -194,7 +194,7 @@ std::unique_ptr<FilmWriter> create_film(const std::filesystem::path& path, const
          fmt::join(film_formats_to_write(), ", "));
 }
 
-void write_film(const std::filesystem::path& path, FilmSource& film, const std::string& format) {
+bool write_film(const std::filesystem::path& path, FilmSource& film, const std::string& format, const std::function<bool(double share)>& progress) {
   const FilmInfo& info = film.info();
   const auto writer = create_film(path, info, format);
   constexpr std::size_t most_pixels = std::size_t{1} << 22;
@@ -203,8 +203,10 @@ void write_film(const std::filesystem::path& path, FilmSource& film, const std::
   for (std::int64_t i = 0; i < info.frames; i += at_once) {
     film.read(i, static_cast<std::size_t>(std::min(at_once, info.frames - i)), block);
     writer->append(block);
+    if (progress && !progress(static_cast<double>(i) / static_cast<double>(info.frames))) return false;
   }
   writer->finish();
+  return true;
 }
 
 FrameIntervals frame_intervals(const FilmInfo& info) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,8 +58,8 @@ std::string film_format_of(const std::filesystem::path& path);
 /// BigTIFF from 4 GiB on. InputError where the format has no place for such pixels (ptw is for levels), or the file cannot be written.
 std::unique_ptr<FilmWriter> create_film(const std::filesystem::path& path, const FilmInfo& info, const std::string& format = {});
 
-/// Writes a whole film, some frames at a time.
-void write_film(const std::filesystem::path& path, FilmSource& film, const std::string& format = {});
+/// Writes a whole film, some frames at a time; false where `progress`, called with the share that is written, stopped it.
+bool write_film(const std::filesystem::path& path, FilmSource& film, const std::string& format = {}, const std::function<bool(double share)>& progress = {});
 
 /// The load's signal that a camera writes into the first line of a .ptw lock-in film: one number a frame, the mean of those words of the line (after
 /// the four that mark it) which change over the film. Empty for any other file, and for a line in which nothing changes.

@@ -158,10 +158,7 @@ void take_shape(FilmInfo& info, const std::string& file, const std::vector<std::
 void prepare(const FilmInfo& info, std::int64_t first, std::size_t count, FrameBlock& block) {
   if (first < 0 || first > info.frames || count > static_cast<std::uint64_t>(info.frames - first))
     throw std::out_of_range("frames that the film does not have");
-  block.first = first;
-  block.frames = count;
-  block.level.resize(info.floating ? 0 : count * info.pixels());
-  block.value.resize(info.floating ? count * info.pixels() : 0);
+  block.prepare(info, first, count);
 }
 
 std::string_view pixel_bytes(const FilmInfo& info, const FrameBlock& block) {

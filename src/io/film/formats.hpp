@@ -42,7 +42,7 @@ FilmPointer open_sidecar(const Bytes& bytes, const FilmChoice& choice);
 bool is_text_film(std::string_view head);
 FilmPointer open_text_film(const Bytes& bytes, const FilmChoice& choice);
 
-/// A film whose numbers are told to be temperatures, if the choice says so; the film itself otherwise.
+/// A film whose numbers are temperatures, if the choice says so; the film itself otherwise.
 FilmPointer scaled_film(FilmPointer film, const FilmChoice& choice);
 
 /// Files of one frame or more each, one after the other; a file is opened when its frames are read.

@@ -45,7 +45,7 @@ void take_scale(std::string_view header, FilmInfo& info, PlainLayout& layout) {
   if (!layout.scaled) info.quantity = FilmQuantity::digital_level;
   else if (mode == temperatures)
     info.remarks.emplace_back(
-        "The camera made temperatures of its levels; whether from 0 K or 0 degrees Celsius the file does not say, and swings do not care.");
+        "The camera made temperatures of its levels; whether from 0 K or 0 degrees Celsius the file does not say, which makes no difference to amplitudes.");
   else info.remarks.emplace_back("The camera made radiances of its levels.");
 }
 

@@ -106,7 +106,7 @@ class Hdf5Film : public KnownFilm {
  public:
   Hdf5Film(const Bytes& bytes, const FilmChoice& choice) : bytes_(bytes), most_(most_in_chunk(choice)) {
     prepare_hdf5();
-    take(told(choice), choice);
+    take(given(choice), choice);
     FrameBlock last;  // what is cut short lacks it
     read(info_.frames - 1, 1, last);
   }
@@ -129,7 +129,7 @@ class Hdf5Film : public KnownFilm {
   /// A file in memory is copied by HDF5.
   std::size_t room() const { return bytes_->path() != nullptr ? 0 : 3 * static_cast<std::size_t>(bytes_->size()); }
 
-  Facts told(const FilmChoice& choice) const {
+  Facts given(const FilmChoice& choice) const {
     const auto packed = [&] {
       const auto bytes = nlohmann::json::to_cbor(nlohmann::json(look(bytes_, choice)));
       return std::string(bytes.begin(), bytes.end());

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fnmatch.h>
 
 #include <algorithm>
 #include <utility>
@@ -12,24 +13,11 @@ namespace arenite::io {
 namespace fs = std::filesystem;
 namespace {
 
-/// Whether a name fits a pattern in which * stands for anything.
-bool fits(std::string_view name, std::string_view pattern) {
-  std::size_t n = 0, p = 0, star = std::string_view::npos, from = 0;
-  while (n < name.size()) {
-    if (p < pattern.size() && pattern[p] == '*') {
-      star = p++;
-      from = n;
-    } else if (p < pattern.size() && pattern[p] == name[n]) {
-      ++p, ++n;
-    } else if (star != std::string_view::npos) {
-      p = star + 1;
-      n = ++from;
-    } else {
-      return false;
-    }
-  }
-  while (p < pattern.size() && pattern[p] == '*') ++p;
-  return p == pattern.size();
+/// Whether a name fits a pattern in which * stands for anything, and nothing else for what it is not.
+bool fits(const std::string& name, std::string_view pattern) {
+  std::string exact;
+  for (const char c : pattern) exact += c == '*' ? "*" : std::string("\\") + c;
+  return ::fnmatch(exact.c_str(), name.c_str(), 0) == 0;
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -127,12 +115,10 @@ class ScaledFilm : public KnownFilm {
 
   void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
     film_->read(first, count, part_);
-    block.first = first;
-    block.frames = count;
-    block.level.clear();
-    block.value.clear();
-    for (const std::uint16_t v : part_.level) block.value.push_back(static_cast<float>(scale_ * v + offset_));
-    for (const float v : part_.value) block.value.push_back(static_cast<float>(scale_ * static_cast<double>(v) + offset_));
+    block.prepare(info_, first, count);
+    const auto kelvin = [&](auto v) { return static_cast<float>(scale_ * static_cast<double>(v) + offset_); };
+    std::transform(part_.level.begin(), part_.level.end(), block.value.begin(), kelvin);
+    std::transform(part_.value.begin(), part_.value.end(), block.value.begin(), kelvin);
   }
 
  private:

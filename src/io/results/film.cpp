@@ -4,16 +4,6 @@
 namespace arenite::io {
 namespace {
 
-constexpr std::array maps{Column<LockinMaps, float>{"mean", "K", &LockinMaps::mean},
-                          Column<LockinMaps, float>{"drift", "K/s", &LockinMaps::drift},
-                          Column<LockinMaps, float>{"amplitude", "K", &LockinMaps::amplitude},
-                          Column<LockinMaps, float>{"phase", "rad", &LockinMaps::phase},
-                          Column<LockinMaps, float>{"in_phase", "K", &LockinMaps::in_phase},
-                          Column<LockinMaps, float>{"quadrature", "K", &LockinMaps::quadrature},
-                          Column<LockinMaps, float>{"standard_error", "K", &LockinMaps::standard_error},
-                          Column<LockinMaps, float>{"second_harmonic", "K", &LockinMaps::second_harmonic},
-                          Column<LockinMaps, float>{"residual", "K", &LockinMaps::residual}};
-
 constexpr std::array grain_columns{Column<PictureGrains, double>{"column", "1", &PictureGrains::x},
                                    Column<PictureGrains, double>{"row", "1", &PictureGrains::y},
                                    Column<PictureGrains, double>{"radius", "1", &PictureGrains::radius},
@@ -27,11 +17,35 @@ constexpr std::array motion_columns{
     Column<GrainMotion, double>{"cos_y", "1", &GrainMotion::cos_y}, Column<GrainMotion, double>{"sin_y", "1", &GrainMotion::sin_y},
     Column<GrainMotion, double>{"error", "1", &GrainMotion::error}};
 
-constexpr std::array swing_columns{
-    Column<GrainSwing, double>{"temperature", "K", &GrainSwing::temperature}, Column<GrainSwing, double>{"sigma_hyd", "Pa", &GrainSwing::sigma_hyd},
-    Column<GrainSwing, double>{"error", "Pa", &GrainSwing::error}, Column<GrainSwing, double>{"pixels", "1", &GrainSwing::pixels}};
+constexpr std::array peak_to_peak_columns{
+    Column<PeakToPeak, double>{"temperature", "K", &PeakToPeak::temperature}, Column<PeakToPeak, double>{"sigma_hyd", "Pa", &PeakToPeak::sigma_hyd},
+    Column<PeakToPeak, double>{"error", "Pa", &PeakToPeak::error}, Column<PeakToPeak, double>{"pixels", "1", &PeakToPeak::pixels}};
 
-constexpr std::array twin_columns{Column<FilmTwin, double>{"swing", "Pa", &FilmTwin::swing}, Column<FilmTwin, double>{"state", "Pa", &FilmTwin::state}};
+constexpr std::array simulation_columns{Column<FilmSimulation, double>{"peak_to_peak", "Pa", &FilmSimulation::peak_to_peak},
+                                        Column<FilmSimulation, double>{"state", "Pa", &FilmSimulation::state}};
+constexpr std::array former_simulation_columns{Column<FilmSimulation, double>{"swing", "Pa", &FilmSimulation::peak_to_peak}, simulation_columns[1]};
+
+/// Version 0.1 called the simulation a twin and peak-to-peak values swings.
+void transfer_stresses(const ResultPart& at, FilmResult& r) {
+  const std::size_t grains = r.packing.grains.size();
+  const bool former = at.reads() && !at.take->has_group("peak_to_peak");
+  transfer_columns(at.group(former ? "swing" : "peak_to_peak"), r.peak_to_peak, peak_to_peak_columns, grains, true);
+  transfer_columns(at.group(former ? "twin" : "simulation"), r.simulation, former ? former_simulation_columns : simulation_columns, grains, true);
+}
+
+void rename_former(Numbers& numbers) {
+  const auto rename = [](Numbers& tree, const char* from, const char* to) {
+    if (!tree.contains(from)) return;
+    tree[to] = Numbers(tree.at(from));
+    tree.erase(from);
+  };
+  rename(numbers, "twin", "simulation");
+  if (numbers.contains("simulation")) rename(numbers["simulation"], "swing", "peak_to_peak");
+  if (numbers.contains("directions")) rename(numbers["directions"], "twin", "simulation");
+  if (!numbers.contains("lockin") || !numbers["lockin"].contains("swing")) return;
+  rename(numbers["lockin"], "swing", "convention");
+  numbers["lockin"]["convention"] = name_of(numbers["lockin"]["convention"] == "full" ? AmplitudeConvention::peak_to_peak : AmplitudeConvention::amplitude);
+}
 
 void transfer_film(const ResultPart& at, FilmResult& r) {
   const auto group = at.group("film");
@@ -59,10 +73,14 @@ void transfer_maps(const ResultPart& at, FilmResult& r, Shape shape) {
   group("frequency_error [1/s]", r.maps.frequency_error);
   group("reference_phase [rad]", r.maps.reference_phase);
   group("frames", r.maps.frames);
-  group.choice("swing", r.maps.convention, SwingConvention::full, "full", SwingConvention::half, "half");
+  const bool former = at.reads() && !group.take->has_attribute("convention");
+  group.choice(former ? "swing" : "convention", r.maps.convention, AmplitudeConvention::peak_to_peak,
+               former ? "full" : name_of(AmplitudeConvention::peak_to_peak), AmplitudeConvention::amplitude,
+               former ? "half" : name_of(AmplitudeConvention::amplitude));
   group.optional_image("picture", r.picture, shape, "K");
   group.optional_image("bad", r.bad, shape);
-  for (const auto& m : maps) group.optional_image(m.name, r.maps.*m.member, shape, m.unit);
+  for (const auto& [name, unit, values] : lockin_maps)
+    if (values != &LockinMaps::noise_floor) group.optional_image(name, r.maps.*values, shape, unit);  // which follows from the standard error
 }
 
 void transfer_forces(const ResultPart& at, FilmResult& r, Shape shape) {
@@ -94,10 +112,10 @@ void transfer_result(const ResultPart& at, FilmResult& r) {
   const std::size_t grains = r.packing.grains.size();
   transfer_columns(at.group("grains"), r.grains, grain_columns, grains, true);
   transfer_columns(at.group("motion"), r.motion, motion_columns, grains, true);
-  transfer_columns(at.group("swing"), r.swing, swing_columns, grains, true);
-  transfer_columns(at.group("twin"), r.twin, twin_columns, grains, true);
+  transfer_stresses(at, r);
   transfer_forces(at, r, shape);
   transfer_numbers(at, "numbers", r.numbers);
+  if (at.reads()) rename_former(r.numbers);
 }
 
 }  // namespace

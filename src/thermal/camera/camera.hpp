@@ -39,7 +39,7 @@ struct Detector {
 /// A line of the electronics in the film.
 struct Interference {
   double frequency = 0;  ///< Hz
-  double amplitude = 0;  ///< half of its swing, K
+  double amplitude = 0;  ///< K
   double advance = 0.2;  ///< by which its phase goes on from row to row as they are read out, cycles
 };
 
@@ -58,7 +58,7 @@ struct Surroundings {
   double temperature = 296;             ///< of the sample at rest, K
   double ambient = 291;                 ///< mirrored by what is not black, K
   double background_emissivity = 0.55;  ///< of what is seen between the grains
-  double container_emissivity = 0.3;    ///< of the frame round the sample
+  double container_emissivity = 0.3;    ///< of the container round the sample
   std::vector<double> emissivity;       ///< one a material; 0.9 where there is none
   double drift = 0.010;                 ///< K/s, of the whole scene
   double drift_growth = 0;              ///< K/s^2, of that rate
@@ -74,11 +74,11 @@ struct Surroundings {
 struct Timing {
   std::int64_t frames = 8880;
   double frame_rate = 148;        ///< Hz
-  double integration = 1.5e-3;    ///< s; a swing is less by sinc(pi f integration)
-  double load_frequency = 3;      ///< as told, Hz
+  double integration = 1.5e-3;    ///< s; amplitudes are less by sinc(pi f integration)
+  double load_frequency = 3;      ///< as given to the laboratory, Hz
   double frequency_error = 1e-3;  ///< the true one is larger by this share
   double second_harmonic = 0.02;
-  double dropped = 0.001;  ///< share of frames that are missing; the time stamps tell
+  double dropped = 0.001;  ///< share of frames that are missing; the time stamps show it
 };
 
 struct Parameters {
@@ -93,7 +93,7 @@ struct Parameters {
   double contact_arc = 0;  ///< half angle over which a contact presses, rad; 0: a point
 };
 
-/// The swing of sigma_kk inside one grain, on a square grid round its centre, x fast, from the lower left.
+/// The peak-to-peak change of sigma_kk inside one grain, on a square grid round its centre, x fast, from the lower left.
 struct Patch {
   int cells = 0;             ///< a side
   double cell = 0;           ///< m
@@ -102,11 +102,11 @@ struct Patch {
   float at(double x, double y) const;
 };
 
-/// What is filmed: grains in their places at the smallest and at the largest load, and how the stress swings in them.
+/// What is filmed: grains in their places at the smallest and at the largest load, and how their stress changes between.
 struct Scene {
-  Grains grains;             ///< at the smallest load
-  std::vector<Vec2> travel;  ///< to their places at the largest load, m
-  std::vector<Patch> swing;
+  Grains grains;              ///< at the smallest load
+  std::vector<Vec2> travel;   ///< to their places at the largest load, m
+  std::vector<Patch> stress;  ///< change from the smallest to the largest load
   Domain low, high;
   Materials materials;
 };
@@ -118,8 +118,8 @@ Scene scene_between(const Packing& low, const Packing& high, const Parameters& p
 /// The scene from no load to a state; nothing moves.
 Scene scene_of_state(const Packing& state, const Parameters& parameters);
 
-/// The scene from no load to the stresses that peridynamics found in the grains of a cemented sample (their matrix has no
-/// swing of its own). Grains move by the mean displacement of their nodes. Throws InputError for a sample without load,
+/// The scene from no load to the stresses that peridynamics found in the grains of a cemented sample (their matrix
+/// warms by nothing of its own). Grains move by the mean displacement of their nodes. Throws InputError for a sample without load,
 /// or one whose grains are no disks.
 Scene scene_of_field(const FieldResult& result, const Parameters& parameters);
 
@@ -133,7 +133,7 @@ FloatImage optical_picture(const Scene& scene, const Parameters& parameters, con
 /// A film of the scene; frames are drawn when they are read, and the same seed draws the same film.
 std::unique_ptr<FilmSource> film(const Scene& scene, const Parameters& parameters, std::uint64_t seed);
 
-/// The same camera (same pattern of gains, offsets and bad pixels) before a black plate of even temperature.
+/// The same camera (same pattern of gains, offsets and bad pixels) before a black-body reference of that temperature, K.
 std::unique_ptr<FilmSource> uniform_film(const Parameters& parameters, double temperature, std::int64_t frames, std::uint64_t seed);
 
 }  // namespace arenite::camera

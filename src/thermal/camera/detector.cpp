@@ -1,7 +1,6 @@
 #include "thermal/camera/detector.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -35,13 +34,6 @@ const std::vector<float>& normal_quantiles() {
     return scaled;
   }();
   return table;
-}
-
-enum class Defect { none, dead, hot, noisy };
-
-Defect defect_of(RandomStream& random, double share) {
-  if (random.uniform() >= share) return Defect::none;
-  return std::array{Defect::dead, Defect::hot, Defect::noisy}[random.below(3)];
 }
 
 }  // namespace
@@ -100,12 +92,11 @@ Detection::Detection(const Parameters& p, std::uint64_t seed)
   const auto pixels = static_cast<std::size_t>(p.optics.width * p.optics.height);
   for (std::size_t i = 0; i < pixels; ++i) {
     Pixel pixel{static_cast<float>(levels * (1 + d.gain_spread * random.normal())), static_cast<float>(highest_ * d.offset_spread * random.normal()), 1};
-    switch (defect_of(random, d.bad_share)) {
-      case Defect::none: break;
-      case Defect::dead: pixel.gain *= 0.02f; break;
-      case Defect::hot: pixel.offset += 1.5f * highest_; break;
-      case Defect::noisy: pixel.noise = 12; break;
-    }
+    if (random.uniform() < d.bad_share) switch (random.below(3)) {
+        case 0: pixel.gain *= 0.02f; break;              // dead
+        case 1: pixel.offset += 1.5f * highest_; break;  // hot
+        case 2: pixel.noise = 12; break;
+      }
     pixel_.push_back(pixel);
   }
 }

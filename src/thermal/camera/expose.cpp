@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "thermal/camera/camera.hpp"
-#include "thermal/imaging/lens.hpp"
+#include "thermal/imaging/blur.hpp"
 
 namespace arenite::camera {
 namespace {
@@ -64,7 +64,7 @@ Canvas canvas_for(const Scene& scene, const Optics& optics, int margin) {
   return canvas;
 }
 
-/// How a camera lies before the sample: it sees a place of the scene turned about the frame's middle, and shifted.
+/// How a camera lies before the sample: it sees a place of the scene turned about the container's middle, and shifted.
 struct View {
   Vec2 middle, shift;
   double cosine = 1, sine = 0;
@@ -78,7 +78,7 @@ struct View {
   }
 };
 
-void paint_frame(Canvas& canvas, const Scene& scene, const View& view, double s, float background, float frame) {
+void paint_container(Canvas& canvas, const Scene& scene, const View& view, double s, float background, float container) {
   double edge[4];
   for (int side = 0; side < 4; ++side) edge[side] = scene.low.wall[side].position + s * (scene.high.wall[side].position - scene.low.wall[side].position);
   for (int r = 0; r < canvas.height; ++r) {
@@ -86,7 +86,7 @@ void paint_frame(Canvas& canvas, const Scene& scene, const View& view, double s,
     for (int c = 0; c < canvas.width; ++c) {
       const Vec2 p = view.place({canvas.x(c), canvas.y(r)});
       const bool inside = p.x > edge[left] && p.x < edge[right] && p.y > edge[bottom] && p.y < edge[top];
-      row[c] = inside ? background : frame;
+      row[c] = inside ? background : container;
     }
   }
 }
@@ -135,15 +135,15 @@ std::vector<float> expose(const Scene& scene, const Parameters& p, double s) {
   const imaging::Lens lens = lens_of(p.optics);
   Canvas canvas = canvas_for(scene, p.optics, lens.margin);
   const auto& around = p.surroundings;
-  paint_frame(canvas, scene, {middle_of(scene), {}}, p.motion ? s : 0, static_cast<float>(exitance_near(p, around.background_emissivity)(0)),
-              static_cast<float>(exitance_near(p, around.container_emissivity)(0)));
+  paint_container(canvas, scene, {middle_of(scene), {}}, p.motion ? s : 0, static_cast<float>(exitance_near(p, around.background_emissivity)(0)),
+                  static_cast<float>(exitance_near(p, around.container_emissivity)(0)));
   std::vector<Exitance> exitance;
   for (std::size_t m = 0; m < scene.materials.size(); ++m) exitance.push_back(exitance_near(p, m < around.emissivity.size() ? around.emissivity[m] : 0.9));
   for (std::size_t i = 0; i < scene.grains.size(); ++i) {
     const auto m = static_cast<std::size_t>(scene.grains.material[i]);
     const double warming = -scene.materials[m].thermoelastic_factor * s;
     each_point(canvas, place_of(scene, p, i, s), scene.grains.radius[i], [&](std::size_t at, double x, double y) {
-      canvas.light[at] = static_cast<float>(exitance[m](warming * static_cast<double>(scene.swing[i].at(x, y))));
+      canvas.light[at] = static_cast<float>(exitance[m](warming * static_cast<double>(scene.stress[i].at(x, y))));
     });
   }
   auto picture = imaging::through_lens(lens, canvas.light, static_cast<int>(p.optics.width), static_cast<int>(p.optics.height));
@@ -164,7 +164,7 @@ FloatImage optical_picture(const Scene& scene, const Parameters& p, const std::v
   const imaging::Lens lens = lens_of(optics);
   Canvas canvas = canvas_for(scene, optics, lens.margin);
   const View view{middle_of(scene), photograph.shift, std::cos(photograph.rotation), std::sin(photograph.rotation)};
-  paint_frame(canvas, scene, view, 0, 0.5f, 0.35f);
+  paint_container(canvas, scene, view, 0, 0.5f, 0.35f);
   for (std::size_t i = 0; i < scene.grains.size(); ++i) {
     const auto grey = static_cast<float>(brightness[static_cast<std::size_t>(scene.grains.material[i])]);
     each_point(canvas, view.seen(scene.grains.centre(i)), scene.grains.radius[i], [&](std::size_t at, double, double) { canvas.light[at] = grey; });

@@ -11,10 +11,10 @@
 namespace arenite::camera {
 namespace {
 
-/// The patch of a grain of that radius, in cells that wide, m. `swing(middle, away)` is the mean of sigma_kk over the cell
+/// The patch of a grain of that radius, in cells that wide, m. `stress(middle, away)` is the mean of sigma_kk over the cell
 /// whose middle lies there, seen from the grain's centre and `away` from it, Pa. It is asked for a ring of cells beyond
 /// the rim too, so that what lies between cells can be read off; cells farther out stay 0.
-template <class Swing> Patch fill_patch(double radius, double cell, const Swing& swing) {
+template <class Stress> Patch fill_patch(double radius, double cell, const Stress& stress) {
   Patch patch;
   patch.cells = 2 * static_cast<int>(std::ceil(radius / cell)) + 2;
   patch.cell = cell;
@@ -23,7 +23,7 @@ template <class Swing> Patch fill_patch(double radius, double cell, const Swing&
     for (int c = 0; c < patch.cells; ++c) {
       const Vec2 middle{first + c * cell, first + r * cell};
       const double away = norm(middle);
-      patch.value.push_back(away > radius + 1.5 * cell ? 0.0F : static_cast<float>(swing(middle, away)));
+      patch.value.push_back(away > radius + 1.5 * cell ? 0.0F : static_cast<float>(stress(middle, away)));
     }
   return patch;
 }
@@ -82,7 +82,7 @@ Scene make_scene(const Packing* low, const Packing& high, const Parameters& p) {
   const double cell = p.optics.pixel / static_cast<double>(p.optics.supersampling);
   for (std::size_t i = 0; i < pressed.size(); ++i) {
     scene.travel.push_back(high.grains.centre(i) - start.grains.centre(i));
-    scene.swing.push_back(patch_of(low ? &released[i] : nullptr, pressed[i], cell));
+    scene.stress.push_back(patch_of(low ? &released[i] : nullptr, pressed[i], cell));
   }
   return scene;
 }
@@ -176,7 +176,8 @@ Scene scene_of_state(const Packing& state, const Parameters& parameters) { retur
 
 Scene scene_of_field(const FieldResult& result, const Parameters& parameters) {
   const std::size_t grains = result.map.grain_class.size();
-  if (result.field.size() == 0) throw InputError(fmt::format("\"{}\" is not loaded, so nothing swings; name a load of the cemented sample", result.name));
+  if (result.field.size() == 0)
+    throw InputError(fmt::format("\"{}\" is not loaded, so its stress does not change; name a load of the cemented sample", result.name));
   if (result.packing.grains.size() < grains || grains == 0)
     throw InputError(fmt::format("\"{}\" was loaded from a picture, whose grains are no disks; the camera films results of a recipe", result.name));
   check_points(result.packing.grains, grains, parameters.optics);
@@ -194,7 +195,7 @@ Scene scene_of_field(const FieldResult& result, const Parameters& parameters) {
   const int points = std::clamp(static_cast<int>(std::ceil(cell / result.map.dx)), 1, 16);
   for (std::size_t g = 0; g < grains; ++g) {
     const GrainNodes nodes(result, static_cast<std::int32_t>(g));
-    scene.swing.push_back(
+    scene.stress.push_back(
         fill_patch(scene.grains.radius[g], cell, [&](Vec2 middle, double) { return cell_mean(nodes, scene.grains.centre(g) + middle, cell, points); }));
   }
   return scene;

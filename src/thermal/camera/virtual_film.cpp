@@ -80,10 +80,7 @@ class RecordedFilm : public FilmSource {
   const FilmInfo& info() const override { return info_; }
 
   void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
-    block.first = first;
-    block.frames = count;
-    block.value.clear();
-    block.level.resize(count * info_.pixels());
+    block.prepare(info_, first, count);
     for (std::size_t k = 0; k < count; ++k) record_(static_cast<std::size_t>(first) + k, block.level.data() + k * info_.pixels());
   }
 

@@ -5,7 +5,6 @@
 
 #include "model/elasticity/disk_field.hpp"
 #include "statistics/measured.hpp"
-#include "thermal/identify/regression.hpp"
 
 namespace arenite::identify {
 
@@ -36,7 +35,7 @@ struct Cycle {
 /// force (N); which sign compression has is found out. k is one over the slope of the displacement against the force, over
 /// the points whose force exceeds the preload: the test controls the force, the noise is in the displacement, and points
 /// chosen by what the line is drawn against leave its slope unbiased.
-/// Cycles are cut at the turning points of the force, swings below 5 % of its range being noise. Throws InputError with
+/// Cycles are cut at the turning points of the force, changes below 5 % of its range being noise. Throws InputError with
 /// file and line if the preload is not reached, a cycle has fewer than five points beyond it, the force falls back in a loading
 /// without coming below half of its peak, or the displacement runs back.
 std::vector<Cycle> cycles_of(const Curve& curve, const StiffnessOptions& options = {});
@@ -63,5 +62,18 @@ struct Threshold {
   double free_overlap = 0;  ///< h_eq = r_eff gamma^2/k^2: where no force acts, m
 };
 Threshold threshold(double surface_energy, double stiffness, double effective_radius);
+
+/// A straight line through measured points.
+struct Regression {
+  statistics::Measured slope, intercept;  ///< the intercept is 0 and without error where the line was held to the origin
+  double r2 = statistics::unknown;        ///< share of the variance of y that the line takes (about 0 if held to the origin)
+  double correlation = 0;                 ///< of neighbouring residuals, 0 where it is not taken into account
+};
+
+/// y = intercept + slope x by least squares, y alone in error. Records are often sampled more densely than their noise
+/// changes: from 10 points on, a positive correlation r of neighbouring residuals widens the errors by
+/// sqrt((1 + r)/(1 - r)) and takes degrees of freedom by the same share, as for a first-order autoregressive noise.
+/// Needs three points (two through the origin) and an x that varies; otherwise all is unknown.
+Regression regress(const std::vector<double>& x, const std::vector<double>& y, bool through_origin = false);
 
 }  // namespace arenite::identify

@@ -1,13 +1,13 @@
 #pragma once
 #include <vector>
 
-#include "thermal/identify/regression.hpp"
+#include "thermal/identify/curve.hpp"
 #include "thermal/radiometry/band.hpp"
 
 namespace arenite::identify {
 
-/// The thermoelastic factor A of dT = -A d(sigma_kk) (T eq. 1.55), K/Pa, as the slope of temperature swings against stress swings
-/// (calculated stress, T 2.3). Both must be of one convention: full swing against full swing, or half against half. Records
+/// The thermoelastic factor A of dT = -A d(sigma_kk) (T eq. 1.55), K/Pa, as the slope of temperature against stress
+/// (calculated stress, T 2.3). Both must be of one convention, peak to peak or amplitudes. Records
 /// of the signed course, where compression warms, give the same A: the slope's sign is dropped.
 struct Factor {
   statistics::Measured factor;
@@ -23,7 +23,7 @@ struct Elastic {
 /// E/(1 - nu), Pa: sigma_kk over eps_kk in plane stress (T eq. 1.70).
 statistics::Measured stress_over_strain(const Elastic& e);
 
-/// A from measured strain swings eps_kk (the sum of both in-plane strains): slope over E/(1 - nu) (T eq. 1.70).
+/// A from measured strains eps_kk (the sum of both in-plane strains): slope over E/(1 - nu) (T eq. 1.70).
 Factor factor_from_strain(const std::vector<double>& strain, const std::vector<double>& temperature, const Elastic& elastic, bool through_origin = false);
 
 /// What a factor follows from without a test.
@@ -37,7 +37,7 @@ struct Properties {
 /// A = alpha T_0/(rho c_p), K/Pa (T eq. 1.55).
 statistics::Measured factor_from_properties(const Properties& p);
 
-/// The constant A' of sigma_kk = A' S for a raw signal S (T eq. 1.69), Pa a level, from swings of stress and of signal. The
+/// The constant A' of sigma_kk = A' S for a raw signal S (T eq. 1.69), Pa a level, from stress and signal. The
 /// stress is calculated from the load or from a strain; the signal carries the noise, so A' is one over its slope.
 Factor signal_constant(const std::vector<double>& stress, const std::vector<double>& signal, bool through_origin = false);
 

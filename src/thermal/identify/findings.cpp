@@ -7,7 +7,6 @@
 
 #include "core/units.hpp"
 #include "statistics/estimate.hpp"
-#include "statistics/numbers.hpp"
 
 namespace arenite::identify {
 namespace {

@@ -34,7 +34,7 @@ std::vector<char> DiskModel::near_disks() const {
   return near;
 }
 
-/// The net starts flat, from the level that is told, or the end of the scale where the background is: disks that are not found yet look like
+/// The net starts flat, from the level that is given, or the end of the scale where the background is: disks that are not found yet look like
 /// background, and between many of them it would otherwise be taken for as bright as they are.
 void DiskModel::start_background() {
   const std::vector<char> near = near_disks();

@@ -1,7 +1,6 @@
 #include "thermal/imaging/disk_model.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/median.hpp"
 #include "statistics/least_squares.hpp"

@@ -1,9 +1,8 @@
-#include "thermal/imaging/overlay.hpp"
+#include "thermal/imaging/registration.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "core/error.hpp"
 #include "core/median.hpp"

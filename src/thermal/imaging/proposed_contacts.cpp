@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "geometry/close_pairs.hpp"
 
 namespace arenite::imaging {
 namespace {
@@ -75,6 +74,13 @@ Images images_of(const Grains& grains, const Domain& domain, double reach) {
   return images;
 }
 
+void add_contact(Contacts& contacts, std::int32_t i, std::int32_t j, Vec2 normal, double arm_i, double arm_j, double overlap) {
+  contacts.add(i, j, normal, 0, 0, arm_i, arm_j);
+  contacts.overlap.back() = overlap;
+}
+
+}  // namespace
+
 std::vector<geometry::Pair> pairs_within(const Grains& grains, const Domain& domain, double gap) {
   const double largest = grains.size() > 0 ? *std::max_element(grains.radius.begin(), grains.radius.end()) : 0;
   const Images images = images_of(grains, domain, 2 * largest + gap);
@@ -92,13 +98,6 @@ std::vector<geometry::Pair> pairs_within(const Grains& grains, const Domain& dom
   pairs.erase(std::unique(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.i == b.i && a.j == b.j; }), pairs.end());
   return pairs;
 }
-
-void add_contact(Contacts& contacts, std::int32_t i, std::int32_t j, Vec2 normal, double arm_i, double arm_j, double overlap) {
-  contacts.add(i, j, normal, 0, 0, arm_i, arm_j);
-  contacts.overlap.back() = overlap;
-}
-
-}  // namespace
 
 Contacts propose_contacts(const Grains& grains, const Domain& domain, const GrainErrors& errors, const ContactTolerance& tolerance) {
   check(grains, errors, tolerance);

@@ -1,9 +1,5 @@
 #include "thermal/imaging/registration_search.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-
 namespace arenite::imaging {
 namespace {
 

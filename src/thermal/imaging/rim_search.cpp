@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "thermal/imaging/smooth.hpp"
+#include "thermal/imaging/blur.hpp"
 
 namespace arenite::imaging {
 namespace {

@@ -1,11 +1,10 @@
-#include "thermal/inference/balance.hpp"
+#include "thermal/inference/equations.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/median.hpp"
-#include "thermal/inference/presence.hpp"
 
 namespace arenite::inference {
 namespace {

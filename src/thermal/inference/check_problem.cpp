@@ -6,8 +6,8 @@
 
 #include "core/error.hpp"
 #include "core/problems.hpp"
-#include "geometry/close_pairs.hpp"
-#include "thermal/inference/balance.hpp"
+#include "thermal/imaging/proposed_contacts.hpp"
+#include "thermal/inference/equations.hpp"
 
 namespace arenite::inference {
 namespace {
@@ -21,9 +21,7 @@ void check_grains(const Packing& packing, Problems& problems) {
       return;
     }
   const Domain& d = packing.domain;
-  if (d.tilt != 0) return;
-  const geometry::Box box{d.wall[left].position, d.wall[bottom].position, d.width(), d.height(), d.periodic_x, d.periodic_y};
-  for (const geometry::Pair& pair : geometry::close_pairs(grains.x, grains.y, grains.radius, box, 0)) {
+  for (const geometry::Pair& pair : imaging::pairs_within(grains, d, 0)) {
     const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
     const double overlap = grains.radius[i] + grains.radius[j] - norm(d.nearest_image(grains.centre(i) - grains.centre(j)));
     if (overlap > 0.4 * std::min(grains.radius[i], grains.radius[j]))

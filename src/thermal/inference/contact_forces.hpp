@@ -8,7 +8,7 @@
 
 namespace arenite {
 
-/// Contact forces inferred from measured stresses: `contacts` hold fn and ft (of the swing or of the state), the rest
+/// Contact forces inferred from measured stresses: `contacts` hold fn and ft (peak to peak or of the state), the rest
 /// are standard errors and checks, one a contact or one a grain.
 struct InferredForces {
   Contacts contacts;
@@ -24,7 +24,7 @@ struct InferredForces {
   double over_noise = 0;                                 ///< the same over the measured noise alone: chi, 1 where nothing but noise is left
   double over_signal = 0;                                ///< median size of data minus fit over that of the data
   double model_error = 0;                                ///< of the fields, share of a grain's signal, with which `residual` came out
-  std::vector<double> factor_scale, factor_scale_error;  ///< one a material: the film wants its factor so many times larger
+  std::vector<double> factor_scale, factor_scale_error;  ///< one a material: the film asks for a factor so many times larger
   std::vector<float> fitted;                             ///< what the forces make the picture show, K; no number outside grains
   int iterations = 0;
 };
@@ -33,8 +33,8 @@ struct InferredForces {
 
 namespace arenite::inference {
 
-/// A signed picture of the thermoelastic swing (of LockinMaps::in_phase, made a full swing), rows from the top.
-struct SwingPicture {
+/// A signed picture of the thermoelastic signal, peak to peak (LockinMaps::in_phase), rows from the top.
+struct ThermoelasticPicture {
   int width = 0, height = 0;
   double pixel = 0;          ///< side of a pixel, m
   Vec2 first;                ///< centre of the pixel in column 0 and row 0 (top left), m, y up
@@ -42,14 +42,14 @@ struct SwingPicture {
   std::vector<float> error;  ///< standard error, K; a pixel without a positive one is left out
 };
 
-/// Normal force that the grains exert on a wall, of the same swing or state.
+/// Normal force that the grains exert on a wall, likewise peak to peak or of the state.
 struct WallLoad {
   int side = 0;                 ///< model/packing.hpp
   double force = 0, error = 0;  ///< N, compression positive
 };
 
-/// What the forces obey beside the data. A single state has f = x_1 (n + mu t) + x_2 (n - mu t) with x >= 0. The swing
-/// between two states lies in no cone in general; where the small load is the share r of the large one at every contact,
+/// What the forces obey beside the data. A single state has f = x_1 (n + mu t) + x_2 (n - mu t) with x >= 0. The difference
+/// of two states lies in no cone in general; where the small load is the share r of the large one at every contact,
 /// it lies in that of mu (1 + r)/(1 - r).
 enum class Inequality { none, cone };
 
@@ -59,9 +59,9 @@ struct ForceOptions {
   double contact_margin = 2.5;  ///< nearer than this to a contact point (pixels) the fields' error grows with the cube of the
                                 ///< distance's inverse (unknown spread of the force); pixels nearer than half of it are left out
   double model_error = 0.02;    ///< standard error of the fields themselves, share of a grain's signal: a first guess
-  bool fit_model_error = true;  ///< the guess is mended until data and fit differ as their errors say; what it came to
-                                ///< is told, and what the measured errors alone say of the fit
-  bool fit_factors = false;     ///< the factor of every material is an unknown, too: how many times larger the film wants it
+  bool fit_model_error = true;  ///< the guess is corrected until data and fit differ as their errors say; what it came to
+                                ///< is reported, and what the measured errors alone say of the fit
+  bool fit_factors = false;     ///< the factor of every material is an unknown, too: how many times larger the film asks for
   double position_error = 0.1;  ///< standard error of grain centres, pixels; 0: centres are taken as exact
   double balance_error = 1e-2;  ///< standard error of a grain's balance, share of the mean contact force
   double prior = 0;             ///< elastic regularisation: standard deviation of a contact's force about the elastic
@@ -69,7 +69,7 @@ struct ForceOptions {
                                 ///< what makes them likeliest (MacKay's evidence)
   Inequality inequality = Inequality::none;
   double friction = 0.5;  ///< mu of the cone
-  Vec2 gravity;           ///< m/s^2; zero for a swing, where weights cancel
+  Vec2 gravity;           ///< m/s^2; zero for a difference of states, where weights cancel
   double widest_gap = 0;  ///< between grains or to walls that are proposed as contacts, m; 0: as the proposals show
   int iterations = 3;     ///< of forces and centres together
 };
@@ -89,10 +89,10 @@ struct ForceProblem {
 /// `fitted` shows the grains whole, also where pixels were left out.
 /// Throws InputError where a factor is missing, grains overlap by more than a fifth of the smaller diameter, or no pixel
 /// sees a contact.
-InferredForces infer_from_pixels(const ForceProblem& problem, const SwingPicture& picture, const ForceOptions& options);
+InferredForces infer_from_pixels(const ForceProblem& problem, const ThermoelasticPicture& picture, const ForceOptions& options);
 
 /// Forces from the mean stresses of grains alone: sum of fn = 2 pi R L p (p = -sigma_hyd, Pa), with balance and wall loads.
-/// `sigma_hyd` and its standard `error`, one a grain; a grain without a positive error tells nothing. Where that leaves
+/// `sigma_hyd` and its standard `error`, one a grain; a grain without a positive error says nothing. Where that leaves
 /// forces undetermined (`null_space`), they are those of the smallest elastic energy.
 InferredForces infer_from_means(const ForceProblem& problem, const std::vector<double>& sigma_hyd, const std::vector<double>& error,
                                 const ForceOptions& options);

@@ -87,10 +87,10 @@ class GrainField {
 };
 
 /// What a pixel sees of a neighbour, Pa.
-double seen_of(const GrainField& field, double radius, Vec2 from_centre, const Footprint& footprint) {
-  if (norm(from_centre) >= radius + footprint.reach) return 0;
+double seen_of(const GrainField& field, double radius, Vec2 from_centre, const PointSpread& spread) {
+  if (norm(from_centre) >= radius + spread.reach) return 0;
   double sum = 0;
-  for (const Footprint::Point& p : footprint.points) {
+  for (const PointSpread::Point& p : spread.points) {
     const Vec2 x = from_centre + p.place;
     if (dot(x, x) < radius * radius) sum += p.weight * field.value(x);
   }
@@ -101,13 +101,13 @@ GrainField field_of(const Placed& placed, std::size_t g) { return {placed.radius
 
 /// One pixel of the grain itself: a pixel that sees nothing else sees a harmonic field as in its centre. The centre moves
 /// by d: a point of the grain is then seen at a place d farther, where the pixel's weight is slope.d larger.
-void fill_row(const GrainField& field, double radius, Vec2 x, const Footprint& footprint, double* row, double* turn, Vec2& shift) {
-  if (norm(x) + footprint.reach <= radius) {
+void fill_row(const GrainField& field, double radius, Vec2 x, const PointSpread& spread, double* row, double* turn, Vec2& shift) {
+  if (norm(x) + spread.reach <= radius) {
     field.add(x, 1, row, turn);
     shift = -field.gradient(x);
     return;
   }
-  for (const Footprint::Point& p : footprint.points) {
+  for (const PointSpread::Point& p : spread.points) {
     const Vec2 y = x + p.place;
     if (dot(y, y) < radius * radius) shift += field.add(y, p.weight, row, turn) * p.slope;
   }
@@ -115,7 +115,7 @@ void fill_row(const GrainField& field, double radius, Vec2 x, const Footprint& f
 
 }  // namespace
 
-Footprint::Footprint(double pixel, double blur) {
+PointSpread::PointSpread(double pixel, double blur) {
   constexpr double step = 0.25, least = 2e-4;  // least: share of the largest weight
   const int n = static_cast<int>(std::ceil((0.5 + 3 * blur) / step));
   double sum = 0;
@@ -131,7 +131,7 @@ Footprint::Footprint(double pixel, double blur) {
   for (Point& p : points) p.weight /= sum, p.slope = (1 / sum) * p.slope;
 }
 
-GrainRows rows_of_grain(const Placed& placed, std::size_t g, const std::vector<GrainPixel>& pixels, const Footprint& footprint) {
+GrainRows rows_of_grain(const Placed& placed, std::size_t g, const std::vector<GrainPixel>& pixels, const PointSpread& spread) {
   const GrainField field = field_of(placed, g);
   std::vector<GrainField> others;
   for (const Near& n : placed.near[g]) others.push_back(field_of(placed, n.grain));
@@ -143,14 +143,14 @@ GrainRows rows_of_grain(const Placed& placed, std::size_t g, const std::vector<G
     const Vec2 x = pixels[q].place + placed.found[g] - placed.centre[g];
     double *row = rows.response.data() + 2 * z * q, *turn = rows.turn.data() + z * q;
     Vec2 shift;
-    fill_row(field, placed.radius[g], x, footprint, row, turn, shift);
+    fill_row(field, placed.radius[g], x, spread, row, turn, shift);
     for (std::size_t k = 0; k < 2 * z; ++k) row[k] *= factor;
     for (std::size_t k = 0; k < z; ++k) turn[k] *= factor;
     rows.shift[2 * q] = factor * shift.x, rows.shift[2 * q + 1] = factor * shift.y;
     for (std::size_t o = 0; o < others.size(); ++o) {
       const Near& n = placed.near[g][o];
       const Vec2 from_other = x + placed.centre[g] - placed.centre[n.grain] - n.cells;
-      rows.spill[q] -= placed.factor[n.grain] * seen_of(others[o], placed.radius[n.grain], from_other, footprint);
+      rows.spill[q] -= placed.factor[n.grain] * seen_of(others[o], placed.radius[n.grain], from_other, spread);
     }
   }
   return rows;

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "thermal/inference/balance.hpp"
+#include "thermal/inference/equations.hpp"
 
 namespace arenite::inference {
 namespace {
@@ -43,16 +43,16 @@ int null_space(const ForceProblem& problem, const Touches& touches, const std::v
 }
 
 /// MacKay's fixed point: the mean square of deviations from the elastic solution over the number of those directions
-/// that the data tell.
+/// that the data determine.
 double likelier_prior(double prior, const std::vector<double>& x, const std::vector<double>& elastic, const std::vector<double>& compliance,
                       const NormalEquations& equations) {
   const std::vector<double> variance = equations.inverse_diagonal();
-  double told = 0, energy = 0;
+  double determined = 0, energy = 0;
   for (std::size_t u = 0; u < x.size(); ++u) {
-    told += 1 - variance[u] * compliance[u / 2] / (prior * prior);
+    determined += 1 - variance[u] * compliance[u / 2] / (prior * prior);
     energy += compliance[u / 2] * (x[u] - elastic[u]) * (x[u] - elastic[u]);
   }
-  return told > 1 ? std::clamp(std::sqrt(energy / told), 0.03, 10.0) : prior;
+  return determined > 1 ? std::clamp(std::sqrt(energy / determined), 0.03, 10.0) : prior;
 }
 
 }  // namespace

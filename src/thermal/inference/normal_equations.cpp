@@ -1,4 +1,4 @@
-#include "thermal/inference/normal_equations.hpp"
+#include "thermal/inference/equations.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -13,24 +13,6 @@ using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 using Factor = Eigen::SimplicialLDLT<Matrix, Eigen::Lower>;
 
-struct NormalEquations::State {
-  std::vector<Eigen::Triplet<double>> lower;
-  Vector right;
-
-  Matrix matrix() const {
-    Matrix m(right.size(), right.size());
-    m.setFromTriplets(lower.begin(), lower.end());
-    return m;
-  }
-};
-
-NormalEquations::NormalEquations(int unknowns) : state_(std::make_unique<State>()) { state_->right = Vector::Zero(unknowns); }
-NormalEquations::~NormalEquations() = default;
-NormalEquations::NormalEquations(NormalEquations&&) noexcept = default;
-NormalEquations& NormalEquations::operator=(NormalEquations&&) noexcept = default;
-
-int NormalEquations::unknowns() const { return static_cast<int>(state_->right.size()); }
-
 void NormalEquations::add(const std::vector<int>& columns, const std::vector<double>& rows, const std::vector<double>& right,
                           const std::vector<double>& weight) {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -42,17 +24,17 @@ void NormalEquations::add(const std::vector<int>& columns, const std::vector<dou
   const Vector b = weighted.transpose() * y;
   for (Eigen::Index p = 0; p < n; ++p) {
     const int column = columns[static_cast<std::size_t>(p)];
-    state_->right[column] += b[p];
+    right_[static_cast<std::size_t>(column)] += b[p];
     for (Eigen::Index q = 0; q <= p; ++q) {
       const int other = columns[static_cast<std::size_t>(q)];
-      state_->lower.emplace_back(std::max(column, other), std::min(column, other), normal(p, q));
+      lower_.push_back({std::max(column, other), std::min(column, other), normal(p, q)});
     }
   }
 }
 
 void NormalEquations::add_diagonal(int unknown, double weight, double right) {
-  state_->lower.emplace_back(unknown, unknown, weight);
-  state_->right[unknown] += weight * right;
+  lower_.push_back({unknown, unknown, weight});
+  right_[static_cast<std::size_t>(unknown)] += weight * right;
 }
 
 // Z = (L D L^T)^-1 obeys Z = D^-1 L^-1 + (1 - L^T) Z. Column j below the diagonal: Z_ij = -sum_k Z_ik L_kj over the rows k
@@ -90,6 +72,16 @@ std::vector<double> selected_inverse_diagonal(const std::vector<int>& begin, con
 
 namespace {
 
+using Entries = std::vector<NormalEquations::Entry>;
+
+Matrix sparse(Eigen::Index size, const Entries& entries) {
+  Matrix m(size, size);
+  m.setFromTriplets(entries.begin(), entries.end());
+  return m;
+}
+
+Eigen::Map<const Vector> vector(const std::vector<double>& v) { return {v.data(), static_cast<Eigen::Index>(v.size())}; }
+
 std::vector<double> values(const Vector& v) { return {v.data(), v.data() + v.size()}; }
 
 [[noreturn]] void refuse() {
@@ -104,23 +96,28 @@ std::vector<double> finite_values(const Vector& v) {
   return values(v);
 }
 
+/// Of a matrix of the analysed pattern.
 void factorise(Factor& factor, const Matrix& m) {
   if (!m.coeffs().allFinite()) refuse();
   factor.factorize(m);
   if (factor.info() != Eigen::Success) refuse();
 }
 
-/// x = T y with fn = y_0 + y_1 and ft = mu (y_0 - y_1) for every contact; other unknowns stay.
-Matrix cone_edges(Eigen::Index unknowns, int contacts, double mu) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int c = 0; c < contacts; ++c) {
-    entries.emplace_back(2 * c, 2 * c, 1), entries.emplace_back(2 * c, 2 * c + 1, 1);
-    entries.emplace_back(2 * c + 1, 2 * c, mu), entries.emplace_back(2 * c + 1, 2 * c + 1, -mu);
+/// Factor has no copy: it is made in place.
+struct Factorised : Factor {
+  explicit Factorised(const Matrix& m) {
+    analyzePattern(m);
+    factorise(*this, m);
   }
-  for (Eigen::Index u = 2 * contacts; u < unknowns; ++u) entries.emplace_back(u, u, 1);
-  Matrix t(unknowns, unknowns);
-  t.setFromTriplets(entries.begin(), entries.end());
-  return t;
+};
+
+/// x = T y with fn = y_0 + y_1 and ft = mu (y_0 - y_1) for every contact; other unknowns stay.
+Matrix cone_edges(int unknowns, int contacts, double mu) {
+  Entries entries;
+  for (int c = 0; c < contacts; ++c)
+    entries.insert(entries.end(), {{2 * c, 2 * c, 1}, {2 * c, 2 * c + 1, 1}, {2 * c + 1, 2 * c, mu}, {2 * c + 1, 2 * c + 1, -mu}});
+  for (int u = 2 * contacts; u < unknowns; ++u) entries.push_back({u, u, 1});
+  return sparse(unknowns, entries);
 }
 
 /// The largest step, at most 1, that keeps v + step dv >= 0 in its first entries.
@@ -171,26 +168,17 @@ Vector nonnegative(const Matrix& h, const Vector& b, Eigen::Index bounded) {
 
 }  // namespace
 
-std::vector<double> NormalEquations::solve() const {
-  const Matrix m = state_->matrix();
-  Factor factor;
-  factor.analyzePattern(m);
-  factorise(factor, m);
-  return finite_values(factor.solve(state_->right));
-}
+std::vector<double> NormalEquations::solve() const { return finite_values(Factorised(sparse(unknowns(), lower_)).solve(vector(right_))); }
 
 std::vector<double> NormalEquations::solve_in_cone(int contacts, double mu) const {
-  const Matrix half = state_->matrix(), t = cone_edges(half.rows(), contacts, mu);
+  const Matrix half = sparse(unknowns(), lower_), t = cone_edges(unknowns(), contacts, mu);
   const Matrix full = half.selfadjointView<Eigen::Lower>();
   const Matrix h = Matrix(t.transpose() * full * t).triangularView<Eigen::Lower>();
-  return finite_values(t * nonnegative(h, t.transpose() * state_->right, 2 * contacts));
+  return finite_values(t * nonnegative(h, t.transpose() * vector(right_), 2 * contacts));
 }
 
 std::vector<double> NormalEquations::inverse_diagonal() const {
-  const Matrix m = state_->matrix();
-  Factor factor;
-  factor.analyzePattern(m);
-  factorise(factor, m);
+  const Factorised factor(sparse(unknowns(), lower_));
   const Matrix l = factor.matrixL();
   std::vector<int> begin(l.outerIndexPtr(), l.outerIndexPtr() + l.cols() + 1), row(l.innerIndexPtr(), l.innerIndexPtr() + l.nonZeros());
   const std::vector<double> value(l.valuePtr(), l.valuePtr() + l.nonZeros());
@@ -202,13 +190,10 @@ std::vector<double> NormalEquations::inverse_diagonal() const {
 }
 
 int NormalEquations::small_eigenvalues(double threshold) const {
-  Matrix m = state_->matrix();
+  Matrix m = sparse(unknowns(), lower_);
   const double shift = threshold * m.diagonal().maxCoeff();
   for (Eigen::Index u = 0; u < m.cols(); ++u) m.coeffRef(u, u) -= shift;
-  Factor factor;
-  factor.analyzePattern(m);
-  factorise(factor, m);
-  return static_cast<int>((factor.vectorD().array() < 0).count());
+  return static_cast<int>((Factorised(m).vectorD().array() < 0).count());
 }
 
 }  // namespace arenite::inference

@@ -26,7 +26,7 @@ double to_contact(Vec2 x, double radius, const std::vector<Touch>& touches) {
 
 }  // namespace
 
-Pixels pixels_of_grains(const SwingPicture& picture, const Packing& packing, const Touches& touches, double rim_margin, double contact_margin) {
+Pixels pixels_of_grains(const ThermoelasticPicture& picture, const Packing& packing, const Touches& touches, double rim_margin, double contact_margin) {
   const double side = picture.pixel;
   Pixels pixels(packing.grains.size());
   const std::vector<Vec2> shifts = images(packing.domain);
@@ -81,7 +81,7 @@ Misfit PixelEquations::misfit(const std::vector<double>& x, double taken) const 
 void PixelEquations::add_grain(NormalEquations& equations, const Unknowns& unknowns, std::size_t g) {
   const auto& touches = placed_.touches[g];
   const std::size_t z = touches.size();
-  const GrainRows found = rows_of_grain(placed_, g, pixels_[g], footprint_);
+  const GrainRows found = rows_of_grain(placed_, g, pixels_[g], spread_);
   Block b{columns_of(unknowns, g, touches), {}, {}, {}, {}, {}};
   if (unknowns.scales > 0) b.columns.push_back(unknowns.scale(static_cast<std::size_t>(material_[g])));
   const std::size_t n = b.columns.size();

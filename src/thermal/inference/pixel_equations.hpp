@@ -3,14 +3,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "thermal/inference/balance.hpp"
+#include "thermal/inference/equations.hpp"
 
 namespace arenite::inference {
 
 /// What a pixel sees of the plane: the mean over its square of a picture that a lens has blurred with a Gaussian, as a
 /// sum over points beside its centre. Weights add up to 1; `slope` is the weight's gradient with respect to the place
 /// of the point (seen from the pixel), 1/m. Harmonic fields are seen as in the centre, whatever the blur.
-struct Footprint {
+struct PointSpread {
   struct Point {
     Vec2 place;  ///< m from the pixel's centre
     double weight;
@@ -20,7 +20,7 @@ struct Footprint {
   double reach = 0;  ///< no point lies farther, m
 
   /// Standard deviation of the blur in pixels; points lie a quarter of a pixel apart.
-  Footprint(double pixel, double blur);
+  PointSpread(double pixel, double blur);
 };
 
 /// A pixel that belongs to a grain.
@@ -35,7 +35,7 @@ using Pixels = std::vector<std::vector<GrainPixel>>;  ///< of every grain
 
 /// The pixels of every grain whose centres are farther from the rim than its margin, and from all its contact points than
 /// half of theirs (margins in pixels). In a periodic direction images of a grain count, too.
-Pixels pixels_of_grains(const SwingPicture& picture, const Packing& packing, const Touches& touches, double rim_margin, double contact_margin);
+Pixels pixels_of_grains(const ThermoelasticPicture& picture, const Packing& packing, const Touches& touches, double rim_margin, double contact_margin);
 
 /// A grain whose light may spill over, and the whole periodic cells between its centre and the image that is near, m.
 struct Near {
@@ -47,7 +47,7 @@ struct Near {
 struct Placed {
   double length = 1;                   ///< m, out of plane
   std::vector<double> radius, factor;  ///< m; K/Pa, one a grain
-  std::vector<Vec2> centre, found;     ///< m: as refined, as the pixels are told from
+  std::vector<Vec2> centre, found;     ///< m: as refined, from which pixels are counted
   Touches touches;                     ///< with normals between refined centres
   std::vector<std::vector<Near>> near;
   std::vector<double> force;  ///< fn and ft of every contact, N
@@ -62,7 +62,7 @@ struct GrainRows {
   std::vector<double> turn;      ///< K/rad, pixels x touches: a normal turns counter-clockwise
 };
 
-GrainRows rows_of_grain(const Placed& placed, std::size_t grain, const std::vector<GrainPixel>& pixels, const Footprint& footprint);
+GrainRows rows_of_grain(const Placed& placed, std::size_t grain, const std::vector<GrainPixel>& pixels, const PointSpread& spread);
 
 /// Root mean square of the pixels' values, K.
 double root_mean_square(const std::vector<GrainPixel>& pixels);
@@ -78,12 +78,12 @@ struct Misfit {
 class PixelEquations {
  public:
   /// `material` of every grain; `model_error` as a share of a grain's signal; `contact_margin` in m.
-  PixelEquations(const Placed& placed, const Pixels& pixels, const std::vector<std::int32_t>& material, const Footprint& footprint, double model_error,
+  PixelEquations(const Placed& placed, const Pixels& pixels, const std::vector<std::int32_t>& material, const PointSpread& spread, double model_error,
                  double contact_margin)
       : placed_(placed),
         pixels_(pixels),
         material_(material),
-        footprint_(footprint),
+        spread_(spread),
         model_error_(model_error),
         contact_margin_(contact_margin) {}
 
@@ -102,7 +102,7 @@ class PixelEquations {
   const Placed& placed_;
   const Pixels& pixels_;
   const std::vector<std::int32_t>& material_;
-  const Footprint& footprint_;
+  const PointSpread& spread_;
   double model_error_, contact_margin_;
   std::vector<Block> blocks_;
 };

@@ -7,16 +7,16 @@
 
 #include "core/error.hpp"
 #include "core/problems.hpp"
-#include "geometry/close_pairs.hpp"
+#include "thermal/imaging/proposed_contacts.hpp"
 #include "thermal/inference/pixel_equations.hpp"
 
 namespace arenite::inference {
 namespace {
 
-void check_picture(const SwingPicture& p) {
+void check_picture(const ThermoelasticPicture& p) {
   const auto size = static_cast<std::size_t>(std::max(0, p.width)) * static_cast<std::size_t>(std::max(0, p.height));
   if (size == 0 || p.value.size() != size || p.error.size() != size)
-    throw InputError("the picture of the swing needs a value and an error for each of its pixels");
+    throw InputError("the thermoelastic picture needs a value and an error for each of its pixels");
   if (!(p.pixel > 0)) throw InputError("the side of a pixel is not known; give it, e.g. \"1.60 mm\"");
 }
 
@@ -49,7 +49,7 @@ Placed placed_grains(const ForceProblem& problem) {
   return placed;
 }
 
-/// Grains whose rims are nearer than a footprint reaches.
+/// Grains whose rims are nearer than a pixel's spread reaches.
 std::vector<std::vector<Near>> near_grains(const Packing& packing, double gap) {
   const Grains& grains = packing.grains;
   const Domain& d = packing.domain;
@@ -58,14 +58,7 @@ std::vector<std::vector<Near>> near_grains(const Packing& packing, double gap) {
     const Vec2 apart = grains.centre(i) - grains.centre(j);
     near[i].push_back({j, apart - d.nearest_image(apart)});
   };
-  if (d.tilt != 0) {  // few and for tests of other codes' cells: every pair
-    for (std::size_t i = 0; i < grains.size(); ++i)
-      for (std::size_t j = 0; j < grains.size(); ++j)
-        if (i != j && norm(d.nearest_image(grains.centre(i) - grains.centre(j))) < grains.radius[i] + grains.radius[j] + gap) add(i, j);
-    return near;
-  }
-  const geometry::Box box{d.wall[left].position, d.wall[bottom].position, d.width(), d.height(), d.periodic_x, d.periodic_y};
-  for (const geometry::Pair& pair : geometry::close_pairs(grains.x, grains.y, grains.radius, box, gap)) {
+  for (const geometry::Pair& pair : imaging::pairs_within(grains, d, gap)) {
     add(static_cast<std::size_t>(pair.i), static_cast<std::size_t>(pair.j));
     add(static_cast<std::size_t>(pair.j), static_cast<std::size_t>(pair.i));
   }
@@ -93,7 +86,7 @@ void add_positions(NormalEquations& equations, const Unknowns& unknowns, const P
   }
 }
 
-/// Factors stay near what was told, as far as nothing else says: without a load only their ratio shows.
+/// Factors stay near what was given, as far as nothing else says: without a load only their ratio shows.
 void add_factors(NormalEquations& equations, const Unknowns& unknowns, const std::vector<double>& scale) {
   constexpr double free = 3;
   for (std::size_t m = 0; m < unknowns.scales; ++m)
@@ -119,13 +112,13 @@ void take(Placed& placed, std::vector<double>& scale, const Packing& packing, co
 }
 
 /// What the picture would show of these forces in all pixels whose centres are in grains.
-std::vector<float> drawn(const Placed& placed, const Packing& packing, const SwingPicture& picture, const Footprint& footprint) {
+std::vector<float> drawn(const Placed& placed, const Packing& packing, const ThermoelasticPicture& picture, const PointSpread& spread) {
   std::vector<float> fitted(picture.value.size(), std::numeric_limits<float>::quiet_NaN());
   const Pixels all = pixels_of_grains(picture, packing, placed.touches, 0, 0);
   for (std::size_t g = 0; g < all.size(); ++g) {
     const auto& touches = placed.touches[g];
     const std::size_t z = touches.size();
-    const GrainRows rows = rows_of_grain(placed, g, all[g], footprint);
+    const GrainRows rows = rows_of_grain(placed, g, all[g], spread);
     for (std::size_t q = 0; q < all[g].size(); ++q) {
       double sum = rows.spill[q];
       for (std::size_t k = 0; k < 2 * z; ++k) sum += rows.response[2 * z * q + k] * placed.force[2 * static_cast<std::size_t>(touches[k / 2].contact) + k % 2];
@@ -137,15 +130,15 @@ std::vector<float> drawn(const Placed& placed, const Packing& packing, const Swi
 
 }  // namespace
 
-InferredForces infer_from_pixels(const ForceProblem& problem, const SwingPicture& picture, const ForceOptions& options) {
+InferredForces infer_from_pixels(const ForceProblem& problem, const ThermoelasticPicture& picture, const ForceOptions& options) {
   check_problem(problem, options, true);
   check_picture(picture);
   const Packing& packing = problem.packing;
   Placed placed = placed_grains(problem);
   const Pixels pixels = pixels_of_grains(picture, packing, placed.touches, options.rim_margin, options.contact_margin);
   check_pixels(packing, pixels);
-  const Footprint footprint(picture.pixel, options.blur);
-  placed.near = near_grains(packing, footprint.reach);
+  const PointSpread spread(picture.pixel, options.blur);
+  placed.near = near_grains(packing, spread.reach);
   Unknowns unknowns{packing.contacts.size(), packing.grains.size(), typical_force(placed, pixels), 0, 0};
   // Balance takes three of the forces' unknowns a grain.
   const double taken = std::max(0.0, 2.0 * static_cast<double>(unknowns.contacts) - 3.0 * static_cast<double>(unknowns.grains));
@@ -157,7 +150,7 @@ InferredForces infer_from_pixels(const ForceProblem& problem, const SwingPicture
     unknowns.move = iteration > 1 ? position_error : 0;
     unknowns.scales = iteration > 1 ? scale.size() : 0;
     NormalEquations equations(unknowns.count());
-    PixelEquations rows(placed, pixels, packing.grains.material, footprint, model_error, options.contact_margin * picture.pixel);
+    PixelEquations rows(placed, pixels, packing.grains.material, spread, model_error, options.contact_margin * picture.pixel);
     rows.add_to(equations, unknowns);
     add_balance(equations, unknowns, packing, placed.touches, placed.force, options.gravity, options.balance_error * unknowns.force);
     add_walls(equations, unknowns, packing.contacts, problem.walls);
@@ -178,7 +171,7 @@ InferredForces infer_from_pixels(const ForceProblem& problem, const SwingPicture
     out.model_error = model_error;
     out.factor_scale = std::move(scale);
     for (std::size_t m = 0; m < out.factor_scale.size(); ++m) out.factor_scale_error[m] *= out.factor_scale[m];
-    out.fitted = drawn(placed, packing, picture, footprint);
+    out.fitted = drawn(placed, packing, picture, spread);
     for (const auto& of_grain : pixels) out.pixels += of_grain.size();
     out.iterations = iteration;
     return out;

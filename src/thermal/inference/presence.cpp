@@ -1,4 +1,4 @@
-#include "thermal/inference/presence.hpp"
+#include "thermal/inference/equations.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,9 +4,46 @@
 #include <vector>
 
 #include "model/film.hpp"
-#include "thermal/thermography/frame_statistics.hpp"
+#include "model/image.hpp"
+#include "thermal/radiometry/band.hpp"
 
 namespace arenite::thermography {
+
+/// What every pixel of a film shows over its frames.
+struct FrameStatistics {
+  int width = 0, height = 0;
+  std::size_t frames = 0;
+  std::vector<float> mean;
+  std::vector<float> noise;  ///< standard deviation from frame to frame: half the mean square of differences of
+                             ///< frames that follow each other, which slow changes hardly touch; 0 for one frame
+  std::vector<float> least, most;
+};
+
+/// Of at most `most_frames` frames from the first on, 0 for all; read some at a time.
+FrameStatistics frame_statistics(FilmSource& film, std::size_t most_frames = 0);
+
+/// Pixels that never change in eight frames or more, and those that reached the top of the camera's range (2^bits - 1), if the film says it.
+struct Doubtful {
+  std::size_t constant = 0, saturated = 0;
+};
+Doubtful doubtful(const FrameStatistics& statistics, int bits);
+
+/// How far a pixel may stand out, in robust standard deviations (1.4826 times the median of absolute deviations).
+struct BadPixelLimits {
+  double level = 8;  ///< beyond all but two of its eight neighbours, in what these and the whole picture scatter
+  double gain = 8;   ///< answer to two references, against that of all pixels
+  double noise = 8;  ///< logarithm of the noise, against that of all pixels
+};
+
+/// Why a pixel is not believed: one or more of these.
+enum BadPixel : std::uint8_t { bad_level = 1, bad_gain = 2, bad_noise = 4 };
+
+/// Marks bad pixels of any film by level and noise: dead and hot ones, blinking and frozen ones. Up to three
+/// that touch are found. An edge in the picture is no fault, since a pixel at it has neighbours of its own side. Noise is judged from eight frames on.
+std::vector<std::uint8_t> find_bad_pixels(const FrameStatistics& film, const BadPixelLimits& limits = {});
+
+/// Marks those, and pixels whose answer to two references stands out.
+std::vector<std::uint8_t> find_bad_pixels(const FrameStatistics& cold, const FrameStatistics& warm, const BadPixelLimits& limits = {});
 
 /// Digital level to temperature, as numbers at equal steps of the level between which it is straight; beyond the ends
 /// the end pieces go on.
@@ -30,7 +67,7 @@ struct Correction {
   std::vector<float> gain, offset;  ///< level = gain * level + offset, pixel by pixel
   LevelCurve curve;
   std::vector<Replacement> bad;
-  std::vector<float> reference;    ///< subtracted: a corrected frame at rest, in the unit of the result
+  std::vector<float> reference;    ///< subtracted: a corrected frame of the unloaded sample, in the unit of the result
   std::vector<std::uint8_t> mask;  ///< 0: not of interest, given as 0
 };
 
@@ -52,16 +89,53 @@ class CorrectedFilm : public FilmSource {
   FrameBlock part_;
 };
 
-/// One-point correction: every pixel's offset, from the mean frame of a film of a black-body reference. Every pixel then shows the
-/// plate at the median level of all.
-void correct_offsets(const FrameStatistics& plate, Correction& correction);
+/// One-point correction: every pixel's offset, from the mean frame of a film of a black-body reference. Every pixel then shows it
+/// at the median level of all.
+void correct_offsets(const FrameStatistics& reference, Correction& correction);
 
 /// Two-point correction: gain and offset of every pixel, from two black-body references of different temperature, so that every
 /// pixel shows each of them at its median level. A pixel that hardly answers keeps gain 1 (find_bad_pixels finds it).
-/// Throws InputError for plates of different size, or that do not differ.
+/// Throws InputError for references of different size, or that do not differ.
 void correct_gains(const FrameStatistics& cold, const FrameStatistics& warm, Correction& correction);
 
-/// The median level of a plate: where a correction puts it.
-double plate_level(const FrameStatistics& plate);
+/// The median level of a reference: where a correction puts it.
+double reference_level(const FrameStatistics& reference);
+
+/// A point of a calibration curve.
+struct LevelPoint {
+  double level = 0, temperature = 0;  ///< digital level, K
+};
+
+/// Levels for which a curve is made.
+struct LevelRange {
+  double low = 0, high = 16383;
+};
+
+/// Straight between the points of a black body, whatever their order; beyond them the last pieces go on. Throws InputError for fewer
+/// than two points, two of one level, or temperatures that do not rise with the level.
+LevelCurve curve_through(std::vector<LevelPoint> points, const LevelRange& range = {});
+
+/// The same for a surface that is not black: what a level says of the photons stays, and a part of them is mirrored.
+LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band& band, const radiometry::Surface& surface, const LevelRange& range = {});
+
+/// Radiometry between two black-body references: the level is a straight line of the photons in the band, and a surface that is
+/// not black shows eps N(T) + (1 - eps) N(T_amb).
+LevelCurve curve_by_references(const radiometry::Band& band, const LevelPoint& cold, const LevelPoint& warm, const radiometry::Surface& surface,
+                               const LevelRange& range = {});
+
+/// Radiometry with one level known, which is that of a black surface: levels are proportional to photons.
+LevelCurve curve_by_radiometry(const radiometry::Band& band, const LevelPoint& known, const radiometry::Surface& surface, const LevelRange& range = {});
+
+/// What temperatures were made with, and what grains are.
+struct GrainSurfaces {
+  radiometry::Band band;
+  radiometry::Surface assumed;     ///< of everything in the film, so far
+  std::vector<double> emissivity;  ///< of every material; empty: nothing is known of them
+};
+
+/// Maps in kelvin that were made as if everything were the assumed surface, as each grain's own material shows them: its pixels' mean, and
+/// what varies about it by the slope of Planck's law there. A pixel belongs to the grain that covers its middle, and those just beyond a rim
+/// to the nearest grain; the rest stays as it is. Maps are unchanged where materials are as assumed.
+void see_surfaces(LockinMaps& maps, const PictureGrains& grains, const GrainSurfaces& surfaces);
 
 }  // namespace arenite::thermography

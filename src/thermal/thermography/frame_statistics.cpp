@@ -1,4 +1,4 @@
-#include "thermal/thermography/frame_statistics.hpp"
+#include "thermal/thermography/correction.hpp"
 
 #include <algorithm>
 #include <array>

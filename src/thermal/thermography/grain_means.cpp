@@ -1,8 +1,7 @@
-#include "thermal/thermography/grain_means.hpp"
+#include "thermal/thermography/grain_motion.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -61,22 +60,22 @@ DiskMean disk_mean(const std::vector<float>& map, const std::vector<float>& erro
   return result;
 }
 
-GrainSwing grain_means(const LockinMaps& maps, const PictureGrains& grains, const GrainMeanOptions& options) {
+PeakToPeak grain_means(const LockinMaps& maps, const PictureGrains& grains, const GrainMeanOptions& options) {
   check(grains, options);
-  const double to_full = maps.convention == SwingConvention::full ? 1 : 2;
-  GrainSwing swing;
+  const double to_full = to_peak_to_peak(maps.convention);
+  PeakToPeak found;
   for (std::size_t i = 0; i < grains.size(); ++i) {
     const double radius = grains.radius[i] * std::sqrt(options.share), factor = options.factor[static_cast<std::size_t>(grains.material[i])];
     const DiskMean mean = disk_mean(maps.in_phase, maps.standard_error, maps.width, maps.height, grains.x[i], grains.y[i], radius);
     double error = mean.error;
     if (const double shift = grains.position_error.empty() ? 0 : grains.position_error[i]; shift > 0 && mean.area > 0)
       error = std::hypot(error, shift * slope(maps, grains.x[i], grains.y[i], radius));
-    swing.temperature.push_back(to_full * mean.mean);
-    swing.sigma_hyd.push_back(-to_full * mean.mean / (2 * factor));
-    swing.error.push_back(std::isfinite(error) ? to_full * error / (2 * factor) : std::numeric_limits<double>::infinity());
-    swing.pixels.push_back(mean.area);
+    found.temperature.push_back(to_full * mean.mean);
+    found.sigma_hyd.push_back(-to_full * mean.mean / (2 * factor));
+    found.error.push_back(std::isfinite(error) ? to_full * error / (2 * factor) : std::numeric_limits<double>::infinity());
+    found.pixels.push_back(mean.area);
   }
-  return swing;
+  return found;
 }
 
 }  // namespace arenite::thermography

@@ -7,7 +7,6 @@
 
 #include "core/median.hpp"
 #include "core/threads.hpp"
-#include "thermal/thermography/phase_pictures.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -95,7 +94,7 @@ double contrast_of(const RimPixels& rim, const std::vector<double>& mean, const 
   return spread > 0 ? (xy - x * y / n) / spread : 0;
 }
 
-/// `motion` and `contrast` are those found so far. Seen from the grain, neighbours that move otherwise swing.
+/// `motion` and `contrast` are those found so far. Seen from the grain, neighbours that move otherwise oscillate.
 Left motion_left(const PhasePictures& pictures, const RimPixels& rim, std::size_t grain, const GrainMotion& motion, const std::vector<double>& contrast) {
   constexpr std::size_t smooth = 6;
   Left left;
@@ -106,7 +105,7 @@ Left motion_left(const PhasePictures& pictures, const RimPixels& rim, std::size_
   left.normal = Matrix(unknowns, unknowns);
   left.side = Matrix(unknowns, 2);
   if (n < smooth + unknowns) return left;
-  const SwingOfPixels fit(pictures, motion.cos_x[grain], motion.sin_x[grain], motion.cos_y[grain], motion.sin_y[grain]);
+  const PixelHarmonics fit(pictures, motion.cos_x[grain], motion.sin_x[grain], motion.cos_y[grain], motion.sin_y[grain]);
   Matrix part(n, smooth), rest(n, unknowns + 2);
   std::vector<double> mean;
   for (std::size_t p = 0; p < n; ++p) {
@@ -134,10 +133,10 @@ Left motion_left(const PhasePictures& pictures, const RimPixels& rim, std::size_
   left.contrast = contrast_of(rim, mean, contrast);
   const Matrix q = statistics::orthonormal(part).q;
   rest -= q * transposed_times(q, rest);
-  const Matrix slopes = rest.part(0, unknowns), swing = rest.part(unknowns, 2);
+  const Matrix slopes = rest.part(0, unknowns), signal = rest.part(unknowns, 2);
   left.normal = transposed_times(slopes, slopes);
-  left.side = transposed_times(slopes, swing);
-  left.squares = squares(swing);
+  left.side = transposed_times(slopes, signal);
+  left.squares = squares(signal);
   left.freedom = static_cast<double>(2 * (n - smooth - 2));
   return left;
 }

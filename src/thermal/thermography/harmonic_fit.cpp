@@ -20,8 +20,8 @@ namespace {
 
 using statistics::Matrix;
 
-/// Swings at the frequencies beside, by turning that of the load's by the spacing, again and again.
-void swings_beside(const HarmonicFit& fit, double t, double* phi) {
+/// Cos and sin of the frequencies beside, by turning those of the load's by the spacing, again and again.
+void sinusoids_beside(const HarmonicFit& fit, double t, double* phi) {
   const std::size_t own = fit.harmonic(1);
   const std::complex<double> load(phi[own], phi[own + 1]), turn = std::polar(1.0, 2 * std::numbers::pi * fit.spacing * t);
   std::complex<double> power = 1;
@@ -29,9 +29,9 @@ void swings_beside(const HarmonicFit& fit, double t, double* phi) {
     power *= turn;
     for (std::size_t k = 0; k < fit.beside.size(); ++k) {
       if (std::abs(fit.beside[k]) != far) continue;
-      const std::complex<double> swing = load * (fit.beside[k] > 0 ? power : std::conj(power));
-      phi[fit.side(k)] = swing.real();
-      phi[fit.side(k) + 1] = swing.imag();
+      const std::complex<double> phasor = load * (fit.beside[k] > 0 ? power : std::conj(power));
+      phi[fit.side(k)] = phasor.real();
+      phi[fit.side(k) + 1] = phasor.imag();
       --left;
     }
   }
@@ -45,7 +45,7 @@ void functions_at(const HarmonicFit& fit, double t, double* phi, double* beat) {
     phi[fit.harmonic(h)] = std::cos(static_cast<double>(h) * angle);
     phi[fit.harmonic(h) + 1] = std::sin(static_cast<double>(h) * angle);
   }
-  if (!fit.beside.empty()) swings_beside(fit, t, phi);
+  if (!fit.beside.empty()) sinusoids_beside(fit, t, phi);
   if (!beat) return;
   beat[0] = x * phi[fit.harmonic(1)];
   beat[1] = x * phi[fit.harmonic(1) + 1];

@@ -3,14 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
+#include <numeric>
 
 #include "core/error.hpp"
+#include "statistics/correlation.hpp"
+#include "statistics/least_squares.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
 #include "thermal/thermography/refine_frequency.hpp"
-#include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -51,19 +53,13 @@ void refuse_constant(const SegmentSums& s) {
   throw InputError("every pixel of the film is constant in time (or is no number); a lock-in needs a film of a loaded sample");
 }
 
-void resize(LockinMaps& maps, std::size_t n, bool second) {
-  for (auto* map :
-       {&maps.mean, &maps.drift, &maps.amplitude, &maps.phase, &maps.in_phase, &maps.quadrature, &maps.standard_error, &maps.noise_floor, &maps.residual})
-    map->resize(n);
-  if (second) maps.second_harmonic.resize(n);
-}
-
-/// Fills all maps but those that need the reference; cos and sin of the first harmonic go to `swing`.
-void fill(const SegmentSums& s, const HarmonicFit& fit, const Team& team, LockinMaps& maps, std::vector<double> (&swing)[2]) {
+/// Fills all maps but those that need the reference; cos and sin of the first harmonic go to `phasor`.
+void fill(const SegmentSums& s, const HarmonicFit& fit, const Team& team, LockinMaps& maps, std::vector<double> (&phasor)[2]) {
   const bool second = fit.harmonics > 1;
-  resize(maps, s.pixels, second);
-  for (auto& each : swing) each.resize(s.pixels);
-  const double factor = maps.convention == SwingConvention::full ? 2 : 1;
+  for (const auto& map : lockin_maps)
+    if (second || map.values != &LockinMaps::second_harmonic) (maps.*map.values).resize(s.pixels);
+  for (auto& each : phasor) each.resize(s.pixels);
+  const double factor = 2 / to_peak_to_peak(maps.convention);
   const auto a = fit.harmonic(1);
   const double spread = std::sqrt(maps.noise_ratio * (fit.covariance(a, a) + fit.covariance(a + 1, a + 1)) / 2);
   std::vector<double> value(fit.drift), slope(fit.drift);
@@ -79,8 +75,8 @@ void fill(const SegmentSums& s, const HarmonicFit& fit, const Team& team, Lockin
       const double c = number(fit.harmonic(1)), sn = number(fit.harmonic(1) + 1), noise = std::sqrt(pixels.variance[i]);
       maps.mean[p] = static_cast<float>(mean);
       maps.drift[p] = static_cast<float>(drift / fit.half);
-      swing[0][p] = factor * c;
-      swing[1][p] = factor * sn;
+      phasor[0][p] = factor * c;
+      phasor[1][p] = factor * sn;
       maps.amplitude[p] = static_cast<float>(factor * std::sqrt(c * c + sn * sn));
       maps.phase[p] = static_cast<float>(std::atan2(sn, c));
       maps.standard_error[p] = static_cast<float>(factor * spread * noise);
@@ -118,12 +114,39 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
   maps.convention = o.convention;
   const HarmonicFit fit = harmonic_fit(sums, maps.frequency, o.drift_order, false);
   refuse_too_few_cycles(fit, sums);
-  judge_swing(sums, fit, refined, maps);
-  std::vector<double> swing[2];
-  fill(sums, fit, team, maps, swing);
-  maps.reference_phase = o.reference_phase ? *o.reference_phase : reference_phase(swing[0], swing[1]);
-  project(maps, swing[0], swing[1]);
+  judge_amplitude(sums, fit, refined, maps);
+  std::vector<double> phasor[2];
+  fill(sums, fit, team, maps, phasor);
+  maps.reference_phase = o.reference_phase ? *o.reference_phase : reference_phase(phasor[0], phasor[1]);
+  project(maps, phasor[0], phasor[1]);
   return maps;
+}
+
+constexpr double least_share = 0.5;
+
+struct Fit {
+  double left = 0;  ///< squares that the fit leaves
+  double cosine = 0, sine = 0;
+};
+
+/// `time` is held against its middle, so that the columns are nearly orthogonal; phases are then of that moment.
+Fit fit_at(double frequency, const std::vector<double>& time, const std::vector<double>& signal) {
+  statistics::SmallNormal<4> normal;
+  std::vector<std::array<double, 4>> rows;
+  for (std::size_t n = 0; n < time.size(); ++n) {
+    const double angle = 2 * std::numbers::pi * frequency * time[n];
+    rows.push_back({1, time[n], std::cos(angle), std::sin(angle)});
+    normal.add(rows.back(), signal[n], 1);
+  }
+  const auto x = normal.solution();
+  double left = 0;
+  for (std::size_t n = 0; n < time.size(); ++n) left += std::pow(std::inner_product(x.begin(), x.end(), rows[n].begin(), -signal[n]), 2);
+  return {left, x[2], x[3]};
+}
+
+double left_by_line(const std::vector<double>& time, const std::vector<double>& signal) {
+  const auto m = statistics::second_moments(time, signal);
+  return m.yy - m.xy * m.xy / m.xx;
 }
 
 }  // namespace
@@ -144,7 +167,7 @@ double reference_phase(const std::vector<double>& cosine, const std::vector<doub
 
 double diffusion_length(double diffusivity, double frequency) { return std::sqrt(diffusivity / (std::numbers::pi * frequency)); }
 
-double swing_lost_to_diffusion(double diffusion_length, double pixel) {
+double amplitude_lost_to_diffusion(double diffusion_length, double pixel) {
   const double wave = std::numbers::pi * diffusion_length / pixel;
   return 1 - 1 / std::hypot(1.0, wave * wave / 2);
 }
@@ -169,6 +192,27 @@ LockinMaps nearest_bin_transform(FilmSource& film, const LockinOptions& options)
   const double length = static_cast<double>(time.size()) * (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   o.frequency = std::max(1.0, std::round(o.frequency * length)) / length;
   return locked_in(film, o, std::move(time), harmonics);
+}
+
+std::optional<LoadSignal> fit_load_signal(const std::vector<double>& time, const std::vector<double>& signal, double given) {
+  if (time.size() != signal.size() || time.size() < 8 || !(given > 0)) return std::nullopt;
+  const auto n = static_cast<double>(time.size());
+  const double middle = std::accumulate(time.begin(), time.end(), 0.0) / n, length = time.back() - time.front();
+  std::vector<double> t;
+  for (const double each : time) t.push_back(each - middle);
+  const double nyquist = 0.5 * (n - 1) / length, first = std::max(given / 2, 2 / length), last = std::min(2 * given, 0.95 * nyquist);
+  double step = 1 / (8 * length), best = 0, least = left_by_line(t, signal);
+  const double all = least;
+  for (double f = first; f <= last; f += step)
+    if (const double left = fit_at(f, t, signal).left; left < least) least = left, best = f;
+  if (best == 0 || !(least < (1 - least_share) * all)) return std::nullopt;
+  for (; step > 1e-9 * best; step /= 2)
+    for (const double f : {best - step, best + step})
+      if (const double left = fit_at(f, t, signal).left; left < least) least = left, best = f;
+  const Fit fit = fit_at(best, t, signal);
+  const double amplitude = std::hypot(fit.cosine, fit.sine), noise = std::sqrt(fit.left / (n - 4));
+  const double phase = std::atan2(fit.sine, fit.cosine) + 2 * std::numbers::pi * best * middle;
+  return LoadSignal{best, std::sqrt(6.0 / n) * noise / (std::numbers::pi * length * amplitude), std::remainder(phase, 2 * std::numbers::pi)};
 }
 
 }  // namespace arenite::thermography

@@ -1,8 +1,9 @@
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "model/film.hpp"
-#include "thermal/thermography/segment_sums.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
 
 namespace arenite::thermography {
 
@@ -11,7 +12,7 @@ struct LockinOptions {
   bool refine = true;    ///< find the frequency on the film, near the given one
   int drift_order = 4;   ///< of the polynomial in time that every pixel may drift by, 0 to 8; that of 4 follows a warm-up of a fifth of the film to 1 %
   int harmonics = 2;     ///< of the load frequency, 1 to 4; those above the Nyquist frequency are left out
-  SwingConvention convention = SwingConvention::half;
+  AmplitudeConvention convention = AmplitudeConvention::amplitude;
   /// Phase of the load, rad: the load is largest when 2 pi f t equals it, t in s after the first frame. Without it the
   /// phase is found on the film up to half a turn, see `reference_phase`.
   std::optional<double> reference_phase;
@@ -23,8 +24,8 @@ struct LockinOptions {
 /// Lock-in of a film, in one pass: in every pixel, least squares of a polynomial in time and of harmonics of the load
 /// frequency, at the times of the frames, with the frequency refined on all pixels together. Standard errors are those of
 /// the noise as it is beside the load's frequency. Throws InputError for a load frequency at or above the Nyquist frequency,
-/// less than one cycle, so few cycles that drift and swing cannot be told apart, fewer frames than unknowns, or a film in
-/// which nothing changes; and, where the frequency is to be refined, for a film that swings elsewhere and not there.
+/// less than one cycle, so few cycles that drift and load cannot be told apart, fewer frames than unknowns, or a film in
+/// which nothing changes; and, where the frequency is to be refined, for a film that oscillates at another frequency and not there.
 /// Empty maps if `progress` stopped it.
 LockinMaps lock_in(FilmSource& film, const LockinOptions& options);
 
@@ -32,20 +33,31 @@ LockinMaps lock_in(FilmSource& film, const LockinOptions& options);
 /// spaced. Off a bin, and with drift, amplitudes are wrong by up to 1 - 2/pi; kept to reproduce results found this way.
 LockinMaps nearest_bin_transform(FilmSource& film, const LockinOptions& options);
 
-/// Whether pixels swing at the maps' frequency as a load makes them: in one phase, and more than noise does once in a hundred films.
-bool shows_swing(const LockinMaps& maps);
+/// Whether pixels oscillate at the maps' frequency as a load makes them: in one phase, and more than noise does once in a hundred films.
+bool shows_load(const LockinMaps& maps);
 
-/// The phase at which all pixels together swing most: it maximises the sum of squares of what is in phase with it. The
-/// film alone does not tell it from its opposite; of the two the one is taken with which pixels warm on the mean when
-/// the load rises, as packed grains do, whose mean swing is compression.
+/// The phase in which the amplitude of all pixels together is largest: it maximises the sum of squares of what is in phase with it. The
+/// film alone does not distinguish it from its opposite; of the two the one is taken with which pixels warm on the mean when
+/// the load rises, as packed grains do, whose mean stress is compression.
 double reference_phase(const std::vector<double>& cosine, const std::vector<double>& sine);
 
-/// Length over which heat diffuses within a cycle, sqrt(D/(pi f)), m; the swing is adiabatic where this is far below a
+/// Length over which heat diffuses within a cycle, sqrt(D/(pi f)), m; the signal is adiabatic where this is far below a
 /// pixel and a grain. `diffusivity` in m^2/s, `frequency` in Hz.
 double diffusion_length(double diffusivity, double frequency);
 
-/// Share of its swing that the finest detail of a picture loses to heat that diffuses within a cycle: stripes of two
-/// pixels' length swing by 1/|1 + i D k^2/(2 pi f)| of what they would. Same unit for both lengths.
-double swing_lost_to_diffusion(double diffusion_length, double pixel);
+/// Share of its amplitude that the finest detail of a picture loses to heat that diffuses within a cycle: stripes of two
+/// pixels' length have 1/|1 + i D k^2/(2 pi f)| of theirs. Same unit for both lengths.
+double amplitude_lost_to_diffusion(double diffusion_length, double pixel);
+
+/// The cycle of a load's own signal.
+struct LoadSignal {
+  double frequency = 0, frequency_error = 0;  ///< Hz
+  double phase = 0;                           ///< rad: the signal is largest when 2 pi f t equals it
+};
+
+/// The cycle that takes most of a signal's squares, between half and twice the frequency that is given, by least squares of a straight line,
+/// cosine and sine at the times of its frames (s). Nothing where it takes less than half of what the line leaves (a square wave's takes 0.81),
+/// and where the signal holds less than two cycles.
+std::optional<LoadSignal> fit_load_signal(const std::vector<double>& time, const std::vector<double>& signal, double given);
 
 }  // namespace arenite::thermography

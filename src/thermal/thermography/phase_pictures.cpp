@@ -1,13 +1,10 @@
 #include "thermal/thermography/phase_pictures.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <numeric>
 
 #include "core/threads.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
-#include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -87,7 +84,7 @@ Bins sort_frames(const std::vector<double>& time, double frequency, std::size_t 
   return bins;
 }
 
-/// Adds a frame to its picture and, weighed, to the sums that tell each pixel's drift.
+/// Adds a frame to its picture and, weighed, to the sums that give each pixel's drift.
 template <class T>
 void add(const T* frame, const std::vector<float>& mean, const float* slow, std::size_t order, float* sum, float* drift, std::size_t begin, std::size_t end) {
   for (std::size_t p = begin; p < end; ++p) sum[p] += static_cast<float>(frame[p]) - mean[p];
@@ -95,8 +92,8 @@ void add(const T* frame, const std::vector<float>& mean, const float* slow, std:
     for (std::size_t p = begin; p < end; ++p) drift[p] += slow[j] * (static_cast<float>(frame[p]) - mean[p]);
 }
 
-/// What gives a pixel's drift from its weighed sums: least squares of polynomials beside any swing, as frames of a like phase
-/// tell it, whatever the pixel shows within a cycle.
+/// What gives a pixel's drift from its weighed sums: least squares of polynomials beside any oscillation, as frames of a like phase
+/// show it, whatever the pixel shows within a cycle.
 Matrix drift_solver(const Bins& bins) {
   const std::size_t order = bins.order;
   Matrix normal(order, order);
@@ -180,7 +177,7 @@ std::vector<float> picture_of(const PhasePictures& pictures, std::size_t k) {
   return values;
 }
 
-SwingOfPixels::SwingOfPixels(const PhasePictures& p, double cos_x, double sin_x, double cos_y, double sin_y) {
+PixelHarmonics::PixelHarmonics(const PhasePictures& p, double cos_x, double sin_x, double cos_y, double sin_y) {
   Matrix design(5, p.size()), weighed = design;
   for (std::size_t k = 0; k < p.size(); ++k) {
     dx_.push_back(cos_x * p.cosine[k] + sin_x * p.sine[k]);
@@ -191,7 +188,7 @@ SwingOfPixels::SwingOfPixels(const PhasePictures& p, double cos_x, double sin_x,
   fit_ = transposed(solve_symmetric(times_transposed(design, weighed), weighed));
 }
 
-Followed SwingOfPixels::follow(const PhasePictures& p, double x, double y) const {
+Followed PixelHarmonics::follow(const PhasePictures& p, double x, double y) const {
   const std::size_t n = p.size();
   double a[5] = {}, frames = 0, noise = 0;
   Followed f;

@@ -76,7 +76,7 @@ class Resampled {
 };
 
 /// Mean pictures of a cyclically loaded sample at phases of its load, as under a stroboscope: frames whose phase falls
-/// into the same part of the cycle are averaged, less drift of the lock-in's order, which frames of a like phase tell. What
+/// into the same part of the cycle are averaged, less drift of the lock-in's order, which frames of a like phase show. What
 /// moves or warms with the load is in these few pictures with all of the film's signal to noise.
 struct PhasePictures {
   int width = 0, height = 0;
@@ -97,18 +97,18 @@ PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const Loc
 /// One of the pictures itself, rows from the top.
 std::vector<float> picture_of(const PhasePictures& pictures, std::size_t k);
 
-/// What one place that follows a grain shows: mean, swing, second harmonic, slopes of the mean picture.
+/// What one place that follows a grain shows: mean, first and second harmonic, slopes of the mean picture.
 struct Followed {
   double mean = 0, cosine = 0, sine = 0, cosine2 = 0, sine2 = 0;
   double slope_x = 0, slope_y = 0;
-  double variance = 0;  ///< of one frame's noise, from what the swings leave
+  double variance = 0;  ///< of one frame's noise, from what the harmonics leave
 };
 
 /// Least squares of mean and two harmonics in places that move with a grain.
-class SwingOfPixels {
+class PixelHarmonics {
  public:
-  SwingOfPixels(const PhasePictures& pictures, double cos_x, double sin_x, double cos_y, double sin_y);
-  /// (x, y) is the place when the grain is in the middle of its swing.
+  PixelHarmonics(const PhasePictures& pictures, double cos_x, double sin_x, double cos_y, double sin_y);
+  /// (x, y) is the place when the grain is in the middle of its motion.
   Followed follow(const PhasePictures& pictures, double x, double y) const;
 
  private:

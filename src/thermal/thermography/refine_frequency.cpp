@@ -15,15 +15,15 @@ using statistics::Matrix;
 
 constexpr double turn = 2 * std::numbers::pi;
 
-/// Numbers by which the sums of segment k give its swing by least squares on its mean and harmonics: columns cos, sin.
+/// Numbers by which the sums of segment k give its phasor by least squares on its mean and harmonics: columns cos, sin.
 Matrix own_fit(const SegmentSums& s, std::size_t k) {
   const Matrix g = pass_weights(s, k), normal = times_transposed(g, g);
   return solve(normal, statistics::identity(g.rows(), g.rows())).part(1, 2);
 }
 
-/// Swing of one pixel in every segment, over its spread, so that a wild pixel does not speak for all: cosines and then minus sines in column `at`,
-/// sines and then cosines in the next, by which the pixel's swing at some frequency has a real and an imaginary part.
-bool swings_of(const SegmentSums& s, const std::vector<Matrix>& fits, std::size_t p, Matrix& swings, std::size_t at) {
+/// Phasor of one pixel in every segment, over its spread, so that a wild pixel does not speak for all: cosines and then minus sines in column `at`,
+/// sines and then cosines in the next, by which the pixel's phasor at some frequency has a real and an imaginary part.
+bool phasors_of(const SegmentSums& s, const std::vector<Matrix>& fits, std::size_t p, Matrix& phasors, std::size_t at) {
   const SegmentView view = s.view();
   const float* plane = view.sums + view.at(p, 0, 0);
   const std::size_t segments = s.segments();
@@ -38,34 +38,34 @@ bool swings_of(const SegmentSums& s, const std::vector<Matrix>& fits, std::size_
     spread += static_cast<double>(plane[(s.functions + 1) * chunk]) - sum * sum / s.frames_of(k);
     c *= s.frames_of(k), sn *= s.frames_of(k);
     power += c * c + sn * sn;
-    swings(k, at) = swings(segments + k, at + 1) = c;
-    swings(k, at + 1) = sn;
-    swings(segments + k, at) = -sn;
+    phasors(k, at) = phasors(segments + k, at + 1) = c;
+    phasors(k, at + 1) = sn;
+    phasors(segments + k, at) = -sn;
   }
   if (!(spread > 0) || !std::isfinite(spread) || !std::isfinite(power)) return false;
-  for (double* each = swings.column(at); each != swings.column(at + 2); ++each) *each /= std::sqrt(spread);
+  for (double* each = phasors.column(at); each != phasors.column(at + 2); ++each) *each /= std::sqrt(spread);
   return true;
 }
 
-/// Form by which cosines, then sines, of a frequency at the middles of all segments give the power of its swing.
+/// Form by which cosines, then sines, of a frequency at the middles of all segments give its power.
 Matrix products(const SegmentSums& s) {
   std::vector<Matrix> fits;
   for (std::size_t k = 0; k < s.segments(); ++k) fits.push_back(own_fit(s, k));
-  Matrix sum(2 * s.segments(), 2 * s.segments()), swings(2 * s.segments(), 2 * chunk);
+  Matrix sum(2 * s.segments(), 2 * s.segments()), phasors(2 * s.segments(), 2 * chunk);
   for_some_chunks(s, 64, [&](std::size_t begin, std::size_t count) {
     std::size_t used = 0;
     for (std::size_t p = begin; p < begin + count; ++p)
-      if (swings_of(s, fits, p, swings, used)) used += 2;
-    const Matrix some = swings.part(0, used);
+      if (phasors_of(s, fits, p, phasors, used)) used += 2;
+    const Matrix some = phasors.part(0, used);
     sum += times_transposed(some, some);
   });
   return sum;
 }
 
-/// Whether segments are long enough, one and a half cycles, to show swings each by itself.
-bool segments_show_swings(const SegmentSums& s) { return s.frequency * (s.time.back() - s.time.front()) >= 1.5 * static_cast<double>(s.segments()); }
+/// Whether segments are long enough, one and a half cycles, to show the load each by itself.
+bool segments_show_load(const SegmentSums& s) { return s.frequency * (s.time.back() - s.time.front()) >= 1.5 * static_cast<double>(s.segments()); }
 
-/// Where the swings that the segments show, each by itself, are most in step: the frequency of the band to about a tenth of a
+/// Where the phasors of the segments, each by itself, are most in step: the frequency of the band to about a tenth of a
 /// cycle over the film. Looks at some thousand pixels.
 double segments_in_step(const SegmentSums& s, const SearchBand& band) {
   const double time = s.time.back() - s.time.front(), segment = time / static_cast<double>(s.segments());
@@ -88,19 +88,19 @@ double segments_in_step(const SegmentSums& s, const SearchBand& band) {
   return s.frequency + (best + shift) * step;
 }
 
-constexpr double strong_swing = 0.1;  // as if it were noise: of three times the noise, a swing loses half its weight
+constexpr double strong_signal = 0.1;  // as if it were noise: a signal of three times the noise loses half its weight
 
 /// What a Newton step adds up over pixels of weight w: with c, s of cos and sin, p, q of x cos and x sin.
 struct BeatSums {
-  double swing = 0;  ///< w (c^2 + s^2)
+  double power = 0;  ///< w (c^2 + s^2)
   double beat = 0;   ///< w (p^2 + q^2)
   double cross = 0;  ///< w (s p - c q)
   double noise = 0;  ///< w^2 (c^2 + s^2) variance
 
-  void operator+=(const BeatSums& o) { swing += o.swing, beat += o.beat, cross += o.cross, noise += o.noise; }
+  void operator+=(const BeatSums& o) { power += o.power, beat += o.beat, cross += o.cross, noise += o.noise; }
 };
 
-using Weighings = std::array<BeatSums, 2>;  // by noise alone, and with strong swings held back
+using Weighings = std::array<BeatSums, 2>;  // by noise alone, and with strong signals held back
 
 struct Step {
   double frequency = 0;                                    ///< Hz
@@ -142,8 +142,8 @@ class Newton {
     return median(std::move(variance));
   }
 
-  /// Weights follow the inverse of the noise but do not run away where a pixel is all but dead. Rims that move past a pixel
-  /// swing most, and with overtones that are not fitted: what the frequency changes by where strong swings weigh less is in its error.
+  /// Weights follow the inverse of the noise but do not run away where a pixel is all but dead. A pixel past which rims move
+  /// has most power, with overtones that are not fitted: what the frequency changes by where strong signals weigh less is in its error.
   Weighings beat_of(const HarmonicFit& fit, std::size_t begin, std::size_t count) const {
     PixelFit pixels;
     fit_pixels_with_variance(s_, fit, begin, count, pixels);
@@ -158,19 +158,19 @@ class Newton {
         const double w = typical_ > 0 ? 2 * typical_ / (noise + typical_) : 1;
         return {w * power, w * beat, w * cross, w * w * power * variance};
       };
-      sum[0] += weighed(variance), sum[1] += weighed(variance + strong_swing * power);
+      sum[0] += weighed(variance), sum[1] += weighed(variance + strong_signal * power);
     }
     return sum;
   }
 
-  /// Noise swings, too, but does not beat more than it swings: that share is taken from the power before dividing by it.
+  /// Noise has power, too, but no more beat than power: that share is taken from the power before dividing by it.
   Step solve(const HarmonicFit& fit, const BeatSums& all) const {
-    if (!(all.swing > 0)) return {};
+    if (!(all.power > 0)) return {};
     const std::size_t a = fit.harmonic(1), b = fit.size() - 2;
-    const double swing_noise = fit.covariance(a, a) + fit.covariance(a + 1, a + 1);
+    const double power_noise = fit.covariance(a, a) + fit.covariance(a + 1, a + 1);
     const double beat_noise = fit.covariance(b, b) + fit.covariance(b + 1, b + 1);
-    const double noise = (all.beat - all.cross * all.cross / all.swing) * swing_noise / beat_noise;
-    const double signal = std::max(all.swing - noise, 0.02 * all.swing);
+    const double noise = (all.beat - all.cross * all.cross / all.power) * power_noise / beat_noise;
+    const double signal = std::max(all.power - noise, 0.02 * all.power);
     return {all.cross / signal / (turn * fit.half), std::sqrt(all.noise * beat_noise / 2) / signal / (turn * fit.half)};
   }
 
@@ -180,7 +180,7 @@ class Newton {
   double typical_ = -1;
 };
 
-/// What a swing of this frequency explains in some thousand pixels, each weighed by its noise.
+/// What an oscillation of this frequency explains in some thousand pixels, each weighed by its noise.
 double explained(const SegmentSums& s, double frequency, int drift_order) {
   const HarmonicFit fit = harmonic_fit(s, frequency, drift_order, false);
   const std::size_t own = fit.harmonic(1);
@@ -222,11 +222,11 @@ double frequencies_in(const SearchBand& band, const std::vector<double>& time) {
 
 FrequencyFit refine_frequency(const SegmentSums& sums, int drift_order, const Team& team) {
   const SearchBand band = search_band(sums.time, sums.frequency);
-  const FrequencyFit as_told{sums.frequency, std::numeric_limits<double>::infinity(), 0};
-  if (band.empty()) return as_told;
+  const FrequencyFit as_given{sums.frequency, std::numeric_limits<double>::infinity(), 0};
+  if (band.empty()) return as_given;
   const double time = sums.time.back() - sums.time.front();
   Newton newton(sums, drift_order, team);
-  FrequencyFit result{segments_show_swings(sums) ? segments_in_step(sums, band) : best_fitting(sums, band, drift_order), 0, 0};
+  FrequencyFit result{segments_show_load(sums) ? segments_in_step(sums, band) : best_fitting(sums, band, drift_order), 0, 0};
   std::size_t every = newton.runs() >= 64 ? 8 : 1;
   for (int turns = 0; turns < 12; ++turns) {
     const Step step = newton.step(result.frequency, every);
@@ -235,12 +235,12 @@ FrequencyFit refine_frequency(const SegmentSums& sums, int drift_order, const Te
     if (!std::isfinite(step.error)) break;
     const double change = std::clamp(step.frequency, -0.25 / time, 0.25 / time);
     result.frequency += change;
-    if (!(result.frequency > band.low && result.frequency < band.high)) return as_told;
+    if (!(result.frequency > band.low && result.frequency < band.high)) return as_given;
     const bool converged = std::abs(change) < std::max(1e-2 * step.error, 1e-13 * result.frequency);
     if (every == 1 && (converged || std::abs(change) < 1e-4 / time)) break;
     if (converged || std::abs(change) < 0.03 / time) every = 1;
   }
-  return result.error < 0.25 / time ? result : as_told;
+  return result.error < 0.25 / time ? result : as_given;
 }
 
 }  // namespace arenite::thermography

@@ -1,4 +1,4 @@
-#include "thermal/thermography/segment_sums.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ constexpr std::size_t block_bytes = std::size_t{8} << 20;
 
 std::size_t segment_count(std::size_t frames, double cycles, int drift_order) {
   const auto by_cycles = static_cast<std::size_t>(std::clamp(cycles / 16, 16.0, 64.0));
-  // In few cycles drift and swing are all but alike, and only fine segments tell them apart as well as single frames do.
+  // In few cycles drift and load are all but alike, and only fine segments tell them apart as well as single frames do.
   const auto needed = std::max<std::size_t>(3 * static_cast<std::size_t>(drift_order + 1), cycles < 4 ? 32 : 0);
   return std::min(frames, std::max(needed, std::min(frames / 8, by_cycles)));
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/film.hpp"
-#include "thermal/thermography/segment_sums.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
 
 namespace arenite::thermography {
 
@@ -35,7 +35,7 @@ struct StepMaps {
 };
 
 /// The jump of every pixel between two polynomials in time, one before and one after a step of the load, by least
-/// squares with a common noise: the swing of a load that does not cycle. A step is adiabatic only at its middle: where heat
+/// squares with a common noise: the signal of a load that does not cycle. A step is adiabatic only at its middle: where heat
 /// that flows later makes the pixels relax by more than their noise, an exponential joins the polynomial. A first pass looks
 /// at some thousand pixels: it finds that, the noise and, where no time is given, the split of the film that explains
 /// most. InputError for a step outside the film, too few frames on a side, a

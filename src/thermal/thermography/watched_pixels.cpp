@@ -1,15 +1,12 @@
-#include "thermal/thermography/watched_pixels.hpp"
+#include "thermal/thermography/refine_frequency.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
-#include <vector>
 
 #include "core/median.hpp"
-#include "thermal/thermography/harmonic_fit.hpp"
-#include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -95,7 +92,7 @@ WatchedPixels::WatchedPixels(const SegmentSums& s) : time_(s.time) {
   }
 }
 
-std::vector<WatchedPixels::Swing> WatchedPixels::swings(const std::vector<double>& frequencies) const {
+std::vector<WatchedPixels::Line> WatchedPixels::lines_at(const std::vector<double>& frequencies) const {
   const std::size_t count = frequencies.size();
   FloatMatrix turn(value_.columns(), 2 * count);
   for (std::size_t k = 0; k < count; ++k)
@@ -105,7 +102,7 @@ std::vector<WatchedPixels::Swing> WatchedPixels::swings(const std::vector<double
       turn(n, k) = std::cos(angle), turn(n, count + k) = std::sin(angle);
     }
   const FloatMatrix sums = value_ * turn;
-  std::vector<Swing> swings;
+  std::vector<Line> lines;
   for (std::size_t k = 0; k < count; ++k) {
     Complex square = 0;
     double power = 0;
@@ -113,9 +110,9 @@ std::vector<WatchedPixels::Swing> WatchedPixels::swings(const std::vector<double
       const Complex z(static_cast<double>(sums(i, k)), static_cast<double>(sums(i, count + k)));
       power += std::norm(z), square += z * z;
     }
-    swings.push_back({power, std::abs(square)});
+    lines.push_back({power, std::abs(square)});
   }
-  return swings;
+  return lines;
 }
 
 bool WatchedPixels::have_line(double frequency) const {
@@ -125,7 +122,7 @@ bool WatchedPixels::have_line(double frequency) const {
   for (const int bins : {-9, -7, -5, -3, 3, 5, 7, 9})
     if (const double f = frequency + bins / length; f * length >= 2 && f <= nyquist_frequency(time_)) at.push_back(f);
   if (value_.rows() == 0 || at.size() < 3) return true;  // nothing to compare with
-  const std::vector<Swing> all = swings(at);
+  const std::vector<Line> all = lines_at(at);
   double around = 0;
   for (std::size_t k = 1; k < all.size(); ++k) around += all[k].in_one_phase;
   return std::pow(1 + all[0].in_one_phase / around, -static_cast<double>(at.size() - 1)) < level;
@@ -137,7 +134,7 @@ std::optional<double> WatchedPixels::stronger_part(double frequency) const {
   for (const int part : {2, 3, 4})
     if (const double f = frequency / part; f * length >= 4) at.insert(at.end(), {f, f - 2.5 / length, f + 2.5 / length});
   if (value_.rows() == 0 || at.size() < 2) return std::nullopt;
-  const std::vector<Swing> all = swings(at);
+  const std::vector<Line> all = lines_at(at);
   std::optional<double> best;
   double most = 4 * all[0].power;
   for (std::size_t k = 1; k < all.size(); k += 3)

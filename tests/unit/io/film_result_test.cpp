@@ -51,10 +51,10 @@ TEST(FilmResultFile, ReadsBackWhatWasWritten) {
     EXPECT_EQ(back.grains.*column, r.grains.*column);
   for (auto column : {&GrainMotion::cos_x, &GrainMotion::sin_x, &GrainMotion::cos_y, &GrainMotion::sin_y, &GrainMotion::error})
     EXPECT_EQ(back.motion.*column, r.motion.*column);
-  for (auto column : {&GrainSwing::temperature, &GrainSwing::sigma_hyd, &GrainSwing::error, &GrainSwing::pixels})
-    EXPECT_EQ(back.swing.*column, r.swing.*column);
-  EXPECT_EQ(back.twin.swing, r.twin.swing);
-  EXPECT_EQ(back.twin.state, r.twin.state);
+  for (auto column : {&PeakToPeak::temperature, &PeakToPeak::sigma_hyd, &PeakToPeak::error, &PeakToPeak::pixels})
+    EXPECT_EQ(back.peak_to_peak.*column, r.peak_to_peak.*column);
+  EXPECT_EQ(back.simulation.peak_to_peak, r.simulation.peak_to_peak);
+  EXPECT_EQ(back.simulation.state, r.simulation.state);
   EXPECT_EQ(back.packing.grains.material, r.packing.grains.material);
   EXPECT_EQ(back.packing.contacts.ft, r.packing.contacts.ft);
   EXPECT_EQ(back.fn_error, r.fn_error);
@@ -68,37 +68,51 @@ TEST(FilmResultFile, ReadsBackWhatWasWritten) {
   for (std::size_t p = 0; p < r.fit.picture.size(); ++p) EXPECT_TRUE(back.fit.picture[p] == r.fit.picture[p] || std::isnan(r.fit.picture[p])) << p;
 }
 
+TEST(FilmResultFile, OfVersion01IsReadUnderItsFormerNames) {
+  const FilmResult r = io::read_film_result(std::string(ARENITE_SOURCE_DIR) + "/tests/data/results/film-0.1.h5");
+  EXPECT_EQ(r.maps.convention, AmplitudeConvention::peak_to_peak);
+  EXPECT_EQ(r.peak_to_peak.sigma_hyd, (std::vector<double>{-1e5, -2e5, -3e5, -4e5}));
+  ASSERT_EQ(r.simulation.peak_to_peak.size(), 4u);
+  EXPECT_DOUBLE_EQ(r.simulation.peak_to_peak[1], -2.2e5);
+  EXPECT_DOUBLE_EQ(r.simulation.state[2], -3.7e5);
+  EXPECT_EQ(r.numbers["lockin"]["convention"], "peak_to_peak");
+  EXPECT_EQ(r.numbers["directions"]["simulation"]["contacts"], 4);
+  EXPECT_NEAR(r.numbers["simulation"]["peak_to_peak"]["all"]["correlation"].get<double>(), 1, 1e-12);
+  EXPECT_TRUE(r.numbers["simulation"]["state"].contains("all"));
+  for (const char* former : {"/twin", "/lockin/swing", "/directions/twin", "/simulation/swing"}) EXPECT_FALSE(r.numbers.at_path(former)) << former;
+}
+
 TEST(FilmResultFile, MapsAloneReadBack) {
   const TemporaryFolder folder;
   FilmResult maps = sample();
   maps.packing = {};
   maps.grains = {};
   maps.motion = {};
-  maps.swing = {};
-  maps.twin = {};
+  maps.peak_to_peak = {};
+  maps.simulation = {};
   maps.fn_error.clear();
   maps.ft_error.clear();
   maps.presence.clear();
   maps.fit = {};
   maps.bad.clear();
   maps.maps.second_harmonic.clear();
-  maps.maps.convention = SwingConvention::full;
+  maps.maps.convention = AmplitudeConvention::peak_to_peak;
   maps.converged = false;
   io::write_film_result(folder / "f.h5", maps);
   const FilmResult back = io::read_film_result(folder / "f.h5");
   EXPECT_EQ(back.maps.in_phase, maps.maps.in_phase);
-  EXPECT_EQ(back.maps.convention, SwingConvention::full);
+  EXPECT_EQ(back.maps.convention, AmplitudeConvention::peak_to_peak);
   EXPECT_FALSE(back.converged);
   EXPECT_TRUE(back.maps.second_harmonic.empty());
   EXPECT_TRUE(back.bad.empty());
-  EXPECT_TRUE(back.twin.empty());
-  EXPECT_EQ(back.swing.size(), 0u);
+  EXPECT_TRUE(back.simulation.empty());
+  EXPECT_EQ(back.peak_to_peak.size(), 0u);
 }
 
 TEST(FilmResultFile, ArraysOfDifferentLengthsAreRefused) {
   const TemporaryFolder folder;
   FilmResult of_grains = sample(), of_contacts = sample();
-  of_grains.swing.error.pop_back();
+  of_grains.peak_to_peak.error.pop_back();
   of_contacts.presence.push_back(0);
   for (const FilmResult* wrong : {&of_grains, &of_contacts}) {
     io::write_film_result(folder / "f.h5", *wrong);

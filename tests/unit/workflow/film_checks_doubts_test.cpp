@@ -1,4 +1,4 @@
-#include "workflow/film_checks.hpp"
+#include "workflow/measure_film.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ std::string all(const std::vector<std::string>& doubts) {
   return text;
 }
 
-LockinMaps swinging(double phase) {
+LockinMaps oscillating(double phase) {
   LockinMaps maps;
   maps.width = maps.height = 4;
   maps.mean.assign(16, 296);
@@ -71,33 +71,33 @@ TEST(FilmDoubts, AFitThatDoesNotAgreeIsNotMadeToAgreeInSilence) {
   EXPECT_NE(all(film_doubts(two_materials(), r)).find("12 times the noise"), std::string::npos);
 }
 
-TEST(FilmDoubts, HeatThatDiffusesAndRimsOfAnotherBlurAreTold) {
+TEST(FilmDoubts, HeatThatDiffusesAndRimsOfAnotherBlurAreReported) {
   FilmResult r = wanting(1, 1);
   r.rim_blur = 0.8;
   r.maps.frequency = 0.05;
   const std::string said = all(film_doubts(two_materials(), r));
   EXPECT_NE(said.find("not adiabatic"), std::string::npos);
-  EXPECT_NE(said.find("forces.blur tells 0.5"), std::string::npos);
+  EXPECT_NE(said.find("forces.blur is 0.5"), std::string::npos);
 }
 
 TEST(FilmDoubts, PhaseIsHeldAgainstTheFilmsOwn) {
   const double turn = 2 * std::numbers::pi;
-  EXPECT_NEAR(phase_off(swinging(0.4 * turn), 0.3), 0.1, 1e-6);
-  EXPECT_NEAR(phase_off(swinging(0.45 * turn), -0.5), -0.05, 1e-6);
+  EXPECT_NEAR(phase_off(oscillating(0.4 * turn), 0.3), 0.1, 1e-6);
+  EXPECT_NEAR(phase_off(oscillating(0.45 * turn), -0.5), -0.05, 1e-6);
   recipe::FilmRecipe recipe = two_materials();
   recipe.lockin.phase = 0.25 * turn;
-  EXPECT_THROW(refuse_impossible(recipe, swinging(0.5 * turn)), InputError);
-  EXPECT_THROW(refuse_impossible(recipe, swinging(0.75 * turn)), InputError);
-  EXPECT_NO_THROW(refuse_impossible(recipe, swinging(0.3 * turn)));
+  EXPECT_THROW(refuse_impossible(recipe, oscillating(0.5 * turn)), InputError);
+  EXPECT_THROW(refuse_impossible(recipe, oscillating(0.75 * turn)), InputError);
+  EXPECT_NO_THROW(refuse_impossible(recipe, oscillating(0.3 * turn)));
   recipe.lockin.phase.reset();
-  EXPECT_NO_THROW(refuse_impossible(recipe, swinging(0.5 * turn)));
+  EXPECT_NO_THROW(refuse_impossible(recipe, oscillating(0.5 * turn)));
 }
 
 TEST(FilmDoubts, LevelsAreNoKelvin) {
-  LockinMaps levels = swinging(0);
+  LockinMaps levels = oscillating(0);
   levels.mean.assign(16, 7800);
   EXPECT_THROW(refuse_impossible(two_materials(), levels), InputError);
-  levels = swinging(0);
+  levels = oscillating(0);
   levels.amplitude.assign(16, 30);
   EXPECT_THROW(refuse_impossible(two_materials(), levels), InputError);
 }

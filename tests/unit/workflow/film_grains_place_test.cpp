@@ -1,4 +1,4 @@
-#include "workflow/film_grains.hpp"
+#include "workflow/measure_film.hpp"
 
 #include <gtest/gtest.h>
 
@@ -42,11 +42,11 @@ TEST(FilmPlace, MetresAndPixelsAreEachOthersInverse) {
 }
 
 TEST(FilmPlace, LowerWallTravelsWithTheLoad) {
-  EXPECT_EQ(frame_at(framed(), 0).height(), 0.060);
-  EXPECT_DOUBLE_EQ(frame_at(framed(), 1).height(), 0.056);
-  EXPECT_DOUBLE_EQ(frame_at(framed(), 0.5).wall[bottom].position, 0.002);
-  EXPECT_EQ(frame_at(framed(), 1).width(), 0.100);
-  EXPECT_EQ(frame_at(framed(), 1).thickness, 0.05);
+  EXPECT_EQ(container_at(framed(), 0).height(), 0.060);
+  EXPECT_DOUBLE_EQ(container_at(framed(), 1).height(), 0.056);
+  EXPECT_DOUBLE_EQ(container_at(framed(), 0.5).wall[bottom].position, 0.002);
+  EXPECT_EQ(container_at(framed(), 1).width(), 0.100);
+  EXPECT_EQ(container_at(framed(), 1).thickness, 0.05);
 }
 
 TEST(FilmPlace, GrainsKeepOrderMaterialAndSize) {

@@ -1,4 +1,4 @@
-#include "workflow/film_grains.hpp"
+#include "workflow/measure_film.hpp"
 
 #include <gtest/gtest.h>
 

@@ -59,7 +59,7 @@ TEST(FilmNumbers, TellWhatTheResultHolds) {
   const FilmResult& film = sample.film;
   const auto j = nlohmann::json::parse(to_json(film_numbers(film)));
   EXPECT_EQ(j["film"]["bad_pixels"], 2);
-  EXPECT_EQ(j["lockin"]["swing"], "half");
+  EXPECT_EQ(j["lockin"]["convention"], "amplitude");
   EXPECT_EQ(j["grains"]["all"], 60);
   EXPECT_NEAR(j["grains"]["position_error_pixels"].get<double>(), 0.06, 1e-12);
   double largest = 0;
@@ -74,7 +74,7 @@ TEST(FilmNumbers, TellWhatTheResultHolds) {
   EXPECT_NEAR(j["forces"]["mean_N"]["value"].get<double>(), sum / between, 1e-9 * sum);
   EXPECT_EQ(j["texture"]["contacts"].get<std::size_t>() + j["texture"]["wall_contacts"].get<std::size_t>(), contacts.size());
   FilmResult maps = film;
-  maps.swing = {};
+  maps.peak_to_peak = {};
   EXPECT_FALSE(nlohmann::json::parse(to_json(film_numbers(maps))).contains("texture"));
 }
 
@@ -91,24 +91,25 @@ FilmResult row_of_grains() {
   return film;
 }
 
-TEST(FilmDirections, AreOfTheFilmsContactsAndTheTwins) {
+TEST(FilmDirections, AreOfTheFilmsContactsAndTheSimulations) {
   FilmResult film = row_of_grains();
-  const Packing twin = film.packing;
+  const Packing simulation = film.packing;
   film.packing.contacts = {};
-  for (std::size_t c = 0; c < 3; ++c) film.packing.contacts.add(twin.contacts.i[c], twin.contacts.j[c], twin.contacts.normal(c), 100, 0, 0.00475, 0.00475);
-  const auto directions = film_directions(film, &twin);
+  for (std::size_t c = 0; c < 3; ++c)
+    film.packing.contacts.add(simulation.contacts.i[c], simulation.contacts.j[c], simulation.contacts.normal(c), 100, 0, 0.00475, 0.00475);
+  const auto directions = film_directions(film, &simulation);
   EXPECT_EQ(directions["film"]["contacts"], 3);
   EXPECT_NEAR(directions["film"]["a_c"]["value"].get<double>(), 2, 1e-12);
   EXPECT_NEAR(std::fmod(directions["film"]["theta_c_deg"]["value"].get<double>(), 180), 0, 1e-9);
   EXPECT_EQ(directions["film"]["sectors"].size(), 18u);
-  EXPECT_EQ(directions["twin"]["contacts"], 4);
-  EXPECT_NEAR(directions["twin"]["a_c"]["value"].get<double>(), 1, 1e-12);
-  EXPECT_FALSE(film_directions(film).contains("twin"));
+  EXPECT_EQ(directions["simulation"]["contacts"], 4);
+  EXPECT_NEAR(directions["simulation"]["a_c"]["value"].get<double>(), 1, 1e-12);
+  EXPECT_FALSE(film_directions(film).contains("simulation"));
   film.packing.contacts = {};
   EXPECT_TRUE(film_directions(film).empty());
 }
 
-TEST(FilmTwin, StressOfDisksCountsFullRadii) {
+TEST(FilmSimulation, StressOfDisksCountsFullRadii) {
   const FilmResult film = row_of_grains();
   const auto stress = stress_of_disks(film.packing);
   const double once = -100 / (2 * std::numbers::pi * 0.005 * 0.06);
@@ -120,7 +121,7 @@ TEST(FilmTwin, StressOfDisksCountsFullRadii) {
   EXPECT_NEAR(texture::measure(film.packing, options).per_grain.sigma_hyd[1], 0.95 * 2 * once, 1e-9);
 }
 
-TEST(FilmTwin, StressOfDisksIsTheMeanOfTheirClosedForm) {
+TEST(FilmSimulation, StressOfDisksIsTheMeanOfTheirClosedForm) {
   const test::PageSample run(60);
   const Packing& p = run.stage.frames[3].packing;
   std::vector<elasticity::Disk> disks;

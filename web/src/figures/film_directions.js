@@ -8,8 +8,8 @@ export const directions = {
     "simulation: those at the largest load. Line: 1 + a_{c} cos 2(\u03b8 \u2212 \u03b8_{c}).",
   when: (_, film) => Boolean(film.numbers?.directions?.film?.sectors),
   draw({ sample, theme, width }) {
-    const { film, twin } = sample.numbers.directions;
-    const list = [{ label: "film", colour: theme.strong, set: film }, { label: "simulation", colour: theme.accent, set: twin }].filter(({ set }) => set?.sectors);
+    const { film, simulation } = sample.numbers.directions;
+    const list = [{ label: "film", colour: theme.strong, set: film }, { label: "simulation", colour: theme.accent, set: simulation }].filter(({ set }) => set?.sectors);
     const cell = width / list.length, radius = Math.min(0.5 * cell - 18, 110), height = 2 * radius + 96;
     const reach = Math.max(...list.map(({ set }) => reachOf(set)));
     const svg = s("svg", { viewBox: `0 0 ${width} ${height}`, width, height, "font-family": theme.font, "font-size": 11.5, fill: theme.soft });

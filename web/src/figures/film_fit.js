@@ -8,7 +8,7 @@ const shades = 512, gap = 12, line = 15, key = 76;
 
 /** What the film shows, what the forces make of it, and the difference, in the pixels that have both; peak to peak. */
 function pictures(film) {
-  const toFull = film.about.film.swing === "full" ? 1 : 2, fitted = film.values("fitted");
+  const toFull = film.about.film.convention === "peak_to_peak" ? 1 : 2, fitted = film.values("fitted");
   const measured = film.values("in_phase").map((v, k) => (Number.isFinite(fitted[k]) ? toFull * v : NaN));
   return [["measured", measured], ["by the forces", fitted], ["residual", measured.map((v, k) => v - fitted[k])]];
 }

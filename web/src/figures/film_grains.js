@@ -32,7 +32,7 @@ export const rankedStresses = {
 /** "Grain 12, POM". */
 export const grainName = ({ grains, materials }, g) => `Grain ${grains.id?.[g] ?? g + 1}${materials.length > 1 ? `, ${materials[grains.material[g]].name}` : ""}`;
 
-const sources = [["film", "Film"], ["twin_swing", "Simulation, peak to peak"], ["twin_state", "Simulation, largest load"]];
+const sources = [["film", "Film"], ["simulation_peak_to_peak", "Simulation, peak to peak"], ["simulation_state", "Simulation, largest load"]];
 /** "peak to peak", "largest load". */
 export const sourceName = (source) => sources.find(([name]) => name === source)[1].replace("Simulation, ", "").toLowerCase();
 export const known = (film) => sources.filter(([name]) => film.stresses[name]);
@@ -46,7 +46,7 @@ function extent({ grains: { x, y, radius } }) {
 export const stressMaps = {
   id: "film-maps", title: "Experiment and simulation: \u03c3_{norm} of every grain", wide: true,
   caption: "Each over its own mean, all in the same colours. A film shows the difference between two loads (peak to peak); the state at the largest load also holds what grains carry at the smallest.",
-  when: (_, film) => film.hasTwin && film.count > 0,
+  when: (_, film) => film.hasSimulation && film.count > 0,
   draw({ sample, theme, width }) {
     const shown = known(sample), columns = width < 200 * shown.length ? 1 : shown.length, gap = 16;
     const box = extent(sample), part = (width - gap * (columns - 1)) / columns, scale = (part - 2) / (box.right - box.left);

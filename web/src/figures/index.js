@@ -8,7 +8,7 @@ import { directions } from "./film_directions.js";
 import { fitMaps } from "./film_fit.js";
 import { certainty, rankedForces } from "./film_forces.js";
 import { rankedStresses, stressMaps } from "./film_grains.js";
-import { againstTwin, stressTails } from "./film_twin.js";
+import { againstSimulation, stressTails } from "./film_simulation.js";
 import { coarseFields } from "./coarse_fields.js";
 import { sizeCurve } from "./size_curve.js";
 import { grainScatter } from "./grain_scatter.js";
@@ -29,4 +29,4 @@ export const figures = [testCurves, grainBonds, discharge, roses, stressDistribu
 export const fieldFigures = [stressStrain, brokenBonds, energyBalance, stressDensities, cavityVolumes, convergence];
 
 /** Every figure of a film, likewise; `sample` is its FilmResult. */
-export const filmFigures = [stressMaps, againstTwin, stressTails, directions, fitMaps, rankedForces, certainty, rankedStresses];
+export const filmFigures = [stressMaps, againstSimulation, stressTails, directions, fitMaps, rankedForces, certainty, rankedStresses];

@@ -11,7 +11,7 @@ export function filmHeadlines(film) {
   if (film.count) tiles.push(["grains", "N_{p}", [text.count(film.count)]]);
   if (film.stresses.film?.mean) tiles.push(["stress", "\u27e8\u03c3_{hyd}\u27e9", quantity(film.stresses.film.mean, 0, "Pa")]);
   if (film.hasForces) tiles.push(["force", "\u27e8F_{n}\u27e9", quantity(film.meanForce, 0, "N")]);
-  const r = agreement.twin_swing?.all?.correlation, sure = film.hasForces ? Array.from(contacts.fn.keys()).filter((c) => !film.isUncertain(c)).length : 0;
+  const r = agreement.simulation_peak_to_peak?.all?.correlation, sure = film.hasForces ? Array.from(contacts.fn.keys()).filter((c) => !film.isUncertain(c)).length : 0;
   if (r) tiles.push(["correlation with simulation", "r", quantity(r.value, r.error, "")]);
   if (film.hasForces) tiles.push(["certain contacts", "", [text.count(sure), `of ${text.count(contacts.fn.length)}`]]);
   tiles.push(["frames", "", [text.count(about.used || about.frames)]], ["pixels", "", [`${about.width}\u202f\u00d7\u202f${about.height}`]]);

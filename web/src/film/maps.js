@@ -3,12 +3,12 @@ const degrees = 180 / Math.PI;
 /** Into (-180, 180]. */
 export const wrapped = (angle) => angle - 360 * Math.ceil(angle / 360 - 0.5);
 
-const convention = (film) => (film.about.film.swing === "full" ? "peak to peak" : "half of peak to peak");
+const convention = (film) => (film.about.film.convention === "peak_to_peak" ? "peak to peak" : "half of peak to peak");
 
 /** What may be painted on the pixels of a film. A member gives: label; `stored` (a map of the document); `title(film)`;
     `unit` ("K" stands for the film's own); `palette` (a name in the theme); `around` (what the scale is centred on, of
     field/scale.js); `of(value, film)` where what is shown is not what is stored; `cyclic` where colours come back, and
-    are pale where the amplitude is not told from noise. A new one is one more row. */
+    are pale where the amplitude is lost in noise. A new one is one more row. */
 export const maps = {
   picture: { label: "Picture", stored: "picture", title: () => "Picture at the smallest load", unit: "K", palette: "grey", around: "ends" },
   amplitude: { label: "Amplitude", stored: "amplitude", title: (film) => `Amplitude (${convention(film)})`, unit: "K", palette: "stress", around: "ends" },

@@ -8,7 +8,7 @@ export function comparisonNumbers(film) {
   const shown = known(film).filter(([name]) => film.stresses[name].statistics.count);
   if (shown.length === 0) return null;
   const tables = [...shown.map(([name, title]) => stresses(film, name, title)), ...agreement(film, shown)];
-  return h("section", { class: "card numbers" }, h("div", { class: "title" }, h("h3", {}, film.hasTwin ? "Experiment and simulation" : "Stress of grains")),
+  return h("section", { class: "card numbers" }, h("div", { class: "title" }, h("h3", {}, film.hasSimulation ? "Experiment and simulation" : "Stress of grains")),
     h("div", { class: "tables even" }, tables),
     h("p", { class: "caption" }, rich("\u03c3_{hyd}, P_{0}, \u03b2: grains away from the border; each set over its own mean. Agreement: all grains; slope of the film on the simulation.")));
 }

@@ -33,7 +33,7 @@ export class FilmResult {
 
   get count() { return this.grains.count; }
   get hasForces() { return this.contacts.count > 0 && this.contacts.fn?.some((force) => force !== 0); }
-  get hasTwin() { return Boolean(this.stresses.film && (this.stresses.twin_swing || this.stresses.twin_state)); }
+  get hasSimulation() { return Boolean(this.stresses.film && (this.stresses.simulation_peak_to_peak || this.stresses.simulation_state)); }
   get box() { return { left: -0.5, right: this.width - 0.5, bottom: 0.5 - this.height, top: 0.5 }; }
   unitOf(map) { return maps[map].unit === "K" ? this.about.film.unit : maps[map].unit; }
 

@@ -14,7 +14,7 @@ function begin(film, page) {
   const known = available(film), map = ["in_phase", "amplitude", "picture"].find((name) => known.includes(name)) ?? known[0];
   return new State({
     theme: page.get("theme"), map, law: "linear", clip: "1", grains: film.count ? "rims" : "off", forces: false, motion: false,
-    component: "fn", twin: film.stresses.twin_swing ? "swing" : "state", over: "mean",
+    component: "fn", companion: film.stresses.simulation_peak_to_peak ? "peak_to_peak" : "state", over: "mean",
   });
 }
 
@@ -34,7 +34,7 @@ function missing(film) {
     !film.count && "No grains were found in this film, so stresses and forces are not shown.",
     film.count > 0 && !film.stresses.film && "Stresses of the grains were not measured.",
     film.count > 0 && !film.hasForces && "Contact forces were not inferred.",
-    film.stresses.film && !film.hasTwin && "No simulation of the same grains accompanies this film.",
+    film.stresses.film && !film.hasSimulation && "No simulation of the same grains accompanies this film.",
   ].filter(Boolean);
   for (const doubt of film.numbers?.checks?.doubts ?? []) sentences.push(`${doubt[0].toUpperCase()}${doubt.slice(1)}.`);
   return sentences.length ? h("p", { class: "caption missing" }, sentences.join(" ")) : null;

@@ -30,7 +30,7 @@ function grainRows(film, g) {
   const rows = [["radius", `${text.number(radius[g], 3)}\u202fpx${pixel > 0 ? `, ${text.millimetres(radius[g] * pixel)}` : ""}`]];
   if (sigma) rows.push(["\u03c3_{hyd}", quantityWithError(sigma[g], error?.[g], "Pa")]);
   if (film.stresses.film) rows.push(["\u03c3_{norm}", text.number(film.stresses.film.sigma_norm[g])]);
-  if (film.stresses.twin_swing) rows.push(["simulated \u03c3_{hyd}", text.quantity(film.stresses.twin_swing.sigma_hyd[g], "Pa")]);
+  if (film.stresses.simulation_peak_to_peak) rows.push(["simulated \u03c3_{hyd}", text.quantity(film.stresses.simulation_peak_to_peak.sigma_hyd[g], "Pa")]);
   if (mx) rows.push(["motion x, y", `${text.number(mx[g], 2)}, ${text.number(-my[g], 2)}\u202fpx`]);
   return rows;
 }

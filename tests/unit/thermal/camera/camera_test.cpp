@@ -75,8 +75,8 @@ TEST(VirtualCamera, CentreOfAPressedDiskWarmsByTheClosedForm) {
 TEST(VirtualCamera, TheStressOfTheLowStateIsTakenOff) {
   auto p = ideal();
   const Scene both = scene_between(pressed_disk(500), pressed_disk(2000), p), difference = scene_of_state(pressed_disk(1500), p);
-  for (std::size_t k = 0; k < both.swing[0].value.size(); ++k)
-    EXPECT_NEAR(both.swing[0].value[k], difference.swing[0].value[k], 1e-5 * std::abs(difference.swing[0].value[k]) + 1);
+  for (std::size_t k = 0; k < both.stress[0].value.size(); ++k)
+    EXPECT_NEAR(both.stress[0].value[k], difference.stress[0].value[k], 1e-5 * std::abs(difference.stress[0].value[k]) + 1);
 }
 
 TEST(VirtualCamera, NoiseIsTheNetdAsked) {

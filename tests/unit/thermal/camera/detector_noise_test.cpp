@@ -39,7 +39,7 @@ Parameters camera_before_a_plate() {
   return p;
 }
 
-std::vector<double> plate(const Parameters& p, std::int64_t frames) {
+std::vector<double> reference(const Parameters& p, std::int64_t frames) {
   const auto film = uniform_film(p, 296, frames, 5);
   FrameBlock block;
   film->read(0, static_cast<std::size_t>(frames), block);
@@ -51,7 +51,7 @@ constexpr double levels_per_kelvin = 16383 * 6e6 / 1.2e7 * 10.6 / 296;
 TEST(VirtualCamera, AllPixelsShareTheCommonNoise) {
   Parameters p = camera_before_a_plate();
   p.detector.netd = 0.001, p.detector.common_noise = 0.05;
-  const std::vector<double> level = plate(p, 400);
+  const std::vector<double> level = reference(p, 400);
   double mean = 0, square = 0;
   for (std::size_t n = 0; n < 400; ++n) mean += level[n * 1200 + 7] / 400;
   for (std::size_t n = 0; n < 400; ++n) square += std::pow(level[n * 1200 + 7] - mean, 2) / 400;
@@ -64,11 +64,11 @@ TEST(VirtualCamera, ALineGoesOverTheRows) {
   p.detector.netd = 0.001;
   p.interference = {37, 0.05, 0.25};
   p.timing.frame_rate = 148;  // four frames a cycle
-  const std::vector<double> level = plate(p, 8);
-  const double swing = 0.05 * levels_per_kelvin, rest = level[1200];  // a quarter of a cycle later, in the first row
+  const std::vector<double> level = reference(p, 8);
+  const double amplitude = 0.05 * levels_per_kelvin, rest = level[1200];  // a quarter of a cycle later, in the first row
   for (std::size_t row = 0; row < 8; ++row) {
-    EXPECT_NEAR(level[row * 40] - rest, swing * std::cos(1.5707963 * static_cast<double>(row)), 4) << row;
-    EXPECT_NEAR(level[row * 1200] - rest, swing * std::cos(1.5707963 * static_cast<double>(row)), 4) << row;
+    EXPECT_NEAR(level[row * 40] - rest, amplitude * std::cos(1.5707963 * static_cast<double>(row)), 4) << row;
+    EXPECT_NEAR(level[row * 1200] - rest, amplitude * std::cos(1.5707963 * static_cast<double>(row)), 4) << row;
   }
 }
 

@@ -51,11 +51,11 @@ TEST(FieldScene, ReadsALinearFieldAsItIs) {
   Parameters p;
   p.optics.pixel = 1.6e-3;
   const Scene scene = scene_of_field(r, p);
-  ASSERT_EQ(scene.swing.size(), 2u);
+  ASSERT_EQ(scene.stress.size(), 2u);
   for (std::size_t g = 0; g < 2; ++g)
     for (const Vec2 off : {Vec2{0, 0}, Vec2{4e-3, -2e-3}, Vec2{-6e-3, 5e-3}, Vec2{1e-3, 7e-3}}) {
       const Vec2 at = scene.grains.centre(g) + off;
-      EXPECT_NEAR(static_cast<double>(scene.swing[g].at(off.x, off.y)), sigma_xx(at.x, at.y) + sigma_yy(at.x, at.y), 2e3) << g;
+      EXPECT_NEAR(static_cast<double>(scene.stress[g].at(off.x, off.y)), sigma_xx(at.x, at.y) + sigma_yy(at.x, at.y), 2e3) << g;
     }
   EXPECT_NEAR(scene.travel[0].x, 1e-5, 1e-12);
   EXPECT_NEAR(scene.travel[1].x, -2e-5, 1e-12);
@@ -71,7 +71,7 @@ TEST(FieldScene, CoarsePixelsMissNoNode) {
   p.optics.supersampling = 2;  // cells of six nodes
   double sum = 0;
   const Scene scene = scene_of_field(r, p);
-  for (const float v : scene.swing[0].value) sum += static_cast<double>(v) * 9e-6;
+  for (const float v : scene.stress[0].value) sum += static_cast<double>(v) * 9e-6;
   EXPECT_NEAR(sum, 36e6 * dx * dx, 0.05 * 36e6 * dx * dx);
 }
 

@@ -52,20 +52,20 @@ TEST(Factor, PropertiesWithTheirErrors) {
   EXPECT_NEAR(f.error / f.value, std::sqrt(0.05 * 0.05 + 1 / 296.0 / 296 + 0.02 * 0.02), 1e-12);
 }
 
-/// A detector made from Planck's law: what it shows of a stress swing gives the constant back.
+/// A detector made from Planck's law: what it shows of a change of stress gives the constant back.
 TEST(Factor, RawSignalRoutesAgree) {
   Detector d;
   d.emissivity = {0.9, 0.01};
   d.reference = 296, d.surface = 310;
-  const double levels_per_photon = 3e-18, factor = 0.0150e-6, swing = 2e6;  // Z; K/Pa; Pa
+  const double levels_per_photon = 3e-18, factor = 0.0150e-6, stress = 2e6;  // Z; K/Pa; Pa
   d.responsivity = {1 / (levels_per_photon * radiometry::photon_exitance_slope(d.band, d.reference))};
-  const double warming = factor * swing;
+  const double warming = factor * stress;
   const double signal =
       levels_per_photon * 0.9 * (radiometry::photon_exitance(d.band, 310 + warming / 2) - radiometry::photon_exitance(d.band, 310 - warming / 2));
   const auto direct = direct_constant(d, band_correction(d), {factor});
-  EXPECT_NEAR(direct.value, swing / signal, 1e-6 * swing / signal);
+  EXPECT_NEAR(direct.value, stress / signal, 1e-6 * stress / signal);
   EXPECT_NEAR(direct.error / direct.value, 0.01 / 0.9, 1e-12);
-  const auto measured = signal_constant({0.5 * swing, swing, 2 * swing}, {0.5 * signal, signal, 2 * signal});
+  const auto measured = signal_constant({0.5 * stress, stress, 2 * stress}, {0.5 * signal, signal, 2 * signal});
   EXPECT_NEAR(measured.factor.value, direct.value, 1e-6 * direct.value);
 }
 

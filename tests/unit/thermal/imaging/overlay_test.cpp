@@ -1,4 +1,4 @@
-#include "thermal/imaging/overlay.hpp"
+#include "thermal/imaging/registration.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,11 +33,11 @@ std::vector<DrawnDisk> disks_of(const PictureGrains& grains) {
 
 TEST(Overlay, FindsWhereACrystalLiesThatOnlyItsPoresShow) {
   const PictureGrains fine = crystal(13, 60, 70);
-  const imaging::Similarity told{0.25, 0, {20, 15}, false};
+  const imaging::Similarity given{0.25, 0, {20, 15}, false};
   for (const double level : {0.0, 2.0}) {
     const imaging::Similarity truth{0.251, 0.012, {22.3, 13.6}, false};
     const FloatImage film = draw(disks_of(imaging::apply(truth, fine)), {.width = 120, .height = 100, .background = level, .noise = 0.01});
-    const auto found = imaging::lay_over(fine, told, film);
+    const auto found = imaging::lay_over(fine, given, film);
     EXPECT_EQ(found.correlation > 0, level < 1);
     EXPECT_LT(found.rms, 0.15);
     EXPECT_GT(found.shift_error, 0);

@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 #include "support/pressed_crystal.hpp"
-#include "support/swing_picture.hpp"
+#include "support/thermoelastic_picture.hpp"
 
 namespace arenite::inference {
 namespace {
@@ -25,10 +25,10 @@ ForceOptions exact() {
 }
 
 /// The closed form at every pixel's centre; `pixels` along a radius.
-SwingPicture sampled(const Packing& p, double pixels = 8) {
+ThermoelasticPicture sampled(const Packing& p, double pixels = 8) {
   Drawing d;
   d.pixel = radius / pixels, d.noise = 0, d.stated_error = 1e-4, d.fine = 1, d.blur = 0;
-  SwingPicture picture = test::draw_swing(p, factors(p), d);
+  ThermoelasticPicture picture = test::draw_thermoelastic(p, factors(p), d);
   const auto disks = test::loaded_disks(p, d);
   for (std::size_t g = 0; g < disks.size(); ++g)
     for (std::size_t k = 0; k < picture.value.size(); ++k) {
@@ -40,7 +40,7 @@ SwingPicture sampled(const Packing& p, double pixels = 8) {
   return picture;
 }
 
-InferredForces inferred(const Packing& truth, const SwingPicture& picture, const ForceOptions& options) {
+InferredForces inferred(const Packing& truth, const ThermoelasticPicture& picture, const ForceOptions& options) {
   return infer_from_pixels({without_forces(truth), factors(truth), {}}, picture, options);
 }
 
@@ -54,12 +54,12 @@ RC_GTEST_PROP(ContactForces, AreExactWithoutNoise, ()) {
 /// A mirrored sample has mirrored forces; turned by a right angle it has the same.
 RC_GTEST_PROP(ContactForces, MirrorAndTurnWithTheSample, ()) {
   const Packing truth = pressed_crystal(3, 3, radius, *rc::gen::inRange<std::uint64_t>(1, 1000));
-  const SwingPicture picture = sampled(truth, 4);
+  const ThermoelasticPicture picture = sampled(truth, 4);
   ForceOptions options = exact();
   options.rim_margin = 0.7;  // pixels that lens and rim cut, too
   const InferredForces straight = inferred(truth, picture, options);
   Packing mirrored = truth, turned = truth;
-  SwingPicture left_right = picture, quarter = picture;
+  ThermoelasticPicture left_right = picture, quarter = picture;
   left_right.first.x = -picture.first.x - (picture.width - 1) * picture.pixel;
   quarter.width = picture.height, quarter.height = picture.width;
   // (x, y) goes to (-y, x): the right-most column becomes the top row.
@@ -94,7 +94,7 @@ RC_GTEST_PROP(ContactForces, AreLinearInThePicture, ()) {
   const std::uint64_t seed = *rc::gen::inRange<std::uint64_t>(1, 1000);
   const Packing truth = pressed_crystal(3, 3, radius, seed);
   RandomStream random(seed, Purpose::test, 8);
-  SwingPicture a = sampled(truth, 4), b = a, sum = a;
+  ThermoelasticPicture a = sampled(truth, 4), b = a, sum = a;
   for (std::size_t k = 0; k < a.value.size(); ++k) b.value[k] = static_cast<float>(0.01 * random.normal()), sum.value[k] = 3 * a.value[k] - b.value[k];
   ForceOptions options = exact();
   options.model_error = 0, options.rim_margin = 1;  // errors that grow with the signal would weigh pixels anew
@@ -104,15 +104,15 @@ RC_GTEST_PROP(ContactForces, AreLinearInThePicture, ()) {
   RC_ASSERT(relative_error(fs.contacts.fn, expected) < 2e-3);
 }
 
-/// The thesis's pixel, lens and noise; a picture drawn by another road; centres off by a tenth of a pixel.
+/// The thesis's pixel, lens and noise; a picture drawn in another way; centres off by a tenth of a pixel.
 struct Film {
   Packing truth = pressed_crystal(9, 8, 6e-3, 3), found = without_forces(truth);
   Drawing drawing;
-  SwingPicture picture;
+  ThermoelasticPicture picture;
 
   explicit Film(elasticity::Traction traction = elasticity::Traction::point, double off = 0.1) {
     drawing.traction = traction, drawing.half_angle = 0.06;
-    picture = test::draw_swing(truth, factors(truth), drawing);
+    picture = test::draw_thermoelastic(truth, factors(truth), drawing);
     RandomStream random(9, Purpose::test);
     for (std::size_t g = 0; g < found.grains.size(); ++g) {
       found.grains.x[g] += off * drawing.pixel * random.normal();
@@ -170,7 +170,7 @@ TEST(ContactForces, SpuriousContactsAreFound) {
       kept.add(pressed.contacts.i[c], pressed.contacts.j[c], pressed.contacts.normal(c), 0, 0, radius, radius);
   pressed.contacts = kept;
   test::put_balanced_forces(pressed, 500, 3);
-  film.picture = test::draw_swing(pressed, factors(pressed), film.drawing);
+  film.picture = test::draw_thermoelastic(pressed, factors(pressed), film.drawing);
   const InferredForces f = film.infer();
   int lost = 0;
   for (std::size_t c = 0, k = 0; c < real; ++c) {
@@ -206,7 +206,7 @@ TEST(ContactForces, WallLoadsAreKept) {
   EXPECT_NEAR(found / load, 1.01, 1e-6);
 }
 
-void expect_problem(const std::string& words, const Packing& packing, const std::vector<double>& factor, const SwingPicture& picture,
+void expect_problem(const std::string& words, const Packing& packing, const std::vector<double>& factor, const ThermoelasticPicture& picture,
                     const ForceOptions& options = {}) {
   try {
     infer_from_pixels({packing, factor, {}}, picture, options);
@@ -220,10 +220,10 @@ TEST(ContactForces, BadInputIsToldInASentence) {
   Packing overlapping = film.found;
   overlapping.grains.x[1] = overlapping.grains.x[0] + 1e-3;
   expect_problem("overlap by", overlapping, factors(film.found), film.picture);
-  SwingPicture blind = film.picture;
+  ThermoelasticPicture blind = film.picture;
   blind.error.assign(blind.error.size(), 0.0f);
   expect_problem("no pixel of the picture sees the contact", film.found, factors(film.found), blind);
-  SwingPicture cut = film.picture;
+  ThermoelasticPicture cut = film.picture;
   cut.value.pop_back();
   expect_problem("a value and an error for each", film.found, factors(film.found), cut);
   Packing twice = film.found;

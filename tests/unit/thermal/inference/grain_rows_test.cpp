@@ -27,7 +27,7 @@ const std::vector<GrainPixel> pixels{
 
 /// Warming of every pixel.
 std::vector<double> warming(const Placed& p) {
-  const GrainRows rows = rows_of_grain(p, 0, pixels, Footprint(pixel, 0.5));
+  const GrainRows rows = rows_of_grain(p, 0, pixels, PointSpread(pixel, 0.5));
   std::vector<double> out = rows.spill;
   for (std::size_t q = 0; q < pixels.size(); ++q)
     for (std::size_t k = 0; k < 6; ++k) out[q] += rows.response[6 * q + k] * p.force[k];
@@ -35,7 +35,7 @@ std::vector<double> warming(const Placed& p) {
 }
 
 TEST(GrainRows, TurningANormalDoesWhatItsColumnSays) {
-  const GrainRows rows = rows_of_grain(two_grains(), 0, pixels, Footprint(pixel, 0.5));
+  const GrainRows rows = rows_of_grain(two_grains(), 0, pixels, PointSpread(pixel, 0.5));
   const double step = 1e-5;
   for (std::size_t k = 0; k < 3; ++k) {
     Placed more = two_grains(), less = two_grains();
@@ -50,7 +50,7 @@ TEST(GrainRows, TurningANormalDoesWhatItsColumnSays) {
 TEST(GrainRows, MovingTheCentreDoesWhatItsColumnsSay) {
   Placed alone = two_grains();
   alone.near[0].clear();
-  const GrainRows rows = rows_of_grain(alone, 0, pixels, Footprint(pixel, 0.5));
+  const GrainRows rows = rows_of_grain(alone, 0, pixels, PointSpread(pixel, 0.5));
   for (std::size_t axis = 0; axis < 2; ++axis)
     for (std::size_t q = 0; q < pixels.size(); ++q) {
       const double step = q == 0 ? 1e-6 : 0.125 * pixel;
@@ -63,7 +63,7 @@ TEST(GrainRows, MovingTheCentreDoesWhatItsColumnsSay) {
 }
 
 TEST(GrainRows, NeighboursSpillOnlyWhereTheLensReaches) {
-  const GrainRows rows = rows_of_grain(two_grains(), 0, pixels, Footprint(pixel, 0.5));
+  const GrainRows rows = rows_of_grain(two_grains(), 0, pixels, PointSpread(pixel, 0.5));
   EXPECT_EQ(rows.spill[0], 0);
   EXPECT_NE(rows.spill[1], 0);
   EXPECT_EQ(rows.spill[2], 0);

@@ -1,4 +1,4 @@
-#include "thermal/inference/normal_equations.hpp"
+#include "thermal/inference/equations.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "thermal/inference/presence.hpp"
+#include "thermal/inference/equations.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,13 +10,13 @@ namespace arenite::inference {
 namespace {
 
 /// A thousand contacts with exponential forces and overlaps linear in them, and some hundreds of gaps; `noise` in mean forces,
-/// told `told` times as large.
+/// reported `reported` times as large.
 struct Drawn {
   ContactEvidence evidence;
   std::vector<std::uint8_t> there;
   double mean = 0, absent_force = 0;
 
-  Drawn(double noise, double told, std::uint64_t seed, std::size_t offered = 300) {
+  Drawn(double noise, double reported, std::uint64_t seed, std::size_t offered = 300) {
     RandomStream random(seed, Purpose::test, 2);
     constexpr double force = 1000, gap = 0.6e-3, rim = 0.06e-3;
     evidence.widest_gap = gap;
@@ -28,7 +28,7 @@ struct Drawn {
       there.push_back(is);
       mean += f / 1000;
       evidence.fn.push_back(f + noise * force * random.normal());
-      evidence.fn_error.push_back(told * noise * force);
+      evidence.fn_error.push_back(reported * noise * force);
       evidence.overlap.push_back(overlap);
       evidence.kind.push_back(static_cast<int>(c % 2));
     }
@@ -37,16 +37,16 @@ struct Drawn {
 
 TEST(Presence, CountsContactsThatAreThereWhateverTheNoise) {
   for (const double noise : {0.005, 0.02, 0.05, 0.1})
-    for (const double told : {1.0, 0.6}) {
-      const Drawn d(noise, told, 4);
+    for (const double reported : {1.0, 0.6}) {
+      const Drawn d(noise, reported, 4);
       const Presence found = presence(d.evidence);
-      EXPECT_NEAR(found.expected, 1000, 20) << noise << ' ' << told;
+      EXPECT_NEAR(found.expected, 1000, 20) << noise << ' ' << reported;
       const auto taken = taken_as_present(found);
       double count = 0, sum = 0, wrong = 0;
       for (std::size_t c = 0; c < taken.size(); ++c) count += taken[c], sum += taken[c] * d.evidence.fn[c], wrong += taken[c] != d.there[c];
-      EXPECT_NEAR(sum / count, d.mean, 0.02 * d.mean) << noise << ' ' << told;
-      EXPECT_LT(wrong, 1300 * (0.01 + noise)) << noise << ' ' << told;
-      if (noise > 0.01) { EXPECT_NEAR(found.error_scale, 1 / told, 0.25 / told) << noise << ' ' << told; }
+      EXPECT_NEAR(sum / count, d.mean, 0.02 * d.mean) << noise << ' ' << reported;
+      EXPECT_LT(wrong, 1300 * (0.01 + noise)) << noise << ' ' << reported;
+      if (noise > 0.01) { EXPECT_NEAR(found.error_scale, 1 / reported, 0.25 / reported) << noise << ' ' << reported; }
     }
 }
 

@@ -11,7 +11,6 @@
 #include "core/random.hpp"
 #include "support/films.hpp"
 #include "support/pictures.hpp"
-#include "thermal/thermography/frame_statistics.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -69,7 +68,7 @@ TEST(Correction, OnePointTakesOffsetsAndTwoPointsTakeGainsToo) {
   EXPECT_NEAR(spread(corrected(between, one)), 0.02 * 1500, 4);  // the gains' share stays
   EXPECT_LT(spread(corrected(between, two)), 2e-3);              // single precision
   EXPECT_LT(spread(corrected(warm, two)), 2e-3);
-  EXPECT_NEAR(static_cast<double>(corrected(between, two)[7]), plate_level(c) + 1500.0 / 4000 * (plate_level(w) - plate_level(c)), 2e-3);
+  EXPECT_NEAR(static_cast<double>(corrected(between, two)[7]), reference_level(c) + 1500.0 / 4000 * (reference_level(w) - reference_level(c)), 2e-3);
 }
 
 TEST(Correction, PlatesThatMakeNoCorrectionAreRefused) {

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
-#include "support/swinging_film.hpp"
-#include "thermal/thermography/segment_sums.hpp"
+#include "support/oscillating_film.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
 
 namespace arenite::thermography {
 namespace {
 
-using test::SwingingFilm;
+using test::OscillatingFilm;
 
 LockinOptions at(double frequency) {
   LockinOptions o;
@@ -18,7 +18,7 @@ LockinOptions at(double frequency) {
 }
 
 TEST(LockIn, SameBitsWhateverTheThreadsAndBlocks) {
-  SwingingFilm film;
+  OscillatingFilm film;
   film.width = 67, film.height = 41;  // no multiple of what the machine takes at once
   film.noise = 0.3;
   Film memory = film.draw();
@@ -70,8 +70,8 @@ void expect_refused(Film film, const LockinOptions& o, const char* word) {
 }
 
 TEST(LockIn, RefusesFilmsThatShowNoCycle) {
-  const SwingingFilm film;
-  expect_refused(film.draw(), at(30), "but the film swings at 3");
+  const OscillatingFilm film;
+  expect_refused(film.draw(), at(30), "but an oscillation at 3");
   expect_refused(film.draw(), at(74), "Nyquist");
   expect_refused(film.draw(), at(90), "Nyquist");
   expect_refused(film.draw(), at(0.1), "cycles");
@@ -93,7 +93,7 @@ TEST(LockIn, RefusesFilmsThatShowNoCycle) {
 }
 
 TEST(LockIn, HarmonicsAboveTheNyquistFrequencyAreLeftOut) {
-  SwingingFilm film;
+  OscillatingFilm film;
   film.frequency = 40;
   Film memory = film.draw();
   const LockinMaps maps = lock_in(memory, at(40));
@@ -103,7 +103,7 @@ TEST(LockIn, HarmonicsAboveTheNyquistFrequencyAreLeftOut) {
 }
 
 TEST(LockIn, OneCycleIsEnough) {
-  SwingingFilm film;
+  OscillatingFilm film;
   film.frames = 50;  // 1.01 cycles
   Film memory = film.draw();
   LockinOptions o = at(3);
@@ -113,7 +113,7 @@ TEST(LockIn, OneCycleIsEnough) {
 }
 
 TEST(LockIn, StopsWhenAskedTo) {
-  SwingingFilm film;
+  OscillatingFilm film;
   Film memory = film.draw();
   LockinOptions o = at(3);
   o.progress = [](double) { return false; };
@@ -121,7 +121,7 @@ TEST(LockIn, StopsWhenAskedTo) {
 }
 
 TEST(LockIn, PixelsWithoutNumbersSpoilNoOthers) {
-  SwingingFilm film;
+  OscillatingFilm film;
   Film memory = film.draw();
   for (std::size_t n = 0; n < film.frames; ++n) memory.value[n * 45 + 7] = std::nanf("");
   const LockinMaps maps = lock_in(memory, at(3.001));

@@ -8,8 +8,8 @@
 
 #include "core/random.hpp"
 #include "support/correlated_noise.hpp"
+#include "support/oscillating_film.hpp"
 #include "support/pictures.hpp"
-#include "support/swinging_film.hpp"
 
 namespace {
 using namespace arenite;
@@ -89,14 +89,14 @@ struct RelaxingFilm {
 };
 
 /// Mean relative error of the jumps, and the root mean square of their errors over that of the standard errors.
-std::pair<double, double> errors_of(RelaxingFilm of, test::CorrelatedNoise noise, bool told) {
+std::pair<double, double> errors_of(RelaxingFilm of, test::CorrelatedNoise noise, bool given) {
   double bias = 0, square = 0, standard = 0;
   constexpr int films = 4;
   for (noise.seed = 1; noise.seed <= films; ++noise.seed) {
     Film film = test::draw_film(of);
     noise.add_to(film);
     StepOptions options;
-    if (told) options.time = 10.0;
+    if (given) options.time = 10.0;
     const StepMaps maps = step_load(film, options);
     EXPECT_NEAR(maps.time, 10, 0.03);
     for (std::size_t p = 0; p < maps.size(); ++p) {

@@ -8,16 +8,16 @@ import { grainName, known, sourceName } from "./film_grains.js";
 
 /** The two to compare, as pressures over their means or in Pa: { rows, factor, prefix, about }. */
 function pairs(film, state, theme) {
-  const twin = film.stresses[`twin_${state.get("twin")}`], own = film.stresses.film, norm = state.get("over") === "mean";
-  if (!twin) return null;
-  const { factor, prefix } = norm ? { factor: 1, prefix: "" } : prefixOf(Math.max(Math.abs(own.mean), Math.abs(twin.mean)), "Pa");
+  const simulation = film.stresses[`simulation_${state.get("companion")}`], own = film.stresses.film, norm = state.get("over") === "mean";
+  if (!simulation) return null;
+  const { factor, prefix } = norm ? { factor: 1, prefix: "" } : prefixOf(Math.max(Math.abs(own.mean), Math.abs(simulation.mean)), "Pa");
   const value = (source, g) => (norm ? source.sigma_norm[g] : -source.sigma_hyd[g] / factor);
   const unit = norm ? Math.abs(own.mean) : factor, rows = [];
   for (let g = 0; g < film.count; ++g) {
-    const row = { x: value(twin, g), y: value(own, g), error: (film.grains.error?.[g] || 0) / unit, colour: materialLine(theme, film.grains.material[g]), name: grainName(film, g) };
+    const row = { x: value(simulation, g), y: value(own, g), error: (film.grains.error?.[g] || 0) / unit, colour: materialLine(theme, film.grains.material[g]), name: grainName(film, g) };
     if (Number.isFinite(row.x) && Number.isFinite(row.y)) rows.push(row);
   }
-  return { rows, factor, prefix, norm, about: film.about.agreement[`twin_${state.get("twin")}`] ?? {} };
+  return { rows, factor, prefix, norm, about: film.about.agreement[`simulation_${state.get("companion")}`] ?? {} };
 }
 
 const inOrder = ({ value, error }) => {
@@ -25,15 +25,15 @@ const inOrder = ({ value, error }) => {
   return t.value + (t.error && ` \u00b1 ${t.error}`);
 };
 
-export const againstTwin = {
-  id: "film-twin", title: "Film against simulation", follows: ["twin", "over"],
+export const againstSimulation = {
+  id: "film-simulation", title: "Film against simulation", follows: ["companion", "over"],
   caption: "Every grain with the film\u2019s standard error; line: both the same. Largest load: with what grains carry at the smallest, which no film shows. " +
     "On virtual films a simulation from places alone comes to a correlation of about 0.4 to 0.5: forces of single contacts hang on the friction that filling and " +
     "loading left in the sample, and that history is lost.",
-  choices: { twin: ["", [["swing", "Peak to peak"], ["state", "Largest load"]]], over: ["", [["mean", "\u03c3_{norm}"], ["unit", "Pa"]]] },
-  when: (_, film) => film.hasTwin,
+  choices: { companion: ["", [["peak_to_peak", "Peak to peak"], ["state", "Largest load"]]], over: ["", [["mean", "\u03c3_{norm}"], ["unit", "Pa"]]] },
+  when: (_, film) => film.hasSimulation,
   key: ({ sample, state, theme }) => {
-    const about = sample.about.agreement[`twin_${state.get("twin")}`] ?? {};
+    const about = sample.about.agreement[`simulation_${state.get("companion")}`] ?? {};
     return sample.materials.map(({ name }, m) => ({ name, colour: materialLine(theme, m), values: about[name]?.correlation ? [["r", about[name].correlation]] : [] }));
   },
   draw({ sample, state, theme, width }) {
@@ -64,7 +64,7 @@ function withCorner(svg, theme, lines) {
   return svg;
 }
 
-const setColours = (theme) => ({ film: theme.strong, twin_swing: theme.accent, twin_state: theme.mixedLine[1] });
+const setColours = (theme) => ({ film: theme.strong, simulation_peak_to_peak: theme.accent, simulation_state: theme.mixedLine[1] });
 
 function sets(film, theme) {
   const colours = setColours(theme);

@@ -1,4 +1,4 @@
-#include "workflow/film_stresses.hpp"
+#include "workflow/run_film.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ using namespace arenite;
 namespace {
 
 /// A film of four grains in a row, all of one material and away from each other.
-FilmResult four(const std::vector<double>& film, const std::vector<double>& twin) {
+FilmResult four(const std::vector<double>& film, const std::vector<double>& simulation) {
   FilmResult r;
   r.pixel = 1e-3;
   r.packing.materials = {{"POM", 1400, 1e7, 0}};
@@ -20,8 +20,8 @@ FilmResult four(const std::vector<double>& film, const std::vector<double>& twin
     r.packing.grains.y[g] = 0.05;
     r.packing.grains.radius[g] = 0.005;
   }
-  r.swing.sigma_hyd = film;
-  r.twin.swing = twin;
+  r.peak_to_peak.sigma_hyd = film;
+  r.simulation.peak_to_peak = simulation;
   return r;
 }
 
@@ -54,7 +54,7 @@ TEST(FilmStresses, KeepTheBorderOutWhereSomethingIsLeft) {
   EXPECT_EQ(workflow::film_stresses(four({-1, -2, -3, -4}, {}), options).considered, (std::vector<std::uint8_t>{1, 1, 1, 1}));
 }
 
-TEST(FilmStresses, OfAFilmThatIsTwiceItsTwinAgreeWithSlopeTwo) {
+TEST(FilmStresses, OfAFilmThatIsTwiceItsSimulationAgreeWithSlopeTwo) {
   const FilmResult r = four({-2e5, -4e5, -6e5, -8e5}, {-1e5, -2e5, -3e5, -4e5});
   texture::Options options;
   options.border = 0;

@@ -1,4 +1,4 @@
-#include "thermal/identify/regression.hpp"
+#include "thermal/identify/curve.hpp"
 
 #include <gtest/gtest.h>
 

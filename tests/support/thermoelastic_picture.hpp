@@ -11,7 +11,7 @@
 namespace arenite::test {
 
 /// How a picture is drawn from known forces. Everything is painted on a fine raster, blurred there and summed into pixels:
-/// another road than the inverse's, which knows no raster.
+/// in another way than the inverse does, which knows no raster.
 struct Drawing {
   double pixel = 1.6e-3;
   double blur = 0.5;        ///< pixels
@@ -50,15 +50,15 @@ inline std::vector<double> lens_weights(const Drawing& d, int& before) {
   return w;
 }
 
-/// The swing's picture of a packing whose contacts hold the swing's forces. Frame: four pixels more than the grains need.
-inline inference::SwingPicture draw_swing(const Packing& p, const std::vector<double>& factor, const Drawing& d) {
+/// The picture of a packing whose contacts hold peak-to-peak forces, four pixels wider on every side than the grains need.
+inline inference::ThermoelasticPicture draw_thermoelastic(const Packing& p, const std::vector<double>& factor, const Drawing& d) {
   const Grains& grains = p.grains;
   double x0 = 1e9, x1 = -1e9, y0 = 1e9, y1 = -1e9;
   for (std::size_t g = 0; g < grains.size(); ++g) {
     x0 = std::min(x0, grains.x[g] - grains.radius[g]), x1 = std::max(x1, grains.x[g] + grains.radius[g]);
     y0 = std::min(y0, grains.y[g] - grains.radius[g]), y1 = std::max(y1, grains.y[g] + grains.radius[g]);
   }
-  inference::SwingPicture picture;
+  inference::ThermoelasticPicture picture;
   picture.pixel = d.pixel;
   picture.width = static_cast<int>((x1 - x0) / d.pixel) + 9, picture.height = static_cast<int>((y1 - y0) / d.pixel) + 9;
   picture.first = {x0 + (d.offset.x - 4) * d.pixel, y1 + (d.offset.y + 4) * d.pixel};

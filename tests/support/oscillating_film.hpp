@@ -27,9 +27,9 @@ template <class Pixels> Film draw_film(const Pixels& of) {
   return film;
 }
 
-/// A film whose pixels swing in a known way: pixel p has the mean 20 + p, the slope `drift`, a curve, and the amplitudes
+/// A film whose pixels oscillate in a known way: pixel p has the mean 20 + p, the slope `drift`, a curve, and the amplitudes
 /// and phases below.
-struct SwingingFilm {
+struct OscillatingFilm {
   int width = 9, height = 5;
   std::size_t frames = 800;
   double rate = 148, frequency = 3;

@@ -1,4 +1,4 @@
-#include "thermal/thermography/calibration.hpp"
+#include "thermal/thermography/correction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -48,10 +48,10 @@ TEST_P(Surfaces, GiveBackWhatSurfacesTakenForAnotherHide) {
     maps.width = 24;
     maps.height = 12;
     for (auto* map : {&maps.mean, &maps.amplitude, &maps.in_phase, &maps.standard_error}) map->assign(288, 0);
-    const double middle = 301, swing = 0.2;
+    const double middle = 301, warming = 0.2;
     for (const double e : {0.80, 0.95}) {
       const auto taken_for = [&](double t) { return temperature_of(band, surfaces.assumed, e * photons(band, t) + (1 - e) * photons(band, 288)); };
-      const auto mean = static_cast<float>(taken_for(middle)), change = static_cast<float>(taken_for(middle + swing / 2) - taken_for(middle - swing / 2));
+      const auto mean = static_cast<float>(taken_for(middle)), change = static_cast<float>(taken_for(middle + warming / 2) - taken_for(middle - warming / 2));
       for (std::size_t i = 0; i < 288; ++i) {
         if ((i % 24 < 12) != (e < 0.9)) continue;
         maps.mean[i] = mean;
@@ -63,7 +63,7 @@ TEST_P(Surfaces, GiveBackWhatSurfacesTakenForAnotherHide) {
     see_surfaces(maps, two_grains(), surfaces);
     for (const std::size_t at : {std::size_t{6 * 24 + 6}, std::size_t{6 * 24 + 18}}) {
       EXPECT_NEAR(static_cast<double>(maps.mean[at]), middle, 1e-3);
-      EXPECT_NEAR(static_cast<double>(maps.in_phase[at]), swing, 2e-4 * swing + 1e-4);
+      EXPECT_NEAR(static_cast<double>(maps.in_phase[at]), warming, 2e-4 * warming + 1e-4);
       EXPECT_FLOAT_EQ(maps.standard_error[at], 0.01f * maps.amplitude[at]);
     }
     EXPECT_EQ(maps.in_phase[0], corner);  // of no grain

@@ -10,21 +10,20 @@
 #include "core/error.hpp"
 #include "core/median.hpp"
 #include "thermal/thermography/lockin.hpp"
-#include "thermal/thermography/watched_pixels.hpp"
 
 namespace arenite::thermography {
 namespace {
 
-/// How the swing at the load's frequency stands out of what swings beside it. Noise of real cameras is neither white nor
+/// How the amplitude at the load's frequency stands out of that at the frequencies beside it. Noise of real cameras is neither white nor
 /// each pixel's own: frames follow on each other, rows and whole frames flicker together, and the electronics have lines.
 struct NoiseAround {
-  /// Variance of a swing over that which white noise of the same residual would give it, in the median pixel.
+  /// Variance of an amplitude over that which white noise of the same residual would give it, in the median pixel.
   double ratio = 1;
-  /// Variance of what all pixels together swing over that of pixels whose noise is their own.
+  /// Variance of all pixels' common amplitude over that of pixels whose noise is their own.
   double together = 1;
-  /// How often the noise alone swings as much in one phase, over all frequencies that were tried; at most 1.
+  /// How often the noise alone has as much amplitude in one phase, over all frequencies that were tried; at most 1.
   double chance = 0;
-  /// Share of the swing above the noise that has one phase, or its opposite, in all pixels. A load warms and cools all of
+  /// Share of the amplitude above the noise that has one phase, or its opposite, in all pixels. A load warms and cools all of
   /// a sample at once; an interference that goes over the rows as they are read out does not.
   double one_phase = 1;
 };
@@ -56,8 +55,8 @@ std::vector<int> frequencies_beside(const SegmentSums& s, const HarmonicFit& fit
   return beside;
 }
 
-/// Sums over pixels of swings z = cos + i sin, each over its error in white noise of the pixel's residual.
-struct Swing {
+/// Sums over pixels of phasors z = cos + i sin, each over its error in white noise of the pixel's residual.
+struct PhasorSums {
   double power = 0;                 ///< |z|^2
   std::complex<double> square = 0;  ///< z^2: nothing where phases are of all kinds
   std::complex<double> along = 0;   ///< z times the conjugate of the load's
@@ -76,30 +75,30 @@ struct Whitening {
 };
 
 struct Seen {
-  Swing load;
-  std::vector<Swing> beside;
+  PhasorSums load;
+  std::vector<PhasorSums> beside;
   std::vector<std::vector<double>> power;  ///< |z|^2/2 of every pixel, beside
   std::size_t pixels = 0;
 };
 
-/// The load's swing is taken from the fit of all frequencies together: so a strong line further away, which leaks into all of
-/// them alike, is not seen as a swing at this one.
+/// The load's phasor is taken from the fit of all frequencies together: so a strong line further away, which leaks into all of
+/// them alike, is not seen at this one.
 Seen look(const SegmentSums& s, const HarmonicFit& fit, const HarmonicFit& wide) {
   const std::size_t sides = wide.beside.size(), own = wide.harmonic(1), all = 1 + sides;
   std::vector<Whitening> white;
   for (std::size_t k = 0; k < all; ++k) white.emplace_back(wide, own + 2 * k);
-  Seen seen{{}, std::vector<Swing>(sides), std::vector<std::vector<double>>(sides), 0};
-  PixelFit base, swings;
+  Seen seen{{}, std::vector<PhasorSums>(sides), std::vector<std::vector<double>>(sides), 0};
+  PixelFit base, phasors;
   for_some_chunks(s, 64, [&](std::size_t begin, std::size_t count) {
     fit_pixels_with_variance(s, fit, begin, count, base);
-    fit_pixels(s, wide, own, 2 * all, begin, count, swings);
+    fit_pixels(s, wide, own, 2 * all, begin, count, phasors);
     for (std::size_t i = 0; i < count; ++i) {
       const double noise = std::sqrt(base.variance[i]);
       if (!(noise > 0) || !std::isfinite(noise)) continue;
       ++seen.pixels;
       std::complex<double> load;
       for (std::size_t k = 0; k < all; ++k) {
-        const auto z = white[k](swings.value[2 * k * PixelFit::run + i] / noise, swings.value[(2 * k + 1) * PixelFit::run + i] / noise);
+        const auto z = white[k](phasors.value[2 * k * PixelFit::run + i] / noise, phasors.value[(2 * k + 1) * PixelFit::run + i] / noise);
         if (k == 0) load = z;
         (k == 0 ? seen.load : seen.beside[k - 1]).add(z, load);
         if (k > 0) seen.power[k - 1].push_back(std::norm(z) / 2);
@@ -112,7 +111,7 @@ Seen look(const SegmentSums& s, const HarmonicFit& fit, const HarmonicFit& wide)
 /// Variance of the noise in the median pixel, from those frequencies that no line of the instrument lifts far above the others.
 double typical_noise(const Seen& seen) {
   std::vector<double> powers;
-  for (const Swing& each : seen.beside) powers.push_back(each.power);
+  for (const PhasorSums& each : seen.beside) powers.push_back(each.power);
   const double bound = 5 * median(powers);
   std::vector<double> own(seen.pixels, 0);
   double used = 0;
@@ -125,49 +124,49 @@ double typical_noise(const Seen& seen) {
   return median(std::move(own)) / used / median_of_chi_squared;
 }
 
-/// Noise along the pattern of the load's swing, which independent pixels would have as strong as any one of them. The looked-at
+/// Noise along the pattern of the load's amplitudes, which independent pixels would have as strong as any one of them. The looked-at
 /// pixels show what they share; all `pixels` share as much, each pair.
 double noise_together(const Seen& seen, double noise, std::size_t pixels) {
   double along = 0;
-  for (const Swing& each : seen.beside) along += std::norm(each.along) / static_cast<double>(seen.beside.size());
+  for (const PhasorSums& each : seen.beside) along += std::norm(each.along) / static_cast<double>(seen.beside.size());
   const double shared = along / (2 * noise * seen.load.power) - 1;
   // A dozen frequencies show independent pixels as twice as noisy once in three hundred films.
   return shared > 1 ? 1 + shared * static_cast<double>(pixels - 1) / static_cast<double>(seen.pixels - 1) : 1;
 }
 
-/// Compares the swing of some thousand pixels with that at up to twelve frequencies beside it, some cycles over the
+/// Compares the amplitude of some thousand pixels with that at up to twelve frequencies beside it, some cycles over the
 /// film away, which neither drift nor harmonics reach. `fit` is that of the maps, `tried` the number of independent
-/// frequencies among which its own was found. Lines far above their neighbours are not counted as noise of the swing,
+/// frequencies among which its own was found. Lines far above their neighbours are not counted as noise of the load's frequency,
 /// but do count where chance is judged.
 NoiseAround noise_around(const SegmentSums& s, const HarmonicFit& fit, double tried) {
   const double length = film_length(s.time);
   const HarmonicFit wide = harmonic_fit(s, fit.frequency, static_cast<int>(fit.drift) - 1, false, 0.5 / length, frequencies_beside(s, fit, length));
   const Seen seen = look(s, fit, wide);
   NoiseAround around;
-  const double pixels = static_cast<double>(seen.pixels), sides = static_cast<double>(wide.beside.size()), swing = std::abs(seen.load.square);
+  const double pixels = static_cast<double>(seen.pixels), sides = static_cast<double>(wide.beside.size()), in_phase = std::abs(seen.load.square);
   if (seen.pixels == 0) return around;  // no pixel shows noise
   double noise = 1;
   if (sides > 0) {
     around.ratio = typical_noise(seen);
     double square = 0;
     noise = 0;
-    for (const Swing& each : seen.beside) noise += each.power / (2 * pixels) / sides, square += std::abs(each.square) / sides;
+    for (const PhasorSums& each : seen.beside) noise += each.power / (2 * pixels) / sides, square += std::abs(each.square) / sides;
     if (seen.pixels > 1) around.together = noise_together(seen, noise, s.pixels);
     // Of one source that all pixels share, |z^2| is exponential, and that of few frequencies beside is known no better; of
     // many sources its tail is shorter.
-    around.chance = tried * std::pow(1 + swing / (sides * square), -sides);
+    around.chance = tried * std::pow(1 + in_phase / (sides * square), -sides);
   } else {
-    around.chance = tried * std::exp(-swing / std::sqrt(2 * std::numbers::pi * pixels));  // white noise of each pixel's own
+    around.chance = tried * std::exp(-in_phase / std::sqrt(2 * std::numbers::pi * pixels));  // white noise of each pixel's own
   }
   around.chance = std::min(1.0, around.chance);
   const double above = seen.load.power - 2 * pixels * noise;
-  around.one_phase = above > 0 ? std::min(1.0, swing / above) : 0;
+  around.one_phase = above > 0 ? std::min(1.0, in_phase / above) : 0;
   return around;
 }
 
 }  // namespace
 
-bool shows_swing(const LockinMaps& maps) {
+bool shows_load(const LockinMaps& maps) {
   constexpr double level = 0.01, one_phase = 0.5;
   return maps.chance < level && maps.one_phase >= one_phase;
 }
@@ -177,31 +176,31 @@ void refuse_too_few_cycles(const HarmonicFit& fit, const SegmentSums& s) {
   if (fit.inflation(s.time.size()) < 50) return;
   const double length = film_length(s.time);
   throw InputError(
-      fmt::format("the film of {:.4g} s holds {:.3g} cycles of {:.6g} Hz, too few to tell the swing from a drift of order {}; ask for less drift, or "
+      fmt::format("the film of {:.4g} s holds {:.3g} cycles of {:.6g} Hz, too few to separate the load from a drift of order {}; ask for less drift, or "
                   "give a longer film",
                   length, length * fit.frequency, fit.frequency, fit.drift - 1));
 }
 
-void judge_swing(const SegmentSums& s, const HarmonicFit& fit, const std::optional<FrequencyFit>& refined, LockinMaps& maps) {
+void judge_amplitude(const SegmentSums& s, const HarmonicFit& fit, const std::optional<FrequencyFit>& refined, LockinMaps& maps) {
   const NoiseAround around = noise_around(s, fit, refined ? frequencies_in(search_band(s.time, s.frequency), s.time) : 1);
   maps.noise_ratio = around.ratio;
   maps.chance = around.chance;
   maps.one_phase = around.one_phase;
   if (refined) maps.frequency_error = std::hypot(refined->error * std::sqrt(around.ratio * around.together), refined->of_model);
   const WatchedPixels watched(s);
-  const bool clear = shows_swing(maps) && watched.have_line(fit.frequency);
+  const bool clear = shows_load(maps) && watched.have_line(fit.frequency);
   const auto elsewhere = clear ? watched.stronger_part(fit.frequency) : watched.strongest_line();
   if (!elsewhere || std::abs(*elsewhere - fit.frequency) * film_length(s.time) < 0.7) return;  // the same line
-  maps.swings_at = *elsewhere;
+  maps.other_frequency = *elsewhere;
   if (!clear) maps.chance = 1;  // it leaks there from the other
   if (!refined) return;
   const int digits = static_cast<int>(std::ceil(std::log10(*elsewhere * film_length(s.time)))) + 2;  // a hundredth of a cycle over the film
   const std::string there = fmt::format("{:.{}g} Hz", *elsewhere, std::max(digits, 3));
   if (clear)
     throw InputError(
-        fmt::format("the film swings more at {} than at {:.6g} Hz, which is a multiple; give the frequency of the load, {}", there, s.frequency, there));
+        fmt::format("the amplitude is larger at {} than at {:.6g} Hz, which is a multiple; give the frequency of the load, {}", there, s.frequency, there));
   throw InputError(
-      fmt::format("nothing but noise swings at {:.6g} Hz, but the film swings at {}; if that is the load, give this frequency", s.frequency, there));
+      fmt::format("the film shows only noise at {:.6g} Hz, but an oscillation at {}; if that is the load, give this frequency", s.frequency, there));
 }
 
 }  // namespace arenite::thermography

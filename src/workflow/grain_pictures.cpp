@@ -1,24 +1,22 @@
-#include "workflow/film_grains.hpp"
+#include "workflow/measure_film.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <numeric>
 
 #include "core/error.hpp"
-#include "io/image/image.hpp"
 #include "statistics/clusters.hpp"
-#include "thermal/imaging/overlay.hpp"
 #include "thermal/imaging/registration.hpp"
 
 namespace arenite::workflow {
 namespace {
 
-constexpr double enough = 2;                               // pixels of the optical picture along one of the film tell centres to a hundredth
-constexpr double margin = 10;                              // pixels of the film round the frame in which its grains may lie
+constexpr double enough = 2;                               // pixels of the optical picture along one of the film give centres to a hundredth
+constexpr double margin = 10;                              // pixels of the film round the container in which its grains may lie
 constexpr double least_correlation = 0.3, most_rms = 0.5;  // of an overlay that is believed; pixels of the film
 
 /// Part of a picture; pixels count from there.
@@ -26,8 +24,8 @@ struct Part {
   int column = 0, row = 0, width = 0, height = 0;
 };
 
-/// The frame and what is near it, in the middle of the picture: what is round it costs time and looks round, too.
-Part part_near_frame(const recipe::FilmRecipe& recipe, const Image& image, double pixel) {
+/// The container and what is near it, in the middle of the picture: what is round it costs time and looks round, too.
+Part part_near_container(const recipe::FilmRecipe& recipe, const Image& image, double pixel) {
   const auto side = [&](double inner, int all) { return std::min(all, static_cast<int>(std::ceil((inner + 2 * margin * recipe.picture.pixel) / pixel))); };
   Part part{0, 0, image.width, image.height};
   if (recipe.container.left || recipe.container.top) return part;
@@ -51,8 +49,8 @@ FloatImage coarser(const Image& image, const Part& part, int times) {
   return out;
 }
 
-/// Both pictures have one middle and the scales that the recipe tells.
-imaging::Similarity told(const Image& whole, const Part& part, int times, const FilmInfo& film, double scale) {
+/// Both pictures have one middle and the scales that the recipe gives.
+imaging::Similarity given(const Image& whole, const Part& part, int times, const FilmInfo& film, double scale) {
   const auto first = [&](int begin, int all) { return (begin + 0.5 * (times - 1) - 0.5 * (all - 1)) / times; };
   return {scale, 0, {0.5 * (film.width - 1) + scale * first(part.column, whole.width), 0.5 * (film.height - 1) + scale * first(part.row, whole.height)}, false};
 }
@@ -69,6 +67,39 @@ imaging::Overlay lay_over_film(const std::string& file, const PictureGrains& gra
   if (!fits(overlay))
     throw InputError(file, 0, "does not fit on the film; take it at the smallest load from the same side, and give its scale (picture.optical_pixel)");
   return overlay;
+}
+
+/// Photographs, which open as films of one frame, too, where they are grey.
+bool is_photograph(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  constexpr std::array<std::string_view, 3> endings{".png", ".jpg", ".jpeg"};
+  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+GrainPicture picture_of_film(const std::filesystem::path& path, const PictureChoice& choice) {
+  const auto film = io::open_film(path, {.dataset = choice.dataset});
+  const FilmInfo& info = film->info();
+  if (choice.frame && (*choice.frame < 0 || *choice.frame >= info.frames))
+    throw InputError(path.string(), 0, fmt::format("holds {} frames; there is no frame {} (frames count from 0)", info.frames, *choice.frame));
+  const thermography::FrameStatistics statistics = thermography::frame_statistics(*film);
+  GrainPicture picture{{info.width, info.height, statistics.mean}, static_cast<std::int64_t>(statistics.frames), 0, true};
+  const std::vector<std::uint8_t> bad = thermography::find_bad_pixels(statistics);
+  thermography::Correction correction;
+  correction.width = info.width;
+  correction.height = info.height;
+  correction.bad = thermography::replacements(bad, info.width, info.height);
+  picture.replaced = correction.bad.size();
+  FrameBlock block;
+  if (choice.frame) {
+    film->read(*choice.frame, 1, block);
+    picture.frames = 1;
+  } else {
+    block.frames = 1;
+    block.value = std::move(picture.image.value);
+  }
+  thermography::apply(correction, block, picture.image.value);
+  return picture;
 }
 
 }  // namespace
@@ -102,14 +133,14 @@ PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& f
   const double fine = recipe.picture.optical_pixel > 0 ? recipe.picture.optical_pixel : recipe.picture.pixel;
   const int times = std::max(1, static_cast<int>(recipe.picture.pixel / (enough * fine) + 1e-6));
   const Image whole = io::read_image(file);
-  const Part part = part_near_frame(recipe, whole, fine);
+  const Part part = part_near_container(recipe, whole, fine);
   const FloatImage image = coarser(whole, part, times);
   const double pixel = times * fine;
   auto found = circles_of(recipe, image, pixel, {.largest = 0.25 * std::min(recipe.container.width, recipe.container.height) / pixel});
   if (found.grains.size() < 3)
     throw InputError(file, 0,
                      fmt::format("shows {} grains; give a picture in which they stand out, or a list of the grains (picture.grains)", found.grains.size()));
-  const auto first = told(whole, part, times, film, pixel / recipe.picture.pixel);
+  const auto first = given(whole, part, times, film, pixel / recipe.picture.pixel);
   const auto overlay = lay_over_film(file, found.grains, first, {film.width, film.height, frame});
   const Vec2 middle = first.inverse()({0.5 * (film.width - 1), 0.5 * (film.height - 1)}), off = overlay.transform(middle) - first(middle);
   notes.push_back(fmt::format(
@@ -119,6 +150,12 @@ PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& f
   auto grains = imaging::apply(overlay.transform, std::move(found.grains));
   for (double& error : grains.position_error) error = std::hypot(error, overlay.shift_error);
   return grains;
+}
+
+GrainPicture read_grain_picture(const std::filesystem::path& path, const PictureChoice& choice) {
+  io::refuse_other_recording(path);
+  if (!is_photograph(path) && io::looks_like_film(path)) return picture_of_film(path, choice);
+  return {to_float(io::read_image(path, {.slice = choice.frame, .dataset = choice.dataset, .channel = choice.channel})), 1, 0, false};
 }
 
 }  // namespace arenite::workflow

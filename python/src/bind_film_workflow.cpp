@@ -7,17 +7,16 @@
 #include "module.hpp"
 #include "report/summary.hpp"
 #include "workflow/run_film.hpp"
-#include "workflow/shoot_film.hpp"
 
 namespace arenite::python {
 namespace {
 
-py::dict twin_of(const py::object& self) {
-  const auto& twin = self.cast<const FilmResult&>().twin;
+py::dict simulation_of(const py::object& self) {
+  const auto& simulation = self.cast<const FilmResult&>().simulation;
   py::dict d;
-  if (twin.empty()) return d;
-  d["swing"] = view(twin.swing, self);
-  d["state"] = view(twin.state, self);
+  if (simulation.empty()) return d;
+  d["peak_to_peak"] = view(simulation.peak_to_peak, self);
+  d["state"] = view(simulation.state, self);
   return d;
 }
 
@@ -62,7 +61,7 @@ std::vector<std::string> camera(const Path& result, const RecipeLike& recipe, co
   const auto asked = recipe_of(recipe, changes);
   Call call;
   return call.without_lock([&] {
-    workflow::ShootOptions options;
+    workflow::RenderOptions options;
     options.out = out;
     options.format = format;
     options.progress = [&](double share) {
@@ -70,14 +69,14 @@ std::vector<std::string> camera(const Path& result, const RecipeLike& recipe, co
       return !call.asked_to_stop();
     };
     std::vector<std::string> files;
-    for (const auto& file : workflow::shoot_film(asked, result, options)) files.push_back(file.string());
+    for (const auto& file : workflow::render_film(asked, result, options)) files.push_back(file.string());
     return files;
   });
 }
 
 }  // namespace
 
-void bind_film_road(py::module_& m) {
+void bind_film_workflow(py::module_& m) {
   py::class_<FilmResult> c(m, "FilmResult", "What a film of a loaded packing gives: maps in kelvin (height, width), grains, their stresses, contact forces.");
   c.def_readonly("name", &FilmResult::name, "Of the film.")
       .def_readonly("outcome", &FilmResult::outcome, "How it ended, in a sentence.")
@@ -86,22 +85,23 @@ void bind_film_road(py::module_& m) {
           "origin", [](const FilmResult& f) { return py::make_tuple(f.origin.x, f.origin.y); }, "Centre of the upper left pixel, m; y up.")
       .def_property_readonly(
           "maps", [](const FilmResult& f) -> const LockinMaps& { return f.maps; }, py::return_value_policy::reference_internal,
-          "The lock-in, in K; full swings.")
+          "The lock-in, in K; peak to peak.")
       .def_property_readonly(
           "grains", [](const FilmResult& f) -> const PictureGrains& { return f.grains; }, py::return_value_policy::reference_internal,
           "Grains at the smallest load, in pixels.")
       .def_property_readonly(
           "packing", [](const FilmResult& f) -> const Packing& { return f.packing; }, py::return_value_policy::reference_internal,
-          "Grains in metres at the largest load; contact forces are those of the swing.")
-      .def_property_readonly("twin", &twin_of, "sigma_hyd (Pa) of the simulation of the same grains: swing and state; empty without one.")
+          "Grains in metres at the largest load; contact forces are peak to peak.")
+      .def_property_readonly("simulation", &simulation_of,
+                             "sigma_hyd (Pa) of the companion simulation of the same grains: peak_to_peak and state; empty without one.")
       .def_property_readonly(
           "numbers", [](const FilmResult& f) { return to_python(report::film_numbers(f)); },
           "As `arenite show --json` prints them; the end of a name is its unit.");
   array_property(
-      c, "sigma_hyd", [](const FilmResult& f) -> auto& { return f.swing.sigma_hyd; },
-      "Full swing of the hydrostatic stress of every grain, Pa, tension positive.");
+      c, "sigma_hyd", [](const FilmResult& f) -> auto& { return f.peak_to_peak.sigma_hyd; },
+      "Peak-to-peak hydrostatic stress of every grain, Pa, tension positive.");
   array_property(
-      c, "sigma_hyd_error", [](const FilmResult& f) -> auto& { return f.swing.error; }, "Its standard error, Pa.");
+      c, "sigma_hyd_error", [](const FilmResult& f) -> auto& { return f.peak_to_peak.error; }, "Its standard error, Pa.");
   array_property(
       c, "fn_error", [](const FilmResult& f) -> auto& { return f.fn_error; }, "Standard error of every normal force, N.");
   array_property(
@@ -118,7 +118,7 @@ void bind_film_road(py::module_& m) {
       "The picture that the contact forces make, K (height, width), to hold beside maps.in_phase; not a number outside grains.");
   m.def("film", &film, py::arg("film"), py::arg("recipe"), py::arg("out"), py::arg("changes") = py::dict(), py::kw_only(), py::arg("threads") = 1,
         py::arg("progress") = py::none(),
-        "The whole road from a film (a file) to grain stresses and contact forces, as `arenite film` goes it; `recipe`: a FilmRecipe or its file "
+        "The whole workflow from a film (a file) to grain stresses and contact forces, as `arenite film` runs it; `recipe`: a FilmRecipe or its file "
         "(docs/film-recipe.md).");
   m.def("camera", &camera, py::arg("result"), py::arg("recipe"), py::arg("out"), py::arg("format") = "ptw", py::arg("changes") = py::dict(), py::kw_only(),
         py::arg("progress") = py::none(),

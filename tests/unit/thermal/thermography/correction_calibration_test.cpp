@@ -1,4 +1,4 @@
-#include "thermal/thermography/calibration.hpp"
+#include "thermal/thermography/correction.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -45,7 +45,7 @@ TEST(Calibration, WhatIsNoCurveIsRefused) {
   EXPECT_NE(test::complaint([] { curve_through({{1, 300}}); }).find("too short"), std::string::npos);
   EXPECT_NE(test::complaint([] { curve_through({{1, 300}, {2, 299}}); }).find("does not rise"), std::string::npos);
   EXPECT_NE(test::complaint([] { curve_through({{1, 300}, {2, -4}}); }).find("cannot be"), std::string::npos);
-  EXPECT_NE(test::complaint([] { curve_by_plates(band, {5000, 300}, {9000, 290}, {}); }).find("colder"), std::string::npos);
+  EXPECT_NE(test::complaint([] { curve_by_references(band, {5000, 300}, {9000, 290}, {}); }).find("colder"), std::string::npos);
   EXPECT_NE(test::complaint([] { curve_by_radiometry(band, {0, 300}, {}); }).find("above 0"), std::string::npos);
 }
 
@@ -55,7 +55,7 @@ RC_GTEST_PROP(CalibrationProperty, RadiometryFindsTheTemperatureOfAGreySurface, 
   const double per_photon = 6000 / radiometry::photon_exitance(band, 300), zero = *rc::gen::inRange(0, 1500) * 1.0;
   const auto level = [&](double photons) { return zero + per_photon * photons; };
   const LevelPoint cold{level(radiometry::photon_exitance(band, 291)), 291}, warm{level(radiometry::photon_exitance(band, 301)), 301};
-  const LevelCurve curve = curve_by_plates(band, cold, warm, surface);
+  const LevelCurve curve = curve_by_references(band, cold, warm, surface);
   const double temperature = *rc::gen::inRange(2880, 3120) * 0.1;
   RC_ASSERT(std::abs(temperature_of(curve, level(radiometry::seen_exitance(band, surface, temperature))) - temperature) < 1e-4);
 }

@@ -1,4 +1,4 @@
-#include "workflow/shoot_film.hpp"
+#include "workflow/run_film.hpp"
 
 #include <fmt/format.h>
 
@@ -49,7 +49,7 @@ void forget_secrets(recipe::FilmRecipe& lab) {
 recipe::FilmRecipe laboratory_recipe(const recipe::FilmRecipe& recipe, const Packing* low, const Packing& high, const std::string& ending, bool blind) {
   recipe::FilmRecipe lab = recipe;
   const Domain& start = low ? low->domain : high.domain;
-  const recipe::CameraSection& shot = *recipe.camera;
+  const recipe::CameraSection& section = *recipe.camera;
   lab.camera.reset();
   for (recipe::FilmMaterial& m : lab.materials)
     for (const Material& of : high.materials)
@@ -60,38 +60,23 @@ recipe::FilmRecipe laboratory_recipe(const recipe::FilmRecipe& recipe, const Pac
                    {},
                    {},
                    load_on_bottom(high) - (low ? load_on_bottom(*low) : 0.0),
-                   shot.parameters.motion ? high.domain.wall[bottom].position - start.wall[bottom].position : 0};
-  lab.picture.pixel = shot.parameters.optics.pixel;
+                   section.parameters.motion ? high.domain.wall[bottom].position - start.wall[bottom].position : 0};
+  lab.picture.pixel = section.parameters.optics.pixel;
   lab.picture.optical = "optical.tif";
-  lab.picture.optical_pixel = shot.parameters.photograph.pixel;
-  lab.correction = {"cold." + ending, "warm." + ending, shot.reference_cold, shot.reference_warm, true};
+  lab.picture.optical_pixel = section.parameters.photograph.pixel;
+  lab.correction = {"cold." + ending, "warm." + ending, section.reference_cold, section.reference_warm, true};
   const std::vector<double> emissivity = emissivities(recipe);
-  for (std::size_t m = 0; m < lab.materials.size(); ++m) lab.materials[m].emissivity = shot.parameters.surroundings.radiometry ? emissivity[m] : 1;
+  for (std::size_t m = 0; m < lab.materials.size(); ++m) lab.materials[m].emissivity = section.parameters.surroundings.radiometry ? emissivity[m] : 1;
   lab.temperature = {};
   lab.temperature.from = recipe::TemperatureSection::From::references;
-  lab.temperature.band = {shot.parameters.band.low, shot.parameters.band.high};
-  lab.temperature.ambient = shot.parameters.surroundings.ambient;
-  lab.lockin.frequency = shot.parameters.timing.load_frequency;
+  lab.temperature.band = {section.parameters.band.low, section.parameters.band.high};
+  lab.temperature.ambient = section.parameters.surroundings.ambient;
+  lab.lockin.frequency = section.parameters.timing.load_frequency;
   lab.lockin.phase = std::numbers::pi;
-  lab.forces.blur = shot.parameters.optics.blur;
+  lab.forces.blur = section.parameters.optics.blur;
   lab.forces.state = low == nullptr;
   if (blind) forget_secrets(lab);
   return lab;
-}
-
-/// Copies a film frame by frame; false if it was stopped.
-bool write(const fs::path& file, FilmSource& film, const std::function<bool(double)>& progress) {
-  const FilmInfo& info = film.info();
-  const auto writer = io::create_film(file, info);
-  FrameBlock block;
-  constexpr std::int64_t together = 32;
-  for (std::int64_t k = 0; k < info.frames; k += together) {
-    film.read(k, static_cast<std::size_t>(std::min(together, info.frames - k)), block);
-    writer->append(block);
-    if (!progress(static_cast<double>(k) / static_cast<double>(info.frames))) return false;
-  }
-  writer->finish();
-  return true;
 }
 
 void write_optical(const fs::path& file, const FloatImage& picture) {
@@ -105,25 +90,25 @@ void write_optical(const fs::path& file, const FloatImage& picture) {
 }
 
 /// What is filmed, and what of it a laboratory knows.
-struct Shot {
+struct Filmed {
   camera::Scene scene;
   recipe::FilmRecipe laboratory;
 };
 
-Shot shot_of_field(const recipe::FilmRecipe& recipe, FieldResult& field, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending,
-                   bool blind) {
+Filmed film_of_field(const recipe::FilmRecipe& recipe, FieldResult& field, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending,
+                     bool blind) {
   if (!recipe.camera->low.empty()) throw InputError(recipe.source_file, 0, "a load of a cemented sample is filmed from no load; leave out camera.low");
   take_materials(field.packing, recipe, p, brightness);
-  Shot shot{camera::scene_of_field(field, p), {}};
+  Filmed filmed{camera::scene_of_field(field, p), {}};
   Packing window;
-  window.domain = shot.scene.low;
-  shot.laboratory = laboratory_recipe(recipe, nullptr, window, ending, blind);
-  shot.laboratory.forces.from = recipe::ForcesSection::From::none;  // matrix carries between the grains
-  return shot;
+  window.domain = filmed.scene.low;
+  filmed.laboratory = laboratory_recipe(recipe, nullptr, window, ending, blind);
+  filmed.laboratory.forces.from = recipe::ForcesSection::From::none;  // matrix carries between the grains
+  return filmed;
 }
 
-Shot shot_of_states(const recipe::FilmRecipe& recipe, Packing& high, const fs::path& result, camera::Parameters& p, std::vector<double>& brightness,
-                    const std::string& ending, bool blind) {
+Filmed film_of_states(const recipe::FilmRecipe& recipe, Packing& high, const fs::path& result, camera::Parameters& p, std::vector<double>& brightness,
+                      const std::string& ending, bool blind) {
   const std::string& released = recipe.camera->low;
   std::optional<Packing> low;
   if (!released.empty() && !(low = last_state(result, released))) refuse_stage(result, released);
@@ -134,24 +119,24 @@ Shot shot_of_states(const recipe::FilmRecipe& recipe, Packing& high, const fs::p
 
 }  // namespace
 
-std::vector<fs::path> shoot_film(const recipe::FilmRecipe& recipe, const fs::path& result, const ShootOptions& options) {
+std::vector<fs::path> render_film(const recipe::FilmRecipe& recipe, const fs::path& result, const RenderOptions& options) {
   if (!recipe.camera) throw InputError(recipe.source_file, 0, "there is no section [camera]; add it with high = \"NAME\" of the stage that is filmed");
-  const recipe::CameraSection& shot = *recipe.camera;
-  camera::Parameters p = shot.parameters;
+  const recipe::CameraSection& section = *recipe.camera;
+  camera::Parameters p = section.parameters;
   std::vector<double> brightness;
-  auto state = last_state(result, shot.high);
-  auto field = state ? std::nullopt : load_named(result, shot.high);
-  if (!state && !field) refuse_stage(result, shot.high);
-  const auto [scene, laboratory] = state ? shot_of_states(recipe, *state, result, p, brightness, options.format, options.blind)
-                                         : shot_of_field(recipe, *field, p, brightness, options.format, options.blind);
+  auto state = last_state(result, section.high);
+  auto field = state ? std::nullopt : load_named(result, section.high);
+  if (!state && !field) refuse_stage(result, section.high);
+  const auto [scene, laboratory] = state ? film_of_states(recipe, *state, result, p, brightness, options.format, options.blind)
+                                         : film_of_field(recipe, *field, p, brightness, options.format, options.blind);
 
   make_folder(options.out);
   const auto named = [&](const std::string& name) { return options.out / (name + "." + options.format); };
   const auto quietly = [&](double) { return options.progress(0); };
-  if (!write(named("cold"), *camera::uniform_film(p, shot.reference_cold, shot.reference_frames, recipe.seed), quietly)) return {};
-  if (!write(named("warm"), *camera::uniform_film(p, shot.reference_warm, shot.reference_frames, recipe.seed), quietly)) return {};
+  if (!io::write_film(named("cold"), *camera::uniform_film(p, section.reference_cold, section.reference_frames, recipe.seed), {}, quietly)) return {};
+  if (!io::write_film(named("warm"), *camera::uniform_film(p, section.reference_warm, section.reference_frames, recipe.seed), {}, quietly)) return {};
   write_optical(options.out / "optical.tif", camera::optical_picture(scene, p, brightness, recipe.seed));
-  if (!write(named("film"), *camera::film(scene, p, recipe.seed), options.progress)) return {};
+  if (!io::write_film(named("film"), *camera::film(scene, p, recipe.seed), {}, options.progress)) return {};
   io::write_atomically(options.out / "film.toml", to_toml(laboratory));
   return {named("film"), named("cold"), named("warm"), options.out / "optical.tif", options.out / "film.toml"};
 }

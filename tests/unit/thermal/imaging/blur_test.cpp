@@ -1,4 +1,4 @@
-#include "thermal/imaging/lens.hpp"
+#include "thermal/imaging/blur.hpp"
 
 #include <gtest/gtest.h>
 

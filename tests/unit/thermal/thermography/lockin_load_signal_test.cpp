@@ -1,4 +1,4 @@
-#include "thermal/thermography/load_signal.hpp"
+#include "thermal/thermography/lockin.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,10 +28,10 @@ Recorded record(double frequency, double phase, bool square = false, double nois
 }
 
 TEST(LoadSignal, TellsFrequencyAndPhaseWithTheirErrors) {
-  for (const double told : {3.0, 3.5, 2.1}) {
+  for (const double given : {3.0, 3.5, 2.1}) {
     const auto r = record(3.003, 2.5);
-    const auto found = fit_load_signal(r.time, r.signal, told);
-    ASSERT_TRUE(found) << told;
+    const auto found = fit_load_signal(r.time, r.signal, given);
+    ASSERT_TRUE(found) << given;
     EXPECT_NEAR(found->frequency, 3.003, 4 * found->frequency_error);
     EXPECT_LT(found->frequency_error, 1e-4);
     EXPECT_NEAR(found->phase, 2.5, 0.002);
