@@ -92,7 +92,7 @@ io::RawContacts rows_of(const py::object& table) {
   const auto nx = columns.numbers("nx", n), ny = columns.numbers("ny", n);
   io::RawContacts contacts;
   for (std::size_t k = 0; k < n; ++k) {
-    io::RawContact row{i[k], std::max(j[k], 0), j[k] < 0 ? -1 - j[k] : -1, fn[k], ft[k], {}, {}, static_cast<int>(k) + 1};
+    io::RawContact row{i[k], std::max(j[k], 0), is_wall(j[k]) ? wall_side(j[k]) : -1, fn[k], ft[k], {}, {}, static_cast<int>(k) + 1};
     if (normals) row.normal = Vec2{-nx[k], -ny[k]};  // a file's normal points from i to j
     contacts.rows.push_back(row);
   }

@@ -119,6 +119,14 @@ struct Domain {
   int boundary_of(int element) const;
 };
 
+/// What Contacts::j says of a partner that is no grain: below 0 stand the four sides, and behind them the elements of boundaries.
+constexpr std::int32_t wall_partner(int side) { return -1 - side; }
+constexpr std::int32_t boundary_partner(int element) { return wall_partner(top) - 1 - element; }
+constexpr bool is_wall(std::int32_t partner) { return partner < 0; }  ///< of a boundary as well
+constexpr bool is_boundary(std::int32_t partner) { return partner < wall_partner(top); }
+constexpr int wall_side(std::int32_t partner) { return -1 - partner; }  ///< 4 and more: of a boundary
+constexpr int element_of(std::int32_t partner) { return wall_partner(top) - 1 - partner; }
+
 /// Contacts as a structure of arrays, each physical contact once. A contact joins grain i with grain j, or with a wall: then j = wall_partner(side) <
 /// 0, which goes on behind the four sides with the elements of boundaries, boundary_partner(element). n points from j to i, t is n turned by +90 degrees, and the force on i is fn n + ft t (fn > 0 pushes apart); the force on j is the opposite.
 /// The contact point lies at x_i - arm_i n and, for two disks, at x_j + arm_j n, so the branch vector from j to i is (arm_i + arm_j) n. The arms of
@@ -134,10 +142,10 @@ struct Contacts {
   std::vector<double> off_i_x, off_i_y, off_j_x, off_j_y;  ///< from the centre to where the arm begins, m; empty where all grains are disks
 
   std::size_t size() const { return i.size(); }
-  bool is_wall(std::size_t c) const { return j[c] < 0; }
-  int wall_side(std::size_t c) const { return -1 - j[c]; }  ///< 4 and more: of a boundary
-  bool is_boundary(std::size_t c) const { return j[c] < -4; }
-  int element(std::size_t c) const { return -5 - j[c]; }  ///< of the boundary that the contact joins
+  bool is_wall(std::size_t c) const { return arenite::is_wall(j[c]); }
+  int wall_side(std::size_t c) const { return arenite::wall_side(j[c]); }  ///< 4 and more: of a boundary
+  bool is_boundary(std::size_t c) const { return arenite::is_boundary(j[c]); }
+  int element(std::size_t c) const { return element_of(j[c]); }  ///< of the boundary that the contact joins
   Vec2 normal(std::size_t c) const { return {nx[c], ny[c]}; }
   Vec2 force_on_i(std::size_t c) const { return {fn[c] * nx[c] - ft[c] * ny[c], fn[c] * ny[c] + ft[c] * nx[c]}; }
   /// From the centre of grain i to the contact point; the same of grain j (0 for a wall), m.
@@ -154,9 +162,6 @@ struct Contacts {
   /// Adds one contact; overlap and sliding velocity unknown, not glued.
   void add(std::int32_t i, std::int32_t j, Vec2 normal, double fn, double ft, double arm_i, double arm_j);
 };
-
-constexpr std::int32_t wall_partner(int side) { return -1 - side; }
-constexpr std::int32_t boundary_partner(int element) { return -5 - element; }
 
 /// Grains in their frame, with the contacts between them where these are known. This is what one stage hands to the next, and what texture, exports
 /// and figures read, whether it was simulated or measured.

@@ -166,12 +166,8 @@ void require_grains(Visitor& v, const Recipe& recipe) {
 
 /// What only disks can be part of.
 void require_movable_shapes(Visitor& v, const Recipe& recipe) {
-  using packing::PolygonShape;
-  const auto any = [&](auto is_meant) {
-    return std::any_of(recipe.populations.begin(), recipe.populations.end(), [&](const auto& p) { return is_meant(p.shape); });
-  };
-  const bool disks = !any([](const auto& shape) { return !std::holds_alternative<packing::DiskShape>(shape); });
-  const bool polygons = any([](const auto& shape) { return std::holds_alternative<PolygonShape>(shape); });
+  const bool disks =
+      std::all_of(recipe.populations.begin(), recipe.populations.end(), [](const auto& p) { return std::holds_alternative<packing::DiskShape>(p.shape); });
   const bool rough = std::any_of(recipe.stages.begin(), recipe.stages.end(), [](const Stage& stage) { return stage.rough != std::array<bool, 4>{}; });
   v.require(disks || !recipe.has_field(), {"populations", "cement"},
             "grains that are no disks cannot be cemented and loaded as a field; leave out [cement], [grid] and [[loads]]");
@@ -179,8 +175,6 @@ void require_movable_shapes(Visitor& v, const Recipe& recipe) {
             "grains that are no disks need integration.integrator = \"velocity_verlet\" or \"leapfrog\"");
   v.require(disks || !recipe.contact.has_bonds(), {"populations", "contact"}, "bonds join disks only; leave contact.bonds at \"none\"");
   v.require(disks || !rough, {"populations", "stages"}, "rough walls hold disks only; take smooth walls with friction for clumps and polygons");
-  v.require(!polygons || recipe.boundaries.empty(), {"populations", "boundaries"},
-            "boundaries beside the walls do not know polygons yet; take shape = \"clump\"");
 }
 
 }  // namespace

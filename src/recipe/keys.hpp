@@ -21,6 +21,8 @@ void declare_fill_area(ParameterVisitor& visitor, std::optional<FillArea>& area)
 void declare_boundaries(ParameterVisitor& visitor, Recipe& recipe);
 /// Of a stage, which sides are open, how boundaries move, and what is counted as having passed.
 void declare_openings(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
+/// What boundaries ask of a stage whose keys have all been read.
+void require_boundary_loads(ParameterVisitor& visitor, const Stage& stage, const Recipe& recipe);
 /// Of a stage, tables in time that drive it, and cycles of strain.
 void declare_programmes(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
 void declare_strain_cycles(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);

@@ -55,6 +55,14 @@ void declare(Visitor& v, dem::BoundaryMotion& motion, const Stage& stage, const 
   declare_vector(v, {"centre", "About which it turns, as the stage begins; goes with the velocity. Unless given, the mean of the points."}, motion.centre,
                  "mm");
   v.flag({"absent", "It is not there in this stage: a gate that opens."}, motion.absent);
+  v.number({"mass", "With a mass it moves under its weight, the force and the grains, from the velocity on that is given, or that it had so before."},
+           motion.mass, "kg", range::positive);
+  std::optional<Vec2> force = motion.force == Vec2{} ? std::nullopt : std::optional(motion.force);
+  declare_vector(v, {"force", "Along x and y, on a boundary with a mass."}, force, "N");
+  motion.force = force.value_or(Vec2{});
+  v.require(motion.mass || motion.force == Vec2{}, {"force", "mass"}, "moves only a boundary with a mass; write mass = \"... kg\"");
+  v.require(!motion.mass || recipe.integration.integrator != dem::IntegratorKind::gear5, {"mass"},
+            "boundaries with a mass need integration.integrator = \"velocity_verlet\" or \"leapfrog\"");
 }
 
 }  // namespace
@@ -74,7 +82,8 @@ void require_fill_area(Visitor& v, const Recipe& recipe) {
   const auto& area = recipe.packing.area;
   if (!area) return;
   v.require(frame.height > 0, {"container", "packing"}, "a part of it can be filled only where its height is known; write height = \"... mm\"");
-  v.require(!frame.periodic_x && !frame.periodic_y, {"packing"}, "packing.area needs a container with four walls");
+  v.require((!frame.periodic_x || (!area->left && !area->right)) && (!frame.periodic_y || (!area->bottom && !area->top)), {"packing"},
+            "packing.area cannot end before a periodic side; leave out its edges there");
   const auto fits = [](std::optional<double> low, std::optional<double> high, double size) {
     return low.value_or(0) < high.value_or(size) && high.value_or(size) <= size;
   };
@@ -86,8 +95,6 @@ void declare_boundaries(Visitor& v, Recipe& recipe) {
   v.list<Boundary>(
       {"boundaries", "Thin rigid boundaries beside the walls: hoppers, gates, drums, obstacles, intruders. Contacts with them are like those with walls."},
       recipe.boundaries, [&](Visitor& inner, Boundary& boundary) { declare(inner, boundary, recipe); });
-  v.require(recipe.boundaries.empty() || (!recipe.container.periodic_x && !recipe.container.periodic_y), {"boundaries"},
-            "need a container with four walls; set container.periodic_x and periodic_y to false");
   require_fill_area(v, recipe);
 }
 
@@ -110,6 +117,51 @@ void declare_openings(Visitor& v, Stage& stage, const Recipe& recipe) {
                               [&](Visitor& inner, dem::BoundaryMotion& motion) { declare(inner, motion, stage, recipe); });
   v.number({"count_below", "The history gets the columns `passed` and `passed_mass`: number and mass of the grains whose centre is below this height."},
            stage.count_below, "mm", range::any);
+}
+
+namespace {
+
+/// Boundaries do not change with a periodic cell.
+void require_still_cell(Visitor& v, const Stage& stage, const Recipe& recipe) {
+  if (recipe.boundaries.empty()) return;
+  const auto& frame = recipe.container;
+  bool sheared = stage.shear_rate != 0 || (stage.strain_cycles && stage.strain_cycles->of == "shear");
+  for (const auto& p : stage.programmes) sheared = sheared || p.of == dem::Programme::shear_rate;
+  v.require(!sheared, {"shear_rate", "strain_cycles", "programmes"}, "a periodic cell with boundaries cannot be sheared; move a boundary or a wall");
+  for (std::size_t side = 0; side < 4; ++side) {
+    const bool moves = stage.side[side].kind != SideDrive::Kind::fixed || (stage.strain_cycles && stage.strain_cycles->of == side_names[side]);
+    v.require(!moves || !(side < bottom ? frame.periodic_x : frame.periodic_y), {side_names[side]},
+              "is periodic and cannot move, for boundaries would not fit the cell any more; leave it \"fixed\"");
+  }
+}
+
+const dem::BoundaryMotion* motion_of(const Stage& stage, const std::string& name) {
+  const auto at = std::find_if(stage.boundaries.begin(), stage.boundaries.end(), [&](const auto& motion) { return motion.name == name; });
+  return at == stage.boundaries.end() ? nullptr : &*at;
+}
+
+void require_boundary(Visitor& v, const dem::Programme& p, const Stage& stage, const Recipe& recipe) {
+  const auto known = std::any_of(recipe.boundaries.begin(), recipe.boundaries.end(), [&](const Boundary& b) { return b.name == p.name; });
+  v.require(known, {"programmes"}, fmt::format("there is no boundary \"{}\"; name one of [[boundaries]]", p.name));
+  const dem::BoundaryMotion* motion = motion_of(stage, p.name);
+  const bool free = motion && motion->mass,
+             jumps = std::adjacent_find(p.table.begin(), p.table.end(), [](const Vec2&a, const Vec2&b) { return a.x == b.x; }) != p.table.end();
+  v.require(p.is_of_force() == free || p.boundary_axis() == 2, {"programmes", "boundaries"},
+            free ? fmt::format("boundary \"{}\" has a mass in this stage, so that forces move it; leave its mass out", p.name)
+                 : fmt::format("a force moves only a boundary with a mass; write boundaries = [{{ name = \"{}\", mass = \"... kg\" }}] in this stage", p.name));
+  v.require(p.is_of_force() || !motion || (motion->velocity == Vec2{} && p.boundary_axis() < 2) || (motion->spin == 0 && p.boundary_axis() == 2),
+            {"programmes", "boundaries"},
+            fmt::format("boundary \"{}\" moves otherwise in this stage already; leave out its {}", p.name, p.boundary_axis() < 2 ? "velocity" : "spin"));
+  v.require(!p.is_of_place() || (!jumps && (!p.repeat || p.table.empty() || p.table.front().y == p.table.back().y)), {"programmes"},
+            "a boundary cannot jump: no two rows of one time, and a table that begins anew ends where it began");
+}
+
+}  // namespace
+
+void require_boundary_loads(Visitor& v, const Stage& stage, const Recipe& recipe) {
+  require_still_cell(v, stage, recipe);
+  for (const auto& p : stage.programmes)
+    if (p.drives_boundary()) require_boundary(v, p, stage, recipe);
 }
 
 }  // namespace arenite::recipe

@@ -205,6 +205,7 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.optional_section<Cycles>({"cycles", "Force cycles on one side after the ramp."}, stage.cycles,
                              [](Visitor& inner, Cycles& cycles) { declare(inner, cycles); });
   declare_strain_cycles(v, stage, recipe);
+  require_boundary_loads(v, stage, recipe);
   v.section({"equilibrium", "When an increment counts as done."}, [&](Visitor& inner) { declare(inner, stage.equilibrium); });
   require_usable_sides(v, stage, recipe.container);
 }

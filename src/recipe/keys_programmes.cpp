@@ -24,7 +24,7 @@ void begin_with(const Programme& p, Stage& stage) {
   else if (p.of < Programme::shear_rate) stage.slide[static_cast<std::size_t>(p.of - Programme::slide)] = value;
   else if (p.of == Programme::shear_rate) stage.shear_rate = value;
   else if (p.of == Programme::gravity_size) stage.gravity_size = value;
-  else stage.gravity_angle = value;
+  else if (p.of == Programme::gravity_angle) stage.gravity_angle = value;
 }
 
 void require_place(Visitor& v, const Programme& p, const Stage& stage, const Recipe& recipe) {
@@ -39,17 +39,22 @@ void require_place(Visitor& v, const Programme& p, const Stage& stage, const Rec
               fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
   } else if (p.of == Programme::shear_rate) {
     v.require(frame.periodic_x && frame.periodic_y, {"of"}, "only a cell that is periodic both ways is sheared so");
-  } else {
+  } else if (!p.drives_boundary()) {
     v.require(stage.gravity, {"of"}, "grains do not weigh in this stage; write gravity = true");
   }
 }
 
 void declare(Visitor& v, Programme& p, const Stage& stage, const Recipe& recipe) {
-  v.choice({"of", "What it drives: a side's velocity (inward), force or pressure, a wall along itself, the rate of shear, or gravity.", true}, p.of,
-           target_words());
+  v.choice({"of",
+            "What it drives: a side's velocity (inward), force or pressure, a wall along itself, the rate of shear, gravity, or a boundary: its place or angle "
+            "from where it is as the stage begins, its velocity or spin, or the force on it.",
+            true},
+           p.of, target_words());
+  v.when(p.drives_boundary(), "of = \"boundary...\"", [&](Visitor& inner) { inner.text({"boundary", "Which boundary.", true}, p.name); });
   const auto& target = dem::programme_targets[static_cast<std::size_t>(p.of)];
   v.series({"table",
-            "Times from the beginning of the stage and values in the target's unit (mm/s, kN, kPa, 1/s, m/s^2 or deg), linear in between, and as the first "
+            "Times from the beginning of the stage and values in the target's unit (mm, mm/s, N, kN, kPa, 1/s, m/s^2, deg or deg/s), linear in between, and as "
+            "the first "
             "and last row say before and after them; two rows of one time are a jump. Or the name of a CSV file of these two columns with their units "
             "(`time [s],force [kN]`).",
             true},
@@ -77,10 +82,11 @@ void declare_programmes(Visitor& v, Stage& stage, const Recipe& recipe) {
                     [&](Visitor& inner, Programme& p) { declare(inner, p, stage, recipe); });
   for (const Programme& p : stage.programmes) {
     const auto same = std::count_if(stage.programmes.begin(), stage.programmes.end(), [&](const Programme& other) {
+      if (p.drives_boundary()) return other.drives_boundary() && other.name == p.name && other.boundary_axis() == p.boundary_axis();
       return other.of == p.of || (p.drives_side() && other.drives_side() && other.side() == p.side());
     });
     v.require(same == 1, {"programmes"}, fmt::format("{} is driven by two of them", dem::programme_targets[static_cast<std::size_t>(p.of)].word));
-    if (!p.table.empty()) begin_with(p, stage);
+    if (!p.table.empty() && !p.drives_boundary()) begin_with(p, stage);
   }
 }
 

@@ -121,7 +121,7 @@ Packing transposed(const Packing& packing) {
   std::swap(other.contacts.nx, other.contacts.ny);
   for (double& ft : other.contacts.ft) ft = -ft;  // t is n turned counter-clockwise, which a mirror image is not
   for (std::int32_t& j : other.contacts.j)
-    if (j < 0 && j >= wall_partner(top)) j = wall_partner((-1 - j) ^ 2);
+    if (is_wall(j) && !is_boundary(j)) j = wall_partner(wall_side(j) ^ 2);
   for (Boundary& boundary : other.domain.boundaries) {
     for (Vec2& p : boundary.points) std::swap(p.x, p.y);
     for (Vec2* v : {&boundary.velocity, &boundary.centre, &boundary.force}) std::swap(v->x, v->y);

@@ -31,7 +31,7 @@ void examine(const Packing& packing) {
   }
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const auto n = static_cast<std::int32_t>(grains.size());
-    if (contacts.i[c] < 0 || contacts.i[c] >= n || contacts.j[c] >= n || contacts.j[c] < -4) std::abort();
+    if (contacts.i[c] < 0 || contacts.i[c] >= n || contacts.j[c] >= n || is_boundary(contacts.j[c])) std::abort();
     if (!std::isfinite(contacts.fn[c]) || !std::isfinite(contacts.ft[c])) std::abort();
     if (!(std::abs(std::hypot(contacts.nx[c], contacts.ny[c]) - 1) < 1e-6)) std::abort();
   }

@@ -3,32 +3,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "model/shapes.hpp"
-#include "support.hpp"
+#include "shapes.hpp"
 
 namespace arenite::verification {
 namespace {
 
 using dem::Engine;
-
-/// A grain of equal disks whose centres lie at these places, about its centre of mass, with the area of a disk of `radius`.
-struct Clump {
-  std::vector<Vec2> places;
-  Vec2 centre;
-  double radius = 6.2e-3, angle = 0;
-  Vec2 velocity = {};
-  double spin = 0;
-};
-
-void add(Packing& p, const Clump& clump) {
-  Shape shape{clump.places, std::vector<double>(clump.places.size(), 1.0), false};
-  shape = scaled_to(shape, clump.radius);
-  add_shape(p.grains.shapes, shape, gyration_of(shape));
-  add(p, Disk{clump.centre, clump.radius, pom, clump.velocity, clump.spin});
-  p.grains.angle.back() = clump.angle;
-}
-
-const std::vector<Vec2> dumbbell{{-0.8, 0}, {0.8, 0}}, bent{{-1, 0}, {0.2, 0.1}, {0.9, 1.1}};
 
 struct Motion {
   Vec2 momentum;

@@ -2,33 +2,12 @@
 
 #include <algorithm>
 
-#include "grains/packing/shapes/polygon.hpp"
-#include "model/shapes.hpp"
-#include "support.hpp"
+#include "shapes.hpp"
 
 namespace arenite::verification {
 namespace {
 
 using dem::Engine;
-
-/// A rounded polygon with the area of a disk of `radius`.
-struct Polygon {
-  std::int64_t corners = 4;
-  Vec2 centre;
-  double angle = 0;
-  Vec2 velocity = {};
-  double spin = 0, radius = 6.2e-3, aspect = 1, rounding = 0.1;
-};
-
-void add(Packing& p, const Polygon& polygon) {
-  const Shape shape = scaled_to(packing::PolygonShape{polygon.corners, polygon.aspect, polygon.rounding}.make(), polygon.radius);
-  add_shape(p.grains.shapes, shape, gyration_of(shape));
-  add(p, Disk{polygon.centre, polygon.radius, pom, polygon.velocity, polygon.spin});
-  p.grains.angle.back() = polygon.angle;
-}
-
-double half_side(const Packing& p, std::size_t g) { return p.grains.shapes.x[static_cast<std::size_t>(p.grains.shapes.first[g])]; }
-double rounding(const Packing& p, std::size_t g) { return p.grains.shapes.radius[static_cast<std::size_t>(p.grains.shapes.first[g])]; }
 
 TEST(Polygons, AreaAndInertiaOfARoundedSquareAreTheClosedForm) {
   const double a = 2, r = 0.3;  // a square of side a, widened by r

@@ -7,6 +7,7 @@ import { wrapped } from "../src/film/maps.js";
 import { quantityWithError } from "../src/film/tooltip.js";
 import { boundaryElement, chainWidth, segmentsOf } from "../src/packing/chains.js";
 import { Camera } from "../src/camera.js";
+import { stageWithCurves } from "../src/figures/test_curves.js";
 import { State } from "../src/state.js";
 import { prefixOf, text } from "../src/text.js";
 
@@ -23,6 +24,15 @@ test("a value without an error keeps four digits and says no error", () => {
   assert.deepEqual(text.withError(0.333333, 3e-9), { value: "0.3333", error: "" });
   assert.deepEqual(text.withError(3.00324, 3e-6), { value: "3.0032400", error: "0.0000030" });
   assert.deepEqual(text.withError(null, null), { value: "\u2013", error: "" });
+});
+
+test("a stage without curves of its own shows those of the stage before it, or of the next", () => {
+  const test = { strain_name: "shear strain", ratio_name: "mu", strain: [0, 1], ratio: [0, 0.3], volume: [0, 0.01] };
+  const stages = [{ name: "rest" }, { name: "press", test }, { name: "shear", test }, { name: "relax" }];
+  const sample = { stages, about: { frames: stages.map((_, stage) => ({ stage })) } };
+  const shown = (frame, of = sample) => stageWithCurves(of, { get: () => frame })?.name;
+  assert.deepEqual([0, 1, 2, 3].map((frame) => shown(frame)), ["press", "press", "shear", "shear"]);
+  assert.equal(shown(0, { ...sample, stages: [stages[0]] }), undefined);
 });
 
 test("quantities take the prefix that suits them", () => {

@@ -5,7 +5,7 @@
 
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
-#include "grains/dem/boundaries.hpp"
+#include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/neighbours.hpp"
@@ -90,7 +90,7 @@ void sum_wall_forces(Sample& s) {
   for (auto& wall : s.domain.wall)
     if (wall.present) wall.force = wall.shear_force = 0;
   for (std::size_t p = list.pairs; p < list.size(); ++p) {
-    const int side = -1 - list.j[p];
+    const int side = wall_side(list.j[p]);
     if (side > top) continue;
     Wall& wall = s.domain.wall[static_cast<std::size_t>(side)];
     const Vec2 n = inward_normal(side);
@@ -116,7 +116,7 @@ void compute_forces(Sample& s, const Team& team) {
     evaluate(s, team, normal, adhesion, friction);
   });
   add_rolling_moments(s, team);
-  if (!s.foot.empty()) take_reactions_to_owners(s, team);
+  take_torques_to_owners(s, team);
   add_bond_forces(s, team);
   sum_wall_forces(s);
   sum_boundary_forces(s);

@@ -135,7 +135,7 @@ double largest_rate(const Sample& s, const std::vector<Pull>& pulls) {
       const Vec2 normal = p.at.normal, t = perpendicular(normal);
       Vec2 u{v[i], v[i + 1]};
       double slide = -v[i + 2] * p.at.arm_i;
-      if (!s.part.empty()) u += v[i + 2] * perpendicular(lever_of(s, static_cast<std::size_t>(s.list.i[p.slot])));
+      if (!s.part.empty()) u += v[i + 2] * perpendicular(own_lever(s, p.slot));
       if (!wall) {
         u -= {v[j], v[j + 1]};
         slide -= v[j + 2] * p.at.arm_j;
@@ -147,7 +147,7 @@ double largest_rate(const Sample& s, const std::vector<Pull>& pulls) {
       w[i] += f.x;
       w[i + 1] += f.y;
       w[i + 2] -= p.at.arm_i * ft;
-      if (!s.part.empty()) w[i + 2] += cross(lever_of(s, static_cast<std::size_t>(s.list.i[p.slot])), f);
+      if (!s.part.empty()) w[i + 2] += cross(own_lever(s, p.slot), f);
       if (wall) continue;
       w[j] -= f.x;
       w[j + 1] -= f.y;

@@ -3,7 +3,7 @@
 #include "geometry/cell_grid.hpp"
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
-#include "grains/dem/boundaries.hpp"
+#include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/neighbours.hpp"
 
 namespace arenite::dem {
@@ -122,10 +122,10 @@ void list_feet(Sample& s, const Team& team) {
   const std::size_t ghosts = s.ghost.size();
   for (const Foot& foot : s.foot) {
     const auto owner = s.part_disk[static_cast<std::size_t>(s.body[static_cast<std::size_t>(foot.body)].first)];
-    const auto &a = s.record[static_cast<std::size_t>(foot.disk)], &b = s.record[static_cast<std::size_t>(owner)];
+    const auto &a = s.record[static_cast<std::size_t>(foot.touches)], &b = s.record[static_cast<std::size_t>(owner)];
     s.ghost.push_back({owner, foot.shift_x, foot.shift_y});
     list.resize(list.size() + 1);
-    fill_slot(list, list.size() - 1, static_cast<std::size_t>(foot.disk), static_cast<std::int32_t>(s.count + s.ghost.size() - 1), owner,
+    fill_slot(list, list.size() - 1, static_cast<std::size_t>(foot.touches), static_cast<std::int32_t>(s.count + s.ghost.size() - 1), owner,
               s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius, false));
   }
   list.pairs += s.ghost.size() - ghosts;
@@ -156,6 +156,21 @@ void list_walls(Sample& s) {
     elements.find(d, near);
     for (const std::int32_t e : near) add(k, boundary_partner(e));
   }
+}
+
+/// Slots of polygons that may touch points of boundaries, behind all others.
+void list_point_feet(Sample& s) {
+  ContactList& list = s.list;
+  list.polygons = list.size();
+  s.point_foot = find_point_feet(s);
+  for (const Foot& foot : s.point_foot) {
+    const auto first = static_cast<std::size_t>(s.part_disk[static_cast<std::size_t>(s.body[static_cast<std::size_t>(foot.body)].first)]);
+    const DiskRecord& d = s.record[first];
+    list.resize(list.size() + 1);
+    fill_slot(list, list.size() - 1, first, foot.touches, -1, s.coefficients.wall(d.material, d.mass, d.radius));
+  }
+  s.record.resize(s.count + s.ghost.size() + s.point_foot.size());
+  refresh_feet(s);
 }
 
 /// Fills list.group and list.first, see there.
@@ -195,6 +210,7 @@ void list_contacts(Sample& s, const Team& team) {
   list_pairs(s, team);
   if (!s.body.empty()) list_feet(s, team);
   list_walls(s);
+  list_point_feet(s);
   list_bonds(s);
   group_slots(s);
   s.list.force.assign(bond_force_place(s.list, s.bond_slots.size()), SlotForce{});
@@ -203,42 +219,6 @@ void list_contacts(Sample& s, const Team& team) {
   const bool rolls = !std::holds_alternative<NoRolling>(s.contact.rolling);
   s.list.rolling_memory.assign(rolls ? s.list.size() : 0, 0.0);
   s.list.bond.assign(s.list.size(), never_touched);
-}
-
-/// Images to the right and above only: every pair across an edge then occurs once, as (disk, ghost).
-void make_ghosts(Sample& s) {
-  s.ghost.clear();
-  s.foot.clear();
-  s.record.resize(s.count);
-  const double reach = reach_of(s);
-  const auto& w = s.domain.wall;
-  const double width = s.domain.width(), height = s.domain.height();
-  const int up = s.domain.periodic_y ? 1 : 0, across = s.domain.periodic_x ? 1 : 0;
-  for (int iy = 0; iy <= up; ++iy)
-    for (int ix = iy == 0 ? 1 : -across; ix <= across; ++ix)
-      for (std::size_t k = 0; k < s.count; ++k) {
-        const double x = s.record[k].x + ix * width + iy * s.domain.tilt, y = s.record[k].y + iy * height;
-        const bool near_x = !s.domain.periodic_x || (x > w[left].position - reach && x < w[right].position + reach);
-        if (near_x && y < w[top].position + reach) s.ghost.push_back({static_cast<std::int32_t>(k), ix, iy});
-      }
-  s.record.resize(s.count + s.ghost.size());
-  refresh_ghosts(s);
-}
-
-void refresh_ghosts(Sample& s) {
-  const double width = s.domain.width(), height = s.domain.height();
-  const double stretch_x = s.domain.periodic_x ? s.domain.wall[right].velocity - s.domain.wall[left].velocity : 0;
-  const double stretch_y = s.domain.periodic_y ? s.domain.wall[top].velocity - s.domain.wall[bottom].velocity : 0;
-  for (std::size_t g = 0; g < s.ghost.size() - s.foot.size(); ++g) {
-    const Ghost& ghost = s.ghost[g];
-    DiskRecord& d = s.record[s.count + g];
-    d = s.record[static_cast<std::size_t>(ghost.source)];
-    d.x += ghost.shift_x * width + ghost.shift_y * s.domain.tilt;
-    d.y += ghost.shift_y * height;
-    d.vx += ghost.shift_x * stretch_x + ghost.shift_y * (s.domain.tilt * stretch_x / width + s.shear_rate * height);
-    d.vy += ghost.shift_y * stretch_y;
-  }
-  refresh_feet(s);
 }
 
 }  // namespace arenite::dem

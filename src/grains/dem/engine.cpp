@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/processor.hpp"
 #include "grains/dem/bodies/bodies.hpp"
+#include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/bounds.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/kernels/kernel.hpp"
@@ -53,6 +54,8 @@ void synchronise(Sample& s) {
     rate[side] = wall_rate(s, side);
     place[side] = wall_place(s, side);
   }
+  std::vector<Vec2> driven;
+  for (std::size_t b = 0; b < s.boundary.size(); ++b) driven.push_back(velocity_of(s, b));
   std::vector<Motion> moved;
   for (const Body& b : s.body) moved.push_back(motion_of(s, b));
   for (std::size_t k = 0; k < s.count; ++k) {
@@ -70,6 +73,7 @@ void synchronise(Sample& s) {
     s.body[b].vy = moved[b].vy;
     s.body[b].omega = moved[b].omega;
   }
+  for (std::size_t b = 0; b < s.boundary.size(); ++b) s.boundary[b].rate = s.domain.boundaries[b].velocity = driven[b];
   for (std::size_t side = 0; side < 4; ++side) {
     s.wall[side].rate = rate[side];
     s.domain.wall[side].position = place[side];
@@ -119,12 +123,11 @@ void Engine::set_shear_rate(double rate) {
   Sample& s = machine_->sample;
   if (rate == s.shear_rate) return;
   if (!s.domain.periodic_x || !s.domain.periodic_y) throw InputError("a cell that is sheared must be periodic in x and y");
+  check_still_cell(s, {}, true);
   synchronise(s);
   change_shear_rate(s, rate);
   refresh_ghosts(s);
 }
-
-void Engine::set_programmes(Programmes programmes) { machine_->sample.programmes = std::move(programmes); }
 
 void Engine::set_inertial_number(double number) {
   if (!(number > 0)) throw InputError(fmt::format("inertial number {} must be above 0", number));
@@ -153,6 +156,7 @@ void Engine::set_drives(const WallDrives& asked) {
   bool changed = false;
   for (std::size_t side = 0; side < 4; ++side) changed |= drives[side] != s.wall[side].drive;
   if (!changed) return;
+  check_still_cell(s, drives, false);
   synchronise(s);
   const double before = servo_energy(s);
   apply_drives(s, drives);

@@ -61,12 +61,22 @@ inline Kinematics wall_kinematics(const DiskRecord& a, const Wall& wall, double 
 /// lies beyond the segments that meet there: of a corner that juts out one of the three is touched, in a corner that the disk lies in both segments are.
 Kinematics element_kinematics(const Sample& sample, const DiskRecord& disk, std::int32_t element);
 
+/// A polygon's foot and the point of a boundary that it belongs to.
+Kinematics point_kinematics(const Sample& sample, const DiskRecord& foot, std::int32_t element);
+
+/// What touches in a slot: disk i, or the foot of a polygon on a boundary's point.
+inline const DiskRecord& touching_disk(const Sample& s, std::size_t slot) {
+  if (slot < s.list.polygons) return s.record[static_cast<std::size_t>(s.list.i[slot])];
+  return s.record[s.count + s.ghost.size() + slot - s.list.polygons];
+}
+
 inline Kinematics slot_kinematics(const Sample& s, std::size_t slot) {
-  const auto& a = s.record[static_cast<std::size_t>(s.list.i[slot])];
+  const DiskRecord& a = touching_disk(s, slot);
   const std::int32_t j = s.list.j[slot];
+  if (slot >= s.list.polygons) return point_kinematics(s, a, element_of(j));
   if (j >= 0) return pair_kinematics(a, s.record[static_cast<std::size_t>(j)], s.contact.arms);
-  if (j < wall_partner(top)) return element_kinematics(s, a, -5 - j);
-  const auto side = static_cast<std::size_t>(-1 - j);
+  if (is_boundary(j)) return element_kinematics(s, a, element_of(j));
+  const auto side = static_cast<std::size_t>(wall_side(j));
   return wall_kinematics(a, s.domain.wall[side], s.wall[side].drive.slide, static_cast<int>(side), s.contact.arms);
 }
 

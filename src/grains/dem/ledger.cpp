@@ -2,7 +2,7 @@
 
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
-#include "grains/dem/boundaries.hpp"
+#include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/measure.hpp"
@@ -16,9 +16,8 @@ constexpr std::size_t along = 4, cell_shear = 8;  // of Snapshot::edge
 
 /// What a contact with a boundary does to it, by class, about its centre as well.
 void add_boundary_contact(const Sample& s, std::size_t slot, const Kinematics& c, Vec2 dash, Vec2 slip, Snapshot& shot) {
-  const DiskRecord& d = s.record[static_cast<std::size_t>(s.list.i[slot])];
   const std::size_t b = boundary_index(s, s.list.j[slot]);
-  const Vec2 arm = Vec2{d.x, d.y} - c.branch - s.domain.boundaries[b].centre;
+  const Vec2 arm = touched_place(s, slot, c) - s.domain.boundaries[b].centre;
   auto* edge = &shot.boundary[3 * b];
   edge[0].dash -= dash.x;
   edge[1].dash -= dash.y;
@@ -54,12 +53,12 @@ void add_contacts(const Sample& s, Snapshot& shot) {
       shot.springs += friction.energy(s.laws.slip(c.sliding, sliding_stiffness(s, normal, p, c)), list.memory[p]);
       const std::int32_t first = s.record[static_cast<std::size_t>(list.i[p])].grain;
       auto& a = shot.disk[mover_of(s, first)];
-      add_about_body(lever_of(s, static_cast<std::size_t>(list.i[p])), dash, slip, a);
+      add_about_body(own_lever(s, p), dash, slip, a);
       a.dash_x += dash.x;
       a.dash_y += dash.y;
       a.slip_x += slip.x;
       a.slip_y += slip.y;
-      a.slip_torque += list.force[p].torque_i;
+      a.slip_torque += own_torque_i(s, p);
       if (list.j[p] >= 0) {
         auto& b = shot.disk[mover_of(s, s.record[static_cast<std::size_t>(list.owner[p])].grain)];
         add_about_body(partner_lever(s, p), -dash, -slip, b);
@@ -68,10 +67,10 @@ void add_contacts(const Sample& s, Snapshot& shot) {
         b.slip_x -= slip.x;
         b.slip_y -= slip.y;
         b.slip_torque += own_torque_j(s, p);
-      } else if (list.j[p] < wall_partner(top)) {
+      } else if (is_boundary(list.j[p])) {
         add_boundary_contact(s, p, c, dash, slip, shot);
       } else {
-        const auto side = static_cast<std::size_t>(-1 - list.j[p]);
+        const auto side = static_cast<std::size_t>(wall_side(list.j[p]));
         shot.edge[side].dash -= side < bottom ? dash.x : dash.y;
         shot.edge[along + side].slip -= side < bottom ? slip.y : slip.x;
       }
@@ -170,11 +169,16 @@ Snapshot take(const Sample& s) {
   }
   for (std::size_t b = 0; b < s.domain.boundaries.size(); ++b) {
     const Boundary& boundary = s.domain.boundaries[b];
-    const double rate[] = {boundary.velocity.x, boundary.velocity.y, boundary.spin}, force[] = {boundary.force.x, boundary.force.y, boundary.torque};
+    const bool free = s.boundary[b].mass > 0;
+    const Vec2 velocity = free ? s.boundary[b].rate : boundary.velocity, push = force_on(s, b) - boundary.force;
+    const double rate[] = {velocity.x, velocity.y, boundary.spin}, force[] = {boundary.force.x, boundary.force.y, boundary.torque};
     for (std::size_t n = 0; n < 3; ++n) {
       shot.boundary[3 * b + n].rate = rate[n];
       shot.boundary[3 * b + n].force = force[n];
+      shot.boundary[3 * b + n].servo = free && n < 2;
     }
+    shot.boundary[3 * b].drive = push.x;
+    shot.boundary[3 * b + 1].drive = push.y;
   }
   shot.edge[cell_shear].rate = s.shear_rate * s.domain.height();
   return shot;

@@ -8,7 +8,7 @@
 
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
-#include "grains/dem/boundaries.hpp"
+#include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/walls.hpp"
@@ -113,6 +113,7 @@ Packing packing_of(const Sample& s) {
     out.domain.wall[side].velocity = wall_rate(s, side);
     out.domain.wall[side].position = wall_place(s, side);
   }
+  for (std::size_t b = 0; b < s.boundary.size(); ++b) out.domain.boundaries[b].velocity = velocity_of(s, b);
   const AffineMotion mx = affine_x(out.domain), my = affine_y(out.domain);
   for (std::size_t k = 0; k < s.count; ++k) {
     const DiskRecord& d = s.record[k];
@@ -143,6 +144,8 @@ Energies energies_of(const Sample& s) {
       const double v = wall_rate(s, side);
       e.kinetic += 0.5 * s.wall[side].mass * v * v;
     }
+  for (std::size_t b = 0; b < s.boundary.size(); ++b)
+    if (const Vec2 v = velocity_of(s, b); s.boundary[b].mass > 0) e.kinetic += 0.5 * s.boundary[b].mass * dot(v, v);
   e.adhesive = adhesive_energy(s);
   e.elastic += rolling_energy(s) + bond_energy(s);
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A&, const F& friction) {

@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 #include "grains/dem/bodies/bodies.hpp"
-#include "grains/dem/boundaries.hpp"
+#include "grains/dem/boundaries/boundaries.hpp"
 
 namespace arenite::dem {
 namespace {
@@ -83,9 +83,9 @@ std::vector<std::int32_t> sort_by_cell(Sample& s) {
   return order;
 }
 
-/// The slot that joins disk a with disk b, or with wall b < 0; the empty slot if there is none. `either`: b with a as well, which are two slots where
-/// the one that takes the reaction stands for a polygon.
-std::size_t find_slot(const ContactList& list, std::int32_t a, std::int32_t b, bool either) {
+/// The slot that joins disk a with disk b, or with wall b < 0, with the polygon of a itself where `as_polygon`; the empty slot if there is none.
+/// `either`: b with a as well, which are two slots where the one that takes the reaction stands for a polygon.
+std::size_t find_slot(const ContactList& list, std::int32_t a, std::int32_t b, bool as_polygon, bool either) {
   const auto slots = [&](std::size_t q, auto&& joins) {
     for (auto g = static_cast<std::size_t>(list.first[q]); g < static_cast<std::size_t>(list.first[q + 1]); ++g) {
       const auto p = static_cast<std::size_t>(list.group[g]);
@@ -94,7 +94,7 @@ std::size_t find_slot(const ContactList& list, std::int32_t a, std::int32_t b, b
     return list.size();
   };
   const auto q = 2 * static_cast<std::size_t>(a);
-  if (b < 0) return slots(q, [&](std::size_t p) { return list.j[p] == b; });
+  if (b < 0) return slots(q, [&](std::size_t p) { return list.j[p] == b && (p >= list.polygons) == as_polygon; });
   const std::size_t own = slots(q, [&](std::size_t p) { return list.owner[p] == b; });
   return own < list.size() || !either ? own : slots(q + 1, [&](std::size_t p) { return list.i[p] == b; });
 }
@@ -108,7 +108,7 @@ void carry_over(Sample& s, const ContactList& before, const std::vector<std::int
     for (std::size_t p = begin; p < end; ++p) {
       const std::int32_t a = was[static_cast<std::size_t>(list.i[p])];
       const std::int32_t b = list.j[p] < 0 ? list.j[p] : was[static_cast<std::size_t>(list.owner[p])];
-      const std::size_t old = find_slot(before, a, b, foot_of(s, p) == nullptr);
+      const std::size_t old = find_slot(before, a, b, p >= list.polygons, foot_of(s, p) == nullptr);
       if (old == before.size()) continue;
       list.memory[p] = before.memory[old];
       if (!list.normal_memory.empty()) list.normal_memory[p] = before.normal_memory[old];
@@ -125,6 +125,7 @@ void rebuild_list(Sample& s, const Team& team) {
   check_crossings(s);
   wrap(s);
   wrap_bodies(s);
+  wrap_boundaries(s.domain);
   const std::vector<std::int32_t> was = sort_by_cell(s);
   number_held(s);
   for (std::size_t h = 0; h < s.held.size(); ++h) {

@@ -88,6 +88,8 @@ struct BoundaryDrive {
   double spin = 0;  ///< rad/s, counter-clockwise
   Vec2 centre;      ///< of the spin, m; goes with the velocity
   bool present = true;
+  double mass = 0;  ///< kg; above 0 it moves as a body without rotation of its own under this force, its weight and the grains, from this velocity on
+  Vec2 force = {};  ///< N
   bool operator==(const BoundaryDrive&) const = default;
 };
 

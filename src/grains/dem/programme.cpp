@@ -47,9 +47,28 @@ void change_shear_rate(Sample& s, double rate) {
   if (tracked) s.tally.work_walls += energies_of(s).kinetic - before;
 }
 
+namespace {
+
+std::size_t place_of_boundary(const Sample& s, const std::string& name) {
+  const auto& all = s.domain.boundaries;
+  return static_cast<std::size_t>(std::find_if(all.begin(), all.end(), [&](const Boundary& b) { return b.name == name; }) - all.begin());
+}
+
+/// The velocity of the step that begins after this time.
+void drive_boundary(Sample& s, const Programme& p, double middle) {
+  if (p.is_of_force()) return;
+  Boundary& boundary = s.domain.boundaries[place_of_boundary(s, p.name)];
+  const double rate = p.is_of_place() ? (p.at(middle + 0.5 * s.dt) - p.at(middle - 0.5 * s.dt)) / s.dt : p.at(middle);
+  double* const velocity[] = {&boundary.velocity.x, &boundary.velocity.y, &boundary.spin};
+  *velocity[p.boundary_axis()] = rate;
+}
+
+}  // namespace
+
 void follow_velocities(Sample& s) {
   const double time = time_of(s) + 0.5 * s.dt - s.programmes.begin;
   for (const Programme& p : s.programmes.list) {
+    if (p.drives_boundary()) drive_boundary(s, p, time);
     if (p.of == Programme::shear_rate) change_shear_rate(s, p.at(time));
     if (p.of >= Programme::slide && p.of < Programme::shear_rate) s.wall[static_cast<std::size_t>(p.of - Programme::slide)].drive.slide = p.at(time);
     if (!p.drives_side() || p.drive() != 0) continue;
@@ -72,8 +91,12 @@ double load_of(const Sample& s, const Programme& p, double time) {
 
 void follow_loads(Sample& s) {
   const double time = time_of(s) - s.programmes.begin;
-  for (const Programme& p : s.programmes.list)
+  for (const Programme& p : s.programmes.list) {
     if (p.drives_side() && p.drive() != 0) s.wall[static_cast<std::size_t>(p.side())].drive.value = load_of(s, p, time);
+    if (!p.is_of_force()) continue;
+    Vec2& force = s.boundary[place_of_boundary(s, p.name)].force;
+    (p.boundary_axis() == 0 ? force.x : force.y) = p.at(time);
+  }
   const Programme *size = s.programmes.find(Programme::gravity_size), *angle = s.programmes.find(Programme::gravity_angle);
   if (!size && !angle) return;
   const double g = size ? size->at(time) : s.programmes.gravity_size, turned = angle ? angle->at(time) : s.programmes.gravity_angle;

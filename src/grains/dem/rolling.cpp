@@ -1,4 +1,4 @@
-#include "grains/dem/boundaries.hpp"
+#include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/forces.hpp"
 
 namespace arenite::dem {
@@ -21,7 +21,7 @@ template <class Law> Slip<double> slip_of(const Sample& s, const Law& law, std::
     turning -= b.omega;
     radius = a.radius * b.radius / (a.radius + b.radius);
     inertia_of_both = inertia(a) * inertia(b) / (inertia(a) + inertia(b));
-  } else if (j < wall_partner(top)) {
+  } else if (is_boundary(j)) {
     turning -= boundary_of(s, j).spin;
   }
   const double stiffness = law.stiffness(s.list.stiffness[slot], radius);

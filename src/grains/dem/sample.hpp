@@ -36,9 +36,10 @@ struct alignas(32) SlotForce {
 inline bool acts(const SlotForce& f) { return f.fx != 0 || f.fy != 0; }
 
 /// Candidate contacts and what they carry. Slots 0 .. pairs-1 join two disks (i < j, sorted by i; j may be a ghost); the slots behind them join a
-/// disk i with wall `side` (j = wall_partner(side)) or with an element of a boundary (j = boundary_partner(element)), sorted by i.
+/// disk i with wall `side` (j = wall_partner(side)) or with an element of a boundary (j = boundary_partner(element)), sorted by i. Those from
+/// `polygons` on join a polygon, whose first disk is i, with a point of a boundary.
 struct ContactList {
-  std::size_t pairs = 0;
+  std::size_t pairs = 0, polygons = 0;
   std::vector<std::int32_t> i, j;
   std::vector<std::int32_t> owner;                                     ///< the disk that takes the reaction: j, or the source of the ghost j
   std::vector<double> stiffness, damping, viscosity, strength, shear;  ///< Coefficients of each
@@ -103,6 +104,13 @@ struct WallBody {
   bool open = false;               ///< taken away
 };
 
+/// A boundary that has a mass moves under forces.
+struct BoundaryBody {
+  double mass = 0;  ///< kg; 0: it moves as it is told
+  Vec2 force;       ///< of the drive, N
+  Vec2 rate;        ///< integrated velocity, m/s (half a step behind under Verlet)
+};
+
 /// What a disk can touch of a boundary: one of its points, or the segment from there to the next. The number of an element is its place among those
 /// of all boundaries (Domain::elements).
 struct Element {
@@ -136,9 +144,10 @@ struct BodyDisk {
 
 /// Where a disk may touch a polygon: the point of the polygon's core nearest to the disk's centre, seen as a disk of the polygon's rounding that goes
 /// with it. Its record stands behind those of the ghosts, and its slot joins the disk with it. Each corner meets the other polygon by itself, so the
-/// energy is a sum over corners of squared distances from convex cores, and the force runs on without a jump from a side over a corner.
+/// energy is a sum over corners of squared distances from convex cores, and the force runs on without a jump from a side over a corner. A boundary's
+/// point that juts out has a foot, too, like a corner without radius.
 struct Foot {
-  std::int32_t disk = 0, body = 0;        ///< inner number; the polygon
+  std::int32_t touches = 0, body = 0;     ///< inner number of the disk, or boundary_partner of the point; the polygon
   std::int32_t shift_x = 0, shift_y = 0;  ///< periodic cells from the body's centre to the image that is meant
   Vec2 lever;                             ///< from the body's centre, m
 };
@@ -164,6 +173,7 @@ struct Sample {
   Domain domain;
   std::array<WallBody, 4> wall;
   std::vector<Element> element;  ///< of the domain's boundaries
+  std::vector<BoundaryBody> boundary;
   std::int64_t step = 0;
   std::int64_t steps_before = 0;  ///< made before the step was last shortened,
   double time_before = 0;         ///< and the time then, s
@@ -174,9 +184,9 @@ struct Sample {
   std::vector<double> vx, vy, omega, angle;   ///< integrated velocities, less the affine motion of a periodic cell
   std::vector<double> ax, ay, alpha;          ///< last accelerations
   std::array<std::vector<double>, 9> higher;  ///< Gear: third to fifth derivatives of x, y, angle
-  std::vector<Ghost> ghost;                   ///< and behind them one for each foot
-  std::vector<Foot> foot;
-  ContactList list, former;  ///< `former`: the list before the last rebuild, kept for its memory
+  std::vector<Ghost> ghost;                   ///< and behind them one for each foot of a disk
+  std::vector<Foot> foot, point_foot;         ///< of disks and of boundaries' points; the records of the latter are the last ones
+  ContactList list, former;                   ///< `former`: the list before the last rebuild, kept for its memory
   double skin = 0, largest_radius = 0;
   std::vector<double> listed_x, listed_y;  ///< where the disks were when the list was built
   Domain listed_domain;

@@ -6,7 +6,7 @@
 #include "core/bytes.hpp"
 #include "core/error.hpp"
 #include "grains/dem/bonds.hpp"
-#include "grains/dem/boundaries.hpp"
+#include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/neighbours.hpp"
 
 namespace arenite::dem {
@@ -62,6 +62,9 @@ template <class Archive> void transfer(Archive& a, Sample& s) {
   apply_open(s);
   for (Domain* domain : {&s.domain, &s.listed_domain})
     for (Boundary& boundary : domain->boundaries) transfer(a, boundary);
+  for (BoundaryBody& body : s.boundary)
+    if (body.mass > 0)
+      for (Vec2* v : {&body.force, &body.rate}) a(v->x), a(v->y);
   for (auto* v : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha, &s.listed_x, &s.listed_y}) a(*v);
   for (auto& v : s.higher) a(v);
   a(s.live_bonds);

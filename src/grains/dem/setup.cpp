@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "core/problems.hpp"
 #include "grains/dem/bodies/bodies.hpp"
-#include "grains/dem/boundaries.hpp"
+#include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/bounds.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/integrators/integrators.hpp"
@@ -225,6 +225,7 @@ Sample make_sample(const Packing& start, const ContactParameters& contact, const
   s.domain = start.domain;
   clear_periodic_walls(s.domain);
   s.element = elements_of(s.domain);
+  s.boundary.resize(s.domain.boundaries.size());
   make_bodies(s, start.grains);
   place_disks(s);
   recall_bonds(s);

@@ -60,6 +60,8 @@ struct BoundaryMotion {
   double spin = 0;             ///< rad/s, counter-clockwise
   std::optional<Vec2> centre;  ///< of the spin as the stage begins, m; unset: the mean of the points
   bool absent = false;
+  std::optional<double> mass = {};  ///< kg; with it the boundary moves under its weight, the grains and the force, from the velocity on that it has
+  Vec2 force = {};                  ///< N
   bool operator==(const BoundaryMotion&) const = default;
 };
 

@@ -37,7 +37,7 @@ void check_contacts(const Packing& packing, Problems& problems) {
   std::set<std::pair<int, int>> seen;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const std::int32_t i = contacts.i[c], j = contacts.j[c];
-    if (i < 0 || i >= n || j >= n || j < -4 || i == j)
+    if (i < 0 || i >= n || j >= n || is_boundary(j) || i == j)
       problems.add(fmt::format("contact {} joins {} and {}, of which one is no grain or wall; correct the list of contacts", c, i, j));
     else if (!seen.insert({std::min(i, j), std::max(i, j)}).second) problems.add(fmt::format("the contact of {} and {} is listed twice; keep one", i, j));
   }

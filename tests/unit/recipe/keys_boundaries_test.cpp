@@ -100,6 +100,39 @@ TEST(BoundariesInRecipes, ThatMakeNoSenseAreRefused) {
   EXPECT_TRUE(is_refused(with("bottom = \"60 mm\"", "bottom = \"600 mm\""), "must lie in the container"));
 }
 
+TEST(BoundariesInRecipes, AreDrivenByTablesAndForces) {
+  const auto table = [&](const std::string& of, const std::string& value, const std::string& motion = "") {
+    std::string text = hopper;
+    text.replace(text.find("velocity = ["), text.find("centre = [") - text.find("velocity = ["), motion);
+    return text + "[[stages.programmes]]\nof = \"" + of + "\"\nboundary = \"drum\"\ntable = [[\"0 s\", \"" + value + "\"], [\"1 s\", \"" + value + "\"]]\n";
+  };
+  const Recipe placed = parse_recipe(table("boundary.y", "3 mm"), "r.toml");
+  ASSERT_EQ(placed.stages[0].programmes.size(), 1U);
+  EXPECT_EQ(placed.stages[0].programmes[0].name, "drum");
+  EXPECT_EQ(placed.stages[0].programmes[0].boundary_axis(), 1);
+  EXPECT_EQ(placed.stages[0].programmes[0].table[0].y, 0.003);
+  EXPECT_TRUE(parse_recipe(to_toml(placed), "r.toml") == placed);
+  const Recipe pushed = parse_recipe(table("boundary.force_x", "3 N", "mass = \"2 kg\"\nforce = [\"1 N\", \"0 N\"]\n"), "r.toml");
+  EXPECT_EQ(pushed.stages[0].boundaries[1].mass, 2);
+  EXPECT_EQ(pushed.stages[0].boundaries[1].force, (Vec2{1, 0}));
+  EXPECT_TRUE(parse_recipe(to_toml(pushed), "r.toml") == pushed);
+  EXPECT_TRUE(is_refused(table("boundary.force_x", "3 N"), "only a boundary with a mass"));
+  EXPECT_TRUE(is_refused(table("boundary.y", "3 mm", "mass = \"2 kg\"\n"), "has a mass in this stage"));
+  EXPECT_TRUE(is_refused(table("boundary.y", "3 mm", "velocity = [\"0 mm/s\", \"1 mm/s\"]\n"), "moves otherwise"));
+  EXPECT_TRUE(is_refused(table("boundary.y", "3 mm", "force = [\"0 N\", \"1 N\"]\n"), "moves only a boundary with a mass"));
+}
+
+TEST(BoundariesInRecipes, MayBeInAPeriodicContainerThatStays) {
+  const std::string periodic = with("thickness", "periodic_x = true\nthickness");
+  const auto closed = [&](const std::string& with_this) {
+    std::string text = periodic;
+    text.replace(text.find("open = { right = true }"), std::string("open = { right = true }").size(), with_this);
+    return text;
+  };
+  EXPECT_TRUE(parse_recipe(closed(""), "r.toml").container.periodic_x);
+  EXPECT_TRUE(is_refused(closed("right = { velocity = \"1 mm/s\" }"), "is periodic and cannot move"));
+}
+
 TEST(BoundariesInRecipes, LeaveNoTraceWhereThereAreNone) {
   std::string text = hopper;
   text = text.substr(0, text.find("[[boundaries]]")) + "[[stages]]\nname = \"rest\"\n";

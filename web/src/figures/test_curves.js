@@ -8,7 +8,7 @@ const symbols = { mu: "\u03bc", q_over_p: "q/p" };
 
 /** The curves of a stage as the program measured them: { strain, ratio: [{ x, y }], volume, critical }. Strains of sides in per cent. */
 function curvesOf(stage) {
-  const { test } = stage;
+  const test = stage?.test;
   if (!test) return null;
   const factor = test.strain_name === "shear strain" ? 1 : 100;
   const against = (values, scale) => Array.from(test.strain, (x, k) => ({ x: factor * x, y: scale * values[k] })).filter(({ y }) => Number.isFinite(y) && Math.abs(y) < 200);
@@ -19,6 +19,13 @@ function curvesOf(stage) {
     ratio: against(test.ratio, 1).filter(({ y }) => y < 2), volume: against(test.volume, 100),
     critical: critical && { from: factor * critical.from, to: factor * critical.to, ratio: half(critical[test.ratio_name]), solid: half(critical.solid_fraction) },
   };
+}
+
+/** The stage whose curves are shown: that of the state shown, or else the last before it that has any, or the first after it. */
+export function stageWithCurves(sample, state) {
+  const shown = sample.stages.indexOf(stageOf(sample, state));
+  const candidates = [...sample.stages.slice(0, shown + 1).reverse(), ...sample.stages.slice(shown + 1)];
+  return candidates.find((stage) => curvesOf(stage)) ?? null;
 }
 
 /** The stress of a test without confinement: its ratio says nothing, and its volume is not that of the box. */
@@ -77,15 +84,16 @@ function panel(theme, strain, points, y, width, critical = null) {
 
 export const testCurves = {
   id: "test-curves", title: "Curves of the test", wide: true, follows: true,
-  caption: "Of the stage shown, from the forces on its sides and their places: stress ratio (without confinement: the stress) and volumetric strain (compaction positive) against strain; thin: every sample, line: means. Coloured: the critical state, over the strain where the ratio only fluctuates, with its 95 % band.",
+  caption: "Of the stage shown, or of the nearest that has any (its name is at the axis then), from the forces on its sides and their places: stress ratio (without confinement: the stress) and volumetric strain (compaction positive) against strain; thin: every sample, line: means. Coloured: the critical state, over the strain where the ratio only fluctuates, with its 95 % band.",
   when: (texture, sample) => sample.stages.some((stage) => curvesOf(stage)),
   key: ({ sample, state, theme }) => {
-    const critical = curvesOf(stageOf(sample, state))?.critical, { symbol } = curvesOf(stageOf(sample, state)) ?? {};
+    const { critical, symbol } = curvesOf(stageWithCurves(sample, state)) ?? {};
     return critical ? [{ name: "critical state", colour: theme.accent, values: [[symbol, critical.ratio], ["\u03c6", critical.solid]] }] : [];
   },
   draw({ sample, state, theme, width }) {
-    const curves = curvesOf(stageOf(sample, state));
+    const stage = stageWithCurves(sample, state), curves = curvesOf(stage);
     if (!curves) return null;
+    if (stage !== stageOf(sample, state)) curves.strain.label += ` in \u201c${stage.name}\u201d`;
     if (!curves.volume) return panel(theme, curves.strain, curves.ratio, { label: curves.ratioLabel, unit: curves.ratioUnit, nice: true }, width);
     return sideBySide(width, [
       (part) => panel(theme, curves.strain, curves.ratio, { label: curves.ratioLabel, nice: true }, part, curves.critical),

@@ -67,10 +67,18 @@ std::vector<Foot> find_feet(const Sample& sample, const Team& team);
 void refresh_feet(Sample& sample);
 /// The foot of a slot; null of any other.
 const Foot* foot_of(const Sample& sample, std::size_t slot);
-/// Adds to the slots of feet the torques that their reactions have about the disks that own them.
-void take_reactions_to_owners(Sample& sample, const Team& team);
+/// The points of boundaries that jut out towards polygons, with their feet. Throws InputError or CannotGoOn for a point that lies within a polygon.
+std::vector<Foot> find_point_feet(const Sample& sample);
+/// The foot of a slot that joins a polygon with a boundary's point; null of any other.
+const Foot* point_foot_of(const Sample& sample, std::size_t slot);
+/// Adds to the slots of feet the torques that their forces have about the disks that take them.
+void take_torques_to_owners(Sample& sample, const Team& team);
 /// Rows of periodic cells from the centre of i's grain to that of j's.
 int rows_between(const Sample& sample, std::size_t slot);
+
+/// From the centre of i's body to where the slot's force begins, m; 0 of a disk that is a grain. Torque on i about that point, N m.
+Vec2 own_lever(const Sample& sample, std::size_t slot);
+double own_torque_i(const Sample& sample, std::size_t slot);
 
 /// From the centre of j's body to where its force of a slot acts, m; 0 of a wall and of a disk that is a grain.
 Vec2 partner_lever(const Sample& sample, std::size_t slot);

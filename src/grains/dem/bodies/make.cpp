@@ -42,7 +42,6 @@ void check_shapes(Problems& problems, const Packing& start, const ContactParamet
       problems.unless(is_convex(shape_of(start.grains, g)), "grain {} must be a convex polygon, corners counter-clockwise, of one rounding",
                       start.grains.id[g]);
     }
-  problems.unless(!filled || start.domain.boundaries.empty(), "boundaries beside the walls do not know polygons yet; take grains that are clumps of disks");
   problems.unless(!filled || !contact.adheres(), "polygons do not adhere yet; leave contact.adhesion at \"none\", or take clumps of disks");
   problems.unless(!contact.has_bonds(), "bonds join disks only; leave contact.bonds at \"none\"");
   problems.unless(integration.integrator != IntegratorKind::gear5,
@@ -140,9 +139,8 @@ bool has_single_disks(const Sample& s) {
 
 bool is_of_slot(const Sample& s, const Contacts& c, std::size_t q, std::size_t slot) {
   if (s.part.empty() || c.off_i_x.empty()) return true;
-  const auto k = static_cast<std::size_t>(s.list.i[slot]);
-  Vec2 i = lever_of(s, k), j = partner_lever(s, slot);
-  if (s.list.j[slot] >= 0 && grain_of(s, s.record[k].grain) != c.i[q]) std::swap(i, j);
+  Vec2 i = own_lever(s, slot), j = partner_lever(s, slot);
+  if (s.list.j[slot] >= 0 && grain_of(s, s.record[static_cast<std::size_t>(s.list.i[slot])].grain) != c.i[q]) std::swap(i, j);
   const double near = 1e-6 * s.given.radius[static_cast<std::size_t>(c.i[q])];
   return norm(i - Vec2{c.off_i_x[q], c.off_i_y[q]}) <= near && norm(j - Vec2{c.off_j_x[q], c.off_j_y[q]}) <= near;
 }

@@ -188,7 +188,7 @@ double kinetic_energy(const Sample& s, const Body& b) {
 
 Vec2 between_centres(const Sample& s, std::size_t slot, Vec2 branch) {
   if (s.part.empty()) return branch;
-  return branch - s.lever[static_cast<std::size_t>(s.list.i[slot])] + partner_lever(s, slot);
+  return branch - own_lever(s, slot) + partner_lever(s, slot);
 }
 
 void put_body(const Sample& s, const Body& b, const AffineMotion& mx, const AffineMotion& my, Grains& grains) {
@@ -203,7 +203,7 @@ void put_body(const Sample& s, const Body& b, const AffineMotion& mx, const Affi
 }
 
 void add_levers(const Sample& s, std::size_t slot, bool swapped, Contacts& contacts) {
-  Vec2 i = lever_of(s, static_cast<std::size_t>(s.list.i[slot])), j = partner_lever(s, slot);
+  Vec2 i = own_lever(s, slot), j = partner_lever(s, slot);
   if (swapped) std::swap(i, j);
   contacts.off_i_x.push_back(i.x);
   contacts.off_i_y.push_back(i.y);

@@ -1,6 +1,6 @@
 #include "grains/dem/integrators/integrators.hpp"
 
-#include "grains/dem/boundaries.hpp"
+#include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/integrators/nordsieck.hpp"
 #include "grains/dem/measure.hpp"
@@ -101,7 +101,7 @@ class Start {
       s.domain.wall[side].position = wall.at(t);
       s.domain.wall[side].velocity = wall.rate_at(t);
     }
-    move_boundaries(s.domain, t);
+    move_boundaries(s, t);
     const CellFrame before = cell_frame(here), after = cell_frame(s.domain);
     const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
     for (std::size_t k = 0; k < s.count; ++k) {

@@ -3,7 +3,7 @@
 #include <atomic>
 
 #include "grains/dem/bodies/bodies.hpp"
-#include "grains/dem/boundaries.hpp"
+#include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/walls.hpp"
 
@@ -28,6 +28,7 @@ template <int extrapolation> bool verlet(Sample& s, const Team& team) {
   sweep.task.kick = kick;
   sweep.task.ahead = ahead;
   move_walls(s, kick, ahead);
+  push_boundaries(s, kick, ahead);
   s.lag = 0.5 * s.dt;
   return sweep.run(s.kernel->verlet, team);
 }
@@ -96,7 +97,7 @@ bool DiskSweep::run(Kernel::Sweep loop, const Team& team) {
   task.y.listed = stretch_y(listed, after);
   task.x.growth = after.growth_x(before_);
   task.y.growth = after.growth_y(before_);
-  move_boundaries(s.domain, s.dt);
+  move_boundaries(s, s.dt);
   s.sheared += s.dt * s.shear_rate;
   task.listed_shear = s.sheared - s.listed_sheared;
   task.middle = 0.5 * (s.domain.wall[bottom].position + s.domain.wall[top].position);

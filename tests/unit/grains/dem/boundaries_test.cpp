@@ -272,10 +272,107 @@ TEST(Boundaries, AGrainThatIsShotThroughOneEndsInAnError) {
 
 TEST(Boundaries, ThatMakeNoSenseAreRefused) {
   EXPECT_THROW(Engine(frame_with(polyline({{0, 0}})), {}, {}), InputError);
-  Packing p = frame_with(polyline({{0, 0}, {1, 1}}));
+  Packing p = frame_with(polyline({{0, 0}, {2, 1}}));
   testing::add_grain(p, 1, 1, r);
   p.domain.periodic_x = true;
-  EXPECT_THROW(Engine(p, {}, {}), InputError);
+  EXPECT_THROW(Engine(p, {}, {}), InputError);  // longer than the cell
+  p.domain.boundaries[0].points[1] = {1, 0};
+  p.domain.periodic_y = true;
+  Engine engine(p, {}, {});
+  EXPECT_THROW(engine.set_shear_rate(1), InputError);
+  EXPECT_THROW(engine.set_drives({{{WallDrive::Kind::velocity, 1}, {}, {}, {}}}), InputError);
+  EXPECT_THROW(engine.set_programmes({{{Programme::boundary, {{0, 0}}, false, "gate"}}, 0, 0, 0}), InputError);
+  EXPECT_THROW(engine.set_programmes({{{Programme::boundary + 6, {{0, 0}}, false, "plate"}}, 0, 0, 0}), InputError);  // a force without a mass
+}
+
+/// A plate from side to side of a periodic frame, with a seam at the sides.
+TEST(Boundaries, ADiskSlidesThroughAPeriodicSideAsOverAPlane) {
+  for (const double begin : {0.0, 0.05}) {
+    Packing p = testing::empty_frame(0.2, 2);
+    p.domain.periodic_x = true;
+    p.domain.boundaries.push_back(polyline({{begin, 1}, {begin + 0.07, 1}, {begin + 0.2, 1}}));
+    const double height = 1 + r - overlap_under(mass_of(r) * g);
+    testing::add_grain(p, 0.1, height, r);
+    p.grains.vx[0] = 2;
+    Engine engine(p, with_friction(0), {});
+    engine.set_gravity({0, -g});
+    while (engine.time() < 0.25) {
+      engine.advance(20);
+      const Packing now = engine.packing();
+      ASSERT_EQ(now.contacts.size(), 1U) << now.grains.x[0];
+      ASSERT_NEAR(now.grains.y[0], height, 1e-9);
+      ASSERT_NEAR(now.grains.vx[0], 2, 1e-9);
+    }
+    EXPECT_LT(engine.packing().grains.x[0], 0.21);
+    EXPECT_NEAR(engine.domain().boundaries[0].force.y, -mass_of(r) * g, 1e-6 * mass_of(r) * g);
+  }
+}
+
+/// What a boundary does to a disk does not depend on where the cell is cut.
+TEST(Boundaries, AnIntruderGoesOnThroughPeriodicSides) {
+  const auto pushed = [](double from) {
+    Packing p = testing::empty_frame(0.2, 0.4);
+    p.domain.periodic_x = true;
+    Boundary intruder = polyline({{from, 0.18}, {from + 0.02, 0.2}, {from, 0.22}}, true);
+    p.domain.boundaries.push_back(intruder);
+    testing::add_grain(p, std::fmod(from + 0.06, 0.2), 0.205, r);
+    Engine engine(p, with_friction(0.3), {});
+    engine.set_boundaries({{{3, 0}, 0, intruder.centre, true}});
+    while (engine.time() < 0.06) engine.advance(50);
+    EXPECT_GE(engine.domain().boundaries[0].centre.x, -1e-3);
+    EXPECT_LE(engine.domain().boundaries[0].centre.x, 0.2 + 1e-3);
+    return engine.packing().grains;
+  };
+  const Grains a = pushed(0.03), b = pushed(0.15);
+  EXPECT_GT(a.vx[0], 1);
+  EXPECT_NEAR(a.vx[0], b.vx[0], 1e-8);
+  EXPECT_NEAR(a.vy[0], b.vy[0], 1e-8);
+  EXPECT_NEAR(std::remainder(b.x[0] - a.x[0] - 0.12, 0.2), 0, 1e-8);
+}
+
+TEST(Boundaries, OneWithAMassBouncesOffADiskAndFalls) {
+  ContactParameters elastic = with_friction(0, 1);
+  elastic.normal_damping = 0;
+  for (const IntegratorKind kind : {IntegratorKind::velocity_verlet, IntegratorKind::leapfrog}) {
+    Packing p = frame_with(polyline({{1, 0.5}, {1, 1.5}}));
+    testing::add_grain(p, 0.989, 1, r);
+    p.grains.vx[0] = 1;
+    IntegrationParameters integration;
+    integration.integrator = kind;
+    integration.safety = 0.0005;
+    integration.track_energy = true;
+    Engine engine(p, elastic, integration);
+    const double m = mass_of(r), mass = 3 * m;
+    engine.set_boundaries({{{-0.5, 0}, 0, {1, 1}, true, mass, {}}});
+    const Energies before = engine.energies();
+    EXPECT_NEAR(before.kinetic, 0.5 * m + 0.5 * mass * 0.25, 1e-12);
+    while (engine.time() < 0.002) engine.advance(50);
+    const double common = (m - 0.5 * mass) / (m + mass);
+    EXPECT_NEAR(engine.packing().grains.vx[0], 2 * common - 1, 1e-6);
+    EXPECT_NEAR(engine.packing().domain.boundaries[0].velocity.x, 2 * common + 0.5, 1e-6);
+    engine.set_gravity({0, -g});
+    const double then = engine.time(), place = engine.domain().boundaries[0].centre.y;
+    const auto bytes = engine.save();
+    while (engine.time() < then + 0.002) engine.advance(50);
+    const double fallen = engine.time() - then;
+    EXPECT_NEAR(engine.packing().domain.boundaries[0].velocity.y, -g * fallen, 1e-9);
+    EXPECT_NEAR(engine.domain().boundaries[0].centre.y - place, -0.5 * g * fallen * fallen, 1e-9);
+    const Energies e = engine.energies();
+    EXPECT_NEAR(e.kinetic + e.elastic - before.kinetic, e.work_gravity + e.work_walls - before.work_walls, 1e-6 * before.kinetic);
+    const std::uint64_t hash = engine.state_hash();
+    const std::int64_t steps = engine.step();
+    Engine again(p, elastic, integration);
+    again.set_boundaries({{{-0.5, 0}, 0, {1, 1}, true, mass, {}}});
+    again.set_gravity({0, -g});
+    again.restore(bytes);
+    again.advance(steps - again.step());
+    EXPECT_EQ(again.state_hash(), hash);
+  }
+  IntegrationParameters gear;
+  gear.integrator = IntegratorKind::gear5;
+  Packing p = frame_with(polyline({{1, 0.5}, {1, 1.5}}));
+  testing::add_grain(p, 0.5, 1, r);
+  EXPECT_THROW(Engine(p, elastic, gear).set_boundaries({{{}, 0, {}, true, 1.0, {}}}), InputError);
 }
 
 }  // namespace

@@ -181,5 +181,41 @@ TEST(Programme, ResumesToTheSameBits) {
   EXPECT_NEAR(whole.shear_strain(), 0.01 - 0.06, 1e-4);
 }
 
+/// A plate by tables of its place, its angle, its velocity, and of the force on it.
+TEST(Programme, MovesABoundary) {
+  Packing start = empty_frame(0.2, 0.2);
+  add_grain(start, 0.02, 0.02, 0.005);
+  Boundary plate;
+  plate.name = "plate";
+  plate.points = {{0.08, 0.1}, {0.12, 0.1}};
+  plate.centre = {0.1, 0.1};
+  start.domain.boundaries.push_back(plate);
+  const auto of = [](Programme::OfBoundary what, std::vector<Vec2> table, bool repeat = false) {
+    return Programme{Programme::boundary + static_cast<int>(what), std::move(table), repeat, "plate"};
+  };
+  using enum Programme::OfBoundary;
+  const auto moved = [&](Stage stage) {
+    Engine engine(start, {}, {});
+    StageRun run = begin_stage(engine, stage);
+    while (!run.finished) continue_stage(engine, stage, run);
+    return engine;
+  };
+  const Engine placed =
+      moved(stage_with({of(x, {{0, 0}, {0.001, 0.002}, {0.002, 0}}, true), of(velocity_y, {{0, 1}, {0.005, 1}}), of(angle, {{0, 0}, {0.005, 0.3}})}, 0.005));
+  const double late = placed.time() - 0.005;
+  const Boundary& there = placed.domain().boundaries[0];
+  EXPECT_NEAR(there.centre.x - 0.1, 2 * (0.001 - late), 1e-12);
+  EXPECT_NEAR(there.centre.y - 0.1, 0.005 + late, 1e-12);
+  const Vec2 along = there.points[1] - there.points[0];
+  EXPECT_NEAR(std::atan2(along.y, along.x), 0.3, 1e-9);
+  EXPECT_NEAR(norm(along), 0.04, 1e-12);
+
+  Stage pushed = stage_with({of(force_x, {{0, 2}, {0.005, 0}})}, 0.005);
+  pushed.boundaries = {{"plate", {}, 0, {}, false, 0.5, {2, 0}}};
+  const Engine thrown = moved(pushed);
+  EXPECT_NEAR(thrown.packing().domain.boundaries[0].velocity.x, 0.5 * 2 * 0.005 / 0.5, 1e-8);
+  EXPECT_NEAR(thrown.domain().boundaries[0].centre.x - 0.1, 2 / 0.5 * 0.005 * 0.005 / 3 + 0.01 * (thrown.time() - 0.005), 1e-9);
+}
+
 }  // namespace
 }  // namespace arenite::dem

@@ -5,10 +5,11 @@
 
 #include "core/error.hpp"
 #include "grains/dem/bodies/bodies.hpp"
-#include "grains/dem/boundaries.hpp"
+#include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/bounds.hpp"
 #include "grains/dem/engine.hpp"
 #include "grains/dem/forces.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/measure.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/setup.hpp"
@@ -106,20 +107,50 @@ void Engine::set_boundaries(const std::vector<BoundaryDrive>& drives) {
   bool changed = false, others_there = false;
   for (std::size_t b = 0; b < drives.size(); ++b) {
     const Boundary& now = boundaries[b];
-    const BoundaryDrive& drive = drives[b];
-    changed |= drive != BoundaryDrive{now.velocity, now.spin, now.centre, now.present};
-    others_there |= drive.present != now.present;
+    changed |= drives[b] != BoundaryDrive{now.velocity, now.spin, now.centre, now.present, s.boundary[b].mass, s.boundary[b].force};
+    others_there |= drives[b].present != now.present;
+    if (drives[b].mass > 0 && integrator_of(s).corrects())
+      throw InputError(fmt::format("boundary \"{}\" has a mass, which gear5 does not move; take velocity_verlet or leapfrog", now.name));
   }
   if (!changed) return;
   synchronise(s);
+  const double before = s.integration.track_energy ? energies_of(s).kinetic : 0;
   for (std::size_t b = 0; b < drives.size(); ++b) {
-    boundaries[b].velocity = drives[b].velocity;
-    boundaries[b].spin = drives[b].spin;
-    boundaries[b].centre = drives[b].centre;
-    boundaries[b].present = drives[b].present;
+    const BoundaryDrive& drive = drives[b];
+    BoundaryBody& body = s.boundary[b];
+    const bool goes_on = drive.mass > 0 && body.mass > 0;
+    if (!goes_on) boundaries[b].velocity = drive.velocity;
+    body = {drive.mass, drive.force, boundaries[b].velocity};
+    boundaries[b].spin = drive.spin;
+    boundaries[b].centre = drive.centre;
+    boundaries[b].present = drive.present;
   }
+  if (s.integration.track_energy) s.tally.work_walls += energies_of(s).kinetic - before;
   if (others_there) list_anew(s, machine_->team);
   else sum_boundary_forces(s);
+}
+
+void Engine::set_programmes(Programmes programmes) {
+  Sample& s = machine_->sample;
+  const auto& boundaries = s.domain.boundaries;
+  WallDrives drives;
+  bool sheared = false;
+  for (const Programme& p : programmes.list) {
+    if (p.drives_side()) drives[static_cast<std::size_t>(p.side())].kind = WallDrive::Kind::velocity;
+    sheared |= p.of == Programme::shear_rate;
+    if (!p.drives_boundary()) continue;
+    const auto at = std::find_if(boundaries.begin(), boundaries.end(), [&](const Boundary& b) { return b.name == p.name; });
+    if (at == boundaries.end()) throw InputError(fmt::format("a programme drives boundary \"{}\", which there is not", p.name));
+    BoundaryBody& body = s.boundary[static_cast<std::size_t>(at - boundaries.begin())];
+    if (p.is_of_force() != (body.mass > 0) && p.boundary_axis() < 2)
+      throw InputError(fmt::format("boundary \"{}\" {} a mass; a table can give {}", p.name, body.mass > 0 ? "has" : "has not",
+                                   body.mass > 0 ? "the force on it" : "where it is or how fast"));
+    if (!p.is_of_force()) continue;
+    synchronise(s);
+    (p.boundary_axis() == 0 ? body.force.x : body.force.y) = p.at(0);
+  }
+  check_still_cell(s, drives, sheared);
+  s.programmes = std::move(programmes);
 }
 
 Amount Engine::below(double height) const {

@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <cmath>
+
+#include "grains/dem/boundaries/boundaries.hpp"
+#include "grains/dem/forces.hpp"
+
+namespace arenite::dem {
+namespace {
+
+/// The two ends of the segment that begins at a point.
+struct Ends {
+  Vec2 from, to;
+};
+Ends segment_at(const Boundary& boundary, std::size_t point) { return {boundary.points[point], boundary.points[(point + 1) % boundary.points.size()]}; }
+
+/// The nearest point of an element to a place.
+Vec2 nearest_of(const Boundary& boundary, const Element& element, Vec2 place) {
+  const auto [a, b] = segment_at(boundary, static_cast<std::size_t>(element.point));
+  if (!element.segment) return a;
+  const Vec2 along = b - a;
+  return a + std::clamp(dot(place - a, along) / dot(along, along), 0.0, 1.0) * along;
+}
+
+/// A place as the image of an element that is nearest to it sees it; itself where nothing is periodic.
+Vec2 seen_from(const Domain& domain, const Boundary& boundary, const Element& element, Vec2 place) {
+  if (!domain.periodic_x && !domain.periodic_y) return place;
+  const auto [a, b] = segment_at(boundary, static_cast<std::size_t>(element.point));
+  const Vec2 middle = element.segment ? 0.5 * (a + b) : a, near = middle + domain.nearest_image(place - middle);
+  const int across = domain.periodic_x ? 1 : 0, up = domain.periodic_y ? 1 : 0;
+  Vec2 best = near;
+  double least = std::numeric_limits<double>::infinity();
+  for (int iy = -up; iy <= up; ++iy)
+    for (int ix = -across; ix <= across; ++ix) {
+      const Vec2 image = near + Vec2{ix * domain.width(), iy * domain.height()}, way = image - nearest_of(boundary, element, image);
+      if (dot(way, way) < least) least = dot(way, way), best = image;
+    }
+  return best;
+}
+
+/// The ways along a boundary to a point and on from it; 0 where it begins or ends.
+struct Ways {
+  Vec2 in, out;
+};
+Ways ways_at(const Domain& domain, const Boundary& boundary, std::size_t point) {
+  const std::vector<Vec2>& p = boundary.points;
+  const std::size_t n = p.size();
+  const bool through = goes_through_sides(domain, boundary);
+  Ways ways;
+  if (point > 0 || boundary.closed) ways.in = p[point] - p[(point + n - 1) % n];
+  else if (through) ways.in = p[n - 1] - p[n - 2];
+  if (point + 1 < n || boundary.closed) ways.out = p[(point + 1) % n] - p[point];
+  else if (through) ways.out = p[1] - p[0];
+  return ways;
+}
+
+/// Whether a place lies beyond the segments that meet in a point.
+bool is_beyond(const Domain& domain, const Boundary& boundary, std::size_t point, Vec2 place) {
+  const Vec2 way = place - boundary.points[point];
+  const Ways ways = ways_at(domain, boundary, point);
+  if (ways.in != Vec2{} && dot(way, ways.in) < 0) return false;
+  return ways.out == Vec2{} || dot(way, ways.out) <= 0;
+}
+
+}  // namespace
+
+bool goes_through_sides(const Domain& domain, const Boundary& boundary) {
+  if (boundary.closed || (!domain.periodic_x && !domain.periodic_y)) return false;
+  const Vec2 way = boundary.points.back() - boundary.points.front();
+  const double width = domain.width(), height = domain.height();
+  const auto is_side = [](double part, double side) { return std::abs(std::abs(part) - side) <= 1e-9 * side; };
+  const bool x = domain.periodic_x && is_side(way.x, width), y = domain.periodic_y && is_side(way.y, height);
+  return (x || y) && (x || std::abs(way.x) <= 1e-9 * width) && (y || std::abs(way.y) <= 1e-9 * height);
+}
+
+bool juts_out(const Domain& domain, const Boundary& boundary, std::size_t point, Vec2 place) {
+  const Ways ways = ways_at(domain, boundary, point);
+  if (ways.in == Vec2{} || ways.out == Vec2{}) return true;
+  const double turn = cross(ways.in, ways.out), sense = turn > 0 ? 1 : -1;
+  if (std::abs(turn) <= 1e-9 * norm(ways.in) * norm(ways.out)) return dot(ways.in, ways.out) < 0;
+  const Vec2 way = place - boundary.points[point];
+  return sense * cross(ways.in, way) < 0 || sense * cross(ways.out, way) < 0;
+}
+
+NearElements::NearElements(const Sample& sample) : sample_(sample) {
+  for (const Boundary& boundary : sample.domain.boundaries) {
+    Box box{boundary.points.front(), boundary.points.front()};
+    for (const Vec2& p : boundary.points) {
+      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+    }
+    box_.push_back(box);
+  }
+}
+
+void NearElements::find(const DiskRecord& d, std::vector<std::int32_t>& near) const {
+  near.clear();
+  const Domain& domain = sample_.domain;
+  const double reach = d.radius + sample_.skin;
+  const Vec2 place{d.x, d.y};
+  std::size_t first = 0;
+  for (std::size_t b = 0; b < box_.size(); ++b) {
+    const Boundary& boundary = domain.boundaries[b];
+    const Box& box = box_[b];
+    const std::size_t end = first + 2 * boundary.points.size();
+    const bool far_x = !domain.periodic_x && (d.x < box.low.x - reach || d.x > box.high.x + reach);
+    const bool far_y = !domain.periodic_y && (d.y < box.low.y - reach || d.y > box.high.y + reach);
+    // An open boundary has no segment behind its last point, which is the first one's image where the boundary goes through the sides.
+    const std::size_t last = end - (boundary.closed ? 0 : goes_through_sides(domain, boundary) ? 2 : 1);
+    for (std::size_t e = first; boundary.present && !far_x && !far_y && e < last; ++e) {
+      const Vec2 seen = seen_from(domain, boundary, sample_.element[e], place), way = seen - nearest_of(boundary, sample_.element[e], seen);
+      if (dot(way, way) < reach * reach) near.push_back(static_cast<std::int32_t>(e));
+    }
+    first = end;
+  }
+}
+
+namespace {
+
+/// What follows of a disk that lies against a place of a boundary; `along` is a direction in it.
+void lean_on_boundary(Kinematics& c, const Sample& s, const DiskRecord& d, const Boundary& boundary, Vec2 place, Vec2 along) {
+  const double distance = norm(c.branch);
+  c.overlap = d.radius - distance;
+  if (!(c.overlap > 0)) return;
+  c.normal = distance > 0 ? c.branch / distance : perpendicular(along) / norm(along);
+  lean_on(c, d, distance, Vec2{d.vx, d.vy} - boundary.velocity - boundary.spin * perpendicular(place - boundary.centre), s.contact.arms);
+}
+
+}  // namespace
+
+Kinematics element_kinematics(const Sample& s, const DiskRecord& d, std::int32_t number) {
+  Kinematics c;
+  const Element& element = s.element[static_cast<std::size_t>(number)];
+  const Boundary& boundary = s.domain.boundaries[static_cast<std::size_t>(element.boundary)];
+  const auto point = static_cast<std::size_t>(element.point);
+  const Vec2 place = seen_from(s.domain, boundary, element, {d.x, d.y});
+  const auto [a, b] = segment_at(boundary, point);
+  const Vec2 along = b - a;
+  Vec2 foot = a;
+  if (element.segment) {
+    const double share = dot(place - a, along) / dot(along, along);
+    if (!(share > 0 && share < 1)) return c;
+    foot = a + share * along;
+  } else if (!is_beyond(s.domain, boundary, point, place)) {
+    return c;
+  }
+  c.branch = place - foot;
+  lean_on_boundary(c, s, d, boundary, foot, along);
+  return c;
+}
+
+Kinematics point_kinematics(const Sample& s, const DiskRecord& foot, std::int32_t number) {
+  Kinematics c;
+  const Element& element = s.element[static_cast<std::size_t>(number)];
+  const Boundary& boundary = s.domain.boundaries[static_cast<std::size_t>(element.boundary)];
+  const auto [here, next] = segment_at(boundary, static_cast<std::size_t>(element.point));
+  c.branch = seen_from(s.domain, boundary, element, {foot.x, foot.y}) - here;
+  lean_on_boundary(c, s, foot, boundary, here, next - here);
+  return c;
+}
+
+Vec2 touched_point(const Sample& s, std::int32_t partner) {
+  const Element& element = touched_element(s, partner);
+  return s.domain.boundaries[static_cast<std::size_t>(element.boundary)].points[static_cast<std::size_t>(element.point)];
+}
+
+Vec2 touched_place(const Sample& s, std::size_t slot, const Kinematics& c) {
+  const DiskRecord& d = touching_disk(s, slot);
+  return seen_from(s.domain, boundary_of(s, s.list.j[slot]), touched_element(s, s.list.j[slot]), {d.x, d.y}) - c.branch;
+}
+
+namespace {
+
+/// On which side of a segment a place is, +1 or -1; 0 where it lies beyond an end.
+int side_of(const Ends& segment, Vec2 place) {
+  const Vec2 along = segment.to - segment.from, way = place - segment.from;
+  const double share = dot(way, along);
+  if (!(share > 0 && share < dot(along, along))) return 0;
+  return cross(along, way) > 0 ? 1 : -1;
+}
+
+}  // namespace
+
+bool has_crossed(const Sample& s, std::size_t slot) {
+  const Element& element = touched_element(s, s.list.j[slot]);
+  const auto b = static_cast<std::size_t>(element.boundary), point = static_cast<std::size_t>(element.point), k = static_cast<std::size_t>(s.list.i[slot]);
+  const Boundary &now = s.domain.boundaries[b], &then = s.listed_domain.boundaries[b];
+  if (!element.segment || !now.present) return false;
+  const Vec2 listed{s.listed_x[k], s.listed_y[k]}, before = seen_from(s.domain, then, element, listed);
+  const Vec2 place = before + (Vec2{s.record[k].x, s.record[k].y} - listed);
+  return side_of(segment_at(then, point), before) * side_of(segment_at(now, point), place) < 0;
+}
+
+}  // namespace arenite::dem

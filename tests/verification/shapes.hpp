@@ -1,0 +1,49 @@
+#pragma once
+#include <vector>
+
+#include "grains/packing/shapes/polygon.hpp"
+#include "model/shapes.hpp"
+#include "support.hpp"
+
+/// Grains that are no disks.
+namespace arenite::verification {
+
+/// A rounded polygon with the area of a disk of `radius`.
+struct Polygon {
+  std::int64_t corners = 4;
+  Vec2 centre;
+  double angle = 0;
+  Vec2 velocity = {};
+  double spin = 0, radius = 6.2e-3, aspect = 1, rounding = 0.1;
+};
+
+inline void add(Packing& p, const Polygon& polygon) {
+  const Shape shape = scaled_to(packing::PolygonShape{polygon.corners, polygon.aspect, polygon.rounding}.make(), polygon.radius);
+  add_shape(p.grains.shapes, shape, gyration_of(shape));
+  add(p, Disk{polygon.centre, polygon.radius, pom, polygon.velocity, polygon.spin});
+  p.grains.angle.back() = polygon.angle;
+}
+
+inline double half_side(const Packing& p, std::size_t g) { return p.grains.shapes.x[static_cast<std::size_t>(p.grains.shapes.first[g])]; }
+inline double rounding(const Packing& p, std::size_t g) { return p.grains.shapes.radius[static_cast<std::size_t>(p.grains.shapes.first[g])]; }
+
+/// A grain of equal disks whose centres lie at these places, about its centre of mass, with the area of a disk of `radius`.
+struct Clump {
+  std::vector<Vec2> places;
+  Vec2 centre;
+  double radius = 6.2e-3, angle = 0;
+  Vec2 velocity = {};
+  double spin = 0;
+};
+
+inline void add(Packing& p, const Clump& clump) {
+  Shape shape{clump.places, std::vector<double>(clump.places.size(), 1.0), false};
+  shape = scaled_to(shape, clump.radius);
+  add_shape(p.grains.shapes, shape, gyration_of(shape));
+  add(p, Disk{clump.centre, clump.radius, pom, clump.velocity, clump.spin});
+  p.grains.angle.back() = clump.angle;
+}
+
+inline const std::vector<Vec2> dumbbell{{-0.8, 0}, {0.8, 0}}, bent{{-1, 0}, {0.2, 0.1}, {0.9, 1.1}};
+
+}  // namespace arenite::verification
