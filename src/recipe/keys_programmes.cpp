@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/mapped.hpp"
 #include "recipe/keys.hpp"
 
 namespace arenite::recipe {
@@ -10,12 +11,6 @@ namespace {
 
 using Visitor = ParameterVisitor;
 using dem::Programme;
-
-std::vector<Word> target_words() {
-  std::vector<Word> words;
-  for (const auto& target : dem::programme_targets) words.push_back({target.word, ""});
-  return words;
-}
 
 /// The first value of a programme is that of the stage itself, so that what looks at a stage knows what it begins with.
 void begin_with(const Programme& p, Stage& stage) {
@@ -46,7 +41,9 @@ void require_place(Visitor& v, const Programme& p, const Stage& stage, const Rec
 
 void declare(Visitor& v, Programme& p, const Stage& stage, const Recipe& recipe) {
   v.choice({"of", "What it drives: a side's velocity (inward), force or pressure, a wall along itself, the rate of shear, or gravity.", true}, p.of,
-           target_words());
+           mapped(dem::programme_targets, [](const auto& target) {
+             return Word{target.word, ""};
+           }));
   const auto& target = dem::programme_targets[static_cast<std::size_t>(p.of)];
   v.series({"table",
             "Times from the beginning of the stage and values in the target's unit (mm/s, kN, kPa, 1/s, m/s^2 or deg), linear in between, and as the first "

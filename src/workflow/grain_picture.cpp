@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "io/film/film.hpp"
 #include "thermal/thermography/correction.hpp"
 #include "thermal/thermography/frame_statistics.hpp"
@@ -16,10 +17,8 @@ namespace {
 
 /// Photographs, which open as films of one frame, too, where they are grey.
 bool is_photograph(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  constexpr std::array<std::string_view, 3> endings{".png", ".jpg", ".jpeg"};
-  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+  const std::string ending = lower_case(path.extension().string());
+  return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
 }
 
 GrainPicture picture_of_film(const std::filesystem::path& path, const PictureChoice& choice) {

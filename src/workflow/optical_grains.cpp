@@ -51,8 +51,8 @@ FloatImage coarser(const Image& image, const Part& part, int times) {
   return out;
 }
 
-/// Both pictures have one middle and the scales that the recipe tells.
-imaging::Similarity told(const Image& whole, const Part& part, int times, const FilmInfo& film, double scale) {
+/// Both pictures have one middle and the scales that the recipe gives.
+imaging::Similarity as_given(const Image& whole, const Part& part, int times, const FilmInfo& film, double scale) {
   const auto first = [&](int begin, int all) { return (begin + 0.5 * (times - 1) - 0.5 * (all - 1)) / times; };
   return {scale, 0, {0.5 * (film.width - 1) + scale * first(part.column, whole.width), 0.5 * (film.height - 1) + scale * first(part.row, whole.height)}, false};
 }
@@ -109,7 +109,7 @@ PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& f
   if (found.grains.size() < 3)
     throw InputError(file, 0,
                      fmt::format("shows {} grains; give a picture in which they stand out, or a list of the grains (picture.grains)", found.grains.size()));
-  const auto first = told(whole, part, times, film, pixel / recipe.picture.pixel);
+  const auto first = as_given(whole, part, times, film, pixel / recipe.picture.pixel);
   const auto overlay = lay_over_film(file, found.grains, first, {film.width, film.height, frame});
   const Vec2 middle = first.inverse()({0.5 * (film.width - 1), 0.5 * (film.height - 1)}), off = overlay.transform(middle) - first(middle);
   notes.push_back(fmt::format(
