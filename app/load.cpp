@@ -58,7 +58,7 @@ recipe::Load load_of(const Arguments& a) {
   load.method = recipe::chosen<peridynamics::Method>(a.method, "--method");
   read_by_type(a.stiffness, "--stiffness", dimension::pressure, "GPa", load.stiffness.matrix, load.stiffness.interface, load.stiffness.particle);
   read_by_type(a.toughness, "--toughness", dimension::toughness, "MPa m^0.5", load.toughness.matrix, load.toughness.interface, load.toughness.particle);
-  if (load.failure && a.dx.empty() && io::sealed_kind(a.map) != "field")
+  if (load.failure && a.dx.empty() && io::stored_kind(a.map) != "field")
     throw InputError("a crack needs a length; give the size of a pixel, for example --dx \"25 um\"");
   return load;
 }
@@ -80,7 +80,7 @@ io::PhaseMapOptions map_options(const Arguments& a) {
 }
 
 PhaseMap read_map(const Arguments& a) {
-  if (io::sealed_kind(a.map) == "field") return io::read_field(a.map).map;
+  if (io::stored_kind(a.map) == "field") return io::read_field(a.map).map;
   auto read = io::read_phase_map(a.map, map_options(a));
   for (const auto& note : read.notes) fmt::print(stderr, "{}: {}\n", a.map, note);
   if (read.labelled) return std::move(read.map);
@@ -116,7 +116,7 @@ int execute(const Arguments& a) {
   const recipe::Load load = load_of(a);
   try {
     FieldResult sample = workflow::sample_of_map(read_map(a));
-    if (a.dx.empty() && io::sealed_kind(a.map) != "field") workflow::count_lengths_in_nodes(sample);
+    if (a.dx.empty() && io::stored_kind(a.map) != "field") workflow::count_lengths_in_nodes(sample);
     watch_for_signals();
     auto result = watched_load(a, load, sample);
     if (!result) {

@@ -184,7 +184,7 @@ void add_measure(Options& command, int&) {
   add_reading(command, *a);
   add_field_statistics(command, *a);
   command.work = [a] {
-    if (io::sealed_kind(a->grains) == "field") return measure_field(*a);
+    if (io::stored_kind(a->grains) == "field") return measure_field(*a);
     if (a->contacts.empty() == a->touching.empty())
       throw InputError(a->touching.empty() ? "give the file of contacts after that of the grains, or --touching with the widest gap between grains that touch, "
                                              "for example --touching \"0.2 mm\""

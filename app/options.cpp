@@ -75,7 +75,7 @@ void declare(CLI::App& to, const Options& options) {
 
 }  // namespace
 
-std::string trimmed(const std::string& text) { return std::string(io::trimmed(text)); }
+std::string trimmed(const std::string& text) { return std::string(arenite::trimmed(text)); }
 
 std::vector<std::string> parts_of(const std::string& text) {
   std::vector<std::string> parts;

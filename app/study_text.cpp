@@ -10,7 +10,6 @@
 
 #include "io/disk/store_file.hpp"
 #include "progress.hpp"
-#include "report/default_figures.hpp"
 #include "report/page.hpp"
 #include "report/run_drawing.hpp"
 #include "report/study_page.hpp"

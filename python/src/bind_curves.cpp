@@ -2,7 +2,7 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
-#include "grains/packing/size_curve.hpp"
+#include "grains/packing/population.hpp"
 #include "module.hpp"
 #include "recipe/recipe.hpp"
 #include "report/test_curves.hpp"

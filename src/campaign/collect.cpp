@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/units.hpp"
 #include "recipe/reader.hpp"
@@ -162,8 +163,7 @@ CollectedTable averaged(const CollectedTable& table, const std::vector<std::stri
   result.means = true;
   result.names = table.names;
   std::vector<std::size_t> places;
-  std::vector<std::string> known;
-  for (const auto& key : table.keys) known.push_back(key.name);
+  const auto known = mapped(table.keys, &CollectedTable::Key::name);
   for (const auto& key : keys) {
     const auto at = std::find(known.begin(), known.end(), key);
     if (at == known.end()) throw InputError(fmt::format("--by {}: is not swept; the swept keys are: {}", key, recipe::list_of(known)));
@@ -174,8 +174,7 @@ CollectedTable averaged(const CollectedTable& table, const std::vector<std::stri
   std::map<std::vector<std::string>, std::size_t> group_of;
   for (const Row& row : table.rows) {
     if (row.status != "done") continue;
-    std::vector<std::string> values;
-    for (const std::size_t k : places) values.push_back(row.values[k]);
+    const auto values = mapped(places, [&](std::size_t k) { return row.values[k]; });
     const auto [at, is_new] = group_of.emplace(values, groups.size());
     if (is_new) groups.push_back({values, {}});
     groups[at->second].second.push_back(&row);

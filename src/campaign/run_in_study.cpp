@@ -1,4 +1,4 @@
-#include "campaign/run_in_study.hpp"
+#include "campaign/run_study.hpp"
 
 #include <fcntl.h>
 #include <sys/prctl.h>

@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "campaign/run_in_study.hpp"
+#include "core/mapped.hpp"
 #include "io/disk/file.hpp"
 #include "workflow/result_folder.hpp"
 #include "workflow/store.hpp"
@@ -154,8 +154,7 @@ class Scheduler {
   }
 
   void listen() {
-    std::vector<pollfd> ears;
-    for (const Job& job : jobs_) ears.push_back({job.worker.descriptor(), POLLIN, 0});
+    auto ears = mapped(jobs_, [](const Job& job) { return pollfd{job.worker.descriptor(), POLLIN, 0}; });
     ::poll(ears.data(), ears.size(), 100);
     for (std::size_t j = jobs_.size(); j-- > 0;) {
       if (ears[j].revents == 0) continue;

@@ -7,7 +7,6 @@
 #include <set>
 #include <tuple>
 
-#include "campaign/sweep.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "io/disk/file.hpp"
@@ -60,7 +59,7 @@ Sweep take_sweep(Study& study, recipe::Reading& reading) {
   const auto at = std::find_if(entries.begin(), entries.end(), [](const recipe::Entry& entry) { return entry.key == "sweep"; });
   if (at == entries.end())
     throw InputError(study.file, 0,
-                     fmt::format("has no section [sweep], so it is one run: `arenite run {}`; docs/studies.md tells what [sweep] may hold", study.file));
+                     fmt::format("has no section [sweep], so it is one run: `arenite run {}`; docs/studies.md says what [sweep] may hold", study.file));
   const recipe::Node section = at->value;
   entries.erase(at);
   const recipe::Entry* seed = study.tree.find("seed");

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
 
 #include "core/hash.hpp"
+#include "core/text.hpp"
 #include "core/version.hpp"
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
@@ -40,17 +40,11 @@ std::string_view cut(std::string_view& line) {
   return cell;
 }
 
-template <class Number> Number number_in(std::string_view text) {
-  Number value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
-
 /// "done", seconds, reason, with tabs between them.
 std::optional<RunState> state_in(std::string_view line) {
   const auto kind = kind_of(cut(line));
   if (!kind) return std::nullopt;
-  RunState state{*kind, number_in<double>(cut(line)), {}};
+  RunState state{*kind, parse_number<double>(cut(line)).value_or(0), {}};
   state.reason = line;
   return state;
 }
@@ -60,6 +54,47 @@ std::string text_of(const RunState& state) {
   std::replace_if(
       reason.begin(), reason.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
   return fmt::format("{}\t{:.6g}\t{}", word_for(state.kind), state.seconds, reason);
+}
+
+constexpr std::string_view first_line = "arenite runs 1";
+
+std::vector<std::string_view> cells_of(std::string_view line) {
+  std::vector<std::string_view> cells;
+  for (bool more = true; more; cells.push_back(cut(line))) more = line.find('\t') != line.npos;
+  return cells;
+}
+
+/// What the runs follow from besides the inputs.
+std::string made_with(const Study& study) {
+  HashBuilder hash;
+  hash.add("version", version).add("keys", workflow::key_versions());
+  for (const auto& assignment : study.overrides) hash.add("set", assignment);
+  return hash.hex();
+}
+
+std::string line_of(const StudyRun& run) {
+  std::string line = fmt::format("run\t{}\t{}", run.name, run.values.size());
+  for (const auto& [key, value] : run.values) line += fmt::format("\t{}\t{}", key, value);
+  for (const workflow::PlannedStage& stage : run.stages) line += fmt::format("\t{}\t{}\t{}", stage.hash, stage.field ? "field" : "stage", stage.name);
+  return line + "\n";
+}
+
+StudyRun run_in(const std::vector<std::string_view>& cells) {
+  StudyRun run;
+  run.name = cells[1];
+  const auto values = parse_number<std::size_t>(cells[2]).value_or(0);
+  for (std::size_t v = 0; v < values; ++v) run.values.emplace_back(cells[3 + 2 * v], cells[4 + 2 * v]);
+  for (std::size_t at = 3 + 2 * values; at + 2 < cells.size(); at += 3) {
+    run.stages.push_back(
+        workflow::planned_stage(static_cast<int>(run.stages.size()) + 1, std::string(cells[at + 2]), std::string(cells[at]), cells[at + 1] == "field"));
+  }
+  return run;
+}
+
+bool is_as_it_was(const std::string& file, std::string_view hash) {
+  try {
+    return content_hash(io::read_file(file)) == hash;
+  } catch (const InputError&) { return false; }
 }
 
 }  // namespace
@@ -80,7 +115,7 @@ RunStates read_states(const StudyFolder& folder) {
   };
   std::unordered_map<std::string, Dated> latest;
   io::read_log(folder.journal(), [&](std::string_view line) {
-    const auto time = number_in<std::int64_t>(cut(line));
+    const auto time = parse_number<std::int64_t>(cut(line)).value_or(0);
     const std::string run(cut(line));
     auto state = state_in(line);
     Dated& known = latest[run];
@@ -128,51 +163,6 @@ RunResult result_of(const StudyFolder& folder, const StudyRun& run) {
   result.numbers = numbers_of(result.folder);
   return result;
 }
-
-namespace {
-
-constexpr std::string_view first_line = "arenite runs 1";
-
-std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (bool more = true; more; cells.push_back(cut(line))) more = line.find('\t') != line.npos;
-  return cells;
-}
-
-/// What the runs follow from besides the inputs.
-std::string made_with(const Study& study) {
-  HashBuilder hash;
-  hash.add("version", version).add("keys", workflow::key_versions());
-  for (const auto& assignment : study.overrides) hash.add("set", assignment);
-  return hash.hex();
-}
-
-std::string line_of(const StudyRun& run) {
-  std::string line = fmt::format("run\t{}\t{}", run.name, run.values.size());
-  for (const auto& [key, value] : run.values) line += fmt::format("\t{}\t{}", key, value);
-  for (const workflow::PlannedStage& stage : run.stages) line += fmt::format("\t{}\t{}\t{}", stage.hash, stage.field ? "field" : "stage", stage.name);
-  return line + "\n";
-}
-
-StudyRun run_in(const std::vector<std::string_view>& cells) {
-  StudyRun run;
-  run.name = cells[1];
-  const auto values = number_in<std::size_t>(cells[2]);
-  for (std::size_t v = 0; v < values; ++v) run.values.emplace_back(cells[3 + 2 * v], cells[4 + 2 * v]);
-  for (std::size_t at = 3 + 2 * values; at + 2 < cells.size(); at += 3) {
-    run.stages.push_back(
-        workflow::planned_stage(static_cast<int>(run.stages.size()) + 1, std::string(cells[at + 2]), std::string(cells[at]), cells[at + 1] == "field"));
-  }
-  return run;
-}
-
-bool is_as_it_was(const std::string& file, std::string_view hash) {
-  try {
-    return content_hash(io::read_file(file)) == hash;
-  } catch (const InputError&) { return false; }
-}
-
-}  // namespace
 
 void rename_former_runs(const fs::path& out, const Study& study) {
   const StudyFolder folder(out);

@@ -1,4 +1,4 @@
-#include "campaign/sweep.hpp"
+#include "campaign/study.hpp"
 
 #include <fmt/format.h>
 
@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "io/disk/file.hpp"
 #include "io/table/table.hpp"
@@ -52,9 +53,7 @@ void read_grid(const recipe::Node& section, recipe::Reading& reading, Sweep& swe
       add_problem(reading, values.place, "sweep.grid." + key, "must be a list of the values that the key takes, for example [1, 1.25, 1.67]");
       continue;
     }
-    std::vector<Point> axis;
-    for (auto& value : values.items) axis.push_back({{key, value}});
-    sweep.axes.push_back(std::move(axis));
+    sweep.axes.push_back(mapped(values.items, [&key = key](const recipe::Node& value) { return Point{{key, value}}; }));
   }
 }
 

@@ -5,8 +5,9 @@
 #include <numeric>
 #include <optional>
 
-#include "campaign/sweep.hpp"
+#include "campaign/study.hpp"
 #include "core/hash.hpp"
+#include "core/mapped.hpp"
 #include "core/random.hpp"
 #include "core/units.hpp"
 #include "io/table/table.hpp"
@@ -25,14 +26,14 @@ struct Interval {
 std::pair<double, std::string> number_and_unit(const std::string& text) {
   double number = 0;
   const char* const end = std::from_chars(text.data(), text.data() + text.size(), number).ptr;
-  return {number, std::string(io::trimmed(end))};
+  return {number, std::string(trimmed(end))};
 }
 
 /// Reads "1 kN/mm .. 10 kN/mm". Throws InputError without place.
 Interval interval_of(const std::string& text) {
   const auto dots = text.find("..");
   if (dots == std::string::npos) throw InputError("must be two values with two dots between them, for example \"1 kN/mm .. 10 kN/mm\"");
-  const std::string low(io::trimmed(std::string_view(text).substr(0, dots))), high(io::trimmed(std::string_view(text).substr(dots + 2)));
+  const std::string low(trimmed(std::string_view(text).substr(0, dots))), high(trimmed(std::string_view(text).substr(dots + 2)));
   const Quantity a = parse_quantity(low), b = parse_quantity(high);
   if (!(a.dimension == b.dimension))
     throw InputError(
@@ -94,9 +95,7 @@ std::vector<double> stratified_shares(std::size_t runs, const std::string& key, 
   std::vector<std::size_t> stratum(runs);
   std::iota(stratum.begin(), stratum.end(), std::size_t{0});
   for (std::size_t k = runs; k > 1; --k) std::swap(stratum[k - 1], stratum[random.below(k)]);
-  std::vector<double> shares;
-  for (const std::size_t s : stratum) shares.push_back((static_cast<double>(s) + random.uniform()) / static_cast<double>(runs));
-  return shares;
+  return mapped(stratum, [&](std::size_t s) { return (static_cast<double>(s) + random.uniform()) / static_cast<double>(runs); });
 }
 
 }  // namespace

@@ -99,18 +99,23 @@ class ParameterVisitor {
   /// A check over several keys of the table at hand: false is a problem of the first of `keys`, placed at the first that
   /// is there. Keys that were wrong by themselves silence it.
   virtual void require(bool, std::initializer_list<std::string_view>, const std::string&) {}
-  /// Whether the text gives this key; only a reader knows.
-  virtual bool given(std::string_view) const { return false; }
 
   void number(const Key& key, double& value, std::string_view unit, const Range& range) {
     std::optional<double> holder = value;
     number(key, holder, unit, range);
     if (holder) value = *holder;
   }
-  void integer(const Key& key, std::int64_t& value, const IntegerRange& range) {
+  /// A number that is not given where it is not above 0.
+  void number_above_0(const Key& key, double& value, std::string_view unit) {
+    std::optional<double> holder = value > 0 ? std::optional(value) : std::nullopt;
+    number(key, holder, unit, range::positive);
+    value = holder.value_or(0);
+  }
+  template <class T>
+  requires(std::is_same_v<T, std::int64_t> || std::is_same_v<T, int>) void integer(const Key& key, T& value, const IntegerRange& range) {
     std::optional<std::int64_t> holder = value;
     integer(key, holder, range);
-    if (holder) value = *holder;
+    if (holder) value = static_cast<T>(*holder);
   }
   /// The words stand in the order of the enumeration.
   template <class Enum>

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/text.hpp"
+
 namespace arenite {
 
 std::string to_string(const Problem& problem) {
@@ -26,13 +28,6 @@ InputError in_file(const InputError& error, const std::string& file) {
 namespace {
 
 constexpr std::size_t longest_word = 64;  // a longer one is no typing slip, and the table stays small
-
-std::string lower_case(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
 
 }  // namespace
 

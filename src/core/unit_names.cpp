@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/problems.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 
 namespace arenite {
@@ -213,9 +214,6 @@ std::string describe(Dimension dimension) {
   return named ? std::string(named->name) : "a quantity in " + si_unit(dimension);
 }
 
-Unit parse_unit(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t");
-  return UnitReader(begin == std::string_view::npos ? std::string_view() : text.substr(begin, end - begin + 1)).read();
-}
+Unit parse_unit(std::string_view text) { return UnitReader(trimmed(text)).read(); }
 
 }  // namespace arenite

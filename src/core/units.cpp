@@ -9,14 +9,10 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace arenite {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t");
-  return begin == std::string_view::npos ? std::string_view() : text.substr(begin, end - begin + 1);
-}
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -54,10 +50,7 @@ std::optional<double> shifted(std::string_view number, const NumberSpan& span, i
   }
   std::string_view mantissa = number.substr(0, span.mantissa);
   if (mantissa.front() == '+') mantissa.remove_prefix(1);
-  const std::string text = fmt::format("{}e{}", mantissa, exponent + decade);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} ? std::optional(value) : std::nullopt;
+  return parse_number<double>(fmt::format("{}e{}", mantissa, exponent + decade));
 }
 
 [[noreturn]] void no_number(std::string_view text) {

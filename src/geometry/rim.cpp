@@ -1,4 +1,4 @@
-#include "geometry/rim.hpp"
+#include "geometry/outline.hpp"
 
 #include <algorithm>
 #include <array>

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 #include "geometry/meniscus.hpp"
 
 namespace arenite {
@@ -113,9 +114,7 @@ void check(const Packing& packing, const Cement& cement) {
 }
 
 std::vector<Outline> grain_outlines(const PlacedCement& placed) {
-  std::vector<Outline> outlines;
-  for (const auto& g : placed.grains) outlines.push_back(Outline::disk(g.centre, g.radius));
-  return outlines;
+  return mapped(placed.grains, [](const auto& g) { return Outline::disk(g.centre, g.radius); });
 }
 
 std::vector<Outline> matrix_outlines(const PlacedCement& placed) {

@@ -1,6 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -67,6 +69,11 @@ struct History {
     std::vector<double> values;
   };
   std::vector<Column> columns;
+  /// The values of the column of that name; null where there is none.
+  const std::vector<double>* find(std::string_view name) const {
+    const auto at = std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
+    return at == columns.end() ? nullptr : &at->values;
+  }
 };
 
 /// What every output carries, so that a number can be traced to what made it.

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "core/vec.hpp"
-#include "geometry/rim.hpp"
+#include "geometry/outline.hpp"
 #include "model/packing.hpp"
 
 namespace arenite {

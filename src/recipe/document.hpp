@@ -54,7 +54,7 @@ void set_value(Node& root, const std::string& key, Node value);
 /// by itself is text (container.width=350 mm). Throws InputError for a key that leads nowhere.
 void apply_override(Node& root, const std::string& assignment);
 
-/// Gives keys and words that stand under a former name the one of now; a notice tells of each. Where both stand, the former is left as it is.
+/// Gives keys and words that stand under a former name the one of now; a notice says so of each. Where both stand, the former is left as it is.
 void rename_former_keys(Node& root, std::vector<std::string>& notices);
 /// The same for one dotted key and the value that is put there.
 std::string current_key(std::string_view key, Node& value);

@@ -6,6 +6,7 @@
 #include <array>
 #include <variant>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/units.hpp"
 
@@ -18,11 +19,9 @@ void declare(Visitor& v, Material& material) {
   v.number({"density", "Mass density.", true}, material.density, "kg/m^3", range::positive);
   v.number({"youngs_modulus", "Young's modulus E, for contact.normal = \"hertz_mindlin\"."}, material.youngs_modulus, "GPa", range::positive);
   v.number({"poisson", "Poisson's ratio nu, for the same."}, material.poisson, "", range::between(0, 0.5));
-  std::optional<double> stiffness = material.stiffness > 0 ? std::optional(material.stiffness) : std::nullopt;
   const bool elastic = material.youngs_modulus && material.poisson;
-  v.number({"stiffness", "Contact stiffness k of two grains of this material; not needed beside E and nu where these make the contacts.", !elastic}, stiffness,
-           "kN/mm", range::positive);
-  material.stiffness = stiffness.value_or(0);
+  v.number_above_0({"stiffness", "Contact stiffness k of two grains of this material; not needed beside E and nu where these make the contacts.", !elastic},
+                   material.stiffness, "kN/mm");
   v.number({"thermoelastic_factor", "Temperature rise per fall of the sum of principal stresses; 0: not known."}, material.thermoelastic_factor, "K/MPa",
            range::not_negative);
 }
@@ -34,73 +33,18 @@ bool is_label(const std::string& name) {
 }
 
 void require_known_material(Visitor& v, const Population& population, const Materials& materials) {
-  std::vector<std::string> names;
-  for (const auto& material : materials) names.push_back(material.name);
+  const auto names = mapped(materials, &Material::name);
   const bool known = names.empty() || std::find(names.begin(), names.end(), population.material) != names.end();
   const std::string near = nearest(population.material, names);
   v.require(known, {"material"},
             fmt::format("there is no section [materials.{}]; {}", population.material, near.empty() ? "add it" : fmt::format("did you mean \"{}\"?", near)));
 }
 
-}  // namespace
-
-void declare_materials(Visitor& v, Materials& materials) {
-  v.sections({"materials", "Constitutive materials of the grains, by name.", true},
-             {[&] { return materials.size(); }, [&](std::size_t n) { materials.resize(n); },
-              [&](Visitor& inner, std::size_t i) {
-                inner.require(is_label(materials[i].name), {}, "a material's name must not be empty or hold commas, quotes or control characters");
-                declare(inner, materials[i]);
-              },
-              [&](std::size_t i) -> std::string& { return materials[i].name; }});
-}
-
-void require_constants(Visitor& v, const Recipe& recipe) {
-  const bool by_moduli = recipe.contact.takes_moduli();
-  for (const Material& m : recipe.materials) {
-    if (by_moduli) {
-      v.require(m.youngs_modulus && m.poisson, {"contact", "materials"},
-                fmt::format("normal = \"{}\" needs E and nu; write youngs_modulus and poisson in [materials.{}]", dem::HertzMindlin::word.word, m.name));
-    } else {
-      v.require(m.stiffness > 0, {"contact", "materials"},
-                fmt::format("the normal law needs a stiffness; write it in [materials.{}], or take normal = \"{}\"", m.name, dem::HertzMindlin::word.word));
-    }
-  }
-}
-
-void declare(Visitor& v, Population& population, const Recipe& recipe) {
-  v.text({"material", "Name of a section of [materials].", true}, population.material);
-  require_known_material(v, population, recipe.materials);
-  v.integer({"count", "Number of grains."}, population.count, {1, 100'000'000});
-  v.number({"ratio", "Share by number of packing.grains, relative to the ratios of the other populations."}, population.ratio, "", range::positive);
-  v.require(population.count.has_value() != population.ratio.has_value(), {"ratio", "count"}, "give either count or ratio");
-
-  auto& size = population.size;
-  auto* const fixed = std::get_if<packing::FixedSize>(&size);
-  std::optional<double> diameter = fixed && fixed->diameter > 0 ? std::optional(fixed->diameter) : std::nullopt;
-  v.number({"diameter", "Diameter of every grain; short for size = { law = \"fixed\", ... }."}, diameter, "mm", range::positive);
-  if (diameter && fixed) fixed->diameter = *diameter;
-  bool has_law = !fixed;
-  v.section({"size", "Size law of the grains, where they are not all equal."}, has_law, [&](Visitor& inner) {
-    inner.member({"law", "How diameters are drawn.", true}, size);
-  });
-  v.require(diameter.has_value() != has_law, {"size", "diameter"}, "give either diameter or size");
-  v.member({"shape", "What a grain is; diameters of grains that are no disks are those of the disks of their area."}, population.shape);
-  const double width = recipe.container.width, largest = std::visit([](const auto&law) { return law.largest(); }, size);
-  v.require(width <= 0 || largest <= width, {"diameter", "size"},
-            fmt::format("the largest grain ({}) is wider than the container ({})", format_quantity(largest, "mm"), format_quantity(width, "mm")));
-}
-
-namespace {
-
-using Visitor = ParameterVisitor;
-
 void declare(Visitor& v, ContainerParameters& frame, PackingParameters::Method method) {
   v.when(method != PackingParameters::Method::poisson, "packing.method other than \"poisson\", which makes its own box", [&](Visitor& inner) {
     inner.number({"width", "Inner width of the container, or of the periodic cell.", true}, frame.width, "mm", range::positive);
-    std::optional<double> height = frame.height > 0 ? std::optional(frame.height) : std::nullopt;
-    inner.number({"height", "Inner height at the start; if not given, fillings take the one that packing.solid_fraction asks for."}, height, "mm",
-                 range::positive);
-    frame.height = height.value_or(0);
+    inner.number_above_0({"height", "Inner height at the start; if not given, fillings take the one that packing.solid_fraction asks for."}, frame.height,
+                         "mm");
   });
   v.number({"thickness", "Length of the cylinders, out of the plane.", true}, frame.thickness, "mm", range::positive);
   v.flag({"periodic_x", "Left and right side are one: no walls there."}, frame.periodic_x);
@@ -179,6 +123,52 @@ void require_movable_shapes(Visitor& v, const Recipe& recipe) {
 
 }  // namespace
 
+void declare_materials(Visitor& v, Materials& materials) {
+  v.sections({"materials", "Constitutive materials of the grains, by name.", true},
+             {[&] { return materials.size(); }, [&](std::size_t n) { materials.resize(n); },
+              [&](Visitor& inner, std::size_t i) {
+                inner.require(is_label(materials[i].name), {}, "a material's name must not be empty or hold commas, quotes or control characters");
+                declare(inner, materials[i]);
+              },
+              [&](std::size_t i) -> std::string& { return materials[i].name; }});
+}
+
+void require_constants(Visitor& v, const Recipe& recipe) {
+  const bool by_moduli = recipe.contact.takes_moduli();
+  for (const Material& m : recipe.materials) {
+    if (by_moduli) {
+      v.require(m.youngs_modulus && m.poisson, {"contact", "materials"},
+                fmt::format("normal = \"{}\" needs E and nu; write youngs_modulus and poisson in [materials.{}]", dem::HertzMindlin::word.word, m.name));
+    } else {
+      v.require(m.stiffness > 0, {"contact", "materials"},
+                fmt::format("the normal law needs a stiffness; write it in [materials.{}], or take normal = \"{}\"", m.name, dem::HertzMindlin::word.word));
+    }
+  }
+}
+
+void declare(Visitor& v, Population& population, const Recipe& recipe) {
+  v.text({"material", "Name of a section of [materials].", true}, population.material);
+  require_known_material(v, population, recipe.materials);
+  v.integer({"count", "Number of grains."}, population.count, {1, 100'000'000});
+  v.number({"ratio", "Share by number of packing.grains, relative to the ratios of the other populations."}, population.ratio, "", range::positive);
+  v.require(population.count.has_value() != population.ratio.has_value(), {"ratio", "count"}, "give either count or ratio");
+
+  auto& size = population.size;
+  auto* const fixed = std::get_if<packing::FixedSize>(&size);
+  std::optional<double> diameter = fixed && fixed->diameter > 0 ? std::optional(fixed->diameter) : std::nullopt;
+  v.number({"diameter", "Diameter of every grain; short for size = { law = \"fixed\", ... }."}, diameter, "mm", range::positive);
+  if (diameter && fixed) fixed->diameter = *diameter;
+  bool has_law = !fixed;
+  v.section({"size", "Size law of the grains, where they are not all equal."}, has_law, [&](Visitor& inner) {
+    inner.member({"law", "How diameters are drawn.", true}, size);
+  });
+  v.require(diameter.has_value() != has_law, {"size", "diameter"}, "give either diameter or size");
+  v.member({"shape", "What a grain is; diameters of grains that are no disks are those of the disks of their area."}, population.shape);
+  const double width = recipe.container.width, largest = std::visit([](const auto&law) { return law.largest(); }, size);
+  v.require(width <= 0 || largest <= width, {"diameter", "size"},
+            fmt::format("the largest grain ({}) is wider than the container ({})", format_quantity(largest, "mm"), format_quantity(width, "mm")));
+}
+
 void declare(ParameterVisitor& v, Recipe& recipe) {
   v.text({"title", "One line for the head of reports."}, recipe.title);
   std::int64_t seed = static_cast<std::int64_t>(recipe.seed);
@@ -202,7 +192,7 @@ void declare(ParameterVisitor& v, Recipe& recipe) {
   declare_boundaries(v, recipe);
   v.list<Stage>({"stages", "Loading, stage after stage; each starts where the one before ended.", true}, recipe.stages,
                 [&](Visitor& inner, Stage& stage) { declare(inner, stage, recipe); });
-  declare_second_road(v, recipe);
+  declare_field(v, recipe);
   require_movable_shapes(v, recipe);
 }
 

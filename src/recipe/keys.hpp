@@ -1,5 +1,6 @@
 #pragma once
 #include "core/parameters.hpp"
+#include "core/text.hpp"
 #include "recipe/film_recipe.hpp"
 #include "recipe/recipe.hpp"
 
@@ -28,10 +29,8 @@ void declare_programmes(ParameterVisitor& visitor, Stage& stage, const Recipe& r
 void declare_strain_cycles(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
 /// Of cycles, how many have their states stored.
 void declare_store_every(ParameterVisitor& visitor, std::optional<std::int64_t>& every);
-/// Cement, raster and loads: what comes after loading by discrete elements.
-void declare_second_road(ParameterVisitor& visitor, Recipe& recipe);
-/// Letters, digits, _ and -: what names of stages and loads are made of.
-bool is_plain_name(const std::string& name);
+/// Cement, grid and loads: what comes after loading by discrete elements.
+void declare_field(ParameterVisitor& visitor, Recipe& recipe);
 
 /// Every key of a film's recipe.
 void declare(ParameterVisitor& visitor, FilmRecipe& recipe);

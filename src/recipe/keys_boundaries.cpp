@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "recipe/keys.hpp"
 
@@ -40,8 +41,7 @@ void declare(Visitor& v, Boundary& boundary, const Recipe& recipe) {
 
 void declare(Visitor& v, dem::BoundaryMotion& motion, const Stage& stage, const Recipe& recipe) {
   v.text({"name", "Which boundary.", true}, motion.name);
-  std::vector<std::string> names;
-  for (const Boundary& boundary : recipe.boundaries) names.push_back(boundary.name);
+  const auto names = mapped(recipe.boundaries, &Boundary::name);
   const bool known = std::find(names.begin(), names.end(), motion.name) != names.end();
   v.require(known, {"name"},
             names.empty() ? std::string("there are no [[boundaries]] that could move; add them")

@@ -61,9 +61,7 @@ void declare(Visitor& v, BidisperseSection& classes, const Materials& materials)
   v.flag({"truncate_each_class", "Each class is truncated by itself; otherwise both to their common range."}, law.cut_each_class);
   v.flag({"hold_radius", "A radius is kept until it is placed; otherwise drawn anew at each trial, which favours small ones."}, law.hold_radius);
   v.number({"box_area", "Area of the square box over pi large_radius^2."}, law.box_area, "", range::between(20, 1e6));
-  std::int64_t trials = law.trials;
-  v.integer({"trials", "Places tried round a disk before it is given up."}, trials, {1, 10'000});
-  law.trials = static_cast<int>(trials);
+  v.integer({"trials", "Places tried round a disk before it is given up."}, law.trials, {1, 10'000});
   v.flag({"maximal", "After the trials every place is filled where a disk of the class still fits; the paper stops with the trials."}, law.maximal);
   v.number({"tolerance", "Relative error of the volume ratio at which the search for the gap between large disks ends."}, law.tolerance, "",
            range::between(1e-4, 0.5));
@@ -113,10 +111,35 @@ void declare(Visitor& v, GridSection& raster) {
             "the largest square inside the sample."},
            raster.crop, "mm", range::positive);
   v.flag({"eight_connected", "Pores and voids hang together over corners, too."}, raster.cavities.eight_connected);
-  std::int64_t fewest = raster.cavities.fewest_nodes;
-  v.integer({"fewest_nodes", "Pores and voids of fewer nodes are specks of the grid and left out."}, fewest, {1, 1'000'000});
-  raster.cavities.fewest_nodes = static_cast<int>(fewest);
+  v.integer({"fewest_nodes", "Pores and voids of fewer nodes are specks of the grid and left out."}, raster.cavities.fewest_nodes, {1, 1'000'000});
   v.flag({"leave_out_border", "Pores and voids that touch the edge are cut, and left out."}, raster.cavities.leave_out_border);
+}
+
+void declare(Visitor& v, StiffnessSection& stiffness) {
+  v.number({"matrix", "Young's modulus of bonds between two nodes of matrix."}, stiffness.matrix, "GPa", range::positive);
+  v.number({"interface", "That of bonds between two grains, or grain and matrix; unless given, the matrix's."}, stiffness.interface, "GPa", range::positive);
+  v.number({"particle", "That of bonds inside a grain; unless given, four times the matrix's."}, stiffness.particle, "GPa", range::positive);
+  v.flag({"calibrated", "The lattice's modulus along its axes is the one asked for; false: the continuum's formula, 6 % stiffer."}, stiffness.calibrated);
+}
+
+void declare(Visitor& v, ToughnessSection& toughness) {
+  v.number({"matrix", "Fracture toughness of the matrix; it sets the scale of the load."}, toughness.matrix, "MPa m^0.5", range::positive);
+  v.number({"interface", "That of the interfaces; unless given, the matrix's."}, toughness.interface, "MPa m^0.5", range::positive);
+  v.number({"particle", "That of the grains; unless given, 3.5 times the matrix's."}, toughness.particle, "MPa m^0.5", range::positive);
+}
+
+void declare(Visitor& v, stress::StressOptions& statistics) {
+  v.integer({"clamp_rows", "Rows of nodes left out at the lower and the upper edge."}, statistics.clamp_rows, {0, 10'000});
+  v.flag({"leave_out_surface", "Leave out nodes with a neighbour of another phase or grain."}, statistics.leave_out_surface);
+  v.flag({"leave_out_unloaded", "Leave out nodes without any stress: parts that nothing ties to both edges."}, statistics.leave_out_unloaded);
+  v.flag({"mean_over_area", "The sample's mean counts the void as zero stress; otherwise it is that of particles and matrix."}, statistics.mean_over_area);
+}
+
+void require_own_name(Visitor& v, const Load& load, const Recipe& recipe) {
+  v.require(is_plain_name(load.name), {"name"}, "must be made of letters, digits, _ and -");
+  const auto same_load = std::count_if(recipe.loads.begin(), recipe.loads.end(), [&](const Load& other) { return &other != &load && other.name == load.name; });
+  const auto same_stage = std::count_if(recipe.stages.begin(), recipe.stages.end(), [&](const Stage& s) { return s.name == load.name; });
+  v.require(same_load + same_stage == 0, {"name"}, fmt::format("another stage or load is called \"{}\"; names must differ", load.name));
 }
 
 }  // namespace
@@ -133,7 +156,7 @@ void declare_bidisperse(ParameterVisitor& v, Recipe& recipe) {
   });
 }
 
-void declare_second_road(ParameterVisitor& v, Recipe& recipe) {
+void declare_field(ParameterVisitor& v, Recipe& recipe) {
   v.optional_section<CementSection>({"cement", "Binding matrix between the grains, put there when the stages are over."}, recipe.cement,
                                     [](Visitor& inner, CementSection& cement) { declare(inner, cement); });
   v.optional_section<GridSection>({"grid", "The square of nodes that the cemented packing becomes."}, recipe.grid,
@@ -141,41 +164,6 @@ void declare_second_road(ParameterVisitor& v, Recipe& recipe) {
   v.list<Load>({"loads", "Loadings of the cemented sample by peridynamics, each from the unloaded state."}, recipe.loads,
                [&](Visitor& inner, Load& load) { declare(inner, load, recipe); });
 }
-
-namespace {
-
-using Visitor = ParameterVisitor;
-
-void declare(Visitor& v, StiffnessSection& stiffness) {
-  v.number({"matrix", "Young's modulus of bonds between two nodes of matrix."}, stiffness.matrix, "GPa", range::positive);
-  v.number({"interface", "That of bonds between two grains, or grain and matrix; unless given, the matrix's."}, stiffness.interface, "GPa", range::positive);
-  v.number({"particle", "That of bonds inside a grain; unless given, four times the matrix's."}, stiffness.particle, "GPa", range::positive);
-  v.flag({"calibrated", "The lattice's modulus along its axes is the one asked for; false: the continuum's formula, 6 % stiffer."}, stiffness.calibrated);
-}
-
-void declare(Visitor& v, ToughnessSection& toughness) {
-  v.number({"matrix", "Fracture toughness of the matrix; it sets the scale of the load."}, toughness.matrix, "MPa m^0.5", range::positive);
-  v.number({"interface", "That of the interfaces; unless given, the matrix's."}, toughness.interface, "MPa m^0.5", range::positive);
-  v.number({"particle", "That of the grains; unless given, 3.5 times the matrix's."}, toughness.particle, "MPa m^0.5", range::positive);
-}
-
-void declare(Visitor& v, stress::StressOptions& statistics) {
-  std::int64_t rows = statistics.clamp_rows;
-  v.integer({"clamp_rows", "Rows of nodes left out at the lower and the upper edge."}, rows, {0, 10'000});
-  statistics.clamp_rows = static_cast<int>(rows);
-  v.flag({"leave_out_surface", "Leave out nodes with a neighbour of another phase or grain."}, statistics.leave_out_surface);
-  v.flag({"leave_out_unloaded", "Leave out nodes without any stress: parts that nothing ties to both edges."}, statistics.leave_out_unloaded);
-  v.flag({"mean_over_area", "The sample's mean counts the void as zero stress; otherwise it is that of particles and matrix."}, statistics.mean_over_area);
-}
-
-void require_own_name(Visitor& v, const Load& load, const Recipe& recipe) {
-  v.require(is_plain_name(load.name), {"name"}, "must be made of letters, digits, _ and -");
-  const auto same_load = std::count_if(recipe.loads.begin(), recipe.loads.end(), [&](const Load& other) { return &other != &load && other.name == load.name; });
-  const auto same_stage = std::count_if(recipe.stages.begin(), recipe.stages.end(), [&](const Stage& s) { return s.name == load.name; });
-  v.require(same_load + same_stage == 0, {"name"}, fmt::format("another stage or load is called \"{}\"; names must differ", load.name));
-}
-
-}  // namespace
 
 void declare(ParameterVisitor& v, Load& load, const Recipe& recipe) {
   using peridynamics::Loading;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "model/packing.hpp"
 #include "recipe/keys.hpp"
@@ -41,9 +42,7 @@ void declare(ParameterVisitor& v, dem::ContactParameters& contact) {
 }
 
 void declare(ParameterVisitor& v, dem::IntegrationParameters& integration) {
-  std::vector<Word> schemes;
-  for (const dem::Integrator* scheme : dem::integrators) schemes.push_back(scheme->word);
-  v.choice({"integrator", "Scheme for Newton's equations."}, integration.integrator, schemes);
+  v.choice({"integrator", "Scheme for Newton's equations."}, integration.integrator, mapped(dem::integrators, &dem::Integrator::word));
   v.number(
       {"time_step", "Time step; one beyond the stable step is refused. Unless given, safety sets it, and masses of a stage that do not allow it shorten it."},
       integration.time_step, "s", range::positive);
@@ -67,20 +66,20 @@ namespace {
 
 using Visitor = ParameterVisitor;
 
-void declare(Visitor& v, EquilibriumCriterion& rest) {
-  v.number({"unbalanced", "Unbalanced force ratio below this."}, rest.unbalanced, "", range::positive);
-  v.number({"kinetic", "Kinetic over elastic energy below this."}, rest.kinetic, "", range::positive);
-  v.number({"falling", "Share of grains that still fall, weighing and with fewer than two pressed contacts, not above this."}, rest.falling, "",
+void declare(Visitor& v, EquilibriumCriterion& criterion) {
+  v.number({"unbalanced", "Unbalanced force ratio below this."}, criterion.unbalanced, "", range::positive);
+  v.number({"kinetic", "Kinetic over elastic energy below this."}, criterion.kinetic, "", range::positive);
+  v.number({"falling", "Share of grains that still fall, weighing and with fewer than two pressed contacts, not above this."}, criterion.falling, "",
            range::not_negative);
   v.number({"loose_kinetic",
             "Kinetic energy of the grains that carry nothing (fewer than two pressed contacts) over elastic energy below this; a hundred thousand times "
             "`kinetic` unless given, since nothing but rare hits slows them where they do not weigh."},
-           rest.loose_kinetic, "", range::positive);
-  std::optional<double> mobilisation = rest.mobilisation >= 0 ? std::optional(rest.mobilisation) : std::nullopt;
+           criterion.loose_kinetic, "", range::positive);
+  std::optional<double> mobilisation = criterion.mobilisation >= 0 ? std::optional(criterion.mobilisation) : std::nullopt;
   v.number({"mobilisation", "Mean |F_t|/F_n below this as well, if given: tells creep from equilibrium where friction is viscous."}, mobilisation, "",
            range::not_negative);
-  rest.mobilisation = mobilisation.value_or(-1);
-  v.integer({"max_steps", "Steps of one increment, after which the run stops with exit status 3."}, rest.max_steps, {1, 1'000'000'000'000});
+  criterion.mobilisation = mobilisation.value_or(-1);
+  v.integer({"max_steps", "Steps of one increment, after which the run stops with exit status 3."}, criterion.max_steps, {1, 1'000'000'000'000});
 }
 
 void declare(Visitor& v, Cycles& cycles) {
@@ -138,12 +137,6 @@ void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParamet
 
 }  // namespace
 
-bool is_plain_name(const std::string& name) {
-  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  });
-}
-
 void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.text({"name", "Name of the stage, used for its file: letters, digits, _ and -.", true}, stage.name);
   v.require(is_plain_name(stage.name), {"name"}, "must be made of letters, digits, _ and -");
@@ -185,12 +178,11 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
             "More drag, as a share of the rate that damps the slowest wave of a crystal of this size critically. About 0.2 brings a jammed packing of any size "
             "to equilibrium soonest; it hinders rearrangement, so compact without it first."},
            stage.critical_drag, "", range::not_negative);
-  v.choice(
-      {"mass_scaling",
-       "MassScaling that the grains move with in this stage. Without friction equilibria do not depend on them; with it they keep a trace of the way there."},
-      stage.mass_scaling,
-      {{"none", "their own"},
-       {"uniform", "such that k/m of all grains is that of the fastest: a sample of unlike sizes compacts in far fewer steps; not with gravity"}});
+  v.choice({"mass_scaling",
+            "Masses that the grains move with in this stage. Without friction equilibria do not depend on them; with it they keep a trace of the way there."},
+           stage.mass_scaling,
+           {{"none", "their own"},
+            {"uniform", "such that k/m of all grains is that of the fastest: a sample of unlike sizes compacts in far fewer steps; not with gravity"}});
   v.require(!stage.gravity || stage.mass_scaling == dem::MassScaling::none, {"mass_scaling", "gravity"},
             "grains weigh by their own masses; leave gravity or mass_scaling out");
   v.number({"inertial_number",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/mapped.hpp"
 #include "recipe/keys.hpp"
 
 namespace arenite::recipe {
@@ -10,12 +11,6 @@ namespace {
 
 using Visitor = ParameterVisitor;
 using dem::Programme;
-
-std::vector<Word> target_words() {
-  std::vector<Word> words;
-  for (const auto& target : dem::programme_targets) words.push_back({target.word, ""});
-  return words;
-}
 
 /// The first value of a programme is that of the stage itself, so that what looks at a stage knows what it begins with.
 void begin_with(const Programme& p, Stage& stage) {
@@ -49,7 +44,9 @@ void declare(Visitor& v, Programme& p, const Stage& stage, const Recipe& recipe)
             "What it drives: a side's velocity (inward), force or pressure, a wall along itself, the rate of shear, gravity, or a boundary: its place or angle "
             "from where it is as the stage begins, its velocity or spin, or the force on it.",
             true},
-           p.of, target_words());
+           p.of, mapped(dem::programme_targets, [](const auto& target) {
+             return Word{target.word, ""};
+           }));
   v.when(p.drives_boundary(), "of = \"boundary...\"", [&](Visitor& inner) { inner.text({"boundary", "Which boundary.", true}, p.name); });
   const auto& target = dem::programme_targets[static_cast<std::size_t>(p.of)];
   v.series({"table",

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "io/disk/file.hpp"
 #include "recipe/document.hpp"
 #include "recipe/reader.hpp"
@@ -27,21 +27,12 @@ void set_place(Node& node, const Place& place) {
   }
 }
 
-std::string trimmed(std::string text) {
-  text.erase(0, text.find_first_not_of(" \t"));
-  text.erase(text.find_last_not_of(" \t") + 1);
-  return text;
-}
-
 [[noreturn]] void leads_nowhere(const std::string& why) { throw InputError(why); }
 
 std::size_t item_index(const std::string& word, const Node& array) {
-  std::size_t index = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
-  if (error != std::errc{} || end != word.data() + word.size() || index >= array.items.size()) {
-    leads_nowhere(fmt::format("\"{}\" is not one of the {} items, counted from 0", word, array.items.size()));
-  }
-  return index;
+  const auto index = parse_number<std::size_t>(word);
+  if (!index || *index >= array.items.size()) leads_nowhere(fmt::format("\"{}\" is not one of the {} items, counted from 0", word, array.items.size()));
+  return *index;
 }
 
 /// The parts of a dotted key.
@@ -49,7 +40,7 @@ std::vector<std::string> words_of(const std::string& key) {
   std::vector<std::string> words;
   for (std::size_t begin = 0; begin <= key.size();) {
     const std::size_t end = std::min(key.find('.', begin), key.size());
-    words.push_back(trimmed(key.substr(begin, end - begin)));
+    words.emplace_back(trimmed(std::string_view(key).substr(begin, end - begin)));
     if (words.back().empty()) leads_nowhere("a part of the key is empty");
     if (words.size() > deepest) leads_nowhere("no key of a recipe is so deep");
     begin = end + 1;
@@ -72,42 +63,6 @@ Node& step_into(Node& node, const std::string& word, const Place& place) {
   node.entries.push_back({word, place, std::move(value)});
   return node.entries.back().value;
 }
-
-}  // namespace
-
-Node parse_value(const std::string& text) {
-  try {
-    Node document = read_document("value = " + text, {});
-    if (document.entries.size() == 1) return std::move(document.entries.front().value);
-  } catch (const InputError&) {
-    // Then it is text.
-  }
-  Node node;
-  node.kind = Node::Kind::text;
-  node.text = trimmed(text);
-  return node;
-}
-
-void set_value(Node& root, const std::string& key, Node value) {
-  Place place = value.place;
-  place.wins = true;
-  Node* node = &root;
-  for (const auto& word : words_of(current_key(key, value))) node = &step_into(*node, word, place);
-  set_place(value, place);
-  *node = std::move(value);
-}
-
-void apply_override(Node& root, const std::string& assignment) {
-  const auto equals = assignment.find('=');
-  try {
-    if (equals == std::string::npos || equals == 0) leads_nowhere("write key=value, for example seed=7 or container.width=\"350 mm\"");
-    Node value = parse_value(assignment.substr(equals + 1));
-    value.place = {0, 0, "--set " + assignment};
-    set_value(root, assignment.substr(0, equals), std::move(value));
-  } catch (const InputError& error) { throw InputError(fmt::format("--set {}: {}", assignment, error.what())); }
-}
-
-namespace {
 
 void set_file(Node& node, const std::string& file) {
   node.place.file = file;
@@ -150,6 +105,38 @@ std::string refusal(const Entry& base, const fs::path& path, const Reading& read
 }
 
 }  // namespace
+
+Node parse_value(const std::string& text) {
+  try {
+    Node document = read_document("value = " + text, {});
+    if (document.entries.size() == 1) return std::move(document.entries.front().value);
+  } catch (const InputError&) {
+    // Then it is text.
+  }
+  Node node;
+  node.kind = Node::Kind::text;
+  node.text = trimmed(text);
+  return node;
+}
+
+void set_value(Node& root, const std::string& key, Node value) {
+  Place place = value.place;
+  place.wins = true;
+  Node* node = &root;
+  for (const auto& word : words_of(current_key(key, value))) node = &step_into(*node, word, place);
+  set_place(value, place);
+  *node = std::move(value);
+}
+
+void apply_override(Node& root, const std::string& assignment) {
+  const auto equals = assignment.find('=');
+  try {
+    if (equals == std::string::npos || equals == 0) leads_nowhere("write key=value, for example seed=7 or container.width=\"350 mm\"");
+    Node value = parse_value(assignment.substr(equals + 1));
+    value.place = {0, 0, "--set " + assignment};
+    set_value(root, assignment.substr(0, equals), std::move(value));
+  } catch (const InputError& error) { throw InputError(fmt::format("--set {}: {}", assignment, error.what())); }
+}
 
 void lay_base_under(Node& root, Reading& reading) {
   fs::path folder = reading.folder;

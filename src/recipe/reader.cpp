@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/problems.hpp"
+#include "core/text.hpp"
 
 namespace arenite::recipe {
 namespace {
@@ -13,38 +14,10 @@ namespace {
 /// A sentence as a part of another.
 std::string as_phrase(std::string_view sentence) {
   std::string phrase(sentence);
-  if (phrase.size() > 1 && phrase[0] >= 'A' && phrase[0] <= 'Z') phrase[0] = static_cast<char>(phrase[0] - 'A' + 'a');
+  if (phrase.size() > 1) phrase[0] = lower_case(phrase[0]);
   if (phrase.ends_with('.')) phrase.pop_back();
   return phrase;
 }
-
-/// Notes which keys a declaration would read, without reading.
-class KeyNames : public ParameterVisitor {
- public:
-  using ParameterVisitor::choice;
-  using ParameterVisitor::integer;
-  using ParameterVisitor::number;
-  using ParameterVisitor::section;
-  void number(const Key& key, std::optional<double>&, std::string_view, const Range&) override { note(key); }
-  void integer(const Key& key, std::optional<std::int64_t>&, const IntegerRange&) override { note(key); }
-  void flag(const Key& key, bool&) override { note(key); }
-  void text(const Key& key, std::string&) override { note(key); }
-  void file(const Key& key, std::string&) override { note(key); }
-  void numbers(const Key& key, std::vector<double>&, std::string_view, const Range&) override { note(key); }
-  void pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>&) override { note(key); }
-  void points(const Key& key, std::vector<Vec2>&, std::string_view) override { note(key); }
-  void series(const Key& key, std::vector<Vec2>&, std::string_view) override { note(key); }
-  void choice(const Key& key, int&, const std::vector<Word>&) override { note(key); }
-  void tagged(const Key& key, int&, double&, const std::vector<Form>&) override { note(key); }
-  void section(const Key& key, bool&, const Visit&) override { note(key); }
-  void sections(const Key& key, const Elements&) override { note(key); }
-  void when(bool, std::string_view, const Visit& inside) override { inside(*this); }
-
-  std::vector<std::string> names;
-
- private:
-  void note(const Key& key) { names.emplace_back(key.name); }
-};
 
 }  // namespace
 
@@ -145,9 +118,13 @@ void RecipeReader::sections(const Key& key, const Elements& elements) {
 
 void RecipeReader::when(bool active, std::string_view condition, const Visit& inside) {
   if (active) return inside(*this);
-  KeyNames names;
-  inside(names);
-  for (const auto& name : names.names) {
+  // A reader of an empty table knows which keys there would be.
+  const Node nothing;
+  Reading unheard{};
+  RecipeReader reader(nothing, path_, unheard);
+  inside(reader);
+  for (const auto& [name, also] : reader.conditional_) reader.known_.insert(name);
+  for (const auto& name : reader.known_) {
     const auto [place, is_new] = conditional_.emplace(name, condition);
     if (!is_new) place->second += fmt::format(" or {}", condition);
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <map>
 #include <set>
@@ -66,6 +67,7 @@ class RecipeReader : public ParameterVisitor {
   void problem(const Place& place, const std::string& path, const std::string& message);
   void refuse(const Key& key, const Node& value, const std::string& message);
   std::optional<double> read_number(const Node& node, const std::string& path, std::string_view unit, const Range& range);
+  void read_rows(const Key& key, const Node& list, std::vector<Vec2>& values, std::array<std::string_view, 2> unit, const std::string& wanted);
   void read_series(const Key& key, const Node& file, std::vector<Vec2>& values, std::string_view unit);
 
   const Node& table_;

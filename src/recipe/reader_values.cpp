@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
+#include "core/error.hpp"
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/units.hpp"
+#include "io/table/table.hpp"
 #include "recipe/reader.hpp"
 
 namespace arenite::recipe {
@@ -22,11 +26,8 @@ std::string as_written(const Node& node) {
 /// The entry of a table that must hold just one; of several, an override wins over the file.
 const Entry* only_entry(const Node& table) {
   if (table.entries.size() == 1) return &table.entries.front();
-  const Entry* last = nullptr;
-  for (const auto& entry : table.entries) {
-    if (entry.place.wins) last = &entry;
-  }
-  return last;
+  const auto last = std::find_if(table.entries.rbegin(), table.entries.rend(), [](const Entry& entry) { return entry.place.wins; });
+  return last == table.entries.rend() ? nullptr : &*last;
 }
 
 /// The form that a quantity without its tag could be meant for, by its dimension.
@@ -47,36 +48,27 @@ std::string tag_of_quantity(const std::string& text, const std::vector<Form>& fo
 
 std::optional<double> RecipeReader::read_number(const Node& node, const std::string& path, std::string_view unit, const Range& range) {
   const Dimension wanted = unit.empty() ? dimension::none : parse_unit(unit).dimension;
+  const auto wrong = [&](const std::string& message) -> std::optional<double> {
+    problem(node.place, path, message);
+    return std::nullopt;
+  };
   double value = 0;
   if (node.kind == Node::Kind::text) {
     try {
       value = parse_si(node.text, wanted, unit);
-    } catch (const InputError& error) {
-      problem(node.place, path, error.what());
-      return std::nullopt;
-    }
-  } else if (!is_number(node)) {
+    } catch (const InputError& error) { return wrong(error.what()); }
+  } else {
     const std::string example = unit.empty() ? "0.5" : fmt::format("\"1 {}\"", unit);
-    problem(node.place, path, fmt::format("is {}, but must be a number, such as {}", kind_name(node), example));
-    return std::nullopt;
-  } else if (value = number_in(node); !std::isfinite(value)) {
-    problem(node.place, path, "must be a finite number");
-    return std::nullopt;
-  } else if (!is_in_reach(value)) {
-    problem(node.place, path, fmt::format("{} is beyond the range of numbers; write 0 or a magnitude from 1e-60 to 1e60", as_written(node)));
-    return std::nullopt;
-  } else if (unit == "deg") {
-    problem(node.place, path,
-            fmt::format("{} has no unit; write an angle with its unit, for example \"90 deg\" (of a part of a cycle 360 times as much: \"{:.6g} deg\")",
-                        as_written(node), 360 * value));
-    return std::nullopt;
-  } else if (wanted != dimension::none) {
-    problem(node.place, path, fmt::format("{0} has no unit; write it with its unit, for example \"{0} {1}\"", as_written(node), unit));
-    return std::nullopt;
+    if (!is_number(node)) return wrong(fmt::format("is {}, but must be a number, such as {}", kind_name(node), example));
+    value = number_in(node);
+    if (!std::isfinite(value)) return wrong("must be a finite number");
+    if (!is_in_reach(value)) return wrong(fmt::format("{} is beyond the range of numbers; write 0 or a magnitude from 1e-60 to 1e60", as_written(node)));
+    if (unit == "deg")
+      return wrong(fmt::format("{} has no unit; write an angle with its unit, for example \"90 deg\" (of a part of a cycle 360 times as much: \"{:.6g} deg\")",
+                               as_written(node), 360 * value));
+    if (wanted != dimension::none) return wrong(fmt::format("{0} has no unit; write it with its unit, for example \"{0} {1}\"", as_written(node), unit));
   }
-  if (range.contains(value)) return value;
-  problem(node.place, path, fmt::format("{} is out of range; it must be {}", as_written(node), to_string(range, unit)));
-  return std::nullopt;
+  return range.contains(value) ? value : wrong(fmt::format("{} is out of range; it must be {}", as_written(node), to_string(range, unit)));
 }
 
 void RecipeReader::number(const Key& key, std::optional<double>& value, std::string_view unit, const Range& range) {
@@ -97,7 +89,7 @@ void RecipeReader::integer(const Key& key, std::optional<std::int64_t>& value, c
         is_number(*node) ? fmt::format("{} is not a whole number", as_written(*node)) : fmt::format("is {}, but must be a whole number", kind_name(*node)));
   }
   const std::int64_t read = is_whole ? static_cast<std::int64_t>(node->real) : node->integer;
-  if (read < range.min || read > range.max) { return refuse(key, *node, fmt::format("{} is out of range; it must be {}", read, to_string(range))); }
+  if (read < range.min || read > range.max) return refuse(key, *node, fmt::format("{} is out of range; it must be {}", read, to_string(range)));
   value = read;
 }
 
@@ -154,28 +146,54 @@ void RecipeReader::pairs(const Key& key, std::vector<std::pair<std::int32_t, std
   }
 }
 
+void RecipeReader::read_rows(const Key& key, const Node& list, std::vector<Vec2>& values, std::array<std::string_view, 2> unit, const std::string& wanted) {
+  for (std::size_t i = 0; i < list.items.size(); ++i) {
+    const Node& item = list.items[i];
+    const std::string path = fmt::format("{}.{}", path_of(key.name), i);
+    if (item.kind != Node::Kind::array || item.items.size() != 2) {
+      refuse(key, item, wanted);
+      continue;
+    }
+    const auto x = read_number(item.items[0], path + ".0", unit[0], range::any), y = read_number(item.items[1], path + ".1", unit[1], range::any);
+    if (x && y) values.push_back({*x, *y});
+    else failed_.emplace(key.name);
+  }
+}
+
 void RecipeReader::points(const Key& key, std::vector<Vec2>& values, std::string_view unit) {
   const std::string example = fmt::format("[[\"0 {0}\", \"0 {0}\"], [\"1 {0}\", \"2 {0}\"]]", unit);
   const Node* node = take(key, fmt::format("{} = {}", key.name, example));
   if (!node) return;
   if (node->kind != Node::Kind::array) return refuse(key, *node, fmt::format("is {}, but must be a list of points", kind_name(*node)));
   values.clear();
-  for (std::size_t i = 0; i < node->items.size(); ++i) {
-    const Node& item = node->items[i];
-    const std::string path = fmt::format("{}.{}", path_of(key.name), i);
-    if (item.kind != Node::Kind::array || item.items.size() != 2) {
-      refuse(key, item, fmt::format("each point must be two numbers, x and y, such as {}", example));
-      continue;
-    }
-    const auto x = read_number(item.items[0], path + ".0", unit, range::any), y = read_number(item.items[1], path + ".1", unit, range::any);
-    if (x && y) values.push_back({*x, *y});
-    else failed_.emplace(key.name);
-  }
+  read_rows(key, *node, values, {unit, unit}, fmt::format("each point must be two numbers, x and y, such as {}", example));
+}
+
+void RecipeReader::series(const Key& key, std::vector<Vec2>& values, std::string_view unit) {
+  const std::string value = unit.empty() ? "1" : fmt::format("\"1 {}\"", unit), example = fmt::format("[[\"0 s\", {0}], [\"1 s\", {0}]]", value);
+  const Node* node = take(key, fmt::format("{} = {}", key.name, example));
+  if (!node) return;
+  values.clear();
+  if (node->kind == Node::Kind::text) return read_series(key, *node, values, unit);
+  if (node->kind != Node::Kind::array)
+    return refuse(key, *node, fmt::format("is {}, but must be a list such as {} or the name of a CSV file", kind_name(*node), example));
+  read_rows(key, *node, values, {"s", unit}, fmt::format("each row must be a time and a value, such as {}", example));
+}
+
+void RecipeReader::read_series(const Key& key, const Node& file, std::vector<Vec2>& values, std::string_view unit) {
+  const auto place = (std::filesystem::path(reading_.folder) / file.text).string();
+  try {
+    io::LaboratoryTable table(place);
+    if (table.columns() != 2) throw InputError(place, table.header_line(), fmt::format("has {} columns; a programme has two, time and value", table.columns()));
+    const Dimension dimension = unit.empty() ? dimension::none : parse_unit(unit).dimension;
+    const auto x = table.values(0, {{"time"}, dimension::time, "s"}), y = table.values(1, {{table.title(1)}, dimension, unit});
+    for (std::size_t row = 0; row < x.size(); ++row) values.push_back({x[row], y[row]});
+    for (const std::string& note : table.notes()) reading_.notices.push_back(fmt::format("{}: {}", place, note));
+  } catch (const InputError& error) { refuse(key, file, error.what()); }
 }
 
 void RecipeReader::choice(const Key& key, int& index, const std::vector<Word>& words) {
-  std::vector<std::string> names;
-  for (const auto& word : words) names.emplace_back(word.word);
+  const auto names = mapped<std::string>(words, &Word::word);
   const Node* node = take(key, fmt::format("{} = \"{}\"", key.name, names.front()));
   if (!node) return;
   if (node->kind != Node::Kind::text) { return refuse(key, *node, fmt::format("is {}, but must be one of: {}", kind_name(*node), list_of(names))); }

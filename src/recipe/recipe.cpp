@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 #include "io/disk/file.hpp"
 #include "recipe/document.hpp"
 #include "recipe/film_recipe.hpp"
@@ -16,26 +17,57 @@
 namespace arenite::recipe {
 namespace {
 
-/// The declaration of a recipe of which a visitor sees, or sets, the keys.
-Visit declaration_of(Recipe& recipe) {
-  return [&recipe](ParameterVisitor& visitor) { declare(visitor, recipe); };
+// What recipes of simulations and of films have in common; declare() says their keys.
+
+template <class R> RecordTable keys_of(R recipe) {
+  return record_of([&](ParameterVisitor& visitor) { declare(visitor, recipe); });
 }
 
-Recipe read_from(std::string_view text, Reading& reading, const std::vector<std::string>& overrides) {
-  Recipe recipe;
+template <class R> RecordTable all_keys() {
+  R defaults;
+  return record_of_all_keys([&](ParameterVisitor& visitor) { declare(visitor, defaults); });
+}
+
+template <class R> std::string changed_keys_of(const R& recipe) {
+  static const RecordTable all = all_keys<R>();
+  return write_changes(keys_of(recipe), all);
+}
+
+template <class R> R read_from(const Node& root, Reading& reading) {
+  R recipe;
   recipe.source_file = reading.file_name;
-  Node root = read_tree(text, reading, overrides, "composite");
-  const auto sweep = std::find_if(root.entries.begin(), root.entries.end(), [](const Entry& entry) { return entry.key == "sweep"; });
-  if (sweep != root.entries.end()) {
-    reading.problems.push_back({reading.file_name, sweep->place.line, sweep->place.column,
-                                fmt::format("sweep: this recipe is a study of many runs; `arenite study plan {0}` shows them, "
-                                            "`arenite study run {0}` runs them",
-                                            reading.file_name)});
-    root.entries.erase(sweep);
-  }
-  read_declared(root, reading, declaration_of(recipe));
+  read_declared(root, reading, [&](ParameterVisitor& visitor) { declare(visitor, recipe); });
+  return recipe;
+}
+
+/// `inspect` looks at the tree before its keys are read.
+template <class R>
+R read_text(std::string_view text, Reading reading, const std::vector<std::string>& overrides, const char* start_from, void (*inspect)(Node&, Reading&)) {
+  Node root = read_tree(text, reading, overrides, start_from);
+  inspect(root, reading);
+  R recipe = read_from<R>(root, reading);
   recipe.notices = reading.notices;
   return recipe;
+}
+
+Reading of_file(const std::string& file) { return {file, std::filesystem::path(file).parent_path().string(), true, {}}; }
+
+void refuse_sweep(Node& root, Reading& reading) {
+  const auto sweep = std::find_if(root.entries.begin(), root.entries.end(), [](const Entry& entry) { return entry.key == "sweep"; });
+  if (sweep == root.entries.end()) return;
+  reading.problems.push_back({reading.file_name, sweep->place.line, sweep->place.column,
+                              fmt::format("sweep: this recipe is a study of many runs; `arenite study plan {0}` shows them, "
+                                          "`arenite study run {0}` runs them",
+                                          reading.file_name)});
+  root.entries.erase(sweep);
+}
+
+bool of_simulation(const Node& root) { return root.find("packing") || root.find("populations") || root.find("stages"); }
+
+/// A recipe of a simulation has most of its keys wrong as one of a film; that it is the wrong kind helps more than their list.
+void refuse_simulations(Node& root, Reading& reading) {
+  if (!root.find("lockin") && of_simulation(root))
+    throw InputError(reading.file_name, 0, "is a recipe of a simulation (`arenite run`), not of a film; `arenite init film r.toml` writes one of a film");
 }
 
 }  // namespace
@@ -47,41 +79,21 @@ CementSection Recipe::cement_or_none() const {
 }
 
 Recipe recipe_from(const Node& root, const std::string& file) {
-  Reading reading{file, std::filesystem::path(file).parent_path().string(), true, {}};
-  Recipe recipe;
-  recipe.source_file = file;
-  read_declared(root, reading, declaration_of(recipe));
-  return recipe;
+  Reading reading = of_file(file);
+  return read_from<Recipe>(root, reading);
 }
 
 Recipe read_recipe(const std::string& file, const std::vector<std::string>& overrides) {
-  Reading reading{file, std::filesystem::path(file).parent_path().string(), true, {}};
-  return read_from(io::read_file(file), reading, overrides);
+  return read_text<Recipe>(io::read_file(file), of_file(file), overrides, "composite", refuse_sweep);
 }
 
 Recipe parse_recipe(std::string_view text, const std::string& file_name, const std::vector<std::string>& overrides) {
-  Reading reading{file_name, {}, false, {}};
-  return read_from(text, reading, overrides);
+  return read_text<Recipe>(text, {file_name, {}, false, {}}, overrides, "composite", refuse_sweep);
 }
 
-std::string to_toml(const Recipe& recipe) {
-  Recipe copy = recipe;
-  return write_toml(record_of(declaration_of(copy)));
-}
-
-std::string changed_keys(const Recipe& recipe) {
-  static const RecordTable all = [] {
-    Recipe defaults;
-    return record_of_all_keys(declaration_of(defaults));
-  }();
-  Recipe copy = recipe;
-  return write_changes(record_of(declaration_of(copy)), all);
-}
-
-std::string to_commented_toml(const Recipe& recipe) {
-  Recipe copy = recipe, defaults;
-  return write_commented_toml(record_of(declaration_of(copy)), record_of_all_keys(declaration_of(defaults)));
-}
+std::string to_toml(const Recipe& recipe) { return write_toml(keys_of(recipe)); }
+std::string changed_keys(const Recipe& recipe) { return changed_keys_of(recipe); }
+std::string to_commented_toml(const Recipe& recipe) { return write_commented_toml(keys_of(recipe), all_keys<Recipe>()); }
 
 std::string title_in(const std::string& text) {
   try {
@@ -92,7 +104,6 @@ std::string title_in(const std::string& text) {
 }
 
 std::string key_reference() {
-  Recipe defaults;
   return "# The recipe\n\n"
          "A recipe is a TOML file. Quantities are texts with their unit (`\"27.35 kN/mm\"`, `\"350 mm\"`, `\"30 %\"`); units are\n"
          "products, quotients and powers of m, g, s, K, N, Pa, J, W, Hz, bar, t, min, h, deg and % with the SI prefixes, and any\n"
@@ -106,34 +117,8 @@ std::string key_reference() {
          "given here, where they are. The base's [sweep] is left out, and files that the base names are looked for beside the recipe\n"
          "that is laid over it.\n\n"
          "This page is generated from the declarations that the program reads recipes with: `arenite man --keys`.\n\n" +
-         write_key_tables(record_of_all_keys(declaration_of(defaults)));
+         write_key_tables(all_keys<Recipe>());
 }
-
-namespace {
-
-Visit declaration_of(FilmRecipe& recipe) {
-  return [&recipe](ParameterVisitor& visitor) { declare(visitor, recipe); };
-}
-
-bool of_simulation(const Node& root) { return root.find("packing") || root.find("populations") || root.find("stages"); }
-
-/// A recipe of a simulation has most of its keys wrong as one of a film; that it is the wrong kind helps more than their list.
-void refuse_simulations(const Node& root, const std::string& file) {
-  if (!root.find("lockin") && of_simulation(root))
-    throw InputError(file, 0, "is a recipe of a simulation (`arenite run`), not of a film; `arenite init film r.toml` writes one of a film");
-}
-
-FilmRecipe read_film_from(std::string_view text, Reading& reading, const std::vector<std::string>& overrides) {
-  const Node root = read_tree(text, reading, overrides, "film");
-  refuse_simulations(root, reading.file_name);
-  FilmRecipe recipe;
-  recipe.source_file = reading.file_name;
-  read_declared(root, reading, declaration_of(recipe));
-  recipe.notices = reading.notices;
-  return recipe;
-}
-
-}  // namespace
 
 bool describes_film(std::string_view text) {
   try {
@@ -143,9 +128,7 @@ bool describes_film(std::string_view text) {
 }
 
 std::vector<double> emissivities(const FilmRecipe& recipe) {
-  std::vector<double> all;
-  for (const FilmMaterial& m : recipe.materials) all.push_back(m.emissivity.value_or(recipe.temperature.emissivity.value_or(0.9)));
-  return all;
+  return mapped(recipe.materials, [&](const FilmMaterial& m) { return m.emissivity.value_or(recipe.temperature.emissivity.value_or(0.9)); });
 }
 
 bool has_references(const FilmRecipe& recipe) {
@@ -155,41 +138,23 @@ bool has_references(const FilmRecipe& recipe) {
 }
 
 FilmRecipe read_film_recipe(const std::string& file, const std::vector<std::string>& overrides) {
-  Reading reading{file, std::filesystem::path(file).parent_path().string(), true, {}};
-  return read_film_from(io::read_file(file), reading, overrides);
+  return read_text<FilmRecipe>(io::read_file(file), of_file(file), overrides, "film", refuse_simulations);
 }
 
 FilmRecipe parse_film_recipe(std::string_view text, const std::string& file_name, const std::vector<std::string>& overrides) {
-  Reading reading{file_name, {}, false, {}};
-  return read_film_from(text, reading, overrides);
+  return read_text<FilmRecipe>(text, {file_name, {}, false, {}}, overrides, "film", refuse_simulations);
 }
 
-std::string to_toml(const FilmRecipe& recipe) {
-  FilmRecipe copy = recipe;
-  return write_toml(record_of(declaration_of(copy)));
-}
-
-std::string changed_keys(const FilmRecipe& recipe) {
-  static const RecordTable all = [] {
-    FilmRecipe defaults;
-    return record_of_all_keys(declaration_of(defaults));
-  }();
-  FilmRecipe copy = recipe;
-  return write_changes(record_of(declaration_of(copy)), all);
-}
-
-std::string to_commented_toml(const FilmRecipe& recipe) {
-  FilmRecipe copy = recipe, defaults;
-  return write_commented_toml(record_of(declaration_of(copy)), record_of_all_keys(declaration_of(defaults)));
-}
+std::string to_toml(const FilmRecipe& recipe) { return write_toml(keys_of(recipe)); }
+std::string changed_keys(const FilmRecipe& recipe) { return changed_keys_of(recipe); }
+std::string to_commented_toml(const FilmRecipe& recipe) { return write_commented_toml(keys_of(recipe), all_keys<FilmRecipe>()); }
 
 std::string film_key_reference() {
-  FilmRecipe defaults;
   return "# The recipe of a film\n\n"
          "What `arenite film` and `arenite camera` are given beside the film itself. It is written as every recipe\n"
          "([recipe.md](recipe.md)): TOML, quantities with their units, every problem reported at once. `arenite init film` writes a\n"
          "commented one to start from. This page is generated: `arenite man --film-keys`.\n\n" +
-         write_key_tables(record_of_all_keys(declaration_of(defaults)));
+         write_key_tables(all_keys<FilmRecipe>());
 }
 
 FilmRecipe film_template() {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/mapped.hpp"
 #include "recipe/writer.hpp"
 
 namespace arenite::recipe {
@@ -33,9 +34,7 @@ std::string inline_form(const RecordTable& table) {
 
 /// [{ a = 1 }, { a = 2 }] of a list within a section; empty for a list without elements.
 std::string inline_list(const std::vector<RecordTable>& tables) {
-  std::vector<std::string> items;
-  for (const auto& table : tables) items.push_back(inline_table(table));
-  return items.empty() ? std::string() : fmt::format("[{}]", fmt::join(items, ", "));
+  return tables.empty() ? std::string() : fmt::format("[{}]", fmt::join(mapped(tables, inline_table), ", "));
 }
 
 void write_table(std::string& text, const RecordTable& table) {
@@ -76,9 +75,8 @@ RecordTable changed(const RecordTable& table, const RecordTable& defaults) {
 }
 
 std::string explanation(const Record& record) {
-  std::vector<std::string> words;
-  for (const auto& [word, meaning] : record.words) words.push_back(word);
-  return words.empty() ? record.sentence : fmt::format("{} One of: {}", record.sentence, fmt::join(words, ", "));
+  if (record.words.empty()) return record.sentence;
+  return fmt::format("{} One of: {}", record.sentence, fmt::join(mapped(record.words, [](const auto& word) { return word.first; }), ", "));
 }
 
 void write_line(std::string& text, bool active, const std::string& assignment, const std::string& comment) {
@@ -100,8 +98,7 @@ void write_commented_table(std::string& text, const RecordTable& table, const Re
       continue;
     }
     if (record.kind == Record::Kind::sections) {
-      std::vector<RecordTable> differences;
-      for (const auto& inner : record.tables) differences.push_back(changed(inner, standard.tables.front()));
+      const auto differences = mapped(record.tables, [&](const RecordTable& inner) { return changed(inner, standard.tables.front()); });
       const bool set = active && !differences.empty();
       const std::string value = set ? inline_list(differences) : fmt::format("[{}]", inline_form(standard.tables.front()));
       if (set || explain) write_line(text, set, fmt::format("{} = {}", record.name, value), comment);
@@ -134,46 +131,6 @@ void add_changes(std::string& text, const std::string& path, const RecordTable& 
     }
   }
 }
-
-}  // namespace
-
-std::string write_toml(const RecordTable& root) {
-  std::string text;
-  for (const auto& record : root) {
-    if (record.kind == Record::Kind::value) {
-      if (record.literal) text += fmt::format("{} = {}\n", record.name, *record.literal);
-      continue;
-    }
-    for (std::size_t i = 0; record.present && i < record.tables.size(); ++i) {
-      text += "\n" + heading(record, i) + "\n";
-      write_table(text, record.tables[i]);
-    }
-  }
-  return text;
-}
-
-std::string write_changes(const RecordTable& root, const RecordTable& all) {
-  std::string text;
-  add_changes(text, "", root, all);
-  return text;
-}
-
-std::string write_commented_toml(const RecordTable& root, const RecordTable& all) {
-  std::string text;
-  write_commented_table(text, values_in(root), all, true, true);
-  for (const auto& record : root) {
-    if (record.kind == Record::Kind::value || record.tables.empty()) continue;
-    text += "\n# " + record.sentence + "\n";
-    for (std::size_t i = 0; i < record.tables.size(); ++i) {
-      if (i > 0) text += "\n";
-      text += (record.present ? "" : "# ") + heading(record, i) + "\n";
-      write_commented_table(text, record.tables[i], record_named(all, record.name).tables.front(), i == 0, record.present);
-    }
-  }
-  return text;
-}
-
-namespace {
 
 /// Text in a cell of a Markdown table.
 std::string cell(const std::string& text) {
@@ -225,6 +182,42 @@ void write_section(std::string& text, const Record& record, const std::string& p
 }
 
 }  // namespace
+
+std::string write_toml(const RecordTable& root) {
+  std::string text;
+  for (const auto& record : root) {
+    if (record.kind == Record::Kind::value) {
+      if (record.literal) text += fmt::format("{} = {}\n", record.name, *record.literal);
+      continue;
+    }
+    for (std::size_t i = 0; record.present && i < record.tables.size(); ++i) {
+      text += "\n" + heading(record, i) + "\n";
+      write_table(text, record.tables[i]);
+    }
+  }
+  return text;
+}
+
+std::string write_changes(const RecordTable& root, const RecordTable& all) {
+  std::string text;
+  add_changes(text, "", root, all);
+  return text;
+}
+
+std::string write_commented_toml(const RecordTable& root, const RecordTable& all) {
+  std::string text;
+  write_commented_table(text, values_in(root), all, true, true);
+  for (const auto& record : root) {
+    if (record.kind == Record::Kind::value || record.tables.empty()) continue;
+    text += "\n# " + record.sentence + "\n";
+    for (std::size_t i = 0; i < record.tables.size(); ++i) {
+      if (i > 0) text += "\n";
+      text += (record.present ? "" : "# ") + heading(record, i) + "\n";
+      write_commented_table(text, record.tables[i], record_named(all, record.name).tables.front(), i == 0, record.present);
+    }
+  }
+  return text;
+}
 
 std::string write_key_tables(const RecordTable& all) {
   std::string text = "## Top of the file\n\n";

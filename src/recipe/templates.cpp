@@ -80,7 +80,7 @@ std::string study_template() {
   return R"(title = "Coordination against friction"
 seed = 1
 
-[frame]                                   # rigid, square; its height follows from the grains
+[container]                               # rigid, square; its height follows from the grains
 width = "120 mm"
 thickness = "60 mm"
 

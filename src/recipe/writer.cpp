@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mapped.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "recipe/document.hpp"
 
@@ -32,6 +34,10 @@ std::string number_literal(double value, std::string_view unit) {
 }
 
 std::string number_form(std::string_view unit) { return unit.empty() ? "..." : fmt::format("\"... {}\"", unit); }
+
+template <class Items, class Literal> std::string list_literal(const Items& items, Literal literal) {
+  return fmt::format("[{}]", fmt::join(mapped(items, literal), ", "));
+}
 
 class Recorder : public ParameterVisitor {
  public:
@@ -61,15 +67,11 @@ class Recorder : public ParameterVisitor {
   void numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) override {
     Record& record = add(key, fmt::format("[{}]", number_form(unit)));
     if (const std::string each = to_string(range, unit); !each.empty()) record.allowed = "each " + each;
-    std::vector<std::string> items;
-    for (const double value : values) items.push_back(number_literal(value, unit));
-    if (!values.empty()) record.literal = fmt::format("[{}]", fmt::join(items, ", "));
+    if (!values.empty()) record.literal = list_literal(values, [&](double value) { return number_literal(value, unit); });
   }
   void pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) override {
     Record& record = add(key, "[[0, 1], ...]");
-    std::vector<std::string> items;
-    for (const auto& [i, j] : values) items.push_back(fmt::format("[{}, {}]", i, j));
-    if (!values.empty()) record.literal = fmt::format("[{}]", fmt::join(items, ", "));
+    if (!values.empty()) record.literal = list_literal(values, [](const auto& pair) { return fmt::format("[{}, {}]", pair.first, pair.second); });
   }
   void points(const Key& key, std::vector<Vec2>& values, std::string_view unit) override { add_pairs(key, values, unit, unit); }
   void series(const Key& key, std::vector<Vec2>& values, std::string_view unit) override { add_pairs(key, values, "s", unit); }
@@ -129,15 +131,22 @@ class Recorder : public ParameterVisitor {
 
   void add_pairs(const Key& key, const std::vector<Vec2>& values, std::string_view unit_x, std::string_view unit_y) {
     Record& record = add(key, fmt::format("[[{}, {}], ...]", number_form(unit_x), number_form(unit_y)));
-    std::vector<std::string> items;
-    for (const Vec2& pair : values) items.push_back(fmt::format("[{}, {}]", number_literal(pair.x, unit_x), number_literal(pair.y, unit_y)));
-    if (!values.empty()) record.literal = fmt::format("[{}]", fmt::join(items, ", "));
+    const auto literal = [&](Vec2 pair) { return fmt::format("[{}, {}]", number_literal(pair.x, unit_x), number_literal(pair.y, unit_y)); };
+    if (!values.empty()) record.literal = list_literal(values, literal);
   }
 
   RecordTable& table_;
   bool every_key_;
   std::string condition_;
 };
+
+std::string real_literal(double value) {
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
+  std::string text = format_quantity(value, "");
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
 
 }  // namespace
 
@@ -155,39 +164,20 @@ RecordTable record_of_all_keys(const Visit& declare) {
   return table;
 }
 
-std::string toml_key(const std::string& name) {
-  const bool is_bare = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  });
-  return is_bare ? name : toml_text(name);
-}
-
-namespace {
-
-std::string real_literal(double value) {
-  if (std::isnan(value)) return "nan";
-  if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
-  std::string text = format_quantity(value, "");
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text;
-}
-
-}  // namespace
+std::string toml_key(const std::string& name) { return is_plain_name(name) ? name : toml_text(name); }
 
 std::string toml_literal(const Node& value) {
-  std::vector<std::string> parts;
   switch (value.kind) {
     case Node::Kind::flag: return value.flag ? "true" : "false";
     case Node::Kind::integer: return std::to_string(value.integer);
     case Node::Kind::real: return real_literal(value.real);
     case Node::Kind::text: return toml_text(value.text);
     case Node::Kind::date: return "\"\"";
-    case Node::Kind::array:
-      for (const auto& item : value.items) parts.push_back(toml_literal(item));
-      return fmt::format("[{}]", fmt::join(parts, ", "));
-    case Node::Kind::table:
-      for (const auto& entry : value.entries) parts.push_back(fmt::format("{} = {}", toml_key(entry.key), toml_literal(entry.value)));
-      return fmt::format("{{ {} }}", fmt::join(parts, ", "));
+    case Node::Kind::array: return list_literal(value.items, toml_literal);
+    case Node::Kind::table: {
+      const auto literal = [](const Entry& entry) { return fmt::format("{} = {}", toml_key(entry.key), toml_literal(entry.value)); };
+      return fmt::format("{{ {} }}", fmt::join(mapped(value.entries, literal), ", "));
+    }
   }
   return {};
 }

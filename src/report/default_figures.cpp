@@ -1,9 +1,11 @@
-#include "report/default_figures.hpp"
+#include "report/study_page.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
 #include <set>
+
+#include "core/mapped.hpp"
 
 namespace arenite::report {
 namespace {
@@ -110,23 +112,19 @@ std::vector<Figure> default_figures(const campaign::CollectedTable& table) {
 }
 
 Numbers runs_table(const campaign::CollectedTable& table, const std::function<std::string(const std::string& run)>& link) {
-  Numbers keys = Numbers::list(), names = Numbers::list(), rows = Numbers::list();
-  for (const auto& key : table.keys) keys.push_back(key.unit.empty() ? key.name : key.name + ", " + key.unit);
-  std::vector<std::size_t> columns;
-  for (const MainNumber& number : main_numbers(table)) {
-    names.push_back(number.label);
-    columns.push_back(static_cast<std::size_t>(std::ranges::find(table.names, number.name) - table.names.begin()));
-  }
-  for (const auto& row : table.rows) {
-    Numbers values = Numbers::list(), numbers = Numbers::list();
-    for (const std::string& value : row.values) values.push_back(value);
-    for (const std::size_t c : columns) {
+  const auto numbers = main_numbers(table);
+  const auto columns =
+      mapped(numbers, [&](const MainNumber& number) { return static_cast<std::size_t>(std::ranges::find(table.names, number.name) - table.names.begin()); });
+  const auto row_of = [&](const campaign::CollectedTable::Row& row) {
+    const auto number_in = [&](std::size_t c) {
       const auto& number = c < row.numbers.size() ? row.numbers[c] : std::nullopt;
-      numbers.push_back(number ? Numbers{number->value, number->error ? Numbers(*number->error) : Numbers()} : Numbers());
-    }
-    rows.push_back({{"run", row.run}, {"status", row.status}, {"link", link ? link(row.run) : ""}, {"values", values}, {"numbers", numbers}});
-  }
-  return {{"keys", keys}, {"names", names}, {"rows", rows}};
+      return number ? Numbers{number->value, number->error ? Numbers(*number->error) : Numbers()} : Numbers();
+    };
+    return Numbers{
+        {"run", row.run}, {"status", row.status}, {"link", link ? link(row.run) : ""}, {"values", row.values}, {"numbers", mapped(columns, number_in)}};
+  };
+  const auto keys = mapped(table.keys, [](const auto& key) { return key.unit.empty() ? key.name : key.name + ", " + key.unit; });
+  return {{"keys", keys}, {"names", mapped(numbers, &MainNumber::label)}, {"rows", mapped(table.rows, row_of)}};
 }
 
 }  // namespace arenite::report

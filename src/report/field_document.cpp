@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 #include "report/page_document.hpp"
 #include "solid/raster/cavities.hpp"
 
@@ -37,9 +38,7 @@ Numbers volumes_of(const raster::CavityStatistics& s) {
 
 /// Labels from 1 on of the nodes that are drawn; 0 where there is none (-1 in the map).
 template <class T> std::vector<std::uint32_t> labels_of(const std::vector<T>& label, const Thinning& kept) {
-  std::vector<std::uint32_t> out;
-  for (const std::size_t node : kept.node) out.push_back(static_cast<std::uint32_t>(label[node] + 1));
-  return out;
+  return mapped(kept.node, [&](std::size_t node) { return static_cast<std::uint32_t>(label[node] + 1); });
 }
 
 /// "voids" and "pores" of a map: label of every node on the page (0: none), nodes of each, and the density of their
@@ -105,8 +104,7 @@ Numbers component(const PhaseMap& map, const Thinning& kept, const std::vector<s
 
 Numbers components_of(const FieldResult& result, const Thinning& kept, NumberBlock& block) {
   const StressField& f = result.field;
-  std::vector<std::uint8_t> solid;
-  for (const std::size_t node : kept.node) solid.push_back(result.map.phase[node] != Phase::empty);
+  const auto solid = mapped<std::uint8_t>(kept.node, [&](std::size_t node) { return result.map.phase[node] != Phase::empty; });
   Numbers all = Numbers::tree();
   const auto add = [&](const char* name, const std::vector<double>& values, bool companded) {
     if (values.size() == result.map.size()) all[name] = component(result.map, kept, solid, values, companded, block);
@@ -123,11 +121,7 @@ Numbers components_of(const FieldResult& result, const Thinning& kept, NumberBlo
 Numbers grains_of(const FieldResult& result, NumberBlock& block) {
   const stress::StressOptions usual;
   const stress::GrainStresses g = stress::measure_grains(result.map, result.field, usual.clamp_rows, usual.blocks);
-  const auto column = [&](const auto& rows, auto member) {
-    std::vector<double> values;
-    for (const auto& row : rows) values.push_back(row.*member);
-    return block.add_reals(values);
-  };
+  const auto column = [&](const auto& rows, auto member) { return block.add_reals(mapped(rows, member)); };
   Numbers out{{"nodes", block.add_indices(unsigned_copy(g.nodes))}, {"x", column(g.centre, &Vec2::x)}, {"y", column(g.centre, &Vec2::y)}};
   if (result.field.size() > 0)
     out.update(Numbers{{"xx", column(g.stress, &Tensor2::xx)}, {"yy", column(g.stress, &Tensor2::yy)}, {"xy", column(g.stress, &Tensor2::xy)}});
@@ -135,16 +129,9 @@ Numbers grains_of(const FieldResult& result, NumberBlock& block) {
 }
 
 Numbers cracks_of(const std::vector<Crack>& cracks, NumberBlock& block) {
-  std::vector<double> x, y, strain;
-  std::vector<std::uint32_t> type;
-  for (const Crack& crack : cracks) {
-    x.push_back(static_cast<double>(crack.x));
-    y.push_back(static_cast<double>(crack.y));
-    strain.push_back(crack.strain);
-    type.push_back(crack.type);
-  }
-  return {
-      {"count", cracks.size()}, {"x", block.add_reals(x)}, {"y", block.add_reals(y)}, {"type", block.add_indices(type)}, {"strain", block.add_reals(strain)}};
+  const auto reals = [&](auto member) { return block.add_reals(mapped<double>(cracks, member)); };
+  Numbers x = reals(&Crack::x), y = reals(&Crack::y), type = block.add_indices(mapped<std::uint32_t>(cracks, &Crack::type));
+  return {{"count", cracks.size()}, {"x", x}, {"y", y}, {"type", type}, {"strain", reals(&Crack::strain)}};
 }
 
 /// The densities that the page draws; empty where there is nothing to measure.

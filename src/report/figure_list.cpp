@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 #include "recipe/document.hpp"
 
 namespace arenite::report {
@@ -114,11 +115,8 @@ void read_where(Table& table, Where& read) {
   if (!where) return;
   if (where->value.kind != Kind::table) return table.refuse(where->value, "where", "is a table of keys and values");
   for (const Entry& entry : where->value.entries) {
-    std::vector<std::string> values;
-    if (entry.value.kind == Kind::array)
-      for (const Node& item : entry.value.items) values.push_back(cell_of(item));
-    else values.push_back(cell_of(entry.value));
-    read.emplace_back(entry.key, std::move(values));
+    const bool is_list = entry.value.kind == Kind::array;
+    read.emplace_back(entry.key, is_list ? mapped(entry.value.items, cell_of) : std::vector{cell_of(entry.value)});
   }
 }
 
@@ -146,7 +144,7 @@ Figure read_figure(const Node& node, const std::string& file, std::vector<Proble
   table.read("curves", figure.curves);
   table.read("curve_x", figure.curve_x);
   table.read("fits", figure.fits);
-  table.read("share_above", figure.share_above);
+  for (const char* key : {"survival", "share_above"}) table.read(key, figure.survival);  // the second is the former name
   table.read("counts", figure.counts);
   table.read("sectors", figure.sectors);
   table.read("window", figure.window);

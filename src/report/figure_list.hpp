@@ -56,7 +56,7 @@ struct Figure {
   std::vector<std::string> curves;  ///< instead of x and y: densities or lists of the runs' numbers
   std::string curve_x;              ///< a list that those of `curves` go with, place by place
   std::vector<std::string> fits;    ///< of `curves`: exponential tails of the runs' numbers, {"slope", "low", "high"}
-  bool share_above = false;         ///< of densities, the share above x
+  bool survival = false;            ///< of densities, the survival function: the share above x
   bool counts = false;              ///< of a rose: contacts of a sample, not their share
   std::optional<double> sectors;    ///< of a rose: into how many; as many as the runs have unless given
   std::optional<double> window;     ///< share of the box's area of the windows in "window.solid_fraction"

@@ -1,11 +1,12 @@
-#include "report/packing_layers.hpp"
+#include "report/page_document.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
-#include "grains/fields/state_fields.hpp"
-#include "grains/packing/size_curve.hpp"
+#include "core/mapped.hpp"
+#include "grains/fields/coarse_grained.hpp"
+#include "grains/packing/population.hpp"
 #include "recipe/recipe.hpp"
 
 namespace arenite::report {
@@ -45,6 +46,28 @@ Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock&
   out["vy"] = block.add_coarse(vy);
   out["kinetic"] = block.add_coarse(kinetic);
   return out;
+}
+
+Numbers bonds_of(const Packing& packing, NumberBlock& block) {
+  const auto indices = [&](auto member) {
+    return block.add_indices(mapped(packing.bonds, [&](const Bond& bond) { return static_cast<std::uint32_t>(bond.*member); }));
+  };
+  Numbers i = indices(&Bond::i), j = indices(&Bond::j);
+  return {{"i", i}, {"j", j}, {"broken", indices(&Bond::broken)}};
+}
+
+Numbers boundaries_of(const Domain& domain, NumberBlock& block) {
+  Numbers list = Numbers::list();
+  for (const Boundary& boundary : domain.boundaries) {
+    list.push_back({{"name", boundary.name},
+                    {"closed", boundary.closed},
+                    {"present", boundary.present},
+                    {"x", block.add_reals(mapped(boundary.points, &Vec2::x))},
+                    {"y", block.add_reals(mapped(boundary.points, &Vec2::y))},
+                    {"force", {boundary.force.x, boundary.force.y}},
+                    {"torque", boundary.torque}});
+  }
+  return list;
 }
 
 Numbers size_curves_of(const Packing& packing, const std::string& recipe, NumberBlock& block) {

@@ -8,11 +8,9 @@
 #include <numbers>
 #include <utility>
 
-#include "grains/fields/state_fields.hpp"
-#include "report/packing_layers.hpp"
-#include "report/test_curves.hpp"
-
+#include "grains/fields/coarse_grained.hpp"
 #include "model/shapes.hpp"
+#include "report/test_curves.hpp"
 
 namespace arenite::report {
 namespace {
@@ -35,9 +33,7 @@ void shorten(Numbers& value) {
 }
 
 Numbers materials_of(const Materials& materials) {
-  Numbers list = Numbers::list();
-  for (const Material& m : materials) list.push_back({{"name", m.name}, {"density", m.density}, {"stiffness", m.stiffness}});
-  return list;
+  return mapped(materials, [](const Material& m) { return Numbers{{"name", m.name}, {"density", m.density}, {"stiffness", m.stiffness}}; });
 }
 
 /// Rims of grains that are no disks, from their centres where their angles are 0: those of grain g are points first[g] to first[g + 1] - 1.
@@ -94,37 +90,10 @@ Numbers contacts_of(const Packing& packing, NumberBlock& block) {
   return out;
 }
 
-/// Bonds that hold, and how the others broke.
-Numbers bonds_of(const Packing& packing, NumberBlock& block) {
-  std::vector<std::uint32_t> i, j, broken;
-  for (const Bond& bond : packing.bonds) {
-    i.push_back(static_cast<std::uint32_t>(bond.i));
-    j.push_back(static_cast<std::uint32_t>(bond.j));
-    broken.push_back(static_cast<std::uint32_t>(bond.broken));
-  }
-  return {{"i", block.add_indices(i)}, {"j", block.add_indices(j)}, {"broken", block.add_indices(broken)}};
-}
-
-Numbers boundaries_of(const Domain& domain, NumberBlock& block) {
-  Numbers list = Numbers::list();
-  for (const Boundary& boundary : domain.boundaries) {
-    std::vector<double> x, y;
-    for (const Vec2& p : boundary.points) x.push_back(p.x), y.push_back(p.y);
-    list.push_back({{"name", boundary.name},
-                    {"closed", boundary.closed},
-                    {"present", boundary.present},
-                    {"x", block.add_reals(x)},
-                    {"y", block.add_reals(y)},
-                    {"force", {boundary.force.x, boundary.force.y}},
-                    {"torque", boundary.torque}});
-  }
-  return list;
-}
-
 Numbers domain_of(const Domain& domain, NumberBlock& block) {
-  Numbers walls = Numbers::list();
-  for (const Wall& wall : domain.wall)
-    walls.push_back({{"present", wall.present}, {"position", wall.position}, {"force", wall.force}, {"shear", wall.shear_force}});
+  const auto walls = mapped(domain.wall, [](const Wall& wall) {
+    return Numbers{{"present", wall.present}, {"position", wall.position}, {"force", wall.force}, {"shear", wall.shear_force}};
+  });
   Numbers out{{"walls", walls}, {"periodic", {domain.periodic_x, domain.periodic_y}}, {"tilt", domain.tilt}, {"thickness", domain.thickness}};
   if (!domain.boundaries.empty()) out["boundaries"] = boundaries_of(domain, block);
   return out;
@@ -145,7 +114,7 @@ Numbers texture_of(const texture::Texture& texture, NumberBlock& block) {
 
 Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* texture, NumberBlock& block) {
   const Grains& grains = frame.packing.grains;
-  const Equilibrium& rest = frame.equilibrium;
+  const Equilibrium& now = frame.equilibrium;
   Numbers out{{"stage", stage},
               {"label", frame.label},
               {"time", frame.time},
@@ -156,12 +125,12 @@ Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* 
               {"angle", block.add_reals(grains.angle)},
               {"contacts", contacts_of(frame.packing, block)},
               {"equilibrium",
-               {{"unbalanced_ratio", rest.unbalanced_ratio},
-                {"kinetic_ratio", rest.kinetic_ratio},
-                {"loose_kinetic_ratio", rest.loose_kinetic},
-                {"falling", rest.falling},
-                {"mobilisation", rest.mobilisation},
-                {"wall_speed", rest.wall_speed}}}};
+               {{"unbalanced_ratio", now.unbalanced_ratio},
+                {"kinetic_ratio", now.kinetic_ratio},
+                {"loose_kinetic_ratio", now.loose_kinetic},
+                {"falling", now.falling},
+                {"mobilisation", now.mobilisation},
+                {"wall_speed", now.wall_speed}}}};
   add_grain_values(out, frame.packing, block);
   if (!frame.packing.bonds.empty()) out["bonds"] = bonds_of(frame.packing, block);
   if (texture) out["texture"] = texture_of(*texture, block);
@@ -229,7 +198,7 @@ Numbers provenance_of(const Provenance& p) {
   Numbers options = Numbers::tree();
   for (const auto& [name, value] : p.options) options[name] = value;
   return {{"version", p.version}, {"stage", p.stage},   {"input_hash", p.input_hash}, {"seed", p.seed},
-          {"kernel", p.kernel},   {"recipe", p.recipe}, {"options", options}};
+          {"kernel", p.kernel},   {"options", options}, {"recipe", p.recipe}};
 }
 
 Numbers shortened(Numbers numbers) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mapped.hpp"
 #include "report/number_block.hpp"
 #include "report/page.hpp"
 
@@ -20,9 +21,7 @@ PageDocument page_document(const PageData& data);
 // Pieces that packings, fields and films write alike.
 
 template <class T> std::vector<std::uint32_t> unsigned_copy(const std::vector<T>& values) {
-  std::vector<std::uint32_t> copy(values.size());
-  for (std::size_t k = 0; k < values.size(); ++k) copy[k] = static_cast<std::uint32_t>(values[k]);
-  return copy;
+  return mapped(values, [](T value) { return static_cast<std::uint32_t>(value); });
 }
 
 /// Places of the grains of each contact, "i" and "j"; walls are numbered after the grains by their side.
@@ -44,9 +43,7 @@ struct Thinning {
 
   template <class T> std::vector<T> of(const std::vector<T>& values) const {
     if (stride == 1) return values;
-    std::vector<T> kept(node.size());
-    for (std::size_t k = 0; k < node.size(); ++k) kept[k] = values[node[k]];
-    return kept;
+    return mapped(node, [&](std::size_t at) { return values[at]; });
   }
 };
 
@@ -56,5 +53,20 @@ void add_fields(Numbers& document, const std::vector<FieldPageData>& fields, Num
 /// Adds "films" (one a result) to the page's document: maps, grains in pixels, contacts and, where there are any, the
 /// statistics of grain stresses and what relates them to the companion simulation's.
 void add_films(Numbers& document, const std::vector<FilmPageData>& films, NumberBlock& block);
+
+// What the page shows of a packing beside its grains and contacts.
+
+/// The coarse-grained fields of a state on a grid over its box: {bounds, columns, rows, width of the kernel} and arrays of solid fraction,
+/// density, velocity, pressure and deviator of the whole stress, its shear and the kinetic pressure. The kernel is as wide as the mean grain,
+/// or as a cell where the sample has many. `shear_rate`, 1/s: of a cell that is sheared. Not known without grains or box.
+Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock& block);
+
+/// Bonds that hold, and how the others broke.
+Numbers bonds_of(const Packing& packing, NumberBlock& block);
+
+Numbers boundaries_of(const Domain& domain, NumberBlock& block);
+
+/// Asked and measured size curve of the grains that the recipe asked a size law for; not known where it asked for none.
+Numbers size_curves_of(const Packing& packing, const std::string& recipe, NumberBlock& block);
 
 }  // namespace arenite::report

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "grains/dem/run_stage.hpp"
+#include "io/table/table.hpp"
 #include "recipe/recipe.hpp"
 
 namespace arenite::report {
@@ -31,8 +32,8 @@ void describe_sample(TextLines& lines) {
                                         {"S_m by geometry", "/exact/S_m"},
                                         {"solid from bottom to top", "/percolates/solid_bottom_top"},
                                         {"void from left to right", "/percolates/void_left_right"},
-                                        {"nodes across the thinnest joint", "/raster/thinnest_joint_nodes"},
-                                        {"joints without a node", "/raster/lost_joints"},
+                                        {"nodes across the thinnest neck", "/raster/thinnest_joint_nodes"},
+                                        {"necks without a node", "/raster/lost_joints"},
                                         {"nodes across the smallest grain", "/raster/smallest_grain_nodes"}});
   if (lines.has("/coordination")) lines.heading("Neighbours by surface gap");
   lines.number("gap", "/coordination/gap_m", "m");
@@ -62,7 +63,7 @@ void describe_load(TextLines& lines) {
                          {"broken bonds, matrix", "/failure/broken/matrix"},
                          {"broken bonds, interface", "/failure/broken/interface"},
                          {"broken bonds, particle", "/failure/broken/particle"},
-                         {"defect of the energy balance", "/failure/energy_defect"}});
+                         {"error of the energy balance", "/failure/energy_defect"}});
 }
 
 void describe_component(TextLines& lines, const std::string& name, const Numbers& component) {
@@ -80,10 +81,8 @@ void describe_component(TextLines& lines, const std::string& name, const Numbers
   }
 }
 
-using statistics::with_error;
-
-void add(TextLines& rows, const std::string& name, const statistics::Estimate& e, const std::string& unit, const std::string& meaning, double scale = 1) {
-  if (std::isfinite(e.value)) rows.add(name, with_error(e, scale) + (unit.empty() ? "" : " " + unit), meaning);
+void add(TextLines& rows, const std::string& name, const statistics::Estimate& e, const std::string& meaning, const char* unit = "") {
+  if (std::isfinite(e.value)) rows.add(name, statistics::with_error(e) + unit, meaning);
 }
 
 std::string grains_of(const Packing& packing) {
@@ -124,9 +123,9 @@ std::string state_of(const StageResult& last) {
 
 void add_forces(TextLines& rows, const texture::Texture& t) {
   if (const auto* all = texture::find(t.force.compressive, "all")) {
-    add(rows, "mean normal force <F>", all->mean, "N", "of contacts that push");
-    add(rows, "share above the mean P_0", all->share_above, "", "of contacts with F > <F>");
-    add(rows, "strong forces' decay beta", all->tail.beta, "", "P(F) ~ exp(-beta F/<F>) for F > <F>");
+    add(rows, "mean normal force <F>", all->mean, "of contacts that push", " N");
+    add(rows, "share above the mean P_0", all->share_above, "of contacts with F > <F>");
+    add(rows, "strong forces' decay beta", all->tail.beta, "P(F) ~ exp(-beta F/<F>) for F > <F>");
   }
   const texture::Stress& s = t.stress;
   if (!std::isfinite(s.whole.value.xx)) return;
@@ -137,15 +136,15 @@ void add_forces(TextLines& rows, const texture::Texture& t) {
 }
 
 void add_fabric(TextLines& rows, const texture::Texture& t) {
-  add(rows, "solid fraction", t.solid_fraction, "", "area of grains over area of the sample");
-  if (const auto* z = texture::find(t.coordination.mean, "all")) add(rows, "coordination z", *z, "", "contacts of a grain with others");
-  if (const auto* z = texture::find(t.coordination.mean, "all without rattlers")) add(rows, "z without rattlers", *z, "", "of grains that carry force");
+  add(rows, "solid fraction", t.solid_fraction, "area of grains over area of the sample");
+  if (const auto* z = texture::find(t.coordination.mean, "all")) add(rows, "coordination z", *z, "contacts of a grain with others");
+  if (const auto* z = texture::find(t.coordination.mean, "all without rattlers")) add(rows, "z without rattlers", *z, "of grains that carry force");
   if (const auto* z = texture::find(t.coordination.mean, "all, neighbours"))
-    add(rows, "touching neighbours", *z, "", "grains that a grain touches, in one contact or more");
-  if (t.long_axes.grains > 0) add(rows, "order of long axes", t.long_axes.order, "", fmt::format("0: at random; random ones give {:.2g}", t.long_axes.noise));
-  add(rows, "rattlers", t.coordination.rattlers, "", "share of grains with fewer than two contacts that carry force");
+    add(rows, "touching neighbours", *z, "grains that a grain touches, in one contact or more");
+  if (t.long_axes.grains > 0) add(rows, "order of long axes", t.long_axes.order, fmt::format("0: at random; random ones give {:.2g}", t.long_axes.noise));
+  add(rows, "rattlers", t.coordination.rattlers, "share of grains with fewer than two contacts that carry force");
   if (const auto* all = texture::find(t.fabric, "all"))
-    add(rows, "contact anisotropy a_c", all->a_c, "", fmt::format("0: contacts in all directions alike; random ones give {:.2g}", all->noise));
+    add(rows, "contact anisotropy a_c", all->a_c, fmt::format("0: contacts in all directions alike; random ones give {:.2g}", all->noise));
 }
 
 }  // namespace
@@ -184,11 +183,8 @@ void TextLines::section(const std::string& text, std::initializer_list<Row> rows
 }
 
 void TextLines::block(std::string_view lines) {
-  while (!lines.empty()) {
-    const auto length = std::min(lines.find('\n'), lines.size());
-    raw(fmt::format("  {}", lines.substr(0, length)));
-    lines.remove_prefix(std::min(length + 1, lines.size()));
-  }
+  io::Lines rest(lines);
+  for (std::string_view line; rest.next(line);) raw(fmt::format("  {}", line));
 }
 
 std::string headlines(const StageResult& last, const texture::Texture& t) {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "campaign/virtual_film.hpp"
+#include "core/mapped.hpp"
 #include "io/disk/file.hpp"
 #include "report/run_means.hpp"
 #include "report/study_page.hpp"
@@ -59,17 +61,13 @@ Numbers disks_json(const Disks& disks) {
   return j;
 }
 
-Numbers stress_json(const std::vector<double>& sigma_norm) {
-  Numbers stress = Numbers::list();
-  for (const double s : sigma_norm) stress.push_back(hundredth(s));
-  return stress;
-}
+Numbers stress_json(const std::vector<double>& sigma_norm) { return mapped(sigma_norm, hundredth); }
 
 /// Solid fractions of windows with this share of the box's area, against the numbers of their places.
 Numbers windows_of(const fs::path& run, double share) {
   constexpr int places = 50;
-  Numbers place = Numbers::list();
-  for (int k = 1; k <= places; ++k) place.push_back(k);
+  std::vector<int> place(places);
+  std::iota(place.begin(), place.end(), 1);
   const auto fractions = texture::window_fractions(workflow::final_state(run).packing, share, places);
   return Numbers{{"window", {{"place", place}, {"solid_fraction", fractions}}}};
 }
@@ -79,8 +77,7 @@ Numbers windows_of(const fs::path& run, double share) {
 Numbers sample_drawing(const workflow::FinalState& state, FigureKind kind) {
   const Grains& grains = state.packing.grains;
   Numbers j = disks_json({grains.x, grains.y, grains.radius, grains.material, grains.zone});
-  j["materials"] = Numbers::list();
-  for (const Material& material : state.packing.materials) j["materials"].push_back(material.name);
+  j["materials"] = mapped(state.packing.materials, &Material::name);
   if (kind == FigureKind::forces) j.update(contacts_json(state.packing.contacts));
   if (kind == FigureKind::stresses) j["stress"] = stress_json(state.texture.per_grain.sigma_norm);
   return j;

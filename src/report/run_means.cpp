@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/mapped.hpp"
 #include "statistics/measured.hpp"
 
 namespace arenite::report {
@@ -78,9 +79,7 @@ SampleMean mean_of_lists(std::vector<double> x, const std::vector<std::vector<do
   mean.x = std::move(x);
   mean.samples = lists.size();
   for (std::size_t k = 0; k < mean.x.size(); ++k) {
-    std::vector<double> values;
-    for (const auto& list : lists) values.push_back(list[k]);
-    const auto one = statistics::mean_of(values);
+    const auto one = statistics::mean_of(mapped(lists, [&](const auto& list) { return list[k]; }));
     mean.y.push_back(one.value);
     mean.error.push_back(one.error);
   }
@@ -134,7 +133,7 @@ statistics::Curve line_between(double low, double high, double slope, double lev
   return line;
 }
 
-/// Of a share above x: each point weighs as much as there is between it and the next.
+/// Of a survival function: each point weighs as much as there is between it and the next.
 statistics::Curve regression(double slope, const statistics::Curve& share) {
   std::vector<double> weight(share.x.size(), 0.0);
   double high = 1;
@@ -152,15 +151,11 @@ SampleMean mean_density(const std::vector<Numbers>& runs, const std::string& pat
   const auto densities = densities_of(runs, path);
   if (densities.empty()) return {};
   auto x = places(densities);
-  std::vector<std::vector<double>> lists;
-  for (const Density& d : densities) {
-    auto& list = lists.emplace_back();
-    for (const double at : x) list.push_back(d.at(at));
-  }
+  const auto lists = mapped(densities, [&](const Density& d) { return mapped(x, [&](double at) { return d.at(at); }); });
   return mean_of_lists(std::move(x), lists);
 }
 
-SampleMean mean_share_above(const std::vector<Numbers>& runs, const std::string& path) {
+SampleMean mean_survival(const std::vector<Numbers>& runs, const std::string& path) {
   const auto densities = densities_of(runs, path);
   if (densities.empty()) return {};
   const auto middles = places(densities);
@@ -173,9 +168,7 @@ SampleMean mean_share_above(const std::vector<Numbers>& runs, const std::string&
     double above = 0;
     for (std::size_t k = n; k-- > 0;) list[k] = above += d.at(middles[k]) * width;
   }
-  std::vector<double> edges;
-  for (const double at : middles) edges.push_back(std::round((at - 0.5 * width) * 1e9) * 1e-9);
-  return mean_of_lists(std::move(edges), lists);
+  return mean_of_lists(mapped(middles, [&](double at) { return std::round((at - 0.5 * width) * 1e9) * 1e-9; }), lists);
 }
 
 SampleMean mean_list(const std::vector<Numbers>& runs, const std::string& path_x, const std::string& path, Sectors sectors) {
@@ -212,8 +205,7 @@ bool has_numbers(const Numbers& run, const std::string& path) { return find(run,
 statistics::Curve tail_line(const std::vector<Numbers>& runs, const std::string& path, const statistics::Curve& density) {
   const double slope = mean_number(runs, path + ".slope"), low = mean_number(runs, path + ".low"), high = mean_number(runs, path + ".high");
   if (!std::isfinite(slope)) return regression(mean_number(runs, path + ".beta_line"), density);
-  std::vector<double> weight;
-  for (const double x : density.x) weight.push_back(x > low && x < high ? 1 : 0);
+  const auto weight = mapped<double>(density.x, [&](double x) { return x > low && x < high; });
   return line_between(low, high, slope, level_of(density, slope, weight), 1);
 }
 

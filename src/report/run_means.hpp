@@ -22,8 +22,8 @@ struct Sectors {
 /// the logarithm. Empty if no run has it.
 SampleMean mean_density(const std::vector<Numbers>& runs, const std::string& path);
 
-/// The same for the share above x, of densities in bins of one width from 0 or elsewhere, at their lower edges.
-SampleMean mean_share_above(const std::vector<Numbers>& runs, const std::string& path);
+/// The same for the survival function, the share above x, of densities in bins of one width from 0 or elsewhere, at their lower edges.
+SampleMean mean_survival(const std::vector<Numbers>& runs, const std::string& path);
 
 /// Mean over runs of the list at `path`, against that at `path_x`, or if this is empty against the middles of sectors of half a
 /// turn, degrees.
@@ -38,7 +38,7 @@ bool has_numbers(const Numbers& run, const std::string& path);
 /// The exponential tail k exp(-s x) of a mean density, as a line from one end of the fitted range to the other. Slope s and range
 /// are means over runs of {"slope", "low", "high"} in their numbers, at the dotted `path`; k is what fits the density best in its
 /// logarithm between the ends. Where there is {"beta_line"} instead, the straight line of regression of ln P on x beyond the mean,
-/// P the share above x. Empty if no run has a tail there or the density has no point in it.
+/// P the survival function. Empty if no run has a tail there or the density has no point in it.
 statistics::Curve tail_line(const std::vector<Numbers>& runs, const std::string& path, const statistics::Curve& density);
 
 }  // namespace arenite::report

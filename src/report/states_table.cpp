@@ -64,7 +64,7 @@ std::vector<StageResult> stages_of(const std::filesystem::path& result) {
     auto any = io::read_result(file);
     if (auto* stage = std::get_if<StageResult>(&any)) stages.push_back(std::move(*stage));
   }
-  if (stages.empty()) throw InputError(result.string(), 0, "holds no stages of loading, so there is no course through them; leave out --states");
+  if (stages.empty()) throw InputError(result.string(), 0, "holds no stages of loading, so there is no stress path; leave out --states");
   return stages;
 }
 

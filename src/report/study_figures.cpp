@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/mapped.hpp"
 #include "io/table/table.hpp"
 #include "report/run_means.hpp"
 #include "report/study_page.hpp"
@@ -76,7 +77,7 @@ void add_curve(std::vector<FigureCurve>& curves, FigureCurve curve) {
 SampleMean mean_of(const Figure& figure, const std::vector<Numbers>& found, const std::string& path) {
   const Sectors sectors{static_cast<std::size_t>(figure.sectors.value_or(0)), !figure.counts};
   if (figure.kind == FigureKind::rose || !figure.curve_x.empty()) return mean_list(found, figure.curve_x, path, sectors);
-  return figure.share_above ? mean_share_above(found, path) : mean_density(found, path);
+  return figure.survival ? mean_survival(found, path) : mean_density(found, path);
 }
 
 /// Curves of lists and densities, with what is fitted to them; errors become deviations where the figure asks for these.
@@ -86,8 +87,7 @@ std::vector<FigureCurve> list_curves(const Figure& figure, const Table& table, c
   for (const Group& group : groups_of(table, figure)) {
     for (std::size_t k = 0; k < figure.curves.size(); ++k) {
       const bool film = is_of_film(figure.curves[k]);
-      std::vector<Numbers> found;
-      for (const Row* row : group.rows) found.push_back(numbers(row->run, figure.curves[k], figure));
+      const auto found = mapped(group.rows, [&](const Row* row) { return numbers(row->run, figure.curves[k], figure); });
       SampleMean mean = mean_of(figure, found, figure.curves[k]);
       if (figure.spread == Spread::deviation)
         for (double& error : mean.error) error *= std::sqrt(static_cast<double>(mean.samples));
@@ -127,9 +127,7 @@ class MeanRows {
       if (runs.keys[k].name != "seed") names.push_back(runs.keys[k].name), keys.push_back(k);
     table = averaged(runs, names);
     for (const Row& row : runs.rows) {
-      std::vector<std::string> values;
-      for (const std::size_t k : keys) values.push_back(row.values[k]);
-      of_values_[values].push_back(&row);
+      of_values_[mapped(keys, [&](std::size_t k) { return row.values[k]; })].push_back(&row);
     }
   }
 
@@ -151,11 +149,7 @@ class MeanRows {
       curve.most = std::max(curve.most, n);
     }
     std::stable_sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
-    for (const Point& p : points) {
-      curve.points.x.push_back(p.x);
-      curve.points.y.push_back(p.y);
-      curve.points.error.push_back(p.error);
-    }
+    curve.points = {mapped(points, &Point::x), mapped(points, &Point::y), mapped(points, &Point::error)};
   }
 
  private:

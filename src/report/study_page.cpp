@@ -7,7 +7,6 @@
 
 #include "core/version.hpp"
 #include "io/disk/file.hpp"
-#include "report/default_figures.hpp"
 #include "report/page_template.hpp"
 
 namespace arenite::report {

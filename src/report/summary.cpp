@@ -4,6 +4,7 @@
 
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
+#include "report/page_document.hpp"
 #include "report/result_text.hpp"
 #include "report/test_curves.hpp"
 #include "workflow/run.hpp"
@@ -18,16 +19,9 @@ std::string made_by(const Provenance& p) {
 }
 
 Numbers provenance(const Provenance& p) {
-  Numbers options = Numbers::tree();
-  for (const auto& [key, value] : p.options) options[key] = value;
-  return {{"title", recipe::title_in(p.recipe)},
-          {"version", p.version},
-          {"stage", p.stage},
-          {"input_hash", p.input_hash},
-          {"seed", p.seed},
-          {"kernel", p.kernel},
-          {"options", options},
-          {"recipe", p.recipe}};
+  Numbers j{{"title", recipe::title_in(p.recipe)}};
+  j.update(provenance_of(p));
+  return j;
 }
 
 Numbers walls(const Domain& domain) {

@@ -60,7 +60,7 @@ FilmSummary film_summary(FilmSource& film, std::size_t most_frames = 64);
 std::string film_text(const FilmResult& result);
 Numbers film_numbers(const FilmResult& result);
 
-/// The course of a loading through the stages of a run's folder as CSV: one row a stored state, units in the heads of the columns.
+/// The stress path through the stages of a run's folder as CSV: one row a stored state, units in the heads of the columns.
 /// Throws InputError for what holds no such stages.
 std::string states_table(const std::filesystem::path& result);
 

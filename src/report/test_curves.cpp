@@ -18,12 +18,6 @@ namespace {
 constexpr double least_strain = 2e-3;
 constexpr double unloaded = 0.01;  // of the largest stress in the stage: ratios to less are noise
 
-const std::vector<double>* column(const History& history, const std::string& name) {
-  for (const auto& c : history.columns)
-    if (c.name == name) return &c.values;
-  return nullptr;
-}
-
 struct Sides {
   std::vector<double> time, width, height;  ///< s, m
   std::vector<double> normal_x, normal_y;   ///< mean forces on the sides, N
@@ -33,17 +27,17 @@ struct Sides {
 /// Mean of two columns, or half their difference; zeros where there is none.
 std::vector<double> half_sum(const History& history, const std::string& one, const std::string& other, double sign, std::size_t rows) {
   std::vector<double> result(rows, 0.0);
-  const auto *a = column(history, one), *b = column(history, other);
+  const auto *a = history.find(one), *b = history.find(other);
   for (std::size_t k = 0; k < rows; ++k) result[k] = 0.5 * ((a ? (*a)[k] : 0) + sign * (b ? (*b)[k] : 0));
   return result;
 }
 
 std::optional<Sides> sides_of(const History& history) {
-  const auto* time = column(history, "time");
+  const auto* time = history.find("time");
   if (!time || time->size() < 3) return {};
   const std::size_t rows = time->size();
   for (const char* side : side_names)
-    if (!column(history, std::string(side) + "_position")) return {};
+    if (!history.find(std::string(side) + "_position")) return {};
   Sides s;
   s.time = *time;
   s.width = half_sum(history, "right_position", "left_position", -1, rows);
@@ -123,7 +117,7 @@ double area_of_grains(const Packing& packing) {
 bool strain_by_shear(TestCurves& curves, const StageResult& stage, const Sides& s) {
   const auto slide = slide_of(stage);
   const double along_x = slide[top] - slide[bottom], along_y = slide[right] - slide[left];
-  if (const auto* sheared = column(stage.history, "shear_strain"))
+  if (const auto* sheared = stage.history.find("shear_strain"))
     for (const double v : *sheared) curves.strain.push_back(std::abs(v - sheared->front()));
   else if (along_x != 0 || along_y != 0) curves.strain = along_x != 0 ? slid(s, std::abs(along_x), s.height) : slid(s, std::abs(along_y), s.width);
   else return false;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "core/mapped.hpp"
+
 namespace arenite::statistics {
 namespace {
 
@@ -78,8 +80,7 @@ Clusters cluster(const std::vector<double>& values, const ClusterOptions& option
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-  std::vector<double> sorted;
-  for (const std::size_t i : order) sorted.push_back(values[i]);
+  const auto sorted = mapped(order, [&](std::size_t i) { return values[i]; });
   const Sums sums(sorted, sorted[sorted.size() / 2]);
   const auto ends = partings(sums, sorted.size(), std::max<std::size_t>(1, std::min(options.most, sorted.size())));
   std::size_t k = ends.size();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mapped.hpp"
 #include "statistics/jackknife.hpp"
 
 namespace arenite::statistics {
@@ -73,9 +74,7 @@ double quantile(const Bins& bins, const Counts& counts, double p) {
 
 std::vector<double> density(const Bins& bins, const Counts& counts) {
   const double scale = 1 / (counts.total() * bins.width);
-  std::vector<double> y;
-  for (const double c : counts.in) y.push_back(c * scale);
-  return y;
+  return mapped(counts.in, [&](double c) { return c * scale; });
 }
 
 Curve pdf(const BlockCounts& counts) {
@@ -86,11 +85,9 @@ Curve pdf(const BlockCounts& counts) {
   for (std::size_t b = 0; b < counts.block.size(); ++b)
     if (const Counts rest = counts.without(b); rest.total() > 0) replicates.push_back(density(counts.bins, rest));
   const auto estimates = with_errors(y, replicates);
-  for (std::size_t k = 0; k < y.size(); ++k) {
-    curve.x.push_back(counts.bins.centre(k));
-    curve.y.push_back(y[k]);
-    curve.error.push_back(estimates[k].error);
-  }
+  for (std::size_t k = 0; k < y.size(); ++k) curve.x.push_back(counts.bins.centre(k));
+  curve.y = y;
+  curve.error = mapped(estimates, &Estimate::error);
   return curve;
 }
 

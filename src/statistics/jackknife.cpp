@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mapped.hpp"
+
 namespace arenite::statistics {
 namespace {
 
 /// Numbers of the blocks that hold items, in rising order.
 std::vector<int> used_blocks(const Items& items, const std::vector<int>& block_of) {
-  std::vector<int> used;
-  for (const std::size_t i : items) used.push_back(block_of[i]);
+  auto used = mapped(items, [&](std::size_t i) { return block_of[i]; });
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
   return used;

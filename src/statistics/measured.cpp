@@ -33,7 +33,7 @@ double student_share(double t, double freedom) { return cdf(Student(freedom), t)
 
 double student_quantile(double p, double freedom) { return quantile(Student(freedom), p); }
 
-double fisher_share_above(double f, double freedom_between, double freedom_within) {
+double fisher_survival(double f, double freedom_between, double freedom_within) {
   return boost::math::ibeta(0.5 * freedom_within, 0.5 * freedom_between, freedom_within / (freedom_within + freedom_between * f), Quiet());
 }
 
@@ -78,7 +78,7 @@ double chance_of_equal_means(const std::vector<std::vector<double>>& groups) {
   const double mean = plain_mean(all);
   for (const auto& group : groups) between += static_cast<double>(group.size()) * square(plain_mean(group) - mean);
   const double of_groups = static_cast<double>(groups.size() - 1), of_values = static_cast<double>(all.size() - groups.size());
-  return fisher_share_above(between / of_groups / (within / of_values), of_groups, of_values);
+  return fisher_survival(between / of_groups / (within / of_values), of_groups, of_values);
 }
 
 }  // namespace arenite::statistics

@@ -1,9 +1,10 @@
 #include "statistics/numbers.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "core/text.hpp"
 
 namespace arenite {
 namespace {
@@ -125,10 +126,9 @@ const Numbers* Numbers::at_path(std::string_view path) const {
     const std::string_view step = path.substr(0, path.find('/'));
     path.remove_prefix(step.size());
     if (node->is_list()) {
-      std::size_t i = 0;
-      const auto read = std::from_chars(step.data(), step.data() + step.size(), i);
-      if (read.ec != std::errc() || read.ptr != step.data() + step.size() || i >= node->items_.size()) return nullptr;
-      node = &node->items_[i];
+      const auto i = parse_number<std::size_t>(step);
+      if (!i || *i >= node->items_.size()) return nullptr;
+      node = &node->items_[*i];
       continue;
     }
     const auto found = node->find(step);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -10,8 +11,10 @@
 #include "core/version.hpp"
 #include "grains/texture/texture.hpp"
 #include "io/disk/file.hpp"
+#include "io/results/results.hpp"
 #include "solid/stress/stress.hpp"
 #include "workflow/field_stages.hpp"
+#include "workflow/runner.hpp"
 #include "workflow/stage_keys.hpp"
 
 namespace arenite::workflow {
@@ -103,6 +106,22 @@ std::optional<FieldResult> pull_apart(const recipe::Load& load, FieldResult resu
 }
 
 }  // namespace
+
+PullCheckpoint pull_checkpoint(const std::filesystem::path& file, const std::string& key, const RunOptions& options) {
+  using clock = std::chrono::steady_clock;
+  PullCheckpoint checkpoint;
+  const auto stored = unless_damaged(file, options, "the pull begins anew", [&] { return io::read_checkpoint(file, key); });
+  if (stored && *stored) checkpoint.resume = peridynamics::pull_state_of((*stored)->blobs.at("pull"));
+  checkpoint.keep = [&options, file, key, saved = clock::now()](const auto& state) mutable {
+    if (!options.asked_to_stop() && std::chrono::duration<double>(clock::now() - saved).count() < options.checkpoint_seconds) return;
+    io::Checkpoint c;
+    c.key = key;
+    c.blobs["pull"] = to_bytes(state());
+    io::write_checkpoint(file, c);
+    saved = clock::now();
+  };
+  return checkpoint;
+}
 
 std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample, const peridynamics::Watch& watch, const PullCheckpoint& checkpoint) {
   FieldResult result = upright(sample, load.axis);

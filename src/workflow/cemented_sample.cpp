@@ -73,9 +73,8 @@ std::string sentence(const SampleReports& reports, const PhaseMap& map, const re
   std::string text = fmt::format("{0} x {0} nodes of {1:.4g} mm, {2} grains; S_m {3:.4f} by geometry; areas on the nodes off by {4:+.2g} % (particles)",
                                  section.nodes, 1e3 * map.dx, map.grain_class.size(), reports.cement.saturation, 100 * r.particle_area_error);
   if (r.exact_matrix_area > 0) text += fmt::format(" and {:+.2g} % (matrix)", 100 * r.matrix_area_error);
-  if (r.joints > 0) text += fmt::format("; the thinnest of {} joints spans {} nodes", r.joints, r.thinnest_joint);
-  if (r.lost_joints > 0)
-    text += fmt::format("; {} no node: refine the raster", r.lost_joints == 1 ? "1 joint has" : fmt::format("{} joints have", r.lost_joints));
+  if (r.joints > 0) text += fmt::format("; the thinnest of {} necks spans {} nodes", r.joints, r.thinnest_joint);
+  if (r.lost_joints > 0) text += fmt::format("; {} no node: refine the grid", r.lost_joints == 1 ? "1 neck has" : fmt::format("{} necks have", r.lost_joints));
   return text;
 }
 

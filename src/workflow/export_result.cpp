@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/error.hpp"
-#include "grains/fields/state_fields.hpp"
+#include "grains/fields/coarse_grained.hpp"
 #include "grains/texture/texture.hpp"
 #include "io/disk/file.hpp"
 #include "io/disk/store_file.hpp"
@@ -29,46 +29,6 @@ void add_components(std::vector<io::GrainField>& fields, const std::vector<Tenso
     for (const Tensor2& t : stress) fields.back().values.push_back(t.*component);
   }
 }
-
-}  // namespace
-
-std::vector<io::GrainField> derived_fields(const Packing& packing) {
-  const texture::PerGrain rows = texture::measure(packing, {.rev_sizes = 0}).per_grain;
-  std::vector<io::GrainField> fields{
-      {"contacts", "1", as_doubles(rows.contacts)}, {"rattler", "1", as_doubles(rows.rattler)}, {"sigma_norm", "1", rows.sigma_norm}, {"psi6", "1", rows.psi6}};
-  if (rows.sigma.empty()) return fields;
-  fields.push_back({"sigma_hyd", "Pa", rows.sigma_hyd});
-  add_components(fields, rows.sigma, {{"sigma_xx", &Tensor2::xx}, {"sigma_xy", &Tensor2::xy}, {"sigma_yx", &Tensor2::yx}, {"sigma_yy", &Tensor2::yy}});
-  return fields;
-}
-
-std::vector<io::GrainField> derived_fields(const FilmResult& film) {
-  const texture::PerGrain rows = texture::measure(film.packing, {.rev_sizes = 0, .grain_sigma_hyd = film.peak_to_peak.sigma_hyd}).per_grain;
-  return {{"contacts", "1", as_doubles(rows.contacts)},
-          {"sigma_norm", "1", rows.sigma_norm},
-          {"sigma_hyd", "Pa", film.peak_to_peak.sigma_hyd},
-          {"sigma_hyd_error", "Pa", film.peak_to_peak.error}};
-}
-
-std::vector<io::GrainField> fields_of_contacts(const FilmResult& film) {
-  if (film.fn_error.empty()) return {};
-  return {{"fn_error", "N", film.fn_error}, {"ft_error", "N", film.ft_error}, {"presence", "1", film.presence}};
-}
-
-std::vector<io::GrainField> derived_fields(const FieldResult& result) {
-  const bool loaded = result.field.size() > 0;
-  StressField none;
-  if (!loaded)
-    for (auto* component : {&none.ux, &none.uy, &none.xx, &none.yy, &none.xy}) component->assign(result.map.size(), 0.0);
-  const auto rows = stress::measure_grains(result.map, loaded ? result.field : none, 0, 1);
-  std::vector<double> x, y;
-  for (const Vec2& centre : rows.centre) x.push_back(centre.x), y.push_back(centre.y);
-  std::vector<io::GrainField> fields{{"nodes", "1", as_doubles(rows.nodes)}, {"whole", "1", as_doubles(rows.whole)}, {"x", "m", x}, {"y", "m", y}};
-  if (loaded) add_components(fields, rows.stress, {{"sigma_xx", &Tensor2::xx}, {"sigma_yy", &Tensor2::yy}, {"sigma_xy", &Tensor2::xy}});
-  return fields;
-}
-
-namespace {
 
 /// Collects files and writes each when it cannot grow any more. Unless it gets to its end, what it wrote goes again: half
 /// of a loading looks like a whole one.
@@ -207,6 +167,42 @@ class Loading {
 
 }  // namespace
 
+std::vector<io::GrainField> derived_fields(const Packing& packing) {
+  const texture::PerGrain rows = texture::measure(packing, {.rev_sizes = 0}).per_grain;
+  std::vector<io::GrainField> fields{
+      {"contacts", "1", as_doubles(rows.contacts)}, {"rattler", "1", as_doubles(rows.rattler)}, {"sigma_norm", "1", rows.sigma_norm}, {"psi6", "1", rows.psi6}};
+  if (rows.sigma.empty()) return fields;
+  fields.push_back({"sigma_hyd", "Pa", rows.sigma_hyd});
+  add_components(fields, rows.sigma, {{"sigma_xx", &Tensor2::xx}, {"sigma_xy", &Tensor2::xy}, {"sigma_yx", &Tensor2::yx}, {"sigma_yy", &Tensor2::yy}});
+  return fields;
+}
+
+std::vector<io::GrainField> derived_fields(const FilmResult& film) {
+  const texture::PerGrain rows = texture::measure(film.packing, {.rev_sizes = 0, .grain_sigma_hyd = film.peak_to_peak.sigma_hyd}).per_grain;
+  return {{"contacts", "1", as_doubles(rows.contacts)},
+          {"sigma_norm", "1", rows.sigma_norm},
+          {"sigma_hyd", "Pa", film.peak_to_peak.sigma_hyd},
+          {"sigma_hyd_error", "Pa", film.peak_to_peak.error}};
+}
+
+std::vector<io::GrainField> fields_of_contacts(const FilmResult& film) {
+  if (film.fn_error.empty()) return {};
+  return {{"fn_error", "N", film.fn_error}, {"ft_error", "N", film.ft_error}, {"presence", "1", film.presence}};
+}
+
+std::vector<io::GrainField> derived_fields(const FieldResult& result) {
+  const bool loaded = result.field.size() > 0;
+  StressField none;
+  if (!loaded)
+    for (auto* component : {&none.ux, &none.uy, &none.xx, &none.yy, &none.xy}) component->assign(result.map.size(), 0.0);
+  const auto rows = stress::measure_grains(result.map, loaded ? result.field : none, 0, 1);
+  std::vector<double> x, y;
+  for (const Vec2& centre : rows.centre) x.push_back(centre.x), y.push_back(centre.y);
+  std::vector<io::GrainField> fields{{"nodes", "1", as_doubles(rows.nodes)}, {"whole", "1", as_doubles(rows.whole)}, {"x", "m", x}, {"y", "m", y}};
+  if (loaded) add_components(fields, rows.stress, {{"sigma_xx", &Tensor2::xx}, {"sigma_yy", &Tensor2::yy}, {"sigma_xy", &Tensor2::xy}});
+  return fields;
+}
+
 std::vector<fs::path> export_result(const fs::path& result, const io::ExportFormat& format, const fs::path& folder, bool last_only) {
   auto files = io::stage_files(result);
   if (last_only) files.erase(files.begin(), files.end() - 1);
@@ -214,7 +210,7 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
   Provenance last;
   bool has_field = false;
   for (const auto& file : files) {
-    if (io::sealed_kind(file) == "field") {
+    if (io::stored_kind(file) == "field") {
       if (!format.of_field) {
         if (files.size() == 1)
           throw InputError(file.string(), 0, fmt::format("holds a field on nodes, and {} holds grains only; choose vtk or csv", format.name));
@@ -225,7 +221,7 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
       loading.out().write_now(format.of_field({&field, derived_fields(field)}));
       continue;
     }
-    if (io::sealed_kind(file) == "film") {
+    if (io::stored_kind(file) == "film") {
       const FilmResult film = io::read_film_result(file);
       last = film.provenance;
       loading.add(film.name, std::move(measured_stage(film).frames.front()), derived_fields(film), fields_of_contacts(film));

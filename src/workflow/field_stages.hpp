@@ -23,6 +23,8 @@
 
 namespace arenite::workflow {
 
+struct RunOptions;
+
 /// The grains that a raster shows, in its coordinates, and what holds them.
 struct CroppedPacking {
   Packing packing;
@@ -58,6 +60,9 @@ struct PullCheckpoint {
   peridynamics::KeepPull keep{};
   std::optional<peridynamics::PullState> resume{};
 };
+
+/// Where a killed pull stood by its file, and how this one is kept there: every few seconds, and when it is asked to stop.
+PullCheckpoint pull_checkpoint(const std::filesystem::path& file, const std::string& key, const RunOptions& options);
 
 /// Loads a cemented sample. An unfinished field has `converged` false and says why; nothing if the watch stopped it.
 std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample, const peridynamics::Watch& watch,

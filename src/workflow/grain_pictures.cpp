@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "statistics/clusters.hpp"
 #include "thermal/imaging/registration.hpp"
 
@@ -50,7 +50,7 @@ FloatImage coarser(const Image& image, const Part& part, int times) {
 }
 
 /// Both pictures have one middle and the scales that the recipe gives.
-imaging::Similarity given(const Image& whole, const Part& part, int times, const FilmInfo& film, double scale) {
+imaging::Similarity as_given(const Image& whole, const Part& part, int times, const FilmInfo& film, double scale) {
   const auto first = [&](int begin, int all) { return (begin + 0.5 * (times - 1) - 0.5 * (all - 1)) / times; };
   return {scale, 0, {0.5 * (film.width - 1) + scale * first(part.column, whole.width), 0.5 * (film.height - 1) + scale * first(part.row, whole.height)}, false};
 }
@@ -71,10 +71,8 @@ imaging::Overlay lay_over_film(const std::string& file, const PictureGrains& gra
 
 /// Photographs, which open as films of one frame, too, where they are grey.
 bool is_photograph(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  constexpr std::array<std::string_view, 3> endings{".png", ".jpg", ".jpeg"};
-  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+  const std::string ending = lower_case(path.extension().string());
+  return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
 }
 
 GrainPicture picture_of_film(const std::filesystem::path& path, const PictureChoice& choice) {
@@ -140,7 +138,7 @@ PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& f
   if (found.grains.size() < 3)
     throw InputError(file, 0,
                      fmt::format("shows {} grains; give a picture in which they stand out, or a list of the grains (picture.grains)", found.grains.size()));
-  const auto first = given(whole, part, times, film, pixel / recipe.picture.pixel);
+  const auto first = as_given(whole, part, times, film, pixel / recipe.picture.pixel);
   const auto overlay = lay_over_film(file, found.grains, first, {film.width, film.height, frame});
   const Vec2 middle = first.inverse()({0.5 * (film.width - 1), 0.5 * (film.height - 1)}), off = overlay.transform(middle) - first(middle);
   notes.push_back(fmt::format(

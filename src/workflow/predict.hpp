@@ -11,6 +11,10 @@
 #include "recipe/recipe.hpp"
 
 // What a simulation will cost and what it will be like, before it is run. SI units.
+namespace arenite::dem {
+class Engine;
+}
+
 namespace arenite::workflow {
 
 /// How long two bodies on a linear spring touch, without damping, s: pi sqrt(m/k), of their reduced mass, kg, and stiffness, N/m.
@@ -59,6 +63,25 @@ struct StagePrediction {
   double pressure = 0;                                               ///< Pa, the largest that its sides or its weight exert; 0: none known
   std::optional<double> inertial_number, stiffness_number, overlap;  ///< overlap: over the diameter
 };
+
+/// A sample as a whole.
+struct Bulk {
+  double diameter = 0;  ///< mean, m
+  double density = 0;   ///< of the grains, kg/m^3
+  double solid_fraction = 0;
+  double stiffness = 0;  ///< of the softest pair of its materials, N/m
+  double width = 0, height = 0, thickness = 0;
+  double larger = 1;  ///< how much wider it is than the sample that was made
+};
+Bulk bulk_of(const Packing& packing, const dem::ContactParameters& contact);
+
+/// The pressures of a stage, Pa: the largest, and the one that confines it. Sides that only move or stand keep what the stage before left.
+struct Pressures {
+  double largest = 0, confining = 0;
+};
+
+/// What a stage will be like. `bulk` and `pressures` are those that the stage before left, and then its own.
+StagePrediction predict_stage(dem::Engine& engine, const recipe::Recipe& recipe, const dem::Stage& stage, Bulk& bulk, Pressures& pressures);
 
 struct Prediction {
   std::size_t grains = 0;                  ///< of the recipe, where it says how many

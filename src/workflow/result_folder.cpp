@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/export/export.hpp"
 #include "io/results/results.hpp"
@@ -33,18 +34,10 @@ void rename_former(const fs::path& folder, const std::vector<PlannedStage>& plan
       if (fs::exists(folder / former) && !fs::exists(folder / stage.file)) fs::rename(folder / former, folder / stage.file, error);
 }
 
-namespace {
-
-std::vector<std::string> files_of(const std::vector<PlannedStage>& plan) {
-  std::vector<std::string> names;
-  for (const PlannedStage& stage : plan) names.push_back(stage.file);
-  return names;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 ResultFolder::ResultFolder(fs::path out, const std::vector<PlannedStage>& plan)
-    : ResultFolder((rename_former(out, plan), rename_former(out / "earlier", plan), std::move(out)), files_of(plan)) {}
+    : ResultFolder((rename_former(out, plan), rename_former(out / "earlier", plan), std::move(out)), mapped(plan, &PlannedStage::file)) {}
 
 ResultFolder::ResultFolder(fs::path out, const std::vector<std::string>& names) : out_(std::move(out)) {
   make_folder(out_);
@@ -88,8 +81,50 @@ std::optional<double> loading_axis(const dem::Stage& stage) {
 /// The files of a result that are of this kind, "result" or "field".
 std::vector<fs::path> files_of(const fs::path& result, std::string_view kind) {
   auto files = io::stage_files(result);
-  std::erase_if(files, [&](const fs::path& file) { return io::sealed_kind(file) != kind; });
+  std::erase_if(files, [&](const fs::path& file) { return io::stored_kind(file) != kind; });
   return files;
+}
+
+/// The last file of a stage of loading, or that of the stage of this name.
+fs::path file_of(const fs::path& run, const std::string& stage) {
+  auto files = files_of(run, "result");
+  if (!stage.empty()) std::erase_if(files, [&](const fs::path& file) { return io::read_stage(file).name != stage; });
+  if (!files.empty()) return files.back();
+  if (stage.empty()) throw InputError(run.string(), 0, "there are no stage files of this run; remove its folder and run the study again");
+  throw InputError(run.string(), 0, fmt::format("there is no stage \"{}\" of this run; name one of its recipe, or run the study again", stage));
+}
+
+/// As the recipe asks; the packing, which is the first file, knows of no loading.
+texture::Options options_of(const Provenance& provenance, const fs::path& file, const fs::path& run) {
+  if (file == io::stage_files(run).front()) return {};
+  const recipe::Recipe recipe = recipe::parse_recipe(provenance.recipe, file.string());
+  return texture_options(recipe, recipe.stages.size());
+}
+
+struct Measurable {
+  Packing packing;
+  texture::Options options;
+};
+
+Measurable last_packing(const fs::path& run, const std::string& stage) {
+  const fs::path file = file_of(run, stage);
+  StageResult result = io::read_stage(file);
+  if (result.frames.empty()) throw InputError(file.string(), 0, "this stage holds no state; remove it and run the study again");
+  return {std::move(result.frames.back().packing), options_of(result.provenance, file, run)};
+}
+
+const recipe::Load& load_of(const recipe::Recipe& recipe, const fs::path& run, const std::string& name) {
+  const auto at = std::find_if(recipe.loads.begin(), recipe.loads.end(), [&](const recipe::Load& load) { return name == "*" || load.name == name; });
+  if (at == recipe.loads.end()) throw InputError(run.string(), 0, fmt::format("there is no load \"{}\" of this run; name one of its recipe", name));
+  return *at;
+}
+
+/// What a file would hold: single precision.
+FieldResult as_stored(FieldResult result) {
+  StressField& f = result.field;
+  for (auto* values : {&f.ux, &f.uy, &f.xx, &f.yy, &f.xy})
+    for (double& value : *values) value = static_cast<double>(static_cast<float>(value));
+  return result;
 }
 
 }  // namespace
@@ -133,38 +168,6 @@ texture::Options texture_options(const Provenance& provenance) {
   return texture_options(recipe, at == recipe.stages.end() ? 0 : static_cast<std::size_t>(at - recipe.stages.begin()) + 1);
 }
 
-namespace {
-
-/// The last file of a stage of loading, or that of the stage of this name.
-fs::path file_of(const fs::path& run, const std::string& stage) {
-  auto files = files_of(run, "result");
-  if (!stage.empty()) std::erase_if(files, [&](const fs::path& file) { return io::read_stage(file).name != stage; });
-  if (!files.empty()) return files.back();
-  if (stage.empty()) throw InputError(run.string(), 0, "there are no stage files of this run; remove its folder and run the study again");
-  throw InputError(run.string(), 0, fmt::format("there is no stage \"{}\" of this run; name one of its recipe, or run the study again", stage));
-}
-
-/// As the recipe asks; the packing, which is the first file, knows of no loading.
-texture::Options options_of(const Provenance& provenance, const fs::path& file, const fs::path& run) {
-  if (file == io::stage_files(run).front()) return {};
-  const recipe::Recipe recipe = recipe::parse_recipe(provenance.recipe, file.string());
-  return texture_options(recipe, recipe.stages.size());
-}
-
-struct Measurable {
-  Packing packing;
-  texture::Options options;
-};
-
-Measurable last_packing(const fs::path& run, const std::string& stage) {
-  const fs::path file = file_of(run, stage);
-  StageResult result = io::read_stage(file);
-  if (result.frames.empty()) throw InputError(file.string(), 0, "this stage holds no state; remove it and run the study again");
-  return {std::move(result.frames.back().packing), options_of(result.provenance, file, run)};
-}
-
-}  // namespace
-
 FinalState final_state(const fs::path& run, bool rev, const std::string& stage, int sectors) {
   auto [packing, options] = last_packing(run, stage);
   if (!rev) options.rev_sizes = 0;
@@ -186,24 +189,6 @@ Numbers curves_of(FinalState state) {
   state.texture.per_grain = {};
   return texture::numbers(state.texture, true);
 }
-
-namespace {
-
-const recipe::Load& load_of(const recipe::Recipe& recipe, const fs::path& run, const std::string& name) {
-  const auto at = std::find_if(recipe.loads.begin(), recipe.loads.end(), [&](const recipe::Load& load) { return name == "*" || load.name == name; });
-  if (at == recipe.loads.end()) throw InputError(run.string(), 0, fmt::format("there is no load \"{}\" of this run; name one of its recipe", name));
-  return *at;
-}
-
-/// What a file would hold: single precision.
-FieldResult as_stored(FieldResult result) {
-  StressField& f = result.field;
-  for (auto* values : {&f.ux, &f.uy, &f.xx, &f.yy, &f.xy})
-    for (double& value : *values) value = static_cast<double>(static_cast<float>(value));
-  return result;
-}
-
-}  // namespace
 
 FieldResult field_of(const fs::path& run, const std::string& load) {
   const recipe::Recipe recipe = recipe::read_recipe((run / "recipe.toml").string());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <type_traits>
 #include <utility>
 
 #include "core/error.hpp"
@@ -82,23 +83,6 @@ std::optional<StageResult> load(dem::Engine& engine, const dem::Stage& stage, co
   return std::move(run.result);
 }
 
-/// Where a killed pull stood, and how this one is kept: every few seconds, and when it is asked to stop.
-PullCheckpoint checkpoint_of(const fs::path& file, const std::string& key, const RunOptions& options) {
-  using clock = std::chrono::steady_clock;
-  PullCheckpoint checkpoint;
-  const auto stored = unless_damaged(file, options, "the pull begins anew", [&] { return io::read_checkpoint(file, key); });
-  if (stored && *stored) checkpoint.resume = peridynamics::pull_state_of((*stored)->blobs.at("pull"));
-  checkpoint.keep = [&options, file, key, saved = clock::now()](const auto& state) mutable {
-    if (!options.asked_to_stop() && std::chrono::duration<double>(clock::now() - saved).count() < options.checkpoint_seconds) return;
-    io::Checkpoint c;
-    c.key = key;
-    c.blobs["pull"] = to_bytes(state());
-    io::write_checkpoint(file, c);
-    saved = clock::now();
-  };
-  return checkpoint;
-}
-
 /// A run on its way through its plan.
 class Run {
  public:
@@ -121,54 +105,51 @@ class Run {
   }
 
  private:
+  template <class Result> using Make = std::function<std::optional<Result>(const fs::path& checkpoint)>;
+
   /// Stage `s` of the plan; nothing, and an interrupted outcome, if it was stopped. `progress_.reused` tells where it came from.
-  template <class Result>
-  std::optional<Result> carry_out_stage(std::size_t s, void (*write)(const fs::path&, const Result&), Result (*read)(const fs::path&),
-                                        std::function<std::optional<Result>(const fs::path& checkpoint)> make, const std::string& kernel) {
+  template <class Result> std::optional<Result> carry_out_stage(std::size_t s, const Make<Result>& make, const std::string& kernel) {
     const auto with_provenance = [&](const fs::path& checkpoint) {
       auto made = make(checkpoint);
       if (made) made->provenance = provenance_of(recipe_, s, plan_[s], kernel);
       return made;
     };
-    auto result = workflow::carry_out<Result>({plan_[s], folder_ / plan_[s].file, with_provenance, write, read}, options_, progress_.reused);
+    StageRecord<Result> stage{plan_[s], folder_ / plan_[s].file, with_provenance, nullptr, nullptr};
+    if constexpr (std::is_same_v<Result, FieldResult>) stage.write = io::write_field, stage.read = io::read_field;
+    else stage.write = io::write_stage, stage.read = io::read_stage;
+    auto result = carry_out(stage, options_, progress_.reused);
     outcome_.interrupted = !result;
-    if (result) outcome_.files.push_back(folder_ / plan_[s].file);
+    if (result) outcome_.files.push_back(stage.file);
     return result;
   }
 
-  bool add_stage(std::size_t s, const std::function<std::optional<StageResult>(const fs::path& checkpoint)>& make, const std::string& kernel) {
+  bool add_stage(std::size_t s, const Make<StageResult>& make, const std::string& kernel) {
     std::optional<texture::Texture> texture;
     const auto measured = [&](const fs::path& checkpoint) {
       auto made = make(checkpoint);
       if (made && !made->frames.empty()) {
         texture = texture::measure(made->frames.back().packing, texture_options(recipe_, s));
         made->texture = texture::numbers(*texture);
-        if (s > 0) add_flow(s, *made);
+        const bool was_loaded = s > 1 && !outcome_.stages.back().frames.empty();
+        const Packing* before = was_loaded ? &outcome_.stages.back().frames.back().packing : nullptr;
+        if (s > 0) made->texture.update(fields::flow_numbers(*made, recipe_.stages[s - 1], before));
       }
       return made;
     };
-    auto result = carry_out_stage<StageResult>(s, io::write_stage, io::read_stage, measured, kernel);
+    auto result = carry_out_stage<StageResult>(s, measured, kernel);
     if (!result) return false;
     outcome_.stages.push_back(std::move(*result));
     outcome_.measured.push_back(std::move(texture));
     return true;
   }
 
-  void add_flow(std::size_t s, StageResult& made) const {
-    const bool was_loaded = s > 1 && !outcome_.stages.back().frames.empty();
-    const Numbers flow = fields::flow_numbers(made, recipe_.stages[s - 1], was_loaded ? &outcome_.stages.back().frames.back().packing : nullptr);
-    for (const auto& [name, part] : flow.items()) made.texture[name] = part;
-  }
-
-  bool add_field(std::size_t s, const std::function<std::optional<FieldResult>(const fs::path& checkpoint)>& make) {
+  bool add_field(std::size_t s, const Make<FieldResult>& make) {
     begin(s);
-    auto result = carry_out_stage<FieldResult>(
-        s, io::write_field, io::read_field,
-        [&](const fs::path& checkpoint) {
-          options_.progress(progress_);
-          return make(checkpoint);
-        },
-        "");
+    const auto shown = [&](const fs::path& checkpoint) {
+      options_.progress(progress_);
+      return make(checkpoint);
+    };
+    auto result = carry_out_stage<FieldResult>(s, shown, "");
     if (!result) return false;
     show_done();
     outcome_.converged = outcome_.converged && result->converged;
@@ -193,9 +174,8 @@ class Run {
   }
 
   bool pack() {
-    const bool made = add_stage(
-        0, [&](const fs::path&) { return std::optional(make_packing(recipe_)); }, "");
-    if (!made) return false;
+    const auto make = [&](const fs::path&) { return std::optional(make_packing(recipe_)); };
+    if (!add_stage(0, make, "")) return false;
     show_done();
     io::write_atomically(folder_ / "recipe.toml", to_toml(recipe_));
     return true;
@@ -238,7 +218,7 @@ class Run {
     for (const recipe::Load& load : recipe_.loads) {
       ++s;
       const auto make = [&](const fs::path& kept) {
-        const auto checkpoint = load.failure ? checkpoint_of(kept, plan_[s].hash, options_) : PullCheckpoint{};
+        const auto checkpoint = load.failure ? pull_checkpoint(kept, plan_[s].hash, options_) : PullCheckpoint{};
         return apply_load(load, outcome_.fields.front(), watch, checkpoint);
       };
       if (!add_field(s, make)) return;

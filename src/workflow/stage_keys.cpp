@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Raised when the same recipe gives other bits: a mended law, another order of a sum, another default of a key.
+// Raised when the same recipe gives other bits: a corrected law, another order of a sum, another default of a key.
 constexpr std::int64_t packing_version = 1;
 constexpr std::int64_t loading_version = 4;
 constexpr std::int64_t clipped_dashpot_version = 1;  // of loadings whose dashpots cannot pull, alone
@@ -60,6 +60,48 @@ recipe::Recipe without_field(recipe::Recipe recipe) {
 
 template <class Recipe> std::string text_of(const Recipe& part, Names names) {
   return recipe::under_former_names(names == Names::now ? changed_keys(part) : to_toml(part));
+}
+
+/// Counts up whenever the same film and recipe give other numbers.
+constexpr std::int64_t film_version = 4;
+
+/// The bytes of a file that need not fit into memory.
+void add_file(HashBuilder& hash, const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string part(std::size_t{8} << 20, '\0');
+  while (file.read(part.data(), static_cast<std::streamsize>(part.size())) || file.gcount() > 0)
+    hash.add("part", content_hash(std::string_view(part).substr(0, static_cast<std::size_t>(file.gcount()))));
+}
+
+template <class T> std::string_view bytes_of(const std::vector<T>& values) { return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)}; }
+
+void add_frames(HashBuilder& hash, FilmSource& source) {
+  const std::int64_t frames = source.info().frames;
+  constexpr std::int64_t together = 32;
+  FrameBlock block;
+  for (std::int64_t k = 0; k < frames; k += together) {
+    source.read(k, static_cast<std::size_t>(std::min(together, frames - k)), block);
+    hash.add("levels", content_hash(bytes_of(block.level)));
+    hash.add("values", content_hash(bytes_of(block.value)));
+  }
+}
+
+/// What a film says about itself may stand beside its frames, in another file.
+void add_info(HashBuilder& hash, const FilmInfo& info) {
+  hash.add("width", std::int64_t{info.width}).add("height", std::int64_t{info.height}).add("frames", info.frames);
+  hash.add("frame_rate", info.frame_rate).add("integration", info.integration).add("bits", std::int64_t{info.bits});
+  hash.add("floating", std::int64_t{info.floating}).add("quantity", static_cast<std::int64_t>(info.quantity));
+  hash.add("emissivity", info.emissivity).add("ambient", info.ambient);
+  hash.add("band_low", info.band_low).add("band_high", info.band_high);
+  hash.add("time", content_hash(bytes_of(info.time)));
+}
+
+void add_film(HashBuilder& hash, const char* name, const fs::path& path, FilmSource& source) {
+  hash.add("film", name);
+  add_info(hash, source.info());
+  // A raw film may be named by the file that describes its frames.
+  if (fs::is_regular_file(path) && source.info().format != "raw") add_file(hash, path);
+  else add_frames(hash, source);
 }
 
 }  // namespace
@@ -146,52 +188,6 @@ recipe::Recipe part_of(const recipe::Recipe& recipe, std::size_t s) {
 std::string key_versions() {
   return fmt::format("changed keys {} {} {} {} {}", packing_version, loading_version, cement_version, load_version, clipped_dashpot_version);
 }
-
-namespace {
-
-/// Counts up whenever the same film and recipe give other numbers.
-constexpr std::int64_t film_version = 4;
-
-/// The bytes of a file that need not fit into memory.
-void add_file(HashBuilder& hash, const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string part(std::size_t{8} << 20, '\0');
-  while (file.read(part.data(), static_cast<std::streamsize>(part.size())) || file.gcount() > 0)
-    hash.add("part", content_hash(std::string_view(part).substr(0, static_cast<std::size_t>(file.gcount()))));
-}
-
-template <class T> std::string_view bytes_of(const std::vector<T>& values) { return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)}; }
-
-void add_frames(HashBuilder& hash, FilmSource& source) {
-  const std::int64_t frames = source.info().frames;
-  constexpr std::int64_t together = 32;
-  FrameBlock block;
-  for (std::int64_t k = 0; k < frames; k += together) {
-    source.read(k, static_cast<std::size_t>(std::min(together, frames - k)), block);
-    hash.add("levels", content_hash(bytes_of(block.level)));
-    hash.add("values", content_hash(bytes_of(block.value)));
-  }
-}
-
-/// What a film says about itself may stand beside its frames, in another file.
-void add_info(HashBuilder& hash, const FilmInfo& info) {
-  hash.add("width", std::int64_t{info.width}).add("height", std::int64_t{info.height}).add("frames", info.frames);
-  hash.add("frame_rate", info.frame_rate).add("integration", info.integration).add("bits", std::int64_t{info.bits});
-  hash.add("floating", std::int64_t{info.floating}).add("quantity", static_cast<std::int64_t>(info.quantity));
-  hash.add("emissivity", info.emissivity).add("ambient", info.ambient);
-  hash.add("band_low", info.band_low).add("band_high", info.band_high);
-  hash.add("time", content_hash(bytes_of(info.time)));
-}
-
-void add_film(HashBuilder& hash, const char* name, const fs::path& path, FilmSource& source) {
-  hash.add("film", name);
-  add_info(hash, source.info());
-  // A raw film may be named by the file that describes its frames.
-  if (fs::is_regular_file(path) && source.info().format != "raw") add_file(hash, path);
-  else add_frames(hash, source);
-}
-
-}  // namespace
 
 std::string film_key(const fs::path& film, FilmSource& source, const recipe::FilmRecipe& recipe, Names names) {
   HashBuilder hash;

@@ -24,7 +24,7 @@ std::string packing_key(const recipe::Recipe& recipe, Names names = Names::now);
 /// What changes no bit (title, number of threads, kernel, later stages) is not in it.
 std::string stage_key(const recipe::Recipe& recipe, std::size_t s, const std::string& packing_hash, Names names = Names::now);
 
-/// Hash of all that the cemented sample depends on: the last stage, the cement and the raster.
+/// Hash of all that the cemented sample depends on: the last stage, the cement and the grid.
 std::string cement_key(const recipe::Recipe& recipe, const std::string& last_stage_hash, Names names = Names::now);
 
 /// Hash of all that a load depends on: the cemented sample and the load itself, but not its name's place among others.

@@ -4,11 +4,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <thread>
 #include <vector>
 
+#include "core/text.hpp"
 #include "core/version.hpp"
 #include "workflow/result_folder.hpp"
 #include "workflow/runner.hpp"
@@ -74,8 +74,7 @@ StoreAccount read_account(const fs::path& store) {
     if (a == line.npos || b == line.npos || c <= b) return;
     const std::string_view event = line.substr(0, a);
     const std::string hash(line.substr(a + 1, b - a - 1));
-    double seconds = 0;
-    std::from_chars(line.data() + c + 1, line.data() + line.size(), seconds);
+    const double seconds = parse_number<double>(line.substr(c + 1)).value_or(0);
     if (event == "reused") {
       reused.push_back(hash);
       return;

@@ -19,7 +19,7 @@ std::filesystem::path stored_file(const std::filesystem::path& store, const std:
 /// of processes. Who computes a stage holds its lock meanwhile. What was computed and what was taken instead is noted.
 class Store {
  public:
-  /// Makes the folder. Throws InputError if that cannot be. `notice` is told what is lost from the account.
+  /// Makes the folder. Throws InputError if that cannot be. `notice` hears what is lost from the account.
   explicit Store(std::filesystem::path folder, std::function<void(const std::string&)> notice = {});
 
   std::filesystem::path file(const std::string& hash) const;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "core/error.hpp"
 #include "grains/fields/images.hpp"
@@ -148,6 +149,31 @@ CoarseFields coarse_grain(const Packing& packing, const Grid& grid, const Coarse
   add_kinetic_stress(packing, choice, kernel, fields);
   add_contacts(packing, kernel, fields);
   return fields;
+}
+
+double shear_rate_at(const History& history, double time) {
+  const auto *strain = history.find("shear_strain"), *times = history.find("time");
+  if (!strain || !times || times->size() < 2) return 0;
+  const auto after = std::clamp<std::ptrdiff_t>(std::ranges::lower_bound(*times, time) - times->begin(), 1, static_cast<std::ptrdiff_t>(times->size()) - 1);
+  const auto k = static_cast<std::size_t>(after);
+  const double span = (*times)[k] - (*times)[k - 1];
+  return span > 0 ? ((*strain)[k] - (*strain)[k - 1]) / span : 0;
+}
+
+double mean_diameter(const Grains& grains) {
+  const double sum = std::accumulate(grains.radius.begin(), grains.radius.end(), 0.0);
+  return grains.size() == 0 ? 0 : 2 * sum / static_cast<double>(grains.size());
+}
+
+bool has_fields(const Packing& packing) {
+  return packing.grains.size() > 0 && packing.domain.width() > 0 && packing.domain.height() > 0 && packing.domain.thickness > 0;
+}
+
+CoarseFields coarse_fields(const Packing& packing, double shear_rate, double width, double spacing) {
+  CoarseGraining choice;
+  choice.width = width;
+  if (shear_rate != 0) choice.tilt_rate = shear_rate * packing.domain.height();
+  return coarse_grain(packing, grid_over(packing.domain, spacing), choice);
 }
 
 }  // namespace arenite::fields

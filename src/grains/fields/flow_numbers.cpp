@@ -1,12 +1,17 @@
 #include "grains/fields/flow_numbers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
-#include "grains/fields/discharge.hpp"
+#include "core/error.hpp"
 #include "grains/fields/free_surface.hpp"
+#include "grains/fields/steady_state.hpp"
+#include "grains/texture/texture.hpp"
 
 namespace arenite::fields {
 namespace {
@@ -15,13 +20,8 @@ constexpr double degrees = 180 / std::numbers::pi;
 
 Numbers estimate(double value, double error, double scale = 1) { return {{"value", scale * value}, {"error", scale * error}}; }
 
-const std::vector<double>* column(const History& history, const char* name) {
-  const auto at = std::find_if(history.columns.begin(), history.columns.end(), [&](const auto& c) { return c.name == name; });
-  return at == history.columns.end() ? nullptr : &at->values;
-}
-
 Numbers discharge_numbers(const StageResult& result) {
-  const auto *time = column(result.history, "time"), *mass = column(result.history, "passed_mass"), *grains = column(result.history, "passed");
+  const auto *time = result.history.find("time"), *mass = result.history.find("passed_mass"), *grains = result.history.find("passed");
   if (!time || !mass || !grains || time->size() < 2) return Numbers::tree();
   const Discharge by_mass = find_discharge(*time, *mass), by_grains = find_discharge(*time, *grains);
   if (!std::isfinite(by_mass.rate.value)) return Numbers::tree();
@@ -72,7 +72,7 @@ void put_runout(Numbers& j, const FreeSurface& now, const FreeSurface& then) {
 /// Mean of the second half of a column, and its error by the scatter of ten blocks: neighbours in time are not independent.
 statistics::Measured late_mean(const History& history, const char* name) {
   constexpr std::size_t blocks = 10;
-  const std::vector<double>* values = column(history, name);
+  const std::vector<double>* values = history.find(name);
   const std::size_t length = values ? values->size() / 2 / blocks : 0;
   std::vector<double> means;
   for (std::size_t b = 0; b < blocks && length > 0; ++b) {
@@ -97,10 +97,7 @@ void put_floor(Numbers& j, const StageResult& result, const FreeSurface& now, do
 
 double weight_of(const Packing& packing, double gravity) {
   double mass = 0;
-  for (std::size_t k = 0; k < packing.grains.size(); ++k) {
-    const double r = packing.grains.radius[k];
-    mass += packing.materials[static_cast<std::size_t>(packing.grains.material[k])].density * std::numbers::pi * r * r * packing.domain.thickness;
-  }
+  for (std::size_t k = 0; k < packing.grains.size(); ++k) mass += texture::mass_of(packing, k);
   return gravity * mass;
 }
 
@@ -122,6 +119,39 @@ Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, cons
   return j;
 }
 
+constexpr std::size_t intervals = 400;  // that the time of flow is parted into: enough to find where it is steady, and for blocks within
+
+void check(const std::vector<double>& time, const std::vector<double>& passed) {
+  if (time.size() != passed.size()) throw InputError(fmt::format("there are {} times and {} amounts passed; give one a time", time.size(), passed.size()));
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    if (!std::isfinite(time[k]) || !std::isfinite(passed[k])) throw InputError(fmt::format("row {} of what passed is not finite", k));
+    if (k > 0 && !(time[k] > time[k - 1])) throw InputError(fmt::format("time does not grow in row {} of what passed", k));
+  }
+}
+
+/// What had passed at a time between two rows.
+double at(const std::vector<double>& time, const std::vector<double>& passed, double t) {
+  const auto after = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin());
+  if (after == 0) return passed.front();
+  if (after == time.size()) return passed.back();
+  const double share = (t - time[after - 1]) / (time[after] - time[after - 1]);
+  return passed[after - 1] + share * (passed[after] - passed[after - 1]);
+}
+
+double distance(Vec2 place, Vec2 a, Vec2 b) {
+  const Vec2 along = b - a;
+  return norm(place - (a + std::clamp(dot(place - a, along) / dot(along, along), 0.0, 1.0) * along));
+}
+
+/// From the points of one boundary to the segments of another.
+double shortest_way(const Boundary& from, const Boundary& to) {
+  double least = HUGE_VAL;
+  const std::size_t n = to.points.size();
+  for (const Vec2& place : from.points)
+    for (std::size_t k = 0; k + (to.closed ? 0 : 1) < n; ++k) least = std::min(least, distance(place, to.points[k], to.points[(k + 1) % n]));
+  return least;
+}
+
 }  // namespace
 
 Numbers flow_numbers(const StageResult& result, const dem::Stage& stage, const Packing* before) {
@@ -136,6 +166,37 @@ Numbers flow_numbers(const StageResult& result, const dem::Stage& stage, const P
   put_floor(floor, result, find_free_surface(packing, {0, -1}), weight_of(packing, stage.gravity_size));
   if (!floor.empty()) j["floor"] = std::move(floor);
   return j;
+}
+
+Discharge find_discharge(const std::vector<double>& time, const std::vector<double>& passed) {
+  check(time, passed);
+  Discharge found;
+  const auto is_more = [&](double p) { return p > passed.front(); };
+  const auto first = static_cast<std::size_t>(std::find_if(passed.begin(), passed.end(), is_more) - passed.begin());
+  const auto last = static_cast<std::size_t>(std::find_if(passed.begin(), passed.end(), [&](double p) { return !(p < passed.back()); }) - passed.begin());
+  if (first >= last) return found;
+  const double width = (time[last] - time[first]) / static_cast<double>(std::min(intervals, last - first));
+  std::vector<double> rates;
+  for (std::size_t k = 0; k < std::min(intervals, last - first); ++k) {
+    const double t = time[first] + static_cast<double>(k) * width;
+    rates.push_back((at(time, passed, t + width) - at(time, passed, t)) / width);
+  }
+  rates.resize(rates.size() - find_steady_state(std::vector<double>(rates.rbegin(), rates.rend())).first);
+  const SteadyState steady = find_steady_state(rates);
+  found.steady = steady.reached;
+  found.begin = time[first] + static_cast<double>(found.steady ? steady.first : 0) * width;
+  found.end = found.steady ? time[first] + static_cast<double>(rates.size()) * width : time[last];
+  found.rate.value = (at(time, passed, found.end) - at(time, passed, found.begin)) / (found.end - found.begin);
+  if (found.steady) found.rate = {found.rate.value, steady.mean.error, steady.mean.freedom};
+  return found;
+}
+
+double narrowest_opening(const Domain& domain) {
+  std::optional<double> least;
+  for (const Boundary& a : domain.boundaries)
+    for (const Boundary& b : domain.boundaries)
+      if (&a != &b && a.present && b.present) least = std::min(least.value_or(HUGE_VAL), shortest_way(a, b));
+  return least.value_or(statistics::unknown);
 }
 
 }  // namespace arenite::fields

@@ -58,11 +58,11 @@ FrictionState measure_friction(const Packing& packing, const FrictionOptions& op
   const auto slides = [&](std::size_t c) { return state.mobilisation[c] >= 1 - options.tolerance; };  // false for NaN
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const double mu = contacts.is_wall(c) ? options.wall_friction.value_or(options.friction) : options.friction;
-    const bool told = contacts.fn[c] > 0 && mu > 0;
-    state.mobilisation.push_back(told ? std::abs(contacts.ft[c]) / (mu * contacts.fn[c]) : unknown);
+    const bool rubs = contacts.fn[c] > 0 && mu > 0;
+    state.mobilisation.push_back(rubs ? std::abs(contacts.ft[c]) / (mu * contacts.fn[c]) : unknown);
     state.power.push_back(-contacts.ft[c] * contacts.sliding_velocity[c]);
-    if (told) known.push_back(c);
-    if (told && !contacts.is_wall(c)) between_grains.push_back(c);
+    if (rubs) known.push_back(c);
+    if (rubs && !contacts.is_wall(c)) between_grains.push_back(c);
     if (std::isnan(state.power[c])) continue;
     ++state.known_powers;
     state.total_power += state.power[c];

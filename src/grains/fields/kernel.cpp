@@ -1,4 +1,4 @@
-#include "grains/fields/kernel.hpp"
+#include "grains/fields/coarse_grained.hpp"
 
 #include <fmt/format.h>
 

@@ -181,7 +181,7 @@ RelaxReport fill_at_random(Grains& grains, const Domain& domain, std::uint64_t s
   if (report.overlap_after > 0.01)
     throw InputError(
         fmt::format("a random filling at solid fraction {:.3f} jams with overlaps of {:.1f} % of the radii; "
-                    "give it room (packing.solid_fraction of {:.2f} or less, or a larger frame.height) and let a "
+                    "give it room (packing.solid_fraction of {:.2f} or less, or a larger container.height) and let a "
                     "loading stage compact it",
                     asked, 100 * report.overlap_after, std::min(0.80, std::floor(100 * asked) / 100 - 0.03)));
   return report;

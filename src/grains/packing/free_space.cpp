@@ -1,4 +1,4 @@
-#include "grains/packing/free_space.hpp"
+#include "grains/packing/bidisperse_steps.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -56,10 +56,6 @@ bool lies_inside(Vec2 from_centre, const Region& region) {
   return std::abs(from_centre.x) <= region.width / 2 && std::abs(from_centre.y) <= region.height / 2;
 }
 
-}  // namespace
-
-namespace {
-
 /// Shapes of grains whose population is known, and their angles; nothing where all are disks.
 void give_shapes(Grains& grains, const std::vector<Population>& populations, const std::vector<std::size_t>& population, std::uint64_t seed) {
   if (std::all_of(populations.begin(), populations.end(), [](const Population& p) { return std::holds_alternative<DiskShape>(p.shape); })) return;
@@ -78,6 +74,9 @@ void give_shapes(Grains& grains, const std::vector<Population>& populations, con
     grains.angle[g] = RandomStream(seed, Purpose::orientation, g).uniform(0, 2 * std::numbers::pi);
   }
 }
+
+constexpr std::int64_t many = 200'000;  // grains: their curve is the law's to a few thousandths
+constexpr std::uint64_t seed = 1;       // no grain of a sample is drawn from it
 
 }  // namespace
 
@@ -135,6 +134,39 @@ std::int64_t mark_region(Grains& grains, const Domain& domain, const Region& reg
     for (std::size_t i = 0; i < grains.size(); ++i) grains.zone[i] = lies_inside(d[i], region) ? 1 : 0;
   }
   return std::count(grains.zone.begin(), grains.zone.end(), std::uint8_t{1});
+}
+
+SizeCurve measured_size_curve(const Grains& grains, const Materials& materials, std::size_t most) {
+  std::vector<std::size_t> order(grains.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t g) { return grains.radius[g]; });
+  const auto mass = [&](std::size_t g) { return materials[static_cast<std::size_t>(grains.material[g])].density * grains.radius[g] * grains.radius[g]; };
+  double total = 0;
+  for (const std::size_t g : order) total += mass(g);
+  SizeCurve curve;
+  if (order.empty() || !(total > 0)) return curve;
+  curve.diameter.push_back(2 * grains.radius[order.front()]);
+  curve.passing.push_back(0);
+  double below = 0;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    below += mass(order[k]);
+    const bool last = k + 1 == order.size(), wider_follows = !last && grains.radius[order[k + 1]] > grains.radius[order[k]];
+    const double share = last ? 1 : below / total;
+    if (!last && (!wider_follows || share < curve.passing.back() + 1 / static_cast<double>(most))) continue;
+    curve.diameter.push_back(2 * grains.radius[order[k]]);
+    curve.passing.push_back(share);
+  }
+  return curve;
+}
+
+SizeCurve asked_size_curve(const std::vector<Population>& populations, const Materials& materials, std::int64_t total, std::size_t most) {
+  std::int64_t counted = 0;
+  for (const Population& p : populations) counted += p.count.value_or(0);
+  const std::int64_t times = std::max<std::int64_t>(1, many / std::max<std::int64_t>(1, std::max(total, counted)));
+  auto enlarged = populations;
+  for (Population& p : enlarged)
+    if (p.count) *p.count *= times;
+  return measured_size_curve(draw_grains(enlarged, materials, total * times, seed), materials, most);
 }
 
 }  // namespace arenite::packing

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mapped.hpp"
+
 namespace arenite::texture {
 namespace {
 
@@ -36,7 +38,7 @@ Curve density(const std::vector<double>& sorted) {
 }
 
 /// Share at or above x, at up to about 200 of the values themselves: all ranks of the far tail, then ever fewer.
-Curve share_above_curve(const std::vector<double>& sorted) {
+Curve survival_function(const std::vector<double>& sorted) {
   Curve curve;
   const std::size_t n = sorted.size();
   for (std::size_t rank = n; rank >= 1; rank = std::min(rank - 1, static_cast<std::size_t>(static_cast<double>(rank) / 1.035))) {
@@ -97,15 +99,14 @@ Distribution distribution(const Items& items, const std::vector<int>& block_of, 
   d.share_above_all = estimates[2];
   const double own_mean = mean_of(items, value);
   if (own_mean == 0) return d;
-  std::vector<double> sorted;
-  for (const std::size_t i : items) sorted.push_back(value[i] / own_mean);
+  auto sorted = mapped(items, [&](std::size_t i) { return value[i] / own_mean; });
   std::sort(sorted.begin(), sorted.end());
   d.maximum = sorted.back();
   d.tail = exponential_tail(sorted);
   d.weak = weak_power_law(sorted);
   relate(d);
   d.pdf = density(sorted);
-  d.cumulative = share_above_curve(sorted);
+  d.cumulative = survival_function(sorted);
   for (double& x : sorted) x *= own_mean / mean_of_all;
   d.pdf_over_all = density(sorted);
   return d;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/mapped.hpp"
+
 namespace arenite::texture {
 namespace {
 
@@ -21,11 +23,7 @@ Vec2 middle_of(const Packing& packing, const Bond& bond) {
 
 /// Standard error, component by component, of the mean of equal blocks.
 Tensor2 block_error(const std::vector<Tensor2>& density) {
-  const auto component = [&](double Tensor2::*part) {
-    std::vector<double> values;
-    for (const Tensor2& d : density) values.push_back(d.*part);
-    return standard_error(values);
-  };
+  const auto component = [&](double Tensor2::*part) { return standard_error(mapped(density, part)); };
   return {component(&Tensor2::xx), component(&Tensor2::xy), component(&Tensor2::yx), component(&Tensor2::yy)};
 }
 

@@ -108,7 +108,7 @@ struct Distribution {
   Estimate relation;   ///< beta^2 / ((1 - alpha)(2 - alpha)); 1 where T eq. 1.5 holds
   Curve pdf;           ///< against x; error by counting
   Curve pdf_over_all;  ///< the same against x over the mean of all
-  Curve cumulative;    ///< share above x
+  Curve cumulative;    ///< survival function: share above x
 };
 
 /// Normal forces between grains. Names: "all", "POM-HDPE", and with glued grains "dry-glued".

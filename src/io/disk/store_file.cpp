@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/hash.hpp"
+#include "core/text.hpp"
 #include "io/disk/file.hpp"
 #include "io/disk/refuse.hpp"
 #include "io/table/table.hpp"
@@ -39,11 +40,11 @@ std::string own_name() {
 }
 
 /// Throws unless `bytes` are one whole file of that kind.
-void check_seal(std::string_view bytes, std::string_view kind, const std::filesystem::path& path) {
+void check_header(std::string_view bytes, std::string_view kind, const std::filesystem::path& path) {
   const auto refuse = [&path](const std::string& message) { io::refuse(path.string(), "{}", message); };
   const auto damaged = [&path](std::string message) { throw DamagedFile(path.string(), 0, std::move(message)); };
   if (bytes.empty()) damaged(fmt::format("is empty; a {} of Arenite is written by \"arenite run\"", kind));
-  const auto head = bytes.substr(0, seal_size);
+  const auto head = bytes.substr(0, header_size);
   if (head.starts_with(hdf5_signature)) refuse(fmt::format("is an HDF5 file of another program, not a {} of Arenite", kind));
   const std::string beginning = fmt::format("arenite {} format ", kind);
   const auto shorter = std::min(head.size(), beginning.size());
@@ -58,21 +59,21 @@ void check_seal(std::string_view bytes, std::string_view kind, const std::filesy
     damaged(fmt::format(
         "has not the length it was written with ({} bytes are here): it was cut short or added to; remove it and make it again with \"arenite run\"",
         bytes.size()));
-  if (after(head, "\nxxh3 ") != content_hash(bytes.substr(seal_size)))
+  if (after(head, "\nxxh3 ") != content_hash(bytes.substr(header_size)))
     damaged("was changed or damaged after it was written (its checksum differs); remove it and make it again with \"arenite run\"");
 }
 
 }  // namespace
 
-void write_sealed(const std::filesystem::path& path, std::string_view kind, std::string bytes) {
-  std::string seal = fmt::format("arenite {} format {}\nHDF5 from byte {} on\nbytes {}\nxxh3 {}\n", kind, file_format, seal_size, bytes.size(),
-                                 content_hash(std::string_view(bytes).substr(seal_size)));
-  seal.resize(seal_size, '\0');
-  bytes.replace(0, seal_size, seal);
+void write_checksummed(const std::filesystem::path& path, std::string_view kind, std::string bytes) {
+  std::string header = fmt::format("arenite {} format {}\nHDF5 from byte {} on\nbytes {}\nxxh3 {}\n", kind, file_format, header_size, bytes.size(),
+                                   content_hash(std::string_view(bytes).substr(header_size)));
+  header.resize(header_size, '\0');
+  bytes.replace(0, header_size, header);
   write_atomically(path, bytes);
 }
 
-std::string sealed_kind(const std::filesystem::path& path) {
+std::string stored_kind(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string line;
   constexpr std::string_view ours = "arenite ", then = " format ";
@@ -81,9 +82,9 @@ std::string sealed_kind(const std::filesystem::path& path) {
   return end == std::string::npos ? std::string() : line.substr(ours.size(), end - ours.size());
 }
 
-std::string read_sealed(const std::filesystem::path& path, std::string_view kind) {
+std::string read_checksummed(const std::filesystem::path& path, std::string_view kind) {
   std::string bytes = read_file(path);
-  check_seal(bytes, kind, path);
+  check_header(bytes, kind, path);
   return bytes;
 }
 
@@ -93,10 +94,8 @@ std::string stage_file_name(int place, std::string_view stage, std::string_view 
 
 std::string full_stage_file_name(int place, std::string_view stage, std::string_view hash) {
   std::string name(stage);
-  for (char& c : name) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
-    if (!plain) c = '-';
-  }
+  for (char& c : name)
+    if (!is_name_character(c) && c != '.') c = '-';
   return fmt::format("{:02}-{}-{}.h5", place, name, hash);
 }
 
@@ -133,8 +132,8 @@ void AppendLog::add(std::string line) const {
   std::size_t written = 0;
   const int error = write_all(descriptor_, line, &written);
   torn_ = error != 0 && (torn_ || written > 0);
-  if (error == 0 || told_ || !notice_) return;
-  told_ = true;
+  if (error == 0 || notified_ || !notice_) return;
+  notified_ = true;
   notice_(fmt::format("{}: lines are being lost: {}; make room, or what is done may look as if it were not", file_.string(), std::strerror(error)));
 }
 

@@ -13,7 +13,7 @@ namespace arenite::io {
 /// Our HDF5 files begin with a user block of text (HDF5 allows one, and every reader skips it): what the file is, its format's number, its length and
 /// the hash of the rest. So a file that is foreign, newer, cut short or damaged is known before HDF5 reads a byte of it, and `head -4` tells a person
 /// what lies there.
-inline constexpr std::size_t seal_size = 512;
+inline constexpr std::size_t header_size = 512;
 inline constexpr int file_format = 1;
 
 /// A file of ours that is empty, cut short or changed: what it held is lost, but whoever can make it again may.
@@ -22,15 +22,15 @@ class DamagedFile : public InputError {
   using InputError::InputError;
 };
 
-/// Seals `bytes`, of which HDF5 left the first 512 free, and writes them to `path`, all or nothing. `kind` is "result", "field", "film", "numbers" or
+/// Writes `bytes`, of which HDF5 left the first 512 free for length and checksum, to `path`, all or nothing. `kind` is "result", "field", "film", "numbers" or
 /// "checkpoint".
-void write_sealed(const std::filesystem::path& path, std::string_view kind, std::string bytes);
+void write_checksummed(const std::filesystem::path& path, std::string_view kind, std::string bytes);
 
 /// Reads the bytes of a whole file of that kind; InputError for any other, DamagedFile for one that is no longer whole.
-std::string read_sealed(const std::filesystem::path& path, std::string_view kind);
+std::string read_checksummed(const std::filesystem::path& path, std::string_view kind);
 
 /// The kind that a file says it is, from its first line; empty if it is none of ours or cannot be read.
-std::string sealed_kind(const std::filesystem::path& path);
+std::string stored_kind(const std::filesystem::path& path);
 
 /// "02-compact-<hash>.h5": place in the loading (from 1), the stage's name in the recipe with what a file name should not hold replaced by "-", and
 /// the first 12 digits of the hash of what made it; the file holds all of them. So a folder's names sort in the order of the loading.
@@ -48,12 +48,12 @@ std::vector<std::filesystem::path> stage_files(const std::filesystem::path& resu
 /// by another.
 class AppendLog {
  public:
-  /// `notice` is told, once, that a line was lost.
+  /// `notice` hears once that a line was lost.
   explicit AppendLog(const std::filesystem::path& folder, std::function<void(const std::string&)> notice = {});
   AppendLog(const AppendLog&) = delete;
   AppendLog& operator=(const AppendLog&) = delete;
   ~AppendLog();
-  /// `line` without its end, and without line breaks inside. What cannot be written is lost, for a log must not end a run, but `notice` is told.
+  /// `line` without its end, and without line breaks inside. What cannot be written is lost, for a log must not end a run, but `notice` hears of it.
   void add(std::string line) const;
 
  private:
@@ -61,7 +61,7 @@ class AppendLog {
   int descriptor_ = -1;
   int owner_ = 0;
   std::function<void(const std::string&)> notice_;
-  mutable bool told_ = false, torn_ = false;  ///< torn_: the last line lacks its end
+  mutable bool notified_ = false, torn_ = false;  ///< torn_: the last line lacks its end
 };
 
 /// All whole lines of all files in the folder, file after file; none if there is no folder.

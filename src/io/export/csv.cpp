@@ -15,6 +15,13 @@ using Text = std::back_insert_iterator<std::string>;
 /// "name [unit]"; a number without unit is its name alone.
 std::string title(const std::string& name, const std::string& unit) { return unit == "1" ? name : name + " [" + unit + "]"; }
 
+/// What derived fields are called, each with a comma before it, and the end of the line.
+std::string titles(const std::vector<GrainField>& fields) {
+  std::string text;
+  for (const auto& field : fields) text += "," + title(field.name, field.unit);
+  return text + '\n';
+}
+
 /// Shortest decimal that reads back as the same double; an empty cell where nothing is known.
 void cell(std::string& text, double value) {
   text += ',';
@@ -35,9 +42,7 @@ std::string quoted(const std::string& text) {
 std::string grain_table(const ExportFrame& from) {
   const Packing& packing = from.frame->packing;
   const Grains& g = packing.grains;
-  std::string text = "id,x [m],y [m],radius [m],material,zone,angle [rad],vx [m/s],vy [m/s],omega [rad/s]";
-  for (const auto& field : from.fields) text += "," + title(field.name, field.unit);
-  text += '\n';
+  std::string text = "id,x [m],y [m],radius [m],material,zone,angle [rad],vx [m/s],vy [m/s],omega [rad/s]" + titles(from.fields);
   for (std::size_t i = 0; i < g.size(); ++i) {
     fmt::format_to(Text(text), "{},{},{},{},{},{}", g.id[i], g.x[i], g.y[i], g.radius[i],
                    quoted(packing.materials[static_cast<std::size_t>(g.material[i])].name), int{g.zone[i]});
@@ -53,9 +58,7 @@ std::string contact_table(const ExportFrame& from) {
   const Packing& packing = from.frame->packing;
   const Contacts& c = packing.contacts;
   const double mean = mean_compressive_force(c);
-  std::string text = "i,j,fn [N],ft [N],nx,ny,type,strong,glued,arm_i [m],arm_j [m],overlap [m],sliding_velocity [m/s]";
-  for (const auto& field : from.of_contacts) text += "," + title(field.name, field.unit);
-  text += '\n';
+  std::string text = "i,j,fn [N],ft [N],nx,ny,type,strong,glued,arm_i [m],arm_j [m],overlap [m],sliding_velocity [m/s]" + titles(from.of_contacts);
   for (std::size_t k = 0; k < c.size(); ++k) {
     const auto name = [&](std::int32_t grain) { return packing.grains.id[static_cast<std::size_t>(grain)]; };
     fmt::format_to(Text(text), "{},", name(c.i[k]));
@@ -74,7 +77,7 @@ std::string contact_table(const ExportFrame& from) {
 std::string node_table(const FieldResult& r) {
   const PhaseMap& map = r.map;
   std::string text = "x [m],y [m],phase,grain,class";
-  const std::span<const Column<StressField>> columns(field_columns.data(), r.field.size() > 0 ? field_columns.size() : 0);
+  const std::span<const Column<StressField>> columns(field_columns, r.field.size() > 0 ? std::size(field_columns) : 0);
   for (const auto& c : columns) text += "," + title(c.name, c.unit);
   text += '\n';
   const auto classes = class_of_node(map);
@@ -89,9 +92,7 @@ std::string node_table(const FieldResult& r) {
 }
 
 std::string field_grain_table(const ExportField& from) {
-  std::string text = "label,class";
-  for (const auto& field : from.fields) text += "," + title(field.name, field.unit);
-  text += '\n';
+  std::string text = "label,class" + titles(from.fields);
   const auto& classes = from.result->map.grain_class;
   for (std::size_t g = 0; g < classes.size(); ++g) {
     fmt::format_to(Text(text), "{},{}", g, static_cast<int>(classes[g]));

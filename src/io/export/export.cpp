@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/mapped.hpp"
+
 namespace arenite::io {
 
 const std::vector<ExportFormat>& export_formats() {
@@ -45,9 +47,7 @@ Vec2 far_end(const Packing& packing, std::size_t contact) {
 }
 
 std::vector<std::uint8_t> class_of_node(const PhaseMap& map) {
-  std::vector<std::uint8_t> result;
-  for (const std::int32_t g : map.grain) result.push_back(g < 0 ? 0 : static_cast<std::uint8_t>(map.grain_class[static_cast<std::size_t>(g)]));
-  return result;
+  return mapped(map.grain, [&](std::int32_t g) { return static_cast<std::uint8_t>(g < 0 ? GrainClass::none : map.grain_class[static_cast<std::size_t>(g)]); });
 }
 
 }  // namespace arenite::io

@@ -8,12 +8,6 @@ namespace {
 
 std::string numbered(int number) { return fmt::format("fields_{:04}.vti", number); }
 
-std::vector<double> in_space(const std::vector<double>& x, const std::vector<double>& y) {
-  std::vector<double> vectors;
-  for (std::size_t k = 0; k < x.size(); ++k) vectors.insert(vectors.end(), {x[k], y[k], 0});
-  return vectors;
-}
-
 }  // namespace
 
 /// Points of ImageData with `velocity`, `stress` (xx, yy, zz, xy, yz, xz) and the scalars. Nothing for a state without a box.

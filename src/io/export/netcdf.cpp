@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/mapped.hpp"
 #include "io/export/export.hpp"
 #include "io/hdf5/handle.hpp"
 #include "io/results/groups.hpp"
@@ -38,8 +39,7 @@ class NetcdfFile {
   }
 
   void variable(const std::string& name, const std::string& dimension, const std::vector<std::string>& values, const About& about) {
-    std::vector<const char*> texts;
-    for (const auto& value : values) texts.push_back(value.c_str());
+    auto texts = mapped(values, [](const auto& value) { return value.c_str(); });
     const auto type = text_type(), set = put(name, {dimension}, *type, *type, texts.size(), false, texts.data());
     attribute(*set, "long_name", about.long_name);
     done(H5DSattach_scale(*set, *scale_.at(dimension), 0));
@@ -66,8 +66,7 @@ class NetcdfFile {
 
   Hdf5Handle put(const std::string& name, const std::vector<std::string>& dimensions, hid_t stored, hid_t native, std::size_t count, bool compress,
                  const void* values) {
-    std::vector<hsize_t> size;
-    for (const auto& d : dimensions) size.push_back(d == name ? count : size_.at(d));
+    const auto size = mapped<hsize_t>(dimensions, [&](const auto& d) { return d == name ? count : size_.at(d); });
     if (dimensions.front() == name) size_[name] = count;
     const auto properties = timeless(H5P_DATASET_CREATE);
     done(H5Pset_attr_creation_order(*properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
@@ -96,27 +95,31 @@ using Frames = std::vector<ExportFrame>;
 
 /// One number of each state.
 template <class Value> std::vector<double> by_time(const Frames& frames, Value value) {
-  std::vector<double> values;
-  for (const auto& f : frames) values.push_back(value(*f.frame));
-  return values;
+  return mapped(frames, [&](const auto& f) { return value(*f.frame); });
 }
 
 /// An array of each state, one after the other.
-template <class T, class Array> std::vector<T> joined(const Frames& frames, Array array) {
-  std::vector<T> all;
+template <class Array> auto joined(const Frames& frames, Array array) {
+  std::decay_t<decltype(array(frames.front()))> all;
   for (const auto& f : frames) {
     const auto& part = array(f);
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
 }
+template <class T> std::vector<T> joined(const Frames& frames, std::vector<T> Grains::*member) {
+  return joined(
+      frames, [&](const auto& f) -> auto& { return f.frame->packing.grains.*member; });
+}
+template <class T> std::vector<T> joined(const Frames& frames, std::vector<T> Contacts::*member) {
+  return joined(
+      frames, [&](const auto& f) -> auto& { return f.frame->packing.contacts.*member; });
+}
 
 void put_states(NetcdfFile& file, const Frames& frames) {
   file.dimension("time", by_time(frames, [](const Frame& f) { return f.time; }), {"s", "time since the start of the run"});
-  std::vector<std::string> stages, labels;
-  for (const auto& f : frames) stages.push_back(f.stage), labels.push_back(f.frame->label);
-  file.variable("stage", "time", stages, {"", "stage of the loading"});
-  file.variable("label", "time", labels, {"", "state within its stage"});
+  file.variable("stage", "time", mapped(frames, &ExportFrame::stage), {"", "stage of the loading"});
+  file.variable("label", "time", mapped(frames, [](const auto& f) { return f.frame->label; }), {"", "state within its stage"});
   file.variable("step", {"time"}, by_time(frames, [](const Frame& f) { return static_cast<double>(f.step); }), {"1", "time steps since the start"});
   file.variable("unbalanced_ratio", {"time"}, by_time(frames, [](const Frame& f) { return f.equilibrium.unbalanced_ratio; }),
                 {"1", "mean resultant force on a grain over the mean contact force"});
@@ -149,41 +152,27 @@ void put_grains(NetcdfFile& file, const Frames& frames) {
   const std::vector<std::string> over{"time", "grain"};
   const bool same_radii = std::all_of(frames.begin(), frames.end(), [&](const auto& f) { return f.frame->packing.grains.radius == first.radius; });
   if (same_radii) file.variable("radius", {"grain"}, first.radius, {"m", ""});
-  else
-    file.variable("radius", over,
-                  joined<double>(
-                      frames, [](const auto& f) -> auto& { return f.frame->packing.grains.radius; }),
-                  {"m", ""});
+  else file.variable("radius", over, joined(frames, &Grains::radius), {"m", ""});
   std::string names;
   for (const auto& m : frames.front().frame->packing.materials) names += (names.empty() ? "" : ", ") + m.name;
   file.variable("material", {"grain"}, first.material, {"1", "place in the list of materials: " + names});
-  file.variable("zone", over,
-                joined<std::uint8_t>(
-                    frames, [](const auto& f) -> auto& { return f.frame->packing.grains.zone; }),
-                {"1", "1 where grains may be glued"});
-  for (const auto& column : grain_state_columns)
-    file.variable(column.name, over,
-                  joined<double>(
-                      frames, [&](const auto& f) -> auto& { return f.frame->packing.grains.*column.member; }),
-                  {column.unit, ""});
+  file.variable("zone", over, joined(frames, &Grains::zone), {"1", "1 where grains may be glued"});
+  for (const auto& column : grain_state_columns) file.variable(column.name, over, joined(frames, column.member), {column.unit, ""});
   if (frames.size() > 1) {
     const std::vector<double> none(first.size(), 0.0);
-    file.variable("ux", over,
-                  joined<double>(
-                      frames, [&](const auto& f) -> auto& { return f.ux.empty() ? none : f.ux; }),
-                  {"m", "displacement along x since the first state"});
-    file.variable("uy", over,
-                  joined<double>(
-                      frames, [&](const auto& f) -> auto& { return f.uy.empty() ? none : f.uy; }),
-                  {"m", "displacement along y since the first state"});
+    const auto moved = [&](auto member) {
+      return joined(
+          frames, [&](const auto& f) -> auto& { return (f.*member).empty() ? none : f.*member; });
+    };
+    file.variable("ux", over, moved(&ExportFrame::ux), {"m", "displacement along x since the first state"});
+    file.variable("uy", over, moved(&ExportFrame::uy), {"m", "displacement along y since the first state"});
   }
   for (std::size_t k = 0; k < frames.front().fields.size(); ++k) {
     const GrainField& field = frames.front().fields[k];
     if (std::any_of(frames.begin(), frames.end(), [&](const auto& f) { return f.fields.size() <= k || f.fields[k].name != field.name; })) continue;
-    file.variable(field.name, over,
-                  joined<double>(
-                      frames, [k](const auto& f) -> auto& { return f.fields[k].values; }),
-                  {field.unit, field.unit == "Pa" ? "stress of the grain, tension positive" : ""});
+    const auto values = joined(
+        frames, [k](const auto& f) -> auto& { return f.fields[k].values; });
+    file.variable(field.name, over, values, {field.unit, field.unit == "Pa" ? "stress of the grain, tension positive" : ""});
   }
 }
 
@@ -204,14 +193,8 @@ void put_contacts(NetcdfFile& file, const Frames& frames) {
   file.variable("contact_i", {"contact"}, i, {"1", "id of the grain"});
   file.variable("contact_j", {"contact"}, j, {"1", "id of the other grain; walls are -1 left, -2 right, -3 bottom, -4 top"});
   for (const auto& column : contact_columns)
-    file.variable(std::string("contact_") + column.name, {"contact"},
-                  joined<double>(
-                      frames, [&](const auto& f) -> auto& { return f.frame->packing.contacts.*column.member; }),
-                  {column.unit, ""});
-  file.variable("contact_glued", {"contact"},
-                joined<std::uint8_t>(
-                    frames, [](const auto& f) -> auto& { return f.frame->packing.contacts.glued; }),
-                {"1", "1 where adhesion acts"});
+    file.variable(std::string("contact_") + column.name, {"contact"}, joined(frames, column.member), {column.unit, ""});
+  file.variable("contact_glued", {"contact"}, joined(frames, &Contacts::glued), {"1", "1 where adhesion acts"});
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/mapped.hpp"
 #include "io/export/export.hpp"
 #include "io/results/groups.hpp"
 
@@ -92,8 +93,7 @@ std::vector<NamedBytes> lammps_frame(const ExportFrame& frame) { return {{"grain
 std::vector<NamedBytes> extxyz_frame(const ExportFrame& from) {
   const Packing& packing = from.frame->packing;
   const Grains& g = packing.grains;
-  std::vector<std::string> species;
-  for (const auto& material : packing.materials) species.push_back(word(material.name));
+  const auto species = mapped(packing.materials, [](const Material& material) { return word(material.name); });
   std::string text = fmt::format("{}\n{}\n", g.size(), comment_line(from));
   for (std::size_t i = 0; i < g.size(); ++i) {
     fmt::format_to(Text(text), "{} {} {} 0 {} {} {} {} {} 0 {} {}", species[static_cast<std::size_t>(g.material[i])], g.x[i], g.y[i], g.radius[i], g.id[i],

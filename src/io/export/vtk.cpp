@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <numeric>
+
+#include "core/mapped.hpp"
 #include "io/export/export.hpp"
 #include "io/export/vtk_file.hpp"
 #include "io/results/groups.hpp"
@@ -8,22 +12,11 @@
 namespace arenite::io {
 namespace {
 
-/// A plane vector as VTK wants it: three components, the last 0.
-std::vector<double> in_space(const std::vector<double>& x, const std::vector<double>& y) {
-  std::vector<double> values(3 * x.size());
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    values[3 * k] = x[k];
-    values[3 * k + 1] = y[k];
-  }
-  return values;
-}
-
 /// The components of `what` as one tensor of nine, row by row; nothing where they are not there.
 std::vector<double> stress_of(const ExportFrame& from) {
-  const auto of = [&](const char* name) -> const std::vector<double>* {
-    for (const auto& field : from.fields)
-      if (field.name == name) return &field.values;
-    return nullptr;
+  const auto of = [&](const char* name) {
+    const auto at = std::ranges::find(from.fields, name, &GrainField::name);
+    return at == from.fields.end() ? nullptr : &at->values;
   };
   const auto *xx = of("sigma_xx"), *xy = of("sigma_xy"), *yx = of("sigma_yx"), *yy = of("sigma_yy");
   if (!xx || !xy || !yx || !yy) return {};
@@ -49,13 +42,19 @@ VtkPolyData grains_of(const ExportFrame& from) {
   return data;
 }
 
+/// Lines, to be filled in.
+VtkPolyData lines_at(const ExportFrame& from) {
+  VtkPolyData data;
+  data.time = from.frame->time;
+  data.cells = VtkPolyData::Cells::lines;
+  return data;
+}
+
 VtkPolyData contacts_of(const ExportFrame& from) {
   const Packing& packing = from.frame->packing;
   const Contacts& contacts = packing.contacts;
   const double mean = mean_compressive_force(contacts);
-  VtkPolyData data;
-  data.time = from.frame->time;
-  data.cells = VtkPolyData::Cells::lines;
+  VtkPolyData data = lines_at(from);
   std::vector<double> force_at_ends;
   std::vector<std::int64_t> id_i, id_j;
   std::vector<std::int32_t> type;
@@ -86,20 +85,12 @@ VtkPolyData walls_of(const ExportFrame& from) {
   const Domain& domain = from.frame->packing.domain;
   const double x0 = domain.wall[left].position, x1 = domain.wall[right].position;
   const double y0 = domain.wall[bottom].position, y1 = domain.wall[top].position;
-  VtkPolyData data;
-  data.time = from.frame->time;
-  data.cells = VtkPolyData::Cells::lines;
+  VtkPolyData data = lines_at(from);
   const double t = domain.tilt;
   data.points = {x0, y0, 0, x0 + t, y1, 0, x1, y0, 0, x1 + t, y1, 0, x0, y0, 0, x1, y0, 0, x0 + t, y1, 0, x1 + t, y1, 0};
   std::vector<std::int32_t> side{left, right, bottom, top};
-  std::vector<std::uint8_t> present;
-  std::vector<double> force, shear_force, velocity;
-  for (const Wall& wall : domain.wall) {
-    present.push_back(wall.present ? 1 : 0);
-    force.push_back(wall.force);
-    shear_force.push_back(wall.shear_force);
-    velocity.push_back(wall.velocity);
-  }
+  auto present = mapped<std::uint8_t>(domain.wall, &Wall::present);
+  auto force = mapped(domain.wall, &Wall::force), shear_force = mapped(domain.wall, &Wall::shear_force), velocity = mapped(domain.wall, &Wall::velocity);
   for (std::size_t b = 0; b < domain.boundaries.size(); ++b) {
     const Boundary& boundary = domain.boundaries[b];
     const std::size_t n = boundary.points.size();
@@ -120,9 +111,7 @@ VtkPolyData walls_of(const ExportFrame& from) {
 /// Lines along the rims of grains.
 VtkPolyData rims_of(const ExportFrame& from) {
   const Grains& grains = from.frame->packing.grains;
-  VtkPolyData data;
-  data.time = from.frame->time;
-  data.cells = VtkPolyData::Cells::lines;
+  VtkPolyData data = lines_at(from);
   std::vector<std::int64_t> id;
   std::vector<std::int32_t> material;
   for (std::size_t g = 0; g < grains.size(); ++g) {
@@ -161,6 +150,16 @@ struct Part {
 constexpr Part parts[] = {{"grains", grains_of}, {"contacts", contacts_of}, {"walls", walls_of}};
 constexpr Part outlines{"outlines", rims_of};  // beside them, where grains are no disks
 
+/// The bonds that broke, a point each, in the order of breaking.
+VtkPolyData cracks_of(const std::vector<Crack>& cracks) {
+  VtkPolyData data;
+  for (const Crack& crack : cracks) data.points.insert(data.points.end(), {crack.x, crack.y, 0});
+  std::vector<std::int32_t> order(cracks.size());
+  std::iota(order.begin(), order.end(), 0);
+  data.point_arrays = {{"order", order}, {"type", mapped(cracks, &Crack::type)}, {"strain", mapped(cracks, &Crack::strain)}};
+  return data;
+}
+
 }  // namespace
 
 std::vector<NamedBytes> vtk_frame(const ExportFrame& frame) {
@@ -183,38 +182,18 @@ std::vector<NamedBytes> vtk_index(const std::vector<double>& times) {
     for (std::size_t f = 0; f < times.size(); ++f) list.push_back({times[f], name_of(static_cast<int>(f))});
     return pvd_bytes(list);
   };
-  std::vector<NamedBytes> files;
-  for (const Part& part : parts) files.push_back({fmt::format("{}.pvd", part.name), listed([&](int f) { return numbered(part.name, f); })});
+  auto files = mapped(parts, [&](const Part& part) {
+    return NamedBytes{fmt::format("{}.pvd", part.name), listed([&](int f) { return numbered(part.name, f); })};
+  });
   files.push_back({"loading.pvd", listed(state_file)});
   return files;
 }
-
-namespace {
-
-/// The bonds that broke, a point each, in the order of breaking.
-VtkPolyData cracks_of(const std::vector<Crack>& cracks) {
-  VtkPolyData data;
-  std::vector<std::int32_t> order;
-  std::vector<std::uint8_t> type;
-  std::vector<double> strain;
-  for (const Crack& crack : cracks) {
-    data.points.insert(data.points.end(), {crack.x, crack.y, 0});
-    order.push_back(static_cast<std::int32_t>(order.size()));
-    type.push_back(crack.type);
-    strain.push_back(crack.strain);
-  }
-  data.point_arrays = {{"order", order}, {"type", type}, {"strain", strain}};
-  return data;
-}
-
-}  // namespace
 
 /// The nodes as a picture (NAME.vti); of a pull to failure the broken bonds too, NAME-cracks.vtp.
 std::vector<NamedBytes> vti_field(const ExportField& from) {
   const FieldResult& r = *from.result;
   VtkImage image{r.map.width, r.map.height, r.map.dx, {}};
-  std::vector<std::uint8_t> phase;
-  for (const Phase p : r.map.phase) phase.push_back(static_cast<std::uint8_t>(p));
+  const auto phase = mapped(r.map.phase, [](Phase p) { return static_cast<std::uint8_t>(p); });
   image.point_arrays = {{"phase", phase}, {"grain", r.map.grain}, {"class", class_of_node(r.map)}};
   if (r.field.size() > 0) {
     image.point_arrays.push_back({"displacement", single(in_space(r.field.ux, r.field.uy)), 3});

@@ -101,6 +101,13 @@ class VtkWriter {
 
 }  // namespace
 
+std::vector<double> in_space(const std::vector<double>& x, const std::vector<double>& y) {
+  std::vector<double> vectors;
+  vectors.reserve(3 * x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) vectors.insert(vectors.end(), {x[k], y[k], 0});
+  return vectors;
+}
+
 std::string vtp_bytes(const VtkPolyData& data) {
   const std::size_t points = data.points.size() / 3;
   const bool lines = data.cells == VtkPolyData::Cells::lines;

@@ -13,6 +13,9 @@ struct VtkArray {
   int components = 1;
 };
 
+/// Vectors of the plane as VTK wants them: three components, the last 0.
+std::vector<double> in_space(const std::vector<double>& x, const std::vector<double>& y);
+
 /// Points with either one vertex each or straight lines between pairs of them: all that disks, contacts and walls need.
 struct VtkPolyData {
   enum class Cells { vertices, lines };  ///< a vertex per point; a line per two successive points

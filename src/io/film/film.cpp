@@ -149,7 +149,7 @@ std::unique_ptr<FilmSource> open_film(const std::filesystem::path& path, const F
   if (pattern || std::filesystem::is_directory(path, error)) return scaled_film(open_series(path, choice), choice);
   const Bytes bytes = open_bytes(path);
   refuse_other_recording(path);
-  if (!sealed_kind(path).empty()) refuse(path.string(), "is a result of Arenite, not a film; look at it with \"arenite show\"");
+  if (!stored_kind(path).empty()) refuse(path.string(), "is a result of Arenite, not a film; look at it with \"arenite show\"");
   const FormatToRead* format = format_of(*bytes);
   const std::filesystem::path sidecar = format != nullptr && format->marked ? std::filesystem::path() : sidecar_of(path);
   return open_film(sidecar.empty() ? bytes : open_bytes(sidecar), choice);
@@ -163,7 +163,7 @@ bool looks_like_film(const std::filesystem::path& path) {
     return std::none_of(entries, end, is_ours);
   }
   if (!std::filesystem::is_regular_file(path, error)) return path.filename().string().find('*') != std::string::npos;
-  if (!sealed_kind(path).empty()) return false;
+  if (!stored_kind(path).empty()) return false;
   return format_of(*open_bytes(path)) != nullptr || !sidecar_of(path).empty();
 }
 

@@ -1,4 +1,5 @@
 #include "io/hdf5/handle.hpp"
+#include "core/mapped.hpp"
 #include "io/disk/refuse.hpp"
 
 #include <fmt/format.h>
@@ -16,6 +17,16 @@ namespace {
 /// Not a recursive mutex: a forked process has another thread number, and could not give back what it holds.
 std::mutex speaking;
 thread_local int turns = 0;
+
+/// Null where there is no attribute of this name, or a damaged one.
+struct Attribute {
+  Hdf5Handle id, space, type;
+  Attribute(hid_t at, const char* name) {
+    if (H5Aexists(at, name) > 0) id = own(H5Aopen(at, name, H5P_DEFAULT), H5Aclose);
+    if (id) space = own(H5Aget_space(*id), H5Sclose), type = own(H5Aget_type(*id), H5Tclose);
+  }
+  bool is_one() const { return space && type && H5Sget_simple_extent_npoints(*space) == 1; }
+};
 
 }  // namespace
 
@@ -123,9 +134,7 @@ std::vector<std::int64_t> shape_of(hid_t set) {
   if (rank <= 0 || rank > H5S_MAX_RANK) return {};
   std::vector<hsize_t> shape(static_cast<std::size_t>(rank));
   H5Sget_simple_extent_dims(*space, shape.data(), nullptr);
-  std::vector<std::int64_t> result;
-  for (const hsize_t n : shape) result.push_back(static_cast<std::int64_t>(std::min<hsize_t>(n, std::numeric_limits<std::int64_t>::max())));
-  return result;
+  return mapped(shape, [](hsize_t n) { return static_cast<std::int64_t>(std::min<hsize_t>(n, std::numeric_limits<std::int64_t>::max())); });
 }
 
 std::vector<std::string> datasets_in(hid_t file, bool (*fits)(hid_t set)) {
@@ -157,20 +166,6 @@ std::optional<Hdf5Number> number_of(hid_t type) {
   }
   return std::nullopt;
 }
-
-namespace {
-
-/// Null where there is no attribute of this name, or a damaged one.
-struct Attribute {
-  Hdf5Handle id, space, type;
-  Attribute(hid_t at, const char* name) {
-    if (H5Aexists(at, name) > 0) id = own(H5Aopen(at, name, H5P_DEFAULT), H5Aclose);
-    if (id) space = own(H5Aget_space(*id), H5Sclose), type = own(H5Aget_type(*id), H5Tclose);
-  }
-  bool is_one() const { return space && type && H5Sget_simple_extent_npoints(*space) == 1; }
-};
-
-}  // namespace
 
 double number_attribute(hid_t at, std::initializer_list<const char*> names) {
   for (const char* name : names) {

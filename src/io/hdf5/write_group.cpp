@@ -43,7 +43,7 @@ void write_text_attribute(hid_t owner, const std::string& name, std::string_view
 Hdf5Handle new_root() {
   const auto access = memory_properties();
   const auto creation = timeless(H5P_FILE_CREATE);
-  done(H5Pset_userblock(*creation, seal_size));
+  done(H5Pset_userblock(*creation, header_size));
   keep_order(*creation);
   const auto file = made(H5Fcreate(unused_name().c_str(), H5F_ACC_TRUNC, *creation, *access), H5Fclose);
   return made(H5Gopen2(*file, "/", H5P_DEFAULT), H5Gclose);
@@ -107,7 +107,7 @@ void Hdf5Writer::set(const std::string& name, std::string_view text) const { wri
 
 std::string Hdf5Writer::bytes() const {
   const auto file = made(H5Iget_file_id(*id_), H5Fclose);
-  return bytes_of_file(*file, seal_size);
+  return bytes_of_file(*file, header_size);
 }
 
 }  // namespace arenite::io

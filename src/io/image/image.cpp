@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "io/disk/refuse.hpp"
 
@@ -73,9 +74,7 @@ template <class T> void take(const PixelLayout& layout, const std::uint8_t* samp
 }  // namespace
 
 std::vector<std::string> channel_names() {
-  std::vector<std::string> names;
-  for (const auto& [name, channel] : channels) names.emplace_back(name);
-  return names;
+  return mapped<std::string>(channels, [](const auto& channel) { return channel.first; });
 }
 
 Channel parse_channel(const std::string& name) {

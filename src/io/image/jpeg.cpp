@@ -48,7 +48,7 @@ struct Decoder {
     self->errors.format_message(any, self->message);
     std::longjmp(self->leave, 1);  // NOLINT: libjpeg's way
   }
-  /// The library mends damaged data by guessing and warns; only bytes that it may skip without loss are let pass.
+  /// The library fills in damaged data by guessing and warns; only bytes that it may skip without loss are let pass.
   static void warn(j_common_ptr any, int level) {
     if (level < 0 && any->err->msg_code != JWRN_EXTRANEOUS_DATA) fail(any);
   }

@@ -1,3 +1,4 @@
+#include "core/mapped.hpp"
 #include "io/results/groups.hpp"
 #include "io/results/results.hpp"
 
@@ -24,10 +25,7 @@ void transfer_cement(const ResultPart& at, Cement& cement, std::size_t grains) {
 }
 
 template <class To, class From> std::vector<To> converted(const std::vector<From>& values) {
-  std::vector<To> result;
-  result.reserve(values.size());
-  for (const From value : values) result.push_back(static_cast<To>(value));
-  return result;
+  return mapped(values, [](From value) { return static_cast<To>(value); });
 }
 
 void transfer_map(const ResultPart& at, PhaseMap& map) {

@@ -1,5 +1,7 @@
 #include "io/results/groups.hpp"
 
+#include "core/mapped.hpp"
+
 namespace arenite::io {
 namespace {
 
@@ -51,6 +53,49 @@ void transfer_boundaries(const ResultPart& at, std::vector<Boundary>& boundaries
   });
 }
 
+/// What grains are that are no disks; files of disks have no such group.
+void transfer_shapes(const ResultPart& at, Grains& grains, const Grains* sample) {
+  Shapes& shapes = grains.shapes;
+  if (at.reads() && !at.take->has_group("shapes")) {
+    if (sample) shapes = sample->shapes;
+    return;
+  }
+  if (!at.reads() && (shapes.empty() || (sample && shapes == sample->shapes))) return;
+  const auto group = at.group("shapes");
+  group.note("first", "grain g has the disks first[g] to first[g + 1] - 1, at x and y from its centre of mass where its angle is 0");
+  group.note("filled", "1: the convex polygon of the disks' centres widened by their common radius; 0: the union of the disks");
+  group.array("first", shapes.first);
+  group.array("x", shapes.x, "m");
+  group.array("y", shapes.y, "m");
+  group.array("radius", shapes.radius, "m");
+  group.array("filled", shapes.filled);
+  group.array("gyration", shapes.gyration, "m");
+  if (!at.reads()) return;
+  const std::size_t n = grains.id.size(), disks = shapes.x.size();
+  group.same_length({n, shapes.first.empty() ? n + 1 : shapes.first.size() - 1, shapes.filled.size(), shapes.gyration.size()});
+  group.same_length({disks, shapes.y.size(), shapes.radius.size()});
+  const bool rising = std::is_sorted(shapes.first.begin(), shapes.first.end()) && shapes.first.front() == 0;
+  if (!rising || shapes.first.back() != static_cast<std::int32_t>(disks)) group.take->refuse("names disks of grains that do not exist");
+}
+
+struct BondColumn {
+  const char *name, *unit;
+  double& (*of)(Bond&);
+};
+constexpr BondColumn bond_columns[] = {{"length", "m", [](Bond& b) -> double& { return b.length; }},
+                                       {"nx", "1", [](Bond& b) -> double& { return b.normal.x; }},
+                                       {"ny", "1", [](Bond& b) -> double& { return b.normal.y; }},
+                                       {"angle_i", "rad", [](Bond& b) -> double& { return b.angle_i; }},
+                                       {"angle_j", "rad", [](Bond& b) -> double& { return b.angle_j; }},
+                                       {"fn", "N", [](Bond& b) -> double& { return b.fn; }},
+                                       {"ft", "N", [](Bond& b) -> double& { return b.ft; }},
+                                       {"moment", "N m", [](Bond& b) -> double& { return b.moment; }},
+                                       {"energy", "J", [](Bond& b) -> double& { return b.energy; }},
+                                       {"load", "1", [](Bond& b) -> double& { return b.load; }},
+                                       {"time", "s", [](Bond& b) -> double& { return b.time; }},
+                                       {"x", "m", [](Bond& b) -> double& { return b.place.x; }},
+                                       {"y", "m", [](Bond& b) -> double& { return b.place.y; }}};
+
 }  // namespace
 
 void transfer_provenance(const ResultPart& at, Provenance& provenance) {
@@ -100,35 +145,6 @@ void transfer_domain(const ResultPart& at, Domain& domain) {
   transfer_boundaries(group, domain.boundaries);
 }
 
-namespace {
-
-/// What grains are that are no disks; files of disks have no such group.
-void transfer_shapes(const ResultPart& at, Grains& grains, const Grains* sample) {
-  Shapes& shapes = grains.shapes;
-  if (at.reads() && !at.take->has_group("shapes")) {
-    if (sample) shapes = sample->shapes;
-    return;
-  }
-  if (!at.reads() && (shapes.empty() || (sample && shapes == sample->shapes))) return;
-  const auto group = at.group("shapes");
-  group.note("first", "grain g has the disks first[g] to first[g + 1] - 1, at x and y from its centre of mass where its angle is 0");
-  group.note("filled", "1: the convex polygon of the disks' centres widened by their common radius; 0: the union of the disks");
-  group.array("first", shapes.first);
-  group.array("x", shapes.x, "m");
-  group.array("y", shapes.y, "m");
-  group.array("radius", shapes.radius, "m");
-  group.array("filled", shapes.filled);
-  group.array("gyration", shapes.gyration, "m");
-  if (!at.reads()) return;
-  const std::size_t n = grains.id.size(), disks = shapes.x.size();
-  group.same_length({n, shapes.first.empty() ? n + 1 : shapes.first.size() - 1, shapes.filled.size(), shapes.gyration.size()});
-  group.same_length({disks, shapes.y.size(), shapes.radius.size()});
-  const bool rising = std::is_sorted(shapes.first.begin(), shapes.first.end()) && shapes.first.front() == 0;
-  if (!rising || shapes.first.back() != static_cast<std::int32_t>(disks)) group.take->refuse("names disks of grains that do not exist");
-}
-
-}  // namespace
-
 void transfer_names(const ResultPart& at, Grains& grains, const Grains* sample) {
   const auto transfer = [&]<class T>(const char* name, std::vector<T> Grains::*member, const char* unit = "1") {
     auto& values = grains.*member;
@@ -162,7 +178,7 @@ void transfer_contacts(const ResultPart& at, Contacts& contacts, std::size_t gra
   group.array("j", contacts.j);
   transfer_columns(group, contacts, contact_columns, contacts.size());
   group.array("glued", contacts.glued);
-  if (at.reads() ? group.take->has(lever_columns.front().name) : !contacts.off_i_x.empty()) {
+  if (at.reads() ? group.take->has(lever_columns[0].name) : !contacts.off_i_x.empty()) {
     group.note("off_i_x", "the arms of i and j begin this far off the centres, which a grain that is no disk needs");
     transfer_columns(group, contacts, lever_columns, contacts.size());
   }
@@ -174,41 +190,12 @@ void transfer_contacts(const ResultPart& at, Contacts& contacts, std::size_t gra
       group.take->refuse("names a grain that does not exist");
 }
 
-namespace {
-
-struct BondColumn {
-  const char *name, *unit;
-  double& (*of)(Bond&);
-};
-constexpr BondColumn bond_columns[] = {{"length", "m", [](Bond& b) -> double& { return b.length; }},
-                                       {"nx", "1", [](Bond& b) -> double& { return b.normal.x; }},
-                                       {"ny", "1", [](Bond& b) -> double& { return b.normal.y; }},
-                                       {"angle_i", "rad", [](Bond& b) -> double& { return b.angle_i; }},
-                                       {"angle_j", "rad", [](Bond& b) -> double& { return b.angle_j; }},
-                                       {"fn", "N", [](Bond& b) -> double& { return b.fn; }},
-                                       {"ft", "N", [](Bond& b) -> double& { return b.ft; }},
-                                       {"moment", "N m", [](Bond& b) -> double& { return b.moment; }},
-                                       {"energy", "J", [](Bond& b) -> double& { return b.energy; }},
-                                       {"load", "1", [](Bond& b) -> double& { return b.load; }},
-                                       {"time", "s", [](Bond& b) -> double& { return b.time; }},
-                                       {"x", "m", [](Bond& b) -> double& { return b.place.x; }},
-                                       {"y", "m", [](Bond& b) -> double& { return b.place.y; }}};
-
-template <class Get> auto gathered(std::vector<Bond>& bonds, Get get) {
-  std::vector<std::decay_t<decltype(get(bonds.front()))>> values;
-  for (Bond& bond : bonds) values.push_back(get(bond));
-  return values;
-}
-
-}  // namespace
-
 void transfer_bonds(const ResultPart& at, std::vector<Bond>& bonds, std::size_t grains) {
   if (at.reads() ? !at.take->has_group("bonds") : bonds.empty()) return;
   const auto group = at.group("bonds");
   group.note("i and j", "places in the arrays of grains, from 0, i < j; signs as of contacts; length, n and angles are those of when the bond was made");
   group.note("broken", "0: holds; broken in 1 tension, 2 bending, 3 shear, at that time and place, with that energy");
-  auto i = gathered(bonds, [](Bond&b) { return b.i; }), j = gathered(bonds, [](Bond&b) { return b.j; });
-  auto broken = gathered(bonds, [](Bond& b) { return static_cast<std::int32_t>(b.broken); });
+  auto i = mapped(bonds, &Bond::i), j = mapped(bonds, &Bond::j), broken = mapped(bonds, [](const Bond&b) { return static_cast<std::int32_t>(b.broken); });
   group.array("i", i);
   group.array("j", j);
   group.array("broken", broken);
@@ -222,7 +209,7 @@ void transfer_bonds(const ResultPart& at, std::vector<Bond>& bonds, std::size_t 
     bonds[b].broken = static_cast<BondBreak>(broken[b]);
   }
   for (const BondColumn& column : bond_columns) {
-    auto values = gathered(bonds, column.of);
+    auto values = mapped(bonds, [&](Bond bond) { return column.of(bond); });
     group.array(column.name, values, column.unit);
     group.same_length({values.size(), bonds.size()});
     for (std::size_t b = 0; b < bonds.size(); ++b) column.of(bonds[b]) = values[b];

@@ -106,11 +106,11 @@ template <class Result>
 void write_result_file(const std::filesystem::path& path, std::string_view kind, void (*transfer)(const ResultPart&, Result&), const Result& result) {
   const Hdf5Writer file;
   transfer(ResultPart(file), const_cast<Result&>(result));  // which does not change what it writes
-  write_sealed(path, kind, file.bytes());
+  write_checksummed(path, kind, file.bytes());
 }
 template <class Result> Result read_result_file(const std::filesystem::path& path, std::string_view kind, void (*transfer)(const ResultPart&, Result&)) {
   Result result;
-  transfer(ResultPart(Hdf5Reader(read_sealed(path, kind), path.string())), result);
+  transfer(ResultPart(Hdf5Reader(read_checksummed(path, kind), path.string())), result);
   return result;
 }
 
@@ -122,32 +122,24 @@ template <class Owner, class Value = double> struct Column {
 };
 
 /// What changes from frame to frame; radius, id, material and zone do not.
-inline constexpr std::array<Column<Grains>, 6> grain_state_columns{{{"x", "m", &Grains::x},
-                                                                    {"y", "m", &Grains::y},
-                                                                    {"angle", "rad", &Grains::angle},
-                                                                    {"vx", "m/s", &Grains::vx},
-                                                                    {"vy", "m/s", &Grains::vy},
-                                                                    {"omega", "rad/s", &Grains::omega}}};
+inline constexpr Column<Grains> grain_state_columns[] = {{"x", "m", &Grains::x},     {"y", "m", &Grains::y},     {"angle", "rad", &Grains::angle},
+                                                         {"vx", "m/s", &Grains::vx}, {"vy", "m/s", &Grains::vy}, {"omega", "rad/s", &Grains::omega}};
 
-inline constexpr std::array<Column<Contacts>, 8> contact_columns{{{"nx", "1", &Contacts::nx},
-                                                                  {"ny", "1", &Contacts::ny},
-                                                                  {"fn", "N", &Contacts::fn},
-                                                                  {"ft", "N", &Contacts::ft},
-                                                                  {"arm_i", "m", &Contacts::arm_i},
-                                                                  {"arm_j", "m", &Contacts::arm_j},
-                                                                  {"overlap", "m", &Contacts::overlap},
-                                                                  {"sliding_velocity", "m/s", &Contacts::sliding_velocity}}};
+inline constexpr Column<Contacts> contact_columns[] = {{"nx", "1", &Contacts::nx},           {"ny", "1", &Contacts::ny},
+                                                       {"fn", "N", &Contacts::fn},           {"ft", "N", &Contacts::ft},
+                                                       {"arm_i", "m", &Contacts::arm_i},     {"arm_j", "m", &Contacts::arm_j},
+                                                       {"overlap", "m", &Contacts::overlap}, {"sliding_velocity", "m/s", &Contacts::sliding_velocity}};
 
 /// Of contacts of grains that are no disks; files of disks have none.
 inline constexpr std::array<Column<Contacts>, 4> lever_columns{
     {{"off_i_x", "m", &Contacts::off_i_x}, {"off_i_y", "m", &Contacts::off_i_y}, {"off_j_x", "m", &Contacts::off_j_x}, {"off_j_y", "m", &Contacts::off_j_y}}};
 
 /// Displacements and stresses of a field's nodes.
-inline constexpr std::array<Column<StressField>, 5> field_columns{{{"ux", "m", &StressField::ux},
-                                                                   {"uy", "m", &StressField::uy},
-                                                                   {"sigma_xx", "Pa", &StressField::xx},
-                                                                   {"sigma_yy", "Pa", &StressField::yy},
-                                                                   {"sigma_xy", "Pa", &StressField::xy}}};
+inline constexpr Column<StressField> field_columns[] = {{"ux", "m", &StressField::ux},
+                                                        {"uy", "m", &StressField::uy},
+                                                        {"sigma_xx", "Pa", &StressField::xx},
+                                                        {"sigma_yy", "Pa", &StressField::yy},
+                                                        {"sigma_xy", "Pa", &StressField::xy}};
 
 /// All columns of an owner, of which each has `size` values, or none where it may lack them.
 template <class Owner, class Columns>

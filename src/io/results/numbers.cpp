@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/mapped.hpp"
 #include "io/disk/file.hpp"
 #include "io/results/groups.hpp"
 #include "io/results/results.hpp"
@@ -80,11 +81,7 @@ Numbers read_rows(const Hdf5Reader& at) {
 
 /// With nothing in place of numbers that are not finite.
 Numbers finite(const Numbers& numbers) {
-  if (numbers.is_list()) {
-    Numbers list = Numbers::list();
-    for (const Numbers& item : numbers) list.push_back(finite(item));
-    return list;
-  }
+  if (numbers.is_list()) return mapped(numbers, finite);
   if (numbers.is_tree()) {
     Numbers tree = Numbers::tree();
     for (const auto& [name, item] : numbers.items()) tree[name] = finite(item);
@@ -118,11 +115,11 @@ Numbers read_numbers(const Hdf5Reader& at, const std::string& name) {
 void write_numbers_file(const std::filesystem::path& path, const Numbers& numbers) {
   const Hdf5Writer file;
   write_numbers(file, "numbers", finite(numbers));
-  write_sealed(path, "numbers", file.bytes());
+  write_checksummed(path, "numbers", file.bytes());
 }
 
 Numbers read_numbers_file(const std::filesystem::path& path, const std::filesystem::path& former_json) {
-  if (std::filesystem::exists(path)) return read_numbers(Hdf5Reader(read_sealed(path, "numbers"), path.string()), "numbers");
+  if (std::filesystem::exists(path)) return read_numbers(Hdf5Reader(read_checksummed(path, "numbers"), path.string()), "numbers");
   return std::filesystem::exists(former_json) ? from_json(read_file(former_json)).value_or(Numbers{}) : Numbers{};
 }
 

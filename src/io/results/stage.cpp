@@ -58,7 +58,7 @@ void write_stage(const std::filesystem::path& path, const StageResult& result) {
 StageResult read_stage(const std::filesystem::path& path) { return read_result_file(path, "result", transfer_result); }
 
 std::variant<StageResult, FieldResult, FilmResult> read_result(const std::filesystem::path& path) {
-  const std::string kind = sealed_kind(path);
+  const std::string kind = stored_kind(path);
   if (kind == "field") return read_field(path);
   if (kind == "film") return read_film_result(path);
   return read_stage(path);
@@ -74,12 +74,12 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
   const auto integers = root.create_group("integers");
   for (const auto& [name, value] : checkpoint.integers) integers.set(name, value);
   transfer_result(ResultPart(root.create_group("partial")), const_cast<StageResult&>(checkpoint.partial));  // which it only reads
-  write_sealed(path, "checkpoint", root.bytes());
+  write_checksummed(path, "checkpoint", root.bytes());
 }
 
 std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& path, const std::string& key) {
   if (!std::filesystem::exists(path)) return std::nullopt;
-  const Hdf5Reader root(read_sealed(path, "checkpoint"), path.string());
+  const Hdf5Reader root(read_checksummed(path, "checkpoint"), path.string());
   Checkpoint checkpoint;
   checkpoint.key = root.label("key");
   if (checkpoint.key != key) return std::nullopt;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/mapped.hpp"
 #include "io/disk/file.hpp"
 #include "io/sample/sample.hpp"
 #include "io/table/table.hpp"
@@ -24,7 +25,7 @@ Field find_field(const Table& table, std::initializer_list<std::string_view> nam
   return {index, factor_or_problem(column.unit, column.name, dimension, by_default, table.header_line, problems)};
 }
 
-/// Columns of a picture's grains, which `arenite grains` writes in pixels where it is not told their width.
+/// Columns of a picture's grains, which `arenite grains` writes in pixels where their width is not given.
 bool in_pixels(const Table& table) {
   const auto has_px = [](const auto& column) { return column.unit == "px"; };
   return std::any_of(table.columns.begin(), table.columns.end(), has_px);
@@ -62,9 +63,7 @@ std::int32_t material_of(const RawGrain& row, const Materials& materials, Proble
   if (row.material.empty() && materials.size() == 1) return 0;
   const auto it = std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == row.material; });
   if (it != materials.end()) return static_cast<std::int32_t>(it - materials.begin());
-  std::vector<std::string> names;
-  for (const auto& m : materials) names.push_back(m.name);
-  const std::string near = nearest(row.material, names);
+  const std::string near = nearest(row.material, mapped(materials, &Material::name));
   problems.add(row.line, row.material.empty() ? std::string("this grain names no material; add a column \"material\"")
                                               : fmt::format("the recipe has no material \"{}\"{}", row.material,
                                                             near.empty() ? "; add it under [materials]" : fmt::format("; did you mean \"{}\"?", near)));
@@ -163,7 +162,7 @@ Grains read_placed_grains(const std::filesystem::path& path, const Materials& ma
     const Vec2 centre = row.centre + Vec2{domain.wall[left].position, domain.wall[bottom].position};
     if (!lies_inside(centre, domain))
       problems.add(row.line, fmt::format("the centre of grain {} at ({:g}, {:g}) m lies outside the container of {:g} x {:g} m; correct it, "
-                                         "the unit of the column or [frame]",
+                                         "the unit of the column or [container]",
                                          row.id, row.centre.x, row.centre.y, domain.width(), domain.height()));
     grains.id[i] = row.id;
     grains.x[i] = centre.x;

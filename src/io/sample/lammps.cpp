@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "io/sample/lammps_columns.hpp"
+#include "core/mapped.hpp"
 #include "io/table/table.hpp"
 
 namespace arenite::io {
@@ -53,10 +53,10 @@ struct Columns {
     const auto it = std::find(names.begin(), names.end(), name);
     return it == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(it - names.begin()));
   }
-  std::size_t require(std::initializer_list<std::string_view> choices, const char* mend, Problems& problems) const {
+  std::size_t require(std::initializer_list<std::string_view> choices, const char* fix, Problems& problems) const {
     for (const auto name : choices)
       if (const auto c = find(name)) return *c;
-    problems.add(line, fmt::format("there is no column \"{}\"; {}", *choices.begin(), mend));
+    problems.add(line, fmt::format("there is no column \"{}\"; {}", *choices.begin(), fix));
     return names.size();
   }
 };
@@ -132,8 +132,7 @@ void name_columns(Columns& columns, const Item& entries, const RawGrains& grains
   std::vector<std::size_t> at;
   for (std::size_t c = 0; c < columns.names.size(); ++c)
     if (is_opaque(columns.names[c])) at.push_back(c);
-  std::vector<std::vector<std::string_view>> rows;
-  for (const auto& [number, line] : entries.body) rows.push_back(split_blanks(line));
+  const auto rows = mapped(entries.body, [](const auto& numbered) { return split_blanks(numbered.second); });
   if (const auto found = find_pair_columns(rows, at, grains)) {
     for (const auto& [name, c] :
          {std::pair{"patom1", found->i}, {"patom2", found->j}, {"fx", found->fx}, {"fy", found->fy}, {"p1", found->p1}, {"p2", found->p2}})
@@ -160,10 +159,10 @@ RawGrains read_lammps_atoms(std::string_view text, const ReadingHints& hints, Pr
   check_count(items, *atoms, "NUMBER OF ATOMS", problems);
   read_box(items, hints.length, grains, problems);
   const Columns columns = columns_of(*atoms, "ATOMS");
-  constexpr const char* mend = "dump id type x y radius";
-  const std::size_t id = columns.require({"id"}, mend, problems), type = columns.find("type").value_or(columns.names.size());
-  const std::size_t x = columns.require({"x", "xu", "xs"}, mend, problems), y = columns.require({"y", "yu", "ys"}, mend, problems);
-  const std::size_t r = columns.require({"radius", "diameter"}, mend, problems);
+  constexpr const char* fix = "dump id type x y radius";
+  const std::size_t id = columns.require({"id"}, fix, problems), type = columns.find("type").value_or(columns.names.size());
+  const std::size_t x = columns.require({"x", "xu", "xs"}, fix, problems), y = columns.require({"y", "yu", "ys"}, fix, problems);
+  const std::size_t r = columns.require({"radius", "diameter"}, fix, problems);
   if (problems.any()) return grains;
   const bool scaled = columns.names[x] == "xs";
   const double half = columns.names[r] == "diameter" ? 0.5 : 1.0;

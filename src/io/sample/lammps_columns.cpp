@@ -1,9 +1,10 @@
-#include "io/sample/lammps_columns.hpp"
+#include "io/sample/sample.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
+#include "core/mapped.hpp"
 #include "io/table/table.hpp"
 
 namespace arenite::io {
@@ -84,8 +85,7 @@ std::optional<PairColumns> find_pair_columns(const std::vector<std::vector<std::
   std::size_t i = 0;
   while (i + 1 < n && !(are_grains(i) && are_grains(i + 1) && std::ranges::none_of(numbers, [&](const Row& row) { return row[i] == row[i + 1]; }))) ++i;
   if (i + 1 >= n) return {};
-  std::vector<Vec2> branches;
-  for (const Row& row : numbers) branches.push_back(geometry.branch(row[i], row[i + 1]));
+  const auto branches = mapped(numbers, [&](const Row& row) { return geometry.branch(row[i], row[i + 1]); });
   for (std::size_t x = 0; x + 1 < n; ++x) {
     if (x + 1 >= i && x <= i + 1) continue;
     if (!lies(numbers, branches, x, x + 1, true) || are_branches(numbers, branches, x)) continue;

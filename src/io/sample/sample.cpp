@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/mapped.hpp"
 #include "io/disk/file.hpp"
 #include "io/disk/refuse.hpp"
 #include "io/table/table.hpp"
@@ -91,11 +92,7 @@ std::string read_text(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::vector<std::string> sample_formats() {
-  std::vector<std::string> names;
-  for (const Format& format : formats) names.emplace_back(format.name);
-  return names;
-}
+std::vector<std::string> sample_formats() { return mapped<std::string>(formats, &Format::name); }
 
 Sample read_sample(const std::filesystem::path& grains_path, const std::filesystem::path& contacts_path, const SampleOptions& options) {
   const std::string grains_text = read_text(grains_path), contacts_text = contacts_path.empty() ? std::string() : read_text(contacts_path);

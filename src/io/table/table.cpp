@@ -9,12 +9,6 @@
 namespace arenite::io {
 namespace {
 
-std::string lower(std::string_view s) {
-  std::string result(s);
-  for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return result;
-}
-
 /// Without the quotes around a cell; a doubled quote inside stays as it is written.
 std::string_view unquoted(std::string_view cell) {
   return cell.size() >= 2 && cell.front() == '"' && cell.back() == '"' ? cell.substr(1, cell.size() - 2) : cell;
@@ -46,7 +40,7 @@ Table::Column column_of(std::string_view cell) {
   const auto open = cell.find_first_of("[(");
   const bool closed = open != std::string_view::npos && (cell.back() == ']' || cell.back() == ')');
   const auto name = trimmed(closed ? cell.substr(0, open) : cell);
-  return {lower(name), std::string(closed ? trimmed(cell.substr(open + 1, cell.size() - open - 2)) : ""), std::string(name)};
+  return {lower_case(name), std::string(closed ? trimmed(cell.substr(open + 1, cell.size() - open - 2)) : ""), std::string(name)};
 }
 
 bool is_unit(std::string_view cell) {
@@ -69,12 +63,6 @@ void check_header(const Table& table, int line, Problems& problems) {
 }
 
 }  // namespace
-
-std::string_view trimmed(std::string_view s) {
-  const auto first = s.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return s.substr(first, s.find_last_not_of(" \t\r") - first + 1);
-}
 
 std::vector<std::string_view> split_blanks(std::string_view line) {
   std::vector<std::string_view> cells;

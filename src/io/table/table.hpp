@@ -1,11 +1,11 @@
 #pragma once
-#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/problems.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 
 namespace arenite::io {
@@ -34,9 +34,6 @@ struct Table {
 /// is missing or says a column twice go to `problems`.
 Table read_table(std::string_view text, const std::string& columns, Problems& problems);
 
-/// Without the blanks around it.
-std::string_view trimmed(std::string_view text);
-
 /// Cells separated by blanks.
 std::vector<std::string_view> split_blanks(std::string_view line);
 
@@ -51,13 +48,6 @@ class Lines {
   std::string_view rest_;
   int number_;
 };
-
-/// A text that is a number of this type and nothing else; empty otherwise.
-template <class T> std::optional<T> parse_number(std::string_view text) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
-}
 
 /// A whole finite number; empty otherwise ("nan" and "inf" are not numbers here).
 std::optional<double> to_number(std::string_view cell);

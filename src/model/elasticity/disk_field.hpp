@@ -21,7 +21,7 @@ struct RimForce {
 
 /// An elastic disk in plane stress under forces on its rim: Flamant's field of every force, the isotropic tension that frees the rim between them
 /// (Michell), and a body force (weight, inertia) that balances what the forces leave. That body force adds nothing to sigma_kk, so sigma_kk is
-/// harmonic. Positions are told from the disk's centre, m.
+/// harmonic. Positions count from the disk's centre, m.
 struct Disk {
   double radius = 0;  ///< m
   double length = 1;  ///< out of plane, m

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "solid/raster/cavities.hpp"
 
@@ -72,8 +73,7 @@ void add_moments(const std::vector<std::int64_t>& nodes, double unit, CavityStat
 
 void add_ranks(const std::vector<std::int64_t>& nodes, double unit, CavityStatistics& s) {
   if (nodes.size() < 2) return;
-  std::vector<double> volume;
-  for (const auto v : nodes) volume.push_back(static_cast<double>(v) * unit);
+  auto volume = mapped(nodes, [&](auto v) { return static_cast<double>(v) * unit; });
   std::sort(volume.begin(), volume.end());
   s.tenth = volume[volume.size() / 10];
   s.median = volume[volume.size() / 2];

@@ -16,7 +16,7 @@ using statistics::BlockedSample;
 /// The sets that do not overlap; unclassed are particles without class.
 enum class NodeSet : std::uint8_t { left_out, matrix, small, large, unclassed };
 
-/// What is told of: a range of these.
+/// What is reported: a range of these.
 struct NamedSet {
   const char* name;
   NodeSet first, last;
@@ -191,12 +191,8 @@ ComponentStatistics measure_component(const Selection& selection, const StressFi
 }  // namespace
 
 const char* name_of(Component component) {
-  switch (component) {
-    case Component::xx: return "sigma_xx";
-    case Component::xy: return "sigma_xy";
-    case Component::hydrostatic: return "sigma_hyd";
-    default: return "sigma_yy";
-  }
+  constexpr const char* names[] = {"sigma_yy", "sigma_xx", "sigma_xy", "sigma_hyd"};
+  return names[static_cast<int>(component)];
 }
 
 Statistics measure(const PhaseMap& map, const StressField& field, const StressOptions& options) {

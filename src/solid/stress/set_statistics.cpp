@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
+#include "core/mapped.hpp"
 #include "statistics/jackknife.hpp"
 
 namespace arenite::stress {
@@ -15,17 +17,9 @@ using statistics::BlockCounts;
 using statistics::BlockedSample;
 using statistics::Counts;
 
-constexpr std::array<std::pair<const char*, double>, 11> quantile_shares{{{"0.01 %", 1e-4},
-                                                                          {"0.1 %", 1e-3},
-                                                                          {"1 %", 0.01},
-                                                                          {"5 %", 0.05},
-                                                                          {"25 %", 0.25},
-                                                                          {"50 %", 0.5},
-                                                                          {"75 %", 0.75},
-                                                                          {"95 %", 0.95},
-                                                                          {"99 %", 0.99},
-                                                                          {"99.9 %", 0.999},
-                                                                          {"99.99 %", 0.9999}}};
+constexpr std::pair<const char*, double> quantile_shares[] = {{"0.01 %", 1e-4}, {"0.1 %", 1e-3},   {"1 %", 0.01},      {"5 %", 0.05},
+                                                              {"25 %", 0.25},   {"50 %", 0.5},     {"75 %", 0.75},     {"95 %", 0.95},
+                                                              {"99 %", 0.99},   {"99.9 %", 0.999}, {"99.99 %", 0.9999}};
 
 /// Sums of powers of d = x - shift.
 struct Powers {
@@ -134,7 +128,7 @@ void describe_ranks(const Scaled& s, const BlockCounts& counts, const std::vecto
   const auto e = statistics::with_errors(values, replicates);
   d.share_above = e[0];
   d.share_above_all = e[1];
-  for (std::size_t k = 0; k < quantile_shares.size(); ++k) d.quantiles.emplace_back(quantile_shares[k].first, e[k + 2]);
+  for (std::size_t k = 0; k < std::size(quantile_shares); ++k) d.quantiles.emplace_back(quantile_shares[k].first, e[k + 2]);
 }
 
 Curve rescaled(Curve curve, double r) {
@@ -161,9 +155,7 @@ Distribution describe(const std::string& name, BlockedSample& sigma, const Norma
   Normaliser by = normaliser;
   const Scaled s = scale(sigma, own ? normaliser : (by.over_mean = false, by));
   describe_moments(s, normaliser, d);
-  std::vector<double> shares;
-  for (const auto& [text, p] : quantile_shares) shares.push_back(p);
-  const std::vector<double> quantiles = statistics::exact_quantiles(sigma.x, shares);
+  const auto quantiles = statistics::exact_quantiles(sigma.x, mapped(quantile_shares, [](const auto& share) { return share.second; }));
   const auto [low, high] = std::minmax_element(sigma.x.begin(), sigma.x.end());
   const double r = s.unit / normaliser.value;
   d.minimum = std::min(*low * r, *high * r);

@@ -11,7 +11,6 @@
 #include "statistics/estimate.hpp"
 #include "statistics/histogram.hpp"
 #include "statistics/numbers.hpp"
-#include "statistics/q_gaussian.hpp"
 #include "statistics/tails.hpp"
 
 /// Statistics of node stresses by phase (P IV). Fits, errors and their types are those that grains and contacts use (src/statistics).

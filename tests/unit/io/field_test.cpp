@@ -88,9 +88,9 @@ TEST(FieldFile, KindsAreToldApart) {
   const TemporaryFolder folder;
   io::write_field(folder / "f.h5", small_field());
   io::write_stage(folder / "s.h5", test::two_frames(3));
-  EXPECT_EQ(io::sealed_kind(folder / "f.h5"), "field");
-  EXPECT_EQ(io::sealed_kind(folder / "s.h5"), "result");
-  EXPECT_EQ(io::sealed_kind(folder / "none.h5"), "");
+  EXPECT_EQ(io::stored_kind(folder / "f.h5"), "field");
+  EXPECT_EQ(io::stored_kind(folder / "s.h5"), "result");
+  EXPECT_EQ(io::stored_kind(folder / "none.h5"), "");
   EXPECT_THROW(io::read_field(folder / "s.h5"), InputError);
   EXPECT_THROW(io::read_stage(folder / "f.h5"), InputError);
 }
@@ -102,7 +102,7 @@ TEST(FieldFile, CutShortOrChangedIsDamaged) {
   for (std::size_t k = 0; k < whole.size(); k += whole.size() / 97) {
     std::ofstream(folder / "cut.h5", std::ios::binary) << whole.substr(0, k);
     EXPECT_THROW(io::read_field(folder / "cut.h5"), InputError) << k;
-    if (k < io::seal_size) continue;
+    if (k < io::header_size) continue;
     std::string changed = whole;
     changed[k] = static_cast<char>(changed[k] ^ 1);
     std::ofstream(folder / "changed.h5", std::ios::binary) << changed;

@@ -23,7 +23,7 @@ TEST(FilmResultFile, ReadsBackWhatWasWritten) {
   const TemporaryFolder folder;
   const FilmResult& r = sample();
   io::write_film_result(folder / "f.h5", r);
-  EXPECT_EQ(io::sealed_kind(folder / "f.h5"), "film");
+  EXPECT_EQ(io::stored_kind(folder / "f.h5"), "film");
   const FilmResult back = io::read_film_result(folder / "f.h5");
   EXPECT_EQ(back.name, r.name);
   EXPECT_EQ(back.outcome, r.outcome);
@@ -127,7 +127,7 @@ TEST(FilmResultFile, CutShortOrChangedIsDamaged) {
   for (std::size_t k = 0; k < whole.size(); k += whole.size() / 37) {
     std::ofstream(folder / "cut.h5", std::ios::binary) << whole.substr(0, k);
     EXPECT_THROW(io::read_film_result(folder / "cut.h5"), InputError) << k;
-    if (k < io::seal_size) continue;
+    if (k < io::header_size) continue;
     std::string changed = whole;
     changed[k] = static_cast<char>(changed[k] ^ 1);
     std::ofstream(folder / "changed.h5", std::ios::binary) << changed;

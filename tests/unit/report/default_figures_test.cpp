@@ -1,4 +1,4 @@
-#include "report/default_figures.hpp"
+#include "report/study_page.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,3 @@
-#include "report/packing_layers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -128,7 +128,7 @@ TEST(StudyFigures, WhatAFilmGivesIsMarked) {
 }
 
 TEST(StudyFigures, TheShareAboveADensityStandsAtTheLowerEdgesWithTheErrorOfTheSharesOfTheSamples) {
-  const auto above = mean_share_above(
+  const auto above = mean_survival(
       test::numbers_of({R"({"pdf":{"low":0,"width":0.5,"density":[0.8,0.8,0.4]}})", R"({"pdf":{"low":0,"width":0.5,"density":[1.2,0.8]}})"}), "pdf");
   EXPECT_EQ(above.x, (std::vector<double>{0, 0.5, 1}));
   EXPECT_EQ(above.samples, 2u);

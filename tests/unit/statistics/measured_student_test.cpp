@@ -30,8 +30,8 @@ TEST(Student, ManyDegreesOfFreedomAreNormal) { EXPECT_NEAR(student_share(1.3, 1e
 
 TEST(Student, FishersShareHasItsClosedForm) {
   for (const double f : {0.0, 0.3, 2.4, 17.0})
-    for (const double d : {3.0, 15.0}) EXPECT_NEAR(fisher_share_above(f, 2, d), std::pow(1 + 2 * f / d, -d / 2), 1e-13);
-  EXPECT_NEAR(fisher_share_above(6.25, 1, 7), 2 * (1 - student_share(2.5, 7)), 1e-13);  // F with 1 degree is t squared
+    for (const double d : {3.0, 15.0}) EXPECT_NEAR(fisher_survival(f, 2, d), std::pow(1 + 2 * f / d, -d / 2), 1e-13);
+  EXPECT_NEAR(fisher_survival(6.25, 1, 7), 2 * (1 - student_share(2.5, 7)), 1e-13);  // F with 1 degree is t squared
 }
 
 }  // namespace

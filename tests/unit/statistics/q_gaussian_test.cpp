@@ -1,4 +1,4 @@
-#include "statistics/q_gaussian.hpp"
+#include "statistics/tails.hpp"
 
 #include <gtest/gtest.h>
 

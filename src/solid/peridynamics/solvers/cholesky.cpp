@@ -5,7 +5,7 @@
 #include <cstring>
 #include <new>
 
-#include "solid/peridynamics/solvers/cholesky.hpp"
+#include "solid/peridynamics/solvers/coarse_space.hpp"
 
 namespace arenite::peridynamics {
 

@@ -1,4 +1,4 @@
-#include "solid/peridynamics/solvers/cholesky.hpp"
+#include "solid/peridynamics/solvers/coarse_space.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

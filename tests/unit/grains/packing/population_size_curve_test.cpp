@@ -1,4 +1,4 @@
-#include "grains/packing/size_curve.hpp"
+#include "grains/packing/population.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "grains/fields/state_fields.hpp"
+#include "grains/fields/coarse_grained.hpp"
 
 #include <gtest/gtest.h>
 
