@@ -105,6 +105,19 @@ Numbers bonds_of(const Packing& packing, NumberBlock& block) {
   return {{"i", block.add_indices(i)}, {"j", block.add_indices(j)}, {"broken", block.add_indices(broken)}};
 }
 
+/// Pairs that a pull joins, touching or not.
+Numbers cohesive_of(const Packing& packing, NumberBlock& block) {
+  std::vector<std::uint32_t> i, j;
+  std::vector<double> gap, pull;
+  for (const CohesivePair& pair : packing.cohesive) {
+    i.push_back(static_cast<std::uint32_t>(pair.i));
+    j.push_back(static_cast<std::uint32_t>(pair.j));
+    gap.push_back(pair.gap);
+    pull.push_back(pair.pull);
+  }
+  return {{"i", block.add_indices(i)}, {"j", block.add_indices(j)}, {"gap", block.add_coarse(gap)}, {"pull", block.add_coarse(pull)}};
+}
+
 Numbers boundaries_of(const Domain& domain, NumberBlock& block) {
   Numbers list = Numbers::list();
   for (const Boundary& boundary : domain.boundaries) {
@@ -164,6 +177,7 @@ Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* 
                 {"wall_speed", rest.wall_speed}}}};
   add_grain_values(out, frame.packing, block);
   if (!frame.packing.bonds.empty()) out["bonds"] = bonds_of(frame.packing, block);
+  if (!frame.packing.cohesive.empty()) out["cohesive"] = cohesive_of(frame.packing, block);
   if (texture) out["texture"] = texture_of(*texture, block);
   return out;
 }

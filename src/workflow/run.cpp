@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "grains/dem/run_stage.hpp"
+#include "grains/fields/cohesion_numbers.hpp"
 #include "grains/fields/flow_numbers.hpp"
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
@@ -156,8 +157,9 @@ class Run {
 
   void add_flow(std::size_t s, StageResult& made) const {
     const bool was_loaded = s > 1 && !outcome_.stages.back().frames.empty();
-    const Numbers flow = fields::flow_numbers(made, recipe_.stages[s - 1], was_loaded ? &outcome_.stages.back().frames.back().packing : nullptr);
-    for (const auto& [name, part] : flow.items()) made.texture[name] = part;
+    const Packing* before = was_loaded ? &outcome_.stages.back().frames.back().packing : nullptr;
+    for (const Numbers& flow : {fields::flow_numbers(made, recipe_.stages[s - 1], before), fields::cohesion_numbers(made, recipe_.stages[s - 1], before)})
+      for (const auto& [name, part] : flow.items()) made.texture[name] = part;
   }
 
   bool add_field(std::size_t s, const std::function<std::optional<FieldResult>(const fs::path& checkpoint)>& make) {

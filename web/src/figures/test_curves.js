@@ -21,7 +21,7 @@ function curvesOf(stage) {
   };
 }
 
-/** The stress of a test without confinement: its ratio says nothing, and its volume is not that of the box. */
+/** The stress of a test without confinement or in tension: its ratio says nothing, and its volume is not that of the box. */
 function uniaxial(test, factor) {
   const { factor: size, prefix } = prefixOf(Math.max(...Array.from(test.ratio, Math.abs)), "Pa");
   return {
@@ -77,7 +77,7 @@ function panel(theme, strain, points, y, width, critical = null) {
 
 export const testCurves = {
   id: "test-curves", title: "Curves of the test", wide: true, follows: true,
-  caption: "Of the stage shown, from the forces on its sides and their places: stress ratio (without confinement: the stress) and volumetric strain (compaction positive) against strain; thin: every sample, line: means. Coloured: the critical state, over the strain where the ratio only fluctuates, with its 95 % band.",
+  caption: "Of the stage shown, from the forces on its sides and their places: stress ratio (without confinement or in tension: the stress) and volumetric strain (compaction positive) against strain; thin: every sample, line: means. Coloured: the critical state, over the strain where the ratio only fluctuates, with its 95 % band.",
   when: (texture, sample) => sample.stages.some((stage) => curvesOf(stage)),
   key: ({ sample, state, theme }) => {
     const critical = curvesOf(stageOf(sample, state))?.critical, { symbol } = curvesOf(stageOf(sample, state)) ?? {};
