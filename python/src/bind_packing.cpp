@@ -184,6 +184,22 @@ py::dict bonds_of(const Packing& packing) {
   return d;
 }
 
+/// Cohesive pairs as arrays of one length, by name.
+py::dict cohesive_of(const Packing& packing) {
+  const auto column = [&](auto member) {
+    std::vector<std::decay_t<decltype(CohesivePair{}.*member)>> values;
+    for (const CohesivePair& pair : packing.cohesive) values.push_back(pair.*member);
+    return taken_over(std::move(values));
+  };
+  py::dict d;
+  d["i"] = column(&CohesivePair::i);
+  d["j"] = column(&CohesivePair::j);
+  d["gap"] = column(&CohesivePair::gap);
+  d["pull"] = column(&CohesivePair::pull);
+  d["energy"] = column(&CohesivePair::energy);
+  return d;
+}
+
 py::array_t<double> rows_of_points(const std::vector<Vec2>& points) {
   py::array_t<double> rows({points.size(), std::size_t{2}});
   auto at = rows.mutable_unchecked<2>();
@@ -298,6 +314,10 @@ void bind_packing(py::module_& m) {
           "Bonds by name, arrays of one length: grains i < j (places in the arrays), broken (0 holds, 1 in tension, 2 in bending, 3 in shear), time (s) and "
           "place x, y (m) of the break, fn, ft (N, signs as of contacts) and moment on i (N m) now, energy (J, as it broke), load (stress over strength), "
           "length (m, as made).")
+      .def_property_readonly(
+          "cohesive", &cohesive_of,
+          "Pairs that adhesion or a liquid bridge joins by name, arrays of one length: grains i < j (places in the arrays), gap (m, negative "
+          "where they overlap), pull (N; of touching grains part of the contact's fn), energy (J, 0 where it begins to act).")
       .def_property_readonly(
           "materials", [](const Packing& p) { return p.materials; }, "Those that `material` numbers.")
       .def_property_readonly("domain", &domain_of, "The frame: position (m), velocity (m/s) and force (N) of every wall, width, height, thickness (m).")

@@ -85,14 +85,26 @@ void Contacts::add(std::int32_t a, std::int32_t b, Vec2 normal, double normal_fo
   glued.push_back(0);
 }
 
-Vec2 branch_of(const Packing& packing, const Bond& bond) {
+namespace {
+
+Vec2 branch_between(const Packing& packing, std::int32_t i, std::int32_t j) {
   const Grains& g = packing.grains;
-  return packing.domain.nearest_image(g.centre(static_cast<std::size_t>(bond.i)) - g.centre(static_cast<std::size_t>(bond.j)));
+  return packing.domain.nearest_image(g.centre(static_cast<std::size_t>(i)) - g.centre(static_cast<std::size_t>(j)));
 }
+
+}  // namespace
+
+Vec2 branch_of(const Packing& packing, const Bond& bond) { return branch_between(packing, bond.i, bond.j); }
+Vec2 branch_of(const Packing& packing, const CohesivePair& pair) { return branch_between(packing, pair.i, pair.j); }
 
 Vec2 force_on_i(const Packing& packing, const Bond& bond) {
   const Vec2 branch = branch_of(packing, bond), n = branch / norm(branch);
   return bond.fn * n + bond.ft * perpendicular(n);
+}
+
+Vec2 force_on_i(const Packing& packing, const CohesivePair& pair) {
+  const Vec2 branch = branch_of(packing, pair);
+  return -pair.pull / norm(branch) * branch;
 }
 
 }  // namespace arenite

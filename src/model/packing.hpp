@@ -9,6 +9,7 @@
 
 #include "core/vec.hpp"
 #include "model/bond.hpp"
+#include "model/cohesive_pair.hpp"
 
 namespace arenite {
 
@@ -170,11 +171,18 @@ struct Packing {
   Domain domain;
   Grains grains;
   Contacts contacts;
-  std::vector<Bond> bonds;  ///< sorted by (i, j), broken ones as well
+  std::vector<Bond> bonds;             ///< sorted by (i, j), broken ones as well
+  std::vector<CohesivePair> cohesive;  ///< sorted by (i, j)
 };
 
 /// From j to i of a bond now, m, and its force on i, N.
 Vec2 branch_of(const Packing& packing, const Bond& bond);
 Vec2 force_on_i(const Packing& packing, const Bond& bond);
+
+/// A pull across a gap, which no contact has in it.
+inline bool acts_across_gap(const CohesivePair& pair) { return pair.gap > 0; }
+/// From j to i of such a pair, m, and the pull on i, N.
+Vec2 branch_of(const Packing& packing, const CohesivePair& pair);
+Vec2 force_on_i(const Packing& packing, const CohesivePair& pair);
 
 }  // namespace arenite

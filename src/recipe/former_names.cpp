@@ -45,6 +45,7 @@ struct LaterLine {
 constexpr std::array later_lines{
     LaterLine{"contact", "rolling = \"none\""},
     LaterLine{"contact", "bonds = \"none\""},
+    LaterLine{"contact", "cohesion = \"none\""},
     LaterLine{"stages.*", "bond = false"},
     LaterLine{"populations.*", "shape = \"disk\""},
     LaterLine{"stages.*", "slide = { left = \"0 mm/s\", right = \"0 mm/s\", bottom = \"0 mm/s\", top = \"0 mm/s\" }"},

@@ -118,6 +118,8 @@ void require_movable_shapes(Visitor& v, const Recipe& recipe) {
   v.require(disks || recipe.integration.integrator != dem::IntegratorKind::gear5, {"populations", "integration"},
             "grains that are no disks need integration.integrator = \"velocity_verlet\" or \"leapfrog\"");
   v.require(disks || !recipe.contact.has_bonds(), {"populations", "contact"}, "bonds join disks only; leave contact.bonds at \"none\"");
+  v.require(disks || !recipe.contact.is_cohesive(), {"populations", "contact"},
+            "grains that are no disks neither stick nor hold liquid yet; leave contact.cohesion at \"none\"");
   v.require(disks || !rough, {"populations", "stages"}, "rough walls hold disks only; take smooth walls with friction for clumps and polygons");
 }
 

@@ -30,6 +30,7 @@ void declare(ParameterVisitor& v, dem::ContactParameters& contact) {
   v.number({"tangential_stiffness_ratio", "k_t/k_n of the Cundall-Strack spring."}, contact.tangential_stiffness_ratio, "", range::positive);
   v.member({"rolling", "Moment between two grains that turn against each other."}, contact.rolling);
   v.member({"bonds", "Cement that joins two grains from the stage that makes it on."}, contact.bonds);
+  v.member({"cohesion", "Attraction between all grains, touching or not: adhesion without glue, or liquid bridges."}, contact.cohesion);
   v.choice({"arms", "Lever arms of contact forces."}, contact.arms, {{"contact_point", "to the middle of the overlap"}, {"full_radius", "the radii"}});
   v.member({"adhesion", "Adhesion between glued grains."}, contact.adhesion);
   v.number({"surface_energy", "gamma of the adhesion."}, contact.surface_energy, "kN/mm", range::not_negative);

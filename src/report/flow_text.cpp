@@ -32,6 +32,14 @@ std::string flow_text(const Numbers& numbers) {
                   {"height of the filling", "/floor/height_m", "m"},
                   {"wall friction mobilised", "/floor/wall_friction", "", "weight that the walls carry over their normal force"}});
   }
+  if (rows.has("/cohesion")) {
+    rows.section("Cohesion", {{"pairs joined", "/cohesion/pairs", "", "in the last state"},
+                              {"of them apart", "/cohesion/pairs_apart", ""},
+                              {"pull of touching grains", "/cohesion/pull_N", "N", "mean, as the stage began"},
+                              {"granular Bond number", "/cohesion/bond_number", "", "that over a grain's weight, or over p d t"},
+                              {"tensile strength", "/cohesion/tensile_strength_Pa", "Pa", "largest tension on a side that is drawn outward"},
+                              {"Rumpf's estimate", "/cohesion/rumpf_Pa", "Pa", "phi z F/(pi d t) of the state before"}});
+  }
   return std::move(rows).text();
 }
 

@@ -56,6 +56,13 @@ Numbers bonds_of(const Packing& packing, NumberBlock& block) {
   return {{"i", i}, {"j", j}, {"broken", indices(&Bond::broken)}};
 }
 
+Numbers cohesive_of(const Packing& packing, NumberBlock& block) {
+  const auto indices = [&](auto member) { return block.add_indices(mapped<std::uint32_t>(packing.cohesive, member)); };
+  const auto values = [&](auto member) { return block.add_coarse(mapped(packing.cohesive, member)); };
+  Numbers i = indices(&CohesivePair::i), j = indices(&CohesivePair::j), gap = values(&CohesivePair::gap);
+  return {{"i", i}, {"j", j}, {"gap", gap}, {"pull", values(&CohesivePair::pull)}};
+}
+
 Numbers boundaries_of(const Domain& domain, NumberBlock& block) {
   Numbers list = Numbers::list();
   for (const Boundary& boundary : domain.boundaries) {

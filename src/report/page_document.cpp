@@ -133,6 +133,7 @@ Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* 
                 {"wall_speed", now.wall_speed}}}};
   add_grain_values(out, frame.packing, block);
   if (!frame.packing.bonds.empty()) out["bonds"] = bonds_of(frame.packing, block);
+  if (!frame.packing.cohesive.empty()) out["cohesive"] = cohesive_of(frame.packing, block);
   if (texture) out["texture"] = texture_of(*texture, block);
   return out;
 }

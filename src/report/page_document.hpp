@@ -64,6 +64,9 @@ Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock&
 /// Bonds that hold, and how the others broke.
 Numbers bonds_of(const Packing& packing, NumberBlock& block);
 
+/// Pairs that a pull joins, touching or not.
+Numbers cohesive_of(const Packing& packing, NumberBlock& block);
+
 Numbers boundaries_of(const Domain& domain, NumberBlock& block);
 
 /// Asked and measured size curve of the grains that the recipe asked a size law for; not known where it asked for none.

@@ -94,7 +94,13 @@ std::vector<double> q_over_p(const Sides& s) {
   return ratio(q, p);
 }
 
-/// The stress along the axis, Pa, of a test in which nothing presses across it; nothing where something does.
+/// A sample that grows along this size and pulls on its sides.
+bool is_drawn(const std::vector<double>& size, const std::vector<double>& stress) {
+  const auto [tension, pressure] = std::ranges::minmax(stress);
+  return size.back() > (1 + least_strain) * size.front() && -tension > unloaded * std::abs(pressure);
+}
+
+/// The stress along the axis, Pa, of a test in which nothing presses across it, or which draws the sample apart; nothing of any other.
 std::optional<std::vector<double>> uniaxial_stress(const Sides& s, double thickness) {
   std::vector<double> x, y;
   for (std::size_t k = 0; k < s.time.size(); ++k) {
@@ -102,8 +108,8 @@ std::optional<std::vector<double>> uniaxial_stress(const Sides& s, double thickn
     y.push_back(s.normal_y[k] / (s.width[k] * thickness));
   }
   const auto largest = [](const std::vector<double>& v) { return std::abs(*std::ranges::max_element(v, {}, [](double a) { return std::abs(a); })); };
-  if (largest(x) <= unloaded * largest(y)) return y;
-  if (largest(y) <= unloaded * largest(x)) return x;
+  if (largest(x) <= unloaded * largest(y) || is_drawn(s.height, y)) return y;
+  if (largest(y) <= unloaded * largest(x) || is_drawn(s.width, x)) return x;
   return {};
 }
 

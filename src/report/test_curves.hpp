@@ -13,7 +13,7 @@ namespace arenite::report {
 struct TestCurves {
   std::string strain_name;             ///< "shear strain", "strain of the height", "strain of the width"
   bool sheared = false;                ///< along the sides: the ratio is shear over normal stress there, "mu"; else q over p of the sides, "q_over_p"
-  bool confined = true;                ///< across its axis, too; else the ratio would always be 1, and in its stead is the stress along the axis, Pa
+  bool confined = true;                ///< across its axis, too, and not drawn apart; else instead of the ratio there is the stress along the axis, Pa
   std::vector<double> strain;          ///< since the first row, positive where a side shortens
   std::vector<double> ratio;           ///< NaN where the sides are all but unloaded
   std::vector<double> volume;          ///< volumetric strain since the first row, compaction positive

@@ -216,7 +216,7 @@ FilmStresses film_stresses(const FilmResult& result, const texture::Options& opt
   add("simulation_state", result.simulation.state);
   if (out.sources.empty()) return out;
   const auto known = known_in_all(out.sources, grains);
-  const Packing packing{result.packing.materials, result.packing.domain, picked(result.packing.grains, known), {}, {}};  // without contacts and bonds
+  const Packing packing{result.packing.materials, result.packing.domain, picked(result.packing.grains, known), {}, {}, {}};  // without contacts and bonds
   out.considered.assign(grains, 0);
   for (GrainStresses& source : out.sources) normalise(source, packing, known, options, out.considered);
   return out;

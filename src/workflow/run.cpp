@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "grains/dem/run_stage.hpp"
+#include "grains/fields/cohesion_numbers.hpp"
 #include "grains/fields/flow_numbers.hpp"
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
@@ -132,7 +133,10 @@ class Run {
         made->texture = texture::numbers(*texture);
         const bool was_loaded = s > 1 && !outcome_.stages.back().frames.empty();
         const Packing* before = was_loaded ? &outcome_.stages.back().frames.back().packing : nullptr;
-        if (s > 0) made->texture.update(fields::flow_numbers(*made, recipe_.stages[s - 1], before));
+        if (s > 0) {
+          made->texture.update(fields::flow_numbers(*made, recipe_.stages[s - 1], before));
+          made->texture.update(fields::cohesion_numbers(*made, recipe_.stages[s - 1], before));
+        }
       }
       return made;
     };

@@ -126,7 +126,7 @@ bottom = { pressure = "1 kPa" }
     frame.time = 0.1 * (k + 1);
     frame.step = 10000 * (k + 1);
     frame.label = "increment " + std::to_string(k + 1) + " of 5";
-    frame.packing = {{{"POM", 1410, 27.35e6, 0.015e-6}, {"HDPE", 950, 6.43e6, 0.0258e-6}}, domain, grains, elastic_contacts(grains, domain, 6e6), {}};
+    frame.packing = {{{"POM", 1410, 27.35e6, 0.015e-6}, {"HDPE", 950, 6.43e6, 0.0258e-6}}, domain, grains, elastic_contacts(grains, domain, 6e6), {}, {}};
     load_walls(frame.packing);
     // Moves to the right the faster the higher, and turns clockwise.
     for (std::size_t g = 0; g < grains.size(); ++g) {

@@ -43,7 +43,8 @@ export class Sample {
     frame.contacts = {};
     for (const [name, reference] of Object.entries(about.contacts)) frame.contacts[name] = this.#array(reference);
     frame.contacts.type = this.#typesOf(frame.contacts);
-    frame.bonds = about.bonds && Object.fromEntries(Object.entries(about.bonds).map(([name, reference]) => [name, this.#array(reference)]));
+    for (const group of ["bonds", "cohesive"])
+      frame[group] = about[group] && Object.fromEntries(Object.entries(about[group]).map(([name, reference]) => [name, this.#array(reference)]));
     frame.texture = about.texture ?? null;
     frame.meanForce = frame.texture?.force?.mean_N?.value ?? meanOfPositive(frame.contacts.fn);
     // In equilibrium the dashpots leave traces of tension that mean nothing.

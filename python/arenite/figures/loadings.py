@@ -55,16 +55,20 @@ def draw_critical_state(axes, critical):
 
 
 def uniaxial_stress(found):
-    """The stress along the axis where nothing presses across it, so that q/p says nothing; else None."""
+    """The stress along the axis where nothing presses across it or the sample is drawn apart, so that q/p says nothing; else None."""
     if "mu" in found:
         return None
     stresses = [found[name].values for name in ("sigma_xx", "sigma_yy") if name in found]
     *small, large = sorted(stresses, key=lambda values: np.max(np.abs(values)))
+    if found["axial_strain"].values[-1] < -2e-3:
+        drawn = min(stresses, key=np.min)
+        if -np.min(drawn) > 0.01 * np.max(np.abs(drawn)):
+            return drawn
     return large if all(np.max(np.abs(values)) <= 0.01 * np.max(np.abs(large)) for values in small) else None
 
 
 def draw_friction(axes, found):
-    """q/p, or shear over normal stress of a sheared cell, or the stress of a test without confinement, against strain; `found` as curves.along gives it."""
+    """q/p, or shear over normal stress of a sheared cell, or the stress of a test without confinement or in tension, against strain; `found` as curves.along gives it."""
     x, label = strain_of(found)
     stress = uniaxial_stress(found)
     if stress is not None:

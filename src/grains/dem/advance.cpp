@@ -6,6 +6,7 @@
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
+#include "grains/dem/cohesion.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/neighbours.hpp"
@@ -117,6 +118,7 @@ void compute_forces(Sample& s, const Team& team) {
   });
   add_rolling_moments(s, team);
   take_torques_to_owners(s, team);
+  add_cohesion(s, team);
   add_bond_forces(s, team);
   sum_wall_forces(s);
   sum_boundary_forces(s);

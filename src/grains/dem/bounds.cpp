@@ -182,15 +182,22 @@ Rates network_rates(const Sample& s) {
   return {1.05 * largest_rate(s, springs), 1.05 * largest_rate(s, dashpots)};
 }
 
+/// What pulls of cohesion add to the squared frequency of the lightest grain with six neighbours, 1/s^2.
+double cohesion_rate(const Sample& s) {
+  double lightest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < s.count; ++k) lightest = std::min(lightest, s.record[k].mass);
+  return 6.0 * s.cohesion.steepest / lightest;
+}
+
 }  // namespace
 
 double shortest_contact_time(const Sample& s) {
-  const double overlap = reference_overlap(s);
+  const double overlap = reference_overlap(s), pull = s.cohesion.steepest;
   double shortest = shortest_bond_time(s);
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];
     if (is_part(s, k)) continue;
-    const double pair = 0.5 * d.mass / tangent_stiffness(s, overlap, s.coefficients.pair_stiffness(d.material, d.material, d.radius, d.radius));
+    const double pair = 0.5 * d.mass / (pull + tangent_stiffness(s, overlap, s.coefficients.pair_stiffness(d.material, d.material, d.radius, d.radius)));
     const double wall = d.mass / tangent_stiffness(s, overlap, s.coefficients.wall_stiffness(d.material, d.radius));
     shortest = std::min(shortest, std::numbers::pi * std::sqrt(std::min(pair, wall)));
   }
@@ -213,7 +220,7 @@ StepBounds step_bounds(const Sample& s) {
     r.damping = std::max(r.damping, grain.damping);
   }
   const BondRates bonds = bond_rates(s);
-  r.frequency_squared += bonds.frequency_squared;
+  r.frequency_squared += bonds.frequency_squared + cohesion_rate(s);
   r.damping += bonds.damping;
   const double omega = std::sqrt(r.frequency_squared), lambda = r.damping + s.drag;
   constexpr double margin = 0.9;

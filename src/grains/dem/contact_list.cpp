@@ -18,7 +18,7 @@ void find_near_disks(const Sample& s, const geometry::CellGrid& grid, const geom
   const auto look_at = [&](std::int32_t begin, std::int32_t end) {
     for (std::int32_t j = begin; j < end; ++j) {
       const auto& b = s.record[static_cast<std::size_t>(j)];
-      const double dx = a.x - b.x, dy = a.y - b.y, reach = a.radius + b.radius + s.skin;
+      const double dx = a.x - b.x, dy = a.y - b.y, reach = a.radius + b.radius + s.skin + s.cohesion.reach;
       if (dx * dx + dy * dy < reach * reach) near.push_back(j);
     }
   };
@@ -40,7 +40,7 @@ void find_near_ghosts(const Sample& s, const geometry::CellGrid& grid, const geo
       for (std::int32_t q = ghosts.first[cell]; q < ghosts.first[cell + 1]; ++q) {
         const std::int32_t j = ghosts.item[static_cast<std::size_t>(q)];
         const auto& b = s.record[static_cast<std::size_t>(j)];
-        const double dx = a.x - b.x, dy = a.y - b.y, reach = a.radius + b.radius + s.skin;
+        const double dx = a.x - b.x, dy = a.y - b.y, reach = a.radius + b.radius + s.skin + s.cohesion.reach;
         if (dx * dx + dy * dy < reach * reach) near.push_back(j);
       }
     }
@@ -218,6 +218,8 @@ void list_contacts(Sample& s, const Team& team) {
   if (std::visit([](const auto& law) { return law.remembers; }, s.contact.normal)) s.list.normal_memory.assign(s.list.size(), 0.0);
   const bool rolls = !std::holds_alternative<NoRolling>(s.contact.rolling);
   s.list.rolling_memory.assign(rolls ? s.list.size() : 0, 0.0);
+  s.list.pull.assign(s.contact.is_cohesive() ? s.list.pairs : 0, 0.0);
+  s.list.curve.assign(s.list.pull.size(), 0);
   s.list.bond.assign(s.list.size(), never_touched);
 }
 

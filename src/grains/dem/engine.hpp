@@ -33,6 +33,11 @@ struct BondCount {
   std::size_t made() const { return intact + in_tension + in_bending + in_shear; }
 };
 
+/// The pairs that cohesion joins: all, and those whose grains do not touch.
+struct CohesionCount {
+  std::size_t joined = 0, apart = 0;
+};
+
 /// The kernel that `asked` means on this machine ("auto": the widest it has). All kernels give the same bits. InputError for one that is unknown or
 /// that the processor lacks.
 std::string kernel_name(const std::string& asked);
@@ -90,6 +95,8 @@ class Engine {
   Packing packing() const;                           ///< grains and contacts now, in the caller's order; contacts sorted by (i, j)
   Amount below(double height) const;                 ///< grains whose centre is below this, m
   BondCount bond_count() const;
+  bool is_cohesive() const;  ///< contact.cohesion acts
+  CohesionCount cohesion_count() const;
   Energies energies() const;  ///< dissipation and work only if track_energy
   Equilibrium equilibrium() const;
   std::uint64_t state_hash() const;  ///< of every bit that decides the future

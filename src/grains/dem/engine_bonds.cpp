@@ -1,6 +1,7 @@
 #include "core/error.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/bounds.hpp"
+#include "grains/dem/cohesion.hpp"
 #include "grains/dem/engine.hpp"
 #include "grains/dem/setup.hpp"
 
@@ -28,6 +29,17 @@ BondCount Engine::bond_count() const {
     count.in_shear += bond.broken == BondBreak::shear;
   }
   count.energy = bond_energy(s);
+  return count;
+}
+
+bool Engine::is_cohesive() const { return machine_->sample.contact.is_cohesive(); }
+
+CohesionCount Engine::cohesion_count() const {
+  CohesionCount count;
+  for (const CohesivePair& pair : cohesive_pairs(machine_->sample)) {
+    ++count.joined;
+    count.apart += pair.gap > 0;
+  }
   return count;
 }
 

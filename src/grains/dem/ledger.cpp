@@ -3,6 +3,7 @@
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
+#include "grains/dem/cohesion.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/measure.hpp"
@@ -40,9 +41,10 @@ void add_contacts(const Sample& s, Snapshot& shot) {
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A& adhesion, const F& friction) {
     for (std::size_t p = 0; p < list.size(); ++p) {
       const Kinematics c = slot_kinematics(s, p);
+      if (s.shear_rate != 0 && !(c.overlap > 0) && pull_of(s, p) > 0) shot.edge[cell_shear].force -= rows_between(s, p) * list.force[p].fx;
       if (!(c.overlap > 0)) continue;  // a clipped contact has no force, but its dashpot eats what its spring gives
       const Vec2 f{list.force[p].fx, list.force[p].fy}, t = perpendicular(c.normal);
-      double spring = -adhesion.attraction(c.overlap, list.strength[p]);
+      double spring = -adhesion.attraction(c.overlap, list.strength[p]) - pull_of(s, p);
       if constexpr (N::remembers) {  // not all that such a spring takes it gives back
         shot.normal_springs += normal.energy(c.overlap, list.stiffness[p], c.curvature, list.normal_memory[p]);
       } else {

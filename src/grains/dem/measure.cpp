@@ -9,6 +9,7 @@
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
+#include "grains/dem/cohesion.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/walls.hpp"
@@ -132,6 +133,7 @@ Packing packing_of(const Sample& s) {
   out.contacts = {};
   add_contacts(s, out);
   out.bonds = bonds_of(s);
+  out.cohesive = cohesive_pairs(s);
   return out;
 }
 
@@ -146,7 +148,7 @@ Energies energies_of(const Sample& s) {
     }
   for (std::size_t b = 0; b < s.boundary.size(); ++b)
     if (const Vec2 v = velocity_of(s, b); s.boundary[b].mass > 0) e.kinetic += 0.5 * s.boundary[b].mass * dot(v, v);
-  e.adhesive = adhesive_energy(s);
+  e.adhesive = adhesive_energy(s) + cohesive_energy(s);
   e.elastic += rolling_energy(s) + bond_energy(s);
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A&, const F& friction) {
     const ContactList& list = s.list;
@@ -170,7 +172,15 @@ Equilibrium equilibrium_of(const Sample& s) {
   for (std::size_t k = 0; k < pressed_contacts.size(); ++k) resultant += resultant_of(s, k);
   for (std::size_t p = 0; p < s.list.size(); ++p) {
     const Kinematics c = slot_kinematics(s, p);
-    if (!(c.overlap > 0)) continue;
+    if (pull_of(s, p) > 0) {  // holds its grains, whatever presses them
+      ++pressed_contacts[moving(s, s.list.i[p])];
+      ++pressed_contacts[moving(s, s.list.owner[p])];
+    }
+    if (!(c.overlap > 0)) {
+      normal_sum += pull_of(s, p);
+      contacts += pull_of(s, p) > 0;
+      continue;
+    }
     const Vec2 f{s.list.force[p].fx, s.list.force[p].fy};
     const double fn = dot(f, c.normal), ft = dot(f, perpendicular(c.normal));
     normal_sum += std::abs(fn);
@@ -178,6 +188,7 @@ Equilibrium equilibrium_of(const Sample& s) {
     if (fn > 0) {
       mobilised += std::abs(ft) / fn;
       ++pressed;
+      if (pull_of(s, p) > 0) continue;
       ++pressed_contacts[moving(s, s.list.i[p])];
       if (s.list.j[p] >= 0) ++pressed_contacts[moving(s, s.list.owner[p])];
     }

@@ -103,7 +103,7 @@ std::size_t find_slot(const ContactList& list, std::int32_t a, std::int32_t b, b
 /// wide, so no pair meets twice.
 void carry_over(Sample& s, const ContactList& before, const std::vector<std::int32_t>& was, const Team& team) {
   ContactList& list = s.list;
-  if (before.size() == 0 || (s.live_bonds.empty() && !remembers(s.laws) && s.list.rolling_memory.empty())) return;
+  if (before.size() == 0 || (s.live_bonds.empty() && !remembers(s.laws) && s.list.rolling_memory.empty() && s.list.pull.empty())) return;
   team.for_ranges(list.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       const std::int32_t a = was[static_cast<std::size_t>(list.i[p])];
@@ -114,6 +114,10 @@ void carry_over(Sample& s, const ContactList& before, const std::vector<std::int
       if (!list.normal_memory.empty()) list.normal_memory[p] = before.normal_memory[old];
       if (!list.rolling_memory.empty()) list.rolling_memory[p] = before.rolling_memory[old];
       list.bond[p] = before.bond[old];
+      if (p < list.pull.size()) {
+        list.pull[p] = before.pull[old];
+        list.curve[p] = before.curve[old];
+      }
     }
   });
 }

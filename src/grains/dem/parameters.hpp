@@ -39,6 +39,7 @@ struct ContactParameters {
   double tangential_stiffness_ratio = 0.8;  ///< k_t/k_n of a friction law's spring
   RollingLaw rolling = NoRolling{};
   BondLaw bonds = NoBonds{};
+  Cohesion cohesion = NoCohesion{};
   Arms arms = Arms::contact_point;
   Adhesion adhesion = NoAdhesion{};
   double surface_energy = 0;  ///< gamma of the adhesion, N/m (T 1.22), between two glued grains
@@ -54,6 +55,9 @@ struct ContactParameters {
   /// The normal law is one of materials' E and nu.
   bool takes_moduli() const {
     return std::visit([]<class N>(const N&) { return ElasticContact<N>; }, normal);
+  }
+  bool is_cohesive() const {
+    return std::visit([](const auto& law) { return law.acts; }, cohesion);
   }
   bool has_bonds() const {
     return std::visit([](const auto& law) { return law.bonds; }, bonds);

@@ -76,6 +76,11 @@ void sample(History& history, const Engine& engine, const Stage& stage, const Eq
     append(history, "broken_in_shear", "1", static_cast<double>(bonds.in_shear));
     append(history, "bond_energy", "J", bonds.energy);
   }
+  if (engine.is_cohesive()) {
+    const CohesionCount pairs = engine.cohesion_count();
+    append(history, "cohesive_pairs", "1", static_cast<double>(pairs.joined));
+    append(history, "cohesive_pairs_apart", "1", static_cast<double>(pairs.apart));
+  }
   const Energies energies = engine.energies();
   for (const EnergyTerm& term : energy_terms) append(history, term.name, "J", energies.*term.value);
   append(history, "unbalanced_ratio", "1", now.unbalanced_ratio);
@@ -107,10 +112,13 @@ std::string describe_pressed(const Equilibrium& now, const WallDrives& drives, c
   return describe(now) + (presses ? fmt::format(", forces on the sides within {:.1e} of their aim", load_error(drives, domain)) : "");
 }
 
-/// How many of the bonds have broken; nothing where there are none.
+/// How many of the bonds have broken, and how many pairs cohesion joins; nothing where there are none.
 std::string describe_bonds(const Engine& engine) {
   const BondCount bonds = engine.bond_count();
-  return bonds.made() > 0 ? fmt::format("; {} of {} bonds broken", bonds.made() - bonds.intact, bonds.made()) : "";
+  std::string text = bonds.made() > 0 ? fmt::format("; {} of {} bonds broken", bonds.made() - bonds.intact, bonds.made()) : "";
+  if (!engine.is_cohesive()) return text;
+  const CohesionCount pairs = engine.cohesion_count();
+  return text + fmt::format("; {} pairs cohere, {} of them apart", pairs.joined, pairs.apart);
 }
 
 void continue_for_a_time(Engine& engine, const Stage& stage, StageRun& run) {

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "grains/dem/coefficients.hpp"
@@ -47,6 +49,8 @@ struct ContactList {
   std::vector<double> memory;                                          ///< of the friction law
   std::vector<double> normal_memory;                                   ///< of the normal law; empty unless it remembers
   std::vector<double> rolling_memory;  ///< of the rolling law, turned as the first of the caller's two grains turns; empty without one
+  std::vector<double> pull;            ///< of cohesion now, N; > 0 where a pair is joined. Empty without it
+  std::vector<std::int32_t> curve;     ///< of joined pairs: place in CohesionTable::curve
   std::vector<std::uint8_t> bond;      ///< of glued pairs: see BondState
   /// Slots (and bonds' places) by disk, in groups of four that are filled up with the slot whose force stays 0, so that most disks have as many groups as their
   /// neighbours and the processor guesses the loops' ends right. Those where disk k is i, pairs before walls before bonds, are group[first[2k]] to group[first[2k
@@ -63,6 +67,13 @@ struct ContactList {
 
 /// A bond that breaks for good is gone once its contact has opened again.
 enum BondState : std::uint8_t { never_touched = 0, touching = 1 };
+
+/// Pulls of the pairs of radii that have been joined so far, and up to which gap the list must show pairs, m.
+struct CohesionTable {
+  std::vector<PullCurve> curve;
+  std::map<std::pair<double, double>, std::int32_t> place;  ///< by the smaller and the larger radius
+  double reach = 0, steepest = 0;                           ///< m; largest slope of equal grains, N/m
+};
 
 /// A bond that holds, with what follows from its making and from where its disks are numbered now. Its force stands behind those of the contacts, in
 /// ContactList::force at bond_force_place.
@@ -205,6 +216,7 @@ struct Sample {
   std::vector<Bond> bonds;                ///< sorted by their grains; without the forces of now
   std::vector<BondSlot> bond_slots;       ///< of the bonds that held when the list was built
   BondNumbers bond_numbers;
+  CohesionTable cohesion;
 
   Energies tally;        ///< dissipation and work so far
   Ledger ledger;         ///< only if track_energy
@@ -268,7 +280,7 @@ inline Vec2 lever_of(const Sample& s, std::size_t k) { return s.lever.empty() ? 
 inline std::size_t grain_count(const Sample& s) { return s.part.empty() ? s.count : s.given.size(); }
 
 /// Centres of touching disks, or of disks in the list, are never farther apart, m.
-inline double reach_of(const Sample& s) { return 2.0 * s.largest_radius + s.skin; }
+inline double reach_of(const Sample& s) { return 2.0 * s.largest_radius + s.skin + s.cohesion.reach; }
 
 inline double inertia(const DiskRecord& d) { return 0.5 * d.mass * d.radius * d.radius; }
 

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
+#include "grains/dem/cohesion.hpp"
 #include "grains/dem/neighbours.hpp"
 
 namespace arenite::dem {
@@ -124,6 +125,7 @@ template <class Archive> void transfer(Archive& a, ContactList& list) {
   for (auto* v : {&list.strength, &list.memory}) a(*v);
   if (!list.normal_memory.empty()) a(list.normal_memory);
   if (!list.rolling_memory.empty()) a(list.rolling_memory);
+  if (!list.pull.empty()) a(list.pull);
   a(list.force);
   a(list.bond);
 }
@@ -182,9 +184,11 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   }
   number_held(s);
   list_with_bonds(s, broken);
-  const std::size_t slots = s.list.size();
+  const std::size_t slots = s.list.size(), pulls = s.list.pull.size();
   transfer(read, s.list);
-  if (s.list.force.size() != slots + 1 + s.bond_slots.size() || s.list.memory.size() != slots || !read.at_end()) ByteReader::fail();
+  if (s.list.force.size() != slots + 1 + s.bond_slots.size() || s.list.memory.size() != slots || s.list.pull.size() != pulls || !read.at_end())
+    ByteReader::fail();
+  find_pull_curves(s);
   s.domain = domain;
   std::copy(disks.begin(), disks.end(), s.record.begin());
   refresh_ghosts(s);

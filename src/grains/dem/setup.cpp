@@ -10,6 +10,7 @@
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/bounds.hpp"
+#include "grains/dem/cohesion.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/kernels/kernel.hpp"
@@ -141,7 +142,7 @@ void recall_contacts(Sample& s) {
         if (c.ft[q] != 0 && std::isfinite(c.ft[q]) && kt > 0) s.list.memory[p] = friction.recall(c.ft[q], kt);
       if constexpr (N::remembers)
         if (const Kinematics at = slot_kinematics(s, p); at.overlap > 0 && std::isfinite(c.fn[q]))
-          s.list.normal_memory[p] = normal.recall(c.fn[q] + adhesion.attraction(at.overlap, s.list.strength[p]), at.overlap, k, at.curvature);
+          s.list.normal_memory[p] = normal.recall(c.fn[q] + adhesion.attraction(at.overlap, s.list.strength[p]) + pull_of(s, p), at.overlap, k, at.curvature);
     }
   });
 }
@@ -229,12 +230,14 @@ Sample make_sample(const Packing& start, const ContactParameters& contact, const
   make_bodies(s, start.grains);
   place_disks(s);
   recall_bonds(s);
+  set_up_cohesion(s);
   check_cell(s);
   s.laws = choose_laws(contact, 0.0, 0.0);
   tune_servo(s);
   rebuild_list(s);
   choose_step(s);
   bond_touching_pairs(s);
+  recall_cohesion(s);
   recall_contacts(s);
   s.laws = choose_laws(contact, 0.0, (1.0 - lead_of(s)) * s.dt);  // the springs do not move before the first step
   compute_forces(s);

@@ -28,6 +28,13 @@ double median_resultant(const View& view) {
     sum[static_cast<std::size_t>(bond.j)] -= f;
     for (const std::int32_t g : {bond.i, bond.j}) ++count[static_cast<std::size_t>(g)];
   }
+  for (const CohesivePair& pair : view.packing.cohesive) {
+    if (!acts_across_gap(pair)) continue;
+    const Vec2 f = force_on_i(view.packing, pair);
+    sum[static_cast<std::size_t>(pair.i)] += f;
+    sum[static_cast<std::size_t>(pair.j)] -= f;
+    for (const std::int32_t g : {pair.i, pair.j}) ++count[static_cast<std::size_t>(g)];
+  }
   const Vec2 gravity = view.options.gravity;
   if (gravity.x != 0 || gravity.y != 0)
     for (std::size_t g = 0; g < sum.size(); ++g) sum[g] += mass_of(view.packing, g) * gravity;

@@ -14,11 +14,22 @@ Tensor2 moment_of(const Contacts& contacts, std::size_t c) { return outer(contac
 /// f (x) l of one bond.
 Tensor2 moment_of(const Packing& packing, const Bond& bond) { return outer(force_on_i(packing, bond), -branch_of(packing, bond)); }
 
-/// Where the branch of a bond touches grain i.
-Vec2 middle_of(const Packing& packing, const Bond& bond) {
-  const auto i = static_cast<std::size_t>(bond.i);
-  const Vec2 branch = branch_of(packing, bond);
+/// f (x) l of a pull across a gap; 0 where it is in the force of a contact.
+Tensor2 moment_of(const Packing& packing, const CohesivePair& pair) {
+  return acts_across_gap(pair) ? outer(force_on_i(packing, pair), -branch_of(packing, pair)) : Tensor2{};
+}
+
+/// Where the branch of a bond or pull touches grain i.
+template <class Joint> Vec2 middle_of(const Packing& packing, const Joint& joint) {
+  const auto i = static_cast<std::size_t>(joint.i);
+  const Vec2 branch = branch_of(packing, joint);
   return packing.grains.centre(i) - packing.grains.radius[i] / norm(branch) * branch;
+}
+
+/// Calls `see` for each bond and each cohesive pair.
+template <class See> void each_joint(const Packing& packing, const See& see) {
+  for (const Bond& bond : packing.bonds) see(bond);
+  for (const CohesivePair& pair : packing.cohesive) see(pair);
 }
 
 /// Standard error, component by component, of the mean of equal blocks.
@@ -34,10 +45,11 @@ TensorEstimate whole_stress(const View& view) {
   std::vector<Tensor2> density(static_cast<std::size_t>(blocks.count()));
   for (std::size_t c = 0; c < view.pairs().size(); ++c)
     density[static_cast<std::size_t>(blocks.block_of(view.contact_point(c)))] += blocks.count() / volume * moment_of(view.pairs(), c);
-  for (const Bond& bond : view.packing.bonds)
-    density[static_cast<std::size_t>(blocks.block_of(middle_of(view.packing, bond)))] += blocks.count() / volume * moment_of(view.packing, bond);
+  each_joint(view.packing, [&](const auto& joint) {
+    density[static_cast<std::size_t>(blocks.block_of(middle_of(view.packing, joint)))] += blocks.count() / volume * moment_of(view.packing, joint);
+  });
   Tensor2 sum = internal_moment(view.pairs());
-  sum += bond_moment(view.packing);
+  sum += joint_moment(view.packing);
   return {1 / volume * sum, block_error(density)};
 }
 
@@ -94,9 +106,9 @@ Tensor2 internal_moment(const Contacts& contacts) {
   return sum;
 }
 
-Tensor2 bond_moment(const Packing& packing) {
+Tensor2 joint_moment(const Packing& packing) {
   Tensor2 sum;
-  for (const Bond& bond : packing.bonds) sum += moment_of(packing, bond);
+  each_joint(packing, [&](const auto& joint) { sum += moment_of(packing, joint); });
   return sum;
 }
 
@@ -108,13 +120,13 @@ std::vector<Tensor2> grain_moments(const Packing& packing) {
     moments[static_cast<std::size_t>(contacts.i[c])] += outer(f, contacts.lever_i(c));
     if (!contacts.is_wall(c)) moments[static_cast<std::size_t>(contacts.j[c])] += outer(-f, contacts.lever_j(c));
   }
-  for (const Bond& bond : packing.bonds) {
-    const auto i = static_cast<std::size_t>(bond.i), j = static_cast<std::size_t>(bond.j);
+  each_joint(packing, [&](const auto& joint) {
+    const auto i = static_cast<std::size_t>(joint.i), j = static_cast<std::size_t>(joint.j);
     const double ri = packing.grains.radius[i], rj = packing.grains.radius[j];
-    const Tensor2 moment = moment_of(packing, bond);
+    const Tensor2 moment = moment_of(packing, joint);
     moments[i] += ri / (ri + rj) * moment;
     moments[j] += rj / (ri + rj) * moment;
-  }
+  });
   return moments;
 }
 

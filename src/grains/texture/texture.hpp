@@ -214,10 +214,10 @@ std::string to_text(const Texture& texture);
 /// Sum over contacts, walls included, of f (x) l, with f on grain i and l from i to j (or to the wall), N m. Divided by the volume of the box it is
 /// the stress, tension positive (T eq. 1.10).
 Tensor2 internal_moment(const Contacts& contacts);
-/// The same sum over the bonds of a packing.
-Tensor2 bond_moment(const Packing& packing);
+/// The same sum over the bonds of a packing, and over its cohesive pairs that are apart.
+Tensor2 joint_moment(const Packing& packing);
 
-/// Internal moment of every grain about its centre, N m (T eq. 1.9). Their sum is the sum over contacts and bonds.
+/// Internal moment of every grain about its centre, N m (T eq. 1.9). Their sum is the sum over contacts, bonds and pulls across gaps.
 std::vector<Tensor2> grain_moments(const Packing& packing);
 
 /// Mass of a grain by its material's density, kg.

@@ -179,6 +179,9 @@ void transfer_contacts(const ResultPart& at, Contacts& contacts, std::size_t gra
 /// Bonds, of which most packings have none: files without them have no such group. Those of grains that do not exist are refused.
 void transfer_bonds(const ResultPart& at, std::vector<Bond>& bonds, std::size_t grains);
 
+/// The same of pairs that a cohesion joins.
+void transfer_cohesive(const ResultPart& at, std::vector<CohesivePair>& pairs, std::size_t grains);
+
 /// A whole packing as the group "packing".
 void transfer_packing(const ResultPart& at, Packing& packing);
 

@@ -35,6 +35,7 @@ void transfer_frame(const ResultPart& at, Frame& frame, const Packing& sample) {
   transfer_grains(at, packing, &sample.grains);
   transfer_contacts(at, packing.contacts, packing.grains.size(), packing.domain.elements());
   transfer_bonds(at, packing.bonds, packing.grains.size());
+  transfer_cohesive(at, packing.cohesive, packing.grains.size());
   transfer_energies(at, frame);
 }
 

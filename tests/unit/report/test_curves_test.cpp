@@ -72,6 +72,19 @@ TEST(TestCurves, OfABiaxialTestAreStrainRatioAndVolumeOfTheSides) {
   EXPECT_NEAR(curves->solid_fraction[0], std::numbers::pi * 0.05 * 0.05 / 0.01, 1e-12);
 }
 
+TEST(TestCurves, OfASampleThatIsDrawnApartAreOfTheStressAlongTheAxis) {
+  Loading test(5, false);
+  test.of("top_position") = {0.1, 0.101, 0.102, 0.103, 0.104};
+  test.of("bottom_force") = test.of("top_force") = {0.2, -0.1, -0.3, -0.2, -0.1};
+  test.of("left_force") = test.of("right_force") = {0.2, 0.05, -0.1, -0.1, 0};
+  const auto curves = test_curves(test.stage);
+  ASSERT_TRUE(curves);
+  EXPECT_EQ(curves->ratio_name(), "axial_stress");
+  EXPECT_NEAR(curves->ratio[2], -0.3 / (0.1 * 0.01), 1e-9);
+  test.of("top_position") = {0.1, 0.099, 0.098, 0.097, 0.096};
+  EXPECT_EQ(test_curves(test.stage)->ratio_name(), "q_over_p");
+}
+
 TEST(TestCurves, WithoutConfinementAreOfTheStressAlongTheAxis) {
   Loading test(5, false);
   test.of("top_position") = {0.1, 0.0999, 0.0998, 0.0997, 0.0996};

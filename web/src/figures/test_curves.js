@@ -28,7 +28,7 @@ export function stageWithCurves(sample, state) {
   return candidates.find((stage) => curvesOf(stage)) ?? null;
 }
 
-/** The stress of a test without confinement: its ratio says nothing, and its volume is not that of the box. */
+/** The stress of a test without confinement or in tension: its ratio says nothing, and its volume is not that of the box. */
 function uniaxial(test, factor) {
   const { factor: size, prefix } = prefixOf(Math.max(...Array.from(test.ratio, Math.abs)), "Pa");
   return {
@@ -84,7 +84,7 @@ function panel(theme, strain, points, y, width, critical = null) {
 
 export const testCurves = {
   id: "test-curves", title: "Curves of the test", wide: true, follows: true,
-  caption: "Of the stage shown, or of the nearest that has any (its name is at the axis then), from the forces on its sides and their places: stress ratio (without confinement: the stress) and volumetric strain (compaction positive) against strain; thin: every sample, line: means. Coloured: the critical state, over the strain where the ratio only fluctuates, with its 95 % band.",
+  caption: "Of the stage shown, or of the nearest that has any (its name is at the axis then), from the forces on its sides and their places: stress ratio (without confinement or in tension: the stress) and volumetric strain (compaction positive) against strain; thin: every sample, line: means. Coloured: the critical state, over the strain where the ratio only fluctuates, with its 95 % band.",
   when: (texture, sample) => sample.stages.some((stage) => curvesOf(stage)),
   key: ({ sample, state, theme }) => {
     const { critical, symbol } = curvesOf(stageWithCurves(sample, state)) ?? {};

@@ -2,6 +2,7 @@ import { s } from "../dom.js";
 import { text } from "../text.js";
 import { bondShapes } from "./bonds.js";
 import { chainWidth, segmentsOf } from "./chains.js";
+import { cohesiveShapes } from "./cohesive.js";
 import { rimOf } from "./shapes.js";
 
 const thick = 5;
@@ -10,6 +11,7 @@ const thick = 5;
 export function overlay(sample, frame, camera, theme, { walls, picked = null, selected = null }) {
   const group = s("g", { "font-family": theme.font, "font-size": 11.5 });
   if (walls && frame.bonds) group.append(...bondShapes(sample, frame, camera, theme));
+  if (walls && frame.cohesive) group.append(...cohesiveShapes(sample, frame, camera, theme));
   if (walls) group.append(...wallShapes(sample, frame, camera, theme), ...boundaryShapes(frame, camera, theme));
   if (selected !== null) group.append(ring(sample, frame, camera, selected, theme.card, 5), ring(sample, frame, camera, selected, theme.accent, 3, "selected"));
   if (picked) group.append(...outline(sample, frame, camera, theme, picked));

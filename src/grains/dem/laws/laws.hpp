@@ -2,7 +2,9 @@
 #include <concepts>
 #include <variant>
 
+#include "grains/dem/laws/capillary.hpp"
 #include "grains/dem/laws/cundall_strack.hpp"
+#include "grains/dem/laws/dmt.hpp"
 #include "grains/dem/laws/geometrical_adhesion.hpp"
 #include "grains/dem/laws/hertz_mindlin.hpp"
 #include "grains/dem/laws/linear.hpp"
@@ -90,6 +92,16 @@ concept BeamLaw = ContactLaw<L> && requires(const L law, double v, const Beam& b
   { law.load(beam, force) } -> std::same_as<BeamLoad>;
 };
 
+/// A cohesion acts between all disks, beside the contact and beyond it, along the line that joins them. It gives the pull of a pair by its radii and
+/// the thickness of the sample, m. Two disks whose gap is less than `joins_within` are joined; where it `breaks` they are so until the curve's reach.
+template <class L>
+concept CohesionLaw = ContactLaw<L> && requires(const L law, double v) {
+  { L::acts } -> std::convertible_to<bool>;
+  { L::breaks } -> std::convertible_to<bool>;
+  { law.joins_within() } -> std::same_as<double>;  // m
+  { law.curve(v, v, v) } -> std::same_as<PullCurve>;
+};
+
 /// One law of a family, with its own parameters.
 template <class... Law> struct OneOf : std::variant<Law...> {
   using std::variant<Law...>::variant;
@@ -103,6 +115,7 @@ template <AdhesiveContact... Law> using Adhesions = OneOf<Law...>;
 template <TangentialContact... Law> using FrictionLaws = OneOf<Law...>;
 template <RollingContact... Law> using RollingLaws = OneOf<Law...>;
 template <BeamLaw... Law> using BondLaws = OneOf<Law...>;
+template <CohesionLaw... Law> using Cohesions = OneOf<Law...>;
 
 /// The laws there are. A new one is a file beside these and a word here: recipe keys, their documentation and hashes, kernels for every kind of
 /// processor and the families' tests follow. The choice is visited outside of the loops, so laws inline into them.
@@ -111,6 +124,7 @@ using Adhesion = Adhesions<NoAdhesion, GeometricalAdhesion, BreakingAdhesion>;
 using FrictionLaw = FrictionLaws<NoFriction, RegularisedCoulomb, CundallStrack>;
 using RollingLaw = RollingLaws<NoRolling, ConstantTorque, ElasticPlasticRolling>;
 using BondLaw = BondLaws<NoBonds, ParallelBond>;
+using Cohesion = Cohesions<NoCohesion, Dmt, CapillaryDisks, CapillarySpheres>;
 
 /// The three choices, and the numbers that all contacts share.
 struct ContactLaws {

@@ -79,7 +79,7 @@ TEST(MeanForces, KeepMeansAndBalance) {
   ForceOptions options;
   options.prior = 1, options.balance_error = 1e-4;
   const InferredForces f = infer_from_means({without_forces(p), {}, {}}, sigma, error, options);
-  EXPECT_LT(relative_error(mean_stresses({p.materials, p.domain, p.grains, f.contacts, {}}), sigma), 1e-3);
+  EXPECT_LT(relative_error(mean_stresses({p.materials, p.domain, p.grains, f.contacts, {}, {}}), sigma), 1e-3);
   for (const double imbalance : f.imbalance) EXPECT_LT(imbalance, 0.5);
   for (double& s : sigma) s *= 2;
   for (double& e : error) e *= 2;

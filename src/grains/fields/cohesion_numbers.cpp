@@ -1,0 +1,92 @@
+#include "grains/fields/cohesion_numbers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace arenite::fields {
+namespace {
+
+/// Mean pull of the joined pairs that touch; 0 where none does.
+double pull_at_contact(const Packing& packing) {
+  double sum = 0;
+  std::size_t touching = 0;
+  for (const CohesivePair& pair : packing.cohesive) {
+    if (pair.gap > 0) continue;
+    sum += pair.pull;
+    ++touching;
+  }
+  return touching > 0 ? sum / static_cast<double>(touching) : 0;
+}
+
+struct Means {
+  double diameter = 0, mass = 0, area = 0;  ///< m, kg, m^2 of all grains
+};
+Means means_of(const Packing& packing) {
+  const Grains& grains = packing.grains;
+  Means means;
+  for (std::size_t g = 0; g < grains.size(); ++g) {
+    const double r = grains.radius[g], area = std::numbers::pi * r * r;
+    means.area += area;
+    means.diameter += 2 * r / static_cast<double>(grains.size());
+    means.mass +=
+        packing.materials[static_cast<std::size_t>(grains.material[g])].density * area * packing.domain.thickness / static_cast<double>(grains.size());
+  }
+  return means;
+}
+
+/// Mean pressure on the right and the upper side, Pa.
+double pressure_on(const Domain& domain) {
+  return 0.5 * (domain.wall[right].force / domain.height() + domain.wall[top].force / domain.width()) / domain.thickness;
+}
+
+const std::vector<double>* column(const History& history, const std::string& name) {
+  const auto at = std::find_if(history.columns.begin(), history.columns.end(), [&](const auto& c) { return c.name == name; });
+  return at == history.columns.end() ? nullptr : &at->values;
+}
+
+/// Largest tension on a side that moves outward, Pa; 0 where none does.
+double tensile_strength(const StageResult& result, const dem::Stage& stage, double thickness) {
+  constexpr std::array<std::array<const char*, 2>, 4> across{{{"bottom", "top"}, {"bottom", "top"}, {"left", "right"}, {"left", "right"}}};
+  constexpr std::array<const char*, 4> names{"left", "right", "bottom", "top"};
+  double strength = 0;
+  for (std::size_t side = 0; side < names.size(); ++side) {
+    if (stage.side[side].kind != dem::SideDrive::Kind::velocity || !(stage.side[side].value < 0)) continue;
+    const auto *force = column(result.history, std::string(names[side]) + "_force"), *from = column(result.history, std::string(across[side][0]) + "_position"),
+               *to = column(result.history, std::string(across[side][1]) + "_position");
+    if (!force || !from || !to) continue;
+    for (std::size_t k = 0; k < force->size(); ++k) strength = std::max(strength, -(*force)[k] / (((*to)[k] - (*from)[k]) * thickness));
+  }
+  return strength;
+}
+
+}  // namespace
+
+Numbers cohesion_numbers(const StageResult& result, const dem::Stage& stage, const Packing* before) {
+  if (result.frames.empty()) return Numbers::tree();
+  const Packing& end = result.frames.back().packing;
+  const Packing& start = before ? *before : end;
+  if (end.cohesive.empty() && start.cohesive.empty()) return Numbers::tree();
+  Numbers j{{"pairs", end.cohesive.size()}, {"pairs_apart", std::count_if(end.cohesive.begin(), end.cohesive.end(), acts_across_gap)}};
+  const double pull = pull_at_contact(start), thickness = end.domain.thickness;
+  if (!(pull > 0)) return {{"cohesion", j}};
+  const Means means = means_of(start);
+  const double load = stage.gravity ? means.mass * stage.gravity_size : pressure_on(start.domain) * means.diameter * thickness;
+  j["pull_N"] = pull;
+  if (load > 0) j["bond_number"] = pull / load;
+  if (const double strength = tensile_strength(result, stage, thickness); before && strength > 0) {
+    const double fraction = means.area / start.domain.area(),
+                 neighbours = 2.0 * static_cast<double>(start.cohesive.size()) / static_cast<double>(start.grains.size());
+    j["tensile_strength_Pa"] = strength;
+    const double rumpf = fraction * neighbours * pull / (std::numbers::pi * means.diameter * thickness), pressure = pressure_on(start.domain);
+    j["rumpf_Pa"] = rumpf;
+    if (!(pressure > 0)) return {{"cohesion", j}};
+    j["tensile_strength_over_pressure"] = strength / pressure;
+    j["rumpf_over_pressure"] = rumpf / pressure;
+  }
+  return {{"cohesion", j}};
+}
+
+}  // namespace arenite::fields

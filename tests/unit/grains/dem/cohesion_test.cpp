@@ -1,0 +1,163 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/error.hpp"
+#include "grains/dem/run_stage.hpp"
+#include "samples.hpp"
+
+namespace arenite::dem {
+namespace {
+
+/// Strong and voluminous enough for bridges, or attraction, of several sizes.
+ContactParameters cohesive(const Cohesion& law) {
+  ContactParameters contact;
+  contact.friction = 0.5;
+  contact.cohesion = law;
+  return contact;
+}
+CapillaryDisks wet() {
+  CapillaryDisks law;
+  law.surface_tension = 300;
+  law.contact_angle = 0.3;
+  law.volume = 1e-8;
+  return law;
+}
+CapillarySpheres wet_spheres() {
+  CapillarySpheres law;
+  law.surface_tension = 3e3;
+  law.volume = 1e-9;
+  return law;
+}
+const Cohesion laws[] = {Dmt{1e4, 1e-4}, wet(), wet_spheres()};
+
+Engine squeezed(const Packing& p, const Cohesion& law, int threads, std::int64_t steps) {
+  IntegrationParameters how;
+  how.threads = threads;
+  Engine engine(p, cohesive(law), how);
+  WallDrives drives;
+  drives[right] = {WallDrive::Kind::velocity, -0.5};
+  drives[top] = {WallDrive::Kind::velocity, 0.5};
+  engine.set_drives(drives);
+  engine.advance(steps);
+  return engine;
+}
+
+TEST(Cohesion, SameBitsOnTwoThreadsAndRestored) {
+  const Packing p = testing::crowd(50, 50, 6, 0.0135);
+  for (const Cohesion& law : laws) {
+    SCOPED_TRACE(law.word());
+    Engine a = squeezed(p, law, 1, 1500), b = squeezed(p, law, 2, 1500);
+    EXPECT_GT(a.cohesion_count().joined, 500u);
+    EXPECT_GT(a.cohesion_count().apart, 10u);
+    EXPECT_GT(a.list_builds(), 3);
+    EXPECT_EQ(a.state_hash(), b.state_hash());
+    Engine c = squeezed(p, law, 1, 0);
+    for (int n = 0; n < 40; ++n) {  // wherever it stands between two lists, and between pairs that meet and part
+      c.restore(a.save());
+      a.advance(7);
+      c.advance(7);
+      ASSERT_EQ(a.state_hash(), c.state_hash()) << n;
+    }
+  }
+}
+
+TEST(Cohesion, KernelsOfEveryWidthGiveTheSameBits) {
+  const Packing p = testing::crowd(20, 20, 6, 0.0135);
+  for (const Cohesion& law : laws) {
+    IntegrationParameters how;
+    Engine widest(p, cohesive(law), how);
+    how.kernel = "portable";
+    Engine portable(p, cohesive(law), how);
+    widest.advance(500);
+    portable.advance(500);
+    EXPECT_EQ(widest.state_hash(), portable.state_hash()) << law.word();
+  }
+}
+
+Packing two_disks(double gap) {
+  Packing p = testing::empty_frame(0.1, 0.1);
+  testing::add_grain(p, 0.04, 0.05, 0.006);
+  testing::add_grain(p, 0.052 + gap, 0.05, 0.006);
+  return p;
+}
+
+TEST(Cohesion, LiquidJoinsOnlyGrainsThatHaveTouched) {
+  Engine apart(two_disks(1e-6), cohesive(wet()), {}), touching(two_disks(-1e-9), cohesive(wet()), {});
+  EXPECT_EQ(apart.cohesion_count().joined, 0u);
+  EXPECT_EQ(touching.cohesion_count().joined, 1u);
+  Engine sticky(two_disks(1e-6), cohesive(Dmt{1, 1e-5}), {});
+  EXPECT_EQ(sticky.cohesion_count().apart, 1u);
+  EXPECT_EQ(sticky.packing().contacts.size(), 0u);
+}
+
+TEST(Cohesion, OfAStateGoesOnInTheNextEngine) {
+  Packing p = two_disks(-1e-9);
+  p.grains.vx = {-2, 2};
+  ContactParameters contact = cohesive(wet());
+  Engine first(p, contact, {});
+  first.advance(20);
+  const Packing state = first.packing();
+  ASSERT_EQ(state.contacts.size(), 0u);
+  Engine second(state, contact, {});
+  ASSERT_EQ(second.cohesion_count().apart, 1u);
+  EXPECT_EQ(second.packing().cohesive.front().pull, state.cohesive.front().pull);
+  Packing parted = state;
+  parted.cohesive.clear();
+  EXPECT_EQ(Engine(parted, contact, {}).cohesion_count().joined, 0u);
+}
+
+TEST(Cohesion, NeitherShortensNorMovesASampleWithoutIt) {
+  const Packing p = testing::crowd(20, 20, 6, 0.0135);
+  ContactParameters weak;
+  weak.cohesion = Dmt{1e-30, 1e-6};
+  Engine none(p, {}, {}), almost_none(p, weak, {});
+  EXPECT_EQ(none.time_step(), almost_none.time_step());
+  none.advance(300);
+  almost_none.advance(300);
+  EXPECT_NEAR(none.packing().grains.x[0], almost_none.packing().grains.x[0], 1e-12);
+}
+
+TEST(Cohesion, ASteepPullShortensTheStep) {
+  EXPECT_LT(Engine(two_disks(1e-6), cohesive(Dmt{1e3, 1e-7}), {}).time_step(), 0.5 * Engine(two_disks(1e-6), cohesive(Dmt{1e-3, 1e-7}), {}).time_step());
+}
+
+TEST(Cohesion, ThatMakesNoSenseIsRefused) {
+  const auto said = [](const Cohesion& law) -> std::string {
+    try {
+      Engine(two_disks(1e-6), cohesive(law), {});
+    } catch (const InputError& error) { return error.what(); }
+    return "";
+  };
+  CapillaryDisks drowned = wet();
+  drowned.volume = 0.06 * 0.9 * 0.006 * 0.006;
+  EXPECT_NE(said(drowned).find("liquid_volume"), std::string::npos);
+  EXPECT_NE(said(Dmt{1, 0.01}).find("adhesion_range"), std::string::npos);
+}
+
+TEST(Cohesion, OfAStageIsToldInHistoryStatesAndOutcome) {
+  Engine engine(testing::crowd(20, 20, 6, 0.0128), cohesive(wet()), {});
+  Stage stage;
+  stage.side[right] = {SideDrive::Kind::velocity, -0.5};
+  stage.duration = 3e-3;
+  StageRun run = begin_stage(engine, stage);
+  while (!run.finished) continue_stage(engine, stage, run);
+  const CohesionCount count = engine.cohesion_count();
+  ASSERT_GT(count.apart, 0u);
+  EXPECT_NE(run.result.outcome.find(std::to_string(count.joined) + " pairs cohere"), std::string::npos) << run.result.outcome;
+  std::size_t columns = 0;
+  for (const auto& column : run.result.history.columns) {
+    if (!column.name.starts_with("cohesive_pairs")) continue;
+    EXPECT_EQ(column.values.back(), static_cast<double>(column.name == "cohesive_pairs" ? count.joined : count.apart));
+    ++columns;
+  }
+  EXPECT_EQ(columns, 2u);
+  const auto& pairs = run.result.frames.back().packing.cohesive;
+  ASSERT_EQ(pairs.size(), count.joined);
+  EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return std::pair(a.i, a.j) < std::pair(b.i, b.j); }));
+}
+
+}  // namespace
+}  // namespace arenite::dem
