@@ -17,7 +17,7 @@ namespace {
 using namespace arenite;
 
 struct Sources {
-  test::Drawing drawing;
+  test::ThermoelasticDrawing drawing;
   double position = 0.1;       ///< standard error of centres, pixels
   double offered = 0.2;        ///< pairs with smaller gaps are offered as contacts, pixels
   double assumed_blur = 0.55;  ///< pixels
@@ -66,7 +66,7 @@ void report(const char* name, const Packing& low, const Packing& high, const Sou
   if (s.rolling) {  // fields of both states, in the frame of their grains
     Packing before = low;
     before.grains = high.grains;
-    test::Drawing clean = s.drawing;
+    test::ThermoelasticDrawing clean = s.drawing;
     clean.noise = 0;
     const inference::ThermoelasticPicture first = test::draw_thermoelastic(before, factor, clean);
     for (std::size_t k = 0; k < picture.value.size(); ++k) picture.value[k] -= first.value[k];

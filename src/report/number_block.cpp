@@ -10,7 +10,7 @@
 namespace arenite::report {
 namespace {
 
-constexpr double fine = 16384;  // codes over half the range, linear
+constexpr double fine_codes = 16384;  // codes over half the range, linear
 
 std::int32_t median_prediction(const std::vector<std::int32_t>& code, int width, int x, int y) {
   const auto at = static_cast<std::size_t>(x) + static_cast<std::size_t>(width) * static_cast<std::size_t>(y);
@@ -33,7 +33,7 @@ Coding coding_of(std::vector<double> sample, bool companded, double levels) {
   const double low = at(companded ? 0.001 : 0), high = at(companded ? 0.999 : 1);
   const double half = (high - low) / 2;
   // A field of one value has no range to divide.
-  return {companded, (low + high) / 2, half > 0 ? half : std::max(1e-300, std::abs(low)), companded ? levels : fine};
+  return {companded, (low + high) / 2, half > 0 ? half : std::max(1e-300, std::abs(low)), companded ? levels : fine_codes};
 }
 
 }  // namespace

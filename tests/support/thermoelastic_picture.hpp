@@ -12,7 +12,7 @@ namespace arenite::test {
 
 /// How a picture is drawn from known forces. Everything is painted on a fine raster, blurred there and summed into pixels:
 /// in another way than the inverse does, which knows no raster.
-struct Drawing {
+struct ThermoelasticDrawing {
   double pixel = 1.6e-3;
   double blur = 0.5;        ///< pixels
   double noise = 0.3e-3;    ///< K, of every pixel
@@ -24,7 +24,7 @@ struct Drawing {
   std::uint64_t seed = 1;
 };
 
-inline std::vector<elasticity::Disk> loaded_disks(const Packing& p, const Drawing& drawing) {
+inline std::vector<elasticity::Disk> loaded_disks(const Packing& p, const ThermoelasticDrawing& drawing) {
   std::vector<elasticity::Disk> disks;
   for (std::size_t g = 0; g < p.grains.size(); ++g) disks.push_back({p.grains.radius[g], p.domain.thickness, {}, drawing.traction});
   for (std::size_t c = 0; c < p.contacts.size(); ++c) {
@@ -36,7 +36,7 @@ inline std::vector<elasticity::Disk> loaded_disks(const Packing& p, const Drawin
 }
 
 /// Weights of fine cells around a pixel's first one: a box of one pixel blurred by the lens.
-inline std::vector<double> lens_weights(const Drawing& d, int& before) {
+inline std::vector<double> lens_weights(const ThermoelasticDrawing& d, int& before) {
   before = static_cast<int>(std::ceil(4 * d.blur * d.fine));
   std::vector<double> w(static_cast<std::size_t>(2 * before + d.fine), 0.0);
   double sum = 0;
@@ -51,7 +51,7 @@ inline std::vector<double> lens_weights(const Drawing& d, int& before) {
 }
 
 /// The picture of a packing whose contacts hold peak-to-peak forces, four pixels wider on every side than the grains need.
-inline inference::ThermoelasticPicture draw_thermoelastic(const Packing& p, const std::vector<double>& factor, const Drawing& d) {
+inline inference::ThermoelasticPicture draw_thermoelastic(const Packing& p, const std::vector<double>& factor, const ThermoelasticDrawing& d) {
   const Grains& grains = p.grains;
   double x0 = 1e9, x1 = -1e9, y0 = 1e9, y1 = -1e9;
   for (std::size_t g = 0; g < grains.size(); ++g) {

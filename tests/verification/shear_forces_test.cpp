@@ -92,7 +92,7 @@ Packing with_images(const Packing& p, double reach) {
 
 TEST(ForcesOfAnotherCode, FollowFromAPicture) {
   const Packing p = sheared();
-  test::Drawing d;
+  test::ThermoelasticDrawing d;
   d.pixel = 0.3, d.fine = 4, d.noise = 0.01 * mean_size(mean_stresses(p));
   ThermoelasticPicture picture = test::draw_thermoelastic(with_images(p, 33.5), {1}, d);
   for (int r = 0; r < picture.height; ++r)

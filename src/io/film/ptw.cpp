@@ -74,7 +74,7 @@ struct Number {
   double FilmInfo::*member;
   double unit;
 };
-constexpr Name names[] = {{44, &FilmInfo::camera}, {64, &FilmInfo::lens}, {84, &FilmInfo::filter}};
+constexpr Name name_fields[] = {{44, &FilmInfo::camera}, {64, &FilmInfo::lens}, {84, &FilmInfo::filter}};
 constexpr Number numbers[] = {
     {141, &FilmInfo::emissivity, 1}, {145, &FilmInfo::ambient, 1}, {188, &FilmInfo::band_low, 1e-6}, {192, &FilmInfo::band_high, 1e-6}};
 
@@ -85,7 +85,7 @@ FilmInfo info_of(std::string_view header, const Sizes& s) {
   info.width = static_cast<int>(s.width);
   info.height = static_cast<int>(s.height);
   info.frames = s.frames;
-  for (const auto& [at, member] : names) info.*member = name_at(header, at, 20);
+  for (const auto& [at, member] : name_fields) info.*member = name_at(header, at, 20);
   for (const auto& [at, member, unit] : numbers) info.*member = positive_at(header, at) * unit;
   // A float's 0.01 is a double's 0.00999999978: its seven digits are what was meant.
   const auto meant = [](double v) { return std::stod(fmt::format("{:.7g}", v)); };
@@ -99,7 +99,7 @@ FilmInfo info_of(std::string_view header, const Sizes& s) {
 
 constexpr std::size_t main_header = 3476, frame_header = 1016;
 
-std::string header(const FilmInfo& info, std::size_t frames) {
+std::string ptw_header(const FilmInfo& info, std::size_t frames) {
   std::string h(main_header, '\0');
   const auto words = static_cast<std::int32_t>(info.pixels());
   h.replace(0, 3, "CED");
@@ -110,7 +110,7 @@ std::string header(const FilmInfo& info, std::size_t frames) {
   put<std::int32_t>(h, 19, words + static_cast<std::int32_t>(frame_header) / 2);
   put<std::int32_t>(h, 23, words);
   put<std::int32_t>(h, 27, static_cast<std::int32_t>(frames));
-  for (const auto& [at, member] : names) h.replace(at, std::min<std::size_t>((info.*member).size(), 19), info.*member, 0, 19);
+  for (const auto& [at, member] : name_fields) h.replace(at, std::min<std::size_t>((info.*member).size(), 19), info.*member, 0, 19);
   for (const auto& [at, member, unit] : numbers) put<float>(h, at, static_cast<float>(info.*member * std::round(1 / unit)));
   put<std::int16_t>(h, 377, static_cast<std::int16_t>(info.width));
   put<std::int16_t>(h, 379, static_cast<std::int16_t>(info.height));
@@ -197,7 +197,7 @@ FilmPointer open_ptw(const Bytes& bytes, const FilmChoice& choice) {
 
 FilmWriterPointer create_ptw_film(const std::filesystem::path& path, const FilmInfo& info) {
   if (info.floating) refuse(path.string(), "cannot hold temperatures: a .ptw film is of levels; write .tif, .npy, .h5 or .sfmov");
-  return create_plain_film(path, info, {header, stamp});
+  return create_plain_film(path, info, {ptw_header, stamp});
 }
 
 }  // namespace arenite::io

@@ -74,7 +74,7 @@ NumberType pixel_of(const Keys& keys, const std::string& file) {
 /// Digits left free for the number of frames, which is known at the end.
 constexpr std::size_t count_width = 12;
 
-std::string header(const FilmInfo& info, std::size_t frames) {
+std::string sfmov_header(const FilmInfo& info, std::size_t frames) {
   std::string text = fmt::format("HdSize auto\r\nNumDPs {:0{}}\r\nxPixls {}\r\nyPixls {}\r\nDaType {}\r\n", frames, count_width, info.width, info.height,
                                  info.floating ? "Flt32" : "UInt16");
   if (info.bits > 0) text += fmt::format("ADBits {}\r\n", info.bits);
@@ -115,6 +115,6 @@ FilmPointer open_sfmov(const Bytes& bytes, const FilmChoice& choice) {
   return plain_film(bytes, std::move(info), layout, choice);
 }
 
-FilmWriterPointer create_sfmov_film(const std::filesystem::path& path, const FilmInfo& info) { return create_plain_film(path, info, {header}); }
+FilmWriterPointer create_sfmov_film(const std::filesystem::path& path, const FilmInfo& info) { return create_plain_film(path, info, {sfmov_header}); }
 
 }  // namespace arenite::io

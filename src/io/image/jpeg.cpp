@@ -19,14 +19,14 @@ constexpr int most_scans = 500;  // a progressive picture may repeat itself with
 
 /// libjpeg's reader over bytes in memory. libjpeg leaves a failing call by longjmp, so the functions that call it hold nothing that needs a
 /// destructor.
-struct Decoder {
+struct JpegDecoder {
   jpeg_decompress_struct jpeg{};
   jpeg_error_mgr errors{};
   jpeg_progress_mgr progress{};
   std::jmp_buf leave{};
   char message[JMSG_LENGTH_MAX] = {};
 
-  explicit Decoder(const std::string& bytes) {
+  explicit JpegDecoder(const std::string& bytes) {
     jpeg.err = jpeg_std_error(&errors);
     errors.error_exit = [](j_common_ptr any) { fail(any); };
     errors.emit_message = warn;
@@ -39,12 +39,12 @@ struct Decoder {
     };
     jpeg.progress = &progress;
   }
-  ~Decoder() { jpeg_destroy_decompress(&jpeg); }
-  Decoder(const Decoder&) = delete;
-  Decoder& operator=(const Decoder&) = delete;
+  ~JpegDecoder() { jpeg_destroy_decompress(&jpeg); }
+  JpegDecoder(const JpegDecoder&) = delete;
+  JpegDecoder& operator=(const JpegDecoder&) = delete;
 
   [[noreturn]] static void fail(j_common_ptr any) {
-    auto* self = static_cast<Decoder*>(any->client_data);
+    auto* self = static_cast<JpegDecoder*>(any->client_data);
     self->errors.format_message(any, self->message);
     std::longjmp(self->leave, 1);  // NOLINT: libjpeg's way
   }
@@ -54,13 +54,13 @@ struct Decoder {
   }
 };
 
-bool read_header(Decoder& d) {
+bool read_header(JpegDecoder& d) {
   if (setjmp(d.leave) != 0) return false;  // NOLINT: libjpeg's way
   jpeg_read_header(&d.jpeg, TRUE);
   return true;
 }
 
-bool read_rows(Decoder& d, std::uint8_t* samples, std::size_t stride) {
+bool read_rows(JpegDecoder& d, std::uint8_t* samples, std::size_t stride) {
   if (setjmp(d.leave) != 0) return false;  // NOLINT: libjpeg's way
   jpeg_start_decompress(&d.jpeg);
   while (d.jpeg.output_scanline < d.jpeg.output_height) {
@@ -71,7 +71,7 @@ bool read_rows(Decoder& d, std::uint8_t* samples, std::size_t stride) {
   return true;
 }
 
-[[noreturn]] void refuse_damaged(const Decoder& d, const std::string& file) {
+[[noreturn]] void refuse_damaged(const JpegDecoder& d, const std::string& file) {
   refuse(file, "is a JPEG picture that is cut short or damaged ({}); copy it again", std::string_view(d.message));
 }
 
@@ -79,7 +79,7 @@ bool read_rows(Decoder& d, std::uint8_t* samples, std::size_t stride) {
 
 Image read_jpeg(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
   if (choice.channel == Channel::none) refuse(file, "is a JPEG picture, which blurs values across edges; save the phases as PNG or TIFF");
-  Decoder d(bytes);
+  JpegDecoder d(bytes);
   if (!read_header(d)) refuse_damaged(d, file);
   check_size(file, d.jpeg.image_width, d.jpeg.image_height, choice);
   chosen_slice(file, 1, choice);

@@ -15,37 +15,37 @@ namespace arenite::io {
 namespace {
 
 /// libpng's reader over bytes in memory. libpng leaves a failing call by longjmp, so the functions that call it hold nothing that needs a destructor.
-struct Decoder {
+struct PngDecoder {
   std::string_view rest;
   char message[120] = {};
   png_structp png = nullptr;
   png_infop info = nullptr;
 
-  explicit Decoder(std::string_view bytes) : rest(bytes) {
+  explicit PngDecoder(std::string_view bytes) : rest(bytes) {
     png = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, fail, [](png_structp, png_const_charp) {});
     info = png != nullptr ? png_create_info_struct(png) : nullptr;
     if (info == nullptr) throw std::bad_alloc();
     png_set_read_fn(png, this, take);
   }
-  ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }
-  Decoder(const Decoder&) = delete;
-  Decoder& operator=(const Decoder&) = delete;
+  ~PngDecoder() { png_destroy_read_struct(&png, &info, nullptr); }
+  PngDecoder(const PngDecoder&) = delete;
+  PngDecoder& operator=(const PngDecoder&) = delete;
 
   [[noreturn]] static void fail(png_structp png, png_const_charp text) {
-    auto* self = static_cast<Decoder*>(png_get_error_ptr(png));
+    auto* self = static_cast<PngDecoder*>(png_get_error_ptr(png));
     const std::string_view all(text);
     all.substr(0, sizeof(self->message) - 1).copy(self->message, sizeof(self->message) - 1);
     png_longjmp(png, 1);
   }
   static void take(png_structp png, png_bytep to, png_size_t count) {
-    auto* self = static_cast<Decoder*>(png_get_io_ptr(png));
+    auto* self = static_cast<PngDecoder*>(png_get_io_ptr(png));
     if (self->rest.size() < count) png_error(png, "it ends too early");
     self->rest.copy(reinterpret_cast<char*>(to), count);
     self->rest.remove_prefix(count);
   }
 };
 
-bool read_header(Decoder& d) {
+bool read_header(PngDecoder& d) {
   if (setjmp(png_jmpbuf(d.png)) != 0) return false;  // NOLINT: libpng's way
   png_set_user_limits(d.png, 0x7fffffff, 0x7fffffff);
   png_set_keep_unknown_chunks(d.png, PNG_HANDLE_CHUNK_NEVER, nullptr, 0);
@@ -57,18 +57,18 @@ bool read_header(Decoder& d) {
   return true;
 }
 
-bool read_rows(Decoder& d, png_bytepp rows) {
+bool read_rows(PngDecoder& d, png_bytepp rows) {
   if (setjmp(png_jmpbuf(d.png)) != 0) return false;  // NOLINT: libpng's way
   png_read_image(d.png, rows);
   png_read_end(d.png, nullptr);
   return true;
 }
 
-[[noreturn]] void refuse_damaged(const Decoder& d, const std::string& file) {
+[[noreturn]] void refuse_damaged(const PngDecoder& d, const std::string& file) {
   refuse(file, "is a PNG picture that is cut short or damaged ({}); copy it again", std::string_view(d.message));
 }
 
-PixelLayout layout_of(const Decoder& d, const std::string& file, Channel channel) {
+PixelLayout layout_of(const PngDecoder& d, const std::string& file, Channel channel) {
   PixelLayout layout;
   layout.channel = channel;
   const int type = png_get_color_type(d.png, d.info);
@@ -89,7 +89,7 @@ PixelLayout layout_of(const Decoder& d, const std::string& file, Channel channel
 }  // namespace
 
 Image read_png(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
-  Decoder d(bytes);
+  PngDecoder d(bytes);
   if (!read_header(d)) refuse_damaged(d, file);
   check_size(file, png_get_image_width(d.png, d.info), png_get_image_height(d.png, d.info), choice);
   chosen_slice(file, 1, choice);

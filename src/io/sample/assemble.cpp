@@ -50,18 +50,18 @@ Index add_grains(const RawGrains& raw, const Domain& domain, bool closed, Grains
 }
 
 /// Where a contact's grains are, and how they lie to each other; n from i to j.
-struct Geometry {
+struct ContactGeometry {
   Vec2 n;
   double arm_i = 0, arm_j = 0;
 };
 
 constexpr double far_apart = 2;  ///< centre distance over the sum of radii beyond which a contact cannot be meant
 
-std::optional<Geometry> grain_geometry(const Packing& p, const RawContact& row, std::size_t i, std::size_t j, Problems& problems) {
+std::optional<ContactGeometry> grain_geometry(const Packing& p, const RawContact& row, std::size_t i, std::size_t j, Problems& problems) {
   const Vec2 branch = p.domain.nearest_image(p.grains.centre(j) - p.grains.centre(i));
   const double ri = p.grains.radius[i], rj = p.grains.radius[j];
   double distance = norm(branch);
-  Geometry g;
+  ContactGeometry g;
   if (row.normal) {
     const double length = norm(*row.normal);
     if (std::abs(length - 1) > 0.05) {
@@ -87,7 +87,7 @@ std::optional<Geometry> grain_geometry(const Packing& p, const RawContact& row, 
   return g;
 }
 
-Geometry wall_geometry(const Packing& p, int side, std::size_t i, bool has_box) {
+ContactGeometry wall_geometry(const Packing& p, int side, std::size_t i, bool has_box) {
   const Vec2 n = -inward_normal(side);
   const double position = p.domain.wall[static_cast<std::size_t>(side)].position;
   const double distance = side == left || side == right ? std::abs(p.grains.x[i] - position) : std::abs(p.grains.y[i] - position);

@@ -13,12 +13,12 @@ namespace {
 constexpr double most_deviation = 0.02;  // of a direction, rad: files have six digits
 constexpr double enough = 0.9;           // share of the contacts with a force
 
-using Row = std::vector<double>;  ///< of the candidates
+using NumberRow = std::vector<double>;  ///< of the candidates
 
-std::vector<Row> numbers_of(const std::vector<std::vector<std::string_view>>& rows, const std::vector<std::size_t>& candidates) {
-  std::vector<Row> numbers;
+std::vector<NumberRow> numbers_of(const std::vector<std::vector<std::string_view>>& rows, const std::vector<std::size_t>& candidates) {
+  std::vector<NumberRow> numbers;
   for (const auto& cells : rows) {
-    Row row;
+    NumberRow row;
     for (const std::size_t c : candidates) {
       const auto value = c < cells.size() ? to_number(cells[c]) : std::nullopt;
       if (!value) break;
@@ -29,9 +29,9 @@ std::vector<Row> numbers_of(const std::vector<std::vector<std::string_view>>& ro
   return numbers;
 }
 
-class Geometry {
+class PairGeometry {
  public:
-  explicit Geometry(const RawGrains& grains) {
+  explicit PairGeometry(const RawGrains& grains) {
     for (const RawGrain& g : grains.rows) centre_[g.id] = g.centre;
     cell_.periodic_x = grains.has_box && grains.periodic_x;
     cell_.periodic_y = grains.has_box && grains.periodic_y;
@@ -50,7 +50,7 @@ class Geometry {
 };
 
 /// Whether the vectors in two columns lie along the branches, or across them. Vectors without length do not tell; of none that tells it is false.
-bool lies(const std::vector<Row>& rows, const std::vector<Vec2>& branches, std::size_t x, std::size_t y, bool along) {
+bool lies(const std::vector<NumberRow>& rows, const std::vector<Vec2>& branches, std::size_t x, std::size_t y, bool along) {
   std::size_t telling = 0, fitting = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const Vec2 f{rows[k][x], rows[k][y]}, d = branches[k];
@@ -63,14 +63,14 @@ bool lies(const std::vector<Row>& rows, const std::vector<Vec2>& branches, std::
 }
 
 /// Whether the vectors in two columns are the branches themselves (dx, dy of pair/local).
-bool are_branches(const std::vector<Row>& rows, const std::vector<Vec2>& branches, std::size_t x) {
+bool are_branches(const std::vector<NumberRow>& rows, const std::vector<Vec2>& branches, std::size_t x) {
   for (std::size_t k = 0; k < rows.size(); ++k)
     if (std::abs(norm(Vec2{rows[k][x], rows[k][x + 1]}) - norm(branches[k])) > most_deviation * norm(branches[k])) return false;
   return true;
 }
 
-bool all_zero(const std::vector<Row>& rows, std::size_t c) {
-  return std::ranges::all_of(rows, [&](const Row& row) { return row[c] == 0; });
+bool all_zero(const std::vector<NumberRow>& rows, std::size_t c) {
+  return std::ranges::all_of(rows, [&](const NumberRow& row) { return row[c] == 0; });
 }
 
 }  // namespace
@@ -80,12 +80,12 @@ std::optional<PairColumns> find_pair_columns(const std::vector<std::vector<std::
   const auto numbers = numbers_of(rows, candidates);
   const std::size_t n = candidates.size();
   if (numbers.empty() || n < 6) return {};
-  const Geometry geometry(grains);
-  const auto are_grains = [&](std::size_t c) { return std::ranges::all_of(numbers, [&](const Row& row) { return geometry.is_grain(row[c]); }); };
+  const PairGeometry geometry(grains);
+  const auto are_grains = [&](std::size_t c) { return std::ranges::all_of(numbers, [&](const NumberRow& row) { return geometry.is_grain(row[c]); }); };
   std::size_t i = 0;
-  while (i + 1 < n && !(are_grains(i) && are_grains(i + 1) && std::ranges::none_of(numbers, [&](const Row& row) { return row[i] == row[i + 1]; }))) ++i;
+  while (i + 1 < n && !(are_grains(i) && are_grains(i + 1) && std::ranges::none_of(numbers, [&](const NumberRow& row) { return row[i] == row[i + 1]; }))) ++i;
   if (i + 1 >= n) return {};
-  const auto branches = mapped(numbers, [&](const Row& row) { return geometry.branch(row[i], row[i + 1]); });
+  const auto branches = mapped(numbers, [&](const NumberRow& row) { return geometry.branch(row[i], row[i + 1]); });
   for (std::size_t x = 0; x + 1 < n; ++x) {
     if (x + 1 >= i && x <= i + 1) continue;
     if (!lies(numbers, branches, x, x + 1, true) || are_branches(numbers, branches, x)) continue;

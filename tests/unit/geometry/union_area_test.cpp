@@ -13,7 +13,6 @@
 namespace arenite::geometry {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 const Rectangle wide{-10, 10, -10, 10};
 
 Outline box(double x0, double x1, double y0, double y1) { return {Outline::Kind::quadrilateral, {Vec2{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}, 0}; }
@@ -21,23 +20,23 @@ Outline box(double x0, double x1, double y0, double y1) { return {Outline::Kind:
 double area_of(std::vector<Outline> outlines, const Rectangle& window = wide) { return union_area(outlines, window); }
 
 TEST(UnionArea, OfOneShapeIsItsArea) {
-  EXPECT_NEAR(area_of({Outline::disk({1, 2}, 3)}), 9 * pi, 1e-13);
+  EXPECT_NEAR(area_of({Outline::disk({1, 2}, 3)}), 9 * std::numbers::pi, 1e-13);
   EXPECT_NEAR(area_of({box(0, 2, 1, 4)}), 6, 1e-14);
   // A square without the half disk that touches two of its corners.
   const Outline hollow{Outline::Kind::hollow, {Vec2{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {1, 3}, std::sqrt(2)};
-  EXPECT_NEAR(area_of({hollow}), 4 - (0.5 * pi - 1), 1e-14);
+  EXPECT_NEAR(area_of({hollow}), 4 - (0.5 * std::numbers::pi - 1), 1e-14);
 }
 
 TEST(UnionArea, CountsTheLensOfTwoDisksOnce) {
   for (const double d : {1e-6, 0.3, 1.0, 1.7, 2 - 1e-9, 2.0, 2.5}) {
     const double lens = d < 2 ? 2 * std::acos(d / 2) - 0.5 * d * std::sqrt(4 - d * d) : 0;
-    EXPECT_NEAR(area_of({Outline::disk({0, 0}, 1), Outline::disk({d * 0.6, d * 0.8}, 1)}), 2 * pi - lens, 1e-9 + 1e-13) << d;
+    EXPECT_NEAR(area_of({Outline::disk({0, 0}, 1), Outline::disk({d * 0.6, d * 0.8}, 1)}), 2 * std::numbers::pi - lens, 1e-9 + 1e-13) << d;
   }
 }
 
 TEST(UnionArea, TakesBoundariesThatCoincideOnce) {
   const Outline disk = Outline::disk({0.5, 0}, 1);
-  EXPECT_NEAR(area_of({disk, disk, disk}), pi, 1e-12);
+  EXPECT_NEAR(area_of({disk, disk, disk}), std::numbers::pi, 1e-12);
   EXPECT_NEAR(area_of({box(0, 1, 0, 1), box(0, 1, 0, 1)}), 1, 1e-12);
   EXPECT_NEAR(area_of({box(0, 1, 0, 1), box(1, 2, 0, 1)}), 2, 1e-12);  // flush
   EXPECT_NEAR(area_of({box(0, 2, 0, 1), box(1, 3, 0, 1), box(0, 1, 0, 2)}), 4, 1e-12);
@@ -50,8 +49,8 @@ TEST(UnionArea, IsClippedToTheWindow) {
   EXPECT_NEAR(area_of({box(0, 1, 0, 1)}, unit), 1, 1e-12);  // flush with the window
   EXPECT_NEAR(area_of({box(1, 2, 0, 1)}, unit), 0, 1e-12);  // flush outside
   EXPECT_NEAR(area_of({box(-1, 0.25, -1, 0.5)}, unit), 0.125, 1e-14);
-  EXPECT_NEAR(area_of({Outline::disk({0, 0}, 1)}, unit), pi / 4, 1e-14);
-  EXPECT_NEAR(area_of({Outline::disk({1e6, 1e6}, 1)}, {1e6, 1e6 + 1, 1e6, 1e6 + 1}), pi / 4, 1e-13);
+  EXPECT_NEAR(area_of({Outline::disk({0, 0}, 1)}, unit), std::numbers::pi / 4, 1e-14);
+  EXPECT_NEAR(area_of({Outline::disk({1e6, 1e6}, 1)}, {1e6, 1e6 + 1, 1e6, 1e6 + 1}), std::numbers::pi / 4, 1e-13);
 }
 
 RC_GTEST_PROP(UnionArea, OfOneDiskAgreesWithItsClosedForm, ()) {

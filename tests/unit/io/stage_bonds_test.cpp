@@ -10,7 +10,7 @@
 namespace arenite::io {
 namespace {
 
-StageResult stage_with(std::vector<Bond> bonds) {
+StageResult stage_with_bonds(std::vector<Bond> bonds) {
   Frame frame;
   frame.packing.materials = {{"glass", 2500, 1e6, 0}};
   frame.packing.grains.resize(3);
@@ -25,7 +25,7 @@ StageResult stage_with(std::vector<Bond> bonds) {
 const Bond whole{0, 1, 0.02, {0.6, 0.8}, 0.1, -0.2, 5, -3, 0.01, 2e-3, 0.7, BondBreak::none, 0, {}};
 const Bond torn{1, 2, 0.021, {1, 0}, 0.3, 0.4, 0, 0, 0, 1e-3, 1.001, BondBreak::bending, 2.5, {0.5, 0.25}};
 
-std::filesystem::path file(const char* name) { return std::filesystem::path(::testing::TempDir()) / name; }
+std::filesystem::path bonds_file(const char* name) { return std::filesystem::path(::testing::TempDir()) / name; }
 
 void expect_same(const Bond& a, const Bond& b) {
   EXPECT_EQ(a.i, b.i);
@@ -38,8 +38,8 @@ void expect_same(const Bond& a, const Bond& b) {
 }
 
 TEST(StageBonds, ComeBackAsTheyWere) {
-  const auto path = file("bonds.h5");
-  write_stage(path, stage_with({whole, torn}));
+  const auto path = bonds_file("bonds.h5");
+  write_stage(path, stage_with_bonds({whole, torn}));
   const StageResult read = read_stage(path);
   ASSERT_EQ(read.frames[0].packing.bonds.size(), 2u);
   expect_same(read.frames[0].packing.bonds[0], whole);
@@ -48,18 +48,18 @@ TEST(StageBonds, ComeBackAsTheyWere) {
 }
 
 TEST(StageBonds, OfGrainsThatAreNotThereAreRefused) {
-  const auto path = file("no_grain.h5");
+  const auto path = bonds_file("no_grain.h5");
   for (Bond wrong : {whole, torn}) {
     wrong.j = wrong.i == 0 ? 0 : 3;
-    write_stage(path, stage_with({wrong}));
+    write_stage(path, stage_with_bonds({wrong}));
     EXPECT_THROW(read_stage(path), InputError);
   }
   std::filesystem::remove(path);
 }
 
 TEST(StageBonds, LeaveNoTraceWhereThereAreNone) {
-  const auto path = file("no_bonds.h5");
-  write_stage(path, stage_with({}));
+  const auto path = bonds_file("no_bonds.h5");
+  write_stage(path, stage_with_bonds({}));
   EXPECT_EQ(read_file(path.string()).find("bonds"), std::string::npos);
   std::filesystem::remove(path);
 }

@@ -10,7 +10,7 @@
 namespace arenite::io {
 namespace {
 
-StageResult stage_with(std::vector<Boundary> boundaries, std::int32_t partner) {
+StageResult stage_with_boundaries(std::vector<Boundary> boundaries, std::int32_t partner) {
   Frame frame;
   Packing& p = frame.packing;
   p.materials = {{"glass", 2500, 1e6, 0}};
@@ -27,11 +27,11 @@ StageResult stage_with(std::vector<Boundary> boundaries, std::int32_t partner) {
 const std::vector<Boundary> two{{"gate", {{0, 0}, {1, 0.5}}, false, false, {0.1, 0}, 0, {0.5, 0.25}, {}, 0},
                                 {"drum", {{0, 0}, {1, 0}, {0, 1}}, true, true, {}, -2, {0.25, 0.25}, {1, -3}, 0.5}};
 
-std::filesystem::path file(const char* name) { return std::filesystem::path(::testing::TempDir()) / name; }
+std::filesystem::path boundaries_file(const char* name) { return std::filesystem::path(::testing::TempDir()) / name; }
 
 TEST(StageBoundaries, ComeBackAsTheyWere) {
-  const auto path = file("boundaries.h5");
-  write_stage(path, stage_with(two, boundary_partner(9)));
+  const auto path = boundaries_file("boundaries.h5");
+  write_stage(path, stage_with_boundaries(two, boundary_partner(9)));
   const StageResult read = read_stage(path);
   EXPECT_EQ(read.frames[0].packing.domain.boundaries, two);
   EXPECT_EQ(read.frames[0].packing.domain.boundary_of(read.frames[0].packing.contacts.element(0)), 1);
@@ -39,17 +39,17 @@ TEST(StageBoundaries, ComeBackAsTheyWere) {
 }
 
 TEST(StageBoundaries, AContactWithAnElementThatIsNotThereIsRefused) {
-  const auto path = file("no_element.h5");
-  write_stage(path, stage_with(two, boundary_partner(10)));
+  const auto path = boundaries_file("no_element.h5");
+  write_stage(path, stage_with_boundaries(two, boundary_partner(10)));
   EXPECT_THROW(read_stage(path), InputError);
-  write_stage(path, stage_with({}, boundary_partner(0)));
+  write_stage(path, stage_with_boundaries({}, boundary_partner(0)));
   EXPECT_THROW(read_stage(path), InputError);
   std::filesystem::remove(path);
 }
 
 TEST(StageBoundaries, LeaveNoTraceWhereThereAreNone) {
-  const auto path = file("none.h5");
-  write_stage(path, stage_with({}, wall_partner(bottom)));
+  const auto path = boundaries_file("none.h5");
+  write_stage(path, stage_with_boundaries({}, wall_partner(bottom)));
   EXPECT_EQ(read_file(path.string()).find("boundaries"), std::string::npos);
   EXPECT_TRUE(read_stage(path).frames[0].packing.domain.boundaries.empty());
   std::filesystem::remove(path);

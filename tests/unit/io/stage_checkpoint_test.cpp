@@ -11,7 +11,7 @@ namespace {
 using namespace arenite;
 using arenite::test::TemporaryFolder;
 
-io::Checkpoint sample() {
+io::Checkpoint some_checkpoint() {
   io::Checkpoint c;
   c.key = "abc";
   c.blobs["engine"] = std::vector<std::uint8_t>(100'000, 7);
@@ -24,7 +24,7 @@ io::Checkpoint sample() {
 
 TEST(Checkpoint, GivesBackWhatARunNeedsToGoOn) {
   const TemporaryFolder folder;
-  const auto c = sample();
+  const auto c = some_checkpoint();
   io::write_checkpoint(folder / "c", c);
   const auto read = io::read_checkpoint(folder / "c", "abc");
   ASSERT_TRUE(read);
@@ -38,13 +38,13 @@ TEST(Checkpoint, GivesBackWhatARunNeedsToGoOn) {
 TEST(Checkpoint, OfAnotherRunOrNoneStartsAnew) {
   const TemporaryFolder folder;
   EXPECT_FALSE(io::read_checkpoint(folder / "none", "abc"));
-  io::write_checkpoint(folder / "c", sample());
+  io::write_checkpoint(folder / "c", some_checkpoint());
   EXPECT_FALSE(io::read_checkpoint(folder / "c", "another key"));
 }
 
 TEST(Checkpoint, CutShortIsAnInputErrorAndAStageFileIsNoCheckpoint) {
   const TemporaryFolder folder;
-  io::write_checkpoint(folder / "c", sample());
+  io::write_checkpoint(folder / "c", some_checkpoint());
   const auto whole = io::read_file(folder / "c");
   io::write_atomically(folder / "c", std::string_view(whole).substr(0, whole.size() / 2));
   EXPECT_THROW(io::read_checkpoint(folder / "c", "abc"), InputError);

@@ -40,7 +40,7 @@ of = "gravity_angle"
 table = [["0 s", "0 deg"], ["1 s", "90 deg"]]
 )";
 
-std::string refusal(const std::string& text) {
+std::string refused_programme(const std::string& text) {
   try {
     parse_recipe(text, "r.toml");
     return "none";
@@ -96,7 +96,7 @@ TEST(Programmes, AreRefusedWhereTheyMakeNoSense) {
            {time + one + "of = \"top.force\"\ntable = [[\"0 s\", \"1 kN\"]]\n" + one + "of = \"top.velocity\"\ntable = [[\"0 s\", \"1 mm/s\"]]\n",
             "two of them"},
            {time + "open = { top = true }\n" + one + "of = \"slide.top\"\ntable = [[\"0 s\", \"0 mm/s\"], [\"1 s\", \"1 mm/s\"]]\n", "cannot be away"}})
-    EXPECT_NE(refusal(start + text).find(because), std::string::npos) << text << refusal(start + text);
+    EXPECT_NE(refused_programme(start + text).find(because), std::string::npos) << text << refused_programme(start + text);
 }
 
 TEST(StrainCycles, AreReadAndRefused) {
@@ -104,10 +104,12 @@ TEST(StrainCycles, AreReadAndRefused) {
   const Recipe recipe = parse_recipe(start + cycles, "r.toml");
   EXPECT_EQ(*recipe.stages[0].strain_cycles, (dem::StrainCycles{"top", 0, 0.01, 0.1, 2000, 100}));
   EXPECT_EQ(parse_recipe(to_toml(recipe), "r.toml"), recipe);
-  EXPECT_NE(refusal(start + cycles + "duration = \"1 s\"\n").find("leave out its duration"), std::string::npos);
-  EXPECT_NE(refusal(start + cycles + "top = { force = \"1 kN\" }\n").find("does something else"), std::string::npos);
-  EXPECT_NE(refusal(start + "strain_cycles = { of = \"shear\", max = 0.01, rate = \"0.1 1/s\", count = 2 }\n").find("periodic both ways"), std::string::npos);
-  EXPECT_NE(refusal(start + "strain_cycles = { of = \"top\", min = 0.1, max = 0.01, rate = \"0.1 1/s\", count = 2 }\n").find("above min"), std::string::npos);
+  EXPECT_NE(refused_programme(start + cycles + "duration = \"1 s\"\n").find("leave out its duration"), std::string::npos);
+  EXPECT_NE(refused_programme(start + cycles + "top = { force = \"1 kN\" }\n").find("does something else"), std::string::npos);
+  EXPECT_NE(refused_programme(start + "strain_cycles = { of = \"shear\", max = 0.01, rate = \"0.1 1/s\", count = 2 }\n").find("periodic both ways"),
+            std::string::npos);
+  EXPECT_NE(refused_programme(start + "strain_cycles = { of = \"top\", min = 0.1, max = 0.01, rate = \"0.1 1/s\", count = 2 }\n").find("above min"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace arenite::validation {
 namespace {
 
-const std::vector<std::string> keys{"bidisperse.size_ratio", "bidisperse.volume_ratio", "cement.kind", "contact.friction", "seed"};
+const std::vector<std::string> choice_keys{"bidisperse.size_ratio", "bidisperse.volume_ratio", "cement.kind", "contact.friction", "seed"};
 
 /// z is gamma, and -gamma without friction; the usual runs have a gamma more than the choices.
 Results made_up() {
@@ -20,8 +20,8 @@ Results made_up() {
   }
   chosen.resize(4);
   Results results;
-  results.add("paper", made_up_table(keys, {"z"}, usual));
-  results.add("paper-choices", made_up_table(keys, {"z"}, chosen));
+  results.add("paper", made_up_table(choice_keys, {"z"}, usual));
+  results.add("paper-choices", made_up_table(choice_keys, {"z"}, chosen));
   return results;
 }
 

@@ -7,8 +7,6 @@ namespace arenite::peridynamics {
 
 namespace {
 
-constexpr int cell = Pieces::cell;
-
 /// A block of the coarse matrix, in a column that is known.
 struct Entry {
   std::int32_t row;
@@ -129,11 +127,11 @@ void CoarseSpace::list_runs(const std::vector<std::uint8_t>& prescribed) {
     for (int x = 0; x < grid_.width;) {
       const std::ptrdiff_t i = grid_.index(x, y);
       const std::int32_t piece = pieces_.of_node[i];
-      const int end = std::min(grid_.width, (x / cell + 1) * cell);
+      const int end = std::min(grid_.width, (x / Pieces::cell + 1) * Pieces::cell);
       int length = 1;
       while (x + length < end && pieces_.of_node[i + length] == piece) ++length;
       if (piece >= 0)
-        runs_.push_back({i, piece, static_cast<std::int16_t>(x % cell), static_cast<std::int16_t>(y % cell), static_cast<std::int16_t>(length),
+        runs_.push_back({i, piece, static_cast<std::int16_t>(x % Pieces::cell), static_cast<std::int16_t>(y % Pieces::cell), static_cast<std::int16_t>(length),
                          prescribed[static_cast<std::size_t>(y)] == y_prescribed});
       x += length;
     }
@@ -166,7 +164,7 @@ void CoarseSpace::correct(Plane<const float> r, Plane<float> z) {
     m[7] += t * y1;
   }
   std::fill(load_.begin(), load_.end(), 0.0);
-  constexpr double h = 1.0 / cell;
+  constexpr double h = 1.0 / Pieces::cell;
   for (std::size_t p = 0; p < pieces_.owner.size(); ++p)
     for (unsigned c = 0; c < 2; ++c) {
       const float* m = &moments_[8 * p + 4 * c];

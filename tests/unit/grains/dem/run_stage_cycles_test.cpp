@@ -11,17 +11,12 @@ namespace {
 using testing::add_grain;
 using testing::crowd;
 using testing::empty_frame;
+using testing::to_its_end;
 
 const std::vector<double>& column(const History& history, const char* name) {
   for (const auto& c : history.columns)
     if (c.name == name) return c.values;
   throw std::out_of_range(name);
-}
-
-StageRun to_its_end(Engine& engine, const Stage& stage) {
-  StageRun run = begin_stage(engine, stage);
-  while (!run.finished) continue_stage(engine, stage, run);
-  return run;
 }
 
 /// One disk that fills the frame from bottom to top.

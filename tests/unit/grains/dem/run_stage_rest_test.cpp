@@ -10,6 +10,7 @@ namespace {
 
 using testing::add_grain;
 using testing::empty_frame;
+using testing::to_its_end;
 
 constexpr double radius = 3e-3, wide = 50e-3;
 
@@ -35,12 +36,6 @@ Stage pressed(bool gravity) {
   stage.gravity = gravity;
   stage.side[top] = {SideDrive::Kind::force, 20e3};
   return stage;
-}
-
-StageRun to_its_end(Engine& engine, const Stage& stage) {
-  StageRun run = begin_stage(engine, stage);
-  while (!run.finished) continue_stage(engine, stage, run);
-  return run;
 }
 
 TEST(Rest, IsNotReachedWhileADiskFallsHoweverSmallItsWeight) {

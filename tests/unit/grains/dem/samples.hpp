@@ -3,6 +3,7 @@
 
 #include "core/random.hpp"
 #include "grains/dem/engine.hpp"
+#include "grains/dem/run_stage.hpp"
 
 namespace arenite::dem::testing {
 
@@ -40,6 +41,12 @@ inline Packing crowd(int columns, int rows, std::uint64_t seed, double pitch = 0
     p.grains.id[p.grains.size() - 1] = 1000 + q;
   }
   return p;
+}
+
+inline StageRun to_its_end(Engine& engine, const Stage& stage) {
+  StageRun run = begin_stage(engine, stage);
+  while (!run.finished) continue_stage(engine, stage, run);
+  return run;
 }
 
 }  // namespace arenite::dem::testing

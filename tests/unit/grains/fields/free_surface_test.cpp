@@ -10,7 +10,7 @@
 namespace arenite::fields {
 namespace {
 
-constexpr double radius = 0.0025, degree = std::numbers::pi / 180;
+constexpr double radius = 0.0025, slope_degree = std::numbers::pi / 180;
 
 /// Disks in rows, all whose centres lie below a roof that falls from its ridge to the left and to the right, turned about the origin.
 Packing heap(double ridge, double height, double left_angle, double right_angle, double turned = 0) {
@@ -34,31 +34,31 @@ Packing heap(double ridge, double height, double left_angle, double right_angle,
 Vec2 down(double turned = 0) { return {9.81 * std::sin(turned), -9.81 * std::cos(turned)}; }
 
 TEST(FreeSurface, HasTheAnglesOfAHeapThatWasBuiltWithThem) {
-  const Packing p = heap(0.4, 0.12, 20 * degree, 31 * degree);
+  const Packing p = heap(0.4, 0.12, 20 * slope_degree, 31 * slope_degree);
   const FreeSurface s = find_free_surface(p, down());
   EXPECT_EQ(s.grains, p.grains.size());
-  EXPECT_NEAR(s.left_flank.angle.value / degree, 20, 0.6);
-  EXPECT_NEAR(s.right_flank.angle.value / degree, 31, 0.6);
-  for (const Flank* flank : {&s.left_flank, &s.right_flank}) EXPECT_LT(flank->angle.error, degree);
+  EXPECT_NEAR(s.left_flank.angle.value / slope_degree, 20, 0.6);
+  EXPECT_NEAR(s.right_flank.angle.value / slope_degree, 31, 0.6);
+  for (const Flank* flank : {&s.left_flank, &s.right_flank}) EXPECT_LT(flank->angle.error, slope_degree);
   EXPECT_GT(s.angle.value, s.left_flank.angle.value);
   EXPECT_LT(s.angle.value, s.right_flank.angle.value);
   EXPECT_NEAR(s.top, 0.12, 2 * radius);
-  EXPECT_NEAR(s.right, 0.4 + 0.12 / std::tan(31 * degree), 2 * radius);
+  EXPECT_NEAR(s.right, 0.4 + 0.12 / std::tan(31 * slope_degree), 2 * radius);
 }
 
 TEST(FreeSurface, IsTheSameHoweverFrameAndGravityAreTurned) {
-  const FreeSurface straight = find_free_surface(heap(0, 0.12, 25 * degree, 25 * degree), down());
+  const FreeSurface straight = find_free_surface(heap(0, 0.12, 25 * slope_degree, 25 * slope_degree), down());
   EXPECT_EQ(straight.left_flank.columns, 0u);  // the ridge stands at the left end
-  EXPECT_NEAR(straight.angle.value / degree, 25, 0.6);
+  EXPECT_NEAR(straight.angle.value / slope_degree, 25, 0.6);
   for (const double turned : {0.3, -1.2, 2.5}) {
-    const FreeSurface s = find_free_surface(heap(0, 0.12, 25 * degree, 25 * degree, turned), down(turned));
+    const FreeSurface s = find_free_surface(heap(0, 0.12, 25 * slope_degree, 25 * slope_degree, turned), down(turned));
     EXPECT_NEAR(s.angle.value, straight.angle.value, 1e-6);
     EXPECT_NEAR(s.right - s.left, straight.right - straight.left, 1e-9);
   }
 }
 
 TEST(FreeSurface, LeavesOutGrainsThatRolledAhead) {
-  Packing p = heap(0, 0.12, 25 * degree, 25 * degree);
+  Packing p = heap(0, 0.12, 25 * slope_degree, 25 * slope_degree);
   const FreeSurface before = find_free_surface(p, down());
   Grains& g = p.grains;
   g.resize(g.size() + 1);

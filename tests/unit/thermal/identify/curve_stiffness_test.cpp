@@ -29,7 +29,7 @@ Curve record(const std::vector<double>& peaks, int points = 200, double noise = 
   return c;
 }
 
-std::string complaint(const Curve& curve, const identify::StiffnessOptions& options = {}) {
+std::string stiffness_complaint(const Curve& curve, const identify::StiffnessOptions& options = {}) {
   try {
     cycles_of(curve, options);
   } catch (const InputError& error) { return to_string(error.problems().front()); }
@@ -81,23 +81,23 @@ TEST(Stiffness, NoiseOfTheForceMakesNoCycles) {
 }
 
 TEST(Stiffness, BadRecordsAreOneSentenceWithTheirLine) {
-  EXPECT_EQ(complaint(record({800})),
+  EXPECT_EQ(stiffness_complaint(record({800})),
             "test.csv:201: the force never exceeds the preload of 1000 N, its maximum is 800 N; give the test's own preload with --preload");
-  EXPECT_NE(complaint(record({6000}, 4)).find("a cycle has 3 points beyond the preload of 1000 N; a slope needs at least 5"), std::string::npos)
-      << complaint(record({6000}, 4));
+  EXPECT_NE(stiffness_complaint(record({6000}, 4)).find("a cycle has 3 points beyond the preload of 1000 N; a slope needs at least 5"), std::string::npos)
+      << stiffness_complaint(record({6000}, 4));
   Curve slipped = record({6000});
   for (std::size_t p = 120; p < 125; ++p) slipped.y[p] -= 900;
-  EXPECT_NE(complaint(slipped).find("test.csv:122: the force falls from"), std::string::npos) << complaint(slipped);
+  EXPECT_NE(stiffness_complaint(slipped).find("test.csv:122: the force falls from"), std::string::npos) << stiffness_complaint(slipped);
   Curve back = record({6000});
   back.x[150] -= 0.1e-3;
-  EXPECT_NE(complaint(back).find("test.csv:152: the displacement runs back by 0.09"), std::string::npos) << complaint(back);
+  EXPECT_NE(stiffness_complaint(back).find("test.csv:152: the displacement runs back by 0.09"), std::string::npos) << stiffness_complaint(back);
   Curve still = record({6000});
   for (double& x : still.x) x = 1e-3;
-  EXPECT_NE(complaint(still).find("does not change with the force"), std::string::npos);
-  EXPECT_NE(complaint(Curve{"test.csv", "", {}, {}, {}}).find("holds no points"), std::string::npos);
+  EXPECT_NE(stiffness_complaint(still).find("does not change with the force"), std::string::npos);
+  EXPECT_NE(stiffness_complaint(Curve{"test.csv", "", {}, {}, {}}).find("holds no points"), std::string::npos);
   Curve rising = record({6000}, 50);
   rising.x.resize(50), rising.y.resize(50);
-  EXPECT_NE(complaint(rising, {1000, identify::Branch::unloading}).find("the force never falls"), std::string::npos);
+  EXPECT_NE(stiffness_complaint(rising, {1000, identify::Branch::unloading}).find("the force never falls"), std::string::npos);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace arenite::inference {
 namespace {
 
-using test::Drawing, test::factors, test::pressed_crystal, test::relative_error, test::without_forces;
+using test::ThermoelasticDrawing, test::factors, test::pressed_crystal, test::relative_error, test::without_forces;
 
 constexpr double radius = 8.2e-3;
 
@@ -26,7 +26,7 @@ ForceOptions exact() {
 
 /// The closed form at every pixel's centre; `pixels` along a radius.
 ThermoelasticPicture sampled(const Packing& p, double pixels = 8) {
-  Drawing d;
+  ThermoelasticDrawing d;
   d.pixel = radius / pixels, d.noise = 0, d.stated_error = 1e-4, d.fine = 1, d.blur = 0;
   ThermoelasticPicture picture = test::draw_thermoelastic(p, factors(p), d);
   const auto disks = test::loaded_disks(p, d);
@@ -107,7 +107,7 @@ RC_GTEST_PROP(ContactForces, AreLinearInThePicture, ()) {
 /// The thesis's pixel, lens and noise; a picture drawn in another way; centres off by a tenth of a pixel.
 struct Film {
   Packing truth = pressed_crystal(9, 8, 6e-3, 3), found = without_forces(truth);
-  Drawing drawing;
+  ThermoelasticDrawing drawing;
   ThermoelasticPicture picture;
 
   explicit Film(elasticity::Traction traction = elasticity::Traction::point, double off = 0.1) {

@@ -15,7 +15,7 @@ namespace {
 
 using test::pressed_crystal, test::relative_error, test::without_forces;
 
-constexpr double radius = 8.2e-3;
+constexpr double disk_radius = 8.2e-3;
 
 /// sigma_hyd of every grain by the sum rule.
 std::vector<double> mean_stresses(const Packing& p) {
@@ -53,13 +53,13 @@ int dense_null_space(const Packing& p) {
 
 /// One disk between four walls: eight components of force, three of balance, one mean.
 TEST(MeanForces, NullSpaceOfOneDiskIsFour) {
-  Packing p = pressed_crystal(1, 1, radius, 1);
-  p.contacts.add(0, wall_partner(right), inward_normal(right), 0, 0, radius, 0);
+  Packing p = pressed_crystal(1, 1, disk_radius, 1);
+  p.contacts.add(0, wall_partner(right), inward_normal(right), 0, 0, disk_radius, 0);
   ASSERT_EQ(p.contacts.size(), 4u);
   const InferredForces f = infer_from_means({without_forces(p), {}, {}}, {-1e6}, {1e3}, {});
   EXPECT_EQ(f.null_space, 4);
   // The smallest energy shares the sum evenly, without friction.
-  const double sum = 2 * std::numbers::pi * radius * 0.06 * 1e6;
+  const double sum = 2 * std::numbers::pi * disk_radius * 0.06 * 1e6;
   for (std::size_t c = 0; c < 4; ++c) {
     EXPECT_NEAR(f.contacts.fn[c] / sum, 0.25, 1e-3);
     EXPECT_NEAR(f.contacts.ft[c] / sum, 0, 1e-9);
@@ -67,14 +67,14 @@ TEST(MeanForces, NullSpaceOfOneDiskIsFour) {
 }
 
 RC_GTEST_PROP(MeanForces, NullSpaceIsThatOfTheDenseMatrix, ()) {
-  const Packing p = pressed_crystal(*rc::gen::inRange(1, 5), *rc::gen::inRange(1, 5), radius, *rc::gen::inRange<std::uint64_t>(1, 100));
+  const Packing p = pressed_crystal(*rc::gen::inRange(1, 5), *rc::gen::inRange(1, 5), disk_radius, *rc::gen::inRange<std::uint64_t>(1, 100));
   const std::vector<double> sigma = mean_stresses(p), error(sigma.size(), 1e3);
   RC_ASSERT(infer_from_means({without_forces(p), {}, {}}, sigma, error, {}).null_space == dense_null_space(p));
 }
 
 /// What comes out has the means that went in and is in balance; hence twice the means, twice the forces.
 TEST(MeanForces, KeepMeansAndBalance) {
-  const Packing p = pressed_crystal(6, 5, radius, 2);
+  const Packing p = pressed_crystal(6, 5, disk_radius, 2);
   std::vector<double> sigma = mean_stresses(p), error(sigma.size(), 10);
   ForceOptions options;
   options.prior = 1, options.balance_error = 1e-4;
@@ -88,7 +88,7 @@ TEST(MeanForces, KeepMeansAndBalance) {
 }
 
 TEST(MeanForces, BadInputIsToldInASentence) {
-  const Packing p = without_forces(pressed_crystal(2, 2, radius, 1));
+  const Packing p = without_forces(pressed_crystal(2, 2, disk_radius, 1));
   const std::vector<double> sigma(4, -1e6), none(4, 0.0);
   EXPECT_THROW(infer_from_means({p, {}, {}}, sigma, none, {}), InputError);
   EXPECT_THROW(infer_from_means({p, {}, {}}, {1, 2}, {1, 1}, {}), InputError);
