@@ -9,11 +9,10 @@
 
 namespace {
 using arenite::test::arenite;
+using arenite::test::contains;
 using arenite::test::shell;
 using arenite::test::slurp;
 using arenite::test::TemporaryFolder;
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::ptrdiff_t lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 

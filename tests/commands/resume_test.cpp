@@ -35,14 +35,6 @@ fs::path write_recipe(const test::TemporaryFolder& folder) {
   return path;
 }
 
-/// Bytes of every stage file of a run's folder, by name.
-std::map<std::string, std::string> results(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".h5") files[entry.path().filename().string()] = test::slurp(entry.path());
-  return files;
-}
-
 std::string run_line(const fs::path& recipe_file, const fs::path& out, const std::string& more) {
   return "run " + recipe_file.string() + " --quiet --out " + out.string() + " " + more;
 }
@@ -54,7 +46,7 @@ void kill_at_random_moments(const fs::path& file, std::size_t files, int ended, 
   const auto began = clock::now();
   ASSERT_EQ(test::arenite(run_line(file, folder / "whole", "")).status, 0);
   double whole = std::chrono::duration<double>(clock::now() - began).count();
-  const auto expected = results(folder / "whole");
+  const auto expected = test::stage_files(folder / "whole");
   ASSERT_EQ(expected.size(), files);
 
   RandomStream moments(1, Purpose::test);
@@ -74,7 +66,7 @@ void kill_at_random_moments(const fs::path& file, std::size_t files, int ended, 
       ++kills;
     }
     ASSERT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_EQ(results(out), expected) << "after " << kills << " kills";
+    EXPECT_EQ(test::stage_files(out), expected) << "after " << kills << " kills";
     EXPECT_FALSE(fs::exists(out / "run.checkpoint"));
   }
   EXPECT_GT(kills, killed);
@@ -141,12 +133,12 @@ TEST(Resume, NothingIsComputedTwice) {
   const auto file = write_recipe(folder);
   const auto out = folder / "out";
   ASSERT_EQ(test::arenite("run " + file.string() + " --out " + out.string()).status, 0);
-  const auto first = results(out);
+  const auto first = test::stage_files(out);
   const auto again = test::arenite("run " + file.string() + " --out " + out.string());
   EXPECT_EQ(again.status, 0);
   EXPECT_NE(again.err.find("2/2 load"), std::string::npos) << again.err;
   EXPECT_EQ(again.err.find("step"), std::string::npos) << again.err;
-  EXPECT_EQ(results(out), first);
+  EXPECT_EQ(test::stage_files(out), first);
 }
 
 TEST(Resume, AChangedLaterStageKeepsTheEarlierOnes) {
@@ -154,15 +146,15 @@ TEST(Resume, AChangedLaterStageKeepsTheEarlierOnes) {
   const auto file = write_recipe(folder);
   const auto out = folder / "out";
   ASSERT_EQ(test::arenite(run_line(file, out, "")).status, 0);
-  const auto first = results(out);
+  const auto first = test::stage_files(out);
   ASSERT_EQ(test::arenite(run_line(file, out, "--set 'stages.1.bottom.force=6 kN'")).status, 0);
-  const auto second = results(out);
+  const auto second = test::stage_files(out);
   ASSERT_EQ(second.size(), 3u);
   int kept = 0;
   for (const auto& [name, bytes] : second) kept += first.contains(name);
   EXPECT_EQ(kept, 2);
   ASSERT_EQ(test::arenite(run_line(file, out, "")).status, 0);
-  EXPECT_EQ(results(out), first);
+  EXPECT_EQ(test::stage_files(out), first);
 }
 
 TEST(Resume, ThreadsChangeNoByte) {
@@ -170,7 +162,7 @@ TEST(Resume, ThreadsChangeNoByte) {
   const auto file = write_recipe(folder);
   ASSERT_EQ(test::arenite(run_line(file, folder / "one", "--threads 1")).status, 0);
   ASSERT_EQ(test::arenite(run_line(file, folder / "two", "--threads 2")).status, 0);
-  EXPECT_EQ(results(folder / "one"), results(folder / "two"));
+  EXPECT_EQ(test::stage_files(folder / "one"), test::stage_files(folder / "two"));
 }
 
 }  // namespace

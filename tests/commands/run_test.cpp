@@ -12,10 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using arenite::test::arenite;
+using arenite::test::contains;
 using arenite::test::slurp;
 using arenite::test::TemporaryFolder;
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// A loose filling of 60 disks of two sizes, and what its frame and stages say.
 std::string recipe(const std::string& frame, const std::string& stages) {

@@ -7,9 +7,8 @@
 
 namespace {
 using arenite::test::arenite;
+using arenite::test::contains;
 using arenite::test::TemporaryFolder;
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(StudyScript, LogsShowProgressUnlessItIsToBeQuiet) {
   const TemporaryFolder folder;

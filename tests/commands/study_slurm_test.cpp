@@ -30,14 +30,6 @@ class OneBoxSlurm {
   const arenite::test::Outcome start;
 };
 
-/// Every file of every run.
-std::map<std::string, std::string> results(const fs::path& study) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(study / "runs"))
-    if (entry.is_regular_file()) files[fs::relative(entry.path(), study).string()] = arenite::test::slurp(entry.path());
-  return files;
-}
-
 /// Looks every tenth of a second; false if it did not come about in time.
 template <class Condition> bool comes_about(double seconds, Condition condition) {
   for (int k = 0; k < static_cast<int>(10 * seconds); ++k) {
@@ -76,7 +68,7 @@ TEST(Study, OnSlurmFortyRunsInFourTasksWithOneKilledAndOneStoppedGiveTheLocalBit
   EXPECT_TRUE(comes_about(40, [&] { return slurm(tasks) == "1 COMPLETED\n2 COMPLETED\n3 COMPLETED\n4 COMPLETED\n"; })) << slurm(tasks);
 
   EXPECT_NE(arenite::test::slurp(fs::path(cluster) / ("slurm-" + job + "-4.log")).find("stopped; the same command goes on"), std::string::npos);
-  const auto expected = results(local), got = results(cluster);
+  const auto expected = arenite::test::files_of_runs(local), got = arenite::test::files_of_runs(cluster);
   EXPECT_EQ(expected.size(), 40u * 8);
   ASSERT_EQ(got.size(), expected.size());
   for (const auto& [name, bytes] : expected) EXPECT_TRUE(got.contains(name) && got.at(name) == bytes) << name;

@@ -13,26 +13,17 @@ namespace {
 
 namespace fs = std::filesystem;
 using arenite::test::arenite;
+using arenite::test::contains;
 using arenite::test::shell;
 using arenite::test::slurp;
 using arenite::test::small_cemented_recipe;
 using arenite::test::small_study;
 using arenite::test::TemporaryFolder;
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 std::string write(const TemporaryFolder& folder, const std::string& text) {
   const auto file = folder / "study.toml";
   std::ofstream(file) << text;
   return file.string();
-}
-
-/// Bytes of every file of every run.
-std::map<std::string, std::string> results(const fs::path& study) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(study / "runs"))
-    if (entry.is_regular_file()) files[fs::relative(entry.path(), study).string()] = slurp(entry.path());
-  return files;
 }
 
 std::size_t count(const std::string& text, const std::string& part) {
@@ -70,7 +61,7 @@ TEST(Study, TheSamePackingUnderSeveralCementsIsMadeOnceAndTheResultsAreThoseOfSi
   const auto one = folder / "single.toml";
   std::ofstream(one) << small_cemented_recipe;
   ASSERT_EQ(arenite("run " + one.string() + " --quiet --set seed=4 --set cement.width=0.4 --out " + (folder / "single").string()).status, 0);
-  const auto files = results(out);
+  const auto files = arenite::test::files_of_runs(out);
   EXPECT_EQ(files.size(), 6u * 9);  // with the page of each run
   int compared = 0;
   for (const auto& entry : fs::directory_iterator(folder / "single")) {
@@ -91,7 +82,7 @@ TEST(Study, KilledAtRandomMomentsItEndsWithTheSameBytes) {
   const auto began = clock::now();
   ASSERT_EQ(arenite(study_line("run", file, folder / "whole", "--quiet --jobs 2")).status, 0);
   const double whole = std::chrono::duration<double>(clock::now() - began).count();
-  const auto expected = results(folder / "whole");
+  const auto expected = arenite::test::files_of_runs(folder / "whole");
   ::arenite::RandomStream moments(1, ::arenite::Purpose::test);
   int kills = 0;
   for (int life = 0; life < 8; ++life) {
@@ -103,7 +94,7 @@ TEST(Study, KilledAtRandomMomentsItEndsWithTheSameBytes) {
   }
   ASSERT_EQ(arenite(study_line("run", file, folder / "killed", "--quiet")).status, 0);
   EXPECT_GT(kills, 0);
-  EXPECT_EQ(results(folder / "killed"), expected) << "after " << kills << " kills";
+  EXPECT_EQ(arenite::test::files_of_runs(folder / "killed"), expected) << "after " << kills << " kills";
 }
 
 TEST(Study, AskedToStopItLeavesAndGoesOnLater) {
@@ -128,7 +119,7 @@ TEST(Study, ShardsDoTheirPartsAtOnceAndTogetherTheWhole) {
   const auto both = shell(program + study_line("run", file, out, "--quiet --jobs 1 --shard 1/2") + " & " + program +
                           study_line("run", file, out, "--quiet --jobs 1 --shard 2/2") + " && wait $!");
   EXPECT_EQ(both.status, 0) << both.err;
-  EXPECT_EQ(results(out), results(folder / "whole"));
+  EXPECT_EQ(arenite::test::files_of_runs(out), arenite::test::files_of_runs(folder / "whole"));
   for (const std::string shard : {"0/2", "3/2", "2", "1/x"}) EXPECT_EQ(arenite(study_line("run", file, out, "--shard " + shard)).status, 2) << shard;
 }
 

@@ -125,13 +125,6 @@ class Page {
   std::string path, host;
 };
 
-std::map<std::string, std::string> results(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".h5") files[entry.path().filename().string()] = test::slurp(entry.path());
-  return files;
-}
-
 double share_of(const nlohmann::json& state) {
   if (!state.is_object() || !state.contains("status") || state["status"]["name"] != "shear") return 0;
   return state["status"]["share"].get<double>();
@@ -189,7 +182,7 @@ TEST(Watch, ARunThatIsWatchedAndStoppedEndsWithTheBytesOfOneThatIsNot) {
   ASSERT_TRUE(fs::exists(out / "report.html"));
   EXPECT_FALSE(fs::exists(out / "status.json"));
   ASSERT_EQ(test::arenite(line + (folder / "alone").string()).status, 0);
-  EXPECT_EQ(results(out), results(folder / "alone"));
+  EXPECT_EQ(test::stage_files(out), test::stage_files(folder / "alone"));
 }
 
 TEST(Watch, RefusesWhoLacksTheTokenComesByAnotherNameOrAsksForAnythingElse) {

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 
@@ -35,5 +36,23 @@ inline Outcome shell(const std::string& line) {
 
 /// Runs the program under test with these arguments.
 inline Outcome arenite(const std::string& arguments) { return shell(std::string(ARENITE_BINARY " ").append(arguments)); }
+
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// The stored stages of a result by their names, as bytes.
+inline std::map<std::string, std::string> stage_files(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".h5") files[entry.path().filename().string()] = slurp(entry.path());
+  return files;
+}
+
+/// All files of a study's runs by their paths in its folder, as bytes.
+inline std::map<std::string, std::string> files_of_runs(const std::filesystem::path& study) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(study / "runs"))
+    if (entry.is_regular_file()) files[std::filesystem::relative(entry.path(), study).string()] = slurp(entry.path());
+  return files;
+}
 
 }  // namespace arenite::test
