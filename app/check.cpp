@@ -45,7 +45,7 @@ void check_simulation(const recipe::Recipe& recipe, bool json) {
     return;
   }
   std::fputs(prediction ? prediction_text(*prediction).c_str() : fmt::format("\nmind: `arenite run` will refuse this: {}\n", why_not).c_str(), stderr);
-  if (recipe.has_field()) std::fputs("cement, raster and loads come on top of that\n", stderr);
+  if (recipe.has_field()) std::fputs("cement, grid and loads come on top of that\n", stderr);
 }
 
 void check_film(const recipe::FilmRecipe& recipe, bool json) {

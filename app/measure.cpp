@@ -88,7 +88,7 @@ void propose_contacts(const MeasureArguments& a, io::Sample& sample, texture::Op
         fmt::format("--touching: {} is wider than the mean radius of the grains, {:.4g} m; grains so far apart do not touch", a.touching, mean_radius));
   sample.packing.contacts = imaging::propose_contacts(sample.packing.grains, sample.packing.domain, {}, tolerance);
   options.rattler_contacts = 0;
-  sample.notes.push_back("Contacts are where surfaces are within " + a.touching + " of each other; forces are not known, so what they tell is left out.");
+  sample.notes.push_back("Contacts are where surfaces are within " + a.touching + " of each other; forces are not known, so what depends on them is left out.");
 }
 
 void measure(const MeasureArguments& a) {

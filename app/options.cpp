@@ -22,7 +22,7 @@ void overview() {
       "  a loaded packing's film  arenite init film r.toml, then arenite film FILM --recipe r.toml\n"
       "  many runs                arenite init study r.toml, then arenite study run r.toml\n"
       "\nA result ends in a page, report.html in its folder; a study in study.html, where a figures.toml beside its recipe says\n"
-      "what to draw. In Python: `import arenite`, where every step is a function. `arenite COMMAND --help` tells more.");
+      "what to draw. In Python: `import arenite`, where every step is a function. `arenite COMMAND --help` says more.");
 }
 
 /// Refuses an unknown first word with the nearest command, which CLI11 does not offer.
@@ -43,7 +43,7 @@ bool unknown_command(const std::string& word) {
 std::string complaint(const CLI::App& program, const CLI::Error& error) {
   const auto used = program.get_subcommands();
   const std::string command = used.empty() ? "arenite" : "arenite " + used.front()->get_name();
-  return command + ": " + error.what() + "; `" + command + " --help` tells what it takes";
+  return command + ": " + error.what() + "; `" + command + " --help` lists its options";
 }
 
 CLI::Option* declare(CLI::App& to, const Option& option, const std::string& name) {

@@ -12,7 +12,7 @@ set(arenite_public_headers
   grains/dem/run_stage.hpp
   grains/texture/texture.hpp
   solid/cement/cement.hpp
-  solid/raster/raster.hpp
+  solid/grid/grid.hpp
   solid/peridynamics/load.hpp
   solid/stress/stress.hpp
   thermal/thermography/lockin.hpp

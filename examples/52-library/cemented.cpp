@@ -35,9 +35,9 @@ void stretch(const Packing& packing) {
   cement::CementParameters law;
   law.gap = 7.5e-5;
   cement::CementReport report;
-  const Cement matrix = cement::make_cement(packing, law, raster::crop_window(packing, 9e-3), report);
-  raster::RasterReport counted;
-  const PhaseMap map = raster::rasterise(packing, matrix, {128, 9e-3}, classes(packing.grains), counted);
+  const Cement matrix = cement::make_cement(packing, law, grid::crop_window(packing, 9e-3), report);
+  grid::GridReport counted;
+  const PhaseMap map = grid::rasterise(packing, matrix, {128, 9e-3}, classes(packing.grains), counted);
   peridynamics::LoadOptions options;
   options.stiffness = recipe::StiffnessSection{}.resolved();
   const auto loaded = peridynamics::load(map, options);

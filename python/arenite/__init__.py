@@ -1,6 +1,6 @@
 """Micromechanics of composite and cemented granular materials.
 
-Every stage of the four roads as a function (`pack`, `load_stage`, `cement`, `rasterise`, `load`, `measure`, `lock_in`,
+Every stage of the four workflows as a function (`pack`, `load_stage`, `cement`, `rasterise`, `load`, `measure`, `lock_in`,
 `find_grains`, `infer_forces`, `film`, ...), results as NumPy arrays that look into the library's own memory. Numbers are in
 SI units; stresses are positive in tension, contact forces in compression. Bad input raises ValueError with the sentence
 that the program prints. `arenite.figures` draws.

@@ -16,7 +16,7 @@ import sys
 from ._core import open as open_result
 from ._said import said
 
-beyond, within, equal, untold, alone = "beyond errors", "within errors", "equal", "no errors told", "in one only"
+beyond, within, equal, untold, alone = "beyond errors", "within errors", "equal", "no errors given", "in one only"
 sure = 2  # standard errors of the difference
 
 
@@ -142,7 +142,7 @@ def summary(found):
     text = f"{counts[beyond]} of {told} numbers with errors that differ are beyond {sure} standard errors of the difference"
     if told:
         text += f"; equal samples would give about {max(1, round(0.0455 * told))}, and numbers of one sample go together"
-    return f"{text}. {counts[equal]} are equal, {counts[untold]} differ without an error told, {counts[alone]} are in one result only."
+    return f"{text}. {counts[equal]} are equal, {counts[untold]} differ but have no error, {counts[alone]} are in one result only."
 
 
 def text_table(found):

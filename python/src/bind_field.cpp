@@ -4,7 +4,7 @@
 #include "calls.hpp"
 #include "module.hpp"
 #include "solid/cement/cement.hpp"
-#include "solid/raster/raster.hpp"
+#include "solid/grid/grid.hpp"
 #include "workflow/field_stages.hpp"
 
 namespace arenite::python {
@@ -25,18 +25,18 @@ Cement cemented(const Packing& packing, const std::string& kind, const Quantity&
   Call call;
   return call.without_lock([&] {
     cement::CementReport report;
-    return cement::make_cement(packing, p, raster::crop_window(packing, 0), report);
+    return cement::make_cement(packing, p, grid::crop_window(packing, 0), report);
   });
 }
 
 PhaseMap rasterised(const Packing& packing, const Cement& cement, std::int64_t nodes, const Quantity& crop) {
-  raster::RasterParameters p;
+  grid::GridParameters p;
   p.nodes = nodes;
   p.crop = crop.si(dimension::length, "crop");
   Call call;
   return call.without_lock([&] {
-    raster::RasterReport report;
-    return raster::rasterise(packing, cement, p, workflow::classes(packing, workflow::class_materials({}, packing)), report);
+    grid::GridReport report;
+    return grid::rasterise(packing, cement, p, workflow::classes(packing, workflow::class_materials({}, packing)), report);
   });
 }
 
@@ -82,9 +82,9 @@ void bind_field(py::module_& m) {
   m.def(
       "cavities",
       [](const PhaseMap& map, const std::string& kind, bool eight_connected, int fewest_nodes, bool leave_out_border) {
-        const raster::CavityRules rules{eight_connected, fewest_nodes, leave_out_border};
+        const grid::CavityRules rules{eight_connected, fewest_nodes, leave_out_border};
         Call call;
-        return taken_over(call.without_lock([&] { return raster::find_cavities(map, recipe::chosen<raster::Cavity>(kind, "cavity"), rules); }).nodes);
+        return taken_over(call.without_lock([&] { return grid::find_cavities(map, recipe::chosen<grid::Cavity>(kind, "cavity"), rules); }).nodes);
       },
       py::arg("map"), py::arg("kind") = "pore", py::kw_only(), py::arg("eight_connected") = false, py::arg("fewest_nodes") = 5,
       py::arg("leave_out_border") = true, "Sizes (nodes, int64) of the pores (not grain) or voids (neither grain nor matrix) by flood fill (P III).");
@@ -94,7 +94,7 @@ void bind_field(py::module_& m) {
         Call call;
         return call.without_lock([&] { return workflow::make_cemented_sample(recipe, packing); });
       },
-      py::arg("recipe"), py::arg("packing"), "Cement and raster as the recipe says, with phases, pores, voids and coordination as numbers.");
+      py::arg("recipe"), py::arg("packing"), "Cement and grid as the recipe says, with phases, pores, voids and coordination as numbers.");
   m.def("load", &loaded, py::arg("map"), py::arg("loading") = "tension", py::kw_only(), py::arg("strain") = 1e-4, py::arg("axis") = "y",
         py::arg("lower") = "fixed", py::arg("method") = "static_solve", py::arg("tolerance") = 1e-6, py::arg("moduli") = false, py::arg("failure") = false,
         py::arg("matrix") = "1 GPa", py::arg("interface") = py::none(), py::arg("particle") = py::none(), py::arg("progress") = py::none(),

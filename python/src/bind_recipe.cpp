@@ -65,7 +65,7 @@ void bind_film_recipe(py::module_& m) {
 
 void bind_recipe(py::module_& m) {
   bind_film_recipe(m);
-  py::class_<Recipe>(m, "Recipe", "What `arenite run` is told: materials, frame, packing, stages of loading, cement, raster, loads (docs/recipe.md).")
+  py::class_<Recipe>(m, "Recipe", "What `arenite run` is given: materials, container, packing, stages of loading, cement, grid, loads (docs/recipe.md).")
       .def(py::init([](const Path& file, const py::dict& changes) { return recipe::read_recipe(file.string(), overrides_of(changes)); }), py::arg("file"),
            py::arg("changes") = py::dict(),
            "Reads a recipe from a file; `changes` are {\"dotted.key\": value}, with units in text: {\"frame.width\": \"35 cm\"}.")

@@ -158,7 +158,7 @@ void bind_store(py::module_& m) {
       },
       py::arg("path"), "Reads a run's folder, or one file of it.");
   m.def("run", &run, py::arg("recipe"), py::arg("out"), py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
-        "Runs a recipe: packing, loading stage by stage, cement, raster, loads. What lies in `out` already is not computed again. `progress(share, name)` is "
+        "Runs a recipe: packing, loading stage by stage, cement, grid, loads. What lies in `out` already is not computed again. `progress(share, name)` is "
         "called meanwhile.");
   m.def(
       "save",

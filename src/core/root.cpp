@@ -1,6 +1,7 @@
 #include "core/root.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <cstdint>
@@ -22,6 +23,10 @@ template <class Real> Real bracketed_root(const std::function<Real(Real)>& f, Re
     boost::math::tools::toms748_solve(value, left, right, f_left, f_right, closed, most);
   }
   return std::abs(fa) < std::abs(fb) ? a : b;
+}
+
+double minimum_between(const std::function<double(double)>& f, double a, double b) {
+  return boost::math::tools::brent_find_minima(f, a, b, std::numeric_limits<double>::digits / 2).first;
 }
 
 template double bracketed_root(const std::function<double(double)>&, double, double, double, double);

@@ -8,4 +8,7 @@ namespace arenite {
 /// double and long double.
 template <class Real> Real bracketed_root(const std::function<Real(Real)>& f, Real a, Real fa, Real b, Real fb);
 
+/// Where f, which has one minimum between a and b, is least, to half of its digits (Brent, by Boost.Math).
+double minimum_between(const std::function<double(double)>& f, double a, double b);
+
 }  // namespace arenite

@@ -47,18 +47,18 @@ struct Placer {
     }
   }
 
-  void add_joint(std::size_t i, std::size_t j, PlacedCement::Joint joint, std::vector<PlacedCement::Joint>& joints) {
+  void add_neck(std::size_t i, std::size_t j, PlacedCement::Neck neck, std::vector<PlacedCement::Neck>& necks) {
     const Domain& domain = packing.domain;
     const Grains& grains = packing.grains;
     const Vec2 apart = domain.nearest_image(grains.centre(j) - grains.centre(i));
-    const double reach = 0.5 * norm(apart) + std::max({grains.radius[i], grains.radius[j], joint.half_a, joint.half_b});
+    const double reach = 0.5 * norm(apart) + std::max({grains.radius[i], grains.radius[j], neck.half_a, neck.half_b});
     for (const Vec2 shift : shifts) {
-      joint.a = in_cell(domain, grains.centre(i)) + shift - middle;
+      neck.a = in_cell(domain, grains.centre(i)) + shift - middle;
       // Without images the second centre keeps its own digits, as the grain there does.
-      joint.b = domain.periodic_x || domain.periodic_y ? joint.a + apart : grains.centre(j) - middle;
-      joint.radius_a = grains.radius[i];
-      joint.radius_b = grains.radius[j];
-      if (reaches(0.5 * (joint.a + joint.b), reach, placed.window)) joints.push_back(joint);
+      neck.b = domain.periodic_x || domain.periodic_y ? neck.a + apart : grains.centre(j) - middle;
+      neck.radius_a = grains.radius[i];
+      neck.radius_b = grains.radius[j];
+      if (reaches(0.5 * (neck.a + neck.b), reach, placed.window)) necks.push_back(neck);
     }
   }
 };
@@ -76,11 +76,11 @@ PlacedCement place(const Packing& packing, const Cement& cement, const geometry:
   for (std::size_t g = 0; g < packing.grains.size(); ++g) placer.add_grain(g);
   for (std::size_t k = 0; k < cement.bridges.size(); ++k) {
     const Bridge& b = cement.bridges[k];
-    placer.add_joint(b.i, b.j, {{}, {}, 0, 0, b.half_i, b.half_j, 0, static_cast<std::int32_t>(k)}, placed.bridges);
+    placer.add_neck(b.i, b.j, {{}, {}, 0, 0, b.half_i, b.half_j, 0, static_cast<std::int32_t>(k)}, placed.bridges);
   }
   for (std::size_t k = 0; k < cement.menisci.size(); ++k) {
     const Meniscus& m = cement.menisci[k];
-    placer.add_joint(m.i, m.j, {{}, {}, 0, 0, 0, 0, m.radius, static_cast<std::int32_t>(k)}, placed.menisci);
+    placer.add_neck(m.i, m.j, {{}, {}, 0, 0, 0, 0, m.radius, static_cast<std::int32_t>(k)}, placed.menisci);
   }
   return placed;
 }
@@ -91,7 +91,7 @@ void check(const Packing& packing, const Cement& cement) {
     if (problems.size() < 20) problems.push_back({{}, 0, 0, std::move(message)});
   };
   const Grains& g = packing.grains;
-  if (packing.domain.tilt != 0) report(fmt::format("the periodic cell is sheared by {:g} m; cement and raster need an upright one", packing.domain.tilt));
+  if (packing.domain.tilt != 0) report(fmt::format("the periodic cell is sheared by {:g} m; cement and grid need an upright one", packing.domain.tilt));
   for (std::size_t i = 0; i < g.size(); ++i)
     if (!std::isfinite(g.x[i]) || !std::isfinite(g.y[i]) || !(g.radius[i] > 0) || !std::isfinite(g.radius[i]))
       report(fmt::format("grain {} has centre ({:g}, {:g}) m and radius {:g} m; give finite numbers and a positive radius", i, g.x[i], g.y[i], g.radius[i]));
@@ -126,7 +126,7 @@ std::vector<Outline> matrix_outlines(const PlacedCement& placed) {
   return outlines;
 }
 
-void add_bridge_outline(const PlacedCement::Joint& j, std::vector<Outline>& outlines) {
+void add_bridge_outline(const PlacedCement::Neck& j, std::vector<Outline>& outlines) {
   const Vec2 d = j.b - j.a;
   const double length = norm(d);
   if (length == 0 || (j.half_a == 0 && j.half_b == 0)) return;
@@ -134,7 +134,7 @@ void add_bridge_outline(const PlacedCement::Joint& j, std::vector<Outline>& outl
   outlines.push_back({Outline::Kind::quadrilateral, {j.a - j.half_a * up, j.b - j.half_b * up, j.b + j.half_b * up, j.a + j.half_a * up}, {}, 0});
 }
 
-void add_meniscus_outlines(const PlacedCement::Joint& m, std::vector<Outline>& outlines) {
+void add_meniscus_outlines(const PlacedCement::Neck& m, std::vector<Outline>& outlines) {
   const Vec2 d = m.b - m.a;
   const auto shape = geometry::meniscus_shape({m.radius_a, m.radius_b, norm(d)}, m.arc);
   if (!shape) return;

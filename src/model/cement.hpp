@@ -22,7 +22,7 @@ struct Meniscus {
   double radius = 0;  ///< m; infinite: the arcs are straight tangents
 };
 
-/// The binding matrix of a packing, as geometry; a raster or an exact area is made from it and the grains. What is there adds up: a point is matrix
+/// The binding matrix of a packing, as geometry; a grid or an exact area is made from it and the grains. What is there adds up: a point is matrix
 /// if any part says so and no grain covers it.
 struct Cement {
   bool full = false;   ///< every point that is not grain is matrix
@@ -39,7 +39,7 @@ struct PlacedCement {
     double radius;
     std::int32_t grain;  ///< in the packing
   };
-  struct Joint {
+  struct Neck {
     Vec2 a, b;                  ///< centres of grains i and j
     double radius_a, radius_b;  ///< of the grains, m
     double half_a, half_b;      ///< half bases of a bridge, m
@@ -48,7 +48,7 @@ struct PlacedCement {
   };
   geometry::Rectangle window;
   std::vector<Grain> grains;  ///< in the order of the packing
-  std::vector<Joint> bridges, menisci;
+  std::vector<Neck> bridges, menisci;
   bool full = false;
   double coating = 0;  ///< m
 };
@@ -62,7 +62,7 @@ void check(const Packing& packing, const Cement& cement);
 std::vector<geometry::Outline> grain_outlines(const PlacedCement& placed);
 /// Of matrix, each as if there were no grains: trapezia, halves of menisci, disks of grain with layer. Not for `full`.
 std::vector<geometry::Outline> matrix_outlines(const PlacedCement& placed);
-void add_bridge_outline(const PlacedCement::Joint& bridge, std::vector<geometry::Outline>& outlines);
-void add_meniscus_outlines(const PlacedCement::Joint& meniscus, std::vector<geometry::Outline>& outlines);
+void add_bridge_outline(const PlacedCement::Neck& bridge, std::vector<geometry::Outline>& outlines);
+void add_meniscus_outlines(const PlacedCement::Neck& meniscus, std::vector<geometry::Outline>& outlines);
 
 }  // namespace arenite

@@ -5,7 +5,7 @@
 
 namespace arenite {
 
-/// What fills a node of a raster: nothing, binding matrix, or a particle.
+/// What fills a node of a grid: nothing, binding matrix, or a particle.
 enum class Phase : std::uint8_t { empty = 0, matrix = 1, particle = 2 };
 
 /// Size class of a grain (P II.B); `none` where classes mean nothing, as in a foreign map.

@@ -107,7 +107,7 @@ struct Crack {
   double strain = 0;      ///< of the sample when it broke
 };
 
-/// The result of a stage on a raster: a cemented sample, or its stresses under load. One file in the store.
+/// The result of a stage on a grid: a cemented sample, or its stresses under load. One file in the store.
 struct FieldResult {
   Provenance provenance;
   std::string name;  ///< stage's name in the recipe

@@ -166,7 +166,7 @@ void declare(Visitor& v, LockinSection& lockin) {
   v.number(
       {"phase", "When the load is largest: what its cycle has gone through since the first frame, 360 deg a cycle; unless given, it is found on the film."},
       lockin.phase, "deg", range::between(-2 * std::numbers::pi, 2 * std::numbers::pi));
-  v.flag({"motion", "Motion of the grains is fitted and taken out."}, lockin.motion);
+  v.flag({"motion", "Motion of the grains is fitted and removed."}, lockin.motion);
   v.number({"diffusivity",
             "Of heat in the grains: a notice says where heat diffuses not far less than a pixel within a cycle. The default is about that of plastics."},
            lockin.diffusivity, "mm^2/s", range::positive);
@@ -216,7 +216,7 @@ void declare(ParameterVisitor& v, FilmRecipe& recipe) {
   v.section({"container", "The box that holds the grains.", true}, [&](Visitor& inner) { declare(inner, recipe.container); });
   v.section({"picture", "Where grains are in the film.", true}, [&](Visitor& inner) { declare(inner, recipe.picture); });
   v.section({"lockin", "From the film to the amplitude of every pixel.", true}, [&](Visitor& inner) { declare(inner, recipe.lockin); });
-  v.section({"correction", "Faults of the camera that are taken out of the film."}, [&](Visitor& inner) { declare(inner, recipe.correction); });
+  v.section({"correction", "Faults of the camera that are removed from the film."}, [&](Visitor& inner) { declare(inner, recipe.correction); });
   v.section({"temperature", "From digital levels to kelvin."}, [&](Visitor& inner) { declare(inner, recipe.temperature); });
   v.section({"forces", "From the amplitude to stresses of grains and forces of contacts."}, [&](Visitor& inner) { declare(inner, recipe.forces); });
   v.optional_section<SimulationSection>({"simulation", "A companion simulation of the same packing, held beside the film."}, recipe.simulation,

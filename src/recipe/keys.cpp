@@ -165,7 +165,7 @@ void declare(Visitor& v, Population& population, const Recipe& recipe) {
     inner.member({"law", "How diameters are drawn.", true}, size);
   });
   v.require(diameter.has_value() != has_law, {"size", "diameter"}, "give either diameter or size");
-  v.member({"shape", "What a grain is; diameters of grains that are no disks are those of the disks of their area."}, population.shape);
+  v.member({"shape", "What a grain is; the diameter of a grain that is not a disk is that of the disk of equal area."}, population.shape);
   const double width = recipe.container.width, largest = std::visit([](const auto&law) { return law.largest(); }, size);
   v.require(width <= 0 || largest <= width, {"diameter", "size"},
             fmt::format("the largest grain ({}) is wider than the container ({})", format_quantity(largest, "mm"), format_quantity(width, "mm")));

@@ -26,7 +26,7 @@ bool is_side(const std::string& name) {
 }
 
 void declare(Visitor& v, Boundary& boundary, const Recipe& recipe) {
-  v.text({"name", "By which stages and results call it: letters, digits, _ and -.", true}, boundary.name);
+  v.text({"name", "Name in stages and results: letters, digits, _ and -.", true}, boundary.name);
   v.require(is_plain_name(boundary.name) && !is_side(boundary.name), {"name"}, "must be made of letters, digits, _ and -, and not be that of a wall");
   const auto same = std::count_if(recipe.boundaries.begin(), recipe.boundaries.end(), [&](const Boundary& other) { return other.name == boundary.name; });
   v.require(same <= 1, {"name"}, fmt::format("another boundary is called \"{}\"; names must differ", boundary.name));
@@ -52,10 +52,10 @@ void declare(Visitor& v, dem::BoundaryMotion& motion, const Stage& stage, const 
   declare_vector(v, {"velocity", "Along x and y."}, velocity, "mm/s");
   motion.velocity = velocity.value_or(Vec2{});
   v.number({"spin", "Rate of turning, counter-clockwise."}, motion.spin, "deg/s", range::any);
-  declare_vector(v, {"centre", "About which it turns, as the stage begins; goes with the velocity. Unless given, the mean of the points."}, motion.centre,
-                 "mm");
-  v.flag({"absent", "It is not there in this stage: a gate that opens."}, motion.absent);
-  v.number({"mass", "With a mass it moves under its weight, the force and the grains, from the velocity on that is given, or that it had so before."},
+  declare_vector(v, {"centre", "Point about which it turns, as the stage begins; it moves with the velocity. Unless given, the mean of the points."},
+                 motion.centre, "mm");
+  v.flag({"absent", "The boundary is absent in this stage: a gate that opens."}, motion.absent);
+  v.number({"mass", "With a mass it moves under its weight, the force and the grains, starting from the velocity that is given, or from the one that it had."},
            motion.mass, "kg", range::positive);
   std::optional<Vec2> force = motion.force == Vec2{} ? std::nullopt : std::optional(motion.force);
   declare_vector(v, {"force", "Along x and y, on a boundary with a mass."}, force, "N");

@@ -38,7 +38,7 @@ const std::vector<Word>& words(Load::Axis) {
   return list;
 }
 
-const std::vector<Word>& words(raster::Cavity) {
+const std::vector<Word>& words(grid::Cavity) {
   static const std::vector<Word> list{{"pore", "space between grains, matrix or empty"}, {"void", "empty space"}};
   return list;
 }
@@ -104,28 +104,29 @@ void declare(Visitor& v, CementSection& cement) {
   });
 }
 
-void declare(Visitor& v, GridSection& raster) {
-  v.integer({"nodes", "Nodes along a side of the square."}, raster.nodes, {7, 32'768});
+void declare(Visitor& v, GridSection& grid) {
+  v.integer({"nodes", "Nodes along a side of the square."}, grid.nodes, {7, 32'768});
   v.number({"crop",
             "Side of the centred square that is cut out; unless given, 25.6 mean large radii of a sampled packing, otherwise "
             "the largest square inside the sample."},
-           raster.crop, "mm", range::positive);
-  v.flag({"eight_connected", "Pores and voids hang together over corners, too."}, raster.cavities.eight_connected);
-  v.integer({"fewest_nodes", "Pores and voids of fewer nodes are specks of the grid and left out."}, raster.cavities.fewest_nodes, {1, 1'000'000});
-  v.flag({"leave_out_border", "Pores and voids that touch the edge are cut, and left out."}, raster.cavities.leave_out_border);
+           grid.crop, "mm", range::positive);
+  v.flag({"eight_connected", "Pores and voids are connected across corners, too."}, grid.cavities.eight_connected);
+  v.integer({"fewest_nodes", "Pores and voids of fewer nodes are specks of the grid and left out."}, grid.cavities.fewest_nodes, {1, 1'000'000});
+  v.flag({"leave_out_border", "Pores and voids that touch the edge are cut, and left out."}, grid.cavities.leave_out_border);
 }
 
 void declare(Visitor& v, StiffnessSection& stiffness) {
   v.number({"matrix", "Young's modulus of bonds between two nodes of matrix."}, stiffness.matrix, "GPa", range::positive);
-  v.number({"interface", "That of bonds between two grains, or grain and matrix; unless given, the matrix's."}, stiffness.interface, "GPa", range::positive);
-  v.number({"particle", "That of bonds inside a grain; unless given, four times the matrix's."}, stiffness.particle, "GPa", range::positive);
+  v.number({"interface", "Young's modulus of bonds between two grains, or grain and matrix; unless given, the matrix's."}, stiffness.interface, "GPa",
+           range::positive);
+  v.number({"particle", "Young's modulus of bonds inside a grain; unless given, four times the matrix's."}, stiffness.particle, "GPa", range::positive);
   v.flag({"calibrated", "The lattice's modulus along its axes is the one asked for; false: the continuum's formula, 6 % stiffer."}, stiffness.calibrated);
 }
 
 void declare(Visitor& v, ToughnessSection& toughness) {
   v.number({"matrix", "Fracture toughness of the matrix; it sets the scale of the load."}, toughness.matrix, "MPa m^0.5", range::positive);
-  v.number({"interface", "That of the interfaces; unless given, the matrix's."}, toughness.interface, "MPa m^0.5", range::positive);
-  v.number({"particle", "That of the grains; unless given, 3.5 times the matrix's."}, toughness.particle, "MPa m^0.5", range::positive);
+  v.number({"interface", "Fracture toughness of the interfaces; unless given, the matrix's."}, toughness.interface, "MPa m^0.5", range::positive);
+  v.number({"particle", "Fracture toughness of the grains; unless given, 3.5 times the matrix's."}, toughness.particle, "MPa m^0.5", range::positive);
 }
 
 void declare(Visitor& v, stress::StressOptions& statistics) {
@@ -160,7 +161,7 @@ void declare_field(ParameterVisitor& v, Recipe& recipe) {
   v.optional_section<CementSection>({"cement", "Binding matrix between the grains, put there when the stages are over."}, recipe.cement,
                                     [](Visitor& inner, CementSection& cement) { declare(inner, cement); });
   v.optional_section<GridSection>({"grid", "The square of nodes that the cemented packing becomes."}, recipe.grid,
-                                  [](Visitor& inner, GridSection& raster) { declare(inner, raster); });
+                                  [](Visitor& inner, GridSection& grid) { declare(inner, grid); });
   v.list<Load>({"loads", "Loadings of the cemented sample by peridynamics, each from the unloaded state."}, recipe.loads,
                [&](Visitor& inner, Load& load) { declare(inner, load, recipe); });
 }
@@ -180,7 +181,7 @@ void declare(ParameterVisitor& v, Load& load, const Recipe& recipe) {
          load.failure);
   v.when(!load.failure, "failure = false", [&](Visitor& inner) {
     inner.number({"strain", "Displacement of the top row over the height."}, load.strain, "", range::above(0, 0.5));
-    inner.choice({"method", "Way to the field at equilibrium."}, load.method, words(load.method));
+    inner.choice({"method", "How the field at equilibrium is found."}, load.method, words(load.method));
     inner.flag({"exact_stretch", "Stretch of the turned bond, as printed in the paper; otherwise linearised."}, load.exact_stretch);
     inner.flag({"moduli", "Load along both axes and in shear, too, for moduli and Poisson's ratios of the sample."}, load.moduli);
     inner.integer({"max_iterations", "Iterations after which a solve gives up; 0: 50, or a million steps of dynamics."}, load.max_iterations,
@@ -188,8 +189,8 @@ void declare(ParameterVisitor& v, Load& load, const Recipe& recipe) {
   });
   v.number({"tolerance", "Residual, relative to that of uniform strain, at which a field is at equilibrium."}, load.tolerance, "", range::between(1e-12, 0.1));
   v.when(load.failure, "failure = true", [&](Visitor& inner) {
-    inner.number({"max_strain", "The test ends at this strain,"}, load.max_strain, "", range::above(0, 1));
-    inner.number({"end_stress", "or when the stress has fallen to this share of the largest."}, load.end_stress, "", range::above(0, 1));
+    inner.number({"max_strain", "Strain at which the test ends."}, load.max_strain, "", range::above(0, 1));
+    inner.number({"end_stress", "The test also ends when the stress has fallen to this share of the largest."}, load.end_stress, "", range::above(0, 1));
     inner.number({"band", "Bonds within this share of the one furthest beyond its critical stretch break in one round: larger is faster and coarser."},
                  load.band, "", range::between(0, 1));
     inner.section({"toughness", "At which stretch bonds break."}, [&](Visitor& section) { declare(section, load.toughness); });

@@ -21,7 +21,7 @@ void declare(ParameterVisitor& v, dem::ContactParameters& contact) {
            range::above(0, 1));
   v.number({"normal_damping", "Damping coefficient alpha_n of every pair, instead of the one that restitution asks for."}, contact.normal_damping, "N s/m",
            range::not_negative);
-  v.flag({"attractive_dashpot", "Damping may pull at separation; false: contacts without adhesion never pull."}, contact.attractive_dashpot);
+  v.flag({"attractive_dashpot", "The dashpot may pull while grains separate; false: contacts without adhesion never pull."}, contact.attractive_dashpot);
   v.member({"friction_law", "Tangential force."}, contact.friction_law);
   v.number({"friction", "Coefficient mu between grains."}, contact.friction, "", range::not_negative);
   v.number({"wall_friction", "Coefficient mu at the walls; unless given, that of the grains."}, contact.wall_friction, "", range::not_negative);
@@ -37,7 +37,7 @@ void declare(ParameterVisitor& v, dem::ContactParameters& contact) {
   v.require(!contact.adheres() || contact.surface_energy > 0, {"surface_energy", "adhesion"}, "must be above 0 kN/mm where adhesion acts");
   v.choice({"effective_radius", "r_eff of the adhesion."}, contact.effective_radius,
            {{"four_reduced", "4 r_i r_j/(r_i + r_j)"}, {"sum", "r_i + r_j"}, {"geometric_mean", "2 sqrt(r_i r_j)"}});
-  v.choice({"friction_cap", "Coulomb's cap where adhesion pulls."}, contact.friction_cap,
+  v.choice({"friction_cap", "Coulomb limit where adhesion pulls."}, contact.friction_cap,
            {{"raised_by_adhesion", "mu (F_n + |F_c|)"}, {"as_printed", "mu (F_n - |F_c|)"}});
   v.pairs({"glued_pairs", "Pairs of grains (indices from 0) that are glued, instead of all pairs in the glued region."}, contact.glued_pairs);
 }
@@ -48,7 +48,7 @@ void declare(ParameterVisitor& v, dem::IntegrationParameters& integration) {
       {"time_step", "Time step; one beyond the stable step is refused. Unless given, safety sets it, and masses of a stage that do not allow it shorten it."},
       integration.time_step, "s", range::positive);
   v.number({"safety", "Time step as a share of the shortest contact time, pi sqrt(m_eff/k)."}, integration.safety, "", range::above(0, 1));
-  v.flag({"rotations", "Grains turn; false: they only move."}, integration.rotations);
+  v.flag({"rotations", "Grains rotate; false: they only translate."}, integration.rotations);
   v.flag({"track_energy", "Account for dissipation and work at every step (slower)."}, integration.track_energy);
   // A name from elsewhere (--kernel) comes here without having been read, so it may be none of these.
   static const std::vector<std::string> kernels{"auto", "portable", "avx2", "avx512"};
@@ -77,7 +77,7 @@ void declare(Visitor& v, EquilibriumCriterion& criterion) {
             "`kinetic` unless given, since nothing but rare hits slows them where they do not weigh."},
            criterion.loose_kinetic, "", range::positive);
   std::optional<double> mobilisation = criterion.mobilisation >= 0 ? std::optional(criterion.mobilisation) : std::nullopt;
-  v.number({"mobilisation", "Mean |F_t|/F_n below this as well, if given: tells creep from equilibrium where friction is viscous."}, mobilisation, "",
+  v.number({"mobilisation", "Mean |F_t|/F_n below this as well, if given: distinguishes creep from equilibrium where friction is viscous."}, mobilisation, "",
            range::not_negative);
   criterion.mobilisation = mobilisation.value_or(-1);
   v.integer({"max_steps", "Steps of one increment, after which the run stops with exit status 3."}, criterion.max_steps, {1, 1'000'000'000'000});
@@ -143,10 +143,10 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.require(is_plain_name(stage.name), {"name"}, "must be made of letters, digits, _ and -");
   const auto same = std::count_if(recipe.stages.begin(), recipe.stages.end(), [&](const Stage& other) { return &other != &stage && other.name == stage.name; });
   v.require(same == 0, {"name"}, fmt::format("another stage is called \"{}\"; names must differ", stage.name));
-  v.flag({"gravity", "Grains weigh."}, stage.gravity);
+  v.flag({"gravity", "Gravity acts on the grains."}, stage.gravity);
   v.when(stage.gravity, "gravity = true", [&](Visitor& inner) {
     inner.number({"gravity_size", "Acceleration of gravity."}, stage.gravity_size, "m/s^2", range::not_negative);
-    inner.number({"gravity_angle", "By which it is turned from straight down, counter-clockwise."}, stage.gravity_angle, "deg", range::any);
+    inner.number({"gravity_angle", "Angle of gravity from straight down, counter-clockwise."}, stage.gravity_angle, "deg", range::any);
   });
   declare_sides(v, {"slide", "Walls that move along themselves, left and right upwards, bottom and top to the right."}, [&](Visitor& inner, std::size_t side) {
     inner.number({side_names[side], "Speed along itself."}, stage.slide[side], "mm/s", range::any);
@@ -176,11 +176,12 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.number({"friction", "Coefficient mu during this stage only, for example 0 to densify."}, stage.friction, "", range::not_negative);
   v.number({"drag", "Viscous drag during this stage, as a rate: the force on a grain is -drag m v."}, stage.drag, "1/s", range::not_negative);
   v.number({"critical_drag",
-            "More drag, as a share of the rate that damps the slowest wave of a crystal of this size critically. About 0.2 brings a jammed packing of any size "
+            "Additional drag, as a share of the rate that damps the slowest wave of a crystal of this size critically. About 0.2 brings a jammed packing of "
+            "any size "
             "to equilibrium soonest; it hinders rearrangement, so compact without it first."},
            stage.critical_drag, "", range::not_negative);
   v.choice({"mass_scaling",
-            "Masses that the grains move with in this stage. Without friction equilibria do not depend on them; with it they keep a trace of the way there."},
+            "Masses that the grains move with in this stage. Without friction equilibria do not depend on them; with it they keep a trace of the path."},
            stage.mass_scaling,
            {{"none", "their own"},
             {"uniform", "such that k/m of all grains is that of the fastest: a sample of unlike sizes compacts in far fewer steps; not with gravity"}});

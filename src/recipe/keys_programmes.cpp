@@ -56,7 +56,7 @@ void declare(Visitor& v, Programme& p, const Stage& stage, const Recipe& recipe)
             "(`time [s],force [kN]`).",
             true},
            p.table, target.unit);
-  v.flag({"repeat", "It begins anew at its last time, for cycles."}, p.repeat);
+  v.flag({"repeat", "The table starts again after its last time, for cycles."}, p.repeat);
   const auto later = [](const Vec2& a, const Vec2& b) { return a.x > b.x; };
   const bool in_order = !p.table.empty() && p.table.front().x >= 0 && std::adjacent_find(p.table.begin(), p.table.end(), later) == p.table.end();
   v.require(in_order, {"table"}, "needs a row or more, with times that begin at 0 s or later and never go back");
@@ -70,7 +70,7 @@ void declare(Visitor& v, Programme& p, const Stage& stage, const Recipe& recipe)
 }  // namespace
 
 void declare_store_every(Visitor& v, std::optional<std::int64_t>& every) {
-  v.integer({"store_every", "Of how many cycles one has its states stored, beside the first and the last; unless given, all. Curves against cycles know all."},
+  v.integer({"store_every", "States are stored once in so many cycles, and for the first and the last; unless given, for all. Curves against cycles hold all."},
             every, {1, 1'000'000});
 }
 

@@ -14,9 +14,9 @@
 #include "grains/packing/population.hpp"
 #include "model/packing.hpp"
 #include "solid/cement/cement.hpp"
+#include "solid/grid/cavities.hpp"
+#include "solid/grid/grid.hpp"
 #include "solid/peridynamics/options.hpp"
-#include "solid/raster/cavities.hpp"
-#include "solid/raster/raster.hpp"
 #include "solid/stress/options.hpp"
 
 namespace arenite::recipe {
@@ -72,7 +72,7 @@ struct CementSection {
 struct GridSection {
   std::int64_t nodes = 1024;   ///< a side
   std::optional<double> crop;  ///< side of the square, m; if not given, 25.6 mean large radii, or what fits
-  raster::CavityRules cavities;
+  grid::CavityRules cavities;
   bool operator==(const GridSection&) const = default;
 };
 
@@ -134,10 +134,10 @@ struct Recipe {
   std::optional<CementSection> cement;
   std::optional<GridSection> grid;
   std::vector<Load> loads;
-  /// The sections, or what stands for them where they are not given: no cement, and P's raster.
+  /// The sections, or what stands for them where they are not given: no cement, and P's grid.
   CementSection cement_or_none() const;
   GridSection grid_or_default() const { return grid.value_or(GridSection{}); }
-  bool has_field() const { return cement || grid || !loads.empty(); }  ///< goes on to cement, raster and loads
+  bool has_field() const { return cement || grid || !loads.empty(); }  ///< goes on to cement, grid and loads
   bool operator==(const Recipe&) const = default;
 };
 
@@ -176,7 +176,7 @@ const std::vector<Word>& words(peridynamics::Loading);
 const std::vector<Word>& words(peridynamics::LowerEdge);
 const std::vector<Word>& words(peridynamics::Method);
 const std::vector<Word>& words(Load::Axis);
-const std::vector<Word>& words(raster::Cavity);
+const std::vector<Word>& words(grid::Cavity);
 
 /// The word for a value.
 template <class Enum> std::string word_of(Enum value) { return std::string(words(value)[static_cast<std::size_t>(value)].word); }

@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "report/page_document.hpp"
-#include "solid/raster/cavities.hpp"
+#include "solid/grid/cavities.hpp"
 
 namespace arenite::report {
 namespace {
@@ -27,7 +27,7 @@ double mean_large_radius(const PhaseMap& map) {
   return count[0] > 0 ? sum[0] / count[0] : 0;
 }
 
-Numbers volumes_of(const raster::CavityStatistics& s) {
+Numbers volumes_of(const grid::CavityStatistics& s) {
   return {{"mean", {{"value", s.mean}, {"error", s.mean_error}}},
           {"deviation", {{"value", s.deviation}, {"error", s.deviation_error}}},
           {"cv", {{"value", s.cv}, {"error", s.cv_error}}},
@@ -46,21 +46,21 @@ template <class T> std::vector<std::uint32_t> labels_of(const std::vector<T>& la
 /// defaults, over the mean radius of the large grains (of any where there are no classes).
 Numbers cavities_of(const PhaseMap& map, const Numbers& numbers, const Thinning& kept, NumberBlock& block) {
   const Numbers said = numbers.value("cavity_rules", Numbers::tree());
-  raster::CavityRules rules;
+  grid::CavityRules rules;
   rules.eight_connected = said.value("neighbours", 4) == 8;
   rules.fewest_nodes = said.value("fewest_nodes", rules.fewest_nodes);
   rules.leave_out_border = said.value("leave_out_border", rules.leave_out_border);
   const double radius = said.contains("reference_radius_m") ? said["reference_radius_m"].get<double>() : mean_large_radius(map);
   Numbers all = Numbers::tree();
-  for (const auto& [name, kind] : {std::pair{"voids", raster::Cavity::void_}, {"pores", raster::Cavity::pore}}) {
-    const raster::Cavities cavities = raster::find_cavities(map, kind, rules);
+  for (const auto& [name, kind] : {std::pair{"voids", grid::Cavity::void_}, {"pores", grid::Cavity::pore}}) {
+    const grid::Cavities cavities = grid::find_cavities(map, kind, rules);
     Numbers& out = all[name];
     out = {{"label", block.add_indices(labels_of(cavities.label, kept))},
            {"nodes", block.add_indices(unsigned_copy(cavities.nodes))},
            {"specks", cavities.specks},
            {"cut", cavities.cut},
            {"fewest_nodes", cavities.rules.fewest_nodes}};
-    if (radius > 0 && !cavities.nodes.empty()) out["volumes"] = volumes_of(raster::cavity_statistics(cavities, map.dx, radius));
+    if (radius > 0 && !cavities.nodes.empty()) out["volumes"] = volumes_of(grid::cavity_statistics(cavities, map.dx, radius));
   }
   return all;
 }

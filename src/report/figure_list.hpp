@@ -41,7 +41,7 @@ enum class Spread { error, deviation };
 
 /// How a figure is drawn: points and lines; `curves` as sectors of directions over half a turn; `y` as a colour over x and
 /// `by`; or one run's state: its grains, their forces, their stresses, the stresses that a film of it gives, its phases on the
-/// raster, the stresses of nodes in and about one grain, or its broken bonds.
+/// grid, the stresses of nodes in and about one grain, or its broken bonds.
 enum class FigureKind { plot, rose, map, grains, forces, stresses, film, phases, zoom, cracks };
 const char* word_for(FigureKind kind);
 /// Whether it shows one run.

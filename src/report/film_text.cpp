@@ -146,7 +146,7 @@ std::string film_text(const FilmResult& r) {
     lines.section("Contact forces (peak to peak)", {{"contacts proposed", "/forces/proposed"},
                                                     {"of these there", "/forces/present"},
                                                     {"mean normal force", "/forces/mean_N", "N"},
-                                                    {"share above the mean", "/forces/share_above_mean"},
+                                                    {"share above the mean", "/forces/fraction_above_mean"},
                                                     {"standard error, normal", "/forces/fn_error_N", "N"},
                                                     {"standard error, tangential", "/forces/ft_error_N", "N"}});
   if (lines.has("/checks")) describe_checks(lines, r.numbers["checks"]);

@@ -105,11 +105,6 @@ std::string base64(std::span<const std::uint8_t> bytes) {
   return text;
 }
 
-double Coding::decoded(std::int32_t code) const {
-  const double t = code / levels;
-  return centre + width * (companded ? std::sinh(t) : t);
-}
-
 CodedField code_field(int width, int height, const std::vector<double>& values, const std::vector<std::uint8_t>& known, bool companded, double levels) {
   std::vector<double> sample;
   for (std::size_t k = 0; k < values.size(); ++k)
@@ -136,14 +131,6 @@ Numbers numbers_of(const CodedField& field, NumberBlock& block) {
           {"width", c.width},
           {"levels", c.levels},
           {"residual", block.add_indices(field.residual)}};
-}
-
-std::vector<std::int32_t> codes_of(int width, int height, const std::vector<std::uint32_t>& residual) {
-  std::vector<std::int32_t> code(residual.size());
-  std::size_t k = 0;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x, ++k) code[k] = median_prediction(code, width, x, y) + static_cast<std::int32_t>(residual[k] >> 1 ^ (0 - (residual[k] & 1)));
-  return code;
 }
 
 }  // namespace arenite::report

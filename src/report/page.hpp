@@ -4,7 +4,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "grains/texture/texture.hpp"
@@ -34,7 +33,7 @@ struct FilmPageData {
 };
 
 /// What the page shows: the stages of one run in their order, and the texture of some of their states. The figures show
-/// the texture of the state that the slider is on, or else that of the last state that has one. Results on a raster
+/// the texture of the state that the slider is on, or else that of the last state that has one. Results on a grid
 /// follow, then films, each on a tab of its own; any of the three may be missing.
 struct PageData {
   std::string title;

@@ -32,9 +32,9 @@ void describe_sample(TextLines& lines) {
                                         {"S_m by geometry", "/exact/S_m"},
                                         {"solid from bottom to top", "/percolates/solid_bottom_top"},
                                         {"void from left to right", "/percolates/void_left_right"},
-                                        {"nodes across the thinnest neck", "/raster/thinnest_joint_nodes"},
-                                        {"necks without a node", "/raster/lost_joints"},
-                                        {"nodes across the smallest grain", "/raster/smallest_grain_nodes"}});
+                                        {"nodes across the thinnest neck", "/grid/thinnest_neck_nodes"},
+                                        {"necks without a node", "/grid/lost_necks"},
+                                        {"nodes across the smallest grain", "/grid/smallest_grain_nodes"}});
   if (lines.has("/coordination")) lines.heading("Neighbours by surface gap");
   lines.number("gap", "/coordination/gap_m", "m");
   for (const char* name : {"Z", "Z_l", "Z_s", "Z_ll", "Z_ls", "Z_sl", "Z_ss"}) lines.number(name, fmt::format("/coordination/{}", name));
@@ -50,7 +50,7 @@ void describe_load(TextLines& lines) {
                          {"ending", "/load/ending"},
                          {"iterations", "/load/iterations"},
                          {"residual", "/load/residual"},
-                         {"reaction-force balance error", "/load/identity_defect"},
+                         {"reaction-force balance error", "/load/reaction_balance_error"},
                          {"apparent modulus", "/modulus_Pa", "Pa"},
                          {"Poisson's ratio", "/poisson"},
                          {"E along x", "/moduli/E_x_Pa", "Pa"},
@@ -63,7 +63,7 @@ void describe_load(TextLines& lines) {
                          {"broken bonds, matrix", "/failure/broken/matrix"},
                          {"broken bonds, interface", "/failure/broken/interface"},
                          {"broken bonds, particle", "/failure/broken/particle"},
-                         {"error of the energy balance", "/failure/energy_defect"}});
+                         {"error of the energy balance", "/failure/energy_balance_error"}});
 }
 
 void describe_component(TextLines& lines, const std::string& name, const Numbers& component) {
@@ -118,13 +118,13 @@ dem::EquilibriumCriterion criterion_of(const Provenance& made) {
 std::string state_of(const StageResult& last) {
   const Equilibrium& now = last.frames.back().equilibrium;
   const bool rests = last.converged && dem::is_at_rest(now, criterion_of(last.provenance));
-  return fmt::format("{}: {}", rests ? "at rest" : "NOT AT REST", dem::describe(now));
+  return fmt::format("{}: {}", rests ? "in equilibrium" : "NOT IN EQUILIBRIUM", dem::describe(now));
 }
 
 void add_forces(TextLines& rows, const texture::Texture& t) {
   if (const auto* all = texture::find(t.force.compressive, "all")) {
     add(rows, "mean normal force <F>", all->mean, "of contacts that push", " N");
-    add(rows, "share above the mean P_0", all->share_above, "of contacts with F > <F>");
+    add(rows, "share above the mean P_0", all->fraction_above_mean, "of contacts with F > <F>");
     add(rows, "strong forces' decay beta", all->tail.beta, "P(F) ~ exp(-beta F/<F>) for F > <F>");
   }
   const texture::Stress& s = t.stress;

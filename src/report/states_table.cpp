@@ -52,7 +52,7 @@ constexpr Column columns[] = {
     {"strong_share",
      [](const State& s) {
        const auto* all = texture::find(s.texture.force.compressive, "all");
-       return all ? all->share_above.value : 0;
+       return all ? all->fraction_above_mean.value : 0;
      }},
     {"q_on_strong", [](const State& s) { return s.texture.stress.strong_deviator_share.value; }},
     {"mobilisation", [](const State& s) { return s.frame.equilibrium.mobilisation; }},

@@ -160,7 +160,7 @@ std::string Summary::how_stages_ended() const {
   TextLines lines;
   lines.heading("Stages");
   for (const Stage& stage : stages_) {
-    lines.add(stage.result.name, (stage.result.converged ? "" : "NOT AT REST: ") + stage.result.outcome);
+    lines.add(stage.result.name, (stage.result.converged ? "" : "NOT IN EQUILIBRIUM: ") + stage.result.outcome);
     lines.add("", fmt::format("{} {} in {}", stage.states, stage.states == 1 ? "state" : "states", stage.file));
   }
   for (const Field& field : fields_) {

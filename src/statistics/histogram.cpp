@@ -52,7 +52,7 @@ BlockCounts count(const BlockedSample& sample, const Bins& bins) {
   return result;
 }
 
-double share_above(const Bins& bins, const Counts& counts, double x) {
+double survival(const Bins& bins, const Counts& counts, double x) {
   const double total = counts.total(), place = (x - bins.low) / bins.width;
   double above = counts.above;
   for (std::size_t k = bins.count; k-- > 0;) {

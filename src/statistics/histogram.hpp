@@ -53,7 +53,7 @@ Bins pdf_bins(std::size_t n, const Spread& spread);
 BlockCounts count(const BlockedSample& sample, const Bins& bins);
 
 /// Survival function at x: the share of the values above it, straight within a bin.
-double share_above(const Bins& bins, const Counts& counts, double x);
+double survival(const Bins& bins, const Counts& counts, double x);
 
 /// The inverse: the value below which a share p lies.
 double quantile(const Bins& bins, const Counts& counts, double p);

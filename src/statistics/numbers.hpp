@@ -87,7 +87,7 @@ class Numbers {
   Numbers& operator[](std::string_view name);
   Numbers& operator[](const char* name) { return (*this)[std::string_view(name)]; }
   template <std::integral I> Numbers& operator[](I i) { return const_cast<Numbers&>(at(static_cast<std::size_t>(i))); }
-  /// What lies at "/fabric/a_c" or "/joints/0/width"; nothing where there is none.
+  /// What lies at "/fabric/a_c" or "/modes/2/phase"; nothing where there is none.
   const Numbers* at_path(std::string_view path) const;
 
   void push_back(Numbers value);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/root.hpp"
 #include "statistics/correlation.hpp"
 #include "statistics/jackknife.hpp"
 
@@ -101,15 +102,11 @@ ExponentialTail exponential_tail(const std::vector<double>& sorted) {
 double cut_exponential_rate(double mean, double length) {
   // The mean over the length falls from 1 to 0 as a = s length rises.
   const auto relative_mean = [](double a) { return std::abs(a) < 1e-4 ? 0.5 - a / 12 : 1 / a - 1 / std::expm1(a); };
-  const double target = mean / length;
+  const auto excess = [&](double a) { return relative_mean(a) - mean / length; };
   double low = -1, high = 1;
-  while (relative_mean(low) < target && low > -1e9) low *= 2;
-  while (relative_mean(high) > target && high < 1e9) high *= 2;
-  for (int k = 0; k < 100; ++k) {
-    const double middle = 0.5 * (low + high);
-    (relative_mean(middle) > target ? low : high) = middle;
-  }
-  return 0.5 * (low + high) / length;
+  while (excess(low) < 0 && low > -1e9) low *= 2;
+  while (excess(high) > 0 && high < 1e9) high *= 2;
+  return bracketed_root<double>(excess, low, excess(low), high, excess(high)) / length;
 }
 
 double log_integral_exponential(double s, double length) {
@@ -126,15 +123,8 @@ double log_integral_gaussian(double theta, double a, double b) {
 
 double cut_gaussian_rate(double mean_square, double a, double b) {
   // Likelihood a value; concave in theta. Its upper end keeps the integral above the smallest numbers.
-  const auto likelihood = [&](double theta) { return -theta * mean_square - log_integral_gaussian(theta, a, b); };
-  const double golden = 0.5 * (std::sqrt(5.0) - 1);
-  double low = 0, high = a > 0 ? 500 / (a * a) : 100 / mean_square;
-  for (int k = 0; k < 100; ++k) {
-    const double span = golden * (high - low), left = high - span, right = low + span;
-    if (likelihood(left) < likelihood(right)) low = left;
-    else high = right;
-  }
-  return 0.5 * (low + high);
+  const auto cost = [&](double theta) { return theta * mean_square + log_integral_gaussian(theta, a, b); };
+  return minimum_between(cost, 0, a > 0 ? 500 / (a * a) : 100 / mean_square);
 }
 
 TailRange tail_range(const Bins& bins, const Counts& counts) {

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -14,7 +13,6 @@
 #include "io/results/results.hpp"
 #include "solid/stress/stress.hpp"
 #include "workflow/field_stages.hpp"
-#include "workflow/runner.hpp"
 #include "workflow/stage_keys.hpp"
 
 namespace arenite::workflow {
@@ -107,22 +105,6 @@ std::optional<FieldResult> pull_apart(const recipe::Load& load, FieldResult resu
 
 }  // namespace
 
-PullCheckpoint pull_checkpoint(const std::filesystem::path& file, const std::string& key, const RunOptions& options) {
-  using clock = std::chrono::steady_clock;
-  PullCheckpoint checkpoint;
-  const auto stored = unless_damaged(file, options, "the pull begins anew", [&] { return io::read_checkpoint(file, key); });
-  if (stored && *stored) checkpoint.resume = peridynamics::pull_state_of((*stored)->blobs.at("pull"));
-  checkpoint.keep = [&options, file, key, saved = clock::now()](const auto& state) mutable {
-    if (!options.asked_to_stop() && std::chrono::duration<double>(clock::now() - saved).count() < options.checkpoint_seconds) return;
-    io::Checkpoint c;
-    c.key = key;
-    c.blobs["pull"] = to_bytes(state());
-    io::write_checkpoint(file, c);
-    saved = clock::now();
-  };
-  return checkpoint;
-}
-
 std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample, const peridynamics::Watch& watch, const PullCheckpoint& checkpoint) {
   FieldResult result = upright(sample, load.axis);
   result.name = load.name;
@@ -155,7 +137,7 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
   return result;
 }
 
-FieldResult sample_of_map(PhaseMap map, const raster::CavityRules& rules) {
+FieldResult sample_of_map(PhaseMap map, const grid::CavityRules& rules) {
   check(map);
   std::size_t particle = 0;
   for (const Phase p : map.phase) particle += p == Phase::particle;

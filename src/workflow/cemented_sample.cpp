@@ -40,15 +40,15 @@ Contacts take(const Contacts& from, const Numbering& numbering) {
   return contacts;
 }
 
-template <class Joint> std::vector<Joint> take(const std::vector<Joint>& from, const Numbering& numbering) {
-  std::vector<Joint> joints;
-  for (Joint joint : from) {
-    if (!numbering.has(joint.i) || !numbering.has(joint.j)) continue;
-    joint.i = numbering[joint.i];
-    joint.j = numbering[joint.j];
-    joints.push_back(joint);
+template <class Neck> std::vector<Neck> take(const std::vector<Neck>& from, const Numbering& numbering) {
+  std::vector<Neck> necks;
+  for (Neck neck : from) {
+    if (!numbering.has(neck.i) || !numbering.has(neck.j)) continue;
+    neck.i = numbering[neck.i];
+    neck.j = numbering[neck.j];
+    necks.push_back(neck);
   }
-  return joints;
+  return necks;
 }
 
 constexpr double gap_over_radius = 0.075, crop_over_radius = 25.6;  // P's 3 nodes and 1024 nodes of 40 to a large radius
@@ -65,16 +65,16 @@ double mean_radius(const Packing& packing, std::int32_t material) {
 double crop_side(const recipe::Recipe& recipe, const recipe::GridSection& section, const Packing& packing, double radius) {
   if (section.crop) return *section.crop;
   const double side = crop_over_radius * radius;
-  return recipe.bidisperse && raster::crop_window(packing, 0).width() >= side ? side : 0;
+  return recipe.bidisperse && grid::crop_window(packing, 0).width() >= side ? side : 0;
 }
 
 std::string sentence(const SampleReports& reports, const PhaseMap& map, const recipe::GridSection& section) {
-  const auto& r = reports.raster;
+  const auto& r = reports.grid;
   std::string text = fmt::format("{0} x {0} nodes of {1:.4g} mm, {2} grains; S_m {3:.4f} by geometry; areas on the nodes off by {4:+.2g} % (particles)",
                                  section.nodes, 1e3 * map.dx, map.grain_class.size(), reports.cement.saturation, 100 * r.particle_area_error);
   if (r.exact_matrix_area > 0) text += fmt::format(" and {:+.2g} % (matrix)", 100 * r.matrix_area_error);
-  if (r.joints > 0) text += fmt::format("; the thinnest of {} necks spans {} nodes", r.joints, r.thinnest_joint);
-  if (r.lost_joints > 0) text += fmt::format("; {} no node: refine the grid", r.lost_joints == 1 ? "1 neck has" : fmt::format("{} necks have", r.lost_joints));
+  if (r.necks > 0) text += fmt::format("; the thinnest of {} necks spans {} nodes", r.necks, r.thinnest_neck);
+  if (r.lost_necks > 0) text += fmt::format("; {} no node: refine the grid", r.lost_necks == 1 ? "1 neck has" : fmt::format("{} necks have", r.lost_necks));
   return text;
 }
 
@@ -167,12 +167,12 @@ FieldResult make_cemented_sample(const recipe::Recipe& recipe, const Packing& pa
   law.gap = reports.gap;
 
   const double side = crop_side(recipe, section, packing, radius);
-  const auto window = raster::crop_window(packing, side);
+  const auto window = grid::crop_window(packing, side);
   const Cement cement = cement::make_cement(packing, law, window, reports.cement);
   FieldResult result;
   result.name = "cement";
-  result.map = raster::rasterise(packing, cement, {section.nodes, side}, classes(packing, materials), reports.raster);
-  auto cropped = crop(packing, cement, reports.raster.grain_of_label, {window.x_min, window.y_min});
+  result.map = grid::rasterise(packing, cement, {section.nodes, side}, classes(packing, materials), reports.grid);
+  auto cropped = crop(packing, cement, reports.grid.grain_of_label, {window.x_min, window.y_min});
   result.packing = std::move(cropped.packing);
   result.cement = std::move(cropped.cement);
   if (materials) reports.coordination = texture::gap_coordination(packing, reports.gap, materials->large, materials->small, window);

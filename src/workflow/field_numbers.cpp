@@ -6,7 +6,7 @@
 
 #include "model/elasticity/bounds.hpp"
 #include "recipe/recipe.hpp"
-#include "solid/raster/cavities.hpp"
+#include "solid/grid/cavities.hpp"
 #include "statistics/numbers.hpp"
 
 namespace arenite::workflow {
@@ -21,8 +21,8 @@ Numbers estimate(const statistics::Estimate& e) {
 const char* const parameter_names[] = {"", "width", "", "thickness_m", "volume_m2"};
 
 /// Volumes of pores or voids over pi radius^2 with their density, and what the rules left out.
-Numbers volumes(const PhaseMap& map, raster::Cavity kind, const raster::CavityRules& rules, double radius) {
-  const auto s = raster::cavity_statistics(find_cavities(map, kind, rules), map.dx, radius);
+Numbers volumes(const PhaseMap& map, grid::Cavity kind, const grid::CavityRules& rules, double radius) {
+  const auto s = grid::cavity_statistics(find_cavities(map, kind, rules), map.dx, radius);
   Numbers j{{"count", s.count}};
   if (s.count > 0) j["mean"] = estimate({s.mean, s.mean_error});
   if (s.count > 1) {
@@ -43,7 +43,7 @@ bool has_classes(const PhaseMap& map) {
 }
 
 Numbers phases(const PhaseMap& map) {
-  const auto f = raster::phase_fractions(map);
+  const auto f = grid::phase_fractions(map);
   Numbers j{{"particle", f.particle}, {"matrix", f.matrix}, {"void", f.empty}};
   if (has_classes(map)) j.update({{"large", f.large}, {"small", f.small}});
   return j;
@@ -86,16 +86,16 @@ constexpr const char* damage_endings[] = {"severed", "dropped", "strain_reached"
 
 }  // namespace
 
-Numbers map_numbers(const PhaseMap& map, const raster::CavityRules& rules, double reference_radius) {
+Numbers map_numbers(const PhaseMap& map, const grid::CavityRules& rules, double reference_radius) {
   Numbers j;
   j["map"] = {{"width", map.width}, {"height", map.height}, {"dx_m", map.dx}};
   j["grains"] = grains(map);
   j["phases"] = phases(map);
-  const auto fractions = raster::phase_fractions(map);
+  const auto fractions = grid::phase_fractions(map);
   j["solid_fraction"] = fractions.particle;
   j["S_m"] = fractions.saturation;
   if (fractions.small > 0) j["volume_ratio"] = fractions.large / fractions.small;
-  const auto through = raster::find_percolation(map, rules.eight_connected);
+  const auto through = grid::find_percolation(map, rules.eight_connected);
   j["percolates"] = {{"solid_bottom_top", through.solid_bottom_top},
                      {"solid_left_right", through.solid_left_right},
                      {"void_bottom_top", through.void_bottom_top},
@@ -104,29 +104,29 @@ Numbers map_numbers(const PhaseMap& map, const raster::CavityRules& rules, doubl
                        {"fewest_nodes", rules.fewest_nodes},
                        {"leave_out_border", rules.leave_out_border},
                        {"reference_radius_m", reference_radius}};
-  j["pores"] = volumes(map, raster::Cavity::pore, rules, reference_radius);
-  j["voids"] = volumes(map, raster::Cavity::void_, rules, reference_radius);
+  j["pores"] = volumes(map, grid::Cavity::pore, rules, reference_radius);
+  j["voids"] = volumes(map, grid::Cavity::void_, rules, reference_radius);
   return j;
 }
 
 void add_reports(Numbers& j, const SampleReports& reports) {
   const auto& c = reports.cement;
-  const auto& r = reports.raster;
+  const auto& r = reports.grid;
   const auto kind = static_cast<std::size_t>(reports.section.law.kind);
   j["area_error"] = {{"particle", r.particle_area_error}, {"matrix", r.matrix_area_error}};
   j["exact"] = {{"solid_fraction", c.areas.particle / c.areas.window}, {"S_m", c.saturation}};
-  Numbers cement{{"kind", recipe::word_of(reports.section.law.kind)}, {"gap_m", reports.gap}, {"joints", c.joints}};
+  Numbers cement{{"kind", recipe::word_of(reports.section.law.kind)}, {"gap_m", reports.gap}, {"necks", c.necks}};
   if (parameter_names[kind][0] != '\0') cement[parameter_names[kind]] = c.parameter;
   if (reports.section.law.saturation) cement["saturation_error"] = c.saturation_error;
   if (reports.section.law.kind == cement::CementParameters::Kind::menisci) cement.update({{"ruptured", c.ruptured}, {"capped", c.capped}});
   j["cement"] = cement;
-  j["raster"] = {{"corner_m", {r.window.x_min, r.window.y_min}},
-                 {"side_m", r.window.width()},
-                 {"joints", r.joints},
-                 {"lost_joints", r.lost_joints},
-                 {"lost_area_m2", r.lost_area},
-                 {"thinnest_joint_nodes", r.thinnest_joint},
-                 {"smallest_grain_nodes", r.smallest_grain}};
+  j["grid"] = {{"corner_m", {r.window.x_min, r.window.y_min}},
+               {"side_m", r.window.width()},
+               {"necks", r.necks},
+               {"lost_necks", r.lost_necks},
+               {"lost_area_m2", r.lost_area},
+               {"thinnest_neck_nodes", r.thinnest_neck},
+               {"smallest_grain_nodes", r.smallest_grain}};
   if (reports.coordination) j["coordination"] = coordination(*reports.coordination, reports.gap);
 }
 
@@ -137,7 +137,7 @@ void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadRepo
             {"ending", endings[static_cast<int>(report.ending)]},
             {"iterations", report.iterations},
             {"residual", report.residual},
-            {"identity_defect", report.identity_defect},
+            {"reaction_balance_error", report.identity_defect},
             {"top_force_N_per_m", {report.top_force.x, report.top_force.y}},
             {"nodes", support(report.support)},
             {"loose_nodes", report.loose_nodes},
@@ -163,7 +163,7 @@ void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::Damag
   j["strength_Pa"] = result.strength;
   std::array<std::size_t, 4> by_type{};
   for (const auto& bond : result.broken) ++by_type[bond.type & 3u];
-  Numbers failure{{"broken", {{"matrix", by_type[1]}, {"interface", by_type[2]}, {"particle", by_type[3]}}}, {"energy_defect", result.energy_defect}};
+  Numbers failure{{"broken", {{"matrix", by_type[1]}, {"interface", by_type[2]}, {"particle", by_type[3]}}}, {"energy_balance_error", result.energy_defect}};
   for (const auto& state : result.curve)
     if (state.stress == result.strength) failure["strain_at_strength"] = state.strain;
   if (!result.curve.empty()) {

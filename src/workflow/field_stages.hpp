@@ -12,27 +12,25 @@
 #include "model/result.hpp"
 #include "recipe/recipe.hpp"
 #include "solid/cement/cement.hpp"
+#include "solid/grid/cavities.hpp"
+#include "solid/grid/grid.hpp"
 #include "solid/peridynamics/damage.hpp"
 #include "solid/peridynamics/load.hpp"
-#include "solid/raster/cavities.hpp"
-#include "solid/raster/raster.hpp"
 #include "solid/stress/stress.hpp"
 #include "statistics/numbers.hpp"
 
-/// The second half of a run: cement, raster, loads (P II.B to IV), and what they give as numbers, each statistic as value and error.
+/// The second half of a run: cement, grid, loads (P II.B to IV), and what they give as numbers, each statistic as value and error.
 
 namespace arenite::workflow {
 
-struct RunOptions;
-
-/// The grains that a raster shows, in its coordinates, and what holds them.
+/// The grains that a grid shows, in its coordinates, and what holds them.
 struct CroppedPacking {
   Packing packing;
   Cement cement;
 };
 
 /// First the grains of the labels, in their order, then those that touch one of them or share a bridge or meniscus with
-/// one; contacts and joints between these. `corner` becomes the origin.
+/// one; contacts and necks between these. `corner` becomes the origin.
 CroppedPacking crop(const Packing& packing, const Cement& cement, const std::vector<std::int32_t>& grain_of_label, Vec2 corner);
 
 /// The mirror image about the line x = y, as transposed(PhaseMap) gives it.
@@ -61,16 +59,13 @@ struct PullCheckpoint {
   std::optional<peridynamics::PullState> resume{};
 };
 
-/// Where a killed pull stood by its file, and how this one is kept there: every few seconds, and when it is asked to stop.
-PullCheckpoint pull_checkpoint(const std::filesystem::path& file, const std::string& key, const RunOptions& options);
-
 /// Loads a cemented sample. An unfinished field has `converged` false and says why; nothing if the watch stopped it.
 std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample, const peridynamics::Watch& watch,
                                       const PullCheckpoint& checkpoint = {});
 
 /// A sample for apply_load from anybody's phase map: its phases, pores and voids as numbers, their volumes over the mean
 /// area of a grain. Throws InputError unless the map is sound.
-FieldResult sample_of_map(PhaseMap map, const raster::CavityRules& rules = {});
+FieldResult sample_of_map(PhaseMap map, const grid::CavityRules& rules = {});
 
 /// Says in the sample's numbers that its lengths are in nodes, where nobody said how large a node is.
 void count_lengths_in_nodes(FieldResult& sample);
@@ -82,15 +77,15 @@ void sign(FieldResult& result, const std::filesystem::path& source, const std::s
 struct SampleReports {
   recipe::CementSection section;
   cement::CementReport cement;
-  raster::RasterReport raster;
+  grid::GridReport grid;
   double gap = 0;                                        ///< at which grains are neighbours, m
   std::optional<texture::GapCoordination> coordination;  ///< where there are two classes
 };
 
 /// Size, phases, S_m, grains, pores and voids of any map. Volumes of pores and voids are over pi reference_radius^2.
-Numbers map_numbers(const PhaseMap& map, const raster::CavityRules& rules, double reference_radius);
+Numbers map_numbers(const PhaseMap& map, const grid::CavityRules& rules, double reference_radius);
 
-/// Adds what cement, raster and coordination say.
+/// Adds what cement, grid and coordination say.
 void add_reports(Numbers& numbers, const SampleReports& reports);
 
 /// Add numbers of a load to those of its sample.

@@ -79,7 +79,7 @@ Numbers forces_of(const FilmResult& r) {
     // Of the sample's contacts, and of how many there are: one more or less of those that carry next to nothing.
     const double spread = std::sqrt(squares / (n - 1) / n), counted = mean * r.fit.present_error / n;
     put(j, "mean_N", Estimate{mean, std::hypot(spread, counted)});
-    put(j, "share_above_mean", Estimate{above / n, std::sqrt(above * (n - above) / n) / n});
+    put(j, "fraction_above_mean", Estimate{above / n, std::sqrt(above * (n - above) / n) / n});
   }
   put(j, "fn_error_N", median_or_unknown(r.fn_error));
   put(j, "ft_error_N", median_or_unknown(r.ft_error));

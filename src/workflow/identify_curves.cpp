@@ -127,7 +127,7 @@ Tests peaks_of(const io::LaboratoryTable& table, const RowGroup& group, std::siz
     const auto peak = identify::pull_off(curve_of(table, test, x, y));
     const std::string name = test.name.empty() ? fmt::format("record {}", peaks.size() + 1) : test.name;
     if (!peak.separated)
-      notes.push_back(fmt::format("{}{}{}: the record ends before the force has fallen to half of its peak; the joint may have held more", group.name,
+      notes.push_back(fmt::format("{}{}{}: the record ends before the force has fallen to half of its peak; the bond may have held more", group.name,
                                   group.name.empty() ? "" : ", ", name));
     peaks.emplace_back(name, peak.force);
   }

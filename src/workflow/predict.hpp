@@ -97,7 +97,7 @@ struct Prediction {
 };
 
 /// Looks at the recipe's sample before its loading, or at a small one of the same kind where that is large, and times some hundred steps of it.
-/// Cement, raster and loads are left out. Throws InputError where the sample cannot be made.
+/// Cement, grid and loads are left out. Throws InputError where the sample cannot be made.
 Prediction predict(const recipe::Recipe& recipe);
 
 }  // namespace arenite::workflow

@@ -1,9 +1,6 @@
 #include "workflow/run.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <chrono>
 #include <type_traits>
 #include <utility>
 
@@ -13,6 +10,7 @@
 #include "grains/fields/flow_numbers.hpp"
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
+#include "workflow/checkpoints.hpp"
 #include "workflow/field_stages.hpp"
 #include "workflow/result_folder.hpp"
 #include "workflow/runner.hpp"
@@ -22,31 +20,6 @@ namespace arenite::workflow {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string force_at_start(int side) { return fmt::format("force_at_start {}", side_names[side]); }
-
-using dem::StageRun;
-constexpr std::pair<const char*, std::int64_t StageRun::*> counts[] = {{"increment", &StageRun::increment},
-                                                                       {"steps_in_increment", &StageRun::steps_in_increment},
-                                                                       {"sample_every", &StageRun::sample_every},
-                                                                       {"checks", &StageRun::checks}};
-
-io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run, const std::string& key) {
-  io::Checkpoint checkpoint;
-  checkpoint.key = key;
-  checkpoint.blobs["engine"] = engine.save();
-  for (int side = 0; side < 4; ++side) checkpoint.numbers[force_at_start(side)] = run.force_at_start[side];
-  for (const auto& [name, count] : counts) checkpoint.integers[name] = run.*count;
-  checkpoint.partial = run.result;
-  return checkpoint;
-}
-
-void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::StageRun& run) {
-  engine.restore(checkpoint.blobs.at("engine"));
-  for (int side = 0; side < 4; ++side) run.force_at_start[side] = checkpoint.numbers.at(force_at_start(side));
-  for (const auto& [name, count] : counts) run.*count = checkpoint.integers.at(name);
-  run.result = checkpoint.partial;
-}
 
 /// Where a stage stands, from what it and its sample say.
 void look_at(const dem::Engine& engine, const dem::Stage& stage, const dem::StageRun& run, Progress& progress) {
@@ -63,22 +36,18 @@ void look_at(const dem::Engine& engine, const dem::Stage& stage, const dem::Stag
 /// Runs one stage to its end, or until asked to stop (then nothing is returned, and the checkpoint is on disk).
 std::optional<StageResult> load(dem::Engine& engine, const dem::Stage& stage, const std::string& key, const fs::path& checkpoint_file,
                                 const RunOptions& options, Progress progress) {
-  using clock = std::chrono::steady_clock;
   dem::StageRun run = dem::begin_stage(engine, stage);
   const auto checkpoint = unless_damaged(checkpoint_file, options, "the stage begins anew", [&] { return io::read_checkpoint(checkpoint_file, key); });
   if (checkpoint && *checkpoint) restore_from(**checkpoint, engine, run);
   progress.increments = stage.duration ? 0 : dem::increment_count(stage);
-  auto saved = clock::now();
+  CheckpointTimes times(options);
   while (!run.finished) {
     dem::continue_stage(engine, stage, run);
     look_at(engine, stage, run, progress);
     options.progress(progress);
-    const bool stop = options.asked_to_stop();
-    if (!run.finished && (stop || std::chrono::duration<double>(clock::now() - saved).count() >= options.checkpoint_seconds)) {
-      io::write_checkpoint(checkpoint_file, to_checkpoint(engine, run, key));
-      saved = clock::now();
-      if (stop) return std::nullopt;
-    }
+    if (run.finished || !times.is_due()) continue;
+    io::write_checkpoint(checkpoint_file, to_checkpoint(engine, run, key));
+    if (times.asked_to_stop()) return std::nullopt;
   }
   run.result.continuation = engine.save();
   return std::move(run.result);

@@ -112,7 +112,7 @@ TEST(Show, TextTellsStagesInOrderAndWhichIsNotAtRest) {
   io::write_stage(folder / "02-shear.h5", second);
   const auto shown = arenite("show " + folder.path().string());
   ASSERT_EQ(shown.status, 0) << shown.err;
-  const auto first = shown.out.find("compact"), next = shown.out.find("NOT AT REST: unbalanced ratio 3e-3");
+  const auto first = shown.out.find("compact"), next = shown.out.find("NOT IN EQUILIBRIUM: unbalanced ratio 3e-3");
   EXPECT_LT(first, next) << shown.out;
   EXPECT_NE(next, std::string::npos) << shown.out;
   EXPECT_NE(shown.out.find("top 103 N"), std::string::npos) << shown.out;
@@ -154,10 +154,10 @@ TEST(Show, SaysThatAStateMovesThoughItsStageEndedByItsTime) {
   result.frames.back().equilibrium.kinetic_ratio = 69;
   io::write_stage(folder / "r.h5", result);
   const auto moving = arenite("show " + (folder / "r.h5").string());
-  EXPECT_NE(moving.out.find("NOT AT REST: unbalanced force ratio 1.0e-05, kinetic over elastic energy 6.9e+01"), std::string::npos) << moving.out;
+  EXPECT_NE(moving.out.find("NOT IN EQUILIBRIUM: unbalanced force ratio 1.0e-05, kinetic over elastic energy 6.9e+01"), std::string::npos) << moving.out;
   result.frames.back().equilibrium.kinetic_ratio = 1e-9;
   io::write_stage(folder / "r.h5", result);
-  EXPECT_NE(arenite("show " + (folder / "r.h5").string()).out.find("at rest: "), std::string::npos);
+  EXPECT_NE(arenite("show " + (folder / "r.h5").string()).out.find("in equilibrium: "), std::string::npos);
 }
 
 TEST(Show, BadFilesGiveStatus2AndOneSentence) {

@@ -13,7 +13,7 @@ def two_blocks():
 def test_a_map_is_loaded_and_its_reaction_is_the_mean_stress():
     field = arenite.load(two_blocks(), strain=1e-4)
     assert field.converged and field.sigma_yy.shape == (64, 48)
-    rows = np.delete(field.sigma_yy.mean(axis=1), np.r_[0:8, 14:26, 38:50, 56:64])  # without clamps and joints
+    rows = np.delete(field.sigma_yy.mean(axis=1), np.r_[0:8, 14:26, 38:50, 56:64])  # without clamps and seams
     assert np.ptp(rows) < 1e-3 * rows.mean()
     assert 1e9 * 1e-4 < rows.mean() < 4e9 * 1e-4
 
@@ -26,7 +26,7 @@ def test_units_are_read_and_moduli_scale():
         arenite.load(two_blocks(), "twist")
 
 
-def test_cement_and_raster_follow_the_recipe(recipe, result):
+def test_cement_and_grid_follow_the_recipe(recipe, result):
     packing = result.stages[-1].packing
     sample = arenite.cement_sample(recipe, packing)
     assert np.array_equal(sample.map.phase, result.fields[0].map.phase)

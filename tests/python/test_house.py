@@ -12,7 +12,7 @@ FLOORS = [["core"], ["geometry", "statistics"], ["model"], ["io", "grains", "sol
 # The chambers of a room, from left to right: one includes itself and those before it.
 CHAMBERS = {
     "grains": ["packing", "dem", "texture", "fields"],
-    "solid": ["cement", "raster", "peridynamics", "stress"],
+    "solid": ["cement", "grid", "peridynamics", "stress"],
     "thermal": ["radiometry", "imaging", "camera", "thermography", "inference", "identify"],
 }
 

@@ -10,17 +10,17 @@
 
 namespace arenite::test {
 
-/// How a picture is drawn from known forces. Everything is painted on a fine raster, blurred there and summed into pixels:
-/// in another way than the inverse does, which knows no raster.
+/// How a picture is drawn from known forces. Everything is painted on a fine grid, blurred there and summed into pixels:
+/// in another way than the inverse does, which knows no grid.
 struct ThermoelasticDrawing {
   double pixel = 1.6e-3;
   double blur = 0.5;        ///< pixels
   double noise = 0.3e-3;    ///< K, of every pixel
   double stated_error = 0;  ///< K; 0: the noise
-  int fine = 8;             ///< raster cells along a pixel
+  int fine = 8;             ///< grid cells along a pixel
   elasticity::Traction traction = elasticity::Traction::point;
   double half_angle = 0.08;  ///< of arcs, rad
-  Vec2 offset{0.31, -0.17};  ///< of the raster of pixels, pixels
+  Vec2 offset{0.31, -0.17};  ///< of the grid of pixels, pixels
   std::uint64_t seed = 1;
 };
 

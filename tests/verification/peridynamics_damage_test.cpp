@@ -9,6 +9,7 @@
 #include "solid/peridynamics/lattice.hpp"
 #include "solid/peridynamics/load.hpp"
 #include "support/cemented_sample.hpp"
+#include "support/crack_energy.hpp"
 #include "support/homogeneous_sample.hpp"
 
 namespace arenite::peridynamics {
@@ -43,7 +44,7 @@ double running_strain_over_griffith(int height) {
 
 TEST(Griffith, CrackedStripRunsALittleAboveTheEnergyBalance) {
   // A lattice holds a crack back until the bonds at its tip, not the mean field, reach their limit: here by a fifth in
-  // strain, whatever the raster. Below the balance no crack may run.
+  // strain, whatever the grid. Below the balance no crack may run.
   const double coarse = running_strain_over_griffith(32), fine = running_strain_over_griffith(48);
   EXPECT_GT(coarse, 1);
   EXPECT_LT(coarse, 1.25);

@@ -62,7 +62,7 @@ TEST(Moduli, LayersAreStifferAlongThanAcross) {
         map.grain[map.index(x, y)] = y / 32;
       }
   const auto m = effective_moduli(map, exactly());
-  EXPECT_NEAR(m.young_x, 2.5, 0.08) << "mean of 1 and 4, less the joints, more the clamps";
+  EXPECT_NEAR(m.young_x, 2.5, 0.08) << "mean of 1 and 4, less the seam, more the clamps";
   EXPECT_NEAR(m.young_y, 1.6, 0.16) << "harmonic mean, stiffened by the layers that hold each other's contraction";
   EXPECT_LT(m.shear, m.young_y / 2);
 }

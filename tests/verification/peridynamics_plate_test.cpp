@@ -91,14 +91,14 @@ PhaseMap two_blocks(int side, bool in_series) {
 }
 
 TEST(TwoBlocks, SideBySideCarryTheMeanOfTheirModuliAndInRowTheHarmonicMean) {
-  // But for the joint, where the softer block hinders the other's contraction.
+  // But for the seam, where the softer block hinders the other's contraction.
   const int side = 192;
   const double whole = pull(test::homogeneous_sample(side, side)).report.modulus;
   EXPECT_NEAR(pull(two_blocks(side, false)).report.modulus / whole, 2.5, 0.01 * 2.5);
   EXPECT_NEAR(pull(two_blocks(side, true)).report.modulus / whole, 1.6, 0.01 * 1.6);
 }
 
-TEST(Hole, StressBesideItFollowsKirschAndComesCloserOnAFinerRaster) {
+TEST(Hole, StressBesideItFollowsKirschAndComesCloserOnAFinerGrid) {
   double last = 1;
   for (const int side : {161, 321}) {
     PhaseMap map = test::homogeneous_sample(side, side);

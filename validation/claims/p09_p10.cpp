@@ -108,7 +108,7 @@ PairMeans small_less_large(const Samples& samples, const std::string& number, do
 }
 
 PairMeans matrix_above_mean(const Samples& samples, double from, double to) {
-  const auto share = [&](double width) { return stress_means(samples, "matrix", "share_above_sample_mean", width); };
+  const auto share = [&](double width) { return stress_means(samples, "matrix", "fraction_above_sample_mean", width); };
   return difference(share(to), share(from));
 }
 

@@ -148,8 +148,8 @@ Judgement judge_t19(const Results& results) {
   };
   const auto asked = [&](const char* study) {
     return std::vector<Check>{
-        slope_goes(results, study, "the share of HDPE-HDPE above the whole network's mean", "force.by_type.HDPE-HDPE.share_above_mean_of_all", +1),
-        slope_goes(results, study, "the share of POM-POM above the whole network's mean", "force.by_type.POM-POM.share_above_mean_of_all", -1),
+        slope_goes(results, study, "the share of HDPE-HDPE above the whole network's mean", "force.by_type.HDPE-HDPE.fraction_above_mean_of_all", +1),
+        slope_goes(results, study, "the share of POM-POM above the whole network's mean", "force.by_type.POM-POM.fraction_above_mean_of_all", -1),
         positive("largest force of POM-POM over that of the other types, less 1", "> 0", mean_over_seeds(results.runs(study), over_others("maximum")))};
   };
   Judgement judgement;
@@ -160,9 +160,9 @@ Judgement judge_t19(const Results& results) {
   judgement.checks.push_back(
       reported("mean force of POM-POM over the greater mean of the other types, less 1", mean_over_seeds(results.runs(study_4), over_others(""))));
   add_beside(judgement, "under law R", asked("thesis-ch4-r"));
-  add_choices_of_ratios(judgement, results, "Share of HDPE-HDPE above the whole network's mean", "force.by_type.HDPE-HDPE.share_above_mean_of_all",
+  add_choices_of_ratios(judgement, results, "Share of HDPE-HDPE above the whole network's mean", "force.by_type.HDPE-HDPE.fraction_above_mean_of_all",
                         {{}, {}, wanted_positive()});
-  add_choices_of_ratios(judgement, results, "Share of POM-POM above the whole network's mean", "force.by_type.POM-POM.share_above_mean_of_all",
+  add_choices_of_ratios(judgement, results, "Share of POM-POM above the whole network's mean", "force.by_type.POM-POM.fraction_above_mean_of_all",
                         {{}, {}, wanted_negative()});
   return judgement;
 }

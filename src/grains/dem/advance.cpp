@@ -187,7 +187,7 @@ void Engine::advance(std::int64_t steps) {
   if (integrator.start) integrator.start(s);
   const bool tracked = s.integration.track_energy, programmed = !s.programmes.list.empty();
   const bool edges = tracked || has_driven_edge(s);
-  if (tracked && !s.ledger.open) open_ledger(s);
+  if (tracked && !s.balance.open) open_balance(s);
   for (std::int64_t n = 0; n < steps; ++n) {
     if (programmed) follow_velocities(s);
     const bool near = integrator.sweep(s, team);

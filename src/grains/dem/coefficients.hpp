@@ -1,6 +1,4 @@
 #pragma once
-#include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "grains/dem/parameters.hpp"

@@ -47,7 +47,7 @@ Engine::Engine(Engine&&) noexcept = default;
 Engine& Engine::operator=(Engine&&) noexcept = default;
 
 void synchronise(Sample& s) {
-  s.ledger.open = false;
+  s.balance.open = false;
   if (s.lag == 0 && !s.settled) return;
   std::array<double, 4> rate, place;
   for (std::size_t side = 0; side < 4; ++side) {
@@ -147,7 +147,7 @@ void Engine::set_glue(bool on) {
   s.glue = on;
   bond_touching_pairs(s);
   if (s.integration.track_energy) s.tally.dissipated_breakage += before - adhesive_energy(s);
-  s.ledger.open = false;
+  s.balance.open = false;
 }
 
 void Engine::set_drives(const WallDrives& asked) {

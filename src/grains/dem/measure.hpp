@@ -14,26 +14,4 @@ Equilibrium equilibrium_of(const Sample& sample);
 /// Energy of the adhesion, J, <= 0.
 double adhesive_energy(const Sample& sample);
 
-// Where disks and walls are and how they move at one time. Integrators keep velocities half a step behind (Verlet) or a predicted state (Gear), which
-// is brought to the time of the positions here.
-
-/// Acceleration of inner disk k by contacts, gravity and drag, m/s^2; that of its turning, rad/s^2, as third.
-struct Acceleration {
-  double ax, ay, alpha;
-};
-Acceleration acceleration_of(const Sample& sample, std::size_t k);
-
-/// Velocity of inner disk k, m/s, without the affine motion; its turning, rad/s, as third.
-struct Motion {
-  double vx, vy, omega;
-};
-Motion motion_of(const Sample& sample, std::size_t k);
-
-/// Place of inner disk k, m.
-Vec2 place_of(const Sample& sample, std::size_t k);
-
-/// Velocity and position of a wall (or edge of a periodic cell), m/s and m along +x or +y.
-double wall_rate(const Sample& sample, std::size_t side);
-double wall_place(const Sample& sample, std::size_t side);
-
 }  // namespace arenite::dem

@@ -91,9 +91,18 @@ void sample(History& history, const Engine& engine, const Stage& stage, const Eq
   append(history, "loose_kinetic_ratio", "1", now.loose_kinetic);
 }
 
-/// Keeps the history short however long the stage: when it is full, every second row goes and sampling halves.
-void thin(StageRun& run) {
+/// Makes steps, and looks at what they have led to.
+Equilibrium advance(Engine& engine, std::int64_t steps, StageRun& run) {
+  engine.advance(steps);
+  run.steps_in_increment += steps;
+  return run.latest = engine.equilibrium();
+}
+
+/// Adds a row to the history, where one is due or wanted. It stays short however long the stage: when it is full, every second row goes and sampling
+/// halves.
+void note(const Engine& engine, const Stage& stage, bool wanted, StageRun& run) {
   auto& columns = run.result.history.columns;
+  if (run.checks++ % run.sample_every == 0 || wanted) sample(run.result.history, engine, stage, run.latest, run.increment);
   if (columns.empty() || columns.front().values.size() < history_rows) return;
   for (auto& column : columns) {
     for (std::size_t k = 0; 2 * k < column.values.size(); ++k) column.values[k] = column.values[2 * k];
@@ -126,12 +135,8 @@ void continue_for_a_time(Engine& engine, const Stage& stage, StageRun& run) {
   const std::int64_t frames = std::max<std::int64_t>(1, stage.snapshots);
   const std::int64_t next_frame = total * static_cast<std::int64_t>(run.result.frames.size() + 1) / frames;
   engine.set_drives(drives_for(on_the_ramp(stage, run.force_at_start, 1), engine.domain()));
-  const std::int64_t steps = std::min(check_interval, next_frame - run.steps_in_increment);
-  engine.advance(steps);
-  run.steps_in_increment += steps;
-  const Equilibrium now = run.latest = engine.equilibrium();
-  if (run.checks++ % run.sample_every == 0) sample(run.result.history, engine, stage, now, 0);
-  thin(run);
+  const Equilibrium now = advance(engine, std::min(check_interval, next_frame - run.steps_in_increment), run);
+  note(engine, stage, false, run);
   if (run.steps_in_increment < next_frame) return;
   const auto k = run.result.frames.size() + 1;
   store_frame(engine, now, frames == 1 ? std::string("end") : fmt::format("{} of {}", k, frames), run.result);
@@ -166,13 +171,9 @@ void drive_strain(Engine& engine, const Stage& stage, const StageRun& run, const
 void continue_strain_cycles(Engine& engine, const Stage& stage, StageRun& run) {
   const StrainHalf half = strain_half(*stage.strain_cycles, run.increment, engine.time_step());
   drive_strain(engine, stage, run, half);
-  const std::int64_t steps = std::min(check_interval, half.steps - run.steps_in_increment);
-  engine.advance(steps);
-  run.steps_in_increment += steps;
-  const Equilibrium now = run.latest = engine.equilibrium();
+  const Equilibrium now = advance(engine, std::min(check_interval, half.steps - run.steps_in_increment), run);
   const bool ends = run.steps_in_increment == half.steps;
-  if (run.checks++ % run.sample_every == 0 || ends) sample(run.result.history, engine, stage, now, run.increment);
-  thin(run);
+  note(engine, stage, ends, run);
   if (!ends) return;
   const CyclePlace place = cycle_place(stage, run.increment);
   end_increment(engine, stage, now, fmt::format("cycle {} {}", place.cycle, place.at_maximum ? "maximum" : "minimum"), run);
@@ -185,15 +186,11 @@ void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
   const Increment increment = increment_at(stage, run.force_at_start, run.increment);
   const WallDrives drives = drives_for(increment, engine.domain());
   engine.set_drives(drives);
-  engine.advance(check_interval);
-  run.steps_in_increment += check_interval;
-
-  const Equilibrium now = run.latest = engine.equilibrium();
+  const Equilibrium now = advance(engine, check_interval, run);
   const double wall_error = load_error(drives, engine.domain());
   const bool at_rest = is_at_rest(now, stage.equilibrium) && wall_error < 10 * stage.equilibrium.unbalanced;
   const bool given_up = !at_rest && run.steps_in_increment >= stage.equilibrium.max_steps;
-  if (run.checks++ % run.sample_every == 0 || at_rest) sample(run.result.history, engine, stage, now, run.increment);
-  thin(run);
+  note(engine, stage, at_rest, run);
   if (!at_rest && !given_up) return;
 
   run.result.converged = run.result.converged && at_rest;

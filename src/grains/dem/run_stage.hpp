@@ -2,7 +2,6 @@
 #include <array>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "grains/dem/engine.hpp"
 #include "grains/dem/stage.hpp"

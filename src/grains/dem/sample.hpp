@@ -2,14 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <map>
-#include <utility>
 #include <vector>
 
 #include "grains/dem/coefficients.hpp"
+#include "grains/dem/contact_list.hpp"
+#include "grains/dem/energy_balance.hpp"
 #include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/laws/laws.hpp"
-#include "grains/dem/ledger.hpp"
 #include "grains/dem/parameters.hpp"
 #include "grains/dem/programme.hpp"
 #include "model/packing.hpp"
@@ -29,76 +28,6 @@ static_assert(sizeof(DiskRecord) == 64);
 struct Ghost {
   std::int32_t source = 0;
   std::int32_t shift_x = 0, shift_y = 0;
-};
-
-/// Force of a contact on i, N, and its torques on i and j, N m; all 0 where apart.
-struct alignas(32) SlotForce {
-  double fx = 0, fy = 0, torque_i = 0, torque_j = 0;
-};
-inline bool acts(const SlotForce& f) { return f.fx != 0 || f.fy != 0; }
-
-/// Candidate contacts and what they carry. Slots 0 .. pairs-1 join two disks (i < j, sorted by i; j may be a ghost); the slots behind them join a
-/// disk i with wall `side` (j = wall_partner(side)) or with an element of a boundary (j = boundary_partner(element)), sorted by i. Those from
-/// `polygons` on join a polygon, whose first disk is i, with a point of a boundary.
-struct ContactList {
-  std::size_t pairs = 0, polygons = 0;
-  std::vector<std::int32_t> i, j;
-  std::vector<std::int32_t> owner;                                     ///< the disk that takes the reaction: j, or the source of the ghost j
-  std::vector<double> stiffness, damping, viscosity, strength, shear;  ///< Coefficients of each
-  std::vector<SlotForce> force;                                        ///< one more than slots, which stays 0; behind it those of bonds
-  std::vector<double> memory;                                          ///< of the friction law
-  std::vector<double> normal_memory;                                   ///< of the normal law; empty unless it remembers
-  std::vector<double> rolling_memory;  ///< of the rolling law, turned as the first of the caller's two grains turns; empty without one
-  std::vector<double> pull;            ///< of cohesion now, N; > 0 where a pair is joined. Empty without it
-  std::vector<std::int32_t> curve;     ///< of joined pairs: place in CohesionTable::curve
-  std::vector<std::uint8_t> bond;      ///< of glued pairs: see BondState
-  /// Slots (and bonds' places) by disk, in groups of four that are filled up with the slot whose force stays 0, so that most disks have as many groups as their
-  /// neighbours and the processor guesses the loops' ends right. Those where disk k is i, pairs before walls before bonds, are group[first[2k]] to group[first[2k
-  /// + 1]]; those where it owns the reaction go on to first[2k + 2].
-  std::vector<std::int32_t> group, first;
-
-  std::size_t size() const { return i.size(); }
-  /// What group_slots and list_contacts fill is not touched.
-  void resize(std::size_t slots) {
-    for (auto* a : {&i, &j, &owner}) a->resize(slots);
-    for (auto* a : {&stiffness, &damping, &viscosity, &strength, &shear}) a->resize(slots);
-  }
-};
-
-/// A bond that breaks for good is gone once its contact has opened again.
-enum BondState : std::uint8_t { never_touched = 0, touching = 1 };
-
-/// Pulls of the pairs of radii that have been joined so far, and up to which gap the list must show pairs, m.
-struct CohesionTable {
-  std::vector<PullCurve> curve;
-  std::map<std::pair<double, double>, std::int32_t> place;  ///< by the smaller and the larger radius
-  double reach = 0, steepest = 0;                           ///< m; largest slope of equal grains, N/m
-};
-
-/// A bond that holds, with what follows from its making and from where its disks are numbered now. Its force stands behind those of the contacts, in
-/// ContactList::force at bond_force_place.
-struct BondSlot {
-  enum class State : std::int32_t { holds, breaking, broken };
-  std::int32_t bond = 0;                  ///< place in Sample::bonds
-  std::int32_t i = 0, j = 0;              ///< inner numbers of its disks
-  std::int32_t shift_x = 0, shift_y = 0;  ///< cells by which the image of j that is meant is away from j
-  State state = State::holds;
-  double length = 0, arm_i = 0, arm_j = 0;  ///< when it was made, m; the arms to its middle between the two surfaces
-  Vec2 normal;                              ///< from j to i when the list was built
-  double angle_i = 0, angle_j = 0;          ///< that the grains have where it is not bent and has this normal, rad
-  Beam beam;
-  double strength = 1;                                                ///< over that of the law
-  double tensile = 0, cohesion = 0;                                   ///< that of this bond, Pa
-  double normal_damping = 0, shear_damping = 0, bending_damping = 0;  ///< N s/m, N s/m, N m s
-};
-
-/// The slots' numbers side by side, for the loop over them.
-struct BondNumbers {
-  std::vector<std::int32_t> i, j;
-  std::array<std::vector<double>, bond_columns> column;
-  std::vector<std::uint8_t> look;
-  std::vector<std::int32_t> across;  ///< slots that mean another image of j than j itself
-  bool damped = false;
 };
 
 /// One wall, or one edge of a periodic cell, as a body that moves along its axis.
@@ -218,9 +147,9 @@ struct Sample {
   BondNumbers bond_numbers;
   CohesionTable cohesion;
 
-  Energies tally;        ///< dissipation and work so far
-  Ledger ledger;         ///< only if track_energy
-  bool settled = false;  ///< the integrator has its starting values
+  Energies tally;         ///< dissipation and work so far
+  EnergyBalance balance;  ///< only if track_energy
+  bool settled = false;   ///< the integrator has its starting values
 };
 
 /// Key of an unordered pair of grains (caller's indices).
@@ -228,9 +157,6 @@ inline std::uint64_t pair_key(std::int32_t a, std::int32_t b) {
   const auto low = static_cast<std::uint32_t>(a < b ? a : b), high = static_cast<std::uint32_t>(a < b ? b : a);
   return (std::uint64_t{low} << 32) | high;
 }
-
-/// Where the force of bond slot b stands in the list.
-inline std::size_t bond_force_place(const ContactList& list, std::size_t b) { return list.size() + 1 + b; }
 
 inline std::uint64_t slot_key(const Sample& s, std::size_t slot) {
   const std::int32_t a = s.record[static_cast<std::size_t>(s.list.i[slot])].grain;

@@ -47,14 +47,14 @@ template <class Archive> void transfer(Archive& a, Energies& e) {
 
 /// One list of members for both ways.
 template <class Archive> void transfer(Archive& a, Sample& s) {
-  std::uint8_t glue = s.glue, settled = s.settled, open = s.ledger.open;
+  std::uint8_t glue = s.glue, settled = s.settled, open = s.balance.open;
   auto masses = static_cast<std::int32_t>(s.mass_scaling);
   a(masses), a(s.inertial_number);
   s.mass_scaling = static_cast<MassScaling>(masses);
   a(s.step), a(s.lag), a(s.friction), a(s.wall_friction), a(s.drag), a(s.gravity.x), a(s.gravity.y), a(glue), a(settled), a(open);
   s.glue = glue != 0;
   s.settled = settled != 0;
-  s.ledger.open = open != 0;
+  s.balance.open = open != 0;
   for (auto& wall : s.domain.wall) transfer(a, wall);
   a(s.domain.tilt);
   for (auto& wall : s.listed_domain.wall) transfer(a, wall);
@@ -71,9 +71,9 @@ template <class Archive> void transfer(Archive& a, Sample& s) {
   a(s.live_bonds);
   if (!s.part.empty()) a(s.body), a(s.part);
   transfer(a, s.tally);
-  a(s.ledger.known);
-  for (auto& w : s.ledger.powers)
-    for (auto* v : {&w.dashpots, &w.friction, &w.drag, &w.gravity, &w.walls, &w.servo}) a(*v);
+  a(s.balance.known);
+  for (auto& w : s.balance.powers)
+    for (const auto term : work_terms) a(w.*term);
 }
 
 template <class Archive> void transfer_step(Archive& a, Sample& s) { a(s.dt), a(s.steps_before), a(s.time_before); }
@@ -192,11 +192,11 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   s.domain = domain;
   std::copy(disks.begin(), disks.end(), s.record.begin());
   refresh_ghosts(s);
-  if (s.ledger.open) {  // a snapshot of the same state has the same bits; Gear's powers are older
-    const Ledger stored = s.ledger;
-    open_ledger(s);
-    s.ledger.powers = stored.powers;
-    s.ledger.known = stored.known;
+  if (s.balance.open) {  // a snapshot of the same state has the same bits; Gear's powers are older
+    const EnergyBalance stored = s.balance;
+    open_balance(s);
+    s.balance.powers = stored.powers;
+    s.balance.known = stored.known;
   }
   sample = std::move(s);
 }

@@ -95,8 +95,8 @@ Distribution distribution(const Items& items, const std::vector<int>& block_of, 
   };
   const auto estimates = jackknife(items, block_of, statistics);
   d.mean = estimates[0];
-  d.share_above = estimates[1];
-  d.share_above_all = estimates[2];
+  d.fraction_above_mean = estimates[1];
+  d.fraction_above_mean_of_all = estimates[2];
   const double own_mean = mean_of(items, value);
   if (own_mean == 0) return d;
   auto sorted = mapped(items, [&](std::size_t i) { return value[i] / own_mean; });

@@ -60,8 +60,8 @@ Numbers fabric(const Texture& t, bool curves) {
 Numbers distribution(const Distribution& d, const char* mean, const char* share, bool curves) {
   Numbers j{{"count", d.count}};
   put(j, mean, d.mean);
-  put(j, share, d.share_above);
-  put(j, "share_above_mean_of_all", d.share_above_all);
+  put(j, share, d.fraction_above_mean);
+  put(j, "fraction_above_mean_of_all", d.fraction_above_mean_of_all);
   put(j, "maximum", d.maximum);
   put(j, "beta", d.tail.beta);
   put(j, "beta_error", d.tail.beta.error);
@@ -135,7 +135,7 @@ void put_fabric(Lines& lines, const std::string& name, const Fabric& f) {
 
 void put_distribution(Lines& lines, const std::string& what, const Distribution& d, const char* unit, double scale = 1) {
   lines.put("mean " + what, d.mean, unit, scale);
-  lines.put("share above the mean, " + what, d.share_above);
+  lines.put("share above the mean, " + what, d.fraction_above_mean);
   lines.put("beta of the strong tail, " + what, d.tail.beta);
 }
 

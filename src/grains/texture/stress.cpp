@@ -20,14 +20,14 @@ Tensor2 moment_of(const Packing& packing, const CohesivePair& pair) {
 }
 
 /// Where the branch of a bond or pull touches grain i.
-template <class Joint> Vec2 middle_of(const Packing& packing, const Joint& joint) {
-  const auto i = static_cast<std::size_t>(joint.i);
-  const Vec2 branch = branch_of(packing, joint);
+template <class Link> Vec2 middle_of(const Packing& packing, const Link& link) {
+  const auto i = static_cast<std::size_t>(link.i);
+  const Vec2 branch = branch_of(packing, link);
   return packing.grains.centre(i) - packing.grains.radius[i] / norm(branch) * branch;
 }
 
 /// Calls `see` for each bond and each cohesive pair.
-template <class See> void each_joint(const Packing& packing, const See& see) {
+template <class See> void each_link(const Packing& packing, const See& see) {
   for (const Bond& bond : packing.bonds) see(bond);
   for (const CohesivePair& pair : packing.cohesive) see(pair);
 }
@@ -45,11 +45,11 @@ TensorEstimate whole_stress(const View& view) {
   std::vector<Tensor2> density(static_cast<std::size_t>(blocks.count()));
   for (std::size_t c = 0; c < view.pairs().size(); ++c)
     density[static_cast<std::size_t>(blocks.block_of(view.contact_point(c)))] += blocks.count() / volume * moment_of(view.pairs(), c);
-  each_joint(view.packing, [&](const auto& joint) {
-    density[static_cast<std::size_t>(blocks.block_of(middle_of(view.packing, joint)))] += blocks.count() / volume * moment_of(view.packing, joint);
+  each_link(view.packing, [&](const auto& link) {
+    density[static_cast<std::size_t>(blocks.block_of(middle_of(view.packing, link)))] += blocks.count() / volume * moment_of(view.packing, link);
   });
   Tensor2 sum = internal_moment(view.pairs());
-  sum += joint_moment(view.packing);
+  sum += link_moment(view.packing);
   return {1 / volume * sum, block_error(density)};
 }
 
@@ -106,9 +106,9 @@ Tensor2 internal_moment(const Contacts& contacts) {
   return sum;
 }
 
-Tensor2 joint_moment(const Packing& packing) {
+Tensor2 link_moment(const Packing& packing) {
   Tensor2 sum;
-  each_joint(packing, [&](const auto& joint) { sum += moment_of(packing, joint); });
+  each_link(packing, [&](const auto& link) { sum += moment_of(packing, link); });
   return sum;
 }
 
@@ -120,10 +120,10 @@ std::vector<Tensor2> grain_moments(const Packing& packing) {
     moments[static_cast<std::size_t>(contacts.i[c])] += outer(f, contacts.lever_i(c));
     if (!contacts.is_wall(c)) moments[static_cast<std::size_t>(contacts.j[c])] += outer(-f, contacts.lever_j(c));
   }
-  each_joint(packing, [&](const auto& joint) {
-    const auto i = static_cast<std::size_t>(joint.i), j = static_cast<std::size_t>(joint.j);
+  each_link(packing, [&](const auto& link) {
+    const auto i = static_cast<std::size_t>(link.i), j = static_cast<std::size_t>(link.j);
     const double ri = packing.grains.radius[i], rj = packing.grains.radius[j];
-    const Tensor2 moment = moment_of(packing, joint);
+    const Tensor2 moment = moment_of(packing, link);
     moments[i] += ri / (ri + rj) * moment;
     moments[j] += rj / (ri + rj) * moment;
   });

@@ -98,10 +98,10 @@ struct PowerLaw {
 /// One set of positive values (forces, stresses) over their own mean, x = F/<F>.
 struct Distribution {
   std::size_t count = 0;
-  Estimate mean;             ///< N or Pa
-  Estimate share_above;      ///< share above the set's own mean (P_0)
-  Estimate share_above_all;  ///< share above the mean of all
-  double maximum = unknown;  ///< largest x
+  Estimate mean;                        ///< N or Pa
+  Estimate fraction_above_mean;         ///< share above the set's own mean (P_0)
+  Estimate fraction_above_mean_of_all;  ///< share above the mean of all
+  double maximum = unknown;             ///< largest x
   ExponentialTail tail;
   PowerLaw weak;
   Estimate k;          ///< from 1/k = 1/(1 - alpha) + 1/beta
@@ -215,7 +215,7 @@ std::string to_text(const Texture& texture);
 /// the stress, tension positive (T eq. 1.10).
 Tensor2 internal_moment(const Contacts& contacts);
 /// The same sum over the bonds of a packing, and over its cohesive pairs that are apart.
-Tensor2 joint_moment(const Packing& packing);
+Tensor2 link_moment(const Packing& packing);
 
 /// Internal moment of every grain about its centre, N m (T eq. 1.9). Their sum is the sum over contacts, bonds and pulls across gaps.
 std::vector<Tensor2> grain_moments(const Packing& packing);

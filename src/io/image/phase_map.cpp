@@ -120,7 +120,7 @@ std::string proposal(const Counts& counts) {
 
 PhaseTable guess(const Counts& counts, std::size_t total, const std::string& file, std::vector<std::string>& notes) {
   if (counts.size() == 1)
-    refuse(file, "has the value {} everywhere: nothing tells particles from void; give a picture of at least two values", counts.begin()->first);
+    refuse(file, "has the value {} everywhere: nothing distinguishes particles from void; give a picture of at least two values", counts.begin()->first);
   constexpr std::size_t too_many = 8;
   if (counts.size() > too_many)
     refuse(file,

@@ -5,10 +5,10 @@
 namespace arenite::io {
 namespace {
 
-template <class Joints> void check_ends(const ResultPart& at, const Joints& joints, std::size_t grains) {
+template <class Necks> void check_ends(const ResultPart& at, const Necks& necks, std::size_t grains) {
   if (!at.reads()) return;
-  for (const auto& joint : joints)
-    for (const std::int32_t g : {joint.i, joint.j})
+  for (const auto& neck : necks)
+    for (const std::int32_t g : {neck.i, neck.j})
       if (g < 0 || static_cast<std::size_t>(g) >= grains) at.take->refuse("names a grain that does not exist");
 }
 
@@ -36,7 +36,7 @@ void transfer_map(const ResultPart& at, PhaseMap& map) {
   group.note("first_row", "bottom");
   group.note("phases", "0 empty, 1 matrix, 2 particle");
   constexpr int largest = 1 << 20;
-  if (at.reads() && (map.width < 0 || map.height < 0 || map.width > largest || map.height > largest)) group.take->refuse("has a size that makes no sense");
+  if (at.reads() && (map.width < 0 || map.height < 0 || map.width > largest || map.height > largest)) group.take->refuse("has an impossible size");
   const Shape shape{map.height, map.width};
   auto phases = converted<std::uint8_t>(map.phase), classes = converted<std::uint8_t>(map.grain_class);
   group.image("phase", phases, shape);

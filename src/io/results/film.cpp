@@ -62,7 +62,7 @@ void transfer_film(const ResultPart& at, FilmResult& r) {
   group("origin_y [m]", r.origin.y);
   if (!at.reads()) return;
   constexpr int largest = 1 << 16;
-  if (r.film.width < 0 || r.film.height < 0 || r.film.width > largest || r.film.height > largest) group.take->refuse("has a size that makes no sense");
+  if (r.film.width < 0 || r.film.height < 0 || r.film.width > largest || r.film.height > largest) group.take->refuse("has an impossible size");
   r.maps.width = r.film.width;
   r.maps.height = r.film.height;
 }

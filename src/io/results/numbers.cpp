@@ -1,5 +1,8 @@
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 #include "core/mapped.hpp"
 #include "io/disk/file.hpp"
@@ -50,6 +53,41 @@ Numbers leaf(Numbers::Kind kind, double value, const std::string& text) {
   return {};
 }
 
+/// Names in results of former versions, and what they are called now.
+constexpr std::pair<std::string_view, std::string_view> former_names[] = {{"raster", "grid"},
+                                                                          {"joints", "necks"},
+                                                                          {"lost_joints", "lost_necks"},
+                                                                          {"thinnest_joint_nodes", "thinnest_neck_nodes"},
+                                                                          {"identity_defect", "reaction_balance_error"},
+                                                                          {"energy_defect", "energy_balance_error"},
+                                                                          {"share_above_mean", "fraction_above_mean"},
+                                                                          {"share_above_own_mean", "fraction_above_own_mean"},
+                                                                          {"share_above_sample_mean", "fraction_above_sample_mean"},
+                                                                          {"share_above_mean_of_all", "fraction_above_mean_of_all"}};
+
+std::string_view name_now(std::string_view name) {
+  for (const auto& [former, now] : former_names)
+    if (name == former) return now;
+  return name;
+}
+
+/// The tree with other names, or other values in place of its own.
+template <class Name, class Leaf> Numbers remade(const Numbers& numbers, const Name& name, const Leaf& leaf) {
+  if (numbers.is_list()) return mapped(numbers, [&](const Numbers& item) { return remade(item, name, leaf); });
+  if (!numbers.is_tree()) return leaf(numbers);
+  Numbers tree = Numbers::tree();
+  for (const auto& [own, item] : numbers.items()) tree[name(own)] = remade(item, name, leaf);
+  return tree;
+}
+
+Numbers under_names_of_now(const Numbers& numbers) { return remade(numbers, name_now, std::identity()); }
+
+/// With nothing in place of numbers that are not finite.
+Numbers finite(const Numbers& numbers) {
+  const auto known = [](const Numbers& n) { return n.kind() == Numbers::Kind::real && !std::isfinite(n.get<double>()) ? Numbers{} : n; };
+  return remade(numbers, std::identity(), known);
+}
+
 /// Takes rows from `row` on that lie deeper than their parent.
 Numbers node_at(const NumberRows& table, std::size_t& row) {
   const std::size_t own = row++;
@@ -79,17 +117,6 @@ Numbers read_rows(const Hdf5Reader& at) {
   at.refuse("holds numbers that are damaged");
 }
 
-/// With nothing in place of numbers that are not finite.
-Numbers finite(const Numbers& numbers) {
-  if (numbers.is_list()) return mapped(numbers, finite);
-  if (numbers.is_tree()) {
-    Numbers tree = Numbers::tree();
-    for (const auto& [name, item] : numbers.items()) tree[name] = finite(item);
-    return tree;
-  }
-  return numbers.kind() == Numbers::Kind::real && !std::isfinite(numbers.get<double>()) ? Numbers{} : numbers;
-}
-
 }  // namespace
 
 void write_numbers(const Hdf5Writer& at, const std::string& name, const Numbers& numbers) {
@@ -104,12 +131,12 @@ void write_numbers(const Hdf5Writer& at, const std::string& name, const Numbers&
 }
 
 Numbers read_numbers(const Hdf5Reader& at, const std::string& name) {
-  if (at.has_group(name)) return read_rows(at.group(name));
+  if (at.has_group(name)) return under_names_of_now(read_rows(at.group(name)));
   const std::string json = at.text(name);
   if (json.empty()) return {};
   auto numbers = from_json(json);
   if (!numbers || !numbers->is_tree()) at.refuse(fmt::format("holds numbers \"{}\" that are damaged", name));
-  return std::move(*numbers);
+  return under_names_of_now(*numbers);
 }
 
 void write_numbers_file(const std::filesystem::path& path, const Numbers& numbers) {
@@ -120,7 +147,7 @@ void write_numbers_file(const std::filesystem::path& path, const Numbers& number
 
 Numbers read_numbers_file(const std::filesystem::path& path, const std::filesystem::path& former_json) {
   if (std::filesystem::exists(path)) return read_numbers(Hdf5Reader(read_checksummed(path, "numbers"), path.string()), "numbers");
-  return std::filesystem::exists(former_json) ? from_json(read_file(former_json)).value_or(Numbers{}) : Numbers{};
+  return std::filesystem::exists(former_json) ? under_names_of_now(from_json(read_file(former_json)).value_or(Numbers{})) : Numbers{};
 }
 
 }  // namespace arenite::io

@@ -19,7 +19,7 @@ void write_stage(const std::filesystem::path& path, const StageResult& result);
 /// Reads it back bit for bit. Throws InputError for a file that is missing, foreign, newer, cut short or damaged.
 StageResult read_stage(const std::filesystem::path& path);
 
-/// Writes a result on a raster as one HDF5 file, all or nothing: the same result gives the same bytes. /map and /field hold arrays of height x width
+/// Writes a result on a grid as one HDF5 file, all or nothing: the same result gives the same bytes. /map and /field hold arrays of height x width
 /// nodes, the bottom row first; those of the field in single precision, with their SI unit as the attribute "unit". Other groups: /provenance,
 /// /outcome, /packing, /cement, /convergence, /curve, /cracks, /numbers.
 void write_field(const std::filesystem::path& path, const FieldResult& result);

@@ -24,7 +24,7 @@ struct CementParameters {
   bool operator==(const CementParameters&) const = default;
 };
 
-/// Areas inside a window by geometry, without a raster, m^2: grains and matrix, each overlap once.
+/// Areas inside a window by geometry, without a grid, m^2: grains and matrix, each overlap once.
 struct Areas {
   double window = 0, particle = 0, matrix = 0;
   /// S_m: matrix over what is not grain; 0 where all is grain.
@@ -36,7 +36,7 @@ struct CementReport {
   double saturation = 0;        ///< S_m of these
   double saturation_error = 0;  ///< S_m less the one asked for; 0 where none was
   double parameter = 0;         ///< width, thickness (m) or volume (m^2) used; 0 for none and full
-  std::size_t joints = 0;       ///< bridges or menisci made, in the whole packing
+  std::size_t necks = 0;        ///< bridges or menisci made, in the whole packing
   std::size_t ruptured = 0;     ///< menisci too small to span their gap, so not there
   std::size_t capped = 0;       ///< menisci that hold less than asked: their arcs are straight and can hold no more
 };

@@ -98,8 +98,8 @@ void check(const CementParameters& p, const Window& w) {
   const auto length = [&](const char* what, double value) {
     problems.unless(value >= 0 && std::isfinite(value), "{} of {:g} is no length; give at least 0", what, value);
   };
-  const bool joints = p.kind == Kind::bridges || p.kind == Kind::menisci;
-  if (joints) length("the cement's gap", p.gap);
+  const bool necks = p.kind == Kind::bridges || p.kind == Kind::menisci;
+  if (necks) length("the cement's gap", p.gap);
   if (p.kind == Kind::bridges && !p.saturation)
     problems.unless(p.width >= 0 && p.width <= widest(p), "a bridge's width of {:g} radii is out of range; give 0 to {:g}, as wide as the grain", p.width,
                     widest(p));
@@ -130,7 +130,7 @@ class Maker {
     if (p_.kind == Kind::coating) cement.coating = parameter;
     if (p_.kind == Kind::bridges && parameter > 0) add_bridges(packing_, pairs_, p_.full_width ? 0.5 * parameter : parameter, cement);
     if (p_.kind == Kind::menisci && parameter > 0) add_menisci(packing_, pairs_, parameter, cement, report);
-    report.joints = cement.bridges.size() + cement.menisci.size();
+    report.necks = cement.bridges.size() + cement.menisci.size();
     report.areas = exact_areas(packing_, cement, window_);
     report.saturation = report.areas.saturation();
     return cement;

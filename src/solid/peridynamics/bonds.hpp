@@ -15,7 +15,7 @@
 
 namespace arenite::peridynamics {
 
-/// How a raster lies in memory while it is worked on: rows padded with empty nodes by at least a horizon on every side,
+/// How a grid lies in memory while it is worked on: rows padded with empty nodes by at least a horizon on every side,
 /// so that no loop asks where the sample ends, and to whole vectors of 16 nodes, so that loops run in full lanes.
 struct Grid {
   static constexpr int lanes = 8;    ///< nodes of a group

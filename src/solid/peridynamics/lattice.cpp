@@ -1,8 +1,5 @@
 #include "solid/peridynamics/lattice.hpp"
 
-#include <cstdlib>
-#include <numbers>
-
 namespace arenite::peridynamics {
 
 LatticeModuli lattice_moduli(double micromodulus) {
@@ -18,17 +15,5 @@ LatticeModuli lattice_moduli(double micromodulus) {
 }
 
 double calibration_factor() { return 1 / lattice_moduli().young_axis; }
-
-double crack_energy_axis(double micromodulus) {
-  double g = 0;
-  for (const auto e : half_bonds) g += micromodulus * length(e) / 2 * e.y;
-  return g;
-}
-
-double crack_energy_diagonal(double micromodulus) {
-  double g = 0;
-  for (const auto e : half_bonds) g += micromodulus * length(e) / 2 * std::abs(e.x + e.y) / std::numbers::sqrt2;
-  return g;
-}
 
 }  // namespace arenite::peridynamics

@@ -35,9 +35,4 @@ LatticeModuli lattice_moduli(double micromodulus = nominal_micromodulus);
 /// Factor on the micromodulus that makes the lattice's Young modulus along its axes the one asked for (0.9394877).
 double calibration_factor();
 
-/// Energy that opening a crack costs per unit length and squared critical stretch, for E = dx = 1: the sum over the
-/// bonds that cross a line along the axes, or along the diagonal.
-double crack_energy_axis(double micromodulus = nominal_micromodulus);
-double crack_energy_diagonal(double micromodulus = nominal_micromodulus);
-
 }  // namespace arenite::peridynamics

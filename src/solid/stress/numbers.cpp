@@ -28,8 +28,8 @@ Numbers distribution(const Distribution& d, bool curves) {
   put(j, "own_variance", d.own_variance);
   put(j, "skewness", d.skewness);
   put(j, "excess_kurtosis", d.excess_kurtosis);
-  put(j, "share_above_own_mean", d.share_above);
-  put(j, "share_above_sample_mean", d.share_above_all);
+  put(j, "fraction_above_own_mean", d.fraction_above_mean);
+  put(j, "fraction_above_sample_mean", d.fraction_above_mean_of_all);
   put(j, "quantiles", d.quantiles);
   put(j, "minimum", d.minimum);
   put(j, "maximum", d.maximum);
@@ -82,7 +82,7 @@ using statistics::with_error;
 void put_set(Lines& lines, const std::string& what, const Distribution& d) {
   if (d.relative_mean.error > 1e-12) lines.put("mean, " + what, d.relative_mean, "of the sample's");
   lines.put("variance, " + what, d.variance);
-  lines.put("share above the mean, " + what, d.share_above);
+  lines.put("share above the mean, " + what, d.fraction_above_mean);
   if (const Estimate* q = statistics::find(d.quantiles, "99.9 %")) lines.put("99.9 % quantile, " + what, *q);
   lines.put("excess kurtosis, " + what, d.excess_kurtosis);
   if (std::isfinite(d.tail.slope.value))

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -121,13 +120,13 @@ void describe_ranks(const Scaled& s, const BlockCounts& counts, const std::vecto
     const Powers powers = s.all - s.powers[b];
     if (!(powers.n > 0)) continue;
     const double sample = normaliser.without[b] / s.unit;
-    std::vector<double> row{statistics::share_above(counts.bins, rest, s.centre + powers.d1 / powers.n), statistics::share_above(counts.bins, rest, sample)};
+    std::vector<double> row{statistics::survival(counts.bins, rest, s.centre + powers.d1 / powers.n), statistics::survival(counts.bins, rest, sample)};
     for (const auto& [name, p] : quantile_shares) row.push_back(statistics::quantile(counts.bins, rest, p) / sample);
     replicates.push_back(std::move(row));
   }
   const auto e = statistics::with_errors(values, replicates);
-  d.share_above = e[0];
-  d.share_above_all = e[1];
+  d.fraction_above_mean = e[0];
+  d.fraction_above_mean_of_all = e[1];
   for (std::size_t k = 0; k < std::size(quantile_shares); ++k) d.quantiles.emplace_back(quantile_shares[k].first, e[k + 2]);
 }
 

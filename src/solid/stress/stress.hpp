@@ -1,7 +1,6 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,8 +59,8 @@ struct Distribution {
   Estimate variance;       ///< of the stress over the sample's mean
   Estimate own_variance;   ///< of the stress over the set's own mean
   Estimate skewness, excess_kurtosis;
-  Estimate share_above;                         ///< share of nodes above the set's own mean
-  Estimate share_above_all;                     ///< above the sample's
+  Estimate fraction_above_mean;                 ///< share of nodes above the set's own mean
+  Estimate fraction_above_mean_of_all;          ///< above the sample's
   ByName<Estimate> quantiles;                   ///< over the sample's mean; "0.01 %" to "99.99 %"
   double minimum = unknown, maximum = unknown;  ///< over the sample's mean
   statistics::TailFit tail;                     ///< of the stress over the set's own mean (P IV.B, Fig. 14d)

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/root.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -129,13 +130,7 @@ double best_relaxation(const Matrix& series, const Place& at) {
   double best = std::log(shortest), most = -1;
   for (double t = std::log(shortest); t <= std::log(at.length()); t += std::log(rung))
     if (const double e = explained(t); e > most) most = e, best = t;
-  double low = best - std::log(rung), high = best + std::log(rung);
-  for (int turn = 0; turn < 20; ++turn) {
-    const double a = low + 0.382 * (high - low), b = low + 0.618 * (high - low);
-    if (explained(a) > explained(b)) high = b;
-    else low = a;
-  }
-  return std::exp((low + high) / 2);
+  return std::exp(minimum_between([&](double log_time) { return -explained(log_time); }, best - std::log(rung), best + std::log(rung)));
 }
 
 /// The side with or without the exponential; what is left of one that is not sure is an error. Its functions are orthonormal, so that

@@ -57,6 +57,15 @@ TEST(NumbersTable, NumbersOfVersion01AreRead) {
   EXPECT_FALSE(io::read_numbers(at, "none").is_known());
 }
 
+TEST(NumbersTable, FormerNamesAreReadUnderThoseOfNow) {
+  const Numbers former{{"raster", {{"joints", 5}, {"lost_joints", 1}, {"thinnest_joint_nodes", 3}}}, {"sets", {{{"share_above_own_mean", 0.4}}}}};
+  const Numbers now{{"grid", {{"necks", 5}, {"lost_necks", 1}, {"thinnest_neck_nodes", 3}}}, {"sets", {{{"fraction_above_own_mean", 0.4}}}}};
+  EXPECT_EQ(through_a_file(former), now);
+  const io::Hdf5Writer file;
+  file.write_text("numbers", to_json(former));
+  EXPECT_EQ(io::read_numbers(io::Hdf5Reader(file.bytes(), "old.h5"), "numbers"), now);
+}
+
 TEST(NumbersTable, WhatIsDamagedIsTold) {
   for (const char* json : {R"({"grains": )", "[1, 2]", "5", "{\"grains\": \"\xff\"}"}) {
     const io::Hdf5Writer file;

@@ -64,7 +64,7 @@ CementSection any_cement() {
   return cement;
 }
 
-GridSection any_raster() {
+GridSection any_grid() {
   return {*rc::gen::inRange(7, 4000), maybe(any_number(0.02)), {*rc::gen::arbitrary<bool>(), *rc::gen::inRange(1, 9), *rc::gen::arbitrary<bool>()}};
 }
 
@@ -145,7 +145,7 @@ Recipe any_recipe() {
   for (int i = 0; i < *rc::gen::inRange(1, 4); ++i) recipe.stages.push_back(any_stage(i, has_adhesion));
   if (*rc::gen::arbitrary<bool>()) sample_two_classes(recipe);
   recipe.cement = maybe(any_cement());
-  recipe.grid = maybe(any_raster());
+  recipe.grid = maybe(any_grid());
   for (int i = 0; i < *rc::gen::inRange(0, 3); ++i) recipe.loads.push_back(any_load(i));
   return recipe;
 }

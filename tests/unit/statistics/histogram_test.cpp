@@ -71,7 +71,7 @@ TEST(BlockedSample, QuantilesByRankAreThoseOfTheSortedValues) {
 
 TEST(BlockedSample, QuantileAndShareInBinsAreEachOthersInverse) {
   const BlockCounts counts = counted(drawn(20000, 4, [](RandomStream& r) { return r.normal(); }));
-  for (const double p : {0.01, 0.3, 0.5, 0.9, 0.995}) EXPECT_NEAR(share_above(counts.bins, counts.all, quantile(counts.bins, counts.all, p)), 1 - p, 1e-9);
+  for (const double p : {0.01, 0.3, 0.5, 0.9, 0.995}) EXPECT_NEAR(survival(counts.bins, counts.all, quantile(counts.bins, counts.all, p)), 1 - p, 1e-9);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #pragma once
 #include "core/problems.hpp"
 #include "core/threads.hpp"
+#include "grains/dem/integrators/motion.hpp"
 #include "grains/dem/kernels/kernel.hpp"
-#include "grains/dem/measure.hpp"
 #include "grains/dem/sample.hpp"
 
 namespace arenite::dem {

@@ -2,8 +2,8 @@
 
 #include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/forces.hpp"
+#include "grains/dem/integrators/motion.hpp"
 #include "grains/dem/integrators/nordsieck.hpp"
-#include "grains/dem/measure.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/setup.hpp"
 #include "grains/dem/walls.hpp"

@@ -35,7 +35,7 @@ template <int extrapolation> bool verlet(Sample& s, const Team& team) {
 
 }  // namespace
 
-const Integrator velocity_verlet{{"velocity_verlet", "second order, the sturdiest"}, verlet<1>, nullptr, 0, 0, 0.5, 0.25, 1, 2};
+const Integrator velocity_verlet{{"velocity_verlet", "second order, the most robust"}, verlet<1>, nullptr, 0, 0, 0.5, 0.25, 1, 2};
 const Integrator leapfrog{{"leapfrog", "second order, velocities half a step off"}, verlet<0>, nullptr, 0, 0, 1, 0.25, 0.5, 2};
 
 namespace {

@@ -49,9 +49,9 @@ TEST(Forces, ByTypeKnowTheirOwnMeanAndThatOfAll) {
     p.contacts.fn[c] = 1 + p.grains.material[static_cast<std::size_t>(p.contacts.i[c])] + p.grains.material[static_cast<std::size_t>(p.contacts.j[c])];
   const Texture t = measure(p);
   EXPECT_DOUBLE_EQ(find(t.force.compressive, "B-B")->mean.value, 3);
-  EXPECT_DOUBLE_EQ(find(t.force.compressive, "B-B")->share_above.value, 0);
-  EXPECT_DOUBLE_EQ(find(t.force.compressive, "B-B")->share_above_all.value, 1);
-  EXPECT_DOUBLE_EQ(find(t.force.compressive, "A-A")->share_above_all.value, 0);
+  EXPECT_DOUBLE_EQ(find(t.force.compressive, "B-B")->fraction_above_mean.value, 0);
+  EXPECT_DOUBLE_EQ(find(t.force.compressive, "B-B")->fraction_above_mean_of_all.value, 1);
+  EXPECT_DOUBLE_EQ(find(t.force.compressive, "A-A")->fraction_above_mean_of_all.value, 0);
   EXPECT_DOUBLE_EQ(find(t.force.compressive, "all")->mean.value, (36.0 * 1 + 24 * 2 + 12 * 3) / 72);
 }
 

@@ -75,8 +75,8 @@ TEST(Distribution, OfAPurelyExponentialForceHasKnownShares) {
   const Distribution d = distribution(items, block, force, 6.0);
   EXPECT_NEAR(d.mean.value, 3, 4 * d.mean.error);
   EXPECT_NEAR(d.mean.error, 3 / std::sqrt(20000.0), 0.35 * 3 / std::sqrt(20000.0));
-  EXPECT_NEAR(d.share_above.value, std::exp(-1), 4 * d.share_above.error);
-  EXPECT_NEAR(d.share_above_all.value, std::exp(-2), 4 * d.share_above_all.error);
+  EXPECT_NEAR(d.fraction_above_mean.value, std::exp(-1), 4 * d.fraction_above_mean.error);
+  EXPECT_NEAR(d.fraction_above_mean_of_all.value, std::exp(-2), 4 * d.fraction_above_mean_of_all.error);
   EXPECT_NEAR(d.tail.beta.value, 1, 4 * d.tail.beta.error);
   double area = 0;
   for (const double y : d.pdf.y) area += y * (d.pdf.x[1] - d.pdf.x[0]);

@@ -63,7 +63,7 @@ TEST(Stress, ThatALaboratoryCouldNotMeasureIsLeftOutOfMeansAndDistributions) {
   const auto* all = find(t.sigma_norm.sets, "all");
   ASSERT_NE(all, nullptr);
   EXPECT_DOUBLE_EQ(all->mean.value, -2e6);
-  EXPECT_DOUBLE_EQ(all->share_above.value, 0.5);
+  EXPECT_DOUBLE_EQ(all->fraction_above_mean.value, 0.5);
 }
 
 TEST(Stress, OfAGrainUnderItsWeightIsBalancedByTheWallBelow) {

@@ -74,9 +74,9 @@ TEST(Bridges, BetweenTwoEqualDisksHaveTheClosedFormsArea) {
 
 TEST(Bridges, JoinGrainsWhoseGapIsAtMostEll) {
   const Packing three = disks({{0, 0, 1}, {2.05, 0, 1}, {0, 2.2, 1}}, 10);
-  EXPECT_EQ(made(three, bridges(0.04, 0.4)).joints, 0u);
-  EXPECT_EQ(made(three, bridges(0.06, 0.4)).joints, 1u);
-  EXPECT_EQ(made(three, bridges(0.21, 0.4)).joints, 2u);
+  EXPECT_EQ(made(three, bridges(0.04, 0.4)).necks, 0u);
+  EXPECT_EQ(made(three, bridges(0.06, 0.4)).necks, 1u);
+  EXPECT_EQ(made(three, bridges(0.21, 0.4)).necks, 2u);
 }
 
 TEST(Bridges, FillAPoreOfThreeGrainsAtHalfWidthOverRootThree) {
@@ -117,7 +117,7 @@ TEST(Menisci, HoldTheVolumeAskedFor) {
         const double d = 1 + ratio + gap;
         const Packing two = disks({{0.2, -0.4, 1}, {0.2 - 0.6 * d, -0.4 + 0.8 * d, ratio}}, 10);
         const auto report = made(two, menisci(0.06, volume));
-        EXPECT_EQ(report.joints, 1u);
+        EXPECT_EQ(report.necks, 1u);
         EXPECT_NEAR(report.areas.matrix, volume, 1e-11) << gap << " " << ratio;
       }
 }
@@ -139,7 +139,7 @@ TEST(Menisci, RuptureWhereTheArcsMeetAndEndAtStraightTangents) {
   const double least = 2 * (a * arc - angle - (pi / 2 - angle) * arc * arc), most = 2 * (2 * a) - pi;
   EXPECT_EQ(made(two, menisci(0.2, least * (1 - 1e-9))).ruptured, 1u);
   EXPECT_EQ(made(two, menisci(0.2, least * (1 - 1e-9))).areas.matrix, 0);
-  EXPECT_EQ(made(two, menisci(0.2, least * (1 + 1e-9))).joints, 1u);
+  EXPECT_EQ(made(two, menisci(0.2, least * (1 + 1e-9))).necks, 1u);
   EXPECT_NEAR(matrix(two, menisci(0.2, least * (1 + 1e-6))), least, 1e-5 * least);
   EXPECT_EQ(made(two, menisci(0.2, most * (1 - 1e-9))).capped, 0u);
   EXPECT_NEAR(matrix(two, menisci(0.2, most * (1 - 1e-9))), most, 1e-7);

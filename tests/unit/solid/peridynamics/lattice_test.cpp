@@ -5,6 +5,8 @@
 #include <numbers>
 #include <set>
 
+#include "support/crack_energy.hpp"
+
 namespace arenite::peridynamics {
 namespace {
 

@@ -78,7 +78,7 @@ TEST(NodeStress, MomentsAndQuantilesAreThoseOfTheLaw) {
   EXPECT_NEAR(d.variance.value, 1, 4 * d.variance.error);
   EXPECT_NEAR(d.skewness.value, 2, 4 * d.skewness.error);
   EXPECT_NEAR(d.excess_kurtosis.value, 6, 4 * d.excess_kurtosis.error);
-  EXPECT_NEAR(d.share_above.value, std::exp(-1), 4 * d.share_above.error);
+  EXPECT_NEAR(d.fraction_above_mean.value, std::exp(-1), 4 * d.fraction_above_mean.error);
   EXPECT_NEAR(find(d.quantiles, "50 %")->value, std::log(2), 4 * find(d.quantiles, "50 %")->error);
   EXPECT_NEAR(find(d.quantiles, "99.9 %")->value, std::log(1000), 4 * find(d.quantiles, "99.9 %")->error);
   EXPECT_NEAR(d.tail.slope.value, 1, 4 * d.tail.slope.error);
@@ -99,8 +99,8 @@ TEST(NodeStress, TwoHalvesOfOneStressEach) {
   EXPECT_NEAR(set(s, "all").variance.value, 0.25, 1e-12);
   EXPECT_NEAR(set(s, "all").skewness.value, 0, 1e-9);
   EXPECT_NEAR(set(s, "all").excess_kurtosis.value, -2, 1e-9);
-  EXPECT_EQ(set(s, "all").share_above.value, 0.5);
-  EXPECT_EQ(set(s, "matrix").share_above_all.value, 0);
+  EXPECT_EQ(set(s, "all").fraction_above_mean.value, 0.5);
+  EXPECT_EQ(set(s, "matrix").fraction_above_mean_of_all.value, 0);
   EXPECT_EQ(find(s.components.front().sets, "large"), nullptr);  // the map has no classes
   EXPECT_EQ(set(s, "matrix").variance.value, 0);
   EXPECT_FALSE(std::isfinite(set(s, "matrix").skewness.value));
@@ -111,7 +111,7 @@ TEST(NodeStress, UniformFieldHasAMeanAndNoDistribution) {
   const Statistics s = measure(map, pulled(map, [](int, int) { return 0.1; }));
   EXPECT_NEAR(set(s, "all").mean.value, 0.1, 1e-15);
   EXPECT_EQ(set(s, "all").variance.value, 0);
-  EXPECT_EQ(set(s, "all").share_above.value, 0);
+  EXPECT_EQ(set(s, "all").fraction_above_mean.value, 0);
   EXPECT_TRUE(set(s, "all").pdf.x.empty());
   EXPECT_NEAR(find(set(s, "large").quantiles, "99.99 %")->value, 1, 1e-12);
   EXPECT_FALSE(s.notes.empty());

@@ -7,10 +7,10 @@
 #include "geometry/outline.hpp"
 #include "model/cement.hpp"
 #include "solid/cement/cement.hpp"
-#include "solid/raster/joints.hpp"
-#include "solid/raster/raster.hpp"
+#include "solid/grid/grid.hpp"
+#include "solid/grid/necks.hpp"
 
-namespace arenite::raster {
+namespace arenite::grid {
 namespace {
 
 /// Marks nodes of grains with their index among the placed ones.
@@ -34,7 +34,7 @@ void draw_grains(const PlacedCement& placed, const Lattice& lattice, PhaseMap& m
 }
 
 /// From indices among the placed grains to labels of grains of the packing.
-void label_grains(const PlacedCement& placed, const std::vector<GrainClass>& class_of_grain, std::size_t grains, PhaseMap& map, RasterReport& report) {
+void label_grains(const PlacedCement& placed, const std::vector<GrainClass>& class_of_grain, std::size_t grains, PhaseMap& map, GridReport& report) {
   std::vector<std::int32_t> label(grains, -1);
   for (const auto k : map.grain)
     if (k >= 0) label[placed.grains[k].grain] = 0;
@@ -48,30 +48,30 @@ void label_grains(const PlacedCement& placed, const std::vector<GrainClass>& cla
     if (k >= 0) k = label[placed.grains[k].grain];
 }
 
-/// Area of a joint that its own two grains leave bare.
-double bare_area(const JointShape& shape) {
-  const auto& joint = shape.joint();
-  std::vector<geometry::Outline> outlines{geometry::Outline::disk(joint.a, joint.radius_a), geometry::Outline::disk(joint.b, joint.radius_b)};
-  const double reach = 2 * std::max({joint.radius_a, joint.radius_b, joint.half_a, joint.half_b}) + shape.length();
-  const geometry::Rectangle all{joint.a.x - reach, joint.a.x + reach, joint.a.y - reach, joint.a.y + reach};
+/// Area of a neck that its own two grains leave bare.
+double bare_area(const NeckShape& shape) {
+  const auto& neck = shape.neck();
+  std::vector<geometry::Outline> outlines{geometry::Outline::disk(neck.a, neck.radius_a), geometry::Outline::disk(neck.b, neck.radius_b)};
+  const double reach = 2 * std::max({neck.radius_a, neck.radius_b, neck.half_a, neck.half_b}) + shape.length();
+  const geometry::Rectangle all{neck.a.x - reach, neck.a.x + reach, neck.a.y - reach, neck.a.y + reach};
   const double grains = geometry::union_area(outlines, all);
-  if (shape.is_meniscus()) add_meniscus_outlines(joint, outlines);
-  else add_bridge_outline(joint, outlines);
+  if (shape.is_meniscus()) add_meniscus_outlines(neck, outlines);
+  else add_bridge_outline(neck, outlines);
   return geometry::union_area(outlines, all) - grains;
 }
 
-/// Fewest nodes of a joint on a line of the lattice (column or row, whichever lies more across it) that crosses the gap
+/// Fewest nodes of a neck on a line of the lattice (column or row, whichever lies more across it) that crosses the gap
 /// between its grains; at least the line nearest to the gap's middle is looked at. Lines go on beyond the crop.
-int nodes_across(const Lattice& lattice, const JointShape& shape) {
-  const auto& joint = shape.joint();
+int nodes_across(const Lattice& lattice, const NeckShape& shape) {
+  const auto& neck = shape.neck();
   const Vec2 along = shape.direction();
   const bool columns = std::abs(along.x) >= std::abs(along.y);
   const auto component = [&](Vec2 v, bool first) { return first == columns ? v.x : v.y; };
-  const Vec2 from = joint.a + joint.radius_a * along, to = joint.b - joint.radius_b * along, middle = 0.5 * (from + to);
+  const Vec2 from = neck.a + neck.radius_a * along, to = neck.b - neck.radius_b * along, middle = 0.5 * (from + to);
   const double p = lattice.place(component(from, true)), q = lattice.place(component(to, true));
   const int nearest = static_cast<int>(std::lround(lattice.place(component(middle, true))));
   // Overlapping grains have no gap: only the nearest line counts.
-  const bool gap = shape.length() > joint.radius_a + joint.radius_b;
+  const bool gap = shape.length() > neck.radius_a + neck.radius_b;
   const int low = gap ? std::min(nearest, static_cast<int>(std::ceil(std::min(p, q)))) : nearest;
   const int high = gap ? std::max(nearest, static_cast<int>(std::floor(std::max(p, q)))) : nearest;
   int fewest = -1;
@@ -90,23 +90,23 @@ int nodes_across(const Lattice& lattice, const JointShape& shape) {
   return fewest;
 }
 
-/// Notes a joint, of which the raster made `matrix_nodes` nodes matrix, if the middle of its gap lies in the crop.
-void note_joint(const Lattice& lattice, const JointShape& shape, int matrix_nodes, RasterReport& report) {
-  const auto& joint = shape.joint();
-  const Vec2 middle = joint.a + 0.5 * (shape.length() + joint.radius_a - joint.radius_b) * shape.direction();
+/// Notes a neck, of which the grid made `matrix_nodes` nodes matrix, if the middle of its gap lies in the crop.
+void note_neck(const Lattice& lattice, const NeckShape& shape, int matrix_nodes, GridReport& report) {
+  const auto& neck = shape.neck();
+  const Vec2 middle = neck.a + 0.5 * (shape.length() + neck.radius_a - neck.radius_b) * shape.direction();
   const double half = 0.5 * lattice.n * lattice.dx;
   if (std::abs(middle.x) > half || std::abs(middle.y) > half) return;
   const int across = nodes_across(lattice, shape);
-  report.thinnest_joint = report.joints == 0 ? across : std::min(report.thinnest_joint, across);
-  ++report.joints;
+  report.thinnest_neck = report.necks == 0 ? across : std::min(report.thinnest_neck, across);
+  ++report.necks;
   if (matrix_nodes > 0) return;
   const double bare = bare_area(shape);
-  if (!(bare > 1e-9 * joint.radius_a * joint.radius_b)) return;
-  ++report.lost_joints;
+  if (!(bare > 1e-9 * neck.radius_a * neck.radius_b)) return;
+  ++report.lost_necks;
   report.lost_area += bare;
 }
 
-int draw_joint(const JointShape& shape, const Lattice& lattice, PhaseMap& map) {
+int draw_neck(const NeckShape& shape, const Lattice& lattice, PhaseMap& map) {
   int nodes = 0;
   const auto hull = shape.hull();
   visit_polygon(lattice, hull.corner, hull.count, [&](int y, int x0, int x1) {
@@ -121,7 +121,7 @@ int draw_joint(const JointShape& shape, const Lattice& lattice, PhaseMap& map) {
   return nodes;
 }
 
-void draw_matrix(const PlacedCement& placed, const Lattice& lattice, PhaseMap& map, RasterReport& report) {
+void draw_matrix(const PlacedCement& placed, const Lattice& lattice, PhaseMap& map, GridReport& report) {
   if (placed.full)
     for (auto& phase : map.phase) phase = phase == Phase::empty ? Phase::matrix : phase;
   if (placed.coating > 0)
@@ -131,14 +131,14 @@ void draw_matrix(const PlacedCement& placed, const Lattice& lattice, PhaseMap& m
           if (map.phase[node] == Phase::empty) map.phase[node] = Phase::matrix;
       });
   for (const auto& bridge : placed.bridges) {
-    const JointShape shape = JointShape::bridge(bridge);
-    if (shape.length() > 0) note_joint(lattice, shape, draw_joint(shape, lattice, map), report);
+    const NeckShape shape = NeckShape::bridge(bridge);
+    if (shape.length() > 0) note_neck(lattice, shape, draw_neck(shape, lattice, map), report);
   }
   for (const auto& meniscus : placed.menisci)
-    if (const auto shape = JointShape::meniscus(meniscus)) note_joint(lattice, *shape, draw_joint(*shape, lattice, map), report);
+    if (const auto shape = NeckShape::meniscus(meniscus)) note_neck(lattice, *shape, draw_neck(*shape, lattice, map), report);
 }
 
-void measure_areas(const PlacedCement& placed, const PhaseMap& map, RasterReport& report) {
+void measure_areas(const PlacedCement& placed, const PhaseMap& map, GridReport& report) {
   std::size_t particle = 0, matrix = 0;
   for (const Phase p : map.phase) particle += p == Phase::particle, matrix += p == Phase::matrix;
   report.particle_area = static_cast<double>(particle) * report.dx * report.dx;
@@ -178,11 +178,11 @@ geometry::Rectangle sample_of(const Packing& packing) {
 
 }  // namespace
 
-PhaseMap rasterise(const Packing& packing, const Cement& cement, const RasterParameters& parameters, const std::vector<GrainClass>& class_of_grain,
-                   RasterReport& report) {
+PhaseMap rasterise(const Packing& packing, const Cement& cement, const GridParameters& parameters, const std::vector<GrainClass>& class_of_grain,
+                   GridReport& report) {
   const std::size_t grains = packing.grains.size(), classes = class_of_grain.size();
   Problems problems;
-  problems.unless(parameters.nodes >= 1 && parameters.nodes <= 32768, "a raster of {} nodes a side is out of range; give 1 to 32768", parameters.nodes);
+  problems.unless(parameters.nodes >= 1 && parameters.nodes <= 32768, "a grid of {} nodes a side is out of range; give 1 to 32768", parameters.nodes);
   problems.unless(classes == 0 || classes == grains, "{} grains have {} size classes; give one a grain, or none", grains, classes);
   problems.raise();
   report = {};
@@ -214,4 +214,4 @@ geometry::Rectangle crop_window(const Packing& packing, double crop) {
   return {x - half, x + half, y - half, y + half};
 }
 
-}  // namespace arenite::raster
+}  // namespace arenite::grid

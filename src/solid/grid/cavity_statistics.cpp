@@ -6,9 +6,9 @@
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
-#include "solid/raster/cavities.hpp"
+#include "solid/grid/cavities.hpp"
 
-namespace arenite::raster {
+namespace arenite::grid {
 namespace {
 
 /// Edges in nodes, half-way between whole numbers, each once.
@@ -146,4 +146,4 @@ double density_peak(const std::vector<double>& volumes) {
   return peak;
 }
 
-}  // namespace arenite::raster
+}  // namespace arenite::grid

@@ -1,16 +1,14 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <optional>
-#include <vector>
 
 #include "core/vec.hpp"
 #include "geometry/meniscus.hpp"
 #include "model/cement.hpp"
-#include "solid/raster/raster.hpp"
+#include "solid/grid/grid.hpp"
 
-namespace arenite::raster {
+namespace arenite::grid {
 
 /// Nodes of a square about the origin, n a side, at the middles of its cells. Coordinates of node k and its mirror image
 /// n - 1 - k differ in sign only, to the last bit.
@@ -68,26 +66,26 @@ template <class Row> void visit_polygon(const Lattice& lattice, const Vec2* corn
 }
 
 /// Whether a point lies in a bridge or meniscus. Only products whose value a mirror image or an exchange of x and y keeps
-/// to the last bit are used, so that the raster of a mirrored sample is the mirrored raster.
-class JointShape {
+/// to the last bit are used, so that the map of a mirrored sample is the mirrored map.
+class NeckShape {
  public:
-  static JointShape bridge(const PlacedCement::Joint& joint) { return JointShape(joint); }
+  static NeckShape bridge(const PlacedCement::Neck& neck) { return NeckShape(neck); }
   /// Nothing where the arcs meet.
-  static std::optional<JointShape> meniscus(const PlacedCement::Joint& joint) {
-    JointShape shape(joint);
-    shape.arcs_ = geometry::meniscus_shape({joint.radius_a, joint.radius_b, shape.length_}, joint.arc);
+  static std::optional<NeckShape> meniscus(const PlacedCement::Neck& neck) {
+    NeckShape shape(neck);
+    shape.arcs_ = geometry::meniscus_shape({neck.radius_a, neck.radius_b, shape.length_}, neck.arc);
     if (!shape.arcs_) return {};
     return shape;
   }
 
   bool contains(Vec2 p) const {
-    const Vec2 e = p - joint_.a;
+    const Vec2 e = p - neck_.a;
     const double along = dot(e, d_), across = std::abs(cross(e, d_));
     if (arcs_) return arcs_->contains({along / length_, across / length_});
-    return along >= 0 && along <= length2_ && across * length_ <= joint_.half_a * (length2_ - along) + joint_.half_b * along;
+    return along >= 0 && along <= length2_ && across * length_ <= neck_.half_a * (length2_ - along) + neck_.half_b * along;
   }
 
-  const PlacedCement::Joint& joint() const { return joint_; }
+  const PlacedCement::Neck& neck() const { return neck_; }
   double length() const { return length_; }
   Vec2 direction() const { return (1 / length_) * d_; }
   bool is_meniscus() const { return arcs_.has_value(); }
@@ -98,19 +96,19 @@ class JointShape {
     int count;
   };
   Hull hull() const {
-    const Vec2 along = direction(), up = perpendicular(along), a = joint_.a, b = joint_.b;
-    if (!arcs_) return {{a - joint_.half_a * up, b - joint_.half_b * up, b + joint_.half_b * up, a + joint_.half_a * up}, 4};
+    const Vec2 along = direction(), up = perpendicular(along), a = neck_.a, b = neck_.b;
+    if (!arcs_) return {{a - neck_.half_a * up, b - neck_.half_b * up, b + neck_.half_b * up, a + neck_.half_a * up}, 4};
     const Vec2 i = arcs_->touch_i, j = arcs_->touch_j;
     return {{a, a + i.x * along - i.y * up, a + j.x * along - j.y * up, b, a + j.x * along + j.y * up, a + i.x * along + i.y * up}, 6};
   }
 
  private:
-  explicit JointShape(const PlacedCement::Joint& joint) : joint_(joint), d_(joint.b - joint.a), length2_(dot(d_, d_)), length_(std::sqrt(length2_)) {}
+  explicit NeckShape(const PlacedCement::Neck& neck) : neck_(neck), d_(neck.b - neck.a), length2_(dot(d_, d_)), length_(std::sqrt(length2_)) {}
 
-  PlacedCement::Joint joint_;
+  PlacedCement::Neck neck_;
   Vec2 d_;
   double length2_, length_;
   std::optional<geometry::MeniscusShape> arcs_;
 };
 
-}  // namespace arenite::raster
+}  // namespace arenite::grid

@@ -5,9 +5,9 @@
 #include "core/error.hpp"
 #include "core/joined_sets.hpp"
 #include "model/packing.hpp"
-#include "solid/raster/cavities.hpp"
+#include "solid/grid/cavities.hpp"
 
-namespace arenite::raster {
+namespace arenite::grid {
 namespace {
 
 /// Which phases are flooded.
@@ -114,4 +114,4 @@ Percolation find_percolation(const PhaseMap& map, bool eight_connected_voids) {
   return {any(solid, bottom, top), any(solid, left, right), any(voids, bottom, top), any(voids, left, right)};
 }
 
-}  // namespace arenite::raster
+}  // namespace arenite::grid

@@ -5,7 +5,7 @@
 
 #include "model/phase_map.hpp"
 
-namespace arenite::raster {
+namespace arenite::grid {
 
 /// Pores are connected sets of nodes that are not grain, voids of nodes that are neither grain nor matrix (P III).
 enum class Cavity { pore, void_ };
@@ -13,7 +13,7 @@ enum class Cavity { pore, void_ };
 /// Rules of the flood fill; results are reported with them.
 struct CavityRules {
   bool eight_connected = false;  ///< otherwise the four nearest nodes are neighbours
-  int fewest_nodes = 5;          ///< smaller ones are specks of the raster and left out
+  int fewest_nodes = 5;          ///< smaller ones are specks of the grid and left out
   bool leave_out_border = true;  ///< those that touch the edge of the map are cut
   bool operator==(const CavityRules&) const = default;
 };
@@ -81,4 +81,4 @@ PhaseFractions phase_fractions(const PhaseMap& map);
 /// Gaussian kernel of Silverman's width, over the volume. NaN for fewer than two different volumes.
 double density_peak(const std::vector<double>& volumes);
 
-}  // namespace arenite::raster
+}  // namespace arenite::grid

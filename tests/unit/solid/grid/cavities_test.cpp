@@ -1,4 +1,4 @@
-#include "solid/raster/cavities.hpp"
+#include "solid/grid/cavities.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "model/packing.hpp"
 
-namespace arenite::raster {
+namespace arenite::grid {
 namespace {
 
 /// Rows from the top: "o" particle, "x" matrix, "." nothing.
@@ -135,4 +135,4 @@ RC_GTEST_PROP(Percolation, EitherAVoidCrossesOrSolidConnects, ()) {
 }
 
 }  // namespace
-}  // namespace arenite::raster
+}  // namespace arenite::grid

@@ -1,4 +1,4 @@
-#include "solid/raster/cavities.hpp"
+#include "solid/grid/cavities.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -11,7 +11,7 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 
-namespace arenite::raster {
+namespace arenite::grid {
 namespace {
 
 Cavities with_nodes(std::vector<std::int64_t> nodes) {
@@ -126,4 +126,4 @@ TEST(DensityPeak, OfOneOrEqualVolumesIsUnknown) {
 }
 
 }  // namespace
-}  // namespace arenite::raster
+}  // namespace arenite::grid

@@ -1,4 +1,6 @@
-#include "grains/dem/ledger.hpp"
+#include "grains/dem/energy_balance.hpp"
+
+#include <algorithm>
 
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
@@ -6,7 +8,7 @@
 #include "grains/dem/cohesion.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/integrators/integrators.hpp"
-#include "grains/dem/measure.hpp"
+#include "grains/dem/integrators/motion.hpp"
 #include "grains/dem/sample.hpp"
 #include "grains/dem/walls.hpp"
 
@@ -28,15 +30,34 @@ void add_boundary_contact(const Sample& s, std::size_t slot, const Kinematics& c
   edge[2].slip += s.list.force[slot].torque_j - cross(arm, slip);
 }
 
-/// Moments of a disk's forces about the centre of its body.
-void add_about_body(Vec2 lever, Vec2 dash, Vec2 slip, Snapshot::Disk& body) {
-  body.dash_torque += cross(lever, dash);
-  body.slip_torque += cross(lever, slip);
+/// Adds forces that act on a body, or a disk, at a lever from its centre.
+void push(Snapshot::Disk& disk, Vec2 lever, Vec2 dash, Vec2 slip) {
+  disk.dash.force += dash;
+  disk.dash.torque += cross(lever, dash);
+  disk.slip.force += slip;
+  disk.slip.torque += cross(lever, slip);
+}
+
+/// What a contact or bond along `branch`, over so many rows of the periodic cell, does to its edges and its shear.
+void add_to_cell(const Sample& s, Vec2 branch, int rows, Vec2 force, Vec2 dash, Vec2 slip, Snapshot& shot) {
+  if (rows != 0) {
+    Snapshot::Edge& shear = shot.edge[cell_shear];
+    shear.force -= rows * force.x;
+    shear.dash -= rows * dash.x;
+    shear.slip -= rows * slip.x;
+  }
+  if (s.domain.periodic_x) {
+    shot.edge[left].dash -= dash.x * branch.x / s.domain.width();
+    shot.edge[left].slip -= slip.x * branch.x / s.domain.width();
+  }
+  if (s.domain.periodic_y) {
+    shot.edge[bottom].dash -= dash.y * branch.y / s.domain.height();
+    shot.edge[bottom].slip -= slip.y * branch.y / s.domain.height();
+  }
 }
 
 void add_contacts(const Sample& s, Snapshot& shot) {
   const ContactList& list = s.list;
-  const double width = s.domain.width(), height = s.domain.height();
   shot.springs = rolling_energy(s);
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A& adhesion, const F& friction) {
     for (std::size_t p = 0; p < list.size(); ++p) {
@@ -55,20 +76,12 @@ void add_contacts(const Sample& s, Snapshot& shot) {
       shot.springs += friction.energy(s.laws.slip(c.sliding, sliding_stiffness(s, normal, p, c)), list.memory[p]);
       const std::int32_t first = s.record[static_cast<std::size_t>(list.i[p])].grain;
       auto& a = shot.disk[mover_of(s, first)];
-      add_about_body(own_lever(s, p), dash, slip, a);
-      a.dash_x += dash.x;
-      a.dash_y += dash.y;
-      a.slip_x += slip.x;
-      a.slip_y += slip.y;
-      a.slip_torque += own_torque_i(s, p);
+      push(a, own_lever(s, p), dash, slip);
+      a.slip.torque += own_torque_i(s, p);
       if (list.j[p] >= 0) {
         auto& b = shot.disk[mover_of(s, s.record[static_cast<std::size_t>(list.owner[p])].grain)];
-        add_about_body(partner_lever(s, p), -dash, -slip, b);
-        b.dash_x -= dash.x;
-        b.dash_y -= dash.y;
-        b.slip_x -= slip.x;
-        b.slip_y -= slip.y;
-        b.slip_torque += own_torque_j(s, p);
+        push(b, partner_lever(s, p), -dash, -slip);
+        b.slip.torque += own_torque_j(s, p);
       } else if (is_boundary(list.j[p])) {
         add_boundary_contact(s, p, c, dash, slip, shot);
       } else {
@@ -76,20 +89,7 @@ void add_contacts(const Sample& s, Snapshot& shot) {
         shot.edge[side].dash -= side < bottom ? dash.x : dash.y;
         shot.edge[along + side].slip -= side < bottom ? slip.y : slip.x;
       }
-      if (const int images = s.shear_rate != 0 ? rows_between(s, p) : 0; images != 0) {
-        shot.edge[cell_shear].force -= images * f.x;
-        shot.edge[cell_shear].dash -= images * dash.x;
-        shot.edge[cell_shear].slip -= images * slip.x;
-      }
-      const Vec2 branch = between_centres(s, p, c.branch);
-      if (s.domain.periodic_x) {
-        shot.edge[left].dash -= dash.x * branch.x / width;
-        shot.edge[left].slip -= slip.x * branch.x / width;
-      }
-      if (s.domain.periodic_y) {
-        shot.edge[bottom].dash -= dash.y * branch.y / height;
-        shot.edge[bottom].slip -= slip.y * branch.y / height;
-      }
+      add_to_cell(s, between_centres(s, p, c.branch), s.shear_rate != 0 ? rows_between(s, p) : 0, f, dash, slip, shot);
     }
   });
 }
@@ -100,21 +100,13 @@ void add_bonds(const Sample& s, Snapshot& shot) {
     const BondSlot& b = s.bond_slots[n];
     if (b.state != BondSlot::State::holds) continue;
     const BeamMotion m = beam_motion(s, b);
-    const SlotForce dash = beam_slot_force(b, m, beam_dashpots(s, b, m));
-    auto& disk_i = shot.disk[static_cast<std::size_t>(s.record[static_cast<std::size_t>(b.i)].grain)];
-    disk_i.dash_x += dash.fx;
-    disk_i.dash_y += dash.fy;
-    disk_i.dash_torque += dash.torque_i;
-    auto& disk_j = shot.disk[static_cast<std::size_t>(s.record[static_cast<std::size_t>(b.j)].grain)];
-    disk_j.dash_x -= dash.fx;
-    disk_j.dash_y -= dash.fy;
-    disk_j.dash_torque += dash.torque_j;
-    if (s.shear_rate != 0) {
-      shot.edge[cell_shear].force -= b.shift_y * s.list.force[bond_force_place(s.list, n)].fx;
-      shot.edge[cell_shear].dash -= b.shift_y * dash.fx;
-    }
-    if (s.domain.periodic_x) shot.edge[left].dash -= dash.fx * m.branch.x / s.domain.width();
-    if (s.domain.periodic_y) shot.edge[bottom].dash -= dash.fy * m.branch.y / s.domain.height();
+    const SlotForce f = s.list.force[bond_force_place(s.list, n)], dash = beam_slot_force(b, m, beam_dashpots(s, b, m));
+    const auto disk = [&](std::int32_t k) -> Snapshot::Push& { return shot.disk[static_cast<std::size_t>(s.record[static_cast<std::size_t>(k)].grain)].dash; };
+    disk(b.i).force += Vec2{dash.fx, dash.fy};
+    disk(b.i).torque += dash.torque_i;
+    disk(b.j).force -= Vec2{dash.fx, dash.fy};
+    disk(b.j).torque += dash.torque_j;
+    add_to_cell(s, m.branch, s.shear_rate != 0 ? b.shift_y : 0, {f.fx, f.fy}, {dash.fx, dash.fy}, {}, shot);
   }
 }
 
@@ -125,27 +117,16 @@ Snapshot take(const Sample& s) {
   shot.boundary.resize(3 * s.domain.boundaries.size());
   const bool corrects = integrator_of(s).corrects();
   const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
+  const auto drag = [&](double mass, Vec2 velocity, Vec2 at) { return -s.drag * mass * (velocity - Vec2{mx.at(at.x), my.at(at.y)}); };
   for (std::size_t k = 0; k < s.count; ++k) {
     const DiskRecord& d = s.record[k];
     if (is_part(s, k)) continue;
     const Motion v = corrects ? motion_of(s, k) : Motion{s.vx[k], s.vy[k], s.omega[k]};
-    auto& disk = shot.disk[static_cast<std::size_t>(d.grain)];
-    disk.vx = v.vx;
-    disk.vy = v.vy;
-    disk.omega = v.omega;
-    disk.mass = d.mass;
-    disk.drag_x = -s.drag * d.mass * (d.vx - mx.at(d.x));
-    disk.drag_y = -s.drag * d.mass * (d.vy - my.at(d.y));
+    shot.disk[static_cast<std::size_t>(d.grain)] = {{v.vx, v.vy}, v.omega, d.mass, {}, {}, drag(d.mass, {d.vx, d.vy}, {d.x, d.y})};
   }
   for (std::size_t n = 0; n < s.body.size(); ++n) {
     const Body& b = s.body[n];
-    auto& disk = shot.disk[s.count + n];
-    disk.vx = b.vx;
-    disk.vy = b.vy;
-    disk.omega = b.omega;
-    disk.mass = b.mass;
-    disk.drag_x = -s.drag * b.mass * (b.seen_x - mx.at(b.x));
-    disk.drag_y = -s.drag * b.mass * (b.seen_y - my.at(b.y));
+    shot.disk[s.count + n] = {{b.vx, b.vy}, b.omega, b.mass, {}, {}, drag(b.mass, {b.seen_x, b.seen_y}, {b.x, b.y})};
   }
   add_contacts(s, shot);
   add_bonds(s, shot);
@@ -192,15 +173,15 @@ WorkTerms products(const Sample& s, const Snapshot& p, const Snapshot& q) {
   const Vec2 gravity = p.gravity + q.gravity;
   for (std::size_t k = 0; k < q.disk.size(); ++k) {
     const auto &a = p.disk[k], &b = q.disk[k];
-    const double vx = 0.5 * b.vx, vy = 0.5 * b.vy, omega = 0.5 * b.omega;
-    w.dashpots += (a.dash_x + b.dash_x) * vx + (a.dash_y + b.dash_y) * vy;
-    w.friction += (a.slip_x + b.slip_x) * vx + (a.slip_y + b.slip_y) * vy;
+    const Vec2 velocity = 0.5 * b.velocity;
+    w.dashpots += dot(a.dash.force + b.dash.force, velocity);
+    w.friction += dot(a.slip.force + b.slip.force, velocity);
     if (s.integration.rotations) {
-      w.dashpots += (a.dash_torque + b.dash_torque) * omega;
-      w.friction += (a.slip_torque + b.slip_torque) * omega;
+      w.dashpots += (a.dash.torque + b.dash.torque) * (0.5 * b.omega);
+      w.friction += (a.slip.torque + b.slip.torque) * (0.5 * b.omega);
     }
-    w.drag += (a.drag_x + b.drag_x) * vx + (a.drag_y + b.drag_y) * vy;
-    w.gravity += b.mass * (gravity.x * vx + gravity.y * vy);
+    w.drag += dot(a.drag + b.drag, velocity);
+    w.gravity += b.mass * dot(gravity, velocity);
   }
   const auto add_edge = [&w](const Snapshot::Edge& a, const Snapshot::Edge& b) {
     const double rate = 0.5 * b.rate;
@@ -215,63 +196,49 @@ WorkTerms products(const Sample& s, const Snapshot& p, const Snapshot& q) {
 }
 
 void add(WorkTerms& sum, double factor, const WorkTerms& w) {
-  sum.dashpots += factor * w.dashpots;
-  sum.friction += factor * w.friction;
-  sum.drag += factor * w.drag;
-  sum.gravity += factor * w.gravity;
-  sum.walls += factor * w.walls;
-  sum.servo += factor * w.servo;
+  for (const auto term : work_terms) sum.*term += factor * w.*term;
 }
 
 /// Work of the step from the powers at its end (`p`) and before.
-WorkTerms integrate(const Ledger& ledger, const WorkTerms& p, double dt) {
+WorkTerms integrate(const EnergyBalance& balance, const WorkTerms& p, double dt) {
+  static constexpr double weight[3][4] = {{1, 1}, {5, 8, -1}, {9, 19, -5, 1}}, over[] = {2, 12, 24};
+  const int order = std::clamp(balance.known, 1, 3);
   WorkTerms w;
-  if (ledger.known >= 3) {
-    add(w, 9 * dt / 24, p);
-    add(w, 19 * dt / 24, ledger.powers[0]);
-    add(w, -5 * dt / 24, ledger.powers[1]);
-    add(w, dt / 24, ledger.powers[2]);
-  } else if (ledger.known == 2) {
-    add(w, 5 * dt / 12, p);
-    add(w, 8 * dt / 12, ledger.powers[0]);
-    add(w, -dt / 12, ledger.powers[1]);
-  } else {
-    add(w, dt / 2, p);
-    add(w, dt / 2, ledger.powers[0]);
-  }
+  add(w, weight[order - 1][0] * dt / over[order - 1], p);
+  for (int k = 1; k <= order; ++k) add(w, weight[order - 1][k] * dt / over[order - 1], balance.powers[k - 1]);
   return w;
 }
 
 }  // namespace
 
-void open_ledger(Sample& s) {
-  Ledger& ledger = s.ledger;
-  ledger.last = take(s);
-  ledger.powers = {};
-  add(ledger.powers[0], 1, products(s, ledger.last, ledger.last));
-  ledger.known = 1;
-  ledger.open = true;
+void open_balance(Sample& s) {
+  EnergyBalance& balance = s.balance;
+  balance.last = take(s);
+  balance.powers = {};
+  add(balance.powers[0], 1, products(s, balance.last, balance.last));
+  balance.known = 1;
+  balance.open = true;
 }
 
 void book_step(Sample& s) {
-  Ledger& ledger = s.ledger;
+  EnergyBalance& balance = s.balance;
   Snapshot now = take(s);
   WorkTerms work;
   if (integrator_of(s).corrects()) {
     WorkTerms power;
     add(power, 1, products(s, now, now));
-    work = integrate(ledger, power, s.dt);
-    ledger.powers = {power, ledger.powers[0], ledger.powers[1]};
-    ledger.known = ledger.known < 3 ? ledger.known + 1 : 3;
+    work = integrate(balance, power, s.dt);
+    balance.powers = {power, balance.powers[0], balance.powers[1]};
+    balance.known = balance.known < 3 ? balance.known + 1 : 3;
   } else {
-    add(work, s.dt, products(s, ledger.last, now));
+    add(work, s.dt, products(s, balance.last, now));
   }
-  s.tally.dissipated_normal -= work.dashpots + (now.normal_springs - ledger.last.normal_springs);
-  s.tally.dissipated_friction -= work.friction + (now.springs - ledger.last.springs);
+  s.tally.dissipated_normal -= work.dashpots + (now.normal_springs - balance.last.normal_springs);
+  s.tally.dissipated_friction -= work.friction + (now.springs - balance.last.springs);
   s.tally.dissipated_drag -= work.drag + work.servo;
   s.tally.work_gravity += work.gravity;
   s.tally.work_walls += work.walls;
-  ledger.last = std::move(now);
+  balance.last = std::move(now);
 }
 
 }  // namespace arenite::dem

@@ -1,4 +1,4 @@
-#include "solid/raster/raster.hpp"
+#include "solid/grid/grid.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -10,12 +10,12 @@
 #include "core/random.hpp"
 #include "support/disks.hpp"
 
-namespace arenite::raster {
+namespace arenite::grid {
 namespace {
 
 using test::disks;
 
-PhaseMap raster_of(const Packing& packing, const Cement& cement, std::int64_t nodes, RasterReport& report, double crop = 0) {
+PhaseMap map_of(const Packing& packing, const Cement& cement, std::int64_t nodes, GridReport& report, double crop = 0) {
   PhaseMap map = rasterise(packing, cement, {nodes, crop}, {}, report);
   check(map);
   return map;
@@ -39,7 +39,7 @@ Cement random_cement(RandomStream& random, int n) {
   return cement;
 }
 
-RC_GTEST_PROP(Raster, OfAMirroredOrTransposedSampleIsTheMirroredOrTransposedRaster, ()) {
+RC_GTEST_PROP(Grid, OfAMirroredOrTransposedSampleIsTheMirroredOrTransposedMap, ()) {
   RandomStream random(*rc::gen::arbitrary<std::uint64_t>(), Purpose::test);
   const int n = *rc::gen::inRange(1, 8), nodes = *rc::gen::element(24, 31, 48);
   const Packing packing = random_packing(random, n);
@@ -47,9 +47,9 @@ RC_GTEST_PROP(Raster, OfAMirroredOrTransposedSampleIsTheMirroredOrTransposedRast
   Packing mirrored = packing, turned = packing;
   for (auto& x : mirrored.grains.x) x = -x;
   std::swap(turned.grains.x, turned.grains.y);
-  RasterReport report;
-  const PhaseMap map = raster_of(packing, cement, nodes, report), flat = transposed(raster_of(turned, cement, nodes, report)),
-                 mirror = raster_of(mirrored, cement, nodes, report);
+  GridReport report;
+  const PhaseMap map = map_of(packing, cement, nodes, report), flat = transposed(map_of(turned, cement, nodes, report)),
+                 mirror = map_of(mirrored, cement, nodes, report);
   RC_ASSERT(flat.phase == map.phase);
   RC_ASSERT(flat.grain == map.grain);
   for (int y = 0; y < nodes; ++y)
@@ -59,7 +59,7 @@ RC_GTEST_PROP(Raster, OfAMirroredOrTransposedSampleIsTheMirroredOrTransposedRast
     }
 }
 
-TEST(Raster, AreaErrorFallsWithResolution) {
+TEST(Grid, AreaErrorFallsWithResolution) {
   const Packing three = disks({{-1.03, -0.2, 1}, {1.01, -0.3, 1}, {0.02, 1.35, 0.8}}, 3);
   Cement cement;
   cement.bridges = {{0, 1, 0.6, 0.6}, {1, 2, 0.6, 0.48}};
@@ -68,24 +68,24 @@ TEST(Raster, AreaErrorFallsWithResolution) {
   // Root mean square over many resolutions: a single one may hit the area by chance.
   for (int k = 0; k < 2; ++k) {
     for (int nodes = 60; nodes < 90; ++nodes) {
-      RasterReport report;
-      raster_of(three, cement, k == 0 ? nodes : 8 * nodes, report);
+      GridReport report;
+      map_of(three, cement, k == 0 ? nodes : 8 * nodes, report);
       error[k] += report.particle_area_error * report.particle_area_error / 30;
-      EXPECT_EQ(report.joints, 3u);
+      EXPECT_EQ(report.necks, 3u);
     }
     error[k] = std::sqrt(error[k]);
   }
   // A smooth outline is counted to better than first order (3/2 for random places of the nodes).
   EXPECT_GT(std::log2(error[0] / error[1]) / 3, 1.2);
-  RasterReport fine;
-  raster_of(three, cement, 1200, fine);
+  GridReport fine;
+  map_of(three, cement, 1200, fine);
   EXPECT_LT(std::abs(fine.matrix_area_error), 0.01);
-  EXPECT_EQ(fine.lost_joints, 0u);
+  EXPECT_EQ(fine.lost_necks, 0u);
 }
 
-TEST(Raster, NodesBetweenOverlappingGrainsGoToTheOneTheyAreDeeperIn) {
-  RasterReport report;
-  const PhaseMap map = raster_of(disks({{-0.9, 0, 1}, {0.9, 0, 1.2}}, 3), {}, 300, report);
+TEST(Grid, NodesBetweenOverlappingGrainsGoToTheOneTheyAreDeeperIn) {
+  GridReport report;
+  const PhaseMap map = map_of(disks({{-0.9, 0, 1}, {0.9, 0, 1.2}}, 3), {}, 300, report);
   // Equal power: (x + 0.9)^2 - 1 = (x - 0.9)^2 - 1.44.
   const double line = -0.44 / 3.6;
   for (int x = 0; x < 300; ++x) {
@@ -95,8 +95,8 @@ TEST(Raster, NodesBetweenOverlappingGrainsGoToTheOneTheyAreDeeperIn) {
   }
 }
 
-TEST(Raster, LabelsNameTheGrainsThatHaveNodesAndKeepTheirClass) {
-  RasterReport report;
+TEST(Grid, LabelsNameTheGrainsThatHaveNodesAndKeepTheirClass) {
+  GridReport report;
   const Packing packing = disks({{-2.5, 0, 0.4}, {0, 0, 0.5}, {0.4, 2.4, 0.3}, {0.8, 0, 0.25}}, 3);
   const PhaseMap map = rasterise(packing, {}, {40, 2}, {GrainClass::large, GrainClass::large, GrainClass::small, GrainClass::small}, report);
   EXPECT_EQ(report.grain_of_label, (std::vector<std::int32_t>{1, 3}));
@@ -106,48 +106,48 @@ TEST(Raster, LabelsNameTheGrainsThatHaveNodesAndKeepTheirClass) {
   EXPECT_EQ(report.smallest_grain, 20);  // the other one is cut by the crop
 }
 
-TEST(Raster, PeriodicImagesCarryTheirGrainsLabel) {
-  RasterReport report;
-  const PhaseMap map = raster_of(disks({{-3, -3, 1}}, 3, true), {}, 60, report);
+TEST(Grid, PeriodicImagesCarryTheirGrainsLabel) {
+  GridReport report;
+  const PhaseMap map = map_of(disks({{-3, -3, 1}}, 3, true), {}, 60, report);
   for (const auto node : {map.index(0, 0), map.index(59, 0), map.index(0, 59), map.index(59, 59)}) EXPECT_EQ(map.grain[node], 0);
   EXPECT_NEAR(report.particle_area_error, 0, 0.01);
 }
 
-TEST(Raster, ThinAndLostBridgesAreReported) {
+TEST(Grid, ThinAndLostBridgesAreReported) {
   const Packing two = disks({{-1.25, 0.01, 1}, {1.25, 0.01, 1}}, 3);
   const auto report_of = [&](double half) {
     Cement cement;
     cement.bridges = {{0, 1, half, half}};
-    RasterReport report;
-    raster_of(two, cement, 60, report);
+    GridReport report;
+    map_of(two, cement, 60, report);
     return report;
   };
-  EXPECT_EQ(report_of(0.25).thinnest_joint, 5);  // rows at -0.15, -0.05, 0.05, 0.15, 0.25
-  EXPECT_EQ(report_of(0.25).lost_joints, 0u);
-  const RasterReport lost = report_of(0.03);  // between two rows of nodes
-  EXPECT_EQ(lost.thinnest_joint, 0);
-  EXPECT_EQ(lost.lost_joints, 1u);
+  EXPECT_EQ(report_of(0.25).thinnest_neck, 5);  // rows at -0.15, -0.05, 0.05, 0.15, 0.25
+  EXPECT_EQ(report_of(0.25).lost_necks, 0u);
+  const GridReport lost = report_of(0.03);  // between two rows of nodes
+  EXPECT_EQ(lost.thinnest_neck, 0);
+  EXPECT_EQ(lost.lost_necks, 1u);
   EXPECT_NEAR(lost.lost_area, 0.06 * 0.5, 1e-4);
   EXPECT_NEAR(lost.exact_matrix_area, lost.lost_area, 1e-12);
   EXPECT_EQ(lost.matrix_area_error, -1);
 }
 
-TEST(Raster, BadInputIsNamed) {
+TEST(Grid, BadInputIsNamed) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Packing one = disks({{0, 0, 1}}, 3);
-  RasterReport report;
-  EXPECT_THROW(raster_of(one, {}, 10, report, 6.1), InputError);
-  EXPECT_THROW(raster_of(one, {}, 10, report, -1), InputError);
-  EXPECT_THROW(raster_of(one, {}, 10, report, nan), InputError);
-  EXPECT_THROW(raster_of(one, {}, 0, report), InputError);
-  EXPECT_THROW(raster_of({}, {}, 10, report), InputError);
-  EXPECT_THROW(raster_of(disks({{nan, 0, 1}}, 3), {}, 10, report), InputError);
-  EXPECT_THROW(raster_of(disks({{0, 0, 0}}, 3), {}, 10, report), InputError);
+  GridReport report;
+  EXPECT_THROW(map_of(one, {}, 10, report, 6.1), InputError);
+  EXPECT_THROW(map_of(one, {}, 10, report, -1), InputError);
+  EXPECT_THROW(map_of(one, {}, 10, report, nan), InputError);
+  EXPECT_THROW(map_of(one, {}, 0, report), InputError);
+  EXPECT_THROW(map_of({}, {}, 10, report), InputError);
+  EXPECT_THROW(map_of(disks({{nan, 0, 1}}, 3), {}, 10, report), InputError);
+  EXPECT_THROW(map_of(disks({{0, 0, 0}}, 3), {}, 10, report), InputError);
   EXPECT_THROW(rasterise(one, {}, {10, 0}, {GrainClass::large, GrainClass::large}, report), InputError);
   Cement cement;
   cement.bridges = {{0, 1, 0.1, 0.1}};
-  EXPECT_THROW(raster_of(one, cement, 10, report), InputError);
+  EXPECT_THROW(map_of(one, cement, 10, report), InputError);
 }
 
 }  // namespace
-}  // namespace arenite::raster
+}  // namespace arenite::grid

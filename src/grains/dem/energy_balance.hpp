@@ -12,16 +12,22 @@ struct Sample;
 struct WorkTerms {
   double dashpots = 0, friction = 0, drag = 0, gravity = 0, walls = 0, servo = 0;
 };
+constexpr double WorkTerms::*work_terms[] = {&WorkTerms::dashpots, &WorkTerms::friction, &WorkTerms::drag,
+                                             &WorkTerms::gravity,  &WorkTerms::walls,    &WorkTerms::servo};
 
-/// Forces by class and velocities at one time: what the work of a step is made of. Disks by the index of Sample::start, then bodies (mover_of). Under Verlet the velocities are
-/// those of the middle of the step that ends there.
+/// Forces by class and velocities at one time: what the work of a step is made of. Disks by the index of Sample::start, then bodies (mover_of). Under
+/// Verlet the velocities are those of the middle of the step that ends there.
 struct Snapshot {
+  struct Push {
+    Vec2 force;         ///< N
+    double torque = 0;  ///< N m
+  };
   struct Disk {
-    double vx = 0, vy = 0, omega = 0;
-    double mass = 0;
-    double dash_x = 0, dash_y = 0, dash_torque = 0;  ///< normal dashpots, dashpots of bonds
-    double slip_x = 0, slip_y = 0, slip_torque = 0;  ///< tangential forces
-    double drag_x = 0, drag_y = 0;
+    Vec2 velocity;
+    double omega = 0, mass = 0;
+    Push dash;  ///< normal dashpots, dashpots of bonds
+    Push slip;  ///< tangential forces
+    Vec2 drag;
   };
   /// Along its way, +x or +y: force of the sample on the wall, all of it and by class; force of the drive; servo damping.
   struct Edge {
@@ -40,7 +46,7 @@ struct Snapshot {
 /// by exactly (F_n + F_n+1)/2 times the way made, so each class of force is given that share of the work; of a linear spring that is the change of
 /// its energy, so what stays open is the second term (0 at rest) and the steps in which a contact opens or closes. Under Gear the powers are
 /// integrated by the Adams-Moulton rule of fourth order. What friction takes from the motion and its springs do not store is dissipated.
-struct Ledger {
+struct EnergyBalance {
   bool open = false;  ///< `last` belongs to the present state
   Snapshot last;
   std::array<WorkTerms, 3> powers{};  ///< Gear: now, one and two steps ago
@@ -48,7 +54,7 @@ struct Ledger {
 };
 
 /// Takes the present state as the start of the next step, after the drives, gravity or drag have changed.
-void open_ledger(Sample& sample);
+void open_balance(Sample& sample);
 
 /// Books the step that has just been made.
 void book_step(Sample& sample);
