@@ -142,6 +142,24 @@ test("a chain to a boundary ends where the grain touches it", () => {
   assert.equal(boundaryElement(frame, 4 + 5).boundary.name, "drum");
 });
 
+test("a chain to a boundary goes to the nearest image through a periodic side, and is drawn at both", () => {
+  const { sample, frame } = cell(true);
+  frame.boundaries = [
+    { name: "paddle", closed: false, x: [1.02, 1.02], y: [0, 1] },
+    { name: "floor", closed: false, x: [0.1, 0.98], y: [0.4, 0.4] },
+  ];
+  const ends = (grain, element, expected) => {
+    Object.assign(frame.contacts, { i: [grain], j: [2 + 4 + element], fn: [2] });
+    const segments = segmentsOf(sample, frame, 0);
+    assert.equal(segments.length, expected.length);
+    expected.forEach((segment, k) => near(segments[k], segment));
+  };
+  ends(0, 1, [[0.05, 0.5, 0.02, 0.5], [1.05, 0.5, 1.02, 0.5]]);
+  ends(1, 1, [[0.95, 0.5, 1.02, 0.5]]);
+  ends(1, 4 + 1, [[0.95, 0.5, 0.95, 0.4]]);
+  ends(0, 4 + 2, [[0.05, 0.5, -0.02, 0.4], [1.05, 0.5, 0.98, 0.4]]);
+});
+
 test("the width of a chain is proportional to its force", () => {
   const { sample, frame } = cell(false);
   assert.ok(Math.abs(chainWidth(sample, frame, 4) - 2 * chainWidth(sample, frame, 2)) < 1e-15);

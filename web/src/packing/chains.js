@@ -33,13 +33,25 @@ export function boundaryElement(frame, element) {
   return null;
 }
 
-/** Where a grain at (x, y) touches an element. */
-function footOn(frame, element, x, y) {
-  const { boundary, from, to } = boundaryElement(frame, element);
+/** Where a place touches an element: the foot on its line, and the distance to the element itself. */
+function footOn({ boundary, from, to }, x, y) {
   const ax = boundary.x[from], ay = boundary.y[from], dx = boundary.x[to] - ax, dy = boundary.y[to] - ay;
   const squared = dx * dx + dy * dy;
-  const share = squared > 0 ? ((x - ax) * dx + (y - ay) * dy) / squared : 0;
-  return [ax + share * dx, ay + share * dy];
+  const share = squared > 0 ? ((x - ax) * dx + (y - ay) * dy) / squared : 0, within = Math.min(Math.max(share, 0), 1);
+  return { foot: [ax + share * dx, ay + share * dy], distance: Math.hypot(x - ax - within * dx, y - ay - within * dy) };
+}
+
+/** The foot on an element of that image of a grain at (x, y) that is nearest to it, and how far the image is shifted. */
+function nearestFoot(element, box, domain, x, y) {
+  const { boundary, from, to } = element;
+  const [sx, sy] = nearestImage(box, domain, [x - (boundary.x[from] + boundary.x[to]) / 2, y - (boundary.y[from] + boundary.y[to]) / 2]);
+  const images = [];
+  for (const up of domain.periodic[1] ? [0, -1, 1] : [0])
+    for (const across of domain.periodic[0] ? [0, -1, 1] : [0]) {
+      const shift = [sx + across * (box.right - box.left), sy + up * (box.top - box.bottom)];
+      images.push({ shift, ...footOn(element, x + shift[0], y + shift[1]) });
+    }
+  return images.reduce((best, image) => (image.distance < best.distance ? image : best));
 }
 
 /** The segments of one contact: centre to centre, or centre to wall; through a periodic side it is drawn at both. */
@@ -49,29 +61,38 @@ export function segmentsOf(sample, frame, c) {
   const x = frame.x[a], y = frame.y[a];
   if (b >= sample.count) {
     const side = b - sample.count;
-    if (side > 3) return [[x, y, ...footOn(frame, side - 4, x, y)]];
+    if (side > 3) {
+      const { foot, shift } = nearestFoot(boundaryElement(frame, side - 4), sample.box(frame), frame.domain, x, y);
+      return fromBothEnds([x, y], foot, shift);
+    }
     // Ends short of the wall by half the chain's width, so that the round end touches it.
     const inwards = side % 2 === 0 ? 1 : -1;
     const position = frame.domain.walls[side].position + (inwards * chainWidth(sample, frame, frame.contacts.fn[c])) / 2;
     return [side < 2 ? [x, y, position, y] : [x, y, x, position]];
   }
-  const straight = [frame.x[b] - x, frame.y[b] - y];
-  const [dx, dy] = nearestImage(sample.box(frame), frame.domain, straight);
-  if (dx === straight[0] && dy === straight[1]) return [[x, y, frame.x[b], frame.y[b]]];
-  return [[x, y, x + dx, y + dy], [frame.x[b] - dx, frame.y[b] - dy, frame.x[b], frame.y[b]]];
+  const end = [frame.x[b], frame.y[b]];
+  return fromBothEnds([x, y], end, nearestImage(sample.box(frame), frame.domain, [x - end[0], y - end[1]]));
 }
 
+/** One segment where both ends are in one cell; else one from each end to the other's image. */
+function fromBothEnds([x, y], end, [sx, sy]) {
+  if (sx === 0 && sy === 0) return [[x, y, ...end]];
+  return [[x, y, end[0] - sx, end[1] - sy], [x + sx, y + sy, ...end]];
+}
+
+/** The shift that takes a vector between two places to its nearest image. */
 function nearestImage(box, domain, [dx, dy]) {
   const [periodicX, periodicY] = domain.periodic;
+  let sx = 0, sy = 0;
   if (periodicY) {
     const n = Math.round(dy / (box.top - box.bottom));
-    if (n) { dy -= n * (box.top - box.bottom); dx -= n * domain.tilt; }
+    if (n) { sy = -n * (box.top - box.bottom); sx = -n * domain.tilt; }
   }
   if (periodicX) {
-    const n = Math.round(dx / (box.right - box.left));
-    if (n) dx -= n * (box.right - box.left);
+    const n = Math.round((dx + sx) / (box.right - box.left));
+    if (n) sx -= n * (box.right - box.left);
   }
-  return [dx, dy];
+  return [sx, sy];
 }
 
 /** The shown contacts, weakest first, so that the strong lie on top. */
