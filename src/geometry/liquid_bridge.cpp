@@ -9,7 +9,7 @@
 namespace arenite::geometry {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// One disk as seen from its centre: the direction to the arc's centre at (along, y), turned back to the point where the arc ends. Primes are
 /// derivatives by the arc's radius.

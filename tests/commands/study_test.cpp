@@ -20,7 +20,7 @@ using arenite::test::small_cemented_recipe;
 using arenite::test::small_study;
 using arenite::test::TemporaryFolder;
 
-std::string write(const TemporaryFolder& folder, const std::string& text) {
+std::string write_study(const TemporaryFolder& folder, const std::string& text) {
   const auto file = folder / "study.toml";
   std::ofstream(file) << text;
   return file.string();
@@ -45,7 +45,7 @@ std::string study_line(const std::string& what, const std::string& recipe, const
 
 TEST(Study, TheSamePackingUnderSeveralCementsIsMadeOnceAndTheResultsAreThoseOfSingleRuns) {
   const TemporaryFolder folder;
-  const auto file = write(folder, small_study);
+  const auto file = write_study(folder, small_study);
   const auto out = folder / "out";
   const auto run = arenite(study_line("run", file, out, "--quiet --jobs 3"));
   ASSERT_EQ(run.status, 0) << run.err;
@@ -77,7 +77,7 @@ TEST(Study, TheSamePackingUnderSeveralCementsIsMadeOnceAndTheResultsAreThoseOfSi
 
 TEST(Study, KilledAtRandomMomentsItEndsWithTheSameBytes) {
   const TemporaryFolder folder;
-  const auto file = write(folder, small_study);
+  const auto file = write_study(folder, small_study);
   using clock = std::chrono::steady_clock;
   const auto began = clock::now();
   ASSERT_EQ(arenite(study_line("run", file, folder / "whole", "--quiet --jobs 2")).status, 0);
@@ -99,7 +99,7 @@ TEST(Study, KilledAtRandomMomentsItEndsWithTheSameBytes) {
 
 TEST(Study, AskedToStopItLeavesAndGoesOnLater) {
   const TemporaryFolder folder;
-  const auto file = write(folder, small_study);
+  const auto file = write_study(folder, small_study);
   const auto out = folder / "out";
   // Not before the study has begun: until then a signal ends the program as any other.
   const auto stopped = shell(ARENITE_BINARY " " + study_line("run", file, out, "--quiet --jobs 1") + " & for i in $(seq 500); do [ -d " +
@@ -113,7 +113,7 @@ TEST(Study, AskedToStopItLeavesAndGoesOnLater) {
 
 TEST(Study, ShardsDoTheirPartsAtOnceAndTogetherTheWhole) {
   const TemporaryFolder folder;
-  const auto file = write(folder, small_study);
+  const auto file = write_study(folder, small_study);
   ASSERT_EQ(arenite(study_line("run", file, folder / "whole", "--quiet")).status, 0);
   const std::string program = ARENITE_BINARY " ", out = folder / "shards";
   const auto both = shell(program + study_line("run", file, out, "--quiet --jobs 1 --shard 1/2") + " & " + program +
@@ -126,7 +126,7 @@ TEST(Study, ShardsDoTheirPartsAtOnceAndTogetherTheWhole) {
 TEST(Study, AFailingRunIsListedWithItsReasonAndStopsNoOther) {
   const TemporaryFolder folder;
   const auto file =
-      write(folder, small_cemented_recipe + "[sweep.grid]\n\"grid.crop\" = [\"80 mm\", \"5 m\"]\n\"stages.0.equilibrium.max_steps\" = [20, 10000000]\n");
+      write_study(folder, small_cemented_recipe + "[sweep.grid]\n\"grid.crop\" = [\"80 mm\", \"5 m\"]\n\"stages.0.equilibrium.max_steps\" = [20, 10000000]\n");
   const auto out = folder / "out";
   const auto run = arenite(study_line("run", file, out, "--quiet"));
   EXPECT_EQ(run.status, 3) << run.err;
@@ -148,7 +148,7 @@ TEST(Study, AFailingRunIsListedWithItsReasonAndStopsNoOther) {
 
 TEST(Study, NumbersCanBeKeptWithoutTheFieldsTheyCameFrom) {
   const TemporaryFolder folder;
-  const auto file = write(folder, small_study);
+  const auto file = write_study(folder, small_study);
   ASSERT_EQ(arenite(study_line("run", file, folder / "all", "--quiet")).status, 0);
   ASSERT_EQ(arenite(study_line("run", file, folder / "few", "--quiet --keep numbers")).status, 0);
   std::size_t left = 0;
@@ -169,7 +169,7 @@ TEST(Study, FiguresShowOneRunsStatesAndFieldsWhetherTheseWereKeptOrNot) {
   const TemporaryFolder folder;
   std::string recipe = small_study;
   recipe.insert(recipe.find("[sweep]"), "[[loads]]\nname = \"break\"\nfailure = true\n");
-  const auto file = write(folder, recipe);
+  const auto file = write_study(folder, recipe);
   std::ofstream(folder / "figures.toml") << "[[figures]]\nid = \"start\"\ntitle = \"Start\"\nkind = \"grains\"\nstage = \"packing\"\n"
                                             "[[figures]]\nid = \"end\"\ntitle = \"End\"\nkind = \"forces\"\nstage = \"prepare\"\n"
                                             "[[figures]]\nid = \"none\"\ntitle = \"None\"\nkind = \"grains\"\nstage = \"nowhere\"\n"
@@ -190,7 +190,7 @@ TEST(Study, FiguresShowOneRunsStatesAndFieldsWhetherTheseWereKeptOrNot) {
 
 TEST(Study, WithoutFiguresOfItsOwnHasAPageOfItsRunsAndMainNumbers) {
   const TemporaryFolder folder;
-  const auto file = write(folder, small_study);
+  const auto file = write_study(folder, small_study);
   const auto ran = arenite(study_line("run", file, folder / "out", "--quiet"));
   ASSERT_EQ(ran.status, 0) << ran.err;
   EXPECT_TRUE(contains(ran.out, "page:    ")) << ran.out;
@@ -203,7 +203,7 @@ TEST(Study, WithoutFiguresOfItsOwnHasAPageOfItsRunsAndMainNumbers) {
 
 TEST(Study, ThePlanTellsRunsSharedStagesAndTimeWithoutTouchingTheDisk) {
   const TemporaryFolder folder;
-  const auto file = write(folder, small_study);
+  const auto file = write_study(folder, small_study);
   const auto out = folder / "out";
   const auto before = arenite(study_line("plan", file, out));
   EXPECT_EQ(before.status, 0);
@@ -219,13 +219,13 @@ TEST(Study, ThePlanTellsRunsSharedStagesAndTimeWithoutTouchingTheDisk) {
 
 TEST(Study, WhereARecipeIsOneRunOrManyTheOtherCommandIsNamed) {
   const TemporaryFolder folder;
-  const auto file = write(folder, small_study);
+  const auto file = write_study(folder, small_study);
   for (const std::string command : {"run ", "check "}) {
     const auto refused = arenite(command + file);
     EXPECT_EQ(refused.status, 2);
     EXPECT_TRUE(contains(refused.err, "study.toml:28:2: sweep: this recipe is a study of many runs; `arenite study plan ")) << refused.err;
   }
-  const auto single = write(folder, small_cemented_recipe);
+  const auto single = write_study(folder, small_cemented_recipe);
   const auto refused = arenite(study_line("run", single, folder / "out"));
   EXPECT_EQ(refused.status, 2);
   EXPECT_TRUE(contains(refused.err, "has no section [sweep], so it is one run: `arenite run ")) << refused.err;

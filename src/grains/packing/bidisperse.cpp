@@ -11,7 +11,7 @@
 namespace arenite::packing {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::size_t fewest_small = 10;
 
 geometry::Box set_box(Domain& domain, double side) {

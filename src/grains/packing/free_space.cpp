@@ -15,7 +15,7 @@ void DiskCells::add(const Disk& disk) {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 /// A new disk stands off by this share of its distance, so that rounding never makes an overlap.
 constexpr double stand_off = 1e-12;
 /// Places narrower than this, rad, are taken as none.

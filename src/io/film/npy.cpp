@@ -54,7 +54,7 @@ std::vector<std::int64_t> shape_of(std::string_view text, const std::string& fil
 constexpr std::size_t header_size = 128;
 static_assert(header_size - 10 == 'v');
 
-std::string header(const FilmInfo& info, std::size_t frames) {
+std::string npy_header(const FilmInfo& info, std::size_t frames) {
   std::string text("\x93NUMPY\x01\0v\0", 10);
   text += fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}, {}, {}), }}", info.floating ? "<f4" : "<u2", frames, info.height, info.width);
   text.resize(header_size - 1, ' ');
@@ -92,6 +92,6 @@ FilmPointer open_npy(const Bytes& bytes, const FilmChoice& choice) {
   return plain_film(bytes, std::move(info), layout, choice);
 }
 
-FilmWriterPointer create_npy_film(const std::filesystem::path& path, const FilmInfo& info) { return create_plain_film(path, info, {header}); }
+FilmWriterPointer create_npy_film(const std::filesystem::path& path, const FilmInfo& info) { return create_plain_film(path, info, {npy_header}); }
 
 }  // namespace arenite::io

@@ -197,7 +197,7 @@ Places places_of(const FilmInfo& info, std::uint64_t frames) {
   return {frame, at, at > 0xffffffffU || std::max(frames, announced) * (frame + most_a_page) > 0xffffffffU};
 }
 
-std::string header(const FilmInfo& info, std::size_t frames) {
+std::string tiff_header(const FilmInfo& info, std::size_t frames) {
   const Places places = places_of(info, frames);
   std::string out = "II";
   append<std::uint16_t>(out, places.large ? 43 : 42);
@@ -236,7 +236,7 @@ void write_directories(const FilmInfo& info, std::size_t frames, AtomicFile& fil
 FilmPointer open_tiff_film(const Bytes& bytes, const FilmChoice& choice) { return std::make_unique<TiffFilm>(bytes, choice); }
 
 FilmWriterPointer create_tiff_film(const std::filesystem::path& path, const FilmInfo& info) {
-  return create_plain_film(path, info, {header, nullptr, write_directories});
+  return create_plain_film(path, info, {tiff_header, nullptr, write_directories});
 }
 
 }  // namespace arenite::io

@@ -36,8 +36,6 @@ Buffer<std::int32_t> owners(const PhaseMap& map, const Grid& grid) {
   return owner;
 }
 
-constexpr int cell = Pieces::cell;
-
 /// A cell of the sample: its first node and how many it has each way.
 struct Cell {
   int x0, y0, wide, high;
@@ -46,7 +44,7 @@ struct Cell {
 /// Joins the nodes of one cell (by their places in it, y * cell + x) that a bond ties and one owner has.
 void join_nodes(const Bonds& bonds, const Buffer<std::int32_t>& owner, const Cell& c, JoinedSets& sets) {
   const Grid& grid = bonds.grid;
-  sets.part(static_cast<std::size_t>(cell * cell));
+  sets.part(static_cast<std::size_t>(Pieces::cell * Pieces::cell));
   for (int y = 0; y < c.high; ++y)
     for (int x = 0; x < c.wide; ++x) {
       const std::ptrdiff_t i = grid.index(c.x0 + x, c.y0 + y);
@@ -57,24 +55,24 @@ void join_nodes(const Bonds& bonds, const Buffer<std::int32_t>& owner, const Cel
       for (int d = 0; d < (inside ? 4 : bonds_per_node); d += inside ? 3 : 1) {
         const Offset e = half_bonds[static_cast<unsigned>(d)];
         if (!(word >> (2 * d) & 3u) || static_cast<unsigned>(x + e.x) >= static_cast<unsigned>(c.wide) || y + e.y >= c.high) continue;
-        if (owner[i + bonds.step(d)] == owner[i]) sets.join(y * cell + x, (y + e.y) * cell + x + e.x);
+        if (owner[i + bonds.step(d)] == owner[i]) sets.join(y * Pieces::cell + x, (y + e.y) * Pieces::cell + x + e.x);
       }
     }
 }
 
 /// Numbers the pieces of one cell in the order of their first node.
 void add_pieces(const Grid& grid, const Buffer<std::int32_t>& owner, const Cell& c, JoinedSets& sets, Pieces& pieces) {
-  std::array<std::int32_t, cell * cell> piece;
+  std::array<std::int32_t, Pieces::cell * Pieces::cell> piece;
   for (int y = 0; y < c.high; ++y)
     for (int x = 0; x < c.wide; ++x) {
       const std::ptrdiff_t i = grid.index(c.x0 + x, c.y0 + y);
       if (owner[i] < 0) continue;
-      const std::int32_t k = y * cell + x, root = sets.find(k);
+      const std::int32_t k = y * Pieces::cell + x, root = sets.find(k);
       if (root == k) {
         piece[static_cast<unsigned>(k)] = pieces.count();
         pieces.owner.push_back(owner[i]);
-        pieces.cell_x.push_back(c.x0 / cell);
-        pieces.cell_y.push_back(c.y0 / cell);
+        pieces.cell_x.push_back(c.x0 / Pieces::cell);
+        pieces.cell_y.push_back(c.y0 / Pieces::cell);
         pieces.nodes.push_back(0);
       }
       const std::int32_t p = piece[static_cast<unsigned>(root)];
@@ -95,9 +93,9 @@ Pieces cut_into_pieces(const PhaseMap& map, const Bonds& bonds, const std::vecto
   pieces.of_node = Buffer<std::int32_t>(grid.padded_size());
   std::fill_n(pieces.of_node.data(), pieces.of_node.size(), Pieces::none);
   JoinedSets sets;
-  for (int y0 = 0; y0 < grid.height; y0 += cell)
-    for (int x0 = 0; x0 < grid.width; x0 += cell) {
-      const Cell c{x0, y0, std::min(cell, grid.width - x0), std::min(cell, grid.height - y0)};
+  for (int y0 = 0; y0 < grid.height; y0 += Pieces::cell)
+    for (int x0 = 0; x0 < grid.width; x0 += Pieces::cell) {
+      const Cell c{x0, y0, std::min(Pieces::cell, grid.width - x0), std::min(Pieces::cell, grid.height - y0)};
       join_nodes(bonds, owner, c, sets);
       add_pieces(grid, owner, c, sets, pieces);
     }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double rim = 0.8;   // pixels: blur of lens and pixel in the cover, roughly
 constexpr double beyond = 3;  // pixels round the grains that count
-constexpr double usual_blur = 0.7, outlier = 3;
+constexpr double usual_blur = 0.7, overlay_outlier = 3;
 constexpr double radius_known = 0.01;  // share: radii are those of the circles
 constexpr int rounds = 3;
 
@@ -123,7 +123,7 @@ void refine(const PictureGrains& circles, const FloatImage& picture, Overlay& fo
     found.rms = robust_rms(away);
     std::vector<Vec2> from, to;
     for (std::size_t i = 0; i < at.size(); ++i) {
-      if (away[i] > outlier * found.rms * 1.2 + 1e-9) continue;
+      if (away[i] > overlay_outlier * found.rms * 1.2 + 1e-9) continue;
       from.push_back({circles.x[i], circles.y[i]});
       to.push_back({model.disks()[i].x, model.disks()[i].y});
     }

@@ -10,7 +10,7 @@
 namespace arenite::geometry {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Height of the window that the disk covers at x, integrated by the midpoint rule after x = sin(u), which takes the
 /// square roots at the rim away.

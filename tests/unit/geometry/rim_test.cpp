@@ -7,7 +7,7 @@
 namespace arenite::geometry {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double length_of(const std::vector<Edge>& rim) {
   double length = 0;

@@ -7,7 +7,7 @@
 namespace arenite {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A disk, a square widened by 0.1 and two disks that overlap, turned by these angles.
 Grains three_grains(const std::vector<double>& angles) {

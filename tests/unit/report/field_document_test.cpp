@@ -11,7 +11,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-const test::FieldPageSample& sample() {
+const test::FieldPageSample& field_sample() {
   static const test::FieldPageSample made({96, 2, 1.6, 0.5, 0.075, 0.86, 3}, 6);
   return made;
 }
@@ -19,21 +19,21 @@ const test::FieldPageSample& sample() {
 }  // namespace
 
 TEST(FieldDocument, HoldsAMapOnceForAllResultsOnIt) {
-  const Json document = Json::parse(report::page_document(sample().data).json);
+  const Json document = Json::parse(report::page_document(field_sample().data).json);
   EXPECT_EQ(document["maps"].size(), 1u);
   ASSERT_EQ(document["fields"].size(), 3u);
   for (const Json& field : document["fields"]) EXPECT_EQ(field["map"], 0);
 }
 
 TEST(FieldDocument, HoldsStressesOnlyWhereTheSampleWasLoaded) {
-  const Json document = Json::parse(report::page_document(sample().data).json);
+  const Json document = Json::parse(report::page_document(field_sample().data).json);
   EXPECT_TRUE(document["fields"][0]["components"].empty());
   for (const char* name : {"xx", "yy", "xy", "ux", "uy"}) EXPECT_EQ(document["fields"][1]["components"][name]["residual"]["n"], 96 * 96) << name;
 }
 
 TEST(FieldDocument, GivesTheMeanOverWhatIsNotVoid) {
-  const Json document = Json::parse(report::page_document(sample().data).json);
-  const auto& load = sample().load;
+  const Json document = Json::parse(report::page_document(field_sample().data).json);
+  const auto& load = field_sample().load;
   double sum = 0;
   std::size_t count = 0;
   for (std::size_t k = 0; k < load.map.size(); ++k)
@@ -42,10 +42,10 @@ TEST(FieldDocument, GivesTheMeanOverWhatIsNotVoid) {
 }
 
 TEST(FieldDocument, MeasuresDensitiesAsTheLoadsStatisticsAsk) {
-  const Json document = Json::parse(report::page_document(sample().data).json);
+  const Json document = Json::parse(report::page_document(field_sample().data).json);
   EXPECT_TRUE(document["fields"][0]["statistics"].empty());
-  report::PageData asked = sample().data;
-  asked.fields = {{&sample().load, {}}};
+  report::PageData asked = field_sample().data;
+  asked.fields = {{&field_sample().load, {}}};
   asked.fields[0].statistics.clamp_rows = 8;
   asked.fields[0].statistics.leave_out_surface = true;
   const Json statistics = Json::parse(report::page_document(asked).json)["fields"][0]["statistics"];
@@ -70,7 +70,7 @@ TEST(FieldDocument, AgreesWithTheNumbersThatALoadIsStoredWith) {
   recipe::Load load;
   load.name = "tension";
   load.statistics.clamp_rows = 8;
-  const auto result = workflow::apply_load(load, sample().cement, {});
+  const auto result = workflow::apply_load(load, field_sample().cement, {});
   ASSERT_TRUE(result);
   const auto field_of = [&](const stress::StressOptions& statistics) {
     return Json::parse(report::page_document({"one", {}, {}, {{&*result, statistics}}}).json)["fields"][0];
@@ -84,14 +84,14 @@ TEST(FieldDocument, AgreesWithTheNumbersThatALoadIsStoredWith) {
 }
 
 TEST(FieldDocument, OfASampleWithoutAnyStressSaysWhyNothingWasMeasured) {
-  FieldResult severed = sample().load;
+  FieldResult severed = field_sample().load;
   for (auto* values : {&severed.field.xx, &severed.field.yy, &severed.field.xy}) values->assign(values->size(), 0);
   const Json document = Json::parse(report::page_document({"severed", {}, {}, {{&severed, {}}}}).json);
   EXPECT_EQ(document["fields"][0]["statistics"]["notes"].size(), 1u);
 }
 
 TEST(FieldDocument, HoldsVoidsAndPoresOfTheMap) {
-  const Json document = Json::parse(report::page_document(sample().data).json);
+  const Json document = Json::parse(report::page_document(field_sample().data).json);
   for (const char* kind : {"voids", "pores"}) {
     const Json& cavities = document["maps"][0]["cavities"][kind];
     EXPECT_EQ(cavities["label"]["n"], 96 * 96);
@@ -101,15 +101,15 @@ TEST(FieldDocument, HoldsVoidsAndPoresOfTheMap) {
 }
 
 TEST(FieldDocument, HoldsCracksAndTheCurveOfAPull) {
-  const Json document = Json::parse(report::page_document(sample().data).json);
+  const Json document = Json::parse(report::page_document(field_sample().data).json);
   const Json& pull = document["fields"][2];
-  EXPECT_EQ(pull["cracks"]["count"], sample().pull.cracks.size());
+  EXPECT_EQ(pull["cracks"]["count"], field_sample().pull.cracks.size());
   EXPECT_EQ(pull["curve"].size(), 6u);
   EXPECT_FALSE(document["fields"][1].contains("cracks"));
 }
 
 TEST(FieldDocument, StandsBesideAPackingOrWithoutOne) {
-  const Json document = Json::parse(report::page_document(sample().data).json);
+  const Json document = Json::parse(report::page_document(field_sample().data).json);
   EXPECT_TRUE(document["frames"].empty());
   EXPECT_FALSE(Json::parse(report::page_document({"nothing", {}, {}}).json).contains("fields"));
 }

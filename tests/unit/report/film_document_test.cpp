@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-const test::FilmPageSample& sample() {
+const test::FilmPageSample& film_sample() {
   static const test::FilmPageSample made(120, 3e-3);
   return made;
 }
@@ -23,12 +23,12 @@ Json document_of(const FilmResult& film) { return Json::parse(report::page_docum
 }  // namespace
 
 TEST(FilmDocument, HoldsEveryMapThatTheResultHas) {
-  const Json film = document_of(sample().film);
-  const std::size_t pixels = sample().film.film.pixels();
+  const Json film = document_of(film_sample().film);
+  const std::size_t pixels = film_sample().film.film.pixels();
   for (const char* name : {"picture", "amplitude", "phase", "in_phase", "second_harmonic", "standard_error", "residual"})
     EXPECT_EQ(film["maps"][name]["residual"]["n"], pixels) << name;
   EXPECT_EQ(film["bad"]["n"], 2);
-  FilmResult bare = sample().film;
+  FilmResult bare = film_sample().film;
   bare.maps.second_harmonic.clear();
   bare.picture.clear();
   EXPECT_FALSE(document_of(bare)["maps"].contains("second_harmonic"));
@@ -36,7 +36,7 @@ TEST(FilmDocument, HoldsEveryMapThatTheResultHas) {
 }
 
 TEST(FilmDocument, ListsPixelsWithoutAValue) {
-  FilmResult holed = sample().film;
+  FilmResult holed = film_sample().film;
   holed.maps.in_phase[7] = holed.maps.in_phase[11] = std::nanf("");
   const Json film = document_of(holed);
   EXPECT_EQ(film["maps"]["in_phase"]["holes"]["n"], 2);
@@ -44,7 +44,7 @@ TEST(FilmDocument, ListsPixelsWithoutAValue) {
 }
 
 TEST(FilmDocument, PutsGrainsWithoutCirclesWhereTheirPlacesInMetresAre) {
-  FilmResult handmade = sample().film;
+  FilmResult handmade = film_sample().film;
   handmade.grains = {};
   const Json grains = document_of(handmade)["grains"];
   EXPECT_EQ(grains["x"]["n"], 120);
@@ -54,15 +54,15 @@ TEST(FilmDocument, PutsGrainsWithoutCirclesWhereTheirPlacesInMetresAre) {
 }
 
 TEST(FilmDocument, NumbersWallsAfterTheGrains) {
-  const Json film = document_of(sample().film);
-  EXPECT_EQ(film["contacts"]["count"], sample().film.packing.contacts.size());
+  const Json film = document_of(film_sample().film);
+  EXPECT_EQ(film["contacts"]["count"], film_sample().film.packing.contacts.size());
   for (const char* name : {"fn", "ft", "fn_error", "ft_error", "presence", "nx", "ny"}) EXPECT_TRUE(film["contacts"].contains(name)) << name;
 }
 
 TEST(FilmDocument, OfMapsAloneHasNeitherGrainsNorStresses) {
   FilmResult maps;
-  maps.film = sample().film.film;
-  maps.maps = sample().film.maps;
+  maps.film = film_sample().film.film;
+  maps.maps = film_sample().film.maps;
   const Json film = document_of(maps);
   EXPECT_EQ(film["grains"]["count"], 0);
   EXPECT_EQ(film["contacts"]["count"], 0);
@@ -72,8 +72,8 @@ TEST(FilmDocument, OfMapsAloneHasNeitherGrainsNorStresses) {
 }
 
 TEST(FilmDocument, PutsTheFrameWhereItsWallsAre) {
-  const Json frame = document_of(sample().film)["frame"];
-  const FilmResult& film = sample().film;
+  const Json frame = document_of(film_sample().film)["frame"];
+  const FilmResult& film = film_sample().film;
   EXPECT_NEAR(frame[0], 5.5, 1e-9);
   EXPECT_NEAR(frame[1], 5.5 + film.packing.domain.width() / film.pixel, 1e-9);
   EXPECT_NEAR(frame[3], 5.5, 1e-9);

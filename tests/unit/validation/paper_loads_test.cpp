@@ -9,7 +9,7 @@ namespace arenite::validation {
 namespace {
 
 const std::vector<std::string> load_keys{"bidisperse.size_ratio", "bidisperse.volume_ratio", "cement.kind", "loads.0.loading", "seed"};
-const std::vector<std::string> numbers{"modulus_Pa", "stress.sigma_yy.sets.large.mean_Pa", "stress.sigma_xy.sets.large.variance"};
+const std::vector<std::string> load_numbers{"modulus_Pa", "stress.sigma_yy.sets.large.mean_Pa", "stress.sigma_xy.sets.large.variance"};
 
 Results made_up(double pushed_modulus) {
   std::vector<MadeUpRun> runs;
@@ -19,7 +19,7 @@ Results made_up(double pushed_modulus) {
     runs.push_back({{"5", "1.4", "full", "shear", seed}, {2, 0, 4 + 0.1 * std::stod(seed)}});
   }
   Results results;
-  results.add("paper-loads", made_up_table(load_keys, numbers, runs));
+  results.add("paper-loads", made_up_table(load_keys, load_numbers, runs));
   return results;
 }
 

@@ -15,7 +15,7 @@
 namespace arenite::packing {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 BidisperseParameters parameters(double gamma, double theta, double box_area = 150) {
   BidisperseParameters p;

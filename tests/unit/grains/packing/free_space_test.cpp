@@ -9,7 +9,7 @@
 namespace arenite::packing {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(FreeSpace, PlacesBesideADiskLeaveOutWhatItsNeighbourForbids) {
   // Equal disks that touch: a third keeps off the neighbour on 120 degrees, so it is at 60 degrees or more from it.

@@ -14,8 +14,8 @@ namespace arenite::cement {
 namespace {
 
 using Kind = CementParameters::Kind;
+using std::numbers::pi;
 using test::disks;
-constexpr double pi = std::numbers::pi;
 const Window wide{-9, 9, -9, 9};
 
 CementParameters bridges(double gap, double width, bool full_width = false) {

@@ -7,13 +7,13 @@
 namespace arenite::inference {
 namespace {
 
-constexpr double pixel = 1.6e-3, radius = 7e-3;
+constexpr double pixel = 1.6e-3, disk_size = 7e-3;
 
 /// One grain under three forces; its second neighbour only spills light.
 Placed two_grains() {
   Placed p;
-  p.length = 0.06, p.radius = {radius, radius}, p.factor = {1.5e-8, 2.5e-8};
-  p.centre = p.found = {{0, 0}, {2.05 * radius, 0}};
+  p.length = 0.06, p.radius = {disk_size, disk_size}, p.factor = {1.5e-8, 2.5e-8};
+  p.centre = p.found = {{0, 0}, {2.05 * disk_size, 0}};
   const auto touch = [](int contact, double angle) { return Touch{contact, -1, {std::cos(angle), std::sin(angle)}, 0}; };
   p.touches = {{touch(0, 0.4), touch(1, 2.2), touch(2, 4.5)}, {touch(3, 1.3), touch(4, 4.0)}};
   p.near = {{{1, {0, 0}}}, {{0, {0, 0}}}};
