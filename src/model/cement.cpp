@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "geometry/meniscus.hpp"
+#include "model/periodic_images.hpp"
 
 namespace arenite {
 namespace {
@@ -21,12 +22,6 @@ std::vector<Vec2> image_shifts(const Domain& domain) {
   for (int y = domain.periodic_y ? -1 : 0; y <= (domain.periodic_y ? 1 : 0); ++y)
     for (int x = domain.periodic_x ? -1 : 0; x <= (domain.periodic_x ? 1 : 0); ++x) shifts.push_back({x * domain.width(), y * domain.height()});
   return shifts;
-}
-
-Vec2 in_cell(const Domain& d, Vec2 p) {
-  if (d.periodic_x) p.x -= std::floor((p.x - d.wall[left].position) / d.width()) * d.width();
-  if (d.periodic_y) p.y -= std::floor((p.y - d.wall[bottom].position) / d.height()) * d.height();
-  return p;
 }
 
 bool reaches(Vec2 centre, double reach, const geometry::Rectangle& w) {
@@ -42,7 +37,7 @@ struct Placer {
   void add_grain(std::size_t g) {
     const double r = packing.grains.radius[g];
     for (const Vec2 shift : shifts) {
-      const Vec2 centre = in_cell(packing.domain, packing.grains.centre(g)) + shift - middle;
+      const Vec2 centre = wrapped(packing.domain, packing.grains.centre(g)) + shift - middle;
       if (reaches(centre, r + placed.coating, placed.window)) placed.grains.push_back({centre, r, static_cast<std::int32_t>(g)});
     }
   }
@@ -53,7 +48,7 @@ struct Placer {
     const Vec2 apart = domain.nearest_image(grains.centre(j) - grains.centre(i));
     const double reach = 0.5 * norm(apart) + std::max({grains.radius[i], grains.radius[j], neck.half_a, neck.half_b});
     for (const Vec2 shift : shifts) {
-      neck.a = in_cell(domain, grains.centre(i)) + shift - middle;
+      neck.a = wrapped(domain, grains.centre(i)) + shift - middle;
       // Without images the second centre keeps its own digits, as the grain there does.
       neck.b = domain.periodic_x || domain.periodic_y ? neck.a + apart : grains.centre(j) - middle;
       neck.radius_a = grains.radius[i];

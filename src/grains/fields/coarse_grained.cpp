@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "core/error.hpp"
-#include "grains/fields/images.hpp"
 #include "grains/texture/view.hpp"
+#include "model/periodic_images.hpp"
 
 namespace arenite::fields {
 namespace {
@@ -37,7 +37,7 @@ geometry::Rectangle around(Vec2 a, Vec2 b, double reach) {
 geometry::Rectangle moved(const geometry::Rectangle& r, Vec2 by) { return {r.x_min + by.x, r.x_max + by.x, r.y_min + by.y, r.y_max + by.y}; }
 
 /// How fast an image of the cell moves against the cell itself.
-Vec2 image_velocity(const Domain& domain, const CoarseGraining& choice, const Image& image) {
+Vec2 image_velocity(const Domain& domain, const CoarseGraining& choice, const ImageShift& image) {
   const auto rate = [&](int low, int high) { return domain.wall[high].velocity - domain.wall[low].velocity; };
   const double wider = domain.periodic_x ? rate(left, right) : 0, higher = domain.periodic_y ? rate(bottom, top) : 0;
   const double tilting = choice.tilt_rate.value_or(domain.periodic_x ? domain.tilt * wider / domain.width() : 0);
@@ -49,7 +49,7 @@ template <class Visit>
 void for_points_near(const Packing& packing, std::size_t g, const Grid& grid, const CoarseGraining& choice, double reach, Visit&& visit) {
   const Grains& grains = packing.grains;
   const geometry::Rectangle extent = around(grains.centre(g), grains.centre(g), reach);
-  for_each_image(packing.domain, extent, grid.bounds, [&](const Image& image) {
+  for_each_image(packing.domain, extent, grid.bounds, [&](const ImageShift& image) {
     const Vec2 centre = grains.centre(g) + image.shift;
     const Vec2 velocity = Vec2{grains.vx[g], grains.vy[g]} + image_velocity(packing.domain, choice, image);
     for_points_in(grid, moved(extent, image.shift), [&](std::size_t k, Vec2 point) {
@@ -105,7 +105,7 @@ void add_contacts(const Packing& packing, const Kernel& kernel, CoarseFields& fi
     const Vec2 branch = contacts.branch(c);
     const Tensor2 moment = outer(force, branch);
     const geometry::Rectangle extent = around(start, start + branch, kernel.reach());
-    for_each_image(packing.domain, extent, fields.grid.bounds, [&](const Image& image) {
+    for_each_image(packing.domain, extent, fields.grid.bounds, [&](const ImageShift& image) {
       for_points_in(fields.grid, moved(extent, image.shift), [&](std::size_t k, Vec2 point) {
         const Vec2 from = point - start - image.shift, to = from - branch;
         fields.contact_stress[k] += kernel.line_mean(from, to) * moment;

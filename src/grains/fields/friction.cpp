@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "grains/texture/view.hpp"
+#include "model/periodic_images.hpp"
 #include "statistics/jackknife.hpp"
 
 namespace arenite::fields {
@@ -30,7 +31,7 @@ std::vector<int> blocks_of(const Packing& packing) {
   std::vector<int> block(contacts.size());
   for (std::size_t c = 0; c < block.size(); ++c) {
     const Vec2 point = packing.grains.centre(static_cast<std::size_t>(contacts.i[c])) + contacts.lever_i(c);
-    block[c] = blocks.per_side > 1 ? blocks.block_of(texture::wrapped(packing.domain, point)) : static_cast<int>(c);
+    block[c] = blocks.per_side > 1 ? blocks.block_of(wrapped(packing.domain, point)) : static_cast<int>(c);
   }
   return block;
 }

@@ -7,9 +7,8 @@
 #include <span>
 
 #include "core/error.hpp"
-#include "geometry/close_pairs.hpp"
-#include "grains/fields/images.hpp"
-#include "grains/texture/view.hpp"
+#include "model/periodic_images.hpp"
+#include "statistics/estimate.hpp"
 
 namespace arenite::fields {
 namespace {
@@ -40,42 +39,18 @@ struct Neighbour {
   Vec2 separation;  // from the grain to its neighbour's image, before
 };
 
-/// Of every grain: the cell's grains first, then those images of them that lie within `range` of the cell, all compared pair by pair.
+/// Of every grain, near images included.
 std::vector<std::vector<Neighbour>> neighbours_within(const Packing& packing, double range) {
-  const Domain& domain = packing.domain;
   const std::size_t n = packing.grains.size();
-  std::vector<double> x, y;
-  std::vector<std::size_t> of;
-  const auto add = [&](Vec2 p, std::size_t g) {
-    x.push_back(p.x);
-    y.push_back(p.y);
-    of.push_back(g);
-  };
-  for (std::size_t g = 0; g < n; ++g) add(texture::wrapped(domain, packing.grains.centre(g)), g);
-  const geometry::Rectangle cell = texture::box_of(domain);
-  const geometry::Rectangle reach{cell.x_min - range, cell.x_max + range, cell.y_min - range, cell.y_max + range};
-  if (domain.periodic_x || domain.periodic_y)
-    for (std::size_t g = 0; g < n; ++g) {
-      const Vec2 p{x[g], y[g]};
-      // Along a side without images a grain may lie beyond the box: its extent there is all that the reach is.
-      const geometry::Rectangle extent{domain.periodic_x ? p.x : reach.x_min, domain.periodic_x ? p.x : reach.x_max, domain.periodic_y ? p.y : reach.y_min,
-                                       domain.periodic_y ? p.y : reach.y_max};
-      for_each_image(domain, extent, reach, [&](const Image& image) {
-        if (image.columns != 0 || image.rows != 0) add(p + image.shift, g);
-      });
-    }
+  const PeriodicImages images = images_of(packing.grains.x, packing.grains.y, std::vector<double>(n, range / 2), packing.domain, 0);
   std::vector<std::vector<Neighbour>> list(n);
-  if (n == 0) return list;
-  const auto [x0, x1] = std::minmax_element(x.begin(), x.end());
-  const auto [y0, y1] = std::minmax_element(y.begin(), y.end());
-  const geometry::Box box{*x0, *y0, std::max(*x1 - *x0, range), std::max(*y1 - *y0, range), false, false};
-  const std::vector<double> radius(x.size(), range / 2);
-  for (const auto [first, second] : geometry::close_pairs(x, y, radius, box, 0)) {
+  for (const auto [first, second] : images.close_pairs(0)) {
     const auto a = static_cast<std::size_t>(first), b = static_cast<std::size_t>(second);
-    if (of[a] == of[b]) continue;  // a grain and its own image say what the cell did, not what its neighbours did
-    const Vec2 separation{x[b] - x[a], y[b] - y[a]};
-    if (a < n) list[a].push_back({of[b], separation});
-    if (b < n) list[b].push_back({of[a], -separation});
+    const auto of_a = static_cast<std::size_t>(images.of[a]), of_b = static_cast<std::size_t>(images.of[b]);
+    if (of_a == of_b) continue;  // a grain and its own image say what the cell did, not what its neighbours did
+    const Vec2 separation{images.x[b] - images.x[a], images.y[b] - images.y[a]};
+    if (a < n) list[a].push_back({of_b, separation});
+    if (b < n) list[b].push_back({of_a, -separation});
   }
   return list;
 }

@@ -1,67 +1,25 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <vector>
 
 #include "core/error.hpp"
-#include "geometry/close_pairs.hpp"
 #include "grains/texture/view.hpp"
+#include "model/periodic_images.hpp"
 
 namespace arenite::texture {
 namespace {
 
-/// Grains in the cell, followed by those of their periodic images that can touch a grain in it.
-struct Images {
-  std::vector<double> x, y, radius;
-  std::vector<std::size_t> of;  ///< the grain
-
-  void add(Vec2 p, double r, std::size_t grain) {
-    x.push_back(p.x);
-    y.push_back(p.y);
-    radius.push_back(r);
-    of.push_back(grain);
-  }
-};
-
-Images images_of(const Packing& packing, double gap) {
-  const Domain& d = packing.domain;
-  const Grains& grains = packing.grains;
-  const double largest = grains.size() > 0 ? *std::max_element(grains.radius.begin(), grains.radius.end()) : 0;
-  const geometry::Rectangle box = box_of(d);
-  Images images;
-  for (std::size_t g = 0; g < grains.size(); ++g) images.add(wrapped(d, grains.centre(g)), grains.radius[g], g);
-  const auto turns = [](double reach, double length, bool periodic) { return periodic ? 1 + static_cast<int>(reach / length) : 0; };
-  for (std::size_t g = 0; g < grains.size(); ++g) {
-    const double reach = grains.radius[g] + largest + gap;
-    const int ny = turns(reach, d.height(), d.periodic_y), nx = turns(reach, d.width(), d.periodic_x) + (ny > 0 && d.tilt != 0 ? ny : 0);
-    for (int iy = -ny; iy <= ny; ++iy)
-      for (int ix = -nx; ix <= nx; ++ix) {
-        const Vec2 p{images.x[g] + ix * d.width() + iy * d.tilt, images.y[g] + iy * d.height()};
-        const bool near = p.x > box.x_min - reach && p.x < box.x_max + reach && p.y > box.y_min - reach && p.y < box.y_max + reach;
-        if (near && (ix != 0 || iy != 0)) images.add(p, grains.radius[g], g);
-      }
-  }
-  return images;
-}
-
-geometry::Box bounds_of(const Images& images) {
-  if (images.x.empty()) return {};
-  const auto [x0, x1] = std::minmax_element(images.x.begin(), images.x.end());
-  const auto [y0, y1] = std::minmax_element(images.y.begin(), images.y.end());
-  return {*x0, *y0, std::max(*x1 - *x0, images.radius[0]), std::max(*y1 - *y0, images.radius[0]), false, false};
-}
-
 /// Neighbours of every grain in the two classes.
-std::vector<std::array<int, 2>> count_neighbours(const Packing& packing, const Images& images, double gap, std::array<int, 2> classes) {
+std::vector<std::array<int, 2>> count_neighbours(const Packing& packing, const PeriodicImages& images, double gap, std::array<int, 2> classes) {
   const auto& material = packing.grains.material;
   std::vector<std::array<int, 2>> count(packing.grains.size(), {0, 0});
   const auto add = [&](std::size_t image, std::size_t neighbour) {
     if (image >= count.size()) return;  // an image's own neighbours are counted with its grain
     for (std::size_t k = 0; k < 2; ++k)
-      if (material[images.of[neighbour]] == classes[k]) ++count[image][k];
+      if (material[static_cast<std::size_t>(images.of[neighbour])] == classes[k]) ++count[image][k];
   };
-  for (const auto [i, j] : geometry::close_pairs(images.x, images.y, images.radius, bounds_of(images), gap)) {
+  for (const auto [i, j] : images.close_pairs(gap)) {
     add(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
     add(static_cast<std::size_t>(j), static_cast<std::size_t>(i));
   }
@@ -70,7 +28,7 @@ std::vector<std::array<int, 2>> count_neighbours(const Packing& packing, const I
 
 bool holds(const geometry::Rectangle& window, Vec2 p) { return p.x >= window.x_min && p.x <= window.x_max && p.y >= window.y_min && p.y <= window.y_max; }
 
-std::vector<int> blocks_of(const Images& images, std::size_t grains, std::size_t counted, const geometry::Rectangle& window) {
+std::vector<int> blocks_of(const PeriodicImages& images, std::size_t grains, std::size_t counted, const geometry::Rectangle& window) {
   const BlockGrid blocks{window, blocks_per_side(counted)};
   std::vector<int> block(grains);
   for (std::size_t g = 0; g < grains; ++g) block[g] = blocks.per_side > 1 ? blocks.block_of({images.x[g], images.y[g]}) : static_cast<int>(g);
@@ -90,7 +48,7 @@ std::vector<double> means(const std::vector<double>& sums) {
 GapCoordination gap_coordination(const Packing& packing, double gap, int large, int small, const std::optional<geometry::Rectangle>& window) {
   if (!(gap >= 0)) throw InputError(fmt::format("neighbours up to a surface gap of {:g} m; give 0 or more", gap));
   if (large == small) throw InputError("large and small grains are of one material; give each class its own");
-  const Images images = images_of(packing, gap);
+  const PeriodicImages images = images_of(packing.grains, packing.domain, gap);
   const auto neighbours = count_neighbours(packing, images, gap, {large, small});
   const auto& material = packing.grains.material;
 

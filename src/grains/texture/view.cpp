@@ -6,6 +6,8 @@
 #include <numbers>
 #include <set>
 
+#include "model/periodic_images.hpp"
+
 namespace arenite::texture {
 namespace {
 
@@ -115,29 +117,11 @@ double mean_of_known(const Items& items, const std::vector<double>& values) {
   return mean;
 }
 
-Vec2 wrapped(const Domain& d, Vec2 p) {
-  if (d.periodic_y) {
-    const double n = std::floor((p.y - d.wall[bottom].position) / d.height());
-    p.y -= n * d.height();
-    p.x -= n * d.tilt;
-  }
-  if (d.periodic_x) p.x -= std::floor((p.x - d.wall[left].position) / d.width()) * d.width();
-  return p;
-}
-
 double covered_area(const Domain& domain, Vec2 centre, double radius, const geometry::Rectangle& window) {
   if (!domain.periodic_x && !domain.periodic_y) return geometry::disk_window_area(centre, radius, window);
+  const geometry::Rectangle extent{centre.x - radius, centre.x + radius, centre.y - radius, centre.y + radius};
   double area = 0;
-  const auto images = [](double low, double high, double period, bool periodic) {
-    if (!periodic) return std::pair{0, 0};
-    return std::pair{static_cast<int>(std::ceil(low / period)), static_cast<int>(std::floor(high / period))};
-  };
-  const auto [m0, m1] = images(window.y_min - radius - centre.y, window.y_max + radius - centre.y, domain.height(), domain.periodic_y);
-  for (int m = m0; m <= m1; ++m) {
-    const Vec2 row{centre.x + m * domain.tilt, centre.y + m * domain.height()};
-    const auto [k0, k1] = images(window.x_min - radius - row.x, window.x_max + radius - row.x, domain.width(), domain.periodic_x);
-    for (int k = k0; k <= k1; ++k) area += geometry::disk_window_area({row.x + k * domain.width(), row.y}, radius, window);
-  }
+  for_each_image(domain, extent, window, [&](const ImageShift& image) { area += geometry::disk_window_area(centre + image.shift, radius, window); });
   return area;
 }
 

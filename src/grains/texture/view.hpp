@@ -82,9 +82,6 @@ ByName<Items> grains_by_type(const View& view);
 Items known(const Items& items, const std::vector<double>& values);
 double mean_of_known(const Items& items, const std::vector<double>& values);
 
-/// A point moved into the periodic cell; unchanged along sides that are not periodic.
-Vec2 wrapped(const Domain& domain, Vec2 point);
-
 /// Area of a disk inside a rectangle, periodic images of the disk included.
 double covered_area(const Domain& domain, Vec2 centre, double radius, const geometry::Rectangle& window);
 

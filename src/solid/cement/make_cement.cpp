@@ -7,10 +7,10 @@
 
 #include "core/problems.hpp"
 #include "core/root.hpp"
-#include "geometry/close_pairs.hpp"
 #include "geometry/meniscus.hpp"
 #include "geometry/outline.hpp"
 #include "model/cement.hpp"
+#include "model/periodic_images.hpp"
 #include "solid/cement/cement.hpp"
 
 namespace arenite::cement {
@@ -33,25 +33,6 @@ double curvature_of(const geometry::MeniscusDisks& d, double volume, double most
   const auto curvature = [&](double x) { return x < 1 ? x / ((1 - x) * r) : std::numeric_limits<double>::infinity(); };
   const auto excess = [&](double x) { return geometry::meniscus_area(d, curvature(x)) - volume; };
   return curvature(bracketed_root<double>(excess, 0, most - volume, end, excess(end)));
-}
-
-/// Pairs of grains with a surface gap of at most `gap`, periodic sides included, sorted.
-std::vector<geometry::Pair> joined_pairs(const Packing& packing, double gap) {
-  const Grains& g = packing.grains;
-  const Domain& domain = packing.domain;
-  if (g.size() == 0) return {};
-  std::vector<double> x = g.x, y = g.y;
-  const auto span = [&](std::vector<double>& v, bool periodic, double low, double length) {
-    if (!periodic) {
-      const auto [first, last] = std::minmax_element(v.begin(), v.end());
-      return std::pair{*first, std::max(*last - *first, g.radius[0])};
-    }
-    for (double& p : v) p -= std::floor((p - low) / length) * length;
-    return std::pair{low, length};
-  };
-  const auto [x0, width] = span(x, domain.periodic_x, domain.wall[left].position, domain.width());
-  const auto [y0, height] = span(y, domain.periodic_y, domain.wall[bottom].position, domain.height());
-  return geometry::close_pairs(x, y, g.radius, {x0, y0, width, height, domain.periodic_x, domain.periodic_y}, gap);
 }
 
 /// Bridges whose half bases are `half_width` times the radii of their grains (P II.B).
@@ -120,7 +101,7 @@ void check(const CementParameters& p, const Window& w) {
 class Maker {
  public:
   Maker(const Packing& packing, const CementParameters& p, const Window& window) : packing_(packing), p_(p), window_(window) {
-    if (p.kind == Kind::bridges || p.kind == Kind::menisci) pairs_ = joined_pairs(packing, p.gap);
+    if (p.kind == Kind::bridges || p.kind == Kind::menisci) pairs_ = pairs_within(packing.grains, packing.domain, p.gap);
   }
 
   Cement operator()(double parameter, CementReport& report) const {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "model/periodic_images.hpp"
 
 namespace arenite::imaging {
 namespace {
@@ -33,71 +34,12 @@ double surface_error(const GrainErrors& errors, std::size_t g) {
   return std::hypot(errors.position.empty() ? 0.0 : errors.position[g], errors.radius.empty() ? 0.0 : errors.radius[g]);
 }
 
-/// Centres with those images beyond periodic sides that are near enough to touch; `of` is the grain each belongs to.
-struct Images {
-  std::vector<double> x, y, radius;
-  std::vector<std::int32_t> of;
-
-  void add(Vec2 at, double r, std::size_t grain) {
-    x.push_back(at.x);
-    y.push_back(at.y);
-    radius.push_back(r);
-    of.push_back(static_cast<std::int32_t>(grain));
-  }
-};
-
-Vec2 into_cell(Vec2 p, const Domain& domain) {
-  if (domain.periodic_y) {
-    const double n = std::floor((p.y - domain.wall[bottom].position) / domain.height());
-    p -= n * Vec2{domain.tilt, domain.height()};
-  }
-  if (domain.periodic_x) p.x -= std::floor((p.x - domain.wall[left].position) / domain.width()) * domain.width();
-  return p;
-}
-
-Images images_of(const Grains& grains, const Domain& domain, double reach) {
-  Images images;
-  for (std::size_t g = 0; g < grains.size(); ++g) images.add(into_cell(grains.centre(g), domain), grains.radius[g], g);
-  const auto copy = [&](Vec2 shift, auto near_enough) {
-    const std::size_t n = images.of.size();
-    for (std::size_t k = 0; k < n; ++k) {
-      const Vec2 at = Vec2{images.x[k], images.y[k]} + shift;
-      if (near_enough(at)) images.add(at, images.radius[k], static_cast<std::size_t>(images.of[k]));
-    }
-  };
-  // One image row below suffices for pairs across that side; sideways the shift may carry images beyond both edges.
-  if (domain.periodic_y) copy({-domain.tilt, -domain.height()}, [&](Vec2 p) { return p.y > domain.wall[bottom].position - reach; });
-  if (domain.periodic_x) {
-    for (std::size_t k = 0; k < images.of.size(); ++k) images.x[k] -= std::floor((images.x[k] - domain.wall[left].position) / domain.width()) * domain.width();
-    copy({-domain.width(), 0}, [&](Vec2 p) { return p.x > domain.wall[left].position - reach; });
-  }
-  return images;
-}
-
 void add_contact(Contacts& contacts, std::int32_t i, std::int32_t j, Vec2 normal, double arm_i, double arm_j, double overlap) {
   contacts.add(i, j, normal, 0, 0, arm_i, arm_j);
   contacts.overlap.back() = overlap;
 }
 
 }  // namespace
-
-std::vector<geometry::Pair> pairs_within(const Grains& grains, const Domain& domain, double gap) {
-  const double largest = grains.size() > 0 ? *std::max_element(grains.radius.begin(), grains.radius.end()) : 0;
-  const Images images = images_of(grains, domain, 2 * largest + gap);
-  if (images.of.empty()) return {};
-  const auto [x0, x1] = std::minmax_element(images.x.begin(), images.x.end());
-  const auto [y0, y1] = std::minmax_element(images.y.begin(), images.y.end());
-  auto pairs = geometry::close_pairs(images.x, images.y, images.radius, {*x0, *y0, *x1 - *x0, *y1 - *y0, false, false}, gap);
-  for (auto& [i, j] : pairs) {
-    i = images.of[static_cast<std::size_t>(i)];
-    j = images.of[static_cast<std::size_t>(j)];
-    if (i > j) std::swap(i, j);
-  }
-  std::erase_if(pairs, [](const geometry::Pair& p) { return p.i == p.j; });
-  std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return std::pair(a.i, a.j) < std::pair(b.i, b.j); });
-  pairs.erase(std::unique(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.i == b.i && a.j == b.j; }), pairs.end());
-  return pairs;
-}
 
 Contacts propose_contacts(const Grains& grains, const Domain& domain, const GrainErrors& errors, const ContactTolerance& tolerance) {
   check(grains, errors, tolerance);

@@ -1,7 +1,6 @@
 #pragma once
 #include <vector>
 
-#include "geometry/close_pairs.hpp"
 #include "model/packing.hpp"
 
 namespace arenite::imaging {
@@ -20,9 +19,6 @@ struct GrainErrors {
   std::vector<double> position;  ///< of the centre along one axis
   std::vector<double> radius;
 };
-
-/// Every pair of grains whose surface gap (nearest image, sheared cells too) is at most `gap`, m, by (i, j), i < j.
-std::vector<geometry::Pair> pairs_within(const Grains& grains, const Domain& domain, double gap);
 
 /// Contacts between grains, and with the walls that are present, whose surfaces are no farther apart than the tolerance:
 /// grains first, by (i, j), then walls by side. Forces are 0, `overlap` is minus the gap (below 0 where surfaces are

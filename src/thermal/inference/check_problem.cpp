@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/problems.hpp"
-#include "thermal/imaging/proposed_contacts.hpp"
+#include "model/periodic_images.hpp"
 #include "thermal/inference/equations.hpp"
 
 namespace arenite::inference {
@@ -21,7 +21,7 @@ void check_grains(const Packing& packing, Problems& problems) {
       return;
     }
   const Domain& d = packing.domain;
-  for (const geometry::Pair& pair : imaging::pairs_within(grains, d, 0)) {
+  for (const geometry::Pair& pair : pairs_within(grains, d, 0)) {
     const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
     const double overlap = grains.radius[i] + grains.radius[j] - norm(d.nearest_image(grains.centre(i) - grains.centre(j)));
     if (overlap > 0.4 * std::min(grains.radius[i], grains.radius[j]))

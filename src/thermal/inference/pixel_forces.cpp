@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/problems.hpp"
-#include "thermal/imaging/proposed_contacts.hpp"
+#include "model/periodic_images.hpp"
 #include "thermal/inference/pixel_equations.hpp"
 
 namespace arenite::inference {
@@ -58,7 +58,7 @@ std::vector<std::vector<Near>> near_grains(const Packing& packing, double gap) {
     const Vec2 apart = grains.centre(i) - grains.centre(j);
     near[i].push_back({j, apart - d.nearest_image(apart)});
   };
-  for (const geometry::Pair& pair : imaging::pairs_within(grains, d, gap)) {
+  for (const geometry::Pair& pair : pairs_within(grains, d, gap)) {
     add(static_cast<std::size_t>(pair.i), static_cast<std::size_t>(pair.j));
     add(static_cast<std::size_t>(pair.j), static_cast<std::size_t>(pair.i));
   }

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "grains/texture/view.hpp"
+#include "model/periodic_images.hpp"
 #include "unit/grains/texture/packings.hpp"
 
 namespace arenite::fields {
@@ -35,7 +36,7 @@ Packing moved(Packing p, const Tensor2& f, Vec2 shift) {
   p.domain.wall[right].position *= f.xx;
   p.domain.wall[top].position *= f.yy;
   for (std::size_t g = 0; g < p.grains.size(); ++g) {
-    const Vec2 in = texture::wrapped(p.domain, p.grains.centre(g));
+    const Vec2 in = wrapped(p.domain, p.grains.centre(g));
     p.grains.x[g] = in.x;
     p.grains.y[g] = in.y;
   }

@@ -1,4 +1,4 @@
-#include "grains/fields/images.hpp"
+#include "model/periodic_images.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "core/random.hpp"
 
-namespace arenite::fields {
+namespace arenite {
 namespace {
 
 TEST(Images, AreAllThatOverlapTheWindow) {
@@ -24,7 +24,7 @@ TEST(Images, AreAllThatOverlapTheWindow) {
     };
     const geometry::Rectangle extent = rectangle(), window = rectangle();
     std::multiset<std::pair<int, int>> found, wanted;
-    for_each_image(domain, extent, window, [&](const Image& image) {
+    for_each_image(domain, extent, window, [&](const ImageShift& image) {
       found.insert({image.columns, image.rows});
       EXPECT_DOUBLE_EQ(image.shift.x, 3 * image.columns + image.rows * domain.tilt);
       EXPECT_DOUBLE_EQ(image.shift.y, 2 * image.rows);
@@ -40,4 +40,4 @@ TEST(Images, AreAllThatOverlapTheWindow) {
 }
 
 }  // namespace
-}  // namespace arenite::fields
+}  // namespace arenite

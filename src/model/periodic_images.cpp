@@ -1,0 +1,81 @@
+#include "model/periodic_images.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace arenite {
+namespace {
+
+/// Images on either side along one axis that a reach covers.
+int turns(double reach, double length, bool periodic) {
+  constexpr double most = 1000;
+  if (!periodic) return 0;
+  if (!(reach < most * length)) throw InputError("grains are a thousand times larger than their periodic cell; correct the unit of the radii, or the cell");
+  return 1 + static_cast<int>(reach / length);
+}
+
+}  // namespace
+
+Vec2 wrapped(const Domain& d, Vec2 p) {
+  if (d.periodic_y) {
+    const double n = std::floor((p.y - d.wall[bottom].position) / d.height());
+    p.y -= n * d.height();
+    p.x -= n * d.tilt;
+  }
+  if (d.periodic_x) p.x -= std::floor((p.x - d.wall[left].position) / d.width()) * d.width();
+  return p;
+}
+
+void PeriodicImages::add(Vec2 centre, double r, std::int32_t disk) {
+  x.push_back(centre.x);
+  y.push_back(centre.y);
+  radius.push_back(r);
+  of.push_back(disk);
+}
+
+std::vector<geometry::Pair> PeriodicImages::close_pairs(double gap) const {
+  if (x.empty()) return {};
+  const auto [x0, x1] = std::minmax_element(x.begin(), x.end());
+  const auto [y0, y1] = std::minmax_element(y.begin(), y.end());
+  return geometry::close_pairs(x, y, radius, {*x0, *y0, std::max(*x1 - *x0, radius[0]), std::max(*y1 - *y0, radius[0]), false, false}, gap);
+}
+
+PeriodicImages images_of(std::span<const double> x, std::span<const double> y, std::span<const double> radius, const Domain& d, double gap) {
+  const double largest = radius.empty() ? 0 : *std::max_element(radius.begin(), radius.end());
+  PeriodicImages images;
+  for (std::size_t g = 0; g < x.size(); ++g) images.add(wrapped(d, {x[g], y[g]}), radius[g], static_cast<std::int32_t>(g));
+  const auto is_near = [](double p, double reach, bool periodic, const Wall& low, const Wall& high) {
+    return !periodic || (p > low.position - reach && p < high.position + reach);
+  };
+  for (std::size_t g = 0; g < x.size(); ++g) {
+    const double reach = radius[g] + largest + gap;
+    const int ny = turns(reach, d.height(), d.periodic_y), nx = d.periodic_x ? turns(reach, d.width(), true) + (d.tilt != 0 ? ny : 0) : 0;
+    for (int iy = -ny; iy <= ny; ++iy)
+      for (int ix = -nx; ix <= nx; ++ix) {
+        const Vec2 p{images.x[g] + ix * d.width() + iy * d.tilt, images.y[g] + iy * d.height()};
+        const bool near = is_near(p.x, reach, d.periodic_x, d.wall[left], d.wall[right]) && is_near(p.y, reach, d.periodic_y, d.wall[bottom], d.wall[top]);
+        if (near && (ix != 0 || iy != 0)) images.add(p, radius[g], static_cast<std::int32_t>(g));
+      }
+  }
+  return images;
+}
+
+std::vector<geometry::Pair> pairs_within(const Grains& grains, const Domain& domain, double gap) {
+  const PeriodicImages images = images_of(grains, domain, gap);
+  std::vector<geometry::Pair> pairs = images.close_pairs(gap);
+  for (auto& [i, j] : pairs) {
+    i = images.of[static_cast<std::size_t>(i)];
+    j = images.of[static_cast<std::size_t>(j)];
+    if (i > j) std::swap(i, j);
+  }
+  const auto key = [](const geometry::Pair& p) { return std::pair(p.i, p.j); };
+  std::erase_if(pairs, [](const geometry::Pair& p) { return p.i == p.j; });
+  std::ranges::sort(pairs, {}, key);
+  pairs.erase(std::ranges::unique(pairs, {}, key).begin(), pairs.end());
+  return pairs;
+}
+
+}  // namespace arenite

@@ -1,0 +1,55 @@
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "geometry/close_pairs.hpp"
+#include "geometry/rectangle.hpp"
+#include "model/packing.hpp"
+
+namespace arenite {
+
+/// A point moved into the periodic cell, sheared cells too; unchanged along sides that are not periodic.
+Vec2 wrapped(const Domain& domain, Vec2 point);
+
+/// One periodic image: so many widths and heights away, and by how much that moves a point, m.
+struct ImageShift {
+  int columns = 0, rows = 0;
+  Vec2 shift;
+};
+
+/// Calls `visit` for every image of a cell (the cell itself among them) in which something that fills `extent` overlaps `window`. Rows of a
+/// tilted cell are moved along x by `Domain::tilt` each (Lees-Edwards). Where nothing is periodic that is at most the thing itself.
+template <class Visit> void for_each_image(const Domain& domain, const geometry::Rectangle& extent, const geometry::Rectangle& window, Visit&& visit) {
+  const auto range = [](double low, double high, double period, bool periodic) {
+    if (periodic) return std::pair{static_cast<int>(std::ceil(low / period)), static_cast<int>(std::floor(high / period))};
+    return std::pair{0, low <= 0 && high >= 0 ? 0 : -1};
+  };
+  const auto [row0, row1] = range(window.y_min - extent.y_max, window.y_max - extent.y_min, domain.height(), domain.periodic_y);
+  for (int row = row0; row <= row1; ++row) {
+    const double along = row * domain.tilt;
+    const auto [column0, column1] = range(window.x_min - extent.x_max - along, window.x_max - extent.x_min - along, domain.width(), domain.periodic_x);
+    for (int column = column0; column <= column1; ++column) visit(ImageShift{column, row, {column * domain.width() + along, row * domain.height()}});
+  }
+}
+
+/// Disks in their cell, followed by those of their periodic images that can be within a gap of one in it.
+struct PeriodicImages {
+  std::vector<double> x, y, radius;  ///< m
+  std::vector<std::int32_t> of;      ///< the disk
+
+  void add(Vec2 centre, double r, std::int32_t disk);
+  /// All pairs of disks and images with a surface gap of at most this, m.
+  std::vector<geometry::Pair> close_pairs(double gap) const;
+};
+
+/// `gap`: the widest that is asked about, m. Throws InputError for disks far larger than the cell.
+PeriodicImages images_of(std::span<const double> x, std::span<const double> y, std::span<const double> radius, const Domain& domain, double gap);
+inline PeriodicImages images_of(const Grains& grains, const Domain& domain, double gap) { return images_of(grains.x, grains.y, grains.radius, domain, gap); }
+
+/// Every pair of grains whose surface gap (nearest image, sheared cells too) is at most `gap`, m, by (i, j), i < j.
+std::vector<geometry::Pair> pairs_within(const Grains& grains, const Domain& domain, double gap);
+
+}  // namespace arenite

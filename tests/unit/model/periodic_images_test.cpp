@@ -1,0 +1,55 @@
+#include "model/periodic_images.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "core/random.hpp"
+
+namespace {
+using namespace arenite;
+
+Domain cell(double width, double height, double tilt) {
+  Domain d;
+  d.periodic_x = d.periodic_y = true;
+  d.wall[left].position = -1;
+  d.wall[right].position = width - 1;
+  d.wall[top].position = height;
+  d.tilt = tilt;
+  return d;
+}
+
+TEST(PeriodicImages, GivePairsByTheirNearestImageInShearedCells) {
+  for (const double tilt : {0.0, 1.3}) {
+    const Domain domain = cell(7, 5, tilt);
+    RandomStream random(3, Purpose::test);
+    Grains grains;
+    grains.resize(60);
+    for (std::size_t g = 0; g < grains.size(); ++g) {
+      grains.x[g] = random.uniform(-9, 12);
+      grains.y[g] = random.uniform(-6, 11);
+      grains.radius[g] = random.uniform(0.2, 0.4);
+    }
+    std::vector<std::pair<int, int>> found, wanted;
+    for (const auto& p : pairs_within(grains, domain, 0.1)) found.emplace_back(p.i, p.j);
+    for (std::size_t i = 0; i < grains.size(); ++i)
+      for (std::size_t j = i + 1; j < grains.size(); ++j)
+        if (norm(domain.nearest_image(grains.centre(i) - grains.centre(j))) <= grains.radius[i] + grains.radius[j] + 0.1) wanted.emplace_back(i, j);
+    EXPECT_EQ(found, wanted);
+  }
+}
+
+TEST(PeriodicImages, AWrappedPointLiesInTheCellAndIsAnImageOfItself) {
+  const Domain domain = cell(7, 5, 1.3);
+  const Vec2 p{23.4, -17.2}, in = wrapped(domain, p);
+  EXPECT_TRUE(in.x >= -1 && in.x < 6 && in.y >= 0 && in.y < 5);
+  EXPECT_NEAR(norm(domain.nearest_image(p - in)), 0, 1e-12);
+}
+
+TEST(PeriodicImages, GrainsFarLargerThanTheirCellAreRefused) {
+  Grains grains;
+  grains.resize(2);
+  grains.radius = {1e4, 1e4};
+  EXPECT_THROW(pairs_within(grains, cell(7, 5, 0), 0), InputError);
+}
+
+}  // namespace
